@@ -1,0 +1,55 @@
+/* Contact faces and contact pairs, as detected in the undeformed configuration.
+ *
+ * A contact face is the overlap of an edge of block a with an edge of block b on a common
+ * line, a < b. Every face carries contact pairs: places where two springs in series join the
+ * two blocks. Source: HybriDFEM in 2D, sections 3 and 4 (see README, "Method").
+ */
+#ifndef QN_CORE_CONTACTS_H
+#define QN_CORE_CONTACTS_H
+
+#include "core/finding.h"
+#include "core/model.h"
+
+typedef struct QnContactFace {
+  QnId a, b; /* blocks, a < b */
+  QnId edge_a,
+    edge_b; /* first vertex (index within the block) of the edge, of the first edge
+                          where a collinear run was merged */
+  QnVec2 start, end; /* m; end - start points along `tangent` */
+  QnVec2 normal;     /* unit, from a to b */
+  QnVec2 tangent;    /* unit, normal turned by +90 degrees */
+  double length;     /* m */
+  double thickness;  /* m, the smaller of the two blocks' */
+  QnId law_a, law_b; /* laws of the springs on the two sides */
+  QnId first_pair;   /* into QnContacts.pairs */
+  int32_t pair_count;
+} QnContactFace;
+
+typedef struct QnContactPair {
+  QnId face;
+  QnVec2 point;     /* where A, B and C coincide in the undeformed state, m */
+  double abscissa;  /* distance of the point from face.start, m */
+  double tributary; /* length of the face that the pair stands for, m */
+} QnContactPair;
+
+/* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa. */
+typedef struct QnContacts {
+  QnContactFace *faces;
+  size_t face_count, face_capacity;
+  QnContactPair *pairs;
+  size_t pair_count, pair_capacity;
+  QnFindings findings; /* gaps, overlaps, point contacts, loose and floating blocks */
+} QnContacts;
+
+/* Finds all faces and pairs of a prepared model in O(n log n) time. Overlaps deeper than the
+ * tolerance and floating blocks are findings here, refused by qn_contacts_require_sound().
+ * `contacts` is overwritten without being cleared. */
+QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag);
+
+/* Refuses what cannot be analysed: overlapping blocks, no support, floating blocks. */
+QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,
+                                    QnDiag *diag);
+
+void qn_contacts_clear (QnContacts *contacts);
+
+#endif

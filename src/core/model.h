@@ -1,0 +1,194 @@
+/* The model: everything an analysis needs to know about a structure, in flat arrays.
+ *
+ * Entities are plain structs in arrays owned by the model and refer to each other by index.
+ * A zeroed QnModel is empty and may be cleared. Fill it with the qn_model_add_ functions, then
+ * call qn_model_prepare() once: it expands walls into blocks, computes derived geometry and
+ * refuses what breaks a rule. Afterwards the model is read-only.
+ */
+#ifndef QN_CORE_MODEL_H
+#define QN_CORE_MODEL_H
+
+#include "core/law.h"
+#include "core/status.h"
+
+/* Most blocks that one model may have; far above what a plane masonry structure needs, far
+ * below what would exhaust a machine. */
+#define QN_MAX_BLOCKS 1000000
+
+/* A rigid block: a simple polygon with three degrees of freedom at its centroid. */
+typedef struct QnBlock {
+  char *name;         /* owned, unique in the model */
+  QnId first_vertex;  /* into QnModel.vertices */
+  QnId vertex_count;  /* >= 3, counter-clockwise after qn_model_prepare() */
+  double thickness;   /* m, > 0 */
+  double unit_weight; /* N/m3, >= 0; follows from density where that was given */
+  double density;     /* kg/m3 as given in the file, or < 0 where unit_weight was given */
+  bool support[QN_DOF_COUNT]; /* fixed degrees of freedom */
+  QnId law;  /* law of the springs on this block's side, or QN_NONE: contact law */
+  QnId wall; /* wall that this block came from, or QN_NONE */
+
+  /* Derived by qn_model_prepare(). */
+  double area;         /* m2 */
+  QnVec2 centroid;     /* m */
+  double polar_moment; /* second moment of area about the centroid, m4 */
+  double weight;       /* unit_weight x area x thickness, N */
+} QnBlock;
+
+/* A parametric wall, laid course by course from the bottom. */
+typedef struct QnWall {
+  char *name;         /* owned */
+  QnVec2 origin;      /* lower left corner, m */
+  QnVec2 unit;        /* length and height of the full block, m */
+  double thickness;   /* m */
+  double unit_weight; /* N/m3 */
+  double density;     /* as in QnBlock */
+  QnId law;           /* as in QnBlock */
+  double *lengths;    /* owned: all courses one after the other, in multiples of unit.x;
+                         negative = opening of that length */
+  int32_t
+    *course_ends; /* owned: course i is lengths[course_ends[i-1] .. course_ends[i]) */
+  int32_t course_count;
+} QnWall;
+
+typedef enum {
+  QN_PLACEMENT_ENDS,    /* two pairs, each `offset` away from its end of the face */
+  QN_PLACEMENT_UNIFORM, /* `count` pairs, each in the middle of its tributary length */
+  QN_PLACEMENT_COUNT
+} QnPlacement;
+
+typedef struct QnPairRule {
+  QnPlacement placement;
+  double offset; /* m, >= 0, for ENDS; stands for rounded corners */
+  int32_t count; /* >= 1, for UNIFORM */
+} QnPairRule;
+
+/* Exception for the faces between two given blocks. */
+typedef struct QnFaceOverride {
+  QnId block_a, block_b;
+  QnId law;       /* or QN_NONE: unchanged */
+  bool has_pairs; /* whether `pairs` replaces the general rule */
+  QnPairRule pairs;
+} QnFaceOverride;
+
+typedef struct QnContactSettings {
+  QnId law;         /* law of every spring that has no other */
+  double tolerance; /* relative to the model's characteristic block length */
+  QnPairRule pairs;
+} QnContactSettings;
+
+typedef enum {
+  QN_LOAD_WEIGHT, /* on every block: block weight x direction */
+  QN_LOAD_FORCE   /* on one block: force and moment */
+} QnLoadKind;
+
+typedef struct QnLoad {
+  QnLoadKind kind;
+  QnVec2 vector; /* WEIGHT: direction of any length (1 = one weight); FORCE: N */
+  QnId block;    /* FORCE only */
+  double moment; /* N m about the point of application, FORCE only */
+  bool has_at;   /* FORCE: whether `at` is given; the centroid otherwise */
+  QnVec2 at;     /* m */
+} QnLoad;
+
+typedef enum {
+  QN_PROCEDURE_LOAD,
+  QN_PROCEDURE_DISPLACEMENT,
+  QN_PROCEDURE_WORK,
+  QN_PROCEDURE_ARC_LENGTH,
+  QN_PROCEDURE_LIMIT,
+  QN_PROCEDURE_COUNT
+} QnProcedure;
+
+typedef enum { QN_GEOMETRY_LINEAR, QN_GEOMETRY_NONLINEAR, QN_GEOMETRY_COUNT } QnGeometry;
+
+/* What to do at a limit point of the path: jump to the equilibrium beyond it or stop there. */
+typedef enum { QN_SNAP_JUMP, QN_SNAP_STOP, QN_SNAP_COUNT } QnSnap;
+
+typedef enum { QN_FLOW_ASSOCIATIVE, QN_FLOW_NON_ASSOCIATIVE, QN_FLOW_COUNT } QnFlow;
+
+typedef struct QnAnalysisSettings {
+  QnProcedure procedure;
+  QnGeometry geometry;
+  QnSnap snap;
+  QnFlow flow;           /* for QN_PROCEDURE_LIMIT; default associative */
+  int32_t increments;    /* >= 1; the first increment of the multiplier is 1/increments */
+  double max_multiplier; /* > 0; INFINITY by default */
+  double multiplier_tolerance; /* relative to the multiplier; default 1e-4 */
+  double residual_tolerance;   /* relative to the forces in the model; default 1e-8 */
+  QnId control_block;          /* or QN_NONE */
+  QnDof control_dof;
+  double control_target; /* m or rad */
+} QnAnalysisSettings;
+
+typedef struct QnModel {
+  char *title;    /* owned, may be NULL */
+  double gravity; /* m/s2 */
+
+  QnVec2 *vertices;
+  size_t vertex_count, vertex_capacity;
+  QnLaw *laws;
+  size_t law_count, law_capacity;
+  QnBlock *blocks; /* those of the file first, then those of the walls in order */
+  size_t block_count, block_capacity;
+  QnWall *walls;
+  size_t wall_count, wall_capacity;
+  QnFaceOverride *overrides;
+  size_t override_count, override_capacity;
+  QnLoad *dead_loads;
+  size_t dead_load_count, dead_load_capacity;
+  QnLoad *live_loads;
+  size_t live_load_count, live_load_capacity;
+
+  QnContactSettings contact;
+  QnAnalysisSettings analysis;
+
+  double
+    characteristic_length; /* median of the square roots of the block areas, m; derived */
+} QnModel;
+
+/* An empty model with the defaults of the project file format. */
+void qn_model_init (QnModel *model);
+
+/* Frees everything the model owns and leaves it zeroed. */
+void qn_model_clear (QnModel *model);
+
+/* Deep copy, prepared if `source` is. `copy` is overwritten without being cleared. */
+QnStatus qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag);
+
+/* Each returns a pointer to the new, zeroed entity (valid until the next addition of its
+ * kind), or NULL when memory runs out. A new block or wall has law = wall = QN_NONE and
+ * density = -1. */
+QnLaw *qn_model_add_law (QnModel *model, const char *name);
+QnBlock *qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
+                             size_t vertex_count);
+QnWall *qn_model_add_wall (QnModel *model, const char *name);
+QnFaceOverride *qn_model_add_override (QnModel *model);
+QnLoad *qn_model_add_dead_load (QnModel *model);
+QnLoad *qn_model_add_live_load (QnModel *model);
+
+/* Appends a course to a wall; false when memory runs out. */
+bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);
+
+/* Index of the entity with this name, or QN_NONE. */
+QnId qn_model_find_law (const QnModel *model, const char *name);
+QnId qn_model_find_block (const QnModel *model, const char *name);
+
+/* Expands walls, orients polygons counter-clockwise, computes areas, centroids and weights,
+ * and checks every number and reference that can be checked without contacts. The first
+ * problem found is reported; the model may only be cleared then. */
+QnStatus qn_model_prepare (QnModel *model, QnDiag *diag);
+
+/* Resultant of the dead or the live loads on every block.
+ *
+ * forces: block_count x 3: fx, fy in N and the moment about the centroid in N m. */
+void qn_model_dead_forces (const QnModel *model, double *forces);
+void qn_model_live_forces (const QnModel *model, double *forces);
+
+/* Vertices of a block. */
+static inline const QnVec2 *
+qn_model_block_vertices (const QnModel *model, QnId block)
+{
+  return model->vertices + model->blocks[block].first_vertex;
+}
+
+#endif

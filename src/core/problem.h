@@ -1,0 +1,59 @@
+/* Every reason for which the core refuses an input or warns about it, with its English sentence.
+ *
+ * One list makes both the enumeration and the texts, so the two cannot fall out of step. The
+ * texts are message identifiers: layers above the core translate them. They start in lower
+ * case and name no entity, because the layer that prints them puts "file:line:column: path: "
+ * in front.
+ */
+#ifndef QN_CORE_PROBLEM_H
+#define QN_CORE_PROBLEM_H
+
+/* clang-format off */
+#define QN_PROBLEMS(X) \
+  X (NONE, "no problem") \
+  X (NO_MEMORY, "not enough memory") \
+  X (NOT_FINITE, "number is not finite") \
+  X (NOT_POSITIVE, "number must be positive") \
+  X (NEGATIVE, "number must not be negative") \
+  X (TOO_LARGE, "number is too large") \
+  X (TOO_FEW_VERTICES, "polygon has fewer than three vertices") \
+  X (DUPLICATE_VERTEX, "polygon repeats a vertex") \
+  X (ZERO_AREA, "polygon has no area") \
+  X (SELF_CROSSING, "polygon crosses itself") \
+  X (BLOCKS_OVERLAP, "blocks overlap") \
+  X (NAME_MISSING, "name is empty") \
+  X (NAME_TAKEN, "name is used twice") \
+  X (LAW_UNKNOWN, "no law has this name") \
+  X (LAW_MISSING, "contact law is missing") \
+  X (BASIS_UNSUPPORTED, "this basis is not available for this kind of law") \
+  X (DILATANCY_ABOVE_FRICTION, "dilatancy exceeds friction") \
+  X (BLOCK_UNKNOWN, "no block has this name") \
+  X (NO_BLOCKS, "model has no blocks") \
+  X (NO_SUPPORT, "model has no supported block") \
+  X (BLOCK_FLOATING, "block is not connected to any support") \
+  X (COURSE_EMPTY, "course is empty") \
+  X (COURSE_LENGTH_ZERO, "length in a course is zero") \
+  X (TOO_MANY_BLOCKS, "more blocks than the program handles") \
+  X (PAIR_OFFSET_TOO_LARGE, "offset leaves no room between the two contact pairs of a face") \
+  X (PAIR_COUNT, "number of contact pairs must be at least one") \
+  X (NO_LIVE_LOAD, "no live load acts on any free block") \
+  X (CONTROL_DOF_FIXED, "controlled degree of freedom is fixed") \
+  X (CONTROL_TARGET_ZERO, "control target is zero") \
+  X (CONTROL_MISSING, "procedure needs a control block and target") \
+  X (NEAR_MISS_GAP, "gap just wider than the contact tolerance") \
+  X (NEAR_MISS_OVERLAP, "overlap within a few contact tolerances") \
+  X (POINT_CONTACT, "blocks touch at a point only") \
+  X (BLOCK_WITHOUT_CONTACT, "block touches no other block")
+/* clang-format on */
+
+typedef enum {
+#define QN_PROBLEM_ENUM(name, text) QN_PROBLEM_##name,
+  QN_PROBLEMS (QN_PROBLEM_ENUM)
+#undef QN_PROBLEM_ENUM
+    QN_PROBLEM_COUNT
+} QnProblem;
+
+/* The English sentence of a problem; a static string. */
+const char *qn_problem_text (QnProblem problem);
+
+#endif

@@ -1,0 +1,102 @@
+/* Result of an analysis: the path of converged equilibria and how it ended. */
+#ifndef QN_CORE_RESULT_H
+#define QN_CORE_RESULT_H
+
+#include "core/contacts.h"
+
+typedef enum {
+  QN_OUTCOME_COLLAPSE,           /* no equilibrium beyond collapse_multiplier */
+  QN_OUTCOME_TARGET_REACHED,     /* max_multiplier or the control target was reached */
+  QN_OUTCOME_SNAP,               /* stopped at a limit point, as asked */
+  QN_OUTCOME_DEAD_LOAD_UNSTABLE, /* no equilibrium under the dead load */
+  QN_OUTCOME_CANCELLED,
+  QN_OUTCOME_NOT_CONVERGED,
+  QN_OUTCOME_COUNT
+} QnOutcome;
+
+typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT } QnEvent;
+
+typedef enum {
+  QN_PAIR_STICK,
+  QN_PAIR_SLIP,
+  QN_PAIR_OPEN,
+  QN_PAIR_STATE_COUNT
+} QnPairState;
+
+/* One converged equilibrium. The first step is the dead load alone, multiplier 0. */
+typedef struct QnStep {
+  double multiplier;
+  int32_t iterations; /* spent on this step */
+  double residual;    /* out-of-balance relative to the forces in the model */
+  QnEvent event; /* SNAP: the first equilibrium after a jump; COLLAPSE: the last one */
+} QnStep;
+
+/* Force of a contact pair on block a of its face is normal_force * normal + shear_force *
+ * tangent; the opposite acts on block b. */
+typedef struct QnPairResult {
+  QnPairState state;
+  double normal_force; /* N, <= 0 in compression */
+  double shear_force;  /* N */
+} QnPairResult;
+
+typedef struct QnStatistics {
+  double seconds;
+  double factor_seconds;   /* of these: factorising and solving */
+  double assembly_seconds; /* scattering element tangents and residuals */
+  double law_seconds;      /* evaluating constitutive laws */
+  int32_t iterations;
+  int32_t factorizations;
+  int64_t peak_memory_bytes; /* filled by layers that can measure it, else 0 */
+} QnStatistics;
+
+typedef struct QnResult {
+  QnOutcome outcome;
+  bool has_collapse_multiplier;
+  double collapse_multiplier; /* largest multiplier with an equilibrium */
+  bool has_first_limit_multiplier;
+  double first_limit_multiplier; /* where the path first loses stability */
+
+  size_t block_count; /* rows of displacements and mechanism */
+  size_t pair_count;
+
+  QnStep *steps;
+  size_t step_count, step_capacity;
+  double *displacements; /* step_count x block_count x 3; m, m, rad at centroids */
+  size_t displacement_capacity;
+
+  QnPairResult *pairs; /* at the last equilibrium */
+  double *mechanism;   /* block_count x 3 velocity field at collapse, scaled as
+                          qn_result_set_mechanism() says; NULL where there is none */
+
+  QnId *unstable_blocks; /* DEAD_LOAD_UNSTABLE: blocks that move, most moved first */
+  size_t unstable_count;
+
+  QnStatistics statistics;
+} QnResult;
+
+/* Result-file spelling: "collapse", "target-reached", … and "stick", "slip", "open". */
+const char *qn_outcome_name (QnOutcome outcome);
+const char *qn_pair_state_name (QnPairState state);
+
+/* An empty result for a model with this many blocks and pairs. */
+QnStatus qn_result_init (QnResult *result, size_t block_count, size_t pair_count,
+                         QnDiag *diag);
+
+void qn_result_clear (QnResult *result);
+
+/* Appends a step; displacements: block_count x 3. False when memory runs out. */
+bool qn_result_add_step (QnResult *result, QnStep step, const double *displacements);
+
+/* Keeps `velocities` (block_count x 3), scaled so that the largest of |(ux, uy)| over the
+ * blocks, or of |rz| x characteristic length where that is larger, is 1. */
+QnStatus qn_result_set_mechanism (QnResult *result, const double *velocities,
+                                  double characteristic_length, QnDiag *diag);
+
+/* Displacements of one step, block_count x 3. */
+static inline const double *
+qn_result_step_displacements (const QnResult *result, size_t step)
+{
+  return result->displacements + step * result->block_count * QN_DOF_COUNT;
+}
+
+#endif

@@ -1,0 +1,33 @@
+#include "core/status.h"
+
+const char *
+qn_problem_text (QnProblem problem)
+{
+#define QN_PROBLEM_TEXT(name, text) text,
+  static const char *const texts[QN_PROBLEM_COUNT] = { QN_PROBLEMS (QN_PROBLEM_TEXT) };
+#undef QN_PROBLEM_TEXT
+
+  QN_ASSERT (problem >= 0 && problem < QN_PROBLEM_COUNT);
+  return texts[problem];
+}
+
+QnStatus
+qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
+             QnId index, QnId sub)
+{
+  if (diag != NULL)
+    *diag = (QnDiag){ .status = status,
+                      .problem = problem,
+                      .entity = entity,
+                      .index = index,
+                      .sub = sub,
+                      .other = QN_NONE };
+  return status;
+}
+
+QnStatus
+qn_diag_no_memory (QnDiag *diag)
+{
+  return qn_diag_set (diag, QN_ERROR_NO_MEMORY, QN_PROBLEM_NO_MEMORY, QN_ENTITY_MODEL,
+                      QN_NONE, QN_NONE);
+}
