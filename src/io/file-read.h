@@ -1,0 +1,15 @@
+/* Reading a whole file into memory. */
+#ifndef QN_IO_FILE_READ_H
+#define QN_IO_FILE_READ_H
+
+#include <glib.h>
+
+/* Largest file that is read, so that an endless device cannot exhaust the machine. */
+#define QN_FILE_READ_LIMIT ((gsize) 2 << 30)
+
+/* The bytes of a file (or of a pipe; "-" is standard input), with a NUL byte behind them that
+ * `length` does not count. Free with g_free(). NULL with an error in the domain QN_IO_ERROR,
+ * code FILE, for what is missing, unreadable, a folder or too large. */
+char *qn_file_read (const char *path, gsize *length, GError **error);
+
+#endif

@@ -1,0 +1,50 @@
+/* Writing a file so that a crash, a full disk or a cancelled run never leaves half of it.
+ *
+ * Bytes go to a temporary file in the target's folder, which takes the target's name only when
+ * everything is on the disk. Three targets are written directly: "-" (standard output),
+ * devices and pipes, because replacing them would be wrong.
+ *
+ *   QnFileWriter *writer = qn_file_writer_open (path, &error);
+ *   if (writer == NULL)
+ *     return FALSE;
+ *   qn_file_writer_puts (writer, "…");
+ *   return qn_file_writer_commit (writer, &error);
+ *
+ * Trouble while writing is remembered and reported by the commit, so that the code that makes
+ * the bytes needs no checks.
+ */
+#ifndef QN_IO_FILE_WRITER_H
+#define QN_IO_FILE_WRITER_H
+
+#include <glib.h>
+
+typedef struct QnFileWriter QnFileWriter;
+
+/* NULL with an error (QN_IO_ERROR, code FILE) where the target cannot be written. */
+QnFileWriter *qn_file_writer_open (const char *path, GError **error);
+
+void qn_file_writer_write (QnFileWriter *writer, const char *bytes, gsize length);
+void qn_file_writer_puts (QnFileWriter *writer, const char *text);
+void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
+  G_GNUC_PRINTF (2, 3);
+
+/* The shortest decimal text that reads back as the same double; see number-text.h. */
+void qn_file_writer_number (QnFileWriter *writer, double number);
+
+/* A JSON string with its quotes. */
+void qn_file_writer_json_string (QnFileWriter *writer, const char *text);
+
+/* Whether something has already gone wrong: a long writing loop may stop early. */
+gboolean qn_file_writer_failed (const QnFileWriter *writer);
+
+/* Completes the file and frees the writer. On failure the target is as it was before. */
+gboolean qn_file_writer_commit (QnFileWriter *writer, GError **error);
+
+/* Gives up: removes the temporary file and frees the writer. NULL is allowed. */
+void qn_file_writer_discard (QnFileWriter *writer);
+
+/* All of it at once. */
+gboolean qn_file_write (const char *path, const char *bytes, gsize length,
+                        GError **error);
+
+#endif

@@ -1,0 +1,30 @@
+/* The error domain of everything that reads and writes files.
+ *
+ * The message of such a GError is one finished line, translated, in the form
+ *
+ *   wall.quoin:12:7: blocks[3].vertices: polygon crosses itself
+ *
+ * so that a caller only puts its own name in front.
+ */
+#ifndef QN_IO_IO_ERROR_H
+#define QN_IO_IO_ERROR_H
+
+#include <glib.h>
+
+#define QN_IO_ERROR (qn_io_error_quark ())
+
+typedef enum {
+  QN_IO_ERROR_INVALID,  /* the content breaks a rule of its format */
+  QN_IO_ERROR_FILE,     /* the file cannot be opened, read or written */
+  QN_IO_ERROR_OVERRIDE, /* an override is not of the form path=value: wrong usage */
+  QN_IO_ERROR_NO_MEMORY /* an allocation failed */
+} QnIoError;
+
+GQuark qn_io_error_quark (void);
+
+/* Sets *error to "<file>: <reason of errno>", domain QN_IO_ERROR, code FILE. `what` is a
+ * translated phrase such as "cannot be read". */
+void qn_io_error_set_errno (GError **error, const char *file, const char *what,
+                            int error_number);
+
+#endif

@@ -1,0 +1,38 @@
+/* Independent check of a result: is the written state an equilibrium that the joints can carry?
+ *
+ * It knows nothing of the solver. From the result file it takes the contact points, normals,
+ * forces and the multiplier; from the project file the blocks, loads and laws. It sums forces
+ * and moments on every free degree of freedom and compares every pair's force with
+ * |t| <= c - mu n and n <= ft of the laws on both of its sides.
+ */
+#ifndef QN_IO_RESULT_CHECK_H
+#define QN_IO_RESULT_CHECK_H
+
+#include "io/result-file.h"
+
+typedef struct QnResultCheck {
+  double multiplier; /* of the equilibrium that was checked */
+
+  double out_of_balance; /* largest over the free degrees of freedom, over `force_scale`;
+                            moments count with the arm sqrt(block area) */
+  QnId unbalanced_block; /* where, or QN_NONE when nothing is out of balance */
+  double
+    force_scale; /* N: largest block weight; largest load where blocks are weightless */
+
+  double yield_violation; /* largest over the pairs, over `contact_scale` */
+  QnId violating_pair;    /* where, or QN_NONE */
+  double contact_scale;   /* N: largest contact force */
+
+  double
+    point_distance;  /* m: largest distance of a contact point from the outline of either
+                            of its blocks */
+  QnId distant_pair; /* where, or QN_NONE */
+} QnResultCheck;
+
+/* Checks `file` against the project it was computed from, loaded with the file's overrides.
+ * False with an error where the two do not belong together, or where the analysis was made in
+ * nonlinear geometry, whose equilibrium is not that of the undeformed points. */
+gboolean qn_result_check (const QnResultFile *file, const QnProject *project,
+                          QnResultCheck *check, GError **error);
+
+#endif

@@ -1,0 +1,27 @@
+/* Tables as comma-separated values (RFC 4180), units in the header. */
+#ifndef QN_IO_TABLE_CSV_H
+#define QN_IO_TABLE_CSV_H
+
+#include "core/result.h"
+#include "io/project.h"
+
+/* The block whose displacement a load–displacement curve shows: the analysis' control block if
+ * it has one, otherwise the free block that moves furthest at the last step. QN_NONE for a
+ * result without steps. */
+QnId qn_result_curve_block (const QnModel *model, const QnResult *result);
+
+/* Load–displacement curve, a row per step: step number, multiplier, displacements of the block
+ * of qn_result_curve_block(), iterations, residual, event. */
+gboolean qn_curve_csv_write (const char *path, const QnProject *project,
+                             const QnResult *result, GError **error);
+
+/* Displacements of every block at one step (< result->step_count). */
+gboolean qn_displacements_csv_write (const char *path, const QnProject *project,
+                                     const QnResult *result, size_t step, GError **error);
+
+/* Every contact pair at the last equilibrium. */
+gboolean qn_contacts_csv_write (const char *path, const QnProject *project,
+                                const QnContacts *contacts, const QnResult *result,
+                                GError **error);
+
+#endif
