@@ -1,0 +1,68 @@
+/* Every header of src/ compiles alone: whoever includes it needs nothing before it. */
+#include "source-tree.h"
+
+#include <glib/gstdio.h>
+
+/* Compiles a header by itself; complains with the first line of the compiler's answer. */
+static void
+check_header (const char *path, GString *complaints)
+{
+  g_auto (GStrv) command = NULL;
+  g_autoptr (GError) error = NULL;
+  g_autofree char *line
+    = g_strdup_printf ("%s -std=gnu11 -fsyntax-only -Wall -Wextra -x c %s",
+                       g_getenv ("QUOIN_COMPILE"), path);
+  g_assert_true (g_shell_parse_argv (line, NULL, &command, &error));
+
+  g_autofree char *answer = NULL;
+  int status = 0;
+  g_spawn_sync (NULL, command, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL, &answer, &status,
+                &error);
+  g_assert_no_error (error);
+  if (!g_spawn_check_wait_status (status, NULL)) {
+    g_auto (GStrv) lines = g_strsplit (answer, "\n", 2);
+    complain (complaints, "%s does not compile alone: %s", path, lines[0]);
+  }
+}
+
+static void
+test_headers (void)
+{
+  static const char *const suffixes[] = { ".h", NULL };
+  g_autoptr (GPtrArray) files = source_tree_files ("src", suffixes);
+  g_assert_cmpuint (files->len, >, 10);
+
+  GString *complaints = g_string_new (NULL);
+  for (guint i = 0; i < files->len; i++) {
+    g_autofree char *path
+      = g_build_filename (source_tree_root (), g_ptr_array_index (files, i), NULL);
+    check_header (path, complaints);
+  }
+  assert_no_complaints (complaints);
+}
+
+static void
+test_check_can_fail (void)
+{
+  g_autofree char *path = NULL;
+  g_autoptr (GError) error = NULL;
+  int file = g_file_open_tmp ("quoin-XXXXXX.h", &path, &error);
+  g_assert_no_error (error);
+  g_close (file, NULL);
+  g_file_set_contents (path, "size_t count_of (const char *text);\n", -1, &error);
+  g_assert_no_error (error);
+
+  GString *complaints = g_string_new (NULL);
+  check_header (path, complaints);
+  assert_complaint (complaints, "does not compile alone");
+  g_unlink (path);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/checks/headers/alone", test_headers);
+  g_test_add_func ("/checks/headers/can-fail", test_check_can_fail);
+  return g_test_run ();
+}

@@ -1,0 +1,194 @@
+/* The layers are strictly one way: what each folder of src/ may include. */
+#include "source-tree.h"
+
+#include <string.h>
+
+/* Header families are named by prefixes of what stands between the quotes or brackets. */
+typedef struct Layer {
+  const char *folder;
+  const char *own[8];     /* folders of ours that it may include */
+  const char *foreign[8]; /* system headers it may include beside the C library's */
+} Layer;
+
+static const Layer layers[] = {
+  { "core",
+    { "core/" },
+    { "klu.h", "umfpack.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h" } },
+  { "stereotomy", { "core/", "stereotomy/" }, { "geos_c.h" } },
+  { "io",
+    { "core/", "stereotomy/", "io/" },
+    { "glib", "gio/", "cjson/", "dxflib/", "dl_" } },
+  { "render",
+    { "core/", "render/" },
+    { "glib", "gio/", "gmodule.h", "cairo", "GL/", "EGL/", "png.h" } },
+  { "doc",
+    { "core/", "stereotomy/", "io/", "render/", "doc/" },
+    { "glib", "gio/", "gmodule.h", "cairo" } },
+  { "cli",
+    { "core/", "stereotomy/", "io/", "render/", "doc/", "cli/", "config.h" },
+    { "glib", "gio/" } },
+  { "app",
+    { "core/", "stereotomy/", "io/", "render/", "doc/", "app/", "config.h" },
+    { "glib", "gio/", "gmodule.h", "cairo", "gtk/", "gdk/", "gsk/", "graphene", "pango" } },
+};
+
+/* Of the C and POSIX libraries. What of them the core may call is another check. */
+static const char *const everywhere[] = {
+  "assert.h", "ctype.h",  "errno.h",  "float.h",  "inttypes.h", "limits.h",   "locale.h",
+  "math.h",   "signal.h", "stdarg.h", "stdint.h", "stdbool.h",  "stddef.h",   "stdio.h",
+  "stdlib.h", "string.h", "time.h",   "unistd.h", "fcntl.h",    "sys/stat.h", "sys/resource.h",
+  "libintl.h", NULL,
+};
+
+static const Layer *
+layer_of (const char *path)
+{
+  for (size_t i = 0; i < G_N_ELEMENTS (layers); i++) {
+    g_autofree char *prefix = g_strdup_printf ("src/%s/", layers[i].folder);
+    if (g_str_has_prefix (path, prefix))
+      return &layers[i];
+  }
+  return NULL;
+}
+
+static gboolean
+has_one_of (const char *name, const char *const *prefixes, size_t count)
+{
+  for (size_t i = 0; i < count && prefixes[i] != NULL; i++)
+    if (g_str_has_prefix (name, prefixes[i]))
+      return TRUE;
+  return FALSE;
+}
+
+/* Checks one line of a source file. */
+static void
+check_line (const char *path, const char *line, GString *complaints)
+{
+  g_autofree char *text = g_strdup (line);
+  char *at = g_strchug (text);
+  if (*at++ != '#')
+    return;
+  at = g_strchug (at);
+  if (!g_str_has_prefix (at, "include"))
+    return;
+
+  at = g_strchug (at + strlen ("include"));
+  char opening = *at++;
+  char *end = strchr (at, opening == '<' ? '>' : '"');
+  const Layer *layer = layer_of (path);
+  if (end == NULL || layer == NULL) {
+    complain (complaints, "%s: cannot judge %s", path, line);
+    return;
+  }
+  *end = '\0';
+
+  gboolean allowed
+    = opening == '"'
+        ? has_one_of (at, layer->own, G_N_ELEMENTS (layer->own))
+        : g_strv_contains (everywhere, at)
+            || has_one_of (at, layer->foreign, G_N_ELEMENTS (layer->foreign));
+  if (!allowed)
+    complain (complaints, "%s: layer '%s' may not include %s", path, layer->folder, at);
+}
+
+static void
+test_layers (void)
+{
+  static const char *const suffixes[] = { ".c", ".h", ".cpp", NULL };
+  g_autoptr (GPtrArray) files = source_tree_files ("src", suffixes);
+  g_assert_cmpuint (files->len, >, 10);
+
+  GString *complaints = g_string_new (NULL);
+  for (guint i = 0; i < files->len; i++) {
+    const char *path = g_ptr_array_index (files, i);
+    g_auto (GStrv) lines = source_tree_lines (path);
+    for (char **line = lines; *line != NULL; line++)
+      check_line (path, *line, complaints);
+  }
+  assert_no_complaints (complaints);
+}
+
+static void
+expect (const char *path, const char *line, gboolean refused)
+{
+  GString *complaints = g_string_new (NULL);
+  check_line (path, line, complaints);
+  if (refused)
+    assert_complaint (complaints, path);
+  else
+    assert_no_complaints (complaints);
+}
+
+static void
+test_check_can_fail (void)
+{
+  expect ("src/core/a.c", "#include <glib.h>", TRUE);
+  expect ("src/core/a.c", "#include \"io/project-read.h\"", TRUE);
+  expect ("src/core/a.c", "# include <gtk/gtk.h>", TRUE);
+  expect ("src/core/a.c", "#include \"core/model.h\"", FALSE);
+  expect ("src/core/a.c", "#include <umfpack.h>", FALSE);
+  expect ("src/io/a.c", "#include \"render/scene.h\"", TRUE);
+  expect ("src/io/a.c", "#include <cairo.h>", TRUE);
+  expect ("src/render/a.c", "#include \"io/project-read.h\"", TRUE);
+  expect ("src/render/a.c", "#include <cairo-svg.h>", FALSE);
+  expect ("src/doc/a.c", "#include <gtk/gtk.h>", TRUE);
+  expect ("src/cli/a.c", "#include <gtk/gtk.h>", TRUE);
+  expect ("src/cli/a.c", "#include \"app/window.h\"", TRUE);
+  expect ("src/app/a.c", "#include \"cli/command.h\"", TRUE);
+  expect ("src/app/a.c", "#include <gtk/gtk.h>", FALSE);
+  expect ("src/elsewhere/a.c", "#include <math.h>", TRUE);
+}
+
+/* Every layer has its line in src/meson.build, in an order in which nobody can name a library
+ * of a later one. */
+static void
+check_subdirs (const char *build_file, GString *complaints)
+{
+  const char *last = build_file;
+  for (size_t i = 0; i < G_N_ELEMENTS (layers); i++) {
+    g_autofree char *call = g_strdup_printf ("subdir('%s')", layers[i].folder);
+    const char *found = strstr (build_file, call);
+    g_autofree char *path
+      = g_build_filename (source_tree_root (), "src", layers[i].folder, NULL);
+    if (found == NULL) {
+      if (g_file_test (path, G_FILE_TEST_IS_DIR))
+        complain (complaints, "src/meson.build does not build %s", layers[i].folder);
+      continue;
+    }
+    if (found < last)
+      complain (complaints, "src/meson.build: %s comes too early", layers[i].folder);
+    last = found;
+  }
+}
+
+static void
+test_subdir_order (void)
+{
+  g_autofree char *text = source_tree_read ("src/meson.build");
+  GString *complaints = g_string_new (NULL);
+  check_subdirs (text, complaints);
+  assert_no_complaints (complaints);
+}
+
+static void
+test_subdir_check_can_fail (void)
+{
+  GString *complaints = g_string_new (NULL);
+  check_subdirs ("subdir('io')\nsubdir('core')\n", complaints);
+  assert_complaint (complaints, "io comes too early");
+
+  complaints = g_string_new (NULL);
+  check_subdirs ("subdir('io')\n", complaints);
+  assert_complaint (complaints, "does not build core");
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/checks/includes/layers", test_layers);
+  g_test_add_func ("/checks/includes/can-fail", test_check_can_fail);
+  g_test_add_func ("/checks/includes/subdir-order", test_subdir_order);
+  g_test_add_func ("/checks/includes/subdir-can-fail", test_subdir_check_can_fail);
+  return g_test_run ();
+}

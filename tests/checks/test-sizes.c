@@ -1,0 +1,101 @@
+/* Files and functions stay of a size that can be read at one sitting, and nothing is left for
+ * later. */
+#include "source-tree.h"
+
+#include <string.h>
+
+enum { LONGEST_FILE = 800, LONGEST_FUNCTION = 80 };
+
+/* Put together at run time, so that this file does not contain what it looks for. */
+static const char *const unfinished[][2] = { { "TO", "DO" }, { "FIX", "ME" }, { "XX", "X:" } };
+
+/* Counts from the opening to the closing brace in the first column, both left out. */
+static void
+check_functions (const char *path, char **lines, GString *complaints)
+{
+  int opened = -1;
+  for (int i = 0; lines[i] != NULL; i++) {
+    if (strcmp (lines[i], "{") == 0)
+      opened = i;
+    if (strcmp (lines[i], "}") == 0 && opened >= 0) {
+      if (i - opened - 1 > LONGEST_FUNCTION)
+        complain (complaints, "%s:%d: function of %d lines", path, opened, i - opened - 1);
+      opened = -1;
+    }
+  }
+}
+
+static void
+check_file (const char *path, char **lines, GString *complaints)
+{
+  guint count = g_strv_length (lines);
+  if (count > LONGEST_FILE)
+    complain (complaints, "%s has %u lines", path, count);
+  check_functions (path, lines, complaints);
+
+  for (guint i = 0; i < count; i++)
+    for (size_t k = 0; k < G_N_ELEMENTS (unfinished); k++) {
+      g_autofree char *mark = g_strconcat (unfinished[k][0], unfinished[k][1], NULL);
+      if (strstr (lines[i], mark) != NULL)
+        complain (complaints, "%s:%u: unfinished", path, i + 1);
+    }
+}
+
+static void
+test_sizes (void)
+{
+  static const char *const suffixes[] = { ".c", ".h", ".cpp", NULL };
+  static const char *const folders[] = { "src", "tests" };
+  GString *complaints = g_string_new (NULL);
+  for (size_t i = 0; i < G_N_ELEMENTS (folders); i++) {
+    g_autoptr (GPtrArray) files = source_tree_files (folders[i], suffixes);
+    for (guint k = 0; k < files->len; k++) {
+      const char *path = g_ptr_array_index (files, k);
+      g_auto (GStrv) lines = source_tree_lines (path);
+      check_file (path, lines, complaints);
+    }
+  }
+  assert_no_complaints (complaints);
+}
+
+static char **
+make_lines (const char *before, guint count, const char *after)
+{
+  GString *text = g_string_new (before);
+  for (guint i = 0; i < count; i++)
+    g_string_append (text, "x\n");
+  g_string_append (text, after);
+  char **lines = g_strsplit (text->str, "\n", -1);
+  g_string_free (text, TRUE);
+  return lines;
+}
+
+static void
+expect (char **lines, const char *complaint)
+{
+  GString *complaints = g_string_new (NULL);
+  check_file ("a.c", lines, complaints);
+  if (complaint != NULL)
+    assert_complaint (complaints, complaint);
+  else
+    assert_no_complaints (complaints);
+  g_strfreev (lines);
+}
+
+static void
+test_check_can_fail (void)
+{
+  expect (make_lines ("int\nf (void)\n{\n", LONGEST_FUNCTION + 1, "}\n"), "function of 81");
+  expect (make_lines ("int\nf (void)\n{\n", LONGEST_FUNCTION, "}\n"), NULL);
+  expect (make_lines ("", LONGEST_FILE + 1, ""), "lines");
+  expect (make_lines ("/* TO" "DO later */\n", 1, ""), "unfinished");
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/checks/sizes/tree", test_sizes);
+  g_test_add_func ("/checks/sizes/can-fail", test_check_can_fail);
+  return g_test_run ();
+}

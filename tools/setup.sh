@@ -1,0 +1,38 @@
+#!/bin/bash
+# Installs the Debian packages that building, testing and running Quoin needs, where any is
+# missing. Written for Debian 12; run by tools/run.sh and tools/test.sh.
+set -euo pipefail
+
+packages=(
+  # building
+  gcc g++ libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
+  # libraries
+  libglib2.0-dev libcjson-dev libcairo2-dev libsuitesparse-dev libgeos-dev libdxflib-dev
+  libgtk-4-dev
+  # checks and tests
+  clang-format-14 binutils locales-all
+  desktop-file-utils appstream xvfb xauth
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+echo "setup: installing ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "setup: these packages need root: apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive
+  apt-get --quiet=2 -o DPkg::Lock::Timeout=300)
+"${apt[@]}" update </dev/null
+"${apt[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null

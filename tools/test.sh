@@ -1,0 +1,72 @@
+#!/bin/bash
+# Builds Quoin with warnings as errors and runs every test, then runs the quick ones again
+# under the address and undefined-behaviour sanitizers. Sets the machine up first where
+# something is missing. The last line says how many tests passed and failed.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+exec </dev/null
+
+tools/setup.sh
+
+passed=0
+failed=0
+
+# count FOLDER STATUS: adds the test cases of a finished run to the totals. A run that failed
+# without one failing case (a crash before the first, say) counts as one failure.
+count () {
+  local log=$1/meson-logs/testlog.junit.xml good=0 bad=0
+  if [ -f "$log" ]; then
+    read -r good bad < <(awk '
+      function value (name) {
+        return match ($0, " " name "=\"[0-9]+\"") \
+          ? substr ($0, RSTART + length (name) + 3, RLENGTH - length (name) - 4) + 0 : 0
+      }
+      BEGIN { RS = ">" }
+      /<testsuite / {
+        wrong = value ("failures") + value ("errors")
+        bad += wrong
+        good += value ("tests") - wrong - value ("skipped")
+      }
+      END { print good + 0, bad + 0 }' "$log")
+  fi
+  if [ "$2" -ne 0 ] && [ "$bad" -eq 0 ]; then
+    bad=1
+  fi
+  passed=$((passed + good))
+  failed=$((failed + bad))
+}
+
+# check FOLDER SETUP-OPTION... -- TEST-OPTION...: configures, builds and tests one build.
+check () {
+  local folder=$1 status=0
+  shift
+  local options=()
+  while [ "$1" != -- ]; do
+    options+=("$1")
+    shift
+  done
+  shift
+  if [ ! -f "$folder/build.ninja" ]; then
+    meson setup "$folder" -Dwerror=true "${options[@]}" || status=$?
+  fi
+  if [ "$status" -eq 0 ]; then
+    ninja -C "$folder" || status=$?
+  fi
+  rm -f "$folder/meson-logs/testlog.junit.xml"
+  if [ "$status" -eq 0 ]; then
+    meson test -C "$folder" --no-rebuild --print-errorlogs "$@" || status=$?
+  fi
+  count "$folder" "$status"
+}
+
+echo "== tests"
+check build-test -- --timeout-multiplier 3
+
+echo "== tests under sanitizers"
+export ASAN_OPTIONS=detect_leaks=1:abort_on_error=1
+export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
+check build-sanitize -Db_sanitize=address,undefined -Db_lundef=false -- \
+  --timeout-multiplier 6 --no-suite slow --no-suite app
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
