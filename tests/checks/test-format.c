@@ -8,10 +8,10 @@ static void
 check_format (GPtrArray *paths, GString *complaints)
 {
   GStrvBuilder *builder = g_strv_builder_new ();
-  g_autofree char *style
-    = g_strdup_printf ("--style=file:%s/.clang-format", source_tree_root ());
-  g_strv_builder_add_many (builder, g_getenv ("QUOIN_CLANG_FORMAT"), "--dry-run", "-Werror",
-                           style, NULL);
+  g_autofree char *style =
+    g_strdup_printf ("--style=file:%s/.clang-format", source_tree_root ());
+  g_strv_builder_add_many (builder, g_getenv ("QUOIN_CLANG_FORMAT"), "--dry-run",
+                           "-Werror", style, NULL);
   for (guint i = 0; i < paths->len; i++)
     g_strv_builder_add (builder, g_ptr_array_index (paths, i));
   g_auto (GStrv) command = g_strv_builder_end (builder);
@@ -37,7 +37,7 @@ test_format (void)
   GString *complaints = g_string_new (NULL);
   for (size_t i = 0; i < G_N_ELEMENTS (folders); i++) {
     g_autoptr (GPtrArray) files = source_tree_files (folders[i], suffixes);
-    g_assert_cmpuint (files->len, >, 10);
+    g_assert_cmpuint (files->len, >, 5);
     check_format (files, complaints);
   }
   assert_no_complaints (complaints);

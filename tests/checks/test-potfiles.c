@@ -5,8 +5,9 @@
 
 /* Marks of a translatable string. The core's sentences stand in one list, which extraction
  * takes by its macro's name. */
-static const char *const marks[]
-  = { "_ (\"", "N_ (\"", "C_ (\"", "ngettext (", "g_dngettext (", "translatable=\"yes\"" };
+static const char *const marks[] = {
+  "_ (\"", "N_ (\"", "C_ (\"", "ngettext (", "g_dngettext (", "translatable=\"yes\""
+};
 
 static gboolean
 is_translatable (const char *path, const char *text)
@@ -16,7 +17,8 @@ is_translatable (const char *path, const char *text)
   for (size_t i = 0; i < G_N_ELEMENTS (marks); i++) {
     const char *found = text;
     while ((found = strstr (found, marks[i])) != NULL) {
-      gboolean whole_word = found == text || !(g_ascii_isalnum (found[-1]) || found[-1] == '_');
+      gboolean whole_word =
+        found == text || !(g_ascii_isalnum (found[-1]) || found[-1] == '_');
       if (whole_word)
         return TRUE;
       found++;

@@ -7,7 +7,9 @@
 enum { LONGEST_FILE = 800, LONGEST_FUNCTION = 80 };
 
 /* Put together at run time, so that this file does not contain what it looks for. */
-static const char *const unfinished[][2] = { { "TO", "DO" }, { "FIX", "ME" }, { "XX", "X:" } };
+static const char *const unfinished[][2] = { { "TO", "DO" },
+                                             { "FIX", "ME" },
+                                             { "XX", "X:" } };
 
 /* Counts from the opening to the closing brace in the first column, both left out. */
 static void
@@ -19,7 +21,8 @@ check_functions (const char *path, char **lines, GString *complaints)
       opened = i;
     if (strcmp (lines[i], "}") == 0 && opened >= 0) {
       if (i - opened - 1 > LONGEST_FUNCTION)
-        complain (complaints, "%s:%d: function of %d lines", path, opened, i - opened - 1);
+        complain (complaints, "%s:%d: function of %d lines", path, opened,
+                  i - opened - 1);
       opened = -1;
     }
   }
@@ -85,10 +88,14 @@ expect (char **lines, const char *complaint)
 static void
 test_check_can_fail (void)
 {
-  expect (make_lines ("int\nf (void)\n{\n", LONGEST_FUNCTION + 1, "}\n"), "function of 81");
+  expect (make_lines ("int\nf (void)\n{\n", LONGEST_FUNCTION + 1, "}\n"),
+          "function of 81");
   expect (make_lines ("int\nf (void)\n{\n", LONGEST_FUNCTION, "}\n"), NULL);
   expect (make_lines ("", LONGEST_FILE + 1, ""), "lines");
-  expect (make_lines ("/* TO" "DO later */\n", 1, ""), "unfinished");
+  expect (make_lines ("/* TO"
+                      "DO later */\n",
+                      1, ""),
+          "unfinished");
 }
 
 int

@@ -1,0 +1,131 @@
+#include "cli/check-report.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdio.h>
+
+gboolean
+qn_check_report_passes (const QnResultCheck *check)
+{
+  return check->out_of_balance <= QN_CHECK_TOLERANCE
+         && check->yield_violation <= QN_CHECK_TOLERANCE;
+}
+
+static gboolean
+is_supported (const QnBlock *block)
+{
+  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
+         || block->support[QN_DOF_RZ];
+}
+
+/* "name (ux, uy, rz)" for every supported block. */
+static void
+print_supports (const QnModel *model)
+{
+  static const char *const dofs[QN_DOF_COUNT] = { "ux", "uy", "rz" };
+  printf (_ ("supports:"));
+  const char *separator = " ";
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    if (!is_supported (block))
+      continue;
+    printf ("%s%s (", separator, block->name);
+    const char *comma = "";
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      if (block->support[dof]) {
+        printf ("%s%s", comma, dofs[dof]);
+        comma = ", ";
+      }
+    printf (")");
+    separator = ", ";
+  }
+  printf ("\n");
+}
+
+static void
+print_counts (const QnProject *project, const QnContacts *contacts)
+{
+  const QnModel *model = &project->model;
+  double weight = 0, length = 0;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (!model->blocks[i].support[QN_DOF_UY])
+      weight += model->blocks[i].weight;
+  for (size_t i = 0; i < contacts->face_count; i++)
+    length += contacts->faces[i].length;
+
+  if (model->title != NULL)
+    printf ("%s\n", model->title);
+  printf (_ ("blocks: %zu, free weight %.6g N\n"), model->block_count, weight);
+  print_supports (model);
+  printf (_ ("contact faces: %zu, total length %.6g m\n"), contacts->face_count, length);
+  printf (_ ("contact pairs: %zu\n"), contacts->pair_count);
+}
+
+static void
+print_findings (const QnInput *input)
+{
+  const QnFindings *findings = &input->contacts.findings;
+  const GPtrArray *warnings = input->project.warnings;
+  if (findings->count + warnings->len == 0) {
+    printf (_ ("warnings: none\n"));
+    return;
+  }
+  printf (_ ("warnings: %zu\n"), findings->count + warnings->len);
+  for (guint i = 0; i < warnings->len; i++)
+    printf ("  %s\n", (char *) g_ptr_array_index (warnings, i));
+  for (size_t i = 0; i < findings->count; i++) {
+    g_autofree char *text =
+      qn_project_dup_finding_text (&input->project, &findings->items[i]);
+    printf ("  %s\n", text);
+  }
+}
+
+static void
+print_faces (const QnModel *model, const QnContacts *contacts)
+{
+  for (size_t i = 0; i < contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i];
+    printf (
+      _ ("face %zu: %s – %s, from (%.6g, %.6g) to (%.6g, %.6g), length %.6g m, pairs "
+         "at"),
+      i, model->blocks[face->a].name, model->blocks[face->b].name, face->start.x,
+      face->start.y, face->end.x, face->end.y, face->length);
+    for (int32_t k = 0; k < face->pair_count; k++)
+      printf ("%s %.6g", k > 0 ? "," : "",
+              contacts->pairs[face->first_pair + k].abscissa);
+    printf (" m\n");
+  }
+}
+
+static const char *
+block_name (const QnModel *model, QnId block)
+{
+  return block == QN_NONE ? "–" : model->blocks[block].name;
+}
+
+static void
+print_result (const QnCheckReport *report)
+{
+  const QnModel *model = &report->input->project.model;
+  const QnResultCheck *check = report->check;
+  printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
+          check->multiplier, qn_check_report_passes (check) ? _ ("passes") : _ ("fails"));
+  printf (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
+          check->force_scale, block_name (model, check->unbalanced_block));
+  printf (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
+          check->contact_scale);
+  if (check->violating_pair != QN_NONE)
+    printf (_ (", pair %d"), check->violating_pair);
+  printf ("\n");
+}
+
+void
+qn_check_report_print (const QnCheckReport *report)
+{
+  const QnInput *input = report->input;
+  print_counts (&input->project, &input->contacts);
+  print_findings (input);
+  if (report->check != NULL)
+    print_result (report);
+  print_faces (&input->project.model, &input->contacts);
+}

@@ -1,0 +1,198 @@
+#include "cli/input.h"
+#include "cli/message.h"
+#include "cli/progress.h"
+#include "cli/subcommand.h"
+#include "core/analysis.h"
+#include "io/table-csv.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Options {
+  char *output, *csv;
+  char **overrides;
+  gboolean quiet;
+} Options;
+
+/* Names of the blocks that the dead load moves, the first few of them. */
+static char *
+dup_unstable_names (const QnModel *model, const QnResult *result)
+{
+  enum { SHOWN = 5 };
+  GString *names = g_string_new (NULL);
+  for (size_t i = 0; i < result->unstable_count && i < SHOWN; i++)
+    g_string_append_printf (names, "%s%s", i > 0 ? ", " : "",
+                            model->blocks[result->unstable_blocks[i]].name);
+  if (result->unstable_count > SHOWN)
+    g_string_append_printf (names, _ (" and %zu more"), result->unstable_count - SHOWN);
+  return g_string_free (names, FALSE);
+}
+
+/* Tells how the analysis ended where that is no success, and gives the exit code. */
+static QnExit
+judge_outcome (const QnProject *project, const QnResult *result)
+{
+  switch (result->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+  case QN_OUTCOME_TARGET_REACHED:
+  case QN_OUTCOME_SNAP:
+    return QN_EXIT_DONE;
+  case QN_OUTCOME_CANCELLED:
+    qn_cli_error (_ ("%s: cancelled"), project->name);
+    return QN_EXIT_CANCELLED;
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
+    g_autofree char *names = dup_unstable_names (&project->model, result);
+    qn_cli_error (_ ("%s: no equilibrium under the dead load: %s"), project->name, names);
+    return QN_EXIT_NO_ANSWER;
+  }
+  case QN_OUTCOME_NOT_CONVERGED:
+    qn_cli_error (_ ("%s: the analysis did not converge"), project->name);
+    return QN_EXIT_NO_ANSWER;
+  case QN_OUTCOME_COUNT:
+    break;
+  }
+  g_assert_not_reached ();
+}
+
+static void
+print_summary (const QnProject *project, const QnResult *result)
+{
+  const QnStatistics *spent = &result->statistics;
+  const char *title = project->model.title != NULL ? project->model.title : project->name;
+
+  if (result->outcome == QN_OUTCOME_COLLAPSE)
+    printf (_ ("%s: collapse at load multiplier %.5f\n"), title,
+            result->collapse_multiplier);
+  else if (result->outcome == QN_OUTCOME_SNAP)
+    printf (_ ("%s: stopped at the first limit point, load multiplier %.5f\n"), title,
+            result->first_limit_multiplier);
+  else if (result->step_count > 0)
+    printf (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
+            result->steps[result->step_count - 1].multiplier);
+  if (result->outcome == QN_OUTCOME_COLLAPSE && result->has_first_limit_multiplier)
+    printf (_ ("first limit point at %.5f: a real structure would jump there\n"),
+            result->first_limit_multiplier);
+  printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
+             "assembly %.0f %%, laws %.0f %%)\n"),
+          result->step_count, spent->iterations, spent->factorizations, spent->seconds,
+          100 * spent->factor_seconds / MAX (spent->seconds, 1e-9),
+          100 * spent->assembly_seconds / MAX (spent->seconds, 1e-9),
+          100 * spent->law_seconds / MAX (spent->seconds, 1e-9));
+}
+
+static QnExit
+write_outputs (const Options *options, const QnInput *input, const QnResult *result)
+{
+  GError *error = NULL;
+  if (options->output != NULL
+      && !qn_result_file_write (options->output, &input->project, &input->contacts,
+                                result, &error))
+    return qn_cli_fail (error);
+  if (options->csv != NULL
+      && !qn_curve_csv_write (options->csv, &input->project, result, &error))
+    return qn_cli_fail (error);
+  return QN_EXIT_DONE;
+}
+
+static gboolean
+is_stdout (const char *path)
+{
+  return g_strcmp0 (path, "-") == 0;
+}
+
+static QnExit
+report (const Options *options, const QnInput *input, const QnResult *result)
+{
+  QnExit code = write_outputs (options, input, result);
+  if (code != QN_EXIT_DONE)
+    return code;
+  if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv))
+    print_summary (&input->project, result);
+  return judge_outcome (&input->project, result);
+}
+
+static QnExit
+solve (const Options *options, const QnInput *input)
+{
+  QnTerminalProgress progress;
+  QnDiag diag = { 0 };
+  QnResult result = { 0 };
+  GError *error = NULL;
+
+  qn_interrupt_install ();
+  qn_terminal_progress_init (&progress, options->quiet);
+  QnStatus status =
+    qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
+                     &progress, &result, &diag);
+  qn_terminal_progress_done (&progress);
+
+  if (status == QN_ERROR_CANCELLED) {
+    qn_cli_error (_ ("%s: cancelled"), input->project.name);
+    return QN_EXIT_CANCELLED;
+  }
+  if (status != QN_OK) {
+    qn_project_set_error (&input->project, &diag, &error);
+    return qn_cli_fail (error);
+  }
+  QnExit code = report (options, input, &result);
+  qn_result_clear (&result);
+  return code;
+}
+
+static void
+warn_of_findings (const QnInput *input)
+{
+  for (size_t i = 0; i < input->contacts.findings.count; i++) {
+    g_autofree char *text =
+      qn_project_dup_finding_text (&input->project, &input->contacts.findings.items[i]);
+    qn_cli_warning ("%s", text);
+  }
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
+      N_ ("Write the result file here; - is standard output"), N_ ("RESULT.json") },
+    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
+      N_ ("Write the load–displacement curve here"), N_ ("CURVE.csv") },
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
+      NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnInput input;
+  QnExit code = QN_EXIT_USAGE;
+
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+  else
+    memset (&input, 0, sizeof input);
+  if (code == QN_EXIT_DONE)
+    code = qn_input_require_sound (&input);
+  if (code == QN_EXIT_DONE) {
+    if (!options.quiet)
+      warn_of_findings (&input);
+    code = solve (&options, &input);
+  }
+
+  qn_input_clear (&input);
+  g_free (options.output);
+  g_free (options.csv);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+const QnSubcommand qn_cmd_solve = {
+  .name = "solve",
+  .arguments = "MODEL",
+  .summary = N_ ("Follow the load path of a project until it collapses"),
+  .help =
+    N_ ("The dead load is applied first; the multiplier of the live load then grows "
+        "until no equilibrium is left, or as the project's \"analysis\" says. Ctrl+C "
+        "ends the analysis and keeps what has converged."),
+  .run = run,
+};

@@ -1,0 +1,38 @@
+/* A project with its contacts, as every subcommand that reads a MODEL needs it. */
+#ifndef QN_CLI_INPUT_H
+#define QN_CLI_INPUT_H
+
+#include "cli/exit-code.h"
+#include "io/project.h"
+#include "io/result-file.h"
+
+/* Value of the option --set, which may be given many times. */
+#define QN_INPUT_SET_ENTRY(variable)                                                     \
+  {                                                                                      \
+    "set", 0, 0, G_OPTION_ARG_STRING_ARRAY, (variable),                                  \
+      N_ ("Override any key of the project file, e.g. analysis.increments=37"),          \
+      N_ ("PATH=VALUE")                                                                  \
+  }
+
+typedef struct QnInput {
+  QnProject project;
+  QnContacts contacts;
+} QnInput;
+
+/* Reads the project and detects its contacts. Warnings about the file go to standard error
+ * unless `quiet`. On failure the user has been told, *input is empty and the exit code is
+ * returned; QN_EXIT_DONE otherwise. */
+QnExit qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quiet);
+
+/* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user. */
+QnExit qn_input_require_sound (const QnInput *input);
+
+/* Reads a result file and the project with the overrides that the result was computed with;
+ * `overrides` (nullable) come after those. Refuses a result that is not of this project. */
+QnExit qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
+                                  const char *result_path, char **overrides,
+                                  gboolean quiet);
+
+void qn_input_clear (QnInput *input);
+
+#endif

@@ -1,0 +1,85 @@
+/* quoin-cli: Quoin without a display. */
+#include "cli/message.h"
+#include "cli/subcommand.h"
+
+#include <glib/gi18n.h>
+#include <locale.h>
+#include <stdio.h>
+#include <string.h>
+
+static const QnSubcommand *const subcommands[] = {
+  &qn_cmd_check,
+  &qn_cmd_solve,
+};
+
+static void
+print_help (void)
+{
+  printf (_ ("Usage: quoin-cli SUBCOMMAND [OPTION…] ARGUMENT…\n\n"
+             "Block masonry: contacts, load path, collapse mechanism and pictures.\n\n"
+             "Subcommands:\n"));
+  for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
+    printf ("  %-10s%s\n", subcommands[i]->name, _ (subcommands[i]->summary));
+  printf (
+    _ ("\n\"quoin-cli SUBCOMMAND --help\" explains one of them; --version tells the "
+       "version.\n\n"
+       "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 invalid input, 4 no "
+       "answer,\n5 file cannot be read or written, 130 cancelled.\n"));
+}
+
+static const QnSubcommand *
+find_subcommand (const char *name)
+{
+  for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
+    if (strcmp (subcommands[i]->name, name) == 0)
+      return subcommands[i];
+  return NULL;
+}
+
+static QnExit
+dispatch (int argc, char **argv)
+{
+  if (argc < 2) {
+    qn_cli_usage_error (NULL, _ ("a subcommand is missing"));
+    return QN_EXIT_USAGE;
+  }
+  if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
+    print_help ();
+    return QN_EXIT_DONE;
+  }
+  if (strcmp (argv[1], "--version") == 0) {
+    printf ("quoin %s\n", QN_VERSION);
+    return QN_EXIT_DONE;
+  }
+
+  const QnSubcommand *subcommand = find_subcommand (argv[1]);
+  if (subcommand == NULL) {
+    g_autofree char *message =
+      g_strdup_printf (_ ("unknown %s “%s”"),
+                       argv[1][0] == '-' ? _ ("option") : _ ("subcommand"), argv[1]);
+    qn_cli_usage_error (NULL, message);
+    return QN_EXIT_USAGE;
+  }
+  return subcommand->run (subcommand, argc - 1, argv + 1);
+}
+
+int
+main (int argc, char **argv)
+{
+  setlocale (LC_ALL, "");
+  setlocale (LC_NUMERIC,
+             "C"); /* numbers look the same everywhere, in files and reports */
+  bindtextdomain (GETTEXT_PACKAGE, QN_LOCALE_DIR);
+  bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
+  textdomain (GETTEXT_PACKAGE);
+  g_set_prgname ("quoin-cli");
+
+  QnExit code = dispatch (argc, argv);
+
+  /* What stands in the buffer is lost without notice where nobody looks. */
+  if ((fflush (stdout) != 0 || ferror (stdout)) && code == QN_EXIT_DONE) {
+    qn_cli_error (_ ("standard output cannot be written"));
+    code = QN_EXIT_FILE;
+  }
+  return (int) code;
+}

@@ -1,0 +1,71 @@
+#include "cli/message.h"
+
+#include "io/io-error.h"
+
+#include <gio/gio.h>
+#include <glib/gi18n.h>
+#include <stdio.h>
+
+static void
+print_line (const char *kind, const char *format, va_list arguments)
+{
+  g_autofree char *text = g_strdup_vprintf (format, arguments);
+  g_strdelimit (text, "\r\n", ' ');
+  fprintf (stderr, "quoin-cli: %s%s\n", kind, text);
+}
+
+void
+qn_cli_error (const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  print_line ("", format, arguments);
+  va_end (arguments);
+}
+
+void
+qn_cli_warning (const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  print_line (_ ("warning: "), format, arguments);
+  va_end (arguments);
+}
+
+void
+qn_cli_usage_error (const char *subcommand, const char *message)
+{
+  if (subcommand != NULL)
+    qn_cli_error (_ ("%s: %s (see quoin-cli %s --help)"), subcommand, message,
+                  subcommand);
+  else
+    qn_cli_error (_ ("%s (see quoin-cli --help)"), message);
+}
+
+QnExit
+qn_cli_exit_code (const GError *error)
+{
+  if (error->domain == QN_IO_ERROR)
+    switch ((QnIoError) error->code) {
+    case QN_IO_ERROR_INVALID:
+      return QN_EXIT_INVALID;
+    case QN_IO_ERROR_FILE:
+      return QN_EXIT_FILE;
+    case QN_IO_ERROR_OVERRIDE:
+      return QN_EXIT_USAGE;
+    case QN_IO_ERROR_NO_MEMORY:
+      return QN_EXIT_INTERNAL;
+    }
+  if (error->domain == G_FILE_ERROR || error->domain == G_IO_ERROR)
+    return QN_EXIT_FILE;
+  return QN_EXIT_INTERNAL;
+}
+
+QnExit
+qn_cli_fail (GError *error)
+{
+  QnExit code = qn_cli_exit_code (error);
+  qn_cli_error ("%s", error->message);
+  g_error_free (error);
+  return code;
+}

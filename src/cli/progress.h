@@ -1,0 +1,28 @@
+/* Progress on a terminal, and Ctrl+C. */
+#ifndef QN_CLI_PROGRESS_H
+#define QN_CLI_PROGRESS_H
+
+#include "core/progress.h"
+
+#include <glib.h>
+
+typedef struct QnTerminalProgress {
+  gboolean shown;   /* standard error is a terminal and the user wants to see it */
+  gint64 last_time; /* of the last update, us */
+} QnTerminalProgress;
+
+/* From now on Ctrl+C is only remembered, a second one ends the program at once. */
+void qn_interrupt_install (void);
+
+/* Whether Ctrl+C was pressed. */
+gboolean qn_interrupt_seen (void);
+
+void qn_terminal_progress_init (QnTerminalProgress *progress, gboolean quiet);
+
+/* A QnProgressFunc; user_data is a QnTerminalProgress. */
+bool qn_terminal_progress_update (const QnProgress *progress, void *user_data);
+
+/* Clears the line. */
+void qn_terminal_progress_done (QnTerminalProgress *progress);
+
+#endif
