@@ -9,11 +9,26 @@
 #define QN_CORE_MODEL_H
 
 #include "core/law.h"
+#include "core/name-index.h"
 #include "core/status.h"
 
 /* Most blocks that one model may have; far above what a plane masonry structure needs, far
  * below what would exhaust a machine. */
 #define QN_MAX_BLOCKS 1000000
+
+/* Largest absolute coordinate, m: beyond it double precision leaves less than a tenth of a
+ * millimetre. */
+#define QN_MAX_COORDINATE 1e12
+
+/* Longest block or opening in a course, in units of the wall; longer ones are typing errors. */
+#define QN_MAX_COURSE_LENGTH 1e6
+
+/* Most contact pairs on one face. */
+#define QN_MAX_PAIRS_PER_FACE 1000
+
+/* Largest contact tolerance, relative to the characteristic block length: beyond it blocks
+ * that are clearly apart would be joined. */
+#define QN_MAX_CONTACT_TOLERANCE 0.05
 
 /* A rigid block: a simple polygon with three degrees of freedom at its centroid. */
 typedef struct QnBlock {
@@ -48,6 +63,7 @@ typedef struct QnWall {
   int32_t
     *course_ends; /* owned: course i is lengths[course_ends[i-1] .. course_ends[i]) */
   int32_t course_count;
+  size_t length_capacity, course_capacity;
 } QnWall;
 
 typedef enum {
@@ -130,8 +146,10 @@ typedef struct QnModel {
   size_t law_count, law_capacity;
   QnBlock *blocks; /* those of the file first, then those of the walls in order */
   size_t block_count, block_capacity;
+  QnNameIndex law_names, block_names;
   QnWall *walls;
   size_t wall_count, wall_capacity;
+  size_t expanded_wall_count; /* walls whose blocks are in `blocks` already */
   QnFaceOverride *overrides;
   size_t override_count, override_capacity;
   QnLoad *dead_loads;
@@ -169,7 +187,14 @@ QnLoad *qn_model_add_live_load (QnModel *model);
 /* Appends a course to a wall; false when memory runs out. */
 bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);
 
-/* Index of the entity with this name, or QN_NONE. */
+/* Turns the walls that are not yet expanded into blocks named `<wall>.<course>.<position>`,
+ * both counted from 1, openings not counted. Afterwards loads and overrides can refer to them
+ * by index. qn_model_prepare() does it too; to call it first is for those who must look up
+ * such names. More than QN_MAX_BLOCKS are refused before anything is allocated. */
+QnStatus qn_model_expand_walls (QnModel *model, QnDiag *diag);
+
+/* Index of the entity with this name, or QN_NONE; in constant time. Of equal names the first
+ * is found. A name must not be changed behind the model's back. */
 QnId qn_model_find_law (const QnModel *model, const char *name);
 QnId qn_model_find_block (const QnModel *model, const char *name);
 

@@ -28,6 +28,7 @@
   X (BASIS_UNSUPPORTED, "this basis is not available for this kind of law") \
   X (DILATANCY_ABOVE_FRICTION, "dilatancy exceeds friction") \
   X (BLOCK_UNKNOWN, "no block has this name") \
+  X (SAME_BLOCK, "a block has no contact with itself") \
   X (NO_BLOCKS, "model has no blocks") \
   X (NO_SUPPORT, "model has no supported block") \
   X (BLOCK_FLOATING, "block is not connected to any support") \

@@ -26,6 +26,18 @@ qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
 }
 
 QnStatus
+qn_diag_set_field (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index,
+                   const char *field, double value)
+{
+  qn_diag_set (diag, QN_ERROR_INVALID, problem, entity, index, QN_NONE);
+  if (diag != NULL) {
+    diag->field = field;
+    diag->value = value;
+  }
+  return QN_ERROR_INVALID;
+}
+
+QnStatus
 qn_diag_no_memory (QnDiag *diag)
 {
   return qn_diag_set (diag, QN_ERROR_NO_MEMORY, QN_PROBLEM_NO_MEMORY, QN_ENTITY_MODEL,

@@ -43,13 +43,20 @@ typedef struct QnDiag {
   QnId index; /* index of the entity in its array, or QN_NONE */
   QnId sub;   /* vertex, course, edge … of that entity, or QN_NONE */
   QnId other; /* a second entity of the same kind (the other of two blocks), or QN_NONE */
-  QnVec2 at;  /* place in the model, m; meaningful where the problem has one */
+  const char
+    *field;     /* member concerned, spelt as in project files ("thickness"); a static
+                        string, NULL where the entity as a whole is meant */
+  QnVec2 at;    /* place in the model, m; meaningful where the problem has one */
   double value; /* the offending number, in its own unit; 0 where there is none */
 } QnDiag;
 
 /* Fills *diag (nullable) with a problem of an entity and returns `status`. */
 QnStatus qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
                       QnId index, QnId sub);
+
+/* The same for one number of an entity: `field` is kept by reference. Always QN_ERROR_INVALID. */
+QnStatus qn_diag_set_field (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index,
+                            const char *field, double value);
 
 /* Shorthand for an allocation that failed. */
 QnStatus qn_diag_no_memory (QnDiag *diag);

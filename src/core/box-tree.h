@@ -1,0 +1,85 @@
+/* Broad phase: which of many axis-parallel boxes meet a given box.
+ *
+ * A static tree of boxes, packed along a Hilbert curve. Chosen over a uniform grid because it
+ * needs no cell size: a foundation a thousand times longer than the bricks on it, or a crowd of
+ * splinters in one corner, costs nothing extra. Building takes O(n log n), a query O(log n + k)
+ * for well-separated boxes. Source: Kamel & Faloutsos, "On packing R-trees" (1993).
+ */
+#ifndef QN_CORE_BOX_TREE_H
+#define QN_CORE_BOX_TREE_H
+
+#include "core/base.h"
+#include "core/vec2.h"
+
+#include <math.h>
+
+typedef struct QnBox {
+  QnVec2 min, max; /* m, min <= max */
+} QnBox;
+
+#define QN_BOX_TREE_FANOUT     8
+#define QN_BOX_TREE_MAX_LEVELS 12 /* 8^11 items are more than a QnId can number */
+
+typedef struct QnBoxTree {
+  QnBox
+    *nodes; /* owned: the items' boxes in tree order, then level by level to the root */
+  QnId *items; /* owned: item in each of the first item_count nodes */
+  size_t item_count;
+  size_t level_starts[QN_BOX_TREE_MAX_LEVELS]; /* of the nodes */
+  size_t level_sizes[QN_BOX_TREE_MAX_LEVELS];
+  int32_t level_count; /* 0 for an empty tree */
+} QnBoxTree;
+
+/* One walk through the tree; several may be under way at once. */
+typedef struct QnBoxQuery {
+  const QnBoxTree *tree;
+  QnBox box;
+  int32_t level;
+  size_t cursor[QN_BOX_TREE_MAX_LEVELS], end[QN_BOX_TREE_MAX_LEVELS];
+} QnBoxQuery;
+
+/* Builds the tree of `count` boxes, which are copied; item i is boxes[i]. `tree` is overwritten
+ * without being cleared. False when memory runs out, with the tree empty. */
+bool qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count);
+
+void qn_box_tree_clear (QnBoxTree *tree);
+
+/* Starts a walk over the items whose boxes meet `box`; touching counts. */
+QnBoxQuery qn_box_tree_query (const QnBoxTree *tree, QnBox box);
+
+/* The next item, or QN_NONE. The order depends on the boxes alone. */
+QnId qn_box_query_next (QnBoxQuery *query);
+
+/* Smallest box around two points. */
+static inline QnBox
+qn_box_of_segment (QnVec2 p, QnVec2 q)
+{
+  return (QnBox){ { fmin (p.x, q.x), fmin (p.y, q.y) },
+                  { fmax (p.x, q.x), fmax (p.y, q.y) } };
+}
+
+static inline QnBox
+qn_box_union (QnBox a, QnBox b)
+{
+  return (QnBox){ { fmin (a.min.x, b.min.x), fmin (a.min.y, b.min.y) },
+                  { fmax (a.max.x, b.max.x), fmax (a.max.y, b.max.y) } };
+}
+
+static inline QnBox
+qn_box_grow (QnBox box, double margin)
+{
+  return (QnBox){ { box.min.x - margin, box.min.y - margin },
+                  { box.max.x + margin, box.max.y + margin } };
+}
+
+static inline bool
+qn_box_meets (QnBox a, QnBox b)
+{
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y
+         && b.min.y <= a.max.y;
+}
+
+/* Smallest box around count >= 1 points. */
+QnBox qn_box_of_points (const QnVec2 *points, size_t count);
+
+#endif
