@@ -1,0 +1,191 @@
+#include "doc/explain.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* Most blocks that a sentence names before it says "and others". */
+#define NAMES_IN_A_SENTENCE 5
+
+static const char *
+entity_word (QnEntity entity)
+{
+  switch (entity) {
+  case QN_ENTITY_LAW:
+    return _ ("Law");
+  case QN_ENTITY_BLOCK:
+    return _ ("Block");
+  case QN_ENTITY_WALL:
+    return _ ("Wall");
+  case QN_ENTITY_CONTACT:
+    return _ ("Contacts");
+  case QN_ENTITY_FACE_OVERRIDE:
+    return _ ("Contact face");
+  case QN_ENTITY_DEAD_LOAD:
+    return _ ("Dead load");
+  case QN_ENTITY_LIVE_LOAD:
+    return _ ("Live load");
+  case QN_ENTITY_ANALYSIS:
+    return _ ("Analysis");
+  case QN_ENTITY_MODEL:
+    break;
+  }
+  return _ ("Model");
+}
+
+static const char *
+entity_name (const QnModel *model, QnEntity entity, QnId index)
+{
+  if (model == NULL || index < 0)
+    return NULL;
+  gsize i = (gsize) index;
+  if (entity == QN_ENTITY_BLOCK && i < model->block_count)
+    return model->blocks[i].name;
+  if (entity == QN_ENTITY_WALL && i < model->wall_count)
+    return model->walls[i].name;
+  if (entity == QN_ENTITY_LAW && i < model->law_count)
+    return model->laws[i].name;
+  return NULL;
+}
+
+char *
+qn_explain_diag (const QnModel *model, const QnDiag *diag)
+{
+  const char *text = _ (qn_problem_text (diag->problem));
+  const char *word = entity_word (diag->entity);
+  const char *name = entity_name (model, diag->entity, diag->index);
+  const char *other = entity_name (model, diag->entity, diag->other);
+  if (name != NULL && other != NULL)
+    return g_strdup_printf (_ ("%s “%s” and “%s”: %s"), word, name, other, text);
+  if (name != NULL)
+    return g_strdup_printf (_ ("%s “%s”: %s"), word, name, text);
+  if (diag->index >= 0 && diag->entity != QN_ENTITY_MODEL)
+    return g_strdup_printf (_ ("%s %d: %s"), word, diag->index + 1, text);
+  return g_strdup_printf (_ ("%s: %s"), word, text);
+}
+
+char *
+qn_explain_finding (const QnModel *model, const QnFinding *finding)
+{
+  const char *a = entity_name (model, QN_ENTITY_BLOCK, finding->block_a);
+  const char *b = entity_name (model, QN_ENTITY_BLOCK, finding->block_b);
+  const char *text = _ (qn_problem_text (finding->problem));
+  g_autofree char *width = finding->value > 0.0
+                             ? g_strdup_printf (" (%.3g mm)", finding->value * 1e3)
+                             : g_strdup ("");
+  if (a != NULL && b != NULL)
+    return g_strdup_printf ("%s – %s: %s%s", a, b, text, width);
+  return g_strdup_printf ("%s: %s%s", a != NULL ? a : _ ("Model"), text, width);
+}
+
+const char *
+qn_explain_outcome_label (QnOutcome outcome)
+{
+  switch (outcome) {
+  case QN_OUTCOME_COLLAPSE:
+    return _ ("Collapse");
+  case QN_OUTCOME_TARGET_REACHED:
+    return _ ("Target reached");
+  case QN_OUTCOME_SNAP:
+    return _ ("Stopped at a limit point");
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
+    return _ ("Dead load cannot stand");
+  case QN_OUTCOME_CANCELLED:
+    return _ ("Cancelled");
+  case QN_OUTCOME_NOT_CONVERGED:
+    return _ ("Not converged");
+  case QN_OUTCOME_COUNT:
+    break;
+  }
+  return "";
+}
+
+const char *
+qn_explain_pair_state (QnPairState state)
+{
+  switch (state) {
+  case QN_PAIR_STICK:
+    return _ ("sticks");
+  case QN_PAIR_SLIP:
+    return _ ("slides");
+  case QN_PAIR_OPEN:
+    return _ ("open");
+  case QN_PAIR_STATE_COUNT:
+    break;
+  }
+  return "";
+}
+
+static char *
+unstable_names (const QnModel *model, const QnResult *result)
+{
+  GString *names = g_string_new (NULL);
+  for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
+    const char *name = entity_name (model, QN_ENTITY_BLOCK, result->unstable_blocks[i]);
+    g_string_append_printf (names, "%s“%s”", i > 0 ? ", " : "",
+                            name != NULL ? name : "?");
+  }
+  if (result->unstable_count > NAMES_IN_A_SENTENCE) {
+    gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
+    g_string_append_printf (names,
+                            ngettext (" and %" G_GSIZE_FORMAT " other",
+                                      " and %" G_GSIZE_FORMAT " others", (gulong) more),
+                            more);
+  }
+  return g_string_free (names, FALSE);
+}
+
+static char *
+explain_collapse (const QnResult *result)
+{
+  if (!result->has_collapse_multiplier)
+    return g_strdup (_ ("The structure collapses."));
+  if (result->has_first_limit_multiplier
+      && fabs (result->first_limit_multiplier - result->collapse_multiplier)
+           > 1e-3 * fabs (result->collapse_multiplier))
+    return g_strdup_printf (
+      _ ("Collapse at a load multiplier of %.4g. The path first loses stability at %.4g, "
+         "where a real wall would jump; equilibria exist beyond."),
+      result->collapse_multiplier, result->first_limit_multiplier);
+  return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g."),
+                          result->collapse_multiplier);
+}
+
+char *
+qn_explain_outcome (const QnModel *model, const QnResult *result)
+{
+  double reached =
+    result->step_count > 0 ? result->steps[result->step_count - 1].multiplier : 0.0;
+  switch (result->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+    return explain_collapse (result);
+  case QN_OUTCOME_TARGET_REACHED:
+    return g_strdup_printf (
+      _ ("The target was reached at a load multiplier of %.4g without "
+         "collapse."),
+      reached);
+  case QN_OUTCOME_SNAP:
+    return g_strdup_printf (
+      _ ("Stopped at the first limit point, load multiplier %.4g."),
+      result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
+    g_autofree char *names = unstable_names (model, result);
+    return g_strdup_printf (_ ("There is no equilibrium under the dead load alone. What "
+                               "moves: %s. Support these blocks, close the gaps next to "
+                               "them, or give their joints more friction."),
+                            names);
+  }
+  case QN_OUTCOME_CANCELLED:
+    return g_strdup_printf (
+      _ ("Cancelled at a load multiplier of %.4g; what had converged "
+         "is kept."),
+      reached);
+  case QN_OUTCOME_NOT_CONVERGED:
+    return g_strdup_printf (
+      _ ("The iteration did not converge beyond a load multiplier of "
+         "%.4g. Try more increments or a coarser tolerance."),
+      reached);
+  case QN_OUTCOME_COUNT:
+    break;
+  }
+  return g_strdup ("");
+}

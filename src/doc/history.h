@@ -1,0 +1,51 @@
+/* History: unlimited named undo and redo over the text of a project.
+ *
+ * The state of a document is the text of its project file. A step is the difference between
+ * two such texts: the runs of lines that it took away and put in their place. So every
+ * command can be undone without code of its own, a step costs only what it changed, and the
+ * whole history can be stored as text.
+ */
+#ifndef QN_DOC_HISTORY_H
+#define QN_DOC_HISTORY_H
+
+#include <glib.h>
+
+typedef struct QnHistory QnHistory;
+
+QnHistory *qn_history_new (void);
+void qn_history_free (QnHistory *history);
+
+/* Appends a step from one text to the next; steps that had been undone are forgotten.
+ *
+ * name: what the user reads after "Undo", copied.
+ * key: NULL, or a word for the gesture that makes the step: consecutive steps of the same key
+ *      are one (arrow keys that nudge a block, a value being dragged). */
+void qn_history_record (QnHistory *history, const char *name, const char *key,
+                        const char *before, const char *after);
+
+/* Ends the gesture: the next step is separate even if it has the same key. */
+void qn_history_break (QnHistory *history);
+
+gboolean qn_history_can_undo (const QnHistory *history);
+gboolean qn_history_can_redo (const QnHistory *history);
+
+/* The text before the last step, or after the next one; `text` is the present one. NULL where
+ * there is no such step. The caller frees it. */
+char *qn_history_undo (QnHistory *history, const char *text);
+char *qn_history_redo (QnHistory *history, const char *text);
+
+/* Steps that can be walked to: those done first, then those undone, oldest first. */
+guint qn_history_get_count (const QnHistory *history);
+guint qn_history_get_position (const QnHistory *history); /* steps done */
+const char *qn_history_get_name (const QnHistory *history, guint step);
+
+/* Whether the present state is the one that was last declared clean. */
+void qn_history_mark_clean (QnHistory *history);
+gboolean qn_history_is_clean (const QnHistory *history);
+
+/* Bytes held by all the steps. */
+gsize qn_history_get_size (const QnHistory *history);
+
+void qn_history_clear (QnHistory *history);
+
+#endif

@@ -1,0 +1,240 @@
+#include "doc/job.h"
+
+#include "core/analysis.h"
+#include "doc/explain.h"
+#include <glib/gi18n.h>
+
+#define PROGRESS_INTERVAL_MS 50
+
+struct _QnJob {
+  GObject parent_instance;
+
+  QnRun *run; /* filled by the thread; the job's until it is finished */
+  QnDiag diag;
+  guint tick;
+  gboolean running;
+  GArray *shown; /* copy of `multipliers` for the main thread */
+
+  GMutex mutex; /* guards what follows */
+  GCond resumed;
+  gboolean paused;
+  gboolean cancelled;
+  gboolean fresh;
+  QnProgress progress;
+  GArray *multipliers; /* of double */
+};
+
+G_DEFINE_FINAL_TYPE (QnJob, qn_job, G_TYPE_OBJECT)
+G_DEFINE_QUARK (qn - job - error - quark, qn_job_error)
+
+enum { SIGNAL_PROGRESS, SIGNAL_COUNT };
+static guint signals[SIGNAL_COUNT];
+
+static void
+qn_job_finalize (GObject *object)
+{
+  QnJob *self = QN_JOB (object);
+  g_clear_handle_id (&self->tick, g_source_remove);
+  g_clear_pointer (&self->run, qn_run_unref);
+  g_clear_pointer (&self->shown, g_array_unref);
+  g_clear_pointer (&self->multipliers, g_array_unref);
+  g_mutex_clear (&self->mutex);
+  g_cond_clear (&self->resumed);
+  G_OBJECT_CLASS (qn_job_parent_class)->finalize (object);
+}
+
+static void
+qn_job_class_init (QnJobClass *klass)
+{
+  G_OBJECT_CLASS (klass)->finalize = qn_job_finalize;
+  signals[SIGNAL_PROGRESS] = g_signal_new ("progress", QN_TYPE_JOB, G_SIGNAL_RUN_LAST, 0,
+                                           NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void
+qn_job_init (QnJob *self)
+{
+  self->shown = g_array_new (FALSE, FALSE, sizeof (double));
+  self->multipliers = g_array_new (FALSE, FALSE, sizeof (double));
+  g_mutex_init (&self->mutex);
+  g_cond_init (&self->resumed);
+}
+
+static void
+set_error (GError **error, const QnModel *model, const QnDiag *diag, QnStatus status)
+{
+  QnJobError code = QN_JOB_ERROR_INTERNAL;
+  if (status == QN_ERROR_NO_MEMORY)
+    code = QN_JOB_ERROR_NO_MEMORY;
+  else if (status == QN_ERROR_INVALID)
+    code = QN_JOB_ERROR_INVALID;
+  g_autofree char *message = qn_explain_diag (model, diag);
+  g_set_error_literal (error, QN_JOB_ERROR, (int) code, message);
+}
+
+QnJob *
+qn_job_new (const QnModel *model, const char *name, guint64 generation, GError **error)
+{
+  g_autoptr (QnJob) self = g_object_new (QN_TYPE_JOB, NULL);
+  self->run = qn_run_new (name, generation);
+  QnStatus status = qn_model_copy (model, &self->run->model, &self->diag);
+  if (status != QN_OK) {
+    set_error (error, model, &self->diag, status);
+    return NULL;
+  }
+  return g_steal_pointer (&self);
+}
+
+/* In the thread, at least once per iteration. */
+static bool
+on_solver_progress (const QnProgress *progress, void *user_data)
+{
+  QnJob *self = user_data;
+  g_mutex_lock (&self->mutex);
+  while (self->paused && !self->cancelled)
+    g_cond_wait (&self->resumed, &self->mutex);
+  self->progress = *progress;
+  self->fresh = TRUE;
+  while (self->multipliers->len < (guint) MAX (progress->steps, 0))
+    g_array_append_val (self->multipliers, progress->multiplier);
+  bool go_on = !self->cancelled;
+  g_mutex_unlock (&self->mutex);
+  return go_on;
+}
+
+static QnStatus
+solve (QnJob *self)
+{
+  QnRun *run = self->run;
+  QnStatus status = qn_contacts_detect (&run->model, &run->contacts, &self->diag);
+  if (status == QN_OK)
+    status = qn_contacts_require_sound (&run->model, &run->contacts, &self->diag);
+  if (status == QN_OK)
+    status = qn_analysis_run (&run->model, &run->contacts, on_solver_progress, self,
+                              &run->result, &self->diag);
+  return status;
+}
+
+static void
+run_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
+{
+  (void) data;
+  (void) cancellable;
+  QnJob *self = source;
+  QnStatus status = solve (self);
+  if (status == QN_OK) {
+    g_task_return_pointer (task, qn_run_ref (self->run), (GDestroyNotify) qn_run_unref);
+  } else if (status == QN_ERROR_CANCELLED) {
+    g_task_return_new_error (task, G_IO_ERROR, G_IO_ERROR_CANCELLED, "%s",
+                             _ ("The analysis was cancelled before its first step"));
+  } else {
+    GError *error = NULL;
+    set_error (&error, &self->run->model, &self->diag, status);
+    g_task_return_error (task, error);
+  }
+}
+
+static gboolean
+on_tick (gpointer data)
+{
+  QnJob *self = data;
+  g_mutex_lock (&self->mutex);
+  gboolean fresh = self->fresh;
+  self->fresh = FALSE;
+  guint have = self->shown->len;
+  if (self->multipliers->len > have)
+    g_array_append_vals (self->shown, &g_array_index (self->multipliers, double, have),
+                         self->multipliers->len - have);
+  g_mutex_unlock (&self->mutex);
+  if (fresh)
+    g_signal_emit (self, signals[SIGNAL_PROGRESS], 0);
+  return G_SOURCE_CONTINUE;
+}
+
+static void
+on_task_completed (GTask *task, GParamSpec *pspec, QnJob *self)
+{
+  (void) task;
+  (void) pspec;
+  self->running = FALSE;
+  g_clear_handle_id (&self->tick, g_source_remove);
+}
+
+void
+qn_job_start (QnJob *self, GAsyncReadyCallback callback, gpointer user_data)
+{
+  g_return_if_fail (QN_IS_JOB (self) && !self->running && self->tick == 0);
+
+  g_autoptr (GTask) task = g_task_new (self, NULL, callback, user_data);
+  g_signal_connect_object (task, "notify::completed", G_CALLBACK (on_task_completed),
+                           self, 0);
+  self->running = TRUE;
+  self->tick = g_timeout_add (PROGRESS_INTERVAL_MS, on_tick, self);
+  g_task_run_in_thread (task, run_in_thread);
+}
+
+QnRun *
+qn_job_finish (QnJob *self, GAsyncResult *result, GError **error)
+{
+  g_return_val_if_fail (g_task_is_valid (result, self), NULL);
+  self->running = FALSE;
+  g_clear_handle_id (&self->tick, g_source_remove);
+  return g_task_propagate_pointer (G_TASK (result), error);
+}
+
+void
+qn_job_cancel (QnJob *self)
+{
+  g_return_if_fail (QN_IS_JOB (self));
+  g_mutex_lock (&self->mutex);
+  self->cancelled = TRUE;
+  g_cond_signal (&self->resumed);
+  g_mutex_unlock (&self->mutex);
+}
+
+void
+qn_job_set_paused (QnJob *self, gboolean paused)
+{
+  g_return_if_fail (QN_IS_JOB (self));
+  g_mutex_lock (&self->mutex);
+  self->paused = paused;
+  g_cond_signal (&self->resumed);
+  g_mutex_unlock (&self->mutex);
+}
+
+gboolean
+qn_job_is_paused (QnJob *self)
+{
+  g_mutex_lock (&self->mutex);
+  gboolean paused = self->paused;
+  g_mutex_unlock (&self->mutex);
+  return paused;
+}
+
+gboolean
+qn_job_is_running (QnJob *self)
+{
+  return self->running;
+}
+
+QnProgress
+qn_job_get_progress (QnJob *self)
+{
+  g_mutex_lock (&self->mutex);
+  QnProgress progress = self->progress;
+  g_mutex_unlock (&self->mutex);
+  return progress;
+}
+
+const double *
+qn_job_get_multipliers (QnJob *self, gsize *count)
+{
+  *count = self->shown->len;
+  return (const double *) self->shown->data;
+}
+
+const QnDiag *
+qn_job_get_diag (QnJob *self)
+{
+  return &self->diag;
+}

@@ -1,0 +1,34 @@
+#include "doc/run.h"
+
+G_DEFINE_BOXED_TYPE (QnRun, qn_run, qn_run_ref, qn_run_unref)
+
+QnRun *
+qn_run_new (const char *name, guint64 generation)
+{
+  QnRun *run = g_atomic_rc_box_new0 (QnRun);
+  run->name = g_strdup (name);
+  run->generation = generation;
+  return run;
+}
+
+QnRun *
+qn_run_ref (QnRun *run)
+{
+  return g_atomic_rc_box_acquire (run);
+}
+
+static void
+clear (gpointer data)
+{
+  QnRun *run = data;
+  qn_result_clear (&run->result);
+  qn_contacts_clear (&run->contacts);
+  qn_model_clear (&run->model);
+  g_free (run->name);
+}
+
+void
+qn_run_unref (QnRun *run)
+{
+  g_atomic_rc_box_release_full (run, clear);
+}

@@ -1,0 +1,66 @@
+/* Units: what the user reads and types, against the SI numbers of the model.
+ *
+ * Every field of the window shows its unit and accepts any other of the same quantity: "40",
+ * "0,4 m" and "40 cm" are the same length. Both decimal signs are understood; the one of the
+ * locale is written.
+ */
+#ifndef QN_DOC_UNITS_H
+#define QN_DOC_UNITS_H
+
+#include <glib.h>
+
+typedef enum {
+  QN_QUANTITY_NUMBER,            /* no unit */
+  QN_QUANTITY_LENGTH,            /* m */
+  QN_QUANTITY_ANGLE,             /* rad; shown in degrees */
+  QN_QUANTITY_FORCE,             /* N */
+  QN_QUANTITY_MOMENT,            /* N m */
+  QN_QUANTITY_STRESS,            /* Pa */
+  QN_QUANTITY_STIFFNESS,         /* N/m */
+  QN_QUANTITY_SURFACE_STIFFNESS, /* Pa/m */
+  QN_QUANTITY_UNIT_WEIGHT,       /* N/m3 */
+  QN_QUANTITY_DENSITY,           /* kg/m3 */
+  QN_QUANTITY_TIME,              /* s */
+  QN_QUANTITY_COUNT
+} QnQuantity;
+
+typedef enum { QN_LENGTH_M, QN_LENGTH_CM, QN_LENGTH_MM, QN_LENGTH_COUNT } QnLengthUnit;
+typedef enum { QN_FORCE_N, QN_FORCE_KN, QN_FORCE_COUNT } QnForceUnit;
+typedef enum { QN_STRESS_PA, QN_STRESS_KPA, QN_STRESS_MPA, QN_STRESS_COUNT } QnStressUnit;
+
+typedef struct QnUnits {
+  QnLengthUnit length;
+  QnForceUnit force; /* of moments, stiffnesses and unit weights as well */
+  QnStressUnit stress;
+} QnUnits;
+
+#define QN_UNITS_SI ((QnUnits){ QN_LENGTH_M, QN_FORCE_N, QN_STRESS_PA })
+
+#define QN_UNITS_ERROR (qn_units_error_quark ())
+GQuark qn_units_error_quark (void);
+
+typedef enum {
+  QN_UNITS_ERROR_NOT_A_NUMBER,
+  QN_UNITS_ERROR_UNKNOWN_UNIT,
+  QN_UNITS_ERROR_TOO_LARGE
+} QnUnitsError;
+
+/* Symbol of the unit in which a quantity is shown, "" for plain numbers; a static string. */
+const char *qn_units_symbol (QnUnits units, QnQuantity quantity);
+
+/* SI value of one displayed unit: 0.01 where lengths are shown in cm. */
+double qn_units_factor (QnUnits units, QnQuantity quantity);
+
+/* The number alone, with the locale's decimal sign and at most `digits` significant digits
+ * (1 to 17); "∞" for infinity. The caller frees it. */
+char *qn_units_format (QnUnits units, QnQuantity quantity, double value, int digits);
+
+/* The number with its unit after a no-break space. The caller frees it. */
+char *qn_units_format_full (QnUnits units, QnQuantity quantity, double value, int digits);
+
+/* Reads a number with or without a unit; without one the displayed unit is meant. "∞" and
+ * "inf" give infinity, which callers that cannot use it refuse. `value` is in SI. */
+gboolean qn_units_parse (QnUnits units, QnQuantity quantity, const char *text,
+                         double *value, GError **error);
+
+#endif
