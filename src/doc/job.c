@@ -73,10 +73,11 @@ set_error (GError **error, const QnModel *model, const QnDiag *diag, QnStatus st
 }
 
 QnJob *
-qn_job_new (const QnModel *model, const char *name, guint64 generation, GError **error)
+qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
+            GError **error)
 {
   g_autoptr (QnJob) self = g_object_new (QN_TYPE_JOB, NULL);
-  self->run = qn_run_new (name, generation);
+  self->run = qn_run_new (name, fingerprint);
   QnStatus status = qn_model_copy (model, &self->run->model, &self->diag);
   if (status != QN_OK) {
     set_error (error, model, &self->diag, status);

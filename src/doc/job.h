@@ -16,8 +16,8 @@ G_DECLARE_FINAL_TYPE (QnJob, qn_job, QN, JOB, GObject)
 
 /* Freezes a prepared model. NULL when memory runs out.
  *
- * name: of the run to be; generation: of the document, handed on to the run. */
-QnJob *qn_job_new (const QnModel *model, const char *name, guint64 generation,
+ * name: of the run to be; fingerprint: of the document's model, handed on to the run. */
+QnJob *qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
                    GError **error);
 
 /* Starts the thread. `callback` is called once, on the starting thread's main context, when

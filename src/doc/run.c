@@ -3,11 +3,11 @@
 G_DEFINE_BOXED_TYPE (QnRun, qn_run, qn_run_ref, qn_run_unref)
 
 QnRun *
-qn_run_new (const char *name, guint64 generation)
+qn_run_new (const char *name, const char *fingerprint)
 {
   QnRun *run = g_atomic_rc_box_new0 (QnRun);
   run->name = g_strdup (name);
-  run->generation = generation;
+  run->fingerprint = g_strdup (fingerprint);
   return run;
 }
 
@@ -25,6 +25,7 @@ clear (gpointer data)
   qn_contacts_clear (&run->contacts);
   qn_model_clear (&run->model);
   g_free (run->name);
+  g_free (run->fingerprint);
 }
 
 void

@@ -15,15 +15,15 @@ typedef struct QnRun {
   QnModel model;
   QnContacts contacts;
   QnResult result;
-  char *name;         /* what the user calls it, owned */
-  guint64 generation; /* of the document when it was frozen */
+  char *name;        /* what the user calls it, owned */
+  char *fingerprint; /* digest of the document's model when it was frozen, owned */
 } QnRun;
 
 #define QN_TYPE_RUN (qn_run_get_type ())
 GType qn_run_get_type (void);
 
 /* A run with empty members that the caller fills before sharing it. */
-QnRun *qn_run_new (const char *name, guint64 generation);
+QnRun *qn_run_new (const char *name, const char *fingerprint);
 QnRun *qn_run_ref (QnRun *run);
 void qn_run_unref (QnRun *run);
 

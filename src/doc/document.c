@@ -1,0 +1,619 @@
+#include "doc/document.h"
+
+#include "doc/edit.h"
+#include "doc/explain.h"
+#include "io/file-read.h"
+#include "io/file-writer.h"
+#include <cjson/cJSON.h>
+#include <glib/gi18n.h>
+#include <string.h>
+
+struct _QnDocument {
+  GObject parent_instance;
+
+  char *path;
+  char *text; /* the state; see document.h */
+  QnProject project;
+  QnContacts contacts;
+  char *fingerprint; /* of what an analysis depends on */
+  QnHistory *history;
+  QnSelection *selection;
+  gboolean never_saved; /* came from memory: counts as modified */
+
+  QnJob *job;
+  GError *job_error;
+  QnDiag job_diag;
+  GPtrArray *runs;
+  QnRun *run;
+  guint run_number;
+};
+
+G_DEFINE_FINAL_TYPE (QnDocument, qn_document, G_TYPE_OBJECT)
+
+enum {
+  SIGNAL_CHANGED,
+  SIGNAL_HISTORY_CHANGED,
+  SIGNAL_FILE_CHANGED,
+  SIGNAL_RUNS_CHANGED,
+  SIGNAL_JOB_CHANGED,
+  SIGNAL_JOB_PROGRESS,
+  SIGNAL_COUNT
+};
+static guint signals[SIGNAL_COUNT];
+
+static const char *const signal_names[SIGNAL_COUNT] = { "changed",      "history-changed",
+                                                        "file-changed", "runs-changed",
+                                                        "job-changed",  "job-progress" };
+
+/* What a new drawing starts with. */
+static const char empty_text[] =
+  "{ \"format\": \"quoin\", \"version\": 1,\n"
+  "  \"laws\": [ { \"name\": \"dry joint\", \"kind\": \"coulomb\", \"basis\": "
+  "\"contact\","
+  " \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.65, \"cohesion\": 0, \"tension\": 0,"
+  " \"dilatancy\": 0 } ],\n"
+  "  \"contact\": { \"law\": \"dry joint\", \"tolerance\": 1e-6,"
+  " \"pairs\": { \"placement\": \"ends\", \"offset\": 0 } },\n"
+  "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],\n"
+  "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },\n"
+  "  \"analysis\": { \"procedure\": \"load\", \"geometry\": \"linear\","
+  " \"increments\": 100 } }\n";
+
+/* An empty drawing is no valid project. It is read with this block, which is taken away
+ * again before anybody sees it. */
+static const char *const placeholder[] = {
+  "blocks=[{\"name\":\"placeholder\",\"vertices\":[[0,0],[1,0],[1,1],[0,1]],"
+  "\"thickness\":1,\"unit_weight\":0}]",
+  NULL
+};
+
+static void
+emit (QnDocument *self, int signal)
+{
+  g_signal_emit (self, signals[signal], 0);
+}
+
+static void
+emit (QnDocument *self, int signal)
+{
+  g_signal_emit (self, signals[signal], 0);
+}
+
+/* ---- state ---- */
+
+static gboolean
+is_empty_drawing (const char *text)
+{
+  return strstr (text, "\"vertices\"") == NULL && strstr (text, "\"courses\"") == NULL;
+}
+
+static gboolean
+parse (const char *text, const char *name, QnProject *project, GError **error)
+{
+  if (!is_empty_drawing (text))
+    return qn_project_parse (text, strlen (text), name, NULL, project, error);
+
+  if (!qn_project_parse (text, strlen (text), name, placeholder, project, error))
+    return FALSE;
+  g_clear_pointer (&project->overrides, g_strfreev);
+  gboolean drop[] = { TRUE };
+  if (!qn_edit_rebuild (&project->model, drop, error)) {
+    qn_project_clear (project);
+    return FALSE;
+  }
+  return TRUE;
+}
+
+static gboolean
+detect (const QnModel *model, QnContacts *contacts, GError **error)
+{
+  *contacts = (QnContacts){ 0 };
+  if (model->block_count == 0)
+    return TRUE;
+  QnDiag diag = { 0 };
+  if (qn_contacts_detect (model, contacts, &diag) == QN_OK)
+    return TRUE;
+  g_autofree char *message = qn_explain_diag (model, &diag);
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  return FALSE;
+}
+
+/* Digest of the model and its settings alone: neither the title nor views and figures make a
+ * result stale. */
+static char *
+digest (const QnProject *project)
+{
+  QnProject bare = *project;
+  bare.extras = NULL;
+  bare.model.title = NULL;
+  gsize length = 0;
+  g_autofree char *text = qn_project_to_text (&bare, &length);
+  return g_compute_checksum_for_data (G_CHECKSUM_SHA256, (const guchar *) text, length);
+}
+
+/* Takes over `project` (cleared on failure) as the state whose text is `text`. */
+static gboolean
+adopt (QnDocument *self, QnProject *project, char *text, GError **error)
+{
+  QnContacts contacts;
+  if (!detect (&project->model, &contacts, error)) {
+    qn_project_clear (project);
+    g_free (text);
+    return FALSE;
+  }
+  QnProject old = self->project;
+  self->project = *project;
+  qn_contacts_clear (&self->contacts);
+  self->contacts = contacts;
+  g_free (self->text);
+  self->text = text;
+  g_free (self->fingerprint);
+  self->fingerprint = digest (&self->project);
+  qn_selection_follow (self->selection, &old.model, &self->project.model);
+  qn_project_clear (&old);
+  emit (self, SIGNAL_CHANGED);
+  return TRUE;
+}
+
+static const char *
+name_in_messages (QnDocument *self)
+{
+  return self->path != NULL ? self->path : _ ("Untitled");
+}
+
+/* Makes `text` (taken over) the state; the history is the caller's business. */
+static gboolean
+restore (QnDocument *self, char *text)
+{
+  QnProject project;
+  g_autoptr (GError) error = NULL;
+  if (!parse (text, name_in_messages (self), &project, &error)) {
+    /* The text was accepted when it was made. */
+    g_critical ("history: %s", error->message);
+    g_free (text);
+    return FALSE;
+  }
+  return adopt (self, &project, text, NULL);
+}
+
+/* ---- life ---- */
+
+static void
+drop_job (QnDocument *self)
+{
+  if (self->job == NULL)
+    return;
+  g_signal_handlers_disconnect_by_data (self->job, self);
+  qn_job_cancel (self->job);
+  g_clear_object (&self->job);
+}
+
+static void
+qn_document_dispose (GObject *object)
+{
+  drop_job (QN_DOCUMENT (object));
+  G_OBJECT_CLASS (qn_document_parent_class)->dispose (object);
+}
+
+static void
+qn_document_finalize (GObject *object)
+{
+  QnDocument *self = QN_DOCUMENT (object);
+  qn_project_clear (&self->project);
+  qn_contacts_clear (&self->contacts);
+  qn_history_free (self->history);
+  g_clear_object (&self->selection);
+  g_clear_error (&self->job_error);
+  g_clear_pointer (&self->run, qn_run_unref);
+  g_ptr_array_unref (self->runs);
+  g_free (self->path);
+  g_free (self->text);
+  g_free (self->fingerprint);
+  G_OBJECT_CLASS (qn_document_parent_class)->finalize (object);
+}
+
+static void
+qn_document_class_init (QnDocumentClass *klass)
+{
+  GObjectClass *object_class = G_OBJECT_CLASS (klass);
+  object_class->dispose = qn_document_dispose;
+  object_class->finalize = qn_document_finalize;
+  for (int i = 0; i < SIGNAL_COUNT; i++)
+    signals[i] = g_signal_new (signal_names[i], QN_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0,
+                               NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void
+qn_document_init (QnDocument *self)
+{
+  qn_project_init (&self->project);
+  self->history = qn_history_new ();
+  self->selection = qn_selection_new ();
+  self->runs = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+}
+
+QnDocument *
+qn_document_new (void)
+{
+  QnDocument *self = g_object_new (QN_TYPE_DOCUMENT, NULL);
+  QnProject project;
+  g_autoptr (GError) error = NULL;
+  if (!parse (empty_text, _ ("Untitled"), &project, &error))
+    g_error ("%s", error->message);
+  adopt (self, &project, qn_project_to_text (&project, NULL), NULL);
+  return self;
+}
+
+/* ---- the file ---- */
+
+/* Starts afresh from a project that was read; `project` is taken over. */
+static gboolean
+begin (QnDocument *self, QnProject *project, const char *path, GError **error)
+{
+  /* The history starts from the canonical text, whatever the file looks like. */
+  if (!adopt (self, project, qn_project_to_text (project, NULL), error))
+    return FALSE;
+  drop_job (self);
+  g_clear_error (&self->job_error);
+  qn_history_clear (self->history);
+  g_clear_pointer (&self->run, qn_run_unref);
+  g_ptr_array_set_size (self->runs, 0);
+  self->run_number = 0;
+  g_free (self->path);
+  self->path = g_strdup (path);
+  self->never_saved = path == NULL;
+  emit (self, SIGNAL_FILE_CHANGED);
+  emit (self, SIGNAL_HISTORY_CHANGED);
+  emit (self, SIGNAL_RUNS_CHANGED);
+  emit (self, SIGNAL_JOB_CHANGED);
+  return TRUE;
+}
+
+gboolean
+qn_document_load (QnDocument *self, const char *path, GError **error)
+{
+  QnProject project;
+  gsize length = 0;
+  g_autofree char *text = qn_file_read (path, &length, error);
+  if (text == NULL || !parse (text, path, &project, error))
+    return FALSE;
+  return begin (self, &project, path, error);
+}
+
+gboolean
+qn_document_load_text (QnDocument *self, const char *text, const char *name,
+                       GError **error)
+{
+  QnProject project;
+  return parse (text, name, &project, error) && begin (self, &project, NULL, error);
+}
+
+gboolean
+qn_document_save (QnDocument *self, const char *path, GError **error)
+{
+  if (!qn_file_write (path, self->text, strlen (self->text), error))
+    return FALSE;
+  qn_history_mark_clean (self->history);
+  self->never_saved = FALSE;
+  if (g_strcmp0 (path, self->path) != 0) {
+    g_free (self->path);
+    self->path = g_strdup (path);
+    emit (self, SIGNAL_FILE_CHANGED);
+  }
+  emit (self, SIGNAL_HISTORY_CHANGED);
+  return TRUE;
+}
+
+const char *
+qn_document_get_path (QnDocument *self)
+{
+  return self->path;
+}
+
+const char *
+qn_document_get_text (QnDocument *self)
+{
+  return self->text;
+}
+
+char *
+qn_document_dup_display_name (QnDocument *self)
+{
+  const char *title = self->project.model.title;
+  if (title != NULL && *title != '\0')
+    return g_strdup (title);
+  return self->path != NULL ? g_path_get_basename (self->path)
+                            : g_strdup (_ ("Untitled"));
+}
+
+gboolean
+qn_document_is_modified (QnDocument *self)
+{
+  return self->never_saved || !qn_history_is_clean (self->history);
+}
+
+const GPtrArray *
+qn_document_get_warnings (QnDocument *self)
+{
+  return self->project.warnings;
+}
+
+const QnModel *
+qn_document_get_model (QnDocument *self)
+{
+  return &self->project.model;
+}
+
+const QnContacts *
+qn_document_get_contacts (QnDocument *self)
+{
+  return &self->contacts;
+}
+
+const QnProject *
+qn_document_get_project (QnDocument *self)
+{
+  return &self->project;
+}
+
+QnSelection *
+qn_document_get_selection (QnDocument *self)
+{
+  return self->selection;
+}
+
+/* ---- edits ---- */
+
+/* Reads `text` (taken over) as the next state and makes it a step of the history. */
+static gboolean
+step_to (QnDocument *self, const char *name, const char *key, char *text, GError **error)
+{
+  if (strcmp (text, self->text) == 0) {
+    g_free (text);
+    return TRUE;
+  }
+  QnProject project;
+  if (!parse (text, name_in_messages (self), &project, error)) {
+    g_free (text);
+    return FALSE;
+  }
+  g_autofree char *before = g_strdup (self->text);
+  if (!adopt (self, &project, text, error))
+    return FALSE;
+  qn_history_record (self->history, name, key, before, self->text);
+  emit (self, SIGNAL_HISTORY_CHANGED);
+  return TRUE;
+}
+
+gboolean
+qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFunc func,
+                  gpointer user_data, GError **error)
+{
+  QnProject draft = self->project;
+  QnDiag diag = { 0 };
+  if (qn_model_copy (&self->project.model, &draft.model, &diag) != QN_OK)
+    return qn_edit_no_memory (error);
+  gboolean done = func (&draft.model, user_data, error);
+  char *text = done ? qn_project_to_text (&draft, NULL) : NULL;
+  qn_model_clear (&draft.model);
+  return done && step_to (self, name, key, text, error);
+}
+
+gboolean
+qn_document_edit_extra (QnDocument *self, const char *name, const char *member,
+                        const char *json, GError **error)
+{
+  cJSON *extras = self->project.extras != NULL ? cJSON_Duplicate (self->project.extras, 1)
+                                               : cJSON_CreateObject ();
+  if (json == NULL)
+    cJSON_DeleteItemFromObjectCaseSensitive (extras, member);
+  else {
+    cJSON *value = cJSON_Parse (json);
+    g_return_val_if_fail (value != NULL, FALSE);
+    if (cJSON_HasObjectItem (extras, member))
+      cJSON_ReplaceItemInObjectCaseSensitive (extras, member, value);
+    else
+      cJSON_AddItemToObject (extras, member, value);
+  }
+  QnProject draft = self->project;
+  draft.extras = extras;
+  char *text = qn_project_to_text (&draft, NULL);
+  cJSON_Delete (extras);
+  return step_to (self, name, NULL, text, error);
+}
+
+char *
+qn_document_dup_extra (QnDocument *self, const char *member)
+{
+  const cJSON *value = cJSON_GetObjectItemCaseSensitive (self->project.extras, member);
+  if (value == NULL)
+    return NULL;
+  char *printed = cJSON_PrintUnformatted (value);
+  char *json = g_strdup (printed);
+  cJSON_free (printed);
+  return json;
+}
+
+QnHistory *
+qn_document_get_history (QnDocument *self)
+{
+  return self->history;
+}
+
+static gboolean
+walk (QnDocument *self, gboolean back)
+{
+  char *text = back ? qn_history_undo (self->history, self->text)
+                    : qn_history_redo (self->history, self->text);
+  return text != NULL && restore (self, text);
+}
+
+gboolean
+qn_document_undo (QnDocument *self)
+{
+  gboolean done = walk (self, TRUE);
+  if (done)
+    emit (self, SIGNAL_HISTORY_CHANGED);
+  return done;
+}
+
+gboolean
+qn_document_redo (QnDocument *self)
+{
+  gboolean done = walk (self, FALSE);
+  if (done)
+    emit (self, SIGNAL_HISTORY_CHANGED);
+  return done;
+}
+
+void
+qn_document_go_to (QnDocument *self, guint position)
+{
+  g_autofree char *text = g_strdup (self->text);
+  while (qn_history_get_position (self->history) != position) {
+    gboolean back = qn_history_get_position (self->history) > position;
+    char *next = back ? qn_history_undo (self->history, text)
+                      : qn_history_redo (self->history, text);
+    if (next == NULL)
+      break;
+    g_free (text);
+    text = next;
+  }
+  restore (self, g_steal_pointer (&text));
+  emit (self, SIGNAL_HISTORY_CHANGED);
+}
+
+/* ---- analyses ---- */
+
+static void
+on_job_progress (QnJob *job, QnDocument *self)
+{
+  (void) job;
+  emit (self, SIGNAL_JOB_PROGRESS);
+}
+
+static void
+on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
+{
+  QnJob *job = QN_JOB (source);
+  g_autoptr (QnDocument) self = user_data;
+  g_autoptr (GError) error = NULL;
+  g_autoptr (QnRun) run = qn_job_finish (job, result, &error);
+  if (self->job != job)
+    return; /* replaced or dropped meanwhile */
+
+  self->job_diag = *qn_job_get_diag (job);
+  g_signal_handlers_disconnect_by_data (job, self);
+  g_clear_object (&self->job);
+  if (run != NULL) {
+    g_ptr_array_add (self->runs, qn_run_ref (run));
+    qn_document_set_run (self, run);
+  } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
+    self->job_error = g_steal_pointer (&error);
+  }
+  emit (self, SIGNAL_JOB_CHANGED);
+}
+
+static gboolean
+start (QnDocument *self, const QnModel *model, GError **error)
+{
+  if (model->block_count == 0) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is nothing to analyse: draw a wall first"));
+    return FALSE;
+  }
+  g_autofree char *name = g_strdup_printf (_ ("Run %u"), self->run_number + 1);
+  QnJob *job = qn_job_new (model, name, self->fingerprint, error);
+  if (job == NULL)
+    return FALSE;
+  self->run_number++;
+  drop_job (self);
+  g_clear_error (&self->job_error);
+  self->job = job;
+  g_signal_connect (job, "progress", G_CALLBACK (on_job_progress), self);
+  qn_job_start (job, on_job_done, g_object_ref (self));
+  emit (self, SIGNAL_JOB_CHANGED);
+  return TRUE;
+}
+
+gboolean
+qn_document_analyse (QnDocument *self, GError **error)
+{
+  return start (self, &self->project.model, error);
+}
+
+gboolean
+qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
+                          GError **error)
+{
+  QnModel model = self->project.model;
+  model.analysis.procedure = procedure;
+  model.analysis.flow = flow;
+  return start (self, &model, error);
+}
+
+void
+qn_document_cancel (QnDocument *self)
+{
+  if (self->job != NULL)
+    qn_job_cancel (self->job);
+}
+
+QnJob *
+qn_document_get_job (QnDocument *self)
+{
+  return self->job;
+}
+
+const GError *
+qn_document_get_job_error (QnDocument *self)
+{
+  return self->job_error;
+}
+
+const QnDiag *
+qn_document_get_job_diag (QnDocument *self)
+{
+  return &self->job_diag;
+}
+
+const GPtrArray *
+qn_document_get_runs (QnDocument *self)
+{
+  return self->runs;
+}
+
+QnRun *
+qn_document_get_run (QnDocument *self)
+{
+  return self->run;
+}
+
+void
+qn_document_set_run (QnDocument *self, QnRun *run)
+{
+  if (run != NULL)
+    qn_run_ref (run);
+  g_clear_pointer (&self->run, qn_run_unref);
+  self->run = run;
+  emit (self, SIGNAL_RUNS_CHANGED);
+}
+
+void
+qn_document_remove_run (QnDocument *self, QnRun *run)
+{
+  g_autoptr (QnRun) kept = qn_run_ref (run);
+  g_ptr_array_remove (self->runs, run);
+  if (self->run == kept) {
+    guint left = self->runs->len;
+    qn_document_set_run (self,
+                         left > 0 ? g_ptr_array_index (self->runs, left - 1) : NULL);
+  } else
+    emit (self, SIGNAL_RUNS_CHANGED);
+}
+
+gboolean
+qn_document_is_stale (QnDocument *self, const QnRun *run)
+{
+  return g_strcmp0 (run->fingerprint, self->fingerprint) != 0;
+}
