@@ -73,12 +73,6 @@ emit (QnDocument *self, int signal)
   g_signal_emit (self, signals[signal], 0);
 }
 
-static void
-emit (QnDocument *self, int signal)
-{
-  g_signal_emit (self, signals[signal], 0);
-}
-
 /* ---- state ---- */
 
 static gboolean
