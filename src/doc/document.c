@@ -4,7 +4,7 @@
 #include "doc/explain.h"
 #include "io/file-read.h"
 #include "io/file-writer.h"
-#include <cjson/cJSON.h>
+#include "io/project-extras.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -397,35 +397,20 @@ gboolean
 qn_document_edit_extra (QnDocument *self, const char *name, const char *member,
                         const char *json, GError **error)
 {
-  cJSON *extras = self->project.extras != NULL ? cJSON_Duplicate (self->project.extras, 1)
-                                               : cJSON_CreateObject ();
-  if (json == NULL)
-    cJSON_DeleteItemFromObjectCaseSensitive (extras, member);
-  else {
-    cJSON *value = cJSON_Parse (json);
-    g_return_val_if_fail (value != NULL, FALSE);
-    if (cJSON_HasObjectItem (extras, member))
-      cJSON_ReplaceItemInObjectCaseSensitive (extras, member, value);
-    else
-      cJSON_AddItemToObject (extras, member, value);
-  }
+  struct cJSON *extras = qn_project_extras_with (&self->project, member, json, error);
+  if (extras == NULL)
+    return FALSE;
   QnProject draft = self->project;
   draft.extras = extras;
   char *text = qn_project_to_text (&draft, NULL);
-  cJSON_Delete (extras);
+  qn_project_extras_free (extras);
   return step_to (self, name, NULL, text, error);
 }
 
 char *
 qn_document_dup_extra (QnDocument *self, const char *member)
 {
-  const cJSON *value = cJSON_GetObjectItemCaseSensitive (self->project.extras, member);
-  if (value == NULL)
-    return NULL;
-  char *printed = cJSON_PrintUnformatted (value);
-  char *json = g_strdup (printed);
-  cJSON_free (printed);
-  return json;
+  return qn_project_dup_extra (&self->project, member);
 }
 
 QnHistory *
