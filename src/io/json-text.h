@@ -4,7 +4,16 @@
 
 #include <glib.h>
 
+struct cJSON;
+
 /* Appends `text` (UTF-8) as a JSON string with its quotes. */
 void qn_json_append_string (GString *json, const char *text);
+
+/* Appends the shortest text of a number; see number-text.h. */
+void qn_json_append_number (GString *json, double number);
+
+/* Appends a tree: arrays and objects on one line where they fit, otherwise a line per value,
+ * indented by two more spaces than `indent`. */
+void qn_json_append_value (GString *json, const struct cJSON *value, guint indent);
 
 #endif

@@ -1,0 +1,15 @@
+/* Where in a JSON text something stands. */
+#ifndef QN_IO_JSON_LOCATE_H
+#define QN_IO_JSON_LOCATE_H
+
+#include <glib.h>
+
+/* Byte offset of the value that a path (see json-path.h) leads to. Where the path leads to
+ * nothing, the innermost value on the way that does exist: a missing key is reported at its
+ * object. The text must be well-formed and NUL-terminated. */
+gsize qn_json_locate (const char *text, gsize length, const char *path);
+
+/* Line and column of a byte offset, both from 1; the column counts characters. */
+void qn_json_position (const char *text, gsize offset, gsize *line, gsize *column);
+
+#endif

@@ -1,0 +1,117 @@
+#include "io/json-override.h"
+
+#include "io/io-error.h"
+#include "io/json-parse.h"
+#include "io/json-path.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+/* The steps before the "=", or NULL. A quoted key may hold an "=" of its own. */
+static GArray *
+parse_path (const char *override, const char **value)
+{
+  for (const char *equals = strchr (override, '='); equals != NULL;
+       equals = strchr (equals + 1, '=')) {
+    char *text = g_strndup (override, (gsize) (equals - override));
+    GArray *path = qn_json_path_parse (text);
+    g_free (text);
+    if (path != NULL && path->len > 0) {
+      *value = equals + 1;
+      return path;
+    }
+    g_clear_pointer (&path, g_array_unref);
+  }
+  return NULL;
+}
+
+/* The value that a step leads to, or NULL; objects that are missing are added. */
+static cJSON *
+descend (cJSON *container, const QnJsonStep *step)
+{
+  if (step->key == NULL)
+    return cJSON_IsArray (container) ? cJSON_GetArrayItem (container, (int) step->index)
+                                     : NULL;
+  if (!cJSON_IsObject (container))
+    return NULL;
+  cJSON *member = cJSON_GetObjectItemCaseSensitive (container, step->key);
+  return member != NULL ? member : cJSON_AddObjectToObject (container, step->key);
+}
+
+/* Puts `value` (owned) where the last step says. */
+static gboolean
+place (cJSON *container, const QnJsonStep *step, cJSON *value)
+{
+  gboolean placed = FALSE;
+  if (step->key == NULL && cJSON_IsArray (container))
+    placed = cJSON_ReplaceItemInArray (container, (int) step->index, value);
+  else if (step->key != NULL && cJSON_IsObject (container))
+    placed = cJSON_GetObjectItemCaseSensitive (container, step->key) != NULL
+               ? cJSON_ReplaceItemInObjectCaseSensitive (container, step->key, value)
+               : cJSON_AddItemToObject (container, step->key, value);
+  if (!placed)
+    cJSON_Delete (value);
+  return placed;
+}
+
+/* The value as JSON or else as a string; NULL when out of memory. */
+static cJSON *
+parse_value (const char *text)
+{
+  QnJsonProblem problem;
+  cJSON *value = qn_json_parse (text, strlen (text), &problem);
+  g_free (problem.path);
+  return value != NULL || problem.no_memory ? value : cJSON_CreateString (text);
+}
+
+gboolean
+qn_json_override (cJSON *root, const char *override, GError **error)
+{
+  const char *text;
+  GArray *path = parse_path (override, &text);
+  if (path == NULL || !g_utf8_validate (override, -1, NULL)) {
+    g_clear_pointer (&path, g_array_unref);
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", override,
+                 _ ("an override has the form path=value"));
+    return FALSE;
+  }
+
+  cJSON *container = root;
+  for (guint i = 0; i + 1 < path->len && container != NULL; i++)
+    container = descend (container, &g_array_index (path, QnJsonStep, i));
+  cJSON *value = parse_value (text);
+  gboolean placed =
+    value != NULL && container != NULL
+    && place (container, &g_array_index (path, QnJsonStep, path->len - 1), value);
+  if (container == NULL)
+    cJSON_Delete (value);
+  g_array_unref (path);
+
+  if (value == NULL)
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", override,
+                 _ ("not enough memory"));
+  else if (!placed)
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", override,
+                 _ ("the project has no such place"));
+  return placed;
+}
+
+char *
+qn_json_override_dup_path (const char *override)
+{
+  const char *value;
+  GArray *steps = parse_path (override, &value);
+  if (steps == NULL)
+    return NULL;
+
+  GString *path = g_string_new (NULL);
+  for (guint i = 0; i < steps->len; i++) {
+    const QnJsonStep *step = &g_array_index (steps, QnJsonStep, i);
+    if (step->key != NULL)
+      qn_json_path_append_key (path, step->key);
+    else
+      qn_json_path_append_index (path, step->index);
+  }
+  g_array_unref (steps);
+  return g_string_free (path, FALSE);
+}

@@ -1,0 +1,27 @@
+/* JSON text to a cJSON tree, strictly: what json-scan.h accepts, no key twice in one object.
+ *
+ * cJSON's own parser tells neither lines nor running out of memory apart from bad input, and
+ * reads numbers in the locale of the process; its tree is what we use.
+ */
+#ifndef QN_IO_JSON_PARSE_H
+#define QN_IO_JSON_PARSE_H
+
+#include <cjson/cJSON.h>
+#include <glib.h>
+
+typedef struct QnJsonProblem {
+  gboolean no_memory;  /* an allocation failed; nothing else is set */
+  const char *message; /* a translated sentence */
+  gsize offset;        /* byte where */
+  char *path;          /* of the innermost value concerned; free with g_free() */
+} QnJsonProblem;
+
+/* `text` is NUL-terminated behind `length` bytes. NULL with *problem filled on failure; free
+ * the tree with cJSON_Delete(). Numbers beyond the range of a double are infinite. */
+cJSON *qn_json_parse (const char *text, gsize length, QnJsonProblem *problem);
+
+/* A problem (not of memory) as an error of the file `name`: "wall.quoin:3:9: laws[0]: …". */
+GError *qn_json_problem_to_error (const QnJsonProblem *problem, const char *name,
+                                  const char *text);
+
+#endif

@@ -1,0 +1,87 @@
+#include "io/project-names.h"
+
+#include "core/model.h"
+
+const char *
+qn_name_of_law_kind (int kind)
+{
+  return qn_law_kind_name ((QnLawKind) kind);
+}
+
+const char *
+qn_name_of_basis (int basis)
+{
+  return qn_basis_name ((QnBasis) basis);
+}
+
+const char *
+qn_name_of_placement (int placement)
+{
+  static const char *const names[QN_PLACEMENT_COUNT] = {
+    [QN_PLACEMENT_ENDS] = "ends",
+    [QN_PLACEMENT_UNIFORM] = "uniform",
+  };
+  return names[placement];
+}
+
+const char *
+qn_name_of_load_kind (int kind)
+{
+  static const char *const names[] = {
+    [QN_LOAD_WEIGHT] = "weight",
+    [QN_LOAD_FORCE] = "force",
+  };
+  return names[kind];
+}
+
+const char *
+qn_name_of_procedure (int procedure)
+{
+  static const char *const names[QN_PROCEDURE_COUNT] = {
+    [QN_PROCEDURE_LOAD] = "load",   [QN_PROCEDURE_DISPLACEMENT] = "displacement",
+    [QN_PROCEDURE_WORK] = "work",   [QN_PROCEDURE_ARC_LENGTH] = "arc-length",
+    [QN_PROCEDURE_LIMIT] = "limit",
+  };
+  return names[procedure];
+}
+
+const char *
+qn_name_of_geometry (int geometry)
+{
+  static const char *const names[QN_GEOMETRY_COUNT] = {
+    [QN_GEOMETRY_LINEAR] = "linear",
+    [QN_GEOMETRY_NONLINEAR] = "nonlinear",
+  };
+  return names[geometry];
+}
+
+const char *
+qn_name_of_snap (int snap)
+{
+  static const char *const names[QN_SNAP_COUNT] = {
+    [QN_SNAP_JUMP] = "jump",
+    [QN_SNAP_STOP] = "stop",
+  };
+  return names[snap];
+}
+
+const char *
+qn_name_of_flow (int flow)
+{
+  static const char *const names[QN_FLOW_COUNT] = {
+    [QN_FLOW_ASSOCIATIVE] = "associative",
+    [QN_FLOW_NON_ASSOCIATIVE] = "non-associative",
+  };
+  return names[flow];
+}
+
+const char *
+qn_name_of_dof (int dof)
+{
+  static const char *const names[QN_DOF_COUNT] = {
+    [QN_DOF_UX] = "ux",
+    [QN_DOF_UY] = "uy",
+    [QN_DOF_RZ] = "rz",
+  };
+  return names[dof];
+}

@@ -1,0 +1,16 @@
+/* Words of the project file for the enumerations of the model. Each takes the enumeration's
+ * value and returns a static string. */
+#ifndef QN_IO_PROJECT_NAMES_H
+#define QN_IO_PROJECT_NAMES_H
+
+const char *qn_name_of_law_kind (int kind);
+const char *qn_name_of_basis (int basis);
+const char *qn_name_of_placement (int placement);
+const char *qn_name_of_load_kind (int kind);
+const char *qn_name_of_procedure (int procedure);
+const char *qn_name_of_geometry (int geometry);
+const char *qn_name_of_snap (int snap);
+const char *qn_name_of_flow (int flow);
+const char *qn_name_of_dof (int dof);
+
+#endif

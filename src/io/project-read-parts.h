@@ -1,0 +1,25 @@
+/* Private to the reading of project files: one function per part of the document. Each adds
+ * what it finds to the model and returns FALSE with the reader's error set. */
+#ifndef QN_IO_PROJECT_READ_PARTS_H
+#define QN_IO_PROJECT_READ_PARTS_H
+
+#include "core/model.h"
+#include "io/json-value.h"
+
+/* In project-read-structure.c; `root` is the document. */
+gboolean qn_read_laws (const QnPlace *root, QnModel *model);
+gboolean qn_read_blocks (const QnPlace *root, QnModel *model);
+gboolean qn_read_walls (const QnPlace *root, QnModel *model);
+
+/* In project-read-loading.c; the walls must be expanded, so that their blocks have names. */
+gboolean qn_read_contact (const QnPlace *root, QnModel *model);
+gboolean qn_read_loads (const QnPlace *root, QnModel *model);
+gboolean qn_read_analysis (const QnPlace *root, QnModel *model);
+
+/* Law or block that a member names; an optional one that is not there leaves *id as it is. */
+gboolean qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
+                           const QnModel *model, QnId *id);
+gboolean qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
+                             const QnModel *model, QnId *id);
+
+#endif

@@ -1,0 +1,305 @@
+#include "core/memory.h"
+#include "io/json-text.h"
+#include "io/project-names.h"
+#include "io/project-read-parts.h"
+
+#include <glib/gi18n-lib.h>
+
+/* "no law has this name: "joint"", so that a typing error is seen without opening the file. */
+static gboolean
+fail_unknown_name (const QnPlace *place, QnProblem problem, const char *name)
+{
+  GString *quoted = g_string_new (NULL);
+  qn_json_append_string (quoted, name);
+  qn_place_failf (place, "%s: %s", _ (qn_problem_text (problem)), quoted->str);
+  g_string_free (quoted, TRUE);
+  return FALSE;
+}
+
+gboolean
+qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
+                  const QnModel *model, QnId *id)
+{
+  const char *name = NULL;
+  if (!qn_member_string (object, key, need, &name))
+    return FALSE;
+  if (name == NULL)
+    return TRUE;
+  *id = qn_model_find_law (model, name);
+  QnPlace member = qn_place_member (object, key);
+  return *id != QN_NONE || fail_unknown_name (&member, QN_PROBLEM_LAW_UNKNOWN, name);
+}
+
+gboolean
+qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
+                    const QnModel *model, QnId *id)
+{
+  const char *name = NULL;
+  if (!qn_member_string (object, key, need, &name))
+    return FALSE;
+  if (name == NULL)
+    return TRUE;
+  *id = qn_model_find_block (model, name);
+  QnPlace member = qn_place_member (object, key);
+  return *id != QN_NONE || fail_unknown_name (&member, QN_PROBLEM_BLOCK_UNKNOWN, name);
+}
+
+/* Friction and its companions mean nothing to the kinds without a strength. */
+static void
+warn_without_strength (const QnPlace *place)
+{
+  static const char *const keys[] = { "friction", "cohesion", "tension", "dilatancy" };
+  for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
+    QnPlace member = qn_place_member (place, keys[i]);
+    if (member.value != NULL)
+      qn_place_warn (&member, _ ("has no effect for this kind of law"));
+  }
+}
+
+static gboolean
+read_strength (const QnPlace *place, QnLaw *law)
+{
+  const QnRange range = QN_RANGE_NOT_NEGATIVE;
+  return qn_member_number (place, "friction", QN_REQUIRED, range, &law->friction)
+         && qn_member_number (place, "cohesion", QN_OPTIONAL, range, &law->cohesion)
+         && qn_member_number (place, "tension", QN_OPTIONAL, range, &law->tension)
+         && qn_member_number (place, "dilatancy", QN_OPTIONAL, range, &law->dilatancy);
+}
+
+static gboolean
+read_law (const QnPlace *place, QnModel *model)
+{
+  static const char *const keys[] = { "name",     "kind",     "basis",   "kn",       "ks",
+                                      "friction", "cohesion", "tension", "dilatancy" };
+  const char *name;
+  int kind, basis = QN_BASIS_CONTACT;
+  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_REQUIRED, &name)
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_law_kind,
+                            QN_LAW_KIND_COUNT, &kind)
+      || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_name_of_basis, QN_BASIS_COUNT,
+                            &basis))
+    return FALSE;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+
+  QnLaw *law = qn_model_add_law (model, name);
+  if (law == NULL)
+    return qn_place_no_memory (place);
+  law->kind = (QnLawKind) kind;
+  law->basis = (QnBasis) basis;
+  if (!qn_member_number (place, "kn", QN_REQUIRED, QN_RANGE_POSITIVE, &law->kn)
+      || !qn_member_number (place, "ks", QN_REQUIRED, QN_RANGE_POSITIVE, &law->ks))
+    return FALSE;
+  if (law->kind == QN_LAW_COULOMB)
+    return read_strength (place, law);
+  warn_without_strength (place);
+  return TRUE;
+}
+
+/* Calls `read` for every element of a member that is an array. */
+static gboolean
+read_each (const QnPlace *root, const char *key, QnNeed need,
+           gboolean (*read) (const QnPlace *place, QnModel *model), QnModel *model)
+{
+  QnPlace list = qn_place_member (root, key);
+  if (list.value == NULL && need == QN_OPTIONAL)
+    return TRUE;
+  if (!qn_place_array (&list))
+    return FALSE;
+
+  gsize index = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
+    QnPlace place = qn_place_element (&list, index++, item);
+    if (!read (&place, model))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+gboolean
+qn_read_laws (const QnPlace *root, QnModel *model)
+{
+  if (!read_each (root, "laws", QN_REQUIRED, read_law, model))
+    return FALSE;
+  QnPlace laws = qn_place_member (root, "laws");
+  return model->law_count > 0
+         || qn_place_fail (&laws, _ ("there must be at least one law"));
+}
+
+/* Weight of the material as N/m3 or, times gravity, as kg/m3: exactly one of them. */
+static gboolean
+read_weight (const QnPlace *place, const QnModel *model, double *unit_weight,
+             double *density)
+{
+  const QnRange range = QN_RANGE_NOT_NEGATIVE;
+  QnPlace by_density = qn_place_member (place, "density");
+  if (by_density.value == NULL)
+    return qn_member_number (place, "unit_weight", QN_REQUIRED, range, unit_weight);
+  if (cJSON_HasObjectItem (place->value, "unit_weight"))
+    return qn_place_fail (&by_density, _ ("density and unit_weight exclude each other"));
+  if (!qn_place_number (&by_density, range, density))
+    return FALSE;
+  *unit_weight = *density * model->gravity;
+  return TRUE;
+}
+
+/* `law` or, the same thing under the name that suits its basis, `material`. */
+static gboolean
+read_own_law (const QnPlace *place, const QnModel *model, QnId *law)
+{
+  QnPlace material = qn_place_member (place, "material");
+  if (material.value == NULL)
+    return qn_read_law_name (place, "law", QN_OPTIONAL, model, law);
+  if (cJSON_HasObjectItem (place->value, "law"))
+    return qn_place_fail (&material, _ ("law and material exclude each other"));
+  return qn_read_law_name (place, "material", QN_REQUIRED, model, law);
+}
+
+static gboolean
+read_support (const QnPlace *place, bool support[QN_DOF_COUNT])
+{
+  QnPlace list = qn_place_member (place, "support");
+  if (list.value == NULL)
+    return TRUE;
+  if (!qn_place_array (&list))
+    return FALSE;
+  if (cJSON_GetArraySize (list.value) != QN_DOF_COUNT)
+    return qn_place_fail (&list, _ ("expected three values: ux, uy, rz fixed or not"));
+
+  gsize i = 0;
+  for (const cJSON *flag = list.value->child; flag != NULL; flag = flag->next, i++) {
+    QnPlace element = qn_place_element (&list, i, flag);
+    if (!cJSON_IsBool (flag))
+      return qn_place_fail (&element, _ ("expected true or false"));
+    support[i] = cJSON_IsTrue (flag);
+  }
+  return TRUE;
+}
+
+static gboolean
+read_vertices (const QnPlace *place, GArray *vertices)
+{
+  QnPlace list = qn_place_member (place, "vertices");
+  if (!qn_place_array (&list))
+    return FALSE;
+  gsize index = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
+    QnPlace element = qn_place_element (&list, index++, item);
+    QnVec2 vertex;
+    if (!qn_place_vec2 (&element, &vertex))
+      return FALSE;
+    g_array_append_val (vertices, vertex);
+  }
+  return TRUE;
+}
+
+static gboolean
+read_block_properties (const QnPlace *place, const QnModel *model, QnBlock *block)
+{
+  return qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
+                           &block->thickness)
+         && read_weight (place, model, &block->unit_weight, &block->density)
+         && read_support (place, block->support)
+         && read_own_law (place, model, &block->law);
+}
+
+static gboolean
+read_block (const QnPlace *place, QnModel *model)
+{
+  static const char *const keys[] = { "name",    "vertices", "thickness", "unit_weight",
+                                      "density", "support",  "law",       "material" };
+  char default_name[16];
+  g_snprintf (default_name, sizeof default_name, "b%" G_GSIZE_FORMAT, place->index + 1);
+  const char *name = default_name;
+  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+    return FALSE;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+
+  GArray *vertices = g_array_sized_new (FALSE, FALSE, sizeof (QnVec2), 8);
+  gboolean done = read_vertices (place, vertices);
+  if (done) {
+    QnBlock *block =
+      qn_model_add_block (model, name, (const QnVec2 *) vertices->data, vertices->len);
+    done = block != NULL ? read_block_properties (place, model, block)
+                         : qn_place_no_memory (place);
+  }
+  g_array_unref (vertices);
+  return done;
+}
+
+gboolean
+qn_read_blocks (const QnPlace *root, QnModel *model)
+{
+  /* With walls, no block of its own is needed. */
+  QnNeed need = cJSON_HasObjectItem (root->value, "walls") ? QN_OPTIONAL : QN_REQUIRED;
+  return read_each (root, "blocks", need, read_block, model);
+}
+
+static gboolean
+read_course (const QnPlace *place, QnWall *wall)
+{
+  if (!qn_place_array (place))
+    return FALSE;
+  GArray *lengths = g_array_new (FALSE, FALSE, sizeof (double));
+  gboolean done = TRUE;
+  gsize index = 0;
+  for (const cJSON *item = place->value->child; done && item != NULL; item = item->next) {
+    QnPlace element = qn_place_element (place, index++, item);
+    double length = 0;
+    done = qn_place_number (&element, QN_RANGE_FINITE, &length);
+    if (done && length == 0)
+      done =
+        qn_place_fail (&element, _ (qn_problem_text (QN_PROBLEM_COURSE_LENGTH_ZERO)));
+    else if (done && fabs (length) > QN_MAX_COURSE_LENGTH)
+      done = qn_place_fail (&element, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
+    g_array_append_val (lengths, length);
+  }
+  if (done && !qn_wall_add_course (wall, (const double *) lengths->data, lengths->len))
+    done = qn_place_no_memory (place);
+  g_array_unref (lengths);
+  return done;
+}
+
+static gboolean
+read_courses (const QnPlace *place, QnWall *wall)
+{
+  QnPlace list = qn_place_member (place, "courses");
+  if (!qn_place_array (&list))
+    return FALSE;
+  gsize index = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
+    QnPlace course = qn_place_element (&list, index++, item);
+    if (!read_course (&course, wall))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_wall (const QnPlace *place, QnModel *model)
+{
+  static const char *const keys[] = { "name",      "origin",      "unit",
+                                      "thickness", "unit_weight", "density",
+                                      "courses",   "law",         "material" };
+  char default_name[16];
+  g_snprintf (default_name, sizeof default_name, "w%" G_GSIZE_FORMAT, place->index + 1);
+  const char *name = default_name;
+  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+    return FALSE;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+
+  QnWall *wall = qn_model_add_wall (model, name);
+  if (wall == NULL)
+    return qn_place_no_memory (place);
+  return qn_member_vec2 (place, "origin", QN_OPTIONAL, &wall->origin)
+         && qn_member_vec2 (place, "unit", QN_REQUIRED, &wall->unit)
+         && qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
+                              &wall->thickness)
+         && read_weight (place, model, &wall->unit_weight, &wall->density)
+         && read_own_law (place, model, &wall->law) && read_courses (place, wall);
+}
+
+gboolean
+qn_read_walls (const QnPlace *root, QnModel *model)
+{
+  return read_each (root, "walls", QN_OPTIONAL, read_wall, model);
+}

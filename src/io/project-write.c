@@ -1,0 +1,347 @@
+#include "io/file-writer.h"
+#include "io/json-text.h"
+#include "io/project-names.h"
+#include "io/project.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+
+/* Members of an object on one line: each puts a comma before itself unless it is the first. */
+static void
+begin_member (GString *json, const char *key)
+{
+  char last = json->str[json->len - 1];
+  g_string_append_printf (json, "%s\"%s\": ", last == '{' ? " " : ", ", key);
+}
+
+static void
+put_string (GString *json, const char *key, const char *text)
+{
+  begin_member (json, key);
+  qn_json_append_string (json, text);
+}
+
+static void
+put_number (GString *json, const char *key, double number)
+{
+  begin_member (json, key);
+  qn_json_append_number (json, number);
+}
+
+static void
+append_vec2 (GString *json, QnVec2 vector)
+{
+  g_string_append_c (json, '[');
+  qn_json_append_number (json, vector.x);
+  g_string_append (json, ", ");
+  qn_json_append_number (json, vector.y);
+  g_string_append_c (json, ']');
+}
+
+static void
+put_vec2 (GString *json, const char *key, QnVec2 vector)
+{
+  begin_member (json, key);
+  append_vec2 (json, vector);
+}
+
+static void
+put_law (GString *json, const char *key, const QnModel *model, QnId law)
+{
+  if (law != QN_NONE)
+    put_string (json, key, model->laws[law].name);
+}
+
+static void
+append_law (GString *json, const QnLaw *law)
+{
+  g_string_append_c (json, '{');
+  put_string (json, "name", law->name);
+  put_string (json, "kind", qn_name_of_law_kind ((int) law->kind));
+  put_string (json, "basis", qn_name_of_basis ((int) law->basis));
+  put_number (json, "kn", law->kn);
+  put_number (json, "ks", law->ks);
+  if (law->kind == QN_LAW_COULOMB) {
+    put_number (json, "friction", law->friction);
+    put_number (json, "cohesion", law->cohesion);
+    put_number (json, "tension", law->tension);
+    put_number (json, "dilatancy", law->dilatancy);
+  }
+  g_string_append (json, " }");
+}
+
+/* Weight the way it was given. */
+static void
+put_weight (GString *json, double unit_weight, double density)
+{
+  if (density >= 0)
+    put_number (json, "density", density);
+  else
+    put_number (json, "unit_weight", unit_weight);
+}
+
+static void
+append_block (GString *json, const QnModel *model, QnId id)
+{
+  const QnBlock *block = &model->blocks[id];
+  const QnVec2 *vertices = qn_model_block_vertices (model, id);
+  g_string_append_c (json, '{');
+  put_string (json, "name", block->name);
+  begin_member (json, "vertices");
+  for (QnId i = 0; i < block->vertex_count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    append_vec2 (json, vertices[i]);
+  }
+  g_string_append (json, block->vertex_count > 0 ? "]" : "[]");
+  put_number (json, "thickness", block->thickness);
+  put_weight (json, block->unit_weight, block->density);
+  if (block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
+      || block->support[QN_DOF_RZ]) {
+    begin_member (json, "support");
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      g_string_append_printf (json, "%s%s", dof > 0 ? ", " : "[",
+                              block->support[dof] ? "true" : "false");
+    g_string_append_c (json, ']');
+  }
+  put_law (json, "law", model, block->law);
+  g_string_append (json, " }");
+}
+
+static void
+append_wall (GString *json, const QnModel *model, const QnWall *wall)
+{
+  g_string_append_c (json, '{');
+  put_string (json, "name", wall->name);
+  put_vec2 (json, "origin", wall->origin);
+  put_vec2 (json, "unit", wall->unit);
+  put_number (json, "thickness", wall->thickness);
+  put_weight (json, wall->unit_weight, wall->density);
+  put_law (json, "law", model, wall->law);
+  g_string_append (json, ",\n      \"courses\": [");
+  int32_t entry = 0;
+  for (int32_t course = 0; course < wall->course_count; course++) {
+    g_string_append (json, course > 0 ? ",\n        [" : "\n        [");
+    for (int32_t start = entry; entry < wall->course_ends[course]; entry++) {
+      g_string_append (json, entry > start ? ", " : "");
+      qn_json_append_number (json, wall->lengths[entry]);
+    }
+    g_string_append_c (json, ']');
+  }
+  g_string_append (json, " ] }");
+}
+
+static void
+put_pair_rule (GString *json, const QnPairRule *rule)
+{
+  begin_member (json, "pairs");
+  g_string_append_c (json, '{');
+  put_string (json, "placement", qn_name_of_placement ((int) rule->placement));
+  if (rule->placement == QN_PLACEMENT_UNIFORM)
+    put_number (json, "count", rule->count);
+  else
+    put_number (json, "offset", rule->offset);
+  g_string_append (json, " }");
+}
+
+static void
+append_face (GString *json, const QnModel *model, const QnFaceOverride *face)
+{
+  g_string_append_c (json, '{');
+  begin_member (json, "blocks");
+  g_string_append_c (json, '[');
+  qn_json_append_string (json, model->blocks[face->block_a].name);
+  g_string_append (json, ", ");
+  qn_json_append_string (json, model->blocks[face->block_b].name);
+  g_string_append_c (json, ']');
+  put_law (json, "law", model, face->law);
+  if (face->has_pairs)
+    put_pair_rule (json, &face->pairs);
+  g_string_append (json, " }");
+}
+
+static void
+append_contact (GString *json, const QnModel *model)
+{
+  g_string_append (json, "  \"contact\": {");
+  put_law (json, "law", model, model->contact.law);
+  put_number (json, "tolerance", model->contact.tolerance);
+  put_pair_rule (json, &model->contact.pairs);
+  if (model->override_count > 0) {
+    g_string_append (json, ",\n    \"faces\": [\n      ");
+    for (size_t i = 0; i < model->override_count; i++) {
+      g_string_append (json, i > 0 ? ",\n      " : "");
+      append_face (json, model, &model->overrides[i]);
+    }
+    g_string_append (json, " ]");
+  }
+  g_string_append (json, " }");
+}
+
+static void
+append_load (GString *json, const QnModel *model, const QnLoad *load)
+{
+  g_string_append_c (json, '{');
+  put_string (json, "kind", qn_name_of_load_kind ((int) load->kind));
+  if (load->kind == QN_LOAD_WEIGHT) {
+    put_vec2 (json, "direction", load->vector);
+  } else {
+    put_string (json, "block", model->blocks[load->block].name);
+    put_vec2 (json, "value", load->vector);
+    if (load->moment != 0)
+      put_number (json, "moment", load->moment);
+    if (load->has_at)
+      put_vec2 (json, "at", load->at);
+  }
+  g_string_append (json, " }");
+}
+
+static void
+append_load_list (GString *json, const QnModel *model, const char *key,
+                  const QnLoad *loads, size_t count)
+{
+  g_string_append_printf (json, "    \"%s\": [", key);
+  for (size_t i = 0; i < count; i++) {
+    g_string_append (json, i > 0 ? ",\n      " : "\n      ");
+    append_load (json, model, &loads[i]);
+  }
+  g_string_append (json, count > 0 ? " ]" : "]");
+}
+
+static void
+append_loads (GString *json, const QnModel *model)
+{
+  g_string_append (json, "  \"loads\": {\n");
+  append_load_list (json, model, "dead", model->dead_loads, model->dead_load_count);
+  g_string_append (json, ",\n");
+  append_load_list (json, model, "live", model->live_loads, model->live_load_count);
+  g_string_append (json, " }");
+}
+
+static void
+put_control (GString *json, const QnModel *model)
+{
+  const QnAnalysisSettings *analysis = &model->analysis;
+  begin_member (json, "control");
+  g_string_append_c (json, '{');
+  put_string (json, "block", model->blocks[analysis->control_block].name);
+  put_string (json, "component", qn_name_of_dof ((int) analysis->control_dof));
+  put_number (json, "target", analysis->control_target);
+  g_string_append (json, " }");
+}
+
+/* What differs from the defaults, after the three settings that everybody looks for. */
+static void
+append_analysis (GString *json, const QnModel *model)
+{
+  QnModel defaults;
+  qn_model_init (&defaults);
+  const QnAnalysisSettings *usual = &defaults.analysis, *analysis = &model->analysis;
+
+  g_string_append (json, "  \"analysis\": {");
+  put_string (json, "procedure", qn_name_of_procedure ((int) analysis->procedure));
+  put_string (json, "geometry", qn_name_of_geometry ((int) analysis->geometry));
+  put_number (json, "increments", analysis->increments);
+  if (isfinite (analysis->max_multiplier))
+    put_number (json, "max_multiplier", analysis->max_multiplier);
+  if (analysis->multiplier_tolerance != usual->multiplier_tolerance)
+    put_number (json, "multiplier_tolerance", analysis->multiplier_tolerance);
+  if (analysis->residual_tolerance != usual->residual_tolerance)
+    put_number (json, "residual_tolerance", analysis->residual_tolerance);
+  if (analysis->snap != usual->snap)
+    put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
+  if (analysis->flow != usual->flow)
+    put_string (json, "flow", qn_name_of_flow ((int) analysis->flow));
+  if (analysis->control_block != QN_NONE)
+    put_control (json, model);
+  g_string_append (json, " }");
+  qn_model_clear (&defaults);
+}
+
+static gboolean
+uses_density (const QnModel *model)
+{
+  for (size_t i = 0; i < model->block_count; i++)
+    if (model->blocks[i].density >= 0)
+      return TRUE;
+  for (size_t i = 0; i < model->wall_count; i++)
+    if (model->walls[i].density >= 0)
+      return TRUE;
+  return FALSE;
+}
+
+static void
+append_head (GString *json, const QnModel *model)
+{
+  g_string_append (json, "{\n  \"format\": \"quoin\", \"version\": 1,\n");
+  if (model->title != NULL) {
+    g_string_append (json, "  \"title\": ");
+    qn_json_append_string (json, model->title);
+    g_string_append (json, ",\n");
+  }
+  if (uses_density (model)) {
+    g_string_append (json, "  \"gravity\": ");
+    qn_json_append_number (json, model->gravity);
+    g_string_append (json, ",\n");
+  }
+}
+
+static void
+append_structure (GString *json, const QnModel *model)
+{
+  g_string_append (json, "  \"laws\": [");
+  for (size_t i = 0; i < model->law_count; i++) {
+    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
+    append_law (json, &model->laws[i]);
+  }
+  g_string_append (json, " ],\n  \"blocks\": [");
+  for (size_t i = 0; i < model->block_count && model->blocks[i].wall == QN_NONE; i++) {
+    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
+    append_block (json, model, (QnId) i);
+  }
+  g_string_append (json, " ],\n");
+  if (model->wall_count == 0)
+    return;
+
+  g_string_append (json, "  \"walls\": [");
+  for (size_t i = 0; i < model->wall_count; i++) {
+    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
+    append_wall (json, model, &model->walls[i]);
+  }
+  g_string_append (json, " ],\n");
+}
+
+char *
+qn_project_to_text (const QnProject *project, gsize *length)
+{
+  const QnModel *model = &project->model;
+  GString *json = g_string_sized_new (4096);
+  append_head (json, model);
+  append_structure (json, model);
+  append_contact (json, model);
+  g_string_append (json, ",\n");
+  append_loads (json, model);
+  g_string_append (json, ",\n");
+  append_analysis (json, model);
+
+  const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;
+  for (; extra != NULL; extra = extra->next) {
+    g_string_append (json, ",\n  ");
+    qn_json_append_string (json, extra->string);
+    g_string_append (json, ": ");
+    qn_json_append_value (json, extra, 2);
+  }
+  g_string_append (json, "\n}\n");
+  if (length != NULL)
+    *length = json->len;
+  return g_string_free (json, FALSE);
+}
+
+gboolean
+qn_project_save (const QnProject *project, const char *path, GError **error)
+{
+  gsize length;
+  char *text = qn_project_to_text (project, &length);
+  gboolean saved = qn_file_write (path, text, length, error);
+  g_free (text);
+  return saved;
+}

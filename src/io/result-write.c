@@ -1,0 +1,202 @@
+#include "io/file-writer.h"
+#include "io/result-file.h"
+
+/* What the file spells for an event, with its quotes. */
+static const char *
+event_text (QnEvent event)
+{
+  static const char *const texts[QN_EVENT_COUNT] = {
+    [QN_EVENT_NONE] = "null",
+    [QN_EVENT_SNAP] = "\"snap\"",
+    [QN_EVENT_COLLAPSE] = "\"collapse\"",
+  };
+  return texts[event];
+}
+
+static void
+write_optional (QnFileWriter *writer, const char *key, bool given, double number)
+{
+  qn_file_writer_printf (writer, "  \"%s\": ", key);
+  if (given)
+    qn_file_writer_number (writer, number);
+  else
+    qn_file_writer_puts (writer, "null");
+  qn_file_writer_puts (writer, ",\n");
+}
+
+static void
+write_strings (QnFileWriter *writer, const char *const *strings)
+{
+  qn_file_writer_puts (writer, "[");
+  for (gsize i = 0; strings[i] != NULL; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, strings[i]);
+  }
+  qn_file_writer_puts (writer, "]");
+}
+
+static void
+write_head (QnFileWriter *writer, const QnProject *project, const QnResult *result)
+{
+  const char *path = project->path != NULL ? project->path : project->name;
+  char *model = g_path_get_basename (path != NULL ? path : "");
+  qn_file_writer_puts (writer,
+                       "{\n  \"format\": \"quoin-result\", \"version\": 1,\n"
+                       "  \"generator\": \"quoin " QN_VERSION "\",\n  \"model\": ");
+  qn_file_writer_json_string (writer, model);
+  qn_file_writer_puts (writer, ",\n  \"model_sha256\": ");
+  qn_file_writer_json_string (writer, project->sha256 != NULL ? project->sha256 : "");
+  qn_file_writer_puts (writer, ",\n");
+  g_free (model);
+  if (project->overrides != NULL && project->overrides[0] != NULL) {
+    qn_file_writer_puts (writer, "  \"overrides\": ");
+    write_strings (writer, (const char *const *) project->overrides);
+    qn_file_writer_puts (writer, ",\n");
+  }
+
+  qn_file_writer_printf (writer, "  \"outcome\": \"%s\",\n",
+                         qn_outcome_name (result->outcome));
+  write_optional (writer, "collapse_multiplier", result->has_collapse_multiplier,
+                  result->collapse_multiplier);
+  write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
+                  result->first_limit_multiplier);
+}
+
+static void
+write_blocks (QnFileWriter *writer, const QnModel *model, const QnResult *result)
+{
+  if (result->unstable_count > 0) {
+    qn_file_writer_puts (writer, "  \"unstable_blocks\": [");
+    for (size_t i = 0; i < result->unstable_count; i++)
+      qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "",
+                             result->unstable_blocks[i]);
+    qn_file_writer_puts (writer, "],\n");
+  }
+  qn_file_writer_puts (writer, "  \"blocks\": [");
+  for (size_t i = 0; i < model->block_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, model->blocks[i].name);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+/* [[ux, uy, rz], …], a row per block. */
+static void
+write_rows (QnFileWriter *writer, const double *rows, size_t count)
+{
+  qn_file_writer_puts (writer, "[");
+  for (size_t i = 0; i < count * QN_DOF_COUNT; i++) {
+    qn_file_writer_puts (writer, i % QN_DOF_COUNT > 0 ? ", " : i > 0 ? "], [" : "[");
+    qn_file_writer_number (writer, rows[i]);
+  }
+  qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
+}
+
+static void
+write_steps (QnFileWriter *writer, const QnResult *result)
+{
+  qn_file_writer_puts (writer, "  \"steps\": [");
+  for (size_t i = 0; i < result->step_count && !qn_file_writer_failed (writer); i++) {
+    const QnStep *step = &result->steps[i];
+    qn_file_writer_puts (writer, i > 0 ? ",\n    { \"multiplier\": "
+                                       : "\n    { \"multiplier\": ");
+    qn_file_writer_number (writer, step->multiplier);
+    qn_file_writer_puts (writer, ", \"displacements\": ");
+    write_rows (writer, qn_result_step_displacements (result, i), result->block_count);
+    qn_file_writer_printf (writer,
+                           ", \"iterations\": %d, \"residual\": ", step->iterations);
+    qn_file_writer_number (writer, step->residual);
+    qn_file_writer_printf (writer, ", \"event\": %s }", event_text (step->event));
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+static void
+write_vec2 (QnFileWriter *writer, QnVec2 vector)
+{
+  qn_file_writer_puts (writer, "[");
+  qn_file_writer_number (writer, vector.x);
+  qn_file_writer_puts (writer, ", ");
+  qn_file_writer_number (writer, vector.y);
+  qn_file_writer_puts (writer, "]");
+}
+
+static void
+write_contact (QnFileWriter *writer, const QnContacts *contacts, const QnResult *result,
+               size_t index)
+{
+  const QnContactPair *pair = &contacts->pairs[index];
+  const QnContactFace *face = &contacts->faces[pair->face];
+  const QnPairResult *forces = &result->pairs[index];
+  qn_file_writer_printf (writer,
+                         "{ \"face\": %d, \"blocks\": [%d, %d], \"point\": ", pair->face,
+                         face->a, face->b);
+  write_vec2 (writer, pair->point);
+  qn_file_writer_puts (writer, ", \"normal\": ");
+  write_vec2 (writer, face->normal);
+  qn_file_writer_puts (writer, ", \"area\": ");
+  qn_file_writer_number (writer, pair->tributary * face->thickness);
+  qn_file_writer_printf (writer, ", \"state\": \"%s\", \"normal_force\": ",
+                         qn_pair_state_name (forces->state));
+  qn_file_writer_number (writer, forces->normal_force);
+  qn_file_writer_puts (writer, ", \"shear_force\": ");
+  qn_file_writer_number (writer, forces->shear_force);
+  qn_file_writer_puts (writer, " }");
+}
+
+static void
+write_contacts (QnFileWriter *writer, const QnContacts *contacts, const QnResult *result)
+{
+  qn_file_writer_puts (writer, "  \"contacts\": [");
+  size_t count =
+    result->step_count > 0 && result->pairs != NULL ? contacts->pair_count : 0;
+  for (size_t i = 0; i < count && !qn_file_writer_failed (writer); i++) {
+    qn_file_writer_puts (writer, i > 0 ? ",\n    " : "\n    ");
+    write_contact (writer, contacts, result, i);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+static void
+write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
+{
+  const struct {
+    const char *key;
+    double number;
+  } numbers[] = {
+    { "seconds", statistics->seconds },
+    { "factor_seconds", statistics->factor_seconds },
+    { "assembly_seconds", statistics->assembly_seconds },
+    { "law_seconds", statistics->law_seconds },
+    { "iterations", statistics->iterations },
+    { "factorizations", statistics->factorizations },
+    { "peak_memory_bytes", (double) statistics->peak_memory_bytes },
+  };
+  qn_file_writer_puts (writer, "  \"statistics\": {");
+  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++) {
+    qn_file_writer_printf (writer, "%s \"%s\": ", i > 0 ? "," : "", numbers[i].key);
+    qn_file_writer_number (writer, numbers[i].number);
+  }
+  qn_file_writer_puts (writer, " }\n}\n");
+}
+
+gboolean
+qn_result_file_write (const char *path, const QnProject *project,
+                      const QnContacts *contacts, const QnResult *result, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  write_head (writer, project, result);
+  write_blocks (writer, &project->model, result);
+  write_steps (writer, result);
+  write_contacts (writer, contacts, result);
+  qn_file_writer_puts (writer, "  \"mechanism\": ");
+  if (result->mechanism != NULL)
+    write_rows (writer, result->mechanism, result->block_count);
+  else
+    qn_file_writer_puts (writer, "null");
+  qn_file_writer_puts (writer, ",\n");
+  write_statistics (writer, &result->statistics);
+  return qn_file_writer_commit (writer, error);
+}
