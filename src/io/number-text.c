@@ -1,6 +1,23 @@
 #include "io/number-text.h"
 
 #include <math.h>
+#include <string.h>
+
+/* 1e-06 to 1e-6, 1e+20 to 1e20 */
+static void
+tidy_exponent (char *text)
+{
+  char *exponent = strchr (text, 'e');
+  if (exponent == NULL)
+    return;
+  char *out = exponent + 1, *in = out;
+  if (*in == '-')
+    out++;
+  in += *in == '-' || *in == '+';
+  while (*in == '0' && in[1] != '\0')
+    in++;
+  memmove (out, in, strlen (in) + 1);
+}
 
 const char *
 qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE])
@@ -20,5 +37,6 @@ qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE])
     if (g_ascii_strtod (text, NULL) == number)
       break;
   }
+  tidy_exponent (text);
   return text;
 }
