@@ -44,7 +44,8 @@
   X (NEAR_MISS_GAP, "gap just wider than the contact tolerance") \
   X (NEAR_MISS_OVERLAP, "overlap within a few contact tolerances") \
   X (POINT_CONTACT, "blocks touch at a point only") \
-  X (BLOCK_WITHOUT_CONTACT, "block touches no other block")
+  X (BLOCK_WITHOUT_CONTACT, "block touches no other block") \
+  X (OVERRIDE_UNUSED, "exception names two blocks without a common face")
 /* clang-format on */
 
 typedef enum {

@@ -1,0 +1,72 @@
+#include "core/contacts.h"
+
+#include "core/contact-search.h"
+
+#include <stdlib.h>
+
+QnStatus
+qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  *contacts = (QnContacts){ 0 };
+  QnContactSearch search;
+  QnStatus status = qn_contact_search_init (&search, model, diag);
+  if (status != QN_OK)
+    return status;
+
+  QnTouches touches = { 0 };
+  status = qn_contact_search_faces (&search, contacts, &touches, diag);
+  if (status == QN_OK)
+    status = qn_contacts_place_pairs (model, contacts, diag);
+  if (status == QN_OK)
+    status = qn_contact_search_overlaps (&search, &contacts->findings, diag);
+  if (status == QN_OK)
+    status = qn_contact_search_loose (&search, contacts, &touches, diag);
+
+  free (touches.items);
+  qn_contact_search_clear (&search);
+  if (status != QN_OK)
+    qn_contacts_clear (contacts);
+  return status;
+}
+
+/* The first finding of a kind, or NULL. */
+static const QnFinding *
+first_finding (const QnFindings *findings, QnProblem problem)
+{
+  for (size_t i = 0; i < findings->count; i++) {
+    if (findings->items[i].problem == problem)
+      return &findings->items[i];
+  }
+  return NULL;
+}
+
+QnStatus
+qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
+{
+  static const QnProblem fatal[] = { QN_PROBLEM_BLOCKS_OVERLAP, QN_PROBLEM_NO_SUPPORT,
+                                     QN_PROBLEM_BLOCK_FLOATING };
+  (void) model;
+  for (size_t i = 0; i < QN_N_ELEMENTS (fatal); i++) {
+    const QnFinding *finding = first_finding (&contacts->findings, fatal[i]);
+    if (finding == NULL)
+      continue;
+    qn_diag_set_field (diag, finding->problem,
+                       finding->block_a == QN_NONE ? QN_ENTITY_MODEL : QN_ENTITY_BLOCK,
+                       finding->block_a, NULL, finding->value);
+    if (diag != NULL) {
+      diag->other = finding->block_b;
+      diag->at = finding->at;
+    }
+    return QN_ERROR_INVALID;
+  }
+  return QN_OK;
+}
+
+void
+qn_contacts_clear (QnContacts *contacts)
+{
+  free (contacts->faces);
+  free (contacts->pairs);
+  qn_findings_clear (&contacts->findings);
+  *contacts = (QnContacts){ 0 };
+}
