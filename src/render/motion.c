@@ -1,0 +1,160 @@
+#include "render/motion.h"
+
+#include "render/camera.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Fraction of the structure's diagonal that the fastest point moves in a drawing. */
+#define AUTO_SHARE    (1.0 / 12.0)
+#define AUTO_ROTATION 0.25
+
+/* Share of the largest joint motion below which a joint counts as closed. */
+#define JOINT_SHARE 0.02
+
+QnVec2
+qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
+{
+  if (motion->displacements == NULL)
+    return p;
+  const double *u = motion->displacements + (size_t) block * QN_DOF_COUNT;
+  QnVec2 c = motion->model->blocks[block].centroid;
+  QnVec2 arm = qn_vec2_sub (p, c);
+  double angle = scale * u[QN_DOF_RZ];
+  QnVec2 turned = motion->linear ? qn_vec2_add_scaled (arm, angle, qn_vec2_perp (arm))
+                                 : qn_vec2_rotate (arm, cos (angle), sin (angle));
+  return qn_vec2 (c.x + turned.x + scale * u[QN_DOF_UX],
+                  c.y + turned.y + scale * u[QN_DOF_UY]);
+}
+
+double
+qn_motion_largest (const QnMotion *motion)
+{
+  const QnModel *model = motion->model;
+  double largest = 0;
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
+    for (QnId i = 0; i < model->blocks[b].vertex_count; i++) {
+      QnVec2 moved = qn_motion_place (motion, (QnId) b, v[i], 1);
+      largest = fmax (largest, qn_vec2_length (qn_vec2_sub (moved, v[i])));
+    }
+  }
+  return largest;
+}
+
+double
+qn_motion_auto_scale (const QnMotion *motion)
+{
+  const QnModel *model = motion->model;
+  QnBox box = QN_BOX_EMPTY;
+  double turn = 0;
+  for (size_t i = 0; i < model->vertex_count; i++)
+    qn_box_add_point (&box, model->vertices[i]);
+  for (size_t b = 0; motion->displacements != NULL && b < model->block_count; b++)
+    turn = fmax (turn, fabs (motion->displacements[b * QN_DOF_COUNT + QN_DOF_RZ]));
+
+  double largest = qn_motion_largest (motion);
+  double scale = AUTO_SHARE * qn_box_diagonal (box) / largest;
+  if (turn > 0)
+    scale = fmin (scale, AUTO_ROTATION / turn);
+  if (!(largest > 0) || !isfinite (scale) || scale <= 0)
+    return 1;
+
+  double power = pow (10, floor (log10 (scale)) - 1);
+  return floor (scale / power) * power;
+}
+
+QnJoint
+qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
+{
+  QnVec2 normal = face->normal, tangent = face->tangent;
+  if (!motion->linear && motion->displacements != NULL) {
+    double angle = motion->displacements[(size_t) face->a * QN_DOF_COUNT + QN_DOF_RZ];
+    normal = qn_vec2_rotate (normal, cos (angle), sin (angle));
+    tangent = qn_vec2_perp (normal);
+  }
+  QnVec2 ends[2] = { face->start, face->end };
+  QnVec2 jump[2];
+  for (int i = 0; i < 2; i++)
+    jump[i] = qn_vec2_sub (qn_motion_place (motion, face->b, ends[i], 1),
+                           qn_motion_place (motion, face->a, ends[i], 1));
+  return (QnJoint){
+    .opening_start = qn_vec2_dot (jump[0], normal),
+    .opening_end = qn_vec2_dot (jump[1], normal),
+    .slip = 0.5 * (qn_vec2_dot (jump[0], tangent) + qn_vec2_dot (jump[1], tangent)),
+  };
+}
+
+/* States by what the analysis found at the pairs of the face. */
+static void
+joint_states_from_pairs (QnJoint *joint, const QnContactFace *face,
+                         const QnPairResult *pairs)
+{
+  if (face->pair_count < 1)
+    return;
+  const QnPairResult *first = pairs + face->first_pair;
+  joint->open_start = first[0].state == QN_PAIR_OPEN;
+  joint->open_end = first[face->pair_count - 1].state == QN_PAIR_OPEN;
+  for (int32_t i = 0; i < face->pair_count; i++)
+    joint->sliding |= first[i].state == QN_PAIR_SLIP;
+}
+
+QnJoint *
+qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
+                  const QnPairResult *pairs)
+{
+  QnJoint *joints = g_new0 (QnJoint, MAX (contacts->face_count, 1));
+  double largest = 0;
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    QnJoint *joint = &joints[f];
+    *joint = qn_motion_joint (motion, &contacts->faces[f]);
+    largest = fmax (largest, fmax (joint->opening_start, joint->opening_end));
+    largest = fmax (largest, fabs (joint->slip));
+  }
+  double least = JOINT_SHARE * largest;
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    QnJoint *joint = &joints[f];
+    if (pairs != NULL) {
+      joint_states_from_pairs (joint, &contacts->faces[f], pairs);
+      continue;
+    }
+    joint->open_start = largest > 0 && joint->opening_start > least;
+    joint->open_end = largest > 0 && joint->opening_end > least;
+    joint->sliding = largest > 0 && fabs (joint->slip) > least
+                     && !(joint->open_start && joint->open_end);
+  }
+  return joints;
+}
+
+QnMechanismClass
+qn_joints_class (const QnJoint *joints, size_t count, int *opening, int *sliding)
+{
+  int rocks = 0, slides = 0;
+  for (size_t i = 0; i < count; i++) {
+    rocks += joints[i].open_start != joints[i].open_end;
+    slides += joints[i].sliding;
+  }
+  if (opening != NULL)
+    *opening = rocks;
+  if (sliding != NULL)
+    *sliding = slides;
+  if (rocks > 0)
+    return slides > 0 ? QN_MECHANISM_ROCKING_SLIDING : QN_MECHANISM_ROCKING;
+  return slides > 0 ? QN_MECHANISM_SLIDING : QN_MECHANISM_NONE;
+}
+
+const char *
+qn_mechanism_class_text (QnMechanismClass mechanism)
+{
+  switch (mechanism) {
+  case QN_MECHANISM_SLIDING:
+    return _ ("sliding");
+  case QN_MECHANISM_ROCKING:
+    return _ ("rocking");
+  case QN_MECHANISM_ROCKING_SLIDING:
+    return _ ("rocking and sliding");
+  case QN_MECHANISM_NONE:
+  case QN_MECHANISM_COUNT:
+    break;
+  }
+  return _ ("no mechanism");
+}

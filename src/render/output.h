@@ -1,0 +1,89 @@
+/* Where a picture goes: size, resolution, ground, format and what the file says of itself.
+ *
+ * Every export of this layer goes through qn_page_export(): the page is drawn into memory,
+ * encoded into memory and only then written, to a temporary file that takes the final name at
+ * the end. A failed export leaves the old file, if any, as it was. Equal input gives equal
+ * bytes: no dates, no counters.
+ */
+#ifndef QN_RENDER_OUTPUT_H
+#define QN_RENDER_OUTPUT_H
+
+#include <cairo.h>
+#include <glib.h>
+#include <stdbool.h>
+
+#define QN_RENDER_ERROR (qn_render_error_quark ())
+
+typedef enum {
+  QN_RENDER_ERROR_USAGE,       /* what is asked for makes no sense: size, ending, step */
+  QN_RENDER_ERROR_FILE,        /* a file cannot be read or written */
+  QN_RENDER_ERROR_UNAVAILABLE, /* this build or machine lacks OpenGL or an encoder */
+  QN_RENDER_ERROR_CANCELLED,
+  QN_RENDER_ERROR_FAILED /* a library failed, no memory */
+} QnRenderError;
+
+GQuark qn_render_error_quark (void);
+
+typedef enum { QN_BACKEND_CAIRO, QN_BACKEND_GL } QnBackend;
+
+typedef enum { QN_FORMAT_PNG, QN_FORMAT_SVG, QN_FORMAT_PDF } QnFormat;
+
+typedef struct QnOutput {
+  double width, height; /* px, or mm where `millimetres` */
+  bool millimetres;
+  double dpi; /* 0: not given; 300 is used for mm, 96 recorded for px */
+  bool transparent;
+  bool antialias;
+  QnBackend backend; /* GL applies to PNG figures; vector formats are always Cairo */
+} QnOutput;
+
+/* What PNG text chunks, SVG metadata and PDF information dictionaries carry. All strings are
+ * borrowed and may be NULL. */
+typedef struct QnMetadata {
+  const char *title;
+  const char *model;        /* file name of the model */
+  const char *model_sha256; /* hexadecimal */
+  const char *generator;    /* "quoin 0.1.0" */
+  double multiplier;        /* of what is shown; not-a-number: none */
+} QnMetadata;
+
+/* The page as drawing functions see it: px, y down. */
+typedef struct QnPage {
+  double width, height; /* px */
+  double unit;          /* px per typographic point, as styles use it */
+  bool antialias, transparent;
+  QnBackend backend;
+} QnPage;
+
+/* 1600 x 1200 px on white, Cairo, antialiased. */
+void qn_output_init (QnOutput *output);
+
+/* No metadata. */
+void qn_metadata_init (QnMetadata *metadata);
+
+/* "1600x1200" (px) or "160mmx120mm"; sets the error (USAGE) otherwise. */
+bool qn_output_parse_size (QnOutput *output, const char *text, GError **error);
+
+/* The format by the ending of the path; "-" (standard output) is PNG. */
+bool qn_format_of_path (const char *path, QnFormat *format, GError **error);
+
+/* Checks the size and translates it into px. Refuses what is not positive or has more than
+ * 32,000 px on a side or 2^28 px in all. */
+bool qn_output_page (const QnOutput *output, QnPage *page, GError **error);
+
+/* Draws one page; false with an error to give up. */
+typedef bool (*QnPageFunc) (cairo_t *cr, const QnPage *page, void *data, GError **error);
+
+/* Draws, encodes and writes; "-" writes to standard output. */
+bool qn_page_export (const char *path, const QnOutput *output, const QnMetadata *metadata,
+                     QnPageFunc draw, void *data, GError **error);
+
+/* The same, into memory. Returns NULL with an error. */
+GBytes *qn_page_encode (QnFormat format, const QnOutput *output,
+                        const QnMetadata *metadata, QnPageFunc draw, void *data,
+                        GError **error);
+
+/* Replaces the file by these bytes as a whole. Devices and pipes are written to directly. */
+bool qn_file_replace (const char *path, const void *data, size_t length, GError **error);
+
+#endif

@@ -1,0 +1,204 @@
+/* Chooses, checks and runs the builders of one view. */
+#include "render/output.h"
+#include "render/scene-builder.h"
+
+#include <glib/gi18n-lib.h>
+
+static bool
+needs_result (const QnViewOptions *options)
+{
+  return options->view == QN_VIEW_DEFORMED || options->view == QN_VIEW_MECHANISM
+         || options->view == QN_VIEW_FORCES;
+}
+
+static bool
+result_fits (const QnSceneBuilder *b, const QnResult *result, GError **error)
+{
+  if (result->block_count != b->model->block_count) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the result has %zu blocks, the model %zu"), result->block_count,
+                 b->model->block_count);
+    return false;
+  }
+  if (b->options->view == QN_VIEW_MECHANISM && result->mechanism == NULL) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the result has no mechanism"));
+    return false;
+  }
+  if (b->options->view != QN_VIEW_MECHANISM && result->step_count == 0) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the result has no steps"));
+    return false;
+  }
+  return true;
+}
+
+/* A field is read off a result; stresses and forces off its contact forces as well. */
+static bool
+forces_fit (const QnSceneBuilder *b, GError **error)
+{
+  bool wanted =
+    b->options->view == QN_VIEW_FORCES || b->options->field == QN_FIELD_STRESS;
+  if (!wanted)
+    return true;
+  if (b->contacts == NULL || b->result->pairs == NULL
+      || b->result->pair_count != b->contacts->pair_count) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the result has no contact forces of this model"));
+    return false;
+  }
+  if (b->step + 1 != b->result->step_count) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("contact forces are known for the last step only"));
+    return false;
+  }
+  return true;
+}
+
+static bool
+choose_step (QnSceneBuilder *b, GError **error)
+{
+  const QnViewOptions *options = b->options;
+  if (b->result == NULL || b->result->step_count == 0)
+    return true;
+  if (options->step == QN_STEP_LAST) {
+    b->step = b->result->step_count - 1;
+    return true;
+  }
+  if (options->step < 0 || (size_t) options->step >= b->result->step_count) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the result has no step %d (0 to %zu)"), options->step,
+                 b->result->step_count - 1);
+    return false;
+  }
+  b->step = (size_t) options->step;
+  return true;
+}
+
+static bool
+check (QnSceneBuilder *b, GError **error)
+{
+  const QnViewOptions *options = b->options;
+  bool wants_result = needs_result (options) || options->field != QN_FIELD_NONE;
+  if (wants_result && b->result == NULL) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the view \"%s\" needs a result"), qn_view_name (options->view));
+    return false;
+  }
+  bool wants_contacts = options->view == QN_VIEW_CONTACTS
+                        || options->field == QN_FIELD_OPENING
+                        || options->field == QN_FIELD_SLIDING;
+  if (wants_contacts && b->contacts == NULL) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the view \"%s\" needs contacts"), qn_view_name (options->view));
+    return false;
+  }
+  if (!isfinite (options->scale) || options->scale < 0 || !isfinite (options->phase)) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the scale of displacements must be a positive number"));
+    return false;
+  }
+  if (wants_result && !result_fits (b, b->result, error))
+    return false;
+  if (options->onion != NULL && !result_fits (b, options->onion, error))
+    return false;
+  return choose_step (b, error) && (!wants_result || forces_fit (b, error));
+}
+
+/* The displacements that the view shows, at the factor asked for. */
+static void
+choose_motion (QnSceneBuilder *b)
+{
+  const QnViewOptions *options = b->options;
+  b->motion = (QnMotion){ .model = b->model, .linear = true, .scale = 0 };
+  if (options->view == QN_VIEW_MECHANISM) {
+    b->motion.displacements = b->result->mechanism;
+  } else if (options->view == QN_VIEW_DEFORMED) {
+    b->motion.displacements = qn_result_step_displacements (b->result, b->step);
+    b->motion.linear = b->model->analysis.geometry == QN_GEOMETRY_LINEAR;
+  } else {
+    return;
+  }
+  double scale = options->scale;
+  if (!(scale > 0))
+    scale = qn_motion_auto_scale (&b->motion);
+  b->scene->scale = scale;
+  b->motion.scale = scale * options->phase;
+}
+
+/* The states found by the analysis hold for the last step alone; elsewhere the motion tells. */
+static void
+find_joints (QnSceneBuilder *b)
+{
+  if (b->motion.displacements == NULL || b->contacts == NULL)
+    return;
+  bool last = b->options->view == QN_VIEW_DEFORMED && b->step + 1 == b->result->step_count
+              && b->result->pairs != NULL
+              && b->result->pair_count == b->contacts->pair_count;
+  b->joints = qn_motion_joints (&b->motion, b->contacts, last ? b->result->pairs : NULL);
+}
+
+static void
+build_view (QnSceneBuilder *b)
+{
+  const QnViewOptions *options = b->options;
+  bool moving = b->motion.displacements != NULL;
+
+  qn_build_underlay (b);
+  if (moving && options->ghost)
+    qn_build_ghost (b);
+  g_autofree QnColor *fills = qn_build_field (b);
+  qn_build_blocks (b, fills);
+  qn_build_supports (b);
+  if (options->view == QN_VIEW_CONTACTS)
+    qn_build_contacts (b);
+  if (options->view == QN_VIEW_CONTACTS && options->symbols)
+    qn_build_findings (b);
+  if (b->joints != NULL && options->symbols)
+    qn_build_joints (b);
+  if (options->view == QN_VIEW_FORCES)
+    qn_build_forces (b);
+  if (moving && options->onion != NULL)
+    qn_build_onion (b);
+  if (options->loads)
+    qn_build_loads (b);
+  if (options->dimensions)
+    qn_build_dimensions (b);
+  if (options->names)
+    qn_build_names (b);
+}
+
+QnScene *
+qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult *result,
+                const QnViewOptions *options, GError **error)
+{
+  QnSceneBuilder b = { .model = model,
+                       .contacts = contacts,
+                       .result = result,
+                       .options = options,
+                       .box = QN_BOX_EMPTY };
+  if (!check (&b, error))
+    return NULL;
+
+  b.scene = qn_scene_new ();
+  b.scene->monochrome = options->monochrome;
+  for (size_t i = 0; i < model->vertex_count; i++)
+    qn_box_add_point (&b.box, model->vertices[i]);
+  b.block_size = model->characteristic_length;
+  if (!(b.block_size > 0))
+    b.block_size = 0.1 * qn_box_diagonal (b.box);
+  choose_motion (&b);
+  find_joints (&b);
+  build_view (&b);
+  g_free (b.joints);
+  qn_scene_finish (b.scene);
+  return b.scene;
+}
+
+double
+qn_nice_below (double value)
+{
+  double power = pow (10, floor (log10 (value)));
+  double digit = value / power;
+  return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
+}

@@ -1,0 +1,26 @@
+/* Text on a page, through Pango: any language, and the same layout on every surface. */
+#ifndef QN_RENDER_TEXT_H
+#define QN_RENDER_TEXT_H
+
+#include "render/color.h"
+
+#include <cairo.h>
+#include <stdbool.h>
+
+typedef struct QnTextStyle {
+  double size; /* px, height of the font's em */
+  bool bold;
+  double
+    width; /* px: wraps to at most two lines and then shortens; 0: one line as it is */
+} QnTextStyle;
+
+/* Size of the text in px. */
+void qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text,
+                      double *width, double *height);
+
+/* Draws the text with its box aligned to (x, y): align 0 puts the left or top edge there, 1
+ * the right or bottom edge. `angle` turns it counter-clockwise about (x, y). */
+void qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
+                   double y, double align_x, double align_y, double angle, QnColor color);
+
+#endif
