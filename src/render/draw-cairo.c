@@ -24,12 +24,12 @@ trace_points (const QnScene *scene, const QnCommand *command, const QnCamera *ca
 
 static void
 draw_stroke (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
-             cairo_t *cr)
+             double line_factor, cairo_t *cr)
 {
   double dashes[2] = { 4 * camera->unit, 2.5 * camera->unit };
   trace_points (scene, command, camera, command->closed, cr);
   set_color (cr, command->color);
-  cairo_set_line_width (cr, command->size * camera->unit);
+  cairo_set_line_width (cr, command->size * camera->unit * line_factor);
   cairo_set_dash (cr, dashes, command->dashed ? 2 : 0, 0);
   cairo_stroke (cr);
 }
@@ -163,7 +163,7 @@ qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double s
 
 static void
 draw_command (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
-              cairo_t *cr)
+              double line_factor, cairo_t *cr)
 {
   QnVec2 s = { 0, 0 };
   if (command->count > 0)
@@ -175,7 +175,8 @@ draw_command (const QnScene *scene, const QnCommand *command, const QnCamera *ca
     cairo_fill (cr);
     break;
   case QN_COMMAND_STROKE:
-    draw_stroke (scene, command, camera, cr);
+    draw_stroke (scene, command, camera,
+                 qn_command_is_thinned (command) ? line_factor : 1, cr);
     break;
   case QN_COMMAND_MARKER:
     draw_marker (cr, (QnMarker) command->marker, s.x, s.y, command->size * camera->unit,
@@ -197,6 +198,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
                bool antialias, cairo_t *cr, QnDrawCounts *counts)
 {
   QnBox visible = qn_camera_visible_box (camera);
+  double line_factor = qn_scene_line_factor (scene, camera);
   QnDrawCounts tally = { 0, 0 };
   cairo_save (cr);
   cairo_rectangle (cr, camera->x, camera->y, camera->width, camera->height);
@@ -212,7 +214,7 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
       tally.skipped++;
       continue;
     }
-    draw_command (scene, command, camera, cr);
+    draw_command (scene, command, camera, line_factor, cr);
     tally.drawn++;
   }
   cairo_restore (cr);

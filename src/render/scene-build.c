@@ -187,6 +187,7 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
   b.block_size = model->characteristic_length;
   if (!(b.block_size > 0))
     b.block_size = 0.1 * qn_box_diagonal (b.box);
+  b.scene->fineness = 0.7 * b.block_size; /* of a block twice as long as tall */
   choose_motion (&b);
   find_joints (&b);
   build_view (&b);

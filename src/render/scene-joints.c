@@ -31,6 +31,8 @@ add_gap (QnSceneBuilder *b, QnId index, const QnContactFace *face, QnColor color
     a1 = b1 = qn_vec2_lerp (a0, a1, s);
   }
   QnVec2 gap[4] = { a0, a1, b1, b0 };
+  /* The hairline closes the seam that antialiasing leaves between neighbouring gaps. */
+  qn_scene_stroke (b->scene, QN_LAYER_GAPS, gap, 4, true, 0.3, color);
   QnCommand *command = qn_scene_fill (b->scene, QN_LAYER_GAPS, gap, 4, color);
   command->pick = QN_PICK_FACE;
   command->id = index;

@@ -182,3 +182,14 @@ qn_command_is_visible (const QnCommand *command, const QnCamera *camera, QnBox v
          && command->box.min.y - reach <= visible.max.y
          && command->box.max.y + reach >= visible.min.y;
 }
+
+/* A line may take a twelfth of the height of a block and is never thinner than a quarter of
+ * its width. */
+double
+qn_scene_line_factor (const QnScene *scene, const QnCamera *camera)
+{
+  double full = 0.55 * camera->unit;
+  if (!(scene->fineness > 0))
+    return 1;
+  return fmin (fmax (scene->fineness * camera->scale / 12 / full, 0.25), 1);
+}

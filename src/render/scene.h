@@ -110,7 +110,9 @@ typedef struct QnScene {
   QnColorBar bar;
   cairo_surface_t *image; /* of the IMAGE command, referenced; or NULL */
   QnBox box;              /* of all commands */
-  double scale;           /* displacement factor used, or 0 where nothing is displaced */
+  double
+    fineness;   /* m: smaller side of an ordinary block; thins lines of distant views */
+  double scale; /* displacement factor used, or 0 where nothing is displaced */
   bool monochrome;
   uint64_t revision; /* changes whenever the content does; never 0 */
 } QnScene;
@@ -163,5 +165,17 @@ qn_scene_points (const QnScene *scene, const QnCommand *command)
  * back ends and the picker ask this one question. */
 bool qn_command_is_visible (const QnCommand *command, const QnCamera *camera,
                             QnBox visible);
+
+/* Factor, 0 .. 1, on the widths of outlines, ghosts and hatches: where blocks are few pixels
+ * tall their outlines must not drown them. */
+double qn_scene_line_factor (const QnScene *scene, const QnCamera *camera);
+
+/* Whether the factor applies to a command. */
+static inline bool
+qn_command_is_thinned (const QnCommand *command)
+{
+  return command->layer == QN_LAYER_OUTLINES || command->layer == QN_LAYER_GHOST
+         || command->layer == QN_LAYER_HATCH;
+}
 
 #endif

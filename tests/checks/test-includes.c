@@ -20,7 +20,8 @@ static const Layer layers[] = {
     { "glib", "gio/", "cjson/", "dxflib/", "dl_" } },
   { "render",
     { "core/", "render/" },
-    { "glib", "gio/", "gmodule.h", "cairo", "GL/", "EGL/", "png.h" } },
+    { "glib", "gio/", "gmodule.h", "cairo", "pango/", "gdk-pixbuf/", "GL/", "EGL/",
+      "png.h", "gif_lib.h", "gst/" } },
   { "doc",
     { "core/", "stereotomy/", "io/", "render/", "doc/" },
     { "glib", "gio/", "gmodule.h", "cairo" } },
@@ -35,10 +36,10 @@ static const Layer layers[] = {
 
 /* Of the C and POSIX libraries. What of them the core may call is another check. */
 static const char *const everywhere[] = {
-  "assert.h", "ctype.h",    "errno.h",        "float.h",   "inttypes.h", "limits.h",
-  "locale.h", "math.h",     "signal.h",       "stdarg.h",  "stdint.h",   "stdbool.h",
-  "stddef.h", "stdio.h",    "stdlib.h",       "string.h",  "time.h",     "unistd.h",
-  "fcntl.h",  "sys/stat.h", "sys/resource.h", "libintl.h", NULL,
+  "assert.h",  "ctype.h",  "errno.h",    "float.h",        "inttypes.h", "limits.h",
+  "locale.h",  "math.h",   "setjmp.h",   "signal.h",       "stdarg.h",   "stdint.h",
+  "stdbool.h", "stddef.h", "stdio.h",    "stdlib.h",       "string.h",   "time.h",
+  "unistd.h",  "fcntl.h",  "sys/stat.h", "sys/resource.h", "libintl.h",  NULL,
 };
 
 static const Layer *

@@ -210,15 +210,17 @@ fixture_init_wall (Fixture *f, int columns, int courses)
     }
   }
   allocate_result (f, 4);
-  /* Each course rocks about the right end of the wall and slides a little on the one below. */
+  /* What lies above a crack from the right toe rocks about that toe; the top course also
+   * slides. */
   for (size_t i = 1; i < f->model.block_count; i++) {
     QnVec2 c = f->model.blocks[i].centroid;
     double *v = f->result.mechanism + 3 * i;
-    bool upper = c.y > 0.5 * courses * unit_height;
-    double turn = c.x + c.y > 0.6 * length ? 0 : -0.3;
-    v[0] = -turn * (c.y + 0.1) + (upper ? 0.05 : 0);
-    v[1] = -turn * (length - c.x);
-    v[2] = turn;
+    bool rocks = c.y > 0.8 * (length - c.x);
+    bool top = c.y > (courses - 1) * unit_height;
+    double turn = rocks ? 0.3 : 0;
+    v[0] = turn * c.y + (top ? 0.12 : 0);
+    v[1] = turn * (length - c.x);
+    v[2] = -turn;
   }
   g_free (first);
   scale_steps (f);
