@@ -6,7 +6,7 @@
 /* Header families are named by prefixes of what stands between the quotes or brackets. */
 typedef struct Layer {
   const char *folder;
-  const char *own[8];     /* folders of ours that it may include */
+  const char *own[8];      /* folders of ours that it may include */
   const char *foreign[12]; /* system headers it may include beside the C library's */
 } Layer;
 
