@@ -1,4 +1,4 @@
-/* Tables as comma-separated values (RFC 4180), units in the header. */
+/* Tables as comma-separated values, units in the header, quoted where RFC 4180 asks for it. */
 #ifndef QN_IO_TABLE_CSV_H
 #define QN_IO_TABLE_CSV_H
 

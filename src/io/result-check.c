@@ -1,0 +1,232 @@
+#include "io/result-check.h"
+
+#include "core/memory.h"
+#include "io/io-error.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+
+/* Face overrides by their two blocks, so that a pair finds its own at once. */
+static GHashTable *
+index_overrides (const QnModel *model)
+{
+  GHashTable *index = g_hash_table_new_full (g_int64_hash, g_int64_equal, g_free, NULL);
+  for (size_t i = 0; i < model->override_count; i++) {
+    const QnFaceOverride *override = &model->overrides[i];
+    if (override->law == QN_NONE)
+      continue;
+    gint64 *key = g_new (gint64, 1);
+    *key = (gint64) MIN (override->block_a, override->block_b) << 32
+           | MAX (override->block_a, override->block_b);
+    g_hash_table_insert (index, key, GINT_TO_POINTER (override->law + 1));
+  }
+  return index;
+}
+
+/* Law of the spring on the side of `block` in a pair between two blocks. */
+static const QnLaw *
+find_law (const QnModel *model, GHashTable *overrides, const QnResultContact *contact,
+          QnId block)
+{
+  gint64 key = (gint64) MIN (contact->block_a, contact->block_b) << 32
+               | MAX (contact->block_a, contact->block_b);
+  QnId law = GPOINTER_TO_INT (g_hash_table_lookup (overrides, &key)) - 1;
+  if (law == QN_NONE)
+    law = model->blocks[block].law;
+  if (law == QN_NONE)
+    law = model->contact.law;
+  return &model->laws[law];
+}
+
+/* By how much a force exceeds what a law can carry, N; 0 or less where it does not. Strengths
+ * per area are times the tributary area. */
+static double
+law_excess (const QnLaw *law, double area, double normal, double shear)
+{
+  double factor = law->basis == QN_BASIS_CONTACT ? 1 : area;
+  switch (law->kind) {
+  case QN_LAW_NO_TENSION:
+    return normal;
+  case QN_LAW_COULOMB: {
+    double slip = fabs (shear) - (factor * law->cohesion - law->friction * normal);
+    double opening = normal - factor * law->tension; /* f = |t| + mu n - c, n - ft */
+    return MAX (slip, opening);
+  }
+  case QN_LAW_ELASTIC:
+  case QN_LAW_KIND_COUNT:
+    break;
+  }
+  return 0;
+}
+
+static double
+distance_to_segment (QnVec2 point, QnVec2 start, QnVec2 end)
+{
+  QnVec2 along = qn_vec2_sub (end, start), from = qn_vec2_sub (point, start);
+  double square = qn_vec2_dot (along, along);
+  double s = square > 0 ? CLAMP (qn_vec2_dot (from, along) / square, 0, 1) : 0;
+  return qn_vec2_length (qn_vec2_add_scaled (from, -s, along));
+}
+
+static double
+distance_to_outline (const QnModel *model, QnId block, QnVec2 point)
+{
+  const QnVec2 *vertices = qn_model_block_vertices (model, block);
+  QnId count = model->blocks[block].vertex_count;
+  double distance = INFINITY;
+  for (QnId i = 0; i < count; i++)
+    distance =
+      MIN (distance, distance_to_segment (point, vertices[i], vertices[(i + 1) % count]));
+  return distance;
+}
+
+/* Adds the force of a pair, and its moment about the centroid, to the balance of one block. */
+static void
+add_force (const QnModel *model, QnId block, QnVec2 force, QnVec2 point, double *balance)
+{
+  QnVec2 arm = qn_vec2_sub (point, model->blocks[block].centroid);
+  balance[block * QN_DOF_COUNT + QN_DOF_UX] += force.x;
+  balance[block * QN_DOF_COUNT + QN_DOF_UY] += force.y;
+  balance[block * QN_DOF_COUNT + QN_DOF_RZ] += qn_vec2_cross (arm, force);
+}
+
+static void
+check_pairs (const QnResultFile *file, const QnModel *model, double *balance,
+             QnResultCheck *check)
+{
+  GHashTable *overrides = index_overrides (model);
+  double worst = 0;
+  for (size_t i = 0; i < file->result.pair_count; i++) {
+    const QnResultContact *contact = &file->contacts[i];
+    const QnPairResult *pair = &file->result.pairs[i];
+    double normal = pair->normal_force, shear = pair->shear_force;
+    QnVec2 force = qn_vec2_add_scaled (qn_vec2_scale (normal, contact->normal), shear,
+                                       qn_vec2_perp (contact->normal));
+    add_force (model, contact->block_a, force, contact->point, balance);
+    add_force (model, contact->block_b, qn_vec2_scale (-1, force), contact->point,
+               balance);
+    check->contact_scale = MAX (check->contact_scale, qn_vec2_length (force));
+
+    const QnId sides[2] = { contact->block_a, contact->block_b };
+    for (int side = 0; side < 2; side++) {
+      const QnLaw *law = find_law (model, overrides, contact, sides[side]);
+      double excess = law_excess (law, contact->area, normal, shear);
+      if (excess > worst) {
+        worst = excess;
+        check->violating_pair = (QnId) i;
+      }
+      double distance = distance_to_outline (model, sides[side], contact->point);
+      if (distance > check->point_distance) {
+        check->point_distance = distance;
+        check->distant_pair = (QnId) i;
+      }
+    }
+  }
+  check->yield_violation = check->contact_scale > 0 ? worst / check->contact_scale : 0;
+  g_hash_table_unref (overrides);
+}
+
+static bool
+is_free (const QnBlock *block)
+{
+  return !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+           && block->support[QN_DOF_RZ]);
+}
+
+/* Sets the balance to the loads at the multiplier, and the force that counts as 1. */
+static void
+add_loads (const QnModel *model, const double *dead, const double *live, double *balance,
+           QnResultCheck *check)
+{
+  double largest_load = 0;
+  for (size_t i = 0; i < model->block_count; i++) {
+    if (is_free (&model->blocks[i]))
+      check->force_scale = MAX (check->force_scale, model->blocks[i].weight);
+    for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
+      size_t k = i * QN_DOF_COUNT + dof;
+      double load = dead[k] + check->multiplier * live[k];
+      balance[k] = load;
+      if (dof != QN_DOF_RZ)
+        largest_load = MAX (largest_load, fabs (load));
+    }
+  }
+  if (check->force_scale == 0)
+    check->force_scale = largest_load;
+}
+
+static void
+find_worst_block (const QnModel *model, const double *balance, QnResultCheck *check)
+{
+  double worst = 0;
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
+      double out = fabs (balance[i * QN_DOF_COUNT + dof]);
+      if (dof == QN_DOF_RZ)
+        out /= sqrt (block->area);
+      if (!block->support[dof] && out > worst) {
+        worst = out;
+        check->unbalanced_block = (QnId) i;
+      }
+    }
+  }
+  check->out_of_balance = check->force_scale > 0 ? worst / check->force_scale : 0;
+}
+
+/* What makes the check meaningless. */
+static const char *
+find_obstacle (const QnResultFile *file, const QnModel *model)
+{
+  if (file->result.step_count == 0)
+    return _ ("the result holds no equilibrium to check");
+  if (model->analysis.geometry != QN_GEOMETRY_LINEAR)
+    return _ ("only results in linear geometry can be checked");
+  for (size_t i = 0; i < model->law_count; i++) {
+    const QnLaw *law = &model->laws[i];
+    gboolean by_area = law->basis != QN_BASIS_CONTACT && law->kind == QN_LAW_COULOMB
+                       && (law->cohesion > 0 || law->tension > 0);
+    for (size_t k = 0; by_area && k < file->result.pair_count; k++)
+      if (file->contacts[k].area < 0)
+        return _ (
+          "the contacts have no area, which the strengths of the laws are given by");
+  }
+  return NULL;
+}
+
+gboolean
+qn_result_check (const QnResultFile *file, const QnProject *project, QnResultCheck *check,
+                 GError **error)
+{
+  const QnModel *model = &project->model;
+  const QnResult *result = &file->result;
+  *check = (QnResultCheck){ .unbalanced_block = QN_NONE,
+                            .violating_pair = QN_NONE,
+                            .distant_pair = QN_NONE };
+  if (!qn_result_file_match (file, project->name, project, NULL, NULL, error))
+    return FALSE;
+  const char *obstacle = find_obstacle (file, model);
+  if (obstacle != NULL) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", project->name,
+                 obstacle);
+    return FALSE;
+  }
+
+  size_t size = model->block_count * QN_DOF_COUNT;
+  double *vectors = qn_alloc (size, 3 * sizeof *vectors);
+  if (vectors == NULL) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", project->name,
+                 _ ("not enough memory"));
+    return FALSE;
+  }
+  double *balance = vectors, *dead = vectors + size, *live = vectors + 2 * size;
+  qn_model_dead_forces (model, dead);
+  qn_model_live_forces (model, live);
+  check->multiplier = result->has_collapse_multiplier
+                        ? result->collapse_multiplier
+                        : result->steps[result->step_count - 1].multiplier;
+  add_loads (model, dead, live, balance, check);
+  check_pairs (file, model, balance, check);
+  find_worst_block (model, balance, check);
+  free (vectors);
+  return TRUE;
+}

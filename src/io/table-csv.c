@@ -1,0 +1,140 @@
+#include "io/table-csv.h"
+
+#include "io/file-writer.h"
+
+#include <string.h>
+
+static bool
+is_free (const QnBlock *block)
+{
+  return !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+           && block->support[QN_DOF_RZ]);
+}
+
+QnId
+qn_result_curve_block (const QnModel *model, const QnResult *result)
+{
+  if (model->analysis.control_block != QN_NONE || result->step_count == 0)
+    return model->analysis.control_block;
+
+  const double *last = qn_result_step_displacements (result, result->step_count - 1);
+  QnId furthest = QN_NONE;
+  double distance = -1;
+  for (size_t i = 0; i < result->block_count; i++) {
+    double moved = hypot (last[i * QN_DOF_COUNT], last[i * QN_DOF_COUNT + 1]);
+    if (is_free (&model->blocks[i]) && moved > distance) {
+      distance = moved;
+      furthest = (QnId) i;
+    }
+  }
+  return furthest;
+}
+
+/* A field of text: in quotes where it would be taken for several. `suffix` belongs to it. */
+static void
+write_text (QnFileWriter *writer, const char *text, const char *suffix)
+{
+  if (strpbrk (text, ",\"\r\n") == NULL) {
+    qn_file_writer_printf (writer, "%s%s", text, suffix);
+    return;
+  }
+  qn_file_writer_puts (writer, "\"");
+  for (const char *c = text; *c != '\0'; c++)
+    qn_file_writer_write (writer, *c == '"' ? "\"\"" : c, *c == '"' ? 2 : 1);
+  qn_file_writer_printf (writer, "%s\"", suffix);
+}
+
+static void
+write_numbers (QnFileWriter *writer, const double *numbers, size_t count)
+{
+  for (size_t i = 0; i < count; i++) {
+    qn_file_writer_puts (writer, ",");
+    qn_file_writer_number (writer, numbers[i]);
+  }
+}
+
+static void
+write_curve_head (QnFileWriter *writer, const QnModel *model, QnId block)
+{
+  static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
+  qn_file_writer_puts (writer, "step,multiplier [-]");
+  for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, model->blocks[block].name, columns[dof]);
+  }
+  qn_file_writer_puts (writer, ",iterations,residual [-],event\n");
+}
+
+gboolean
+qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *result,
+                    GError **error)
+{
+  static const char *const events[QN_EVENT_COUNT] = { "", "snap", "collapse" };
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  QnId block = qn_result_curve_block (&project->model, result);
+  write_curve_head (writer, &project->model, block);
+  for (size_t i = 0; i < result->step_count; i++) {
+    const QnStep *step = &result->steps[i];
+    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, i);
+    write_numbers (writer, &step->multiplier, 1);
+    if (block != QN_NONE)
+      write_numbers (
+        writer, qn_result_step_displacements (result, i) + (size_t) block * QN_DOF_COUNT,
+        QN_DOF_COUNT);
+    qn_file_writer_printf (writer, ",%d", step->iterations);
+    write_numbers (writer, &step->residual, 1);
+    qn_file_writer_printf (writer, ",%s\n", events[step->event]);
+  }
+  return qn_file_writer_commit (writer, error);
+}
+
+gboolean
+qn_displacements_csv_write (const char *path, const QnProject *project,
+                            const QnResult *result, size_t step, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  const double *displacements = qn_result_step_displacements (result, step);
+  qn_file_writer_puts (writer, "block,x [m],y [m],ux [m],uy [m],rz [rad]\n");
+  for (size_t i = 0; i < result->block_count; i++) {
+    const QnBlock *block = &project->model.blocks[i];
+    write_text (writer, block->name, "");
+    write_numbers (writer, (const double[]){ block->centroid.x, block->centroid.y }, 2);
+    write_numbers (writer, displacements + i * QN_DOF_COUNT, QN_DOF_COUNT);
+    qn_file_writer_puts (writer, "\n");
+  }
+  return qn_file_writer_commit (writer, error);
+}
+
+gboolean
+qn_contacts_csv_write (const char *path, const QnProject *project,
+                       const QnContacts *contacts, const QnResult *result, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  const QnBlock *blocks = project->model.blocks;
+  qn_file_writer_puts (writer,
+                       "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],"
+                       "normal force [N],shear force [N],state\n");
+  size_t count = result->step_count > 0 ? contacts->pair_count : 0;
+  for (size_t i = 0; i < count; i++) {
+    const QnContactPair *pair = &contacts->pairs[i];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    const QnPairResult *forces = &result->pairs[i];
+    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT ",%d,", i, pair->face);
+    write_text (writer, blocks[face->a].name, "");
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, blocks[face->b].name, "");
+    const double numbers[] = {
+      pair->point.x,  pair->point.y,        face->normal.x,
+      face->normal.y, forces->normal_force, forces->shear_force
+    };
+    write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
+    qn_file_writer_printf (writer, ",%s\n", qn_pair_state_name (forces->state));
+  }
+  return qn_file_writer_commit (writer, error);
+}
