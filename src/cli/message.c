@@ -1,6 +1,7 @@
 #include "cli/message.h"
 
 #include "io/io-error.h"
+#include "render/output.h"
 
 #include <gio/gio.h>
 #include <glib/gi18n.h>
@@ -42,20 +43,46 @@ qn_cli_usage_error (const char *subcommand, const char *message)
     qn_cli_error (_ ("%s (see quoin-cli --help)"), message);
 }
 
+static QnExit
+io_exit_code (QnIoError code)
+{
+  switch (code) {
+  case QN_IO_ERROR_INVALID:
+    return QN_EXIT_INVALID;
+  case QN_IO_ERROR_FILE:
+    return QN_EXIT_FILE;
+  case QN_IO_ERROR_OVERRIDE:
+    return QN_EXIT_USAGE;
+  case QN_IO_ERROR_NO_MEMORY:
+    return QN_EXIT_INTERNAL;
+  }
+  return QN_EXIT_INTERNAL;
+}
+
+static QnExit
+render_exit_code (QnRenderError code)
+{
+  switch (code) {
+  case QN_RENDER_ERROR_USAGE:
+    return QN_EXIT_USAGE;
+  case QN_RENDER_ERROR_FILE:
+    return QN_EXIT_FILE;
+  case QN_RENDER_ERROR_CANCELLED:
+    return QN_EXIT_CANCELLED;
+  case QN_RENDER_ERROR_UNAVAILABLE:
+  case QN_RENDER_ERROR_FAILED:
+    return QN_EXIT_INTERNAL;
+  }
+  return QN_EXIT_INTERNAL;
+}
+
 QnExit
 qn_cli_exit_code (const GError *error)
 {
   if (error->domain == QN_IO_ERROR)
-    switch ((QnIoError) error->code) {
-    case QN_IO_ERROR_INVALID:
-      return QN_EXIT_INVALID;
-    case QN_IO_ERROR_FILE:
-      return QN_EXIT_FILE;
-    case QN_IO_ERROR_OVERRIDE:
-      return QN_EXIT_USAGE;
-    case QN_IO_ERROR_NO_MEMORY:
-      return QN_EXIT_INTERNAL;
-    }
+    return io_exit_code ((QnIoError) error->code);
+  if (error->domain == QN_RENDER_ERROR)
+    return render_exit_code ((QnRenderError) error->code);
   if (error->domain == G_FILE_ERROR || error->domain == G_IO_ERROR)
     return QN_EXIT_FILE;
   return QN_EXIT_INTERNAL;

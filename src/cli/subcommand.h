@@ -25,6 +25,10 @@ struct QnSubcommand {
 
 extern const QnSubcommand qn_cmd_check;
 extern const QnSubcommand qn_cmd_solve;
+extern const QnSubcommand qn_cmd_render;
+extern const QnSubcommand qn_cmd_compare;
+extern const QnSubcommand qn_cmd_curve;
+extern const QnSubcommand qn_cmd_verify;
 
 /* Parses options in the usual way: options and arguments in any order, "--" ends the options,
  * --help prints the help of the subcommand and ends the program. What is no option stays in

@@ -1,0 +1,60 @@
+#include "cli/picture.h"
+
+#include "cli/message.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+static QnExit
+refuse (const QnSubcommand *self, const char *message)
+{
+  qn_cli_usage_error (self->name, message);
+  return QN_EXIT_USAGE;
+}
+
+QnExit
+qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
+                   QnOutput *output)
+{
+  GError *error = NULL;
+  QnPage page;
+  QnFormat format;
+
+  if (options->path == NULL)
+    return refuse (self, _ ("-o is missing"));
+  output->transparent = options->transparent;
+  if (options->dpi < 0)
+    return refuse (self, _ ("--dpi must be positive"));
+  if (options->dpi > 0)
+    output->dpi = options->dpi;
+  if (g_strcmp0 (options->backend, "gl") == 0)
+    output->backend = QN_BACKEND_GL;
+  else if (options->backend != NULL && strcmp (options->backend, "cairo") != 0)
+    return refuse (self, _ ("--backend is cairo or gl"));
+
+  if ((options->size != NULL && !qn_output_parse_size (output, options->size, &error))
+      || !qn_output_page (output, &page, &error)
+      || !qn_format_of_path (options->path, &format, &error))
+    return qn_cli_fail (error);
+  return QN_EXIT_DONE;
+}
+
+void
+qn_picture_metadata (const QnProject *project, QnMetadata *metadata)
+{
+  qn_metadata_init (metadata);
+  metadata->generator = "quoin " QN_VERSION;
+  if (project != NULL) {
+    const char *slash = strrchr (project->name, G_DIR_SEPARATOR);
+    metadata->model = slash != NULL ? slash + 1 : project->name;
+    metadata->model_sha256 = project->sha256;
+  }
+}
+
+void
+qn_picture_options_clear (QnPictureOptions *options)
+{
+  g_free (options->path);
+  g_free (options->size);
+  g_free (options->backend);
+}

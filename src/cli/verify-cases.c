@@ -1,0 +1,64 @@
+#include "cli/verify-cases.h"
+
+#include <glib/gi18n.h>
+
+/* The reference of the non-associative walls is the rigid-block limit analysis that the paper
+ * compares itself with; wall 6 has several equilibria close to its collapse. */
+static const QnVerifyCase walls[] = {
+  { N_ ("Wall 1"), "ferris-tin-loi/wall1.quoin", 0.643, 0.01, 0.641 },
+  { N_ ("Wall 2"), "ferris-tin-loi/wall2.quoin", 0.564, 0.01, 0.556 },
+  { N_ ("Wall 3"), "ferris-tin-loi/wall3.quoin", 0.356, 0.01, 0.298 },
+  { N_ ("Wall 4"), "ferris-tin-loi/wall4.quoin", 0.264, 0.01, 0.263 },
+  { N_ ("Wall 5"), "ferris-tin-loi/wall5.quoin", 0.216, 0.01, 0.215 },
+  { N_ ("Wall 6"), "ferris-tin-loi/wall6.quoin", 0.297, 0.015, 0.174 },
+};
+
+/* With dilatancy = friction the collapse multiplier is unique: the optimum of a linear
+ * program, a theory of its own. */
+static const QnVerifyCase associative_walls[] = {
+  { N_ ("Wall 1"), "ferris-tin-loi/wall1.quoin", 0.64285900, 1e-3, 0 },
+  { N_ ("Wall 2"), "ferris-tin-loi/wall2.quoin", 0.57999861, 1e-3, 0 },
+  { N_ ("Wall 3"), "ferris-tin-loi/wall3.quoin", 0.40369410, 1e-3, 0 },
+  { N_ ("Wall 4"), "ferris-tin-loi/wall4.quoin", 0.33194840, 1e-3, 0 },
+  { N_ ("Wall 5"), "ferris-tin-loi/wall5.quoin", 0.23964253, 1e-3, 0 },
+  { N_ ("Wall 6"), "ferris-tin-loi/wall6.quoin", 0.34782456, 1e-3, 0 },
+};
+
+/* Sliding at mu; overturning at b/h, (b - 2r)/h; on a slope at tan (phi - theta) with
+ * tan phi = mu = 0.65, tan theta = 7/24; the stack overturns at its base. */
+static const QnVerifyCase closed_forms[] = {
+  { N_ ("Block slides"), "01-sliding-block.quoin", 0.4, 1e-6, 0 },
+  { N_ ("Block overturns"), "02-overturning-block.quoin", 0.5, 1e-6, 0 },
+  { N_ ("Rounded block overturns"), "03-rounded-block.quoin", 0.4, 1e-6, 0 },
+  { N_ ("Block on a slope"), "04-block-on-slope.quoin",
+    (0.65 - 7. / 24.) / (1 + 0.65 * 7. / 24.), 1e-6, 0 },
+  { N_ ("Stack overturns"), "05-stack.quoin", 0.4, 1e-6, 0 },
+};
+
+static const QnVerifyGroup groups[] = {
+  { "walls",
+    N_ ("Six masonry walls, dilatancy 0"),
+    N_ ("limit analysis: Ferris & Tin-Loi 2001, Gilbert, Casapulla & Ahmed 2006"),
+    { NULL },
+    walls,
+    G_N_ELEMENTS (walls) },
+  { "associative",
+    N_ ("Six masonry walls, dilatancy = friction"),
+    N_ ("optimum of the linear program of limit analysis"),
+    { "laws[0].dilatancy=0.65", NULL },
+    associative_walls,
+    G_N_ELEMENTS (associative_walls) },
+  { "closed-forms",
+    N_ ("Closed forms"),
+    N_ ("statics of rigid blocks"),
+    { "analysis.multiplier_tolerance=1e-8", NULL },
+    closed_forms,
+    G_N_ELEMENTS (closed_forms) },
+};
+
+const QnVerifyGroup *
+qn_verify_groups (gsize *count)
+{
+  *count = G_N_ELEMENTS (groups);
+  return groups;
+}

@@ -1,0 +1,33 @@
+/* The published and exact values that "quoin-cli verify" holds the program against.
+ *
+ * The models are the files of examples/, compiled into the program, so that it can be verified
+ * wherever it is installed. */
+#ifndef QN_CLI_VERIFY_CASES_H
+#define QN_CLI_VERIFY_CASES_H
+
+#include <glib.h>
+
+/* Prefix of the resources that hold the models. */
+#define QN_VERIFY_RESOURCES "/io/github/quoin/verify/"
+
+typedef struct QnVerifyCase {
+  const char *name;  /* what the table calls it; translatable */
+  const char *model; /* file below examples/ */
+  double reference;  /* collapse multiplier to be met */
+  double tolerance;  /* relative to the reference */
+  double paper;      /* what the paper's own HybriDFEM gives; 0 where it has no value */
+} QnVerifyCase;
+
+typedef struct QnVerifyGroup {
+  const char *name;         /* as on the command line */
+  const char *title;        /* translatable */
+  const char *source;       /* of the reference values; translatable */
+  const char *overrides[4]; /* NULL-terminated "path=value" for all its models */
+  const QnVerifyCase *cases;
+  gsize case_count;
+} QnVerifyGroup;
+
+/* All groups; their number in *count. A static array. */
+const QnVerifyGroup *qn_verify_groups (gsize *count);
+
+#endif

@@ -1,0 +1,47 @@
+/* Runs the real quoin-cli and keeps what it said. */
+#ifndef QN_TESTS_CLI_RUN_H
+#define QN_TESTS_CLI_RUN_H
+
+#include <glib.h>
+
+typedef struct CliRun {
+  int code;        /* exit code; 128 + signal where it was killed */
+  char *out, *err; /* standard output and standard error */
+} CliRun;
+
+/* Runs with these arguments, NULL-terminated. Never fails but for the machine's sake. */
+CliRun cli_run (const char *first, ...) G_GNUC_NULL_TERMINATED;
+
+/* The same with the arguments as a vector and with one more environment variable. */
+CliRun cli_run_with (const char *const *arguments, const char *variable,
+                     const char *value);
+
+void cli_run_clear (CliRun *run);
+
+/* Fails unless the run ended with this code; a failed run must have said one line that begins
+ * with "quoin-cli: " and contains `part` (nullable). Clears the run. */
+void cli_assert_failed (CliRun *run, int code, const char *part);
+
+/* Fails unless the run ended well and quietly on standard error. */
+void cli_assert_done (const CliRun *run);
+
+/* A folder that is removed with everything in it by cli_folder_clear(). */
+char *cli_folder_new (void);
+void cli_folder_clear (char *folder);
+
+/* Writes a file into the folder; the path is returned. Free with g_free(). */
+char *cli_write (const char *folder, const char *name, const char *text);
+
+/* The text of a file; fails where there is none. */
+char *cli_read (const char *path);
+
+/* Path of an example; free with g_free(). */
+char *cli_example (const char *name);
+
+/* A sound project: a block on a fixed ground, which slides at 0.4. */
+extern const char cli_sliding_block[];
+
+/* `text` with the first occurrence of `from`, which must be there, replaced. */
+char *cli_replace (const char *text, const char *from, const char *to);
+
+#endif

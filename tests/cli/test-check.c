@@ -1,0 +1,146 @@
+/* quoin-cli check: what it lists, and the independent check of a result. */
+#include "cli-run.h"
+
+#include <string.h>
+
+typedef struct Counts {
+  const char *wall;
+  guint free_blocks, faces;
+} Counts;
+
+/* The walls' counts as the literature has them; each stands on one fixed block more. */
+static const Counts counts[] = {
+  { "1", 33, 83 },  { "2", 55, 141 }, { "3", 46, 102 },
+  { "4", 55, 116 }, { "5", 61, 120 }, { "6", 146, 345 },
+};
+
+static void
+test_counts (void)
+{
+  for (size_t i = 0; i < G_N_ELEMENTS (counts); i++) {
+    g_autofree char *name =
+      g_strdup_printf ("ferris-tin-loi/wall%s.quoin", counts[i].wall);
+    g_autofree char *model = cli_example (name);
+    g_autofree char *blocks = g_strdup_printf ("blocks: %u,", counts[i].free_blocks + 1);
+    g_autofree char *faces = g_strdup_printf ("contact faces: %u,", counts[i].faces);
+    g_autofree char *pairs = g_strdup_printf ("contact pairs: %u\n", 2 * counts[i].faces);
+    CliRun run = cli_run ("check", model, NULL);
+    cli_assert_done (&run);
+    g_assert_nonnull (strstr (run.out, blocks));
+    g_assert_nonnull (strstr (run.out, faces));
+    g_assert_nonnull (strstr (run.out, pairs));
+    g_assert_nonnull (strstr (run.out, "warnings: none"));
+    g_assert_nonnull (strstr (run.out, "base (ux, uy, rz)"));
+    cli_run_clear (&run);
+  }
+}
+
+static guint
+count_of (const char *text, const char *part)
+{
+  guint count = 0;
+  for (const char *at = text; (at = strstr (at, part)) != NULL; at++)
+    count++;
+  return count;
+}
+
+static void
+test_json (void)
+{
+  g_autofree char *model = cli_example ("ferris-tin-loi/wall1.quoin");
+  CliRun run = cli_run ("check", model, "--json", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "\"quoin-check\""));
+  g_assert_nonnull (strstr (run.out, "\"sound\": true"));
+  g_assert_cmpuint (count_of (run.out, "{ \"name\": "), ==, 34);
+  g_assert_cmpuint (count_of (run.out, "\"normal\": "), ==, 83);
+  g_assert_cmpuint (count_of (run.out, "\"tributary\": "), ==, 166);
+  cli_run_clear (&run);
+}
+
+/* What cannot be analysed is reported before it is refused. */
+static void
+test_unsound (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *text =
+    cli_replace (cli_sliding_block, "[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]",
+                 "[[0, 1], [1, 1], [1, 1.5], [0, 1.5]]");
+  g_autofree char *model = cli_write (folder, "wall.quoin", text);
+  CliRun run = cli_run ("check", model, NULL);
+  g_assert_nonnull (strstr (run.out, "warnings: "));
+  g_assert_nonnull (strstr (run.out, "stone"));
+  cli_assert_failed (&run, 3, "stone");
+
+  run = cli_run ("check", model, "--json", NULL);
+  g_assert_nonnull (strstr (run.out, "\"sound\": false"));
+  cli_assert_failed (&run, 3, "stone");
+  cli_folder_clear (folder);
+}
+
+/* A gap a little wider than the tolerance is told with its place, and is no error. */
+static void
+test_gap (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *text = cli_replace (
+    cli_sliding_block, "\"thickness\": 1, \"unit_weight\": 10000 }\n",
+    "\"thickness\": 1, \"unit_weight\": 10000 },\n"
+    "    { \"name\": \"next\", \"vertices\": [[1.000003, 0], [1.5, 0], "
+    "[1.5, 0.5], [1.000003, 0.5]], \"thickness\": 1, \"unit_weight\": 1 }\n");
+  g_autofree char *model = cli_write (folder, "wall.quoin", text);
+  CliRun run = cli_run ("check", model, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "warnings: 1"));
+  g_assert_nonnull (strstr (run.out, "next"));
+  cli_run_clear (&run);
+  cli_folder_clear (folder);
+}
+
+static void
+test_result (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *model = cli_example ("06-arch.quoin");
+  g_autofree char *result = g_build_filename (folder, "arch.json", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+
+  run = cli_run ("check", model, "--result", result, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "passes"));
+  cli_run_clear (&run);
+
+  /* The same forces at another multiplier are no equilibrium. */
+  g_autofree char *json = cli_read (result);
+  g_autofree char *forged =
+    cli_replace (json, "\"collapse_multiplier\": ", "\"collapse_multiplier\": 1");
+  g_autofree char *wrong = cli_write (folder, "wrong.json", forged);
+  run = cli_run ("check", model, "--result", wrong, NULL);
+  g_assert_nonnull (strstr (run.out, "fails"));
+  cli_assert_failed (&run, 3, "wrong.json");
+
+  run = cli_run ("check", model, "--json", "--result", result, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "\"passes\": true"));
+  cli_run_clear (&run);
+
+  /* A result of another model. */
+  g_autofree char *other = cli_example ("05-stack.quoin");
+  run = cli_run ("check", other, "--result", result, NULL);
+  cli_assert_failed (&run, 3, NULL);
+  cli_folder_clear (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/check/counts", test_counts);
+  g_test_add_func ("/cli/check/json", test_json);
+  g_test_add_func ("/cli/check/unsound", test_unsound);
+  g_test_add_func ("/cli/check/gap", test_gap);
+  g_test_add_func ("/cli/check/result", test_result);
+  return g_test_run ();
+}

@@ -1,0 +1,64 @@
+/* Every example can be checked, and solved where that is quick. */
+#include "cli-run.h"
+
+#include <string.h>
+
+/* Adds the paths of all project files below `folder`. */
+static void
+collect (const char *folder, GPtrArray *paths)
+{
+  GDir *dir = g_dir_open (folder, 0, NULL);
+  const char *name;
+  g_assert_nonnull (dir);
+  while ((name = g_dir_read_name (dir)) != NULL) {
+    g_autofree char *path = g_build_filename (folder, name, NULL);
+    if (g_file_test (path, G_FILE_TEST_IS_DIR))
+      collect (path, paths);
+    else if (g_str_has_suffix (name, ".quoin"))
+      g_ptr_array_add (paths, g_steal_pointer (&path));
+  }
+  g_dir_close (dir);
+}
+
+static void
+test_check (gconstpointer path)
+{
+  CliRun run = cli_run ("check", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+}
+
+/* Solves, and holds the result against the independent check. */
+static void
+test_solve (gconstpointer path)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *result = g_build_filename (folder, "result.json", NULL);
+  CliRun run = cli_run ("solve", path, "-q", "-o", result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+
+  run = cli_run ("check", path, "--result", result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  cli_folder_clear (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
+  collect (g_getenv ("QUOIN_EXAMPLES"), paths);
+  g_assert_cmpuint (paths->len, >=, 12);
+
+  for (guint i = 0; i < paths->len; i++) {
+    const char *path = g_ptr_array_index (paths, i);
+    g_autofree char *base = g_path_get_basename (path);
+    g_autofree char *check = g_strconcat ("/cli/examples/check/", base, NULL);
+    g_autofree char *solve = g_strconcat ("/cli/examples/solve/", base, NULL);
+    g_test_add_data_func (check, path, test_check);
+    g_test_add_data_func (solve, path, test_solve);
+  }
+  return g_test_run ();
+}

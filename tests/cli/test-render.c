@@ -1,0 +1,158 @@
+/* quoin-cli render, compare and curve: the files they make, and what they refuse. */
+#include "cli-run.h"
+
+#include <string.h>
+
+/* An arch and its result in a folder of their own. */
+typedef struct Solved {
+  char *folder, *model, *result;
+} Solved;
+
+static void
+set_up (Solved *solved, gconstpointer data)
+{
+  (void) data;
+  solved->folder = cli_folder_new ();
+  solved->model = cli_example ("06-arch.quoin");
+  solved->result = g_build_filename (solved->folder, "arch.json", NULL);
+  CliRun run = cli_run ("solve", solved->model, "-q", "-o", solved->result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+}
+
+static void
+tear_down (Solved *solved, gconstpointer data)
+{
+  (void) data;
+  cli_folder_clear (solved->folder);
+  g_free (solved->model);
+  g_free (solved->result);
+}
+
+/* Fails unless the file exists and begins like a file of its kind. */
+static void
+assert_picture (const char *path)
+{
+  static const char *const kinds[][2] = { { ".png", "\x89PNG" },
+                                          { ".svg", "<?xml" },
+                                          { ".pdf", "%PDF-" } };
+  g_autoptr (GError) error = NULL;
+  g_autofree char *bytes = NULL;
+  gsize length = 0;
+  g_file_get_contents (path, &bytes, &length, &error);
+  g_assert_no_error (error);
+  g_assert_cmpuint (length, >, 1000);
+  for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++)
+    if (g_str_has_suffix (path, kinds[i][0]))
+      g_assert_cmpint (memcmp (bytes, kinds[i][1], strlen (kinds[i][1])), ==, 0);
+}
+
+static void
+test_views_and_formats (Solved *solved, gconstpointer data)
+{
+  static const char *const views[] = { "model", "contacts", "deformed", "mechanism",
+                                       "forces" };
+  static const char *const endings[] = { "png", "svg", "pdf" };
+  (void) data;
+  for (size_t i = 0; i < G_N_ELEMENTS (views); i++)
+    for (size_t k = 0; k < G_N_ELEMENTS (endings); k++) {
+      g_autofree char *name = g_strdup_printf ("%s.%s", views[i], endings[k]);
+      g_autofree char *path = g_build_filename (solved->folder, name, NULL);
+      CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
+                            views[i], "--size", "400x300", "-o", path, NULL);
+      cli_assert_done (&run);
+      cli_run_clear (&run);
+      assert_picture (path);
+    }
+}
+
+static void
+test_render_options (Solved *solved, gconstpointer data)
+{
+  (void) data;
+  g_autofree char *path = g_build_filename (solved->folder, "o.png", NULL);
+  CliRun run =
+    cli_run ("render", solved->model, "--result", solved->result, "--view", "deformed",
+             "--step", "0", "--scale", "100", "--size", "60mmx40mm", "--dpi", "200",
+             "--backend", "cairo", "--transparent", "--monochrome", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  assert_picture (path);
+}
+
+static void
+test_render_refuses (Solved *solved, gconstpointer data)
+{
+  (void) data;
+  g_autofree char *path = g_build_filename (solved->folder, "o.png", NULL);
+  CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
+                        "deformed", "--step", "100000", "-o", path, NULL);
+  cli_assert_failed (&run, 2, NULL);
+  g_assert_false (g_file_test (path, G_FILE_TEST_EXISTS));
+
+  run = cli_run ("render", solved->model, "-o", "/no/such/folder/o.png", NULL);
+  cli_assert_failed (&run, 5, "/no/such/folder/o.png");
+  run = cli_run ("render", solved->model, "--result", "/no/such/r.json", "--view",
+                 "forces", "-o", path, NULL);
+  cli_assert_failed (&run, 5, "/no/such/r.json");
+  run = cli_run ("render", solved->model, "--result", solved->model, "--view", "forces",
+                 "-o", path, NULL);
+  cli_assert_failed (&run, 3, NULL);
+}
+
+static void
+test_same_bytes (Solved *solved, gconstpointer data)
+{
+  (void) data;
+  char *bytes[2];
+  gsize lengths[2];
+  for (int i = 0; i < 2; i++) {
+    g_autofree char *path = g_build_filename (solved->folder, "o.pdf", NULL);
+    CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
+                          "mechanism", "-o", path, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    g_assert_true (g_file_get_contents (path, &bytes[i], &lengths[i], NULL));
+  }
+  g_assert_cmpmem (bytes[0], lengths[0], bytes[1], lengths[1]);
+  g_free (bytes[0]);
+  g_free (bytes[1]);
+}
+
+static void
+test_compare_and_curve (Solved *solved, gconstpointer data)
+{
+  static const char *const subcommands[] = { "compare", "curve" };
+  (void) data;
+  g_autofree char *given = g_strdup_printf ("%s=%s", solved->model, solved->result);
+  g_autofree char *stack = cli_example ("05-stack.quoin");
+  for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++) {
+    g_autofree char *name = g_strconcat (subcommands[i], ".png", NULL);
+    g_autofree char *path = g_build_filename (solved->folder, name, NULL);
+    CliRun run =
+      cli_run (subcommands[i], given, stack, "--size", "800x600", "-o", path, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    assert_picture (path);
+
+    run = cli_run (subcommands[i], given, "-o", "/no/such/folder/o.png", NULL);
+    cli_assert_failed (&run, 5, NULL);
+    run = cli_run (subcommands[i], given, "-o", "o.txt", NULL);
+    cli_assert_failed (&run, 2, NULL);
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+#define ADD(path, function)                                                              \
+  g_test_add ("/cli/render/" path, Solved, NULL, set_up, function, tear_down)
+  ADD ("views-and-formats", test_views_and_formats);
+  ADD ("options", test_render_options);
+  ADD ("refuses", test_render_refuses);
+  ADD ("same-bytes", test_same_bytes);
+  ADD ("compare-and-curve", test_compare_and_curve);
+#undef ADD
+  return g_test_run ();
+}

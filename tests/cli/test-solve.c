@@ -1,0 +1,223 @@
+/* quoin-cli solve: outputs, overrides, repeatability, what stays when it fails. */
+#include "cli-run.h"
+
+#include <glib/gstdio.h>
+#include <math.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/wait.h>
+
+/* The number behind the first `"key": ` of a JSON text. */
+static double
+number_of (const char *json, const char *key)
+{
+  g_autofree char *quoted = g_strdup_printf ("\"%s\":", key);
+  const char *found = strstr (json, quoted);
+  g_assert_nonnull (found);
+  return g_ascii_strtod (found + strlen (quoted), NULL);
+}
+
+/* Replaces every number behind a key that ends in "seconds" by 0: times may differ. */
+static char *
+without_times (const char *json)
+{
+  g_autoptr (GError) error = NULL;
+  g_autoptr (GRegex) regex = g_regex_new ("(seconds\": *)[-+0-9.eE]+", G_REGEX_DEFAULT,
+                                          G_REGEX_MATCH_DEFAULT, &error);
+  g_assert_no_error (error);
+  char *text =
+    g_regex_replace (regex, json, -1, 0, "\\g<1>0", G_REGEX_MATCH_DEFAULT, &error);
+  g_assert_no_error (error);
+  return text;
+}
+
+/* Solves an example to standard output. */
+static char *
+solve_example (const char *name, const char *override, const char *variable,
+               const char *value)
+{
+  g_autofree char *model = cli_example (name);
+  const char *arguments[] = {
+    "solve", model, "-o", "-", override != NULL ? "--set" : NULL, override, NULL
+  };
+  CliRun run = cli_run_with (arguments, variable, value);
+  cli_assert_done (&run);
+  char *json = g_steal_pointer (&run.out);
+  cli_run_clear (&run);
+  return json;
+}
+
+static void
+test_standard_output (void)
+{
+  g_autofree char *json = solve_example ("01-sliding-block.quoin", NULL, NULL, NULL);
+  g_assert_true (g_str_has_prefix (json, "{"));
+  g_assert_nonnull (strstr (json, "\"quoin-result\""));
+  g_assert_nonnull (strstr (json, "\"collapse\""));
+  g_assert_cmpfloat_with_epsilon (number_of (json, "collapse_multiplier"), 0.4, 1e-3);
+}
+
+static void
+test_set (void)
+{
+  g_autofree char *json =
+    solve_example ("01-sliding-block.quoin", "laws[0].friction=0.3", NULL, NULL);
+  g_assert_cmpfloat_with_epsilon (number_of (json, "collapse_multiplier"), 0.3, 1e-3);
+}
+
+static void
+test_set_is_repeatable (void)
+{
+  g_autofree char *model = cli_example ("01-sliding-block.quoin");
+  CliRun run = cli_run ("solve", "--set", "laws[0].friction=0.3", model, "--set",
+                        "analysis.max_multiplier=0.25", "-o", "-", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "\"target-reached\""));
+  cli_run_clear (&run);
+}
+
+static void
+test_bad_set (void)
+{
+  g_autofree char *model = cli_example ("01-sliding-block.quoin");
+  CliRun run = cli_run ("solve", model, "--set", "nonsense", NULL);
+  cli_assert_failed (&run, 2, "nonsense");
+  run = cli_run ("solve", model, "--set", "laws[0].friction=-1", NULL);
+  cli_assert_failed (&run, 3, "laws[0].friction");
+  run = cli_run ("solve", model, "--set", "analysis.increments=many", NULL);
+  cli_assert_failed (&run, 3, "analysis.increments");
+}
+
+static void
+test_outputs (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *model = cli_example ("05-stack.quoin");
+  g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+  g_autofree char *curve = g_build_filename (folder, "r.csv", NULL);
+  CliRun run = cli_run ("solve", model, "-o", result, "--csv", curve, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "0.4000"));
+  cli_run_clear (&run);
+
+  g_autofree char *json = cli_read (result);
+  g_autofree char *csv = cli_read (curve);
+  g_assert_cmpfloat_with_epsilon (number_of (json, "collapse_multiplier"), 0.4, 1e-3);
+  g_auto (GStrv) rows = g_strsplit (csv, "\n", -1);
+  g_assert_cmpuint (g_strv_length (rows), >, 3);
+
+  run = cli_run ("solve", model, "-o", result, "--quiet", NULL);
+  cli_assert_done (&run);
+  g_assert_cmpstr (run.out, ==, "");
+  cli_run_clear (&run);
+  cli_folder_clear (folder);
+}
+
+static void
+test_same_bytes (void)
+{
+  g_autofree char *first = solve_example ("ferris-tin-loi/wall1.quoin", NULL, NULL, NULL);
+  g_autofree char *second =
+    solve_example ("ferris-tin-loi/wall1.quoin", NULL, NULL, NULL);
+  g_autofree char *a = without_times (first);
+  g_autofree char *b = without_times (second);
+  g_assert_cmpstr (a, ==, b);
+}
+
+static void
+test_locale (void)
+{
+  g_autofree char *plain = solve_example ("06-arch.quoin", NULL, "LC_ALL", "C");
+  g_autofree char *german =
+    solve_example ("06-arch.quoin", NULL, "LC_ALL", "de_DE.UTF-8");
+  g_autofree char *a = without_times (plain);
+  g_autofree char *b = without_times (german);
+  g_assert_cmpstr (a, ==, b);
+}
+
+static void
+test_unwritable (void)
+{
+  g_autofree char *model = cli_example ("01-sliding-block.quoin");
+  CliRun run = cli_run ("solve", model, "-q", "-o", "/no/such/folder/r.json", NULL);
+  cli_assert_failed (&run, 5, "/no/such/folder/r.json");
+  run = cli_run ("solve", model, "-q", "--csv", "/no/such/folder/r.csv", NULL);
+  cli_assert_failed (&run, 5, "/no/such/folder/r.csv");
+  run = cli_run ("solve", model, "-q", "-o", "/dev/full", NULL);
+  cli_assert_failed (&run, 5, "/dev/full");
+}
+
+/* A result that was there stays whole when its successor cannot be computed. */
+static void
+test_old_result_stays (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *model =
+    cli_write (folder, "bad.quoin", "{ \"format\": \"quoin\", \"version\": 1 }");
+  g_autofree char *result = cli_write (folder, "r.json", "old");
+  CliRun run = cli_run ("solve", model, "-o", result, NULL);
+  cli_assert_failed (&run, 3, NULL);
+  g_autofree char *text = cli_read (result);
+  g_assert_cmpstr (text, ==, "old");
+  cli_folder_clear (folder);
+}
+
+static void
+test_snap_stop (void)
+{
+  g_autofree char *json =
+    solve_example ("ferris-tin-loi/wall3.quoin", "analysis.snap=stop", NULL, NULL);
+  g_assert_nonnull (strstr (json, "\"snap\""));
+  g_assert_cmpfloat_with_epsilon (number_of (json, "first_limit_multiplier"), 0.2604,
+                                  0.002);
+}
+
+/* Ctrl+C soon after the start: either it was too late, or the code is 130 and a file that was
+ * written is a whole one. */
+static void
+test_interrupt (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *model = cli_example ("ferris-tin-loi/wall6.quoin");
+  g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+  const char *command[] = {
+    g_getenv ("QUOIN_CLI"),      "solve", model, "-q", "-o", result, "--set",
+    "analysis.increments=10000", NULL
+  };
+  g_autoptr (GError) error = NULL;
+  GPid pid;
+  int status = 0;
+  g_spawn_async (NULL, (char **) command, NULL,
+                 G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_STDERR_TO_DEV_NULL, NULL, NULL, &pid,
+                 &error);
+  g_assert_no_error (error);
+  g_usleep (300000);
+  kill (pid, SIGINT);
+  g_assert_cmpint (waitpid (pid, &status, 0), ==, pid);
+  g_assert_true (WIFEXITED (status));
+  g_assert_cmpint (WEXITSTATUS (status), ==, 130);
+  if (g_file_test (result, G_FILE_TEST_EXISTS)) {
+    g_autofree char *json = cli_read (result);
+    g_assert_nonnull (strstr (json, "\"cancelled\""));
+    g_assert_true (g_str_has_suffix (json, "}\n"));
+  }
+  cli_folder_clear (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/solve/standard-output", test_standard_output);
+  g_test_add_func ("/cli/solve/set", test_set);
+  g_test_add_func ("/cli/solve/set-is-repeatable", test_set_is_repeatable);
+  g_test_add_func ("/cli/solve/bad-set", test_bad_set);
+  g_test_add_func ("/cli/solve/outputs", test_outputs);
+  g_test_add_func ("/cli/solve/same-bytes", test_same_bytes);
+  g_test_add_func ("/cli/solve/locale", test_locale);
+  g_test_add_func ("/cli/solve/unwritable", test_unwritable);
+  g_test_add_func ("/cli/solve/old-result-stays", test_old_result_stays);
+  g_test_add_func ("/cli/solve/snap-stop", test_snap_stop);
+  g_test_add_func ("/cli/solve/interrupt", test_interrupt);
+  return g_test_run ();
+}
