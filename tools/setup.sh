@@ -8,7 +8,7 @@ packages=(
   gcc g++ libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
   # libraries
   libglib2.0-dev libcjson-dev libcairo2-dev libsuitesparse-dev libgeos-dev libdxflib-dev
-  libgtk-4-dev
+  libpng-dev libpango1.0-dev libgtk-4-dev
   # checks and tests
   clang-format-14 binutils locales-all
   desktop-file-utils appstream xvfb xauth
