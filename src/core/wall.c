@@ -1,3 +1,4 @@
+#include "core/decimal.h"
 #include "core/memory.h"
 #include "core/model.h"
 
@@ -99,20 +100,6 @@ check_wall (const QnModel *model, QnId index, size_t *block_count, QnDiag *diag)
   return check_courses (wall, index, block_count, diag);
 }
 
-/* Writes a decimal number and returns the end of what was written. */
-static char *
-write_number (char *out, int32_t number)
-{
-  char digits[12];
-  int32_t count = 0;
-  do
-    digits[count++] = (char) ('0' + number % 10);
-  while ((number /= 10) > 0);
-  while (count > 0)
-    *out++ = digits[--count];
-  return out;
-}
-
 /* "<wall>.<course>.<position>" into `out`, which has room for it. */
 static void
 write_block_name (char *out, const char *wall, int32_t course, int32_t position)
@@ -121,10 +108,9 @@ write_block_name (char *out, const char *wall, int32_t course, int32_t position)
   memcpy (out, wall, length);
   out += length;
   *out++ = '.';
-  out = write_number (out, course);
+  out = qn_write_decimal (out, course);
   *out++ = '.';
-  out = write_number (out, position);
-  *out = '\0';
+  qn_write_decimal (out, position);
 }
 
 /* Adds the blocks of one checked wall; false when memory runs out. */
@@ -132,7 +118,7 @@ static bool
 expand_wall (QnModel *model, QnId index)
 {
   const QnWall *wall = &model->walls[index];
-  char *name = qn_alloc (strlen (wall->name) + 26, 1);
+  char *name = qn_alloc (strlen (wall->name) + 2 * QN_DECIMAL_SIZE + 2, 1);
   if (name == NULL)
     return false;
 
