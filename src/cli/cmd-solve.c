@@ -3,6 +3,7 @@
 #include "cli/progress.h"
 #include "cli/subcommand.h"
 #include "core/analysis.h"
+#include "io/file-writer.h"
 #include "io/table-csv.h"
 
 #include <glib/gi18n.h>
@@ -81,6 +82,12 @@ print_summary (const QnProject *project, const QnResult *result)
           100 * spent->law_seconds / MAX (spent->seconds, 1e-9));
 }
 
+static gboolean
+is_stdout (const char *path)
+{
+  return g_strcmp0 (path, "-") == 0;
+}
+
 static QnExit
 write_outputs (const Options *options, const QnInput *input, const QnResult *result)
 {
@@ -95,10 +102,21 @@ write_outputs (const Options *options, const QnInput *input, const QnResult *res
   return QN_EXIT_DONE;
 }
 
-static gboolean
-is_stdout (const char *path)
+/* Finds out before a long analysis whether a file can be written where it shall be. Devices
+ * and pipes are not touched. */
+static QnExit
+probe_output (const char *path)
 {
-  return g_strcmp0 (path, "-") == 0;
+  GError *error = NULL;
+  if (path == NULL || is_stdout (path)
+      || (g_file_test (path, G_FILE_TEST_EXISTS)
+          && !g_file_test (path, G_FILE_TEST_IS_REGULAR | G_FILE_TEST_IS_DIR)))
+    return QN_EXIT_DONE;
+  QnFileWriter *writer = qn_file_writer_open (path, &error);
+  if (writer == NULL)
+    return qn_cli_fail (error);
+  qn_file_writer_discard (writer);
+  return QN_EXIT_DONE;
 }
 
 static QnExit
@@ -173,6 +191,10 @@ run (const QnSubcommand *self, int argc, char **argv)
     memset (&input, 0, sizeof input);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
+  if (code == QN_EXIT_DONE)
+    code = probe_output (options.output);
+  if (code == QN_EXIT_DONE)
+    code = probe_output (options.csv);
   if (code == QN_EXIT_DONE) {
     if (!options.quiet)
       warn_of_findings (&input);

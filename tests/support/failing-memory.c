@@ -1,0 +1,65 @@
+#include "support/failing-memory.h"
+
+#include <SuiteSparse_config.h>
+#include <stddef.h>
+
+static long next_failure = -1;
+static bool all_after, has_failed;
+
+void *__real_malloc (size_t size);
+void *__real_calloc (size_t count, size_t size);
+void *__real_realloc (void *block, size_t size);
+void *__wrap_malloc (size_t size);
+void *__wrap_calloc (size_t count, size_t size);
+void *__wrap_realloc (void *block, size_t size);
+
+static bool
+fails (void)
+{
+  if (next_failure < 0)
+    return false;
+  if (next_failure > 0) {
+    next_failure--;
+    return false;
+  }
+  if (!all_after)
+    next_failure = -1;
+  has_failed = true;
+  return true;
+}
+
+void *
+__wrap_malloc (size_t size)
+{
+  return fails () ? NULL : __real_malloc (size);
+}
+
+void *
+__wrap_calloc (size_t count, size_t size)
+{
+  return fails () ? NULL : __real_calloc (count, size);
+}
+
+void *
+__wrap_realloc (void *block, size_t size)
+{
+  return fails () ? NULL : __real_realloc (block, size);
+}
+
+void
+failing_memory_arm (long number, bool onwards)
+{
+  SuiteSparse_config.malloc_func = __wrap_malloc;
+  SuiteSparse_config.calloc_func = __wrap_calloc;
+  SuiteSparse_config.realloc_func = __wrap_realloc;
+  next_failure = number;
+  all_after = onwards;
+  has_failed = false;
+}
+
+bool
+failing_memory_disarm (void)
+{
+  next_failure = -1;
+  return has_failed;
+}

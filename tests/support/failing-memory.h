@@ -1,0 +1,19 @@
+/* Makes allocations fail on purpose, to walk every path that has no memory.
+ *
+ * Link with failing_memory_link_args: they turn malloc, calloc and realloc of everything that is
+ * linked statically (our own code) into the functions here. SuiteSparse, which is shared, is
+ * given them through its configuration. GLib is left alone, as it ends the program when memory
+ * runs out. */
+#ifndef TESTS_SUPPORT_FAILING_MEMORY_H
+#define TESTS_SUPPORT_FAILING_MEMORY_H
+
+#include <stdbool.h>
+
+/* Which allocations fail: the one with this number, counted from 0 from now on, and with
+ * `onwards` all after it. A negative number lets all succeed. */
+void failing_memory_arm (long number, bool onwards);
+
+/* Lets all succeed again; returns whether one has failed since the last arming. */
+bool failing_memory_disarm (void);
+
+#endif

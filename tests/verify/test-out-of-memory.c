@@ -1,0 +1,105 @@
+/* Every allocation of one whole cycle (read, detect, solve, write, clear) fails once, alone and
+ * with all after it: no crash, no leak (the sanitizers look), and either the answer or a
+ * refusal for want of memory. */
+#include "core/analysis.h"
+#include "io/io-error.h"
+#include "io/result-file.h"
+#include "support/failing-memory.h"
+
+#include <glib.h>
+#include <string.h>
+
+/* Two blocks and a wall on a ground, so that walls, faces of several kinds and a path with
+ * sliding and rocking are met. */
+static const char text[] =
+  "{ \"format\": \"quoin\", \"version\": 1, \"title\": \"t\",\n"
+  "\"laws\": [ { \"name\": \"joint\", \"kind\": \"coulomb\", \"basis\": \"contact\",\n"
+  "  \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.65 } ],\n"
+  "\"blocks\": [ { \"name\": \"ground\", \"thickness\": 1, \"unit_weight\": 1e4,\n"
+  "  \"vertices\": [[-1, -0.5], [2, -0.5], [2, 0], [-1, 0]],\n"
+  "  \"support\": [true, true, true] } ],\n"
+  "\"walls\": [ { \"name\": \"w\", \"origin\": [0, 0], \"unit\": [0.4, 0.2],\n"
+  "  \"thickness\": 1, \"unit_weight\": 1e4, \"courses\": [[1, 0.5], [0.5, 1]] } ],\n"
+  "\"contact\": { \"law\": \"joint\" },\n"
+  "\"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],\n"
+  "  \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },\n"
+  "\"analysis\": { \"increments\": 4, \"multiplier_tolerance\": 0.01 } }\n";
+
+/* What a cycle came to: the multiplier, or -1 where memory was refused. */
+static double
+run_cycle (void)
+{
+  QnProject project = { 0 };
+  QnContacts contacts = { 0 };
+  QnResult result = { 0 };
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+
+  if (!qn_project_parse (text, strlen (text), "wall.quoin", NULL, &project, &error)) {
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY);
+    g_error_free (error);
+    return -1;
+  }
+  QnStatus status = qn_contacts_detect (&project.model, &contacts, &diag);
+  if (status == QN_OK)
+    status = qn_contacts_require_sound (&project.model, &contacts, &diag);
+  if (status == QN_OK)
+    status = qn_analysis_run (&project.model, &contacts, NULL, NULL, &result, &diag);
+
+  double multiplier = -1;
+  if (status != QN_OK) {
+    g_assert_cmpint (status, ==, QN_ERROR_NO_MEMORY);
+    g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_MEMORY);
+  } else if (!qn_result_file_write ("/dev/null", &project, &contacts, &result, &error)) {
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY);
+    g_error_free (error);
+  } else {
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    multiplier = result.collapse_multiplier;
+  }
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_project_clear (&project);
+  return multiplier;
+}
+
+static void
+fail_every_allocation (bool onwards)
+{
+  double expected = run_cycle ();
+  g_assert_cmpfloat (expected, >, 0);
+
+  long number = 0;
+  for (bool hit = true; hit; number++) {
+    failing_memory_arm (number, onwards);
+    double found = run_cycle ();
+    hit = failing_memory_disarm ();
+    if (found >= 0)
+      g_assert_cmpfloat (found, ==, expected);
+    if (onwards && hit)
+      g_assert_cmpfloat (found, ==, -1);
+  }
+  g_test_message ("%ld allocations failed", number - 1);
+  g_assert_cmpint (number, >, 20);
+}
+
+static void
+test_one_fails (void)
+{
+  fail_every_allocation (false);
+}
+
+static void
+test_all_fail_from_one_on (void)
+{
+  fail_every_allocation (true);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/verify/out-of-memory/one", test_one_fails);
+  g_test_add_func ("/verify/out-of-memory/onwards", test_all_fail_from_one_on);
+  return g_test_run ();
+}
