@@ -17,15 +17,19 @@
 
 typedef enum { ITEM_SCALE, ITEM_COLORS, ITEM_ENTRY } ItemKind;
 
-/* The items in their order: scale bar, colour bar if there is one, legend entries. */
+/* The items in their order: scale bar, colour bar, legend entries. */
 static ItemKind
 item_kind (const QnFurniture *f, size_t item, const QnLegendEntry **entry)
 {
-  size_t first = f->scene->bar.shown ? 2 : 1;
+  size_t bar = f->scale_bar ? 1 : 0;
+  size_t first = bar + (f->scene->bar.shown ? 1 : 0);
   *entry = NULL;
-  if (item >= first)
-    *entry = &g_array_index (f->scene->legend, QnLegendEntry, item - first);
-  return item == 0 ? ITEM_SCALE : item < first ? ITEM_COLORS : ITEM_ENTRY;
+  if (item < bar)
+    return ITEM_SCALE;
+  if (item < first)
+    return ITEM_COLORS;
+  *entry = &g_array_index (f->scene->legend, QnLegendEntry, item - first);
+  return ITEM_ENTRY;
 }
 
 static double
@@ -37,10 +41,10 @@ item_height (const QnFurniture *f, size_t item)
 
 void
 qn_furniture_init (QnFurniture *f, const QnScene *scene, cairo_t *cr, double unit,
-                   double limit)
+                   double limit, bool scale_bar)
 {
-  *f = (QnFurniture){ .scene = scene, .unit = unit };
-  f->count = scene->legend->len + (scene->bar.shown ? 2 : 1);
+  *f = (QnFurniture){ .scene = scene, .unit = unit, .scale_bar = scale_bar };
+  f->count = scene->legend->len + (scene->bar.shown ? 1 : 0) + (scale_bar ? 1 : 0);
   f->widths = g_new0 (double, f->count);
   for (size_t i = 0; i < f->count; i++) {
     const QnLegendEntry *entry;
@@ -169,9 +173,8 @@ draw_color_bar (const QnFurniture *f, cairo_t *cr, double x, double y, double wi
   cairo_save (cr);
   cairo_set_antialias (cr, CAIRO_ANTIALIAS_NONE);
   for (int i = 0; i < STEPS; i++) {
-    double t = (i + 0.5) / STEPS;
-    set_color (cr, bar->diverging ? qn_map_diverging (2 * t - 1, monochrome)
-                                  : qn_map_sequential (t, monochrome));
+    double value = bar->min + (bar->max - bar->min) * (i + 0.5) / STEPS;
+    set_color (cr, qn_color_bar_color (bar, value, monochrome));
     cairo_rectangle (cr, x + i * width / STEPS, top, width / STEPS, height);
     cairo_fill (cr);
   }

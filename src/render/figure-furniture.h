@@ -14,14 +14,17 @@
 typedef struct QnFurniture {
   const QnScene *scene;
   double unit;
-  double *widths; /* px, of the items: scale bar, colour bar if shown, legend entries */
+  bool scale_bar;
+  double
+    *widths; /* px, of the items: scale bar, colour bar where shown, legend entries */
   size_t count;
   double x, y, width, height; /* px, where it goes */
 } QnFurniture;
 
-/* Measures the items; none may be wider than `limit` px. */
+/* Measures the items; none may be wider than `limit` px. A scale bar is part of it where
+ * asked for. */
 void qn_furniture_init (QnFurniture *furniture, const QnScene *scene, cairo_t *cr,
-                        double unit, double limit);
+                        double unit, double limit, bool scale_bar);
 void qn_furniture_clear (QnFurniture *furniture);
 
 /* Height in px of the items flowing in rows of a given width. */

@@ -3,6 +3,7 @@
 #include "render/draw-cairo.h"
 #include "render/figure-furniture.h"
 #include "render/motion.h"
+#include "render/scene-fit.h"
 #include "render/text.h"
 
 #include <glib/gi18n-lib.h>
@@ -63,15 +64,16 @@ append_part (GString *text, const char *part)
 }
 
 static void
-append_multiplier (GString *text, const QnFigure *figure)
+append_multiplier (GString *text, const QnFigure *figure, bool brief)
 {
   double multiplier = qn_figure_multiplier (figure);
   const QnResult *result = figure->result;
   if (isnan (multiplier))
     return;
-  g_autofree char *part = g_strdup_printf (_ ("load multiplier λ = %.4g"), multiplier);
+  g_autofree char *part =
+    g_strdup_printf (brief ? "λ = %.4g" : _ ("load multiplier λ = %.4g"), multiplier);
   append_part (text, part);
-  if (figure->options.view == QN_VIEW_MECHANISM || result->step_count == 0)
+  if (brief || figure->options.view == QN_VIEW_MECHANISM || result->step_count == 0)
     return;
   size_t step = shown_step (figure);
   if (result->steps[step].event == QN_EVENT_COLLAPSE)
@@ -98,7 +100,7 @@ append_mechanism (GString *text, const QnFigure *figure)
 }
 
 char *
-qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene)
+qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
 {
   g_autoptr (GString) text = g_string_new (NULL);
   const QnModel *model = figure->model;
@@ -108,7 +110,7 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene)
     append_part (text, blocks);
     return g_strdup (text->str);
   }
-  append_multiplier (text, figure);
+  append_multiplier (text, figure, brief);
   append_mechanism (text, figure);
   if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
     g_autofree char *scale = g_strdup_printf (_ ("displacements × %g"), scene->scale);
@@ -119,63 +121,6 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene)
 
 /* ---- layout ---------------------------------------------------------------------------- */
 
-/* How far markers, lines and labels reach beyond the box of the places: left, top, right and
- * bottom, px. */
-static void
-measure_overhang (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
-                  double reach[4])
-{
-  QnVec2 low = qn_camera_to_screen (camera, scene->box.min);
-  QnVec2 high = qn_camera_to_screen (camera, scene->box.max);
-  memset (reach, 0, 4 * sizeof *reach);
-  for (guint i = 0; i < scene->commands->len; i++) {
-    const QnCommand *c = qn_scene_command (scene, i);
-    double left = 0.6 * c->size * camera->unit, right = left, up = left, down = left;
-    if (c->kind == QN_COMMAND_FILL || c->kind == QN_COMMAND_IMAGE)
-      continue;
-    if (c->extent > 0 && c->extent * camera->scale < c->least * camera->unit)
-      continue;
-    if (c->kind == QN_COMMAND_TEXT) {
-      if (c->extent > 0)
-        continue; /* a label within its block */
-      double w, h;
-      qn_text_measure (cr, &(QnTextStyle){ .size = c->size * camera->unit }, c->text, &w,
-                       &h);
-      bool upright = fabs (sin (c->angle)) > 0.5;
-      left = upright ? h * (1 - c->align_y) : w * c->align_x;
-      right = upright ? h * c->align_y : w * (1 - c->align_x);
-      up = upright ? w * (1 - c->align_x) : h * (1 - c->align_y);
-      down = upright ? w * c->align_x : h * c->align_y;
-    }
-    QnVec2 a = qn_camera_to_screen (camera, c->box.min);
-    QnVec2 b = qn_camera_to_screen (camera, c->box.max);
-    reach[0] = fmax (reach[0], low.x - (a.x - left));
-    reach[1] = fmax (reach[1], high.y - (b.y - up));
-    reach[2] = fmax (reach[2], b.x + right - high.x);
-    reach[3] = fmax (reach[3], a.y + down - low.y);
-  }
-}
-
-/* Fits the scene with all that hangs over into the rectangle; with `scale` > 0 at that scale. */
-static void
-fit_scene (QnCamera *camera, const QnScene *scene, cairo_t *cr, double scale)
-{
-  double reach[4] = { 0, 0, 0, 0 };
-  for (int pass = 0; pass < 4; pass++) {
-    QnCamera inner = *camera;
-    inner.width = fmax (camera->width - reach[0] - reach[2], 0.1 * camera->width);
-    inner.height = fmax (camera->height - reach[1] - reach[3], 0.1 * camera->height);
-    qn_camera_fit (&inner, scene->box, 0);
-    if (scale > 0)
-      inner.scale = scale;
-    camera->scale = inner.scale;
-    camera->center = inner.center;
-    camera->center.x += 0.5 * (reach[2] - reach[0]) / camera->scale;
-    camera->center.y += 0.5 * (reach[1] - reach[3]) / camera->scale;
-    measure_overhang (scene, camera, cr, reach);
-  }
-}
-
 /* Draws title and caption from the top of the frame; returns their height with the gap. */
 static double
 draw_titles (const QnFigure *figure, const QnScene *scene, cairo_t *cr,
@@ -184,7 +129,7 @@ draw_titles (const QnFigure *figure, const QnScene *scene, cairo_t *cr,
   if (!figure->options.titles)
     return 0;
   g_autofree char *own =
-    figure->caption == NULL ? qn_figure_dup_caption (figure, scene) : NULL;
+    figure->caption == NULL ? qn_figure_dup_caption (figure, scene, false) : NULL;
   const char *caption = figure->caption != NULL ? figure->caption : own;
   const char *title = figure->title != NULL ? figure->title : figure->model->title;
   QnTextStyle big = { .size = QN_TYPE_TITLE * page->unit,
@@ -274,10 +219,10 @@ qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
   QnFurniture furniture = { 0 };
   bool as_column = false;
   if (figure->options.legend) {
-    qn_furniture_init (&furniture, scene, cr, page->unit, view.width);
+    qn_furniture_init (&furniture, scene, cr, page->unit, view.width, true);
     as_column = place_furniture (&furniture, &view, scene, page->unit);
   }
-  fit_scene (&view, scene, cr, frame->scale);
+  qn_scene_fit (&view, scene, cr, frame->scale);
   bool done = draw_scene (scene, &view, cr, page, error);
   if (done && furniture.count > 0)
     qn_furniture_draw (&furniture, cr, view.scale, as_column);

@@ -26,8 +26,9 @@ bool qn_figure_export (const QnFigure *figure, const char *path, const QnOutput 
 /* Multiplier of what the figure shows; not-a-number where no result is shown. */
 double qn_figure_multiplier (const QnFigure *figure);
 
-/* The second line of a figure as it would stand there by itself; newly allocated. */
-char *qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene);
+/* The second line of a figure as it would stand there by itself, or shorter for sheets; newly
+ * allocated. */
+char *qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief);
 
 /* One figure within a rectangle of a page. */
 typedef struct QnFrame {

@@ -34,9 +34,13 @@ qn_metadata_init (QnMetadata *metadata)
 static const char *
 parse_length (const char *text, double *value, bool *millimetres)
 {
-  char *end;
-  *value = g_ascii_strtod (text, &end);
-  if (end == text || g_ascii_isspace (*text) || !isfinite (*value))
+  /* Cut out first: "0x600" is no hexadecimal number here. */
+  size_t length = strspn (text, "0123456789.+-eE");
+  g_autofree char *number = g_strndup (text, length);
+  const char *end = text + length;
+  char *rest;
+  *value = g_ascii_strtod (number, &rest);
+  if (length == 0 || *rest != '\0' || !isfinite (*value))
     return NULL;
   *millimetres = g_str_has_prefix (end, "mm");
   return *millimetres ? end + 2 : g_str_has_prefix (end, "px") ? end + 2 : end;

@@ -4,21 +4,29 @@
 #include <glib/gi18n-lib.h>
 
 typedef struct FieldSpec {
-  const char *title; /* to be translated */
-  double factor;     /* from SI to the unit of the title */
+  const char *title;          /* to be translated */
+  const char *relative_title; /* of the scaled velocities of a mechanism */
+  double factor;              /* from SI to the unit of the title */
   bool diverging;
   bool joints;
 } FieldSpec;
 
 static const FieldSpec specs[QN_FIELD_COUNT] = {
-  [QN_FIELD_NONE] = { "", 1, false, false },
-  [QN_FIELD_DISPLACEMENT] = { N_ ("Displacement (mm)"), 1e3, false, false },
-  [QN_FIELD_DISPLACEMENT_X] = { N_ ("Displacement ux (mm)"), 1e3, true, false },
-  [QN_FIELD_DISPLACEMENT_Y] = { N_ ("Displacement uy (mm)"), 1e3, true, false },
-  [QN_FIELD_ROTATION] = { N_ ("Rotation (mrad)"), 1e3, true, false },
-  [QN_FIELD_STRESS] = { N_ ("Least principal stress (MPa)"), 1e-6, true, false },
-  [QN_FIELD_OPENING] = { N_ ("Joint opening (mm)"), 1e3, false, true },
-  [QN_FIELD_SLIDING] = { N_ ("Joint sliding (mm)"), 1e3, false, true },
+  [QN_FIELD_NONE] = { "", "", 1, false, false },
+  [QN_FIELD_DISPLACEMENT] = { N_ ("Displacement (mm)"), N_ ("Velocity (relative)"), 1e3,
+                              false, false },
+  [QN_FIELD_DISPLACEMENT_X] = { N_ ("Displacement ux (mm)"),
+                                N_ ("Velocity ux (relative)"), 1e3, true, false },
+  [QN_FIELD_DISPLACEMENT_Y] = { N_ ("Displacement uy (mm)"),
+                                N_ ("Velocity uy (relative)"), 1e3, true, false },
+  [QN_FIELD_ROTATION] = { N_ ("Rotation (mrad)"), N_ ("Rotation rate (relative)"), 1e3,
+                          true, false },
+  [QN_FIELD_STRESS] = { N_ ("Least principal stress (MPa)"),
+                        N_ ("Least principal stress (MPa)"), 1e-6, true, false },
+  [QN_FIELD_OPENING] = { N_ ("Joint opening (mm)"), N_ ("Joint opening (relative)"), 1e3,
+                         false, true },
+  [QN_FIELD_SLIDING] = { N_ ("Joint sliding (mm)"), N_ ("Joint sliding (relative)"), 1e3,
+                         false, true },
 };
 
 /* The displacements a field is read from: those drawn, else those of the step. */
@@ -112,36 +120,20 @@ joint_values (const QnSceneBuilder *b, double *values)
   }
 }
 
-/* The range of the values; symmetric about zero for a diverging map. */
+/* The range of the values, with zero in it. */
 static void
 set_bar (QnSceneBuilder *b, const FieldSpec *spec, const double *values, size_t count)
 {
   QnColorBar *bar = &b->scene->bar;
+  bool relative = b->options->view == QN_VIEW_MECHANISM;
   bar->shown = true;
   bar->diverging = spec->diverging;
-  bar->factor = spec->factor;
-  bar->title = g_strdup (_ (spec->title));
+  bar->factor = relative ? 1 : spec->factor;
+  bar->title = g_strdup (relative ? _ (spec->relative_title) : _ (spec->title));
   for (size_t i = 0; i < count; i++) {
-    bar->min = i == 0 ? values[i] : fmin (bar->min, values[i]);
-    bar->max = i == 0 ? values[i] : fmax (bar->max, values[i]);
+    bar->min = fmin (bar->min, values[i]);
+    bar->max = fmax (bar->max, values[i]);
   }
-  if (spec->diverging) {
-    bar->max = fmax (fabs (bar->min), fabs (bar->max));
-    bar->min = -bar->max;
-  } else {
-    bar->min = fmin (bar->min, 0);
-  }
-}
-
-static QnColor
-bar_color (const QnSceneBuilder *b, double value)
-{
-  const QnColorBar *bar = &b->scene->bar;
-  int monochrome = b->options->monochrome;
-  if (bar->diverging)
-    return qn_map_diverging (bar->max > 0 ? value / bar->max : 0, monochrome);
-  double range = bar->max - bar->min;
-  return qn_map_sequential (range > 0 ? (value - bar->min) / range : 0, monochrome);
 }
 
 static void
@@ -154,8 +146,9 @@ add_joint_lines (QnSceneBuilder *b, const double *values)
                        qn_vec2_lerp (qn_builder_place (b, face->a, face->end),
                                      qn_builder_place (b, face->b, face->end), 0.5) };
     double share = b->scene->bar.max > 0 ? values[f] / b->scene->bar.max : 0;
-    QnCommand *command = qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false,
-                                          1.2 + 2.4 * share, bar_color (b, values[f]));
+    QnCommand *command = qn_scene_stroke (
+      b->scene, QN_LAYER_JOINTS, line, 2, false, 1.2 + 2.4 * share,
+      qn_color_bar_color (&b->scene->bar, values[f], b->options->monochrome));
     command->pick = QN_PICK_FACE;
     command->id = (QnId) f;
   }
@@ -180,6 +173,6 @@ qn_build_field (QnSceneBuilder *b)
   set_bar (b, spec, values, count);
   QnColor *colors = g_new (QnColor, MAX (count, 1));
   for (size_t i = 0; i < count; i++)
-    colors[i] = bar_color (b, values[i]);
+    colors[i] = qn_color_bar_color (&b->scene->bar, values[i], b->options->monochrome);
   return colors;
 }

@@ -193,3 +193,14 @@ qn_scene_line_factor (const QnScene *scene, const QnCamera *camera)
     return 1;
   return fmin (fmax (scene->fineness * camera->scale / 12 / full, 0.25), 1);
 }
+
+QnColor
+qn_color_bar_color (const QnColorBar *bar, double value, int monochrome)
+{
+  if (bar->diverging) {
+    double largest = fmax (fabs (bar->min), fabs (bar->max));
+    return qn_map_diverging (largest > 0 ? value / largest : 0, monochrome);
+  }
+  double range = bar->max - bar->min;
+  return qn_map_sequential (range > 0 ? (value - bar->min) / range : 0, monochrome);
+}

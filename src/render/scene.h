@@ -161,6 +161,9 @@ qn_scene_points (const QnScene *scene, const QnCommand *command)
   return &g_array_index (scene->points, QnVec2, command->first);
 }
 
+/* Colour of a value of the field: a diverging map is centred at zero. */
+QnColor qn_color_bar_color (const QnColorBar *bar, double value, int monochrome);
+
 /* Whether a command is worth drawing: inside the viewport and not below its least size. Both
  * back ends and the picker ask this one question. */
 bool qn_command_is_visible (const QnCommand *command, const QnCamera *camera,

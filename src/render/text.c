@@ -67,10 +67,18 @@ qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
                                                       : PANGO_ALIGN_LEFT);
   double set_width = style->width > 0 ? style->width : width;
   cairo_save (cr);
-  cairo_set_source_rgba (cr, color.r / 255.0, color.g / 255.0, color.b / 255.0,
-                         color.a / 255.0);
   cairo_translate (cr, x, y);
   cairo_rotate (cr, -angle);
+  if (style->halo > 0) {
+    cairo_move_to (cr, -align_x * set_width, -align_y * height);
+    pango_cairo_layout_path (cr, layout);
+    cairo_set_source_rgb (cr, 1, 1, 1);
+    cairo_set_line_width (cr, 2 * style->halo);
+    cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke (cr);
+  }
+  cairo_set_source_rgba (cr, color.r / 255.0, color.g / 255.0, color.b / 255.0,
+                         color.a / 255.0);
   cairo_move_to (cr, -align_x * set_width, -align_y * height);
   pango_cairo_show_layout (cr, layout);
   cairo_restore (cr);

@@ -10,8 +10,8 @@
 typedef struct QnTextStyle {
   double size; /* px, height of the font's em */
   bool bold;
-  double
-    width; /* px: wraps to at most two lines and then shortens; 0: one line as it is */
+  double halo;  /* px: rim of white that sets the text off its ground; 0: none */
+  double width; /* px: wraps to at most two lines, then shortens; 0: one line */
 } QnTextStyle;
 
 /* Size of the text in px. */

@@ -1,0 +1,238 @@
+#include "render/compare-sheet.h"
+
+#include "render/draw-cairo.h"
+#include "render/figure-furniture.h"
+#include "render/scene-fit.h"
+#include "render/text.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Space around the sheet and between its parts, pt. */
+#define SHEET_MARGIN 10.0
+#define CELL_GAP     12.0
+/* Between the foot of a structure and the words beneath it: room for symbols at the foot. */
+#define FOOT_GAP 4.0
+
+typedef struct SheetLayout {
+  const QnCompareSheet *sheet;
+  const QnPage *page;
+  cairo_t *cr;
+  GPtrArray *scenes;               /* of QnScene */
+  QnScene *legend;                 /* an empty scene with the legend of all */
+  double left, top, width, height; /* of the grid, px */
+  int columns, rows;
+  double words; /* px under each picture */
+  double scale; /* px per m, of all pictures */
+} SheetLayout;
+
+/* Entries of all scenes, each text once. */
+static QnScene *
+merge_legends (GPtrArray *scenes)
+{
+  QnScene *merged = qn_scene_new ();
+  g_autoptr (GHashTable) known = g_hash_table_new (g_str_hash, g_str_equal);
+  for (guint i = 0; i < scenes->len; i++) {
+    const QnScene *scene = g_ptr_array_index (scenes, i);
+    merged->monochrome = scene->monochrome;
+    for (guint k = 0; k < scene->legend->len; k++) {
+      QnLegendEntry entry = g_array_index (scene->legend, QnLegendEntry, k);
+      if (!g_hash_table_add (known, entry.text))
+        continue;
+      entry.text = g_strdup (entry.text);
+      g_array_append_val (merged->legend, entry);
+    }
+  }
+  return merged;
+}
+
+static QnCamera
+cell_viewport (const SheetLayout *s, size_t cell, int columns, int rows)
+{
+  double gap = CELL_GAP * s->page->unit;
+  double width = (s->width - (columns - 1) * gap) / columns;
+  double height = (s->height - (rows - 1) * gap) / rows;
+  int column = (int) cell % columns, row = (int) cell / columns;
+  return (QnCamera){ .x = s->left + column * (width + gap),
+                     .y = s->top + row * (height + gap),
+                     .width = fmax (width, 1),
+                     .height = fmax (height - s->words - FOOT_GAP * s->page->unit, 1),
+                     .scale = 1,
+                     .unit = s->page->unit };
+}
+
+/* The largest scale at which every scene fits its cell. */
+static double
+common_scale (const SheetLayout *s, int columns, int rows)
+{
+  double scale = (double) INFINITY;
+  for (guint i = 0; i < s->scenes->len; i++) {
+    QnCamera view = cell_viewport (s, i, columns, rows);
+    qn_scene_fit (&view, g_ptr_array_index (s->scenes, i), s->cr, 0);
+    scale = fmin (scale, view.scale);
+  }
+  return scale;
+}
+
+static void
+choose_grid (SheetLayout *s)
+{
+  int count = (int) s->sheet->count;
+  int first = s->sheet->columns > 0 ? MIN (s->sheet->columns, count) : 1;
+  int last = s->sheet->columns > 0 ? first : MIN (count, 12);
+  for (int columns = first; columns <= last; columns++) {
+    int rows = (count + columns - 1) / columns;
+    double scale = common_scale (s, columns, rows);
+    if (scale > s->scale * (1 + 1e-9)) {
+      s->scale = scale;
+      s->columns = columns;
+      s->rows = rows;
+    }
+  }
+}
+
+static void
+draw_words (const SheetLayout *s, const QnFigure *figure, const QnScene *scene,
+            const QnCamera *view)
+{
+  double u = s->page->unit;
+  QnColor ink = qn_ink (QN_INK_LINE, figure->options.monochrome);
+  QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = view->width };
+  QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = view->width };
+  const char *title = figure->title != NULL ? figure->title : figure->model->title;
+  g_autofree char *own =
+    figure->caption == NULL ? qn_figure_dup_caption (figure, scene, true) : NULL;
+  const char *caption = figure->caption != NULL ? figure->caption : own;
+  double x = view->x + 0.5 * view->width, y = view->y + view->height;
+  if (title != NULL && *title != '\0') {
+    double width, height;
+    qn_text_measure (s->cr, &bold, title, &width, &height);
+    qn_text_draw (s->cr, &bold, title, x, y, 0.5, 0, 0, ink);
+    y += height;
+  }
+  qn_text_draw (s->cr, &plain, caption, x, y, 0.5, 0, 0, ink);
+}
+
+/* Height in px of the largest words under a picture, for cells of one column's width. */
+static double
+measure_words (const SheetLayout *s, int columns)
+{
+  double u = s->page->unit, largest = 0;
+  double width = (s->width - (columns - 1) * CELL_GAP * u) / columns;
+  for (size_t i = 0; i < s->sheet->count; i++) {
+    const QnFigure *figure = &s->sheet->figures[i];
+    const QnScene *scene = g_ptr_array_index (s->scenes, i);
+    QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = width };
+    QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = width };
+    const char *title = figure->title != NULL ? figure->title : figure->model->title;
+    g_autofree char *own =
+      figure->caption == NULL ? qn_figure_dup_caption (figure, scene, true) : NULL;
+    double w, a = 0, b;
+    if (title != NULL && *title != '\0')
+      qn_text_measure (s->cr, &bold, title, &w, &a);
+    qn_text_measure (s->cr, &plain, figure->caption != NULL ? figure->caption : own, &w,
+                     &b);
+    largest = fmax (largest, a + b);
+  }
+  return largest;
+}
+
+static void
+draw_cells (const SheetLayout *s)
+{
+  for (guint i = 0; i < s->scenes->len; i++) {
+    const QnScene *scene = g_ptr_array_index (s->scenes, i);
+    QnCamera view = cell_viewport (s, i, s->columns, s->rows);
+    qn_scene_fit (&view, scene, s->cr, s->scale);
+    /* The structures of a row stand on one ground. */
+    QnVec2 foot = qn_camera_to_screen (&view, scene->box.min);
+    view.center.y += (view.y + view.height - foot.y) / view.scale;
+    view.height += FOOT_GAP * view.unit;
+    view.center.y -= 0.5 * FOOT_GAP * view.unit / view.scale;
+    qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->page->antialias, s->cr, NULL);
+    draw_words (s, &s->sheet->figures[i], scene, &view);
+  }
+}
+
+static void
+draw_sheet (SheetLayout *s)
+{
+  double u = s->page->unit, margin = SHEET_MARGIN * u;
+  s->left = margin;
+  s->top = margin;
+  s->width = s->page->width - 2 * margin;
+  s->height = s->page->height - 2 * margin;
+  if (s->sheet->title != NULL && *s->sheet->title != '\0') {
+    QnTextStyle style = { .size = 11 * u, .bold = true, .width = s->width };
+    double width, height;
+    qn_text_measure (s->cr, &style, s->sheet->title, &width, &height);
+    qn_text_draw (s->cr, &style, s->sheet->title, s->left, s->top, 0, 0, 0,
+                  qn_ink (QN_INK_LINE, s->legend->monochrome));
+    s->top += height + 8 * u;
+    s->height -= height + 8 * u;
+  }
+
+  QnFurniture furniture;
+  qn_furniture_init (&furniture, s->legend, s->cr, u, s->width, true);
+  furniture.width = s->width;
+  furniture.height = qn_furniture_row_height (&furniture, s->width);
+  bool legend = s->sheet->figures[0].options.legend && furniture.height < 0.4 * s->height;
+  if (legend)
+    s->height -= furniture.height + 10 * u;
+  furniture.x = s->left;
+  furniture.y = s->page->height - margin - furniture.height;
+
+  int guess = s->sheet->columns > 0 ? s->sheet->columns
+                                    : (int) ceil (sqrt ((double) s->sheet->count));
+  s->words = measure_words (s, MAX (guess, 1));
+  choose_grid (s);
+  draw_cells (s);
+  if (legend)
+    qn_furniture_draw (&furniture, s->cr, s->scale, false);
+  qn_furniture_clear (&furniture);
+}
+
+static bool
+draw_sheet_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
+{
+  const QnCompareSheet *sheet = data;
+  g_autoptr (GPtrArray) scenes =
+    g_ptr_array_new_with_free_func ((GDestroyNotify) qn_scene_free);
+  for (size_t i = 0; i < sheet->count; i++) {
+    const QnFigure *figure = &sheet->figures[i];
+    QnScene *scene = qn_scene_build (figure->model, figure->contacts, figure->result,
+                                     &figure->options, error);
+    if (scene == NULL) {
+      g_prefix_error (error, "%s: ",
+                      figure->title != NULL          ? figure->title
+                      : figure->model->title != NULL ? figure->model->title
+                                                     : _ ("untitled"));
+      return false;
+    }
+    g_ptr_array_add (scenes, scene);
+  }
+  cairo_set_antialias (cr,
+                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
+  g_autoptr (QnScene) legend = merge_legends (scenes);
+  SheetLayout layout = {
+    .sheet = sheet, .page = page, .cr = cr, .scenes = scenes, .legend = legend
+  };
+  draw_sheet (&layout);
+  return true;
+}
+
+bool
+qn_compare_sheet_export (const QnCompareSheet *sheet, const char *path,
+                         const QnOutput *output, const QnMetadata *metadata,
+                         GError **error)
+{
+  if (sheet->count == 0) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("there is nothing to compare"));
+    return false;
+  }
+  QnMetadata full = *metadata;
+  if (full.title == NULL)
+    full.title = sheet->title;
+  QnCompareSheet copy = *sheet;
+  return qn_page_export (path, output, &full, draw_sheet_page, &copy, error);
+}

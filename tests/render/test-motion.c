@@ -1,0 +1,104 @@
+#include "render/fixture.h"
+#include "render/motion.h"
+
+#include <glib.h>
+
+static void
+test_linear_rotation (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 2);
+  double u[6] = { 0, 0, 0, 0.1, 0.2, 0.01 };
+  QnMotion motion = { .model = &f.model, .displacements = u, .linear = true, .scale = 1 };
+  QnVec2 p = qn_motion_place (&motion, 1, qn_vec2 (1, 2), 10);
+  g_assert_cmpfloat_with_epsilon (p.x, 1 + 10 * 0.1 - 10 * 0.01 * 1, 1e-12);
+  g_assert_cmpfloat_with_epsilon (p.y, 2 + 10 * 0.2 + 10 * 0.01 * 0.5, 1e-12);
+  fixture_clear (&f);
+}
+
+static void
+test_exact_rotation_keeps_lengths (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 2);
+  double u[6] = { 0, 0, 0, 0.1, 0.2, 0.5 };
+  QnMotion motion = {
+    .model = &f.model, .displacements = u, .linear = false, .scale = 1
+  };
+  QnVec2 a = qn_motion_place (&motion, 1, qn_vec2 (0, 0), 2);
+  QnVec2 b = qn_motion_place (&motion, 1, qn_vec2 (1, 2), 2);
+  g_assert_cmpfloat_with_epsilon (qn_vec2_length (qn_vec2_sub (b, a)), sqrt (5), 1e-12);
+  fixture_clear (&f);
+}
+
+/* The block turns about its lower right corner: one hinge there, an open joint, no sliding. */
+static void
+test_overturning_block (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 0.5, 1.5);
+  QnMotion motion = {
+    .model = &f.model, .displacements = f.result.mechanism, .linear = true, .scale = 1
+  };
+  g_autofree QnJoint *joints = qn_motion_joints (&motion, &f.contacts, NULL);
+  const QnContactFace *face = &f.contacts.faces[0];
+  bool start_is_right = face->start.x > 0.25;
+  g_assert_true ((start_is_right ? joints->open_end : joints->open_start));
+  g_assert_false ((start_is_right ? joints->open_start : joints->open_end));
+  g_assert_false (joints->sliding);
+  double lifted = fmax (joints->opening_start, joints->opening_end);
+  g_assert_cmpfloat_with_epsilon (lifted, 0.2 * 0.5, 1e-12);
+
+  int opening, sliding;
+  g_assert_cmpint (qn_joints_class (joints, 1, &opening, &sliding), ==,
+                   QN_MECHANISM_ROCKING);
+  g_assert_cmpint (opening, ==, 1);
+  g_assert_cmpint (sliding, ==, 0);
+  fixture_clear (&f);
+}
+
+static void
+test_sliding_block (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 1);
+  double u[6] = { 0, 0, 0, 1, 0, 0 };
+  QnMotion motion = { .model = &f.model, .displacements = u, .linear = true, .scale = 1 };
+  g_autofree QnJoint *joints = qn_motion_joints (&motion, &f.contacts, NULL);
+  g_assert_true (joints->sliding);
+  g_assert_cmpfloat_with_epsilon (joints->slip * f.contacts.faces[0].tangent.x, 1, 1e-12);
+  g_assert_cmpint (qn_joints_class (joints, 1, NULL, NULL), ==, QN_MECHANISM_SLIDING);
+  fixture_clear (&f);
+}
+
+static void
+test_auto_scale (void)
+{
+  Fixture f;
+  fixture_init_wall (&f, 5, 11);
+  QnMotion motion = { .model = &f.model, .linear = true, .scale = 1 };
+  g_assert_cmpfloat (qn_motion_auto_scale (&motion), ==, 1);
+  motion.displacements = f.result.mechanism;
+  double first = qn_motion_auto_scale (&motion);
+  motion.displacements =
+    qn_result_step_displacements (&f.result, f.result.step_count - 1);
+  double second = qn_motion_auto_scale (&motion);
+  g_assert_cmpfloat (second / first, >, 900);
+  g_assert_cmpfloat (second / first, <, 1100);
+  double diagonal = hypot (2, 12 * 0.175);
+  g_assert_cmpfloat (second * qn_motion_largest (&motion), <=, diagonal / 12);
+  g_assert_cmpfloat (second * qn_motion_largest (&motion), >, 0.9 * diagonal / 12);
+  fixture_clear (&f);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/motion/linear", test_linear_rotation);
+  g_test_add_func ("/render/motion/exact", test_exact_rotation_keeps_lengths);
+  g_test_add_func ("/render/motion/overturning", test_overturning_block);
+  g_test_add_func ("/render/motion/sliding", test_sliding_block);
+  g_test_add_func ("/render/motion/auto-scale", test_auto_scale);
+  return g_test_run ();
+}
