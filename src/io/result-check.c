@@ -6,15 +6,14 @@
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
 
-/* Face overrides by their two blocks, so that a pair finds its own at once. */
+/* Laws of the face overrides by their two blocks, so that a pair finds its own at once; of two
+ * overrides for the same blocks the later counts. */
 static GHashTable *
 index_overrides (const QnModel *model)
 {
   GHashTable *index = g_hash_table_new_full (g_int64_hash, g_int64_equal, g_free, NULL);
   for (size_t i = 0; i < model->override_count; i++) {
     const QnFaceOverride *override = &model->overrides[i];
-    if (override->law == QN_NONE)
-      continue;
     gint64 *key = g_new (gint64, 1);
     *key = (gint64) MIN (override->block_a, override->block_b) << 32
            | MAX (override->block_a, override->block_b);

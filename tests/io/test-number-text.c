@@ -1,0 +1,65 @@
+#include "io/number-text.h"
+
+#include <glib.h>
+#include <math.h>
+
+static void
+expect (double number, const char *text)
+{
+  char buffer[QN_NUMBER_TEXT_SIZE];
+  g_assert_cmpstr (qn_number_text (number, buffer), ==, text);
+}
+
+static void
+test_shortest (void)
+{
+  expect (0, "0");
+  expect (-0.0, "0");
+  expect (1, "1");
+  expect (-350, "-350");
+  expect (1e7, "10000000");
+  expect (0.1, "0.1");
+  expect (0.175, "0.175");
+  expect (1e-6, "1e-6");
+  expect (-1.5e-10, "-1.5e-10");
+  expect (1e20, "1e20");
+  expect (1e300, "1e300");
+  expect (1.0 / 3, "0.3333333333333333");
+  expect (0.1 + 0.2, "0.30000000000000004");
+}
+
+static void
+test_not_finite (void)
+{
+  expect (INFINITY, "null");
+  expect (-INFINITY, "null");
+  expect (NAN, "null");
+}
+
+/* Whatever the bits, the same double comes back. */
+static void
+test_round_trip (void)
+{
+  GRand *random = g_rand_new_with_seed (7);
+  for (int i = 0; i < 100000; i++) {
+    union {
+      guint64 bits;
+      double number;
+    } value = { (guint64) g_rand_int (random) << 32 | g_rand_int (random) };
+    char text[QN_NUMBER_TEXT_SIZE];
+    if (isfinite (value.number))
+      g_assert_true (g_ascii_strtod (qn_number_text (value.number, text), NULL)
+                     == value.number);
+  }
+  g_rand_free (random);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/number-text/shortest", test_shortest);
+  g_test_add_func ("/number-text/not-finite", test_not_finite);
+  g_test_add_func ("/number-text/round-trip", test_round_trip);
+  return g_test_run ();
+}
