@@ -28,31 +28,38 @@ qn_basis_name (QnBasis basis)
 QnStatus
 qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
 {
-  const double positive[] = { law->kn, law->ks };
-  const double not_negative[] = { law->friction, law->cohesion, law->tension,
-                                  law->dilatancy };
-  QnProblem problem = QN_PROBLEM_NONE;
+  const struct {
+    const char *field;
+    double value;
+    bool positive;
+  } numbers[] = {
+    { "kn", law->kn, true },
+    { "ks", law->ks, true },
+    { "friction", law->friction, false },
+    { "cohesion", law->cohesion, false },
+    { "tension", law->tension, false },
+    { "dilatancy", law->dilatancy, false },
+  };
 
   if (law->name == NULL || law->name[0] == '\0')
-    problem = QN_PROBLEM_NAME_MISSING;
-  for (size_t i = 0; i < QN_N_ELEMENTS (positive) && problem == QN_PROBLEM_NONE; i++) {
-    if (!isfinite (positive[i]))
+    return qn_diag_set_field (diag, QN_PROBLEM_NAME_MISSING, QN_ENTITY_LAW, index, "name",
+                              0);
+  for (size_t i = 0; i < QN_N_ELEMENTS (numbers); i++) {
+    double value = numbers[i].value;
+    QnProblem problem = QN_PROBLEM_NONE;
+    if (!isfinite (value))
       problem = QN_PROBLEM_NOT_FINITE;
-    else if (positive[i] <= 0)
+    else if (numbers[i].positive && value <= 0)
       problem = QN_PROBLEM_NOT_POSITIVE;
-  }
-  for (size_t i = 0; i < QN_N_ELEMENTS (not_negative) && problem == QN_PROBLEM_NONE;
-       i++) {
-    if (!isfinite (not_negative[i]))
-      problem = QN_PROBLEM_NOT_FINITE;
-    else if (not_negative[i] < 0)
+    else if (value < 0)
       problem = QN_PROBLEM_NEGATIVE;
+    if (problem != QN_PROBLEM_NONE)
+      return qn_diag_set_field (diag, problem, QN_ENTITY_LAW, index, numbers[i].field,
+                                value);
   }
-  if (problem == QN_PROBLEM_NONE && law->dilatancy > law->friction)
-    problem = QN_PROBLEM_DILATANCY_ABOVE_FRICTION;
-
-  if (problem != QN_PROBLEM_NONE)
-    return qn_diag_set (diag, QN_ERROR_INVALID, problem, QN_ENTITY_LAW, index, QN_NONE);
+  if (law->dilatancy > law->friction)
+    return qn_diag_set_field (diag, QN_PROBLEM_DILATANCY_ABOVE_FRICTION, QN_ENTITY_LAW,
+                              index, "dilatancy", law->dilatancy);
   return QN_OK;
 }
 

@@ -81,6 +81,10 @@ read_law (const QnPlace *place, QnModel *model)
     return FALSE;
   qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
+  if (name[0] == '\0') {
+    QnPlace member = qn_place_member (place, "name");
+    return qn_place_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
+  }
   QnLaw *law = qn_model_add_law (model, name);
   if (law == NULL)
     return qn_place_no_memory (place);

@@ -93,7 +93,6 @@ test_errors (void)
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnJsonScanner scanner;
     char *found = tokens (cases[i].text, &scanner);
-    g_test_message ("%s: %s", cases[i].text, scanner.problem);
     g_assert_true (g_str_has_suffix (found, "E"));
     g_assert_nonnull (strstr (scanner.problem, cases[i].problem));
     g_assert_cmpuint (scanner.start, ==, cases[i].at);

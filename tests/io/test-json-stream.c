@@ -88,7 +88,7 @@ test_errors (void)
     { "{ \"count\": 2147483648 }",
       "f:1:12: count: expected a whole number that is not negative" },
     { "{ \"name\": 1 }", "f:1:11: name: expected a string" },
-    { "{ \"triple\": [1, 2] }", "f:1:19: triple: expected a number" },
+    { "{ \"triple\": [1, 2] }", "f:1:18: triple: expected a number" },
     { "{ \"triple\": [1, 2, 3, 4] }", "f:1:23: triple: array has too many elements" },
     { "{ \"sum\": 1 }", "f:1:10: sum: expected an array" },
     { "{ \"sum\": [1, \"2\"] }", "f:1:14: sum[1]: expected a number" },

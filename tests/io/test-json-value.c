@@ -108,7 +108,7 @@ test_errors (Fixture *fixture, gconstpointer data)
   g_assert_false (qn_member_number (root, "n", QN_REQUIRED, QN_RANGE_POSITIVE, &number));
   expect_error (fixture, "f:1:8: n: number must be positive");
   g_assert_false (qn_member_number (root, "inf", QN_REQUIRED, QN_RANGE_FINITE, &number));
-  expect_error (fixture, "f:2:49: inf: number is not finite");
+  expect_error (fixture, "f:2:48: inf: number is not finite");
   g_assert_false (qn_member_number (root, "s", QN_REQUIRED, QN_RANGE_FINITE, &number));
   expect_error (fixture, "f:1:37: s: expected a number, found a string");
   g_assert_false (qn_member_count (root, "h", QN_REQUIRED, 9, &count));
@@ -143,7 +143,7 @@ test_warnings (Fixture *fixture, gconstpointer data)
   qn_place_warn_unknown (&fixture->root, known, G_N_ELEMENTS (known));
   g_assert_cmpuint (fixture->reader.warnings->len, ==, 1);
   g_assert_cmpstr (g_ptr_array_index (fixture->reader.warnings, 0), ==,
-                   "f:2:49: inf: unknown key");
+                   "f:2:48: inf: unknown key");
 
   for (guint i = 0; i < 2 * QN_READER_MAX_WARNINGS; i++)
     qn_place_warn (&fixture->root, "again");

@@ -62,20 +62,20 @@ test_loads (void)
 {
   static const Case cases[] = {
     { "{ \"kind\": \"wind\" }",
-      "9:32: loads.dead[0].kind: \"wind\" is none of weight, force" },
+      "9:34: loads.dead[0].kind: \"wind\" is none of weight, force" },
     { "{ \"kind\": \"weight\" }",
-      "9:22: loads.dead[0].direction: required key is missing" },
+      "9:24: loads.dead[0].direction: required key is missing" },
     { "{ \"kind\": \"weight\", \"direction\": [0] }",
-      "9:55: loads.dead[0].direction: expected two numbers" },
+      "9:57: loads.dead[0].direction: expected two numbers" },
     { "{ \"kind\": \"force\", \"value\": [0, 1] }",
-      "9:22: loads.dead[0].block: required key is missing" },
+      "9:24: loads.dead[0].block: required key is missing" },
     { "{ \"kind\": \"force\", \"block\": \"x\", \"value\": [0, 1] }",
-      "9:50: loads.dead[0].block: no block has this name: \"x\"" },
+      "9:52: loads.dead[0].block: no block has this name: \"x\"" },
     { "{ \"kind\": \"force\", \"block\": \"top\" }",
-      "9:22: loads.dead[0].value: required key is missing" },
+      "9:24: loads.dead[0].value: required key is missing" },
     { "{ \"kind\": \"force\", \"block\": \"top\", \"value\": [0, 1], \"moment\": true }",
-      "9:84: loads.dead[0].moment: expected a number, found true or false" },
-    { "3", "9:22: loads.dead[0]: expected an object, found a number" },
+      "9:86: loads.dead[0].moment: expected a number, found true or false" },
+    { "3", "9:24: loads.dead[0]: expected an object, found a number" },
   };
   expect_errors ("{ \"kind\": \"weight\", \"direction\": [0, -1] }", cases,
                  G_N_ELEMENTS (cases));
@@ -102,13 +102,13 @@ test_analysis (void)
       "9:28: analysis.control.block: required key is missing" },
     { "\"analysis\": { \"control\": { \"block\": \"top\", \"component\": \"uz\", "
       "\"target\": 1 } },",
-      "9:60: analysis.control.component: \"uz\" is none of ux, uy, rz" },
+      "9:59: analysis.control.component: \"uz\" is none of ux, uy, rz" },
     { "\"analysis\": { \"control\": { \"block\": \"top\", \"component\": \"ux\", "
       "\"target\": 0 } },",
-      "9:76: analysis.control.target: control target is zero" },
+      "9:75: analysis.control.target: control target is zero" },
     { "\"analysis\": { \"control\": { \"block\": \"base\", \"component\": \"ux\", "
       "\"target\": 1 } },",
-      "9:61: analysis.control.component: controlled degree of freedom is fixed" },
+      "9:60: analysis.control.component: controlled degree of freedom is fixed" },
     { "\"analysis\": { \"procedure\": \"displacement\" },",
       "9:15: analysis.control: procedure needs a control block and target" },
   };

@@ -49,8 +49,8 @@ test_laws (void)
       "4:92: laws[0].basis: \"joint\" is none of contact, surface, material" },
     { "0.65 } ]",
       "0.65 }, { \"name\": \"joint\", \"kind\": \"elastic\", \"kn\": 1, \"ks\": 1 } ]",
-      "4:94: laws[1].name: name is used twice" },
-    { "0.65 } ]", "0.65 }, 3 ]", "4:84: laws[1]: expected an object, found a number" },
+      "4:95: laws[1].name: name is used twice" },
+    { "0.65 } ]", "0.65 }, 3 ]", "4:85: laws[1]: expected an object, found a number" },
   };
   expect_errors (test_project_text, cases, G_N_ELEMENTS (cases));
 }
@@ -60,36 +60,36 @@ test_blocks (void)
 {
   static const Case cases[] = {
     { "[[0, -1], [2, -1], [2, 0], [0, 0]]", "[]",
-      "6:33: blocks[0].vertices: polygon has fewer than three vertices (block "
+      "6:35: blocks[0].vertices: polygon has fewer than three vertices (block "
       "\"base\")" },
     { "[[0, -1], [2, -1], [2, 0], [0, 0]]", "[[0, -1], [2, -1]]",
-      "6:33: blocks[0].vertices: polygon has fewer than three vertices (block "
+      "6:35: blocks[0].vertices: polygon has fewer than three vertices (block "
       "\"base\")" },
     { "[[0, -1], [2, -1], [2, 0], [0, 0]]", "[[0, 0], [1, 0], [2, 0]]",
-      "6:33: blocks[0].vertices: polygon has no area (block \"base\")" },
+      "6:35: blocks[0].vertices: polygon has no area (block \"base\")" },
     { "[[0, -1], [2, -1], [2, 0], [0, 0]]", "[[0, -1], [2, 0], [2, -1], [0, 0]]",
-      "6:33: blocks[0].vertices: polygon crosses itself (block \"base\")" },
+      "6:35: blocks[0].vertices: polygon crosses itself (block \"base\")" },
     { "[2, -1], [2, 0]", "[2, -1], [2, -1], [2, 0]",
-      "6:52: blocks[0].vertices[2]: polygon repeats a vertex (block \"base\")" },
-    { "[2, -1]", "[2]", "6:43: blocks[0].vertices[1]: expected two numbers" },
+      "6:54: blocks[0].vertices[2]: polygon repeats a vertex (block \"base\")" },
+    { "[2, -1]", "[2]", "6:45: blocks[0].vertices[1]: expected two numbers" },
     { "[2, -1]", "[2, \"-1\"]",
-      "6:47: blocks[0].vertices[1][1]: expected a number, found a string" },
-    { "[2, -1]", "[2, 1e999]", "6:47: blocks[0].vertices[1][1]: number is not finite" },
+      "6:49: blocks[0].vertices[1][1]: expected a number, found a string" },
+    { "[2, -1]", "[2, 1e999]", "6:49: blocks[0].vertices[1][1]: number is not finite" },
     { "\"vertices\": [[0, -1], [2, -1], [2, 0], [0, 0]], ", "",
       "6:5: blocks[0].vertices: required key is missing" },
     { "\"thickness\": 1", "\"thickness\": -1",
-      "6:82: blocks[0].thickness: number must be positive" },
+      "6:84: blocks[0].thickness: number must be positive" },
     { "\"thickness\": 1, ", "", "6:5: blocks[0].thickness: required key is missing" },
     { "\"unit_weight\": 10000", "\"unit_weight\": -1",
-      "6:100: blocks[0].unit_weight: number must not be negative" },
+      "6:102: blocks[0].unit_weight: number must not be negative" },
     { "\"unit_weight\": 10000, ", "",
       "6:5: blocks[0].unit_weight: required key is missing" },
     { "\"unit_weight\": 10000", "\"unit_weight\": 10000, \"density\": 1000",
-      "6:118: blocks[0].density: density and unit_weight exclude each other" },
+      "6:120: blocks[0].density: density and unit_weight exclude each other" },
     { "[true, true, true]", "[true, true]",
-      "6:118: blocks[0].support: expected three values: ux, uy, rz fixed or not" },
+      "6:120: blocks[0].support: expected three values: ux, uy, rz fixed or not" },
     { "[true, true, true]", "[true, 1, true]",
-      "6:125: blocks[0].support[1]: expected true or false" },
+      "6:127: blocks[0].support[1]: expected true or false" },
     { "\"name\": \"top\"", "\"name\": \"base\"",
       "7:15: blocks[1].name: name is used twice (block \"base\")" },
     { "\"name\": \"top\"", "\"name\": \"top\", \"law\": \"glue\"",
@@ -108,14 +108,14 @@ static void
 test_walls (void)
 {
   static const Case cases[] = {
-    { "[1, 2]]", "[1, 0]]", "5:84: walls[0].courses[1][1]: length in a course is zero" },
-    { "[1, 2]]", "[1, 1e9]]", "5:84: walls[0].courses[1][1]: number is too large" },
-    { "[1, 2]]", "[]]", "5:80: walls[0].courses[1]: course is empty" },
-    { "[1, 2]]", "3]", "5:80: walls[0].courses[1]: expected an array, found a number" },
+    { "[1, 2]]", "[1, 0]]", "5:81: walls[0].courses[1][1]: length in a course is zero" },
+    { "[1, 2]]", "[1, 1e9]]", "5:81: walls[0].courses[1][1]: number is too large" },
+    { "[1, 2]]", "[]]", "5:77: walls[0].courses[1]: course is empty" },
+    { "[1, 2]]", "3]", "5:77: walls[0].courses[1]: expected an array, found a number" },
     { "[1, 2]]", "[1, null]]",
-      "5:84: walls[0].courses[1][1]: expected a number, found null" },
-    { "[[1], [1, 2]]", "[]", "5:74: walls[0].courses: course is empty" },
-    { "[1, 1]", "[1, -1]", "5:42: walls[0].unit: number must be positive" },
+      "5:81: walls[0].courses[1][1]: expected a number, found null" },
+    { "[[1], [1, 2]]", "[]", "5:71: walls[0].courses: course is empty" },
+    { "[1, 1]", "[1, -1]", "5:36: walls[0].unit: number must be positive" },
     { "\"unit\": [1, 1], ", "", "5:13: walls[0].unit: required key is missing" },
     { "\"name\": \"w\"", "\"name\": \"\"", "5:23: walls[0].name: name is empty" },
   };

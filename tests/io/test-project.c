@@ -77,7 +77,7 @@ test_errors (void)
   qn_diag_set (&diag, QN_ERROR_INVALID, QN_PROBLEM_BLOCK_FLOATING, QN_ENTITY_BLOCK, 5,
                QN_NONE);
   expect_error (&project, &diag, QN_IO_ERROR_INVALID,
-                "wall.quoin:9:50: walls[1].courses[1][2]: block is not connected to any "
+                "wall.quoin:9:56: walls[1].courses[1][2]: block is not connected to any "
                 "support (block \"w.2.2\")");
 
   qn_diag_set_field (&diag, QN_PROBLEM_LAW_MISSING, QN_ENTITY_CONTACT, QN_NONE, "law", 0);
