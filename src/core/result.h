@@ -2,6 +2,7 @@
 #ifndef QN_CORE_RESULT_H
 #define QN_CORE_RESULT_H
 
+#include "core/contact-pair.h"
 #include "core/contacts.h"
 
 typedef enum {
@@ -15,13 +16,6 @@ typedef enum {
 } QnOutcome;
 
 typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT } QnEvent;
-
-typedef enum {
-  QN_PAIR_STICK,
-  QN_PAIR_SLIP,
-  QN_PAIR_OPEN,
-  QN_PAIR_STATE_COUNT
-} QnPairState;
 
 /* One converged equilibrium. The first step is the dead load alone, multiplier 0. */
 typedef struct QnStep {

@@ -21,5 +21,18 @@
 
 /* Overlaps up to so many contact tolerances are reported, deeper ones refused. */
 #define QN_NEAR_MISS_OVERLAP 10.0
+/* Two springs in series carry the same force to this part of it: four digits above the
+ * rounding of double precision, six below the default residual tolerance. */
+#define QN_TOLERANCE_SERIES 1e-12
+
+/* Multipliers are resolved relative to themselves, but no finer than relative to this part of
+ * the first increment: a structure that stands under no live load at all has multiplier 0. */
+#define QN_TOLERANCE_MULTIPLIER_FLOOR 1e-2
+
+/* A matrix whose pivots differ by more than this is singular to working precision. */
+#define QN_TOLERANCE_SINGULAR 1e-15
+
+/* Reciprocal pivot growth below which a refactorisation chooses new pivots. */
+#define QN_TOLERANCE_PIVOT_GROWTH 1e-6
 
 #endif

@@ -1,0 +1,55 @@
+#include "core/analysis.h"
+
+#include "core/path.h"
+
+#include "core/clock.h"
+
+/* Refuses what no solver of this version can do. */
+static QnStatus
+check_settings (const QnAnalysisSettings *settings, QnDiag *diag)
+{
+  if (settings->procedure != QN_PROCEDURE_LOAD)
+    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_PROCEDURE_UNSUPPORTED,
+                        QN_ENTITY_ANALYSIS, QN_NONE, QN_NONE);
+  if (settings->geometry != QN_GEOMETRY_LINEAR)
+    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_GEOMETRY_UNSUPPORTED,
+                        QN_ENTITY_ANALYSIS, QN_NONE, QN_NONE);
+  return QN_OK;
+}
+
+static QnStatus
+follow_path (QnPath *path, QnDiag *diag)
+{
+  bool stands = false;
+  QnStatus status = qn_path_apply_dead_load (path, &stands, diag);
+
+  if (status != QN_OK || !stands)
+    return status;
+  return qn_path_load_control (path, diag);
+}
+
+QnStatus
+qn_analysis_run (const QnModel *model, const QnContacts *contacts,
+                 QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
+{
+  double start = qn_clock_seconds ();
+  QnPath path;
+
+  *result = (QnResult){ 0 };
+  QnStatus status = check_settings (&model->analysis, diag);
+  if (status != QN_OK)
+    return status;
+
+  status = qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
+  if (status == QN_OK)
+    status = follow_path (&path, diag);
+  if (status == QN_OK) {
+    qn_assembly_pair_results (&path.equilibrium.assembly, result->pairs);
+    result->statistics = path.equilibrium.statistics;
+    result->statistics.seconds = qn_clock_seconds () - start;
+  } else {
+    qn_result_clear (result);
+  }
+  qn_path_clear (&path);
+  return status;
+}

@@ -1,0 +1,388 @@
+#include "core/assembly.h"
+
+#include "core/memory.h"
+#include "core/sparse.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Setting up ------------------------------------------------------------------------- */
+
+static bool
+allocate (QnAssembly *as)
+{
+  size_t pairs = as->pair_count, n = (size_t) as->unknown_count;
+
+  as->geometry = qn_alloc (pairs, sizeof *as->geometry);
+  as->springs = qn_alloc (pairs, sizeof *as->springs);
+  as->committed = qn_alloc (pairs, sizeof *as->committed);
+  as->responses = qn_alloc (pairs, sizeof *as->responses);
+  as->dead = qn_alloc (n, sizeof (double));
+  as->live = qn_alloc (n, sizeof (double));
+  as->damping = qn_alloc (n, sizeof (double));
+  as->diagonal = qn_alloc (n, sizeof *as->diagonal);
+  as->scatter = qn_alloc (as->contacts->face_count * 36, sizeof *as->scatter);
+  return as->geometry && as->springs && as->committed && as->responses && as->dead
+         && as->live && as->damping && as->diagonal && as->scatter;
+}
+
+static bool
+number_unknowns (QnAssembly *as)
+{
+  const QnModel *model = as->model;
+
+  as->unknown = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *as->unknown);
+  if (as->unknown == NULL)
+    return false;
+  as->unknown_count = 0;
+  for (size_t b = 0; b < model->block_count; b++)
+    for (int i = 0; i < QN_DOF_COUNT; i++)
+      as->unknown[QN_DOF_COUNT * b + i] =
+        model->blocks[b].support[i] ? QN_NONE : as->unknown_count++;
+  return true;
+}
+
+/* Extent of a block along a direction, m: the length of material behind its side. */
+static double
+block_extent (const QnModel *model, QnId block, QnVec2 direction)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  double low = 0, high = 0;
+
+  for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
+    double s = qn_vec2_dot (qn_vec2_sub (v[i], v[0]), direction);
+    low = fmin (low, s);
+    high = fmax (high, s);
+  }
+  return high - low;
+}
+
+/* d q / d u of a pair:  q = e . (u_B - u_A),  u_A = u_a + rz_a x r_A,  e = normal, tangent */
+static void
+pair_geometry (const QnAssembly *as, const QnContactFace *face, QnVec2 point,
+               QnPairGeometry *geometry)
+{
+  QnVec2 ra = qn_vec2_sub (point, as->model->blocks[face->a].centroid);
+  QnVec2 rb = qn_vec2_sub (point, as->model->blocks[face->b].centroid);
+  const QnVec2 axes[2] = { face->normal, face->tangent };
+
+  for (int i = 0; i < 2; i++) {
+    double *g = geometry->gradient[i];
+    g[0] = -axes[i].x;
+    g[1] = -axes[i].y;
+    g[2] = -qn_vec2_cross (ra, axes[i]) / as->length;
+    g[3] = axes[i].x;
+    g[4] = axes[i].y;
+    g[5] = qn_vec2_cross (rb, axes[i]) / as->length;
+  }
+}
+
+static void
+prepare_pairs (QnAssembly *as)
+{
+  const QnContacts *contacts = as->contacts;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    const QnLaw *law_a = &as->model->laws[face->law_a],
+                *law_b = &as->model->laws[face->law_b];
+    double area = pair->tributary * face->thickness;
+    /* The side of a block reaches to its middle; the other half belongs to the far side. */
+    double side_a = 0.5 * block_extent (as->model, face->a, face->normal);
+    double side_b = 0.5 * block_extent (as->model, face->b, face->normal);
+
+    pair_geometry (as, face, pair->point, &as->geometry[p]);
+    as->springs[p] = qn_pair_springs (qn_spring_from_law (law_a, area, side_a),
+                                      qn_spring_from_law (law_b, area, side_b));
+  }
+}
+
+static void
+face_unknowns (const QnAssembly *as, const QnContactFace *face, int32_t unknowns[6])
+{
+  for (int i = 0; i < QN_DOF_COUNT; i++) {
+    unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
+    unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
+  }
+}
+
+/* Pattern of K: every block couples with itself and with the blocks it touches. */
+static QnStatus
+build_pattern (QnAssembly *as, QnDiag *diag)
+{
+  const QnContacts *contacts = as->contacts;
+  QnSparsePattern pattern;
+  bool ok = qn_sparse_pattern_init (
+    &pattern, as->unknown_count, as->model->block_count * 9 + contacts->face_count * 36);
+
+  for (size_t b = 0; ok && b < as->model->block_count; b++)
+    ok = qn_sparse_pattern_add_clique (&pattern, as->unknown + QN_DOF_COUNT * b,
+                                       QN_DOF_COUNT);
+  for (size_t f = 0; ok && f < contacts->face_count; f++) {
+    int32_t unknowns[6];
+    face_unknowns (as, &contacts->faces[f], unknowns);
+    ok = qn_sparse_pattern_add_clique (&pattern, unknowns, 6);
+  }
+  ok = ok && qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
+  qn_sparse_pattern_clear (&pattern);
+  if (ok)
+    as->ax = qn_alloc ((size_t) as->ap[as->unknown_count], sizeof (double));
+  if (!ok || as->ax == NULL)
+    return qn_diag_no_memory (diag);
+
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    int32_t unknowns[6];
+    face_unknowns (as, &contacts->faces[f], unknowns);
+    for (int i = 0; i < 6; i++)
+      for (int j = 0; j < 6; j++)
+        as->scatter[36 * f + 6 * i + j] =
+          qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
+  }
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
+  return QN_OK;
+}
+
+static QnStatus
+gather_loads (QnAssembly *as, QnDiag *diag)
+{
+  size_t count = as->model->block_count * QN_DOF_COUNT;
+  double *forces = qn_alloc (count, sizeof *forces);
+
+  if (forces == NULL)
+    return qn_diag_no_memory (diag);
+  for (int live = 0; live < 2; live++) {
+    double *loads = live ? as->live : as->dead, largest = 0;
+    if (live)
+      qn_model_live_forces (as->model, forces);
+    else
+      qn_model_dead_forces (as->model, forces);
+    for (size_t i = 0; i < count; i++) {
+      if (as->unknown[i] == QN_NONE)
+        continue;
+      loads[as->unknown[i]] =
+        i % QN_DOF_COUNT == QN_DOF_RZ ? forces[i] / as->length : forces[i];
+      largest = fmax (largest, fabs (loads[as->unknown[i]]));
+    }
+    if (as->force_scale == 0)
+      as->force_scale = largest;
+  }
+  free (forces);
+  return QN_OK;
+}
+
+/* Diagonal of C: the mean normal stiffness of a pair, distributed like mass (like area where
+ * nothing has weight), with the radius of gyration for rotations. */
+static void
+prepare_damping (QnAssembly *as)
+{
+  const QnModel *model = as->model;
+  double stiffness = 0, total = 0;
+  bool weightless = true;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *s = &as->springs[p];
+    stiffness += log (s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn));
+  }
+  stiffness = as->pair_count > 0 ? exp (stiffness / (double) as->pair_count) : 1;
+
+  for (size_t b = 0; b < model->block_count && weightless; b++)
+    weightless = model->blocks[b].weight <= 0;
+  for (size_t b = 0; b < model->block_count; b++)
+    total += weightless ? model->blocks[b].area : model->blocks[b].weight;
+
+  double mean = total / (double) model->block_count;
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    double mass = weightless ? block->area : fmax (block->weight, 1e-3 * mean);
+    double c = stiffness * mass / mean;
+    double gyration = block->polar_moment / block->area / (as->length * as->length);
+    for (int i = 0; i < QN_DOF_COUNT; i++) {
+      int32_t unknown = as->unknown[QN_DOF_COUNT * b + i];
+      if (unknown != QN_NONE)
+        as->damping[unknown] = i == QN_DOF_RZ ? c * gyration : c;
+    }
+  }
+}
+
+QnStatus
+qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *contacts,
+                   QnDiag *diag)
+{
+  *as = (QnAssembly){ .model = model,
+                      .contacts = contacts,
+                      .length = model->characteristic_length,
+                      .pair_count = contacts->pair_count };
+
+  if (!number_unknowns (as) || !allocate (as)) {
+    qn_assembly_clear (as);
+    return qn_diag_no_memory (diag);
+  }
+  prepare_pairs (as);
+  prepare_damping (as);
+  QnStatus status = gather_loads (as, diag);
+  if (status == QN_OK)
+    status = build_pattern (as, diag);
+  if (status != QN_OK)
+    qn_assembly_clear (as);
+  return status;
+}
+
+void
+qn_assembly_clear (QnAssembly *as)
+{
+  free (as->unknown);
+  free (as->geometry);
+  free (as->springs);
+  free (as->committed);
+  free (as->responses);
+  free (as->dead);
+  free (as->live);
+  free (as->damping);
+  free (as->ap);
+  free (as->ai);
+  free (as->ax);
+  free (as->scatter);
+  free (as->diagonal);
+  *as = (QnAssembly){ 0 };
+}
+
+/* --- Evaluating ------------------------------------------------------------------------- */
+
+static void
+gather_displacements (const double *u, const int32_t unknowns[6], double v[6])
+{
+  for (int i = 0; i < 6; i++)
+    v[i] = unknowns[i] == QN_NONE ? 0 : u[unknowns[i]];
+}
+
+bool
+qn_assembly_evaluate (QnAssembly *as, const double *u)
+{
+  bool ok = true;
+
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const QnContactFace *face = &as->contacts->faces[f];
+    int32_t unknowns[6];
+    double v[6];
+
+    face_unknowns (as, face, unknowns);
+    gather_displacements (u, unknowns, v);
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+      double (*g)[6] = as->geometry[p].gradient;
+      double q[2] = { 0, 0 };
+
+      for (int i = 0; i < 6; i++) {
+        q[0] += g[0][i] * v[i];
+        q[1] += g[1][i] * v[i];
+      }
+      ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], q, &as->responses[p]);
+    }
+  }
+  return ok;
+}
+
+double
+qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
+{
+  double scale = as->force_scale;
+
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    residual[i] = as->dead[i] + multiplier * as->live[i];
+    scale = fmax (scale, fabs (residual[i]));
+  }
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const QnContactFace *face = &as->contacts->faces[f];
+    int32_t unknowns[6];
+    double forces[6] = { 0 };
+
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+      double (*g)[6] = as->geometry[p].gradient;
+      const double *force = as->responses[p].force;
+      for (int i = 0; i < 6; i++)
+        forces[i] += g[0][i] * force[0] + g[1][i] * force[1]; /* P = G' f */
+    }
+    face_unknowns (as, face, unknowns);
+    for (int i = 0; i < 6; i++)
+      if (unknowns[i] != QN_NONE)
+        residual[unknowns[i]] -= forces[i];
+  }
+  return scale;
+}
+
+double
+qn_assembly_gap (const QnAssembly *as, size_t pair, const double *u,
+                 const QnPairMemory *memory)
+{
+  int32_t unknowns[6];
+  double v[6], gap = -memory[pair].a.opening;
+
+  face_unknowns (as, &as->contacts->faces[as->contacts->pairs[pair].face], unknowns);
+  gather_displacements (u, unknowns, v);
+  for (int i = 0; i < 6; i++)
+    gap += as->geometry[pair].gradient[0][i] * v[i];
+  return as->springs[pair].equal ? gap : gap - memory[pair].b.opening;
+}
+
+/* kf = sum over the face's pairs of G' D G */
+static void
+face_tangent (const QnAssembly *as, const QnContactFace *face, double kf[6][6])
+{
+  memset (kf, 0, 36 * sizeof (double));
+  for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+    double (*g)[6] = as->geometry[p].gradient;
+    double (*d)[2] = as->responses[p].tangent;
+
+    for (int j = 0; j < 6; j++) {
+      double n = d[0][0] * g[0][j] + d[0][1] * g[1][j];
+      double t = d[1][0] * g[0][j] + d[1][1] * g[1][j];
+      for (int i = 0; i < 6; i++)
+        kf[i][j] += g[0][i] * n + g[1][i] * t;
+    }
+  }
+}
+
+void
+qn_assembly_tangent (QnAssembly *as, double viscosity)
+{
+  memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const int32_t *scatter = as->scatter + 36 * f;
+    double kf[6][6];
+
+    face_tangent (as, &as->contacts->faces[f], kf);
+    for (int k = 0; k < 36; k++)
+      if (scatter[k] != QN_NONE)
+        as->ax[scatter[k]] += kf[k / 6][k % 6];
+  }
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    as->ax[as->diagonal[i]] += viscosity * as->damping[i];
+}
+
+void
+qn_assembly_commit (QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    as->committed[p] = as->responses[p].memory;
+}
+
+void
+qn_assembly_expand (const QnAssembly *as, const double *u, double *displacements)
+{
+  for (size_t i = 0; i < as->model->block_count * QN_DOF_COUNT; i++) {
+    double value = as->unknown[i] == QN_NONE ? 0 : u[as->unknown[i]];
+    displacements[i] = i % QN_DOF_COUNT == QN_DOF_RZ ? value / as->length : value;
+  }
+}
+
+void
+qn_assembly_pair_results (const QnAssembly *as, QnPairResult *results)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    results[p] = (QnPairResult){
+      .state = qn_pair_state (&as->springs[p], as->responses[p].phase),
+      .normal_force = as->responses[p].force[0],
+      .shear_force = as->responses[p].force[1],
+    };
+}

@@ -1,0 +1,49 @@
+/* A contact pair: two springs in series between points A and B, with the hinge C condensed.
+ *
+ * The elongation of the pair, q = (normal, tangential) position of B relative to A, is shared
+ * by the two springs, q = qa + qb, so that both carry the same force: fa(qa) = fb(q - qa).
+ * Two equal springs share evenly and make one spring of half the stiffness (closed form);
+ * unequal ones are solved by an internal Newton iteration (HybriDFEM, section 2.2).
+ */
+#ifndef QN_CORE_CONTACT_PAIR_H
+#define QN_CORE_CONTACT_PAIR_H
+
+#include "core/spring.h"
+
+typedef struct QnPairSprings {
+  QnSpring a, b; /* side of block a, side of block b */
+  bool equal;    /* `a` then stands for the whole pair, with half the stiffness */
+} QnPairSprings;
+
+/* What a pair remembers between steps. */
+typedef struct QnPairMemory {
+  QnSpringMemory a, b; /* of equal springs only `a` is used, for the pair as a whole */
+  double qa[2], qb[2]; /* elongations at the last commit, m; unequal springs only */
+} QnPairMemory;
+
+typedef struct QnPairResponse {
+  double force[2];
+  double tangent[2][2];
+  QnPairMemory memory;
+  int16_t phase; /* the tangent depends on this number alone */
+} QnPairResponse;
+
+QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
+
+/* Force and consistent tangent of the pair at elongation q. Returns false where the internal
+ * iteration did not converge; the response is then not to be used. */
+bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
+                       const double q[2], QnPairResponse *response);
+
+/* Stick, slip or open: what is reported of a phase. A pair of unequal springs is open if one
+ * of them is, and slips if one of them does. */
+typedef enum {
+  QN_PAIR_STICK,
+  QN_PAIR_SLIP,
+  QN_PAIR_OPEN,
+  QN_PAIR_STATE_COUNT
+} QnPairState;
+
+QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
+
+#endif

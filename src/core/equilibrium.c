@@ -1,0 +1,102 @@
+#include "core/equilibrium.h"
+
+#include "core/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool
+state_init (QnEquilibriumState *state, const QnAssembly *as)
+{
+  state->u = qn_alloc ((size_t) as->unknown_count, sizeof *state->u);
+  state->memory = qn_alloc (as->pair_count, sizeof *state->memory);
+  state->responses = qn_alloc (as->pair_count, sizeof *state->responses);
+  return state->u && state->memory && state->responses;
+}
+
+static void
+state_clear (QnEquilibriumState *state)
+{
+  free (state->u);
+  free (state->memory);
+  free (state->responses);
+}
+
+void
+qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
+{
+  const QnAssembly *as = &eq->assembly;
+
+  memcpy (state->u, eq->u, (size_t) as->unknown_count * sizeof *eq->u);
+  memcpy (state->memory, as->committed, as->pair_count * sizeof *as->committed);
+  memcpy (state->responses, as->responses, as->pair_count * sizeof *as->responses);
+}
+
+void
+qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state)
+{
+  QnAssembly *as = &eq->assembly;
+
+  memcpy (eq->u, state->u, (size_t) as->unknown_count * sizeof *eq->u);
+  memcpy (as->committed, state->memory, as->pair_count * sizeof *as->committed);
+  memcpy (as->responses, state->responses, as->pair_count * sizeof *as->responses);
+}
+
+void
+qn_equilibrium_commit (QnEquilibrium *eq, double multiplier)
+{
+  qn_assembly_commit (&eq->assembly);
+  qn_equilibrium_save (eq, &eq->committed);
+  eq->committed_multiplier = multiplier;
+}
+
+void
+qn_equilibrium_restore (QnEquilibrium *eq)
+{
+  qn_equilibrium_load (eq, &eq->committed);
+}
+
+QnStatus
+qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts *contacts,
+                      QnProgressFunc report, void *report_data, QnDiag *diag)
+{
+  *eq = (QnEquilibrium){ .report = report,
+                         .report_data = report_data,
+                         .tolerance = model->analysis.residual_tolerance };
+
+  QnStatus status = qn_assembly_setup (&eq->assembly, model, contacts, diag);
+  if (status != QN_OK)
+    return status;
+
+  const QnAssembly *as = &eq->assembly;
+  double **vectors[] = { &eq->u, &eq->residual, &eq->step, &eq->trial, &eq->velocity };
+  eq->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai);
+  eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
+  bool ok = eq->linsys != NULL && eq->factored_phases != NULL;
+  for (size_t i = 0; i < QN_N_ELEMENTS (vectors); i++) {
+    *vectors[i] = qn_alloc ((size_t) as->unknown_count, sizeof (double));
+    ok &= *vectors[i] != NULL;
+  }
+  if (!ok || !state_init (&eq->committed, as) || !state_init (&eq->anchor, as)) {
+    qn_equilibrium_clear (eq);
+    return qn_diag_no_memory (diag);
+  }
+  qn_assembly_evaluate (&eq->assembly, eq->u);
+  return QN_OK;
+}
+
+void
+qn_equilibrium_clear (QnEquilibrium *eq)
+{
+  qn_linsys_free (eq->linsys);
+  free (eq->u);
+  free (eq->residual);
+  free (eq->step);
+  free (eq->trial);
+  free (eq->velocity);
+  free (eq->factored_phases);
+  state_clear (&eq->committed);
+  state_clear (&eq->anchor);
+  qn_assembly_clear (&eq->assembly);
+  *eq = (QnEquilibrium){ 0 };
+}

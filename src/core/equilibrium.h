@@ -1,0 +1,93 @@
+/* Workspace of the equilibrium solver: semismooth Newton with a line search, and relaxation
+ * across jumps, at a given load multiplier.
+ *
+ * The workspace always holds one committed equilibrium (displacements, multiplier, memory of
+ * the pairs). The solving functions try to go on from there and leave their outcome as the
+ * current state; qn_equilibrium_commit() accepts it, qn_equilibrium_restore() goes back.
+ * Nothing is allocated after qn_equilibrium_setup(), except inside SuiteSparse.
+ */
+#ifndef QN_CORE_EQUILIBRIUM_H
+#define QN_CORE_EQUILIBRIUM_H
+
+#include "core/assembly.h"
+#include "core/linsys.h"
+#include "core/progress.h"
+
+typedef enum {
+  QN_SOLVE_CONVERGED,
+  QN_SOLVE_MECHANISM, /* relaxation ended in steady motion: no equilibrium at this load */
+  QN_SOLVE_FAILED,    /* iteration budget spent, or the line search found no descent */
+  QN_SOLVE_CANCELLED,
+  QN_SOLVE_NO_MEMORY
+} QnSolveStatus;
+
+/* All that makes a state: to go on from it, or to come back to it. The responses belong to
+ * it because they hold the tangent that led there: pairs that slip right at their strength
+ * look stuck when they are evaluated anew, and an iteration that starts from that stiffness
+ * goes astray. */
+typedef struct QnEquilibriumState {
+  double *u;
+  QnPairMemory *memory;
+  QnPairResponse *responses;
+} QnEquilibriumState;
+
+typedef struct QnEquilibrium {
+  QnAssembly assembly;
+  QnLinsys *linsys;
+  double tolerance; /* largest out-of-balance, relative to the loads */
+
+  double *u;        /* current displacements */
+  double *residual; /* of the last evaluation, viscous part included */
+  double *step;     /* Newton direction */
+  double *trial;    /* u + alpha step */
+  double *velocity; /* of the last viscous step, m per unit of time */
+
+  QnEquilibriumState committed; /* last accepted equilibrium */
+  QnEquilibriumState anchor;    /* where the viscous step started */
+  double committed_multiplier;
+
+  int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
+  double factored_viscosity;
+  bool factored;
+
+  double out_of_balance; /* of the current state, relative */
+  QnProgress progress;
+  QnProgressFunc report;
+  void *report_data;
+  bool cancelled;
+  QnStatistics statistics;
+} QnEquilibrium;
+
+QnStatus qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model,
+                               const QnContacts *contacts, QnProgressFunc report,
+                               void *report_data, QnDiag *diag);
+
+void qn_equilibrium_clear (QnEquilibrium *eq);
+
+/* Newton iterations from the current displacements towards
+ *
+ *   R(u, multiplier) - viscosity C (u - anchor.u) = 0
+ *
+ * with at most `budget` iterations. Viscosity 0 gives static equilibrium. */
+QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, double multiplier,
+                                     double viscosity, int budget);
+
+/* Overwrites b with K \ b, K the static tangent of the current state. CONVERGED, FAILED (K is
+ * singular; b is unchanged) or NO_MEMORY. */
+QnSolveStatus qn_equilibrium_apply_tangent_inverse (QnEquilibrium *eq, double *b);
+
+/* Lets the structure move from the current state at a fixed multiplier, with viscosity that
+ * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
+ * with eq->velocity). FAILED when neither is certain after `budget` viscous steps. */
+QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, double multiplier, int budget);
+
+/* Copies the current state into `state`, or makes `state` the current one. */
+void qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state);
+void qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state);
+
+/* Accepts the current state as the equilibrium at this multiplier, or goes back to the last
+ * accepted one. */
+void qn_equilibrium_commit (QnEquilibrium *eq, double multiplier);
+void qn_equilibrium_restore (QnEquilibrium *eq);
+
+#endif

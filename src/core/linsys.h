@@ -1,0 +1,36 @@
+/* Direct solution of sparse linear systems A x = b, behind one interface.
+ *
+ * The pattern of A is fixed for the life of a QnLinsys: ordering and symbolic analysis are
+ * done once, each factorisation is numeric only. Nothing is allocated here between calls; the
+ * library behind may do so.
+ */
+#ifndef QN_CORE_LINSYS_H
+#define QN_CORE_LINSYS_H
+
+#include "core/status.h"
+
+typedef struct QnLinsys QnLinsys;
+
+typedef enum {
+  QN_FACTOR_OK,
+  QN_FACTOR_SINGULAR, /* to working precision */
+  QN_FACTOR_NO_MEMORY
+} QnFactorStatus;
+
+/* For an n x n unsymmetric matrix in compressed columns with a structurally symmetric pattern
+ * (column pointers ap, n + 1 of them; sorted row indices ai). The pattern is borrowed and
+ * must outlive the system. Returns NULL when memory runs out. */
+QnLinsys *qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai);
+
+void qn_linsys_free (QnLinsys *system);
+
+/* Factorises the matrix with the values ax. */
+QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
+
+/* Overwrites b (length n) with the solution of the last factorised system. */
+void qn_linsys_solve (QnLinsys *system, double *b);
+
+/* Sign of the determinant of the last factorised matrix: -1, 0 or 1. */
+int qn_linsys_determinant_sign (const QnLinsys *system);
+
+#endif

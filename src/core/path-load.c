@@ -1,0 +1,376 @@
+/* Load control.
+ *
+ * From the equilibrium under dead load the multiplier grows by increments. Newton tries each
+ * one; where it fails, relaxation lets the structure move until it rests (the path jumped) or
+ * goes on for good (collapse). The collapse multiplier is then enclosed between the last
+ * equilibrium and the lowest multiplier without one.
+ *
+ * The first limit point is looked for as long as none was found. An increment that was not
+ * easy is accepted only if the displacements at its end follow from the tangents at both ends;
+ * otherwise it is halved. What remains of a jump that no halving shrinks is a limit point.
+ */
+#include "core/path.h"
+
+#include "core/memory.h"
+#include "core/tolerance.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* An increment that Newton solves within so many iterations is easy: nothing happened on the
+ * way that deserves a closer look, and the next one may be longer. */
+#define EASY   5
+#define GROWTH 2.0
+
+/* Largest increment, as a multiple of the first and as a part of the multiplier reached. */
+#define LARGEST_INCREMENT 4.0
+#define LARGEST_PART      0.1
+
+/* Part of the displacements reached by which an increment may differ from what the tangents
+ * at its ends explain. */
+#define JUMP 1e-3
+
+/* The first limit point is located within so many resolutions of the multiplier. */
+#define LIMIT_RESOLUTION 10.0
+
+/* A multiplier at which a path without a prescribed end counts as unbounded. */
+#define UNBOUNDED 1e9
+
+typedef struct {
+  QnPath *path;
+  double first;     /* first increment */
+  double increment; /* to try next */
+  double end;       /* largest multiplier asked for */
+  double upper;     /* lowest multiplier found to have no equilibrium, or infinity */
+  bool certified;   /* relaxation at `upper` ended in a mechanism, not in doubt */
+  double doubted;   /* the multiplier that was tried again because it was not certified */
+  double guess;     /* where the motion at `upper` says that collapse is, or NaN */
+  double explored;  /* highest multiplier that was solved at all, then looked at closer */
+  bool relaxed;     /* the last attempt needed relaxation */
+  bool jumped;      /* the next accepted equilibrium lies beyond a jump */
+  bool finished;
+  double *velocity; /* of the motion at `upper` */
+  double *rate;     /* du/dlambda at the last accepted equilibrium */
+  double *rate_at_end;
+} LoadControl;
+
+/* --- Choosing multipliers --------------------------------------------------------------- */
+
+static double
+resolution (const LoadControl *control, double multiplier)
+{
+  return control->path->settings->multiplier_tolerance
+         * fmax (multiplier, QN_TOLERANCE_MULTIPLIER_FLOOR * control->first);
+}
+
+static bool
+looks_for_limit_point (const LoadControl *control)
+{
+  return !control->path->result->has_first_limit_multiplier;
+}
+
+/* Next multiplier to try: by increments until there is an upper bound, then just below or
+ * just above where the mechanism says that collapse is, or half way. */
+static double
+choose_target (const LoadControl *control)
+{
+  double lower = control->path->equilibrium.committed_multiplier;
+  double upper = control->upper;
+
+  if (!isfinite (upper))
+    return fmin (lower + control->increment, control->end);
+
+  double margin = 0.5 * resolution (control, upper);
+  double target = 0.5 * (lower + upper);
+  if (control->guess - margin > lower && control->guess - margin < upper)
+    target = control->guess - margin;
+  else if (control->guess + margin > lower && control->guess + margin < upper)
+    target = control->guess + margin;
+  return fmin (target, lower + control->increment);
+}
+
+/* Halves the increment and takes up the last equilibrium again. */
+static void
+look_closer (LoadControl *control, double target)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+
+  control->explored = fmax (control->explored, target);
+  control->increment = 0.5 * (target - eq->committed_multiplier);
+  qn_equilibrium_restore (eq);
+}
+
+static void
+grow_increment (LoadControl *control, double increment, double reached)
+{
+  double largest = fmax (LARGEST_INCREMENT * control->first, LARGEST_PART * reached);
+
+  control->increment = fmin (GROWTH * fmax (control->increment, increment), largest);
+}
+
+/* --- The first limit point -------------------------------------------------------------- */
+
+/* rate = du/dlambda from the tangent of the current state: K rate = F_live. */
+static QnSolveStatus
+compute_rate (LoadControl *control, double *rate)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+
+  memcpy (rate, eq->assembly.live, (size_t) eq->assembly.unknown_count * sizeof *rate);
+  return qn_equilibrium_apply_tangent_inverse (eq, rate);
+}
+
+/* Whether the displacements of the current state differ from what the tangents at both ends
+ * of the increment explain by more than a JUMP. */
+static bool
+is_discontinuous (const LoadControl *control, double increment)
+{
+  const QnEquilibrium *eq = &control->path->equilibrium;
+  double error = 0, size = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++) {
+    double explained = 0.5 * increment * (control->rate[i] + control->rate_at_end[i]);
+    error = fmax (error, fabs (eq->u[i] - eq->committed.u[i] - explained));
+    size = fmax (size, fabs (eq->u[i]));
+  }
+  return error > JUMP * size;
+}
+
+/* The path jumps at the last accepted equilibrium. */
+static void
+note_limit_point (LoadControl *control)
+{
+  QnResult *result = control->path->result;
+
+  result->has_first_limit_multiplier = true;
+  result->first_limit_multiplier = control->path->equilibrium.committed_multiplier;
+  control->jumped = true;
+  if (control->path->settings->snap == QN_SNAP_STOP) {
+    result->outcome = QN_OUTCOME_SNAP;
+    result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
+    control->finished = true;
+    qn_equilibrium_restore (&control->path->equilibrium);
+  }
+}
+
+/* Checks the increment that ends in the current state. Returns whether the state is to be
+ * accepted: not if it is looked at closer, nor if the path stops at a limit point. */
+static bool
+passes_limit_check (LoadControl *control, double target, bool easy)
+{
+  double increment = target - control->path->equilibrium.committed_multiplier;
+  bool known = compute_rate (control, control->rate_at_end) == QN_SOLVE_CONVERGED;
+
+  if (easy || (known && !is_discontinuous (control, increment)))
+    return true;
+  if (increment > LIMIT_RESOLUTION * resolution (control, target)) {
+    look_closer (control, target);
+    return false;
+  }
+  if (control->relaxed)
+    note_limit_point (control);
+  return !control->finished;
+}
+
+/* --- One increment ---------------------------------------------------------------------- */
+
+/* Tries to find an equilibrium at `target`. Where one was seen, or excluded, before, failure
+ * of Newton alone is enough to look closer: *cut says so. */
+static QnSolveStatus
+attempt (LoadControl *control, double target, bool *cut)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+  double increment = target - eq->committed_multiplier,
+         unit = resolution (control, target);
+  QnSolveStatus status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
+  bool seen = target <= control->explored || isfinite (control->upper);
+
+  control->relaxed = status == QN_SOLVE_FAILED;
+  *cut = control->relaxed && looks_for_limit_point (control) && seen
+         && increment > LIMIT_RESOLUTION * unit;
+  if (!control->relaxed || *cut)
+    return status;
+
+  qn_equilibrium_restore (eq);
+  return qn_equilibrium_relax (
+    eq, target, increment > 3 * unit ? QN_RELAX_BUDGET_HINT : QN_RELAX_BUDGET);
+}
+
+/* No equilibrium found at `target`, which bounds the collapse multiplier from above. The power
+ * that the motion leaves unbalanced says how much of the load is too much:
+ *
+ *   guess = target - R . v / F_live . v */
+static void
+bound_from_above (LoadControl *control, double target, bool certified)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  double unbalanced = 0, live = 0;
+
+  qn_assembly_residual (as, target, eq->residual);
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    unbalanced += eq->residual[i] * eq->velocity[i];
+    live += as->live[i] * eq->velocity[i];
+  }
+  control->upper = target;
+  control->certified = certified;
+  control->guess = live > 0 ? target - unbalanced / live : NAN;
+  memcpy (control->velocity, eq->velocity,
+          (size_t) as->unknown_count * sizeof *control->velocity);
+  qn_equilibrium_restore (eq);
+}
+
+/* Takes the equilibrium at `target` as the next step, unless a closer look is due. */
+static QnStatus
+consider (LoadControl *control, double target, int32_t iterations, QnDiag *diag)
+{
+  QnPath *path = control->path;
+  double increment = target - path->equilibrium.committed_multiplier;
+  bool easy = !control->relaxed && iterations <= EASY;
+
+  if (looks_for_limit_point (control) && !passes_limit_check (control, target, easy))
+    return QN_OK;
+  if (!qn_path_accept (path, target, control->jumped ? QN_EVENT_SNAP : QN_EVENT_NONE))
+    return qn_diag_no_memory (diag);
+
+  control->jumped = false;
+  if (looks_for_limit_point (control)) {
+    double *rate = control->rate;
+    control->rate = control->rate_at_end;
+    control->rate_at_end = rate;
+  }
+  if (easy || !looks_for_limit_point (control))
+    grow_increment (control, increment, target);
+  if (target >= control->end) {
+    path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+    control->finished = true;
+  }
+  return QN_OK;
+}
+
+static QnStatus
+advance (LoadControl *control, QnDiag *diag)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+  double target = choose_target (control);
+  int32_t before = eq->statistics.iterations;
+  bool cut = false;
+  QnSolveStatus status = attempt (control, target, &cut);
+
+  switch (status) {
+  case QN_SOLVE_CONVERGED:
+    return consider (control, target, eq->statistics.iterations - before, diag);
+  case QN_SOLVE_MECHANISM:
+  case QN_SOLVE_FAILED:
+    if (cut)
+      look_closer (control, target);
+    else
+      bound_from_above (control, target, status == QN_SOLVE_MECHANISM);
+    return QN_OK;
+  case QN_SOLVE_CANCELLED:
+    qn_equilibrium_restore (eq);
+    control->path->result->outcome = QN_OUTCOME_CANCELLED;
+    control->finished = true;
+    return QN_OK;
+  case QN_SOLVE_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}
+
+/* --- The whole path --------------------------------------------------------------------- */
+
+static QnStatus
+conclude (LoadControl *control, QnDiag *diag)
+{
+  QnPath *path = control->path;
+  QnResult *result = path->result;
+
+  control->finished = true;
+  if (!control->certified) {
+    result->outcome = QN_OUTCOME_NOT_CONVERGED;
+    return QN_OK;
+  }
+  result->outcome = QN_OUTCOME_COLLAPSE;
+  result->has_collapse_multiplier = true;
+  result->collapse_multiplier = path->equilibrium.committed_multiplier;
+  result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
+  if (looks_for_limit_point (control)) {
+    result->has_first_limit_multiplier = true;
+    result->first_limit_multiplier = result->collapse_multiplier;
+  }
+  return qn_path_record_mechanism (path, control->velocity, diag);
+}
+
+/* The bracket has closed. An upper end that was found from far away and without certainty is
+ * tried once more from the equilibrium that is now close to it. */
+static QnStatus
+close_bracket (LoadControl *control, QnDiag *diag)
+{
+  if (control->certified || control->doubted == control->upper)
+    return conclude (control, diag);
+
+  control->doubted = control->upper;
+  control->increment = control->upper - control->path->equilibrium.committed_multiplier;
+  control->upper = INFINITY;
+  control->guess = NAN;
+  return QN_OK;
+}
+
+static QnStatus
+run (LoadControl *control, QnDiag *diag)
+{
+  const QnEquilibrium *eq = &control->path->equilibrium;
+  QnStatus status = QN_OK;
+
+  if (compute_rate (control, control->rate) == QN_SOLVE_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  while (status == QN_OK && !control->finished) {
+    double bracket = control->upper - eq->committed_multiplier;
+    if (isfinite (bracket) && bracket <= resolution (control, control->upper))
+      status = close_bracket (control, diag);
+    else
+      status = advance (control, diag);
+  }
+  return status;
+}
+
+static bool
+has_live_load (const QnAssembly *as)
+{
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    if (as->live[i] != 0)
+      return true;
+  return false;
+}
+
+QnStatus
+qn_path_load_control (QnPath *path, QnDiag *diag)
+{
+  const QnAssembly *as = &path->equilibrium.assembly;
+  size_t n = (size_t) as->unknown_count;
+  double first = 1.0 / path->settings->increments;
+  LoadControl control = { .path = path,
+                          .first = first,
+                          .increment = first,
+                          .end = fmin (path->settings->max_multiplier, UNBOUNDED),
+                          .upper = INFINITY,
+                          .guess = NAN };
+
+  /* Without live load the path is the single equilibrium under dead load. */
+  if (!has_live_load (as)) {
+    path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+    return QN_OK;
+  }
+  control.velocity = qn_alloc (n, sizeof *control.velocity);
+  control.rate = qn_alloc (n, sizeof *control.rate);
+  control.rate_at_end = qn_alloc (n, sizeof *control.rate_at_end);
+
+  QnStatus status = control.velocity && control.rate && control.rate_at_end
+                      ? run (&control, diag)
+                      : qn_diag_no_memory (diag);
+  free (control.velocity);
+  free (control.rate);
+  free (control.rate_at_end);
+  return status;
+}

@@ -1,0 +1,135 @@
+#include "core/path.h"
+
+#include "core/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+QnStatus
+qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
+               QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)
+{
+  *path = (QnPath){ .model = model, .settings = &model->analysis, .result = result };
+
+  QnStatus status =
+    qn_result_init (result, model->block_count, contacts->pair_count, diag);
+  if (status == QN_OK)
+    status = qn_equilibrium_setup (&path->equilibrium, model, contacts, report,
+                                   report_data, diag);
+  if (status != QN_OK)
+    return status;
+
+  path->displacements = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof (double));
+  return path->displacements != NULL ? QN_OK : qn_diag_no_memory (diag);
+}
+
+void
+qn_path_clear (QnPath *path)
+{
+  qn_equilibrium_clear (&path->equilibrium);
+  free (path->displacements);
+  *path = (QnPath){ 0 };
+}
+
+bool
+qn_path_accept (QnPath *path, double multiplier, QnEvent event)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnStep step = { .multiplier = multiplier,
+                  .iterations = eq->statistics.iterations - path->iterations_at_step,
+                  .residual = eq->out_of_balance,
+                  .event = event };
+
+  qn_equilibrium_commit (eq, multiplier);
+  path->iterations_at_step = eq->statistics.iterations;
+  eq->progress.multiplier = multiplier;
+  eq->progress.steps++;
+  qn_assembly_expand (&eq->assembly, eq->u, path->displacements);
+  return qn_result_add_step (path->result, step, path->displacements);
+}
+
+QnStatus
+qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag)
+{
+  qn_assembly_expand (&path->equilibrium.assembly, velocity, path->displacements);
+  return qn_result_set_mechanism (path->result, path->displacements,
+                                  path->model->characteristic_length, diag);
+}
+
+/* Blocks by how fast they move, for a stable order by index among equals. */
+typedef struct {
+  double speed;
+  QnId block;
+} MovingBlock;
+
+static int
+compare_speed (const void *a, const void *b)
+{
+  const MovingBlock *one = a, *other = b;
+
+  if (one->speed != other->speed)
+    return one->speed > other->speed ? -1 : 1;
+  return one->block - other->block;
+}
+
+/* Blocks that move at a tenth of the greatest speed or more: those that fall, without those
+ * that are merely dragged along. */
+static QnStatus
+record_unstable_blocks (QnPath *path, QnDiag *diag)
+{
+  QnResult *result = path->result;
+  const double *v = result->mechanism;
+  size_t count = result->block_count;
+  MovingBlock *moving = qn_alloc (count, sizeof *moving);
+
+  result->unstable_blocks = qn_alloc (count, sizeof *result->unstable_blocks);
+  if (moving == NULL || result->unstable_blocks == NULL) {
+    free (moving);
+    return qn_diag_no_memory (diag);
+  }
+  for (size_t b = 0; b < count; b++) {
+    double turning = fabs (v[3 * b + 2]) * path->model->characteristic_length;
+    moving[b] = (MovingBlock){ fmax (hypot (v[3 * b], v[3 * b + 1]), turning), (QnId) b };
+  }
+  qsort (moving, count, sizeof *moving, compare_speed);
+  while (result->unstable_count < count && moving[0].speed > 0
+         && moving[result->unstable_count].speed >= 0.1 * moving[0].speed) {
+    result->unstable_blocks[result->unstable_count] =
+      moving[result->unstable_count].block;
+    result->unstable_count++;
+  }
+  free (moving);
+  return QN_OK;
+}
+
+QnStatus
+qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnSolveStatus solve = qn_equilibrium_newton (eq, 0, 0, QN_NEWTON_BUDGET);
+
+  if (solve == QN_SOLVE_FAILED) {
+    qn_equilibrium_restore (eq);
+    solve = qn_equilibrium_relax (eq, 0, QN_RELAX_BUDGET);
+  }
+  *stands = solve == QN_SOLVE_CONVERGED;
+
+  switch (solve) {
+  case QN_SOLVE_CONVERGED:
+    return qn_path_accept (path, 0, QN_EVENT_NONE) ? QN_OK : qn_diag_no_memory (diag);
+  case QN_SOLVE_MECHANISM: {
+    path->result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+    QnStatus status = qn_path_record_mechanism (path, eq->velocity, diag);
+    return status == QN_OK ? record_unstable_blocks (path, diag) : status;
+  }
+  case QN_SOLVE_FAILED:
+    path->result->outcome = QN_OUTCOME_NOT_CONVERGED;
+    return QN_OK;
+  case QN_SOLVE_CANCELLED:
+    path->result->outcome = QN_OUTCOME_CANCELLED;
+    return QN_OK;
+  case QN_SOLVE_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}

@@ -1,0 +1,50 @@
+/* Following the path of equilibria: what the procedures share.
+ *
+ * A procedure (path-load.c, …) drives the equilibrium solver from the state under dead load
+ * and records every accepted equilibrium in the result.
+ */
+#ifndef QN_CORE_PATH_H
+#define QN_CORE_PATH_H
+
+#include "core/equilibrium.h"
+#include "core/result.h"
+
+/* Newton iterations of a static solution before relaxation takes over. */
+#define QN_NEWTON_BUDGET 20
+
+/* Viscous steps until relaxation gives up: when only a hint is wanted, and when the answer
+ * decides. */
+#define QN_RELAX_BUDGET_HINT 40
+#define QN_RELAX_BUDGET      300
+
+typedef struct QnPath {
+  const QnModel *model;
+  const QnAnalysisSettings *settings;
+  QnEquilibrium equilibrium;
+  QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
+  double *displacements;      /* scratch, block_count x 3 */
+  int32_t iterations_at_step; /* statistics when the last step was recorded */
+} QnPath;
+
+/* Prepares the workspace and initialises *result. */
+QnStatus qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
+                        QnProgressFunc report, void *report_data, QnResult *result,
+                        QnDiag *diag);
+
+void qn_path_clear (QnPath *path);
+
+/* Dead load: the first equilibrium. *stands is false when there is none; the outcome, and the
+ * blocks that move where it is certain, are in the result then. */
+QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
+
+/* Accepts the current state of the solver and records it as a step. False when memory runs
+ * out. */
+bool qn_path_accept (QnPath *path, double multiplier, QnEvent event);
+
+/* Records the velocity that the last relaxation ended with as the collapse mechanism. */
+QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag);
+
+/* Load control: increments of the multiplier up to collapse or the largest multiplier. */
+QnStatus qn_path_load_control (QnPath *path, QnDiag *diag);
+
+#endif

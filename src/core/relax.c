@@ -1,0 +1,137 @@
+/* Relaxation: pseudo-transient continuation across jumps of the path.
+ *
+ * Backward Euler steps of C du/dt = R(u, lambda), each solved to convergence, slip committed
+ * along the way. The step grows while convergence is quick, so that the motion either dies
+ * down in a new equilibrium or goes on for good along a mechanism. (Kelley & Keyes 1998,
+ * Convergence analysis of pseudo-transient continuation, SIAM J. Numer. Anal. 35.)
+ *
+ * Time is counted in units of C / k, with k the mean stiffness of the pairs, so that a
+ * viscosity of 1 (a step of 1) is as stiff as the joints themselves.
+ */
+#include "core/equilibrium.h"
+
+#include <string.h>
+
+/* Newton iterations of one viscous step; more means that the step is too long. */
+#define NEWTON_BUDGET 12
+
+/* Viscosity of the first step: soft enough to cross a small jump at once. */
+#define FIRST_VISCOSITY 0.01
+
+/* A step that converges within QUICK iterations lets the next one be LONGER times as long; one
+ * that fails is repeated SHORTER times as short. */
+#define QUICK   6
+#define SLOW    12
+#define LONGER  4
+#define SHORTER 8
+
+/* Velocities that differ by less than this part of themselves, over a time as long as all
+ * that went before, are steady. */
+#define STEADY 1e-3
+
+/* Motion beyond this many elastic displacements (load over stiffness) has left the structure
+ * that was to be analysed: a tenth of a millimetre of elastic deformation has become ten
+ * metres. It also leaves three digits between rounding and the default tolerance. */
+#define RUNAWAY 1e5
+
+typedef struct {
+  double viscosity; /* of the next step */
+  double elapsed;   /* time since the start */
+  double change;    /* of the velocity in the last step, relative */
+} Relaxation;
+
+/* velocity = (u - anchor) / time step; its change since the last step, in the norm of C. */
+static void
+update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
+{
+  const QnAssembly *as = &eq->assembly;
+  double change = 0, norm = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    double v = relaxation->viscosity * (eq->u[i] - eq->anchor.u[i]);
+    double d = v - eq->velocity[i];
+    change += as->damping[i] * d * d;
+    norm += as->damping[i] * v * v;
+    eq->velocity[i] = v;
+  }
+  relaxation->change = norm > 0 ? sqrt (change / norm) : 0;
+}
+
+/* Largest motion since the committed state, or in a unit of time at the present velocity, in
+ * elastic displacements. */
+static double
+elastic_displacements (const QnEquilibrium *eq, bool velocity)
+{
+  const QnAssembly *as = &eq->assembly;
+  double largest = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    double d = velocity ? eq->velocity[i] : eq->u[i] - eq->committed.u[i];
+    largest = fmax (largest, as->damping[i] * fabs (d));
+  }
+  return as->force_scale > 0 ? largest / as->force_scale : 0;
+}
+
+/* Whether an open joint will close at the present velocity before the structure has run away.
+ * In linear geometry nothing else can stop a steady motion. */
+static bool
+will_close (const QnEquilibrium *eq, double time_step)
+{
+  const QnAssembly *as = &eq->assembly;
+  double horizon = RUNAWAY / elastic_displacements (eq, true);
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    double gap = qn_assembly_gap (as, p, eq->u, as->committed);
+    double before = qn_assembly_gap (as, p, eq->anchor.u, eq->anchor.memory);
+    if (gap > 0 && gap * time_step < (before - gap) * horizon)
+      return true;
+  }
+  return false;
+}
+
+/* Whether the structure moves on for good after a converged step. */
+static bool
+is_mechanism (const QnEquilibrium *eq, const Relaxation *relaxation)
+{
+  double time_step = 1 / relaxation->viscosity;
+
+  if (elastic_displacements (eq, false) > RUNAWAY)
+    return true;
+  return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
+         && !will_close (eq, time_step);
+}
+
+QnSolveStatus
+qn_equilibrium_relax (QnEquilibrium *eq, double multiplier, int budget)
+{
+  Relaxation relaxation = { .viscosity = FIRST_VISCOSITY };
+
+  memset (eq->velocity, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->velocity);
+  for (int step = 0; step < budget; step++) {
+    int32_t before = eq->statistics.iterations;
+    qn_equilibrium_save (eq, &eq->anchor);
+    QnSolveStatus status =
+      qn_equilibrium_newton (eq, multiplier, relaxation.viscosity, NEWTON_BUDGET);
+
+    if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
+      return status;
+    if (status == QN_SOLVE_FAILED) {
+      qn_equilibrium_load (eq, &eq->anchor);
+      relaxation.viscosity *= SHORTER;
+      continue;
+    }
+
+    qn_assembly_commit (&eq->assembly);
+    relaxation.elapsed += 1 / relaxation.viscosity;
+    update_velocity (eq, &relaxation);
+    if (eq->out_of_balance <= eq->tolerance)
+      return QN_SOLVE_CONVERGED;
+    if (is_mechanism (eq, &relaxation))
+      return QN_SOLVE_MECHANISM;
+    if (eq->statistics.iterations - before <= QUICK)
+      relaxation.viscosity /= LONGER;
+    else if (eq->statistics.iterations - before >= SLOW)
+      relaxation.viscosity *= 2;
+  }
+  return QN_SOLVE_FAILED;
+}
