@@ -14,10 +14,11 @@ typedef struct Options {
   char **overrides;
 } Options;
 
+/* `text` is what stands on the command line. */
 static QnExit
-refuse (const QnSubcommand *self, const char *format, const char *text)
+refuse (const QnSubcommand *self, const char *reason, const char *text)
 {
-  g_autofree char *message = g_strdup_printf ("%s: %s", text, format);
+  g_autofree char *message = g_strdup_printf ("%s: %s", text, reason);
   qn_cli_usage_error (self->name, message);
   return QN_EXIT_USAGE;
 }

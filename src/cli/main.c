@@ -54,9 +54,8 @@ dispatch (int argc, char **argv)
 
   const QnSubcommand *subcommand = find_subcommand (argv[1]);
   if (subcommand == NULL) {
-    g_autofree char *message =
-      g_strdup_printf (_ ("unknown %s “%s”"),
-                       argv[1][0] == '-' ? _ ("option") : _ ("subcommand"), argv[1]);
+    g_autofree char *message = g_strdup_printf (
+      argv[1][0] == '-' ? _ ("unknown option %s") : _ ("unknown subcommand %s"), argv[1]);
     qn_cli_usage_error (NULL, message);
     return QN_EXIT_USAGE;
   }
