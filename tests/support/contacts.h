@@ -1,0 +1,17 @@
+/* Preparing a test model and detecting its contacts in one go; any error aborts. */
+#ifndef TESTS_SUPPORT_CONTACTS_H
+#define TESTS_SUPPORT_CONTACTS_H
+
+#include "core/contacts.h"
+
+/* Prepares the model, detects, and checks what holds for every result: order, unit vectors, ends
+ * along the tangent, pairs on their faces with tributary lengths that add up. */
+void test_detect (QnModel *model, QnContacts *contacts);
+
+/* Number of findings of one kind. */
+size_t test_count_findings (const QnContacts *contacts, QnProblem problem);
+
+/* The only finding of one kind; aborts if there is none or more than one. */
+const QnFinding *test_the_finding (const QnContacts *contacts, QnProblem problem);
+
+#endif
