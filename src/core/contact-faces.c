@@ -5,6 +5,9 @@
 
 #include <stdlib.h>
 
+/* Sides of one block that share a walk through the tree: all of a rectangle. */
+#define SIDES_PER_QUERY 4
+
 typedef enum { MATCH_FACE, MATCH_TOUCH, MATCH_GAP } MatchKind;
 
 /* What one side of block a and one side of block b have to do with each other. */
@@ -147,25 +150,45 @@ compare_matches (const void *left, const void *right)
   return (l->side_b > r->side_b) - (l->side_b < r->side_b);
 }
 
+/* Matches the sides from `begin` up to `end`, neighbours on block a, with those of blocks of
+ * higher number. */
+static bool
+match_sides (const QnContactSearch *search, size_t begin, size_t end, Matches *matches)
+{
+  const QnSides *sides = &search->sides;
+  QnBox near[SIDES_PER_QUERY], whole = search->side_boxes[begin];
+  for (size_t i = begin; i < end; i++) {
+    near[i - begin] = qn_box_grow (search->side_boxes[i], search->gap_limit);
+    whole = qn_box_union (whole, near[i - begin]);
+  }
+
+  QnBoxQuery query = qn_box_tree_query (&search->side_tree, whole);
+  QnId j;
+  while ((j = qn_box_query_next (&query)) != QN_NONE) {
+    const QnSide *side_b = &sides->items[j];
+    if (side_b->block <= sides->items[begin].block)
+      continue;
+    for (size_t i = begin; i < end; i++) {
+      Match match = { .b = side_b->block, .side_a = (QnId) i, .side_b = j };
+      if (qn_box_meets (near[i - begin], search->side_boxes[j])
+          && (!match_stretch (search, &sides->items[i], side_b, match, matches)
+              || !match_corners (search, &sides->items[i], side_b, match, matches)))
+        return false;
+    }
+  }
+  return true;
+}
+
 /* Everything that block a has to do with blocks of higher number, sorted. */
 static bool
 find_matches (const QnContactSearch *search, QnId a, Matches *matches)
 {
-  const QnSides *sides = &search->sides;
+  size_t end = search->sides.first[a + 1];
   matches->count = 0;
-  for (size_t i = sides->first[a]; i < sides->first[a + 1]; i++) {
-    QnBoxQuery query = qn_box_tree_query (
-      &search->side_tree, qn_box_grow (search->side_boxes[i], search->gap_limit));
-    QnId j;
-    while ((j = qn_box_query_next (&query)) != QN_NONE) {
-      const QnSide *side_a = &sides->items[i], *side_b = &sides->items[j];
-      if (side_b->block <= a)
-        continue;
-      Match match = { .b = side_b->block, .side_a = (QnId) i, .side_b = j };
-      if (!match_stretch (search, side_a, side_b, match, matches)
-          || !match_corners (search, side_a, side_b, match, matches))
-        return false;
-    }
+  for (size_t i = search->sides.first[a]; i < end; i += SIDES_PER_QUERY) {
+    size_t group_end = i + SIDES_PER_QUERY < end ? i + SIDES_PER_QUERY : end;
+    if (!match_sides (search, i, group_end, matches))
+      return false;
   }
   if (matches->count > 1)
     qsort (matches->items, matches->count, sizeof *matches->items, compare_matches);

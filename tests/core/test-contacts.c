@@ -1,4 +1,5 @@
-#include "core/contacts.h"
+#include "core/generate.h"
+#include "support/contacts.h"
 #include "support/models.h"
 
 #include <glib.h>
@@ -11,8 +12,7 @@ test_published_walls (void)
     QnModel model;
     QnContacts contacts;
     test_model_init_wall (&model, number, 0);
-    g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
-    g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+    test_detect (&model, &contacts);
     g_assert_cmpuint (model.block_count, ==, test_walls[number - 1].blocks + 1);
     g_assert_cmpuint (contacts.face_count, ==, test_walls[number - 1].faces);
     g_assert_cmpuint (contacts.pair_count, ==, 2 * contacts.face_count);
@@ -23,10 +23,200 @@ test_published_walls (void)
   }
 }
 
+/* One line per face, independent of the numbering: names in alphabetical order, middle, length
+ * and normal, as seen before the model was scaled, turned by `angle` and moved by `shift`. */
+typedef struct {
+  const char *first, *second;
+  QnVec2 middle, normal;
+  double length;
+} Line;
+
+static int
+compare_lines (const void *a, const void *b)
+{
+  const Line *l = a, *r = b;
+  int order = g_strcmp0 (l->first, r->first);
+  if (order == 0)
+    order = g_strcmp0 (l->second, r->second);
+  return order;
+}
+
+static Line *
+describe (const QnModel *model, const QnContacts *contacts, double scale, double angle,
+          QnVec2 shift)
+{
+  Line *lines = g_new0 (Line, contacts->face_count);
+  for (size_t i = 0; i < contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i];
+    const char *a = model->blocks[face->a].name, *b = model->blocks[face->b].name;
+    bool ordered = g_strcmp0 (a, b) < 0;
+    QnVec2 middle = qn_vec2_sub (qn_vec2_lerp (face->start, face->end, 0.5), shift);
+    middle = qn_vec2_rotate (middle, cos (-angle), sin (-angle));
+    lines[i].first = ordered ? a : b;
+    lines[i].second = ordered ? b : a;
+    lines[i].middle = qn_vec2_scale (1 / scale, middle);
+    lines[i].normal = qn_vec2_rotate (qn_vec2_scale (ordered ? 1 : -1, face->normal),
+                                      cos (-angle), sin (-angle));
+    lines[i].length = face->length / scale;
+  }
+  qsort (lines, contacts->face_count, sizeof *lines, compare_lines);
+  return lines;
+}
+
+typedef struct {
+  double scale, angle;
+  QnVec2 shift;
+  bool renumber;
+  double tolerance; /* that rounding at these coordinates leaves, m of the original */
+} Motion;
+
+static void
+check_same_faces (const QnModel *original, const QnContacts *expected, const Line *lines,
+                  const Motion *motion, unsigned seed)
+{
+  QnModel model;
+  QnContacts contacts;
+  g_assert_cmpint (qn_model_copy (original, &model, NULL), ==, QN_OK);
+  if (motion->renumber)
+    test_model_renumber (&model, seed);
+  test_model_scale (&model, motion->scale);
+  test_model_rotate (&model, motion->angle);
+  test_model_translate (&model, motion->shift.x, motion->shift.y);
+  test_detect (&model, &contacts);
+
+  g_assert_cmpuint (contacts.face_count, ==, expected->face_count);
+  g_assert_cmpuint (contacts.findings.count, ==, expected->findings.count);
+  Line *moved = describe (&model, &contacts, motion->scale, motion->angle, motion->shift);
+  for (size_t i = 0; i < contacts.face_count; i++) {
+    g_assert_cmpstr (moved[i].first, ==, lines[i].first);
+    g_assert_cmpstr (moved[i].second, ==, lines[i].second);
+    g_assert_cmpfloat (qn_vec2_length (qn_vec2_sub (moved[i].middle, lines[i].middle)), <,
+                       motion->tolerance);
+    g_assert_cmpfloat (qn_vec2_length (qn_vec2_sub (moved[i].normal, lines[i].normal)), <,
+                       10 * motion->tolerance);
+    g_assert_cmpfloat_with_epsilon (moved[i].length, lines[i].length, motion->tolerance);
+  }
+  g_free (moved);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* Walls with openings, turned by any angle, moved by a million metres, scaled, renumbered: the
+ * same faces. */
+static void
+test_invariance (void)
+{
+  GRand *random = g_rand_new_with_seed (3);
+  for (unsigned seed = 1; seed <= 12; seed++) {
+    QnModel model;
+    QnContacts contacts;
+    QnWallRecipe recipe = qn_wall_recipe_default ();
+    recipe.length = 6 + (int32_t) seed;
+    recipe.courses = 15;
+    recipe.openings = (int32_t) seed / 2;
+    recipe.seed = seed;
+    qn_model_init (&model);
+    g_assert_cmpint (qn_generate_wall (&model, &recipe, NULL), ==, QN_OK);
+    test_detect (&model, &contacts);
+    Line *lines = describe (&model, &contacts, 1, 0, qn_vec2 (0, 0));
+
+    double any = g_rand_double_range (random, 0, 2 * G_PI);
+    const Motion motions[] = {
+      { 1, any, { 0, 0 }, false, 1e-12 },
+      { 1, G_PI / 4, { 0, 0 }, false, 1e-12 },
+      { 1, 3 * G_PI / 4, { 0, 0 }, false, 1e-12 },
+      { 1, 0, { 1e6, -1e6 }, false, 1e-8 },
+      { 1, any, { -1e6, 1e6 }, true, 1e-8 },
+      { 1e-3, 0, { 0, 0 }, false, 1e-12 },
+      { 1e3, 0, { 0, 0 }, false, 1e-12 },
+      { 1e-3, any, { 1e3, 0 }, true, 1e-8 },
+      { 1e-3, any, { 1e6, 1e6 }, true, 1e-5 }, /* bricks of 0.4 mm in kilometres */
+      { 1e3, any, { 1e6, 0 }, true, 1e-10 },
+      { 1, 0, { 0, 0 }, true, 1e-12 },
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS (motions); i++)
+      check_same_faces (&model, &contacts, lines, &motions[i], seed);
+    g_free (lines);
+    qn_contacts_clear (&contacts);
+    qn_model_clear (&model);
+  }
+  g_rand_free (random);
+}
+
+static void
+test_repeatable (void)
+{
+  QnModel model;
+  QnContacts first, second;
+  test_model_init_wall (&model, 6, 0);
+  test_model_rotate (&model, 0.3);
+  test_detect (&model, &first);
+  test_detect (&model, &second);
+  g_assert_cmpmem (first.faces, first.face_count * sizeof *first.faces, second.faces,
+                   second.face_count * sizeof *second.faces);
+  g_assert_cmpmem (first.pairs, first.pair_count * sizeof *first.pairs, second.pairs,
+                   second.pair_count * sizeof *second.pairs);
+  qn_contacts_clear (&first);
+  qn_contacts_clear (&second);
+  qn_model_clear (&model);
+}
+
+/* Several problems at once: overlaps are told first, then missing supports, then loose blocks. */
+static void
+test_require_sound_order (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnDiag diag;
+  test_model_init_stack (&model, 2, 1, 0.5);
+  test_model_add_rectangle (&model, "loose", 10, 0, 1, 1);
+  test_model_add_rectangle (&model, "intruder", 0.5, 0.25, 1, 1);
+  test_detect (&model, &contacts);
+  g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, &diag), ==,
+                   QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_BLOCKS_OVERLAP);
+  g_assert_cmpstr (model.blocks[diag.index].name, ==, "b1");
+  g_assert_cmpstr (model.blocks[diag.other].name, ==, "intruder");
+  g_assert_cmpfloat_with_epsilon (diag.value, 0.25, 1e-12);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* A hundred thousand blocks in well under the time that comparing all pairs would take (5e9
+ * comparisons): the limit is generous because machines are shared. */
+static void
+test_hundred_thousand_blocks (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnWallRecipe recipe = qn_wall_recipe_default ();
+  recipe.length = 250;
+  recipe.courses = 400;
+  qn_model_init (&model);
+  g_assert_cmpint (qn_generate_wall (&model, &recipe, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_test_timer_start ();
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  double seconds = g_test_timer_elapsed ();
+  g_test_message ("%zu blocks, %zu faces in %.3f s", model.block_count,
+                  contacts.face_count, seconds);
+  g_assert_cmpuint (model.block_count, ==, 100201);
+  /* perpends; beds of each block on two others; the lowest course on the base */
+  size_t perpends = 200 * 249 + 200 * 250, beds = 399 * 500 + 250;
+  g_assert_cmpuint (contacts.face_count, ==, perpends + beds);
+  g_assert_cmpfloat (seconds, <, 10);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contacts/published-walls", test_published_walls);
+  g_test_add_func ("/contacts/invariance", test_invariance);
+  g_test_add_func ("/contacts/repeatable", test_repeatable);
+  g_test_add_func ("/contacts/require-sound-order", test_require_sound_order);
+  g_test_add_func ("/contacts/hundred-thousand-blocks", test_hundred_thousand_blocks);
   return g_test_run ();
 }

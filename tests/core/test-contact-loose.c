@@ -1,0 +1,198 @@
+#include "support/contacts.h"
+#include "support/models.h"
+
+#include <glib.h>
+
+static QnBlock *
+add_polygon (QnModel *model, const char *name, const QnVec2 *vertices, size_t count)
+{
+  QnBlock *block = qn_model_add_block (model, name, vertices, count);
+  block->thickness = 1;
+  block->unit_weight = 10000;
+  return block;
+}
+
+/* Corners of running and of stack bond, of openings and of steps touch: nothing to report. */
+static void
+test_ordinary_corners (void)
+{
+  const double running[][3] = { { 1, 1, 1 }, { 0.5, 1, 1.5 } };
+  const double stack[] = { 1, 1, 1 }, step[] = { 1, 1 };
+  for (int kind = 0; kind < 3; kind++) {
+    QnModel model;
+    QnContacts contacts;
+    test_model_init (&model);
+    QnWall *wall = qn_model_add_wall (&model, "w");
+    wall->unit = qn_vec2 (0.4, 0.2);
+    wall->thickness = 1;
+    for (int course = 0; course < 4; course++)
+      g_assert_true (kind == 0   ? qn_wall_add_course (wall, running[course % 2], 3)
+                     : kind == 1 ? qn_wall_add_course (wall, stack, 3)
+                                 : qn_wall_add_course (wall, step, course < 2 ? 2 : 1));
+    test_model_add_base (&model, 0, -0.2, 1.2, 0.2);
+    test_model_rotate (&model, 0.4);
+    test_detect (&model, &contacts);
+    g_assert_cmpuint (contacts.findings.count, ==, 0);
+    qn_contacts_clear (&contacts);
+    qn_model_clear (&model);
+  }
+}
+
+/* Two piers with a gap between them, bridged by nothing: the corners of blocks that meet across
+ * an empty place bear on a point. */
+static void
+test_corner_on_corner (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init (&model);
+  test_model_add_base (&model, 0, -1, 3, 1);
+  test_model_add_rectangle (&model, "low", 0, 0, 1, 1);
+  test_model_add_rectangle (&model, "high", 1, 1, 1, 1);
+  test_detect (&model, &contacts);
+  const QnFinding *point = test_the_finding (&contacts, QN_PROBLEM_POINT_CONTACT);
+  g_assert_cmpint (point->block_a, ==, 1);
+  g_assert_cmpint (point->block_b, ==, 2);
+  g_assert_cmpfloat (point->at.x, ==, 1);
+  g_assert_cmpfloat (point->at.y, ==, 1);
+  g_assert_cmpint (
+    test_the_finding (&contacts, QN_PROBLEM_BLOCK_WITHOUT_CONTACT)->block_a, ==, 2);
+  g_assert_cmpint (test_the_finding (&contacts, QN_PROBLEM_BLOCK_FLOATING)->block_a, ==,
+                   2);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* A corner on the middle of an edge: a leaning block, at any angle of the whole. */
+static void
+test_corner_on_edge (void)
+{
+  const QnVec2 diamond[] = { { 0, 0 }, { 1, 1 }, { 0, 2 }, { -1, 1 } };
+  for (int turn = 0; turn < 9; turn++) {
+    QnModel model;
+    QnContacts contacts;
+    test_model_init (&model);
+    test_model_add_base (&model, -2, -1, 4, 1);
+    add_polygon (&model, "diamond", diamond, 4);
+    test_model_rotate (&model, turn * 0.7);
+    test_detect (&model, &contacts);
+    g_assert_cmpuint (contacts.face_count, ==, 0);
+    const QnFinding *point = test_the_finding (&contacts, QN_PROBLEM_POINT_CONTACT);
+    g_assert_cmpfloat (qn_vec2_length (point->at), <, 1e-12);
+    qn_contacts_clear (&contacts);
+    qn_model_clear (&model);
+  }
+}
+
+/* A wedge that lies on a slope by a face and pricks the floor by its tip, which has a face at
+ * that very place only with the slope: two blocks bear there, the floor has no face. */
+static void
+test_one_face_is_not_enough (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  const QnVec2 slope[] = { { 0, 0.5 }, { 2, 2.5 }, { 0, 2.5 } };
+  const QnVec2 block[] = { { 0, 0.5 }, { 0.5, 0 }, { 2.5, 2 }, { 2, 2.5 } };
+  test_model_init (&model);
+  test_model_add_base (&model, -1, -1, 5, 1);
+  add_polygon (&model, "slope", slope, 3)->support[0] = true;
+  add_polygon (&model, "block", block, 4);
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (contacts.face_count, ==, 1);
+  const QnFinding *point = test_the_finding (&contacts, QN_PROBLEM_POINT_CONTACT);
+  g_assert_cmpint (point->block_a, ==, 0);
+  g_assert_cmpint (point->block_b, ==, 2);
+  g_assert_cmpfloat (point->at.x, ==, 0.5);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* Every block of a part that hangs on nothing is named, and the analysis refused with the first. */
+static void
+test_floating_part (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnDiag diag;
+  test_model_init_stack (&model, 3, 1, 0.5);
+  test_model_add_rectangle (&model, "loose 1", 10, 0, 1, 1);
+  test_model_add_rectangle (&model, "loose 2", 10, 1, 1, 1);
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCK_FLOATING), ==, 2);
+  g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCK_WITHOUT_CONTACT), ==,
+                    0);
+  g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, &diag), ==,
+                   QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_BLOCK_FLOATING);
+  g_assert_cmpint (diag.entity, ==, QN_ENTITY_BLOCK);
+  g_assert_cmpstr (model.blocks[diag.index].name, ==, "loose 1");
+  g_assert_cmpfloat (diag.at.x, ==, 10.5);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* A support in one direction is a support. */
+static void
+test_any_support_holds (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_stack (&model, 2, 1, 0.5);
+  model.blocks[0].support[QN_DOF_UX] = model.blocks[0].support[QN_DOF_RZ] = false;
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (contacts.findings.count, ==, 0);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+static void
+test_no_support (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnDiag diag;
+  test_model_init_wall (&model, 5, 0);
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    model.blocks[0].support[dof] = false;
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (contacts.findings.count, ==, 1); /* not one for every block */
+  g_assert_cmpint (contacts.findings.items[0].problem, ==, QN_PROBLEM_NO_SUPPORT);
+  g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, &diag), ==,
+                   QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_SUPPORT);
+  g_assert_cmpint (diag.entity, ==, QN_ENTITY_MODEL);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* A fixed block on its own is worth a word, and no obstacle. */
+static void
+test_lonely_support (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_stack (&model, 1, 1, 1);
+  test_model_add_rectangle (&model, "post", 10, 0, 1, 1)->support[QN_DOF_UY] = true;
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (contacts.findings.count, ==, 1);
+  g_assert_cmpint (
+    test_the_finding (&contacts, QN_PROBLEM_BLOCK_WITHOUT_CONTACT)->block_a, ==, 2);
+  g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, NULL), ==, QN_OK);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/contact-loose/ordinary-corners", test_ordinary_corners);
+  g_test_add_func ("/contact-loose/corner-on-corner", test_corner_on_corner);
+  g_test_add_func ("/contact-loose/corner-on-edge", test_corner_on_edge);
+  g_test_add_func ("/contact-loose/one-face-is-not-enough", test_one_face_is_not_enough);
+  g_test_add_func ("/contact-loose/floating-part", test_floating_part);
+  g_test_add_func ("/contact-loose/any-support-holds", test_any_support_holds);
+  g_test_add_func ("/contact-loose/no-support", test_no_support);
+  g_test_add_func ("/contact-loose/lonely-support", test_lonely_support);
+  return g_test_run ();
+}

@@ -1,0 +1,165 @@
+#include "support/contacts.h"
+#include "support/models.h"
+
+#include <glib.h>
+
+#define CLOSE(a, b) g_assert_cmpfloat_with_epsilon ((a), (b), 1e-14)
+
+static void
+test_ends (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_block_on_plane (&model, 2, 1);
+  model.contact.pairs.offset = 0.25;
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (contacts.pair_count, ==, 2);
+  CLOSE (contacts.pairs[0].abscissa, 0.25);
+  CLOSE (contacts.pairs[1].abscissa, 1.75);
+  CLOSE (contacts.pairs[0].tributary, 1);
+  CLOSE (contacts.pairs[1].tributary, 1);
+  CLOSE (contacts.pairs[0].point.x, 0.75); /* the base's upper side runs leftwards */
+  CLOSE (contacts.pairs[1].point.x, -0.75);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* Without offset the pairs sit on the corners exactly. */
+static void
+test_ends_at_corners (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_wall (&model, 4, 0);
+  test_model_rotate (&model, 1);
+  test_detect (&model, &contacts);
+  for (size_t i = 0; i < contacts.face_count; i++) {
+    const QnContactFace *face = &contacts.faces[i];
+    const QnContactPair *pairs = &contacts.pairs[face->first_pair];
+    g_assert_cmpfloat (pairs[0].point.x, ==, face->start.x);
+    g_assert_cmpfloat (pairs[0].point.y, ==, face->start.y);
+    CLOSE (pairs[1].point.x, face->end.x);
+    CLOSE (pairs[1].point.y, face->end.y);
+  }
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+static void
+test_uniform (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_block_on_plane (&model, 2, 1);
+  model.contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 5 };
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (contacts.pair_count, ==, 5);
+  for (int i = 0; i < 5; i++) {
+    CLOSE (contacts.pairs[i].abscissa, 0.2 + 0.4 * i);
+    CLOSE (contacts.pairs[i].tributary, 0.4);
+    CLOSE (contacts.pairs[i].point.x, 0.8 - 0.4 * i);
+    CLOSE (contacts.pairs[i].point.y, 0);
+  }
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* The law of a spring is that of its block, else the contact law; an exception beats both. */
+static void
+test_laws (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_stack (&model, 3, 1, 0.5);
+  for (int i = 1; i < 3; i++) {
+    QnLaw *law = qn_model_add_law (&model, i == 1 ? "stone" : "lead");
+    law->kind = QN_LAW_ELASTIC;
+    law->kn = law->ks = 1e6;
+  }
+  model.blocks[2].law = 1;
+  QnFaceOverride *override = qn_model_add_override (&model);
+  override->block_a = 3;
+  override->block_b = 2;
+  override->law = 2;
+  test_detect (&model, &contacts);
+  g_assert_cmpuint (contacts.face_count, ==, 3);
+  const QnId laws[][2] = { { 0, 0 }, { 0, 1 }, { 2, 2 } };
+  for (int i = 0; i < 3; i++) {
+    g_assert_cmpint (contacts.faces[i].law_a, ==, laws[i][0]);
+    g_assert_cmpint (contacts.faces[i].law_b, ==, laws[i][1]);
+  }
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* Exceptions name blocks in any order, the later one counts, and one without a face is told. */
+static void
+test_exceptions (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_stack (&model, 4, 1, 0.5);
+  const QnId blocks[][2] = { { 4, 3 }, { 2, 1 }, { 1, 4 }, { 1, 2 }, { 0, 1 } };
+  const int counts[] = { 3, 4, 5, 6, 0 };
+  for (int i = 0; i < 5; i++) {
+    QnFaceOverride *override = qn_model_add_override (&model);
+    override->block_a = blocks[i][0];
+    override->block_b = blocks[i][1];
+    override->has_pairs = counts[i] > 0;
+    override->pairs =
+      (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = counts[i] };
+  }
+  test_detect (&model, &contacts);
+  const int32_t expected[] = { 2, 6, 2, 3 };
+  g_assert_cmpuint (contacts.face_count, ==, 4);
+  for (int i = 0; i < 4; i++)
+    g_assert_cmpint (contacts.faces[i].pair_count, ==, expected[i]);
+  g_assert_cmpuint (contacts.findings.count, ==, 1);
+  const QnFinding *unused = test_the_finding (&contacts, QN_PROBLEM_OVERRIDE_UNUSED);
+  g_assert_cmpint (unused->block_a, ==, 1);
+  g_assert_cmpint (unused->block_b, ==, 4);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* An offset that leaves no room between the pairs is refused, with the blocks of the face. */
+static void
+test_offset_too_large (void)
+{
+  const double offsets[] = { 0.49, 0.5, 2 };
+  for (int i = 0; i < 3; i++) {
+    QnModel model;
+    QnContacts contacts;
+    QnDiag diag;
+    test_model_init_stack (&model, 2, 1, 0.5);
+    model.contact.pairs.offset = offsets[i];
+    g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+    QnStatus status = qn_contacts_detect (&model, &contacts, &diag);
+    if (i == 0) {
+      g_assert_cmpint (status, ==, QN_OK);
+    } else {
+      g_assert_cmpint (status, ==, QN_ERROR_INVALID);
+      g_assert_cmpint (diag.problem, ==, QN_PROBLEM_PAIR_OFFSET_TOO_LARGE);
+      g_assert_cmpint (diag.entity, ==, QN_ENTITY_BLOCK);
+      g_assert_cmpint (diag.index, ==, 0);
+      g_assert_cmpint (diag.other, ==, 1);
+      g_assert_cmpfloat (diag.value, ==, 1);
+      g_assert_null (contacts.faces);
+    }
+    qn_contacts_clear (&contacts);
+    qn_model_clear (&model);
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/pair-placement/ends", test_ends);
+  g_test_add_func ("/pair-placement/ends-at-corners", test_ends_at_corners);
+  g_test_add_func ("/pair-placement/uniform", test_uniform);
+  g_test_add_func ("/pair-placement/laws", test_laws);
+  g_test_add_func ("/pair-placement/exceptions", test_exceptions);
+  g_test_add_func ("/pair-placement/offset-too-large", test_offset_too_large);
+  return g_test_run ();
+}
