@@ -1,0 +1,108 @@
+#include "io/io-error.h"
+#include "io/result-file.h"
+#include "result-fixture.h"
+#include "scratch.h"
+
+#include <string.h>
+
+static void
+test_text (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  char *expected = g_strdup_printf (
+    "{\n"
+    "  \"format\": \"quoin-result\", \"version\": 1,\n"
+    "  \"generator\": \"quoin " QN_VERSION "\",\n"
+    "  \"model\": \"wall.quoin\",\n"
+    "  \"model_sha256\": \"%s\",\n"
+    "  \"outcome\": \"collapse\",\n"
+    "  \"collapse_multiplier\": 0.2,\n"
+    "  \"first_limit_multiplier\": 0.1,\n"
+    "  \"blocks\": [\"base\", \"top\"],\n"
+    "  \"steps\": [\n"
+    "    { \"multiplier\": 0, \"displacements\": [[0, 0, 0], [0, 0, 0]], \"iterations\": "
+    "3, "
+    "\"residual\": 1e-12, \"event\": null },\n"
+    "    { \"multiplier\": 0.2, \"displacements\": [[0, 0, 0], [1e-6, -2e-6, 3e-9]], "
+    "\"iterations\": 4, \"residual\": 3e-10, \"event\": \"collapse\" }],\n"
+    "  \"contacts\": [\n"
+    "    { \"face\": 0, \"blocks\": [0, 1], \"point\": [1.5, 0], \"normal\": [0, 1], "
+    "\"area\": 0.5, \"state\": \"stick\", \"normal_force\": -6000, \"shear_force\": "
+    "-1000 },\n"
+    "    { \"face\": 0, \"blocks\": [0, 1], \"point\": [0.5, 0], \"normal\": [0, 1], "
+    "\"area\": 0.5, \"state\": \"stick\", \"normal_force\": -4000, \"shear_force\": "
+    "-1000 }],\n"
+    "  \"mechanism\": [[0, 0, 0], [0.8944271909999159, 0.4472135954999579, "
+    "-0.8944271909999159]],\n"
+    "  \"statistics\": { \"seconds\": 0.012, \"factor_seconds\": 0, "
+    "\"assembly_seconds\": 0, "
+    "\"law_seconds\": 0, \"iterations\": 420, \"factorizations\": 400, "
+    "\"peak_memory_bytes\": 12345678 }\n"
+    "}\n",
+    fixture->project.sha256);
+  char *text = result_fixture_dup_text (fixture);
+  g_assert_cmpstr (text, ==, expected);
+  g_free (text);
+  g_free (expected);
+}
+
+/* No equilibrium: nothing about contacts, the blocks that fall by their numbers. */
+static void
+test_unstable (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  QnResult *result = &fixture->result;
+  qn_result_clear (result);
+  g_assert_cmpint (qn_result_init (result, 2, 2, NULL), ==, QN_OK);
+  result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  result->unstable_blocks = g_malloc (sizeof (QnId));
+  result->unstable_blocks[0] = 1;
+  result->unstable_count = 1;
+  char *text = result_fixture_dup_text (fixture);
+  g_assert_nonnull (strstr (text, "\"outcome\": \"dead-load-unstable\","));
+  g_assert_nonnull (strstr (text, "\"collapse_multiplier\": null,"));
+  g_assert_nonnull (strstr (text, "\"unstable_blocks\": [1],"));
+  g_assert_nonnull (strstr (text, "\"steps\": [],"));
+  g_assert_nonnull (strstr (text, "\"contacts\": [],"));
+  g_assert_nonnull (strstr (text, "\"mechanism\": null,"));
+  g_free (text);
+}
+
+static void
+test_overrides (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  fixture->project.overrides = g_strsplit ("analysis.snap=stop|title=\"x\"", "|", -1);
+  char *text = result_fixture_dup_text (fixture);
+  g_assert_nonnull (
+    strstr (text, "\"overrides\": [\"analysis.snap=stop\", \"title=\\\"x\\\"\"],"));
+  g_free (text);
+}
+
+static void
+test_disk_full (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  GError *error = NULL;
+  g_assert_false (qn_result_file_write ("/dev/full", &fixture->project,
+                                        &fixture->contacts, &fixture->result, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
+  g_assert_cmpstr (error->message, ==,
+                   "/dev/full: cannot be written: No space left on device");
+  g_error_free (error);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+#define ADD(path, test)                                                                  \
+  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
+              result_fixture_tear_down)
+  ADD ("/result-write/text", test_text);
+  ADD ("/result-write/unstable", test_unstable);
+  ADD ("/result-write/overrides", test_overrides);
+  ADD ("/result-write/disk-full", test_disk_full);
+#undef ADD
+  return g_test_run ();
+}
