@@ -139,13 +139,14 @@ add_loads (const QnModel *model, const double *dead, const double *live, double 
 {
   double largest_load = 0;
   for (size_t i = 0; i < model->block_count; i++) {
-    if (is_free (&model->blocks[i]))
+    bool free_to_move = is_free (&model->blocks[i]);
+    if (free_to_move)
       check->force_scale = MAX (check->force_scale, model->blocks[i].weight);
     for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
       size_t k = i * QN_DOF_COUNT + dof;
       double load = dead[k] + check->multiplier * live[k];
       balance[k] = load;
-      if (dof != QN_DOF_RZ)
+      if (free_to_move && dof != QN_DOF_RZ)
         largest_load = MAX (largest_load, fabs (load));
     }
   }

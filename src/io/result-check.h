@@ -17,7 +17,7 @@ typedef struct QnResultCheck {
                             moments count with the arm sqrt(block area) */
   QnId unbalanced_block; /* where, or QN_NONE when nothing is out of balance */
   double
-    force_scale; /* N: largest block weight; largest load where blocks are weightless */
+    force_scale; /* N: largest weight of a free block; largest load where they are weightless */
 
   double yield_violation; /* largest over the pairs, over `contact_scale` */
   QnId violating_pair;    /* where, or QN_NONE */

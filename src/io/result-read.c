@@ -206,16 +206,34 @@ read_state (QnJsonStream *stream, gpointer target)
   return qn_json_stream_fail (stream, _ ("this is no state of a contact pair"));
 }
 
+static gboolean
+read_normal (QnJsonStream *stream, gpointer target)
+{
+  return read_vec2 (stream, target)
+         && (fabs (qn_vec2_length (*(QnVec2 *) target) - 1) <= 1e-6
+             || qn_json_stream_fail (stream, _ ("normal is not of length 1")));
+}
+
 typedef struct ContactDraft {
   QnResultContact contact;
   QnPairResult pair;
-  double blocks[2];
+  QnId blocks[2];
 } ContactDraft;
 
 static gboolean
 read_contact_blocks (QnJsonStream *stream, gpointer target)
 {
-  return qn_json_stream_numbers (stream, target, 2);
+  QnId *blocks = target;
+  double numbers[2];
+  if (!qn_json_stream_numbers (stream, numbers, 2))
+    return FALSE;
+  for (int i = 0; i < 2; i++) {
+    if (!(numbers[i] >= 0 && numbers[i] < QN_MAX_BLOCKS
+          && numbers[i] == floor (numbers[i])))
+      return qn_json_stream_fail (stream, _ ("blocks are given by their numbers from 0"));
+    blocks[i] = (QnId) numbers[i];
+  }
+  return TRUE;
 }
 
 static gboolean
@@ -225,7 +243,7 @@ read_contact (QnJsonStream *stream, gpointer target)
     { "face", qn_json_stream_int32, offsetof (ContactDraft, contact.face), TRUE },
     { "blocks", read_contact_blocks, offsetof (ContactDraft, blocks), TRUE },
     { "point", read_vec2, offsetof (ContactDraft, contact.point), TRUE },
-    { "normal", read_vec2, offsetof (ContactDraft, contact.normal), TRUE },
+    { "normal", read_normal, offsetof (ContactDraft, contact.normal), TRUE },
     { "area", qn_json_stream_number, offsetof (ContactDraft, contact.area), FALSE },
     { "state", read_state, offsetof (ContactDraft, pair.state), TRUE },
     { "normal_force", qn_json_stream_number, offsetof (ContactDraft, pair.normal_force),
@@ -244,14 +262,8 @@ read_contact (QnJsonStream *stream, gpointer target)
                 sizeof *result->pairs))
     return FALSE;
 
-  for (int i = 0; i < 2; i++)
-    if (!(read.blocks[i] >= 0 && read.blocks[i] < G_MAXINT32
-          && read.blocks[i] == floor (read.blocks[i])))
-      return qn_json_stream_fail (stream, _ ("blocks are given by their numbers from 0"));
-  if (fabs (qn_vec2_length (read.contact.normal) - 1) > 1e-6)
-    return qn_json_stream_fail (stream, _ ("normal is not of length 1"));
-  read.contact.block_a = (QnId) read.blocks[0];
-  read.contact.block_b = (QnId) read.blocks[1];
+  read.contact.block_a = read.blocks[0];
+  read.contact.block_b = read.blocks[1];
   file->contacts[result->pair_count] = read.contact;
   result->pairs[result->pair_count++] = read.pair;
   return TRUE;
