@@ -1,0 +1,120 @@
+#include "core/limit-bounds.h"
+
+#include <math.h>
+
+/* Smallest slack h - Gy of every bound, or of those that `other` helps. */
+static double
+share_to_anchor (const QnIpProblem *p, const double *y, const double *anchor)
+{
+  double share = 0.0;
+
+  for (int32_t c = 0; c < p->cell_count; c++) {
+    const QnIpCell *cell = &p->cells[c];
+    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
+      const QnIpBound *b = &p->bounds[i];
+      double slack = b->limit - b->normal * y[2 * c] - b->shear * y[2 * c + 1];
+      double safe = b->limit - b->normal * anchor[2 * c] - b->shear * anchor[2 * c + 1];
+      if (slack < 0.0 && safe > 0.0)
+        share = fmax (share, -slack / (safe - slack));
+    }
+  }
+  return share;
+}
+
+static double
+worst_excess (const QnIpProblem *p, const double *y)
+{
+  double worst = 0.0;
+
+  for (int32_t c = 0; c < p->cell_count; c++) {
+    const QnIpCell *cell = &p->cells[c];
+    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
+      const QnIpBound *b = &p->bounds[i];
+      worst = fmax (worst, b->normal * y[2 * c] + b->shear * y[2 * c + 1] - b->limit);
+    }
+  }
+  return worst;
+}
+
+QnStatus
+qn_limit_lower_bound (QnInteriorPoint *ip, const QnLimitProblem *limit, const double *anchor,
+                      double *y, double *lambda, QnLimitCheck *check, QnDiag *diag)
+{
+  const QnIpProblem *p = &limit->ip;
+  double slack;
+  QnStatus status;
+
+  *lambda = ip->lambda / ip->tau;
+  status = qn_interior_point_project (ip, false, lambda, y, &check->static_residual, &slack,
+                                      diag);
+  if (status)
+    return status;
+  if (anchor && slack < 0.0) {
+    double share = fmin (1.0, share_to_anchor (p, y, anchor));
+    for (int32_t i = 0; i < 2 * p->cell_count; i++)
+      y[i] += share * (anchor[i] - y[i]);
+    *lambda *= 1.0 - share;
+  }
+  check->static_violation = worst_excess (p, y);
+  return QN_OK;
+}
+
+/* Least dissipation sum h z over z >= 0 with G'z = rate, at a vertex of that little program,
+ * that is with two rows at most. Where the rate cannot be had, the nearest vertex counts and
+ * *violation grows to what is missing. */
+static double
+dissipation (const QnIpProblem *p, const QnIpCell *cell, const double *rate,
+             double *violation)
+{
+  const QnIpBound *b = p->bounds + cell->first_bound;
+  double least_missing = hypot (rate[0], cell->no_shear ? 0.0 : rate[1]);
+  double best = least_missing > 0.0 ? INFINITY : 0.0;
+
+  for (int32_t i = 0; i < cell->bound_count; i++) {
+    double along = b[i].normal * rate[0] + (cell->no_shear ? 0.0 : b[i].shear * rate[1]);
+    double square = b[i].normal * b[i].normal + b[i].shear * b[i].shear;
+    double z = fmax (0.0, along / square);
+    double missing = hypot (rate[0] - z * b[i].normal,
+                            cell->no_shear ? 0.0 : rate[1] - z * b[i].shear);
+    if (missing < least_missing || (missing == least_missing && z * b[i].limit < best)) {
+      least_missing = missing;
+      best = z * b[i].limit;
+    }
+    for (int32_t j = 0; j < i && !cell->no_shear; j++) {
+      double cross = b[i].normal * b[j].shear - b[i].shear * b[j].normal;
+      double zi, zj;
+      if (cross == 0.0)
+        continue;
+      zi = (rate[0] * b[j].shear - rate[1] * b[j].normal) / cross;
+      zj = (b[i].normal * rate[1] - b[i].shear * rate[0]) / cross;
+      if (zi < 0.0 || zj < 0.0)
+        continue;
+      if (least_missing > 0.0 || zi * b[i].limit + zj * b[j].limit < best)
+        best = zi * b[i].limit + zj * b[j].limit;
+      least_missing = 0.0;
+    }
+  }
+  *violation = fmax (*violation, least_missing);
+  return isfinite (best) ? best : 0.0;
+}
+
+double
+qn_limit_upper_bound (const QnLimitProblem *limit, double *v, double *rates,
+                      QnLimitCheck *check)
+{
+  const QnIpProblem *p = &limit->ip;
+  double power = 0.0, largest = 0.0, bound = 0.0, violation = 0.0;
+
+  for (int32_t r = 0; r < p->row_count; r++)
+    power += p->load[r] * v[r];
+  for (int32_t r = 0; r < p->row_count; r++) {
+    v[r] /= power;
+    largest = fmax (largest, fabs (v[r]));
+    bound -= p->constant[r] * v[r];
+  }
+  qn_interior_point_rates (p, v, rates);
+  for (int32_t c = 0; c < p->cell_count; c++)
+    bound += dissipation (p, &p->cells[c], rates + 2 * c, &violation);
+  check->kinematic_violation = violation / largest;
+  return bound;
+}

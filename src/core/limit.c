@@ -1,0 +1,220 @@
+#include "core/limit.h"
+
+#include "core/limit-bounds.h"
+#include "core/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Without an optimum to full accuracy, an iterate this good is still an answer. */
+#define ACCEPTED_GAP 1e-6
+#define ACCEPTED_RESIDUAL 1e-7
+
+typedef struct Run {
+  QnLimitProblem *limit;
+  QnInteriorPoint *ip;
+  QnProgressFunc progress;
+  void *user_data;
+  QnLimitSolution *solution;
+  double *y;      /* cell_count x 2 */
+  double *rates;  /* cell_count x 2 */
+  double *anchor; /* cell_count x 2: forces within the strength at multiplier 0 */
+  bool anchored;  /* … where they are known */
+  bool cancelled;
+} Run;
+
+void
+qn_limit_solution_clear (QnLimitSolution *solution)
+{
+  free (solution->forces);
+  free (solution->velocities);
+  *solution = (QnLimitSolution){ 0 };
+}
+
+static QnStatus
+iterate_once (Run *run, QnDiag *diag)
+{
+  QnInteriorPoint *ip = run->ip;
+  QnStatus status = qn_interior_point_iterate (ip, diag);
+
+  run->solution->iterations++;
+  if (!status && run->progress) {
+    QnProgress report = {
+      .iterations = run->solution->iterations,
+      .factorizations = run->solution->factorizations + ip->factorizations,
+    };
+    run->cancelled = !run->progress (&report, run->user_data);
+  }
+  return status;
+}
+
+/* Forces that carry the dead load alone, or the certificate that there are none. An iterate
+ * that can be led into the interior of the strength settles the question early; the program
+ * goes on to its end only where there is no interior. */
+static QnStatus
+carry_dead_load (Run *run, QnDiag *diag)
+{
+  QnIpProblem *p = &run->limit->ip;
+  QnInteriorPoint *ip = run->ip;
+  const double *load = p->load;
+  double lambda = 0.0, residual = INFINITY, slack = 0.0;
+  QnStatus status;
+
+  p->load = NULL;
+  p->load_gain = 0.0;
+  status = qn_interior_point_start (ip, diag);
+  while (!status && ip->state == QN_IP_RUNNING && !run->anchored && !run->cancelled) {
+    status = iterate_once (run, diag);
+    if (!status)
+      status = qn_interior_point_project (ip, true, &lambda, run->anchor, &residual, &slack,
+                                          diag);
+    run->anchored = !status && slack > 0.0 && residual < ACCEPTED_RESIDUAL;
+  }
+  p->load = load;
+  p->load_gain = 1.0;
+  run->solution->factorizations += ip->factorizations;
+  return status;
+}
+
+static bool
+is_answer (const QnInteriorPoint *ip)
+{
+  return ip->state == QN_IP_OPTIMAL ||
+         (ip->state == QN_IP_STALLED && ip->measures.gap < ACCEPTED_GAP &&
+          ip->measures.primal_residual < ACCEPTED_RESIDUAL &&
+          ip->measures.dual_residual < ACCEPTED_RESIDUAL);
+}
+
+static QnStatus
+raise_multiplier (Run *run, QnDiag *diag)
+{
+  QnStatus status = qn_interior_point_start (run->ip, diag);
+
+  while (!status && run->ip->state == QN_IP_RUNNING && !run->cancelled)
+    status = iterate_once (run, diag);
+  run->solution->factorizations += run->ip->factorizations;
+  return status;
+}
+
+static void
+take_certificate (Run *run)
+{
+  run->solution->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  qn_limit_problem_velocities (run->limit, run->ip->v, run->solution->velocities);
+}
+
+/* The two bounds with what proves them. */
+static QnStatus
+take_optimum (Run *run, QnDiag *diag)
+{
+  QnLimitSolution *solution = run->solution;
+  const QnLimitProblem *limit = run->limit;
+  double lower, upper;
+  QnStatus status
+    = qn_limit_lower_bound (run->ip, limit, run->anchored ? run->anchor : NULL, run->y,
+                            &lower, &solution->check, diag);
+
+  if (status)
+    return status;
+  upper = qn_limit_upper_bound (limit, run->ip->v, run->rates, &solution->check);
+  solution->check.gap = (upper - lower) / (1.0 + fabs (upper));
+  solution->lower_bound = qn_limit_problem_multiplier (limit, lower);
+  solution->upper_bound = qn_limit_problem_multiplier (limit, upper);
+  solution->outcome = QN_OUTCOME_COLLAPSE;
+  qn_limit_problem_forces (limit, run->y, 1.0, solution->forces);
+  qn_limit_problem_velocities (limit, run->ip->v, solution->velocities);
+  return QN_OK;
+}
+
+static void
+take_growth (Run *run)
+{
+  QnLimitSolution *solution = run->solution;
+
+  solution->outcome = QN_OUTCOME_UNBOUNDED;
+  solution->lower_bound = solution->upper_bound = INFINITY;
+  qn_limit_problem_forces (run->limit, run->ip->y,
+                           qn_limit_problem_multiplier (run->limit, run->ip->lambda),
+                           solution->forces);
+}
+
+static QnStatus
+solve (Run *run, QnDiag *diag)
+{
+  QnInteriorPoint *ip = run->ip;
+  QnStatus status = carry_dead_load (run, diag);
+
+  run->solution->outcome = QN_OUTCOME_NOT_CONVERGED;
+  if (!status && ip->state == QN_IP_INFEASIBLE) {
+    take_certificate (run);
+    return QN_OK;
+  }
+  if (!status && !run->cancelled && (run->anchored || is_answer (ip)))
+    status = raise_multiplier (run, diag);
+  else
+    ip->state = QN_IP_STALLED;
+  if (status)
+    return status;
+  if (run->cancelled)
+    run->solution->outcome = QN_OUTCOME_CANCELLED;
+  else if (ip->state == QN_IP_INFEASIBLE)
+    take_certificate (run);
+  else if (ip->state == QN_IP_UNBOUNDED)
+    take_growth (run);
+  else if (is_answer (ip))
+    status = take_optimum (run, diag);
+  return status;
+}
+
+QnStatus
+qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, QnProgressFunc progress,
+                void *user_data, QnLimitSolution *solution, QnDiag *diag)
+{
+  size_t cells = (size_t) limit->ip.cell_count;
+  Run run = { .limit = limit,
+              .ip = ip,
+              .progress = progress,
+              .user_data = user_data,
+              .solution = solution,
+              .y = qn_alloc (2 * cells, sizeof (double)),
+              .rates = qn_alloc (2 * cells, sizeof (double)),
+              .anchor = qn_alloc (2 * cells, sizeof (double)) };
+  QnStatus status;
+
+  *solution = (QnLimitSolution){
+    .forces = qn_alloc (2 * limit->pair_count, sizeof (double)),
+    .velocities = qn_alloc (limit->block_count * QN_DOF_COUNT, sizeof (double)),
+  };
+  if (!run.y || !run.rates || !run.anchor || !solution->forces || !solution->velocities)
+    status = qn_diag_no_memory (diag);
+  else
+    status = solve (&run, diag);
+  free (run.y);
+  free (run.rates);
+  free (run.anchor);
+  if (status)
+    qn_limit_solution_clear (solution);
+  return status;
+}
+
+QnStatus
+qn_limit_associative (const QnModel *model, const QnContacts *contacts,
+                      QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
+                      QnDiag *diag)
+{
+  QnIpSettings settings = qn_interior_point_defaults ();
+  QnLimitProblem limit;
+  QnInteriorPoint ip;
+  QnStatus status = qn_limit_problem_init (&limit, model, contacts, false, diag);
+
+  *solution = (QnLimitSolution){ 0 };
+  if (status)
+    return status;
+  status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
+  if (!status)
+    status = qn_limit_solve (&limit, &ip, progress, user_data, solution, diag);
+  qn_interior_point_clear (&ip);
+  qn_limit_problem_clear (&limit);
+  return status;
+}
