@@ -9,17 +9,6 @@
 /* Entries of the lower half of a 6 x 6 matrix. */
 #define GROUP_ENTRIES (QN_IP_GROUP_ROWS * (QN_IP_GROUP_ROWS + 1) / 2)
 
-/* A free direction of a cell is given this many times the largest compliance around it: soft
- * enough to lose only four digits in rounding, and one refinement gains the four back. */
-#define FREE_COMPLIANCE 1e4
-
-/* Relative increase of M's diagonal, so that redundant rows leave positive pivots: well above
- * rounding, far below what refinement could not remove. */
-#define ROW_REGULARIZATION 1e-13
-
-/* A row on which no cell acts has only this on the diagonal (loads are of the order of 1). */
-#define EMPTY_ROW_PIVOT 1e-8
-
 #define REFINEMENT_TARGET 1e-13
 #define MOST_REFINEMENTS 4
 
@@ -145,25 +134,6 @@ fill_pattern (QnIpKkt *kkt, const int64_t *keys, size_t count)
   }
 }
 
-/* Whether bounds and quadratic terms leave a direction of the cell's force unrestrained. */
-static bool
-is_deficient (const QnIpProblem *p, const QnIpCell *cell)
-{
-  bool normal = cell->quadratic[0] > 0.0, shear = cell->no_shear || cell->quadratic[1] > 0.0;
-  const QnIpBound *bounds = p->bounds + cell->first_bound;
-
-  for (int32_t i = 0; i < cell->bound_count; i++) {
-    if (bounds[i].normal != 0.0 && (cell->no_shear || shear || bounds[i].shear == 0.0))
-      normal = true;
-    if (bounds[i].shear != 0.0 && (normal || bounds[i].normal == 0.0))
-      shear = true;
-    for (int32_t j = 0; j < i; j++)
-      if (bounds[i].normal * bounds[j].shear != bounds[i].shear * bounds[j].normal)
-        normal = shear = true;
-  }
-  return !normal || !shear;
-}
-
 static QnStatus
 analyze (QnIpKkt *kkt, QnDiag *diag)
 {
@@ -199,7 +169,6 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
 
   kkt->slots = qn_alloc ((size_t) problem->group_count * GROUP_ENTRIES, sizeof (int32_t));
   kkt->diagonal = qn_alloc (rows, sizeof (int32_t));
-  kkt->deficient = qn_alloc (cells, sizeof (bool));
   kkt->stiffness = qn_alloc (3 * cells, sizeof (double));
   kkt->compliance = qn_alloc (3 * cells, sizeof (double));
   kkt->residual_y = qn_alloc (2 * cells, sizeof (double));
@@ -209,26 +178,24 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
   kkt->local = qn_alloc (rows, sizeof (double));
   kkt->border = qn_alloc (rows, sizeof (double));
   kkt->step_v = qn_alloc (rows, sizeof (double));
-  if (!kkt->slots || !kkt->diagonal || !kkt->deficient || !kkt->stiffness ||
+  if (!kkt->slots || !kkt->diagonal ||  !kkt->stiffness ||
       !kkt->compliance || !kkt->residual_y || !kkt->step_y || !kkt->residual_v ||
       !kkt->rates || !kkt->local || !kkt->border || !kkt->step_v)
     return qn_diag_no_memory (diag);
-  for (size_t i = 0; i < cells; i++)
-    kkt->deficient[i] = is_deficient (problem, &problem->cells[i]);
   return analyze (kkt, diag);
 }
 
 /* H of a cell and its inverse, both sums of terms of one sign on their diagonals: the
  * determinant by Cauchy and Binet, det = sum_{i<j} w_i w_j (g_i x g_j)^2, and the adjugate by
  * turning each row, adj H = sum_i w_i g_i^ g_i^'. Nothing cancels, however different the
- * weights. `extra` is added to the diagonal of H in the inverse only. */
+ * weights; Q and the regularisation count as rows along the axes. */
 static void
-invert_cell (const QnIpProblem *p, const QnIpCell *cell, const double *w, double extra,
-             double *stiffness, double *compliance)
+invert_cell (const QnIpProblem *p, const QnIpCell *cell, const double *w,
+             double regularization, double *stiffness, double *compliance)
 {
-  double nn = cell->quadratic[0], tt = cell->quadratic[1], nt = 0.0;
-  double en = nn + extra, et = tt + extra;
-  double determinant = en * et;
+  double axis_n = cell->quadratic[0] + regularization;
+  double axis_t = cell->quadratic[1] + regularization;
+  double nn = axis_n, nt = 0.0, tt = axis_t, determinant = axis_n * axis_t;
   const QnIpBound *bounds = p->bounds + cell->first_bound;
 
   w += cell->first_bound;
@@ -237,7 +204,7 @@ invert_cell (const QnIpProblem *p, const QnIpCell *cell, const double *w, double
     nn += w[i] * b->normal * b->normal;
     nt += w[i] * b->normal * b->shear;
     tt += w[i] * b->shear * b->shear;
-    determinant += w[i] * (b->normal * b->normal * et + b->shear * b->shear * en);
+    determinant += w[i] * (b->normal * b->normal * axis_t + b->shear * b->shear * axis_n);
     for (int32_t j = 0; j < i; j++) {
       double cross = b->normal * bounds[j].shear - b->shear * bounds[j].normal;
       determinant += w[i] * w[j] * cross * cross;
@@ -246,28 +213,23 @@ invert_cell (const QnIpProblem *p, const QnIpCell *cell, const double *w, double
   stiffness[0] = nn;
   stiffness[1] = cell->no_shear ? 0.0 : nt;
   stiffness[2] = cell->no_shear ? 0.0 : tt;
-  compliance[0] = cell->no_shear ? 1.0 / (nn + extra) : (tt + extra) / determinant;
+  compliance[0] = cell->no_shear ? 1.0 / nn : tt / determinant;
   compliance[1] = cell->no_shear ? 0.0 : -nt / determinant;
-  compliance[2] = cell->no_shear ? 0.0 : (nn + extra) / determinant;
+  compliance[2] = cell->no_shear ? 0.0 : nn / determinant;
 }
 
-/* Adds the cells of a group to M; `diagonal` (nullable) collects M's diagonal as well. */
 static void
-scatter_group (QnIpKkt *kkt, int32_t g, bool deficient)
+scatter_group (QnIpKkt *kkt, int32_t g)
 {
   const QnIpGroup *group = &kkt->problem->groups[g];
   const int32_t *slots = kkt->slots + (size_t) g * GROUP_ENTRIES;
   double sum[GROUP_ENTRIES] = { 0 };
   double *values = kkt->matrix->x;
-  bool any = false;
 
   for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
     const double (*map)[2] = kkt->problem->cells[c].map;
     const double *inverse = kkt->compliance + 3 * c;
 
-    if (kkt->deficient[c] != deficient)
-      continue;
-    any = true;
     for (int i = 0, e = 0; i < QN_IP_GROUP_ROWS; i++) {
       double n = map[i][0] * inverse[0] + map[i][1] * inverse[1];
       double t = map[i][0] * inverse[1] + map[i][1] * inverse[2];
@@ -275,66 +237,9 @@ scatter_group (QnIpKkt *kkt, int32_t g, bool deficient)
         sum[e] += n * map[j][0] + t * map[j][1];
     }
   }
-  if (!any)
-    return;
   for (int e = 0; e < GROUP_ENTRIES; e++)
     if (slots[e] >= 0)
       values[slots[e]] += sum[e];
-}
-
-/* The compliance of the free directions follows from what surrounds them, so that the system
- * stays as well conditioned as it is without them. */
-static void
-scatter_deficient (QnIpKkt *kkt, const double *w)
-{
-  const QnIpProblem *p = kkt->problem;
-  const double *values = kkt->matrix->x;
-
-  for (int32_t r = 0; r < p->row_count; r++)
-    kkt->local[r] = values[kkt->diagonal[r]];
-  for (int32_t g = 0; g < p->group_count; g++) {
-    const QnIpGroup *group = &p->groups[g];
-    double around = 0.0;
-    bool any = false;
-
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-      if (group->rows[i] >= 0)
-        around = fmax (around, kkt->local[group->rows[i]]);
-    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
-      if (!kkt->deficient[c])
-        continue;
-      double largest = around;
-      const QnIpCell *cell = &p->cells[c];
-      for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++)
-        largest = fmax (largest, 1.0 / w[i]);
-      if (largest == 0.0)
-        largest = 1.0;
-      invert_cell (p, cell, w, 1.0 / (FREE_COMPLIANCE * largest), kkt->stiffness + 3 * c,
-                   kkt->compliance + 3 * c);
-      any = true;
-    }
-    if (any)
-      scatter_group (kkt, g, true);
-  }
-}
-
-static void
-assemble (QnIpKkt *kkt, const double *w)
-{
-  const QnIpProblem *p = kkt->problem;
-  bool any_deficient = false;
-
-  memset (kkt->matrix->x, 0, kkt->matrix->nzmax * sizeof (double));
-  for (int32_t c = 0; c < p->cell_count; c++)
-    if (kkt->deficient[c])
-      any_deficient = true;
-    else
-      invert_cell (p, &p->cells[c], w, 0.0, kkt->stiffness + 3 * c,
-                   kkt->compliance + 3 * c);
-  for (int32_t g = 0; g < p->group_count; g++)
-    scatter_group (kkt, g, false);
-  if (any_deficient)
-    scatter_deficient (kkt, w);
 }
 
 /* out = H^-1 ry per cell */
@@ -390,25 +295,24 @@ solve_border (QnIpKkt *kkt, QnDiag *diag)
 QnStatus
 qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w, bool *ok, QnDiag *diag)
 {
+  const QnIpProblem *p = kkt->problem;
   double *values = kkt->matrix->x;
-  double relative = ROW_REGULARIZATION;
 
-  assemble (kkt, w);
-  for (int32_t r = 0; r < kkt->problem->row_count; r++)
-    kkt->local[r] = values[kkt->diagonal[r]];
-  for (int attempt = 0; attempt < 4; attempt++, relative *= 100.0) {
-    for (int32_t r = 0; r < kkt->problem->row_count; r++)
-      values[kkt->diagonal[r]] = kkt->local[r] > 0.0 ? kkt->local[r] * (1.0 + relative)
-                                                      : EMPTY_ROW_PIVOT;
-    cholmod_factorize (kkt->matrix, kkt->factor, &kkt->common);
-    kkt->factorizations++;
-    if (kkt->common.status == CHOLMOD_OUT_OF_MEMORY)
-      return qn_diag_no_memory (diag);
-    *ok = kkt->common.status == CHOLMOD_OK && kkt->factor->minor == kkt->factor->n;
-    if (*ok)
-      return solve_border (kkt, diag);
-  }
-  return QN_OK;
+  memset (values, 0, kkt->matrix->nzmax * sizeof (double));
+  for (int32_t r = 0; r < p->row_count; r++)
+    values[kkt->diagonal[r]] = kkt->regularization;
+  for (int32_t c = 0; c < p->cell_count; c++)
+    invert_cell (p, &p->cells[c], w, kkt->regularization, kkt->stiffness + 3 * c,
+                 kkt->compliance + 3 * c);
+  for (int32_t g = 0; g < p->group_count; g++)
+    scatter_group (kkt, g);
+  kkt->error = 0.0;
+  cholmod_factorize (kkt->matrix, kkt->factor, &kkt->common);
+  kkt->factorizations++;
+  if (kkt->common.status == CHOLMOD_OUT_OF_MEMORY)
+    return qn_diag_no_memory (diag);
+  *ok = kkt->common.status == CHOLMOD_OK && kkt->factor->minor == kkt->factor->n;
+  return *ok ? solve_border (kkt, diag) : QN_OK;
 }
 
 /* Solves the regularised system once for the residuals in the workspace and adds the
@@ -495,7 +399,8 @@ measure (QnIpKkt *kkt, const QnIpKktVector *right, const QnIpKktVector *out)
   double error = measure_cells (kkt, right->y, out), scale;
 
   for (int32_t r = 0; r < p->row_count; r++)
-    e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0);
+    e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0) +
+           kkt->regularization * out->v[r];
   scale = fmax (largest (right->v, p->row_count), fabs (out->lambda));
   scale = fmax (scale, 1e-3 * largest (out->y, 2 * p->cell_count));
   qn_ip_add_forces (p, out->y, -1.0, e);
@@ -533,10 +438,14 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktVector *right, QnIpKktVector *out, Q
     /* The first pass is the solution; later ones go on while they gain a digit. */
     if (round > 0 && now > last)
       undo (kkt, out);
-    if (round > 0 && now > 0.1 * last)
+    if (round > 0 && now > 0.1 * last) {
+      last = fmin (last, now);
       break;
+    }
     last = now;
   }
+  if (!(last <= kkt->error)) /* NaN counts as the worst */
+    kkt->error = isnan (last) ? INFINITY : last;
   return QN_OK;
 }
 
@@ -554,7 +463,6 @@ qn_ip_kkt_clear (QnIpKkt *kkt)
   }
   free (kkt->slots);
   free (kkt->diagonal);
-  free (kkt->deficient);
   free (kkt->stiffness);
   free (kkt->compliance);
   free (kkt->residual_y);

@@ -28,7 +28,6 @@ typedef struct QnIpKkt {
   cholmod_dense *solution, *work_y, *work_e; /* kept by cholmod_solve2 between calls */
   int32_t *slots;    /* group_count x 21: place of each lower entry in matrix->x, or -1 */
   int32_t *diagonal; /* row_count: place of the diagonal entry */
-  bool *deficient;   /* cell_count: bounds and Q leave a direction of y free */
   double *stiffness; /* cell_count x 3: nn, nt, tt of H */
   double *compliance; /* cell_count x 3: nn, nt, tt of the (regularised) inverse */
   double *residual_y, *residual_v, *step_y, *rates, *local;
@@ -37,6 +36,8 @@ typedef struct QnIpKkt {
   double border_power; /* f'M^-1 f */
   double residual_lambda, step_lambda;
   double *step_v;
+  double regularization; /* added to the diagonal of H, subtracted as that of the v block */
+  double error;          /* largest relative residual left since the last _factorize() */
   int32_t factorizations;
 } QnIpKkt;
 

@@ -13,6 +13,13 @@
 /* Iterations without a better iterate after which the engine gives up. */
 #define STALL_ITERATIONS 12
 
+/* Regularisation of the linear systems, and the relative residual above which a direction is
+ * computed again with more of it. */
+#define LEAST_REGULARIZATION 1e-10
+#define MOST_REGULARIZATION 1e-5
+#define REGULARIZATION_STEP 30.0
+#define WORST_SOLUTION 1e-4
+
 /* Solves spent on restoring equilibrium: the second removes the rounding of the first. */
 #define PROJECTION_ROUNDS 2
 
@@ -252,6 +259,17 @@ set_dual_start (QnInteriorPointWork *work)
   work->right.lambda = p->load_gain;
 }
 
+static void
+begin (QnInteriorPoint *ip)
+{
+  ip->state = QN_IP_RUNNING;
+  ip->iterations = 0;
+  ip->work->kkt.regularization = LEAST_REGULARIZATION;
+  ip->work->kkt.factorizations = 0;
+  ip->work->since_best = 0;
+  ip->work->best_merit = INFINITY;
+}
+
 /* The smallest slacks in equilibrium with the constant loads, and the smallest multipliers
  * compatible with the objective; both shifted to the interior. */
 QnStatus
@@ -263,11 +281,7 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   QnStatus status;
   bool ok;
 
-  ip->state = QN_IP_RUNNING;
-  ip->iterations = 0;
-  work->kkt.factorizations = 0;
-  work->since_best = 0;
-  work->best_merit = INFINITY;
+  begin (ip);
   for (int32_t i = 0; i < p->bound_count; i++)
     work->w[i] = 1.0;
   status = qn_ip_kkt_factorize (&work->kkt, work->w, &ok, diag);
@@ -426,6 +440,24 @@ judge (QnInteriorPoint *ip)
   }
 }
 
+/* A direction that solves its equations; where rounding does not let it, the regularisation
+ * grows and with it the distance that a step leaves to the next. */
+static QnStatus
+find_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
+{
+  QnIpKkt *kkt = &ip->work->kkt;
+
+  for (;;) {
+    QnStatus status = qn_ip_direction (ip, length, ok, diag);
+    if (status)
+      return status;
+    *ok = *ok && isfinite (*length) && kkt->error < WORST_SOLUTION;
+    if (*ok || kkt->regularization >= MOST_REGULARIZATION)
+      return QN_OK;
+    kkt->regularization *= REGULARIZATION_STEP;
+  }
+}
+
 /* Ends without an answer: the best iterate seen is what is left. */
 static void
 give_up (QnInteriorPoint *ip)
@@ -448,11 +480,11 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
 
   if (ip->state != QN_IP_RUNNING)
     return QN_OK;
-  status = qn_ip_direction (ip, &length, &ok, diag);
+  status = find_direction (ip, &length, &ok, diag);
   ip->factorizations = work->kkt.factorizations;
   if (status)
     return status;
-  if (!ok || !isfinite (length)) {
+  if (!ok) {
     give_up (ip);
     return QN_OK;
   }

@@ -272,7 +272,8 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
   limit->ip.bounds = limit->bounds;
   limit->ip.constant = limit->constant;
   limit->ip.load = limit->load;
-  limit->ip.load_gain = 1.0;
+  for (int32_t r = 0; r < limit->ip.row_count; r++)
+    limit->ip.load_gain += fabs (limit->load[r]);
   return QN_OK;
 }
 

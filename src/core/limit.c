@@ -58,6 +58,7 @@ carry_dead_load (Run *run, QnDiag *diag)
   QnIpProblem *p = &run->limit->ip;
   QnInteriorPoint *ip = run->ip;
   const double *load = p->load;
+  const double gain = p->load_gain;
   double lambda = 0.0, residual = INFINITY, slack = 0.0;
   QnStatus status;
 
@@ -72,7 +73,7 @@ carry_dead_load (Run *run, QnDiag *diag)
     run->anchored = !status && slack > 0.0 && residual < ACCEPTED_RESIDUAL;
   }
   p->load = load;
-  p->load_gain = 1.0;
+  p->load_gain = gain;
   run->solution->factorizations += ip->factorizations;
   return status;
 }
