@@ -38,6 +38,7 @@ judge_outcome (const QnProject *project, const QnResult *result)
   case QN_OUTCOME_COLLAPSE:
   case QN_OUTCOME_TARGET_REACHED:
   case QN_OUTCOME_SNAP:
+  case QN_OUTCOME_UNBOUNDED:
     return QN_EXIT_DONE;
   case QN_OUTCOME_CANCELLED:
     qn_cli_error (_ ("%s: cancelled"), project->name);

@@ -19,17 +19,17 @@ struct QnInteriorPointWork {
   const QnIpProblem *problem; /* borrowed */
   QnIpSettings settings;
   QnIpKkt kkt;
-  double *w;              /* z / s */
-  double *ry, *rv, *rz;   /* residuals of the iterate, minus the left-hand sides */
-  double r_lambda, r_tau; /* the two scalar ones */
-  double *hy;             /* G' (w h), cell_count x 2 */
-  double *gy;             /* gradient of the gap row in y, cell_count x 2 */
-  double whh;             /* sum of w h^2 */
-  double curvature;       /* y'Qy */
+  double *w;                /* z / s */
+  double *ry, *rv, *rz;     /* residuals of the iterate, minus the left-hand sides */
+  double r_lambda, r_tau;   /* the two scalar ones */
+  double *hy;               /* G' (w h), cell_count x 2 */
+  double *gy;               /* gradient of the gap row in y, cell_count x 2 */
+  double whh;               /* sum of w h^2 */
+  double curvature;         /* y'Qy */
   QnIpKktVector tau_column; /* solution for the border column of tau */
   QnIpKktVector right;      /* right-hand side being built */
-  double *products;          /* right-hand side of s dz + z ds */
-  double product_tau;        /* … and of tau dkappa + kappa dtau */
+  double *products;         /* right-hand side of s dz + z ds */
+  double product_tau;       /* … and of tau dkappa + kappa dtau */
   QnIpVector step, trial, best;
   double best_merit;
   int32_t since_best;
@@ -47,8 +47,8 @@ QnStatus qn_ip_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag 
 void qn_ip_apply_bounds (const QnIpProblem *problem, const double *y, double *out);
 
 /* out (cell_count x 2) += scale G'x */
-void qn_ip_add_bounds_transposed (const QnIpProblem *problem, const double *x, double scale,
-                                  double *out);
+void qn_ip_add_bounds_transposed (const QnIpProblem *problem, const double *x,
+                                  double scale, double *out);
 
 double qn_ip_linear_term (const QnIpProblem *problem, const double *y);    /* q'y */
 double qn_ip_quadratic_term (const QnIpProblem *problem, const double *y); /* y'Qy */

@@ -10,7 +10,7 @@
 #define GROUP_ENTRIES (QN_IP_GROUP_ROWS * (QN_IP_GROUP_ROWS + 1) / 2)
 
 #define REFINEMENT_TARGET 1e-13
-#define MOST_REFINEMENTS 4
+#define MOST_REFINEMENTS  4
 
 static void
 ignore_message (int status, const char *file, int line, const char *message)
@@ -144,8 +144,8 @@ analyze (QnIpKkt *kkt, QnDiag *diag)
 
   if (!keys)
     return qn_diag_no_memory (diag);
-  kkt->matrix = cholmod_allocate_sparse ((size_t) p->row_count, (size_t) p->row_count, count,
-                                         1, 1, -1, CHOLMOD_REAL, c);
+  kkt->matrix = cholmod_allocate_sparse ((size_t) p->row_count, (size_t) p->row_count,
+                                         count, 1, 1, -1, CHOLMOD_REAL, c);
   kkt->right = cholmod_zeros ((size_t) p->row_count, 1, CHOLMOD_REAL, c);
   if (kkt->matrix && kkt->right) {
     fill_pattern (kkt, keys, count);
@@ -178,9 +178,9 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
   kkt->local = qn_alloc (rows, sizeof (double));
   kkt->border = qn_alloc (rows, sizeof (double));
   kkt->step_v = qn_alloc (rows, sizeof (double));
-  if (!kkt->slots || !kkt->diagonal ||  !kkt->stiffness ||
-      !kkt->compliance || !kkt->residual_y || !kkt->step_y || !kkt->residual_v ||
-      !kkt->rates || !kkt->local || !kkt->border || !kkt->step_v)
+  if (!kkt->slots || !kkt->diagonal || !kkt->stiffness || !kkt->compliance
+      || !kkt->residual_y || !kkt->step_y || !kkt->residual_v || !kkt->rates
+      || !kkt->local || !kkt->border || !kkt->step_v)
     return qn_diag_no_memory (diag);
   return analyze (kkt, diag);
 }
@@ -334,8 +334,8 @@ correct (QnIpKkt *kkt, QnIpKktVector *out, QnDiag *diag)
   memcpy (step_v, kkt->solution->x, (size_t) p->row_count * sizeof (double));
   kkt->step_lambda = 0.0;
   if (kkt->bordered && kkt->border_power > 0.0) {
-    kkt->step_lambda
-      = (kkt->residual_lambda - dot (p->load, step_v, p->row_count)) / kkt->border_power;
+    kkt->step_lambda =
+      (kkt->residual_lambda - dot (p->load, step_v, p->row_count)) / kkt->border_power;
     for (int32_t r = 0; r < p->row_count; r++)
       step_v[r] += kkt->step_lambda * kkt->border[r];
   }
@@ -399,8 +399,8 @@ measure (QnIpKkt *kkt, const QnIpKktVector *right, const QnIpKktVector *out)
   double error = measure_cells (kkt, right->y, out), scale;
 
   for (int32_t r = 0; r < p->row_count; r++)
-    e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0) +
-           kkt->regularization * out->v[r];
+    e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0)
+           + kkt->regularization * out->v[r];
   scale = fmax (largest (right->v, p->row_count), fabs (out->lambda));
   scale = fmax (scale, 1e-3 * largest (out->y, 2 * p->cell_count));
   qn_ip_add_forces (p, out->y, -1.0, e);
@@ -417,7 +417,8 @@ measure (QnIpKkt *kkt, const QnIpKktVector *right, const QnIpKktVector *out)
 }
 
 QnStatus
-qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktVector *right, QnIpKktVector *out, QnDiag *diag)
+qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktVector *right, QnIpKktVector *out,
+                 QnDiag *diag)
 {
   const QnIpProblem *p = kkt->problem;
   double last;
@@ -432,9 +433,6 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktVector *right, QnIpKktVector *out, Q
     if (status)
       return status;
     now = measure (kkt, right, out);
-#ifdef KT
-    fprintf(stderr,"   r%d %.1e -> %.1e (y %.1e v %.1e)\n",round,last,now,largest(kkt->residual_y,2*p->cell_count),largest(kkt->residual_v,p->row_count));
-#endif
     /* The first pass is the solution; later ones go on while they gain a digit. */
     if (round > 0 && now > last)
       undo (kkt, out);

@@ -24,7 +24,7 @@ typedef struct QnIpKkt {
   bool started;
   cholmod_sparse *matrix; /* M, lower half, columns sorted */
   cholmod_factor *factor;
-  cholmod_dense *right;                 /* right-hand side of M */
+  cholmod_dense *right;                      /* right-hand side of M */
   cholmod_dense *solution, *work_y, *work_e; /* kept by cholmod_solve2 between calls */
   int32_t *slots;    /* group_count x 21: place of each lower entry in matrix->x, or -1 */
   int32_t *diagonal; /* row_count: place of the diagonal entry */
@@ -36,8 +36,9 @@ typedef struct QnIpKkt {
   double border_power; /* f'M^-1 f */
   double residual_lambda, step_lambda;
   double *step_v;
-  double regularization; /* added to the diagonal of H, subtracted as that of the v block */
-  double error;          /* largest relative residual left since the last _factorize() */
+  double
+    regularization; /* added to the diagonal of H, subtracted as that of the v block */
+  double error;     /* largest relative residual left since the last _factorize() */
   int32_t factorizations;
 } QnIpKkt;
 

@@ -9,9 +9,9 @@
 /* Gondzio's correctors aim at a step longer by this much, with products s z between these
  * multiples of the target; one that gains less than this is the last. */
 #define CORRECTOR_ADVANCE 0.3
-#define CORRECTOR_LOW 0.1
-#define CORRECTOR_HIGH 10.0
-#define CORRECTOR_GAIN 0.01
+#define CORRECTOR_LOW     0.1
+#define CORRECTOR_HIGH    10.0
+#define CORRECTOR_GAIN    0.01
 
 void
 qn_ip_residuals (QnInteriorPoint *ip)
@@ -23,8 +23,8 @@ qn_ip_residuals (QnInteriorPoint *ip)
   work->curvature = qn_ip_quadratic_term (p, ip->y);
   for (int32_t c = 0; c < p->cell_count; c++)
     for (int k = 0; k < 2; k++)
-      work->ry[2 * c + k] = -p->cells[c].quadratic[k] * ip->y[2 * c + k] -
-                            p->cells[c].linear[k] * ip->tau;
+      work->ry[2 * c + k] =
+        -p->cells[c].quadratic[k] * ip->y[2 * c + k] - p->cells[c].linear[k] * ip->tau;
   qn_ip_add_rates (p, ip->v, -1.0, work->ry);
   qn_ip_add_bounds_transposed (p, ip->z, -1.0, work->ry);
   for (int32_t c = 0; c < p->cell_count; c++)
@@ -42,8 +42,8 @@ qn_ip_residuals (QnInteriorPoint *ip)
   if (p->load)
     load_power = qn_ip_dot (p->load, ip->v, p->row_count);
   work->r_lambda = p->load ? p->load_gain * ip->tau - load_power : 0.0;
-  primal = work->curvature / ip->tau + qn_ip_linear_term (p, ip->y) -
-           p->load_gain * ip->lambda;
+  primal =
+    work->curvature / ip->tau + qn_ip_linear_term (p, ip->y) - p->load_gain * ip->lambda;
   dual = qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
   work->r_tau = dual - primal - ip->kappa;
 }
@@ -95,12 +95,12 @@ solve_tau (const QnInteriorPoint *ip, double share, double shift, const QnIpVect
   const QnIpProblem *p = work->problem;
   const QnIpKktVector *column = &work->tau_column;
   int32_t cells = 2 * p->cell_count, rows = p->row_count;
-  double pivot = qn_ip_dot (work->gy, column->y, cells) - p->load_gain * column->lambda -
-                 qn_ip_dot (p->constant, column->v, rows) - ip->kappa / ip->tau -
-                 work->whh - work->curvature / (ip->tau * ip->tau);
-  double right = share * work->r_tau - work->product_tau / ip->tau - shift -
-                 qn_ip_dot (work->gy, base->y, cells) + p->load_gain * base->lambda +
-                 qn_ip_dot (p->constant, base->v, rows);
+  double pivot = qn_ip_dot (work->gy, column->y, cells) - p->load_gain * column->lambda
+                 - qn_ip_dot (p->constant, column->v, rows) - ip->kappa / ip->tau
+                 - work->whh - work->curvature / (ip->tau * ip->tau);
+  double right = share * work->r_tau - work->product_tau / ip->tau - shift
+                 - qn_ip_dot (work->gy, base->y, cells) + p->load_gain * base->lambda
+                 + qn_ip_dot (p->constant, base->v, rows);
 
   return right / pivot;
 }
@@ -197,8 +197,8 @@ correct_centrality (QnInteriorPoint *ip, double target, double share, double *le
 
   /* work->products still holds the right-hand side of `step`. */
   for (int32_t i = 0; i < p->bound_count; i++)
-    work->products[i] += centre (
-      (ip->s[i] + aim * step->s[i]) * (ip->z[i] + aim * step->z[i]), target);
+    work->products[i] +=
+      centre ((ip->s[i] + aim * step->s[i]) * (ip->z[i] + aim * step->z[i]), target);
   work->product_tau +=
     centre ((ip->tau + aim * step->tau) * (ip->kappa + aim * step->kappa), target);
   status = solve_direction (ip, share, trial, diag);
@@ -222,8 +222,8 @@ qn_ip_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
   QnIpVector *step = &work->step;
-  double mean = (qn_ip_dot (ip->s, ip->z, p->bound_count) + ip->tau * ip->kappa) /
-                (p->bound_count + 1.0);
+  double mean = (qn_ip_dot (ip->s, ip->z, p->bound_count) + ip->tau * ip->kappa)
+                / (p->bound_count + 1.0);
   double centring, target, share;
   QnStatus status = prepare (ip, ok, diag);
 

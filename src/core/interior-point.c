@@ -16,9 +16,9 @@
 /* Regularisation of the linear systems, and the relative residual above which a direction is
  * computed again with more of it. */
 #define LEAST_REGULARIZATION 1e-10
-#define MOST_REGULARIZATION 1e-5
-#define REGULARIZATION_STEP 30.0
-#define WORST_SOLUTION 1e-4
+#define MOST_REGULARIZATION  1e-5
+#define REGULARIZATION_STEP  30.0
+#define WORST_SOLUTION       1e-4
 
 /* Solves spent on restoring equilibrium: the second removes the rounding of the first. */
 #define PROJECTION_ROUNDS 2
@@ -58,7 +58,8 @@ qn_ip_apply_bounds (const QnIpProblem *p, const double *y, double *out)
 }
 
 void
-qn_ip_add_bounds_transposed (const QnIpProblem *p, const double *x, double scale, double *out)
+qn_ip_add_bounds_transposed (const QnIpProblem *p, const double *x, double scale,
+                             double *out)
 {
   for (int32_t c = 0; c < p->cell_count; c++) {
     const QnIpCell *cell = &p->cells[c];
@@ -84,8 +85,8 @@ qn_ip_quadratic_term (const QnIpProblem *p, const double *y)
 {
   double sum = 0.0;
   for (int32_t c = 0; c < p->cell_count; c++)
-    sum += p->cells[c].quadratic[0] * y[2 * c] * y[2 * c] +
-           p->cells[c].quadratic[1] * y[2 * c + 1] * y[2 * c + 1];
+    sum += p->cells[c].quadratic[0] * y[2 * c] * y[2 * c]
+           + p->cells[c].quadratic[1] * y[2 * c + 1] * y[2 * c + 1];
   return sum;
 }
 
@@ -159,11 +160,11 @@ qn_interior_point_init (QnInteriorPoint *ip, const QnIpProblem *problem,
   work->rv = qn_alloc (rows, sizeof (double));
   work->tau_column.v = qn_alloc (rows, sizeof (double));
   work->right.v = qn_alloc (rows, sizeof (double));
-  if (!work->w || !work->rz || !work->products || !work->ry || !work->hy || !work->gy ||
-      !work->tau_column.y || !work->right.y || !work->rv || !work->tau_column.v ||
-      !work->right.v || !vector_init (&work->step, problem) ||
-      !vector_init (&work->trial, problem) || !vector_init (&work->best, problem) ||
-      !ip->y || !ip->v || !ip->s || !ip->z)
+  if (!work->w || !work->rz || !work->products || !work->ry || !work->hy || !work->gy
+      || !work->tau_column.y || !work->right.y || !work->rv || !work->tau_column.v
+      || !work->right.v || !vector_init (&work->step, problem)
+      || !vector_init (&work->trial, problem) || !vector_init (&work->best, problem)
+      || !ip->y || !ip->v || !ip->s || !ip->z)
     status = qn_diag_no_memory (diag);
   else
     status = qn_ip_kkt_init (&work->kkt, problem, diag);
@@ -178,7 +179,10 @@ qn_interior_point_clear (QnInteriorPoint *ip)
   QnInteriorPointWork *work = ip->work;
 
   if (work) {
-    double *arrays[] = { work->w, work->rz, work->products, work->ry, work->hy, work->gy, work->rv, work->tau_column.y, work->tau_column.v, work->right.y, work->right.v };
+    double *arrays[] = { work->w,       work->rz,           work->products,
+                         work->ry,      work->hy,           work->gy,
+                         work->rv,      work->tau_column.y, work->tau_column.v,
+                         work->right.y, work->right.v };
     for (size_t i = 0; i < QN_N_ELEMENTS (arrays); i++)
       free (arrays[i]);
     vector_clear (&work->step);
@@ -200,8 +204,8 @@ keep_iterate (const QnInteriorPoint *ip, QnIpVector *to)
 {
   const QnIpProblem *p = ip->work->problem;
 
-  vector_copy (to, &(QnIpVector){ ip->y, ip->v, ip->s, ip->z, ip->lambda, ip->tau, ip->kappa },
-               p);
+  vector_copy (
+    to, &(QnIpVector){ ip->y, ip->v, ip->s, ip->z, ip->lambda, ip->tau, ip->kappa }, p);
 }
 
 static void
@@ -305,9 +309,8 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   shift_positive (ip->z, p->bound_count);
   ip->lambda = primal.lambda;
   ip->tau = 1.0;
-  ip->kappa = p->bound_count > 0
-                ? qn_ip_dot (ip->s, ip->z, p->bound_count) / p->bound_count
-                : 1.0;
+  ip->kappa =
+    p->bound_count > 0 ? qn_ip_dot (ip->s, ip->z, p->bound_count) / p->bound_count : 1.0;
   qn_ip_residuals (ip);
   return QN_OK;
 }
@@ -340,7 +343,8 @@ dual_scale (const QnInteriorPoint *ip)
   double scale = p->load && p->load_gain != 0.0 ? 0.0 : 1.0;
 
   for (int32_t c = 0; c < p->cell_count; c++)
-    scale = fmax (scale, fmax (fabs (p->cells[c].linear[0]), fabs (p->cells[c].linear[1])));
+    scale =
+      fmax (scale, fmax (fabs (p->cells[c].linear[0]), fabs (p->cells[c].linear[1])));
   return fmax (scale, qn_ip_largest (ip->v, p->row_count) / ip->tau);
 }
 
@@ -357,10 +361,10 @@ measure (QnInteriorPoint *ip)
   balance = qn_ip_largest (work->rv, p->row_count);
   slacks = qn_ip_largest (work->rz, p->bound_count);
   rates = qn_ip_largest (work->ry, 2 * p->cell_count);
-  primal = 0.5 * work->curvature / ip->tau + qn_ip_linear_term (p, ip->y) -
-           p->load_gain * ip->lambda;
-  dual = -0.5 * work->curvature / ip->tau + qn_ip_dot (p->constant, ip->v, p->row_count) -
-         qn_ip_limit_term (p, ip->z);
+  primal = 0.5 * work->curvature / ip->tau + qn_ip_linear_term (p, ip->y)
+           - p->load_gain * ip->lambda;
+  dual = -0.5 * work->curvature / ip->tau + qn_ip_dot (p->constant, ip->v, p->row_count)
+         - qn_ip_limit_term (p, ip->z);
   ip->measures = (QnIpMeasures){
     .primal_residual = fmax (balance, slacks) / (ip->tau * primal_scale),
     .dual_residual =
@@ -376,13 +380,14 @@ proves_infeasible (const QnInteriorPoint *ip)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
-  double proof = qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
+  double proof =
+    qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
   double *rates = work->right.y;
 
   if (proof <= 0.0)
     return false;
-  if (p->load && fabs (qn_ip_dot (p->load, ip->v, p->row_count)) >
-                   CERTIFICATE_TOLERANCE * proof)
+  if (p->load
+      && fabs (qn_ip_dot (p->load, ip->v, p->row_count)) > CERTIFICATE_TOLERANCE * proof)
     return false;
   memset (rates, 0, 2 * (size_t) p->cell_count * sizeof (double));
   qn_ip_add_rates (p, ip->v, 1.0, rates);
@@ -407,7 +412,8 @@ proves_unbounded (const QnInteriorPoint *ip)
   for (int32_t c = 0; c < p->cell_count; c++)
     for (int k = 0; k < 2; k++)
       worst = fmax (worst, fabs (p->cells[c].quadratic[k] * ip->y[2 * c + k]));
-  return fmax (worst, qn_ip_largest (balance, p->row_count)) <= CERTIFICATE_TOLERANCE * proof;
+  return fmax (worst, qn_ip_largest (balance, p->row_count))
+         <= CERTIFICATE_TOLERANCE * proof;
 }
 
 /* Decides whether the iterate is an answer, and keeps the best one for the case that rounding
@@ -493,8 +499,8 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
   qn_ip_residuals (ip);
   measure (ip);
   judge (ip);
-  if (ip->state == QN_IP_RUNNING &&
-      (ip->iterations >= work->settings.max_iterations || length < 1e-10))
+  if (ip->state == QN_IP_RUNNING
+      && (ip->iterations >= work->settings.max_iterations || length < 1e-10))
     ip->state = QN_IP_STALLED;
   if (ip->state == QN_IP_STALLED)
     give_up (ip);
@@ -558,8 +564,8 @@ qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda, doub
 }
 
 void
-qn_interior_point_balance (const QnIpProblem *p, const double *y, double lambda, double tau,
-                           double *out)
+qn_interior_point_balance (const QnIpProblem *p, const double *y, double lambda,
+                           double tau, double *out)
 {
   for (int32_t r = 0; r < p->row_count; r++)
     out[r] = tau * p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);

@@ -39,17 +39,19 @@
 
 /* One place where two bodies exchange a force (y_n, y_t). */
 typedef struct QnIpCell {
-  double map[QN_IP_GROUP_ROWS][2]; /* its columns of B; entries for absent rows are unused */
-  double quadratic[2];             /* diagonal of Q, >= 0 */
-  double linear[2];                /* q */
-  int32_t first_bound;             /* into QnIpProblem.bounds */
-  int32_t bound_count;             /* >= 0 */
-  bool no_shear;                   /* y_t is identically 0 */
+  double map[QN_IP_GROUP_ROWS]
+            [2];       /* its columns of B; entries for absent rows are unused */
+  double quadratic[2]; /* diagonal of Q, >= 0 */
+  double linear[2];    /* q */
+  int32_t first_bound; /* into QnIpProblem.bounds */
+  int32_t bound_count; /* >= 0 */
+  bool no_shear;       /* y_t is identically 0 */
 } QnIpCell;
 
 typedef struct QnIpGroup {
-  int32_t rows[QN_IP_GROUP_ROWS]; /* row of B, or -1 where the degree of freedom is fixed */
-  int32_t first_cell;             /* groups partition the cells in order */
+  int32_t
+    rows[QN_IP_GROUP_ROWS]; /* row of B, or -1 where the degree of freedom is fixed */
+  int32_t first_cell;       /* groups partition the cells in order */
   int32_t cell_count;
 } QnIpGroup;
 
@@ -76,21 +78,22 @@ typedef enum {
   QN_IP_OPTIMAL,
   QN_IP_INFEASIBLE, /* no equilibrium: v and z hold the certificate */
   QN_IP_UNBOUNDED,  /* the multiplier has no bound: y and lambda hold the certificate */
-  QN_IP_STALLED,    /* no further progress; the iterate and its measures are the best known */
+  QN_IP_STALLED, /* no further progress; the iterate and its measures are the best known */
   QN_IP_STATE_COUNT
 } QnIpState;
 
 typedef struct QnIpSettings {
-  double tolerance;     /* relative residuals and gap of an optimum */
+  double tolerance; /* relative residuals and gap of an optimum */
   int32_t max_iterations;
   int32_t correctors; /* most centrality correctors per iteration, 0 … 4 */
 } QnIpSettings;
 
 /* Measures of the last iterate, after division by tau. */
 typedef struct QnIpMeasures {
-  double primal_residual; /* largest |By + lambda f + d|, relative to 1 + largest |d|, |f| */
-  double dual_residual;   /* largest |Qy + q + B'v + G'z|, relative to 1 + largest |v| */
-  double gap;             /* of the objectives, relative to 1 + their size */
+  double
+    primal_residual; /* largest |By + lambda f + d|, relative to 1 + largest |d|, |f| */
+  double dual_residual; /* largest |Qy + q + B'v + G'z|, relative to 1 + largest |v| */
+  double gap;           /* of the objectives, relative to 1 + their size */
 } QnIpMeasures;
 
 typedef struct QnInteriorPointWork QnInteriorPointWork;
@@ -135,14 +138,15 @@ QnStatus qn_interior_point_solve (QnInteriorPoint *ip, QnDiag *diag);
  * *lambda in: the multiplier wanted; out: unchanged where `fixed`, else moved as little as
  * the metric asks for. y: cell_count x 2 out, not homogeneous. *residual is the largest
  * remaining |By + lambda f + d|, *slack the smallest h - Gy (INFINITY without bounds); slack
- * >= 0 proves that this multiplier can be carried. */
+ * >= 0 proves that this multiplier can be carried. The metric flattens towards the optimum:
+ * ask for a fixed multiplier early. */
 QnStatus qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda,
                                     double *y, double *residual, double *slack,
                                     QnDiag *diag);
 
 /* out = B y + lambda f + tau d */
-void qn_interior_point_balance (const QnIpProblem *problem, const double *y, double lambda,
-                                double tau, double *out);
+void qn_interior_point_balance (const QnIpProblem *problem, const double *y,
+                                double lambda, double tau, double *out);
 
 /* rates (cell_count x 2) = -B'v: elongation rates of the cells under velocities v. */
 void qn_interior_point_rates (const QnIpProblem *problem, const double *v, double *rates);

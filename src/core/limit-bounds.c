@@ -37,16 +37,17 @@ worst_excess (const QnIpProblem *p, const double *y)
 }
 
 QnStatus
-qn_limit_lower_bound (QnInteriorPoint *ip, const QnLimitProblem *limit, const double *anchor,
-                      double *y, double *lambda, QnLimitCheck *check, QnDiag *diag)
+qn_limit_lower_bound (QnInteriorPoint *ip, const QnLimitProblem *limit,
+                      const double *anchor, double *y, double *lambda,
+                      QnLimitCheck *check, QnDiag *diag)
 {
   const QnIpProblem *p = &limit->ip;
   double slack;
   QnStatus status;
 
   *lambda = ip->lambda / ip->tau;
-  status = qn_interior_point_project (ip, false, lambda, y, &check->static_residual, &slack,
-                                      diag);
+  status = qn_interior_point_project (ip, false, lambda, y, &check->static_residual,
+                                      &slack, diag);
   if (status)
     return status;
   if (anchor && slack < 0.0) {
@@ -74,8 +75,8 @@ dissipation (const QnIpProblem *p, const QnIpCell *cell, const double *rate,
     double along = b[i].normal * rate[0] + (cell->no_shear ? 0.0 : b[i].shear * rate[1]);
     double square = b[i].normal * b[i].normal + b[i].shear * b[i].shear;
     double z = fmax (0.0, along / square);
-    double missing = hypot (rate[0] - z * b[i].normal,
-                            cell->no_shear ? 0.0 : rate[1] - z * b[i].shear);
+    double missing =
+      hypot (rate[0] - z * b[i].normal, cell->no_shear ? 0.0 : rate[1] - z * b[i].shear);
     if (missing < least_missing || (missing == least_missing && z * b[i].limit < best)) {
       least_missing = missing;
       best = z * b[i].limit;

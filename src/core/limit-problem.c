@@ -1,13 +1,15 @@
 #include "core/limit-problem.h"
 
 #include "core/memory.h"
-#include "core/spring.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 /* Most strength rows of one pair: two lines of each Coulomb law and the tension cut-off. */
 #define MOST_BOUNDS 5
+
+/* Scaled mass of a block without weight. */
+#define LEAST_MASS 1e-3
 
 /* A Coulomb cone |t| <= cohesion - slope n. */
 typedef struct Cone {
@@ -25,14 +27,18 @@ typedef struct Strength {
 static bool
 dominates (const Cone *tight, const Cone *loose, double cap)
 {
-  return loose->slope >= tight->slope &&
-         loose->cohesion - loose->slope * cap >= tight->cohesion - tight->slope * cap;
+  return loose->slope >= tight->slope
+         && loose->cohesion - loose->slope * cap >= tight->cohesion - tight->slope * cap;
 }
 
+/* What one law allows; `area` (m2) turns stresses into forces where the basis is not that of
+ * the contact pair itself. The apex of a cone bounds tension as the cut-off does. */
 static void
-restrict_by_spring (Strength *strength, const QnSpring *spring)
+restrict_by_law (Strength *strength, const QnLaw *law, double area)
 {
-  switch (spring->kind) {
+  double unit = law->basis == QN_BASIS_CONTACT ? 1.0 : area;
+
+  switch (law->kind) {
   case QN_LAW_ELASTIC:
   case QN_LAW_KIND_COUNT:
     break;
@@ -40,8 +46,11 @@ restrict_by_spring (Strength *strength, const QnSpring *spring)
     strength->cap = fmin (strength->cap, 0.0);
     break;
   case QN_LAW_COULOMB:
-    strength->cap = fmin (strength->cap, spring->cap);
-    strength->cones[strength->cone_count++] = (Cone){ spring->friction, spring->cohesion };
+    strength->cap = fmin (strength->cap, law->tension * unit);
+    if (law->friction > 0.0)
+      strength->cap = fmin (strength->cap, law->cohesion / law->friction * unit);
+    strength->cones[strength->cone_count++] =
+      (Cone){ law->friction, law->cohesion * unit };
     break;
   }
 }
@@ -57,8 +66,9 @@ turn_cone (Cone *cone, double dilatancy, double anchor, double remaining)
 }
 
 static Strength
-pair_strength (const QnLimitProblem *limit, const QnModel *model, const QnContacts *contacts,
-               QnId pair, const double *anchor, double remaining)
+pair_strength (const QnLimitProblem *limit, const QnModel *model,
+               const QnContacts *contacts, QnId pair, const double *anchor,
+               double remaining)
 {
   const QnContactPair *p = &contacts->pairs[pair];
   const QnContactFace *face = &contacts->faces[p->face];
@@ -67,9 +77,8 @@ pair_strength (const QnLimitProblem *limit, const QnModel *model, const QnContac
 
   for (int side = 0; side < 2; side++) {
     const QnLaw *law = &model->laws[laws[side]];
-    QnSpring spring = qn_spring_from_law (law, p->tributary * face->thickness, 1.0);
     int before = strength.cone_count;
-    restrict_by_spring (&strength, &spring);
+    restrict_by_law (&strength, law, p->tributary * face->thickness);
     if (anchor && strength.cone_count > before)
       turn_cone (&strength.cones[before], law->dilatancy, anchor[pair], remaining);
   }
@@ -104,7 +113,8 @@ write_bounds (const QnLimitProblem *limit, const Strength *strength, QnIpCell *c
 
     if (cone->slope == 0.0 && cone->cohesion == 0.0)
       cell->no_shear = true;
-    if (!limit->adjustable && cone->slope > 0.0 && cone->cohesion <= cone->slope * strength->cap)
+    if (!limit->adjustable && cone->slope > 0.0
+        && cone->cohesion <= cone->slope * strength->cap)
       cut_off = false;
     for (int sign = -1; sign <= 1; sign += 2)
       bounds[count++] = (QnIpBound){ cone->slope / norm, sign / norm, cohesion / norm };
@@ -140,8 +150,8 @@ number_rows (QnLimitProblem *limit, const QnModel *model)
 
   for (size_t b = 0; b < model->block_count; b++)
     for (int d = 0; d < QN_DOF_COUNT; d++)
-      limit->rows[b * QN_DOF_COUNT + (size_t) d]
-        = model->blocks[b].support[d] ? -1 : count++;
+      limit->rows[b * QN_DOF_COUNT + (size_t) d] =
+        model->blocks[b].support[d] ? -1 : count++;
   limit->ip.row_count = count;
 }
 
@@ -179,6 +189,20 @@ scale_loads (QnLimitProblem *limit, const QnModel *model, QnDiag *diag)
   free (dead);
   free (live);
   return status;
+}
+
+/* Weights stand for masses; a weightless block has the little that keeps its motion finite. */
+static void
+fill_masses (QnLimitProblem *limit, const QnModel *model)
+{
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    double mass = fmax (block->weight / limit->force_unit, LEAST_MASS);
+    double radius = sqrt (block->polar_moment / block->area) / limit->length_unit;
+    double *out = limit->mass + b * QN_DOF_COUNT;
+    out[QN_DOF_UX] = out[QN_DOF_UY] = mass;
+    out[QN_DOF_RZ] = mass * radius * radius;
+  }
 }
 
 /* Resultant on block `id` of a unit force along `axis` at `point`, lengths scaled. */
@@ -230,8 +254,8 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
 
       map_pair (cell, model, face, contacts->pairs[p].point, limit->length_unit);
       cell->first_bound = ip->bound_count;
-      cell->bound_count
-        = write_bounds (limit, &strength, cell, limit->bounds + ip->bound_count);
+      cell->bound_count =
+        write_bounds (limit, &strength, cell, limit->bounds + ip->bound_count);
       ip->bound_count += cell->bound_count;
       limit->cell_pairs[ip->cell_count++] = p;
     }
@@ -251,12 +275,13 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     .adjustable = adjustable,
   };
   limit->rows = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->rows);
+  limit->mass = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->mass);
   limit->groups = qn_alloc (contacts->face_count, sizeof *limit->groups);
   limit->cells = qn_alloc (contacts->pair_count, sizeof *limit->cells);
   limit->cell_pairs = qn_alloc (contacts->pair_count, sizeof *limit->cell_pairs);
   limit->bounds = qn_alloc (contacts->pair_count * MOST_BOUNDS, sizeof *limit->bounds);
-  if (!limit->rows || !limit->groups || !limit->cells || !limit->cell_pairs ||
-      !limit->bounds) {
+  if (!limit->rows || !limit->mass || !limit->groups || !limit->cells
+      || !limit->cell_pairs || !limit->bounds) {
     status = qn_diag_no_memory (diag);
   } else {
     number_rows (limit, model);
@@ -266,6 +291,7 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     qn_limit_problem_clear (limit);
     return status;
   }
+  fill_masses (limit, model);
   fill_faces (limit, model, contacts);
   limit->ip.groups = limit->groups;
   limit->ip.cells = limit->cells;
@@ -280,6 +306,7 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
 void
 qn_limit_problem_clear (QnLimitProblem *limit)
 {
+  free (limit->mass);
   free (limit->rows);
   free (limit->groups);
   free (limit->cells);
@@ -298,9 +325,10 @@ qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
   QN_ASSERT (limit->adjustable);
   for (int32_t c = 0; c < limit->ip.cell_count; c++) {
     QnIpCell *cell = &limit->cells[c];
-    Strength strength = pair_strength (limit, model, contacts, limit->cell_pairs[c], anchor,
-                                       remaining);
-    int32_t count = write_bounds (limit, &strength, cell, limit->bounds + cell->first_bound);
+    Strength strength =
+      pair_strength (limit, model, contacts, limit->cell_pairs[c], anchor, remaining);
+    int32_t count =
+      write_bounds (limit, &strength, cell, limit->bounds + cell->first_bound);
     QN_ASSERT (count == cell->bound_count);
     (void) count;
   }

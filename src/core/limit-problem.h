@@ -26,8 +26,9 @@ typedef struct QnLimitProblem {
   double *constant, *load;
   QnId *cell_pairs; /* contact pair of every cell */
   int32_t *rows;    /* block_count x 3: equilibrium row, or -1 where supported */
+  double *mass;     /* block_count x 3: inertia of every degree of freedom, scaled; > 0 */
   size_t block_count, pair_count;
-  bool adjustable; /* cells have all rows that qn_limit_problem_set_shear() may need */
+  bool adjustable;    /* cells have all rows that qn_limit_problem_set_shear() may need */
   double force_unit;  /* N */
   double length_unit; /* m */
   double load_unit;   /* N; multiplier = lambda x force_unit / load_unit */
@@ -37,7 +38,8 @@ typedef struct QnLimitProblem {
  * live load is refused (NO_LIVE_LOAD). `adjustable` keeps rows that the associative program
  * does without, for qn_limit_problem_set_shear(). */
 QnStatus qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
-                                const QnContacts *contacts, bool adjustable, QnDiag *diag);
+                                const QnContacts *contacts, bool adjustable,
+                                QnDiag *diag);
 
 void qn_limit_problem_clear (QnLimitProblem *limit);
 

@@ -1,6 +1,7 @@
 #include "core/limit.h"
 
 #include "core/limit-bounds.h"
+#include "core/limit-fall.h"
 #include "core/memory.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 #include <string.h>
 
 /* Without an optimum to full accuracy, an iterate this good is still an answer. */
-#define ACCEPTED_GAP 1e-6
+#define ACCEPTED_GAP      1e-6
 #define ACCEPTED_RESIDUAL 1e-7
 
 typedef struct Run {
@@ -68,8 +69,8 @@ carry_dead_load (Run *run, QnDiag *diag)
   while (!status && ip->state == QN_IP_RUNNING && !run->anchored && !run->cancelled) {
     status = iterate_once (run, diag);
     if (!status)
-      status = qn_interior_point_project (ip, true, &lambda, run->anchor, &residual, &slack,
-                                          diag);
+      status = qn_interior_point_project (ip, true, &lambda, run->anchor, &residual,
+                                          &slack, diag);
     run->anchored = !status && slack > 0.0 && residual < ACCEPTED_RESIDUAL;
   }
   p->load = load;
@@ -81,10 +82,10 @@ carry_dead_load (Run *run, QnDiag *diag)
 static bool
 is_answer (const QnInteriorPoint *ip)
 {
-  return ip->state == QN_IP_OPTIMAL ||
-         (ip->state == QN_IP_STALLED && ip->measures.gap < ACCEPTED_GAP &&
-          ip->measures.primal_residual < ACCEPTED_RESIDUAL &&
-          ip->measures.dual_residual < ACCEPTED_RESIDUAL);
+  return ip->state == QN_IP_OPTIMAL
+         || (ip->state == QN_IP_STALLED && ip->measures.gap < ACCEPTED_GAP
+             && ip->measures.primal_residual < ACCEPTED_RESIDUAL
+             && ip->measures.dual_residual < ACCEPTED_RESIDUAL);
 }
 
 static QnStatus
@@ -98,11 +99,18 @@ raise_multiplier (Run *run, QnDiag *diag)
   return status;
 }
 
-static void
-take_certificate (Run *run)
+/* The engine's certificate proves that there is no equilibrium, but moves blocks that could
+ * stand as well; the fall moves those alone that cannot. */
+static QnStatus
+take_certificate (Run *run, QnDiag *diag)
 {
+  double *v = run->ip->v;
+  bool found;
+  QnStatus status = qn_limit_fall (run->limit, v, &found, diag);
+
   run->solution->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
-  qn_limit_problem_velocities (run->limit, run->ip->v, run->solution->velocities);
+  qn_limit_problem_velocities (run->limit, v, run->solution->velocities);
+  return status;
 }
 
 /* The two bounds with what proves them. */
@@ -112,9 +120,9 @@ take_optimum (Run *run, QnDiag *diag)
   QnLimitSolution *solution = run->solution;
   const QnLimitProblem *limit = run->limit;
   double lower, upper;
-  QnStatus status
-    = qn_limit_lower_bound (run->ip, limit, run->anchored ? run->anchor : NULL, run->y,
-                            &lower, &solution->check, diag);
+  QnStatus status =
+    qn_limit_lower_bound (run->ip, limit, run->anchored ? run->anchor : NULL, run->y,
+                          &lower, &solution->check, diag);
 
   if (status)
     return status;
@@ -147,10 +155,8 @@ solve (Run *run, QnDiag *diag)
   QnStatus status = carry_dead_load (run, diag);
 
   run->solution->outcome = QN_OUTCOME_NOT_CONVERGED;
-  if (!status && ip->state == QN_IP_INFEASIBLE) {
-    take_certificate (run);
-    return QN_OK;
-  }
+  if (!status && ip->state == QN_IP_INFEASIBLE)
+    return take_certificate (run, diag);
   if (!status && !run->cancelled && (run->anchored || is_answer (ip)))
     status = raise_multiplier (run, diag);
   else
@@ -160,7 +166,7 @@ solve (Run *run, QnDiag *diag)
   if (run->cancelled)
     run->solution->outcome = QN_OUTCOME_CANCELLED;
   else if (ip->state == QN_IP_INFEASIBLE)
-    take_certificate (run);
+    status = take_certificate (run, diag);
   else if (ip->state == QN_IP_UNBOUNDED)
     take_growth (run);
   else if (is_answer (ip))

@@ -35,19 +35,21 @@
 
 /* How far the numbers can be trusted, in quantities without units. */
 typedef struct QnLimitCheck {
-  double static_residual;     /* out-of-balance of the forces, relative to the loads */
-  double static_violation;    /* largest excess over the strength, relative to the loads */
+  double static_residual;  /* out-of-balance of the forces, relative to the loads */
+  double static_violation; /* largest excess over the strength, relative to the loads */
   double kinematic_violation; /* largest inadmissible rate, relative to the velocities */
   double gap;                 /* (upper - lower) / (1 + |upper|) in scaled multipliers */
 } QnLimitCheck;
 
 typedef struct QnLimitSolution {
-  QnOutcome outcome;  /* COLLAPSE, DEAD_LOAD_UNSTABLE, UNBOUNDED, CANCELLED, NOT_CONVERGED */
+  QnOutcome
+    outcome; /* COLLAPSE, DEAD_LOAD_UNSTABLE, UNBOUNDED, CANCELLED, NOT_CONVERGED */
   double lower_bound; /* COLLAPSE: carried by `forces`; UNBOUNDED: INFINITY */
   double upper_bound; /* COLLAPSE: proved by `velocities` */
   double *forces;     /* pair_count x 2: normal and shear force, N, as in QnPairResult;
                          UNBOUNDED: the growth of the forces per unit of the multiplier */
-  double *velocities; /* block_count x 3; COLLAPSE: the mechanism, live load at unit power in
+  double
+    *velocities; /* block_count x 3; COLLAPSE: the mechanism, live load at unit power in
                          scaled terms; DEAD_LOAD_UNSTABLE: how the blocks give way */
   QnLimitCheck check;
   int32_t iterations, factorizations;
@@ -59,8 +61,9 @@ void qn_limit_solution_clear (QnLimitSolution *solution);
  * also where equilibrium exists under some live load but not without. `ip` must have been
  * initialised with &limit->ip; only its numbers may have changed since. `solution` is
  * overwritten without being cleared. */
-QnStatus qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, QnProgressFunc progress,
-                         void *user_data, QnLimitSolution *solution, QnDiag *diag);
+QnStatus qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip,
+                         QnProgressFunc progress, void *user_data,
+                         QnLimitSolution *solution, QnDiag *diag);
 
 /* The associative limit analysis of a model from beginning to end. */
 QnStatus qn_limit_associative (const QnModel *model, const QnContacts *contacts,
@@ -79,9 +82,9 @@ typedef struct QnLimitFixedPoint {
 
 typedef struct QnLimitInterval {
   QnLimitFixedPoint points[QN_LIMIT_STARTS]; /* in the order of the starts */
-  int32_t count;       /* of starts that settled somewhere; points holds them first */
+  int32_t count; /* of starts that settled somewhere; points holds them first */
   double lowest, highest;
-  double associative;  /* upper bound of the associative program */
+  double associative;       /* upper bound of the associative program */
   QnLimitSolution solution; /* that of the lowest fixed point */
 } QnLimitInterval;
 

@@ -87,6 +87,8 @@ qn_explain_outcome_label (QnOutcome outcome)
     return _ ("Target reached");
   case QN_OUTCOME_SNAP:
     return _ ("Stopped at a limit point");
+  case QN_OUTCOME_UNBOUNDED:
+    return _ ("No limit");
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     return _ ("Dead load cannot stand");
   case QN_OUTCOME_CANCELLED:
@@ -167,6 +169,10 @@ qn_explain_outcome (const QnModel *model, const QnResult *result)
     return g_strdup_printf (
       _ ("Stopped at the first limit point, load multiplier %.4g."),
       result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
+  case QN_OUTCOME_UNBOUNDED:
+    return g_strdup (_ ("The joints can carry any multiple of the live load: rigid blocks "
+                        "have no limit here. Check its direction, or bound the strength of "
+                        "the joints."));
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
     g_autofree char *names = unstable_names (model, result);
     return g_strdup_printf (_ ("There is no equilibrium under the dead load alone. What "
