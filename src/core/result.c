@@ -12,6 +12,7 @@ qn_outcome_name (QnOutcome outcome)
     [QN_OUTCOME_COLLAPSE] = "collapse",
     [QN_OUTCOME_TARGET_REACHED] = "target-reached",
     [QN_OUTCOME_SNAP] = "snap",
+    [QN_OUTCOME_UNBOUNDED] = "unbounded",
     [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = "dead-load-unstable",
     [QN_OUTCOME_CANCELLED] = "cancelled",
     [QN_OUTCOME_NOT_CONVERGED] = "not-converged",
