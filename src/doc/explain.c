@@ -170,9 +170,10 @@ qn_explain_outcome (const QnModel *model, const QnResult *result)
       _ ("Stopped at the first limit point, load multiplier %.4g."),
       result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
   case QN_OUTCOME_UNBOUNDED:
-    return g_strdup (_ ("The joints can carry any multiple of the live load: rigid blocks "
-                        "have no limit here. Check its direction, or bound the strength of "
-                        "the joints."));
+    return g_strdup (
+      _ ("The joints can carry any multiple of the live load: rigid blocks "
+         "have no limit here. Check its direction, or bound the strength of "
+         "the joints."));
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
     g_autofree char *names = unstable_names (model, result);
     return g_strdup_printf (_ ("There is no equilibrium under the dead load alone. What "
