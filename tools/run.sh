@@ -25,7 +25,7 @@ for wall in 1 2 3 4 5 6; do
   walls+=("examples/ferris-tin-loi/wall$wall.quoin=$folder/walls/wall$wall.json")
 done
 "$cli" compare --columns 3 --size 2400x1800 -o "$folder/mechanisms.png" "${walls[@]}"
-"$cli" curve --size 1600x1200 -o "$folder/curves.png" "${walls[@]}"
+"$cli" curve --until 0.3 --size 1600x1200 -o "$folder/curves.png" "${walls[@]}"
 
 echo
 echo "Results:              $folder/walls/wall1.json ... wall6.json"

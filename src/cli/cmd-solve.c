@@ -72,7 +72,8 @@ print_summary (const QnProject *project, const QnResult *result)
   else if (result->step_count > 0)
     printf (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
             result->steps[result->step_count - 1].multiplier);
-  if (result->outcome == QN_OUTCOME_COLLAPSE && result->has_first_limit_multiplier)
+  if (result->outcome == QN_OUTCOME_COLLAPSE && result->has_first_limit_multiplier
+      && result->first_limit_multiplier < result->collapse_multiplier)
     printf (_ ("first limit point at %.5f: a real structure would jump there\n"),
             result->first_limit_multiplier);
   printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "

@@ -45,15 +45,16 @@ nice_step (double range, double count)
   return (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10) * power;
 }
 
-/* Rounds the ends of the axis to ticks. */
+/* Rounds the ends of the axis to ticks; what passes one by less than can be seen does not ask
+ * for another. */
 static void
 set_axis (Axis *axis, double low, double high, double length, double spacing)
 {
   if (!(high > low))
     high = low + (low != 0 ? fabs (low) : 1);
   axis->step = nice_step (high - low, fabs (length) / spacing);
-  axis->low = floor (low / axis->step + 1e-9) * axis->step;
-  axis->high = ceil (high / axis->step - 1e-9) * axis->step;
+  axis->low = floor (low / axis->step + 1e-3) * axis->step;
+  axis->high = ceil (high / axis->step - 1e-3) * axis->step;
 }
 
 static void
