@@ -82,6 +82,7 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
     return qn_diag_no_memory (diag);
   }
   qn_assembly_evaluate (&eq->assembly, eq->u);
+  qn_equilibrium_save (eq, &eq->committed);
   return QN_OK;
 }
 

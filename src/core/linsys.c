@@ -17,7 +17,6 @@ struct QnLinsys {
   klu_common common;
   klu_symbolic *symbolic;
   klu_numeric *numeric;
-  uint8_t *seen; /* scratch of permutation_sign() */
 };
 
 QnLinsys *
@@ -36,8 +35,7 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai)
   system->ap = (int32_t *) ap;
   system->ai = (int32_t *) ai;
   system->symbolic = klu_analyze (n, system->ap, system->ai, &system->common);
-  system->seen = qn_alloc ((size_t) n, 1);
-  if (system->symbolic == NULL || system->seen == NULL) {
+  if (system->symbolic == NULL) {
     qn_linsys_free (system);
     return NULL;
   }
@@ -51,7 +49,6 @@ qn_linsys_free (QnLinsys *system)
     return;
   klu_free_numeric (&system->numeric, &system->common);
   klu_free_symbolic (&system->symbolic, &system->common);
-  free (system->seen);
   free (system);
 }
 
@@ -95,38 +92,4 @@ qn_linsys_solve (QnLinsys *system, double *b)
 {
   QN_ASSERT (system->numeric != NULL);
   klu_solve (system->symbolic, system->numeric, system->n, 1, b, &system->common);
-}
-
-/* Sign of a permutation; `seen` is scratch of length n, zero on entry and on return. */
-static int
-permutation_sign (const int32_t *p, int32_t n, uint8_t *seen)
-{
-  int sign = 1;
-
-  for (int32_t i = 0; i < n; i++) {
-    int32_t length = 0;
-    for (int32_t j = i; !seen[j]; j = p[j], length++)
-      seen[j] = 1;
-    if (length > 0 && length % 2 == 0)
-      sign = -sign;
-  }
-  for (int32_t i = 0; i < n; i++)
-    seen[i] = 0;
-  return sign;
-}
-
-int
-qn_linsys_determinant_sign (const QnLinsys *system)
-{
-  const double *u = system->numeric->Udiag;
-  int sign = permutation_sign (system->numeric->Pnum, system->n, system->seen)
-             * permutation_sign (system->symbolic->Q, system->n, system->seen);
-
-  for (int32_t i = 0; i < system->n; i++) {
-    if (u[i] == 0)
-      return 0;
-    if (u[i] < 0)
-      sign = -sign;
-  }
-  return sign;
 }

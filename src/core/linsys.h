@@ -30,7 +30,4 @@ QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 /* Overwrites b (length n) with the solution of the last factorised system. */
 void qn_linsys_solve (QnLinsys *system, double *b);
 
-/* Sign of the determinant of the last factorised matrix: -1, 0 or 1. */
-int qn_linsys_determinant_sign (const QnLinsys *system);
-
 #endif

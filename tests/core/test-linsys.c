@@ -1,0 +1,92 @@
+#include "core/linsys.h"
+
+#include <glib.h>
+#include <math.h>
+
+enum { N = 30 };
+
+/* A full matrix as a pattern: every entry may be anything, zero included. */
+typedef struct {
+  int32_t ap[N + 1], ai[N * N];
+  double ax[N * N], x[N], b[N];
+} Dense;
+
+static void
+dense_pattern (Dense *d)
+{
+  for (int j = 0; j <= N; j++)
+    d->ap[j] = j * N;
+  for (int k = 0; k < N * N; k++)
+    d->ai[k] = k % N;
+}
+
+/* Random values, and b = A x for a random x. */
+static void
+dense_random (Dense *d, GRand *random)
+{
+  for (int k = 0; k < N * N; k++)
+    d->ax[k] = g_rand_double_range (random, -1, 1);
+  for (int i = 0; i < N; i++)
+    d->x[i] = g_rand_double_range (random, -1, 1);
+  for (int i = 0; i < N; i++) {
+    d->b[i] = 0;
+    for (int j = 0; j < N; j++)
+      d->b[i] += d->ax[j * N + i] * d->x[j];
+  }
+}
+
+/* The same system with new values each time: refactorisation must choose new pivots where the
+ * old ones have become small. */
+static void
+test_refactorisation (void)
+{
+  Dense d;
+  GRand *random = g_rand_new_with_seed (3);
+  dense_pattern (&d);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai);
+  g_assert_nonnull (system);
+
+  for (int k = 0; k < 50; k++) {
+    dense_random (&d, random);
+    if (k % 3 == 2)
+      d.b[0] -= d.ax[0] * d.x[0], d.ax[0] = 0; /* no diagonal pivot */
+    g_assert_cmpint (qn_linsys_factor (system, d.ax), ==, QN_FACTOR_OK);
+    qn_linsys_solve (system, d.b);
+    for (int i = 0; i < N; i++)
+      g_assert_cmpfloat (fabs (d.b[i] - d.x[i]), <, 1e-8);
+  }
+  qn_linsys_free (system);
+  g_rand_free (random);
+}
+
+static void
+test_singular (void)
+{
+  Dense d;
+  GRand *random = g_rand_new_with_seed (5);
+  dense_pattern (&d);
+  dense_random (&d, random);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai);
+
+  g_assert_cmpint (qn_linsys_factor (system, d.ax), ==, QN_FACTOR_OK);
+  for (int i = 0; i < N; i++)
+    d.ax[3 * N + i] = 2 * d.ax[7 * N + i]; /* two parallel columns */
+  g_assert_cmpint (qn_linsys_factor (system, d.ax), ==, QN_FACTOR_SINGULAR);
+
+  dense_random (&d, random); /* and the system is as good as before afterwards */
+  g_assert_cmpint (qn_linsys_factor (system, d.ax), ==, QN_FACTOR_OK);
+  qn_linsys_solve (system, d.b);
+  for (int i = 0; i < N; i++)
+    g_assert_cmpfloat (fabs (d.b[i] - d.x[i]), <, 1e-8);
+  qn_linsys_free (system);
+  g_rand_free (random);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/linsys/refactorisation", test_refactorisation);
+  g_test_add_func ("/linsys/singular", test_singular);
+  return g_test_run ();
+}

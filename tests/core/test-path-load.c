@@ -1,0 +1,204 @@
+#include "core/analysis.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+static void
+run (QnModel *model, QnProgressFunc progress, void *data, QnResult *result)
+{
+  QnContacts contacts;
+
+  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (model, &contacts, progress, data, result, NULL), ==,
+                   QN_OK);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (model);
+}
+
+static void
+init_block (QnModel *model)
+{
+  test_model_init_block_on_plane (model, 2, 0.5);
+  test_model_add_weight_loads (model, 1);
+}
+
+static void
+test_target (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.analysis.max_multiplier = 0.3;
+  run (&model, NULL, NULL, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_false (result.has_collapse_multiplier);
+  g_assert_cmpfloat (result.steps[0].multiplier, ==, 0);
+  g_assert_cmpfloat (result.steps[1].multiplier, ==, 0.01);
+  g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 0.3);
+  for (size_t s = 1; s < result.step_count; s++)
+    g_assert_cmpfloat (result.steps[s].multiplier, >, result.steps[s - 1].multiplier);
+  qn_result_clear (&result);
+}
+
+/* However coarse the increments are, even where the first one is far beyond collapse. */
+static void
+test_collapse_does_not_depend_on_increments (void)
+{
+  static const int increments[] = { 1, 2, 10, 1000 };
+  for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
+    QnModel model;
+    QnResult result;
+    init_block (&model);
+    model.analysis.increments = increments[i];
+    model.analysis.multiplier_tolerance = 1e-9;
+    model.analysis.residual_tolerance = 1e-11;
+    run (&model, NULL, NULL, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.65, 1e-9);
+    g_assert_cmpint (result.steps[result.step_count - 1].event, ==, QN_EVENT_COLLAPSE);
+    g_assert_nonnull (result.mechanism);
+    qn_result_clear (&result);
+  }
+}
+
+static void
+test_no_live_load (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.live_load_count = 0;
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpuint (result.step_count, ==, 1);
+  qn_result_clear (&result);
+}
+
+/* A load that presses a block onto its base has no limit. */
+static void
+test_unbounded (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.live_loads[0].vector = qn_vec2 (0, -1);
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  qn_result_clear (&result);
+}
+
+static void
+test_dead_load_unstable (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.dead_loads[0].vector = qn_vec2 (0.7, -1);
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
+  g_assert_cmpuint (result.step_count, ==, 0);
+  g_assert_cmpuint (result.unstable_count, ==, 1);
+  g_assert_cmpint (result.unstable_blocks[0], ==, 1);
+  qn_result_clear (&result);
+}
+
+/* Wall 3 loses stability long before its last equilibrium; an event-by-event tracer puts the
+ * limit point at 0.2604. */
+static void
+test_limit_point (void)
+{
+  static const int increments[] = { 10, 37, 100 };
+  for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
+    QnModel model;
+    QnResult result;
+    test_model_init_wall (&model, 3, 0);
+    model.analysis.increments = increments[i];
+    model.analysis.snap = QN_SNAP_STOP;
+    run (&model, NULL, NULL, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
+    g_assert_cmpfloat_with_epsilon (result.first_limit_multiplier, 0.2604, 3e-4);
+    g_assert_cmpint (result.steps[result.step_count - 1].event, ==, QN_EVENT_SNAP);
+    g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==,
+                       result.first_limit_multiplier);
+    qn_result_clear (&result);
+  }
+}
+
+static bool
+stop_after_steps (const QnProgress *progress, void *data)
+{
+  return progress->steps < *(int *) data;
+}
+
+static void
+test_cancel_keeps_what_converged (void)
+{
+  QnModel model;
+  QnResult result;
+  int steps = 5;
+  test_model_init_wall (&model, 1, 0);
+  run (&model, stop_after_steps, &steps, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_CANCELLED);
+  g_assert_cmpuint (result.step_count, ==, 5);
+  g_assert_cmpfloat (result.pairs[0].normal_force, <, 0);
+  qn_result_clear (&result);
+}
+
+static bool
+refuse_at (const QnProgress *progress, void *data)
+{
+  return progress->iterations < *(int *) data;
+}
+
+/* Whenever it is cancelled, a run ends, soon and with steps in order. */
+static void
+test_cancel_anywhere (void)
+{
+  for (int at = 1; at < 400; at += 7) {
+    QnModel model;
+    QnResult result;
+    test_model_init_wall (&model, 3, 0);
+    run (&model, refuse_at, &at, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_CANCELLED);
+    g_assert_cmpint (result.statistics.iterations, ==, at);
+    qn_result_clear (&result);
+  }
+}
+
+static void
+test_repeatable (void)
+{
+  QnResult results[2];
+  for (int k = 0; k < 2; k++) {
+    QnModel model;
+    test_model_init_wall (&model, 5, 0);
+    run (&model, NULL, NULL, &results[k]);
+  }
+  size_t numbers = results[0].step_count * results[0].block_count * QN_DOF_COUNT;
+  g_assert_cmpuint (results[0].step_count, ==, results[1].step_count);
+  g_assert_cmpmem (results[0].displacements, numbers * sizeof (double),
+                   results[1].displacements, numbers * sizeof (double));
+  g_assert_true (results[0].collapse_multiplier == results[1].collapse_multiplier);
+  qn_result_clear (&results[0]);
+  qn_result_clear (&results[1]);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/path-load/target", test_target);
+  g_test_add_func ("/path-load/increments", test_collapse_does_not_depend_on_increments);
+  g_test_add_func ("/path-load/no-live-load", test_no_live_load);
+  g_test_add_func ("/path-load/unbounded", test_unbounded);
+  g_test_add_func ("/path-load/dead-load-unstable", test_dead_load_unstable);
+  g_test_add_func ("/path-load/limit-point", test_limit_point);
+  g_test_add_func ("/path-load/cancel/keeps", test_cancel_keeps_what_converged);
+  g_test_add_func ("/path-load/cancel/anywhere", test_cancel_anywhere);
+  g_test_add_func ("/path-load/repeatable", test_repeatable);
+  return g_test_run ();
+}
