@@ -3,6 +3,7 @@
 #include "io/io-error.h"
 #include "io/json-parse.h"
 #include "io/json-path.h"
+#include "io/json-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>
@@ -64,6 +65,19 @@ parse_value (const char *text)
   return value != NULL || problem.no_memory ? value : cJSON_CreateString (text);
 }
 
+/* "laws[7].kn=1": the project has no such place */
+static gboolean
+fail (GError **error, int code, const char *override, const char *message)
+{
+  GString *quoted = g_string_new (NULL);
+  char *valid = g_utf8_make_valid (override, -1);
+  qn_json_append_string (quoted, valid);
+  g_set_error (error, QN_IO_ERROR, code, "%s: %s", quoted->str, message);
+  g_free (valid);
+  g_string_free (quoted, TRUE);
+  return FALSE;
+}
+
 gboolean
 qn_json_override (cJSON *root, const char *override, GError **error)
 {
@@ -71,9 +85,8 @@ qn_json_override (cJSON *root, const char *override, GError **error)
   GArray *path = parse_path (override, &text);
   if (path == NULL || !g_utf8_validate (override, -1, NULL)) {
     g_clear_pointer (&path, g_array_unref);
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", override,
+    return fail (error, QN_IO_ERROR_OVERRIDE, override,
                  _ ("an override has the form path=value"));
-    return FALSE;
   }
 
   cJSON *container = root;
@@ -88,12 +101,10 @@ qn_json_override (cJSON *root, const char *override, GError **error)
   g_array_unref (path);
 
   if (value == NULL)
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", override,
-                 _ ("not enough memory"));
-  else if (!placed)
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", override,
-                 _ ("the project has no such place"));
-  return placed;
+    return fail (error, QN_IO_ERROR_NO_MEMORY, override, _ ("not enough memory"));
+  return placed
+         || fail (error, QN_IO_ERROR_INVALID, override,
+                  _ ("the project has no such place"));
 }
 
 char *

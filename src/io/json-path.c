@@ -1,11 +1,24 @@
 #include "io/json-path.h"
 
+#include "io/json-scan.h"
 #include "io/json-text.h"
 
 #include <string.h>
 
 /* Characters that separate the steps of a path. */
 #define SEPARATORS ".[]\""
+
+/* Whether a key can stand in a path as it is: messages have one line. */
+static gboolean
+is_plain (const char *key)
+{
+  if (*key == '\0')
+    return FALSE;
+  for (; *key != '\0'; key++)
+    if ((guchar) *key < 0x20 || strchr (SEPARATORS, *key) != NULL)
+      return FALSE;
+  return TRUE;
+}
 
 static void
 clear_step (gpointer data)
@@ -19,14 +32,12 @@ parse_bracket (const char *text, QnJsonStep *step)
 {
   text++;
   if (*text == '"') {
-    GString *key = g_string_new (NULL);
-    for (text++; *text != '\0' && *text != '"'; text++) {
-      if (*text == '\\' && text[1] != '\0')
-        text++;
-      g_string_append_c (key, *text);
-    }
-    step->key = g_string_free (key, FALSE);
-    return strncmp (text, "\"]", 2) == 0 ? text + 2 : NULL;
+    QnJsonScanner scanner;
+    qn_json_scanner_init (&scanner, text, strlen (text));
+    if (qn_json_next (&scanner) != QN_JSON_STRING || text[scanner.end] != ']')
+      return NULL;
+    step->key = qn_json_dup_string (&scanner);
+    return text + scanner.end + 1;
   }
 
   char *end;
@@ -72,7 +83,7 @@ qn_json_path_parse (const char *text)
 void
 qn_json_path_append_key (GString *path, const char *key)
 {
-  if (*key == '\0' || strpbrk (key, SEPARATORS) != NULL) {
+  if (!is_plain (key)) {
     g_string_append_c (path, '[');
     qn_json_append_string (path, key);
     g_string_append_c (path, ']');

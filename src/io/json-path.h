@@ -1,6 +1,6 @@
 /* Paths to values inside a JSON document: blocks[3].vertices[0].
  *
- * A key that would be mistaken for a separator is written in brackets and quotes: ["a.b"].
+ * A key that holds a separator or a line break is written in brackets as JSON: ["a.b"].
  */
 #ifndef QN_IO_JSON_PATH_H
 #define QN_IO_JSON_PATH_H

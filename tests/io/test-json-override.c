@@ -56,7 +56,10 @@ expect_error (const char *override, int code)
   GError *error = NULL;
   g_assert_false (qn_json_override (root, override, &error));
   g_assert_error (error, QN_IO_ERROR, code);
-  g_assert_true (g_str_has_prefix (error->message, override));
+  GString *quoted = g_string_new (NULL);
+  qn_json_append_string (quoted, override);
+  g_assert_true (g_str_has_prefix (error->message, quoted->str));
+  g_string_free (quoted, TRUE);
   g_error_free (error);
   cJSON_Delete (root);
 }

@@ -41,6 +41,8 @@ test_paths (void)
   expect ("a[\"b.c\"].d", "a[\"b.c\"].d");
   expect ("[\"plain\"]", "plain");
   expect ("a[\"\\\"\\\\\"]", "a[\"\\\"\\\\\"]");
+  expect ("a[\"\\n\"].b", "a[\"\\n\"].b");
+  expect ("[\"\"]", "[\"\"]");
 }
 
 static void

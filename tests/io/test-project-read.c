@@ -180,7 +180,8 @@ test_override_errors (void)
   expect_override_error ("analysis.increments=many",
                          " analysis.increments: expected a number, found a string "
                          "(set by \"analysis.increments=many\")");
-  expect_override_error ("laws[7].kn=1", " laws[7].kn=1: the project has no such place");
+  expect_override_error ("laws[7].kn=1",
+                         " \"laws[7].kn=1\": the project has no such place");
 
   static const char *const malformed[] = { "analysis", NULL };
   QnProject project;

@@ -1,0 +1,47 @@
+/* Any bytes as a result file, checked against a project where its blocks are the same. */
+#include "fuzz.h"
+#include "io/io-error.h"
+#include "io/result-check.h"
+
+#include <string.h>
+
+static const char project_text[] =
+  "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"j\", \"kind\": "
+  "\"coulomb\", \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.65 } ], \"blocks\": [ { "
+  "\"name\": "
+  "\"base\", \"vertices\": [[0, -1], [2, -1], [2, 0], [0, 0]], \"thickness\": 1, "
+  "\"unit_weight\": 1, \"support\": [true, true, true] }, { \"name\": \"top\", "
+  "\"vertices\": "
+  "[[0, 0], [1, 0], [1, 1], [0, 1]], \"thickness\": 1, \"unit_weight\": 1 } ], "
+  "\"contact\": { \"law\": \"j\" }, \"loads\": { \"dead\": [ { \"kind\": \"weight\", "
+  "\"direction\": [0, -1] } ] } }";
+
+static void
+check_error (GError *error)
+{
+  g_assert_nonnull (error);
+  g_assert_true (error->domain == QN_IO_ERROR);
+  g_assert_null (strchr (error->message, '\n'));
+  g_error_free (error);
+}
+
+int
+LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
+{
+  QnResultFile file;
+  GError *error = NULL;
+  if (!qn_result_file_parse ((const char *) data, size, "fuzz", &file, &error)) {
+    check_error (error);
+    return 0;
+  }
+
+  QnProject project;
+  QnResultCheck check;
+  g_assert_true (qn_project_parse (project_text, strlen (project_text), "project", NULL,
+                                   &project, NULL));
+  if (!qn_result_check (&file, &project, &check, &error))
+    check_error (error);
+  qn_project_clear (&project);
+  qn_result_file_clear (&file);
+  return 0;
+}
