@@ -8,7 +8,7 @@ packages=(
   gcc g++ libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
   # libraries
   libglib2.0-dev libcjson-dev libcairo2-dev libsuitesparse-dev libgeos-dev libdxflib-dev
-  libpng-dev libpango1.0-dev libgtk-4-dev
+  libpng-dev libpango1.0-dev libgtk-4-dev fonts-dejavu-core
   # checks and tests
   clang-format-14 binutils locales-all
   desktop-file-utils appstream xvfb xauth
@@ -35,4 +35,4 @@ fi
 apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive
   apt-get --quiet=2 -o DPkg::Lock::Timeout=300)
 "${apt[@]}" update </dev/null
-"${apt[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null
+"${apt[@]}" install --yes --no-install-recommends "${missing[@]}" </dev/null >/dev/null

@@ -25,6 +25,7 @@ typedef struct QnVerifyGroup {
   const char *overrides[4]; /* NULL-terminated "path=value" for all its models */
   const QnVerifyCase *cases;
   gsize case_count;
+  gboolean bounded; /* whether the associative limit analysis is computed beside */
 } QnVerifyGroup;
 
 /* All groups; their number in *count. A static array. */
