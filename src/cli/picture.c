@@ -13,12 +13,11 @@ refuse (const QnSubcommand *self, const char *message)
 }
 
 QnExit
-qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
-                   QnOutput *output)
+qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
+                 QnOutput *output)
 {
   GError *error = NULL;
   QnPage page;
-  QnFormat format;
 
   if (options->path == NULL)
     return refuse (self, _ ("-o is missing"));
@@ -33,10 +32,21 @@ qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
     return refuse (self, _ ("--backend is cairo or gl"));
 
   if ((options->size != NULL && !qn_output_parse_size (output, options->size, &error))
-      || !qn_output_page (output, &page, &error)
-      || !qn_format_of_path (options->path, &format, &error))
+      || !qn_output_page (output, &page, &error))
     return qn_cli_fail (error);
   return QN_EXIT_DONE;
+}
+
+QnExit
+qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
+                   QnOutput *output)
+{
+  GError *error = NULL;
+  QnFormat format;
+  QnExit code = qn_picture_page (self, options, output);
+  if (code == QN_EXIT_DONE && !qn_format_of_path (options->path, &format, &error))
+    code = qn_cli_fail (error);
+  return code;
 }
 
 void

@@ -56,6 +56,10 @@ typedef struct QnPictureOptions {
 QnExit qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
                           QnOutput *output);
 
+/* The same without a look at the ending of the path: for files that are no single picture. */
+QnExit qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
+                        QnOutput *output);
+
 /* What the picture says of the project it shows; strings are borrowed from it, but for
  * model, which is the file's name without folders. `project` may be NULL. */
 void qn_picture_metadata (const QnProject *project, QnMetadata *metadata);

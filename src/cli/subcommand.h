@@ -26,6 +26,7 @@ struct QnSubcommand {
 extern const QnSubcommand qn_cmd_check;
 extern const QnSubcommand qn_cmd_solve;
 extern const QnSubcommand qn_cmd_render;
+extern const QnSubcommand qn_cmd_animate;
 extern const QnSubcommand qn_cmd_compare;
 extern const QnSubcommand qn_cmd_curve;
 extern const QnSubcommand qn_cmd_verify;

@@ -16,9 +16,9 @@
 #define TICK_SPACING_Y 36.0
 
 typedef struct Axis {
-  double low, high; /* in displayed units */
-  double step;
-  double start, end; /* px */
+  double low, high;   /* in displayed units */
+  double step, first; /* of the ticks */
+  double start, end;  /* px */
 } Axis;
 
 typedef struct Plot {
@@ -45,16 +45,19 @@ nice_step (double range, double count)
   return (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10) * power;
 }
 
-/* Rounds the ends of the axis to ticks; what passes one by less than can be seen does not ask
- * for another. */
+/* Ticks at multiples of a nice step; an end is rounded to the next tick where it is near, and
+ * what passes one by less than can be seen does not ask for another. */
 static void
 set_axis (Axis *axis, double low, double high, double length, double spacing)
 {
   if (!(high > low))
     high = low + (low != 0 ? fabs (low) : 1);
   axis->step = nice_step (high - low, fabs (length) / spacing);
-  axis->low = floor (low / axis->step + 1e-3) * axis->step;
-  axis->high = ceil (high / axis->step - 1e-3) * axis->step;
+  double below = floor (low / axis->step + 1e-3) * axis->step;
+  double above = ceil (high / axis->step - 1e-3) * axis->step;
+  axis->low = low - below < 0.35 * axis->step ? below : low - 0.04 * (high - low);
+  axis->high = above - high < 0.35 * axis->step ? above : high + 0.04 * (high - low);
+  axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
 }
 
 static void
@@ -87,7 +90,8 @@ tick_text (double value, double step)
   int digits = (int) fmax (0, -floor (log10 (step) + 1e-9));
   if (fabs (value) < 0.5 * step)
     value = 0;
-  return g_strdup_printf ("%.*f", MIN (digits, 9), value);
+  g_autofree char *format = g_strdup_printf ("%%.%df", MIN (digits, 9));
+  return qn_number_text (format, value);
 }
 
 static void
@@ -104,7 +108,7 @@ draw_ticks (const Plot *plot)
   double u = plot->unit;
   QnTextStyle style = { .size = TYPE_TICK * u };
   QnColor ink = qn_ink (QN_INK_LINE, plot->data->monochrome);
-  for (double v = plot->x.low; v <= plot->x.high + 0.5 * plot->x.step;
+  for (double v = plot->x.first; v <= plot->x.high + 1e-9 * plot->x.step;
        v += plot->x.step) {
     double x = axis_place (&plot->x, v);
     g_autofree char *text = tick_text (v, plot->x.step);
@@ -113,7 +117,7 @@ draw_ticks (const Plot *plot)
     line (plot, x, plot->y.start, x, plot->y.end);
     qn_text_draw (plot->cr, &style, text, x, plot->y.start + 4 * u, 0.5, 0, 0, ink);
   }
-  for (double v = plot->y.low; v <= plot->y.high + 0.5 * plot->y.step;
+  for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
        v += plot->y.step) {
     double y = axis_place (&plot->y, v);
     g_autofree char *text = tick_text (v, plot->y.step);
@@ -210,9 +214,10 @@ create_legend (const QnCurvePlot *data)
         ->dashed = is_dashed (data, i);
   }
   for (size_t i = 0; i < data->reference_count; i++) {
+    g_autofree char *number = qn_number_text ("%.4g", data->references[i].y);
     QnLegendEntry *entry =
-      qn_scene_legend (scene, QN_COMMAND_STROKE, reference_color (data, i), "%s (%.4g)",
-                       data->references[i].label, data->references[i].y);
+      qn_scene_legend (scene, QN_COMMAND_STROKE, reference_color (data, i), "%s (%s)",
+                       data->references[i].label, number);
     entry->dashed = true;
     entry->size = 0.8f;
   }
@@ -236,7 +241,7 @@ static double
 tick_width (const Plot *plot)
 {
   double widest = 0;
-  for (double v = plot->y.low; v <= plot->y.high + 0.5 * plot->y.step;
+  for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
        v += plot->y.step) {
     double width, height;
     g_autofree char *text = tick_text (v, plot->y.step);

@@ -130,8 +130,8 @@ rectangle_outline (cairo_t *cr, double x, double y, double width, double height,
 static char *
 length_text (double metres)
 {
-  return metres >= 1 ? g_strdup_printf (_ ("%g m"), metres)
-                     : g_strdup_printf (_ ("%g mm"), 1000 * metres);
+  g_autofree char *number = qn_number_text ("%g", metres >= 1 ? metres : 1000 * metres);
+  return g_strconcat (number, metres >= 1 ? " m" : " mm", NULL);
 }
 
 /* A bar of a 1-2-5 length with its half filled. */
@@ -155,7 +155,7 @@ static void
 draw_bar_number (const QnFurniture *f, cairo_t *cr, double value, double x, double y,
                  double align)
 {
-  g_autofree char *text = g_strdup_printf ("%.3g", value * f->scene->bar.factor);
+  g_autofree char *text = qn_number_text ("%.3g", value * f->scene->bar.factor);
   qn_text_draw (cr, &(QnTextStyle){ .size = (QN_TYPE_LEGEND - 0.5) * f->unit }, text, x,
                 y, align, 0, 0, qn_ink (QN_INK_LINE, f->scene->monochrome));
 }

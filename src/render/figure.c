@@ -1,21 +1,14 @@
 #include "render/figure.h"
 
-#include "render/draw-cairo.h"
-#include "render/figure-furniture.h"
+#include "render/figure-layout.h"
 #include "render/motion.h"
-#include "render/scene-fit.h"
 #include "render/text.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-/* Space around everything and between the parts, pt. */
+/* Space around everything, pt. */
 #define PAGE_MARGIN 8.0
-#define PART_GAP    7.0
-
-/* Least share of a frame that the structure keeps; furniture that would take more is left
- * out. */
-#define LEAST_SHARE 0.35
 
 void
 qn_figure_init (QnFigure *figure, const QnModel *model, const QnContacts *contacts,
@@ -70,8 +63,9 @@ append_multiplier (GString *text, const QnFigure *figure, bool brief)
   const QnResult *result = figure->result;
   if (isnan (multiplier))
     return;
+  g_autofree char *number = qn_number_text ("%.4g", multiplier);
   g_autofree char *part =
-    g_strdup_printf (brief ? "λ = %.4g" : _ ("load multiplier λ = %.4g"), multiplier);
+    g_strdup_printf (brief ? "λ = %s" : _ ("load multiplier λ = %s"), number);
   append_part (text, part);
   if (brief || figure->options.view == QN_VIEW_MECHANISM || result->step_count == 0)
     return;
@@ -113,85 +107,11 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
   append_multiplier (text, figure, brief);
   append_mechanism (text, figure);
   if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
-    g_autofree char *scale = g_strdup_printf (_ ("displacements × %g"), scene->scale);
+    g_autofree char *number = qn_number_text ("%g", scene->scale);
+    g_autofree char *scale = g_strdup_printf (_ ("displacements × %s"), number);
     append_part (text, scale);
   }
   return g_strdup (text->str);
-}
-
-/* ---- layout ---------------------------------------------------------------------------- */
-
-/* Draws title and caption from the top of the frame; returns their height with the gap. */
-static double
-draw_titles (const QnFigure *figure, const QnScene *scene, cairo_t *cr,
-             const QnPage *page, const QnFrame *frame, bool draw)
-{
-  if (!figure->options.titles)
-    return 0;
-  g_autofree char *own =
-    figure->caption == NULL ? qn_figure_dup_caption (figure, scene, false) : NULL;
-  const char *caption = figure->caption != NULL ? figure->caption : own;
-  const char *title = figure->title != NULL ? figure->title : figure->model->title;
-  QnTextStyle big = { .size = QN_TYPE_TITLE * page->unit,
-                      .bold = true,
-                      .width = frame->width };
-  QnTextStyle small = { .size = QN_TYPE_TEXT * page->unit, .width = frame->width };
-  double y = 0, width, height;
-  if (title != NULL && *title != '\0') {
-    qn_text_measure (cr, &big, title, &width, &height);
-    if (draw)
-      qn_text_draw (cr, &big, title, frame->x, frame->y, 0, 0, 0,
-                    qn_ink (QN_INK_LINE, figure->options.monochrome));
-    y += height + page->unit;
-  }
-  if (*caption != '\0') {
-    qn_text_measure (cr, &small, caption, &width, &height);
-    if (draw)
-      qn_text_draw (cr, &small, caption, frame->x, frame->y + y, 0, 0, 0,
-                    qn_ink (QN_INK_LINE, figure->options.monochrome));
-    y += height;
-  }
-  return y > 0 ? y + PART_GAP * page->unit : 0;
-}
-
-/* Divides what the titles leave between the structure and the furniture, beside or below,
- * whichever lets the structure be larger. */
-static bool
-place_furniture (QnFurniture *furniture, QnCamera *view, const QnScene *scene,
-                 double unit)
-{
-  double gap = PART_GAP * unit, column, column_height;
-  double row = qn_furniture_row_height (furniture, view->width);
-  qn_furniture_column_size (furniture, &column, &column_height);
-  QnCamera below = *view, beside = *view;
-  below.height = view->height - row - gap;
-  beside.width = view->width - column - 2 * gap;
-
-  bool below_fits = below.height > LEAST_SHARE * view->height;
-  bool beside_fits =
-    beside.width > LEAST_SHARE * view->width && column_height <= view->height;
-  qn_camera_fit (&below, scene->box, 0);
-  qn_camera_fit (&beside, scene->box, 0);
-  bool as_column = beside_fits && (!below_fits || beside.scale > below.scale);
-  if (!as_column && !below_fits) {
-    furniture->count = 0;
-    return false;
-  }
-  furniture->width = as_column ? column : view->width;
-  furniture->height = as_column ? column_height : row;
-  furniture->x = view->x + (as_column ? view->width - column : 0);
-  furniture->y = view->y + view->height - furniture->height;
-  *view = as_column ? beside : below;
-  return as_column;
-}
-
-static bool
-draw_scene (const QnScene *scene, const QnCamera *camera, cairo_t *cr, const QnPage *page,
-            GError **error)
-{
-  (void) error;
-  qn_draw_cairo (scene, camera, QN_LAYERS_ALL, page->antialias, cr, NULL);
-  return true;
 }
 
 bool
@@ -202,33 +122,12 @@ qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
                                               figure->result, &figure->options, error);
   if (scene == NULL)
     return false;
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
-
-  double titles = draw_titles (figure, scene, cr, page, frame, false);
-  if (titles > (1 - LEAST_SHARE) * frame->height)
-    titles = 0;
-  else
-    draw_titles (figure, scene, cr, page, frame, true);
-  QnCamera view = { .scale = 1,
-                    .unit = page->unit,
-                    .x = frame->x,
-                    .y = frame->y + titles,
-                    .width = frame->width,
-                    .height = frame->height - titles };
-  QnFurniture furniture = { 0 };
-  bool as_column = false;
-  if (figure->options.legend) {
-    qn_furniture_init (&furniture, scene, cr, page->unit, view.width, true);
-    as_column = place_furniture (&furniture, &view, scene, page->unit);
-  }
-  qn_scene_fit (&view, scene, cr, frame->scale);
-  bool done = draw_scene (scene, &view, cr, page, error);
-  if (done && furniture.count > 0)
-    qn_furniture_draw (&furniture, cr, view.scale, as_column);
-  qn_furniture_clear (&furniture);
+  QnFigureLayout layout;
+  qn_figure_layout_init (&layout, figure, scene, cr, page, frame);
+  bool done = qn_figure_layout_draw (&layout, figure, scene, cr, page, error);
   if (camera != NULL)
-    *camera = view;
+    *camera = layout.camera;
+  qn_figure_layout_clear (&layout);
   return done;
 }
 

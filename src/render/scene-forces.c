@@ -1,6 +1,7 @@
 /* Contact forces: a thin line for every pair, the resultant of every face as a bar on its
  * line of action. The bars of a course join up to the line of thrust. */
 #include "render/scene-builder.h"
+#include "render/text.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -101,8 +102,9 @@ qn_build_forces (QnSceneBuilder *b)
     if (qn_vec2_length (resultants[f].force) >= LEAST_SHARE * largest)
       add_resultant (b, (QnId) f, &resultants[f], per_newton, largest);
   }
+  g_autofree char *number = qn_number_text ("%.4g", largest / 1000);
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
-                   _ ("resultant of a joint, largest %.4g kN"), largest / 1000)
+                   _ ("resultant of a joint, largest %s kN"), number)
     ->size = 2;
   if (b->options->symbols) {
     QnLegendEntry *entry =

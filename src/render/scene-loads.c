@@ -1,5 +1,6 @@
 /* Loads as arrows and overall dimensions. */
 #include "render/scene-builder.h"
+#include "render/text.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -65,7 +66,8 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
     double length = FORCE_ARROW * b->block_size * fmax (force / largest, 0.2);
     QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
     qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, at, 1.4, color, pick, index, 0);
-    g_autofree char *text = g_strdup_printf (_ ("%.4g kN"), force / 1000);
+    g_autofree char *number = qn_number_text ("%.4g", force / 1000);
+    g_autofree char *text = g_strconcat (number, " kN", NULL);
     QnCommand *label =
       qn_scene_text (b->scene, QN_LAYER_LABELS, from, QN_SIZE_LABEL, text, color);
     label->align_x = load->vector.x > 0.3 * force    ? 1
@@ -106,10 +108,11 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
     bool own = load->vector.x == 0 && load->vector.y < 0 && pick == QN_PICK_DEAD_LOAD;
     if (!own)
       add_weight_load (b, load, pick, (QnId) i, color);
-    g_autofree char *what =
-      own && load->vector.y == -1
-        ? g_strdup (_ ("own weight"))
-        : g_strdup_printf (_ ("weight × (%.3g, %.3g)"), load->vector.x, load->vector.y);
+    g_autofree char *x = qn_number_text ("%.3g", load->vector.x);
+    g_autofree char *y = qn_number_text ("%.3g", load->vector.y);
+    g_autofree char *what = own && load->vector.y == -1
+                              ? g_strdup (_ ("own weight"))
+                              : g_strdup_printf (_ ("weight × (%s, %s)"), x, y);
     QnLegendEntry *entry = qn_scene_legend (
       b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color, "%s: %s", name, what);
     entry->marker = QN_MARKER_ARROW_HEAD;
@@ -151,10 +154,9 @@ add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
     qn_scene_marker (scene, QN_LAYER_DIMENSIONS, QN_MARKER_TICK, line[i], 6, 0, color);
   }
   double length = qn_vec2_length (qn_vec2_sub (to, from));
-  g_autofree char *text = length >= 1 ? g_strdup_printf (_ ("%.2f m"), length)
-                          : length >= 0.01
-                            ? g_strdup_printf (_ ("%.0f mm"), 1000 * length)
-                            : g_strdup_printf (_ ("%.3g mm"), 1000 * length);
+  g_autofree char *number = length >= 1 ? qn_number_text ("%.2f", length)
+                                        : qn_number_text ("%.4g", 1000 * length);
+  g_autofree char *text = g_strconcat (number, length >= 1 ? " m" : " mm", NULL);
   QnCommand *label = qn_scene_text (scene, QN_LAYER_LABELS, qn_vec2_lerp (from, to, 0.5),
                                     7.5, text, color);
   label->angle = (float) text_angle;

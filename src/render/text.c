@@ -2,6 +2,13 @@
 
 #include <pango/pangocairo.h>
 
+char *
+qn_number_text (const char *format, double value)
+{
+  char buffer[G_ASCII_DTOSTR_BUF_SIZE];
+  return g_strdup (g_ascii_formatd (buffer, sizeof buffer, format, value));
+}
+
 /* A layout whose lines do not depend on the surface: no hinting, no rounding to pixels. */
 static PangoLayout *
 create_layout (cairo_t *cr, const QnTextStyle *style, const char *text)

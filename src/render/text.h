@@ -14,6 +14,10 @@ typedef struct QnTextStyle {
   double width; /* px: wraps to at most two lines, then shortens; 0: one line */
 } QnTextStyle;
 
+/* A number as text with a decimal point whatever the locale; `format` is one printf()
+ * conversion of a double. Newly allocated. */
+char *qn_number_text (const char *format, double value);
+
 /* Size of the text in px. */
 void qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text,
                       double *width, double *height);

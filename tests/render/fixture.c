@@ -154,7 +154,16 @@ scale_steps (Fixture *f)
   }
 }
 
-/* Pair forces of a column: compression by what stands above, friction to the right. */
+static QnVec2
+velocity (const Fixture *f, QnId block, QnVec2 p)
+{
+  const double *v = f->result.mechanism + (size_t) block * QN_DOF_COUNT;
+  QnVec2 arm = qn_vec2_sub (p, f->model.blocks[block].centroid);
+  return qn_vec2_add_scaled (qn_vec2 (v[0], v[1]), v[2], qn_vec2_perp (arm));
+}
+
+/* Pair forces of a column: compression by what stands above, friction to the right. Pairs that
+ * the mechanism opens carry nothing. */
 static void
 set_forces (Fixture *f, double top)
 {
@@ -163,17 +172,17 @@ set_forces (Fixture *f, double top)
     bool bed = fabs (face->normal.y) > 0.5;
     for (int k = 0; k < 2; k++) {
       QnPairResult *pair = &f->result.pairs[face->first_pair + k];
+      QnVec2 at = f->contacts.pairs[face->first_pair + k].point;
+      QnVec2 jump = qn_vec2_sub (velocity (f, face->b, at), velocity (f, face->a, at));
+      bool opens = qn_vec2_dot (jump, face->normal) > 1e-6;
+      bool slides = fabs (qn_vec2_dot (jump, face->tangent)) > 1e-6;
+      pair->state = opens ? QN_PAIR_OPEN : slides ? QN_PAIR_SLIP : QN_PAIR_STICK;
+      if (opens || !bed)
+        continue;
       double depth = top - face->start.y + unit_height;
-      if (bed) {
-        bool right =
-          f->contacts.pairs[face->first_pair + k].point.x > face->start.x - 1e-9
-          && (k == 1) == (face->tangent.x > 0);
-        pair->normal_force = -1e4 * depth * face->length * (right ? 0.8 : 0.2);
-        pair->shear_force = 0.3 * pair->normal_force * (face->tangent.x > 0 ? -1 : 1);
-        pair->state = i % 7 == 0 ? QN_PAIR_SLIP : QN_PAIR_STICK;
-      } else {
-        pair->state = QN_PAIR_OPEN;
-      }
+      bool right = (k == 1) == (face->tangent.x > 0);
+      pair->normal_force = -1e4 * depth * face->length * (right ? 0.8 : 0.2);
+      pair->shear_force = 0.3 * pair->normal_force * (face->tangent.x > 0 ? -1 : 1);
     }
   }
 }
