@@ -91,7 +91,7 @@ tick_text (double value, double step)
   if (fabs (value) < 0.5 * step)
     value = 0;
   g_autofree char *format = g_strdup_printf ("%%.%df", MIN (digits, 9));
-  return qn_number_text (format, value);
+  return qn_label_number (format, value);
 }
 
 static void
@@ -214,7 +214,7 @@ create_legend (const QnCurvePlot *data)
         ->dashed = is_dashed (data, i);
   }
   for (size_t i = 0; i < data->reference_count; i++) {
-    g_autofree char *number = qn_number_text ("%.4g", data->references[i].y);
+    g_autofree char *number = qn_label_number ("%.4g", data->references[i].y);
     QnLegendEntry *entry =
       qn_scene_legend (scene, QN_COMMAND_STROKE, reference_color (data, i), "%s (%s)",
                        data->references[i].label, number);

@@ -130,7 +130,7 @@ rectangle_outline (cairo_t *cr, double x, double y, double width, double height,
 static char *
 length_text (double metres)
 {
-  g_autofree char *number = qn_number_text ("%g", metres >= 1 ? metres : 1000 * metres);
+  g_autofree char *number = qn_label_number ("%g", metres >= 1 ? metres : 1000 * metres);
   return g_strconcat (number, metres >= 1 ? " m" : " mm", NULL);
 }
 
@@ -155,7 +155,7 @@ static void
 draw_bar_number (const QnFurniture *f, cairo_t *cr, double value, double x, double y,
                  double align)
 {
-  g_autofree char *text = qn_number_text ("%.3g", value * f->scene->bar.factor);
+  g_autofree char *text = qn_label_number ("%.3g", value * f->scene->bar.factor);
   qn_text_draw (cr, &(QnTextStyle){ .size = (QN_TYPE_LEGEND - 0.5) * f->unit }, text, x,
                 y, align, 0, 0, qn_ink (QN_INK_LINE, f->scene->monochrome));
 }

@@ -63,7 +63,7 @@ append_multiplier (GString *text, const QnFigure *figure, bool brief)
   const QnResult *result = figure->result;
   if (isnan (multiplier))
     return;
-  g_autofree char *number = qn_number_text ("%.4g", multiplier);
+  g_autofree char *number = qn_label_number ("%.4g", multiplier);
   g_autofree char *part =
     g_strdup_printf (brief ? "λ = %s" : _ ("load multiplier λ = %s"), number);
   append_part (text, part);
@@ -107,7 +107,7 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
   append_multiplier (text, figure, brief);
   append_mechanism (text, figure);
   if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
-    g_autofree char *number = qn_number_text ("%g", scene->scale);
+    g_autofree char *number = qn_label_number ("%g", scene->scale);
     g_autofree char *scale = g_strdup_printf (_ ("displacements × %s"), number);
     append_part (text, scale);
   }

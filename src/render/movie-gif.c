@@ -80,7 +80,7 @@ put_header (QnMovie *movie, const QnMetadata *metadata)
   if (metadata->title != NULL)
     g_string_append_printf (comment, "; %s", metadata->title);
   if (!isnan (metadata->multiplier)) {
-    g_autofree char *number = qn_number_text ("%.6g", metadata->multiplier);
+    g_autofree char *number = qn_label_number ("%.6g", metadata->multiplier);
     g_string_append_printf (comment, "; multiplier %s", number);
   }
   if (metadata->model != NULL)

@@ -57,7 +57,7 @@ add_material_legend (QnSceneBuilder *b, GArray *materials)
     QnId law = block->law != QN_NONE ? block->law : b->model->contact.law;
     bool named = law != QN_NONE && (size_t) law < b->model->law_count
                  && b->model->laws[law].name != NULL;
-    g_autofree char *number = qn_number_text ("%.4g", block->unit_weight / 1000);
+    g_autofree char *number = qn_label_number ("%.4g", block->unit_weight / 1000);
     qn_scene_legend (b->scene, QN_COMMAND_FILL,
                      qn_material_color ((int) i, b->options->monochrome), "%s kN/m³%s%s",
                      number, named ? ", " : "", named ? b->model->laws[law].name : "");

@@ -102,7 +102,7 @@ qn_build_forces (QnSceneBuilder *b)
     if (qn_vec2_length (resultants[f].force) >= LEAST_SHARE * largest)
       add_resultant (b, (QnId) f, &resultants[f], per_newton, largest);
   }
-  g_autofree char *number = qn_number_text ("%.4g", largest / 1000);
+  g_autofree char *number = qn_label_number ("%.4g", largest / 1000);
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
                    _ ("resultant of a joint, largest %s kN"), number)
     ->size = 2;

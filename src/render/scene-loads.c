@@ -66,7 +66,7 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
     double length = FORCE_ARROW * b->block_size * fmax (force / largest, 0.2);
     QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
     qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, at, 1.4, color, pick, index, 0);
-    g_autofree char *number = qn_number_text ("%.4g", force / 1000);
+    g_autofree char *number = qn_label_number ("%.4g", force / 1000);
     g_autofree char *text = g_strconcat (number, " kN", NULL);
     QnCommand *label =
       qn_scene_text (b->scene, QN_LAYER_LABELS, from, QN_SIZE_LABEL, text, color);
@@ -108,8 +108,8 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
     bool own = load->vector.x == 0 && load->vector.y < 0 && pick == QN_PICK_DEAD_LOAD;
     if (!own)
       add_weight_load (b, load, pick, (QnId) i, color);
-    g_autofree char *x = qn_number_text ("%.3g", load->vector.x);
-    g_autofree char *y = qn_number_text ("%.3g", load->vector.y);
+    g_autofree char *x = qn_label_number ("%.3g", load->vector.x);
+    g_autofree char *y = qn_label_number ("%.3g", load->vector.y);
     g_autofree char *what = own && load->vector.y == -1
                               ? g_strdup (_ ("own weight"))
                               : g_strdup_printf (_ ("weight × (%s, %s)"), x, y);
@@ -154,8 +154,8 @@ add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
     qn_scene_marker (scene, QN_LAYER_DIMENSIONS, QN_MARKER_TICK, line[i], 6, 0, color);
   }
   double length = qn_vec2_length (qn_vec2_sub (to, from));
-  g_autofree char *number = length >= 1 ? qn_number_text ("%.2f", length)
-                                        : qn_number_text ("%.4g", 1000 * length);
+  g_autofree char *number = length >= 1 ? qn_label_number ("%.2f", length)
+                                        : qn_label_number ("%.4g", 1000 * length);
   g_autofree char *text = g_strconcat (number, length >= 1 ? " m" : " mm", NULL);
   QnCommand *label = qn_scene_text (scene, QN_LAYER_LABELS, qn_vec2_lerp (from, to, 0.5),
                                     7.5, text, color);

@@ -3,7 +3,7 @@
 #include <pango/pangocairo.h>
 
 char *
-qn_number_text (const char *format, double value)
+qn_label_number (const char *format, double value)
 {
   char buffer[G_ASCII_DTOSTR_BUF_SIZE];
   return g_strdup (g_ascii_formatd (buffer, sizeof buffer, format, value));

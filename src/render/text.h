@@ -16,7 +16,7 @@ typedef struct QnTextStyle {
 
 /* A number as text with a decimal point whatever the locale; `format` is one printf()
  * conversion of a double. Newly allocated. */
-char *qn_number_text (const char *format, double value);
+char *qn_label_number (const char *format, double value);
 
 /* Size of the text in px. */
 void qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text,
