@@ -47,6 +47,19 @@
   X (NEAR_MISS_OVERLAP, "overlap within a few contact tolerances") \
   X (POINT_CONTACT, "blocks touch at a point only") \
   X (BLOCK_WITHOUT_CONTACT, "block touches no other block") \
+  X (GEOMETRY_FAILED, "geometry could not be computed") \
+  X (GEOMETRY_EMPTY, "nothing is left of the geometry") \
+  X (GEOMETRY_HOLE, "polygon would surround a hole") \
+  X (GEOMETRY_SEVERAL, "polygons do not form one piece") \
+  X (FRACTION, "number must lie between 0 and 1") \
+  X (HEADER_TOO_LONG, "header must be shorter than the unit") \
+  X (LEAVES_LISTED, "listed courses make a wall of a single leaf") \
+  X (OPENING_SPAN, "this kind of span does not fit the head of the opening") \
+  X (OPENING_OUTSIDE, "lintel, arch or sill of the opening reaches beyond the wall") \
+  X (OPENINGS_OVERLAP, "openings overlap") \
+  X (FLAT_ARCH_SKEW, "skew must be an acute angle") \
+  X (ARCH_SHAPE, "rise does not fit the span and the shape of the arch") \
+  X (PIER_TOO_NARROW, "pier is too narrow for the arches on it") \
   X (OVERRIDE_UNUSED, "exception names two blocks without a common face")
 /* clang-format on */
 

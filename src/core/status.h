@@ -31,7 +31,8 @@ typedef enum {
   QN_ENTITY_FACE_OVERRIDE,
   QN_ENTITY_DEAD_LOAD,
   QN_ENTITY_LIVE_LOAD,
-  QN_ENTITY_ANALYSIS
+  QN_ENTITY_ANALYSIS,
+  QN_ENTITY_MASONRY /* parametric masonry, see stereotomy/masonry.h */
 } QnEntity;
 
 /* Where and why an input was refused. The sentence for `problem` comes from

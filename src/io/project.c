@@ -70,6 +70,7 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     [QN_ENTITY_DEAD_LOAD] = "loads.dead",
     [QN_ENTITY_LIVE_LOAD] = "loads.live",
     [QN_ENTITY_ANALYSIS] = "analysis",
+    [QN_ENTITY_MASONRY] = "masonry",
   };
   const QnModel *model = &project->model;
   GString *path = g_string_new (NULL);

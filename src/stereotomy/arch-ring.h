@@ -1,0 +1,47 @@
+/* The geometry of arches: intrados, extrados and voussoirs. Private to this layer.
+ *
+ * Positions along the arch are given by u, 0 at the left springing and 1 at the right one: the
+ * part of the intrados' length (circular, elliptic) or of the length of its two arcs (pointed).
+ * The extrados is the parallel curve at the ring's thickness, so joints are normal to both;
+ * only at the crown of a pointed arch, where the two halves meet, the joint is the vertical.
+ *
+ * Curves become chords with ends on the curve; `straight` sides have one chord per voussoir
+ * (two at a pointed keystone), `curved` ones as many as keep the sagitta below
+ * QN_ARCH_SAGITTA of the radius. Mirrored points are mirrored exactly.
+ */
+#ifndef QN_STEREOTOMY_ARCH_RING_H
+#define QN_STEREOTOMY_ARCH_RING_H
+
+#include "stereotomy/masonry.h"
+#include "stereotomy/ring.h"
+
+#define QN_ARCH_SAGITTA 0.002
+
+typedef struct QnArchRing {
+  QnArch arch;
+  double radius;  /* m, circular and pointed */
+  double centre;  /* height of the centre (circular), or its distance beyond the middle of
+                     the span (pointed), m */
+  double opening; /* rad: from springing to crown, as seen from the centre */
+  double outer_opening; /* pointed: the same on the extrados */
+  double half_length;   /* m, elliptic: half the intrados */
+  int32_t chords;       /* per voussoir */
+} QnArchRing;
+
+/* `arch` has passed qn_arch_check(). */
+void qn_arch_ring_init (QnArchRing *ring, const QnArch *arch);
+
+/* Point of the intrados, relative to the left springing. */
+QnVec2 qn_arch_ring_intrados (const QnArchRing *ring, double u);
+
+/* End on the extrados of the joint at u. */
+QnVec2 qn_arch_ring_extrados (const QnArchRing *ring, double u);
+
+/* Voussoir `index` from the left, counter-clockwise. False when memory runs out. */
+bool qn_arch_ring_voussoir (const QnArchRing *ring, int32_t index, QnRing *voussoir);
+
+/* The whole intrados from left to right as the voussoirs have it (for the hole below it), as an
+ * open line. */
+bool qn_arch_ring_line (const QnArchRing *ring, QnRing *line);
+
+#endif

@@ -1,0 +1,119 @@
+#include "stereotomy/geos.h"
+#include "core/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+QnStatus
+qn_geos_init (QnGeos *geos, QnDiag *diag)
+{
+  geos->handle = GEOS_init_r ();
+  return geos->handle != NULL ? QN_OK : qn_diag_no_memory (diag);
+}
+
+void
+qn_geos_clear (QnGeos *geos)
+{
+  if (geos->handle != NULL)
+    GEOS_finish_r (geos->handle);
+  geos->handle = NULL;
+}
+
+QnStatus
+qn_geos_failed (QnDiag *diag)
+{
+  return qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_GEOMETRY_FAILED,
+                      QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+}
+
+GEOSGeometry *
+qn_geos_polygon (QnGeos *geos, const QnVec2 *points, size_t count)
+{
+  GEOSContextHandle_t h = geos->handle;
+  QnVec2 *closed = qn_alloc (count + 1, sizeof *closed);
+  if (closed == NULL)
+    return NULL;
+  memcpy (closed, points, count * sizeof *closed);
+  closed[count] = closed[0];
+  GEOSCoordSequence *sequence = GEOSCoordSeq_copyFromBuffer_r (
+    h, (const double *) closed, (unsigned) count + 1, 0, 0);
+  free (closed);
+  GEOSGeometry *ring =
+    sequence != NULL ? GEOSGeom_createLinearRing_r (h, sequence) : NULL;
+  return ring != NULL ? GEOSGeom_createPolygon_r (h, ring, NULL, 0) : NULL;
+}
+
+GEOSGeometry *
+qn_geos_collection (QnGeos *geos, const QnRings *rings)
+{
+  GEOSContextHandle_t h = geos->handle;
+  GEOSGeometry **parts = qn_alloc (rings->count, sizeof *parts);
+  if (parts == NULL)
+    return NULL;
+  size_t made = 0;
+  while (made < rings->count) {
+    parts[made] =
+      qn_geos_polygon (geos, rings->items[made].points, rings->items[made].count);
+    if (parts[made] == NULL)
+      break;
+    made++;
+  }
+  GEOSGeometry *collection = NULL;
+  if (made == rings->count)
+    collection =
+      GEOSGeom_createCollection_r (h, GEOS_MULTIPOLYGON, parts, (unsigned) made);
+  else
+    for (size_t i = 0; i < made; i++)
+      GEOSGeom_destroy_r (h, parts[i]);
+  free (parts);
+  return collection;
+}
+
+static bool
+read_polygon (QnGeos *geos, const GEOSGeometry *polygon, QnRings *rings)
+{
+  GEOSContextHandle_t h = geos->handle;
+  const GEOSGeometry *shell = GEOSGetExteriorRing_r (h, polygon);
+  const GEOSCoordSequence *sequence =
+    shell != NULL ? GEOSGeom_getCoordSeq_r (h, shell) : NULL;
+  unsigned size = 0;
+  if (sequence == NULL || !GEOSCoordSeq_getSize_r (h, sequence, &size))
+    return false;
+  if (size < 4)
+    return true;
+
+  QnRing ring = { qn_alloc (size, sizeof *ring.points), size - 1 };
+  if (ring.points == NULL)
+    return false;
+  if (!GEOSCoordSeq_copyToBuffer_r (h, sequence, (double *) ring.points, 0, 0)) {
+    qn_ring_clear (&ring);
+    return false;
+  }
+  qn_ring_orient (&ring);
+  qn_ring_normalize (&ring);
+  if (qn_rings_take (rings, &ring))
+    return true;
+  qn_ring_clear (&ring);
+  return false;
+}
+
+bool
+qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings *rings,
+                       size_t *holes)
+{
+  GEOSContextHandle_t h = geos->handle;
+  if (GEOSisEmpty_r (h, geometry))
+    return true;
+  if (GEOSGeomTypeId_r (h, geometry) == GEOS_POLYGON) {
+    if (holes != NULL)
+      *holes += (size_t) GEOSGetNumInteriorRings_r (h, geometry);
+    return read_polygon (geos, geometry, rings);
+  }
+  if (GEOSGeomTypeId_r (h, geometry) < GEOS_MULTIPOINT)
+    return true;
+  int count = GEOSGetNumGeometries_r (h, geometry);
+  for (int i = 0; i < count; i++)
+    if (!qn_geos_read_polygons (geos, GEOSGetGeometryN_r (h, geometry, i), rings, holes))
+      return false;
+  return true;
+}

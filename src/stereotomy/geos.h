@@ -1,0 +1,37 @@
+/* GEOS behind one door: a context per computation, rings in and out.
+ *
+ * GEOS reports trouble through a message handler; it is silenced here, because every failure
+ * shows in a NULL result and becomes a QnStatus. Private to this layer.
+ */
+#ifndef QN_STEREOTOMY_GEOS_H
+#define QN_STEREOTOMY_GEOS_H
+
+#include "core/status.h"
+#include "stereotomy/ring.h"
+
+#include <geos_c.h>
+
+typedef struct QnGeos {
+  GEOSContextHandle_t handle;
+} QnGeos;
+
+/* NULL handle when memory runs out. */
+QnStatus qn_geos_init (QnGeos *geos, QnDiag *diag);
+void qn_geos_clear (QnGeos *geos);
+
+/* A GEOS polygon; NULL when memory runs out. */
+GEOSGeometry *qn_geos_polygon (QnGeos *geos, const QnVec2 *points, size_t count);
+
+/* A collection of polygons, NULL when memory runs out. */
+GEOSGeometry *qn_geos_collection (QnGeos *geos, const QnRings *rings);
+
+/* The outer rings of all polygons in `geometry` appended to `rings`, counter-clockwise, first
+ * vertex lowest left; lines and points are ignored. `holes` (nullable) counts inner rings.
+ * False when memory runs out. */
+bool qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings *rings,
+                            size_t *holes);
+
+/* A GEOS operation failed: QN_ERROR_INTERNAL with QN_PROBLEM_GEOMETRY_FAILED. */
+QnStatus qn_geos_failed (QnDiag *diag);
+
+#endif

@@ -1,0 +1,95 @@
+#include "stereotomy/arch-ring.h"
+#include "stereotomy/masonry-parts.h"
+
+QnStatus
+qn_arch_check (const QnArch *arch, QnDiag *diag)
+{
+  QnStatus status = qn_masonry_require_positive (arch->span, "span", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (arch->rise, "rise", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (arch->ring, "ring", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_count (arch->voussoirs, 2, "voussoirs", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (arch->springer, "springer", diag);
+  if (status != QN_OK)
+    return status;
+  double half = arch->span / 2;
+  bool fits = arch->shape == QN_ARCH_CIRCULAR  ? arch->rise <= half * (1 + 1e-12)
+              : arch->shape == QN_ARCH_POINTED ? arch->rise > half * (1 + 1e-12)
+                                               : true;
+  /* Flatter or steeper than this, the curve is a straight line in double precision. */
+  if (!fits || arch->rise < 1e-6 * arch->span || arch->rise > 1e6 * arch->span
+      || arch->ring > 1e6 * arch->span)
+    return qn_masonry_problem (diag, QN_PROBLEM_ARCH_SHAPE, "rise", arch->rise);
+  return QN_OK;
+}
+
+QnStatus
+qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix, QnPieces *pieces,
+                  QnDiag *diag)
+{
+  QnArchRing ring;
+  qn_arch_ring_init (&ring, arch);
+  for (int32_t i = 0; i < arch->voussoirs; i++) {
+    QnRing voussoir;
+    if (!qn_arch_ring_voussoir (&ring, i, &voussoir))
+      return qn_diag_no_memory (diag);
+    for (size_t k = 0; k < voussoir.count; k++)
+      voussoir.points[k] = qn_vec2_add (at, voussoir.points[k]);
+    QnPiece *piece =
+      qn_pieces_add (pieces, voussoir.points, voussoir.count, "%s.v%d", prefix, i + 1);
+    qn_ring_clear (&voussoir);
+    if (piece == NULL)
+      return qn_diag_no_memory (diag);
+  }
+  return QN_OK;
+}
+
+/* The block between the springing joint from `in` (intrados) to `out` and the level y. */
+static QnStatus
+lay_springer (const QnMasonry *masonry, QnVec2 in, QnVec2 out, double y, const char *part,
+              const char *side, bool fixed, QnPieces *pieces, QnDiag *diag)
+{
+  QnRing ring;
+  const QnVec2 corners[] = { in, out, { out.x, y }, { in.x, y } };
+  if (!qn_ring_init (&ring, corners, 4))
+    return qn_diag_no_memory (diag);
+  qn_ring_orient (&ring);
+  QnPiece *piece = qn_pieces_add (pieces, ring.points, ring.count, "%s.%s.%s",
+                                  masonry->name, part, side);
+  qn_ring_clear (&ring);
+  if (piece == NULL)
+    return qn_diag_no_memory (diag);
+  piece->fixed = fixed;
+  return QN_OK;
+}
+
+QnStatus
+qn_masonry_lay_arch (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+{
+  const QnArch *arch = &masonry->arch;
+  QnStatus status = qn_arch_check (arch, diag);
+  if (status != QN_OK)
+    return status;
+  QnArchRing ring;
+  qn_arch_ring_init (&ring, arch);
+  for (int i = 0; i < 2 && status == QN_OK; i++) {
+    const char *side = i == 0 ? "left" : "right";
+    QnVec2 in = qn_arch_ring_intrados (&ring, i), out = qn_arch_ring_extrados (&ring, i);
+    double y = -arch->springer;
+    if (arch->springer > 0)
+      status = lay_springer (masonry, in, out, y, "springer", side, false, pieces, diag);
+    if (arch->springer > 0) {
+      in.y = y;
+      out.y = y;
+    }
+    if (status == QN_OK && masonry->foundation > 0)
+      status = lay_springer (masonry, in, out, y - masonry->foundation, "base", side,
+                             true, pieces, diag);
+  }
+  if (status == QN_OK)
+    status = qn_arch_lay_ring (arch, qn_vec2 (0, 0), masonry->name, pieces, diag);
+  return status;
+}

@@ -1,0 +1,45 @@
+/* The makers of the kinds of masonry; each fills `pieces` in the object's own frame and reports
+ * bad parameters with the key concerned. Private to this layer. */
+#ifndef QN_STEREOTOMY_MASONRY_PARTS_H
+#define QN_STEREOTOMY_MASONRY_PARTS_H
+
+#include "stereotomy/masonry.h"
+#include "stereotomy/pieces.h"
+
+/* Most pieces of one object. */
+#define QN_MAX_PIECES 200000
+
+QnStatus qn_masonry_lay_wall (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag);
+QnStatus qn_masonry_lay_arch (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag);
+QnStatus qn_masonry_lay_column (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag);
+QnStatus qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces,
+                                  QnDiag *diag);
+QnStatus qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag);
+QnStatus qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag);
+
+/* Wall, step by step: the units of one leaf from x = `left`; what the openings cut away and put
+ * in; the minimum piece rule. */
+QnStatus qn_bond_lay_leaf (const QnMasonry *masonry, size_t leaf, double left,
+                           QnPieces *pieces, QnDiag *diag);
+QnStatus qn_openings_cut (const QnMasonry *masonry, QnBounds wall, QnPieces *pieces,
+                          QnDiag *diag);
+QnStatus qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag);
+
+/* A number that breaks a rule: QN_ERROR_INVALID at `field`. The callers fill in the object's
+ * index. */
+QnStatus qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field,
+                             double value);
+
+/* QN_OK if value is finite, within the coordinate limit and positive (or not negative). */
+QnStatus qn_masonry_require_positive (double value, const char *field, QnDiag *diag);
+QnStatus qn_masonry_require_not_negative (double value, const char *field, QnDiag *diag);
+QnStatus qn_masonry_require_count (int32_t value, int32_t least, const char *field,
+                                   QnDiag *diag);
+
+/* Pieces of a straight-sided or curved ring of voussoirs named <prefix>.v1 …, its left springing
+ * at `at`; see arch-ring.h. */
+QnStatus qn_arch_check (const QnArch *arch, QnDiag *diag);
+QnStatus qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix,
+                           QnPieces *pieces, QnDiag *diag);
+
+#endif

@@ -1,0 +1,267 @@
+/* Rubble: a seeded Voronoi tessellation, its short edges closed, within a trapezium. */
+#include "core/box-tree.h"
+#include "core/memory.h"
+#include "core/polygon.h"
+#include "stereotomy/geos.h"
+#include "stereotomy/masonry-parts.h"
+#include "stereotomy/polygon-ops.h"
+#include "stereotomy/weld.h"
+
+#include <stdlib.h>
+
+/* Edges shorter than this part of a stone are closed: no mason leaves them, and contact
+ * detection would have to tell them from points. */
+#define SHORT_EDGE 0.12
+
+/* How often that length is halved where closing spoils a stone. */
+#define CLOSING_ROUNDS 8
+
+/* Courses are lower than stones are long, as they lie. */
+#define FLATNESS 0.75
+
+typedef struct Site {
+  QnVec2 at;
+  int32_t row, column;
+} Site;
+
+/* splitmix64 (Steele, Lea & Flood, "Fast splittable pseudorandom number generators", 2014): a
+ * number in [-1, 1) for each stone and direction, whatever the size of the wall. */
+static double
+noise (const QnRubble *rubble, int32_t row, int32_t column, uint32_t direction)
+{
+  uint64_t z = ((uint64_t) rubble->seed << 32) ^ ((uint64_t) (uint32_t) row << 17)
+               ^ ((uint64_t) (uint32_t) column << 1) ^ direction;
+  for (int i = 0; i < 2; i++) {
+    z += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+  }
+  return (double) (z >> 11) * 0x1p-52 - 1;
+}
+
+static QnStatus
+check_rubble (const QnRubble *rubble, QnDiag *diag)
+{
+  QnStatus status = qn_masonry_require_positive (rubble->width, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (rubble->top, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (rubble->height, "height", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (rubble->stone, "stone", diag);
+  if (status == QN_OK && !(rubble->irregularity >= 0 && rubble->irregularity <= 1))
+    status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "irregularity",
+                                 rubble->irregularity);
+  if (status == QN_OK
+      && fmax (rubble->width, rubble->top) / rubble->stone * rubble->height
+             / (FLATNESS * rubble->stone)
+           > QN_MAX_PIECES)
+    status =
+      qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "stone", rubble->stone);
+  return status;
+}
+
+static double
+half_width (const QnRubble *rubble, double y)
+{
+  return (rubble->width + (rubble->top - rubble->width) * y / rubble->height) / 2;
+}
+
+/* The number of rows, and of stones in the row whose middle is at y. */
+static int32_t
+row_count (const QnRubble *rubble)
+{
+  return (int32_t) fmax (1, round (rubble->height / (FLATNESS * rubble->stone)));
+}
+
+static int32_t
+column_count (const QnRubble *rubble, double y)
+{
+  return (int32_t) fmax (1, round (2 * half_width (rubble, y) / rubble->stone));
+}
+
+/* Site of a stone: rows of equal height, stones of equal length, every other row shifted, all
+ * moved by the noise. */
+static QnVec2
+site_at (const QnRubble *rubble, int32_t row, int32_t column)
+{
+  double height = rubble->height / row_count (rubble), y = (row + 0.5) * height;
+  int32_t columns = column_count (rubble, y);
+  double half = half_width (rubble, y), length = 2 * half / columns;
+  double shift = columns > 1 ? (row % 2 == 0 ? 0.25 : -0.25) : 0;
+  double stray = 0.35 * rubble->irregularity;
+  double x = rubble->width / 2 - half + (column + 0.5 + shift / 2) * length
+             + stray * length * noise (rubble, row, column, 0);
+  y += stray * height * noise (rubble, row, column, 1);
+  return qn_vec2 (x, y);
+}
+
+static GEOSGeometry *
+sites_geometry (QnGeos *geos, const QnRubble *rubble, size_t *count)
+{
+  GEOSContextHandle_t h = geos->handle;
+  int32_t rows = row_count (rubble);
+  size_t total = 0;
+  for (int32_t row = 0; row < rows; row++)
+    total += (size_t) column_count (rubble, (row + 0.5) * rubble->height / rows);
+  GEOSCoordSequence *sequence = GEOSCoordSeq_create_r (h, (unsigned) total, 2);
+  if (sequence == NULL)
+    return NULL;
+  unsigned i = 0;
+  for (int32_t row = 0; row < rows; row++) {
+    int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
+    for (int32_t column = 0; column < columns; column++) {
+      QnVec2 p = site_at (rubble, row, column);
+      GEOSCoordSeq_setXY_r (h, sequence, i++, p.x, p.y);
+    }
+  }
+  *count = total;
+  return total > 1 ? GEOSGeom_createLineString_r (h, sequence)
+                   : GEOSGeom_createPoint_r (h, sequence);
+}
+
+/* All cells, in no particular order, clipped to nothing yet. */
+static QnStatus
+tessellate (const QnRubble *rubble, const QnRing *outline, QnRings *cells, QnDiag *diag)
+{
+  QnGeos geos = { NULL };
+  QnStatus status = qn_geos_init (&geos, diag);
+  if (status != QN_OK)
+    return status;
+  size_t count = 0;
+  GEOSGeometry *sites = sites_geometry (&geos, rubble, &count);
+  GEOSGeometry *frame = qn_geos_polygon (&geos, outline->points, outline->count);
+  if (sites == NULL || frame == NULL) {
+    status = qn_diag_no_memory (diag);
+  } else if (count == 1) {
+    if (!qn_rings_add (cells, outline->points, outline->count))
+      status = qn_diag_no_memory (diag);
+  } else {
+    GEOSGeometry *diagram = GEOSVoronoiDiagram_r (geos.handle, sites, frame, 0, 0);
+    if (diagram == NULL)
+      status = qn_geos_failed (diag);
+    else if (!qn_geos_read_polygons (&geos, diagram, cells, NULL))
+      status = qn_diag_no_memory (diag);
+    GEOSGeom_destroy_r (geos.handle, diagram);
+  }
+  GEOSGeom_destroy_r (geos.handle, sites);
+  GEOSGeom_destroy_r (geos.handle, frame);
+  qn_geos_clear (&geos);
+  return status;
+}
+
+/* Index of the cell around a site, or QN_NONE. */
+static QnId
+cell_of (const QnRings *cells, const QnBoxTree *tree, QnVec2 site)
+{
+  QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ site, site });
+  for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
+    const QnRing *cell = &cells->items[i];
+    if (qn_polygon_depth (cell->points, cell->count, site) >= 0)
+      return i;
+  }
+  return QN_NONE;
+}
+
+/* Clips the cell of a site to the outline and names it. */
+static QnStatus
+add_stone (const QnMasonry *masonry, const QnRing *outline, const QnRings *cells,
+           const QnBoxTree *tree, int32_t row, int32_t column, QnPieces *pieces,
+           QnDiag *diag)
+{
+  QnId cell = cell_of (cells, tree, site_at (&masonry->rubble, row, column));
+  if (cell == QN_NONE)
+    return QN_OK;
+  QnRings parts = { 0 };
+  QnStatus status = qn_polygon_intersection (&cells->items[cell], outline, &parts, diag);
+  if (status == QN_OK && parts.count > 0
+      && qn_pieces_add (pieces, parts.items[0].points, parts.items[0].count, "%s.%d.%d",
+                        masonry->name, row + 1, column + 1)
+           == NULL)
+    status = qn_diag_no_memory (diag);
+  qn_rings_clear (&parts);
+  return status;
+}
+
+static QnStatus
+lay_stones (const QnMasonry *masonry, const QnRing *outline, const QnRings *cells,
+            QnPieces *pieces, QnDiag *diag)
+{
+  const QnRubble *rubble = &masonry->rubble;
+  QnBox *boxes = qn_alloc (cells->count, sizeof *boxes);
+  QnBoxTree tree = { 0 };
+  for (size_t i = 0; boxes != NULL && i < cells->count; i++)
+    boxes[i] = qn_box_of_points (cells->items[i].points, cells->items[i].count);
+  QnStatus status = boxes != NULL && qn_box_tree_init (&tree, boxes, cells->count)
+                      ? QN_OK
+                      : qn_diag_no_memory (diag);
+  int32_t rows = row_count (rubble);
+  for (int32_t row = 0; row < rows && status == QN_OK; row++) {
+    int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
+    for (int32_t column = 0; column < columns && status == QN_OK; column++)
+      status = add_stone (masonry, outline, cells, &tree, row, column, pieces, diag);
+  }
+  qn_box_tree_clear (&tree);
+  free (boxes);
+  return status;
+}
+
+/* Closes short edges; where that would spoil a stone, closes only shorter ones. */
+static QnStatus
+close_short_edges (QnPieces *pieces, double length, const QnRing *outline, QnDiag *diag)
+{
+  QnStatus status = QN_OK;
+  for (int round = 0; round < CLOSING_ROUNDS && status == QN_OK; round++, length /= 2) {
+    QnRings rings = { 0 };
+    for (size_t i = 0; i < pieces->count && status == QN_OK; i++)
+      if (!qn_rings_add (&rings, pieces->items[i].ring.points,
+                         pieces->items[i].ring.count))
+        status = qn_diag_no_memory (diag);
+    if (status == QN_OK)
+      status = qn_weld_vertices (&rings, length, outline, NULL, diag);
+    bool sound = status == QN_OK;
+    for (size_t i = 0; i < rings.count && sound; i++)
+      sound = qn_ring_check (&rings.items[i], 0, NULL) == QN_OK;
+    for (size_t i = 0; i < rings.count && sound; i++) {
+      QnRing swap = pieces->items[i].ring;
+      pieces->items[i].ring = rings.items[i];
+      rings.items[i] = swap;
+    }
+    qn_rings_clear (&rings);
+    if (sound)
+      break;
+  }
+  return status;
+}
+
+QnStatus
+qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+{
+  const QnRubble *rubble = &masonry->rubble;
+  QnStatus status = check_rubble (rubble, diag);
+  if (status != QN_OK)
+    return status;
+  double middle = rubble->width / 2, top = rubble->top / 2;
+  QnVec2 corners[] = { { 0, 0 },
+                       { rubble->width, 0 },
+                       { middle + top, rubble->height },
+                       { middle - top, rubble->height } };
+  const QnRing outline = { corners, 4 };
+  QnRings cells = { 0 };
+  status = tessellate (rubble, &outline, &cells, diag);
+  if (status == QN_OK)
+    status = lay_stones (masonry, &outline, &cells, pieces, diag);
+  if (status == QN_OK)
+    status = close_short_edges (pieces, SHORT_EDGE * rubble->stone, &outline, diag);
+  qn_rings_clear (&cells);
+  if (status == QN_OK && masonry->foundation > 0) {
+    QnVec2 base[4];
+    qn_rectangle (0, -masonry->foundation, rubble->width, 0, base);
+    QnPiece *piece = qn_pieces_add (pieces, base, 4, "%s.base", masonry->name);
+    if (piece == NULL)
+      return qn_diag_no_memory (diag);
+    piece->fixed = true;
+  }
+  return status;
+}

@@ -1,0 +1,113 @@
+/* Columns and buttresses: courses above each other. */
+#include "stereotomy/masonry-parts.h"
+
+static QnStatus
+add (QnPieces *pieces, const QnVec2 *corners, bool fixed, const char *name,
+     const char *part, QnDiag *diag)
+{
+  QnPiece *piece = qn_pieces_add (pieces, corners, 4, "%s.%s", name, part);
+  if (piece == NULL)
+    return qn_diag_no_memory (diag);
+  piece->fixed = fixed;
+  return QN_OK;
+}
+
+static QnStatus
+add_course (QnPieces *pieces, const QnVec2 *corners, const char *name, int32_t number,
+            QnDiag *diag)
+{
+  return qn_pieces_add (pieces, corners, 4, "%s.%d", name, number) != NULL
+           ? QN_OK
+           : qn_diag_no_memory (diag);
+}
+
+static QnStatus
+add_centred (QnPieces *pieces, double width, double y0, double y1, bool fixed,
+             const char *name, const char *part, QnDiag *diag)
+{
+  QnVec2 corners[4];
+  qn_rectangle (-width / 2, y0, width / 2, y1, corners);
+  return add (pieces, corners, fixed, name, part, diag);
+}
+
+static QnStatus
+check_column (const QnColumn *column, QnDiag *diag)
+{
+  QnStatus status = qn_masonry_require_positive (column->height, "height", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (column->bottom, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (column->top, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_count (column->drums, 1, "drums", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (column->plinth_height, "plinth", diag);
+  if (status == QN_OK && column->plinth_height > 0)
+    status = qn_masonry_require_positive (column->plinth_width, "plinth", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (column->capital_height, "capital", diag);
+  if (status == QN_OK && column->capital_height > 0)
+    status = qn_masonry_require_positive (column->capital_width, "capital", diag);
+  return status;
+}
+
+QnStatus
+qn_masonry_lay_column (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+{
+  const QnColumn *column = &masonry->column;
+  const char *name = masonry->name;
+  QnStatus status = check_column (column, diag);
+  double base_width = column->plinth_height > 0 ? column->plinth_width : column->bottom;
+  if (status == QN_OK && masonry->foundation > 0)
+    status =
+      add_centred (pieces, base_width, -masonry->foundation, 0, true, name, "base", diag);
+  if (status == QN_OK && column->plinth_height > 0)
+    status = add_centred (pieces, column->plinth_width, 0, column->plinth_height, false,
+                          name, "plinth", diag);
+  double foot = column->plinth_height;
+  for (int32_t i = 0; i < column->drums && status == QN_OK; i++) {
+    double s0 = (double) i / column->drums, s1 = (double) (i + 1) / column->drums;
+    double w0 = column->bottom + s0 * (column->top - column->bottom);
+    double w1 = column->bottom + s1 * (column->top - column->bottom);
+    double y0 = foot + s0 * column->height, y1 = foot + s1 * column->height;
+    const QnVec2 corners[] = {
+      { -w0 / 2, y0 }, { w0 / 2, y0 }, { w1 / 2, y1 }, { -w1 / 2, y1 }
+    };
+    status = add_course (pieces, corners, name, i + 1, diag);
+  }
+  double head = foot + column->height;
+  if (status == QN_OK && column->capital_height > 0)
+    status = add_centred (pieces, column->capital_width, head,
+                          head + column->capital_height, false, name, "capital", diag);
+  return status;
+}
+
+QnStatus
+qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+{
+  const QnButtress *buttress = &masonry->buttress;
+  QnStatus status = qn_masonry_require_positive (buttress->height, "height", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (buttress->bottom, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (buttress->top, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_count (buttress->courses, 1, "courses", diag);
+
+  for (int32_t i = masonry->foundation > 0 ? -1 : 0;
+       i < buttress->courses && status == QN_OK; i++) {
+    double s0 = fmax (0, (double) i / buttress->courses);
+    double s1 = (double) (i + 1) / buttress->courses;
+    double w0 = buttress->bottom + s0 * (buttress->top - buttress->bottom);
+    double w1 = buttress->bottom + s1 * (buttress->top - buttress->bottom);
+    double y0 = i < 0 ? -masonry->foundation : s0 * buttress->height;
+    double y1 = s1 * buttress->height;
+    /* Counter-clockwise on either side of the vertical face. */
+    const QnVec2 right[] = { { 0, y0 }, { w0, y0 }, { w1, y1 }, { 0, y1 } };
+    const QnVec2 left[] = { { -w0, y0 }, { 0, y0 }, { 0, y1 }, { -w1, y1 } };
+    const QnVec2 *corners = buttress->leans_right ? right : left;
+    status = i < 0 ? add (pieces, corners, true, masonry->name, "base", diag)
+                   : add_course (pieces, corners, masonry->name, i + 1, diag);
+  }
+  return status;
+}

@@ -1,0 +1,119 @@
+#include "stereotomy/masonry-parts.h"
+
+static QnStatus
+check_leaf (const QnMasonryWall *wall, const QnLeaf *leaf, QnDiag *diag)
+{
+  bool listed = leaf->bond == QN_BOND_CUSTOM;
+  QnStatus status = qn_masonry_require_positive (leaf->unit.x, "unit", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (leaf->unit.y, "unit", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (leaf->header, "header", diag);
+  if (status == QN_OK && !listed)
+    status = qn_masonry_require_positive (leaf->length, "length", diag);
+  if (status == QN_OK && !(leaf->lap >= 0 && leaf->lap < 1))
+    status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "lap", leaf->lap);
+  if (status == QN_OK && leaf->bond == QN_BOND_FLEMISH && leaf->header >= leaf->unit.x)
+    status =
+      qn_masonry_problem (diag, QN_PROBLEM_HEADER_TOO_LONG, "header", leaf->header);
+  if (status != QN_OK)
+    return status;
+
+  if (listed) {
+    if (wall->leaf_count > 1)
+      return qn_masonry_problem (diag, QN_PROBLEM_LEAVES_LISTED, "leaves", 0);
+    if (wall->courses.course_count == 0)
+      return qn_masonry_problem (diag, QN_PROBLEM_COURSE_EMPTY, "courses", 0);
+    return QN_OK;
+  }
+  double shortest =
+    leaf->header > 0 ? fmin (leaf->header, leaf->unit.x) : leaf->unit.x / 2;
+  double lowest = leaf->unit.y;
+  for (size_t i = 0; i < wall->course_height_count; i++)
+    lowest = i == 0 ? wall->course_heights[0] : fmin (lowest, wall->course_heights[i]);
+  if (leaf->length / shortest * (wall->height / lowest) > QN_MAX_PIECES)
+    return qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "unit", leaf->unit.x);
+  return QN_OK;
+}
+
+static QnStatus
+check_wall (const QnMasonry *masonry, QnDiag *diag)
+{
+  const QnMasonryWall *wall = &masonry->wall;
+  QN_ASSERT (wall->leaf_count > 0);
+  QnStatus status = QN_OK;
+  if (wall->leaves[0].bond != QN_BOND_CUSTOM)
+    status = qn_masonry_require_positive (wall->height, "height", diag);
+  for (size_t i = 0; i < wall->course_height_count && status == QN_OK; i++)
+    status =
+      qn_masonry_require_positive (wall->course_heights[i], "course_heights", diag);
+  if (status == QN_OK && !(wall->minimum_piece >= 0 && wall->minimum_piece < 1))
+    status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "minimum_piece",
+                                 wall->minimum_piece);
+  for (size_t i = 0; i < wall->leaf_count && status == QN_OK; i++) {
+    status = check_leaf (wall, &wall->leaves[i], diag);
+    if (status != QN_OK && diag != NULL)
+      diag->sub = (QnId) i;
+  }
+  return status;
+}
+
+/* Extent of the rectangle that the wall fills, teeth left out. */
+static QnBounds
+wall_bounds (const QnMasonryWall *wall, const QnPieces *pieces)
+{
+  QnBounds bounds = { { 0, 0 }, { 0, wall->height } };
+  for (size_t i = 0; i < wall->leaf_count; i++)
+    bounds.max.x += wall->leaves[i].length;
+  if (wall->leaves[0].bond != QN_BOND_CUSTOM)
+    return bounds;
+  bounds.max = (QnVec2){ 0, 0 };
+  for (size_t i = 0; i < pieces->count; i++) {
+    QnBounds piece = qn_ring_bounds (&pieces->items[i].ring);
+    bounds.max.x = fmax (bounds.max.x, piece.max.x);
+    bounds.max.y = fmax (bounds.max.y, piece.max.y);
+  }
+  return bounds;
+}
+
+/* One fixed block below the whole lowest course, teeth included. */
+static QnStatus
+lay_foundation (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+{
+  double left = INFINITY, right = -INFINITY;
+  for (size_t i = 0; i < pieces->count; i++) {
+    if (!pieces->items[i].fabric || pieces->items[i].course != 0)
+      continue;
+    QnBounds bounds = qn_ring_bounds (&pieces->items[i].ring);
+    left = fmin (left, bounds.min.x);
+    right = fmax (right, bounds.max.x);
+  }
+  if (masonry->foundation == 0 || left >= right)
+    return QN_OK;
+  QnVec2 corners[4];
+  qn_rectangle (left, -masonry->foundation, right, 0, corners);
+  QnPiece *piece = qn_pieces_add (pieces, corners, 4, "%s.base", masonry->name);
+  if (piece == NULL)
+    return qn_diag_no_memory (diag);
+  piece->fixed = true;
+  return QN_OK;
+}
+
+QnStatus
+qn_masonry_lay_wall (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+{
+  const QnMasonryWall *wall = &masonry->wall;
+  QnStatus status = check_wall (masonry, diag);
+  double left = 0;
+  for (size_t i = 0; i < wall->leaf_count && status == QN_OK; i++) {
+    status = qn_bond_lay_leaf (masonry, i, left, pieces, diag);
+    left += wall->leaves[i].length;
+  }
+  if (status == QN_OK)
+    status = lay_foundation (masonry, pieces, diag);
+  if (status == QN_OK)
+    status = qn_openings_cut (masonry, wall_bounds (wall, pieces), pieces, diag);
+  if (status == QN_OK)
+    status = qn_slivers_merge (wall->minimum_piece, pieces, diag);
+  return status;
+}

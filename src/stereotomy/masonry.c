@@ -1,0 +1,294 @@
+#include "stereotomy/masonry.h"
+#include "core/memory.h"
+#include "stereotomy/masonry-parts.h"
+#include "stereotomy/polygon-ops.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define DEFAULT_MINIMUM_PIECE 0.2
+
+QnStatus
+qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name, QnDiag *diag)
+{
+  *masonry = (QnMasonry){ .kind = kind,
+                          .name = qn_strdup (name),
+                          .thickness = 1,
+                          .density = -1,
+                          .law = QN_NONE,
+                          .wall.minimum_piece = DEFAULT_MINIMUM_PIECE };
+  if ((name != NULL && masonry->name == NULL) || qn_masonry_add_leaf (masonry) == NULL) {
+    qn_masonry_clear (masonry);
+    return qn_diag_no_memory (diag);
+  }
+  return QN_OK;
+}
+
+void
+qn_masonry_clear (QnMasonry *masonry)
+{
+  free (masonry->name);
+  QnMasonryWall *wall = &masonry->wall;
+  free (wall->leaves);
+  free (wall->course_heights);
+  free (wall->courses.name);
+  free (wall->courses.lengths);
+  free (wall->courses.course_ends);
+  for (size_t i = 0; i < wall->opening_count; i++)
+    free (wall->openings[i].name);
+  free (wall->openings);
+  *masonry = (QnMasonry){ 0 };
+}
+
+QnOpening *
+qn_masonry_add_opening (QnMasonry *masonry)
+{
+  QnMasonryWall *wall = &masonry->wall;
+  QnOpening *grown = qn_array_grow (wall->openings, &wall->opening_capacity,
+                                    wall->opening_count + 1, sizeof *grown);
+  if (grown == NULL)
+    return NULL;
+  wall->openings = grown;
+  grown += wall->opening_count++;
+  *grown = (QnOpening){ .voussoirs = 1 };
+  return grown;
+}
+
+QnLeaf *
+qn_masonry_add_leaf (QnMasonry *masonry)
+{
+  QnMasonryWall *wall = &masonry->wall;
+  QnLeaf *grown = qn_array_grow (wall->leaves, &wall->leaf_capacity, wall->leaf_count + 1,
+                                 sizeof *grown);
+  if (grown == NULL)
+    return NULL;
+  wall->leaves = grown;
+  grown += wall->leaf_count++;
+  *grown = (QnLeaf){ .lap = 0.5 };
+  return grown;
+}
+
+bool
+qn_masonries_take (QnMasonries *list, QnMasonry *masonry)
+{
+  QnMasonry *grown =
+    qn_array_grow (list->items, &list->capacity, list->count + 1, sizeof *grown);
+  if (grown == NULL)
+    return false;
+  list->items = grown;
+  list->items[list->count++] = *masonry;
+  *masonry = (QnMasonry){ 0 };
+  return true;
+}
+
+void
+qn_masonries_clear (QnMasonries *list)
+{
+  for (size_t i = 0; i < list->count; i++)
+    qn_masonry_clear (&list->items[i]);
+  free (list->items);
+  *list = (QnMasonries){ 0 };
+}
+
+QnStatus
+qn_masonry_problem (QnDiag *diag, QnProblem problem, const char *field, double value)
+{
+  return qn_diag_set_field (diag, problem, QN_ENTITY_MASONRY, QN_NONE, field, value);
+}
+
+static QnProblem
+range_problem (double value)
+{
+  return !isfinite (value)                  ? QN_PROBLEM_NOT_FINITE
+         : fabs (value) > QN_MAX_COORDINATE ? QN_PROBLEM_TOO_LARGE
+                                            : QN_PROBLEM_NONE;
+}
+
+QnStatus
+qn_masonry_require_positive (double value, const char *field, QnDiag *diag)
+{
+  QnProblem problem = range_problem (value);
+  if (problem == QN_PROBLEM_NONE && value <= 0)
+    problem = QN_PROBLEM_NOT_POSITIVE;
+  return problem == QN_PROBLEM_NONE ? QN_OK
+                                    : qn_masonry_problem (diag, problem, field, value);
+}
+
+QnStatus
+qn_masonry_require_not_negative (double value, const char *field, QnDiag *diag)
+{
+  QnProblem problem = range_problem (value);
+  if (problem == QN_PROBLEM_NONE && value < 0)
+    problem = QN_PROBLEM_NEGATIVE;
+  return problem == QN_PROBLEM_NONE ? QN_OK
+                                    : qn_masonry_problem (diag, problem, field, value);
+}
+
+QnStatus
+qn_masonry_require_count (int32_t value, int32_t least, const char *field, QnDiag *diag)
+{
+  QnProblem problem = value < least           ? QN_PROBLEM_NOT_POSITIVE
+                      : value > QN_MAX_PIECES ? QN_PROBLEM_TOO_MANY_BLOCKS
+                                              : QN_PROBLEM_NONE;
+  return problem == QN_PROBLEM_NONE ? QN_OK
+                                    : qn_masonry_problem (diag, problem, field, value);
+}
+
+static QnStatus
+check_common (const QnMasonry *masonry, QnDiag *diag)
+{
+  if (masonry->name == NULL || masonry->name[0] == '\0')
+    return qn_masonry_problem (diag, QN_PROBLEM_NAME_MISSING, "name", 0);
+  const double place[] = { masonry->origin.x, masonry->origin.y, masonry->rotation };
+  for (size_t i = 0; i < QN_N_ELEMENTS (place); i++)
+    if (range_problem (place[i]) != QN_PROBLEM_NONE)
+      return qn_masonry_problem (diag, range_problem (place[i]),
+                                 i < 2 ? "origin" : "rotation", place[i]);
+  QnStatus status = qn_masonry_require_positive (masonry->thickness, "thickness", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (masonry->foundation, "foundation", diag);
+  return status;
+}
+
+static QnStatus
+lay (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+{
+  switch (masonry->kind) {
+  case QN_MASONRY_WALL:
+    return qn_masonry_lay_wall (masonry, pieces, diag);
+  case QN_MASONRY_ARCH:
+    return qn_masonry_lay_arch (masonry, pieces, diag);
+  case QN_MASONRY_COLUMN:
+    return qn_masonry_lay_column (masonry, pieces, diag);
+  case QN_MASONRY_BUTTRESS:
+    return qn_masonry_lay_buttress (masonry, pieces, diag);
+  case QN_MASONRY_PORTAL:
+    return qn_masonry_lay_portal (masonry, pieces, diag);
+  case QN_MASONRY_RUBBLE:
+    return qn_masonry_lay_rubble (masonry, pieces, diag);
+  case QN_MASONRY_KIND_COUNT:
+    break;
+  }
+  QN_ASSERT (false);
+  return QN_ERROR_INTERNAL;
+}
+
+/* Turns and moves the pieces to their place and adds them to the model. */
+static QnStatus
+add_blocks (const QnMasonry *masonry, const QnPieces *pieces, QnModel *model,
+            QnDiag *diag)
+{
+  double cosine = cos (masonry->rotation), sine = sin (masonry->rotation);
+  for (size_t i = 0; i < pieces->count; i++) {
+    const QnPiece *piece = &pieces->items[i];
+    for (size_t k = 0; k < piece->ring.count; k++) {
+      QnVec2 p = piece->ring.points[k];
+      if (masonry->rotation != 0)
+        p = qn_vec2_rotate (p, cosine, sine);
+      piece->ring.points[k] = qn_vec2_add (masonry->origin, p);
+    }
+    QnStatus status = qn_ring_check (&piece->ring, (QnId) i, diag);
+    if (status != QN_OK)
+      return status == QN_ERROR_INVALID ? qn_masonry_problem (
+               diag, diag != NULL ? diag->problem : QN_PROBLEM_ZERO_AREA, NULL, 0)
+                                        : status;
+    QnBlock *block =
+      qn_model_add_block (model, piece->name, piece->ring.points, piece->ring.count);
+    if (block == NULL)
+      return qn_diag_no_memory (diag);
+    block->thickness = masonry->thickness;
+    block->unit_weight = masonry->unit_weight;
+    block->density = masonry->density;
+    block->law = masonry->law;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = piece->fixed;
+  }
+  return QN_OK;
+}
+
+QnStatus
+qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag *diag)
+{
+  QnPieces pieces = { 0 };
+  QnStatus status = check_common (masonry, diag);
+  if (status == QN_OK)
+    status = lay (masonry, &pieces, diag);
+  if (status == QN_OK && model->block_count + pieces.count > QN_MAX_BLOCKS)
+    status = qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, NULL, 0);
+  if (status == QN_OK && pieces.count == 0)
+    status = qn_masonry_problem (diag, QN_PROBLEM_GEOMETRY_EMPTY, NULL, 0);
+  if (status == QN_OK)
+    status = add_blocks (masonry, &pieces, model, diag);
+  qn_pieces_clear (&pieces);
+  if (status != QN_OK && diag != NULL && diag->entity == QN_ENTITY_MASONRY)
+    diag->index = index;
+  return status;
+}
+
+/* clang-format off */
+static const char *const kind_names[] = { "wall", "arch", "column", "buttress", "portal", "rubble" };
+static const char *const bond_names[] = { "running", "stack", "header", "english", "flemish", "custom" };
+static const char *const closer_names[] = { "none", "queen", "three-quarter" };
+static const char *const edge_names[] = { "straight", "toothed" };
+static const char *const head_names[] = { "flat", "segmental", "semicircular" };
+static const char *const span_names[] = { "none", "lintel", "flat-arch", "voussoirs" };
+static const char *const sides_names[] = { "curved", "straight" };
+static const char *const shape_names[] = { "circular", "pointed", "elliptic" };
+/* clang-format on */
+
+_Static_assert(QN_N_ELEMENTS (kind_names) == QN_MASONRY_KIND_COUNT, "names of kinds");
+_Static_assert(QN_N_ELEMENTS (bond_names) == QN_BOND_COUNT, "names of bonds");
+_Static_assert(QN_N_ELEMENTS (closer_names) == QN_CLOSER_COUNT, "names of closers");
+_Static_assert(QN_N_ELEMENTS (edge_names) == QN_EDGE_COUNT, "names of edges");
+_Static_assert(QN_N_ELEMENTS (head_names) == QN_HEAD_COUNT, "names of heads");
+_Static_assert(QN_N_ELEMENTS (span_names) == QN_SPAN_COUNT, "names of spans");
+_Static_assert(QN_N_ELEMENTS (sides_names) == QN_SIDES_COUNT, "names of sides");
+_Static_assert(QN_N_ELEMENTS (shape_names) == QN_ARCH_SHAPE_COUNT, "names of shapes");
+
+const char *
+qn_masonry_kind_name (QnMasonryKind kind)
+{
+  return kind_names[kind];
+}
+
+const char *
+qn_bond_name (QnBond bond)
+{
+  return bond_names[bond];
+}
+
+const char *
+qn_closer_name (QnCloser closer)
+{
+  return closer_names[closer];
+}
+
+const char *
+qn_edge_name (QnEdge edge)
+{
+  return edge_names[edge];
+}
+
+const char *
+qn_head_name (QnHead head)
+{
+  return head_names[head];
+}
+
+const char *
+qn_span_name (QnSpan span)
+{
+  return span_names[span];
+}
+
+const char *
+qn_sides_name (QnSides sides)
+{
+  return sides_names[sides];
+}
+
+const char *
+qn_arch_shape_name (QnArchShape shape)
+{
+  return shape_names[shape];
+}

@@ -1,0 +1,336 @@
+/* Openings of a wall: the hole, what spans it, and the fabric cut to fit. */
+#include "core/memory.h"
+#include "stereotomy/arch-ring.h"
+#include "stereotomy/masonry-parts.h"
+#include "stereotomy/polygon-ops.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Overlap or overhang below this part of an opening's size is rounding. */
+#define OPENING_TOLERANCE 1e-9
+
+/* Chords of an arched head that no voussoirs carry. */
+#define BARE_HEAD_PARTS 12
+
+/* What one opening takes from the fabric. */
+typedef struct Cutter {
+  QnRings parts; /* the hole first, then lintel, voussoirs, sill */
+  QnBounds bounds;
+} Cutter;
+
+static QnArch
+head_arch (const QnOpening *opening)
+{
+  bool ring = opening->span == QN_SPAN_VOUSSOIRS;
+  return (QnArch){ .span = opening->width,
+                   .rise = opening->head == QN_HEAD_SEGMENTAL ? opening->rise
+                                                              : opening->width / 2,
+                   .ring = ring ? opening->depth : opening->width,
+                   .shape = QN_ARCH_CIRCULAR,
+                   .voussoirs = ring ? opening->voussoirs : BARE_HEAD_PARTS,
+                   .sides = ring ? opening->sides : QN_SIDES_CURVED };
+}
+
+static QnStatus
+check_head (const QnOpening *opening, QnDiag *diag)
+{
+  bool flat = opening->head == QN_HEAD_FLAT;
+  bool fits =
+    opening->span == QN_SPAN_NONE || (opening->span == QN_SPAN_VOUSSOIRS ? !flat : flat);
+  if (!fits)
+    return qn_masonry_problem (diag, QN_PROBLEM_OPENING_SPAN, "span", 0);
+  if (flat)
+    return QN_OK;
+  double rise = head_arch (opening).rise;
+  if (!(rise > 0) || rise > opening->width / 2 * (1 + 1e-12)
+      || rise > opening->height * (1 + 1e-12) || rise < 1e-6 * opening->width)
+    return qn_masonry_problem (diag, QN_PROBLEM_ARCH_SHAPE, "rise", rise);
+  return QN_OK;
+}
+
+static QnStatus
+check_opening (const QnOpening *opening, QnDiag *diag)
+{
+  double x = opening->at.x, y = opening->at.y;
+  if (!isfinite (x) || !isfinite (y))
+    return qn_masonry_problem (diag, QN_PROBLEM_NOT_FINITE, "at", isfinite (x) ? y : x);
+  if (fmax (fabs (x), fabs (y)) > QN_MAX_COORDINATE)
+    return qn_masonry_problem (diag, QN_PROBLEM_TOO_LARGE, "at",
+                               fmax (fabs (x), fabs (y)));
+  QnStatus status = qn_masonry_require_positive (opening->width, "width", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_positive (opening->height, "height", diag);
+  if (status == QN_OK)
+    status = check_head (opening, diag);
+  if (status == QN_OK && opening->span != QN_SPAN_NONE)
+    status = qn_masonry_require_positive (opening->depth, "depth", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (opening->bearing, "bearing", diag);
+  if (status == QN_OK
+      && (opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS))
+    status = qn_masonry_require_count (opening->voussoirs, 1, "voussoirs", diag);
+  if (status == QN_OK && !(opening->skew >= 0 && opening->skew < M_PI_2 - 0.01))
+    status = qn_masonry_problem (diag, QN_PROBLEM_FLAT_ARCH_SKEW, "skew", opening->skew);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (opening->sill_height, "sill", diag);
+  if (status == QN_OK)
+    status = qn_masonry_require_not_negative (opening->sill_bearing, "sill", diag);
+  return status;
+}
+
+/* The hole: jambs, and the head as its voussoirs have it. */
+static QnStatus
+make_hole (const QnOpening *opening, QnRing *hole, QnDiag *diag)
+{
+  double x0 = opening->at.x, x1 = x0 + opening->width, y0 = opening->at.y;
+  if (opening->head == QN_HEAD_FLAT) {
+    QnVec2 corners[4];
+    qn_rectangle (x0, y0, x1, y0 + opening->height, corners);
+    return qn_ring_init (hole, corners, 4) ? QN_OK : qn_diag_no_memory (diag);
+  }
+
+  QnArch arch = head_arch (opening);
+  QnArchRing ring;
+  qn_arch_ring_init (&ring, &arch);
+  QnRing line;
+  if (!qn_arch_ring_line (&ring, &line))
+    return qn_diag_no_memory (diag);
+  QnVec2 springing = { x0, y0 + opening->height - arch.rise };
+  hole->points = qn_alloc (line.count + 2, sizeof *hole->points);
+  hole->count = 0;
+  if (hole->points != NULL) {
+    if (springing.y > y0) {
+      hole->points[hole->count++] = qn_vec2 (x0, y0);
+      hole->points[hole->count++] = qn_vec2 (x1, y0);
+    }
+    for (size_t i = line.count; i-- > 0;)
+      hole->points[hole->count++] = qn_vec2_add (springing, line.points[i]);
+  }
+  qn_ring_clear (&line);
+  return hole->points != NULL ? QN_OK : qn_diag_no_memory (diag);
+}
+
+static QnStatus
+add_box (QnPieces *pieces, double x0, double y0, double x1, double y1, const char *prefix,
+         const char *part, QnDiag *diag)
+{
+  QnVec2 corners[4];
+  qn_rectangle (x0, y0, x1, y1, corners);
+  return qn_pieces_add (pieces, corners, 4, "%s.%s", prefix, part) != NULL
+           ? QN_OK
+           : qn_diag_no_memory (diag);
+}
+
+/* Voussoirs under a level extrados and over a level intrados, joints evenly spaced on both. */
+static QnStatus
+lay_flat_arch (const QnOpening *opening, const char *prefix, QnPieces *pieces,
+               QnDiag *diag)
+{
+  double y0 = opening->at.y + opening->height, y1 = y0 + opening->depth;
+  double lean = opening->depth * tan (opening->skew), x = opening->at.x;
+  double top = opening->width + 2 * lean;
+  int32_t n = opening->voussoirs;
+  for (int32_t i = 0; i < n; i++) {
+    double s0 = (double) i / n, s1 = (double) (i + 1) / n;
+    const QnVec2 corners[] = { { x + s0 * opening->width, y0 },
+                               { x + s1 * opening->width, y0 },
+                               { x - lean + s1 * top, y1 },
+                               { x - lean + s0 * top, y1 } };
+    if (qn_pieces_add (pieces, corners, 4, "%s.v%d", prefix, i + 1) == NULL)
+      return qn_diag_no_memory (diag);
+  }
+  return QN_OK;
+}
+
+static QnStatus
+lay_span (const QnOpening *opening, const char *prefix, QnPieces *pieces, QnDiag *diag)
+{
+  double x0 = opening->at.x, x1 = x0 + opening->width;
+  double y = opening->at.y + opening->height;
+  switch (opening->span) {
+  case QN_SPAN_LINTEL:
+    return add_box (pieces, x0 - opening->bearing, y, x1 + opening->bearing,
+                    y + opening->depth, prefix, "lintel", diag);
+  case QN_SPAN_FLAT_ARCH:
+    return lay_flat_arch (opening, prefix, pieces, diag);
+  case QN_SPAN_VOUSSOIRS: {
+    QnArch arch = head_arch (opening);
+    return qn_arch_lay_ring (&arch, qn_vec2 (x0, y - arch.rise), prefix, pieces, diag);
+  }
+  case QN_SPAN_NONE:
+  case QN_SPAN_COUNT:
+    break;
+  }
+  return QN_OK;
+}
+
+/* Fills `cutter` and adds lintel, voussoirs and sill to `pieces`. */
+static QnStatus
+make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *pieces,
+             QnDiag *diag)
+{
+  const QnOpening *opening = &masonry->wall.openings[index];
+  const char *name = opening->name != NULL ? opening->name : "";
+  size_t size = strlen (masonry->name) + strlen (name) + 24;
+  char *prefix = qn_alloc (size, 1);
+  if (prefix == NULL)
+    return qn_diag_no_memory (diag);
+  if (name[0] != '\0')
+    snprintf (prefix, size, "%s.%s", masonry->name, name);
+  else
+    snprintf (prefix, size, "%s.o%zu", masonry->name, index + 1);
+
+  size_t first = pieces->count;
+  QnRing hole = { 0 };
+  QnStatus status = make_hole (opening, &hole, diag);
+  if (status == QN_OK && !qn_rings_take (&cutter->parts, &hole))
+    status = qn_diag_no_memory (diag);
+  qn_ring_clear (&hole);
+  if (status == QN_OK)
+    status = lay_span (opening, prefix, pieces, diag);
+  if (status == QN_OK && opening->sill_height > 0)
+    status = add_box (pieces, opening->at.x - opening->sill_bearing,
+                      opening->at.y - opening->sill_height,
+                      opening->at.x + opening->width + opening->sill_bearing,
+                      opening->at.y, prefix, "sill", diag);
+  for (size_t i = first; i < pieces->count && status == QN_OK; i++)
+    if (!qn_rings_add (&cutter->parts, pieces->items[i].ring.points,
+                       pieces->items[i].ring.count))
+      status = qn_diag_no_memory (diag);
+  cutter->bounds = qn_rings_bounds (&cutter->parts);
+  free (prefix);
+  return status;
+}
+
+/* Lintels, voussoirs and sills must lie within the wall; the hole may reach beyond it. */
+static QnStatus
+check_inside (const Cutter *cutter, QnBounds wall, QnDiag *diag)
+{
+  double margin = OPENING_TOLERANCE * qn_bounds_size (wall);
+  for (size_t i = 1; i < cutter->parts.count; i++) {
+    QnBounds part = qn_ring_bounds (&cutter->parts.items[i]);
+    if (part.min.x < wall.min.x - margin || part.max.x > wall.max.x + margin
+        || part.min.y < wall.min.y - margin || part.max.y > wall.max.y + margin)
+      return qn_masonry_problem (diag, QN_PROBLEM_OPENING_OUTSIDE, "openings", 0);
+  }
+  return QN_OK;
+}
+
+/* Nothing of an opening may lie within another one, but two holes may share an edge. */
+static QnStatus
+check_apart (const Cutter *a, const Cutter *b, QnDiag *diag)
+{
+  if (!qn_bounds_overlap (a->bounds, b->bounds, 0))
+    return QN_OK;
+  double size = fmin (qn_bounds_size (a->bounds), qn_bounds_size (b->bounds));
+  QnRings common = { 0 };
+  QnStatus status = QN_OK;
+  double area = 0;
+  for (size_t i = 0; i < a->parts.count && status == QN_OK; i++)
+    for (size_t k = 0; k < b->parts.count && status == QN_OK; k++)
+      if (qn_bounds_overlap (qn_ring_bounds (&a->parts.items[i]),
+                             qn_ring_bounds (&b->parts.items[k]), 0))
+        status =
+          qn_polygon_intersection (&a->parts.items[i], &b->parts.items[k], &common, diag);
+  for (size_t i = 0; i < common.count; i++)
+    area += qn_ring_area (&common.items[i]);
+  qn_rings_clear (&common);
+  if (status == QN_OK && area > OPENING_TOLERANCE * size * size)
+    status = qn_masonry_problem (diag, QN_PROBLEM_OPENINGS_OVERLAP, "openings", area);
+  return status;
+}
+
+/* Adds what is left of a unit: itself, nothing, one part of the same name or several lettered. */
+static QnStatus
+add_remainder (const QnPiece *unit, const QnRings *parts, QnPieces *pieces, QnDiag *diag)
+{
+  for (size_t i = 0; i < parts->count; i++) {
+    const QnRing *part = &parts->items[i];
+    QnPiece *piece =
+      parts->count == 1
+        ? qn_pieces_add (pieces, part->points, part->count, "%s", unit->name)
+      : i < 26
+        ? qn_pieces_add (pieces, part->points, part->count, "%s%c", unit->name,
+                         'a' + (int) i)
+        : qn_pieces_add (pieces, part->points, part->count, "%s-%zu", unit->name, i + 1);
+    if (piece == NULL)
+      return qn_diag_no_memory (diag);
+    qn_piece_inherit (piece, unit);
+    piece->cut = true;
+  }
+  return QN_OK;
+}
+
+/* Moves `unit` into `pieces`, cut by those cutters that reach it. */
+static QnStatus
+cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, QnPieces *pieces,
+          QnDiag *diag)
+{
+  QnBounds bounds = qn_ring_bounds (&unit->ring);
+  QnRings near = { 0 }, parts = { 0 };
+  QnStatus status = QN_OK;
+  for (size_t i = 0; unit->fabric && i < cutter_count; i++) {
+    if (!qn_bounds_overlap (bounds, cutters[i].bounds, 0))
+      continue;
+    for (size_t k = 0; k < cutters[i].parts.count && status == QN_OK; k++) {
+      const QnRing *part = &cutters[i].parts.items[k];
+      if (qn_bounds_overlap (bounds, qn_ring_bounds (part), 0)
+          && !qn_rings_add (&near, part->points, part->count))
+        status = qn_diag_no_memory (diag);
+    }
+  }
+  double whole = qn_ring_area (&unit->ring), left = whole;
+  if (status == QN_OK && near.count > 0) {
+    status = qn_polygon_difference (&unit->ring, &near, &parts, diag);
+    left = 0;
+    for (size_t i = 0; i < parts.count; i++)
+      left += qn_ring_area (&parts.items[i]);
+  }
+  if (status == QN_OK && left < whole * (1 - OPENING_TOLERANCE * 1e-3))
+    status = add_remainder (unit, &parts, pieces, diag);
+  else if (status == QN_OK && !qn_pieces_take (pieces, unit))
+    status = qn_diag_no_memory (diag);
+  qn_rings_clear (&near);
+  qn_rings_clear (&parts);
+  return status;
+}
+
+QnStatus
+qn_openings_cut (const QnMasonry *masonry, QnBounds wall, QnPieces *pieces, QnDiag *diag)
+{
+  size_t count = masonry->wall.opening_count;
+  if (count == 0)
+    return QN_OK;
+  Cutter *cutters = qn_alloc (count, sizeof *cutters);
+  QnPieces spans = { 0 }, cut = { 0 };
+  QnStatus status = cutters != NULL ? QN_OK : qn_diag_no_memory (diag);
+  for (size_t i = 0; i < count && status == QN_OK; i++) {
+    status = check_opening (&masonry->wall.openings[i], diag);
+    if (status == QN_OK)
+      status = make_cutter (masonry, i, &cutters[i], &spans, diag);
+    if (status == QN_OK)
+      status = check_inside (&cutters[i], wall, diag);
+    for (size_t k = 0; k < i && status == QN_OK; k++)
+      status = check_apart (&cutters[k], &cutters[i], diag);
+    if (status != QN_OK && diag != NULL)
+      diag->sub = (QnId) i;
+  }
+  for (size_t i = 0; i < pieces->count && status == QN_OK; i++)
+    status = cut_unit (&pieces->items[i], cutters, count, &cut, diag);
+  for (size_t i = 0; i < spans.count && status == QN_OK; i++)
+    if (!qn_pieces_take (&cut, &spans.items[i]))
+      status = qn_diag_no_memory (diag);
+  if (status == QN_OK) {
+    QnPieces swap = *pieces;
+    *pieces = cut;
+    cut = swap;
+  }
+  qn_pieces_clear (&spans);
+  qn_pieces_clear (&cut);
+  for (size_t i = 0; cutters != NULL && i < count; i++)
+    qn_rings_clear (&cutters[i].parts);
+  free (cutters);
+  return status;
+}

@@ -1,0 +1,95 @@
+#include "stereotomy/pieces.h"
+#include "core/memory.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char *
+format_name (const char *format, va_list arguments)
+{
+  va_list again;
+  va_copy (again, arguments);
+  int length = vsnprintf (NULL, 0, format, again);
+  va_end (again);
+  char *name = length >= 0 ? qn_alloc ((size_t) length + 1, 1) : NULL;
+  if (name != NULL)
+    vsnprintf (name, (size_t) length + 1, format, arguments);
+  return name;
+}
+
+static bool
+reserve (QnPieces *pieces)
+{
+  QnPiece *grown =
+    qn_array_grow (pieces->items, &pieces->capacity, pieces->count + 1, sizeof *grown);
+  if (grown != NULL)
+    pieces->items = grown;
+  return grown != NULL;
+}
+
+QnPiece *
+qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count, const char *format,
+               ...)
+{
+  if (!reserve (pieces))
+    return NULL;
+  va_list arguments;
+  va_start (arguments, format);
+  QnPiece piece = { .name = format_name (format, arguments) };
+  va_end (arguments);
+  if (piece.name == NULL || !qn_ring_init (&piece.ring, points, count)) {
+    free (piece.name);
+    return NULL;
+  }
+  pieces->items[pieces->count] = piece;
+  return &pieces->items[pieces->count++];
+}
+
+bool
+qn_pieces_take (QnPieces *pieces, QnPiece *piece)
+{
+  if (!reserve (pieces))
+    return false;
+  pieces->items[pieces->count++] = *piece;
+  *piece = (QnPiece){ 0 };
+  return true;
+}
+
+void
+qn_piece_inherit (QnPiece *piece, const QnPiece *from)
+{
+  char *name = piece->name;
+  QnRing ring = piece->ring;
+  *piece = *from;
+  piece->name = name;
+  piece->ring = ring;
+}
+
+static void
+piece_clear (QnPiece *piece)
+{
+  free (piece->name);
+  qn_ring_clear (&piece->ring);
+  *piece = (QnPiece){ 0 };
+}
+
+void
+qn_pieces_remove (QnPieces *pieces, size_t index)
+{
+  QN_ASSERT (index < pieces->count);
+  piece_clear (&pieces->items[index]);
+  memmove (pieces->items + index, pieces->items + index + 1,
+           (pieces->count - index - 1) * sizeof *pieces->items);
+  pieces->count--;
+}
+
+void
+qn_pieces_clear (QnPieces *pieces)
+{
+  for (size_t i = 0; i < pieces->count; i++)
+    piece_clear (&pieces->items[i]);
+  free (pieces->items);
+  *pieces = (QnPieces){ 0 };
+}

@@ -1,0 +1,49 @@
+/* Pieces: what a parametric object consists of before it becomes blocks. Private to this layer. */
+#ifndef QN_STEREOTOMY_PIECES_H
+#define QN_STEREOTOMY_PIECES_H
+
+#include "core/status.h"
+#include "stereotomy/ring.h"
+
+typedef struct QnPiece {
+  char *name; /* owned, full name of the block */
+  QnRing ring;
+  bool fixed;  /* a foundation */
+  bool fabric; /* laid by a bond: may be cut by openings, merged with neighbours */
+  bool cut;    /* no longer the whole unit */
+  bool lone;   /* a sliver that no neighbour can take */
+  int32_t leaf, course, position; /* of fabric */
+  double whole_area;              /* of the uncut unit, m2 */
+  double whole_width;             /* its smaller side, m */
+} QnPiece;
+
+typedef struct QnPieces {
+  QnPiece *items;
+  size_t count, capacity;
+} QnPieces;
+
+/* A new piece with a copied name, printf-like: the only placeholders are %s, %d. NULL when memory
+ * runs out. The points are copied. */
+QnPiece *qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count,
+                        const char *format, ...) __attribute__ ((format (printf, 4, 5)));
+
+/* Moves `piece` to the end of the list and zeroes it; false without memory. */
+bool qn_pieces_take (QnPieces *pieces, QnPiece *piece);
+
+/* Everything but name and ring. */
+void qn_piece_inherit (QnPiece *piece, const QnPiece *from);
+
+void qn_pieces_remove (QnPieces *pieces, size_t index);
+void qn_pieces_clear (QnPieces *pieces);
+
+/* An axis-parallel rectangle, counter-clockwise from the lower left corner. */
+static inline void
+qn_rectangle (double x0, double y0, double x1, double y1, QnVec2 corners[4])
+{
+  corners[0] = qn_vec2 (x0, y0);
+  corners[1] = qn_vec2 (x1, y0);
+  corners[2] = qn_vec2 (x1, y1);
+  corners[3] = qn_vec2 (x0, y1);
+}
+
+#endif

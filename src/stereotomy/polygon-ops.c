@@ -1,0 +1,356 @@
+#include "stereotomy/polygon-ops.h"
+#include "core/memory.h"
+#include "core/polygon.h"
+#include "stereotomy/geos.h"
+
+#include <stdlib.h>
+
+/* Vertices nearer than this part of a polygon's size, or of its distance from the origin, are
+ * one: twelve decimal digits, far below every contact tolerance. */
+#define VERTEX_TOLERANCE 1e-12
+
+/* Edges of neighbours that cross a third one differ by rounding where they meet it, which leaves
+ * slits between them. Where that matters coordinates are rounded to this part of the
+ * extent first, four digits coarser than the vertices and far finer than any joint. */
+#define GRID 1e-10
+
+/* Parts smaller than this share of the subject's area are rounding, not pieces. */
+#define NOTHING 1e-12
+
+/* How often holes are parted; every round removes at least one. */
+#define MAX_HOLE_ROUNDS 64
+
+QnStatus
+qn_ring_check (const QnRing *ring, QnId index, QnDiag *diag)
+{
+  QnPolygonFlaw flaw = qn_polygon_check (ring->points, ring->count);
+  if (flaw.problem == QN_PROBLEM_NONE)
+    return QN_OK;
+  if (flaw.problem == QN_PROBLEM_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  qn_diag_set (diag, QN_ERROR_INVALID, flaw.problem, QN_ENTITY_BLOCK, index, flaw.vertex);
+  if (diag != NULL && flaw.vertex != QN_NONE)
+    diag->at = ring->points[flaw.vertex];
+  return QN_ERROR_INVALID;
+}
+
+static QnStatus
+check_all (const QnRings *rings, QnDiag *diag)
+{
+  for (size_t i = 0; i < rings->count; i++) {
+    QnStatus status = qn_ring_check (&rings->items[i], (QnId) i, diag);
+    if (status != QN_OK)
+      return status;
+  }
+  return QN_OK;
+}
+
+static double
+vertex_tolerance (const QnRing *ring)
+{
+  QnBounds b = qn_ring_bounds (ring);
+  double reach =
+    fmax (fmax (fabs (b.min.x), fabs (b.max.x)), fmax (fabs (b.min.y), fabs (b.max.y)));
+  return VERTEX_TOLERANCE * fmax (qn_bounds_size (b), reach);
+}
+
+static int
+compare_rings (const void *left, const void *right)
+{
+  QnBounds a = qn_ring_bounds (left), b = qn_ring_bounds (right);
+  if (a.min.x != b.min.x)
+    return a.min.x < b.min.x ? -1 : 1;
+  if (a.min.y != b.min.y)
+    return a.min.y < b.min.y ? -1 : 1;
+  return 0;
+}
+
+/* Cleans what GEOS returned and moves what has an area into `out`. */
+static QnStatus
+deliver (QnRings *found, double least_area, QnRings *out, QnDiag *diag)
+{
+  size_t before = out->count;
+  QnStatus status = QN_OK;
+  for (size_t i = 0; i < found->count && status == QN_OK; i++) {
+    QnRing *ring = &found->items[i];
+    qn_ring_simplify (ring, vertex_tolerance (ring));
+    if (ring->count < 3 || qn_ring_area (ring) <= least_area)
+      continue;
+    status = qn_ring_check (ring, (QnId) i, diag);
+    if (status == QN_OK && !qn_rings_take (out, ring))
+      status = qn_diag_no_memory (diag);
+  }
+  if (status == QN_OK && out->count > before)
+    qsort (out->items + before, out->count - before, sizeof *out->items, compare_rings);
+  while (status != QN_OK && out->count > before)
+    qn_rings_remove (out, out->count - 1);
+  qn_rings_clear (found);
+  return status;
+}
+
+/* The half plane left of x (or right of it) within `bounds`, as a polygon. */
+static GEOSGeometry *
+half_of (QnGeos *geos, QnBounds bounds, double x, bool right)
+{
+  double margin = 1 + qn_bounds_size (bounds);
+  double x0 = right ? x : bounds.min.x - margin, x1 = right ? bounds.max.x + margin : x;
+  double y0 = bounds.min.y - margin, y1 = bounds.max.y + margin;
+  const QnVec2 corners[] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
+  return qn_geos_polygon (geos, corners, 4);
+}
+
+/* Abscissa through the middle of the first hole of a geometry; false where there is none. */
+static bool
+first_hole (QnGeos *geos, const GEOSGeometry *geometry, double *x)
+{
+  GEOSContextHandle_t h = geos->handle;
+  int parts = GEOSGetNumGeometries_r (h, geometry);
+  for (int i = 0; i < parts; i++) {
+    const GEOSGeometry *part = GEOSGetGeometryN_r (h, geometry, i);
+    if (GEOSGeomTypeId_r (h, part) != GEOS_POLYGON
+        || GEOSGetNumInteriorRings_r (h, part) <= 0)
+      continue;
+    const GEOSGeometry *hole = GEOSGetInteriorRingN_r (h, part, 0);
+    double x0, x1;
+    if (GEOSGeom_getXMin_r (h, hole, &x0) != 1 || GEOSGeom_getXMax_r (h, hole, &x1) != 1)
+      return false;
+    *x = x0 / 2 + x1 / 2;
+    return true;
+  }
+  return false;
+}
+
+/* Reads the polygons of `geometry` (consumed), parting what has holes. */
+static QnStatus
+collect (QnGeos *geos, GEOSGeometry *geometry, QnBounds bounds, int round, QnRings *found,
+         QnDiag *diag)
+{
+  double x;
+  QnStatus status = QN_OK;
+  if (!first_hole (geos, geometry, &x) || round == MAX_HOLE_ROUNDS) {
+    size_t holes = 0;
+    if (!qn_geos_read_polygons (geos, geometry, found, &holes))
+      status = qn_diag_no_memory (diag);
+    else if (holes > 0)
+      status = qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_GEOMETRY_HOLE,
+                            QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  } else {
+    for (int side = 0; side < 2 && status == QN_OK; side++) {
+      GEOSGeometry *half = half_of (geos, bounds, x, side == 1);
+      GEOSGeometry *part =
+        half != NULL ? GEOSIntersection_r (geos->handle, geometry, half) : NULL;
+      GEOSGeom_destroy_r (geos->handle, half);
+      status = part != NULL ? collect (geos, part, bounds, round + 1, found, diag)
+                            : qn_geos_failed (diag);
+    }
+  }
+  GEOSGeom_destroy_r (geos->handle, geometry);
+  return status;
+}
+
+typedef GEOSGeometry *(*Overlay) (GEOSContextHandle_t, const GEOSGeometry *,
+                                  const GEOSGeometry *);
+
+/* out += subject (op) other; both geometries are consumed, NULL means no memory. */
+static QnStatus
+overlay (QnGeos *geos, GEOSGeometry *subject, GEOSGeometry *other, Overlay op,
+         QnBounds bounds, double least_area, QnRings *out, QnDiag *diag)
+{
+  QnStatus status;
+  if (subject == NULL || other == NULL) {
+    status = qn_diag_no_memory (diag);
+  } else {
+    GEOSGeometry *result = op (geos->handle, subject, other);
+    QnRings found = { 0 };
+    status = result != NULL ? collect (geos, result, bounds, 0, &found, diag)
+                            : qn_geos_failed (diag);
+    if (status == QN_OK)
+      status = deliver (&found, least_area, out, diag);
+    qn_rings_clear (&found);
+  }
+  GEOSGeom_destroy_r (geos->handle, subject);
+  GEOSGeom_destroy_r (geos->handle, other);
+  return status;
+}
+
+/* Polygons that may touch or overlap, as one valid geometry; `grid` 0 keeps every digit. */
+static GEOSGeometry *
+merged (QnGeos *geos, const QnRings *rings, double grid)
+{
+  GEOSGeometry *parts = qn_geos_collection (geos, rings);
+  if (parts == NULL)
+    return NULL;
+  GEOSGeometry *all = grid > 0 ? GEOSUnaryUnionPrec_r (geos->handle, parts, grid)
+                               : GEOSUnaryUnion_r (geos->handle, parts);
+  GEOSGeom_destroy_r (geos->handle, parts);
+  return all;
+}
+
+/* The grid for a set of polygons. */
+static double
+grid_of (const QnRings *rings)
+{
+  QnBounds b = qn_rings_bounds (rings);
+  double reach =
+    fmax (fmax (fabs (b.min.x), fabs (b.max.x)), fmax (fabs (b.min.y), fabs (b.max.y)));
+  return GRID * fmax (reach, qn_bounds_size (b));
+}
+
+QnStatus
+qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *out,
+                       QnDiag *diag)
+{
+  QnStatus status = qn_ring_check (subject, 0, diag);
+  if (status == QN_OK)
+    status = check_all (cutters, diag);
+  QnGeos geos = { NULL };
+  if (status == QN_OK)
+    status = qn_geos_init (&geos, diag);
+  if (status == QN_OK)
+    status =
+      overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
+               merged (&geos, cutters, 0), GEOSDifference_r, qn_ring_bounds (subject),
+               NOTHING * fabs (qn_ring_area (subject)), out, diag);
+  qn_geos_clear (&geos);
+  return status;
+}
+
+QnStatus
+qn_polygon_intersection (const QnRing *a, const QnRing *b, QnRings *out, QnDiag *diag)
+{
+  QnStatus status = qn_ring_check (a, 0, diag);
+  if (status == QN_OK)
+    status = qn_ring_check (b, 1, diag);
+  QnGeos geos = { NULL };
+  if (status == QN_OK)
+    status = qn_geos_init (&geos, diag);
+  if (status == QN_OK)
+    status = overlay (&geos, qn_geos_polygon (&geos, a->points, a->count),
+                      qn_geos_polygon (&geos, b->points, b->count), GEOSIntersection_r,
+                      qn_ring_bounds (a),
+                      NOTHING * fmin (fabs (qn_ring_area (a)), fabs (qn_ring_area (b))),
+                      out, diag);
+  qn_geos_clear (&geos);
+  return status;
+}
+
+static QnStatus
+union_problem (QnDiag *diag, QnProblem problem)
+{
+  return qn_diag_set (diag, QN_ERROR_INVALID, problem, QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+}
+
+static QnStatus
+union_on_grid (const QnRings *rings, double grid, QnRing *out, QnDiag *diag)
+{
+  QnGeos geos = { NULL };
+  QnStatus status = qn_geos_init (&geos, diag);
+  if (status != QN_OK)
+    return status;
+  GEOSGeometry *all = merged (&geos, rings, grid);
+  QnRings found = { 0 }, joined = { 0 };
+  size_t holes = 0;
+  if (all == NULL)
+    status = qn_geos_failed (diag);
+  else if (!qn_geos_read_polygons (&geos, all, &found, &holes))
+    status = qn_diag_no_memory (diag);
+  else if (holes > 0)
+    status = union_problem (diag, QN_PROBLEM_GEOMETRY_HOLE);
+  if (status == QN_OK)
+    status = deliver (&found, 0, &joined, diag);
+  if (status == QN_OK && joined.count != 1)
+    status = union_problem (diag, joined.count == 0 ? QN_PROBLEM_GEOMETRY_EMPTY
+                                                    : QN_PROBLEM_GEOMETRY_SEVERAL);
+  if (status == QN_OK) {
+    *out = joined.items[0];
+    joined.items[0] = (QnRing){ 0 };
+  }
+  qn_rings_clear (&found);
+  qn_rings_clear (&joined);
+  GEOSGeom_destroy_r (geos.handle, all);
+  qn_geos_clear (&geos);
+  return status;
+}
+
+QnStatus
+qn_polygons_union (const QnRings *rings, QnRing *out, QnDiag *diag)
+{
+  *out = (QnRing){ 0 };
+  QnStatus status = check_all (rings, diag);
+  if (status != QN_OK)
+    return status;
+  if (rings->count == 0)
+    return union_problem (diag, QN_PROBLEM_GEOMETRY_EMPTY);
+
+  status = union_on_grid (rings, 0, out, diag);
+  if (status == QN_ERROR_INVALID)
+    status = union_on_grid (rings, grid_of (rings), out, diag);
+  return status;
+}
+
+QnStatus
+qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out, QnDiag *diag)
+{
+  QnStatus status = qn_ring_check (subject, 0, diag);
+  if (status != QN_OK)
+    return status;
+  QnVec2 along = qn_vec2_sub (b, a);
+  double length = qn_vec2_length (along);
+  if (!isfinite (a.x) || !isfinite (a.y) || !isfinite (length))
+    return union_problem (diag, QN_PROBLEM_NOT_FINITE);
+  if (length == 0)
+    return union_problem (diag, QN_PROBLEM_ZERO_AREA);
+
+  /* A strip that covers the subject on the left of the line, and one on its right. The line is
+   * carried to the subject first, so that the strips are no larger than they must be. */
+  QnBounds bounds = qn_ring_bounds (subject);
+  QnVec2 middle = qn_vec2_lerp (bounds.min, bounds.max, 0.5);
+  along = qn_vec2_scale (1 / length, along);
+  QnVec2 foot =
+    qn_vec2_add_scaled (a, qn_vec2_dot (qn_vec2_sub (middle, a), along), along);
+  double reach =
+    2 * (qn_bounds_size (bounds) + qn_vec2_length (qn_vec2_sub (middle, foot)));
+  QnGeos geos = { NULL };
+  status = qn_geos_init (&geos, diag);
+  size_t before = out->count;
+  for (int side = -1; side <= 1 && status == QN_OK; side += 2) {
+    QnVec2 across = qn_vec2_scale (side * reach, qn_vec2_perp (along));
+    QnVec2 p = qn_vec2_add_scaled (foot, -reach, along);
+    QnVec2 q = qn_vec2_add_scaled (foot, reach, along);
+    const QnVec2 strip[] = { p, q, qn_vec2_add (q, across), qn_vec2_add (p, across) };
+    status = overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
+                      qn_geos_polygon (&geos, strip, 4), GEOSIntersection_r, bounds,
+                      NOTHING * fabs (qn_ring_area (subject)), out, diag);
+  }
+  while (status != QN_OK && out->count > before)
+    qn_rings_remove (out, out->count - 1);
+  qn_geos_clear (&geos);
+  return status;
+}
+
+QnStatus
+qn_fill_between (const QnRings *rings, const QnRing *frame, double least_area,
+                 QnRings *out, QnDiag *diag)
+{
+  QnStatus status = check_all (rings, diag);
+  if (status == QN_OK && frame != NULL)
+    status = qn_ring_check (frame, (QnId) rings->count, diag);
+  if (status != QN_OK || (rings->count == 0 && frame == NULL))
+    return status;
+
+  QnGeos geos = { NULL };
+  status = qn_geos_init (&geos, diag);
+  if (status == QN_OK) {
+    GEOSGeometry *all = merged (&geos, rings, 0);
+    GEOSGeometry *around = frame != NULL
+                             ? qn_geos_polygon (&geos, frame->points, frame->count)
+                           : all != NULL ? GEOSConvexHull_r (geos.handle, all)
+                                         : NULL;
+    QnBounds bounds = frame != NULL ? qn_ring_bounds (frame) : qn_rings_bounds (rings);
+    double size = qn_bounds_size (bounds);
+    status = overlay (&geos, around, all, GEOSDifference_r, bounds,
+                      fmax (least_area, NOTHING * size * size), out, diag);
+  }
+  qn_geos_clear (&geos);
+  return status;
+}

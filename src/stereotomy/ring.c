@@ -1,0 +1,205 @@
+#include "stereotomy/ring.h"
+#include "core/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool
+qn_ring_init (QnRing *ring, const QnVec2 *points, size_t count)
+{
+  ring->points = qn_alloc (count, sizeof *ring->points);
+  ring->count = ring->points != NULL ? count : 0;
+  if (ring->points != NULL && count > 0)
+    memcpy (ring->points, points, count * sizeof *points);
+  return ring->points != NULL;
+}
+
+void
+qn_ring_clear (QnRing *ring)
+{
+  free (ring->points);
+  *ring = (QnRing){ 0 };
+}
+
+double
+qn_ring_area (const QnRing *ring)
+{
+  double twice = 0;
+  for (size_t i = 2; i < ring->count; i++)
+    twice += qn_vec2_cross (qn_vec2_sub (ring->points[i - 1], ring->points[0]),
+                            qn_vec2_sub (ring->points[i], ring->points[0]));
+  return twice / 2;
+}
+
+QnVec2
+qn_ring_centroid (const QnRing *ring)
+{
+  double twice = 0;
+  QnVec2 moment = { 0, 0 };
+  for (size_t i = 2; i < ring->count; i++) {
+    QnVec2 a = qn_vec2_sub (ring->points[i - 1], ring->points[0]);
+    QnVec2 b = qn_vec2_sub (ring->points[i], ring->points[0]);
+    double cross = qn_vec2_cross (a, b);
+    twice += cross;
+    moment = qn_vec2_add_scaled (moment, cross / 3, qn_vec2_add (a, b));
+  }
+  if (ring->count == 0)
+    return moment;
+  return twice == 0 ? ring->points[0]
+                    : qn_vec2_add_scaled (ring->points[0], 1 / twice, moment);
+}
+
+double
+qn_ring_perimeter (const QnRing *ring)
+{
+  double sum = 0;
+  for (size_t i = 0; i < ring->count; i++)
+    sum +=
+      qn_vec2_length (qn_vec2_sub (ring->points[(i + 1) % ring->count], ring->points[i]));
+  return sum;
+}
+
+static void
+bounds_include (QnBounds *bounds, const QnRing *ring)
+{
+  for (size_t i = 0; i < ring->count; i++) {
+    bounds->min.x = fmin (bounds->min.x, ring->points[i].x);
+    bounds->min.y = fmin (bounds->min.y, ring->points[i].y);
+    bounds->max.x = fmax (bounds->max.x, ring->points[i].x);
+    bounds->max.y = fmax (bounds->max.y, ring->points[i].y);
+  }
+}
+
+QnBounds
+qn_ring_bounds (const QnRing *ring)
+{
+  QnBounds bounds = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+  bounds_include (&bounds, ring);
+  return bounds;
+}
+
+QnBounds
+qn_rings_bounds (const QnRings *rings)
+{
+  QnBounds bounds = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+  for (size_t i = 0; i < rings->count; i++)
+    bounds_include (&bounds, &rings->items[i]);
+  return bounds;
+}
+
+void
+qn_ring_orient (QnRing *ring)
+{
+  if (qn_ring_area (ring) >= 0)
+    return;
+  for (size_t i = 1, j = ring->count - 1; i < j; i++, j--) {
+    QnVec2 swap = ring->points[i];
+    ring->points[i] = ring->points[j];
+    ring->points[j] = swap;
+  }
+}
+
+/* Whether `b` says nothing between its neighbours `a` and `c`: a repeated point, a point of
+ * the segment ac, or the tip of a spike. */
+static bool
+is_superfluous (QnVec2 a, QnVec2 b, QnVec2 c, double tolerance)
+{
+  QnVec2 ab = qn_vec2_sub (b, a), cb = qn_vec2_sub (b, c), ac = qn_vec2_sub (c, a);
+  double la = qn_vec2_length (ab), lc = qn_vec2_length (cb), base = qn_vec2_length (ac);
+  if (la <= tolerance || lc <= tolerance || base <= tolerance)
+    return true;
+  /* Height of the triangle over its longest side. */
+  return fabs (qn_vec2_cross (ab, ac)) <= tolerance * fmax (base, fmax (la, lc));
+}
+
+size_t
+qn_ring_simplify (QnRing *ring, double tolerance)
+{
+  size_t before = ring->count, quiet = 0, i = 0;
+  while (ring->count >= 3 && quiet < ring->count) {
+    size_t n = ring->count;
+    i %= n;
+    QnVec2 a = ring->points[(i + n - 1) % n], c = ring->points[(i + 1) % n];
+    if (is_superfluous (a, ring->points[i], c, tolerance)) {
+      memmove (ring->points + i, ring->points + i + 1,
+               (n - 1 - i) * sizeof *ring->points);
+      ring->count--;
+      quiet = 0;
+      i = i > 0 ? i - 1 : ring->count - 1;
+    } else {
+      quiet++;
+      i++;
+    }
+  }
+  return before - ring->count;
+}
+
+static void
+reverse_points (QnVec2 *points, size_t count)
+{
+  for (size_t i = 0; i < count / 2; i++) {
+    QnVec2 swap = points[i];
+    points[i] = points[count - 1 - i];
+    points[count - 1 - i] = swap;
+  }
+}
+
+void
+qn_ring_normalize (QnRing *ring)
+{
+  size_t first = 0;
+  for (size_t i = 1; i < ring->count; i++) {
+    QnVec2 p = ring->points[i], q = ring->points[first];
+    if (p.y < q.y || (p.y == q.y && p.x < q.x))
+      first = i;
+  }
+  if (first == 0)
+    return;
+  reverse_points (ring->points, first);
+  reverse_points (ring->points + first, ring->count - first);
+  reverse_points (ring->points, ring->count);
+}
+
+bool
+qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count)
+{
+  QnRing ring;
+  if (!qn_ring_init (&ring, points, count))
+    return false;
+  if (qn_rings_take (rings, &ring))
+    return true;
+  qn_ring_clear (&ring);
+  return false;
+}
+
+bool
+qn_rings_take (QnRings *rings, QnRing *ring)
+{
+  QnRing *grown =
+    qn_array_grow (rings->items, &rings->capacity, rings->count + 1, sizeof *grown);
+  if (grown == NULL)
+    return false;
+  rings->items = grown;
+  rings->items[rings->count++] = *ring;
+  *ring = (QnRing){ 0 };
+  return true;
+}
+
+void
+qn_rings_remove (QnRings *rings, size_t index)
+{
+  QN_ASSERT (index < rings->count);
+  qn_ring_clear (&rings->items[index]);
+  memmove (rings->items + index, rings->items + index + 1,
+           (rings->count - index - 1) * sizeof *rings->items);
+  rings->count--;
+}
+
+void
+qn_rings_clear (QnRings *rings)
+{
+  for (size_t i = 0; i < rings->count; i++)
+    qn_ring_clear (&rings->items[i]);
+  free (rings->items);
+  *rings = (QnRings){ 0 };
+}

@@ -1,0 +1,74 @@
+/* Rings: polygons that own their vertices, and lists of them.
+ *
+ * The currency of this layer: what is cut, welded, joined or read from a drawing. A ring's
+ * vertices go around the boundary, the first one not repeated at the end. Coordinates in m.
+ * Zeroed structs are empty and may be cleared.
+ */
+#ifndef QN_STEREOTOMY_RING_H
+#define QN_STEREOTOMY_RING_H
+
+#include "core/base.h"
+#include "core/vec2.h"
+
+typedef struct QnRing {
+  QnVec2 *points; /* owned */
+  size_t count;
+} QnRing;
+
+typedef struct QnRings {
+  QnRing *items;
+  size_t count, capacity;
+} QnRings;
+
+typedef struct QnBounds {
+  QnVec2 min, max; /* m; min > max where empty */
+} QnBounds;
+
+/* A copy of the points; false when memory runs out. `ring` is overwritten without being cleared. */
+bool qn_ring_init (QnRing *ring, const QnVec2 *points, size_t count);
+void qn_ring_clear (QnRing *ring);
+
+/* Twice the signed area would cancel far from the origin: summed relative to the first vertex. */
+double qn_ring_area (const QnRing *ring);
+QnVec2 qn_ring_centroid (const QnRing *ring);
+double qn_ring_perimeter (const QnRing *ring);
+QnBounds qn_ring_bounds (const QnRing *ring);
+
+/* Makes the ring counter-clockwise. */
+void qn_ring_orient (QnRing *ring);
+
+/* Drops vertices closer than `tolerance` (m) to the one before and vertices that lie on the
+ * straight line between their neighbours or at the tip of a spike, within the same distance.
+ * A ring that has no area left ends with fewer than three points. Returns how many went. */
+size_t qn_ring_simplify (QnRing *ring, double tolerance);
+
+/* Starts with the lowest, then leftmost vertex: makes equal polygons equal lists. */
+void qn_ring_normalize (QnRing *ring);
+
+/* Appends a copy of the points; false when memory runs out. */
+bool qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count);
+
+/* Moves `ring` to the end of the list and zeroes it; false (and nothing moved) without memory. */
+bool qn_rings_take (QnRings *rings, QnRing *ring);
+
+void qn_rings_remove (QnRings *rings, size_t index);
+void qn_rings_clear (QnRings *rings);
+
+QnBounds qn_rings_bounds (const QnRings *rings);
+
+static inline double
+qn_bounds_size (QnBounds bounds)
+{
+  return bounds.max.x < bounds.min.x
+           ? 0
+           : fmax (bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
+}
+
+static inline bool
+qn_bounds_overlap (QnBounds a, QnBounds b, double margin)
+{
+  return a.min.x <= b.max.x + margin && b.min.x <= a.max.x + margin
+         && a.min.y <= b.max.y + margin && b.min.y <= a.max.y + margin;
+}
+
+#endif

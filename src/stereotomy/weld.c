@@ -1,0 +1,435 @@
+#include "stereotomy/weld.h"
+#include "core/box-tree.h"
+#include "core/memory.h"
+#include "stereotomy/polygon-ops.h"
+
+#include <stdlib.h>
+
+/* Misses below this part of the tolerance are left alone: rounding, not gaps. */
+#define NEGLIGIBLE 1e-6
+
+/* A place where vertices lie, with how many. */
+typedef struct Place {
+  QnVec2 at;
+  size_t first; /* the vertex named first */
+  size_t count;
+  int rank;      /* 2: corner of the frame, 1: on its boundary, 0: elsewhere */
+  size_t target; /* place that it is welded to */
+} Place;
+
+static void
+note (QnHealing *healing, QnVec2 from, QnVec2 to)
+{
+  if (healing == NULL)
+    return;
+  double way = qn_vec2_length (qn_vec2_sub (to, from));
+  healing->count++;
+  if (way > healing->farthest) {
+    healing->farthest = way;
+    healing->at = from;
+  }
+}
+
+static int
+compare_places (const void *left, const void *right)
+{
+  const Place *a = left, *b = right;
+  if (a->at.x != b->at.x)
+    return a->at.x < b->at.x ? -1 : 1;
+  if (a->at.y != b->at.y)
+    return a->at.y < b->at.y ? -1 : 1;
+  return a->first < b->first ? -1 : a->first > b->first;
+}
+
+static int
+compare_claims (const void *left, const void *right)
+{
+  const Place *a = *(Place *const *) left, *b = *(Place *const *) right;
+  if (a->rank != b->rank)
+    return a->rank > b->rank ? -1 : 1;
+  if (a->count != b->count)
+    return a->count > b->count ? -1 : 1;
+  return a->first < b->first ? -1 : 1;
+}
+
+static double
+distance_to_segment (QnVec2 p, QnVec2 a, QnVec2 b, QnVec2 *foot)
+{
+  QnVec2 ab = qn_vec2_sub (b, a);
+  double square = qn_vec2_dot (ab, ab);
+  double s = square > 0 ? qn_vec2_dot (qn_vec2_sub (p, a), ab) / square : 0;
+  *foot = s <= 0 ? a : s >= 1 ? b : qn_vec2_lerp (a, b, s);
+  return qn_vec2_length (qn_vec2_sub (p, *foot));
+}
+
+static int
+rank_of (QnVec2 p, const QnRing *frame, double tolerance)
+{
+  int rank = 0;
+  for (size_t i = 0; frame != NULL && i < frame->count; i++) {
+    QnVec2 a = frame->points[i], b = frame->points[(i + 1) % frame->count], foot;
+    if (qn_vec2_length (qn_vec2_sub (p, a)) <= tolerance)
+      return 2;
+    if (distance_to_segment (p, a, b, &foot) <= tolerance)
+      rank = 1;
+  }
+  return rank;
+}
+
+static size_t
+vertex_total (const QnRings *rings)
+{
+  size_t total = 0;
+  for (size_t i = 0; i < rings->count; i++)
+    total += rings->items[i].count;
+  return total;
+}
+
+/* The distinct places of all vertices, sorted by coordinates. Returns their number. */
+static size_t
+collect_places (const QnRings *rings, Place *places)
+{
+  size_t n = 0;
+  for (size_t i = 0; i < rings->count; i++)
+    for (size_t k = 0; k < rings->items[i].count; k++, n++)
+      places[n] = (Place){ .at = rings->items[i].points[k], .first = n, .count = 1 };
+  qsort (places, n, sizeof *places, compare_places);
+  size_t distinct = 0;
+  for (size_t i = 0; i < n; i++) {
+    if (distinct > 0 && places[distinct - 1].at.x == places[i].at.x
+        && places[distinct - 1].at.y == places[i].at.y)
+      places[distinct - 1].count++;
+    else
+      places[distinct++] = places[i];
+  }
+  return distinct;
+}
+
+/* Every place, strongest claim first, takes the untaken ones around it. */
+static bool
+choose_targets (Place *places, size_t count, double tolerance)
+{
+  Place **order = qn_alloc (count, sizeof *order);
+  QnBox *boxes = qn_alloc (count, sizeof *boxes);
+  QnBoxTree tree = { 0 };
+  bool done = order != NULL && boxes != NULL;
+  for (size_t i = 0; done && i < count; i++) {
+    order[i] = &places[i];
+    places[i].target = SIZE_MAX;
+    boxes[i] = (QnBox){ places[i].at, places[i].at };
+  }
+  done = done && qn_box_tree_init (&tree, boxes, count);
+  if (done) {
+    qsort (order, count, sizeof (Place *), compare_claims);
+    for (size_t i = 0; i < count; i++) {
+      if (order[i]->target != SIZE_MAX)
+        continue;
+      QnBox around = qn_box_grow ((QnBox){ order[i]->at, order[i]->at }, tolerance);
+      QnBoxQuery query = qn_box_tree_query (&tree, around);
+      for (QnId k; (k = qn_box_query_next (&query)) != QN_NONE;)
+        if (places[k].target == SIZE_MAX
+            && qn_vec2_length (qn_vec2_sub (places[k].at, order[i]->at)) <= tolerance)
+          places[k].target = (size_t) (order[i] - places);
+    }
+  }
+  qn_box_tree_clear (&tree);
+  free (boxes);
+  free (order);
+  return done;
+}
+
+QnStatus
+qn_weld_vertices (QnRings *rings, double tolerance, const QnRing *frame,
+                  QnHealing *healing, QnDiag *diag)
+{
+  size_t total = vertex_total (rings);
+  if (total == 0)
+    return QN_OK;
+  Place *places = qn_alloc (total, sizeof *places);
+  if (places == NULL)
+    return qn_diag_no_memory (diag);
+  size_t count = collect_places (rings, places);
+  for (size_t i = 0; i < count; i++)
+    places[i].rank = rank_of (places[i].at, frame, NEGLIGIBLE * tolerance);
+  if (!choose_targets (places, count, tolerance)) {
+    free (places);
+    return qn_diag_no_memory (diag);
+  }
+  for (size_t i = 0; i < rings->count; i++) {
+    QnRing *ring = &rings->items[i];
+    bool moved = false;
+    for (size_t k = 0; k < ring->count; k++) {
+      Place key = { .at = ring->points[k], .first = 0 };
+      /* Places are sorted by coordinates first, and these are distinct. */
+      size_t low = 0, high = count;
+      while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        key.first = places[middle].first;
+        if (compare_places (&key, &places[middle]) < 0)
+          high = middle;
+        else
+          low = middle;
+      }
+      QnVec2 to = places[places[low].target].at;
+      if (to.x != ring->points[k].x || to.y != ring->points[k].y) {
+        note (healing, ring->points[k], to);
+        ring->points[k] = to;
+        moved = true;
+      }
+    }
+    if (moved)
+      qn_ring_simplify (ring, NEGLIGIBLE * tolerance);
+  }
+  free (places);
+  return QN_OK;
+}
+
+/* A box tree over the rings, each grown by the margin. */
+static bool
+ring_tree (const QnRings *rings, double margin, QnBoxTree *tree)
+{
+  QnBox *boxes = qn_alloc (rings->count, sizeof *boxes);
+  if (boxes == NULL)
+    return false;
+  for (size_t i = 0; i < rings->count; i++) {
+    QnBounds bounds = qn_ring_bounds (&rings->items[i]);
+    if (rings->items[i].count == 0)
+      bounds = (QnBounds){ { 0, 0 }, { 0, 0 } };
+    boxes[i] = qn_box_grow ((QnBox){ bounds.min, bounds.max }, margin);
+  }
+  bool done = qn_box_tree_init (tree, boxes, rings->count);
+  free (boxes);
+  return done;
+}
+
+/* Best place for `p` on the ring within *distance: vertices before edges. */
+static bool
+attract (QnVec2 p, const QnRing *ring, double tolerance, double *vertex_distance,
+         double *edge_distance, QnVec2 *vertex, QnVec2 *edge)
+{
+  bool found = false;
+  for (size_t i = 0; i < ring->count; i++) {
+    QnVec2 a = ring->points[i], b = ring->points[(i + 1) % ring->count], foot;
+    double to_vertex = qn_vec2_length (qn_vec2_sub (p, a));
+    if (to_vertex <= tolerance && to_vertex < *vertex_distance) {
+      *vertex_distance = to_vertex;
+      *vertex = a;
+      found = true;
+    }
+    double to_edge = distance_to_segment (p, a, b, &foot);
+    if (to_edge <= tolerance && to_edge < *edge_distance) {
+      *edge_distance = to_edge;
+      *edge = foot;
+      found = true;
+    }
+  }
+  return found;
+}
+
+/* Moves the vertices of ring `index` onto the rings before it. */
+static void
+fit_vertices (QnRings *rings, size_t index, const QnBoxTree *tree, double tolerance,
+              QnHealing *healing)
+{
+  QnRing *ring = &rings->items[index];
+  for (size_t k = 0; k < ring->count; k++) {
+    QnVec2 p = ring->points[k], vertex = p, edge = p;
+    double to_vertex = INFINITY, to_edge = INFINITY;
+    QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ p, p });
+    for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;)
+      if ((size_t) i < index)
+        attract (p, &rings->items[i], tolerance, &to_vertex, &to_edge, &vertex, &edge);
+    double way = isfinite (to_vertex) ? to_vertex : to_edge;
+    if (isfinite (way) && way > NEGLIGIBLE * tolerance) {
+      ring->points[k] = isfinite (to_vertex) ? vertex : edge;
+      note (healing, p, ring->points[k]);
+    }
+  }
+}
+
+static bool
+insert_vertex (QnRing *ring, size_t after, QnVec2 p)
+{
+  QnVec2 *grown = realloc (ring->points, (ring->count + 1) * sizeof *grown);
+  if (grown == NULL)
+    return false;
+  ring->points = grown;
+  for (size_t i = ring->count; i > after + 1; i--)
+    grown[i] = grown[i - 1];
+  grown[after + 1] = p;
+  ring->count++;
+  return true;
+}
+
+/* Lets the edges of ring `index` run through the vertices of earlier rings beside them. */
+static bool
+fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, double tolerance,
+           QnHealing *healing)
+{
+  QnRing *ring = &rings->items[index];
+  QnBounds bounds = qn_ring_bounds (ring);
+  QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ bounds.min, bounds.max });
+  for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
+    if ((size_t) i >= index)
+      continue;
+    const QnRing *other = &rings->items[i];
+    for (size_t v = 0; v < other->count; v++) {
+      QnVec2 p = other->points[v], foot;
+      for (size_t k = 0; k < ring->count; k++) {
+        QnVec2 a = ring->points[k], b = ring->points[(k + 1) % ring->count];
+        double way = distance_to_segment (p, a, b, &foot);
+        if (way > tolerance || way <= NEGLIGIBLE * tolerance
+            || qn_vec2_length (qn_vec2_sub (p, a)) <= tolerance
+            || qn_vec2_length (qn_vec2_sub (p, b)) <= tolerance)
+          continue;
+        if (!insert_vertex (ring, k, p))
+          return false;
+        note (healing, foot, p);
+        break;
+      }
+    }
+  }
+  return true;
+}
+
+QnStatus
+qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag *diag)
+{
+  if (rings->count == 0)
+    return QN_OK;
+  QnBoxTree tree = { 0 };
+  /* Rings move by up to the tolerance while others look for them. */
+  if (!ring_tree (rings, 2 * tolerance, &tree))
+    return qn_diag_no_memory (diag);
+  bool done = true;
+  for (size_t i = 0; i < rings->count && done; i++) {
+    QnHealing own = { 0 };
+    fit_vertices (rings, i, &tree, tolerance, &own);
+    done = fit_edges (rings, i, &tree, tolerance, &own);
+    if (own.count > 0)
+      qn_ring_simplify (&rings->items[i], NEGLIGIBLE * tolerance);
+    if (healing != NULL && own.count > 0) {
+      healing->count += own.count;
+      if (own.farthest > healing->farthest) {
+        healing->farthest = own.farthest;
+        healing->at = own.at;
+      }
+    }
+  }
+  qn_box_tree_clear (&tree);
+  return done ? QN_OK : qn_diag_no_memory (diag);
+}
+
+/* Length over which the edges ab and cd lie on each other in opposite directions. */
+static double
+edge_overlap (QnVec2 a, QnVec2 b, QnVec2 c, QnVec2 d, double tolerance)
+{
+  QnVec2 along = qn_vec2_sub (b, a);
+  double length = qn_vec2_length (along);
+  if (length == 0)
+    return 0;
+  along = qn_vec2_scale (1 / length, along);
+  QnVec2 ac = qn_vec2_sub (c, a), ad = qn_vec2_sub (d, a);
+  if (fabs (qn_vec2_cross (along, ac)) > tolerance
+      || fabs (qn_vec2_cross (along, ad)) > tolerance)
+    return 0;
+  double begin = fmax (0, qn_vec2_dot (along, ad));
+  double end = fmin (length, qn_vec2_dot (along, ac));
+  return fmax (0, end - begin);
+}
+
+double
+qn_joint_length (const QnRing *a, const QnRing *b, double tolerance)
+{
+  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), tolerance))
+    return 0;
+  double sum = 0;
+  for (size_t i = 0; i < a->count; i++)
+    for (size_t k = 0; k < b->count; k++)
+      sum += edge_overlap (a->points[i], a->points[(i + 1) % a->count], b->points[k],
+                           b->points[(k + 1) % b->count], tolerance);
+  return sum > tolerance ? sum : 0;
+}
+
+/* Joins ring `index` with its best neighbour; `merged` tells. */
+static QnStatus
+merge_ring (QnRings *rings, size_t index, const QnBoxTree *tree, double tolerance,
+            bool *merged, QnDiag *diag)
+{
+  QnRing *ring = &rings->items[index];
+  QnBounds bounds = qn_ring_bounds (ring);
+  QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ bounds.min, bounds.max });
+  double longest = 0;
+  size_t best = SIZE_MAX;
+  for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
+    double joint = (size_t) i == index || rings->items[i].count < 3
+                     ? 0
+                     : qn_joint_length (ring, &rings->items[i], tolerance);
+    if (joint > longest || (joint > 0 && joint == longest && (size_t) i < best)) {
+      longest = joint;
+      best = (size_t) i;
+    }
+  }
+  *merged = false;
+  if (best == SIZE_MAX)
+    return QN_OK;
+  QnRing pair[] = { rings->items[best], *ring }, joined;
+  QnDiag ignored;
+  QnStatus status = qn_polygons_union (&(QnRings){ pair, 2, 2 }, &joined, &ignored);
+  if (status == QN_ERROR_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  if (status == QN_OK) {
+    qn_ring_clear (&rings->items[best]);
+    rings->items[best] = joined;
+    *merged = true;
+  }
+  return QN_OK;
+}
+
+QnStatus
+qn_remove_slivers (QnRings *rings, double least_area, double least_width,
+                   QnHealing *healing, QnDiag *diag)
+{
+  if (rings->count == 0)
+    return QN_OK;
+  double tolerance = 1e-9 * qn_bounds_size (qn_rings_bounds (rings));
+  QnBoxTree tree = { 0 };
+  if (!ring_tree (rings, tolerance, &tree))
+    return qn_diag_no_memory (diag);
+  QnStatus status = QN_OK;
+  for (size_t i = 0; i < rings->count && status == QN_OK; i++) {
+    QnRing *ring = &rings->items[i];
+    double area = fabs (qn_ring_area (ring));
+    if (ring->count >= 3 && area >= least_area
+        && 2 * area >= least_width * qn_ring_perimeter (ring))
+      continue;
+    bool merged = false;
+    QnVec2 at = qn_ring_centroid (ring);
+    if (ring->count >= 3 && area > 0)
+      status = merge_ring (rings, i, &tree, tolerance, &merged, diag);
+    note (healing, at, at);
+    ring->count = 0;
+  }
+  qn_box_tree_clear (&tree);
+  if (status == QN_OK)
+    qn_drop_collapsed (rings);
+  return status;
+}
+
+size_t
+qn_drop_collapsed (QnRings *rings)
+{
+  size_t kept = 0;
+  for (size_t i = 0; i < rings->count; i++) {
+    if (rings->items[i].count >= 3) {
+      QnRing ring = rings->items[i];
+      rings->items[i] = (QnRing){ 0 };
+      rings->items[kept++] = ring;
+    } else {
+      qn_ring_clear (&rings->items[i]);
+    }
+  }
+  size_t dropped = rings->count - kept;
+  rings->count = kept;
+  return dropped;
+}

@@ -1,0 +1,44 @@
+/* Healing of polygons that should touch but miss each other by a little.
+ *
+ * All operations take a tolerance in m, do nothing to what fits already (coordinates keep every
+ * digit), are deterministic, and report what they did. Rings that collapse are left with
+ * fewer than three points, so that indices stay; qn_drop_collapsed() removes them.
+ */
+#ifndef QN_STEREOTOMY_WELD_H
+#define QN_STEREOTOMY_WELD_H
+
+#include "core/status.h"
+#include "stereotomy/ring.h"
+
+typedef struct QnHealing {
+  size_t count;    /* vertices moved or inserted, rings removed or merged */
+  double farthest; /* m: longest way a vertex went */
+  QnVec2 at;       /* where that was */
+} QnHealing;
+
+/* Vertices within the tolerance of each other become one. The place that most vertices already
+ * share wins (the one named first among equals), so a single stray end joins the others and
+ * not the other way round. Corners and then points on the boundary of `frame` (nullable) win over
+ * all others. `healing` (nullable) is added to. */
+QnStatus qn_weld_vertices (QnRings *rings, double tolerance, const QnRing *frame,
+                           QnHealing *healing, QnDiag *diag);
+
+/* Closes gaps and small overlaps: every ring is fitted to those before it in the list. Its
+ * vertices move to a vertex, else onto an edge of theirs, within the tolerance; where one of
+ * their vertices lies beside an edge of its own, that edge gets it as a vertex. */
+QnStatus qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing,
+                             QnDiag *diag);
+
+/* Rings smaller than `least_area` (m2) or nowhere wider than about `least_width` (m; area over
+ * half the perimeter) are joined with the neighbour that shares the longest joint; without
+ * one they are removed. */
+QnStatus qn_remove_slivers (QnRings *rings, double least_area, double least_width,
+                            QnHealing *healing, QnDiag *diag);
+
+/* Removes rings with fewer than three points. Returns how many there were. */
+size_t qn_drop_collapsed (QnRings *rings);
+
+/* Length over which the boundaries of two counter-clockwise rings lie on each other, m. */
+double qn_joint_length (const QnRing *a, const QnRing *b, double tolerance);
+
+#endif
