@@ -11,9 +11,6 @@ check_settings (const QnAnalysisSettings *settings, QnDiag *diag)
   if (settings->procedure != QN_PROCEDURE_LOAD)
     return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_PROCEDURE_UNSUPPORTED,
                         QN_ENTITY_ANALYSIS, QN_NONE, QN_NONE);
-  if (settings->geometry != QN_GEOMETRY_LINEAR)
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_GEOMETRY_UNSUPPORTED,
-                        QN_ENTITY_ANALYSIS, QN_NONE, QN_NONE);
   return QN_OK;
 }
 

@@ -13,17 +13,20 @@ allocate (QnAssembly *as)
 {
   size_t pairs = as->pair_count, n = (size_t) as->unknown_count;
 
-  as->geometry = qn_alloc (pairs, sizeof *as->geometry);
+  as->kinematics = qn_alloc (pairs, sizeof *as->kinematics);
   as->springs = qn_alloc (pairs, sizeof *as->springs);
   as->committed = qn_alloc (pairs, sizeof *as->committed);
   as->responses = qn_alloc (pairs, sizeof *as->responses);
   as->dead = qn_alloc (n, sizeof (double));
   as->live = qn_alloc (n, sizeof (double));
+  as->dead_at_rest = qn_alloc (n, sizeof (double));
+  as->live_at_rest = qn_alloc (n, sizeof (double));
   as->damping = qn_alloc (n, sizeof (double));
   as->diagonal = qn_alloc (n, sizeof *as->diagonal);
   as->scatter = qn_alloc (as->contacts->face_count * 36, sizeof *as->scatter);
-  return as->geometry && as->springs && as->committed && as->responses && as->dead
-         && as->live && as->damping && as->diagonal && as->scatter;
+  return as->kinematics && as->springs && as->committed && as->responses && as->dead
+         && as->live && as->dead_at_rest && as->live_at_rest && as->damping
+         && as->diagonal && as->scatter;
 }
 
 static bool
@@ -57,26 +60,6 @@ block_extent (const QnModel *model, QnId block, QnVec2 direction)
   return high - low;
 }
 
-/* d q / d u of a pair:  q = e . (u_B - u_A),  u_A = u_a + rz_a x r_A,  e = normal, tangent */
-static void
-pair_geometry (const QnAssembly *as, const QnContactFace *face, QnVec2 point,
-               QnPairGeometry *geometry)
-{
-  QnVec2 ra = qn_vec2_sub (point, as->model->blocks[face->a].centroid);
-  QnVec2 rb = qn_vec2_sub (point, as->model->blocks[face->b].centroid);
-  const QnVec2 axes[2] = { face->normal, face->tangent };
-
-  for (int i = 0; i < 2; i++) {
-    double *g = geometry->gradient[i];
-    g[0] = -axes[i].x;
-    g[1] = -axes[i].y;
-    g[2] = -qn_vec2_cross (ra, axes[i]) / as->length;
-    g[3] = axes[i].x;
-    g[4] = axes[i].y;
-    g[5] = qn_vec2_cross (rb, axes[i]) / as->length;
-  }
-}
-
 static void
 prepare_pairs (QnAssembly *as)
 {
@@ -92,7 +75,10 @@ prepare_pairs (QnAssembly *as)
     double side_a = 0.5 * block_extent (as->model, face->a, face->normal);
     double side_b = 0.5 * block_extent (as->model, face->b, face->normal);
 
-    pair_geometry (as, face, pair->point, &as->geometry[p]);
+    qn_pair_kinematics_init (
+      &as->kinematics[p], face->normal,
+      qn_vec2_sub (pair->point, as->model->blocks[face->a].centroid),
+      qn_vec2_sub (pair->point, as->model->blocks[face->b].centroid), as->length);
     as->springs[p] = qn_pair_springs (qn_spring_from_law (law_a, area, side_a),
                                       qn_spring_from_law (law_b, area, side_b));
   }
@@ -172,6 +158,37 @@ gather_loads (QnAssembly *as, QnDiag *diag)
   return QN_OK;
 }
 
+/* Lists the forces whose moment changes when their block turns. */
+static QnStatus
+list_eccentric_loads (QnAssembly *as, QnDiag *diag)
+{
+  const QnModel *model = as->model;
+
+  memcpy (as->dead_at_rest, as->dead, (size_t) as->unknown_count * sizeof *as->dead);
+  memcpy (as->live_at_rest, as->live, (size_t) as->unknown_count * sizeof *as->live);
+  as->eccentric =
+    qn_alloc (model->dead_load_count + model->live_load_count, sizeof *as->eccentric);
+  if (as->eccentric == NULL)
+    return qn_diag_no_memory (diag);
+
+  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
+    bool live = i >= model->dead_load_count;
+    const QnLoad *load =
+      live ? &model->live_loads[i - model->dead_load_count] : &model->dead_loads[i];
+    if (load->kind != QN_LOAD_FORCE || !load->has_at)
+      continue;
+    int32_t unknown = as->unknown[QN_DOF_COUNT * load->block + QN_DOF_RZ];
+    if (unknown != QN_NONE)
+      as->eccentric[as->eccentric_count++] = (QnEccentricLoad){
+        .unknown = unknown,
+        .live = live,
+        .arm = qn_vec2_sub (load->at, model->blocks[load->block].centroid),
+        .force = load->vector,
+      };
+  }
+  return QN_OK;
+}
+
 /* Diagonal of C: the mean normal stiffness of a pair, distributed like mass (like area where
  * nothing has weight), with the radius of gyration for rotations. */
 static void
@@ -213,6 +230,7 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
   *as = (QnAssembly){ .model = model,
                       .contacts = contacts,
                       .length = model->characteristic_length,
+                      .nonlinear = model->analysis.geometry == QN_GEOMETRY_NONLINEAR,
                       .pair_count = contacts->pair_count };
 
   if (!number_unknowns (as) || !allocate (as)) {
@@ -222,6 +240,8 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
   prepare_pairs (as);
   prepare_damping (as);
   QnStatus status = gather_loads (as, diag);
+  if (status == QN_OK)
+    status = list_eccentric_loads (as, diag);
   if (status == QN_OK)
     status = build_pattern (as, diag);
   if (status != QN_OK)
@@ -233,7 +253,10 @@ void
 qn_assembly_clear (QnAssembly *as)
 {
   free (as->unknown);
-  free (as->geometry);
+  free (as->kinematics);
+  free (as->dead_at_rest);
+  free (as->live_at_rest);
+  free (as->eccentric);
   free (as->springs);
   free (as->committed);
   free (as->responses);
@@ -257,11 +280,27 @@ gather_displacements (const double *u, const int32_t unknowns[6], double v[6])
     v[i] = unknowns[i] == QN_NONE ? 0 : u[unknowns[i]];
 }
 
-bool
-qn_assembly_evaluate (QnAssembly *as, const double *u)
+/* Moments of forces on blocks that have turned: their arms turn with them. */
+static void
+update_eccentric_loads (QnAssembly *as, const double *u)
 {
-  bool ok = true;
+  size_t bytes = (size_t) as->unknown_count * sizeof *as->dead;
 
+  memcpy (as->dead, as->dead_at_rest, bytes);
+  memcpy (as->live, as->live_at_rest, bytes);
+  for (size_t i = 0; i < as->eccentric_count; i++) {
+    QnEccentricLoad *load = &as->eccentric[i];
+    double rz = u[load->unknown] / as->length;
+    load->turned = qn_vec2_rotate (load->arm, cos (rz), sin (rz));
+    QnVec2 moved = qn_vec2_sub (load->turned, load->arm);
+    double *loads = load->live ? as->live : as->dead;
+    loads[load->unknown] += qn_vec2_cross (moved, load->force) / as->length;
+  }
+}
+
+void
+qn_assembly_update_kinematics (QnAssembly *as, const double *u)
+{
   for (size_t f = 0; f < as->contacts->face_count; f++) {
     const QnContactFace *face = &as->contacts->faces[f];
     int32_t unknowns[6];
@@ -270,16 +309,25 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
     face_unknowns (as, face, unknowns);
     gather_displacements (u, unknowns, v);
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-      double (*g)[6] = as->geometry[p].gradient;
-      double q[2] = { 0, 0 };
-
-      for (int i = 0; i < 6; i++) {
-        q[0] += g[0][i] * v[i];
-        q[1] += g[1][i] * v[i];
-      }
-      ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], q, &as->responses[p]);
+      if (as->nonlinear)
+        qn_pair_kinematics_update (&as->kinematics[p], v);
+      else
+        qn_pair_kinematics_update_linear (&as->kinematics[p], v);
     }
   }
+  if (as->nonlinear)
+    update_eccentric_loads (as, u);
+}
+
+bool
+qn_assembly_evaluate (QnAssembly *as, const double *u)
+{
+  bool ok = true;
+
+  qn_assembly_update_kinematics (as, u);
+  for (size_t p = 0; p < as->pair_count; p++)
+    ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p],
+                            as->kinematics[p].elongation, &as->responses[p]);
   return ok;
 }
 
@@ -298,7 +346,7 @@ qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
     double forces[6] = { 0 };
 
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-      double (*g)[6] = as->geometry[p].gradient;
+      double (*g)[6] = as->kinematics[p].gradient;
       const double *force = as->responses[p].force;
       for (int i = 0; i < 6; i++)
         forces[i] += g[0][i] * force[0] + g[1][i] * force[1]; /* P = G' f */
@@ -312,26 +360,21 @@ qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
 }
 
 double
-qn_assembly_gap (const QnAssembly *as, size_t pair, const double *u,
-                 const QnPairMemory *memory)
+qn_assembly_gap (const QnAssembly *as, size_t pair)
 {
-  int32_t unknowns[6];
-  double v[6], gap = -memory[pair].a.opening;
+  const QnPairMemory *memory = &as->committed[pair];
+  double gap = as->kinematics[pair].elongation[0] - memory->a.opening;
 
-  face_unknowns (as, &as->contacts->faces[as->contacts->pairs[pair].face], unknowns);
-  gather_displacements (u, unknowns, v);
-  for (int i = 0; i < 6; i++)
-    gap += as->geometry[pair].gradient[0][i] * v[i];
-  return as->springs[pair].equal ? gap : gap - memory[pair].b.opening;
+  return as->springs[pair].equal ? gap : gap - memory->b.opening;
 }
 
-/* kf = sum over the face's pairs of G' D G */
+/* kf = sum over the face's pairs of G' D G, plus the geometric stiffness */
 static void
 face_tangent (const QnAssembly *as, const QnContactFace *face, double kf[6][6])
 {
   memset (kf, 0, 36 * sizeof (double));
   for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-    double (*g)[6] = as->geometry[p].gradient;
+    double (*g)[6] = as->kinematics[p].gradient;
     double (*d)[2] = as->responses[p].tangent;
 
     for (int j = 0; j < 6; j++) {
@@ -340,11 +383,25 @@ face_tangent (const QnAssembly *as, const QnContactFace *face, double kf[6][6])
       for (int i = 0; i < 6; i++)
         kf[i][j] += g[0][i] * n + g[1][i] * t;
     }
+    if (as->nonlinear)
+      qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force, kf);
+  }
+}
+
+/* A force at the arm r of a block that turns loses -d(r x F)/drz = r . F of its moment. */
+static void
+add_load_stiffness (QnAssembly *as, double multiplier)
+{
+  for (size_t i = 0; i < as->eccentric_count; i++) {
+    const QnEccentricLoad *load = &as->eccentric[i];
+    double factor = (load->live ? multiplier : 1) / (as->length * as->length);
+    as->ax[as->diagonal[load->unknown]] +=
+      factor * qn_vec2_dot (load->turned, load->force);
   }
 }
 
 void
-qn_assembly_tangent (QnAssembly *as, double viscosity)
+qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
 {
   memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
   for (size_t f = 0; f < as->contacts->face_count; f++) {
@@ -358,6 +415,8 @@ qn_assembly_tangent (QnAssembly *as, double viscosity)
   }
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->ax[as->diagonal[i]] += viscosity * as->damping[i];
+  if (as->nonlinear)
+    add_load_stiffness (as, multiplier);
 }
 
 void

@@ -16,29 +16,39 @@
 #include "core/contact-pair.h"
 #include "core/contacts.h"
 #include "core/model.h"
+#include "core/pair-kinematics.h"
 #include "core/result.h"
 
-/* Gradient of the elongation of a pair with respect to the six unknowns of its blocks. */
-typedef struct QnPairGeometry {
-  double gradient[2][6]; /* [normal, tangential][a: ux uy L rz, b: ux uy L rz] */
-} QnPairGeometry;
+/* A force that acts away from the centroid of its block: in nonlinear geometry its arm turns. */
+typedef struct QnEccentricLoad {
+  int32_t unknown; /* rotation of the block */
+  bool live;
+  QnVec2 arm;    /* undeformed, m */
+  QnVec2 turned; /* the arm at the last evaluation */
+  QnVec2 force;  /* N */
+} QnEccentricLoad;
 
 typedef struct QnAssembly {
   const QnModel *model;
   const QnContacts *contacts;
-  double length; /* L, m */
+  double length;  /* L, m */
+  bool nonlinear; /* equilibrium in the deformed configuration */
 
   int32_t unknown_count;
   int32_t *unknown; /* block_count x 3: index of the unknown, or QN_NONE where fixed */
 
   size_t pair_count;
-  QnPairGeometry *geometry;
+  QnPairKinematics *kinematics; /* of the last evaluation */
   QnPairSprings *springs;
   QnPairMemory *committed;   /* from which every evaluation starts */
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
 
-  double *dead, *live; /* loads on the unknowns, N */
-  double *damping;     /* diagonal of C, N/m: see qn_assembly_tangent() */
+  double *dead,
+    *live; /* loads on the unknowns, N; in nonlinear geometry of the last evaluation */
+  double *dead_at_rest, *live_at_rest;
+  QnEccentricLoad *eccentric;
+  size_t eccentric_count;
+  double *damping; /* diagonal of C, N/m: see qn_assembly_tangent() */
   double
     force_scale; /* largest dead load on a block, or live load where there is none, N */
 
@@ -59,22 +69,26 @@ void qn_assembly_clear (QnAssembly *assembly);
  * internal iteration failed. */
 bool qn_assembly_evaluate (QnAssembly *assembly, const double *u);
 
+/* Brings the kinematics of pairs and loads to displacements u, without evaluating forces: for
+ * taking up responses that were kept from an earlier evaluation at u. */
+void qn_assembly_update_kinematics (QnAssembly *assembly, const double *u);
+
 /* residual = F_dead + multiplier F_live - P of the last evaluation. Returns the largest load on
  * any unknown at this multiplier (at least force_scale), N, to measure the residual by. */
 double qn_assembly_residual (const QnAssembly *assembly, double multiplier,
                              double *residual);
 
-/* Assembles ax = K + viscosity C of the last evaluation. C is a diagonal of stiffness size,
- * distributed over the blocks like their mass. */
-void qn_assembly_tangent (QnAssembly *assembly, double viscosity);
+/* Assembles ax = K + viscosity C of the last evaluation, K = -dR/du at this multiplier (which
+ * matters in nonlinear geometry only). C is a diagonal of stiffness size, distributed over the
+ * blocks like their mass. */
+void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
 
 /* Accepts the last evaluation as the state from which further ones start. */
 void qn_assembly_commit (QnAssembly *assembly);
 
-/* Opening of a pair at displacements u, beyond what `memory` holds of dilatancy, m: positive
- * where the joint is open. */
-double qn_assembly_gap (const QnAssembly *assembly, size_t pair, const double *u,
-                        const QnPairMemory *memory);
+/* Opening of a pair at the last evaluation, beyond what the committed memory holds of
+ * dilatancy, m: positive where the joint is open. */
+double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
 
 /* Displacements of blocks (block_count x 3: m, m, rad) from unknowns. */
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,

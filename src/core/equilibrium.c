@@ -28,6 +28,7 @@ qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
   const QnAssembly *as = &eq->assembly;
 
   memcpy (state->u, eq->u, (size_t) as->unknown_count * sizeof *eq->u);
+  state->multiplier = eq->multiplier;
   memcpy (state->memory, as->committed, as->pair_count * sizeof *as->committed);
   memcpy (state->responses, as->responses, as->pair_count * sizeof *as->responses);
 }
@@ -38,16 +39,17 @@ qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state)
   QnAssembly *as = &eq->assembly;
 
   memcpy (eq->u, state->u, (size_t) as->unknown_count * sizeof *eq->u);
+  eq->multiplier = state->multiplier;
   memcpy (as->committed, state->memory, as->pair_count * sizeof *as->committed);
   memcpy (as->responses, state->responses, as->pair_count * sizeof *as->responses);
+  qn_assembly_update_kinematics (as, eq->u);
 }
 
 void
-qn_equilibrium_commit (QnEquilibrium *eq, double multiplier)
+qn_equilibrium_commit (QnEquilibrium *eq)
 {
   qn_assembly_commit (&eq->assembly);
   qn_equilibrium_save (eq, &eq->committed);
-  eq->committed_multiplier = multiplier;
 }
 
 void
@@ -69,10 +71,12 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
     return status;
 
   const QnAssembly *as = &eq->assembly;
-  double **vectors[] = { &eq->u, &eq->residual, &eq->step, &eq->trial, &eq->velocity };
+  double **vectors[] = { &eq->u,     &eq->residual,  &eq->step,
+                         &eq->trial, &eq->live_step, &eq->velocity };
   eq->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai);
   eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
-  bool ok = eq->linsys != NULL && eq->factored_phases != NULL;
+  eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);
+  bool ok = eq->linsys != NULL && eq->factored_phases != NULL && eq->gaps != NULL;
   for (size_t i = 0; i < QN_N_ELEMENTS (vectors); i++) {
     *vectors[i] = qn_alloc ((size_t) as->unknown_count, sizeof (double));
     ok &= *vectors[i] != NULL;
@@ -94,6 +98,8 @@ qn_equilibrium_clear (QnEquilibrium *eq)
   free (eq->residual);
   free (eq->step);
   free (eq->trial);
+  free (eq->live_step);
+  free (eq->gaps);
   free (eq->velocity);
   free (eq->factored_phases);
   state_clear (&eq->committed);

@@ -1,5 +1,5 @@
 /* Workspace of the equilibrium solver: semismooth Newton with a line search, and relaxation
- * across jumps, at a given load multiplier.
+ * across jumps, towards a multiplier or another target.
  *
  * The workspace always holds one committed equilibrium (displacements, multiplier, memory of
  * the pairs). The solving functions try to go on from there and leave their outcome as the
@@ -27,24 +27,48 @@ typedef enum {
  * goes astray. */
 typedef struct QnEquilibriumState {
   double *u;
+  double multiplier;
   QnPairMemory *memory;
   QnPairResponse *responses;
 } QnEquilibriumState;
+
+/* What closes the system of equations besides equilibrium: a prescribed multiplier, or a linear
+ * combination of displacements and multiplier that has advanced by a given amount since the
+ * committed state:
+ *
+ *   direction . (u - committed.u) + weight (lambda - committed lambda) = advance
+ *
+ * A unit direction prescribes one displacement, the live load prescribes its work, the tangent
+ * of the path a length along it. */
+typedef struct QnTarget {
+  const double *direction; /* NULL: `multiplier` is prescribed */
+  double weight;
+  double advance;
+  double multiplier;
+} QnTarget;
+
+static inline QnTarget
+qn_target_multiplier (double multiplier)
+{
+  return (QnTarget){ .multiplier = multiplier };
+}
 
 typedef struct QnEquilibrium {
   QnAssembly assembly;
   QnLinsys *linsys;
   double tolerance; /* largest out-of-balance, relative to the loads */
 
-  double *u;        /* current displacements */
-  double *residual; /* of the last evaluation, viscous part included */
-  double *step;     /* Newton direction */
-  double *trial;    /* u + alpha step */
-  double *velocity; /* of the last viscous step, m per unit of time */
+  double *u;         /* current displacements */
+  double multiplier; /* current multiplier, lambda */
+  double *residual;  /* of the last evaluation, viscous part included */
+  double *step;      /* Newton direction */
+  double *trial;     /* u + alpha step */
+  double *live_step; /* K \\ F_live: displacements per multiplier */
+  double *gaps;      /* of the pairs before the viscous step, m */
+  double *velocity;  /* of the last viscous step, m per unit of time */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
   QnEquilibriumState anchor;    /* where the viscous step started */
-  double committed_multiplier;
 
   int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
   double factored_viscosity;
@@ -66,28 +90,28 @@ void qn_equilibrium_clear (QnEquilibrium *eq);
 
 /* Newton iterations from the current displacements towards
  *
- *   R(u, multiplier) - viscosity C (u - anchor.u) = 0
+ *   R(u, lambda) - viscosity C (u - anchor.u) = 0
  *
- * with at most `budget` iterations. Viscosity 0 gives static equilibrium. */
-QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, double multiplier,
+ * and the target, with at most `budget` iterations. Viscosity 0 gives static equilibrium. */
+QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
                                      double viscosity, int budget);
 
 /* Overwrites b with K \ b, K the static tangent of the current state. CONVERGED, FAILED (K is
  * singular; b is unchanged) or NO_MEMORY. */
 QnSolveStatus qn_equilibrium_apply_tangent_inverse (QnEquilibrium *eq, double *b);
 
-/* Lets the structure move from the current state at a fixed multiplier, with viscosity that
+/* Lets the structure move from the current state while the target holds, with viscosity that
  * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
  * with eq->velocity). FAILED when neither is certain after `budget` viscous steps. */
-QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, double multiplier, int budget);
+QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target,
+                                    int budget);
 
 /* Copies the current state into `state`, or makes `state` the current one. */
 void qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state);
 void qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state);
 
-/* Accepts the current state as the equilibrium at this multiplier, or goes back to the last
- * accepted one. */
-void qn_equilibrium_commit (QnEquilibrium *eq, double multiplier);
+/* Accepts the current state as an equilibrium, or goes back to the last accepted one. */
+void qn_equilibrium_commit (QnEquilibrium *eq);
 void qn_equilibrium_restore (QnEquilibrium *eq);
 
 #endif

@@ -1,6 +1,7 @@
 /* Semismooth Newton iteration with a backtracking line search on the out-of-balance forces. */
 #include "core/clock.h"
 #include "core/equilibrium.h"
+#include "core/tolerance.h"
 
 #include <string.h>
 
@@ -10,49 +11,77 @@
 /* Decrease of the residual asked for, as a fraction of what a linear system would give. */
 #define SUFFICIENT_DECREASE 1e-4
 
-/* residual = R(u) - viscosity C (u - anchor); returns its 2-norm, or infinity where a pair
- * could not be evaluated. *relative gets the largest entry relative to the loads. */
+/* One solution in progress. */
+typedef struct {
+  QnEquilibrium *eq;
+  const QnTarget *target;
+  double viscosity;
+  double stiffness; /* force that the target's equation is worth per unit, N or N/m */
+  double norm;      /* of residual and target together, N */
+  double relative;  /* largest entry of the residual relative to the loads */
+  double multiplier_step; /* that belongs to eq->step */
+} Newton;
+
+/* What the target lacks at displacements u and a multiplier. */
 static double
-measure (QnEquilibrium *eq, const double *u, double multiplier, double viscosity,
-         double *relative)
+target_gap (const Newton *newton, const double *u, double multiplier)
 {
+  const QnEquilibrium *eq = newton->eq;
+  const QnTarget *target = newton->target;
+  double gap = target->advance - target->weight * (multiplier - eq->committed.multiplier);
+
+  if (target->direction == NULL)
+    return 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    gap -= target->direction[i] * (u[i] - eq->committed.u[i]);
+  return fabs (gap) > QN_TOLERANCE_TARGET * fabs (target->advance) ? gap : 0;
+}
+
+/* residual = R(u, multiplier) - viscosity C (u - anchor), from the forces of the last
+ * evaluation; sets norm and relative. */
+static void
+measure (Newton *newton, const double *u, double multiplier)
+{
+  QnEquilibrium *eq = newton->eq;
   QnAssembly *as = &eq->assembly;
   double start = qn_clock_seconds ();
   double scale = qn_assembly_residual (as, multiplier, eq->residual);
-  double sum = 0, largest = 0, largest_static = 0;
+  double gap = newton->stiffness * target_gap (newton, u, multiplier);
+  double sum = gap * gap, largest = fabs (gap), largest_static = 0;
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
     largest_static = fmax (largest_static, fabs (eq->residual[i]));
-    eq->residual[i] -= viscosity * as->damping[i] * (u[i] - eq->anchor.u[i]);
+    eq->residual[i] -= newton->viscosity * as->damping[i] * (u[i] - eq->anchor.u[i]);
     largest = fmax (largest, fabs (eq->residual[i]));
     sum += eq->residual[i] * eq->residual[i];
   }
   eq->out_of_balance = scale > 0 ? largest_static / scale : 0;
-  *relative = scale > 0 ? largest / scale : 0;
+  newton->relative = scale > 0 ? largest / scale : 0;
+  newton->norm = sqrt (sum);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
-  return sqrt (sum);
 }
 
-static double
-evaluate (QnEquilibrium *eq, const double *u, double multiplier, double viscosity,
-          double *relative)
+static void
+evaluate (Newton *newton, const double *u, double multiplier)
 {
+  QnEquilibrium *eq = newton->eq;
   double start = qn_clock_seconds ();
   bool evaluated = qn_assembly_evaluate (&eq->assembly, u);
 
   eq->statistics.law_seconds += qn_clock_seconds () - start;
-  if (!evaluated)
-    return INFINITY;
-  return measure (eq, u, multiplier, viscosity, relative);
+  if (evaluated)
+    measure (newton, u, multiplier);
+  else
+    newton->norm = INFINITY;
 }
 
 /* Factorises the tangent unless it is the one that is factorised already: the tangent depends
- * on the phases of the pairs and the viscosity only. */
+ * on the phases of the pairs and the viscosity only, as long as geometry is linear. */
 static QnFactorStatus
 factorize (QnEquilibrium *eq, double viscosity)
 {
   QnAssembly *as = &eq->assembly;
-  bool same = eq->factored && eq->factored_viscosity == viscosity;
+  bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear;
 
   for (size_t p = 0; p < as->pair_count; p++) {
     same = same && eq->factored_phases[p] == as->responses[p].phase;
@@ -62,7 +91,7 @@ factorize (QnEquilibrium *eq, double viscosity)
     return QN_FACTOR_OK;
 
   double start = qn_clock_seconds ();
-  qn_assembly_tangent (as, viscosity);
+  qn_assembly_tangent (as, eq->multiplier, viscosity);
   double assembled = qn_clock_seconds ();
   QnFactorStatus status = qn_linsys_factor (eq->linsys, as->ax);
   eq->statistics.assembly_seconds += assembled - start;
@@ -84,37 +113,76 @@ go_on (QnEquilibrium *eq)
   return !eq->cancelled;
 }
 
-/* Moves along the Newton direction by the largest power of 1/2 that decreases the residual.
- * Returns the new norm, or a negative number where none does. */
-static double
-line_search (QnEquilibrium *eq, double multiplier, double viscosity, double norm,
-             double *relative)
+/* step = K \\ residual, and for a target other than the multiplier the bordered system
+ *
+ *   K step - F_live multiplier_step             = residual
+ *   direction . step + weight multiplier_step   = gap                                      */
+static void
+solve_direction (Newton *newton)
 {
+  QnEquilibrium *eq = newton->eq;
+  const QnTarget *target = newton->target;
+  int32_t n = eq->assembly.unknown_count;
+  size_t bytes = (size_t) n * sizeof (double);
+  double start = qn_clock_seconds ();
+
+  memcpy (eq->step, eq->residual, bytes);
+  qn_linsys_solve (eq->linsys, eq->step);
+  newton->multiplier_step = 0;
+  if (target->direction != NULL) {
+    double along_step = 0, along_live = target->weight, load = 0;
+    memcpy (eq->live_step, eq->assembly.live, bytes);
+    qn_linsys_solve (eq->linsys, eq->live_step);
+    for (int32_t i = 0; i < n; i++) {
+      along_step += target->direction[i] * eq->step[i];
+      along_live += target->direction[i] * eq->live_step[i];
+      load = fmax (load, fabs (eq->assembly.live[i]));
+    }
+    double gap = target_gap (newton, eq->u, eq->multiplier);
+    if (along_live != 0)
+      newton->multiplier_step = (gap - along_step) / along_live;
+    newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
+    for (int32_t i = 0; i < n; i++)
+      eq->step[i] += newton->multiplier_step * eq->live_step[i];
+  }
+  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+}
+
+/* Moves along the Newton direction by the largest power of 1/2 that decreases the residual
+ * below `norm`; false where none does. */
+static bool
+line_search (Newton *newton, double norm)
+{
+  QnEquilibrium *eq = newton->eq;
   int32_t n = eq->assembly.unknown_count;
 
   for (double alpha = 1; alpha >= SHORTEST_STEP; alpha /= 2) {
+    double multiplier = eq->multiplier + alpha * newton->multiplier_step;
     for (int32_t i = 0; i < n; i++)
       eq->trial[i] = eq->u[i] + alpha * eq->step[i];
-    double tried = evaluate (eq, eq->trial, multiplier, viscosity, relative);
-    if (tried <= (1 - SUFFICIENT_DECREASE * alpha) * norm) {
+    evaluate (newton, eq->trial, multiplier);
+    if (newton->norm <= (1 - SUFFICIENT_DECREASE * alpha) * norm) {
       memcpy (eq->u, eq->trial, (size_t) n * sizeof *eq->u);
-      return tried;
+      eq->multiplier = multiplier;
+      return true;
     }
   }
-  return -1;
+  return false;
 }
 
 QnSolveStatus
-qn_equilibrium_newton (QnEquilibrium *eq, double multiplier, double viscosity, int budget)
+qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosity,
+                       int budget)
 {
-  int32_t n = eq->assembly.unknown_count;
-  double relative;
-  double norm = measure (eq, eq->u, multiplier, viscosity, &relative);
+  Newton newton = { .eq = eq, .target = target, .viscosity = viscosity, .stiffness = 1 };
 
+  if (target->direction == NULL)
+    eq->multiplier = target->multiplier;
+  measure (&newton, eq->u, eq->multiplier);
   for (int iteration = 0;; iteration++) {
-    if (relative <= eq->tolerance)
+    if (newton.relative <= eq->tolerance)
       return QN_SOLVE_CONVERGED;
-    if (iteration == budget || !isfinite (norm))
+    if (iteration == budget || !isfinite (newton.norm))
       return QN_SOLVE_FAILED;
     if (!go_on (eq))
       return QN_SOLVE_CANCELLED;
@@ -127,16 +195,10 @@ qn_equilibrium_newton (QnEquilibrium *eq, double multiplier, double viscosity, i
     case QN_FACTOR_NO_MEMORY:
       return QN_SOLVE_NO_MEMORY;
     }
-    memcpy (eq->step, eq->residual, (size_t) n * sizeof *eq->step);
-    double start = qn_clock_seconds ();
-    qn_linsys_solve (eq->linsys, eq->step); /* step = K \ residual */
-    eq->statistics.factor_seconds += qn_clock_seconds () - start;
-
+    solve_direction (&newton);
     /* The first step is free: it takes pairs across the corner they rest in, which costs
      * balance before it gains. */
-    norm = line_search (eq, multiplier, viscosity, iteration == 0 ? INFINITY : norm,
-                        &relative);
-    if (norm < 0)
+    if (!line_search (&newton, iteration == 0 ? INFINITY : newton.norm))
       return QN_SOLVE_FAILED;
   }
 }

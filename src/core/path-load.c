@@ -74,7 +74,7 @@ looks_for_limit_point (const LoadControl *control)
 static double
 choose_target (const LoadControl *control)
 {
-  double lower = control->path->equilibrium.committed_multiplier;
+  double lower = control->path->equilibrium.committed.multiplier;
   double upper = control->upper;
 
   if (!isfinite (upper))
@@ -96,7 +96,7 @@ look_closer (LoadControl *control, double target)
   QnEquilibrium *eq = &control->path->equilibrium;
 
   control->explored = fmax (control->explored, target);
-  control->increment = 0.5 * (target - eq->committed_multiplier);
+  control->increment = 0.5 * (target - eq->committed.multiplier);
   qn_equilibrium_restore (eq);
 }
 
@@ -143,7 +143,7 @@ note_limit_point (LoadControl *control)
   QnResult *result = control->path->result;
 
   result->has_first_limit_multiplier = true;
-  result->first_limit_multiplier = control->path->equilibrium.committed_multiplier;
+  result->first_limit_multiplier = control->path->equilibrium.committed.multiplier;
   control->jumped = true;
   if (control->path->settings->snap == QN_SNAP_STOP) {
     result->outcome = QN_OUTCOME_SNAP;
@@ -158,7 +158,7 @@ note_limit_point (LoadControl *control)
 static bool
 passes_limit_check (LoadControl *control, double target, bool easy)
 {
-  double increment = target - control->path->equilibrium.committed_multiplier;
+  double increment = target - control->path->equilibrium.committed.multiplier;
   bool known = compute_rate (control, control->rate_at_end) == QN_SOLVE_CONVERGED;
 
   if (easy || (known && !is_discontinuous (control, increment)))
@@ -179,10 +179,11 @@ passes_limit_check (LoadControl *control, double target, bool easy)
 static QnSolveStatus
 attempt (LoadControl *control, double target, bool *cut)
 {
+  const QnTarget goal = qn_target_multiplier (target);
   QnEquilibrium *eq = &control->path->equilibrium;
-  double increment = target - eq->committed_multiplier,
+  double increment = target - eq->committed.multiplier,
          unit = resolution (control, target);
-  QnSolveStatus status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET);
   bool seen = target <= control->explored || isfinite (control->upper);
 
   control->relaxed = status == QN_SOLVE_FAILED;
@@ -193,7 +194,7 @@ attempt (LoadControl *control, double target, bool *cut)
 
   qn_equilibrium_restore (eq);
   return qn_equilibrium_relax (
-    eq, target, increment > 3 * unit ? QN_RELAX_BUDGET_HINT : QN_RELAX_BUDGET);
+    eq, &goal, increment > 3 * unit ? QN_RELAX_BUDGET_HINT : QN_RELAX_BUDGET);
 }
 
 /* No equilibrium found at `target`, which bounds the collapse multiplier from above. The power
@@ -225,7 +226,7 @@ static QnStatus
 consider (LoadControl *control, double target, int32_t iterations, QnDiag *diag)
 {
   QnPath *path = control->path;
-  double increment = target - path->equilibrium.committed_multiplier;
+  double increment = target - path->equilibrium.committed.multiplier;
   bool easy = !control->relaxed && iterations <= EASY;
 
   if (looks_for_limit_point (control) && !passes_limit_check (control, target, easy))
@@ -293,7 +294,7 @@ conclude (LoadControl *control, QnDiag *diag)
   }
   result->outcome = QN_OUTCOME_COLLAPSE;
   result->has_collapse_multiplier = true;
-  result->collapse_multiplier = path->equilibrium.committed_multiplier;
+  result->collapse_multiplier = path->equilibrium.committed.multiplier;
   result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
   if (looks_for_limit_point (control)) {
     result->has_first_limit_multiplier = true;
@@ -311,7 +312,7 @@ close_bracket (LoadControl *control, QnDiag *diag)
     return conclude (control, diag);
 
   control->doubted = control->upper;
-  control->increment = control->upper - control->path->equilibrium.committed_multiplier;
+  control->increment = control->upper - control->path->equilibrium.committed.multiplier;
   control->upper = INFINITY;
   control->guess = NAN;
   return QN_OK;
@@ -326,7 +327,7 @@ run (LoadControl *control, QnDiag *diag)
   if (compute_rate (control, control->rate) == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
   while (status == QN_OK && !control->finished) {
-    double bracket = control->upper - eq->committed_multiplier;
+    double bracket = control->upper - eq->committed.multiplier;
     if (isfinite (bracket) && bracket <= resolution (control, control->upper))
       status = close_bracket (control, diag);
     else

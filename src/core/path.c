@@ -40,7 +40,8 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
                   .residual = eq->out_of_balance,
                   .event = event };
 
-  qn_equilibrium_commit (eq, multiplier);
+  eq->multiplier = multiplier;
+  qn_equilibrium_commit (eq);
   path->iterations_at_step = eq->statistics.iterations;
   eq->progress.multiplier = multiplier;
   eq->progress.steps++;
@@ -106,11 +107,12 @@ QnStatus
 qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
-  QnSolveStatus solve = qn_equilibrium_newton (eq, 0, 0, QN_NEWTON_BUDGET);
+  const QnTarget target = qn_target_multiplier (0);
+  QnSolveStatus solve = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
 
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
-    solve = qn_equilibrium_relax (eq, 0, QN_RELAX_BUDGET);
+    solve = qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET);
   }
   *stands = solve == QN_SOLVE_CONVERGED;
 

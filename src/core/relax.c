@@ -40,6 +40,14 @@ typedef struct {
   double change;    /* of the velocity in the last step, relative */
 } Relaxation;
 
+static void
+begin_step (QnEquilibrium *eq)
+{
+  qn_equilibrium_save (eq, &eq->anchor);
+  for (size_t p = 0; p < eq->assembly.pair_count; p++)
+    eq->gaps[p] = qn_assembly_gap (&eq->assembly, p);
+}
+
 /* velocity = (u - anchor) / time step; its change since the last step, in the norm of C. */
 static void
 update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
@@ -81,20 +89,33 @@ will_close (const QnEquilibrium *eq, double time_step)
   double horizon = RUNAWAY / elastic_displacements (eq, true);
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    double gap = qn_assembly_gap (as, p, eq->u, as->committed);
-    double before = qn_assembly_gap (as, p, eq->anchor.u, eq->anchor.memory);
-    if (gap > 0 && gap * time_step < (before - gap) * horizon)
+    double gap = qn_assembly_gap (as, p);
+    if (gap > 0 && gap * time_step < (eq->gaps[p] - gap) * horizon)
       return true;
   }
   return false;
 }
 
-/* Whether the structure moves on for good after a converged step. */
+/* Largest motion since the committed state, m. */
+static double
+largest_motion (const QnEquilibrium *eq)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    largest = fmax (largest, fabs (eq->u[i] - eq->committed.u[i]));
+  return largest;
+}
+
+/* Whether the structure moves on for good after a converged step. In nonlinear geometry a
+ * block that has moved by its own size without coming to rest has fallen. */
 static bool
 is_mechanism (const QnEquilibrium *eq, const Relaxation *relaxation)
 {
   double time_step = 1 / relaxation->viscosity;
 
+  if (eq->assembly.nonlinear)
+    return largest_motion (eq) > eq->assembly.length;
   if (elastic_displacements (eq, false) > RUNAWAY)
     return true;
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
@@ -102,16 +123,16 @@ is_mechanism (const QnEquilibrium *eq, const Relaxation *relaxation)
 }
 
 QnSolveStatus
-qn_equilibrium_relax (QnEquilibrium *eq, double multiplier, int budget)
+qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
 {
   Relaxation relaxation = { .viscosity = FIRST_VISCOSITY };
 
   memset (eq->velocity, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->velocity);
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
-    qn_equilibrium_save (eq, &eq->anchor);
+    begin_step (eq);
     QnSolveStatus status =
-      qn_equilibrium_newton (eq, multiplier, relaxation.viscosity, NEWTON_BUDGET);
+      qn_equilibrium_newton (eq, target, relaxation.viscosity, NEWTON_BUDGET);
 
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;

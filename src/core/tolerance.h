@@ -29,6 +29,9 @@
  * the first increment: a structure that stands under no live load at all has multiplier 0. */
 #define QN_TOLERANCE_MULTIPLIER_FLOOR 1e-2
 
+/* A prescribed displacement, work or length is met to this part of its advance. */
+#define QN_TOLERANCE_TARGET 1e-10
+
 /* A matrix whose pivots differ by more than this is singular to working precision. */
 #define QN_TOLERANCE_SINGULAR 1e-15
 

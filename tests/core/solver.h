@@ -35,4 +35,19 @@ solver_clear (Solver *solver)
   qn_model_clear (&solver->model);
 }
 
+/* Newton, or relaxation, at a multiplier. */
+static inline QnSolveStatus
+newton (QnEquilibrium *eq, double multiplier)
+{
+  const QnTarget target = qn_target_multiplier (multiplier);
+  return qn_equilibrium_newton (eq, &target, 0, 20);
+}
+
+static inline QnSolveStatus
+relax (QnEquilibrium *eq, double multiplier)
+{
+  const QnTarget target = qn_target_multiplier (multiplier);
+  return qn_equilibrium_relax (eq, &target, 300);
+}
+
 #endif

@@ -22,14 +22,48 @@ entry (const QnAssembly *as, int32_t row, int32_t column)
   return 0;
 }
 
+/* A dead and a live force away from a centroid: their moments change when the block turns. */
+static void
+add_eccentric_loads (QnModel *model)
+{
+  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
+  for (int live = 0; live < 2; live++) {
+    QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+    *load = (QnLoad){ .kind = QN_LOAD_FORCE,
+                      .vector = qn_vec2 (4e6, -7e6),
+                      .block = 3 + live,
+                      .has_at = true,
+                      .at = qn_vec2 (0.31, 0.9) };
+  }
+}
+
+/* Adds a rotation of every free block about the origin: large, and nearly rigid. */
+static void
+turn_everything (const Solver *solver, double angle, double *u)
+{
+  const QnAssembly *as = &solver->equilibrium.assembly;
+  for (size_t b = 0; b < solver->model.block_count; b++) {
+    QnVec2 c = solver->model.blocks[b].centroid;
+    QnVec2 move = qn_vec2_sub (qn_vec2_rotate (c, cos (angle), sin (angle)), c);
+    const double motion[3] = { move.x, move.y, angle * as->length };
+    for (int i = 0; i < 3; i++)
+      if (as->unknown[3 * b + (size_t) i] != QN_NONE)
+        u[as->unknown[3 * b + (size_t) i]] += motion[i];
+  }
+}
+
 /* K against central differences of R, column by column, on a wall in a random state. Columns
  * whose difference straddles a change of phase are left out, and must be few. */
 static void
-check_tangent (double dilatancy)
+check_tangent (double dilatancy, QnGeometry geometry)
 {
+  const double multiplier = 0.3;
   QnModel model;
   Solver solver;
   test_model_init_wall (&model, 3, dilatancy);
+  model.analysis.geometry = geometry;
+  if (geometry == QN_GEOMETRY_NONLINEAR)
+    add_eccentric_loads (&model);
   solver_init (&solver, &model);
   QnAssembly *as = &solver.equilibrium.assembly;
   int32_t n = as->unknown_count;
@@ -40,8 +74,10 @@ check_tangent (double dilatancy)
   int checked = 0;
 
   random_displacements (as, random, u);
+  if (geometry == QN_GEOMETRY_NONLINEAR)
+    turn_everything (&solver, 0.8, u);
   g_assert_true (qn_assembly_evaluate (as, u));
-  qn_assembly_tangent (as, 0);
+  qn_assembly_tangent (as, multiplier, 0);
   for (size_t p = 0; p < as->pair_count; p++)
     phases[p] = as->responses[p].phase;
 
@@ -51,7 +87,7 @@ check_tangent (double dilatancy)
     for (int side = 0; side < 2; side++) {
       u[j] = kept + (side ? -h : h);
       g_assert_true (qn_assembly_evaluate (as, u));
-      qn_assembly_residual (as, 0, side ? minus : plus);
+      qn_assembly_residual (as, multiplier, side ? minus : plus);
       for (size_t p = 0; p < as->pair_count; p++)
         same = same && phases[p] == as->responses[p].phase;
     }
@@ -77,13 +113,19 @@ check_tangent (double dilatancy)
 static void
 test_tangent_non_associative (void)
 {
-  check_tangent (0);
+  check_tangent (0, QN_GEOMETRY_LINEAR);
 }
 
 static void
 test_tangent_associative (void)
 {
-  check_tangent (0.65);
+  check_tangent (0.65, QN_GEOMETRY_LINEAR);
+}
+
+static void
+test_tangent_nonlinear (void)
+{
+  check_tangent (0, QN_GEOMETRY_NONLINEAR);
 }
 
 /* A rigid motion of everything strains nothing. */
@@ -158,6 +200,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/assembly/tangent/non-associative", test_tangent_non_associative);
   g_test_add_func ("/assembly/tangent/associative", test_tangent_associative);
+  g_test_add_func ("/assembly/tangent/nonlinear", test_tangent_nonlinear);
   g_test_add_func ("/assembly/rigid-motion", test_rigid_motion);
   g_test_add_func ("/assembly/evaluation-has-no-memory", test_evaluation_has_no_memory);
   return g_test_run ();
