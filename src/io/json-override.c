@@ -26,30 +26,36 @@ parse_path (const char *override, const char **value)
   return NULL;
 }
 
-/* The value that a step leads to, or NULL; objects that are missing are added. */
+/* Whether a step can lead into `container` at all. */
+static gboolean
+has_place (const cJSON *container, const QnJsonStep *step)
+{
+  if (step->key != NULL)
+    return cJSON_IsObject (container);
+  return cJSON_IsArray (container) && (int) step->index < cJSON_GetArraySize (container);
+}
+
+/* The value that a step leads to; an object that is missing is added. NULL when out of memory. */
 static cJSON *
 descend (cJSON *container, const QnJsonStep *step)
 {
   if (step->key == NULL)
-    return cJSON_IsArray (container) ? cJSON_GetArrayItem (container, (int) step->index)
-                                     : NULL;
-  if (!cJSON_IsObject (container))
-    return NULL;
+    return cJSON_GetArrayItem (container, (int) step->index);
   cJSON *member = cJSON_GetObjectItemCaseSensitive (container, step->key);
   return member != NULL ? member : cJSON_AddObjectToObject (container, step->key);
 }
 
-/* Puts `value` (owned) where the last step says. */
+/* Puts `value` (owned) where the last step says; FALSE when out of memory. */
 static gboolean
 place (cJSON *container, const QnJsonStep *step, cJSON *value)
 {
-  gboolean placed = FALSE;
-  if (step->key == NULL && cJSON_IsArray (container))
+  gboolean placed;
+  if (step->key == NULL)
     placed = cJSON_ReplaceItemInArray (container, (int) step->index, value);
-  else if (step->key != NULL && cJSON_IsObject (container))
-    placed = cJSON_GetObjectItemCaseSensitive (container, step->key) != NULL
-               ? cJSON_ReplaceItemInObjectCaseSensitive (container, step->key, value)
-               : cJSON_AddItemToObject (container, step->key, value);
+  else if (cJSON_GetObjectItemCaseSensitive (container, step->key) != NULL)
+    placed = cJSON_ReplaceItemInObjectCaseSensitive (container, step->key, value);
+  else
+    placed = cJSON_AddItemToObject (container, step->key, value);
   if (!placed)
     cJSON_Delete (value);
   return placed;
@@ -78,33 +84,42 @@ fail (GError **error, int code, const char *override, const char *message)
   return FALSE;
 }
 
+/* Follows the path and sets the value; returns the code of what went wrong, or -1. */
+static int
+apply (cJSON *root, const GArray *path, const char *text)
+{
+  cJSON *container = root;
+  for (guint i = 0; i < path->len; i++) {
+    const QnJsonStep *step = &g_array_index (path, QnJsonStep, i);
+    if (!has_place (container, step))
+      return QN_IO_ERROR_INVALID;
+    if (i + 1 < path->len) {
+      container = descend (container, step);
+    } else {
+      cJSON *value = parse_value (text);
+      return value != NULL && place (container, step, value) ? -1 : QN_IO_ERROR_NO_MEMORY;
+    }
+    if (container == NULL)
+      return QN_IO_ERROR_NO_MEMORY;
+  }
+  g_assert_not_reached ();
+}
+
 gboolean
 qn_json_override (cJSON *root, const char *override, GError **error)
 {
   const char *text;
-  GArray *path = parse_path (override, &text);
-  if (path == NULL || !g_utf8_validate (override, -1, NULL)) {
-    g_clear_pointer (&path, g_array_unref);
+  GArray *path =
+    g_utf8_validate (override, -1, NULL) ? parse_path (override, &text) : NULL;
+  if (path == NULL)
     return fail (error, QN_IO_ERROR_OVERRIDE, override,
                  _ ("an override has the form path=value"));
-  }
-
-  cJSON *container = root;
-  for (guint i = 0; i + 1 < path->len && container != NULL; i++)
-    container = descend (container, &g_array_index (path, QnJsonStep, i));
-  cJSON *value = parse_value (text);
-  gboolean placed =
-    value != NULL && container != NULL
-    && place (container, &g_array_index (path, QnJsonStep, path->len - 1), value);
-  if (container == NULL)
-    cJSON_Delete (value);
+  int code = apply (root, path, text);
   g_array_unref (path);
 
-  if (value == NULL)
-    return fail (error, QN_IO_ERROR_NO_MEMORY, override, _ ("not enough memory"));
-  return placed
-         || fail (error, QN_IO_ERROR_INVALID, override,
-                  _ ("the project has no such place"));
+  if (code == QN_IO_ERROR_NO_MEMORY)
+    return fail (error, code, override, _ ("not enough memory"));
+  return code < 0 || fail (error, code, override, _ ("the project has no such place"));
 }
 
 char *

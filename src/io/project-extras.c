@@ -1,26 +1,51 @@
 #include "io/project-extras.h"
 
 #include "io/io-error.h"
+#include "io/json-parse.h"
+#include "io/json-text.h"
 
-#include <cjson/cJSON.h>
-#include <glib/gi18n.h>
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+/* The value of a JSON text, or NULL with an error that starts with the member's name. */
+static cJSON *
+parse_member (const char *member, const char *json, GError **error)
+{
+  QnJsonProblem problem;
+  cJSON *value = qn_json_parse (json, strlen (json), &problem);
+  if (value == NULL && problem.no_memory)
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", member,
+                 _ ("not enough memory"));
+  else if (value == NULL)
+    g_propagate_error (error, qn_json_problem_to_error (&problem, member, json));
+  g_free (problem.path);
+  return value;
+}
 
 cJSON *
 qn_project_extras_with (const QnProject *project, const char *member, const char *json,
                         GError **error)
 {
-  cJSON *value = json != NULL ? cJSON_Parse (json) : NULL;
-  if (json != NULL && value == NULL) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, _ ("%s: not JSON"), member);
+  cJSON *value = json != NULL ? parse_member (member, json, error) : NULL;
+  if (json != NULL && value == NULL)
     return NULL;
-  }
+
   cJSON *extras = project->extras != NULL ? cJSON_Duplicate (project->extras, 1)
                                           : cJSON_CreateObject ();
-  if (value == NULL)
+  gboolean done = extras != NULL;
+  if (done && value == NULL)
     cJSON_DeleteItemFromObjectCaseSensitive (extras, member);
-  else if (!cJSON_ReplaceItemInObjectCaseSensitive (extras, member, value))
-    cJSON_AddItemToObject (extras, member, value);
-  return extras;
+  else if (done)
+    done = cJSON_ReplaceItemInObjectCaseSensitive (extras, member, value)
+           || cJSON_AddItemToObject (extras, member, value);
+  if (done)
+    return extras;
+
+  cJSON_Delete (value);
+  cJSON_Delete (extras);
+  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", member,
+               _ ("not enough memory"));
+  return NULL;
 }
 
 void
@@ -33,8 +58,9 @@ char *
 qn_project_dup_extra (const QnProject *project, const char *member)
 {
   const cJSON *value = cJSON_GetObjectItemCaseSensitive (project->extras, member);
-  char *printed = value != NULL ? cJSON_PrintUnformatted (value) : NULL;
-  char *json = g_strdup (printed);
-  cJSON_free (printed);
-  return json;
+  if (value == NULL)
+    return NULL;
+  GString *json = g_string_new (NULL);
+  qn_json_append_value (json, value, 0);
+  return g_string_free (json, FALSE);
 }

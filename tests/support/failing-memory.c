@@ -1,7 +1,8 @@
 #include "support/failing-memory.h"
 
 #include <SuiteSparse_config.h>
-#include <stddef.h>
+#include <cjson/cJSON.h>
+#include <stdlib.h>
 
 static long next_failure = -1;
 static bool all_after, has_failed;
@@ -52,6 +53,7 @@ failing_memory_arm (long number, bool onwards)
   SuiteSparse_config.malloc_func = __wrap_malloc;
   SuiteSparse_config.calloc_func = __wrap_calloc;
   SuiteSparse_config.realloc_func = __wrap_realloc;
+  cJSON_InitHooks (&(cJSON_Hooks){ .malloc_fn = __wrap_malloc, .free_fn = free });
   next_failure = number;
   all_after = onwards;
   has_failed = false;

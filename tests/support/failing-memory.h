@@ -1,8 +1,8 @@
 /* Makes allocations fail on purpose, to walk every path that has no memory.
  *
  * Link with failing_memory_link_args: they turn malloc, calloc and realloc of everything that is
- * linked statically (our own code) into the functions here. SuiteSparse, which is shared, is
- * given them through its configuration. GLib is left alone, as it ends the program when memory
+ * linked statically (our own code) into the functions here. SuiteSparse and cJSON, which are
+ * shared, are given them through their configuration. GLib is left alone, as it ends the program when memory
  * runs out. */
 #ifndef TESTS_SUPPORT_FAILING_MEMORY_H
 #define TESTS_SUPPORT_FAILING_MEMORY_H

@@ -1,12 +1,14 @@
-/* Every allocation of one whole cycle (read, detect, solve, write, clear) fails once, alone and
+/* Every allocation of one whole cycle (read, override, detect, solve, write, read the result,
+ * check it, clear) fails once, alone and
  * with all after it: no crash, no leak (the sanitizers look), and either the answer or a
  * refusal for want of memory. */
 #include "core/analysis.h"
 #include "io/io-error.h"
-#include "io/result-file.h"
+#include "io/result-check.h"
 #include "support/failing-memory.h"
 
 #include <glib.h>
+#include <glib/gstdio.h>
 #include <string.h>
 
 /* Two blocks and a wall on a ground, so that walls, faces of several kinds and a path with
@@ -25,6 +27,59 @@ static const char text[] =
   "  \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },\n"
   "\"analysis\": { \"increments\": 4, \"multiplier_tolerance\": 0.01 } }\n";
 
+/* Where the cycle writes its result. */
+static char *result_path;
+
+/* Overrides take the way through the tree of the document. */
+static const char *const overrides[] = { "analysis.snap=jump", "view.zoom=[1, 2]",
+                                         "laws[0].cohesion=0", NULL };
+
+static bool
+is_refusal (GError *error)
+{
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY);
+  g_error_free (error);
+  return true;
+}
+
+/* Reads the written result and checks it without the solver; false where memory was refused. */
+static bool
+read_back (const QnProject *project, double multiplier)
+{
+  QnResultFile file;
+  QnResultCheck check;
+  GError *error = NULL;
+  if (!qn_result_file_read (result_path, &file, &error))
+    return !is_refusal (error);
+  g_assert_cmpfloat (file.result.collapse_multiplier, ==, multiplier);
+  bool checked = qn_result_check (&file, project, &check, &error) || !is_refusal (error);
+  if (checked)
+    g_assert_cmpfloat (check.out_of_balance, <, 1e-6);
+  qn_result_file_clear (&file);
+  return checked;
+}
+
+/* Detects, solves and writes; false where memory was refused. */
+static bool
+solve (const QnProject *project, QnContacts *contacts, QnResult *result)
+{
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+  QnStatus status = qn_contacts_detect (&project->model, contacts, &diag);
+  if (status == QN_OK)
+    status = qn_contacts_require_sound (&project->model, contacts, &diag);
+  if (status == QN_OK)
+    status = qn_analysis_run (&project->model, contacts, NULL, NULL, result, &diag);
+  if (status != QN_OK) {
+    g_assert_cmpint (status, ==, QN_ERROR_NO_MEMORY);
+    g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_MEMORY);
+    return false;
+  }
+  g_assert_cmpint (result->outcome, ==, QN_OUTCOME_COLLAPSE);
+  return qn_result_file_write (result_path, project, contacts, result, &error)
+         || !is_refusal (error);
+}
+
 /* What a cycle came to: the multiplier, or -1 where memory was refused. */
 static double
 run_cycle (void)
@@ -32,31 +87,16 @@ run_cycle (void)
   QnProject project = { 0 };
   QnContacts contacts = { 0 };
   QnResult result = { 0 };
-  QnDiag diag = { 0 };
   GError *error = NULL;
 
-  if (!qn_project_parse (text, strlen (text), "wall.quoin", NULL, &project, &error)) {
-    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY);
-    g_error_free (error);
+  if (!qn_project_parse (text, strlen (text), "wall.quoin", overrides, &project,
+                         &error)) {
+    is_refusal (error);
     return -1;
   }
-  QnStatus status = qn_contacts_detect (&project.model, &contacts, &diag);
-  if (status == QN_OK)
-    status = qn_contacts_require_sound (&project.model, &contacts, &diag);
-  if (status == QN_OK)
-    status = qn_analysis_run (&project.model, &contacts, NULL, NULL, &result, &diag);
-
-  double multiplier = -1;
-  if (status != QN_OK) {
-    g_assert_cmpint (status, ==, QN_ERROR_NO_MEMORY);
-    g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_MEMORY);
-  } else if (!qn_result_file_write ("/dev/null", &project, &contacts, &result, &error)) {
-    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY);
-    g_error_free (error);
-  } else {
-    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
-    multiplier = result.collapse_multiplier;
-  }
+  bool done = solve (&project, &contacts, &result)
+              && read_back (&project, result.collapse_multiplier);
+  double multiplier = done ? result.collapse_multiplier : -1;
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
   qn_project_clear (&project);
@@ -101,5 +141,14 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/verify/out-of-memory/one", test_one_fails);
   g_test_add_func ("/verify/out-of-memory/onwards", test_all_fail_from_one_on);
-  return g_test_run ();
+  GError *error = NULL;
+  char *folder = g_dir_make_tmp ("quoin-XXXXXX", &error);
+  g_assert_no_error (error);
+  result_path = g_build_filename (folder, "result.json", NULL);
+  int failed = g_test_run ();
+  g_remove (result_path);
+  g_rmdir (folder);
+  g_free (result_path);
+  g_free (folder);
+  return failed;
 }
