@@ -143,6 +143,93 @@ test_invariance (void)
   g_rand_free (random);
 }
 
+/* A rectangle cut by random straight lines, cell after cell, into convex pieces that fill it:
+ * T-joints at every angle, slivers, corners of many valences. */
+typedef struct {
+  QnVec2 v[64];
+  size_t count;
+} Piece;
+
+/* The part of a piece to the left of the line through `p` along `u`. */
+static Piece
+part_left_of (const Piece *piece, QnVec2 p, QnVec2 u)
+{
+  Piece part = { .count = 0 };
+  for (size_t i = 0; i < piece->count; i++) {
+    QnVec2 from = piece->v[i], to = piece->v[(i + 1) % piece->count];
+    double left_from = qn_vec2_cross (u, qn_vec2_sub (from, p));
+    double left_to = qn_vec2_cross (u, qn_vec2_sub (to, p));
+    if (left_from >= 0)
+      part.v[part.count++] = from;
+    if ((left_from > 0 && left_to < 0) || (left_from < 0 && left_to > 0))
+      part.v[part.count++] = qn_vec2_lerp (from, to, left_from / (left_from - left_to));
+  }
+  return part;
+}
+
+static void
+fill_with_pieces (QnModel *model, size_t wanted, GRand *random)
+{
+  Piece *pieces = g_new0 (Piece, wanted);
+  pieces[0] = (Piece){ { { 0, 0 }, { 10, 0 }, { 10, 6 }, { 0, 6 } }, 4 };
+  for (size_t count = 1; count < wanted; count++) {
+    size_t i = (size_t) g_rand_int_range (random, 0, (gint32) count);
+    QnVec2 middle = { 0, 0 };
+    for (size_t v = 0; v < pieces[i].count; v++)
+      middle =
+        qn_vec2_add_scaled (middle, 1.0 / (double) pieces[i].count, pieces[i].v[v]);
+    double angle = g_rand_double_range (random, 0, G_PI);
+    QnVec2 u = { cos (angle), sin (angle) };
+    Piece whole = pieces[i];
+    pieces[i] = part_left_of (&whole, middle, u);
+    pieces[count] = part_left_of (&whole, middle, qn_vec2_scale (-1, u));
+  }
+  for (size_t i = 0; i < wanted; i++) {
+    char *name = g_strdup_printf ("p%zu", i);
+    QnBlock *block = qn_model_add_block (model, name, pieces[i].v, pieces[i].count);
+    block->thickness = 1;
+    block->support[QN_DOF_UY] = i == 0;
+    g_free (name);
+  }
+  g_free (pieces);
+}
+
+/* Pieces that fill a rectangle: every piece of boundary is a joint of two blocks or outside, so
+ * the faces account for all perimeters; nothing overlaps, gapes, floats or stands on a point. */
+static void
+test_faces_account_for_all_boundaries (void)
+{
+  GRand *random = g_rand_new_with_seed (17);
+  for (int round = 0; round < 40; round++) {
+    QnModel model;
+    QnContacts contacts;
+    test_model_init (&model);
+    model.contact.tolerance = 1e-9; /* pieces may be small against the median */
+    fill_with_pieces (&model, 150, random);
+    test_model_rotate (&model, round);
+    test_detect (&model, &contacts);
+
+    double joints = 0, perimeters = 0;
+    for (size_t i = 0; i < contacts.face_count; i++)
+      joints += contacts.faces[i].length;
+    for (size_t i = 0; i < model.block_count; i++) {
+      const QnVec2 *v = qn_model_block_vertices (&model, (QnId) i);
+      size_t count = (size_t) model.blocks[i].vertex_count;
+      for (size_t j = 0; j < count; j++)
+        perimeters += qn_vec2_length (qn_vec2_sub (v[(j + 1) % count], v[j]));
+    }
+    g_assert_cmpfloat_with_epsilon (2 * joints + 32, perimeters, 1e-6);
+    g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCKS_OVERLAP), ==, 0);
+    g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_NEAR_MISS_OVERLAP), ==,
+                      0);
+    g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_POINT_CONTACT), ==, 0);
+    g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCK_FLOATING), ==, 0);
+    qn_contacts_clear (&contacts);
+    qn_model_clear (&model);
+  }
+  g_rand_free (random);
+}
+
 static void
 test_repeatable (void)
 {
@@ -215,6 +302,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/contacts/published-walls", test_published_walls);
   g_test_add_func ("/contacts/invariance", test_invariance);
+  g_test_add_func ("/contacts/all-boundaries", test_faces_account_for_all_boundaries);
   g_test_add_func ("/contacts/repeatable", test_repeatable);
   g_test_add_func ("/contacts/require-sound-order", test_require_sound_order);
   g_test_add_func ("/contacts/hundred-thousand-blocks", test_hundred_thousand_blocks);
