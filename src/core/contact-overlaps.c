@@ -5,6 +5,9 @@
 
 #include <stdlib.h>
 
+/* Blocks with more sides than this are searched through the tree. */
+#define FEW_SIDES 32
+
 typedef struct {
   double *items;
   size_t count, capacity;
@@ -27,6 +30,52 @@ compare_numbers (const void *a, const void *b)
 {
   double left = *(const double *) a, right = *(const double *) b;
   return (left > right) - (left < right);
+}
+
+/* The sides of one block that meet a box. Blocks of few sides are looked through; the others,
+ * a ground of thousands of vertices, are asked through the tree. */
+typedef struct {
+  const QnContactSearch *search;
+  QnId block;
+  QnBox box;
+  size_t next, end;
+  bool by_tree;
+  QnBoxQuery query;
+} SideWalk;
+
+static size_t
+side_count (const QnContactSearch *search, QnId block)
+{
+  return search->sides.first[block + 1] - search->sides.first[block];
+}
+
+static SideWalk
+walk_sides (const QnContactSearch *search, QnId block, QnBox box)
+{
+  SideWalk walk = { .search = search, .block = block, .box = box };
+  walk.by_tree = side_count (search, block) > FEW_SIDES;
+  walk.next = search->sides.first[block];
+  walk.end = search->sides.first[block + 1];
+  if (walk.by_tree)
+    walk.query = qn_box_tree_query (&search->side_tree, box);
+  return walk;
+}
+
+static const QnSide *
+next_side (SideWalk *walk)
+{
+  const QnContactSearch *search = walk->search;
+  QnId side;
+  while (walk->by_tree && (side = qn_box_query_next (&walk->query)) != QN_NONE) {
+    if (search->sides.items[side].block == walk->block)
+      return &search->sides.items[side];
+  }
+  while (!walk->by_tree && walk->next < walk->end) {
+    size_t i = walk->next++;
+    if (qn_box_meets (search->side_boxes[i], walk->box))
+      return &search->sides.items[i];
+  }
+  return NULL;
 }
 
 /* How far block b reaches behind the sides of the convex block a: the least over these sides of
@@ -55,28 +104,53 @@ typedef struct {
   QnVec2 at;
 } Deepest;
 
-static void
-try_point (const QnContactSearch *search, QnId block, QnVec2 point, Deepest *deepest)
+static bool
+is_inside (const QnContactSearch *search, QnId block, QnVec2 point)
 {
-  const QnModel *model = search->model;
-  double depth = qn_polygon_depth (qn_model_block_vertices (model, block),
-                                   (size_t) model->blocks[block].vertex_count, point);
-  if (depth > deepest->depth)
+  bool inside = false;
+  QnBox ray =
+    qn_box_of_segment (point, qn_vec2 (search->block_boxes[block].max.x, point.y));
+  SideWalk walk = walk_sides (search, block, ray);
+  const QnSide *side;
+  while ((side = next_side (&walk)) != NULL) {
+    QnVec2 p = qn_vec2_sub (side->start, point), q = qn_vec2_sub (side->end, point);
+    if ((p.y > 0) != (q.y > 0) && (qn_vec2_cross (p, q) > 0) == (q.y > p.y))
+      inside = !inside;
+  }
+  return inside;
+}
+
+/* Notes a point of `other` if it lies deeper in `block` than those before. An overlap cannot be
+ * deeper than the other block is wide, so the search for the nearest side ends there. */
+static void
+try_point (const QnContactSearch *search, QnId block, QnId other, QnVec2 point,
+           Deepest *deepest)
+{
+  QnBox width = search->block_boxes[other];
+  double depth = fmin (width.max.x - width.min.x, width.max.y - width.min.y);
+  SideWalk walk =
+    walk_sides (search, block, qn_box_grow ((QnBox){ point, point }, depth));
+  const QnSide *side;
+  while ((side = next_side (&walk)) != NULL && depth > deepest->depth)
+    depth = fmin (depth, qn_segment_distance (side->start, side->end, point));
+  if (depth > deepest->depth && is_inside (search, block, point))
     *deepest = (Deepest){ depth, point };
 }
 
-/* Cuts a side where it meets the boundary of `block` and tries the middle of every piece: a
- * piece lies inside or outside as a whole. */
+/* Cuts a side of `other` where it meets the boundary of `block` and tries the middle of every
+ * piece: a piece lies inside or outside as a whole. */
 static bool
 try_side (const QnContactSearch *search, const QnSide *side, QnId block, Numbers *cuts,
           Deepest *deepest)
 {
-  const QnSides *sides = &search->sides;
   cuts->count = 0;
   bool done = add_number (cuts, 0) && add_number (cuts, side->length);
-  for (size_t j = sides->first[block]; j < sides->first[block + 1] && done; j++) {
-    QnVec2 p = qn_vec2_sub (sides->items[j].start, side->start);
-    QnVec2 q = qn_vec2_sub (sides->items[j].end, side->start);
+  QnBox box = qn_box_grow (qn_box_of_segment (side->start, side->end), search->tolerance);
+  SideWalk walk = walk_sides (search, block, box);
+  const QnSide *cutter;
+  while (done && (cutter = next_side (&walk)) != NULL) {
+    QnVec2 p = qn_vec2_sub (cutter->start, side->start);
+    QnVec2 q = qn_vec2_sub (cutter->end, side->start);
     double left_p = qn_vec2_cross (side->direction, p);
     double left_q = qn_vec2_cross (side->direction, q);
     double at = NAN;
@@ -93,10 +167,10 @@ try_side (const QnContactSearch *search, const QnSide *side, QnId block, Numbers
   qsort (cuts->items, cuts->count, sizeof *cuts->items, compare_numbers);
   for (size_t i = 0; i + 1 < cuts->count; i++) {
     double middle = (cuts->items[i] + cuts->items[i + 1]) / 2;
-    try_point (search, block, qn_vec2_add_scaled (side->start, middle, side->direction),
-               deepest);
+    try_point (search, block, side->block,
+               qn_vec2_add_scaled (side->start, middle, side->direction), deepest);
   }
-  try_point (search, block, side->start, deepest);
+  try_point (search, block, side->block, side->start, deepest);
   return true;
 }
 
@@ -105,10 +179,10 @@ static bool
 try_boundary (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
               Deepest *deepest)
 {
-  const QnSides *sides = &search->sides;
-  for (size_t i = sides->first[a]; i < sides->first[a + 1]; i++) {
-    if (qn_box_meets (search->side_boxes[i], search->block_boxes[b])
-        && !try_side (search, &sides->items[i], b, cuts, deepest))
+  SideWalk walk = walk_sides (search, a, search->block_boxes[b]);
+  const QnSide *side;
+  while ((side = next_side (&walk)) != NULL) {
+    if (!try_side (search, side, b, cuts, deepest))
       return false;
   }
   return true;
@@ -120,13 +194,23 @@ try_inner_point (const QnContactSearch *search, QnId a, QnId b, Deepest *deepest
   const QnModel *model = search->model;
   QnVec2 inner = qn_polygon_inner_point (qn_model_block_vertices (model, a),
                                          (size_t) model->blocks[a].vertex_count);
-  Deepest own = { 0, inner };
-  try_point (search, a, inner, &own);
-  Deepest other = { 0, inner };
-  try_point (search, b, inner, &other);
+  Deepest own = { 0, inner }, other = { 0, inner };
+  try_point (search, a, b, inner, &own);
+  try_point (search, b, a, inner, &other);
   double depth = fmin (own.depth, other.depth);
   if (depth > deepest->depth)
     *deepest = (Deepest){ depth, inner };
+}
+
+/* Whether two blocks fill the same box, up to what may pass unnoticed on either. */
+static bool
+fill_same_box (const QnContactSearch *search, QnId a, QnId b)
+{
+  QnBox left = search->block_boxes[a], right = search->block_boxes[b];
+  double most =
+    fmax (fmax (fabs (left.min.x - right.min.x), fabs (left.min.y - right.min.y)),
+          fmax (fabs (left.max.x - right.max.x), fabs (left.max.y - right.max.y)));
+  return most <= 4 * search->tolerance;
 }
 
 /* Depth and place of the overlap of two blocks of any shape, depth 0 where they do not overlap.
@@ -139,7 +223,7 @@ find_deepest (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
   if (!try_boundary (search, a, b, cuts, deepest)
       || !try_boundary (search, b, a, cuts, deepest))
     return false;
-  if (deepest->depth <= search->tolerance)
+  if (deepest->depth <= search->tolerance && fill_same_box (search, a, b))
     try_inner_point (search, a, b, deepest);
   return true;
 }
@@ -148,10 +232,11 @@ static bool
 check_pair (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
             QnFindings *findings)
 {
+  bool small = side_count (search, a) * side_count (search, b) <= FEW_SIDES * FEW_SIDES;
   double depth = INFINITY;
-  if (search->convex[a])
+  if (small && search->convex[a])
     depth = reach_behind_sides (search, a, b, search->tolerance);
-  if (search->convex[b] && depth > search->tolerance)
+  if (small && search->convex[b] && depth > search->tolerance)
     depth = fmin (depth, reach_behind_sides (search, b, a, search->tolerance));
   if (depth <= search->tolerance)
     return true;
@@ -160,7 +245,7 @@ check_pair (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
   if (!find_deepest (search, a, b, cuts, &deepest))
     return false;
   /* For two convex blocks the separating axes know the depth exactly. */
-  if (!search->convex[a] || !search->convex[b])
+  if (!small || !search->convex[a] || !search->convex[b])
     depth = deepest.depth;
   if (depth <= search->tolerance)
     return true;

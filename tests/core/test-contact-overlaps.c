@@ -209,6 +209,52 @@ test_against_sampling (void)
   g_rand_free (random);
 }
 
+/* A ground of thousands of vertices under thousands of stones, some of them sunk: found as among
+ * few, and in no time (all pairs would be 1e8). */
+static void
+test_rough_ground (void)
+{
+  enum { TEETH = 2500, STONES = 2500 };
+  QnModel model;
+  QnContacts contacts;
+  QnVec2 *ground = g_new (QnVec2, 4 * TEETH + 2);
+  /* Teeth 1 wide and 0.5 high, 1 apart, from right to left. */
+  for (int i = 0; i < TEETH; i++) {
+    double x = 2.0 * (TEETH - 1 - i);
+    ground[4 * i] = qn_vec2 (x + 1.5, 0);
+    ground[4 * i + 1] = qn_vec2 (x + 1.5, 0.5);
+    ground[4 * i + 2] = qn_vec2 (x + 0.5, 0.5);
+    ground[4 * i + 3] = qn_vec2 (x + 0.5, 0);
+  }
+  ground[4 * TEETH] = qn_vec2 (0, -5);
+  ground[4 * TEETH + 1] = qn_vec2 (2.0 * TEETH, -5);
+
+  test_model_init (&model);
+  QnBlock *block = qn_model_add_block (&model, "ground", ground, 4 * TEETH + 2);
+  block->thickness = 1;
+  block->support[0] = true;
+  for (int i = 0; i < STONES; i++) {
+    char name[16];
+    g_snprintf (name, sizeof name, "s%d", i);
+    double sunk = i % 10 == 0 ? 0.1 : 0;
+    test_model_add_rectangle (&model, name, 2.0 * i + 0.6, 0.5 - sunk, 0.8, 0.4);
+  }
+  g_test_timer_start ();
+  test_detect (&model, &contacts);
+  g_assert_cmpfloat (g_test_timer_elapsed (), <, 10);
+
+  g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCKS_OVERLAP), ==,
+                    STONES / 10);
+  g_assert_cmpuint (contacts.face_count, ==, STONES - STONES / 10);
+  for (size_t i = 0; i < contacts.findings.count; i++) {
+    if (contacts.findings.items[i].problem == QN_PROBLEM_BLOCKS_OVERLAP)
+      g_assert_cmpfloat_with_epsilon (contacts.findings.items[i].value, 0.1, 1e-12);
+  }
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+  g_free (ground);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -219,6 +265,7 @@ main (int argc, char **argv)
     g_free (path);
   }
   g_test_add_func ("/contact-overlaps/thresholds", test_thresholds);
+  g_test_add_func ("/contact-overlaps/rough-ground", test_rough_ground);
   g_test_add_func ("/contact-overlaps/against-sampling", test_against_sampling);
   return g_test_run ();
 }
