@@ -67,31 +67,31 @@ print_cell (const char *text, int width, gboolean left)
   if (left)
     printf ("%s%*s", text, padding, "");
   else
-    printf ("  %*s%s", padding, "", text);
+    printf (" %*s%s", padding, "", text);
 }
 
 static void
 print_value (double value, gboolean known)
 {
   g_autofree char *text = known ? g_strdup_printf ("%.6f", value) : g_strdup ("–");
-  print_cell (text, 11, FALSE);
+  print_cell (text, 10, FALSE);
 }
 
 static void
 print_heading (const QnVerifyGroup *group)
 {
   printf ("%s (%s)\n", _ (group->title), _ (group->source));
-  print_cell ("", 24, TRUE);
+  print_cell ("", 23, TRUE);
   print_cell (_ ("blocks"), 6, FALSE);
-  print_cell (_ ("faces"), 6, FALSE);
-  print_cell (_ ("reference"), 11, FALSE);
-  print_cell (_ ("HybriDFEM*"), 11, FALSE);
-  print_cell (_ ("Quoin"), 11, FALSE);
-  print_cell (_ ("error %"), 9, FALSE);
-  print_cell (_ ("allowed %"), 9, FALSE);
-  print_cell (_ ("bound†"), 11, FALSE);
-  print_cell (_ ("first limit"), 11, FALSE);
-  print_cell (_ ("seconds"), 8, FALSE);
+  print_cell (_ ("faces"), 5, FALSE);
+  print_cell (_ ("reference"), 10, FALSE);
+  print_cell (_ ("HybriDFEM*"), 10, FALSE);
+  print_cell (_ ("Quoin"), 10, FALSE);
+  print_cell (_ ("error %"), 8, FALSE);
+  print_cell (_ ("allowed"), 7, FALSE);
+  print_cell (_ ("bound†"), 10, FALSE);
+  print_cell (_ ("1st limit"), 10, FALSE);
+  print_cell (_ ("seconds"), 7, FALSE);
   print_cell (_ ("factorisations"), 14, FALSE);
   printf ("\n");
 }
@@ -123,16 +123,16 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
   gboolean met =
     result->outcome == QN_OUTCOME_COLLAPSE && fabs (error) <= test->tolerance;
 
-  print_cell (_ (test->name), 24, TRUE);
-  printf ("  %6zu  %6zu", count_free_blocks (&input->project.model),
+  print_cell (_ (test->name), 23, TRUE);
+  printf (" %6zu %5zu", count_free_blocks (&input->project.model),
           input->contacts.face_count);
   print_value (test->reference, TRUE);
   print_value (test->paper, test->paper > 0);
   print_value (found, result->has_collapse_multiplier);
-  printf ("  %+9.5f  %9.5f", 100 * error, 100 * test->tolerance);
+  printf (" %+8.4f %7.4f", 100 * error, 100 * test->tolerance);
   print_value (bound, isfinite (bound));
   print_value (result->first_limit_multiplier, result->has_first_limit_multiplier);
-  printf ("  %8.3f  %14d  %s\n", result->statistics.seconds,
+  printf (" %7.3f %14d %s\n", result->statistics.seconds,
           result->statistics.factorizations, met ? "" : _ ("MISSED"));
   fflush (stdout);
   return met;
