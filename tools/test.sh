@@ -64,6 +64,7 @@ check build-test -- --timeout-multiplier 3
 
 echo "== tests under sanitizers"
 export ASAN_OPTIONS=detect_leaks=1:abort_on_error=1
+export LSAN_OPTIONS="suppressions=$PWD/tests/leaks.supp:print_suppressions=0"
 export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
 check build-sanitize -Db_sanitize=address,undefined -Db_lundef=false -- \
   --timeout-multiplier 6 --no-suite slow --no-suite app

@@ -200,7 +200,8 @@ qn_project_parse (const char *text, gsize length, const char *name,
   project->name = g_strdup (name);
   project->overrides = g_strdupv ((char **) overrides);
   project->text = g_strndup ("", length + 1);
-  memcpy (project->text, text, length);
+  if (length > 0)
+    memcpy (project->text, text, length);
   project->text_length = length;
   return read_project (project, error);
 }

@@ -487,7 +487,8 @@ qn_result_file_parse (const char *text, gsize length, const char *name,
                       QnResultFile *file, GError **error)
 {
   char *copy = g_malloc (length + 1);
-  memcpy (copy, text, length);
+  if (length > 0)
+    memcpy (copy, text, length);
   copy[length] = '\0';
   gboolean done = parse (copy, length, name, file, error);
   g_free (copy);
