@@ -53,24 +53,63 @@ has_face_at (const FaceLists *lists, const QnContacts *contacts, QnId block, QnV
   return false;
 }
 
+static bool
+is_overlap (const QnFinding *finding)
+{
+  return finding->problem == QN_PROBLEM_BLOCKS_OVERLAP
+         || finding->problem == QN_PROBLEM_NEAR_MISS_OVERLAP;
+}
+
+/* Whether two blocks are known to overlap. Overlaps and touches are both sorted by blocks:
+ * `*next` walks along the findings, of which those from `count` on are not looked at. */
+static bool
+overlap (const QnFindings *findings, size_t count, const QnTouch *touch, size_t *next)
+{
+  for (; *next < count; (*next)++) {
+    const QnFinding *finding = &findings->items[*next];
+    if (is_overlap (finding)
+        && (finding->block_a > touch->a
+            || (finding->block_a == touch->a && finding->block_b >= touch->b)))
+      break;
+  }
+  return *next < count && findings->items[*next].block_a == touch->a
+         && findings->items[*next].block_b == touch->b;
+}
+
 /* In a bond every joint ends at corners, where blocks that share no face meet too. That is
  * ordinary as long as both have a face there; a corner that bears on its own is not. */
 static bool
 report_points (const QnContactSearch *search, const FaceLists *lists,
                QnContacts *contacts, const QnTouches *touches)
 {
+  QnFindings *findings = &contacts->findings;
   double near = 4 * search->tolerance;
+  size_t earlier = findings->count, next = 0;
   for (size_t i = 0; i < touches->count; i++) {
     const QnTouch *touch = &touches->items[i];
-    if (has_face_at (lists, contacts, touch->a, touch->at, near)
-        && has_face_at (lists, contacts, touch->b, touch->at, near))
+    if ((has_face_at (lists, contacts, touch->a, touch->at, near)
+         && has_face_at (lists, contacts, touch->b, touch->at, near))
+        || overlap (findings, earlier, touch, &next))
       continue;
-    if (!qn_findings_add (
-          &contacts->findings,
-          (QnFinding){ QN_PROBLEM_POINT_CONTACT, touch->a, touch->b, touch->at, 0 }))
+    if (!qn_findings_add (findings, (QnFinding){ QN_PROBLEM_POINT_CONTACT, touch->a,
+                                                 touch->b, touch->at, 0 }))
       return false;
   }
   return true;
+}
+
+/* Marks the blocks that have a face, a point contact or an overlap with another one. */
+static void
+mark_touching (const QnModel *model, const FaceLists *lists, const QnFindings *findings,
+               bool *touching)
+{
+  for (size_t i = 0; i < model->block_count; i++)
+    touching[i] = lists->first[i] < lists->first[i + 1];
+  for (size_t i = 0; i < findings->count; i++) {
+    const QnFinding *finding = &findings->items[i];
+    if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
+      touching[finding->block_a] = touching[finding->block_b] = true;
+  }
 }
 
 static bool
@@ -108,31 +147,28 @@ mark_held (const QnModel *model, const QnContacts *contacts, const FaceLists *li
 }
 
 static bool
-report_blocks (const QnModel *model, const FaceLists *lists, QnContacts *contacts,
-               const bool *held, size_t held_count)
+report_blocks (const QnModel *model, QnFindings *findings, QnProblem problem,
+               const bool *in_order)
 {
-  QnFindings *findings = &contacts->findings;
   for (size_t i = 0; i < model->block_count; i++) {
-    if (lists->first[i] == lists->first[i + 1]
-        && !qn_findings_add (findings,
-                             (QnFinding){ QN_PROBLEM_BLOCK_WITHOUT_CONTACT, (QnId) i,
-                                          QN_NONE, model->blocks[i].centroid, 0 }))
+    if (!in_order[i]
+        && !qn_findings_add (findings, (QnFinding){ problem, (QnId) i, QN_NONE,
+                                                    model->blocks[i].centroid, 0 }))
       return false;
   }
+  return true;
+}
 
+static bool
+report_support (const QnModel *model, QnFindings *findings, const bool *held,
+                size_t held_count)
+{
   /* One finding says more than one for every block of the model. */
   if (held_count == 0)
     return qn_findings_add (findings,
                             (QnFinding){ QN_PROBLEM_NO_SUPPORT, QN_NONE, QN_NONE,
                                          model->blocks[0].centroid, 0 });
-  for (size_t i = 0; i < model->block_count; i++) {
-    if (!held[i]
-        && !qn_findings_add (findings,
-                             (QnFinding){ QN_PROBLEM_BLOCK_FLOATING, (QnId) i, QN_NONE,
-                                          model->blocks[i].centroid, 0 }))
-      return false;
-  }
-  return true;
+  return report_blocks (model, findings, QN_PROBLEM_BLOCK_FLOATING, held);
 }
 
 QnStatus
@@ -141,18 +177,23 @@ qn_contact_search_loose (const QnContactSearch *search, QnContacts *contacts,
 {
   const QnModel *model = search->model;
   FaceLists lists = { 0 };
-  bool *held = qn_alloc (model->block_count, sizeof *held);
+  bool *flags = qn_alloc (model->block_count, sizeof *flags);
   QnId *queue = qn_alloc (model->block_count, sizeof *queue);
-  bool done = held != NULL && queue != NULL
+  bool done = flags != NULL && queue != NULL
               && face_lists_init (&lists, model->block_count, contacts)
               && report_points (search, &lists, contacts, touches);
   if (done) {
-    size_t held_count = mark_held (model, contacts, &lists, held, queue);
-    done = report_blocks (model, &lists, contacts, held, held_count);
+    mark_touching (model, &lists, &contacts->findings, flags);
+    done =
+      report_blocks (model, &contacts->findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, flags);
+  }
+  if (done) {
+    size_t held_count = mark_held (model, contacts, &lists, flags, queue);
+    done = report_support (model, &contacts->findings, flags, held_count);
   }
 
   face_lists_clear (&lists);
-  free (held);
+  free (flags);
   free (queue);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
