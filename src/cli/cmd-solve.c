@@ -1,3 +1,4 @@
+#include "cli/cmd-solve.h"
 #include "cli/input.h"
 #include "cli/message.h"
 #include "cli/progress.h"
@@ -63,7 +64,11 @@ print_summary (const QnProject *project, const QnResult *result)
   const QnStatistics *spent = &result->statistics;
   const char *title = project->model.title != NULL ? project->model.title : project->name;
 
-  if (result->outcome == QN_OUTCOME_COLLAPSE)
+  if (result->outcome == QN_OUTCOME_UNBOUNDED)
+    printf (_ ("%s: the joints carry any multiple of the live load\n"), title);
+  else if (result->limit.given)
+    qn_cmd_limit_print (title, &result->limit);
+  else if (result->outcome == QN_OUTCOME_COLLAPSE)
     printf (_ ("%s: collapse at load multiplier %.5f\n"), title,
             result->collapse_multiplier);
   else if (result->outcome == QN_OUTCOME_SNAP)
@@ -170,8 +175,23 @@ warn_of_findings (const QnInput *input)
   }
 }
 
-static QnExit
-run (const QnSubcommand *self, int argc, char **argv)
+/* Puts an override before those of the user. */
+static void
+add_override (char ***overrides, const char *override)
+{
+  g_autoptr (GPtrArray) all = g_ptr_array_new ();
+  if (override == NULL)
+    return;
+  g_ptr_array_add (all, g_strdup (override));
+  for (gsize i = 0; *overrides != NULL && (*overrides)[i] != NULL; i++)
+    g_ptr_array_add (all, g_strdup ((*overrides)[i]));
+  g_ptr_array_add (all, NULL);
+  g_strfreev (*overrides);
+  *overrides = (char **) g_ptr_array_steal (all, NULL);
+}
+
+QnExit
+qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char **argv)
 {
   Options options = { 0 };
   const GOptionEntry entries[] = {
@@ -187,9 +207,10 @@ run (const QnSubcommand *self, int argc, char **argv)
   QnInput input;
   QnExit code = QN_EXIT_USAGE;
 
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
+    add_override (&options.overrides, override);
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
-  else
+  } else
     memset (&input, 0, sizeof input);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
@@ -208,6 +229,12 @@ run (const QnSubcommand *self, int argc, char **argv)
   g_free (options.csv);
   g_strfreev (options.overrides);
   return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  return qn_cmd_solve_run (self, NULL, argc, argv);
 }
 
 const QnSubcommand qn_cmd_solve = {

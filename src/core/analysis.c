@@ -1,5 +1,6 @@
 #include "core/analysis.h"
 
+#include "core/limit.h"
 #include "core/path.h"
 
 #include "core/clock.h"
@@ -33,6 +34,8 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
   QnPath path;
 
   *result = (QnResult){ 0 };
+  if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
+    return qn_limit_run (model, contacts, progress, user_data, result, diag);
   QnStatus status = check_settings (&model->analysis, diag);
   if (status != QN_OK)
     return status;

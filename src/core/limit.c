@@ -149,15 +149,15 @@ take_growth (Run *run)
 }
 
 static QnStatus
-solve (Run *run, QnDiag *diag)
+solve (Run *run, bool from_dead_load, QnDiag *diag)
 {
   QnInteriorPoint *ip = run->ip;
-  QnStatus status = carry_dead_load (run, diag);
+  QnStatus status = from_dead_load ? carry_dead_load (run, diag) : QN_OK;
 
   run->solution->outcome = QN_OUTCOME_NOT_CONVERGED;
-  if (!status && ip->state == QN_IP_INFEASIBLE)
+  if (!status && from_dead_load && ip->state == QN_IP_INFEASIBLE)
     return take_certificate (run, diag);
-  if (!status && !run->cancelled && (run->anchored || is_answer (ip)))
+  if (!status && !run->cancelled && (!from_dead_load || run->anchored || is_answer (ip)))
     status = raise_multiplier (run, diag);
   else
     ip->state = QN_IP_STALLED;
@@ -175,8 +175,9 @@ solve (Run *run, QnDiag *diag)
 }
 
 QnStatus
-qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, QnProgressFunc progress,
-                void *user_data, QnLimitSolution *solution, QnDiag *diag)
+qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
+                QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
+                QnDiag *diag)
 {
   size_t cells = (size_t) limit->ip.cell_count;
   Run run = { .limit = limit,
@@ -196,7 +197,7 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, QnProgressFunc progr
   if (!run.y || !run.rates || !run.anchor || !solution->forces || !solution->velocities)
     status = qn_diag_no_memory (diag);
   else
-    status = solve (&run, diag);
+    status = solve (&run, from_dead_load, diag);
   free (run.y);
   free (run.rates);
   free (run.anchor);
@@ -220,7 +221,7 @@ qn_limit_associative (const QnModel *model, const QnContacts *contacts,
     return status;
   status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
   if (!status)
-    status = qn_limit_solve (&limit, &ip, progress, user_data, solution, diag);
+    status = qn_limit_solve (&limit, &ip, true, progress, user_data, solution, diag);
   qn_interior_point_clear (&ip);
   qn_limit_problem_clear (&limit);
   return status;

@@ -57,11 +57,12 @@ typedef struct QnLimitSolution {
 
 void qn_limit_solution_clear (QnLimitSolution *solution);
 
-/* Solves the program as it stands, with certificates for every outcome: DEAD_LOAD_UNSTABLE
- * also where equilibrium exists under some live load but not without. `ip` must have been
+/* Solves the program as it stands, with certificates for every outcome. With `from_dead_load`,
+ * DEAD_LOAD_UNSTABLE is also the outcome where equilibrium exists under some live load but not
+ * without, and the lower bound is proved by strictly admissible forces. `ip` must have been
  * initialised with &limit->ip; only its numbers may have changed since. `solution` is
  * overwritten without being cleared. */
-QnStatus qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip,
+QnStatus qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
                          QnProgressFunc progress, void *user_data,
                          QnLimitSolution *solution, QnDiag *diag);
 

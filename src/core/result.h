@@ -44,12 +44,30 @@ typedef struct QnStatistics {
   int64_t peak_memory_bytes; /* filled by layers that can measure it, else 0 */
 } QnStatistics;
 
+/* Most fixed points of the non-associative limit analysis that a result keeps. */
+#define QN_RESULT_FIXED_POINTS 8
+
+/* What limit analysis adds. limit.h says what each number guarantees. */
+typedef struct QnLimitFigures {
+  bool given;
+  QnFlow flow;
+  double lower_bound; /* associative: static value; non-associative: least fixed point */
+  double
+    upper_bound; /* associative: kinematic value; non-associative: greatest fixed point */
+  bool has_associative_bound; /* with non-associative flow: what nothing exceeds */
+  double associative_bound;
+  double fixed_points[QN_RESULT_FIXED_POINTS]; /* non-associative, by starting point */
+  int32_t fixed_point_count;
+} QnLimitFigures;
+
 typedef struct QnResult {
   QnOutcome outcome;
   bool has_collapse_multiplier;
   double collapse_multiplier; /* largest multiplier with an equilibrium */
   bool has_first_limit_multiplier;
   double first_limit_multiplier; /* where the path first loses stability */
+
+  QnLimitFigures limit;
 
   size_t block_count; /* rows of displacements and mechanism */
   size_t pair_count;

@@ -2,6 +2,7 @@
 #include "io/file-read.h"
 #include "io/io-error.h"
 #include "io/json-stream.h"
+#include "io/project-names.h"
 #include "io/result-file.h"
 
 #include <glib/gi18n-lib.h>
@@ -114,6 +115,63 @@ read_first_limit (QnJsonStream *stream, gpointer target)
   result->has_first_limit_multiplier = optional.given;
   result->first_limit_multiplier = optional.number;
   return done;
+}
+
+static QnLimitFigures *
+limit_figures (gpointer target)
+{
+  return &((Draft *) target)->file->result.limit;
+}
+
+static gboolean
+read_lower_bound (QnJsonStream *stream, gpointer target)
+{
+  limit_figures (target)->given = true;
+  return qn_json_stream_number (stream, &limit_figures (target)->lower_bound);
+}
+
+static gboolean
+read_upper_bound (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_number (stream, &limit_figures (target)->upper_bound);
+}
+
+static gboolean
+read_flow (QnJsonStream *stream, gpointer target)
+{
+  for (int flow = 0; flow < QN_FLOW_COUNT; flow++)
+    if (stream->scanner.token == QN_JSON_STRING
+        && qn_json_string_is (&stream->scanner, qn_name_of_flow (flow))) {
+      limit_figures (target)->flow = (QnFlow) flow;
+      return TRUE;
+    }
+  return qn_json_stream_fail (stream, _ ("this is no flow rule of limit analysis"));
+}
+
+static gboolean
+read_associative_bound (QnJsonStream *stream, gpointer target)
+{
+  limit_figures (target)->has_associative_bound = true;
+  return qn_json_stream_number (stream, &limit_figures (target)->associative_bound);
+}
+
+/* More than a result keeps is read and left out. */
+static gboolean
+read_fixed_point (QnJsonStream *stream, gpointer target)
+{
+  QnLimitFigures *figures = limit_figures (target);
+  double number;
+  if (!qn_json_stream_number (stream, &number))
+    return FALSE;
+  if (figures->fixed_point_count < QN_RESULT_FIXED_POINTS)
+    figures->fixed_points[figures->fixed_point_count++] = number;
+  return TRUE;
+}
+
+static gboolean
+read_fixed_points (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_fixed_point, target);
 }
 
 static gboolean
@@ -354,6 +412,11 @@ read_document (QnJsonStream *stream, gpointer target)
     { "outcome", qn_json_stream_string, offsetof (Draft, outcome), TRUE },
     { "collapse_multiplier", read_collapse, 0, FALSE },
     { "first_limit_multiplier", read_first_limit, 0, FALSE },
+    { "lower_bound", read_lower_bound, 0, FALSE },
+    { "upper_bound", read_upper_bound, 0, FALSE },
+    { "flow", read_flow, 0, FALSE },
+    { "associative_bound", read_associative_bound, 0, FALSE },
+    { "fixed_points", read_fixed_points, 0, FALSE },
     { "unstable_blocks", read_unstable, 0, FALSE },
     { "blocks", read_names, offsetof (Draft, blocks), TRUE },
     { "steps", read_steps, 0, TRUE },

@@ -1,4 +1,5 @@
 #include "io/file-writer.h"
+#include "io/project-names.h"
 #include "io/result-file.h"
 
 /* What the file spells for an event, with its quotes. */
@@ -36,6 +37,26 @@ write_strings (QnFileWriter *writer, const char *const *strings)
 }
 
 static void
+write_limit (QnFileWriter *writer, const QnLimitFigures *limit)
+{
+  if (!limit->given)
+    return;
+  write_optional (writer, "lower_bound", TRUE, limit->lower_bound);
+  write_optional (writer, "upper_bound", TRUE, limit->upper_bound);
+  qn_file_writer_printf (writer, "  \"flow\": \"%s\",\n",
+                         qn_name_of_flow ((int) limit->flow));
+  if (!limit->has_associative_bound)
+    return;
+  write_optional (writer, "associative_bound", TRUE, limit->associative_bound);
+  qn_file_writer_puts (writer, "  \"fixed_points\": [");
+  for (int32_t i = 0; i < limit->fixed_point_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_number (writer, limit->fixed_points[i]);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+static void
 write_head (QnFileWriter *writer, const QnProject *project, const QnResult *result)
 {
   const char *path = project->path != NULL ? project->path : project->name;
@@ -60,6 +81,7 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
                   result->collapse_multiplier);
   write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
                   result->first_limit_multiplier);
+  write_limit (writer, &result->limit);
 }
 
 static void
