@@ -5,29 +5,43 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A sequence ends when two successive programs agree to this, relative to the multiplier … */
-#define SETTLED 1e-4
-
-/* … and the shear lines have come this near to the flow rule. */
+/* A sequence has settled when two successive programs agree to this, relative to the
+ * multiplier, the shear lines have come this near to the flow rule, and no pair's shear exceeds
+ * its true strength by more than this part of the largest force. */
+#define SETTLED         1e-4
 #define LEAST_REMAINING 1e-3
+#define ADMISSIBLE      1e-3
 
 /* Programs after which a sequence counts as not settled. */
-#define MOST_PROGRAMS 60
+#define MOST_PROGRAMS 30
 
-/* How a sequence is led. Gilbert, Casapulla & Ahmed turn the lines by the same factor after
- * every program and mix the anchors with those before, because anchors alone may swing. */
+/* Accuracy of one program of a sequence. */
+#define PROGRAM_TOLERANCE 1e-8
+
+/* A settled state is a fixed point where forces alone, whatever their size, could not raise the
+ * multiplier by more than this part of it: then there is a mechanism too. */
+#define MECHANISM_GAP 2e-3
+
+/* How a sequence starts and is led. Gilbert, Casapulla & Ahmed start from the associative
+ * forces, turn the lines by the same factor after every program and mix the anchors with those
+ * before, because anchors alone may swing. Where the optimal forces are not unique, their choice
+ * decides which fixed point is reached: forces wedged between each other raise the friction that
+ * carries them. A small price on the forces (the elastic energy of joints of one stiffness)
+ * makes the choice that a structure built without wedging makes. */
 typedef struct Schedule {
+  double
+    dead; /* share of the dead load's forces in the first anchors; the rest is that of
+                   the associative ones */
+  double noise; /* relative size of a random disturbance of the first anchors */
   double turn;  /* factor of `remaining` after each program */
   double mix;   /* share of the new compressions in the next anchors */
-  double noise; /* relative size of a random disturbance of the first anchors */
+  double price; /* compliance, in scaled terms */
 } Schedule;
 
 static const Schedule schedules[QN_LIMIT_STARTS] = {
-  { 0.3, 0.6, 0.0 },  /* the values of the paper */
-  { 0.01, 0.6, 0.0 }, /* straight to the flow rule */
-  { 0.7, 0.4, 0.0 },  /* slowly */
-  { 0.3, 0.6, 0.5 },  /* disturbed */
-  { 0.3, 0.6, 1.0 },
+  { 0.0, 0.0, 0.3, 0.6, 1e-3 }, { 1.0, 0.0, 0.01, 0.6, 1e-3 },
+  { 0.0, 0.0, 0.3, 0.6, 1e-4 }, { 0.5, 1.0, 0.01, 0.6, 1e-4 },
+  { 0.0, 0.0, 0.3, 0.6, 1e-5 },
 };
 
 typedef struct Sequence {
@@ -38,7 +52,7 @@ typedef struct Sequence {
   QnProgressFunc progress;
   void *user_data;
   double *anchor; /* pair_count: compressions that the shear lines pass through */
-  const double *associative; /* pair_count x 2: forces of the associative program */
+  const QnLimitSolution *associative;
 } Sequence;
 
 /* A number in [0, 1) from a pair's number: the same on every machine. */
@@ -58,48 +72,109 @@ compression (const double *force)
   return fmax (0.0, -force[0]);
 }
 
-/* Runs one sequence from the associative forces. `last` receives the last program's solution;
- * it is empty where the first had no optimum. */
+static void
+set_first_anchors (Sequence *seq, const Schedule *schedule, uint64_t seed)
+{
+  const double *live = seq->associative->forces, *dead = seq->associative->dead_forces;
+
+  for (size_t p = 0; p < seq->contacts->pair_count; p++) {
+    double share = 1.0 + schedule->noise * (2.0 * disturbance (seed + p) - 1.0);
+    double start = compression (live + 2 * p);
+    if (dead)
+      start += schedule->dead * (compression (dead + 2 * p) - start);
+    seq->anchor[p] = share * start;
+  }
+}
+
+/* Moves the anchors towards the compressions of a solution; returns by how much shear exceeds
+ * the true strength at most, relative to the largest force: the lines are above it where they
+ * have an anchor greater than the compression. */
+static double
+move_anchors (Sequence *seq, const double *forces, double mix)
+{
+  double worst = 0.0, largest = 0.0;
+
+  for (size_t p = 0; p < seq->contacts->pair_count; p++) {
+    const QnContactFace *face = &seq->contacts->faces[seq->contacts->pairs[p].face];
+    double friction = fmin (seq->model->laws[face->law_a].friction,
+                            seq->model->laws[face->law_b].friction);
+    double now = compression (forces + 2 * p);
+    largest = fmax (largest, now);
+    worst = fmax (worst, friction * (seq->anchor[p] - now));
+    seq->anchor[p] += mix * (now - seq->anchor[p]);
+  }
+  return largest > 0.0 ? worst / largest : 0.0;
+}
+
+/* Runs one sequence. `last` receives the last program's solution; it is empty where the first
+ * had no optimum. */
 static QnStatus
-follow (Sequence *seq, const Schedule *schedule, uint64_t seed, QnLimitFixedPoint *point,
+follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
         QnLimitSolution *last, bool *cancelled, QnDiag *diag)
 {
-  size_t pairs = seq->contacts->pair_count;
   double remaining = schedule->turn;
+  int32_t iterations = 0, factorizations = 0;
+  QnStatus status = QN_OK;
 
   *point = (QnLimitFixedPoint){ .multiplier = NAN };
   *last = (QnLimitSolution){ 0 };
-  for (size_t p = 0; p < pairs; p++) {
-    double share = 1.0 + schedule->noise * (2.0 * disturbance (seed + p) - 1.0);
-    seq->anchor[p] = share * compression (seq->associative + 2 * p);
-  }
+  qn_limit_problem_set_compliance (&seq->limit, schedule->price);
   while (point->programs < MOST_PROGRAMS && !point->settled) {
     QnLimitSolution solution;
-    QnStatus status;
+    double excess;
 
     qn_limit_problem_set_shear (&seq->limit, seq->model, seq->contacts, seq->anchor,
                                 remaining);
     status = qn_limit_solve (&seq->limit, &seq->ip, false, seq->progress, seq->user_data,
                              &solution, diag);
     if (status)
-      return status;
+      break;
     point->programs++;
+    iterations += solution.iterations;
+    factorizations += solution.factorizations;
     *cancelled = solution.outcome == QN_OUTCOME_CANCELLED;
     if (solution.outcome != QN_OUTCOME_COLLAPSE) {
       qn_limit_solution_clear (&solution);
-      return QN_OK;
+      break;
     }
-    point->settled = remaining <= LEAST_REMAINING
+    excess = move_anchors (seq, solution.forces, schedule->mix);
+    point->settled = remaining <= LEAST_REMAINING && excess <= ADMISSIBLE
                      && fabs (solution.lower_bound - point->multiplier)
                           <= SETTLED * fabs (point->multiplier);
     point->multiplier = solution.lower_bound;
-    for (size_t p = 0; p < pairs; p++)
-      seq->anchor[p] +=
-        schedule->mix * (compression (solution.forces + 2 * p) - seq->anchor[p]);
     remaining = fmax (LEAST_REMAINING, remaining * schedule->turn);
     qn_limit_solution_clear (last);
     *last = solution;
   }
+  last->iterations = iterations;
+  last->factorizations = factorizations;
+  return status;
+}
+
+/* Asks the linear program with the shear lines of a settled state for the mechanism: *point
+ * stays settled only if there is one, and *last receives its velocities. */
+static QnStatus
+find_mechanism (Sequence *seq, QnLimitFixedPoint *point, QnLimitSolution *last,
+                QnDiag *diag)
+{
+  QnLimitSolution free_forces;
+  double *swap;
+  QnStatus status;
+
+  qn_limit_problem_set_compliance (&seq->limit, 0.0);
+  status = qn_limit_solve (&seq->limit, &seq->ip, false, seq->progress, seq->user_data,
+                           &free_forces, diag);
+  if (status)
+    return status;
+  point->settled = free_forces.outcome == QN_OUTCOME_COLLAPSE
+                   && free_forces.lower_bound - point->multiplier
+                        <= MECHANISM_GAP * fabs (free_forces.lower_bound);
+  swap = last->velocities;
+  last->velocities = free_forces.velocities;
+  free_forces.velocities = swap;
+  last->iterations += free_forces.iterations;
+  last->factorizations += free_forces.factorizations;
+  qn_limit_solution_clear (&free_forces);
   return QN_OK;
 }
 
@@ -140,13 +215,16 @@ follow_all (Sequence *seq, QnLimitInterval *interval, QnDiag *diag)
   QnStatus status = QN_OK;
 
   interval->solution = (QnLimitSolution){ .outcome = QN_OUTCOME_NOT_CONVERGED };
-  seq->associative = associative.forces;
+  seq->associative = &associative;
   for (int start = 0; start < QN_LIMIT_STARTS && !status && !cancelled; start++) {
     QnLimitFixedPoint point;
     QnLimitSolution last;
-    uint64_t seed = (uint64_t) start * seq->contacts->pair_count;
 
-    status = follow (seq, &schedules[start], seed, &point, &last, &cancelled, diag);
+    set_first_anchors (seq, &schedules[start],
+                       (uint64_t) start * seq->contacts->pair_count);
+    status = follow (seq, &schedules[start], &point, &last, &cancelled, diag);
+    if (!status && point.settled && !cancelled)
+      status = find_mechanism (seq, &point, &last, diag);
     iterations += last.iterations;
     factorizations += last.factorizations;
     if (!status && point.settled && !cancelled)
@@ -164,32 +242,41 @@ follow_all (Sequence *seq, QnLimitInterval *interval, QnDiag *diag)
   return status;
 }
 
+static QnStatus
+sequence_init (Sequence *seq, QnDiag *diag)
+{
+  QnIpSettings settings = qn_interior_point_defaults ();
+  QnStatus status =
+    qn_limit_problem_init (&seq->limit, seq->model, seq->contacts, true, diag);
+
+  if (status)
+    return status;
+  settings.tolerance = PROGRAM_TOLERANCE;
+  seq->anchor = qn_alloc (seq->contacts->pair_count, sizeof *seq->anchor);
+  if (!seq->anchor)
+    return qn_diag_no_memory (diag);
+  return qn_interior_point_init (&seq->ip, &seq->limit.ip, &settings, diag);
+}
+
 QnStatus
 qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
                           QnProgressFunc progress, void *user_data,
                           QnLimitInterval *interval, QnDiag *diag)
 {
-  QnIpSettings settings = qn_interior_point_defaults ();
   Sequence seq = {
     .model = model, .contacts = contacts, .progress = progress, .user_data = user_data
   };
-  QnStatus status = qn_limit_problem_init (&seq.limit, model, contacts, true, diag);
+  QnStatus status;
 
   *interval = (QnLimitInterval){ 0 };
-  if (status)
+  status = qn_limit_associative (model, contacts, progress, user_data,
+                                 &interval->solution, diag);
+  if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
     return status;
-  seq.anchor = qn_alloc (contacts->pair_count, sizeof *seq.anchor);
-  if (seq.anchor)
-    status = qn_interior_point_init (&seq.ip, &seq.limit.ip, &settings, diag);
-  else
-    status = qn_diag_no_memory (diag);
+  interval->associative = interval->solution.upper_bound;
+  status = sequence_init (&seq, diag);
   if (!status)
-    status = qn_limit_solve (&seq.limit, &seq.ip, true, progress, user_data,
-                             &interval->solution, diag);
-  if (!status && interval->solution.outcome == QN_OUTCOME_COLLAPSE) {
-    interval->associative = interval->solution.upper_bound;
     status = follow_all (&seq, interval, diag);
-  }
   qn_interior_point_clear (&seq.ip);
   qn_limit_problem_clear (&seq.limit);
   free (seq.anchor);

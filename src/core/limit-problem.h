@@ -51,6 +51,10 @@ void qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
                                  const QnContacts *contacts, const double *anchor,
                                  double remaining);
 
+/* Adds a price of `compliance` / 2 on the square of every scaled force: among the forces that
+ * reach the optimum, the smallest are taken then. */
+void qn_limit_problem_set_compliance (QnLimitProblem *limit, double compliance);
+
 /* The multiplier that a scaled lambda stands for, and back. */
 double qn_limit_problem_multiplier (const QnLimitProblem *limit, double lambda);
 

@@ -30,6 +30,7 @@ qn_limit_solution_clear (QnLimitSolution *solution)
 {
   free (solution->forces);
   free (solution->velocities);
+  free (solution->dead_forces);
   *solution = (QnLimitSolution){ 0 };
 }
 
@@ -174,6 +175,16 @@ solve (Run *run, bool from_dead_load, QnDiag *diag)
   return status;
 }
 
+static QnStatus
+keep_dead_forces (Run *run, QnDiag *diag)
+{
+  run->solution->dead_forces = qn_alloc (2 * run->limit->pair_count, sizeof (double));
+  if (!run->solution->dead_forces)
+    return qn_diag_no_memory (diag);
+  qn_limit_problem_forces (run->limit, run->anchor, 1.0, run->solution->dead_forces);
+  return QN_OK;
+}
+
 QnStatus
 qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
                 QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
@@ -198,6 +209,8 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
     status = qn_diag_no_memory (diag);
   else
     status = solve (&run, from_dead_load, diag);
+  if (!status && run.anchored)
+    status = keep_dead_forces (&run, diag);
   free (run.y);
   free (run.rates);
   free (run.anchor);
