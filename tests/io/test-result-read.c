@@ -139,7 +139,7 @@ static void
 test_order_and_unknown (void)
 {
   const char *text =
-    "{ \"flow\": { \"kind\": [1, 2] }, \"steps\": [ { \"multiplier\": 0.5, "
+    "{ \"later\": { \"kind\": [1, 2] }, \"steps\": [ { \"multiplier\": 0.5, "
     "\"displacements\": [[1, 2, 3]] } ], \"contacts\": [], "
     "\"blocks\": [\"b\"], \"outcome\": \"target-reached\", \"version\": 1, "
     "\"format\": \"quoin-result\" }";
