@@ -160,6 +160,7 @@ solve (const Options *options, const QnInput *input)
     qn_project_set_error (&input->project, &diag, &error);
     return qn_cli_fail (error);
   }
+  result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
   QnExit code = report (options, input, &result);
   qn_result_clear (&result);
   return code;

@@ -181,6 +181,7 @@ run_case (const Options *options, const QnVerifyGroup *group, const QnVerifyCase
     qn_analysis_run (&input.project.model, &input.contacts, qn_terminal_progress_update,
                      &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
+  result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
   if (status != QN_OK && status != QN_ERROR_CANCELLED) {
     qn_project_set_error (&input.project, &diag, &error);
     code = qn_cli_fail (error);

@@ -1,6 +1,7 @@
 #include "cli/progress.h"
 
 #include <glib/gi18n.h>
+#include <malloc.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -36,6 +37,15 @@ qn_terminal_progress_init (QnTerminalProgress *progress, gboolean quiet)
 {
   progress->shown = !quiet && isatty (STDERR_FILENO);
   progress->last_time = 0;
+  progress->peak_memory = 0;
+}
+
+static gsize
+heap_in_use (void)
+{
+  enum { STEP = 64 << 10 };
+  struct mallinfo2 info = mallinfo2 ();
+  return (info.uordblks + info.hblkhd + STEP - 1) / STEP * STEP;
 }
 
 bool
@@ -43,6 +53,7 @@ qn_terminal_progress_update (const QnProgress *progress, void *user_data)
 {
   enum { INTERVAL = 100000 }; /* us; faster than the eye needs is only noise */
   QnTerminalProgress *self = user_data;
+  self->peak_memory = MAX (self->peak_memory, heap_in_use ());
   gint64 now = self->shown ? g_get_monotonic_time () : 0;
 
   if (self->shown && now - self->last_time >= INTERVAL) {

@@ -7,8 +7,10 @@
 #include <glib.h>
 
 typedef struct QnTerminalProgress {
-  gboolean shown;   /* standard error is a terminal and the user wants to see it */
-  gint64 last_time; /* of the last update, us */
+  gboolean shown;    /* standard error is a terminal and the user wants to see it */
+  gint64 last_time;  /* of the last update, us */
+  gsize peak_memory; /* most of the heap that was in use at any update, bytes, in whole
+                        steps of 64 KiB so that equal runs report the same */
 } QnTerminalProgress;
 
 /* From now on Ctrl+C is only remembered, a second one ends the program at once. */
