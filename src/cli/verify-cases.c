@@ -53,7 +53,7 @@ static const QnVerifyGroup groups[] = {
   { "closed-forms",
     N_ ("Closed forms"),
     N_ ("statics of rigid blocks"),
-    { "analysis.multiplier_tolerance=1e-8", NULL },
+    { NULL },
     closed_forms,
     G_N_ELEMENTS (closed_forms),
     FALSE },
