@@ -32,20 +32,29 @@ qn_interrupt_seen (void)
   return interrupted != 0;
 }
 
+static gsize
+heap_in_use (void)
+{
+  struct mallinfo2 info = mallinfo2 ();
+  return info.uordblks + info.hblkhd;
+}
+
+static void
+measure_memory (QnTerminalProgress *progress)
+{
+  enum { STEP = 1 << 20 };
+  gsize now = heap_in_use ();
+  gsize grown = now > progress->idle_heap ? now - progress->idle_heap : 0;
+  progress->peak_memory = MAX (progress->peak_memory, (grown + STEP - 1) / STEP * STEP);
+}
+
 void
 qn_terminal_progress_init (QnTerminalProgress *progress, gboolean quiet)
 {
   progress->shown = !quiet && isatty (STDERR_FILENO);
   progress->last_time = 0;
+  progress->idle_heap = heap_in_use ();
   progress->peak_memory = 0;
-}
-
-static gsize
-heap_in_use (void)
-{
-  enum { STEP = 64 << 10 };
-  struct mallinfo2 info = mallinfo2 ();
-  return (info.uordblks + info.hblkhd + STEP - 1) / STEP * STEP;
 }
 
 bool
@@ -53,7 +62,7 @@ qn_terminal_progress_update (const QnProgress *progress, void *user_data)
 {
   enum { INTERVAL = 100000 }; /* us; faster than the eye needs is only noise */
   QnTerminalProgress *self = user_data;
-  self->peak_memory = MAX (self->peak_memory, heap_in_use ());
+  measure_memory (self);
   gint64 now = self->shown ? g_get_monotonic_time () : 0;
 
   if (self->shown && now - self->last_time >= INTERVAL) {

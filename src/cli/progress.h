@@ -7,10 +7,12 @@
 #include <glib.h>
 
 typedef struct QnTerminalProgress {
-  gboolean shown;    /* standard error is a terminal and the user wants to see it */
-  gint64 last_time;  /* of the last update, us */
-  gsize peak_memory; /* most of the heap that was in use at any update, bytes, in whole
-                        steps of 64 KiB so that equal runs report the same */
+  gboolean shown;   /* standard error is a terminal and the user wants to see it */
+  gint64 last_time; /* of the last update, us */
+  gsize idle_heap;  /* in use before the computation, bytes */
+  gsize
+    peak_memory; /* most that any update found in use beyond that, in whole MiB, so that
+                        equal computations report the same whatever else takes memory */
 } QnTerminalProgress;
 
 /* From now on Ctrl+C is only remembered, a second one ends the program at once. */
