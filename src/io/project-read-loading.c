@@ -86,7 +86,7 @@ qn_read_contact (const QnPlace *root, QnModel *model)
   qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
   if (!qn_read_law_name (&place, "law", QN_REQUIRED, model, &contact->law)
-      || !qn_member_number (&place, "tolerance", QN_OPTIONAL, QN_RANGE_POSITIVE,
+      || !qn_member_number (&place, "tolerance", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &contact->tolerance)
       || (cJSON_HasObjectItem (place.value, "pairs")
           && !read_pair_rule (&place, &contact->pairs)))

@@ -54,6 +54,28 @@ test_round_trip (void)
   g_rand_free (random);
 }
 
+/* Every decimal of up to 15 digits comes back as it was typed. */
+static void
+test_typed_numbers (void)
+{
+  GRand *random = g_rand_new_with_seed (11);
+  for (int i = 0; i < 100000; i++) {
+    int digits = g_rand_int_range (random, 1, 16);
+    char typed[40], text[QN_NUMBER_TEXT_SIZE];
+    gint64 mantissa = 1 + (gint64) (g_rand_double (random) * (pow (10, digits) - 1));
+    g_snprintf (typed, sizeof typed, "%" G_GINT64_FORMAT "e%d", mantissa,
+                g_rand_int_range (random, -300, 280));
+    double number = g_ascii_strtod (typed, NULL);
+    qn_number_text (number, text);
+    g_assert_true (g_ascii_strtod (text, NULL) == number);
+    int found = 0;
+    for (const char *c = text; *c != '\0' && *c != 'e'; c++)
+      found += g_ascii_isdigit (*c) && (found > 0 || *c != '0');
+    g_assert_cmpint (found, <=, MAX (digits, 15));
+  }
+  g_rand_free (random);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -61,5 +83,6 @@ main (int argc, char **argv)
   g_test_add_func ("/number-text/shortest", test_shortest);
   g_test_add_func ("/number-text/not-finite", test_not_finite);
   g_test_add_func ("/number-text/round-trip", test_round_trip);
+  g_test_add_func ("/number-text/typed-numbers", test_typed_numbers);
   return g_test_run ();
 }

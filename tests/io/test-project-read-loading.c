@@ -30,7 +30,7 @@ test_contact (void)
     { "\"contact\": { \"law\": \"glue\" }",
       "8:23: contact.law: no law has this name: \"glue\"" },
     { "\"contact\": { \"law\": \"joint\", \"tolerance\": -1 }",
-      "8:45: contact.tolerance: number must be positive" },
+      "8:45: contact.tolerance: number must not be negative" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"middle\" } }",
       "8:56: contact.pairs.placement: \"middle\" is none of ends, uniform" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"offset\": -0.1 } }",
