@@ -1,0 +1,45 @@
+/* The inside of the drawing widget, shared by the files that make it up. */
+#ifndef QN_APP_CANVAS_PRIVATE_H
+#define QN_APP_CANVAS_PRIVATE_H
+
+#include "app/canvas.h"
+
+struct _QnCanvas {
+  GtkWidget parent_instance;
+
+  QnViewState *state;
+  QnToolSettings *settings; /* the window's */
+  const QnTool *tool;
+
+  QnScene *scene; /* NULL: to be built */
+  GError *scene_error;
+  QnCamera camera;
+  gboolean wants_fit;
+
+  QnVec2 pointer; /* px */
+  gboolean pointer_inside;
+  GdkModifierType modifiers;
+  QnMagnetHit hit;
+  gboolean *magnet_skip;
+  gboolean pressed;
+  gboolean in_gesture; /* a tool has begun something that Escape gives up */
+  QnGesture gesture;
+  GString *typed;      /* numbers typed during a gesture */
+  QnVec2 pan_from, zoom_center;
+  QnCamera gesture_camera;
+
+  gboolean has_place;
+  QnVec2 place; /* ringed, m */
+  guint place_timeout;
+};
+
+/* The scene of the present state, built when needed; NULL where there is nothing to show. */
+const QnScene *qn_canvas_get_scene (QnCanvas *canvas);
+
+/* Draws everything. */
+void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
+
+/* Distance of grid lines at the present zoom, m. */
+double qn_canvas_grid_distance (QnCanvas *canvas);
+
+#endif

@@ -1,0 +1,70 @@
+/* The drawing: shows what the view state says, and hands the pointer to the current tool.
+ *
+ * Zooms about the pointer (wheel, pinch), pans with the middle button or two fingers, fits on
+ * request. Grid, rulers, selection, findings and the tool's gesture are drawn over the scene.
+ *
+ * Signals: "status" (without arguments) when pointer, hint or snapping have changed;
+ * "failed" (message) when an edit was refused.
+ */
+#ifndef QN_APP_CANVAS_H
+#define QN_APP_CANVAS_H
+
+#include "app/tool.h"
+#include "doc/view-state.h"
+#include "render/pick.h"
+
+/* Connects a canvas made by a template; once. */
+void qn_canvas_set_state (QnCanvas *canvas, QnViewState *state, QnToolSettings *settings);
+
+QnViewState *qn_canvas_get_state (QnCanvas *canvas);
+QnDocument *qn_canvas_get_document (QnCanvas *canvas);
+QnSelection *qn_canvas_get_selection (QnCanvas *canvas);
+QnToolSettings *qn_canvas_get_tool_settings (QnCanvas *canvas);
+
+void qn_canvas_set_tool (QnCanvas *canvas, const QnTool *tool);
+const QnTool *qn_canvas_get_tool (QnCanvas *canvas);
+/* Gives up the gesture of the current tool. */
+void qn_canvas_cancel_gesture (QnCanvas *canvas);
+
+void qn_canvas_fit (QnCanvas *canvas);
+void qn_canvas_zoom (QnCanvas *canvas, double factor); /* about the middle */
+/* Brings a place into view and rings it. */
+void qn_canvas_show_place (QnCanvas *canvas, QnVec2 at);
+
+const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
+void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
+
+/* One line on the pointer: place and what the magnet took; the caller frees it. */
+char *qn_canvas_dup_status (QnCanvas *canvas);
+
+/* ---- for tools ---- */
+
+QnGesture *qn_canvas_get_gesture (QnCanvas *canvas);
+gboolean qn_canvas_is_in_gesture (QnCanvas *canvas);
+
+/* Whether the pointer has moved too far since the press to be a click. */
+gboolean qn_canvas_is_drag (QnCanvas *canvas, const QnToolEvent *event);
+
+/* Screen place of a point of the model. */
+QnVec2 qn_canvas_to_screen (QnCanvas *canvas, QnVec2 point);
+
+/* Topmost entity of these kinds under the pointer; kinds as of qn_pick_at(). */
+QnPick qn_canvas_pick (QnCanvas *canvas, QnVec2 screen, unsigned kinds);
+void qn_canvas_pick_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
+
+/* Blocks that the magnet leaves alone, one flag per block, taken over; NULL for none. */
+void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);
+
+/* Does an edit; shows why where it is refused. */
+gboolean qn_canvas_edit (QnCanvas *canvas, const char *name, const char *key,
+                         QnEditFunc func, gpointer data);
+
+/* Says that a gesture is under way (Escape gives it up, numbers are typed for it) or over. */
+void qn_canvas_set_in_gesture (QnCanvas *canvas, gboolean in_gesture);
+
+/* Draws a dimension line with its length between two points of the model. */
+void qn_canvas_draw_dimension (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
+/* Traces a polygon of the model as a path. */
+void qn_canvas_trace (QnCanvas *canvas, cairo_t *cr, const QnVec2 *points, gsize count);
+
+#endif

@@ -1,0 +1,30 @@
+/* The side panels of a window; each looks at the view state and the canvas of its window. */
+#ifndef QN_APP_PANEL_H
+#define QN_APP_PANEL_H
+
+#include "app/canvas.h"
+
+/* The tool's settings and what is selected: blocks, their wall, a contact face. */
+GtkWidget *qn_properties_panel_new (QnCanvas *canvas);
+
+/* Procedure and its parameters, loads, contacts, laws. */
+GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
+
+/* The law of the contacts; part of the analysis panel. */
+GtkWidget *qn_law_form_new (QnCanvas *canvas);
+
+/* Outcome in words, curve, list of runs and steps, table of contacts. */
+GtkWidget *qn_result_panel_new (QnCanvas *canvas);
+
+/* What contact detection has to tell, with buttons that show the place. */
+GtkWidget *qn_findings_panel_new (QnCanvas *canvas);
+
+/* The list of named steps; a click walks to one. For a popover. */
+GtkWidget *qn_history_list_new (QnDocument *document);
+
+/* Play, step slider, speed and scale of results. */
+GtkWidget *qn_playback_bar_new (QnViewState *state);
+void qn_playback_bar_toggle (GtkWidget *bar);
+gboolean qn_playback_bar_is_playing (GtkWidget *bar);
+
+#endif

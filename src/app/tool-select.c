@@ -1,0 +1,232 @@
+/* Select and move: click, Shift+click, rectangle; drag a block to move what is selected. */
+#include "app/canvas.h"
+
+#include "doc/edit.h"
+#include <glib/gi18n.h>
+
+/* px: a corner this near to the press is what a move carries. */
+#define GRAB_PX 14.0
+
+static gboolean
+shows_undeformed (QnCanvas *canvas)
+{
+  return !qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas)));
+}
+
+/* The corner of a block that was grabbed, or the place itself. */
+static QnVec2
+grabbed_point (QnCanvas *canvas, QnId block, const QnToolEvent *event)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnVec2 best = event->model;
+  double nearest = GRAB_PX;
+  for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
+    double distance
+      = qn_vec2_length (qn_vec2_sub (qn_canvas_to_screen (canvas, v[i]), event->screen));
+    if (distance < nearest) {
+      nearest = distance;
+      best = v[i];
+    }
+  }
+  return best;
+}
+
+static void
+select_more (QnSelection *selection, const QnModel *model, QnId block, int press_count)
+{
+  if (press_count == 2)
+    qn_selection_select_course (selection, model, block);
+  else
+    qn_selection_select_wall (selection, model, block);
+}
+
+static void
+press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
+    qn_selection_toggle_block (selection, block);
+    return;
+  }
+  if (event->press_count > 1) {
+    select_more (selection, model, block, event->press_count);
+    return;
+  }
+  if (!qn_selection_has_block (selection, block))
+    qn_selection_set_blocks (selection, &block, 1);
+  if (!shows_undeformed (canvas))
+    return;
+
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  gesture->from = gesture->to = grabbed_point (canvas, block, event);
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  qn_canvas_set_magnet_skip (canvas,
+                             qn_block_set_to_flags ((QnBlockSet){ ids, count }, model));
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  gesture->from_screen = event->screen;
+  QnView view = qn_view_state_get_view (qn_canvas_get_state (canvas));
+  if (view == QN_VIEW_CONTACTS) {
+    QnPick face = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
+    if (face.kind == QN_PICK_FACE) {
+      qn_selection_set_face (selection, face.id);
+      return;
+    }
+  }
+  QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK);
+  if (pick.kind == QN_PICK_BLOCK) {
+    press_on_block (canvas, pick.id, event);
+    return;
+  }
+  if ((event->modifiers & GDK_SHIFT_MASK) == 0)
+    qn_selection_clear (selection);
+  gesture->from = gesture->to = event->model;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+  gesture->band = TRUE;
+}
+
+static void
+motion (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
+    return;
+  gesture->dragging = TRUE;
+  gesture->to = gesture->band ? event->model : event->point;
+  if (!gesture->band && (event->modifiers & GDK_SHIFT_MASK)) {
+    /* Shift keeps a move horizontal or vertical. */
+    QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
+    if (fabs (d.x) > fabs (d.y))
+      gesture->to.y = gesture->from.y;
+    else
+      gesture->to.x = gesture->from.x;
+  }
+}
+
+typedef struct Move {
+  QnBlockSet set;
+  QnTransform transform;
+} Move;
+
+static gboolean
+edit_move (QnModel *model, gpointer data, GError **error)
+{
+  const Move *move = data;
+  return qn_edit_transform_blocks (model, move->set, move->transform, error);
+}
+
+static void
+finish_move (QnCanvas *canvas, QnVec2 by)
+{
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
+  g_autofree QnId *copy = g_memdup2 (ids, count * sizeof *ids);
+  Move move = { { copy, count }, qn_transform_translation (by.x, by.y) };
+  qn_canvas_set_magnet_skip (canvas, NULL);
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  qn_canvas_edit (canvas, _ ("Move"), NULL, edit_move, &move);
+}
+
+static void
+finish_band (QnCanvas *canvas)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
+  qn_canvas_pick_inside (canvas, qn_canvas_to_screen (canvas, gesture->from),
+                         qn_canvas_to_screen (canvas, gesture->to), ids);
+  qn_selection_add_blocks (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
+                           ids->len);
+}
+
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  (void) event;
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  if (gesture->band && gesture->dragging)
+    finish_band (canvas);
+  else if (gesture->dragging) {
+    finish_move (canvas, qn_vec2_sub (gesture->to, gesture->from));
+    return;
+  }
+  qn_canvas_set_magnet_skip (canvas, NULL);
+  qn_canvas_set_in_gesture (canvas, FALSE);
+}
+
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  if (count < 1 || count > 2 || qn_canvas_get_gesture (canvas)->band)
+    return FALSE;
+  finish_move (canvas, qn_vec2 (values[0], count > 1 ? values[1] : 0.0));
+  return TRUE;
+}
+
+static void
+draw_moved_blocks (QnCanvas *canvas, cairo_t *cr, QnVec2 by)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
+  for (guint i = 0; i < count; i++) {
+    gsize n = (gsize) model->blocks[ids[i]].vertex_count;
+    g_autofree QnVec2 *moved
+      = g_memdup2 (qn_model_block_vertices (model, ids[i]), n * sizeof (QnVec2));
+    for (gsize k = 0; k < n; k++)
+      moved[k] = qn_vec2_add (moved[k], by);
+    qn_canvas_trace (canvas, cr, moved, n);
+  }
+  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.25);
+  cairo_fill_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 1.5);
+  cairo_stroke (cr);
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas) || !gesture->dragging)
+    return;
+  if (!gesture->band) {
+    draw_moved_blocks (canvas, cr, qn_vec2_sub (gesture->to, gesture->from));
+    qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
+    return;
+  }
+  QnVec2 a = qn_canvas_to_screen (canvas, gesture->from);
+  QnVec2 b = qn_canvas_to_screen (canvas, gesture->to);
+  cairo_rectangle (cr, MIN (a.x, b.x), MIN (a.y, b.y), fabs (a.x - b.x), fabs (a.y - b.y));
+  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.12);
+  cairo_fill_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 1.0);
+  cairo_stroke (cr);
+}
+
+const QnTool qn_tool_select = {
+  .name = "select",
+  .icon = "quoin-select-symbolic",
+  .label = N_ ("Select and Move"),
+  .hint = N_ ("Click selects, double click a course, triple click a wall; drag to move, type "
+              "numbers to move exactly"),
+  .accel = "v",
+  .press = press,
+  .motion = motion,
+  .release = release,
+  .numbers = numbers,
+  .draw = draw,
+};
