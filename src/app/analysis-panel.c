@@ -45,12 +45,14 @@ edit_settings (QnModel *model, gpointer data, GError **error)
   a->max_multiplier = qn_quantity_entry_get_value (panel->max_multiplier);
   a->multiplier_tolerance = qn_quantity_entry_get_value (panel->multiplier_tolerance);
   guint block = gtk_drop_down_get_selected (panel->control_block);
-  a->control_block = block == 0 || block > model->block_count ? QN_NONE : (QnId) block - 1;
+  a->control_block =
+    block == 0 || block > model->block_count ? QN_NONE : (QnId) block - 1;
   a->control_dof = (QnDof) gtk_drop_down_get_selected (panel->component);
   a->control_target = qn_quantity_entry_get_value (panel->target);
 
   guint placement = gtk_drop_down_get_selected (panel->placement);
-  model->contact.pairs.placement = placement == 1 ? QN_PLACEMENT_UNIFORM : QN_PLACEMENT_ENDS;
+  model->contact.pairs.placement =
+    placement == 1 ? QN_PLACEMENT_UNIFORM : QN_PLACEMENT_ENDS;
   model->contact.pairs.offset = qn_quantity_entry_get_value (panel->offset);
   model->contact.pairs.count = (int32_t) qn_quantity_entry_get_value (panel->count);
   model->contact.tolerance = qn_quantity_entry_get_value (panel->tolerance);
@@ -134,7 +136,8 @@ fill_blocks (Panel *panel, const QnModel *model)
   g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, panel);
   gtk_drop_down_set_model (choice, G_LIST_MODEL (names));
   gtk_drop_down_set_selected (choice, (guint) (model->analysis.control_block + 1));
-  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, panel);
+  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     panel);
 }
 
 static void
@@ -208,18 +211,19 @@ build_procedure (Panel *panel, GtkWidget *form)
   panel->procedure = qn_form_add_choice (form, _ ("_Procedure"), labels, choice, panel);
   panel->geometry = qn_form_add_choice (form, _ ("_Geometry"), geometries, choice, panel);
   panel->snap = qn_form_add_choice (form, _ ("_Limit points"), snaps, choice, panel);
-  panel->increments = qn_form_add_quantity (form, _ ("_Increments"), QN_QUANTITY_NUMBER, 1.0,
-                                            1e6, quantity, panel);
+  panel->increments = qn_form_add_quantity (form, _ ("_Increments"), QN_QUANTITY_NUMBER,
+                                            1.0, 1e6, quantity, panel);
   panel->max_multiplier = qn_form_add_quantity (
     form, _ ("_Multiplier up to"), QN_QUANTITY_NUMBER, 1e-12, INFINITY, quantity, panel);
-  panel->multiplier_tolerance
-    = qn_form_add_quantity (form, _ ("_Tolerance of the multiplier"), QN_QUANTITY_NUMBER,
-                            1e-12, 0.1, quantity, panel);
-  panel->control_block
-    = qn_form_add_choice (form, _ ("_Controlled block"), none, choice, panel);
-  panel->component = qn_form_add_choice (form, _ ("C_omponent"), components, choice, panel);
-  panel->target = qn_form_add_quantity (form, _ ("T_arget"), QN_QUANTITY_LENGTH, -1e6, 1e6,
-                                        quantity, panel);
+  panel->multiplier_tolerance =
+    qn_form_add_quantity (form, _ ("_Tolerance of the multiplier"), QN_QUANTITY_NUMBER,
+                          1e-12, 0.1, quantity, panel);
+  panel->control_block =
+    qn_form_add_choice (form, _ ("_Controlled block"), none, choice, panel);
+  panel->component =
+    qn_form_add_choice (form, _ ("C_omponent"), components, choice, panel);
+  panel->target = qn_form_add_quantity (form, _ ("T_arget"), QN_QUANTITY_LENGTH, -1e6,
+                                        1e6, quantity, panel);
 }
 
 static void
@@ -229,8 +233,8 @@ build_loads (Panel *panel, GtkWidget *form)
   qn_form_add_heading (form, _ ("Loads, in Block Weights"));
   panel->dead_x = qn_form_add_quantity (form, _ ("Constant, horizontal"),
                                         QN_QUANTITY_NUMBER, -1e6, 1e6, load, panel);
-  panel->dead_y = qn_form_add_quantity (form, _ ("Constant, vertical"), QN_QUANTITY_NUMBER,
-                                        -1e6, 1e6, load, panel);
+  panel->dead_y = qn_form_add_quantity (form, _ ("Constant, vertical"),
+                                        QN_QUANTITY_NUMBER, -1e6, 1e6, load, panel);
   panel->live_x = qn_form_add_quantity (form, _ ("Growing, horizontal"),
                                         QN_QUANTITY_NUMBER, -1e6, 1e6, load, panel);
   panel->live_y = qn_form_add_quantity (form, _ ("Growing, vertical"), QN_QUANTITY_NUMBER,
@@ -245,10 +249,10 @@ build_contacts (Panel *panel, GtkWidget *form)
   qn_form_add_heading (form, _ ("Contacts"));
   panel->placement = qn_form_add_choice (form, _ ("Contact pai_rs"), placements,
                                          G_CALLBACK (on_choice), panel);
-  panel->offset = qn_form_add_quantity (form, _ ("O_ffset from corners"), QN_QUANTITY_LENGTH,
-                                        0.0, 1e3, quantity, panel);
-  panel->count = qn_form_add_quantity (form, _ ("_Number per face"), QN_QUANTITY_NUMBER, 1.0,
-                                       1000.0, quantity, panel);
+  panel->offset = qn_form_add_quantity (form, _ ("O_ffset from corners"),
+                                        QN_QUANTITY_LENGTH, 0.0, 1e3, quantity, panel);
+  panel->count = qn_form_add_quantity (form, _ ("_Number per face"), QN_QUANTITY_NUMBER,
+                                       1.0, 1000.0, quantity, panel);
   panel->tolerance = qn_form_add_quantity (form, _ ("Relati_ve tolerance"),
                                            QN_QUANTITY_NUMBER, 0.0, 0.1, quantity, panel);
 }

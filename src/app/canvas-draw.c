@@ -2,6 +2,7 @@
 #include "app/settings.h"
 #include "doc/explain.h"
 #include "render/draw-cairo.h"
+#include "render/figure-furniture.h"
 
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
@@ -32,8 +33,8 @@ static PangoLayout *
 make_text (QnCanvas *self, const char *text, double points)
 {
   PangoLayout *layout = gtk_widget_create_pango_layout (GTK_WIDGET (self), text);
-  PangoFontDescription *font
-    = pango_font_description_copy (pango_context_get_font_description (
+  PangoFontDescription *font =
+    pango_font_description_copy (pango_context_get_font_description (
       gtk_widget_get_pango_context (GTK_WIDGET (self))));
   pango_font_description_set_size (font, (int) (points * PANGO_SCALE));
   pango_layout_set_font_description (layout, font);
@@ -80,8 +81,8 @@ draw_grid (QnCanvas *self, cairo_t *cr)
 static void
 draw_ruler_label (QnCanvas *self, cairo_t *cr, double value, QnVec2 at, gboolean vertical)
 {
-  g_autofree char *text
-    = qn_units_format (qn_settings_get_units (), QN_QUANTITY_LENGTH, value, 6);
+  g_autofree char *text =
+    qn_units_format (qn_settings_get_units (), QN_QUANTITY_LENGTH, value, 6);
   g_autoptr (PangoLayout) layout = make_text (self, text, 7.0);
   cairo_save (cr);
   cairo_move_to (cr, at.x, at.y);
@@ -153,8 +154,8 @@ draw_rulers (QnCanvas *self, cairo_t *cr)
 
   if (self->pointer_inside)
     draw_pointer_on_rulers (self, cr);
-  g_autoptr (PangoLayout) unit = make_text (
-    self, qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH), 7.0);
+  g_autoptr (PangoLayout) unit =
+    make_text (self, qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH), 7.0);
   cairo_set_source_rgb (cr, 0.955, 0.955, 0.95);
   cairo_rectangle (cr, 0.0, 0.0, RULER_PX, RULER_PX);
   cairo_fill (cr);
@@ -218,8 +219,8 @@ draw_selection (QnCanvas *self, cairo_t *cr)
 static void
 draw_findings (QnCanvas *self, cairo_t *cr)
 {
-  const QnFindings *findings
-    = &qn_document_get_contacts (qn_canvas_get_document (self))->findings;
+  const QnFindings *findings =
+    &qn_document_get_contacts (qn_canvas_get_document (self))->findings;
   for (gsize i = 0; i < findings->count; i++) {
     QnVec2 s = qn_canvas_to_screen (self, findings->items[i].at);
     cairo_move_to (cr, s.x, s.y - MARK_PX);
@@ -292,9 +293,9 @@ draw_magnet (QnCanvas *self, cairo_t *cr)
 static void
 draw_typed (QnCanvas *self, cairo_t *cr)
 {
-  g_autofree char *text = g_strdup_printf (
-    "%s▏ %s", self->typed->str,
-    qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH));
+  g_autofree char *text =
+    g_strdup_printf ("%s▏ %s", self->typed->str,
+                     qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH));
   g_autoptr (PangoLayout) layout = make_text (self, text, 10.0);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
@@ -321,8 +322,8 @@ qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
   cairo_line_to (cr, sb.x, sb.y);
   cairo_stroke (cr);
 
-  g_autofree char *text = qn_units_format_full (qn_settings_get_units (),
-                                                QN_QUANTITY_LENGTH, length, 4);
+  g_autofree char *text =
+    qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_LENGTH, length, 4);
   g_autoptr (PangoLayout) layout = make_text (self, text, 9.0);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
@@ -341,38 +342,20 @@ qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
 static void
 draw_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene)
 {
-  double y = self->camera.height - LEGEND_INSET;
-  for (guint i = scene->legend->len; i > 0; i--) {
-    const QnLegendEntry *entry = &g_array_index (scene->legend, QnLegendEntry, i - 1);
-    g_autoptr (PangoLayout) layout = make_text (self, entry->text, 8.0);
-    int width, height;
-    pango_layout_get_pixel_size (layout, &width, &height);
-    y -= height + 3.0;
-    double x = RULER_PX + LEGEND_INSET, middle = y + 0.5 * height;
-    cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.8);
-    cairo_rectangle (cr, x - 4.0, y - 1.0, width + 34.0, height + 3.0);
-    cairo_fill (cr);
-    cairo_set_source_rgba (cr, entry->color.r / 255.0, entry->color.g / 255.0,
-                           entry->color.b / 255.0, entry->color.a / 255.0);
-    if (entry->kind == QN_COMMAND_MARKER)
-      qn_draw_cairo_marker (cr, (QnMarker) entry->marker, x + 10.0, middle,
-                            entry->size * self->camera.unit, 0.0, entry->color);
-    else if (entry->kind == QN_COMMAND_STROKE) {
-      const double dash[] = { 4.0, 3.0 };
-      cairo_set_line_width (cr, MAX (1.0, entry->size * self->camera.unit));
-      cairo_set_dash (cr, dash, entry->dashed ? 2 : 0, 0.0);
-      cairo_move_to (cr, x, middle);
-      cairo_line_to (cr, x + 20.0, middle);
-      cairo_stroke (cr);
-      cairo_set_dash (cr, NULL, 0, 0.0);
-    } else {
-      cairo_rectangle (cr, x + 2.0, middle - 5.0, 16.0, 10.0);
-      cairo_fill (cr);
-    }
-    cairo_set_source_rgb (cr, 0.15, 0.15, 0.15);
-    cairo_move_to (cr, x + 26.0, y);
-    pango_cairo_show_layout (cr, layout);
-  }
+  QnFurniture furniture;
+  double width = 0.0, height = 0.0;
+  qn_furniture_init (&furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
+                     true);
+  qn_furniture_column_size (&furniture, &width, &height);
+  furniture.x = RULER_PX + LEGEND_INSET;
+  furniture.y = self->camera.height - height - LEGEND_INSET;
+  furniture.width = width;
+  furniture.height = height;
+  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.8);
+  cairo_rectangle (cr, furniture.x - 4.0, furniture.y - 4.0, width + 8.0, height + 8.0);
+  cairo_fill (cr);
+  qn_furniture_draw (&furniture, cr, self->camera.scale, true);
+  qn_furniture_clear (&furniture);
 }
 
 static void

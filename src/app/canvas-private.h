@@ -14,7 +14,9 @@ struct _QnCanvas {
   QnScene *scene; /* NULL: to be built */
   GError *scene_error;
   QnCamera camera;
-  gboolean wants_fit;
+  gboolean wants_fit; /* at the next drawing */
+  gboolean keeps_fit; /* until the user zooms or pans */
+  QnView shown_view;
 
   QnVec2 pointer; /* px */
   gboolean pointer_inside;
@@ -24,7 +26,7 @@ struct _QnCanvas {
   gboolean pressed;
   gboolean in_gesture; /* a tool has begun something that Escape gives up */
   QnGesture gesture;
-  GString *typed;      /* numbers typed during a gesture */
+  GString *typed; /* numbers typed during a gesture */
   QnVec2 pan_from, zoom_center;
   QnCamera gesture_camera;
 

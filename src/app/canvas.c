@@ -12,10 +12,11 @@
 #define LEAST_SCALE 0.05
 #define MOST_SCALE  200000.0
 
-#define FIT_MARGIN_PX    56.0
-#define PLACE_SECONDS    4
-#define WHEEL_FACTOR     1.15
-#define PX_PER_POINT     (96.0 / 72.0)
+#define FIT_TOP_PX    44.0
+#define FIT_MARGIN_PX 56.0
+#define PLACE_SECONDS 4
+#define WHEEL_FACTOR  1.15
+#define PX_PER_POINT  (96.0 / 72.0)
 
 G_DEFINE_FINAL_TYPE (QnCanvas, qn_canvas, GTK_TYPE_WIDGET)
 
@@ -54,6 +55,17 @@ invalidate (QnCanvas *self)
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
+/* Another view takes other room; steps and phases of a motion do not move the paper. */
+static void
+on_state_changed (QnCanvas *self)
+{
+  QnView view = qn_view_state_get_view (self->state);
+  if (view != self->shown_view && self->keeps_fit)
+    self->wants_fit = TRUE;
+  self->shown_view = view;
+  invalidate (self);
+}
+
 static void
 update_description (QnCanvas *self)
 {
@@ -63,8 +75,8 @@ update_description (QnCanvas *self)
     _ ("Drawing of %u blocks with %u contact faces; the arrow keys move the selection"),
     (guint) model->block_count, (guint) contacts->face_count);
   gtk_accessible_update_property (GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Drawing"), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text,
-                                  -1);
+                                  _ ("Drawing"), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                  text, -1);
 }
 
 /* ---- pointer ---- */
@@ -75,8 +87,8 @@ update_hit (QnCanvas *self)
   QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
   GSettings *settings = qn_settings_get ();
   gboolean free_hand = (self->modifiers & GDK_ALT_MASK) != 0;
-  gboolean wanted
-    = self->tool != NULL && (self->tool->magnetic || self->in_gesture) && !free_hand;
+  gboolean wanted =
+    self->tool != NULL && (self->tool->magnetic || self->in_gesture) && !free_hand;
   QnMagnet magnet = { wanted && g_settings_get_boolean (settings, "snap"),
                       MAGNET_REACH_PX / self->camera.scale,
                       g_settings_get_boolean (settings, "grid")
@@ -87,7 +99,8 @@ update_hit (QnCanvas *self)
 }
 
 static QnToolEvent
-make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers, int press_count)
+make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
+            int press_count)
 {
   self->pointer = qn_vec2 (x, y);
   self->modifiers = modifiers;
@@ -159,7 +172,7 @@ zoom_at (QnCanvas *self, QnVec2 at, double factor)
 {
   double scale = CLAMP (self->camera.scale * factor, LEAST_SCALE, MOST_SCALE);
   qn_camera_zoom_at (&self->camera, at, scale / self->camera.scale);
-  self->wants_fit = FALSE;
+  self->wants_fit = self->keeps_fit = FALSE;
   gtk_widget_queue_draw (GTK_WIDGET (self));
   emit_status (self);
 }
@@ -167,15 +180,15 @@ zoom_at (QnCanvas *self, QnVec2 at, double factor)
 static gboolean
 on_scroll (GtkEventControllerScroll *controller, double dx, double dy, QnCanvas *self)
 {
-  GdkEvent *event = gtk_event_controller_get_current_event (GTK_EVENT_CONTROLLER (controller));
-  gboolean touchpad = event != NULL
-                      && gdk_scroll_event_get_direction (event) == GDK_SCROLL_SMOOTH
-                      && gdk_device_get_source (gdk_event_get_device (event))
-                           == GDK_SOURCE_TOUCHPAD;
+  GdkEvent *event =
+    gtk_event_controller_get_current_event (GTK_EVENT_CONTROLLER (controller));
+  gboolean touchpad =
+    event != NULL && gdk_scroll_event_get_direction (event) == GDK_SCROLL_SMOOTH
+    && gdk_device_get_source (gdk_event_get_device (event)) == GDK_SOURCE_TOUCHPAD;
   GdkModifierType modifiers = event_modifiers (controller);
   if (touchpad && (modifiers & GDK_CONTROL_MASK) == 0) {
     qn_camera_pan (&self->camera, qn_vec2 (-dx * 10.0, -dy * 10.0));
-    self->wants_fit = FALSE;
+    self->wants_fit = self->keeps_fit = FALSE;
     gtk_widget_queue_draw (GTK_WIDGET (self));
   } else if (modifiers & GDK_SHIFT_MASK) {
     qn_camera_pan (&self->camera, qn_vec2 (-(dx + dy) * 40.0, 0.0));
@@ -202,7 +215,7 @@ on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCanvas *self)
   QnCamera camera = self->gesture_camera;
   qn_camera_pan (&camera, qn_vec2 (dx, dy));
   self->camera.center = camera.center;
-  self->wants_fit = FALSE;
+  self->wants_fit = self->keeps_fit = FALSE;
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
@@ -236,7 +249,7 @@ on_pinch_changed (GtkGestureZoom *gesture, double factor, QnCanvas *self)
 void
 qn_canvas_fit (QnCanvas *self)
 {
-  self->wants_fit = TRUE;
+  self->wants_fit = self->keeps_fit = TRUE;
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
@@ -245,7 +258,14 @@ fit_now (QnCanvas *self)
 {
   const QnScene *scene = qn_canvas_get_scene (self);
   QnBox box = scene != NULL ? scene->box : (QnBox){ { -0.5, -0.5 }, { 5.5, 4.5 } };
+  /* Room for the rulers, the choice of view above and the buttons below. */
+  self->camera.y = FIT_TOP_PX;
+  self->camera.height -= FIT_TOP_PX;
   qn_camera_fit (&self->camera, box, FIT_MARGIN_PX);
+  self->camera.height += FIT_TOP_PX;
+  self->camera.y = 0.0;
+  self->camera.center.y += 0.5 * FIT_TOP_PX / self->camera.scale;
+  self->wants_fit = FALSE;
   self->camera.scale = CLAMP (self->camera.scale, LEAST_SCALE, MOST_SCALE);
 }
 
@@ -266,7 +286,7 @@ qn_canvas_set_camera (QnCanvas *self, const QnCamera *camera)
 {
   self->camera.center = camera->center;
   self->camera.scale = camera->scale;
-  self->wants_fit = FALSE;
+  self->wants_fit = self->keeps_fit = FALSE;
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
@@ -290,7 +310,7 @@ qn_canvas_show_place (QnCanvas *self, QnVec2 at)
     self->camera.center = at;
   self->place = at;
   self->has_place = TRUE;
-  self->wants_fit = FALSE;
+  self->wants_fit = self->keeps_fit = FALSE;
   g_clear_handle_id (&self->place_timeout, g_source_remove);
   self->place_timeout = g_timeout_add_seconds (PLACE_SECONDS, on_place_timeout, self);
   gtk_widget_queue_draw (GTK_WIDGET (self));
@@ -324,8 +344,49 @@ finish_typed (QnCanvas *self)
 static gboolean
 is_number_character (gunichar c)
 {
-  return (c < 128 && g_ascii_isdigit ((char) c)) || c == '.' || c == ',' || c == ';' || c == '-'
-         || c == ' ' || c == 'x' || c == 'm' || c == 'c';
+  return (c < 128 && g_ascii_isdigit ((char) c)) || c == '.' || c == ',' || c == ';'
+         || c == '-' || c == ' ' || c == 'x' || c == 'm' || c == 'c';
+}
+
+/* Keys that mean something for the drawing alone, so that entries keep theirs. */
+static const struct {
+  guint keyval;
+  GdkModifierType modifiers;
+  const char *action; /* detailed name */
+} canvas_keys[] = {
+  { GDK_KEY_Delete, 0, "win.delete" },
+  { GDK_KEY_BackSpace, 0, "win.delete" },
+  { GDK_KEY_Left, 0, "win.nudge((-1.0,0.0))" },
+  { GDK_KEY_Right, 0, "win.nudge((1.0,0.0))" },
+  { GDK_KEY_Up, 0, "win.nudge((0.0,1.0))" },
+  { GDK_KEY_Down, 0, "win.nudge((0.0,-1.0))" },
+  { GDK_KEY_space, 0, "win.play" },
+  { GDK_KEY_period, 0, "win.next-step" },
+  { GDK_KEY_comma, 0, "win.previous-step" },
+  { GDK_KEY_c, GDK_CONTROL_MASK, "win.copy" },
+  { GDK_KEY_x, GDK_CONTROL_MASK, "win.cut" },
+  { GDK_KEY_v, GDK_CONTROL_MASK, "win.paste" },
+  { GDK_KEY_a, GDK_CONTROL_MASK, "win.select-all" },
+};
+
+static gboolean
+activate_key (QnCanvas *self, guint keyval, GdkModifierType modifiers)
+{
+  GdkModifierType held = modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK | GDK_SHIFT_MASK);
+  for (gsize i = 0; i < G_N_ELEMENTS (canvas_keys); i++) {
+    if (canvas_keys[i].keyval != keyval || canvas_keys[i].modifiers != held)
+      continue;
+    g_autofree char *name = NULL;
+    g_autoptr (GVariant) target = NULL;
+    g_action_parse_detailed_name (canvas_keys[i].action, &name, &target, NULL);
+    return gtk_widget_activate_action_variant (GTK_WIDGET (self), name, target);
+  }
+  for (int i = 0; qn_tools[i] != NULL && held == 0; i++) {
+    if (gdk_keyval_to_unicode (keyval) == (gunichar) qn_tools[i]->accel[0])
+      return gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s",
+                                         qn_tools[i]->name);
+  }
+  return FALSE;
 }
 
 static gboolean
@@ -345,8 +406,9 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
     else
       qn_selection_clear (qn_canvas_get_selection (self));
   } else if (!self->in_gesture || control)
-    return FALSE;
-  else if ((keyval == GDK_KEY_Return || keyval == GDK_KEY_KP_Enter) && self->tool->numbers)
+    return activate_key (self, keyval, modifiers);
+  else if ((keyval == GDK_KEY_Return || keyval == GDK_KEY_KP_Enter)
+           && self->tool->numbers)
     finish_typed (self);
   else if (keyval == GDK_KEY_BackSpace && self->typed->len > 0)
     g_string_truncate (self->typed, self->typed->len - 1);
@@ -369,9 +431,10 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
   int width = gtk_widget_get_width (widget), height = gtk_widget_get_height (widget);
   if (self->state == NULL || width <= 0 || height <= 0)
     return;
+  gboolean resized = self->camera.width != width || self->camera.height != height;
   self->camera.width = width;
   self->camera.height = height;
-  if (self->wants_fit)
+  if (self->wants_fit || (resized && self->keeps_fit))
     fit_now (self);
   cairo_t *cr = gtk_snapshot_append_cairo (
     snapshot, &GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height));
@@ -449,8 +512,8 @@ add_controllers (QnCanvas *self)
   g_signal_connect (motion, "leave", G_CALLBACK (on_leave), self);
   gtk_widget_add_controller (widget, motion);
 
-  GtkEventController *scroll
-    = gtk_event_controller_scroll_new (GTK_EVENT_CONTROLLER_SCROLL_BOTH_AXES);
+  GtkEventController *scroll =
+    gtk_event_controller_scroll_new (GTK_EVENT_CONTROLLER_SCROLL_BOTH_AXES);
   g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), self);
   gtk_widget_add_controller (widget, scroll);
 
@@ -471,7 +534,7 @@ qn_canvas_init (QnCanvas *self)
   self->typed = g_string_new (NULL);
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
   self->tool = &qn_tool_select;
-  self->wants_fit = TRUE;
+  self->wants_fit = self->keeps_fit = TRUE;
   add_controllers (self);
 }
 
@@ -490,7 +553,7 @@ qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *setting
   g_return_if_fail (self->state == NULL);
   self->state = g_object_ref (state);
   self->settings = settings;
-  g_signal_connect_swapped (state, "changed", G_CALLBACK (invalidate), self);
+  g_signal_connect_swapped (state, "changed", G_CALLBACK (on_state_changed), self);
   QnDocument *document = qn_view_state_get_document (state);
   g_signal_connect_object (document, "changed", G_CALLBACK (on_document_changed), self,
                            G_CONNECT_SWAPPED);
@@ -656,7 +719,8 @@ qn_canvas_dup_status (QnCanvas *self)
   QnUnits units = qn_settings_get_units ();
   QnVec2 p = self->hit.point;
   double resolution = 1.0 / self->camera.scale;
-  p = qn_vec2 (round (p.x / resolution) * resolution, round (p.y / resolution) * resolution);
+  p = qn_vec2 (round (p.x / resolution) * resolution,
+               round (p.y / resolution) * resolution);
   if (self->hit.kind != QN_MAGNET_NOTHING)
     p = self->hit.point;
   g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, p.x, 5);

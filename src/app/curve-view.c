@@ -86,10 +86,9 @@ update (QnCurveView *self)
   if (job != NULL)
     take_live_curve (self, job);
   else if (run != NULL && run->result.step_count > 0
-           && !qn_curve_from_result (&self->curve, &run->result,
-                                     run->model.analysis.control_block,
-                                     run->model.analysis.control_dof, &self->block,
-                                     &self->dof))
+           && !qn_curve_from_result (
+             &self->curve, &run->result, run->model.analysis.control_block,
+             run->model.analysis.control_dof, &self->block, &self->dof))
     self->curve = (QnCurve){ 0 };
   update_range (self);
   update_description (self, run);
@@ -141,8 +140,8 @@ static void
 draw_text (QnCurveView *self, cairo_t *cr, const char *text, double x, double y,
            double align_x, gboolean upright)
 {
-  g_autoptr (PangoLayout) layout
-    = gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
+  g_autoptr (PangoLayout) layout =
+    gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
   g_autofree char *small = g_markup_printf_escaped ("<small>%s</small>", text);
   pango_layout_set_markup (layout, small, -1);
   int width, height;
@@ -159,11 +158,12 @@ draw_text (QnCurveView *self, cairo_t *cr, const char *text, double x, double y,
 static void
 draw_y_ticks (QnCurveView *self, cairo_t *cr)
 {
-  double step = qn_magnet_round_distance (self->y_max * TICK_PX * 0.6 / plot_height (self));
+  double step =
+    qn_magnet_round_distance (self->y_max * TICK_PX * 0.6 / plot_height (self));
   for (int i = 0; i * step <= self->y_max; i++) {
     QnVec2 p = to_screen (self, self->x_min, i * step);
-    g_autofree char *text
-      = qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, i * step, 4);
+    g_autofree char *text =
+      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, i * step, 4);
     cairo_move_to (cr, p.x, floor (p.y) + 0.5);
     cairo_rel_line_to (cr, plot_width (self), 0.0);
     draw_text (self, cr, text, p.x - 5.0, p.y, 1.0, FALSE);
@@ -174,16 +174,17 @@ static void
 draw_x_ticks (QnCurveView *self, cairo_t *cr)
 {
   QnUnits units = qn_settings_get_units ();
-  QnQuantity quantity = self->live                  ? QN_QUANTITY_NUMBER
-                        : self->dof == QN_DOF_RZ    ? QN_QUANTITY_ANGLE
-                                                    : QN_QUANTITY_LENGTH;
+  QnQuantity quantity = self->live               ? QN_QUANTITY_NUMBER
+                        : self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE
+                                                 : QN_QUANTITY_LENGTH;
   double factor = qn_units_factor (units, quantity);
   double span = (self->x_max - self->x_min) / factor;
   double step = qn_magnet_round_distance (span * TICK_PX / plot_width (self));
-  for (double i = ceil (self->x_min / factor / step); i * step * factor <= self->x_max; i++) {
+  for (double i = ceil (self->x_min / factor / step); i * step * factor <= self->x_max;
+       i++) {
     QnVec2 p = to_screen (self, i * step * factor, 0.0);
-    g_autofree char *text = qn_units_format (
-      units, quantity, i == 0.0 ? 0.0 : i * step * factor, 4);
+    g_autofree char *text =
+      qn_units_format (units, quantity, i == 0.0 ? 0.0 : i * step * factor, 4);
     cairo_move_to (cr, floor (p.x) + 0.5, p.y);
     cairo_rel_line_to (cr, 0.0, 4.0);
     draw_text (self, cr, text, p.x, p.y + 11.0, 0.5, FALSE);
@@ -204,10 +205,9 @@ draw_x_label (QnCurveView *self, cairo_t *cr)
   if (run == NULL || self->block == QN_NONE)
     return;
   QnQuantity quantity = self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
-  g_autofree char *text
-    = g_strdup_printf ("%s, %s (%s)", components[self->dof],
-                       run->model.blocks[self->block].name,
-                       qn_units_symbol (qn_settings_get_units (), quantity));
+  g_autofree char *text = g_strdup_printf (
+    "%s, %s (%s)", components[self->dof], run->model.blocks[self->block].name,
+    qn_units_symbol (qn_settings_get_units (), quantity));
   draw_text (self, cr, text, x, y, 0.5, FALSE);
 }
 
@@ -278,8 +278,8 @@ draw (QnCurveView *self, cairo_t *cr)
   draw_y_ticks (self, cr);
   draw_x_ticks (self, cr);
   draw_x_label (self, cr);
-  draw_text (self, cr, _ ("Load multiplier"), 2.0, MARGIN_TOP + 0.5 * plot_height (self), 0.5,
-             TRUE);
+  draw_text (self, cr, _ ("Load multiplier"), 2.0, MARGIN_TOP + 0.5 * plot_height (self),
+             0.5, TRUE);
   gdk_cairo_set_source_rgba (cr, &faint);
   cairo_stroke (cr);
   draw_points (self, cr, &ink);
@@ -294,8 +294,8 @@ qn_curve_view_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
   float height = (float) gtk_widget_get_height (widget);
   if (plot_width (self) < 20.0 || plot_height (self) < 20.0)
     return;
-  cairo_t *cr
-    = gtk_snapshot_append_cairo (snapshot, &GRAPHENE_RECT_INIT (0, 0, width, height));
+  cairo_t *cr =
+    gtk_snapshot_append_cairo (snapshot, &GRAPHENE_RECT_INIT (0, 0, width, height));
   draw (self, cr);
   cairo_destroy (cr);
   if (gtk_widget_has_focus (widget))
@@ -409,8 +409,8 @@ qn_curve_view_new (QnViewState *state)
                            G_CONNECT_SWAPPED);
   g_signal_connect_object (document, "job-progress", G_CALLBACK (update), self,
                            G_CONNECT_SWAPPED);
-  g_signal_connect_object (qn_settings_get (), "changed", G_CALLBACK (gtk_widget_queue_draw),
-                           self, G_CONNECT_SWAPPED);
+  g_signal_connect_object (qn_settings_get (), "changed",
+                           G_CALLBACK (gtk_widget_queue_draw), self, G_CONNECT_SWAPPED);
   update (self);
   return GTK_WIDGET (self);
 }

@@ -16,8 +16,8 @@ static void
 on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
 {
   (void) list;
-  const QnContacts *contacts
-    = qn_document_get_contacts (qn_canvas_get_document (panel->canvas));
+  const QnContacts *contacts =
+    qn_document_get_contacts (qn_canvas_get_document (panel->canvas));
   int index = gtk_list_box_row_get_index (row);
   if (index < 0 || (gsize) index >= contacts->findings.count)
     return;
@@ -62,8 +62,9 @@ update (Panel *panel)
   g_autofree char *text = g_strdup_printf (
     _ ("%u blocks, %u contact faces, %u contact pairs.\n%s"), (guint) model->block_count,
     (guint) contacts->face_count, (guint) contacts->pair_count,
-    shown == 0 ? _ ("Nothing to complain of.")
-               : _ ("Each line leads to its place; the triangles in the drawing mark them."));
+    shown == 0
+      ? _ ("Nothing to complain of.")
+      : _ ("Each line leads to its place; the triangles in the drawing mark them."));
   gtk_label_set_text (panel->summary, text);
 }
 

@@ -106,7 +106,8 @@ qn_form_set_row_visible (GtkWidget *field, gboolean visible)
 void
 qn_form_set_choice (GtkDropDown *choice, guint selected, gpointer user_data)
 {
-  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, user_data);
+  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
   gtk_drop_down_set_selected (choice, selected);
   g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
                                      user_data);

@@ -47,7 +47,8 @@ qn_history_list_new (QnDocument *document)
   list->document = document;
   list->box = gtk_list_box_new ();
   gtk_list_box_set_activate_on_single_click (GTK_LIST_BOX (list->box), TRUE);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (list->box), GTK_ACCESSIBLE_PROPERTY_LABEL,
+  gtk_accessible_update_property (GTK_ACCESSIBLE (list->box),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   _ ("Steps of the history"), -1);
   g_signal_connect (list->box, "row-activated", G_CALLBACK (on_row_activated), list);
   GtkWidget *scroller = gtk_scrolled_window_new ();

@@ -151,10 +151,12 @@ fill_laws (Form *form, const QnModel *model)
   g_autoptr (GtkStringList) names = gtk_string_list_new (NULL);
   for (gsize i = 0; i < model->law_count; i++)
     gtk_string_list_append (names, model->laws[i].name);
-  g_signal_handlers_block_matched (form->law, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, form);
+  g_signal_handlers_block_matched (form->law, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   form);
   gtk_drop_down_set_model (form->law, G_LIST_MODEL (names));
   gtk_drop_down_set_selected (form->law, (guint) form->shown);
-  g_signal_handlers_unblock_matched (form->law, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, form);
+  g_signal_handlers_unblock_matched (form->law, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     form);
 }
 
 static void
@@ -171,8 +173,8 @@ update (Form *form)
   qn_form_set_choice (form->basis, law->basis, form);
   for (int basis = 0; basis < QN_BASIS_COUNT; basis++) {
     for (int i = 0; i < FIELD_COUNT; i++) {
-      gboolean visible
-        = basis == (int) law->basis && (i <= KS || law->kind == QN_LAW_COULOMB);
+      gboolean visible =
+        basis == (int) law->basis && (i <= KS || law->kind == QN_LAW_COULOMB);
       qn_quantity_entry_set_value (form->fields[basis][i], *field_of (law, i));
       qn_form_set_row_visible (GTK_WIDGET (form->fields[basis][i]), visible);
     }
@@ -184,9 +186,9 @@ build_fields (Form *form, GtkWidget *grid)
 {
   for (int i = 0; i < FIELD_COUNT; i++) {
     for (int basis = 0; basis < QN_BASIS_COUNT; basis++)
-      form->fields[basis][i]
-        = qn_form_add_quantity (grid, _ (fields[i].label), fields[i].quantity[basis],
-                                fields[i].least, 1e18, G_CALLBACK (on_quantity), form);
+      form->fields[basis][i] =
+        qn_form_add_quantity (grid, _ (fields[i].label), fields[i].quantity[basis],
+                              fields[i].least, 1e18, G_CALLBACK (on_quantity), form);
   }
 }
 
@@ -195,15 +197,16 @@ qn_law_form_new (QnCanvas *canvas)
 {
   const char *const none[] = { NULL };
   const char *const kinds[] = { _ ("Elastic"), _ ("No tension"), _ ("Coulomb"), NULL };
-  const char *const bases[]
-    = { _ ("Contact pair"), _ ("Surface"), _ ("Material"), NULL };
+  const char *const bases[] = { _ ("Contact pair"), _ ("Surface"), _ ("Material"), NULL };
   Form *form = g_new0 (Form, 1);
   form->canvas = canvas;
   GtkWidget *grid = qn_form_new ();
   qn_form_add_heading (grid, _ ("Laws"));
   form->law = qn_form_add_choice (grid, _ ("La_w"), none, G_CALLBACK (on_law), form);
-  form->kind = qn_form_add_choice (grid, _ ("_Kind"), kinds, G_CALLBACK (on_choice), form);
-  form->basis = qn_form_add_choice (grid, _ ("_Basis"), bases, G_CALLBACK (on_choice), form);
+  form->kind =
+    qn_form_add_choice (grid, _ ("_Kind"), kinds, G_CALLBACK (on_choice), form);
+  form->basis =
+    qn_form_add_choice (grid, _ ("_Basis"), bases, G_CALLBACK (on_choice), form);
   build_fields (form, grid);
 
   GtkWidget *buttons = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);

@@ -107,7 +107,8 @@ static void
 on_slider (GtkRange *range, Bar *bar)
 {
   if (moves_by_phase (bar))
-    qn_view_state_set_phase (bar->state, gtk_range_get_value (range) / MAX (1, last_step (bar)));
+    qn_view_state_set_phase (bar->state,
+                             gtk_range_get_value (range) / MAX (1, last_step (bar)));
   else
     qn_view_state_set_step (bar->state, (int) lround (gtk_range_get_value (range)));
 }
@@ -146,7 +147,7 @@ update (Bar *bar)
     return;
   }
   int last = last_step (bar), step = qn_view_state_get_step (bar->state);
-  double value = moves_by_phase (bar) ? qn_view_state_get_phase (bar->state) * last
+  double value = moves_by_phase (bar)   ? qn_view_state_get_phase (bar->state) * last
                  : step == QN_STEP_LAST ? last
                                         : step;
   g_signal_handlers_block_by_func (bar->slider, on_slider, bar);
@@ -195,7 +196,7 @@ build (Bar *bar)
   gtk_accessible_update_relation (GTK_ACCESSIBLE (bar->scale),
                                   GTK_ACCESSIBLE_RELATION_LABELLED_BY, label, NULL, -1);
 
-  GtkWidget *parts[] = { bar->play,  bar->slider, bar->step_label,       bar->loop,
+  GtkWidget *parts[] = { bar->play,  bar->slider, bar->step_label,        bar->loop,
                          bar->speed, label,       GTK_WIDGET (bar->scale) };
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
     gtk_box_append (GTK_BOX (bar->box), parts[i]);

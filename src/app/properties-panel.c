@@ -48,8 +48,8 @@ static QnBlockSet
 dup_selected (const Panel *panel)
 {
   guint count = 0;
-  const QnId *ids
-    = qn_selection_get_blocks (qn_canvas_get_selection (panel->canvas), &count);
+  const QnId *ids =
+    qn_selection_get_blocks (qn_canvas_get_selection (panel->canvas), &count);
   return (QnBlockSet){ g_memdup2 (ids, count * sizeof *ids), count };
 }
 
@@ -92,31 +92,31 @@ add_check (GtkWidget *form, const char *label, gboolean active, GCallback toggle
 static void
 build_tool_form (Panel *panel)
 {
-  const char *const bonds[]
-    = { _ ("Running bond"), _ ("Stack bond"), _ ("Third bond"), NULL };
+  const char *const bonds[] = { _ ("Running bond"), _ ("Stack bond"), _ ("Third bond"),
+                                NULL };
   const char *const kinds[] = { _ ("Live (grows)"), _ ("Dead (constant)"), NULL };
   GCallback changed = G_CALLBACK (on_tool_setting);
   GtkWidget *form = panel->tool_form = qn_form_new ();
   qn_form_add_heading (form, _ ("New Elements"));
-  panel->unit_x = qn_form_add_quantity (form, _ ("Block _length"), QN_QUANTITY_LENGTH, 1e-4,
-                                        LARGEST, changed, panel);
+  panel->unit_x = qn_form_add_quantity (form, _ ("Block _length"), QN_QUANTITY_LENGTH,
+                                        1e-4, LARGEST, changed, panel);
   panel->unit_y = qn_form_add_quantity (form, _ ("Course _height"), QN_QUANTITY_LENGTH,
                                         1e-4, LARGEST, changed, panel);
   panel->tool_thickness = qn_form_add_quantity (
     form, _ ("_Thickness"), QN_QUANTITY_LENGTH, 1e-4, LARGEST, changed, panel);
   panel->tool_weight = qn_form_add_quantity (
     form, _ ("Unit _weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, LARGEST, changed, panel);
-  panel->bond
-    = qn_form_add_choice (form, _ ("B_ond"), bonds, G_CALLBACK (on_tool_choice), panel);
+  panel->bond =
+    qn_form_add_choice (form, _ ("B_ond"), bonds, G_CALLBACK (on_tool_choice), panel);
   panel->force = qn_form_add_quantity (form, _ ("For_ce"), QN_QUANTITY_FORCE, 1e-9, 1e12,
                                        changed, panel);
   panel->force_kind = qn_form_add_choice (form, _ ("_Kind of force"), kinds,
                                           G_CALLBACK (on_tool_choice), panel);
   const QnToolSettings settings = *qn_canvas_get_tool_settings (panel->canvas);
-  panel->base
-    = add_check (form, _ ("Lay walls on a _fixed base"), settings.wall.base, changed, panel);
-  panel->lintel
-    = add_check (form, _ ("_Span openings with a lintel"), settings.lintel, changed, panel);
+  panel->base = add_check (form, _ ("Lay walls on a _fixed base"), settings.wall.base,
+                           changed, panel);
+  panel->lintel =
+    add_check (form, _ ("_Span openings with a lintel"), settings.lintel, changed, panel);
 
   qn_quantity_entry_set_value (panel->unit_x, settings.wall.unit.x);
   qn_quantity_entry_set_value (panel->unit_y, settings.wall.unit.y);
@@ -212,8 +212,8 @@ on_support (GtkCheckButton *button, Panel *panel)
   (void) button;
   Change change = { .kind = CHANGE_SUPPORT };
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    change.support[dof]
-      = gtk_check_button_get_active (GTK_CHECK_BUTTON (panel->support[dof]));
+    change.support[dof] =
+      gtk_check_button_get_active (GTK_CHECK_BUTTON (panel->support[dof]));
   apply (panel, _ ("Set Support"), change);
 }
 
@@ -234,11 +234,11 @@ build_block_form (Panel *panel)
   gtk_editable_set_width_chars (GTK_EDITABLE (panel->name), 10);
   g_signal_connect (panel->name, "activate", G_CALLBACK (on_name), panel);
   qn_form_add_row (form, _ ("_Name"), panel->name);
-  panel->thickness = qn_form_add_quantity (form, _ ("_Thickness"), QN_QUANTITY_LENGTH, 1e-6,
-                                           LARGEST, G_CALLBACK (on_thickness), panel);
-  panel->weight
-    = qn_form_add_quantity (form, _ ("Unit _weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9,
-                            G_CALLBACK (on_weight), panel);
+  panel->thickness =
+    qn_form_add_quantity (form, _ ("_Thickness"), QN_QUANTITY_LENGTH, 1e-6, LARGEST,
+                          G_CALLBACK (on_thickness), panel);
+  panel->weight = qn_form_add_quantity (form, _ ("Unit _weight"), QN_QUANTITY_UNIT_WEIGHT,
+                                        0.0, 1e9, G_CALLBACK (on_weight), panel);
   panel->law = qn_form_add_choice (form, _ ("_Law"), none, G_CALLBACK (on_law), panel);
 
   static const char *const labels[QN_DOF_COUNT] = { N_ ("x"), N_ ("y"), N_ ("turn") };
@@ -265,7 +265,8 @@ fill_laws (GtkDropDown *choice, const QnModel *model, QnId law, Panel *panel)
   g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, panel);
   gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
   gtk_drop_down_set_selected (choice, law == QN_NONE ? 0 : (guint) law + 1);
-  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, panel);
+  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     panel);
 }
 
 static void
@@ -282,10 +283,10 @@ update_block_form (Panel *panel, QnBlockSet set)
   const QnModel *model = model_of (panel);
   const QnBlock *block = &model->blocks[set.ids[0]];
   QnUnits units = qn_settings_get_units ();
-  g_autofree char *title
-    = set.count == 1
-        ? g_strdup_printf (_ ("Block %s"), block->name)
-        : g_strdup_printf (ngettext ("%u Block", "%u Blocks", set.count), set.count);
+  g_autofree char *title =
+    set.count == 1
+      ? g_strdup_printf (_ ("Block %s"), block->name)
+      : g_strdup_printf (ngettext ("%u Block", "%u Blocks", set.count), set.count);
   gtk_label_set_text (panel->block_title, title);
   gtk_editable_set_text (GTK_EDITABLE (panel->name), block->name);
   qn_form_set_row_visible (panel->name, set.count == 1 && block->wall == QN_NONE);
@@ -299,13 +300,12 @@ update_block_form (Panel *panel, QnBlockSet set)
   for (guint i = 0; i < set.count; i++)
     weight += model->blocks[set.ids[i]].weight;
   g_autofree char *force = qn_units_format_full (units, QN_QUANTITY_FORCE, weight, 4);
-  g_autofree char *x
-    = qn_units_format (units, QN_QUANTITY_LENGTH, block->centroid.x, 5);
-  g_autofree char *y
-    = qn_units_format_full (units, QN_QUANTITY_LENGTH, block->centroid.y, 5);
-  g_autofree char *facts = set.count == 1
-                             ? g_strdup_printf (_ ("Weight %s, centroid at %s; %s"), force, x, y)
-                             : g_strdup_printf (_ ("Weight %s in all"), force);
+  g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, block->centroid.x, 5);
+  g_autofree char *y =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, block->centroid.y, 5);
+  g_autofree char *facts =
+    set.count == 1 ? g_strdup_printf (_ ("Weight %s, centroid at %s; %s"), force, x, y)
+                   : g_strdup_printf (_ ("Weight %s in all"), force);
   gtk_label_set_text (panel->block_facts, facts);
 }
 
@@ -315,8 +315,8 @@ static QnId
 selected_wall (const Panel *panel)
 {
   guint count = 0;
-  const QnId *ids
-    = qn_selection_get_blocks (qn_canvas_get_selection (panel->canvas), &count);
+  const QnId *ids =
+    qn_selection_get_blocks (qn_canvas_get_selection (panel->canvas), &count);
   return count > 0 ? model_of (panel)->blocks[ids[0]].wall : QN_NONE;
 }
 
@@ -340,12 +340,12 @@ build_wall_form (Panel *panel)
   GtkWidget *form = panel->wall_form = qn_form_new ();
   panel->wall_title = GTK_LABEL (qn_form_add_heading (form, ""));
   GCallback changed = G_CALLBACK (on_wall);
-  panel->wall_x = qn_form_add_quantity (form, _ ("Left edge"), QN_QUANTITY_LENGTH, -LARGEST,
-                                        LARGEST, changed, panel);
+  panel->wall_x = qn_form_add_quantity (form, _ ("Left edge"), QN_QUANTITY_LENGTH,
+                                        -LARGEST, LARGEST, changed, panel);
   panel->wall_y = qn_form_add_quantity (form, _ ("Lower edge"), QN_QUANTITY_LENGTH,
                                         -LARGEST, LARGEST, changed, panel);
-  panel->block_x = qn_form_add_quantity (form, _ ("Block length"), QN_QUANTITY_LENGTH, 1e-4,
-                                         LARGEST, changed, panel);
+  panel->block_x = qn_form_add_quantity (form, _ ("Block length"), QN_QUANTITY_LENGTH,
+                                         1e-4, LARGEST, changed, panel);
   panel->block_y = qn_form_add_quantity (form, _ ("Course height"), QN_QUANTITY_LENGTH,
                                          1e-4, LARGEST, changed, panel);
   GtkWidget *detach = gtk_button_new_with_mnemonic (_ ("_Detach into Free Blocks"));
@@ -393,11 +393,10 @@ change_face (Panel *panel)
   FaceChange change = { contacts->faces[id].a, contacts->faces[id].b, { 0 } };
   change.override.law = law == 0 ? QN_NONE : (QnId) law - 1;
   change.override.has_pairs = placement > 0;
-  change.override.pairs.placement
-    = placement == 2 ? QN_PLACEMENT_UNIFORM : QN_PLACEMENT_ENDS;
+  change.override.pairs.placement =
+    placement == 2 ? QN_PLACEMENT_UNIFORM : QN_PLACEMENT_ENDS;
   change.override.pairs.offset = qn_quantity_entry_get_value (panel->offset);
-  change.override.pairs.count
-    = MAX (1, (int) qn_quantity_entry_get_value (panel->count));
+  change.override.pairs.count = MAX (1, (int) qn_quantity_entry_get_value (panel->count));
   if (qn_canvas_edit (panel->canvas, _ ("Change Contact"), NULL, edit_face, &change))
     qn_selection_set_face (qn_canvas_get_selection (panel->canvas), id);
   else
@@ -423,19 +422,19 @@ static void
 build_face_form (Panel *panel)
 {
   const char *const none[] = { NULL };
-  const char *const placements[]
-    = { _ ("As all contacts"), _ ("At the ends"), _ ("Uniform"), NULL };
+  const char *const placements[] = { _ ("As all contacts"), _ ("At the ends"),
+                                     _ ("Uniform"), NULL };
   GtkWidget *form = panel->face_form = qn_form_new ();
   panel->face_title = GTK_LABEL (qn_form_add_heading (form, ""));
   panel->face_facts = qn_form_add_text (form);
-  panel->face_law
-    = qn_form_add_choice (form, _ ("_Law"), none, G_CALLBACK (on_face_choice), panel);
+  panel->face_law =
+    qn_form_add_choice (form, _ ("_Law"), none, G_CALLBACK (on_face_choice), panel);
   panel->placement = qn_form_add_choice (form, _ ("_Pairs"), placements,
                                          G_CALLBACK (on_face_choice), panel);
   panel->offset = qn_form_add_quantity (form, _ ("_Offset"), QN_QUANTITY_LENGTH, 0.0,
                                         LARGEST, G_CALLBACK (on_face_quantity), panel);
-  panel->count = qn_form_add_quantity (form, _ ("_Number"), QN_QUANTITY_NUMBER, 1.0, 1000.0,
-                                       G_CALLBACK (on_face_quantity), panel);
+  panel->count = qn_form_add_quantity (form, _ ("_Number"), QN_QUANTITY_NUMBER, 1.0,
+                                       1000.0, G_CALLBACK (on_face_quantity), panel);
 }
 
 static const QnFaceOverride *
@@ -451,7 +450,8 @@ find_override (const QnModel *model, const QnContactFace *face)
 }
 
 static void
-append_pair_states (GString *facts, const Panel *panel, const QnContactFace *face, QnId id)
+append_pair_states (GString *facts, const Panel *panel, const QnContactFace *face,
+                    QnId id)
 {
   const QnRun *run = qn_document_get_run (document_of (panel));
   if (run == NULL || run->result.pairs == NULL
@@ -461,10 +461,10 @@ append_pair_states (GString *facts, const Panel *panel, const QnContactFace *fac
   QnUnits units = qn_settings_get_units ();
   for (int32_t i = 0; i < face->pair_count; i++) {
     const QnPairResult *pair = &run->result.pairs[face->first_pair + i];
-    g_autofree char *n
-      = qn_units_format_full (units, QN_QUANTITY_FORCE, pair->normal_force, 4);
-    g_autofree char *t
-      = qn_units_format_full (units, QN_QUANTITY_FORCE, pair->shear_force, 4);
+    g_autofree char *n =
+      qn_units_format_full (units, QN_QUANTITY_FORCE, pair->normal_force, 4);
+    g_autofree char *t =
+      qn_units_format_full (units, QN_QUANTITY_FORCE, pair->shear_force, 4);
     g_string_append_printf (facts, "\n%s %d: %s, N %s, T %s", _ ("Pair"), i + 1,
                             qn_explain_pair_state (pair->state), n, t);
   }
@@ -474,27 +474,26 @@ static void
 update_face_form (Panel *panel, QnId id)
 {
   const QnModel *model = model_of (panel);
-  const QnContactFace *face
-    = &qn_document_get_contacts (document_of (panel))->faces[id];
+  const QnContactFace *face = &qn_document_get_contacts (document_of (panel))->faces[id];
   QnUnits units = qn_settings_get_units ();
   g_autofree char *title = g_strdup_printf (_ ("Contact Face %d"), id);
   gtk_label_set_text (panel->face_title, title);
-  g_autofree char *length
-    = qn_units_format_full (units, QN_QUANTITY_LENGTH, face->length, 5);
+  g_autofree char *length =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, face->length, 5);
   GString *facts = g_string_new (NULL);
   g_string_append_printf (facts, _ ("%s – %s, %s long, %d pairs"),
-                          model->blocks[face->a].name, model->blocks[face->b].name, length,
-                          face->pair_count);
+                          model->blocks[face->a].name, model->blocks[face->b].name,
+                          length, face->pair_count);
   append_pair_states (facts, panel, face, id);
   gtk_label_set_text (panel->face_facts, facts->str);
   g_string_free (facts, TRUE);
 
   const QnFaceOverride *override = find_override (model, face);
-  const QnPairRule rule
-    = override != NULL && override->has_pairs ? override->pairs : model->contact.pairs;
-  guint placement = override == NULL || !override->has_pairs     ? 0
-                    : rule.placement == QN_PLACEMENT_ENDS ? 1
-                                                          : 2;
+  const QnPairRule rule =
+    override != NULL && override->has_pairs ? override->pairs : model->contact.pairs;
+  guint placement = override == NULL || !override->has_pairs ? 0
+                    : rule.placement == QN_PLACEMENT_ENDS    ? 1
+                                                             : 2;
   fill_laws (panel->face_law, model, override != NULL ? override->law : QN_NONE, panel);
   qn_form_set_choice (panel->placement, placement, panel);
   qn_quantity_entry_set_value (panel->offset, rule.offset);
@@ -545,9 +544,11 @@ qn_properties_panel_new (QnCanvas *canvas)
   gtk_widget_add_css_class (panel->empty_label, "dim-label");
   gtk_widget_set_margin_start (panel->empty_label, 12);
   gtk_widget_set_margin_end (panel->empty_label, 12);
-  GtkWidget *parts[] = { panel->tool_form, gtk_separator_new (GTK_ORIENTATION_HORIZONTAL),
-                         panel->empty_label, panel->block_form, panel->wall_form,
-                         panel->face_form };
+  GtkWidget *parts[] = {
+    panel->tool_form,   gtk_separator_new (GTK_ORIENTATION_HORIZONTAL),
+    panel->empty_label, panel->block_form,
+    panel->wall_form,   panel->face_form
+  };
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
     gtk_box_append (GTK_BOX (box), parts[i]);
 

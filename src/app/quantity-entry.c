@@ -29,10 +29,9 @@ set_trouble (QnQuantityEntry *self, const char *message)
     gtk_widget_add_css_class (widget, "error");
   else
     gtk_widget_remove_css_class (widget, "error");
-  gtk_accessible_update_state (GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_STATE_INVALID,
-                               message != NULL ? GTK_ACCESSIBLE_INVALID_TRUE
-                                               : GTK_ACCESSIBLE_INVALID_FALSE,
-                               -1);
+  gtk_accessible_update_state (
+    GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_STATE_INVALID,
+    message != NULL ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE, -1);
 }
 
 static void
@@ -49,8 +48,8 @@ commit (QnQuantityEntry *self)
 {
   QnUnits units = qn_settings_get_units ();
   const char *text = gtk_editable_get_text (GTK_EDITABLE (self));
-  g_autofree char *shown
-    = qn_units_format_full (units, self->quantity, self->value, SHOWN_DIGITS);
+  g_autofree char *shown =
+    qn_units_format_full (units, self->quantity, self->value, SHOWN_DIGITS);
   if (g_str_equal (text, shown)) {
     set_trouble (self, NULL);
     return;
@@ -62,10 +61,10 @@ commit (QnQuantityEntry *self)
     return;
   }
   if (!(value >= self->least && value <= self->most)) {
-    g_autofree char *least
-      = qn_units_format_full (units, self->quantity, self->least, SHOWN_DIGITS);
-    g_autofree char *most
-      = qn_units_format_full (units, self->quantity, self->most, SHOWN_DIGITS);
+    g_autofree char *least =
+      qn_units_format_full (units, self->quantity, self->least, SHOWN_DIGITS);
+    g_autofree char *most =
+      qn_units_format_full (units, self->quantity, self->most, SHOWN_DIGITS);
     g_autofree char *message = g_strdup_printf (_ ("Must be from %s to %s"), least, most);
     set_trouble (self, message);
     return;
@@ -107,9 +106,9 @@ static void
 qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
 {
   G_OBJECT_CLASS (klass)->dispose = qn_quantity_entry_dispose;
-  signals[SIGNAL_COMMITTED]
-    = g_signal_new ("committed", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
-                    NULL, G_TYPE_NONE, 0);
+  signals[SIGNAL_COMMITTED] =
+    g_signal_new ("committed", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
+                  NULL, G_TYPE_NONE, 0);
 }
 
 static void
@@ -126,8 +125,8 @@ qn_quantity_entry_init (QnQuantityEntry *self)
   gtk_event_controller_set_propagation_phase (key, GTK_PHASE_CAPTURE);
   g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
   gtk_widget_add_controller (GTK_WIDGET (self), key);
-  self->settings_handler = g_signal_connect_swapped (
-    qn_settings_get (), "changed", G_CALLBACK (show_value), self);
+  self->settings_handler = g_signal_connect_swapped (qn_settings_get (), "changed",
+                                                     G_CALLBACK (show_value), self);
 }
 
 GtkWidget *

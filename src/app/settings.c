@@ -23,8 +23,8 @@ static GSettings *
 make_settings (void)
 {
   GSettingsSchemaSource *source = g_settings_schema_source_get_default ();
-  g_autoptr (GSettingsSchema) schema
-    = source != NULL ? g_settings_schema_source_lookup (source, SCHEMA_ID, TRUE) : NULL;
+  g_autoptr (GSettingsSchema) schema =
+    source != NULL ? g_settings_schema_source_lookup (source, SCHEMA_ID, TRUE) : NULL;
   if (schema == NULL) {
     source = build_tree_source ();
     if (source != NULL) {
@@ -103,7 +103,8 @@ static void
 on_color_scheme_read (GObject *source, GAsyncResult *result, gpointer data)
 {
   (void) data;
-  g_autoptr (GVariant) reply = g_dbus_proxy_call_finish (G_DBUS_PROXY (source), result, NULL);
+  g_autoptr (GVariant) reply =
+    g_dbus_proxy_call_finish (G_DBUS_PROXY (source), result, NULL);
   if (reply == NULL)
     return;
   g_autoptr (GVariant) value = g_variant_get_child_value (reply, 0);
@@ -129,7 +130,8 @@ on_portal_ready (GObject *source, GAsyncResult *result, gpointer data)
 void
 qn_settings_apply_style (void)
 {
-  g_signal_connect (qn_settings_get (), "changed::style", G_CALLBACK (update_style), NULL);
+  g_signal_connect (qn_settings_get (), "changed::style", G_CALLBACK (update_style),
+                    NULL);
   update_style ();
   g_dbus_proxy_new_for_bus (
     G_BUS_TYPE_SESSION, G_DBUS_PROXY_FLAGS_DO_NOT_LOAD_PROPERTIES, NULL,

@@ -87,8 +87,9 @@ const QnTool qn_tool_force = {
   .name = "force",
   .icon = "quoin-force-symbolic",
   .label = N_ ("Force"),
-  .hint = N_ ("Drag from a point of a block in the direction of the force; its size is in the "
-              "panel"),
+  .hint =
+    N_ ("Drag from a point of a block in the direction of the force; its size is in the "
+        "panel"),
   .accel = "f",
   .magnetic = TRUE,
   .press = press,

@@ -29,8 +29,8 @@ edit_cut (QnModel *model, gpointer data, GError **error)
                          _ ("Openings are cut into walls: drag on a wall"));
     return FALSE;
   }
-  return qn_edit_cut_opening (model, opening->wall, opening->a, opening->b, opening->lintel,
-                              error);
+  return qn_edit_cut_opening (model, opening->wall, opening->a, opening->b,
+                              opening->lintel, error);
 }
 
 static gboolean
@@ -55,8 +55,8 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 {
   const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
   if (event->modifiers & GDK_SHIFT_MASK) {
-    Opening opening = { qn_model_wall_at (model, event->model), event->model, event->model,
-                        FALSE };
+    Opening opening = { qn_model_wall_at (model, event->model), event->model,
+                        event->model, FALSE };
     if (opening.wall != QN_NONE)
       qn_canvas_edit (canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
     return;

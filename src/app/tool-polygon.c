@@ -13,7 +13,8 @@ edit_add (QnModel *model, gpointer data, GError **error)
   QnCanvas *canvas = data;
   const GArray *points = qn_canvas_get_gesture (canvas)->points;
   QnBlockStyle style = qn_canvas_get_tool_settings (canvas)->wall.style;
-  return qn_edit_add_block (model, (const QnVec2 *) points->data, points->len, style, error);
+  return qn_edit_add_block (model, (const QnVec2 *) points->data, points->len, style,
+                            error);
 }
 
 static void
@@ -31,8 +32,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   GArray *points = gesture->points;
   if (points->len >= 3) {
-    QnVec2 first
-      = qn_canvas_to_screen (canvas, g_array_index (points, QnVec2, 0));
+    QnVec2 first = qn_canvas_to_screen (canvas, g_array_index (points, QnVec2, 0));
     if (event->press_count == 2
         || qn_vec2_length (qn_vec2_sub (first, event->screen)) < CLOSE_PX) {
       complete (canvas);
@@ -95,7 +95,8 @@ const QnTool qn_tool_polygon = {
   .name = "polygon",
   .icon = "quoin-polygon-symbolic",
   .label = N_ ("Polygonal Block"),
-  .hint = N_ ("Click the corners; click the first one, double click or press Enter to close"),
+  .hint =
+    N_ ("Click the corners; click the first one, double click or press Enter to close"),
   .accel = "p",
   .magnetic = TRUE,
   .press = press,

@@ -41,7 +41,8 @@ qn_rectangle_numbers (QnCanvas *canvas, const double *values, int count)
   /* Towards the side on which the pointer is. */
   double right = gesture->to.x < gesture->from.x ? -1.0 : 1.0;
   double up = gesture->to.y < gesture->from.y ? -1.0 : 1.0;
-  gesture->to = qn_vec2 (gesture->from.x + right * values[0], gesture->from.y + up * values[1]);
+  gesture->to =
+    qn_vec2 (gesture->from.x + right * values[0], gesture->from.y + up * values[1]);
   return TRUE;
 }
 

@@ -22,8 +22,8 @@ grabbed_point (QnCanvas *canvas, QnId block, const QnToolEvent *event)
   QnVec2 best = event->model;
   double nearest = GRAB_PX;
   for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
-    double distance
-      = qn_vec2_length (qn_vec2_sub (qn_canvas_to_screen (canvas, v[i]), event->screen));
+    double distance =
+      qn_vec2_length (qn_vec2_sub (qn_canvas_to_screen (canvas, v[i]), event->screen));
     if (distance < nearest) {
       nearest = distance;
       best = v[i];
@@ -183,8 +183,8 @@ draw_moved_blocks (QnCanvas *canvas, cairo_t *cr, QnVec2 by)
   const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
   for (guint i = 0; i < count; i++) {
     gsize n = (gsize) model->blocks[ids[i]].vertex_count;
-    g_autofree QnVec2 *moved
-      = g_memdup2 (qn_model_block_vertices (model, ids[i]), n * sizeof (QnVec2));
+    g_autofree QnVec2 *moved =
+      g_memdup2 (qn_model_block_vertices (model, ids[i]), n * sizeof (QnVec2));
     for (gsize k = 0; k < n; k++)
       moved[k] = qn_vec2_add (moved[k], by);
     qn_canvas_trace (canvas, cr, moved, n);
@@ -209,7 +209,8 @@ draw (QnCanvas *canvas, cairo_t *cr)
   }
   QnVec2 a = qn_canvas_to_screen (canvas, gesture->from);
   QnVec2 b = qn_canvas_to_screen (canvas, gesture->to);
-  cairo_rectangle (cr, MIN (a.x, b.x), MIN (a.y, b.y), fabs (a.x - b.x), fabs (a.y - b.y));
+  cairo_rectangle (cr, MIN (a.x, b.x), MIN (a.y, b.y), fabs (a.x - b.x),
+                   fabs (a.y - b.y));
   cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.12);
   cairo_fill_preserve (cr);
   cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
@@ -221,8 +222,9 @@ const QnTool qn_tool_select = {
   .name = "select",
   .icon = "quoin-select-symbolic",
   .label = N_ ("Select and Move"),
-  .hint = N_ ("Click selects, double click a course, triple click a wall; drag to move, type "
-              "numbers to move exactly"),
+  .hint =
+    N_ ("Click selects, double click a course, triple click a wall; drag to move, type "
+        "numbers to move exactly"),
   .accel = "v",
   .press = press,
   .motion = motion,

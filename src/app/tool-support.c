@@ -25,8 +25,8 @@ press (QnCanvas *canvas, const QnToolEvent *event)
     return;
   const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
   const QnBlock *block = &model->blocks[pick.id];
-  bool all = block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
-             && block->support[QN_DOF_RZ];
+  bool all =
+    block->support[QN_DOF_UX] && block->support[QN_DOF_UY] && block->support[QN_DOF_RZ];
   Support support = { pick.id, { !all, !all, !all } };
   qn_canvas_edit (canvas, all ? _ ("Free Block") : _ ("Fix Block"), NULL, edit_support,
                   &support);

@@ -14,10 +14,10 @@ make_plan (QnCanvas *canvas)
   double height = fabs (gesture->to.y - gesture->from.y);
   plan.width = MAX (round (2.0 * width / plan.unit.x), 1.0) * 0.5 * plan.unit.x;
   plan.height = MAX (round (height / plan.unit.y), 1.0) * plan.unit.y;
-  plan.origin.x
-    = gesture->to.x < gesture->from.x ? gesture->from.x - plan.width : gesture->from.x;
-  plan.origin.y
-    = gesture->to.y < gesture->from.y ? gesture->from.y - plan.height : gesture->from.y;
+  plan.origin.x =
+    gesture->to.x < gesture->from.x ? gesture->from.x - plan.width : gesture->from.x;
+  plan.origin.y =
+    gesture->to.y < gesture->from.y ? gesture->from.y - plan.height : gesture->from.y;
   return plan;
 }
 
@@ -84,8 +84,9 @@ const QnTool qn_tool_wall = {
   .name = "wall",
   .icon = "quoin-wall-symbolic",
   .label = N_ ("Wall"),
-  .hint = N_ ("Drag a rectangle: it becomes a bonded wall; or click a corner and type width; "
-              "height"),
+  .hint =
+    N_ ("Drag a rectangle: it becomes a bonded wall; or click a corner and type width; "
+        "height"),
   .accel = "w",
   .magnetic = TRUE,
   .press = press,

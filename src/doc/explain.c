@@ -1,5 +1,7 @@
 #include "doc/explain.h"
 
+#include "render/motion.h"
+
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -197,4 +199,26 @@ qn_explain_outcome (const QnModel *model, const QnResult *result)
     break;
   }
   return g_strdup ("");
+}
+
+char *
+qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
+                      const QnResult *result)
+{
+  if (result->mechanism == NULL)
+    return NULL;
+  QnMotion motion = { model, result->mechanism, true, 1.0 };
+  g_autofree QnJoint *joints = qn_motion_joints (&motion, contacts, NULL);
+  int opening = 0, sliding = 0, moving = 0;
+  QnMechanismClass kind =
+    qn_joints_class (joints, contacts->face_count, &opening, &sliding);
+  double largest = qn_motion_largest (&motion);
+  for (gsize i = 0; i < model->block_count; i++) {
+    const double *v = result->mechanism + i * QN_DOF_COUNT;
+    double turn = fabs (v[QN_DOF_RZ]) * sqrt (model->blocks[i].area);
+    moving += hypot (v[QN_DOF_UX], v[QN_DOF_UY]) + turn > 0.01 * largest;
+  }
+  return g_strdup_printf (
+    _ ("Mechanism: %s. %d of %u blocks move, %d joints open, %d slide."),
+    qn_mechanism_class_text (kind), moving, (guint) model->block_count, opening, sliding);
 }

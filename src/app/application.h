@@ -1,0 +1,17 @@
+/* The program: windows, menus, shortcuts, command line of `quoin`. */
+#ifndef QN_APP_APPLICATION_H
+#define QN_APP_APPLICATION_H
+
+#include <gtk/gtk.h>
+
+#define QN_TYPE_APPLICATION (qn_application_get_type ())
+G_DECLARE_FINAL_TYPE (QnApplication, qn_application, QN, APPLICATION, GtkApplication)
+
+QnApplication *qn_application_new (void);
+
+/* application-dialogs.c */
+void qn_preferences_show (GtkWindow *parent);
+void qn_about_show (GtkWindow *parent);
+void qn_help_show (GtkWindow *parent, const char *page);
+
+#endif

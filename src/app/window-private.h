@@ -1,0 +1,70 @@
+/* The inside of a window, shared by the files that make it up. */
+#ifndef QN_APP_WINDOW_PRIVATE_H
+#define QN_APP_WINDOW_PRIVATE_H
+
+#include "app/window.h"
+#include "doc/recovery.h"
+
+struct _QnWindow {
+  GtkApplicationWindow parent_instance;
+
+  QnDocument *document;
+  QnViewState *state;
+  QnToolSettings tool_settings;
+  QnRecovery *recovery;
+  guint live_timeout;
+  gboolean closing;  /* unsaved changes have been dealt with */
+  char *last_export; /* path of the last exported figure */
+  GObject *chooser;  /* file chooser on the screen */
+  gboolean has_info_place;
+  QnVec2 info_place;
+
+  /* from window.ui */
+  GtkLabel *title_label, *subtitle_label, *info_label;
+  GtkLabel *status_hint, *status_pointer, *status_counts, *progress_label;
+  GtkStack *main_stack, *side_stack;
+  GtkBox *start_box, *tool_box, *canvas_box;
+  GtkInfoBar *info_bar;
+  GtkButton *info_button, *run_button, *undo_button, *redo_button;
+  GtkWidget *progress_box, *pause_button, *stale_label;
+  GtkProgressBar *progress_bar;
+  GtkMenuButton *history_button;
+  GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,
+    *findings_scroller;
+  QnCanvas *canvas;
+  GtkWidget *playback;
+};
+
+/* window-actions.c: actions of editing, viewing, tools. */
+void qn_window_add_actions (QnWindow *window);
+void qn_window_update_actions (QnWindow *window);
+
+/* window-files.c: open, save, close. */
+void qn_window_add_file_actions (QnWindow *window);
+/* Asks about unsaved changes; TRUE when the window may close at once. */
+gboolean qn_window_may_close (QnWindow *window);
+
+/* window-analysis.c: run, progress, live mode. */
+void qn_window_add_analysis_actions (QnWindow *window);
+void qn_window_connect_analysis (QnWindow *window);
+
+/* Shows the drawing instead of the start page. */
+void qn_window_show_work (QnWindow *window);
+
+/* export-dialog.c */
+void qn_export_dialog_show (QnWindow *window);
+void qn_export_repeat (QnWindow *window);
+
+/* compare-window.c */
+void qn_compare_window_show (QnWindow *window);
+
+/* Adds actions that call func (window) or, with a parameter type, func (window, value). */
+typedef struct QnWindowAction {
+  const char *name;
+  const char *parameter; /* type of the parameter, or NULL */
+  void (*func) (QnWindow *window, GVariant *parameter);
+} QnWindowAction;
+void qn_window_add_action_table (QnWindow *window, const QnWindowAction *actions,
+                                 gsize count);
+
+#endif

@@ -1,0 +1,46 @@
+#include "doc/figure-export.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+gboolean
+qn_view_state_get_figure (QnViewState *state, QnFigure *figure, GError **error)
+{
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result;
+  if (!qn_view_state_get_content (state, &model, &contacts, &result)) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("This view shows a result, and there is none yet"));
+    return FALSE;
+  }
+  QnViewOptions options = qn_view_state_get_options (state);
+  options.titles = true;
+  qn_figure_init (figure, model, contacts, result, options.view);
+  figure->options = options;
+  return TRUE;
+}
+
+void
+qn_document_get_metadata (QnDocument *document, QnMetadata *metadata)
+{
+  const QnProject *project = qn_document_get_project (document);
+  const char *path = qn_document_get_path (document);
+  const char *slash = path != NULL ? strrchr (path, G_DIR_SEPARATOR) : NULL;
+  qn_metadata_init (metadata);
+  metadata->model = slash != NULL ? slash + 1 : path;
+  metadata->model_sha256 = project->sha256;
+  metadata->generator = "quoin " QN_VERSION;
+}
+
+gboolean
+qn_view_state_export (QnViewState *state, const char *path, const QnOutput *output,
+                      GError **error)
+{
+  QnFigure figure;
+  QnMetadata metadata;
+  if (!qn_view_state_get_figure (state, &figure, error))
+    return FALSE;
+  qn_document_get_metadata (qn_view_state_get_document (state), &metadata);
+  return qn_figure_export (&figure, path, output, &metadata, error);
+}
