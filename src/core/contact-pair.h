@@ -2,8 +2,9 @@
  *
  * The elongation of the pair, q = (normal, tangential) position of B relative to A, is shared
  * by the two springs, q = qa + qb, so that both carry the same force: fa(qa) = fb(q - qa).
- * Two equal springs share evenly and make one spring of half the stiffness (closed form);
- * unequal ones are solved by an internal Newton iteration (HybriDFEM, section 2.2).
+ * Springs of one law, of whatever two lengths, make one spring of their joint length (closed
+ * form); others are solved by an internal Newton iteration (HybriDFEM, section 2.2; see
+ * pair-series.h).
  */
 #ifndef QN_CORE_CONTACT_PAIR_H
 #define QN_CORE_CONTACT_PAIR_H
@@ -12,23 +13,28 @@
 
 typedef struct QnPairSprings {
   QnSpring a, b; /* side of block a, side of block b */
-  bool equal;    /* `a` then stands for the whole pair, with half the stiffness */
+  bool equal;    /* `a` then stands for the whole pair; `b` is as it was given */
 } QnPairSprings;
 
 /* What a pair remembers between steps. */
 typedef struct QnPairMemory {
   QnSpringMemory a, b; /* of equal springs only `a` is used, for the pair as a whole */
-  double qa[2], qb[2]; /* elongations at the last commit, m; unequal springs only */
+  double qa[2], qb[2]; /* elongations of the two springs at the last commit, m */
 } QnPairMemory;
 
 typedef struct QnPairResponse {
   double force[2];
   double tangent[2][2];
   QnPairMemory memory;
-  int16_t phase; /* the tangent depends on this number alone */
+  int16_t phase; /* the tangent depends on this number alone, */
+  bool varies;   /* unless it varies */
 } QnPairResponse;
 
 QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
+
+/* Whether the pair would run back while one of its springs softens: growing elongation of the
+ * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
+bool qn_pair_springs_run_back (const QnPairSprings *springs);
 
 /* Force and consistent tangent of the pair at elongation q. Returns false where the internal
  * iteration did not converge; the response is then not to be used. */

@@ -20,7 +20,9 @@
  * paper on HybriDFEM in two dimensions (equations 1 and 2); psi = mu makes the flow
  * associative and the tangent symmetric.
  */
-#include "core/spring.h"
+#include "core/law-ops.h"
+
+#include <math.h>
 
 static void
 coulomb_slip (const QnSpring *s, double n_trial, double t_trial, QnSpringResponse *r)
@@ -67,9 +69,9 @@ coulomb_cap (const QnSpring *s, double t_trial, double g, QnSpringResponse *r)
   }
 }
 
-void
-qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
-                         const double q[2], QnSpringResponse *r)
+static void
+evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
+          QnSpringResponse *r)
 {
   double n_trial = s->kn * (q[0] - committed->opening);
   double t_trial = s->ks * (q[1] - committed->slip);
@@ -87,3 +89,39 @@ qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
     r->tangent[1][1] = s->ks;
   }
 }
+
+static QnStatus
+check (const QnLaw *law, QnId index, QnDiag *diag)
+{
+  if (law->dilatancy <= law->friction)
+    return QN_OK;
+  return qn_diag_set_field (diag, QN_PROBLEM_DILATANCY_ABOVE_FRICTION, QN_ENTITY_LAW,
+                            index, "dilatancy", law->dilatancy);
+}
+
+static void
+resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+{
+  double apex = law->friction > 0 ? law->cohesion / law->friction : INFINITY;
+  double left = law->cohesion - law->friction * law->tension;
+
+  spring->friction = law->friction;
+  spring->dilatancy = law->dilatancy;
+  spring->cohesion = law->cohesion * scale.force;
+  spring->cap = fmin (law->tension, apex) * scale.force;
+  spring->cap_strength = law->tension < apex ? left * scale.force : 0;
+}
+
+static const QnLawParameter parameters[] = {
+  QN_LAW_PARAMETER (friction, true, false),
+  QN_LAW_PARAMETER (cohesion, false, false),
+  QN_LAW_PARAMETER (tension, false, false),
+  QN_LAW_PARAMETER (dilatancy, false, false),
+};
+
+const QnLawOps qn_law_ops_coulomb = { .name = "coulomb",
+                                      .parameters = parameters,
+                                      .parameter_count = QN_N_ELEMENTS (parameters),
+                                      .check = check,
+                                      .resolve = resolve,
+                                      .evaluate = evaluate };

@@ -1,9 +1,9 @@
 /* Linear elastic in both directions, in tension as in compression: f = k q. */
-#include "core/spring.h"
+#include "core/law-ops.h"
 
-void
-qn_law_elastic_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
-                         const double q[2], QnSpringResponse *response)
+static void
+evaluate (const QnSpring *spring, const QnSpringMemory *committed, const double q[2],
+          QnSpringResponse *response)
 {
   *response = (QnSpringResponse){
     .force = { spring->kn * q[0], spring->ks * q[1] },
@@ -12,3 +12,5 @@ qn_law_elastic_evaluate (const QnSpring *spring, const QnSpringMemory *committed
     .phase = QN_PHASE_STICK,
   };
 }
+
+const QnLawOps qn_law_ops_elastic = { .name = "elastic", .evaluate = evaluate };

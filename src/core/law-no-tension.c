@@ -1,10 +1,10 @@
 /* Linear elastic while closed, nothing while open. There is no limit to slip: a closed joint
  * is elastic in shear, measured from where it last closed. */
-#include "core/spring.h"
+#include "core/law-ops.h"
 
-void
-qn_law_no_tension_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
-                            const double q[2], QnSpringResponse *response)
+static void
+evaluate (const QnSpring *spring, const QnSpringMemory *committed, const double q[2],
+          QnSpringResponse *response)
 {
   if (q[0] > 0) {
     *response = (QnSpringResponse){
@@ -21,3 +21,5 @@ qn_law_no_tension_evaluate (const QnSpring *spring, const QnSpringMemory *commit
     .phase = QN_PHASE_STICK,
   };
 }
+
+const QnLawOps qn_law_ops_no_tension = { .name = "no-tension", .evaluate = evaluate };

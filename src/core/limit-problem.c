@@ -40,6 +40,11 @@ restrict_by_law (Strength *strength, const QnLaw *law, double area)
 
   switch (law->kind) {
   case QN_LAW_ELASTIC:
+  case QN_LAW_BILINEAR:
+  case QN_LAW_ELASTIC_PLASTIC:
+  case QN_LAW_CONCRETE:
+  case QN_LAW_STEEL:
+  case QN_LAW_CURVE:
   case QN_LAW_KIND_COUNT:
     break;
   case QN_LAW_NO_TENSION:

@@ -84,8 +84,9 @@ factorize (QnEquilibrium *eq, double viscosity)
   bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear;
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    same = same && eq->factored_phases[p] == as->responses[p].phase;
-    eq->factored_phases[p] = as->responses[p].phase;
+    const QnPairResponse *response = &as->responses[p];
+    same = same && !response->varies && eq->factored_phases[p] == response->phase;
+    eq->factored_phases[p] = response->phase;
   }
   if (same)
     return QN_FACTOR_OK;

@@ -27,6 +27,16 @@
   X (LAW_MISSING, "contact law is missing") \
   X (BASIS_UNSUPPORTED, "this basis is not available for this kind of law") \
   X (DILATANCY_ABOVE_FRICTION, "dilatancy exceeds friction") \
+  X (HARDENING_TOO_LARGE, "hardening must be less than 1") \
+  X (STRENGTH_BELOW_YIELD, "strength is below yield") \
+  X (ULTIMATE_STRAIN_TOO_SMALL, "ultimate strain is not beyond the strain at the strength") \
+  X (FRACTURE_ENERGY_MISSING, "a law that softens needs an energy here") \
+  X (FRACTURE_ENERGY_TOO_SMALL, "fracture energy is too small for blocks of this size") \
+  X (CURVE_COUNT, "curve needs 1 to 32 points besides the origin") \
+  X (CURVE_ORDER, "points of the curve must have growing elongations") \
+  X (CURVE_SIGN, "force of the point acts against its elongation") \
+  X (CURVE_TOO_STEEP, "curve rises more steeply than kn") \
+  X (BASES_DIFFER, "laws on the two sides of a face have different bases") \
   X (BLOCK_UNKNOWN, "no block has this name") \
   X (SAME_BLOCK, "a block has no contact with itself") \
   X (NO_BLOCKS, "model has no blocks") \

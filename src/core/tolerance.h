@@ -25,6 +25,10 @@
  * rounding of double precision, six below the default residual tolerance. */
 #define QN_TOLERANCE_SERIES 1e-12
 
+/* Two springs of the same law differ by their length only when their numbers agree to this part:
+ * rounding of areas and lengths. */
+#define QN_TOLERANCE_SIMILAR 1e-13
+
 /* Multipliers are resolved relative to themselves, but no finer than relative to this part of
  * the first increment: a structure that stands under no live load at all has multiplier 0. */
 #define QN_TOLERANCE_MULTIPLIER_FLOOR 1e-2

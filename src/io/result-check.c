@@ -51,9 +51,17 @@ law_excess (const QnLaw *law, double area, double normal, double shear)
     double opening = normal - factor * law->tension; /* f = |t| + mu n - c, n - ft */
     return MAX (slip, opening);
   }
+  case QN_LAW_BILINEAR:
+  case QN_LAW_CURVE:
   case QN_LAW_ELASTIC:
   case QN_LAW_KIND_COUNT:
     break;
+  case QN_LAW_ELASTIC_PLASTIC:
+    return fabs (normal) - factor * law->yield;
+  case QN_LAW_STEEL:
+    return fabs (normal) - factor * law->strength;
+  case QN_LAW_CONCRETE:
+    return MAX (normal - factor * law->tension, -normal - factor * law->strength);
   }
   return 0;
 }

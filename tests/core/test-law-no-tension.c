@@ -1,0 +1,42 @@
+#include "support/spring-probe.h"
+
+#include <glib.h>
+
+static Probe
+joint (void)
+{
+  return probe_of_law (
+    &(QnLaw){ .name = "joint", .kind = QN_LAW_NO_TENSION, .kn = 2, .ks = 1 });
+}
+
+static void
+test_closed (void)
+{
+  Probe p = joint ();
+  QnSpringResponse r = probe_look (&p, -3, 50);
+  probe_assert_force (&r, -6, 50); /* no limit to shear */
+  probe_assert_tangent (&p, -3, 50);
+}
+
+/* Carries nothing while open, and is without shear where it closes again. */
+static void
+test_opens_and_closes (void)
+{
+  Probe p = joint ();
+  probe_go (&p, -3, 5);
+  QnSpringResponse r = probe_go (&p, 1, 7);
+  g_assert_cmpint (r.phase, ==, QN_PHASE_OPEN);
+  probe_assert_force (&r, 0, 0);
+  probe_assert_tangent (&p, 1, 7);
+  r = probe_go (&p, -2, 7.5);
+  probe_assert_force (&r, -4, 0.5);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/law-no-tension/closed", test_closed);
+  g_test_add_func ("/law-no-tension/opens-and-closes", test_opens_and_closes);
+  return g_test_run ();
+}
