@@ -8,7 +8,9 @@ packages=(
   gcc g++ libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
   # libraries
   libglib2.0-dev libcjson-dev libcairo2-dev libsuitesparse-dev libgeos-dev libdxflib-dev
-  libpng-dev libpango1.0-dev libgtk-4-dev fonts-dejavu-core
+  libpng-dev libgif-dev libgl-dev libegl-dev libosmesa6-dev libgstreamer1.0-dev
+  libgstreamer-plugins-base1.0-dev gstreamer1.0-plugins-base gstreamer1.0-plugins-good
+  libpango1.0-dev libgtk-4-dev fonts-dejavu-core
   # checks and tests
   clang-format-14 binutils locales-all
   desktop-file-utils appstream xvfb xauth

@@ -1,5 +1,6 @@
 #include "render/draw-cairo.h"
 
+#include "render/marker-shape.h"
 #include "render/text.h"
 
 static void
@@ -60,97 +61,31 @@ draw_image (const QnScene *scene, const QnCommand *command, const QnCamera *came
 }
 
 static void
-draw_half_arrow (cairo_t *cr, double size)
-{
-  double rise = 0.16 * size;
-  cairo_move_to (cr, -0.5 * size, -rise);
-  cairo_line_to (cr, 0.5 * size, -rise);
-  cairo_line_to (cr, 0.22 * size, -rise - 0.2 * size);
-}
-
-static void
-trace_marker (cairo_t *cr, QnMarker marker, double size)
-{
-  double h = 0.5 * size;
-  switch (marker) {
-  case QN_MARKER_DOT:
-  case QN_MARKER_RING:
-    cairo_new_sub_path (cr);
-    cairo_arc (cr, 0, 0, h, 0, 2 * G_PI);
-    break;
-  case QN_MARKER_SLIDE:
-    draw_half_arrow (cr, size);
-    cairo_rotate (cr, G_PI);
-    draw_half_arrow (cr, size);
-    cairo_rotate (cr, -G_PI);
-    break;
-  case QN_MARKER_CROSS:
-    cairo_move_to (cr, -h, -h);
-    cairo_line_to (cr, h, h);
-    cairo_move_to (cr, -h, h);
-    cairo_line_to (cr, h, -h);
-    break;
-  case QN_MARKER_ARROW_HEAD:
-    cairo_move_to (cr, 0, 0);
-    cairo_line_to (cr, -size, -0.36 * size);
-    cairo_line_to (cr, -size, 0.36 * size);
-    cairo_close_path (cr);
-    break;
-  case QN_MARKER_SQUARE:
-    cairo_rectangle (cr, -h, -h, size, size);
-    break;
-  case QN_MARKER_DIAMOND:
-    cairo_move_to (cr, -h, 0);
-    cairo_line_to (cr, 0, -h);
-    cairo_line_to (cr, h, 0);
-    cairo_line_to (cr, 0, h);
-    cairo_close_path (cr);
-    break;
-  case QN_MARKER_TICK:
-    cairo_move_to (cr, -h * G_SQRT2 / 2, h * G_SQRT2 / 2);
-    cairo_line_to (cr, h * G_SQRT2 / 2, -h * G_SQRT2 / 2);
-    break;
-  case QN_MARKER_COUNT:
-    break;
-  }
-}
-
-static void
 draw_marker (cairo_t *cr, QnMarker marker, double x, double y, double size, double angle,
              bool mirrored, double unit, QnColor color)
 {
-  cairo_save (cr);
-  cairo_translate (cr, x, y);
-  cairo_rotate (cr, -angle);
-  if (mirrored)
-    cairo_scale (cr, 1, -1);
-  trace_marker (cr, marker, size);
-  cairo_restore (cr);
-
+  QnMarkerPath path;
+  double c = cos (angle), s = sin (angle), flip = mirrored ? -1 : 1;
   cairo_set_dash (cr, NULL, 0, 0);
-  switch (marker) {
-  case QN_MARKER_DOT:
-  case QN_MARKER_ARROW_HEAD:
-  case QN_MARKER_SQUARE:
+  cairo_set_line_width (cr, QN_RIM_WIDTH * unit);
+  for (int part = 0; qn_marker_path (marker, part, &path); part++) {
+    cairo_new_path (cr); /* text leaves a current point behind */
+    for (int i = 0; i < path.count; i++) {
+      QnVec2 p = path.points[i];
+      QnVec2 turned = qn_vec2_rotate (qn_vec2 (p.x, flip * p.y), c, s);
+      cairo_line_to (cr, x + size * turned.x, y - size * turned.y);
+    }
+    if (path.closed)
+      cairo_close_path (cr);
+    if (path.paint == QN_MARKER_RIM) {
+      set_color (cr, qn_rgb (0xffffff));
+      cairo_fill_preserve (cr);
+    }
     set_color (cr, color);
-    cairo_fill (cr);
-    break;
-  case QN_MARKER_RING:
-  case QN_MARKER_DIAMOND:
-    set_color (cr, qn_rgb (0xffffff));
-    cairo_fill_preserve (cr);
-    set_color (cr, color);
-    cairo_set_line_width (cr, QN_RIM_WIDTH * unit);
-    cairo_stroke (cr);
-    break;
-  case QN_MARKER_SLIDE:
-  case QN_MARKER_CROSS:
-  case QN_MARKER_TICK:
-  case QN_MARKER_COUNT:
-    set_color (cr, color);
-    cairo_set_line_width (cr, QN_RIM_WIDTH * unit);
-    cairo_stroke (cr);
-    break;
+    if (path.paint == QN_MARKER_INK)
+      cairo_fill (cr);
+    else
+      cairo_stroke (cr);
   }
 }
 

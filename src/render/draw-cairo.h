@@ -12,16 +12,14 @@ typedef struct QnDrawCounts {
 
 /* Which layers to draw: a bit for each. */
 #define QN_LAYERS_ALL ((1u << QN_LAYER_COUNT) - 1)
-/* Text is drawn by Cairo on every back end. */
-#define QN_LAYERS_TEXT ((1u << QN_LAYER_LABELS))
+/* Photos and text are drawn by Cairo on every back end. */
+#define QN_LAYERS_CAIRO_BELOW (1u << QN_LAYER_UNDERLAY)
+#define QN_LAYERS_CAIRO_ABOVE (1u << QN_LAYER_LABELS)
 
 /* Draws the visible commands of the layers in the set, clipped to the camera's viewport.
  * `counts` may be NULL. */
 void qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
                     bool antialias, cairo_t *cr, QnDrawCounts *counts);
-
-/* Width of the lines and rims of markers, pt. */
-#define QN_RIM_WIDTH 0.9
 
 /* Draws one marker of `size` px at a place of the page, as legends and plots need it. `angle`
  * is counter-clockwise on the page; `unit` px are a point. */

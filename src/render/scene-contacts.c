@@ -39,22 +39,32 @@ add_spring (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnId pair, double extent)
   pickable (command, QN_PICK_PAIR, pair, extent, DETAIL_LEAST);
 }
 
-/* Points A and B drawn apart with their springs and letters; C is the pair's own dot. */
+/* Where the details of a pair are drawn: a little inwards of the end of its face, because in
+ * masonry the ends of several faces meet in one point. */
+static QnVec2
+detail_place (const QnContactFace *face, const QnContactPair *pair, double spread)
+{
+  double inwards = fmin (1.8 * spread, 0.25 * face->length);
+  double s = fmin (fmax (pair->abscissa, inwards), face->length - inwards);
+  return qn_vec2_add_scaled (face->start, s, face->tangent);
+}
+
+/* Points A, B and C drawn apart with their springs and letters. */
 static void
 add_pair_details (QnSceneBuilder *b, const QnContactFace *face, QnId pair, double spread)
 {
   static const char *const letters[3] = { "A", "B", "C" };
-  QnVec2 c = b->contacts->pairs[pair].point;
+  QnVec2 c = detail_place (face, &b->contacts->pairs[pair], spread);
   QnVec2 places[3] = { qn_vec2_add_scaled (c, -spread, face->normal),
                        qn_vec2_add_scaled (c, spread, face->normal), c };
   double extent = 2 * spread;
-  for (int i = 0; i < 2; i++) {
-    add_spring (b, places[i], c, pair, extent);
-    QnCommand *dot = qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
-                                      places[i], 3.2, 0, qn_builder_ink (b, QN_INK_FACE));
-    pickable (dot, QN_PICK_PAIR, pair, extent, DETAIL_LEAST);
-  }
   for (int i = 0; i < 3; i++) {
+    if (i < 2)
+      add_spring (b, places[i], c, pair, extent);
+    QnCommand *dot =
+      qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, i < 2 ? QN_MARKER_DOT : QN_MARKER_RING,
+                       places[i], 3.2, 0, qn_builder_ink (b, QN_INK_FACE));
+    pickable (dot, QN_PICK_PAIR, pair, extent, DETAIL_LEAST);
     QnVec2 at = qn_vec2_add_scaled (places[i], 0.5 * spread, face->tangent);
     QnCommand *text = qn_scene_text (b->scene, QN_LAYER_LABELS, at, QN_SIZE_LABEL,
                                      letters[i], qn_builder_ink (b, QN_INK_LINE));
