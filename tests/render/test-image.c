@@ -104,7 +104,7 @@ compare_with_gl (QnOffscreen *offscreen, const Fixture *f, bool antialias)
   for (int view = 0; view < QN_VIEW_COUNT; view++) {
     g_autoptr (QnScene) scene = build (f, (QnView) view);
     QnCamera camera = fit (scene, WIDTH, HEIGHT);
-      cairo_surface_t *reference = draw (scene, &camera, antialias);
+    cairo_surface_t *reference = draw (scene, &camera, antialias);
     cairo_surface_t *drawn =
       qn_gl_renderer_draw_image (renderer, scene, &camera, antialias, NULL, &error);
     g_assert_no_error (error);
