@@ -88,14 +88,14 @@ match_stretch (const QnContactSearch *search, const QnSide *a, const QnSide *b,
                Match match, Matches *matches)
 {
   StretchEnd ends[2];
-  if (!common_stretch (a, b, 2 * search->tolerance, ends))
+  if (!common_stretch (a, b, 2 * search->lengths.tolerance, ends))
     return true;
 
   double widest = fmax (ends[0].gap, ends[1].gap);
   double narrowest = fmin (ends[0].gap, ends[1].gap);
-  if (narrowest < -search->tolerance || widest > search->gap_limit)
+  if (narrowest < -search->lengths.tolerance || widest > search->lengths.gap_limit)
     return true;
-  match.kind = widest <= search->tolerance ? MATCH_FACE : MATCH_GAP;
+  match.kind = widest <= search->lengths.tolerance ? MATCH_FACE : MATCH_GAP;
   if (match.kind == MATCH_GAP && ends[1].along - ends[0].along <= widest)
     return true; /* corners that pass each other, no joint */
   match.from = ends[0].along;
@@ -122,12 +122,12 @@ match_corners (const QnContactSearch *search, const QnSide *a, const QnSide *b,
                Match match, Matches *matches)
 {
   match.kind = MATCH_TOUCH;
-  if (lies_on (a->start, b, true, search->tolerance)) {
+  if (lies_on (a->start, b, true, search->lengths.tolerance)) {
     match.start = match.end = a->start;
     if (!add_match (matches, match))
       return false;
   }
-  if (lies_on (b->start, a, false, search->tolerance)) {
+  if (lies_on (b->start, a, false, search->lengths.tolerance)) {
     match.start = match.end = b->start;
     if (!add_match (matches, match))
       return false;
@@ -158,7 +158,7 @@ match_sides (const QnContactSearch *search, size_t begin, size_t end, Matches *m
   const QnSides *sides = &search->sides;
   QnBox near[SIDES_PER_QUERY], whole = search->side_boxes[begin];
   for (size_t i = begin; i < end; i++) {
-    near[i - begin] = qn_box_grow (search->side_boxes[i], search->gap_limit);
+    near[i - begin] = qn_box_grow (search->side_boxes[i], search->lengths.gap_limit);
     whole = qn_box_union (whole, near[i - begin]);
   }
 
@@ -265,7 +265,8 @@ add_touch (const QnContactSearch *search, QnTouches *touches, QnId a, const Matc
     const QnTouch *earlier = &touches->items[i - 1];
     if (earlier->a != a || earlier->b != match->b)
       break;
-    if (qn_vec2_length (qn_vec2_sub (earlier->at, match->start)) <= 4 * search->tolerance)
+    if (qn_vec2_length (qn_vec2_sub (earlier->at, match->start))
+        <= 4 * search->lengths.tolerance)
       return true;
   }
 
@@ -285,7 +286,8 @@ on_common_face (const QnContactSearch *search, const QnContacts *contacts, size_
 {
   for (size_t i = contacts->face_count; i > first && contacts->faces[i - 1].b == b; i--) {
     const QnContactFace *face = &contacts->faces[i - 1];
-    if (qn_segment_distance (face->start, face->end, place) <= 4 * search->tolerance)
+    if (qn_segment_distance (face->start, face->end, place)
+        <= 4 * search->lengths.tolerance)
       return true;
   }
   return false;

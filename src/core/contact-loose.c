@@ -83,7 +83,7 @@ report_points (const QnContactSearch *search, const FaceLists *lists,
                QnContacts *contacts, const QnTouches *touches)
 {
   QnFindings *findings = &contacts->findings;
-  double near = 4 * search->tolerance;
+  double near = 4 * search->lengths.tolerance;
   size_t earlier = findings->count, next = 0;
   for (size_t i = 0; i < touches->count; i++) {
     const QnTouch *touch = &touches->items[i];
@@ -172,24 +172,32 @@ report_support (const QnModel *model, QnFindings *findings, const bool *held,
 }
 
 QnStatus
-qn_contact_search_loose (const QnContactSearch *search, QnContacts *contacts,
-                         const QnTouches *touches, QnDiag *diag)
+qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
+                          const QnTouches *touches, QnDiag *diag)
 {
-  const QnModel *model = search->model;
+  FaceLists lists = { 0 };
+  bool done = face_lists_init (&lists, search->model->block_count, contacts)
+              && report_points (search, &lists, contacts, touches);
+  face_lists_clear (&lists);
+  return done ? QN_OK : qn_diag_no_memory (diag);
+}
+
+QnStatus
+qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  QnFindings *findings = &contacts->findings;
   FaceLists lists = { 0 };
   bool *flags = qn_alloc (model->block_count, sizeof *flags);
   QnId *queue = qn_alloc (model->block_count, sizeof *queue);
   bool done = flags != NULL && queue != NULL
-              && face_lists_init (&lists, model->block_count, contacts)
-              && report_points (search, &lists, contacts, touches);
+              && face_lists_init (&lists, model->block_count, contacts);
   if (done) {
-    mark_touching (model, &lists, &contacts->findings, flags);
-    done =
-      report_blocks (model, &contacts->findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, flags);
+    mark_touching (model, &lists, findings, flags);
+    done = report_blocks (model, findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, flags);
   }
   if (done) {
     size_t held_count = mark_held (model, contacts, &lists, flags, queue);
-    done = report_support (model, &contacts->findings, flags, held_count);
+    done = report_support (model, findings, flags, held_count);
   }
 
   face_lists_clear (&lists);

@@ -145,7 +145,8 @@ try_side (const QnContactSearch *search, const QnSide *side, QnId block, Numbers
 {
   cuts->count = 0;
   bool done = add_number (cuts, 0) && add_number (cuts, side->length);
-  QnBox box = qn_box_grow (qn_box_of_segment (side->start, side->end), search->tolerance);
+  QnBox box =
+    qn_box_grow (qn_box_of_segment (side->start, side->end), search->lengths.tolerance);
   SideWalk walk = walk_sides (search, block, box);
   const QnSide *cutter;
   while (done && (cutter = next_side (&walk)) != NULL) {
@@ -154,7 +155,7 @@ try_side (const QnContactSearch *search, const QnSide *side, QnId block, Numbers
     double left_p = qn_vec2_cross (side->direction, p);
     double left_q = qn_vec2_cross (side->direction, q);
     double at = NAN;
-    if (fabs (left_p) <= search->tolerance)
+    if (fabs (left_p) <= search->lengths.tolerance)
       at = qn_vec2_dot (side->direction, p);
     else if ((left_p > 0) != (left_q > 0))
       at = qn_vec2_dot (side->direction, qn_vec2_lerp (p, q, left_p / (left_p - left_q)));
@@ -210,7 +211,7 @@ fill_same_box (const QnContactSearch *search, QnId a, QnId b)
   double most =
     fmax (fmax (fabs (left.min.x - right.min.x), fabs (left.min.y - right.min.y)),
           fmax (fabs (left.max.x - right.max.x), fabs (left.max.y - right.max.y)));
-  return most <= 4 * search->tolerance;
+  return most <= 4 * search->lengths.tolerance;
 }
 
 /* Depth and place of the overlap of two blocks of any shape, depth 0 where they do not overlap.
@@ -223,7 +224,7 @@ find_deepest (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
   if (!try_boundary (search, a, b, cuts, deepest)
       || !try_boundary (search, b, a, cuts, deepest))
     return false;
-  if (deepest->depth <= search->tolerance && fill_same_box (search, a, b))
+  if (deepest->depth <= search->lengths.tolerance && fill_same_box (search, a, b))
     try_inner_point (search, a, b, deepest);
   return true;
 }
@@ -235,10 +236,10 @@ check_pair (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
   bool small = side_count (search, a) * side_count (search, b) <= FEW_SIDES * FEW_SIDES;
   double depth = INFINITY;
   if (small && search->convex[a])
-    depth = reach_behind_sides (search, a, b, search->tolerance);
-  if (small && search->convex[b] && depth > search->tolerance)
-    depth = fmin (depth, reach_behind_sides (search, b, a, search->tolerance));
-  if (depth <= search->tolerance)
+    depth = reach_behind_sides (search, a, b, search->lengths.tolerance);
+  if (small && search->convex[b] && depth > search->lengths.tolerance)
+    depth = fmin (depth, reach_behind_sides (search, b, a, search->lengths.tolerance));
+  if (depth <= search->lengths.tolerance)
     return true;
 
   Deepest deepest;
@@ -247,10 +248,11 @@ check_pair (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
   /* For two convex blocks the separating axes know the depth exactly. */
   if (!small || !search->convex[a] || !search->convex[b])
     depth = deepest.depth;
-  if (depth <= search->tolerance)
+  if (depth <= search->lengths.tolerance)
     return true;
-  QnProblem problem = depth > search->overlap_limit ? QN_PROBLEM_BLOCKS_OVERLAP
-                                                    : QN_PROBLEM_NEAR_MISS_OVERLAP;
+  QnProblem problem = depth > search->lengths.overlap_limit
+                        ? QN_PROBLEM_BLOCKS_OVERLAP
+                        : QN_PROBLEM_NEAR_MISS_OVERLAP;
   return qn_findings_add (findings, (QnFinding){ problem, a, b, deepest.at, depth });
 }
 
@@ -269,8 +271,9 @@ qn_contact_search_overlaps (const QnContactSearch *search, QnFindings *findings,
   bool done = true;
   for (size_t a = 0; a < search->model->block_count && done; a++) {
     size_t first = findings->count;
-    QnBoxQuery query = qn_box_tree_query (
-      &search->block_tree, qn_box_grow (search->block_boxes[a], -search->tolerance));
+    QnBoxQuery query =
+      qn_box_tree_query (&search->block_tree, qn_box_grow (search->block_boxes[a],
+                                                           -search->lengths.tolerance));
     QnId b;
     while (done && (b = qn_box_query_next (&query)) != QN_NONE) {
       if ((size_t) b > a)

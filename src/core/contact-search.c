@@ -6,19 +6,18 @@
 
 #include <stdlib.h>
 
-static void
-set_lengths (QnContactSearch *search)
+QnContactLengths
+qn_contact_lengths (const QnModel *model)
 {
-  const QnModel *model = search->model;
   QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
   double far = fmax (fmax (fabs (box.min.x), fabs (box.max.x)),
                      fmax (fabs (box.min.y), fabs (box.max.y)));
   double size = model->characteristic_length;
-
-  search->tolerance =
+  double tolerance =
     fmax (model->contact.tolerance * size, QN_TOLERANCE_COORDINATE * far);
-  search->gap_limit = fmax (QN_NEAR_MISS_GAP * size, 2 * search->tolerance);
-  search->overlap_limit = QN_NEAR_MISS_OVERLAP * search->tolerance;
+  return (QnContactLengths){ .tolerance = tolerance,
+                             .gap_limit = fmax (QN_NEAR_MISS_GAP * size, 2 * tolerance),
+                             .overlap_limit = QN_NEAR_MISS_OVERLAP * tolerance };
 }
 
 /* Corners that merged sides leave, not vertices, say whether a block is convex. */
@@ -50,11 +49,11 @@ fill_boxes (QnContactSearch *search)
 }
 
 QnStatus
-qn_contact_search_init (QnContactSearch *search, const QnModel *model, QnDiag *diag)
+qn_contact_search_init (QnContactSearch *search, const QnModel *model,
+                        QnContactLengths lengths, QnDiag *diag)
 {
-  *search = (QnContactSearch){ .model = model };
-  set_lengths (search);
-  if (!qn_sides_init (&search->sides, model, search->tolerance))
+  *search = (QnContactSearch){ .model = model, .lengths = lengths };
+  if (!qn_sides_init (&search->sides, model, search->lengths.tolerance))
     return qn_diag_no_memory (diag);
 
   search->side_boxes = qn_alloc (search->sides.count, sizeof *search->side_boxes);

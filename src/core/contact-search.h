@@ -6,12 +6,18 @@
 #include "core/contact-side.h"
 #include "core/contacts.h"
 
+typedef struct QnContactLengths {
+  double tolerance;     /* m: what is closer touches */
+  double gap_limit;     /* m: gaps up to here are reported */
+  double overlap_limit; /* m: overlaps up to here are reported, deeper ones refused */
+} QnContactLengths;
+
+/* The lengths that follow from a prepared model's settings, block sizes and coordinates. */
+QnContactLengths qn_contact_lengths (const QnModel *model);
+
 typedef struct QnContactSearch {
   const QnModel *model; /* borrowed */
-  double tolerance;     /* m: what is closer touches */
-  double gap_limit;     /* m: gaps up to here are worth a word */
-  double
-    overlap_limit; /* m: overlaps up to here are worth a word, deeper ones an error */
+  QnContactLengths lengths;
 
   QnSides sides;
   QnBox *side_boxes;
@@ -22,7 +28,7 @@ typedef struct QnContactSearch {
 
 /* `search` is overwritten without being cleared. */
 QnStatus qn_contact_search_init (QnContactSearch *search, const QnModel *model,
-                                 QnDiag *diag);
+                                 QnContactLengths lengths, QnDiag *diag);
 
 void qn_contact_search_clear (QnContactSearch *search);
 
@@ -46,12 +52,24 @@ QnStatus qn_contact_search_faces (const QnContactSearch *search, QnContacts *con
 QnStatus qn_contact_search_overlaps (const QnContactSearch *search, QnFindings *findings,
                                      QnDiag *diag);
 
-/* Appends findings for blocks that touch at a point only, touch nothing, or hang on nothing. */
-QnStatus qn_contact_search_loose (const QnContactSearch *search, QnContacts *contacts,
-                                  const QnTouches *touches, QnDiag *diag);
+/* Appends findings for blocks that touch at a point only; overlaps must be found before. */
+QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
+                                   const QnTouches *touches, QnDiag *diag);
+
+/* These three: all that pairs of blocks have to do with each other. Findings come kind by kind
+ * (gaps, overlaps, points), each kind sorted by blocks. */
+QnStatus qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts,
+                                QnDiag *diag);
 
 /* Gives every face its laws and pairs, by the model's rules and exceptions. */
 QnStatus qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts,
                                   QnDiag *diag);
+
+/* Appends findings for blocks that touch nothing or hang on nothing. */
+QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
+                                   QnDiag *diag);
+
+/* These two, which the search of pairs leaves to be done; `contacts` is cleared on failure. */
+QnStatus qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag);
 
 #endif

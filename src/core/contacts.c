@@ -5,28 +5,46 @@
 #include <stdlib.h>
 
 QnStatus
+qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts, QnDiag *diag)
+{
+  QnTouches touches = { 0 };
+  QnStatus status = qn_contact_search_faces (search, contacts, &touches, diag);
+  if (status == QN_OK)
+    status = qn_contact_search_overlaps (search, &contacts->findings, diag);
+  if (status == QN_OK)
+    status = qn_contact_search_points (search, contacts, &touches, diag);
+  free (touches.items);
+  return status;
+}
+
+QnStatus
+qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  QnStatus status = qn_contacts_place_pairs (model, contacts, diag);
+  if (status == QN_OK)
+    status = qn_contacts_report_loose (model, contacts, diag);
+  if (status != QN_OK)
+    qn_contacts_clear (contacts);
+  return status;
+}
+
+QnStatus
 qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   *contacts = (QnContacts){ 0 };
   QnContactSearch search;
-  QnStatus status = qn_contact_search_init (&search, model, diag);
+  QnStatus status =
+    qn_contact_search_init (&search, model, qn_contact_lengths (model), diag);
   if (status != QN_OK)
     return status;
 
-  QnTouches touches = { 0 };
-  status = qn_contact_search_faces (&search, contacts, &touches, diag);
-  if (status == QN_OK)
-    status = qn_contacts_place_pairs (model, contacts, diag);
-  if (status == QN_OK)
-    status = qn_contact_search_overlaps (&search, &contacts->findings, diag);
-  if (status == QN_OK)
-    status = qn_contact_search_loose (&search, contacts, &touches, diag);
-
-  free (touches.items);
+  status = qn_contact_search_all (&search, contacts, diag);
   qn_contact_search_clear (&search);
-  if (status != QN_OK)
+  if (status != QN_OK) {
     qn_contacts_clear (contacts);
-  return status;
+    return status;
+  }
+  return qn_contacts_complete (model, contacts, diag);
 }
 
 /* The first finding of a kind, or NULL. */

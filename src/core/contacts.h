@@ -46,6 +46,14 @@ typedef struct QnContacts {
  * `contacts` is overwritten without being cleared. */
 QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag);
 
+/* The contacts of a model that differs little from `old_model`, whose contacts are `old`: only the
+ * neighbourhood of blocks that are new, gone, moved or reshaped is searched. The result equals
+ * that of qn_contacts_detect(). Blocks are recognised by name; where too much has changed, or
+ * the order of blocks, all is detected anew. Both models prepared; `contacts` is overwritten
+ * without being cleared and must not be `old`. */
+QnStatus qn_contacts_update (const QnModel *old_model, const QnContacts *old,
+                             const QnModel *model, QnContacts *contacts, QnDiag *diag);
+
 /* Refuses what cannot be analysed: overlapping blocks, no support, floating blocks. */
 QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,
                                     QnDiag *diag);

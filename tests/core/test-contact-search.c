@@ -7,7 +7,8 @@ static void
 init_search (QnModel *model, QnContactSearch *search)
 {
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_contact_search_init (search, model, NULL), ==, QN_OK);
+  g_assert_cmpint (
+    qn_contact_search_init (search, model, qn_contact_lengths (model), NULL), ==, QN_OK);
 }
 
 /* The tolerance follows the blocks, not the extent of the model, whatever the scale. */
@@ -23,9 +24,9 @@ test_tolerance_is_relative (void)
     test_model_scale (&model, scales[i]);
     model.contact.tolerance = 2e-5;
     init_search (&model, &search);
-    g_assert_cmpfloat_with_epsilon (search.tolerance, 2e-5 * 0.5 * scales[i],
+    g_assert_cmpfloat_with_epsilon (search.lengths.tolerance, 2e-5 * 0.5 * scales[i],
                                     1e-12 * scales[i]);
-    g_assert_cmpfloat_with_epsilon (search.gap_limit, 0.01 * 0.5 * scales[i],
+    g_assert_cmpfloat_with_epsilon (search.lengths.gap_limit, 0.01 * 0.5 * scales[i],
                                     1e-12 * scales[i]);
     qn_contact_search_clear (&search);
     qn_model_clear (&model);
@@ -42,8 +43,8 @@ test_tolerance_has_a_floor (void)
   test_model_translate (&model, 1e6, 0);
   model.contact.tolerance = 0;
   init_search (&model, &search);
-  g_assert_cmpfloat (search.tolerance, >, 1e-10);
-  g_assert_cmpfloat (search.tolerance, <, 1e-8);
+  g_assert_cmpfloat (search.lengths.tolerance, >, 1e-10);
+  g_assert_cmpfloat (search.lengths.tolerance, <, 1e-8);
   qn_contact_search_clear (&search);
   qn_model_clear (&model);
 }
