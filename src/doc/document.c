@@ -98,14 +98,16 @@ parse (const char *text, const char *name, QnProject *project, GError **error)
   return TRUE;
 }
 
+/* Contacts of the model that is to follow the document's present one. */
 static gboolean
-detect (const QnModel *model, QnContacts *contacts, GError **error)
+detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **error)
 {
   *contacts = (QnContacts){ 0 };
   if (model->block_count == 0)
     return TRUE;
   QnDiag diag = { 0 };
-  if (qn_contacts_detect (model, contacts, &diag) == QN_OK)
+  if (qn_contacts_update (&self->project.model, &self->contacts, model, contacts, &diag)
+      == QN_OK)
     return TRUE;
   g_autofree char *message = qn_explain_diag (model, &diag);
   g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
@@ -130,7 +132,7 @@ static gboolean
 adopt (QnDocument *self, QnProject *project, char *text, GError **error)
 {
   QnContacts contacts;
-  if (!detect (&project->model, &contacts, error)) {
+  if (!detect (self, &project->model, &contacts, error)) {
     qn_project_clear (project);
     g_free (text);
     return FALSE;
