@@ -39,8 +39,9 @@ typedef struct QnBlock {
   double unit_weight; /* N/m3, >= 0; follows from density where that was given */
   double density;     /* kg/m3 as given in the file, or < 0 where unit_weight was given */
   bool support[QN_DOF_COUNT]; /* fixed degrees of freedom */
-  QnId law;  /* law of the springs on this block's side, or QN_NONE: contact law */
-  QnId wall; /* wall that this block came from, or QN_NONE */
+  QnId law;     /* law of the springs on this block's side, or QN_NONE: contact law */
+  QnId wall;    /* wall that this block came from, or QN_NONE */
+  QnId masonry; /* parametric object of the layers above that it came from, or QN_NONE */
 
   /* Derived by qn_model_prepare(). */
   double area;         /* m2 */
@@ -174,7 +175,7 @@ void qn_model_clear (QnModel *model);
 QnStatus qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag);
 
 /* Each returns a pointer to the new, zeroed entity (valid until the next addition of its
- * kind), or NULL when memory runs out. A new block or wall has law = wall = QN_NONE and
+ * kind), or NULL when memory runs out. A new block or wall has law = wall = masonry = QN_NONE and
  * density = -1. */
 QnLaw *qn_model_add_law (QnModel *model, const char *name);
 QnBlock *qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,

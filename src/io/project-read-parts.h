@@ -8,13 +8,24 @@
 
 /* In project-read-structure.c; `root` is the document. */
 gboolean qn_read_laws (const QnPlace *root, QnModel *model);
-gboolean qn_read_blocks (const QnPlace *root, QnModel *model);
+gboolean qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model);
 gboolean qn_read_walls (const QnPlace *root, QnModel *model);
 
 /* In project-read-loading.c; the walls must be expanded, so that their blocks have names. */
 gboolean qn_read_contact (const QnPlace *root, QnModel *model);
 gboolean qn_read_loads (const QnPlace *root, QnModel *model);
 gboolean qn_read_analysis (const QnPlace *root, QnModel *model);
+
+/* Parts that walls and parametric masonry have in common. Weight of the material as N/m3 or, times
+ * gravity, as kg/m3: exactly one of them. */
+gboolean qn_read_weight (const QnPlace *place, const QnModel *model, double *unit_weight,
+                         double *density);
+
+/* `law` or, the same thing under the name that suits its basis, `material`. */
+gboolean qn_read_own_law (const QnPlace *place, const QnModel *model, QnId *law);
+
+/* `courses`: lists of lengths. */
+gboolean qn_read_courses (const QnPlace *place, QnWall *wall);
 
 /* Law or block that a member names; an optional one that is not there leaves *id as it is. */
 gboolean qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,

@@ -129,10 +129,9 @@ qn_read_laws (const QnPlace *root, QnModel *model)
          || qn_place_fail (&laws, _ ("there must be at least one law"));
 }
 
-/* Weight of the material as N/m3 or, times gravity, as kg/m3: exactly one of them. */
-static gboolean
-read_weight (const QnPlace *place, const QnModel *model, double *unit_weight,
-             double *density)
+gboolean
+qn_read_weight (const QnPlace *place, const QnModel *model, double *unit_weight,
+                double *density)
 {
   const QnRange range = QN_RANGE_NOT_NEGATIVE;
   QnPlace by_density = qn_place_member (place, "density");
@@ -146,9 +145,8 @@ read_weight (const QnPlace *place, const QnModel *model, double *unit_weight,
   return TRUE;
 }
 
-/* `law` or, the same thing under the name that suits its basis, `material`. */
-static gboolean
-read_own_law (const QnPlace *place, const QnModel *model, QnId *law)
+gboolean
+qn_read_own_law (const QnPlace *place, const QnModel *model, QnId *law)
 {
   QnPlace material = qn_place_member (place, "material");
   if (material.value == NULL)
@@ -201,9 +199,9 @@ read_block_properties (const QnPlace *place, const QnModel *model, QnBlock *bloc
 {
   return qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
                            &block->thickness)
-         && read_weight (place, model, &block->unit_weight, &block->density)
+         && qn_read_weight (place, model, &block->unit_weight, &block->density)
          && read_support (place, block->support)
-         && read_own_law (place, model, &block->law);
+         && qn_read_own_law (place, model, &block->law);
 }
 
 static gboolean
@@ -231,10 +229,8 @@ read_block (const QnPlace *place, QnModel *model)
 }
 
 gboolean
-qn_read_blocks (const QnPlace *root, QnModel *model)
+qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model)
 {
-  /* With walls, no block of its own is needed. */
-  QnNeed need = cJSON_HasObjectItem (root->value, "walls") ? QN_OPTIONAL : QN_REQUIRED;
   return read_each (root, "blocks", need, read_block, model);
 }
 
@@ -263,8 +259,8 @@ read_course (const QnPlace *place, QnWall *wall)
   return done;
 }
 
-static gboolean
-read_courses (const QnPlace *place, QnWall *wall)
+gboolean
+qn_read_courses (const QnPlace *place, QnWall *wall)
 {
   QnPlace list = qn_place_member (place, "courses");
   if (!qn_place_array (&list))
@@ -298,8 +294,8 @@ read_wall (const QnPlace *place, QnModel *model)
          && qn_member_vec2 (place, "unit", QN_REQUIRED, &wall->unit)
          && qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
                               &wall->thickness)
-         && read_weight (place, model, &wall->unit_weight, &wall->density)
-         && read_own_law (place, model, &wall->law) && read_courses (place, wall);
+         && qn_read_weight (place, model, &wall->unit_weight, &wall->density)
+         && qn_read_own_law (place, model, &wall->law) && qn_read_courses (place, wall);
 }
 
 gboolean

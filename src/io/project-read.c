@@ -4,6 +4,7 @@
 #include "io/json-override.h"
 #include "io/json-parse.h"
 #include "io/json-text.h"
+#include "io/project-masonry.h"
 #include "io/project-read-parts.h"
 #include "io/project.h"
 
@@ -17,8 +18,9 @@ static const char *const model_keys[] = { "format", "version", "title", "gravity
                                           "laws",   "blocks",  "walls", "contact",
                                           "loads",  "analysis" };
 
-/* Members that belong to the layers above: kept without interpretation. */
-static const char *const upper_keys[] = { "view", "figures", "guides", "underlay" };
+/* Members that the model does not hold: kept and written back as they are. */
+static const char *const upper_keys[] = { "view", "figures", "guides", "underlay",
+                                          QN_MASONRY_MEMBER };
 
 static gboolean
 is_among (const char *key, const char *const *keys, gsize count)
@@ -103,9 +105,15 @@ read_document (const QnPlace *root, cJSON *document, QnProject *project)
 {
   QnModel *model = &project->model;
   QnDiag diag;
+  /* With walls or parametric masonry, no block of its own is needed. */
+  QnNeed blocks = cJSON_HasObjectItem (document, "walls")
+                      || cJSON_HasObjectItem (document, QN_MASONRY_MEMBER)
+                    ? QN_OPTIONAL
+                    : QN_REQUIRED;
   return check_format (root) && keep_extras (root, document, project)
          && read_title_and_gravity (root, model) && qn_read_laws (root, model)
-         && qn_read_blocks (root, model) && qn_read_walls (root, model)
+         && qn_read_blocks (root, blocks, model) && qn_read_masonry (root, project)
+         && qn_read_walls (root, model)
          && take_status (root, project, qn_model_expand_walls (model, &diag), &diag)
          && qn_read_contact (root, model) && qn_read_loads (root, model)
          && qn_read_analysis (root, model)

@@ -1,5 +1,6 @@
 #include "io/file-writer.h"
 #include "io/json-text.h"
+#include "io/project-masonry.h"
 #include "io/project-names.h"
 #include "io/project.h"
 
@@ -294,9 +295,13 @@ append_structure (GString *json, const QnModel *model)
     append_law (json, &model->laws[i]);
   }
   g_string_append (json, " ],\n  \"blocks\": [");
+  gboolean first = TRUE;
   for (size_t i = 0; i < model->block_count && model->blocks[i].wall == QN_NONE; i++) {
-    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
+    if (model->blocks[i].masonry != QN_NONE)
+      continue;
+    g_string_append (json, first ? "\n    " : ",\n    ");
     append_block (json, model, (QnId) i);
+    first = FALSE;
   }
   g_string_append (json, " ],\n");
   if (model->wall_count == 0)
@@ -308,6 +313,32 @@ append_structure (GString *json, const QnModel *model)
     append_wall (json, model, &model->walls[i]);
   }
   g_string_append (json, " ],\n");
+}
+
+static gboolean
+has_any_masonry (const QnModel *model)
+{
+  for (size_t i = 0; i < model->block_count; i++)
+    if (model->blocks[i].masonry != QN_NONE)
+      return TRUE;
+  return FALSE;
+}
+
+/* The objects that were not detached. */
+static void
+append_masonry (GString *json, const QnProject *project, const cJSON *list)
+{
+  gboolean first = TRUE;
+  QnId index = 0;
+  g_string_append_c (json, '[');
+  for (const cJSON *item = list->child; item != NULL; item = item->next, index++) {
+    if (!qn_project_has_masonry (project, index))
+      continue;
+    g_string_append (json, first ? "\n    " : ",\n    ");
+    qn_json_append_value (json, item, 4);
+    first = FALSE;
+  }
+  g_string_append (json, " ]");
 }
 
 char *
@@ -325,10 +356,16 @@ qn_project_to_text (const QnProject *project, gsize *length)
 
   const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;
   for (; extra != NULL; extra = extra->next) {
+    gboolean masonry = g_strcmp0 (extra->string, QN_MASONRY_MEMBER) == 0;
+    if (masonry && !has_any_masonry (model))
+      continue;
     g_string_append (json, ",\n  ");
     qn_json_append_string (json, extra->string);
     g_string_append (json, ": ");
-    qn_json_append_value (json, extra, 2);
+    if (masonry)
+      append_masonry (json, project, extra);
+    else
+      qn_json_append_value (json, extra, 2);
   }
   g_string_append (json, "\n}\n");
   if (length != NULL)

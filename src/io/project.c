@@ -75,6 +75,11 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
   const QnModel *model = &project->model;
   GString *path = g_string_new (NULL);
   if (entity == QN_ENTITY_BLOCK && index >= 0 && (size_t) index < model->block_count
+      && model->blocks[index].masonry != QN_NONE) {
+    entity = QN_ENTITY_MASONRY;
+    index = model->blocks[index].masonry;
+  }
+  if (entity == QN_ENTITY_BLOCK && index >= 0 && (size_t) index < model->block_count
       && model->blocks[index].wall != QN_NONE) {
     append_wall_block (path, model, index);
   } else {
@@ -102,6 +107,13 @@ dup_problem_path (const QnProject *project, const QnDiag *diag)
   char *entity = qn_project_dup_key_path (project, diag->entity, diag->index);
   GString *path = g_string_new (entity);
   g_free (entity);
+  if (diag->entity == QN_ENTITY_MASONRY && diag->sub != QN_NONE) {
+    g_string_append_printf (path, ".openings[%d]", diag->sub);
+    if (g_strcmp0 (diag->field, "openings") == 0)
+      return g_string_free (path, FALSE);
+  } else if (diag->entity == QN_ENTITY_MASONRY && diag->other != QN_NONE) {
+    g_string_append_printf (path, ".leaves[%d]", diag->other);
+  }
   if (diag->field == NULL)
     return g_string_free (path, FALSE);
 

@@ -52,8 +52,8 @@ check_wall (const QnMasonry *masonry, QnDiag *diag)
                                  wall->minimum_piece);
   for (size_t i = 0; i < wall->leaf_count && status == QN_OK; i++) {
     status = check_leaf (wall, &wall->leaves[i], diag);
-    if (status != QN_OK && diag != NULL)
-      diag->sub = (QnId) i;
+    if (status != QN_OK && diag != NULL && wall->leaf_count > 1)
+      diag->other = (QnId) i;
   }
   return status;
 }

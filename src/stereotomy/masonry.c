@@ -189,9 +189,7 @@ add_blocks (const QnMasonry *masonry, const QnPieces *pieces, QnModel *model,
     }
     QnStatus status = qn_ring_check (&piece->ring, (QnId) i, diag);
     if (status != QN_OK)
-      return status == QN_ERROR_INVALID ? qn_masonry_problem (
-               diag, diag != NULL ? diag->problem : QN_PROBLEM_ZERO_AREA, NULL, 0)
-                                        : status;
+      return status;
     QnBlock *block =
       qn_model_add_block (model, piece->name, piece->ring.points, piece->ring.count);
     if (block == NULL)
@@ -220,8 +218,11 @@ qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag 
   if (status == QN_OK)
     status = add_blocks (masonry, &pieces, model, diag);
   qn_pieces_clear (&pieces);
-  if (status != QN_OK && diag != NULL && diag->entity == QN_ENTITY_MASONRY)
+  /* Trouble with a polygon on the way is trouble with the object. */
+  if (status != QN_OK && diag != NULL && status != QN_ERROR_NO_MEMORY) {
+    diag->entity = QN_ENTITY_MASONRY;
     diag->index = index;
+  }
   return status;
 }
 

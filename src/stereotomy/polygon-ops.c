@@ -45,13 +45,13 @@ check_all (const QnRings *rings, QnDiag *diag)
   return QN_OK;
 }
 
+/* Extent or distance from the origin, whichever is larger: what rounding is measured by. */
 static double
-vertex_tolerance (const QnRing *ring)
+bounds_reach (QnBounds b)
 {
-  QnBounds b = qn_ring_bounds (ring);
   double reach =
     fmax (fmax (fabs (b.min.x), fabs (b.max.x)), fmax (fabs (b.min.y), fabs (b.max.y)));
-  return VERTEX_TOLERANCE * fmax (qn_bounds_size (b), reach);
+  return fmax (qn_bounds_size (b), reach);
 }
 
 static int
@@ -73,7 +73,7 @@ deliver (QnRings *found, double least_area, QnRings *out, QnDiag *diag)
   QnStatus status = QN_OK;
   for (size_t i = 0; i < found->count && status == QN_OK; i++) {
     QnRing *ring = &found->items[i];
-    qn_ring_simplify (ring, vertex_tolerance (ring));
+    qn_ring_simplify (ring, VERTEX_TOLERANCE * bounds_reach (qn_ring_bounds (ring)));
     if (ring->count < 3 || qn_ring_area (ring) <= least_area)
       continue;
     status = qn_ring_check (ring, (QnId) i, diag);
@@ -149,25 +149,38 @@ collect (QnGeos *geos, GEOSGeometry *geometry, QnBounds bounds, int round, QnRin
 }
 
 typedef GEOSGeometry *(*Overlay) (GEOSContextHandle_t, const GEOSGeometry *,
-                                  const GEOSGeometry *);
+                                  const GEOSGeometry *, double grid);
 
-/* out += subject (op) other; both geometries are consumed, NULL means no memory. */
+/* out += subject (op) other. Where the result touches itself within rounding, as a vault whose
+ * crown just reaches a joint does, it is computed again on a grid that parts it there. */
 static QnStatus
-overlay (QnGeos *geos, GEOSGeometry *subject, GEOSGeometry *other, Overlay op,
+overlay (QnGeos *geos, const GEOSGeometry *subject, const GEOSGeometry *other, Overlay op,
          QnBounds bounds, double least_area, QnRings *out, QnDiag *diag)
 {
-  QnStatus status;
-  if (subject == NULL || other == NULL) {
-    status = qn_diag_no_memory (diag);
-  } else {
-    GEOSGeometry *result = op (geos->handle, subject, other);
+  if (subject == NULL || other == NULL)
+    return qn_diag_no_memory (diag);
+  const double grids[] = { 0, GRID * bounds_reach (bounds) };
+  QnStatus status = QN_OK;
+  for (size_t i = 0; i < QN_N_ELEMENTS (grids); i++) {
+    GEOSGeometry *result = op (geos->handle, subject, other, grids[i]);
     QnRings found = { 0 };
     status = result != NULL ? collect (geos, result, bounds, 0, &found, diag)
                             : qn_geos_failed (diag);
     if (status == QN_OK)
       status = deliver (&found, least_area, out, diag);
     qn_rings_clear (&found);
+    if (status != QN_ERROR_INVALID)
+      break;
   }
+  return status;
+}
+
+/* The same, consuming both geometries. */
+static QnStatus
+overlay_take (QnGeos *geos, GEOSGeometry *subject, GEOSGeometry *other, Overlay op,
+              QnBounds bounds, double least_area, QnRings *out, QnDiag *diag)
+{
+  QnStatus status = overlay (geos, subject, other, op, bounds, least_area, out, diag);
   GEOSGeom_destroy_r (geos->handle, subject);
   GEOSGeom_destroy_r (geos->handle, other);
   return status;
@@ -186,16 +199,6 @@ merged (QnGeos *geos, const QnRings *rings, double grid)
   return all;
 }
 
-/* The grid for a set of polygons. */
-static double
-grid_of (const QnRings *rings)
-{
-  QnBounds b = qn_rings_bounds (rings);
-  double reach =
-    fmax (fmax (fabs (b.min.x), fabs (b.max.x)), fmax (fabs (b.min.y), fabs (b.max.y)));
-  return GRID * fmax (reach, qn_bounds_size (b));
-}
-
 QnStatus
 qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *out,
                        QnDiag *diag)
@@ -209,7 +212,7 @@ qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *o
   if (status == QN_OK)
     status =
       overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
-               merged (&geos, cutters, 0), GEOSDifference_r, qn_ring_bounds (subject),
+               merged (&geos, cutters, 0), GEOSDifferencePrec_r, qn_ring_bounds (subject),
                NOTHING * fabs (qn_ring_area (subject)), out, diag);
   qn_geos_clear (&geos);
   return status;
@@ -225,11 +228,11 @@ qn_polygon_intersection (const QnRing *a, const QnRing *b, QnRings *out, QnDiag 
   if (status == QN_OK)
     status = qn_geos_init (&geos, diag);
   if (status == QN_OK)
-    status = overlay (&geos, qn_geos_polygon (&geos, a->points, a->count),
-                      qn_geos_polygon (&geos, b->points, b->count), GEOSIntersection_r,
-                      qn_ring_bounds (a),
-                      NOTHING * fmin (fabs (qn_ring_area (a)), fabs (qn_ring_area (b))),
-                      out, diag);
+    status = overlay_take (
+      &geos, qn_geos_polygon (&geos, a->points, a->count),
+      qn_geos_polygon (&geos, b->points, b->count), GEOSIntersectionPrec_r,
+      qn_ring_bounds (a),
+      NOTHING * fmin (fabs (qn_ring_area (a)), fabs (qn_ring_area (b))), out, diag);
   qn_geos_clear (&geos);
   return status;
 }
@@ -284,7 +287,8 @@ qn_polygons_union (const QnRings *rings, QnRing *out, QnDiag *diag)
 
   status = union_on_grid (rings, 0, out, diag);
   if (status == QN_ERROR_INVALID)
-    status = union_on_grid (rings, grid_of (rings), out, diag);
+    status =
+      union_on_grid (rings, GRID * bounds_reach (qn_rings_bounds (rings)), out, diag);
   return status;
 }
 
@@ -318,9 +322,10 @@ qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out, QnDiag 
     QnVec2 p = qn_vec2_add_scaled (foot, -reach, along);
     QnVec2 q = qn_vec2_add_scaled (foot, reach, along);
     const QnVec2 strip[] = { p, q, qn_vec2_add (q, across), qn_vec2_add (p, across) };
-    status = overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
-                      qn_geos_polygon (&geos, strip, 4), GEOSIntersection_r, bounds,
-                      NOTHING * fabs (qn_ring_area (subject)), out, diag);
+    status =
+      overlay_take (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
+                    qn_geos_polygon (&geos, strip, 4), GEOSIntersectionPrec_r, bounds,
+                    NOTHING * fabs (qn_ring_area (subject)), out, diag);
   }
   while (status != QN_OK && out->count > before)
     qn_rings_remove (out, out->count - 1);
@@ -348,8 +353,8 @@ qn_fill_between (const QnRings *rings, const QnRing *frame, double least_area,
                                          : NULL;
     QnBounds bounds = frame != NULL ? qn_ring_bounds (frame) : qn_rings_bounds (rings);
     double size = qn_bounds_size (bounds);
-    status = overlay (&geos, around, all, GEOSDifference_r, bounds,
-                      fmax (least_area, NOTHING * size * size), out, diag);
+    status = overlay_take (&geos, around, all, GEOSDifferencePrec_r, bounds,
+                           fmax (least_area, NOTHING * size * size), out, diag);
   }
   qn_geos_clear (&geos);
   return status;

@@ -56,10 +56,10 @@ face_length (const QnModel *model)
 static void
 compare_pair (const QnRing *a, const QnRing *b, double *overlap, double *joint)
 {
-  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), 1e-9))
+  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), 1e-8))
     return;
-  *joint += qn_joint_length (a, b, 1e-9);
-  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), -1e-9))
+  *joint += qn_joint_length (a, b, 1e-8);
+  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), -1e-8))
     return;
   QnRings common = { 0 };
   g_assert_cmpint (qn_polygon_intersection (a, b, &common, NULL), ==, QN_OK);
