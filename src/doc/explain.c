@@ -132,10 +132,8 @@ unstable_names (const QnModel *model, const QnResult *result)
   }
   if (result->unstable_count > NAMES_IN_A_SENTENCE) {
     gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
-    g_string_append_printf (names,
-                            ngettext (" and %" G_GSIZE_FORMAT " other",
-                                      " and %" G_GSIZE_FORMAT " others", (gulong) more),
-                            more);
+    g_string_append_printf (
+      names, ngettext (" and %zu other", " and %zu others", (gulong) more), more);
   }
   return g_string_free (names, FALSE);
 }
