@@ -1,4 +1,5 @@
 #include "core/generate.h"
+#include "core/polygon.h"
 #include "support/contacts.h"
 #include "support/models.h"
 
@@ -230,6 +231,44 @@ test_faces_account_for_all_boundaries (void)
   g_rand_free (random);
 }
 
+/* Blocks thrown together: sizes over nine decades, polygons of any kind, heaps of them at one
+ * place. Nothing is known of the answer but that there is one, and that it keeps its rules. */
+static void
+test_survives_anything (void)
+{
+  GRand *random = g_rand_new_with_seed (41);
+  for (int trial = 0; trial < 300; trial++) {
+    QnModel model;
+    QnContacts contacts;
+    test_model_init (&model);
+    double far = trial % 5 == 0 ? 1e9 : 0;
+    int count = g_rand_int_range (random, 1, 40);
+    for (int i = 0; i < count; i++) {
+      QnVec2 v[8];
+      int corners = g_rand_int_range (random, 3, 9);
+      double size = pow (10, g_rand_double_range (random, -6, trial % 3));
+      QnVec2 place = { far + 3 * g_rand_double (random), 3 * g_rand_double (random) };
+      bool snapped = g_rand_boolean (random);
+      for (int k = 0; k < corners; k++) {
+        double angle = 2 * G_PI * k / corners, radius = size * g_rand_double (random);
+        v[k] = qn_vec2_add (place, qn_vec2 (radius * cos (angle), radius * sin (angle)));
+        if (snapped)
+          v[k] = qn_vec2 (round (v[k].x * 8) / 8, round (v[k].y * 8) / 8);
+      }
+      char *name = g_strdup_printf ("b%d", i);
+      if (qn_polygon_check (v, (size_t) corners).problem == QN_PROBLEM_NONE)
+        qn_model_add_block (&model, name, v, (size_t) corners)->thickness = 1;
+      g_free (name);
+    }
+    if (model.block_count > 0) {
+      test_detect (&model, &contacts);
+      qn_contacts_clear (&contacts);
+    }
+    qn_model_clear (&model);
+  }
+  g_rand_free (random);
+}
+
 static void
 test_repeatable (void)
 {
@@ -303,6 +342,7 @@ main (int argc, char **argv)
   g_test_add_func ("/contacts/published-walls", test_published_walls);
   g_test_add_func ("/contacts/invariance", test_invariance);
   g_test_add_func ("/contacts/all-boundaries", test_faces_account_for_all_boundaries);
+  g_test_add_func ("/contacts/survives-anything", test_survives_anything);
   g_test_add_func ("/contacts/repeatable", test_repeatable);
   g_test_add_func ("/contacts/require-sound-order", test_require_sound_order);
   g_test_add_func ("/contacts/hundred-thousand-blocks", test_hundred_thousand_blocks);
