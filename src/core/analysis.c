@@ -1,19 +1,8 @@
 #include "core/analysis.h"
 
+#include "core/clock.h"
 #include "core/limit.h"
 #include "core/path.h"
-
-#include "core/clock.h"
-
-/* Refuses what no solver of this version can do. */
-static QnStatus
-check_settings (const QnAnalysisSettings *settings, QnDiag *diag)
-{
-  if (settings->procedure != QN_PROCEDURE_LOAD)
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_PROCEDURE_UNSUPPORTED,
-                        QN_ENTITY_ANALYSIS, QN_NONE, QN_NONE);
-  return QN_OK;
-}
 
 static QnStatus
 follow_path (QnPath *path, QnDiag *diag)
@@ -23,7 +12,9 @@ follow_path (QnPath *path, QnDiag *diag)
 
   if (status != QN_OK || !stands)
     return status;
-  return qn_path_load_control (path, diag);
+  if (path->settings->procedure == QN_PROCEDURE_LOAD)
+    return qn_path_load_control (path, diag);
+  return qn_path_motion_control (path, diag);
 }
 
 QnStatus
@@ -36,11 +27,9 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
   *result = (QnResult){ 0 };
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
     return qn_limit_run (model, contacts, progress, user_data, result, diag);
-  QnStatus status = check_settings (&model->analysis, diag);
-  if (status != QN_OK)
-    return status;
 
-  status = qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
+  QnStatus status =
+    qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
   if (status == QN_OK)
     status = follow_path (&path, diag);
   if (status == QN_OK) {

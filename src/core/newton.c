@@ -11,6 +11,10 @@
 /* Decrease of the residual asked for, as a fraction of what a linear system would give. */
 #define SUFFICIENT_DECREASE 1e-4
 
+/* Viscosity that is always in the factorised tangent, not in the residual, when a target other
+ * than the multiplier is sought. */
+#define TRACE 1e-9
+
 /* One solution in progress. */
 typedef struct {
   QnEquilibrium *eq;
@@ -47,7 +51,7 @@ measure (Newton *newton, const double *u, double multiplier)
   double start = qn_clock_seconds ();
   double scale = qn_assembly_residual (as, multiplier, eq->residual);
   double gap = newton->stiffness * target_gap (newton, u, multiplier);
-  double sum = gap * gap, largest = fabs (gap), largest_static = 0;
+  double sum = gap * gap, largest = 0, largest_static = 0;
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
     largest_static = fmax (largest_static, fabs (eq->residual[i]));
@@ -57,6 +61,8 @@ measure (Newton *newton, const double *u, double multiplier)
   }
   eq->out_of_balance = scale > 0 ? largest_static / scale : 0;
   newton->relative = scale > 0 ? largest / scale : 0;
+  if (gap != 0)
+    newton->relative = INFINITY; /* the target is met exactly or not at all */
   newton->norm = sqrt (sum);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
 }
@@ -188,7 +194,9 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
     if (!go_on (eq))
       return QN_SOLVE_CANCELLED;
 
-    switch (factorize (eq, viscosity)) {
+    /* A full mechanism has a singular tangent, yet the target holds it: a trace of damping
+     * lets the bordered system be solved in two halves. */
+    switch (factorize (eq, target->direction != NULL ? fmax (viscosity, TRACE) : viscosity)) {
     case QN_FACTOR_OK:
       break;
     case QN_FACTOR_SINGULAR:

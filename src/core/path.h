@@ -47,4 +47,8 @@ QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag 
 /* Load control: increments of the multiplier up to collapse or the largest multiplier. */
 QnStatus qn_path_load_control (QnPath *path, QnDiag *diag);
 
+/* Displacement, work or arc-length control, as the settings say, to the control target, down
+ * to multiplier zero, or to a plateau. */
+QnStatus qn_path_motion_control (QnPath *path, QnDiag *diag);
+
 #endif

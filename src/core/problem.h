@@ -48,8 +48,6 @@
   X (PAIR_OFFSET_TOO_LARGE, "offset leaves no room between the two contact pairs of a face") \
   X (PAIR_COUNT, "number of contact pairs must be at least one") \
   X (NO_LIVE_LOAD, "no live load acts on any free block") \
-  X (PROCEDURE_UNSUPPORTED, "this procedure is not available yet") \
-  X (GEOMETRY_UNSUPPORTED, "nonlinear geometry is not available yet") \
   X (CONTROL_DOF_FIXED, "controlled degree of freedom is fixed") \
   X (CONTROL_TARGET_ZERO, "control target is zero") \
   X (CONTROL_MISSING, "procedure needs a control block and target") \
