@@ -34,10 +34,18 @@
  * metres. It also leaves three digits between rounding and the default tolerance. */
 #define RUNAWAY 1e5
 
+/* In nonlinear geometry: elastic displacements from which motion is watched, and how often it
+ * must double without slowing down until it counts as a fall. */
+#define FALL_BEGINS    10
+#define FALL_DOUBLINGS 4
+
 typedef struct {
-  double viscosity; /* of the next step */
-  double elapsed;   /* time since the start */
-  double change;    /* of the velocity in the last step, relative */
+  double viscosity;                     /* of the next step */
+  double elapsed;                       /* time since the start */
+  double speed;                         /* of the last step, in the norm of C */
+  double change;                        /* of the velocity in the last step, relative */
+  double watched_motion, watched_speed; /* when motion had last doubled */
+  int doublings;                        /* since the motion last slowed down */
 } Relaxation;
 
 static void
@@ -62,6 +70,7 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
     norm += as->damping[i] * v * v;
     eq->velocity[i] = v;
   }
+  relaxation->speed = sqrt (norm);
   relaxation->change = norm > 0 ? sqrt (change / norm) : 0;
 }
 
@@ -96,28 +105,32 @@ will_close (const QnEquilibrium *eq, double time_step)
   return false;
 }
 
-/* Largest motion since the committed state, m. */
-static double
-largest_motion (const QnEquilibrium *eq)
+/* In nonlinear geometry the velocity of a mechanism changes as it moves: a structure falls if
+ * it covers twice the way again and again without slowing down. */
+static bool
+is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
 {
-  double largest = 0;
+  double moved = elastic_displacements (eq, false);
 
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    largest = fmax (largest, fabs (eq->u[i] - eq->committed.u[i]));
-  return largest;
+  if (moved < fmax (FALL_BEGINS, 2 * relaxation->watched_motion))
+    return false;
+  bool slower = relaxation->speed < (1 - STEADY) * relaxation->watched_speed;
+  relaxation->doublings = slower ? 0 : relaxation->doublings + 1;
+  relaxation->watched_motion = moved;
+  relaxation->watched_speed = relaxation->speed;
+  return relaxation->doublings > FALL_DOUBLINGS;
 }
 
-/* Whether the structure moves on for good after a converged step. In nonlinear geometry a
- * block that has moved by its own size without coming to rest has fallen. */
+/* Whether the structure moves on for good after a converged step. */
 static bool
-is_mechanism (const QnEquilibrium *eq, const Relaxation *relaxation)
+is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
 {
   double time_step = 1 / relaxation->viscosity;
 
-  if (eq->assembly.nonlinear)
-    return largest_motion (eq) > eq->assembly.length;
   if (elastic_displacements (eq, false) > RUNAWAY)
     return true;
+  if (eq->assembly.nonlinear)
+    return is_falling (eq, relaxation);
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
          && !will_close (eq, time_step);
 }

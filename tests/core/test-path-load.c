@@ -128,6 +128,28 @@ test_limit_point (void)
   }
 }
 
+/* As joints grow stiffer, equilibrium in the deformed configuration becomes equilibrium in the
+ * undeformed one; soft joints lose capacity by their own deformation. */
+static void
+test_nonlinear_geometry (void)
+{
+  static const double stiffness[] = { 1e6, 1e7, 1e8, 1e10 };
+  double before = 0;
+  for (size_t i = 0; i < G_N_ELEMENTS (stiffness); i++) {
+    QnModel model;
+    QnResult result;
+    test_model_init_wall (&model, 1, 0);
+    model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    model.laws[0].kn = model.laws[0].ks = stiffness[i];
+    run (&model, NULL, NULL, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat (result.collapse_multiplier, >, before);
+    before = result.collapse_multiplier;
+    qn_result_clear (&result);
+  }
+  g_assert_cmpfloat_with_epsilon (before, 0.6415, 3e-4);
+}
+
 static bool
 stop_after_steps (const QnProgress *progress, void *data)
 {
@@ -197,6 +219,7 @@ main (int argc, char **argv)
   g_test_add_func ("/path-load/unbounded", test_unbounded);
   g_test_add_func ("/path-load/dead-load-unstable", test_dead_load_unstable);
   g_test_add_func ("/path-load/limit-point", test_limit_point);
+  g_test_add_func ("/path-load/nonlinear-geometry", test_nonlinear_geometry);
   g_test_add_func ("/path-load/cancel/keeps", test_cancel_keeps_what_converged);
   g_test_add_func ("/path-load/cancel/anywhere", test_cancel_anywhere);
   g_test_add_func ("/path-load/repeatable", test_repeatable);
