@@ -196,7 +196,8 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
 
     /* A full mechanism has a singular tangent, yet the target holds it: a trace of damping
      * lets the bordered system be solved in two halves. */
-    switch (factorize (eq, target->direction != NULL ? fmax (viscosity, TRACE) : viscosity)) {
+    switch (
+      factorize (eq, target->direction != NULL ? fmax (viscosity, TRACE) : viscosity)) {
     case QN_FACTOR_OK:
       break;
     case QN_FACTOR_SINGULAR:
