@@ -5,6 +5,7 @@
 #include "cli/subcommand.h"
 #include "core/analysis.h"
 #include "io/file-writer.h"
+#include "io/mechanism-text.h"
 #include "io/table-csv.h"
 
 #include <glib/gi18n.h>
@@ -95,6 +96,20 @@ is_stdout (const char *path)
   return g_strcmp0 (path, "-") == 0;
 }
 
+static void
+print_mechanism (const QnInput *input, const QnResult *result)
+{
+  const QnModel *model = &input->project.model;
+  QnMechanism mechanism;
+  if (result->mechanism == NULL
+      || qn_mechanism_init (&mechanism, model, &input->contacts, result->mechanism, NULL)
+           != QN_OK)
+    return;
+  g_autofree char *text = qn_mechanism_dup_text (model, &mechanism);
+  printf ("%s\n", text);
+  qn_mechanism_clear (&mechanism);
+}
+
 static QnExit
 write_outputs (const Options *options, const QnInput *input, const QnResult *result)
 {
@@ -132,8 +147,10 @@ report (const Options *options, const QnInput *input, const QnResult *result)
   QnExit code = write_outputs (options, input, result);
   if (code != QN_EXIT_DONE)
     return code;
-  if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv))
+  if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv)) {
     print_summary (&input->project, result);
+    print_mechanism (input, result);
+  }
   return judge_outcome (&input->project, result);
 }
 

@@ -1,4 +1,5 @@
 #include "io/file-writer.h"
+#include "io/mechanism-text.h"
 #include "io/project-names.h"
 #include "io/result-file.h"
 
@@ -202,6 +203,28 @@ write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
   qn_file_writer_puts (writer, " }\n}\n");
 }
 
+/* The velocity field and, for readers who do not want to work them out, its facts. These are
+ * left out where memory runs out: the field is the result. */
+static void
+write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+                 const QnResult *result)
+{
+  QnMechanism facts;
+  qn_file_writer_puts (writer, "  \"mechanism\": ");
+  if (result->mechanism == NULL) {
+    qn_file_writer_puts (writer, "null,\n");
+    return;
+  }
+  write_rows (writer, result->mechanism, result->block_count);
+  qn_file_writer_puts (writer, ",\n");
+  if (qn_mechanism_init (&facts, model, contacts, result->mechanism, NULL) != QN_OK)
+    return;
+  qn_file_writer_puts (writer, "  \"mechanism_facts\": ");
+  qn_mechanism_write (writer, contacts, &facts);
+  qn_file_writer_puts (writer, ",\n");
+  qn_mechanism_clear (&facts);
+}
+
 gboolean
 qn_result_file_write (const char *path, const QnProject *project,
                       const QnContacts *contacts, const QnResult *result, GError **error)
@@ -213,12 +236,7 @@ qn_result_file_write (const char *path, const QnProject *project,
   write_blocks (writer, &project->model, result);
   write_steps (writer, result);
   write_contacts (writer, contacts, result);
-  qn_file_writer_puts (writer, "  \"mechanism\": ");
-  if (result->mechanism != NULL)
-    write_rows (writer, result->mechanism, result->block_count);
-  else
-    qn_file_writer_puts (writer, "null");
-  qn_file_writer_puts (writer, ",\n");
+  write_mechanism (writer, &project->model, contacts, result);
   write_statistics (writer, &result->statistics);
   return qn_file_writer_commit (writer, error);
 }
