@@ -97,7 +97,7 @@ static const Case cases[] = {
   { "\"mechanism\": [[0, 0, 0], ", "\"mechanism\": [",
     "r.json:16:16: mechanism: there are not as many velocities as blocks" },
   { "\"seconds\": 0.012", "\"seconds\": true",
-    "r.json:17:30: statistics.seconds: expected a number" },
+    "r.json:24:30: statistics.seconds: expected a number" },
 };
 
 static void
