@@ -12,7 +12,7 @@ folder=${1:-out}
 
 tools/setup.sh
 [ -f build/build.ninja ] || meson setup build
-ninja -C build
+ninja -C build src/cli/quoin-cli src/app/quoin
 
 cli=build/src/cli/quoin-cli
 missed=0

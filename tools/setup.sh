@@ -6,14 +6,16 @@ set -euo pipefail
 packages=(
   # building
   gcc g++ libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
-  # libraries
-  libglib2.0-dev libcjson-dev libcairo2-dev libsuitesparse-dev libgeos-dev libdxflib-dev
-  libpng-dev libgif-dev libgl-dev libegl-dev libosmesa6-dev libgstreamer1.0-dev
-  libgstreamer-plugins-base1.0-dev gstreamer1.0-plugins-base gstreamer1.0-plugins-good
-  libpango1.0-dev libgtk-4-dev fonts-dejavu-core
+  # files, mechanics, geometry
+  libglib2.0-dev libcjson-dev libsuitesparse-dev libgeos-dev libdxflib-dev
+  # pictures and animations, with OpenGL where there is no display
+  libcairo2-dev libpango1.0-dev libpng-dev libgif-dev fonts-dejavu-core
+  libosmesa6-dev libegl-dev libgl1-mesa-dri
+  libgstreamer1.0-dev libgstreamer-plugins-base1.0-dev gstreamer1.0-plugins-good
+  # the window
+  libgtk-4-dev
   # checks and tests
-  clang-format-14 binutils locales-all
-  desktop-file-utils appstream xvfb xauth
+  clang-format-14 binutils locales-all desktop-file-utils appstream xvfb xauth
 )
 
 missing=()
