@@ -9,14 +9,18 @@ typedef struct {
   QnId item;
 } Entry;
 
-/* Place of a cell along the Hilbert curve that fills a square of 2^32 x 2^32 cells. Two digits
+/* Cells of the curve along each side of the square: splinters a millionth of the whole still find
+ * an order. */
+#define CURVE_BITS 24
+
+/* Place of a cell along the Hilbert curve that fills a square of 2^24 x 2^24 cells. Two digits
  * of the place, one quadrant, are settled per turn of the loop; the rest of the square is then
  * turned so that the curve inside the quadrant has the standard position. */
 static uint64_t
 hilbert_place (uint32_t x, uint32_t y)
 {
   uint64_t place = 0;
-  for (uint32_t bit = UINT32_C (1) << 31; bit > 0; bit >>= 1) {
+  for (uint32_t bit = UINT32_C (1) << (CURVE_BITS - 1); bit > 0; bit >>= 1) {
     uint32_t right = (x & bit) != 0;
     uint32_t upper = (y & bit) != 0;
     place = (place << 2) | ((3 * right) ^ upper);
@@ -37,7 +41,7 @@ static uint32_t
 cell_of (double value, double low, double extent)
 {
   double share = extent > 0 ? (value - low) / extent : 0;
-  return (uint32_t) (fmin (fmax (share, 0), 1) * 4294967295.0);
+  return (uint32_t) (fmin (fmax (share, 0), 1) * ((UINT32_C (1) << CURVE_BITS) - 1));
 }
 
 static int

@@ -11,8 +11,6 @@
 #include "core/base.h"
 #include "core/vec2.h"
 
-#include <math.h>
-
 typedef struct QnBox {
   QnVec2 min, max; /* m, min <= max */
 } QnBox;
@@ -50,19 +48,33 @@ QnBoxQuery qn_box_tree_query (const QnBoxTree *tree, QnBox box);
 /* The next item, or QN_NONE. The order depends on the boxes alone. */
 QnId qn_box_query_next (QnBoxQuery *query);
 
+/* The smaller and the larger of two finite numbers; fmin and fmax would be calls, for the sake of
+ * NaN. */
+static inline double
+qn_min (double a, double b)
+{
+  return a < b ? a : b;
+}
+
+static inline double
+qn_max (double a, double b)
+{
+  return a > b ? a : b;
+}
+
 /* Smallest box around two points. */
 static inline QnBox
 qn_box_of_segment (QnVec2 p, QnVec2 q)
 {
-  return (QnBox){ { fmin (p.x, q.x), fmin (p.y, q.y) },
-                  { fmax (p.x, q.x), fmax (p.y, q.y) } };
+  return (QnBox){ { qn_min (p.x, q.x), qn_min (p.y, q.y) },
+                  { qn_max (p.x, q.x), qn_max (p.y, q.y) } };
 }
 
 static inline QnBox
 qn_box_union (QnBox a, QnBox b)
 {
-  return (QnBox){ { fmin (a.min.x, b.min.x), fmin (a.min.y, b.min.y) },
-                  { fmax (a.max.x, b.max.x), fmax (a.max.y, b.max.y) } };
+  return (QnBox){ { qn_min (a.min.x, b.min.x), qn_min (a.min.y, b.min.y) },
+                  { qn_max (a.max.x, b.max.x), qn_max (a.max.y, b.max.y) } };
 }
 
 static inline QnBox
