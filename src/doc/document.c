@@ -381,6 +381,17 @@ step_to (QnDocument *self, const char *name, const char *key, char *text, GError
   return TRUE;
 }
 
+/* Files hold free blocks before walls; an edit may have appended some behind. */
+static gboolean
+put_free_blocks_first (QnModel *model, GError **error)
+{
+  for (gsize i = 1; i < model->block_count; i++) {
+    if (model->blocks[i].wall == QN_NONE && model->blocks[i - 1].wall != QN_NONE)
+      return qn_edit_rebuild (model, NULL, error);
+  }
+  return TRUE;
+}
+
 gboolean
 qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFunc func,
                   gpointer user_data, GError **error)
@@ -389,7 +400,8 @@ qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFun
   QnDiag diag = { 0 };
   if (qn_model_copy (&self->project.model, &draft.model, &diag) != QN_OK)
     return qn_edit_no_memory (error);
-  gboolean done = func (&draft.model, user_data, error);
+  gboolean done =
+    func (&draft.model, user_data, error) && put_free_blocks_first (&draft.model, error);
   char *text = done ? qn_project_to_text (&draft, NULL) : NULL;
   qn_model_clear (&draft.model);
   return done && step_to (self, name, key, text, error);

@@ -1,0 +1,212 @@
+#include "driver.h"
+
+#include <glib/gstdio.h>
+
+#define LONGEST_WAIT_US (30 * G_USEC_PER_SEC)
+
+GtkApplication *
+driver_application (void)
+{
+  static QnApplication *application;
+  if (application == NULL) {
+    application = qn_application_new ();
+    g_application_set_flags (G_APPLICATION (application),
+                             G_APPLICATION_HANDLES_OPEN | G_APPLICATION_NON_UNIQUE);
+    g_assert_true (g_application_register (G_APPLICATION (application), NULL, NULL));
+  }
+  return GTK_APPLICATION (application);
+}
+
+static gboolean
+on_timeout (gpointer data)
+{
+  *(gboolean *) data = TRUE;
+  return G_SOURCE_REMOVE;
+}
+
+void
+driver_run (guint milliseconds)
+{
+  gboolean over = FALSE;
+  g_timeout_add (milliseconds, on_timeout, &over);
+  while (!over)
+    g_main_context_iteration (NULL, TRUE);
+}
+
+void
+driver_wait (DriverCondition condition, gpointer data)
+{
+  gint64 end = g_get_monotonic_time () + LONGEST_WAIT_US;
+  while (!condition (data)) {
+    g_assert_cmpint (g_get_monotonic_time (), <, end);
+    driver_run (10);
+  }
+}
+
+static gboolean
+is_mapped (gpointer window)
+{
+  return gtk_widget_get_mapped (window) && gtk_widget_get_width (window) > 0;
+}
+
+QnWindow *
+driver_open_window (int width, int height)
+{
+  QnWindow *window = qn_window_new (driver_application ());
+  gtk_window_set_default_size (GTK_WINDOW (window), width, height);
+  gtk_window_present (GTK_WINDOW (window));
+  driver_wait (is_mapped, window);
+  driver_run (100);
+  return window;
+}
+
+char *
+driver_example_path (const char *name)
+{
+  return g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
+}
+
+QnWindow *
+driver_open_example (const char *name)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  g_autofree char *path = driver_example_path (name);
+  g_assert_true (qn_window_open_path (window, path));
+  driver_run (200);
+  return window;
+}
+
+static gboolean
+has_no_job (gpointer window)
+{
+  return qn_document_get_job (qn_window_get_document (window)) == NULL;
+}
+
+void
+driver_wait_for_job (QnWindow *window)
+{
+  driver_wait (has_no_job, window);
+  driver_run (50);
+}
+
+/* ---- pointer and keys ---- */
+
+static void
+xdotool (const char *const *arguments)
+{
+  g_autoptr (GStrvBuilder) builder = g_strv_builder_new ();
+  g_strv_builder_add (builder, "xdotool");
+  g_strv_builder_addv (builder, (const char **) arguments);
+  g_auto (GStrv) argv = g_strv_builder_end (builder);
+  int status = 0;
+  g_assert_true (g_spawn_sync (NULL, argv, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL,
+                               NULL, &status, NULL));
+  g_assert_cmpint (status, ==, 0);
+  driver_run (60);
+}
+
+void
+driver_point (QnWindow *window, double x, double y)
+{
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnVec2 s = qn_canvas_to_screen (canvas, qn_vec2 (x, y));
+  double left, top, offset_x, offset_y;
+  g_assert_true (gtk_widget_translate_coordinates (
+    GTK_WIDGET (canvas), GTK_WIDGET (window), s.x, s.y, &left, &top));
+  gtk_native_get_surface_transform (GTK_NATIVE (window), &offset_x, &offset_y);
+  g_autofree char *px = g_strdup_printf ("%.0f", left + offset_x);
+  g_autofree char *py = g_strdup_printf ("%.0f", top + offset_y);
+  const char *const arguments[] = { "mousemove", px, py, NULL };
+  xdotool (arguments);
+}
+
+static void
+button (const char *verb)
+{
+  const char *const arguments[] = { verb, "1", NULL };
+  xdotool (arguments);
+}
+
+void
+driver_drag (QnWindow *window, double x0, double y0, double x1, double y1)
+{
+  driver_point (window, x0, y0);
+  button ("mousedown");
+  driver_point (window, 0.5 * (x0 + x1), 0.5 * (y0 + y1));
+  driver_point (window, x1, y1);
+  button ("mouseup");
+}
+
+void
+driver_click (QnWindow *window, double x, double y)
+{
+  driver_point (window, x, y);
+  button ("mousedown");
+  button ("mouseup");
+}
+
+void
+driver_key (const char *key)
+{
+  const char *const arguments[] = { "key", key, NULL };
+  xdotool (arguments);
+}
+
+void
+driver_type (const char *text)
+{
+  const char *const arguments[] = { "type", "--delay", "20", text, NULL };
+  xdotool (arguments);
+  driver_run (100);
+}
+
+void
+driver_activate (QnWindow *window, const char *detailed_action)
+{
+  g_autofree char *name = NULL;
+  g_autoptr (GVariant) target = NULL;
+  g_assert_true (g_action_parse_detailed_name (detailed_action, &name, &target, NULL));
+  g_assert_true (gtk_widget_activate_action_variant (GTK_WIDGET (window), name, target));
+  driver_run (50);
+}
+
+static gboolean
+is_gone (gpointer window)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GObject) item = g_list_model_get_item (toplevels, i);
+    if ((gpointer) item == window)
+      return FALSE;
+  }
+  return TRUE;
+}
+
+void
+driver_discard (QnWindow *window)
+{
+  gtk_window_destroy (GTK_WINDOW (window));
+  driver_wait (is_gone, window);
+}
+
+void
+driver_screenshot (GtkWidget *window, const char *name)
+{
+  const char *folder = g_getenv ("QUOIN_SCREENSHOTS");
+  if (folder == NULL)
+    return;
+  driver_run (150);
+  int width = gtk_widget_get_width (window), height = gtk_widget_get_height (window);
+  g_autoptr (GdkPaintable) paintable = gtk_widget_paintable_new (window);
+  GtkSnapshot *snapshot = gtk_snapshot_new ();
+  gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot), width, height);
+  GskRenderNode *node = gtk_snapshot_free_to_node (snapshot);
+  g_assert_nonnull (node);
+  GskRenderer *renderer = gtk_native_get_renderer (GTK_NATIVE (window));
+  g_autoptr (GdkTexture) texture = gsk_renderer_render_texture (renderer, node, NULL);
+  gsk_render_node_unref (node);
+  g_autofree char *file = g_strdup_printf ("%s.png", name);
+  g_autofree char *path = g_build_filename (folder, file, NULL);
+  g_mkdir_with_parents (folder, 0755);
+  g_assert_true (gdk_texture_save_to_png (texture, path));
+}

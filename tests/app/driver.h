@@ -1,0 +1,45 @@
+/* Drives real windows from a test: waits, moves the pointer, presses buttons and keys, takes
+ * pictures. The pointer and the keys go through the X server, as a user's do. */
+#ifndef QN_TESTS_APP_DRIVER_H
+#define QN_TESTS_APP_DRIVER_H
+
+#include "app/application.h"
+#include "app/window.h"
+
+/* The program, started once for all tests of a process. */
+GtkApplication *driver_application (void);
+
+/* A window that is on the screen, of this size. */
+QnWindow *driver_open_window (int width, int height);
+
+/* A window with a file of the examples. */
+QnWindow *driver_open_example (const char *name);
+
+/* Path of an example; the caller frees it. */
+char *driver_example_path (const char *name);
+
+/* Runs the main loop for a while, or until a condition holds (fails after ten seconds). */
+void driver_run (guint milliseconds);
+typedef gboolean (*DriverCondition) (gpointer data);
+void driver_wait (DriverCondition condition, gpointer data);
+
+/* Waits until no analysis runs. */
+void driver_wait_for_job (QnWindow *window);
+
+/* Pointer at a place of the model in the drawing. */
+void driver_point (QnWindow *window, double x, double y);
+void driver_drag (QnWindow *window, double x0, double y0, double x1, double y1);
+void driver_click (QnWindow *window, double x, double y);
+/* Keys as xdotool spells them. */
+void driver_key (const char *key);
+void driver_type (const char *text);
+
+void driver_activate (QnWindow *window, const char *detailed_action);
+
+/* Closes without asking. */
+void driver_discard (QnWindow *window);
+
+/* Picture of a window as <name>.png in the folder QUOIN_SCREENSHOTS. */
+void driver_screenshot (GtkWidget *window, const char *name);
+
+#endif

@@ -1,0 +1,397 @@
+#include "driver.h"
+
+#include "app/settings.h"
+#include "doc/figure-export.h"
+
+#include <glib/gstdio.h>
+#include <math.h>
+#include <string.h>
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static gsize
+free_blocks (const QnModel *model)
+{
+  gsize count = 0;
+  for (gsize i = 0; i < model->block_count; i++)
+    count += model->blocks[i].wall == QN_NONE;
+  return count;
+}
+
+static void
+test_start (void)
+{
+  gint64 before = g_get_monotonic_time ();
+  QnWindow *window = driver_open_window (1280, 800);
+  g_test_message ("window on the screen after %.2f s",
+                  1e-6 * (double) (g_get_monotonic_time () - before));
+  g_assert_true (qn_window_is_blank (window));
+  driver_run (800);
+  driver_screenshot (GTK_WIDGET (window), "start");
+  driver_discard (window);
+}
+
+/* Every example opens, without complaint, and shows all of its blocks. */
+static void
+test_examples (void)
+{
+  static const char *const names[] = {
+    "01-sliding-block.quoin",
+    "02-overturning-block.quoin",
+    "03-rounded-block.quoin",
+    "04-block-on-slope.quoin",
+    "05-stack.quoin",
+    "06-arch.quoin",
+    "ferris-tin-loi/wall1.quoin",
+    "ferris-tin-loi/wall2.quoin",
+    "ferris-tin-loi/wall3.quoin",
+    "ferris-tin-loi/wall4.quoin",
+    "ferris-tin-loi/wall5.quoin",
+    "ferris-tin-loi/wall6.quoin",
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
+    QnWindow *window = driver_open_example (names[i]);
+    g_assert_cmpuint (model_of (window)->block_count, >, 0);
+    g_assert_cmpuint (
+      qn_document_get_contacts (qn_window_get_document (window))->face_count, >, 0);
+    g_assert_false (qn_document_is_modified (qn_window_get_document (window)));
+    driver_activate (window, "win.view::contacts");
+    if (i == 8)
+      driver_screenshot (GTK_WIDGET (window), "contacts");
+    driver_discard (window);
+  }
+}
+
+/* A wall and an opening drawn with the pointer, a block typed, all of it undone. */
+static void
+test_draw (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *empty = g_strdup (qn_document_get_text (document));
+  driver_activate (window, "win.draw");
+  driver_run (200);
+  driver_drag (window, 0.5, 0.5, 2.5, 2.25);
+  const QnModel *model = model_of (window);
+  g_assert_cmpuint (model->wall_count, ==, 1);
+  g_assert_cmpint (model->walls[0].course_count, ==, 10);
+  g_assert_cmpuint (free_blocks (model), ==, 1); /* the base */
+  gsize full = model->block_count;
+
+  driver_key ("o");
+  driver_drag (window, 1.1, 1.0, 1.9, 1.7);
+  g_assert_cmpuint (model_of (window)->block_count, <, full);
+  driver_screenshot (GTK_WIDGET (window), "drawn");
+
+  driver_key ("r");
+  driver_click (window, 3.2, 0.5);
+  driver_type ("0,4; 0.8");
+  driver_key ("Return");
+  model = model_of (window);
+  g_assert_cmpuint (free_blocks (model), ==, 2);
+  double area = 0.0;
+  for (gsize i = 0; i < model->block_count; i++) {
+    if (model->blocks[i].wall == QN_NONE)
+      area = model->blocks[i].area;
+  }
+  g_assert_cmpfloat_with_epsilon (area, 0.32, 1e-9);
+
+  while (qn_history_can_undo (qn_document_get_history (document)))
+    driver_activate (window, "win.undo");
+  g_assert_cmpstr (qn_document_get_text (document), ==, empty);
+  g_assert_cmpuint (model_of (window)->block_count, ==, 0);
+  while (qn_history_can_redo (qn_document_get_history (document)))
+    driver_activate (window, "win.redo");
+  g_assert_cmpuint (free_blocks (model_of (window)), ==, 2);
+  driver_discard (window);
+}
+
+/* Select, move with the pointer and the keys, copy, mirror, delete. */
+static void
+test_edit (void)
+{
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  QnSelection *selection = qn_document_get_selection (document);
+  gsize count = model_of (window)->block_count;
+  QnId top = 0;
+  for (QnId i = 0; i < (QnId) count; i++) {
+    if (!model_of (window)->blocks[i].support[0])
+      top = i;
+  }
+  QnVec2 c = model_of (window)->blocks[top].centroid;
+  driver_click (window, c.x, c.y);
+  g_assert_true (qn_selection_has_block (selection, top));
+  driver_key ("Right");
+  g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, >, c.x);
+  driver_key ("Right");
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  driver_activate (window, "win.undo");
+  g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, ==, c.x);
+
+  driver_drag (window, c.x, c.y, c.x, c.y + 0.8);
+  g_assert_cmpfloat (model_of (window)->blocks[top].centroid.y, >, c.y + 0.5);
+  driver_activate (window, "win.duplicate");
+  g_assert_cmpuint (model_of (window)->block_count, ==, count + 1);
+  driver_activate (window, "win.mirror::vertical");
+  driver_activate (window, "win.rotate(90.0)");
+  driver_screenshot (GTK_WIDGET (window), "edited");
+  driver_key ("Delete");
+  g_assert_cmpuint (model_of (window)->block_count, ==, count);
+  driver_discard (window);
+}
+
+static void
+test_solve (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_key ("F5");
+  driver_wait_for_job (window);
+  QnRun *run = qn_document_get_run (document);
+  g_assert_nonnull (run);
+  g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat (fabs (run->result.collapse_multiplier - 0.356), <, 0.01 * 0.356);
+  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
+                   QN_VIEW_MECHANISM);
+  driver_screenshot (GTK_WIDGET (window), "mechanism");
+  driver_activate (window, "win.view::forces");
+  driver_screenshot (GTK_WIDGET (window), "forces");
+  driver_activate (window, "win.view::deformed");
+  driver_activate (window, "win.previous-step");
+  g_assert_cmpint (qn_view_state_get_step (qn_window_get_view_state (window)), ==,
+                   (int) run->result.step_count - 2);
+  driver_screenshot (GTK_WIDGET (window), "deformed");
+
+  /* An edit makes the result outdated, undoing it makes it current again. */
+  g_assert_false (qn_document_is_stale (document, run));
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((0.0,1.0))");
+  g_assert_true (qn_document_is_stale (document, run));
+  driver_screenshot (GTK_WIDGET (window), "outdated");
+  driver_activate (window, "win.undo");
+  g_assert_false (qn_document_is_stale (document, run));
+  driver_discard (window);
+}
+
+static void
+test_animate (void)
+{
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  QnViewState *state = qn_window_get_view_state (window);
+  driver_key ("F5");
+  driver_wait_for_job (window);
+  g_assert_nonnull (qn_document_get_run (qn_window_get_document (window)));
+  g_assert_cmpfloat (qn_view_state_get_phase (state), ==, 1.0);
+  driver_activate (window, "win.play");
+  driver_run (700);
+  double first = qn_view_state_get_phase (state);
+  driver_run (300);
+  g_assert_cmpfloat (qn_view_state_get_phase (state), !=, first);
+  driver_activate (window, "win.play");
+  double held = qn_view_state_get_phase (state);
+  driver_run (200);
+  g_assert_cmpfloat (qn_view_state_get_phase (state), ==, held);
+  driver_activate (window, "win.compare");
+  driver_run (300);
+  driver_discard (window);
+}
+
+/* Ends soon, keeps what had converged, and leaves the window ready for the next run. */
+static void
+test_cancel (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall6.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.run");
+  g_assert_nonnull (qn_document_get_job (document));
+  driver_activate (window, "win.pause");
+  driver_run (150);
+  g_assert_nonnull (qn_document_get_job (document));
+  driver_screenshot (GTK_WIDGET (window), "running");
+  driver_activate (window, "win.cancel");
+  gint64 before = g_get_monotonic_time ();
+  driver_wait_for_job (window);
+  g_assert_cmpint (g_get_monotonic_time () - before, <, 5 * G_USEC_PER_SEC);
+  const QnRun *run = qn_document_get_run (document);
+  g_assert_true (run == NULL || run->result.outcome == QN_OUTCOME_CANCELLED);
+  g_assert_true (g_action_group_get_action_enabled (G_ACTION_GROUP (window), "run"));
+  driver_discard (window);
+}
+
+/* The window and the command line write the same bytes. */
+static void
+test_export (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *model = driver_example_path ("ferris-tin-loi/wall3.quoin");
+  QnOutput output;
+  qn_output_init (&output);
+  static const char *const endings[] = { "png", "svg", "pdf" };
+  for (gsize i = 0; i < G_N_ELEMENTS (endings); i++) {
+    g_autofree char *ours = g_strdup_printf ("%s/window.%s", folder, endings[i]);
+    g_autofree char *theirs = g_strdup_printf ("%s/cli.%s", folder, endings[i]);
+    g_autoptr (GError) error = NULL;
+    qn_view_state_export (qn_window_get_view_state (window), ours, &output, &error);
+    g_assert_no_error (error);
+    const char *argv[] = {
+      g_getenv ("QUOIN_CLI"), "render", model, "--view", "model", "-o", theirs, NULL
+    };
+    int status = -1;
+    g_assert_true (g_spawn_sync (NULL, (char **) argv, NULL, G_SPAWN_DEFAULT, NULL, NULL,
+                                 NULL, NULL, &status, &error));
+    g_assert_cmpint (status, ==, 0);
+    g_autofree char *a = NULL, *b = NULL;
+    gsize na = 0, nb = 0;
+    g_assert_true (g_file_get_contents (ours, &a, &na, NULL));
+    g_assert_true (g_file_get_contents (theirs, &b, &nb, NULL));
+    g_assert_cmpmem (a, na, b, nb);
+    g_unlink (ours);
+    g_unlink (theirs);
+  }
+  driver_activate (window, "win.export");
+  driver_run (300);
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    if (toplevel != GTK_WIDGET (window) && gtk_widget_get_mapped (toplevel))
+      driver_screenshot (toplevel, "export-dialog");
+  }
+  driver_discard (window);
+  g_rmdir (folder);
+}
+
+static GtkWidget *
+find_dialog (void)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    if (GTK_IS_MESSAGE_DIALOG (toplevel))
+      return toplevel;
+  }
+  return NULL;
+}
+
+static gboolean
+window_is_open (QnWindow *window)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    if (toplevel == GTK_WIDGET (window))
+      return TRUE;
+  }
+  return FALSE;
+}
+
+static void
+test_unsaved (void)
+{
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  g_assert_true (qn_document_is_modified (qn_window_get_document (window)));
+
+  gtk_window_close (GTK_WINDOW (window));
+  driver_run (200);
+  GtkWidget *dialog = find_dialog ();
+  g_assert_nonnull (dialog);
+  driver_screenshot (dialog, "unsaved");
+  gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
+  driver_run (200);
+  g_assert_true (window_is_open (window));
+  g_assert_null (find_dialog ());
+
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "saved.quoin", NULL);
+  g_autofree char *action = g_strdup_printf ("win.save-path::%s", path);
+  driver_activate (window, action);
+  g_assert_false (qn_document_is_modified (qn_window_get_document (window)));
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  gtk_window_close (GTK_WINDOW (window));
+  driver_run (200);
+  gtk_dialog_response (GTK_DIALOG (find_dialog ()), GTK_RESPONSE_REJECT);
+  driver_run (200);
+  g_assert_false (window_is_open (window));
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+/* A file that cannot be read is explained, with its place, and the window stays usable. */
+static void
+test_bad_file (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "bad.quoin", NULL);
+  g_assert_true (g_file_set_contents (path, "{ \"format\": 3", -1, NULL));
+  QnWindow *window = driver_open_window (1280, 800);
+  g_assert_false (qn_window_open_path (window, path));
+  driver_screenshot (GTK_WIDGET (window), "bad-file");
+  driver_activate (window, "win.tool::wall");
+  driver_drag (window, 0.5, 0.5, 2.5, 2.25);
+  g_assert_cmpuint (model_of (window)->wall_count, ==, 1);
+  driver_discard (window);
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+static void
+test_appearance (void)
+{
+  GSettings *settings = qn_settings_get ();
+  g_settings_set_string (settings, "style", "dark");
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall6.quoin");
+  driver_activate (window, "win.run-limit::associative");
+  driver_wait_for_job (window);
+  driver_screenshot (GTK_WIDGET (window), "dark");
+  driver_activate (window, "win.show-panel::analysis");
+  driver_screenshot (GTK_WIDGET (window), "dark-analysis");
+  driver_discard (window);
+  g_settings_set_string (settings, "style", "light");
+
+  window = driver_open_window (1900, 1040);
+  g_autofree char *path = driver_example_path ("ferris-tin-loi/wall4.quoin");
+  g_assert_true (qn_window_open_path (window, path));
+  driver_activate (window, "win.view::contacts");
+  qn_selection_set_face (qn_document_get_selection (qn_window_get_document (window)), 10);
+  driver_screenshot (GTK_WIDGET (window), "large");
+  g_action_group_activate_action (G_ACTION_GROUP (driver_application ()), "preferences",
+                                  NULL);
+  g_action_group_activate_action (G_ACTION_GROUP (driver_application ()), "help", NULL);
+  driver_run (300);
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    const char *title = gtk_window_get_title (GTK_WINDOW (toplevel));
+    if (g_strcmp0 (title, "Preferences") == 0)
+      driver_screenshot (toplevel, "preferences");
+    else if (g_strcmp0 (title, "Help") == 0)
+      driver_screenshot (toplevel, "help");
+  }
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/window/start", test_start);
+  g_test_add_func ("/app/window/examples", test_examples);
+  g_test_add_func ("/app/window/draw", test_draw);
+  g_test_add_func ("/app/window/edit", test_edit);
+  g_test_add_func ("/app/window/solve", test_solve);
+  g_test_add_func ("/app/window/animate", test_animate);
+  g_test_add_func ("/app/window/cancel", test_cancel);
+  g_test_add_func ("/app/window/export", test_export);
+  g_test_add_func ("/app/window/unsaved", test_unsaved);
+  g_test_add_func ("/app/window/bad-file", test_bad_file);
+  g_test_add_func ("/app/window/appearance", test_appearance);
+  return g_test_run ();
+}
