@@ -67,6 +67,22 @@ open_dialog (QnWindow *self, GVariant *parameter)
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
+/* Dialogs must be gone before the window that they stand over. */
+static gboolean
+on_close_idle (gpointer data)
+{
+  gtk_window_close (GTK_WINDOW (data));
+  return G_SOURCE_REMOVE;
+}
+
+static void
+close_soon (QnWindow *self)
+{
+  self->closing = TRUE;
+  g_idle_add_full (G_PRIORITY_DEFAULT_IDLE, on_close_idle, g_object_ref (self),
+                   g_object_unref);
+}
+
 /* ---- saving ---- */
 
 static gboolean
@@ -91,7 +107,7 @@ on_save_response (GtkNativeDialog *dialog, int response, QnWindow *self)
     if (path == NULL)
       qn_window_show_error (self, _ ("Only local files can be written"));
     else if (save_to (self, path) && close_after)
-      gtk_window_close (GTK_WINDOW (self));
+      close_soon (self);
   }
   g_clear_object (&self->chooser);
 }
@@ -137,10 +153,9 @@ static void
 on_unsaved_response (GtkDialog *dialog, int response, QnWindow *self)
 {
   gtk_window_destroy (GTK_WINDOW (dialog));
-  if (response == GTK_RESPONSE_REJECT) {
-    self->closing = TRUE;
-    gtk_window_close (GTK_WINDOW (self));
-  } else if (response == GTK_RESPONSE_ACCEPT) {
+  if (response == GTK_RESPONSE_REJECT)
+    close_soon (self);
+  else if (response == GTK_RESPONSE_ACCEPT) {
     const char *path = qn_document_get_path (self->document);
     self->closing = TRUE;
     if (path == NULL)
@@ -148,7 +163,7 @@ on_unsaved_response (GtkDialog *dialog, int response, QnWindow *self)
     else {
       g_autofree char *copy = g_strdup (path);
       if (save_to (self, copy))
-        gtk_window_close (GTK_WINDOW (self));
+        close_soon (self);
     }
   }
 }
