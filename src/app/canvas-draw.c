@@ -11,6 +11,7 @@
 #define GRID_PX      60.0 /* least distance of labelled grid lines */
 #define MARK_PX      7.0
 #define RING_PX      16.0
+#define DIM_PAPER    0.9
 #define LEGEND_INSET 10.0
 
 /* The drawing is paper, white in light windows and a little dimmed in dark ones. */
@@ -351,7 +352,8 @@ draw_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene)
   furniture.y = self->camera.height - height - LEGEND_INSET;
   furniture.width = width;
   furniture.height = height;
-  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.8);
+  double paper = is_dark (self) ? DIM_PAPER : 1.0;
+  cairo_set_source_rgba (cr, paper, paper, paper, 0.85);
   cairo_rectangle (cr, furniture.x - 4.0, furniture.y - 4.0, width + 8.0, height + 8.0);
   cairo_fill (cr);
   qn_furniture_draw (&furniture, cr, self->camera.scale, true);
@@ -374,7 +376,7 @@ draw_message (QnCanvas *self, cairo_t *cr, const char *text)
 void
 qn_canvas_draw (QnCanvas *self, cairo_t *cr)
 {
-  double paper = is_dark (self) ? 0.9 : 1.0;
+  double paper = is_dark (self) ? DIM_PAPER : 1.0;
   cairo_set_source_rgb (cr, paper, paper, paper);
   cairo_paint (cr);
   if (g_settings_get_boolean (qn_settings_get (), "grid"))

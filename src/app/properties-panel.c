@@ -64,7 +64,7 @@ on_tool_setting (gpointer widget, Panel *panel)
                                  qn_quantity_entry_get_value (panel->unit_y));
   settings->wall.style.thickness = qn_quantity_entry_get_value (panel->tool_thickness);
   settings->wall.style.unit_weight = qn_quantity_entry_get_value (panel->tool_weight);
-  settings->wall.bond = (QnBond) gtk_drop_down_get_selected (panel->bond);
+  settings->wall.bond = (QnWallBond) gtk_drop_down_get_selected (panel->bond);
   settings->wall.base = gtk_check_button_get_active (GTK_CHECK_BUTTON (panel->base));
   settings->lintel = gtk_check_button_get_active (GTK_CHECK_BUTTON (panel->lintel));
   settings->force = qn_quantity_entry_get_value (panel->force);

@@ -332,7 +332,7 @@ bind_settings (QnWindow *self)
 
 static const QnToolSettings first_settings = {
   .wall = { .unit = { 0.4, 0.175 },
-            .bond = QN_BOND_RUNNING,
+            .bond = QN_WALL_BOND_RUNNING,
             .style = { .thickness = 1.0, .unit_weight = 1e4, .law = QN_NONE },
             .base = true },
   .lintel = TRUE,

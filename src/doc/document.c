@@ -78,7 +78,8 @@ emit (QnDocument *self, int signal)
 static gboolean
 is_empty_drawing (const char *text)
 {
-  return strstr (text, "\"vertices\"") == NULL && strstr (text, "\"courses\"") == NULL;
+  return strstr (text, "\"vertices\"") == NULL && strstr (text, "\"courses\"") == NULL
+         && strstr (text, "\"masonry\"") == NULL;
 }
 
 static gboolean

@@ -92,6 +92,20 @@ walls_of (const QnModel *model, QnBlockSet set)
   return walls;
 }
 
+/* Blocks of a masonry object follow its parameters. A change of one of them makes all of them
+ * plain blocks. */
+static void
+detach_masonry (QnModel *model, QnBlockSet set)
+{
+  for (guint i = 0; i < set.count; i++) {
+    QnId object = model->blocks[set.ids[i]].masonry;
+    for (gsize k = 0; object != QN_NONE && k < model->block_count; k++) {
+      if (model->blocks[k].masonry == object)
+        model->blocks[k].masonry = QN_NONE;
+    }
+  }
+}
+
 static void
 remove_courses (QnWall *wall)
 {
@@ -125,11 +139,14 @@ qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
   gboolean any = FALSE;
   for (gsize i = 0; i < model->wall_count; i++)
     any = any || walls[i];
+  for (guint i = 0; i < set.count; i++)
+    any = any || model->blocks[set.ids[i]].masonry != QN_NONE;
   if (!any) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
                          _ ("None of the selected blocks belongs to a wall"));
     return FALSE;
   }
+  detach_masonry (model, set);
   detach_walls (model, walls);
   return qn_edit_rebuild (model, NULL, error);
 }
@@ -165,6 +182,7 @@ qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
   if (set.count == 0)
     return refuse_nothing (error);
   g_autofree gboolean *gone = qn_block_set_to_flags (set, model);
+  detach_masonry (model, set);
   open_wall_blocks (model, gone);
   return qn_edit_rebuild (model, gone, error);
 }
@@ -203,6 +221,7 @@ qn_edit_transform_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
   if (set.count == 0)
     return refuse_nothing (error);
   g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
+  detach_masonry (model, set);
   g_autofree gboolean *walls = walls_of (model, set);
   g_autofree gboolean *broken = g_new0 (gboolean, model->wall_count + 1);
   for (gsize i = 0; i < model->block_count; i++) {
@@ -254,6 +273,7 @@ qn_edit_set_support (QnModel *model, QnBlockSet set, const bool support[QN_DOF_C
   if (set.count == 0)
     return refuse_nothing (error);
   /* The courses of a wall say nothing of supports. */
+  detach_masonry (model, set);
   g_autofree gboolean *walls = walls_of (model, set);
   for (guint i = 0; i < set.count; i++) {
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
@@ -271,6 +291,7 @@ set_field (QnModel *model, QnBlockSet set, Field field, double value, QnId law,
 {
   if (set.count == 0)
     return refuse_nothing (error);
+  detach_masonry (model, set);
   for (guint i = 0; i < set.count; i++) {
     QnBlock *block = &model->blocks[set.ids[i]];
     QnWall *wall = block->wall != QN_NONE ? &model->walls[block->wall] : NULL;
@@ -313,6 +334,7 @@ gboolean
 qn_edit_rename_block (QnModel *model, QnId id, const char *name, GError **error)
 {
   QnBlock *block = &model->blocks[id];
+  detach_masonry (model, (QnBlockSet){ &id, 1 });
   if (block->wall != QN_NONE) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
                          _ ("Blocks of a wall are named by their course and position; "

@@ -73,6 +73,7 @@ copy_free_blocks (Rebuild *r, const gboolean *drop)
     block->unit_weight = old->unit_weight;
     block->density = old->density;
     block->law = old->law;
+    block->masonry = old->masonry;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = old->support[dof];
     r->blocks[i] = (QnId) r->to->block_count - 1;

@@ -79,12 +79,12 @@ wall_width (const QnWall *wall)
 
 /* A whole course of a bond, `width` in blocks. */
 static GArray *
-lay_course (QnBond bond, int course, double width)
+lay_course (QnWallBond bond, int course, double width)
 {
   double shift = 0.0;
-  if (bond == QN_BOND_RUNNING)
+  if (bond == QN_WALL_BOND_RUNNING)
     shift = course % 2 == 0 ? 0.5 : 0.0;
-  else if (bond == QN_BOND_THIRD)
+  else if (bond == QN_WALL_BOND_THIRD)
     shift = course % 2 == 0 ? 2.0 / 3.0 : 1.0 / 3.0;
 
   GArray *lengths = g_array_new (FALSE, FALSE, sizeof (double));
@@ -371,7 +371,7 @@ qn_edit_fill_opening (QnModel *model, QnId id, QnVec2 at, GError **error)
   double width = wall_width (wall);
   for (int course = patch.bottom; course < patch.top; course++) {
     GArray *old = g_ptr_array_index (courses, course);
-    g_autoptr (GArray) full = lay_course (QN_BOND_RUNNING, course, width);
+    g_autoptr (GArray) full = lay_course (QN_WALL_BOND_RUNNING, course, width);
     GArray *made = g_array_new (FALSE, FALSE, sizeof (double));
     append_part (made, old, 0.0, patch.left);
     append_part (made, full, patch.left, patch.right);

@@ -83,18 +83,18 @@ gboolean qn_edit_rename_block (QnModel *model, QnId block, const char *name,
 /* ---- walls (edit-wall.c) ---- */
 
 typedef enum {
-  QN_BOND_RUNNING, /* courses shifted by half a block */
-  QN_BOND_STACK,   /* joints above each other */
-  QN_BOND_THIRD,   /* courses shifted by a third */
-  QN_BOND_COUNT
-} QnBond;
+  QN_WALL_BOND_RUNNING, /* courses shifted by half a block */
+  QN_WALL_BOND_STACK,   /* joints above each other */
+  QN_WALL_BOND_THIRD,   /* courses shifted by a third */
+  QN_WALL_BOND_COUNT
+} QnWallBond;
 
 typedef struct QnWallPlan {
   QnVec2 origin; /* lower left corner, m */
   double width;  /* m, rounded to whole halves of a block */
   double height; /* m, rounded to whole courses */
   QnVec2 unit;   /* block length, course height, m */
-  QnBond bond;
+  QnWallBond bond;
   QnBlockStyle style;
   bool base; /* lay a fixed block under it, one course high */
 } QnWallPlan;

@@ -10,7 +10,7 @@ static const QnWallPlan plan = { .origin = { 0.0, 0.0 },
                                  .width = 2.0,
                                  .height = 1.75,
                                  .unit = { 0.4, 0.175 },
-                                 .bond = QN_BOND_RUNNING,
+                                 .bond = QN_WALL_BOND_RUNNING,
                                  .style = { 1.0, 1e4, QN_NONE, { false } },
                                  .base = true };
 
@@ -55,16 +55,16 @@ total_area (const QnModel *model)
 static void
 test_bonds (void)
 {
-  for (int bond = 0; bond < QN_BOND_COUNT; bond++) {
+  for (int bond = 0; bond < QN_WALL_BOND_COUNT; bond++) {
     QnWallPlan wall = plan;
-    wall.bond = (QnBond) bond;
+    wall.bond = (QnWallBond) bond;
     g_autoptr (QnDocument) document = document_with_wall (&wall);
     const QnModel *model = qn_document_get_model (document);
     /* Ten courses of 2 m and a base of the same width, without gaps or overlaps. */
     g_assert_cmpfloat_with_epsilon (total_area (model), 2.0 * 11 * 0.175, 1e-9);
     g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
     /* Running bond: five blocks and six by turns; stack: five; third bond: six. */
-    gsize expected[QN_BOND_COUNT] = { 1 + 5 * 6 + 5 * 5, 1 + 10 * 5, 1 + 10 * 6 };
+    gsize expected[QN_WALL_BOND_COUNT] = { 1 + 5 * 6 + 5 * 5, 1 + 10 * 5, 1 + 10 * 6 };
     g_assert_cmpuint (model->block_count, ==, expected[bond]);
   }
 }
