@@ -33,7 +33,8 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
   if (status == QN_OK)
     status = follow_path (&path, diag);
   if (status == QN_OK) {
-    qn_assembly_pair_results (&path.equilibrium.assembly, result->pairs);
+    qn_assembly_pair_results (&path.equilibrium.assembly, path.equilibrium.u,
+                              result->pairs);
     result->statistics = path.equilibrium.statistics;
     result->statistics.seconds = qn_clock_seconds () - start;
   } else {

@@ -45,21 +45,6 @@ number_unknowns (QnAssembly *as)
   return true;
 }
 
-/* Extent of a block along a direction, m: the length of material behind its side. */
-static double
-block_extent (const QnModel *model, QnId block, QnVec2 direction)
-{
-  const QnVec2 *v = qn_model_block_vertices (model, block);
-  double low = 0, high = 0;
-
-  for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
-    double s = qn_vec2_dot (qn_vec2_sub (v[i], v[0]), direction);
-    low = fmin (low, s);
-    high = fmax (high, s);
-  }
-  return high - low;
-}
-
 static void
 prepare_pairs (QnAssembly *as)
 {
@@ -68,19 +53,12 @@ prepare_pairs (QnAssembly *as)
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnContactPair *pair = &contacts->pairs[p];
     const QnContactFace *face = &contacts->faces[pair->face];
-    const QnLaw *law_a = &as->model->laws[face->law_a],
-                *law_b = &as->model->laws[face->law_b];
-    double area = pair->tributary * face->thickness;
-    /* The side of a block reaches to its middle; the other half belongs to the far side. */
-    double side_a = 0.5 * block_extent (as->model, face->a, face->normal);
-    double side_b = 0.5 * block_extent (as->model, face->b, face->normal);
 
     qn_pair_kinematics_init (
       &as->kinematics[p], face->normal,
       qn_vec2_sub (pair->point, as->model->blocks[face->a].centroid),
       qn_vec2_sub (pair->point, as->model->blocks[face->b].centroid), as->length);
-    as->springs[p] = qn_pair_springs (qn_spring_from_law (law_a, area, side_a),
-                                      qn_spring_from_law (law_b, area, side_b));
+    as->springs[p] = qn_contacts_pair_springs (as->model, contacts, p);
   }
 }
 
@@ -435,13 +413,40 @@ qn_assembly_expand (const QnAssembly *as, const double *u, double *displacements
   }
 }
 
-void
-qn_assembly_pair_results (const QnAssembly *as, QnPairResult *results)
+/* C = A + qa in the frame of the pair,  A = centroid + u_a + arm */
+static QnVec2
+hinge_position (const QnAssembly *as, size_t pair, const double *u)
 {
-  for (size_t p = 0; p < as->pair_count; p++)
+  const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[pair].face];
+  const QnPairKinematics *k = &as->kinematics[pair];
+  const double *qa = as->responses[pair].memory.qa;
+  int32_t unknowns[6];
+  double v[6];
+
+  face_unknowns (as, face, unknowns);
+  gather_displacements (u, unknowns, v);
+  QnVec2 arm = k->turned_a;
+  if (as->model->analysis.geometry == QN_GEOMETRY_LINEAR)
+    arm = qn_vec2_add_scaled (k->arm_a, v[2] / as->length, qn_vec2_perp (k->arm_a));
+  QnVec2 a = qn_vec2_add (as->model->blocks[face->a].centroid, arm);
+  a = qn_vec2_add (a, qn_vec2 (v[0], v[1]));
+  return qn_vec2_add_scaled (qn_vec2_add_scaled (a, qa[0], k->frame), qa[1],
+                             qn_vec2_perp (k->frame));
+}
+
+void
+qn_assembly_pair_results (const QnAssembly *as, const double *u, QnPairResult *results)
+{
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairResponse *response = &as->responses[p];
     results[p] = (QnPairResult){
-      .state = qn_pair_state (&as->springs[p], as->responses[p].phase),
-      .normal_force = as->responses[p].force[0],
-      .shear_force = as->responses[p].force[1],
+      .state = qn_pair_state (&as->springs[p], response->phase),
+      .normal_force = response->force[0],
+      .shear_force = response->force[1],
+      .has_springs = true,
+      .hinge = hinge_position (as, p, u),
     };
+    memcpy (results[p].elongation_a, response->memory.qa, sizeof response->memory.qa);
+    memcpy (results[p].elongation_b, response->memory.qb, sizeof response->memory.qb);
+  }
 }

@@ -94,7 +94,8 @@ double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,
                          double *displacements);
 
-/* State and forces of every pair at the last evaluation. */
-void qn_assembly_pair_results (const QnAssembly *assembly, QnPairResult *results);
+/* State, forces and springs of every pair at the last evaluation, which was at u. */
+void qn_assembly_pair_results (const QnAssembly *assembly, const double *u,
+                               QnPairResult *results);
 
 #endif

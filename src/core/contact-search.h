@@ -72,4 +72,14 @@ QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
 /* These two, which the search of pairs leaves to be done; `contacts` is cleared on failure. */
 QnStatus qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag);
 
+/* Adds the pairs of the bars that cross a face, behind the face's own, and marks the bars
+ * (model->bar_count flags). In contact-bars.c. */
+QnStatus qn_contacts_add_bars (const QnModel *model, QnContacts *contacts, QnId face,
+                               bool *used, QnDiag *diag);
+
+/* Refuses different bases on the two sides of a face, and springs that would run back while
+ * they soften. In pair-springs.c. */
+QnStatus qn_contacts_check_springs (const QnModel *model, const QnContacts *contacts,
+                                    QnId face, QnDiag *diag);
+
 #endif

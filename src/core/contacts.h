@@ -7,6 +7,7 @@
 #ifndef QN_CORE_CONTACTS_H
 #define QN_CORE_CONTACTS_H
 
+#include "core/contact-pair.h"
 #include "core/finding.h"
 #include "core/model.h"
 
@@ -29,10 +30,13 @@ typedef struct QnContactPair {
   QnId face;
   QnVec2 point;     /* where A, B and C coincide in the undeformed state, m */
   double abscissa;  /* distance of the point from face.start, m */
-  double tributary; /* length of the face that the pair stands for, m */
+  double tributary; /* length of the face that the pair stands for, m; times the face's
+                       thickness its area, also that of a bar */
+  QnId bar;         /* into QnModel.bars, or QN_NONE: part of the joint itself */
 } QnContactPair;
 
-/* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa. */
+/* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa, those
+ * of bars after the others. */
 typedef struct QnContacts {
   QnContactFace *faces;
   size_t face_count, face_capacity;
@@ -57,6 +61,15 @@ QnStatus qn_contacts_update (const QnModel *old_model, const QnContacts *old,
 /* Refuses what cannot be analysed: overlapping blocks, no support, floating blocks. */
 QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,
                                     QnDiag *diag);
+
+/* Law of the spring on side 0 (block a) or 1 (block b) of a pair: the bar's or the face's. */
+QnId qn_contacts_pair_law (const QnModel *model, const QnContacts *contacts, size_t pair,
+                           int side);
+
+/* The springs of a pair. In the material basis each is as long as half the extent of its block
+ * along the face's normal: a block's other half belongs to its far side. */
+QnPairSprings qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts,
+                                        size_t pair);
 
 void qn_contacts_clear (QnContacts *contacts);
 

@@ -77,7 +77,8 @@ pair_strength (const QnLimitProblem *limit, const QnModel *model,
 {
   const QnContactPair *p = &contacts->pairs[pair];
   const QnContactFace *face = &contacts->faces[p->face];
-  const QnId laws[2] = { face->law_a, face->law_b };
+  const QnId laws[2] = { qn_contacts_pair_law (model, contacts, pair, 0),
+                         qn_contacts_pair_law (model, contacts, pair, 1) };
   Strength strength = { .cap = INFINITY };
 
   for (int side = 0; side < 2; side++) {

@@ -1,6 +1,7 @@
 #include "core/model-check.h"
 
 #include "core/polygon.h"
+#include "core/tolerance.h"
 
 /* Range that a number must keep. */
 typedef enum { ANY, NOT_NEGATIVE, POSITIVE } Range;
@@ -121,6 +122,29 @@ check_laws (const QnModel *model, QnDiag *diag)
 }
 
 static QnStatus
+check_explicit_pairs (const QnPairRule *rule, QnEntity entity, QnId index, QnDiag *diag)
+{
+  double sum = 0;
+  if (rule->count > QN_MAX_EXPLICIT_PAIRS)
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index,
+                              "pairs.positions", rule->count);
+  for (int32_t i = 0; i < rule->count; i++) {
+    double position = rule->positions[i], before = i > 0 ? rule->positions[i - 1] : -1;
+    if (!(position >= 0 && position <= 1 && position > before))
+      return qn_diag_set_field (diag, QN_PROBLEM_PAIR_POSITION, entity, index,
+                                "pairs.positions", position);
+    if (!(rule->weights[i] > 0))
+      return qn_diag_set_field (diag, QN_PROBLEM_PAIR_WEIGHTS, entity, index,
+                                "pairs.weights", rule->weights[i]);
+    sum += rule->weights[i];
+  }
+  if (fabs (sum - 1) > QN_TOLERANCE_WEIGHTS)
+    return qn_diag_set_field (diag, QN_PROBLEM_PAIR_WEIGHTS, entity, index,
+                              "pairs.weights", sum);
+  return QN_OK;
+}
+
+static QnStatus
 check_pairs (const QnPairRule *rule, QnEntity entity, QnId index, QnDiag *diag)
 {
   if (rule->placement == QN_PLACEMENT_ENDS)
@@ -131,7 +155,31 @@ check_pairs (const QnPairRule *rule, QnEntity entity, QnId index, QnDiag *diag)
   if (rule->count > QN_MAX_PAIRS_PER_FACE)
     return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index, "pairs.count",
                               rule->count);
-  return QN_OK;
+  return rule->placement == QN_PLACEMENT_EXPLICIT
+           ? check_explicit_pairs (rule, entity, index, diag)
+           : QN_OK;
+}
+
+static QnStatus
+check_bar (const QnModel *model, QnId index, QnDiag *diag)
+{
+  const QnBar *bar = &model->bars[index];
+  const QnEntity entity = QN_ENTITY_BAR;
+  QnStatus status =
+    bar->law == QN_NONE
+      ? qn_diag_set_field (diag, QN_PROBLEM_LAW_UNKNOWN, entity, index, "law", 0)
+      : check_law_reference (model, bar->law, entity, index, diag);
+  if (status == QN_OK && model->laws[bar->law].basis == QN_BASIS_CONTACT)
+    status = qn_diag_set_field (diag, QN_PROBLEM_BAR_BASIS, entity, index, "law", 0);
+  if (status == QN_OK)
+    status = check_number (bar->area, POSITIVE, entity, index, "area", diag);
+  if (status == QN_OK)
+    status = check_vector (bar->start, entity, index, "start", diag);
+  if (status == QN_OK)
+    status = check_vector (bar->end, entity, index, "end", diag);
+  if (status == QN_OK && bar->start.x == bar->end.x && bar->start.y == bar->end.y)
+    status = qn_diag_set_field (diag, QN_PROBLEM_BAR_SHORT, entity, index, "end", 0);
+  return status;
 }
 
 static QnStatus
@@ -269,6 +317,8 @@ qn_model_check_settings (const QnModel *model, QnDiag *diag)
     status = check_contact (model, diag);
   for (size_t i = 0; i < model->override_count && status == QN_OK; i++)
     status = check_override (model, (QnId) i, diag);
+  for (size_t i = 0; i < model->bar_count && status == QN_OK; i++)
+    status = check_bar (model, (QnId) i, diag);
   if (status == QN_OK)
     status = check_loads (model, diag);
   if (status == QN_OK)

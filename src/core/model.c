@@ -50,6 +50,7 @@ qn_model_clear (QnModel *model)
   free (model->blocks);
   free (model->walls);
   free (model->overrides);
+  free (model->bars);
   free (model->dead_loads);
   free (model->live_loads);
   qn_name_index_clear (&model->law_names);
@@ -104,6 +105,7 @@ copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
   COPY_ARRAY (blocks, block_count, block_capacity);
   COPY_ARRAY (walls, wall_count, wall_capacity);
   COPY_ARRAY (overrides, override_count, override_capacity);
+  COPY_ARRAY (bars, bar_count, bar_capacity);
   COPY_ARRAY (dead_loads, dead_load_count, dead_load_capacity);
   COPY_ARRAY (live_loads, live_load_count, live_load_capacity);
 #undef COPY_ARRAY
@@ -252,6 +254,18 @@ qn_model_add_override (QnModel *model)
   QnFaceOverride *override = &overrides[model->override_count++];
   override->block_a = override->block_b = override->law = QN_NONE;
   return override;
+}
+
+QnBar *
+qn_model_add_bar (QnModel *model)
+{
+  QnBar *bars =
+    make_room (model->bars, model->bar_count, &model->bar_capacity, sizeof *bars);
+  if (bars == NULL)
+    return NULL;
+  model->bars = bars;
+  bars[model->bar_count].law = QN_NONE;
+  return &bars[model->bar_count++];
 }
 
 static QnLoad *

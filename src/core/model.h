@@ -26,6 +26,9 @@
 /* Most contact pairs on one face. */
 #define QN_MAX_PAIRS_PER_FACE 1000
 
+/* Most pairs that are placed one by one. */
+#define QN_MAX_EXPLICIT_PAIRS 32
+
 /* Largest contact tolerance, relative to the characteristic block length: beyond it blocks
  * that are clearly apart would be joined. */
 #define QN_MAX_CONTACT_TOLERANCE 0.05
@@ -68,16 +71,30 @@ typedef struct QnWall {
 } QnWall;
 
 typedef enum {
-  QN_PLACEMENT_ENDS,    /* two pairs, each `offset` away from its end of the face */
-  QN_PLACEMENT_UNIFORM, /* `count` pairs, each in the middle of its tributary length */
+  QN_PLACEMENT_ENDS,     /* two pairs, each `offset` away from its end of the face */
+  QN_PLACEMENT_UNIFORM,  /* `count` pairs, each in the middle of its tributary length */
+  QN_PLACEMENT_GAUSS,    /* `count` pairs at the abscissae of Gauss and Legendre */
+  QN_PLACEMENT_EXPLICIT, /* `count` pairs at `positions` */
   QN_PLACEMENT_COUNT
 } QnPlacement;
 
 typedef struct QnPairRule {
   QnPlacement placement;
   double offset; /* m, >= 0, for ENDS; stands for rounded corners */
-  int32_t count; /* >= 1, for UNIFORM */
+  int32_t count; /* >= 1, for all but ENDS */
+  double
+    positions[QN_MAX_EXPLICIT_PAIRS];    /* EXPLICIT: parts of the face's length from its
+                                              start, ascending, 0 to 1 */
+  double weights[QN_MAX_EXPLICIT_PAIRS]; /* of it, what each pair stands for; sum 1 */
 } QnPairRule;
+
+/* A reinforcing bar: a straight line that makes a pair of its own, with its own law and
+ * section, on every contact face that it crosses. */
+typedef struct QnBar {
+  QnId law;
+  double area; /* m2, > 0 */
+  QnVec2 start, end;
+} QnBar;
 
 /* Exception for the faces between two given blocks. */
 typedef struct QnFaceOverride {
@@ -153,6 +170,8 @@ typedef struct QnModel {
   size_t expanded_wall_count; /* walls whose blocks are in `blocks` already */
   QnFaceOverride *overrides;
   size_t override_count, override_capacity;
+  QnBar *bars;
+  size_t bar_count, bar_capacity;
   QnLoad *dead_loads;
   size_t dead_load_count, dead_load_capacity;
   QnLoad *live_loads;
@@ -182,6 +201,7 @@ QnBlock *qn_model_add_block (QnModel *model, const char *name, const QnVec2 *ver
                              size_t vertex_count);
 QnWall *qn_model_add_wall (QnModel *model, const char *name);
 QnFaceOverride *qn_model_add_override (QnModel *model);
+QnBar *qn_model_add_bar (QnModel *model);
 QnLoad *qn_model_add_dead_load (QnModel *model);
 QnLoad *qn_model_add_live_load (QnModel *model);
 

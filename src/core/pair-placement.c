@@ -1,6 +1,7 @@
 /* Laws and contact pairs of the faces, by the model's rules and its exceptions. */
 #include "core/contact-search.h"
 #include "core/memory.h"
+#include "core/pair-abscissae.h"
 
 #include <stdlib.h>
 
@@ -82,7 +83,7 @@ place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag 
     return QN_ERROR_INVALID;
   }
 
-  size_t count = ends ? 2 : (size_t) rule->count;
+  size_t count = qn_pair_rule_count (rule);
   QnContactPair *pairs = contacts->pair_count + count > INT32_MAX
                            ? NULL
                            : qn_array_grow (contacts->pairs, &contacts->pair_capacity,
@@ -93,16 +94,15 @@ place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag 
 
   face->first_pair = (QnId) contacts->pair_count;
   face->pair_count = (int32_t) count;
-  double tributary = face->length / (double) count;
   for (size_t i = 0; i < count; i++) {
-    double abscissa = !ends    ? ((double) i + 0.5) * tributary
-                      : i == 0 ? rule->offset
-                               : face->length - rule->offset;
+    double position, weight;
+    qn_pair_rule_place (rule, face->length, i, &position, &weight);
     pairs[contacts->pair_count++] = (QnContactPair){
       .face = (QnId) index,
-      .point = qn_vec2_lerp (face->start, face->end, abscissa / face->length),
-      .abscissa = abscissa,
-      .tributary = tributary,
+      .point = qn_vec2_lerp (face->start, face->end, position),
+      .abscissa = position * face->length,
+      .tributary = weight * face->length,
+      .bar = QN_NONE,
     };
   }
   return QN_OK;
@@ -124,28 +124,56 @@ report_unused (const QnModel *model, const Exception *exceptions, QnFindings *fi
   return true;
 }
 
+static QnStatus
+report_unused_bars (const QnModel *model, const bool *used, QnDiag *diag)
+{
+  for (size_t i = 0; i < model->bar_count; i++)
+    if (!used[i])
+      return qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i,
+                                NULL, 0);
+  return QN_OK;
+}
+
+/* Everything about the pairs of one face. */
+static QnStatus
+furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
+              const QnFaceOverride *exception, bool *used_bars, QnDiag *diag)
+{
+  QnContactFace *face = &contacts->faces[index];
+  bool own_pairs = exception != NULL && exception->has_pairs;
+
+  face->law_a = law_of_side (model, face->a, exception);
+  face->law_b = law_of_side (model, face->b, exception);
+  QnStatus status = place_pairs (
+    contacts, index, own_pairs ? &exception->pairs : &model->contact.pairs, diag);
+  if (status == QN_OK)
+    status = qn_contacts_add_bars (model, contacts, (QnId) index, used_bars, diag);
+  return status == QN_OK ? qn_contacts_check_springs (model, contacts, (QnId) index, diag)
+                         : status;
+}
+
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   Exception *exceptions = qn_alloc (model->override_count, sizeof *exceptions);
-  if (exceptions == NULL)
-    return qn_diag_no_memory (diag);
-  sort_exceptions (model, exceptions);
-
-  contacts->pair_count = 0;
+  bool *used_bars = qn_alloc (model->bar_count, sizeof *used_bars);
   QnStatus status = QN_OK;
   size_t next = 0;
-  for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++) {
-    QnContactFace *face = &contacts->faces[i];
-    const QnFaceOverride *exception = exception_of (model, exceptions, &next, face);
-    face->law_a = law_of_side (model, face->a, exception);
-    face->law_b = law_of_side (model, face->b, exception);
-    bool own_pairs = exception != NULL && exception->has_pairs;
-    status = place_pairs (contacts, i,
-                          own_pairs ? &exception->pairs : &model->contact.pairs, diag);
-  }
+
+  if (exceptions == NULL || used_bars == NULL)
+    status = qn_diag_no_memory (diag);
+  else
+    sort_exceptions (model, exceptions);
+  contacts->pair_count = 0;
+  for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
+    status = furnish_face (model, contacts, i,
+                           exception_of (model, exceptions, &next, &contacts->faces[i]),
+                           used_bars, diag);
+  if (status == QN_OK)
+    status = report_unused_bars (model, used_bars, diag);
   if (status == QN_OK && !report_unused (model, exceptions, &contacts->findings))
     status = qn_diag_no_memory (diag);
   free (exceptions);
+  free (used_bars);
   return status;
 }

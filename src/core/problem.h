@@ -37,6 +37,12 @@
   X (CURVE_SIGN, "force of the point acts against its elongation") \
   X (CURVE_TOO_STEEP, "curve rises more steeply than kn") \
   X (BASES_DIFFER, "laws on the two sides of a face have different bases") \
+  X (PAIR_POSITION, "positions must ascend from 0 to 1") \
+  X (PAIR_WEIGHTS, "weights must be positive and add up to 1") \
+  X (BAR_BASIS, "a bar needs a law by area: basis surface or material") \
+  X (BAR_SHORT, "bar has no length") \
+  X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \
+  X (BAR_UNUSED, "bar crosses no contact face") \
   X (BLOCK_UNKNOWN, "no block has this name") \
   X (SAME_BLOCK, "a block has no contact with itself") \
   X (NO_BLOCKS, "model has no blocks") \

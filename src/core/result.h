@@ -32,6 +32,10 @@ typedef struct QnPairResult {
   QnPairState state;
   double normal_force; /* N, <= 0 in compression */
   double shear_force;  /* N */
+
+  bool has_springs; /* whether what follows is known; limit analysis has no springs */
+  QnVec2 hinge;     /* point C between the two springs, deformed, m */
+  double elongation_a[2], elongation_b[2]; /* (normal, tangential) of the springs, m */
 } QnPairResult;
 
 typedef struct QnStatistics {

@@ -25,6 +25,13 @@
  * rounding of double precision, six below the default residual tolerance. */
 #define QN_TOLERANCE_SERIES 1e-12
 
+/* Cosine of the angle between a bar and a face beyond which the bar is no fibre across it any
+ * more: one degree, whose square is far below what a section is known to. */
+#define QN_TOLERANCE_OBLIQUE_BAR 0.0175
+
+/* Weights of explicitly placed pairs add up to 1 within what nine decimal digits leave. */
+#define QN_TOLERANCE_WEIGHTS 1e-9
+
 /* Two springs of the same law differ by their length only when their numbers agree to this part:
  * rounding of areas and lengths. */
 #define QN_TOLERANCE_SIMILAR 1e-13

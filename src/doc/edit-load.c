@@ -99,6 +99,15 @@ qn_edit_delete_law (QnModel *model, QnId id, GError **error)
                             "another one for them first"));
     return FALSE;
   }
+  for (gsize i = 0; i < model->bar_count; i++) {
+    if (model->bars[i].law == id) {
+      g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                           _ ("The law of a reinforcing bar cannot be removed"));
+      return FALSE;
+    }
+  }
+  for (gsize i = 0; i < model->bar_count; i++)
+    shift_law (&model->bars[i].law, id);
   for (gsize i = 0; i < model->block_count; i++)
     shift_law (&model->blocks[i].law, id);
   for (gsize i = 0; i < model->wall_count; i++)

@@ -22,6 +22,8 @@ entity_word (QnEntity entity)
     return _ ("Contacts");
   case QN_ENTITY_FACE_OVERRIDE:
     return _ ("Contact face");
+  case QN_ENTITY_BAR:
+    return _ ("Reinforcing bar");
   case QN_ENTITY_DEAD_LOAD:
     return _ ("Dead load");
   case QN_ENTITY_LIVE_LOAD:

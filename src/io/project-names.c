@@ -20,6 +20,8 @@ qn_name_of_placement (int placement)
   static const char *const names[QN_PLACEMENT_COUNT] = {
     [QN_PLACEMENT_ENDS] = "ends",
     [QN_PLACEMENT_UNIFORM] = "uniform",
+    [QN_PLACEMENT_GAUSS] = "gauss",
+    [QN_PLACEMENT_EXPLICIT] = "explicit",
   };
   return names[placement];
 }

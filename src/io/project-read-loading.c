@@ -3,10 +3,58 @@
 
 #include <glib/gi18n-lib.h>
 
+/* Numbers of a member that is an array of at most QN_MAX_EXPLICIT_PAIRS. */
+static gboolean
+read_numbers (const QnPlace *object, const char *key, double *numbers, int32_t *count)
+{
+  QnPlace list = qn_place_member (object, key);
+  if (!qn_place_array (&list))
+    return FALSE;
+  if (cJSON_GetArraySize (list.value) > QN_MAX_EXPLICIT_PAIRS)
+    return qn_place_fail (&list, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
+  *count = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
+    QnPlace number = qn_place_element (&list, (gsize) *count, item);
+    if (!qn_place_number (&number, QN_RANGE_NOT_NEGATIVE, &numbers[*count]))
+      return FALSE;
+    ++*count;
+  }
+  return TRUE;
+}
+
+/* Positions, and weights that are equal where none are given. */
+static gboolean
+read_explicit_pairs (const QnPlace *place, QnPairRule *rule)
+{
+  int32_t weights;
+  if (!read_numbers (place, "positions", rule->positions, &rule->count))
+    return FALSE;
+  for (int32_t i = 0; i < rule->count; i++)
+    rule->weights[i] = 1.0 / rule->count;
+  if (!cJSON_HasObjectItem (place->value, "weights"))
+    return TRUE;
+  if (!read_numbers (place, "weights", rule->weights, &weights))
+    return FALSE;
+  QnPlace member = qn_place_member (place, "weights");
+  return weights == rule->count
+         || qn_place_fail (&member, _ ("there must be as many weights as positions"));
+}
+
 static gboolean
 read_pair_rule (const QnPlace *object, QnPairRule *rule)
 {
-  static const char *const keys[] = { "placement", "offset", "count" };
+  /* Which placements a key is for. */
+  static const struct {
+    const char *key;
+    guint placements;
+  } uses[] = {
+    { "offset", 1 << QN_PLACEMENT_ENDS },
+    { "count", 1 << QN_PLACEMENT_UNIFORM | 1 << QN_PLACEMENT_GAUSS },
+    { "positions", 1 << QN_PLACEMENT_EXPLICIT },
+    { "weights", 1 << QN_PLACEMENT_EXPLICIT },
+  };
+  static const char *const keys[] = { "placement", "offset", "count", "positions",
+                                      "weights" };
   QnPlace place = qn_place_member (object, "pairs");
   int placement = (int) rule->placement;
   if (!qn_place_object (&place)
@@ -16,11 +64,14 @@ read_pair_rule (const QnPlace *object, QnPairRule *rule)
   qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
   rule->placement = (QnPlacement) placement;
-  gboolean uniform = rule->placement == QN_PLACEMENT_UNIFORM;
-  QnPlace idle = qn_place_member (&place, uniform ? "offset" : "count");
-  if (idle.value != NULL)
-    qn_place_warn (&idle, _ ("has no effect with this placement"));
-  if (uniform)
+  for (gsize i = 0; i < G_N_ELEMENTS (uses); i++) {
+    QnPlace idle = qn_place_member (&place, uses[i].key);
+    if (idle.value != NULL && (uses[i].placements & 1u << placement) == 0)
+      qn_place_warn (&idle, _ ("has no effect with this placement"));
+  }
+  if (rule->placement == QN_PLACEMENT_EXPLICIT)
+    return read_explicit_pairs (&place, rule);
+  if (rule->placement != QN_PLACEMENT_ENDS)
     return qn_member_count (&place, "count", QN_REQUIRED, QN_MAX_PAIRS_PER_FACE,
                             &rule->count);
   return qn_member_number (&place, "offset", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,

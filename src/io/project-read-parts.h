@@ -6,8 +6,11 @@
 #include "core/model.h"
 #include "io/json-value.h"
 
-/* In project-read-structure.c; `root` is the document. */
+/* In project-read-law.c; `root` is the document. */
 gboolean qn_read_laws (const QnPlace *root, QnModel *model);
+gboolean qn_read_bars (const QnPlace *root, QnModel *model);
+
+/* In project-read-structure.c. */
 gboolean qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model);
 gboolean qn_read_walls (const QnPlace *root, QnModel *model);
 
@@ -26,6 +29,11 @@ gboolean qn_read_own_law (const QnPlace *place, const QnModel *model, QnId *law)
 
 /* `courses`: lists of lengths. */
 gboolean qn_read_courses (const QnPlace *place, QnWall *wall);
+
+/* Calls `read` for every element of a member that is an array. */
+gboolean qn_read_each (const QnPlace *root, const char *key, QnNeed need,
+                       gboolean (*read) (const QnPlace *place, QnModel *model),
+                       QnModel *model);
 
 /* Law or block that a member names; an optional one that is not there leaves *id as it is. */
 gboolean qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,

@@ -44,65 +44,9 @@ qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
   return *id != QN_NONE || fail_unknown_name (&member, QN_PROBLEM_BLOCK_UNKNOWN, name);
 }
 
-/* Friction and its companions mean nothing to the kinds without a strength. */
-static void
-warn_without_strength (const QnPlace *place)
-{
-  static const char *const keys[] = { "friction", "cohesion", "tension", "dilatancy" };
-  for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
-    QnPlace member = qn_place_member (place, keys[i]);
-    if (member.value != NULL)
-      qn_place_warn (&member, _ ("has no effect for this kind of law"));
-  }
-}
-
-static gboolean
-read_strength (const QnPlace *place, QnLaw *law)
-{
-  const QnRange range = QN_RANGE_NOT_NEGATIVE;
-  return qn_member_number (place, "friction", QN_REQUIRED, range, &law->friction)
-         && qn_member_number (place, "cohesion", QN_OPTIONAL, range, &law->cohesion)
-         && qn_member_number (place, "tension", QN_OPTIONAL, range, &law->tension)
-         && qn_member_number (place, "dilatancy", QN_OPTIONAL, range, &law->dilatancy);
-}
-
-static gboolean
-read_law (const QnPlace *place, QnModel *model)
-{
-  static const char *const keys[] = { "name",     "kind",     "basis",   "kn",       "ks",
-                                      "friction", "cohesion", "tension", "dilatancy" };
-  const char *name;
-  int kind, basis = QN_BASIS_CONTACT;
-  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_REQUIRED, &name)
-      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_law_kind,
-                            QN_LAW_KIND_COUNT, &kind)
-      || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_name_of_basis, QN_BASIS_COUNT,
-                            &basis))
-    return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-
-  if (name[0] == '\0') {
-    QnPlace member = qn_place_member (place, "name");
-    return qn_place_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
-  }
-  QnLaw *law = qn_model_add_law (model, name);
-  if (law == NULL)
-    return qn_place_no_memory (place);
-  law->kind = (QnLawKind) kind;
-  law->basis = (QnBasis) basis;
-  if (!qn_member_number (place, "kn", QN_REQUIRED, QN_RANGE_POSITIVE, &law->kn)
-      || !qn_member_number (place, "ks", QN_REQUIRED, QN_RANGE_POSITIVE, &law->ks))
-    return FALSE;
-  if (law->kind == QN_LAW_COULOMB)
-    return read_strength (place, law);
-  warn_without_strength (place);
-  return TRUE;
-}
-
-/* Calls `read` for every element of a member that is an array. */
-static gboolean
-read_each (const QnPlace *root, const char *key, QnNeed need,
-           gboolean (*read) (const QnPlace *place, QnModel *model), QnModel *model)
+gboolean
+qn_read_each (const QnPlace *root, const char *key, QnNeed need,
+              gboolean (*read) (const QnPlace *place, QnModel *model), QnModel *model)
 {
   QnPlace list = qn_place_member (root, key);
   if (list.value == NULL && need == QN_OPTIONAL)
@@ -117,16 +61,6 @@ read_each (const QnPlace *root, const char *key, QnNeed need,
       return FALSE;
   }
   return TRUE;
-}
-
-gboolean
-qn_read_laws (const QnPlace *root, QnModel *model)
-{
-  if (!read_each (root, "laws", QN_REQUIRED, read_law, model))
-    return FALSE;
-  QnPlace laws = qn_place_member (root, "laws");
-  return model->law_count > 0
-         || qn_place_fail (&laws, _ ("there must be at least one law"));
 }
 
 gboolean
@@ -231,7 +165,7 @@ read_block (const QnPlace *place, QnModel *model)
 gboolean
 qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model)
 {
-  return read_each (root, "blocks", need, read_block, model);
+  return qn_read_each (root, "blocks", need, read_block, model);
 }
 
 static gboolean
@@ -301,5 +235,5 @@ read_wall (const QnPlace *place, QnModel *model)
 gboolean
 qn_read_walls (const QnPlace *root, QnModel *model)
 {
-  return read_each (root, "walls", QN_OPTIONAL, read_wall, model);
+  return qn_read_each (root, "walls", QN_OPTIONAL, read_wall, model);
 }

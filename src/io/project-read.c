@@ -14,9 +14,9 @@
 #define FORMAT_VERSION 1
 
 /* Members of the document that become part of the model. */
-static const char *const model_keys[] = { "format", "version", "title", "gravity",
-                                          "laws",   "blocks",  "walls", "contact",
-                                          "loads",  "analysis" };
+static const char *const model_keys[] = { "format", "version", "title",   "gravity",
+                                          "laws",   "blocks",  "walls",   "contact",
+                                          "loads",  "bars",    "analysis" };
 
 /* Members that the model does not hold: kept and written back as they are. */
 static const char *const upper_keys[] = { "view", "figures", "guides", "underlay",
@@ -115,8 +115,8 @@ read_document (const QnPlace *root, cJSON *document, QnProject *project)
          && qn_read_blocks (root, blocks, model) && qn_read_masonry (root, project)
          && qn_read_walls (root, model)
          && take_status (root, project, qn_model_expand_walls (model, &diag), &diag)
-         && qn_read_contact (root, model) && qn_read_loads (root, model)
-         && qn_read_analysis (root, model)
+         && qn_read_bars (root, model) && qn_read_contact (root, model)
+         && qn_read_loads (root, model) && qn_read_analysis (root, model)
          && take_status (root, project, qn_model_prepare (model, &diag), &diag);
 }
 

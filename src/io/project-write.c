@@ -53,20 +53,32 @@ put_law (GString *json, const char *key, const QnModel *model, QnId law)
     put_string (json, key, model->laws[law].name);
 }
 
+/* Parameters that are left out by default are left out where they have no effect. */
 static void
 append_law (GString *json, const QnLaw *law)
 {
+  size_t count;
+  const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   g_string_append_c (json, '{');
   put_string (json, "name", law->name);
   put_string (json, "kind", qn_name_of_law_kind ((int) law->kind));
   put_string (json, "basis", qn_name_of_basis ((int) law->basis));
   put_number (json, "kn", law->kn);
   put_number (json, "ks", law->ks);
-  if (law->kind == QN_LAW_COULOMB) {
-    put_number (json, "friction", law->friction);
-    put_number (json, "cohesion", law->cohesion);
-    put_number (json, "tension", law->tension);
-    put_number (json, "dilatancy", law->dilatancy);
+  if (law->shear_factor > 0)
+    put_number (json, "shear_factor", law->shear_factor);
+  for (size_t i = 0; i < count; i++) {
+    double value = qn_law_get (law, &parameters[i]);
+    if (value != 0 || !parameters[i].positive)
+      put_number (json, parameters[i].key, value);
+  }
+  if (law->kind == QN_LAW_CURVE) {
+    begin_member (json, "points");
+    for (int32_t i = 0; i < law->point_count; i++) {
+      g_string_append (json, i > 0 ? ", " : "[");
+      append_vec2 (json, law->points[i]);
+    }
+    g_string_append_c (json, ']');
   }
   g_string_append (json, " }");
 }
@@ -132,15 +144,37 @@ append_wall (GString *json, const QnModel *model, const QnWall *wall)
 }
 
 static void
+put_numbers (GString *json, const char *key, const double *numbers, int32_t count)
+{
+  begin_member (json, key);
+  for (int32_t i = 0; i < count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    qn_json_append_number (json, numbers[i]);
+  }
+  g_string_append_c (json, ']');
+}
+
+static void
 put_pair_rule (GString *json, const QnPairRule *rule)
 {
   begin_member (json, "pairs");
   g_string_append_c (json, '{');
   put_string (json, "placement", qn_name_of_placement ((int) rule->placement));
-  if (rule->placement == QN_PLACEMENT_UNIFORM)
-    put_number (json, "count", rule->count);
-  else
+  switch (rule->placement) {
+  case QN_PLACEMENT_ENDS:
     put_number (json, "offset", rule->offset);
+    break;
+  case QN_PLACEMENT_UNIFORM:
+  case QN_PLACEMENT_GAUSS:
+    put_number (json, "count", rule->count);
+    break;
+  case QN_PLACEMENT_EXPLICIT:
+    put_numbers (json, "positions", rule->positions, rule->count);
+    put_numbers (json, "weights", rule->weights, rule->count);
+    break;
+  case QN_PLACEMENT_COUNT:
+    g_assert_not_reached ();
+  }
   g_string_append (json, " }");
 }
 
@@ -176,6 +210,24 @@ append_contact (GString *json, const QnModel *model)
     g_string_append (json, " ]");
   }
   g_string_append (json, " }");
+}
+
+static void
+append_bars (GString *json, const QnModel *model)
+{
+  if (model->bar_count == 0)
+    return;
+  g_string_append (json, "  \"bars\": [");
+  for (size_t i = 0; i < model->bar_count; i++) {
+    const QnBar *bar = &model->bars[i];
+    g_string_append (json, i > 0 ? ",\n    {" : "\n    {");
+    put_law (json, "law", model, bar->law);
+    put_number (json, "area", bar->area);
+    put_vec2 (json, "start", bar->start);
+    put_vec2 (json, "end", bar->end);
+    g_string_append (json, " }");
+  }
+  g_string_append (json, " ],\n");
 }
 
 static void
@@ -350,6 +402,7 @@ qn_project_to_text (const QnProject *project, gsize *length)
   append_structure (json, model);
   append_contact (json, model);
   g_string_append (json, ",\n");
+  append_bars (json, model);
   append_loads (json, model);
   g_string_append (json, ",\n");
   append_analysis (json, model);

@@ -67,6 +67,7 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     [QN_ENTITY_WALL] = "walls",
     [QN_ENTITY_CONTACT] = "contact",
     [QN_ENTITY_FACE_OVERRIDE] = "contact.faces",
+    [QN_ENTITY_BAR] = "bars",
     [QN_ENTITY_DEAD_LOAD] = "loads.dead",
     [QN_ENTITY_LIVE_LOAD] = "loads.live",
     [QN_ENTITY_ANALYSIS] = "analysis",
@@ -121,7 +122,8 @@ dup_problem_path (const QnProject *project, const QnDiag *diag)
   gboolean in_course = strcmp (diag->field, "courses") == 0;
   gboolean at_vertex =
     strcmp (diag->field, "vertices") == 0 && is_of_one_vertex (diag->problem);
-  if ((in_course || at_vertex) && diag->sub != QN_NONE)
+  gboolean at_point = strcmp (diag->field, "points") == 0;
+  if ((in_course || at_vertex || at_point) && diag->sub != QN_NONE)
     g_string_append_printf (path, "[%d]", diag->sub);
   if (in_course && diag->sub != QN_NONE && diag->other != QN_NONE)
     g_string_append_printf (path, "[%d]", diag->other);

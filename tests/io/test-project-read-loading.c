@@ -32,7 +32,8 @@ test_contact (void)
     { "\"contact\": { \"law\": \"joint\", \"tolerance\": -1 }",
       "8:45: contact.tolerance: number must not be negative" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"middle\" } }",
-      "8:56: contact.pairs.placement: \"middle\" is none of ends, uniform" },
+      "8:56: contact.pairs.placement: \"middle\" is none of ends, uniform, gauss, "
+      "explicit" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"offset\": -0.1 } }",
       "8:53: contact.pairs.offset: number must not be negative" },
     { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"uniform\" } }",
