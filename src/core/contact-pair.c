@@ -6,7 +6,10 @@
 #include <math.h>
 
 /* Most iterations of the internal Newton; a handful is usual, one per change of phase. */
-#define INTERNAL_ITERATIONS 60
+#define INTERNAL_ITERATIONS 16
+
+/* Most sweeps where that is not enough. */
+#define INTERNAL_SWEEPS 60
 
 QnPairSprings
 qn_pair_springs (QnSpring a, QnSpring b)
@@ -84,6 +87,8 @@ qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
   qn_pair_series_start (&series, springs, committed, q);
   for (int i = 0; i < INTERNAL_ITERATIONS && series.size > QN_TOLERANCE_SERIES; i++)
     qn_pair_series_step (&series);
+  for (int i = 0; i < INTERNAL_SWEEPS && series.size > QN_TOLERANCE_SERIES; i++)
+    qn_pair_series_sweep (&series);
   take_series (&series, r);
   return series.size <= QN_TOLERANCE_SERIES;
 }

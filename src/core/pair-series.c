@@ -4,8 +4,9 @@
 
 #include <math.h>
 
-/* Shortest step of the line search: 2^-7. */
-#define HALVINGS 8
+/* Most doublings of the interval in which a root is looked for, and most trials in it. */
+#define WIDENINGS  60
+#define NARROWINGS 60
 
 /* inverse * m = 1, with m regularised where both springs are without stiffness. */
 static void
@@ -75,21 +76,89 @@ qn_pair_series_start (QnPairSeries *series, const QnPairSprings *springs,
   evaluate (series);
 }
 
+/* Where neither spring has stiffness in a direction, both slip, yield or are open, and no
+ * tangent tells how to share the elongation. But the stronger one cannot go on: it is set back
+ * to where it carries the force of the other elastically. Returns whether that was done. */
+static bool
+set_back_stronger (QnPairSeries *series)
+{
+  const QnPairSprings *s = series->springs;
+  const QnSpringMemory *ma = &series->committed->a, *mb = &series->committed->b;
+  const double origin_a[2] = { ma->opening, ma->slip }, ka[2] = { s->a.kn, s->a.ks };
+  const double origin_b[2] = { mb->opening, mb->slip }, kb[2] = { s->b.kn, s->b.ks };
+  bool done = false;
+
+  for (int i = 0; i < 2; i++) {
+    double stiffness = fabs (series->a.tangent[i][i]) + fabs (series->b.tangent[i][i]);
+    double fa = series->a.force[i], fb = series->b.force[i];
+    if (stiffness > QN_TOLERANCE_SERIES * (ka[i] + kb[i]) || fa == fb)
+      continue;
+    if (fabs (fa) > fabs (fb))
+      series->qa[i] = origin_a[i] + fb / ka[i];
+    else
+      series->qa[i] = series->q[i] - (origin_b[i] + fa / kb[i]);
+    done = true;
+  }
+  return done;
+}
+
 void
 qn_pair_series_step (QnPairSeries *series)
 {
-  double inverse[2][2], from[2], step[2], size = series->size, alpha = 1;
+  double inverse[2][2];
 
-  qn_pair_series_flexibility (series, inverse);
-  for (int i = 0; i < 2; i++) {
-    from[i] = series->qa[i];
-    step[i] = -(inverse[i][0] * series->gap[0] + inverse[i][1] * series->gap[1]);
-  }
-  for (int halving = 0; halving < HALVINGS; halving++, alpha /= 2) {
+  if (!set_back_stronger (series)) {
+    qn_pair_series_flexibility (series, inverse);
     for (int i = 0; i < 2; i++)
-      series->qa[i] = from[i] + alpha * step[i];
-    evaluate (series);
-    if (series->size < size)
-      return;
+      series->qa[i] -= inverse[i][0] * series->gap[0] + inverse[i][1] * series->gap[1];
   }
+  evaluate (series);
+}
+
+/* gap[i] at qa[i] = x. */
+static double
+gap_at (QnPairSeries *series, int i, double x)
+{
+  series->qa[i] = x;
+  evaluate (series);
+  return series->gap[i];
+}
+
+/* Closes gap[i] along qa[i] alone, along which it grows: an interval that holds the root, then
+ * false position with halved weights (Illinois). */
+static void
+close_gap (QnPairSeries *series, int i)
+{
+  const QnPairSprings *s = series->springs;
+  double stiffness = i == 0 ? s->a.kn + s->b.kn : s->a.ks + s->b.ks;
+  double low = series->qa[i], high = low, g_low = series->gap[i], g_high = g_low;
+  double reach = fabs (g_low) / stiffness;
+
+  for (int k = 0; k < WIDENINGS && g_low > 0; k++, reach *= 2)
+    g_low = gap_at (series, i, low -= reach);
+  for (int k = 0; k < WIDENINGS && g_high < 0; k++, reach *= 2)
+    g_high = gap_at (series, i, high += reach);
+  for (int k = 0; k < NARROWINGS && g_low < 0 && g_high > 0; k++) {
+    double x = (low * g_high - high * g_low) / (g_high - g_low);
+    double g = gap_at (series, i, x);
+    if (fabs (g) <= QN_TOLERANCE_SERIES * (fabs (series->a.force[i]) + stiffness * reach))
+      return;
+    if (g > 0) {
+      high = x;
+      g_high = g;
+      g_low *= 0.5;
+    } else {
+      low = x;
+      g_low = g;
+      g_high *= 0.5;
+    }
+  }
+}
+
+void
+qn_pair_series_sweep (QnPairSeries *series)
+{
+  for (int i = 0; i < 2; i++)
+    if (series->gap[i] != 0)
+      close_gap (series, i);
 }

@@ -5,9 +5,10 @@
  *
  *   gap(qa) = fa(qa) - fb(q - qa) = 0,   (Ta + Tb) dqa = -gap
  *
- * with a backtracking line search on the size of the gap. With consistent tangents the
- * iteration converges quadratically near the solution; springs of straight branches are solved
- * exactly once the branches are found. (HybriDFEM, section 2.2; the tangent of the pair is
+ * With consistent tangents the iteration converges quadratically near the solution; springs of
+ * straight branches are solved exactly once the branches are found. Where it walks in circles
+ * between branches, sweeps take over: the normal gap is closed along the normal elongation
+ * alone, then the tangential one, in turns, each within an interval that holds its root. (HybriDFEM, section 2.2; the tangent of the pair is
  * Ta (Ta + Tb)^-1 Tb.)
  */
 #ifndef QN_CORE_PAIR_SERIES_H
@@ -33,6 +34,9 @@ void qn_pair_series_start (QnPairSeries *series, const QnPairSprings *springs,
 
 /* One iteration. */
 void qn_pair_series_step (QnPairSeries *series);
+
+/* One sweep. */
+void qn_pair_series_sweep (QnPairSeries *series);
 
 /* (Ta + Tb)^-1, regularised where both springs are without stiffness. */
 void qn_pair_series_flexibility (const QnPairSeries *series, double inverse[2][2]);
