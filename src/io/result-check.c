@@ -2,6 +2,7 @@
 
 #include "core/memory.h"
 #include "io/io-error.h"
+#include "io/result-contact.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
@@ -87,19 +88,55 @@ distance_to_outline (const QnModel *model, QnId block, QnVec2 point)
   return distance;
 }
 
+/* A point of the structure at equilibrium, as seen from a block that has not moved. */
+static QnVec2
+seen_from_block (const QnModel *model, QnId block, const double *deformation,
+                 QnVec2 point)
+{
+  if (deformation == NULL)
+    return point;
+  const double *u = deformation + (size_t) block * QN_DOF_COUNT;
+  QnVec2 centroid = model->blocks[block].centroid;
+  QnVec2 moved = qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]));
+  return qn_vec2_add (centroid, qn_vec2_rotate (qn_vec2_sub (point, moved),
+                                                cos (u[QN_DOF_RZ]), -sin (u[QN_DOF_RZ])));
+}
+
 /* Adds the force of a pair, and its moment about the centroid, to the balance of one block. */
 static void
-add_force (const QnModel *model, QnId block, QnVec2 force, QnVec2 point, double *balance)
+add_force (const QnModel *model, QnId block, const double *deformation, QnVec2 force,
+           QnVec2 point, double *balance)
 {
-  QnVec2 arm = qn_vec2_sub (point, model->blocks[block].centroid);
-  balance[block * QN_DOF_COUNT + QN_DOF_UX] += force.x;
-  balance[block * QN_DOF_COUNT + QN_DOF_UY] += force.y;
-  balance[block * QN_DOF_COUNT + QN_DOF_RZ] += qn_vec2_cross (arm, force);
+  double *sum = balance + (size_t) block * QN_DOF_COUNT;
+  QnVec2 centroid = model->blocks[block].centroid;
+  if (deformation != NULL) {
+    const double *u = deformation + (size_t) block * QN_DOF_COUNT;
+    centroid = qn_vec2_add (centroid, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY]));
+  }
+  sum[QN_DOF_UX] += force.x;
+  sum[QN_DOF_UY] += force.y;
+  sum[QN_DOF_RZ] += qn_vec2_cross (qn_vec2_sub (point, centroid), force); /* r x F */
+}
+
+/* The arms of forces that act away from the centroid have turned with their blocks. */
+static void
+turn_loads (const QnModel *model, const double *deformation, const QnLoad *loads,
+            size_t count, double *forces)
+{
+  for (size_t i = 0; i < count; i++) {
+    const QnLoad *load = &loads[i];
+    if (load->kind != QN_LOAD_FORCE || !load->has_at)
+      continue;
+    size_t rz = (size_t) load->block * QN_DOF_COUNT + QN_DOF_RZ;
+    QnVec2 arm = qn_vec2_sub (load->at, model->blocks[load->block].centroid);
+    QnVec2 turned = qn_vec2_rotate (arm, cos (deformation[rz]), sin (deformation[rz]));
+    forces[rz] += qn_vec2_cross (qn_vec2_sub (turned, arm), load->vector);
+  }
 }
 
 static void
-check_pairs (const QnResultFile *file, const QnModel *model, double *balance,
-             QnResultCheck *check)
+check_pairs (const QnResultFile *file, const QnModel *model, const double *deformation,
+             double *balance, QnResultCheck *check)
 {
   GHashTable *overrides = index_overrides (model);
   double worst = 0;
@@ -109,9 +146,9 @@ check_pairs (const QnResultFile *file, const QnModel *model, double *balance,
     double normal = pair->normal_force, shear = pair->shear_force;
     QnVec2 force = qn_vec2_add_scaled (qn_vec2_scale (normal, contact->normal), shear,
                                        qn_vec2_perp (contact->normal));
-    add_force (model, contact->block_a, force, contact->point, balance);
-    add_force (model, contact->block_b, qn_vec2_scale (-1, force), contact->point,
-               balance);
+    add_force (model, contact->block_a, deformation, force, contact->point, balance);
+    add_force (model, contact->block_b, deformation, qn_vec2_scale (-1, force),
+               contact->point, balance);
     check->contact_scale = MAX (check->contact_scale, qn_vec2_length (force));
 
     const QnId sides[2] = { contact->block_a, contact->block_b };
@@ -122,7 +159,8 @@ check_pairs (const QnResultFile *file, const QnModel *model, double *balance,
         worst = excess;
         check->violating_pair = (QnId) i;
       }
-      double distance = distance_to_outline (model, sides[side], contact->point);
+      QnVec2 seen = seen_from_block (model, sides[side], deformation, contact->point);
+      double distance = distance_to_outline (model, sides[side], seen);
       if (distance > check->point_distance) {
         check->point_distance = distance;
         check->distant_pair = (QnId) i;
@@ -187,8 +225,6 @@ find_obstacle (const QnResultFile *file, const QnModel *model)
 {
   if (file->result.step_count == 0)
     return _ ("the result holds no equilibrium to check");
-  if (model->analysis.geometry != QN_GEOMETRY_LINEAR)
-    return _ ("only results in linear geometry can be checked");
   for (size_t i = 0; i < model->law_count; i++) {
     const QnLaw *law = &model->laws[i];
     gboolean by_area = law->basis != QN_BASIS_CONTACT && law->kind == QN_LAW_COULOMB
@@ -229,11 +265,16 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
   double *balance = vectors, *dead = vectors + size, *live = vectors + 2 * size;
   qn_model_dead_forces (model, dead);
   qn_model_live_forces (model, live);
+  const double *deformation = qn_result_deformation (model, result);
+  if (deformation != NULL) {
+    turn_loads (model, deformation, model->dead_loads, model->dead_load_count, dead);
+    turn_loads (model, deformation, model->live_loads, model->live_load_count, live);
+  }
   check->multiplier = result->has_collapse_multiplier
                         ? result->collapse_multiplier
                         : result->steps[result->step_count - 1].multiplier;
   add_loads (model, dead, live, balance, check);
-  check_pairs (file, model, balance, check);
+  check_pairs (file, model, deformation, balance, check);
   find_worst_block (model, balance, check);
   free (vectors);
   return TRUE;

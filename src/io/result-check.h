@@ -29,9 +29,9 @@ typedef struct QnResultCheck {
   QnId distant_pair; /* where, or QN_NONE */
 } QnResultCheck;
 
-/* Checks `file` against the project it was computed from, loaded with the file's overrides.
- * False with an error where the two do not belong together, or where the analysis was made in
- * nonlinear geometry, whose equilibrium is not that of the undeformed points. */
+/* Checks `file` against the project it was computed from, loaded with the file's overrides. In
+ * nonlinear geometry the blocks are taken where the last step has moved them. False with an
+ * error where the two do not belong together, or where there is nothing to check. */
 gboolean qn_result_check (const QnResultFile *file, const QnProject *project,
                           QnResultCheck *check, GError **error);
 

@@ -12,7 +12,7 @@
 typedef struct QnResultContact {
   QnId face;             /* number of the detected face */
   QnId block_a, block_b; /* into block_names */
-  QnVec2 point;          /* m, undeformed */
+  QnVec2 point;          /* m, where the force acts; see result-contact.h */
   QnVec2 normal;         /* unit, from block a to block b */
   double area;           /* tributary area, m2; negative where the file does not say */
 } QnResultContact;

@@ -1,6 +1,7 @@
 #include "io/file-writer.h"
 #include "io/mechanism-text.h"
 #include "io/project-names.h"
+#include "io/result-contact.h"
 #include "io/result-file.h"
 
 /* What the file spells for an event, with its quotes. */
@@ -145,18 +146,21 @@ write_vec2 (QnFileWriter *writer, QnVec2 vector)
 }
 
 static void
-write_contact (QnFileWriter *writer, const QnContacts *contacts, const QnResult *result,
-               size_t index)
+write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+               const QnResult *result, size_t index)
 {
   const QnContactPair *pair = &contacts->pairs[index];
   const QnContactFace *face = &contacts->faces[pair->face];
   const QnPairResult *forces = &result->pairs[index];
+  QnVec2 point, normal;
+  qn_result_contact_place (model, contacts, index, qn_result_deformation (model, result),
+                           &point, &normal);
   qn_file_writer_printf (writer,
                          "{ \"face\": %d, \"blocks\": [%d, %d], \"point\": ", pair->face,
                          face->a, face->b);
-  write_vec2 (writer, pair->point);
+  write_vec2 (writer, point);
   qn_file_writer_puts (writer, ", \"normal\": ");
-  write_vec2 (writer, face->normal);
+  write_vec2 (writer, normal);
   qn_file_writer_puts (writer, ", \"area\": ");
   qn_file_writer_number (writer, pair->tributary * face->thickness);
   qn_file_writer_printf (writer, ", \"state\": \"%s\", \"normal_force\": ",
@@ -168,14 +172,15 @@ write_contact (QnFileWriter *writer, const QnContacts *contacts, const QnResult 
 }
 
 static void
-write_contacts (QnFileWriter *writer, const QnContacts *contacts, const QnResult *result)
+write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+                const QnResult *result)
 {
   qn_file_writer_puts (writer, "  \"contacts\": [");
   size_t count =
     result->step_count > 0 && result->pairs != NULL ? contacts->pair_count : 0;
   for (size_t i = 0; i < count && !qn_file_writer_failed (writer); i++) {
     qn_file_writer_puts (writer, i > 0 ? ",\n    " : "\n    ");
-    write_contact (writer, contacts, result, i);
+    write_contact (writer, model, contacts, result, i);
   }
   qn_file_writer_puts (writer, "],\n");
 }
@@ -235,7 +240,7 @@ qn_result_file_write (const char *path, const QnProject *project,
   write_head (writer, project, result);
   write_blocks (writer, &project->model, result);
   write_steps (writer, result);
-  write_contacts (writer, contacts, result);
+  write_contacts (writer, &project->model, contacts, result);
   write_mechanism (writer, &project->model, contacts, result);
   write_statistics (writer, &result->statistics);
   return qn_file_writer_commit (writer, error);

@@ -1,6 +1,7 @@
 #include "io/table-csv.h"
 
 #include "io/file-writer.h"
+#include "io/result-contact.h"
 
 #include <string.h>
 
@@ -120,6 +121,7 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
   qn_file_writer_puts (writer,
                        "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],"
                        "normal force [N],shear force [N],state\n");
+  const double *deformation = qn_result_deformation (&project->model, result);
   size_t count = result->step_count > 0 ? contacts->pair_count : 0;
   for (size_t i = 0; i < count; i++) {
     const QnContactPair *pair = &contacts->pairs[i];
@@ -129,9 +131,10 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
     write_text (writer, blocks[face->a].name, "");
     qn_file_writer_puts (writer, ",");
     write_text (writer, blocks[face->b].name, "");
+    QnVec2 point, normal;
+    qn_result_contact_place (&project->model, contacts, i, deformation, &point, &normal);
     const double numbers[] = {
-      pair->point.x,  pair->point.y,        face->normal.x,
-      face->normal.y, forces->normal_force, forces->shear_force
+      point.x, point.y, normal.x, normal.y, forces->normal_force, forces->shear_force
     };
     write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
     qn_file_writer_printf (writer, ",%s\n", qn_pair_state_name (forces->state));
