@@ -170,7 +170,7 @@ test_nonlinear (ResultFixture *fixture, gconstpointer data)
   fixture->result.pairs[1 - left].normal_force = -6500;
   run_check (fixture, &check);
   g_assert_cmpfloat (check.out_of_balance, <, 1e-14);
-  g_assert_cmpfloat (check.point_distance, <, 1e-14);
+  g_assert_cmpfloat_with_epsilon (check.point_distance, 0.05, 1e-12); /* half of the slip */
 
   u[3] = 0;
   run_check (fixture, &check); /* 500 N m too much for the block at rest */
