@@ -28,6 +28,8 @@ static const QnLaw *
 find_law (const QnModel *model, GHashTable *overrides, const QnResultContact *contact,
           QnId block)
 {
+  if (contact->bar != QN_NONE)
+    return &model->laws[model->bars[contact->bar].law];
   gint64 key = (gint64) MIN (contact->block_a, contact->block_b) << 32
                | MAX (contact->block_a, contact->block_b);
   QnId law = GPOINTER_TO_INT (g_hash_table_lookup (overrides, &key)) - 1;
@@ -219,20 +221,32 @@ find_worst_block (const QnModel *model, const double *balance, QnResultCheck *ch
   check->out_of_balance = check->force_scale > 0 ? worst / check->force_scale : 0;
 }
 
+/* Whether what a law carries depends on the area that a pair stands for. */
+static gboolean
+needs_area (const QnLaw *law)
+{
+  if (law->basis == QN_BASIS_CONTACT || law->kind == QN_LAW_ELASTIC
+      || law->kind == QN_LAW_NO_TENSION)
+    return FALSE;
+  return law->kind != QN_LAW_COULOMB || law->cohesion > 0 || law->tension > 0;
+}
+
 /* What makes the check meaningless. */
 static const char *
 find_obstacle (const QnResultFile *file, const QnModel *model)
 {
   if (file->result.step_count == 0)
     return _ ("the result holds no equilibrium to check");
-  for (size_t i = 0; i < model->law_count; i++) {
-    const QnLaw *law = &model->laws[i];
-    gboolean by_area = law->basis != QN_BASIS_CONTACT && law->kind == QN_LAW_COULOMB
-                       && (law->cohesion > 0 || law->tension > 0);
-    for (size_t k = 0; by_area && k < file->result.pair_count; k++)
-      if (file->contacts[k].area < 0)
-        return _ (
-          "the contacts have no area, which the strengths of the laws are given by");
+  gboolean by_area = FALSE;
+  for (size_t i = 0; i < model->law_count; i++)
+    by_area = by_area || needs_area (&model->laws[i]);
+  for (size_t i = 0; i < file->result.pair_count; i++) {
+    const QnResultContact *contact = &file->contacts[i];
+    if (by_area && contact->area < 0)
+      return _ (
+        "the contacts have no area, which the strengths of the laws are given by");
+    if (contact->bar != QN_NONE && (size_t) contact->bar >= model->bar_count)
+      return _ ("the contacts name a bar that the project does not have");
   }
   return NULL;
 }

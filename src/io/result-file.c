@@ -52,7 +52,7 @@ match_contacts (const QnResultFile *file, const char *name, const QnContacts *co
     const QnResultContact *contact = &file->contacts[i];
     const QnContactFace *face = &contacts->faces[contacts->pairs[i].face];
     same = contact->face == contacts->pairs[i].face && contact->block_a == face->a
-           && contact->block_b == face->b;
+           && contact->block_b == face->b && contact->bar == contacts->pairs[i].bar;
   }
   return same
          || fail (error, name,

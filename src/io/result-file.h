@@ -15,6 +15,7 @@ typedef struct QnResultContact {
   QnVec2 point;          /* m, where the force acts; see result-contact.h */
   QnVec2 normal;         /* unit, from block a to block b */
   double area;           /* tributary area, m2; negative where the file does not say */
+  QnId bar;              /* reinforcing bar that the pair belongs to, or QN_NONE */
 } QnResultContact;
 
 /* A result file in memory: enough to draw it and to check it without solving again. */

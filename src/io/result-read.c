@@ -303,6 +303,7 @@ read_contact (QnJsonStream *stream, gpointer target)
     { "point", read_vec2, offsetof (ContactDraft, contact.point), TRUE },
     { "normal", read_normal, offsetof (ContactDraft, contact.normal), TRUE },
     { "area", qn_json_stream_number, offsetof (ContactDraft, contact.area), FALSE },
+    { "bar", qn_json_stream_int32, offsetof (ContactDraft, contact.bar), FALSE },
     { "state", read_state, offsetof (ContactDraft, pair.state), TRUE },
     { "normal_force", qn_json_stream_number, offsetof (ContactDraft, pair.normal_force),
       TRUE },
@@ -312,7 +313,7 @@ read_contact (QnJsonStream *stream, gpointer target)
   Draft *draft = target;
   QnResultFile *file = draft->file;
   QnResult *result = &file->result;
-  ContactDraft read = { .contact.area = -1 };
+  ContactDraft read = { .contact = { .area = -1, .bar = QN_NONE } };
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read)
       || !grow (stream, &file->contacts, result->pair_count, &draft->contact_capacity,
                 sizeof *file->contacts)

@@ -163,6 +163,8 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   write_vec2 (writer, normal);
   qn_file_writer_puts (writer, ", \"area\": ");
   qn_file_writer_number (writer, pair->tributary * face->thickness);
+  if (pair->bar != QN_NONE)
+    qn_file_writer_printf (writer, ", \"bar\": %d", pair->bar);
   qn_file_writer_printf (writer, ", \"state\": \"%s\", \"normal_force\": ",
                          qn_pair_state_name (forces->state));
   qn_file_writer_number (writer, forces->normal_force);

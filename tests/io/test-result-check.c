@@ -154,6 +154,28 @@ test_weightless (ResultFixture *fixture, gconstpointer data)
   g_assert_cmpfloat (check.out_of_balance, <, 1e-14);
 }
 
+/* A pair of a bar follows the bar's law, whatever the joint's. */
+static void
+test_bar (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  QnResultCheck check;
+  QnModel *model = &fixture->project.model;
+  QnLaw *steel = qn_model_add_law (model, "steel");
+  steel->kind = QN_LAW_ELASTIC_PLASTIC;
+  steel->basis = QN_BASIS_SURFACE;
+  steel->kn = steel->ks = 1;
+  steel->yield = 10000; /* over 0.5 m2: 5000 N, in tension and compression */
+  QnBar *bar = qn_model_add_bar (model);
+  bar->law = 1;
+  fixture->contacts.pairs[left_pair (fixture)].bar = 0;
+  run_check (fixture, &check);
+  g_assert_cmpfloat (check.yield_violation, ==, 0);
+  steel->yield = 7000;
+  run_check (fixture, &check); /* 4000 against 3500 */
+  g_assert_cmpfloat_with_epsilon (check.yield_violation * check.contact_scale, 500, 1e-9);
+}
+
 /* The block has slid by 0.1 m: the forces act half-way between its corners and the places they
  * left, 0.55 m before and 0.45 m behind its centroid. */
 static void
@@ -170,7 +192,8 @@ test_nonlinear (ResultFixture *fixture, gconstpointer data)
   fixture->result.pairs[1 - left].normal_force = -6500;
   run_check (fixture, &check);
   g_assert_cmpfloat (check.out_of_balance, <, 1e-14);
-  g_assert_cmpfloat_with_epsilon (check.point_distance, 0.05, 1e-12); /* half of the slip */
+  g_assert_cmpfloat_with_epsilon (check.point_distance, 0.05,
+                                  1e-12); /* half of the slip */
 
   u[3] = 0;
   run_check (fixture, &check); /* 500 N m too much for the block at rest */
@@ -232,6 +255,7 @@ main (int argc, char **argv)
   ADD ("/result-check/laws-of-sides", test_laws_of_sides);
   ADD ("/result-check/distant-point", test_distant_point);
   ADD ("/result-check/weightless", test_weightless);
+  ADD ("/result-check/bar", test_bar);
   ADD ("/result-check/nonlinear", test_nonlinear);
   ADD ("/result-check/turned-load", test_turned_load);
   ADD ("/result-check/refused", test_refused);
