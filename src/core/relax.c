@@ -25,6 +25,9 @@
 #define LONGER  4
 #define SHORTER 8
 
+/* Viscosity at which joints are nothing against damping: what does not converge then never will. */
+#define STIFFEST 1e9
+
 /* Velocities that differ by less than this part of themselves, over a time as long as all
  * that went before, are steady. */
 #define STEADY 1e-3
@@ -152,6 +155,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
     if (status == QN_SOLVE_FAILED) {
       qn_equilibrium_load (eq, &eq->anchor);
       relaxation.viscosity *= SHORTER;
+      if (relaxation.viscosity > STIFFEST)
+        return QN_SOLVE_FAILED;
       continue;
     }
 
