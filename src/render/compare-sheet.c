@@ -45,17 +45,42 @@ merge_legends (GPtrArray *scenes)
   return merged;
 }
 
+/* Height of the tallest structure in a row, m. */
+static double
+tallest_in_row (const SheetLayout *s, int columns, int row)
+{
+  double tallest = 0;
+  guint first = (guint) (row * columns),
+        end = MIN (first + (guint) columns, s->scenes->len);
+  for (guint i = first; i < end; i++) {
+    const QnScene *scene = g_ptr_array_index (s->scenes, i);
+    tallest = fmax (tallest, scene->box.max.y - scene->box.min.y);
+  }
+  return tallest;
+}
+
+/* Where a picture goes. Rows share the height as their tallest structures need it: a sheet of
+ * low and high walls has no empty bands. */
 static QnCamera
 cell_viewport (const SheetLayout *s, size_t cell, int columns, int rows)
 {
-  double gap = CELL_GAP * s->page->unit;
+  double gap = CELL_GAP * s->page->unit, foot = s->words + FOOT_GAP * s->page->unit;
   double width = (s->width - (columns - 1) * gap) / columns;
-  double height = (s->height - (rows - 1) * gap) / rows;
+  double pictures = fmax (s->height - (rows - 1) * gap - rows * foot, 1), total = 0;
   int column = (int) cell % columns, row = (int) cell / columns;
+  for (int r = 0; r < rows; r++)
+    total += tallest_in_row (s, columns, r);
+
+  double y = s->top, height = 0;
+  for (int r = 0; r <= row; r++) {
+    double part = total > 0 ? tallest_in_row (s, columns, r) / total : 1.0 / rows;
+    y += r > 0 ? height + foot + gap : 0;
+    height = pictures * part;
+  }
   return (QnCamera){ .x = s->left + column * (width + gap),
-                     .y = s->top + row * (height + gap),
+                     .y = y,
                      .width = fmax (width, 1),
-                     .height = fmax (height - s->words - FOOT_GAP * s->page->unit, 1),
+                     .height = fmax (height, 1),
                      .scale = 1,
                      .unit = s->page->unit };
 }

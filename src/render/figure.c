@@ -63,7 +63,8 @@ append_multiplier (GString *text, const QnFigure *figure, bool brief)
   const QnResult *result = figure->result;
   if (isnan (multiplier))
     return;
-  g_autofree char *number = qn_label_number ("%.4g", multiplier);
+  g_autofree char *number =
+    qn_label_number (fabs (multiplier) < 10 ? "%.4f" : "%.5g", multiplier);
   g_autofree char *part =
     g_strdup_printf (brief ? "λ = %s" : _ ("load multiplier λ = %s"), number);
   append_part (text, part);
