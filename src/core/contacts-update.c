@@ -325,7 +325,7 @@ qn_contacts_update (const QnModel *old_model, const QnContacts *old, const QnMod
                     QnContacts *contacts, QnDiag *diag)
 {
   *contacts = (QnContacts){ 0 };
-  if (old_model->block_count == 0)
+  if (old_model->block_count == 0 || model->block_count == 0)
     return qn_contacts_detect (model, contacts, diag);
 
   Update update = { .old_model = old_model, .model = model };

@@ -32,6 +32,9 @@ QnStatus
 qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   *contacts = (QnContacts){ 0 };
+  if (model->block_count == 0)
+    return QN_OK;
+
   QnContactSearch search;
   QnStatus status =
     qn_contact_search_init (&search, model, qn_contact_lengths (model), diag);
@@ -63,7 +66,9 @@ qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts, QnD
 {
   static const QnProblem fatal[] = { QN_PROBLEM_BLOCKS_OVERLAP, QN_PROBLEM_NO_SUPPORT,
                                      QN_PROBLEM_BLOCK_FLOATING };
-  (void) model;
+  if (model->block_count == 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
+                              "blocks", 0);
   for (size_t i = 0; i < QN_N_ELEMENTS (fatal); i++) {
     const QnFinding *finding = first_finding (&contacts->findings, fatal[i]);
     if (finding == NULL)

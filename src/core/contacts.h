@@ -58,7 +58,7 @@ QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag 
 QnStatus qn_contacts_update (const QnModel *old_model, const QnContacts *old,
                              const QnModel *model, QnContacts *contacts, QnDiag *diag);
 
-/* Refuses what cannot be analysed: overlapping blocks, no support, floating blocks. */
+/* Refuses what cannot be analysed: no blocks, overlapping blocks, no support, floating blocks. */
 QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,
                                     QnDiag *diag);
 

@@ -103,9 +103,6 @@ parse (const char *text, const char *name, QnProject *project, GError **error)
 static gboolean
 detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **error)
 {
-  *contacts = (QnContacts){ 0 };
-  if (model->block_count == 0)
-    return TRUE;
   QnDiag diag = { 0 };
   if (qn_contacts_update (&self->project.model, &self->contacts, model, contacts, &diag)
       == QN_OK)

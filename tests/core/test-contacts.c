@@ -287,6 +287,26 @@ test_repeatable (void)
   qn_model_clear (&model);
 }
 
+/* A drawing that has just been begun has no contacts, and no answer either. */
+static void
+test_empty_model (void)
+{
+  QnModel model;
+  QnContacts contacts, updated;
+  QnDiag diag;
+  test_model_init (&model);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpuint (contacts.face_count + contacts.findings.count, ==, 0);
+  g_assert_cmpint (qn_contacts_update (&model, &contacts, &model, &updated, NULL), ==,
+                   QN_OK);
+  g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, &diag), ==,
+                   QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_BLOCKS);
+  qn_contacts_clear (&updated);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
 /* Several problems at once: overlaps are told first, then missing supports, then loose blocks. */
 static void
 test_require_sound_order (void)
@@ -344,6 +364,7 @@ main (int argc, char **argv)
   g_test_add_func ("/contacts/all-boundaries", test_faces_account_for_all_boundaries);
   g_test_add_func ("/contacts/survives-anything", test_survives_anything);
   g_test_add_func ("/contacts/repeatable", test_repeatable);
+  g_test_add_func ("/contacts/empty-model", test_empty_model);
   g_test_add_func ("/contacts/require-sound-order", test_require_sound_order);
   g_test_add_func ("/contacts/hundred-thousand-blocks", test_hundred_thousand_blocks);
   return g_test_run ();
