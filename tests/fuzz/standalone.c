@@ -16,7 +16,9 @@ mutate (GByteArray *bytes, GRand *random)
   if (bytes->len == 0)
     return;
   guint at = (guint) g_rand_int_range (random, 0, (gint32) bytes->len);
-  guint length = MIN ((guint) g_rand_int_range (random, 1, 20), bytes->len - at);
+  guint longest = bytes->len - at;
+  guint length = (guint) g_rand_int_range (random, 1, 20); /* MIN() would draw twice */
+  length = MIN (length, longest);
   switch (g_rand_int_range (random, 0, 5)) {
   case 0:
     bytes->data[at] = (guint8) g_rand_int (random);
