@@ -13,7 +13,8 @@
 #include <string.h>
 
 typedef struct Options {
-  char *output, *csv;
+  char *output, *csv, *detail;
+  QnResultDetail level; /* of `detail` */
   char **overrides;
   gboolean quiet;
 } Options;
@@ -115,8 +116,9 @@ write_outputs (const Options *options, const QnInput *input, const QnResult *res
 {
   GError *error = NULL;
   if (options->output != NULL
-      && !qn_result_file_write (options->output, &input->project, &input->contacts,
-                                result, &error))
+      && !qn_result_file_write_detailed (options->output, &input->project,
+                                         &input->contacts, result, options->level,
+                                         &error))
     return qn_cli_fail (error);
   if (options->csv != NULL
       && !qn_curve_csv_write (options->csv, &input->project, result, &error))
@@ -183,6 +185,19 @@ solve (const Options *options, const QnInput *input)
   return code;
 }
 
+static gboolean
+parse_detail (const QnSubcommand *self, Options *options)
+{
+  options->level = QN_DETAIL_FORCES;
+  if (options->detail == NULL || strcmp (options->detail, "forces") == 0)
+    return TRUE;
+  options->level = QN_DETAIL_PAIRS;
+  if (strcmp (options->detail, "pairs") == 0)
+    return TRUE;
+  qn_cli_usage_error (self->name, _ ("--detail is forces or pairs"));
+  return FALSE;
+}
+
 static void
 warn_of_findings (const QnInput *input)
 {
@@ -217,6 +232,10 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
       N_ ("Write the result file here; - is standard output"), N_ ("RESULT.json") },
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
       N_ ("Write the load–displacement curve here"), N_ ("CURVE.csv") },
+    { "detail", 0, 0, G_OPTION_ARG_STRING, &options.detail,
+      N_ ("What the result says of contact pairs: forces (default), or pairs: their "
+          "hinges and springs too"),
+      N_ ("forces|pairs") },
     QN_INPUT_SET_ENTRY (&options.overrides),
     { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
       NULL },
@@ -225,7 +244,8 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   QnInput input;
   QnExit code = QN_EXIT_USAGE;
 
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)
+      && parse_detail (self, &options)) {
     add_override (&options.overrides, override);
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
   } else
@@ -245,6 +265,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   qn_input_clear (&input);
   g_free (options.output);
   g_free (options.csv);
+  g_free (options.detail);
   g_strfreev (options.overrides);
   return code;
 }

@@ -31,6 +31,7 @@ extern const QnSubcommand qn_cmd_animate;
 extern const QnSubcommand qn_cmd_compare;
 extern const QnSubcommand qn_cmd_curve;
 extern const QnSubcommand qn_cmd_generate;
+extern const QnSubcommand qn_cmd_law;
 extern const QnSubcommand qn_cmd_verify;
 
 /* Parses options in the usual way: options and arguments in any order, "--" ends the options,

@@ -29,6 +29,18 @@ typedef struct QnResultFile {
   QnResult result;
 } QnResultFile;
 
+/* How much a result file says about every contact pair. */
+typedef enum {
+  QN_DETAIL_FORCES, /* its force */
+  QN_DETAIL_PAIRS,  /* the hinge and its two springs as well */
+  QN_DETAIL_COUNT
+} QnResultDetail;
+
+gboolean qn_result_file_write_detailed (const char *path, const QnProject *project,
+                                        const QnContacts *contacts,
+                                        const QnResult *result, QnResultDetail detail,
+                                        GError **error);
+
 /* Writes a result; `contacts` are the ones the analysis ran with. */
 gboolean qn_result_file_write (const char *path, const QnProject *project,
                                const QnContacts *contacts, const QnResult *result,

@@ -145,9 +145,28 @@ write_vec2 (QnFileWriter *writer, QnVec2 vector)
   qn_file_writer_puts (writer, "]");
 }
 
+/* The two springs between A, C and B; both carry the pair's force. */
+static void
+write_springs (QnFileWriter *writer, const QnPairResult *pair)
+{
+  const double *elongations[2] = { pair->elongation_a, pair->elongation_b };
+  qn_file_writer_puts (writer, ", \"hinge\": ");
+  write_vec2 (writer, pair->hinge);
+  qn_file_writer_puts (writer, ", \"springs\": [");
+  for (int side = 0; side < 2; side++) {
+    qn_file_writer_puts (writer,
+                         side == 0 ? "{ \"elongation\": " : ", { \"elongation\": ");
+    write_vec2 (writer, qn_vec2 (elongations[side][0], elongations[side][1]));
+    qn_file_writer_puts (writer, ", \"force\": ");
+    write_vec2 (writer, qn_vec2 (pair->normal_force, pair->shear_force));
+    qn_file_writer_puts (writer, " }");
+  }
+  qn_file_writer_puts (writer, "]");
+}
+
 static void
 write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
-               const QnResult *result, size_t index)
+               const QnResult *result, size_t index, QnResultDetail detail)
 {
   const QnContactPair *pair = &contacts->pairs[index];
   const QnContactFace *face = &contacts->faces[pair->face];
@@ -170,19 +189,21 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   qn_file_writer_number (writer, forces->normal_force);
   qn_file_writer_puts (writer, ", \"shear_force\": ");
   qn_file_writer_number (writer, forces->shear_force);
+  if (detail == QN_DETAIL_PAIRS && forces->has_springs)
+    write_springs (writer, forces);
   qn_file_writer_puts (writer, " }");
 }
 
 static void
 write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
-                const QnResult *result)
+                const QnResult *result, QnResultDetail detail)
 {
   qn_file_writer_puts (writer, "  \"contacts\": [");
   size_t count =
     result->step_count > 0 && result->pairs != NULL ? contacts->pair_count : 0;
   for (size_t i = 0; i < count && !qn_file_writer_failed (writer); i++) {
     qn_file_writer_puts (writer, i > 0 ? ",\n    " : "\n    ");
-    write_contact (writer, model, contacts, result, i);
+    write_contact (writer, model, contacts, result, i, detail);
   }
   qn_file_writer_puts (writer, "],\n");
 }
@@ -236,13 +257,22 @@ gboolean
 qn_result_file_write (const char *path, const QnProject *project,
                       const QnContacts *contacts, const QnResult *result, GError **error)
 {
+  return qn_result_file_write_detailed (path, project, contacts, result, QN_DETAIL_FORCES,
+                                        error);
+}
+
+gboolean
+qn_result_file_write_detailed (const char *path, const QnProject *project,
+                               const QnContacts *contacts, const QnResult *result,
+                               QnResultDetail detail, GError **error)
+{
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
   write_head (writer, project, result);
   write_blocks (writer, &project->model, result);
   write_steps (writer, result);
-  write_contacts (writer, &project->model, contacts, result);
+  write_contacts (writer, &project->model, contacts, result, detail);
   write_mechanism (writer, &project->model, contacts, result);
   write_statistics (writer, &result->statistics);
   return qn_file_writer_commit (writer, error);

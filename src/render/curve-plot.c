@@ -255,6 +255,10 @@ tick_width (const Plot *plot)
 static const char *
 x_unit (const QnCurvePlot *data, double largest, double *factor)
 {
+  if (data->x_unit != NULL) {
+    *factor = 1;
+    return data->x_unit;
+  }
   bool small = largest < (data->rotation ? 0.1 : 1.0);
   *factor = small ? 1000 : 1;
   if (data->rotation)

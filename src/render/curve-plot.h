@@ -27,6 +27,7 @@ typedef struct QnReferenceLine {
 typedef struct QnCurvePlot {
   const char *title;   /* or NULL */
   const char *x_label; /* without unit, or NULL: "Displacement" */
+  const char *x_unit;  /* unit of x as it is, or NULL: x is in m or rad */
   const char *y_label; /* or NULL: "Load multiplier" */
   bool rotation;       /* x is in rad instead of m */
   const QnCurve *curves;
