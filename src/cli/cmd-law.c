@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* Points between two turning points of the history. */
-#define POINTS_PER_BRANCH 80
+#define POINTS_PER_BRANCH 400
 
 typedef struct Options {
   QnPictureOptions picture;

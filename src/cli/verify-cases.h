@@ -13,9 +13,11 @@
 typedef struct QnVerifyCase {
   const char *name;  /* what the table calls it; translatable */
   const char *model; /* file below examples/ */
-  double reference;  /* collapse multiplier to be met */
+  double reference;  /* collapse multiplier, or displacement, to be met */
   double tolerance;  /* relative to the reference */
   double paper;      /* what the paper's own HybriDFEM gives; 0 where it has no value */
+  const char *block; /* whose displacement uy (m) at the last step is compared; NULL: the
+                        collapse multiplier is */
 } QnVerifyCase;
 
 typedef struct QnVerifyGroup {

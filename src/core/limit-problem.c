@@ -268,12 +268,30 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
   }
 }
 
+/* The strengths of fibres have no place in the rows of a pair. */
+static QnStatus
+check_kinds (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
+{
+  for (size_t p = 0; p < contacts->pair_count; p++)
+    for (int side = 0; side < 2; side++) {
+      QnId law = qn_contacts_pair_law (model, contacts, p, side);
+      QnLawKind kind = model->laws[law].kind;
+      if (kind != QN_LAW_ELASTIC && kind != QN_LAW_NO_TENSION && kind != QN_LAW_COULOMB)
+        return qn_diag_set_field (diag, QN_PROBLEM_LAW_WITHOUT_LIMIT, QN_ENTITY_LAW, law,
+                                  "kind", 0);
+    }
+  return QN_OK;
+}
+
 QnStatus
 qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
                        const QnContacts *contacts, bool adjustable, QnDiag *diag)
 {
-  QnStatus status;
+  QnStatus status = check_kinds (model, contacts, diag);
 
+  *limit = (QnLimitProblem){ 0 };
+  if (status != QN_OK)
+    return status;
   *limit = (QnLimitProblem){
     .block_count = model->block_count,
     .pair_count = contacts->pair_count,

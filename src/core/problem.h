@@ -43,6 +43,7 @@
   X (BAR_SHORT, "bar has no length") \
   X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \
   X (BAR_UNUSED, "bar crosses no contact face") \
+  X (LAW_WITHOUT_LIMIT, "limit analysis knows the strengths of joints only, not of this kind of law") \
   X (BLOCK_UNKNOWN, "no block has this name") \
   X (SAME_BLOCK, "a block has no contact with itself") \
   X (NO_BLOCKS, "model has no blocks") \
