@@ -204,7 +204,9 @@ qn_export_dialog_show (QnWindow *self)
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Preview"), -1);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
   gtk_box_append (GTK_BOX (box), dialog->preview);
-  gtk_box_append (GTK_BOX (box), build_form (dialog));
+  GtkWidget *form = build_form (dialog);
+  gtk_widget_set_hexpand (form, FALSE);
+  gtk_box_append (GTK_BOX (box), form);
   gtk_window_set_child (GTK_WINDOW (dialog->dialog), box);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (dialog->preview), draw_preview,
                                   dialog, NULL);

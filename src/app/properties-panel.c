@@ -22,6 +22,7 @@ typedef struct Panel {
   GtkDropDown *law;
   GtkWidget *support[QN_DOF_COUNT];
   GtkLabel *block_facts;
+  QnQuantityEntry *copies, *step_x, *step_y;
 
   GtkLabel *wall_title;
   QnQuantityEntry *wall_x, *wall_y, *block_x, *block_y;
@@ -225,6 +226,42 @@ on_name (GtkEntry *entry, Panel *panel)
 }
 
 static void
+on_array (Panel *panel)
+{
+  g_autoptr (GVariant) value = g_variant_ref_sink (
+    g_variant_new ("(idd)", (int) qn_quantity_entry_get_value (panel->copies),
+                   qn_quantity_entry_get_value (panel->step_x),
+                   qn_quantity_entry_get_value (panel->step_y)));
+  gtk_widget_activate_action_variant (GTK_WIDGET (panel->canvas), "win.array", value);
+}
+
+/* Numbers that are only read when the button is pressed. */
+static void
+on_array_number (QnQuantityEntry *entry, Panel *panel)
+{
+  (void) entry;
+  (void) panel;
+}
+
+static void
+build_array (Panel *panel, GtkWidget *form)
+{
+  GCallback nothing = G_CALLBACK (on_array_number);
+  panel->copies = qn_form_add_quantity (form, _ ("_Copies"), QN_QUANTITY_NUMBER, 1.0,
+                                        1000.0, nothing, panel);
+  panel->step_x =
+    qn_form_add_quantity (form, _ ("Each to the _right by"), QN_QUANTITY_LENGTH, -LARGEST,
+                          LARGEST, nothing, panel);
+  panel->step_y = qn_form_add_quantity (form, _ ("Each _up by"), QN_QUANTITY_LENGTH,
+                                        -LARGEST, LARGEST, nothing, panel);
+  qn_quantity_entry_set_value (panel->copies, 3.0);
+  qn_quantity_entry_set_value (panel->step_x, 1.0);
+  GtkWidget *button = gtk_button_new_with_mnemonic (_ ("Make C_opies"));
+  g_signal_connect_swapped (button, "clicked", G_CALLBACK (on_array), panel);
+  qn_form_add_wide (form, button);
+}
+
+static void
 build_block_form (Panel *panel)
 {
   const char *const none[] = { NULL };
@@ -250,6 +287,7 @@ build_block_form (Panel *panel)
   }
   qn_form_add_row (form, _ ("Fixed"), box);
   panel->block_facts = qn_form_add_text (form);
+  build_array (panel, form);
 }
 
 /* The dropdown of laws, with the general one first. */

@@ -598,6 +598,8 @@ qn_window_update_actions (QnWindow *self)
                  { "cancel", busy },
                  { "pause", busy },
                  { "play", run },
+                 { "export-result", run },
+                 { "export-result-path", run },
                  { "next-step", run },
                  { "previous-step", run },
                  { "export", work && blocks },

@@ -48,6 +48,9 @@ gboolean qn_window_may_close (QnWindow *window);
 void qn_window_add_analysis_actions (QnWindow *window);
 void qn_window_connect_analysis (QnWindow *window);
 
+/* window-export.c: animations and tables. */
+void qn_window_add_export_actions (QnWindow *window);
+
 /* Shows the drawing instead of the start page. */
 void qn_window_show_work (QnWindow *window);
 

@@ -125,6 +125,9 @@ on_view_changed (QnWindow *self)
 void
 qn_window_show_error (QnWindow *self, const char *message)
 {
+  /* Work that outlives its window has nobody to tell. */
+  if (self->info_label == NULL)
+    return;
   self->has_info_place = FALSE;
   gtk_label_set_text (self->info_label, message);
   gtk_widget_set_visible (GTK_WIDGET (self->info_button), FALSE);
@@ -352,6 +355,7 @@ qn_window_init (QnWindow *self)
   qn_window_add_actions (self);
   qn_window_add_file_actions (self);
   qn_window_add_analysis_actions (self);
+  qn_window_add_export_actions (self);
   build_tools (self);
   build_panels (self);
   connect_document (self);

@@ -75,7 +75,7 @@ gboolean
 qn_edit_add_block (QnModel *model, const QnVec2 *vertices, guint count,
                    QnBlockStyle style, GError **error)
 {
-  g_autofree char *name = qn_edit_dup_free_name (model, "block ");
+  g_autofree char *name = qn_edit_dup_free_name (model, "b");
   return add_named (model, name, vertices, count, style, error);
 }
 
@@ -257,7 +257,7 @@ qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int 
       QnBlockStyle style = { old.thickness, old.unit_weight, old.law, { false } };
       for (int dof = 0; dof < QN_DOF_COUNT; dof++)
         style.support[dof] = old.support[dof];
-      g_autofree char *name = qn_edit_dup_free_name (model, "block ");
+      g_autofree char *name = qn_edit_dup_free_name (model, "b");
       if (!add_named (model, name, vertices, count, style, error))
         return FALSE;
       model->blocks[model->block_count - 1].density = old.density;

@@ -126,7 +126,7 @@ static char *
 dup_free_wall_name (const QnModel *model)
 {
   for (gsize number = model->wall_count + 1;; number++) {
-    g_autofree char *name = g_strdup_printf ("wall %" G_GSIZE_FORMAT, number);
+    g_autofree char *name = g_strdup_printf ("w%" G_GSIZE_FORMAT, number);
     gboolean taken = FALSE;
     for (gsize i = 0; i < model->wall_count; i++)
       taken = taken || g_strcmp0 (model->walls[i].name, name) == 0;

@@ -178,6 +178,12 @@ test_solve (void)
   driver_discard (window);
 }
 
+static gboolean
+exists (gpointer path)
+{
+  return g_file_test (path, G_FILE_TEST_EXISTS);
+}
+
 static void
 test_animate (void)
 {
@@ -198,6 +204,20 @@ test_animate (void)
   g_assert_cmpfloat (qn_view_state_get_phase (state), ==, held);
   driver_activate (window, "win.compare");
   driver_run (300);
+
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  static const char *const kinds[][2] = { { "animation", "a.gif" },
+                                          { "curve", "b.csv" },
+                                          { "contacts", "c.csv" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    g_autofree char *path = g_build_filename (folder, kinds[i][1], NULL);
+    g_autofree char *action =
+      g_strdup_printf ("win.export-result-path(('%s', '%s'))", kinds[i][0], path);
+    driver_activate (window, action);
+    driver_wait (exists, path);
+    g_unlink (path);
+  }
+  g_rmdir (folder);
   driver_discard (window);
 }
 

@@ -140,7 +140,7 @@ test_loads_follow (void)
 {
   g_autoptr (QnDocument) document = document_with_wall (&plan);
   g_autoptr (GError) error = NULL;
-  char last[] = "wall 1.5.6";
+  char last[] = "w1.5.6";
   QnVec2 at = qn_document_get_model (document)
                 ->blocks[qn_model_find_block (qn_document_get_model (document), last)]
                 .centroid;
