@@ -3,6 +3,7 @@
 #include "core/analysis.h"
 #include "doc/explain.h"
 #include <glib/gi18n.h>
+#include <pthread.h>
 
 #define PROGRESS_INTERVAL_MS 50
 
@@ -15,8 +16,11 @@ struct _QnJob {
   gboolean running;
   GArray *shown; /* copy of `multipliers` for the main thread */
 
-  GMutex mutex; /* guards what follows */
-  GCond resumed;
+  GThread *thread; /* joined before its run is handed out */
+
+  /* POSIX rather than GLib, so that thread checkers see the locks. */
+  pthread_mutex_t mutex; /* guards what follows */
+  pthread_cond_t resumed;
   gboolean paused;
   gboolean cancelled;
   gboolean fresh;
@@ -38,8 +42,8 @@ qn_job_finalize (GObject *object)
   g_clear_pointer (&self->run, qn_run_unref);
   g_clear_pointer (&self->shown, g_array_unref);
   g_clear_pointer (&self->multipliers, g_array_unref);
-  g_mutex_clear (&self->mutex);
-  g_cond_clear (&self->resumed);
+  pthread_mutex_destroy (&self->mutex);
+  pthread_cond_destroy (&self->resumed);
   G_OBJECT_CLASS (qn_job_parent_class)->finalize (object);
 }
 
@@ -56,8 +60,8 @@ qn_job_init (QnJob *self)
 {
   self->shown = g_array_new (FALSE, FALSE, sizeof (double));
   self->multipliers = g_array_new (FALSE, FALSE, sizeof (double));
-  g_mutex_init (&self->mutex);
-  g_cond_init (&self->resumed);
+  pthread_mutex_init (&self->mutex, NULL);
+  pthread_cond_init (&self->resumed, NULL);
 }
 
 static void
@@ -91,15 +95,15 @@ static bool
 on_solver_progress (const QnProgress *progress, void *user_data)
 {
   QnJob *self = user_data;
-  g_mutex_lock (&self->mutex);
+  pthread_mutex_lock (&self->mutex);
   while (self->paused && !self->cancelled)
-    g_cond_wait (&self->resumed, &self->mutex);
+    pthread_cond_wait (&self->resumed, &self->mutex);
   self->progress = *progress;
   self->fresh = TRUE;
   while (self->multipliers->len < (guint) MAX (progress->steps, 0))
     g_array_append_val (self->multipliers, progress->multiplier);
   bool go_on = !self->cancelled;
-  g_mutex_unlock (&self->mutex);
+  pthread_mutex_unlock (&self->mutex);
   return go_on;
 }
 
@@ -116,12 +120,11 @@ solve (QnJob *self)
   return status;
 }
 
-static void
-run_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
+static gpointer
+run_in_thread (gpointer data)
 {
-  (void) data;
-  (void) cancellable;
-  QnJob *self = source;
+  g_autoptr (GTask) task = data;
+  QnJob *self = g_task_get_source_object (task);
   QnStatus status = solve (self);
   if (status == QN_OK) {
     g_task_return_pointer (task, qn_run_ref (self->run), (GDestroyNotify) qn_run_unref);
@@ -133,20 +136,21 @@ run_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancel
     set_error (&error, &self->run->model, &self->diag, status);
     g_task_return_error (task, error);
   }
+  return NULL;
 }
 
 static gboolean
 on_tick (gpointer data)
 {
   QnJob *self = data;
-  g_mutex_lock (&self->mutex);
+  pthread_mutex_lock (&self->mutex);
   gboolean fresh = self->fresh;
   self->fresh = FALSE;
   guint have = self->shown->len;
   if (self->multipliers->len > have)
     g_array_append_vals (self->shown, &g_array_index (self->multipliers, double, have),
                          self->multipliers->len - have);
-  g_mutex_unlock (&self->mutex);
+  pthread_mutex_unlock (&self->mutex);
   if (fresh)
     g_signal_emit (self, signals[SIGNAL_PROGRESS], 0);
   return G_SOURCE_CONTINUE;
@@ -171,7 +175,7 @@ qn_job_start (QnJob *self, GAsyncReadyCallback callback, gpointer user_data)
                            self, 0);
   self->running = TRUE;
   self->tick = g_timeout_add (PROGRESS_INTERVAL_MS, on_tick, self);
-  g_task_run_in_thread (task, run_in_thread);
+  self->thread = g_thread_new ("analysis", run_in_thread, g_steal_pointer (&task));
 }
 
 QnRun *
@@ -180,6 +184,7 @@ qn_job_finish (QnJob *self, GAsyncResult *result, GError **error)
   g_return_val_if_fail (g_task_is_valid (result, self), NULL);
   self->running = FALSE;
   g_clear_handle_id (&self->tick, g_source_remove);
+  g_clear_pointer (&self->thread, g_thread_join);
   return g_task_propagate_pointer (G_TASK (result), error);
 }
 
@@ -187,28 +192,28 @@ void
 qn_job_cancel (QnJob *self)
 {
   g_return_if_fail (QN_IS_JOB (self));
-  g_mutex_lock (&self->mutex);
+  pthread_mutex_lock (&self->mutex);
   self->cancelled = TRUE;
-  g_cond_signal (&self->resumed);
-  g_mutex_unlock (&self->mutex);
+  pthread_cond_signal (&self->resumed);
+  pthread_mutex_unlock (&self->mutex);
 }
 
 void
 qn_job_set_paused (QnJob *self, gboolean paused)
 {
   g_return_if_fail (QN_IS_JOB (self));
-  g_mutex_lock (&self->mutex);
+  pthread_mutex_lock (&self->mutex);
   self->paused = paused;
-  g_cond_signal (&self->resumed);
-  g_mutex_unlock (&self->mutex);
+  pthread_cond_signal (&self->resumed);
+  pthread_mutex_unlock (&self->mutex);
 }
 
 gboolean
 qn_job_is_paused (QnJob *self)
 {
-  g_mutex_lock (&self->mutex);
+  pthread_mutex_lock (&self->mutex);
   gboolean paused = self->paused;
-  g_mutex_unlock (&self->mutex);
+  pthread_mutex_unlock (&self->mutex);
   return paused;
 }
 
@@ -221,9 +226,9 @@ qn_job_is_running (QnJob *self)
 QnProgress
 qn_job_get_progress (QnJob *self)
 {
-  g_mutex_lock (&self->mutex);
+  pthread_mutex_lock (&self->mutex);
   QnProgress progress = self->progress;
-  g_mutex_unlock (&self->mutex);
+  pthread_mutex_unlock (&self->mutex);
   return progress;
 }
 
