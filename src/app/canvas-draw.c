@@ -1,7 +1,6 @@
 #include "app/canvas-private.h"
 #include "app/settings.h"
 #include "doc/explain.h"
-#include "render/draw-cairo.h"
 #include "render/figure-furniture.h"
 
 #include <glib/gi18n.h>
@@ -9,6 +8,7 @@
 
 #define RULER_PX     20.0
 #define GRID_PX      60.0 /* least distance of labelled grid lines */
+#define MOST_MARKS   300  /* of findings: more hide the drawing */
 #define MARK_PX      7.0
 #define RING_PX      16.0
 #define DIM_PAPER    0.9
@@ -222,7 +222,8 @@ draw_findings (QnCanvas *self, cairo_t *cr)
 {
   const QnFindings *findings =
     &qn_document_get_contacts (qn_canvas_get_document (self))->findings;
-  for (gsize i = 0; i < findings->count; i++) {
+  gsize shown = MIN (findings->count, MOST_MARKS);
+  for (gsize i = 0; i < shown; i++) {
     QnVec2 s = qn_canvas_to_screen (self, findings->items[i].at);
     cairo_move_to (cr, s.x, s.y - MARK_PX);
     cairo_line_to (cr, s.x + MARK_PX, s.y + 0.7 * MARK_PX);
@@ -385,7 +386,7 @@ qn_canvas_draw (QnCanvas *self, cairo_t *cr)
   const QnScene *scene = qn_canvas_get_scene (self);
   gboolean undeformed = !qn_view_needs_result (qn_view_state_get_view (self->state));
   if (scene != NULL)
-    qn_draw_cairo (scene, &self->camera, QN_LAYERS_ALL, true, cr, NULL);
+    qn_scene_cache_draw (&self->cache, scene, &self->camera, self->rest_timeout != 0, cr);
   if (undeformed) {
     draw_selection (self, cr);
     draw_findings (self, cr);

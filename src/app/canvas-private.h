@@ -3,6 +3,7 @@
 #define QN_APP_CANVAS_PRIVATE_H
 
 #include "app/canvas.h"
+#include "app/scene-cache.h"
 
 struct _QnCanvas {
   GtkWidget parent_instance;
@@ -13,6 +14,8 @@ struct _QnCanvas {
 
   QnScene *scene; /* NULL: to be built */
   GError *scene_error;
+  QnSceneCache cache;
+  guint rest_timeout; /* runs while the camera moves */
   QnCamera camera;
   gboolean wants_fit; /* at the next drawing */
   gboolean keeps_fit; /* until the user zooms or pans */

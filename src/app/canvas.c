@@ -14,6 +14,7 @@
 
 #define FIT_TOP_PX    44.0
 #define FIT_MARGIN_PX 56.0
+#define REST_MS       150 /* without motion, until a heavy drawing is drawn anew */
 #define PLACE_SECONDS 4
 #define WHEEL_FACTOR  1.15
 #define PX_PER_POINT  (96.0 / 72.0)
@@ -167,13 +168,31 @@ on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
 
 /* ---- camera ---- */
 
+static gboolean
+on_rest (gpointer data)
+{
+  QnCanvas *self = data;
+  self->rest_timeout = 0;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  return G_SOURCE_REMOVE;
+}
+
+/* The user has moved the paper: heavy drawings wait for it to come to rest. */
+static void
+camera_moved (QnCanvas *self)
+{
+  self->wants_fit = self->keeps_fit = FALSE;
+  g_clear_handle_id (&self->rest_timeout, g_source_remove);
+  self->rest_timeout = g_timeout_add (REST_MS, on_rest, self);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
 static void
 zoom_at (QnCanvas *self, QnVec2 at, double factor)
 {
   double scale = CLAMP (self->camera.scale * factor, LEAST_SCALE, MOST_SCALE);
   qn_camera_zoom_at (&self->camera, at, scale / self->camera.scale);
-  self->wants_fit = self->keeps_fit = FALSE;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
+  camera_moved (self);
   emit_status (self);
 }
 
@@ -188,11 +207,10 @@ on_scroll (GtkEventControllerScroll *controller, double dx, double dy, QnCanvas 
   GdkModifierType modifiers = event_modifiers (controller);
   if (touchpad && (modifiers & GDK_CONTROL_MASK) == 0) {
     qn_camera_pan (&self->camera, qn_vec2 (-dx * 10.0, -dy * 10.0));
-    self->wants_fit = self->keeps_fit = FALSE;
-    gtk_widget_queue_draw (GTK_WIDGET (self));
+    camera_moved (self);
   } else if (modifiers & GDK_SHIFT_MASK) {
     qn_camera_pan (&self->camera, qn_vec2 (-(dx + dy) * 40.0, 0.0));
-    gtk_widget_queue_draw (GTK_WIDGET (self));
+    camera_moved (self);
   } else
     zoom_at (self, self->pointer, pow (WHEEL_FACTOR, -dy));
   return TRUE;
@@ -215,8 +233,7 @@ on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCanvas *self)
   QnCamera camera = self->gesture_camera;
   qn_camera_pan (&camera, qn_vec2 (dx, dy));
   self->camera.center = camera.center;
-  self->wants_fit = self->keeps_fit = FALSE;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
+  camera_moved (self);
 }
 
 static void
@@ -286,8 +303,7 @@ qn_canvas_set_camera (QnCanvas *self, const QnCamera *camera)
 {
   self->camera.center = camera->center;
   self->camera.scale = camera->scale;
-  self->wants_fit = self->keeps_fit = FALSE;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
+  camera_moved (self);
 }
 
 static gboolean
@@ -453,6 +469,8 @@ qn_canvas_dispose (GObject *object)
   }
   g_signal_handlers_disconnect_by_data (qn_settings_get (), self);
   g_clear_handle_id (&self->place_timeout, g_source_remove);
+  g_clear_handle_id (&self->rest_timeout, g_source_remove);
+  qn_scene_cache_clear (&self->cache);
   g_clear_pointer (&self->scene, qn_scene_free);
   g_clear_error (&self->scene_error);
   g_clear_object (&self->state);

@@ -1,5 +1,6 @@
 #include "driver.h"
 
+#include "app/canvas-private.h"
 #include "app/settings.h"
 #include "doc/figure-export.h"
 
@@ -361,6 +362,76 @@ test_bad_file (void)
   g_rmdir (folder);
 }
 
+static gboolean
+add_large_wall (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  const QnWallPlan plan = { .width = 40.0,
+                            .height = 17.5,
+                            .unit = { 0.4, 0.175 },
+                            .style = { 1.0, 1e4, QN_NONE, { false } },
+                            .base = true };
+  return qn_edit_add_wall (model, &plan, error);
+}
+
+static gboolean
+edit_nudge (QnModel *model, gpointer data, GError **error)
+{
+  QnId block = 0;
+  (void) data;
+  return qn_edit_transform_blocks (model, (QnBlockSet){ &block, 1 },
+                                   qn_transform_translation (0.0, -0.001), error);
+}
+
+/* Ten thousand blocks: what a frame and an edit take is told, not judged, because the machine
+ * may be busy. */
+static void
+test_large_model (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  QnDocument *document = qn_window_get_document (window);
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  driver_activate (window, "win.draw");
+  g_autoptr (GError) error = NULL;
+  gint64 before = g_get_monotonic_time ();
+  qn_document_edit (document, "Wall", NULL, add_large_wall, NULL, &error);
+  g_assert_no_error (error);
+  g_test_message ("wall of %u blocks laid in %.3f s",
+                  (guint) model_of (window)->block_count,
+                  1e-6 * (double) (g_get_monotonic_time () - before));
+  g_assert_cmpuint (model_of (window)->block_count, >=, 10000);
+  driver_activate (window, "win.fit");
+  driver_run (500);
+  driver_screenshot (GTK_WIDGET (window), "large-model");
+
+  before = g_get_monotonic_time ();
+  qn_document_edit (document, "Nudge", NULL, edit_nudge, NULL, &error);
+  g_assert_no_error (error);
+  g_test_message ("one block moved in %.3f s",
+                  1e-6 * (double) (g_get_monotonic_time () - before));
+  g_assert_true (qn_document_undo (document));
+
+  enum { FRAMES = 20 };
+  cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_ARGB32, 880, 700);
+  for (int zoom = 0; zoom < 2; zoom++) {
+    before = g_get_monotonic_time ();
+    for (int i = 0; i < FRAMES; i++) {
+      QnCamera camera = *qn_canvas_get_camera (canvas);
+      qn_camera_pan (&camera, qn_vec2 (3.0, 1.0));
+      qn_canvas_set_camera (canvas, &camera);
+      cairo_t *cr = cairo_create (surface);
+      qn_canvas_draw (canvas, cr);
+      cairo_destroy (cr);
+    }
+    g_test_message ("a frame takes %.1f ms%s",
+                    1e-3 * (double) (g_get_monotonic_time () - before) / FRAMES,
+                    zoom == 0 ? " with everything in view" : " close up");
+    qn_canvas_zoom (canvas, 12.0);
+  }
+  cairo_surface_destroy (surface);
+  driver_discard (window);
+}
+
 static void
 test_appearance (void)
 {
@@ -412,6 +483,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/window/export", test_export);
   g_test_add_func ("/app/window/unsaved", test_unsaved);
   g_test_add_func ("/app/window/bad-file", test_bad_file);
+  g_test_add_func ("/app/window/large-model", test_large_model);
   g_test_add_func ("/app/window/appearance", test_appearance);
   return g_test_run ();
 }
