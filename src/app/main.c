@@ -1,4 +1,5 @@
 #include "app/application.h"
+#include "app/build-tree.h"
 
 #include <glib/gi18n.h>
 #include <locale.h>
@@ -7,7 +8,8 @@ int
 main (int argc, char **argv)
 {
   setlocale (LC_ALL, "");
-  bindtextdomain (GETTEXT_PACKAGE, QN_LOCALE_DIR);
+  g_autofree char *built = qn_build_tree_dup_folder ("po");
+  bindtextdomain (GETTEXT_PACKAGE, built != NULL ? built : QN_LOCALE_DIR);
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
   textdomain (GETTEXT_PACKAGE);
 

@@ -1,20 +1,20 @@
 #include "app/settings.h"
 
+#include "app/build-tree.h"
+
 #include <gtk/gtk.h>
 
 #define SCHEMA_ID "io.github.quoin.Quoin"
 
 enum { STYLE_SYSTEM, STYLE_LIGHT, STYLE_DARK };
 
-/* The folder data/ of the build tree that this program was built in. */
+/* The compiled schema of the build tree. */
 static GSettingsSchemaSource *
 build_tree_source (void)
 {
-  g_autofree char *program = g_file_read_link ("/proc/self/exe", NULL);
-  if (program == NULL)
+  g_autofree char *data = qn_build_tree_dup_folder ("data");
+  if (data == NULL)
     return NULL;
-  g_autofree char *folder = g_path_get_dirname (program);
-  g_autofree char *data = g_build_filename (folder, "..", "..", "data", NULL);
   return g_settings_schema_source_new_from_directory (
     data, g_settings_schema_source_get_default (), TRUE, NULL);
 }

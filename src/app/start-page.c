@@ -1,5 +1,7 @@
 #include "app/start-page.h"
 
+#include "app/build-tree.h"
+
 #include "doc/document.h"
 #include "render/draw-cairo.h"
 #include <glib/gi18n.h>
@@ -15,13 +17,11 @@ qn_examples_dup_folder (void)
   const char *given = g_getenv ("QUOIN_EXAMPLES");
   if (given != NULL)
     return g_strdup (given);
-  /* In a build tree the program does not find installed examples of its own version. */
-  g_autofree char *program = g_file_read_link ("/proc/self/exe", NULL);
-  g_autofree char *folder = g_path_get_dirname (program != NULL ? program : "");
+  g_autofree char *data = qn_build_tree_dup_folder ("data");
   g_autofree char *mark =
-    g_build_filename (folder, "..", "..", "data", "examples.path", NULL);
+    data != NULL ? g_build_filename (data, "examples.path", NULL) : NULL;
   g_autofree char *path = NULL;
-  if (g_file_get_contents (mark, &path, NULL, NULL))
+  if (mark != NULL && g_file_get_contents (mark, &path, NULL, NULL))
     return g_strdup (g_strstrip (path));
   return g_strdup (QN_EXAMPLES_DIR);
 }
