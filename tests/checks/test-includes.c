@@ -24,7 +24,7 @@ static const Layer layers[] = {
       "png.h", "gif_lib.h", "gst/" } },
   { "doc",
     { "core/", "stereotomy/", "io/", "render/", "doc/" },
-    { "glib", "gio/", "gmodule.h", "cairo" } },
+    { "glib", "gio/", "gmodule.h", "cairo", "pthread.h" } },
   { "cli",
     { "core/", "stereotomy/", "io/", "render/", "doc/", "cli/", "config.h" },
     { "glib", "gio/" } },
