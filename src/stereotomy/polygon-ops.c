@@ -210,10 +210,10 @@ qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *o
   if (status == QN_OK)
     status = qn_geos_init (&geos, diag);
   if (status == QN_OK)
-    status =
-      overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
-               merged (&geos, cutters, 0), GEOSDifferencePrec_r, qn_ring_bounds (subject),
-               NOTHING * fabs (qn_ring_area (subject)), out, diag);
+    status = overlay_take (
+      &geos, qn_geos_polygon (&geos, subject->points, subject->count),
+      merged (&geos, cutters, 0), GEOSDifferencePrec_r, qn_ring_bounds (subject),
+      NOTHING * fabs (qn_ring_area (subject)), out, diag);
   qn_geos_clear (&geos);
   return status;
 }
