@@ -7,8 +7,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-static QnExit
-solve_item (QnSheetItem *item)
+QnExit
+qn_sheet_item_solve (QnSheetItem *item)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
@@ -46,7 +46,7 @@ qn_sheet_item_load (QnSheetItem *item, const char *argument)
   QnExit code = qn_input_load (&item->input, argument, NULL, FALSE);
   if (code != QN_EXIT_DONE)
     return code;
-  code = solve_item (item);
+  code = qn_sheet_item_solve (item);
   if (code != QN_EXIT_DONE)
     qn_sheet_item_clear (item);
   return code;

@@ -15,6 +15,9 @@ typedef struct QnSheetItem {
  * been told and *item is empty. */
 QnExit qn_sheet_item_load (QnSheetItem *item, const char *argument);
 
+/* Solves the project that item->input holds; on failure the user has been told. */
+QnExit qn_sheet_item_solve (QnSheetItem *item);
+
 void qn_sheet_item_clear (QnSheetItem *item);
 
 /* Loads count items; on failure nothing is left. Free with qn_sheet_items_free(). */

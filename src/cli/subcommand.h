@@ -30,6 +30,7 @@ extern const QnSubcommand qn_cmd_render;
 extern const QnSubcommand qn_cmd_animate;
 extern const QnSubcommand qn_cmd_compare;
 extern const QnSubcommand qn_cmd_curve;
+extern const QnSubcommand qn_cmd_figures;
 extern const QnSubcommand qn_cmd_generate;
 extern const QnSubcommand qn_cmd_law;
 extern const QnSubcommand qn_cmd_verify;

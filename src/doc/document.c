@@ -1,5 +1,7 @@
 #include "doc/document.h"
 
+#include "doc/digest.h"
+
 #include "doc/edit.h"
 #include "doc/explain.h"
 #include "io/file-read.h"
@@ -112,19 +114,6 @@ detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **e
   return FALSE;
 }
 
-/* Digest of the model and its settings alone: neither the title nor views and figures make a
- * result stale. */
-static char *
-digest (const QnProject *project)
-{
-  QnProject bare = *project;
-  bare.extras = NULL;
-  bare.model.title = NULL;
-  gsize length = 0;
-  g_autofree char *text = qn_project_to_text (&bare, &length);
-  return g_compute_checksum_for_data (G_CHECKSUM_SHA256, (const guchar *) text, length);
-}
-
 /* Takes over `project` (cleared on failure) as the state whose text is `text`. */
 static gboolean
 adopt (QnDocument *self, QnProject *project, char *text, GError **error)
@@ -142,7 +131,7 @@ adopt (QnDocument *self, QnProject *project, char *text, GError **error)
   g_free (self->text);
   self->text = text;
   g_free (self->fingerprint);
-  self->fingerprint = digest (&self->project);
+  self->fingerprint = qn_model_digest (&self->project);
   qn_selection_follow (self->selection, &old.model, &self->project.model);
   qn_project_clear (&old);
   emit (self, SIGNAL_CHANGED);

@@ -1,0 +1,186 @@
+#include "cli/input.h"
+#include "cli/message.h"
+#include "cli/picture.h"
+#include "cli/sheet-input.h"
+#include "cli/subcommand.h"
+#include "doc/recipe.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Options {
+  char *folder;
+  char **names; /* make only these; NULL: all */
+  gboolean list;
+} Options;
+
+/* The project with what was computed for its figures so far. */
+typedef struct Workshop {
+  const char *path;    /* of the project */
+  char *folder;        /* where pictures go */
+  char *result_folder; /* where results that recipes name are looked for */
+  QnSheetItem solved;  /* the project, and its own result once solved */
+  gboolean is_solved;
+} Workshop;
+
+/* Path of a file that a recipe names. */
+static char *
+resolve (const char *folder, const char *file)
+{
+  return g_path_is_absolute (file) ? g_strdup (file)
+                                   : g_build_filename (folder, file, NULL);
+}
+
+static QnExit
+draw (const QnRecipe *recipe, const QnInput *input, const QnResult *result,
+      const char *path)
+{
+  QnFigure figure;
+  QnMetadata metadata;
+  GError *error = NULL;
+  qn_recipe_fill (recipe, &input->project.model, &input->contacts, result, &figure);
+  qn_picture_metadata (&input->project, &metadata);
+  if (qn_figure_export (&figure, path, &recipe->output, &metadata, &error))
+    return QN_EXIT_DONE;
+  g_prefix_error (&error, _ ("figure \"%s\": "), recipe->name);
+  return qn_cli_fail (error);
+}
+
+/* With the result file that the recipe names. */
+static QnExit
+draw_with_file (const QnRecipe *recipe, const Workshop *shop, const char *path)
+{
+  QnInput input;
+  QnResultFile file;
+  g_autofree char *result = resolve (shop->result_folder, recipe->result);
+  QnExit code = qn_input_load_with_result (&input, &file, shop->path, result, NULL, TRUE);
+  if (code != QN_EXIT_DONE)
+    return code;
+  code = draw (recipe, &input, &file.result, path);
+  qn_result_file_clear (&file);
+  qn_input_clear (&input);
+  return code;
+}
+
+static QnExit
+make (const QnRecipe *recipe, Workshop *shop)
+{
+  g_autofree char *path = resolve (shop->folder, recipe->file);
+  QnExit code = QN_EXIT_DONE;
+  if (recipe->result != NULL) {
+    code = draw_with_file (recipe, shop, path);
+  } else {
+    /* One analysis serves all figures that need one. */
+    if (qn_recipe_needs_result (recipe) && !shop->is_solved) {
+      code = qn_sheet_item_solve (&shop->solved);
+      shop->is_solved = code == QN_EXIT_DONE;
+    }
+    if (code == QN_EXIT_DONE)
+      code = draw (recipe, &shop->solved.input,
+                   shop->is_solved ? &shop->solved.file.result : NULL, path);
+  }
+  if (code != QN_EXIT_DONE)
+    return code;
+  printf ("%s\n", path);
+  if (qn_recipe_is_stale (recipe, &shop->solved.input.project))
+    qn_cli_warning (_ ("figure \"%s\": the model changed since the figure was stored"),
+                    recipe->name);
+  return QN_EXIT_DONE;
+}
+
+static gboolean
+is_wanted (const QnRecipe *recipe, const Options *options)
+{
+  return options->names == NULL
+         || g_strv_contains ((const char *const *) options->names, recipe->name);
+}
+
+/* Names asked for that no figure has are told at once. */
+static QnExit
+check_names (const GPtrArray *recipes, const Options *options)
+{
+  for (char **name = options->names; name != NULL && *name != NULL; name++) {
+    gboolean found = FALSE;
+    for (guint i = 0; i < recipes->len; i++)
+      found |= strcmp (((QnRecipe *) g_ptr_array_index (recipes, i))->name, *name) == 0;
+    if (!found) {
+      qn_cli_error (_ ("the project has no figure \"%s\""), *name);
+      return QN_EXIT_USAGE;
+    }
+  }
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
+{
+  QnExit code = check_names (recipes, options);
+  if (code == QN_EXIT_DONE && recipes->len == 0)
+    qn_cli_warning (_ ("%s: the project has no figures"), shop->path);
+  for (guint i = 0; i < recipes->len && code == QN_EXIT_DONE; i++) {
+    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
+    if (!is_wanted (recipe, options))
+      continue;
+    if (!options->list) {
+      code = make (recipe, shop);
+      continue;
+    }
+    printf (
+      "%s\t%s\t%s\t%s\n", recipe->name, qn_view_name (recipe->view.view), recipe->file,
+      qn_recipe_is_stale (recipe, &shop->solved.input.project) ? _ ("the model changed")
+                                                               : _ ("current"));
+  }
+  return code;
+}
+
+static QnExit
+run_with (const Options *options, const char *path)
+{
+  Workshop shop = { .path = path, .result_folder = g_path_get_dirname (path) };
+  shop.folder = g_strdup (options->folder != NULL ? options->folder : shop.result_folder);
+  QnExit code = qn_input_load (&shop.solved.input, path, NULL, FALSE);
+  if (code == QN_EXIT_DONE) {
+    GError *error = NULL;
+    g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
+    g_autoptr (GPtrArray) recipes =
+      qn_recipes_read (&shop.solved.input.project, warnings, &error);
+    for (guint i = 0; i < warnings->len; i++)
+      qn_cli_warning ("%s", (const char *) g_ptr_array_index (warnings, i));
+    code = recipes != NULL ? make_all (recipes, options, &shop) : qn_cli_fail (error);
+    qn_sheet_item_clear (&shop.solved);
+  }
+  g_free (shop.folder);
+  g_free (shop.result_folder);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.folder,
+      N_ ("Write the pictures here instead of beside the project"), N_ ("FOLDER") },
+    { "figure", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.names,
+      N_ ("Make this figure only; may be given many times"), N_ ("NAME") },
+    { "list", 0, 0, G_OPTION_ARG_NONE, &options.list,
+      N_ ("Only list the figures and whether the model changed since"), NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = run_with (&options, argv[1]);
+  g_free (options.folder);
+  g_strfreev (options.names);
+  return code;
+}
+
+const QnSubcommand qn_cmd_figures = {
+  .name = "figures",
+  .arguments = "MODEL",
+  .summary = N_ ("Make every figure stored in the project again"),
+  .help = N_ ("A figure that names no result is drawn from a new analysis; one analysis "
+              "serves them all."),
+  .run = run,
+};

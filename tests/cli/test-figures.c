@@ -1,0 +1,132 @@
+/* quoin-cli figures and animate: the files they make, and what they refuse. */
+#include "cli-run.h"
+
+#include <string.h>
+
+static char *
+with_figures (const char *figures)
+{
+  g_autofree char *member = g_strdup_printf ("{\n\"figures\": %s,", figures);
+  return cli_replace (cli_sliding_block, "{", member);
+}
+
+static void
+assert_begins (const char *path, const char *start)
+{
+  g_autofree char *bytes = NULL;
+  gsize length = 0;
+  g_assert_true (g_file_get_contents (path, &bytes, &length, NULL));
+  g_assert_cmpuint (length, >, 500);
+  g_assert_cmpint (memcmp (bytes, start, strlen (start)), ==, 0);
+}
+
+static void
+test_figures (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *text =
+    with_figures ("[{\"name\": \"a\", \"view\": \"mechanism\", \"size\": \"300x200\"},"
+                  "{\"name\": \"b\", \"view\": \"model\", \"file\": \"c.pdf\"}]");
+  g_autofree char *model = cli_write (folder, "m.quoin", text);
+  CliRun run = cli_run ("figures", model, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *a = g_build_filename (folder, "a.png", NULL);
+  g_autofree char *c = g_build_filename (folder, "c.pdf", NULL);
+  assert_begins (a, "\x89PNG");
+  assert_begins (c, "%PDF");
+
+  /* Again gives the same bytes. */
+  g_autofree char *first = NULL, *second = NULL;
+  gsize lengths[2];
+  g_assert_true (g_file_get_contents (a, &first, &lengths[0], NULL));
+  run = cli_run ("figures", model, "--figure", "a", NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_assert_true (g_file_get_contents (a, &second, &lengths[1], NULL));
+  g_assert_cmpmem (first, lengths[0], second, lengths[1]);
+
+  run = cli_run ("figures", model, "--list", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "a\tmechanism\ta.png\tcurrent"));
+  cli_run_clear (&run);
+
+  run = cli_run ("figures", model, "--figure", "zebra", NULL);
+  cli_assert_failed (&run, 2, "zebra");
+  cli_folder_clear (folder);
+}
+
+static void
+test_changed_model_is_said (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *text = with_figures (
+    "[{\"name\": \"a\", \"size\": \"300x200\", \"model_digest\": \"0123\"}]");
+  g_autofree char *model = cli_write (folder, "m.quoin", text);
+  CliRun run = cli_run ("figures", model, NULL);
+  g_assert_cmpint (run.code, ==, 0);
+  g_assert_nonnull (strstr (run.err, "the model changed"));
+  cli_run_clear (&run);
+  cli_folder_clear (folder);
+}
+
+static void
+test_wrong_recipe (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *text = with_figures ("[{\"name\": \"a\", \"view\": \"round\"}]");
+  g_autofree char *model = cli_write (folder, "m.quoin", text);
+  CliRun run = cli_run ("figures", model, NULL);
+  cli_assert_failed (&run, 3, "figures[0].view");
+  cli_folder_clear (folder);
+}
+
+static void
+test_animate (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *model = cli_write (folder, "m.quoin", cli_sliding_block);
+  g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+  g_autofree char *gif = g_build_filename (folder, "a.gif", NULL);
+  g_autofree char *frames = g_build_filename (folder, "frames/", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+
+  const char *const views[] = { "mechanism", "deformed" };
+  for (size_t i = 0; i < G_N_ELEMENTS (views); i++) {
+    run = cli_run ("animate", model, "--result", result, "--view", views[i], "--frames",
+                   "4", "--size", "200x150", "-o", gif, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    assert_begins (gif, "GIF89a");
+  }
+  run = cli_run ("animate", model, "--result", result, "--frames", "3", "--size",
+                 "200x150", "-o", frames, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *third = g_build_filename (frames, "frame-0003.png", NULL);
+  assert_begins (third, "\x89PNG");
+
+  run = cli_run ("animate", model, "-o", gif, NULL);
+  cli_assert_failed (&run, 2, "--result");
+  run = cli_run ("animate", model, "--result", result, "-o", "a.mp4", NULL);
+  cli_assert_failed (&run, 2, "a.mp4");
+  run = cli_run ("animate", model, "--result", result, "--size", "1000000x1000000", "-o",
+                 gif, NULL);
+  cli_assert_failed (&run, 2, "1000000");
+  run = cli_run ("animate", model, "--result", result, "-o", "/nonexistent/a.gif", NULL);
+  cli_assert_failed (&run, 5, "/nonexistent/a.gif");
+  cli_folder_clear (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/figures/made", test_figures);
+  g_test_add_func ("/cli/figures/changed-model", test_changed_model_is_said);
+  g_test_add_func ("/cli/figures/wrong-recipe", test_wrong_recipe);
+  g_test_add_func ("/cli/animate", test_animate);
+  return g_test_run ();
+}
