@@ -4,6 +4,7 @@
 #include "cli/sheet-input.h"
 #include "cli/subcommand.h"
 #include "doc/recipe.h"
+#include "doc/underlay.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>
@@ -41,7 +42,10 @@ draw (const QnRecipe *recipe, const QnInput *input, const QnResult *result,
   GError *error = NULL;
   qn_recipe_fill (recipe, &input->project.model, &input->contacts, result, &figure);
   qn_picture_metadata (&input->project, &metadata);
-  if (qn_figure_export (&figure, path, &recipe->output, &metadata, &error))
+  bool done = qn_underlay_read (&input->project, &figure.options.underlay, &error)
+              && qn_figure_export (&figure, path, &recipe->output, &metadata, &error);
+  g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
+  if (done)
     return QN_EXIT_DONE;
   g_prefix_error (&error, _ ("figure \"%s\": "), recipe->name);
   return qn_cli_fail (error);

@@ -2,6 +2,7 @@
 #include "cli/message.h"
 #include "cli/picture.h"
 #include "cli/subcommand.h"
+#include "doc/underlay.h"
 #include "render/figure.h"
 
 #include <glib/gi18n.h>
@@ -10,7 +11,8 @@
 
 typedef struct Options {
   QnPictureOptions picture;
-  char *result, *view, *step, *scale, *field;
+  char *result, *onion, *view, *step, *scale, *field;
+  char **show, **hide;
   char **overrides;
 } Options;
 
@@ -49,6 +51,25 @@ parse_scale (const char *text, double *scale)
   return end != text && *end == '\0' && isfinite (*scale) && *scale > 0;
 }
 
+/* Sets the switches that a --show or --hide names, several with commas between them. */
+static QnExit
+parse_switches (const QnSubcommand *self, char **lists, bool on, QnViewOptions *view)
+{
+  for (char **list = lists; list != NULL && *list != NULL; list++) {
+    g_auto (GStrv) names = g_strsplit (*list, ",", -1);
+    for (char **name = names; *name != NULL; name++) {
+      bool *flag = qn_view_switch (view, *name);
+      if (flag == NULL) {
+        g_autofree char *known = g_strjoinv (", ", (char **) qn_view_switches);
+        g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known);
+        return refuse (self, reason, *name);
+      }
+      *flag = on;
+    }
+  }
+  return QN_EXIT_DONE;
+}
+
 /* What can be judged before any file is read. */
 static QnExit
 parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *view)
@@ -66,7 +87,48 @@ parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *vie
     return refuse (self, _ ("a scale is a positive number, or auto"), options->scale);
   if (options->result == NULL && kind != QN_VIEW_MODEL && kind != QN_VIEW_CONTACTS)
     return refuse (self, _ ("this view needs --result"), options->view);
-  return QN_EXIT_DONE;
+  if (options->onion != NULL && kind != QN_VIEW_DEFORMED && kind != QN_VIEW_MECHANISM)
+    return refuse (self, _ ("only a deformed view or a mechanism takes a second result"),
+                   options->onion);
+  QnExit code = parse_switches (self, options->show, true, view);
+  if (code == QN_EXIT_DONE)
+    code = parse_switches (self, options->hide, false, view);
+  return code;
+}
+
+static QnExit
+draw (const Options *options, const QnViewOptions *view, const QnOutput *output,
+      const QnInput *input, const QnResult *result, const QnResult *onion)
+{
+  QnFigure figure;
+  QnMetadata metadata;
+  GError *error = NULL;
+  qn_figure_init (&figure, &input->project.model, &input->contacts, result, view->view);
+  figure.options = *view;
+  figure.options.onion = onion;
+  qn_picture_metadata (&input->project, &metadata);
+  bool done =
+    qn_underlay_read (&input->project, &figure.options.underlay, &error)
+    && qn_figure_export (&figure, options->picture.path, output, &metadata, &error);
+  g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
+  return done ? QN_EXIT_DONE : qn_cli_fail (error);
+}
+
+/* With a second result of the same project, which may have been computed otherwise. */
+static QnExit
+draw_onion (const Options *options, const QnViewOptions *view, const QnOutput *output,
+            const QnInput *input, const QnResult *result, const char *path)
+{
+  QnInput other;
+  QnResultFile file;
+  QnExit code =
+    qn_input_load_with_result (&other, &file, path, options->onion, NULL, TRUE);
+  if (code != QN_EXIT_DONE)
+    return code;
+  code = draw (options, view, output, input, result, &file.result);
+  qn_result_file_clear (&file);
+  qn_input_clear (&other);
+  return code;
 }
 
 static QnExit
@@ -82,16 +144,9 @@ render (const Options *options, const QnViewOptions *view, const QnOutput *outpu
   if (code != QN_EXIT_DONE)
     return code;
 
-  QnFigure figure;
-  QnMetadata metadata;
-  GError *error = NULL;
   const QnResult *result = options->result != NULL ? &file.result : NULL;
-  qn_figure_init (&figure, &input.project.model, &input.contacts, result, view->view);
-  figure.options = *view;
-  qn_picture_metadata (&input.project, &metadata);
-  if (!qn_figure_export (&figure, options->picture.path, output, &metadata, &error))
-    code = qn_cli_fail (error);
-
+  code = options->onion != NULL ? draw_onion (options, view, output, &input, result, path)
+                                : draw (options, view, output, &input, result, NULL);
   if (result != NULL)
     qn_result_file_clear (&file);
   qn_input_clear (&input);
@@ -114,6 +169,14 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "field", 0, 0, G_OPTION_ARG_STRING, &options.field,
       N_ ("Quantity shown by colour: displacement, rotation, stress, opening, …"),
       N_ ("NAME") },
+    { "onion", 0, 0, G_OPTION_ARG_FILENAME, &options.onion,
+      N_ ("Second result of the same project, drawn over the first as outlines"),
+      N_ ("RESULT.json") },
+    { "show", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.show,
+      N_ ("Show also: ghost, symbols, loads, dimensions, names, legend, titles"),
+      N_ ("LIST") },
+    { "hide", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.hide,
+      N_ ("Leave out any of these"), N_ ("LIST") },
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
     QN_INPUT_SET_ENTRY (&options.overrides),
     G_OPTION_ENTRY_NULL,
@@ -136,6 +199,9 @@ run (const QnSubcommand *self, int argc, char **argv)
   g_free (options.step);
   g_free (options.scale);
   g_free (options.field);
+  g_free (options.onion);
+  g_strfreev (options.show);
+  g_strfreev (options.hide);
   g_strfreev (options.overrides);
   return code;
 }

@@ -8,7 +8,6 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
 
 static const char *const keys[] = {
@@ -17,29 +16,6 @@ static const char *const keys[] = {
   "symbols", "loads",       "legend",  "names",        "dimensions", "monochrome",
   "titles",  "transparent", "backend", "model_digest",
 };
-
-/* The switches of a view by their keys. */
-typedef struct Switch {
-  const char *key;
-  size_t offset;
-} Switch;
-
-static const Switch switches[] = {
-  { "ghost", offsetof (QnViewOptions, ghost) },
-  { "symbols", offsetof (QnViewOptions, symbols) },
-  { "loads", offsetof (QnViewOptions, loads) },
-  { "dimensions", offsetof (QnViewOptions, dimensions) },
-  { "names", offsetof (QnViewOptions, names) },
-  { "legend", offsetof (QnViewOptions, legend) },
-  { "titles", offsetof (QnViewOptions, titles) },
-  { "monochrome", offsetof (QnViewOptions, monochrome) },
-};
-
-static bool *
-switch_of (QnViewOptions *view, const Switch *which)
-{
-  return (bool *) (void *) ((char *) view + which->offset);
-}
 
 QnRecipe *
 qn_recipe_new (const char *name, QnView view)
@@ -142,9 +118,9 @@ read_view (const QnPlace *object, QnViewOptions *view)
   view->field = (QnField) field;
   view->step = (int32_t) step;
   view->scale = scale;
-  for (size_t i = 0; i < G_N_ELEMENTS (switches); i++)
-    if (!qn_member_bool (object, switches[i].key, QN_OPTIONAL,
-                         switch_of (view, &switches[i])))
+  for (size_t i = 0; qn_view_switches[i] != NULL; i++)
+    if (!qn_member_bool (object, qn_view_switches[i], QN_OPTIONAL,
+                         qn_view_switch (view, qn_view_switches[i])))
       return FALSE;
   return TRUE;
 }
@@ -309,10 +285,10 @@ append_recipe (GString *json, const QnRecipe *recipe)
     append_number (json, "step", view.step);
   if (view.scale > 0)
     append_number (json, "scale", view.scale);
-  for (size_t i = 0; i < G_N_ELEMENTS (switches); i++) {
-    bool flag = *switch_of (&view, &switches[i]);
-    if (flag != *switch_of (&plain->view, &switches[i]))
-      append_bool (json, switches[i].key, flag);
+  for (size_t i = 0; qn_view_switches[i] != NULL; i++) {
+    bool flag = *qn_view_switch (&view, qn_view_switches[i]);
+    if (flag != *qn_view_switch (&plain->view, qn_view_switches[i]))
+      append_bool (json, qn_view_switches[i], flag);
   }
   append_size (json, output);
   if (output->dpi > 0)

@@ -33,6 +33,9 @@ is_supported (const QnBlock *block)
          || block->support[QN_DOF_RZ];
 }
 
+/* Share of a block's fill that covers a photo behind it. */
+#define FILL_OVER_PHOTO 0.4
+
 /* Blocks of one unit weight and law are of one material. */
 static int
 material_of (GArray *materials, const QnBlock *block)
@@ -82,6 +85,8 @@ qn_build_blocks (QnSceneBuilder *b, const QnColor *fills)
     else if (!is_supported (block))
       fill = qn_material_color (material_of (materials, block), b->options->monochrome);
 
+    if (b->options->underlay.image != NULL)
+      fill = qn_color_fade (fill, FILL_OVER_PHOTO);
     QnCommand *command = qn_scene_fill (b->scene, QN_LAYER_BLOCKS, v, count, fill);
     command->pick = QN_PICK_BLOCK;
     command->id = (QnId) i;
@@ -136,7 +141,7 @@ qn_build_onion (QnSceneBuilder *b)
   for (size_t i = 0; i < b->model->block_count; i++) {
     const QnVec2 *v = place_vertices (b, &motion, (QnId) i, points);
     QnCommand *command =
-      qn_scene_stroke (b->scene, QN_LAYER_BEAMS, v, points->len, true, 0.9, line);
+      qn_scene_stroke (b->scene, QN_LAYER_ONION, v, points->len, true, 0.9, line);
     command->dashed = true;
     command->extent = (float) smaller_side (v, (QnId) points->len);
     command->least = 3;

@@ -26,7 +26,7 @@ typedef enum {
   QN_LAYER_HATCH,
   QN_LAYER_OUTLINES,
   QN_LAYER_JOINTS, /* contact faces, sliding joints */
-  QN_LAYER_BEAMS,
+  QN_LAYER_ONION,  /* outlines of a second result */
   QN_LAYER_LOADS,
   QN_LAYER_FORCES,
   QN_LAYER_SYMBOLS,

@@ -75,3 +75,18 @@ qn_field_name (QnField field)
 {
   return field_names[field];
 }
+
+const char *const qn_view_switches[] = {
+  "ghost",  "symbols", "loads",      "dimensions", "names",
+  "legend", "titles",  "monochrome", NULL,
+};
+
+bool *
+qn_view_switch (QnViewOptions *options, const char *name)
+{
+  bool *const flags[] = { &options->ghost,      &options->symbols,   &options->loads,
+                          &options->dimensions, &options->names,     &options->legend,
+                          &options->titles,     &options->monochrome };
+  int i = find_name (qn_view_switches, QN_N_ELEMENTS (flags), name);
+  return i >= 0 ? flags[i] : NULL;
+}

@@ -65,6 +65,12 @@ typedef struct QnViewOptions {
 /* The settings a view starts with. */
 void qn_view_options_init (QnViewOptions *options, QnView view);
 
+/* The switches above by name, as in --show, --hide and figure recipes: "ghost", "symbols", …;
+ * NULL-terminated. */
+extern const char *const qn_view_switches[];
+/* The switch of that name, or NULL. */
+bool *qn_view_switch (QnViewOptions *options, const char *name);
+
 /* "model", "contacts", … as in --view and figure recipes; false when unknown. */
 bool qn_view_parse (const char *name, QnView *view);
 const char *qn_view_name (QnView view);
