@@ -207,18 +207,19 @@ qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
 {
   if (result->mechanism == NULL)
     return NULL;
-  QnMotion motion = { model, result->mechanism, true, 1.0 };
-  g_autofree QnJoint *joints = qn_motion_joints (&motion, contacts, NULL);
-  int opening = 0, sliding = 0, moving = 0;
-  QnMechanismClass kind =
-    qn_joints_class (joints, contacts->face_count, &opening, &sliding);
-  double largest = qn_motion_largest (&motion);
-  for (gsize i = 0; i < model->block_count; i++) {
-    const double *v = result->mechanism + i * QN_DOF_COUNT;
-    double turn = fabs (v[QN_DOF_RZ]) * sqrt (model->blocks[i].area);
-    moving += hypot (v[QN_DOF_UX], v[QN_DOF_UY]) + turn > 0.01 * largest;
-  }
-  return g_strdup_printf (
-    _ ("Mechanism: %s. %d of %u blocks move, %d joints open, %d slide."),
-    qn_mechanism_class_text (kind), moving, (guint) model->block_count, opening, sliding);
+  QnMechanism mechanism;
+  if (qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL) != QN_OK)
+    return NULL;
+  int moving = 0;
+  for (gsize i = 0; i < mechanism.block_count; i++)
+    moving += mechanism.body_of_block[i] != QN_NONE;
+  int opening = mechanism.counts[QN_JOINT_HINGE_START]
+                + mechanism.counts[QN_JOINT_HINGE_END]
+                + mechanism.counts[QN_JOINT_OPENING];
+  char *text =
+    g_strdup_printf (_ ("Mechanism: %s. %d of %u blocks move, %d joints open, %d slide."),
+                     qn_mechanism_kind_text (mechanism.kind), moving,
+                     (guint) model->block_count, opening, mechanism.sliding_count);
+  qn_mechanism_clear (&mechanism);
+  return text;
 }

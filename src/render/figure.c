@@ -84,14 +84,10 @@ append_mechanism (GString *text, const QnFigure *figure)
       || figure->result->mechanism == NULL
       || figure->result->block_count != figure->model->block_count)
     return;
-  QnMotion motion = { .model = figure->model,
-                      .displacements = figure->result->mechanism,
-                      .linear = true,
-                      .scale = 1 };
-  g_autofree QnJoint *joints = qn_motion_joints (&motion, figure->contacts, NULL);
-  QnMechanismClass mechanism =
-    qn_joints_class (joints, figure->contacts->face_count, NULL, NULL);
-  append_part (text, qn_mechanism_class_text (mechanism));
+  QnMechanismKind kind;
+  g_free (qn_motion_mechanism_joints (figure->model, figure->contacts,
+                                      figure->result->mechanism, &kind));
+  append_part (text, qn_mechanism_kind_text (kind));
 }
 
 char *

@@ -125,35 +125,58 @@ qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
   return joints;
 }
 
-QnMechanismClass
-qn_joints_class (const QnJoint *joints, size_t count, int *opening, int *sliding)
+/* Friction that dilates lifts a sliding joint off its bed without opening it. */
+static void
+joint_states_from_kind (QnJoint *joint, const QnJointMotion *motion)
 {
-  int rocks = 0, slides = 0;
-  for (size_t i = 0; i < count; i++) {
-    rocks += joints[i].open_start != joints[i].open_end;
-    slides += joints[i].sliding;
-  }
-  if (opening != NULL)
-    *opening = rocks;
-  if (sliding != NULL)
-    *sliding = slides;
-  if (rocks > 0)
-    return slides > 0 ? QN_MECHANISM_ROCKING_SLIDING : QN_MECHANISM_ROCKING;
-  return slides > 0 ? QN_MECHANISM_SLIDING : QN_MECHANISM_NONE;
+  if (motion->kind != QN_JOINT_SLIDING)
+    return;
+  joint->open_start = joint->open_end = false;
+  joint->sliding = true;
+}
+
+QnJoint *
+qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
+                            const double *velocities, QnMechanismKind *kind)
+{
+  QnMotion motion = {
+    .model = model, .displacements = velocities, .linear = true, .scale = 1
+  };
+  QnJoint *joints = qn_motion_joints (&motion, contacts, NULL);
+  QnMechanism mechanism;
+  if (kind != NULL)
+    *kind = QN_MECHANISM_KIND_NONE;
+  /* Without memory for more the motion alone has to do. */
+  if (qn_mechanism_init (&mechanism, model, contacts, velocities, NULL) != QN_OK)
+    return joints;
+  for (size_t f = 0; f < mechanism.joint_count; f++)
+    joint_states_from_kind (&joints[f], &mechanism.joints[f]);
+  if (kind != NULL)
+    *kind = mechanism.kind;
+  qn_mechanism_clear (&mechanism);
+  return joints;
 }
 
 const char *
-qn_mechanism_class_text (QnMechanismClass mechanism)
+qn_mechanism_kind_text (QnMechanismKind kind)
 {
-  switch (mechanism) {
-  case QN_MECHANISM_SLIDING:
-    return _ ("sliding");
-  case QN_MECHANISM_ROCKING:
+  switch (kind) {
+  case QN_MECHANISM_KIND_OVERTURNING:
+    return _ ("overturning");
+  case QN_MECHANISM_KIND_ROCKING:
     return _ ("rocking");
-  case QN_MECHANISM_ROCKING_SLIDING:
+  case QN_MECHANISM_KIND_SLIDING:
+    return _ ("sliding");
+  case QN_MECHANISM_KIND_STEPPED:
+    return _ ("stepped separation");
+  case QN_MECHANISM_KIND_ARCH:
+    return _ ("hinged arch");
+  case QN_MECHANISM_KIND_FALLING:
+    return _ ("falling blocks");
+  case QN_MECHANISM_KIND_MIXED:
     return _ ("rocking and sliding");
-  case QN_MECHANISM_NONE:
-  case QN_MECHANISM_COUNT:
+  case QN_MECHANISM_KIND_NONE:
+  case QN_MECHANISM_KIND_COUNT:
     break;
   }
   return _ ("no mechanism");

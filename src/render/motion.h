@@ -4,6 +4,7 @@
 #define QN_RENDER_MOTION_H
 
 #include "core/contacts.h"
+#include "core/mechanism.h"
 #include "core/result.h"
 
 typedef struct QnMotion {
@@ -40,19 +41,13 @@ QnJoint qn_motion_joint (const QnMotion *motion, const QnContactFace *face);
 QnJoint *qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
                            const QnPairResult *pairs);
 
-/* What kind of mechanism the joints make up. */
-typedef enum {
-  QN_MECHANISM_NONE,
-  QN_MECHANISM_SLIDING,
-  QN_MECHANISM_ROCKING,
-  QN_MECHANISM_ROCKING_SLIDING,
-  QN_MECHANISM_COUNT
-} QnMechanismClass;
+/* The same for the velocity field of a mechanism, where a joint that only dilates while it
+ * slides does not count as open; `kind`, nullable, receives what the core calls the whole (see
+ * core/mechanism.h). */
+QnJoint *qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
+                                     const double *velocities, QnMechanismKind *kind);
 
-QnMechanismClass qn_joints_class (const QnJoint *joints, size_t count, int *opening,
-                                  int *sliding);
-
-/* "sliding", "rocking", …; translated. */
-const char *qn_mechanism_class_text (QnMechanismClass mechanism);
+/* "overturning", "rocking", "sliding", …; translated. */
+const char *qn_mechanism_kind_text (QnMechanismKind kind);
 
 #endif

@@ -132,6 +132,11 @@ find_joints (QnSceneBuilder *b)
 {
   if (b->motion.displacements == NULL || b->contacts == NULL)
     return;
+  if (b->options->view == QN_VIEW_MECHANISM) {
+    b->joints =
+      qn_motion_mechanism_joints (b->model, b->contacts, b->result->mechanism, NULL);
+    return;
+  }
   bool last = b->options->view == QN_VIEW_DEFORMED && b->step + 1 == b->result->step_count
               && b->result->pairs != NULL
               && b->result->pair_count == b->contacts->pair_count;

@@ -116,7 +116,13 @@ begin (Fixture *f, const char *title)
   memset (f, 0, sizeof *f);
   f->model.title = copy_text (title);
   f->model.gravity = 9.81;
-  f->model.contact.law = QN_NONE;
+  f->model.laws = qn_alloc (1, sizeof (QnLaw));
+  f->model.laws[0] = (QnLaw){ .name = copy_text ("dry joint"),
+                              .kind = QN_LAW_COULOMB,
+                              .kn = 1e7,
+                              .ks = 1e7,
+                              .friction = 0.65 };
+  f->model.law_count = f->model.law_capacity = 1;
   f->model.analysis.control_block = QN_NONE;
   f->model.characteristic_length = sqrt (unit_length * unit_height);
   add_loads (f);
@@ -261,6 +267,8 @@ fixture_clear (Fixture *f)
   for (size_t i = 0; i < m->block_count; i++)
     free (m->blocks[i].name);
   free (m->title);
+  free (m->laws[0].name);
+  free (m->laws);
   free (m->blocks);
   free (m->vertices);
   free (m->dead_loads);
