@@ -314,7 +314,7 @@ qn_curve_plot_draw (const QnCurvePlot *data, cairo_t *cr, const QnPage *page, do
   furniture.y = bottom - furniture.height;
   bottom = furniture.y - (furniture.count > 0 ? 6 * u : 0);
 
-  plot.y.start = bottom - (2.4 * TYPE_TICK + 4) * u;
+  plot.y.start = bottom - (3.1 * TYPE_TICK + 4) * u;
   plot.y.end = top + 0.6 * TYPE_TICK * u;
   set_axis (&plot.y, box.min.y, box.max.y, plot.y.start - plot.y.end, TICK_SPACING_Y * u);
   plot.x.start = x + 1.8 * TYPE_LABEL * u + tick_width (&plot) + 5 * u;

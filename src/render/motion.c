@@ -27,17 +27,23 @@ qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
 }
 
 double
+qn_motion_of_block (const QnMotion *motion, QnId block)
+{
+  const QnVec2 *v = qn_model_block_vertices (motion->model, block);
+  double largest = 0;
+  for (QnId i = 0; i < motion->model->blocks[block].vertex_count; i++) {
+    QnVec2 moved = qn_motion_place (motion, block, v[i], 1);
+    largest = fmax (largest, qn_vec2_length (qn_vec2_sub (moved, v[i])));
+  }
+  return largest;
+}
+
+double
 qn_motion_largest (const QnMotion *motion)
 {
-  const QnModel *model = motion->model;
   double largest = 0;
-  for (size_t b = 0; b < model->block_count; b++) {
-    const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
-    for (QnId i = 0; i < model->blocks[b].vertex_count; i++) {
-      QnVec2 moved = qn_motion_place (motion, (QnId) b, v[i], 1);
-      largest = fmax (largest, qn_vec2_length (qn_vec2_sub (moved, v[i])));
-    }
-  }
+  for (size_t b = 0; b < motion->model->block_count; b++)
+    largest = fmax (largest, qn_motion_of_block (motion, (QnId) b));
   return largest;
 }
 

@@ -22,7 +22,8 @@ QnVec2 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double sca
  * two digits. */
 double qn_motion_auto_scale (const QnMotion *motion);
 
-/* Largest length of a vertex's displacement, m, not scaled. */
+/* Largest length of a displacement over the vertices of one block and of all, m, not scaled. */
+double qn_motion_of_block (const QnMotion *motion, QnId block);
 double qn_motion_largest (const QnMotion *motion);
 
 /* What a joint does. */

@@ -71,10 +71,16 @@ static void
 set_texts (png_structp png, png_infop info, const QnPngText *texts, size_t count)
 {
   for (size_t i = 0; i < count; i++) {
-    png_text chunk = { .compression = PNG_ITXT_COMPRESSION_NONE };
+    /* More programs read the older kind of chunk, which holds no UTF-8. */
+    bool plain = g_str_is_ascii (texts[i].text);
+    png_text chunk = { .compression =
+                         plain ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE };
     chunk.key = (png_charp) texts[i].key;
     chunk.text = texts[i].text;
-    chunk.itxt_length = strlen (texts[i].text);
+    if (plain)
+      chunk.text_length = strlen (texts[i].text);
+    else
+      chunk.itxt_length = strlen (texts[i].text);
     png_set_text (png, info, &chunk, 1);
   }
 }

@@ -33,6 +33,10 @@ is_supported (const QnBlock *block)
          || block->support[QN_DOF_RZ];
 }
 
+/* Blocks that move less than this share of the fastest are left out of the onion skin, where
+ * they would only double the outlines of the first result. */
+#define LEAST_ONION 0.01
+
 /* Share of a block's fill that covers a photo behind it. */
 #define FILL_OVER_PHOTO 0.4
 
@@ -138,7 +142,10 @@ qn_build_onion (QnSceneBuilder *b)
   }
   QnColor line = qn_series_color (3, b->options->monochrome);
   g_autoptr (GArray) points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  double least = LEAST_ONION * qn_motion_largest (&motion);
   for (size_t i = 0; i < b->model->block_count; i++) {
+    if (qn_motion_of_block (&motion, (QnId) i) < least)
+      continue;
     const QnVec2 *v = place_vertices (b, &motion, (QnId) i, points);
     QnCommand *command =
       qn_scene_stroke (b->scene, QN_LAYER_ONION, v, points->len, true, 0.9, line);

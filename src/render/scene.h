@@ -169,8 +169,8 @@ QnColor qn_color_bar_color (const QnColorBar *bar, double value, int monochrome)
 bool qn_command_is_visible (const QnCommand *command, const QnCamera *camera,
                             QnBox visible);
 
-/* Factor, 0 .. 1, on the widths of outlines, ghosts and hatches: where blocks are few pixels
- * tall their outlines must not drown them. */
+/* Factor, 0 .. 1, on the widths of the lines of blocks and joints: where blocks are few pixels
+ * tall, lines must not drown them. */
 double qn_scene_line_factor (const QnScene *scene, const QnCamera *camera);
 
 /* Whether the factor applies to a command. */
@@ -178,7 +178,8 @@ static inline bool
 qn_command_is_thinned (const QnCommand *command)
 {
   return command->layer == QN_LAYER_OUTLINES || command->layer == QN_LAYER_GHOST
-         || command->layer == QN_LAYER_HATCH;
+         || command->layer == QN_LAYER_HATCH || command->layer == QN_LAYER_JOINTS
+         || command->layer == QN_LAYER_FORCES;
 }
 
 #endif
