@@ -33,6 +33,8 @@ extern const QnSubcommand qn_cmd_curve;
 extern const QnSubcommand qn_cmd_figures;
 extern const QnSubcommand qn_cmd_generate;
 extern const QnSubcommand qn_cmd_law;
+extern const QnSubcommand qn_cmd_import;
+extern const QnSubcommand qn_cmd_export;
 extern const QnSubcommand qn_cmd_verify;
 
 /* Parses options in the usual way: options and arguments in any order, "--" ends the options,

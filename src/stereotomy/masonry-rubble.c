@@ -219,7 +219,7 @@ close_short_edges (QnPieces *pieces, double length, const QnRing *outline, QnDia
                          pieces->items[i].ring.count))
         status = qn_diag_no_memory (diag);
     if (status == QN_OK)
-      status = qn_weld_vertices (&rings, length, outline, NULL, diag);
+      status = qn_weld_vertices (&rings, 0, length, outline, NULL, diag);
     bool sound = status == QN_OK;
     for (size_t i = 0; i < rings.count && sound; i++)
       sound = qn_ring_check (&rings.items[i], 0, NULL) == QN_OK;

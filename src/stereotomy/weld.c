@@ -139,7 +139,7 @@ choose_targets (Place *places, size_t count, double tolerance)
 }
 
 QnStatus
-qn_weld_vertices (QnRings *rings, double tolerance, const QnRing *frame,
+qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *frame,
                   QnHealing *healing, QnDiag *diag)
 {
   size_t total = vertex_total (rings);
@@ -171,13 +171,15 @@ qn_weld_vertices (QnRings *rings, double tolerance, const QnRing *frame,
           low = middle;
       }
       QnVec2 to = places[places[low].target].at;
-      if (to.x != ring->points[k].x || to.y != ring->points[k].y) {
-        note (healing, ring->points[k], to);
+      double way = qn_vec2_length (qn_vec2_sub (to, ring->points[k]));
+      if (way > least) {
+        if (way > NEGLIGIBLE * tolerance)
+          note (healing, ring->points[k], to);
         ring->points[k] = to;
         moved = true;
       }
     }
-    if (moved)
+    if (moved && ring->count > 2)
       qn_ring_simplify (ring, NEGLIGIBLE * tolerance);
   }
   free (places);

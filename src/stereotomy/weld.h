@@ -19,9 +19,10 @@ typedef struct QnHealing {
 /* Vertices within the tolerance of each other become one. The place that most vertices already
  * share wins (the one named first among equals), so a single stray end joins the others and
  * not the other way round. Corners and then points on the boundary of `frame` (nullable) win over
- * all others. `healing` (nullable) is added to. */
-QnStatus qn_weld_vertices (QnRings *rings, double tolerance, const QnRing *frame,
-                           QnHealing *healing, QnDiag *diag);
+ * all others. Differences up to `least` are rounding and stay. `healing` (nullable) is added
+ * to. */
+QnStatus qn_weld_vertices (QnRings *rings, double least, double tolerance,
+                           const QnRing *frame, QnHealing *healing, QnDiag *diag);
 
 /* Closes gaps and small overlaps: every ring is fitted to those before it in the list. Its
  * vertices move to a vertex, else onto an edge of theirs, within the tolerance; where one of

@@ -18,7 +18,7 @@ test_majority_wins (void)
   add_box (&rings, 1, 1, 2, 2);
   add_box (&rings, 0, 1, 1, 2);
   QnHealing healing = { 0 };
-  g_assert_cmpint (qn_weld_vertices (&rings, 0.001, NULL, &healing, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_weld_vertices (&rings, 0, 0.001, NULL, &healing, NULL), ==, QN_OK);
   g_assert_cmpfloat (rings.items[0].points[2].x, ==, 1);
   g_assert_cmpfloat (rings.items[0].points[2].y, ==, 1);
   g_assert_cmpuint (healing.count, >=, 1);
@@ -104,7 +104,7 @@ test_collapse (void)
   QnRings rings = { 0 };
   add_box (&rings, 0, 0, 1, 1);
   add_box (&rings, 1, 0, 1.0001, 1);
-  g_assert_cmpint (qn_weld_vertices (&rings, 0.001, NULL, NULL, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_weld_vertices (&rings, 0, 0.001, NULL, NULL, NULL), ==, QN_OK);
   g_assert_cmpuint (qn_drop_collapsed (&rings), ==, 1);
   g_assert_cmpuint (rings.count, ==, 1);
   qn_rings_clear (&rings);

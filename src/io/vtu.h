@@ -1,0 +1,23 @@
+/* Results for ParaView: one VTU file per step and a PVD file that lists them. */
+#ifndef QN_IO_VTU_H
+#define QN_IO_VTU_H
+
+#include "core/contacts.h"
+#include "core/result.h"
+
+#include <glib.h>
+
+/* Writes `path` (….pvd) and, beside it, NAME_0000.vtu and so on, one per step, the multiplier as
+ * their time; where `result` is NULL a single one of the undeformed model.
+ *
+ * Every block is one polygon on points of its own, undeformed, so that "Warp by vector" shows the
+ * motion. Point data: displacement (m, the rigid motion with a finite rotation). Cell data: block,
+ * supported, motion (ux, uy, rz of the centroid), weight (N).
+ *
+ * The forces at the last equilibrium are in NAME_forces.vtu, a line per contact pair from its
+ * point along the force on the second block, the largest a tenth of the model's extent long; cell
+ * data: state (0 stick, 1 slip, 2 open), normal_shear_force (N), face. Errors: QN_IO_ERROR. */
+gboolean qn_vtu_export (const QnModel *model, const QnContacts *contacts,
+                        const QnResult *result, const char *path, GError **error);
+
+#endif

@@ -1,0 +1,320 @@
+#include "stereotomy/linework.h"
+#include "core/box-tree.h"
+#include "core/memory.h"
+#include "stereotomy/geos.h"
+
+#include <stdlib.h>
+
+/* Misses below this part of the tolerance are rounding. */
+#define NEGLIGIBLE 1e-6
+
+bool
+qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b)
+{
+  QnSegment *grown = qn_array_grow (segments->items, &segments->capacity,
+                                    segments->count + 1, sizeof *grown);
+  if (grown == NULL)
+    return false;
+  segments->items = grown;
+  grown[segments->count++] = (QnSegment){ a, b };
+  return true;
+}
+
+void
+qn_segments_clear (QnSegments *segments)
+{
+  free (segments->items);
+  *segments = (QnSegments){ 0 };
+}
+
+/* Welds the ends by handing them over as two-point rings. */
+static QnStatus
+weld_ends (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
+{
+  QnRings pairs = { qn_alloc (segments->count, sizeof *pairs.items), segments->count,
+                    segments->count };
+  if (pairs.items == NULL)
+    return qn_diag_no_memory (diag);
+  for (size_t i = 0; i < segments->count; i++)
+    pairs.items[i] = (QnRing){ &segments->items[i].a, 2 };
+  QnStatus status = qn_weld_vertices (&pairs, 0, tolerance, NULL, healing, diag);
+  free (pairs.items);
+  return status;
+}
+
+/* By their ends, the lower or left one first. */
+static int
+compare_segments (const void *left, const void *right)
+{
+  const QnSegment *s = left, *t = right;
+  const double a[] = { s->a.x, s->a.y, s->b.x, s->b.y };
+  const double b[] = { t->a.x, t->a.y, t->b.x, t->b.y };
+  for (size_t i = 0; i < QN_N_ELEMENTS (a); i++)
+    if (a[i] != b[i])
+      return a[i] < b[i] ? -1 : 1;
+  return 0;
+}
+
+/* Drops segments without length and those that are there already. */
+static void
+drop_needless (QnSegments *segments)
+{
+  size_t kept = 0;
+  for (size_t i = 0; i < segments->count; i++) {
+    QnSegment s = segments->items[i];
+    bool turn = s.b.x < s.a.x || (s.b.x == s.a.x && s.b.y < s.a.y);
+    if (s.a.x != s.b.x || s.a.y != s.b.y)
+      segments->items[kept++] = turn ? (QnSegment){ s.b, s.a } : s;
+  }
+  segments->count = kept;
+  if (kept < 2)
+    return;
+  qsort (segments->items, kept, sizeof *segments->items, compare_segments);
+  kept = 1;
+  for (size_t i = 1; i < segments->count; i++)
+    if (compare_segments (&segments->items[i], &segments->items[kept - 1]) != 0)
+      segments->items[kept++] = segments->items[i];
+  segments->count = kept;
+}
+
+/* Where the line through a and `end` meets the segment `other`, if that is within the tolerance of
+ * `end`; else the nearest point of `other` if that is. */
+static bool
+meet (QnVec2 a, QnVec2 end, QnSegment other, double tolerance, QnVec2 *to)
+{
+  QnVec2 d = qn_vec2_sub (end, a), e = qn_vec2_sub (other.b, other.a);
+  double length = qn_vec2_length (e), square = qn_vec2_dot (e, e);
+  double s = qn_vec2_dot (qn_vec2_sub (end, other.a), e) / square;
+  if (s * length < -tolerance || (s - 1) * length > tolerance)
+    return false;
+  QnVec2 foot = qn_vec2_lerp (other.a, other.b, fmin (fmax (s, 0), 1));
+  if (qn_vec2_length (qn_vec2_sub (foot, end)) > tolerance)
+    return false;
+  double cross = qn_vec2_cross (d, e);
+  *to = foot;
+  if (fabs (cross) > 0.2 * qn_vec2_length (d) * length) {
+    double t = qn_vec2_cross (qn_vec2_sub (other.a, a), e) / cross;
+    QnVec2 crossing = qn_vec2_add_scaled (a, t, d);
+    if (qn_vec2_length (qn_vec2_sub (crossing, end)) <= 5 * tolerance)
+      *to = crossing;
+  }
+  return true;
+}
+
+/* A place where the end of one segment meets the inside of another: an exact corner of both, since
+ * noding would miss it by rounding. */
+typedef struct Split {
+  size_t segment;
+  double distance; /* from the segment's first end */
+  QnVec2 at;
+} Split;
+
+typedef struct Splits {
+  Split *items;
+  size_t count, capacity;
+} Splits;
+
+/* Brings one end of segment `index` onto the nearest other segment it almost reaches. False when
+ * memory runs out. */
+static bool
+reach (QnSegments *segments, size_t index, bool first, const QnBoxTree *tree,
+       double tolerance, Splits *splits, QnHealing *healing)
+{
+  QnSegment *own = &segments->items[index];
+  QnVec2 end = first ? own->a : own->b, start = first ? own->b : own->a, best = end;
+  double nearest = INFINITY;
+  size_t met = 0;
+  QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ end, end });
+  for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
+    QnSegment other = segments->items[i];
+    if ((size_t) i == index)
+      continue;
+    /* A shared end is met already. */
+    if ((other.a.x == end.x && other.a.y == end.y)
+        || (other.b.x == end.x && other.b.y == end.y))
+      return true;
+    QnVec2 to;
+    if (!meet (start, end, other, tolerance, &to))
+      continue;
+    double way = qn_vec2_length (qn_vec2_sub (to, end));
+    if (way < nearest) {
+      nearest = way;
+      best = to;
+      met = (size_t) i;
+    }
+  }
+  if (!isfinite (nearest))
+    return true;
+  if (nearest > NEGLIGIBLE * tolerance) {
+    *(first ? &own->a : &own->b) = best;
+    if (healing != NULL) {
+      healing->count++;
+      if (nearest > healing->farthest) {
+        healing->farthest = nearest;
+        healing->at = end;
+      }
+    }
+  } else {
+    best = end;
+  }
+  Split *grown =
+    qn_array_grow (splits->items, &splits->capacity, splits->count + 1, sizeof *grown);
+  if (grown == NULL)
+    return false;
+  splits->items = grown;
+  grown[splits->count++] =
+    (Split){ met, qn_vec2_length (qn_vec2_sub (best, segments->items[met].a)), best };
+  return true;
+}
+
+static int
+compare_splits (const void *left, const void *right)
+{
+  const Split *a = left, *b = right;
+  if (a->segment != b->segment)
+    return a->segment < b->segment ? -1 : 1;
+  return a->distance < b->distance ? -1 : a->distance > b->distance;
+}
+
+/* Parts the segments at their splits; the last part takes the place of the whole. */
+static bool
+apply_splits (QnSegments *segments, Splits *splits)
+{
+  if (splits->count > 1)
+    qsort (splits->items, splits->count, sizeof *splits->items, compare_splits);
+  for (size_t i = 0; i < splits->count; i++) {
+    size_t index = splits->items[i].segment;
+    QnVec2 from = segments->items[index].a;
+    if (!qn_segments_add (segments, from, splits->items[i].at))
+      return false;
+    segments->items[index].a = splits->items[i].at;
+  }
+  return true;
+}
+
+static QnStatus
+close_gaps (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
+{
+  QnBox *boxes = qn_alloc (segments->count, sizeof *boxes);
+  QnBoxTree tree = { 0 };
+  Splits splits = { 0 };
+  for (size_t i = 0; boxes != NULL && i < segments->count; i++)
+    boxes[i] = qn_box_grow (
+      qn_box_of_segment (segments->items[i].a, segments->items[i].b), tolerance);
+  bool done = boxes != NULL && qn_box_tree_init (&tree, boxes, segments->count);
+  for (size_t i = 0, count = segments->count; done && i < count; i++)
+    done = reach (segments, i, true, &tree, tolerance, &splits, healing)
+           && reach (segments, i, false, &tree, tolerance, &splits, healing);
+  done = done && apply_splits (segments, &splits);
+  qn_box_tree_clear (&tree);
+  free (boxes);
+  free (splits.items);
+  return done ? QN_OK : qn_diag_no_memory (diag);
+}
+
+static GEOSGeometry *
+line_geometry (QnGeos *geos, QnSegment segment)
+{
+  const double ends[] = { segment.a.x, segment.a.y, segment.b.x, segment.b.y };
+  GEOSCoordSequence *sequence =
+    GEOSCoordSeq_copyFromBuffer_r (geos->handle, ends, 2, 0, 0);
+  return sequence != NULL ? GEOSGeom_createLineString_r (geos->handle, sequence) : NULL;
+}
+
+static GEOSGeometry *
+lines_geometry (QnGeos *geos, const QnSegments *segments)
+{
+  GEOSGeometry **lines = qn_alloc (segments->count, sizeof *lines);
+  size_t made = 0;
+  while (lines != NULL && made < segments->count
+         && (lines[made] = line_geometry (geos, segments->items[made])) != NULL)
+    made++;
+  GEOSGeometry *all = NULL;
+  if (lines != NULL && made == segments->count)
+    all = GEOSGeom_createCollection_r (geos->handle, GEOS_MULTILINESTRING, lines,
+                                       (unsigned) made);
+  else
+    for (size_t i = 0; i < made; i++)
+      GEOSGeom_destroy_r (geos->handle, lines[i]);
+  free (lines);
+  return all;
+}
+
+/* Polygons without holes; those with holes are counted. */
+static QnStatus
+read_faces (QnGeos *geos, const GEOSGeometry *polygons, QnRings *faces, size_t *holes,
+            QnDiag *diag)
+{
+  int count = GEOSGetNumGeometries_r (geos->handle, polygons);
+  for (int i = 0; i < count; i++) {
+    const GEOSGeometry *polygon = GEOSGetGeometryN_r (geos->handle, polygons, i);
+    if (GEOSGetNumInteriorRings_r (geos->handle, polygon) > 0) {
+      if (holes != NULL)
+        (*holes)++;
+    } else if (!qn_geos_read_polygons (geos, polygon, faces, NULL)) {
+      return qn_diag_no_memory (diag);
+    }
+  }
+  return QN_OK;
+}
+
+static int
+compare_faces (const void *left, const void *right)
+{
+  const QnRing *a = left, *b = right;
+  QnVec2 p = a->points[0], q = b->points[0];
+  if (p.y != q.y)
+    return p.y < q.y ? -1 : 1;
+  return p.x < q.x ? -1 : p.x > q.x;
+}
+
+static QnStatus
+enclosed_faces (const QnSegments *segments, double tolerance, QnRings *faces,
+                size_t *holes, QnDiag *diag)
+{
+  QnGeos geos = { NULL };
+  QnStatus status = qn_geos_init (&geos, diag);
+  if (status != QN_OK)
+    return status;
+  size_t before = faces->count;
+  GEOSGeometry *lines = lines_geometry (&geos, segments);
+  GEOSGeometry *noded = lines != NULL ? GEOSUnaryUnion_r (geos.handle, lines) : NULL;
+  const GEOSGeometry *input = noded;
+  GEOSGeometry *polygons =
+    noded != NULL ? GEOSPolygonize_r (geos.handle, &input, 1) : NULL;
+  status = polygons != NULL ? read_faces (&geos, polygons, faces, holes, diag)
+           : lines == NULL  ? qn_diag_no_memory (diag)
+                            : qn_geos_failed (diag);
+  GEOSGeom_destroy_r (geos.handle, lines);
+  GEOSGeom_destroy_r (geos.handle, noded);
+  GEOSGeom_destroy_r (geos.handle, polygons);
+  qn_geos_clear (&geos);
+  for (size_t i = before; i < faces->count; i++) {
+    qn_ring_simplify (&faces->items[i], NEGLIGIBLE * tolerance);
+    qn_ring_normalize (&faces->items[i]);
+  }
+  return status;
+}
+
+QnStatus
+qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
+                        size_t *holes, QnHealing *healing, QnDiag *diag)
+{
+  QnStatus status = weld_ends (segments, tolerance, healing, diag);
+  drop_needless (segments);
+  if (status != QN_OK || segments->count == 0)
+    return status;
+  status = close_gaps (segments, tolerance, healing, diag);
+  drop_needless (segments);
+  QnRings found = { 0 };
+  if (status == QN_OK)
+    status = enclosed_faces (segments, tolerance, &found, holes, diag);
+  qn_drop_collapsed (&found);
+  if (found.count > 1)
+    qsort (found.items, found.count, sizeof *found.items, compare_faces);
+  for (size_t i = 0; i < found.count && status == QN_OK; i++)
+    if (!qn_rings_take (faces, &found.items[i]))
+      status = qn_diag_no_memory (diag);
+  qn_rings_clear (&found);
+  return status;
+}

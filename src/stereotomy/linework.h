@@ -1,0 +1,28 @@
+/* Line work to polygons: a soup of segments, as drawings have it, becomes the faces it encloses. */
+#ifndef QN_STEREOTOMY_LINEWORK_H
+#define QN_STEREOTOMY_LINEWORK_H
+
+#include "stereotomy/weld.h"
+
+typedef struct QnSegment {
+  QnVec2 a, b; /* m */
+} QnSegment;
+
+typedef struct QnSegments {
+  QnSegment *items;
+  size_t count, capacity;
+} QnSegments;
+
+/* Appends; false when memory runs out. */
+bool qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b);
+void qn_segments_clear (QnSegments *segments);
+
+/* Faces enclosed by the segments, appended to `faces` in a fixed order, counter-clockwise, without
+ * collinear vertices. Ends within the tolerance of each other are welded (qn_weld_vertices());
+ * an end that stops short of another segment by no more is prolonged to meet it; what
+ * overruns or dangles is dropped. Segments may cross, overlap and repeat. A face around other
+ * faces is left out and counted in `holes` (nullable). Changes the segments. */
+QnStatus qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
+                                 size_t *holes, QnHealing *healing, QnDiag *diag);
+
+#endif

@@ -1,0 +1,38 @@
+/* Any bytes as a DXF file, all the way to a project. */
+#include "fuzz.h"
+#include "io/drawing-import.h"
+#include "io/dxf-import.h"
+#include "io/io-error.h"
+
+#include <string.h>
+
+static void
+check_error (GError *error)
+{
+  g_assert_nonnull (error);
+  g_assert_true (error->domain == QN_IO_ERROR);
+  g_assert_null (strchr (error->message, '\n'));
+  g_error_free (error);
+}
+
+int
+LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
+{
+  QnDrawing drawing;
+  QnProject project;
+  QnImportReport report;
+  GError *error = NULL;
+  if (!qn_dxf_import ((const char *) data, size, "fuzz", &drawing, &error)) {
+    check_error (error);
+    return 0;
+  }
+  if (qn_drawing_to_project (&drawing, "fuzz", &QN_IMPORT_DEFAULTS, &project, &report,
+                             &error)) {
+    qn_project_clear (&project);
+    qn_import_report_clear (&report);
+  } else {
+    check_error (error);
+  }
+  qn_drawing_clear (&drawing);
+  return 0;
+}
