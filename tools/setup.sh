@@ -9,7 +9,7 @@ packages=(
   # files, mechanics, geometry
   libglib2.0-dev libcjson-dev libsuitesparse-dev libgeos-dev libdxflib-dev
   # pictures and animations, with OpenGL where there is no display
-  libcairo2-dev libpango1.0-dev libpng-dev libgif-dev fonts-dejavu-core
+  libcairo2-dev libpango1.0-dev libpng-dev libgif-dev libgdk-pixbuf-2.0-dev fonts-dejavu-core
   libosmesa6-dev libegl-dev libgl1-mesa-dri
   libgstreamer1.0-dev libgstreamer-plugins-base1.0-dev gstreamer1.0-plugins-good
   # the window
