@@ -44,6 +44,12 @@
   X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \
   X (BAR_UNUSED, "bar crosses no contact face") \
   X (LAW_WITHOUT_LIMIT, "limit analysis knows the strengths of joints only, not of this kind of law") \
+  X (BLOCK_WITHOUT_MASS, "block has no mass to vibrate with") \
+  X (STATE_SLIPS, "pairs slip without dilatancy in this state: no symmetric stiffness") \
+  X (LIMIT_WITHOUT_STATE, "limit analysis leaves no state to vibrate about") \
+  X (STATE_SINGULAR, "stiffness of this state is singular") \
+  X (TOO_FEW_UNKNOWNS, "structure has fewer than two degrees of freedom") \
+  X (MODES_NOT_FOUND, "modes were not found") \
   X (BLOCK_UNKNOWN, "no block has this name") \
   X (SAME_BLOCK, "a block has no contact with itself") \
   X (NO_BLOCKS, "model has no blocks") \

@@ -13,7 +13,8 @@ typedef struct Layer {
 static const Layer layers[] = {
   { "core",
     { "core/" },
-    { "klu.h", "umfpack.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h" } },
+    { "klu.h", "umfpack.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h",
+      "arpack/" } },
   { "stereotomy", { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",
     { "core/", "stereotomy/", "io/" },

@@ -1,0 +1,41 @@
+/* Small vibrations about an equilibrium: frequencies and modes.
+ *
+ *   K phi = omega^2 M phi
+ *
+ * K is the tangent stiffness of the state, M the mass of the rigid blocks: weight over gravity,
+ * with the polar moment of inertia about the centroid for the rotation; at the centroids it is
+ * diagonal. The lowest frequencies come from ARPACK (implicitly restarted Lanczos iteration) on
+ * the inverse of K - sigma M with a small negative shift sigma, so that structures without
+ * supports have their rigid motions as modes of frequency zero.
+ *
+ * ARPACK keeps state of its own between calls: not to be run in two threads at once.
+ */
+#ifndef QN_CORE_MODAL_H
+#define QN_CORE_MODAL_H
+
+#include "core/progress.h"
+#include "core/result.h"
+
+typedef struct QnModes {
+  size_t count, block_count;
+  double *omega;  /* rad/s, ascending; rigid motions and what is numerically zero: 0 */
+  double *shapes; /* count x block_count x 3: m, m, rad; largest displacement 1 m */
+} QnModes;
+
+/* The state that the structure vibrates about. */
+typedef enum {
+  QN_MODAL_DEAD_LOAD, /* the equilibrium under dead load */
+  QN_MODAL_LOADED     /* the last equilibrium of the analysis that the settings ask for */
+} QnModalState;
+
+/* Solves for the `wanted` (>= 1) lowest modes, or as many as there are less one. *result holds
+ * the path up to the state; where it has no equilibrium, *modes is empty. Refuses blocks
+ * without mass and states in which pairs slip without dilatancy, whose stiffness is not
+ * symmetric. Both outputs are overwritten without being cleared, and empty on failure. */
+QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
+                       QnModalState state, size_t wanted, QnProgressFunc progress,
+                       void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);
+
+void qn_modes_clear (QnModes *modes);
+
+#endif

@@ -1,0 +1,49 @@
+/* quoin-cli modal: table, files, and what is refused. */
+#include "cli-run.h"
+
+#include <string.h>
+
+static void
+test_table (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *example = cli_example ("11-vibrating-beam.quoin");
+  g_autofree char *result = g_build_filename (folder, "mode.json", NULL);
+  g_autofree char *csv = g_build_filename (folder, "modes.csv", NULL);
+  CliRun run = cli_run ("modal", example, "-n", "3", "--csv", csv, "-o", result, "--mode",
+                        "2", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "omega"));
+  cli_run_clear (&run);
+
+  g_autofree char *table = cli_read (csv);
+  g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
+  g_auto (GStrv) fields = g_strsplit (lines[1], ",", -1);
+  g_assert_cmpfloat_with_epsilon (g_ascii_strtod (fields[1], NULL) / 315.819, 1, 0.01);
+  g_assert_cmpuint (g_strv_length (lines), ==, 1 + 3 * 61 + 1);
+  g_autofree char *written = cli_read (result);
+  g_assert_nonnull (strstr (written, "\"mechanism\": [["));
+  cli_folder_clear (folder);
+}
+
+static void
+test_refused (void)
+{
+  g_autofree char *example = cli_example ("01-sliding-block.quoin");
+  CliRun run = cli_run ("modal", example, "--count", "0", NULL);
+  cli_assert_failed (&run, 2, "count");
+  run = cli_run ("modal", example, "-n", "2", "-o", "-", "--mode", "5", NULL);
+  cli_assert_failed (&run, 3, "there is no mode 5");
+  run = cli_run ("modal", example, "--set", "gravity=0", "--set",
+                 "blocks[1].unit_weight=0", NULL);
+  cli_assert_failed (&run, 3, "no mass");
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/modal/table", test_table);
+  g_test_add_func ("/cli/modal/refused", test_refused);
+  return g_test_run ();
+}

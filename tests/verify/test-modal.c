@@ -1,0 +1,151 @@
+/* Frequencies against closed forms. */
+#include "core/modal.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+
+static void
+run (QnModel *model, size_t wanted, QnModes *modes)
+{
+  QnContacts contacts;
+  QnResult result;
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_model_prepare (model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
+  QnStatus status = qn_modal_run (model, &contacts, QN_MODAL_DEAD_LOAD, wanted, NULL,
+                                  NULL, modes, &result, &diag);
+  g_assert_cmpstr (qn_problem_text (diag.problem), ==, "no problem");
+  g_assert_cmpint (status, ==, QN_OK);
+  for (size_t i = 1; i < modes->count; i++)
+    g_assert_cmpfloat (modes->omega[i], >=, modes->omega[i - 1]);
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (model);
+}
+
+/* A beam of equal blocks between the centroids of the first and the last; L = 3 m, 0.2 x 0.5 m,
+ * E = 30 GPa, nu = 0, k = 5/6, 7000 kg/m3. */
+static void
+init_beam (QnModel *model, int faces)
+{
+  const double L = 3, depth = 0.5, h = L / faces;
+  qn_model_init (model);
+  QnLaw *law = qn_model_add_law (model, "member");
+  *law = (QnLaw){ .name = law->name,
+                  .kind = QN_LAW_ELASTIC,
+                  .basis = QN_BASIS_MATERIAL,
+                  .kn = 30e9,
+                  .ks = 15e9,
+                  .shear_factor = 5. / 6 };
+  model->contact.law = 0;
+  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_GAUSS, .count = 2 };
+  for (int i = 0; i <= faces; i++) {
+    g_autofree char *name = g_strdup_printf ("b%d", i);
+    QnBlock *block =
+      test_model_add_rectangle (model, name, (i - 0.5) * h, -depth / 2, h, depth);
+    block->thickness = 0.2;
+    block->density = 7000;
+    block->support[QN_DOF_UX] = true; /* transverse vibrations only */
+  }
+}
+
+/* Simply supported: 315.819, 1151.685, 2304.893, 3627.124, 5036.041 rad/s. The half blocks
+ * beyond the supports turn with them, which costs a little of the first order. */
+static void
+test_simply_supported (void)
+{
+  static const double exact[] = { 315.819, 1151.685, 2304.893, 3627.124, 5036.041 };
+  QnModel model;
+  QnModes modes;
+  init_beam (&model, 60);
+  model.blocks[0].support[QN_DOF_UY] = model.blocks[60].support[QN_DOF_UY] = true;
+  run (&model, G_N_ELEMENTS (exact), &modes);
+  for (size_t i = 0; i < G_N_ELEMENTS (exact); i++) {
+    g_test_message ("mode %zu: %.3f, exact %.3f (%+.3f %%)", i + 1, modes.omega[i],
+                    exact[i], 100 * (modes.omega[i] / exact[i] - 1));
+    g_assert_cmpfloat_with_epsilon (modes.omega[i] / exact[i], 1, 0.01);
+  }
+  qn_modes_clear (&modes);
+}
+
+/* One block on two springs: rocking, sliding and bouncing, in closed form. */
+static void
+test_one_block (void)
+{
+  const double b = 1, h = 0.4, k = 1e7;
+  QnModel model;
+  QnModes modes;
+  test_model_init_block_on_plane (&model, b, h);
+  model.laws[0].kind = QN_LAW_ELASTIC;
+  model.gravity = 10;
+  run (&model, 2, &modes);
+
+  /* kn = ks: two pairs of k/2 each; mass = weight / g. About the centroid, rotation r and
+   * translation x couple through the arm h/2: [k, k h/2; k h/2, k (h^2 + b^2)/4]. */
+  double mass = 10000 * b * h / 10, inertia = mass * (b * b + h * h) / 12;
+  double a11 = k / mass, a22 = k * (h * h + b * b) / 4 / inertia;
+  double a12 = k * h / 2 / sqrt (mass * inertia);
+  double low = 0.5 * (a11 + a22) - sqrt (0.25 * (a11 - a22) * (a11 - a22) + a12 * a12);
+  g_assert_cmpfloat_with_epsilon (modes.omega[0] / sqrt (low), 1, 1e-9);
+  g_assert_cmpfloat_with_epsilon (modes.omega[1] / sqrt (k / mass), 1, 1e-9);
+  qn_modes_clear (&modes);
+}
+
+/* Four bricks, free: three rigid motions first, then frequencies that a scaling of the joints
+ * moves by its root. 0.25 x 0.055 m, depth 0.12 m, 1800 kg/m3, joints E/t and G/t. */
+static void
+init_wallet (QnModel *model, double stiffness)
+{
+  const double b = 0.25, h = 0.055, young = 1e9 * stiffness, t = 0.01;
+  qn_model_init (model);
+  QnLaw *law = qn_model_add_law (model, "mortar");
+  /* Each of the two springs of a pair has twice the stiffness of the joint. */
+  *law = (QnLaw){ .name = law->name,
+                  .kind = QN_LAW_ELASTIC,
+                  .basis = QN_BASIS_SURFACE,
+                  .kn = 2 * young / t,
+                  .ks = 2 * young / 2.4 / t };
+  model->contact.law = 0;
+  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_GAUSS, .count = 2 };
+  static const double corners[][2] = { { 0, 0 }, { -0.5, 1 }, { 0.5, 1 }, { 0, 2 } };
+  for (int i = 0; i < 4; i++) {
+    g_autofree char *name = g_strdup_printf ("brick %d", i + 1);
+    QnBlock *block =
+      test_model_add_rectangle (model, name, corners[i][0] * b, corners[i][1] * h, b, h);
+    block->thickness = 0.12;
+    block->density = 1800;
+  }
+}
+
+static void
+test_wallet (void)
+{
+  QnModel model;
+  QnModes modes, stiffer;
+  init_wallet (&model, 1);
+  run (&model, 11, &modes);
+  init_wallet (&model, 4);
+  run (&model, 11, &stiffer);
+  g_assert_cmpuint (modes.count, ==, 11);
+  for (size_t i = 0; i < modes.count; i++) {
+    g_test_message ("mode %zu: %.1f Hz", i + 1, modes.omega[i] / (2 * G_PI));
+    if (i < 3)
+      g_assert_cmpfloat (modes.omega[i], ==, 0);
+    else
+      g_assert_cmpfloat_with_epsilon (stiffer.omega[i] / modes.omega[i], 2, 1e-6);
+  }
+  g_assert_cmpfloat (modes.omega[3], >, 0);
+  qn_modes_clear (&stiffer);
+  qn_modes_clear (&modes);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/verify/modal/simply-supported", test_simply_supported);
+  g_test_add_func ("/verify/modal/one-block", test_one_block);
+  g_test_add_func ("/verify/modal/wallet", test_wallet);
+  return g_test_run ();
+}
