@@ -9,7 +9,8 @@
 /* Entries of the lower half of a 6 x 6 matrix. */
 #define GROUP_ENTRIES (QN_IP_GROUP_ROWS * (QN_IP_GROUP_ROWS + 1) / 2)
 
-#define REFINEMENT_TARGET 1e-13
+/* A direction need not be more exact than this: the next iteration sees what is left. */
+#define REFINEMENT_TARGET 1e-10
 #define MOST_REFINEMENTS  4
 
 static void
@@ -165,6 +166,11 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
   kkt->started = true;
   kkt->common.print = 0;
   kkt->common.error_handler = ignore_message;
+  /* Measured on walls of 200 to 10,000 blocks with the reference BLAS: AMD's ordering wins over
+   * nested dissection, and the simplicial factorisation over the supernodal one. */
+  kkt->common.nmethods = 1;
+  kkt->common.method[0].ordering = CHOLMOD_AMD;
+  kkt->common.supernodal = CHOLMOD_SIMPLICIAL;
   kkt->common.quick_return_if_not_posdef = 1;
 
   kkt->slots = qn_alloc ((size_t) problem->group_count * GROUP_ENTRIES, sizeof (int32_t));
@@ -365,7 +371,8 @@ largest (const double *values, int32_t count)
 {
   double most = 0.0;
   for (int32_t i = 0; i < count; i++)
-    most = fmax (most, fabs (values[i]));
+    if (!(fabs (values[i]) <= most)) /* a NaN stays */
+      most = fabs (values[i]);
   return most;
 }
 
@@ -374,7 +381,7 @@ static double
 measure_cells (QnIpKkt *kkt, const double *ry, const QnIpKktVector *out)
 {
   const QnIpProblem *p = kkt->problem;
-  double *e = kkt->residual_y, *rates = kkt->rates, scale = 0.0;
+  double *e = kkt->residual_y, *rates = kkt->rates, scale;
 
   memset (rates, 0, 2 * (size_t) p->cell_count * sizeof (double));
   qn_ip_add_rates (p, out->v, 1.0, rates);
@@ -384,9 +391,8 @@ measure_cells (QnIpKkt *kkt, const double *ry, const QnIpKktVector *out)
     double rn = ry[2 * c], rt = p->cells[c].no_shear ? 0.0 : ry[2 * c + 1];
     e[2 * c] = rn - (h[0] * n + h[1] * t) - rates[2 * c];
     e[2 * c + 1] = rt - (h[1] * n + h[2] * t) - rates[2 * c + 1];
-    scale = fmax (scale, fmax (fabs (rn), fabs (rt)));
-    scale = fmax (scale, fmax (fabs (rates[2 * c]), fabs (rates[2 * c + 1])));
   }
+  scale = fmax (largest (ry, 2 * p->cell_count), largest (rates, 2 * p->cell_count));
   return scale > 0.0 ? largest (e, 2 * p->cell_count) / scale : 0.0;
 }
 
@@ -416,17 +422,31 @@ measure (QnIpKkt *kkt, const QnIpKktVector *right, const QnIpKktVector *out)
   return error;
 }
 
+/* Residual of the zero solution. */
+static void
+set_residual (QnIpKkt *kkt, const QnIpKktVector *right)
+{
+  const QnIpProblem *p = kkt->problem;
+
+  memcpy (kkt->residual_y, right->y, 2 * (size_t) p->cell_count * sizeof (double));
+  memcpy (kkt->residual_v, right->v, (size_t) p->row_count * sizeof (double));
+  kkt->residual_lambda = right->lambda;
+  for (int32_t c = 0; c < p->cell_count; c++)
+    if (p->cells[c].no_shear)
+      kkt->residual_y[2 * c + 1] = 0.0;
+}
+
 QnStatus
 qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktVector *right, QnIpKktVector *out,
                  QnDiag *diag)
 {
   const QnIpProblem *p = kkt->problem;
-  double last;
+  double last = 1.0;
 
   memset (out->y, 0, 2 * (size_t) p->cell_count * sizeof (double));
   memset (out->v, 0, (size_t) p->row_count * sizeof (double));
   out->lambda = 0.0;
-  last = measure (kkt, right, out);
+  set_residual (kkt, right);
   for (int round = 0; round <= MOST_REFINEMENTS && last > REFINEMENT_TARGET; round++) {
     QnStatus status = correct (kkt, out, diag);
     double now;

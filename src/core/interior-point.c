@@ -13,6 +13,10 @@
 /* Iterations without a better iterate after which the engine gives up. */
 #define STALL_ITERATIONS 12
 
+/* … and after which it does so where the best is this good already: what is left is rounding. */
+#define GOOD_MEASURE    1e-6
+#define GOOD_ITERATIONS 2
+
 /* Regularisation of the linear systems, and the relative residual above which a direction is
  * computed again with more of it. */
 #define LEAST_REGULARIZATION 1e-10
@@ -26,7 +30,7 @@
 QnIpSettings
 qn_interior_point_defaults (void)
 {
-  return (QnIpSettings){ .tolerance = 1e-10, .max_iterations = 200, .correctors = 2 };
+  return (QnIpSettings){ .tolerance = 1e-9, .max_iterations = 200, .correctors = 2 };
 }
 
 double
@@ -43,7 +47,8 @@ qn_ip_largest (const double *values, int32_t count)
 {
   double most = 0.0;
   for (int32_t i = 0; i < count; i++)
-    most = fmax (most, fabs (values[i]));
+    if (!(fabs (values[i]) <= most)) /* a NaN stays */
+      most = fabs (values[i]);
   return most;
 }
 
@@ -441,7 +446,8 @@ judge (QnInteriorPoint *ip)
     work->best_merit = merit;
     work->since_best = 0;
     keep_iterate (ip, &work->best);
-  } else if (++work->since_best >= STALL_ITERATIONS) {
+  } else if (++work->since_best
+             >= (work->best_merit < GOOD_MEASURE ? GOOD_ITERATIONS : STALL_ITERATIONS)) {
     ip->state = QN_IP_STALLED;
   }
 }

@@ -1,0 +1,19 @@
+/* The linear program of limit analysis solved by Clp: the oracle, and the peer to beat. */
+#ifndef QN_TESTS_CLP_LIMIT_H
+#define QN_TESTS_CLP_LIMIT_H
+
+#include "core/limit-problem.h"
+
+typedef enum { CLP_DUAL, CLP_PRIMAL, CLP_BARRIER, CLP_METHOD_COUNT } ClpMethod;
+
+/* Solves the scaled program (all pairs Coulomb without cohesion): x >= 0, lambda free. Returns
+ * the multiplier, or NAN where Clp found no optimum within `seconds`; *spent is what it took. */
+double clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double seconds,
+                        double *spent);
+
+/* Processor time of this process: other processes do not count. All solvers use one thread. */
+double cpu_seconds (void);
+
+const char *clp_method_name (ClpMethod method);
+
+#endif

@@ -1,0 +1,129 @@
+/* Two independent theories, one number: the load path of HybriDFEM and the linear program of
+ * limit analysis on generated walls. With dilatancy = friction they agree; with dilatancy 0 the
+ * path never passes the associative optimum. */
+#include "solve.h"
+
+#include "core/generate.h"
+#include "core/limit.h"
+
+#include <glib.h>
+#include <math.h>
+
+#define FRICTION 0.65
+
+/* Walls of each kind. */
+#define COUNT 5
+
+/* Running bond with two openings under lintels. */
+static void
+make_opened (QnModel *model, int seed)
+{
+  QnWallRecipe recipe = qn_wall_recipe_default ();
+  recipe.length = 5;
+  recipe.courses = 7;
+  recipe.openings = 2;
+  recipe.seed = (uint64_t) seed;
+  recipe.material.friction = FRICTION;
+  qn_model_init (model);
+  g_assert_cmpint (qn_generate_wall (model, &recipe, NULL), ==, QN_OK);
+}
+
+/* Blocks of random lengths, one half to one and a half units, in every course. */
+static void
+make_random_bond (QnModel *model, int seed)
+{
+  const double length = 4;
+  const QnVec2 base[4] = { { 0, -0.2 }, { 2, -0.2 }, { 2, 0 }, { 0, 0 } };
+  g_autoptr (GRand) random = g_rand_new_with_seed ((guint32) seed);
+  QnLaw *law;
+  QnBlock *block;
+  QnWall *wall;
+
+  qn_model_init (model);
+  law = qn_model_add_law (model, "joint");
+  law->kind = QN_LAW_COULOMB;
+  law->kn = law->ks = 1e7;
+  law->friction = FRICTION;
+  model->contact.law = 0;
+  block = qn_model_add_block (model, "base", base, 4);
+  block->thickness = 1;
+  block->unit_weight = 1e4;
+  block->support[0] = block->support[1] = block->support[2] = true;
+  wall = qn_model_add_wall (model, "w");
+  wall->unit = qn_vec2 (0.5, 0.25);
+  wall->thickness = 1;
+  wall->unit_weight = 1e4;
+  for (int course = 0; course < 6; course++) {
+    double lengths[16], left = length;
+    size_t count = 0;
+    while (left > 1.6) {
+      lengths[count] = g_rand_double_range (random, 0.5, 1.5);
+      left -= lengths[count++];
+    }
+    lengths[count++] = left;
+    g_assert_true (qn_wall_add_course (wall, lengths, count));
+  }
+  qn_model_add_dead_load (model)->vector = qn_vec2 (0, -1);
+  qn_model_add_live_load (model)->vector = qn_vec2 (1, 0);
+}
+
+static void
+make (QnModel *model, int number, double dilatancy)
+{
+  if (number < COUNT)
+    make_opened (model, number + 1);
+  else
+    make_random_bond (model, number + 1);
+  for (size_t i = 0; i < model->law_count; i++)
+    model->laws[i].dilatancy = dilatancy;
+}
+
+static double
+optimum (int number)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnLimitSolution solution;
+
+  make (&model, number, 0);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_limit_associative (&model, &contacts, NULL, NULL, &solution, NULL),
+                   ==, QN_OK);
+  g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat (fabs (solution.upper_bound - solution.lower_bound), <, 1e-6);
+  double found = solution.upper_bound;
+  qn_limit_solution_clear (&solution);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+  return found;
+}
+
+static void
+test_wall (gconstpointer data)
+{
+  int number = GPOINTER_TO_INT (data);
+  double bound = optimum (number);
+  QnModel model;
+
+  make (&model, number, FRICTION);
+  double associative = verify_collapse (&model);
+  make (&model, number, 0);
+  double allowed = model.analysis.multiplier_tolerance;
+  double path = verify_collapse (&model);
+  g_test_message ("wall %d: limit %.8f, path %.6f with dilatancy, %.6f without",
+                  number + 1, bound, associative, path);
+  g_assert_cmpfloat_with_epsilon (associative, bound, 1e-3 * bound);
+  g_assert_cmpfloat (path, <=, bound * (1 + allowed));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  for (int number = 0; number < 2 * COUNT; number++) {
+    g_autofree char *path = g_strdup_printf ("/verify/limit-agreement/%d", number + 1);
+    g_test_add_data_func (path, GINT_TO_POINTER (number), test_wall);
+  }
+  return g_test_run ();
+}
