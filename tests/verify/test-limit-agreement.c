@@ -32,8 +32,8 @@ make_opened (QnModel *model, int seed)
 static void
 make_random_bond (QnModel *model, int seed)
 {
-  const double length = 4;
-  const QnVec2 base[4] = { { 0, -0.2 }, { 2, -0.2 }, { 2, 0 }, { 0, 0 } };
+  const double length = 2.4;
+  const QnVec2 base[4] = { { 0, -0.2 }, { 1.2, -0.2 }, { 1.2, 0 }, { 0, 0 } };
   g_autoptr (GRand) random = g_rand_new_with_seed ((guint32) seed);
   QnLaw *law;
   QnBlock *block;
@@ -53,7 +53,7 @@ make_random_bond (QnModel *model, int seed)
   wall->unit = qn_vec2 (0.5, 0.25);
   wall->thickness = 1;
   wall->unit_weight = 1e4;
-  for (int course = 0; course < 6; course++) {
+  for (int course = 0; course < 9; course++) {
     double lengths[16], left = length;
     size_t count = 0;
     while (left > 1.6) {
