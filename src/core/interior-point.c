@@ -30,7 +30,7 @@
 QnIpSettings
 qn_interior_point_defaults (void)
 {
-  return (QnIpSettings){ .tolerance = 1e-9, .max_iterations = 200, .correctors = 2 };
+  return (QnIpSettings){ .tolerance = 1e-9, .max_iterations = 200, .correctors = 4 };
 }
 
 double

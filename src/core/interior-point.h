@@ -115,7 +115,7 @@ typedef struct QnInteriorPoint {
   QnInteriorPointWork *work; /* owned */
 } QnInteriorPoint;
 
-/* tolerance 1e-9, 200 iterations, 2 correctors. */
+/* tolerance 1e-9, 200 iterations, 4 correctors. */
 QnIpSettings qn_interior_point_defaults (void);
 
 /* Analyses the structure and allocates everything. `problem` is borrowed until _clear().
