@@ -25,7 +25,7 @@ static const Kind kinds[] = {
   { "column", "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6" },
   { "buttress", "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"" },
   { "portal", "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6, \"lintel\": 0.4" },
-  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"seed\": 1" },
+  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1" },
 };
 /* clang-format on */
 

@@ -1,0 +1,129 @@
+/* generate, import and export: models in and out. */
+#include "cli-run.h"
+
+#include <string.h>
+
+static char *
+file_in (const char *folder, const char *name)
+{
+  return g_build_filename (folder, name, NULL);
+}
+
+static void
+test_generate (void)
+{
+  static const char *const kinds[] = { "wall",     "arch",   "column",
+                                       "buttress", "portal", "rubble" };
+  char *folder = cli_folder_new ();
+  for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    g_autofree char *path = file_in (folder, kinds[i]);
+    CliRun run = cli_run ("generate", kinds[i], "-o", path, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    run = cli_run ("limit", path, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+  }
+  cli_folder_clear (folder);
+}
+
+static void
+test_generate_keys (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *path = file_in (folder, "wall.quoin");
+  CliRun run = cli_run ("generate", "wall", "--length", "3", "unit=0.5x0.25",
+                        "--bond=flemish", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *text = cli_read (path);
+  g_assert_nonnull (strstr (text, "\"length\": 3"));
+  g_assert_nonnull (strstr (text, "\"unit\": [0.5, 0.25]"));
+  g_assert_nonnull (strstr (text, "\"flemish\""));
+
+  run = cli_run ("generate", "wall", "lenth=3", "-o", path, NULL);
+  cli_assert_failed (&run, 2, "lenth");
+  run = cli_run ("generate", "wall", "length=-3", "-o", path, NULL);
+  cli_assert_failed (&run, 3, "length");
+  run = cli_run ("generate", "tower", "-o", path, NULL);
+  cli_assert_failed (&run, 2, "wall");
+  run = cli_run ("generate", "wall", NULL);
+  cli_assert_failed (&run, 2, "-o");
+  cli_folder_clear (folder);
+}
+
+/* DXF to a project and back gives the same project again. */
+static void
+test_round_trip (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *drawing = cli_example ("dxf/wall-clean.dxf");
+  g_autofree char *first = file_in (folder, "first.quoin");
+  g_autofree char *back = file_in (folder, "back.dxf");
+  g_autofree char *second = file_in (folder, "second.quoin");
+  CliRun run = cli_run ("import", drawing, "-o", first, "--report", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "blocks: 47"));
+  cli_run_clear (&run);
+  run = cli_run ("export", first, "--unit", "mm", "-o", back, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("import", back, "-o", second, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *a = cli_read (first), *b = cli_read (second);
+  g_assert_cmpstr (a, ==, b);
+  cli_folder_clear (folder);
+}
+
+static void
+test_export_results (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", cli_sliding_block);
+  g_autofree char *result = file_in (folder, "result.json");
+  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  static const char *const outputs[] = { "out.dxf", "out.pvd", "out.csv" };
+  for (size_t i = 0; i < G_N_ELEMENTS (outputs); i++) {
+    g_autofree char *output = file_in (folder, outputs[i]);
+    run = cli_run ("export", model, "--result", result, "-o", output, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    g_autofree char *text = cli_read (output);
+    g_assert_cmpuint (strlen (text), >, 50);
+  }
+  run = cli_run ("export", model, "-o", "out.csv", NULL);
+  cli_assert_failed (&run, 2, "--result");
+  run = cli_run ("export", model, "-o", "out.stl", NULL);
+  cli_assert_failed (&run, 2, ".dxf");
+  cli_folder_clear (folder);
+}
+
+static void
+test_bad_import (void)
+{
+  char *folder = cli_folder_new ();
+  g_autofree char *bad = cli_write (folder, "bad.dxf", "0\nSECTION\n2\nENTITIES\nLINE\n");
+  g_autofree char *output = file_in (folder, "out.quoin");
+  CliRun run = cli_run ("import", bad, "-o", output, NULL);
+  cli_assert_failed (&run, 3, "bad.dxf:5: ");
+  run = cli_run ("import", "missing.dxf", "-o", output, NULL);
+  cli_assert_failed (&run, 5, "missing.dxf");
+  run = cli_run ("import", bad, "--unit", "parsec", "-o", output, NULL);
+  cli_assert_failed (&run, 2, "--unit");
+  cli_folder_clear (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/exchange/generate", test_generate);
+  g_test_add_func ("/cli/exchange/generate-keys", test_generate_keys);
+  g_test_add_func ("/cli/exchange/round-trip", test_round_trip);
+  g_test_add_func ("/cli/exchange/export-results", test_export_results);
+  g_test_add_func ("/cli/exchange/bad-import", test_bad_import);
+  return g_test_run ();
+}
