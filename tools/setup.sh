@@ -15,7 +15,8 @@ packages=(
   # the window
   libgtk-4-dev
   # checks and tests
-  clang-format-14 binutils locales-all desktop-file-utils appstream xvfb xauth
+  clang-format-14 binutils locales-all desktop-file-utils appstream xvfb xauth xdotool
+  adwaita-icon-theme librsvg2-common
 )
 
 missing=()

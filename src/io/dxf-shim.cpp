@@ -6,14 +6,18 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace
+{
 
 typedef void (*Callback) (const QnDxfEntity *, void *);
 
 /* Hands over single entities at once; polylines and splines when the next thing begins. */
-class Sink : public DL_CreationAdapter {
+class Sink : public DL_CreationAdapter
+{
 public:
-  Sink (Callback callback_, void *data_) : callback (callback_), data (data_) {}
+  Sink (Callback callback_, void *data_) : callback (callback_), data (data_)
+  {
+  }
 
   void
   flush ()
@@ -120,7 +124,7 @@ private:
   Callback callback;
   void *data;
   bool pending = false;
-  QnDxfEntity held {};
+  QnDxfEntity held{};
   std::string layer;
   std::vector<double> points, knots;
 
@@ -136,7 +140,7 @@ private:
   prepare (QnDxfEntity &entity, QnDxfKind kind)
   {
     flush ();
-    entity = QnDxfEntity {};
+    entity = QnDxfEntity{};
     entity.kind = kind;
     layer = getAttributes ().getLayer ();
     entity.layer = layer.c_str ();

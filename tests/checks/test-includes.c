@@ -18,7 +18,8 @@ static const Layer layers[] = {
   { "stereotomy", { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",
     { "core/", "stereotomy/", "io/" },
-    { "glib", "gio/", "cjson/", "dxflib/", "dl_" } },
+    /* The last three for the shim in C++ that stands before dxflib. */
+    { "glib", "gio/", "cjson/", "dxflib/", "dl_", "sstream", "string", "vector" } },
   { "render",
     { "core/", "render/" },
     { "glib", "gio/", "gmodule.h", "cairo", "pango/", "gdk-pixbuf/", "GL/", "EGL/",

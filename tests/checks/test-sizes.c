@@ -11,7 +11,8 @@ static const char *const unfinished[][2] = { { "TO", "DO" },
                                              { "FIX", "ME" },
                                              { "XX", "X:" } };
 
-/* Counts from the opening to the closing brace in the first column, both left out. */
+/* Counts from the opening to the closing brace in the first column, both left out. A class in
+ * C++, which closes with a semicolon, is no function. */
 static void
 check_functions (const char *path, char **lines, GString *complaints)
 {
@@ -19,6 +20,8 @@ check_functions (const char *path, char **lines, GString *complaints)
   for (int i = 0; lines[i] != NULL; i++) {
     if (strcmp (lines[i], "{") == 0)
       opened = i;
+    if (strcmp (lines[i], "};") == 0)
+      opened = -1;
     if (strcmp (lines[i], "}") == 0 && opened >= 0) {
       if (i - opened - 1 > LONGEST_FUNCTION)
         complain (complaints, "%s:%d: function of %d lines", path, opened,
