@@ -281,6 +281,36 @@ advance (LoadControl *control, QnDiag *diag)
 
 /* --- The whole path --------------------------------------------------------------------- */
 
+/* The mechanism often says where collapse is far more exactly than the bracket: one Newton
+ * attempt just below that multiplier, by a part of it that rounding cannot blur, gains the
+ * digits for next to nothing. */
+static QnStatus
+polish (LoadControl *control, QnDiag *diag)
+{
+  QnPath *path = control->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  const QnTarget target =
+    qn_target_multiplier (control->guess * (1 - QN_TOLERANCE_POLISH));
+
+  if (!(target.multiplier > eq->committed.multiplier
+        && target.multiplier < control->upper))
+    return QN_OK;
+  switch (qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET)) {
+  case QN_SOLVE_CONVERGED:
+    return qn_path_accept (path, target.multiplier, QN_EVENT_NONE)
+             ? QN_OK
+             : qn_diag_no_memory (diag);
+  case QN_SOLVE_NO_MEMORY:
+    return qn_diag_no_memory (diag);
+  case QN_SOLVE_CANCELLED: /* the collapse is known all the same */
+  case QN_SOLVE_FAILED:
+  case QN_SOLVE_MECHANISM:
+    break;
+  }
+  qn_equilibrium_restore (eq);
+  return QN_OK;
+}
+
 static QnStatus
 conclude (LoadControl *control, QnDiag *diag)
 {
@@ -292,6 +322,9 @@ conclude (LoadControl *control, QnDiag *diag)
     result->outcome = QN_OUTCOME_NOT_CONVERGED;
     return QN_OK;
   }
+  QnStatus status = polish (control, diag);
+  if (status != QN_OK)
+    return status;
   result->outcome = QN_OUTCOME_COLLAPSE;
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = path->equilibrium.committed.multiplier;

@@ -40,6 +40,10 @@
  * the first increment: a structure that stands under no live load at all has multiplier 0. */
 #define QN_TOLERANCE_MULTIPLIER_FLOOR 1e-2
 
+/* How far below the multiplier that a mechanism predicts its last equilibrium is sought: ten
+ * times the default residual tolerance. */
+#define QN_TOLERANCE_POLISH 1e-7
+
 /* A prescribed displacement, work or length is met to this part of its advance. */
 #define QN_TOLERANCE_TARGET 1e-10
 

@@ -65,6 +65,19 @@ test_collapse_does_not_depend_on_increments (void)
   }
 }
 
+/* The mechanism tells the multiplier more exactly than the bracket that encloses it. */
+static void
+test_digits_beyond_the_bracket (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpfloat (result.collapse_multiplier, <=, 0.65);
+  g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.65, 1e-6 * 0.65);
+  qn_result_clear (&result);
+}
+
 static void
 test_no_live_load (void)
 {
@@ -215,6 +228,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/path-load/target", test_target);
   g_test_add_func ("/path-load/increments", test_collapse_does_not_depend_on_increments);
+  g_test_add_func ("/path-load/digits", test_digits_beyond_the_bracket);
   g_test_add_func ("/path-load/no-live-load", test_no_live_load);
   g_test_add_func ("/path-load/unbounded", test_unbounded);
   g_test_add_func ("/path-load/dead-load-unstable", test_dead_load_unstable);
