@@ -87,7 +87,9 @@ const QnSubcommand qn_cmd_compare = {
   .name = "compare",
   .arguments = "MODEL[=RESULT]…",
   .summary = N_ ("Put several mechanisms on one sheet, at one scale"),
-  .help = N_ ("A project without a result is solved first. Under each figure stands its "
-              "load multiplier."),
+  .help =
+    N_ ("A project without a result is solved first. Under each figure stands its "
+        "load multiplier and the name of its mechanism; results of the same structure "
+        "that move alike bear the letter of the same group."),
   .run = run,
 };

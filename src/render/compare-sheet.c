@@ -1,10 +1,12 @@
 #include "render/compare-sheet.h"
 
+#include "core/mechanism.h"
 #include "render/draw-cairo.h"
 #include "render/figure-furniture.h"
 #include "render/scene-fit.h"
 #include "render/text.h"
 
+#include <gio/gio.h>
 #include <glib/gi18n-lib.h>
 
 /* Space around the sheet and between its parts, pt. */
@@ -23,7 +25,86 @@ typedef struct SheetLayout {
   int columns, rows;
   double words; /* px under each picture */
   double scale; /* px per m, of all pictures */
+  QnId *groups; /* of the figures: see qn_compare_sheet_groups() */
 } SheetLayout;
+
+/* ---- groups of mechanisms --------------------------------------------------------------- */
+
+static bool
+has_mechanism (const QnFigure *figure)
+{
+  return figure->result != NULL && figure->result->mechanism != NULL;
+}
+
+/* Whether two models have the same blocks in the same places. */
+static bool
+is_same_structure (const QnModel *a, const QnModel *b)
+{
+  double tolerance = 1e-6 * a->characteristic_length;
+  if (a->block_count != b->block_count)
+    return false;
+  for (size_t i = 0; i < a->block_count; i++) {
+    QnVec2 apart = qn_vec2_sub (a->blocks[i].centroid, b->blocks[i].centroid);
+    if (qn_vec2_length (apart) > tolerance
+        || fabs (a->blocks[i].area - b->blocks[i].area) > tolerance * tolerance)
+      return false;
+  }
+  return true;
+}
+
+bool
+qn_compare_sheet_groups (const QnFigure *figures, size_t count, QnId *groups)
+{
+  g_autofree const double **fields = g_new (const double *, count);
+  g_autofree size_t *members = g_new (size_t, count);
+  g_autofree int32_t *clusters = g_new (int32_t, count);
+  g_autofree bool *seen = g_new0 (bool, count);
+  QnId next = 0;
+
+  for (size_t i = 0; i < count; i++)
+    groups[i] = QN_NONE;
+  for (size_t i = 0; i < count; i++) {
+    int32_t alike = 0;
+    for (size_t k = i; k < count && !seen[i]; k++)
+      if (!seen[k] && has_mechanism (&figures[k])
+          && is_same_structure (figures[i].model, figures[k].model)) {
+        members[alike] = k;
+        fields[alike++] = figures[k].result->mechanism;
+      }
+    if (!has_mechanism (&figures[i]) || alike < 2)
+      continue;
+    int32_t found =
+      qn_mechanism_cluster (figures[i].model, fields, alike, QN_ALIKE_COSINE, clusters);
+    if (found <= 0)
+      return false;
+    for (int32_t k = 0; k < alike; k++) {
+      groups[members[k]] = next + clusters[k];
+      seen[members[k]] = true;
+    }
+    next += found;
+  }
+  return true;
+}
+
+/* The words under a figure, with its group where it has one: A, B, … Z, 27, 28, … */
+static char *
+dup_caption (const SheetLayout *s, size_t index)
+{
+  const QnFigure *figure = &s->sheet->figures[index];
+  if (figure->caption != NULL)
+    return g_strdup (figure->caption);
+  char *own = qn_figure_dup_caption (figure, g_ptr_array_index (s->scenes, index), true);
+  QnId group = s->groups[index];
+  if (group == QN_NONE)
+    return own;
+  g_autofree char *caption = own;
+  g_autofree char *letter =
+    group < 26 ? g_strdup_printf ("%c", 'A' + group) : g_strdup_printf ("%d", group + 1);
+  g_autofree char *name = g_strdup_printf (_ ("group %s"), letter);
+  return g_strdup_printf ("%s · %s", caption, name);
+}
+
+/* ---- layout ----------------------------------------------------------------------------- */
 
 /* Entries of all scenes, each text once. */
 static QnScene *
@@ -116,17 +197,15 @@ choose_grid (SheetLayout *s)
 }
 
 static void
-draw_words (const SheetLayout *s, const QnFigure *figure, const QnScene *scene,
-            const QnCamera *view)
+draw_words (const SheetLayout *s, size_t index, const QnCamera *view)
 {
+  const QnFigure *figure = &s->sheet->figures[index];
   double u = s->page->unit;
   QnColor ink = qn_ink (QN_INK_LINE, figure->options.monochrome);
   QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = view->width };
   QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = view->width };
   const char *title = figure->title != NULL ? figure->title : figure->model->title;
-  g_autofree char *own =
-    figure->caption == NULL ? qn_figure_dup_caption (figure, scene, true) : NULL;
-  const char *caption = figure->caption != NULL ? figure->caption : own;
+  g_autofree char *caption = dup_caption (s, index);
   double x = view->x + 0.5 * view->width, y = view->y + view->height;
   if (title != NULL && *title != '\0') {
     double width, height;
@@ -145,17 +224,14 @@ measure_words (const SheetLayout *s, int columns)
   double width = (s->width - (columns - 1) * CELL_GAP * u) / columns;
   for (size_t i = 0; i < s->sheet->count; i++) {
     const QnFigure *figure = &s->sheet->figures[i];
-    const QnScene *scene = g_ptr_array_index (s->scenes, i);
     QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = width };
     QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = width };
     const char *title = figure->title != NULL ? figure->title : figure->model->title;
-    g_autofree char *own =
-      figure->caption == NULL ? qn_figure_dup_caption (figure, scene, true) : NULL;
+    g_autofree char *caption = dup_caption (s, i);
     double w, a = 0, b;
     if (title != NULL && *title != '\0')
       qn_text_measure (s->cr, &bold, title, &w, &a);
-    qn_text_measure (s->cr, &plain, figure->caption != NULL ? figure->caption : own, &w,
-                     &b);
+    qn_text_measure (s->cr, &plain, caption, &w, &b);
     largest = fmax (largest, a + b);
   }
   return largest;
@@ -174,7 +250,7 @@ draw_cells (const SheetLayout *s)
     view.height += FOOT_GAP * view.unit;
     view.center.y -= 0.5 * FOOT_GAP * view.unit / view.scale;
     qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->page->antialias, s->cr, NULL);
-    draw_words (s, &s->sheet->figures[i], scene, &view);
+    draw_words (s, i, &view);
   }
 }
 
@@ -238,9 +314,17 @@ draw_sheet_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
   cairo_set_antialias (cr,
                        page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   g_autoptr (QnScene) legend = merge_legends (scenes);
-  SheetLayout layout = {
-    .sheet = sheet, .page = page, .cr = cr, .scenes = scenes, .legend = legend
-  };
+  g_autofree QnId *groups = g_new (QnId, sheet->count);
+  if (!qn_compare_sheet_groups (sheet->figures, sheet->count, groups)) {
+    g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("not enough memory"));
+    return false;
+  }
+  SheetLayout layout = { .sheet = sheet,
+                         .page = page,
+                         .cr = cr,
+                         .scenes = scenes,
+                         .legend = legend,
+                         .groups = groups };
   draw_sheet (&layout);
   return true;
 }

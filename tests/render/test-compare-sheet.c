@@ -64,11 +64,44 @@ test_refusals (void)
   fixture_clear (&f);
 }
 
+/* Mechanisms of one structure are grouped by how they move, whatever their scale; another
+ * structure, and a figure without a mechanism, stand alone. */
+static void
+test_groups (void)
+{
+  enum { COUNT = 5 };
+  Fixture f[COUNT];
+  QnFigure figures[COUNT];
+  QnId groups[COUNT];
+  for (int i = 0; i < COUNT; i++) {
+    fixture_init_wall (&f[i], 2, i == 3 ? 5 : 3);
+    qn_figure_init (&figures[i], &f[i].model, &f[i].contacts, &f[i].result,
+                    QN_VIEW_MECHANISM);
+    g_assert_nonnull (f[i].result.mechanism);
+  }
+  size_t values = f[0].result.block_count * QN_DOF_COUNT;
+  for (size_t k = 0; k < values; k++) {
+    f[1].result.mechanism[k] = k % QN_DOF_COUNT == QN_DOF_UX ? 1 : 0;
+    f[2].result.mechanism[k] = 3 * f[0].result.mechanism[k];
+  }
+  figures[4].result = NULL;
+
+  g_assert_true (qn_compare_sheet_groups (figures, COUNT, groups));
+  g_assert_cmpint (groups[0], ==, 0);
+  g_assert_cmpint (groups[1], ==, 1);
+  g_assert_cmpint (groups[2], ==, 0);
+  g_assert_cmpint (groups[3], ==, QN_NONE);
+  g_assert_cmpint (groups[4], ==, QN_NONE);
+  for (int i = 0; i < COUNT; i++)
+    fixture_clear (&f[i]);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/compare-sheet/formats", test_formats);
+  g_test_add_func ("/render/compare-sheet/groups", test_groups);
   g_test_add_func ("/render/compare-sheet/refusals", test_refusals);
   return g_test_run ();
 }
