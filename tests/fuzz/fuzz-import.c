@@ -1,8 +1,12 @@
-/* Any bytes as a DXF file, all the way to a project. */
+/* Any bytes as a drawing, all the way to a project. Built once per importer: FUZZ_READER is the
+ * function that reads one. */
 #include "fuzz.h"
+#include "io/compas-import.h"
 #include "io/drawing-import.h"
 #include "io/dxf-import.h"
+#include "io/hybridfem-import.h"
 #include "io/io-error.h"
+#include "io/svg-import.h"
 
 #include <string.h>
 
@@ -22,7 +26,7 @@ LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
   QnProject project;
   QnImportReport report;
   GError *error = NULL;
-  if (!qn_dxf_import ((const char *) data, size, "fuzz", &drawing, &error)) {
+  if (!FUZZ_READER ((const char *) data, size, "fuzz", &drawing, &error)) {
     check_error (error);
     return 0;
   }
