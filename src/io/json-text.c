@@ -107,3 +107,24 @@ qn_json_append_value (GString *json, const cJSON *value, guint indent)
   append_line_break (json, indent);
   g_string_append_c (json, object ? '}' : ']');
 }
+
+void
+qn_json_begin_member (GString *json, const char *key)
+{
+  char last = json->str[json->len - 1];
+  g_string_append_printf (json, "%s\"%s\": ", last == '{' ? " " : ", ", key);
+}
+
+void
+qn_json_put_string (GString *json, const char *key, const char *text)
+{
+  qn_json_begin_member (json, key);
+  qn_json_append_string (json, text);
+}
+
+void
+qn_json_put_number (GString *json, const char *key, double number)
+{
+  qn_json_begin_member (json, key);
+  qn_json_append_number (json, number);
+}

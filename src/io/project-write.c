@@ -7,28 +7,6 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 
-/* Members of an object on one line: each puts a comma before itself unless it is the first. */
-static void
-begin_member (GString *json, const char *key)
-{
-  char last = json->str[json->len - 1];
-  g_string_append_printf (json, "%s\"%s\": ", last == '{' ? " " : ", ", key);
-}
-
-static void
-put_string (GString *json, const char *key, const char *text)
-{
-  begin_member (json, key);
-  qn_json_append_string (json, text);
-}
-
-static void
-put_number (GString *json, const char *key, double number)
-{
-  begin_member (json, key);
-  qn_json_append_number (json, number);
-}
-
 static void
 append_vec2 (GString *json, QnVec2 vector)
 {
@@ -42,7 +20,7 @@ append_vec2 (GString *json, QnVec2 vector)
 static void
 put_vec2 (GString *json, const char *key, QnVec2 vector)
 {
-  begin_member (json, key);
+  qn_json_begin_member (json, key);
   append_vec2 (json, vector);
 }
 
@@ -50,7 +28,7 @@ static void
 put_law (GString *json, const char *key, const QnModel *model, QnId law)
 {
   if (law != QN_NONE)
-    put_string (json, key, model->laws[law].name);
+    qn_json_put_string (json, key, model->laws[law].name);
 }
 
 /* Parameters that are left out by default are left out where they have no effect. */
@@ -60,20 +38,20 @@ append_law (GString *json, const QnLaw *law)
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   g_string_append_c (json, '{');
-  put_string (json, "name", law->name);
-  put_string (json, "kind", qn_name_of_law_kind ((int) law->kind));
-  put_string (json, "basis", qn_name_of_basis ((int) law->basis));
-  put_number (json, "kn", law->kn);
-  put_number (json, "ks", law->ks);
+  qn_json_put_string (json, "name", law->name);
+  qn_json_put_string (json, "kind", qn_name_of_law_kind ((int) law->kind));
+  qn_json_put_string (json, "basis", qn_name_of_basis ((int) law->basis));
+  qn_json_put_number (json, "kn", law->kn);
+  qn_json_put_number (json, "ks", law->ks);
   if (law->shear_factor > 0)
-    put_number (json, "shear_factor", law->shear_factor);
+    qn_json_put_number (json, "shear_factor", law->shear_factor);
   for (size_t i = 0; i < count; i++) {
     double value = qn_law_get (law, &parameters[i]);
     if (value != 0 || !parameters[i].positive)
-      put_number (json, parameters[i].key, value);
+      qn_json_put_number (json, parameters[i].key, value);
   }
   if (law->kind == QN_LAW_CURVE) {
-    begin_member (json, "points");
+    qn_json_begin_member (json, "points");
     for (int32_t i = 0; i < law->point_count; i++) {
       g_string_append (json, i > 0 ? ", " : "[");
       append_vec2 (json, law->points[i]);
@@ -88,9 +66,9 @@ static void
 put_weight (GString *json, double unit_weight, double density)
 {
   if (density >= 0)
-    put_number (json, "density", density);
+    qn_json_put_number (json, "density", density);
   else
-    put_number (json, "unit_weight", unit_weight);
+    qn_json_put_number (json, "unit_weight", unit_weight);
 }
 
 static void
@@ -99,18 +77,18 @@ append_block (GString *json, const QnModel *model, QnId id)
   const QnBlock *block = &model->blocks[id];
   const QnVec2 *vertices = qn_model_block_vertices (model, id);
   g_string_append_c (json, '{');
-  put_string (json, "name", block->name);
-  begin_member (json, "vertices");
+  qn_json_put_string (json, "name", block->name);
+  qn_json_begin_member (json, "vertices");
   for (QnId i = 0; i < block->vertex_count; i++) {
     g_string_append (json, i > 0 ? ", " : "[");
     append_vec2 (json, vertices[i]);
   }
   g_string_append (json, block->vertex_count > 0 ? "]" : "[]");
-  put_number (json, "thickness", block->thickness);
+  qn_json_put_number (json, "thickness", block->thickness);
   put_weight (json, block->unit_weight, block->density);
   if (block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
       || block->support[QN_DOF_RZ]) {
-    begin_member (json, "support");
+    qn_json_begin_member (json, "support");
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       g_string_append_printf (json, "%s%s", dof > 0 ? ", " : "[",
                               block->support[dof] ? "true" : "false");
@@ -124,10 +102,10 @@ static void
 append_wall (GString *json, const QnModel *model, const QnWall *wall)
 {
   g_string_append_c (json, '{');
-  put_string (json, "name", wall->name);
+  qn_json_put_string (json, "name", wall->name);
   put_vec2 (json, "origin", wall->origin);
   put_vec2 (json, "unit", wall->unit);
-  put_number (json, "thickness", wall->thickness);
+  qn_json_put_number (json, "thickness", wall->thickness);
   put_weight (json, wall->unit_weight, wall->density);
   put_law (json, "law", model, wall->law);
   g_string_append (json, ",\n      \"courses\": [");
@@ -146,7 +124,7 @@ append_wall (GString *json, const QnModel *model, const QnWall *wall)
 static void
 put_numbers (GString *json, const char *key, const double *numbers, int32_t count)
 {
-  begin_member (json, key);
+  qn_json_begin_member (json, key);
   for (int32_t i = 0; i < count; i++) {
     g_string_append (json, i > 0 ? ", " : "[");
     qn_json_append_number (json, numbers[i]);
@@ -157,16 +135,16 @@ put_numbers (GString *json, const char *key, const double *numbers, int32_t coun
 static void
 put_pair_rule (GString *json, const QnPairRule *rule)
 {
-  begin_member (json, "pairs");
+  qn_json_begin_member (json, "pairs");
   g_string_append_c (json, '{');
-  put_string (json, "placement", qn_name_of_placement ((int) rule->placement));
+  qn_json_put_string (json, "placement", qn_name_of_placement ((int) rule->placement));
   switch (rule->placement) {
   case QN_PLACEMENT_ENDS:
-    put_number (json, "offset", rule->offset);
+    qn_json_put_number (json, "offset", rule->offset);
     break;
   case QN_PLACEMENT_UNIFORM:
   case QN_PLACEMENT_GAUSS:
-    put_number (json, "count", rule->count);
+    qn_json_put_number (json, "count", rule->count);
     break;
   case QN_PLACEMENT_EXPLICIT:
     put_numbers (json, "positions", rule->positions, rule->count);
@@ -182,7 +160,7 @@ static void
 append_face (GString *json, const QnModel *model, const QnFaceOverride *face)
 {
   g_string_append_c (json, '{');
-  begin_member (json, "blocks");
+  qn_json_begin_member (json, "blocks");
   g_string_append_c (json, '[');
   qn_json_append_string (json, model->blocks[face->block_a].name);
   g_string_append (json, ", ");
@@ -199,7 +177,7 @@ append_contact (GString *json, const QnModel *model)
 {
   g_string_append (json, "  \"contact\": {");
   put_law (json, "law", model, model->contact.law);
-  put_number (json, "tolerance", model->contact.tolerance);
+  qn_json_put_number (json, "tolerance", model->contact.tolerance);
   put_pair_rule (json, &model->contact.pairs);
   if (model->override_count > 0) {
     g_string_append (json, ",\n    \"faces\": [\n      ");
@@ -222,7 +200,7 @@ append_bars (GString *json, const QnModel *model)
     const QnBar *bar = &model->bars[i];
     g_string_append (json, i > 0 ? ",\n    {" : "\n    {");
     put_law (json, "law", model, bar->law);
-    put_number (json, "area", bar->area);
+    qn_json_put_number (json, "area", bar->area);
     put_vec2 (json, "start", bar->start);
     put_vec2 (json, "end", bar->end);
     g_string_append (json, " }");
@@ -234,14 +212,14 @@ static void
 append_load (GString *json, const QnModel *model, const QnLoad *load)
 {
   g_string_append_c (json, '{');
-  put_string (json, "kind", qn_name_of_load_kind ((int) load->kind));
+  qn_json_put_string (json, "kind", qn_name_of_load_kind ((int) load->kind));
   if (load->kind == QN_LOAD_WEIGHT) {
     put_vec2 (json, "direction", load->vector);
   } else {
-    put_string (json, "block", model->blocks[load->block].name);
+    qn_json_put_string (json, "block", model->blocks[load->block].name);
     put_vec2 (json, "value", load->vector);
     if (load->moment != 0)
-      put_number (json, "moment", load->moment);
+      qn_json_put_number (json, "moment", load->moment);
     if (load->has_at)
       put_vec2 (json, "at", load->at);
   }
@@ -274,11 +252,11 @@ static void
 put_control (GString *json, const QnModel *model)
 {
   const QnAnalysisSettings *analysis = &model->analysis;
-  begin_member (json, "control");
+  qn_json_begin_member (json, "control");
   g_string_append_c (json, '{');
-  put_string (json, "block", model->blocks[analysis->control_block].name);
-  put_string (json, "component", qn_name_of_dof ((int) analysis->control_dof));
-  put_number (json, "target", analysis->control_target);
+  qn_json_put_string (json, "block", model->blocks[analysis->control_block].name);
+  qn_json_put_string (json, "component", qn_name_of_dof ((int) analysis->control_dof));
+  qn_json_put_number (json, "target", analysis->control_target);
   g_string_append (json, " }");
 }
 
@@ -291,19 +269,20 @@ append_analysis (GString *json, const QnModel *model)
   const QnAnalysisSettings *usual = &defaults.analysis, *analysis = &model->analysis;
 
   g_string_append (json, "  \"analysis\": {");
-  put_string (json, "procedure", qn_name_of_procedure ((int) analysis->procedure));
-  put_string (json, "geometry", qn_name_of_geometry ((int) analysis->geometry));
-  put_number (json, "increments", analysis->increments);
+  qn_json_put_string (json, "procedure",
+                      qn_name_of_procedure ((int) analysis->procedure));
+  qn_json_put_string (json, "geometry", qn_name_of_geometry ((int) analysis->geometry));
+  qn_json_put_number (json, "increments", analysis->increments);
   if (isfinite (analysis->max_multiplier))
-    put_number (json, "max_multiplier", analysis->max_multiplier);
+    qn_json_put_number (json, "max_multiplier", analysis->max_multiplier);
   if (analysis->multiplier_tolerance != usual->multiplier_tolerance)
-    put_number (json, "multiplier_tolerance", analysis->multiplier_tolerance);
+    qn_json_put_number (json, "multiplier_tolerance", analysis->multiplier_tolerance);
   if (analysis->residual_tolerance != usual->residual_tolerance)
-    put_number (json, "residual_tolerance", analysis->residual_tolerance);
+    qn_json_put_number (json, "residual_tolerance", analysis->residual_tolerance);
   if (analysis->snap != usual->snap)
-    put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
+    qn_json_put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
   if (analysis->flow != usual->flow)
-    put_string (json, "flow", qn_name_of_flow ((int) analysis->flow));
+    qn_json_put_string (json, "flow", qn_name_of_flow ((int) analysis->flow));
   if (analysis->control_block != QN_NONE)
     put_control (json, model);
   g_string_append (json, " }");
