@@ -35,9 +35,12 @@ struct _QnWindow {
   GtkWidget *playback;
 };
 
-/* window-actions.c: actions of editing, viewing, tools. */
+/* window-actions.c: actions of viewing, tools, panels. */
 void qn_window_add_actions (QnWindow *window);
 void qn_window_update_actions (QnWindow *window);
+
+/* window-edit.c: actions that change the drawing. */
+void qn_window_add_edit_actions (QnWindow *window);
 
 /* window-files.c: open, save, close. */
 void qn_window_add_file_actions (QnWindow *window);

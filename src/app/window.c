@@ -353,6 +353,7 @@ qn_window_init (QnWindow *self)
   self->tool_settings = first_settings;
   qn_canvas_set_state (self->canvas, self->state, &self->tool_settings);
   qn_window_add_actions (self);
+  qn_window_add_edit_actions (self);
   qn_window_add_file_actions (self);
   qn_window_add_analysis_actions (self);
   qn_window_add_export_actions (self);

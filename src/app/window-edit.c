@@ -1,0 +1,345 @@
+/* Actions that change the drawing: what is selected is moved, copied and deleted, undone and done
+ * again, and travels by the clipboard. */
+#include "app/window-private.h"
+
+#include <glib/gi18n.h>
+
+/* px on the screen that an arrow key moves the selection by, when there is no grid. */
+#define NUDGE_PX 5.0
+
+typedef struct Edit {
+  QnBlockSet set;
+  QnTransform transform;
+  int copies;
+} Edit;
+
+static QnBlockSet
+dup_selected (QnWindow *self)
+{
+  guint count = 0;
+  const QnId *ids =
+    qn_selection_get_blocks (qn_document_get_selection (self->document), &count);
+  return (QnBlockSet){ g_memdup2 (ids, count * sizeof *ids), count };
+}
+
+static gboolean
+edit_delete (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_blocks (model, ((const Edit *) data)->set, error);
+}
+
+static gboolean
+edit_detach (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_detach (model, ((const Edit *) data)->set, error);
+}
+
+static gboolean
+edit_transform (QnModel *model, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_transform_blocks (model, edit->set, edit->transform, error);
+}
+
+static gboolean
+edit_copy (QnModel *model, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_copy_blocks (model, edit->set, edit->transform, edit->copies, error);
+}
+
+static void
+edit_selection (QnWindow *self, const char *name, const char *key, QnEditFunc func,
+                Edit edit)
+{
+  edit.set = dup_selected (self);
+  qn_canvas_edit (self->canvas, name, key, func, &edit);
+  g_free ((gpointer) edit.set.ids);
+}
+
+static void
+delete_selected (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  edit_selection (self, _ ("Delete"), NULL, edit_delete, (Edit){ 0 });
+}
+
+static void
+detach (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  edit_selection (self, _ ("Detach Wall"), NULL, edit_detach, (Edit){ 0 });
+}
+
+/* Box around the selected blocks. */
+static gboolean
+selected_box (QnWindow *self, QnVec2 *low, QnVec2 *high)
+{
+  const QnModel *model = qn_document_get_model (self->document);
+  QnBlockSet set = dup_selected (self);
+  *low = qn_vec2 (INFINITY, INFINITY);
+  *high = qn_vec2 (-INFINITY, -INFINITY);
+  for (guint i = 0; i < set.count; i++) {
+    const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
+    for (QnId k = 0; k < model->blocks[set.ids[i]].vertex_count; k++) {
+      *low = qn_vec2 (MIN (low->x, v[k].x), MIN (low->y, v[k].y));
+      *high = qn_vec2 (MAX (high->x, v[k].x), MAX (high->y, v[k].y));
+    }
+  }
+  g_free ((gpointer) set.ids);
+  return low->x <= high->x;
+}
+
+static void
+mirror (QnWindow *self, GVariant *parameter)
+{
+  QnVec2 low, high;
+  if (!selected_box (self, &low, &high))
+    return;
+  QnVec2 middle = qn_vec2_lerp (low, high, 0.5);
+  gboolean vertical = g_str_equal (g_variant_get_string (parameter, NULL), "vertical");
+  QnVec2 other =
+    vertical ? qn_vec2 (middle.x, middle.y + 1.0) : qn_vec2 (middle.x + 1.0, middle.y);
+  edit_selection (self, _ ("Mirror"), NULL, edit_transform,
+                  (Edit){ .transform = qn_transform_mirror (middle, other) });
+}
+
+/* Degrees, counter-clockwise, about the middle of the selection. */
+static void
+rotate (QnWindow *self, GVariant *parameter)
+{
+  QnVec2 low, high;
+  if (!selected_box (self, &low, &high))
+    return;
+  double angle = g_variant_get_double (parameter) * G_PI / 180.0;
+  edit_selection (
+    self, _ ("Rotate"), NULL, edit_transform,
+    (Edit){ .transform = qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), angle) });
+}
+
+/* A copy beside the original, selected for the next step. */
+static void
+duplicate (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  QnVec2 low, high;
+  if (!selected_box (self, &low, &high))
+    return;
+  gsize before = qn_document_get_model (self->document)->block_count;
+  g_autofree char *text = g_strdup (qn_document_get_text (self->document));
+  edit_selection (
+    self, _ ("Duplicate"), NULL, edit_copy,
+    (Edit){ .transform = qn_transform_translation (1.25 * (high.x - low.x), 0.0),
+            .copies = 1 });
+  const QnModel *model = qn_document_get_model (self->document);
+  if (g_str_equal (text, qn_document_get_text (self->document)))
+    return;
+  /* Free blocks stand before those of walls; the new ones are the last of them. */
+  gsize free_count = 0;
+  while (free_count < model->block_count && model->blocks[free_count].wall == QN_NONE)
+    free_count++;
+  gsize added = model->block_count - before;
+  g_autofree QnId *ids = g_new (QnId, added + 1);
+  for (gsize i = 0; i < added; i++)
+    ids[i] = (QnId) (free_count - added + i);
+  qn_selection_set_blocks (qn_document_get_selection (self->document), ids,
+                           (guint) added);
+}
+
+/* Copies side by side: (number, dx, dy). */
+static void
+array (QnWindow *self, GVariant *parameter)
+{
+  int copies;
+  double dx, dy;
+  g_variant_get (parameter, "(idd)", &copies, &dx, &dy);
+  edit_selection (self, _ ("Array"), NULL, edit_copy,
+                  (Edit){ .transform = qn_transform_translation (dx, dy),
+                          .copies = CLAMP (copies, 1, 10000) });
+}
+
+static void
+nudge (QnWindow *self, GVariant *parameter)
+{
+  double dx, dy;
+  g_variant_get (parameter, "(dd)", &dx, &dy);
+  double step =
+    qn_magnet_round_distance (NUDGE_PX / qn_canvas_get_camera (self->canvas)->scale);
+  edit_selection (self, _ ("Nudge"), "nudge", edit_transform,
+                  (Edit){ .transform = qn_transform_translation (dx * step, dy * step) });
+}
+
+static void
+undo (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_document_undo (self->document);
+}
+
+static void
+redo (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_document_redo (self->document);
+}
+
+static void
+select_all (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_selection_select_all (qn_document_get_selection (self->document),
+                           qn_document_get_model (self->document));
+}
+
+static void
+select_like (QnWindow *self, GVariant *parameter)
+{
+  const char *what = g_variant_get_string (parameter, NULL);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  const QnModel *model = qn_document_get_model (self->document);
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  if (count == 0)
+    return;
+  QnId block = ids[0];
+  if (g_str_equal (what, "course"))
+    qn_selection_select_course (selection, model, block);
+  else if (g_str_equal (what, "wall"))
+    qn_selection_select_wall (selection, model, block);
+  else
+    qn_selection_select_same_law (selection, model, block);
+}
+
+/* ---- clipboard: blocks travel as a project of their own ---- */
+
+static void
+copy (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  QnBlockSet set = dup_selected (self);
+  const QnModel *model = qn_document_get_model (self->document);
+  GString *text = g_string_new ("quoin-blocks\n");
+  for (guint i = 0; i < set.count; i++) {
+    const QnBlock *block = &model->blocks[set.ids[i]];
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    g_string_append_printf (text, "%d %d", block->vertex_count,
+                            block->support[QN_DOF_UX] && block->support[QN_DOF_UY]);
+    g_string_append_printf (text, " %s",
+                            g_ascii_dtostr (number, sizeof number, block->thickness));
+    g_string_append_printf (text, " %s",
+                            g_ascii_dtostr (number, sizeof number, block->unit_weight));
+    const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
+    for (QnId k = 0; k < block->vertex_count; k++) {
+      g_string_append_printf (text, " %s",
+                              g_ascii_dtostr (number, sizeof number, v[k].x));
+      g_string_append_printf (text, " %s",
+                              g_ascii_dtostr (number, sizeof number, v[k].y));
+    }
+    g_string_append_c (text, '\n');
+  }
+  if (set.count > 0)
+    gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (self)), text->str);
+  g_string_free (text, TRUE);
+  g_free ((gpointer) set.ids);
+}
+
+static void
+cut (QnWindow *self, GVariant *parameter)
+{
+  copy (self, parameter);
+  edit_selection (self, _ ("Cut"), NULL, edit_delete, (Edit){ 0 });
+}
+
+/* One line of what copy() wrote. */
+static gboolean
+paste_line (QnModel *model, const char *line, double offset, GError **error)
+{
+  char *at = (char *) line;
+  double head[4];
+  for (int i = 0; i < 4; i++)
+    head[i] = g_ascii_strtod (at, &at);
+  int count = (int) CLAMP (head[0], 3.0, 1e5);
+  bool fixed = head[1] != 0.0;
+  QnBlockStyle style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } };
+  g_autofree QnVec2 *vertices = g_new (QnVec2, (gsize) count);
+  for (int i = 0; i < count; i++) {
+    vertices[i].x = g_ascii_strtod (at, &at) + offset;
+    vertices[i].y = g_ascii_strtod (at, &at);
+  }
+  return qn_edit_add_block (model, vertices, (guint) count, style, error);
+}
+
+static gboolean
+edit_paste (QnModel *model, gpointer data, GError **error)
+{
+  g_auto (GStrv) lines = g_strsplit (data, "\n", -1);
+  if (!g_str_equal (lines[0], "quoin-blocks")) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There are no blocks on the clipboard"));
+    return FALSE;
+  }
+  /* Beside everything there is, where nothing overlaps. */
+  double left = INFINITY, right = -INFINITY;
+  for (gsize i = 0; i < model->vertex_count; i++)
+    right = MAX (right, model->vertices[i].x);
+  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
+    char *at = lines[i];
+    for (int k = 0; k < 4; k++)
+      g_ascii_strtod (at, &at);
+    while (*at != '\0') {
+      char *before = at;
+      left = MIN (left, g_ascii_strtod (at, &at));
+      g_ascii_strtod (at, &at);
+      if (at == before)
+        break;
+    }
+  }
+  double offset = isfinite (left) && isfinite (right)
+                    ? right - left + model->characteristic_length
+                    : 0.0;
+  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
+    if (!paste_line (model, lines[i], offset, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+static void
+on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
+{
+  g_autoptr (QnWindow) self = data;
+  g_autofree char *text =
+    gdk_clipboard_read_text_finish (GDK_CLIPBOARD (source), result, NULL);
+  qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste,
+                  text != NULL ? text : (char *) "");
+}
+
+static void
+paste (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  gdk_clipboard_read_text_async (gtk_widget_get_clipboard (GTK_WIDGET (self)), NULL,
+                                 on_clipboard_text, g_object_ref (self));
+}
+
+void
+qn_window_add_edit_actions (QnWindow *self)
+{
+  static const QnWindowAction actions[] = {
+    { "delete", NULL, delete_selected },
+    { "detach", NULL, detach },
+    { "mirror", "s", mirror },
+    { "rotate", "d", rotate },
+    { "duplicate", NULL, duplicate },
+    { "array", "(idd)", array },
+    { "nudge", "(dd)", nudge },
+    { "undo", NULL, undo },
+    { "redo", NULL, redo },
+    { "select-all", NULL, select_all },
+    { "select-like", "s", select_like },
+    { "copy", NULL, copy },
+    { "cut", NULL, cut },
+    { "paste", NULL, paste },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+}
