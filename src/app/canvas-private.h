@@ -44,6 +44,17 @@ const QnScene *qn_canvas_get_scene (QnCanvas *canvas);
 /* Draws everything. */
 void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
 
+/* canvas-pointer.c, canvas-camera.c, canvas-keys.c: what the user does to the drawing. */
+void qn_canvas_add_pointer_controllers (QnCanvas *canvas);
+void qn_canvas_add_camera_controllers (QnCanvas *canvas);
+void qn_canvas_add_key_controller (QnCanvas *canvas);
+
+/* Moves the camera so that everything is in view. */
+void qn_canvas_fit_now (QnCanvas *canvas);
+
+void qn_canvas_emit_status (QnCanvas *canvas);
+void qn_canvas_emit_failed (QnCanvas *canvas, const char *message);
+
 /* Distance of grid lines at the present zoom, m. */
 double qn_canvas_grid_distance (QnCanvas *canvas);
 

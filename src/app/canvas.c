@@ -3,31 +3,27 @@
 #include "app/settings.h"
 #include <glib/gi18n.h>
 
-/* px: how far the magnet pulls, and how near the pointer must be to pick. */
-#define MAGNET_REACH_PX 9.0
-#define PICK_REACH_PX   4.0
-#define CLICK_PX        4.0
+/* px: how near the pointer must be to pick. */
+#define PICK_REACH_PX 4.0
+#define CLICK_PX      4.0
 
-/* Pixels per metre between which one can zoom. */
-#define LEAST_SCALE 0.05
-#define MOST_SCALE  200000.0
-
-#define FIT_TOP_PX    44.0
-#define FIT_MARGIN_PX 56.0
-#define REST_MS       150 /* without motion, until a heavy drawing is drawn anew */
-#define PLACE_SECONDS 4
-#define WHEEL_FACTOR  1.15
-#define PX_PER_POINT  (96.0 / 72.0)
+#define PX_PER_POINT (96.0 / 72.0)
 
 G_DEFINE_FINAL_TYPE (QnCanvas, qn_canvas, GTK_TYPE_WIDGET)
 
 enum { SIGNAL_STATUS, SIGNAL_FAILED, SIGNAL_COUNT };
 static guint signals[SIGNAL_COUNT];
 
-static void
-emit_status (QnCanvas *self)
+void
+qn_canvas_emit_status (QnCanvas *self)
 {
   g_signal_emit (self, signals[SIGNAL_STATUS], 0);
+}
+
+void
+qn_canvas_emit_failed (QnCanvas *self, const char *message)
+{
+  g_signal_emit (self, signals[SIGNAL_FAILED], 0, message);
 }
 
 /* ---- scene ---- */
@@ -80,364 +76,6 @@ update_description (QnCanvas *self)
                                   text, -1);
 }
 
-/* ---- pointer ---- */
-
-static void
-update_hit (QnCanvas *self)
-{
-  QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
-  GSettings *settings = qn_settings_get ();
-  gboolean free_hand = (self->modifiers & GDK_ALT_MASK) != 0;
-  gboolean wanted =
-    self->tool != NULL && (self->tool->magnetic || self->in_gesture) && !free_hand;
-  QnMagnet magnet = { wanted && g_settings_get_boolean (settings, "snap"),
-                      MAGNET_REACH_PX / self->camera.scale,
-                      g_settings_get_boolean (settings, "grid")
-                        ? qn_canvas_grid_distance (self) / 5.0
-                        : 0.0 };
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
-  self->hit = qn_magnet_find (&magnet, model, point, self->magnet_skip);
-}
-
-static QnToolEvent
-make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
-            int press_count)
-{
-  self->pointer = qn_vec2 (x, y);
-  self->modifiers = modifiers;
-  update_hit (self);
-  return (QnToolEvent){ self->pointer, qn_camera_to_model (&self->camera, self->pointer),
-                        self->hit.point, modifiers, press_count };
-}
-
-static GdkModifierType
-event_modifiers (gpointer controller)
-{
-  return gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (controller));
-}
-
-static void
-on_press (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
-{
-  gtk_widget_grab_focus (GTK_WIDGET (self));
-  if (self->state == NULL || self->tool == NULL)
-    return;
-  QnToolEvent event = make_event (self, x, y, event_modifiers (gesture), count);
-  self->pressed = TRUE;
-  self->has_place = FALSE;
-  if (self->tool->press != NULL)
-    self->tool->press (self, &event);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  emit_status (self);
-}
-
-static void
-on_release (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
-{
-  if (!self->pressed)
-    return;
-  QnToolEvent event = make_event (self, x, y, event_modifiers (gesture), count);
-  self->pressed = FALSE;
-  if (self->tool->release != NULL)
-    self->tool->release (self, &event);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  emit_status (self);
-}
-
-static void
-on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *self)
-{
-  if (self->state == NULL || self->tool == NULL)
-    return;
-  self->pointer_inside = TRUE;
-  QnToolEvent event = make_event (self, x, y, event_modifiers (controller), 0);
-  if (self->tool->motion != NULL)
-    self->tool->motion (self, &event);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  emit_status (self);
-}
-
-static void
-on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
-{
-  (void) controller;
-  self->pointer_inside = FALSE;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  emit_status (self);
-}
-
-/* ---- camera ---- */
-
-static gboolean
-on_rest (gpointer data)
-{
-  QnCanvas *self = data;
-  self->rest_timeout = 0;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  return G_SOURCE_REMOVE;
-}
-
-/* The user has moved the paper: heavy drawings wait for it to come to rest. */
-static void
-camera_moved (QnCanvas *self)
-{
-  self->wants_fit = self->keeps_fit = FALSE;
-  g_clear_handle_id (&self->rest_timeout, g_source_remove);
-  self->rest_timeout = g_timeout_add (REST_MS, on_rest, self);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-}
-
-static void
-zoom_at (QnCanvas *self, QnVec2 at, double factor)
-{
-  double scale = CLAMP (self->camera.scale * factor, LEAST_SCALE, MOST_SCALE);
-  qn_camera_zoom_at (&self->camera, at, scale / self->camera.scale);
-  camera_moved (self);
-  emit_status (self);
-}
-
-static gboolean
-on_scroll (GtkEventControllerScroll *controller, double dx, double dy, QnCanvas *self)
-{
-  GdkEvent *event =
-    gtk_event_controller_get_current_event (GTK_EVENT_CONTROLLER (controller));
-  gboolean touchpad =
-    event != NULL && gdk_scroll_event_get_direction (event) == GDK_SCROLL_SMOOTH
-    && gdk_device_get_source (gdk_event_get_device (event)) == GDK_SOURCE_TOUCHPAD;
-  GdkModifierType modifiers = event_modifiers (controller);
-  if (touchpad && (modifiers & GDK_CONTROL_MASK) == 0) {
-    qn_camera_pan (&self->camera, qn_vec2 (-dx * 10.0, -dy * 10.0));
-    camera_moved (self);
-  } else if (modifiers & GDK_SHIFT_MASK) {
-    qn_camera_pan (&self->camera, qn_vec2 (-(dx + dy) * 40.0, 0.0));
-    camera_moved (self);
-  } else
-    zoom_at (self, self->pointer, pow (WHEEL_FACTOR, -dy));
-  return TRUE;
-}
-
-static void
-on_pan_begin (GtkGestureDrag *gesture, double x, double y, QnCanvas *self)
-{
-  (void) gesture;
-  (void) x;
-  (void) y;
-  self->gesture_camera = self->camera;
-  gtk_widget_set_cursor_from_name (GTK_WIDGET (self), "grabbing");
-}
-
-static void
-on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCanvas *self)
-{
-  (void) gesture;
-  QnCamera camera = self->gesture_camera;
-  qn_camera_pan (&camera, qn_vec2 (dx, dy));
-  self->camera.center = camera.center;
-  camera_moved (self);
-}
-
-static void
-on_pan_end (GtkGestureDrag *gesture, double dx, double dy, QnCanvas *self)
-{
-  (void) gesture;
-  (void) dx;
-  (void) dy;
-  gtk_widget_set_cursor (GTK_WIDGET (self), NULL);
-}
-
-static void
-on_pinch_begin (GtkGesture *gesture, GdkEventSequence *sequence, QnCanvas *self)
-{
-  (void) sequence;
-  double x, y;
-  self->gesture_camera = self->camera;
-  if (gtk_gesture_get_bounding_box_center (gesture, &x, &y))
-    self->zoom_center = qn_vec2 (x, y);
-}
-
-static void
-on_pinch_changed (GtkGestureZoom *gesture, double factor, QnCanvas *self)
-{
-  (void) gesture;
-  self->camera = self->gesture_camera;
-  zoom_at (self, self->zoom_center, factor);
-}
-
-void
-qn_canvas_fit (QnCanvas *self)
-{
-  self->wants_fit = self->keeps_fit = TRUE;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-}
-
-static void
-fit_now (QnCanvas *self)
-{
-  const QnScene *scene = qn_canvas_get_scene (self);
-  QnBox box = scene != NULL ? scene->box : (QnBox){ { -0.5, -0.5 }, { 5.5, 4.5 } };
-  /* Room for the rulers, the choice of view above and the buttons below. */
-  self->camera.y = FIT_TOP_PX;
-  self->camera.height -= FIT_TOP_PX;
-  qn_camera_fit (&self->camera, box, FIT_MARGIN_PX);
-  self->camera.height += FIT_TOP_PX;
-  self->camera.y = 0.0;
-  self->camera.center.y += 0.5 * FIT_TOP_PX / self->camera.scale;
-  self->wants_fit = FALSE;
-  self->camera.scale = CLAMP (self->camera.scale, LEAST_SCALE, MOST_SCALE);
-}
-
-void
-qn_canvas_zoom (QnCanvas *self, double factor)
-{
-  zoom_at (self, qn_vec2 (0.5 * self->camera.width, 0.5 * self->camera.height), factor);
-}
-
-const QnCamera *
-qn_canvas_get_camera (QnCanvas *self)
-{
-  return &self->camera;
-}
-
-void
-qn_canvas_set_camera (QnCanvas *self, const QnCamera *camera)
-{
-  self->camera.center = camera->center;
-  self->camera.scale = camera->scale;
-  camera_moved (self);
-}
-
-static gboolean
-on_place_timeout (gpointer data)
-{
-  QnCanvas *self = data;
-  self->place_timeout = 0;
-  self->has_place = FALSE;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  return G_SOURCE_REMOVE;
-}
-
-void
-qn_canvas_show_place (QnCanvas *self, QnVec2 at)
-{
-  QnVec2 screen = qn_camera_to_screen (&self->camera, at);
-  double margin = FIT_MARGIN_PX;
-  if (screen.x < margin || screen.y < margin || screen.x > self->camera.width - margin
-      || screen.y > self->camera.height - margin)
-    self->camera.center = at;
-  self->place = at;
-  self->has_place = TRUE;
-  self->wants_fit = self->keeps_fit = FALSE;
-  g_clear_handle_id (&self->place_timeout, g_source_remove);
-  self->place_timeout = g_timeout_add_seconds (PLACE_SECONDS, on_place_timeout, self);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-}
-
-/* ---- keys ---- */
-
-static void
-finish_typed (QnCanvas *self)
-{
-  double values[4];
-  int count = 0;
-  QnUnits units = qn_settings_get_units ();
-  g_auto (GStrv) words = g_strsplit_set (self->typed->str, ";x×", -1);
-  for (guint i = 0; words[i] != NULL && count < (int) G_N_ELEMENTS (values); i++) {
-    if (*g_strstrip (words[i]) == '\0')
-      continue;
-    g_autoptr (GError) error = NULL;
-    if (!qn_units_parse (units, QN_QUANTITY_LENGTH, words[i], &values[count], &error)) {
-      g_signal_emit (self, signals[SIGNAL_FAILED], 0, error->message);
-      return;
-    }
-    count++;
-  }
-  g_string_truncate (self->typed, 0);
-  if (self->tool->numbers == NULL || !self->tool->numbers (self, values, count))
-    g_signal_emit (self, signals[SIGNAL_FAILED], 0,
-                   _ ("Type a width and a height, separated by a semicolon"));
-}
-
-static gboolean
-is_number_character (gunichar c)
-{
-  return (c < 128 && g_ascii_isdigit ((char) c)) || c == '.' || c == ',' || c == ';'
-         || c == '-' || c == ' ' || c == 'x' || c == 'm' || c == 'c';
-}
-
-/* Keys that mean something for the drawing alone, so that entries keep theirs. */
-static const struct {
-  guint keyval;
-  GdkModifierType modifiers;
-  const char *action; /* detailed name */
-} canvas_keys[] = {
-  { GDK_KEY_Delete, 0, "win.delete" },
-  { GDK_KEY_BackSpace, 0, "win.delete" },
-  { GDK_KEY_Left, 0, "win.nudge((-1.0,0.0))" },
-  { GDK_KEY_Right, 0, "win.nudge((1.0,0.0))" },
-  { GDK_KEY_Up, 0, "win.nudge((0.0,1.0))" },
-  { GDK_KEY_Down, 0, "win.nudge((0.0,-1.0))" },
-  { GDK_KEY_space, 0, "win.play" },
-  { GDK_KEY_period, 0, "win.next-step" },
-  { GDK_KEY_comma, 0, "win.previous-step" },
-  { GDK_KEY_c, GDK_CONTROL_MASK, "win.copy" },
-  { GDK_KEY_x, GDK_CONTROL_MASK, "win.cut" },
-  { GDK_KEY_v, GDK_CONTROL_MASK, "win.paste" },
-  { GDK_KEY_a, GDK_CONTROL_MASK, "win.select-all" },
-};
-
-static gboolean
-activate_key (QnCanvas *self, guint keyval, GdkModifierType modifiers)
-{
-  GdkModifierType held = modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK | GDK_SHIFT_MASK);
-  for (gsize i = 0; i < G_N_ELEMENTS (canvas_keys); i++) {
-    if (canvas_keys[i].keyval != keyval || canvas_keys[i].modifiers != held)
-      continue;
-    g_autofree char *name = NULL;
-    g_autoptr (GVariant) target = NULL;
-    g_action_parse_detailed_name (canvas_keys[i].action, &name, &target, NULL);
-    return gtk_widget_activate_action_variant (GTK_WIDGET (self), name, target);
-  }
-  for (int i = 0; qn_tools[i] != NULL && held == 0; i++) {
-    if (gdk_keyval_to_unicode (keyval) == (gunichar) qn_tools[i]->accel[0])
-      return gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s",
-                                         qn_tools[i]->name);
-  }
-  return FALSE;
-}
-
-static gboolean
-on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
-        GdkModifierType modifiers, QnCanvas *self)
-{
-  (void) controller;
-  (void) keycode;
-  gboolean control = (modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK)) != 0;
-  if (keyval == GDK_KEY_Escape) {
-    if (self->typed->len > 0)
-      g_string_truncate (self->typed, 0);
-    else if (self->in_gesture)
-      qn_canvas_cancel_gesture (self);
-    else if (self->tool != &qn_tool_select)
-      gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "select");
-    else
-      qn_selection_clear (qn_canvas_get_selection (self));
-  } else if (!self->in_gesture || control)
-    return activate_key (self, keyval, modifiers);
-  else if ((keyval == GDK_KEY_Return || keyval == GDK_KEY_KP_Enter)
-           && self->tool->numbers)
-    finish_typed (self);
-  else if (keyval == GDK_KEY_BackSpace && self->typed->len > 0)
-    g_string_truncate (self->typed, self->typed->len - 1);
-  else if (is_number_character (gdk_keyval_to_unicode (keyval))
-           && (self->typed->len > 0 || gdk_keyval_to_unicode (keyval) < 0x3a))
-    g_string_append_unichar (self->typed, gdk_keyval_to_unicode (keyval));
-  else
-    return FALSE;
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  emit_status (self);
-  return TRUE;
-}
-
 /* ---- widget ---- */
 
 static void
@@ -451,7 +89,7 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
   self->camera.width = width;
   self->camera.height = height;
   if (self->wants_fit || (resized && self->keeps_fit))
-    fit_now (self);
+    qn_canvas_fit_now (self);
   cairo_t *cr = gtk_snapshot_append_cairo (
     snapshot, &GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height));
   qn_canvas_draw (self, cr);
@@ -504,43 +142,6 @@ qn_canvas_class_init (QnCanvasClass *klass)
 }
 
 static void
-add_controllers (QnCanvas *self)
-{
-  GtkWidget *widget = GTK_WIDGET (self);
-  GtkGesture *click = gtk_gesture_click_new ();
-  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (click), GDK_BUTTON_PRIMARY);
-  g_signal_connect (click, "pressed", G_CALLBACK (on_press), self);
-  g_signal_connect (click, "released", G_CALLBACK (on_release), self);
-  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (click));
-
-  GtkGesture *pan = gtk_gesture_drag_new ();
-  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (pan), GDK_BUTTON_MIDDLE);
-  g_signal_connect (pan, "drag-begin", G_CALLBACK (on_pan_begin), self);
-  g_signal_connect (pan, "drag-update", G_CALLBACK (on_pan_update), self);
-  g_signal_connect (pan, "drag-end", G_CALLBACK (on_pan_end), self);
-  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (pan));
-
-  GtkGesture *pinch = gtk_gesture_zoom_new ();
-  g_signal_connect (pinch, "begin", G_CALLBACK (on_pinch_begin), self);
-  g_signal_connect (pinch, "scale-changed", G_CALLBACK (on_pinch_changed), self);
-  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (pinch));
-
-  GtkEventController *motion = gtk_event_controller_motion_new ();
-  g_signal_connect (motion, "motion", G_CALLBACK (on_motion), self);
-  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), self);
-  gtk_widget_add_controller (widget, motion);
-
-  GtkEventController *scroll =
-    gtk_event_controller_scroll_new (GTK_EVENT_CONTROLLER_SCROLL_BOTH_AXES);
-  g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), self);
-  gtk_widget_add_controller (widget, scroll);
-
-  GtkEventController *key = gtk_event_controller_key_new ();
-  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
-  gtk_widget_add_controller (widget, key);
-}
-
-static void
 qn_canvas_init (QnCanvas *self)
 {
   gtk_widget_set_focusable (GTK_WIDGET (self), TRUE);
@@ -553,7 +154,9 @@ qn_canvas_init (QnCanvas *self)
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
   self->tool = &qn_tool_select;
   self->wants_fit = self->keeps_fit = TRUE;
-  add_controllers (self);
+  qn_canvas_add_pointer_controllers (self);
+  qn_canvas_add_camera_controllers (self);
+  qn_canvas_add_key_controller (self);
 }
 
 static void
@@ -638,7 +241,7 @@ qn_canvas_set_tool (QnCanvas *self, const QnTool *tool)
   gtk_widget_set_cursor_from_name (GTK_WIDGET (self),
                                    tool == &qn_tool_select ? NULL : "crosshair");
   gtk_widget_queue_draw (GTK_WIDGET (self));
-  emit_status (self);
+  qn_canvas_emit_status (self);
 }
 
 const QnTool *
@@ -705,7 +308,7 @@ qn_canvas_edit (QnCanvas *self, const char *name, const char *key, QnEditFunc fu
   g_autoptr (GError) error = NULL;
   if (qn_document_edit (qn_canvas_get_document (self), name, key, func, data, &error))
     return TRUE;
-  g_signal_emit (self, signals[SIGNAL_FAILED], 0, error->message);
+  qn_canvas_emit_failed (self, error->message);
   return FALSE;
 }
 

@@ -196,11 +196,18 @@ driver_screenshot (GtkWidget *window, const char *name)
   if (folder == NULL)
     return;
   driver_run (150);
+  driver_wait (is_mapped, window);
   int width = gtk_widget_get_width (window), height = gtk_widget_get_height (window);
   g_autoptr (GdkPaintable) paintable = gtk_widget_paintable_new (window);
-  GtkSnapshot *snapshot = gtk_snapshot_new ();
-  gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot), width, height);
-  GskRenderNode *node = gtk_snapshot_free_to_node (snapshot);
+  /* A window that is not drawn yet has no picture. */
+  GskRenderNode *node = NULL;
+  for (int i = 0; i < 100 && node == NULL; i++) {
+    GtkSnapshot *snapshot = gtk_snapshot_new ();
+    gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot), width, height);
+    node = gtk_snapshot_free_to_node (snapshot);
+    if (node == NULL)
+      driver_run (50);
+  }
   g_assert_nonnull (node);
   GskRenderer *renderer = gtk_native_get_renderer (GTK_NATIVE (window));
   g_autoptr (GdkTexture) texture = gsk_renderer_render_texture (renderer, node, NULL);

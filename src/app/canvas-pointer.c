@@ -1,0 +1,107 @@
+/* What the pointer does on the drawing: the magnet places it, the tool gets it. */
+#include "app/canvas-private.h"
+
+#include "app/settings.h"
+
+/* px: how far the magnet pulls. */
+#define MAGNET_REACH_PX 9.0
+
+static void
+update_hit (QnCanvas *self)
+{
+  QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
+  GSettings *settings = qn_settings_get ();
+  gboolean free_hand = (self->modifiers & GDK_ALT_MASK) != 0;
+  gboolean wanted =
+    self->tool != NULL && (self->tool->magnetic || self->in_gesture) && !free_hand;
+  QnMagnet magnet = { wanted && g_settings_get_boolean (settings, "snap"),
+                      MAGNET_REACH_PX / self->camera.scale,
+                      g_settings_get_boolean (settings, "grid")
+                        ? qn_canvas_grid_distance (self) / 5.0
+                        : 0.0 };
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  self->hit = qn_magnet_find (&magnet, model, point, self->magnet_skip);
+}
+
+static QnToolEvent
+make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
+            int press_count)
+{
+  self->pointer = qn_vec2 (x, y);
+  self->modifiers = modifiers;
+  update_hit (self);
+  return (QnToolEvent){ self->pointer, qn_camera_to_model (&self->camera, self->pointer),
+                        self->hit.point, modifiers, press_count };
+}
+
+static void
+on_press (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+{
+  gtk_widget_grab_focus (GTK_WIDGET (self));
+  if (self->state == NULL || self->tool == NULL)
+    return;
+  QnToolEvent event = make_event (
+    self, x, y,
+    gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (gesture)), count);
+  self->pressed = TRUE;
+  self->has_place = FALSE;
+  if (self->tool->press != NULL)
+    self->tool->press (self, &event);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+static void
+on_release (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+{
+  if (!self->pressed)
+    return;
+  QnToolEvent event = make_event (
+    self, x, y,
+    gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (gesture)), count);
+  self->pressed = FALSE;
+  if (self->tool->release != NULL)
+    self->tool->release (self, &event);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+static void
+on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *self)
+{
+  if (self->state == NULL || self->tool == NULL)
+    return;
+  self->pointer_inside = TRUE;
+  QnToolEvent event = make_event (
+    self, x, y,
+    gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (controller)), 0);
+  if (self->tool->motion != NULL)
+    self->tool->motion (self, &event);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+static void
+on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
+{
+  (void) controller;
+  self->pointer_inside = FALSE;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+void
+qn_canvas_add_pointer_controllers (QnCanvas *self)
+{
+  GtkWidget *widget = GTK_WIDGET (self);
+  GtkGesture *click = gtk_gesture_click_new ();
+  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (click), GDK_BUTTON_PRIMARY);
+  g_signal_connect (click, "pressed", G_CALLBACK (on_press), self);
+  g_signal_connect (click, "released", G_CALLBACK (on_release), self);
+  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (click));
+
+  GtkEventController *motion = gtk_event_controller_motion_new ();
+  g_signal_connect (motion, "motion", G_CALLBACK (on_motion), self);
+  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), self);
+  gtk_widget_add_controller (widget, motion);
+}
