@@ -2,6 +2,7 @@
 
 #include "render/curve-plot.h"
 #include "render/figure-layout.h"
+#include "render/gl-painter.h"
 #include "render/motion.h"
 #include "render/movie.h"
 
@@ -303,6 +304,10 @@ qn_animation_export (const QnAnimation *animation, const char *path,
                  QN_MAX_FRAMES);
     return false;
   }
+  g_autoptr (QnGlPainter) painter = NULL;
+  if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
+    return false;
+  page.painter = painter;
   QnMetadata full = *metadata;
   if (full.title == NULL)
     full.title = animation->figure.title != NULL ? animation->figure.title

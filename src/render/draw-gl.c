@@ -10,7 +10,7 @@
 struct QnGlRenderer {
   const QnGl *gl;
   GLuint program, array, vertices, indices;
-  GLint scale, shift, unit, line_factor, dash;
+  GLint scale, shift, pixel, metric, growth, smoothness, dash;
   QnGlBatch batch;
   QnGlTarget target; /* for pictures that are read back */
   uint64_t revision; /* of the scene in the buffers; 0: none */
@@ -23,30 +23,48 @@ static const char vertex_source[] =
   "#version 330 core\n"
   "layout(location = 0) in vec2 place;\n"
   "layout(location = 1) in vec2 offset;\n"
-  "layout(location = 2) in float along;\n"
+  "layout(location = 2) in vec4 reach;\n"
   "layout(location = 3) in vec4 color;\n"
-  "layout(location = 4) in float thin;\n"
-  "uniform vec2 scale, shift, unit;\n"
-  "uniform float line_factor;\n"
-  "out vec4 paint;\n"
-  "out float distance;\n"
+  "layout(location = 4) in vec4 flags;\n"
+  "layout(location = 5) in vec2 grow;\n"
+  "layout(location = 6) in vec4 rim;\n"
+  "uniform vec2 scale, shift, pixel;\n"
+  "uniform vec3 metric;\n" /* px per m, px per pt, px per pt of thinned lines */
+  "uniform float growth;\n"
+  "flat out vec4 paint;\n"
+  "flat out float dashed;\n"
+  "out vec4 edges;\n" /* px */
   "void main() {\n"
+  "  float point = mix(metric.y, metric.z, flags.x);\n"
+  "  vec2 units = mix(metric.xx, vec2(point), flags.yz);\n"
   "  paint = vec4(color.rgb * color.a, color.a);\n"
-  "  distance = along;\n"
+  "  dashed = flags.w;\n"
+  "  edges = reach * units.xyxy + growth * rim;\n"
   "  gl_Position = vec4(place * scale + shift\n"
-  "                     + offset * unit * mix(1.0, line_factor, thin), 0.0, 1.0);\n"
+  "                     + (offset * point + growth * grow) * pixel, 0.0, 1.0);\n"
   "}\n";
 
 static const char fragment_source[] =
   "#version 330 core\n"
-  "in vec4 paint;\n"
-  "in float distance;\n"
-  "uniform vec2 dash;\n" /* period and length of a dash, m */
+  "flat in vec4 paint;\n"
+  "flat in float dashed;\n"
+  "in vec4 edges;\n"
+  "uniform float smoothness;\n"
+  "uniform vec2 dash;\n" /* period and length of a dash, px */
   "out vec4 result;\n"
   "void main() {\n"
-  "  if (distance >= 0.0 && mod(distance, dash.x) > dash.y)\n"
-  "    discard;\n"
-  "  result = paint;\n"
+  "  vec4 inside = clamp(edges + 0.5, 0.0, 1.0);\n"
+  "  vec2 strip = max(inside.xy + inside.zw - 1.0, 0.0);\n"
+  "  float cover = strip.x * strip.y;\n"
+  "  if (dashed > 0.5) {\n"
+  "    float away = abs(mod(edges.y - 0.5 * dash.y + 0.5 * dash.x, dash.x)\n"
+  "                     - 0.5 * dash.x);\n"
+  "    float within = clamp(0.5 * dash.y - away + 0.5, 0.0, 1.0);\n"
+  "    if (mix(step(0.5, within), within, smoothness) == 0.0)\n"
+  "      discard;\n"
+  "    cover *= within;\n"
+  "  }\n"
+  "  result = paint * mix(1.0, cover, smoothness);\n"
   "}\n";
 
 static GLuint
@@ -74,8 +92,10 @@ link_program (QnGlRenderer *r)
   gl->GetProgramiv (r->program, GL_LINK_STATUS, &linked);
   r->scale = gl->GetUniformLocation (r->program, "scale");
   r->shift = gl->GetUniformLocation (r->program, "shift");
-  r->unit = gl->GetUniformLocation (r->program, "unit");
-  r->line_factor = gl->GetUniformLocation (r->program, "line_factor");
+  r->pixel = gl->GetUniformLocation (r->program, "pixel");
+  r->metric = gl->GetUniformLocation (r->program, "metric");
+  r->growth = gl->GetUniformLocation (r->program, "growth");
+  r->smoothness = gl->GetUniformLocation (r->program, "smoothness");
   r->dash = gl->GetUniformLocation (r->program, "dash");
   return linked != 0;
 }
@@ -91,9 +111,11 @@ describe_vertices (const QnGl *gl)
   } attributes[] = {
     { 2, GL_FLOAT, GL_FALSE, offsetof (QnGlVertex, place) },
     { 2, GL_FLOAT, GL_FALSE, offsetof (QnGlVertex, offset) },
-    { 1, GL_FLOAT, GL_FALSE, offsetof (QnGlVertex, along) },
+    { 4, GL_FLOAT, GL_FALSE, offsetof (QnGlVertex, reach) },
     { 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof (QnGlVertex, color) },
-    { 1, GL_UNSIGNED_BYTE, GL_TRUE, offsetof (QnGlVertex, thin) },
+    { 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof (QnGlVertex, flags) },
+    { 2, GL_BYTE, GL_FALSE, offsetof (QnGlVertex, grow) },
+    { 4, GL_BYTE, GL_FALSE, offsetof (QnGlVertex, rim) },
   };
   for (GLuint i = 0; i < G_N_ELEMENTS (attributes); i++) {
     gl->EnableVertexAttribArray (i);
@@ -215,23 +237,25 @@ collect_runs (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
 }
 
 static void
-set_camera (const QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
+set_camera (const QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
+            bool antialias)
 {
   const QnGl *gl = r->gl;
   double sx = 2 * camera->scale / camera->width, sy = 2 * camera->scale / camera->height;
   QnVec2 off = qn_vec2_sub (r->batch.origin, camera->center);
   gl->Uniform2f (r->scale, (float) sx, (float) sy);
   gl->Uniform2f (r->shift, (float) (off.x * sx), (float) (off.y * sy));
-  gl->Uniform2f (r->unit, (float) (2 * camera->unit / camera->width),
-                 (float) (2 * camera->unit / camera->height));
-  gl->Uniform1f (r->line_factor, (float) qn_scene_line_factor (scene, camera));
-  gl->Uniform2f (r->dash, (float) (6.5 * camera->unit / camera->scale),
-                 (float) (4 * camera->unit / camera->scale));
+  gl->Uniform2f (r->pixel, (float) (2 / camera->width), (float) (2 / camera->height));
+  gl->Uniform3f (r->metric, (float) camera->scale, (float) camera->unit,
+                 (float) (camera->unit * qn_scene_line_factor (scene, camera)));
+  gl->Uniform1f (r->growth, antialias ? 1.0f / QN_GL_GROWTH_STEPS : 0.0f);
+  gl->Uniform1f (r->smoothness, antialias ? 1 : 0);
+  gl->Uniform2f (r->dash, (float) (6.5 * camera->unit), (float) (4 * camera->unit));
 }
 
 void
 qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
-                     int framebuffer_height, QnDrawCounts *counts)
+                     int framebuffer_height, bool antialias, QnDrawCounts *counts)
 {
   const QnGl *gl = r->gl;
   gl->UseProgram (r->program);
@@ -250,7 +274,7 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   gl->Disable (GL_DEPTH_TEST);
   gl->Enable (GL_BLEND);
   gl->BlendFunc (GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  set_camera (r, scene, camera);
+  set_camera (r, scene, camera, antialias);
 
   QnDrawCounts tally = collect_runs (r, scene, camera);
   if (r->counts->len > 0)

@@ -17,7 +17,7 @@ void qn_gl_renderer_free (QnGlRenderer *renderer);
  * is there, with premultiplied alpha. The scene's triangles are uploaded when its revision is
  * another than last time. `counts` may be NULL. */
 void qn_gl_renderer_draw (QnGlRenderer *renderer, const QnScene *scene,
-                          const QnCamera *camera, int framebuffer_height,
+                          const QnCamera *camera, int framebuffer_height, bool antialias,
                           QnDrawCounts *counts);
 
 /* The table that the renderer was made with. */
@@ -26,12 +26,8 @@ const QnGl *qn_gl_renderer_api (const QnGlRenderer *renderer);
 /* How often a scene was uploaded since the renderer was made. */
 unsigned qn_gl_renderer_uploads (const QnGlRenderer *renderer);
 
-/* Draws the camera's viewport into a new image of its size with a transparent ground, in a
- * context of its own. NULL with an error. */
-cairo_surface_t *qn_draw_gl_image (const QnScene *scene, const QnCamera *camera,
-                                   bool antialias, GError **error);
-
-/* The same with a renderer of the current context, which may be used many times. */
+/* Draws the camera's viewport into a new image of its size with a transparent ground. NULL with
+ * an error. */
 cairo_surface_t *qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
                                             const QnCamera *camera, bool antialias,
                                             QnDrawCounts *counts, GError **error);

@@ -1,13 +1,13 @@
 #include "render/draw-scene.h"
 
 #include "render/draw-cairo.h"
-#include "render/draw-gl.h"
+#include "render/gl-painter.h"
 
 bool
 qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
                const QnPage *page, GError **error)
 {
-  if (page->backend == QN_BACKEND_CAIRO) {
+  if (page->painter == NULL) {
     qn_draw_cairo (scene, camera, QN_LAYERS_ALL, page->antialias, cr, NULL);
     return true;
   }
@@ -20,7 +20,8 @@ qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
   snapped.height = ceil (camera->y + camera->height) - snapped.y;
   QnVec2 middle = { snapped.x + 0.5 * snapped.width, snapped.y + 0.5 * snapped.height };
   snapped.center = qn_camera_to_model (camera, middle);
-  cairo_surface_t *image = qn_draw_gl_image (scene, &snapped, page->antialias, error);
+  cairo_surface_t *image =
+    qn_gl_painter_draw (page->painter, scene, &snapped, page->antialias, error);
   if (image == NULL)
     return false;
   qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_BELOW, page->antialias, cr, NULL);

@@ -13,7 +13,6 @@
   X (PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                        \
   X (PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                          \
   X (PFNGLBLENDFUNCPROC, BlendFunc)                                                      \
-  X (PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                          \
   X (PFNGLBUFFERDATAPROC, BufferData)                                                    \
   X (PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                            \
   X (PFNGLCLEARCOLORPROC, ClearColor)                                                    \
@@ -43,11 +42,12 @@
   X (PFNGLMULTIDRAWELEMENTSPROC, MultiDrawElements)                                      \
   X (PFNGLPIXELSTOREIPROC, PixelStorei)                                                  \
   X (PFNGLREADPIXELSPROC, ReadPixels)                                                    \
-  X (PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)            \
+  X (PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                                  \
   X (PFNGLSCISSORPROC, Scissor)                                                          \
   X (PFNGLSHADERSOURCEPROC, ShaderSource)                                                \
   X (PFNGLUNIFORM1FPROC, Uniform1f)                                                      \
   X (PFNGLUNIFORM2FPROC, Uniform2f)                                                      \
+  X (PFNGLUNIFORM3FPROC, Uniform3f)                                                      \
   X (PFNGLUSEPROGRAMPROC, UseProgram)                                                    \
   X (PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                  \
   X (PFNGLVIEWPORTPROC, Viewport)

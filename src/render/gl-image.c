@@ -1,7 +1,6 @@
-/* Drawing into images: framebuffers with several samples a pixel, read back tile by tile. */
+/* Drawing into images: through a framebuffer that is read back tile by tile. */
 #include "render/draw-gl.h"
 #include "render/gl-target.h"
-#include "render/offscreen.h"
 #include "render/output.h"
 
 #include <glib/gi18n-lib.h>
@@ -10,19 +9,12 @@
 /* Larger pictures are drawn in tiles, so that no driver's limit and no great memory matters. */
 #define TILE 2048
 
-#define SAMPLES 4
-
 /* Copies what was drawn into the image at (left, top), upside down as GL has it. */
 static void
 read_back (const QnGlTarget *target, cairo_surface_t *image, int left, int top, int width,
            int height, guint8 *rows)
 {
   const QnGl *gl = target->gl;
-  gl->BindFramebuffer (GL_READ_FRAMEBUFFER, target->framebuffers[0]);
-  gl->BindFramebuffer (GL_DRAW_FRAMEBUFFER, target->framebuffers[1]);
-  gl->BlitFramebuffer (0, 0, target->width, target->height, 0, 0, target->width,
-                       target->height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl->BindFramebuffer (GL_READ_FRAMEBUFFER, target->framebuffers[1]);
   gl->PixelStorei (GL_PACK_ALIGNMENT, 4);
   /* Cairo's ARGB32 is a native 32-bit word with alpha on top. */
   gl->ReadPixels (0, target->height - height, width, height, GL_BGRA,
@@ -49,7 +41,7 @@ tile_camera (const QnCamera *whole, int left, int top, int width, int height)
 
 static void
 draw_tiles (QnGlRenderer *renderer, const QnGlTarget *target, const QnScene *scene,
-            const QnCamera *camera, cairo_surface_t *image, guint8 *rows,
+            const QnCamera *camera, bool antialias, cairo_surface_t *image, guint8 *rows,
             QnDrawCounts *counts)
 {
   const QnGl *gl = target->gl;
@@ -59,11 +51,11 @@ draw_tiles (QnGlRenderer *renderer, const QnGlTarget *target, const QnScene *sce
     for (int left = 0; left < width; left += target->width) {
       int w = MIN (target->width, width - left), h = MIN (target->height, height - top);
       QnCamera tile = tile_camera (camera, left, top, w, h);
-      gl->BindFramebuffer (GL_FRAMEBUFFER, target->framebuffers[0]);
+      gl->BindFramebuffer (GL_FRAMEBUFFER, target->framebuffer);
       gl->Disable (GL_SCISSOR_TEST);
       gl->ClearColor (0, 0, 0, 0);
       gl->Clear (GL_COLOR_BUFFER_BIT);
-      qn_gl_renderer_draw (renderer, scene, &tile, target->height, counts);
+      qn_gl_renderer_draw (renderer, scene, &tile, target->height, antialias, counts);
       read_back (target, image, left, top, w, h, rows);
     }
   }
@@ -81,8 +73,8 @@ qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
     cairo_image_surface_create (CAIRO_FORMAT_ARGB32, width, height);
   g_autofree guint8 *rows = g_try_malloc ((gsize) tile_width * tile_height * 4);
   QnGlTarget *target = qn_gl_renderer_target (renderer);
-  bool ready = qn_gl_target_prepare (target, qn_gl_renderer_api (renderer), tile_width,
-                                     tile_height, antialias ? SAMPLES : 0);
+  bool ready =
+    qn_gl_target_prepare (target, qn_gl_renderer_api (renderer), tile_width, tile_height);
   if (ready && rows != NULL && cairo_surface_status (image) == CAIRO_STATUS_SUCCESS) {
     QnCamera whole = *camera;
     whole.width = width;
@@ -90,28 +82,12 @@ qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
     whole.center.x += 0.5 * (width - camera->width) / camera->scale;
     whole.center.y -= 0.5 * (height - camera->height) / camera->scale;
     cairo_surface_flush (image);
-    draw_tiles (renderer, target, scene, &whole, image, rows, counts);
+    draw_tiles (renderer, target, scene, &whole, antialias, image, rows, counts);
     cairo_surface_mark_dirty (image);
   } else {
     g_clear_pointer (&image, cairo_surface_destroy);
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
                          _ ("the OpenGL driver cannot draw a picture of this size"));
   }
-  return image;
-}
-
-cairo_surface_t *
-qn_draw_gl_image (const QnScene *scene, const QnCamera *camera, bool antialias,
-                  GError **error)
-{
-  QnOffscreen *offscreen = qn_offscreen_new (error);
-  if (offscreen == NULL)
-    return NULL;
-  cairo_surface_t *image = NULL;
-  QnGlRenderer *renderer = qn_gl_renderer_new (&offscreen->gl, error);
-  if (renderer != NULL)
-    image = qn_gl_renderer_draw_image (renderer, scene, camera, antialias, NULL, error);
-  qn_gl_renderer_free (renderer);
-  qn_offscreen_free (offscreen);
   return image;
 }

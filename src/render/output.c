@@ -1,5 +1,6 @@
 #include "render/output.h"
 
+#include "render/gl-painter.h"
 #include "render/png-encode.h"
 
 #include <cairo-pdf.h>
@@ -120,7 +121,6 @@ qn_output_page (const QnOutput *output, QnPage *page, GError **error)
     .unit = dpi > 0 ? dpi / 72 : fmin (width, height * 1.4) / NOMINAL_WIDTH_PT,
     .antialias = output->antialias,
     .transparent = output->transparent,
-    .backend = output->backend,
   };
   return true;
 }
@@ -314,9 +314,13 @@ qn_page_encode (QnFormat format, const QnOutput *output, const QnMetadata *metad
   QnPage page;
   if (!qn_output_page (output, &page, error))
     return NULL;
-  if (format == QN_FORMAT_PNG)
+  if (format == QN_FORMAT_PNG) {
+    g_autoptr (QnGlPainter) painter = NULL;
+    if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
+      return NULL;
+    page.painter = painter;
     return encode_png (output, &page, metadata, draw, data, error);
-  page.backend = QN_BACKEND_CAIRO;
+  }
   return encode_vector (format, output, &page, metadata, draw, data, error);
 }
 

@@ -52,7 +52,7 @@ typedef struct QnPage {
   double width, height; /* px */
   double unit;          /* px per typographic point, as styles use it */
   bool antialias, transparent;
-  QnBackend backend;
+  struct QnGlPainter *painter; /* of whoever made the page; NULL: Cairo draws */
 } QnPage;
 
 /* 1600 x 1200 px on white, Cairo, antialiased. */

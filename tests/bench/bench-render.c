@@ -13,6 +13,7 @@
 
 #include <glib.h>
 #include <stdio.h>
+#include <time.h>
 
 enum { COLUMNS = 320, COURSES = 313, RUNS = 7 };
 
@@ -38,14 +39,17 @@ draw (Bench *bench)
   g_assert_no_error (error);
 }
 
-/* Least seconds of several drawings. */
+/* Least seconds of several drawings, by the clock and of all processors together. */
 static double
-measure (Bench *bench)
+measure (Bench *bench, double *processor)
 {
   double least = G_MAXDOUBLE;
+  *processor = G_MAXDOUBLE;
   for (int i = 0; i < RUNS; i++) {
     gint64 start = g_get_monotonic_time ();
+    clock_t busy = clock ();
     draw (bench);
+    *processor = MIN (*processor, (double) (clock () - busy) / CLOCKS_PER_SEC);
     least = MIN (least, 1e-6 * (double) (g_get_monotonic_time () - start));
   }
   return least;
@@ -55,9 +59,11 @@ measure (Bench *bench)
 static bool
 report (const char *backend, const char *view, Bench *bench, double target)
 {
-  double seconds = measure (bench);
-  printf ("%-7s %-7s %7.1f ms (target %3.0f) %7zu drawn %7zu skipped\n", backend, view,
-          1e3 * seconds, 1e3 * target, bench->counts.drawn, bench->counts.skipped);
+  double processor, seconds = measure (bench, &processor);
+  printf (
+    "%-7s %-7s %7.1f ms (target %3.0f), processors %7.1f ms %7zu drawn %7zu skipped\n",
+    backend, view, 1e3 * seconds, 1e3 * target, 1e3 * processor, bench->counts.drawn,
+    bench->counts.skipped);
   return seconds <= 2 * target;
 }
 

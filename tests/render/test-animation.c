@@ -1,5 +1,6 @@
 #include "render/animation.h"
 #include "render/fixture.h"
+#include "render/gl-painter.h"
 
 #include <gif_lib.h>
 #include <glib/gstdio.h>
@@ -110,6 +111,30 @@ test_frames (void)
   rig_clear (&rig);
 }
 
+/* All frames of an animation are drawn in one OpenGL context. */
+static void
+test_one_context (void)
+{
+  Rig rig;
+  GError *error = NULL;
+  unsigned before = qn_gl_painter_count ();
+  rig_init (&rig, QN_VIEW_MECHANISM);
+  rig.output.backend = QN_BACKEND_GL;
+  g_autofree char *path = g_build_filename (rig.folder, "a.gif", NULL);
+  bool done =
+    qn_animation_export (&rig.animation, path, &rig.output, &rig.metadata, &error);
+  if (g_error_matches (error, QN_RENDER_ERROR, QN_RENDER_ERROR_UNAVAILABLE)) {
+    g_test_skip (error->message);
+  } else {
+    g_assert_no_error (error);
+    g_assert_true (done);
+    g_assert_cmpuint (qn_gl_painter_count (), ==, before + 1);
+    g_unlink (path);
+  }
+  g_clear_error (&error);
+  rig_clear (&rig);
+}
+
 static bool
 cancel_at_third (int done, int total, void *user_data)
 {
@@ -202,6 +227,7 @@ main (int argc, char **argv)
   g_test_add_func ("/render/animation/gif", test_gif);
   g_test_add_func ("/render/animation/repeatable", test_gif_is_repeatable);
   g_test_add_func ("/render/animation/frames", test_frames);
+  g_test_add_func ("/render/animation/one-context", test_one_context);
   g_test_add_func ("/render/animation/cancel", test_cancel_leaves_nothing);
   g_test_add_func ("/render/animation/webm", test_webm);
   g_test_add_func ("/render/animation/refusals", test_refusals);

@@ -171,6 +171,39 @@ test_picking (void)
   fixture_clear (&f);
 }
 
+/* What pictures of a large wall leave out, command by command: joints where courses are too
+ * low to be told apart, and all that is not near. */
+static void
+test_culling_large (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_wall (&f, 320, 313);
+  g_assert_cmpuint (f.model.block_count, >=, 100000);
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_MODEL, &options);
+  cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_ARGB32, 1600, 1200);
+  cairo_t *cr = cairo_create (surface);
+  QnCamera camera = { .width = 1600, .height = 1200, .unit = 2, .scale = 1 };
+  QnDrawCounts full, zoomed;
+  size_t commands = scene->commands->len;
+
+  qn_camera_fit (&camera, scene->box, 10);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &full);
+  g_assert_cmpuint (full.drawn + full.skipped, ==, commands);
+  g_assert_cmpuint (full.drawn, >=, f.model.block_count);
+  g_assert_cmpuint (full.skipped, >=, f.model.block_count);
+
+  /* A fortieth of the width: some eight blocks abreast. */
+  camera.scale *= 40;
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &zoomed);
+  g_assert_cmpuint (zoomed.drawn + zoomed.skipped, ==, commands);
+  g_assert_cmpuint (zoomed.drawn, >=, 100);
+  g_assert_cmpuint (zoomed.drawn, <=, 600);
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+  fixture_clear (&f);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -179,6 +212,7 @@ main (int argc, char **argv)
   g_test_add_func ("/render/scene/contacts", test_contacts_are_all_there);
   g_test_add_func ("/render/scene/refusals", test_refusals);
   g_test_add_func ("/render/scene/culling", test_culling);
+  g_test_add_func ("/render/scene/culling-large", test_culling_large);
   g_test_add_func ("/render/scene/picking", test_picking);
   return g_test_run ();
 }
