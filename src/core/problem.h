@@ -52,7 +52,7 @@
   X (MODES_NOT_FOUND, "modes were not found") \
   X (BLOCK_UNKNOWN, "no block has this name") \
   X (SAME_BLOCK, "a block has no contact with itself") \
-  X (NO_BLOCKS, "model has no blocks") \
+  X (NO_BLOCKS, "model has no blocks: draw or generate some first") \
   X (NO_SUPPORT, "model has no supported block") \
   X (BLOCK_FLOATING, "block is not connected to any support") \
   X (COURSE_EMPTY, "course is empty") \

@@ -1,7 +1,6 @@
-#include "doc/document.h"
+#include "doc/document-private.h"
 
 #include "doc/digest.h"
-
 #include "doc/edit.h"
 #include "doc/explain.h"
 #include "io/file-read.h"
@@ -10,42 +9,14 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-struct _QnDocument {
-  GObject parent_instance;
-
-  char *path;
-  char *text; /* the state; see document.h */
-  QnProject project;
-  QnContacts contacts;
-  char *fingerprint; /* of what an analysis depends on */
-  QnHistory *history;
-  QnSelection *selection;
-  gboolean never_saved; /* came from memory: counts as modified */
-
-  QnJob *job;
-  GError *job_error;
-  QnDiag job_diag;
-  GPtrArray *runs;
-  QnRun *run;
-  guint run_number;
-};
-
 G_DEFINE_FINAL_TYPE (QnDocument, qn_document, G_TYPE_OBJECT)
 
-enum {
-  SIGNAL_CHANGED,
-  SIGNAL_HISTORY_CHANGED,
-  SIGNAL_FILE_CHANGED,
-  SIGNAL_RUNS_CHANGED,
-  SIGNAL_JOB_CHANGED,
-  SIGNAL_JOB_PROGRESS,
-  SIGNAL_COUNT
-};
-static guint signals[SIGNAL_COUNT];
+static guint signals[QN_DOCUMENT_SIGNAL_COUNT];
 
-static const char *const signal_names[SIGNAL_COUNT] = { "changed",      "history-changed",
-                                                        "file-changed", "runs-changed",
-                                                        "job-changed",  "job-progress" };
+static const char *const signal_names[QN_DOCUMENT_SIGNAL_COUNT] = {
+  "changed",      "history-changed", "file-changed",
+  "runs-changed", "job-changed",     "job-progress"
+};
 
 /* What a new drawing starts with. */
 static const char empty_text[] =
@@ -69,8 +40,8 @@ static const char *const placeholder[] = {
   NULL
 };
 
-static void
-emit (QnDocument *self, int signal)
+void
+qn_document_emit (QnDocument *self, QnDocumentSignal signal)
 {
   g_signal_emit (self, signals[signal], 0);
 }
@@ -134,7 +105,7 @@ adopt (QnDocument *self, QnProject *project, char *text, GError **error)
   self->fingerprint = qn_model_digest (&self->project);
   qn_selection_follow (self->selection, &old.model, &self->project.model);
   qn_project_clear (&old);
-  emit (self, SIGNAL_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_CHANGED);
   return TRUE;
 }
 
@@ -162,19 +133,9 @@ restore (QnDocument *self, char *text)
 /* ---- life ---- */
 
 static void
-drop_job (QnDocument *self)
-{
-  if (self->job == NULL)
-    return;
-  g_signal_handlers_disconnect_by_data (self->job, self);
-  qn_job_cancel (self->job);
-  g_clear_object (&self->job);
-}
-
-static void
 qn_document_dispose (GObject *object)
 {
-  drop_job (QN_DOCUMENT (object));
+  qn_document_drop_job (QN_DOCUMENT (object));
   G_OBJECT_CLASS (qn_document_parent_class)->dispose (object);
 }
 
@@ -201,7 +162,7 @@ qn_document_class_init (QnDocumentClass *klass)
   GObjectClass *object_class = G_OBJECT_CLASS (klass);
   object_class->dispose = qn_document_dispose;
   object_class->finalize = qn_document_finalize;
-  for (int i = 0; i < SIGNAL_COUNT; i++)
+  for (int i = 0; i < QN_DOCUMENT_SIGNAL_COUNT; i++)
     signals[i] = g_signal_new (signal_names[i], QN_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0,
                                NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
@@ -236,7 +197,7 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
   /* The history starts from the canonical text, whatever the file looks like. */
   if (!adopt (self, project, qn_project_to_text (project, NULL), error))
     return FALSE;
-  drop_job (self);
+  qn_document_drop_job (self);
   g_clear_error (&self->job_error);
   qn_history_clear (self->history);
   g_clear_pointer (&self->run, qn_run_unref);
@@ -245,11 +206,45 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
   g_free (self->path);
   self->path = g_strdup (path);
   self->never_saved = path == NULL;
-  emit (self, SIGNAL_FILE_CHANGED);
-  emit (self, SIGNAL_HISTORY_CHANGED);
-  emit (self, SIGNAL_RUNS_CHANGED);
-  emit (self, SIGNAL_JOB_CHANGED);
+  self->keeps_history = FALSE;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
   return TRUE;
+}
+
+/* The history is no part of the state that it leads to. */
+static char *
+take_history (QnProject *project)
+{
+  char *json = qn_project_dup_extra (project, QN_HISTORY_MEMBER);
+  if (json == NULL)
+    return NULL;
+  struct cJSON *rest = qn_project_extras_with (project, QN_HISTORY_MEMBER, NULL, NULL);
+  if (rest != NULL) {
+    qn_project_extras_free (project->extras);
+    project->extras = rest;
+  }
+  return json;
+}
+
+static void
+adopt_history (QnDocument *self, const char *json)
+{
+  self->keeps_history = json != NULL;
+  if (json == NULL)
+    return;
+  QnHistory *history = qn_history_from_json (json, self->text);
+  if (history != NULL) {
+    qn_history_free (self->history);
+    self->history = history;
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  } else
+    g_ptr_array_add (
+      self->project.warnings,
+      g_strdup (_ ("The file has been changed elsewhere since its history was kept; the "
+                   "steps before cannot be undone")));
 }
 
 gboolean
@@ -260,7 +255,11 @@ qn_document_load (QnDocument *self, const char *path, GError **error)
   g_autofree char *text = qn_file_read (path, &length, error);
   if (text == NULL || !parse (text, path, &project, error))
     return FALSE;
-  return begin (self, &project, path, error);
+  g_autofree char *history = take_history (&project);
+  if (!begin (self, &project, path, error))
+    return FALSE;
+  adopt_history (self, history);
+  return TRUE;
 }
 
 gboolean
@@ -271,19 +270,52 @@ qn_document_load_text (QnDocument *self, const char *text, const char *name,
   return parse (text, name, &project, error) && begin (self, &project, NULL, error);
 }
 
+char *
+qn_document_dup_file_text (QnDocument *self, GError **error)
+{
+  if (!self->keeps_history)
+    return g_strdup (self->text);
+  g_autofree char *json = qn_history_to_json (self->history, self->text);
+  struct cJSON *extras =
+    qn_project_extras_with (&self->project, QN_HISTORY_MEMBER, json, error);
+  if (extras == NULL)
+    return NULL;
+  QnProject draft = self->project;
+  draft.extras = extras;
+  char *text = qn_project_to_text (&draft, NULL);
+  qn_project_extras_free (extras);
+  return text;
+}
+
+void
+qn_document_set_keeps_history (QnDocument *self, gboolean keeps)
+{
+  if (self->keeps_history == keeps)
+    return;
+  self->keeps_history = keeps;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+}
+
+gboolean
+qn_document_get_keeps_history (QnDocument *self)
+{
+  return self->keeps_history;
+}
+
 gboolean
 qn_document_save (QnDocument *self, const char *path, GError **error)
 {
-  if (!qn_file_write (path, self->text, strlen (self->text), error))
+  g_autofree char *text = qn_document_dup_file_text (self, error);
+  if (text == NULL || !qn_file_write (path, text, strlen (text), error))
     return FALSE;
   qn_history_mark_clean (self->history);
   self->never_saved = FALSE;
   if (g_strcmp0 (path, self->path) != 0) {
     g_free (self->path);
     self->path = g_strdup (path);
-    emit (self, SIGNAL_FILE_CHANGED);
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
   }
-  emit (self, SIGNAL_HISTORY_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
   return TRUE;
 }
 
@@ -364,7 +396,7 @@ step_to (QnDocument *self, const char *name, const char *key, char *text, GError
   if (!adopt (self, &project, text, error))
     return FALSE;
   qn_history_record (self->history, name, key, before, self->text);
-  emit (self, SIGNAL_HISTORY_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
   return TRUE;
 }
 
@@ -395,8 +427,15 @@ qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFun
 }
 
 gboolean
-qn_document_edit_extra (QnDocument *self, const char *name, const char *member,
-                        const char *json, GError **error)
+qn_document_edit_text (QnDocument *self, const char *name, const char *text,
+                       GError **error)
+{
+  return step_to (self, name, NULL, g_strdup (text), error);
+}
+
+gboolean
+qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
+                        const char *member, const char *json, GError **error)
 {
   struct cJSON *extras = qn_project_extras_with (&self->project, member, json, error);
   if (extras == NULL)
@@ -405,7 +444,7 @@ qn_document_edit_extra (QnDocument *self, const char *name, const char *member,
   draft.extras = extras;
   char *text = qn_project_to_text (&draft, NULL);
   qn_project_extras_free (extras);
-  return step_to (self, name, NULL, text, error);
+  return step_to (self, name, key, text, error);
 }
 
 char *
@@ -433,7 +472,7 @@ qn_document_undo (QnDocument *self)
 {
   gboolean done = walk (self, TRUE);
   if (done)
-    emit (self, SIGNAL_HISTORY_CHANGED);
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
   return done;
 }
 
@@ -442,7 +481,7 @@ qn_document_redo (QnDocument *self)
 {
   gboolean done = walk (self, FALSE);
   if (done)
-    emit (self, SIGNAL_HISTORY_CHANGED);
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
   return done;
 }
 
@@ -460,140 +499,5 @@ qn_document_go_to (QnDocument *self, guint position)
     text = next;
   }
   restore (self, g_steal_pointer (&text));
-  emit (self, SIGNAL_HISTORY_CHANGED);
-}
-
-/* ---- analyses ---- */
-
-static void
-on_job_progress (QnJob *job, QnDocument *self)
-{
-  (void) job;
-  emit (self, SIGNAL_JOB_PROGRESS);
-}
-
-static void
-on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
-{
-  QnJob *job = QN_JOB (source);
-  g_autoptr (QnDocument) self = user_data;
-  g_autoptr (GError) error = NULL;
-  g_autoptr (QnRun) run = qn_job_finish (job, result, &error);
-  if (self->job != job)
-    return; /* replaced or dropped meanwhile */
-
-  self->job_diag = *qn_job_get_diag (job);
-  g_signal_handlers_disconnect_by_data (job, self);
-  g_clear_object (&self->job);
-  if (run != NULL) {
-    g_ptr_array_add (self->runs, qn_run_ref (run));
-    qn_document_set_run (self, run);
-  } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
-    self->job_error = g_steal_pointer (&error);
-  }
-  emit (self, SIGNAL_JOB_CHANGED);
-}
-
-static gboolean
-start (QnDocument *self, const QnModel *model, GError **error)
-{
-  if (model->block_count == 0) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is nothing to analyse: draw a wall first"));
-    return FALSE;
-  }
-  g_autofree char *name = g_strdup_printf (_ ("Run %u"), self->run_number + 1);
-  QnJob *job = qn_job_new (model, name, self->fingerprint, error);
-  if (job == NULL)
-    return FALSE;
-  self->run_number++;
-  drop_job (self);
-  g_clear_error (&self->job_error);
-  self->job = job;
-  g_signal_connect (job, "progress", G_CALLBACK (on_job_progress), self);
-  qn_job_start (job, on_job_done, g_object_ref (self));
-  emit (self, SIGNAL_JOB_CHANGED);
-  return TRUE;
-}
-
-gboolean
-qn_document_analyse (QnDocument *self, GError **error)
-{
-  return start (self, &self->project.model, error);
-}
-
-gboolean
-qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
-                          GError **error)
-{
-  QnModel model = self->project.model;
-  model.analysis.procedure = procedure;
-  model.analysis.flow = flow;
-  return start (self, &model, error);
-}
-
-void
-qn_document_cancel (QnDocument *self)
-{
-  if (self->job != NULL)
-    qn_job_cancel (self->job);
-}
-
-QnJob *
-qn_document_get_job (QnDocument *self)
-{
-  return self->job;
-}
-
-const GError *
-qn_document_get_job_error (QnDocument *self)
-{
-  return self->job_error;
-}
-
-const QnDiag *
-qn_document_get_job_diag (QnDocument *self)
-{
-  return &self->job_diag;
-}
-
-const GPtrArray *
-qn_document_get_runs (QnDocument *self)
-{
-  return self->runs;
-}
-
-QnRun *
-qn_document_get_run (QnDocument *self)
-{
-  return self->run;
-}
-
-void
-qn_document_set_run (QnDocument *self, QnRun *run)
-{
-  if (run != NULL)
-    qn_run_ref (run);
-  g_clear_pointer (&self->run, qn_run_unref);
-  self->run = run;
-  emit (self, SIGNAL_RUNS_CHANGED);
-}
-
-void
-qn_document_remove_run (QnDocument *self, QnRun *run)
-{
-  g_autoptr (QnRun) kept = qn_run_ref (run);
-  g_ptr_array_remove (self->runs, run);
-  if (self->run == kept) {
-    guint left = self->runs->len;
-    qn_document_set_run (self,
-                         left > 0 ? g_ptr_array_index (self->runs, left - 1) : NULL);
-  } else
-    emit (self, SIGNAL_RUNS_CHANGED);
-}
-
-gboolean
-qn_document_is_stale (QnDocument *self, const QnRun *run)
-{
-  return g_strcmp0 (run->fingerprint, self->fingerprint) != 0;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
 }

@@ -23,6 +23,9 @@
 #include "io/project.h"
 #include <gio/gio.h>
 
+/* Member of a project file that keeps the history. */
+#define QN_HISTORY_MEMBER "history"
+
 #define QN_TYPE_DOCUMENT (qn_document_get_type ())
 G_DECLARE_FINAL_TYPE (QnDocument, qn_document, QN, DOCUMENT, GObject)
 
@@ -41,6 +44,14 @@ gboolean qn_document_load_text (QnDocument *document, const char *text, const ch
 
 /* Writes the project and remembers the path. */
 gboolean qn_document_save (QnDocument *document, const char *path, GError **error);
+
+/* Whether the file holds the history too, so that steps can be undone after opening it again.
+ * Loading a file that has one turns it on. */
+void qn_document_set_keeps_history (QnDocument *document, gboolean keeps);
+gboolean qn_document_get_keeps_history (QnDocument *document);
+
+/* What a file would hold. The caller frees it. */
+char *qn_document_dup_file_text (QnDocument *document, GError **error);
 
 const char *qn_document_get_path (QnDocument *document); /* NULL: never saved */
 const char *qn_document_get_text (QnDocument *document);
@@ -69,9 +80,13 @@ typedef gboolean (*QnEditFunc) (QnModel *model, gpointer user_data, GError **err
 gboolean qn_document_edit (QnDocument *document, const char *name, const char *key,
                            QnEditFunc func, gpointer user_data, GError **error);
 
+/* Replaces everything by the text of another project, as an undoable step. */
+gboolean qn_document_edit_text (QnDocument *document, const char *name, const char *text,
+                                GError **error);
+
 /* Replaces a top-level member that the model does not hold (view, figures, …), as an
  * undoable step; `json` is the new value or NULL to remove it. */
-gboolean qn_document_edit_extra (QnDocument *document, const char *name,
+gboolean qn_document_edit_extra (QnDocument *document, const char *name, const char *key,
                                  const char *member, const char *json, GError **error);
 
 /* Value of such a member as JSON text, or NULL. The caller frees it. */

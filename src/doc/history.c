@@ -1,39 +1,27 @@
-#include "doc/history.h"
+#include "doc/history-private.h"
 
 #include <string.h>
-
-/* One run of bytes that differs. Offsets count in the text after the step. */
-typedef struct Hunk {
-  gsize offset;
-  char *removed;  /* owned */
-  char *inserted; /* owned */
-} Hunk;
-
-typedef struct Step {
-  char *name;
-  char *key;
-  GArray *hunks; /* of Hunk, by offset */
-} Step;
-
-struct QnHistory {
-  GPtrArray *steps; /* of Step */
-  guint position;
-  gint64 clean; /* position of the clean state; -1: it cannot be reached any more */
-  gboolean broken;
-};
 
 static void
 hunk_clear (gpointer data)
 {
-  Hunk *hunk = data;
+  QnHunk *hunk = data;
   g_free (hunk->removed);
   g_free (hunk->inserted);
+}
+
+static GArray *
+hunks_new (void)
+{
+  GArray *hunks = g_array_new (FALSE, FALSE, sizeof (QnHunk));
+  g_array_set_clear_func (hunks, hunk_clear);
+  return hunks;
 }
 
 static void
 step_free (gpointer data)
 {
-  Step *step = data;
+  QnStep *step = data;
   g_free (step->name);
   g_free (step->key);
   g_array_unref (step->hunks);
@@ -44,8 +32,8 @@ static void
 add_hunk (GArray *hunks, const char *before, gsize before_length, const char *after,
           gsize after_length, gsize offset)
 {
-  Hunk hunk = { offset, g_strndup (before, before_length),
-                g_strndup (after, after_length) };
+  QnHunk hunk = { offset, g_strndup (before, before_length),
+                  g_strndup (after, after_length) };
   g_array_append_val (hunks, hunk);
 }
 
@@ -93,8 +81,7 @@ diff_line_by_line (GArray *hunks, const char *before, gsize before_length,
 static GArray *
 diff (const char *before, const char *after)
 {
-  GArray *hunks = g_array_new (FALSE, FALSE, sizeof (Hunk));
-  g_array_set_clear_func (hunks, hunk_clear);
+  GArray *hunks = hunks_new ();
 
   gsize nb = strlen (before), na = strlen (after), head = 0, tail = 0;
   while (head < nb && head < na && before[head] == after[head])
@@ -120,12 +107,12 @@ diff (const char *before, const char *after)
 }
 
 static char *
-apply_backward (const Step *step, const char *after)
+apply_backward (const QnStep *step, const char *after)
 {
   GString *text = g_string_new (NULL);
   gsize at = 0;
   for (guint i = 0; i < step->hunks->len; i++) {
-    const Hunk *hunk = &g_array_index (step->hunks, Hunk, i);
+    const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
     g_string_append_len (text, after + at, (gssize) (hunk->offset - at));
     g_string_append (text, hunk->removed);
     at = hunk->offset + strlen (hunk->inserted);
@@ -135,12 +122,12 @@ apply_backward (const Step *step, const char *after)
 }
 
 static char *
-apply_forward (const Step *step, const char *before)
+apply_forward (const QnStep *step, const char *before)
 {
   GString *text = g_string_new (NULL);
   const char *at = before;
   for (guint i = 0; i < step->hunks->len; i++) {
-    const Hunk *hunk = &g_array_index (step->hunks, Hunk, i);
+    const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
     gsize kept = hunk->offset - text->len;
     g_string_append_len (text, at, (gssize) kept);
     g_string_append (text, hunk->inserted);
@@ -148,6 +135,16 @@ apply_forward (const Step *step, const char *before)
   }
   g_string_append (text, at);
   return g_string_free (text, FALSE);
+}
+
+QnStep *
+qn_history_add_step (QnHistory *history, const char *name)
+{
+  QnStep *step = g_new0 (QnStep, 1);
+  step->name = g_strdup (name);
+  step->hunks = hunks_new ();
+  g_ptr_array_add (history->steps, step);
+  return step;
 }
 
 QnHistory *
@@ -174,7 +171,7 @@ continues_gesture (const QnHistory *history, const char *key)
       || history->position != history->steps->len
       || history->clean == (gint64) history->position)
     return FALSE;
-  const Step *last = g_ptr_array_index (history->steps, history->position - 1);
+  const QnStep *last = g_ptr_array_index (history->steps, history->position - 1);
   return g_strcmp0 (last->key, key) == 0;
 }
 
@@ -189,18 +186,17 @@ qn_history_record (QnHistory *history, const char *name, const char *key,
   }
 
   if (continues_gesture (history, key)) {
-    Step *last = g_ptr_array_index (history->steps, history->position - 1);
+    QnStep *last = g_ptr_array_index (history->steps, history->position - 1);
     g_autofree char *first = apply_backward (last, before);
     g_array_unref (last->hunks);
     last->hunks = diff (first, after);
     return;
   }
 
-  Step *step = g_new0 (Step, 1);
-  step->name = g_strdup (name);
+  QnStep *step = qn_history_add_step (history, name);
   step->key = g_strdup (key);
+  g_array_unref (step->hunks);
   step->hunks = diff (before, after);
-  g_ptr_array_add (history->steps, step);
   history->position++;
   history->broken = FALSE;
 }
@@ -257,7 +253,7 @@ const char *
 qn_history_get_name (const QnHistory *history, guint step)
 {
   g_return_val_if_fail (step < history->steps->len, NULL);
-  return ((const Step *) g_ptr_array_index (history->steps, step))->name;
+  return ((const QnStep *) g_ptr_array_index (history->steps, step))->name;
 }
 
 void
@@ -277,9 +273,9 @@ qn_history_get_size (const QnHistory *history)
 {
   gsize size = 0;
   for (guint i = 0; i < history->steps->len; i++) {
-    const Step *step = g_ptr_array_index (history->steps, i);
+    const QnStep *step = g_ptr_array_index (history->steps, i);
     for (guint j = 0; j < step->hunks->len; j++) {
-      const Hunk *hunk = &g_array_index (step->hunks, Hunk, j);
+      const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, j);
       size += sizeof *hunk + strlen (hunk->removed) + strlen (hunk->inserted) + 2;
     }
     size += sizeof *step + strlen (step->name) + 1;

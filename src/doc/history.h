@@ -48,4 +48,14 @@ gsize qn_history_get_size (const QnHistory *history);
 
 void qn_history_clear (QnHistory *history);
 
+/* ---- in a file (history-file.c) ---- */
+
+/* The history as a JSON object, to be kept beside `text`, the present state. The caller frees
+ * it. */
+char *qn_history_to_json (const QnHistory *history, const char *text);
+
+/* The history that was kept beside `text`, or NULL where it belongs to another text: every step
+ * has been tried. The present state counts as clean. */
+QnHistory *qn_history_from_json (const char *json, const char *text);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
 static const char *const keys[] = { "image", "origin", "width", "angle", "opacity" };
 
@@ -30,7 +31,8 @@ read_members (const QnPlace *object, const char **image, QnUnderlay *underlay)
 }
 
 gboolean
-qn_underlay_read (const QnProject *project, QnUnderlay *underlay, GError **error)
+qn_underlay_locate (const QnProject *project, const char *folder, char **path,
+                    QnUnderlay *underlay, GError **error)
 {
   g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
   QnReader reader = { .name = project->name,
@@ -39,6 +41,7 @@ qn_underlay_read (const QnProject *project, QnUnderlay *underlay, GError **error
                       .overrides = (const char *const *) project->overrides,
                       .warnings = warnings };
   const char *image = NULL;
+  *path = NULL;
   *underlay = (QnUnderlay){ .width = 1, .opacity = 0.6 };
   if (project->extras == NULL)
     return TRUE;
@@ -50,13 +53,35 @@ qn_underlay_read (const QnProject *project, QnUnderlay *underlay, GError **error
     g_propagate_error (error, reader.error);
     return FALSE;
   }
+  *path = folder == NULL || g_path_is_absolute (image)
+            ? g_strdup (image)
+            : g_build_filename (folder, image, NULL);
+  return TRUE;
+}
+
+gboolean
+qn_underlay_read (const QnProject *project, QnUnderlay *underlay, GError **error)
+{
   g_autofree char *folder =
     g_path_get_dirname (project->path != NULL ? project->path : "");
-  g_autofree char *path = g_path_is_absolute (image)
-                            ? g_strdup (image)
-                            : g_build_filename (folder, image, NULL);
+  g_autofree char *path = NULL;
+  if (!qn_underlay_locate (project, folder, &path, underlay, error))
+    return FALSE;
+  if (path == NULL)
+    return TRUE;
   underlay->image = qn_photo_load (path, error);
   return underlay->image != NULL;
+}
+
+char *
+qn_underlay_dup_name (const char *path, const char *folder)
+{
+  g_autofree char *whole = g_canonicalize_filename (path, NULL);
+  g_autofree char *base = folder != NULL ? g_canonicalize_filename (folder, NULL) : NULL;
+  gsize length = base != NULL ? strlen (base) : 0;
+  if (base != NULL && g_str_has_prefix (whole, base) && whole[length] == G_DIR_SEPARATOR)
+    return g_strdup (whole + length + 1);
+  return g_steal_pointer (&whole);
 }
 
 char *

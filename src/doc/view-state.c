@@ -1,11 +1,17 @@
 #include "doc/view-state.h"
 
+#include "doc/picture.h"
+#include "render/photo.h"
+
 #include <string.h>
 
 struct _QnViewState {
   GObject parent_instance;
   QnDocument *document;
-  QnViewOptions options;
+  QnViewOptions options; /* its underlay's image is owned */
+  char *image_path;      /* of that image, or of the one that could not be read */
+  GError *image_error;
+  QnRun *onion;
 };
 
 G_DEFINE_FINAL_TYPE (QnViewState, qn_view_state, G_TYPE_OBJECT)
@@ -16,7 +22,12 @@ static guint signals[SIGNAL_COUNT];
 static void
 qn_view_state_finalize (GObject *object)
 {
-  g_clear_object (&QN_VIEW_STATE (object)->document);
+  QnViewState *self = QN_VIEW_STATE (object);
+  g_clear_object (&self->document);
+  g_clear_pointer (&self->options.underlay.image, cairo_surface_destroy);
+  g_clear_pointer (&self->onion, qn_run_unref);
+  g_clear_error (&self->image_error);
+  g_free (self->image_path);
   G_OBJECT_CLASS (qn_view_state_parent_class)->finalize (object);
 }
 
@@ -43,13 +54,59 @@ emit_changed (QnViewState *self)
   g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
 }
 
+/* The image is read again only where its file is another. */
+static void
+update_underlay (QnViewState *self)
+{
+  g_autofree char *folder = qn_document_dup_folder (self->document);
+  g_autofree char *path = NULL;
+  QnUnderlay underlay;
+  g_clear_error (&self->image_error);
+  qn_underlay_locate (qn_document_get_project (self->document), folder, &path, &underlay,
+                      &self->image_error);
+  cairo_surface_t *image = self->options.underlay.image;
+  if (g_strcmp0 (path, self->image_path) != 0 || image == NULL) {
+    g_clear_pointer (&image, cairo_surface_destroy);
+    g_free (self->image_path);
+    self->image_path = g_steal_pointer (&path);
+    if (self->image_path != NULL)
+      image = qn_photo_load (self->image_path, &self->image_error);
+  }
+  self->options.underlay = underlay;
+  self->options.underlay.image = image;
+}
+
+static void
+on_document_changed (QnDocument *document, QnViewState *self)
+{
+  (void) document;
+  update_underlay (self);
+  emit_changed (self);
+}
+
+/* An outline of other blocks would be nonsense. */
+static gboolean
+same_structure (const QnRun *a, const QnRun *b)
+{
+  if (a->model.block_count != b->model.block_count)
+    return FALSE;
+  for (gsize i = 0; i < a->model.block_count; i++) {
+    if (a->model.blocks[i].vertex_count != b->model.blocks[i].vertex_count)
+      return FALSE;
+  }
+  return TRUE;
+}
+
 /* Another run has other steps; without one only the model can be shown. */
 static void
 on_runs_changed (QnDocument *document, QnViewState *self)
 {
   self->options.step = QN_STEP_LAST;
   self->options.phase = 1.0;
-  if (qn_document_get_run (document) == NULL && qn_view_needs_result (self->options.view))
+  const QnRun *run = qn_document_get_run (document);
+  if (self->onion != NULL && (run == NULL || !same_structure (self->onion, run)))
+    g_clear_pointer (&self->onion, qn_run_unref);
+  if (run == NULL && qn_view_needs_result (self->options.view))
     self->options.view = QN_VIEW_MODEL;
   emit_changed (self);
 }
@@ -61,8 +118,11 @@ qn_view_state_new (QnDocument *document)
   self->document = g_object_ref (document);
   g_signal_connect_object (document, "runs-changed", G_CALLBACK (on_runs_changed), self,
                            0);
-  g_signal_connect_object (document, "changed", G_CALLBACK (emit_changed), self,
-                           G_CONNECT_SWAPPED);
+  g_signal_connect_object (document, "changed", G_CALLBACK (on_document_changed), self,
+                           0);
+  g_signal_connect_object (document, "file-changed", G_CALLBACK (on_document_changed),
+                           self, 0);
+  update_underlay (self);
   return self;
 }
 
@@ -76,7 +136,9 @@ QnViewOptions
 qn_view_state_get_options (QnViewState *self)
 {
   QnViewOptions options = self->options;
+  const QnRun *run = qn_document_get_run (self->document);
   options.step = qn_view_state_get_step (self);
+  options.onion = self->onion != NULL && self->onion != run ? &self->onion->result : NULL;
   return options;
 }
 
@@ -190,6 +252,51 @@ qn_view_state_set_field (QnViewState *self, QnField field)
     return;
   self->options.field = field;
   emit_changed (self);
+}
+
+QnField
+qn_view_state_get_field (QnViewState *self)
+{
+  return self->options.field;
+}
+
+const QnUnderlay *
+qn_view_state_get_underlay (QnViewState *self)
+{
+  return &self->options.underlay;
+}
+
+const GError *
+qn_view_state_get_underlay_error (QnViewState *self)
+{
+  return self->image_error;
+}
+
+void
+qn_view_state_show_underlay_at (QnViewState *self, const QnUnderlay *underlay)
+{
+  cairo_surface_t *image = self->options.underlay.image;
+  self->options.underlay = *underlay;
+  self->options.underlay.image = image;
+  emit_changed (self);
+}
+
+void
+qn_view_state_set_onion (QnViewState *self, QnRun *run)
+{
+  const QnRun *current = qn_document_get_run (self->document);
+  if (run == self->onion
+      || (run != NULL && (current == NULL || !same_structure (run, current))))
+    return;
+  g_clear_pointer (&self->onion, qn_run_unref);
+  self->onion = run != NULL ? qn_run_ref (run) : NULL;
+  emit_changed (self);
+}
+
+QnRun *
+qn_view_state_get_onion (QnViewState *self)
+{
+  return self->onion;
 }
 
 gboolean

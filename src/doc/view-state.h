@@ -41,6 +41,20 @@ void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on
 
 /* Colour shown on the blocks. */
 void qn_view_state_set_field (QnViewState *state, QnField field);
+QnField qn_view_state_get_field (QnViewState *state);
+
+/* The picture behind the drawing, as the document has it; its image is NULL where there is none
+ * or it cannot be read, which the error tells (NULL: nothing wrong). */
+const QnUnderlay *qn_view_state_get_underlay (QnViewState *state);
+const GError *qn_view_state_get_underlay_error (QnViewState *state);
+
+/* Shows the picture elsewhere while it is being moved; the next change of the document ends
+ * it. */
+void qn_view_state_show_underlay_at (QnViewState *state, const QnUnderlay *underlay);
+
+/* A second run of the same structure drawn as an outline over the current one; NULL: none. */
+void qn_view_state_set_onion (QnViewState *state, QnRun *run);
+QnRun *qn_view_state_get_onion (QnViewState *state);
 
 /* The model, contacts and result that the view shows: those of the current run where the
  * view needs a result, else the document's. `result` is NULL for the latter. False where the

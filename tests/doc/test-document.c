@@ -200,8 +200,8 @@ static void
 test_extras (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  g_assert_true (
-    qn_document_edit_extra (document, "Store Figure", "figures", "[{\"a\":1}]", NULL));
+  g_assert_true (qn_document_edit_extra (document, "Store Figure", NULL, "figures",
+                                         "[{\"a\":1}]", NULL));
   g_autofree char *value = qn_document_dup_extra (document, "figures");
   g_assert_nonnull (value);
   g_assert_nonnull (strstr (value, "\"a\""));

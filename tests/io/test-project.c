@@ -123,7 +123,7 @@ test_without_text (void)
   qn_project_init (&project);
   qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks", 0);
   expect_error (&project, &diag, QN_IO_ERROR_INVALID,
-                "project: blocks: model has no blocks");
+                "project: blocks: model has no blocks: draw or generate some first");
   qn_project_clear (&project);
 }
 

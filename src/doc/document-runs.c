@@ -1,0 +1,148 @@
+/* Analyses of a document and the runs that they leave. */
+#include "doc/document-private.h"
+
+#include "doc/edit.h"
+#include <glib/gi18n.h>
+
+void
+qn_document_drop_job (QnDocument *self)
+{
+  if (self->job == NULL)
+    return;
+  g_signal_handlers_disconnect_by_data (self->job, self);
+  qn_job_cancel (self->job);
+  g_clear_object (&self->job);
+}
+
+static void
+on_job_progress (QnJob *job, QnDocument *self)
+{
+  (void) job;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_PROGRESS);
+}
+
+static void
+on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
+{
+  QnJob *job = QN_JOB (source);
+  g_autoptr (QnDocument) self = user_data;
+  g_autoptr (GError) error = NULL;
+  g_autoptr (QnRun) run = qn_job_finish (job, result, &error);
+  if (self->job != job)
+    return; /* replaced or dropped meanwhile */
+
+  self->job_diag = *qn_job_get_diag (job);
+  g_signal_handlers_disconnect_by_data (job, self);
+  g_clear_object (&self->job);
+  if (run != NULL) {
+    g_ptr_array_add (self->runs, qn_run_ref (run));
+    qn_document_set_run (self, run);
+  } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
+    self->job_error = g_steal_pointer (&error);
+  }
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+}
+
+static gboolean
+start (QnDocument *self, const QnModel *model, GError **error)
+{
+  if (model->block_count == 0) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is nothing to analyse: draw a wall first"));
+    return FALSE;
+  }
+  g_autofree char *name = g_strdup_printf (_ ("Run %u"), self->run_number + 1);
+  QnJob *job = qn_job_new (model, name, self->fingerprint, error);
+  if (job == NULL)
+    return FALSE;
+  self->run_number++;
+  qn_document_drop_job (self);
+  g_clear_error (&self->job_error);
+  self->job = job;
+  g_signal_connect (job, "progress", G_CALLBACK (on_job_progress), self);
+  qn_job_start (job, on_job_done, g_object_ref (self));
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+  return TRUE;
+}
+
+gboolean
+qn_document_analyse (QnDocument *self, GError **error)
+{
+  return start (self, &self->project.model, error);
+}
+
+gboolean
+qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
+                          GError **error)
+{
+  QnModel model = self->project.model;
+  model.analysis.procedure = procedure;
+  model.analysis.flow = flow;
+  return start (self, &model, error);
+}
+
+void
+qn_document_cancel (QnDocument *self)
+{
+  if (self->job != NULL)
+    qn_job_cancel (self->job);
+}
+
+QnJob *
+qn_document_get_job (QnDocument *self)
+{
+  return self->job;
+}
+
+const GError *
+qn_document_get_job_error (QnDocument *self)
+{
+  return self->job_error;
+}
+
+const QnDiag *
+qn_document_get_job_diag (QnDocument *self)
+{
+  return &self->job_diag;
+}
+
+const GPtrArray *
+qn_document_get_runs (QnDocument *self)
+{
+  return self->runs;
+}
+
+QnRun *
+qn_document_get_run (QnDocument *self)
+{
+  return self->run;
+}
+
+void
+qn_document_set_run (QnDocument *self, QnRun *run)
+{
+  if (run != NULL)
+    qn_run_ref (run);
+  g_clear_pointer (&self->run, qn_run_unref);
+  self->run = run;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+}
+
+void
+qn_document_remove_run (QnDocument *self, QnRun *run)
+{
+  g_autoptr (QnRun) kept = qn_run_ref (run);
+  g_ptr_array_remove (self->runs, run);
+  if (self->run == kept) {
+    guint left = self->runs->len;
+    qn_document_set_run (self,
+                         left > 0 ? g_ptr_array_index (self->runs, left - 1) : NULL);
+  } else
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+}
+
+gboolean
+qn_document_is_stale (QnDocument *self, const QnRun *run)
+{
+  return g_strcmp0 (run->fingerprint, self->fingerprint) != 0;
+}
