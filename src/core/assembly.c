@@ -1,4 +1,4 @@
-#include "core/assembly.h"
+#include "core/assembly-parts.h"
 
 #include "core/memory.h"
 #include "core/sparse.h"
@@ -24,9 +24,20 @@ allocate (QnAssembly *as)
   as->damping = qn_alloc (n, sizeof (double));
   as->diagonal = qn_alloc (n, sizeof *as->diagonal);
   as->scatter = qn_alloc (as->contacts->face_count * 36, sizeof *as->scatter);
+  as->forces = qn_alloc (as->model->block_count * QN_DOF_COUNT, sizeof *as->forces);
+  as->settles = qn_alloc (n, sizeof *as->settles);
   return as->kinematics && as->springs && as->committed && as->responses && as->dead
          && as->live && as->dead_at_rest && as->live_at_rest && as->damping
-         && as->diagonal && as->scatter;
+         && as->diagonal && as->scatter && as->forces && as->settles;
+}
+
+/* Marks the supports that settle in any of the loads. */
+static void
+mark_settling (const QnLoad *loads, size_t count, int32_t *unknown)
+{
+  for (size_t i = 0; i < count; i++)
+    if (loads[i].kind == QN_LOAD_SETTLEMENT)
+      unknown[QN_DOF_COUNT * loads[i].block + (int) loads[i].dof] = 1;
 }
 
 static bool
@@ -37,11 +48,26 @@ number_unknowns (QnAssembly *as)
   as->unknown = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *as->unknown);
   if (as->unknown == NULL)
     return false;
+  mark_settling (model->dead_loads, model->dead_load_count, as->unknown);
+  mark_settling (model->live_loads, model->live_load_count, as->unknown);
+  as->settling_count = 0;
+  for (size_t i = 0; i < model->block_count * QN_DOF_COUNT; i++)
+    as->settling_count += as->unknown[i] != 0;
+  as->settling = qn_alloc (as->settling_count, sizeof *as->settling);
+  if (as->settling == NULL)
+    return false;
+
+  QnSettling *next = as->settling;
   as->unknown_count = 0;
-  for (size_t b = 0; b < model->block_count; b++)
-    for (int i = 0; i < QN_DOF_COUNT; i++)
-      as->unknown[QN_DOF_COUNT * b + i] =
-        model->blocks[b].support[i] ? QN_NONE : as->unknown_count++;
+  for (size_t i = 0; i < model->block_count * QN_DOF_COUNT; i++) {
+    bool settles = as->unknown[i] != 0;
+    bool fixed = model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT];
+    if (settles)
+      *next++ = (QnSettling){ .unknown = as->unknown_count,
+                              .block = (QnId) (i / QN_DOF_COUNT),
+                              .dof = (QnDof) (i % QN_DOF_COUNT) };
+    as->unknown[i] = fixed && !settles ? QN_NONE : as->unknown_count++;
+  }
   return true;
 }
 
@@ -69,6 +95,32 @@ face_unknowns (const QnAssembly *as, const QnContactFace *face, int32_t unknowns
     unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
     unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
   }
+}
+
+/* Where the rows of settling unknowns stand: the pattern is symmetric, so their columns say
+ * which columns have an entry in them. */
+static bool
+find_settling_rows (QnAssembly *as)
+{
+  size_t count = 0;
+  int32_t next = 0;
+
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    as->settles[i] = true;
+    count += (size_t) (as->ap[i + 1] - as->ap[i]);
+  }
+  as->settling_entries = qn_alloc (count, sizeof *as->settling_entries);
+  if (as->settling_entries == NULL)
+    return false;
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    as->settling[s].first_entry = next;
+    for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)
+      if (as->ai[k] != i)
+        as->settling_entries[next++] = qn_sparse_find (as->ap, as->ai, i, as->ai[k]);
+  }
+  return true;
 }
 
 /* Pattern of K: every block couples with itself and with the blocks it touches. */
@@ -105,66 +157,7 @@ build_pattern (QnAssembly *as, QnDiag *diag)
   }
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
-  return QN_OK;
-}
-
-static QnStatus
-gather_loads (QnAssembly *as, QnDiag *diag)
-{
-  size_t count = as->model->block_count * QN_DOF_COUNT;
-  double *forces = qn_alloc (count, sizeof *forces);
-
-  if (forces == NULL)
-    return qn_diag_no_memory (diag);
-  for (int live = 0; live < 2; live++) {
-    double *loads = live ? as->live : as->dead, largest = 0;
-    if (live)
-      qn_model_live_forces (as->model, forces);
-    else
-      qn_model_dead_forces (as->model, forces);
-    for (size_t i = 0; i < count; i++) {
-      if (as->unknown[i] == QN_NONE)
-        continue;
-      loads[as->unknown[i]] =
-        i % QN_DOF_COUNT == QN_DOF_RZ ? forces[i] / as->length : forces[i];
-      largest = fmax (largest, fabs (loads[as->unknown[i]]));
-    }
-    if (as->force_scale == 0)
-      as->force_scale = largest;
-  }
-  free (forces);
-  return QN_OK;
-}
-
-/* Lists the forces whose moment changes when their block turns. */
-static QnStatus
-list_eccentric_loads (QnAssembly *as, QnDiag *diag)
-{
-  const QnModel *model = as->model;
-
-  memcpy (as->dead_at_rest, as->dead, (size_t) as->unknown_count * sizeof *as->dead);
-  memcpy (as->live_at_rest, as->live, (size_t) as->unknown_count * sizeof *as->live);
-  as->eccentric =
-    qn_alloc (model->dead_load_count + model->live_load_count, sizeof *as->eccentric);
-  if (as->eccentric == NULL)
-    return qn_diag_no_memory (diag);
-
-  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
-    bool live = i >= model->dead_load_count;
-    const QnLoad *load =
-      live ? &model->live_loads[i - model->dead_load_count] : &model->dead_loads[i];
-    if (load->kind != QN_LOAD_FORCE || !load->has_at)
-      continue;
-    int32_t unknown = as->unknown[QN_DOF_COUNT * load->block + QN_DOF_RZ];
-    if (unknown != QN_NONE)
-      as->eccentric[as->eccentric_count++] = (QnEccentricLoad){
-        .unknown = unknown,
-        .live = live,
-        .arm = qn_vec2_sub (load->at, model->blocks[load->block].centroid),
-        .force = load->vector,
-      };
-  }
-  return QN_OK;
+  return find_settling_rows (as) ? QN_OK : qn_diag_no_memory (diag);
 }
 
 /* Diagonal of C: the mean normal stiffness of a pair, distributed like mass (like area where
@@ -181,6 +174,7 @@ prepare_damping (QnAssembly *as)
     stiffness += log (s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn));
   }
   stiffness = as->pair_count > 0 ? exp (stiffness / (double) as->pair_count) : 1;
+  as->stiffness = stiffness;
 
   for (size_t b = 0; b < model->block_count && weightless; b++)
     weightless = model->blocks[b].weight <= 0;
@@ -195,7 +189,7 @@ prepare_damping (QnAssembly *as)
     double gyration = block->polar_moment / block->area / (as->length * as->length);
     for (int i = 0; i < QN_DOF_COUNT; i++) {
       int32_t unknown = as->unknown[QN_DOF_COUNT * b + i];
-      if (unknown != QN_NONE)
+      if (unknown != QN_NONE && !as->settles[unknown])
         as->damping[unknown] = i == QN_DOF_RZ ? c * gyration : c;
     }
   }
@@ -216,12 +210,11 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
     return qn_diag_no_memory (diag);
   }
   prepare_pairs (as);
-  prepare_damping (as);
-  QnStatus status = gather_loads (as, diag);
-  if (status == QN_OK)
-    status = list_eccentric_loads (as, diag);
-  if (status == QN_OK)
-    status = build_pattern (as, diag);
+  QnStatus status = build_pattern (as, diag);
+  if (status == QN_OK) {
+    prepare_damping (as);
+    status = qn_assembly_gather_loads (as, diag);
+  }
   if (status != QN_OK)
     qn_assembly_clear (as);
   return status;
@@ -246,6 +239,10 @@ qn_assembly_clear (QnAssembly *as)
   free (as->ax);
   free (as->scatter);
   free (as->diagonal);
+  free (as->settling);
+  free (as->settles);
+  free (as->settling_entries);
+  free (as->forces);
   *as = (QnAssembly){ 0 };
 }
 
@@ -256,24 +253,6 @@ gather_displacements (const double *u, const int32_t unknowns[6], double v[6])
 {
   for (int i = 0; i < 6; i++)
     v[i] = unknowns[i] == QN_NONE ? 0 : u[unknowns[i]];
-}
-
-/* Moments of forces on blocks that have turned: their arms turn with them. */
-static void
-update_eccentric_loads (QnAssembly *as, const double *u)
-{
-  size_t bytes = (size_t) as->unknown_count * sizeof *as->dead;
-
-  memcpy (as->dead, as->dead_at_rest, bytes);
-  memcpy (as->live, as->live_at_rest, bytes);
-  for (size_t i = 0; i < as->eccentric_count; i++) {
-    QnEccentricLoad *load = &as->eccentric[i];
-    double rz = u[load->unknown] / as->length;
-    load->turned = qn_vec2_rotate (load->arm, cos (rz), sin (rz));
-    QnVec2 moved = qn_vec2_sub (load->turned, load->arm);
-    double *loads = load->live ? as->live : as->dead;
-    loads[load->unknown] += qn_vec2_cross (moved, load->force) / as->length;
-  }
 }
 
 void
@@ -294,7 +273,9 @@ qn_assembly_update_kinematics (QnAssembly *as, const double *u)
     }
   }
   if (as->nonlinear)
-    update_eccentric_loads (as, u);
+    qn_assembly_turn_loads (as, u);
+  for (size_t s = 0; s < as->settling_count; s++)
+    as->settling[s].u = u[as->settling[s].unknown];
 }
 
 bool
@@ -316,7 +297,8 @@ qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
     residual[i] = as->dead[i] + multiplier * as->live[i];
-    scale = fmax (scale, fabs (residual[i]));
+    if (!as->settles[i])
+      scale = fmax (scale, fabs (residual[i]));
   }
   for (size_t f = 0; f < as->contacts->face_count; f++) {
     const QnContactFace *face = &as->contacts->faces[f];
@@ -331,9 +313,11 @@ qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
     }
     face_unknowns (as, face, unknowns);
     for (int i = 0; i < 6; i++)
-      if (unknowns[i] != QN_NONE)
+      if (unknowns[i] != QN_NONE && !as->settles[unknowns[i]])
         residual[unknowns[i]] -= forces[i];
   }
+  for (size_t s = 0; s < as->settling_count; s++)
+    residual[as->settling[s].unknown] -= as->stiffness * as->settling[s].u;
   return scale;
 }
 
@@ -366,15 +350,15 @@ face_tangent (const QnAssembly *as, const QnContactFace *face, double kf[6][6])
   }
 }
 
-/* A force at the arm r of a block that turns loses -d(r x F)/drz = r . F of its moment. */
 static void
-add_load_stiffness (QnAssembly *as, double multiplier)
+clear_settling_rows (QnAssembly *as)
 {
-  for (size_t i = 0; i < as->eccentric_count; i++) {
-    const QnEccentricLoad *load = &as->eccentric[i];
-    double factor = (load->live ? multiplier : 1) / (as->length * as->length);
-    as->ax[as->diagonal[load->unknown]] +=
-      factor * qn_vec2_dot (load->turned, load->force);
+  for (size_t s = 0; s < as->settling_count; s++) {
+    const QnSettling *settling = &as->settling[s];
+    int32_t i = settling->unknown, count = as->ap[i + 1] - as->ap[i] - 1;
+    for (int32_t k = 0; k < count; k++)
+      as->ax[as->settling_entries[settling->first_entry + k]] = 0;
+    as->ax[as->diagonal[i]] = as->stiffness;
   }
 }
 
@@ -394,7 +378,20 @@ qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->ax[as->diagonal[i]] += viscosity * as->damping[i];
   if (as->nonlinear)
-    add_load_stiffness (as, multiplier);
+    qn_assembly_add_load_stiffness (as, multiplier);
+  clear_settling_rows (as);
+}
+
+void
+qn_assembly_tangent_held (QnAssembly *as, double multiplier)
+{
+  qn_assembly_tangent (as, multiplier, 0);
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)
+      if (as->ai[k] != i)
+        as->ax[k] = 0;
+  }
 }
 
 void

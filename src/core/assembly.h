@@ -21,12 +21,28 @@
 
 /* A force that acts away from the centroid of its block: in nonlinear geometry its arm turns. */
 typedef struct QnEccentricLoad {
-  int32_t unknown; /* rotation of the block */
-  bool live;
-  QnVec2 arm;    /* undeformed, m */
-  QnVec2 turned; /* the arm at the last evaluation */
-  QnVec2 force;  /* N */
+  int32_t unknown;   /* rotation of the block */
+  int32_t set;       /* of the load; QN_NONE: dead */
+  double dead, live; /* its parts in the dead and the live loads */
+  QnVec2 arm;        /* undeformed, m */
+  QnVec2 turned;     /* the arm at the last evaluation */
+  QnVec2 force;      /* N */
 } QnEccentricLoad;
+
+/* A supported degree of freedom that settles. It is an unknown with an equation of its own in
+ * place of equilibrium,
+ *
+ *   k (dead + lambda live - u) = 0
+ *
+ * where k is a stiffness of the structure's size and the entries of the load vectors hold k
+ * times the settlement. So a path may drive it like a load. */
+typedef struct QnSettling {
+  int32_t unknown;
+  QnId block;
+  QnDof dof;
+  double u;            /* at the last evaluation, m */
+  int32_t first_entry; /* of its row in QnAssembly.settling_entries */
+} QnSettling;
 
 typedef struct QnAssembly {
   const QnModel *model;
@@ -36,6 +52,11 @@ typedef struct QnAssembly {
 
   int32_t unknown_count;
   int32_t *unknown; /* block_count x 3: index of the unknown, or QN_NONE where fixed */
+  QnSettling *settling;
+  size_t settling_count;
+  bool *settles;             /* unknown_count: whether it is a support's */
+  int32_t *settling_entries; /* where the rows of settling unknowns stand in ax, diagonals
+                                left out */
 
   size_t pair_count;
   QnPairKinematics *kinematics; /* of the last evaluation */
@@ -46,9 +67,12 @@ typedef struct QnAssembly {
   double *dead,
     *live; /* loads on the unknowns, N; in nonlinear geometry of the last evaluation */
   double *dead_at_rest, *live_at_rest;
+  double held[QN_MAX_LOAD_SETS], driven[QN_MAX_LOAD_SETS]; /* factors of the sets */
   QnEccentricLoad *eccentric;
   size_t eccentric_count;
-  double *damping; /* diagonal of C, N/m: see qn_assembly_tangent() */
+  double *damping;  /* diagonal of C, N/m: see qn_assembly_tangent() */
+  double *forces;   /* scratch, block_count x 3 */
+  double stiffness; /* mean normal stiffness of a pair, N/m */
   double
     force_scale; /* largest dead load on a block, or live load where there is none, N */
 
@@ -64,6 +88,12 @@ QnStatus qn_assembly_setup (QnAssembly *assembly, const QnModel *model,
                             const QnContacts *contacts, QnDiag *diag);
 
 void qn_assembly_clear (QnAssembly *assembly);
+
+/* Makes "dead" the dead loads and every set times its factor in `held`, "live" every set times
+ * its factor in `driven`; QN_MAX_LOAD_SETS factors each. At first nothing is held, and the live
+ * loads (set 0) are driven. */
+void qn_assembly_set_loads (QnAssembly *assembly, const double *held,
+                            const double *driven);
 
 /* Evaluates every pair at the displacements u (unknown_count). Returns false where a pair's
  * internal iteration failed. */
@@ -82,6 +112,15 @@ double qn_assembly_residual (const QnAssembly *assembly, double multiplier,
  * matters in nonlinear geometry only). C is a diagonal of stiffness size, distributed over the
  * blocks like their mass. */
 void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
+
+/* The same with settling supports held: their rows and columns are empty but for the diagonal,
+ * so that K is symmetric where the pairs' tangents are. */
+void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
+
+/* What the supports do: the forces (block_count x 3: N, N, N m about the centroid where the
+ * block has moved to) that the ground exerts on fixed degrees of freedom at the last evaluation
+ * with its loads at this multiplier; 0 for free ones. */
+void qn_assembly_reactions (QnAssembly *assembly, double multiplier, double *reactions);
 
 /* Accepts the last evaluation as the state from which further ones start. */
 void qn_assembly_commit (QnAssembly *assembly);

@@ -24,7 +24,8 @@ typedef struct {
   QnAssembly *assembly;
   QnLinsys *linsys;
   int32_t n;
-  double *root_mass; /* sqrt (M), rotations scaled by the characteristic length */
+  double *root_mass; /* sqrt (M), rotations scaled by the characteristic length; 0 for
+                        supports that may settle, which do not move */
   double largest;    /* of K_ii / M_ii */
   double shift;      /* sigma < 0 */
 } Pencil;
@@ -41,7 +42,7 @@ fill_masses (Pencil *pencil, QnDiag *diag)
     double gyration = block->polar_moment / block->area / (as->length * as->length);
     for (int i = 0; i < QN_DOF_COUNT; i++) {
       int32_t unknown = as->unknown[QN_DOF_COUNT * b + i];
-      if (unknown == QN_NONE)
+      if (unknown == QN_NONE || as->settles[unknown])
         continue;
       if (!(mass > 0 && isfinite (mass)))
         return qn_diag_set_field (diag, QN_PROBLEM_BLOCK_WITHOUT_MASS, QN_ENTITY_BLOCK,
@@ -59,7 +60,7 @@ factorize (Pencil *pencil, double multiplier, QnDiag *diag)
   QnAssembly *as = pencil->assembly;
   double largest = 0, skew = 0;
 
-  qn_assembly_tangent (as, multiplier, 0);
+  qn_assembly_tangent_held (as, multiplier);
   for (int32_t j = 0; j < pencil->n; j++)
     for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++) {
       int32_t i = as->ai[k], low = as->ap[i];
@@ -74,7 +75,8 @@ factorize (Pencil *pencil, double multiplier, QnDiag *diag)
 
   for (int32_t i = 0; i < pencil->n; i++) {
     double mass = pencil->root_mass[i] * pencil->root_mass[i];
-    pencil->largest = fmax (pencil->largest, as->ax[as->diagonal[i]] / mass);
+    if (mass > 0)
+      pencil->largest = fmax (pencil->largest, as->ax[as->diagonal[i]] / mass);
   }
   pencil->shift = -SHIFT * pencil->largest;
   for (int32_t i = 0; i < pencil->n; i++)
@@ -187,8 +189,10 @@ take_modes (const Pencil *pencil, const Workspace *w, double *scratch, QnModes *
     double *shape = modes->shapes + (size_t) mode * row;
     modes->omega[mode] = square > ZERO * ZERO * pencil->largest ? sqrt (square) : 0;
     for (int32_t i = 0; i < pencil->n; i++)
-      scratch[i] = w->vectors[(size_t) from * (size_t) pencil->n + (size_t) i]
-                   / pencil->root_mass[i];
+      scratch[i] = pencil->root_mass[i] > 0
+                     ? w->vectors[(size_t) from * (size_t) pencil->n + (size_t) i]
+                         / pencil->root_mass[i]
+                     : 0;
     qn_assembly_expand (as, scratch, shape);
     for (size_t b = 0; b < modes->block_count; b++)
       largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
@@ -233,19 +237,13 @@ solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
 static QnStatus
 reach_state (QnPath *path, QnModalState state, bool *reached, QnDiag *diag)
 {
-  QnStatus status = qn_path_apply_dead_load (path, reached, diag);
-
-  if (status != QN_OK || !*reached)
+  if (state == QN_MODAL_LOADED) {
+    QnStatus status = qn_path_run (path, reached, diag);
+    qn_equilibrium_restore (&path->equilibrium);
     return status;
-  if (state == QN_MODAL_DEAD_LOAD) {
-    path->result->outcome = QN_OUTCOME_TARGET_REACHED;
-    return QN_OK;
   }
-  status = path->settings->procedure == QN_PROCEDURE_LOAD
-             ? qn_path_load_control (path, diag)
-             : qn_path_motion_control (path, diag);
-  qn_equilibrium_restore (&path->equilibrium);
-  return status;
+  path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+  return qn_path_apply_dead_load (path, reached, diag);
 }
 
 QnStatus

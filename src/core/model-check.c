@@ -3,24 +3,21 @@
 #include "core/polygon.h"
 #include "core/tolerance.h"
 
-/* Range that a number must keep. */
-typedef enum { ANY, NOT_NEGATIVE, POSITIVE } Range;
-
 static QnProblem
-number_problem (double value, Range range)
+number_problem (double value, QnNumberRange range)
 {
   if (!isfinite (value))
     return QN_PROBLEM_NOT_FINITE;
-  if (range == POSITIVE && value <= 0)
+  if (range == QN_NUMBER_POSITIVE && value <= 0)
     return QN_PROBLEM_NOT_POSITIVE;
-  if (range == NOT_NEGATIVE && value < 0)
+  if (range == QN_NUMBER_NOT_NEGATIVE && value < 0)
     return QN_PROBLEM_NEGATIVE;
   return QN_PROBLEM_NONE;
 }
 
-static QnStatus
-check_number (double value, Range range, QnEntity entity, QnId index, const char *field,
-              QnDiag *diag)
+QnStatus
+qn_check_number (double value, QnNumberRange range, QnEntity entity, QnId index,
+                 const char *field, QnDiag *diag)
 {
   QnProblem problem = number_problem (value, range);
   if (problem == QN_PROBLEM_NONE)
@@ -28,12 +25,14 @@ check_number (double value, Range range, QnEntity entity, QnId index, const char
   return qn_diag_set_field (diag, problem, entity, index, field, value);
 }
 
-static QnStatus
-check_vector (QnVec2 vector, QnEntity entity, QnId index, const char *field, QnDiag *diag)
+QnStatus
+qn_check_vector (QnVec2 vector, QnEntity entity, QnId index, const char *field,
+                 QnDiag *diag)
 {
-  QnStatus status = check_number (vector.x, ANY, entity, index, field, diag);
-  return status == QN_OK ? check_number (vector.y, ANY, entity, index, field, diag)
-                         : status;
+  QnStatus status = qn_check_number (vector.x, QN_NUMBER_ANY, entity, index, field, diag);
+  return status == QN_OK
+           ? qn_check_number (vector.y, QN_NUMBER_ANY, entity, index, field, diag)
+           : status;
 }
 
 /* A law by index; QN_NONE is left to the caller. */
@@ -46,9 +45,9 @@ check_law_reference (const QnModel *model, QnId law, QnEntity entity, QnId index
   return qn_diag_set_field (diag, QN_PROBLEM_LAW_UNKNOWN, entity, index, "law", law);
 }
 
-static QnStatus
-check_block_reference (const QnModel *model, QnId block, QnEntity entity, QnId index,
-                       const char *field, QnDiag *diag)
+QnStatus
+qn_check_block_reference (const QnModel *model, QnId block, QnEntity entity, QnId index,
+                          const char *field, QnDiag *diag)
 {
   if (block >= 0 && (size_t) block < model->block_count)
     return QN_OK;
@@ -95,13 +94,15 @@ qn_model_check_block (const QnModel *model, QnId index, QnDiag *diag)
 
   QnStatus status = check_polygon (model, index, entity, owner, diag);
   if (status == QN_OK)
-    status = check_number (block->thickness, POSITIVE, entity, owner, "thickness", diag);
+    status = qn_check_number (block->thickness, QN_NUMBER_POSITIVE, entity, owner,
+                              "thickness", diag);
   /* A negative density means that the unit weight counts. */
   if (status == QN_OK && !isfinite (block->density))
-    status = check_number (block->density, ANY, entity, owner, "density", diag);
-  if (status == QN_OK && block->density < 0)
     status =
-      check_number (block->unit_weight, NOT_NEGATIVE, entity, owner, "unit_weight", diag);
+      qn_check_number (block->density, QN_NUMBER_ANY, entity, owner, "density", diag);
+  if (status == QN_OK && block->density < 0)
+    status = qn_check_number (block->unit_weight, QN_NUMBER_NOT_NEGATIVE, entity, owner,
+                              "unit_weight", diag);
   if (status == QN_OK)
     status = check_law_reference (model, block->law, entity, owner, diag);
   return status;
@@ -148,7 +149,8 @@ static QnStatus
 check_pairs (const QnPairRule *rule, QnEntity entity, QnId index, QnDiag *diag)
 {
   if (rule->placement == QN_PLACEMENT_ENDS)
-    return check_number (rule->offset, NOT_NEGATIVE, entity, index, "pairs.offset", diag);
+    return qn_check_number (rule->offset, QN_NUMBER_NOT_NEGATIVE, entity, index,
+                            "pairs.offset", diag);
   if (rule->count < 1)
     return qn_diag_set_field (diag, QN_PROBLEM_PAIR_COUNT, entity, index, "pairs.count",
                               rule->count);
@@ -172,11 +174,11 @@ check_bar (const QnModel *model, QnId index, QnDiag *diag)
   if (status == QN_OK && model->laws[bar->law].basis == QN_BASIS_CONTACT)
     status = qn_diag_set_field (diag, QN_PROBLEM_BAR_BASIS, entity, index, "law", 0);
   if (status == QN_OK)
-    status = check_number (bar->area, POSITIVE, entity, index, "area", diag);
+    status = qn_check_number (bar->area, QN_NUMBER_POSITIVE, entity, index, "area", diag);
   if (status == QN_OK)
-    status = check_vector (bar->start, entity, index, "start", diag);
+    status = qn_check_vector (bar->start, entity, index, "start", diag);
   if (status == QN_OK)
-    status = check_vector (bar->end, entity, index, "end", diag);
+    status = qn_check_vector (bar->end, entity, index, "end", diag);
   if (status == QN_OK && bar->start.x == bar->end.x && bar->start.y == bar->end.y)
     status = qn_diag_set_field (diag, QN_PROBLEM_BAR_SHORT, entity, index, "end", 0);
   return status;
@@ -186,8 +188,8 @@ static QnStatus
 check_contact (const QnModel *model, QnDiag *diag)
 {
   const QnContactSettings *contact = &model->contact;
-  QnStatus status = check_number (contact->tolerance, NOT_NEGATIVE, QN_ENTITY_CONTACT,
-                                  QN_NONE, "tolerance", diag);
+  QnStatus status = qn_check_number (contact->tolerance, QN_NUMBER_NOT_NEGATIVE,
+                                     QN_ENTITY_CONTACT, QN_NONE, "tolerance", diag);
   if (status == QN_OK && contact->tolerance > QN_MAX_CONTACT_TOLERANCE)
     status = qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_CONTACT, QN_NONE,
                                 "tolerance", contact->tolerance);
@@ -212,10 +214,10 @@ check_override (const QnModel *model, QnId index, QnDiag *diag)
   const QnFaceOverride *override = &model->overrides[index];
   QnEntity entity = QN_ENTITY_FACE_OVERRIDE;
   QnStatus status =
-    check_block_reference (model, override->block_a, entity, index, "blocks", diag);
+    qn_check_block_reference (model, override->block_a, entity, index, "blocks", diag);
   if (status == QN_OK)
     status =
-      check_block_reference (model, override->block_b, entity, index, "blocks", diag);
+      qn_check_block_reference (model, override->block_b, entity, index, "blocks", diag);
   if (status == QN_OK && override->block_a == override->block_b)
     status = qn_diag_set_field (diag, QN_PROBLEM_SAME_BLOCK, entity, index, "blocks",
                                 override->block_a);
@@ -226,91 +228,11 @@ check_override (const QnModel *model, QnId index, QnDiag *diag)
   return status;
 }
 
-static QnStatus
-check_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
-            QnDiag *diag)
-{
-  if (load->kind == QN_LOAD_WEIGHT)
-    return check_vector (load->vector, entity, index, "direction", diag);
-
-  QnStatus status =
-    check_block_reference (model, load->block, entity, index, "block", diag);
-  if (status == QN_OK)
-    status = check_vector (load->vector, entity, index, "value", diag);
-  if (status == QN_OK)
-    status = check_number (load->moment, ANY, entity, index, "moment", diag);
-  if (status == QN_OK && load->has_at)
-    status = check_vector (load->at, entity, index, "at", diag);
-  return status;
-}
-
-static QnStatus
-check_loads (const QnModel *model, QnDiag *diag)
-{
-  QnStatus status = QN_OK;
-  for (size_t i = 0; i < model->dead_load_count && status == QN_OK; i++)
-    status =
-      check_load (model, &model->dead_loads[i], QN_ENTITY_DEAD_LOAD, (QnId) i, diag);
-  for (size_t i = 0; i < model->live_load_count && status == QN_OK; i++)
-    status =
-      check_load (model, &model->live_loads[i], QN_ENTITY_LIVE_LOAD, (QnId) i, diag);
-  return status;
-}
-
-static QnStatus
-check_control (const QnModel *model, QnDiag *diag)
-{
-  const QnAnalysisSettings *analysis = &model->analysis;
-  const QnEntity entity = QN_ENTITY_ANALYSIS;
-  if (analysis->control_block == QN_NONE) {
-    if (analysis->procedure != QN_PROCEDURE_DISPLACEMENT)
-      return QN_OK;
-    return qn_diag_set_field (diag, QN_PROBLEM_CONTROL_MISSING, entity, QN_NONE,
-                              "control", 0);
-  }
-
-  QnStatus status = check_block_reference (model, analysis->control_block, entity,
-                                           QN_NONE, "control.block", diag);
-  if (status == QN_OK)
-    status = check_number (analysis->control_target, ANY, entity, QN_NONE,
-                           "control.target", diag);
-  if (status == QN_OK && analysis->control_target == 0)
-    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, entity, QN_NONE,
-                                "control.target", 0);
-  if (status == QN_OK
-      && model->blocks[analysis->control_block].support[analysis->control_dof])
-    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_DOF_FIXED, entity, QN_NONE,
-                                "control.component", 0);
-  return status;
-}
-
-static QnStatus
-check_analysis (const QnModel *model, QnDiag *diag)
-{
-  const QnAnalysisSettings *analysis = &model->analysis;
-  const QnEntity entity = QN_ENTITY_ANALYSIS;
-  QnStatus status =
-    check_number (analysis->increments, POSITIVE, entity, QN_NONE, "increments", diag);
-  /* Infinity is the default and allowed here. */
-  if (status == QN_OK && !(analysis->max_multiplier > 0))
-    status = qn_diag_set_field (
-      diag,
-      isnan (analysis->max_multiplier) ? QN_PROBLEM_NOT_FINITE : QN_PROBLEM_NOT_POSITIVE,
-      entity, QN_NONE, "max_multiplier", analysis->max_multiplier);
-  if (status == QN_OK)
-    status = check_number (analysis->multiplier_tolerance, POSITIVE, entity, QN_NONE,
-                           "multiplier_tolerance", diag);
-  if (status == QN_OK)
-    status = check_number (analysis->residual_tolerance, POSITIVE, entity, QN_NONE,
-                           "residual_tolerance", diag);
-  return status == QN_OK ? check_control (model, diag) : status;
-}
-
 QnStatus
 qn_model_check_settings (const QnModel *model, QnDiag *diag)
 {
-  QnStatus status = check_number (model->gravity, NOT_NEGATIVE, QN_ENTITY_MODEL, QN_NONE,
-                                  "gravity", diag);
+  QnStatus status = qn_check_number (model->gravity, QN_NUMBER_NOT_NEGATIVE,
+                                     QN_ENTITY_MODEL, QN_NONE, "gravity", diag);
   if (status == QN_OK)
     status = check_laws (model, diag);
   if (status == QN_OK)
@@ -320,8 +242,8 @@ qn_model_check_settings (const QnModel *model, QnDiag *diag)
   for (size_t i = 0; i < model->bar_count && status == QN_OK; i++)
     status = check_bar (model, (QnId) i, diag);
   if (status == QN_OK)
-    status = check_loads (model, diag);
+    status = qn_model_check_loads (model, diag);
   if (status == QN_OK)
-    status = check_analysis (model, diag);
+    status = qn_model_check_analysis (model, diag);
   return status;
 }

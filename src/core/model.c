@@ -43,6 +43,10 @@ qn_model_clear (QnModel *model)
     free (model->blocks[i].name);
   for (size_t i = 0; i < model->wall_count; i++)
     wall_clear (&model->walls[i]);
+  for (size_t i = 0; i < model->load_set_count; i++)
+    free (model->load_sets[i]);
+  for (size_t i = 0; i < model->stage_count; i++)
+    free (model->stages[i].name);
 
   free (model->title);
   free (model->vertices);
@@ -53,6 +57,8 @@ qn_model_clear (QnModel *model)
   free (model->bars);
   free (model->dead_loads);
   free (model->live_loads);
+  free (model->load_sets);
+  free (model->stages);
   qn_name_index_clear (&model->law_names);
   qn_name_index_clear (&model->block_names);
   *model = (QnModel){ 0 };
@@ -108,6 +114,8 @@ copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
   COPY_ARRAY (bars, bar_count, bar_capacity);
   COPY_ARRAY (dead_loads, dead_load_count, dead_load_capacity);
   COPY_ARRAY (live_loads, live_load_count, live_load_capacity);
+  COPY_ARRAY (load_sets, load_set_count, load_set_capacity);
+  COPY_ARRAY (stages, stage_count, stage_capacity);
 #undef COPY_ARRAY
 }
 
@@ -125,6 +133,10 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
     copy->laws[i].name = duplicate_name (source->laws[i].name, &failed);
   for (size_t i = 0; i < copy->block_count; i++)
     copy->blocks[i].name = duplicate_name (source->blocks[i].name, &failed);
+  for (size_t i = 0; i < copy->load_set_count; i++)
+    copy->load_sets[i] = duplicate_name (source->load_sets[i], &failed);
+  for (size_t i = 0; i < copy->stage_count; i++)
+    copy->stages[i].name = duplicate_name (source->stages[i].name, &failed);
   for (size_t i = 0; i < copy->wall_count; i++) {
     const QnWall *from = &source->walls[i];
     QnWall *to = &copy->walls[i];
@@ -293,6 +305,56 @@ qn_model_add_live_load (QnModel *model)
 {
   return add_load (&model->live_loads, &model->live_load_count,
                    &model->live_load_capacity);
+}
+
+QnStage *
+qn_model_add_stage (QnModel *model, const char *name)
+{
+  QnStage *stages =
+    make_room (model->stages, model->stage_count, &model->stage_capacity, sizeof *stages);
+  if (stages == NULL)
+    return NULL;
+  model->stages = stages;
+
+  QnStage *stage = &stages[model->stage_count];
+  stage->name = qn_strdup (name);
+  if (stage->name == NULL && name != NULL)
+    return NULL;
+  stage->control_block = QN_NONE;
+  model->stage_count++;
+  return stage;
+}
+
+int32_t
+qn_model_find_load_set (const QnModel *model, const char *name)
+{
+  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++)
+    if (strcmp (qn_model_load_set_name (model, set), name) == 0)
+      return set;
+  return QN_NONE;
+}
+
+int32_t
+qn_model_add_load_set (QnModel *model, const char *name)
+{
+  int32_t set = qn_model_find_load_set (model, name);
+  if (set != QN_NONE || model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
+    return set;
+  char **names = make_room (model->load_sets, model->load_set_count,
+                            &model->load_set_capacity, sizeof *names);
+  if (names == NULL)
+    return QN_NONE;
+  model->load_sets = names;
+  names[model->load_set_count] = qn_strdup (name);
+  if (names[model->load_set_count] == NULL)
+    return QN_NONE;
+  return (int32_t) ++model->load_set_count;
+}
+
+const char *
+qn_model_load_set_name (const QnModel *model, int32_t set)
+{
+  return set == 0 ? "live" : model->load_sets[set - 1];
 }
 
 QnId

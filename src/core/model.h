@@ -29,6 +29,9 @@
 /* Most pairs that are placed one by one. */
 #define QN_MAX_EXPLICIT_PAIRS 32
 
+/* Most sets of loads, that of the live loads included. */
+#define QN_MAX_LOAD_SETS 32
+
 /* Largest contact tolerance, relative to the characteristic block length: beyond it blocks
  * that are clearly apart would be joined. */
 #define QN_MAX_CONTACT_TOLERANCE 0.05
@@ -111,17 +114,24 @@ typedef struct QnContactSettings {
 } QnContactSettings;
 
 typedef enum {
-  QN_LOAD_WEIGHT, /* on every block: block weight x direction */
-  QN_LOAD_FORCE   /* on one block: force and moment */
+  QN_LOAD_WEIGHT,     /* on every block: block weight x direction */
+  QN_LOAD_FORCE,      /* on one block: force and moment */
+  QN_LOAD_SETTLEMENT, /* of one fixed degree of freedom of one block */
+  QN_LOAD_KIND_COUNT
 } QnLoadKind;
 
+/* Dead loads act from the start. The others belong to a set that grows with a multiplier: the
+ * live loads are set 0, sets with names follow (QnModel.load_sets). */
 typedef struct QnLoad {
   QnLoadKind kind;
+  int32_t set;   /* of loads that are not dead: 0 = live */
   QnVec2 vector; /* WEIGHT: direction of any length (1 = one weight); FORCE: N */
-  QnId block;    /* FORCE only */
+  QnId block;    /* FORCE and SETTLEMENT */
   double moment; /* N m about the point of application, FORCE only */
   bool has_at;   /* FORCE: whether `at` is given; the centroid otherwise */
   QnVec2 at;     /* m */
+  QnDof dof;     /* SETTLEMENT: which degree of freedom */
+  double value;  /* SETTLEMENT: how far at multiplier 1, m or rad */
 } QnLoad;
 
 typedef enum {
@@ -154,6 +164,21 @@ typedef struct QnAnalysisSettings {
   double control_target; /* m or rad */
 } QnAnalysisSettings;
 
+/* A stage of loading: its sets go from the multiplier that they stand at to another one while
+ * all others are held. What joints and members remember carries over from stage to stage.
+ * Settings that a stage does not have are those of the analysis. */
+typedef struct QnStage {
+  char *name;    /* owned; may be NULL */
+  uint32_t sets; /* bit i: set i is driven */
+  QnProcedure procedure;
+  int32_t increments; /* 0: as the analysis says */
+  bool has_target;    /* whether the stage ends at a multiplier, */
+  double target;      /* this one; any sign */
+  QnId control_block; /* or QN_NONE */
+  QnDof control_dof;
+  double control_target; /* m or rad, as a total; may be 0 */
+} QnStage;
+
 typedef struct QnModel {
   char *title;    /* owned, may be NULL */
   double gravity; /* m/s2 */
@@ -174,8 +199,12 @@ typedef struct QnModel {
   size_t bar_count, bar_capacity;
   QnLoad *dead_loads;
   size_t dead_load_count, dead_load_capacity;
-  QnLoad *live_loads;
+  QnLoad *live_loads; /* those of all sets */
   size_t live_load_count, live_load_capacity;
+  char **load_sets; /* owned names of set 1, 2, … */
+  size_t load_set_count, load_set_capacity;
+  QnStage *stages; /* none: the live loads in one go */
+  size_t stage_count, stage_capacity;
 
   QnContactSettings contact;
   QnAnalysisSettings analysis;
@@ -204,6 +233,17 @@ QnFaceOverride *qn_model_add_override (QnModel *model);
 QnBar *qn_model_add_bar (QnModel *model);
 QnLoad *qn_model_add_dead_load (QnModel *model);
 QnLoad *qn_model_add_live_load (QnModel *model);
+QnStage *qn_model_add_stage (QnModel *model, const char *name);
+
+/* Number of the load set with this name, added where there is none; "live" is 0. QN_NONE where
+ * memory runs out or QN_MAX_LOAD_SETS are there already. */
+int32_t qn_model_add_load_set (QnModel *model, const char *name);
+
+/* The same without adding: QN_NONE where there is none. */
+int32_t qn_model_find_load_set (const QnModel *model, const char *name);
+
+/* Name of a load set, "live" for 0. */
+const char *qn_model_load_set_name (const QnModel *model, int32_t set);
 
 /* Appends a course to a wall; false when memory runs out. */
 bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);
@@ -224,11 +264,19 @@ QnId qn_model_find_block (const QnModel *model, const char *name);
  * problem found is reported; the model may only be cleared then. */
 QnStatus qn_model_prepare (QnModel *model, QnDiag *diag);
 
-/* Resultant of the dead or the live loads on every block.
+/* Resultant of the dead or the live loads (those of set 0) on every block. Settlements are no
+ * forces.
  *
  * forces: block_count x 3: fx, fy in N and the moment about the centroid in N m. */
 void qn_model_dead_forces (const QnModel *model, double *forces);
 void qn_model_live_forces (const QnModel *model, double *forces);
+
+/* Whether there is a force or a weight among the loads of some sets, bit by bit as in QnStage.
+ * Sets of settlements alone go as far as their values say, to multiplier 1. */
+bool qn_model_sets_have_force (const QnModel *model, uint32_t sets);
+
+/* Loads of all sets, each times its own factor; factors: QN_MAX_LOAD_SETS. */
+void qn_model_set_forces (const QnModel *model, const double *factors, double *forces);
 
 /* Vertices of a block. */
 static inline const QnVec2 *

@@ -39,7 +39,8 @@ typedef struct {
   double *direction;  /* of the measure */
   double first, step; /* of the measure */
   double end;         /* of the controlled displacement, scaled; NaN without one */
-  double peak;        /* largest multiplier so far */
+  double start; /* where its way there is counted from: 0, or where a stage begins */
+  double peak;  /* largest multiplier so far */
   bool passed_peak;
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
   double
@@ -116,9 +117,11 @@ choose_measure (PathControl *control, QnDiag *diag)
   if (unknown != QN_NONE)
     control->end = settings->control_target
                    * (settings->control_dof == QN_DOF_RZ ? eq->assembly.length : 1);
+  if (unknown != QN_NONE && path->stage > 0)
+    control->start = eq->committed.u[unknown];
   if (control->procedure == QN_PROCEDURE_DISPLACEMENT) {
     control->direction[unknown] = 1;
-    control->first = control->end / settings->increments;
+    control->first = (control->end - control->start) / settings->increments;
     return QN_OK;
   }
 
@@ -223,8 +226,8 @@ check_end (PathControl *control)
 
   bool arrived = eq->multiplier >= settings->max_multiplier;
   if (unknown != QN_NONE)
-    arrived |= fabs (eq->u[unknown]) >= (1 - QN_TOLERANCE_TARGET) * fabs (control->end)
-               && eq->u[unknown] * control->end > 0;
+    arrived |= (eq->u[unknown] - control->start) / (control->end - control->start)
+               >= 1 - QN_TOLERANCE_TARGET;
   bool collapsed = unknown == QN_NONE && control->passed_peak && eq->multiplier <= 0;
   collapsed |= control->procedure != QN_PROCEDURE_DISPLACEMENT && is_plateau (control);
 

@@ -9,7 +9,9 @@ QnStatus
 qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
                QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)
 {
-  *path = (QnPath){ .model = model, .settings = &model->analysis, .result = result };
+  *path = (QnPath){
+    .model = model, .settings = &model->analysis, .scale = 1, .result = result
+  };
 
   QnStatus status =
     qn_result_init (result, model->block_count, contacts->pair_count, diag);
@@ -20,7 +22,9 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
     return status;
 
   path->displacements = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof (double));
-  return path->displacements != NULL ? QN_OK : qn_diag_no_memory (diag);
+  return path->displacements != NULL && qn_result_set_supports (result, model)
+           ? QN_OK
+           : qn_diag_no_memory (diag);
 }
 
 void
@@ -35,18 +39,22 @@ bool
 qn_path_accept (QnPath *path, double multiplier, QnEvent event)
 {
   QnEquilibrium *eq = &path->equilibrium;
-  QnStep step = { .multiplier = multiplier,
+  QnStep step = { .multiplier = path->origin + path->scale * multiplier,
                   .iterations = eq->statistics.iterations - path->iterations_at_step,
                   .residual = eq->out_of_balance,
-                  .event = event };
+                  .event = event,
+                  .stage = path->stage };
 
   eq->multiplier = multiplier;
   qn_equilibrium_commit (eq);
   path->iterations_at_step = eq->statistics.iterations;
-  eq->progress.multiplier = multiplier;
+  eq->progress.multiplier = step.multiplier;
   eq->progress.steps++;
   qn_assembly_expand (&eq->assembly, eq->u, path->displacements);
-  return qn_result_add_step (path->result, step, path->displacements);
+  if (!qn_result_add_step (path->result, step, path->displacements))
+    return false;
+  qn_assembly_reactions (&eq->assembly, multiplier, path->displacements);
+  return qn_result_add_reactions (path->result, path->displacements);
 }
 
 QnStatus

@@ -19,10 +19,14 @@
 
 typedef struct QnPath {
   const QnModel *model;
-  const QnAnalysisSettings *settings;
+  const QnAnalysisSettings *settings; /* in force: those of the model, or of the stage */
+  QnAnalysisSettings own_settings;    /* what `settings` points to while a path is run */
+  int32_t stage;                      /* number of the stage, from 1; 0: none */
+  double origin, scale; /* the sets that are driven stand at origin + scale x the solver's
+                           multiplier, which every stage starts from 0; 0 and 1 by default */
   QnEquilibrium equilibrium;
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
-  double *displacements;      /* scratch, block_count x 3 */
+  double *displacements;      /* scratch, block_count x 3; reactions too */
   int32_t iterations_at_step; /* statistics when the last step was recorded */
 } QnPath;
 
@@ -36,6 +40,10 @@ void qn_path_clear (QnPath *path);
 /* Dead load: the first equilibrium. *stands is false when there is none; the outcome, and the
  * blocks that move where it is certain, are in the result then. */
 QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
+
+/* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
+ * (path-stages.c). *stands is false where there is no equilibrium under dead load. */
+QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
 
 /* Accepts the current state of the solver and records it as a step. False when memory runs
  * out. */

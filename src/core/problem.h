@@ -64,6 +64,19 @@
   X (CONTROL_DOF_FIXED, "controlled degree of freedom is fixed") \
   X (CONTROL_TARGET_ZERO, "control target is zero") \
   X (CONTROL_MISSING, "procedure needs a control block and target") \
+  X (CONTROL_WRONG_SIGN, "target lies against the motion under the live load") \
+  X (SETTLEMENT_FREE, "only a supported degree of freedom can settle") \
+  X (SETTLEMENT_WORK, "work control needs loads: settlements do no work") \
+  X (SETTLEMENT_LIMIT, "limit analysis knows loads, not settlements") \
+  X (LOAD_SET_UNKNOWN, "no load set has this name") \
+  X (LOAD_SET_UNUSED, "no stage drives this load set") \
+  X (STAGE_IDLE, "stage drives no load set") \
+  X (STAGE_SETS_APART, "load sets of the stage stand at different multipliers") \
+  X (STAGE_ENDLESS, "target is missing: only the last stage may go on to collapse") \
+  X (STAGE_NO_CHANGE, "stage ends where it begins") \
+  X (STAGE_TWO_ENDS, "stage ends at a multiplier or at a displacement, not at both") \
+  X (STAGE_LIMIT, "limit analysis has no stages") \
+  X (STAGE_MULTIPLIER, "stages have targets of their own") \
   X (NEAR_MISS_GAP, "gap just wider than the contact tolerance") \
   X (NEAR_MISS_OVERLAP, "overlap within a few contact tolerances") \
   X (POINT_CONTACT, "blocks touch at a point only") \

@@ -49,6 +49,8 @@ qn_result_clear (QnResult *result)
   free (result->pairs);
   free (result->mechanism);
   free (result->unstable_blocks);
+  free (result->supports);
+  free (result->reactions);
   *result = (QnResult){ 0 };
 }
 
@@ -71,6 +73,65 @@ qn_result_add_step (QnResult *result, QnStep step, const double *displacements)
   memcpy (all + result->step_count * row, displacements, row * sizeof *all);
   steps[result->step_count++] = step;
   return true;
+}
+
+static bool
+is_supported (const QnBlock *block)
+{
+  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
+         || block->support[QN_DOF_RZ];
+}
+
+bool
+qn_result_set_supports (QnResult *result, const QnModel *model)
+{
+  size_t count = 0;
+
+  for (size_t b = 0; b < model->block_count; b++)
+    count += is_supported (&model->blocks[b]);
+  result->supports = qn_alloc (count, sizeof *result->supports);
+  if (result->supports == NULL)
+    return false;
+  for (size_t b = 0; b < model->block_count; b++)
+    if (is_supported (&model->blocks[b]))
+      result->supports[result->support_count++] = (QnId) b;
+  return true;
+}
+
+bool
+qn_result_add_reactions (QnResult *result, const double *reactions)
+{
+  size_t row = result->support_count * QN_DOF_COUNT;
+  double *all = qn_array_grow (result->reactions, &result->reaction_capacity,
+                               result->step_count * row, sizeof *all);
+  if (all == NULL)
+    return false;
+  result->reactions = all;
+
+  double *last = all + (result->step_count - 1) * row;
+  for (size_t s = 0; s < result->support_count; s++)
+    memcpy (last + s * QN_DOF_COUNT, reactions + result->supports[s] * QN_DOF_COUNT,
+            QN_DOF_COUNT * sizeof *last);
+  return true;
+}
+
+void
+qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
+                        double *factors)
+{
+  memset (factors, 0, QN_MAX_LOAD_SETS * sizeof *factors);
+  if (model->stage_count == 0) {
+    factors[0] = result->steps[step].multiplier;
+    return;
+  }
+  for (size_t s = 0; s <= step; s++) {
+    int32_t stage = result->steps[s].stage;
+    if (stage < 1 || (size_t) stage > model->stage_count)
+      continue;
+    for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+      if ((model->stages[stage - 1].sets >> set & 1) != 0)
+        factors[set] = result->steps[s].multiplier;
+  }
 }
 
 QnStatus

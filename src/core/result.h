@@ -18,12 +18,15 @@ typedef enum {
 
 typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT } QnEvent;
 
-/* One converged equilibrium. The first step is the dead load alone, multiplier 0. */
+/* One converged equilibrium. The first step is the dead load alone, multiplier 0. The
+ * multiplier is that of the load sets which the stage drives. */
 typedef struct QnStep {
   double multiplier;
   int32_t iterations; /* spent on this step */
   double residual;    /* out-of-balance relative to the forces in the model */
   QnEvent event; /* SNAP: the first equilibrium after a jump; COLLAPSE: the last one */
+  int32_t
+    stage; /* number of the stage it belongs to, from 1; 0: dead load, or no stages */
 } QnStep;
 
 /* Force of a contact pair on block a of its face is normal_force * normal + shear_force *
@@ -81,6 +84,13 @@ typedef struct QnResult {
   double *displacements; /* step_count x block_count x 3; m, m, rad at centroids */
   size_t displacement_capacity;
 
+  QnId *supports; /* blocks with a fixed degree of freedom, ascending; none in limit
+                     analysis */
+  size_t support_count;
+  double *reactions; /* step_count x support_count x 3, on the blocks: N, N, N m about the
+                        centroid; 0 where the block is free */
+  size_t reaction_capacity;
+
   QnPairResult *pairs; /* at the last equilibrium */
   double *mechanism;   /* block_count x 3 velocity field at collapse, scaled as
                           qn_result_set_mechanism() says; NULL where there is none */
@@ -104,6 +114,16 @@ void qn_result_clear (QnResult *result);
 /* Appends a step; displacements: block_count x 3. False when memory runs out. */
 bool qn_result_add_step (QnResult *result, QnStep step, const double *displacements);
 
+/* Keeps which blocks have reactions, and appends those of the last step added: reactions:
+ * block_count x 3, of which the rows of the supports are kept. False when memory runs out. */
+bool qn_result_set_supports (QnResult *result, const QnModel *model);
+bool qn_result_add_reactions (QnResult *result, const double *reactions);
+
+/* Multiplier of every load set (factors: QN_MAX_LOAD_SETS) at a step: that of the step for the
+ * sets that its stage drives, for others where earlier stages left them. */
+void qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
+                             double *factors);
+
 /* Keeps `velocities` (block_count x 3), scaled so that the largest of |(ux, uy)| over the
  * blocks, or of |rz| x characteristic length where that is larger, is 1. */
 QnStatus qn_result_set_mechanism (QnResult *result, const double *velocities,
@@ -114,6 +134,13 @@ static inline const double *
 qn_result_step_displacements (const QnResult *result, size_t step)
 {
   return result->displacements + step * result->block_count * QN_DOF_COUNT;
+}
+
+/* Reactions of one step, support_count x 3. */
+static inline const double *
+qn_result_step_reactions (const QnResult *result, size_t step)
+{
+  return result->reactions + step * result->support_count * QN_DOF_COUNT;
 }
 
 #endif

@@ -33,6 +33,7 @@ typedef enum {
   QN_ENTITY_DEAD_LOAD,
   QN_ENTITY_LIVE_LOAD,
   QN_ENTITY_ANALYSIS,
+  QN_ENTITY_STAGE,
   QN_ENTITY_MASONRY /* parametric masonry, see stereotomy/masonry.h */
 } QnEntity;
 

@@ -30,6 +30,8 @@ entity_word (QnEntity entity)
     return _ ("Live load");
   case QN_ENTITY_ANALYSIS:
     return _ ("Analysis");
+  case QN_ENTITY_STAGE:
+    return _ ("Load stage");
   case QN_ENTITY_MASONRY:
     return _ ("Masonry");
   case QN_ENTITY_MODEL:

@@ -1,0 +1,339 @@
+#include "core/analysis.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+
+/* A vertical fibre: a block of unit area on a rigid base, elastic-perfectly plastic. The base's
+ * spring is a million times as stiff. */
+#define STIFFNESS 1e6 /* N/m of the pair of springs */
+#define YIELD     1e3 /* N */
+
+typedef struct Run {
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+} Run;
+
+static void
+init_fibre (QnModel *model, QnLawKind kind, double hardening)
+{
+  test_model_init (model);
+  model->laws[0].kind = kind;
+  model->laws[0].kn = 2 * STIFFNESS;
+  model->laws[0].ks = 2 * STIFFNESS;
+  model->laws[0].yield = YIELD;
+  model->laws[0].hardening = hardening;
+  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 1 };
+  test_model_add_base (model, -0.5, -1, 1, 1);
+  test_model_add_rectangle (model, "block", -0.5, 0, 1, 1);
+  /* One pair does not hold the rotation. */
+  model->blocks[1].support[QN_DOF_RZ] = true;
+}
+
+static void
+add_force (QnModel *model, const char *set, double fx, double fy)
+{
+  QnLoad *load = qn_model_add_live_load (model);
+  load->kind = QN_LOAD_FORCE;
+  load->set = qn_model_add_load_set (model, set);
+  load->block = 1;
+  load->vector = qn_vec2 (fx, fy);
+}
+
+static void
+add_ceiling (QnModel *model)
+{
+  QnBlock *block = test_model_add_rectangle (model, "ceiling", -0.5, 1, 1, 1);
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    block->support[dof] = true;
+}
+
+static void
+add_stage (QnModel *model, uint32_t sets, double target)
+{
+  QnStage *stage = qn_model_add_stage (model, "stage");
+  stage->sets = sets;
+  stage->has_target = true;
+  stage->target = target;
+  stage->increments = 10;
+}
+
+static void
+add_controlled_stage (QnModel *model, uint32_t sets, double target)
+{
+  QnStage *stage = qn_model_add_stage (model, "controlled");
+  stage->sets = sets;
+  stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+  stage->control_block = 1;
+  stage->control_dof = QN_DOF_UY;
+  stage->control_target = target;
+  stage->increments = 10;
+}
+
+static void
+solve (Run *run, QnModel *model)
+{
+  QnDiag diag = { 0 };
+  run->model = *model;
+  g_assert_cmpint (qn_model_prepare (&run->model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&run->model, &run->contacts, &diag), ==, QN_OK);
+  g_assert_cmpint (
+    qn_analysis_run (&run->model, &run->contacts, NULL, NULL, &run->result, &diag), ==,
+    QN_OK);
+}
+
+static void
+clear (Run *run)
+{
+  qn_result_clear (&run->result);
+  qn_contacts_clear (&run->contacts);
+  qn_model_clear (&run->model);
+}
+
+/* Last step of a stage. */
+static size_t
+end_of (const Run *run, int stage)
+{
+  size_t end = 0;
+  for (size_t i = 0; i < run->result.step_count; i++)
+    if (run->result.steps[i].stage == stage)
+      end = i;
+  g_assert_cmpuint (end, >, 0);
+  return end;
+}
+
+static double
+uy (const Run *run, size_t step)
+{
+  return qn_result_step_displacements (&run->result, step)[QN_DOF_COUNT + QN_DOF_UY];
+}
+
+/* Loading into the plastic range, unloading, reloading, load control with hardening r: the
+ * plastic part of (F - Fy) (1/(r k) - 1/k) stays. Reversal reaches yield at F - 2 Fy. */
+static void
+test_cycle_of_loads (void)
+{
+  const double r = 0.25, k = STIFFNESS;
+  const double plastic = 0.2 * YIELD * (1 / (r * k) - 1 / k);
+  Run run;
+  QnModel model;
+  init_fibre (&model, QN_LAW_BILINEAR, r);
+  add_force (&model, "live", 0, YIELD);
+  add_stage (&model, 1, 1.2);
+  add_stage (&model, 1, 0);
+  add_stage (&model, 1, 1.2);
+  add_stage (&model, 1, -0.8);
+  add_stage (&model, 1, -1.0);
+  solve (&run, &model);
+
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  static const double multipliers[] = { 1.2, 0, 1.2, -0.8, -1.0 };
+  const double expected[] = { 1.2 * YIELD / k + plastic, plastic,
+                              1.2 * YIELD / k + plastic, -0.8 * YIELD / k + plastic,
+                              -0.8 * YIELD / k + plastic - 0.2 * YIELD / (r * k) };
+  for (int stage = 1; stage <= 5; stage++) {
+    size_t end = end_of (&run, stage);
+    g_assert_cmpfloat_with_epsilon (run.result.steps[end].multiplier,
+                                    multipliers[stage - 1], 1e-12);
+    g_assert_cmpfloat_with_epsilon (uy (&run, end), expected[stage - 1], 1e-10);
+  }
+  /* Between the ends, elastic all along. */
+  for (size_t i = end_of (&run, 1); i <= end_of (&run, 4); i++)
+    g_assert_cmpfloat_with_epsilon (
+      uy (&run, i), plastic + run.result.steps[i].multiplier * YIELD / k, 1e-10);
+  g_assert_cmpint (run.result.steps[0].stage, ==, 0);
+  clear (&run);
+}
+
+/* The same under displacement control, without hardening: the load follows the spring. */
+static void
+test_cycle_of_displacements (void)
+{
+  const double first = YIELD / STIFFNESS;
+  Run run;
+  QnModel model;
+  init_fibre (&model, QN_LAW_ELASTIC_PLASTIC, 0);
+  add_force (&model, "live", 0, YIELD);
+  add_controlled_stage (&model, 1, 3 * first);
+  add_controlled_stage (&model, 1, 0);
+  add_controlled_stage (&model, 1, 2.5 * first);
+  solve (&run, &model);
+
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  static const double ends[] = { 3, 0, 2.5 }, forces[] = { 1, -1, 1 };
+  for (int stage = 1; stage <= 3; stage++) {
+    size_t end = end_of (&run, stage);
+    g_assert_cmpfloat_with_epsilon (uy (&run, end), ends[stage - 1] * first,
+                                    1e-9 * first);
+    g_assert_cmpfloat_with_epsilon (run.result.steps[end].multiplier, forces[stage - 1],
+                                    1e-9);
+  }
+  for (size_t i = 1; i < run.result.step_count; i++) {
+    double u = uy (&run, i) / first, expected = 0;
+    if (run.result.steps[i].stage == 1)
+      expected = fmin (u, 1);
+    else if (run.result.steps[i].stage == 2)
+      expected = fmax (u - 2, -1);
+    else
+      expected = fmin (u - 1, 1);
+    g_assert_cmpfloat_with_epsilon (run.result.steps[i].multiplier, expected, 1e-8);
+  }
+  clear (&run);
+}
+
+/* A vertical load first, then the push: a block on a plane slides at mu (W + N). The held set
+ * counts, and the factors of all sets are told. */
+static void
+test_held_set (void)
+{
+  Run run;
+  QnModel model;
+  double factors[QN_MAX_LOAD_SETS];
+  test_model_init_block_on_plane (&model, 2, 0.5);
+  model.analysis.multiplier_tolerance = 1e-8;
+  QnLoad *dead = qn_model_add_dead_load (&model);
+  dead->vector = qn_vec2 (0, -1);
+  add_force (&model, "top", 0, -5000);
+  add_force (&model, "push", 10000, 0);
+  g_assert_cmpint (model.load_set_count, ==, 2);
+  add_stage (&model, 1 << 1, 2);
+  QnStage *push = qn_model_add_stage (&model, "push");
+  push->sets = 1 << 2;
+  solve (&run, &model);
+
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  double weight = run.model.blocks[1].weight;
+  g_assert_cmpfloat_with_epsilon (run.result.collapse_multiplier,
+                                  0.65 * (weight + 10000) / 10000, 1e-6);
+  qn_result_load_factors (&run.model, &run.result, run.result.step_count - 1, factors);
+  g_assert_cmpfloat_with_epsilon (factors[1], 2, 1e-12);
+  g_assert_cmpfloat_with_epsilon (factors[2], run.result.collapse_multiplier, 1e-12);
+  g_assert_cmpfloat (factors[0], ==, 0);
+
+  /* The base carries weight, top load and push. */
+  const double *reaction =
+    qn_result_step_reactions (&run.result, run.result.step_count - 1);
+  g_assert_cmpuint (run.result.support_count, ==, 1);
+  double base = run.model.blocks[0].weight;
+  g_assert_cmpfloat_with_epsilon (reaction[0], -10000 * run.result.collapse_multiplier,
+                                  1e-3);
+  g_assert_cmpfloat_with_epsilon (reaction[1], base + weight + 10000, 1e-3);
+  clear (&run);
+}
+
+/* A stage that does not reach its end is the last one. */
+static void
+test_stops_at_collapse (void)
+{
+  Run run;
+  QnModel model;
+  test_model_init_block_on_plane (&model, 2, 0.5);
+  test_model_add_weight_loads (&model, 1);
+  add_stage (&model, 1, 5);
+  add_stage (&model, 1, 0);
+  solve (&run, &model);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat_with_epsilon (run.result.collapse_multiplier, 0.65, 1e-4);
+  g_assert_nonnull (run.result.mechanism);
+  for (size_t i = 1; i < run.result.step_count; i++)
+    g_assert_cmpint (run.result.steps[i].stage, ==, 1);
+  clear (&run);
+}
+
+/* A prop in the middle of two unequal springs: the middle block settles with the support by the
+ * ratio of stiffnesses, k u = k (s - u). */
+static void
+test_settlement (void)
+{
+  const double s = -2e-3;
+  Run run;
+  QnModel model;
+  init_fibre (&model, QN_LAW_ELASTIC, 0);
+  add_ceiling (&model);
+  QnLoad *load = qn_model_add_live_load (&model);
+  load->kind = QN_LOAD_SETTLEMENT;
+  load->block = 0;
+  load->dof = QN_DOF_UY;
+  load->value = s;
+  solve (&run, &model);
+
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpfloat (run.result.steps[run.result.step_count - 1].multiplier, ==, 1);
+  for (size_t i = 0; i < run.result.step_count; i++) {
+    double m = run.result.steps[i].multiplier;
+    const double *u = qn_result_step_displacements (&run.result, i);
+    const double *r = qn_result_step_reactions (&run.result, i);
+    g_assert_cmpfloat_with_epsilon (u[QN_DOF_UY], m * s, 1e-12);
+    g_assert_cmpfloat_with_epsilon (uy (&run, i), m * s / 2, 1e-12);
+    /* The ground pulls the sinking base down; the block above holds it back. */
+    g_assert_cmpfloat_with_epsilon (r[QN_DOF_UY], STIFFNESS * m * s / 2, 1e-3);
+    g_assert_cmpfloat_with_epsilon (r[6 + QN_DOF_UY], -STIFFNESS * m * s / 2, 1e-3);
+  }
+  clear (&run);
+}
+
+/* The same as a stage after a load, and taken back: the load stays. */
+static void
+test_settlement_stage (void)
+{
+  const double s = -2e-3;
+  Run run;
+  QnModel model;
+  init_fibre (&model, QN_LAW_ELASTIC, 0);
+  add_ceiling (&model);
+  add_force (&model, "live", 0, -600);
+  QnLoad *load = qn_model_add_live_load (&model);
+  load->kind = QN_LOAD_SETTLEMENT;
+  load->set = qn_model_add_load_set (&model, "ground");
+  load->block = 0;
+  load->dof = QN_DOF_UY;
+  load->value = s;
+  add_stage (&model, 1, 1);
+  add_stage (&model, 2, 1);
+  add_stage (&model, 2, 0);
+  solve (&run, &model);
+  const double loaded = -600 / (2 * STIFFNESS);
+  g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 1)), loaded, 1e-12);
+  g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 2)), loaded + s / 2, 1e-12);
+  g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 3)), loaded, 1e-12);
+  clear (&run);
+}
+
+/* A target that the load moves away from. */
+static void
+test_wrong_sign (void)
+{
+  QnDiag diag = { 0 };
+  Run run = { 0 };
+  init_fibre (&run.model, QN_LAW_ELASTIC_PLASTIC, 0);
+  add_force (&run.model, "live", 0, YIELD);
+  QnAnalysisSettings *analysis = &run.model.analysis;
+  analysis->procedure = QN_PROCEDURE_DISPLACEMENT;
+  analysis->control_block = 1;
+  analysis->control_dof = QN_DOF_UY;
+  analysis->control_target = -1e-3;
+  g_assert_cmpint (qn_model_prepare (&run.model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&run.model, &run.contacts, &diag), ==, QN_OK);
+  g_assert_cmpint (
+    qn_analysis_run (&run.model, &run.contacts, NULL, NULL, &run.result, &diag), ==,
+    QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_CONTROL_WRONG_SIGN);
+  g_assert_cmpstr (diag.field, ==, "control.target");
+  clear (&run);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/core/path-stages/cycle-of-loads", test_cycle_of_loads);
+  g_test_add_func ("/core/path-stages/cycle-of-displacements",
+                   test_cycle_of_displacements);
+  g_test_add_func ("/core/path-stages/held-set", test_held_set);
+  g_test_add_func ("/core/path-stages/stops-at-collapse", test_stops_at_collapse);
+  g_test_add_func ("/core/path-stages/settlement", test_settlement);
+  g_test_add_func ("/core/path-stages/settlement-stage", test_settlement_stage);
+  g_test_add_func ("/core/path-stages/wrong-sign", test_wrong_sign);
+  return g_test_run ();
+}
