@@ -7,6 +7,9 @@
 /* The tool's settings and what is selected: blocks, their wall, a contact face. */
 GtkWidget *qn_properties_panel_new (QnCanvas *canvas);
 
+/* The picture behind the drawing; hidden where there is none. */
+GtkWidget *qn_picture_panel_new (QnCanvas *canvas);
+
 /* Procedure and its parameters, loads, contacts, laws. */
 GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
 

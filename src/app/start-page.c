@@ -230,7 +230,8 @@ qn_start_page_new (void)
                   make_action_button (_ ("_New Drawing"), "win.draw", TRUE));
   gtk_box_append (GTK_BOX (buttons),
                   make_action_button (_ ("_Open…"), "win.open", FALSE));
-  GtkWidget *hint = gtk_label_new (_ ("Or drop a .quoin file here"));
+  GtkWidget *hint =
+    gtk_label_new (_ ("Or drop a project, a DXF drawing or a picture here"));
   gtk_widget_add_css_class (hint, "dim-label");
 
   GtkWidget *parts[] = { image, title, buttons, hint };

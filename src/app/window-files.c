@@ -1,5 +1,6 @@
 #include "app/window-private.h"
 
+#include "doc/picture.h"
 #include <glib/gi18n.h>
 
 static void save_as (QnWindow *self, GVariant *parameter);
@@ -67,6 +68,18 @@ open_dialog (QnWindow *self, GVariant *parameter)
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
+void
+qn_window_remember_recent (const char *path)
+{
+  g_autofree char *uri = g_filename_to_uri (path, NULL, NULL);
+  if (uri == NULL)
+    return;
+  GtkRecentData data = { .mime_type = (char *) "application/x-quoin",
+                         .app_name = (char *) "Quoin",
+                         .app_exec = (char *) "quoin %u" };
+  gtk_recent_manager_add_full (gtk_recent_manager_get_default (), uri, &data);
+}
+
 /* Dialogs must be gone before the window that they stand over. */
 static gboolean
 on_close_idle (gpointer data)
@@ -89,8 +102,11 @@ static gboolean
 save_to (QnWindow *self, const char *path)
 {
   g_autoptr (GError) error = NULL;
-  if (qn_document_save (self->document, path, &error))
+  if (qn_document_carry_picture (self->document, path, &error)
+      && qn_document_save (self->document, path, &error)) {
+    qn_window_remember_recent (path);
     return TRUE;
+  }
   self->closing = FALSE;
   qn_window_show_error (self, error->message);
   return FALSE;
@@ -202,9 +218,40 @@ close_window (QnWindow *self, GVariant *parameter)
   gtk_window_close (GTK_WINDOW (self));
 }
 
+/* ---- history in the file ---- */
+
+static void
+on_keep_history (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  g_simple_action_set_state (action, value);
+  qn_document_set_keeps_history (self->document, g_variant_get_boolean (value));
+}
+
+static void
+update_keep_history (QnWindow *self)
+{
+  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), "keep-history");
+  g_simple_action_set_state (
+    G_SIMPLE_ACTION (action),
+    g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
+}
+
+static void
+add_keep_history (QnWindow *self)
+{
+  const GActionEntry entry = { .name = "keep-history",
+                               .state = "false",
+                               .change_state = on_keep_history };
+  g_action_map_add_action_entries (G_ACTION_MAP (self), &entry, 1, self);
+  g_signal_connect_object (self->document, "history-changed",
+                           G_CALLBACK (update_keep_history), self, G_CONNECT_SWAPPED);
+}
+
 void
 qn_window_add_file_actions (QnWindow *self)
 {
+  add_keep_history (self);
   static const QnWindowAction actions[] = {
     { "open", NULL, open_dialog },
     { "open-path", "s", open_path },

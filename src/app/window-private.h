@@ -44,8 +44,18 @@ void qn_window_add_edit_actions (QnWindow *window);
 
 /* window-files.c: open, save, close. */
 void qn_window_add_file_actions (QnWindow *window);
+void qn_window_remember_recent (const char *path);
 /* Asks about unsaved changes; TRUE when the window may close at once. */
 gboolean qn_window_may_close (QnWindow *window);
+
+/* window-import.c: drawings of other programs, pictures, dropped files. */
+void qn_window_add_import_actions (QnWindow *window);
+void qn_window_accept_drops (QnWindow *window);
+/* Opens, imports or lays behind the drawing, by the kind of file. */
+void qn_window_take_file (QnWindow *window, const char *path);
+
+/* import-dialog.c */
+void qn_import_dialog_show (QnWindow *window, const char *path);
 
 /* window-analysis.c: run, progress, live mode. */
 void qn_window_add_analysis_actions (QnWindow *window);

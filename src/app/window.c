@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "app/start-page.h"
 #include "doc/explain.h"
+#include "doc/import.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -183,18 +184,6 @@ qn_window_show_work (QnWindow *self)
 }
 
 static void
-remember_recent (const char *path)
-{
-  g_autofree char *uri = g_filename_to_uri (path, NULL, NULL);
-  if (uri == NULL)
-    return;
-  GtkRecentData data = { .mime_type = (char *) "application/x-quoin",
-                         .app_name = (char *) "Quoin",
-                         .app_exec = (char *) "quoin %u" };
-  gtk_recent_manager_add_full (gtk_recent_manager_get_default (), uri, &data);
-}
-
-static void
 show_warnings (QnWindow *self)
 {
   const GPtrArray *warnings = qn_document_get_warnings (self->document);
@@ -207,12 +196,16 @@ qn_window_open_path (QnWindow *self, const char *path)
 {
   g_autofree char *absolute = g_canonicalize_filename (path, NULL);
   g_autoptr (GError) error = NULL;
+  if (qn_import_knows_file (path) || qn_import_is_picture (path)) {
+    qn_window_take_file (self, absolute);
+    return TRUE;
+  }
   if (!qn_document_load (self->document, absolute, &error)) {
     qn_window_show_work (self);
     qn_window_show_error (self, error->message);
     return FALSE;
   }
-  remember_recent (absolute);
+  qn_window_remember_recent (absolute);
   qn_window_show_work (self);
   qn_view_state_set_view (self->state, QN_VIEW_MODEL);
   qn_canvas_fit (self->canvas);
@@ -226,12 +219,12 @@ qn_window_open_recovered (QnWindow *self, const char *recovery_path)
   g_autofree char *text = NULL, *original = NULL;
   g_autoptr (GError) error = NULL;
   if (!qn_recovery_read (recovery_path, &text, &original, &error)
-      || !qn_document_load_text (self->document, text,
-                                 original != NULL ? original : _ ("Untitled"), &error)) {
+      || !qn_document_load_recovered (self->document, text, original, &error)) {
     qn_window_show_work (self);
     qn_window_show_error (self, error->message);
     return FALSE;
   }
+  qn_recovery_flush (self->recovery);
   qn_window_show_work (self);
   qn_canvas_fit (self->canvas);
   g_autofree char *message =
@@ -240,21 +233,6 @@ qn_window_open_recovered (QnWindow *self, const char *recovery_path)
                      : g_strdup (_ ("Recovered an unsaved drawing. Save it to keep it."));
   qn_window_show_error (self, message);
   return TRUE;
-}
-
-static gboolean
-on_drop (GtkDropTarget *target, const GValue *value, double x, double y, QnWindow *self)
-{
-  (void) target;
-  (void) x;
-  (void) y;
-  GSList *files = g_value_get_boxed (value);
-  if (files == NULL)
-    return FALSE;
-  g_autofree char *path = g_file_get_path (files->data);
-  if (path != NULL)
-    gtk_widget_activate_action (GTK_WIDGET (self), "win.open-path", "s", path);
-  return path != NULL;
 }
 
 /* ---- construction ---- */
@@ -305,8 +283,10 @@ connect_document (QnWindow *self)
 static void
 build_panels (QnWindow *self)
 {
-  gtk_scrolled_window_set_child (self->properties_scroller,
-                                 qn_properties_panel_new (self->canvas));
+  GtkWidget *drawing = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
+  gtk_box_append (GTK_BOX (drawing), qn_properties_panel_new (self->canvas));
+  gtk_box_append (GTK_BOX (drawing), qn_picture_panel_new (self->canvas));
+  gtk_scrolled_window_set_child (self->properties_scroller, drawing);
   gtk_scrolled_window_set_child (self->analysis_scroller,
                                  qn_analysis_panel_new (self->canvas));
   gtk_scrolled_window_set_child (self->result_scroller,
@@ -355,6 +335,7 @@ qn_window_init (QnWindow *self)
   qn_window_add_actions (self);
   qn_window_add_edit_actions (self);
   qn_window_add_file_actions (self);
+  qn_window_add_import_actions (self);
   qn_window_add_analysis_actions (self);
   qn_window_add_export_actions (self);
   build_tools (self);
@@ -364,9 +345,7 @@ qn_window_init (QnWindow *self)
   self->recovery = qn_recovery_watch (self->document);
   bind_settings (self);
 
-  GtkDropTarget *drop = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
-  g_signal_connect (drop, "drop", G_CALLBACK (on_drop), self);
-  gtk_widget_add_controller (GTK_WIDGET (self), GTK_EVENT_CONTROLLER (drop));
+  qn_window_accept_drops (self);
   update_counts (self);
   update_history (self);
   update_status (self);

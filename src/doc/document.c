@@ -263,6 +263,19 @@ qn_document_load (QnDocument *self, const char *path, GError **error)
 }
 
 gboolean
+qn_document_load_recovered (QnDocument *self, const char *text, const char *path,
+                            GError **error)
+{
+  QnProject project;
+  const char *name = path != NULL ? path : _ ("Untitled");
+  if (!parse (text, name, &project, error) || !begin (self, &project, path, error))
+    return FALSE;
+  self->never_saved = TRUE;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return TRUE;
+}
+
+gboolean
 qn_document_load_text (QnDocument *self, const char *text, const char *name,
                        GError **error)
 {

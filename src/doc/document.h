@@ -42,6 +42,11 @@ gboolean qn_document_load (QnDocument *document, const char *path, GError **erro
 gboolean qn_document_load_text (QnDocument *document, const char *text, const char *name,
                                 GError **error);
 
+/* Takes over what was not saved to `path` (NULL: never saved), unsaved still: the file stays as
+ * it is until the user saves. */
+gboolean qn_document_load_recovered (QnDocument *document, const char *text,
+                                     const char *path, GError **error);
+
 /* Writes the project and remembers the path. */
 gboolean qn_document_save (QnDocument *document, const char *path, GError **error);
 

@@ -97,6 +97,13 @@ same_structure (const QnRun *a, const QnRun *b)
   return TRUE;
 }
 
+void
+qn_view_state_refresh_underlay (QnViewState *self)
+{
+  update_underlay (self);
+  emit_changed (self);
+}
+
 /* Another run has other steps; without one only the model can be shown. */
 static void
 on_runs_changed (QnDocument *document, QnViewState *self)

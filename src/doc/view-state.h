@@ -52,6 +52,9 @@ const GError *qn_view_state_get_underlay_error (QnViewState *state);
  * it. */
 void qn_view_state_show_underlay_at (QnViewState *state, const QnUnderlay *underlay);
 
+/* Ends that: the picture is again where the document has it. */
+void qn_view_state_refresh_underlay (QnViewState *state);
+
 /* A second run of the same structure drawn as an outline over the current one; NULL: none. */
 void qn_view_state_set_onion (QnViewState *state, QnRun *run);
 QnRun *qn_view_state_get_onion (QnViewState *state);

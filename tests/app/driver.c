@@ -170,6 +170,61 @@ driver_activate (QnWindow *window, const char *detailed_action)
   driver_run (50);
 }
 
+void
+driver_activate_target (QnWindow *window, const char *action, GVariant *target)
+{
+  g_autoptr (GVariant) kept = g_variant_ref_sink (target);
+  g_assert_true (gtk_widget_activate_action_variant (GTK_WIDGET (window), action, kept));
+  driver_run (100);
+}
+
+GtkWidget *
+driver_find_dialog (const char *title)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    const char *its = gtk_window_get_title (GTK_WINDOW (toplevel));
+    if (!QN_IS_WINDOW (toplevel) && its != NULL && g_str_has_prefix (its, title))
+      return toplevel;
+  }
+  return NULL;
+}
+
+GtkWidget *
+driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer data)
+{
+  if (match (root, data))
+    return root;
+  for (GtkWidget *child = gtk_widget_get_first_child (root); child != NULL;
+       child = gtk_widget_get_next_sibling (child)) {
+    GtkWidget *found = driver_find_widget (child, match, data);
+    if (found != NULL)
+      return found;
+  }
+  return NULL;
+}
+
+static gboolean
+is_button_called (GtkWidget *widget, gconstpointer label)
+{
+  if (!GTK_IS_BUTTON (widget) || gtk_button_get_label (GTK_BUTTON (widget)) == NULL)
+    return FALSE;
+  g_auto (GStrv) parts = g_strsplit (gtk_button_get_label (GTK_BUTTON (widget)), "_", 2);
+  g_autofree char *plain = g_strjoinv ("", parts);
+  return g_str_equal (plain, label);
+}
+
+void
+driver_press (GtkWidget *root, const char *label)
+{
+  GtkWidget *button = driver_find_widget (root, is_button_called, label);
+  g_assert_nonnull (button);
+  g_assert_true (gtk_widget_get_sensitive (button));
+  g_signal_emit_by_name (button, "clicked");
+  driver_run (150);
+}
+
 static gboolean
 is_gone (gpointer window)
 {

@@ -42,4 +42,17 @@ void driver_discard (QnWindow *window);
 /* Picture of a window as <name>.png in the folder QUOIN_SCREENSHOTS. */
 void driver_screenshot (GtkWidget *window, const char *name);
 
+/* The same with a parameter, taken over. */
+void driver_activate_target (QnWindow *window, const char *action, GVariant *target);
+
+/* The window on the screen, other than a main one, whose title starts so; or NULL. */
+GtkWidget *driver_find_dialog (const char *title);
+
+/* The first widget below `root`, itself included, that matches; or NULL. */
+typedef gboolean (*DriverMatch) (GtkWidget *widget, gconstpointer data);
+GtkWidget *driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer data);
+
+/* Presses the button of that label, which must be there and sensitive. */
+void driver_press (GtkWidget *root, const char *label);
+
 #endif

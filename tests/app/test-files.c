@@ -1,0 +1,220 @@
+/* What comes into a window and what it leaves behind: imports, pictures, history in the file,
+ * recovery after a crash, several windows. */
+#include "driver.h"
+
+#include "app/settings.h"
+#include "doc/picture.h"
+#include "doc/recovery.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+/* A drawing is previewed with its extents, taken over as one step, and undone. */
+static void
+test_import (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *path = driver_example_path ("dxf/wall-gaps.dxf");
+  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
+  GtkWidget *dialog = driver_find_dialog ("Import");
+  g_assert_nonnull (dialog);
+  driver_screenshot (dialog, "import");
+  driver_press (dialog, "Import");
+  gsize count = model_of (window)->block_count;
+  g_assert_cmpuint (count, >, 0);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, >, 0);
+
+  /* Again, into a drawing that has blocks: they are added, and stand in each other's way. */
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->block_count, ==, 0);
+  driver_activate (window, "win.redo");
+  g_assert_cmpuint (model_of (window)->block_count, ==, count);
+  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
+  dialog = driver_find_dialog ("Import");
+  driver_press (dialog, "Add to Drawing");
+  g_assert_cmpuint (model_of (window)->block_count, ==, 2 * count);
+  driver_discard (window);
+}
+
+/* A made-up survey, 200 x 100 px. */
+static char *
+make_picture (const char *folder)
+{
+  char *path = g_build_filename (folder, "survey.png", NULL);
+  cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 200, 100);
+  cairo_t *cr = cairo_create (surface);
+  cairo_set_source_rgb (cr, 0.8, 0.6, 0.5);
+  cairo_paint (cr);
+  cairo_set_source_rgb (cr, 0.2, 0.2, 0.3);
+  cairo_rectangle (cr, 50.0, 30.0, 100.0, 70.0);
+  cairo_fill (cr);
+  cairo_destroy (cr);
+  g_assert_cmpint (cairo_surface_write_to_png (surface, path), ==, CAIRO_STATUS_SUCCESS);
+  cairo_surface_destroy (surface);
+  return path;
+}
+
+/* Laid behind an empty drawing, moved with the pointer, scaled by two points, saved beside the
+ * project and undone. */
+static void
+test_picture (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *picture = make_picture (folder);
+  QnWindow *window = driver_open_window (1280, 800);
+  QnDocument *document = qn_window_get_document (window);
+  QnViewState *state = qn_window_get_view_state (window);
+  g_autofree char *empty = g_strdup (qn_document_get_text (document));
+  driver_activate_target (window, "win.take-path", g_variant_new_string (picture));
+  driver_run (200);
+  const QnUnderlay *underlay = qn_view_state_get_underlay (state);
+  g_assert_nonnull (underlay->image);
+  g_assert_cmpfloat (underlay->width, ==, 5.0);
+  g_assert_cmpfloat (underlay->origin.x, ==, 0.0);
+
+  driver_drag (window, 1.0, 0.3, 1.5, 0.3);
+  underlay = qn_view_state_get_underlay (state);
+  g_assert_cmpfloat_with_epsilon (underlay->origin.x, 0.5, 0.03);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 2);
+
+  /* The dark door is 2.5 m wide on the screen; it is 1.25 m wide in truth. */
+  double left = underlay->origin.x + 1.25;
+  driver_click (window, left, 0.5);
+  driver_click (window, left + 2.5, 0.5);
+  driver_type ("1,25");
+  driver_screenshot (GTK_WIDGET (window), "picture");
+  driver_key ("Return");
+  underlay = qn_view_state_get_underlay (state);
+  g_assert_cmpfloat_with_epsilon (underlay->width, 2.5, 0.02);
+
+  g_autofree char *path = g_build_filename (folder, "survey.quoin", NULL);
+  driver_activate_target (window, "win.save-path", g_variant_new_string (path));
+  g_assert_false (qn_document_is_modified (document));
+  g_autofree char *json = qn_document_dup_extra (document, "underlay");
+  g_assert_nonnull (strstr (json, "\"survey.png\""));
+  g_assert_nonnull (qn_view_state_get_underlay (state)->image);
+
+  while (qn_history_can_undo (qn_document_get_history (document)))
+    driver_activate (window, "win.undo");
+  g_assert_cmpstr (qn_document_get_text (document), ==, empty);
+  g_assert_null (qn_view_state_get_underlay (state)->image);
+  driver_discard (window);
+  g_unlink (path);
+  g_unlink (picture);
+  g_rmdir (folder);
+}
+
+/* A file that keeps its history is undone step by step after opening it again. */
+static void
+test_kept_history (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *opened = g_strdup (qn_document_get_text (document));
+  driver_activate (window, "win.keep-history");
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  driver_activate (window, "win.rotate(90.0)");
+  driver_activate_target (window, "win.save-path", g_variant_new_string (path));
+  driver_discard (window);
+
+  window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, path));
+  document = qn_window_get_document (window);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 2);
+  g_assert_true (g_variant_get_boolean (
+    g_action_group_get_action_state (G_ACTION_GROUP (window), "keep-history")));
+  driver_activate (window, "win.undo");
+  driver_activate (window, "win.undo");
+  g_assert_cmpstr (qn_document_get_text (document), ==, opened);
+  driver_discard (window);
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+/* What a crashed program has left behind is offered in a window of its own, unsaved, and its
+ * file is not touched. */
+static void
+test_recovery (void)
+{
+  g_autofree char *example = driver_example_path ("01-sliding-block.quoin");
+  g_autofree char *text = NULL;
+  g_assert_true (g_file_get_contents (example, &text, NULL, NULL));
+  g_autofree char *folder = qn_recovery_dup_folder ();
+  g_mkdir_with_parents (folder, 0700);
+  /* No process has this number. */
+  g_autofree char *left = g_build_filename (folder, "999999999-crash.recovery", NULL);
+  g_autofree char *content = g_strdup_printf ("%s\n%s", example, text);
+  g_assert_true (g_file_set_contents (left, content, -1, NULL));
+
+  g_application_activate (G_APPLICATION (driver_application ()));
+  driver_run (400);
+  QnWindow *recovered = NULL;
+  for (GList *l = gtk_application_get_windows (driver_application ()); l != NULL;
+       l = l->next) {
+    if (QN_IS_WINDOW (l->data) && !qn_window_is_blank (l->data))
+      recovered = l->data;
+  }
+  g_assert_nonnull (recovered);
+  QnDocument *document = qn_window_get_document (recovered);
+  g_assert_cmpstr (qn_document_get_path (document), ==, example);
+  g_assert_true (qn_document_is_modified (document));
+  g_assert_cmpuint (model_of (recovered)->block_count, ==, 2);
+  driver_screenshot (GTK_WIDGET (recovered), "recovered");
+  g_assert_false (g_file_test (left, G_FILE_TEST_EXISTS));
+  /* It is safe again before anything else happens. */
+  g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
+  g_assert_nonnull (dir);
+  g_assert_nonnull (g_dir_read_name (dir));
+  driver_discard (recovered);
+}
+
+/* Several files in several windows; a file opens where nothing is yet. */
+static void
+test_windows (void)
+{
+  QnWindow *first = driver_open_window (1280, 800);
+  g_autofree char *a = driver_example_path ("01-sliding-block.quoin");
+  g_autofree char *b = driver_example_path ("05-stack.quoin");
+  guint before = g_list_length (gtk_application_get_windows (driver_application ()));
+  driver_activate_target (first, "win.open-path", g_variant_new_string (a));
+  g_assert_cmpuint (g_list_length (gtk_application_get_windows (driver_application ())),
+                    ==, before);
+  driver_activate_target (first, "win.open-path", g_variant_new_string (b));
+  driver_run (300);
+  GList *windows = gtk_application_get_windows (driver_application ());
+  g_assert_cmpuint (g_list_length (windows), ==, before + 1);
+  QnWindow *second = NULL;
+  for (GList *l = windows; l != NULL; l = l->next) {
+    if (l->data != first
+        && g_strcmp0 (qn_document_get_path (qn_window_get_document (l->data)), b) == 0)
+      second = l->data;
+  }
+  g_assert_nonnull (second);
+  g_assert_cmpstr (qn_document_get_path (qn_window_get_document (first)), ==, a);
+  driver_discard (second);
+  driver_discard (first);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/files/import", test_import);
+  g_test_add_func ("/app/files/picture", test_picture);
+  g_test_add_func ("/app/files/kept-history", test_kept_history);
+  g_test_add_func ("/app/files/recovery", test_recovery);
+  g_test_add_func ("/app/files/windows", test_windows);
+  return g_test_run ();
+}
