@@ -1,21 +1,30 @@
-/* KLU back end: left-looking sparse LU without supernodes. Block masonry gives very sparse
- * matrices (four to six neighbours a block), for which it is the fastest of SuiteSparse's
- * unsymmetric solvers up to some ten thousand unknowns, and its refactorisation reuses the
- * pivot order while it stays accurate. */
+/* Two factorisations behind one interface.
+ *
+ * Block LU is several times faster on the tangents of block masonry, but pivots within
+ * blocks only. Every factorisation is therefore tried out on a system with a known solution;
+ * where the digits are not there, KLU takes over: left-looking scalar LU with threshold
+ * pivoting (Davis & Palamadai Natarajan 2010), which also has the last word on what is
+ * singular.
+ */
 #include "core/linsys.h"
 
+#include "core/block-lu.h"
 #include "core/memory.h"
 #include "core/tolerance.h"
 
 #include <klu.h>
+#include <math.h>
 #include <stdlib.h>
 
 struct QnLinsys {
   int32_t n;
   /* KLU takes its read-only arguments without const. */
   int32_t *ap, *ai;
+  QnBlockLu *blocks;
+  double *trial, *sums; /* n: a solution of A trial = sums, sums = A 1 */
+  bool pivoted;         /* the last factorisation is KLU's */
   klu_common common;
-  klu_symbolic *symbolic;
+  klu_symbolic *symbolic; /* NULL until it is needed */
   klu_numeric *numeric;
 };
 
@@ -34,8 +43,10 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai)
   system->n = n;
   system->ap = (int32_t *) ap;
   system->ai = (int32_t *) ai;
-  system->symbolic = klu_analyze (n, system->ap, system->ai, &system->common);
-  if (system->symbolic == NULL) {
+  system->blocks = qn_block_lu_new (n, ap, ai);
+  system->trial = qn_alloc ((size_t) n, sizeof *system->trial);
+  system->sums = qn_alloc ((size_t) n, sizeof *system->sums);
+  if (system->blocks == NULL || system->trial == NULL || system->sums == NULL) {
     qn_linsys_free (system);
     return NULL;
   }
@@ -47,10 +58,15 @@ qn_linsys_free (QnLinsys *system)
 {
   if (system == NULL)
     return;
+  qn_block_lu_free (system->blocks);
+  free (system->trial);
+  free (system->sums);
   klu_free_numeric (&system->numeric, &system->common);
   klu_free_symbolic (&system->symbolic, &system->common);
   free (system);
 }
+
+/* --- KLU -------------------------------------------------------------------------------- */
 
 static QnFactorStatus
 factor_anew (QnLinsys *system, double *ax)
@@ -66,11 +82,13 @@ factor_anew (QnLinsys *system, double *ax)
   return system->common.rcond > QN_TOLERANCE_SINGULAR ? QN_FACTOR_OK : QN_FACTOR_SINGULAR;
 }
 
-QnFactorStatus
-qn_linsys_factor (QnLinsys *system, const double *values)
+static QnFactorStatus
+factor_pivoting (QnLinsys *system, double *ax)
 {
-  double *ax = (double *) values;
-
+  if (system->symbolic == NULL)
+    system->symbolic = klu_analyze (system->n, system->ap, system->ai, &system->common);
+  if (system->symbolic == NULL)
+    return QN_FACTOR_NO_MEMORY;
   if (system->numeric == NULL)
     return factor_anew (system, ax);
 
@@ -87,9 +105,56 @@ qn_linsys_factor (QnLinsys *system, const double *values)
   return factor_anew (system, ax);
 }
 
+/* --- Which of the two ------------------------------------------------------------------- */
+
+/* Backward error of the block factorisation on A x = A 1:
+ *
+ *   |A 1 - A x| / (|A| |x| + |A 1|)                                   (Rigal & Gaches 1967) */
+static double
+backward_error (QnLinsys *system, const double *ax)
+{
+  double *x = system->trial, *sums = system->sums;
+  double matrix = 0, solution = 0, right = 0, error = 0;
+
+  for (int32_t i = 0; i < system->n; i++)
+    sums[i] = 0;
+  for (int32_t j = 0; j < system->n; j++)
+    for (int32_t p = system->ap[j]; p < system->ap[j + 1]; p++) {
+      sums[system->ai[p]] += ax[p];
+      matrix = fmax (matrix, fabs (ax[p]));
+    }
+  for (int32_t i = 0; i < system->n; i++)
+    x[i] = sums[i];
+  qn_block_lu_solve (system->blocks, x);
+  for (int32_t i = 0; i < system->n; i++) {
+    solution = fmax (solution, fabs (x[i]));
+    right = fmax (right, fabs (sums[i]));
+  }
+  for (int32_t j = 0; j < system->n; j++)
+    for (int32_t p = system->ap[j]; p < system->ap[j + 1]; p++)
+      sums[system->ai[p]] -= ax[p] * x[j];
+  for (int32_t i = 0; i < system->n; i++)
+    error = fmax (error, fabs (sums[i]));
+  return right > 0 || solution > 0 ? error / (matrix * solution + right) : 0;
+}
+
+QnFactorStatus
+qn_linsys_factor (QnLinsys *system, const double *ax)
+{
+  double pivots = qn_block_lu_factor (system->blocks, ax);
+
+  system->pivoted = !(pivots > QN_TOLERANCE_SINGULAR
+                      && backward_error (system, ax) < QN_TOLERANCE_BACKWARD);
+  return system->pivoted ? factor_pivoting (system, (double *) ax) : QN_FACTOR_OK;
+}
+
 void
 qn_linsys_solve (QnLinsys *system, double *b)
 {
+  if (!system->pivoted) {
+    qn_block_lu_solve (system->blocks, b);
+    return;
+  }
   QN_ASSERT (system->numeric != NULL);
   klu_solve (system->symbolic, system->numeric, system->n, 1, b, &system->common);
 }

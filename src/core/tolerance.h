@@ -50,6 +50,10 @@
 /* A matrix whose pivots differ by more than this is singular to working precision. */
 #define QN_TOLERANCE_SINGULAR 1e-15
 
+/* Backward error of a factorisation without free pivoting up to which it is good enough for
+ * Newton's method, whose own residual is asked to 1e-8. */
+#define QN_TOLERANCE_BACKWARD 1e-12
+
 /* Reciprocal pivot growth below which a refactorisation chooses new pivots. */
 #define QN_TOLERANCE_PIVOT_GROWTH 1e-6
 
