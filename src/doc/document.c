@@ -96,15 +96,17 @@ adopt (QnDocument *self, QnProject *project, char *text, GError **error)
     return FALSE;
   }
   QnProject old = self->project;
+  QnContacts old_contacts = self->contacts;
   self->project = *project;
-  qn_contacts_clear (&self->contacts);
   self->contacts = contacts;
   g_free (self->text);
   self->text = text;
   g_free (self->fingerprint);
   self->fingerprint = qn_model_digest (&self->project);
-  qn_selection_follow (self->selection, &old.model, &self->project.model);
+  qn_selection_follow (self->selection, &old.model, &old_contacts, &self->project.model,
+                       &self->contacts);
   qn_project_clear (&old);
+  qn_contacts_clear (&old_contacts);
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_CHANGED);
   return TRUE;
 }
@@ -425,18 +427,45 @@ put_free_blocks_first (QnModel *model, GError **error)
 }
 
 gboolean
-qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFunc func,
-                  gpointer user_data, GError **error)
+qn_document_edit_project (QnDocument *self, const char *name, const char *key,
+                          QnProjectEditFunc func, gpointer user_data, GError **error)
 {
   QnProject draft = self->project;
   QnDiag diag = { 0 };
-  if (qn_model_copy (&self->project.model, &draft.model, &diag) != QN_OK)
+  /* No member has an empty name: this is a plain copy. */
+  draft.extras = qn_project_extras_with (&self->project, "", NULL, error);
+  if (draft.extras == NULL)
+    return FALSE;
+  if (qn_model_copy (&self->project.model, &draft.model, &diag) != QN_OK) {
+    qn_project_extras_free (draft.extras);
     return qn_edit_no_memory (error);
+  }
   gboolean done =
-    func (&draft.model, user_data, error) && put_free_blocks_first (&draft.model, error);
+    func (&draft, user_data, error) && put_free_blocks_first (&draft.model, error);
   char *text = done ? qn_project_to_text (&draft, NULL) : NULL;
   qn_model_clear (&draft.model);
+  qn_project_extras_free (draft.extras);
   return done && step_to (self, name, key, text, error);
+}
+
+typedef struct ModelEdit {
+  QnEditFunc func;
+  gpointer user_data;
+} ModelEdit;
+
+static gboolean
+edit_model (QnProject *draft, gpointer user_data, GError **error)
+{
+  const ModelEdit *edit = user_data;
+  return edit->func (&draft->model, edit->user_data, error);
+}
+
+gboolean
+qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFunc func,
+                  gpointer user_data, GError **error)
+{
+  ModelEdit edit = { func, user_data };
+  return qn_document_edit_project (self, name, key, edit_model, &edit, error);
 }
 
 gboolean

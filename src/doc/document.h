@@ -85,6 +85,14 @@ typedef gboolean (*QnEditFunc) (QnModel *model, gpointer user_data, GError **err
 gboolean qn_document_edit (QnDocument *document, const char *name, const char *key,
                            QnEditFunc func, gpointer user_data, GError **error);
 
+/* The same for edits of what the file says besides the model: parametric masonry
+ * (edit-masonry.h). The draft owns its model and its extras; both may be replaced. */
+typedef gboolean (*QnProjectEditFunc) (QnProject *draft, gpointer user_data,
+                                       GError **error);
+gboolean qn_document_edit_project (QnDocument *document, const char *name,
+                                   const char *key, QnProjectEditFunc func,
+                                   gpointer user_data, GError **error);
+
 /* Replaces everything by the text of another project, as an undoable step. */
 gboolean qn_document_edit_text (QnDocument *document, const char *name, const char *text,
                                 GError **error);

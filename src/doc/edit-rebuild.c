@@ -1,6 +1,12 @@
 #include "doc/edit.h"
 
+#include "core/polygon.h"
+#include "doc/explain.h"
 #include <glib/gi18n.h>
+#include <math.h>
+
+/* Distance from a joint that is rounding, relative to the size of a block. */
+#define ON_JOINT 1e-9
 
 G_DEFINE_QUARK (qn - edit - error - quark, qn_edit_error)
 
@@ -8,7 +14,8 @@ G_DEFINE_QUARK (qn - edit - error - quark, qn_edit_error)
 typedef struct Rebuild {
   const QnModel *from;
   QnModel *to;
-  QnId *blocks; /* of old free blocks */
+  const QnMasonries *masonry; /* laid anew; NULL: masonry blocks stay as they are */
+  QnId *blocks;               /* of old free blocks */
   QnId *walls;
 } Rebuild;
 
@@ -63,6 +70,8 @@ copy_free_blocks (Rebuild *r, const gboolean *drop)
     const QnBlock *old = &r->from->blocks[i];
     r->blocks[i] = QN_NONE;
     if (old->wall != QN_NONE || (drop != NULL && drop[i]))
+      continue;
+    if (r->masonry != NULL && old->masonry != QN_NONE)
       continue;
     QnBlock *block =
       qn_model_add_block (r->to, old->name, qn_model_block_vertices (r->from, (QnId) i),
@@ -122,15 +131,45 @@ middle_of_box (const QnModel *model, QnId block, QnVec2 *half)
   return qn_vec2_lerp (low, high, 0.5);
 }
 
+/* A block of masonry laid anew is the one of the same name, or where there is none any more the
+ * one that lies where it was. */
+static QnId
+follow_masonry_block (const Rebuild *r, QnId old)
+{
+  QnId same = qn_model_find_block (r->to, r->from->blocks[old].name);
+  if (same != QN_NONE && r->to->blocks[same].masonry != QN_NONE)
+    return same;
+  QnVec2 place = qn_polygon_inner_point (qn_model_block_vertices (r->from, old),
+                                         (gsize) r->from->blocks[old].vertex_count);
+  /* The place may be on a joint of the new ones. */
+  double deepest = -ON_JOINT * sqrt (r->from->blocks[old].area);
+  QnId best = QN_NONE;
+  for (gsize i = 0; i < r->to->block_count; i++) {
+    if (r->to->blocks[i].masonry == QN_NONE)
+      continue;
+    double depth = qn_polygon_depth (qn_model_block_vertices (r->to, (QnId) i),
+                                     (gsize) r->to->blocks[i].vertex_count, place);
+    if (depth > deepest) {
+      deepest = depth;
+      best = (QnId) i;
+    }
+  }
+  return best;
+}
+
 /* A wall block becomes the one that lies where its middle was. */
 static QnId
 follow_block (const Rebuild *r, QnId old)
 {
   if (old == QN_NONE || r->blocks[old] != QN_NONE)
     return old == QN_NONE ? QN_NONE : r->blocks[old];
+  if (r->masonry != NULL && r->from->blocks[old].masonry != QN_NONE)
+    return follow_masonry_block (r, old);
   QnId old_wall = r->from->blocks[old].wall;
-  if (old_wall == QN_NONE || r->walls[old_wall] == QN_NONE)
+  if (old_wall == QN_NONE)
     return QN_NONE;
+  if (r->walls[old_wall] == QN_NONE)
+    return r->masonry != NULL ? follow_masonry_block (r, old) : QN_NONE;
 
   QnVec2 half;
   QnVec2 middle = middle_of_box (r->from, old, &half);
@@ -180,8 +219,45 @@ copy_overrides (const Rebuild *r)
   return TRUE;
 }
 
+static gboolean
+copy_bars (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->bar_count; i++) {
+    QnBar *added = qn_model_add_bar (r->to);
+    if (added == NULL)
+      return FALSE;
+    *added = r->from->bars[i];
+  }
+  return TRUE;
+}
+
+static gboolean
+lay_masonry (const Rebuild *r, GError **error)
+{
+  for (gsize i = 0; r->masonry != NULL && i < r->masonry->count; i++) {
+    gsize first = r->to->block_count;
+    QnDiag diag = { 0 };
+    if (qn_masonry_expand (&r->masonry->items[i], (QnId) i, r->to, &diag) != QN_OK) {
+      g_autofree char *message = qn_explain_diag (r->to, &diag);
+      g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, "%s: %s",
+                   r->masonry->items[i].name, message);
+      return FALSE;
+    }
+    for (gsize k = first; k < r->to->block_count; k++)
+      r->to->blocks[k].masonry = (QnId) i;
+  }
+  return TRUE;
+}
+
 gboolean
 qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error)
+{
+  return qn_edit_rebuild_masonry (model, drop, NULL, error);
+}
+
+gboolean
+qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries *masonry,
+                         GError **error)
 {
   QnModel fresh;
   qn_model_init (&fresh);
@@ -192,13 +268,18 @@ qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error)
 
   g_autofree QnId *blocks = g_new (QnId, model->block_count + 1);
   g_autofree QnId *walls = g_new (QnId, model->wall_count + 1);
-  Rebuild r = { model, &fresh, blocks, walls };
+  Rebuild r = { model, &fresh, masonry, blocks, walls };
+  gboolean laid = copy_laws (&r) && copy_free_blocks (&r, drop);
+  if (laid && !lay_masonry (&r, error)) {
+    qn_model_clear (&fresh);
+    return FALSE;
+  }
   gboolean done =
-    copy_laws (&r) && copy_free_blocks (&r, drop) && copy_walls (&r)
+    laid && copy_walls (&r)
     && (fresh.wall_count == 0 || qn_model_expand_walls (&fresh, NULL) == QN_OK)
     && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
     && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
-    && copy_overrides (&r);
+    && copy_overrides (&r) && copy_bars (&r);
   if (!done) {
     qn_model_clear (&fresh);
     return qn_edit_no_memory (error);

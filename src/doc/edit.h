@@ -9,6 +9,7 @@
 #define QN_DOC_EDIT_H
 
 #include "core/model.h"
+#include "stereotomy/masonry.h"
 #include <glib.h>
 
 #define QN_EDIT_ERROR (qn_edit_error_quark ())
@@ -150,6 +151,10 @@ gboolean qn_edit_override_face (QnModel *model, QnId block_a, QnId block_b,
  * without courses are left out, walls are expanded from their courses as they are now, and
  * loads and overrides follow their blocks or go with them. */
 gboolean qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error);
+
+/* The same with the parametric masonry laid anew from this list (NULL: left as it is). */
+gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
+                                  const QnMasonries *masonry, GError **error);
 
 /* A block name that is not taken: prefix and a number. The caller frees it. */
 char *qn_edit_dup_free_name (const QnModel *model, const char *prefix);

@@ -1,11 +1,18 @@
 #include "doc/selection.h"
 
+#include <math.h>
 #include <string.h>
+
+/* Faces whose directions or lines differ by less belong together, relative to 1 and to their
+ * length. */
+#define SAME_LINE 1e-6
 
 struct _QnSelection {
   GObject parent_instance;
   GArray *blocks; /* of QnId, ascending */
-  QnId face;
+  GArray *faces;  /* of QnId, ascending */
+  QnId object;    /* of the opening, or QN_NONE */
+  int opening;
 };
 
 G_DEFINE_FINAL_TYPE (QnSelection, qn_selection, G_TYPE_OBJECT)
@@ -17,6 +24,7 @@ static void
 qn_selection_finalize (GObject *object)
 {
   g_array_unref (QN_SELECTION (object)->blocks);
+  g_array_unref (QN_SELECTION (object)->faces);
   G_OBJECT_CLASS (qn_selection_parent_class)->finalize (object);
 }
 
@@ -32,7 +40,8 @@ static void
 qn_selection_init (QnSelection *self)
 {
   self->blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
-  self->face = QN_NONE;
+  self->faces = g_array_new (FALSE, FALSE, sizeof (QnId));
+  self->object = QN_NONE;
 }
 
 QnSelection *
@@ -73,27 +82,55 @@ qn_selection_clear (QnSelection *self)
   qn_selection_set_blocks (self, NULL, 0);
 }
 
+/* Ascending, each once. */
+static void
+sort_ids (GArray *ids)
+{
+  g_array_sort (ids, compare_ids);
+  guint kept = 0;
+  for (guint i = 0; i < ids->len; i++) {
+    QnId id = g_array_index (ids, QnId, i);
+    if (kept == 0 || g_array_index (ids, QnId, kept - 1) != id)
+      g_array_index (ids, QnId, kept++) = id;
+  }
+  g_array_set_size (ids, kept);
+}
+
+static gboolean
+same_ids (const GArray *a, const GArray *b)
+{
+  return a->len == b->len
+         && (a->len == 0 || memcmp (a->data, b->data, a->len * sizeof (QnId)) == 0);
+}
+
+/* Takes over both lists. */
+static void
+replace (QnSelection *self, GArray *blocks, GArray *faces, QnId object, int opening)
+{
+  sort_ids (blocks);
+  sort_ids (faces);
+  gboolean same = same_ids (blocks, self->blocks) && same_ids (faces, self->faces)
+                  && object == self->object && opening == self->opening;
+  g_array_unref (self->blocks);
+  g_array_unref (self->faces);
+  self->blocks = blocks;
+  self->faces = faces;
+  self->object = object;
+  self->opening = opening;
+  if (!same)
+    emit_changed (self);
+}
+
+static GArray *
+new_ids (void)
+{
+  return g_array_new (FALSE, FALSE, sizeof (QnId));
+}
+
 static void
 replace_blocks (QnSelection *self, GArray *blocks)
 {
-  g_array_sort (blocks, compare_ids);
-  guint kept = 0;
-  for (guint i = 0; i < blocks->len; i++) {
-    QnId id = g_array_index (blocks, QnId, i);
-    if (kept == 0 || g_array_index (blocks, QnId, kept - 1) != id)
-      g_array_index (blocks, QnId, kept++) = id;
-  }
-  g_array_set_size (blocks, kept);
-
-  gboolean same =
-    self->face == QN_NONE && blocks->len == self->blocks->len
-    && (kept == 0
-        || memcmp (blocks->data, self->blocks->data, kept * sizeof (QnId)) == 0);
-  g_array_unref (self->blocks);
-  self->blocks = blocks;
-  self->face = QN_NONE;
-  if (!same)
-    emit_changed (self);
+  replace (self, blocks, new_ids (), QN_NONE, 0);
 }
 
 void
@@ -129,25 +166,74 @@ qn_selection_toggle_block (QnSelection *self, QnId block)
 void
 qn_selection_set_face (QnSelection *self, QnId face)
 {
-  if (self->face == face && self->blocks->len == 0)
-    return;
-  g_array_set_size (self->blocks, 0);
-  self->face = face;
-  emit_changed (self);
+  qn_selection_set_faces (self, &face, face != QN_NONE);
 }
 
 QnId
 qn_selection_get_face (QnSelection *self)
 {
-  return self->face;
+  return self->faces->len > 0 ? g_array_index (self->faces, QnId, 0) : QN_NONE;
 }
+
+const QnId *
+qn_selection_get_faces (QnSelection *self, guint *count)
+{
+  *count = self->faces->len;
+  return (const QnId *) self->faces->data;
+}
+
+void
+qn_selection_set_faces (QnSelection *self, const QnId *faces, guint count)
+{
+  GArray *copy = new_ids ();
+  if (count > 0)
+    g_array_append_vals (copy, faces, count);
+  replace (self, new_ids (), copy, QN_NONE, 0);
+}
+
+void
+qn_selection_add_faces (QnSelection *self, const QnId *faces, guint count)
+{
+  GArray *copy = g_array_copy (self->faces);
+  if (count > 0)
+    g_array_append_vals (copy, faces, count);
+  replace (self, new_ids (), copy, QN_NONE, 0);
+}
+
+void
+qn_selection_toggle_face (QnSelection *self, QnId face)
+{
+  GArray *copy = g_array_copy (self->faces);
+  guint at = 0;
+  if (g_array_binary_search (copy, &face, compare_ids, &at))
+    g_array_remove_index (copy, at);
+  else
+    g_array_append_val (copy, face);
+  replace (self, new_ids (), copy, QN_NONE, 0);
+}
+
+void
+qn_selection_set_opening (QnSelection *self, QnId object, int opening)
+{
+  replace (self, new_ids (), new_ids (), object, object != QN_NONE ? opening : 0);
+}
+
+gboolean
+qn_selection_get_opening (QnSelection *self, QnId *object, int *opening)
+{
+  *object = self->object;
+  *opening = self->opening;
+  return self->object != QN_NONE;
+}
+
+/* ---- what belongs together ---- */
 
 typedef gboolean (*BlockTest) (const QnModel *model, QnId candidate, QnId block);
 
 static void
 select_matching (QnSelection *self, const QnModel *model, QnId block, BlockTest test)
 {
-  GArray *blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
+  GArray *blocks = new_ids ();
   for (QnId i = 0; i < (QnId) model->block_count; i++) {
     if (test == NULL || test (model, i, block))
       g_array_append_val (blocks, i);
@@ -169,7 +255,8 @@ same_course (const QnModel *model, QnId candidate, QnId block)
   const QnBlock *a = &model->blocks[candidate], *b = &model->blocks[block];
   if (candidate == block)
     return TRUE;
-  if (a->wall != b->wall || b->wall == QN_NONE)
+  if (a->wall != b->wall || a->masonry != b->masonry
+      || (b->wall == QN_NONE && b->masonry == QN_NONE))
     return FALSE;
   const char *dot_a = strrchr (a->name, '.'), *dot_b = strrchr (b->name, '.');
   if (dot_a == NULL || dot_b == NULL)
@@ -181,8 +268,9 @@ same_course (const QnModel *model, QnId candidate, QnId block)
 static gboolean
 same_wall (const QnModel *model, QnId candidate, QnId block)
 {
-  QnId wall = model->blocks[block].wall;
-  return candidate == block || (wall != QN_NONE && model->blocks[candidate].wall == wall);
+  const QnBlock *a = &model->blocks[candidate], *b = &model->blocks[block];
+  return candidate == block || (b->wall != QN_NONE && a->wall == b->wall)
+         || (b->masonry != QN_NONE && a->masonry == b->masonry);
 }
 
 static gboolean
@@ -209,10 +297,67 @@ qn_selection_select_same_law (QnSelection *self, const QnModel *model, QnId bloc
   select_matching (self, model, block, same_law);
 }
 
-void
-qn_selection_follow (QnSelection *self, const QnModel *before, const QnModel *after)
+static gboolean
+are_alike (const QnContactFace *a, const QnContactFace *b, QnFaceLikeness likeness)
 {
-  GArray *blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
+  if (likeness == QN_LIKE_LAW)
+    return (a->law_a == b->law_a && a->law_b == b->law_b)
+           || (a->law_a == b->law_b && a->law_b == b->law_a);
+  if (fabs (qn_vec2_cross (a->tangent, b->tangent)) > SAME_LINE)
+    return FALSE;
+  double off = qn_vec2_dot (a->normal, qn_vec2_sub (b->start, a->start));
+  return likeness == QN_LIKE_DIRECTION
+         || fabs (off) <= SAME_LINE * (a->length + b->length);
+}
+
+void
+qn_selection_select_faces_like (QnSelection *self, const QnContacts *contacts, QnId face,
+                                QnFaceLikeness likeness)
+{
+  GArray *faces = new_ids ();
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
+    if (i == face || are_alike (&contacts->faces[face], &contacts->faces[i], likeness))
+      g_array_append_val (faces, i);
+  }
+  replace (self, new_ids (), faces, QN_NONE, 0);
+}
+
+/* ---- across edits ---- */
+
+static QnVec2
+middle (const QnContactFace *face)
+{
+  return qn_vec2_lerp (face->start, face->end, 0.5);
+}
+
+/* The face between blocks of the same names that is nearest to where it was. */
+static QnId
+follow_face (const QnModel *before, const QnContactFace *face, const QnModel *after,
+             const QnContacts *contacts)
+{
+  QnId a = qn_model_find_block (after, before->blocks[face->a].name);
+  QnId b = qn_model_find_block (after, before->blocks[face->b].name);
+  QnId best = QN_NONE;
+  double nearest = INFINITY;
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
+    const QnContactFace *other = &contacts->faces[i];
+    if (!(other->a == a && other->b == b) && !(other->a == b && other->b == a))
+      continue;
+    double distance = qn_vec2_length (qn_vec2_sub (middle (other), middle (face)));
+    if (distance < nearest) {
+      nearest = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+void
+qn_selection_follow (QnSelection *self, const QnModel *before,
+                     const QnContacts *contacts_before, const QnModel *after,
+                     const QnContacts *contacts_after)
+{
+  GArray *blocks = new_ids (), *faces = new_ids ();
   for (guint i = 0; i < self->blocks->len; i++) {
     QnId old = g_array_index (self->blocks, QnId, i);
     if ((gsize) old >= before->block_count)
@@ -221,5 +366,13 @@ qn_selection_follow (QnSelection *self, const QnModel *before, const QnModel *af
     if (id != QN_NONE)
       g_array_append_val (blocks, id);
   }
-  replace_blocks (self, blocks);
+  for (guint i = 0; i < self->faces->len; i++) {
+    QnId old = g_array_index (self->faces, QnId, i);
+    if ((gsize) old >= contacts_before->face_count)
+      continue;
+    QnId id = follow_face (before, &contacts_before->faces[old], after, contacts_after);
+    if (id != QN_NONE)
+      g_array_append_val (faces, id);
+  }
+  replace (self, blocks, faces, self->object, self->opening);
 }
