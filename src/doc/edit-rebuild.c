@@ -189,7 +189,7 @@ copy_loads (const Rebuild *r, const QnLoad *loads, gsize count,
 {
   for (gsize i = 0; i < count; i++) {
     QnLoad load = loads[i];
-    if (load.kind == QN_LOAD_FORCE) {
+    if (load.kind != QN_LOAD_WEIGHT) {
       load.block = follow_block (r, load.block);
       if (load.block == QN_NONE)
         continue;
@@ -227,6 +227,25 @@ copy_bars (const Rebuild *r)
     if (added == NULL)
       return FALSE;
     *added = r->from->bars[i];
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_stages (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->load_set_count; i++) {
+    if (qn_model_add_load_set (r->to, r->from->load_sets[i]) == QN_NONE)
+      return FALSE;
+  }
+  for (gsize i = 0; i < r->from->stage_count; i++) {
+    QnStage *added = qn_model_add_stage (r->to, r->from->stages[i].name);
+    if (added == NULL)
+      return FALSE;
+    char *name = added->name;
+    *added = r->from->stages[i];
+    added->name = name;
+    added->control_block = follow_block (r, added->control_block);
   }
   return TRUE;
 }
@@ -279,7 +298,7 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     && (fresh.wall_count == 0 || qn_model_expand_walls (&fresh, NULL) == QN_OK)
     && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
     && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
-    && copy_overrides (&r) && copy_bars (&r);
+    && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r);
   if (!done) {
     qn_model_clear (&fresh);
     return qn_edit_no_memory (error);

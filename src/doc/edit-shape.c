@@ -85,8 +85,12 @@ redirect (QnModel *model, QnId gone, QnId first, QnId main)
   for (int l = 0; l < 2; l++) {
     for (gsize i = 0; i < counts[l]; i++) {
       QnLoad *load = &lists[l][i];
-      if (load->kind != QN_LOAD_FORCE || load->block != gone)
+      if (load->kind == QN_LOAD_WEIGHT || load->block != gone)
         continue;
+      if (load->kind == QN_LOAD_SETTLEMENT) {
+        load->block = main;
+        continue;
+      }
       if (!load->has_at) {
         load->has_at = true;
         load->at = model->blocks[gone].centroid;
