@@ -51,6 +51,7 @@ qn_preferences_show (GtkWindow *parent)
   const char *const lengths[] = { "m", "cm", "mm", NULL };
   const char *const forces[] = { "N", "kN", NULL };
   const char *const stresses[] = { "Pa", "kPa", "MPa", NULL };
+  const char *const engines[] = { _ ("Automatic"), "Cairo", "OpenGL", NULL };
   GtkWidget *form = qn_form_new ();
   qn_form_add_heading (form, _ ("Appearance"));
   add_enum (form, _ ("_Style"), "style", styles);
@@ -63,6 +64,7 @@ qn_preferences_show (GtkWindow *parent)
   qn_form_add_heading (form, _ ("Drawing"));
   add_switch (form, _ ("S_nap to corners, edges, courses and grid"), "snap");
   add_switch (form, _ ("Show the _grid"), "grid");
+  add_enum (form, _ ("Structures are _drawn by"), "engine", engines);
   qn_form_add_heading (form, _ ("Analysis"));
   add_switch (form, _ ("Solve again after each _edit"), "live");
   add_spin (form, _ ("…for models up to this many _blocks"), "live-limit", 1.0, 5000.0,

@@ -1,6 +1,7 @@
 #include "app/canvas-private.h"
 #include "app/settings.h"
 #include "doc/explain.h"
+#include "render/draw-cairo.h"
 #include "render/figure-furniture.h"
 
 #include <glib/gi18n.h>
@@ -375,18 +376,25 @@ draw_message (QnCanvas *self, cairo_t *cr, const char *text)
 }
 
 void
-qn_canvas_draw (QnCanvas *self, cairo_t *cr)
+qn_canvas_draw_below (QnCanvas *self, gboolean with_photo, cairo_t *cr)
 {
+  const QnScene *scene = qn_canvas_get_scene (self);
   double paper = is_dark (self) ? DIM_PAPER : 1.0;
   cairo_set_source_rgb (cr, paper, paper, paper);
   cairo_paint (cr);
   if (g_settings_get_boolean (qn_settings_get (), "grid"))
     draw_grid (self, cr);
+  if (with_photo && scene != NULL)
+    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_BELOW, true, cr, NULL);
+}
 
+void
+qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
+{
   const QnScene *scene = qn_canvas_get_scene (self);
   gboolean undeformed = !qn_view_needs_result (qn_view_state_get_view (self->state));
-  if (scene != NULL)
-    qn_scene_cache_draw (&self->cache, scene, &self->camera, self->rest_timeout != 0, cr);
+  if (with_labels && scene != NULL)
+    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, true, cr, NULL);
   if (undeformed) {
     draw_selection (self, cr);
     draw_findings (self, cr);
@@ -407,4 +415,15 @@ qn_canvas_draw (QnCanvas *self, cairo_t *cr)
   draw_rulers (self, cr);
   if (self->typed->len > 0)
     draw_typed (self, cr);
+}
+
+void
+qn_canvas_draw (QnCanvas *self, cairo_t *cr)
+{
+  const QnScene *scene = qn_canvas_get_scene (self);
+  qn_canvas_draw_below (self, FALSE, cr);
+  if (scene != NULL)
+    qn_scene_cache_draw (&self->cache, scene, &self->camera, self->rest_timeout != 0,
+                         gtk_widget_get_scale_factor (GTK_WIDGET (self)), cr);
+  qn_canvas_draw_above (self, FALSE, cr);
 }

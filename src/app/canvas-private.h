@@ -3,6 +3,7 @@
 #define QN_APP_CANVAS_PRIVATE_H
 
 #include "app/canvas.h"
+#include "app/gl-layer.h"
 #include "app/scene-cache.h"
 
 struct _QnCanvas {
@@ -15,7 +16,8 @@ struct _QnCanvas {
   QnScene *scene; /* NULL: to be built */
   GError *scene_error;
   QnSceneCache cache;
-  guint rest_timeout; /* runs while the camera moves */
+  GtkWidget *gl_layer; /* large scenes by OpenGL */
+  guint rest_timeout;  /* runs while the camera moves */
   QnCamera camera;
   gboolean wants_fit; /* at the next drawing */
   gboolean keeps_fit; /* until the user zooms or pans */
@@ -41,7 +43,12 @@ struct _QnCanvas {
 /* The scene of the present state, built when needed; NULL where there is nothing to show. */
 const QnScene *qn_canvas_get_scene (QnCanvas *canvas);
 
-/* Draws everything. */
+/* What is under the scene, and over it. The photo and the labels of the scene belong to them
+ * where OpenGL draws the rest. */
+void qn_canvas_draw_below (QnCanvas *canvas, gboolean with_photo, cairo_t *cr);
+void qn_canvas_draw_above (QnCanvas *canvas, gboolean with_labels, cairo_t *cr);
+
+/* Draws everything by Cairo. */
 void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
 
 /* canvas-pointer.c, canvas-camera.c, canvas-keys.c: what the user does to the drawing. */

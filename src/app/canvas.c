@@ -91,10 +91,26 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
   self->camera.height = height;
   if (self->wants_fit || (resized && self->keeps_fit))
     qn_canvas_fit_now (self);
-  cairo_t *cr = gtk_snapshot_append_cairo (
-    snapshot, &GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height));
-  qn_canvas_draw (self, cr);
+  const graphene_rect_t all = GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height);
+  const QnScene *scene = qn_canvas_get_scene (self);
+  cairo_t *cr = gtk_snapshot_append_cairo (snapshot, &all);
+  if (qn_gl_layer_prepare (QN_GL_LAYER (self->gl_layer), scene, &self->camera)) {
+    qn_scene_cache_clear (&self->cache);
+    qn_canvas_draw_below (self, TRUE, cr);
+    cairo_destroy (cr);
+    gtk_widget_snapshot_child (widget, self->gl_layer, snapshot);
+    cr = gtk_snapshot_append_cairo (snapshot, &all);
+    qn_canvas_draw_above (self, TRUE, cr);
+  } else {
+    qn_canvas_draw (self, cr);
+  }
   cairo_destroy (cr);
+}
+
+static void
+qn_canvas_size_allocate (GtkWidget *widget, int width, int height, int baseline)
+{
+  gtk_widget_allocate (QN_CANVAS (widget)->gl_layer, width, height, baseline, NULL);
 }
 
 static void
@@ -109,6 +125,7 @@ qn_canvas_dispose (GObject *object)
   g_signal_handlers_disconnect_by_data (qn_settings_get (), self);
   g_clear_handle_id (&self->place_timeout, g_source_remove);
   g_clear_handle_id (&self->rest_timeout, g_source_remove);
+  g_clear_pointer (&self->gl_layer, gtk_widget_unparent);
   qn_scene_cache_clear (&self->cache);
   g_clear_pointer (&self->scene, qn_scene_free);
   g_clear_error (&self->scene_error);
@@ -134,6 +151,7 @@ qn_canvas_class_init (QnCanvasClass *klass)
   object_class->dispose = qn_canvas_dispose;
   object_class->finalize = qn_canvas_finalize;
   widget_class->snapshot = qn_canvas_snapshot;
+  widget_class->size_allocate = qn_canvas_size_allocate;
   signals[SIGNAL_STATUS] = g_signal_new ("status", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,
                                          NULL, NULL, NULL, G_TYPE_NONE, 0);
   signals[SIGNAL_FAILED] = g_signal_new ("failed", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,
@@ -154,6 +172,8 @@ qn_canvas_init (QnCanvas *self)
   self->typed = g_string_new (NULL);
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
   self->tool = &qn_tool_select;
+  self->gl_layer = qn_gl_layer_new ();
+  gtk_widget_set_parent (self->gl_layer, GTK_WIDGET (self));
   self->wants_fit = self->keeps_fit = TRUE;
   qn_canvas_add_pointer_controllers (self);
   qn_canvas_add_camera_controllers (self);
@@ -196,6 +216,12 @@ QnDocument *
 qn_canvas_get_document (QnCanvas *self)
 {
   return qn_view_state_get_document (self->state);
+}
+
+GtkWidget *
+qn_canvas_get_gl_layer (QnCanvas *self)
+{
+  return self->gl_layer;
 }
 
 QnSelection *

@@ -34,6 +34,9 @@ void qn_canvas_show_place (QnCanvas *canvas, QnVec2 at);
 const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
 void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
 
+/* Where OpenGL draws large structures; a QnGlLayer. */
+GtkWidget *qn_canvas_get_gl_layer (QnCanvas *canvas);
+
 /* One line on the pointer: place and what the magnet took; the caller frees it. */
 char *qn_canvas_dup_status (QnCanvas *canvas);
 

@@ -1,5 +1,7 @@
 #include "render/gl-api.h"
 
+#include <string.h>
+
 #include <stddef.h>
 
 bool
@@ -12,4 +14,17 @@ qn_gl_load (QnGl *gl, QnGlGetAddress get_address)
   QN_GL_FUNCTIONS (QN_GL_LOAD)
 #undef QN_GL_LOAD
   return true;
+}
+
+bool
+qn_gl_is_software (const QnGl *gl)
+{
+  static const char *const names[] = { "llvmpipe", "softpipe", "swrast", "SWR",
+                                       "Software" };
+  const char *renderer = (const char *) gl->GetString (GL_RENDERER);
+  for (size_t i = 0; renderer != NULL && i < sizeof names / sizeof *names; i++) {
+    if (strstr (renderer, names[i]) != NULL)
+      return true;
+  }
+  return false;
 }

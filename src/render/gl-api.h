@@ -37,6 +37,7 @@
   X (PFNGLGETERRORPROC, GetError)                                                        \
   X (PFNGLGETINTEGERVPROC, GetIntegerv)                                                  \
   X (PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                \
+  X (PFNGLGETSTRINGPROC, GetString)                                                      \
   X (PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                    \
   X (PFNGLLINKPROGRAMPROC, LinkProgram)                                                  \
   X (PFNGLMULTIDRAWELEMENTSPROC, MultiDrawElements)                                      \
@@ -64,5 +65,8 @@ typedef QnGlAddress (*QnGlGetAddress) (const char *name);
 
 /* Fills the table; false where a function is missing. */
 bool qn_gl_load (QnGl *gl, QnGlGetAddress get_address);
+
+/* Whether the current context is drawn by the processor, not by a graphics card. */
+bool qn_gl_is_software (const QnGl *gl);
 
 #endif

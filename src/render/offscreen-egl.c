@@ -77,7 +77,25 @@ qn_offscreen_new_egl (void)
   return self;
 }
 
+bool
+qn_gl_load_current (QnGl *gl)
+{
+  GLint major = 0, minor = 0;
+  if (!qn_gl_load (gl, get_address))
+    return false;
+  gl->GetIntegerv (GL_MAJOR_VERSION, &major);
+  gl->GetIntegerv (GL_MINOR_VERSION, &minor);
+  return major * 10 + minor >= 33;
+}
+
 #else
+
+bool
+qn_gl_load_current (QnGl *gl)
+{
+  (void) gl;
+  return false;
+}
 
 QnOffscreen *
 qn_offscreen_new_egl (void)

@@ -23,4 +23,8 @@ void qn_offscreen_free (QnOffscreen *self);
 QnOffscreen *qn_offscreen_new_egl (void);
 QnOffscreen *qn_offscreen_new_osmesa (void);
 
+/* Fills the table for the context that is current and that somebody else has made, such as a
+ * GtkGLArea. False where it is older than OpenGL 3.3, or the build knows no EGL. */
+bool qn_gl_load_current (QnGl *gl);
+
 #endif

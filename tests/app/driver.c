@@ -244,29 +244,53 @@ driver_discard (QnWindow *window)
   driver_wait (is_gone, window);
 }
 
-void
-driver_screenshot (GtkWidget *window, const char *name)
+static GdkTexture *
+take_texture (GtkWidget *window)
 {
-  const char *folder = g_getenv ("QUOIN_SCREENSHOTS");
-  if (folder == NULL)
-    return;
   driver_run (150);
   driver_wait (is_mapped, window);
-  int width = gtk_widget_get_width (window), height = gtk_widget_get_height (window);
+  float factor = (float) gtk_widget_get_scale_factor (window);
   g_autoptr (GdkPaintable) paintable = gtk_widget_paintable_new (window);
   /* A window that is not drawn yet has no picture. */
   GskRenderNode *node = NULL;
   for (int i = 0; i < 100 && node == NULL; i++) {
     GtkSnapshot *snapshot = gtk_snapshot_new ();
-    gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot), width, height);
+    gtk_snapshot_scale (snapshot, factor, factor);
+    /* With the shadow around it: another size would be scaled and blur. */
+    gdk_paintable_snapshot (paintable, GDK_SNAPSHOT (snapshot),
+                            gdk_paintable_get_intrinsic_width (paintable),
+                            gdk_paintable_get_intrinsic_height (paintable));
     node = gtk_snapshot_free_to_node (snapshot);
     if (node == NULL)
       driver_run (50);
   }
   g_assert_nonnull (node);
   GskRenderer *renderer = gtk_native_get_renderer (GTK_NATIVE (window));
-  g_autoptr (GdkTexture) texture = gsk_renderer_render_texture (renderer, node, NULL);
+  GdkTexture *texture = gsk_renderer_render_texture (renderer, node, NULL);
   gsk_render_node_unref (node);
+  return texture;
+}
+
+cairo_surface_t *
+driver_picture (GtkWidget *window)
+{
+  g_autoptr (GdkTexture) texture = take_texture (window);
+  cairo_surface_t *picture =
+    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, gdk_texture_get_width (texture),
+                                gdk_texture_get_height (texture));
+  gdk_texture_download (texture, cairo_image_surface_get_data (picture),
+                        (gsize) cairo_image_surface_get_stride (picture));
+  cairo_surface_mark_dirty (picture);
+  return picture;
+}
+
+void
+driver_screenshot (GtkWidget *window, const char *name)
+{
+  const char *folder = g_getenv ("QUOIN_SCREENSHOTS");
+  if (folder == NULL)
+    return;
+  g_autoptr (GdkTexture) texture = take_texture (window);
   g_autofree char *file = g_strdup_printf ("%s.png", name);
   g_autofree char *path = g_build_filename (folder, file, NULL);
   g_mkdir_with_parents (folder, 0755);

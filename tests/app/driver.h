@@ -39,6 +39,9 @@ void driver_activate (QnWindow *window, const char *detailed_action);
 /* Closes without asking. */
 void driver_discard (QnWindow *window);
 
+/* Picture of a window in device pixels; the caller frees it. */
+cairo_surface_t *driver_picture (GtkWidget *window);
+
 /* Picture of a window as <name>.png in the folder QUOIN_SCREENSHOTS. */
 void driver_screenshot (GtkWidget *window, const char *name);
 

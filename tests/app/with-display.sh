@@ -22,7 +22,7 @@ for name in CONFIG DATA STATE CACHE; do
 done
 export XDG_RUNTIME_DIR="$folder"
 chmod 700 "$folder"
-export DISPLAY=":$(cat "$folder/display")" GDK_BACKEND=x11 GSK_RENDERER=cairo
+export DISPLAY=":$(cat "$folder/display")" GDK_BACKEND=x11 GSK_RENDERER=${GSK_RENDERER:-cairo}
 export GTK_A11Y=none GSETTINGS_BACKEND=memory DBUS_SESSION_BUS_ADDRESS=disabled:
 export GTK_THEME= G_DEBUG=fatal-warnings LC_ALL="${QUOIN_TEST_LOCALE:-C.UTF-8}"
 unset GTK_THEME WAYLAND_DISPLAY
