@@ -6,6 +6,7 @@
 #include "core/analysis.h"
 #include "io/file-writer.h"
 #include "io/mechanism-text.h"
+#include "io/outcome-text.h"
 #include "io/table-csv.h"
 
 #include <glib/gi18n.h>
@@ -51,9 +52,11 @@ judge_outcome (const QnProject *project, const QnResult *result)
     qn_cli_error (_ ("%s: no equilibrium under the dead load: %s"), project->name, names);
     return QN_EXIT_NO_ANSWER;
   }
-  case QN_OUTCOME_NOT_CONVERGED:
-    qn_cli_error (_ ("%s: the analysis did not converge"), project->name);
+  case QN_OUTCOME_NOT_CONVERGED: {
+    g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
+    qn_cli_error (_ ("%s: the analysis did not converge: %s"), project->name, reason);
     return QN_EXIT_NO_ANSWER;
+  }
   case QN_OUTCOME_COUNT:
     break;
   }
@@ -83,6 +86,8 @@ print_summary (const QnProject *project, const QnResult *result)
       && result->first_limit_multiplier < result->collapse_multiplier)
     printf (_ ("first limit point at %.5f: a real structure would jump there\n"),
             result->first_limit_multiplier);
+  g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
+  printf ("%s\n", reason);
   printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
              "assembly %.0f %%, laws %.0f %%)\n"),
           result->step_count, spent->iterations, spent->factorizations, spent->seconds,
@@ -141,6 +146,17 @@ probe_output (const char *path)
     return qn_cli_fail (error);
   qn_file_writer_discard (writer);
   return QN_EXIT_DONE;
+}
+
+/* A path that no load drives is hardly what was meant. */
+static void
+warn_of_missing_load (const QnProject *project)
+{
+  if (project->model.stage_count == 0
+      && project->model.analysis.procedure != QN_PROCEDURE_LIMIT
+      && qn_model_lacks_live_load (&project->model))
+    qn_cli_warning ("%s: loads: %s", project->name,
+                    _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
 }
 
 static QnExit
@@ -257,8 +273,10 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   if (code == QN_EXIT_DONE)
     code = probe_output (options.csv);
   if (code == QN_EXIT_DONE) {
-    if (!options.quiet)
+    if (!options.quiet) {
       warn_of_findings (&input);
+      warn_of_missing_load (&input.project);
+    }
     code = solve (&options, &input);
   }
 

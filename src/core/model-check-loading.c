@@ -208,6 +208,9 @@ check_stages (const QnModel *model, QnDiag *diag)
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
     return qn_diag_set_field (diag, QN_PROBLEM_STAGE_LIMIT, QN_ENTITY_ANALYSIS, QN_NONE,
                               "stages", 0);
+  if (model->stage_count > QN_MAX_STAGES)
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_ANALYSIS, QN_NONE,
+                              "stages", (double) model->stage_count);
   if (isfinite (model->analysis.max_multiplier))
     return qn_diag_set_field (diag, QN_PROBLEM_STAGE_MULTIPLIER, QN_ENTITY_ANALYSIS,
                               QN_NONE, "max_multiplier", model->analysis.max_multiplier);

@@ -32,6 +32,9 @@
 /* Most sets of loads, that of the live loads included. */
 #define QN_MAX_LOAD_SETS 32
 
+/* Most stages of one analysis. */
+#define QN_MAX_STAGES 1000
+
 /* Largest contact tolerance, relative to the characteristic block length: beyond it blocks
  * that are clearly apart would be joined. */
 #define QN_MAX_CONTACT_TOLERANCE 0.05

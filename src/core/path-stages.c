@@ -190,7 +190,7 @@ run_stages (QnPath *path, QnDiag *diag)
 
   for (size_t i = 0; i < model->stage_count; i++) {
     const QnStage *stage = &model->stages[i];
-    path->stage = (int32_t) i + 1;
+    path->stage = path->result->stage = (int32_t) i + 1;
     QnStatus status = begin_stage (path, stage, at, &idle, diag);
     if (status == QN_OK && idle)
       path->result->outcome = QN_OUTCOME_TARGET_REACHED;

@@ -69,6 +69,7 @@ typedef struct QnLimitFigures {
 
 typedef struct QnResult {
   QnOutcome outcome;
+  int32_t stage; /* number of the stage in which the analysis ended, from 1; 0: without */
   bool has_collapse_multiplier;
   double collapse_multiplier; /* largest multiplier with an equilibrium */
   bool has_first_limit_multiplier;

@@ -46,7 +46,7 @@ qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction, GError
   QnLoad *loads = live ? model->live_loads : model->dead_loads;
   gboolean wanted = direction.x != 0.0 || direction.y != 0.0, found = FALSE;
   for (size_t i = *count; i > 0; i--) {
-    if (loads[i - 1].kind != QN_LOAD_WEIGHT)
+    if (loads[i - 1].kind != QN_LOAD_WEIGHT || loads[i - 1].set != 0)
       continue;
     if (wanted && !found)
       loads[i - 1].vector = direction;

@@ -1,12 +1,9 @@
 #include "doc/explain.h"
 
+#include "io/outcome-text.h"
 #include "render/motion.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
-
-/* Most blocks that a sentence names before it says "and others". */
-#define NAMES_IN_A_SENTENCE 5
 
 static const char *
 entity_word (QnEntity entity)
@@ -125,82 +122,10 @@ qn_explain_pair_state (QnPairState state)
   return "";
 }
 
-static char *
-unstable_names (const QnModel *model, const QnResult *result)
-{
-  GString *names = g_string_new (NULL);
-  for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
-    const char *name = entity_name (model, QN_ENTITY_BLOCK, result->unstable_blocks[i]);
-    g_string_append_printf (names, "%s“%s”", i > 0 ? ", " : "",
-                            name != NULL ? name : "?");
-  }
-  if (result->unstable_count > NAMES_IN_A_SENTENCE) {
-    gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
-    g_string_append_printf (
-      names, ngettext (" and %zu other", " and %zu others", (gulong) more), more);
-  }
-  return g_string_free (names, FALSE);
-}
-
-static char *
-explain_collapse (const QnResult *result)
-{
-  if (!result->has_collapse_multiplier)
-    return g_strdup (_ ("The structure collapses."));
-  if (result->has_first_limit_multiplier
-      && fabs (result->first_limit_multiplier - result->collapse_multiplier)
-           > 1e-3 * fabs (result->collapse_multiplier))
-    return g_strdup_printf (
-      _ ("Collapse at a load multiplier of %.4g. The path first loses stability at %.4g, "
-         "where a real wall would jump; equilibria exist beyond."),
-      result->collapse_multiplier, result->first_limit_multiplier);
-  return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g."),
-                          result->collapse_multiplier);
-}
-
 char *
 qn_explain_outcome (const QnModel *model, const QnResult *result)
 {
-  double reached =
-    result->step_count > 0 ? result->steps[result->step_count - 1].multiplier : 0.0;
-  switch (result->outcome) {
-  case QN_OUTCOME_COLLAPSE:
-    return explain_collapse (result);
-  case QN_OUTCOME_TARGET_REACHED:
-    return g_strdup_printf (
-      _ ("The target was reached at a load multiplier of %.4g without "
-         "collapse."),
-      reached);
-  case QN_OUTCOME_SNAP:
-    return g_strdup_printf (
-      _ ("Stopped at the first limit point, load multiplier %.4g."),
-      result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
-  case QN_OUTCOME_UNBOUNDED:
-    return g_strdup (
-      _ ("The joints can carry any multiple of the live load: rigid blocks "
-         "have no limit here. Check its direction, or bound the strength of "
-         "the joints."));
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
-    g_autofree char *names = unstable_names (model, result);
-    return g_strdup_printf (_ ("There is no equilibrium under the dead load alone. What "
-                               "moves: %s. Support these blocks, close the gaps next to "
-                               "them, or give their joints more friction."),
-                            names);
-  }
-  case QN_OUTCOME_CANCELLED:
-    return g_strdup_printf (
-      _ ("Cancelled at a load multiplier of %.4g; what had converged "
-         "is kept."),
-      reached);
-  case QN_OUTCOME_NOT_CONVERGED:
-    return g_strdup_printf (
-      _ ("The iteration did not converge beyond a load multiplier of "
-         "%.4g. Try more increments or a coarser tolerance."),
-      reached);
-  case QN_OUTCOME_COUNT:
-    break;
-  }
-  return g_strdup ("");
+  return qn_outcome_dup_reason (model, result);
 }
 
 char *

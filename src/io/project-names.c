@@ -29,9 +29,10 @@ qn_name_of_placement (int placement)
 const char *
 qn_name_of_load_kind (int kind)
 {
-  static const char *const names[] = {
+  static const char *const names[QN_LOAD_KIND_COUNT] = {
     [QN_LOAD_WEIGHT] = "weight",
     [QN_LOAD_FORCE] = "force",
+    [QN_LOAD_SETTLEMENT] = "settlement",
   };
   return names[kind];
 }

@@ -2,6 +2,7 @@
 #include "io/project-read-parts.h"
 
 #include <glib/gi18n-lib.h>
+#include <string.h>
 
 /* Numbers of a member that is an array of at most QN_MAX_EXPLICIT_PAIRS. */
 static gboolean
@@ -171,37 +172,79 @@ read_force (const QnPlace *place, const QnModel *model, QnLoad *load)
 }
 
 static gboolean
+read_settlement (const QnPlace *place, const QnModel *model, QnLoad *load)
+{
+  static const char *const keys[] = { "kind", "block", "component", "value" };
+  int component;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  if (!qn_read_block_name (place, "block", QN_REQUIRED, model, &load->block)
+      || !qn_member_choice (place, "component", QN_REQUIRED, qn_name_of_dof, QN_DOF_COUNT,
+                            &component)
+      || !qn_member_number (place, "value", QN_REQUIRED, QN_RANGE_FINITE, &load->value))
+    return FALSE;
+  load->dof = (QnDof) component;
+  return TRUE;
+}
+
+static gboolean
 read_load (const QnPlace *place, const QnModel *model, QnLoad *load)
 {
   static const char *const weight_keys[] = { "kind", "direction" };
   int kind;
   if (!qn_place_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_load_kind,
-                            QN_LOAD_FORCE + 1, &kind))
+                            QN_LOAD_KIND_COUNT, &kind))
     return FALSE;
   load->kind = (QnLoadKind) kind;
   if (load->kind == QN_LOAD_FORCE)
     return read_force (place, model, load);
+  if (load->kind == QN_LOAD_SETTLEMENT)
+    return read_settlement (place, model, load);
   qn_place_warn_unknown (place, weight_keys, G_N_ELEMENTS (weight_keys));
   return qn_member_vec2 (place, "direction", QN_REQUIRED, &load->vector);
 }
 
 static gboolean
-read_load_list (const QnPlace *loads, const char *key, QnModel *model,
+read_load_list (const QnPlace *list, int32_t set, QnModel *model,
                 QnLoad *(*add) (QnModel *model))
 {
-  QnPlace list = qn_place_member (loads, key);
-  if (list.value == NULL)
+  if (list->value == NULL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_place_array (list))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
-    QnPlace place = qn_place_element (&list, index++, item);
+  for (const cJSON *item = list->value->child; item != NULL; item = item->next) {
+    QnPlace place = qn_place_element (list, index++, item);
     QnLoad *load = add (model);
     if (load == NULL)
       return qn_place_no_memory (&place);
+    load->set = set;
     if (!read_load (&place, model, load))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+/* Sets of loads with names of their own, for stages. */
+static gboolean
+read_load_sets (const QnPlace *loads, QnModel *model)
+{
+  QnPlace sets = qn_place_member (loads, "sets");
+  if (sets.value == NULL)
+    return TRUE;
+  if (!qn_place_object (&sets))
+    return FALSE;
+  for (const cJSON *item = sets.value->child; item != NULL; item = item->next) {
+    QnPlace list = qn_place_member (&sets, item->string);
+    if (strcmp (item->string, "live") == 0 || strcmp (item->string, "dead") == 0)
+      return qn_place_fail (&list, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
+    if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
+      return qn_place_failf (&list, _ ("there may be %d load sets with names"),
+                             QN_MAX_LOAD_SETS - 1);
+    int32_t set = qn_model_add_load_set (model, item->string);
+    if (set == QN_NONE)
+      return qn_place_no_memory (&list);
+    if (!read_load_list (&list, set, model, qn_model_add_live_load))
       return FALSE;
   }
   return TRUE;
@@ -210,84 +253,16 @@ read_load_list (const QnPlace *loads, const char *key, QnModel *model,
 gboolean
 qn_read_loads (const QnPlace *root, QnModel *model)
 {
-  static const char *const keys[] = { "dead", "live" };
+  static const char *const keys[] = { "dead", "live", "sets" };
   QnPlace loads = qn_place_member (root, "loads");
   if (loads.value == NULL)
     return TRUE;
   if (!qn_place_object (&loads))
     return FALSE;
   qn_place_warn_unknown (&loads, keys, G_N_ELEMENTS (keys));
-  return read_load_list (&loads, "dead", model, qn_model_add_dead_load)
-         && read_load_list (&loads, "live", model, qn_model_add_live_load);
-}
-
-static gboolean
-read_control (const QnPlace *analysis, const QnModel *model, QnAnalysisSettings *settings)
-{
-  static const char *const keys[] = { "block", "component", "target" };
-  QnPlace control = qn_place_member (analysis, "control");
-  if (control.value == NULL)
-    return TRUE;
-  int component;
-  if (!qn_place_object (&control)
-      || !qn_read_block_name (&control, "block", QN_REQUIRED, model,
-                              &settings->control_block)
-      || !qn_member_choice (&control, "component", QN_REQUIRED, qn_name_of_dof,
-                            QN_DOF_COUNT, &component)
-      || !qn_member_number (&control, "target", QN_REQUIRED, QN_RANGE_FINITE,
-                            &settings->control_target))
-    return FALSE;
-  qn_place_warn_unknown (&control, keys, G_N_ELEMENTS (keys));
-  settings->control_dof = (QnDof) component;
-  return TRUE;
-}
-
-static gboolean
-read_choices (const QnPlace *place, QnAnalysisSettings *settings)
-{
-  int procedure = (int) settings->procedure, geometry = (int) settings->geometry;
-  int snap = (int) settings->snap, flow = (int) settings->flow;
-  if (!qn_member_choice (place, "procedure", QN_OPTIONAL, qn_name_of_procedure,
-                         QN_PROCEDURE_COUNT, &procedure)
-      || !qn_member_choice (place, "geometry", QN_OPTIONAL, qn_name_of_geometry,
-                            QN_GEOMETRY_COUNT, &geometry)
-      || !qn_member_choice (place, "snap", QN_OPTIONAL, qn_name_of_snap, QN_SNAP_COUNT,
-                            &snap)
-      || !qn_member_choice (place, "flow", QN_OPTIONAL, qn_name_of_flow, QN_FLOW_COUNT,
-                            &flow))
-    return FALSE;
-  settings->procedure = (QnProcedure) procedure;
-  settings->geometry = (QnGeometry) geometry;
-  settings->snap = (QnSnap) snap;
-  settings->flow = (QnFlow) flow;
-  return TRUE;
-}
-
-gboolean
-qn_read_analysis (const QnPlace *root, QnModel *model)
-{
-  static const char *const keys[] = {
-    "procedure", "geometry", "increments",           "max_multiplier",
-    "snap",      "flow",     "multiplier_tolerance", "residual_tolerance",
-    "control"
-  };
-  const QnRange positive = QN_RANGE_POSITIVE;
-  QnAnalysisSettings *settings = &model->analysis;
-  QnPlace place = qn_place_member (root, "analysis");
-  if (place.value == NULL)
-    return TRUE;
-  if (!qn_place_object (&place))
-    return FALSE;
-  qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
-
-  return read_choices (&place, settings)
-         && qn_member_count (&place, "increments", QN_OPTIONAL, G_MAXINT32,
-                             &settings->increments)
-         && qn_member_number (&place, "max_multiplier", QN_OPTIONAL, positive,
-                              &settings->max_multiplier)
-         && qn_member_number (&place, "multiplier_tolerance", QN_OPTIONAL, positive,
-                              &settings->multiplier_tolerance)
-         && qn_member_number (&place, "residual_tolerance", QN_OPTIONAL, positive,
-                              &settings->residual_tolerance)
-         && read_control (&place, model, settings);
+  QnPlace dead = qn_place_member (&loads, "dead"),
+          live = qn_place_member (&loads, "live");
+  return read_load_list (&dead, 0, model, qn_model_add_dead_load)
+         && read_load_list (&live, 0, model, qn_model_add_live_load)
+         && read_load_sets (&loads, model);
 }

@@ -17,6 +17,8 @@ gboolean qn_read_walls (const QnPlace *root, QnModel *model);
 /* In project-read-loading.c; the walls must be expanded, so that their blocks have names. */
 gboolean qn_read_contact (const QnPlace *root, QnModel *model);
 gboolean qn_read_loads (const QnPlace *root, QnModel *model);
+
+/* In project-read-analysis.c; after the loads. */
 gboolean qn_read_analysis (const QnPlace *root, QnModel *model);
 
 /* Parts that walls and parametric masonry have in common. Weight of the material as N/m3 or, times

@@ -2,27 +2,11 @@
 #include "io/json-text.h"
 #include "io/project-masonry.h"
 #include "io/project-names.h"
+#include "io/project-write-parts.h"
 #include "io/project.h"
 
 #include <cjson/cJSON.h>
 #include <math.h>
-
-static void
-append_vec2 (GString *json, QnVec2 vector)
-{
-  g_string_append_c (json, '[');
-  qn_json_append_number (json, vector.x);
-  g_string_append (json, ", ");
-  qn_json_append_number (json, vector.y);
-  g_string_append_c (json, ']');
-}
-
-static void
-put_vec2 (GString *json, const char *key, QnVec2 vector)
-{
-  qn_json_begin_member (json, key);
-  append_vec2 (json, vector);
-}
 
 static void
 put_law (GString *json, const char *key, const QnModel *model, QnId law)
@@ -54,7 +38,7 @@ append_law (GString *json, const QnLaw *law)
     qn_json_begin_member (json, "points");
     for (int32_t i = 0; i < law->point_count; i++) {
       g_string_append (json, i > 0 ? ", " : "[");
-      append_vec2 (json, law->points[i]);
+      qn_json_append_vec2 (json, law->points[i]);
     }
     g_string_append_c (json, ']');
   }
@@ -81,7 +65,7 @@ append_block (GString *json, const QnModel *model, QnId id)
   qn_json_begin_member (json, "vertices");
   for (QnId i = 0; i < block->vertex_count; i++) {
     g_string_append (json, i > 0 ? ", " : "[");
-    append_vec2 (json, vertices[i]);
+    qn_json_append_vec2 (json, vertices[i]);
   }
   g_string_append (json, block->vertex_count > 0 ? "]" : "[]");
   qn_json_put_number (json, "thickness", block->thickness);
@@ -103,8 +87,8 @@ append_wall (GString *json, const QnModel *model, const QnWall *wall)
 {
   g_string_append_c (json, '{');
   qn_json_put_string (json, "name", wall->name);
-  put_vec2 (json, "origin", wall->origin);
-  put_vec2 (json, "unit", wall->unit);
+  qn_json_put_vec2 (json, "origin", wall->origin);
+  qn_json_put_vec2 (json, "unit", wall->unit);
   qn_json_put_number (json, "thickness", wall->thickness);
   put_weight (json, wall->unit_weight, wall->density);
   put_law (json, "law", model, wall->law);
@@ -201,92 +185,11 @@ append_bars (GString *json, const QnModel *model)
     g_string_append (json, i > 0 ? ",\n    {" : "\n    {");
     put_law (json, "law", model, bar->law);
     qn_json_put_number (json, "area", bar->area);
-    put_vec2 (json, "start", bar->start);
-    put_vec2 (json, "end", bar->end);
+    qn_json_put_vec2 (json, "start", bar->start);
+    qn_json_put_vec2 (json, "end", bar->end);
     g_string_append (json, " }");
   }
   g_string_append (json, " ],\n");
-}
-
-static void
-append_load (GString *json, const QnModel *model, const QnLoad *load)
-{
-  g_string_append_c (json, '{');
-  qn_json_put_string (json, "kind", qn_name_of_load_kind ((int) load->kind));
-  if (load->kind == QN_LOAD_WEIGHT) {
-    put_vec2 (json, "direction", load->vector);
-  } else {
-    qn_json_put_string (json, "block", model->blocks[load->block].name);
-    put_vec2 (json, "value", load->vector);
-    if (load->moment != 0)
-      qn_json_put_number (json, "moment", load->moment);
-    if (load->has_at)
-      put_vec2 (json, "at", load->at);
-  }
-  g_string_append (json, " }");
-}
-
-static void
-append_load_list (GString *json, const QnModel *model, const char *key,
-                  const QnLoad *loads, size_t count)
-{
-  g_string_append_printf (json, "    \"%s\": [", key);
-  for (size_t i = 0; i < count; i++) {
-    g_string_append (json, i > 0 ? ",\n      " : "\n      ");
-    append_load (json, model, &loads[i]);
-  }
-  g_string_append (json, count > 0 ? " ]" : "]");
-}
-
-static void
-append_loads (GString *json, const QnModel *model)
-{
-  g_string_append (json, "  \"loads\": {\n");
-  append_load_list (json, model, "dead", model->dead_loads, model->dead_load_count);
-  g_string_append (json, ",\n");
-  append_load_list (json, model, "live", model->live_loads, model->live_load_count);
-  g_string_append (json, " }");
-}
-
-static void
-put_control (GString *json, const QnModel *model)
-{
-  const QnAnalysisSettings *analysis = &model->analysis;
-  qn_json_begin_member (json, "control");
-  g_string_append_c (json, '{');
-  qn_json_put_string (json, "block", model->blocks[analysis->control_block].name);
-  qn_json_put_string (json, "component", qn_name_of_dof ((int) analysis->control_dof));
-  qn_json_put_number (json, "target", analysis->control_target);
-  g_string_append (json, " }");
-}
-
-/* What differs from the defaults, after the three settings that everybody looks for. */
-static void
-append_analysis (GString *json, const QnModel *model)
-{
-  QnModel defaults;
-  qn_model_init (&defaults);
-  const QnAnalysisSettings *usual = &defaults.analysis, *analysis = &model->analysis;
-
-  g_string_append (json, "  \"analysis\": {");
-  qn_json_put_string (json, "procedure",
-                      qn_name_of_procedure ((int) analysis->procedure));
-  qn_json_put_string (json, "geometry", qn_name_of_geometry ((int) analysis->geometry));
-  qn_json_put_number (json, "increments", analysis->increments);
-  if (isfinite (analysis->max_multiplier))
-    qn_json_put_number (json, "max_multiplier", analysis->max_multiplier);
-  if (analysis->multiplier_tolerance != usual->multiplier_tolerance)
-    qn_json_put_number (json, "multiplier_tolerance", analysis->multiplier_tolerance);
-  if (analysis->residual_tolerance != usual->residual_tolerance)
-    qn_json_put_number (json, "residual_tolerance", analysis->residual_tolerance);
-  if (analysis->snap != usual->snap)
-    qn_json_put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
-  if (analysis->flow != usual->flow)
-    qn_json_put_string (json, "flow", qn_name_of_flow ((int) analysis->flow));
-  if (analysis->control_block != QN_NONE)
-    put_control (json, model);
-  g_string_append (json, " }");
-  qn_model_clear (&defaults);
 }
 
 static gboolean
@@ -382,9 +285,9 @@ qn_project_to_text (const QnProject *project, gsize *length)
   append_contact (json, model);
   g_string_append (json, ",\n");
   append_bars (json, model);
-  append_loads (json, model);
+  qn_project_append_loads (json, model);
   g_string_append (json, ",\n");
-  append_analysis (json, model);
+  qn_project_append_analysis (json, model);
 
   const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;
   for (; extra != NULL; extra = extra->next) {

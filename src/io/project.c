@@ -1,6 +1,7 @@
 #include "io/project.h"
 
 #include "io/io-error.h"
+#include "io/json-path.h"
 #include "io/json-text.h"
 #include "io/json-value.h"
 
@@ -57,6 +58,19 @@ append_wall_block (GString *path, const QnModel *model, QnId block)
   }
 }
 
+/* Key path of a load that is not dead: its entry in the list of its set. */
+static void
+append_live_load (GString *path, const QnModel *model, QnId index)
+{
+  int32_t set = model->live_loads[index].set;
+  gsize place = 0;
+  for (QnId i = 0; i < index; i++)
+    place += model->live_loads[i].set == set;
+  g_string_append (path, set == 0 ? "loads" : "loads.sets");
+  qn_json_path_append_key (path, qn_model_load_set_name (model, set));
+  qn_json_path_append_index (path, place);
+}
+
 char *
 qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
 {
@@ -71,6 +85,7 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     [QN_ENTITY_DEAD_LOAD] = "loads.dead",
     [QN_ENTITY_LIVE_LOAD] = "loads.live",
     [QN_ENTITY_ANALYSIS] = "analysis",
+    [QN_ENTITY_STAGE] = "analysis.stages",
     [QN_ENTITY_MASONRY] = "masonry",
   };
   const QnModel *model = &project->model;
@@ -83,6 +98,9 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
   if (entity == QN_ENTITY_BLOCK && index >= 0 && (size_t) index < model->block_count
       && model->blocks[index].wall != QN_NONE) {
     append_wall_block (path, model, index);
+  } else if (entity == QN_ENTITY_LIVE_LOAD && index >= 0
+             && (size_t) index < model->live_load_count) {
+    append_live_load (path, model, index);
   } else {
     g_string_append (path, containers[entity]);
     gboolean is_list = entity != QN_ENTITY_MODEL && entity != QN_ENTITY_CONTACT

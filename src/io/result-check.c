@@ -120,10 +120,11 @@ add_force (const QnModel *model, QnId block, const double *deformation, QnVec2 f
   sum[QN_DOF_RZ] += qn_vec2_cross (qn_vec2_sub (point, centroid), force); /* r x F */
 }
 
-/* The arms of forces that act away from the centroid have turned with their blocks. */
+/* The arms of forces that act away from the centroid have turned with their blocks. Loads of
+ * sets count with the factor of their set; dead ones have none. */
 static void
 turn_loads (const QnModel *model, const double *deformation, const QnLoad *loads,
-            size_t count, double *forces)
+            size_t count, const double *factors, double *forces)
 {
   for (size_t i = 0; i < count; i++) {
     const QnLoad *load = &loads[i];
@@ -132,7 +133,8 @@ turn_loads (const QnModel *model, const double *deformation, const QnLoad *loads
     size_t rz = (size_t) load->block * QN_DOF_COUNT + QN_DOF_RZ;
     QnVec2 arm = qn_vec2_sub (load->at, model->blocks[load->block].centroid);
     QnVec2 turned = qn_vec2_rotate (arm, cos (deformation[rz]), sin (deformation[rz]));
-    forces[rz] += qn_vec2_cross (qn_vec2_sub (turned, arm), load->vector);
+    forces[rz] += (factors ? factors[load->set] : 1)
+                  * qn_vec2_cross (qn_vec2_sub (turned, arm), load->vector);
   }
 }
 
@@ -192,7 +194,7 @@ add_loads (const QnModel *model, const double *dead, const double *live, double 
       check->force_scale = MAX (check->force_scale, model->blocks[i].weight);
     for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
       size_t k = i * QN_DOF_COUNT + dof;
-      double load = dead[k] + check->multiplier * live[k];
+      double load = dead[k] + live[k];
       balance[k] = load;
       if (free_to_move && dof != QN_DOF_RZ)
         largest_load = MAX (largest_load, fabs (load));
@@ -202,10 +204,44 @@ add_loads (const QnModel *model, const double *dead, const double *live, double 
     check->force_scale = largest_load;
 }
 
+/* Whether the multiplier was driven and not the motion: then the last equilibrium is the one at
+ * collapse, while a path beyond its peak ends below. */
+static gboolean
+is_load_driven (const QnModel *model, const QnResult *result)
+{
+  QnProcedure procedure =
+    result->stage > 0 && (size_t) result->stage <= model->stage_count
+      ? model->stages[result->stage - 1].procedure
+      : model->analysis.procedure;
+  return procedure == QN_PROCEDURE_LOAD || procedure == QN_PROCEDURE_LIMIT;
+}
+
+/* How much of every load set acts at the last equilibrium. */
+static void
+find_factors (const QnModel *model, const QnResult *result, QnResultCheck *check,
+              double *factors)
+{
+  const QnStep *last = &result->steps[result->step_count - 1];
+  check->multiplier = last->multiplier;
+  if (result->has_collapse_multiplier && is_load_driven (model, result))
+    check->multiplier = result->collapse_multiplier;
+
+  qn_result_load_factors (model, result, result->step_count - 1, factors);
+  uint32_t driven = last->stage > 0 && (size_t) last->stage <= model->stage_count
+                      ? model->stages[last->stage - 1].sets
+                      : 1;
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    if ((driven >> set & 1) != 0)
+      factors[set] = check->multiplier;
+}
+
 static void
 find_worst_block (const QnModel *model, const double *balance, QnResultCheck *check)
 {
   double worst = 0;
+  /* Where supports settle and nothing else acts, the joints give the measure. */
+  if (check->force_scale == 0)
+    check->force_scale = check->contact_scale;
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
     for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
@@ -277,16 +313,17 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
     return FALSE;
   }
   double *balance = vectors, *dead = vectors + size, *live = vectors + 2 * size;
+  double factors[QN_MAX_LOAD_SETS];
+  find_factors (model, result, check, factors);
   qn_model_dead_forces (model, dead);
-  qn_model_live_forces (model, live);
+  qn_model_set_forces (model, factors, live);
   const double *deformation = qn_result_deformation (model, result);
   if (deformation != NULL) {
-    turn_loads (model, deformation, model->dead_loads, model->dead_load_count, dead);
-    turn_loads (model, deformation, model->live_loads, model->live_load_count, live);
+    turn_loads (model, deformation, model->dead_loads, model->dead_load_count, NULL,
+                dead);
+    turn_loads (model, deformation, model->live_loads, model->live_load_count, factors,
+                live);
   }
-  check->multiplier = result->has_collapse_multiplier
-                        ? result->collapse_multiplier
-                        : result->steps[result->step_count - 1].multiplier;
   add_loads (model, dead, live, balance, check);
   check_pairs (file, model, deformation, balance, check);
   find_worst_block (model, balance, check);

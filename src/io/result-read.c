@@ -28,10 +28,11 @@ typedef struct Draft {
   gint32 version;
   char *outcome;
   Names blocks, overrides;
-  Rows displacements, mechanism;
+  Rows displacements, mechanism, reactions;
   gboolean has_mechanism;
   size_t rows_per_step; /* numbers; of the first step */
   size_t step_capacity, contact_capacity, pair_capacity, unstable_capacity;
+  size_t support_capacity;
 } Draft;
 
 /* Room for one more item; FALSE with an error where memory runs out. */
@@ -193,8 +194,21 @@ read_event (QnJsonStream *stream, gpointer target)
 /* A step with the list that its displacements go to. */
 typedef struct StepDraft {
   QnStep step;
-  Rows *displacements;
+  Rows *displacements, *reactions;
 } StepDraft;
+
+/* Number of a stage, which the file counts from 0. */
+static gboolean
+read_stage (QnJsonStream *stream, gpointer target)
+{
+  int32_t *stage = target;
+  if (!qn_json_stream_int32 (stream, stage))
+    return FALSE;
+  if (*stage > QN_MAX_STAGES)
+    return qn_json_stream_fail (stream, _ ("there is no such stage"));
+  ++*stage;
+  return TRUE;
+}
 
 static gboolean
 read_step_displacements (QnJsonStream *stream, gpointer target)
@@ -212,10 +226,13 @@ read_step (QnJsonStream *stream, gpointer target)
     { "iterations", qn_json_stream_int32, offsetof (StepDraft, step.iterations), FALSE },
     { "residual", qn_json_stream_number, offsetof (StepDraft, step.residual), FALSE },
     { "event", read_event, offsetof (StepDraft, step.event), FALSE },
+    { "stage", read_stage, offsetof (StepDraft, step.stage), FALSE },
+    { "reactions", read_step_displacements, offsetof (StepDraft, reactions), FALSE },
   };
   Draft *draft = target;
   QnResult *result = &draft->file->result;
-  StepDraft read = { .displacements = &draft->displacements };
+  StepDraft read = { .displacements = &draft->displacements,
+                     .reactions = &draft->reactions };
   size_t before = draft->displacements.count;
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read)
       || !grow (stream, &result->steps, result->step_count, &draft->step_capacity,
@@ -362,6 +379,28 @@ read_unstable (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
+read_support (QnJsonStream *stream, gpointer target)
+{
+  Draft *draft = target;
+  QnResult *result = &draft->file->result;
+  return grow (stream, &result->supports, result->support_count, &draft->support_capacity,
+               sizeof *result->supports)
+         && qn_json_stream_int32 (stream, &result->supports[result->support_count++]);
+}
+
+static gboolean
+read_supports (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_support, target);
+}
+
+static gboolean
+read_end_stage (QnJsonStream *stream, gpointer target)
+{
+  return read_stage (stream, &((Draft *) target)->file->result.stage);
+}
+
+static gboolean
 read_statistics (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
@@ -419,6 +458,8 @@ read_document (QnJsonStream *stream, gpointer target)
     { "associative_bound", read_associative_bound, 0, FALSE },
     { "fixed_points", read_fixed_points, 0, FALSE },
     { "unstable_blocks", read_unstable, 0, FALSE },
+    { "supports", read_supports, 0, FALSE },
+    { "stage", read_end_stage, 0, FALSE },
     { "blocks", read_names, offsetof (Draft, blocks), TRUE },
     { "steps", read_steps, 0, TRUE },
     { "contacts", read_contacts, 0, TRUE },
@@ -460,6 +501,14 @@ check_counts (QnJsonStream *stream, Draft *draft)
   if (draft->has_mechanism && draft->mechanism.count != blocks * QN_DOF_COUNT)
     return qn_json_stream_fail_at (stream, "mechanism",
                                    _ ("there are not as many velocities as blocks"));
+  for (size_t i = 0; i < result->support_count; i++)
+    if ((size_t) result->supports[i] >= blocks)
+      return qn_json_stream_fail_at (stream, "supports", _ ("there is no such block"));
+  if (draft->reactions.count > 0
+      && draft->reactions.count
+           != result->step_count * result->support_count * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many reactions as supports in every step"));
   for (size_t i = 0; i < result->unstable_count; i++)
     if ((size_t) result->unstable_blocks[i] >= blocks)
       return qn_json_stream_fail_at (stream, "unstable_blocks",
@@ -499,6 +548,8 @@ take_draft (Draft *draft)
   result->displacement_capacity = draft->displacements.capacity;
   result->step_capacity = draft->step_capacity;
   result->mechanism = g_steal_pointer (&draft->mechanism.items);
+  result->reactions = g_steal_pointer (&draft->reactions.items);
+  result->reaction_capacity = draft->reactions.capacity;
 }
 
 static void
@@ -510,6 +561,7 @@ draft_clear (Draft *draft)
   g_clear_pointer (&draft->overrides.items, g_ptr_array_unref);
   free (draft->displacements.items);
   free (draft->mechanism.items);
+  free (draft->reactions.items);
 }
 
 /* `text` is NUL-terminated. */

@@ -1,5 +1,6 @@
 #include "io/file-writer.h"
 #include "io/mechanism-text.h"
+#include "io/outcome-text.h"
 #include "io/project-names.h"
 #include "io/result-contact.h"
 #include "io/result-file.h"
@@ -84,6 +85,27 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
                   result->first_limit_multiplier);
   write_limit (writer, &result->limit);
+  char *reason = qn_outcome_dup_reason (&project->model, result);
+  qn_file_writer_puts (writer, "  \"reason\": ");
+  qn_file_writer_json_string (writer, reason);
+  qn_file_writer_puts (writer, ",\n");
+  g_free (reason);
+}
+
+/* Names of the stages and which one the analysis ended in. */
+static void
+write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result)
+{
+  if (model->stage_count == 0 || result->stage == 0)
+    return;
+  qn_file_writer_printf (writer, "  \"stage\": %d, \"stages\": [", result->stage - 1);
+  for (size_t i = 0; i < model->stage_count; i++) {
+    char *name = qn_stage_dup_name (model, (int32_t) i + 1);
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, name);
+    g_free (name);
+  }
+  qn_file_writer_puts (writer, "],\n");
 }
 
 static void
@@ -94,6 +116,12 @@ write_blocks (QnFileWriter *writer, const QnModel *model, const QnResult *result
     for (size_t i = 0; i < result->unstable_count; i++)
       qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "",
                              result->unstable_blocks[i]);
+    qn_file_writer_puts (writer, "],\n");
+  }
+  if (result->support_count > 0) {
+    qn_file_writer_puts (writer, "  \"supports\": [");
+    for (size_t i = 0; i < result->support_count; i++)
+      qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "", result->supports[i]);
     qn_file_writer_puts (writer, "],\n");
   }
   qn_file_writer_puts (writer, "  \"blocks\": [");
@@ -130,7 +158,14 @@ write_steps (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_printf (writer,
                            ", \"iterations\": %d, \"residual\": ", step->iterations);
     qn_file_writer_number (writer, step->residual);
-    qn_file_writer_printf (writer, ", \"event\": %s }", event_text (step->event));
+    qn_file_writer_printf (writer, ", \"event\": %s", event_text (step->event));
+    if (step->stage > 0)
+      qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
+    if (result->support_count > 0 && result->reactions != NULL) {
+      qn_file_writer_puts (writer, ", \"reactions\": ");
+      write_rows (writer, qn_result_step_reactions (result, i), result->support_count);
+    }
+    qn_file_writer_puts (writer, " }");
   }
   qn_file_writer_puts (writer, "],\n");
 }
@@ -270,6 +305,7 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
   if (writer == NULL)
     return FALSE;
   write_head (writer, project, result);
+  write_stages (writer, &project->model, result);
   write_blocks (writer, &project->model, result);
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);

@@ -1,6 +1,7 @@
 #include "io/table-csv.h"
 
 #include "io/file-writer.h"
+#include "io/outcome-text.h"
 #include "io/result-contact.h"
 
 #include <string.h>
@@ -54,8 +55,51 @@ write_numbers (QnFileWriter *writer, const double *numbers, size_t count)
   }
 }
 
+/* Whether a support settles in any of the loads. */
+static gboolean
+settles (const QnModel *model, QnId block, QnDof dof)
+{
+  const QnLoad *lists[] = { model->dead_loads, model->live_loads };
+  const size_t counts[] = { model->dead_load_count, model->live_load_count };
+  for (int l = 0; l < 2; l++)
+    for (size_t i = 0; i < counts[l]; i++)
+      if (lists[l][i].kind == QN_LOAD_SETTLEMENT && lists[l][i].block == block
+          && lists[l][i].dof == dof)
+        return TRUE;
+  return FALSE;
+}
+
+/* How far supports that settle have gone, and what that takes: a row, or with result NULL the
+ * heads of its columns. */
 static void
-write_curve_head (QnFileWriter *writer, const QnModel *model, QnId block)
+write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *result,
+                   const QnResult *values, size_t step)
+{
+  static const char *const motions[] = { " ux [m]", " uy [m]", " rz [rad]" };
+  static const char *const actions[] = { " Rx [N]", " Ry [N]", " M [N m]" };
+  for (size_t s = 0; s < result->support_count; s++)
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
+      QnId block = result->supports[s];
+      if (!settles (model, block, (QnDof) dof))
+        continue;
+      if (values == NULL) {
+        qn_file_writer_puts (writer, ",");
+        write_text (writer, model->blocks[block].name, motions[dof]);
+        qn_file_writer_puts (writer, ",");
+        write_text (writer, model->blocks[block].name, actions[dof]);
+        continue;
+      }
+      const double numbers[] = {
+        qn_result_step_displacements (values, step)[block * QN_DOF_COUNT + dof],
+        qn_result_step_reactions (values, step)[s * QN_DOF_COUNT + (size_t) dof]
+      };
+      write_numbers (writer, numbers, 2);
+    }
+}
+
+static void
+write_curve_head (QnFileWriter *writer, const QnModel *model, const QnResult *result,
+                  QnId block)
 {
   static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
   qn_file_writer_puts (writer, "step,multiplier [-]");
@@ -63,7 +107,22 @@ write_curve_head (QnFileWriter *writer, const QnModel *model, QnId block)
     qn_file_writer_puts (writer, ",");
     write_text (writer, model->blocks[block].name, columns[dof]);
   }
-  qn_file_writer_puts (writer, ",iterations,residual [-],event\n");
+  qn_file_writer_puts (writer, ",iterations,residual [-],event");
+  if (model->stage_count > 0)
+    qn_file_writer_puts (writer, ",stage");
+  if (result->reactions != NULL)
+    write_settlements (writer, model, result, NULL, 0);
+  qn_file_writer_puts (writer, "\n");
+}
+
+static void
+write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage)
+{
+  qn_file_writer_puts (writer, ",");
+  if (stage < 1 || (size_t) stage > model->stage_count)
+    return;
+  g_autofree char *name = qn_stage_dup_name (model, stage);
+  write_text (writer, name, "");
 }
 
 gboolean
@@ -75,7 +134,7 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   if (writer == NULL)
     return FALSE;
   QnId block = qn_result_curve_block (&project->model, result);
-  write_curve_head (writer, &project->model, block);
+  write_curve_head (writer, &project->model, result, block);
   for (size_t i = 0; i < result->step_count; i++) {
     const QnStep *step = &result->steps[i];
     qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, i);
@@ -86,7 +145,12 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
         QN_DOF_COUNT);
     qn_file_writer_printf (writer, ",%d", step->iterations);
     write_numbers (writer, &step->residual, 1);
-    qn_file_writer_printf (writer, ",%s\n", events[step->event]);
+    qn_file_writer_printf (writer, ",%s", events[step->event]);
+    if (project->model.stage_count > 0)
+      write_stage (writer, &project->model, step->stage);
+    if (result->reactions != NULL)
+      write_settlements (writer, &project->model, result, result, i);
+    qn_file_writer_puts (writer, "\n");
   }
   return qn_file_writer_commit (writer, error);
 }

@@ -1,0 +1,16 @@
+/* Private to the writing of project files: one function per part of the document. */
+#ifndef QN_IO_PROJECT_WRITE_PARTS_H
+#define QN_IO_PROJECT_WRITE_PARTS_H
+
+#include "core/model.h"
+
+#include <glib.h>
+
+void qn_json_append_vec2 (GString *json, QnVec2 vector);
+void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
+
+/* In project-write-loading.c. */
+void qn_project_append_loads (GString *json, const QnModel *model);
+void qn_project_append_analysis (GString *json, const QnModel *model);
+
+#endif
