@@ -9,7 +9,7 @@
 static void
 scatter_forces (const QnAssembly *as, double *loads)
 {
-  for (size_t i = 0; i < as->model->block_count * QN_DOF_COUNT; i++)
+  for (size_t i = 0; i < qn_model_body_count (as->model) * QN_DOF_COUNT; i++)
     if (as->unknown[i] != QN_NONE)
       loads[as->unknown[i]] =
         i % QN_DOF_COUNT == QN_DOF_RZ ? as->forces[i] / as->length : as->forces[i];
@@ -33,10 +33,12 @@ add_settlements (const QnAssembly *as, const QnLoad *loads, size_t count,
 
 /* loads = every set times its factor. */
 static void
-sum_sets (const QnAssembly *as, const double *factors, double *loads)
+sum_sets (const QnAssembly *as, const double *factors, const QnVec2 *beam_loads,
+          double *loads)
 {
   qn_model_set_forces (as->model, factors, as->forces);
   scatter_forces (as, loads);
+  qn_beam_assembly_add_loads (&as->beams, beam_loads, loads);
   for (size_t s = 0; s < as->settling_count; s++)
     loads[as->settling[s].unknown] = 0;
   add_settlements (as, as->model->live_loads, as->model->live_load_count, factors, loads);
@@ -49,8 +51,9 @@ qn_assembly_set_loads (QnAssembly *as, const double *held, const double *driven)
 
   memcpy (as->held, held, sizeof as->held);
   memcpy (as->driven, driven, sizeof as->driven);
-  sum_sets (as, driven, as->live_at_rest);
-  sum_sets (as, held, as->dead_at_rest);
+  qn_beam_assembly_set_loads (&as->beams, held, driven);
+  sum_sets (as, driven, as->beams.loads[1], as->live_at_rest);
+  sum_sets (as, held, as->beams.loads[0], as->dead_at_rest);
   qn_model_dead_forces (as->model, as->forces);
   scatter_forces (as, as->dead);
   for (size_t s = 0; s < as->settling_count; s++)
@@ -99,6 +102,15 @@ choose_force_scale (QnAssembly *as)
   }
 }
 
+static bool
+is_eccentric (const QnModel *model, const QnLoad *load)
+{
+  QnVec2 arm = qn_model_load_arm (model, load);
+
+  return (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE)
+         && (arm.x != 0 || arm.y != 0);
+}
+
 QnStatus
 qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
 {
@@ -114,14 +126,15 @@ qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
     bool live = i >= model->dead_load_count;
     const QnLoad *load =
       live ? &model->live_loads[i - model->dead_load_count] : &model->dead_loads[i];
-    if (load->kind != QN_LOAD_FORCE || !load->has_at)
+    if (!is_eccentric (model, load))
       continue;
-    int32_t unknown = as->unknown[QN_DOF_COUNT * load->block + QN_DOF_RZ];
+    int32_t unknown =
+      as->unknown[QN_DOF_COUNT * qn_model_load_body (model, load) + QN_DOF_RZ];
     if (unknown != QN_NONE && !as->settles[unknown])
       as->eccentric[as->eccentric_count++] = (QnEccentricLoad){
         .unknown = unknown,
         .set = live ? load->set : QN_NONE,
-        .arm = qn_vec2_sub (load->at, model->blocks[load->block].centroid),
+        .arm = qn_model_load_arm (model, load),
         .force = load->vector,
       };
   }
@@ -146,6 +159,13 @@ qn_assembly_turn_loads (QnAssembly *as, const double *u)
     as->dead[load->unknown] += load->dead * moment;
     as->live[load->unknown] += load->live * moment;
   }
+  qn_beam_assembly_turn_loads (&as->beams, as->beams.loads[0], as->dead);
+  qn_beam_assembly_turn_loads (&as->beams, as->beams.loads[1], as->live);
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    as->dead[i] = as->dead_at_rest[i];
+    as->live[i] = as->live_at_rest[i];
+  }
 }
 
 /* A force at the arm r of a block that turns loses -d(r x F)/drz = r . F of its moment. */
@@ -158,6 +178,7 @@ qn_assembly_add_load_stiffness (QnAssembly *as, double multiplier)
     as->ax[as->diagonal[load->unknown]] +=
       factor * qn_vec2_dot (load->turned, load->force);
   }
+  qn_beam_assembly_add_load_stiffness (&as->beams, multiplier, as->ax);
 }
 
 /* --- Reactions -------------------------------------------------------------------------- */
@@ -184,18 +205,25 @@ add_pair_forces (const QnAssembly *as, double *forces)
 static void
 subtract_turned (const QnAssembly *as, const QnLoad *load, double factor, double *forces)
 {
-  if (load->kind != QN_LOAD_FORCE || !load->has_at || !as->nonlinear)
+  if (!as->nonlinear || !is_eccentric (as->model, load))
     return;
-  int32_t unknown = as->unknown[QN_DOF_COUNT * load->block + QN_DOF_RZ];
+  size_t rotation = QN_DOF_COUNT * qn_model_load_body (as->model, load) + QN_DOF_RZ;
+  int32_t unknown = as->unknown[rotation];
   for (size_t s = 0; s < as->settling_count; s++) {
     if (as->settling[s].unknown != unknown)
       continue;
     double rz = as->settling[s].u / as->length;
-    QnVec2 arm = qn_vec2_sub (load->at, as->model->blocks[load->block].centroid);
+    QnVec2 arm = qn_model_load_arm (as->model, load);
     QnVec2 moved = qn_vec2_sub (qn_vec2_rotate (arm, cos (rz), sin (rz)), arm);
-    forces[QN_DOF_COUNT * load->block + QN_DOF_RZ] -=
-      factor * qn_vec2_cross (moved, load->vector);
+    forces[rotation] -= factor * qn_vec2_cross (moved, load->vector);
   }
+}
+
+static bool
+is_supported (const QnModel *model, size_t body, size_t dof)
+{
+  return body < model->block_count ? model->blocks[body].support[dof]
+                                   : model->nodes[body - model->block_count].support[dof];
 }
 
 /* reaction = P - dead - lambda live */
@@ -203,13 +231,14 @@ void
 qn_assembly_reactions (QnAssembly *as, double multiplier, double *reactions)
 {
   const QnModel *model = as->model;
-  size_t count = model->block_count * QN_DOF_COUNT;
+  size_t count = qn_model_body_count (model) * QN_DOF_COUNT;
   double factors[QN_MAX_LOAD_SETS];
 
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
     factors[set] = as->held[set] + multiplier * as->driven[set];
   memset (reactions, 0, count * sizeof *reactions);
   add_pair_forces (as, reactions);
+  qn_beam_assembly_add_body_forces (&as->beams, multiplier, reactions);
   qn_model_dead_forces (model, as->forces);
   for (size_t i = 0; i < count; i++)
     reactions[i] -= as->forces[i];
@@ -222,6 +251,6 @@ qn_assembly_reactions (QnAssembly *as, double multiplier, double *reactions)
     subtract_turned (as, &model->live_loads[i], factors[model->live_loads[i].set],
                      reactions);
   for (size_t i = 0; i < count; i++)
-    if (!model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT])
+    if (!is_supported (model, i / QN_DOF_COUNT, i % QN_DOF_COUNT))
       reactions[i] = 0;
 }

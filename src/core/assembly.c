@@ -24,7 +24,8 @@ allocate (QnAssembly *as)
   as->damping = qn_alloc (n, sizeof (double));
   as->diagonal = qn_alloc (n, sizeof *as->diagonal);
   as->scatter = qn_alloc (as->contacts->face_count * 36, sizeof *as->scatter);
-  as->forces = qn_alloc (as->model->block_count * QN_DOF_COUNT, sizeof *as->forces);
+  as->forces =
+    qn_alloc (qn_model_body_count (as->model) * QN_DOF_COUNT, sizeof *as->forces);
   as->settles = qn_alloc (n, sizeof *as->settles);
   return as->kinematics && as->springs && as->committed && as->responses && as->dead
          && as->live && as->dead_at_rest && as->live_at_rest && as->damping
@@ -45,7 +46,9 @@ number_unknowns (QnAssembly *as)
 {
   const QnModel *model = as->model;
 
-  as->unknown = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *as->unknown);
+  const size_t count = qn_model_body_count (model) * QN_DOF_COUNT;
+
+  as->unknown = qn_alloc (count, sizeof *as->unknown);
   if (as->unknown == NULL)
     return false;
   mark_settling (model->dead_loads, model->dead_load_count, as->unknown);
@@ -59,9 +62,10 @@ number_unknowns (QnAssembly *as)
 
   QnSettling *next = as->settling;
   as->unknown_count = 0;
-  for (size_t i = 0; i < model->block_count * QN_DOF_COUNT; i++) {
+  for (size_t i = 0; i < count; i++) {
     bool settles = as->unknown[i] != 0;
-    bool fixed = model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT];
+    bool fixed =
+      qn_model_body_is_fixed (model, i / QN_DOF_COUNT, (QnDof) (i % QN_DOF_COUNT));
     if (settles)
       *next++ = (QnSettling){ .unknown = as->unknown_count,
                               .block = (QnId) (i / QN_DOF_COUNT),
@@ -128,11 +132,13 @@ static QnStatus
 build_pattern (QnAssembly *as, QnDiag *diag)
 {
   const QnContacts *contacts = as->contacts;
+  size_t bodies = qn_model_body_count (as->model);
   QnSparsePattern pattern;
-  bool ok = qn_sparse_pattern_init (
-    &pattern, as->unknown_count, as->model->block_count * 9 + contacts->face_count * 36);
+  bool ok =
+    qn_sparse_pattern_init (&pattern, as->unknown_count,
+                            bodies * 9 + (contacts->face_count + as->beams.count) * 36);
 
-  for (size_t b = 0; ok && b < as->model->block_count; b++)
+  for (size_t b = 0; ok && b < bodies; b++)
     ok = qn_sparse_pattern_add_clique (&pattern, as->unknown + QN_DOF_COUNT * b,
                                        QN_DOF_COUNT);
   for (size_t f = 0; ok && f < contacts->face_count; f++) {
@@ -140,6 +146,7 @@ build_pattern (QnAssembly *as, QnDiag *diag)
     face_unknowns (as, &contacts->faces[f], unknowns);
     ok = qn_sparse_pattern_add_clique (&pattern, unknowns, 6);
   }
+  ok = ok && qn_beam_assembly_add_pattern (&as->beams, &pattern);
   ok = ok && qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
   qn_sparse_pattern_clear (&pattern);
   if (ok)
@@ -155,40 +162,80 @@ build_pattern (QnAssembly *as, QnDiag *diag)
         as->scatter[36 * f + 6 * i + j] =
           qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
   }
+  qn_beam_assembly_find_places (&as->beams, as->ap, as->ai);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
   return find_settling_rows (as) ? QN_OK : qn_diag_no_memory (diag);
 }
 
-/* Diagonal of C: the mean normal stiffness of a pair, distributed like mass (like area where
- * nothing has weight), with the radius of gyration for rotations. */
+/* What a body resists acceleration with: its weight, or its area, and the square of the radius of
+ * gyration, m2. */
+typedef struct {
+  double mass, gyration;
+} Inertia;
+
+static Inertia
+body_inertia (const QnAssembly *as, size_t body, bool weightless)
+{
+  const QnModel *model = as->model;
+  Inertia inertia;
+
+  if (body >= model->block_count) {
+    const QnNode *node = &model->nodes[body - model->block_count];
+    const QnBeamShare *share = &as->beams.shares[body - model->block_count];
+    bool rides = node->block != QN_NONE; /* what it carries is carried by its block */
+    inertia.mass = rides ? 0 : weightless ? share->volume : share->weight;
+    inertia.gyration = share->longest * share->longest / 12;
+  } else {
+    const QnBlock *block = &model->blocks[body];
+    inertia.mass = weightless ? block->area : block->weight;
+    inertia.gyration = block->polar_moment / block->area;
+  }
+  return inertia;
+}
+
+/* Mean normal stiffness of a pair; without pairs what a beam as large as the whole offers against
+ * sway, however finely it is cut. */
+static double
+mean_stiffness (const QnAssembly *as)
+{
+  double sum = 0;
+
+  if (as->pair_count == 0)
+    return qn_beam_assembly_stiffness (&as->beams);
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *s = &as->springs[p];
+    sum += log (s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn));
+  }
+  return exp (sum / (double) as->pair_count);
+}
+
+/* Diagonal of C: the mean stiffness, distributed like mass (like area where nothing has weight),
+ * with the radius of gyration for rotations. */
 static void
 prepare_damping (QnAssembly *as)
 {
   const QnModel *model = as->model;
-  double stiffness = 0, total = 0;
+  size_t bodies = qn_model_body_count (model);
+  double total = 0;
   bool weightless = true;
 
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const QnPairSprings *s = &as->springs[p];
-    stiffness += log (s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn));
-  }
-  stiffness = as->pair_count > 0 ? exp (stiffness / (double) as->pair_count) : 1;
-  as->stiffness = stiffness;
-
+  as->stiffness = mean_stiffness (as);
   for (size_t b = 0; b < model->block_count && weightless; b++)
     weightless = model->blocks[b].weight <= 0;
-  for (size_t b = 0; b < model->block_count; b++)
-    total += weightless ? model->blocks[b].area : model->blocks[b].weight;
+  for (size_t i = 0; i < model->section_count && weightless; i++)
+    weightless = model->sections[i].unit_weight <= 0;
+  for (size_t b = 0; b < bodies; b++)
+    total += body_inertia (as, b, weightless).mass;
 
-  double mean = total / (double) model->block_count;
-  for (size_t b = 0; b < model->block_count; b++) {
-    const QnBlock *block = &model->blocks[b];
-    double mass = weightless ? block->area : fmax (block->weight, 1e-3 * mean);
-    double c = stiffness * mass / mean;
-    double gyration = block->polar_moment / block->area / (as->length * as->length);
+  double mean = total / (double) bodies;
+  for (size_t b = 0; b < bodies; b++) {
+    Inertia inertia = body_inertia (as, b, weightless);
+    double mass = weightless ? inertia.mass : fmax (inertia.mass, 1e-3 * mean);
+    double c = as->stiffness * mass / mean;
+    double gyration = inertia.gyration / (as->length * as->length);
     for (int i = 0; i < QN_DOF_COUNT; i++) {
-      int32_t unknown = as->unknown[QN_DOF_COUNT * b + i];
+      int32_t unknown = as->unknown[QN_DOF_COUNT * b + (size_t) i];
       if (unknown != QN_NONE && !as->settles[unknown])
         as->damping[unknown] = i == QN_DOF_RZ ? c * gyration : c;
     }
@@ -205,7 +252,8 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
                       .nonlinear = model->analysis.geometry == QN_GEOMETRY_NONLINEAR,
                       .pair_count = contacts->pair_count };
 
-  if (!number_unknowns (as) || !allocate (as)) {
+  if (!number_unknowns (as) || !allocate (as)
+      || !qn_beam_assembly_setup (&as->beams, model, as->unknown)) {
     qn_assembly_clear (as);
     return qn_diag_no_memory (diag);
   }
@@ -223,6 +271,7 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
 void
 qn_assembly_clear (QnAssembly *as)
 {
+  qn_beam_assembly_clear (&as->beams);
   free (as->unknown);
   free (as->kinematics);
   free (as->dead_at_rest);
@@ -272,6 +321,7 @@ qn_assembly_update_kinematics (QnAssembly *as, const double *u)
         qn_pair_kinematics_update_linear (&as->kinematics[p], v);
     }
   }
+  qn_beam_assembly_update_kinematics (&as->beams, u);
   if (as->nonlinear)
     qn_assembly_turn_loads (as, u);
   for (size_t s = 0; s < as->settling_count; s++)
@@ -287,6 +337,7 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
   for (size_t p = 0; p < as->pair_count; p++)
     ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p],
                             as->kinematics[p].elongation, &as->responses[p]);
+  qn_beam_assembly_evaluate (&as->beams);
   return ok;
 }
 
@@ -316,8 +367,12 @@ qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
       if (unknowns[i] != QN_NONE && !as->settles[unknowns[i]])
         residual[unknowns[i]] -= forces[i];
   }
-  for (size_t s = 0; s < as->settling_count; s++)
-    residual[as->settling[s].unknown] -= as->stiffness * as->settling[s].u;
+  qn_beam_assembly_subtract_forces (&as->beams, residual);
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    residual[i] =
+      as->dead[i] + multiplier * as->live[i] - as->stiffness * as->settling[s].u;
+  }
   return scale;
 }
 
@@ -375,6 +430,7 @@ qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
       if (scatter[k] != QN_NONE)
         as->ax[scatter[k]] += kf[k / 6][k % 6];
   }
+  qn_beam_assembly_add_tangent (&as->beams, as->ax);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->ax[as->diagonal[i]] += viscosity * as->damping[i];
   if (as->nonlinear)
@@ -399,14 +455,42 @@ qn_assembly_commit (QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
     as->committed[p] = as->responses[p].memory;
+  qn_beam_assembly_commit (&as->beams);
+}
+
+static void
+expand_unknowns (const QnAssembly *as, const double *u, double *rows)
+{
+  for (size_t i = 0; i < qn_model_body_count (as->model) * QN_DOF_COUNT; i++) {
+    double value = as->unknown[i] == QN_NONE ? 0 : u[as->unknown[i]];
+    rows[i] = i % QN_DOF_COUNT == QN_DOF_RZ ? value / as->length : value;
+  }
 }
 
 void
 qn_assembly_expand (const QnAssembly *as, const double *u, double *displacements)
 {
-  for (size_t i = 0; i < as->model->block_count * QN_DOF_COUNT; i++) {
-    double value = as->unknown[i] == QN_NONE ? 0 : u[as->unknown[i]];
-    displacements[i] = i % QN_DOF_COUNT == QN_DOF_RZ ? value / as->length : value;
+  expand_unknowns (as, u, displacements);
+  qn_model_move_riding_nodes (as->model, as->nonlinear, displacements);
+}
+
+void
+qn_assembly_expand_rates (const QnAssembly *as, const double *u, const double *rates,
+                          double *velocities)
+{
+  const QnModel *model = as->model;
+
+  expand_unknowns (as, rates, velocities);
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    if (node->block == QN_NONE)
+      continue;
+    const int32_t turning = as->unknown[QN_DOF_COUNT * node->block + QN_DOF_RZ];
+    double rz = as->nonlinear && turning != QN_NONE ? u[turning] / as->length : 0;
+    QnVec2 arm = qn_vec2_sub (node->at, model->blocks[node->block].centroid);
+    qn_body_velocity_at (velocities + QN_DOF_COUNT * node->block,
+                         qn_vec2_rotate (arm, cos (rz), sin (rz)),
+                         velocities + QN_DOF_COUNT * (model->block_count + i));
   }
 }
 

@@ -1,6 +1,6 @@
-/* The assembled structure: contact pairs between blocks as one nonlinear system.
+/* The assembled structure: contact pairs between blocks, and beams, as one nonlinear system.
  *
- * Unknowns are the free degrees of freedom of the blocks. Rotations are multiplied by the
+ * Unknowns are the free degrees of freedom of the bodies: blocks, and nodes that stand free. Rotations are multiplied by the
  * model's characteristic length L, moments divided by it, so that every unknown is in m,
  * every force in N and every entry of the tangent stiffness in N/m.
  *
@@ -13,6 +13,7 @@
 #ifndef QN_CORE_ASSEMBLY_H
 #define QN_CORE_ASSEMBLY_H
 
+#include "core/beam-assembly.h"
 #include "core/contact-pair.h"
 #include "core/contacts.h"
 #include "core/model.h"
@@ -51,7 +52,9 @@ typedef struct QnAssembly {
   bool nonlinear; /* equilibrium in the deformed configuration */
 
   int32_t unknown_count;
-  int32_t *unknown; /* block_count x 3: index of the unknown, or QN_NONE where fixed */
+  int32_t
+    *unknown; /* body_count x 3: index of the unknown, or QN_NONE where fixed or moved
+                       by another body */
   QnSettling *settling;
   size_t settling_count;
   bool *settles;             /* unknown_count: whether it is a support's */
@@ -64,6 +67,8 @@ typedef struct QnAssembly {
   QnPairMemory *committed;   /* from which every evaluation starts */
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
 
+  QnBeamAssembly beams;
+
   double *dead,
     *live; /* loads on the unknowns, N; in nonlinear geometry of the last evaluation */
   double *dead_at_rest, *live_at_rest;
@@ -71,7 +76,7 @@ typedef struct QnAssembly {
   QnEccentricLoad *eccentric;
   size_t eccentric_count;
   double *damping;  /* diagonal of C, N/m: see qn_assembly_tangent() */
-  double *forces;   /* scratch, block_count x 3 */
+  double *forces;   /* scratch, body_count x 3 */
   double stiffness; /* mean normal stiffness of a pair, N/m */
   double
     force_scale; /* largest dead load on a block, or live load where there is none, N */
@@ -117,8 +122,8 @@ void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscos
  * so that K is symmetric where the pairs' tangents are. */
 void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
 
-/* What the supports do: the forces (block_count x 3: N, N, N m about the centroid where the
- * block has moved to) that the ground exerts on fixed degrees of freedom at the last evaluation
+/* What the supports do: the forces (body_count x 3: N, N, N m about the centroid or node where
+ * the body has moved to) that the ground exerts on fixed degrees of freedom at the last evaluation
  * with its loads at this multiplier; 0 for free ones. */
 void qn_assembly_reactions (QnAssembly *assembly, double multiplier, double *reactions);
 
@@ -129,9 +134,13 @@ void qn_assembly_commit (QnAssembly *assembly);
  * dilatancy, m: positive where the joint is open. */
 double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
 
-/* Displacements of blocks (block_count x 3: m, m, rad) from unknowns. */
+/* Displacements of bodies (body_count x 3: m, m, rad) from unknowns. */
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,
                          double *displacements);
+
+/* The same for velocities or modes about the configuration u. */
+void qn_assembly_expand_rates (const QnAssembly *assembly, const double *u,
+                               const double *rates, double *velocities);
 
 /* State, forces and springs of every pair at the last evaluation, which was at u. */
 void qn_assembly_pair_results (const QnAssembly *assembly, const double *u,

@@ -253,8 +253,8 @@ add_gap (const QnContactSearch *search, QnFindings *findings, const Match *match
   QnVec2 between = qn_vec2_add_scaled (at, -match->width / 2, across);
   if (is_filled (search, between, a, match->b))
     return true;
-  return qn_findings_add (
-    findings, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, match->b, at, match->width });
+  return qn_findings_add (findings, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, match->b,
+                                                 at, match->width, QN_NONE });
 }
 
 static bool

@@ -92,13 +92,13 @@ report_points (const QnContactSearch *search, const FaceLists *lists,
         || overlap (findings, earlier, touch, &next))
       continue;
     if (!qn_findings_add (findings, (QnFinding){ QN_PROBLEM_POINT_CONTACT, touch->a,
-                                                 touch->b, touch->at, 0 }))
+                                                 touch->b, touch->at, 0, QN_NONE }))
       return false;
   }
   return true;
 }
 
-/* Marks the blocks that have a face, a point contact or an overlap with another one. */
+/* Marks the blocks that have a face, a point contact or an overlap with another one, or a beam. */
 static void
 mark_touching (const QnModel *model, const FaceLists *lists, const QnFindings *findings,
                bool *touching)
@@ -110,38 +110,53 @@ mark_touching (const QnModel *model, const FaceLists *lists, const QnFindings *f
     if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
       touching[finding->block_a] = touching[finding->block_b] = true;
   }
-}
-
-static bool
-is_supported (const QnBlock *block)
-{
-  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
-         || block->support[QN_DOF_RZ];
-}
-
-/* Marks every block that is connected through faces to a block with a support. `queue` has room
- * for all blocks. Returns how many are marked. */
-static size_t
-mark_held (const QnModel *model, const QnContacts *contacts, const FaceLists *lists,
-           bool *held, QnId *queue)
-{
-  size_t count = 0;
-  for (size_t i = 0; i < model->block_count; i++) {
-    held[i] = is_supported (&model->blocks[i]);
-    if (held[i])
-      queue[count++] = (QnId) i;
+  for (size_t i = 0; i < 2 * model->beam_count; i++) {
+    QnId block = model->nodes[model->beams[i / 2].nodes[i % 2]].block;
+    if (block != QN_NONE)
+      touching[block] = true;
   }
+}
 
-  for (size_t next = 0; next < count; next++) {
-    QnId block = queue[next];
-    for (size_t i = lists->first[block]; i < lists->first[block + 1]; i++) {
-      const QnContactFace *face = &contacts->faces[lists->faces[i]];
-      QnId neighbour = face->a == block ? face->b : face->a;
-      if (!held[neighbour]) {
-        held[neighbour] = true;
-        queue[count++] = neighbour;
-      }
-    }
+static QnId
+root_of (QnId *parents, QnId body)
+{
+  while (parents[body] != body)
+    body = parents[body] = parents[parents[body]];
+  return body;
+}
+
+static void
+join (QnId *parents, size_t a, size_t b)
+{
+  parents[root_of (parents, (QnId) a)] = root_of (parents, (QnId) b);
+}
+
+/* Marks every body that hangs together, by faces and beams, with one that has a support.
+ * `parents` has room for all bodies. Returns how many are marked. */
+static size_t
+mark_held (const QnModel *model, const QnContacts *contacts, bool *held, QnId *parents)
+{
+  size_t bodies = qn_model_body_count (model), count = 0;
+
+  for (size_t i = 0; i < bodies; i++) {
+    parents[i] = (QnId) i;
+    held[i] = false;
+  }
+  for (size_t i = 0; i < contacts->face_count; i++)
+    join (parents, (size_t) contacts->faces[i].a, (size_t) contacts->faces[i].b);
+  for (size_t i = 0; i < model->element_count; i++)
+    join (parents, qn_model_node_body (model, model->elements[i].nodes[0]),
+          qn_model_node_body (model, model->elements[i].nodes[1]));
+  for (size_t i = 0; i < bodies; i++) {
+    const bool *support = i < model->block_count
+                            ? model->blocks[i].support
+                            : model->nodes[i - model->block_count].support;
+    if (support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ])
+      held[root_of (parents, (QnId) i)] = true;
+  }
+  for (size_t i = 0; i < bodies; i++) {
+    held[i] = held[root_of (parents, (QnId) i)];
+    count += held[i];
   }
   return count;
 }
@@ -152,8 +167,25 @@ report_blocks (const QnModel *model, QnFindings *findings, QnProblem problem,
 {
   for (size_t i = 0; i < model->block_count; i++) {
     if (!in_order[i]
-        && !qn_findings_add (findings, (QnFinding){ problem, (QnId) i, QN_NONE,
-                                                    model->blocks[i].centroid, 0 }))
+        && !qn_findings_add (findings,
+                             (QnFinding){ problem, (QnId) i, QN_NONE,
+                                          model->blocks[i].centroid, 0, QN_NONE }))
+      return false;
+  }
+  return true;
+}
+
+static bool
+report_beams (const QnModel *model, QnFindings *findings, const bool *held)
+{
+  for (size_t i = 0; i < model->beam_count; i++) {
+    const QnId node = model->beams[i].nodes[0];
+    if (!held[qn_model_node_body (model, node)]
+        && !qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_BEAM_FLOATING,
+                                                    .block_a = QN_NONE,
+                                                    .block_b = QN_NONE,
+                                                    .beam = (QnId) i,
+                                                    .at = model->nodes[node].at }))
       return false;
   }
   return true;
@@ -165,10 +197,14 @@ report_support (const QnModel *model, QnFindings *findings, const bool *held,
 {
   /* One finding says more than one for every block of the model. */
   if (held_count == 0)
-    return qn_findings_add (findings,
-                            (QnFinding){ QN_PROBLEM_NO_SUPPORT, QN_NONE, QN_NONE,
-                                         model->blocks[0].centroid, 0 });
-  return report_blocks (model, findings, QN_PROBLEM_BLOCK_FLOATING, held);
+    return qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_NO_SUPPORT,
+                                                   .block_a = QN_NONE,
+                                                   .block_b = QN_NONE,
+                                                   .at = model->block_count > 0
+                                                           ? model->blocks[0].centroid
+                                                           : model->nodes[0].at });
+  return report_blocks (model, findings, QN_PROBLEM_BLOCK_FLOATING, held)
+         && report_beams (model, findings, held);
 }
 
 QnStatus
@@ -187,21 +223,22 @@ qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *di
 {
   QnFindings *findings = &contacts->findings;
   FaceLists lists = { 0 };
-  bool *flags = qn_alloc (model->block_count, sizeof *flags);
-  QnId *queue = qn_alloc (model->block_count, sizeof *queue);
-  bool done = flags != NULL && queue != NULL
+  size_t bodies = qn_model_body_count (model);
+  bool *flags = qn_alloc (bodies, sizeof *flags);
+  QnId *parents = qn_alloc (bodies, sizeof *parents);
+  bool done = flags != NULL && parents != NULL
               && face_lists_init (&lists, model->block_count, contacts);
   if (done) {
     mark_touching (model, &lists, findings, flags);
     done = report_blocks (model, findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, flags);
   }
   if (done) {
-    size_t held_count = mark_held (model, contacts, &lists, flags, queue);
+    size_t held_count = mark_held (model, contacts, flags, parents);
     done = report_support (model, findings, flags, held_count);
   }
 
   face_lists_clear (&lists);
   free (flags);
-  free (queue);
+  free (parents);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }

@@ -253,7 +253,8 @@ check_pair (const QnContactSearch *search, QnId a, QnId b, Numbers *cuts,
   QnProblem problem = depth > search->lengths.overlap_limit
                         ? QN_PROBLEM_BLOCKS_OVERLAP
                         : QN_PROBLEM_NEAR_MISS_OVERLAP;
-  return qn_findings_add (findings, (QnFinding){ problem, a, b, deepest.at, depth });
+  return qn_findings_add (findings,
+                          (QnFinding){ problem, a, b, deepest.at, depth, QN_NONE });
 }
 
 static int

@@ -33,7 +33,8 @@ qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   *contacts = (QnContacts){ 0 };
   if (model->block_count == 0)
-    return QN_OK;
+    return model->node_count > 0 ? qn_contacts_report_loose (model, contacts, diag)
+                                 : QN_OK;
 
   QnContactSearch search;
   QnStatus status =
@@ -65,17 +66,21 @@ QnStatus
 qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
 {
   static const QnProblem fatal[] = { QN_PROBLEM_BLOCKS_OVERLAP, QN_PROBLEM_NO_SUPPORT,
-                                     QN_PROBLEM_BLOCK_FLOATING };
-  if (model->block_count == 0)
+                                     QN_PROBLEM_BLOCK_FLOATING,
+                                     QN_PROBLEM_BEAM_FLOATING };
+  if (model->block_count == 0 && model->beam_count == 0)
     return qn_diag_set_field (diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
                               "blocks", 0);
   for (size_t i = 0; i < QN_N_ELEMENTS (fatal); i++) {
     const QnFinding *finding = first_finding (&contacts->findings, fatal[i]);
     if (finding == NULL)
       continue;
-    qn_diag_set_field (diag, finding->problem,
-                       finding->block_a == QN_NONE ? QN_ENTITY_MODEL : QN_ENTITY_BLOCK,
-                       finding->block_a, NULL, finding->value);
+    if (finding->problem == QN_PROBLEM_BEAM_FLOATING)
+      qn_diag_set_field (diag, finding->problem, QN_ENTITY_BEAM, finding->beam, NULL, 0);
+    else
+      qn_diag_set_field (diag, finding->problem,
+                         finding->block_a == QN_NONE ? QN_ENTITY_MODEL : QN_ENTITY_BLOCK,
+                         finding->block_a, NULL, finding->value);
     if (diag != NULL) {
       diag->other = finding->block_b;
       diag->at = finding->at;

@@ -11,7 +11,8 @@ state_init (QnEquilibriumState *state, const QnAssembly *as)
   state->u = qn_alloc ((size_t) as->unknown_count, sizeof *state->u);
   state->memory = qn_alloc (as->pair_count, sizeof *state->memory);
   state->responses = qn_alloc (as->pair_count, sizeof *state->responses);
-  return state->u && state->memory && state->responses;
+  return qn_beam_state_init (&state->beams, &as->beams) && state->u && state->memory
+         && state->responses;
 }
 
 static void
@@ -20,6 +21,7 @@ state_clear (QnEquilibriumState *state)
   free (state->u);
   free (state->memory);
   free (state->responses);
+  qn_beam_state_clear (&state->beams);
 }
 
 void
@@ -31,6 +33,7 @@ qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
   state->multiplier = eq->multiplier;
   memcpy (state->memory, as->committed, as->pair_count * sizeof *as->committed);
   memcpy (state->responses, as->responses, as->pair_count * sizeof *as->responses);
+  qn_beam_state_save (&state->beams, &as->beams);
 }
 
 void
@@ -42,6 +45,7 @@ qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state)
   eq->multiplier = state->multiplier;
   memcpy (as->committed, state->memory, as->pair_count * sizeof *as->committed);
   memcpy (as->responses, state->responses, as->pair_count * sizeof *as->responses);
+  qn_beam_state_load (&state->beams, &as->beams);
   qn_assembly_update_kinematics (as, eq->u);
 }
 

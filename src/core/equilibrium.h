@@ -2,7 +2,7 @@
  * across jumps, towards a multiplier or another target.
  *
  * The workspace always holds one committed equilibrium (displacements, multiplier, memory of
- * the pairs). The solving functions try to go on from there and leave their outcome as the
+ * pairs and beams). The solving functions try to go on from there and leave their outcome as the
  * current state; qn_equilibrium_commit() accepts it, qn_equilibrium_restore() goes back.
  * Nothing is allocated after qn_equilibrium_setup(), except inside SuiteSparse.
  */
@@ -30,6 +30,7 @@ typedef struct QnEquilibriumState {
   double multiplier;
   QnPairMemory *memory;
   QnPairResponse *responses;
+  QnBeamState beams;
 } QnEquilibriumState;
 
 /* What closes the system of equations besides equilibrium: a prescribed multiplier, or a linear

@@ -268,10 +268,13 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
   }
 }
 
-/* The strengths of fibres have no place in the rows of a pair. */
+/* The strengths of fibres have no place in the rows of a pair, beams have no pairs at all. */
 static QnStatus
 check_kinds (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
 {
+  if (model->node_count > 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_BEAMS_WITHOUT_LIMIT, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "procedure", 0);
   for (size_t p = 0; p < contacts->pair_count; p++)
     for (int side = 0; side < 2; side++) {
       QnId law = qn_contacts_pair_law (model, contacts, p, side);

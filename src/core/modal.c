@@ -24,12 +24,12 @@ typedef struct {
   QnAssembly *assembly;
   QnLinsys *linsys;
   int32_t n;
-  double *root_mass; /* sqrt (M), rotations scaled by the characteristic length; 0 for
-                        supports that may settle, which do not move */
-  double largest;    /* of K_ii / M_ii */
-  double shift;      /* sigma < 0 */
+  double *mass; /* M in the pattern of K, rotations scaled by the characteristic length */
+  double largest; /* of K_ii / M_ii */
+  double shift;   /* sigma < 0 */
 } Pencil;
 
+/* M = masses of blocks, diagonal, and of beams, consistent. */
 static QnStatus
 fill_masses (Pencil *pencil, QnDiag *diag)
 {
@@ -47,9 +47,21 @@ fill_masses (Pencil *pencil, QnDiag *diag)
       if (!(mass > 0 && isfinite (mass)))
         return qn_diag_set_field (diag, QN_PROBLEM_BLOCK_WITHOUT_MASS, QN_ENTITY_BLOCK,
                                   (QnId) b, NULL, mass);
-      pencil->root_mass[unknown] = sqrt (i == QN_DOF_RZ ? mass * gyration : mass);
+      pencil->mass[as->diagonal[unknown]] = i == QN_DOF_RZ ? mass * gyration : mass;
     }
   }
+  for (size_t b = 0; b < model->beam_count; b++) {
+    double mass =
+      qn_section_weight (&model->sections[model->beams[b].section]) / model->gravity;
+    if (!(mass > 0 && isfinite (mass)))
+      return qn_diag_set_field (diag, QN_PROBLEM_BEAM_WITHOUT_MASS, QN_ENTITY_BEAM,
+                                (QnId) b, NULL, mass);
+  }
+  qn_beam_assembly_add_mass (&as->beams, pencil->mass);
+  for (int32_t j = 0; j < pencil->n; j++)
+    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
+      if (as->settles[j] || as->settles[as->ai[k]])
+        pencil->mass[k] = 0; /* supports that may settle do not move */
   return QN_OK;
 }
 
@@ -74,14 +86,13 @@ factorize (Pencil *pencil, double multiplier, QnDiag *diag)
                               NULL, 0);
 
   for (int32_t i = 0; i < pencil->n; i++) {
-    double mass = pencil->root_mass[i] * pencil->root_mass[i];
+    double mass = pencil->mass[as->diagonal[i]];
     if (mass > 0)
       pencil->largest = fmax (pencil->largest, as->ax[as->diagonal[i]] / mass);
   }
   pencil->shift = -SHIFT * pencil->largest;
-  for (int32_t i = 0; i < pencil->n; i++)
-    as->ax[as->diagonal[i]] -=
-      pencil->shift * pencil->root_mass[i] * pencil->root_mass[i];
+  for (int32_t k = 0; k < as->ap[pencil->n]; k++)
+    as->ax[k] -= pencil->shift * pencil->mass[k];
 
   switch (qn_linsys_factor (pencil->linsys, as->ax)) {
   case QN_FACTOR_OK:
@@ -95,15 +106,16 @@ factorize (Pencil *pencil, double multiplier, QnDiag *diag)
   return qn_diag_no_memory (diag);
 }
 
-/* y = sqrt(M) (K - sigma M) \ (sqrt(M) x) */
+/* y = M x */
 static void
-apply (const Pencil *pencil, const double *x, double *y)
+multiply (const Pencil *pencil, const double *x, double *y)
 {
-  for (int32_t i = 0; i < pencil->n; i++)
-    y[i] = pencil->root_mass[i] * x[i];
-  qn_linsys_solve (pencil->linsys, y);
-  for (int32_t i = 0; i < pencil->n; i++)
-    y[i] *= pencil->root_mass[i];
+  const QnAssembly *as = pencil->assembly;
+
+  memset (y, 0, (size_t) pencil->n * sizeof *y);
+  for (int32_t j = 0; j < pencil->n; j++)
+    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
+      y[as->ai[k]] += pencil->mass[k] * x[j];
 }
 
 /* Work space of ARPACK for `wanted` of n eigenvalues with a basis of `basis` vectors. */
@@ -140,7 +152,22 @@ workspace_clear (Workspace *w)
   free (w->chosen);
 }
 
-/* The largest eigenvalues of the operator, ascending, with their vectors in w->vectors. */
+/* One product of ARPACK's: M x, or (K - sigma M) \\ (M x), where M x may be there already. */
+static void
+answer (const Pencil *pencil, Workspace *w, int ido, const int places[14])
+{
+  double *x = w->reverse + places[0] - 1, *y = w->reverse + places[1] - 1;
+
+  if (ido == 1)
+    memcpy (y, w->reverse + places[2] - 1, (size_t) pencil->n * sizeof *y);
+  else
+    multiply (pencil, x, y);
+  if (ido != 2)
+    qn_linsys_solve (pencil->linsys, y);
+}
+
+/* The frequencies' squares next above the shift, ascending, with their vectors, in the metric of
+ * M of unit length, in w->vectors. */
 static bool
 iterate (const Pencil *pencil, Workspace *w)
 {
@@ -149,32 +176,32 @@ iterate (const Pencil *pencil, Workspace *w)
 
   parameters[0] = 1;             /* exact shifts */
   parameters[2] = MOST_RESTARTS; /* iterations */
-  parameters[6] = 1;             /* y = OP x */
+  parameters[6] = 3;             /* shift and invert, K phi = omega^2 M phi */
   /* A start of our own: equal input gives equal output. */
   for (int i = 0; i < n; i++)
     w->residual[i] = 1 + 0.5 * sin (1.7 * i);
 
   do {
-    dsaupd_c (&ido, "I", n, "LM", w->wanted, 0, w->residual, w->basis, w->vectors, n,
+    dsaupd_c (&ido, "G", n, "LM", w->wanted, 0, w->residual, w->basis, w->vectors, n,
               parameters, places, w->reverse, w->lanczos, length, &info);
-    if (ido == 1 || ido == -1)
-      apply (pencil, w->reverse + places[0] - 1, w->reverse + places[1] - 1);
-  } while (ido == 1 || ido == -1);
+    if (ido == 1 || ido == -1 || ido == 2)
+      answer (pencil, w, ido, places);
+  } while (ido == 1 || ido == -1 || ido == 2);
   if (info != 0)
     return false;
-  dseupd_c (1, "A", w->chosen, w->values, w->vectors, n, 0, "I", n, "LM", w->wanted, 0,
-            w->residual, w->basis, w->vectors, n, parameters, places, w->reverse,
-            w->lanczos, length, &info);
+  dseupd_c (1, "A", w->chosen, w->values, w->vectors, n, pencil->shift, "G", n, "LM",
+            w->wanted, 0, w->residual, w->basis, w->vectors, n, parameters, places,
+            w->reverse, w->lanczos, length, &info);
   return info == 0;
 }
 
-/* phi = M^-1/2 x, scaled to a largest displacement of 1. */
+/* Modes scaled to a largest displacement of 1. */
 static QnStatus
-take_modes (const Pencil *pencil, const Workspace *w, double *scratch, QnModes *modes,
+take_modes (const Pencil *pencil, const Workspace *w, const double *u, QnModes *modes,
             QnDiag *diag)
 {
   const QnAssembly *as = pencil->assembly;
-  size_t row = as->model->block_count * QN_DOF_COUNT;
+  size_t bodies = qn_model_body_count (as->model), row = bodies * QN_DOF_COUNT;
 
   modes->omega = qn_alloc ((size_t) w->wanted, sizeof *modes->omega);
   modes->shapes = qn_alloc ((size_t) w->wanted * row, sizeof *modes->shapes);
@@ -182,19 +209,15 @@ take_modes (const Pencil *pencil, const Workspace *w, double *scratch, QnModes *
     return qn_diag_no_memory (diag);
   modes->count = (size_t) w->wanted;
   modes->block_count = as->model->block_count;
+  modes->node_count = as->model->node_count;
 
   for (int mode = 0; mode < w->wanted; mode++) {
-    int from = w->wanted - 1 - mode; /* the largest first: the lowest frequency */
-    double square = 1 / w->values[from] + pencil->shift, largest = 0;
+    double square = w->values[mode], largest = 0;
     double *shape = modes->shapes + (size_t) mode * row;
     modes->omega[mode] = square > ZERO * ZERO * pencil->largest ? sqrt (square) : 0;
-    for (int32_t i = 0; i < pencil->n; i++)
-      scratch[i] = pencil->root_mass[i] > 0
-                     ? w->vectors[(size_t) from * (size_t) pencil->n + (size_t) i]
-                         / pencil->root_mass[i]
-                     : 0;
-    qn_assembly_expand (as, scratch, shape);
-    for (size_t b = 0; b < modes->block_count; b++)
+    qn_assembly_expand_rates (as, u, w->vectors + (size_t) mode * (size_t) pencil->n,
+                              shape);
+    for (size_t b = 0; b < bodies; b++)
       largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
     for (size_t i = 0; largest > 0 && i < row; i++)
       shape[i] /= largest;
@@ -215,8 +238,8 @@ solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
   if (most == 0)
     return qn_diag_set_field (diag, QN_PROBLEM_TOO_FEW_UNKNOWNS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
-  pencil.root_mass = qn_alloc ((size_t) pencil.n, sizeof (double));
-  if (pencil.root_mass == NULL
+  pencil.mass = qn_alloc ((size_t) eq->assembly.ap[pencil.n], sizeof (double));
+  if (pencil.mass == NULL
       || !workspace_init (&w, pencil.n, (int) (wanted < most ? wanted : most)))
     status = qn_diag_no_memory (diag);
   if (status == QN_OK)
@@ -227,9 +250,9 @@ solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
     status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
                           QN_ENTITY_MODEL, QN_NONE, QN_NONE);
   if (status == QN_OK)
-    status = take_modes (&pencil, &w, eq->step, modes, diag);
+    status = take_modes (&pencil, &w, eq->u, modes, diag);
   workspace_clear (&w);
-  free (pencil.root_mass);
+  free (pencil.mass);
   return status;
 }
 

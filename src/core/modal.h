@@ -2,9 +2,9 @@
  *
  *   K phi = omega^2 M phi
  *
- * K is the tangent stiffness of the state, M the mass of the rigid blocks: weight over gravity,
- * with the polar moment of inertia about the centroid for the rotation; at the centroids it is
- * diagonal. The lowest frequencies come from ARPACK (implicitly restarted Lanczos iteration) on
+ * K is the tangent stiffness of the state, M the mass: of rigid blocks weight over gravity, with
+ * the polar moment of inertia about the centroid for the rotation, diagonal at the centroids; of
+ * beams consistent with their shape functions. The lowest frequencies come from ARPACK (implicitly restarted Lanczos iteration) on
  * the inverse of K - sigma M with a small negative shift sigma, so that structures without
  * supports have their rigid motions as modes of frequency zero.
  *
@@ -17,9 +17,10 @@
 #include "core/result.h"
 
 typedef struct QnModes {
-  size_t count, block_count;
+  size_t count, block_count, node_count;
   double *omega;  /* rad/s, ascending; rigid motions and what is numerically zero: 0 */
-  double *shapes; /* count x block_count x 3: m, m, rad; largest displacement 1 m */
+  double *shapes; /* count x (block_count + node_count) x 3: m, m, rad; largest
+                     displacement 1 m */
 } QnModes;
 
 /* The state that the structure vibrates about. */

@@ -12,14 +12,36 @@ check_settlement (const QnModel *model, const QnLoad *load, QnEntity entity, QnI
 }
 
 static QnStatus
+check_index (QnId id, size_t count, QnProblem problem, QnEntity entity, QnId index,
+             const char *field, QnDiag *diag)
+{
+  return id >= 0 && (size_t) id < count
+           ? QN_OK
+           : qn_diag_set_field (diag, problem, entity, index, field, id);
+}
+
+/* What a load acts on. */
+static QnStatus
+check_loaded (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
+              QnDiag *diag)
+{
+  if (load->kind == QN_LOAD_LINE)
+    return check_index (load->beam, model->beam_count, QN_PROBLEM_BEAM_UNKNOWN, entity,
+                        index, "beam", diag);
+  if (load->kind == QN_LOAD_NODE)
+    return check_index (load->node, model->node_count, QN_PROBLEM_NODE_UNKNOWN, entity,
+                        index, "node", diag);
+  return qn_check_block_reference (model, load->block, entity, index, "block", diag);
+}
+
+static QnStatus
 check_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
             QnDiag *diag)
 {
   if (load->kind == QN_LOAD_WEIGHT)
     return qn_check_vector (load->vector, entity, index, "direction", diag);
 
-  QnStatus status =
-    qn_check_block_reference (model, load->block, entity, index, "block", diag);
+  QnStatus status = check_loaded (model, load, entity, index, diag);
   if (status == QN_OK && load->kind == QN_LOAD_SETTLEMENT)
     return check_settlement (model, load, entity, index, diag);
   if (status == QN_OK)
@@ -44,30 +66,48 @@ qn_model_check_loads (const QnModel *model, QnDiag *diag)
   return status;
 }
 
+/* The block or node whose displacement is controlled, and that it is free to move. */
+static QnStatus
+check_controlled (const QnModel *model, QnId block, QnId node, QnDof dof, QnEntity entity,
+                  QnId index, QnDiag *diag)
+{
+  QnStatus status =
+    node == QN_NONE
+      ? qn_check_block_reference (model, block, entity, index, "control.block", diag)
+      : check_index (node, model->node_count, QN_PROBLEM_NODE_UNKNOWN, entity, index,
+                     "control.node", diag);
+  if (status == QN_OK && node != QN_NONE && model->nodes[node].seat != QN_SEAT_FREE)
+    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_NODE_RIDES, entity, index,
+                                "control.node", 0);
+  if (status == QN_OK
+      && qn_model_body_is_fixed (model, qn_model_controlled_body (model, block, node),
+                                 dof))
+    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_DOF_FIXED, entity, index,
+                                "control.component", 0);
+  return status;
+}
+
 static QnStatus
 check_control (const QnModel *model, QnDiag *diag)
 {
   const QnAnalysisSettings *analysis = &model->analysis;
   const QnEntity entity = QN_ENTITY_ANALYSIS;
-  if (analysis->control_block == QN_NONE) {
+  if (analysis->control_block == QN_NONE && analysis->control_node == QN_NONE) {
     if (analysis->procedure != QN_PROCEDURE_DISPLACEMENT || model->stage_count > 0)
       return QN_OK;
     return qn_diag_set_field (diag, QN_PROBLEM_CONTROL_MISSING, entity, QN_NONE,
                               "control", 0);
   }
 
-  QnStatus status = qn_check_block_reference (model, analysis->control_block, entity,
-                                              QN_NONE, "control.block", diag);
+  QnStatus status =
+    check_controlled (model, analysis->control_block, analysis->control_node,
+                      analysis->control_dof, entity, QN_NONE, diag);
   if (status == QN_OK)
     status = qn_check_number (analysis->control_target, QN_NUMBER_ANY, entity, QN_NONE,
                               "control.target", diag);
   if (status == QN_OK && analysis->control_target == 0)
     status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, entity, QN_NONE,
                                 "control.target", 0);
-  if (status == QN_OK
-      && model->blocks[analysis->control_block].support[analysis->control_dof])
-    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_DOF_FIXED, entity, QN_NONE,
-                                "control.component", 0);
   return status;
 }
 
@@ -137,18 +177,15 @@ check_stage_control (const QnModel *model, QnId index, QnDiag *diag)
   const QnStage *stage = &model->stages[index];
   const QnEntity entity = QN_ENTITY_STAGE;
 
-  if (stage->control_block == QN_NONE)
+  if (stage->control_block == QN_NONE && stage->control_node == QN_NONE)
     return stage->procedure == QN_PROCEDURE_DISPLACEMENT
              ? refuse_stage (diag, QN_PROBLEM_CONTROL_MISSING, index, "control")
              : QN_OK;
-  QnStatus status = qn_check_block_reference (model, stage->control_block, entity, index,
-                                              "control.block", diag);
+  QnStatus status = check_controlled (model, stage->control_block, stage->control_node,
+                                      stage->control_dof, entity, index, diag);
   if (status == QN_OK)
     status = qn_check_number (stage->control_target, QN_NUMBER_ANY, entity, index,
                               "control.target", diag);
-  if (status == QN_OK && model->blocks[stage->control_block].support[stage->control_dof])
-    status =
-      refuse_stage (diag, QN_PROBLEM_CONTROL_DOF_FIXED, index, "control.component");
   if (status == QN_OK && index == 0 && stage->control_target == 0)
     status = refuse_stage (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, index, "control.target");
   if (status == QN_OK && stage->has_target)
@@ -179,13 +216,12 @@ check_stage (const QnModel *model, SetStates *states, QnId index, QnDiag *diag)
   if (status != QN_OK)
     return status;
 
-  bool ends = stage->has_target || stage->control_block != QN_NONE
-              || !qn_model_sets_have_force (model, stage->sets);
+  bool controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;
+  bool ends =
+    stage->has_target || controlled || !qn_model_sets_have_force (model, stage->sets);
   if (!ends && !last)
     return refuse_stage (diag, QN_PROBLEM_STAGE_ENDLESS, index, "target");
-  double target = stage->has_target                 ? stage->target
-                  : stage->control_block == QN_NONE ? 1
-                                                    : NAN;
+  double target = stage->has_target ? stage->target : controlled ? NAN : 1;
   if (ends && target == states->multiplier[first])
     return refuse_stage (diag, QN_PROBLEM_STAGE_NO_CHANGE, index, "target");
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++) {

@@ -1,3 +1,4 @@
+#include "core/beam-model.h"
 #include "core/memory.h"
 #include "core/model-check.h"
 #include "core/polygon.h"
@@ -44,18 +45,29 @@ compare_doubles (const void *a, const void *b)
   return (left > right) - (left < right);
 }
 
+static double
+beam_length (const QnModel *model, size_t index)
+{
+  const QnBeam *beam = &model->beams[index];
+
+  return qn_vec2_length (
+    qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at));
+}
+
 /* The upper median of the square roots of the areas: one huge foundation or a crowd of small
- * wedges does not move it. */
+ * wedges does not move it. Without blocks that of the lengths of beams. */
 static QnStatus
 derive_characteristic_length (QnModel *model, QnDiag *diag)
 {
-  double *sizes = qn_alloc (model->block_count, sizeof *sizes);
+  size_t count = model->block_count > 0 ? model->block_count : model->beam_count;
+  double *sizes = qn_alloc (count, sizeof *sizes);
   if (sizes == NULL)
     return qn_diag_no_memory (diag);
-  for (size_t i = 0; i < model->block_count; i++)
-    sizes[i] = sqrt (model->blocks[i].area);
-  qsort (sizes, model->block_count, sizeof *sizes, compare_doubles);
-  model->characteristic_length = sizes[model->block_count / 2];
+  for (size_t i = 0; i < count; i++)
+    sizes[i] =
+      model->block_count > 0 ? sqrt (model->blocks[i].area) : beam_length (model, i);
+  qsort (sizes, count, sizeof *sizes, compare_doubles);
+  model->characteristic_length = sizes[count / 2];
   free (sizes);
   return QN_OK;
 }
@@ -64,9 +76,11 @@ QnStatus
 qn_model_prepare (QnModel *model, QnDiag *diag)
 {
   QnStatus status = qn_model_expand_walls (model, diag);
+  if (status == QN_OK)
+    status = qn_model_expand_beams (model, diag);
   if (status != QN_OK)
     return status;
-  if (model->block_count == 0)
+  if (model->block_count == 0 && model->beam_count == 0)
     return qn_diag_set_field (diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
                               "blocks", 0);
   if (model->block_count > QN_MAX_BLOCKS)
@@ -76,8 +90,14 @@ qn_model_prepare (QnModel *model, QnDiag *diag)
   for (size_t i = 0; i < model->block_count && status == QN_OK; i++)
     status = qn_model_check_block (model, (QnId) i, diag);
   if (status == QN_OK)
+    status = qn_model_check_beams (model, diag);
+  if (status == QN_OK) {
+    qn_model_mark_turning_nodes (model);
     status = qn_model_check_settings (model, diag);
+  }
   for (size_t i = 0; i < model->block_count && status == QN_OK; i++)
     status = derive_block (model, (QnId) i, diag);
+  if (status == QN_OK)
+    status = qn_model_derive_beams (model, diag);
   return status == QN_OK ? derive_characteristic_length (model, diag) : status;
 }

@@ -21,7 +21,8 @@ qn_model_init (QnModel *model)
                   .max_multiplier = INFINITY,
                   .multiplier_tolerance = 1e-4,
                   .residual_tolerance = 1e-8,
-                  .control_block = QN_NONE },
+                  .control_block = QN_NONE,
+                  .control_node = QN_NONE },
   };
 }
 
@@ -48,6 +49,13 @@ qn_model_clear (QnModel *model)
   for (size_t i = 0; i < model->stage_count; i++)
     free (model->stages[i].name);
 
+  for (size_t i = 0; i < model->node_count; i++)
+    free (model->nodes[i].name);
+  for (size_t i = 0; i < model->section_count; i++)
+    free (model->sections[i].name);
+  for (size_t i = 0; i < model->beam_count; i++)
+    free (model->beams[i].name);
+
   free (model->title);
   free (model->vertices);
   free (model->laws);
@@ -59,8 +67,15 @@ qn_model_clear (QnModel *model)
   free (model->live_loads);
   free (model->load_sets);
   free (model->stages);
+  free (model->nodes);
+  free (model->sections);
+  free (model->beams);
+  free (model->elements);
   qn_name_index_clear (&model->law_names);
   qn_name_index_clear (&model->block_names);
+  qn_name_index_clear (&model->node_names);
+  qn_name_index_clear (&model->section_names);
+  qn_name_index_clear (&model->beam_names);
   *model = (QnModel){ 0 };
 }
 
@@ -114,6 +129,10 @@ copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
   COPY_ARRAY (bars, bar_count, bar_capacity);
   COPY_ARRAY (dead_loads, dead_load_count, dead_load_capacity);
   COPY_ARRAY (live_loads, live_load_count, live_load_capacity);
+  COPY_ARRAY (nodes, node_count, node_capacity);
+  COPY_ARRAY (sections, section_count, section_capacity);
+  COPY_ARRAY (beams, beam_count, beam_capacity);
+  COPY_ARRAY (elements, element_count, element_capacity);
   COPY_ARRAY (load_sets, load_set_count, load_set_capacity);
   COPY_ARRAY (stages, stage_count, stage_capacity);
 #undef COPY_ARRAY
@@ -127,12 +146,21 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
   copy->title = duplicate_name (source->title, &failed);
   copy->law_names = duplicate_index (source->law_names, &failed);
   copy->block_names = duplicate_index (source->block_names, &failed);
+  copy->node_names = duplicate_index (source->node_names, &failed);
+  copy->section_names = duplicate_index (source->section_names, &failed);
+  copy->beam_names = duplicate_index (source->beam_names, &failed);
   copy_arrays (source, copy, &failed);
 
   for (size_t i = 0; i < copy->law_count; i++)
     copy->laws[i].name = duplicate_name (source->laws[i].name, &failed);
   for (size_t i = 0; i < copy->block_count; i++)
     copy->blocks[i].name = duplicate_name (source->blocks[i].name, &failed);
+  for (size_t i = 0; i < copy->node_count; i++)
+    copy->nodes[i].name = duplicate_name (source->nodes[i].name, &failed);
+  for (size_t i = 0; i < copy->section_count; i++)
+    copy->sections[i].name = duplicate_name (source->sections[i].name, &failed);
+  for (size_t i = 0; i < copy->beam_count; i++)
+    copy->beams[i].name = duplicate_name (source->beams[i].name, &failed);
   for (size_t i = 0; i < copy->load_set_count; i++)
     copy->load_sets[i] = duplicate_name (source->load_sets[i], &failed);
   for (size_t i = 0; i < copy->stage_count; i++)
@@ -289,7 +317,7 @@ add_load (QnLoad **loads, size_t *count, size_t *capacity)
   *loads = grown;
 
   QnLoad *load = &grown[(*count)++];
-  load->block = QN_NONE;
+  load->block = load->node = load->beam = QN_NONE;
   return load;
 }
 
@@ -320,7 +348,7 @@ qn_model_add_stage (QnModel *model, const char *name)
   stage->name = qn_strdup (name);
   if (stage->name == NULL && name != NULL)
     return NULL;
-  stage->control_block = QN_NONE;
+  stage->control_block = stage->control_node = QN_NONE;
   model->stage_count++;
   return stage;
 }

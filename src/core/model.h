@@ -8,6 +8,7 @@
 #ifndef QN_CORE_MODEL_H
 #define QN_CORE_MODEL_H
 
+#include "core/beam.h"
 #include "core/law.h"
 #include "core/name-index.h"
 #include "core/status.h"
@@ -117,9 +118,11 @@ typedef struct QnContactSettings {
 } QnContactSettings;
 
 typedef enum {
-  QN_LOAD_WEIGHT,     /* on every block: block weight x direction */
+  QN_LOAD_WEIGHT,     /* on every block and beam: weight x direction */
   QN_LOAD_FORCE,      /* on one block: force and moment */
   QN_LOAD_SETTLEMENT, /* of one fixed degree of freedom of one block */
+  QN_LOAD_NODE,       /* force and moment on one node */
+  QN_LOAD_LINE,       /* on one beam: force per undeformed length */
   QN_LOAD_KIND_COUNT
 } QnLoadKind;
 
@@ -128,9 +131,12 @@ typedef enum {
 typedef struct QnLoad {
   QnLoadKind kind;
   int32_t set;   /* of loads that are not dead: 0 = live */
-  QnVec2 vector; /* WEIGHT: direction of any length (1 = one weight); FORCE: N */
+  QnVec2 vector; /* WEIGHT: direction of any length (1 = one weight); FORCE, NODE: N;
+                    LINE: N/m */
   QnId block;    /* FORCE and SETTLEMENT */
-  double moment; /* N m about the point of application, FORCE only */
+  QnId node;     /* NODE */
+  QnId beam;     /* LINE */
+  double moment; /* N m about the point of application; FORCE, NODE */
   bool has_at;   /* FORCE: whether `at` is given; the centroid otherwise */
   QnVec2 at;     /* m */
   QnDof dof;     /* SETTLEMENT: which degree of freedom */
@@ -163,6 +169,7 @@ typedef struct QnAnalysisSettings {
   double multiplier_tolerance; /* relative to the multiplier; default 1e-4 */
   double residual_tolerance;   /* relative to the forces in the model; default 1e-8 */
   QnId control_block;          /* or QN_NONE */
+  QnId control_node; /* the same for a node that stands free; at most one of both */
   QnDof control_dof;
   double control_target; /* m or rad */
 } QnAnalysisSettings;
@@ -178,6 +185,7 @@ typedef struct QnStage {
   bool has_target;    /* whether the stage ends at a multiplier, */
   double target;      /* this one; any sign */
   QnId control_block; /* or QN_NONE */
+  QnId control_node;  /* likewise; at most one of both */
   QnDof control_dof;
   double control_target; /* m or rad, as a total; may be 0 */
 } QnStage;
@@ -193,6 +201,17 @@ typedef struct QnModel {
   QnBlock *blocks; /* those of the file first, then those of the walls in order */
   size_t block_count, block_capacity;
   QnNameIndex law_names, block_names;
+  QnNode
+    *nodes; /* those of the file first, then those that cut the beams, beam by beam */
+  size_t node_count, node_capacity;
+  QnSection *sections;
+  size_t section_count, section_capacity;
+  QnBeam *beams;
+  size_t beam_count, beam_capacity;
+  QnBeamElement *elements; /* beam by beam */
+  size_t element_count, element_capacity;
+  size_t expanded_beam_count; /* beams whose elements are in `elements` already */
+  QnNameIndex node_names, section_names, beam_names;
   QnWall *walls;
   size_t wall_count, wall_capacity;
   size_t expanded_wall_count; /* walls whose blocks are in `blocks` already */
@@ -227,12 +246,16 @@ QnStatus qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag);
 
 /* Each returns a pointer to the new, zeroed entity (valid until the next addition of its
  * kind), or NULL when memory runs out. A new block or wall has law = wall = masonry = QN_NONE and
- * density = -1. */
+ * density = -1; a new node stands free; a new section has density = -1, shear_factor = 5/6; a new
+ * beam is a Timoshenko beam of one element. */
 QnLaw *qn_model_add_law (QnModel *model, const char *name);
 QnBlock *qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
                              size_t vertex_count);
 QnWall *qn_model_add_wall (QnModel *model, const char *name);
 QnFaceOverride *qn_model_add_override (QnModel *model);
+QnNode *qn_model_add_node (QnModel *model, const char *name);
+QnSection *qn_model_add_section (QnModel *model, const char *name);
+QnBeam *qn_model_add_beam (QnModel *model, const char *name);
 QnBar *qn_model_add_bar (QnModel *model);
 QnLoad *qn_model_add_dead_load (QnModel *model);
 QnLoad *qn_model_add_live_load (QnModel *model);
@@ -257,20 +280,71 @@ bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);
  * such names. More than QN_MAX_BLOCKS are refused before anything is allocated. */
 QnStatus qn_model_expand_walls (QnModel *model, QnDiag *diag);
 
+/* Cuts the beams that are not yet expanded into elements, at nodes named `<beam>.<n>`, n from
+ * 1. Afterwards loads can refer to those nodes by index; where they are follows in
+ * qn_model_prepare(). */
+QnStatus qn_model_expand_beams (QnModel *model, QnDiag *diag);
+
 /* Index of the entity with this name, or QN_NONE; in constant time. Of equal names the first
  * is found. A name must not be changed behind the model's back. */
 QnId qn_model_find_law (const QnModel *model, const char *name);
 QnId qn_model_find_block (const QnModel *model, const char *name);
+QnId qn_model_find_node (const QnModel *model, const char *name);
+QnId qn_model_find_section (const QnModel *model, const char *name);
+QnId qn_model_find_beam (const QnModel *model, const char *name);
 
 /* Expands walls, orients polygons counter-clockwise, computes areas, centroids and weights,
  * and checks every number and reference that can be checked without contacts. The first
  * problem found is reported; the model may only be cleared then. */
 QnStatus qn_model_prepare (QnModel *model, QnDiag *diag);
 
-/* Resultant of the dead or the live loads (those of set 0) on every block. Settlements are no
- * forces.
+/* Bodies are what has degrees of freedom: the blocks, then the nodes. A node that rides on a
+ * block has none of its own; its row of displacements says where the block takes it. */
+static inline size_t
+qn_model_body_count (const QnModel *model)
+{
+  return model->block_count + model->node_count;
+}
+
+/* The body whose degrees of freedom move a node: its block, or itself. */
+static inline size_t
+qn_model_node_body (const QnModel *model, QnId node)
+{
+  QnId block = model->nodes[node].block;
+  return block != QN_NONE ? (size_t) block : model->block_count + (size_t) node;
+}
+
+/* The body that a control names, by block or by node; SIZE_MAX where it names neither. */
+static inline size_t
+qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
+{
+  if (node != QN_NONE)
+    return model->block_count + (size_t) node;
+  return block != QN_NONE ? (size_t) block : SIZE_MAX;
+}
+
+/* Velocity at an arm r from a body's centroid: v + rz x r; rows of three. */
+static inline void
+qn_body_velocity_at (const double body[3], QnVec2 arm, double out[3])
+{
+  out[QN_DOF_UX] = body[QN_DOF_UX] - arm.y * body[QN_DOF_RZ];
+  out[QN_DOF_UY] = body[QN_DOF_UY] + arm.x * body[QN_DOF_RZ];
+  out[QN_DOF_RZ] = body[QN_DOF_RZ];
+}
+
+/* Fills in the rows of riding nodes in displacements of bodies (body_count x 3) from those of
+ * their blocks: by finite rotations, or linearly. */
+void qn_model_move_riding_nodes (const QnModel *model, bool finite,
+                                 double *displacements);
+
+/* Whether a degree of freedom of a body is fixed, or moved by that of another body. */
+bool qn_model_body_is_fixed (const QnModel *model, size_t body, QnDof dof);
+
+/* Resultant of the dead or the live loads (those of set 0) on every body, without those
+ * distributed over beams. Settlements are no forces.
  *
- * forces: block_count x 3: fx, fy in N and the moment about the centroid in N m. */
+ * forces: body_count x 3: fx, fy in N and the moment about centroid or node in N m. Loads on
+ * riding nodes count as the block's. */
 void qn_model_dead_forces (const QnModel *model, double *forces);
 void qn_model_live_forces (const QnModel *model, double *forces);
 
@@ -280,6 +354,15 @@ bool qn_model_sets_have_force (const QnModel *model, uint32_t sets);
 
 /* Loads of all sets, each times its own factor; factors: QN_MAX_LOAD_SETS. */
 void qn_model_set_forces (const QnModel *model, const double *factors, double *forces);
+
+/* The body that a FORCE or a NODE load acts on, and the arm from its centroid. */
+size_t qn_model_load_body (const QnModel *model, const QnLoad *load);
+QnVec2 qn_model_load_arm (const QnModel *model, const QnLoad *load);
+
+/* Load distributed over every element, in the axes of the model: element_count vectors, N/m of
+ * undeformed length. Loads of all sets, each times its own factor; or the dead loads where
+ * `factors` is NULL. */
+void qn_model_element_loads (const QnModel *model, const double *factors, QnVec2 *loads);
 
 /* Vertices of a block. */
 static inline const QnVec2 *

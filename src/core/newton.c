@@ -87,7 +87,8 @@ static QnFactorStatus
 factorize (QnEquilibrium *eq, double viscosity)
 {
   QnAssembly *as = &eq->assembly;
-  bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear;
+  bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear
+              && !qn_beam_assembly_has_changed (&as->beams);
 
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairResponse *response = &as->responses[p];

@@ -118,7 +118,7 @@ report_unused (const QnModel *model, const Exception *exceptions, QnFindings *fi
     QnVec2 at = qn_vec2_lerp (model->blocks[exception->a].centroid,
                               model->blocks[exception->b].centroid, 0.5);
     if (!qn_findings_add (findings, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED, exception->a,
-                                                 exception->b, at, 0 }))
+                                                 exception->b, at, 0, QN_NONE }))
       return false;
   }
   return true;

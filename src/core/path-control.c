@@ -53,12 +53,13 @@ typedef struct {
 static int32_t
 controlled_unknown (const QnPath *path)
 {
-  const QnAnalysisSettings *settings = path->settings;
+  size_t body = qn_model_controlled_body (path->model, path->settings->control_block,
+                                          path->settings->control_node);
 
-  if (settings->control_block == QN_NONE)
+  if (body == SIZE_MAX)
     return QN_NONE;
   return path->equilibrium.assembly
-    .unknown[QN_DOF_COUNT * settings->control_block + (int) settings->control_dof];
+    .unknown[QN_DOF_COUNT * body + (size_t) path->settings->control_dof];
 }
 
 static double

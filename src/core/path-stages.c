@@ -31,9 +31,11 @@ static int32_t
 controlled_unknown (const QnPath *path)
 {
   const QnAnalysisSettings *settings = path->settings;
+  size_t body = qn_model_controlled_body (path->model, settings->control_block,
+                                          settings->control_node);
 
   return path->equilibrium.assembly
-    .unknown[QN_DOF_COUNT * settings->control_block + (int) settings->control_dof];
+    .unknown[QN_DOF_COUNT * body + (size_t) settings->control_dof];
 }
 
 /* How the controlled displacement lies to the way that remains to its target: 1 if a growing
@@ -104,6 +106,7 @@ take_settings (QnPath *path, const QnStage *stage)
   if (stage->increments > 0)
     settings->increments = stage->increments;
   settings->control_block = stage->control_block;
+  settings->control_node = stage->control_node;
   settings->control_dof = stage->control_dof;
   settings->control_target = stage->control_target;
   settings->max_multiplier = INFINITY;
@@ -141,7 +144,7 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle,
              QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
-  bool controlled = stage->control_block != QN_NONE;
+  bool controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;
   bool settles = !controlled && !qn_model_sets_have_force (path->model, stage->sets);
   int sense = 1;
 

@@ -15,14 +15,19 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
 
   QnStatus status =
     qn_result_init (result, model->block_count, contacts->pair_count, diag);
+  result->node_count = model->node_count;
+  result->element_count = model->element_count;
   if (status == QN_OK)
     status = qn_equilibrium_setup (&path->equilibrium, model, contacts, report,
                                    report_data, diag);
   if (status != QN_OK)
     return status;
 
-  path->displacements = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof (double));
-  return path->displacements != NULL && qn_result_set_supports (result, model)
+  path->displacements =
+    qn_alloc (qn_model_body_count (model) * QN_DOF_COUNT, sizeof (double));
+  path->beam_forces = qn_alloc (model->element_count, sizeof *path->beam_forces);
+  return path->displacements != NULL && path->beam_forces != NULL
+             && qn_result_set_supports (result, model)
            ? QN_OK
            : qn_diag_no_memory (diag);
 }
@@ -32,6 +37,7 @@ qn_path_clear (QnPath *path)
 {
   qn_equilibrium_clear (&path->equilibrium);
   free (path->displacements);
+  free (path->beam_forces);
   *path = (QnPath){ 0 };
 }
 
@@ -53,6 +59,10 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
   qn_assembly_expand (&eq->assembly, eq->u, path->displacements);
   if (!qn_result_add_step (path->result, step, path->displacements))
     return false;
+  qn_beam_assembly_forces (&eq->assembly.beams, multiplier, path->beam_forces);
+  if (path->model->element_count > 0
+      && !qn_result_add_beam_forces (path->result, path->beam_forces))
+    return false;
   qn_assembly_reactions (&eq->assembly, multiplier, path->displacements);
   return qn_result_add_reactions (path->result, path->displacements);
 }
@@ -60,7 +70,10 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
 QnStatus
 qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag)
 {
-  qn_assembly_expand (&path->equilibrium.assembly, velocity, path->displacements);
+  const QnEquilibrium *eq = &path->equilibrium;
+
+  qn_assembly_expand_rates (&eq->assembly, eq->committed.u, velocity,
+                            path->displacements);
   return qn_result_set_mechanism (path->result, path->displacements,
                                   path->model->characteristic_length, diag);
 }

@@ -26,7 +26,8 @@ typedef struct QnPath {
                            multiplier, which every stage starts from 0; 0 and 1 by default */
   QnEquilibrium equilibrium;
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
-  double *displacements;      /* scratch, block_count x 3; reactions too */
+  double *displacements;      /* scratch, a row for every body; reactions too */
+  QnBeamForces *beam_forces;  /* scratch, by element */
   int32_t iterations_at_step; /* statistics when the last step was recorded */
 } QnPath;
 

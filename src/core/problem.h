@@ -52,6 +52,21 @@
   X (MODES_NOT_FOUND, "modes were not found") \
   X (BLOCK_UNKNOWN, "no block has this name") \
   X (SAME_BLOCK, "a block has no contact with itself") \
+  X (NODE_UNKNOWN, "no node has this name") \
+  X (SECTION_UNKNOWN, "no section has this name") \
+  X (BEAM_UNKNOWN, "no beam has this name") \
+  X (NODE_UNUSED, "node stands free and no beam ends at it") \
+  X (NODE_SUPPORTED_BY_BLOCK, "a node that rides on a block has no support of its own") \
+  X (NODE_MOMENT, "moment acts on a node where every beam is hinged") \
+  X (POISSON_RATIO, "Poisson's ratio must be above -1 and at most 0.5") \
+  X (YIELD_SHAPELESS, "a section yields by its stress if it is a rectangle; give the plastic moment") \
+  X (BEAM_SHORT, "beam has no length") \
+  X (BEAM_ON_ONE_BLOCK, "both ends of the beam ride on the same block") \
+  X (TOO_MANY_NODES, "more nodes than the program handles") \
+  X (BEAM_FLOATING, "beam is not connected to any support") \
+  X (BEAM_WITHOUT_MASS, "beam has no mass to vibrate with") \
+  X (BEAMS_WITHOUT_LIMIT, "limit analysis knows rigid blocks only, not beams: use another procedure") \
+  X (CONTROL_NODE_RIDES, "controlled node rides on a block: control the block") \
   X (NO_BLOCKS, "model has no blocks: draw or generate some first") \
   X (NO_SUPPORT, "model has no supported block") \
   X (BLOCK_FLOATING, "block is not connected to any support") \

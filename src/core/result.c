@@ -46,6 +46,7 @@ qn_result_clear (QnResult *result)
 {
   free (result->steps);
   free (result->displacements);
+  free (result->beam_forces);
   free (result->pairs);
   free (result->mechanism);
   free (result->unstable_blocks);
@@ -57,7 +58,7 @@ qn_result_clear (QnResult *result)
 bool
 qn_result_add_step (QnResult *result, QnStep step, const double *displacements)
 {
-  size_t row = result->block_count * QN_DOF_COUNT;
+  size_t row = qn_result_body_count (result) * QN_DOF_COUNT;
   QnStep *steps = qn_array_grow (result->steps, &result->step_capacity,
                                  result->step_count + 1, sizeof *steps);
   if (steps == NULL)
@@ -134,16 +135,30 @@ qn_result_load_factors (const QnModel *model, const QnResult *result, size_t ste
   }
 }
 
+bool
+qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces)
+{
+  QN_ASSERT (result->step_count > 0);
+  size_t count = result->element_count, end = result->step_count * count;
+  QnBeamForces *all =
+    qn_array_grow (result->beam_forces, &result->beam_force_capacity, end, sizeof *all);
+  if (all == NULL)
+    return false;
+  result->beam_forces = all;
+  memcpy (all + end - count, forces, count * sizeof *all);
+  return true;
+}
+
 QnStatus
 qn_result_set_mechanism (QnResult *result, const double *velocities,
                          double characteristic_length, QnDiag *diag)
 {
-  size_t count = result->block_count * QN_DOF_COUNT;
+  size_t count = qn_result_body_count (result) * QN_DOF_COUNT;
   double *mechanism = qn_alloc (count, sizeof *mechanism), translation = 0, rotation = 0;
 
   if (mechanism == NULL)
     return qn_diag_no_memory (diag);
-  for (size_t b = 0; b < result->block_count; b++) {
+  for (size_t b = 0; b < qn_result_body_count (result); b++) {
     const double *v = velocities + QN_DOF_COUNT * b;
     translation = fmax (translation, hypot (v[QN_DOF_UX], v[QN_DOF_UY]));
     rotation = fmax (rotation, fabs (v[QN_DOF_RZ]) * characteristic_length);

@@ -77,13 +77,19 @@ typedef struct QnResult {
 
   QnLimitFigures limit;
 
-  size_t block_count; /* rows of displacements and mechanism */
+  size_t block_count;
+  size_t node_count;    /* of beams */
+  size_t element_count; /* of beams */
   size_t pair_count;
 
   QnStep *steps;
   size_t step_count, step_capacity;
-  double *displacements; /* step_count x block_count x 3; m, m, rad at centroids */
+  double *displacements; /* step_count x (block_count + node_count) x 3; m, m, rad at
+                            centroids and nodes */
   size_t displacement_capacity;
+  QnBeamForces
+    *beam_forces; /* step_count x element_count; NULL where they are not known */
+  size_t beam_force_capacity;
 
   QnId *supports; /* blocks with a fixed degree of freedom, ascending; none in limit
                      analysis */
@@ -93,7 +99,8 @@ typedef struct QnResult {
   size_t reaction_capacity;
 
   QnPairResult *pairs; /* at the last equilibrium */
-  double *mechanism;   /* block_count x 3 velocity field at collapse, scaled as
+  double
+    *mechanism; /* (block_count + node_count) x 3 velocity field at collapse, scaled as
                           qn_result_set_mechanism() says; NULL where there is none */
 
   QnId *unstable_blocks; /* DEAD_LOAD_UNSTABLE: blocks that move, most moved first */
@@ -106,14 +113,18 @@ typedef struct QnResult {
 const char *qn_outcome_name (QnOutcome outcome);
 const char *qn_pair_state_name (QnPairState state);
 
-/* An empty result for a model with this many blocks and pairs. */
+/* An empty result for a model with this many blocks and pairs; where it has beams, node_count and
+ * element_count are to be set before the first step. */
 QnStatus qn_result_init (QnResult *result, size_t block_count, size_t pair_count,
                          QnDiag *diag);
 
 void qn_result_clear (QnResult *result);
 
-/* Appends a step; displacements: block_count x 3. False when memory runs out. */
+/* Appends a step; displacements: a row for every block and node. False when memory runs out. */
 bool qn_result_add_step (QnResult *result, QnStep step, const double *displacements);
+
+/* Section forces by element of the step that was added last. False when memory runs out. */
+bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);
 
 /* Keeps which blocks have reactions, and appends those of the last step added: reactions:
  * block_count x 3, of which the rows of the supports are kept. False when memory runs out. */
@@ -125,16 +136,31 @@ bool qn_result_add_reactions (QnResult *result, const double *reactions);
 void qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
                              double *factors);
 
-/* Keeps `velocities` (block_count x 3), scaled so that the largest of |(ux, uy)| over the
- * blocks, or of |rz| x characteristic length where that is larger, is 1. */
+/* Keeps `velocities` (a row for every block and node), scaled so that the largest of |(ux, uy)|
+ * over the rows, or of |rz| x characteristic length where that is larger, is 1. */
 QnStatus qn_result_set_mechanism (QnResult *result, const double *velocities,
                                   double characteristic_length, QnDiag *diag);
 
-/* Displacements of one step, block_count x 3. */
+/* Rows of displacements and mechanism: blocks, then nodes. */
+static inline size_t
+qn_result_body_count (const QnResult *result)
+{
+  return result->block_count + result->node_count;
+}
+
+/* Displacements of one step: a row for every block, then for every node. */
 static inline const double *
 qn_result_step_displacements (const QnResult *result, size_t step)
 {
-  return result->displacements + step * result->block_count * QN_DOF_COUNT;
+  return result->displacements + step * qn_result_body_count (result) * QN_DOF_COUNT;
+}
+
+/* Section forces of one step by element; NULL where they are not known. */
+static inline const QnBeamForces *
+qn_result_step_beam_forces (const QnResult *result, size_t step)
+{
+  return result->beam_forces != NULL ? result->beam_forces + step * result->element_count
+                                     : NULL;
 }
 
 /* Reactions of one step, support_count x 3. */

@@ -29,6 +29,9 @@
  * more: one degree, whose square is far below what a section is known to. */
 #define QN_TOLERANCE_OBLIQUE_BAR 0.0175
 
+/* A moment exceeds the plastic one when it does so by this part of it: rounding of a few products. */
+#define QN_TOLERANCE_YIELD 1e-12
+
 /* Weights of explicitly placed pairs add up to 1 within what nine decimal digits leave. */
 #define QN_TOLERANCE_WEIGHTS 1e-9
 

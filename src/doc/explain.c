@@ -21,6 +21,12 @@ entity_word (QnEntity entity)
     return _ ("Contact face");
   case QN_ENTITY_BAR:
     return _ ("Reinforcing bar");
+  case QN_ENTITY_NODE:
+    return _ ("Node");
+  case QN_ENTITY_SECTION:
+    return _ ("Section");
+  case QN_ENTITY_BEAM:
+    return _ ("Beam");
   case QN_ENTITY_DEAD_LOAD:
     return _ ("Dead load");
   case QN_ENTITY_LIVE_LOAD:
@@ -49,6 +55,12 @@ entity_name (const QnModel *model, QnEntity entity, QnId index)
     return model->walls[i].name;
   if (entity == QN_ENTITY_LAW && i < model->law_count)
     return model->laws[i].name;
+  if (entity == QN_ENTITY_NODE && i < model->node_count)
+    return model->nodes[i].name;
+  if (entity == QN_ENTITY_SECTION && i < model->section_count)
+    return model->sections[i].name;
+  if (entity == QN_ENTITY_BEAM && i < model->beam_count)
+    return model->beams[i].name;
   return NULL;
 }
 

@@ -98,14 +98,16 @@ test_findings (void)
 {
   QnProject project;
   test_parse (walls, &project);
-  QnFinding gap = { QN_PROBLEM_NEAR_MISS_GAP, 1, 2, { 1, 0.5 }, 2e-6 };
+  QnFinding gap = { QN_PROBLEM_NEAR_MISS_GAP, 1, 2, { 1, 0.5 }, 2e-6, QN_NONE };
   char *text = qn_project_dup_finding_text (&project, &gap);
   g_assert_cmpstr (
     text, ==,
     "wall.quoin:7:20: walls[0].courses[0][0]: gap just wider than the contact "
     "tolerance (blocks \"v.1.1\" and \"v.1.2\") at (1, 0.5) m: 2e-06 m");
   g_free (text);
-  QnFinding alone = { QN_PROBLEM_BLOCK_WITHOUT_CONTACT, 0, QN_NONE, { 0, 0 }, 0 };
+  QnFinding alone = {
+    QN_PROBLEM_BLOCK_WITHOUT_CONTACT, 0, QN_NONE, { 0, 0 }, 0, QN_NONE
+  };
   text = qn_project_dup_finding_text (&project, &alone);
   g_assert_cmpstr (
     text, ==,
