@@ -25,22 +25,42 @@ test_ends (void)
   g_assert_cmpfloat_with_epsilon (moment (&rule, 2) * 12, 3 * 0.8 * 0.8, 1e-14);
 }
 
-/* Bending is 1 - 1/n^2 of the true one, plastic bending exact for even n. */
+/* Force and bending are exact from three pairs on; evenly spaced, symmetric, nearly equal; full
+ * plastic bending 5/(8 n^2) too much for even n. */
 static void
 test_uniform (void)
 {
-  for (int n = 1; n <= 20; n++) {
+  for (int n = 1; n <= 40; n++) {
     QnPairRule rule = { .placement = QN_PLACEMENT_UNIFORM, .count = n };
+    double bending = n > 2 ? 1 : 1 - 1.0 / (n * n), plastic = 0;
     g_assert_cmpfloat_with_epsilon (moment (&rule, 0), 1, 1e-14);
-    g_assert_cmpfloat_with_epsilon (moment (&rule, 2) * 12, 1 - 1.0 / (n * n), 1e-13);
-    double plastic = 0;
+    g_assert_cmpfloat_with_epsilon (moment (&rule, 1), 0, 1e-14);
+    g_assert_cmpfloat_with_epsilon (moment (&rule, 2) * 12, bending, 1e-13);
+    g_assert_cmpfloat_with_epsilon (moment (&rule, 3), 0, 1e-14);
     for (size_t i = 0; i < (size_t) n; i++) {
       double position, weight;
       qn_pair_rule_place (&rule, 1, i, &position, &weight);
+      g_assert_cmpfloat_with_epsilon (position, ((double) i + 0.5) / n, 1e-15);
+      g_assert_cmpfloat_with_epsilon (weight * n, 1, 2.3 / (n * n));
       plastic += weight * fabs (position - 0.5);
     }
-    if (n % 2 == 0)
-      g_assert_cmpfloat_with_epsilon (plastic, 0.25, 1e-14);
+    if (n % 2 == 0 && n > 2)
+      g_assert_cmpfloat_with_epsilon ((4 * plastic - 1) * n * n, 5. / 8, 0.7 / (n * n));
+  }
+}
+
+static void
+test_maclaurin (void)
+{
+  static const double three[] = { 3. / 8, 2. / 8, 3. / 8 };
+  static const double four[] = { 13. / 48, 11. / 48, 11. / 48, 13. / 48 };
+  for (int n = 3; n <= 4; n++) {
+    QnPairRule rule = { .placement = QN_PLACEMENT_UNIFORM, .count = n };
+    for (size_t i = 0; i < (size_t) n; i++) {
+      double position, weight;
+      qn_pair_rule_place (&rule, 1, i, &position, &weight);
+      g_assert_cmpfloat_with_epsilon (weight, n == 3 ? three[i] : four[i], 1e-15);
+    }
   }
 }
 
@@ -108,6 +128,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/pair-abscissae/ends", test_ends);
   g_test_add_func ("/pair-abscissae/uniform", test_uniform);
+  g_test_add_func ("/pair-abscissae/maclaurin", test_maclaurin);
   g_test_add_func ("/pair-abscissae/gauss", test_gauss);
   g_test_add_func ("/pair-abscissae/legendre", test_legendre);
   g_test_add_func ("/pair-abscissae/explicit", test_explicit);

@@ -56,7 +56,10 @@ test_uniform (void)
   g_assert_cmpuint (contacts.pair_count, ==, 5);
   for (int i = 0; i < 5; i++) {
     CLOSE (contacts.pairs[i].abscissa, 0.2 + 0.4 * i);
-    CLOSE (contacts.pairs[i].tributary, 0.4);
+    /* Equal shares, but for what makes bending exact: 1 + a (x^2 - m), a = 15 n^2 / (4 (n^2 -
+     * 1) (n^2 - 4)) = 0.1860, m = 0.32, x = 0.8, 0.4, 0. */
+    double x = 0.4 * i - 0.8, a = 15. * 25 / (4 * 24 * 21);
+    CLOSE (contacts.pairs[i].tributary, 0.4 * (1 + a * (x * x - 0.32)));
     CLOSE (contacts.pairs[i].point.x, 0.8 - 0.4 * i);
     CLOSE (contacts.pairs[i].point.y, 0);
   }
