@@ -33,12 +33,16 @@ target_gap (const Newton *newton, const double *u, double multiplier)
   const QnEquilibrium *eq = newton->eq;
   const QnTarget *target = newton->target;
   double gap = target->advance - target->weight * (multiplier - eq->committed.multiplier);
+  double size = fabs (target->weight * multiplier);
 
   if (target->direction == NULL)
     return 0;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++) {
     gap -= target->direction[i] * (u[i] - eq->committed.u[i]);
-  return fabs (gap) > QN_TOLERANCE_TARGET * fabs (target->advance) ? gap : 0;
+    size += fabs (target->direction[i] * u[i]);
+  }
+  double met = QN_TOLERANCE_TARGET * fabs (target->advance) + QN_TOLERANCE_MEASURE * size;
+  return fabs (gap) > met ? gap : 0;
 }
 
 /* residual = R(u, multiplier) - viscosity C (u - anchor), from the forces of the last

@@ -37,12 +37,18 @@
  * metres. It also leaves three digits between rounding and the default tolerance. */
 #define RUNAWAY 1e5
 
+/* A measure that is to advance does so at a speed that damping resists with this part of the
+ * largest dead load on a block: slowly enough to leave friction alone. */
+#define DRIVE 0.01
+
 /* In nonlinear geometry: elastic displacements from which motion is watched, and how often it
  * must double without slowing down until it counts as a fall. */
 #define FALL_BEGINS    10
 #define FALL_DOUBLINGS 4
 
 typedef struct {
+  bool held;                            /* a measure, while the multiplier is free */
+  double duration;                      /* of the measure's advance */
   double viscosity;                     /* of the next step */
   double elapsed;                       /* time since the start */
   double speed;                         /* of the last step, in the norm of C */
@@ -124,12 +130,27 @@ is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
   return relaxation->doublings > FALL_DOUBLINGS;
 }
 
+/* With a measure held a structure may well move far and come to rest; but not by more than a
+ * block, or a radian, beyond which the contacts that were detected mean nothing. */
+static bool
+has_left (const QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+  bool left = false;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    left |= fabs (eq->u[i] - eq->committed.u[i]) > as->length;
+  return left;
+}
+
 /* Whether the structure moves on for good after a converged step. */
 static bool
 is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
 {
   double time_step = 1 / relaxation->viscosity;
 
+  if (eq->assembly.nonlinear && relaxation->held)
+    return has_left (eq);
   if (elastic_displacements (eq, false) > RUNAWAY)
     return true;
   if (eq->assembly.nonlinear)
@@ -138,17 +159,51 @@ is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
          && !will_close (eq, time_step);
 }
 
+/* Time in which the measure is to advance. The least damping force that any motion of this
+ * speed meets is that of the velocity C^-1 direction. */
+static double
+find_duration (const QnEquilibrium *eq, const QnTarget *target)
+{
+  const QnAssembly *as = &eq->assembly;
+  double largest = 0, yielding = 0;
+
+  if (target->direction == NULL)
+    return 0;
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    largest = fmax (largest, fabs (target->direction[i]));
+    if (target->direction[i] != 0)
+      yielding += target->direction[i] * target->direction[i] / as->damping[i];
+  }
+  double force = largest * fabs (target->advance) / yielding; /* at unit duration */
+  return as->force_scale > 0 ? force / (DRIVE * as->force_scale) : 0;
+}
+
+/* The target at the end of the next viscous step. */
+static QnTarget
+target_in_time (const Relaxation *relaxation, const QnTarget *target)
+{
+  double time = relaxation->elapsed + 1 / relaxation->viscosity;
+  QnTarget now = *target;
+
+  if (time < relaxation->duration)
+    now.advance *= time / relaxation->duration;
+  return now;
+}
+
 QnSolveStatus
 qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
 {
-  Relaxation relaxation = { .viscosity = FIRST_VISCOSITY };
+  Relaxation relaxation = { .held = target->direction != NULL,
+                            .duration = find_duration (eq, target),
+                            .viscosity = FIRST_VISCOSITY };
 
   memset (eq->velocity, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->velocity);
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
+    QnTarget now = target_in_time (&relaxation, target);
     begin_step (eq);
     QnSolveStatus status =
-      qn_equilibrium_newton (eq, target, relaxation.viscosity, NEWTON_BUDGET);
+      qn_equilibrium_newton (eq, &now, relaxation.viscosity, NEWTON_BUDGET);
 
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;
@@ -163,7 +218,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
     qn_assembly_commit (&eq->assembly);
     relaxation.elapsed += 1 / relaxation.viscosity;
     update_velocity (eq, &relaxation);
-    if (eq->out_of_balance <= eq->tolerance)
+    if (eq->out_of_balance <= eq->tolerance && relaxation.elapsed >= relaxation.duration)
       return QN_SOLVE_CONVERGED;
     if (is_mechanism (eq, &relaxation))
       return QN_SOLVE_MECHANISM;

@@ -16,6 +16,21 @@ typedef enum {
   QN_OUTCOME_COUNT
 } QnOutcome;
 
+/* Why a path of displacement, work or arc-length control ended where it did. */
+typedef enum {
+  QN_STOP_UNKNOWN,        /* another procedure: the outcome says all */
+  QN_STOP_DISPLACEMENT,   /* the controlled displacement came to its target */
+  QN_STOP_MULTIPLIER,     /* max_multiplier was reached */
+  QN_STOP_ZERO,           /* the multiplier fell back to zero: stands no more by itself */
+  QN_STOP_PLATEAU,        /* the multiplier held still while the motion went on and on */
+  QN_STOP_FALL,           /* parts fall although the measure is held */
+  QN_STOP_LIMIT_POINT,    /* peak or jump, and the settings ask to stop there */
+  QN_STOP_STEP_TOO_SMALL, /* nothing was found near by with the smallest step */
+  QN_STOP_STEPS,          /* more steps than a path may have */
+  QN_STOP_CANCELLED,
+  QN_STOP_COUNT
+} QnStop;
+
 typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT } QnEvent;
 
 /* One converged equilibrium. The first step is the dead load alone, multiplier 0. The
@@ -70,6 +85,7 @@ typedef struct QnLimitFigures {
 typedef struct QnResult {
   QnOutcome outcome;
   int32_t stage; /* number of the stage in which the analysis ended, from 1; 0: without */
+  QnStop stop;
   bool has_collapse_multiplier;
   double collapse_multiplier; /* largest multiplier with an equilibrium */
   bool has_first_limit_multiplier;

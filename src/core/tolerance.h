@@ -50,6 +50,9 @@
 /* A prescribed displacement, work or length is met to this part of its advance. */
 #define QN_TOLERANCE_TARGET 1e-10
 
+/* Rounding of a measure of displacements, relative to the terms that it is the sum of. */
+#define QN_TOLERANCE_MEASURE (8 * DBL_EPSILON)
+
 /* A matrix whose pivots differ by more than this is singular to working precision. */
 #define QN_TOLERANCE_SINGULAR 1e-15
 
