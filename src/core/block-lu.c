@@ -503,3 +503,20 @@ qn_block_lu_solve (QnBlockLu *lu, double *b)
   for (int32_t i = 0; i < lu->n; i++)
     b[i] = x[lu->slot[i]];
 }
+
+/* det A = product of the determinants of U's diagonal blocks: rows and columns are permuted
+ * alike, and padding is positive. */
+int
+qn_block_lu_sign (const QnBlockLu *lu)
+{
+  int sign = 1;
+
+  for (int32_t j = 0; j < lu->node_count; j++) {
+    const double *a = lu->inverse[j], *b = a + STRIDE, *c = b + STRIDE;
+    double determinant = a[0] * (b[1] * c[2] - b[2] * c[1])
+                         - a[1] * (b[0] * c[2] - b[2] * c[0])
+                         + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    sign = determinant < 0 ? -sign : sign;
+  }
+  return sign;
+}

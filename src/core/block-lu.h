@@ -31,4 +31,7 @@ double qn_block_lu_factor (QnBlockLu *lu, const double *ax);
 /* Overwrites b (length n) with the solution. */
 void qn_block_lu_solve (QnBlockLu *lu, double *b);
 
+/* Sign of the determinant of the matrix last factorised. */
+int qn_block_lu_sign (const QnBlockLu *lu);
+
 #endif

@@ -71,6 +71,11 @@ typedef struct QnEquilibrium {
   QnEquilibriumState committed; /* last accepted equilibrium */
   QnEquilibriumState anchor;    /* where the viscous step started */
 
+  int
+    orientation; /* sign of the determinant of the bordered tangent of the last iteration
+                      towards a measure: it keeps as long as the equilibrium is one where
+                      a structure would stay with the measure held, and turns with the path */
+
   int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
   double factored_viscosity;
   bool factored;

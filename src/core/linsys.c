@@ -15,6 +15,7 @@
 #include <klu.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct QnLinsys {
   int32_t n;
@@ -26,6 +27,8 @@ struct QnLinsys {
   klu_common common;
   klu_symbolic *symbolic; /* NULL until it is needed */
   klu_numeric *numeric;
+  int parity;    /* of the permutations of rows and columns together */
+  bool *visited; /* scratch of sign_of_permutation() */
 };
 
 QnLinsys *
@@ -46,7 +49,9 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai)
   system->blocks = qn_block_lu_new (n, ap, ai);
   system->trial = qn_alloc ((size_t) n, sizeof *system->trial);
   system->sums = qn_alloc ((size_t) n, sizeof *system->sums);
-  if (system->blocks == NULL || system->trial == NULL || system->sums == NULL) {
+  system->visited = qn_alloc ((size_t) n, sizeof *system->visited);
+  if (system->blocks == NULL || system->trial == NULL || system->sums == NULL
+      || system->visited == NULL) {
     qn_linsys_free (system);
     return NULL;
   }
@@ -63,10 +68,28 @@ qn_linsys_free (QnLinsys *system)
   free (system->sums);
   klu_free_numeric (&system->numeric, &system->common);
   klu_free_symbolic (&system->symbolic, &system->common);
+  free (system->visited);
   free (system);
 }
 
 /* --- KLU -------------------------------------------------------------------------------- */
+
+/* 1 for an even permutation of n things, -1 for an odd one. A cycle of even length is odd. */
+static int
+sign_of_permutation (const int32_t *permutation, int32_t n, bool *visited)
+{
+  int sign = 1;
+
+  memset (visited, 0, (size_t) n * sizeof *visited);
+  for (int32_t i = 0; i < n; i++) {
+    int32_t length = 0;
+    for (int32_t k = i; !visited[k]; k = permutation[k], length++)
+      visited[k] = true;
+    if (length > 0 && length % 2 == 0)
+      sign = -sign;
+  }
+  return sign;
+}
 
 static QnFactorStatus
 factor_anew (QnLinsys *system, double *ax)
@@ -78,6 +101,9 @@ factor_anew (QnLinsys *system, double *ax)
     return QN_FACTOR_SINGULAR;
   if (system->numeric == NULL)
     return QN_FACTOR_NO_MEMORY;
+  system->parity =
+    sign_of_permutation (system->numeric->Pnum, system->n, system->visited)
+    * sign_of_permutation (system->symbolic->Q, system->n, system->visited);
   klu_rcond (system->symbolic, system->numeric, &system->common);
   return system->common.rcond > QN_TOLERANCE_SINGULAR ? QN_FACTOR_OK : QN_FACTOR_SINGULAR;
 }
@@ -157,4 +183,17 @@ qn_linsys_solve (QnLinsys *system, double *b)
   }
   QN_ASSERT (system->numeric != NULL);
   klu_solve (system->symbolic, system->numeric, system->n, 1, b, &system->common);
+}
+
+int
+qn_linsys_sign (const QnLinsys *system)
+{
+  if (!system->pivoted)
+    return qn_block_lu_sign (system->blocks);
+
+  const double *pivots = system->numeric->Udiag;
+  int sign = system->parity;
+  for (int32_t i = 0; i < system->n; i++)
+    sign = pivots[i] < 0 ? -sign : sign;
+  return sign;
 }

@@ -27,6 +27,9 @@ void qn_linsys_free (QnLinsys *system);
 /* Factorises the matrix with the values ax. */
 QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 
+/* Sign of the determinant of the matrix last factorised. */
+int qn_linsys_sign (const QnLinsys *system);
+
 /* Overwrites b (length n) with the solution of the last factorised system. */
 void qn_linsys_solve (QnLinsys *system, double *b);
 

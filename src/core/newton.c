@@ -154,6 +154,8 @@ solve_direction (Newton *newton)
     if (along_live != 0)
       newton->multiplier_step = (gap - along_step) / along_live;
     newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
+    eq->orientation =
+      along_live < 0 ? -qn_linsys_sign (eq->linsys) : qn_linsys_sign (eq->linsys);
     for (int32_t i = 0; i < n; i++)
       eq->step[i] += newton->multiplier_step * eq->live_step[i];
   }

@@ -45,9 +45,10 @@ typedef struct {
   double step;    /* to try next */
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
-  bool relaxed;   /* the last attempt was one of relaxation */
-  bool jumped;    /* and moved on by a jump */
-  double peak;    /* largest multiplier so far */
+  int orientation; /* of the path where it began; 0: unknown */
+  bool relaxed;    /* the last attempt was one of relaxation */
+  bool jumped;     /* and moved on by a jump */
+  double peak;     /* largest multiplier so far */
   bool passed_peak;
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
   bool finished;
@@ -55,15 +56,19 @@ typedef struct {
 
 /* --- One step --------------------------------------------------------------------------- */
 
-/* Tries the step by Newton or by relaxation. */
+/* Tries the step by Newton or by relaxation. Newton knows no stability: an equilibrium that
+ * the structure would leave is no solution. */
 static QnSolveStatus
 solve (PathControl *control, double step, bool smallest)
 {
   QnEquilibrium *eq = &control->path->equilibrium;
   const QnTarget target = { .direction = control->measure.direction, .advance = step };
 
-  if (!control->relaxed)
-    return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+  if (!control->relaxed) {
+    QnSolveStatus status = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+    bool unstable = eq->orientation * control->orientation < 0;
+    return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
+  }
   return qn_equilibrium_relax (eq, &target,
                                smallest ? QN_RELAX_BUDGET : QN_RELAX_BUDGET_HINT);
 }
@@ -256,6 +261,8 @@ advance (PathControl *control, QnDiag *diag)
     return QN_OK;
   }
 
+  if (control->orientation == 0)
+    control->orientation = eq->orientation;
   choose_next_step (control, step, easy);
   qn_path_measure_keep_last (&control->measure);
   if (!qn_path_accept (path, eq->multiplier,
