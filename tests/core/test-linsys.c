@@ -59,6 +59,59 @@ test_refactorisation (void)
   g_rand_free (random);
 }
 
+/* Elimination with row exchanges, the textbook way. */
+static int
+sign_of_determinant (const Dense *d)
+{
+  double a[N][N];
+  int sign = 1;
+
+  for (int k = 0; k < N * N; k++)
+    a[k % N][k / N] = d->ax[k];
+  for (int c = 0; c < N; c++) {
+    int pivot = c;
+    for (int r = c + 1; r < N; r++)
+      if (fabs (a[r][c]) > fabs (a[pivot][c]))
+        pivot = r;
+    for (int k = 0; k < N; k++) {
+      double value = a[pivot][k];
+      a[pivot][k] = a[c][k];
+      a[c][k] = value;
+    }
+    if ((pivot != c) != (a[c][c] < 0))
+      sign = -sign;
+    for (int r = c + 1; r < N; r++)
+      for (int k = N - 1; k >= c; k--)
+        a[r][k] -= a[r][c] / a[c][c] * a[c][k];
+  }
+  return sign;
+}
+
+/* Of matrices that blocks factorise (with a weight on the diagonal) and that KLU must, both
+ * with old pivots and with new ones. */
+static void
+test_sign (void)
+{
+  Dense d;
+  int negative = 0;
+  GRand *random = g_rand_new_with_seed (7);
+  dense_pattern (&d);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai);
+
+  for (int k = 0; k < 60; k++) {
+    dense_random (&d, random);
+    for (int i = 0; i < N && k % 2 == 0; i++)
+      d.ax[i * N + i] += g_rand_boolean (random) ? 9 : -9;
+    g_assert_cmpint (qn_linsys_factor (system, d.ax), ==, QN_FACTOR_OK);
+    g_assert_cmpint (qn_linsys_sign (system), ==, sign_of_determinant (&d));
+    negative += qn_linsys_sign (system) < 0;
+  }
+  g_assert_cmpint (negative, >, 15);
+  g_assert_cmpint (negative, <, 45);
+  qn_linsys_free (system);
+  g_rand_free (random);
+}
+
 static void
 test_singular (void)
 {
@@ -88,5 +141,6 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/linsys/refactorisation", test_refactorisation);
   g_test_add_func ("/linsys/singular", test_singular);
+  g_test_add_func ("/linsys/sign", test_sign);
   return g_test_run ();
 }
