@@ -1,37 +1,99 @@
 #include "app/form.h"
 #include "app/panel.h"
+#include "doc/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
 typedef struct Panel {
   QnCanvas *canvas;
   GtkDropDown *procedure, *geometry, *snap, *component, *placement, *control_block;
-  QnQuantityEntry *increments, *max_multiplier, *multiplier_tolerance, *target;
+  QnQuantityEntry *increments, *max_multiplier, *multiplier_tolerance,
+    *residual_tolerance;
+  QnQuantityEntry *target, *target_angle; /* by what is controlled, one of them shown */
+  GtkLabel *explanation;
   QnQuantityEntry *dead_x, *dead_y, *live_x, *live_y;
   QnQuantityEntry *offset, *count, *tolerance;
+  GtkEntry *positions, *weights;
 } Panel;
 
 /* Rows of the choice of procedure. */
 static const struct {
-  const char *label;
+  const char *label, *explanation;
   QnProcedure procedure;
   QnFlow flow;
 } procedures[] = {
-  { N_ ("Load control (HybriDFEM)"), QN_PROCEDURE_LOAD, QN_FLOW_ASSOCIATIVE },
-  { N_ ("Displacement control"), QN_PROCEDURE_DISPLACEMENT, QN_FLOW_ASSOCIATIVE },
-  { N_ ("Work control"), QN_PROCEDURE_WORK, QN_FLOW_ASSOCIATIVE },
-  { N_ ("Arc length"), QN_PROCEDURE_ARC_LENGTH, QN_FLOW_ASSOCIATIVE },
-  { N_ ("Limit analysis, associative"), QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE },
-  { N_ ("Limit analysis, non-associative"), QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
+  { N_ ("Load control (HybriDFEM)"),
+    N_ ("The load grows step by step until there is no equilibrium any more."),
+    QN_PROCEDURE_LOAD, QN_FLOW_ASSOCIATIVE },
+  { N_ ("Displacement control"),
+    N_ ("A block is moved step by step to the target; the multiplier follows, also where "
+        "it "
+        "falls."),
+    QN_PROCEDURE_DISPLACEMENT, QN_FLOW_ASSOCIATIVE },
+  { N_ ("Work control"),
+    N_ (
+      "Every increment does the same work of the growing load; follows falling branches "
+      "without choosing a block."),
+    QN_PROCEDURE_WORK, QN_FLOW_ASSOCIATIVE },
+  { N_ ("Arc length"),
+    N_ ("Load and displacements advance together along the path, round limit points."),
+    QN_PROCEDURE_ARC_LENGTH, QN_FLOW_ASSOCIATIVE },
+  { N_ ("Limit analysis, associative"),
+    N_ ("Rigid blocks, dilatancy = friction: the greatest multiplier that can be carried "
+        "at "
+        "all, without a path."),
+    QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE },
+  { N_ ("Limit analysis, non-associative"),
+    N_ ("Rigid blocks with the dilatancy of the laws: multipliers at which forces and "
+        "mechanism fit each other. There may be several."),
+    QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
 };
 
 static void update (Panel *panel);
+
+/* The highest free block, moved along the growing load by a hundredth of its height. */
+static void
+choose_control (QnModel *model)
+{
+  QnAnalysisSettings *a = &model->analysis;
+  double lowest = INFINITY, highest = -INFINITY;
+  for (gsize i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    lowest = MIN (lowest, block->centroid.y);
+    if (!block->support[QN_DOF_UX] && block->centroid.y > highest) {
+      highest = block->centroid.y;
+      a->control_block = (QnId) i;
+    }
+  }
+  double push = 0.0;
+  for (gsize i = 0; i < model->live_load_count; i++)
+    push += model->live_loads[i].vector.x;
+  a->control_dof = QN_DOF_UX;
+  a->control_target = qn_magnet_round_distance (
+    0.01 * MAX (highest - lowest, model->characteristic_length));
+  if (push < 0.0)
+    a->control_target = -a->control_target;
+}
+
+static gboolean
+take_placement (const Panel *panel, QnPairRule *rule, GError **error)
+{
+  QnPlacement placement = (QnPlacement) gtk_drop_down_get_selected (panel->placement);
+  rule->offset = qn_quantity_entry_get_value (panel->offset);
+  if (placement != QN_PLACEMENT_EXPLICIT) {
+    rule->count = MAX (1, (int32_t) qn_quantity_entry_get_value (panel->count));
+    rule->placement = placement;
+    return TRUE;
+  }
+  return qn_pair_rule_parse (
+    rule, gtk_editable_get_text (GTK_EDITABLE (panel->positions)),
+    gtk_editable_get_text (GTK_EDITABLE (panel->weights)), error);
+}
 
 /* Takes every field into the settings of the model. */
 static gboolean
 edit_settings (QnModel *model, gpointer data, GError **error)
 {
-  (void) error;
   const Panel *panel = data;
   QnAnalysisSettings *a = &model->analysis;
   guint row = gtk_drop_down_get_selected (panel->procedure);
@@ -44,19 +106,17 @@ edit_settings (QnModel *model, gpointer data, GError **error)
   a->increments = (int32_t) qn_quantity_entry_get_value (panel->increments);
   a->max_multiplier = qn_quantity_entry_get_value (panel->max_multiplier);
   a->multiplier_tolerance = qn_quantity_entry_get_value (panel->multiplier_tolerance);
+  a->residual_tolerance = qn_quantity_entry_get_value (panel->residual_tolerance);
   guint block = gtk_drop_down_get_selected (panel->control_block);
   a->control_block =
     block == 0 || block > model->block_count ? QN_NONE : (QnId) block - 1;
   a->control_dof = (QnDof) gtk_drop_down_get_selected (panel->component);
-  a->control_target = qn_quantity_entry_get_value (panel->target);
-
-  guint placement = gtk_drop_down_get_selected (panel->placement);
-  model->contact.pairs.placement =
-    placement == 1 ? QN_PLACEMENT_UNIFORM : QN_PLACEMENT_ENDS;
-  model->contact.pairs.offset = qn_quantity_entry_get_value (panel->offset);
-  model->contact.pairs.count = (int32_t) qn_quantity_entry_get_value (panel->count);
+  a->control_target = qn_quantity_entry_get_value (
+    a->control_dof == QN_DOF_RZ ? panel->target_angle : panel->target);
+  if (a->procedure == QN_PROCEDURE_DISPLACEMENT && a->control_block == QN_NONE)
+    choose_control (model);
   model->contact.tolerance = qn_quantity_entry_get_value (panel->tolerance);
-  return TRUE;
+  return take_placement (panel, &model->contact.pairs, error);
 }
 
 static void
@@ -140,13 +200,27 @@ fill_blocks (Panel *panel, const QnModel *model)
                                      panel);
 }
 
+/* Without positions yet those of the ends stand there to start from. */
+static void
+show_positions (Panel *panel, const QnPairRule *rule)
+{
+  g_autofree char *positions = qn_pair_rule_dup_positions (rule);
+  g_autofree char *weights = qn_pair_rule_dup_weights (rule);
+  gtk_editable_set_text (GTK_EDITABLE (panel->positions), positions);
+  gtk_editable_set_text (GTK_EDITABLE (panel->weights), weights);
+}
+
 static void
 update_visibility (Panel *panel, const QnModel *model)
 {
   QnProcedure procedure = model->analysis.procedure;
   gboolean path = procedure != QN_PROCEDURE_LIMIT;
-  gboolean controlled = path && procedure != QN_PROCEDURE_LOAD;
-  gboolean ends = model->contact.pairs.placement == QN_PLACEMENT_ENDS;
+  gboolean controlled = procedure == QN_PROCEDURE_DISPLACEMENT
+                        || (path && model->analysis.control_block != QN_NONE);
+  gboolean turned = model->analysis.control_dof == QN_DOF_RZ;
+  QnPlacement placement = model->contact.pairs.placement;
+  gboolean counted = placement == QN_PLACEMENT_UNIFORM || placement == QN_PLACEMENT_GAUSS;
+  gboolean listed = placement == QN_PLACEMENT_EXPLICIT;
   const struct {
     gpointer field;
     gboolean visible;
@@ -155,11 +229,15 @@ update_visibility (Panel *panel, const QnModel *model)
                { panel->increments, path },
                { panel->max_multiplier, path },
                { panel->multiplier_tolerance, path },
-               { panel->control_block, controlled },
+               { panel->residual_tolerance, path },
+               { panel->control_block, path },
                { panel->component, controlled },
-               { panel->target, controlled },
-               { panel->offset, ends },
-               { panel->count, !ends } };
+               { panel->target, controlled && !turned },
+               { panel->target_angle, controlled && turned },
+               { panel->offset, placement == QN_PLACEMENT_ENDS },
+               { panel->count, counted },
+               { panel->positions, listed },
+               { panel->weights, listed } };
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++)
     qn_form_set_row_visible (rows[i].field, rows[i].visible);
 }
@@ -173,15 +251,19 @@ update (Panel *panel)
   qn_form_set_choice (panel->geometry, a->geometry == QN_GEOMETRY_NONLINEAR, panel);
   qn_form_set_choice (panel->snap, a->snap == QN_SNAP_STOP, panel);
   qn_form_set_choice (panel->component, (guint) a->control_dof, panel);
-  qn_form_set_choice (panel->placement,
-                      model->contact.pairs.placement == QN_PLACEMENT_UNIFORM, panel);
+  qn_form_set_choice (panel->placement, (guint) model->contact.pairs.placement, panel);
+  gtk_label_set_text (panel->explanation, _ (procedures[procedure_row (a)].explanation));
   fill_blocks (panel, model);
   qn_quantity_entry_set_value (panel->increments, a->increments);
   qn_quantity_entry_set_value (panel->max_multiplier, a->max_multiplier);
   qn_quantity_entry_set_value (panel->multiplier_tolerance, a->multiplier_tolerance);
-  qn_quantity_entry_set_value (panel->target, a->control_target);
+  qn_quantity_entry_set_value (panel->residual_tolerance, a->residual_tolerance);
+  gboolean turned = a->control_dof == QN_DOF_RZ;
+  qn_quantity_entry_set_value (turned ? panel->target_angle : panel->target,
+                               a->control_target);
   qn_quantity_entry_set_value (panel->offset, model->contact.pairs.offset);
-  qn_quantity_entry_set_value (panel->count, model->contact.pairs.count);
+  qn_quantity_entry_set_value (panel->count, MAX (1, model->contact.pairs.count));
+  show_positions (panel, &model->contact.pairs);
   qn_quantity_entry_set_value (panel->tolerance, model->contact.tolerance);
 
   QnVec2 dead = weight_load (model->dead_loads, model->dead_load_count);
@@ -209,6 +291,8 @@ build_procedure (Panel *panel, GtkWidget *form)
 
   qn_form_add_heading (form, _ ("Procedure"));
   panel->procedure = qn_form_add_choice (form, _ ("_Procedure"), labels, choice, panel);
+  panel->explanation = qn_form_add_text (form);
+  gtk_widget_add_css_class (GTK_WIDGET (panel->explanation), "dim-label");
   panel->geometry = qn_form_add_choice (form, _ ("_Geometry"), geometries, choice, panel);
   panel->snap = qn_form_add_choice (form, _ ("_Limit points"), snaps, choice, panel);
   panel->increments = qn_form_add_quantity (form, _ ("_Increments"), QN_QUANTITY_NUMBER,
@@ -218,12 +302,17 @@ build_procedure (Panel *panel, GtkWidget *form)
   panel->multiplier_tolerance =
     qn_form_add_quantity (form, _ ("_Tolerance of the multiplier"), QN_QUANTITY_NUMBER,
                           1e-12, 0.1, quantity, panel);
+  panel->residual_tolerance =
+    qn_form_add_quantity (form, _ ("Tolerance of the _balance"), QN_QUANTITY_NUMBER,
+                          1e-15, 0.1, quantity, panel);
   panel->control_block =
-    qn_form_add_choice (form, _ ("_Controlled block"), none, choice, panel);
+    qn_form_add_choice (form, _ ("_Block followed"), none, choice, panel);
   panel->component =
     qn_form_add_choice (form, _ ("C_omponent"), components, choice, panel);
   panel->target = qn_form_add_quantity (form, _ ("T_arget"), QN_QUANTITY_LENGTH, -1e6,
                                         1e6, quantity, panel);
+  panel->target_angle = qn_form_add_quantity (form, _ ("T_arget"), QN_QUANTITY_ANGLE,
+                                              -10.0, 10.0, quantity, panel);
 }
 
 static void
@@ -241,10 +330,22 @@ build_loads (Panel *panel, GtkWidget *form)
                                         -1e6, 1e6, load, panel);
 }
 
+static GtkEntry *
+add_list (Panel *panel, GtkWidget *form, const char *label)
+{
+  GtkWidget *entry = gtk_entry_new ();
+  gtk_editable_set_width_chars (GTK_EDITABLE (entry), 9);
+  gtk_entry_set_placeholder_text (GTK_ENTRY (entry), "0.1; 0.5; 0.9");
+  g_signal_connect_swapped (entry, "activate", G_CALLBACK (apply_settings), panel);
+  qn_form_add_row (form, label, entry);
+  return GTK_ENTRY (entry);
+}
+
 static void
 build_contacts (Panel *panel, GtkWidget *form)
 {
-  const char *const placements[] = { _ ("At the ends"), _ ("Uniform"), NULL };
+  const char *const placements[] = { _ ("At the ends"), _ ("Uniform"), _ ("Gauss points"),
+                                     _ ("At given places"), NULL };
   GCallback quantity = G_CALLBACK (on_quantity);
   qn_form_add_heading (form, _ ("Contacts"));
   panel->placement = qn_form_add_choice (form, _ ("Contact pai_rs"), placements,
@@ -252,7 +353,9 @@ build_contacts (Panel *panel, GtkWidget *form)
   panel->offset = qn_form_add_quantity (form, _ ("O_ffset from corners"),
                                         QN_QUANTITY_LENGTH, 0.0, 1e3, quantity, panel);
   panel->count = qn_form_add_quantity (form, _ ("_Number per face"), QN_QUANTITY_NUMBER,
-                                       1.0, 1000.0, quantity, panel);
+                                       1.0, QN_MAX_PAIRS_PER_FACE, quantity, panel);
+  panel->positions = add_list (panel, form, _ ("Places (0 to 1)"));
+  panel->weights = add_list (panel, form, _ ("Weights (empty: equal)"));
   panel->tolerance = qn_form_add_quantity (form, _ ("Relati_ve tolerance"),
                                            QN_QUANTITY_NUMBER, 0.0, 0.1, quantity, panel);
 }

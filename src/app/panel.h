@@ -19,6 +19,13 @@ GtkWidget *qn_law_form_new (QnCanvas *canvas);
 /* Outcome in words, curve, list of runs and steps, table of contacts. */
 GtkWidget *qn_result_panel_new (QnCanvas *canvas);
 
+/* Tables of the current run: a row leads to its step, or to its place in the drawing. */
+GtkWidget *qn_step_table_new (QnViewState *state);
+GtkWidget *qn_contact_table_new (QnCanvas *canvas);
+
+/* HybriDFEM and limit analysis side by side, with what each number guarantees. */
+GtkWidget *qn_bounds_table_new (QnDocument *document);
+
 /* What contact detection has to tell, with buttons that show the place. */
 GtkWidget *qn_findings_panel_new (QnCanvas *canvas);
 

@@ -239,7 +239,8 @@ qn_window_update_actions (QnWindow *self)
   gboolean work = !qn_window_is_blank (self);
   gboolean blocks = qn_document_get_model (self->document)->block_count > 0;
   gboolean run = qn_document_get_run (self->document) != NULL;
-  gboolean busy = qn_document_get_job (self->document) != NULL;
+  QnJob *job = qn_document_get_job (self->document);
+  gboolean busy = job != NULL && !qn_job_is_live (job);
   const struct {
     const char *name;
     gboolean enabled;
@@ -261,6 +262,7 @@ qn_window_update_actions (QnWindow *self)
                  { "save-as", work },
                  { "run", work && blocks && !busy },
                  { "run-limit", work && blocks && !busy },
+                 { "run-all", work && blocks && !busy },
                  { "cancel", busy },
                  { "pause", busy },
                  { "play", run },

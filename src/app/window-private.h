@@ -5,6 +5,12 @@
 #include "app/window.h"
 #include "doc/recovery.h"
 
+/* An analysis that waits for another to end. */
+typedef struct QnQueuedAnalysis {
+  QnProcedure procedure;
+  QnFlow flow;
+} QnQueuedAnalysis;
+
 struct _QnWindow {
   GtkApplicationWindow parent_instance;
 
@@ -13,14 +19,17 @@ struct _QnWindow {
   QnToolSettings tool_settings;
   QnRecovery *recovery;
   guint live_timeout;
-  gboolean closing;  /* unsaved changes have been dealt with */
-  char *last_export; /* path of the last exported figure */
-  GObject *chooser;  /* file chooser on the screen */
+  const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
+  gboolean was_running; /* an analysis, when the document last told */
+  gboolean closing;     /* unsaved changes have been dealt with */
+  char *last_export;    /* path of the last exported figure */
+  GObject *chooser;     /* file chooser on the screen */
   gboolean has_info_place;
   QnVec2 info_place;
 
   /* from window.ui */
   GtkLabel *title_label, *subtitle_label, *info_label;
+  GtkLabel *live_label;
   GtkLabel *status_hint, *status_pointer, *status_counts, *progress_label;
   GtkStack *main_stack, *side_stack;
   GtkBox *start_box, *tool_box, *canvas_box;

@@ -391,6 +391,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (title_label);
   BIND (subtitle_label);
   BIND (info_label);
+  BIND (live_label);
   BIND (status_hint);
   BIND (status_pointer);
   BIND (status_counts);

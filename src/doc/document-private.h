@@ -23,6 +23,7 @@ struct _QnDocument {
   GPtrArray *runs;
   QnRun *run;
   guint run_number;
+  gboolean was_live;
 };
 
 typedef enum {

@@ -21,6 +21,19 @@ on_job_progress (QnJob *job, QnDocument *self)
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_PROGRESS);
 }
 
+/* There is one live run at most. */
+static void
+drop_live_run (QnDocument *self)
+{
+  for (guint i = 0; i < self->runs->len; i++) {
+    const QnRun *run = g_ptr_array_index (self->runs, i);
+    if (run->live) {
+      g_ptr_array_remove_index (self->runs, i);
+      return;
+    }
+  }
+}
+
 static void
 on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
 {
@@ -32,9 +45,12 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
     return; /* replaced or dropped meanwhile */
 
   self->job_diag = *qn_job_get_diag (job);
+  self->was_live = qn_job_is_live (job);
   g_signal_handlers_disconnect_by_data (job, self);
   g_clear_object (&self->job);
   if (run != NULL) {
+    if (run->live)
+      drop_live_run (self);
     g_ptr_array_add (self->runs, qn_run_ref (run));
     qn_document_set_run (self, run);
   } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
@@ -43,19 +59,45 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
 }
 
+/* "Load control", "Limit, associative": what a run is told from others by. */
+static const char *
+method_name (const QnAnalysisSettings *analysis)
+{
+  switch (analysis->procedure) {
+  case QN_PROCEDURE_LOAD:
+    return _ ("load control");
+  case QN_PROCEDURE_DISPLACEMENT:
+    return _ ("displacement control");
+  case QN_PROCEDURE_WORK:
+    return _ ("work control");
+  case QN_PROCEDURE_ARC_LENGTH:
+    return _ ("arc length");
+  case QN_PROCEDURE_LIMIT:
+    return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("limit, associative")
+                                                 : _ ("limit, non-associative");
+  case QN_PROCEDURE_COUNT:
+    break;
+  }
+  return "";
+}
+
 static gboolean
-start (QnDocument *self, const QnModel *model, GError **error)
+start (QnDocument *self, const QnModel *model, gboolean live, GError **error)
 {
   if (model->block_count == 0) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
                          _ ("There is nothing to analyse: draw a wall first"));
     return FALSE;
   }
-  g_autofree char *name = g_strdup_printf (_ ("Run %u"), self->run_number + 1);
+  g_autofree char *name = live ? g_strdup (_ ("Live"))
+                               : g_strdup_printf (_ ("Run %u, %s"), self->run_number + 1,
+                                                  method_name (&model->analysis));
   QnJob *job = qn_job_new (model, name, self->fingerprint, error);
   if (job == NULL)
     return FALSE;
-  self->run_number++;
+  if (!live)
+    self->run_number++;
+  qn_job_set_live (job, live);
   qn_document_drop_job (self);
   g_clear_error (&self->job_error);
   self->job = job;
@@ -68,7 +110,19 @@ start (QnDocument *self, const QnModel *model, GError **error)
 gboolean
 qn_document_analyse (QnDocument *self, GError **error)
 {
-  return start (self, &self->project.model, error);
+  return start (self, &self->project.model, FALSE, error);
+}
+
+gboolean
+qn_document_analyse_live (QnDocument *self, GError **error)
+{
+  return start (self, &self->project.model, TRUE, error);
+}
+
+gboolean
+qn_document_was_live (QnDocument *self)
+{
+  return self->was_live;
 }
 
 gboolean
@@ -78,7 +132,7 @@ qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
   QnModel model = self->project.model;
   model.analysis.procedure = procedure;
   model.analysis.flow = flow;
-  return start (self, &model, error);
+  return start (self, &model, FALSE, error);
 }
 
 void

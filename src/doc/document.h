@@ -120,6 +120,13 @@ gboolean qn_document_analyse (QnDocument *document, GError **error);
 /* The same by another procedure, whatever the settings say. */
 gboolean qn_document_analyse_with (QnDocument *document, QnProcedure procedure,
                                    QnFlow flow, GError **error);
+
+/* The same as qn_document_analyse() after an edit, without being asked: its run replaces the
+ * previous one of this kind. */
+gboolean qn_document_analyse_live (QnDocument *document, GError **error);
+/* Whether the last analysis to end was such a one. */
+gboolean qn_document_was_live (QnDocument *document);
+
 void qn_document_cancel (QnDocument *document);
 QnJob *qn_document_get_job (QnDocument *document); /* NULL when none runs */
 

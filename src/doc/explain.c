@@ -1,7 +1,7 @@
 #include "doc/explain.h"
 
+#include "io/mechanism-text.h"
 #include "io/outcome-text.h"
-#include "render/motion.h"
 
 #include <glib/gi18n.h>
 
@@ -149,16 +149,21 @@ qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
   QnMechanism mechanism;
   if (qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL) != QN_OK)
     return NULL;
-  int moving = 0;
-  for (gsize i = 0; i < mechanism.block_count; i++)
-    moving += mechanism.body_of_block[i] != QN_NONE;
-  int opening = mechanism.counts[QN_JOINT_HINGE_START]
-                + mechanism.counts[QN_JOINT_HINGE_END]
-                + mechanism.counts[QN_JOINT_OPENING];
-  char *text =
-    g_strdup_printf (_ ("Mechanism: %s. %d of %u blocks move, %d joints open, %d slide."),
-                     qn_mechanism_kind_text (mechanism.kind), moving,
-                     (guint) model->block_count, opening, mechanism.sliding_count);
+  char *text = qn_mechanism_dup_text (model, &mechanism);
+  qn_mechanism_clear (&mechanism);
+  return text;
+}
+
+char *
+qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
+                              const QnResult *result)
+{
+  if (result->mechanism == NULL)
+    return NULL;
+  QnMechanism mechanism;
+  if (qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL) != QN_OK)
+    return NULL;
+  char *text = qn_mechanism_dup_title (&mechanism);
   qn_mechanism_clear (&mechanism);
   return text;
 }

@@ -17,10 +17,12 @@ char *qn_explain_finding (const QnModel *model, const QnFinding *finding);
  * move where there is no equilibrium. The caller frees it. */
 char *qn_explain_outcome (const QnModel *model, const QnResult *result);
 
-/* What kind of mechanism it is and what takes part; NULL where there is none. The caller
- * frees it. */
+/* What kind of mechanism it is and what takes part, in whole sentences, or in a few words;
+ * NULL where there is none. The caller frees it. */
 char *qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
                             const QnResult *result);
+char *qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
+                                    const QnResult *result);
 
 /* Short label of an outcome and of a pair's state, translated; static strings. */
 const char *qn_explain_outcome_label (QnOutcome outcome);

@@ -13,7 +13,7 @@ struct _QnJob {
   QnRun *run; /* filled by the thread; the job's until it is finished */
   QnDiag diag;
   guint tick;
-  gboolean running;
+  gboolean running, live;
   GArray *shown; /* copy of `multipliers` for the main thread */
 
   GThread *thread; /* joined before its run is handed out */
@@ -88,6 +88,20 @@ qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
     return NULL;
   }
   return g_steal_pointer (&self);
+}
+
+void
+qn_job_set_live (QnJob *self, gboolean live)
+{
+  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL);
+  self->live = live;
+  self->run->live = live;
+}
+
+gboolean
+qn_job_is_live (QnJob *self)
+{
+  return self->live;
 }
 
 /* In the thread, at least once per iteration. */

@@ -20,6 +20,10 @@ G_DECLARE_FINAL_TYPE (QnJob, qn_job, QN, JOB, GObject)
 QnJob *qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
                    GError **error);
 
+/* Its run is to be replaced by that of the next such job; before it is started. */
+void qn_job_set_live (QnJob *job, gboolean live);
+gboolean qn_job_is_live (QnJob *job);
+
 /* Starts the thread. `callback` is called once, on the starting thread's main context, when
  * the analysis has ended in whatever way. A job is started only once. */
 void qn_job_start (QnJob *job, GAsyncReadyCallback callback, gpointer user_data);

@@ -16,6 +16,7 @@ typedef struct QnRun {
   QnContacts contacts;
   QnResult result;
   char *name;        /* what the user calls it, owned */
+  gboolean live;     /* replaced by the next live one */
   char *fingerprint; /* digest of the document's model when it was frozen, owned */
 } QnRun;
 

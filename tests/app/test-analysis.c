@@ -1,0 +1,216 @@
+/* Analyses in the window: live mode, failures explained at the block, every procedure from the
+ * panel, HybriDFEM against limit analysis, results marked as outdated. */
+#include "driver.h"
+
+#include "app/canvas-private.h"
+#include "app/settings.h"
+#include "doc/bounds.h"
+#include "doc/edit.h"
+
+#include <math.h>
+#include <string.h>
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static gboolean
+has_fresh_run (gpointer window)
+{
+  QnDocument *document = qn_window_get_document (window);
+  const QnRun *run = qn_document_get_run (document);
+  return run != NULL && !qn_document_is_stale (document, run)
+         && qn_document_get_job (document) == NULL;
+}
+
+/* Each edit of a small wall is solved again, without leaving the view, and leaves one run. */
+static void
+test_live (void)
+{
+  GSettings *settings = qn_settings_get ();
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  g_settings_set_boolean (settings, "live", TRUE);
+  driver_wait (has_fresh_run, window);
+  double before = qn_document_get_run (document)->result.collapse_multiplier;
+  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
+                   QN_VIEW_MODEL);
+
+  QnId top = 0;
+  for (gsize i = 0; i < model_of (window)->block_count; i++) {
+    if (!model_of (window)->blocks[i].support[0])
+      top = (QnId) i;
+  }
+  qn_selection_set_blocks (qn_document_get_selection (document), &top, 1);
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  g_assert_true (qn_document_is_stale (document, qn_document_get_run (document)));
+  driver_wait (has_fresh_run, window);
+  g_assert_cmpfloat_with_epsilon (
+    qn_document_get_run (document)->result.collapse_multiplier, before, 1e-9);
+  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 1);
+  driver_screenshot (GTK_WIDGET (window), "live");
+  g_settings_set_boolean (settings, "live", FALSE);
+  driver_discard (window);
+}
+
+static gboolean
+lift (QnModel *model, gpointer data, GError **error)
+{
+  QnBlockSet set = { data, 1 };
+  return qn_edit_transform_blocks (model, set, qn_transform_translation (0.0, 0.5),
+                                   error);
+}
+
+static gboolean
+sink (QnModel *model, gpointer data, GError **error)
+{
+  QnBlockSet set = { data, 1 };
+  return qn_edit_transform_blocks (model, set, qn_transform_translation (0.0, -0.05),
+                                   error);
+}
+
+/* A block in the air and one inside another are named, selected and shown. */
+static void
+test_failures (void)
+{
+  const struct {
+    QnEditFunc edit;
+    const char *picture;
+  } cases[] = { { lift, "floating" }, { sink, "overlapping" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+    QnDocument *document = qn_window_get_document (window);
+    QnId top = 0;
+    for (gsize k = 0; k < model_of (window)->block_count; k++) {
+      if (!model_of (window)->blocks[k].support[0])
+        top = (QnId) k;
+    }
+    g_assert_true (qn_document_edit (document, "Spoil", NULL, cases[i].edit, &top, NULL));
+    driver_activate (window, "win.run");
+    driver_wait_for_job (window);
+    driver_screenshot (GTK_WIDGET (window), cases[i].picture);
+    g_assert_true (qn_selection_has_block (qn_document_get_selection (document), top));
+    g_assert_null (qn_document_get_run (document));
+    driver_discard (window);
+  }
+}
+
+/* The blocks that slide off a slope without friction are selected. */
+static void
+test_dead_load (void)
+{
+  QnWindow *window = driver_open_example ("04-block-on-slope.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *text = g_strdup (qn_document_get_text (document));
+  char *friction = strstr (text, "\"friction\": ");
+  g_assert_nonnull (friction);
+  friction[strlen ("\"friction\": 0.")] = '0';
+  g_assert_true (qn_document_edit_text (document, "Grease", text, NULL));
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  const QnRun *run = qn_document_get_run (document);
+  g_assert_nonnull (run);
+  g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
+  guint selected = 0;
+  qn_selection_get_blocks (qn_document_get_selection (document), &selected);
+  g_assert_cmpuint (selected, ==, 1);
+  driver_screenshot (GTK_WIDGET (window), "dead-load");
+  driver_discard (window);
+}
+
+static gboolean
+is_procedure_choice (GtkWidget *widget, gconstpointer data)
+{
+  if (!GTK_IS_DROP_DOWN (widget))
+    return FALSE;
+  GListModel *rows = gtk_drop_down_get_model (GTK_DROP_DOWN (widget));
+  if (!GTK_IS_STRING_LIST (rows) || g_list_model_get_n_items (rows) == 0)
+    return FALSE;
+  return g_str_equal (gtk_string_list_get_string (GTK_STRING_LIST (rows), 0), data);
+}
+
+/* Every procedure can be chosen, with all it needs, and gives about the same answer. */
+static void
+test_procedures (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), is_procedure_choice,
+                                          "Load control (HybriDFEM)");
+  g_assert_nonnull (choice);
+  double first = 0.0;
+  guint count =
+    g_list_model_get_n_items (gtk_drop_down_get_model (GTK_DROP_DOWN (choice)));
+  g_assert_cmpuint (count, ==, 6);
+  for (guint i = 0; i < count; i++) {
+    gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), i);
+    driver_run (50);
+    g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, i);
+    if (i == 1)
+      driver_screenshot (GTK_WIDGET (window), "displacement-control");
+    driver_activate (window, "win.run");
+    driver_wait_for_job (window);
+    const QnRun *run = qn_document_get_run (document);
+    g_assert_nonnull (run);
+    g_assert_cmpuint (qn_document_get_runs (document)->len, ==, i + 1);
+    double largest =
+      run->result.has_collapse_multiplier ? run->result.collapse_multiplier : 0.0;
+    for (gsize k = 0; k < run->result.step_count; k++)
+      largest = MAX (largest, run->result.steps[k].multiplier);
+    if (i == 0)
+      first = largest;
+    g_assert_cmpfloat_with_epsilon (largest, first, 0.02 * first);
+    driver_activate (window, "win.show-panel::analysis");
+  }
+  driver_discard (window);
+}
+
+static gboolean
+has_all_runs (gpointer window)
+{
+  return qn_document_get_runs (qn_window_get_document (window))->len == 3
+         && qn_document_get_job (qn_window_get_document (window)) == NULL;
+}
+
+static void
+test_bounds (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.run-all");
+  driver_wait (has_all_runs, window);
+  driver_run (200);
+  g_autoptr (GArray) bounds = qn_bounds_collect (document);
+  g_assert_cmpuint (bounds->len, ==, 6);
+  g_autofree char *verdict = qn_bounds_dup_verdict (bounds);
+  g_assert_nonnull (verdict);
+  driver_screenshot (GTK_WIDGET (window), "bounds");
+  driver_activate (window, "win.compare");
+  driver_run (400);
+  GtkWidget *compare = driver_find_dialog ("Compare");
+  g_assert_nonnull (compare);
+  driver_screenshot (compare, "compare");
+
+  /* Outdated numbers are not compared with anything. */
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((0.0,1.0))");
+  g_autoptr (GArray) none = qn_bounds_collect (document);
+  g_assert_cmpuint (none->len, ==, 0);
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/analysis/live", test_live);
+  g_test_add_func ("/app/analysis/failures", test_failures);
+  g_test_add_func ("/app/analysis/dead-load", test_dead_load);
+  g_test_add_func ("/app/analysis/procedures", test_procedures);
+  g_test_add_func ("/app/analysis/bounds", test_bounds);
+  return g_test_run ();
+}
