@@ -82,6 +82,8 @@ void qn_export_repeat (QnWindow *window);
 
 /* compare-window.c */
 void qn_compare_window_show (QnWindow *window);
+/* Writes runs (of QnRun) as one sheet. */
+gboolean qn_compare_export (const GPtrArray *runs, const char *path, GError **error);
 
 /* Adds actions that call func (window) or, with a parameter type, func (window, value). */
 typedef struct QnWindowAction {
