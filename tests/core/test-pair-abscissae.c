@@ -41,7 +41,7 @@ test_uniform (void)
       double position, weight;
       qn_pair_rule_place (&rule, 1, i, &position, &weight);
       g_assert_cmpfloat_with_epsilon (position, ((double) i + 0.5) / n, 1e-15);
-      g_assert_cmpfloat_with_epsilon (weight * n, 1, 2.3 / (n * n));
+      g_assert_cmpfloat_with_epsilon (weight * n, 1, 4.0 / (n * n));
       plastic += weight * fabs (position - 0.5);
     }
     if (n % 2 == 0 && n > 2)
