@@ -193,7 +193,7 @@ read_load (const QnPlace *place, const QnModel *model, QnLoad *load)
   int kind;
   if (!qn_place_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_load_kind,
-                            QN_LOAD_KIND_COUNT, &kind))
+                            QN_LOAD_SETTLEMENT + 1, &kind))
     return FALSE;
   load->kind = (QnLoadKind) kind;
   if (load->kind == QN_LOAD_FORCE)

@@ -44,6 +44,8 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
     qn_json_put_string (json, "component", qn_name_of_dof ((int) load->dof));
     qn_json_put_number (json, "value", load->value);
     break;
+  case QN_LOAD_LINE:
+  case QN_LOAD_NODE:
   case QN_LOAD_KIND_COUNT:
     g_assert_not_reached ();
   }
