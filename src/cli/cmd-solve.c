@@ -173,13 +173,14 @@ report (const Options *options, const QnInput *input, const QnResult *result)
 }
 
 static QnExit
-solve (const Options *options, const QnInput *input)
+solve (const Options *options, QnInput *input)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
   QnResult result = { 0 };
   GError *error = NULL;
 
+  input->project.model.analysis.all_forces = options->level == QN_DETAIL_STEPS;
   qn_interrupt_install ();
   qn_terminal_progress_init (&progress, options->quiet);
   QnStatus status =
@@ -210,7 +211,10 @@ parse_detail (const QnSubcommand *self, Options *options)
   options->level = QN_DETAIL_PAIRS;
   if (strcmp (options->detail, "pairs") == 0)
     return TRUE;
-  qn_cli_usage_error (self->name, _ ("--detail is forces or pairs"));
+  options->level = QN_DETAIL_STEPS;
+  if (strcmp (options->detail, "steps") == 0)
+    return TRUE;
+  qn_cli_usage_error (self->name, _ ("--detail is forces, pairs or steps"));
   return FALSE;
 }
 
@@ -249,9 +253,9 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
       N_ ("Write the load–displacement curve here"), N_ ("CURVE.csv") },
     { "detail", 0, 0, G_OPTION_ARG_STRING, &options.detail,
-      N_ ("What the result says of contact pairs: forces (default), or pairs: their "
-          "hinges and springs too"),
-      N_ ("forces|pairs") },
+      N_ ("What the result says of contact pairs: forces (default), pairs: their hinges "
+          "and springs too, or steps: forces of all steps, however many"),
+      N_ ("forces|pairs|steps") },
     QN_INPUT_SET_ENTRY (&options.overrides),
     { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
       NULL },

@@ -172,6 +172,7 @@ typedef struct QnAnalysisSettings {
   QnId control_node; /* the same for a node that stands free; at most one of both */
   QnDof control_dof;
   double control_target; /* m or rad */
+  bool all_forces;       /* of the run, not of the project: see QN_RESULT_FORCE_BUDGET */
 } QnAnalysisSettings;
 
 /* A stage of loading: its sets go from the multiplier that they stand at to another one while

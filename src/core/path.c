@@ -64,7 +64,10 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
       && !qn_result_add_beam_forces (path->result, path->beam_forces))
     return false;
   qn_assembly_reactions (&eq->assembly, multiplier, path->displacements);
-  return qn_result_add_reactions (path->result, path->displacements);
+  if (!qn_result_add_reactions (path->result, path->displacements))
+    return false;
+  qn_assembly_pair_results (&eq->assembly, eq->u, path->result->pairs);
+  return qn_result_add_forces (path->result, path->settings->all_forces);
 }
 
 QnStatus

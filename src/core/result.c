@@ -52,6 +52,8 @@ qn_result_clear (QnResult *result)
   free (result->unstable_blocks);
   free (result->supports);
   free (result->reactions);
+  free (result->step_forces);
+  free (result->step_states);
   *result = (QnResult){ 0 };
 }
 
@@ -114,6 +116,64 @@ qn_result_add_reactions (QnResult *result, const double *reactions)
     memcpy (last + s * QN_DOF_COUNT, reactions + result->supports[s] * QN_DOF_COUNT,
             QN_DOF_COUNT * sizeof *last);
   return true;
+}
+
+static void
+drop_forces (QnResult *result)
+{
+  free (result->step_forces);
+  free (result->step_states);
+  result->step_forces = NULL;
+  result->step_states = NULL;
+  result->step_force_capacity = result->step_state_capacity = 0;
+  result->forces_dropped = true;
+}
+
+bool
+qn_result_add_forces (QnResult *result, bool all)
+{
+  size_t row = result->pair_count, last = (result->step_count - 1) * row;
+
+  if (!all && result->step_count * row > QN_RESULT_FORCE_BUDGET)
+    drop_forces (result);
+  if (result->forces_dropped)
+    return true;
+  double *forces = qn_array_grow (result->step_forces, &result->step_force_capacity,
+                                  2 * (last + row), sizeof *forces);
+  if (forces == NULL)
+    return false;
+  result->step_forces = forces;
+  uint8_t *states = qn_array_grow (result->step_states, &result->step_state_capacity,
+                                   last + row, sizeof *states);
+  if (states == NULL)
+    return false;
+  result->step_states = states;
+
+  for (size_t p = 0; p < row; p++) {
+    forces[2 * (last + p)] = result->pairs[p].normal_force;
+    forces[2 * (last + p) + 1] = result->pairs[p].shear_force;
+    states[last + p] = (uint8_t) result->pairs[p].state;
+  }
+  return true;
+}
+
+bool
+qn_result_has_forces (const QnResult *result, size_t step)
+{
+  return step < result->step_count && result->pairs != NULL
+         && (step + 1 == result->step_count || result->step_forces != NULL);
+}
+
+QnPairResult
+qn_result_pair_at (const QnResult *result, size_t step, size_t pair)
+{
+  QN_ASSERT (qn_result_has_forces (result, step) && pair < result->pair_count);
+  if (step + 1 == result->step_count)
+    return result->pairs[pair];
+  size_t at = step * result->pair_count + pair;
+  return (QnPairResult){ .state = (QnPairState) result->step_states[at],
+                         .normal_force = result->step_forces[2 * at],
+                         .shear_force = result->step_forces[2 * at + 1] };
 }
 
 void

@@ -82,6 +82,11 @@ typedef struct QnLimitFigures {
   int32_t fixed_point_count;
 } QnLimitFigures;
 
+/* Contact forces of every step are kept as long as there are no more than this many, pairs
+ * times steps (17 bytes each); of longer or larger analyses only when the settings ask for all
+ * of them. Those of the last step are always there. */
+#define QN_RESULT_FORCE_BUDGET 2000000
+
 typedef struct QnResult {
   QnOutcome outcome;
   int32_t stage; /* number of the stage in which the analysis ended, from 1; 0: without */
@@ -115,6 +120,10 @@ typedef struct QnResult {
   size_t reaction_capacity;
 
   QnPairResult *pairs; /* at the last equilibrium */
+  double *step_forces; /* step_count x pair_count x 2: normal, shear, N; NULL: not kept */
+  uint8_t *step_states; /* step_count x pair_count: QnPairState */
+  size_t step_force_capacity, step_state_capacity;
+  bool forces_dropped; /* there were more than the budget */
   double
     *mechanism; /* (block_count + node_count) x 3 velocity field at collapse, scaled as
                           qn_result_set_mechanism() says; NULL where there is none */
@@ -146,6 +155,17 @@ bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);
  * block_count x 3, of which the rows of the supports are kept. False when memory runs out. */
 bool qn_result_set_supports (QnResult *result, const QnModel *model);
 bool qn_result_add_reactions (QnResult *result, const double *reactions);
+
+/* Keeps the forces that stand in `pairs` for the last step added, within the budget unless
+ * `all`. False when memory runs out. */
+bool qn_result_add_forces (QnResult *result, bool all);
+
+/* Whether the contact forces of a step are known. */
+bool qn_result_has_forces (const QnResult *result, size_t step);
+
+/* State and forces of a pair at a step whose forces are known; its springs are known at the
+ * last step alone. */
+QnPairResult qn_result_pair_at (const QnResult *result, size_t step, size_t pair);
 
 /* Multiplier of every load set (factors: QN_MAX_LOAD_SETS) at a step: that of the step for the
  * sets that its stage drives, for others where earlier stages left them. */

@@ -33,6 +33,7 @@ typedef struct QnResultFile {
 typedef enum {
   QN_DETAIL_FORCES, /* its force */
   QN_DETAIL_PAIRS,  /* the hinge and its two springs as well */
+  QN_DETAIL_STEPS,  /* forces, and those of every step however many they are */
   QN_DETAIL_COUNT
 } QnResultDetail;
 

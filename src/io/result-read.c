@@ -4,6 +4,7 @@
 #include "io/json-stream.h"
 #include "io/project-names.h"
 #include "io/result-file.h"
+#include "io/result-forces.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
@@ -29,6 +30,7 @@ typedef struct Draft {
   char *outcome;
   Names blocks, overrides;
   Rows displacements, mechanism, reactions;
+  QnStepForces forces;
   gboolean has_mechanism;
   size_t rows_per_step; /* numbers; of the first step */
   size_t step_capacity, contact_capacity, pair_capacity, unstable_capacity;
@@ -195,6 +197,7 @@ read_event (QnJsonStream *stream, gpointer target)
 typedef struct StepDraft {
   QnStep step;
   Rows *displacements, *reactions;
+  QnStepForces *forces;
 } StepDraft;
 
 /* Number of a stage, which the file counts from 0. */
@@ -228,11 +231,14 @@ read_step (QnJsonStream *stream, gpointer target)
     { "event", read_event, offsetof (StepDraft, step.event), FALSE },
     { "stage", read_stage, offsetof (StepDraft, step.stage), FALSE },
     { "reactions", read_step_displacements, offsetof (StepDraft, reactions), FALSE },
+    { "forces", qn_result_forces_read, offsetof (StepDraft, forces), FALSE },
+    { "states", qn_result_states_read, offsetof (StepDraft, forces), FALSE },
   };
   Draft *draft = target;
   QnResult *result = &draft->file->result;
   StepDraft read = { .displacements = &draft->displacements,
-                     .reactions = &draft->reactions };
+                     .reactions = &draft->reactions,
+                     .forces = &draft->forces };
   size_t before = draft->displacements.count;
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read)
       || !grow (stream, &result->steps, result->step_count, &draft->step_capacity,
@@ -498,6 +504,9 @@ check_counts (QnJsonStream *stream, Draft *draft)
   if (result->step_count > 0 && draft->rows_per_step != blocks * QN_DOF_COUNT)
     return qn_json_stream_fail_at (stream, "steps[0].displacements",
                                    _ ("there are not as many displacements as blocks"));
+  if (!qn_result_forces_take (&draft->forces, &draft->file->result))
+    return qn_json_stream_fail_at (stream, "steps",
+                                   _ ("there are not as many forces as contacts"));
   if (draft->has_mechanism && draft->mechanism.count != blocks * QN_DOF_COUNT)
     return qn_json_stream_fail_at (stream, "mechanism",
                                    _ ("there are not as many velocities as blocks"));
@@ -562,6 +571,7 @@ draft_clear (Draft *draft)
   free (draft->displacements.items);
   free (draft->mechanism.items);
   free (draft->reactions.items);
+  qn_result_forces_clear (&draft->forces);
 }
 
 /* `text` is NUL-terminated. */

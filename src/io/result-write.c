@@ -4,6 +4,7 @@
 #include "io/project-names.h"
 #include "io/result-contact.h"
 #include "io/result-file.h"
+#include "io/result-forces.h"
 
 /* What the file spells for an event, with its quotes. */
 static const char *
@@ -165,6 +166,7 @@ write_steps (QnFileWriter *writer, const QnResult *result)
       qn_file_writer_puts (writer, ", \"reactions\": ");
       write_rows (writer, qn_result_step_reactions (result, i), result->support_count);
     }
+    qn_result_forces_write (writer, result, i);
     qn_file_writer_puts (writer, " }");
   }
   qn_file_writer_puts (writer, "],\n");

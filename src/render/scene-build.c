@@ -47,9 +47,10 @@ forces_fit (const QnSceneBuilder *b, GError **error)
                          _ ("the result has no contact forces of this model"));
     return false;
   }
-  if (b->step + 1 != b->result->step_count) {
+  if (!qn_result_has_forces (b->result, b->step)) {
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("contact forces are known for the last step only"));
+                         _ ("the result has the contact forces of its last step alone; "
+                            "solve --detail steps keeps all"));
     return false;
   }
   return true;
@@ -126,7 +127,20 @@ choose_motion (QnSceneBuilder *b)
   b->motion.scale = scale * options->phase;
 }
 
-/* The states found by the analysis hold for the last step alone; elsewhere the motion tells. */
+/* Contact forces of the step shown. */
+static void
+find_pairs (QnSceneBuilder *b)
+{
+  if (b->result == NULL || b->contacts == NULL || b->options->view == QN_VIEW_MECHANISM
+      || b->result->pair_count != b->contacts->pair_count
+      || !qn_result_has_forces (b->result, b->step))
+    return;
+  b->pairs = g_new (QnPairResult, MAX (b->result->pair_count, 1));
+  for (size_t p = 0; p < b->result->pair_count; p++)
+    b->pairs[p] = qn_result_pair_at (b->result, b->step, p);
+}
+
+/* Where the analysis does not say how joints are, the motion tells. */
 static void
 find_joints (QnSceneBuilder *b)
 {
@@ -137,10 +151,7 @@ find_joints (QnSceneBuilder *b)
       qn_motion_mechanism_joints (b->model, b->contacts, b->result->mechanism, NULL);
     return;
   }
-  bool last = b->options->view == QN_VIEW_DEFORMED && b->step + 1 == b->result->step_count
-              && b->result->pairs != NULL
-              && b->result->pair_count == b->contacts->pair_count;
-  b->joints = qn_motion_joints (&b->motion, b->contacts, last ? b->result->pairs : NULL);
+  b->joints = qn_motion_joints (&b->motion, b->contacts, b->pairs);
 }
 
 static void
@@ -194,9 +205,11 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
     b.block_size = 0.1 * qn_box_diagonal (b.box);
   b.scene->fineness = 0.7 * b.block_size; /* of a block twice as long as tall */
   choose_motion (&b);
+  find_pairs (&b);
   find_joints (&b);
   build_view (&b);
   g_free (b.joints);
+  g_free (b.pairs);
   qn_scene_finish (b.scene);
   return b.scene;
 }

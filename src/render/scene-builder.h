@@ -22,7 +22,9 @@ typedef struct QnSceneBuilder {
   QnMotion motion;   /* of the blocks as drawn; scale includes the animation's phase */
   QnBox box;         /* of the undeformed blocks */
   double block_size; /* m, characteristic length of the blocks */
-  QnJoint *joints;   /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
+  QnPairResult
+    *pairs;        /* at the step, where contact forces are known and wanted; or NULL */
+  QnJoint *joints; /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
 } QnSceneBuilder;
 
 static inline QnColor

@@ -58,7 +58,7 @@ block_stresses (const QnSceneBuilder *b, double *values)
     const QnContactFace *face = &b->contacts->faces[f];
     for (int32_t k = 0; k < face->pair_count; k++) {
       QnId index = face->first_pair + k;
-      const QnPairResult *pair = &b->result->pairs[index];
+      const QnPairResult *pair = &b->pairs[index];
       QnVec2 at = b->contacts->pairs[index].point;
       QnVec2 force = qn_vec2_add (qn_vec2_scale (pair->normal_force, face->normal),
                                   qn_vec2_scale (pair->shear_force, face->tangent));

@@ -30,7 +30,7 @@ face_resultant (const QnSceneBuilder *b, const QnContactFace *face)
 {
   double normal = 0, shear = 0, moment = 0;
   for (int32_t k = 0; k < face->pair_count; k++) {
-    const QnPairResult *pair = &b->result->pairs[face->first_pair + k];
+    const QnPairResult *pair = &b->pairs[face->first_pair + k];
     normal += pair->normal_force;
     shear += pair->shear_force;
     moment += pair->normal_force * b->contacts->pairs[face->first_pair + k].abscissa;
@@ -51,7 +51,7 @@ add_pair_forces (QnSceneBuilder *b, const QnContactFace *face, double per_newton
   QnColor color = qn_builder_ink (b, QN_INK_FAINT);
   for (int32_t k = 0; k < face->pair_count; k++) {
     QnId index = face->first_pair + k;
-    QnVec2 force = pair_force (face, &b->result->pairs[index]);
+    QnVec2 force = pair_force (face, &b->pairs[index]);
     if (qn_vec2_length (force) < least)
       continue;
     QnVec2 at = b->contacts->pairs[index].point;

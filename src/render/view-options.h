@@ -25,7 +25,7 @@ typedef enum {
   QN_FIELD_DISPLACEMENT_Y, /* m */
   QN_FIELD_ROTATION,       /* rad */
   QN_FIELD_STRESS, /* least principal value of the block's mean stress, Pa: compression < 0;
-                       from the contact forces, hence of the last step only */
+                       from the contact forces */
   QN_FIELD_OPENING, /* largest opening along the joint, m */
   QN_FIELD_SLIDING, /* relative tangential motion of the joint, m */
   QN_FIELD_COUNT

@@ -66,6 +66,27 @@ test_views_and_formats (Solved *solved, gconstpointer data)
     }
 }
 
+/* Forces are drawn of every step, and every picture is another one. */
+static void
+test_forces_of_steps (Solved *solved, gconstpointer data)
+{
+  g_autofree char *path = g_build_filename (solved->folder, "s.svg", NULL);
+  g_autofree char *before = NULL;
+  (void) data;
+  for (int step = 0; step < 4; step++) {
+    g_autofree char *number = g_strdup_printf ("%d", step);
+    CliRun run =
+      cli_run ("render", solved->model, "--result", solved->result, "--view", "forces",
+               "--field", "stress", "--step", number, "-o", path, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    char *picture = cli_read (path);
+    g_assert_cmpstr (picture, !=, before);
+    g_free (before);
+    before = picture;
+  }
+}
+
 static void
 test_render_options (Solved *solved, gconstpointer data)
 {
@@ -149,6 +170,7 @@ main (int argc, char **argv)
 #define ADD(path, function)                                                              \
   g_test_add ("/cli/render/" path, Solved, NULL, set_up, function, tear_down)
   ADD ("views-and-formats", test_views_and_formats);
+  ADD ("forces-of-steps", test_forces_of_steps);
   ADD ("options", test_render_options);
   ADD ("refuses", test_render_refuses);
   ADD ("same-bytes", test_same_bytes);

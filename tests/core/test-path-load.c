@@ -222,6 +222,69 @@ test_repeatable (void)
   qn_result_clear (&results[1]);
 }
 
+/* Largest force or moment (about the centroid, over the length of a block) on a free block at a
+ * step, its own weight and the live load included, N. */
+static double
+largest_imbalance (const QnModel *model, const QnContacts *contacts,
+                   const QnResult *result, size_t step)
+{
+  double sums[64][3] = { { 0 } }, largest = 0;
+  g_assert_cmpuint (model->block_count, <=, G_N_ELEMENTS (sums));
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    QnPairResult forces = qn_result_pair_at (result, step, p);
+    QnVec2 force = qn_vec2_add (qn_vec2_scale (forces.normal_force, face->normal),
+                                qn_vec2_scale (forces.shear_force, face->tangent));
+    for (int side = 0; side < 2; side++) {
+      QnId block = side == 0 ? face->a : face->b;
+      QnVec2 f = qn_vec2_scale (side == 0 ? 1 : -1, force);
+      QnVec2 arm = qn_vec2_sub (pair->point, model->blocks[block].centroid);
+      sums[block][0] += f.x;
+      sums[block][1] += f.y;
+      sums[block][2] += qn_vec2_cross (arm, f) / model->characteristic_length;
+    }
+  }
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    sums[b][0] += result->steps[step].multiplier * block->weight;
+    sums[b][1] -= block->weight;
+    for (int i = 0; i < 3 && !block->support[0]; i++)
+      largest = fmax (largest, fabs (sums[b][i]));
+  }
+  return largest;
+}
+
+/* Wall 1 jumps before it collapses. The forces kept of every step balance its loads, those
+ * after the jump too. */
+static void
+test_forces_of_every_step (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+  test_model_init_wall (&model, 1, 0);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                   QN_OK);
+  g_assert_cmpuint (result.step_count, >, 10);
+  for (size_t s = 0; s < result.step_count; s++) {
+    g_assert_true (qn_result_has_forces (&result, s));
+    g_assert_cmpfloat (largest_imbalance (&model, &contacts, &result, s), <, 0.01);
+  }
+  /* What is kept of the last step is what stands for itself. */
+  size_t last = (result.step_count - 1) * result.pair_count;
+  for (size_t p = 0; p < result.pair_count; p++) {
+    g_assert_cmpfloat (result.step_forces[2 * (last + p)], ==,
+                       result.pairs[p].normal_force);
+    g_assert_cmpint (result.step_states[last + p], ==, result.pairs[p].state);
+  }
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -237,5 +300,6 @@ main (int argc, char **argv)
   g_test_add_func ("/path-load/cancel/keeps", test_cancel_keeps_what_converged);
   g_test_add_func ("/path-load/cancel/anywhere", test_cancel_anywhere);
   g_test_add_func ("/path-load/repeatable", test_repeatable);
+  g_test_add_func ("/path-load/forces-of-every-step", test_forces_of_every_step);
   return g_test_run ();
 }

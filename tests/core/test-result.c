@@ -46,6 +46,35 @@ test_mechanism_scale (void)
   qn_result_clear (&result);
 }
 
+/* Forces of all steps are kept up to the budget, beyond it only where all are wanted. */
+static void
+test_force_budget (void)
+{
+  for (int all = 0; all < 2; all++) {
+    QnResult result;
+    size_t pairs = QN_RESULT_FORCE_BUDGET / 3;
+    const double row[3] = { 0 };
+    g_assert_cmpint (qn_result_init (&result, 1, pairs, NULL), ==, QN_OK);
+    for (int s = 0; s < 4; s++) {
+      for (size_t p = 0; p < pairs; p++)
+        result.pairs[p] = (QnPairResult){ .state = QN_PAIR_SLIP, .normal_force = -s };
+      g_assert_true (qn_result_add_step (&result, (QnStep){ .multiplier = s }, row));
+      g_assert_true (qn_result_add_forces (&result, all));
+      g_assert_true (qn_result_has_forces (&result, (size_t) s));
+      g_assert_cmpint (qn_result_has_forces (&result, 0), ==, s < 3 || all);
+    }
+    g_assert_false (qn_result_has_forces (&result, 4));
+    g_assert_cmpfloat (qn_result_pair_at (&result, 3, 7).normal_force, ==, -3);
+    if (all) {
+      QnPairResult pair = qn_result_pair_at (&result, 1, pairs - 1);
+      g_assert_cmpfloat (pair.normal_force, ==, -1);
+      g_assert_cmpint (pair.state, ==, QN_PAIR_SLIP);
+      g_assert_false (pair.has_springs);
+    }
+    qn_result_clear (&result);
+  }
+}
+
 static void
 test_names (void)
 {
@@ -63,5 +92,6 @@ main (int argc, char **argv)
   g_test_add_func ("/result/steps", test_steps_are_kept);
   g_test_add_func ("/result/mechanism-scale", test_mechanism_scale);
   g_test_add_func ("/result/names", test_names);
+  g_test_add_func ("/result/force-budget", test_force_budget);
   return g_test_run ();
 }
