@@ -7,9 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A certificate holds where its equations hold to this, relative to what it proves. */
-#define CERTIFICATE_TOLERANCE 1e-8
-
 /* Iterations without a better iterate after which the engine gives up. */
 #define STALL_ITERATIONS 12
 
@@ -30,78 +27,7 @@
 QnIpSettings
 qn_interior_point_defaults (void)
 {
-  return (QnIpSettings){ .tolerance = 1e-9, .max_iterations = 200, .correctors = 4 };
-}
-
-double
-qn_ip_dot (const double *a, const double *b, int32_t count)
-{
-  double sum = 0.0;
-  for (int32_t i = 0; i < count; i++)
-    sum += a[i] * b[i];
-  return sum;
-}
-
-double
-qn_ip_largest (const double *values, int32_t count)
-{
-  double most = 0.0;
-  for (int32_t i = 0; i < count; i++)
-    if (!(fabs (values[i]) <= most)) /* a NaN stays */
-      most = fabs (values[i]);
-  return most;
-}
-
-void
-qn_ip_apply_bounds (const QnIpProblem *p, const double *y, double *out)
-{
-  for (int32_t c = 0; c < p->cell_count; c++) {
-    const QnIpCell *cell = &p->cells[c];
-    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++)
-      out[i] = p->bounds[i].normal * y[2 * c] + p->bounds[i].shear * y[2 * c + 1];
-  }
-}
-
-void
-qn_ip_add_bounds_transposed (const QnIpProblem *p, const double *x, double scale,
-                             double *out)
-{
-  for (int32_t c = 0; c < p->cell_count; c++) {
-    const QnIpCell *cell = &p->cells[c];
-    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
-      out[2 * c] += scale * p->bounds[i].normal * x[i];
-      if (!cell->no_shear)
-        out[2 * c + 1] += scale * p->bounds[i].shear * x[i];
-    }
-  }
-}
-
-double
-qn_ip_linear_term (const QnIpProblem *p, const double *y)
-{
-  double sum = 0.0;
-  for (int32_t c = 0; c < p->cell_count; c++)
-    sum += p->cells[c].linear[0] * y[2 * c] + p->cells[c].linear[1] * y[2 * c + 1];
-  return sum;
-}
-
-double
-qn_ip_quadratic_term (const QnIpProblem *p, const double *y)
-{
-  double sum = 0.0;
-  for (int32_t c = 0; c < p->cell_count; c++)
-    sum += p->cells[c].quadratic[0] * y[2 * c] * y[2 * c]
-           + p->cells[c].quadratic[1] * y[2 * c + 1] * y[2 * c + 1];
-  return sum;
-}
-
-double
-qn_ip_limit_term (const QnIpProblem *p, const double *z)
-{
-  double sum = 0.0;
-  for (int32_t i = 0; i < p->bound_count; i++)
-    sum += p->bounds[i].limit * z[i];
-  return sum;
+  return (QnIpSettings){ .tolerance = 1e-9, .max_iterations = 200, .correctors = 6 };
 }
 
 static bool
@@ -158,16 +84,16 @@ qn_interior_point_init (QnInteriorPoint *ip, const QnIpProblem *problem,
   work->rz = qn_alloc (bounds, sizeof (double));
   work->products = qn_alloc (bounds, sizeof (double));
   work->ry = qn_alloc (2 * cells, sizeof (double));
-  work->hy = qn_alloc (2 * cells, sizeof (double));
   work->gy = qn_alloc (2 * cells, sizeof (double));
   work->tau_column.y = qn_alloc (2 * cells, sizeof (double));
+  work->tau_column.g = qn_alloc (bounds, sizeof (double));
   work->right.y = qn_alloc (2 * cells, sizeof (double));
   work->rv = qn_alloc (rows, sizeof (double));
   work->tau_column.v = qn_alloc (rows, sizeof (double));
   work->right.v = qn_alloc (rows, sizeof (double));
-  if (!work->w || !work->rz || !work->products || !work->ry || !work->hy || !work->gy
-      || !work->tau_column.y || !work->right.y || !work->rv || !work->tau_column.v
-      || !work->right.v || !vector_init (&work->step, problem)
+  if (!work->w || !work->rz || !work->products || !work->ry || !work->gy
+      || !work->tau_column.y || !work->tau_column.g || !work->right.y || !work->rv
+      || !work->tau_column.v || !work->right.v || !vector_init (&work->step, problem)
       || !vector_init (&work->trial, problem) || !vector_init (&work->best, problem)
       || !ip->y || !ip->v || !ip->s || !ip->z)
     status = qn_diag_no_memory (diag);
@@ -184,10 +110,17 @@ qn_interior_point_clear (QnInteriorPoint *ip)
   QnInteriorPointWork *work = ip->work;
 
   if (work) {
-    double *arrays[] = { work->w,       work->rz,           work->products,
-                         work->ry,      work->hy,           work->gy,
-                         work->rv,      work->tau_column.y, work->tau_column.v,
-                         work->right.y, work->right.v };
+    double *arrays[] = { work->w,
+                         work->rz,
+                         work->products,
+                         work->ry,
+                         work->gy,
+                         work->rv,
+                         work->tau_column.y,
+                         work->tau_column.g,
+                         work->tau_column.v,
+                         work->right.y,
+                         work->right.v };
     for (size_t i = 0; i < QN_N_ELEMENTS (arrays); i++)
       free (arrays[i]);
     vector_clear (&work->step);
@@ -274,9 +207,17 @@ begin (QnInteriorPoint *ip)
   ip->state = QN_IP_RUNNING;
   ip->iterations = 0;
   ip->work->kkt.regularization = LEAST_REGULARIZATION;
-  ip->work->kkt.factorizations = 0;
+  ip->work->kkt.schur.factorizations = 0;
+  ip->work->kkt.schur.seconds = 0.0;
   ip->work->since_best = 0;
   ip->work->best_merit = INFINITY;
+}
+
+static void
+count_effort (QnInteriorPoint *ip)
+{
+  ip->factorizations = ip->work->kkt.schur.factorizations;
+  ip->factor_seconds = ip->work->kkt.schur.seconds;
 }
 
 /* The smallest slacks in equilibrium with the constant loads, and the smallest multipliers
@@ -286,7 +227,8 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
-  QnIpKktVector primal = { ip->y, ip->v, 0.0 }, dual = { work->step.y, ip->v, 0.0 };
+  QnIpKktVector primal = { ip->y, ip->s, ip->v, 0.0 };
+  QnIpKktVector dual = { work->step.y, ip->z, ip->v, 0.0 };
   QnStatus status;
   bool ok;
 
@@ -294,7 +236,7 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   for (int32_t i = 0; i < p->bound_count; i++)
     work->w[i] = 1.0;
   status = qn_ip_kkt_factorize (&work->kkt, work->w, &ok, diag);
-  ip->factorizations = work->kkt.factorizations;
+  count_effort (ip);
   if (!status && !ok)
     ip->state = QN_IP_STALLED;
   set_primal_start (work);
@@ -306,10 +248,8 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   if (status)
     return status;
 
-  qn_ip_apply_bounds (p, ip->y, ip->s);
   for (int32_t i = 0; i < p->bound_count; i++)
     ip->s[i] = p->bounds[i].limit - ip->s[i];
-  qn_ip_apply_bounds (p, dual.y, ip->z);
   shift_positive (ip->s, p->bound_count);
   shift_positive (ip->z, p->bound_count);
   ip->lambda = primal.lambda;
@@ -339,88 +279,6 @@ take_step (QnInteriorPoint *ip, double length)
   ip->kappa += length * step->kappa;
 }
 
-/* Size of the largest strength multiplier or linear term: what the dual residual of a problem
- * is compared with. */
-static double
-dual_scale (const QnInteriorPoint *ip)
-{
-  const QnIpProblem *p = ip->work->problem;
-  double scale = p->load && p->load_gain != 0.0 ? 0.0 : 1.0;
-
-  for (int32_t c = 0; c < p->cell_count; c++)
-    scale =
-      fmax (scale, fmax (fabs (p->cells[c].linear[0]), fabs (p->cells[c].linear[1])));
-  return fmax (scale, qn_ip_largest (ip->v, p->row_count) / ip->tau);
-}
-
-static void
-measure (QnInteriorPoint *ip)
-{
-  const QnInteriorPointWork *work = ip->work;
-  const QnIpProblem *p = work->problem;
-  double primal_scale = 1.0 + qn_ip_largest (p->constant, p->row_count);
-  double primal, dual, balance, slacks, rates;
-
-  if (p->load)
-    primal_scale = fmax (primal_scale, 1.0 + qn_ip_largest (p->load, p->row_count));
-  balance = qn_ip_largest (work->rv, p->row_count);
-  slacks = qn_ip_largest (work->rz, p->bound_count);
-  rates = qn_ip_largest (work->ry, 2 * p->cell_count);
-  primal = 0.5 * work->curvature / ip->tau + qn_ip_linear_term (p, ip->y)
-           - p->load_gain * ip->lambda;
-  dual = -0.5 * work->curvature / ip->tau + qn_ip_dot (p->constant, ip->v, p->row_count)
-         - qn_ip_limit_term (p, ip->z);
-  ip->measures = (QnIpMeasures){
-    .primal_residual = fmax (balance, slacks) / (ip->tau * primal_scale),
-    .dual_residual =
-      fmax (rates, fabs (work->r_lambda)) / (ip->tau * (dual_scale (ip) + 1e-300)),
-    .gap = fabs (primal - dual) / (ip->tau + fmin (fabs (primal), fabs (dual))),
-  };
-}
-
-/* No forces keep equilibrium under any multiplier: the dead load does more power along v than
- * the joints can dissipate, and the live load none. */
-static bool
-proves_infeasible (const QnInteriorPoint *ip)
-{
-  QnInteriorPointWork *work = ip->work;
-  const QnIpProblem *p = work->problem;
-  double proof =
-    qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
-  double *rates = work->right.y;
-
-  if (proof <= 0.0)
-    return false;
-  if (p->load
-      && fabs (qn_ip_dot (p->load, ip->v, p->row_count)) > CERTIFICATE_TOLERANCE * proof)
-    return false;
-  memset (rates, 0, 2 * (size_t) p->cell_count * sizeof (double));
-  qn_ip_add_rates (p, ip->v, 1.0, rates);
-  qn_ip_add_bounds_transposed (p, ip->z, 1.0, rates);
-  return qn_ip_largest (rates, 2 * p->cell_count) <= CERTIFICATE_TOLERANCE * proof;
-}
-
-/* Forces that balance the live load alone, within the joints' recession cones. */
-static bool
-proves_unbounded (const QnInteriorPoint *ip)
-{
-  QnInteriorPointWork *work = ip->work;
-  const QnIpProblem *p = work->problem;
-  double proof = p->load_gain * ip->lambda - qn_ip_linear_term (p, ip->y);
-  double *balance = work->right.v, worst = 0.0;
-
-  if (proof <= 0.0)
-    return false;
-  qn_interior_point_balance (p, ip->y, ip->lambda, 0.0, balance);
-  for (int32_t i = 0; i < p->bound_count; i++) /* Gy = -s + (h tau - rz), s >= 0 */
-    worst = fmax (worst, p->bounds[i].limit * ip->tau - work->rz[i]);
-  for (int32_t c = 0; c < p->cell_count; c++)
-    for (int k = 0; k < 2; k++)
-      worst = fmax (worst, fabs (p->cells[c].quadratic[k] * ip->y[2 * c + k]));
-  return fmax (worst, qn_ip_largest (balance, p->row_count))
-         <= CERTIFICATE_TOLERANCE * proof;
-}
-
 /* Decides whether the iterate is an answer, and keeps the best one for the case that rounding
  * ends the progress. */
 static void
@@ -435,9 +293,9 @@ judge (QnInteriorPoint *ip)
     return;
   }
   if (ip->tau < ip->kappa || merit > 1e3) {
-    if (proves_infeasible (ip))
+    if (qn_ip_proves_infeasible (ip))
       ip->state = QN_IP_INFEASIBLE;
-    else if (proves_unbounded (ip))
+    else if (qn_ip_proves_unbounded (ip))
       ip->state = QN_IP_UNBOUNDED;
     if (ip->state != QN_IP_RUNNING)
       return;
@@ -477,7 +335,7 @@ give_up (QnInteriorPoint *ip)
   if (isfinite (ip->work->best_merit)) {
     restore_iterate (ip, &ip->work->best);
     qn_ip_residuals (ip);
-    measure (ip);
+    qn_ip_measure (ip);
   }
   ip->state = QN_IP_STALLED;
 }
@@ -493,7 +351,7 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
   if (ip->state != QN_IP_RUNNING)
     return QN_OK;
   status = find_direction (ip, &length, &ok, diag);
-  ip->factorizations = work->kkt.factorizations;
+  count_effort (ip);
   if (status)
     return status;
   if (!ok) {
@@ -503,7 +361,7 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
   take_step (ip, length);
   ip->iterations++;
   qn_ip_residuals (ip);
-  measure (ip);
+  qn_ip_measure (ip);
   judge (ip);
   if (ip->state == QN_IP_RUNNING
       && (ip->iterations >= work->settings.max_iterations || length < 1e-10))
@@ -529,7 +387,7 @@ restore_balance (QnInteriorPoint *ip, double *lambda, double *y, QnDiag *diag)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
-  QnIpKktVector step = { work->trial.y, work->trial.v, 0.0 };
+  QnIpKktVector step = { work->trial.y, work->trial.s, work->trial.v, 0.0 };
   QnStatus status;
 
   qn_interior_point_balance (p, y, *lambda, 1.0, work->right.v);
@@ -567,20 +425,4 @@ qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda, doub
   for (int32_t i = 0; i < p->bound_count; i++)
     *slack = fmin (*slack, p->bounds[i].limit - work->trial.s[i]);
   return QN_OK;
-}
-
-void
-qn_interior_point_balance (const QnIpProblem *p, const double *y, double lambda,
-                           double tau, double *out)
-{
-  for (int32_t r = 0; r < p->row_count; r++)
-    out[r] = tau * p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);
-  qn_ip_add_forces (p, y, 1.0, out);
-}
-
-void
-qn_interior_point_rates (const QnIpProblem *p, const double *v, double *rates)
-{
-  memset (rates, 0, 2 * (size_t) p->cell_count * sizeof (double));
-  qn_ip_add_rates (p, v, -1.0, rates);
 }

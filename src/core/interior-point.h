@@ -85,7 +85,7 @@ typedef enum {
 typedef struct QnIpSettings {
   double tolerance; /* relative residuals and gap of an optimum */
   int32_t max_iterations;
-  int32_t correctors; /* most centrality correctors per iteration, 0 … 4 */
+  int32_t correctors; /* most centrality correctors per iteration, 0 … 10 */
 } QnIpSettings;
 
 /* Measures of the last iterate, after division by tau. */
@@ -102,6 +102,7 @@ typedef struct QnInteriorPoint {
   QnIpState state;
   int32_t iterations;
   int32_t factorizations;
+  double factor_seconds; /* spent in factorising and solving, s */
   QnIpMeasures measures;
 
   /* The iterate (or certificate): homogeneous, i.e. divide by tau to read a solution. */
@@ -115,7 +116,7 @@ typedef struct QnInteriorPoint {
   QnInteriorPointWork *work; /* owned */
 } QnInteriorPoint;
 
-/* tolerance 1e-9, 200 iterations, 4 correctors. */
+/* tolerance 1e-9, 200 iterations, 6 correctors. */
 QnIpSettings qn_interior_point_defaults (void);
 
 /* Analyses the structure and allocates everything. `problem` is borrowed until _clear().

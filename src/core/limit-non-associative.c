@@ -57,6 +57,7 @@ typedef struct Sequence {
   void *user_data;
   double *anchor; /* pair_count: compressions that the shear lines pass through */
   const QnLimitSolution *associative;
+  QnStatistics effort; /* of all programs */
 } Sequence;
 
 /* A number in [0, 1) from a pair's number: the same on every machine. */
@@ -117,7 +118,6 @@ follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
         QnLimitSolution *last, bool *cancelled, QnDiag *diag)
 {
   double remaining = schedule->turn;
-  int32_t iterations = 0, factorizations = 0;
   QnStatus status = QN_OK;
 
   *point = (QnLimitFixedPoint){ .multiplier = NAN };
@@ -134,8 +134,7 @@ follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
     if (status)
       break;
     point->programs++;
-    iterations += solution.iterations;
-    factorizations += solution.factorizations;
+    qn_statistics_add (&seq->effort, &solution.effort);
     *cancelled = solution.outcome == QN_OUTCOME_CANCELLED;
     if (solution.outcome != QN_OUTCOME_COLLAPSE) {
       qn_limit_solution_clear (&solution);
@@ -150,8 +149,6 @@ follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
     qn_limit_solution_clear (last);
     *last = solution;
   }
-  last->iterations = iterations;
-  last->factorizations = factorizations;
   return status;
 }
 
@@ -176,8 +173,7 @@ find_mechanism (Sequence *seq, QnLimitFixedPoint *point, QnLimitSolution *last,
   swap = last->velocities;
   last->velocities = free_forces.velocities;
   free_forces.velocities = swap;
-  last->iterations += free_forces.iterations;
-  last->factorizations += free_forces.factorizations;
+  qn_statistics_add (&seq->effort, &free_forces.effort);
   qn_limit_solution_clear (&free_forces);
   return QN_OK;
 }
@@ -213,13 +209,12 @@ static QnStatus
 follow_all (Sequence *seq, QnLimitInterval *interval, QnDiag *diag)
 {
   QnLimitSolution associative = interval->solution;
-  int32_t iterations = associative.iterations,
-          factorizations = associative.factorizations;
   bool cancelled = false;
   QnStatus status = QN_OK;
 
   interval->solution = (QnLimitSolution){ .outcome = QN_OUTCOME_NOT_CONVERGED };
   seq->associative = &associative;
+  seq->effort = associative.effort;
   for (int start = 0; start < QN_LIMIT_STARTS && !status && !cancelled; start++) {
     QnLimitFixedPoint point;
     QnLimitSolution last;
@@ -229,8 +224,6 @@ follow_all (Sequence *seq, QnLimitInterval *interval, QnDiag *diag)
     status = follow (seq, &schedules[start], &point, &last, &cancelled, diag);
     if (!status && point.settled && !cancelled)
       status = find_mechanism (seq, &point, &last, diag);
-    iterations += last.iterations;
-    factorizations += last.factorizations;
     if (!status && point.settled && !cancelled)
       keep_point (interval, &point, &last);
     else
@@ -240,8 +233,7 @@ follow_all (Sequence *seq, QnLimitInterval *interval, QnDiag *diag)
     qn_limit_solution_clear (&interval->solution);
     interval->solution.outcome = QN_OUTCOME_CANCELLED;
   }
-  interval->solution.iterations = iterations;
-  interval->solution.factorizations = factorizations;
+  interval->solution.effort = seq->effort;
   qn_limit_solution_clear (&associative);
   return status;
 }

@@ -121,8 +121,7 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
   QnStatus status = QN_OK;
 
   result->outcome = solution->outcome;
-  result->statistics.iterations += solution->iterations;
-  result->statistics.factorizations += solution->factorizations;
+  qn_statistics_add (&result->statistics, &solution->effort);
   switch (solution->outcome) {
   case QN_OUTCOME_COLLAPSE:
     result->has_collapse_multiplier = true;
@@ -132,7 +131,7 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
     result->limit.upper_bound = solution->upper_bound;
     keep_forces (result, model, contacts, solution->forces);
     status = keep_steps (result, solution->lower_bound, solution->check.static_residual,
-                         solution->iterations, diag);
+                         solution->effort.iterations, diag);
     break;
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     status = keep_unstable (result, model, solution->velocities, diag);

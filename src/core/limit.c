@@ -8,6 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Accuracy of the program. The bounds that are reported are proved afterwards, from forces put
+ * into equilibrium and velocities summed up, and come out ten times nearer. */
+#define PROGRAM_TOLERANCE 1e-8
+
 /* Without an optimum to full accuracy, an iterate this good is still an answer. */
 #define ACCEPTED_GAP      1e-6
 #define ACCEPTED_RESIDUAL 1e-7
@@ -40,15 +44,22 @@ iterate_once (Run *run, QnDiag *diag)
   QnInteriorPoint *ip = run->ip;
   QnStatus status = qn_interior_point_iterate (ip, diag);
 
-  run->solution->iterations++;
+  run->solution->effort.iterations++;
   if (!status && run->progress) {
     QnProgress report = {
-      .iterations = run->solution->iterations,
-      .factorizations = run->solution->factorizations + ip->factorizations,
+      .iterations = run->solution->effort.iterations,
+      .factorizations = run->solution->effort.factorizations + ip->factorizations,
     };
     run->cancelled = !run->progress (&report, run->user_data);
   }
   return status;
+}
+
+static void
+count_effort (Run *run)
+{
+  run->solution->effort.factorizations += run->ip->factorizations;
+  run->solution->effort.factor_seconds += run->ip->factor_seconds;
 }
 
 /* Forces that carry the dead load alone, or the certificate that there are none. An iterate
@@ -76,7 +87,7 @@ carry_dead_load (Run *run, QnDiag *diag)
   }
   p->load = load;
   p->load_gain = gain;
-  run->solution->factorizations += ip->factorizations;
+  count_effort (run);
   return status;
 }
 
@@ -96,7 +107,7 @@ raise_multiplier (Run *run, QnDiag *diag)
 
   while (!status && run->ip->state == QN_IP_RUNNING && !run->cancelled)
     status = iterate_once (run, diag);
-  run->solution->factorizations += run->ip->factorizations;
+  count_effort (run);
   return status;
 }
 
@@ -232,6 +243,7 @@ qn_limit_associative (const QnModel *model, const QnContacts *contacts,
   *solution = (QnLimitSolution){ 0 };
   if (status)
     return status;
+  settings.tolerance = PROGRAM_TOLERANCE;
   status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
   if (!status)
     status = qn_limit_solve (&limit, &ip, true, progress, user_data, solution, diag);

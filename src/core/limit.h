@@ -55,7 +55,7 @@ typedef struct QnLimitSolution {
     *dead_forces; /* pair_count x 2: strictly admissible forces under the dead load alone;
                           NULL where none were asked for or found */
   QnLimitCheck check;
-  int32_t iterations, factorizations;
+  QnStatistics effort; /* iterations, factorisations and factor_seconds alone */
 } QnLimitSolution;
 
 void qn_limit_solution_clear (QnLimitSolution *solution);

@@ -31,6 +31,19 @@ qn_pair_state_name (QnPairState state)
   return names[state];
 }
 
+void
+qn_statistics_add (QnStatistics *total, const QnStatistics *part)
+{
+  total->seconds += part->seconds;
+  total->factor_seconds += part->factor_seconds;
+  total->assembly_seconds += part->assembly_seconds;
+  total->law_seconds += part->law_seconds;
+  total->iterations += part->iterations;
+  total->factorizations += part->factorizations;
+  if (part->peak_memory_bytes > total->peak_memory_bytes)
+    total->peak_memory_bytes = part->peak_memory_bytes;
+}
+
 QnStatus
 qn_result_init (QnResult *result, size_t block_count, size_t pair_count, QnDiag *diag)
 {

@@ -66,6 +66,9 @@ typedef struct QnStatistics {
   int64_t peak_memory_bytes; /* filled by layers that can measure it, else 0 */
 } QnStatistics;
 
+/* Adds what another part of an analysis took; peak memory is the larger of the two. */
+void qn_statistics_add (QnStatistics *total, const QnStatistics *part);
+
 /* Most fixed points of the non-associative limit analysis that a result keeps. */
 #define QN_RESULT_FIXED_POINTS 8
 

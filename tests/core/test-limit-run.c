@@ -38,6 +38,9 @@ test_collapse (void)
   g_assert_cmpfloat (result.limit.lower_bound, ==, result.collapse_multiplier);
   g_assert_cmpfloat_with_epsilon (result.limit.upper_bound, result.limit.lower_bound,
                                   1e-6);
+  g_assert_cmpint (result.statistics.factorizations, >, 5);
+  g_assert_cmpfloat (result.statistics.factor_seconds, >, 0);
+  g_assert_cmpfloat (result.statistics.factor_seconds, <, result.statistics.seconds);
   g_assert_cmpuint (result.step_count, ==, 2);
   g_assert_cmpfloat (result.steps[1].multiplier, ==, result.collapse_multiplier);
   g_assert_cmpint (result.steps[1].event, ==, QN_EVENT_COLLAPSE);

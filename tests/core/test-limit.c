@@ -1,5 +1,6 @@
 #include "core/generate.h"
 #include "core/limit.h"
+#include "support/certificate.h"
 #include "support/models.h"
 
 #include <glib.h>
@@ -12,7 +13,8 @@ detect (QnModel *model, QnContacts *contacts)
   g_assert_cmpint (qn_contacts_detect (model, contacts, NULL), ==, QN_OK);
 }
 
-/* Prepares, solves and clears the model. */
+/* Prepares, solves, holds a multiplier found against its certificates where every joint has one
+ * law, and clears the model. */
 static QnLimitSolution
 solve (QnModel *model)
 {
@@ -22,6 +24,8 @@ solve (QnModel *model)
   detect (model, &contacts);
   g_assert_cmpint (qn_limit_associative (model, &contacts, NULL, NULL, &solution, NULL),
                    ==, QN_OK);
+  if (solution.outcome == QN_OUTCOME_COLLAPSE && model->law_count == 1)
+    test_assert_certified (model, &contacts, &solution);
   qn_contacts_clear (&contacts);
   qn_model_clear (model);
   return solution;
@@ -47,84 +51,6 @@ assert_outcome (QnModel *model, QnOutcome expected)
   qn_limit_solution_clear (&solution);
 }
 
-/* Largest out-of-balance of a free block under dead + multiplier x live load, N. */
-static double
-imbalance (const QnModel *model, const QnContacts *contacts, const double *forces,
-           double multiplier)
-{
-  size_t count = model->block_count * QN_DOF_COUNT;
-  double *sum = g_new0 (double, count), *live = g_new0 (double, count), worst = 0;
-
-  qn_model_dead_forces (model, sum);
-  qn_model_live_forces (model, live);
-  for (size_t i = 0; i < count; i++)
-    sum[i] += multiplier * live[i];
-  for (size_t p = 0; p < contacts->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-    QnVec2 force = qn_vec2_add (qn_vec2_scale (forces[2 * p], face->normal),
-                                qn_vec2_scale (forces[2 * p + 1], face->tangent));
-    const QnId blocks[2] = { face->a, face->b };
-    for (int side = 0; side < 2; side++) {
-      double *on = sum + blocks[side] * QN_DOF_COUNT, sign = side == 0 ? 1 : -1;
-      QnVec2 arm = qn_vec2_sub (pair->point, model->blocks[blocks[side]].centroid);
-      on[0] += sign * force.x;
-      on[1] += sign * force.y;
-      on[2] += sign * qn_vec2_cross (arm, force);
-    }
-  }
-  for (size_t i = 0; i < count; i++)
-    if (!model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT])
-      worst = fmax (worst, fabs (sum[i]));
-  g_free (sum);
-  g_free (live);
-  return worst;
-}
-
-/* Power of the loads minus nothing: cohesionless joints dissipate nothing, so the mechanism's
- * multiplier is -(dead power) / (live power). */
-static double
-kinematic_multiplier (const QnModel *model, const double *velocities)
-{
-  size_t count = model->block_count * QN_DOF_COUNT;
-  double *dead = g_new0 (double, count), *live = g_new0 (double, count);
-  double dead_power = 0, live_power = 0;
-
-  qn_model_dead_forces (model, dead);
-  qn_model_live_forces (model, live);
-  for (size_t i = 0; i < count; i++) {
-    dead_power += dead[i] * velocities[i];
-    live_power += live[i] * velocities[i];
-  }
-  g_free (dead);
-  g_free (live);
-  return -dead_power / live_power;
-}
-
-/* Largest interpenetration or violation of the flow rule, opening >= mu |slip|, in m/s. */
-static double
-inadmissibility (const QnContacts *contacts, const QnModel *model,
-                 const double *velocities, double friction)
-{
-  double worst = 0;
-
-  for (size_t p = 0; p < contacts->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-    const QnId blocks[2] = { face->a, face->b };
-    QnVec2 rate = { 0, 0 };
-    for (int side = 0; side < 2; side++) {
-      const double *v = velocities + blocks[side] * QN_DOF_COUNT;
-      QnVec2 arm = qn_vec2_sub (pair->point, model->blocks[blocks[side]].centroid);
-      QnVec2 at = { v[0] - v[2] * arm.y, v[1] + v[2] * arm.x };
-      rate = qn_vec2_add_scaled (rate, side == 0 ? -1 : 1, at);
-    }
-    worst = fmax (worst, friction * fabs (qn_vec2_dot (rate, face->tangent))
-                           - qn_vec2_dot (rate, face->normal));
-  }
-  return worst;
-}
-
 /* The six walls: value, both certificates recomputed from the model alone. */
 static void
 test_six_walls (void)
@@ -133,7 +59,6 @@ test_six_walls (void)
     QnModel model;
     QnContacts contacts;
     QnLimitSolution solution;
-    double speed = 0;
 
     test_model_init_wall (&model, number, 0);
     detect (&model, &contacts);
@@ -146,21 +71,7 @@ test_six_walls (void)
     g_assert_cmpfloat (solution.upper_bound - solution.lower_bound, <, 1e-6);
     g_assert_cmpfloat (solution.check.static_violation, <, 1e-12);
 
-    double weight = model.blocks[1].weight;
-    g_assert_cmpfloat (
-      imbalance (&model, &contacts, solution.forces, solution.lower_bound), <,
-      1e-8 * weight);
-    for (size_t p = 0; p < contacts.pair_count; p++) {
-      const double *f = solution.forces + 2 * p;
-      g_assert_cmpfloat (0.65 * f[0] + fabs (f[1]), <=, 1e-9 * weight);
-    }
-    for (size_t i = 0; i < model.block_count; i++)
-      speed =
-        fmax (speed, hypot (solution.velocities[3 * i], solution.velocities[3 * i + 1]));
-    g_assert_cmpfloat (inadmissibility (&contacts, &model, solution.velocities, 0.65), <,
-                       1e-6 * speed);
-    g_assert_cmpfloat_with_epsilon (kinematic_multiplier (&model, solution.velocities),
-                                    expected, 1e-6);
+    test_assert_certified (&model, &contacts, &solution);
     qn_limit_solution_clear (&solution);
     qn_contacts_clear (&contacts);
     qn_model_clear (&model);

@@ -1,0 +1,41 @@
+/* Limit analysis of a wall of ten thousand blocks, with both certificates summed up outside the
+ * solver: the optimum is proved, whatever the way to it. */
+#include "core/generate.h"
+#include "core/limit.h"
+#include "support/certificate.h"
+
+#include <glib.h>
+
+static void
+test_ten_thousand (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnLimitSolution solution;
+  QnWallRecipe recipe = qn_wall_recipe_default ();
+
+  recipe.length = 66;
+  recipe.courses = 150;
+  recipe.openings = 0;
+  qn_model_init (&model);
+  g_assert_cmpint (qn_generate_wall (&model, &recipe, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpuint (model.block_count, >, 9900);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_limit_associative (&model, &contacts, NULL, NULL, &solution, NULL),
+                   ==, QN_OK);
+  g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpint (solution.effort.factorizations, <, 80);
+  test_assert_certified (&model, &contacts, &solution);
+  qn_limit_solution_clear (&solution);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/verify/limit-large/ten-thousand", test_ten_thousand);
+  return g_test_run ();
+}
