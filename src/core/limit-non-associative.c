@@ -29,9 +29,10 @@
  * carries them. A small price on the forces (the elastic energy of joints of one stiffness)
  * makes the choice that a structure built without wedging makes.
  *
- * The sizes of that price were chosen among powers of ten from 1e-2 to 1e-6 on the six walls of
- * Ferris & Tin-Loi, against their published multipliers: agreement there is a calibration, not
- * an independent confirmation. */
+ * How small a price is small follows from no formula. Every power of ten from 1e-2 to 1e-5 is
+ * tried, and the mechanism decides which state counts: a price too high holds the multiplier
+ * below what the forces it chose could carry, the search for the mechanism finds that out, and
+ * the state is dropped. No published multiplier enters. */
 typedef struct Schedule {
   double
     dead; /* share of the dead load's forces in the first anchors; the rest is that of
@@ -43,9 +44,9 @@ typedef struct Schedule {
 } Schedule;
 
 static const Schedule schedules[QN_LIMIT_STARTS] = {
-  { 0.0, 0.0, 0.3, 0.6, 1e-3 }, { 1.0, 0.0, 0.01, 0.6, 1e-3 },
-  { 0.0, 0.0, 0.3, 0.6, 1e-4 }, { 0.5, 1.0, 0.01, 0.6, 1e-4 },
-  { 0.0, 0.0, 0.3, 0.6, 1e-5 },
+  { 0.0, 0.0, 0.3, 0.6, 1e-2 },  { 0.0, 0.0, 0.3, 0.6, 1e-3 },
+  { 1.0, 0.0, 0.01, 0.6, 1e-3 }, { 0.0, 0.0, 0.3, 0.6, 1e-4 },
+  { 0.5, 1.0, 0.01, 0.6, 1e-4 }, { 0.0, 0.0, 0.3, 0.6, 1e-5 },
 };
 
 typedef struct Sequence {
@@ -187,11 +188,14 @@ qn_limit_interval_clear (QnLimitInterval *interval)
 
 /* Keeps a fixed point; the solution of the least one replaces that of the others. */
 static void
-keep_point (QnLimitInterval *interval, const QnLimitFixedPoint *point,
+keep_point (QnLimitInterval *interval, QnLimitFixedPoint *point,
             QnLimitSolution *solution)
 {
   bool first = interval->count == 0;
 
+  /* Lines above the true strength by up to ADMISSIBLE may carry a little too much. */
+  solution->lower_bound = fmin (point->multiplier, interval->associative);
+  point->multiplier = solution->lower_bound;
   interval->points[interval->count++] = *point;
   if (first || point->multiplier > interval->highest)
     interval->highest = point->multiplier;

@@ -82,7 +82,7 @@ typedef struct QnLimitFixedPoint {
 } QnLimitFixedPoint;
 
 /* Starting points of the sequence. */
-#define QN_LIMIT_STARTS 5
+#define QN_LIMIT_STARTS 6
 
 typedef struct QnLimitInterval {
   QnLimitFixedPoint points[QN_LIMIT_STARTS]; /* in the order of the starts */
