@@ -87,6 +87,8 @@ static const struct {
   { "win.run", { "F5" } },
   { "win.cancel", { "<Shift>F5" } },
   { "win.export", { "<Control>e" } },
+  { "win.print", { "<Control>p" } },
+  { "win.import", { "<Control>i" } },
   { "win.repeat-export", { "<Control><Shift>e" } },
   { "win.fullscreen", { "F11" } },
   { "win.show-help-overlay", { "<Control>question" } },

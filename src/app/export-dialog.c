@@ -1,8 +1,11 @@
-/* The figure dialog: size and resolution with a live preview, then where to write it. */
+/* The figure dialog: what is shown, how and how large, with a live preview; then where to write
+ * it, or a name under which the project keeps it. */
 #include "app/window-private.h"
 
+#include "app/dialog.h"
 #include "app/form.h"
 #include "doc/figure-export.h"
+#include "doc/figures.h"
 #include <glib/gi18n.h>
 
 enum { UNIT_PX, UNIT_MM };
@@ -10,45 +13,98 @@ enum { UNIT_PX, UNIT_MM };
 typedef struct Dialog {
   QnWindow *window;
   GtkWidget *dialog, *preview;
-  GtkDropDown *unit, *format;
+  GtkDropDown *view, *field, *format, *unit;
   QnQuantityEntry *width, *height, *dpi;
-  GtkWidget *transparent, *monochrome;
+  GtkWidget *title, *caption, *name, *transparent;
+  GtkWidget *switches[16]; /* as qn_view_switches */
   GtkLabel *trouble;
+  QnRecipe *recipe; /* what the fields say */
 } Dialog;
 
-/* What the last export of this program looked like, for "Repeat Export". */
-static QnOutput last_output;
-
-static QnOutput
-output_of (const Dialog *dialog)
+static void
+dialog_free (gpointer data, GObject *where)
 {
-  QnOutput output;
-  qn_output_init (&output);
-  output.width = qn_quantity_entry_get_value (dialog->width);
-  output.height = qn_quantity_entry_get_value (dialog->height);
-  output.millimetres = gtk_drop_down_get_selected (dialog->unit) == UNIT_MM;
-  output.dpi = output.millimetres ? qn_quantity_entry_get_value (dialog->dpi) : 0.0;
-  output.transparent =
-    gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->transparent));
-  return output;
+  (void) where;
+  Dialog *dialog = data;
+  qn_recipe_free (dialog->recipe);
+  g_free (dialog);
 }
+
+/* ---- the recipe ---- */
+
+static const char *const endings[] = { "png", "svg", "pdf" };
+
+static void
+take_text (char **text, GtkWidget *entry)
+{
+  const char *typed = gtk_editable_get_text (GTK_EDITABLE (entry));
+  g_free (*text);
+  *text = *typed != '\0' ? g_strdup (typed) : NULL;
+}
+
+static void
+take_output (const Dialog *dialog, QnOutput *output)
+{
+  qn_output_init (output);
+  output->width = qn_quantity_entry_get_value (dialog->width);
+  output->height = qn_quantity_entry_get_value (dialog->height);
+  output->millimetres = gtk_drop_down_get_selected (dialog->unit) == UNIT_MM;
+  output->dpi = output->millimetres ? qn_quantity_entry_get_value (dialog->dpi) : 0.0;
+  output->transparent =
+    gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->transparent));
+}
+
+static void
+take_fields (Dialog *dialog)
+{
+  QnRecipe *recipe = dialog->recipe;
+  recipe->view.view = (QnView) gtk_drop_down_get_selected (dialog->view);
+  recipe->view.field = (QnField) gtk_drop_down_get_selected (dialog->field);
+  for (gsize i = 0; qn_view_switches[i] != NULL; i++)
+    *qn_view_switch (&recipe->view, qn_view_switches[i]) =
+      gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->switches[i]));
+  take_text (&recipe->title, dialog->title);
+  take_text (&recipe->caption, dialog->caption);
+  take_output (dialog, &recipe->output);
+  const char *name = gtk_editable_get_text (GTK_EDITABLE (dialog->name));
+  g_free (recipe->name);
+  g_free (recipe->file);
+  recipe->name = g_strdup (name);
+  recipe->file =
+    g_strdup_printf ("%s.%s", name, endings[gtk_drop_down_get_selected (dialog->format)]);
+}
+
+/* Where the fields start: what the window shows. */
+static QnRecipe *
+recipe_of_window (QnWindow *window)
+{
+  QnViewOptions shown = qn_view_state_get_options (window->state);
+  g_autofree char *name =
+    qn_document_dup_figure_name (window->document, qn_view_name (shown.view));
+  QnRecipe *recipe = qn_recipe_new (name, shown.view);
+  recipe->view = shown;
+  recipe->view.titles = true;
+  recipe->view.onion = NULL;
+  recipe->view.underlay = (QnUnderlay){ 0 };
+  return recipe;
+}
+
+/* ---- preview ---- */
 
 static void
 draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   (void) area;
   const Dialog *dialog = data;
-  QnOutput output = output_of (dialog);
   QnFigure figure;
   QnPage page;
   g_autoptr (GError) error = NULL;
-  if (!qn_output_page (&output, &page, &error)
-      || !qn_view_state_get_figure (dialog->window->state, &figure, &error)) {
+  if (!qn_output_page (&dialog->recipe->output, &page, &error)
+      || !qn_view_state_get_figure_as (dialog->window->state, dialog->recipe, &figure,
+                                       &error)) {
     gtk_label_set_text (dialog->trouble, error->message);
     return;
   }
-  figure.options.monochrome =
-    gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->monochrome));
   double scale = MIN (width / page.width, height / page.height);
   cairo_translate (cr, 0.5 * (width - scale * page.width),
                    0.5 * (height - scale * page.height));
@@ -65,8 +121,8 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
 static void
 redraw (Dialog *dialog)
 {
-  qn_form_set_row_visible (GTK_WIDGET (dialog->dpi),
-                           gtk_drop_down_get_selected (dialog->unit) == UNIT_MM);
+  take_fields (dialog);
+  qn_form_set_row_visible (GTK_WIDGET (dialog->dpi), dialog->recipe->output.millimetres);
   gtk_widget_queue_draw (dialog->preview);
 }
 
@@ -74,6 +130,14 @@ static void
 on_quantity (QnQuantityEntry *entry, Dialog *dialog)
 {
   (void) entry;
+  redraw (dialog);
+}
+
+static void
+on_choice (GtkDropDown *choice, GParamSpec *pspec, Dialog *dialog)
+{
+  (void) choice;
+  (void) pspec;
   redraw (dialog);
 }
 
@@ -87,19 +151,18 @@ on_unit (GtkDropDown *unit, GParamSpec *pspec, Dialog *dialog)
   redraw (dialog);
 }
 
+/* ---- export ---- */
+
 static gboolean
-export_to (QnWindow *self, const char *path, const QnOutput *output)
+export_to (QnWindow *self, const char *path, const QnRecipe *recipe)
 {
   g_autoptr (GError) error = NULL;
-  if (!qn_view_state_export (self->state, path, output, &error)) {
+  if (!qn_view_state_export_as (self->state, recipe, path, &error)) {
     qn_window_show_error (self, error->message);
     return FALSE;
   }
-  if (path != self->last_export) {
-    g_free (self->last_export);
-    self->last_export = g_strdup (path);
-  }
-  last_output = *output;
+  g_autofree char *message = g_strdup_printf (_ ("Figure written to %s"), path);
+  qn_window_show_message (self, message);
   qn_window_update_actions (self);
   return TRUE;
 }
@@ -111,28 +174,29 @@ on_file_chosen (GtkNativeDialog *chooser, int response, Dialog *dialog)
   if (response == GTK_RESPONSE_ACCEPT) {
     g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
     g_autofree char *path = g_file_get_path (file);
-    QnOutput output = output_of (dialog);
-    qn_view_state_set_switch (
-      self->state, "monochrome",
-      gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->monochrome)));
-    if (path != NULL)
-      export_to (self, path, &output);
+    if (path == NULL)
+      qn_window_show_error (self, _ ("Only local files can be written"));
+    else {
+      g_free (self->last_export);
+      self->last_export = g_steal_pointer (&path);
+      g_clear_pointer (&self->last_recipe, qn_recipe_free);
+      self->last_recipe = g_steal_pointer (&dialog->recipe);
+      export_to (self, self->last_export, self->last_recipe);
+    }
+    gtk_window_destroy (GTK_WINDOW (dialog->dialog));
   }
-  gtk_window_destroy (GTK_WINDOW (dialog->dialog));
   g_clear_object (&self->chooser);
 }
 
 static void
 on_export (Dialog *dialog)
 {
-  static const char *const endings[] = { "png", "svg", "pdf" };
   GtkFileChooserNative *chooser =
     gtk_file_chooser_native_new (_ ("Export Figure"), GTK_WINDOW (dialog->dialog),
                                  GTK_FILE_CHOOSER_ACTION_SAVE, _ ("_Export"), NULL);
+  take_fields (dialog);
   g_autofree char *name = qn_document_dup_display_name (dialog->window->document);
-  g_autofree char *proposed = g_strdup_printf (
-    "%s – %s.%s", name, qn_view_name (qn_view_state_get_view (dialog->window->state)),
-    endings[gtk_drop_down_get_selected (dialog->format)]);
+  g_autofree char *proposed = g_strdup_printf ("%s – %s", name, dialog->recipe->file);
   gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser),
                                      g_strdelimit (proposed, "/", '-'));
   gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
@@ -142,59 +206,152 @@ on_export (Dialog *dialog)
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
+static void
+on_store (Dialog *dialog)
+{
+  g_autoptr (GError) error = NULL;
+  take_fields (dialog);
+  if (qn_document_store_figure (dialog->window->document, dialog->recipe, &error)) {
+    g_autofree char *message =
+      g_strdup_printf (_ ("Figure “%s” is kept in the project"), dialog->recipe->name);
+    qn_window_show_message (dialog->window, message);
+    gtk_window_destroy (GTK_WINDOW (dialog->dialog));
+  } else
+    gtk_label_set_text (dialog->trouble, error->message);
+}
+
+/* ---- building ---- */
+
 static GtkWidget *
-build_form (Dialog *dialog)
+add_entry (Dialog *dialog, GtkWidget *form, const char *label, const char *placeholder)
+{
+  GtkWidget *entry = gtk_entry_new ();
+  gtk_entry_set_placeholder_text (GTK_ENTRY (entry), placeholder);
+  g_signal_connect_swapped (entry, "changed", G_CALLBACK (redraw), dialog);
+  qn_form_add_row (form, label, entry);
+  return entry;
+}
+
+static void
+add_content (Dialog *dialog, GtkWidget *form)
+{
+  const char *const views[] = { _ ("Model"),     _ ("Contacts"), _ ("Deformed"),
+                                _ ("Mechanism"), _ ("Forces"),   NULL };
+  const char *const fields[] = { _ ("None"),
+                                 _ ("Displacement"),
+                                 _ ("Displacement, horizontal"),
+                                 _ ("Displacement, vertical"),
+                                 _ ("Rotation"),
+                                 _ ("Stress"),
+                                 _ ("Opening of joints"),
+                                 _ ("Sliding of joints"),
+                                 NULL };
+  GCallback chosen = G_CALLBACK (on_choice);
+  dialog->view = qn_form_add_choice (form, _ ("_View"), views, chosen, dialog);
+  qn_form_set_choice (dialog->view, (guint) dialog->recipe->view.view, dialog);
+  dialog->field = qn_form_add_choice (form, _ ("_Colours"), fields, chosen, dialog);
+  qn_form_set_choice (dialog->field, (guint) dialog->recipe->view.field, dialog);
+  dialog->title = add_entry (dialog, form, _ ("T_itle"), _ ("as the project"));
+  dialog->caption = add_entry (dialog, form, _ ("Ca_ption"), _ ("by itself"));
+}
+
+static GtkWidget *
+make_check (Dialog *dialog, const char *label, gboolean active)
+{
+  GtkWidget *check = gtk_check_button_new_with_mnemonic (label);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
+  g_signal_connect_swapped (check, "toggled", G_CALLBACK (redraw), dialog);
+  return check;
+}
+
+/* Words for the switches, in two columns. */
+static void
+add_switches (Dialog *dialog, GtkWidget *form)
+{
+  static const char *const words[][2] = {
+    { "ghost", N_ ("_Undeformed ghost") },
+    { "symbols", N_ ("Joint s_ymbols") },
+    { "loads", N_ ("_Loads") },
+    { "dimensions", N_ ("_Dimensions") },
+    { "names", N_ ("Block _names") },
+    { "legend", N_ ("Le_gend") },
+    { "titles", N_ ("Title and multiplier") },
+    { "monochrome", N_ ("_Black and white") },
+  };
+  GtkWidget *grid = gtk_grid_new ();
+  gtk_grid_set_column_spacing (GTK_GRID (grid), 12);
+  int shown = 0;
+  for (gsize i = 0; qn_view_switches[i] != NULL; i++) {
+    const char *label = qn_view_switches[i];
+    for (gsize k = 0; k < G_N_ELEMENTS (words); k++)
+      if (g_str_equal (words[k][0], qn_view_switches[i]))
+        label = _ (words[k][1]);
+    dialog->switches[i] = make_check (
+      dialog, label, *qn_view_switch (&dialog->recipe->view, qn_view_switches[i]));
+    gtk_grid_attach (GTK_GRID (grid), dialog->switches[i], shown % 2, shown / 2, 1, 1);
+    shown++;
+  }
+  dialog->transparent = make_check (dialog, _ ("_Transparent ground"), FALSE);
+  gtk_grid_attach (GTK_GRID (grid), dialog->transparent, shown % 2, shown / 2, 1, 1);
+  qn_form_add_wide (form, grid);
+}
+
+static void
+add_size (Dialog *dialog, GtkWidget *form)
 {
   const char *const units[] = { _ ("Pixels"), _ ("Millimetres"), NULL };
   const char *const formats[] = { "PNG", "SVG", "PDF", NULL };
-  GtkWidget *form = qn_form_new ();
   GCallback changed = G_CALLBACK (on_quantity);
   dialog->format =
-    qn_form_add_choice (form, _ ("_Format"), formats, G_CALLBACK (redraw), dialog);
-  g_signal_handlers_disconnect_by_data (dialog->format, dialog);
+    qn_form_add_choice (form, _ ("_Format"), formats, G_CALLBACK (on_choice), dialog);
   dialog->unit =
     qn_form_add_choice (form, _ ("_Size in"), units, G_CALLBACK (on_unit), dialog);
   dialog->width = qn_form_add_quantity (form, _ ("_Width"), QN_QUANTITY_NUMBER, 1.0,
                                         32000.0, changed, dialog);
   dialog->height = qn_form_add_quantity (form, _ ("_Height"), QN_QUANTITY_NUMBER, 1.0,
                                          32000.0, changed, dialog);
-  dialog->dpi = qn_form_add_quantity (form, _ ("_Dots per inch"), QN_QUANTITY_NUMBER,
+  dialog->dpi = qn_form_add_quantity (form, _ ("D_ots per inch"), QN_QUANTITY_NUMBER,
                                       10.0, 2400.0, changed, dialog);
-  dialog->transparent = gtk_check_button_new_with_mnemonic (_ ("_Transparent ground"));
-  dialog->monochrome = gtk_check_button_new_with_mnemonic (_ ("_Black and white"));
-  gtk_check_button_set_active (
-    GTK_CHECK_BUTTON (dialog->monochrome),
-    qn_view_state_get_switch (dialog->window->state, "monochrome"));
-  g_signal_connect_swapped (dialog->transparent, "toggled", G_CALLBACK (redraw), dialog);
-  g_signal_connect_swapped (dialog->monochrome, "toggled", G_CALLBACK (redraw), dialog);
-  qn_form_add_wide (form, dialog->transparent);
-  qn_form_add_wide (form, dialog->monochrome);
-  dialog->trouble = qn_form_add_text (form);
-  qn_quantity_entry_set_value (dialog->width, 1600.0);
-  qn_quantity_entry_set_value (dialog->height, 1200.0);
+  qn_quantity_entry_set_value (dialog->width, dialog->recipe->output.width);
+  qn_quantity_entry_set_value (dialog->height, dialog->recipe->output.height);
   qn_quantity_entry_set_value (dialog->dpi, 300.0);
+}
 
-  GtkWidget *button = gtk_button_new_with_mnemonic (_ ("_Export…"));
-  gtk_widget_add_css_class (button, "suggested-action");
-  gtk_widget_set_margin_top (button, 12);
-  g_signal_connect_swapped (button, "clicked", G_CALLBACK (on_export), dialog);
-  qn_form_add_wide (form, button);
+static GtkWidget *
+build_form (Dialog *dialog)
+{
+  GtkWidget *form = qn_form_new ();
+  add_content (dialog, form);
+  add_switches (dialog, form);
+  add_size (dialog, form);
+  dialog->name = gtk_entry_new ();
+  gtk_editable_set_text (GTK_EDITABLE (dialog->name), dialog->recipe->name);
+  qn_form_add_row (form, _ ("Na_me in the project"), dialog->name);
+  dialog->trouble = qn_form_add_text (form);
   return form;
 }
 
-void
-qn_export_dialog_show (QnWindow *self)
+static GtkWidget *
+build_header (Dialog *dialog)
 {
-  Dialog *dialog = g_new0 (Dialog, 1);
-  dialog->window = self;
-  dialog->dialog = gtk_window_new ();
-  gtk_window_set_title (GTK_WINDOW (dialog->dialog), _ ("Export Figure"));
-  gtk_window_set_transient_for (GTK_WINDOW (dialog->dialog), GTK_WINDOW (self));
-  gtk_window_set_modal (GTK_WINDOW (dialog->dialog), TRUE);
-  gtk_window_set_destroy_with_parent (GTK_WINDOW (dialog->dialog), TRUE);
-  gtk_window_set_default_size (GTK_WINDOW (dialog->dialog), 860, 500);
+  GtkWidget *header = gtk_header_bar_new ();
+  GtkWidget *store = gtk_button_new_with_mnemonic (_ ("_Keep in Project"));
+  gtk_widget_set_tooltip_text (
+    store, _ ("Keeps what the figure shows, so that it can be made again after changes"));
+  g_signal_connect_swapped (store, "clicked", G_CALLBACK (on_store), dialog);
+  GtkWidget *export = gtk_button_new_with_mnemonic (_ ("_Export…"));
+  gtk_widget_add_css_class (export, "suggested-action");
+  g_signal_connect_swapped (export, "clicked", G_CALLBACK (on_export), dialog);
+  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), export);
+  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), store);
+  return header;
+}
 
+static GtkWidget *
+build_preview (Dialog *dialog)
+{
   dialog->preview = gtk_drawing_area_new ();
+  gtk_widget_set_size_request (dialog->preview, 420, 320);
   gtk_widget_set_hexpand (dialog->preview, TRUE);
   gtk_widget_set_vexpand (dialog->preview, TRUE);
   gtk_widget_set_margin_start (dialog->preview, 12);
@@ -202,15 +359,31 @@ qn_export_dialog_show (QnWindow *self)
   gtk_widget_set_margin_bottom (dialog->preview, 12);
   gtk_accessible_update_property (GTK_ACCESSIBLE (dialog->preview),
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Preview"), -1);
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
-  gtk_box_append (GTK_BOX (box), dialog->preview);
-  GtkWidget *form = build_form (dialog);
-  gtk_widget_set_hexpand (form, FALSE);
-  gtk_box_append (GTK_BOX (box), form);
-  gtk_window_set_child (GTK_WINDOW (dialog->dialog), box);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (dialog->preview), draw_preview,
                                   dialog, NULL);
-  qn_own (box, dialog);
+  return dialog->preview;
+}
+
+void
+qn_export_dialog_show (QnWindow *self)
+{
+  Dialog *dialog = g_new0 (Dialog, 1);
+  dialog->window = self;
+  dialog->recipe = recipe_of_window (self);
+  dialog->dialog = qn_dialog_new (GTK_WINDOW (self), _ ("Export Figure"), 960, 620);
+  gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog));
+
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
+  gtk_box_append (GTK_BOX (box), build_preview (dialog));
+  GtkWidget *form = build_form (dialog);
+  gtk_widget_set_hexpand (form, FALSE);
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
+                                  GTK_POLICY_AUTOMATIC);
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), form);
+  gtk_box_append (GTK_BOX (box), scroller);
+  gtk_window_set_child (GTK_WINDOW (dialog->dialog), box);
+  g_object_weak_ref (G_OBJECT (box), dialog_free, dialog);
   redraw (dialog);
   gtk_window_present (GTK_WINDOW (dialog->dialog));
 }
@@ -218,6 +391,6 @@ qn_export_dialog_show (QnWindow *self)
 void
 qn_export_repeat (QnWindow *self)
 {
-  if (self->last_export != NULL)
-    export_to (self, self->last_export, &last_output);
+  if (self->last_export != NULL && self->last_recipe != NULL)
+    export_to (self, self->last_export, self->last_recipe);
 }

@@ -124,6 +124,13 @@ repeat_export (QnWindow *self, GVariant *parameter)
 }
 
 static void
+show_figures (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_figures_window_show (self);
+}
+
+static void
 compare (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
@@ -217,6 +224,7 @@ qn_window_add_actions (QnWindow *self)
     { "export", NULL, export_figure },
     { "repeat-export", NULL, repeat_export },
     { "compare", NULL, compare },
+    { "figures", NULL, show_figures },
   };
   qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
   add_stateful_actions (self);
@@ -271,6 +279,9 @@ qn_window_update_actions (QnWindow *self)
                  { "next-step", run },
                  { "previous-step", run },
                  { "export", work && blocks },
+                 { "print", work && blocks },
+                 { "print-path", work && blocks },
+                 { "figures", work },
                  { "repeat-export", work && self->last_export != NULL },
                  { "compare", qn_document_get_runs (self->document)->len > 0 } };
   for (gsize i = 0; i < G_N_ELEMENTS (states); i++)

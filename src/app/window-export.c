@@ -58,7 +58,7 @@ on_animated (GObject *source, GAsyncResult *result, gpointer data)
     return;
   }
   g_autofree char *message = g_strdup_printf (_ ("Animation written to %s"), path);
-  qn_window_show_error (self, message);
+  qn_window_show_message (self, message);
 }
 
 static void
@@ -77,6 +77,7 @@ animate_to (QnWindow *self, const char *path)
   work->options.titles = true;
   work->options.phase = 1.0;
   work->options.onion = NULL;
+  work->options.underlay.image = NULL; /* belongs to the main thread */
   qn_document_get_metadata (self->document, &work->metadata);
   work->model_name = g_strdup (work->metadata.model);
   work->sha256 = g_strdup (work->metadata.model_sha256);

@@ -3,6 +3,7 @@
 #define QN_APP_WINDOW_PRIVATE_H
 
 #include "app/window.h"
+#include "doc/recipe.h"
 #include "doc/recovery.h"
 
 /* An analysis that waits for another to end. */
@@ -18,12 +19,14 @@ struct _QnWindow {
   QnViewState *state;
   QnToolSettings tool_settings;
   QnRecovery *recovery;
-  guint live_timeout;
+  guint live_timeout, message_timeout;
   const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
-  gboolean was_running; /* an analysis, when the document last told */
-  gboolean closing;     /* unsaved changes have been dealt with */
-  char *last_export;    /* path of the last exported figure */
-  GObject *chooser;     /* file chooser on the screen */
+  gboolean was_running;             /* an analysis, when the document last told */
+  gboolean closing;                 /* unsaved changes have been dealt with */
+  char *last_export;                /* path of the last exported figure */
+  QnRecipe *last_recipe;            /* what it looked like */
+  GtkPrintSettings *print_settings; /* of the last page, or NULL */
+  GObject *chooser;                 /* file chooser on the screen */
   gboolean has_info_place;
   QnVec2 info_place;
 
@@ -75,6 +78,12 @@ void qn_window_add_export_actions (QnWindow *window);
 
 /* Shows the drawing instead of the start page. */
 void qn_window_show_work (QnWindow *window);
+
+/* window-print.c */
+void qn_window_add_print_actions (QnWindow *window);
+
+/* figures-window.c */
+void qn_figures_window_show (QnWindow *window);
 
 /* export-dialog.c */
 void qn_export_dialog_show (QnWindow *window);

@@ -8,6 +8,9 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+/* How long good news stay. */
+#define MESSAGE_SECONDS 6
+
 G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
 
 QnDocument *
@@ -129,10 +132,32 @@ qn_window_show_error (QnWindow *self, const char *message)
   /* Work that outlives its window has nobody to tell. */
   if (self->info_label == NULL)
     return;
+  g_clear_handle_id (&self->message_timeout, g_source_remove);
+  gtk_info_bar_set_message_type (self->info_bar, GTK_MESSAGE_WARNING);
   self->has_info_place = FALSE;
   gtk_label_set_text (self->info_label, message);
   gtk_widget_set_visible (GTK_WIDGET (self->info_button), FALSE);
   gtk_info_bar_set_revealed (self->info_bar, TRUE);
+}
+
+static gboolean
+on_message_timeout (gpointer data)
+{
+  QnWindow *self = data;
+  self->message_timeout = 0;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  return G_SOURCE_REMOVE;
+}
+
+void
+qn_window_show_message (QnWindow *self, const char *message)
+{
+  qn_window_show_error (self, message);
+  if (self->info_label == NULL)
+    return;
+  gtk_info_bar_set_message_type (self->info_bar, GTK_MESSAGE_INFO);
+  self->message_timeout =
+    g_timeout_add_seconds (MESSAGE_SECONDS, on_message_timeout, self);
 }
 
 void
@@ -338,6 +363,7 @@ qn_window_init (QnWindow *self)
   qn_window_add_import_actions (self);
   qn_window_add_analysis_actions (self);
   qn_window_add_export_actions (self);
+  qn_window_add_print_actions (self);
   build_tools (self);
   build_panels (self);
   connect_document (self);
@@ -366,6 +392,7 @@ qn_window_dispose (GObject *object)
 {
   QnWindow *self = QN_WINDOW (object);
   g_clear_handle_id (&self->live_timeout, g_source_remove);
+  g_clear_handle_id (&self->message_timeout, g_source_remove);
   g_clear_pointer (&self->recovery, qn_recovery_end);
   if (self->document != NULL)
     qn_document_cancel (self->document);
@@ -381,6 +408,8 @@ qn_window_finalize (GObject *object)
   g_clear_object (&self->state);
   g_clear_object (&self->document);
   g_free (self->last_export);
+  g_clear_pointer (&self->last_recipe, qn_recipe_free);
+  g_clear_object (&self->print_settings);
   G_OBJECT_CLASS (qn_window_parent_class)->finalize (object);
 }
 

@@ -64,6 +64,13 @@ qn_underlay_read (const QnProject *project, QnUnderlay *underlay, GError **error
 {
   g_autofree char *folder =
     g_path_get_dirname (project->path != NULL ? project->path : "");
+  return qn_underlay_read_from (project, folder, underlay, error);
+}
+
+gboolean
+qn_underlay_read_from (const QnProject *project, const char *folder, QnUnderlay *underlay,
+                       GError **error)
+{
   g_autofree char *path = NULL;
   if (!qn_underlay_locate (project, folder, &path, underlay, error))
     return FALSE;

@@ -17,6 +17,10 @@
 gboolean qn_underlay_read (const QnProject *project, QnUnderlay *underlay,
                            GError **error);
 
+/* The same where relative paths start from `folder` (nullable). */
+gboolean qn_underlay_read_from (const QnProject *project, const char *folder,
+                                QnUnderlay *underlay, GError **error);
+
 /* The same without the image: its path, owned by the caller, or NULL where the project has no
  * underlay. `folder` (nullable) is what a relative path starts from. */
 gboolean qn_underlay_locate (const QnProject *project, const char *folder, char **path,

@@ -316,8 +316,15 @@ gboolean
 qn_view_state_get_content (QnViewState *self, const QnModel **model,
                            const QnContacts **contacts, const QnResult **result)
 {
+  return qn_view_state_get_content_of (self, self->options.view, model, contacts, result);
+}
+
+gboolean
+qn_view_state_get_content_of (QnViewState *self, QnView view, const QnModel **model,
+                              const QnContacts **contacts, const QnResult **result)
+{
   const QnRun *run = qn_document_get_run (self->document);
-  if (!qn_view_needs_result (self->options.view)) {
+  if (!qn_view_needs_result (view)) {
     *model = qn_document_get_model (self->document);
     *contacts = qn_document_get_contacts (self->document);
     *result = NULL;

@@ -65,6 +65,11 @@ QnRun *qn_view_state_get_onion (QnViewState *state);
 gboolean qn_view_state_get_content (QnViewState *state, const QnModel **model,
                                     const QnContacts **contacts, const QnResult **result);
 
+/* The same for another view. */
+gboolean qn_view_state_get_content_of (QnViewState *state, QnView view,
+                                       const QnModel **model, const QnContacts **contacts,
+                                       const QnResult **result);
+
 /* Whether a view shows a result. */
 gboolean qn_view_needs_result (QnView view);
 

@@ -1,0 +1,176 @@
+/* What leaves a window: figures with style and preview, figures that the project keeps and makes
+ * again, comparison sheets, printed pages. */
+#include "driver.h"
+
+#include "app/window-private.h"
+#include "doc/figures.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+static gboolean
+is_check_called (GtkWidget *widget, gconstpointer label)
+{
+  if (!GTK_IS_CHECK_BUTTON (widget))
+    return FALSE;
+  const char *its = gtk_check_button_get_label (GTK_CHECK_BUTTON (widget));
+  g_auto (GStrv) parts = g_strsplit (its != NULL ? its : "", "_", 2);
+  g_autofree char *plain = g_strjoinv ("", parts);
+  return g_str_equal (plain, label);
+}
+
+static gboolean
+is_bytes_of (const char *path, const char *other)
+{
+  g_autofree char *a = NULL, *b = NULL;
+  gsize na = 0, nb = 0;
+  return g_file_get_contents (path, &a, &na, NULL)
+         && g_file_get_contents (other, &b, &nb, NULL) && na == nb
+         && memcmp (a, b, na) == 0;
+}
+
+static gboolean
+exists (gpointer path)
+{
+  return g_file_test (path, G_FILE_TEST_EXISTS);
+}
+
+/* Kept with its style from the dialog, made again from the window after an analysis, and by the
+ * command line: the same bytes. */
+static void
+test_figures (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *project = g_build_filename (folder, "wall.quoin", NULL);
+  g_autofree char *picture = g_build_filename (folder, "mechanism.png", NULL);
+  g_autofree char *from_cli = g_build_filename (folder, "cli", NULL);
+  g_autofree char *other = g_build_filename (from_cli, "mechanism.png", NULL);
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.export");
+  GtkWidget *dialog = driver_find_dialog ("Export Figure");
+  g_assert_nonnull (dialog);
+  GtkWidget *check = driver_find_widget (dialog, is_check_called, "Black and white");
+  g_assert_nonnull (check);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
+  driver_run (200);
+  driver_screenshot (dialog, "export-dialog-style");
+  driver_press (dialog, "Keep in Project");
+  g_assert_null (driver_find_dialog ("Export Figure"));
+
+  g_autoptr (GError) error = NULL;
+  g_autoptr (GPtrArray) figures = qn_document_get_figures (document, &error);
+  g_assert_no_error (error);
+  g_assert_cmpuint (figures->len, ==, 1);
+  const QnRecipe *recipe = g_ptr_array_index (figures, 0);
+  g_assert_cmpstr (recipe->name, ==, "mechanism");
+  g_assert_true (recipe->view.monochrome);
+  g_assert_false (qn_recipe_is_stale (recipe, qn_document_get_project (document)));
+
+  driver_activate_target (window, "win.save-path", g_variant_new_string (project));
+  driver_discard (window);
+  window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, project));
+  document = qn_window_get_document (window);
+  driver_activate (window, "win.figures");
+  dialog = driver_find_dialog ("Figures");
+  g_assert_nonnull (dialog);
+  driver_screenshot (dialog, "figures");
+  driver_press (dialog, "Make All Again");
+  driver_wait (exists, picture);
+  driver_run (300);
+
+  g_mkdir (from_cli, 0700);
+  const char *argv[] = {
+    g_getenv ("QUOIN_CLI"), "figures", project, "-o", from_cli, NULL
+  };
+  int status = -1;
+  g_assert_true (g_spawn_sync (NULL, (char **) argv, NULL, G_SPAWN_STDOUT_TO_DEV_NULL,
+                               NULL, NULL, NULL, NULL, &status, NULL));
+  g_assert_cmpint (status, ==, 0);
+  g_assert_true (is_bytes_of (picture, other));
+
+  /* A model that has changed is told, and removing can be undone. */
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  g_autoptr (GPtrArray) later = qn_document_get_figures (document, NULL);
+  g_assert_true (qn_recipe_is_stale (g_ptr_array_index (later, 0),
+                                     qn_document_get_project (document)));
+  g_assert_true (qn_document_remove_figure (document, "mechanism", NULL));
+  g_autoptr (GPtrArray) none = qn_document_get_figures (document, NULL);
+  g_assert_cmpuint (none->len, ==, 0);
+  driver_activate (window, "win.undo");
+  g_autoptr (GPtrArray) again = qn_document_get_figures (document, NULL);
+  g_assert_cmpuint (again->len, ==, 1);
+  driver_discard (window);
+  g_unlink (other);
+  g_rmdir (from_cli);
+  g_unlink (picture);
+  g_unlink (project);
+  g_rmdir (folder);
+}
+
+static void
+expect_pdf (const char *path)
+{
+  g_autofree char *bytes = NULL;
+  gsize length = 0;
+  g_assert_true (g_file_get_contents (path, &bytes, &length, NULL));
+  g_assert_cmpuint (length, >, 2000);
+  g_assert_true (g_str_has_prefix (bytes, "%PDF"));
+}
+
+static void
+test_print (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "page.pdf", NULL);
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  driver_activate_target (window, "win.print-path", g_variant_new_string (path));
+  driver_wait (exists, path);
+  driver_run (300);
+  expect_pdf (path);
+  driver_discard (window);
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+static void
+test_sheet (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "sheet.pdf", NULL);
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.run-limit::associative");
+  driver_wait_for_job (window);
+  const GPtrArray *runs = qn_document_get_runs (qn_window_get_document (window));
+  g_assert_cmpuint (runs->len, ==, 2);
+  g_autoptr (GError) error = NULL;
+  qn_compare_export (runs, path, &error);
+  g_assert_no_error (error);
+  expect_pdf (path);
+
+  /* The outline of the one lies over the other. */
+  QnViewState *state = qn_window_get_view_state (window);
+  qn_view_state_set_onion (state, g_ptr_array_index (runs, 0));
+  g_assert_nonnull (qn_view_state_get_options (state).onion);
+  driver_screenshot (GTK_WIDGET (window), "onion");
+  driver_discard (window);
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/export/figures", test_figures);
+  g_test_add_func ("/app/export/print", test_print);
+  g_test_add_func ("/app/export/sheet", test_sheet);
+  return g_test_run ();
+}
