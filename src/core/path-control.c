@@ -24,8 +24,9 @@
 #define SMALLEST_STEP (1.0 / 1024)
 #define RESTART_STEP  (1.0 / 64)
 
-/* How often a step is cut for Newton's sake before it is relaxed. */
-#define NEWTON_CUTS 2
+/* Smallest step, as a part of the largest, that Newton is worth: relaxation takes a longer one
+ * for the same effort. */
+#define NEWTON_STEP (1.0 / 16)
 
 /* Motion so many times as far as the step before would have it may be a jump; it is one if
  * half of it is left in a step cut to a quarter. */
@@ -70,19 +71,21 @@ solve (PathControl *control, double step, bool smallest)
     return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
   }
   return qn_equilibrium_relax (eq, &target,
-                               smallest ? QN_RELAX_BUDGET : QN_RELAX_BUDGET_HINT);
+                               smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT);
 }
 
-/* Tries the step, cut until it is solved without a jump or is the smallest one. Newton is
- * cheap and is given a few cuts before relaxation takes over, fewer where relaxation was
- * needed just before. On return *step is the size that was tried last. */
+/* Tries the step, cut until it is solved without a jump or is the smallest one. Newton comes
+ * first, and is cheap, unless relaxation was needed just before: then its first failure is
+ * enough. On return *step is the size that was tried last. */
 static QnSolveStatus
 attempt (PathControl *control, double *step)
 {
   QnEquilibrium *eq = &control->path->equilibrium;
+  double least_for_newton = NEWTON_STEP * control->largest;
   double before = 0; /* motion in the step before it was cut; 0: unknown */
-  int newton_cuts = control->relaxed ? 0 : NEWTON_CUTS;
 
+  if (control->relaxed)
+    least_for_newton = INFINITY;
   control->relaxed = false;
   for (;;) {
     bool smallest = fabs (*step) <= SMALLEST_STEP * control->largest;
@@ -97,9 +100,10 @@ attempt (PathControl *control, double *step)
       return status;
     before = solved ? moved : 0;
     qn_equilibrium_restore (eq);
-    if (control->relaxed || newton_cuts > 0)
+    if (control->relaxed || fabs (*step) * CUT >= least_for_newton)
       *step *= CUT;
-    control->relaxed = control->relaxed || newton_cuts-- <= 0;
+    else
+      control->relaxed = true;
   }
 }
 

@@ -17,6 +17,10 @@
 #define QN_RELAX_BUDGET_HINT 40
 #define QN_RELAX_BUDGET      300
 
+/* With a measure held every relaxation ends, at rest or with blocks that have left their
+ * contacts; stiff joints make the way there long. */
+#define QN_RELAX_BUDGET_HELD 10000
+
 typedef struct QnPath {
   const QnModel *model;
   const QnAnalysisSettings *settings; /* in force: those of the model, or of the stage */

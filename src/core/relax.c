@@ -38,8 +38,11 @@
 #define RUNAWAY 1e5
 
 /* A measure that is to advance does so at a speed that damping resists with this part of the
- * largest dead load on a block: slowly enough to leave friction alone. */
-#define DRIVE 0.01
+ * largest dead load on a block, slowly enough to leave friction alone: ten times as fast, and
+ * walls take other branches in large than in small steps. So many viscous steps, of equal
+ * length if none grows, take the measure there. */
+#define DRIVE       0.001
+#define DRIVE_STEPS 8
 
 /* In nonlinear geometry: elastic displacements from which motion is watched, and how often it
  * must double without slowing down until it counts as a fall. */
@@ -196,6 +199,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
   Relaxation relaxation = { .held = target->direction != NULL,
                             .duration = find_duration (eq, target),
                             .viscosity = FIRST_VISCOSITY };
+  if (relaxation.duration > 0)
+    relaxation.viscosity = fmin (FIRST_VISCOSITY, DRIVE_STEPS / relaxation.duration);
 
   memset (eq->velocity, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->velocity);
   for (int step = 0; step < budget; step++) {
