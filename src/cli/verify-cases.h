@@ -5,19 +5,35 @@
 #ifndef QN_CLI_VERIFY_CASES_H
 #define QN_CLI_VERIFY_CASES_H
 
+#include "core/base.h"
+
 #include <glib.h>
 
 /* Prefix of the resources that hold the models. */
 #define QN_VERIFY_RESOURCES "/io/github/quoin/verify/"
 
+/* What a case compares. */
+typedef enum {
+  QN_VERIFY_COLLAPSE,     /* the collapse multiplier */
+  QN_VERIFY_DISPLACEMENT, /* of `block`, component `dof`, at the end of stage `number` */
+  QN_VERIFY_MULTIPLIER,   /* at the end of stage `number` */
+  QN_VERIFY_REACTION,     /* of the support `block`, component `dof`, at the last step */
+  QN_VERIFY_CRITICAL,     /* the multiplier at which stability is lost */
+  QN_VERIFY_FREQUENCY     /* of mode `number`, rad/s */
+} QnVerifyQuantity;
+
 typedef struct QnVerifyCase {
   const char *name;  /* what the table calls it; translatable */
   const char *model; /* file below examples/ */
-  double reference;  /* collapse multiplier, or displacement, to be met */
-  double tolerance;  /* relative to the reference */
-  double paper;      /* what the paper's own HybriDFEM gives; 0 where it has no value */
-  const char *block; /* whose displacement uy (m) at the last step is compared; NULL: the
-                        collapse multiplier is */
+  double reference;  /* to be met */
+  double
+    tolerance;  /* relative to the reference, or to `scale`; INFINITY: only reported */
+  double paper; /* what the paper's own HybriDFEM gives; 0 where it has no value */
+  const char *block;
+  QnVerifyQuantity quantity;
+  QnDof dof;
+  int number;   /* of a stage or mode, from 1; 0: the last step */
+  double scale; /* what errors are relative to; 0: the reference */
 } QnVerifyCase;
 
 typedef struct QnVerifyGroup {

@@ -2,6 +2,7 @@
 
 #include "core/memory.h"
 #include "core/sparse.h"
+#include "core/tolerance.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -448,6 +449,22 @@ qn_assembly_tangent_held (QnAssembly *as, double multiplier)
       if (as->ai[k] != i)
         as->ax[k] = 0;
   }
+}
+
+bool
+qn_assembly_is_symmetric (const QnAssembly *as)
+{
+  double largest = 0, skew = 0;
+
+  for (int32_t j = 0; j < as->unknown_count; j++)
+    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++) {
+      int32_t i = as->ai[k], low = as->ap[i];
+      while (as->ai[low] != j)
+        low++;
+      largest = fmax (largest, fabs (as->ax[k]));
+      skew = fmax (skew, fabs (as->ax[k] - as->ax[low]));
+    }
+  return skew <= QN_TOLERANCE_SYMMETRIC * largest;
 }
 
 void

@@ -122,6 +122,9 @@ void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscos
  * so that K is symmetric where the pairs' tangents are. */
 void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
 
+/* Whether the tangent last assembled is symmetric. */
+bool qn_assembly_is_symmetric (const QnAssembly *assembly);
+
 /* What the supports do: the forces (body_count x 3: N, N, N m about the centroid or node where
  * the body has moved to) that the ground exerts on fixed degrees of freedom at the last evaluation
  * with its loads at this multiplier; 0 for free ones. */

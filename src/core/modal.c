@@ -1,5 +1,6 @@
 #include "core/modal.h"
 
+#include "core/clock.h"
 #include "core/memory.h"
 #include "core/path.h"
 
@@ -14,9 +15,6 @@
 
 /* Frequencies below this part of the highest that the diagonals allow are rounding. */
 #define ZERO 1e-6
-
-/* Entries of K that differ by more than this part of its largest make it unsymmetric. */
-#define UNSYMMETRIC 1e-9
 
 #define MOST_RESTARTS 1000
 
@@ -70,18 +68,9 @@ static QnStatus
 factorize (Pencil *pencil, double multiplier, QnDiag *diag)
 {
   QnAssembly *as = pencil->assembly;
-  double largest = 0, skew = 0;
 
   qn_assembly_tangent_held (as, multiplier);
-  for (int32_t j = 0; j < pencil->n; j++)
-    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++) {
-      int32_t i = as->ai[k], low = as->ap[i];
-      while (as->ai[low] != j)
-        low++;
-      largest = fmax (largest, fabs (as->ax[k]));
-      skew = fmax (skew, fabs (as->ax[k] - as->ax[low]));
-    }
-  if (skew > UNSYMMETRIC * largest)
+  if (!qn_assembly_is_symmetric (as))
     return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
 
@@ -274,6 +263,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
               size_t wanted, QnProgressFunc progress, void *user_data, QnModes *modes,
               QnResult *result, QnDiag *diag)
 {
+  double start = qn_clock_seconds ();
   QnPath path;
   bool reached = false;
 
@@ -292,6 +282,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
     qn_assembly_pair_results (&path.equilibrium.assembly, path.equilibrium.u,
                               result->pairs);
     result->statistics = path.equilibrium.statistics;
+    result->statistics.seconds = qn_clock_seconds () - start;
   } else {
     qn_modes_clear (modes);
     qn_result_clear (result);

@@ -47,6 +47,7 @@
   X (BLOCK_WITHOUT_MASS, "block has no mass to vibrate with") \
   X (STATE_SLIPS, "pairs slip without dilatancy in this state: no symmetric stiffness") \
   X (LIMIT_WITHOUT_STATE, "limit analysis leaves no state to vibrate about") \
+  X (STABILITY_STAGES, "stability is looked for along the live loads, not along stages") \
   X (STATE_SINGULAR, "stiffness of this state is singular") \
   X (TOO_FEW_UNKNOWNS, "structure has fewer than two degrees of freedom") \
   X (MODES_NOT_FOUND, "modes were not found") \

@@ -60,6 +60,10 @@
  * Newton's method, whose own residual is asked to 1e-8. */
 #define QN_TOLERANCE_BACKWARD 1e-12
 
+/* Entries of a stiffness and of its transpose that differ by more than this part of the largest
+ * make it unsymmetric. */
+#define QN_TOLERANCE_SYMMETRIC 1e-9
+
 /* Reciprocal pivot growth below which a refactorisation chooses new pivots. */
 #define QN_TOLERANCE_PIVOT_GROWTH 1e-6
 

@@ -1,0 +1,216 @@
+/* Supports that give way, against closed forms and limit analysis. */
+#include "core/analysis.h"
+#include "core/limit.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+
+#define SPREAD 0.04 /* m */
+
+typedef struct Run {
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+} Run;
+
+static void
+solve (Run *run)
+{
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_model_prepare (&run->model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&run->model, &run->contacts, &diag), ==, QN_OK);
+  g_assert_cmpint (
+    qn_analysis_run (&run->model, &run->contacts, NULL, NULL, &run->result, &diag), ==,
+    QN_OK);
+}
+
+static void
+clear (Run *run)
+{
+  qn_result_clear (&run->result);
+  qn_contacts_clear (&run->contacts);
+  qn_model_clear (&run->model);
+}
+
+static void
+add_settlement (QnModel *model, QnId block, QnDof dof, double value)
+{
+  QnLoad *load = qn_model_add_live_load (model);
+  load->kind = QN_LOAD_SETTLEMENT;
+  load->block = block;
+  load->dof = dof;
+  load->value = value;
+}
+
+/* Clamped elastic beam of length L, one end of which sinks by s, or turns by phi: reactions
+ * 12 EI s/L^3, 6 EI s/L^2, and 4 EI phi/L, 2 EI phi/L, stiff in shear. */
+static void
+init_beam (Run *run, int faces)
+{
+  const double L = 4, d = 0.2, h = L / faces;
+  qn_model_init (&run->model);
+  QnLaw *law = qn_model_add_law (&run->model, "member");
+  *law = (QnLaw){ .name = law->name,
+                  .kind = QN_LAW_ELASTIC,
+                  .basis = QN_BASIS_MATERIAL,
+                  .kn = 30e9,
+                  .ks = 1e13 };
+  run->model.contact.law = 0;
+  run->model.contact.pairs =
+    (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 4 };
+  for (int i = 0; i <= faces; i++) {
+    g_autofree char *name = g_strdup_printf ("b%d", i);
+    QnBlock *block =
+      test_model_add_rectangle (&run->model, name, (i - 0.5) * h, -d / 2, h, d);
+    block->thickness = 0.2;
+    block->unit_weight = 0;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = i == 0 || i == faces;
+  }
+}
+
+static void
+test_clamped_beam (void)
+{
+  enum { FACES = 40 };
+  const double L = 4, EI = 30e9 * 0.2 * 0.2 * 0.2 * 0.2 / 12, s = 0.01, phi = 0.002;
+  for (int turned = 0; turned < 2; turned++) {
+    Run run;
+    init_beam (&run, FACES);
+    if (turned)
+      add_settlement (&run.model, FACES, QN_DOF_RZ, phi);
+    else
+      add_settlement (&run.model, FACES, QN_DOF_UY, -s);
+    solve (&run);
+    g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    size_t last = run.result.step_count - 1;
+    g_assert_cmpfloat (run.result.steps[last].multiplier, ==, 1);
+    const double *near = qn_result_step_reactions (&run.result, last), *far = near + 3;
+    double force = turned ? 6 * EI * phi / (L * L) : -12 * EI * s / (L * L * L);
+    double moment_far = turned ? 4 * EI * phi / L : 6 * EI * s / (L * L);
+    double moment_near = turned ? 2 * EI * phi / L : 6 * EI * s / (L * L);
+    /* What sinks is pulled down; it turns by phi > 0 and lifts: V = 6 EI phi/L^2 upwards on
+     * the near end, downwards on the far one. */
+    double sign = turned ? -1 : 1;
+    g_assert_cmpfloat_with_epsilon (far[1] / (sign * force), 1, 2e-3);
+    g_assert_cmpfloat_with_epsilon (near[1] / (-sign * force), 1, 2e-3);
+    g_assert_cmpfloat_with_epsilon (fabs (far[2] / moment_far), 1, 2e-3);
+    g_assert_cmpfloat_with_epsilon (fabs (near[2] / moment_near), 1, 2e-3);
+    clear (&run);
+  }
+}
+
+/* A rigid block on three fixed ones, the middle one of which sinks: when it has let go, the outer
+ * ones carry half of the weight each. */
+static void
+test_middle_support (void)
+{
+  Run run;
+  test_model_init (&run.model);
+  for (int i = 0; i < 3; i++) {
+    g_autofree char *name = g_strdup_printf ("pier%d", i);
+    QnBlock *pier = test_model_add_rectangle (&run.model, name, 2 * i, -1, 0.5, 1);
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      pier->support[dof] = true;
+  }
+  test_model_add_rectangle (&run.model, "lintel", 0, 0, 4.5, 0.5);
+  QnLoad *dead = qn_model_add_dead_load (&run.model);
+  dead->vector = qn_vec2 (0, -1);
+  add_settlement (&run.model, 1, QN_DOF_UY, -0.01);
+  solve (&run);
+  double weight = run.model.blocks[3].weight, pier = run.model.blocks[1].weight;
+  size_t last = run.result.step_count - 1;
+  const double *first = qn_result_step_reactions (&run.result, 0);
+  const double *r = qn_result_step_reactions (&run.result, last);
+  g_assert_cmpfloat_with_epsilon (first[4], weight / 3 + pier, 1e-3 * weight);
+  g_assert_cmpfloat_with_epsilon (r[4], pier, 1e-6 * weight);
+  g_assert_cmpfloat_with_epsilon (r[1], weight / 2 + pier, 1e-6 * weight);
+  g_assert_cmpfloat_with_epsilon (r[7], weight / 2 + pier, 1e-6 * weight);
+  clear (&run);
+}
+
+/* A semicircular arch of radius 5 m and thickness 1 m between two abutments. */
+static void
+init_arch (Run *run)
+{
+  enum { COUNT = 21 };
+  test_model_init (&run->model);
+  run->model.laws[0].kn = run->model.laws[0].ks = 1e9;
+  for (int side = 0; side < 2; side++) {
+    QnBlock *block = test_model_add_rectangle (&run->model, side == 0 ? "left" : "right",
+                                               side == 0 ? -6.5 : 4.1, -1, 2.4, 1);
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = true;
+  }
+  for (int i = 0; i < COUNT; i++) {
+    QnVec2 v[4];
+    for (int k = 0; k < 4; k++) {
+      double angle = G_PI * (1 - (double) (i + k / 2) / COUNT);
+      double radius = k == 1 || k == 2 ? 5.5 : 4.5;
+      v[k] = qn_vec2 (radius * cos (angle), radius * sin (angle));
+    }
+    v[0].y = fabs (v[0].y) < 1e-12 ? 0 : v[0].y;
+    g_autofree char *name = g_strdup_printf ("v%d", i + 1);
+    QnBlock *block = qn_model_add_block (&run->model, name, v, 4);
+    block->thickness = 1;
+    block->unit_weight = 20000;
+  }
+  QnLoad *dead = qn_model_add_dead_load (&run->model);
+  dead->vector = qn_vec2 (0, -1);
+}
+
+/* Arch on a spreading abutment: the thrust sinks to the least one with which it can stand. That is
+ * a question of limit analysis, too: with the abutment free to move and pushed inwards by P, how
+ * much of P can be taken away? */
+static void
+test_least_thrust (void)
+{
+  const double push = 55e3;
+  Run run;
+  init_arch (&run);
+  add_settlement (&run.model, 1, QN_DOF_UX, SPREAD);
+  run.model.analysis.increments = 20;
+  solve (&run);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  size_t last = run.result.step_count - 1;
+  double thrust = -qn_result_step_reactions (&run.result, last)[3];
+  double before = -qn_result_step_reactions (&run.result, 0)[3];
+  clear (&run);
+
+  QnLimitSolution solution;
+  init_arch (&run);
+  run.model.laws[0].dilatancy = run.model.laws[0].friction;
+  run.model.blocks[1].support[QN_DOF_UX] = false;
+  for (int live = 0; live < 2; live++) {
+    QnLoad *load =
+      live ? qn_model_add_live_load (&run.model) : qn_model_add_dead_load (&run.model);
+    load->kind = QN_LOAD_FORCE;
+    load->block = 1;
+    load->vector = qn_vec2 (live ? 1000 : -push, 0);
+  }
+  g_assert_cmpint (qn_model_prepare (&run.model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&run.model, &run.contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (
+    qn_limit_associative (&run.model, &run.contacts, NULL, NULL, &solution, NULL), ==,
+    QN_OK);
+  g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+  double least = push - 1000 * solution.upper_bound;
+  g_test_message ("thrust %.3f N at rest, %.6f N spread; least %.6f N", before, thrust,
+                  least);
+  g_assert_cmpfloat (before, >, 1.1 * least);
+  g_assert_cmpfloat_with_epsilon (thrust / least, 1, 1e-6);
+  qn_limit_solution_clear (&solution);
+  qn_contacts_clear (&run.contacts);
+  qn_model_clear (&run.model);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/verify/settlements/clamped-beam", test_clamped_beam);
+  g_test_add_func ("/verify/settlements/middle-support", test_middle_support);
+  g_test_add_func ("/verify/settlements/least-thrust", test_least_thrust);
+  return g_test_run ();
+}
