@@ -3,6 +3,9 @@
 #include "render/marker-shape.h"
 #include "render/text.h"
 
+/* Paper around labels that stand on hatching, pt. */
+#define LABEL_HALO 1.0
+
 static void
 set_color (cairo_t *cr, QnColor color)
 {
@@ -118,7 +121,11 @@ draw_command (const QnScene *scene, const QnCommand *command, const QnCamera *ca
                  command->angle, command->mirrored, camera->unit, command->color);
     break;
   case QN_COMMAND_TEXT:
-    qn_text_draw (cr, &(QnTextStyle){ .size = command->size * camera->unit },
+    qn_text_draw (cr,
+                  &(QnTextStyle){ .size = command->size * camera->unit,
+                                  .halo = command->layer == QN_LAYER_LABELS
+                                            ? LABEL_HALO * camera->unit
+                                            : 0 },
                   command->text, s.x, s.y, command->align_x, 1 - command->align_y,
                   command->angle, command->color);
     break;

@@ -62,6 +62,24 @@ mitre (QnVec2 n, QnVec2 m, QnVec2 *corner)
   return blunt;
 }
 
+/* Gathers the points that differ from their neighbours in the brush's scratch. */
+static GArray *
+distinct_points (const QnGlBrush *brush, const QnVec2 *points, uint32_t count,
+                 bool closed)
+{
+  GArray *kept = brush->scratch_points;
+  g_array_set_size (kept, 0);
+  for (uint32_t i = 0; i < count; i++) {
+    const QnVec2 *last = &g_array_index (kept, QnVec2, kept->len - 1);
+    if (kept->len == 0 || points[i].x != last->x || points[i].y != last->y)
+      g_array_append_val (kept, points[i]);
+  }
+  const QnVec2 *last = &g_array_index (kept, QnVec2, kept->len - 1);
+  if (closed && kept->len > 1 && points[0].x == last->x && points[0].y == last->y)
+    g_array_set_size (kept, kept->len - 1);
+  return kept;
+}
+
 /* ---- polygons -------------------------------------------------------------------------- */
 
 /* Outer unit normal of the side that starts at point i; `turn` is 1 for counter-clockwise
@@ -196,19 +214,21 @@ crossing (QnVec2 a, QnVec2 b, QnVec2 c, QnVec2 d, QnVec2 *at)
 }
 
 void
-qn_gl_add_fill (const QnGlBrush *brush, const QnVec2 *p, uint32_t count)
+qn_gl_add_fill (const QnGlBrush *brush, const QnVec2 *points, uint32_t count)
 {
+  const GArray *kept = distinct_points (brush, points, count, true);
+  const QnVec2 *p = (const QnVec2 *) (const void *) kept->data;
   QnVec2 x;
-  if (count < 3)
+  if (kept->len < 3)
     return;
-  if (count == 4 && crossing (p[0], p[1], p[2], p[3], &x)) {
+  if (kept->len == 4 && crossing (p[0], p[1], p[2], p[3], &x)) {
     add_simple (brush, (QnVec2[]){ x, p[1], p[2] }, 3);
     add_simple (brush, (QnVec2[]){ x, p[3], p[0] }, 3);
-  } else if (count == 4 && crossing (p[1], p[2], p[3], p[0], &x)) {
+  } else if (kept->len == 4 && crossing (p[1], p[2], p[3], p[0], &x)) {
     add_simple (brush, (QnVec2[]){ x, p[2], p[3] }, 3);
     add_simple (brush, (QnVec2[]){ x, p[0], p[1] }, 3);
   } else {
-    add_simple (brush, p, count);
+    add_simple (brush, p, kept->len);
   }
 }
 
@@ -295,24 +315,6 @@ add_end (Line *line, QnVec2 point, QnVec2 d, double along, int end)
                            .out = qn_vec2_scale (end, d),
                            .along = along,
                            .end = end });
-}
-
-/* Gathers the points that differ from their neighbours in the brush's scratch. */
-static GArray *
-distinct_points (const QnGlBrush *brush, const QnVec2 *points, uint32_t count,
-                 bool closed)
-{
-  GArray *kept = brush->scratch_points;
-  g_array_set_size (kept, 0);
-  for (uint32_t i = 0; i < count; i++) {
-    const QnVec2 *last = &g_array_index (kept, QnVec2, kept->len - 1);
-    if (kept->len == 0 || points[i].x != last->x || points[i].y != last->y)
-      g_array_append_val (kept, points[i]);
-  }
-  const QnVec2 *last = &g_array_index (kept, QnVec2, kept->len - 1);
-  if (closed && kept->len > 1 && points[0].x == last->x && points[0].y == last->y)
-    g_array_set_size (kept, kept->len - 1);
-  return kept;
 }
 
 static QnVec2

@@ -16,8 +16,8 @@ typedef struct QnGlBrush {
 } QnGlBrush;
 
 /* A simple polygon of either orientation, or four points with sides that cross: the two sides
- * of a joint that has opened about a hinge within it. */
-void qn_gl_add_fill (const QnGlBrush *brush, const QnVec2 *p, uint32_t count);
+ * of a joint that has opened about a hinge within it. Points may coincide with the next. */
+void qn_gl_add_fill (const QnGlBrush *brush, const QnVec2 *points, uint32_t count);
 
 /* A line with mitred corners and square ends; `width` in pt. */
 void qn_gl_add_line (const QnGlBrush *brush, const QnVec2 *points, uint32_t count,

@@ -11,6 +11,10 @@
 /* Share of the largest joint motion below which a joint counts as closed. */
 #define JOINT_SHARE 0.02
 
+/* Share of the largest displacement below which a joint's motion is not seen: a twelfth of the
+ * diagonal is drawn of that displacement, of the joint a four-hundredth. */
+#define SEEN_SHARE 0.03
+
 QnVec2
 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
 {
@@ -90,18 +94,22 @@ qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
   };
 }
 
-/* States by what the analysis found at the pairs of the face. */
+/* States by what the analysis found at the pairs of the face, where the motion is more than
+ * `least`: near collapse most joints slip or open a little, which no picture shows. */
 static void
 joint_states_from_pairs (QnJoint *joint, const QnContactFace *face,
-                         const QnPairResult *pairs)
+                         const QnPairResult *pairs, double least)
 {
   if (face->pair_count < 1)
     return;
   const QnPairResult *first = pairs + face->first_pair;
-  joint->open_start = first[0].state == QN_PAIR_OPEN;
-  joint->open_end = first[face->pair_count - 1].state == QN_PAIR_OPEN;
+  const QnPairResult *last = first + face->pair_count - 1;
+  bool slips = false;
   for (int32_t i = 0; i < face->pair_count; i++)
-    joint->sliding |= first[i].state == QN_PAIR_SLIP;
+    slips |= first[i].state == QN_PAIR_SLIP;
+  joint->open_start = first->state == QN_PAIR_OPEN && joint->opening_start > least;
+  joint->open_end = last->state == QN_PAIR_OPEN && joint->opening_end > least;
+  joint->sliding = slips && fabs (joint->slip) > least;
 }
 
 QnJoint *
@@ -117,10 +125,11 @@ qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
     largest = fmax (largest, fabs (joint->slip));
   }
   double least = JOINT_SHARE * largest;
+  double seen = fmax (least, SEEN_SHARE * qn_motion_largest (motion));
   for (size_t f = 0; f < contacts->face_count; f++) {
     QnJoint *joint = &joints[f];
     if (pairs != NULL) {
-      joint_states_from_pairs (joint, &contacts->faces[f], pairs);
+      joint_states_from_pairs (joint, &contacts->faces[f], pairs, seen);
       continue;
     }
     joint->open_start = largest > 0 && joint->opening_start > least;

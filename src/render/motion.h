@@ -37,8 +37,9 @@ typedef struct QnJoint {
 QnJoint qn_motion_joint (const QnMotion *motion, const QnContactFace *face);
 
 /* Joints of all faces (newly allocated, face_count of them, g_free). `pairs`, nullable, are
- * pair results that decide the states; without them a joint opens or slides where it moves by
- * more than 2 % of the largest joint motion. */
+ * pair results that decide the states of joints that move by more than 3 % of the largest
+ * displacement; without them a joint opens or slides where it moves by more than 2 % of the
+ * largest joint motion. */
 QnJoint *qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
                            const QnPairResult *pairs);
 

@@ -7,9 +7,10 @@
  * picture in which they could be read. */
 #define MAX_DETAILED_PAIRS 20000
 
-/* Half distance at which A and B are drawn from C, in block sizes. In the model the three
- * points coincide. */
+/* Half distance at which A and B are drawn from C, in block sizes, at most, and in heights of
+ * the lower block: both its joints need room. In the model the three points coincide. */
 #define PAIR_SPREAD 0.075
+#define LOW_SPREAD  0.2
 
 /* Points wide enough to read on zoom, pt. */
 #define DETAIL_LEAST 9
@@ -47,6 +48,27 @@ detail_place (const QnContactFace *face, const QnContactPair *pair, double sprea
   double inwards = fmin (1.8 * spread, 0.25 * face->length);
   double s = fmin (fmax (pair->abscissa, inwards), face->length - inwards);
   return qn_vec2_add_scaled (face->start, s, face->tangent);
+}
+
+/* Height of a block above its joint, m. */
+static double
+block_height (const QnModel *model, QnId block, const QnContactFace *face)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  double largest = 0;
+  for (QnId i = 0; i < model->blocks[block].vertex_count; i++)
+    largest =
+      fmax (largest, fabs (qn_vec2_dot (qn_vec2_sub (v[i], face->start), face->normal)));
+  return largest;
+}
+
+static double
+pair_spread (const QnSceneBuilder *b, const QnContactFace *face)
+{
+  double low =
+    fmin (block_height (b->model, face->a, face), block_height (b->model, face->b, face));
+  return fmin (fmin (PAIR_SPREAD * b->block_size, LOW_SPREAD * low),
+               0.3 * face->length / MAX (face->pair_count, 1));
 }
 
 /* Points A, B and C drawn apart with their springs and letters. */
@@ -101,8 +123,7 @@ qn_build_contacts (QnSceneBuilder *b)
   for (size_t f = 0; f < contacts->face_count; f++) {
     add_face (b, (QnId) f);
     const QnContactFace *face = &contacts->faces[f];
-    double spread =
-      fmin (PAIR_SPREAD * b->block_size, 0.3 * face->length / MAX (face->pair_count, 1));
+    double spread = detailed ? pair_spread (b, face) : 0;
     for (int32_t k = 0; k < face->pair_count; k++) {
       QnId pair = face->first_pair + k;
       if (detailed)

@@ -23,19 +23,25 @@ pair_force (const QnContactFace *face, const QnPairResult *pair)
                       qn_vec2_scale (pair->shear_force, face->tangent));
 }
 
+/* Share of the normal forces that is left of them in their resultant: below, it is bending with
+ * rounding, and its centre is anywhere. */
+#define BENDING_SHARE 1e-3
+
 /* Resultant of a face; its place is the centre of the normal forces, kept within the face
- * where tension would carry it off. */
+ * where tension would carry it off, or the middle of the face under bending alone. */
 static FaceForce
 face_resultant (const QnSceneBuilder *b, const QnContactFace *face)
 {
-  double normal = 0, shear = 0, moment = 0;
+  double normal = 0, shear = 0, moment = 0, total = 0;
   for (int32_t k = 0; k < face->pair_count; k++) {
     const QnPairResult *pair = &b->pairs[face->first_pair + k];
     normal += pair->normal_force;
     shear += pair->shear_force;
+    total += fabs (pair->normal_force);
     moment += pair->normal_force * b->contacts->pairs[face->first_pair + k].abscissa;
   }
-  double s = normal != 0 ? moment / normal : 0.5 * face->length;
+  bool bending = !(fabs (normal) > BENDING_SHARE * total);
+  double s = bending ? 0.5 * face->length : moment / normal;
   s = fmin (fmax (s, 0), face->length);
   return (FaceForce){
     .force = qn_vec2_add (qn_vec2_scale (normal, face->normal),
@@ -88,14 +94,17 @@ qn_build_forces (QnSceneBuilder *b)
 {
   const QnContacts *contacts = b->contacts;
   g_autofree FaceForce *resultants = g_new0 (FaceForce, MAX (contacts->face_count, 1));
-  double largest = 0;
+  double largest = 0, longest = 0;
   for (size_t f = 0; f < contacts->face_count; f++) {
     resultants[f] = face_resultant (b, &contacts->faces[f]);
     largest = fmax (largest, qn_vec2_length (resultants[f].force));
   }
+  /* In bending the pairs carry more than their resultant. */
+  for (size_t p = 0; p < contacts->pair_count && b->options->symbols; p++)
+    longest = fmax (longest, hypot (b->pairs[p].normal_force, b->pairs[p].shear_force));
   if (!(largest > 0))
     return;
-  double per_newton = LARGEST_BAR * b->block_size / largest;
+  double per_newton = LARGEST_BAR * b->block_size / fmax (largest, longest);
   for (size_t f = 0; f < contacts->face_count; f++) {
     if (b->options->symbols)
       add_pair_forces (b, &contacts->faces[f], per_newton, LEAST_SHARE * largest);

@@ -197,10 +197,12 @@ static void
 test_gl_crossed (void)
 {
   GError *error = NULL;
-  const QnVec2 shapes[3][4] = {
+  const QnVec2 shapes[][4] = {
     { { 0, 0 }, { 1, 0.1 }, { 0, 0.4 }, { 1, 0.2 } },
     { { 0, 0 }, { 1, 0.3 }, { 1, 0.1 }, { 0, 0.2 } },
     { { 0, 0 }, { 0.5, 0.1 }, { 1, 0 }, { 0.5, 0.4 } },
+    { { 0, 0 }, { 1, 0.1 }, { 1, 0.4 }, { 0, 0 } },
+    { { 0, 0 }, { 1, 0.1 }, { 1, 0.1 }, { 0, 0.4 } },
   };
   QnOffscreen *offscreen = qn_offscreen_new (NULL);
   if (offscreen == NULL) {
@@ -209,7 +211,7 @@ test_gl_crossed (void)
   }
   QnGlRenderer *renderer = qn_gl_renderer_new (&offscreen->gl, &error);
   g_assert_no_error (error);
-  for (int i = 0; i < 3; i++) {
+  for (size_t i = 0; i < G_N_ELEMENTS (shapes); i++) {
     g_autoptr (QnScene) scene = qn_scene_new ();
     qn_scene_fill (scene, QN_LAYER_GAPS, shapes[i], 4, qn_rgb (0xc81e1e));
     qn_scene_finish (scene);

@@ -52,6 +52,28 @@ test_overturning_block (void)
   fixture_clear (&f);
 }
 
+/* What the analysis says of the pairs counts where it is to be seen. */
+static void
+test_small_motion_is_not_shown (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 1);
+  QnPairResult pairs[2] = { { .state = QN_PAIR_SLIP }, { .state = QN_PAIR_OPEN } };
+  for (int seen = 0; seen < 2; seen++) {
+    /* The base moves along, all but a little. */
+    double along = seen ? 0.9 : 0.99;
+    double u[6] = { along, along, 0, 1, 1, 0 };
+    QnMotion motion = {
+      .model = &f.model, .displacements = u, .linear = true, .scale = 1
+    };
+    g_autofree QnJoint *joints = qn_motion_joints (&motion, &f.contacts, pairs);
+    g_assert_cmpint (joints->sliding, ==, seen);
+    g_assert_cmpint (joints->open_end, ==, seen);
+    g_assert_false (joints->open_start);
+  }
+  fixture_clear (&f);
+}
+
 static void
 test_sliding_block (void)
 {
@@ -117,5 +139,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/motion/sliding", test_sliding_block);
   g_test_add_func ("/render/motion/mechanism", test_mechanism_joints);
   g_test_add_func ("/render/motion/auto-scale", test_auto_scale);
+  g_test_add_func ("/render/motion/small", test_small_motion_is_not_shown);
   return g_test_run ();
 }
