@@ -12,6 +12,7 @@
 #define MOST_MARKS   300  /* of findings: more hide the drawing */
 #define MARK_PX      7.0
 #define RING_PX      16.0
+#define CURSOR_PX    14.0
 #define DIM_PAPER    0.9
 #define LEGEND_INSET 10.0
 
@@ -204,17 +205,19 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   cairo_set_line_width (cr, 2.0);
   cairo_stroke (cr);
 
-  QnId face = qn_selection_get_face (selection);
-  if (face != QN_NONE && (gsize) face < contacts->face_count) {
-    QnVec2 a = qn_canvas_to_screen (self, contacts->faces[face].start);
-    QnVec2 b = qn_canvas_to_screen (self, contacts->faces[face].end);
+  const QnId *faces = qn_selection_get_faces (selection, &count);
+  for (guint i = 0; i < count; i++) {
+    if ((gsize) faces[i] >= contacts->face_count)
+      continue;
+    QnVec2 a = qn_canvas_to_screen (self, contacts->faces[faces[i]].start);
+    QnVec2 b = qn_canvas_to_screen (self, contacts->faces[faces[i]].end);
     cairo_move_to (cr, a.x, a.y);
     cairo_line_to (cr, b.x, b.y);
-    cairo_set_line_width (cr, 6.0);
-    cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
-    cairo_stroke (cr);
-    cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
   }
+  cairo_set_line_width (cr, 6.0);
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
+  cairo_stroke (cr);
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
 }
 
 /* A warning triangle at the place of each finding. */
@@ -292,13 +295,30 @@ draw_magnet (QnCanvas *self, cairo_t *cr)
   cairo_stroke (cr);
 }
 
+/* The pointer that the arrow keys move. */
+static void
+draw_cursor (QnCanvas *self, cairo_t *cr)
+{
+  QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
+  cairo_move_to (cr, s.x - CURSOR_PX, s.y);
+  cairo_line_to (cr, s.x + CURSOR_PX, s.y);
+  cairo_move_to (cr, s.x, s.y - CURSOR_PX);
+  cairo_line_to (cr, s.x, s.y + CURSOR_PX);
+  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.9);
+  cairo_set_line_width (cr, 4.0);
+  cairo_stroke_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.1, 0.1);
+  cairo_set_line_width (cr, 1.5);
+  cairo_stroke (cr);
+}
+
 /* What is typed for the gesture, beside the pointer. */
 static void
 draw_typed (QnCanvas *self, cairo_t *cr)
 {
+  const char *label = self->tool->numbers_label;
   g_autofree char *text =
-    g_strdup_printf ("%s▏ %s", self->typed->str,
-                     qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH));
+    g_strdup_printf ("%s▏   %s", self->typed->str, label != NULL ? _ (label) : "");
   g_autoptr (PangoLayout) layout = make_text (self, text, 10.0);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
@@ -311,6 +331,19 @@ draw_typed (QnCanvas *self, cairo_t *cr)
   cairo_stroke (cr);
   cairo_set_source_rgb (cr, 0.1, 0.1, 0.1);
   cairo_move_to (cr, x, y);
+  pango_cairo_show_layout (cr, layout);
+}
+
+static void
+draw_layout (cairo_t *cr, PangoLayout *layout, QnVec2 at)
+{
+  int width, height;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.85);
+  cairo_rectangle (cr, at.x - 2.0, at.y, width + 4.0, height);
+  cairo_fill (cr);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_move_to (cr, at.x, at.y);
   pango_cairo_show_layout (cr, layout);
 }
 
@@ -330,13 +363,15 @@ qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
   g_autoptr (PangoLayout) layout = make_text (self, text, 9.0);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
-  double x = 0.5 * (sa.x + sb.x - width), y = 0.5 * (sa.y + sb.y - height);
-  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.85);
-  cairo_rectangle (cr, x - 2.0, y, width + 4.0, height);
-  cairo_fill (cr);
-  set_ink (cr, QN_INK_SELECTION, 1.0);
-  cairo_move_to (cr, x, y);
-  pango_cairo_show_layout (cr, layout);
+  draw_layout (cr, layout,
+               qn_vec2 (0.5 * (sa.x + sb.x - width), 0.5 * (sa.y + sb.y - height)));
+}
+
+void
+qn_canvas_draw_label (QnCanvas *self, cairo_t *cr, const char *text, QnVec2 screen)
+{
+  g_autoptr (PangoLayout) layout = make_text (self, text, 9.0);
+  draw_layout (cr, layout, screen);
 }
 
 /* ---- all of it ---- */
@@ -408,6 +443,8 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
 
   if (self->tool->draw != NULL)
     self->tool->draw (self, cr);
+  if (self->keyboard_cursor && self->pointer_inside)
+    draw_cursor (self, cr);
   if (self->pointer_inside)
     draw_magnet (self, cr);
   if (self->has_place)

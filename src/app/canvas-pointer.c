@@ -35,14 +35,11 @@ make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
 }
 
 static void
-on_press (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+press (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
 {
-  gtk_widget_grab_focus (GTK_WIDGET (self));
   if (self->state == NULL || self->tool == NULL)
     return;
-  QnToolEvent event = make_event (
-    self, x, y,
-    gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (gesture)), count);
+  QnToolEvent event = make_event (self, at.x, at.y, modifiers, count);
   self->pressed = TRUE;
   self->has_place = FALSE;
   if (self->tool->press != NULL)
@@ -52,13 +49,11 @@ on_press (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *sel
 }
 
 static void
-on_release (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+release (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
 {
   if (!self->pressed)
     return;
-  QnToolEvent event = make_event (
-    self, x, y,
-    gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (gesture)), count);
+  QnToolEvent event = make_event (self, at.x, at.y, modifiers, count);
   self->pressed = FALSE;
   if (self->tool->release != NULL)
     self->tool->release (self, &event);
@@ -66,26 +61,64 @@ on_release (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *s
   qn_canvas_emit_status (self);
 }
 
-static void
-on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *self)
+void
+qn_canvas_point (QnCanvas *self, QnVec2 screen, GdkModifierType modifiers)
 {
   if (self->state == NULL || self->tool == NULL)
     return;
   self->pointer_inside = TRUE;
-  QnToolEvent event = make_event (
-    self, x, y,
-    gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (controller)), 0);
+  QnToolEvent event = make_event (self, screen.x, screen.y, modifiers, 0);
   if (self->tool->motion != NULL)
     self->tool->motion (self, &event);
   gtk_widget_queue_draw (GTK_WIDGET (self));
   qn_canvas_emit_status (self);
 }
 
+void
+qn_canvas_click (QnCanvas *self, GdkModifierType modifiers)
+{
+  press (self, self->pointer, modifiers, 1);
+  release (self, self->pointer, modifiers, 1);
+}
+
+/* ---- events ---- */
+
+static GdkModifierType
+modifiers_of (gpointer controller)
+{
+  return gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (controller));
+}
+
+static void
+on_press (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+{
+  gtk_widget_grab_focus (GTK_WIDGET (self));
+  self->keyboard_cursor = FALSE;
+  press (self, qn_vec2 (x, y), modifiers_of (gesture), count);
+}
+
+static void
+on_release (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+{
+  release (self, qn_vec2 (x, y), modifiers_of (gesture), count);
+}
+
+static void
+on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *self)
+{
+  /* GTK tells of a motion when what lies under a pointer at rest has changed. */
+  if (self->keyboard_cursor && x == self->mouse.x && y == self->mouse.y)
+    return;
+  self->mouse = qn_vec2 (x, y);
+  self->keyboard_cursor = FALSE;
+  qn_canvas_point (self, self->mouse, modifiers_of (controller));
+}
+
 static void
 on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
 {
   (void) controller;
-  self->pointer_inside = FALSE;
+  self->pointer_inside = self->keyboard_cursor;
   gtk_widget_queue_draw (GTK_WIDGET (self));
   qn_canvas_emit_status (self);
 }

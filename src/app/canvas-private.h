@@ -31,7 +31,11 @@ struct _QnCanvas {
   gboolean pressed;
   gboolean in_gesture; /* a tool has begun something that Escape gives up */
   QnGesture gesture;
-  GString *typed; /* numbers typed during a gesture */
+  GString *typed;           /* numbers typed during a gesture */
+  QnVec2 mouse;             /* where the pointing device is, px */
+  gboolean keyboard_cursor; /* the pointer was last moved by keys */
+  QnMasonries masonry;      /* of the document, read when needed */
+  gboolean has_masonry;
   QnVec2 pan_from, zoom_center;
   QnCamera gesture_camera;
 
@@ -55,6 +59,10 @@ void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
 void qn_canvas_add_pointer_controllers (QnCanvas *canvas);
 void qn_canvas_add_camera_controllers (QnCanvas *canvas);
 void qn_canvas_add_key_controller (QnCanvas *canvas);
+
+/* Puts the pointer somewhere, and presses and releases there, as the mouse would; px. */
+void qn_canvas_point (QnCanvas *canvas, QnVec2 screen, GdkModifierType modifiers);
+void qn_canvas_click (QnCanvas *canvas, GdkModifierType modifiers);
 
 /* Moves the camera so that everything is in view. */
 void qn_canvas_fit_now (QnCanvas *canvas);

@@ -1,6 +1,7 @@
 #include "app/canvas-private.h"
 
 #include "app/settings.h"
+#include "io/project-masonry.h"
 #include <glib/gi18n.h>
 
 /* px: how near the pointer must be to pick. */
@@ -114,6 +115,13 @@ qn_canvas_size_allocate (GtkWidget *widget, int width, int height, int baseline)
 }
 
 static void
+forget_masonry (QnCanvas *self)
+{
+  qn_masonries_clear (&self->masonry);
+  self->has_masonry = FALSE;
+}
+
+static void
 qn_canvas_dispose (GObject *object)
 {
   QnCanvas *self = QN_CANVAS (object);
@@ -139,6 +147,7 @@ qn_canvas_finalize (GObject *object)
   QnCanvas *self = QN_CANVAS (object);
   g_free (self->magnet_skip);
   g_string_free (self->typed, TRUE);
+  forget_masonry (self);
   g_array_unref (self->gesture.points);
   G_OBJECT_CLASS (qn_canvas_parent_class)->finalize (object);
 }
@@ -183,6 +192,7 @@ qn_canvas_init (QnCanvas *self)
 static void
 on_document_changed (QnCanvas *self)
 {
+  forget_masonry (self);
   /* Gestures point at blocks of the model that has just gone. */
   if (self->in_gesture)
     qn_canvas_cancel_gesture (self);
@@ -255,6 +265,8 @@ qn_canvas_set_in_gesture (QnCanvas *self, gboolean in_gesture)
     g_array_set_size (self->gesture.points, 0);
     self->gesture.dragging = FALSE;
     self->gesture.band = FALSE;
+    self->gesture.phase = 0;
+    self->gesture.grip = (QnGrip){ QN_GRIP_NONE };
   }
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
@@ -322,6 +334,45 @@ qn_canvas_pick_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
 }
 
 void
+qn_canvas_faces_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
+{
+  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
+    QnVec2 m = qn_vec2_lerp (contacts->faces[i].start, contacts->faces[i].end, 0.5);
+    if (m.x >= MIN (a.x, b.x) && m.x <= MAX (a.x, b.x) && m.y >= MIN (a.y, b.y)
+        && m.y <= MAX (a.y, b.y))
+      g_array_append_val (ids, i);
+  }
+}
+
+const QnMasonries *
+qn_canvas_get_masonry (QnCanvas *self)
+{
+  if (!self->has_masonry) {
+    const QnProject *project = qn_document_get_project (qn_canvas_get_document (self));
+    /* What the document holds was read before. */
+    qn_project_get_masonry (project, &self->masonry, NULL);
+    self->has_masonry = TRUE;
+  }
+  return &self->masonry;
+}
+
+QnBlockSet
+qn_canvas_dup_selected (QnCanvas *self)
+{
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (self), &count);
+  return (QnBlockSet){ g_memdup2 (ids, count * sizeof *ids), count };
+}
+
+gboolean
+qn_canvas_snaps (QnCanvas *self)
+{
+  return g_settings_get_boolean (qn_settings_get (), "snap")
+         && (self->modifiers & GDK_ALT_MASK) == 0;
+}
+
+void
 qn_canvas_set_magnet_skip (QnCanvas *self, gboolean *skip)
 {
   g_free (self->magnet_skip);
@@ -334,6 +385,18 @@ qn_canvas_edit (QnCanvas *self, const char *name, const char *key, QnEditFunc fu
 {
   g_autoptr (GError) error = NULL;
   if (qn_document_edit (qn_canvas_get_document (self), name, key, func, data, &error))
+    return TRUE;
+  qn_canvas_emit_failed (self, error->message);
+  return FALSE;
+}
+
+gboolean
+qn_canvas_edit_project (QnCanvas *self, const char *name, const char *key,
+                        QnProjectEditFunc func, gpointer data)
+{
+  g_autoptr (GError) error = NULL;
+  if (qn_document_edit_project (qn_canvas_get_document (self), name, key, func, data,
+                                &error))
     return TRUE;
   qn_canvas_emit_failed (self, error->message);
   return FALSE;

@@ -55,6 +55,18 @@ QnVec2 qn_canvas_to_screen (QnCanvas *canvas, QnVec2 point);
 QnPick qn_canvas_pick (QnCanvas *canvas, QnVec2 screen, unsigned kinds);
 void qn_canvas_pick_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
 
+/* Faces whose middle lies in the rectangle between two points of the model. */
+void qn_canvas_faces_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
+
+/* The document's parametric masonry; borrowed until the next change. */
+const QnMasonries *qn_canvas_get_masonry (QnCanvas *canvas);
+
+/* The selected blocks, copied, because the selection may change under an edit; free the ids. */
+QnBlockSet qn_canvas_dup_selected (QnCanvas *canvas);
+
+/* Whether the magnet is on at the moment. */
+gboolean qn_canvas_snaps (QnCanvas *canvas);
+
 /* Blocks that the magnet leaves alone, one flag per block, taken over; NULL for none. */
 void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);
 
@@ -62,11 +74,17 @@ void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);
 gboolean qn_canvas_edit (QnCanvas *canvas, const char *name, const char *key,
                          QnEditFunc func, gpointer data);
 
+gboolean qn_canvas_edit_project (QnCanvas *canvas, const char *name, const char *key,
+                                 QnProjectEditFunc func, gpointer data);
+
 /* Says that a gesture is under way (Escape gives it up, numbers are typed for it) or over. */
 void qn_canvas_set_in_gesture (QnCanvas *canvas, gboolean in_gesture);
 
 /* Draws a dimension line with its length between two points of the model. */
 void qn_canvas_draw_dimension (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
+/* A text on paper, its upper left corner at a place of the screen. */
+void qn_canvas_draw_label (QnCanvas *canvas, cairo_t *cr, const char *text,
+                           QnVec2 screen);
 /* Traces a polygon of the model as a path. */
 void qn_canvas_trace (QnCanvas *canvas, cairo_t *cr, const QnVec2 *points, gsize count);
 

@@ -1,6 +1,7 @@
 #include "app/form.h"
 #include "app/panel.h"
 #include "doc/explain.h"
+#include "doc/repair.h"
 #include <glib/gi18n.h>
 
 /* Findings listed at most; more would be a wall of text, the rest is marked in the drawing. */
@@ -8,9 +9,70 @@
 
 typedef struct Panel {
   QnCanvas *canvas;
-  GtkWidget *list;
+  GtkWidget *list, *repair_all;
   GtkLabel *summary;
 } Panel;
+
+/* What a button of a row does. */
+typedef struct Fix {
+  QnFinding finding;
+  QnRepair repair;
+} Fix;
+
+/* ---- repairs ---- */
+
+static gboolean
+edit_repair (QnModel *model, gpointer data, GError **error)
+{
+  const Fix *fix = data;
+  return qn_edit_repair (model, &fix->finding, fix->repair, error);
+}
+
+static gboolean
+edit_repair_all (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_repair_all (model, data, error);
+}
+
+static void
+on_fix (GtkButton *button, Panel *panel)
+{
+  /* The edit makes the list anew, and with it this button goes. */
+  Fix fix = *(const Fix *) g_object_get_data (G_OBJECT (button), "qn-fix");
+  qn_canvas_edit (panel->canvas, qn_repair_get_step_name (fix.repair), NULL, edit_repair,
+                  &fix);
+}
+
+static void
+on_repair_all (Panel *panel)
+{
+  guint count = 0;
+  qn_canvas_edit (panel->canvas, _ ("Repair Contacts"), NULL, edit_repair_all, &count);
+}
+
+static GtkWidget *
+make_fixes (Panel *panel, const QnModel *model, const QnFinding *finding)
+{
+  QnRepair choices[QN_REPAIR_COUNT];
+  guint count = qn_repair_get_choices (model, finding, choices);
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  for (guint i = 0; i < count; i++) {
+    GtkWidget *button = gtk_button_new_with_label (qn_repair_get_label (choices[i]));
+    Fix *fix = g_new (Fix, 1);
+    *fix = (Fix){ *finding, choices[i] };
+    g_autofree char *what = qn_repair_explain (model, finding, choices[i]);
+    gtk_widget_set_tooltip_text (button, what);
+    gtk_accessible_update_property (GTK_ACCESSIBLE (button),
+                                    GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, what, -1);
+    g_object_set_data_full (G_OBJECT (button), "qn-fix", fix, g_free);
+    g_signal_connect (button, "clicked", G_CALLBACK (on_fix), panel);
+    gtk_box_append (GTK_BOX (box), button);
+  }
+  gtk_widget_set_visible (box, count > 0);
+  return box;
+}
+
+/* ---- the list ---- */
 
 static void
 on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
@@ -30,7 +92,7 @@ on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
 }
 
 static GtkWidget *
-make_row (const QnModel *model, const QnFinding *finding)
+make_row (Panel *panel, const QnModel *model, const QnFinding *finding)
 {
   g_autofree char *text = qn_explain_finding (model, finding);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 8);
@@ -39,8 +101,12 @@ make_row (const QnModel *model, const QnFinding *finding)
   gtk_label_set_wrap (GTK_LABEL (label), TRUE);
   gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
   gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  GtkWidget *column = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
+  gtk_widget_set_valign (icon, GTK_ALIGN_START);
+  gtk_box_append (GTK_BOX (column), label);
+  gtk_box_append (GTK_BOX (column), make_fixes (panel, model, finding));
   gtk_box_append (GTK_BOX (box), icon);
-  gtk_box_append (GTK_BOX (box), label);
+  gtk_box_append (GTK_BOX (box), column);
   return box;
 }
 
@@ -56,8 +122,9 @@ update (Panel *panel)
   gsize shown = MIN (contacts->findings.count, MOST_ROWS);
   for (gsize i = 0; i < shown; i++)
     gtk_list_box_append (GTK_LIST_BOX (panel->list),
-                         make_row (model, &contacts->findings.items[i]));
+                         make_row (panel, model, &contacts->findings.items[i]));
   gtk_widget_set_visible (panel->list, shown > 0);
+  gtk_widget_set_visible (panel->repair_all, shown > 1);
 
   g_autofree char *text = g_strdup_printf (
     _ ("%u blocks, %u contact faces, %u contact pairs.\n%s"), (guint) model->block_count,
@@ -84,6 +151,13 @@ qn_findings_panel_new (QnCanvas *canvas)
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Findings"), -1);
   g_signal_connect (panel->list, "row-activated", G_CALLBACK (on_row_activated), panel);
   qn_form_add_wide (form, panel->list);
+  panel->repair_all = gtk_button_new_with_mnemonic (_ ("_Repair What Repairs Itself"));
+  gtk_widget_set_tooltip_text (
+    panel->repair_all,
+    _ ("Snaps, trims and forgets wherever that is all it takes, in one step"));
+  g_signal_connect_swapped (panel->repair_all, "clicked", G_CALLBACK (on_repair_all),
+                            panel);
+  qn_form_add_wide (form, panel->repair_all);
   qn_own (form, panel);
   qn_watch (form, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), panel);
   update (panel);

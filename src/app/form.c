@@ -113,6 +113,61 @@ qn_form_set_choice (GtkDropDown *choice, guint selected, gpointer user_data)
                                      user_data);
 }
 
+GtkWidget *
+qn_form_add_check (GtkWidget *form, const char *label, gboolean active, GCallback toggled,
+                   gpointer user_data)
+{
+  GtkWidget *check = gtk_check_button_new_with_mnemonic (label);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
+  g_signal_connect (check, "toggled", toggled, user_data);
+  qn_form_add_wide (form, check);
+  return check;
+}
+
+void
+qn_form_set_check (GtkWidget *check, gboolean active, gpointer user_data)
+{
+  g_signal_handlers_block_matched (check, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
+  g_signal_handlers_unblock_matched (check, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     user_data);
+}
+
+void
+qn_form_fill_choice (GtkDropDown *choice, const char *const *strings, guint selected,
+                     gpointer user_data)
+{
+  g_autoptr (GtkStringList) list = gtk_string_list_new (strings);
+  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
+  gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
+  gtk_drop_down_set_selected (choice, selected);
+  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     user_data);
+}
+
+void
+qn_form_fill_laws (GtkDropDown *choice, const QnModel *model, const char *first, QnId law,
+                   gpointer user_data)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  g_strv_builder_add (names, first);
+  for (gsize i = 0; i < model->law_count; i++)
+    g_strv_builder_add (names, model->laws[i].name);
+  g_auto (GStrv) strings = g_strv_builder_end (names);
+  qn_form_fill_choice (choice, (const char *const *) strings,
+                       law == QN_NONE ? 0 : (guint) law + 1, user_data);
+}
+
+QnId
+qn_form_get_law (GtkDropDown *choice)
+{
+  guint selected = gtk_drop_down_get_selected (choice);
+  return selected == 0 || selected == GTK_INVALID_LIST_POSITION ? QN_NONE
+                                                                : (QnId) selected - 1;
+}
+
 void
 qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback func,
           gpointer data)

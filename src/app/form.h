@@ -3,6 +3,7 @@
 #define QN_APP_FORM_H
 
 #include "app/quantity-entry.h"
+#include "core/model.h"
 
 /* An empty form. */
 GtkWidget *qn_form_new (void);
@@ -31,6 +32,21 @@ GtkLabel *qn_form_add_text (GtkWidget *form);
 
 /* Shows or hides a row by its field. */
 void qn_form_set_row_visible (GtkWidget *field, gboolean visible);
+
+/* A check button over both columns, calling `toggled` (GtkCheckButton *, user_data). */
+GtkWidget *qn_form_add_check (GtkWidget *form, const char *label, gboolean active,
+                              GCallback toggled, gpointer user_data);
+void qn_form_set_check (GtkWidget *check, gboolean active, gpointer user_data);
+
+/* Fills a choice with strings, without calling back. */
+void qn_form_fill_choice (GtkDropDown *choice, const char *const *strings, guint selected,
+                          gpointer user_data);
+
+/* Fills a choice with the laws of a model, `first` before them standing for none. */
+void qn_form_fill_laws (GtkDropDown *choice, const QnModel *model, const char *first,
+                        QnId law, gpointer user_data);
+/* The law that such a choice shows, or QN_NONE. */
+QnId qn_form_get_law (GtkDropDown *choice);
 
 /* Sets a choice without calling back. */
 void qn_form_set_choice (GtkDropDown *choice, guint selected, gpointer user_data);

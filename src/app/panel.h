@@ -10,6 +10,16 @@ GtkWidget *qn_properties_panel_new (QnCanvas *canvas);
 /* The picture behind the drawing; hidden where there is none. */
 GtkWidget *qn_picture_panel_new (QnCanvas *canvas);
 
+/* Its parts, each hidden where it has nothing to say: what the current tool draws with, the
+ * selected blocks, copies of them, the masonry they belong to, an opening, contact faces. */
+GtkWidget *qn_style_form_new (QnCanvas *canvas);
+GtkWidget *qn_block_form_new (QnCanvas *canvas);
+GtkWidget *qn_array_form_new (QnCanvas *canvas);
+GtkWidget *qn_wall_form_new (QnCanvas *canvas);
+GtkWidget *qn_masonry_form_new (QnCanvas *canvas);
+GtkWidget *qn_opening_form_new (QnCanvas *canvas);
+GtkWidget *qn_face_form_new (QnCanvas *canvas);
+
 /* Procedure and its parameters, loads, contacts, laws. */
 GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
 

@@ -1,8 +1,9 @@
 /* Force: drag from a point of a block into the direction of the force. */
-#include "app/canvas.h"
+#include "app/gesture.h"
 
 #include "doc/edit.h"
 #include <glib/gi18n.h>
+#include <math.h>
 
 typedef struct Force {
   QnId block;
@@ -21,45 +22,48 @@ edit_add (QnModel *model, gpointer data, GError **error)
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK);
-  if (pick.kind != QN_PICK_BLOCK)
-    return;
-  gesture->from = gesture->to = event->point;
-  gesture->from_screen = event->screen;
-  qn_canvas_set_in_gesture (canvas, TRUE);
+  if (qn_canvas_is_in_gesture (canvas)
+      || qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK).kind
+           == QN_PICK_BLOCK)
+    qn_gesture_press (canvas, event);
 }
 
 static void
-motion (QnCanvas *canvas, const QnToolEvent *event)
+add (QnCanvas *canvas, QnVec2 vector)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  gesture->to = event->point;
-  if (event->modifiers & GDK_SHIFT_MASK) {
-    QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
-    if (fabs (d.x) > fabs (d.y))
-      gesture->to.y = gesture->from.y;
-    else
-      gesture->to.x = gesture->from.x;
-  }
-}
-
-static void
-release (QnCanvas *canvas, const QnToolEvent *event)
-{
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
-  qn_canvas_set_in_gesture (canvas, FALSE);
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnPick pick = qn_canvas_pick (canvas, gesture->from_screen, 1u << QN_PICK_BLOCK);
+  Force force = { pick.id, qn_canvas_get_tool_settings (canvas)->live, vector,
+                  gesture->from };
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (pick.kind == QN_PICK_BLOCK)
+    qn_canvas_edit (canvas, _ ("Add Force"), NULL, edit_add, &force);
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnVec2 direction = qn_vec2_sub (gesture->to, gesture->from);
   double length = qn_vec2_length (direction);
-  if (pick.kind != QN_PICK_BLOCK || length == 0.0 || !qn_canvas_is_drag (canvas, event))
-    return;
-  const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
-  Force force = { pick.id, settings->live,
-                  qn_vec2_scale (settings->force / length, direction), gesture->from };
-  qn_canvas_edit (canvas, _ ("Add Force"), NULL, edit_add, &force);
+  double size = qn_canvas_get_tool_settings (canvas)->force;
+  if (length > 0.0)
+    add (canvas, qn_vec2_scale (size / length, direction));
+  else
+    qn_canvas_set_in_gesture (canvas, FALSE);
+}
+
+/* The size, in the pointer's direction or at an angle. */
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (count < 1 || count > 2 || values[0] == 0.0)
+    return FALSE;
+  QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
+  double angle = count == 2 ? values[1] : atan2 (d.y, d.x);
+  add (canvas, qn_vec2_scale (values[0], qn_vec2 (cos (angle), sin (angle))));
+  return TRUE;
 }
 
 static void
@@ -89,11 +93,15 @@ const QnTool qn_tool_force = {
   .label = N_ ("Force"),
   .hint =
     N_ ("Drag from a point of a block in the direction of the force; its size is in the "
-        "panel"),
+        "panel, or typed"),
   .accel = "f",
   .magnetic = TRUE,
+  .numbers_label = N_ ("size; angle"),
+  .quantities = { QN_QUANTITY_FORCE, QN_QUANTITY_ANGLE },
   .press = press,
-  .motion = motion,
-  .release = release,
+  .motion = qn_gesture_motion_straight,
+  .release = qn_gesture_release,
+  .numbers = numbers,
+  .complete = complete,
   .draw = draw,
 };

@@ -2,12 +2,19 @@
 #include "app/canvas.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
 
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  /* The second of two clicks is the end. */
+  if (qn_canvas_is_in_gesture (canvas) && gesture->dragging) {
+    gesture->to = event->point;
+    return;
+  }
   gesture->from = gesture->to = event->point;
+  gesture->from_screen = event->screen;
   qn_canvas_set_in_gesture (canvas, TRUE);
   gesture->dragging = TRUE;
 }
@@ -24,8 +31,25 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
 static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  (void) event;
-  qn_canvas_get_gesture (canvas)->dragging = FALSE;
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (gesture->to.x != gesture->from.x || gesture->to.y != gesture->from.y
+      || qn_canvas_is_drag (canvas, event))
+    gesture->dragging = FALSE;
+}
+
+/* Marks off a length in the pointer's direction, or at an angle. */
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (count < 1 || count > 2)
+    return FALSE;
+  QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
+  double angle = count == 2 ? values[1] : atan2 (d.y, d.x);
+  gesture->to =
+    qn_vec2_add_scaled (gesture->from, values[0], qn_vec2 (cos (angle), sin (angle)));
+  gesture->dragging = FALSE;
+  return TRUE;
 }
 
 static void
@@ -49,8 +73,11 @@ const QnTool qn_tool_measure = {
   .hint = N_ ("Drag from point to point"),
   .accel = "m",
   .magnetic = TRUE,
+  .numbers_label = N_ ("length; angle"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE },
   .press = press,
   .motion = motion,
   .release = release,
+  .numbers = numbers,
   .draw = draw,
 };

@@ -1,84 +1,138 @@
-/* Opening: a rectangle dragged on a wall becomes a window or door; a click on an opening
- * with Shift fills it again. */
-#include "app/tool-rectangle.h"
+/* Opening: a rectangle dragged on a wall becomes a window or door that can be moved and changed; a
+ * click with Shift fills it again. */
+#include "app/gesture.h"
 
-#include "doc/edit.h"
+#include "doc/edit-masonry.h"
+#include "doc/masonry-shape.h"
+#include "io/project-masonry.h"
 #include <glib/gi18n.h>
 
 typedef struct Opening {
-  QnId wall;
-  QnVec2 a, b;
-  gboolean lintel;
+  QnMasonryStyle style;
+  QnVec2 from, to;
+  gboolean snap;
+  QnId object;
+  int number; /* what was cut, or is to be filled */
 } Opening;
 
+/* The object whose rectangle contains a point, the last one first, or QN_NONE. */
 static QnId
-wall_of_gesture (QnCanvas *canvas)
+wall_at (const QnMasonries *list, QnVec2 point)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
-  QnId wall = qn_model_wall_at (model, qn_vec2_lerp (gesture->from, gesture->to, 0.5));
-  return wall != QN_NONE ? wall : qn_model_wall_at (model, gesture->from);
+  for (gsize i = list->count; i > 0; i--) {
+    if (list->items[i - 1].kind == QN_MASONRY_WALL
+        && qn_masonry_wall_contains (&list->items[i - 1], point))
+      return (QnId) (i - 1);
+  }
+  return QN_NONE;
+}
+
+static QnId
+wall_of_rectangle (const QnMasonries *list, QnVec2 from, QnVec2 to)
+{
+  QnId wall = wall_at (list, qn_vec2_lerp (from, to, 0.5));
+  return wall != QN_NONE ? wall : wall_at (list, from);
 }
 
 static gboolean
-edit_cut (QnModel *model, gpointer data, GError **error)
+refuse (GError **error)
 {
-  const Opening *opening = data;
-  if (opening->wall == QN_NONE) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("Openings are cut into walls: drag on a wall"));
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       _ ("Openings are cut into walls: drag on a wall"));
+  return FALSE;
+}
+
+static gboolean
+add_opening (QnMasonry *masonry, gpointer data, GError **error)
+{
+  Opening *o = data;
+  QnOpening plan;
+  if (!qn_plan_opening (masonry, &o->style, o->from, o->to, o->snap, &plan)) {
+    g_set_error_literal (
+      error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+      _ ("The opening is smaller than half a block or outside the wall"));
     return FALSE;
   }
-  return qn_edit_cut_opening (model, opening->wall, opening->a, opening->b,
-                              opening->lintel, error);
+  QnOpening *opening = qn_masonry_add_opening (masonry);
+  if (opening == NULL)
+    return qn_edit_no_memory (error);
+  *opening = plan;
+  o->number = (int) masonry->wall.opening_count - 1;
+  return TRUE;
+}
+
+/* A wall that is listed course by course becomes an object first. */
+static gboolean
+edit_cut (QnProject *draft, gpointer data, GError **error)
+{
+  Opening *o = data;
+  QnVec2 middle = qn_vec2_lerp (o->from, o->to, 0.5);
+  QnMasonries list;
+  if (!qn_project_get_masonry (draft, &list, error))
+    return FALSE;
+  o->object = wall_of_rectangle (&list, o->from, o->to);
+  gsize count = list.count;
+  qn_masonries_clear (&list);
+  if (o->object == QN_NONE) {
+    QnId wall = qn_model_wall_at (&draft->model, middle);
+    if (wall == QN_NONE)
+      return refuse (error);
+    if (!qn_edit_convert_wall (draft, wall, error))
+      return FALSE;
+    o->object = (QnId) count;
+  }
+  return qn_edit_change_masonry (draft, o->object, add_opening, o, error);
 }
 
 static gboolean
-edit_fill (QnModel *model, gpointer data, GError **error)
+edit_fill (QnProject *draft, gpointer data, GError **error)
 {
-  const Opening *opening = data;
-  return qn_edit_fill_opening (model, opening->wall, opening->a, error);
+  const Opening *o = data;
+  return qn_edit_remove_opening (draft, o->object, (gsize) o->number, error);
+}
+
+static Opening
+opening_of_gesture (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  return (Opening){ .style = qn_canvas_get_tool_settings (canvas)->masonry,
+                    .from = gesture->from,
+                    .to = gesture->to,
+                    .snap = qn_canvas_snaps (canvas) };
 }
 
 static void
 complete (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  Opening opening = { wall_of_gesture (canvas), gesture->from, gesture->to,
-                      qn_canvas_get_tool_settings (canvas)->lintel };
+  Opening opening = opening_of_gesture (canvas);
   qn_canvas_set_in_gesture (canvas, FALSE);
-  qn_canvas_edit (canvas, _ ("Cut Opening"), NULL, edit_cut, &opening);
+  if (opening.from.x != opening.to.x && opening.from.y != opening.to.y
+      && qn_canvas_edit_project (canvas, _ ("Cut Opening"), NULL, edit_cut, &opening))
+    qn_selection_set_opening (qn_canvas_get_selection (canvas), opening.object,
+                              opening.number);
+}
+
+static void
+fill_at (QnCanvas *canvas, QnVec2 at)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  Opening opening = { .object = wall_at (list, at) };
+  if (opening.object == QN_NONE)
+    return;
+  opening.number = qn_masonry_opening_at (&list->items[opening.object], at);
+  if (opening.number == QN_NO_OPENING)
+    return;
+  qn_selection_clear (qn_canvas_get_selection (canvas));
+  qn_canvas_edit_project (canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
 }
 
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
-  if (event->modifiers & GDK_SHIFT_MASK) {
-    Opening opening = { qn_model_wall_at (model, event->model), event->model,
-                        event->model, FALSE };
-    if (opening.wall != QN_NONE)
-      qn_canvas_edit (canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
-    return;
-  }
-  if (qn_rectangle_press (canvas, event))
-    complete (canvas);
-}
-
-static void
-release (QnCanvas *canvas, const QnToolEvent *event)
-{
-  if (qn_rectangle_release (canvas, event))
-    complete (canvas);
-}
-
-static gboolean
-numbers (QnCanvas *canvas, const double *values, int count)
-{
-  if (!qn_rectangle_numbers (canvas, values, count))
-    return FALSE;
-  complete (canvas);
-  return TRUE;
+  if (event->modifiers & GDK_SHIFT_MASK)
+    fill_at (canvas, event->model);
+  else
+    qn_gesture_press (canvas, event);
 }
 
 static void
@@ -86,13 +140,28 @@ draw (QnCanvas *canvas, cairo_t *cr)
 {
   if (!qn_canvas_is_in_gesture (canvas))
     return;
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
-  QnId wall = wall_of_gesture (canvas);
-  QnVec2 a, b;
-  if (wall != QN_NONE
-      && qn_wall_snap_opening (&model->walls[wall], gesture->from, gesture->to, &a, &b))
-    qn_rectangle_draw (canvas, cr, a, b);
+  Opening o = opening_of_gesture (canvas);
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  QnId wall = wall_of_rectangle (list, o.from, o.to);
+  QnOpening plan;
+  if (wall == QN_NONE
+      || !qn_plan_opening (&list->items[wall], &o.style, o.from, o.to, o.snap, &plan)) {
+    qn_gesture_draw_rectangle (canvas, cr, o.from, o.to);
+    return;
+  }
+  const QnMasonry *masonry = &list->items[wall];
+  QnVec2 far = qn_vec2_add (plan.at, qn_vec2 (plan.width, plan.height));
+  if (masonry->rotation == 0.0) {
+    qn_gesture_draw_rectangle (canvas, cr, qn_masonry_to_model (masonry, plan.at),
+                               qn_masonry_to_model (masonry, far));
+    return;
+  }
+  QnVec2 corners[] = { qn_masonry_to_model (masonry, plan.at),
+                       qn_masonry_to_model (masonry, qn_vec2 (far.x, plan.at.y)),
+                       qn_masonry_to_model (masonry, far),
+                       qn_masonry_to_model (masonry, qn_vec2 (plan.at.x, far.y)) };
+  qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));
+  qn_gesture_paint (cr);
 }
 
 const QnTool qn_tool_opening = {
@@ -101,9 +170,12 @@ const QnTool qn_tool_opening = {
   .label = N_ ("Opening"),
   .hint = N_ ("Drag on a wall: window or door; Shift+click fills an opening"),
   .accel = "o",
+  .numbers_label = N_ ("width; height"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
   .press = press,
-  .motion = qn_rectangle_motion,
-  .release = release,
-  .numbers = numbers,
+  .motion = qn_gesture_motion,
+  .release = qn_gesture_release,
+  .numbers = qn_gesture_rectangle_numbers,
+  .complete = complete,
   .draw = draw,
 };

@@ -12,7 +12,8 @@ edit_add (QnModel *model, gpointer data, GError **error)
 {
   QnCanvas *canvas = data;
   const GArray *points = qn_canvas_get_gesture (canvas)->points;
-  QnBlockStyle style = qn_canvas_get_tool_settings (canvas)->wall.style;
+  QnBlockStyle style =
+    qn_tool_settings_get_block_style (qn_canvas_get_tool_settings (canvas));
   return qn_edit_add_block (model, (const QnVec2 *) points->data, points->len, style,
                             error);
 }
@@ -99,6 +100,8 @@ const QnTool qn_tool_polygon = {
     N_ ("Click the corners; click the first one, double click or press Enter to close"),
   .accel = "p",
   .magnetic = TRUE,
+  .numbers_label = N_ ("right; up"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
   .press = press,
   .motion = motion,
   .numbers = numbers,

@@ -1,7 +1,9 @@
-/* Select and move: click, Shift+click, rectangle; drag a block to move what is selected. */
-#include "app/canvas.h"
+/* Select and move: click, Shift+click, rectangle; drag a block to move what is selected, and a
+ * handle to change it. */
+#include "app/gesture.h"
+#include "app/handle.h"
 
-#include "doc/edit.h"
+#include "doc/edit-masonry.h"
 #include <glib/gi18n.h>
 
 /* px: a corner this near to the press is what a move carries. */
@@ -68,25 +70,88 @@ press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
+/* ---- faces ---- */
+
+static gboolean
+shows_contacts (QnCanvas *canvas)
+{
+  return qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_CONTACTS;
+}
+
+static gboolean
+press_on_face (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
+  QnPick face = { QN_PICK_NOTHING, QN_NONE, 0 };
+  if (shows_contacts (canvas))
+    face = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
+  if (face.kind != QN_PICK_FACE)
+    return FALSE;
+  if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK))
+    qn_selection_toggle_face (selection, face.id);
+  else if (event->press_count > 1)
+    qn_selection_select_faces_like (selection, contacts, face.id,
+                                    event->press_count == 2 ? QN_LIKE_LINE
+                                                            : QN_LIKE_DIRECTION);
+  else
+    qn_selection_set_face (selection, face.id);
+  return TRUE;
+}
+
+/* ---- openings and handles ---- */
+
+static void
+begin_handle (QnCanvas *canvas, const QnToolEvent *event, QnGrip grip)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  (void) event;
+  gesture->from = gesture->to = grip.at;
+  gesture->grip = grip;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+/* A click into an opening selects it, and a drag from there moves it. */
+static gboolean
+press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  for (gsize i = list->count; i > 0 && shows_undeformed (canvas); i--) {
+    int opening = qn_masonry_opening_at (&list->items[i - 1], event->model);
+    if (opening == QN_NO_OPENING)
+      continue;
+    qn_selection_set_opening (qn_canvas_get_selection (canvas), (QnId) (i - 1), opening);
+    QnGrip grip = { .kind = QN_GRIP_MASONRY,
+                    .at = event->model,
+                    .object = (QnId) (i - 1),
+                    .opening = opening,
+                    .handle = QN_HANDLE_MIDDLE };
+    begin_handle (canvas, event, grip);
+    return TRUE;
+  }
+  return FALSE;
+}
+
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnSelection *selection = qn_canvas_get_selection (canvas);
   gesture->from_screen = event->screen;
-  QnView view = qn_view_state_get_view (qn_canvas_get_state (canvas));
-  if (view == QN_VIEW_CONTACTS) {
-    QnPick face = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
-    if (face.kind == QN_PICK_FACE) {
-      qn_selection_set_face (selection, face.id);
-      return;
-    }
+  QnGrip grip;
+  if (event->press_count == 1 && qn_handle_find (canvas, event->screen, &grip)) {
+    begin_handle (canvas, event, grip);
+    return;
   }
+  if (press_on_face (canvas, event))
+    return;
   QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK);
   if (pick.kind == QN_PICK_BLOCK) {
     press_on_block (canvas, pick.id, event);
     return;
   }
+  if (press_on_opening (canvas, event))
+    return;
   if ((event->modifiers & GDK_SHIFT_MASK) == 0)
     qn_selection_clear (selection);
   gesture->from = gesture->to = event->model;
@@ -103,7 +168,9 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
   if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
     return;
   gesture->dragging = TRUE;
-  gesture->to = gesture->band ? event->model : event->point;
+  /* Bonds and angles have steps of their own. */
+  gboolean by_magnet = !gesture->band && gesture->grip.kind != QN_GRIP_TURN;
+  gesture->to = by_magnet ? event->point : event->model;
   if (!gesture->band && (event->modifiers & GDK_SHIFT_MASK)) {
     /* Shift keeps a move horizontal or vertical. */
     QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
@@ -120,22 +187,20 @@ typedef struct Move {
 } Move;
 
 static gboolean
-edit_move (QnModel *model, gpointer data, GError **error)
+edit_move (QnProject *draft, gpointer data, GError **error)
 {
   const Move *move = data;
-  return qn_edit_transform_blocks (model, move->set, move->transform, error);
+  return qn_edit_transform (draft, move->set, move->transform, error);
 }
 
 static void
 finish_move (QnCanvas *canvas, QnVec2 by)
 {
-  guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
-  g_autofree QnId *copy = g_memdup2 (ids, count * sizeof *ids);
-  Move move = { { copy, count }, qn_transform_translation (by.x, by.y) };
+  Move move = { qn_canvas_dup_selected (canvas), qn_transform_translation (by.x, by.y) };
   qn_canvas_set_magnet_skip (canvas, NULL);
   qn_canvas_set_in_gesture (canvas, FALSE);
-  qn_canvas_edit (canvas, _ ("Move"), NULL, edit_move, &move);
+  qn_canvas_edit_project (canvas, _ ("Move"), NULL, edit_move, &move);
+  g_free ((gpointer) move.set.ids);
 }
 
 static void
@@ -143,6 +208,12 @@ finish_band (QnCanvas *canvas)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
+  if (shows_contacts (canvas)) {
+    qn_canvas_faces_inside (canvas, gesture->from, gesture->to, ids);
+    qn_selection_add_faces (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
+                            ids->len);
+    return;
+  }
   qn_canvas_pick_inside (canvas, qn_canvas_to_screen (canvas, gesture->from),
                          qn_canvas_to_screen (canvas, gesture->to), ids);
   qn_selection_add_blocks (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
@@ -158,7 +229,10 @@ release (QnCanvas *canvas, const QnToolEvent *event)
     return;
   if (gesture->band && gesture->dragging)
     finish_band (canvas);
-  else if (gesture->dragging) {
+  else if (gesture->grip.kind != QN_GRIP_NONE && gesture->dragging) {
+    qn_handle_finish (canvas);
+    return;
+  } else if (gesture->dragging) {
     finish_move (canvas, qn_vec2_sub (gesture->to, gesture->from));
     return;
   }
@@ -169,41 +243,34 @@ release (QnCanvas *canvas, const QnToolEvent *event)
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
-  if (count < 1 || count > 2 || qn_canvas_get_gesture (canvas)->band)
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (count < 1 || count > 2 || gesture->band || gesture->grip.kind == QN_GRIP_TURN)
     return FALSE;
+  if (gesture->grip.kind != QN_GRIP_NONE) {
+    gesture->to =
+      qn_vec2_add (gesture->from, qn_vec2 (values[0], count > 1 ? values[1] : 0.0));
+    qn_handle_finish (canvas);
+    return TRUE;
+  }
   finish_move (canvas, qn_vec2 (values[0], count > 1 ? values[1] : 0.0));
   return TRUE;
-}
-
-static void
-draw_moved_blocks (QnCanvas *canvas, cairo_t *cr, QnVec2 by)
-{
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
-  guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
-  for (guint i = 0; i < count; i++) {
-    gsize n = (gsize) model->blocks[ids[i]].vertex_count;
-    g_autofree QnVec2 *moved =
-      g_memdup2 (qn_model_block_vertices (model, ids[i]), n * sizeof (QnVec2));
-    for (gsize k = 0; k < n; k++)
-      moved[k] = qn_vec2_add (moved[k], by);
-    qn_canvas_trace (canvas, cr, moved, n);
-  }
-  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.25);
-  cairo_fill_preserve (cr);
-  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
-  cairo_set_line_width (cr, 1.5);
-  cairo_stroke (cr);
 }
 
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas) || !gesture->dragging)
+  if (!qn_canvas_is_in_gesture (canvas) || !gesture->dragging) {
+    qn_handle_draw_all (canvas, cr);
     return;
+  }
+  if (gesture->grip.kind != QN_GRIP_NONE) {
+    qn_handle_draw_drag (canvas, cr);
+    return;
+  }
   if (!gesture->band) {
-    draw_moved_blocks (canvas, cr, qn_vec2_sub (gesture->to, gesture->from));
+    QnVec2 by = qn_vec2_sub (gesture->to, gesture->from);
+    qn_gesture_draw_moved (canvas, cr, qn_transform_translation (by.x, by.y));
     qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
     return;
   }
@@ -222,10 +289,12 @@ const QnTool qn_tool_select = {
   .name = "select",
   .icon = "quoin-select-symbolic",
   .label = N_ ("Select and Move"),
-  .hint =
-    N_ ("Click selects, double click a course, triple click a wall; drag to move, type "
-        "numbers to move exactly"),
+  .hint = N_ (
+    "Click selects, double click a course, triple click a wall; drag to move, handles "
+    "change; numbers move exactly"),
   .accel = "v",
+  .numbers_label = N_ ("right; up"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
   .press = press,
   .motion = motion,
   .release = release,

@@ -1,10 +1,10 @@
 #include "app/tool.h"
 
-const QnTool *const qn_tools[] = { &qn_tool_select,  &qn_tool_wall,
-                                   &qn_tool_opening, &qn_tool_rectangle,
-                                   &qn_tool_polygon, &qn_tool_support,
-                                   &qn_tool_force,   &qn_tool_measure,
-                                   &qn_tool_picture, NULL };
+const QnTool *const qn_tools[] = { &qn_tool_select,  &qn_tool_wall,    &qn_tool_opening,
+                                   &qn_tool_arch,    &qn_tool_column,  &qn_tool_rectangle,
+                                   &qn_tool_polygon, &qn_tool_cut,     &qn_tool_rotate,
+                                   &qn_tool_mirror,  &qn_tool_joint,   &qn_tool_support,
+                                   &qn_tool_force,   &qn_tool_measure, NULL };
 
 const QnTool *
 qn_tool_find (const char *name)
@@ -14,4 +14,13 @@ qn_tool_find (const char *name)
       return qn_tools[i];
   }
   return NULL;
+}
+
+QnBlockStyle
+qn_tool_settings_get_block_style (const QnToolSettings *settings)
+{
+  const QnMasonryStyle *masonry = &settings->masonry;
+  return (QnBlockStyle){ .thickness = masonry->thickness,
+                         .unit_weight = masonry->unit_weight,
+                         .law = masonry->law };
 }

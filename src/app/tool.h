@@ -10,6 +10,8 @@
 
 #include "doc/edit.h"
 #include "doc/magnet.h"
+#include "doc/masonry-plan.h"
+#include "doc/units.h"
 #include <gtk/gtk.h>
 
 #define QN_TYPE_CANVAS (qn_canvas_get_type ())
@@ -24,28 +26,55 @@ typedef struct QnToolEvent {
   int press_count;
 } QnToolEvent;
 
+/* What a handle drags (handle.h). */
+typedef enum {
+  QN_GRIP_NONE,
+  QN_GRIP_MASONRY, /* a measure of a masonry object or an opening of it */
+  QN_GRIP_CORNER,  /* of a block */
+  QN_GRIP_TURN     /* the selection around its middle */
+} QnGripKind;
+
+typedef struct QnGrip {
+  QnGripKind kind;
+  QnVec2 at;     /* m */
+  QnId object;   /* MASONRY */
+  int opening;   /* MASONRY: or QN_NO_OPENING */
+  int handle;    /* MASONRY: QnHandleKind */
+  QnVec2 center; /* TURN: m */
+} QnGrip;
+
 /* What a gesture has so far; one per canvas, the tool's to use. */
 typedef struct QnGesture {
   QnVec2 from, to;    /* m */
   QnVec2 from_screen; /* px, where the button went down */
   gboolean dragging;  /* moved far enough to be no click */
   gboolean band;      /* a selection rectangle rather than a move */
+  QnGrip grip;        /* the handle that is dragged, if any */
+  int phase;          /* of a gesture with several, from 0 */
   GArray *points;     /* of QnVec2, of a polygon */
 } QnGesture;
+
+/* Numbers that can be typed at most. */
+#define QN_TOOL_NUMBERS 4
 
 typedef struct QnTool {
   const char *name; /* target of the window's action "tool" */
   const char *icon;
-  const char *label; /* translatable, shown as tooltip */
-  const char *hint;  /* translatable, shown in the status bar */
-  const char *accel; /* single key */
-  gboolean magnetic; /* whether the magnet works before a gesture has begun */
+  const char *label;         /* translatable, shown as tooltip */
+  const char *hint;          /* translatable, shown in the status bar */
+  const char *accel;         /* single key */
+  gboolean magnetic;         /* whether the magnet works before a gesture has begun */
+  const char *numbers_label; /* translatable: "width; height", what can be typed */
+  QnQuantity quantities[QN_TOOL_NUMBERS]; /* of the typed numbers */
 
   void (*press) (QnCanvas *canvas, const QnToolEvent *event);
   void (*motion) (QnCanvas *canvas, const QnToolEvent *event);
   void (*release) (QnCanvas *canvas, const QnToolEvent *event);
   /* Completes the gesture with typed numbers (SI); false: these are not the right ones. */
   gboolean (*numbers) (QnCanvas *canvas, const double *values, int count);
+  /* Carries out what lies between gesture.from and gesture.to, and ends the gesture; for tools
+   * that work between two points (gesture.h). */
+  void (*complete) (QnCanvas *canvas);
   /* Gives up the gesture. */
   void (*cancel) (QnCanvas *canvas);
   /* Draws the gesture in px of the canvas. */
@@ -59,19 +88,28 @@ const QnTool *qn_tool_find (const char *name);
 extern const QnTool qn_tool_select;
 extern const QnTool qn_tool_wall;
 extern const QnTool qn_tool_opening;
+extern const QnTool qn_tool_arch;
+extern const QnTool qn_tool_column;
 extern const QnTool qn_tool_rectangle;
 extern const QnTool qn_tool_polygon;
+extern const QnTool qn_tool_cut;
+extern const QnTool qn_tool_rotate;
+extern const QnTool qn_tool_mirror;
+extern const QnTool qn_tool_joint;
 extern const QnTool qn_tool_support;
 extern const QnTool qn_tool_force;
 extern const QnTool qn_tool_measure;
-extern const QnTool qn_tool_picture;
 
 /* What the tools draw with; shared by all of a window's tools and shown in its panel. */
 typedef struct QnToolSettings {
-  QnWallPlan wall; /* origin and size are the gesture's */
-  gboolean lintel; /* of new openings */
-  double force;    /* N, of new forces */
-  gboolean live;   /* whether new forces grow with the multiplier */
+  QnMasonryStyle masonry;
+  double force;         /* N, of new forces */
+  gboolean live;        /* whether new forces grow with the multiplier */
+  char *joint_law;      /* name, given to joints; NULL: none of their own */
+  gboolean mirror_copy; /* whether mirroring keeps the original */
 } QnToolSettings;
+
+/* Style of single blocks. */
+QnBlockStyle qn_tool_settings_get_block_style (const QnToolSettings *settings);
 
 #endif

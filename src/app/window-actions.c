@@ -244,6 +244,12 @@ qn_window_update_actions (QnWindow *self)
   QnHistory *history = qn_document_get_history (self->document);
   guint selected = 0;
   qn_selection_get_blocks (qn_document_get_selection (self->document), &selected);
+  QnId object;
+  int number;
+  gboolean opening = qn_selection_get_opening (qn_document_get_selection (self->document),
+                                               &object, &number);
+  gboolean face =
+    qn_selection_get_face (qn_document_get_selection (self->document)) != QN_NONE;
   gboolean work = !qn_window_is_blank (self);
   gboolean blocks = qn_document_get_model (self->document)->block_count > 0;
   gboolean run = qn_document_get_run (self->document) != NULL;
@@ -254,13 +260,15 @@ qn_window_update_actions (QnWindow *self)
     gboolean enabled;
   } states[] = { { "undo", work && qn_history_can_undo (history) },
                  { "redo", work && qn_history_can_redo (history) },
-                 { "delete", selected > 0 },
+                 { "delete", selected > 0 || opening },
                  { "detach", selected > 0 },
                  { "mirror", selected > 0 },
                  { "rotate", selected > 0 },
                  { "duplicate", selected > 0 },
                  { "array", selected > 0 },
-                 { "nudge", selected > 0 },
+                 { "nudge", selected > 0 || opening },
+                 { "join", selected > 1 },
+                 { "select-faces-like", face },
                  { "copy", selected > 0 },
                  { "cut", selected > 0 },
                  { "select-like", selected > 0 },

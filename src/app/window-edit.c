@@ -2,6 +2,8 @@
  * again, and travels by the clipboard. */
 #include "app/window-private.h"
 
+#include "doc/edit-masonry.h"
+#include "doc/edit-shape.h"
 #include <glib/gi18n.h>
 
 /* px on the screen that an arrow key moves the selection by, when there is no grid. */
@@ -12,15 +14,6 @@ typedef struct Edit {
   QnTransform transform;
   int copies;
 } Edit;
-
-static QnBlockSet
-dup_selected (QnWindow *self)
-{
-  guint count = 0;
-  const QnId *ids =
-    qn_selection_get_blocks (qn_document_get_selection (self->document), &count);
-  return (QnBlockSet){ g_memdup2 (ids, count * sizeof *ids), count };
-}
 
 static gboolean
 edit_delete (QnModel *model, gpointer data, GError **error)
@@ -35,40 +28,113 @@ edit_detach (QnModel *model, gpointer data, GError **error)
 }
 
 static gboolean
-edit_transform (QnModel *model, gpointer data, GError **error)
+edit_join (QnModel *model, gpointer data, GError **error)
 {
-  const Edit *edit = data;
-  return qn_edit_transform_blocks (model, edit->set, edit->transform, error);
+  return qn_edit_join_blocks (model, ((const Edit *) data)->set, error);
 }
 
 static gboolean
-edit_copy (QnModel *model, gpointer data, GError **error)
+edit_transform (QnProject *draft, gpointer data, GError **error)
 {
   const Edit *edit = data;
-  return qn_edit_copy_blocks (model, edit->set, edit->transform, edit->copies, error);
+  return qn_edit_transform (draft, edit->set, edit->transform, error);
+}
+
+static gboolean
+edit_copy (QnProject *draft, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_copy (draft, edit->set, edit->transform, edit->copies, error);
 }
 
 static void
-edit_selection (QnWindow *self, const char *name, const char *key, QnEditFunc func,
-                Edit edit)
+edit_blocks (QnWindow *self, const char *name, QnEditFunc func)
 {
-  edit.set = dup_selected (self);
-  qn_canvas_edit (self->canvas, name, key, func, &edit);
+  Edit edit = { .set = qn_canvas_dup_selected (self->canvas) };
+  qn_canvas_edit (self->canvas, name, NULL, func, &edit);
   g_free ((gpointer) edit.set.ids);
 }
+
+static void
+edit_selection (QnWindow *self, const char *name, const char *key, QnProjectEditFunc func,
+                Edit edit)
+{
+  edit.set = qn_canvas_dup_selected (self->canvas);
+  qn_canvas_edit_project (self->canvas, name, key, func, &edit);
+  g_free ((gpointer) edit.set.ids);
+}
+
+/* ---- openings ---- */
+
+typedef struct OpeningEdit {
+  QnId object;
+  int opening;
+  double dx, dy; /* half blocks, courses */
+} OpeningEdit;
+
+static gboolean
+edit_fill (QnProject *draft, gpointer data, GError **error)
+{
+  const OpeningEdit *edit = data;
+  return qn_edit_remove_opening (draft, edit->object, (gsize) edit->opening, error);
+}
+
+static gboolean
+move_opening (QnMasonry *masonry, gpointer data, GError **error)
+{
+  (void) error;
+  const OpeningEdit *edit = data;
+  const QnLeaf *leaf = &masonry->wall.leaves[0];
+  QnOpening *opening = &masonry->wall.openings[edit->opening];
+  opening->at.x += edit->dx * 0.5 * leaf->unit.x;
+  opening->at.y += edit->dy * leaf->unit.y;
+  return TRUE;
+}
+
+static gboolean
+edit_move_opening (QnProject *draft, gpointer data, GError **error)
+{
+  const OpeningEdit *edit = data;
+  return qn_edit_change_masonry (draft, edit->object, move_opening, data, error);
+}
+
+/* The selected opening; FALSE where there is none. */
+static gboolean
+selected_opening (QnWindow *self, OpeningEdit *edit)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (self->canvas);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  return qn_selection_get_opening (selection, &edit->object, &edit->opening)
+         && (gsize) edit->object < list->count
+         && (gsize) edit->opening < list->items[edit->object].wall.opening_count;
+}
+
+/* ---- actions ---- */
 
 static void
 delete_selected (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
-  edit_selection (self, _ ("Delete"), NULL, edit_delete, (Edit){ 0 });
+  OpeningEdit opening = { 0 };
+  if (selected_opening (self, &opening)) {
+    qn_selection_clear (qn_document_get_selection (self->document));
+    qn_canvas_edit_project (self->canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
+  } else
+    edit_blocks (self, _ ("Delete"), edit_delete);
 }
 
 static void
 detach (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
-  edit_selection (self, _ ("Detach Wall"), NULL, edit_detach, (Edit){ 0 });
+  edit_blocks (self, _ ("Detach Wall"), edit_detach);
+}
+
+static void
+join (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  edit_blocks (self, _ ("Join Blocks"), edit_join);
 }
 
 /* Box around the selected blocks. */
@@ -76,7 +142,7 @@ static gboolean
 selected_box (QnWindow *self, QnVec2 *low, QnVec2 *high)
 {
   const QnModel *model = qn_document_get_model (self->document);
-  QnBlockSet set = dup_selected (self);
+  QnBlockSet set = qn_canvas_dup_selected (self->canvas);
   *low = qn_vec2 (INFINITY, INFINITY);
   *high = qn_vec2 (-INFINITY, -INFINITY);
   for (guint i = 0; i < set.count; i++) {
@@ -117,6 +183,15 @@ rotate (QnWindow *self, GVariant *parameter)
     (Edit){ .transform = qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), angle) });
 }
 
+static GHashTable *
+names_of_blocks (const QnModel *model)
+{
+  GHashTable *names = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  for (gsize i = 0; i < model->block_count; i++)
+    g_hash_table_add (names, g_strdup (model->blocks[i].name));
+  return names;
+}
+
 /* A copy beside the original, selected for the next step. */
 static void
 duplicate (QnWindow *self, GVariant *parameter)
@@ -125,44 +200,55 @@ duplicate (QnWindow *self, GVariant *parameter)
   QnVec2 low, high;
   if (!selected_box (self, &low, &high))
     return;
-  gsize before = qn_document_get_model (self->document)->block_count;
-  g_autofree char *text = g_strdup (qn_document_get_text (self->document));
+  g_autoptr (GHashTable) before =
+    names_of_blocks (qn_document_get_model (self->document));
   edit_selection (
     self, _ ("Duplicate"), NULL, edit_copy,
     (Edit){ .transform = qn_transform_translation (1.25 * (high.x - low.x), 0.0),
             .copies = 1 });
   const QnModel *model = qn_document_get_model (self->document);
-  if (g_str_equal (text, qn_document_get_text (self->document)))
-    return;
-  /* Free blocks stand before those of walls; the new ones are the last of them. */
-  gsize free_count = 0;
-  while (free_count < model->block_count && model->blocks[free_count].wall == QN_NONE)
-    free_count++;
-  gsize added = model->block_count - before;
-  g_autofree QnId *ids = g_new (QnId, added + 1);
-  for (gsize i = 0; i < added; i++)
-    ids[i] = (QnId) (free_count - added + i);
-  qn_selection_set_blocks (qn_document_get_selection (self->document), ids,
-                           (guint) added);
+  g_autoptr (GArray) added = g_array_new (FALSE, FALSE, sizeof (QnId));
+  for (QnId i = 0; i < (QnId) model->block_count; i++) {
+    if (!g_hash_table_contains (before, model->blocks[i].name))
+      g_array_append_val (added, i);
+  }
+  if (added->len > 0)
+    qn_selection_set_blocks (qn_document_get_selection (self->document),
+                             (const QnId *) added->data, added->len);
 }
 
-/* Copies side by side: (number, dx, dy). */
+/* Copies (number, right, up, turn in rad), each moved and turned against the one before: a row, or
+ * with a turn a ring. */
 static void
 array (QnWindow *self, GVariant *parameter)
 {
   int copies;
-  double dx, dy;
-  g_variant_get (parameter, "(idd)", &copies, &dx, &dy);
+  double dx, dy, turn;
+  QnVec2 low, high;
+  g_variant_get (parameter, "(iddd)", &copies, &dx, &dy, &turn);
+  if (!selected_box (self, &low, &high))
+    return;
+  QnTransform transform = qn_transform_translation (dx, dy);
+  if (turn != 0.0)
+    transform = qn_transform_compose (
+      qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), turn), transform);
   edit_selection (self, _ ("Array"), NULL, edit_copy,
-                  (Edit){ .transform = qn_transform_translation (dx, dy),
-                          .copies = CLAMP (copies, 1, 10000) });
+                  (Edit){ .transform = transform, .copies = CLAMP (copies, 1, 10000) });
 }
 
 static void
 nudge (QnWindow *self, GVariant *parameter)
 {
   double dx, dy;
+  OpeningEdit opening = { 0 };
   g_variant_get (parameter, "(dd)", &dx, &dy);
+  if (selected_opening (self, &opening)) {
+    opening.dx = dx;
+    opening.dy = dy;
+    qn_canvas_edit_project (self->canvas, _ ("Move Opening"), "nudge-opening",
+                            edit_move_opening, &opening);
+    return;
+  }
   double step =
     qn_magnet_round_distance (NUDGE_PX / qn_canvas_get_camera (self->canvas)->scale);
   edit_selection (self, _ ("Nudge"), "nudge", edit_transform,
@@ -210,13 +296,28 @@ select_like (QnWindow *self, GVariant *parameter)
     qn_selection_select_same_law (selection, model, block);
 }
 
+static void
+select_faces_like (QnWindow *self, GVariant *parameter)
+{
+  const char *what = g_variant_get_string (parameter, NULL);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  const QnContacts *contacts = qn_document_get_contacts (self->document);
+  QnId face = qn_selection_get_face (selection);
+  if (face == QN_NONE || (gsize) face >= contacts->face_count)
+    return;
+  qn_selection_select_faces_like (selection, contacts, face,
+                                  g_str_equal (what, "line")        ? QN_LIKE_LINE
+                                  : g_str_equal (what, "direction") ? QN_LIKE_DIRECTION
+                                                                    : QN_LIKE_LAW);
+}
+
 /* ---- clipboard: blocks travel as a project of their own ---- */
 
 static void
 copy (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
-  QnBlockSet set = dup_selected (self);
+  QnBlockSet set = qn_canvas_dup_selected (self->canvas);
   const QnModel *model = qn_document_get_model (self->document);
   GString *text = g_string_new ("quoin-blocks\n");
   for (guint i = 0; i < set.count; i++) {
@@ -247,7 +348,7 @@ static void
 cut (QnWindow *self, GVariant *parameter)
 {
   copy (self, parameter);
-  edit_selection (self, _ ("Cut"), NULL, edit_delete, (Edit){ 0 });
+  edit_blocks (self, _ ("Cut"), edit_delete);
 }
 
 /* One line of what copy() wrote. */
@@ -331,12 +432,14 @@ qn_window_add_edit_actions (QnWindow *self)
     { "mirror", "s", mirror },
     { "rotate", "d", rotate },
     { "duplicate", NULL, duplicate },
-    { "array", "(idd)", array },
+    { "join", NULL, join },
+    { "array", "(iddd)", array },
     { "nudge", "(dd)", nudge },
     { "undo", NULL, undo },
     { "redo", NULL, redo },
     { "select-all", NULL, select_all },
     { "select-like", "s", select_like },
+    { "select-faces-like", "s", select_faces_like },
     { "copy", NULL, copy },
     { "cut", NULL, cut },
     { "paste", NULL, paste },

@@ -338,15 +338,21 @@ bind_settings (QnWindow *self)
                    G_SETTINGS_BIND_DEFAULT);
 }
 
-static const QnToolSettings first_settings = {
-  .wall = { .unit = { 0.4, 0.175 },
-            .bond = QN_WALL_BOND_RUNNING,
-            .style = { .thickness = 1.0, .unit_weight = 1e4, .law = QN_NONE },
-            .base = true },
-  .lintel = TRUE,
-  .force = 1000.0,
-  .live = TRUE
-};
+static const QnToolSettings first_settings = { .masonry = { .unit = { 0.4, 0.175 },
+                                                            .bond = QN_BOND_RUNNING,
+                                                            .lap = 0.5,
+                                                            .thickness = 1.0,
+                                                            .unit_weight = 1e4,
+                                                            .law = QN_NONE,
+                                                            .base = TRUE,
+                                                            .head = QN_HEAD_FLAT,
+                                                            .span = QN_SPAN_LINTEL,
+                                                            .shape = QN_ARCH_CIRCULAR,
+                                                            .ring = 0.3,
+                                                            .voussoirs = 15,
+                                                            .top_to_foot = 1.0 },
+                                               .force = 1000.0,
+                                               .live = TRUE };
 
 static void
 qn_window_init (QnWindow *self)
@@ -410,6 +416,7 @@ qn_window_finalize (GObject *object)
   g_free (self->last_export);
   g_clear_pointer (&self->last_recipe, qn_recipe_free);
   g_clear_object (&self->print_settings);
+  g_free (self->tool_settings.joint_law);
   G_OBJECT_CLASS (qn_window_parent_class)->finalize (object);
 }
 

@@ -76,6 +76,12 @@ qn_selection_get_blocks (QnSelection *self, guint *count)
   return (const QnId *) self->blocks->data;
 }
 
+gboolean
+qn_selection_is_empty (QnSelection *self)
+{
+  return self->blocks->len == 0 && self->faces->len == 0 && self->object == QN_NONE;
+}
+
 void
 qn_selection_clear (QnSelection *self)
 {

@@ -18,6 +18,7 @@ gboolean qn_selection_has_block (QnSelection *selection, QnId block);
 /* Numbers of the selected blocks, ascending; borrowed. */
 const QnId *qn_selection_get_blocks (QnSelection *selection, guint *count);
 
+gboolean qn_selection_is_empty (QnSelection *selection);
 void qn_selection_clear (QnSelection *selection);
 void qn_selection_set_blocks (QnSelection *selection, const QnId *blocks, guint count);
 void qn_selection_add_blocks (QnSelection *selection, const QnId *blocks, guint count);

@@ -1,0 +1,55 @@
+/* From a gesture to masonry: what a drawn rectangle, span or line becomes.
+ *
+ * Points are m of the model. Sizes are rounded to what the bond can lay. Objects are without a
+ * name; qn_edit_add_masonry() gives them one. */
+#ifndef QN_DOC_MASONRY_PLAN_H
+#define QN_DOC_MASONRY_PLAN_H
+
+#include "stereotomy/masonry.h"
+#include <glib.h>
+
+/* What new masonry is like. */
+typedef struct QnMasonryStyle {
+  QnVec2 unit; /* length of a block, height of a course, m */
+  QnBond bond;
+  double lap;         /* of running bond, part of a unit */
+  double thickness;   /* m */
+  double unit_weight; /* N/m3 */
+  QnId law;           /* or QN_NONE */
+  gboolean base;      /* on fixed blocks, one course deep */
+
+  QnHead head; /* of openings */
+  QnSpan span;
+  QnArchShape shape;  /* of arches */
+  double ring;        /* m, thickness of arches */
+  int32_t voussoirs;  /* of arches */
+  double top_to_foot; /* of columns: width at the top to that at the foot */
+} QnMasonryStyle;
+
+/* A wall in the rectangle between two corners, from the first one; at least half a block and a
+ * course. FALSE without memory. */
+gboolean qn_plan_wall (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
+                       QnVec2 to);
+
+/* An opening of a wall between two corners; with `snap` by half blocks and courses. FALSE
+ * where it would be empty. */
+gboolean qn_plan_opening (const QnMasonry *wall, const QnMasonryStyle *style, QnVec2 from,
+                          QnVec2 to, gboolean snap, QnOpening *opening);
+
+/* An arch from springing to springing, left to right; where the rise does not suit the shape,
+ * the shape gives way. FALSE without memory. */
+gboolean qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left,
+                       QnVec2 right, double rise);
+
+/* How high a point lies above the chord of an arch, m, positive on the side of the crown. */
+double qn_plan_arch_rise (QnVec2 left, QnVec2 right, QnVec2 at);
+
+/* A column as wide and high as the rectangle, with drums one course high. FALSE without
+ * memory. */
+gboolean qn_plan_column (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
+                         QnVec2 to);
+
+/* Blocks of a wall or column of this size, about: to know what is quick to draw. */
+double qn_masonry_estimate_blocks (const QnMasonry *masonry);
+
+#endif

@@ -1,0 +1,420 @@
+/* Every drawing tool, by pointer and by keys. */
+#include "driver.h"
+
+#include "doc/edit-masonry.h"
+#include "doc/masonry-shape.h"
+#include "io/project-masonry.h"
+
+#include <math.h>
+#include <string.h>
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static guint
+steps_of (QnWindow *window)
+{
+  return qn_history_get_position (
+    qn_document_get_history (qn_window_get_document (window)));
+}
+
+static const char *
+last_step (QnWindow *window)
+{
+  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
+  return qn_history_get_name (history, qn_history_get_position (history) - 1);
+}
+
+static QnMasonries
+masonry_of (QnWindow *window)
+{
+  QnMasonries list;
+  g_assert_true (qn_project_get_masonry (
+    qn_document_get_project (qn_window_get_document (window)), &list, NULL));
+  return list;
+}
+
+static double
+total_area (const QnModel *model)
+{
+  double area = 0.0;
+  for (gsize i = 0; i < model->block_count; i++)
+    area += model->blocks[i].support[0] ? 0.0 : model->blocks[i].area;
+  return area;
+}
+
+/* An empty drawing, ready to draw walls. */
+static QnWindow *
+open_blank (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  driver_activate (window, "win.draw");
+  driver_run (200);
+  return window;
+}
+
+/* Back to nothing and forth again: the same text at every step. */
+static void
+check_history (QnWindow *window)
+{
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *text = g_strdup (qn_document_get_text (document));
+  guint steps = steps_of (window);
+  g_autoptr (GPtrArray) texts = g_ptr_array_new_with_free_func (g_free);
+  for (guint i = 0; i < steps; i++) {
+    g_ptr_array_add (texts, g_strdup (qn_document_get_text (document)));
+    g_assert_true (qn_document_undo (document));
+  }
+  for (guint i = steps; i > 0; i--) {
+    g_assert_true (qn_document_redo (document));
+    g_assert_cmpstr (qn_document_get_text (document), ==,
+                     g_ptr_array_index (texts, i - 1));
+  }
+  g_assert_cmpstr (qn_document_get_text (document), ==, text);
+}
+
+static void
+open_wall_with_window (QnWindow *window)
+{
+  driver_drag (window, 0.0, 0.0, 3.2, 2.1);
+  driver_key ("o");
+  driver_drag (window, 1.15, 0.65, 2.05, 1.42);
+}
+
+/* The opening is dragged by its middle and its side, changed in the panel, nudged, filled. */
+static void
+test_opening (void)
+{
+  QnWindow *window = open_blank ();
+  open_wall_with_window (window);
+  QnMasonries list = masonry_of (window);
+  g_assert_cmpuint (list.count, ==, 1);
+  g_assert_cmpuint (list.items[0].wall.opening_count, ==, 1);
+  QnOpening opening = list.items[0].wall.openings[0];
+  QnVec2 origin = list.items[0].origin;
+  g_assert_cmpint (opening.span, ==, QN_SPAN_LINTEL);
+  g_assert_cmpfloat_with_epsilon (opening.width, 0.8, 1e-9);
+  qn_masonries_clear (&list);
+
+  driver_key ("v");
+  QnVec2 middle = qn_vec2_add (origin, qn_vec2 (opening.at.x + 0.5 * opening.width,
+                                                opening.at.y + 0.5 * opening.height));
+  driver_screenshot (GTK_WIDGET (window), "opening-selected");
+  driver_drag (window, middle.x, middle.y + 0.1, middle.x + 0.4, middle.y + 0.1);
+  list = masonry_of (window);
+  g_assert_cmpfloat_with_epsilon (list.items[0].wall.openings[0].at.x, opening.at.x + 0.4,
+                                  1e-9);
+  g_assert_cmpstr (last_step (window), ==, "Move Opening");
+  qn_masonries_clear (&list);
+
+  double right = middle.x + 0.4 + 0.5 * opening.width;
+  driver_drag (window, right, middle.y, right + 0.2, middle.y);
+  list = masonry_of (window);
+  g_assert_cmpfloat_with_epsilon (list.items[0].wall.openings[0].width, 1.0, 1e-9);
+  g_assert_cmpstr (last_step (window), ==, "Resize Opening");
+  qn_masonries_clear (&list);
+
+  driver_key ("Left");
+  driver_key ("Left");
+  list = masonry_of (window);
+  g_assert_cmpfloat_with_epsilon (list.items[0].wall.openings[0].at.x, opening.at.x,
+                                  1e-9);
+  qn_masonries_clear (&list);
+  g_assert_cmpint (qn_model_find_block (model_of (window), "w1.o1.lintel"), !=, QN_NONE);
+
+  driver_key ("Delete");
+  list = masonry_of (window);
+  g_assert_cmpuint (list.items[0].wall.opening_count, ==, 0);
+  qn_masonries_clear (&list);
+  check_history (window);
+  driver_discard (window);
+}
+
+/* A wall of the published kind, listed course by course, gets an opening and stays parametric. */
+static void
+test_listed_wall (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall1.quoin");
+  double before = total_area (model_of (window));
+  driver_activate (window, "win.tool::opening");
+  const QnWall *wall = &model_of (window)->walls[0];
+  QnVec2 unit = wall->unit, low = wall->origin;
+  driver_drag (window, low.x + 1.5 * unit.x, low.y + 1.1 * unit.y, low.x + 2.5 * unit.x,
+               low.y + 2.9 * unit.y);
+  g_assert_cmpuint (model_of (window)->wall_count, ==, 0);
+  g_assert_cmpfloat_with_epsilon (total_area (model_of (window)),
+                                  before - 2.0 * unit.x * unit.y, 1e-9);
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->wall_count, ==, 1);
+  driver_discard (window);
+}
+
+/* Span by drag, rise by a click; then all of it typed. */
+static void
+test_arch (void)
+{
+  QnWindow *window = open_blank ();
+  driver_key ("a");
+  driver_drag (window, 0.5, 0.5, 3.5, 0.5);
+  driver_click (window, 2.0, 1.5);
+  QnMasonries list = masonry_of (window);
+  g_assert_cmpuint (list.count, ==, 1);
+  g_assert_cmpint (list.items[0].kind, ==, QN_MASONRY_ARCH);
+  g_assert_cmpfloat_with_epsilon (list.items[0].arch.span, 3.0, 0.02);
+  g_assert_cmpfloat_with_epsilon (list.items[0].arch.rise, 1.0, 0.02);
+  qn_masonries_clear (&list);
+  driver_activate (window, "win.fit");
+  driver_run (100);
+
+  driver_click (window, 0.5, 2.5);
+  driver_point (window, 1.0, 2.5);
+  driver_type ("2; 0,6; 0.25; 9");
+  driver_screenshot (GTK_WIDGET (window), "arch-typed");
+  driver_key ("Return");
+  list = masonry_of (window);
+  g_assert_cmpuint (list.count, ==, 2);
+  const QnArch *arch = &list.items[1].arch;
+  g_assert_cmpfloat_with_epsilon (arch->span, 2.0, 1e-9);
+  g_assert_cmpfloat_with_epsilon (arch->rise, 0.6, 1e-9);
+  g_assert_cmpfloat_with_epsilon (arch->ring, 0.25, 1e-9);
+  g_assert_cmpint (arch->voussoirs, ==, 9);
+  qn_masonries_clear (&list);
+
+  /* The crown is dragged up by its handle. */
+  driver_key ("v");
+  driver_activate (window, "win.fit");
+  driver_run (100);
+  QnId stone = qn_model_find_block (model_of (window), "arch2.v2");
+  QnVec2 at = model_of (window)->blocks[stone].centroid;
+  driver_click (window, at.x, at.y);
+  driver_activate (window, "win.select-like::wall");
+  driver_screenshot (GTK_WIDGET (window), "arch-selected");
+  driver_drag (window, 1.5, 3.1, 1.5, 3.3);
+  list = masonry_of (window);
+  g_assert_cmpfloat (list.items[1].arch.rise, >, 0.7);
+  qn_masonries_clear (&list);
+  check_history (window);
+  driver_discard (window);
+}
+
+static void
+test_column (void)
+{
+  QnWindow *window = open_blank ();
+  driver_key ("c");
+  driver_click (window, 1.0, 0.5);
+  driver_point (window, 1.2, 1.0);
+  driver_type ("0.5; 2.1");
+  driver_key ("Return");
+  QnMasonries list = masonry_of (window);
+  g_assert_cmpuint (list.count, ==, 1);
+  g_assert_cmpint (list.items[0].kind, ==, QN_MASONRY_COLUMN);
+  g_assert_cmpint (list.items[0].column.drums, ==, 12);
+  qn_masonries_clear (&list);
+  g_assert_cmpfloat_with_epsilon (total_area (model_of (window)), 0.5 * 2.1, 1e-9);
+  driver_screenshot (GTK_WIDGET (window), "column");
+  driver_discard (window);
+}
+
+/* A block is cut, its parts are joined again. */
+static void
+test_cut_join (void)
+{
+  QnWindow *window = open_blank ();
+  driver_key ("r");
+  driver_drag (window, 1.0, 1.0, 2.0, 2.0);
+  g_assert_cmpuint (model_of (window)->block_count, ==, 1);
+  double area = total_area (model_of (window));
+  driver_key ("x");
+  driver_drag (window, 0.5, 1.2, 2.5, 1.8);
+  g_assert_cmpuint (model_of (window)->block_count, ==, 2);
+  g_assert_cmpfloat_with_epsilon (total_area (model_of (window)), area, 1e-9);
+  g_assert_cmpuint (
+    qn_document_get_contacts (qn_window_get_document (window))->face_count, ==, 1);
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.join");
+  g_assert_cmpuint (model_of (window)->block_count, ==, 1);
+  g_assert_cmpint (model_of (window)->blocks[0].vertex_count, ==, 4);
+
+  /* A line beside the block is refused and says why. */
+  guint steps = steps_of (window);
+  driver_drag (window, 0.2, 0.2, 0.6, 0.4);
+  g_assert_cmpuint (steps_of (window), ==, steps);
+  check_history (window);
+  driver_discard (window);
+}
+
+/* Turned by a typed angle and by the handle, mirrored with the original kept, set in a ring. */
+static void
+test_turn_mirror_array (void)
+{
+  QnWindow *window = open_blank ();
+  driver_key ("r");
+  driver_drag (window, 1.0, 1.0, 2.0, 1.5);
+  driver_activate (window, "win.select-all");
+  driver_key ("t");
+  driver_click (window, 1.0, 1.0);
+  driver_point (window, 2.0, 1.0);
+  driver_type ("90");
+  driver_key ("Return");
+  QnVec2 c = model_of (window)->blocks[0].centroid;
+  g_assert_cmpfloat_with_epsilon (c.x, 0.75, 0.02);
+  g_assert_cmpfloat_with_epsilon (c.y, 1.5, 0.02);
+
+  driver_key ("v");
+  double above = 28.0 / qn_canvas_get_camera (qn_window_get_canvas (window))->scale;
+  driver_screenshot (GTK_WIDGET (window), "turn-handle");
+  driver_drag (window, c.x, 2.0 + above, c.x + 1.0, c.y);
+  g_assert_cmpstr (last_step (window), ==, "Rotate");
+  c = model_of (window)->blocks[0].centroid;
+  g_assert_cmpfloat_with_epsilon (c.x, 0.75, 0.02);
+
+  driver_key ("i");
+  driver_drag (window, 2.0, 0.5, 2.0, 2.5);
+  c = model_of (window)->blocks[0].centroid;
+  g_assert_cmpfloat_with_epsilon (c.x, 3.25, 0.02);
+  driver_activate (window, "win.array((3, 1.5, 0.0, 0.0))");
+  g_assert_cmpuint (model_of (window)->block_count, ==, 4);
+  check_history (window);
+  driver_discard (window);
+}
+
+/* Without touching the mouse: a wall between two corners, Enter at each. */
+static void
+test_keyboard (void)
+{
+  QnWindow *window = open_blank ();
+  driver_point (window, 4.0, 3.0);
+  driver_key ("w");
+  for (int i = 0; i < 3; i++)
+    driver_key ("Left");
+  driver_key ("Return");
+  for (int i = 0; i < 2; i++)
+    driver_key ("ctrl+Left");
+  for (int i = 0; i < 2; i++)
+    driver_key ("ctrl+Down");
+  driver_screenshot (GTK_WIDGET (window), "keyboard-cursor");
+  driver_key ("Return");
+  g_assert_cmpuint (steps_of (window), ==, 1);
+  g_assert_cmpstr (last_step (window), ==, "Add Wall");
+  g_assert_cmpuint (model_of (window)->block_count, >, 4);
+
+  /* Every tool has a key that chooses it. */
+  for (int i = 0; qn_tools[i] != NULL; i++) {
+    driver_key (qn_tools[i]->accel);
+    g_assert_true (qn_canvas_get_tool (qn_window_get_canvas (window)) == qn_tools[i]);
+    for (int k = 0; k < i; k++)
+      g_assert_cmpstr (qn_tools[i]->accel, !=, qn_tools[k]->accel);
+  }
+  driver_discard (window);
+}
+
+static gboolean
+add_law (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_add_law (model, 0, "rough", error);
+}
+
+/* Joints get a law by the tool; they are selected by line and law; after a run the inspector shows
+ * their forces. */
+static void
+test_joints (void)
+{
+  QnWindow *window = open_blank ();
+  QnDocument *document = qn_window_get_document (window);
+  QnSelection *selection = qn_document_get_selection (document);
+  driver_drag (window, 0.0, 0.0, 2.4, 1.75);
+  g_assert_true (qn_document_edit (document, "Law", NULL, add_law, NULL, NULL));
+  driver_key ("l");
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  g_free (qn_canvas_get_tool_settings (canvas)->joint_law);
+  qn_canvas_get_tool_settings (canvas)->joint_law = g_strdup ("rough");
+  driver_drag (window, -0.2, 0.3, 2.6, 0.4);
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  g_assert_cmpuint (model_of (window)->override_count, >, 3);
+  guint rough = 0;
+  QnId face = QN_NONE;
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
+    if (contacts->faces[i].law_a == 1) {
+      rough++;
+      face = i;
+    }
+  }
+  g_assert_cmpuint (rough, >, 3);
+
+  driver_key ("v");
+  QnVec2 at = qn_vec2_lerp (contacts->faces[face].start, contacts->faces[face].end, 0.4);
+  driver_click (window, at.x, at.y);
+  guint count = 0;
+  qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, ==, 1);
+  driver_activate (window, "win.select-faces-like::law");
+  qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, ==, rough);
+  driver_screenshot (GTK_WIDGET (window), "faces-selected");
+  driver_activate (window, "win.select-faces-like::line");
+  qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, >, 1);
+
+  driver_key ("F5");
+  driver_wait_for_job (window);
+  g_assert_nonnull (qn_document_get_run (document));
+  driver_activate (window, "win.view::contacts");
+  driver_activate (window, "win.show-panel::properties");
+  qn_selection_set_face (selection, face);
+  driver_screenshot (GTK_WIDGET (window), "joint-forces");
+  driver_discard (window);
+}
+
+/* A block a little above another one: the finding leads there, the fix closes the gap. */
+static void
+test_findings (void)
+{
+  static const char text[] =
+    "{ \"format\": \"quoin\", \"version\": 1,"
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": 0.6 } ],"
+    "  \"blocks\": [ { \"name\": \"below\", \"vertices\": [[0,0],[1,0],[1,0.5],[0,0.5]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+    "    { \"name\": \"above\", \"vertices\": [[0,0.5004],[1,0.5004],[1,1],[0,1]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+    "  \"contact\": { \"law\": \"dry\" } }";
+  QnWindow *window = open_blank ();
+  QnDocument *document = qn_window_get_document (window);
+  g_assert_true (qn_document_load_text (document, text, "gap", NULL));
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  g_assert_cmpuint (contacts->face_count, ==, 0);
+  g_assert_cmpuint (contacts->findings.count, >, 0);
+  driver_activate (window, "win.fit");
+  driver_activate (window, "win.show-panel::findings");
+  driver_screenshot (GTK_WIDGET (window), "findings");
+  driver_press (GTK_WIDGET (window), "Snap");
+  contacts = qn_document_get_contacts (document);
+  g_assert_cmpuint (contacts->face_count, ==, 1);
+  g_assert_cmpuint (contacts->findings.count, ==, 0);
+  g_assert_cmpuint (steps_of (window), ==, 1);
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/draw/opening", test_opening);
+  g_test_add_func ("/app/draw/listed-wall", test_listed_wall);
+  g_test_add_func ("/app/draw/arch", test_arch);
+  g_test_add_func ("/app/draw/column", test_column);
+  g_test_add_func ("/app/draw/cut-join", test_cut_join);
+  g_test_add_func ("/app/draw/turn-mirror-array", test_turn_mirror_array);
+  g_test_add_func ("/app/draw/keyboard", test_keyboard);
+  g_test_add_func ("/app/draw/joints", test_joints);
+  g_test_add_func ("/app/draw/findings", test_findings);
+  return g_test_run ();
+}
