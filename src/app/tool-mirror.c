@@ -48,7 +48,7 @@ const QnTool qn_tool_mirror = {
   .label = N_ ("Mirror"),
   .hint = N_ ("Drag the line about which to mirror what is selected; Shift holds it "
               "straight"),
-  .accel = "i",
+  .accel = "y",
   .magnetic = TRUE,
   .numbers_label = N_ ("length; angle"),
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE },

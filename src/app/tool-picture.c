@@ -138,6 +138,8 @@ const QnTool qn_tool_picture = {
   .hint = N_ ("Drag moves the picture; click two points on it, type their distance and "
               "press Enter to scale it"),
   .accel = "i",
+  .numbers_label = N_ ("distance"),
+  .quantities = { QN_QUANTITY_LENGTH },
   .press = press,
   .motion = motion,
   .release = release,

@@ -99,6 +99,7 @@ extern const QnTool qn_tool_joint;
 extern const QnTool qn_tool_support;
 extern const QnTool qn_tool_force;
 extern const QnTool qn_tool_measure;
+extern const QnTool qn_tool_picture;
 
 /* What the tools draw with; shared by all of a window's tools and shown in its panel. */
 typedef struct QnToolSettings {

@@ -272,7 +272,7 @@ test_turn_mirror_array (void)
   c = model_of (window)->blocks[0].centroid;
   g_assert_cmpfloat_with_epsilon (c.x, 0.75, 0.02);
 
-  driver_key ("i");
+  driver_key ("y");
   driver_drag (window, 2.0, 0.5, 2.0, 2.5);
   c = model_of (window)->blocks[0].centroid;
   g_assert_cmpfloat_with_epsilon (c.x, 3.25, 0.02);
