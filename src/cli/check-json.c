@@ -2,6 +2,7 @@
 #include "cli/check-report.h"
 #include "io/file-writer.h"
 
+#include <math.h>
 #include <string.h>
 
 static void
@@ -41,6 +42,55 @@ write_blocks (QnFileWriter *out, const QnModel *model)
     write_flag (out, ", ", block->support[QN_DOF_UY]);
     write_flag (out, ", ", block->support[QN_DOF_RZ]);
     qn_file_writer_puts (out, "] }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
+static void
+write_nodes (QnFileWriter *out, const QnModel *model)
+{
+  qn_file_writer_puts (out, "  \"nodes\": [");
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
+    qn_file_writer_json_string (out, node->name);
+    write_point (out, ", \"at\": [", node->at);
+    if (node->block != QN_NONE)
+      qn_file_writer_printf (out, ", \"block\": %d", node->block);
+    write_flag (out, ", \"support\": [", node->support[QN_DOF_UX]);
+    write_flag (out, ", ", node->support[QN_DOF_UY]);
+    write_flag (out, ", ", node->support[QN_DOF_RZ]);
+    qn_file_writer_puts (out, "] }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
+static void
+write_beams (QnFileWriter *out, const QnModel *model)
+{
+  qn_file_writer_puts (out, "  \"beams\": [");
+  for (size_t i = 0; i < model->beam_count; i++) {
+    const QnBeam *beam = &model->beams[i];
+    const QnSection *section = &model->sections[beam->section];
+    const QnVec2 *ends[2] = { &model->nodes[beam->nodes[0]].at,
+                              &model->nodes[beam->nodes[1]].at };
+    double plastic = qn_section_plastic_moment (section);
+    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
+    qn_file_writer_json_string (out, beam->name);
+    qn_file_writer_printf (out, ", \"kind\": \"%s\", \"nodes\": [%d, %d], \"section\": ",
+                           qn_beam_kind_name (beam->kind), beam->nodes[0],
+                           beam->nodes[1]);
+    qn_file_writer_json_string (out, section->name);
+    qn_file_writer_printf (out, ", \"elements\": %d", beam->element_count);
+    write_flag (out, ", \"hinges\": [", beam->hinge[0]);
+    write_flag (out, ", ", beam->hinge[1]);
+    write_number (out,
+                  "], \"length\": ", qn_vec2_length (qn_vec2_sub (*ends[1], *ends[0])));
+    write_number (out, ", \"area\": ", section->area);
+    write_number (out, ", \"inertia\": ", section->inertia);
+    if (isfinite (plastic))
+      write_number (out, ", \"plastic_moment\": ", plastic);
+    qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "\n  ],\n");
 }
@@ -127,6 +177,8 @@ write_result (QnFileWriter *out, const QnCheckReport *report)
   write_number (out, ", \"multiplier\": ", check->multiplier);
   write_number (out, ",\n    \"out_of_balance\": ", check->out_of_balance);
   qn_file_writer_printf (out, ", \"unbalanced_block\": %d", check->unbalanced_block);
+  qn_file_writer_printf (out, ", \"unbalanced_node\": %d", check->unbalanced_node);
+  qn_file_writer_printf (out, ", \"unbalanced_element\": %d", check->unbalanced_element);
   write_number (out, ", \"force_scale\": ", check->force_scale);
   write_number (out, ",\n    \"yield_violation\": ", check->yield_violation);
   qn_file_writer_printf (out, ", \"violating_pair\": %d", check->violating_pair);
@@ -148,6 +200,8 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
   write_flag (out, ", \"sound\": ", report->sound);
   qn_file_writer_puts (out, ",\n");
   write_blocks (out, &input->project.model);
+  write_nodes (out, &input->project.model);
+  write_beams (out, &input->project.model);
   write_faces (out, &input->contacts);
   write_findings (out, input);
   if (report->check != NULL)

@@ -18,25 +18,40 @@ is_supported (const QnBlock *block)
          || block->support[QN_DOF_RZ];
 }
 
-/* "name (ux, uy, rz)" for every supported block. */
+/* "name (ux, uy, rz)" */
+static void
+print_support (const char *separator, const char *name, const bool support[QN_DOF_COUNT])
+{
+  static const char *const dofs[QN_DOF_COUNT] = { "ux", "uy", "rz" };
+  const char *comma = "";
+  printf ("%s%s (", separator, name);
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    if (support[dof]) {
+      printf ("%s%s", comma, dofs[dof]);
+      comma = ", ";
+    }
+  printf (")");
+}
+
+/* For every supported block and node. */
 static void
 print_supports (const QnModel *model)
 {
-  static const char *const dofs[QN_DOF_COUNT] = { "ux", "uy", "rz" };
   printf (_ ("supports:"));
   const char *separator = " ";
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
     if (!is_supported (block))
       continue;
-    printf ("%s%s (", separator, block->name);
-    const char *comma = "";
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-      if (block->support[dof]) {
-        printf ("%s%s", comma, dofs[dof]);
-        comma = ", ";
-      }
-    printf (")");
+    print_support (separator, block->name, block->support);
+    separator = ", ";
+  }
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    if (!node->support[QN_DOF_UX] && !node->support[QN_DOF_UY]
+        && !node->support[QN_DOF_RZ])
+      continue;
+    print_support (separator, node->name, node->support);
     separator = ", ";
   }
   printf ("\n");
@@ -59,6 +74,9 @@ print_counts (const QnProject *project, const QnContacts *contacts)
   print_supports (model);
   printf (_ ("contact faces: %zu, total length %.6g m\n"), contacts->face_count, length);
   printf (_ ("contact pairs: %zu\n"), contacts->pair_count);
+  if (model->beam_count > 0)
+    printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
+            model->element_count, model->node_count);
 }
 
 static void
@@ -97,6 +115,32 @@ print_faces (const QnModel *model, const QnContacts *contacts)
   }
 }
 
+/* "beam b: from a (0, 0) to c (3, 0), hinged, length 3 m, section s, 4 elements" */
+static void
+print_beams (const QnModel *model)
+{
+  for (size_t i = 0; i < model->beam_count; i++) {
+    const QnBeam *beam = &model->beams[i];
+    printf (_ ("beam %s (%s): "), beam->name, qn_beam_kind_name (beam->kind));
+    for (int end = 0; end < 2; end++) {
+      const QnNode *node = &model->nodes[beam->nodes[end]];
+      printf (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),
+              node->name, node->at.x, node->at.y);
+      if (node->block != QN_NONE)
+        printf (_ (" on %s"), model->blocks[node->block].name);
+      if (beam->hinge[end])
+        printf (_ (", hinged"));
+    }
+    QnVec2 chord =
+      qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at);
+    printf (ngettext (", length %.6g m, section %s, %d element\n",
+                      ", length %.6g m, section %s, %d elements\n",
+                      (unsigned long) beam->element_count),
+            qn_vec2_length (chord), model->sections[beam->section].name,
+            beam->element_count);
+  }
+}
+
 static const char *
 block_name (const QnModel *model, QnId block)
 {
@@ -110,8 +154,16 @@ print_result (const QnCheckReport *report)
   const QnResultCheck *check = report->check;
   printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
           check->multiplier, qn_check_report_passes (check) ? _ ("passes") : _ ("fails"));
-  printf (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
-          check->force_scale, block_name (model, check->unbalanced_block));
+  if (check->unbalanced_node != QN_NONE)
+    printf (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
+            check->force_scale, model->nodes[check->unbalanced_node].name);
+  else if (check->unbalanced_element != QN_NONE)
+    printf (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), check->out_of_balance,
+            check->force_scale,
+            model->beams[model->elements[check->unbalanced_element].beam].name);
+  else
+    printf (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
+            check->force_scale, block_name (model, check->unbalanced_block));
   printf (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
           check->contact_scale);
   if (check->violating_pair != QN_NONE)
@@ -128,4 +180,5 @@ qn_check_report_print (const QnCheckReport *report)
   if (report->check != NULL)
     print_result (report);
   print_faces (&input->project.model, &input->contacts);
+  print_beams (&input->project.model);
 }

@@ -121,8 +121,8 @@ typedef enum {
   QN_LOAD_WEIGHT,     /* on every block and beam: weight x direction */
   QN_LOAD_FORCE,      /* on one block: force and moment */
   QN_LOAD_SETTLEMENT, /* of one fixed degree of freedom of one block */
-  QN_LOAD_NODE,       /* force and moment on one node */
   QN_LOAD_LINE,       /* on one beam: force per undeformed length */
+  QN_LOAD_NODE,       /* force and moment on one node */
   QN_LOAD_KIND_COUNT
 } QnLoadKind;
 

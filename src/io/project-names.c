@@ -33,8 +33,22 @@ qn_name_of_load_kind (int kind)
     [QN_LOAD_WEIGHT] = "weight",
     [QN_LOAD_FORCE] = "force",
     [QN_LOAD_SETTLEMENT] = "settlement",
+    [QN_LOAD_LINE] = "line",
+    [QN_LOAD_NODE] = "force",
   };
   return names[kind];
+}
+
+const char *
+qn_name_of_beam_kind (int kind)
+{
+  return qn_beam_kind_name ((QnBeamKind) kind);
+}
+
+const char *
+qn_name_of_block_side (int side)
+{
+  return qn_block_side_name ((QnBlockSide) side);
 }
 
 const char *

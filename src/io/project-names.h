@@ -7,6 +7,8 @@ const char *qn_name_of_law_kind (int kind);
 const char *qn_name_of_basis (int basis);
 const char *qn_name_of_placement (int placement);
 const char *qn_name_of_load_kind (int kind);
+const char *qn_name_of_beam_kind (int kind);
+const char *qn_name_of_block_side (int side);
 const char *qn_name_of_procedure (int procedure);
 const char *qn_name_of_geometry (int geometry);
 const char *qn_name_of_snap (int snap);

@@ -4,21 +4,32 @@
 #include <glib/gi18n-lib.h>
 
 typedef struct Control {
-  QnId block;
+  QnId block, node;
   QnDof dof;
   double target;
 } Control;
 
 static gboolean
+read_controlled (const QnPlace *control, const QnModel *model, Control *read)
+{
+  if (!cJSON_HasObjectItem (control->value, "node"))
+    return qn_read_block_name (control, "block", QN_REQUIRED, model, &read->block);
+  if (cJSON_HasObjectItem (control->value, "block")) {
+    QnPlace block = qn_place_member (control, "block");
+    return qn_place_fail (&block, _ ("block and node exclude each other"));
+  }
+  return qn_read_node_name (control, "node", QN_REQUIRED, model, &read->node);
+}
+
+static gboolean
 read_control (const QnPlace *owner, const QnModel *model, Control *read)
 {
-  static const char *const keys[] = { "block", "component", "target" };
+  static const char *const keys[] = { "block", "node", "component", "target" };
   QnPlace control = qn_place_member (owner, "control");
   if (control.value == NULL)
     return TRUE;
   int component;
-  if (!qn_place_object (&control)
-      || !qn_read_block_name (&control, "block", QN_REQUIRED, model, &read->block)
+  if (!qn_place_object (&control) || !read_controlled (&control, model, read)
       || !qn_member_choice (&control, "component", QN_REQUIRED, qn_name_of_dof,
                             QN_DOF_COUNT, &component)
       || !qn_member_number (&control, "target", QN_REQUIRED, QN_RANGE_FINITE,
@@ -89,7 +100,7 @@ read_stage (const QnPlace *place, QnModel *model)
                                       "target", "increments", "control" };
   const char *name = NULL;
   int procedure = QN_PROCEDURE_LOAD;
-  Control control = { .block = QN_NONE };
+  Control control = { .block = QN_NONE, .node = QN_NONE };
   if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
   qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
@@ -108,6 +119,7 @@ read_stage (const QnPlace *place, QnModel *model)
     return FALSE;
   stage->procedure = (QnProcedure) procedure;
   stage->control_block = control.block;
+  stage->control_node = control.node;
   stage->control_dof = control.dof;
   stage->control_target = control.target;
   return TRUE;
@@ -160,7 +172,7 @@ qn_read_analysis (const QnPlace *root, QnModel *model)
     return FALSE;
   qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
-  Control control = { .block = QN_NONE };
+  Control control = { .block = QN_NONE, .node = QN_NONE };
   if (!read_choices (&place, settings)
       || !qn_member_count (&place, "increments", QN_OPTIONAL, G_MAXINT32,
                            &settings->increments)
@@ -174,6 +186,7 @@ qn_read_analysis (const QnPlace *root, QnModel *model)
       || !qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model))
     return FALSE;
   settings->control_block = control.block;
+  settings->control_node = control.node;
   settings->control_dof = control.dof;
   settings->control_target = control.target;
   warn_of_idle_sets (root, model);

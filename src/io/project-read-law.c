@@ -105,12 +105,12 @@ read_law (const QnPlace *place, QnModel *model)
 }
 
 gboolean
-qn_read_laws (const QnPlace *root, QnModel *model)
+qn_read_laws (const QnPlace *root, QnNeed need, QnModel *model)
 {
-  if (!qn_read_each (root, "laws", QN_REQUIRED, read_law, model))
+  if (!qn_read_each (root, "laws", need, read_law, model))
     return FALSE;
   QnPlace laws = qn_place_member (root, "laws");
-  return model->law_count > 0
+  return model->law_count > 0 || need == QN_OPTIONAL
          || qn_place_fail (&laws, _ ("there must be at least one law"));
 }
 

@@ -133,11 +133,15 @@ qn_read_contact (const QnPlace *root, QnModel *model)
   static const char *const keys[] = { "law", "tolerance", "pairs", "faces" };
   QnContactSettings *contact = &model->contact;
   QnPlace place = qn_place_member (root, "contact");
+  const gboolean touching = model->block_count > 0; /* beams alone have no contacts */
+  if (place.value == NULL && !touching)
+    return TRUE;
   if (!qn_place_object (&place))
     return FALSE;
   qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
-  if (!qn_read_law_name (&place, "law", QN_REQUIRED, model, &contact->law)
+  if (!qn_read_law_name (&place, "law", touching ? QN_REQUIRED : QN_OPTIONAL, model,
+                         &contact->law)
       || !qn_member_number (&place, "tolerance", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &contact->tolerance)
       || (cJSON_HasObjectItem (place.value, "pairs")
@@ -159,9 +163,36 @@ qn_read_contact (const QnPlace *root, QnModel *model)
 }
 
 static gboolean
+read_node_force (const QnPlace *place, const QnModel *model, QnLoad *load)
+{
+  static const char *const keys[] = { "kind", "node", "value", "moment" };
+  if (cJSON_HasObjectItem (place->value, "block")) {
+    QnPlace block = qn_place_member (place, "block");
+    return qn_place_fail (&block, _ ("block and node exclude each other"));
+  }
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  load->kind = QN_LOAD_NODE;
+  return qn_read_node_name (place, "node", QN_REQUIRED, model, &load->node)
+         && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector)
+         && qn_member_number (place, "moment", QN_OPTIONAL, QN_RANGE_FINITE,
+                              &load->moment);
+}
+
+static gboolean
+read_line_load (const QnPlace *place, const QnModel *model, QnLoad *load)
+{
+  static const char *const keys[] = { "kind", "beam", "value" };
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  return qn_read_beam_name (place, "beam", QN_REQUIRED, model, &load->beam)
+         && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector);
+}
+
+static gboolean
 read_force (const QnPlace *place, const QnModel *model, QnLoad *load)
 {
   static const char *const keys[] = { "kind", "block", "value", "moment", "at" };
+  if (cJSON_HasObjectItem (place->value, "node"))
+    return read_node_force (place, model, load);
   qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   load->has_at = cJSON_HasObjectItem (place->value, "at");
   return qn_read_block_name (place, "block", QN_REQUIRED, model, &load->block)
@@ -193,13 +224,15 @@ read_load (const QnPlace *place, const QnModel *model, QnLoad *load)
   int kind;
   if (!qn_place_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_load_kind,
-                            QN_LOAD_SETTLEMENT + 1, &kind))
+                            QN_LOAD_NODE, &kind))
     return FALSE;
   load->kind = (QnLoadKind) kind;
   if (load->kind == QN_LOAD_FORCE)
     return read_force (place, model, load);
   if (load->kind == QN_LOAD_SETTLEMENT)
     return read_settlement (place, model, load);
+  if (load->kind == QN_LOAD_LINE)
+    return read_line_load (place, model, load);
   qn_place_warn_unknown (place, weight_keys, G_N_ELEMENTS (weight_keys));
   return qn_member_vec2 (place, "direction", QN_REQUIRED, &load->vector);
 }

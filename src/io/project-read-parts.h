@@ -7,12 +7,17 @@
 #include "io/json-value.h"
 
 /* In project-read-law.c; `root` is the document. */
-gboolean qn_read_laws (const QnPlace *root, QnModel *model);
+gboolean qn_read_laws (const QnPlace *root, QnNeed need, QnModel *model);
 gboolean qn_read_bars (const QnPlace *root, QnModel *model);
 
 /* In project-read-structure.c. */
 gboolean qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model);
 gboolean qn_read_walls (const QnPlace *root, QnModel *model);
+
+gboolean qn_read_support (const QnPlace *place, bool support[QN_DOF_COUNT]);
+
+/* In project-read-beams.c: sections, nodes and beams; the walls must be expanded. */
+gboolean qn_read_beams (const QnPlace *root, QnModel *model);
 
 /* In project-read-loading.c; the walls must be expanded, so that their blocks have names. */
 gboolean qn_read_contact (const QnPlace *root, QnModel *model);
@@ -37,10 +42,21 @@ gboolean qn_read_each (const QnPlace *root, const char *key, QnNeed need,
                        gboolean (*read) (const QnPlace *place, QnModel *model),
                        QnModel *model);
 
-/* Law or block that a member names; an optional one that is not there leaves *id as it is. */
+/* Law, block, node, section or beam that a member names; an optional one that is not there leaves *id as it is. */
 gboolean qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
                            const QnModel *model, QnId *id);
 gboolean qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
                              const QnModel *model, QnId *id);
+gboolean qn_read_node_name (const QnPlace *object, const char *key, QnNeed need,
+                            const QnModel *model, QnId *id);
+gboolean qn_read_section_name (const QnPlace *object, const char *key, QnNeed need,
+                               const QnModel *model, QnId *id);
+gboolean qn_read_beam_name (const QnPlace *object, const char *key, QnNeed need,
+                            const QnModel *model, QnId *id);
+
+/* Finds an entity by name; fails at the place with what is known as `problem`. */
+gboolean qn_read_name_of (const QnPlace *place, const QnModel *model,
+                          QnId (*find) (const QnModel *model, const char *name),
+                          QnProblem problem, QnId *id);
 
 #endif

@@ -17,31 +17,66 @@ fail_unknown_name (const QnPlace *place, QnProblem problem, const char *name)
 }
 
 gboolean
-qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
-                  const QnModel *model, QnId *id)
+qn_read_name_of (const QnPlace *place, const QnModel *model,
+                 QnId (*find) (const QnModel *model, const char *name), QnProblem problem,
+                 QnId *id)
+{
+  const char *name = place->value->valuestring;
+  *id = find (model, name);
+  return *id != QN_NONE || fail_unknown_name (place, problem, name);
+}
+
+/* The entity that a member names. */
+static gboolean
+read_name (const QnPlace *object, const char *key, QnNeed need, const QnModel *model,
+           QnId (*find) (const QnModel *model, const char *name), QnProblem problem,
+           QnId *id)
 {
   const char *name = NULL;
   if (!qn_member_string (object, key, need, &name))
     return FALSE;
-  if (name == NULL)
-    return TRUE;
-  *id = qn_model_find_law (model, name);
   QnPlace member = qn_place_member (object, key);
-  return *id != QN_NONE || fail_unknown_name (&member, QN_PROBLEM_LAW_UNKNOWN, name);
+  return name == NULL || qn_read_name_of (&member, model, find, problem, id);
+}
+
+gboolean
+qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
+                  const QnModel *model, QnId *id)
+{
+  return read_name (object, key, need, model, qn_model_find_law, QN_PROBLEM_LAW_UNKNOWN,
+                    id);
 }
 
 gboolean
 qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
                     const QnModel *model, QnId *id)
 {
-  const char *name = NULL;
-  if (!qn_member_string (object, key, need, &name))
-    return FALSE;
-  if (name == NULL)
-    return TRUE;
-  *id = qn_model_find_block (model, name);
-  QnPlace member = qn_place_member (object, key);
-  return *id != QN_NONE || fail_unknown_name (&member, QN_PROBLEM_BLOCK_UNKNOWN, name);
+  return read_name (object, key, need, model, qn_model_find_block,
+                    QN_PROBLEM_BLOCK_UNKNOWN, id);
+}
+
+gboolean
+qn_read_node_name (const QnPlace *object, const char *key, QnNeed need,
+                   const QnModel *model, QnId *id)
+{
+  return read_name (object, key, need, model, qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN,
+                    id);
+}
+
+gboolean
+qn_read_section_name (const QnPlace *object, const char *key, QnNeed need,
+                      const QnModel *model, QnId *id)
+{
+  return read_name (object, key, need, model, qn_model_find_section,
+                    QN_PROBLEM_SECTION_UNKNOWN, id);
+}
+
+gboolean
+qn_read_beam_name (const QnPlace *object, const char *key, QnNeed need,
+                   const QnModel *model, QnId *id)
+{
+  return read_name (object, key, need, model, qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN,
+                    id);
 }
 
 gboolean
@@ -90,8 +125,8 @@ qn_read_own_law (const QnPlace *place, const QnModel *model, QnId *law)
   return qn_read_law_name (place, "material", QN_REQUIRED, model, law);
 }
 
-static gboolean
-read_support (const QnPlace *place, bool support[QN_DOF_COUNT])
+gboolean
+qn_read_support (const QnPlace *place, bool support[QN_DOF_COUNT])
 {
   QnPlace list = qn_place_member (place, "support");
   if (list.value == NULL)
@@ -134,7 +169,7 @@ read_block_properties (const QnPlace *place, const QnModel *model, QnBlock *bloc
   return qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
                            &block->thickness)
          && qn_read_weight (place, model, &block->unit_weight, &block->density)
-         && read_support (place, block->support)
+         && qn_read_support (place, block->support)
          && qn_read_own_law (place, model, &block->law);
 }
 

@@ -14,9 +14,10 @@
 #define FORMAT_VERSION 1
 
 /* Members of the document that become part of the model. */
-static const char *const model_keys[] = { "format", "version", "title",   "gravity",
-                                          "laws",   "blocks",  "walls",   "contact",
-                                          "loads",  "bars",    "analysis" };
+static const char *const model_keys[] = { "format", "version", "title",    "gravity",
+                                          "laws",   "blocks",  "walls",    "contact",
+                                          "loads",  "bars",    "analysis", "sections",
+                                          "nodes",  "beams" };
 
 /* Members that the model does not hold: kept and written back as they are. */
 static const char *const upper_keys[] = { "view",     "figures", "guides",
@@ -105,16 +106,22 @@ read_document (const QnPlace *root, cJSON *document, QnProject *project)
 {
   QnModel *model = &project->model;
   QnDiag diag;
-  /* With walls or parametric masonry, no block of its own is needed. */
-  QnNeed blocks = cJSON_HasObjectItem (document, "walls")
-                      || cJSON_HasObjectItem (document, QN_MASONRY_MEMBER)
-                    ? QN_OPTIONAL
-                    : QN_REQUIRED;
+  /* With walls, parametric masonry or beams, no block of its own is needed. */
+  gboolean others = cJSON_HasObjectItem (document, "walls")
+                    || cJSON_HasObjectItem (document, QN_MASONRY_MEMBER);
+  gboolean beams = cJSON_HasObjectItem (document, "beams");
+  QnNeed blocks = others || beams ? QN_OPTIONAL : QN_REQUIRED;
+  /* Beams alone have no joints. */
+  gboolean joints =
+    others || cJSON_GetArraySize (cJSON_GetObjectItem (document, "blocks")) > 0;
+  QnNeed laws = beams && !joints ? QN_OPTIONAL : QN_REQUIRED;
   return check_format (root) && keep_extras (root, document, project)
-         && read_title_and_gravity (root, model) && qn_read_laws (root, model)
+         && read_title_and_gravity (root, model) && qn_read_laws (root, laws, model)
          && qn_read_blocks (root, blocks, model) && qn_read_masonry (root, project)
          && qn_read_walls (root, model)
          && take_status (root, project, qn_model_expand_walls (model, &diag), &diag)
+         && qn_read_beams (root, model)
+         && take_status (root, project, qn_model_expand_beams (model, &diag), &diag)
          && qn_read_bars (root, model) && qn_read_contact (root, model)
          && qn_read_loads (root, model) && qn_read_analysis (root, model)
          && take_status (root, project, qn_model_prepare (model, &diag), &diag);

@@ -45,7 +45,15 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
     qn_json_put_number (json, "value", load->value);
     break;
   case QN_LOAD_LINE:
+    qn_json_put_string (json, "beam", model->beams[load->beam].name);
+    qn_json_put_vec2 (json, "value", load->vector);
+    break;
   case QN_LOAD_NODE:
+    qn_json_put_string (json, "node", model->nodes[load->node].name);
+    qn_json_put_vec2 (json, "value", load->vector);
+    if (load->moment != 0)
+      qn_json_put_number (json, "moment", load->moment);
+    break;
   case QN_LOAD_KIND_COUNT:
     g_assert_not_reached ();
   }
@@ -89,11 +97,17 @@ qn_project_append_loads (GString *json, const QnModel *model)
 }
 
 static void
-put_control (GString *json, const QnModel *model, QnId block, QnDof dof, double target)
+put_control (GString *json, const QnModel *model, QnId block, QnId node, QnDof dof,
+             double target)
 {
+  if (block == QN_NONE && node == QN_NONE)
+    return;
   qn_json_begin_member (json, "control");
   g_string_append_c (json, '{');
-  qn_json_put_string (json, "block", model->blocks[block].name);
+  if (node != QN_NONE)
+    qn_json_put_string (json, "node", model->nodes[node].name);
+  else
+    qn_json_put_string (json, "block", model->blocks[block].name);
   qn_json_put_string (json, "component", qn_name_of_dof ((int) dof));
   qn_json_put_number (json, "target", target);
   g_string_append (json, " }");
@@ -120,9 +134,8 @@ append_stage (GString *json, const QnModel *model, const QnStage *stage)
     qn_json_put_number (json, "target", stage->target);
   if (stage->increments > 0)
     qn_json_put_number (json, "increments", stage->increments);
-  if (stage->control_block != QN_NONE)
-    put_control (json, model, stage->control_block, stage->control_dof,
-                 stage->control_target);
+  put_control (json, model, stage->control_block, stage->control_node, stage->control_dof,
+               stage->control_target);
   g_string_append (json, " }");
 }
 
@@ -162,9 +175,8 @@ qn_project_append_analysis (GString *json, const QnModel *model)
     qn_json_put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
   if (analysis->flow != usual->flow)
     qn_json_put_string (json, "flow", qn_name_of_flow ((int) analysis->flow));
-  if (analysis->control_block != QN_NONE)
-    put_control (json, model, analysis->control_block, analysis->control_dof,
-                 analysis->control_target);
+  put_control (json, model, analysis->control_block, analysis->control_node,
+               analysis->control_dof, analysis->control_target);
   put_stages (json, model);
   g_string_append (json, " }");
   qn_model_clear (&defaults);

@@ -9,6 +9,12 @@
 void qn_json_append_vec2 (GString *json, QnVec2 vector);
 void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
 
+/* `support`, left out where nothing is fixed. */
+void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
+
+/* In project-write-beams.c. */
+void qn_project_append_beams (GString *json, const QnModel *model);
+
 /* In project-write-loading.c. */
 void qn_project_append_loads (GString *json, const QnModel *model);
 void qn_project_append_analysis (GString *json, const QnModel *model);

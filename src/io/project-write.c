@@ -55,6 +55,18 @@ put_weight (GString *json, double unit_weight, double density)
     qn_json_put_number (json, "unit_weight", unit_weight);
 }
 
+void
+qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
+{
+  if (!support[QN_DOF_UX] && !support[QN_DOF_UY] && !support[QN_DOF_RZ])
+    return;
+  qn_json_begin_member (json, "support");
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    g_string_append_printf (json, "%s%s", dof > 0 ? ", " : "[",
+                            support[dof] ? "true" : "false");
+  g_string_append_c (json, ']');
+}
+
 static void
 append_block (GString *json, const QnModel *model, QnId id)
 {
@@ -70,14 +82,7 @@ append_block (GString *json, const QnModel *model, QnId id)
   g_string_append (json, block->vertex_count > 0 ? "]" : "[]");
   qn_json_put_number (json, "thickness", block->thickness);
   put_weight (json, block->unit_weight, block->density);
-  if (block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
-      || block->support[QN_DOF_RZ]) {
-    qn_json_begin_member (json, "support");
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-      g_string_append_printf (json, "%s%s", dof > 0 ? ", " : "[",
-                              block->support[dof] ? "true" : "false");
-    g_string_append_c (json, ']');
-  }
+  qn_json_put_support (json, block->support);
   put_law (json, "law", model, block->law);
   g_string_append (json, " }");
 }
@@ -201,6 +206,9 @@ uses_density (const QnModel *model)
   for (size_t i = 0; i < model->wall_count; i++)
     if (model->walls[i].density >= 0)
       return TRUE;
+  for (size_t i = 0; i < model->section_count; i++)
+    if (model->sections[i].density >= 0)
+      return TRUE;
   return FALSE;
 }
 
@@ -282,6 +290,7 @@ qn_project_to_text (const QnProject *project, gsize *length)
   GString *json = g_string_sized_new (4096);
   append_head (json, model);
   append_structure (json, model);
+  qn_project_append_beams (json, model);
   append_contact (json, model);
   g_string_append (json, ",\n");
   append_bars (json, model);

@@ -210,7 +210,9 @@ qn_project_dup_finding_text (const QnProject *project, const QnFinding *finding)
   QnReader reader = reader_of (project);
   if (reader.length > LARGE_TEXT)
     reader.text = NULL;
-  char *path = qn_project_dup_key_path (project, QN_ENTITY_BLOCK, finding->block_a);
+  gboolean beam = finding->problem == QN_PROBLEM_BEAM_FLOATING;
+  char *path = qn_project_dup_key_path (project, beam ? QN_ENTITY_BEAM : QN_ENTITY_BLOCK,
+                                        beam ? finding->beam : finding->block_a);
   char *line = qn_reader_dup_line (&reader, path, message->str);
   g_free (path);
   g_string_free (message, TRUE);

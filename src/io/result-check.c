@@ -2,6 +2,7 @@
 
 #include "core/memory.h"
 #include "io/io-error.h"
+#include "io/result-check-beams.h"
 #include "io/result-contact.h"
 
 #include <glib/gi18n-lib.h>
@@ -128,10 +129,10 @@ turn_loads (const QnModel *model, const double *deformation, const QnLoad *loads
 {
   for (size_t i = 0; i < count; i++) {
     const QnLoad *load = &loads[i];
-    if (load->kind != QN_LOAD_FORCE || !load->has_at)
+    if (load->kind != QN_LOAD_FORCE && load->kind != QN_LOAD_NODE)
       continue;
-    size_t rz = (size_t) load->block * QN_DOF_COUNT + QN_DOF_RZ;
-    QnVec2 arm = qn_vec2_sub (load->at, model->blocks[load->block].centroid);
+    size_t rz = qn_model_load_body (model, load) * QN_DOF_COUNT + QN_DOF_RZ;
+    QnVec2 arm = qn_model_load_arm (model, load);
     QnVec2 turned = qn_vec2_rotate (arm, cos (deformation[rz]), sin (deformation[rz]));
     forces[rz] += (factors ? factors[load->set] : 1)
                   * qn_vec2_cross (qn_vec2_sub (turned, arm), load->vector);
@@ -200,6 +201,12 @@ add_loads (const QnModel *model, const double *dead, const double *live, double 
         largest_load = MAX (largest_load, fabs (load));
     }
   }
+  for (size_t k = model->block_count * QN_DOF_COUNT;
+       k < qn_model_body_count (model) * QN_DOF_COUNT; k++) {
+    balance[k] = dead[k] + live[k];
+    if (k % QN_DOF_COUNT != QN_DOF_RZ)
+      largest_load = MAX (largest_load, fabs (balance[k]));
+  }
   if (check->force_scale == 0)
     check->force_scale = largest_load;
 }
@@ -236,12 +243,30 @@ find_factors (const QnModel *model, const QnResult *result, QnResultCheck *check
 }
 
 static void
+find_worst_node (const QnModel *model, const double *balance, double *worst,
+                 QnResultCheck *check)
+{
+  for (size_t i = 0; i < model->node_count; i++)
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
+      size_t body = model->block_count + i;
+      double out = fabs (balance[body * QN_DOF_COUNT + (size_t) dof]);
+      if (dof == QN_DOF_RZ)
+        out /= model->characteristic_length;
+      if (!qn_model_body_is_fixed (model, body, (QnDof) dof) && out > *worst) {
+        *worst = out;
+        check->unbalanced_node = (QnId) i;
+        check->unbalanced_block = QN_NONE;
+      }
+    }
+}
+
+static void
 find_worst_block (const QnModel *model, const double *balance, QnResultCheck *check)
 {
   double worst = 0;
-  /* Where supports settle and nothing else acts, the joints give the measure. */
+  /* Where supports settle or beams alone are loaded, joints and beams give the measure. */
   if (check->force_scale == 0)
-    check->force_scale = check->contact_scale;
+    check->force_scale = MAX (check->contact_scale, check->beam_scale);
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
     for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
@@ -253,6 +278,13 @@ find_worst_block (const QnModel *model, const double *balance, QnResultCheck *ch
         check->unbalanced_block = (QnId) i;
       }
     }
+  }
+  find_worst_node (model, balance, &worst, check);
+  if (check->element_out_of_balance > worst) {
+    worst = check->element_out_of_balance;
+    check->unbalanced_block = check->unbalanced_node = QN_NONE;
+  } else {
+    check->unbalanced_element = QN_NONE;
   }
   check->out_of_balance = check->force_scale > 0 ? worst / check->force_scale : 0;
 }
@@ -273,6 +305,8 @@ find_obstacle (const QnResultFile *file, const QnModel *model)
 {
   if (file->result.step_count == 0)
     return _ ("the result holds no equilibrium to check");
+  if (model->element_count > 0 && file->result.beam_forces == NULL)
+    return _ ("the result holds no forces of the beams");
   gboolean by_area = FALSE;
   for (size_t i = 0; i < model->law_count; i++)
     by_area = by_area || needs_area (&model->laws[i]);
@@ -294,6 +328,8 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
   const QnModel *model = &project->model;
   const QnResult *result = &file->result;
   *check = (QnResultCheck){ .unbalanced_block = QN_NONE,
+                            .unbalanced_node = QN_NONE,
+                            .unbalanced_element = QN_NONE,
                             .violating_pair = QN_NONE,
                             .distant_pair = QN_NONE };
   if (!qn_result_file_match (file, project->name, project, NULL, NULL, error))
@@ -305,7 +341,7 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
     return FALSE;
   }
 
-  size_t size = model->block_count * QN_DOF_COUNT;
+  size_t size = qn_model_body_count (model) * QN_DOF_COUNT;
   double *vectors = qn_alloc (size, 3 * sizeof *vectors);
   if (vectors == NULL) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", project->name,
@@ -326,6 +362,7 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
   }
   add_loads (model, dead, live, balance, check);
   check_pairs (file, model, deformation, balance, check);
+  qn_result_check_add_beams (file, model, deformation, factors, balance, check);
   find_worst_block (model, balance, check);
   free (vectors);
   return TRUE;

@@ -1,7 +1,8 @@
 /* Independent check of a result: is the written state an equilibrium that the joints can carry?
  *
  * It knows nothing of the solver. From the result file it takes the contact points, normals,
- * forces and the multiplier; from the project file the blocks, loads and laws. It sums forces
+ * forces, the section forces of beams and the multiplier; from the project file the blocks,
+ * nodes, loads and laws. It sums forces
  * and moments on every free degree of freedom and compares every pair's force with
  * |t| <= c - mu n and n <= ft of the laws on both of its sides.
  */
@@ -15,7 +16,11 @@ typedef struct QnResultCheck {
 
   double out_of_balance; /* largest over the free degrees of freedom, over `force_scale`;
                             moments count with the arm sqrt(block area) */
-  QnId unbalanced_block; /* where, or QN_NONE when nothing is out of balance */
+  QnId unbalanced_block; /* where, or QN_NONE when nothing, or something else, is */
+  QnId unbalanced_node;  /* the same for a node of beams, */
+  QnId unbalanced_element;       /* or for an element of a beam under its own load */
+  double element_out_of_balance; /* N: the largest of these */
+  double beam_scale;             /* N: largest end force of an element */
   double
     force_scale; /* N: largest weight of a free block; largest load where they are weightless */
 

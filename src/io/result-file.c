@@ -14,6 +14,7 @@ qn_result_file_clear (QnResultFile *file)
   g_free (file->model_sha256);
   g_strfreev (file->overrides);
   g_strfreev (file->block_names);
+  g_strfreev (file->node_names);
   free (file->contacts);
   qn_result_clear (&file->result);
   *file = (QnResultFile){ 0 };
@@ -27,6 +28,18 @@ fail (GError **error, const char *name, const char *message)
 }
 
 static gboolean
+match_beams (const QnResultFile *file, const char *name, const QnModel *model,
+             GError **error)
+{
+  gboolean same = file->result.node_count == model->node_count
+                  && file->result.element_count == model->element_count;
+  for (size_t i = 0; same && i < model->node_count; i++)
+    same = strcmp (file->node_names[i], model->nodes[i].name) == 0;
+  return same
+         || fail (error, name, _ ("the result is of another model: it has other beams"));
+}
+
+static gboolean
 match_blocks (const QnResultFile *file, const char *name, const QnModel *model,
               GError **error)
 {
@@ -37,7 +50,7 @@ match_blocks (const QnResultFile *file, const char *name, const QnModel *model,
       return fail (error, name,
                    _ ("the result is of another model: its blocks have other names"));
   }
-  return TRUE;
+  return match_beams (file, name, model, error);
 }
 
 static gboolean

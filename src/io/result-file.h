@@ -25,6 +25,7 @@ typedef struct QnResultFile {
   char *model_sha256; /* of the project file's bytes */
   char **overrides;   /* those the project was read with; NULL where there were none */
   char **block_names; /* NULL-terminated, result.block_count names */
+  char **node_names;  /* NULL-terminated, result.node_count names; NULL without beams */
   QnResultContact *contacts; /* result.pair_count of them, same order as result.pairs */
   QnResult result;
 } QnResultFile;

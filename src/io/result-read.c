@@ -28,9 +28,12 @@ typedef struct Draft {
   char *format;
   gint32 version;
   char *outcome;
-  Names blocks, overrides;
+  Names blocks, overrides, nodes;
   Rows displacements, mechanism, reactions;
   QnStepForces forces;
+  Rows node_displacements, node_mechanism;
+  QnBeamForces *beam_forces;
+  size_t beam_force_count, beam_force_capacity, element_count;
   gboolean has_mechanism;
   size_t rows_per_step; /* numbers; of the first step */
   size_t step_capacity, contact_capacity, pair_capacity, unstable_capacity;
@@ -196,9 +199,52 @@ read_event (QnJsonStream *stream, gpointer target)
 /* A step with the list that its displacements go to. */
 typedef struct StepDraft {
   QnStep step;
-  Rows *displacements, *reactions;
+  Rows *displacements, *reactions, *node_displacements;
   QnStepForces *forces;
+  Draft *draft;
 } StepDraft;
+
+/* N, V, M at the first and the second end of an element. */
+static gboolean
+read_element_forces (QnJsonStream *stream, gpointer target)
+{
+  Draft *draft = target;
+  double n[6];
+  if (!qn_json_stream_numbers (stream, n, G_N_ELEMENTS (n))
+      || !grow (stream, &draft->beam_forces, draft->beam_force_count,
+                &draft->beam_force_capacity, sizeof *draft->beam_forces))
+    return FALSE;
+  draft->beam_forces[draft->beam_force_count++] =
+    (QnBeamForces){ { n[0], n[3] }, { n[1], n[4] }, { n[2], n[5] } };
+  return TRUE;
+}
+
+static gboolean
+read_step_beam_forces (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_element_forces, *(Draft **) target);
+}
+
+/* Only how many there are is of interest: which they are is the model's knowledge. */
+static gboolean
+read_element (QnJsonStream *stream, gpointer target)
+{
+  double numbers[3];
+  ((Draft *) target)->element_count++;
+  return qn_json_stream_numbers (stream, numbers, G_N_ELEMENTS (numbers));
+}
+
+static gboolean
+read_elements (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_element, target);
+}
+
+static gboolean
+read_node_mechanism (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_row, &((Draft *) target)->node_mechanism);
+}
 
 /* Number of a stage, which the file counts from 0. */
 static gboolean
@@ -233,12 +279,17 @@ read_step (QnJsonStream *stream, gpointer target)
     { "reactions", read_step_displacements, offsetof (StepDraft, reactions), FALSE },
     { "forces", qn_result_forces_read, offsetof (StepDraft, forces), FALSE },
     { "states", qn_result_states_read, offsetof (StepDraft, forces), FALSE },
+    { "node_displacements", read_step_displacements,
+      offsetof (StepDraft, node_displacements), FALSE },
+    { "beam_forces", read_step_beam_forces, offsetof (StepDraft, draft), FALSE },
   };
   Draft *draft = target;
   QnResult *result = &draft->file->result;
   StepDraft read = { .displacements = &draft->displacements,
                      .reactions = &draft->reactions,
-                     .forces = &draft->forces };
+                     .node_displacements = &draft->node_displacements,
+                     .forces = &draft->forces,
+                     .draft = draft };
   size_t before = draft->displacements.count;
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read)
       || !grow (stream, &result->steps, result->step_count, &draft->step_capacity,
@@ -467,9 +518,12 @@ read_document (QnJsonStream *stream, gpointer target)
     { "supports", read_supports, 0, FALSE },
     { "stage", read_end_stage, 0, FALSE },
     { "blocks", read_names, offsetof (Draft, blocks), TRUE },
+    { "nodes", read_names, offsetof (Draft, nodes), FALSE },
+    { "elements", read_elements, 0, FALSE },
     { "steps", read_steps, 0, TRUE },
     { "contacts", read_contacts, 0, TRUE },
     { "mechanism", read_mechanism, 0, FALSE },
+    { "node_mechanism", read_node_mechanism, 0, FALSE },
     { "statistics", read_statistics, 0, FALSE },
   };
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
@@ -493,6 +547,25 @@ check_head (QnJsonStream *stream, Draft *draft)
   }
   return qn_json_stream_fail_at (stream, "outcome",
                                  _ ("this is no outcome of an analysis"));
+}
+
+/* The same for nodes and elements. */
+static gboolean
+check_beam_counts (QnJsonStream *stream, const Draft *draft)
+{
+  const QnResult *result = &draft->file->result;
+  size_t nodes = draft->nodes.items != NULL ? draft->nodes.items->len : 0;
+  if (draft->node_displacements.count != result->step_count * nodes * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many displacements as nodes in every step"));
+  if (draft->beam_force_count > 0
+      && draft->beam_force_count != result->step_count * draft->element_count)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many beam forces as elements in every step"));
+  if (draft->has_mechanism && draft->node_mechanism.count != nodes * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (stream, "node_mechanism",
+                                   _ ("there are not as many velocities as nodes"));
+  return TRUE;
 }
 
 /* Everything that counts blocks must count the same. */
@@ -532,7 +605,7 @@ check_counts (QnJsonStream *stream, Draft *draft)
       return FALSE;
     }
   }
-  return TRUE;
+  return check_beam_counts (stream, draft);
 }
 
 static char **
@@ -544,21 +617,51 @@ take_names (Names *names)
   return (char **) g_ptr_array_free (g_steal_pointer (&names->items), FALSE);
 }
 
-/* Hands the arrays of a complete draft over to the file. */
-static void
-take_draft (Draft *draft)
+/* Rows of blocks and rows of nodes, step by step, one behind the other. */
+static double *
+join_rows (QnJsonStream *stream, Rows *blocks, size_t block_count, const Rows *nodes,
+           size_t node_count)
+{
+  if (node_count == 0)
+    return g_steal_pointer (&blocks->items);
+  const size_t b = block_count * QN_DOF_COUNT, n = node_count * QN_DOF_COUNT;
+  const size_t steps = nodes->count / n;
+  double *joined = qn_alloc (steps * (b + n), sizeof *joined);
+  if (joined == NULL)
+    qn_json_stream_no_memory (stream);
+  for (size_t i = 0; joined != NULL && i < steps; i++) {
+    if (b > 0)
+      memcpy (joined + i * (b + n), blocks->items + i * b, b * sizeof *joined);
+    memcpy (joined + i * (b + n) + b, nodes->items + i * n, n * sizeof *joined);
+  }
+  return joined;
+}
+
+/* Hands the arrays of a complete draft over to the file; FALSE where memory runs out. */
+static gboolean
+take_draft (QnJsonStream *stream, Draft *draft)
 {
   QnResultFile *file = draft->file;
   QnResult *result = &file->result;
   result->block_count = draft->blocks.items->len;
   file->block_names = take_names (&draft->blocks);
   file->overrides = take_names (&draft->overrides);
-  result->displacements = g_steal_pointer (&draft->displacements.items);
-  result->displacement_capacity = draft->displacements.capacity;
+  result->node_count = draft->nodes.items != NULL ? draft->nodes.items->len : 0;
+  result->element_count = draft->element_count;
+  file->node_names = take_names (&draft->nodes);
+  result->displacements = join_rows (stream, &draft->displacements, result->block_count,
+                                     &draft->node_displacements, result->node_count);
+  result->displacement_capacity =
+    draft->displacements.count + draft->node_displacements.count;
+  result->beam_forces = g_steal_pointer (&draft->beam_forces);
+  result->beam_force_capacity = draft->beam_force_capacity;
   result->step_capacity = draft->step_capacity;
-  result->mechanism = g_steal_pointer (&draft->mechanism.items);
+  if (draft->has_mechanism)
+    result->mechanism = join_rows (stream, &draft->mechanism, result->block_count,
+                                   &draft->node_mechanism, result->node_count);
   result->reactions = g_steal_pointer (&draft->reactions.items);
   result->reaction_capacity = draft->reactions.capacity;
+  return stream->error == NULL;
 }
 
 static void
@@ -572,6 +675,10 @@ draft_clear (Draft *draft)
   free (draft->mechanism.items);
   free (draft->reactions.items);
   qn_result_forces_clear (&draft->forces);
+  free (draft->node_displacements.items);
+  free (draft->node_mechanism.items);
+  free (draft->beam_forces);
+  g_clear_pointer (&draft->nodes.items, g_ptr_array_unref);
 }
 
 /* `text` is NUL-terminated. */
@@ -584,10 +691,9 @@ parse (const char *text, gsize length, const char *name, QnResultFile *file,
   QnJsonStream stream;
   qn_json_stream_init (&stream, text, length, name);
   gboolean done = qn_json_stream_document (&stream, read_document, &draft)
-                  && check_head (&stream, &draft) && check_counts (&stream, &draft);
-  if (done) {
-    take_draft (&draft);
-  } else {
+                  && check_head (&stream, &draft) && check_counts (&stream, &draft)
+                  && take_draft (&stream, &draft);
+  if (!done) {
     qn_result_file_clear (file);
     g_propagate_error (error, stream.error);
   }

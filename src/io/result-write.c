@@ -109,6 +109,31 @@ write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result
   qn_file_writer_puts (writer, "],\n");
 }
 
+/* Names of the nodes; the elements in the order of their forces, by numbers of beam and nodes. */
+static void
+write_beams (QnFileWriter *writer, const QnModel *model)
+{
+  if (model->node_count == 0)
+    return;
+  qn_file_writer_puts (writer, "  \"nodes\": [");
+  for (size_t i = 0; i < model->node_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, model->nodes[i].name);
+  }
+  qn_file_writer_puts (writer, "],\n  \"beams\": [");
+  for (size_t i = 0; i < model->beam_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, model->beams[i].name);
+  }
+  qn_file_writer_puts (writer, "],\n  \"elements\": [");
+  for (size_t i = 0; i < model->element_count; i++) {
+    const QnBeamElement *element = &model->elements[i];
+    qn_file_writer_printf (writer, "%s[%d, %d, %d]", i > 0 ? ", " : "", element->beam,
+                           element->nodes[0], element->nodes[1]);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
 static void
 write_blocks (QnFileWriter *writer, const QnModel *model, const QnResult *result)
 {
@@ -145,6 +170,40 @@ write_rows (QnFileWriter *writer, const double *rows, size_t count)
   qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
 }
 
+/* [[N, V, M, N, V, M], …], at the first and the second end of every element. */
+static void
+write_beam_forces (QnFileWriter *writer, const QnBeamForces *forces, size_t count)
+{
+  qn_file_writer_puts (writer, "[");
+  for (size_t i = 0; i < count; i++)
+    for (int end = 0; end < 2; end++) {
+      qn_file_writer_puts (writer, end > 0 ? ", " : i > 0 ? "], [" : "[");
+      qn_file_writer_number (writer, forces[i].normal[end]);
+      qn_file_writer_puts (writer, ", ");
+      qn_file_writer_number (writer, forces[i].shear[end]);
+      qn_file_writer_puts (writer, ", ");
+      qn_file_writer_number (writer, forces[i].moment[end]);
+    }
+  qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
+}
+
+static void
+write_step_beams (QnFileWriter *writer, const QnResult *result, size_t step)
+{
+  if (result->node_count == 0)
+    return;
+  qn_file_writer_puts (writer, ", \"node_displacements\": ");
+  write_rows (writer,
+              qn_result_step_displacements (result, step)
+                + result->block_count * QN_DOF_COUNT,
+              result->node_count);
+  if (result->beam_forces == NULL)
+    return;
+  qn_file_writer_puts (writer, ", \"beam_forces\": ");
+  write_beam_forces (writer, qn_result_step_beam_forces (result, step),
+                     result->element_count);
+}
+
 static void
 write_steps (QnFileWriter *writer, const QnResult *result)
 {
@@ -162,6 +221,7 @@ write_steps (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_printf (writer, ", \"event\": %s", event_text (step->event));
     if (step->stage > 0)
       qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
+    write_step_beams (writer, result, i);
     if (result->support_count > 0 && result->reactions != NULL) {
       qn_file_writer_puts (writer, ", \"reactions\": ");
       write_rows (writer, qn_result_step_reactions (result, i), result->support_count);
@@ -282,6 +342,12 @@ write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *c
   }
   write_rows (writer, result->mechanism, result->block_count);
   qn_file_writer_puts (writer, ",\n");
+  if (result->node_count > 0) {
+    qn_file_writer_puts (writer, "  \"node_mechanism\": ");
+    write_rows (writer, result->mechanism + result->block_count * QN_DOF_COUNT,
+                result->node_count);
+    qn_file_writer_puts (writer, ",\n");
+  }
   if (qn_mechanism_init (&facts, model, contacts, result->mechanism, NULL) != QN_OK)
     return;
   qn_file_writer_puts (writer, "  \"mechanism_facts\": ");
@@ -309,6 +375,7 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
   write_head (writer, project, result);
   write_stages (writer, &project->model, result);
   write_blocks (writer, &project->model, result);
+  write_beams (writer, &project->model);
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
   write_mechanism (writer, &project->model, contacts, result);
