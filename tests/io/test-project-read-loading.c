@@ -63,7 +63,7 @@ test_loads (void)
 {
   static const Case cases[] = {
     { "{ \"kind\": \"wind\" }",
-      "9:34: loads.dead[0].kind: \"wind\" is none of weight, force, settlement" },
+      "9:34: loads.dead[0].kind: \"wind\" is none of weight, force, settlement, line" },
     { "{ \"kind\": \"weight\" }",
       "9:24: loads.dead[0].direction: required key is missing" },
     { "{ \"kind\": \"weight\", \"direction\": [0] }",

@@ -121,12 +121,12 @@ test_unknown_keys (void)
 {
   char *text =
     test_replace (test_project_text, "\"kn\": 1e7", "\"kn\": 1e7, \"colour\": 3");
-  char *more = test_replace (text, "  \"laws\"", "  \"beams\": [], \"laws\"");
+  char *more = test_replace (text, "  \"laws\"", "  \"ropes\": [], \"laws\"");
   QnProject project;
   test_parse (more, &project);
   g_assert_cmpuint (project.warnings->len, ==, 2);
   g_assert_cmpstr (g_ptr_array_index (project.warnings, 0), ==,
-                   "wall.quoin:3:12: beams: unknown key");
+                   "wall.quoin:3:12: ropes: unknown key");
   g_assert_cmpstr (g_ptr_array_index (project.warnings, 1), ==,
                    "wall.quoin:4:64: laws[0].colour: unknown key");
   qn_project_clear (&project);
