@@ -1,5 +1,6 @@
 #include "app/application.h"
 
+#include "app/dialog.h"
 #include "app/form.h"
 #include "app/settings.h"
 #include <glib/gi18n.h>
@@ -55,6 +56,7 @@ qn_preferences_show (GtkWindow *parent)
   GtkWidget *form = qn_form_new ();
   qn_form_add_heading (form, _ ("Appearance"));
   add_enum (form, _ ("_Style"), "style", styles);
+  add_switch (form, _ ("_Reduced motion"), "reduced-motion");
   add_spin (form, _ ("Seconds from rest to the _largest motion"), "animation-period", 0.5,
             20.0, 0.5, 1);
   qn_form_add_heading (form, _ ("Units"));
@@ -70,12 +72,7 @@ qn_preferences_show (GtkWindow *parent)
   add_spin (form, _ ("…for models up to this many _blocks"), "live-limit", 1.0, 5000.0,
             10.0, 0);
 
-  GtkWidget *window = gtk_window_new ();
-  gtk_window_set_title (GTK_WINDOW (window), _ ("Preferences"));
-  gtk_window_set_transient_for (GTK_WINDOW (window), parent);
-  gtk_window_set_modal (GTK_WINDOW (window), TRUE);
-  gtk_window_set_destroy_with_parent (GTK_WINDOW (window), TRUE);
-  gtk_window_set_default_size (GTK_WINDOW (window), 460, -1);
+  GtkWidget *window = qn_dialog_new (parent, _ ("Preferences"), 460, -1);
   gtk_window_set_child (GTK_WINDOW (window), form);
   gtk_window_present (GTK_WINDOW (window));
 }
@@ -174,12 +171,10 @@ qn_help_show (GtkWindow *parent, const char *page)
   GtkWidget *header = gtk_header_bar_new ();
   gtk_header_bar_set_title_widget (GTK_HEADER_BAR (header), switcher);
 
-  GtkWidget *window = gtk_window_new ();
-  gtk_window_set_title (GTK_WINDOW (window), _ ("Help"));
+  /* One works while reading. */
+  GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 680, 720);
+  gtk_window_set_modal (GTK_WINDOW (window), FALSE);
   gtk_window_set_titlebar (GTK_WINDOW (window), header);
-  gtk_window_set_transient_for (GTK_WINDOW (window), parent);
-  gtk_window_set_destroy_with_parent (GTK_WINDOW (window), TRUE);
-  gtk_window_set_default_size (GTK_WINDOW (window), 680, 720);
   gtk_window_set_child (GTK_WINDOW (window), stack);
   gtk_window_present (GTK_WINDOW (window));
 }

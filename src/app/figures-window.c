@@ -175,6 +175,7 @@ qn_figures_window_show (QnWindow *self)
   gtk_label_set_max_width_chars (figures->message, 60);
   gtk_widget_set_hexpand (GTK_WIDGET (figures->message), TRUE);
   figures->list = gtk_list_box_new ();
+  gtk_widget_set_hexpand (figures->list, TRUE);
   gtk_list_box_set_selection_mode (GTK_LIST_BOX (figures->list), GTK_SELECTION_NONE);
   gtk_widget_add_css_class (figures->list, "frame");
   gtk_widget_add_css_class (figures->list, "rich-list");

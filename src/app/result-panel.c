@@ -7,7 +7,7 @@
 typedef struct Panel {
   QnCanvas *canvas;
   QnViewState *state;
-  GtkWidget *empty, *content, *stale;
+  GtkWidget *empty, *content, *stale, *curve;
   GtkLabel *outcome, *mechanism, *facts;
   GtkDropDown *runs;
   GtkDropDown *onion;
@@ -128,6 +128,10 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->content, run != NULL || busy);
   gtk_widget_set_visible (panel->empty, run == NULL && !busy);
   update_runs (panel);
+  /* Limit analysis follows no path. */
+  gtk_widget_set_visible (panel->curve,
+                          busy || run == NULL
+                            || run->model.analysis.procedure != QN_PROCEDURE_LIMIT);
   if (run != NULL)
     update_words (panel, run);
 }
@@ -144,7 +148,8 @@ build_content (Panel *panel)
   panel->outcome = qn_form_add_text (form);
   gtk_widget_add_css_class (GTK_WIDGET (panel->outcome), "outcome");
   panel->mechanism = qn_form_add_text (form);
-  qn_form_add_wide (form, qn_curve_view_new (panel->state));
+  panel->curve = qn_curve_view_new (panel->state);
+  qn_form_add_wide (form, panel->curve);
   panel->runs =
     qn_form_add_choice (form, _ ("_Run"), none, G_CALLBACK (on_run_chosen), panel);
   panel->facts = qn_form_add_text (form);

@@ -146,5 +146,5 @@ qn_settings_reduced_motion (void)
   GtkSettings *gtk = gtk_settings_get_default ();
   if (gtk != NULL)
     g_object_get (gtk, "gtk-enable-animations", &animations, NULL);
-  return !animations;
+  return !animations || g_settings_get_boolean (qn_settings_get (), "reduced-motion");
 }

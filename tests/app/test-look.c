@@ -1,0 +1,120 @@
+/* Whether the window holds what it has to say: with strings as long as German ones, from right to
+ * left, in the dark, at twice the scale. Everything must fit a screen of 1280 x 800; pictures of
+ * the states are kept for the eye. QUOIN_LOOK names the look: plain, long, rtl, dark, large. */
+#include "driver.h"
+
+#include "app/settings.h"
+
+#include <libintl.h>
+
+enum { SCREEN_WIDTH = 1280, SCREEN_HEIGHT = 800 };
+
+static const char *look;
+
+static void
+expect_to_fit (GtkWidget *window, const char *what)
+{
+  int width = 0, height = 0;
+  gtk_widget_measure (window, GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL, NULL, NULL);
+  gtk_widget_measure (window, GTK_ORIENTATION_VERTICAL, -1, &height, NULL, NULL, NULL);
+  g_test_message ("%s, %s: at least %d x %d", look, what, width, height);
+  g_assert_cmpint (width, <=, SCREEN_WIDTH);
+  g_assert_cmpint (height, <=, SCREEN_HEIGHT);
+  g_autofree char *name = g_strdup_printf ("look-%s-%s", look, what);
+  driver_screenshot (window, name);
+}
+
+/* The window on the screen that is none of the main ones. */
+static GtkWidget *
+find_other (void)
+{
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    if (!QN_IS_WINDOW (toplevel) && gtk_widget_get_mapped (toplevel))
+      return toplevel;
+  }
+  return NULL;
+}
+
+static void
+expect_dialog_to_fit (const char *what)
+{
+  driver_run (200);
+  GtkWidget *dialog = find_other ();
+  g_assert_nonnull (dialog);
+  expect_to_fit (dialog, what);
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_run (50);
+}
+
+static void
+test_window (void)
+{
+  QnWindow *window = driver_open_window (SCREEN_WIDTH, SCREEN_HEIGHT);
+  expect_to_fit (GTK_WIDGET (window), "start");
+  g_autofree char *path = driver_example_path ("ferris-tin-loi/wall3.quoin");
+  g_assert_true (qn_window_open_path (window, path));
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  expect_to_fit (GTK_WIDGET (window), "result");
+  driver_activate (window, "win.show-panel::analysis");
+  expect_to_fit (GTK_WIDGET (window), "analysis");
+  driver_activate (window, "win.view::contacts");
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.show-panel::properties");
+  expect_to_fit (GTK_WIDGET (window), "properties");
+  driver_activate (window, "win.show-panel::findings");
+  expect_to_fit (GTK_WIDGET (window), "findings");
+  driver_discard (window);
+}
+
+static void
+test_dialogs (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  GActionGroup *program = G_ACTION_GROUP (driver_application ());
+  driver_activate (window, "win.export");
+  expect_dialog_to_fit ("export");
+  driver_activate (window, "win.figures");
+  expect_dialog_to_fit ("figures");
+  g_autofree char *drawing = driver_example_path ("dxf/wall-clutter.dxf");
+  driver_activate_target (window, "win.take-path", g_variant_new_string (drawing));
+  expect_dialog_to_fit ("import");
+  g_action_group_activate_action (program, "preferences", NULL);
+  expect_dialog_to_fit ("preferences");
+  g_action_group_activate_action (program, "help", NULL);
+  expect_dialog_to_fit ("help");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.compare");
+  expect_dialog_to_fit ("compare");
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  gtk_window_close (GTK_WINDOW (window));
+  expect_dialog_to_fit ("unsaved");
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  look = g_getenv ("QUOIN_LOOK");
+  if (look == NULL)
+    look = "plain";
+  g_test_init (&argc, &argv, NULL);
+  const char *catalogues = g_getenv ("QUOIN_CATALOGUES");
+  if (catalogues != NULL) {
+    bindtextdomain ("quoin", catalogues);
+    bind_textdomain_codeset ("quoin", "UTF-8");
+    textdomain ("quoin");
+  }
+  gtk_init ();
+  if (g_str_equal (look, "rtl"))
+    gtk_widget_set_default_direction (GTK_TEXT_DIR_RTL);
+  if (g_str_equal (look, "dark"))
+    g_settings_set_string (qn_settings_get (), "style", "dark");
+  g_test_add_func ("/app/look/window", test_window);
+  g_test_add_func ("/app/look/dialogs", test_dialogs);
+  return g_test_run ();
+}
