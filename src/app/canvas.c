@@ -173,6 +173,8 @@ static void
 qn_canvas_init (QnCanvas *self)
 {
   gtk_widget_set_focusable (GTK_WIDGET (self), TRUE);
+  /* A drawing is the same in every script. */
+  gtk_widget_set_direction (GTK_WIDGET (self), GTK_TEXT_DIR_LTR);
   gtk_widget_set_overflow (GTK_WIDGET (self), GTK_OVERFLOW_HIDDEN);
   gtk_widget_set_hexpand (GTK_WIDGET (self), TRUE);
   gtk_widget_set_vexpand (GTK_WIDGET (self), TRUE);

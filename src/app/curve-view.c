@@ -382,6 +382,7 @@ qn_curve_view_class_init (QnCurveViewClass *klass)
 static void
 qn_curve_view_init (QnCurveView *self)
 {
+  gtk_widget_set_direction (GTK_WIDGET (self), GTK_TEXT_DIR_LTR);
   GtkWidget *widget = GTK_WIDGET (self);
   gtk_widget_set_focusable (widget, TRUE);
   gtk_widget_set_hexpand (widget, TRUE);

@@ -168,6 +168,7 @@ build (Bar *bar)
 
   bar->slider = gtk_scale_new_with_range (GTK_ORIENTATION_HORIZONTAL, 0.0, 1.0, 1.0);
   gtk_scale_set_draw_value (GTK_SCALE (bar->slider), FALSE);
+  gtk_widget_set_direction (bar->slider, GTK_TEXT_DIR_LTR);
   gtk_widget_set_hexpand (bar->slider, TRUE);
   gtk_accessible_update_property (GTK_ACCESSIBLE (bar->slider),
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Step"), -1);
@@ -209,6 +210,8 @@ qn_playback_bar_new (QnViewState *state)
   bar->state = state;
   bar->box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
   gtk_widget_add_css_class (bar->box, "toolbar");
+  /* Time runs to the right, as on every player. */
+  gtk_widget_set_direction (bar->box, GTK_TEXT_DIR_LTR);
   build (bar);
   g_object_set_data (G_OBJECT (bar->box), "qn-bar", bar);
   qn_own (bar->box, bar);

@@ -117,6 +117,8 @@ qn_quantity_entry_init (QnQuantityEntry *self)
   gtk_editable_set_width_chars (GTK_EDITABLE (self), WIDTH_CHARS);
   gtk_editable_set_max_width_chars (GTK_EDITABLE (self), WIDTH_CHARS);
   gtk_editable_set_alignment (GTK_EDITABLE (self), 1.0f);
+  /* Numbers run from left to right in every script. */
+  gtk_widget_set_direction (GTK_WIDGET (self), GTK_TEXT_DIR_LTR);
   g_signal_connect (self, "activate", G_CALLBACK (commit), NULL);
   GtkEventController *focus = gtk_event_controller_focus_new ();
   g_signal_connect (focus, "leave", G_CALLBACK (on_focus_leave), self);

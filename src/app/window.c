@@ -329,6 +329,8 @@ build_panels (QnWindow *self)
 static void
 bind_settings (QnWindow *self)
 {
+  /* Opposite to the legend, which stays where it is in every script. */
+  gtk_widget_set_direction (GTK_WIDGET (self->view_box), GTK_TEXT_DIR_LTR);
   GSettings *settings = qn_settings_get ();
   g_settings_bind (settings, "window-width", self, "default-width",
                    G_SETTINGS_BIND_DEFAULT);
@@ -437,6 +439,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (start_box);
   BIND (tool_box);
   BIND (canvas_box);
+  BIND (view_box);
   BIND (info_bar);
   BIND (info_button);
   BIND (run_button);

@@ -5,7 +5,9 @@
 #   pseudo-locale.sh SOURCE-ROOT CATALOGUE.mo COPY
 set -eu
 root=$1
-out=$2
+mkdir -p "$(dirname "$2")"
+out=$(realpath "$2")
+copy=$(realpath "$3")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$root"
@@ -19,6 +21,5 @@ msgfilter -i "$work/same.po" -o "$work/long.po" --keep-header awk '
     filler = ""
     while (length(filler) < 0.4 * length(text)) filler = filler "äng"
     printf "%s%s%s", text, filler, tail }'
-mkdir -p "$(dirname "$out")"
 msgfmt "$work/long.po" -o "$out"
-cp "$out" "$3"
+cp "$out" "$copy"
