@@ -166,8 +166,13 @@ update (Form *form)
   qn_form_set_row_visible (GTK_WIDGET (form->thickness), !masonry);
   qn_form_set_row_visible (GTK_WIDGET (form->weight), !masonry);
   qn_form_set_row_visible (GTK_WIDGET (form->law), !masonry);
-  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    qn_form_set_check (form->support[dof], block->support[dof], form);
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
+    gboolean mixed = FALSE;
+    for (guint i = 0; i < set.count; i++)
+      mixed = mixed || model->blocks[set.ids[i]].support[dof] != block->support[dof];
+    qn_form_set_check (form->support[dof], block->support[dof] && !mixed, form);
+    gtk_check_button_set_inconsistent (GTK_CHECK_BUTTON (form->support[dof]), mixed);
+  }
   update_facts (form, set);
 }
 

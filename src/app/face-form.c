@@ -316,18 +316,21 @@ add_likeness_buttons (GtkWidget *grid)
 {
   static const struct {
     const char *label, *action;
-  } buttons[] = { { N_ ("Same _Line"), "win.select-faces-like::line" },
-                  { N_ ("Same D_irection"), "win.select-faces-like::direction" },
-                  { N_ ("Same La_w"), "win.select-faces-like::law" } };
+  } buttons[] = { { N_ ("_Line"), "win.select-faces-like::line" },
+                  { N_ ("D_irection"), "win.select-faces-like::direction" },
+                  { N_ ("La_w"), "win.select-faces-like::law" } };
+  static const char *const hints[] = { N_ ("Select all joints on this line"),
+                                       N_ ("Select all joints in this direction"),
+                                       N_ ("Select all joints of the same laws") };
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
   gtk_widget_add_css_class (box, "linked");
-  gtk_box_set_homogeneous (GTK_BOX (box), TRUE);
   for (gsize i = 0; i < G_N_ELEMENTS (buttons); i++) {
     GtkWidget *button = gtk_button_new_with_mnemonic (_ (buttons[i].label));
     gtk_actionable_set_detailed_action_name (GTK_ACTIONABLE (button), buttons[i].action);
+    gtk_widget_set_tooltip_text (button, _ (hints[i]));
     gtk_box_append (GTK_BOX (box), button);
   }
-  qn_form_add_wide (grid, box);
+  qn_form_add_row (grid, _ ("Select same"), box);
 }
 
 GtkWidget *

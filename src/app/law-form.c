@@ -1,59 +1,73 @@
+/* The laws: kind, basis, the numbers that the kind has, and how the law answers. */
 #include "app/form.h"
+#include "app/law-view.h"
 #include "app/panel.h"
+#include "app/settings.h"
+#include "doc/law-preset.h"
 #include <glib/gi18n.h>
+#include <stdlib.h>
+#include <string.h>
 
-enum { KN, KS, FRICTION, COHESION, TENSION, DILATANCY, FIELD_COUNT };
+#define LARGEST 1e18
+
+/* What the number of a parameter is: it depends on the basis. */
+typedef enum { IS_STIFFNESS, IS_NUMBER, IS_STRENGTH, IS_STRAIN, IS_ENERGY } Meaning;
+
+static const QnQuantity quantities[][QN_BASIS_COUNT] = {
+  [IS_STIFFNESS] = { QN_QUANTITY_STIFFNESS, QN_QUANTITY_SURFACE_STIFFNESS,
+                     QN_QUANTITY_STRESS },
+  [IS_NUMBER] = { QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER },
+  [IS_STRENGTH] = { QN_QUANTITY_FORCE, QN_QUANTITY_STRESS, QN_QUANTITY_STRESS },
+  [IS_STRAIN] = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH, QN_QUANTITY_NUMBER },
+  [IS_ENERGY] = { QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER },
+};
+
+/* Numbers by the keys of project files; the first three belong to every law. */
+static const struct {
+  const char *key, *label;
+  Meaning meaning;
+} fields[] = {
+  { "kn", N_ ("Normal stiffness"), IS_STIFFNESS },
+  { "ks", N_ ("Shear stiffness"), IS_STIFFNESS },
+  { "shear_factor", N_ ("Shear factor (0: 1)"), IS_NUMBER },
+  { "friction", N_ ("Friction, tangent"), IS_NUMBER },
+  { "cohesion", N_ ("Cohesion"), IS_STRENGTH },
+  { "tension", N_ ("Tensile strength"), IS_STRENGTH },
+  { "dilatancy", N_ ("Dilatancy, tangent"), IS_NUMBER },
+  { "yield", N_ ("Yield"), IS_STRENGTH },
+  { "hardening", N_ ("Hardening, part of stiffness"), IS_NUMBER },
+  { "strength", N_ ("Strength"), IS_STRENGTH },
+  { "ultimate_strain", N_ ("Ultimate strain"), IS_STRAIN },
+  { "fracture_energy", N_ ("Fracture energy, J/m² (pair: J)"), IS_ENERGY },
+  { "crushing_energy", N_ ("Crushing energy, J/m² (pair: J)"), IS_ENERGY },
+};
+enum { FIELD_COUNT = G_N_ELEMENTS (fields) };
 
 typedef struct Form {
   QnCanvas *canvas;
   GtkDropDown *law, *kind, *basis;
-  QnQuantityEntry *fields[QN_BASIS_COUNT][FIELD_COUNT];
+  GtkWidget *name, *points, *view;
+  QnQuantityEntry *entries[QN_BASIS_COUNT][FIELD_COUNT];
   QnId shown; /* law that the fields are about */
 } Form;
 
-static const struct {
-  const char *label;
-  double least;
-  /* kn, cohesion … are per pair, per area or moduli according to the basis */
-  QnQuantity quantity[QN_BASIS_COUNT];
-} fields[FIELD_COUNT] = {
-  [KN] = { N_ ("Normal stiffness"),
-           1e-12,
-           { QN_QUANTITY_STIFFNESS, QN_QUANTITY_SURFACE_STIFFNESS, QN_QUANTITY_STRESS } },
-  [KS] = { N_ ("Shear stiffness"),
-           1e-12,
-           { QN_QUANTITY_STIFFNESS, QN_QUANTITY_SURFACE_STIFFNESS, QN_QUANTITY_STRESS } },
-  [FRICTION] = { N_ ("Friction, tangent"),
-                 0.0,
-                 { QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER } },
-  [COHESION] = { N_ ("Cohesion"),
-                 0.0,
-                 { QN_QUANTITY_FORCE, QN_QUANTITY_STRESS, QN_QUANTITY_STRESS } },
-  [TENSION] = { N_ ("Tensile strength"),
-                0.0,
-                { QN_QUANTITY_FORCE, QN_QUANTITY_STRESS, QN_QUANTITY_STRESS } },
-  [DILATANCY] = { N_ ("Dilatancy, tangent"),
-                  0.0,
-                  { QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER } },
-};
-
+/* The number of a law, or NULL where its kind has none of this key. */
 static double *
-field_of (QnLaw *law, int field)
+number_of (QnLaw *law, int field)
 {
-  switch (field) {
-  case KN:
+  if (field == 0)
     return &law->kn;
-  case KS:
+  if (field == 1)
     return &law->ks;
-  case FRICTION:
-    return &law->friction;
-  case COHESION:
-    return &law->cohesion;
-  case TENSION:
-    return &law->tension;
-  default:
-    return &law->dilatancy;
+  if (field == 2)
+    return &law->shear_factor;
+  size_t count;
+  const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+  for (size_t i = 0; i < count; i++) {
+    if (strcmp (parameters[i].key, fields[field].key) == 0)
+      return qn_law_at (law, &parameters[i]);
   }
+  return NULL;
 }
 
 static const QnModel *
@@ -62,35 +76,66 @@ model_of (const Form *form)
   return qn_document_get_model (qn_canvas_get_document (form->canvas));
 }
 
+/* ---- changes ---- */
+
+typedef struct Change {
+  QnId law;
+  int field; /* or -1 */
+  double value;
+  gboolean choices;
+  QnLawKind kind;
+  QnBasis basis;
+  const char *name;
+  const QnVec2 *points;
+  int32_t point_count;
+} Change;
+
 static gboolean
 edit_law (QnModel *model, gpointer data, GError **error)
 {
-  (void) error;
-  Form *form = data;
-  QnLaw *law = &model->laws[form->shown];
-  for (int i = 0; i < FIELD_COUNT; i++)
-    *field_of (law, i) = qn_quantity_entry_get_value (form->fields[law->basis][i]);
-  law->kind = (QnLawKind) gtk_drop_down_get_selected (form->kind);
-  law->basis = (QnBasis) gtk_drop_down_get_selected (form->basis);
+  const Change *change = data;
+  QnLaw *law = &model->laws[change->law];
+  if (change->field >= 0)
+    *number_of (law, change->field) = change->value;
+  if (change->choices && change->kind != law->kind)
+    qn_law_change_kind (law, change->kind);
+  else if (change->choices)
+    law->basis = change->basis;
+  if (change->name != NULL) {
+    char *name = strdup (change->name);
+    if (name == NULL)
+      return qn_edit_no_memory (error);
+    free (law->name);
+    law->name = name;
+  }
+  for (int32_t i = 0; i < change->point_count; i++)
+    law->points[i] = change->points[i];
+  if (change->point_count > 0)
+    law->point_count = change->point_count;
   return TRUE;
 }
 
 static void update (Form *form);
 
 static void
-apply (Form *form)
+apply (Form *form, const char *name, Change change)
 {
-  if (form->shown == QN_NONE)
-    return;
-  if (!qn_canvas_edit (form->canvas, _ ("Change Law"), NULL, edit_law, form))
+  change.law = form->shown;
+  if (form->shown == QN_NONE
+      || !qn_canvas_edit (form->canvas, name, NULL, edit_law, &change))
     update (form);
 }
 
 static void
-on_quantity (QnQuantityEntry *entry, Form *form)
+on_number (QnQuantityEntry *entry, Form *form)
 {
-  (void) entry;
-  apply (form);
+  for (int field = 0; field < FIELD_COUNT; field++) {
+    for (int basis = 0; basis < QN_BASIS_COUNT; basis++) {
+      if (form->entries[basis][field] == entry)
+        apply (form, _ ("Change Law"),
+               (Change){ .field = field, .value = qn_quantity_entry_get_value (entry) });
+    }
+  }
 }
 
 static void
@@ -98,7 +143,49 @@ on_choice (GtkDropDown *choice, GParamSpec *pspec, Form *form)
 {
   (void) choice;
   (void) pspec;
-  apply (form);
+  apply (form, _ ("Change Law"),
+         (Change){ .field = -1,
+                   .choices = TRUE,
+                   .kind = (QnLawKind) gtk_drop_down_get_selected (form->kind),
+                   .basis = (QnBasis) gtk_drop_down_get_selected (form->basis) });
+}
+
+static void
+on_name (GtkEntry *entry, Form *form)
+{
+  g_autofree char *name = g_strdup (gtk_editable_get_text (GTK_EDITABLE (entry)));
+  apply (form, _ ("Rename Law"), (Change){ .field = -1, .name = name });
+}
+
+/* "-0.002 -2e6; 0.001 1e5": elongation and force, SI. */
+static void
+on_points (GtkEntry *entry, Form *form)
+{
+  QnVec2 points[QN_MAX_CURVE_POINTS];
+  int32_t count = 0;
+  g_auto (GStrv) words =
+    g_strsplit (gtk_editable_get_text (GTK_EDITABLE (entry)), ";", -1);
+  gboolean valid = TRUE;
+  for (guint i = 0; words[i] != NULL && valid; i++) {
+    char *at = NULL;
+    if (*g_strstrip (words[i]) == '\0')
+      continue;
+    double x = g_ascii_strtod (words[i], &at);
+    valid = at != words[i] && *at == ' ' && count < QN_MAX_CURVE_POINTS;
+    if (!valid)
+      break;
+    const char *second = at + 1;
+    double y = g_ascii_strtod (second, &at);
+    valid = at != second && *at == '\0';
+    points[count++] = qn_vec2 (x, y);
+  }
+  if (!valid || count == 0) {
+    gtk_widget_add_css_class (form->points, "error");
+    return;
+  }
+  gtk_widget_remove_css_class (form->points, "error");
+  apply (form, _ ("Change Law"),
+         (Change){ .field = -1, .points = points, .point_count = count });
 }
 
 static void
@@ -108,6 +195,8 @@ on_law (GtkDropDown *choice, GParamSpec *pspec, Form *form)
   form->shown = (QnId) gtk_drop_down_get_selected (choice);
   update (form);
 }
+
+/* ---- adding and removing ---- */
 
 static gboolean
 edit_add (QnModel *model, gpointer data, GError **error)
@@ -145,18 +234,33 @@ on_remove (Form *form)
     qn_canvas_edit (form->canvas, _ ("Remove Law"), NULL, edit_remove, form);
 }
 
+/* ---- what is shown ---- */
+
 static void
 fill_laws (Form *form, const QnModel *model)
 {
-  g_autoptr (GtkStringList) names = gtk_string_list_new (NULL);
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
   for (gsize i = 0; i < model->law_count; i++)
-    gtk_string_list_append (names, model->laws[i].name);
-  g_signal_handlers_block_matched (form->law, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                   form);
-  gtk_drop_down_set_model (form->law, G_LIST_MODEL (names));
-  gtk_drop_down_set_selected (form->law, (guint) form->shown);
-  g_signal_handlers_unblock_matched (form->law, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     form);
+    g_strv_builder_add (names, model->laws[i].name);
+  g_auto (GStrv) strings = g_strv_builder_end (names);
+  qn_form_fill_choice (form->law, (const char *const *) strings, (guint) form->shown,
+                       form);
+}
+
+static void
+update_points (Form *form, const QnLaw *law)
+{
+  qn_form_set_row_visible (form->points, law->kind == QN_LAW_CURVE);
+  GString *text = g_string_new (NULL);
+  for (int32_t i = 0; i < law->point_count; i++) {
+    char x[G_ASCII_DTOSTR_BUF_SIZE], y[G_ASCII_DTOSTR_BUF_SIZE];
+    g_string_append_printf (text, "%s%s %s", i > 0 ? "; " : "",
+                            g_ascii_formatd (x, sizeof x, "%.9g", law->points[i].x),
+                            g_ascii_formatd (y, sizeof y, "%.9g", law->points[i].y));
+  }
+  gtk_editable_set_text (GTK_EDITABLE (form->points), text->str);
+  gtk_widget_remove_css_class (form->points, "error");
+  g_string_free (text, TRUE);
 }
 
 static void
@@ -168,46 +272,82 @@ update (Form *form)
   fill_laws (form, model);
   if (form->shown == QN_NONE)
     return;
-  QnLaw *law = &model->laws[form->shown];
-  qn_form_set_choice (form->kind, law->kind, form);
-  qn_form_set_choice (form->basis, law->basis, form);
+  QnLaw law = model->laws[form->shown];
+  gtk_editable_set_text (GTK_EDITABLE (form->name), law.name);
+  qn_form_set_choice (form->kind, law.kind, form);
+  qn_form_set_choice (form->basis, law.basis, form);
   for (int basis = 0; basis < QN_BASIS_COUNT; basis++) {
-    for (int i = 0; i < FIELD_COUNT; i++) {
-      gboolean visible =
-        basis == (int) law->basis && (i <= KS || law->kind == QN_LAW_COULOMB);
-      qn_quantity_entry_set_value (form->fields[basis][i], *field_of (law, i));
-      qn_form_set_row_visible (GTK_WIDGET (form->fields[basis][i]), visible);
+    for (int field = 0; field < FIELD_COUNT; field++) {
+      const double *number = number_of (&law, field);
+      QnQuantityEntry *entry = form->entries[basis][field];
+      if (number != NULL)
+        qn_quantity_entry_set_value (entry, *number);
+      qn_form_set_row_visible (GTK_WIDGET (entry),
+                               basis == (int) law.basis && number != NULL);
     }
   }
+  update_points (form, &law);
+  qn_law_view_set_law (form->view, &law);
 }
+
+/* ---- construction ---- */
 
 static void
 build_fields (Form *form, GtkWidget *grid)
 {
-  for (int i = 0; i < FIELD_COUNT; i++) {
+  for (int field = 0; field < FIELD_COUNT; field++) {
     for (int basis = 0; basis < QN_BASIS_COUNT; basis++)
-      form->fields[basis][i] =
-        qn_form_add_quantity (grid, _ (fields[i].label), fields[i].quantity[basis],
-                              fields[i].least, 1e18, G_CALLBACK (on_quantity), form);
+      form->entries[basis][field] = qn_form_add_quantity (
+        grid, _ (fields[field].label), quantities[fields[field].meaning][basis],
+        fields[field].meaning == IS_STIFFNESS ? 1e-12 : 0.0, LARGEST,
+        G_CALLBACK (on_number), form);
   }
+  form->points = gtk_entry_new ();
+  gtk_editable_set_width_chars (GTK_EDITABLE (form->points), 12);
+  gtk_widget_set_tooltip_text (
+    form->points, _ ("Elongation and force, or strain and stress, in SI units, a space "
+                     "between the two and semicolons between points, from compression "
+                     "to tension"));
+  g_signal_connect (form->points, "activate", G_CALLBACK (on_points), form);
+  qn_form_add_row (grid, _ ("Points"), form->points);
+}
+
+static void
+build_choices (Form *form, GtkWidget *grid)
+{
+  const char *const none[] = { NULL };
+  const char *const kinds[] = { [QN_LAW_ELASTIC] = _ ("Elastic"),
+                                [QN_LAW_NO_TENSION] = _ ("No tension"),
+                                [QN_LAW_COULOMB] = _ ("Coulomb"),
+                                [QN_LAW_BILINEAR] = _ ("Bilinear, hardening"),
+                                [QN_LAW_ELASTIC_PLASTIC] = _ ("Elastic and plastic"),
+                                [QN_LAW_CONCRETE] = _ ("Concrete"),
+                                [QN_LAW_STEEL] = _ ("Steel"),
+                                [QN_LAW_CURVE] = _ ("By points"),
+                                [QN_LAW_KIND_COUNT] = NULL };
+  const char *const bases[] = { _ ("Contact pair"), _ ("Surface"), _ ("Material"), NULL };
+  form->law = qn_form_add_choice (grid, _ ("La_w"), none, G_CALLBACK (on_law), form);
+  form->name = gtk_entry_new ();
+  gtk_editable_set_width_chars (GTK_EDITABLE (form->name), 10);
+  g_signal_connect (form->name, "activate", G_CALLBACK (on_name), form);
+  qn_form_add_row (grid, _ ("Na_me"), form->name);
+  form->kind =
+    qn_form_add_choice (grid, _ ("_Kind"), kinds, G_CALLBACK (on_choice), form);
+  form->basis =
+    qn_form_add_choice (grid, _ ("_Basis"), bases, G_CALLBACK (on_choice), form);
 }
 
 GtkWidget *
 qn_law_form_new (QnCanvas *canvas)
 {
-  const char *const none[] = { NULL };
-  const char *const kinds[] = { _ ("Elastic"), _ ("No tension"), _ ("Coulomb"), NULL };
-  const char *const bases[] = { _ ("Contact pair"), _ ("Surface"), _ ("Material"), NULL };
   Form *form = g_new0 (Form, 1);
   form->canvas = canvas;
   GtkWidget *grid = qn_form_new ();
   qn_form_add_heading (grid, _ ("Laws"));
-  form->law = qn_form_add_choice (grid, _ ("La_w"), none, G_CALLBACK (on_law), form);
-  form->kind =
-    qn_form_add_choice (grid, _ ("_Kind"), kinds, G_CALLBACK (on_choice), form);
-  form->basis =
-    qn_form_add_choice (grid, _ ("_Basis"), bases, G_CALLBACK (on_choice), form);
+  build_choices (form, grid);
   build_fields (form, grid);
+  form->view = qn_law_view_new ();
+  qn_form_add_wide (grid, form->view);
 
   GtkWidget *buttons = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
   GtkWidget *add = gtk_button_new_with_mnemonic (_ ("_Add Law"));

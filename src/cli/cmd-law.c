@@ -1,8 +1,7 @@
-#include "cli/law-presets.h"
 #include "cli/message.h"
 #include "cli/picture.h"
 #include "cli/subcommand.h"
-#include "core/contact-pair.h"
+#include "doc/law-trace.h"
 #include "io/file-writer.h"
 #include "io/project.h"
 #include "render/curve-plot.h"
@@ -11,20 +10,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Points between two turning points of the history. */
-#define POINTS_PER_BRANCH 400
-
 typedef struct Options {
   QnPictureOptions picture;
   char *csv, *model, *path;
   char **settings;
   double length;
 } Options;
-
-/* One point of the history. */
-typedef struct Sample {
-  double elongation[2], force[2], tangent[2];
-} Sample;
 
 typedef struct History {
   QnLawPreset what;
@@ -166,36 +157,13 @@ prepare (const QnSubcommand *self, const Options *options, const char *name,
   return QN_EXIT_DONE;
 }
 
-/* Takes a spring of unit area through the history. */
 static QnExit
 trace (History *history)
 {
-  const QnLawPreset *what = &history->what;
-  QnSpring spring = qn_spring_from_law (&what->law, 1, history->length);
-  QnSpringMemory memory = { 0 };
-  double from = 0, step = history->length / POINTS_PER_BRANCH;
-
-  if (isinf (qn_spring_softening (&spring))) {
-    qn_cli_error ("%s", _ (qn_problem_text (QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL)));
-    return QN_EXIT_INVALID;
-  }
-  for (gsize turn = 0; turn < what->turn_count; turn++) {
-    for (int i = turn == 0 ? 0 : 1; i <= POINTS_PER_BRANCH; i++) {
-      double at = from * history->length + i * step * (what->turns[turn] - from);
-      double pressed = what->pressed * history->length;
-      double q[2] = { what->shear ? pressed : at, what->shear ? at : 0 };
-      QnSpringResponse r;
-      qn_spring_evaluate (&spring, &memory, q, &r);
-      memory = r.memory;
-      Sample sample = { { q[0] / history->length, q[1] / history->length },
-                        { r.force[0], r.force[1] },
-                        { r.tangent[0][0] * history->length,
-                          r.tangent[1][1] * history->length } };
-      g_array_append_val (history->samples, sample);
-    }
-    from = what->turns[turn];
-  }
-  return QN_EXIT_DONE;
+  if (qn_law_trace (&history->what, history->length, history->samples))
+    return QN_EXIT_DONE;
+  qn_cli_error ("%s", _ (qn_problem_text (QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL)));
+  return QN_EXIT_INVALID;
 }
 
 static QnExit
@@ -216,7 +184,7 @@ write_csv (const History *history, const char *path)
                          "[%s],shear force [%s],normal tangent [%s],shear tangent [%s]\n",
                          unit[0], unit[0], unit[1], unit[1], unit[2], unit[2]);
   for (guint i = 0; i < history->samples->len; i++) {
-    const Sample *s = &g_array_index (history->samples, Sample, i);
+    const QnLawSample *s = &g_array_index (history->samples, QnLawSample, i);
     const double row[] = { s->elongation[0], s->elongation[1], s->force[0],
                            s->force[1],      s->tangent[0],    s->tangent[1] };
     for (gsize k = 0; k < G_N_ELEMENTS (row); k++) {
@@ -238,7 +206,7 @@ draw (const History *history, const Options *options, const char *name,
   guint count = history->samples->len;
   g_autofree double *x = g_new (double, count), *y = g_new (double, count);
   for (guint i = 0; i < count; i++) {
-    const Sample *s = &g_array_index (history->samples, Sample, i);
+    const QnLawSample *s = &g_array_index (history->samples, QnLawSample, i);
     x[i] = s->elongation[axis] * 1e3;
     y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
   }
@@ -271,7 +239,7 @@ draw (const History *history, const Options *options, const char *name,
 static QnExit
 show (const QnSubcommand *self, const Options *options, const char *name)
 {
-  History history = { .samples = g_array_new (FALSE, FALSE, sizeof (Sample)) };
+  History history = { .samples = g_array_new (FALSE, FALSE, sizeof (QnLawSample)) };
   QnOutput output;
   QnExit code = prepare (self, options, name, &history);
   qn_output_init (&output);

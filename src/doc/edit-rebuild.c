@@ -8,7 +8,9 @@
 /* Distance from a joint that is rounding, relative to the size of a block. */
 #define ON_JOINT 1e-9
 
-G_DEFINE_QUARK (qn - edit - error - quark, qn_edit_error)
+/* clang-format off */
+G_DEFINE_QUARK (qn-edit-error-quark, qn_edit_error)
+/* clang-format on */
 
 /* Where the blocks of the old model went. */
 typedef struct Rebuild {

@@ -289,12 +289,26 @@ forget (QnModel *model, const QnFinding *finding)
   return TRUE;
 }
 
+/* What a gap parts must touch before it can be one. */
+static gboolean
+merge (QnModel *model, const QnFinding *finding, GError **error)
+{
+  QnId ids[2];
+  choose (model, finding, &ids[1], &ids[0]);
+  g_autofree char *keeper = g_strdup (model->blocks[ids[0]].name);
+  g_autofree char *mover = g_strdup (model->blocks[ids[1]].name);
+  if (finding->problem == QN_PROBLEM_NEAR_MISS_GAP && !snap (model, finding, error))
+    return FALSE;
+  ids[0] = qn_model_find_block (model, keeper);
+  ids[1] = qn_model_find_block (model, mover);
+  return qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
+}
+
 gboolean
 qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GError **error)
 {
   QnId mover, keeper;
   choose (model, finding, &mover, &keeper);
-  QnId both[] = { keeper, mover };
   static const bool fixed[QN_DOF_COUNT] = { true, true, true };
   switch (repair) {
   case QN_REPAIR_SNAP:
@@ -304,7 +318,7 @@ qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GErro
   case QN_REPAIR_TRIM:
     return trim (model, finding, error);
   case QN_REPAIR_MERGE:
-    return qn_edit_join_blocks (model, (QnBlockSet){ both, 2 }, error);
+    return merge (model, finding, error);
   case QN_REPAIR_SUPPORT:
     return qn_edit_set_support (model, (QnBlockSet){ &mover, 1 }, fixed, error);
   case QN_REPAIR_DELETE:

@@ -216,8 +216,8 @@ draw_cone_diagram (const Drawing *d, Area a)
   }
   double u = d->unit;
   draw_force (d, -press, a.x, middle + 2 * u, 0, 0);
-  draw_force (d, shear, zero + 2 * u, a.y, 0, 0);
-  draw_force (d, -shear, zero + 2 * u, a.y + a.height, 0, 1);
+  draw_force (d, shear, zero - 3 * u, a.y + (TEXT_PT + 2) * u, 1, 0);
+  draw_force (d, -shear, zero - 3 * u, a.y + a.height, 1, 1);
   draw_text (d, d->plot->normal_label, a.x, middle - 2 * u, 0, 1, 0);
   draw_text (d, d->plot->shear_label, zero - 3 * u, a.y, 1, 0, 0);
 }
@@ -245,7 +245,7 @@ draw_along_diagram (const Drawing *d, Area a)
   }
   draw_text (d, d->plot->along_label, a.x + a.width / 2, a.y + a.height + 2 * u, 0.5, 0,
              0);
-  draw_force (d, -most, a.x, a.y + a.height, 0, 1);
+  draw_force (d, -most, a.x + 6 * u, a.y + a.height, 0, 1);
 }
 
 void

@@ -1,4 +1,4 @@
-#include "cli/law-presets.h"
+#include "doc/law-preset.h"
 
 #define TURNS(...)                                                                       \
   .turns = { __VA_ARGS__ },                                                              \
@@ -70,4 +70,23 @@ const QnLawPreset *
 qn_law_preset (QnLawKind kind)
 {
   return &presets[kind];
+}
+
+void
+qn_law_change_kind (QnLaw *law, QnLawKind kind)
+{
+  law->kind = kind;
+  if (qn_law_check (law, 0, NULL) == QN_OK
+      && !(kind == QN_LAW_COULOMB && law->friction == 0.0))
+    return;
+  const QnLaw *typical = &presets[kind].law;
+  char *name = law->name;
+  if (kind == QN_LAW_COULOMB) {
+    law->friction = typical->friction;
+    law->dilatancy = 0.0;
+    if (qn_law_check (law, 0, NULL) == QN_OK)
+      return;
+  }
+  *law = *typical;
+  law->name = name;
 }

@@ -1,6 +1,6 @@
 /* A typical law of every kind, with the history that shows what is particular about it. */
-#ifndef QN_CLI_LAW_PRESETS_H
-#define QN_CLI_LAW_PRESETS_H
+#ifndef QN_DOC_LAW_PRESET_H
+#define QN_DOC_LAW_PRESET_H
 
 #include "core/law.h"
 
@@ -18,5 +18,9 @@ typedef struct QnLawPreset {
 } QnLawPreset;
 
 const QnLawPreset *qn_law_preset (QnLawKind kind);
+
+/* Another kind for a law: what the new kind requires and the law does not have is typical. Laws of
+ * members come with their basis and stiffness, joints keep theirs. */
+void qn_law_change_kind (QnLaw *law, QnLawKind kind);
 
 #endif
