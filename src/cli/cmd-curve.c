@@ -1,3 +1,4 @@
+#include "cli/curve-table.h"
 #include "cli/message.h"
 #include "cli/picture.h"
 #include "cli/sheet-input.h"
@@ -13,6 +14,8 @@ typedef struct Options {
   QnPictureOptions picture;
   char *title;
   double until; /* m or rad, or 0 */
+  char **references;
+  GArray *lines; /* of QnReferenceLine, of `references` */
 } Options;
 
 /* Component of the block's displacement that a curve shows: the controlled one, else the
@@ -64,34 +67,92 @@ take_curve (QnCurve *curve, const QnSheetItem *item, double until)
     return QN_EXIT_INTERNAL;
   }
   cut_curve (curve, until);
-  curve->label = qn_sheet_item_title (item);
   return QN_EXIT_DONE;
+}
+
+/* Runs of one project are told apart by the names of their results. */
+static void
+label_curves (QnCurve *curves, const QnSheetItem *items, char **arguments, gsize count,
+              GPtrArray *labels)
+{
+  for (gsize i = 0; i < count; i++) {
+    const char *title = qn_sheet_item_title (&items[i]);
+    gsize alike = 0;
+    for (gsize k = 0; k < count; k++)
+      alike += strcmp (title, qn_sheet_item_title (&items[k])) == 0;
+    const char *equals = strrchr (arguments[i], '=');
+    g_autofree char *file =
+      g_path_get_basename (equals != NULL ? equals + 1 : arguments[i]);
+    curves[i].label =
+      alike > 1 ? g_strdup_printf ("%s (%s)", title, file) : g_strdup (title);
+    g_ptr_array_add (labels, (gpointer) curves[i].label);
+  }
+}
+
+/* "0.36" or "0.36=Ferris and Tin-Loi". */
+static QnExit
+parse_references (const QnSubcommand *self, Options *options)
+{
+  for (char **text = options->references; text != NULL && *text != NULL; text++) {
+    char *end = NULL;
+    QnReferenceLine line = { .y = g_ascii_strtod (*text, &end) };
+    if (end == *text || (*end != '\0' && *end != '=') || !isfinite (line.y)) {
+      g_autofree char *message =
+        g_strdup_printf (_ ("%s: a reference is a number, or a number=text"), *text);
+      qn_cli_usage_error (self->name, message);
+      return QN_EXIT_USAGE;
+    }
+    line.label = *end == '=' ? end + 1 : _ ("reference");
+    g_array_append_val (options->lines, line);
+  }
+  return QN_EXIT_DONE;
+}
+
+static gboolean
+is_table (const char *path)
+{
+  g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
+  return lower != NULL && g_str_has_suffix (lower, ".csv");
+}
+
+static gboolean export(const Options *options, const QnOutput *output,
+                       const QnCurve *curves, gsize count, const QnProject *project,
+                       GError **error)
+{
+  QnMetadata metadata;
+  QnCurvePlot plot = {
+    .title = options->title,
+    .x_label = _ ("Displacement"),
+    .curves = curves,
+    .curve_count = count,
+    .references = (const QnReferenceLine *) (void *) options->lines->data,
+    .reference_count = options->lines->len,
+    .monochrome = options->picture.monochrome,
+  };
+  if (is_table (options->picture.path))
+    return qn_curve_table_write (options->picture.path, curves, count, error);
+  qn_picture_metadata (project, &metadata);
+  metadata.title = options->title;
+  return qn_curve_export (&plot, options->picture.path, output, &metadata, error);
 }
 
 static QnExit
 draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
-      gsize count)
+      char **arguments, gsize count)
 {
   g_autofree QnCurve *curves = g_new0 (QnCurve, count);
+  g_autoptr (GPtrArray) labels = g_ptr_array_new_with_free_func (g_free);
   QnExit code = QN_EXIT_DONE;
   for (gsize i = 0; i < count && code == QN_EXIT_DONE; i++)
     code = take_curve (&curves[i], &items[i], options->until);
 
-  if (code == QN_EXIT_DONE) {
-    QnMetadata metadata;
-    GError *error = NULL;
-    QnCurvePlot plot = {
-      .title = options->title,
-      .x_label = _ ("Displacement"),
-      .curves = curves,
-      .curve_count = count,
-      .monochrome = options->picture.monochrome,
-    };
-    qn_picture_metadata (count == 1 ? &items[0].input.project : NULL, &metadata);
-    metadata.title = options->title;
-    if (!qn_curve_export (&plot, options->picture.path, output, &metadata, &error))
-      code = qn_cli_fail (error);
-  }
+  label_curves (curves, items, arguments, count, labels);
+
+  GError *error = NULL;
+  if (code == QN_EXIT_DONE
+      && !export(options, output, curves, count,
+                 count == 1 ? &items[0].input.project : NULL, &error))
+    code = qn_cli_fail (error);
   for (gsize i = 0; i < count; i++)
     qn_curve_clear (&curves[i]);
   return code;
@@ -106,7 +167,10 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("TEXT") },
     { "until", 0, 0, G_OPTION_ARG_DOUBLE, &options.until,
       N_ ("End the curves at this displacement, m or rad"), N_ ("LIMIT") },
-    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
+    { "reference", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.references,
+      N_ ("Draw a line at this multiplier, for a known value; may be given again"),
+      N_ ("VALUE[=TEXT]") },
+    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf|csv")),
     G_OPTION_ENTRY_NULL,
   };
   QnOutput output;
@@ -117,18 +181,25 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
     if (options.until < 0)
       qn_cli_usage_error (self->name, _ ("--until must be positive"));
+    else if (is_table (options.picture.path))
+      code = qn_picture_page (self, &options.picture, &output);
     else
       code = qn_picture_output (self, &options.picture, &output);
   }
+  options.lines = g_array_new (FALSE, FALSE, sizeof (QnReferenceLine));
+  if (code == QN_EXIT_DONE)
+    code = parse_references (self, &options);
   gsize count = (gsize) MAX (argc - 1, 0);
   if (code == QN_EXIT_DONE)
     code = qn_sheet_items_load (argv + 1, count, &items);
   if (code == QN_EXIT_DONE)
-    code = draw (&options, &output, items, count);
+    code = draw (&options, &output, items, argv + 1, count);
 
   if (items != NULL)
     qn_sheet_items_free (items, count);
   qn_picture_options_clear (&options.picture);
+  g_array_unref (options.lines);
+  g_strfreev (options.references);
   g_free (options.title);
   return code;
 }
@@ -137,8 +208,9 @@ const QnSubcommand qn_cmd_curve = {
   .name = "curve",
   .arguments = "MODEL[=RESULT]…",
   .summary = N_ ("Plot load–displacement curves, several in one picture"),
-  .help =
-    N_ ("A project without a result is solved first. Each curve shows the block that "
-        "the project controls, or else the one that moves furthest."),
+  .help = N_ (
+    "A project without a result is solved first. Each curve shows the block that "
+    "the project controls, or else the one that moves furthest. The ending .csv gives "
+    "a table."),
   .run = run,
 };

@@ -175,8 +175,9 @@ draw_curve (const Plot *plot, size_t index)
 static QnColor
 reference_color (const QnCurvePlot *data, size_t index)
 {
-  return index == 0 ? qn_ink (QN_INK_DEAD_LOAD, data->monochrome)
-                    : qn_series_color ((int) index, data->monochrome);
+  return index == 0
+           ? qn_ink (QN_INK_DEAD_LOAD, data->monochrome)
+           : qn_series_color ((int) (data->curve_count + index - 1), data->monochrome);
 }
 
 static void

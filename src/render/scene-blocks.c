@@ -133,12 +133,16 @@ qn_build_onion (QnSceneBuilder *b)
 {
   const QnResult *onion = b->options->onion;
   QnMotion motion = b->motion;
+  double multiplier = onion->collapse_multiplier;
+  bool known = onion->has_collapse_multiplier;
   if (b->options->view == QN_VIEW_MECHANISM) {
     motion.displacements = onion->mechanism;
   } else {
     size_t step = b->options->step == QN_STEP_LAST ? onion->step_count - 1
                                                    : MIN (b->step, onion->step_count - 1);
     motion.displacements = qn_result_step_displacements (onion, step);
+    multiplier = onion->steps[step].multiplier;
+    known = true;
   }
   QnColor line = qn_series_color (3, b->options->monochrome);
   g_autoptr (GArray) points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
@@ -153,8 +157,12 @@ qn_build_onion (QnSceneBuilder *b)
     command->extent = (float) smaller_side (v, (QnId) points->len);
     command->least = 3;
   }
-  qn_scene_legend (b->scene, QN_COMMAND_STROKE, line, "%s", _ ("second result"))->dashed =
-    true;
+  g_autofree char *number = qn_label_number ("%.4f", multiplier);
+  QnLegendEntry *entry = known ? qn_scene_legend (b->scene, QN_COMMAND_STROKE, line,
+                                                  _ ("second result, λ = %s"), number)
+                               : qn_scene_legend (b->scene, QN_COMMAND_STROKE, line, "%s",
+                                                  _ ("second result"));
+  entry->dashed = true;
 }
 
 void

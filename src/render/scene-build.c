@@ -48,9 +48,12 @@ forces_fit (const QnSceneBuilder *b, GError **error)
     return false;
   }
   if (!qn_result_has_forces (b->result, b->step)) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("the result has the contact forces of its last step alone; "
-                            "solve --detail steps keeps all"));
+    g_set_error_literal (
+      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+      b->result->limit.given
+        ? _ ("limit analysis knows contact forces at its last step alone")
+        : _ ("the result has the contact forces of its last step alone; "
+             "solve --detail steps keeps all"));
     return false;
   }
   return true;

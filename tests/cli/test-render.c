@@ -163,6 +163,40 @@ test_compare_and_curve (Solved *solved, gconstpointer data)
   }
 }
 
+/* Two runs of one project are told apart, known values are drawn, and all of it is a table. */
+static void
+test_curve_runs (Solved *solved, gconstpointer data)
+{
+  (void) data;
+  g_autofree char *other = g_build_filename (solved->folder, "other.json", NULL);
+  g_autofree char *svg = g_build_filename (solved->folder, "c.svg", NULL);
+  g_autofree char *csv = g_build_filename (solved->folder, "c.csv", NULL);
+  g_autofree char *first = g_strdup_printf ("%s=%s", solved->model, solved->result);
+  g_autofree char *second = g_strdup_printf ("%s=%s", solved->model, other);
+  CliRun run = cli_run ("solve", solved->model, "-q", "--set", "analysis.increments=10",
+                        "-o", other, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("curve", first, second, "--reference", "0.25=published", "--reference",
+                 "0.1", "-o", svg, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("curve", first, second, "-o", csv, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *table = cli_read (csv);
+  g_assert_true (
+    g_str_has_prefix (table, "run,step,displacement [m or rad],multiplier [-],mark\n"));
+  g_assert_nonnull (strstr (table, "(arch.json)\",0,"));
+  g_assert_nonnull (strstr (table, "(other.json)\",0,"));
+  g_assert_nonnull (strstr (table, ",collapse\n"));
+
+  run = cli_run ("curve", first, "--reference", "much", "-o", svg, NULL);
+  cli_assert_failed (&run, 2, "a reference is a number");
+  run = cli_run ("curve", first, "-o", "/no/such/folder/c.csv", NULL);
+  cli_assert_failed (&run, 5, NULL);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -175,6 +209,7 @@ main (int argc, char **argv)
   ADD ("refuses", test_render_refuses);
   ADD ("same-bytes", test_same_bytes);
   ADD ("compare-and-curve", test_compare_and_curve);
+  ADD ("curve-runs", test_curve_runs);
 #undef ADD
   return g_test_run ();
 }
