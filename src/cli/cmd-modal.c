@@ -43,7 +43,8 @@ write_csv (const Options *options, const QnModel *model, const QnModes *modes)
                        "ux [m],uy [m],rz [rad]\n");
   for (size_t i = 0; i < modes->count; i++)
     for (size_t b = 0; b < modes->block_count; b++) {
-      const double *shape = modes->shapes + (i * modes->block_count + b) * QN_DOF_COUNT;
+      const double *shape =
+        modes->shapes + (i * (modes->block_count + modes->node_count) + b) * QN_DOF_COUNT;
       const double row[] = { modes->omega[i],
                              modes->omega[i] / (2 * G_PI),
                              (double) b,
@@ -69,7 +70,7 @@ write_result (const Options *options, const QnInput *input, const QnModes *modes
 {
   QnDiag diag = { 0 };
   GError *error = NULL;
-  size_t row = modes->block_count * QN_DOF_COUNT;
+  size_t row = (modes->block_count + modes->node_count) * QN_DOF_COUNT;
   if ((size_t) options->mode > modes->count) {
     qn_cli_error (_ ("there is no mode %d: only %zu were found"), options->mode,
                   modes->count);

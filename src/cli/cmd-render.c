@@ -11,7 +11,7 @@
 
 typedef struct Options {
   QnPictureOptions picture;
-  char *result, *onion, *view, *step, *scale, *field;
+  char *result, *onion, *view, *step, *scale, *field, *diagram;
   char **show, **hide;
   char **overrides;
 } Options;
@@ -81,6 +81,8 @@ parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *vie
   view->monochrome = options->picture.monochrome;
   if (options->field != NULL && !qn_field_parse (options->field, &view->field))
     return refuse (self, _ ("no such field"), options->field);
+  if (options->diagram != NULL && !qn_diagram_parse (options->diagram, &view->diagram))
+    return refuse (self, _ ("is none of N, V, M"), options->diagram);
   if (!parse_step (options->step, &view->step))
     return refuse (self, _ ("a step is a number from 0, or last"), options->step);
   if (!parse_scale (options->scale, &view->scale))
@@ -166,6 +168,8 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("N|last") },
     { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale, N_ ("Factor on displacements"),
       N_ ("F|auto") },
+    { "diagram", 0, 0, G_OPTION_ARG_STRING, &options.diagram,
+      N_ ("with --view diagrams: section force of the beams, N, V or M (M)"), "N|V|M" },
     { "field", 0, 0, G_OPTION_ARG_STRING, &options.field,
       N_ ("Quantity shown by colour: displacement, rotation, stress, opening, …"),
       N_ ("NAME") },
@@ -199,6 +203,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   g_free (options.step);
   g_free (options.scale);
   g_free (options.field);
+  g_free (options.diagram);
   g_free (options.onion);
   g_strfreev (options.show);
   g_strfreev (options.hide);

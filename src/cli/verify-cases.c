@@ -1,5 +1,7 @@
 #include "cli/verify-cases.h"
 
+#include "cli/verify-cases-beams.h"
+
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -195,6 +197,34 @@ static const QnVerifyGroup groups[] = {
     { NULL },
     vibrations,
     G_N_ELEMENTS (vibrations),
+    FALSE },
+  { "beams",
+    N_ ("Beam elements, by themselves and on blocks"),
+    N_ ("beam theory, statics"),
+    { NULL },
+    qn_verify_beams,
+    QN_VERIFY_BEAM_CASES,
+    FALSE },
+  { "beam-elastica",
+    N_ ("Large displacements of a cantilever, 40 beam elements"),
+    N_ ("elastica, elliptic integrals"),
+    { NULL },
+    qn_verify_beam_elastica,
+    QN_VERIFY_ELASTICA_CASES,
+    FALSE },
+  { "frame-sway",
+    N_ ("Frame 3 x 3 m three ways: sway under 4 kN (m)"),
+    N_ ("beam theory"),
+    { "analysis.max_multiplier=4", NULL },
+    qn_verify_frame_sway,
+    QN_VERIFY_FRAME_CASES,
+    FALSE },
+  { "frame-collapse",
+    N_ ("Frame 3 x 3 m three ways: collapse (kN)"),
+    N_ ("plastic hinges, first order"),
+    { NULL },
+    qn_verify_frame_collapse,
+    QN_VERIFY_FRAME_CASES,
     FALSE },
 };
 

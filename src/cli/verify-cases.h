@@ -14,12 +14,12 @@
 
 /* What a case compares. */
 typedef enum {
-  QN_VERIFY_COLLAPSE,     /* the collapse multiplier */
-  QN_VERIFY_DISPLACEMENT, /* of `block`, component `dof`, at the end of stage `number` */
-  QN_VERIFY_MULTIPLIER,   /* at the end of stage `number` */
-  QN_VERIFY_REACTION,     /* of the support `block`, component `dof`, at the last step */
-  QN_VERIFY_CRITICAL,     /* the multiplier at which stability is lost */
-  QN_VERIFY_FREQUENCY     /* of mode `number`, rad/s */
+  QN_VERIFY_COLLAPSE, /* the collapse multiplier */
+  QN_VERIFY_DISPLACEMENT, /* of `block`, or a node of that name, component `dof`, at the end of stage `number` */
+  QN_VERIFY_MULTIPLIER, /* at the end of stage `number` */
+  QN_VERIFY_REACTION,   /* of the support `block`, component `dof`, at the last step */
+  QN_VERIFY_CRITICAL,   /* the multiplier at which stability is lost */
+  QN_VERIFY_FREQUENCY   /* of mode `number`, rad/s */
 } QnVerifyQuantity;
 
 typedef struct QnVerifyCase {

@@ -41,10 +41,12 @@ read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *resul
   if (test->quantity == QN_VERIFY_REACTION)
     return find_reaction (test, model, result);
   QnId block = qn_model_find_block (model, test->block);
-  return block == QN_NONE
-           ? NAN
-           : qn_result_step_displacements (
-             result, (size_t) step)[block * QN_DOF_COUNT + (int) test->dof];
+  QnId node = qn_model_find_node (model, test->block);
+  if (block == QN_NONE && node == QN_NONE)
+    return NAN;
+  size_t body = block != QN_NONE ? (size_t) block : model->block_count + (size_t) node;
+  return qn_result_step_displacements (
+    result, (size_t) step)[body * QN_DOF_COUNT + (size_t) test->dof];
 }
 
 static QnStatus

@@ -8,9 +8,10 @@
 
 /* --- Setting up ------------------------------------------------------------------------- */
 
-static QnBeamProperties
-properties_of (const QnModel *model, const QnBeamElement *element)
+QnBeamProperties
+qn_beam_properties (const QnModel *model, QnId index)
 {
+  const QnBeamElement *element = &model->elements[index];
   const QnBeam *beam = &model->beams[element->beam];
   const QnSection *section = &model->sections[beam->section];
   const double plastic = qn_section_plastic_moment (section);
@@ -45,7 +46,7 @@ place (QnBeamAssembly *as, size_t index, const int32_t *unknowns)
   const QnBeamElement *element = &model->elements[index];
   QnAssembledBeam *beam = &as->beams[index];
 
-  beam->properties = properties_of (model, element);
+  beam->properties = qn_beam_properties (model, (QnId) index);
   for (int end = 0; end < 2; end++) {
     const QnNode *node = &model->nodes[element->nodes[end]];
     size_t body = qn_model_node_body (model, element->nodes[end]);

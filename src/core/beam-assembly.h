@@ -55,6 +55,9 @@ typedef struct QnBeamState {
   QnBeamResponse *responses;
 } QnBeamState;
 
+/* Stiffness, limits and mass of an element of a prepared model. */
+QnBeamProperties qn_beam_properties (const QnModel *model, QnId element);
+
 /* unknowns: (block_count + node_count) x 3, those of riding nodes unused. `beams` is overwritten
  * without being cleared; the model must outlive it. False when memory runs out. */
 bool qn_beam_assembly_setup (QnBeamAssembly *beams, const QnModel *model,

@@ -1,4 +1,4 @@
-#include "doc/edit.h"
+#include "doc/edit-beams.h"
 
 #include <glib/gi18n.h>
 #include <stdlib.h>
@@ -212,6 +212,7 @@ move_points (QnModel *model, const gboolean *flags, QnTransform transform)
         load->at = qn_transform_apply (transform, load->at);
     }
   }
+  qn_edit_transform_nodes (model, flags, transform);
 }
 
 gboolean

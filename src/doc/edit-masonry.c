@@ -230,6 +230,12 @@ move_forces (QnModel *model, const gboolean *whole, QnTransform transform)
         load->at = qn_transform_apply (transform, load->at);
     }
   }
+  for (gsize i = 0; i < model->node_count; i++) {
+    QnNode *node = &model->nodes[i];
+    QnId object = node->block != QN_NONE ? model->blocks[node->block].masonry : QN_NONE;
+    if (object != QN_NONE && whole[object] && node->seat == QN_SEAT_POINT)
+      node->at = qn_transform_apply (transform, node->at);
+  }
 }
 
 gboolean

@@ -1,6 +1,7 @@
 #include "doc/edit.h"
 
 #include "core/polygon.h"
+#include "doc/edit-beams.h"
 #include "doc/explain.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -19,6 +20,7 @@ typedef struct Rebuild {
   const QnMasonries *masonry; /* laid anew; NULL: masonry blocks stay as they are */
   QnId *blocks;               /* of old free blocks */
   QnId *walls;
+  QnBeamRebuild beams;
 } Rebuild;
 
 gboolean
@@ -185,17 +187,48 @@ follow_block (const Rebuild *r, QnId old)
   return QN_NONE;
 }
 
+static QnId
+follow_block_of (gconstpointer rebuild, QnId block)
+{
+  return follow_block (rebuild, block);
+}
+
+/* FALSE where what the load acts on is gone. */
+static gboolean
+follow_load (const Rebuild *r, QnLoad *load)
+{
+  switch (load->kind) {
+  case QN_LOAD_WEIGHT:
+  case QN_LOAD_KIND_COUNT:
+    return TRUE;
+  case QN_LOAD_NODE:
+    load->node = r->beams.nodes[load->node];
+    return load->node != QN_NONE;
+  case QN_LOAD_LINE:
+    load->beam = r->beams.beams[load->beam];
+    return load->beam != QN_NONE;
+  case QN_LOAD_FORCE:
+  case QN_LOAD_SETTLEMENT:
+    break;
+  }
+  load->block = follow_block (r, load->block);
+  return load->block != QN_NONE;
+}
+
+static QnId
+follow_node (const Rebuild *r, QnId node)
+{
+  return node == QN_NONE ? QN_NONE : r->beams.nodes[node];
+}
+
 static gboolean
 copy_loads (const Rebuild *r, const QnLoad *loads, gsize count,
             QnLoad *(*add) (QnModel *model))
 {
   for (gsize i = 0; i < count; i++) {
     QnLoad load = loads[i];
-    if (load.kind != QN_LOAD_WEIGHT) {
-      load.block = follow_block (r, load.block);
-      if (load.block == QN_NONE)
-        continue;
-    }
+    if (!follow_load (r, &load))
+      continue;
     QnLoad *added = add (r->to);
     if (added == NULL)
       return FALSE;
@@ -248,6 +281,7 @@ copy_stages (const Rebuild *r)
     *added = r->from->stages[i];
     added->name = name;
     added->control_block = follow_block (r, added->control_block);
+    added->control_node = follow_node (r, added->control_node);
   }
   return TRUE;
 }
@@ -289,7 +323,7 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
 
   g_autofree QnId *blocks = g_new (QnId, model->block_count + 1);
   g_autofree QnId *walls = g_new (QnId, model->wall_count + 1);
-  Rebuild r = { model, &fresh, masonry, blocks, walls };
+  Rebuild r = { model, &fresh, masonry, blocks, walls, { 0 } };
   gboolean laid = copy_laws (&r) && copy_free_blocks (&r, drop);
   if (laid && !lay_masonry (&r, error)) {
     qn_model_clear (&fresh);
@@ -298,14 +332,19 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
   gboolean done =
     laid && copy_walls (&r)
     && (fresh.wall_count == 0 || qn_model_expand_walls (&fresh, NULL) == QN_OK)
+    && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams)
     && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
     && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
     && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r);
+  if (done) {
+    fresh.analysis.control_block = follow_block (&r, model->analysis.control_block);
+    fresh.analysis.control_node = follow_node (&r, model->analysis.control_node);
+  }
+  qn_beam_rebuild_clear (&r.beams);
   if (!done) {
     qn_model_clear (&fresh);
     return qn_edit_no_memory (error);
   }
-  fresh.analysis.control_block = follow_block (&r, model->analysis.control_block);
 
   qn_model_clear (model);
   *model = fresh;

@@ -111,6 +111,13 @@ redirect (QnModel *model, QnId gone, QnId first, QnId main)
   model->override_count = kept;
   if (model->analysis.control_block == gone)
     model->analysis.control_block = main;
+  for (gsize i = 0; i < model->node_count; i++) {
+    QnNode *node = &model->nodes[i];
+    if (node->block != gone)
+      continue;
+    node->seat = QN_SEAT_POINT;
+    node->block = block_at (model, first, node->at);
+  }
 }
 
 gboolean

@@ -309,7 +309,8 @@ qn_view_state_get_onion (QnViewState *self)
 gboolean
 qn_view_needs_result (QnView view)
 {
-  return view == QN_VIEW_DEFORMED || view == QN_VIEW_MECHANISM || view == QN_VIEW_FORCES;
+  return view == QN_VIEW_DEFORMED || view == QN_VIEW_MECHANISM || view == QN_VIEW_FORCES
+         || view == QN_VIEW_DIAGRAMS;
 }
 
 gboolean

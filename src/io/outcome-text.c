@@ -15,7 +15,7 @@ typedef struct Task {
   uint32_t sets;
   gboolean has_end; /* whether a largest multiplier is set */
   double end;
-  QnId control_block;
+  QnId control_block, control_node;
   QnDof control_dof;
   double control_target;
 } Task;
@@ -30,6 +30,7 @@ task_of (const QnModel *model, const QnResult *result)
                    .has_end = isfinite (a->max_multiplier) != 0,
                    .end = a->max_multiplier,
                    .control_block = a->control_block,
+                   .control_node = a->control_node,
                    .control_dof = a->control_dof,
                    .control_target = a->control_target };
   const QnStage *stage = &model->stages[result->stage - 1];
@@ -38,6 +39,7 @@ task_of (const QnModel *model, const QnResult *result)
                  .has_end = stage->has_target,
                  .end = stage->target,
                  .control_block = stage->control_block,
+                 .control_node = stage->control_node,
                  .control_dof = stage->control_dof,
                  .control_target = stage->control_target };
 }
@@ -47,6 +49,23 @@ qn_stage_dup_name (const QnModel *model, int32_t stage)
 {
   const char *name = model->stages[stage - 1].name;
   return name != NULL ? g_strdup (name) : g_strdup_printf ("%d", stage);
+}
+
+/* Whether a load acts on beams: on a node that is not fixed altogether, or along them. */
+static gboolean
+meets_beams (const QnModel *model, const QnLoad *load)
+{
+  if (load->kind == QN_LOAD_LINE)
+    return TRUE;
+  for (size_t i = 0; load->kind == QN_LOAD_WEIGHT && i < model->beam_count; i++)
+    if (model->sections[model->beams[i].section].unit_weight > 0)
+      return TRUE;
+  if (load->kind != QN_LOAD_NODE)
+    return FALSE;
+  QnId block = model->nodes[load->node].block;
+  const bool *fixed =
+    block != QN_NONE ? model->blocks[block].support : model->nodes[load->node].support;
+  return !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]);
 }
 
 gboolean
@@ -59,10 +78,13 @@ qn_model_lacks_live_load (const QnModel *model)
     if (load->kind == QN_LOAD_SETTLEMENT)
       continue;
     gboolean acts = load->vector.x != 0 || load->vector.y != 0 || load->moment != 0;
+    if (acts && meets_beams (model, load))
+      return FALSE;
     for (size_t b = 0; acts && b < model->block_count; b++) {
       const bool *fixed = model->blocks[b].support;
-      gboolean meets = load->kind == QN_LOAD_WEIGHT ? model->blocks[b].weight > 0
-                                                    : load->block == (QnId) b;
+      gboolean meets = load->kind == QN_LOAD_WEIGHT
+                         ? model->blocks[b].weight > 0
+                         : load->kind == QN_LOAD_FORCE && load->block == (QnId) b;
       if (meets && !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]))
         return FALSE;
     }
@@ -151,37 +173,51 @@ explain_collapse (const QnModel *model, const Task *task, const QnResult *result
 /* --- Target reached --------------------------------------------------------------------- */
 
 static gboolean
-is_controlled_displacement_reached (const Task *task, const QnResult *result)
+is_controlled_displacement_reached (const QnModel *model, const Task *task,
+                                    const QnResult *result)
 {
-  if (task->control_block == QN_NONE || result->step_count == 0
-      || (gsize) task->control_block >= result->block_count)
+  size_t body = qn_model_controlled_body (model, task->control_block, task->control_node);
+  if (result->step_count == 0 || body >= qn_result_body_count (result))
     return FALSE;
   double u = qn_result_step_displacements (
-    result,
-    result->step_count - 1)[QN_DOF_COUNT * task->control_block + (int) task->control_dof];
+    result, result->step_count - 1)[QN_DOF_COUNT * body + (size_t) task->control_dof];
   double size = fabs (task->control_target);
   return task->procedure != QN_PROCEDURE_LOAD
          && fabs (u - task->control_target) <= AT_TARGET * (size > 0 ? size : 1);
 }
 
+/* Which displacement it was and how far it went. */
+static char *
+explain_controlled (const QnModel *model, const Task *task, double reached)
+{
+  static const char *const components[] = { "ux", "uy", "rz" };
+  const char *component = components[task->control_dof];
+  gboolean turning = task->control_dof == QN_DOF_RZ;
+  if (task->control_node != QN_NONE)
+    return g_strdup_printf (
+      turning ? _ ("%s of node “%s” has reached its target of %.4g rad, at a load "
+                   "multiplier of %.4g.")
+              : _ ("%s of node “%s” has reached its target of %.4g m, at a load "
+                   "multiplier of %.4g."),
+      component, model->nodes[task->control_node].name, task->control_target, reached);
+  return g_strdup_printf (
+    turning ? _ ("%s of block “%s” has reached its target of %.4g rad, at a load "
+                 "multiplier of %.4g.")
+            : _ ("%s of block “%s” has reached its target of %.4g m, at a load "
+                 "multiplier of %.4g."),
+    component, model->blocks[task->control_block].name, task->control_target, reached);
+}
+
 static char *
 explain_target (const QnModel *model, const Task *task, const QnResult *result)
 {
-  static const char *const components[] = { "ux", "uy", "rz" };
   double reached = result->step_count > 0 ? last_step (result)->multiplier : 0;
   if (result->stage == 0 && qn_model_lacks_live_load (model))
     return g_strdup (_ ("No live load acts on any free block, so there is no path to "
                         "follow: what was found is the equilibrium under the dead "
                         "load."));
-  if (is_controlled_displacement_reached (task, result))
-    return g_strdup_printf (
-      task->control_dof == QN_DOF_RZ
-        ? _ ("%s of block “%s” has reached its target of %.4g rad, at a load multiplier "
-             "of %.4g.")
-        : _ ("%s of block “%s” has reached its target of %.4g m, at a load multiplier of "
-             "%.4g."),
-      components[task->control_dof], model->blocks[task->control_block].name,
-      task->control_target, reached);
+  if (is_controlled_displacement_reached (model, task, result))
+    return explain_controlled (model, task, reached);
   if (!task->has_end && !qn_model_sets_have_force (model, task->sets))
     return g_strdup (_ ("The supports have settled as far as they were to, without "
                         "collapse."));

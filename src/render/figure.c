@@ -98,7 +98,12 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
   if (!shows_result (figure)) {
     g_autofree char *blocks = g_strdup_printf (
       ngettext ("%zu block", "%zu blocks", model->block_count), model->block_count);
-    append_part (text, blocks);
+    if (model->block_count > 0 || model->beam_count == 0)
+      append_part (text, blocks);
+    g_autofree char *beams = g_strdup_printf (
+      ngettext ("%zu beam", "%zu beams", model->beam_count), model->beam_count);
+    if (model->beam_count > 0)
+      append_part (text, beams);
     return g_strdup (text->str);
   }
   append_multiplier (text, figure, brief);

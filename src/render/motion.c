@@ -48,6 +48,12 @@ qn_motion_largest (const QnMotion *motion)
   double largest = 0;
   for (size_t b = 0; b < motion->model->block_count; b++)
     largest = fmax (largest, qn_motion_of_block (motion, (QnId) b));
+  for (size_t n = 0; motion->displacements != NULL && n < motion->model->node_count;
+       n++) {
+    const double *u =
+      motion->displacements + QN_DOF_COUNT * (motion->model->block_count + n);
+    largest = fmax (largest, hypot (u[QN_DOF_UX], u[QN_DOF_UY]));
+  }
   return largest;
 }
 
@@ -59,6 +65,8 @@ qn_motion_auto_scale (const QnMotion *motion)
   double turn = 0;
   for (size_t i = 0; i < model->vertex_count; i++)
     qn_box_add_point (&box, model->vertices[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
   for (size_t b = 0; motion->displacements != NULL && b < model->block_count; b++)
     turn = fmax (turn, fabs (motion->displacements[b * QN_DOF_COUNT + QN_DOF_RZ]));
 

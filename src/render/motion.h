@@ -9,7 +9,9 @@
 
 typedef struct QnMotion {
   const QnModel *model;
-  const double *displacements; /* block_count x 3 (m, m, rad); NULL: nothing moves */
+  const double
+    *displacements; /* a row (m, m, rad) for every block, then for every node of
+                                  beams; NULL: nothing moves */
   bool linear; /* rotations act linearly, as in the analysis; closed joints stay closed */
   double scale; /* displacements and rotations are drawn multiplied by this */
 } QnMotion;

@@ -8,7 +8,7 @@ static bool
 needs_result (const QnViewOptions *options)
 {
   return options->view == QN_VIEW_DEFORMED || options->view == QN_VIEW_MECHANISM
-         || options->view == QN_VIEW_FORCES;
+         || options->view == QN_VIEW_FORCES || options->view == QN_VIEW_DIAGRAMS;
 }
 
 static bool
@@ -106,6 +106,11 @@ check (QnSceneBuilder *b, GError **error)
     return false;
   if (options->onion != NULL && !result_fits (b, options->onion, error))
     return false;
+  if (options->view == QN_VIEW_DIAGRAMS && b->result->beam_forces == NULL) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("diagrams need beams and a result that holds their forces"));
+    return false;
+  }
   return choose_step (b, error) && (!wants_result || forces_fit (b, error));
 }
 
@@ -169,14 +174,17 @@ build_view (QnSceneBuilder *b)
   g_autofree QnColor *fills = qn_build_field (b);
   qn_build_blocks (b, fills);
   qn_build_supports (b);
+  qn_build_beams (b);
   if (options->view == QN_VIEW_CONTACTS)
     qn_build_contacts (b);
   if (options->view == QN_VIEW_CONTACTS && options->symbols)
     qn_build_findings (b);
   if (b->joints != NULL && options->symbols)
     qn_build_joints (b);
-  if (options->view == QN_VIEW_FORCES)
+  if (options->view == QN_VIEW_FORCES && b->pairs != NULL)
     qn_build_forces (b);
+  if (options->view == QN_VIEW_DIAGRAMS)
+    qn_build_diagrams (b);
   if (moving && options->onion != NULL)
     qn_build_onion (b);
   if (options->loads)
@@ -203,7 +211,11 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
   b.scene->monochrome = options->monochrome;
   for (size_t i = 0; i < model->vertex_count; i++)
     qn_box_add_point (&b.box, model->vertices[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&b.box, model->nodes[i].at);
   b.block_size = model->characteristic_length;
+  if (model->block_count == 0) /* what follows beams' lengths is no size for symbols */
+    b.block_size = 0.08 * qn_box_diagonal (b.box);
   if (!(b.block_size > 0))
     b.block_size = 0.1 * qn_box_diagonal (b.box);
   b.scene->fineness = 0.7 * b.block_size; /* of a block twice as long as tall */

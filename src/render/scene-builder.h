@@ -20,7 +20,7 @@ typedef struct QnSceneBuilder {
   const QnViewOptions *options;
   size_t step;       /* meaningful with a result */
   QnMotion motion;   /* of the blocks as drawn; scale includes the animation's phase */
-  QnBox box;         /* of the undeformed blocks */
+  QnBox box;         /* of the undeformed blocks and nodes */
   double block_size; /* m, characteristic length of the blocks */
   QnPairResult
     *pairs;        /* at the step, where contact forces are known and wanted; or NULL */
@@ -64,6 +64,12 @@ void qn_build_joints (QnSceneBuilder *builder);
 
 /* scene-forces.c */
 void qn_build_forces (QnSceneBuilder *builder);
+
+/* scene-beams.c */
+void qn_build_beams (QnSceneBuilder *builder);
+
+/* scene-diagrams.c */
+void qn_build_diagrams (QnSceneBuilder *builder);
 
 /* scene-field.c: one colour per block, newly allocated, or NULL where the field is not one of
  * blocks; fields of joints are added as lines. */

@@ -1,5 +1,5 @@
 /* Loads as arrows and overall dimensions. */
-#include "render/scene-builder.h"
+#include "render/scene-beams.h"
 #include "render/text.h"
 
 #include <glib/gi18n-lib.h>
@@ -7,6 +7,9 @@
 /* Largest length of a weight or force arrow in block sizes. */
 #define WEIGHT_ARROW 0.45
 #define FORCE_ARROW  1.4
+
+/* Arrows of a load along a beam, less one. */
+#define LINE_ARROWS 10
 
 /* Most blocks that get an arrow of their own for a load on every block. */
 #define MAX_WEIGHT_ARROWS 20000
@@ -50,7 +53,7 @@ largest_force (const QnLoad *loads, size_t count)
 {
   double largest = 0;
   for (size_t i = 0; i < count; i++)
-    if (loads[i].kind == QN_LOAD_FORCE)
+    if (loads[i].kind == QN_LOAD_FORCE || loads[i].kind == QN_LOAD_NODE)
       largest = fmax (largest, qn_vec2_length (loads[i].vector));
   return largest;
 }
@@ -60,8 +63,13 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
                 QnId index, QnColor color)
 {
   double force = qn_vec2_length (load->vector);
-  QnVec2 at = load->has_at ? load->at : b->model->blocks[load->block].centroid;
-  at = qn_builder_place (b, load->block, at);
+  QnVec2 at;
+  if (load->kind == QN_LOAD_NODE) {
+    at = qn_builder_place_node (b, load->node);
+  } else {
+    at = load->has_at ? load->at : b->model->blocks[load->block].centroid;
+    at = qn_builder_place (b, load->block, at);
+  }
   if (force > 0) {
     double length = FORCE_ARROW * b->block_size * fmax (force / largest, 0.2);
     QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
@@ -92,6 +100,33 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
   }
 }
 
+/* A row of arrows that reach the beam, joined at their tails. */
+static void
+add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
+               QnColor color)
+{
+  const QnBeam *beam = &b->model->beams[load->beam];
+  QnVec2 ends[2] = { qn_builder_place_node (b, beam->nodes[0]),
+                     qn_builder_place_node (b, beam->nodes[1]) };
+  double force = qn_vec2_length (load->vector);
+  if (!(force > 0))
+    return;
+  QnVec2 arrow = qn_vec2_scale (0.6 * b->block_size / force, load->vector);
+  QnVec2 tails[2] = { qn_vec2_sub (ends[0], arrow), qn_vec2_sub (ends[1], arrow) };
+  for (int i = 0; i <= LINE_ARROWS; i++) {
+    double s = (double) i / LINE_ARROWS;
+    qn_scene_arrow (b->scene, QN_LAYER_LOADS, qn_vec2_lerp (tails[0], tails[1], s),
+                    qn_vec2_lerp (ends[0], ends[1], s), QN_WIDTH_ARROW, color, pick,
+                    index, 0);
+  }
+  qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
+  g_autofree char *number = qn_label_number ("%.4g", force / 1000);
+  g_autofree char *text = g_strconcat (number, " kN/m", NULL);
+  qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_lerp (tails[0], tails[1], 0.5),
+                 QN_SIZE_LABEL, text, color)
+    ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
+}
+
 static void
 add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick,
            QnInk ink, const char *name)
@@ -100,8 +135,12 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
   double largest = largest_force (loads, count);
   for (size_t i = 0; i < count; i++) {
     const QnLoad *load = &loads[i];
-    if (load->kind == QN_LOAD_FORCE) {
+    if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE) {
       add_force_load (b, load, largest, pick, (QnId) i, color);
+      continue;
+    }
+    if (load->kind == QN_LOAD_LINE) {
+      add_line_load (b, load, pick, (QnId) i, color);
       continue;
     }
     /* Own weight downwards goes without saying: the legend names it, no arrow is spent. */

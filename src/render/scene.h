@@ -63,7 +63,8 @@ typedef enum {
   QN_PICK_FACE,
   QN_PICK_PAIR,
   QN_PICK_DEAD_LOAD,
-  QN_PICK_LIVE_LOAD
+  QN_PICK_LIVE_LOAD,
+  QN_PICK_BEAM
 } QnPickKind;
 
 typedef struct QnCommand {

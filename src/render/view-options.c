@@ -5,7 +5,13 @@
 static const char *const view_names[QN_VIEW_COUNT] = {
   [QN_VIEW_MODEL] = "model",       [QN_VIEW_CONTACTS] = "contacts",
   [QN_VIEW_DEFORMED] = "deformed", [QN_VIEW_MECHANISM] = "mechanism",
-  [QN_VIEW_FORCES] = "forces",
+  [QN_VIEW_FORCES] = "forces",     [QN_VIEW_DIAGRAMS] = "diagrams",
+};
+
+static const char *const diagram_names[QN_DIAGRAM_COUNT] = {
+  [QN_DIAGRAM_MOMENT] = "M",
+  [QN_DIAGRAM_SHEAR] = "V",
+  [QN_DIAGRAM_NORMAL] = "N",
 };
 
 static const char *const field_names[QN_FIELD_COUNT] = {
@@ -89,4 +95,20 @@ qn_view_switch (QnViewOptions *options, const char *name)
                           &options->titles,     &options->monochrome };
   int i = find_name (qn_view_switches, QN_N_ELEMENTS (flags), name);
   return i >= 0 ? flags[i] : NULL;
+}
+
+bool
+qn_diagram_parse (const char *name, QnDiagram *diagram)
+{
+  int i = find_name (diagram_names, QN_DIAGRAM_COUNT, name);
+  if (i < 0)
+    return false;
+  *diagram = (QnDiagram) i;
+  return true;
+}
+
+const char *
+qn_diagram_name (QnDiagram diagram)
+{
+  return diagram_names[diagram];
 }

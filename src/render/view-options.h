@@ -14,6 +14,7 @@ typedef enum {
   QN_VIEW_DEFORMED,
   QN_VIEW_MECHANISM,
   QN_VIEW_FORCES,
+  QN_VIEW_DIAGRAMS, /* section forces along beams */
   QN_VIEW_COUNT
 } QnView;
 
@@ -31,6 +32,14 @@ typedef enum {
   QN_FIELD_COUNT
 } QnField;
 
+/* Section force that QN_VIEW_DIAGRAMS draws. */
+typedef enum {
+  QN_DIAGRAM_MOMENT,
+  QN_DIAGRAM_SHEAR,
+  QN_DIAGRAM_NORMAL,
+  QN_DIAGRAM_COUNT
+} QnDiagram;
+
 #define QN_STEP_LAST  (-1)
 #define QN_SCALE_AUTO 0.0
 
@@ -46,6 +55,7 @@ typedef struct QnUnderlay {
 typedef struct QnViewOptions {
   QnView view;
   QnField field;
+  QnDiagram diagram;
   int32_t step; /* of result->steps, or QN_STEP_LAST */
   double scale; /* displacements are multiplied by this; or QN_SCALE_AUTO */
   double phase; /* further factor on displacements for animation, 1 = full */
@@ -78,5 +88,9 @@ const char *qn_view_name (QnView view);
 /* "none", "displacement", "displacement-x", …, "sliding". */
 bool qn_field_parse (const char *name, QnField *field);
 const char *qn_field_name (QnField field);
+
+/* "M", "V", "N". */
+bool qn_diagram_parse (const char *name, QnDiagram *diagram);
+const char *qn_diagram_name (QnDiagram diagram);
 
 #endif

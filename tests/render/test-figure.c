@@ -81,7 +81,7 @@ test_nothing_clipped (void)
   for (size_t s = 0; s < G_N_ELEMENTS (shapes); s++) {
     Fixture f;
     fixture_init_wall (&f, shapes[s][0], shapes[s][1]);
-    for (int view = 0; view < QN_VIEW_COUNT; view++) {
+    for (int view = 0; view < QN_VIEW_DIAGRAMS; view++) {
       for (size_t p = 0; p < G_N_ELEMENTS (pages); p++) {
         QnFigure figure;
         qn_figure_init (&figure, &f.model, &f.contacts, &f.result, (QnView) view);

@@ -63,7 +63,7 @@ test_golden (void)
 {
   Fixture f;
   fixture_init_wall (&f, 4, 6);
-  for (int view = 0; view < QN_VIEW_COUNT; view++) {
+  for (int view = 0; view < QN_VIEW_DIAGRAMS; view++) {
     g_autoptr (QnScene) scene = build (&f, (QnView) view);
     QnCamera camera = fit (scene, WIDTH, HEIGHT);
     g_autofree char *name = g_strdup_printf ("cairo-%s", qn_view_name ((QnView) view));
@@ -101,7 +101,7 @@ compare_with_gl (QnOffscreen *offscreen, const Fixture *f, bool antialias)
   GError *error = NULL;
   QnGlRenderer *renderer = qn_gl_renderer_new (&offscreen->gl, &error);
   g_assert_no_error (error);
-  for (int view = 0; view < QN_VIEW_COUNT; view++) {
+  for (int view = 0; view < QN_VIEW_DIAGRAMS; view++) {
     g_autoptr (QnScene) scene = build (f, (QnView) view);
     QnCamera camera = fit (scene, WIDTH, HEIGHT);
     cairo_surface_t *reference = draw (scene, &camera, antialias);

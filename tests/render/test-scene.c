@@ -31,7 +31,7 @@ test_sorted_with_boxes (void)
 {
   Fixture f;
   fixture_init_wall (&f, 4, 5);
-  for (int view = 0; view < QN_VIEW_COUNT; view++) {
+  for (int view = 0; view < QN_VIEW_DIAGRAMS; view++) {
     QnViewOptions options;
     g_autoptr (QnScene) scene = build (&f, (QnView) view, &options);
     g_assert_cmpuint (count_commands (scene, QN_LAYER_BLOCKS, QN_PICK_BLOCK), ==,
