@@ -274,8 +274,8 @@ advance (PathControl *control, QnDiag *diag)
     return qn_diag_no_memory (diag);
   watch_peak (control);
   check_end (control);
-  if (!qn_path_measure_follow (&control->measure, !control->relaxed && !control->jumped))
-    return qn_diag_no_memory (diag);
+  if (!control->relaxed && !control->jumped)
+    qn_path_measure_follow (&control->measure);
   return QN_OK;
 }
 

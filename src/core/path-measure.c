@@ -16,26 +16,21 @@ dot (const double *a, const double *b, int32_t n)
   return sum;
 }
 
-/* direction = K \ F_live, of unit length, in the sense in which the path last moved. A singular
- * tangent leaves the direction as it was. */
+/* direction = K \ F_live, of unit length. A singular tangent leaves it zero. */
 static QnSolveStatus
-follow_tangent (QnPathMeasure *measure, double *rate_length)
+take_tangent (QnPathMeasure *measure, double *rate_length)
 {
   QnEquilibrium *eq = &measure->path->equilibrium;
   int32_t n = eq->assembly.unknown_count;
-  double *rate = eq->trial, along = 0;
+  double *rate = eq->trial;
 
   memcpy (rate, eq->assembly.live, (size_t) n * sizeof *rate);
   QnSolveStatus status = qn_equilibrium_apply_tangent_inverse (eq, rate);
   if (status != QN_SOLVE_CONVERGED)
     return status;
   *rate_length = sqrt (dot (rate, rate, n));
-  for (int32_t i = 0; i < n; i++)
-    along += rate[i] * (eq->u[i] - measure->last_u[i]);
-  /* At the start, what moved so far is due to the dead load and says nothing. */
-  double sense = along < 0 && eq->multiplier != 0 ? -1 : 1;
   for (int32_t i = 0; i<n && * rate_length> 0; i++)
-    measure->direction[i] = sense * rate[i] / *rate_length;
+    measure->direction[i] = rate[i] / *rate_length;
   return QN_SOLVE_CONVERGED;
 }
 
@@ -54,7 +49,7 @@ choose (QnPathMeasure *measure, QnDiag *diag)
     return QN_OK;
   }
 
-  if (follow_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
+  if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
   measure->first = rate_length / settings->increments;
   if (measure->procedure == QN_PROCEDURE_WORK) {
@@ -114,22 +109,19 @@ qn_path_measure_keep_last (QnPathMeasure *measure)
           (size_t) eq->assembly.unknown_count * sizeof *measure->last_u);
 }
 
-bool
-qn_path_measure_follow (QnPathMeasure *measure, bool smooth)
+void
+qn_path_measure_follow (QnPathMeasure *measure)
 {
   const QnEquilibrium *eq = &measure->path->equilibrium;
   int32_t n = eq->assembly.unknown_count;
-  double length = 0, rate_length;
+  double length = 0;
 
   if (measure->procedure != QN_PROCEDURE_ARC_LENGTH)
-    return true;
-  if (!smooth)
-    return follow_tangent (measure, &rate_length) != QN_SOLVE_NO_MEMORY;
+    return;
   for (int32_t i = 0; i < n; i++)
     length = hypot (length, eq->u[i] - measure->last_u[i]);
   for (int32_t i = 0; i < n && length > 0; i++)
     measure->direction[i] = (eq->u[i] - measure->last_u[i]) / length;
-  return true;
 }
 
 double

@@ -30,10 +30,11 @@ void qn_path_measure_clear (QnPathMeasure *measure);
  * starts from. */
 void qn_path_measure_keep_last (QnPathMeasure *measure);
 
-/* Turns the arc into the direction in which the path goes on from the equilibrium just
- * accepted: along the last step, or, where that was no part of a smooth path, along the
- * tangent, in the same sense. False when memory runs out. */
-bool qn_path_measure_follow (QnPathMeasure *measure, bool smooth);
+/* Turns the arc into the direction of the step just accepted, along which the path goes on. Not
+ * to be called after a relaxed step, in which friction may have led the structure round a
+ * corner: an arc that follows every corner, like one along the tangent, ends where it came
+ * from. */
+void qn_path_measure_follow (QnPathMeasure *measure);
 
 /* What is left of the way to the controlled displacement, as a share of this step; infinite
  * where another measure is prescribed. */
