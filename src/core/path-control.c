@@ -14,9 +14,10 @@
 #define EASY   6
 #define GROWTH 1.5
 
-/* Largest step of displacement control, as a multiple of the first; the others have no
- * natural end and grow with the motion. */
-#define LARGEST_STEP 4.0
+/* Largest step of displacement control, as a multiple of the first; largest motion in a step
+ * of another measure, as a part of the characteristic length (or of a radian). */
+#define LARGEST_STEP   4.0
+#define LARGEST_MOTION 0.05
 
 /* To what part a step is cut that fails or jumps; down to which part of the largest one so
  * far; and with which part of it the path goes on afterwards. */
@@ -30,7 +31,7 @@
 
 /* Motion so many times as far as the step before would have it may be a jump; it is one if
  * half of it is left in a step cut to a quarter. */
-#define JUMP       10.0
+#define JUMP       3.0
 #define JUMP_STAYS 0.5
 
 /* A multiplier that holds still while the motion grows so many times is a plateau: collapse,
@@ -107,21 +108,44 @@ attempt (PathControl *control, double *step)
   }
 }
 
-/* A path that is followed until the multiplier is back at zero ends right there. */
+/* A step that passes the end of the path is solved once more, to end right there: at the
+ * controlled displacement, or, without one, at multiplier zero beyond the peak. */
 static QnSolveStatus
-land_on_zero (PathControl *control)
+land (PathControl *control)
 {
   QnEquilibrium *eq = &control->path->equilibrium;
-  const QnTarget zero = qn_target_multiplier (0);
+  const QnPathMeasure *measure = &control->measure;
+  QnTarget target = qn_target_multiplier (0);
+  bool below = measure->unknown == QN_NONE && control->passed_peak && eq->multiplier < 0;
+  bool beyond = measure->procedure != QN_PROCEDURE_DISPLACEMENT
+                && qn_path_measure_is_at_end (measure);
 
-  if (control->measure.unknown != QN_NONE || !control->passed_peak || eq->multiplier >= 0)
+  if (!below && !beyond)
     return QN_SOLVE_CONVERGED;
+  if (beyond)
+    target = (QnTarget){ .direction = measure->unit,
+                         .advance = measure->end - eq->committed.u[measure->unknown] };
   qn_equilibrium_save (eq, &eq->anchor);
-  QnSolveStatus status = qn_equilibrium_newton (eq, &zero, 0, QN_NEWTON_BUDGET);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
   if (status != QN_SOLVE_FAILED)
     return status;
   qn_equilibrium_load (eq, &eq->anchor);
   return QN_SOLVE_CONVERGED;
+}
+
+/* Largest step that may come next: displacement control keeps to the increments that were
+ * asked for; the other measures have no natural end and grow with the motion, in nonlinear
+ * geometry until blocks move or turn by a part of themselves. */
+static double
+largest_next_step (const PathControl *control)
+{
+  const QnAssembly *as = &control->path->equilibrium.assembly;
+
+  if (control->measure.procedure == QN_PROCEDURE_DISPLACEMENT)
+    return LARGEST_STEP * fabs (control->measure.first);
+  if (as->nonlinear && control->pace > 0)
+    return LARGEST_MOTION * as->length / control->pace;
+  return INFINITY;
 }
 
 static void
@@ -134,9 +158,7 @@ choose_next_step (PathControl *control, double step, bool easy)
   control->largest = fmax (control->largest, fabs (step));
   control->step =
     fmax (fabs (easy ? GROWTH * step : step), RESTART_STEP * control->largest);
-  if (control->measure.procedure == QN_PROCEDURE_DISPLACEMENT)
-    control->step = fmin (control->step, LARGEST_STEP * fabs (first));
-  control->step = copysign (control->step, first);
+  control->step = copysign (fmin (control->step, largest_next_step (control)), first);
 }
 
 /* --- Where the path ends ---------------------------------------------------------------- */
@@ -256,7 +278,7 @@ advance (PathControl *control, QnDiag *diag)
   QnSolveStatus status = attempt (control, &step);
   bool easy = control->relaxed || eq->statistics.iterations - before <= EASY;
   if (status == QN_SOLVE_CONVERGED)
-    status = land_on_zero (control);
+    status = land (control);
   if (status == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
   if (status != QN_SOLVE_CONVERGED

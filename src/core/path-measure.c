@@ -74,8 +74,9 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
                               .unknown = QN_NONE,
                               .end = NAN,
                               .direction = qn_alloc (n, sizeof (double)),
+                              .unit = qn_alloc (n, sizeof (double)),
                               .last_u = qn_alloc (n, sizeof (double)) };
-  if (measure->direction == NULL || measure->last_u == NULL) {
+  if (measure->direction == NULL || measure->unit == NULL || measure->last_u == NULL) {
     qn_path_measure_clear (measure);
     return qn_diag_no_memory (diag);
   }
@@ -83,6 +84,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
     bool turns = settings->control_dof == QN_DOF_RZ;
     measure->unknown = as->unknown[QN_DOF_COUNT * body + (size_t) settings->control_dof];
     measure->end = settings->control_target * (turns ? as->length : 1);
+    measure->unit[measure->unknown] = 1;
     if (path->stage > 0)
       measure->start = path->equilibrium.committed.u[measure->unknown];
   }
@@ -96,6 +98,7 @@ void
 qn_path_measure_clear (QnPathMeasure *measure)
 {
   free (measure->direction);
+  free (measure->unit);
   free (measure->last_u);
   *measure = (QnPathMeasure){ 0 };
 }

@@ -17,6 +17,7 @@ typedef struct QnPathMeasure {
                         where a stage begins) and should end; NaN without one */
   double first; /* the first step */
   double *direction;
+  double *unit;   /* direction of the controlled displacement; zero without one */
   double *last_u; /* displacements before the last accepted step */
 } QnPathMeasure;
 

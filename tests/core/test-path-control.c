@@ -59,6 +59,213 @@ test_overturning_in_large_displacements (void)
   qn_model_clear (&model);
 }
 
+/* Followed without a target the path ends where nothing of the load is left: with the diagonal
+ * vertical, to the digit. */
+static void
+test_overturning_until_nothing_is_left (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
+  const double b = 0.4, h = 1, alpha = atan (b / h);
+
+  for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    QnModel model;
+    QnResult result;
+    test_model_init_block_on_plane (&model, b, h);
+    test_model_add_weight_loads (&model, 1);
+    model.laws[0].kn = model.laws[0].ks = 1e9;
+    model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    control (&model, procedures[i], NULL, QN_DOF_UX, 0);
+    run (&model, &result);
+
+    const double *u = qn_result_step_displacements (&result, result.step_count - 1) + 3;
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpint (result.stop, ==, QN_STOP_ZERO);
+    g_assert_cmpfloat_with_epsilon (result.steps[result.step_count - 1].multiplier, 0,
+                                    1e-12);
+    g_assert_cmpfloat_with_epsilon (-u[2], alpha, 1e-3);
+    g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, b / h, 0.004);
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+}
+
+/* --- Snap-through and snap-back --------------------------------------------------------- */
+
+/* Two bars (the centre lines of blocks hinged by single pairs) rise from abutments to a
+ * keystone that moves vertically; a head pushes it down through a soft joint.
+ *
+ *   s = rise left,  d = sqrt (span^2 + s^2),  w = rise - s
+ *   P = 2 k (l - d) s / d          k: the two pairs of a bar in series
+ *   u = w + P / soft               of the head
+ *
+ * P (w) snaps through; u (s) turns back where dP/ds = soft. */
+#define SPAN  1.0
+#define RISE  0.3
+#define DEPTH 0.2
+#define BAR   2.5e7 /* k, N/m */
+#define SOFT  1.5e6 /* N/m */
+#define FORCE 1e5   /* live load, N */
+
+static void
+add_bar (QnModel *model, const char *name, double from, double to)
+{
+  double low = from < to ? 0 : RISE, high = RISE - low;
+  double left = fmin (from, to), right = fmax (from, to);
+  const QnVec2 corners[] = { { left, low - DEPTH / 2 },
+                             { right, high - DEPTH / 2 },
+                             { right, high + DEPTH / 2 },
+                             { left, low + DEPTH / 2 } };
+  QnBlock *bar = qn_model_add_block (model, name, corners, 4);
+  g_assert_nonnull (bar);
+  bar->thickness = 1;
+}
+
+static void
+make_truss (QnModel *model, QnProcedure procedure, double target)
+{
+  const double key = 0.4;
+  test_model_init (model);
+  model->laws[0].kind = QN_LAW_ELASTIC;
+  model->laws[0].kn = model->laws[0].ks = 4 * BAR;
+  QnLaw *soft = qn_model_add_law (model, "soft");
+  g_assert_nonnull (soft);
+  *soft = (QnLaw){ .name = soft->name,
+                   .kind = QN_LAW_ELASTIC,
+                   .basis = QN_BASIS_CONTACT,
+                   .kn = 2 * SOFT,
+                   .ks = 2 * SOFT };
+
+  test_model_add_base (model, -1, -0.5, 1, 1);
+  add_bar (model, "left", 0, SPAN);
+  QnBlock *keystone =
+    test_model_add_rectangle (model, "keystone", SPAN, RISE - DEPTH / 2, key, DEPTH);
+  keystone->support[QN_DOF_UX] = keystone->support[QN_DOF_RZ] = true;
+  add_bar (model, "right", 2 * SPAN + key, SPAN + key);
+  QnBlock *abutment =
+    test_model_add_rectangle (model, "abutment", 2 * SPAN + key, -0.5, 1, 1);
+  abutment->support[QN_DOF_UX] = abutment->support[QN_DOF_UY] = true;
+  abutment->support[QN_DOF_RZ] = true;
+  QnBlock *head = test_model_add_rectangle (model, "head", SPAN + key / 4,
+                                            RISE + DEPTH / 2, key / 2, key);
+  head->support[QN_DOF_UX] = head->support[QN_DOF_RZ] = true;
+  for (size_t b = 0; b < model->block_count; b++)
+    model->blocks[b].unit_weight = 0;
+
+  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 1 };
+  QnFaceOverride *joint = qn_model_add_override (model);
+  joint->block_a = qn_model_find_block (model, "keystone");
+  joint->block_b = qn_model_find_block (model, "head");
+  joint->law = 1;
+  QnLoad *push = qn_model_add_live_load (model);
+  push->kind = QN_LOAD_FORCE;
+  push->block = qn_model_find_block (model, "head");
+  push->vector = qn_vec2 (0, -FORCE);
+  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  model->analysis.increments = 50;
+  control (model, procedure, "head", QN_DOF_UY, target);
+}
+
+/* Every step lies on the curve; returns how often the head turns back from step to step. */
+static int
+check_truss (const QnModel *model, const QnResult *result)
+{
+  size_t key = (size_t) qn_model_find_block (model, "keystone") * QN_DOF_COUNT;
+  size_t head = (size_t) qn_model_find_block (model, "head") * QN_DOF_COUNT;
+  double length = hypot (SPAN, RISE), last = 0;
+  int backwards = 0;
+
+  for (size_t i = 1; i < result->step_count; i++) {
+    const double *u = qn_result_step_displacements (result, i);
+    double s = RISE + u[key + QN_DOF_UY], d = hypot (SPAN, s);
+    double force = 2 * BAR * (length - d) * s / d;
+    g_assert_cmpfloat_with_epsilon (result->steps[i].multiplier * FORCE, force, 1);
+    g_assert_cmpfloat_with_epsilon (-u[head + QN_DOF_UY], RISE - s + force / SOFT, 1e-6);
+    backwards += -u[head + QN_DOF_UY] < last;
+    last = -u[head + QN_DOF_UY];
+  }
+  return backwards;
+}
+
+/* Arc length follows the curve through both turns of the load and both of the head. */
+static void
+test_snap_back_by_arc_length (void)
+{
+  QnModel model;
+  QnResult result;
+  double least = INFINITY, most = -INFINITY;
+  make_truss (&model, QN_PROCEDURE_ARC_LENGTH, -0.65);
+  run (&model, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (result.stop, ==, QN_STOP_DISPLACEMENT);
+  g_assert_cmpint (check_truss (&model, &result), >, 3);
+  for (size_t i = 0; i < result.step_count; i++) {
+    g_assert_cmpint (result.steps[i].event, ==, QN_EVENT_NONE);
+    least = fmin (least, result.steps[i].multiplier);
+    most = fmax (most, result.steps[i].multiplier);
+  }
+  /* Peak and valley: l SPAN^2 = d^3. */
+  double d = cbrt (hypot (SPAN, RISE) * SPAN * SPAN);
+  double peak =
+    2 * BAR * (hypot (SPAN, RISE) / d - 1) * sqrt (d * d - SPAN * SPAN) / FORCE;
+  g_assert_cmpfloat_with_epsilon (most, peak, 0.02 * peak);
+  g_assert_cmpfloat_with_epsilon (least, -peak, 0.02 * peak);
+  g_test_message ("%zu steps, %d factorisations", result.step_count,
+                  result.statistics.factorizations);
+  g_assert_cmpint (result.statistics.factorizations, <, 6 * (int) result.step_count);
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+}
+
+/* Held by its head, the structure jumps where the head would have to turn back. */
+static void
+test_snap_under_held_displacement (void)
+{
+  QnModel model;
+  QnResult result;
+  int jumps = 0;
+  make_truss (&model, QN_PROCEDURE_DISPLACEMENT, -0.65);
+  run (&model, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (check_truss (&model, &result), ==, 0);
+  /* du/ds = 0:  l SPAN^2 / d^3 = 1 + SOFT / 2 k */
+  double d = cbrt (hypot (SPAN, RISE) * SPAN * SPAN / (1 + SOFT / (2 * BAR)));
+  double s = sqrt (d * d - SPAN * SPAN);
+  double turn = RISE - s + 2 * BAR / SOFT * (hypot (SPAN, RISE) / d - 1) * s;
+  size_t head = (size_t) qn_model_find_block (&model, "head") * QN_DOF_COUNT;
+  for (size_t i = 1; i < result.step_count; i++)
+    if (result.steps[i].event == QN_EVENT_SNAP) {
+      jumps++;
+      g_assert_cmpfloat_with_epsilon (
+        -qn_result_step_displacements (&result, i)[head + QN_DOF_UY], turn, 1e-3);
+      g_assert_cmpfloat (result.steps[i].multiplier, <, 0);
+      g_assert_cmpfloat (result.steps[i - 1].multiplier, >, 1);
+    }
+  g_assert_cmpint (jumps, ==, 1);
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+}
+
+/* Asked to stop at limit points, it stops at the peak and not at the turn. */
+static void
+test_stop_at_limit_point (void)
+{
+  QnModel model;
+  QnResult result;
+  make_truss (&model, QN_PROCEDURE_DISPLACEMENT, -0.65);
+  model.analysis.snap = QN_SNAP_STOP;
+  run (&model, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
+  g_assert_cmpint (result.stop, ==, QN_STOP_LIMIT_POINT);
+  g_assert_true (result.has_first_limit_multiplier);
+  g_assert_cmpfloat (result.first_limit_multiplier, >, 2.2);
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+}
+
+/* --- Plateaus, peaks -------------------------------------------------------------------- */
+
 /* Work and arc-length control end on the plateau of a sliding block. */
 static void
 test_plateau (void)
@@ -110,6 +317,12 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/path-control/overturning", test_overturning_in_large_displacements);
+  g_test_add_func ("/path-control/overturning-until-nothing-is-left",
+                   test_overturning_until_nothing_is_left);
+  g_test_add_func ("/path-control/snap-back-by-arc-length", test_snap_back_by_arc_length);
+  g_test_add_func ("/path-control/snap-under-held-displacement",
+                   test_snap_under_held_displacement);
+  g_test_add_func ("/path-control/stop-at-limit-point", test_stop_at_limit_point);
   g_test_add_func ("/path-control/plateau", test_plateau);
   g_test_add_func ("/path-control/peak-of-a-wall", test_peak_of_a_wall);
   return g_test_run ();
