@@ -170,12 +170,14 @@ build (Bar *bar)
   gtk_scale_set_draw_value (GTK_SCALE (bar->slider), FALSE);
   gtk_widget_set_direction (bar->slider, GTK_TEXT_DIR_LTR);
   gtk_widget_set_hexpand (bar->slider, TRUE);
+  gtk_widget_set_size_request (bar->slider, 140, -1);
   gtk_accessible_update_property (GTK_ACCESSIBLE (bar->slider),
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Step"), -1);
   g_signal_connect (bar->slider, "value-changed", G_CALLBACK (on_slider), bar);
 
   bar->step_label = gtk_label_new (NULL);
-  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 30);
+  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 26);
+  gtk_label_set_ellipsize (GTK_LABEL (bar->step_label), PANGO_ELLIPSIZE_END);
   gtk_label_set_xalign (GTK_LABEL (bar->step_label), 0.0f);
   gtk_widget_add_css_class (bar->step_label, "numeric");
 

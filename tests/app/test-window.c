@@ -7,7 +7,9 @@
 
 #include <glib/gstdio.h>
 #include <math.h>
+#include <signal.h>
 #include <string.h>
+#include <unistd.h>
 
 static const QnModel *
 model_of (QnWindow *window)
@@ -35,6 +37,44 @@ test_start (void)
   driver_run (800);
   driver_screenshot (GTK_WIDGET (window), "start");
   driver_discard (window);
+}
+
+/* Seconds of processor time that a process has taken. */
+static double
+processor_seconds (GPid pid)
+{
+  g_autofree char *path = g_strdup_printf ("/proc/%d/stat", (int) pid);
+  g_autofree char *text = NULL;
+  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
+  /* Behind the name in brackets: user and system time are the 12th and 13th field. */
+  g_auto (GStrv) fields = g_strsplit (strrchr (text, ')') + 2, " ", 15);
+  double ticks = g_ascii_strtod (fields[11], NULL) + g_ascii_strtod (fields[12], NULL);
+  return ticks / (double) sysconf (_SC_CLK_TCK);
+}
+
+/* The program itself, from nothing to a window: a second on a machine that does nothing else, so
+ * processor time is judged. */
+static void
+test_startup (void)
+{
+  const char *argv[] = { g_getenv ("QUOIN_WINDOW"), NULL };
+  const char *search[] = { "xdotool", "search", "--sync", "--onlyvisible",
+                           "--class", "quoin",  NULL };
+  GPid pid;
+  int status = -1;
+  gint64 before = g_get_monotonic_time ();
+  g_assert_true (g_spawn_async (NULL, (char **) argv, NULL, G_SPAWN_DO_NOT_REAP_CHILD,
+                                NULL, NULL, &pid, NULL));
+  g_assert_true (g_spawn_sync (NULL, (char **) search, NULL,
+                               G_SPAWN_SEARCH_PATH | G_SPAWN_STDOUT_TO_DEV_NULL, NULL,
+                               NULL, NULL, NULL, &status, NULL));
+  g_assert_cmpint (status, ==, 0);
+  double seconds = processor_seconds (pid);
+  g_test_message ("shown after %.2f s, of them %.2f s of processor time",
+                  1e-6 * (double) (g_get_monotonic_time () - before), seconds);
+  kill (pid, SIGTERM);
+  g_spawn_close_pid (pid);
+  g_assert_cmpfloat (seconds, <, 1.0);
 }
 
 /* Every example opens, without complaint, and shows all of its blocks. */
@@ -479,6 +519,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/window/start", test_start);
+  g_test_add_func ("/app/window/startup", test_startup);
   g_test_add_func ("/app/window/examples", test_examples);
   g_test_add_func ("/app/window/draw", test_draw);
   g_test_add_func ("/app/window/edit", test_edit);

@@ -2,6 +2,7 @@
 #include "doc/edit.h"
 
 #include <glib/gstdio.h>
+#include <malloc.h>
 #include <math.h>
 #include <string.h>
 
@@ -315,6 +316,32 @@ test_explained_failure (void)
     strstr (error->message, qn_document_get_model (document)->blocks[diag->index].name));
 }
 
+static gsize
+bytes_in_use (void)
+{
+  return mallinfo2 ().uordblks;
+}
+
+/* A thousand times back and forth over ten edits of a wall: memory stays what it was. */
+static void
+test_memory (void)
+{
+  QnDocument *document = open_example ("ferris-tin-loi/wall3.quoin");
+  for (int i = 0; i < 10; i++)
+    g_assert_true (change (document, 0.3 + 0.01 * i, NULL));
+  gsize after_warm_up = 0;
+  for (int i = 0; i < 50 + 500; i++) {
+    if (i == 50)
+      after_warm_up = bytes_in_use ();
+    g_assert_true (qn_document_undo (document));
+    g_assert_true (qn_document_redo (document));
+  }
+  gsize end = bytes_in_use ();
+  g_test_message ("%zu bytes in use before, %zu after", after_warm_up, end);
+  g_assert_cmpuint (end, <=, after_warm_up + 65536);
+  g_object_unref (document);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -330,5 +357,6 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/document/restart", test_restart);
   g_test_add_func ("/doc/document/drop-while-running", test_drop_while_running);
   g_test_add_func ("/doc/document/explained-failure", test_explained_failure);
+  g_test_add_func ("/doc/document/memory", test_memory);
   return g_test_run ();
 }
