@@ -24,9 +24,12 @@ wall3 --view mechanism -r "$work/wall3.json" --monochrome -o $out/monochrome.png
 wall3 --view deformed -r "$work/wall3.json" --field displacement --hide symbols -o $out/field.png
 wall3 --view forces -r "$work/wall3.json" --field stress -o $out/stress.png
 "$quoin" render examples/06-arch.quoin --view forces -r "$work/arch.json" --size 900x675 -o $out/thrust.png
+"$quoin" render examples/06-arch.quoin --view forces --step 0 -r "$work/arch.json" --size 900x675 -o $out/thrust-dead.png
 "$quoin" render $walls/wall6.quoin --view mechanism -r "$work/wall6.json" \
   --onion "$work/associative.json" --hide symbols --size 900x675 -o $out/onion.png
-"$quoin" curve $walls/wall3.quoin="$work/wall3.json" --size 900x675 -o $out/curve.png
+"$quoin" solve $walls/wall3.quoin -q --set laws[0].dilatancy=0.65 -o "$work/wall3-associative.json"
+"$quoin" curve $walls/wall3.quoin="$work/wall3.json" $walls/wall3.quoin="$work/wall3-associative.json" \
+  --reference 0.4037="limit analysis" --until 0.12 --size 900x675 -o $out/curve.png
 "$quoin" animate $walls/wall6.quoin -r "$work/wall6.json" -q --frames 36 --size 480x480 -o $out/collapse.gif
 "$quoin" animate $walls/wall3.quoin -r "$work/wall3.json" -q --view deformed --frames 36 --rate 12 \
   --size 720x405 -o $out/path.gif
