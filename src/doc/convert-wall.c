@@ -289,3 +289,23 @@ qn_edit_convert_wall (QnProject *draft, QnId id, GError **error)
   wall->course_count = 0;
   return qn_edit_add_masonry (draft, &masonry, error);
 }
+
+QnId
+qn_model_wall_at (const QnModel *model, QnVec2 at)
+{
+  for (gsize i = model->wall_count; i > 0; i--) {
+    const QnWall *wall = &model->walls[i - 1];
+    double width = 0.0;
+    for (int32_t course = 0, entry = 0; course < wall->course_count; course++) {
+      double length = 0.0;
+      for (; entry < wall->course_ends[course]; entry++)
+        length += fabs (wall->lengths[entry]) * wall->unit.x;
+      width = MAX (width, length);
+    }
+    double height = wall->course_count * wall->unit.y;
+    QnVec2 p = qn_vec2_sub (at, wall->origin);
+    if (p.x >= 0.0 && p.x <= width && p.y >= 0.0 && p.y <= height)
+      return (QnId) (i - 1);
+  }
+  return QN_NONE;
+}

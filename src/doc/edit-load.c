@@ -121,24 +121,3 @@ qn_edit_delete_law (QnModel *model, QnId id, GError **error)
   model->law_count--;
   return TRUE;
 }
-
-gboolean
-qn_edit_override_face (QnModel *model, QnId block_a, QnId block_b,
-                       const QnFaceOverride *override, GError **error)
-{
-  QnFaceOverride *target = NULL;
-  for (gsize i = 0; i < model->override_count; i++) {
-    QnFaceOverride *old = &model->overrides[i];
-    if ((old->block_a == block_a && old->block_b == block_b)
-        || (old->block_a == block_b && old->block_b == block_a))
-      target = old;
-  }
-  if (target == NULL)
-    target = qn_model_add_override (model);
-  if (target == NULL)
-    return qn_edit_no_memory (error);
-  *target = *override;
-  target->block_a = block_a;
-  target->block_b = block_b;
-  return TRUE;
-}

@@ -33,6 +33,9 @@ gboolean qn_edit_transform (QnProject *draft, QnBlockSet set, QnTransform transf
 gboolean qn_edit_copy (QnProject *draft, QnBlockSet set, QnTransform transform,
                        int copies, GError **error);
 
+/* The listed wall whose outline contains the point, the last one first, or QN_NONE. */
+QnId qn_model_wall_at (const QnModel *model, QnVec2 at);
+
 /* Turns a wall that is listed course by course into an object of the same blocks: rectangular
  * gaps become openings that can be moved wherever a like course tells what they took away. */
 gboolean qn_edit_convert_wall (QnProject *draft, QnId wall, GError **error);

@@ -81,51 +81,6 @@ gboolean qn_edit_set_law (QnModel *model, QnBlockSet set, QnId law, GError **err
 gboolean qn_edit_rename_block (QnModel *model, QnId block, const char *name,
                                GError **error);
 
-/* ---- walls (edit-wall.c) ---- */
-
-typedef enum {
-  QN_WALL_BOND_RUNNING, /* courses shifted by half a block */
-  QN_WALL_BOND_STACK,   /* joints above each other */
-  QN_WALL_BOND_THIRD,   /* courses shifted by a third */
-  QN_WALL_BOND_COUNT
-} QnWallBond;
-
-typedef struct QnWallPlan {
-  QnVec2 origin; /* lower left corner, m */
-  double width;  /* m, rounded to whole halves of a block */
-  double height; /* m, rounded to whole courses */
-  QnVec2 unit;   /* block length, course height, m */
-  QnWallBond bond;
-  QnBlockStyle style;
-  bool base; /* lay a fixed block under it, one course high */
-} QnWallPlan;
-
-gboolean qn_edit_add_wall (QnModel *model, const QnWallPlan *plan, GError **error);
-
-/* The same wall laid anew: size, bond and block; its openings are filled. */
-gboolean qn_edit_relay_wall (QnModel *model, QnId wall, const QnWallPlan *plan,
-                             GError **error);
-
-/* Columns and courses of a wall that a rectangle covers, rounded to half blocks and whole
- * courses: what qn_edit_cut_opening() would cut. False outside of the wall. */
-gboolean qn_wall_snap_opening (const QnWall *wall, QnVec2 a, QnVec2 b, QnVec2 *lower_left,
-                               QnVec2 *upper_right);
-
-/* Cuts a rectangular opening between two corners. `lintel`: a single block in the course above
- * spans it with half a block of bearing on either side. */
-gboolean qn_edit_cut_opening (QnModel *model, QnId wall, QnVec2 a, QnVec2 b,
-                              gboolean lintel, GError **error);
-
-/* The opening around a point: a rectangle of missing blocks. */
-gboolean qn_wall_find_opening (const QnWall *wall, QnVec2 at, QnVec2 *lower_left,
-                               QnVec2 *upper_right);
-
-/* Fills the opening around a point with bonded blocks again. */
-gboolean qn_edit_fill_opening (QnModel *model, QnId wall, QnVec2 at, GError **error);
-
-/* The wall whose outline contains the point, or QN_NONE. */
-QnId qn_model_wall_at (const QnModel *model, QnVec2 at);
-
 /* ---- loads, laws (edit-load.c) ---- */
 
 /* A force at a point of a block; `live`: grows with the multiplier. */
@@ -140,10 +95,6 @@ gboolean qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 directio
 /* Adds a law like an existing one under a new name; its number is that of the last law. */
 gboolean qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error);
 gboolean qn_edit_delete_law (QnModel *model, QnId law, GError **error);
-
-/* Law or pair rule of all faces between two blocks. */
-gboolean qn_edit_override_face (QnModel *model, QnId block_a, QnId block_b,
-                                const QnFaceOverride *override, GError **error);
 
 /* ---- for edits (edit-rebuild.c) ---- */
 

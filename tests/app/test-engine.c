@@ -4,6 +4,7 @@
 #include "app/canvas.h"
 #include "app/gl-layer.h"
 #include "app/settings.h"
+#include "doc/edit-masonry.h"
 #include "doc/edit.h"
 #include "driver.h"
 
@@ -78,15 +79,18 @@ test_same_picture (void)
 }
 
 static gboolean
-add_large_wall (QnModel *model, gpointer data, GError **error)
+add_large_wall (QnProject *draft, gpointer data, GError **error)
 {
   (void) data;
-  const QnWallPlan plan = { .width = 40.0,
-                            .height = 17.5,
-                            .unit = { 0.4, 0.175 },
-                            .style = { 1.0, 1e4, QN_NONE, { false } },
-                            .base = true };
-  return qn_edit_add_wall (model, &plan, error);
+  const QnMasonryStyle style = { .unit = { 0.4, 0.175 },
+                                 .lap = 0.5,
+                                 .thickness = 1.0,
+                                 .unit_weight = 1e4,
+                                 .law = QN_NONE,
+                                 .base = TRUE };
+  QnMasonry wall;
+  g_assert_true (qn_plan_wall (&wall, &style, qn_vec2 (0.0, 0.0), qn_vec2 (40.0, 17.5)));
+  return qn_edit_add_masonry (draft, &wall, error);
 }
 
 static QnWindow *
@@ -95,8 +99,8 @@ open_large_wall (void)
   QnWindow *window = driver_open_window (1280, 800);
   g_autoptr (GError) error = NULL;
   driver_activate (window, "win.draw");
-  qn_document_edit (qn_window_get_document (window), "Wall", NULL, add_large_wall, NULL,
-                    &error);
+  qn_document_edit_project (qn_window_get_document (window), "Wall", NULL, add_large_wall,
+                            NULL, &error);
   g_assert_no_error (error);
   driver_activate (window, "win.fit");
   driver_run (600);
