@@ -16,9 +16,10 @@
 #define TICK_SPACING_Y 36.0
 
 typedef struct Axis {
-  double low, high;   /* in displayed units */
+  double low, high;   /* in displayed units, of a logarithmic axis their decades */
   double step, first; /* of the ticks */
-  double start, end;  /* px */
+  bool log;
+  double start, end; /* px */
 } Axis;
 
 typedef struct Plot {
@@ -32,6 +33,8 @@ typedef struct Plot {
 static double
 axis_place (const Axis *axis, double value)
 {
+  if (axis->log)
+    value = log10 (value);
   return axis->start
          + (value - axis->low) / (axis->high - axis->low) * (axis->end - axis->start);
 }
@@ -60,19 +63,44 @@ set_axis (Axis *axis, double low, double high, double length, double spacing)
   axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
 }
 
+/* Ticks at decades, at most so many that they do not touch; ends at the next ninth of one. */
+static void
+set_log_axis (Axis *axis, double low, double high, double length, double spacing)
+{
+  axis->log = true;
+  axis->low = log10 (low) - 0.08;
+  axis->high = fmax (log10 (high) + 0.08, axis->low + 0.3);
+  axis->step = fmax (1, ceil ((axis->high - axis->low) * spacing / fabs (length)));
+  axis->first = ceil (axis->low / axis->step) * axis->step;
+}
+
+/* Whether the point has a place on the axes. */
+static bool
+is_drawn (const QnCurvePlot *data, double x, double y)
+{
+  return isfinite (x) && isfinite (y) && (!data->x_log || x > 0)
+         && (!data->y_log || y > 0);
+}
+
 static void
 data_ranges (const QnCurvePlot *data, QnBox *box)
 {
   *box = QN_BOX_EMPTY;
-  qn_box_add_point (box, qn_vec2 (0, 0));
   for (size_t c = 0; c < data->curve_count; c++)
     for (size_t i = 0; i < data->curves[c].count; i++)
-      if (isfinite (data->curves[c].x[i]) && isfinite (data->curves[c].y[i]))
+      if (is_drawn (data, data->curves[c].x[i], data->curves[c].y[i]))
         qn_box_add_point (box, qn_vec2 (data->curves[c].x[i], data->curves[c].y[i]));
+  if (!(box->min.x <= box->max.x))
+    *box = (QnBox){ { data->x_log, data->y_log }, { data->x_log, data->y_log } };
   for (size_t i = 0; i < data->reference_count; i++)
-    if (isfinite (data->references[i].y))
-      qn_box_add_point (box, qn_vec2 (0, data->references[i].y));
-  if (box->max.y > 0)
+    if (is_drawn (data, 1, data->references[i].y))
+      qn_box_add_point (box, qn_vec2 (box->min.x, data->references[i].y));
+  /* Linear axes begin at 0. */
+  if (!data->x_log)
+    qn_box_add_point (box, qn_vec2 (0, box->min.y));
+  if (!data->y_log)
+    qn_box_add_point (box, qn_vec2 (box->min.x, 0));
+  if (box->max.y > 0 && !data->y_log)
     box->max.y *= 1.04;
 }
 
@@ -83,10 +111,13 @@ set_ink (const Plot *plot, QnInk ink, double alpha)
   cairo_set_source_rgba (plot->cr, c.r / 255.0, c.g / 255.0, c.b / 255.0, alpha);
 }
 
-/* The digits that tell neighbouring ticks apart. */
+/* The digits that tell neighbouring ticks apart; of decades, the power of ten. */
 static char *
-tick_text (double value, double step)
+tick_text (const Axis *axis, double value)
 {
+  double step = axis->step;
+  if (axis->log)
+    return qn_label_number ("%.6g", pow (10, value));
   int digits = (int) fmax (0, -floor (log10 (step) + 1e-9));
   if (fabs (value) < 0.5 * step)
     value = 0;
@@ -110,8 +141,8 @@ draw_ticks (const Plot *plot)
   QnColor ink = qn_ink (QN_INK_LINE, plot->data->monochrome);
   for (double v = plot->x.first; v <= plot->x.high + 1e-9 * plot->x.step;
        v += plot->x.step) {
-    double x = axis_place (&plot->x, v);
-    g_autofree char *text = tick_text (v, plot->x.step);
+    double x = axis_place (&plot->x, plot->x.log ? pow (10, v) : v);
+    g_autofree char *text = tick_text (&plot->x, v);
     cairo_set_line_width (plot->cr, 0.4 * u);
     set_ink (plot, QN_INK_FAINT, 0.35);
     line (plot, x, plot->y.start, x, plot->y.end);
@@ -119,8 +150,8 @@ draw_ticks (const Plot *plot)
   }
   for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
        v += plot->y.step) {
-    double y = axis_place (&plot->y, v);
-    g_autofree char *text = tick_text (v, plot->y.step);
+    double y = axis_place (&plot->y, plot->y.log ? pow (10, v) : v);
+    g_autofree char *text = tick_text (&plot->y, v);
     cairo_set_line_width (plot->cr, 0.4 * u);
     set_ink (plot, QN_INK_FAINT, 0.35);
     line (plot, plot->x.start, y, plot->x.end, y);
@@ -152,10 +183,16 @@ draw_curve (const Plot *plot, size_t index)
   cairo_set_line_join (plot->cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_dash (plot->cr, dashes, is_dashed (plot->data, index) ? 2 : 0, 0);
   for (size_t i = 0; i < curve->count; i++)
-    cairo_line_to (plot->cr, axis_place (&plot->x, curve->x[i] * plot->factor),
-                   axis_place (&plot->y, curve->y[i]));
+    if (is_drawn (plot->data, curve->x[i], curve->y[i]))
+      cairo_line_to (plot->cr, axis_place (&plot->x, curve->x[i] * plot->factor),
+                     axis_place (&plot->y, curve->y[i]));
   cairo_stroke (plot->cr);
   cairo_restore (plot->cr);
+  for (size_t i = 0; i < curve->count && plot->data->points; i++)
+    if (is_drawn (plot->data, curve->x[i], curve->y[i]))
+      qn_draw_cairo_marker (plot->cr, QN_MARKER_DOT,
+                            axis_place (&plot->x, curve->x[i] * plot->factor),
+                            axis_place (&plot->y, curve->y[i]), 4.5 * u, 0, u, c);
 
   const struct {
     ptrdiff_t at;
@@ -245,7 +282,7 @@ tick_width (const Plot *plot)
   for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
        v += plot->y.step) {
     double width, height;
-    g_autofree char *text = tick_text (v, plot->y.step);
+    g_autofree char *text = tick_text (&plot->y, v);
     qn_text_measure (plot->cr, &(QnTextStyle){ .size = TYPE_TICK * plot->unit }, text,
                      &width, &height);
     widest = fmax (widest, width);
@@ -273,9 +310,10 @@ draw_axis_labels (const Plot *plot, const char *unit, double x, double bottom)
   double u = plot->unit;
   QnTextStyle style = { .size = TYPE_LABEL * u };
   QnColor ink = qn_ink (QN_INK_LINE, plot->data->monochrome);
-  g_autofree char *label = g_strdup_printf (
-    "%s (%s)", plot->data->x_label != NULL ? plot->data->x_label : _ ("Displacement"),
-    unit);
+  const char *name =
+    plot->data->x_label != NULL ? plot->data->x_label : _ ("Displacement");
+  g_autofree char *label =
+    *unit != '\0' ? g_strdup_printf ("%s (%s)", name, unit) : g_strdup (name);
   qn_text_draw (plot->cr, &style, label, 0.5 * (plot->x.start + plot->x.end), bottom, 0.5,
                 1, 0, ink);
   qn_text_draw (plot->cr, &style,
@@ -317,11 +355,13 @@ qn_curve_plot_draw (const QnCurvePlot *data, cairo_t *cr, const QnPage *page, do
 
   plot.y.start = bottom - (3.1 * TYPE_TICK + 4) * u;
   plot.y.end = top + 0.6 * TYPE_TICK * u;
-  set_axis (&plot.y, box.min.y, box.max.y, plot.y.start - plot.y.end, TICK_SPACING_Y * u);
+  (data->y_log ? set_log_axis : set_axis) (&plot.y, box.min.y, box.max.y,
+                                           plot.y.start - plot.y.end, TICK_SPACING_Y * u);
   plot.x.start = x + 1.8 * TYPE_LABEL * u + tick_width (&plot) + 5 * u;
   plot.x.end = x + width - 2.2 * TYPE_TICK * u;
-  set_axis (&plot.x, box.min.x * plot.factor, box.max.x * plot.factor,
-            plot.x.end - plot.x.start, TICK_SPACING_X * u);
+  (data->x_log ? set_log_axis : set_axis) (&plot.x, box.min.x * plot.factor,
+                                           box.max.x * plot.factor,
+                                           plot.x.end - plot.x.start, TICK_SPACING_X * u);
   if (plot.y.start > plot.y.end && plot.x.end > plot.x.start) {
     draw_ticks (&plot);
     draw_references (&plot);

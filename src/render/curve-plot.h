@@ -27,9 +27,11 @@ typedef struct QnReferenceLine {
 typedef struct QnCurvePlot {
   const char *title;   /* or NULL */
   const char *x_label; /* without unit, or NULL: "Displacement" */
-  const char *x_unit;  /* unit of x as it is, or NULL: x is in m or rad */
+  const char *x_unit;  /* unit of x as it is, "" for none; NULL: x is in m or rad */
   const char *y_label; /* or NULL: "Load multiplier" */
   bool rotation;       /* x is in rad instead of m */
+  bool x_log, y_log;   /* decades: values that are not positive are left out */
+  bool points;         /* every point of the curves is marked */
   const QnCurve *curves;
   size_t curve_count;
   const QnReferenceLine *references;

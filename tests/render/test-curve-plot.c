@@ -68,7 +68,60 @@ test_odd_data (void)
                          .references = &line,
                          .reference_count = n > 1 ? 1 : 0 };
     export_plot (&plot);
+    plot.x_log = plot.y_log = plot.points = true;
+    export_plot (&plot);
+    plot.x_log = false;
+    export_plot (&plot);
   }
+}
+
+/* Share of dark pixels in the columns of a picture from x0 to x1 of its width. */
+static double
+darkness (cairo_surface_t *surface, double x0, double x1)
+{
+  const int width = cairo_image_surface_get_width (surface);
+  const int height = cairo_image_surface_get_height (surface);
+  const int stride = cairo_image_surface_get_stride (surface);
+  const unsigned char *data = cairo_image_surface_get_data (surface);
+  int dark = 0, all = 0;
+  for (int y = height / 10; y < 8 * height / 10; y++)
+    for (int x = (int) (x0 * width); x < (int) (x1 * width); x++, all++)
+      dark += data[y * stride + 4 * x + 1] < 160;
+  return (double) dark / all;
+}
+
+/* Over decades a power law is a straight line: as much ink at its start as at its end, where
+ * linear axes press most points into one corner and leave the left half of the rest bare. */
+static void
+test_decades (void)
+{
+  double x[31], y[31];
+  for (int i = 0; i <= 30; i++) {
+    x[i] = pow (10, i / 10.0);
+    y[i] = 1e-4 * pow (x[i], 1.5);
+  }
+  QnCurve curve = {
+    .x = x, .y = y, .count = 31, .limit_point = -1, .collapse_point = -1, .dot = -1
+  };
+  QnCurvePlot plot = { .x_unit = "", .curves = &curve, .curve_count = 1, .points = true };
+  double share[2];
+  for (int log = 0; log < 2; log++) {
+    plot.x_log = plot.y_log = log;
+    cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 400, 300);
+    cairo_t *cr = cairo_create (surface);
+    cairo_set_source_rgb (cr, 1, 1, 1);
+    cairo_paint (cr);
+    qn_curve_plot_draw (&plot, cr, &(QnPage){ .width = 400, .height = 300, .unit = 1 }, 0,
+                        0, 400, 300);
+    cairo_destroy (cr);
+    cairo_surface_flush (surface);
+    share[log] = darkness (surface, 0.2, 0.5) / darkness (surface, 0.6, 0.9);
+    cairo_surface_destroy (surface);
+  }
+  g_test_message ("ink left of right: %.2f linear, %.2f logarithmic", share[0], share[1]);
+  g_assert_cmpfloat (share[1], >, 0.7);
+  g_assert_cmpfloat (share[1], <, 1.4);
+  g_assert_cmpfloat (share[0], <, 0.7 * share[1]);
 }
 
 int
@@ -77,5 +130,6 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
   g_test_add_func ("/render/curve-plot/odd-data", test_odd_data);
+  g_test_add_func ("/render/curve-plot/decades", test_decades);
   return g_test_run ();
 }
