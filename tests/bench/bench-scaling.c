@@ -1,12 +1,13 @@
 /* How the parts of the program grow with the structure: walls in running bond and façades with
  * openings, from 200 to 50,000 blocks.
  *
- *   bench-scaling [--clp N] [--path N] [--seconds N] [BLOCKS…]
+ *   bench-scaling [--clp N] [--path N] [--procedure P] [--seconds N] [BLOCKS…]
  *
  * For each: contact detection, beside one factorisation of the elastic stiffness matrix; limit
  * analysis by Quoin and, up to --clp blocks, by Clp (the best of its simplex methods and its
- * barrier); up to --path blocks, the load path to collapse (multiplier tolerance 1e-3). Whatever
- * takes longer than --seconds is stopped; a path then counts with what it has reached. */
+ * barrier); up to --path blocks, the path to collapse (multiplier tolerance 1e-3) by the procedure
+ * load, work or arc-length. Whatever takes longer than --seconds is stopped; a path then counts
+ * with what it has reached. */
 #include "bench/bench.h"
 #include "core/analysis.h"
 #include "core/equilibrium.h"
@@ -22,6 +23,7 @@
 
 static int largest_clp = 800, largest_path = 800;
 static double most_seconds = 300;
+static QnProcedure procedure = QN_PROCEDURE_LOAD;
 
 static BenchChart chart = { .name = "scaling",
                             .title = "Processor time against the number of blocks",
@@ -97,22 +99,15 @@ time_factorization (Case *c)
   qn_equilibrium_clear (&eq);
 }
 
-static bool
-within_time (const QnProgress *progress, void *user_data)
-{
-  (void) progress;
-  return bench_cpu_seconds () < *(double *) user_data;
-}
-
 static void
 time_limit (Case *c)
 {
   QnLimitSolution solution;
   double start = bench_cpu_seconds (), end = start + most_seconds;
   bench_reset_peak ();
-  g_assert_cmpint (
-    qn_limit_associative (&c->model, &c->contacts, within_time, &end, &solution, NULL),
-    ==, QN_OK);
+  g_assert_cmpint (qn_limit_associative (&c->model, &c->contacts, bench_within_time, &end,
+                                         &solution, NULL),
+                   ==, QN_OK);
   c->limit = bench_cpu_seconds () - start;
   c->limit_memory = bench_peak_megabytes ();
   c->limit_factorizations = solution.effort.factorizations;
@@ -126,12 +121,12 @@ time_path (Case *c)
 {
   QnResult result;
   double start = bench_cpu_seconds (), end = start + most_seconds;
-  c->model.analysis.procedure = QN_PROCEDURE_LOAD;
+  c->model.analysis.procedure = procedure;
   c->model.analysis.increments = 10;
   c->model.analysis.multiplier_tolerance = 1e-3;
   bench_reset_peak ();
   g_assert_cmpint (
-    qn_analysis_run (&c->model, &c->contacts, within_time, &end, &result, NULL), ==,
+    qn_analysis_run (&c->model, &c->contacts, bench_within_time, &end, &result, NULL), ==,
     QN_OK);
   c->path = bench_cpu_seconds () - start;
   c->path_memory = bench_peak_megabytes ();
@@ -232,10 +227,13 @@ report_exponents (void)
 int
 main (int argc, char **argv)
 {
+  g_autofree char *procedure_name = NULL;
   const GOptionEntry entries[] = {
     { "clp", 0, 0, G_OPTION_ARG_INT, &largest_clp, "Run Clp up to this size", "N" },
     { "path", 0, 0, G_OPTION_ARG_INT, &largest_path, "Follow the path up to this size",
       "N" },
+    { "procedure", 0, 0, G_OPTION_ARG_STRING, &procedure_name, "How the path is led",
+      "P" },
     { "seconds", 0, 0, G_OPTION_ARG_DOUBLE, &most_seconds, "Time for each part", "N" },
     G_OPTION_ENTRY_NULL,
   };
@@ -247,6 +245,10 @@ main (int argc, char **argv)
     fprintf (stderr, "bench-scaling: %s\n", error->message);
     return 2;
   }
+  if (g_strcmp0 (procedure_name, "work") == 0)
+    procedure = QN_PROCEDURE_WORK;
+  else if (g_strcmp0 (procedure_name, "arc-length") == 0)
+    procedure = QN_PROCEDURE_ARC_LENGTH;
   FILE *csv = bench_csv_open (
     "scaling",
     "kind,blocks,faces,detection s,factorisation s,detection/factorisation,limit "

@@ -19,6 +19,13 @@ bench_cpu_seconds (void)
   return (double) clock () / CLOCKS_PER_SEC;
 }
 
+bool
+bench_within_time (const QnProgress *progress, void *end)
+{
+  (void) progress;
+  return bench_cpu_seconds () < *(const double *) end;
+}
+
 static cholmod_sparse *
 laplacian (int side, cholmod_common *c)
 {

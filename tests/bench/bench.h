@@ -7,11 +7,16 @@
 #ifndef QN_TESTS_BENCH_H
 #define QN_TESTS_BENCH_H
 
+#include "core/progress.h"
+
 #include <glib.h>
 #include <stdio.h>
 
 /* Processor time of this process, s: what other processes do does not count. */
 double bench_cpu_seconds (void);
+
+/* A QnProgressFunc: cancels once bench_cpu_seconds() has passed *end, a double. */
+bool bench_within_time (const QnProgress *progress, void *end);
 
 /* Seconds that the calibration kernel takes here: ordering, factorising (CHOLMOD, simplicial)
  * and solving the five-point Laplacian of a grid of 150 x 150 points, best of five. Times

@@ -1,0 +1,72 @@
+/* What stiffness and offset of the joints do to multiplier and run time of the six walls in
+ * linear geometry: the multiplier should not depend on the first, and it follows the second. */
+#include "bench/bench.h"
+#include "core/analysis.h"
+#include "support/models.h"
+
+#include <locale.h>
+#include <math.h>
+
+static BenchChart chart = { .name = "joints",
+                            .title = "Six walls: processor time against the stiffness of "
+                                     "the joints (kn = ks)",
+                            .x_label = "Stiffness",
+                            .x_unit = "N/m",
+                            .y_label = "Time (s)" };
+
+/* Multipliers with corners rounded by 20 mm, without dilatancy: LMGC90. */
+static const double rounded[TEST_WALL_COUNT] = {
+  0.578, 0.512, 0.321, 0.242, 0.175, 0.219
+};
+
+static void
+run (FILE *csv, int number, double kn, double ratio, double offset, double reference)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+
+  test_model_init_wall (&model, number, 0);
+  model.laws[0].kn = kn;
+  model.laws[0].ks = kn * ratio;
+  model.contact.pairs.offset = offset;
+  model.analysis.increments = 100;
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  double start = bench_cpu_seconds ();
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                   QN_OK);
+  double seconds = bench_cpu_seconds () - start;
+  bench_csv_row (csv, "%d,%g,%g,%g,%s,%.6f,%.3f,%+.3f,%.4f,%.3f,%d", number, kn, ratio,
+                 1e3 * offset, qn_outcome_name (result.outcome),
+                 result.collapse_multiplier, reference,
+                 100 * (result.collapse_multiplier / reference - 1), seconds,
+                 seconds / bench_kernel_seconds (), result.statistics.factorizations);
+  if (ratio == 1 && offset == 0) {
+    g_autofree char *label = g_strdup_printf ("wall %d", number);
+    bench_chart_add (&chart, label, kn, seconds);
+  }
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+int
+main (void)
+{
+  setlocale (LC_ALL, "C.UTF-8");
+  FILE *csv =
+    bench_csv_open ("joints", "wall,kn N/m,ks/kn,offset mm,outcome,multiplier,reference,"
+                              "error %,time s,time/kernel,factorisations");
+  for (int number = 1; number <= TEST_WALL_COUNT; number++) {
+    double published = test_walls[number - 1].non_associative;
+    for (double kn = 1e4; kn < 2e12; kn *= 100)
+      run (csv, number, kn, 1, 0, published);
+    run (csv, number, 1e7, 0.1, 0, published);
+    run (csv, number, 1e7, 10, 0, published);
+    run (csv, number, 1e7, 1, 0.02, rounded[number - 1]);
+  }
+  fclose (csv);
+  bench_chart_write (&chart);
+  return 0;
+}

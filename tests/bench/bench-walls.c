@@ -1,0 +1,120 @@
+/* Run time against error on the six walls of Ferris & Tin-Loi: increments, tolerances, procedures,
+ * with and without going on beyond the first limit point by relaxation.
+ *
+ * With dilatancy = friction the answer is known exactly (linear program); without dilatancy the
+ * reference is the published limit analysis, of three digits. */
+#include "bench/bench.h"
+#include "core/analysis.h"
+#include "support/models.h"
+
+#include <locale.h>
+#include <math.h>
+
+#define FRICTION 0.65
+
+/* A run that takes longer is stopped and counts as cancelled. */
+#define MOST_SECONDS 20
+
+static BenchChart chart = { .name = "walls",
+                            .title = "Six walls, dilatancy = friction: error against "
+                                     "processor time for tolerances 1e-2 to 1e-6",
+                            .x_label = "Time",
+                            .x_unit = "s",
+                            .y_label = "Error (%)" };
+
+/* What a run is asked for. */
+typedef struct Setting {
+  QnProcedure procedure;
+  int increments;
+  double tolerance;
+  QnSnap snap;
+} Setting;
+
+/* The largest multiplier with an equilibrium: that of collapse, or the highest step. */
+static double
+highest_multiplier (const QnResult *result)
+{
+  double highest = result->has_collapse_multiplier ? result->collapse_multiplier : 0;
+  for (size_t i = 0; i < result->step_count; i++)
+    highest = fmax (highest, result->steps[i].multiplier);
+  return highest;
+}
+
+static void
+run (FILE *csv, int number, double dilatancy, const Setting *setting)
+{
+  static const char *const procedures[] = { "load", "displacement", "work", "arc-length",
+                                            "limit" };
+  const TestWall *wall = &test_walls[number - 1];
+  double reference = dilatancy > 0 ? wall->associative : wall->non_associative;
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+
+  test_model_init_wall (&model, number, dilatancy);
+  model.analysis.procedure = setting->procedure;
+  model.analysis.increments = setting->increments;
+  model.analysis.multiplier_tolerance = setting->tolerance;
+  model.analysis.snap = setting->snap;
+  model.analysis.flow = dilatancy > 0 ? QN_FLOW_ASSOCIATIVE : QN_FLOW_NON_ASSOCIATIVE;
+  if (setting->procedure
+      == QN_PROCEDURE_DISPLACEMENT) { /* of the last block of the top */
+    model.analysis.control_block = (QnId) wall->blocks - 1;
+    model.analysis.control_dof = QN_DOF_UX;
+    model.analysis.control_target = 0.5;
+  }
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  double start = bench_cpu_seconds (), end = start + MOST_SECONDS;
+  g_assert_cmpint (
+    qn_analysis_run (&model, &contacts, bench_within_time, &end, &result, NULL), ==,
+    QN_OK);
+  double seconds = bench_cpu_seconds () - start;
+  double value = highest_multiplier (&result), error = 100 * (value / reference - 1);
+  bench_csv_row (csv, "%d,%g,%s,%d,%g,%s,%s,%.6f,%.6f,%+.4f,%.4f,%.3f,%d,%d", number,
+                 dilatancy, procedures[setting->procedure], setting->increments,
+                 setting->tolerance, setting->snap == QN_SNAP_STOP ? "off" : "on",
+                 qn_outcome_name (result.outcome), value, reference, error, seconds,
+                 seconds / bench_kernel_seconds (), result.statistics.iterations,
+                 result.statistics.factorizations);
+  if (dilatancy > 0 && setting->procedure == QN_PROCEDURE_LOAD
+      && setting->increments == 30 && setting->snap == QN_SNAP_JUMP) {
+    g_autofree char *label = g_strdup_printf ("wall %d", number);
+    bench_chart_add (&chart, label, seconds, fabs (error));
+  }
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+int
+main (void)
+{
+  static const Setting settings[] = {
+    { QN_PROCEDURE_LOAD, 30, 1e-2, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 30, 1e-3, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 30, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 30, 1e-5, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 30, 1e-6, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 3, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 10, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 100, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 300, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LOAD, 100, 1e-4, QN_SNAP_STOP },
+    { QN_PROCEDURE_DISPLACEMENT, 100, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_WORK, 100, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_ARC_LENGTH, 100, 1e-4, QN_SNAP_JUMP },
+    { QN_PROCEDURE_LIMIT, 1, 1e-4, QN_SNAP_JUMP },
+  };
+  setlocale (LC_ALL, "C.UTF-8");
+  FILE *csv = bench_csv_open (
+    "walls", "wall,dilatancy,procedure,increments,tolerance,relaxation,outcome,"
+             "multiplier,reference,error %,time s,time/kernel,iterations,factorisations");
+  for (int number = 1; number <= TEST_WALL_COUNT; number++)
+    for (int associative = 0; associative < 2; associative++)
+      for (size_t i = 0; i < G_N_ELEMENTS (settings); i++)
+        run (csv, number, associative * FRICTION, &settings[i]);
+  fclose (csv);
+  bench_chart_write (&chart);
+  return 0;
+}
