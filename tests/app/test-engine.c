@@ -56,7 +56,7 @@ difference (cairo_surface_t *a, cairo_surface_t *b, int most)
 static void
 test_same_picture (void)
 {
-  const char *const names[] = { "07-facade.quoin", "06-arch.quoin" };
+  const char *const names[] = { "12-facade.quoin", "06-arch.quoin" };
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     QnWindow *window = driver_open_example (names[i]);
     set_engine (window, QN_ENGINE_CAIRO);
