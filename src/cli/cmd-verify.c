@@ -287,7 +287,7 @@ const QnSubcommand qn_cmd_verify = {
   .summary = N_ ("Compute the published cases now and compare, as a table"),
   .help =
     N_ ("Groups: walls, associative, closed-forms, members, stages, columns, elastica, "
-        "rocking, vibrations; all of them where none is named. "
+        "rocking, vibrations, branches; all of them where none is named. "
         "The exit code is 1 when a value misses its tolerance."),
   .run = run,
 };

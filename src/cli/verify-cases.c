@@ -1,6 +1,7 @@
 #include "cli/verify-cases.h"
 
 #include "cli/verify-cases-beams.h"
+#include "cli/verify-cases-branch.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -197,6 +198,13 @@ static const QnVerifyGroup groups[] = {
     { NULL },
     vibrations,
     G_N_ELEMENTS (vibrations),
+    FALSE },
+  { "branches",
+    N_ ("Walls with corners rounded by 20 mm, far beyond the peak"),
+    N_ ("LMGC90, second hand"),
+    { NULL },
+    qn_verify_branches,
+    QN_VERIFY_BRANCH_CASES,
     FALSE },
   { "beams",
     N_ ("Beam elements, by themselves and on blocks"),

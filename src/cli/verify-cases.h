@@ -19,7 +19,9 @@ typedef enum {
   QN_VERIFY_MULTIPLIER, /* at the end of stage `number` */
   QN_VERIFY_REACTION,   /* of the support `block`, component `dof`, at the last step */
   QN_VERIFY_CRITICAL,   /* the multiplier at which stability is lost */
-  QN_VERIFY_FREQUENCY   /* of mode `number`, rad/s */
+  QN_VERIFY_FREQUENCY,  /* of mode `number`, rad/s */
+  QN_VERIFY_BRANCH /* the multiplier where the upper right corner of `block` has moved by
+                           `at` m along x for the first time */
 } QnVerifyQuantity;
 
 typedef struct QnVerifyCase {
@@ -34,6 +36,7 @@ typedef struct QnVerifyCase {
   QnDof dof;
   int number;   /* of a stage or mode, from 1; 0: the last step */
   double scale; /* what errors are relative to; 0: the reference */
+  double at;
 } QnVerifyCase;
 
 typedef struct QnVerifyGroup {

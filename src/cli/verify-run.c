@@ -1,5 +1,6 @@
 #include "cli/verify-run.h"
 
+#include "cli/verify-cases-branch.h"
 #include "core/analysis.h"
 #include "core/modal.h"
 #include "core/stability.h"
@@ -33,6 +34,8 @@ read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *resul
 {
   if (test->quantity == QN_VERIFY_COLLAPSE)
     return result->outcome == QN_OUTCOME_COLLAPSE ? result->collapse_multiplier : NAN;
+  if (test->quantity == QN_VERIFY_BRANCH)
+    return qn_verify_read_branch (test, model, result);
   gssize step = find_step (result, test->number);
   if (result->outcome != QN_OUTCOME_TARGET_REACHED || step < 0)
     return NAN;
@@ -87,6 +90,7 @@ qn_verify_run (const QnVerifyCase *test, const QnInput *input, QnProgressFunc pr
   case QN_VERIFY_DISPLACEMENT:
   case QN_VERIFY_MULTIPLIER:
   case QN_VERIFY_REACTION:
+  case QN_VERIFY_BRANCH:
     break;
   }
   status = qn_analysis_run (model, contacts, progress, user_data, result, diag);

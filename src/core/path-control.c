@@ -29,6 +29,9 @@
  * for the same effort. */
 #define NEWTON_STEP (1.0 / 16)
 
+/* A step that cannot be ended right at the end of the path is shortened at least to this part. */
+#define MOST_OF_STEP 0.9
+
 /* Motion so many times as far as the step before would have it may be a jump; it is one if
  * half of it is left in a step cut to a quarter. */
 #define JUMP       3.0
@@ -108,29 +111,46 @@ attempt (PathControl *control, double *step)
   }
 }
 
-/* A step that passes the end of the path is solved once more, to end right there: at the
- * controlled displacement, or, without one, at multiplier zero beyond the peak. */
+/* What part of the step leads to the end of the path: to the controlled displacement, or,
+ * without one, to multiplier zero beyond the peak. More than 1 where it does not pass it. */
+static double
+share_to_end (const PathControl *control)
+{
+  const QnEquilibrium *eq = &control->path->equilibrium;
+  const QnPathMeasure *measure = &control->measure;
+  double before = eq->committed.multiplier;
+
+  if (measure->procedure == QN_PROCEDURE_DISPLACEMENT)
+    return INFINITY;
+  if (measure->unknown != QN_NONE) {
+    double start = eq->committed.u[measure->unknown];
+    return qn_path_measure_is_at_end (measure)
+             ? (measure->end - start) / (eq->u[measure->unknown] - start)
+             : INFINITY;
+  }
+  return control->passed_peak && eq->multiplier < 0 ? before / (before - eq->multiplier)
+                                                    : INFINITY;
+}
+
+/* A step that passes the end of the path is solved once more, to end right there; FAILED
+ * where that takes a shorter step. */
 static QnSolveStatus
 land (PathControl *control)
 {
   QnEquilibrium *eq = &control->path->equilibrium;
   const QnPathMeasure *measure = &control->measure;
   QnTarget target = qn_target_multiplier (0);
-  bool below = measure->unknown == QN_NONE && control->passed_peak && eq->multiplier < 0;
-  bool beyond = measure->procedure != QN_PROCEDURE_DISPLACEMENT
-                && qn_path_measure_is_at_end (measure);
 
-  if (!below && !beyond)
+  if (!(share_to_end (control) < 1))
     return QN_SOLVE_CONVERGED;
-  if (beyond)
+  if (measure->unknown != QN_NONE)
     target = (QnTarget){ .direction = measure->unit,
                          .advance = measure->end - eq->committed.u[measure->unknown] };
   qn_equilibrium_save (eq, &eq->anchor);
   QnSolveStatus status = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
-  if (status != QN_SOLVE_FAILED)
-    return status;
-  qn_equilibrium_load (eq, &eq->anchor);
-  return QN_SOLVE_CONVERGED;
+  if (status == QN_SOLVE_FAILED)
+    qn_equilibrium_load (eq, &eq->anchor);
+  return status;
 }
 
 /* Largest step that may come next: displacement control keeps to the increments that were
@@ -277,8 +297,16 @@ advance (PathControl *control, QnDiag *diag)
     step *= share;
   QnSolveStatus status = attempt (control, &step);
   bool easy = control->relaxed || eq->statistics.iterations - before <= EASY;
-  if (status == QN_SOLVE_CONVERGED)
+  if (status == QN_SOLVE_CONVERGED) {
     status = land (control);
+    if (status == QN_SOLVE_FAILED && fabs (step) > SMALLEST_STEP * control->largest) {
+      control->step = step * fmin (share_to_end (control), MOST_OF_STEP);
+      qn_equilibrium_restore (eq);
+      return QN_OK;
+    }
+    if (status == QN_SOLVE_FAILED)
+      status = QN_SOLVE_CONVERGED;
+  }
   if (status == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
   if (status != QN_SOLVE_CONVERGED
