@@ -2,6 +2,7 @@
 
 #include "app/settings.h"
 #include "doc/magnet.h"
+#include "io/table-csv.h"
 #include "render/curve-plot.h"
 
 #include <glib/gi18n.h>
@@ -73,6 +74,15 @@ update_description (QnCurveView *self, const QnRun *run)
     GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text != NULL ? text : _ ("No result yet"), -1);
 }
 
+/* The controlled block, or node behind the blocks. */
+static QnId
+controlled_body (const QnModel *model)
+{
+  size_t body = qn_model_controlled_body (model, model->analysis.control_block,
+                                          model->analysis.control_node);
+  return body != SIZE_MAX ? (QnId) body : QN_NONE;
+}
+
 static void
 update (QnCurveView *self)
 {
@@ -87,7 +97,7 @@ update (QnCurveView *self)
     take_live_curve (self, job);
   else if (run != NULL && run->result.step_count > 0
            && !qn_curve_from_result (
-             &self->curve, &run->result, run->model.analysis.control_block,
+             &self->curve, &run->result, controlled_body (&run->model),
              run->model.analysis.control_dof, &self->block, &self->dof))
     self->curve = (QnCurve){ 0 };
   update_range (self);
@@ -206,7 +216,7 @@ draw_x_label (QnCurveView *self, cairo_t *cr)
     return;
   QnQuantity quantity = self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
   g_autofree char *text = g_strdup_printf (
-    "%s, %s (%s)", components[self->dof], run->model.blocks[self->block].name,
+    "%s, %s (%s)", components[self->dof], qn_result_body_name (&run->model, self->block),
     qn_units_symbol (qn_settings_get_units (), quantity));
   draw_text (self, cr, text, x, y, 0.5, FALSE);
 }

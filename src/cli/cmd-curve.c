@@ -23,7 +23,9 @@ typedef struct Options {
 static QnDof
 choose_dof (const QnModel *model, const QnResult *result, QnId block)
 {
-  if (model->analysis.control_block == block)
+  if (qn_model_controlled_body (model, model->analysis.control_block,
+                                model->analysis.control_node)
+      == (size_t) block)
     return model->analysis.control_dof;
   const double *u = qn_result_step_displacements (result, result->step_count - 1)
                     + (size_t) block * QN_DOF_COUNT;

@@ -16,11 +16,13 @@ is_free (const QnBlock *block)
 QnId
 qn_result_curve_block (const QnModel *model, const QnResult *result)
 {
-  if (model->analysis.control_block != QN_NONE || result->step_count == 0)
-    return model->analysis.control_block;
+  size_t controlled = qn_model_controlled_body (model, model->analysis.control_block,
+                                                model->analysis.control_node);
+  if (controlled != SIZE_MAX || result->step_count == 0)
+    return controlled != SIZE_MAX ? (QnId) controlled : QN_NONE;
 
   const double *last = qn_result_step_displacements (result, result->step_count - 1);
-  QnId furthest = QN_NONE;
+  QnId furthest = QN_NONE, node = QN_NONE;
   double distance = -1;
   for (size_t i = 0; i < result->block_count; i++) {
     double moved = hypot (last[i * QN_DOF_COUNT], last[i * QN_DOF_COUNT + 1]);
@@ -29,7 +31,23 @@ qn_result_curve_block (const QnModel *model, const QnResult *result)
       furthest = (QnId) i;
     }
   }
-  return furthest;
+  for (size_t i = result->block_count;
+       furthest == QN_NONE && i < qn_result_body_count (result); i++) {
+    double moved = hypot (last[i * QN_DOF_COUNT], last[i * QN_DOF_COUNT + 1]);
+    if (moved > distance) {
+      distance = moved;
+      node = (QnId) i;
+    }
+  }
+  return furthest != QN_NONE ? furthest : node;
+}
+
+const char *
+qn_result_body_name (const QnModel *model, QnId body)
+{
+  return (size_t) body < model->block_count
+           ? model->blocks[body].name
+           : model->nodes[(size_t) body - model->block_count].name;
 }
 
 /* A field of text: in quotes where it would be taken for several. `suffix` belongs to it. */
@@ -105,7 +123,7 @@ write_curve_head (QnFileWriter *writer, const QnModel *model, const QnResult *re
   qn_file_writer_puts (writer, "step,multiplier [-]");
   for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
     qn_file_writer_puts (writer, ",");
-    write_text (writer, model->blocks[block].name, columns[dof]);
+    write_text (writer, qn_result_body_name (model, block), columns[dof]);
   }
   qn_file_writer_puts (writer, ",iterations,residual [-],event");
   if (model->stage_count > 0)
@@ -169,6 +187,14 @@ qn_displacements_csv_write (const char *path, const QnProject *project,
     write_text (writer, block->name, "");
     write_numbers (writer, (const double[]){ block->centroid.x, block->centroid.y }, 2);
     write_numbers (writer, displacements + i * QN_DOF_COUNT, QN_DOF_COUNT);
+    qn_file_writer_puts (writer, "\n");
+  }
+  for (size_t i = 0; i < result->node_count; i++) {
+    const QnNode *node = &project->model.nodes[i];
+    write_text (writer, node->name, "");
+    write_numbers (writer, (const double[]){ node->at.x, node->at.y }, 2);
+    write_numbers (writer, displacements + (result->block_count + i) * QN_DOF_COUNT,
+                   QN_DOF_COUNT);
     qn_file_writer_puts (writer, "\n");
   }
   return qn_file_writer_commit (writer, error);

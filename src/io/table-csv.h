@@ -6,9 +6,13 @@
 #include "io/project.h"
 
 /* The block whose displacement a load–displacement curve shows: the analysis' control block if
- * it has one, otherwise the free block that moves furthest at the last step. QN_NONE for a
- * result without steps. */
+ * it has one, otherwise the free block that moves furthest at the last step. A node of beams,
+ * where the analysis controls one or there are no blocks, counts behind the blocks. QN_NONE for
+ * a result without steps. */
 QnId qn_result_curve_block (const QnModel *model, const QnResult *result);
+
+/* Name of a block or, behind the blocks, of a node of beams. */
+const char *qn_result_body_name (const QnModel *model, QnId body);
 
 /* Load–displacement curve, a row per step: step number, multiplier, displacements of the block
  * of qn_result_curve_block(), iterations, residual, event. */

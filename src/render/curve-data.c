@@ -11,7 +11,10 @@ find_busiest (const QnResult *result, QnId *block, QnDof *dof)
 {
   const double *u = qn_result_step_displacements (result, result->step_count - 1);
   double largest = -1;
-  for (size_t b = 0; b < result->block_count; b++) {
+  /* Nodes of beams count where there are no blocks. */
+  size_t bodies =
+    result->block_count > 0 ? result->block_count : qn_result_body_count (result);
+  for (size_t b = 0; b < bodies; b++) {
     for (int k = QN_DOF_UX; k <= QN_DOF_UY; k++) {
       double size = fabs (u[b * QN_DOF_COUNT + k]);
       if (size > largest) {
@@ -54,15 +57,15 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof 
                       QnId *block_used, QnDof *dof_used)
 {
   *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
-  if (result->step_count > 0 && result->block_count > 0
-      && (block == QN_NONE || (size_t) block >= result->block_count))
+  if (result->step_count > 0 && qn_result_body_count (result) > 0
+      && (block == QN_NONE || (size_t) block >= qn_result_body_count (result)))
     find_busiest (result, &block, &dof);
   if (block_used != NULL)
     *block_used = block;
   if (dof_used != NULL)
     *dof_used = dof;
 
-  size_t count = result->block_count > 0 ? result->step_count : 0;
+  size_t count = qn_result_body_count (result) > 0 ? result->step_count : 0;
   curve->x = g_try_new0 (double, MAX (count, 1));
   curve->y = g_try_new0 (double, MAX (count, 1));
   if (curve->x == NULL || curve->y == NULL) {

@@ -33,6 +33,19 @@ static char *result_path;
 /* Overrides take the way through the tree of the document. */
 static const char *const load_path[] = { "analysis.snap=jump", "view.zoom=[1, 2]",
                                          "laws[0].cohesion=0", NULL };
+/* A post on a block of the wall, held by a hinged stay. */
+static const char *const beams[] = {
+  "sections=[{\"name\": \"s\", \"young\": 1e9, \"width\": 0.1, \"height\": 0.1,"
+  " \"yield\": 1e7}]",
+  "nodes=[{\"name\": \"foot\", \"block\": \"w.2.1\", \"side\": \"top\"},"
+  " {\"name\": \"head\", \"at\": [0.1, 1]},"
+  " {\"name\": \"far\", \"at\": [-1, 0], \"support\": [true, true, false]}]",
+  "beams=[{\"name\": \"post\", \"nodes\": [\"foot\", \"head\"], \"section\": \"s\","
+  " \"elements\": 2},"
+  " {\"name\": \"stay\", \"nodes\": [\"head\", \"far\"], \"section\": \"s\","
+  " \"hinges\": [true, true]}]",
+  NULL
+};
 static const char *const limit[] = { "analysis.procedure=limit", NULL };
 static const char *const fixed_points[] = { "analysis.procedure=limit",
                                             "analysis.flow=non-associative", NULL };
@@ -146,6 +159,9 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_data_func ("/verify/out-of-memory/path/one", load_path, test_one_fails);
   g_test_add_data_func ("/verify/out-of-memory/path/onwards", load_path,
+                        test_all_fail_from_one_on);
+  g_test_add_data_func ("/verify/out-of-memory/beams/one", beams, test_one_fails);
+  g_test_add_data_func ("/verify/out-of-memory/beams/onwards", beams,
                         test_all_fail_from_one_on);
   g_test_add_data_func ("/verify/out-of-memory/limit/one", limit, test_one_fails);
   g_test_add_data_func ("/verify/out-of-memory/limit/onwards", limit,
