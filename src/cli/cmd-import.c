@@ -82,6 +82,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "layer", 0, 0, G_OPTION_ARG_STRING_ARRAY, &settings->layers,
       N_ ("What a layer holds: block, support, opening or ignored"), N_ ("NAME=ROLE") },
     { "tolerance", 0, 0, G_OPTION_ARG_DOUBLE, &settings->tolerance,
+      /* xgettext:no-c-format */
       N_ ("Gaps up to this are closed, m (0.2 % of a block)"), N_ ("LENGTH") },
     { "thickness", 0, 0, G_OPTION_ARG_DOUBLE, &settings->thickness,
       N_ ("Thickness of the blocks, m (1)"), N_ ("LENGTH") },
