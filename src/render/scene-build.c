@@ -114,6 +114,15 @@ check (QnSceneBuilder *b, GError **error)
   return choose_step (b, error) && (!wants_result || forces_fit (b, error));
 }
 
+/* Whether forces balance where the blocks have moved to, and are drawn there. */
+static bool
+forces_act_displaced (const QnSceneBuilder *b)
+{
+  return b->options->view == QN_VIEW_FORCES && b->result != NULL
+         && b->result->step_count > 0 && !b->result->limit.given
+         && b->model->analysis.geometry != QN_GEOMETRY_LINEAR;
+}
+
 /* The displacements that the view shows, at the factor asked for. */
 static void
 choose_motion (QnSceneBuilder *b)
@@ -126,6 +135,11 @@ choose_motion (QnSceneBuilder *b)
     b->motion.displacements = qn_result_step_displacements (b->result, b->step);
     b->motion.linear = b->model->analysis.geometry == QN_GEOMETRY_LINEAR;
   } else {
+    if (forces_act_displaced (b)) {
+      b->motion.displacements = qn_result_step_displacements (b->result, b->step);
+      b->motion.linear = false;
+      b->motion.scale = 1;
+    }
     return;
   }
   double scale = options->scale;
@@ -152,7 +166,8 @@ find_pairs (QnSceneBuilder *b)
 static void
 find_joints (QnSceneBuilder *b)
 {
-  if (b->motion.displacements == NULL || b->contacts == NULL)
+  if (b->motion.displacements == NULL || b->contacts == NULL
+      || b->options->view == QN_VIEW_FORCES)
     return;
   if (b->options->view == QN_VIEW_MECHANISM) {
     b->joints =
@@ -166,7 +181,7 @@ static void
 build_view (QnSceneBuilder *b)
 {
   const QnViewOptions *options = b->options;
-  bool moving = b->motion.displacements != NULL;
+  bool moving = b->motion.displacements != NULL && options->view != QN_VIEW_FORCES;
 
   qn_build_underlay (b);
   if (moving && options->ghost)

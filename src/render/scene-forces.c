@@ -1,5 +1,6 @@
 /* Contact forces: a thin line for every pair, the resultant of every face as a bar on its
- * line of action. The bars of a course join up to the line of thrust. */
+ * line of action. The bars of a course join up to the line of thrust. In nonlinear geometry all
+ * of it is drawn where the blocks have moved to, at factor 1. */
 #include "render/scene-builder.h"
 #include "render/text.h"
 
@@ -16,11 +17,28 @@ typedef struct FaceForce {
   QnVec2 at;    /* where the normal resultant acts, m */
 } FaceForce;
 
+/* Where a point of a joint is, half-way between its two sides. */
 static QnVec2
-pair_force (const QnContactFace *face, const QnPairResult *pair)
+joint_place (const QnSceneBuilder *b, const QnContactFace *face, QnVec2 p)
 {
-  return qn_vec2_add (qn_vec2_scale (pair->normal_force, face->normal),
-                      qn_vec2_scale (pair->shear_force, face->tangent));
+  return qn_vec2_lerp (qn_builder_place (b, face->a, p), qn_builder_place (b, face->b, p),
+                       0.5);
+}
+
+/* A force by its parts along the frame of the joint, which turns with its blocks. */
+static QnVec2
+joint_force (const QnSceneBuilder *b, const QnContactFace *face, double normal,
+             double shear)
+{
+  QnVec2 force = qn_vec2_add (qn_vec2_scale (normal, face->normal),
+                              qn_vec2_scale (shear, face->tangent));
+  const double *u = b->motion.displacements;
+  if (u == NULL)
+    return force;
+  double turn = 0.5
+                * (u[(size_t) face->a * QN_DOF_COUNT + QN_DOF_RZ]
+                   + u[(size_t) face->b * QN_DOF_COUNT + QN_DOF_RZ]);
+  return qn_vec2_rotate (force, cos (turn), sin (turn));
 }
 
 /* Share of the normal forces that is left of them in their resultant: below, it is bending with
@@ -43,11 +61,10 @@ face_resultant (const QnSceneBuilder *b, const QnContactFace *face)
   bool bending = !(fabs (normal) > BENDING_SHARE * total);
   double s = bending ? 0.5 * face->length : moment / normal;
   s = fmin (fmax (s, 0), face->length);
-  return (FaceForce){
-    .force = qn_vec2_add (qn_vec2_scale (normal, face->normal),
-                          qn_vec2_scale (shear, face->tangent)),
-    .at = qn_vec2_lerp (face->start, face->end, face->length > 0 ? s / face->length : 0),
-  };
+  QnVec2 at =
+    qn_vec2_lerp (face->start, face->end, face->length > 0 ? s / face->length : 0);
+  return (FaceForce){ .force = joint_force (b, face, normal, shear),
+                      .at = joint_place (b, face, at) };
 }
 
 static void
@@ -57,10 +74,11 @@ add_pair_forces (QnSceneBuilder *b, const QnContactFace *face, double per_newton
   QnColor color = qn_builder_ink (b, QN_INK_FAINT);
   for (int32_t k = 0; k < face->pair_count; k++) {
     QnId index = face->first_pair + k;
-    QnVec2 force = pair_force (face, &b->pairs[index]);
+    QnVec2 force =
+      joint_force (b, face, b->pairs[index].normal_force, b->pairs[index].shear_force);
     if (qn_vec2_length (force) < least)
       continue;
-    QnVec2 at = b->contacts->pairs[index].point;
+    QnVec2 at = joint_place (b, face, b->contacts->pairs[index].point);
     QnVec2 tail = qn_vec2_add_scaled (at, -per_newton, force);
     qn_scene_arrow (b->scene, QN_LAYER_FORCES, tail, at, 0.5, color, QN_PICK_PAIR, index,
                     qn_vec2_length (force) * per_newton);

@@ -209,8 +209,11 @@ qn_build_dimensions (QnSceneBuilder *b)
     return;
   QnVec2 low = b->box.min, high = b->box.max;
   double gap = 0.045 * qn_box_diagonal (b->box);
-  add_dimension (b, qn_vec2 (low.x, low.y - gap), qn_vec2 (high.x, low.y - gap), low,
-                 qn_vec2 (high.x, low.y), 0);
-  add_dimension (b, qn_vec2 (low.x - gap, low.y), qn_vec2 (low.x - gap, high.y), low,
-                 qn_vec2 (low.x, high.y), G_PI / 2);
+  /* A line of beams has no height. */
+  if (high.x > low.x)
+    add_dimension (b, qn_vec2 (low.x, low.y - gap), qn_vec2 (high.x, low.y - gap), low,
+                   qn_vec2 (high.x, low.y), 0);
+  if (high.y > low.y)
+    add_dimension (b, qn_vec2 (low.x - gap, low.y), qn_vec2 (low.x - gap, high.y), low,
+                   qn_vec2 (low.x, high.y), G_PI / 2);
 }

@@ -1,12 +1,16 @@
 #include "render/text.h"
 
 #include <pango/pangocairo.h>
+#include <string.h>
 
 char *
 qn_label_number (const char *format, double value)
 {
   char buffer[G_ASCII_DTOSTR_BUF_SIZE];
-  return g_strdup (g_ascii_formatd (buffer, sizeof buffer, format, value));
+  g_ascii_formatd (buffer, sizeof buffer, format, value);
+  /* What rounds to nothing has no sign. */
+  bool nothing = buffer[0] == '-' && strpbrk (buffer, "123456789n") == NULL;
+  return g_strdup (nothing ? buffer + 1 : buffer);
 }
 
 /* A layout whose lines do not depend on the surface: no hinting, no rounding to pixels. */

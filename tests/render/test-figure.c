@@ -1,5 +1,6 @@
 #include "render/figure.h"
 #include "render/fixture.h"
+#include "render/text.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -132,6 +133,27 @@ test_failed_export_leaves_nothing (void)
   g_assert_cmpint (g_rmdir (folder), ==, 0);
 }
 
+/* What rounds to nothing has no sign. */
+static void
+test_label_numbers (void)
+{
+  static const struct {
+    const char *format;
+    double value;
+    const char *text;
+  } cases[] = {
+    { "%.4f", -1e-9, "0.0000" },
+    { "%.4f", -0.00006, "-0.0001" },
+    { "%g", -0.0, "0" },
+    { "%.5g", 12.5, "12.5" },
+    { "%g", -(double) INFINITY, "-inf" },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text = qn_label_number (cases[i].format, cases[i].value);
+    g_assert_cmpstr (text, ==, cases[i].text);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -139,5 +161,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/figure/nothing-clipped", test_nothing_clipped);
   g_test_add_func ("/render/figure/multiplier", test_multiplier);
   g_test_add_func ("/render/figure/failed-export", test_failed_export_leaves_nothing);
+  g_test_add_func ("/render/figure/label-numbers", test_label_numbers);
   return g_test_run ();
 }

@@ -50,6 +50,48 @@ test_sorted_with_boxes (void)
   fixture_clear (&f);
 }
 
+/* Direction of the bar of the only resultant. */
+static double
+bar_angle (const Fixture *f)
+{
+  QnViewOptions options;
+  g_autoptr (QnScene) scene = build (f, QN_VIEW_FORCES, &options);
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    const QnVec2 *p = qn_scene_points (scene, command);
+    if (command->layer == QN_LAYER_FORCES && command->pick == QN_PICK_FACE
+        && command->kind == QN_COMMAND_STROKE)
+      return atan2 (p[1].y - p[0].y, p[1].x - p[0].x);
+  }
+  g_assert_not_reached ();
+}
+
+/* In nonlinear geometry forces turn with the frames of their joints, by half of what the one
+ * block turns, and are drawn where the blocks have moved to. */
+static void
+test_forces_of_nonlinear_geometry (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_block (&f, 0.5, 1.5);
+  double *u = f.result.displacements + 6 * (f.result.step_count - 1);
+  u[3] = u[4] = 0;
+  u[5] = 0.3;
+  double linear = bar_angle (&f);
+  f.model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  g_assert_cmpfloat_with_epsilon (bar_angle (&f), linear + 0.15, 1e-9);
+
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_FORCES, &options);
+  double top = -G_MAXDOUBLE;
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->layer == QN_LAYER_BLOCKS)
+      top = fmax (top, command->box.max.y);
+  }
+  g_assert_cmpfloat_with_epsilon (top, 0.75 + 0.75 * cos (0.3) + 0.25 * sin (0.3), 1e-9);
+  fixture_clear (&f);
+}
+
 static void
 test_contacts_are_all_there (void)
 {
@@ -214,5 +256,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/scene/culling", test_culling);
   g_test_add_func ("/render/scene/culling-large", test_culling_large);
   g_test_add_func ("/render/scene/picking", test_picking);
+  g_test_add_func ("/render/scene/nonlinear-forces", test_forces_of_nonlinear_geometry);
   return g_test_run ();
 }
