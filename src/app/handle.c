@@ -143,6 +143,15 @@ qn_handle_find (QnCanvas *canvas, QnVec2 screen, QnGrip *grip)
   return found;
 }
 
+void
+qn_handle_begin (QnCanvas *canvas, QnGrip grip)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  gesture->from = gesture->to = grip.at;
+  gesture->grip = grip;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
 /* ---- drawing ---- */
 
 static void

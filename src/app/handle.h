@@ -9,6 +9,9 @@
 /* The handle at a place of the screen; FALSE where there is none. */
 gboolean qn_handle_find (QnCanvas *canvas, QnVec2 screen, QnGrip *grip);
 
+/* Begins to drag it. */
+void qn_handle_begin (QnCanvas *canvas, QnGrip grip);
+
 /* Handles of what is selected. */
 void qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr);
 

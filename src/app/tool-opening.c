@@ -1,6 +1,7 @@
 /* Opening: a rectangle dragged on a wall becomes a window or door that can be moved and changed; a
  * click with Shift fills it again. */
 #include "app/gesture.h"
+#include "app/handle.h"
 
 #include "doc/edit-masonry.h"
 #include "doc/masonry-shape.h"
@@ -126,20 +127,65 @@ fill_at (QnCanvas *canvas, QnVec2 at)
   qn_canvas_edit_project (canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
 }
 
+/* ---- the one that is selected, by its handles ---- */
+
+static gboolean
+has_opening (QnCanvas *canvas)
+{
+  QnId object;
+  int opening;
+  return qn_selection_get_opening (qn_canvas_get_selection (canvas), &object, &opening);
+}
+
+static gboolean
+drags_handle (QnCanvas *canvas)
+{
+  return qn_canvas_get_gesture (canvas)->grip.kind != QN_GRIP_NONE;
+}
+
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
+  QnGrip grip;
   if (event->modifiers & GDK_SHIFT_MASK)
     fill_at (canvas, event->model);
-  else
+  else if (!qn_canvas_is_in_gesture (canvas) && has_opening (canvas)
+           && qn_handle_find (canvas, event->screen, &grip)) {
+    qn_canvas_get_gesture (canvas)->from_screen = event->screen;
+    qn_handle_begin (canvas, grip);
+  } else
     qn_gesture_press (canvas, event);
+}
+
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  if (!drags_handle (canvas))
+    qn_gesture_release (canvas, event);
+  else if (qn_canvas_is_drag (canvas, event))
+    qn_handle_finish (canvas);
+  else
+    qn_canvas_set_in_gesture (canvas, FALSE);
+}
+
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  return !drags_handle (canvas) && qn_gesture_rectangle_numbers (canvas, values, count);
 }
 
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  if (!qn_canvas_is_in_gesture (canvas))
+  if (!qn_canvas_is_in_gesture (canvas)) {
+    if (has_opening (canvas))
+      qn_handle_draw_all (canvas, cr);
     return;
+  }
+  if (drags_handle (canvas)) {
+    qn_handle_draw_drag (canvas, cr);
+    return;
+  }
   Opening o = opening_of_gesture (canvas);
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
   QnId wall = wall_of_rectangle (list, o.from, o.to);
@@ -174,8 +220,8 @@ const QnTool qn_tool_opening = {
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
   .press = press,
   .motion = qn_gesture_motion,
-  .release = qn_gesture_release,
-  .numbers = qn_gesture_rectangle_numbers,
+  .release = release,
+  .numbers = numbers,
   .complete = complete,
   .draw = draw,
 };

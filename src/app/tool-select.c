@@ -44,6 +44,29 @@ select_more (QnSelection *selection, const QnModel *model, QnId block, int press
 }
 
 static void
+leave_to_magnet (QnCanvas *canvas)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  QnBlockSet set = { 0 };
+  set.ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &set.count);
+  qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
+}
+
+/* A drag that begins on a block of a wall carries the wall, unless the block was selected before:
+ * a stone comes out of its wall only where that is meant. */
+static void
+carry_whole (QnCanvas *canvas)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  if (gesture->whole == QN_NONE || gesture->band || gesture->grip.kind != QN_GRIP_NONE)
+    return;
+  qn_selection_select_wall (qn_canvas_get_selection (canvas), model, gesture->whole);
+  gesture->whole = QN_NONE;
+  leave_to_magnet (canvas);
+}
+
+static void
 press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
@@ -56,17 +79,19 @@ press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
     select_more (selection, model, block, event->press_count);
     return;
   }
-  if (!qn_selection_has_block (selection, block))
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  gboolean part_of_whole =
+    model->blocks[block].masonry != QN_NONE || model->blocks[block].wall != QN_NONE;
+  gesture->whole = QN_NONE;
+  if (!qn_selection_has_block (selection, block)) {
     qn_selection_set_blocks (selection, &block, 1);
+    gesture->whole = part_of_whole ? block : QN_NONE;
+  }
   if (!shows_undeformed (canvas))
     return;
 
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
   gesture->from = gesture->to = grabbed_point (canvas, block, event);
-  guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (selection, &count);
-  qn_canvas_set_magnet_skip (canvas,
-                             qn_block_set_to_flags ((QnBlockSet){ ids, count }, model));
+  leave_to_magnet (canvas);
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
@@ -101,16 +126,6 @@ press_on_face (QnCanvas *canvas, const QnToolEvent *event)
 
 /* ---- openings and handles ---- */
 
-static void
-begin_handle (QnCanvas *canvas, const QnToolEvent *event, QnGrip grip)
-{
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  (void) event;
-  gesture->from = gesture->to = grip.at;
-  gesture->grip = grip;
-  qn_canvas_set_in_gesture (canvas, TRUE);
-}
-
 /* A click into an opening selects it, and a drag from there moves it. */
 static gboolean
 press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
@@ -126,7 +141,7 @@ press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
                     .object = (QnId) (i - 1),
                     .opening = opening,
                     .handle = QN_HANDLE_MIDDLE };
-    begin_handle (canvas, event, grip);
+    qn_handle_begin (canvas, grip);
     return TRUE;
   }
   return FALSE;
@@ -140,7 +155,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   gesture->from_screen = event->screen;
   QnGrip grip;
   if (event->press_count == 1 && qn_handle_find (canvas, event->screen, &grip)) {
-    begin_handle (canvas, event, grip);
+    qn_handle_begin (canvas, grip);
     return;
   }
   if (press_on_face (canvas, event))
@@ -167,6 +182,8 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
     return;
   if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
     return;
+  if (!gesture->dragging)
+    carry_whole (canvas);
   gesture->dragging = TRUE;
   /* Bonds and angles have steps of their own. */
   gboolean by_magnet = !gesture->band && gesture->grip.kind != QN_GRIP_TURN;

@@ -1,7 +1,9 @@
 /* Every drawing tool, by pointer and by keys. */
 #include "driver.h"
 
+#include "app/settings.h"
 #include "doc/edit-masonry.h"
+#include "doc/law-preset.h"
 #include "doc/masonry-shape.h"
 #include "io/project-masonry.h"
 
@@ -131,6 +133,92 @@ test_opening (void)
   qn_masonries_clear (&list);
   check_history (window);
   driver_discard (window);
+}
+
+/* A drag that begins on a stone carries its wall; a stone that was selected comes out. */
+static void
+test_whole_wall (void)
+{
+  QnWindow *window = open_blank ();
+  driver_drag (window, 0.0, 0.0, 2.0, 1.05);
+  driver_key ("v");
+  QnId stone = qn_model_find_block (model_of (window), "w1.6.3");
+  QnVec2 at = model_of (window)->blocks[stone].centroid;
+  driver_drag (window, at.x, at.y, at.x + 1.0, at.y);
+  QnMasonries list = masonry_of (window);
+  g_assert_cmpuint (list.count, ==, 1);
+  g_assert_cmpfloat (list.items[0].origin.x, >, 0.9);
+  qn_masonries_clear (&list);
+
+  driver_key ("Escape");
+  stone = qn_model_find_block (model_of (window), "w1.6.3");
+  at = model_of (window)->blocks[stone].centroid;
+  driver_click (window, at.x, at.y);
+  driver_run (600);
+  driver_drag (window, at.x, at.y, at.x, at.y + 0.8);
+  list = masonry_of (window);
+  g_assert_cmpuint (list.count, ==, 0);
+  qn_masonries_clear (&list);
+  g_assert_cmpint (qn_model_find_block (model_of (window), "w1.6.3"), !=, QN_NONE);
+  check_history (window);
+  driver_discard (window);
+}
+
+/* An opening that was just cut is changed by its handle without another tool. */
+static void
+test_opening_tool_handles (void)
+{
+  QnWindow *window = open_blank ();
+  open_wall_with_window (window);
+  driver_screenshot (GTK_WIDGET (window), "opening-cut");
+  driver_drag (window, 2.0, 1.05, 2.4, 1.05);
+  QnMasonries list = masonry_of (window);
+  g_assert_cmpuint (list.items[0].wall.opening_count, ==, 1);
+  g_assert_cmpfloat_with_epsilon (list.items[0].wall.openings[0].width, 1.2, 1e-9);
+  qn_masonries_clear (&list);
+  driver_discard (window);
+}
+
+static gboolean
+is_button (GtkWidget *widget, gconstpointer label)
+{
+  return GTK_IS_BUTTON (widget)
+         && g_strcmp0 (gtk_button_get_label (GTK_BUTTON (widget)), label) == 0;
+}
+
+static gboolean
+change_kind (QnModel *model, gpointer data, GError **error)
+{
+  (void) error;
+  qn_law_change_kind (&model->laws[0], *(const QnLawKind *) data);
+  return TRUE;
+}
+
+/* The form shows every kind of law, in a light window and in a dark one. */
+static void
+test_laws (void)
+{
+  for (int dark = 0; dark < 2; dark++) {
+    g_settings_set_string (qn_settings_get (), "style", dark ? "dark" : "light");
+    QnWindow *window = open_blank ();
+    driver_drag (window, 0.0, 0.0, 2.0, 1.05);
+    driver_activate (window, "win.show-panel::analysis");
+    for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++) {
+      g_autoptr (GError) error = NULL;
+      qn_document_edit (qn_window_get_document (window), "Kind", NULL, change_kind, &kind,
+                        &error);
+      g_assert_no_error (error);
+      driver_run (60);
+    }
+    qn_document_undo (qn_window_get_document (window));
+    GtkWidget *button = driver_find_widget (GTK_WIDGET (window), is_button, "_Add Law");
+    g_assert_nonnull (button);
+    gtk_widget_grab_focus (button);
+    driver_run (300);
+    driver_screenshot (GTK_WIDGET (window), dark ? "laws-dark" : "laws");
+    driver_discard (window);
+  }
+  g_settings_reset (qn_settings_get (), "style");
 }
 
 /* A wall of the published kind, listed course by course, gets an opening and stays parametric. */
@@ -408,6 +496,9 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/draw/opening", test_opening);
+  g_test_add_func ("/app/draw/opening-tool-handles", test_opening_tool_handles);
+  g_test_add_func ("/app/draw/whole-wall", test_whole_wall);
+  g_test_add_func ("/app/draw/laws", test_laws);
   g_test_add_func ("/app/draw/listed-wall", test_listed_wall);
   g_test_add_func ("/app/draw/arch", test_arch);
   g_test_add_func ("/app/draw/column", test_column);
