@@ -132,6 +132,7 @@ static void
 reset_result (QnResult *result)
 {
   result->outcome = QN_OUTCOME_NOT_CONVERGED;
+  result->stop = QN_STOP_UNKNOWN;
   result->has_collapse_multiplier = result->has_first_limit_multiplier = false;
   free (result->mechanism);
   result->mechanism = NULL;

@@ -155,6 +155,10 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
   case QN_PROCEDURE_COUNT:
     break;
   }
+  if (result->stop == QN_STOP_FALL)
+    return _ (
+      "Beyond the last equilibrium blocks fall out of their contacts, although the "
+      "controlled motion is held.");
   if (last != NULL && last->multiplier <= 0)
     return _ ("The path was followed beyond its peak until nothing of the load was "
               "left.");
@@ -248,6 +252,12 @@ explain_failure (const Task *task, const QnResult *result)
       last->multiplier);
   if (task->procedure == QN_PROCEDURE_LIMIT)
     return g_strdup (_ ("The optimisation of limit analysis did not converge."));
+  if (result->stop == QN_STOP_STEPS)
+    return g_strdup_printf (
+      _ ("The path was given up at a load multiplier of %.4g, after "
+         "more steps than a path may have. Ask for fewer "
+         "increments or a nearer target."),
+      last->multiplier);
   return g_strdup_printf (
     _ ("The path was lost at a load multiplier of %.4g: no equilibrium was found even at "
        "the shortest step. Try more increments, another controlled displacement or a "
