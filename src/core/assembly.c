@@ -377,6 +377,27 @@ qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
   return scale;
 }
 
+void
+qn_assembly_elongation_rates (const QnAssembly *as, const double *v, double *rates)
+{
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const QnContactFace *face = &as->contacts->faces[f];
+    int32_t unknowns[6];
+    double local[6];
+
+    face_unknowns (as, face, unknowns);
+    gather_displacements (v, unknowns, local);
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+      double (*g)[6] = as->kinematics[p].gradient;
+      for (int k = 0; k < 2; k++) {
+        rates[2 * p + k] = 0;
+        for (int i = 0; i < 6; i++)
+          rates[2 * p + k] += g[k][i] * local[i];
+      }
+    }
+  }
+}
+
 double
 qn_assembly_gap (const QnAssembly *as, size_t pair)
 {

@@ -137,6 +137,10 @@ void qn_assembly_commit (QnAssembly *assembly);
  * dilatancy, m: positive where the joint is open. */
 double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
 
+/* rates (pair_count x 2) = dq/du v of every pair at the last evaluation. */
+void qn_assembly_elongation_rates (const QnAssembly *assembly, const double *v,
+                                   double *rates);
+
 /* Displacements of bodies (body_count x 3: m, m, rad) from unknowns. */
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,
                          double *displacements);

@@ -102,6 +102,9 @@ void qn_equilibrium_clear (QnEquilibrium *eq);
 QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
                                      double viscosity, int budget);
 
+/* Counts an iteration and reports it; false when the analysis is to be cancelled. */
+bool qn_equilibrium_go_on (QnEquilibrium *eq);
+
 /* Overwrites b with K \ b, K the static tangent of the current state. CONVERGED, FAILED (K is
  * singular; b is unchanged) or NO_MEMORY. */
 QnSolveStatus qn_equilibrium_apply_tangent_inverse (QnEquilibrium *eq, double *b);
@@ -111,6 +114,14 @@ QnSolveStatus qn_equilibrium_apply_tangent_inverse (QnEquilibrium *eq, double *b
  * with eq->velocity). FAILED when neither is certain after `budget` viscous steps. */
 QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target,
                                     int budget);
+
+/* Motion beyond this many elastic displacements (load over stiffness) has left the structure
+ * that was to be analysed: a tenth of a millimetre of elastic deformation has become ten
+ * metres. It also leaves three digits between rounding and the default tolerance. */
+#define QN_RUNAWAY 1e5
+
+/* Largest motion since the committed state, in elastic displacements. */
+double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
 
 /* Copies the current state into `state`, or makes `state` the current one. */
 void qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state);

@@ -114,8 +114,8 @@ factorize (QnEquilibrium *eq, double viscosity)
   return status;
 }
 
-static bool
-go_on (QnEquilibrium *eq)
+bool
+qn_equilibrium_go_on (QnEquilibrium *eq)
 {
   eq->statistics.iterations++;
   eq->progress.iterations = eq->statistics.iterations;
@@ -198,7 +198,7 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
       return QN_SOLVE_CONVERGED;
     if (iteration == budget || !isfinite (newton.norm))
       return QN_SOLVE_FAILED;
-    if (!go_on (eq))
+    if (!qn_equilibrium_go_on (eq))
       return QN_SOLVE_CANCELLED;
 
     /* A full mechanism has a singular tangent, yet the target holds it: a trace of damping

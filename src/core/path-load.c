@@ -27,11 +27,14 @@
 #define LARGEST_PART      0.1
 
 /* Part of the displacements reached by which an increment may differ from what the tangents
- * at its ends explain. */
-#define JUMP 1e-3
+ * at its ends explain, in multiplier tolerances. */
+#define JUMP 10.0
 
 /* The first limit point is located within so many resolutions of the multiplier. */
 #define LIMIT_RESOLUTION 10.0
+
+/* Factorisations of one increment along the central path. */
+#define CENTRAL_BUDGET 40
 
 /* A multiplier at which a path without a prescribed end counts as unbounded. */
 #define UNBOUNDED 1e9
@@ -49,9 +52,13 @@ typedef struct {
   bool relaxed;     /* the last attempt needed relaxation */
   bool jumped;      /* the next accepted equilibrium lies beyond a jump */
   bool finished;
-  double *velocity; /* of the motion at `upper` */
-  double *rate;     /* du/dlambda at the last accepted equilibrium */
+  double *start;          /* unknowns where the live load begins to act */
+  double *velocity;       /* of the motion at `upper` */
+  QnCentralPath *central; /* NULL where it does not apply */
+  double approached_from; /* the multiplier from which collapse could not be approached */
+  double *rate;           /* du/dlambda at the last accepted equilibrium */
   double *rate_at_end;
+  bool rate_known, end_known; /* not where the tangent is singular */
 } LoadControl;
 
 /* --- Choosing multipliers --------------------------------------------------------------- */
@@ -133,7 +140,7 @@ is_discontinuous (const LoadControl *control, double increment)
     error = fmax (error, fabs (eq->u[i] - eq->committed.u[i] - explained));
     size = fmax (size, fabs (eq->u[i]));
   }
-  return error > JUMP * size;
+  return error > JUMP * control->path->settings->multiplier_tolerance * size;
 }
 
 /* The path jumps at the last accepted equilibrium. */
@@ -159,9 +166,10 @@ static bool
 passes_limit_check (LoadControl *control, double target, bool easy)
 {
   double increment = target - control->path->equilibrium.committed.multiplier;
-  bool known = compute_rate (control, control->rate_at_end) == QN_SOLVE_CONVERGED;
 
-  if (easy || (known && !is_discontinuous (control, increment)))
+  control->end_known = compute_rate (control, control->rate_at_end) == QN_SOLVE_CONVERGED;
+  if (easy || !control->rate_known
+      || (control->end_known && !is_discontinuous (control, increment)))
     return true;
   if (increment > LIMIT_RESOLUTION * resolution (control, target)) {
     look_closer (control, target);
@@ -174,27 +182,51 @@ passes_limit_check (LoadControl *control, double target, bool easy)
 
 /* --- One increment ---------------------------------------------------------------------- */
 
-/* Tries to find an equilibrium at `target`. Where one was seen, or excluded, before, failure
- * of Newton alone is enough to look closer: *cut says so. */
+/* Whether failure of Newton's method is enough to look closer: where a limit point is still to
+ * be located, and something else than relaxation, which is dear, has or will have an answer
+ * further up. */
+static bool
+newton_decides (const LoadControl *control, double target)
+{
+  const QnEquilibrium *eq = &control->path->equilibrium;
+  double increment = target - eq->committed.multiplier;
+  bool seen = target <= control->explored || isfinite (control->upper);
+
+  return looks_for_limit_point (control) && control->rate_known
+         && (seen || control->central != NULL)
+         && increment > LIMIT_RESOLUTION * resolution (control, target);
+}
+
+/* Whether the central path alone is to try: relaxation decides about the last increment. */
+static bool
+central_decides (const LoadControl *control, double target)
+{
+  double increment = target - control->path->equilibrium.committed.multiplier;
+
+  return control->central != NULL && increment > resolution (control, target);
+}
+
+/* Tries to find an equilibrium at `target`. *cut: it is to be looked at closer. */
 static QnSolveStatus
 attempt (LoadControl *control, double target, bool *cut)
 {
   const QnTarget goal = qn_target_multiplier (target);
   QnEquilibrium *eq = &control->path->equilibrium;
-  double increment = target - eq->committed.multiplier,
-         unit = resolution (control, target);
+  double increment = target - eq->committed.multiplier;
   QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET);
-  bool seen = target <= control->explored || isfinite (control->upper);
 
   control->relaxed = status == QN_SOLVE_FAILED;
-  *cut = control->relaxed && looks_for_limit_point (control) && seen
-         && increment > LIMIT_RESOLUTION * unit;
+  *cut = control->relaxed && newton_decides (control, target);
   if (!control->relaxed || *cut)
+    return status;
+  if (control->central != NULL)
+    status = qn_central_path_solve (control->central, &goal, CENTRAL_BUDGET);
+  if (status != QN_SOLVE_FAILED || central_decides (control, target))
     return status;
 
   qn_equilibrium_restore (eq);
-  return qn_equilibrium_relax (
-    eq, &goal, increment > 3 * unit ? QN_RELAX_BUDGET_HINT : QN_RELAX_BUDGET);
+  bool hint = increment > 3 * resolution (control, target);
+  return qn_equilibrium_relax (eq, &goal, hint ? QN_RELAX_BUDGET_HINT : QN_RELAX_BUDGET);
 }
 
 /* No equilibrium found at `target`, which bounds the collapse multiplier from above. The power
@@ -239,6 +271,7 @@ consider (LoadControl *control, double target, int32_t iterations, QnDiag *diag)
     double *rate = control->rate;
     control->rate = control->rate_at_end;
     control->rate_at_end = rate;
+    control->rate_known = control->end_known;
   }
   if (easy || !looks_for_limit_point (control))
     grow_increment (control, increment, target);
@@ -249,37 +282,7 @@ consider (LoadControl *control, double target, int32_t iterations, QnDiag *diag)
   return QN_OK;
 }
 
-static QnStatus
-advance (LoadControl *control, QnDiag *diag)
-{
-  QnEquilibrium *eq = &control->path->equilibrium;
-  double target = choose_target (control);
-  int32_t before = eq->statistics.iterations;
-  bool cut = false;
-  QnSolveStatus status = attempt (control, target, &cut);
-
-  switch (status) {
-  case QN_SOLVE_CONVERGED:
-    return consider (control, target, eq->statistics.iterations - before, diag);
-  case QN_SOLVE_MECHANISM:
-  case QN_SOLVE_FAILED:
-    if (cut)
-      look_closer (control, target);
-    else
-      bound_from_above (control, target, status == QN_SOLVE_MECHANISM);
-    return QN_OK;
-  case QN_SOLVE_CANCELLED:
-    qn_equilibrium_restore (eq);
-    control->path->result->outcome = QN_OUTCOME_CANCELLED;
-    control->finished = true;
-    return QN_OK;
-  case QN_SOLVE_NO_MEMORY:
-    break;
-  }
-  return qn_diag_no_memory (diag);
-}
-
-/* --- The whole path --------------------------------------------------------------------- */
+/* --- Collapse --------------------------------------------------------------------------- */
 
 /* The mechanism often says where collapse is far more exactly than the bracket: one Newton
  * attempt just below that multiplier, by a part of it that rounding cannot blur, gains the
@@ -311,6 +314,25 @@ polish (LoadControl *control, QnDiag *diag)
   return QN_OK;
 }
 
+/* The last step is collapse, along the velocity. */
+static QnStatus
+report_collapse (LoadControl *control, QnDiag *diag)
+{
+  QnPath *path = control->path;
+  QnResult *result = path->result;
+
+  control->finished = true;
+  result->outcome = QN_OUTCOME_COLLAPSE;
+  result->has_collapse_multiplier = true;
+  result->collapse_multiplier = path->equilibrium.committed.multiplier;
+  result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
+  if (looks_for_limit_point (control)) {
+    result->has_first_limit_multiplier = true;
+    result->first_limit_multiplier = result->collapse_multiplier;
+  }
+  return qn_path_record_mechanism (path, control->velocity, diag);
+}
+
 static QnStatus
 conclude (LoadControl *control, QnDiag *diag)
 {
@@ -323,19 +345,8 @@ conclude (LoadControl *control, QnDiag *diag)
     return QN_OK;
   }
   QnStatus status = polish (control, diag);
-  if (status != QN_OK)
-    return status;
-  result->outcome = QN_OUTCOME_COLLAPSE;
-  result->has_collapse_multiplier = true;
-  result->collapse_multiplier = path->equilibrium.committed.multiplier;
-  result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
-  if (looks_for_limit_point (control)) {
-    result->has_first_limit_multiplier = true;
-    result->first_limit_multiplier = result->collapse_multiplier;
-  }
-  return qn_path_record_mechanism (path, control->velocity, diag);
+  return status == QN_OK ? report_collapse (control, diag) : status;
 }
-
 /* The bracket has closed. An upper end that was found from far away and without certainty is
  * tried once more from the equilibrium that is now close to it. */
 static QnStatus
@@ -351,14 +362,85 @@ close_bracket (LoadControl *control, QnDiag *diag)
   return QN_OK;
 }
 
+/* Goes for collapse, `target` having no equilibrium that the central path leads to. Where that
+ * leads nowhere either, a smaller increment may. */
+static QnStatus
+approach_collapse (LoadControl *control, double target, QnDiag *diag)
+{
+  const QnEquilibrium *eq = &control->path->equilibrium;
+  double lower = eq->committed.multiplier;
+  QnApproach outcome = QN_APPROACH_LOST;
+
+  if (!(lower
+        <= control->approached_from + LIMIT_RESOLUTION * resolution (control, lower))) {
+    QnStatus status =
+      qn_path_approach_collapse (control->path, control->central, control->start,
+                                 control->end, control->velocity, &outcome, diag);
+    if (status != QN_OK)
+      return status;
+  }
+  switch (outcome) {
+  case QN_APPROACH_SETTLED:
+    return report_collapse (control, diag);
+  case QN_APPROACH_CANCELLED:
+    control->path->result->outcome = QN_OUTCOME_CANCELLED;
+    control->finished = true;
+    break;
+  case QN_APPROACH_LOST:
+    control->approached_from = eq->committed.multiplier;
+    if (eq->committed.multiplier == lower)
+      look_closer (control, target);
+    break;
+  }
+  return QN_OK;
+}
+
+static QnStatus
+advance (LoadControl *control, QnDiag *diag)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+  double target = choose_target (control);
+  int32_t before = eq->statistics.iterations;
+  bool cut = false;
+  QnSolveStatus status = attempt (control, target, &cut);
+
+  switch (status) {
+  case QN_SOLVE_CONVERGED:
+    return consider (control, target, eq->statistics.iterations - before, diag);
+  case QN_SOLVE_MECHANISM:
+  case QN_SOLVE_FAILED:
+    if (cut)
+      look_closer (control, target);
+    else if (central_decides (control, target))
+      return approach_collapse (control, target, diag);
+    else
+      bound_from_above (control, target, status == QN_SOLVE_MECHANISM);
+    return QN_OK;
+  case QN_SOLVE_CANCELLED:
+    qn_equilibrium_restore (eq);
+    control->path->result->outcome = QN_OUTCOME_CANCELLED;
+    control->finished = true;
+    return QN_OK;
+  case QN_SOLVE_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}
+
+/* --- The whole path --------------------------------------------------------------------- */
+
 static QnStatus
 run (LoadControl *control, QnDiag *diag)
 {
   const QnEquilibrium *eq = &control->path->equilibrium;
   QnStatus status = QN_OK;
 
-  if (compute_rate (control, control->rate) == QN_SOLVE_NO_MEMORY)
+  memcpy (control->start, eq->u,
+          (size_t) eq->assembly.unknown_count * sizeof *control->start);
+  QnSolveStatus solved = compute_rate (control, control->rate);
+  if (solved == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
+  control->rate_known = solved == QN_SOLVE_CONVERGED;
   while (status == QN_OK && !control->finished) {
     double bracket = control->upper - eq->committed.multiplier;
     if (isfinite (bracket) && bracket <= resolution (control, control->upper))
@@ -389,20 +471,29 @@ qn_path_load_control (QnPath *path, QnDiag *diag)
                           .increment = first,
                           .end = fmin (path->settings->max_multiplier, UNBOUNDED),
                           .upper = INFINITY,
-                          .guess = NAN };
+                          .guess = NAN,
+                          .approached_from = NAN };
 
   /* Without live load the path is the single equilibrium under dead load. */
   if (!has_live_load (as)) {
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
     return QN_OK;
   }
+  control.start = qn_alloc (n, sizeof *control.start);
   control.velocity = qn_alloc (n, sizeof *control.velocity);
   control.rate = qn_alloc (n, sizeof *control.rate);
   control.rate_at_end = qn_alloc (n, sizeof *control.rate_at_end);
 
-  QnStatus status = control.velocity && control.rate && control.rate_at_end
+  bool central = qn_central_path_applies (as);
+  if (central)
+    control.central = qn_central_path_new (&path->equilibrium);
+
+  QnStatus status = control.start && control.velocity && control.rate
+                        && control.rate_at_end && (control.central || !central)
                       ? run (&control, diag)
                       : qn_diag_no_memory (diag);
+  qn_central_path_free (control.central);
+  free (control.start);
   free (control.velocity);
   free (control.rate);
   free (control.rate_at_end);

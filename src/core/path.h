@@ -6,7 +6,7 @@
 #ifndef QN_CORE_PATH_H
 #define QN_CORE_PATH_H
 
-#include "core/equilibrium.h"
+#include "core/central-path.h"
 #include "core/result.h"
 
 /* Newton iterations of a static solution before relaxation takes over. */
@@ -56,6 +56,22 @@ bool qn_path_accept (QnPath *path, double multiplier, QnEvent event);
 
 /* Records the velocity that the last relaxation ended with as the collapse mechanism. */
 QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag);
+
+/* How the approach to collapse ended. */
+typedef enum {
+  QN_APPROACH_SETTLED, /* the last step of the result is collapse */
+  QN_APPROACH_LOST,    /* no solution; the steps until then stand */
+  QN_APPROACH_CANCELLED
+} QnApproach;
+
+/* From the last step to collapse, by growing motion under a multiplier that follows; steps
+ * that raise the multiplier are recorded, none beyond `end`.
+ *
+ * start:    unknowns where the live load began to act
+ * velocity: out, the motion of the last step (unknowns) */
+QnStatus qn_path_approach_collapse (QnPath *path, QnCentralPath *central,
+                                    const double *start, double end, double *velocity,
+                                    QnApproach *outcome, QnDiag *diag);
 
 /* Load control: increments of the multiplier up to collapse or the largest multiplier. */
 QnStatus qn_path_load_control (QnPath *path, QnDiag *diag);

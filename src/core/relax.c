@@ -32,11 +32,6 @@
  * that went before, are steady. */
 #define STEADY 1e-3
 
-/* Motion beyond this many elastic displacements (load over stiffness) has left the structure
- * that was to be analysed: a tenth of a millimetre of elastic deformation has become ten
- * metres. It also leaves three digits between rounding and the default tolerance. */
-#define RUNAWAY 1e5
-
 /* A measure that is to advance does so at a speed that damping resists with this part of the
  * largest dead load on a block, slowly enough to leave friction alone: ten times as fast, and
  * walls take other branches in large than in small steps. So many viscous steps, of equal
@@ -86,19 +81,33 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
   relaxation->change = norm > 0 ? sqrt (change / norm) : 0;
 }
 
-/* Largest motion since the committed state, or in a unit of time at the present velocity, in
- * elastic displacements. */
 static double
-elastic_displacements (const QnEquilibrium *eq, bool velocity)
+in_elastic_displacements (const QnAssembly *as, double largest)
+{
+  return as->force_scale > 0 ? largest / as->force_scale : 0;
+}
+
+double
+qn_equilibrium_elastic_displacements (const QnEquilibrium *eq)
 {
   const QnAssembly *as = &eq->assembly;
   double largest = 0;
 
-  for (int32_t i = 0; i < as->unknown_count; i++) {
-    double d = velocity ? eq->velocity[i] : eq->u[i] - eq->committed.u[i];
-    largest = fmax (largest, as->damping[i] * fabs (d));
-  }
-  return as->force_scale > 0 ? largest / as->force_scale : 0;
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    largest = fmax (largest, as->damping[i] * fabs (eq->u[i] - eq->committed.u[i]));
+  return in_elastic_displacements (as, largest);
+}
+
+/* Motion in a unit of time at the present velocity, in elastic displacements. */
+static double
+elastic_velocity (const QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+  double largest = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    largest = fmax (largest, as->damping[i] * fabs (eq->velocity[i]));
+  return in_elastic_displacements (as, largest);
 }
 
 /* Whether an open joint will close at the present velocity before the structure has run away.
@@ -107,7 +116,7 @@ static bool
 will_close (const QnEquilibrium *eq, double time_step)
 {
   const QnAssembly *as = &eq->assembly;
-  double horizon = RUNAWAY / elastic_displacements (eq, true);
+  double horizon = QN_RUNAWAY / elastic_velocity (eq);
 
   for (size_t p = 0; p < as->pair_count; p++) {
     double gap = qn_assembly_gap (as, p);
@@ -122,7 +131,7 @@ will_close (const QnEquilibrium *eq, double time_step)
 static bool
 is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
 {
-  double moved = elastic_displacements (eq, false);
+  double moved = qn_equilibrium_elastic_displacements (eq);
 
   if (moved < fmax (FALL_BEGINS, 2 * relaxation->watched_motion))
     return false;
@@ -154,7 +163,7 @@ is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
 
   if (eq->assembly.nonlinear && relaxation->held)
     return has_left (eq);
-  if (elastic_displacements (eq, false) > RUNAWAY)
+  if (qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY)
     return true;
   if (eq->assembly.nonlinear)
     return is_falling (eq, relaxation);

@@ -1,0 +1,690 @@
+#include "core/central-path.h"
+
+#include "core/clock.h"
+#include "core/memory.h"
+#include "core/tolerance.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  ROWS = 3
+}; /* cap of the normal force; friction against positive, negative shear */
+
+/* Residuals of balance and strength, of strain (in elastic elongations; rounding of long slips
+ * allows no more) and complementarity (relative to the elongations) at which Newton's method
+ * may finish; complementarity becomes TIGHTER times as small where it does not. */
+#define BALANCE         1e-9
+#define STRAIN          1e-6
+#define COMPLEMENTARITY 1e-9
+#define TIGHTER         1e-2
+#define MOST_FINISHES   3
+
+/* Iterations that Newton's method gets to finish. */
+#define FINISH_BUDGET 12
+
+/* Viscosity in the tangent: holds what touches nothing. */
+#define TRACE 1e-12
+
+/* The mean product is lowered to this part of itself at most in one iteration. */
+#define LEAST_AIM 1e-6
+
+/* Part of the way to the boundary that a step may go. */
+#define TO_BOUNDARY 0.995
+
+/* The iteration leads nowhere if complementarity has not halved in so many iterations. */
+#define PATIENCE 10
+
+/* Centrality correctors: at most so many, for steps shorter than LONG; products are brought
+ * within CENTRAL times their mean either way; a corrector must gain GAIN. */
+#define CORRECTORS 2
+#define LONG       0.9
+#define CENTRAL    10.0
+#define GAIN       0.01
+
+/* In units of the path: forces F, the largest load of a block; elongations F over the mean
+ * stiffness. */
+typedef struct {
+  int
+    rows; /* strengths that it has: all, the cap alone without any friction, or none: then
+               only y and its tangent count */
+  double friction, dilatancy;
+  double limit[ROWS];
+  double flexibility[2];
+  double plastic[2]; /* q_p */
+
+  double y[2], s[ROWS], z[ROWS];
+  double inverse[2][2]; /* of H: the tangent */
+
+  double strain[2];      /* residuals: q - q_p - flow z - y / k */
+  double strength[ROWS]; /* h - G y - s */
+  double product[ROWS];  /* what s z is to become */
+  double dy[2], ds[ROWS], dz[ROWS];
+} CentralPair;
+
+struct QnCentralPath {
+  QnEquilibrium *eq;
+  double force, length;
+  CentralPair *pairs;
+  double *rates;     /* pair_count x 2: elongations under a step */
+  CentralPair *kept; /* with the direction found so far, while a better one is sought */
+  double *kept_step; /* unknown_count */
+};
+
+bool
+qn_central_path_applies (const QnAssembly *as)
+{
+  if (as->nonlinear)
+    return false;
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (as->springs[p].equal && as->springs[p].a.kind == QN_LAW_COULOMB)
+      return true;
+  return false;
+}
+
+QnCentralPath *
+qn_central_path_new (QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+  QnCentralPath *path = qn_alloc (1, sizeof *path);
+
+  if (path == NULL)
+    return NULL;
+  path->eq = eq;
+  path->force = as->force_scale > 0 ? as->force_scale : 1;
+  path->length = path->force / as->stiffness;
+  path->pairs = qn_alloc (as->pair_count, sizeof *path->pairs);
+  path->rates = qn_alloc (2 * as->pair_count, sizeof *path->rates);
+  path->kept = qn_alloc (as->pair_count, sizeof *path->kept);
+  path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
+  if (!path->pairs || !path->rates || !path->kept || !path->kept_step) {
+    qn_central_path_free (path);
+    return NULL;
+  }
+  return path;
+}
+
+void
+qn_central_path_free (QnCentralPath *path)
+{
+  if (path == NULL)
+    return;
+  free (path->pairs);
+  free (path->rates);
+  free (path->kept);
+  free (path->kept_step);
+  free (path);
+}
+
+/* --- One pair --------------------------------------------------------------------------- */
+
+/* out = G y */
+static void
+apply_strength (const CentralPair *pair, const double y[2], double out[ROWS])
+{
+  out[0] = y[0];
+  out[1] = pair->friction * y[0] + y[1];
+  out[2] = pair->friction * y[0] - y[1];
+}
+
+/* out = flow z */
+static void
+apply_flow (const CentralPair *pair, const double z[ROWS], double out[2])
+{
+  out[0] = z[0] + pair->dilatancy * (z[1] + z[2]);
+  out[1] = z[1] - z[2];
+}
+
+/* s > 0 with s - product / s = surplus, without cancellation. */
+static double
+positive_root (double surplus, double product)
+{
+  double root = sqrt (surplus * surplus + 4 * product);
+
+  return surplus >= 0 ? 0.5 * (surplus + root) : 2 * product / (root - surplus);
+}
+
+/* A pair at its committed state, off the boundary of its strength: s z = size everywhere, and
+ * s - z what strength is left, or how far it has opened. */
+static void
+start_pair (const QnCentralPath *path, size_t p, double size)
+{
+  const QnAssembly *as = &path->eq->assembly;
+  const QnSpring *spring = &as->springs[p].a;
+  const QnPairMemory *memory = &as->committed[p];
+  double stiffness = path->force / path->length, used[ROWS];
+  const double q[2] = { as->kinematics[p].elongation[0] / path->length,
+                        as->kinematics[p].elongation[1] / path->length };
+  CentralPair *pair = &path->pairs[p];
+
+  *pair = (CentralPair){ 0 };
+  if (!as->springs[p].equal || spring->kind != QN_LAW_COULOMB)
+    return;
+  pair->rows = spring->friction > 0 || spring->cohesion > 0 ? ROWS : 1;
+  pair->friction = spring->friction;
+  pair->dilatancy = spring->dilatancy;
+  pair->flexibility[0] = stiffness / spring->kn;
+  pair->flexibility[1] = stiffness / spring->ks;
+  pair->plastic[0] = memory->a.opening / path->length;
+  pair->plastic[1] = memory->a.slip / path->length;
+  pair->limit[0] = spring->cap / path->force;
+  pair->limit[1] = pair->limit[2] = spring->cohesion / path->force;
+  for (int i = 0; i < 2; i++)
+    pair->y[i] = as->responses[p].force[i] / path->force;
+  apply_strength (pair, pair->y, used);
+  double opening = q[0] - pair->plastic[0] - pair->flexibility[0] * pair->y[0];
+  for (int i = 0; i < pair->rows; i++) {
+    double flow = i == 0 ? fmax (opening, 0) : 0;
+    double surplus = fmax (pair->limit[i] - used[i], 0) - flow / size;
+    pair->s[i] = positive_root (surplus, 1);
+    pair->z[i] = size / pair->s[i];
+  }
+}
+
+/* Residuals and tangent of a pair at elongation q. */
+static void
+prepare_pair (CentralPair *pair, const double q[2])
+{
+  double flow[2], used[ROWS], ratio[ROWS] = { 0 };
+
+  apply_flow (pair, pair->z, flow);
+  apply_strength (pair, pair->y, used);
+  for (int i = 0; i < pair->rows; i++) {
+    pair->strength[i] = pair->limit[i] - used[i] - pair->s[i];
+    ratio[i] = pair->z[i] / pair->s[i];
+  }
+  for (int i = 0; i < 2; i++)
+    pair->strain[i] =
+      q[i] - pair->plastic[i] - flow[i] - pair->flexibility[i] * pair->y[i];
+  if (pair->rows < ROWS) { /* no shear at all */
+    pair->strain[1] = 0;
+    memset (pair->inverse, 0, sizeof pair->inverse);
+    pair->inverse[0][0] = 1 / (pair->flexibility[0] + ratio[0]);
+    return;
+  }
+
+  double sum = ratio[1] + ratio[2], difference = ratio[1] - ratio[2];
+  double nn = pair->flexibility[0] + ratio[0] + pair->dilatancy * pair->friction * sum;
+  double nt = pair->dilatancy * difference, tn = pair->friction * difference;
+  double tt = pair->flexibility[1] + sum;
+  double determinant = nn * tt - nt * tn;
+  pair->inverse[0][0] = tt / determinant;
+  pair->inverse[0][1] = -nt / determinant;
+  pair->inverse[1][0] = -tn / determinant;
+  pair->inverse[1][1] = nn / determinant;
+}
+
+/* What of the strain is left for the forces when s z is to become `product`:
+ *
+ *   dz = (product - s z - z ds) / s,  ds = strength - G dy                                 */
+static void
+free_strain (const CentralPair *pair, double out[2])
+{
+  double free_flow[ROWS] = { 0 }, flow[2];
+
+  for (int i = 0; i < pair->rows; i++)
+    free_flow[i] =
+      (pair->product[i] - pair->z[i] * pair->strength[i]) / pair->s[i] - pair->z[i];
+  apply_flow (pair, free_flow, flow);
+  for (int i = 0; i < 2; i++)
+    out[i] = pair->strain[i] - flow[i];
+}
+
+/* dy = H \ (rate + free strain) */
+static void
+change_of_force (const CentralPair *pair, const double rate[2], double dy[2])
+{
+  double strain[2];
+
+  free_strain (pair, strain);
+  for (int i = 0; i < 2; i++)
+    dy[i] = pair->inverse[i][0] * (rate[0] + strain[0])
+            + pair->inverse[i][1] * (rate[1] + strain[1]);
+}
+
+static void
+complete_direction (CentralPair *pair, const double rate[2])
+{
+  double used[ROWS];
+
+  change_of_force (pair, rate, pair->dy);
+  apply_strength (pair, pair->dy, used);
+  for (int i = 0; i < pair->rows; i++) {
+    pair->ds[i] = pair->strength[i] - used[i];
+    pair->dz[i] = (pair->product[i] - pair->z[i] * pair->ds[i]) / pair->s[i] - pair->z[i];
+  }
+}
+
+/* --- All of them ------------------------------------------------------------------------ */
+
+/* One solution in progress. */
+typedef struct {
+  QnCentralPath *path;
+  const QnTarget *target;
+  double strain, strength; /* largest residuals */
+  double gap;              /* mean of s z */
+  double elongation;       /* 1 + the largest */
+  double target_gap;       /* what the target lacks */
+  double multiplier_step;
+  double complementarity; /* asked for */
+  double watched_gap;     /* when it had last halved, */
+  int watched_since;      /* and that iteration */
+} Increment;
+
+/* The elongations of all pairs at eq->u, in units of the path; the pairs of other laws are
+ * evaluated. Sets the residuals of strain and strength. */
+static bool
+prepare (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnAssembly *as = &path->eq->assembly;
+  size_t rows = 0;
+  double products = 0;
+
+  qn_assembly_update_kinematics (as, path->eq->u);
+  qn_beam_assembly_evaluate (&as->beams);
+  increment->strain = increment->strength = 0;
+  increment->elongation = 1;
+  for (size_t p = 0; p < as->pair_count; p++) {
+    CentralPair *pair = &path->pairs[p];
+    const double *elongation = as->kinematics[p].elongation;
+    if (pair->rows == 0) {
+      if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], elongation,
+                             &as->responses[p]))
+        return false;
+      for (int i = 0; i < 2; i++) {
+        pair->y[i] = as->responses[p].force[i] / path->force;
+        for (int j = 0; j < 2; j++)
+          pair->inverse[i][j] =
+            as->responses[p].tangent[i][j] * path->length / path->force;
+      }
+      continue;
+    }
+    double q[2] = { elongation[0] / path->length, elongation[1] / path->length };
+    prepare_pair (pair, q);
+    for (int i = 0; i < 2; i++) {
+      increment->strain = fmax (increment->strain, fabs (pair->strain[i]));
+      increment->elongation =
+        fmax (increment->elongation, fabs (q[i] - pair->plastic[i]));
+    }
+    for (int i = 0; i < pair->rows; i++) {
+      increment->strength = fmax (increment->strength, fabs (pair->strength[i]));
+      products += pair->s[i] * pair->z[i];
+    }
+    rows += (size_t) pair->rows;
+  }
+  increment->gap = products / (double) rows;
+  return true;
+}
+
+static double
+lack_of_target (const QnEquilibrium *eq, const QnTarget *target)
+{
+  double lack =
+    target->advance - target->weight * (eq->multiplier - eq->committed.multiplier);
+
+  if (target->direction == NULL)
+    return 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    lack -= target->direction[i] * (eq->u[i] - eq->committed.u[i]);
+  return lack;
+}
+
+/* The forces that the pairs would exert if no block moved, and their tangents, where the
+ * assembly looks for them; `free_strain` off: the forces as they are. */
+static void
+hand_over_forces (QnCentralPath *path, bool with_free_strain)
+{
+  const double at_rest[2] = { 0 };
+
+  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
+    const CentralPair *pair = &path->pairs[p];
+    QnPairResponse *response = &path->eq->assembly.responses[p];
+    double change[2] = { 0 };
+
+    if (with_free_strain && pair->rows > 0)
+      change_of_force (pair, at_rest, change);
+    for (int i = 0; i < 2; i++) {
+      response->force[i] = path->force * (pair->y[i] + change[i]);
+      for (int j = 0; j < 2; j++)
+        response->tangent[i][j] = pair->inverse[i][j] * path->force / path->length;
+    }
+  }
+}
+
+static QnFactorStatus
+factorize (QnCentralPath *path)
+{
+  QnEquilibrium *eq = path->eq;
+  double start = qn_clock_seconds ();
+
+  hand_over_forces (path, false);
+  qn_assembly_tangent (&eq->assembly, eq->multiplier, TRACE);
+  double assembled = qn_clock_seconds ();
+  QnFactorStatus status = qn_linsys_factor (eq->linsys, eq->assembly.ax);
+  eq->statistics.assembly_seconds += assembled - start;
+  eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
+  eq->statistics.factorizations++;
+  eq->factored = false; /* by Newton's method */
+  return status;
+}
+
+/* The direction that brings every s z to its product and all residuals to zero: eq->step,
+ * multiplier_step and the pairs' changes. */
+static void
+find_direction (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  const QnTarget *target = increment->target;
+  int32_t n = eq->assembly.unknown_count;
+  double start = qn_clock_seconds ();
+
+  hand_over_forces (path, true);
+  qn_assembly_residual (&eq->assembly, eq->multiplier, eq->step);
+  qn_linsys_solve (eq->linsys, eq->step);
+  increment->multiplier_step = 0;
+  if (target->direction != NULL) {
+    double along_step = 0, along_live = target->weight;
+    for (int32_t i = 0; i < n; i++) {
+      along_step += target->direction[i] * eq->step[i];
+      along_live += target->direction[i] * eq->live_step[i];
+    }
+    if (along_live != 0)
+      increment->multiplier_step = (increment->target_gap - along_step) / along_live;
+    for (int32_t i = 0; i < n; i++)
+      eq->step[i] += increment->multiplier_step * eq->live_step[i];
+  }
+  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+
+  qn_assembly_elongation_rates (&eq->assembly, eq->step, path->rates);
+  for (size_t p = 0; p < eq->assembly.pair_count; p++)
+    if (path->pairs[p].rows > 0) {
+      double rate[2] = { path->rates[2 * p] / path->length,
+                         path->rates[2 * p + 1] / path->length };
+      complete_direction (&path->pairs[p], rate);
+    }
+}
+
+/* Largest part of the direction, up to all of it, that leaves s and z at zero or above. */
+static double
+way_to_boundary (const QnCentralPath *path)
+{
+  double fastest = 1;
+
+  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
+    const CentralPair *pair = &path->pairs[p];
+    for (int i = 0; i < pair->rows; i++) {
+      fastest = fmax (fastest, -pair->ds[i] / pair->s[i]);
+      fastest = fmax (fastest, -pair->dz[i] / pair->z[i]);
+    }
+  }
+  return 1 / fastest;
+}
+
+/* Mean of s z after `part` of the direction. */
+static double
+gap_after (const QnCentralPath *path, double part)
+{
+  double sum = 0;
+  size_t rows = 0;
+
+  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
+    const CentralPair *pair = &path->pairs[p];
+    for (int i = 0; i < pair->rows; i++)
+      sum += (pair->s[i] + part * pair->ds[i]) * (pair->z[i] + part * pair->dz[i]);
+    rows += (size_t) pair->rows;
+  }
+  return sum / (double) rows;
+}
+
+/* Mehrotra: the predictor, which aims at zero, says how far mu can be lowered and what its
+ * second order is. */
+static double
+aim_by_predictor (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  size_t count = path->eq->assembly.pair_count;
+
+  for (size_t p = 0; p < count; p++)
+    memset (path->pairs[p].product, 0, sizeof path->pairs[p].product);
+  find_direction (increment);
+
+  double left = gap_after (path, way_to_boundary (path)) / increment->gap;
+  double mean = fmax (LEAST_AIM, left * left * left) * increment->gap;
+  for (size_t p = 0; p < count; p++) {
+    CentralPair *pair = &path->pairs[p];
+    for (int i = 0; i < pair->rows; i++)
+      pair->product[i] = mean - pair->ds[i] * pair->dz[i];
+  }
+  return mean;
+}
+
+/* Gondzio: products that a longer step would leave far from their mean are asked to be nearer.
+ * Keeps what lengthens the step, which is returned. */
+static double
+centre (Increment *increment, double mean, double step)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  size_t count = eq->assembly.pair_count, bytes = count * sizeof *path->pairs;
+  size_t step_bytes = (size_t) eq->assembly.unknown_count * sizeof (double);
+
+  for (int corrector = 0; corrector < CORRECTORS && step < LONG; corrector++) {
+    double longer = fmin (1, 1.3 * step + 0.1),
+           multiplier_step = increment->multiplier_step;
+    memcpy (path->kept, path->pairs, bytes);
+    memcpy (path->kept_step, eq->step, step_bytes);
+    for (size_t p = 0; p < count; p++) {
+      CentralPair *pair = &path->pairs[p];
+      for (int i = 0; i < pair->rows; i++) {
+        double product =
+          (pair->s[i] + longer * pair->ds[i]) * (pair->z[i] + longer * pair->dz[i]);
+        double wanted = fmin (fmax (product, mean / CENTRAL), mean * CENTRAL);
+        pair->product[i] += fmax (wanted - product, -mean * CENTRAL);
+      }
+    }
+    find_direction (increment);
+    double reached = way_to_boundary (path);
+    if (reached < step + GAIN) {
+      memcpy (path->pairs, path->kept, bytes);
+      memcpy (eq->step, path->kept_step, step_bytes);
+      increment->multiplier_step = multiplier_step;
+      break;
+    }
+    step = reached;
+  }
+  return step;
+}
+
+static void
+take_step (Increment *increment, double part)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    eq->u[i] += part * eq->step[i];
+  eq->multiplier += part * increment->multiplier_step;
+  for (size_t p = 0; p < eq->assembly.pair_count; p++) {
+    CentralPair *pair = &path->pairs[p];
+    if (pair->rows == 0)
+      continue;
+    for (int i = 0; i < 2; i++)
+      pair->y[i] += part * pair->dy[i];
+    for (int i = 0; i < pair->rows; i++) {
+      pair->s[i] += part * pair->ds[i];
+      pair->z[i] += part * pair->dz[i];
+    }
+  }
+}
+
+/* Whether the iterate is good enough for Newton's method to finish. */
+static bool
+has_converged (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  double largest = 0;
+
+  hand_over_forces (path, false);
+  double scale = qn_assembly_residual (&eq->assembly, eq->multiplier, eq->residual);
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    largest = fmax (largest, fabs (eq->residual[i]));
+  increment->target_gap = lack_of_target (eq, increment->target);
+  return largest <= BALANCE * scale && increment->strength <= BALANCE
+         && increment->strain <= STRAIN
+         && increment->gap <= increment->complementarity * increment->elongation
+         && fabs (increment->target_gap)
+              <= 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance);
+}
+
+/* Newton's method from where the iteration stands; FAILED leaves it there. */
+static QnSolveStatus
+finish (Increment *increment)
+{
+  QnEquilibrium *eq = increment->path->eq;
+  size_t bytes = (size_t) eq->assembly.unknown_count * sizeof (double);
+  double multiplier = eq->multiplier;
+  QnSolveStatus status = QN_SOLVE_FAILED;
+
+  memcpy (increment->path->kept_step, eq->u, bytes);
+  if (qn_assembly_evaluate (&eq->assembly, eq->u))
+    status = qn_equilibrium_newton (eq, increment->target, 0, FINISH_BUDGET);
+  if (status == QN_SOLVE_FAILED) {
+    memcpy (eq->u, increment->path->kept_step, bytes);
+    eq->multiplier = multiplier;
+    qn_assembly_update_kinematics (&eq->assembly, eq->u);
+  }
+  return status;
+}
+
+/* Takes the forces as they are, in balance and within their strengths, with the plastic
+ * elongations that belong to them: where many pairs are neither sliding nor stuck, Newton's
+ * method has nothing to hold on to. */
+static QnSolveStatus
+adopt (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  QnAssembly *as = &eq->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const CentralPair *pair = &path->pairs[p];
+    QnPairResponse *response = &as->responses[p];
+    double flow[2], q[2];
+
+    if (pair->rows == 0) {
+      qn_pair_evaluate (&as->springs[p], &as->committed[p], as->kinematics[p].elongation,
+                        response);
+      continue;
+    }
+    apply_flow (pair, pair->z, flow);
+    for (int i = 0; i < 2; i++)
+      q[i] =
+        path->length * (pair->plastic[i] + flow[i] + pair->flexibility[i] * pair->y[i]);
+    qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
+    response->force[0] = path->force * pair->y[0];
+    response->force[1] = path->force * pair->y[1];
+    if (pair->rows == ROWS)
+      response->memory.a.slip = path->length * (pair->plastic[1] + flow[1]);
+  }
+  return qn_equilibrium_newton (eq, increment->target, 0, 0);
+}
+
+/* Whether complementarity still improves. */
+static bool
+makes_headway (Increment *increment, int iteration)
+{
+  if (increment->gap <= 0.5 * increment->watched_gap || iteration == 0) {
+    increment->watched_gap = increment->gap;
+    increment->watched_since = iteration;
+  }
+  return iteration - increment->watched_since < PATIENCE;
+}
+
+/* One iteration of the interior-point method. */
+static QnSolveStatus
+improve (Increment *increment)
+{
+  QnEquilibrium *eq = increment->path->eq;
+
+  if (!qn_equilibrium_go_on (eq))
+    return QN_SOLVE_CANCELLED;
+  switch (factorize (increment->path)) {
+  case QN_FACTOR_OK:
+    break;
+  case QN_FACTOR_SINGULAR:
+    return QN_SOLVE_FAILED;
+  case QN_FACTOR_NO_MEMORY:
+    return QN_SOLVE_NO_MEMORY;
+  }
+  memcpy (eq->live_step, eq->assembly.live,
+          (size_t) eq->assembly.unknown_count * sizeof (double));
+  qn_linsys_solve (eq->linsys, eq->live_step);
+
+  double mean = aim_by_predictor (increment);
+  find_direction (increment);
+  double step = centre (increment, mean, way_to_boundary (increment->path));
+  take_step (increment, fmin (1, TO_BOUNDARY * step));
+  return QN_SOLVE_CONVERGED;
+}
+
+static QnSolveStatus
+iterate (Increment *increment, int budget)
+{
+  int finishes = 0;
+
+  for (int iteration = 0;; iteration++) {
+    if (!prepare (increment) || !isfinite (increment->gap))
+      return QN_SOLVE_FAILED;
+    if (has_converged (increment)) {
+      QnSolveStatus status = finish (increment);
+      if (status != QN_SOLVE_FAILED)
+        return status;
+      if (++finishes == MOST_FINISHES)
+        return adopt (increment);
+      increment->complementarity *= TIGHTER;
+      prepare (increment);
+      has_converged (increment);
+    }
+    if (iteration == budget || !makes_headway (increment, iteration))
+      return QN_SOLVE_FAILED;
+    QnSolveStatus status = improve (increment);
+    if (status != QN_SOLVE_CONVERGED)
+      return status;
+  }
+}
+
+/* The mean displacement that the target asks for, in units of the path: what elongations will
+ * be like. */
+static double
+expected_elongation (const QnCentralPath *path, const QnTarget *target)
+{
+  double sum = 0;
+
+  if (target->direction == NULL)
+    return 1;
+  for (int32_t i = 0; i < path->eq->assembly.unknown_count; i++)
+    sum += fabs (target->direction[i]);
+  return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->length)) : 1;
+}
+
+QnSolveStatus
+qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
+{
+  QnEquilibrium *eq = path->eq;
+  Increment increment = { .path = path,
+                          .target = target,
+                          .complementarity = COMPLEMENTARITY };
+  double size = expected_elongation (path, target);
+
+  qn_equilibrium_restore (eq);
+  if (target->direction == NULL)
+    eq->multiplier = target->multiplier;
+  for (size_t p = 0; p < eq->assembly.pair_count; p++)
+    start_pair (path, p, size);
+  QnSolveStatus status = iterate (&increment, budget);
+  return status;
+}

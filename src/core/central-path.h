@@ -1,0 +1,47 @@
+/* Equilibrium of a whole increment by a primal–dual interior-point iteration.
+ *
+ * One increment of Coulomb joints is a complementarity problem: every pair has strengths s and
+ * plastic flows z of which one vanishes,
+ *
+ *   y = k (q - q_p - flow z)      forces from the elongations q of the pair
+ *   G y + s = h,  s >= 0          strength: cap of the normal force, friction both ways
+ *   z >= 0,  s z = 0              flow only at the strength
+ *
+ * together with equilibrium. Newton's method on s z = mu instead, with mu taken to zero,
+ * approaches the solution along the central path, on which no pair has made up its mind yet.
+ * It is indifferent to how many pairs change state, where Newton's method on the law itself
+ * loses its way, and takes increments of any size; the price is that it starts anew each time.
+ * The flow need not be associative: the flexibility of a pair,
+ *
+ *   H = 1/k + flow diag (z/s) G   (2 x 2, inverted in closed form)
+ *
+ * is unsymmetric then and so is the tangent stiffness, whose pattern is the usual one. Without
+ * associativity there may be several solutions or none, and no guarantee.
+ *
+ * Mehrotra's predictor and corrector (Mehrotra 1992), Gondzio's centrality correctors (Gondzio
+ * 1996). For interior points on friction without associativity: Kleinert, Simeon & Obermayr
+ * 2014, on rigid bodies in time.
+ */
+#ifndef QN_CORE_CENTRAL_PATH_H
+#define QN_CORE_CENTRAL_PATH_H
+
+#include "core/equilibrium.h"
+
+typedef struct QnCentralPath QnCentralPath;
+
+/* Whether the method applies: linear geometry and at least one Coulomb joint. Pairs of other
+ * laws take part as Newton's method would have it. */
+bool qn_central_path_applies (const QnAssembly *assembly);
+
+/* A workspace for `eq`, which must outlive it. NULL when memory runs out. */
+QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
+
+void qn_central_path_free (QnCentralPath *path);
+
+/* From the committed state to the target, with at most `budget` factorisations, and then to the
+ * residual tolerance by qn_equilibrium_newton(). Leaves the outcome as the current state:
+ * CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
+QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target,
+                                     int budget);
+
+#endif
