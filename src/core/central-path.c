@@ -12,11 +12,12 @@ enum {
   ROWS = 3
 }; /* cap of the normal force; friction against positive, negative shear */
 
-/* Residuals of balance and strength, of strain (in elastic elongations; rounding of long slips
- * allows no more) and complementarity (relative to the elongations) at which Newton's method
- * may finish; complementarity becomes TIGHTER times as small where it does not. */
+/* Residuals of balance and strength, of strain and complementarity (both relative to the
+ * elongations) at which Newton's method may finish; complementarity becomes TIGHTER times as
+ * small where it does not. Flows that belong to the last trace of a strength, z = product / s,
+ * lose their digits to rounding, and strain with them; displacements and forces do not. */
 #define BALANCE         1e-9
-#define STRAIN          1e-6
+#define STRAIN          1e-3
 #define COMPLEMENTARITY 1e-9
 #define TIGHTER         1e-2
 #define MOST_FINISHES   3
@@ -205,10 +206,13 @@ prepare_pair (CentralPair *pair, const double q[2])
   }
 
   double sum = ratio[1] + ratio[2], difference = ratio[1] - ratio[2];
-  double nn = pair->flexibility[0] + ratio[0] + pair->dilatancy * pair->friction * sum;
+  double dilation = pair->dilatancy * pair->friction;
+  double normal = pair->flexibility[0] + ratio[0];
+  double nn = normal + dilation * sum, tt = pair->flexibility[1] + sum;
   double nt = pair->dilatancy * difference, tn = pair->friction * difference;
-  double tt = pair->flexibility[1] + sum;
-  double determinant = nn * tt - nt * tn;
+  /* nn tt - nt tn without the terms that cancel: sum^2 - difference^2 = 4 ratio ratio */
+  double determinant =
+    normal * tt + dilation * (sum * pair->flexibility[1] + 4 * ratio[1] * ratio[2]);
   pair->inverse[0][0] = tt / determinant;
   pair->inverse[0][1] = -nt / determinant;
   pair->inverse[1][0] = -tn / determinant;
@@ -534,7 +538,7 @@ has_converged (Increment *increment)
     largest = fmax (largest, fabs (eq->residual[i]));
   increment->target_gap = lack_of_target (eq, increment->target);
   return largest <= BALANCE * scale && increment->strength <= BALANCE
-         && increment->strain <= STRAIN
+         && increment->strain <= STRAIN * increment->elongation
          && increment->gap <= increment->complementarity * increment->elongation
          && fabs (increment->target_gap)
               <= 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance);
@@ -588,7 +592,8 @@ adopt (Increment *increment)
     response->force[0] = path->force * pair->y[0];
     response->force[1] = path->force * pair->y[1];
     if (pair->rows == ROWS)
-      response->memory.a.slip = path->length * (pair->plastic[1] + flow[1]);
+      response->memory.a.slip = as->kinematics[p].elongation[1]
+                                - path->length * pair->flexibility[1] * pair->y[1];
   }
   return qn_equilibrium_newton (eq, increment->target, 0, 0);
 }
