@@ -28,7 +28,7 @@ test_one_increment (gconstpointer data)
   g_assert_true (qn_central_path_applies (&eq->assembly));
   g_assert_cmpint (newton (eq, 0), ==, QN_SOLVE_CONVERGED);
   qn_equilibrium_commit (eq);
-  double multiplier = 0.9 * test_walls[number - 1].non_associative;
+  double multiplier = 0.85 * test_walls[number - 1].non_associative;
   g_assert_cmpint (follow (path, multiplier), ==, QN_SOLVE_CONVERGED);
   g_assert_cmpfloat (eq->multiplier, ==, multiplier);
   g_assert_cmpfloat (eq->out_of_balance, <=, eq->tolerance);
