@@ -161,7 +161,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   Options options = { 0 };
   const GOptionEntry entries[] = {
     { "view", 0, 0, G_OPTION_ARG_STRING, &options.view, N_ ("What to show"),
-      "model|contacts|deformed|mechanism|forces" },
+      "model|contacts|deformed|mechanism|forces|diagrams" },
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result that is shown"), N_ ("RESULT.json") },
     { "step", 0, 0, G_OPTION_ARG_STRING, &options.step, N_ ("Step of the result, from 0"),
