@@ -9,7 +9,6 @@
 #include "io/json-parse.h"
 #include "io/json-text.h"
 
-#include <cjson/cJSON.h>
 #include <string.h>
 
 /* ---- writing ---- */
