@@ -181,25 +181,25 @@ current_run (Form *form)
 }
 
 static char *
-dup_states (const QnRun *run, const QnContactFace *face)
+dup_states (const QnJointPlot *plot)
 {
   QnUnits units = qn_settings_get_units ();
   GString *text = g_string_new (NULL);
   guint counts[QN_PAIR_STATE_COUNT] = { 0 };
-  for (int32_t i = 0; i < face->pair_count; i++) {
-    const QnPairResult *pair = &run->result.pairs[face->first_pair + i];
-    counts[pair->state]++;
-    if (face->pair_count > MOST_TOLD_PAIRS)
+  gboolean told = plot->count <= MOST_TOLD_PAIRS;
+  for (gsize i = 0; i < plot->count; i++) {
+    const QnJointPoint *point = &plot->points[i];
+    counts[point->state]++;
+    if (!told)
       continue;
     g_autofree char *n =
-      qn_units_format_full (units, QN_QUANTITY_FORCE, pair->normal_force, 4);
-    g_autofree char *t =
-      qn_units_format_full (units, QN_QUANTITY_FORCE, pair->shear_force, 4);
+      qn_units_format_full (units, QN_QUANTITY_FORCE, point->normal, 4);
+    g_autofree char *t = qn_units_format_full (units, QN_QUANTITY_FORCE, point->shear, 4);
     g_string_append_printf (text, "%s%s %d: %s, N %s, T %s", i > 0 ? "\n" : "",
-                            _ ("Pair"), i + 1, qn_explain_pair_state (pair->state), n, t);
+                            _ ("Pair"), (int) i + 1, qn_explain_pair_state (point->state),
+                            n, t);
   }
-  for (int state = 0; state < QN_PAIR_STATE_COUNT && face->pair_count > MOST_TOLD_PAIRS;
-       state++)
+  for (int state = 0; state < QN_PAIR_STATE_COUNT && !told; state++)
     g_string_append_printf (text, "%s%s: %u", state > 0 ? ", " : "",
                             qn_explain_pair_state ((QnPairState) state), counts[state]);
   return g_string_free (text, FALSE);
@@ -210,15 +210,16 @@ update_forces (Form *form, QnId id)
 {
   const QnRun *run = id != QN_NONE ? current_run (form) : NULL;
   QnJointPlot plot = { 0 };
-  gboolean there =
-    run != NULL && (gsize) id < run->contacts.face_count
-    && qn_joint_plot_fill (&plot, &run->model, &run->contacts, &run->result, id);
+  gboolean there = run != NULL && (gsize) id < run->contacts.face_count
+                   && qn_joint_plot_fill (
+                     &plot, &run->model, &run->contacts, &run->result,
+                     qn_view_state_get_step (qn_canvas_get_state (form->canvas)), id);
   gtk_widget_set_visible (form->view, there);
   gtk_widget_set_visible (GTK_WIDGET (form->states), there);
   if (!there)
     return;
+  g_autofree char *states = dup_states (&plot);
   qn_joint_view_set_plot (form->view, &plot);
-  g_autofree char *states = dup_states (run, &run->contacts.faces[id]);
   gtk_label_set_text (form->states, states);
 }
 
@@ -309,6 +310,17 @@ update (Form *form)
   update_forces (form, count == 1 ? ids[0] : QN_NONE);
 }
 
+/* Another step of the run is looked at: only the forces are others. */
+static void
+update_step (Form *form)
+{
+  guint count = 0;
+  const QnId *ids =
+    qn_selection_get_faces (qn_canvas_get_selection (form->canvas), &count);
+  if (count == 1)
+    update_forces (form, ids[0]);
+}
+
 /* ---- construction ---- */
 
 static void
@@ -369,6 +381,8 @@ qn_face_form_new (QnCanvas *canvas)
   qn_own (grid, form);
   qn_watch (grid, document_of (form), "changed", G_CALLBACK (update), form);
   qn_watch (grid, document_of (form), "runs-changed", G_CALLBACK (update), form);
+  qn_watch (grid, qn_canvas_get_state (canvas), "changed", G_CALLBACK (update_step),
+            form);
   qn_watch (grid, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), form);
   update (form);
   return grid;

@@ -46,7 +46,7 @@ fill_strength (QnJointPoint *point, const QnPairSprings *springs)
 
 bool
 qn_joint_plot_fill (QnJointPlot *plot, const QnModel *model, const QnContacts *contacts,
-                    const QnResult *result, QnId face)
+                    const QnResult *result, int step, QnId face)
 {
   const QnContactFace *f = &contacts->faces[face];
   plot->points = NULL;
@@ -57,15 +57,17 @@ qn_joint_plot_fill (QnJointPlot *plot, const QnModel *model, const QnContacts *c
   plot->points = calloc ((size_t) f->pair_count + 1, sizeof *plot->points);
   if (plot->points == NULL)
     return false;
+  bool kept = step >= 0 && qn_result_has_forces (result, (size_t) step);
   for (int32_t i = 0; i < f->pair_count; i++) {
     size_t pair = (size_t) (f->first_pair + i);
-    const QnPairResult *r = &result->pairs[pair];
+    QnPairResult r =
+      kept ? qn_result_pair_at (result, (size_t) step, pair) : result->pairs[pair];
     QnPairSprings springs = qn_contacts_pair_springs (model, contacts, pair);
     QnJointPoint *point = &plot->points[plot->count++];
     *point = (QnJointPoint){ .along = contacts->pairs[pair].abscissa,
-                             .normal = r->normal_force,
-                             .shear = r->shear_force,
-                             .state = r->state };
+                             .normal = r.normal_force,
+                             .shear = r.shear_force,
+                             .state = r.state };
     fill_strength (point, &springs);
   }
   return true;

@@ -26,10 +26,12 @@ typedef struct QnJointPlot {
   bool dark;                                            /* light ink on a dark ground */
 } QnJointPlot;
 
-/* Forces of the pairs of a face; `result` is of these contacts. Free the points with free().
- * False without memory, or where the result has no pairs. */
+/* Forces of the pairs of a face at a step, or at the last equilibrium where `step` is negative or
+ * its forces were not kept; `result` is of these contacts. Free the points with free(). False
+ * without memory, or where the result has no pairs. */
 bool qn_joint_plot_fill (QnJointPlot *plot, const QnModel *model,
-                         const QnContacts *contacts, const QnResult *result, QnId face);
+                         const QnContacts *contacts, const QnResult *result, int step,
+                         QnId face);
 
 /* Draws the two diagrams below each other; `unit`: px per typographic point. */
 void qn_joint_plot_draw (const QnJointPlot *plot, cairo_t *cr, double width,
