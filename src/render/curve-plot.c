@@ -15,6 +15,9 @@
 #define TICK_SPACING_X 62.0
 #define TICK_SPACING_Y 36.0
 
+/* Decades on an axis up to which they are divided. */
+#define MOST_DIVIDED 2.2
+
 typedef struct Axis {
   double low, high;   /* in displayed units, of a logarithmic axis their decades */
   double step, first; /* of the ticks */
@@ -63,6 +66,16 @@ set_axis (Axis *axis, double low, double high, double length, double spacing)
   axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
 }
 
+/* The tick after v; decades that leave room are divided at 2 and 5. */
+static double
+next_tick (const Axis *axis, double v)
+{
+  double part = v - floor (v + 1e-9);
+  if (!axis->log || axis->step > 1 || axis->high - axis->low > MOST_DIVIDED)
+    return v + axis->step;
+  return floor (v + 1e-9) + (part < 0.2 ? log10 (2) : part < 0.5 ? log10 (5) : 1);
+}
+
 /* Ticks at decades, at most so many that they do not touch; ends at the next ninth of one. */
 static void
 set_log_axis (Axis *axis, double low, double high, double length, double spacing)
@@ -72,6 +85,11 @@ set_log_axis (Axis *axis, double low, double high, double length, double spacing
   axis->high = fmax (log10 (high) + 0.08, axis->low + 0.3);
   axis->step = fmax (1, ceil ((axis->high - axis->low) * spacing / fabs (length)));
   axis->first = ceil (axis->low / axis->step) * axis->step;
+  if (axis->high - axis->low > MOST_DIVIDED)
+    return;
+  axis->first = floor (axis->low);
+  while (axis->first < axis->low)
+    axis->first = next_tick (axis, axis->first);
 }
 
 /* Whether the point has a place on the axes. */
@@ -140,7 +158,7 @@ draw_ticks (const Plot *plot)
   QnTextStyle style = { .size = TYPE_TICK * u };
   QnColor ink = qn_ink (QN_INK_LINE, plot->data->monochrome);
   for (double v = plot->x.first; v <= plot->x.high + 1e-9 * plot->x.step;
-       v += plot->x.step) {
+       v = next_tick (&plot->x, v)) {
     double x = axis_place (&plot->x, plot->x.log ? pow (10, v) : v);
     g_autofree char *text = tick_text (&plot->x, v);
     cairo_set_line_width (plot->cr, 0.4 * u);
@@ -149,7 +167,7 @@ draw_ticks (const Plot *plot)
     qn_text_draw (plot->cr, &style, text, x, plot->y.start + 4 * u, 0.5, 0, 0, ink);
   }
   for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
-       v += plot->y.step) {
+       v = next_tick (&plot->y, v)) {
     double y = axis_place (&plot->y, plot->y.log ? pow (10, v) : v);
     g_autofree char *text = tick_text (&plot->y, v);
     cairo_set_line_width (plot->cr, 0.4 * u);
@@ -280,7 +298,7 @@ tick_width (const Plot *plot)
 {
   double widest = 0;
   for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
-       v += plot->y.step) {
+       v = next_tick (&plot->y, v)) {
     double width, height;
     g_autofree char *text = tick_text (&plot->y, v);
     qn_text_measure (plot->cr, &(QnTextStyle){ .size = TYPE_TICK * plot->unit }, text,
