@@ -110,10 +110,13 @@ edit_settings (QnModel *model, gpointer data, GError **error)
   guint block = gtk_drop_down_get_selected (panel->control_block);
   a->control_block =
     block == 0 || block > model->block_count ? QN_NONE : (QnId) block - 1;
+  if (a->control_block != QN_NONE) /* in place of a node of beams */
+    a->control_node = QN_NONE;
   a->control_dof = (QnDof) gtk_drop_down_get_selected (panel->component);
   a->control_target = qn_quantity_entry_get_value (
     a->control_dof == QN_DOF_RZ ? panel->target_angle : panel->target);
-  if (a->procedure == QN_PROCEDURE_DISPLACEMENT && a->control_block == QN_NONE)
+  if (a->procedure == QN_PROCEDURE_DISPLACEMENT && a->control_block == QN_NONE
+      && a->control_node == QN_NONE)
     choose_control (model);
   model->contact.tolerance = qn_quantity_entry_get_value (panel->tolerance);
   return take_placement (panel, &model->contact.pairs, error);

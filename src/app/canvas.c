@@ -38,7 +38,7 @@ qn_canvas_get_scene (QnCanvas *self)
   const QnContacts *contacts;
   const QnResult *result;
   if (!qn_view_state_get_content (self->state, &model, &contacts, &result)
-      || (model->block_count == 0
+      || (model->block_count == 0 && model->beam_count == 0
           && qn_view_state_get_underlay (self->state)->image == NULL))
     return NULL;
   QnViewOptions options = qn_view_state_get_options (self->state);

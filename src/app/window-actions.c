@@ -251,7 +251,8 @@ qn_window_update_actions (QnWindow *self)
   gboolean face =
     qn_selection_get_face (qn_document_get_selection (self->document)) != QN_NONE;
   gboolean work = !qn_window_is_blank (self);
-  gboolean blocks = qn_document_get_model (self->document)->block_count > 0;
+  gboolean blocks = qn_document_get_model (self->document)->block_count > 0
+                    || qn_document_get_model (self->document)->beam_count > 0;
   gboolean run = qn_document_get_run (self->document) != NULL;
   QnJob *job = qn_document_get_job (self->document);
   gboolean busy = job != NULL && !qn_job_is_live (job);

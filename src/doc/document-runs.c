@@ -84,7 +84,7 @@ method_name (const QnAnalysisSettings *analysis)
 static gboolean
 start (QnDocument *self, const QnModel *model, gboolean live, GError **error)
 {
-  if (model->block_count == 0) {
+  if (model->block_count == 0 && model->beam_count == 0) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
                          _ ("There is nothing to analyse: draw a wall first"));
     return FALSE;
