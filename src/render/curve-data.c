@@ -26,21 +26,20 @@ find_busiest (const QnResult *result, QnId *block, QnDof *dof)
   }
 }
 
-/* The step from which the path first loses stability: the last one not above the multiplier
- * that the analysis reports. */
+/* The step from which the path first loses stability: the first that comes up to the multiplier
+ * that the analysis reports, or the one before it goes beyond. Further on a path that descends
+ * from its peak stays below. */
 static ptrdiff_t
 find_limit_point (const QnResult *result)
 {
-  ptrdiff_t found = -1;
+  double limit = result->first_limit_multiplier, blur = 1e-9 * fabs (limit) + 1e-12;
+
   if (!result->has_first_limit_multiplier)
     return -1;
-  double limit = result->first_limit_multiplier;
-  for (size_t s = 0; s < result->step_count; s++) {
-    if (result->steps[s].multiplier > limit * (1 + 1e-9) + 1e-12)
-      break;
-    found = (ptrdiff_t) s;
-  }
-  return found;
+  for (size_t s = 0; s < result->step_count; s++)
+    if (result->steps[s].multiplier >= limit - blur)
+      return (ptrdiff_t) s - (result->steps[s].multiplier > limit + blur);
+  return (ptrdiff_t) result->step_count - 1;
 }
 
 static ptrdiff_t

@@ -34,6 +34,34 @@ test_curve_of_result (void)
   fixture_clear (&f);
 }
 
+/* The peak is marked where the path passes it, though the path ends below. */
+static void
+test_limit_of_descending_curve (void)
+{
+  Fixture f;
+  QnCurve curve;
+  QnId block;
+  QnDof dof;
+  fixture_init_wall (&f, 4, 4);
+  QnStep *steps = f.result.steps;
+  g_assert_cmpuint (f.result.step_count, >, 3);
+  for (size_t s = 0; s < f.result.step_count; s++)
+    steps[s].multiplier = s == 2 ? 0.5 : s < 2 ? 0.1 * (double) s : 0.4;
+  f.result.has_first_limit_multiplier = true;
+  f.result.first_limit_multiplier = 0.5;
+  g_assert_true (
+    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  g_assert_cmpint (curve.limit_point, ==, 2);
+  qn_curve_clear (&curve);
+
+  f.result.first_limit_multiplier = 0.45; /* between two steps */
+  g_assert_true (
+    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  g_assert_cmpint (curve.limit_point, ==, 1);
+  qn_curve_clear (&curve);
+  fixture_clear (&f);
+}
+
 static void
 export_plot (const QnCurvePlot *plot)
 {
@@ -129,6 +157,8 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
+  g_test_add_func ("/render/curve-plot/limit-of-descending-curve",
+                   test_limit_of_descending_curve);
   g_test_add_func ("/render/curve-plot/odd-data", test_odd_data);
   g_test_add_func ("/render/curve-plot/decades", test_decades);
   return g_test_run ();
