@@ -14,7 +14,7 @@ static const char *const keys[] = {
   "name",    "file",        "view",    "field",        "step",       "scale",
   "size",    "dpi",         "title",   "caption",      "result",     "ghost",
   "symbols", "loads",       "legend",  "names",        "dimensions", "monochrome",
-  "titles",  "transparent", "backend", "model_digest",
+  "titles",  "transparent", "backend", "model_digest", "diagram",
 };
 
 QnRecipe *
@@ -54,6 +54,12 @@ static const char *
 field_name (int field)
 {
   return qn_field_name ((QnField) field);
+}
+
+static const char *
+diagram_name (int diagram)
+{
+  return qn_diagram_name ((QnDiagram) diagram);
 }
 
 static const char *
@@ -105,9 +111,11 @@ read_output (const QnPlace *object, QnOutput *output)
 static gboolean
 read_view (const QnPlace *object, QnViewOptions *view)
 {
-  int field = QN_FIELD_NONE;
+  int field = QN_FIELD_NONE, diagram = QN_DIAGRAM_MOMENT;
   double step = QN_STEP_LAST, scale = QN_SCALE_AUTO;
   if (!qn_member_choice (object, "field", QN_OPTIONAL, field_name, QN_FIELD_COUNT, &field)
+      || !qn_member_choice (object, "diagram", QN_OPTIONAL, diagram_name,
+                            QN_DIAGRAM_COUNT, &diagram)
       || !read_number_or (object, "step", "last", &step)
       || !read_number_or (object, "scale", "auto", &scale))
     return FALSE;
@@ -116,6 +124,7 @@ read_view (const QnPlace *object, QnViewOptions *view)
     return qn_place_fail (&place, _ ("must be a whole number"));
   }
   view->field = (QnField) field;
+  view->diagram = (QnDiagram) diagram;
   view->step = (int32_t) step;
   view->scale = scale;
   for (size_t i = 0; qn_view_switches[i] != NULL; i++)
@@ -281,6 +290,8 @@ append_recipe (GString *json, const QnRecipe *recipe)
   append_text (json, "caption", recipe->caption);
   if (view.field != QN_FIELD_NONE)
     append_text (json, "field", qn_field_name (view.field));
+  if (view.view == QN_VIEW_DIAGRAMS)
+    append_text (json, "diagram", qn_diagram_name (view.diagram));
   if (view.step != QN_STEP_LAST)
     append_number (json, "step", view.step);
   if (view.scale > 0)
@@ -321,7 +332,8 @@ bool
 qn_recipe_needs_result (const QnRecipe *recipe)
 {
   return recipe->view.view == QN_VIEW_DEFORMED || recipe->view.view == QN_VIEW_MECHANISM
-         || recipe->view.view == QN_VIEW_FORCES || recipe->view.field != QN_FIELD_NONE;
+         || recipe->view.view == QN_VIEW_FORCES || recipe->view.view == QN_VIEW_DIAGRAMS
+         || recipe->view.field != QN_FIELD_NONE;
 }
 
 void
