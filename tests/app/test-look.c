@@ -64,8 +64,25 @@ test_window (void)
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.show-panel::properties");
   expect_to_fit (GTK_WIDGET (window), "properties");
+  qn_selection_set_face (qn_document_get_selection (qn_window_get_document (window)), 40);
+  expect_to_fit (GTK_WIDGET (window), "joint");
   driver_activate (window, "win.show-panel::findings");
   expect_to_fit (GTK_WIDGET (window), "findings");
+  driver_discard (window);
+}
+
+/* Masonry with an opening selected: the longest form there is. */
+static void
+test_masonry (void)
+{
+  QnWindow *window = driver_open_window (SCREEN_WIDTH, SCREEN_HEIGHT);
+  g_autofree char *path = driver_example_path ("12-facade.quoin");
+  g_assert_true (qn_window_open_path (window, path));
+  qn_selection_set_opening (qn_document_get_selection (qn_window_get_document (window)),
+                            0, 0);
+  expect_to_fit (GTK_WIDGET (window), "opening");
+  driver_activate (window, "win.tool::arch");
+  expect_to_fit (GTK_WIDGET (window), "arch");
   driver_discard (window);
 }
 
@@ -115,6 +132,7 @@ main (int argc, char **argv)
   if (g_str_equal (look, "dark"))
     g_settings_set_string (qn_settings_get (), "style", "dark");
   g_test_add_func ("/app/look/window", test_window);
+  g_test_add_func ("/app/look/masonry", test_masonry);
   g_test_add_func ("/app/look/dialogs", test_dialogs);
   return g_test_run ();
 }
