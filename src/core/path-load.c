@@ -33,9 +33,6 @@
 /* The first limit point is located within so many resolutions of the multiplier. */
 #define LIMIT_RESOLUTION 10.0
 
-/* Factorisations of one increment along the central path. */
-#define CENTRAL_BUDGET 40
-
 /* A multiplier at which a path without a prescribed end counts as unbounded. */
 #define UNBOUNDED 1e9
 
@@ -220,7 +217,7 @@ attempt (LoadControl *control, double target, bool *cut)
   if (!control->relaxed || *cut)
     return status;
   if (control->central != NULL)
-    status = qn_central_path_solve (control->central, &goal, CENTRAL_BUDGET);
+    status = qn_central_path_solve (control->central, &goal, QN_CENTRAL_BUDGET);
   if (status != QN_SOLVE_FAILED || central_decides (control, target))
     return status;
 

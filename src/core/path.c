@@ -127,17 +127,34 @@ record_unstable_blocks (QnPath *path, QnDiag *diag)
   return QN_OK;
 }
 
-QnStatus
-qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
+/* The equilibrium under dead load: by Newton's method, or along the central path, or where
+ * relaxation comes to rest. */
+static QnSolveStatus
+find_rest (QnEquilibrium *eq)
 {
-  QnEquilibrium *eq = &path->equilibrium;
   const QnTarget target = qn_target_multiplier (0);
   QnSolveStatus solve = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
 
+  if (solve == QN_SOLVE_FAILED && qn_central_path_applies (&eq->assembly)) {
+    QnCentralPath *central = qn_central_path_new (eq);
+    if (central == NULL)
+      return QN_SOLVE_NO_MEMORY;
+    solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+    qn_central_path_free (central);
+  }
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
     solve = qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET);
   }
+  return solve;
+}
+
+QnStatus
+qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnSolveStatus solve = find_rest (eq);
+
   *stands = solve == QN_SOLVE_CONVERGED;
 
   switch (solve) {

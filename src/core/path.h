@@ -21,6 +21,9 @@
  * contacts; stiff joints make the way there long. */
 #define QN_RELAX_BUDGET_HELD 10000
 
+/* Factorisations of one increment along the central path. */
+#define QN_CENTRAL_BUDGET 40
+
 typedef struct QnPath {
   const QnModel *model;
   const QnAnalysisSettings *settings; /* in force: those of the model, or of the stage */
