@@ -97,14 +97,15 @@ static QnPairState
 phase_state (QnPhase phase)
 {
   if (phase >= QN_PHASE_SEGMENT)
-    return QN_PAIR_STICK;
+    return QN_PAIR_YIELD;
   switch (phase) {
   case QN_PHASE_STICK:
+  case QN_PHASE_CURVED:
+    return QN_PAIR_STICK;
   case QN_PHASE_YIELD_POSITIVE:
   case QN_PHASE_YIELD_NEGATIVE:
-  case QN_PHASE_CURVED:
   case QN_PHASE_CRUSH:
-    return QN_PAIR_STICK;
+    return QN_PAIR_YIELD;
   case QN_PHASE_SLIP_POSITIVE:
   case QN_PHASE_SLIP_NEGATIVE:
     return QN_PAIR_SLIP;
@@ -127,10 +128,14 @@ phase_state (QnPhase phase)
 QnPairState
 qn_pair_state (const QnPairSprings *springs, int16_t phase)
 {
+  static const int ranks[QN_PAIR_STATE_COUNT] = {
+    [QN_PAIR_STICK] = 0, [QN_PAIR_YIELD] = 1, [QN_PAIR_SLIP] = 2, [QN_PAIR_OPEN] = 3
+  };
+
   if (springs->equal)
     return phase_state ((QnPhase) phase);
 
   QnPairState a = phase_state ((QnPhase) (phase / QN_PHASE_COUNT));
   QnPairState b = phase_state ((QnPhase) (phase % QN_PHASE_COUNT));
-  return a > b ? a : b;
+  return ranks[a] > ranks[b] ? a : b;
 }

@@ -41,12 +41,14 @@ bool qn_pair_springs_run_back (const QnPairSprings *springs);
 bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
                        const double q[2], QnPairResponse *response);
 
-/* Stick, slip or open: what is reported of a phase. A pair of unequal springs is open if one
- * of them is, and slips if one of them does. */
+/* What is reported of a phase. Of unequal springs one that is open makes the pair open, else one
+ * that slips makes it slip, else one that yields makes it yield. Joints never yield: that is
+ * for the plastic branches of members' laws. */
 typedef enum {
   QN_PAIR_STICK,
   QN_PAIR_SLIP,
   QN_PAIR_OPEN,
+  QN_PAIR_YIELD,
   QN_PAIR_STATE_COUNT
 } QnPairState;
 

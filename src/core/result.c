@@ -27,6 +27,7 @@ qn_pair_state_name (QnPairState state)
     [QN_PAIR_STICK] = "stick",
     [QN_PAIR_SLIP] = "slip",
     [QN_PAIR_OPEN] = "open",
+    [QN_PAIR_YIELD] = "yield",
   };
   return names[state];
 }

@@ -137,7 +137,7 @@ typedef struct QnResult {
   QnStatistics statistics;
 } QnResult;
 
-/* Result-file spelling: "collapse", "target-reached", … and "stick", "slip", "open". */
+/* Result-file spelling: "collapse", "target-reached", … and "stick", "slip", "open", "yield". */
 const char *qn_outcome_name (QnOutcome outcome);
 const char *qn_pair_state_name (QnPairState state);
 

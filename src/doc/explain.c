@@ -128,6 +128,8 @@ qn_explain_pair_state (QnPairState state)
     return _ ("slides");
   case QN_PAIR_OPEN:
     return _ ("open");
+  case QN_PAIR_YIELD:
+    return _ ("yields");
   case QN_PAIR_STATE_COUNT:
     break;
   }

@@ -10,8 +10,8 @@
  * last step's forces, of which equilibrium is checked, are written in full. */
 #define FORCE_FORMAT "%.8g"
 
-/* Stick, slip, open. */
-static const char letters[QN_PAIR_STATE_COUNT + 1] = "kso";
+/* Stick, slip, open, yield. */
+static const char letters[QN_PAIR_STATE_COUNT + 1] = "ksoy";
 
 void
 qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t step)
