@@ -136,6 +136,26 @@ qn_place_warn (const QnPlace *place, const char *message)
   g_free (path);
 }
 
+/* Members of one object follow each other, so that its entry is the last one. What memory does
+ * not hold is not kept. */
+void
+qn_place_keep_unknown (const QnPlace *object, const cJSON *member)
+{
+  QnReader *reader = object->reader;
+  if (reader->unknown == NULL)
+    reader->unknown = cJSON_CreateObject ();
+  if (reader->unknown == NULL)
+    return;
+  char *path = qn_place_dup_path (object);
+  cJSON *first = reader->unknown->child, *owner = first != NULL ? first->prev : NULL;
+  if (owner == NULL || strcmp (owner->string, path) != 0)
+    owner = cJSON_AddObjectToObject (reader->unknown, path);
+  cJSON *copy = owner != NULL ? cJSON_Duplicate (member, 1) : NULL;
+  if (copy != NULL && !cJSON_AddItemToObject (owner, member->string, copy))
+    cJSON_Delete (copy);
+  g_free (path);
+}
+
 void
 qn_place_warn_unknown (const QnPlace *object, const char *const *keys, gsize count)
 {
@@ -143,10 +163,11 @@ qn_place_warn_unknown (const QnPlace *object, const char *const *keys, gsize cou
     gsize i = 0;
     while (i < count && strcmp (child->string, keys[i]) != 0)
       i++;
-    if (i == count) {
-      QnPlace member = qn_place_member (object, child->string);
-      qn_place_warn (&member, _ ("unknown key"));
-    }
+    if (i < count)
+      continue;
+    QnPlace member = qn_place_member (object, child->string);
+    qn_place_warn (&member, _ ("unknown key"));
+    qn_place_keep_unknown (object, child);
   }
 }
 

@@ -21,6 +21,7 @@ typedef struct QnReader {
   GPtrArray *warnings;          /* of char * */
   guint dropped_warnings;       /* beyond QN_READER_MAX_WARNINGS */
   GError *error;                /* the first one; domain QN_IO_ERROR */
+  cJSON *unknown; /* copies of unknown members: an object by the path of their owner */
 } QnReader;
 
 #define QN_READER_MAX_WARNINGS 100
@@ -59,8 +60,12 @@ gboolean qn_place_no_memory (const QnPlace *place);
 
 void qn_place_warn (const QnPlace *place, const char *message);
 
-/* A warning for every member of an object that is not among `keys`. */
+/* A warning for every member of an object that is not among `keys`; it is kept in the reader's
+ * `unknown`. */
 void qn_place_warn_unknown (const QnPlace *object, const char *const *keys, gsize count);
+
+/* Puts a copy of one member aside in the reader's `unknown`. */
+void qn_place_keep_unknown (const QnPlace *object, const cJSON *member);
 
 /* Values of a place. Each returns FALSE with the error recorded where the value is missing, of
  * another type or out of range. Strings are borrowed from the tree. */

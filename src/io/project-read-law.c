@@ -38,6 +38,8 @@ warn_of_keys (const QnPlace *place, QnLawKind kind)
     qn_place_warn (&member, is_of_any_kind (child->string)
                               ? _ ("has no effect for this kind of law")
                               : _ ("unknown key"));
+    if (!is_of_any_kind (child->string))
+      qn_place_keep_unknown (place, child);
   }
 }
 

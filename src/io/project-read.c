@@ -4,6 +4,7 @@
 #include "io/json-override.h"
 #include "io/json-parse.h"
 #include "io/json-text.h"
+#include "io/project-inner.h"
 #include "io/project-masonry.h"
 #include "io/project-read-parts.h"
 #include "io/project.h"
@@ -175,6 +176,9 @@ read_project (QnProject *project, GError **error)
   if (document != NULL) {
     QnPlace root = qn_place_root (&reader, document);
     read_document (&root, document, project);
+    if (!qn_project_keep_inner (project, g_steal_pointer (&reader.unknown))
+        && reader.error == NULL)
+      qn_place_no_memory (&root);
     cJSON_Delete (document);
     count_dropped_warnings (&reader);
   }

@@ -1,5 +1,6 @@
 #include "io/file-writer.h"
 #include "io/json-text.h"
+#include "io/project-inner.h"
 #include "io/project-masonry.h"
 #include "io/project-names.h"
 #include "io/project-write-parts.h"
@@ -229,12 +230,13 @@ append_head (GString *json, const QnModel *model)
 }
 
 static void
-append_structure (GString *json, const QnModel *model)
+append_structure (GString *json, const QnModel *model, GHashTable *inner)
 {
   g_string_append (json, "  \"laws\": [");
   for (size_t i = 0; i < model->law_count; i++) {
     g_string_append (json, i > 0 ? ",\n    " : "\n    ");
     append_law (json, &model->laws[i]);
+    qn_json_append_inner (json, inner, "laws", model->laws[i].name);
   }
   g_string_append (json, " ],\n  \"blocks\": [");
   gboolean first = TRUE;
@@ -243,6 +245,7 @@ append_structure (GString *json, const QnModel *model)
       continue;
     g_string_append (json, first ? "\n    " : ",\n    ");
     append_block (json, model, (QnId) i);
+    qn_json_append_inner (json, inner, "blocks", model->blocks[i].name);
     first = FALSE;
   }
   g_string_append (json, " ],\n");
@@ -253,6 +256,7 @@ append_structure (GString *json, const QnModel *model)
   for (size_t i = 0; i < model->wall_count; i++) {
     g_string_append (json, i > 0 ? ",\n    " : "\n    ");
     append_wall (json, model, &model->walls[i]);
+    qn_json_append_inner (json, inner, "walls", model->walls[i].name);
   }
   g_string_append (json, " ],\n");
 }
@@ -289,19 +293,25 @@ qn_project_to_text (const QnProject *project, gsize *length)
   const QnModel *model = &project->model;
   GString *json = g_string_sized_new (4096);
   append_head (json, model);
-  append_structure (json, model);
+  GHashTable *inner = qn_project_index_inner (project);
+  append_structure (json, model, inner);
   qn_project_append_beams (json, model);
   append_contact (json, model);
+  qn_json_append_inner (json, inner, "contact", NULL);
   g_string_append (json, ",\n");
   append_bars (json, model);
   qn_project_append_loads (json, model);
+  qn_json_append_inner (json, inner, "loads", NULL);
   g_string_append (json, ",\n");
   qn_project_append_analysis (json, model);
+  qn_json_append_inner (json, inner, "analysis", NULL);
+  g_clear_pointer (&inner, g_hash_table_unref);
 
   const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;
   for (; extra != NULL; extra = extra->next) {
     gboolean masonry = g_strcmp0 (extra->string, QN_MASONRY_MEMBER) == 0;
-    if (masonry && !has_any_masonry (model))
+    if ((masonry && !has_any_masonry (model))
+        || g_strcmp0 (extra->string, QN_INNER_MEMBER) == 0)
       continue;
     g_string_append (json, ",\n  ");
     qn_json_append_string (json, extra->string);

@@ -87,6 +87,7 @@ state_ink (const Drawing *d, QnPairState state)
 {
   switch (state) {
   case QN_PAIR_SLIP:
+  case QN_PAIR_YIELD:
     return d->plot->dark ? qn_rgb (0xffb454) : qn_ink (QN_INK_SLIDE, false);
   case QN_PAIR_OPEN:
     return d->plot->dark ? qn_rgb (0xff8a80) : qn_ink (QN_INK_OPEN, false);
@@ -97,14 +98,14 @@ state_ink (const Drawing *d, QnPairState state)
   return d->plot->dark ? qn_rgb (0x8ec7ff) : qn_ink (QN_INK_SELECTION, false);
 }
 
-/* Round: sticks; square: slips; hollow: open. */
+/* Round: sticks; square: slips or yields; hollow: open. */
 static void
 draw_mark (const Drawing *d, double x, double y, QnPairState state)
 {
   double r = MARK_PT * d->unit;
   set_ink (d, state_ink (d, state), 1.0);
   cairo_new_path (d->cr);
-  if (state == QN_PAIR_SLIP)
+  if (state == QN_PAIR_SLIP || state == QN_PAIR_YIELD)
     cairo_rectangle (d->cr, x - r, y - r, 2 * r, 2 * r);
   else
     cairo_arc (d->cr, x, y, r, 0, 2 * M_PI);

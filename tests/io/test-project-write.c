@@ -309,6 +309,93 @@ test_save (void)
   test_scratch_free (folder);
 }
 
+/* Unknown members inside laws, blocks, contact, loads and analysis come back, whatever they
+ * are, and stay with the block of their name when others go. */
+static void
+test_inner_members (void)
+{
+  static const char *const kept[] = {
+    "\"source\": \"test 12\"", "\"colour\": ", "\"empty\": null",
+    "\"remark\": true",        "\"note\": 5",  "\"by\": [1, 2]"
+  };
+  char *first = test_replace (test_project_text, "\"kn\": 1e7",
+                              "\"kn\": 1e7, \"source\": \"test 12\"");
+  char *second =
+    test_replace (first, "\"name\": \"top\"",
+                  "\"name\": \"top\", \"colour\": { \"r\": 1 }, \"empty\": null");
+  char *third =
+    test_replace (second, "\"contact\": {", "\"contact\": { \"remark\": true,");
+  char *fourth = test_replace (third, "\"loads\": {", "\"loads\": { \"note\": 5,");
+  char *text = test_replace (fourth, "\"version\": 1,",
+                             "\"version\": 1, \"analysis\": { \"by\": [1, 2] },");
+  QnProject project, again;
+  test_parse (text, &project);
+  char *written = qn_project_to_text (&project, NULL);
+  for (size_t i = 0; i < G_N_ELEMENTS (kept); i++)
+    g_assert_nonnull (strstr (written, kept[i]));
+  test_parse (written, &again);
+  char *rewritten = qn_project_to_text (&again, NULL);
+  g_assert_cmpstr (rewritten, ==, written);
+  g_assert_cmpuint (project.warnings->len, ==, again.warnings->len);
+  char *list[] = { first, second, third, fourth, text, written, rewritten };
+  for (size_t i = 0; i < G_N_ELEMENTS (list); i++)
+    g_free (list[i]);
+  qn_project_clear (&again);
+  qn_project_clear (&project);
+}
+
+/* Load sets, settlements and stages. */
+static void
+test_stages (void)
+{
+  char *loads = test_replace (
+    test_project_text, "\"loads\": {",
+    "\"loads\": { \"sets\": { \"top\": [ { \"kind\": \"force\", \"block\": "
+    "\"top\", \"value\": [0, -5] } ], \"ground, left\": [ { \"kind\": "
+    "\"settlement\", \"block\": \"base\", \"component\": \"uy\", \"value\": -0.01 "
+    "} ] },");
+  char *text = test_replace (
+    loads, "\"version\": 1,",
+    "\"version\": 1, \"analysis\": { \"stages\": [ { \"name\": \"first\", \"loads\": "
+    "[\"top\", "
+    "\"live\"], \"target\": 2, \"increments\": 3 }, { \"loads\": \"ground, left\" "
+    "}, { \"loads\": [\"live\", \"top\"], \"procedure\": \"displacement\", "
+    "\"control\": { \"block\": \"top\", \"component\": \"ux\", \"target\": 0 } } "
+    "] },");
+  QnProject project, again;
+  test_parse (text, &project);
+  char *written = qn_project_to_text (&project, NULL);
+  test_parse (written, &again);
+  const QnProject *both[] = { &project, &again };
+  for (int i = 0; i < 2; i++) {
+    const QnModel *model = &both[i]->model;
+    g_assert_cmpuint (model->load_set_count, ==, 2);
+    g_assert_cmpstr (model->load_sets[1], ==, "ground, left");
+    g_assert_cmpuint (model->stage_count, ==, 3);
+    const QnStage *stages = model->stages;
+    g_assert_cmpstr (stages[0].name, ==, "first");
+    g_assert_cmpuint (stages[0].sets, ==, 3);
+    g_assert_true (stages[0].has_target);
+    g_assert_cmpfloat (stages[0].target, ==, 2);
+    g_assert_cmpint (stages[0].increments, ==, 3);
+    g_assert_null (stages[1].name);
+    g_assert_cmpuint (stages[1].sets, ==, 4);
+    g_assert_false (stages[1].has_target);
+    g_assert_cmpint (stages[2].procedure, ==, QN_PROCEDURE_DISPLACEMENT);
+    g_assert_cmpfloat (stages[2].control_target, ==, 0);
+    const QnLoad *ground = &model->live_loads[model->live_load_count - 1];
+    g_assert_cmpint (ground->kind, ==, QN_LOAD_SETTLEMENT);
+    g_assert_cmpint (ground->set, ==, 2);
+    g_assert_cmpint (ground->dof, ==, QN_DOF_UY);
+    g_assert_cmpfloat (ground->value, ==, -0.01);
+  }
+  g_free (loads);
+  g_free (text);
+  g_free (written);
+  qn_project_clear (&again);
+  qn_project_clear (&project);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -319,5 +406,7 @@ main (int argc, char **argv)
   g_test_add_func ("/project-write/digits", test_digits);
   g_test_add_func ("/project-write/layout", test_layout);
   g_test_add_func ("/project-write/save", test_save);
+  g_test_add_func ("/project-write/inner-members", test_inner_members);
+  g_test_add_func ("/project-write/stages", test_stages);
   return g_test_run ();
 }
