@@ -8,6 +8,9 @@
 #define WEIGHT_ARROW 0.45
 #define FORCE_ARROW  1.4
 
+/* Length of the arrow of a support that gives way, in block sizes. */
+#define SETTLEMENT_ARROW 1.2
+
 /* Arrows of a load along a beam, less one. */
 #define LINE_ARROWS 10
 
@@ -127,6 +130,37 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
     ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
 }
 
+/* A support that gives way: an arrow in its direction with how far. Turning has its size told
+ * only. */
+static void
+add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
+                QnColor color)
+{
+  bool turns = load->dof == QN_DOF_RZ;
+  double sign = load->value < 0 ? -1 : 1, length = SETTLEMENT_ARROW * b->block_size;
+  QnVec2 along = turns                    ? qn_vec2 (0, 0)
+                 : load->dof == QN_DOF_UX ? qn_vec2 (sign, 0)
+                                          : qn_vec2 (0, sign);
+  QnVec2 from = qn_builder_place (b, load->block, b->model->blocks[load->block].centroid);
+  QnVec2 to = qn_vec2_add_scaled (from, length, along);
+  if (!turns)
+    qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, to, 1.4, color, pick, index, 0);
+  g_autofree char *number =
+    qn_label_number ("%.3g", turns ? 1e3 * load->value : 1e3 * fabs (load->value));
+  g_autofree char *text = g_strconcat (number, turns ? " mrad" : " mm", NULL);
+  QnCommand *label =
+    qn_scene_text (b->scene, QN_LAYER_LABELS, to, QN_SIZE_LABEL, text, color);
+  label->align_x = along.x < 0 ? 1.1f : along.x > 0 ? -0.1f : 0.5f;
+  label->align_y = along.y < 0 ? 1.2f : along.y > 0 ? -0.2f : 0.5f;
+}
+
+/* Loads of sets are called by the name of their set. */
+static const char *
+set_label (const QnSceneBuilder *b, const QnLoad *load, const char *name)
+{
+  return load->set > 0 ? qn_model_load_set_name (b->model, load->set) : name;
+}
+
 static void
 add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick,
            QnInk ink, const char *name)
@@ -143,6 +177,15 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
       add_line_load (b, load, pick, (QnId) i, color);
       continue;
     }
+    if (load->kind == QN_LOAD_SETTLEMENT) {
+      add_settlement (b, load, pick, (QnId) i, color);
+      QnLegendEntry *entry =
+        qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, _ ("%s: settlement"),
+                         set_label (b, load, name));
+      entry->marker = QN_MARKER_ARROW_HEAD;
+      entry->size = 1.4f;
+      continue;
+    }
     /* Own weight downwards goes without saying: the legend names it, no arrow is spent. */
     bool own = load->vector.x == 0 && load->vector.y < 0 && pick == QN_PICK_DEAD_LOAD;
     if (!own)
@@ -152,8 +195,9 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
     g_autofree char *what = own && load->vector.y == -1
                               ? g_strdup (_ ("own weight"))
                               : g_strdup_printf (_ ("weight × (%s, %s)"), x, y);
-    QnLegendEntry *entry = qn_scene_legend (
-      b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color, "%s: %s", name, what);
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color,
+                       "%s: %s", set_label (b, load, name), what);
     entry->marker = QN_MARKER_ARROW_HEAD;
     entry->size = QN_WIDTH_ARROW;
   }
