@@ -1,0 +1,177 @@
+/* Load stages, settlements and reasons on the command line. */
+#include "cli-run.h"
+
+#include <string.h>
+
+static char *
+example (const char *name)
+{
+  return g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
+}
+
+/* One error line with the key, exit code 3. */
+static void
+test_refused (void)
+{
+  static const struct {
+    const char *model, *set, *expected;
+  } cases[] = {
+    { "16-load-stages.quoin", "analysis.stages=[{\"loads\":\"wind\",\"target\":1}]",
+      "no load set has this name" },
+    { "16-load-stages.quoin", "analysis.stages=[{\"loads\":[],\"target\":1}]",
+      "stage drives no load set" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":[\"top\",\"top\"],\"target\":1}]",
+      "load set is named twice" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":\"top\"},{\"loads\":\"push\",\"target\":1}]",
+      "target is missing: only the last stage may go on to collapse" },
+    { "16-load-stages.quoin", "analysis.stages=[{\"loads\":\"top\",\"target\":0}]",
+      "stage ends where it begins" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":\"top\",\"target\":1},{\"loads\":[\"top\",\"push\"],"
+      "\"target\":2}]",
+      "load sets of the stage stand at different multipliers" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":\"push\",\"procedure\":\"displacement\"}]",
+      "procedure needs a control block and target" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":\"push\",\"target\":1,\"control\":{\"block\":\"b6\","
+      "\"component\":\"ux\",\"target\":0.1}}]",
+      "stage ends at a multiplier or at a displacement, not at both" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":\"push\",\"procedure\":\"displacement\",\"control\":{"
+      "\"block\":\"base\",\"component\":\"ux\",\"target\":0.1}}]",
+      "controlled degree of freedom is fixed" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":\"push\",\"procedure\":\"displacement\",\"control\":{"
+      "\"block\":\"b77\",\"component\":\"ux\",\"target\":0.1}}]",
+      "no block has this name" },
+    { "16-load-stages.quoin",
+      "analysis.stages=[{\"loads\":\"push\",\"procedure\":\"limit\"}]",
+      "limit analysis has no stages" },
+    { "16-load-stages.quoin", "analysis.procedure=limit",
+      "limit analysis has no stages" },
+    { "16-load-stages.quoin", "analysis.max_multiplier=2",
+      "stages have targets of their own" },
+    { "18-spreading-arch.quoin", "loads.live[0].block=v3",
+      "only a supported degree of freedom can settle" },
+    { "18-spreading-arch.quoin", "analysis.procedure=work",
+      "work control needs loads: settlements do no work" },
+    { "18-spreading-arch.quoin", "analysis.procedure=limit",
+      "limit analysis knows loads, not settlements" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *path = example (cases[i].model);
+    CliRun run = cli_run ("check", path, "--set", cases[i].set, NULL);
+    g_test_message ("%s", run.err);
+    g_assert_cmpint (run.code, ==, 3);
+    g_assert_nonnull (strstr (run.err, cases[i].expected));
+    g_assert_cmpstr (strchr (run.err, '\n'), ==, "\n");
+    cli_run_clear (&run);
+  }
+}
+
+/* A target on the wrong side is found when the analysis begins. */
+static void
+test_wrong_sign (void)
+{
+  g_autofree char *path = example ("02-overturning-block.quoin");
+  CliRun run = cli_run (
+    "solve", path, "--set", "analysis.procedure=displacement", "--set",
+    "analysis.control={\"block\":\"block\",\"component\":\"ux\",\"target\":-0.05}", NULL);
+  g_assert_cmpint (run.code, ==, 3);
+  g_assert_nonnull (strstr (run.err, "target lies against the motion"));
+  g_assert_nonnull (strstr (run.err, "analysis.control"));
+  cli_run_clear (&run);
+}
+
+static void
+test_tables (void)
+{
+  g_autofree char *staged = example ("17-unloading.quoin");
+  g_autofree char *settling = example ("18-spreading-arch.quoin");
+  CliRun run = cli_run ("solve", staged, "-q", "--csv", "-", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, ",event,stage\n"));
+  g_assert_nonnull (strstr (run.out, ",release\n"));
+  cli_run_clear (&run);
+  run = cli_run ("solve", settling, "-q", "--csv", "-", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "right abutment ux [m],right abutment Rx [N]\n"));
+  cli_run_clear (&run);
+}
+
+static void
+test_reasons (void)
+{
+  g_autofree char *staged = example ("16-load-stages.quoin");
+  g_autofree char *settling = example ("18-spreading-arch.quoin");
+  g_autofree char *block = example ("02-overturning-block.quoin");
+  CliRun run = cli_run ("solve", staged, "-q", "-o", "-", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "\"reason\": \"Stage 2 of 2, “push”: Collapse"));
+  g_assert_nonnull (strstr (run.out, "\"stages\": [\"load on top\", \"push\"]"));
+  g_assert_nonnull (strstr (run.out, "\"stage\": 0"));
+  g_assert_nonnull (strstr (run.out, "\"reactions\": [["));
+  cli_run_clear (&run);
+  run = cli_run ("solve", settling, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "The supports have settled as far"));
+  cli_run_clear (&run);
+
+  /* Nothing drives a path without live loads: said, not passed over. */
+  run = cli_run ("solve", block, "--set", "loads.live=[]", NULL);
+  g_assert_cmpint (run.code, ==, 0);
+  g_assert_nonnull (strstr (run.err, "no live load acts on any free block"));
+  g_assert_nonnull (strstr (run.out, "No live load acts on any free block"));
+  cli_run_clear (&run);
+  run = cli_run ("solve", block, "--set", "analysis.max_multiplier=0.1", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "The load multiplier has reached 0.1"));
+  cli_run_clear (&run);
+}
+
+static void
+test_stability (void)
+{
+  g_autofree char *column = example ("21-column-pinned.quoin");
+  g_autofree char *staged = example ("16-load-stages.quoin");
+  CliRun run = cli_run ("stability", column, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "stability is lost at load multiplier 2470"));
+  cli_run_clear (&run);
+  run = cli_run ("stability", column, "--set", "analysis.max_multiplier=2000", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "stable all along"));
+  cli_run_clear (&run);
+  run = cli_run ("stability", staged, NULL);
+  g_assert_cmpint (run.code, ==, 3);
+  g_assert_nonnull (strstr (run.err, "not along stages"));
+  cli_run_clear (&run);
+}
+
+/* The quick groups of the published cases. */
+static void
+test_verify (void)
+{
+  CliRun run = cli_run ("verify", "-q", "members", "stages", "columns", "elastica",
+                        "rocking", "vibrations", NULL);
+  cli_assert_done (&run);
+  g_assert_null (strstr (run.out, "MISSED"));
+  g_assert_nonnull (strstr (run.out, "30 met, 0 missed, 3 reported only."));
+  cli_run_clear (&run);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/stages/refused", test_refused);
+  g_test_add_func ("/cli/stages/wrong-sign", test_wrong_sign);
+  g_test_add_func ("/cli/stages/tables", test_tables);
+  g_test_add_func ("/cli/stages/reasons", test_reasons);
+  g_test_add_func ("/cli/stages/stability", test_stability);
+  g_test_add_func ("/cli/stages/verify", test_verify);
+  return g_test_run ();
+}
