@@ -71,7 +71,8 @@ update_description (QnCanvas *self)
   const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
   g_autofree char *text = g_strdup_printf (
-    _ ("Drawing of %u blocks with %u contact faces; the arrow keys move the selection"),
+    _ ("Drawing of %u blocks with %u contact faces; the arrow keys move the selection, "
+       "or the pointer of a drawing tool, and Enter clicks there"),
     (guint) model->block_count, (guint) contacts->face_count);
   gtk_accessible_update_property (GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   _ ("Drawing"), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
