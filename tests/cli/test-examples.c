@@ -28,6 +28,15 @@ test_check (gconstpointer path)
   cli_run_clear (&run);
 }
 
+/* A structure without supports is listed, and refused. */
+static void
+test_check_free (gconstpointer path)
+{
+  CliRun run = cli_run ("check", path, NULL);
+  g_assert_nonnull (strstr (run.out, "contact faces: 5"));
+  cli_assert_failed (&run, 3, "no supported block");
+}
+
 /* Solves, and holds the result against the independent check. */
 static void
 test_solve (gconstpointer path)
@@ -73,7 +82,7 @@ main (int argc, char **argv)
     g_autofree char *base = g_path_get_basename (path);
     g_autofree char *check = g_strconcat ("/cli/examples/check/", base, NULL);
     g_autofree char *solve = g_strconcat ("/cli/examples/solve/", base, NULL);
-    g_test_add_data_func (check, path, test_check);
+    g_test_add_data_func (check, path, is_free (base) ? test_check_free : test_check);
     g_test_add_data_func (solve, path, is_free (base) ? test_modes : test_solve);
   }
   return g_test_run ();
