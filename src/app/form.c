@@ -4,6 +4,9 @@
 #define COLUMN_SPACING 12
 #define MARGIN         12
 
+/* Characters of a choice that are shown in any case. */
+#define CHOICE_CHARS 16
+
 #define ROW_LABEL "qn-row-label"
 
 GtkWidget *
@@ -79,8 +82,10 @@ on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer 
   (void) factory;
   GtkWidget *label = gtk_label_new (NULL);
   gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  if (shortened != NULL)
+  if (shortened != NULL) {
     gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    gtk_label_set_width_chars (GTK_LABEL (label), CHOICE_CHARS);
+  }
   gtk_list_item_set_child (item, label);
 }
 

@@ -154,6 +154,7 @@ build_content (Panel *panel)
     qn_form_add_choice (form, _ ("_Run"), none, G_CALLBACK (on_run_chosen), panel);
   panel->facts = qn_form_add_text (form);
   gtk_widget_add_css_class (GTK_WIDGET (panel->facts), "dim-label");
+  gtk_widget_set_hexpand (GTK_WIDGET (panel->runs), TRUE);
   panel->onion = qn_form_add_choice (form, _ ("Out_line of"), none,
                                      G_CALLBACK (on_onion_chosen), panel);
   qn_form_add_wide (form, qn_bounds_table_new (document_of (panel)));
