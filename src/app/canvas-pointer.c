@@ -2,6 +2,7 @@
 #include "app/canvas-private.h"
 
 #include "app/settings.h"
+#include <math.h>
 
 /* px: how far the magnet pulls. */
 #define MAGNET_REACH_PX 9.0
@@ -21,6 +22,12 @@ update_hit (QnCanvas *self)
                         : 0.0 };
   const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
   self->hit = qn_magnet_find (&magnet, model, point, self->magnet_skip);
+  /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm. */
+  if (magnet.enabled && self->hit.kind == QN_MAGNET_NOTHING) {
+    double round_to = qn_magnet_round_distance (1.0 / self->camera.scale);
+    self->hit.point = qn_vec2 (round (self->hit.point.x / round_to) * round_to,
+                               round (self->hit.point.y / round_to) * round_to);
+  }
 }
 
 static QnToolEvent
