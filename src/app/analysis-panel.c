@@ -1,6 +1,7 @@
 #include "app/form.h"
 #include "app/panel.h"
 #include "doc/pair-text.h"
+#include "io/outcome-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -10,7 +11,7 @@ typedef struct Panel {
   QnQuantityEntry *increments, *max_multiplier, *multiplier_tolerance,
     *residual_tolerance;
   QnQuantityEntry *target, *target_angle; /* by what is controlled, one of them shown */
-  GtkLabel *explanation;
+  GtkLabel *stages, *explanation;
   QnQuantityEntry *dead_x, *dead_y, *live_x, *live_y;
   QnQuantityEntry *offset, *count, *tolerance;
   GtkEntry *positions, *weights;
@@ -245,6 +246,25 @@ update_visibility (Panel *panel, const QnModel *model)
     qn_form_set_row_visible (rows[i].field, rows[i].visible);
 }
 
+/* Stages are kept and solved as the project file has them. */
+static void
+update_stages (Panel *panel, const QnModel *model)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (gsize i = 0; i < model->stage_count; i++) {
+    g_autofree char *name = qn_stage_dup_name (model, (int32_t) i + 1);
+    g_string_append_printf (text, "%s“%s”", i > 0 ? ", " : "", name);
+  }
+  g_autofree char *told =
+    model->stage_count > 0 ? g_strdup_printf (
+      _ ("Loaded in stages, as the project file has them: %s. Each has "
+         "its own procedure, increments and end."),
+      text->str)
+                           : g_strdup ("");
+  gtk_label_set_text (panel->stages, told);
+  gtk_widget_set_visible (GTK_WIDGET (panel->stages), model->stage_count > 0);
+}
+
 static void
 update (Panel *panel)
 {
@@ -256,6 +276,7 @@ update (Panel *panel)
   qn_form_set_choice (panel->component, (guint) a->control_dof, panel);
   qn_form_set_choice (panel->placement, (guint) model->contact.pairs.placement, panel);
   gtk_label_set_text (panel->explanation, _ (procedures[procedure_row (a)].explanation));
+  update_stages (panel, model);
   fill_blocks (panel, model);
   qn_quantity_entry_set_value (panel->increments, a->increments);
   qn_quantity_entry_set_value (panel->max_multiplier, a->max_multiplier);
@@ -295,6 +316,7 @@ build_procedure (Panel *panel, GtkWidget *form)
   qn_form_add_heading (form, _ ("Procedure"));
   panel->procedure = qn_form_add_choice (form, _ ("_Procedure"), labels, choice, panel);
   panel->explanation = qn_form_add_text (form);
+  panel->stages = qn_form_add_text (form);
   gtk_widget_add_css_class (GTK_WIDGET (panel->explanation), "dim-label");
   panel->geometry = qn_form_add_choice (form, _ ("_Geometry"), geometries, choice, panel);
   panel->snap = qn_form_add_choice (form, _ ("_Limit points"), snaps, choice, panel);
