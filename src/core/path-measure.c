@@ -34,6 +34,19 @@ take_tangent (QnPathMeasure *measure, double *rate_length)
   return QN_SOLVE_CONVERGED;
 }
 
+/* Where the tangent is singular, for blocks that nothing holds before there is a live load: the
+ * direction of a structure that is equally stiff everywhere. */
+static void
+take_load_direction (QnPathMeasure *measure, double *rate_length)
+{
+  const QnAssembly *as = &measure->path->equilibrium.assembly;
+  double length = sqrt (dot (as->live, as->live, as->unknown_count));
+
+  *rate_length = length / as->stiffness;
+  for (int32_t i = 0; i < as->unknown_count && length > 0; i++)
+    measure->direction[i] = as->live[i] / length;
+}
+
 /* The first step moves the structure as far as the first increment of load control would. */
 static QnStatus
 choose (QnPathMeasure *measure, QnDiag *diag)
@@ -51,6 +64,8 @@ choose (QnPathMeasure *measure, QnDiag *diag)
 
   if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
+  if (rate_length == 0)
+    take_load_direction (measure, &rate_length);
   measure->first = rate_length / settings->increments;
   if (measure->procedure == QN_PROCEDURE_WORK) {
     double along = dot (measure->direction, eq->assembly.live_at_rest, n);
