@@ -142,6 +142,8 @@ void
 qn_place_keep_unknown (const QnPlace *object, const cJSON *member)
 {
   QnReader *reader = object->reader;
+  if (!reader->keeps_unknown)
+    return;
   if (reader->unknown == NULL)
     reader->unknown = cJSON_CreateObject ();
   if (reader->unknown == NULL)

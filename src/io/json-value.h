@@ -21,7 +21,9 @@ typedef struct QnReader {
   GPtrArray *warnings;          /* of char * */
   guint dropped_warnings;       /* beyond QN_READER_MAX_WARNINGS */
   GError *error;                /* the first one; domain QN_IO_ERROR */
-  cJSON *unknown; /* copies of unknown members: an object by the path of their owner */
+  gboolean keeps_unknown;       /* puts unknown members aside: */
+  cJSON *
+    unknown; /* copies of them, an object by the path of their owner; the caller's to free */
 } QnReader;
 
 #define QN_READER_MAX_WARNINGS 100

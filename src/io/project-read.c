@@ -168,6 +168,7 @@ static gboolean
 read_project (QnProject *project, GError **error)
 {
   QnReader reader = { .name = project->name,
+                      .keeps_unknown = TRUE,
                       .text = project->text,
                       .length = project->text_length,
                       .overrides = (const char *const *) project->overrides,
