@@ -1,5 +1,6 @@
 #include "core/central-path.h"
 
+#include "core/central-pair.h"
 #include "core/clock.h"
 #include "core/memory.h"
 #include "core/tolerance.h"
@@ -7,10 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum {
-  ROWS = 3
-}; /* cap of the normal force; friction against positive, negative shear */
 
 /* Residuals of balance and strength, of strain and complementarity (both relative to the
  * elongations) at which Newton's method may finish; complementarity becomes TIGHTER times as
@@ -44,33 +41,13 @@ enum {
 #define CENTRAL    10.0
 #define GAIN       0.01
 
-/* In units of the path: forces F, the largest load of a block; elongations F over the mean
- * stiffness. */
-typedef struct {
-  int
-    rows; /* strengths that it has: all, the cap alone without any friction, or none: then
-               only y and its tangent count */
-  double friction, dilatancy;
-  double limit[ROWS];
-  double flexibility[2];
-  double plastic[2]; /* q_p */
-
-  double y[2], s[ROWS], z[ROWS];
-  double inverse[2][2]; /* of H: the tangent */
-
-  double strain[2];      /* residuals: q - q_p - flow z - y / k */
-  double strength[ROWS]; /* h - G y - s */
-  double product[ROWS];  /* what s z is to become */
-  double dy[2], ds[ROWS], dz[ROWS];
-} CentralPair;
-
 struct QnCentralPath {
   QnEquilibrium *eq;
   double force, length;
-  CentralPair *pairs;
-  double *rates;     /* pair_count x 2: elongations under a step */
-  CentralPair *kept; /* with the direction found so far, while a better one is sought */
-  double *kept_step; /* unknown_count */
+  QnCentralPair *pairs;
+  double *rates;       /* pair_count x 2: elongations under a step */
+  QnCentralPair *kept; /* with the direction found so far, while a better one is sought */
+  double *kept_step;   /* unknown_count */
 };
 
 bool
@@ -118,150 +95,6 @@ qn_central_path_free (QnCentralPath *path)
   free (path);
 }
 
-/* --- One pair --------------------------------------------------------------------------- */
-
-/* out = G y */
-static void
-apply_strength (const CentralPair *pair, const double y[2], double out[ROWS])
-{
-  out[0] = y[0];
-  out[1] = pair->friction * y[0] + y[1];
-  out[2] = pair->friction * y[0] - y[1];
-}
-
-/* out = flow z */
-static void
-apply_flow (const CentralPair *pair, const double z[ROWS], double out[2])
-{
-  out[0] = z[0] + pair->dilatancy * (z[1] + z[2]);
-  out[1] = z[1] - z[2];
-}
-
-/* s > 0 with s - product / s = surplus, without cancellation. */
-static double
-positive_root (double surplus, double product)
-{
-  double root = sqrt (surplus * surplus + 4 * product);
-
-  return surplus >= 0 ? 0.5 * (surplus + root) : 2 * product / (root - surplus);
-}
-
-/* A pair at its committed state, off the boundary of its strength: s z = size everywhere, and
- * s - z what strength is left, or how far it has opened. */
-static void
-start_pair (const QnCentralPath *path, size_t p, double size)
-{
-  const QnAssembly *as = &path->eq->assembly;
-  const QnSpring *spring = &as->springs[p].a;
-  const QnPairMemory *memory = &as->committed[p];
-  double stiffness = path->force / path->length, used[ROWS];
-  const double q[2] = { as->kinematics[p].elongation[0] / path->length,
-                        as->kinematics[p].elongation[1] / path->length };
-  CentralPair *pair = &path->pairs[p];
-
-  *pair = (CentralPair){ 0 };
-  if (!as->springs[p].equal || spring->kind != QN_LAW_COULOMB)
-    return;
-  pair->rows = spring->friction > 0 || spring->cohesion > 0 ? ROWS : 1;
-  pair->friction = spring->friction;
-  pair->dilatancy = spring->dilatancy;
-  pair->flexibility[0] = stiffness / spring->kn;
-  pair->flexibility[1] = stiffness / spring->ks;
-  pair->plastic[0] = memory->a.opening / path->length;
-  pair->plastic[1] = memory->a.slip / path->length;
-  pair->limit[0] = spring->cap / path->force;
-  pair->limit[1] = pair->limit[2] = spring->cohesion / path->force;
-  for (int i = 0; i < 2; i++)
-    pair->y[i] = as->responses[p].force[i] / path->force;
-  apply_strength (pair, pair->y, used);
-  double opening = q[0] - pair->plastic[0] - pair->flexibility[0] * pair->y[0];
-  for (int i = 0; i < pair->rows; i++) {
-    double flow = i == 0 ? fmax (opening, 0) : 0;
-    double surplus = fmax (pair->limit[i] - used[i], 0) - flow / size;
-    pair->s[i] = positive_root (surplus, 1);
-    pair->z[i] = size / pair->s[i];
-  }
-}
-
-/* Residuals and tangent of a pair at elongation q. */
-static void
-prepare_pair (CentralPair *pair, const double q[2])
-{
-  double flow[2], used[ROWS], ratio[ROWS] = { 0 };
-
-  apply_flow (pair, pair->z, flow);
-  apply_strength (pair, pair->y, used);
-  for (int i = 0; i < pair->rows; i++) {
-    pair->strength[i] = pair->limit[i] - used[i] - pair->s[i];
-    ratio[i] = pair->z[i] / pair->s[i];
-  }
-  for (int i = 0; i < 2; i++)
-    pair->strain[i] =
-      q[i] - pair->plastic[i] - flow[i] - pair->flexibility[i] * pair->y[i];
-  if (pair->rows < ROWS) { /* no shear at all */
-    pair->strain[1] = 0;
-    memset (pair->inverse, 0, sizeof pair->inverse);
-    pair->inverse[0][0] = 1 / (pair->flexibility[0] + ratio[0]);
-    return;
-  }
-
-  double sum = ratio[1] + ratio[2], difference = ratio[1] - ratio[2];
-  double dilation = pair->dilatancy * pair->friction;
-  double normal = pair->flexibility[0] + ratio[0];
-  double nn = normal + dilation * sum, tt = pair->flexibility[1] + sum;
-  double nt = pair->dilatancy * difference, tn = pair->friction * difference;
-  /* nn tt - nt tn without the terms that cancel: sum^2 - difference^2 = 4 ratio ratio */
-  double determinant =
-    normal * tt + dilation * (sum * pair->flexibility[1] + 4 * ratio[1] * ratio[2]);
-  pair->inverse[0][0] = tt / determinant;
-  pair->inverse[0][1] = -nt / determinant;
-  pair->inverse[1][0] = -tn / determinant;
-  pair->inverse[1][1] = nn / determinant;
-}
-
-/* What of the strain is left for the forces when s z is to become `product`:
- *
- *   dz = (product - s z - z ds) / s,  ds = strength - G dy                                 */
-static void
-free_strain (const CentralPair *pair, double out[2])
-{
-  double free_flow[ROWS] = { 0 }, flow[2];
-
-  for (int i = 0; i < pair->rows; i++)
-    free_flow[i] =
-      (pair->product[i] - pair->z[i] * pair->strength[i]) / pair->s[i] - pair->z[i];
-  apply_flow (pair, free_flow, flow);
-  for (int i = 0; i < 2; i++)
-    out[i] = pair->strain[i] - flow[i];
-}
-
-/* dy = H \ (rate + free strain) */
-static void
-change_of_force (const CentralPair *pair, const double rate[2], double dy[2])
-{
-  double strain[2];
-
-  free_strain (pair, strain);
-  for (int i = 0; i < 2; i++)
-    dy[i] = pair->inverse[i][0] * (rate[0] + strain[0])
-            + pair->inverse[i][1] * (rate[1] + strain[1]);
-}
-
-static void
-complete_direction (CentralPair *pair, const double rate[2])
-{
-  double used[ROWS];
-
-  change_of_force (pair, rate, pair->dy);
-  apply_strength (pair, pair->dy, used);
-  for (int i = 0; i < pair->rows; i++) {
-    pair->ds[i] = pair->strength[i] - used[i];
-    pair->dz[i] = (pair->product[i] - pair->z[i] * pair->ds[i]) / pair->s[i] - pair->z[i];
-  }
-}
-
-/* --- All of them ------------------------------------------------------------------------ */
-
 /* One solution in progress. */
 typedef struct {
   QnCentralPath *path;
@@ -291,7 +124,7 @@ prepare (Increment *increment)
   increment->strain = increment->strength = 0;
   increment->elongation = 1;
   for (size_t p = 0; p < as->pair_count; p++) {
-    CentralPair *pair = &path->pairs[p];
+    QnCentralPair *pair = &path->pairs[p];
     const double *elongation = as->kinematics[p].elongation;
     if (pair->rows == 0) {
       if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], elongation,
@@ -306,7 +139,7 @@ prepare (Increment *increment)
       continue;
     }
     double q[2] = { elongation[0] / path->length, elongation[1] / path->length };
-    prepare_pair (pair, q);
+    qn_central_pair_prepare (pair, q);
     for (int i = 0; i < 2; i++) {
       increment->strain = fmax (increment->strain, fabs (pair->strain[i]));
       increment->elongation =
@@ -343,12 +176,12 @@ hand_over_forces (QnCentralPath *path, bool with_free_strain)
   const double at_rest[2] = { 0 };
 
   for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
-    const CentralPair *pair = &path->pairs[p];
+    const QnCentralPair *pair = &path->pairs[p];
     QnPairResponse *response = &path->eq->assembly.responses[p];
     double change[2] = { 0 };
 
     if (with_free_strain && pair->rows > 0)
-      change_of_force (pair, at_rest, change);
+      qn_central_pair_change_of_force (pair, at_rest, change);
     for (int i = 0; i < 2; i++) {
       response->force[i] = path->force * (pair->y[i] + change[i]);
       for (int j = 0; j < 2; j++)
@@ -407,7 +240,7 @@ find_direction (Increment *increment)
     if (path->pairs[p].rows > 0) {
       double rate[2] = { path->rates[2 * p] / path->length,
                          path->rates[2 * p + 1] / path->length };
-      complete_direction (&path->pairs[p], rate);
+      qn_central_pair_complete (&path->pairs[p], rate);
     }
 }
 
@@ -418,7 +251,7 @@ way_to_boundary (const QnCentralPath *path)
   double fastest = 1;
 
   for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
-    const CentralPair *pair = &path->pairs[p];
+    const QnCentralPair *pair = &path->pairs[p];
     for (int i = 0; i < pair->rows; i++) {
       fastest = fmax (fastest, -pair->ds[i] / pair->s[i]);
       fastest = fmax (fastest, -pair->dz[i] / pair->z[i]);
@@ -435,7 +268,7 @@ gap_after (const QnCentralPath *path, double part)
   size_t rows = 0;
 
   for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
-    const CentralPair *pair = &path->pairs[p];
+    const QnCentralPair *pair = &path->pairs[p];
     for (int i = 0; i < pair->rows; i++)
       sum += (pair->s[i] + part * pair->ds[i]) * (pair->z[i] + part * pair->dz[i]);
     rows += (size_t) pair->rows;
@@ -458,7 +291,7 @@ aim_by_predictor (Increment *increment)
   double left = gap_after (path, way_to_boundary (path)) / increment->gap;
   double mean = fmax (LEAST_AIM, left * left * left) * increment->gap;
   for (size_t p = 0; p < count; p++) {
-    CentralPair *pair = &path->pairs[p];
+    QnCentralPair *pair = &path->pairs[p];
     for (int i = 0; i < pair->rows; i++)
       pair->product[i] = mean - pair->ds[i] * pair->dz[i];
   }
@@ -481,7 +314,7 @@ centre (Increment *increment, double mean, double step)
     memcpy (path->kept, path->pairs, bytes);
     memcpy (path->kept_step, eq->step, step_bytes);
     for (size_t p = 0; p < count; p++) {
-      CentralPair *pair = &path->pairs[p];
+      QnCentralPair *pair = &path->pairs[p];
       for (int i = 0; i < pair->rows; i++) {
         double product =
           (pair->s[i] + longer * pair->ds[i]) * (pair->z[i] + longer * pair->dz[i]);
@@ -512,7 +345,7 @@ take_step (Increment *increment, double part)
     eq->u[i] += part * eq->step[i];
   eq->multiplier += part * increment->multiplier_step;
   for (size_t p = 0; p < eq->assembly.pair_count; p++) {
-    CentralPair *pair = &path->pairs[p];
+    QnCentralPair *pair = &path->pairs[p];
     if (pair->rows == 0)
       continue;
     for (int i = 0; i < 2; i++)
@@ -575,7 +408,7 @@ adopt (Increment *increment)
   QnAssembly *as = &eq->assembly;
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    const CentralPair *pair = &path->pairs[p];
+    const QnCentralPair *pair = &path->pairs[p];
     QnPairResponse *response = &as->responses[p];
     double flow[2], q[2];
 
@@ -584,14 +417,14 @@ adopt (Increment *increment)
                         response);
       continue;
     }
-    apply_flow (pair, pair->z, flow);
+    qn_central_pair_flow (pair, pair->z, flow);
     for (int i = 0; i < 2; i++)
       q[i] =
         path->length * (pair->plastic[i] + flow[i] + pair->flexibility[i] * pair->y[i]);
     qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
     response->force[0] = path->force * pair->y[0];
     response->force[1] = path->force * pair->y[1];
-    if (pair->rows == ROWS)
+    if (pair->rows == QN_CENTRAL_ROWS)
       response->memory.a.slip = as->kinematics[p].elongation[1]
                                 - path->length * pair->flexibility[1] * pair->y[1];
   }
@@ -660,6 +493,20 @@ iterate (Increment *increment, int budget)
     if (status != QN_SOLVE_CONVERGED)
       return status;
   }
+}
+
+static void
+start_pair (const QnCentralPath *path, size_t p, double size)
+{
+  const QnAssembly *as = &path->eq->assembly;
+  double q[2], y[2];
+
+  for (int i = 0; i < 2; i++) {
+    q[i] = as->kinematics[p].elongation[i] / path->length;
+    y[i] = as->responses[p].force[i] / path->force;
+  }
+  qn_central_pair_start (&path->pairs[p], &as->springs[p], &as->committed[p], q, y,
+                         path->force, path->length, size);
 }
 
 /* The mean displacement that the target asks for, in units of the path: what elongations will
