@@ -505,6 +505,18 @@ expand_unknowns (const QnAssembly *as, const double *u, double *rows)
   }
 }
 
+double
+qn_assembly_elastic_displacements (const QnAssembly *as, const double *v,
+                                   const double *base)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    largest =
+      fmax (largest, as->damping[i] * fabs (base != NULL ? v[i] - base[i] : v[i]));
+  return as->force_scale > 0 ? largest / as->force_scale : 0;
+}
+
 void
 qn_assembly_expand (const QnAssembly *as, const double *u, double *displacements)
 {

@@ -141,6 +141,11 @@ double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
 void qn_assembly_elongation_rates (const QnAssembly *assembly, const double *v,
                                    double *rates);
 
+/* Largest displacement of v (unknowns), or of its difference from `base` unless that is NULL,
+ * in elastic displacements: load over stiffness. */
+double qn_assembly_elastic_displacements (const QnAssembly *assembly, const double *v,
+                                          const double *base);
+
 /* Displacements of bodies (body_count x 3: m, m, rad) from unknowns. */
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,
                          double *displacements);

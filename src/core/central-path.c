@@ -155,19 +155,6 @@ prepare (Increment *increment)
   return true;
 }
 
-static double
-lack_of_target (const QnEquilibrium *eq, const QnTarget *target)
-{
-  double lack =
-    target->advance - target->weight * (eq->multiplier - eq->committed.multiplier);
-
-  if (target->direction == NULL)
-    return 0;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    lack -= target->direction[i] * (eq->u[i] - eq->committed.u[i]);
-  return lack;
-}
-
 /* The forces that the pairs would exert if no block moved, and their tangents, where the
  * assembly looks for them; `free_strain` off: the forces as they are. */
 static void
@@ -215,7 +202,6 @@ find_direction (Increment *increment)
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
   const QnTarget *target = increment->target;
-  int32_t n = eq->assembly.unknown_count;
   double start = qn_clock_seconds ();
 
   hand_over_forces (path, true);
@@ -223,15 +209,9 @@ find_direction (Increment *increment)
   qn_linsys_solve (eq->linsys, eq->step);
   increment->multiplier_step = 0;
   if (target->direction != NULL) {
-    double along_step = 0, along_live = target->weight;
-    for (int32_t i = 0; i < n; i++) {
-      along_step += target->direction[i] * eq->step[i];
-      along_live += target->direction[i] * eq->live_step[i];
-    }
-    if (along_live != 0)
-      increment->multiplier_step = (increment->target_gap - along_step) / along_live;
-    for (int32_t i = 0; i < n; i++)
-      eq->step[i] += increment->multiplier_step * eq->live_step[i];
+    double along_live;
+    increment->multiplier_step =
+      qn_equilibrium_complete_step (eq, target, increment->target_gap, &along_live);
   }
   eq->statistics.factor_seconds += qn_clock_seconds () - start;
 
@@ -369,7 +349,8 @@ has_converged (Increment *increment)
   double scale = qn_assembly_residual (&eq->assembly, eq->multiplier, eq->residual);
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     largest = fmax (largest, fabs (eq->residual[i]));
-  increment->target_gap = lack_of_target (eq, increment->target);
+  increment->target_gap =
+    qn_equilibrium_target_lack (eq, increment->target, eq->u, eq->multiplier);
   return largest <= BALANCE * scale && increment->strength <= BALANCE
          && increment->strain <= STRAIN * increment->elongation
          && increment->gap <= increment->complementarity * increment->elongation

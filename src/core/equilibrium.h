@@ -102,6 +102,21 @@ void qn_equilibrium_clear (QnEquilibrium *eq);
 QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
                                      double viscosity, int budget);
 
+/* What the target lacks at displacements u and a multiplier; 0 where the multiplier itself is
+ * prescribed. */
+double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
+                                   const double *u, double multiplier);
+
+/* The second half of the bordered system of a target other than the multiplier,
+ *
+ *   K step - F_live multiplier_step             = residual
+ *   direction . step + weight multiplier_step   = lack
+ *
+ * from eq->step = K \\ residual and eq->live_step = K \\ F_live: completes eq->step and returns
+ * multiplier_step, 0 where *along_live = direction . live_step + weight vanishes. */
+double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
+                                     double lack, double *along_live);
+
 /* Counts an iteration and reports it; false when the analysis is to be cancelled. */
 bool qn_equilibrium_go_on (QnEquilibrium *eq);
 

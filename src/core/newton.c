@@ -26,21 +26,33 @@ typedef struct {
   double multiplier_step; /* that belongs to eq->step */
 } Newton;
 
-/* What the target lacks at displacements u and a multiplier. */
+double
+qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
+                            const double *u, double multiplier)
+{
+  double lack =
+    target->advance - target->weight * (multiplier - eq->committed.multiplier);
+
+  if (target->direction == NULL)
+    return 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    lack -= target->direction[i] * (u[i] - eq->committed.u[i]);
+  return lack;
+}
+
+/* The same, but nothing where it is no more than rounding. */
 static double
 target_gap (const Newton *newton, const double *u, double multiplier)
 {
   const QnEquilibrium *eq = newton->eq;
   const QnTarget *target = newton->target;
-  double gap = target->advance - target->weight * (multiplier - eq->committed.multiplier);
+  double gap = qn_equilibrium_target_lack (eq, target, u, multiplier);
   double size = fabs (target->weight * multiplier);
 
   if (target->direction == NULL)
     return 0;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++) {
-    gap -= target->direction[i] * (u[i] - eq->committed.u[i]);
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     size += fabs (target->direction[i] * u[i]);
-  }
   double met = QN_TOLERANCE_TARGET * fabs (target->advance) + QN_TOLERANCE_MEASURE * size;
   return fabs (gap) > met ? gap : 0;
 }
@@ -125,10 +137,25 @@ qn_equilibrium_go_on (QnEquilibrium *eq)
   return !eq->cancelled;
 }
 
-/* step = K \\ residual, and for a target other than the multiplier the bordered system
- *
- *   K step - F_live multiplier_step             = residual
- *   direction . step + weight multiplier_step   = gap                                      */
+double
+qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target, double lack,
+                              double *along_live)
+{
+  int32_t n = eq->assembly.unknown_count;
+  double along_step = 0;
+
+  *along_live = target->weight;
+  for (int32_t i = 0; i < n; i++) {
+    along_step += target->direction[i] * eq->step[i];
+    *along_live += target->direction[i] * eq->live_step[i];
+  }
+  double multiplier_step = *along_live != 0 ? (lack - along_step) / *along_live : 0;
+  for (int32_t i = 0; i < n; i++)
+    eq->step[i] += multiplier_step * eq->live_step[i];
+  return multiplier_step;
+}
+
+/* The Newton direction: eq->step and multiplier_step. */
 static void
 solve_direction (Newton *newton)
 {
@@ -142,22 +169,16 @@ solve_direction (Newton *newton)
   qn_linsys_solve (eq->linsys, eq->step);
   newton->multiplier_step = 0;
   if (target->direction != NULL) {
-    double along_step = 0, along_live = target->weight, load = 0;
+    double along_live, load = 0;
     memcpy (eq->live_step, eq->assembly.live, bytes);
     qn_linsys_solve (eq->linsys, eq->live_step);
-    for (int32_t i = 0; i < n; i++) {
-      along_step += target->direction[i] * eq->step[i];
-      along_live += target->direction[i] * eq->live_step[i];
+    for (int32_t i = 0; i < n; i++)
       load = fmax (load, fabs (eq->assembly.live[i]));
-    }
     double gap = target_gap (newton, eq->u, eq->multiplier);
-    if (along_live != 0)
-      newton->multiplier_step = (gap - along_step) / along_live;
+    newton->multiplier_step = qn_equilibrium_complete_step (eq, target, gap, &along_live);
     newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
     eq->orientation =
       along_live < 0 ? -qn_linsys_sign (eq->linsys) : qn_linsys_sign (eq->linsys);
-    for (int32_t i = 0; i < n; i++)
-      eq->step[i] += newton->multiplier_step * eq->live_step[i];
   }
   eq->statistics.factor_seconds += qn_clock_seconds () - start;
 }

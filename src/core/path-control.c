@@ -189,16 +189,14 @@ static bool
 is_plateau (PathControl *control)
 {
   const QnEquilibrium *eq = &control->path->equilibrium;
-  double tolerance = control->path->settings->multiplier_tolerance, motion = 0, away = 0;
+  double tolerance = control->path->settings->multiplier_tolerance, motion = 0;
 
   if (eq->assembly.nonlinear || control->measure.procedure == QN_PROCEDURE_DISPLACEMENT)
     return false;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++) {
-    motion = fmax (motion, fabs (eq->u[i]));
-    away = fmax (away, eq->assembly.damping[i] * fabs (eq->u[i]));
-  }
-  if (away > QN_RUNAWAY * eq->assembly.force_scale && eq->assembly.force_scale > 0)
+  if (qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL) > QN_RUNAWAY)
     return true;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    motion = fmax (motion, fabs (eq->u[i]));
   if (fabs (eq->multiplier - control->plateau_multiplier)
       > tolerance * fabs (eq->multiplier)) {
     control->plateau_multiplier = eq->multiplier;

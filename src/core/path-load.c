@@ -1,9 +1,10 @@
 /* Load control.
  *
  * From the equilibrium under dead load the multiplier grows by increments. Newton tries each
- * one; where it fails, relaxation lets the structure move until it rests (the path jumped) or
- * goes on for good (collapse). The collapse multiplier is then enclosed between the last
- * equilibrium and the lowest multiplier without one.
+ * one, then the central path takes it as a whole. Where that leads nowhere, collapse is
+ * approached by growing motion (path-collapse.c). What is left to relaxation, which lets the
+ * structure move until it rests (the path jumped) or goes on for good (collapse), encloses the
+ * collapse multiplier between the last equilibrium and the lowest multiplier without one.
  *
  * The first limit point is looked for as long as none was found. An increment that was not
  * easy is accepted only if the displacements at its end follow from the tangents at both ends;

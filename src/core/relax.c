@@ -81,33 +81,10 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
   relaxation->change = norm > 0 ? sqrt (change / norm) : 0;
 }
 
-static double
-in_elastic_displacements (const QnAssembly *as, double largest)
-{
-  return as->force_scale > 0 ? largest / as->force_scale : 0;
-}
-
 double
 qn_equilibrium_elastic_displacements (const QnEquilibrium *eq)
 {
-  const QnAssembly *as = &eq->assembly;
-  double largest = 0;
-
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    largest = fmax (largest, as->damping[i] * fabs (eq->u[i] - eq->committed.u[i]));
-  return in_elastic_displacements (as, largest);
-}
-
-/* Motion in a unit of time at the present velocity, in elastic displacements. */
-static double
-elastic_velocity (const QnEquilibrium *eq)
-{
-  const QnAssembly *as = &eq->assembly;
-  double largest = 0;
-
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    largest = fmax (largest, as->damping[i] * fabs (eq->velocity[i]));
-  return in_elastic_displacements (as, largest);
+  return qn_assembly_elastic_displacements (&eq->assembly, eq->u, eq->committed.u);
 }
 
 /* Whether an open joint will close at the present velocity before the structure has run away.
@@ -116,7 +93,8 @@ static bool
 will_close (const QnEquilibrium *eq, double time_step)
 {
   const QnAssembly *as = &eq->assembly;
-  double horizon = QN_RUNAWAY / elastic_velocity (eq);
+  double horizon =
+    QN_RUNAWAY / qn_assembly_elastic_displacements (as, eq->velocity, NULL);
 
   for (size_t p = 0; p < as->pair_count; p++) {
     double gap = qn_assembly_gap (as, p);
