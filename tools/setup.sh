@@ -7,7 +7,7 @@ packages=(
   # building
   gcc g++ libc6-dev pkg-config meson ninja-build gettext libglib2.0-dev-bin
   # files, mechanics, geometry
-  libglib2.0-dev libcjson-dev libsuitesparse-dev libarpack2-dev libgeos-dev libdxflib-dev
+  libglib2.0-dev libcjson-dev libsuitesparse-dev liblapack-dev libgeos-dev libdxflib-dev
   # pictures and animations, with OpenGL where there is no display
   libcairo2-dev libpango1.0-dev libpng-dev libgif-dev libgdk-pixbuf-2.0-dev fonts-dejavu-core
   libosmesa6-dev libegl-dev libgl1-mesa-dri

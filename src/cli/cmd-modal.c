@@ -109,7 +109,10 @@ solve (const Options *options, const QnInput *input)
     qn_project_set_error (&input->project, &diag, &error);
     return qn_cli_fail (error);
   }
-  if (modes.count == 0) {
+  if (result.outcome == QN_OUTCOME_CANCELLED) {
+    qn_cli_error (_ ("%s: cancelled"), input->project.name);
+    code = QN_EXIT_CANCELLED;
+  } else if (modes.count == 0) {
     qn_cli_error (_ ("%s: there is no equilibrium to vibrate about"),
                   input->project.name);
     code = QN_EXIT_NO_ANSWER;

@@ -62,12 +62,14 @@ fall_init (Fall *fall, const QnLimitProblem *limit)
 }
 
 QnStatus
-qn_limit_fall (const QnLimitProblem *limit, double *v, bool *found, QnDiag *diag)
+qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
+               void *user_data, double *v, bool *found, QnDiag *diag)
 {
   QnIpSettings settings = qn_interior_point_defaults ();
   QnInteriorPoint ip = { 0 };
   Fall fall = { 0 };
   QnStatus status;
+  bool going_on = true;
 
   *found = false;
   if (fall_init (&fall, limit))
@@ -75,8 +77,12 @@ qn_limit_fall (const QnLimitProblem *limit, double *v, bool *found, QnDiag *diag
   else
     status = qn_diag_no_memory (diag);
   if (!status)
-    status = qn_interior_point_solve (&ip, diag);
-  if (!status) {
+    status = qn_interior_point_start (&ip, diag);
+  while (!status && ip.state == QN_IP_RUNNING && going_on) {
+    status = qn_interior_point_iterate (&ip, diag);
+    going_on = go_on (user_data);
+  }
+  if (!status && going_on) {
     const QnIpMeasures *m = &ip.measures;
     *found = ip.state == QN_IP_OPTIMAL
              || (ip.state == QN_IP_STALLED && m->primal_residual < ACCEPTED_MEASURE

@@ -12,8 +12,9 @@
  * At the optimum this is a certificate too: the dead load does positive power along it, and
  * no joint resists with more than that.
  *
- * v: row_count, out, unchanged where *found is false. */
-QnStatus qn_limit_fall (const QnLimitProblem *limit, double *v, bool *found,
-                        QnDiag *diag);
+ * v: row_count, out, unchanged where *found is false. `go_on` is asked with `user_data` after
+ * every iteration; false ends the search, nothing found. */
+QnStatus qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
+                        void *user_data, double *v, bool *found, QnDiag *diag);
 
 #endif

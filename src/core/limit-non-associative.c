@@ -157,7 +157,7 @@ follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
  * stays settled only if there is one, and *last receives its velocities. */
 static QnStatus
 find_mechanism (Sequence *seq, QnLimitFixedPoint *point, QnLimitSolution *last,
-                QnDiag *diag)
+                bool *cancelled, QnDiag *diag)
 {
   QnLimitSolution free_forces;
   double *swap;
@@ -168,6 +168,7 @@ find_mechanism (Sequence *seq, QnLimitFixedPoint *point, QnLimitSolution *last,
                            &free_forces, diag);
   if (status)
     return status;
+  *cancelled = free_forces.outcome == QN_OUTCOME_CANCELLED;
   point->settled = free_forces.outcome == QN_OUTCOME_COLLAPSE
                    && free_forces.lower_bound - point->multiplier
                         <= MECHANISM_GAP * fabs (free_forces.lower_bound);
@@ -227,7 +228,7 @@ follow_all (Sequence *seq, QnLimitInterval *interval, QnDiag *diag)
                        (uint64_t) start * seq->contacts->pair_count);
     status = follow (seq, &schedules[start], &point, &last, &cancelled, diag);
     if (!status && point.settled && !cancelled)
-      status = find_mechanism (seq, &point, &last, diag);
+      status = find_mechanism (seq, &point, &last, &cancelled, diag);
     if (!status && point.settled && !cancelled)
       keep_point (interval, &point, &last);
     else

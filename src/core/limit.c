@@ -38,20 +38,30 @@ qn_limit_solution_clear (QnLimitSolution *solution)
   *solution = (QnLimitSolution){ 0 };
 }
 
-static QnStatus
-iterate_once (Run *run, QnDiag *diag)
+/* Counts an iteration and reports it; false when the analysis is to be cancelled. */
+static bool
+go_on (void *data)
 {
-  QnInteriorPoint *ip = run->ip;
-  QnStatus status = qn_interior_point_iterate (ip, diag);
+  Run *run = data;
 
   run->solution->effort.iterations++;
-  if (!status && run->progress) {
+  if (run->progress != NULL) {
     QnProgress report = {
       .iterations = run->solution->effort.iterations,
-      .factorizations = run->solution->effort.factorizations + ip->factorizations,
+      .factorizations = run->solution->effort.factorizations + run->ip->factorizations,
     };
     run->cancelled = !run->progress (&report, run->user_data);
   }
+  return !run->cancelled;
+}
+
+static QnStatus
+iterate_once (Run *run, QnDiag *diag)
+{
+  QnStatus status = qn_interior_point_iterate (run->ip, diag);
+
+  if (!status)
+    go_on (run);
   return status;
 }
 
@@ -118,9 +128,10 @@ take_certificate (Run *run, QnDiag *diag)
 {
   double *v = run->ip->v;
   bool found;
-  QnStatus status = qn_limit_fall (run->limit, v, &found, diag);
+  QnStatus status = qn_limit_fall (run->limit, go_on, run, v, &found, diag);
 
-  run->solution->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  run->solution->outcome =
+    run->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_DEAD_LOAD_UNSTABLE;
   qn_limit_problem_velocities (run->limit, v, run->solution->velocities);
   return status;
 }
@@ -167,7 +178,7 @@ solve (Run *run, bool from_dead_load, QnDiag *diag)
   QnStatus status = from_dead_load ? carry_dead_load (run, diag) : QN_OK;
 
   run->solution->outcome = QN_OUTCOME_NOT_CONVERGED;
-  if (!status && from_dead_load && ip->state == QN_IP_INFEASIBLE)
+  if (!status && from_dead_load && !run->cancelled && ip->state == QN_IP_INFEASIBLE)
     return take_certificate (run, diag);
   if (!status && !run->cancelled && (!from_dead_load || run->anchored || is_answer (ip)))
     status = raise_multiplier (run, diag);

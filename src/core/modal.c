@@ -1,10 +1,10 @@
 #include "core/modal.h"
 
 #include "core/clock.h"
+#include "core/lanczos.h"
 #include "core/memory.h"
 #include "core/path.h"
 
-#include <arpack/arpack.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,8 +16,6 @@
 /* Frequencies below this part of the highest that the diagonals allow are rounding. */
 #define ZERO 1e-6
 
-#define MOST_RESTARTS 1000
-
 typedef struct {
   QnAssembly *assembly;
   QnLinsys *linsys;
@@ -26,6 +24,11 @@ typedef struct {
   double largest; /* of K_ii / M_ii */
   double shift;   /* sigma < 0 */
 } Pencil;
+
+typedef struct {
+  size_t found;
+  double *values, *vectors; /* omega squared; columns of n */
+} Eigen;
 
 /* M = masses of blocks, diagonal, and of beams, consistent. */
 static QnStatus
@@ -97,8 +100,9 @@ factorize (Pencil *pencil, double multiplier, QnDiag *diag)
 
 /* y = M x */
 static void
-multiply (const Pencil *pencil, const double *x, double *y)
+multiply (const void *data, const double *x, double *y)
 {
+  const Pencil *pencil = data;
   const QnAssembly *as = pencil->assembly;
 
   memset (y, 0, (size_t) pencil->n * sizeof *y);
@@ -107,105 +111,40 @@ multiply (const Pencil *pencil, const double *x, double *y)
       y[as->ai[k]] += pencil->mass[k] * x[j];
 }
 
-/* Work space of ARPACK for `wanted` of n eigenvalues with a basis of `basis` vectors. */
-typedef struct {
-  int wanted, basis;
-  double *residual, *vectors, *reverse, *lanczos, *values;
-  int *chosen;
-} Workspace;
+static void
+solve_shifted (const void *data, double *b)
+{
+  const Pencil *pencil = data;
+  qn_linsys_solve (pencil->linsys, b);
+}
 
 static bool
-workspace_init (Workspace *w, int n, int wanted)
+go_on (void *equilibrium)
 {
-  int basis = 2 * wanted + 20 < n ? 2 * wanted + 20 : n;
-  size_t size = (size_t) n, m = (size_t) basis;
-
-  *w = (Workspace){ .wanted = wanted, .basis = basis };
-  w->residual = qn_alloc (size, sizeof (double));
-  w->vectors = qn_alloc (size * m, sizeof (double));
-  w->reverse = qn_alloc (3 * size, sizeof (double));
-  w->lanczos = qn_alloc (m * (m + 8), sizeof (double));
-  w->values = qn_alloc (m, sizeof (double));
-  w->chosen = qn_alloc (m, sizeof (int));
-  return w->residual && w->vectors && w->reverse && w->lanczos && w->values && w->chosen;
-}
-
-static void
-workspace_clear (Workspace *w)
-{
-  free (w->residual);
-  free (w->vectors);
-  free (w->reverse);
-  free (w->lanczos);
-  free (w->values);
-  free (w->chosen);
-}
-
-/* One product of ARPACK's: M x, or (K - sigma M) \\ (M x), where M x may be there already. */
-static void
-answer (const Pencil *pencil, Workspace *w, int ido, const int places[14])
-{
-  double *x = w->reverse + places[0] - 1, *y = w->reverse + places[1] - 1;
-
-  if (ido == 1)
-    memcpy (y, w->reverse + places[2] - 1, (size_t) pencil->n * sizeof *y);
-  else
-    multiply (pencil, x, y);
-  if (ido != 2)
-    qn_linsys_solve (pencil->linsys, y);
-}
-
-/* The frequencies' squares next above the shift, ascending, with their vectors, in the metric of
- * M of unit length, in w->vectors. */
-static bool
-iterate (const Pencil *pencil, Workspace *w)
-{
-  const int n = pencil->n, length = w->basis * (w->basis + 8);
-  int parameters[11] = { 0 }, places[14] = { 0 }, ido = 0, info = 1;
-
-  parameters[0] = 1;             /* exact shifts */
-  parameters[2] = MOST_RESTARTS; /* iterations */
-  parameters[6] = 3;             /* shift and invert, K phi = omega^2 M phi */
-  /* A start of our own: equal input gives equal output. */
-  for (int i = 0; i < n; i++)
-    w->residual[i] = 1 + 0.5 * sin (1.7 * i);
-
-  do {
-    dsaupd_c (&ido, "G", n, "LM", w->wanted, 0, w->residual, w->basis, w->vectors, n,
-              parameters, places, w->reverse, w->lanczos, length, &info);
-    if (ido == 1 || ido == -1 || ido == 2)
-      answer (pencil, w, ido, places);
-  } while (ido == 1 || ido == -1 || ido == 2);
-  if (info != 0)
-    return false;
-  dseupd_c (1, "A", w->chosen, w->values, w->vectors, n, pencil->shift, "G", n, "LM",
-            w->wanted, 0, w->residual, w->basis, w->vectors, n, parameters, places,
-            w->reverse, w->lanczos, length, &info);
-  return info == 0;
+  return qn_equilibrium_go_on (equilibrium);
 }
 
 /* Modes scaled to a largest displacement of 1. */
 static QnStatus
-take_modes (const Pencil *pencil, const Workspace *w, const double *u, QnModes *modes,
+take_modes (const Pencil *pencil, const Eigen *eigen, const double *u, QnModes *modes,
             QnDiag *diag)
 {
   const QnAssembly *as = pencil->assembly;
   size_t bodies = qn_model_body_count (as->model), row = bodies * QN_DOF_COUNT;
 
-  modes->omega = qn_alloc ((size_t) w->wanted, sizeof *modes->omega);
-  modes->shapes = qn_alloc ((size_t) w->wanted * row, sizeof *modes->shapes);
+  modes->omega = qn_alloc (eigen->found, sizeof *modes->omega);
+  modes->shapes = qn_alloc (eigen->found * row, sizeof *modes->shapes);
   if (modes->omega == NULL || modes->shapes == NULL)
     return qn_diag_no_memory (diag);
-  modes->count = (size_t) w->wanted;
+  modes->count = eigen->found;
   modes->block_count = as->model->block_count;
   modes->node_count = as->model->node_count;
 
-  for (int mode = 0; mode < w->wanted; mode++) {
-    double square = w->values[mode], largest = 0;
-    double *shape = modes->shapes + (size_t) mode * row;
+  for (size_t mode = 0; mode < eigen->found; mode++) {
+    double square = eigen->values[mode], largest = 0;
+    double *shape = modes->shapes + mode * row;
     modes->omega[mode] = square > ZERO * ZERO * pencil->largest ? sqrt (square) : 0;
-    qn_assembly_expand_rates (as, u, w->vectors + (size_t) mode * (size_t) pencil->n,
-                              shape);
+    qn_assembly_expand_rates (as, u, eigen->vectors + mode * (size_t) pencil->n, shape);
     for (size_t b = 0; b < bodies; b++)
       largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
     for (size_t i = 0; largest > 0 && i < row; i++)
@@ -214,34 +153,62 @@ take_modes (const Pencil *pencil, const Workspace *w, const double *u, QnModes *
   return QN_OK;
 }
 
+/* The `wanted` lowest eigenvalues, or as many as there are; none where it was cancelled. */
+static QnStatus
+find_eigenvalues (const Pencil *pencil, QnEquilibrium *eq, size_t wanted, Eigen *eigen,
+                  QnDiag *diag)
+{
+  const QnLanczosProblem problem = { .n = pencil->n,
+                                     .shift = pencil->shift,
+                                     .multiply = multiply,
+                                     .solve = solve_shifted,
+                                     .go_on = go_on,
+                                     .user_data = eq,
+                                     .data = pencil };
+
+  switch (
+    qn_lanczos_run (&problem, wanted, &eigen->found, eigen->values, eigen->vectors)) {
+  case QN_LANCZOS_DONE:
+  case QN_LANCZOS_CANCELLED:
+    return QN_OK;
+  case QN_LANCZOS_NOT_FOUND:
+    return qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
+                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  case QN_LANCZOS_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}
+
 static QnStatus
 solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
 {
   Pencil pencil = { .assembly = &eq->assembly,
                     .linsys = eq->linsys,
                     .n = eq->assembly.unknown_count };
-  Workspace w = { 0 };
-  size_t most = pencil.n > 1 ? (size_t) pencil.n - 1 : 0;
+  Eigen eigen = { 0 };
+  size_t n = (size_t) pencil.n, most = wanted < n ? wanted : n;
   QnStatus status = QN_OK;
 
-  if (most == 0)
+  if (n == 0)
     return qn_diag_set_field (diag, QN_PROBLEM_TOO_FEW_UNKNOWNS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
-  pencil.mass = qn_alloc ((size_t) eq->assembly.ap[pencil.n], sizeof (double));
-  if (pencil.mass == NULL
-      || !workspace_init (&w, pencil.n, (int) (wanted < most ? wanted : most)))
+  pencil.mass = qn_alloc ((size_t) eq->assembly.ap[n], sizeof (double));
+  eigen.values = qn_alloc (most, sizeof *eigen.values);
+  eigen.vectors = qn_alloc (n, most * sizeof *eigen.vectors);
+  if (pencil.mass == NULL || eigen.values == NULL || eigen.vectors == NULL)
     status = qn_diag_no_memory (diag);
   if (status == QN_OK)
     status = fill_masses (&pencil, diag);
   if (status == QN_OK)
     status = factorize (&pencil, eq->multiplier, diag);
-  if (status == QN_OK && !iterate (&pencil, &w))
-    status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
-                          QN_ENTITY_MODEL, QN_NONE, QN_NONE);
   if (status == QN_OK)
-    status = take_modes (&pencil, &w, eq->u, modes, diag);
-  workspace_clear (&w);
+    status = find_eigenvalues (&pencil, eq, most, &eigen, diag);
+  if (status == QN_OK && eigen.found > 0)
+    status = take_modes (&pencil, &eigen, eq->u, modes, diag);
   free (pencil.mass);
+  free (eigen.values);
+  free (eigen.vectors);
   return status;
 }
 
@@ -276,8 +243,10 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
     qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
   if (status == QN_OK)
     status = reach_state (&path, state, &reached, diag);
-  if (status == QN_OK && reached)
+  if (status == QN_OK && reached && !path.equilibrium.cancelled)
     status = solve_pencil (&path.equilibrium, wanted, modes, diag);
+  if (status == QN_OK && path.equilibrium.cancelled)
+    result->outcome = QN_OUTCOME_CANCELLED;
   if (status == QN_OK) {
     qn_assembly_pair_results (&path.equilibrium.assembly, path.equilibrium.u,
                               result->pairs);

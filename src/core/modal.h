@@ -4,11 +4,9 @@
  *
  * K is the tangent stiffness of the state, M the mass: of rigid blocks weight over gravity, with
  * the polar moment of inertia about the centroid for the rotation, diagonal at the centroids; of
- * beams consistent with their shape functions. The lowest frequencies come from ARPACK (implicitly restarted Lanczos iteration) on
- * the inverse of K - sigma M with a small negative shift sigma, so that structures without
- * supports have their rigid motions as modes of frequency zero.
- *
- * ARPACK keeps state of its own between calls: not to be run in two threads at once.
+ * beams consistent with their shape functions. The lowest frequencies come from Lanczos iteration
+ * (lanczos.h) with a small negative shift, so that structures without supports have their rigid
+ * motions as modes of frequency zero.
  */
 #ifndef QN_CORE_MODAL_H
 #define QN_CORE_MODAL_H
@@ -29,8 +27,8 @@ typedef enum {
   QN_MODAL_LOADED     /* the last equilibrium of the analysis that the settings ask for */
 } QnModalState;
 
-/* Solves for the `wanted` (>= 1) lowest modes, or as many as there are less one. *result holds
- * the path up to the state; where it has no equilibrium, *modes is empty. Refuses blocks
+/* Solves for the `wanted` (>= 1) lowest modes, or as many as there are. *result holds the path up
+ * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty. Refuses blocks
  * without mass and states in which pairs slip without dilatancy, whose stiffness is not
  * symmetric. Both outputs are overwritten without being cleared, and empty on failure. */
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,

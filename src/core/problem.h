@@ -49,7 +49,7 @@
   X (LIMIT_WITHOUT_STATE, "limit analysis leaves no state to vibrate about") \
   X (STABILITY_STAGES, "stability is looked for along the live loads, not along stages") \
   X (STATE_SINGULAR, "stiffness of this state is singular") \
-  X (TOO_FEW_UNKNOWNS, "structure has fewer than two degrees of freedom") \
+  X (TOO_FEW_UNKNOWNS, "structure has no degree of freedom") \
   X (MODES_NOT_FOUND, "modes were not found") \
   X (BLOCK_UNKNOWN, "no block has this name") \
   X (SAME_BLOCK, "a block has no contact with itself") \

@@ -13,7 +13,7 @@ typedef struct Layer {
 static const Layer layers[] = {
   { "core",
     { "core/" },
-    { "klu.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h", "arpack/" } },
+    { "klu.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h" } },
   { "stereotomy", { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",
     { "core/", "stereotomy/", "io/" },

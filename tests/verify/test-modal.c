@@ -124,10 +124,10 @@ test_wallet (void)
   QnModel model;
   QnModes modes, stiffer;
   init_wallet (&model, 1);
-  run (&model, 11, &modes);
+  run (&model, 20, &modes);
   init_wallet (&model, 4);
-  run (&model, 11, &stiffer);
-  g_assert_cmpuint (modes.count, ==, 11);
+  run (&model, 20, &stiffer);
+  g_assert_cmpuint (modes.count, ==, 12);
   for (size_t i = 0; i < modes.count; i++) {
     g_test_message ("mode %zu: %.1f Hz", i + 1, modes.omega[i] / (2 * G_PI));
     if (i < 3)
