@@ -1,18 +1,19 @@
 /* What stiffness and offset of the joints do to multiplier and run time of the six walls in
  * linear geometry: the multiplier should not depend on the first, and it follows the second. */
 #include "bench/bench.h"
+#include "bench/chart.h"
 #include "core/analysis.h"
 #include "support/models.h"
 
 #include <locale.h>
 #include <math.h>
 
-static BenchChart chart = { .name = "joints",
-                            .title = "Six walls: processor time against the stiffness of "
-                                     "the joints (kn = ks)",
-                            .x_label = "Stiffness",
-                            .x_unit = "N/m",
-                            .y_label = "Time (s)" };
+static Chart chart = { .name = "joints",
+                       .title = "Six walls: processor time against the stiffness of "
+                                "the joints (kn = ks)",
+                       .x_label = "Stiffness",
+                       .x_unit = "N/m",
+                       .y_label = "Time (s)" };
 
 /* Multipliers with corners rounded by 20 mm, without dilatancy: LMGC90. */
 static const double rounded[TEST_WALL_COUNT] = {
@@ -44,7 +45,7 @@ run (FILE *csv, int number, double kn, double ratio, double offset, double refer
                  seconds / bench_kernel_seconds (), result.statistics.factorizations);
   if (ratio == 1 && offset == 0) {
     g_autofree char *label = g_strdup_printf ("wall %d", number);
-    bench_chart_add (&chart, label, kn, seconds);
+    chart_add (&chart, label, kn, seconds);
   }
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
@@ -67,6 +68,6 @@ main (void)
     run (csv, number, 1e7, 1, 0.02, rounded[number - 1]);
   }
   fclose (csv);
-  bench_chart_write (&chart);
+  chart_write (&chart);
   return 0;
 }

@@ -1,6 +1,7 @@
 /* Error of continuous members against blocks, pairs and processor time: the cantilever of beam
  * theory in linear geometry, the elastica in nonlinear geometry. */
 #include "bench/bench.h"
+#include "bench/chart.h"
 #include "core/analysis.h"
 #include "support/models.h"
 
@@ -21,17 +22,17 @@ static const Rule rules[] = {
   { "uniform 30", { .placement = QN_PLACEMENT_UNIFORM, .count = 30 } },
 };
 
-static BenchChart by_blocks = { .name = "cantilever",
-                                .title = "Cantilever: error of the tip's displacement",
-                                .x_label = "Blocks",
-                                .x_unit = "",
-                                .y_label = "Error (%)" };
-static BenchChart by_time = { .name = "elastica",
-                              .title = "Elastica, 8 to 128 blocks: error of the tip's "
-                                       "displacement against processor time",
-                              .x_label = "Time",
-                              .x_unit = "s",
-                              .y_label = "Error (%)" };
+static Chart by_blocks = { .name = "cantilever",
+                           .title = "Cantilever: error of the tip's displacement",
+                           .x_label = "Blocks",
+                           .x_unit = "",
+                           .y_label = "Error (%)" };
+static Chart by_time = { .name = "elastica",
+                         .title = "Elastica, 8 to 128 blocks: error of the tip's "
+                                  "displacement against processor time",
+                         .x_label = "Time",
+                         .x_unit = "s",
+                         .y_label = "Error (%)" };
 
 typedef struct Member {
   double length, depth, width, young; /* m, Pa; nu = 0 */
@@ -111,7 +112,7 @@ run_cantilever (FILE *csv, int blocks, const Rule *rule)
   bench_csv_row (csv, "cantilever,,%d,%s,%.6f,%.6f,%+.5f,%.5f,%.4f,%d", blocks,
                  rule->name, 1e3 * tip, 1e3 * exact, error, seconds,
                  seconds / bench_kernel_seconds (), factorizations);
-  bench_chart_add (&by_blocks, rule->name, blocks, fabs (error));
+  chart_add (&by_blocks, rule->name, blocks, fabs (error));
 }
 
 /* Tip load a = P L^2 / EI, deflection w / L by elliptic integrals; the member is slender, so that
@@ -136,7 +137,7 @@ run_elastica (FILE *csv, int blocks, const Rule *rule, double a, double exact)
                  seconds / bench_kernel_seconds (), factorizations);
   if (rule == &rules[0]) {
     g_autofree char *label = g_strdup_printf ("PL²/EI = %g", a);
-    bench_chart_add (&by_time, label, seconds, fabs (error));
+    chart_add (&by_time, label, seconds, fabs (error));
   }
 }
 
@@ -159,7 +160,7 @@ main (void)
       for (int blocks = 8; blocks <= 128; blocks *= 2)
         run_elastica (csv, blocks, &rules[r], loads[i][0], loads[i][1]);
   fclose (csv);
-  bench_chart_write (&by_blocks);
-  bench_chart_write (&by_time);
+  chart_write (&by_blocks);
+  chart_write (&by_time);
   return 0;
 }

@@ -10,6 +10,7 @@
  * cancelled, with the highest multiplier that it has reached. With --associative, dilatancy is
  * friction, and the path should end at the bound. --save writes every wall as a project file. */
 #include "bench/bench.h"
+#include "bench/chart.h"
 #include "bench/seeded-walls.h"
 #include "core/analysis.h"
 #include "core/limit.h"
@@ -24,12 +25,12 @@ typedef struct Options {
   char *save;
 } Options;
 
-static BenchChart chart = { .name = "paths",
-                            .title = "Seeded walls: the load path to collapse beside "
-                                     "limit analysis",
-                            .x_label = "Blocks",
-                            .x_unit = "",
-                            .y_label = "Time (s)" };
+static Chart chart = { .name = "paths",
+                       .title = "Seeded walls: the load path to collapse beside "
+                                "limit analysis",
+                       .x_label = "Blocks",
+                       .x_unit = "",
+                       .y_label = "Time (s)" };
 
 /* What all walls together come to. */
 typedef struct Totals {
@@ -86,8 +87,8 @@ report (FILE *csv, guint32 seed, const QnModel *model, size_t faces, const Bound
     bound->seconds, bound->seconds / bench_kernel_seconds (), highest_multiplier (result),
     first_limit, qn_outcome_name (result->outcome), result->step_count,
     result->statistics.factorizations, seconds, seconds / bench_kernel_seconds (), ratio);
-  bench_chart_add (&chart, family, (double) model->block_count, seconds);
-  bench_chart_add (&chart, "limit analysis", (double) model->block_count, bound->seconds);
+  chart_add (&chart, family, (double) model->block_count, seconds);
+  chart_add (&chart, "limit analysis", (double) model->block_count, bound->seconds);
   totals->walls++;
   totals->ended += result->outcome == QN_OUTCOME_COLLAPSE;
   totals->factorizations += result->statistics.factorizations;
@@ -157,7 +158,7 @@ parse (int *argc, char ***argv, Options *options, GError **error)
     { "tolerance", 0, 0, G_OPTION_ARG_DOUBLE, &options->tolerance,
       "Of the multiplier (1e-3)", "T" },
     { "time-limit", 0, 0, G_OPTION_ARG_DOUBLE, &options->time_limit,
-      "Processor time of a path, s (300)", "S" },
+      "Processor time of a path, s (120)", "S" },
     { "associative", 0, 0, G_OPTION_ARG_NONE, &options->associative,
       "Dilatancy = friction", NULL },
     { "save", 0, 0, G_OPTION_ARG_FILENAME, &options->save, "Write the walls there",
@@ -195,7 +196,7 @@ main (int argc, char **argv)
                       .most = 5000,
                       .increments = 10,
                       .tolerance = 1e-3,
-                      .time_limit = 300 };
+                      .time_limit = 120 };
   Totals totals = { 0 };
   g_autoptr (GError) error = NULL;
 
@@ -207,7 +208,7 @@ main (int argc, char **argv)
   FILE *csv = bench_csv_open (
     "paths", "seed,family,blocks,faces,friction,limit outcome,limit multiplier,limit "
              "factorisations,"
-             "limit s,limit/kernel,path multiplier,first limit,outcome,steps,"
+             "limit s,limit/kernel,path multiplier,path first limit,path outcome,steps,"
              "path factorisations,path s,path/kernel,path/limit");
   for (int seed = options.first_seed; seed <= options.last_seed; seed++)
     run (csv, (guint32) seed, &options, &totals);
@@ -219,7 +220,7 @@ main (int argc, char **argv)
             totals.ended, totals.walls, totals.factorizations, totals.path,
             totals.path / bench_kernel_seconds (), totals.limit,
             exp (totals.ratio_logarithms / totals.walls));
-    bench_chart_write (&chart);
+    chart_write (&chart);
   }
   g_free (options.save);
   return totals.ended == totals.walls ? 0 : 1;

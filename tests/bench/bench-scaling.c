@@ -1,265 +1,211 @@
 /* How the parts of the program grow with the structure: walls in running bond and façades with
  * openings, from 200 to 50,000 blocks.
  *
- *   bench-scaling [--clp N] [--path N] [--procedure P] [--seconds N] [BLOCKS…]
+ *   bench-scaling [--clp N] [--path N] [--procedure P] [--seconds N] [--limit-seconds N]
+ *                 [--check] [BLOCKS…]
  *
- * For each: contact detection, beside one factorisation of the elastic stiffness matrix; limit
- * analysis by Quoin and, up to --clp blocks, by Clp (the best of its simplex methods and its
- * barrier); up to --path blocks, the path to collapse (multiplier tolerance 1e-3) by the procedure
- * load, work or arc-length. Whatever takes longer than --seconds is stopped; a path then counts
- * with what it has reached. */
+ * For each: contact detection, beside one factorisation of the elastic stiffness matrix; one
+ * elastic solution from nothing; limit analysis by Quoin and, up to --clp blocks, by Clp (the best
+ * of its simplex methods and its barrier); up to --path blocks, the path to collapse (multiplier
+ * tolerance 1e-3) by the procedure load, work or arc-length. A path or a method of Clp that takes
+ * longer than --seconds is stopped; a path then counts with what it has reached, and not for
+ * the growth. What is demanded is in scaling-bars.csv; with --check the program fails where a
+ * demand on a size that was run is not met. */
 #include "bench/bench.h"
-#include "core/analysis.h"
-#include "core/equilibrium.h"
-#include "core/generate.h"
-#include "core/limit.h"
+#include "bench/chart.h"
+#include "bench/scaling-case.h"
 
 #include <locale.h>
 #include <math.h>
 
-#ifdef HAVE_CLP
-#include "bench/clp-limit.h"
-#endif
+static int largest_clp = 1800, largest_path = 10000;
+static int largest_run; /* of the paths */
+static gboolean check;
+static ScalingLimits limits = { .path = 300, .limit = 3600, .clp = 300 };
 
-static int largest_clp = 800, largest_path = 800;
-static double most_seconds = 300;
-static QnProcedure procedure = QN_PROCEDURE_LOAD;
+static Chart chart = { .name = "scaling",
+                       .title = "Processor time against the number of blocks",
+                       .x_label = "Blocks",
+                       .x_unit = "",
+                       .y_label = "Time (s)" };
+static Chart memory = { .name = "scaling-memory",
+                        .title = "Most memory against the number of blocks",
+                        .x_label = "Blocks",
+                        .x_unit = "",
+                        .y_label = "Memory (MB)" };
 
-static BenchChart chart = { .name = "scaling",
-                            .title = "Processor time against the number of blocks",
-                            .x_label = "Blocks",
-                            .x_unit = "",
-                            .y_label = "Time (s)" };
-
-/* A structure and what was measured on it; times in s, NAN where nothing was. */
-typedef struct Case {
-  const char *kind;
-  QnModel model;
-  QnContacts contacts;
-  double detect, factorize;
-  double limit, limit_multiplier, limit_memory;
-  int limit_factorizations;
-  double path, path_multiplier, path_memory;
-  int path_factorizations;
-  const char *path_outcome;
-  double clp;
-  const char *clp_method;
-} Case;
-
-/* About `blocks` blocks, as wide as high; a façade has an opening for every 60 of them. */
-static void
-build (Case *c, int blocks, gboolean facade)
-{
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-  recipe.length = (int32_t) lround (sqrt (blocks * recipe.unit.y / recipe.unit.x));
-  recipe.courses = (int32_t) lround ((double) blocks / (recipe.length + 0.5));
-  recipe.openings = facade ? blocks / 60 : 0;
-  recipe.seed = 7;
-  *c = (Case){ .kind = facade ? "façade" : "wall",
-               .path = NAN,
-               .path_multiplier = NAN,
-               .path_memory = NAN,
-               .path_outcome = "",
-               .clp = NAN,
-               .clp_method = "" };
-  qn_model_init (&c->model);
-  g_assert_cmpint (qn_generate_wall (&c->model, &recipe, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
-}
+static const char headings[] =
+  "kind,blocks,faces,detection s,detection/kernel,factorisation s,"
+  "detection/factorisation,elastic s,elastic/kernel,elastic peak MB,limit outcome,"
+  "limit s,limit/kernel,limit factorisations,limit multiplier,limit peak MB,path "
+  "outcome,path s,path/kernel,path factorisations,path multiplier,path first limit,path "
+  "peak MB,Clp s,Clp method,Clp/limit,Clp/path";
 
 static void
-time_detection (Case *c)
-{
-  c->detect = G_MAXDOUBLE;
-  for (int round = 0; round < 3; round++) {
-    if (round > 0)
-      qn_contacts_clear (&c->contacts);
-    double start = bench_cpu_seconds ();
-    g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, NULL), ==, QN_OK);
-    c->detect = MIN (c->detect, bench_cpu_seconds () - start);
-  }
-}
-
-/* One factorisation of the stiffness matrix of the undeformed structure, after the symbolic
- * analysis. */
-static void
-time_factorization (Case *c)
-{
-  QnEquilibrium eq;
-  g_assert_cmpint (qn_equilibrium_setup (&eq, &c->model, &c->contacts, NULL, NULL, NULL),
-                   ==, QN_OK);
-  c->factorize = G_MAXDOUBLE;
-  qn_assembly_evaluate (&eq.assembly, eq.u);
-  for (int round = 0; round < 2; round++) {
-    qn_assembly_tangent (&eq.assembly, 0, 0);
-    double start = bench_cpu_seconds ();
-    g_assert_cmpint (qn_linsys_factor (eq.linsys, eq.assembly.ax), ==, QN_FACTOR_OK);
-    c->factorize = MIN (c->factorize, bench_cpu_seconds () - start);
-  }
-  qn_equilibrium_clear (&eq);
-}
-
-static void
-time_limit (Case *c)
-{
-  QnLimitSolution solution;
-  double start = bench_cpu_seconds (), end = start + most_seconds;
-  bench_reset_peak ();
-  g_assert_cmpint (qn_limit_associative (&c->model, &c->contacts, bench_within_time, &end,
-                                         &solution, NULL),
-                   ==, QN_OK);
-  c->limit = bench_cpu_seconds () - start;
-  c->limit_memory = bench_peak_megabytes ();
-  c->limit_factorizations = solution.effort.factorizations;
-  c->limit_multiplier =
-    solution.outcome == QN_OUTCOME_COLLAPSE ? solution.lower_bound : NAN;
-  qn_limit_solution_clear (&solution);
-}
-
-static void
-time_path (Case *c)
-{
-  QnResult result;
-  double start = bench_cpu_seconds (), end = start + most_seconds;
-  c->model.analysis.procedure = procedure;
-  c->model.analysis.increments = 10;
-  c->model.analysis.multiplier_tolerance = 1e-3;
-  bench_reset_peak ();
-  g_assert_cmpint (
-    qn_analysis_run (&c->model, &c->contacts, bench_within_time, &end, &result, NULL), ==,
-    QN_OK);
-  c->path = bench_cpu_seconds () - start;
-  c->path_memory = bench_peak_megabytes ();
-  c->path_factorizations = result.statistics.factorizations;
-  c->path_outcome = qn_outcome_name (result.outcome);
-  c->path_multiplier = result.has_collapse_multiplier ? result.collapse_multiplier
-                       : result.step_count > 0
-                         ? result.steps[result.step_count - 1].multiplier
-                         : 0;
-  qn_result_clear (&result);
-}
-
-#ifdef HAVE_CLP
-/* The best of Clp's methods; what does not end in time counts with the time given. */
-static void
-time_clp (Case *c)
-{
-  static const ClpMethod order[] = { CLP_PRIMAL, CLP_BARRIER, CLP_DUAL };
-  QnLimitProblem limit;
-  g_assert_cmpint (qn_limit_problem_init (&limit, &c->model, &c->contacts, false, NULL),
-                   ==, QN_OK);
-  for (size_t i = 0; i < G_N_ELEMENTS (order); i++) {
-    double spent;
-    /* Nobody waits for a method that is slower than the best one already. */
-    double budget = fmin (most_seconds, c->clp > 0 ? 1.2 * c->clp + 1 : most_seconds);
-    double found = clp_limit_solve (&limit, order[i], budget, &spent);
-    if (isnan (found))
-      continue;
-    g_assert_cmpfloat_with_epsilon (found, c->limit_multiplier, 1e-6);
-    if (!(spent >= c->clp)) {
-      c->clp = spent;
-      c->clp_method = clp_method_name (order[i]);
-    }
-  }
-  qn_limit_problem_clear (&limit);
-}
-#endif
-
-static void
-add_to_chart (const Case *c, const char *what, double seconds)
+add_to_chart (Chart *to, const ScalingCase *c, const char *what, double value)
 {
   g_autofree char *label = g_strdup_printf ("%s, %s", what, c->kind);
-  if (isfinite (seconds))
-    bench_chart_add (&chart, label, (double) c->model.block_count, seconds);
+  if (isfinite (value))
+    chart_add (to, label, (double) c->blocks, value);
 }
 
 static void
-report (FILE *csv, const Case *c)
+report (FILE *csv, const ScalingCase *c)
 {
-  double kernel = bench_kernel_seconds ();
+  const ScalingPart *limit = &c->limit, *path = &c->path;
   bench_csv_row (csv,
-                 "%s,%zu,%zu,%.4f,%.4f,%.2f,%.3f,%.1f,%d,%.8f,%.0f,%.3f,%.1f,%d,%.5f,%s,"
-                 "%.0f,%.3f,%s,%.1f,%.1f",
-                 c->kind, c->model.block_count - 1, c->contacts.face_count, c->detect,
-                 c->factorize, c->detect / c->factorize, c->limit, c->limit / kernel,
-                 c->limit_factorizations, c->limit_multiplier, c->limit_memory, c->path,
-                 c->path / kernel, c->path_factorizations, c->path_multiplier,
-                 c->path_outcome, c->path_memory, c->clp, c->clp_method,
-                 c->clp / c->limit, c->clp / c->path);
-  add_to_chart (c, "contact detection", c->detect);
-  add_to_chart (c, "factorisation", c->factorize);
-  add_to_chart (c, "limit analysis", c->limit);
-  add_to_chart (c, "path", c->path);
-  add_to_chart (c, "Clp", c->clp);
+                 "%s,%zu,%zu,%.4f,%.3f,%.4f,%.2f,%.4f,%.2f,%.0f,%s,%.3f,%.1f,%d,%.8f,"
+                 "%.0f,%s,%.3f,%.1f,%d,%.5f,%.5f,%.0f,%.3f,%s,%.1f,%.1f",
+                 c->kind, c->blocks, c->faces, c->detection.seconds, c->detection.kernels,
+                 c->factorization, c->detection.seconds / c->factorization,
+                 c->elastic.seconds, c->elastic.kernels, c->elastic.megabytes,
+                 limit->outcome, limit->seconds, limit->kernels, limit->factorizations,
+                 limit->multiplier, limit->megabytes, path->outcome, path->seconds,
+                 path->kernels, path->factorizations, path->multiplier, c->first_limit,
+                 path->megabytes, c->clp.seconds, c->clp.outcome,
+                 c->clp.seconds / limit->seconds, c->clp.seconds / path->seconds);
+  add_to_chart (&chart, c, "contact detection", c->detection.seconds);
+  add_to_chart (&chart, c, "factorisation", c->factorization);
+  add_to_chart (&chart, c, "elastic solution", c->elastic.seconds);
+  add_to_chart (&chart, c, "Clp", c->clp.seconds);
+  add_to_chart (&memory, c, "elastic solution", c->elastic.megabytes);
+  if (limit->done) {
+    add_to_chart (&chart, c, "limit analysis", limit->seconds);
+    add_to_chart (&memory, c, "limit analysis", limit->megabytes);
+  }
+  if (path->done) {
+    add_to_chart (&chart, c, "path", path->seconds);
+    add_to_chart (&memory, c, "path", path->megabytes);
+  }
 }
 
-static void
-run (FILE *csv, int blocks, gboolean facade)
+/* The demands on one size; what was not asked for is none. */
+static gboolean
+check_size (FILE *bars, const ScalingCase *c, int wanted)
 {
-  Case c;
-  build (&c, blocks, facade);
-  time_detection (&c);
-  time_factorization (&c);
-  time_limit (&c);
-  if (blocks <= largest_path)
-    time_path (&c);
-#ifdef HAVE_CLP
+  static const struct {
+    int blocks;
+    double times;
+  } against_clp[] = { { 200, 1 }, { 800, 3 }, { 1800, 10 } };
+  g_autofree char *what = g_strdup_printf ("%s of %d", c->kind, wanted);
+  gboolean met = TRUE;
+
+  for (size_t i = 0; i < G_N_ELEMENTS (against_clp); i++)
+    if (wanted == against_clp[i].blocks && wanted <= largest_path && c->clp.seconds > 0)
+      met &= bench_bar (bars, "Clp / path", what,
+                        c->path.done ? c->clp.seconds / c->path.seconds : NAN,
+                        BENCH_AT_LEAST, against_clp[i].times);
+  if (wanted == 10000)
+    met &= bench_bar (bars, "memory (MB)", what,
+                      fmax (fmax (c->elastic.megabytes, c->limit.megabytes),
+                            isnan (c->path.megabytes) ? 0 : c->path.megabytes),
+                      BENCH_AT_MOST, 1024);
+  if (wanted == 50000)
+    met &=
+      bench_bar (bars, "limit analysis ends", what, c->limit.done, BENCH_AT_LEAST, 1);
+  if (wanted >= 10000 && wanted <= largest_path)
+    met &= bench_bar (bars, "path ends", what, c->path.done, BENCH_AT_LEAST, 1);
+  return met;
+}
+
+static gboolean
+run (FILE *csv, FILE *bars, int blocks, gboolean facade)
+{
+  ScalingCase c;
+  scaling_case_init (&c, blocks, facade);
+  scaling_case_detect (&c);
+  scaling_case_elastic (&c);
+  scaling_case_limit (&c, &limits);
+  if (blocks <= largest_path) {
+    scaling_case_path (&c, &limits);
+    largest_run = MAX (largest_run, blocks);
+  }
   if (blocks <= largest_clp)
-    time_clp (&c);
-#endif
+    scaling_case_clp (&c, &limits);
   report (csv, &c);
-  qn_contacts_clear (&c.contacts);
-  qn_model_clear (&c.model);
+  gboolean met = check_size (bars, &c, blocks);
+  scaling_case_clear (&c);
+  return met;
 }
 
-static void
-report_exponents (void)
+/* Growth exponents of every part, and the demand on the path. */
+static gboolean
+report_exponents (FILE *bars)
 {
-  FILE *csv = bench_csv_open ("scaling-exponents", "part,from 800 to 10000 blocks");
+  static const char *const paths[] = { "path, wall", "path, façade" };
+  double least = 800, most = 10000;
+  FILE *csv = bench_csv_open ("scaling-exponents", "part,from,to,exponent");
   for (size_t i = 0; i < chart.series_count; i++) {
     const char *label = chart.series[i].label;
-    bench_csv_row (csv, "\"%s\",%.2f", label,
-                   bench_chart_exponent (&chart, label, 800, 10000));
+    double ends[][2] = { { 800, 10000 }, { 800, 50000 } };
+    for (size_t k = 0; k < G_N_ELEMENTS (ends); k++) {
+      double exponent = chart_exponent (&chart, label, &ends[k][0], &ends[k][1]);
+      if (isfinite (exponent) && (k == 0 || ends[1][1] > 1.5 * ends[0][1]))
+        bench_csv_row (csv, "\"%s\",%.0f,%.0f,%.2f", label, ends[k][0], ends[k][1],
+                       exponent);
+    }
   }
   fclose (csv);
+
+  gboolean met = TRUE;
+  for (size_t i = 0; i < G_N_ELEMENTS (paths) && largest_run >= 10000; i++) {
+    double from = least, to = most;
+    double exponent = chart_exponent (&chart, paths[i], &from, &to);
+    gboolean whole = fabs (log (from / least)) < 0.2 && fabs (log (to / most)) < 0.2;
+    met &=
+      bench_bar (bars, "path: exponent from 800 to 10000", i == 0 ? "wall" : "façade",
+                 whole ? exponent : NAN, BENCH_AT_MOST, 1.7);
+  }
+  return met;
+}
+
+static gboolean
+parse (int *argc, char ***argv, GError **error)
+{
+  g_autofree char *procedure = NULL;
+  const GOptionEntry entries[] = {
+    { "clp", 0, 0, G_OPTION_ARG_INT, &largest_clp, "Run Clp up to this size (1800)",
+      "N" },
+    { "path", 0, 0, G_OPTION_ARG_INT, &largest_path,
+      "Follow the path up to this size (10000)", "N" },
+    { "procedure", 0, 0, G_OPTION_ARG_STRING, &procedure, "How the path is led", "P" },
+    { "seconds", 0, 0, G_OPTION_ARG_DOUBLE, &limits.path,
+      "Time for a path or a method of Clp (300)", "N" },
+    { "limit-seconds", 0, 0, G_OPTION_ARG_DOUBLE, &limits.limit,
+      "Time for limit analysis (3600)", "N" },
+    { "check", 0, 0, G_OPTION_ARG_NONE, &check, "Fail where a demand is not met", NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  g_autoptr (GOptionContext) context = g_option_context_new ("BLOCKS…");
+  g_option_context_add_main_entries (context, entries, NULL);
+  if (!g_option_context_parse (context, argc, argv, error))
+    return FALSE;
+  limits.clp = limits.path;
+  limits.procedure = g_strcmp0 (procedure, "work") == 0         ? QN_PROCEDURE_WORK
+                     : g_strcmp0 (procedure, "arc-length") == 0 ? QN_PROCEDURE_ARC_LENGTH
+                                                                : QN_PROCEDURE_LOAD;
+  return TRUE;
 }
 
 int
 main (int argc, char **argv)
 {
-  g_autofree char *procedure_name = NULL;
-  const GOptionEntry entries[] = {
-    { "clp", 0, 0, G_OPTION_ARG_INT, &largest_clp, "Run Clp up to this size", "N" },
-    { "path", 0, 0, G_OPTION_ARG_INT, &largest_path, "Follow the path up to this size",
-      "N" },
-    { "procedure", 0, 0, G_OPTION_ARG_STRING, &procedure_name, "How the path is led",
-      "P" },
-    { "seconds", 0, 0, G_OPTION_ARG_DOUBLE, &most_seconds, "Time for each part", "N" },
-    G_OPTION_ENTRY_NULL,
-  };
-  g_autoptr (GOptionContext) context = g_option_context_new ("BLOCKS…");
   g_autoptr (GError) error = NULL;
   setlocale (LC_ALL, "C.UTF-8");
-  g_option_context_add_main_entries (context, entries, NULL);
-  if (!g_option_context_parse (context, &argc, &argv, &error)) {
+  if (!parse (&argc, &argv, &error)) {
     fprintf (stderr, "bench-scaling: %s\n", error->message);
     return 2;
   }
-  if (g_strcmp0 (procedure_name, "work") == 0)
-    procedure = QN_PROCEDURE_WORK;
-  else if (g_strcmp0 (procedure_name, "arc-length") == 0)
-    procedure = QN_PROCEDURE_ARC_LENGTH;
-  FILE *csv = bench_csv_open (
-    "scaling",
-    "kind,blocks,faces,detection s,factorisation s,detection/factorisation,limit "
-    "s,limit/kernel,limit factorisations,limit multiplier,limit peak MB,path s,"
-    "path/kernel,path factorisations,path multiplier,path outcome,path peak MB,Clp "
-    "s,Clp method,Clp/limit,Clp/path");
+  gboolean met = TRUE;
+  FILE *csv = bench_csv_open ("scaling", headings);
+  FILE *bars = bench_bars_open ("scaling");
   for (int i = 1; i < argc; i++)
     for (int facade = 0; facade < 2; facade++)
-      run (csv, (int) g_ascii_strtoll (argv[i], NULL, 10), facade);
+      met &= run (csv, bars, (int) g_ascii_strtoll (argv[i], NULL, 10), facade);
   fclose (csv);
-  report_exponents ();
-  bench_chart_write (&chart);
-  return 0;
+  met &= report_exponents (bars);
+  fclose (bars);
+  chart_write (&chart);
+  chart_write (&memory);
+  return met || !check ? 0 : 1;
 }

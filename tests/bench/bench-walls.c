@@ -4,6 +4,7 @@
  * With dilatancy = friction the answer is known exactly (linear program); without dilatancy the
  * reference is the published limit analysis, of three digits. */
 #include "bench/bench.h"
+#include "bench/chart.h"
 #include "core/analysis.h"
 #include "support/models.h"
 
@@ -15,12 +16,12 @@
 /* A run that takes longer is stopped and counts as cancelled. */
 #define MOST_SECONDS 20
 
-static BenchChart chart = { .name = "walls",
-                            .title = "Six walls, dilatancy = friction: error against "
-                                     "processor time for tolerances 1e-2 to 1e-6",
-                            .x_label = "Time",
-                            .x_unit = "s",
-                            .y_label = "Error (%)" };
+static Chart chart = { .name = "walls",
+                       .title = "Six walls, dilatancy = friction: error against "
+                                "processor time for tolerances 1e-2 to 1e-6",
+                       .x_label = "Time",
+                       .x_unit = "s",
+                       .y_label = "Error (%)" };
 
 /* What a run is asked for. */
 typedef struct Setting {
@@ -80,7 +81,7 @@ run (FILE *csv, int number, double dilatancy, const Setting *setting)
   if (dilatancy > 0 && setting->procedure == QN_PROCEDURE_LOAD
       && setting->increments == 30 && setting->snap == QN_SNAP_JUMP) {
     g_autofree char *label = g_strdup_printf ("wall %d", number);
-    bench_chart_add (&chart, label, seconds, fabs (error));
+    chart_add (&chart, label, seconds, fabs (error));
   }
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
@@ -115,6 +116,6 @@ main (void)
       for (size_t i = 0; i < G_N_ELEMENTS (settings); i++)
         run (csv, number, associative * FRICTION, &settings[i]);
   fclose (csv);
-  bench_chart_write (&chart);
+  chart_write (&chart);
   return 0;
 }

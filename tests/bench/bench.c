@@ -1,17 +1,18 @@
 #include "bench/bench.h"
 
-#include "render/curve-plot.h"
-
 #include <cholmod.h>
 #include <glib/gstdio.h>
+#include <malloc.h>
 #include <math.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/utsname.h>
 #include <time.h>
+#include <unistd.h>
 
 #define KERNEL_SIDE   150
 #define KERNEL_ROUNDS 5
+#define KERNEL_VALID  10 /* s */
 
 double
 bench_cpu_seconds (void)
@@ -78,14 +79,19 @@ double
 bench_kernel_seconds (void)
 {
   static double seconds;
-  if (seconds == 0)
+  static gint64 measured;
+  if (seconds == 0
+      || g_get_monotonic_time () - measured > KERNEL_VALID * G_USEC_PER_SEC) {
     seconds = time_kernel ();
+    measured = g_get_monotonic_time ();
+  }
   return seconds;
 }
 
 void
 bench_reset_peak (void)
 {
+  malloc_trim (0); /* what earlier parts have freed is not this one's */
   FILE *file = g_fopen ("/proc/self/clear_refs", "w");
   if (file != NULL) {
     fputs ("5", file);
@@ -107,8 +113,8 @@ bench_peak_megabytes (void)
   return (double) usage.ru_maxrss / 1024;
 }
 
-static const char *
-output_folder (void)
+const char *
+bench_output_folder (void)
 {
   const char *folder = g_getenv ("QUOIN_BENCH_OUTPUT");
   return folder != NULL && *folder != '\0' ? folder : "bench-results";
@@ -128,18 +134,25 @@ processor (void)
   return g_strdup ("unknown processor");
 }
 
+static double
+memory_gigabytes (void)
+{
+  return (double) sysconf (_SC_PHYS_PAGES) * (double) sysconf (_SC_PAGE_SIZE) / 0x1p30;
+}
+
 static void
 describe_machine (void)
 {
   struct utsname system;
   g_autofree char *name = processor ();
-  g_autofree char *path = g_build_filename (output_folder (), "machine.txt", NULL);
+  g_autofree char *path = g_build_filename (bench_output_folder (), "machine.txt", NULL);
   FILE *file = g_fopen (path, "w");
   if (file == NULL)
     g_error ("%s: cannot be written", path);
   uname (&system);
   fprintf (file, "processor       %s, %u used of %u\n", name, 1, g_get_num_processors ());
   fprintf (file, "system          %s %s\n", system.sysname, system.machine);
+  fprintf (file, "memory          %.0f GB\n", memory_gigabytes ());
   fprintf (file, "compiler        %s\n", __VERSION__);
   fprintf (file, "CHOLMOD         %d.%d.%d\n", CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION,
            CHOLMOD_SUBSUB_VERSION);
@@ -151,9 +164,9 @@ FILE *
 bench_csv_open (const char *name, const char *columns)
 {
   g_autofree char *file = g_strconcat (name, ".csv", NULL);
-  g_autofree char *path = g_build_filename (output_folder (), file, NULL);
-  if (g_mkdir_with_parents (output_folder (), 0777) != 0)
-    g_error ("%s: cannot be made", output_folder ());
+  g_autofree char *path = g_build_filename (bench_output_folder (), file, NULL);
+  if (g_mkdir_with_parents (bench_output_folder (), 0777) != 0)
+    g_error ("%s: cannot be made", bench_output_folder ());
   describe_machine ();
   FILE *csv = g_fopen (path, "w");
   if (csv == NULL)
@@ -175,95 +188,20 @@ bench_csv_row (FILE *csv, const char *format, ...)
   fflush (stdout);
 }
 
-static BenchSeries *
-find_series (const BenchChart *chart, const char *label)
+FILE *
+bench_bars_open (const char *name)
 {
-  for (size_t i = 0; i < chart->series_count; i++)
-    if (g_str_equal (chart->series[i].label, label))
-      return (BenchSeries *) &chart->series[i];
-  return NULL;
+  g_autofree char *file = g_strconcat (name, "-bars", NULL);
+  return bench_csv_open (file, "bar,case,measured,demanded,met");
 }
 
-void
-bench_chart_add (BenchChart *chart, const char *label, double x, double y)
+gboolean
+bench_bar (FILE *csv, const char *bar, const char *what, double measured,
+           BenchDemand demand, double value)
 {
-  BenchSeries *series = find_series (chart, label);
-  if (series == NULL) {
-    g_assert_cmpuint (chart->series_count, <, G_N_ELEMENTS (chart->series));
-    series = &chart->series[chart->series_count++];
-    series->label = g_strdup (label);
-    series->x = g_array_new (FALSE, FALSE, sizeof (double));
-    series->y = g_array_new (FALSE, FALSE, sizeof (double));
-  }
-  g_array_append_val (series->x, x);
-  g_array_append_val (series->y, y);
-}
-
-/* Index of the value nearest to x by ratio. */
-static guint
-nearest (const GArray *values, double x)
-{
-  guint best = 0;
-  for (guint i = 1; i < values->len; i++)
-    if (fabs (log (g_array_index (values, double, i) / x))
-        < fabs (log (g_array_index (values, double, best) / x)))
-      best = i;
-  return best;
-}
-
-double
-bench_chart_exponent (const BenchChart *chart, const char *label, double x0, double x1)
-{
-  const BenchSeries *series = find_series (chart, label);
-  if (series == NULL)
-    return NAN;
-  guint a = nearest (series->x, x0), b = nearest (series->x, x1);
-  if (a == b)
-    return NAN;
-  return log (g_array_index (series->y, double, b) / g_array_index (series->y, double, a))
-         / log (g_array_index (series->x, double, b)
-                / g_array_index (series->x, double, a));
-}
-
-void
-bench_chart_write (BenchChart *chart)
-{
-  QnCurve curves[G_N_ELEMENTS (chart->series)];
-  g_autofree char *file = g_strconcat (chart->name, ".svg", NULL);
-  g_autofree char *path = g_build_filename (output_folder (), file, NULL);
-  GError *error = NULL;
-  QnMetadata metadata;
-  QnOutput output;
-
-  for (size_t i = 0; i < chart->series_count; i++) {
-    BenchSeries *series = &chart->series[i];
-    curves[i] = (QnCurve){ .label = series->label,
-                           .x = (double *) series->x->data,
-                           .y = (double *) series->y->data,
-                           .count = series->x->len,
-                           .limit_point = -1,
-                           .collapse_point = -1,
-                           .dot = -1 };
-  }
-  const QnCurvePlot plot = { .title = chart->title,
-                             .x_label = chart->x_label,
-                             .x_unit = chart->x_unit,
-                             .y_label = chart->y_label,
-                             .x_log = true,
-                             .y_log = true,
-                             .points = true,
-                             .curves = curves,
-                             .curve_count = chart->series_count };
-  qn_output_init (&output);
-  output.width = 900;
-  output.height = 640;
-  qn_metadata_init (&metadata);
-  if (!qn_curve_export (&plot, path, &output, &metadata, &error))
-    g_error ("%s", error->message);
-  for (size_t i = 0; i < chart->series_count; i++) {
-    g_free (chart->series[i].label);
-    g_array_unref (chart->series[i].x);
-    g_array_unref (chart->series[i].y);
-  }
-  chart->series_count = 0;
+  gboolean met = demand == BENCH_AT_MOST ? measured <= value : measured >= value;
+  bench_csv_row (csv, "\"%s\",%s,%.3g,%s %g,%s", bar, what, measured,
+                 demand == BENCH_AT_MOST ? "at most" : "at least", value,
+                 met ? "yes" : "no");
+  return met;
 }

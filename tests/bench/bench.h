@@ -1,8 +1,8 @@
-/* What the benchmark programs share: processor time, the calibration kernel, result files and
- * charts.
+/* What the benchmark programs share: processor time, the calibration kernel, result files.
  *
  * Results go to the folder that the environment variable QUOIN_BENCH_OUTPUT names, else to
- * "bench-results" where the program runs: NAME.csv and NAME.svg for each part, and machine.txt.
+ * "bench-results" where the program runs: NAME.csv and NAME.svg (chart.h) for each part, and
+ * machine.txt.
  */
 #ifndef QN_TESTS_BENCH_H
 #define QN_TESTS_BENCH_H
@@ -20,8 +20,12 @@ bool bench_within_time (const QnProgress *progress, void *end);
 
 /* Seconds that the calibration kernel takes here: ordering, factorising (CHOLMOD, simplicial)
  * and solving the five-point Laplacian of a grid of 150 x 150 points, best of five. Times
- * divided by it compare across machines. Measured once per process. */
+ * divided by it compare across machines. A machine that others use too is now faster, now slower:
+ * what was measured more than a few seconds ago is measured anew. */
 double bench_kernel_seconds (void);
+
+/* The folder of the results. */
+const char *bench_output_folder (void);
 
 /* Most memory that the process has held since _reset_peak(), or in its life where the system
  * does not let it be reset, MB. */
@@ -35,31 +39,12 @@ FILE *bench_csv_open (const char *name, const char *columns);
 /* One line, to the file and to standard output. */
 void bench_csv_row (FILE *csv, const char *format, ...) G_GNUC_PRINTF (2, 3);
 
-/* A line of a chart. */
-typedef struct BenchSeries {
-  char *label;
-  GArray *x, *y; /* double */
-} BenchSeries;
-
-/* Series of a chart, created on first use of a label. */
-typedef struct BenchChart {
-  const char *name; /* of the file, without ending */
-  const char *title;
-  const char *x_label;
-  const char *x_unit; /* "" for none */
-  const char *y_label;
-  BenchSeries series[16];
-  size_t series_count;
-} BenchChart;
-
-void bench_chart_add (BenchChart *chart, const char *label, double x, double y);
-
-/* Slope between the points of a series nearest to x0 and x1, both axes logarithmic; NAN where
- * it has no two of them. */
-double bench_chart_exponent (const BenchChart *chart, const char *label, double x0,
-                             double x1);
-
-/* Writes NAME.svg, both axes logarithmic, and frees the series. */
-void bench_chart_write (BenchChart *chart);
+/* What is demanded of the program: one line of NAME-bars.csv, with the headings
+ * "bar,case,measured,demanded,met". A figure that is missing (NAN) is a demand not met. Returns
+ * whether it is met. */
+typedef enum { BENCH_AT_MOST, BENCH_AT_LEAST } BenchDemand;
+FILE *bench_bars_open (const char *name);
+gboolean bench_bar (FILE *csv, const char *bar, const char *what, double measured,
+                    BenchDemand demand, double value);
 
 #endif

@@ -1,10 +1,11 @@
 #include "bench/clp-limit.h"
 
+#include "bench/bench.h"
+
 #include <coin/Clp_C_Interface.h>
 #include <float.h>
 #include <glib.h>
 #include <math.h>
-#include <time.h>
 
 const char *
 clp_method_name (ClpMethod method)
@@ -85,12 +86,6 @@ columns_free (Columns *columns)
 }
 
 double
-cpu_seconds (void)
-{
-  return (double) clock () / CLOCKS_PER_SEC;
-}
-
-double
 clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double seconds,
                  double *spent)
 {
@@ -112,14 +107,14 @@ clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double seconds,
   Clp_setDualTolerance (model, 1e-9);
   Clp_setPrimalTolerance (model, 1e-9);
   Clp_setMaximumSeconds (model, seconds);
-  double start = cpu_seconds ();
+  double start = bench_cpu_seconds ();
   if (method == CLP_DUAL)
     Clp_initialDualSolve (model);
   else if (method == CLP_PRIMAL)
     Clp_initialPrimalSolve (model);
   else
     Clp_initialBarrierNoCrossSolve (model);
-  *spent = cpu_seconds () - start;
+  *spent = bench_cpu_seconds () - start;
   if (Clp_status (model) == 0)
     multiplier = qn_limit_problem_multiplier (limit, Clp_objectiveValue (model));
   Clp_deleteModel (model);

@@ -12,7 +12,6 @@ double clp_limit_solve (const QnLimitProblem *limit, ClpMethod method, double se
                         double *spent);
 
 /* Processor time of this process: other processes do not count. All solvers use one thread. */
-double cpu_seconds (void);
 
 const char *clp_method_name (ClpMethod method);
 

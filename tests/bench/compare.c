@@ -10,11 +10,9 @@
 static const struct {
   const char *name;
   int keys;
-} tables[] = { { "walls", 6 },  { "members", 4 },
-               { "joints", 4 }, { "contacts", 2 },
-               { "limit", 2 },  { "scaling", 2 },
-               { "paths", 3 },  { "scaling-exponents", 1 },
-               { "bars", 2 },   { "contacts-exponents", 1 } };
+} tables[] = { { "walls", 6 },    { "members", 4 },      { "joints", 4 },
+               { "contacts", 2 }, { "render", 2 },       { "scaling", 2 },
+               { "paths", 3 },    { "scaling-bars", 2 }, { "contacts-bars", 2 } };
 
 typedef enum {
   OTHER,

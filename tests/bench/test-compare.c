@@ -37,8 +37,8 @@ tear_down (Fixture *f)
                                        "after/walls.csv",
                                        "before/scaling.csv",
                                        "after/scaling.csv",
-                                       "before/bars.csv",
-                                       "after/bars.csv",
+                                       "before/scaling-bars.csv",
+                                       "after/scaling-bars.csv",
                                        "said",
                                        "before",
                                        "after",
@@ -237,9 +237,9 @@ test_bars (void)
 {
   Fixture f;
   set_up (&f);
-  write_table (f.before, "bars.csv",
+  write_table (f.before, "scaling-bars.csv",
                "bar,case,value,met\n\"time, s\",wall,3,yes\nx,wall,1,no\n");
-  write_table (f.after, "bars.csv",
+  write_table (f.after, "scaling-bars.csv",
                "bar,case,value,met\n\"time, s\",wall,9,no\nx,wall,1,yes\n");
   g_assert_true (compare (&f, FALSE, NULL));
   g_assert_cmpint (f.verdict.worse, ==, 1);

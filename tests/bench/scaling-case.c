@@ -1,0 +1,174 @@
+#include "bench/scaling-case.h"
+
+#include "bench/bench.h"
+#include "core/analysis.h"
+#include "core/equilibrium.h"
+#include "core/generate.h"
+#include "core/limit.h"
+
+#include <math.h>
+#include <string.h>
+
+#ifdef HAVE_CLP
+#include "bench/clp-limit.h"
+#endif
+
+static const ScalingPart not_run = {
+  .outcome = "", .seconds = NAN, .kernels = NAN, .megabytes = NAN, .multiplier = NAN
+};
+
+void
+scaling_case_init (ScalingCase *c, int blocks, gboolean facade)
+{
+  QnWallRecipe recipe = qn_wall_recipe_default ();
+  recipe.length = (int32_t) lround (sqrt (blocks * recipe.unit.y / recipe.unit.x));
+  recipe.courses = (int32_t) lround ((double) blocks / (recipe.length + 0.5));
+  recipe.openings = facade ? blocks / 60 : 0;
+  recipe.seed = 7;
+  *c = (ScalingCase){ .kind = facade ? "façade" : "wall",
+                      .first_limit = NAN,
+                      .detection = not_run,
+                      .elastic = not_run,
+                      .limit = not_run,
+                      .path = not_run,
+                      .clp = not_run };
+  qn_model_init (&c->model);
+  g_assert_cmpint (qn_generate_wall (&c->model, &recipe, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
+  c->blocks = c->model.block_count - 1;
+}
+
+void
+scaling_case_clear (ScalingCase *c)
+{
+  qn_contacts_clear (&c->contacts);
+  qn_model_clear (&c->model);
+}
+
+/* Ends a measurement that began at `start` (processor time). */
+static void
+finish (ScalingPart *part, double start)
+{
+  part->seconds = bench_cpu_seconds () - start;
+  part->megabytes = bench_peak_megabytes ();
+  part->kernels = part->seconds / bench_kernel_seconds ();
+}
+
+void
+scaling_case_detect (ScalingCase *c)
+{
+  double best = G_MAXDOUBLE;
+  for (int round = 0; round < 3; round++) {
+    if (round > 0)
+      qn_contacts_clear (&c->contacts);
+    double start = bench_cpu_seconds ();
+    g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, NULL), ==, QN_OK);
+    best = fmin (best, bench_cpu_seconds () - start);
+  }
+  c->faces = c->contacts.face_count;
+  c->detection.done = TRUE;
+  c->detection.seconds = best;
+  c->detection.kernels = best / bench_kernel_seconds ();
+}
+
+void
+scaling_case_elastic (ScalingCase *c)
+{
+  QnEquilibrium eq;
+  bench_reset_peak ();
+  double start = bench_cpu_seconds ();
+  g_assert_cmpint (qn_equilibrium_setup (&eq, &c->model, &c->contacts, NULL, NULL, NULL),
+                   ==, QN_OK);
+  QnAssembly *assembly = &eq.assembly;
+  qn_assembly_evaluate (assembly, eq.u);
+  qn_assembly_tangent (assembly, 0, 0);
+  double factoring = bench_cpu_seconds ();
+  g_assert_cmpint (qn_linsys_factor (eq.linsys, assembly->ax), ==, QN_FACTOR_OK);
+  c->factorization = bench_cpu_seconds () - factoring;
+  memcpy (eq.u, assembly->dead, (size_t) assembly->unknown_count * sizeof *eq.u);
+  qn_linsys_solve (eq.linsys, eq.u);
+  finish (&c->elastic, start);
+  c->elastic.done = TRUE;
+
+  /* Best of two: the ratio to detection is held to a bound. */
+  factoring = bench_cpu_seconds ();
+  g_assert_cmpint (qn_linsys_factor (eq.linsys, assembly->ax), ==, QN_FACTOR_OK);
+  c->factorization = fmin (c->factorization, bench_cpu_seconds () - factoring);
+  qn_equilibrium_clear (&eq);
+}
+
+void
+scaling_case_limit (ScalingCase *c, const ScalingLimits *limits)
+{
+  QnLimitSolution solution;
+  bench_reset_peak ();
+  double start = bench_cpu_seconds (), end = start + limits->limit;
+  g_assert_cmpint (qn_limit_associative (&c->model, &c->contacts, bench_within_time, &end,
+                                         &solution, NULL),
+                   ==, QN_OK);
+  finish (&c->limit, start);
+  c->limit.outcome = qn_outcome_name (solution.outcome);
+  c->limit.factorizations = solution.effort.factorizations;
+  c->limit.done = solution.outcome == QN_OUTCOME_COLLAPSE;
+  c->limit.multiplier = c->limit.done ? solution.lower_bound : NAN;
+  qn_limit_solution_clear (&solution);
+}
+
+void
+scaling_case_path (ScalingCase *c, const ScalingLimits *limits)
+{
+  QnResult result;
+  c->model.analysis.procedure = limits->procedure;
+  c->model.analysis.increments = 10;
+  c->model.analysis.multiplier_tolerance = 1e-3;
+  bench_reset_peak ();
+  double start = bench_cpu_seconds (), end = start + limits->path;
+  g_assert_cmpint (
+    qn_analysis_run (&c->model, &c->contacts, bench_within_time, &end, &result, NULL), ==,
+    QN_OK);
+  finish (&c->path, start);
+  c->path.outcome = qn_outcome_name (result.outcome);
+  c->path.factorizations = result.statistics.factorizations;
+  c->path.done = result.outcome == QN_OUTCOME_COLLAPSE;
+  c->path.multiplier = result.has_collapse_multiplier ? result.collapse_multiplier
+                       : result.step_count > 0
+                         ? result.steps[result.step_count - 1].multiplier
+                         : 0;
+  if (result.has_first_limit_multiplier)
+    c->first_limit = result.first_limit_multiplier;
+  qn_result_clear (&result);
+}
+
+#ifdef HAVE_CLP
+void
+scaling_case_clp (ScalingCase *c, const ScalingLimits *limits)
+{
+  static const ClpMethod order[] = { CLP_PRIMAL, CLP_BARRIER, CLP_DUAL };
+  QnLimitProblem limit;
+  g_assert_cmpint (qn_limit_problem_init (&limit, &c->model, &c->contacts, false, NULL),
+                   ==, QN_OK);
+  for (size_t i = 0; i < G_N_ELEMENTS (order); i++) {
+    double spent;
+    /* Nobody waits for a method that is slower than the best one already. */
+    double budget =
+      c->clp.done ? fmin (limits->clp, 1.2 * c->clp.seconds + 1) : limits->clp;
+    double found = clp_limit_solve (&limit, order[i], budget, &spent);
+    if (isnan (found))
+      continue;
+    g_assert_cmpfloat_with_epsilon (found, c->limit.multiplier, 1e-6);
+    if (!c->clp.done || spent < c->clp.seconds) {
+      c->clp.seconds = spent;
+      c->clp.outcome = clp_method_name (order[i]);
+    }
+    c->clp.done = TRUE;
+  }
+  qn_limit_problem_clear (&limit);
+}
+#else
+void
+scaling_case_clp (ScalingCase *c, const ScalingLimits *limits)
+{
+  (void) c;
+  (void) limits;
+}
+#endif

@@ -1,0 +1,99 @@
+#include "bench/seeded-walls.h"
+
+#include "core/limit.h"
+
+#include <math.h>
+
+/* The same number, the same wall; another number, another one. */
+static void
+test_same_seed (void)
+{
+  for (guint32 seed = 1; seed <= 6; seed++) {
+    QnProject projects[3];
+    g_autofree char *texts[3] = { NULL, NULL, NULL };
+    for (guint32 i = 0; i < 3; i++) {
+      seeded_wall_init (&projects[i], i < 2 ? seed : seed + 6, 100, 300);
+      texts[i] = qn_project_to_text (&projects[i], NULL);
+      qn_project_clear (&projects[i]);
+    }
+    g_assert_cmpstr (texts[0], ==, texts[1]);
+    g_assert_cmpstr (texts[0], !=, texts[2]);
+    g_free (texts[1]);
+    g_free (texts[2]);
+    texts[1] = texts[2] = NULL;
+  }
+}
+
+/* Sizes are within the range, and spread over it. */
+static void
+test_sizes (void)
+{
+  double lowest = INFINITY, highest = 0;
+  for (guint32 seed = 1; seed <= 12; seed++) {
+    QnProject project;
+    seeded_wall_init (&project, seed, 200, 1000);
+    double blocks = (double) project.model.block_count;
+    g_assert_cmpfloat (blocks, >, 0.9 * 200);
+    g_assert_cmpfloat (blocks, <, 1.1 * 1000);
+    lowest = fmin (lowest, blocks);
+    highest = fmax (highest, blocks);
+    qn_project_clear (&project);
+  }
+  g_assert_cmpfloat (lowest, <, 300);
+  g_assert_cmpfloat (highest, >, 700);
+}
+
+/* What is written reads back as the same wall. */
+static void
+test_saved (void)
+{
+  for (guint32 seed = 1; seed <= 6; seed++) {
+    QnProject project, again;
+    g_autoptr (GError) error = NULL;
+    gsize length;
+    seeded_wall_init (&project, seed, 60, 120);
+    g_autofree char *text = qn_project_to_text (&project, &length);
+    g_assert_true (qn_project_parse (text, length, "wall.quoin", NULL, &again, &error));
+    g_assert_no_error (error);
+    g_assert_cmpuint (again.warnings->len, ==, 0);
+    g_assert_cmpuint (again.model.block_count, ==, project.model.block_count);
+    g_assert_cmpfloat (again.model.laws[0].friction, ==, project.model.laws[0].friction);
+    qn_project_clear (&again);
+    qn_project_clear (&project);
+  }
+}
+
+/* Sound, standing under its own weight, and falling under some part of it sideways. */
+static void
+test_stands (void)
+{
+  for (guint32 seed = 1; seed <= 36; seed++) {
+    QnProject project;
+    QnContacts contacts;
+    QnLimitSolution solution;
+    seeded_wall_init (&project, seed, 60, 400);
+    g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
+    g_assert_cmpint (qn_contacts_require_sound (&project.model, &contacts, NULL), ==,
+                     QN_OK);
+    g_assert_cmpint (
+      qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL), ==,
+      QN_OK);
+    if (solution.outcome != QN_OUTCOME_COLLAPSE || !(solution.lower_bound > 0.005))
+      g_error ("seed %u: %s at %g", seed, qn_outcome_name (solution.outcome),
+               solution.lower_bound);
+    qn_limit_solution_clear (&solution);
+    qn_contacts_clear (&contacts);
+    qn_project_clear (&project);
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/bench/seeded-walls/same-seed", test_same_seed);
+  g_test_add_func ("/bench/seeded-walls/sizes", test_sizes);
+  g_test_add_func ("/bench/seeded-walls/saved", test_saved);
+  g_test_add_func ("/bench/seeded-walls/stands", test_stands);
+  return g_test_run ();
+}
