@@ -1,317 +1,188 @@
 #include "core/block-lu.h"
 
+#include "core/dense-front.h"
+#include "core/front-tree.h"
 #include "core/memory.h"
 
-#include <amd.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Unknowns of a body, and the height of a column of a block: one number of padding makes
- * columns as long as the widest registers. */
-#define SIDE   3
-#define STRIDE 4
-
-typedef double Block[SIDE * STRIDE];
-
-/* blocks[rows[p]] -= factors[p] * right, for all p < count */
-typedef void (*SubtractProducts) (Block *blocks, const int32_t *rows,
-                                  const Block *factors, int32_t count,
-                                  const double *right);
+/* A front's matrices, in QnBlockLu.numbers: D, L and U one after the other. */
+typedef struct {
+  size_t diagonal, lower, upper, end;
+  size_t schur;
+  int32_t first_entry;      /* of A's, in QnBlockLu.sources */
+  int32_t pivots_of_parent; /* how much of its rest are pivots of the parent */
+  double work;              /* of its elimination, any unit */
+  bool changed;             /* by the factorisation in progress */
+  QnPivotRange range;
+} Matrices;
 
 struct QnBlockLu {
-  int32_t n, node_count;
-  const int32_t *ap, *ai;
-  int32_t
-    *slot; /* n: where an unknown stands: STRIDE x its node, in the order of P, + row */
-  int32_t *unknown; /* node_count x SIDE: the reverse, -1 for padding */
+  QnFrontTree tree;
+  const QnFrontLoops *loops;
+  Matrices *matrices; /* front_count + 1 */
+  double *numbers;
+  double work;
+  bool whole; /* every front is that of the values that were last seen */
 
-  /* Pattern of L by columns. That of U is its transpose: column j of U has the rows k
-   * listed from row_start[j], in ascending order. */
-  int32_t *column_start, *rows;
-  int32_t *row_start, *columns;
+  /* The entries of A by the front that they come into: where they stand in ax, their values,
+   * and where they go, counted from D. */
+  int32_t *sources, *places;
+  double *values;
 
-  Block *lower;     /* by columns of L */
-  Block *upper;     /* by columns of U */
-  Block *inverse;   /* of the diagonal blocks of U */
-  Block *work;      /* node_count: one column of blocks, scattered; zero between calls */
-  double *solution; /* node_count x STRIDE */
-  SubtractProducts subtract_products;
+  int32_t *exchanges;    /* n */
+  double *solution;      /* n, in order of elimination */
+  double *pivots, *rest; /* of one front, with padding */
 };
 
-/* --- The inner loop --------------------------------------------------------------------- */
+/* --- Setting up ------------------------------------------------------------------------- */
 
-typedef double Pair __attribute__ ((vector_size (16), aligned (8)));
-
-static void
-subtract_products_by_two (Block *blocks, const int32_t *rows, const Block *factors,
-                          int32_t count, const double *right)
+static size_t
+matrix_size (int32_t rows, int32_t columns)
 {
-  for (int32_t p = 0; p < count; p++) {
-    const double *factor = factors[p];
-    double *target = blocks[rows[p]];
-    for (int half = 0; half < STRIDE; half += 2) {
-      Pair a = *(const Pair *) (factor + half);
-      Pair b = *(const Pair *) (factor + STRIDE + half);
-      Pair c = *(const Pair *) (factor + 2 * STRIDE + half);
-      for (int column = 0; column < SIDE; column++) {
-        const double *r = right + column * STRIDE;
-        Pair *t = (Pair *) (target + column * STRIDE + half);
-        *t -=
-          a * (Pair){ r[0], r[0] } + b * (Pair){ r[1], r[1] } + c * (Pair){ r[2], r[2] };
+  return (size_t) qn_front_height (rows) * (size_t) columns;
+}
+
+/* Lays out the matrices of all fronts; returns how many numbers they are. *longest:
+ * most pivots of a front, or unknowns in its rest. */
+static size_t
+lay_out (QnBlockLu *lu, int32_t *longest)
+{
+  size_t sum = 0;
+
+  *longest = 0;
+  for (int32_t f = 0; f < lu->tree.front_count; f++) {
+    const QnFront *front = &lu->tree.fronts[f];
+    Matrices *m = &lu->matrices[f];
+    double pivots = front->pivots, rest = front->rest;
+    m->diagonal = sum;
+    m->lower = m->diagonal + matrix_size (front->pivots, front->pivots);
+    m->upper = m->lower + matrix_size (front->rest, front->pivots);
+    m->end = m->upper + matrix_size (front->pivots, front->rest);
+    m->schur = m->end;
+    sum = m->schur + matrix_size (front->rest, front->rest);
+    m->work = pivots * (pivots * (pivots / 3 + rest) + rest * rest);
+    lu->work += m->work;
+    *longest = front->rest > *longest ? front->rest : *longest;
+    *longest = front->pivots > *longest ? front->pivots : *longest;
+    while (m->pivots_of_parent < front->rest
+           && lu->tree.places[front->first_row + m->pivots_of_parent]
+                < lu->tree.fronts[front->parent].pivots)
+      m->pivots_of_parent++;
+  }
+  return sum;
+}
+
+/* Where in `front`, counted from D, the entry at these two places goes: pivots first, then the
+ * rest. */
+static int32_t
+place_in_front (const QnFront *front, const Matrices *m, int32_t row, int32_t column)
+{
+  int32_t pivots = front->pivots, height = qn_front_height (pivots);
+
+  if (column >= pivots)
+    return (int32_t) (m->upper - m->diagonal) + (column - pivots) * height + row;
+  if (row < pivots)
+    return column * height + row;
+  return (int32_t) (m->lower - m->diagonal) + column * qn_front_height (front->rest) + row
+         - pivots;
+}
+
+/* Lists the entries that come into a front: all that share a pivot of it with one of its
+ * unknowns. `unknown`: the reverse of tree.position; `mirror`: where the transpose of an entry
+ * stands; `where`: of every position in this front, valid where >= 0. */
+static int32_t
+list_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai, int32_t f,
+              const int32_t *unknown, const int32_t *mirror, const int32_t *where,
+              int32_t fill)
+{
+  const QnFront *front = &lu->tree.fronts[f];
+  const Matrices *m = &lu->matrices[f];
+
+  for (int32_t c = 0; c < front->pivots; c++) {
+    int32_t j = unknown[front->first + c];
+    for (int32_t p = ap[j]; p < ap[j + 1]; p++) {
+      int32_t position = lu->tree.position[ai[p]];
+      if (position < front->first)
+        continue;
+      int32_t row = where[position];
+      lu->sources[fill] = p;
+      lu->places[fill++] = place_in_front (front, m, row, c);
+      if (row >= front->pivots) {
+        lu->sources[fill] = mirror[p];
+        lu->places[fill++] = place_in_front (front, m, c, row);
       }
     }
   }
+  return fill;
 }
 
-#if defined __x86_64__ && defined __GNUC__
-
-typedef double Four __attribute__ ((vector_size (32), aligned (8)));
-
-/* The same operations in the same order, four numbers at a time: results are equal to the
- * bit. */
-__attribute__ ((target ("avx2"))) static void
-subtract_products_by_four (Block *blocks, const int32_t *rows, const Block *factors,
-                           int32_t count, const double *right)
+/* mirror[p]: where the transpose of the entry at p stands. Columns are visited in order, and so
+ * are the entries of their rows. */
+static void
+find_mirrors (int32_t n, const int32_t *ap, const int32_t *ai, int32_t *next,
+              int32_t *mirror)
 {
-  Four r[SIDE * SIDE];
-
-  for (int column = 0; column < SIDE; column++)
-    for (int row = 0; row < SIDE; row++) {
-      double value = right[column * STRIDE + row];
-      r[column * SIDE + row] = (Four){ value, value, value, value };
-    }
-  for (int32_t p = 0; p < count; p++) {
-    const double *factor = factors[p];
-    double *target = blocks[rows[p]];
-    Four a = *(const Four *) factor;
-    Four b = *(const Four *) (factor + STRIDE);
-    Four c = *(const Four *) (factor + 2 * STRIDE);
-    for (int column = 0; column < SIDE; column++) {
-      Four *t = (Four *) (target + column * STRIDE);
-      *t -= a * r[SIDE * column] + b * r[SIDE * column + 1] + c * r[SIDE * column + 2];
-    }
-  }
+  memcpy (next, ap, (size_t) n * sizeof *next);
+  for (int32_t j = 0; j < n; j++)
+    for (int32_t p = ap[j]; p < ap[j + 1]; p++)
+      mirror[p] = next[ai[p]]++;
 }
-
-static SubtractProducts
-fastest_inner_loop (void)
-{
-  return __builtin_cpu_supports ("avx2") ? subtract_products_by_four
-                                         : subtract_products_by_two;
-}
-
-#else
-
-static SubtractProducts
-fastest_inner_loop (void)
-{
-  return subtract_products_by_two;
-}
-
-#endif
-
-/* --- Analysis --------------------------------------------------------------------------- */
-
-/* Pattern of a symmetric matrix of nodes in compressed columns. */
-typedef struct {
-  int32_t count;
-  int32_t *start, *rows;
-} Graph;
 
 static bool
-same_column (const QnBlockLu *lu, int32_t a, int32_t b)
+list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai)
 {
-  int32_t length = lu->ap[a + 1] - lu->ap[a];
-
-  return length == lu->ap[b + 1] - lu->ap[b]
-         && memcmp (lu->ai + lu->ap[a], lu->ai + lu->ap[b],
-                    (size_t) length * sizeof *lu->ai)
-              == 0;
-}
-
-/* Gathers neighbouring unknowns with equal columns in nodes: node[unknown]. Returns how many
- * nodes there are. */
-static int32_t
-gather_nodes (const QnBlockLu *lu, int32_t *node)
-{
-  int32_t count = 0;
-
-  for (int32_t i = 0, first = 0; i < lu->n; i++) {
-    if (i == 0 || i - first == SIDE || !same_column (lu, first, i)) {
-      first = i;
-      count++;
-    }
-    node[i] = count - 1;
-  }
-  return count;
-}
-
-/* The graph of the nodes, without loops. `marks` is scratch of one number a node. */
-static void
-fill_graph (const QnBlockLu *lu, const int32_t *node, int32_t *marks, Graph *graph)
-{
+  const QnFrontTree *tree = &lu->tree;
+  size_t n = (size_t) tree->n;
   int32_t fill = 0;
-
-  memset (marks, -1, (size_t) graph->count * sizeof *marks);
-  for (int32_t i = 0; i < lu->n; i++) {
-    int32_t k = node[i];
-    if (i == 0 || node[i - 1] != k) {
-      graph->start[k] = fill;
-      marks[k] = k;
-    }
-    for (int32_t p = lu->ap[i]; p < lu->ap[i + 1]; p++) {
-      int32_t neighbour = node[lu->ai[p]];
-      if (marks[neighbour] != k) {
-        marks[neighbour] = k;
-        graph->rows[fill++] = neighbour;
-      }
-    }
-  }
-  graph->start[graph->count] = fill;
-}
-
-static int
-compare_index (const void *a, const void *b)
-{
-  return *(const int32_t *) a - *(const int32_t *) b;
-}
-
-/* The rows of column j of L: the later neighbours of node j, and the rows of the columns that
- * it is the parent of in the elimination tree. `child` and `sibling` hold that tree. */
-static int32_t
-find_column (const QnBlockLu *lu, const Graph *graph, const int32_t *order,
-             const int32_t *place, int32_t j, int32_t *marks, const int32_t *child,
-             const int32_t *sibling, int32_t *out)
-{
-  int32_t length = 0;
-
-  marks[j] = j;
-  for (int32_t p = graph->start[order[j]]; p < graph->start[order[j] + 1]; p++) {
-    int32_t i = place[graph->rows[p]];
-    if (i > j && marks[i] != j) {
-      marks[i] = j;
-      out[length++] = i;
-    }
-  }
-  for (int32_t c = child[j]; c != -1; c = sibling[c])
-    for (int32_t p = lu->column_start[c]; p < lu->column_start[c + 1]; p++) {
-      int32_t i = lu->rows[p];
-      if (marks[i] != j) {
-        marks[i] = j;
-        out[length++] = i;
-      }
-    }
-  qsort (out, (size_t) length, sizeof *out, compare_index);
-  return length;
-}
-
-/* Fills column_start and rows. False when memory runs out. */
-static bool
-analyse_columns (QnBlockLu *lu, const Graph *graph, const int32_t *order,
-                 const int32_t *place)
-{
-  size_t nodes = (size_t) lu->node_count, capacity = 0;
-  int32_t *scratch = qn_alloc (4 * nodes + 1, sizeof *scratch);
-  int32_t *marks = scratch, *child = scratch + nodes, *sibling = scratch + 2 * nodes,
-          *column = scratch + 3 * nodes;
-
-  if (scratch == NULL)
-    return false;
-  memset (scratch, -1, 3 * nodes * sizeof *scratch);
-  for (int32_t j = 0; j < lu->node_count; j++) {
-    int32_t start = lu->column_start[j];
-    int32_t length =
-      find_column (lu, graph, order, place, j, marks, child, sibling, column);
-    int32_t *grown = qn_array_grow (lu->rows, &capacity, (size_t) start + (size_t) length,
-                                    sizeof *grown);
-    if (grown == NULL) {
-      free (scratch);
-      return false;
-    }
-    lu->rows = grown;
-    memcpy (lu->rows + start, column, (size_t) length * sizeof *column);
-    lu->column_start[j + 1] = start + length;
-    if (length > 0) {
-      sibling[j] = child[column[0]];
-      child[column[0]] = j;
-    }
-  }
-  free (scratch);
-  return true;
-}
-
-/* The pattern of L by rows. False when memory runs out. */
-static bool
-transpose_columns (QnBlockLu *lu)
-{
-  int32_t count = lu->column_start[lu->node_count];
-
-  lu->columns = qn_alloc ((size_t) count + 1, sizeof *lu->columns);
-  if (lu->columns == NULL)
-    return false;
-  for (int32_t p = 0; p < count; p++)
-    lu->row_start[lu->rows[p] + 1]++;
-  for (int32_t j = 0; j < lu->node_count; j++)
-    lu->row_start[j + 1] += lu->row_start[j];
-  /* row_start[i] runs to the end of its row, and is then shifted back. */
-  for (int32_t j = 0; j < lu->node_count; j++)
-    for (int32_t p = lu->column_start[j]; p < lu->column_start[j + 1]; p++)
-      lu->columns[lu->row_start[lu->rows[p]]++] = j;
-  for (int32_t j = lu->node_count; j > 0; j--)
-    lu->row_start[j] = lu->row_start[j - 1];
-  lu->row_start[0] = 0;
-  return true;
-}
-
-static void
-place_unknowns (QnBlockLu *lu, const int32_t *node, const int32_t *place)
-{
-  for (int32_t k = 0; k < SIDE * lu->node_count; k++)
-    lu->unknown[k] = -1;
-  for (int32_t i = 0, first = 0; i < lu->n; i++) {
-    if (i > 0 && node[i] != node[i - 1])
-      first = i;
-    lu->slot[i] = STRIDE * place[node[i]] + (i - first);
-    lu->unknown[SIDE * place[node[i]] + (i - first)] = i;
-  }
-}
-
-/* Ordering and symbolic factorisation. False when memory runs out. */
-static bool
-analyse (QnBlockLu *lu)
-{
-  size_t n = (size_t) lu->n;
-  int32_t *node = qn_alloc (n, sizeof *node), *order = qn_alloc (n, sizeof *order),
-          *place = qn_alloc (n, sizeof *place);
-  Graph graph = { .start = qn_alloc (n + 1, sizeof *graph.start),
-                  .rows = qn_alloc ((size_t) lu->ap[n], sizeof *graph.rows) };
-  bool ok = node && order && place && graph.start && graph.rows;
+  int32_t *unknown = qn_alloc (n, sizeof *unknown), *where = qn_alloc (n, sizeof *where),
+          *mirror = qn_alloc ((size_t) ap[n], sizeof *mirror);
+  bool ok = unknown && where && mirror;
 
   if (ok) {
-    graph.count = lu->node_count = gather_nodes (lu, node);
-    fill_graph (lu, node, place, &graph);
-    ok = amd_order (graph.count, graph.start, graph.rows, order, NULL, NULL) >= AMD_OK;
+    find_mirrors (tree->n, ap, ai, where, mirror);
+    for (int32_t i = 0; i < tree->n; i++)
+      unknown[tree->position[i]] = i;
+    for (int32_t f = 0; f < tree->front_count; f++) {
+      const QnFront *front = &tree->fronts[f];
+      for (int32_t c = 0; c < front->pivots; c++)
+        where[front->first + c] = c;
+      for (int32_t r = 0; r < front->rest; r++)
+        where[tree->rows[front->first_row + r]] = front->pivots + r;
+      lu->matrices[f].first_entry = fill;
+      fill = list_entries (lu, ap, ai, f, unknown, mirror, where, fill);
+    }
+    lu->matrices[tree->front_count].first_entry = fill;
   }
-  if (ok) {
-    size_t nodes = (size_t) lu->node_count;
-    for (int32_t j = 0; j < lu->node_count; j++)
-      place[order[j]] = j;
-    lu->slot = qn_alloc (n, sizeof *lu->slot);
-    lu->unknown = qn_alloc (SIDE * nodes, sizeof *lu->unknown);
-    lu->column_start = qn_alloc (nodes + 1, sizeof *lu->column_start);
-    lu->row_start = qn_alloc (nodes + 1, sizeof *lu->row_start);
-    ok = lu->slot && lu->unknown && lu->column_start && lu->row_start
-         && analyse_columns (lu, &graph, order, place) && transpose_columns (lu);
-  }
-  if (ok)
-    place_unknowns (lu, node, place);
-  free (node);
-  free (order);
-  free (place);
-  free (graph.start);
-  free (graph.rows);
+  free (unknown);
+  free (where);
+  free (mirror);
   return ok;
+}
+
+static bool
+set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
+{
+  size_t entries = (size_t) ap[n];
+  int32_t longest;
+
+  if (!qn_front_tree_init (&lu->tree, n, ap, ai))
+    return false;
+  lu->matrices = qn_alloc ((size_t) lu->tree.front_count + 1, sizeof *lu->matrices);
+  lu->sources = qn_alloc (entries, sizeof *lu->sources);
+  lu->places = qn_alloc (entries, sizeof *lu->places);
+  lu->values = qn_alloc (entries, sizeof *lu->values);
+  lu->exchanges = qn_alloc ((size_t) n, sizeof *lu->exchanges);
+  lu->solution = qn_alloc ((size_t) n, sizeof *lu->solution);
+  if (!lu->matrices || !lu->sources || !lu->places || !lu->values || !lu->exchanges
+      || !lu->solution)
+    return false;
+  lu->numbers = qn_alloc (lay_out (lu, &longest), sizeof *lu->numbers);
+  lu->rest = qn_alloc ((size_t) qn_front_height (longest), sizeof *lu->rest);
+  lu->pivots = qn_alloc ((size_t) qn_front_height (longest), sizeof *lu->pivots);
+  return lu->numbers && lu->rest && lu->pivots && list_all_entries (lu, ap, ai);
 }
 
 QnBlockLu *
@@ -321,20 +192,8 @@ qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai)
 
   if (lu == NULL)
     return NULL;
-  *lu =
-    (QnBlockLu){ .n = n, .ap = ap, .ai = ai, .subtract_products = fastest_inner_loop () };
-  bool ok = analyse (lu);
-  if (ok) {
-    size_t nodes = (size_t) lu->node_count,
-           blocks = (size_t) lu->column_start[lu->node_count];
-    lu->lower = qn_alloc (blocks + 1, sizeof *lu->lower);
-    lu->upper = qn_alloc (blocks + 1, sizeof *lu->upper);
-    lu->inverse = qn_alloc (nodes, sizeof *lu->inverse);
-    lu->work = qn_alloc (nodes, sizeof *lu->work);
-    lu->solution = qn_alloc (STRIDE * nodes, sizeof *lu->solution);
-    ok = lu->lower && lu->upper && lu->inverse && lu->work && lu->solution;
-  }
-  if (!ok) {
+  lu->loops = qn_front_loops (QN_FRONT_ROWS);
+  if (!set_up (lu, n, ap, ai)) {
     qn_block_lu_free (lu);
     return NULL;
   }
@@ -346,177 +205,241 @@ qn_block_lu_free (QnBlockLu *lu)
 {
   if (lu == NULL)
     return;
-  free (lu->slot);
-  free (lu->unknown);
-  free (lu->column_start);
-  free (lu->rows);
-  free (lu->row_start);
-  free (lu->columns);
-  free (lu->lower);
-  free (lu->upper);
-  free (lu->inverse);
-  free (lu->work);
+  qn_front_tree_clear (&lu->tree);
+  free (lu->matrices);
+  free (lu->numbers);
+  free (lu->sources);
+  free (lu->places);
+  free (lu->values);
+  free (lu->exchanges);
   free (lu->solution);
+  free (lu->rest);
+  free (lu->pivots);
   free (lu);
 }
 
 /* --- Factorisation ---------------------------------------------------------------------- */
 
-/* Inverts a block by Gauss-Jordan elimination with row exchanges; notes the sizes of its
- * pivots. False where a pivot is zero. */
-static bool
-invert (const double *block, double *inverse, double *smallest, double *largest)
+static QnDenseFront
+dense_front (const QnBlockLu *lu, int32_t f)
 {
-  double a[SIDE][2 * SIDE];
+  const QnFront *front = &lu->tree.fronts[f];
+  const Matrices *m = &lu->matrices[f];
 
-  for (int r = 0; r < SIDE; r++)
-    for (int c = 0; c < SIDE; c++) {
-      a[r][c] = block[STRIDE * c + r];
-      a[r][SIDE + c] = r == c;
-    }
-  for (int c = 0; c < SIDE; c++) {
-    int pivot = c;
-    for (int r = c + 1; r < SIDE; r++)
-      if (fabs (a[r][c]) > fabs (a[pivot][c]))
-        pivot = r;
-    double size = fabs (a[pivot][c]);
-    if (!(size > 0 && isfinite (size)))
-      return false;
-    *smallest = fmin (*smallest, size);
-    *largest = fmax (*largest, size);
-    for (int k = 0; k < 2 * SIDE; k++) {
-      double value = a[pivot][k];
-      a[pivot][k] = a[c][k];
-      a[c][k] = value;
-    }
-    for (int r = 0; r < SIDE; r++) {
-      double factor = r == c ? 0 : a[r][c] / a[c][c];
-      for (int k = c; k < 2 * SIDE; k++)
-        a[r][k] -= factor * a[c][k];
-    }
+  return (QnDenseFront){ .pivots = front->pivots,
+                         .rest = front->rest,
+                         .diagonal = lu->numbers + m->diagonal,
+                         .lower = lu->numbers + m->lower,
+                         .upper = lu->numbers + m->upper,
+                         .schur = lu->numbers + m->schur,
+                         .exchanges = lu->exchanges + front->first };
+}
+
+/* Whether any of the values of A that come into a front is new. */
+static bool
+has_new_values (const QnBlockLu *lu, int32_t f, const double *ax)
+{
+  int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
+
+  while (e < end && ax[lu->sources[e]] == lu->values[e])
+    e++;
+  return e < end;
+}
+
+/* Puts the values of A that come into a front there, and keeps them. */
+static void
+take_values (QnBlockLu *lu, int32_t f, const double *ax, double *diagonal)
+{
+  for (int32_t e = lu->matrices[f].first_entry; e < lu->matrices[f + 1].first_entry; e++)
+    diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
+}
+
+typedef double Four __attribute__ ((vector_size (32), aligned (8), may_alias));
+
+/* target[places[r]] += source[r], for r < count; runs[r]: so many places from there on stand
+ * side by side. */
+static inline void
+add_at (double *target, const double *source, const int32_t *places, const int32_t *runs,
+        int32_t count)
+{
+  for (int32_t r = 0; r < count;) {
+    double *to = target + places[r];
+    const double *from = source + r;
+    int32_t length = runs[r], i = 0;
+    for (; i + 4 <= length; i += 4)
+      *(Four *) (to + i) += *(const Four *) (from + i);
+    for (; i < length; i++)
+      to[i] += from[i];
+    r += length;
   }
-  for (int r = 0; r < SIDE; r++)
-    for (int c = 0; c < SIDE; c++)
-      inverse[STRIDE * c + r] = a[r][SIDE + c] / a[r][r];
+}
+
+/* Adds what of a child's rest are pivots here, to D, L and U. */
+static void
+add_child_to_pivots (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
+{
+  const QnFront *child = &lu->tree.fronts[c];
+  const int32_t *places = lu->tree.places + child->first_row;
+  const int32_t *runs = lu->tree.runs + child->first_row;
+  const double *column = lu->numbers + lu->matrices[c].schur;
+  int32_t known = lu->matrices[c].pivots_of_parent, rest = child->rest - known;
+  int32_t child_height = qn_front_height (child->rest);
+  int32_t height = qn_front_height (front->pivots),
+          low_height = qn_front_height (front->rest);
+
+  for (int32_t k = 0; k < child->rest; k++, column += child_height) {
+    if (k >= known) {
+      add_at (front->upper + (size_t) (places[k] - front->pivots) * (size_t) height,
+              column, places, runs, known);
+      continue;
+    }
+    add_at (front->diagonal + (size_t) places[k] * (size_t) height, column, places, runs,
+            known);
+    add_at (front->lower + (size_t) places[k] * (size_t) low_height - front->pivots,
+            column + known, places + known, runs + known, rest);
+  }
+}
+
+/* Adds the other part of it to S. */
+static void
+add_child_to_rest (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
+{
+  const QnFront *child = &lu->tree.fronts[c];
+  const int32_t *places = lu->tree.places + child->first_row;
+  const int32_t *runs = lu->tree.runs + child->first_row;
+  int32_t known = lu->matrices[c].pivots_of_parent, rest = child->rest - known;
+  int32_t low_height = qn_front_height (front->rest);
+  const double *column = lu->numbers + lu->matrices[c].schur
+                         + (size_t) known * (size_t) qn_front_height (child->rest)
+                         + known;
+
+  for (int32_t k = known; k < child->rest; k++, column += qn_front_height (child->rest))
+    add_at (front->schur + (size_t) (places[k] - front->pivots) * (size_t) low_height
+              - front->pivots,
+            column, places + known, runs + known, rest);
+}
+
+static bool
+factor_front (QnBlockLu *lu, int32_t f, const double *ax)
+{
+  Matrices *m = &lu->matrices[f];
+  QnDenseFront front = dense_front (lu, f);
+
+  memset (front.diagonal, 0, (m->end - m->diagonal) * sizeof (double));
+  take_values (lu, f, ax, front.diagonal);
+  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
+    add_child_to_pivots (lu, c, &front);
+  m->range = (QnPivotRange){ INFINITY, 0 };
+  if (!lu->loops->eliminate (&front, &m->range))
+    return false;
+  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
+    add_child_to_rest (lu, c, &front);
   return true;
 }
 
-/* Puts column j of P A P' into the work column. */
-static void
-scatter_column (QnBlockLu *lu, const double *ax, int32_t j)
+/* Whether a front has to be eliminated anew: where a child was, or a value is new. */
+static bool
+is_touched (const QnBlockLu *lu, int32_t f, const double *ax)
 {
-  double *work = &lu->work[0][0];
+  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
+    if (lu->matrices[c].changed)
+      return true;
+  return has_new_values (lu, f, ax);
+}
 
-  for (int c = 0; c < SIDE; c++) {
-    int32_t unknown = lu->unknown[SIDE * j + c];
-    if (unknown == -1)
-      continue;
-    for (int32_t p = lu->ap[unknown]; p < lu->ap[unknown + 1]; p++) {
-      int32_t slot = lu->slot[lu->ai[p]];
-      work[SIDE * STRIDE * (slot / STRIDE) + STRIDE * c + slot % STRIDE] = ax[p];
+double
+qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *share)
+{
+  QnPivotRange range = { INFINITY, 0 };
+  double work = 0;
+  bool regular = true;
+
+  for (int32_t f = 0; f < lu->tree.front_count && regular; f++) {
+    Matrices *m = &lu->matrices[f];
+    m->changed = !lu->whole || is_touched (lu, f, ax);
+    if (m->changed) {
+      work += m->work;
+      regular = factor_front (lu, f, ax);
     }
+    range.smallest = fmin (m->range.smallest, range.smallest);
+    range.largest = fmax (m->range.largest, range.largest);
   }
-}
-
-/* Padding has no entries: it takes the size of the node's first column. */
-static void
-pad_diagonal (const QnBlockLu *lu, int32_t j, double *block)
-{
-  double size = fmax (fabs (block[0]), fmax (fabs (block[1]), fabs (block[2])));
-
-  for (int c = 1; c < SIDE; c++)
-    if (lu->unknown[SIDE * j + c] == -1)
-      block[STRIDE * c + c] = size;
-}
-
-/* out = left * right */
-static void
-multiply (const double *left, const double *right, double *out)
-{
-  for (int c = 0; c < SIDE; c++)
-    for (int r = 0; r < STRIDE; r++)
-      out[STRIDE * c + r] = left[r] * right[STRIDE * c]
-                            + left[STRIDE + r] * right[STRIDE * c + 1]
-                            + left[2 * STRIDE + r] * right[STRIDE * c + 2];
+  lu->whole = regular;
+  *share = lu->work > 0 ? work / lu->work : 0;
+  if (!regular)
+    return 0;
+  return range.largest > 0 ? range.smallest / range.largest : 1;
 }
 
 double
 qn_block_lu_factor (QnBlockLu *lu, const double *ax)
 {
-  double smallest = INFINITY, largest = 0;
+  double share;
 
-  for (int32_t j = 0; j < lu->node_count; j++) {
-    scatter_column (lu, ax, j);
-    for (int32_t q = lu->row_start[j]; q < lu->row_start[j + 1]; q++) {
-      int32_t k = lu->columns[q], first = lu->column_start[k];
-      memcpy (lu->upper[q], lu->work[k], sizeof (Block));
-      memset (lu->work[k], 0, sizeof (Block));
-      lu->subtract_products (lu->work, lu->rows + first,
-                             (const Block *) lu->lower + first,
-                             lu->column_start[k + 1] - first, lu->upper[q]);
-    }
-
-    pad_diagonal (lu, j, lu->work[j]);
-    bool regular = invert (lu->work[j], lu->inverse[j], &smallest, &largest);
-    memset (lu->work[j], 0, sizeof (Block));
-    for (int32_t p = lu->column_start[j]; p < lu->column_start[j + 1]; p++) {
-      double *block = lu->work[lu->rows[p]];
-      if (regular)
-        multiply (block, lu->inverse[j], lu->lower[p]);
-      memset (block, 0, sizeof (Block));
-    }
-    if (!regular)
-      return 0;
-  }
-  return largest > 0 ? smallest / largest : 1;
+  lu->whole = false;
+  return qn_block_lu_refactor (lu, ax, &share);
 }
 
 /* --- Solution --------------------------------------------------------------------------- */
 
-/* y -= block * x */
-static inline void
-subtract_product (const double *block, const double *x, double *y)
+/* The part of the solution that belongs to a front's pivots, with the padding of its columns. */
+static double *
+take_pivots (QnBlockLu *lu, int32_t f)
 {
-  for (int r = 0; r < SIDE; r++)
-    y[r] -= block[r] * x[0] + block[STRIDE + r] * x[1] + block[2 * STRIDE + r] * x[2];
+  const QnFront *front = &lu->tree.fronts[f];
+  size_t pivots = (size_t) front->pivots,
+         height = (size_t) qn_front_height (front->pivots);
+
+  memcpy (lu->pivots, lu->solution + front->first, pivots * sizeof *lu->pivots);
+  memset (lu->pivots + pivots, 0, (height - pivots) * sizeof *lu->pivots);
+  return lu->pivots;
 }
 
 void
 qn_block_lu_solve (QnBlockLu *lu, double *b)
 {
+  const QnFrontTree *tree = &lu->tree;
   double *x = lu->solution;
 
-  memset (x, 0, STRIDE * (size_t) lu->node_count * sizeof *x);
-  for (int32_t i = 0; i < lu->n; i++)
-    x[lu->slot[i]] = b[i];
-  for (int32_t j = 0; j < lu->node_count; j++) /* x = L\x */
-    for (int32_t p = lu->column_start[j]; p < lu->column_start[j + 1]; p++)
-      subtract_product (lu->lower[p], x + STRIDE * j, x + STRIDE * lu->rows[p]);
-  for (int32_t j = lu->node_count - 1; j >= 0; j--) { /* x = U\x */
-    double y[SIDE] = { 0 };
-    subtract_product (lu->inverse[j], x + STRIDE * j, y);
-    for (int r = 0; r < SIDE; r++)
-      x[STRIDE * j + r] = -y[r];
-    for (int32_t q = lu->row_start[j]; q < lu->row_start[j + 1]; q++)
-      subtract_product (lu->upper[q], x + STRIDE * j, x + STRIDE * lu->columns[q]);
+  for (int32_t i = 0; i < tree->n; i++)
+    x[tree->position[i]] = b[i];
+  for (int32_t f = 0; f < tree->front_count; f++) { /* x = L\x */
+    QnDenseFront front = dense_front (lu, f);
+    const int32_t *rows = tree->rows + tree->fronts[f].first_row;
+    double *own = take_pivots (lu, f);
+    lu->loops->forward (&front, own, lu->rest);
+    memcpy (x + tree->fronts[f].first, own, (size_t) front.pivots * sizeof *x);
+    for (int32_t r = 0; r < front.rest; r++)
+      x[rows[r]] -= lu->rest[r];
   }
-  for (int32_t i = 0; i < lu->n; i++)
-    b[i] = x[lu->slot[i]];
+  for (int32_t f = tree->front_count - 1; f >= 0; f--) { /* x = U\x */
+    QnDenseFront front = dense_front (lu, f);
+    const int32_t *rows = tree->rows + tree->fronts[f].first_row;
+    for (int32_t r = 0; r < front.rest; r++)
+      lu->rest[r] = x[rows[r]];
+    double *own = take_pivots (lu, f);
+    lu->loops->backward (&front, own, lu->rest);
+    memcpy (x + tree->fronts[f].first, own, (size_t) front.pivots * sizeof *x);
+  }
+  for (int32_t i = 0; i < tree->n; i++)
+    b[i] = x[tree->position[i]];
 }
 
-/* det A = product of the determinants of U's diagonal blocks: rows and columns are permuted
- * alike, and padding is positive. */
+/* det A = product of the determinants of D: unknowns are permuted alike as rows and columns. */
 int
 qn_block_lu_sign (const QnBlockLu *lu)
 {
   int sign = 1;
 
-  for (int32_t j = 0; j < lu->node_count; j++) {
-    const double *a = lu->inverse[j], *b = a + STRIDE, *c = b + STRIDE;
-    double determinant = a[0] * (b[1] * c[2] - b[2] * c[1])
-                         - a[1] * (b[0] * c[2] - b[2] * c[0])
-                         + a[2] * (b[0] * c[1] - b[1] * c[0]);
-    sign = determinant < 0 ? -sign : sign;
+  for (int32_t f = 0; f < lu->tree.front_count; f++) {
+    QnDenseFront front = dense_front (lu, f);
+    int32_t height = qn_front_height (front.pivots);
+    for (int32_t j = 0; j < front.pivots; j++) {
+      if (front.diagonal[(size_t) j * (size_t) height + (size_t) j] < 0)
+        sign = -sign;
+      if (front.exchanges[j] != j)
+        sign = -sign;
+    }
   }
   return sign;
 }

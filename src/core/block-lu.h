@@ -1,14 +1,13 @@
-/* LU factorisation of sparse matrices made of small dense blocks.
+/* LU factorisation of sparse matrices with a symmetric pattern, in dense fronts.
  *
- * The unknowns of one body stand together and meet the same columns, so that a tangent
- * stiffness is a sparse matrix of dense blocks of up to 3 x 3. Working on whole blocks spares
- * most of the index arithmetic of a scalar code and lets the processor work on four numbers
- * at a time.
+ * Multifrontal (Duff & Reid 1983): unknowns that meet much the same others are eliminated
+ * together as a dense matrix, and what they leave to the rest of the structure is kept, front
+ * by front. Dense matrices suit the processor; and a front is to be eliminated again only where
+ * one of its own entries is new or a front below it was, so that regions of a structure where
+ * nothing changes are condensed once.
  *
- * Left-looking, P A P' = L U with L unit lower block triangular; P orders the bodies to keep
- * the factors sparse (approximate minimum degree: Amestoy, Davis & Duff 1996). Rows are
- * exchanged within a diagonal block only, so that a factorisation can lose digits or break
- * down where one with free pivoting would not: the caller is to judge its solutions.
+ * Rows are exchanged among the pivots of a front only, so that a factorisation can lose digits
+ * or break down where one with free pivoting would not: the caller is to judge its solutions.
  */
 #ifndef QN_CORE_BLOCK_LU_H
 #define QN_CORE_BLOCK_LU_H
@@ -27,6 +26,10 @@ void qn_block_lu_free (QnBlockLu *lu);
 /* Factorises the matrix with the values ax. Returns the ratio of the smallest to the largest
  * pivot, 0 where one vanished (there is nothing to solve with then). Allocates nothing. */
 double qn_block_lu_factor (QnBlockLu *lu, const double *ax);
+
+/* The same, but eliminates anew only what new values reach; the result is that of
+ * qn_block_lu_factor() to the bit. *share: the part of the work that was done. */
+double qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *share);
 
 /* Overwrites b (length n) with the solution. */
 void qn_block_lu_solve (QnBlockLu *lu, double *b);

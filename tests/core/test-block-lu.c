@@ -115,7 +115,9 @@ test_vanishing_pivot (void)
   g_assert_cmpfloat (qn_block_lu_factor (lu, grid.ax), ==, 0);
 
   grid_randomise (&grid, random);
-  g_assert_cmpfloat (qn_block_lu_factor (lu, grid.ax), >, 0);
+  double share;
+  g_assert_cmpfloat (qn_block_lu_refactor (lu, grid.ax, &share), >, 0);
+  g_assert_cmpfloat (share, ==, 1);
   qn_block_lu_solve (lu, grid.b);
   for (int32_t i = 0; i < grid.n; i++)
     g_assert_cmpfloat (fabs (grid.b[i] - grid.x[i]), <, 1e-12);
@@ -151,11 +153,51 @@ test_empty (void)
   qn_block_lu_free (lu);
 }
 
+/* What is eliminated anew is what new values reach, and the factors are those of a factorisation
+ * from the start, to the bit. */
+static void
+test_refactorisation (void)
+{
+  GRand *random = g_rand_new_with_seed (17);
+  Grid grid;
+  grid_init (&grid, random);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai);
+  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai);
+  double share, least = 1;
+
+  grid_randomise (&grid, random);
+  g_assert_cmpfloat (qn_block_lu_refactor (lu, grid.ax, &share), >, 0);
+  g_assert_cmpfloat (share, ==, 1);
+  g_assert_cmpfloat (qn_block_lu_refactor (lu, grid.ax, &share), >, 0);
+  g_assert_cmpfloat (share, ==, 0);
+  for (int k = 0; k < 100; k++) {
+    int32_t p = g_rand_int_range (random, 0, grid.ap[grid.n]);
+    double x[MOST];
+    grid.ax[p] += 0.125;
+    double ratio = qn_block_lu_refactor (lu, grid.ax, &share);
+    g_assert_cmpfloat (share, >, 0);
+    g_assert_cmpfloat (share, <, 1);
+    least = MIN (least, share);
+    g_assert_cmpfloat (qn_block_lu_factor (fresh, grid.ax), ==, ratio);
+    memcpy (x, grid.b, sizeof x);
+    qn_block_lu_solve (lu, x);
+    qn_block_lu_solve (fresh, grid.b);
+    g_assert_cmpmem (x, (size_t) grid.n * sizeof *x, grid.b, (size_t) grid.n * sizeof *x);
+    g_assert_cmpint (qn_block_lu_sign (lu), ==, qn_block_lu_sign (fresh));
+  }
+  g_assert_cmpfloat (least, <, 0.7);
+  qn_block_lu_free (lu);
+  qn_block_lu_free (fresh);
+  grid_clear (&grid);
+  g_rand_free (random);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/block-lu/solution", test_solution);
+  g_test_add_func ("/block-lu/refactorisation", test_refactorisation);
   g_test_add_func ("/block-lu/vanishing-pivot", test_vanishing_pivot);
   g_test_add_func ("/block-lu/single-body", test_single_body);
   g_test_add_func ("/block-lu/empty", test_empty);

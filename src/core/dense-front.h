@@ -1,0 +1,54 @@
+/* Partial elimination of a dense matrix: the inner work of a multifrontal factorisation.
+ *
+ * A front is a dense matrix of pivots that are eliminated and a rest that waits:
+ *
+ *   | D  U |   pivots            D = P' L_1 U_1   rows exchanged among the pivots only
+ *   | L  S |   rest              L = L U_1^-1,  U = L_1^-1 P U,  S = S - L U
+ *
+ * All four are stored by columns whose height is a multiple of QN_FRONT_ROWS numbers; the
+ * padding must be zero and stays so. The loops work on as many numbers at a time as the
+ * processor has room for, in the same order everywhere: results are equal to the bit.
+ */
+#ifndef QN_CORE_DENSE_FRONT_H
+#define QN_CORE_DENSE_FRONT_H
+
+#include "core/base.h"
+
+#define QN_FRONT_ROWS 8
+
+/* Height of the columns of a matrix of `rows` rows. */
+static inline int32_t
+qn_front_height (int32_t rows)
+{
+  return (rows + QN_FRONT_ROWS - 1) / QN_FRONT_ROWS * QN_FRONT_ROWS;
+}
+
+typedef struct QnDenseFront {
+  int32_t pivots, rest;
+  double *diagonal; /* D, then L_1 below and U_1 on and above the diagonal */
+  double *lower;    /* L */
+  double *upper;    /* U */
+  double *schur;    /* out: - L U, padding included; S itself is for the caller to add */
+  int32_t *exchanges; /* out, one a pivot: the row it was exchanged with */
+} QnDenseFront;
+
+/* Sizes of the pivots of a factorisation so far. */
+typedef struct QnPivotRange {
+  double smallest, largest;
+} QnPivotRange;
+
+/* The loops for one kind of processor. */
+typedef struct QnFrontLoops {
+  /* Eliminates the pivots; false where one vanishes or is no number. */
+  bool (*eliminate) (const QnDenseFront *front, QnPivotRange *range);
+  /* x = L_1 \ P x of the pivots, and below = L x of the rest. Both have the padding of
+   * columns, which must be zero in x. */
+  void (*forward) (const QnDenseFront *front, double *x, double *below);
+  /* x = U_1 \ (x - U above); overwrites `above`, which needs no padding. */
+  void (*backward) (const QnDenseFront *front, double *x, double *above);
+} QnFrontLoops;
+
+/* The fastest loops for this processor that work on at most `width` numbers at a time. */
+const QnFrontLoops *qn_front_loops (int width);
+
+#endif
