@@ -100,6 +100,7 @@ static const struct {
   { "win.view::deformed", { "<Control>3" } },
   { "win.view::mechanism", { "<Control>4" } },
   { "win.view::forces", { "<Control>5" } },
+  { "win.view::diagrams", { "<Control>6" } },
 };
 
 static void

@@ -183,6 +183,32 @@ qn_canvas_trace (QnCanvas *self, cairo_t *cr, const QnVec2 *points, gsize count)
   cairo_close_path (cr);
 }
 
+/* Along their axes, wider than these are drawn. */
+static void
+draw_selected_beams (QnCanvas *self, cairo_t *cr)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  guint count = 0;
+  const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (self), &count);
+  for (guint i = 0; i < count; i++) {
+    if ((gsize) ids[i] >= model->beam_count)
+      continue;
+    const QnId *ends = model->beams[ids[i]].nodes;
+    QnVec2 a = qn_canvas_to_screen (self, model->nodes[ends[0]].at);
+    QnVec2 b = qn_canvas_to_screen (self, model->nodes[ends[1]].at);
+    cairo_move_to (cr, a.x, a.y);
+    cairo_line_to (cr, b.x, b.y);
+  }
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
+  set_ink (cr, QN_INK_SELECTION, 0.3);
+  cairo_set_line_width (cr, 12.0);
+  cairo_stroke_preserve (cr);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_set_line_width (cr, 3.0);
+  cairo_stroke (cr);
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
+}
+
 /* Selected things are outlined where they are in the undeformed drawing. */
 static void
 draw_selection (QnCanvas *self, cairo_t *cr)
@@ -264,6 +290,9 @@ draw_magnet (QnCanvas *self, cairo_t *cr)
   set_ink (cr, QN_INK_SELECTION, 1.0);
   cairo_set_line_width (cr, 1.5);
   switch (self->hit.kind) {
+  case QN_MAGNET_NODE:
+    cairo_arc (cr, s.x, s.y, 6.0, 0.0, 2.0 * G_PI);
+    break;
   case QN_MAGNET_CORNER:
     cairo_rectangle (cr, s.x - 5.0, s.y - 5.0, 10.0, 10.0);
     break;
@@ -432,6 +461,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
     qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, true, cr, NULL);
   if (undeformed) {
     draw_selection (self, cr);
+    draw_selected_beams (self, cr);
     draw_findings (self, cr);
   }
   if (scene != NULL)

@@ -7,6 +7,7 @@
 /* px: how near the pointer must be to pick. */
 #define PICK_REACH_PX 4.0
 #define CLICK_PX      4.0
+#define NODE_REACH_PX 7.0
 
 #define PX_PER_POINT (96.0 / 72.0)
 
@@ -71,9 +72,9 @@ update_description (QnCanvas *self)
   const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
   g_autofree char *text = g_strdup_printf (
-    _ ("Drawing of %u blocks with %u contact faces; the arrow keys move the selection, "
-       "or the pointer of a drawing tool, and Enter clicks there"),
-    (guint) model->block_count, (guint) contacts->face_count);
+    _ ("Drawing of %u blocks with %u contact faces and %u beams; the arrow keys move the "
+       "selection, or the pointer of a drawing tool, and Enter clicks there"),
+    (guint) model->block_count, (guint) contacts->face_count, (guint) model->beam_count);
   gtk_accessible_update_property (GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   _ ("Drawing"), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
                                   text, -1);
@@ -338,14 +339,32 @@ qn_canvas_pick_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
     qn_pick_inside (scene, &self->camera, a, b, QN_PICK_BLOCK, ids);
 }
 
+static gboolean
+is_between (QnVec2 p, QnVec2 a, QnVec2 b)
+{
+  return p.x >= MIN (a.x, b.x) && p.x <= MAX (a.x, b.x) && p.y >= MIN (a.y, b.y)
+         && p.y <= MAX (a.y, b.y);
+}
+
+void
+qn_canvas_beams_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  for (QnId i = 0; i < (QnId) model->beam_count; i++) {
+    const QnId *ends = model->beams[i].nodes;
+    if (is_between (model->nodes[ends[0]].at, a, b)
+        && is_between (model->nodes[ends[1]].at, a, b))
+      g_array_append_val (ids, i);
+  }
+}
+
 void
 qn_canvas_faces_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
 {
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
   for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
     QnVec2 m = qn_vec2_lerp (contacts->faces[i].start, contacts->faces[i].end, 0.5);
-    if (m.x >= MIN (a.x, b.x) && m.x <= MAX (a.x, b.x) && m.y >= MIN (a.y, b.y)
-        && m.y <= MAX (a.y, b.y))
+    if (is_between (m, a, b))
       g_array_append_val (ids, i);
   }
 }
@@ -368,6 +387,42 @@ qn_canvas_dup_selected (QnCanvas *self)
   guint count = 0;
   const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (self), &count);
   return (QnBlockSet){ g_memdup2 (ids, count * sizeof *ids), count };
+}
+
+QnPartSet
+qn_canvas_dup_parts (QnCanvas *self)
+{
+  return qn_part_set_of_selection (qn_canvas_get_selection (self));
+}
+
+gboolean
+qn_canvas_get_parts_box (QnCanvas *self, QnVec2 *low, QnVec2 *high)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  QnSelection *selection = qn_canvas_get_selection (self);
+  QnBox box = QN_BOX_EMPTY;
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  for (guint i = 0; i < count; i++) {
+    const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
+    for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++)
+      qn_box_add_point (&box, v[k]);
+  }
+  ids = qn_selection_get_beams (selection, &count);
+  for (guint i = 0; i < count; i++)
+    for (int end = 0; end < 2; end++)
+      qn_box_add_point (&box, model->nodes[model->beams[ids[i]].nodes[end]].at);
+  *low = box.min;
+  *high = box.max;
+  return box.min.x <= box.max.x;
+}
+
+QnId
+qn_canvas_pick_node (QnCanvas *self, QnVec2 screen)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  return qn_model_node_near (model, qn_camera_to_model (&self->camera, screen),
+                             NODE_REACH_PX / self->camera.scale);
 }
 
 gboolean
@@ -411,6 +466,8 @@ static const char *
 magnet_word (QnMagnetKind kind)
 {
   switch (kind) {
+  case QN_MAGNET_NODE:
+    return _ ("node");
   case QN_MAGNET_CORNER:
     return _ ("corner");
   case QN_MAGNET_MIDDLE:

@@ -10,6 +10,7 @@
 #define QN_APP_CANVAS_H
 
 #include "app/tool.h"
+#include "doc/edit-frame.h"
 #include "doc/view-state.h"
 #include "render/pick.h"
 
@@ -58,11 +59,21 @@ void qn_canvas_pick_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
 /* Faces whose middle lies in the rectangle between two points of the model. */
 void qn_canvas_faces_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
 
+/* Beams whose both ends lie there. */
+void qn_canvas_beams_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
+
 /* The document's parametric masonry; borrowed until the next change. */
 const QnMasonries *qn_canvas_get_masonry (QnCanvas *canvas);
 
 /* The selected blocks, copied, because the selection may change under an edit; free the ids. */
 QnBlockSet qn_canvas_dup_selected (QnCanvas *canvas);
+/* The selected blocks and beams likewise; clear them. */
+QnPartSet qn_canvas_dup_parts (QnCanvas *canvas);
+/* Box around them; FALSE where there are none. */
+gboolean qn_canvas_get_parts_box (QnCanvas *canvas, QnVec2 *low, QnVec2 *high);
+
+/* The node of beams under the pointer, or QN_NONE. */
+QnId qn_canvas_pick_node (QnCanvas *canvas, QnVec2 screen);
 
 /* Whether the magnet is on at the moment. */
 gboolean qn_canvas_snaps (QnCanvas *canvas);

@@ -156,4 +156,12 @@ qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform)
     qn_canvas_trace (canvas, cr, moved, n);
   }
   qn_gesture_paint (cr);
+  ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
+  for (guint i = 0; i < count; i++) {
+    const QnId *ends = model->beams[ids[i]].nodes;
+    QnVec2 line[2] = { qn_transform_apply (transform, model->nodes[ends[0]].at),
+                       qn_transform_apply (transform, model->nodes[ends[1]].at) };
+    qn_canvas_trace (canvas, cr, line, 2);
+  }
+  cairo_stroke (cr);
 }

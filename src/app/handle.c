@@ -14,6 +14,9 @@
 /* Blocks with more corners show none of them: a curve, not a shape to edit by hand. */
 #define MOST_CORNERS 40
 
+/* Of more beams than these no single ends are dragged. */
+#define MOST_BEAMS 40
+
 /* At least this far between two handles of an opening, or the middle ones are left out. */
 #define APART_PX 24.0
 
@@ -45,29 +48,11 @@ add_masonry_grips (QnCanvas *canvas, GArray *grips, QnId object, int opening)
   }
 }
 
-static gboolean
-selected_box (QnCanvas *canvas, QnVec2 *low, QnVec2 *high)
-{
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
-  guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
-  *low = qn_vec2 (INFINITY, INFINITY);
-  *high = qn_vec2 (-INFINITY, -INFINITY);
-  for (guint i = 0; i < count; i++) {
-    const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
-    for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++) {
-      *low = qn_vec2 (MIN (low->x, v[k].x), MIN (low->y, v[k].y));
-      *high = qn_vec2 (MAX (high->x, v[k].x), MAX (high->y, v[k].y));
-    }
-  }
-  return low->x <= high->x;
-}
-
 static void
 add_turn_grip (QnCanvas *canvas, GArray *grips)
 {
   QnVec2 low, high;
-  if (!selected_box (canvas, &low, &high))
+  if (!qn_canvas_get_parts_box (canvas, &low, &high))
     return;
   double above = TURN_PX / qn_canvas_get_camera (canvas)->scale;
   QnGrip grip = { .kind = QN_GRIP_TURN,
@@ -84,6 +69,25 @@ add_corner_grips (GArray *grips, const QnModel *model, QnId block)
   for (QnId k = 0; k < count && count <= MOST_CORNERS; k++) {
     QnGrip grip = { .kind = QN_GRIP_CORNER, .at = v[k] };
     add_grip (grips, grip);
+  }
+}
+
+/* Ends of the selected beams, each once. */
+static void
+add_node_grips (QnCanvas *canvas, GArray *grips)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  guint count = 0;
+  const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
+  g_autoptr (GHashTable) known = g_hash_table_new (NULL, NULL);
+  for (guint i = 0; i < count && count <= MOST_BEAMS; i++) {
+    for (int end = 0; end < 2; end++) {
+      QnId node = model->beams[ids[i]].nodes[end];
+      if (g_hash_table_add (known, GINT_TO_POINTER (node)))
+        add_grip (
+          grips,
+          (QnGrip){ .kind = QN_GRIP_NODE, .at = model->nodes[node].at, .object = node });
+    }
   }
 }
 
@@ -104,9 +108,10 @@ collect (QnCanvas *canvas)
   }
   guint count = 0;
   const QnId *ids = qn_selection_get_blocks (selection, &count);
+  add_turn_grip (canvas, grips);
+  add_node_grips (canvas, grips);
   if (count == 0)
     return grips;
-  add_turn_grip (canvas, grips);
   if (count == 1 && model->blocks[ids[0]].masonry == QN_NONE
       && model->blocks[ids[0]].wall == QN_NONE) {
     add_corner_grips (grips, model, ids[0]);
@@ -189,7 +194,9 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
   for (guint i = 0; i < grips->len; i++) {
     const QnGrip *grip = &g_array_index (grips, QnGrip, i);
     QnVec2 s = qn_canvas_to_screen (canvas, grip->at);
-    if (grip->kind == QN_GRIP_TURN) {
+    if (grip->kind == QN_GRIP_NODE)
+      cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
+    else if (grip->kind == QN_GRIP_TURN) {
       cairo_move_to (cr, s.x, s.y + HANDLE_PX);
       cairo_line_to (cr, s.x, s.y + TURN_PX);
       cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
@@ -209,7 +216,7 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
 
 typedef struct Drag {
   QnGrip grip;
-  QnBlockSet set;
+  QnPartSet set;
   QnVec2 from, to;
   gboolean snap;
 } Drag;
@@ -260,16 +267,23 @@ static gboolean
 edit_corner (QnModel *model, gpointer data, GError **error)
 {
   const Drag *drag = data;
-  return qn_edit_move_corner (model, drag->set, drag->from, drag->to, error);
+  return qn_edit_move_corner (model, drag->set.blocks, drag->from, drag->to, error);
+}
+
+static gboolean
+edit_node (QnModel *model, gpointer data, GError **error)
+{
+  const Drag *drag = data;
+  return qn_edit_place_node (model, drag->grip.object, drag->to, error);
 }
 
 static gboolean
 edit_turn (QnProject *draft, gpointer data, GError **error)
 {
   const Drag *drag = data;
-  return qn_edit_transform (draft, drag->set,
-                            qn_transform_rotation (drag->grip.center, turn_angle (drag)),
-                            error);
+  return qn_edit_transform_all (
+    draft, drag->set, qn_transform_rotation (drag->grip.center, turn_angle (drag)),
+    error);
 }
 
 static const char *
@@ -298,7 +312,7 @@ void
 qn_handle_finish (QnCanvas *canvas)
 {
   Drag drag = drag_of_gesture (canvas);
-  drag.set = qn_canvas_dup_selected (canvas);
+  drag.set = qn_canvas_dup_parts (canvas);
   const char *name =
     drag.grip.kind == QN_GRIP_MASONRY ? step_name (canvas, &drag.grip) : NULL;
   qn_canvas_set_magnet_skip (canvas, NULL);
@@ -309,7 +323,9 @@ qn_handle_finish (QnCanvas *canvas)
     qn_canvas_edit (canvas, _ ("Move Corner"), NULL, edit_corner, &drag);
   else if (drag.grip.kind == QN_GRIP_TURN)
     qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &drag);
-  g_free ((gpointer) drag.set.ids);
+  else if (drag.grip.kind == QN_GRIP_NODE)
+    qn_canvas_edit (canvas, _ ("Move Beam End"), NULL, edit_node, &drag);
+  qn_part_set_clear (&drag.set);
 }
 
 static void
@@ -353,6 +369,19 @@ draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
   qn_canvas_draw_dimension (canvas, cr, drag->from, drag->to);
 }
 
+/* All beams that end there, with their lengths. */
+static void
+draw_node_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
+{
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  for (gsize i = 0; i < model->beam_count; i++) {
+    const QnId *ends = model->beams[i].nodes;
+    for (int end = 0; end < 2; end++)
+      if (ends[end] == drag->grip.object)
+        qn_gesture_draw_line (canvas, cr, model->nodes[ends[1 - end]].at, drag->to);
+  }
+}
+
 void
 qn_handle_draw_drag (QnCanvas *canvas, cairo_t *cr)
 {
@@ -363,6 +392,9 @@ qn_handle_draw_drag (QnCanvas *canvas, cairo_t *cr)
     break;
   case QN_GRIP_CORNER:
     draw_corner_drag (canvas, cr, &drag);
+    break;
+  case QN_GRIP_NODE:
+    draw_node_drag (canvas, cr, &drag);
     break;
   case QN_GRIP_TURN: {
     double angle = turn_angle (&drag);

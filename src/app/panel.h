@@ -20,6 +20,11 @@ GtkWidget *qn_masonry_form_new (QnCanvas *canvas);
 GtkWidget *qn_opening_form_new (QnCanvas *canvas);
 GtkWidget *qn_face_form_new (QnCanvas *canvas);
 
+/* The selected beams, the two ends of a single one (end: 0, 1), their section. */
+GtkWidget *qn_beam_form_new (QnCanvas *canvas);
+GtkWidget *qn_beam_end_form_new (QnCanvas *canvas, int end);
+GtkWidget *qn_section_form_new (QnCanvas *canvas);
+
 /* Procedure and its parameters, loads, contacts, laws. */
 GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
 
@@ -32,6 +37,7 @@ GtkWidget *qn_result_panel_new (QnCanvas *canvas);
 /* Tables of the current run: a row leads to its step, or to its place in the drawing. */
 GtkWidget *qn_step_table_new (QnViewState *state);
 GtkWidget *qn_contact_table_new (QnCanvas *canvas);
+GtkWidget *qn_beam_table_new (QnCanvas *canvas);
 
 /* HybriDFEM and limit analysis side by side, with what each number guarantees. */
 GtkWidget *qn_bounds_table_new (QnDocument *document);

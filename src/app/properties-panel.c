@@ -34,12 +34,16 @@ qn_properties_panel_new (QnCanvas *canvas)
   Panel *panel = g_new0 (Panel, 1);
   panel->canvas = canvas;
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
-  panel->empty = new_hint (_ ("Select blocks or an opening, or joints in the contacts "
-                              "view, to change them here."));
-  GtkWidget *parts[] = { qn_style_form_new (canvas),   panel->empty,
-                         qn_block_form_new (canvas),   qn_wall_form_new (canvas),
-                         qn_opening_form_new (canvas), qn_masonry_form_new (canvas),
-                         qn_face_form_new (canvas),    qn_array_form_new (canvas) };
+  panel->empty = new_hint (_ ("Select blocks, beams or an opening, or joints in the "
+                              "contacts view, to change them here."));
+  GtkWidget *parts[] = {
+    qn_style_form_new (canvas),       panel->empty,
+    qn_block_form_new (canvas),       qn_wall_form_new (canvas),
+    qn_opening_form_new (canvas),     qn_masonry_form_new (canvas),
+    qn_face_form_new (canvas),        qn_beam_form_new (canvas),
+    qn_beam_end_form_new (canvas, 0), qn_beam_end_form_new (canvas, 1),
+    qn_section_form_new (canvas),     qn_array_form_new (canvas)
+  };
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
     gtk_box_append (GTK_BOX (box), parts[i]);
   qn_own (box, panel);

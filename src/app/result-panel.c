@@ -160,6 +160,7 @@ build_content (Panel *panel)
   qn_form_add_wide (form, qn_bounds_table_new (document_of (panel)));
   qn_form_add_wide (form, qn_step_table_new (panel->state));
   qn_form_add_wide (form, qn_contact_table_new (panel->canvas));
+  qn_form_add_wide (form, qn_beam_table_new (panel->canvas));
   return form;
 }
 

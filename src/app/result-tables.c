@@ -3,6 +3,7 @@
 #include "app/form.h"
 #include "app/panel.h"
 #include "app/settings.h"
+#include "doc/beam-summary.h"
 #include "doc/explain.h"
 #include "render/motion.h"
 #include <glib/gi18n.h>
@@ -10,14 +11,22 @@
 
 #define TABLE_HEIGHT 220
 
-typedef char *(*CellFunc) (const QnRun *run, guint row);
-
 typedef struct Table {
   QnViewState *state;
-  QnCanvas *canvas; /* of contacts */
+  QnCanvas *canvas;  /* of contacts and beams */
+  GtkWidget *widget; /* of beams */
   GtkStringList *rows;
   GtkSingleSelection *selection;
 } Table;
+
+typedef char *(*CellFunc) (const Table *table, const QnRun *run, guint row);
+
+/* An end of an element of a beam. */
+typedef struct BeamEnd {
+  QnId beam;
+  double x; /* m, from the beam's first node */
+  QnBeamPoint forces;
+} BeamEnd;
 
 typedef struct Column {
   const Table *table;
@@ -49,7 +58,8 @@ on_bind_cell (GtkSignalListItemFactory *factory, GtkListItem *item, Column *colu
   (void) factory;
   const QnRun *run = run_of (column->table);
   guint row = gtk_list_item_get_position (item);
-  g_autofree char *text = run != NULL ? column->cell (run, row) : g_strdup ("");
+  g_autofree char *text =
+    run != NULL ? column->cell (column->table, run, row) : g_strdup ("");
   gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)), text);
 }
 
@@ -83,23 +93,26 @@ dup_title (const char *name, QnQuantity quantity)
 /* ---- steps ---- */
 
 static char *
-cell_step (const QnRun *run, guint row)
+cell_step (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   (void) run;
   return g_strdup_printf ("%u", row);
 }
 
 static char *
-cell_multiplier (const QnRun *run, guint row)
+cell_multiplier (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   return row < run->result.step_count
            ? g_strdup_printf ("%.5f", run->result.steps[row].multiplier)
            : g_strdup ("");
 }
 
 static char *
-cell_displacement (const QnRun *run, guint row)
+cell_displacement (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   if (row >= run->result.step_count)
     return g_strdup ("");
   const QnMotion motion = { .model = &run->model,
@@ -111,16 +124,18 @@ cell_displacement (const QnRun *run, guint row)
 }
 
 static char *
-cell_iterations (const QnRun *run, guint row)
+cell_iterations (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   return row < run->result.step_count
            ? g_strdup_printf ("%d", run->result.steps[row].iterations)
            : g_strdup ("");
 }
 
 static char *
-cell_event (const QnRun *run, guint row)
+cell_event (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   if (row >= run->result.step_count)
     return g_strdup ("");
   switch (run->result.steps[row].event) {
@@ -138,8 +153,9 @@ cell_event (const QnRun *run, guint row)
 /* ---- contacts ---- */
 
 static char *
-cell_blocks (const QnRun *run, guint row)
+cell_blocks (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   if (row >= run->contacts.pair_count)
     return g_strdup ("");
   const QnContactFace *face = &run->contacts.faces[run->contacts.pairs[row].face];
@@ -148,26 +164,101 @@ cell_blocks (const QnRun *run, guint row)
 }
 
 static char *
-cell_state (const QnRun *run, guint row)
+cell_state (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   return g_strdup (row < run->result.pair_count
                      ? qn_explain_pair_state (run->result.pairs[row].state)
                      : "");
 }
 
 static char *
-cell_normal (const QnRun *run, guint row)
+cell_normal (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   return row < run->result.pair_count
            ? dup_quantity (QN_QUANTITY_FORCE, run->result.pairs[row].normal_force)
            : g_strdup ("");
 }
 
 static char *
-cell_shear (const QnRun *run, guint row)
+cell_shear (const Table *table, const QnRun *run, guint row)
 {
+  (void) table;
   return row < run->result.pair_count
            ? dup_quantity (QN_QUANTITY_FORCE, run->result.pairs[row].shear_force)
+           : g_strdup ("");
+}
+
+/* ---- section forces: two rows for every element, its ends ---- */
+
+/* The step that the drawing shows. */
+static gsize
+shown_step (const Table *table, const QnRun *run)
+{
+  int step = qn_view_state_get_step (table->state);
+  return step == QN_STEP_LAST ? run->result.step_count - 1 : (gsize) step;
+}
+
+static gboolean
+find_end (const Table *table, const QnRun *run, guint row, BeamEnd *end)
+{
+  const QnResult *result = &run->result;
+  gsize element = row / 2;
+  if (result->step_count == 0 || result->beam_forces == NULL
+      || element >= result->element_count || element >= run->model.element_count)
+    return FALSE;
+  const QnBeamElement *e = &run->model.elements[element];
+  const QnBeam *beam = &run->model.beams[e->beam];
+  double length = qn_model_beam_length (&run->model, e->beam) / beam->element_count;
+  const QnBeamForces *forces =
+    &qn_result_step_beam_forces (result, shown_step (table, run))[element];
+  *end = (BeamEnd){ .beam = e->beam,
+                    .x = length * ((double) element - beam->first_element + row % 2),
+                    .forces = qn_beam_forces_at (forces, length, row % 2) };
+  return TRUE;
+}
+
+static char *
+cell_beam (const Table *table, const QnRun *run, guint row)
+{
+  BeamEnd end;
+  return g_strdup (find_end (table, run, row, &end) ? run->model.beams[end.beam].name
+                                                    : "");
+}
+
+static char *
+cell_place (const Table *table, const QnRun *run, guint row)
+{
+  BeamEnd end;
+  return find_end (table, run, row, &end) ? dup_quantity (QN_QUANTITY_LENGTH, end.x)
+                                          : g_strdup ("");
+}
+
+static char *
+cell_beam_normal (const Table *table, const QnRun *run, guint row)
+{
+  BeamEnd end;
+  return find_end (table, run, row, &end)
+           ? dup_quantity (QN_QUANTITY_FORCE, end.forces.normal)
+           : g_strdup ("");
+}
+
+static char *
+cell_beam_shear (const Table *table, const QnRun *run, guint row)
+{
+  BeamEnd end;
+  return find_end (table, run, row, &end)
+           ? dup_quantity (QN_QUANTITY_FORCE, end.forces.shear)
+           : g_strdup ("");
+}
+
+static char *
+cell_beam_moment (const Table *table, const QnRun *run, guint row)
+{
+  BeamEnd end;
+  return find_end (table, run, row, &end)
+           ? dup_quantity (QN_QUANTITY_MOMENT, end.forces.moment)
            : g_strdup ("");
 }
 
@@ -309,5 +400,57 @@ qn_contact_table_new (QnCanvas *canvas)
   qn_watch (widget, qn_view_state_get_document (table->state), "runs-changed",
             G_CALLBACK (update_contacts), table);
   update_contacts (table);
+  return widget;
+}
+
+/* A row leads to its beam. */
+static void
+on_beam_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
+{
+  (void) pspec;
+  const QnRun *run = run_of (table);
+  guint row = gtk_single_selection_get_selected (selection);
+  BeamEnd end;
+  if (row == GTK_INVALID_LIST_POSITION || run == NULL
+      || !find_end (table, run, row, &end))
+    return;
+  const QnModel *model = qn_document_get_model (qn_canvas_get_document (table->canvas));
+  QnId beam = qn_model_find_beam (model, run->model.beams[end.beam].name);
+  if (beam != QN_NONE)
+    qn_selection_set_beams (qn_canvas_get_selection (table->canvas), &beam, 1);
+}
+
+static void
+update_beams (Table *table)
+{
+  const QnRun *run = run_of (table);
+  gboolean there = run != NULL && run->result.beam_forces != NULL;
+  gtk_widget_set_visible (table->widget, there);
+  set_row_count (table, there ? 2 * run->result.element_count : 0,
+                 G_CALLBACK (on_beam_selected));
+}
+
+GtkWidget *
+qn_beam_table_new (QnCanvas *canvas)
+{
+  Table *table = g_new0 (Table, 1);
+  table->canvas = canvas;
+  table->state = qn_canvas_get_state (canvas);
+  GtkWidget *view = make_view (table, G_CALLBACK (on_beam_selected));
+  g_autofree char *place = dup_title ("x", QN_QUANTITY_LENGTH);
+  g_autofree char *normal = dup_title ("N", QN_QUANTITY_FORCE);
+  g_autofree char *shear = dup_title ("V", QN_QUANTITY_FORCE);
+  g_autofree char *moment = dup_title ("M", QN_QUANTITY_MOMENT);
+  add_column (view, _ ("Beam"), table, cell_beam);
+  add_column (view, place, table, cell_place);
+  add_column (view, normal, table, cell_beam_normal);
+  add_column (view, shear, table, cell_beam_shear);
+  add_column (view, moment, table, cell_beam_moment);
+  GtkWidget *widget = table->widget = wrap_table (view, _ ("Section _forces of beams"));
+  qn_own (widget, table);
+  qn_watch (widget, qn_view_state_get_document (table->state), "runs-changed",
+            G_CALLBACK (update_beams), table);
+  qn_watch (widget, table->state, "changed", G_CALLBACK (update_beams), table);
+  update_beams (table);
   return widget;
 }

@@ -14,7 +14,8 @@ enum {
   SHOW_COLUMN = 1 << 4,
   SHOW_FORCE = 1 << 5,
   SHOW_JOINT = 1 << 6,
-  SHOW_MIRROR = 1 << 7
+  SHOW_MIRROR = 1 << 7,
+  SHOW_BEAM = 1 << 8
 };
 
 static const struct {
@@ -27,6 +28,7 @@ static const struct {
   { &qn_tool_column, SHOW_COLUMN | SHOW_BLOCK },
   { &qn_tool_rectangle, SHOW_BLOCK },
   { &qn_tool_polygon, SHOW_BLOCK },
+  { &qn_tool_beam, SHOW_BEAM },
   { &qn_tool_force, SHOW_FORCE },
   { &qn_tool_joint, SHOW_JOINT },
   { &qn_tool_mirror, SHOW_MIRROR },
@@ -57,8 +59,9 @@ typedef struct Form {
   GtkLabel *title;
   QnQuantityEntry *unit_x, *unit_y, *thickness, *weight, *ring, *voussoirs, *taper,
     *force;
-  GtkDropDown *bond, *head, *shape, *force_kind, *joint_law;
-  GtkWidget *base, *mirror_copy;
+  QnQuantityEntry *elements;
+  GtkDropDown *bond, *head, *shape, *force_kind, *joint_law, *section;
+  GtkWidget *base, *mirror_copy, *hinges[2];
 } Form;
 
 static void
@@ -84,6 +87,10 @@ on_setting (gpointer widget, Form *form)
   style->top_to_foot = qn_quantity_entry_get_value (form->taper);
   settings->force = qn_quantity_entry_get_value (form->force);
   settings->live = gtk_drop_down_get_selected (form->force_kind) == 0;
+  settings->elements = (int) qn_quantity_entry_get_value (form->elements);
+  for (int end = 0; end < 2; end++)
+    settings->hinges[end] =
+      gtk_check_button_get_active (GTK_CHECK_BUTTON (form->hinges[end]));
   settings->mirror_copy =
     gtk_check_button_get_active (GTK_CHECK_BUTTON (form->mirror_copy));
 }
@@ -113,8 +120,38 @@ on_joint_law (GtkDropDown *choice, GParamSpec *pspec, Form *form)
 }
 
 static void
+on_section (GtkDropDown *choice, GParamSpec *pspec, Form *form)
+{
+  (void) pspec;
+  QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
+  guint row = gtk_drop_down_get_selected (choice);
+  g_free (settings->section);
+  settings->section = row < model_of (form)->section_count
+                        ? g_strdup (model_of (form)->sections[row].name)
+                        : NULL;
+}
+
+/* Without a section there is one to come with the first beam. */
+static void
+update_sections (Form *form)
+{
+  const QnModel *model = model_of (form);
+  const char *name = qn_canvas_get_tool_settings (form->canvas)->section;
+  QnId section = name != NULL ? qn_model_find_section (model, name) : QN_NONE;
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  for (gsize i = 0; i < model->section_count; i++)
+    g_strv_builder_add (names, model->sections[i].name);
+  if (model->section_count == 0)
+    g_strv_builder_add (names, _ ("New section"));
+  g_auto (GStrv) strings = g_strv_builder_end (names);
+  qn_form_fill_choice (form->section, (const char *const *) strings,
+                       section != QN_NONE ? (guint) section : 0, form);
+}
+
+static void
 update_laws (Form *form)
 {
+  update_sections (form);
   const char *name = qn_canvas_get_tool_settings (form->canvas)->joint_law;
   QnId law = name != NULL ? qn_model_find_law (model_of (form), name) : QN_NONE;
   qn_form_fill_laws (form->joint_law, model_of (form), _ ("None of their own"), law,
@@ -155,6 +192,10 @@ update_tool (Form *form)
   show (form->force, rows, SHOW_FORCE);
   show (form->force_kind, rows, SHOW_FORCE);
   show (form->joint_law, rows, SHOW_JOINT);
+  show (form->section, rows, SHOW_BEAM);
+  show (form->elements, rows, SHOW_BEAM);
+  show (form->hinges[0], rows, SHOW_BEAM);
+  show (form->hinges[1], rows, SHOW_BEAM);
   show (form->mirror_copy, rows, SHOW_MIRROR);
 }
 
@@ -203,6 +244,14 @@ build_other_rows (Form *form, GtkWidget *grid, const QnToolSettings *settings)
   form->force_kind = qn_form_add_choice (grid, _ ("_Kind of force"), kinds, chosen, form);
   form->joint_law =
     qn_form_add_choice (grid, _ ("_Law"), none, G_CALLBACK (on_joint_law), form);
+  form->section =
+    qn_form_add_choice (grid, _ ("_Section"), none, G_CALLBACK (on_section), form);
+  form->elements = qn_form_add_quantity (grid, _ ("_Elements"), QN_QUANTITY_NUMBER, 1.0,
+                                         QN_MAX_BEAM_ELEMENTS, changed, form);
+  form->hinges[0] =
+    qn_form_add_check (grid, _ ("Hinge at the _first end"), FALSE, changed, form);
+  form->hinges[1] =
+    qn_form_add_check (grid, _ ("Hinge at the se_cond end"), FALSE, changed, form);
   form->base = qn_form_add_check (grid, _ ("Lay on a _fixed base"),
                                   settings->masonry.base, changed, form);
   form->mirror_copy = qn_form_add_check (grid, _ ("_Keep the original"),
@@ -238,6 +287,7 @@ qn_style_form_new (QnCanvas *canvas)
   qn_quantity_entry_set_value (form->ring, style->ring);
   qn_quantity_entry_set_value (form->voussoirs, style->voussoirs);
   qn_quantity_entry_set_value (form->taper, style->top_to_foot);
+  qn_quantity_entry_set_value (form->elements, settings.elements);
   qn_quantity_entry_set_value (form->force, settings.force);
   qn_form_set_choice (form->bond, row_of_bond (style), form);
   qn_own (grid, form);

@@ -1,4 +1,4 @@
-/* Force: drag from a point of a block into the direction of the force. */
+/* Force: drag from a point of a block, or from a node of beams, into the direction of the force. */
 #include "app/gesture.h"
 
 #include "doc/edit.h"
@@ -6,6 +6,7 @@
 #include <math.h>
 
 typedef struct Force {
+  QnId node; /* or QN_NONE, */
   QnId block;
   gboolean live;
   QnVec2 vector, at;
@@ -15,14 +16,17 @@ static gboolean
 edit_add (QnModel *model, gpointer data, GError **error)
 {
   const Force *force = data;
-  return qn_edit_add_force (model, force->block, force->live, force->vector, force->at,
-                            error);
+  return force->node != QN_NONE ? qn_edit_add_node_force (model, force->node, force->live,
+                                                          force->vector, error)
+                                : qn_edit_add_force (model, force->block, force->live,
+                                                     force->vector, force->at, error);
 }
 
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
   if (qn_canvas_is_in_gesture (canvas)
+      || qn_canvas_pick_node (canvas, event->screen) != QN_NONE
       || qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK).kind
            == QN_PICK_BLOCK)
     qn_gesture_press (canvas, event);
@@ -33,10 +37,10 @@ add (QnCanvas *canvas, QnVec2 vector)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnPick pick = qn_canvas_pick (canvas, gesture->from_screen, 1u << QN_PICK_BLOCK);
-  Force force = { pick.id, qn_canvas_get_tool_settings (canvas)->live, vector,
-                  gesture->from };
+  Force force = { qn_canvas_pick_node (canvas, gesture->from_screen), pick.id,
+                  qn_canvas_get_tool_settings (canvas)->live, vector, gesture->from };
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (pick.kind == QN_PICK_BLOCK)
+  if (pick.kind == QN_PICK_BLOCK || force.node != QN_NONE)
     qn_canvas_edit (canvas, _ ("Add Force"), NULL, edit_add, &force);
 }
 
@@ -92,8 +96,8 @@ const QnTool qn_tool_force = {
   .icon = "quoin-force-symbolic",
   .label = N_ ("Force"),
   .hint =
-    N_ ("Drag from a point of a block in the direction of the force; its size is in the "
-        "panel, or typed"),
+    N_ ("Drag from a point of a block or an end of a beam in the direction of the force; "
+        "its size is in the panel, or typed"),
   .accel = "f",
   .magnetic = TRUE,
   .numbers_label = N_ ("size; angle"),

@@ -1,11 +1,10 @@
 /* Mirror: draw the line; Control, or the switch in the panel, keeps the original. */
 #include "app/gesture.h"
 
-#include "doc/edit-masonry.h"
 #include <glib/gi18n.h>
 
 typedef struct Mirror {
-  QnBlockSet set;
+  QnPartSet set;
   QnTransform transform;
   gboolean keep;
 } Mirror;
@@ -14,8 +13,9 @@ static gboolean
 edit_mirror (QnProject *draft, gpointer data, GError **error)
 {
   const Mirror *mirror = data;
-  return mirror->keep ? qn_edit_copy (draft, mirror->set, mirror->transform, 1, error)
-                      : qn_edit_transform (draft, mirror->set, mirror->transform, error);
+  return mirror->keep
+           ? qn_edit_copy_all (draft, mirror->set, mirror->transform, 1, error)
+           : qn_edit_transform_all (draft, mirror->set, mirror->transform, error);
 }
 
 static void
@@ -23,13 +23,13 @@ complete (QnCanvas *canvas)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnVec2 a = gesture->from, b = gesture->to;
-  QnBlockSet set = qn_canvas_dup_selected (canvas);
+  QnPartSet set = qn_canvas_dup_parts (canvas);
   Mirror mirror = { set, qn_transform_mirror (a, b),
                     qn_canvas_get_tool_settings (canvas)->mirror_copy };
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (a.x != b.x || a.y != b.y)
     qn_canvas_edit_project (canvas, _ ("Mirror"), NULL, edit_mirror, &mirror);
-  g_free ((gpointer) set.ids);
+  qn_part_set_clear (&set);
 }
 
 static void

@@ -1,12 +1,11 @@
 /* Rotate: press at the centre, drag around it; or type the angle. */
 #include "app/gesture.h"
 
-#include "doc/edit-masonry.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
 typedef struct Turn {
-  QnBlockSet set;
+  QnPartSet set;
   QnTransform transform;
 } Turn;
 
@@ -14,7 +13,7 @@ static gboolean
 edit_turn (QnProject *draft, gpointer data, GError **error)
 {
   const Turn *turn = data;
-  return qn_edit_transform (draft, turn->set, turn->transform, error);
+  return qn_edit_transform_all (draft, turn->set, turn->transform, error);
 }
 
 static double
@@ -28,12 +27,12 @@ angle_of_gesture (QnCanvas *canvas)
 static void
 rotate (QnCanvas *canvas, double angle)
 {
-  QnBlockSet set = qn_canvas_dup_selected (canvas);
+  QnPartSet set = qn_canvas_dup_parts (canvas);
   Turn turn = { set,
                 qn_transform_rotation (qn_canvas_get_gesture (canvas)->from, angle) };
   qn_canvas_set_in_gesture (canvas, FALSE);
   qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &turn);
-  g_free ((gpointer) set.ids);
+  qn_part_set_clear (&set);
 }
 
 static void

@@ -95,6 +95,24 @@ press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
+static void
+press_on_beam (QnCanvas *canvas, QnId beam, const QnToolEvent *event)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
+    qn_selection_toggle_beam (selection, beam);
+    return;
+  }
+  if (!qn_selection_has_beam (selection, beam))
+    qn_selection_set_beams (selection, &beam, 1);
+  if (!shows_undeformed (canvas))
+    return;
+  gesture->from = gesture->to = event->model;
+  leave_to_magnet (canvas);
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
 /* ---- faces ---- */
 
 static gboolean
@@ -160,7 +178,12 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   }
   if (press_on_face (canvas, event))
     return;
-  QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK);
+  QnPick pick =
+    qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
+  if (pick.kind == QN_PICK_BEAM) {
+    press_on_beam (canvas, pick.id, event);
+    return;
+  }
   if (pick.kind == QN_PICK_BLOCK) {
     press_on_block (canvas, pick.id, event);
     return;
@@ -199,7 +222,7 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
 }
 
 typedef struct Move {
-  QnBlockSet set;
+  QnPartSet set;
   QnTransform transform;
 } Move;
 
@@ -207,17 +230,17 @@ static gboolean
 edit_move (QnProject *draft, gpointer data, GError **error)
 {
   const Move *move = data;
-  return qn_edit_transform (draft, move->set, move->transform, error);
+  return qn_edit_transform_all (draft, move->set, move->transform, error);
 }
 
 static void
 finish_move (QnCanvas *canvas, QnVec2 by)
 {
-  Move move = { qn_canvas_dup_selected (canvas), qn_transform_translation (by.x, by.y) };
+  Move move = { qn_canvas_dup_parts (canvas), qn_transform_translation (by.x, by.y) };
   qn_canvas_set_magnet_skip (canvas, NULL);
   qn_canvas_set_in_gesture (canvas, FALSE);
   qn_canvas_edit_project (canvas, _ ("Move"), NULL, edit_move, &move);
-  g_free ((gpointer) move.set.ids);
+  qn_part_set_clear (&move.set);
 }
 
 static void
@@ -235,6 +258,10 @@ finish_band (QnCanvas *canvas)
                          qn_canvas_to_screen (canvas, gesture->to), ids);
   qn_selection_add_blocks (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
                            ids->len);
+  g_array_set_size (ids, 0);
+  qn_canvas_beams_inside (canvas, gesture->from, gesture->to, ids);
+  qn_selection_add_beams (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
+                          ids->len);
 }
 
 static void

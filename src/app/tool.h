@@ -31,13 +31,14 @@ typedef enum {
   QN_GRIP_NONE,
   QN_GRIP_MASONRY, /* a measure of a masonry object or an opening of it */
   QN_GRIP_CORNER,  /* of a block */
+  QN_GRIP_NODE,    /* of beams */
   QN_GRIP_TURN     /* the selection around its middle */
 } QnGripKind;
 
 typedef struct QnGrip {
   QnGripKind kind;
   QnVec2 at;     /* m */
-  QnId object;   /* MASONRY */
+  QnId object;   /* MASONRY; NODE: the node */
   int opening;   /* MASONRY: or QN_NO_OPENING */
   int handle;    /* MASONRY: QnHandleKind */
   QnVec2 center; /* TURN: m */
@@ -93,6 +94,7 @@ extern const QnTool qn_tool_arch;
 extern const QnTool qn_tool_column;
 extern const QnTool qn_tool_rectangle;
 extern const QnTool qn_tool_polygon;
+extern const QnTool qn_tool_beam;
 extern const QnTool qn_tool_cut;
 extern const QnTool qn_tool_rotate;
 extern const QnTool qn_tool_mirror;
@@ -105,6 +107,9 @@ extern const QnTool qn_tool_picture;
 /* What the tools draw with; shared by all of a window's tools and shown in its panel. */
 typedef struct QnToolSettings {
   QnMasonryStyle masonry;
+  char *section;        /* name, of new beams; NULL: the first one */
+  gboolean hinges[2];   /* of new beams */
+  int elements;         /* of new beams */
   double force;         /* N, of new forces */
   gboolean live;        /* whether new forces grow with the multiplier */
   char *joint_law;      /* name, given to joints; NULL: none of their own */

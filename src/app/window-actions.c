@@ -168,6 +168,19 @@ on_view (GSimpleAction *action, GVariant *value, gpointer data)
 }
 
 static void
+on_diagram (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  QnDiagram diagram;
+  if (!qn_diagram_parse (g_variant_get_string (value, NULL), &diagram))
+    return;
+  g_simple_action_set_state (action, value);
+  qn_view_state_set_diagram (self->state, diagram);
+  if (qn_document_get_run (self->document) != NULL)
+    qn_view_state_set_view (self->state, QN_VIEW_DIAGRAMS);
+}
+
+static void
 on_switch (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
@@ -191,6 +204,10 @@ add_stateful_actions (QnWindow *self)
       .parameter_type = "s",
       .state = "'model'",
       .change_state = on_view },
+    { .name = "diagram",
+      .parameter_type = "s",
+      .state = "'M'",
+      .change_state = on_diagram },
   };
   g_action_map_add_action_entries (G_ACTION_MAP (self), entries, G_N_ELEMENTS (entries),
                                    self);
@@ -238,12 +255,22 @@ set_enabled (QnWindow *self, const char *name, gboolean enabled)
     g_simple_action_set_enabled (G_SIMPLE_ACTION (action), enabled);
 }
 
+static gboolean
+has_beam_forces (QnWindow *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  return run != NULL && run->result.beam_forces != NULL;
+}
+
 void
 qn_window_update_actions (QnWindow *self)
 {
   QnHistory *history = qn_document_get_history (self->document);
   guint selected = 0;
+  guint selected_beams = 0;
   qn_selection_get_blocks (qn_document_get_selection (self->document), &selected);
+  qn_selection_get_beams (qn_document_get_selection (self->document), &selected_beams);
+  gboolean parts = selected > 0 || selected_beams > 0;
   QnId object;
   int number;
   gboolean opening = qn_selection_get_opening (qn_document_get_selection (self->document),
@@ -261,13 +288,13 @@ qn_window_update_actions (QnWindow *self)
     gboolean enabled;
   } states[] = { { "undo", work && qn_history_can_undo (history) },
                  { "redo", work && qn_history_can_redo (history) },
-                 { "delete", selected > 0 || opening },
+                 { "delete", parts || opening },
                  { "detach", selected > 0 },
-                 { "mirror", selected > 0 },
-                 { "rotate", selected > 0 },
-                 { "duplicate", selected > 0 },
-                 { "array", selected > 0 },
-                 { "nudge", selected > 0 || opening },
+                 { "mirror", parts },
+                 { "rotate", parts },
+                 { "duplicate", parts },
+                 { "array", parts },
+                 { "nudge", parts || opening },
                  { "join", selected > 1 },
                  { "select-faces-like", face },
                  { "copy", selected > 0 },
@@ -282,6 +309,7 @@ qn_window_update_actions (QnWindow *self)
                  { "run-all", work && blocks && !busy },
                  { "cancel", busy },
                  { "pause", busy },
+                 { "diagram", run && has_beam_forces (self) },
                  { "play", run },
                  { "export-result", run },
                  { "export-result-path", run },

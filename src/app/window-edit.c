@@ -10,7 +10,7 @@
 #define NUDGE_PX 5.0
 
 typedef struct Edit {
-  QnBlockSet set;
+  QnPartSet set;
   QnTransform transform;
   int copies;
 } Edit;
@@ -18,50 +18,57 @@ typedef struct Edit {
 static gboolean
 edit_delete (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_delete_blocks (model, ((const Edit *) data)->set, error);
+  return qn_edit_delete_all (model, ((const Edit *) data)->set, error);
+}
+
+/* Beams do not travel by the clipboard. */
+static gboolean
+edit_cut (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_blocks (model, ((const Edit *) data)->set.blocks, error);
 }
 
 static gboolean
 edit_detach (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_detach (model, ((const Edit *) data)->set, error);
+  return qn_edit_detach (model, ((const Edit *) data)->set.blocks, error);
 }
 
 static gboolean
 edit_join (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_join_blocks (model, ((const Edit *) data)->set, error);
+  return qn_edit_join_blocks (model, ((const Edit *) data)->set.blocks, error);
 }
 
 static gboolean
 edit_transform (QnProject *draft, gpointer data, GError **error)
 {
   const Edit *edit = data;
-  return qn_edit_transform (draft, edit->set, edit->transform, error);
+  return qn_edit_transform_all (draft, edit->set, edit->transform, error);
 }
 
 static gboolean
 edit_copy (QnProject *draft, gpointer data, GError **error)
 {
   const Edit *edit = data;
-  return qn_edit_copy (draft, edit->set, edit->transform, edit->copies, error);
+  return qn_edit_copy_all (draft, edit->set, edit->transform, edit->copies, error);
 }
 
 static void
-edit_blocks (QnWindow *self, const char *name, QnEditFunc func)
+edit_parts (QnWindow *self, const char *name, QnEditFunc func)
 {
-  Edit edit = { .set = qn_canvas_dup_selected (self->canvas) };
+  Edit edit = { .set = qn_canvas_dup_parts (self->canvas) };
   qn_canvas_edit (self->canvas, name, NULL, func, &edit);
-  g_free ((gpointer) edit.set.ids);
+  qn_part_set_clear (&edit.set);
 }
 
 static void
 edit_selection (QnWindow *self, const char *name, const char *key, QnProjectEditFunc func,
                 Edit edit)
 {
-  edit.set = qn_canvas_dup_selected (self->canvas);
+  edit.set = qn_canvas_dup_parts (self->canvas);
   qn_canvas_edit_project (self->canvas, name, key, func, &edit);
-  g_free ((gpointer) edit.set.ids);
+  qn_part_set_clear (&edit.set);
 }
 
 /* ---- openings ---- */
@@ -120,47 +127,28 @@ delete_selected (QnWindow *self, GVariant *parameter)
     qn_selection_clear (qn_document_get_selection (self->document));
     qn_canvas_edit_project (self->canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
   } else
-    edit_blocks (self, _ ("Delete"), edit_delete);
+    edit_parts (self, _ ("Delete"), edit_delete);
 }
 
 static void
 detach (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
-  edit_blocks (self, _ ("Detach Wall"), edit_detach);
+  edit_parts (self, _ ("Detach Wall"), edit_detach);
 }
 
 static void
 join (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
-  edit_blocks (self, _ ("Join Blocks"), edit_join);
-}
-
-/* Box around the selected blocks. */
-static gboolean
-selected_box (QnWindow *self, QnVec2 *low, QnVec2 *high)
-{
-  const QnModel *model = qn_document_get_model (self->document);
-  QnBlockSet set = qn_canvas_dup_selected (self->canvas);
-  *low = qn_vec2 (INFINITY, INFINITY);
-  *high = qn_vec2 (-INFINITY, -INFINITY);
-  for (guint i = 0; i < set.count; i++) {
-    const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
-    for (QnId k = 0; k < model->blocks[set.ids[i]].vertex_count; k++) {
-      *low = qn_vec2 (MIN (low->x, v[k].x), MIN (low->y, v[k].y));
-      *high = qn_vec2 (MAX (high->x, v[k].x), MAX (high->y, v[k].y));
-    }
-  }
-  g_free ((gpointer) set.ids);
-  return low->x <= high->x;
+  edit_parts (self, _ ("Join Blocks"), edit_join);
 }
 
 static void
 mirror (QnWindow *self, GVariant *parameter)
 {
   QnVec2 low, high;
-  if (!selected_box (self, &low, &high))
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
     return;
   QnVec2 middle = qn_vec2_lerp (low, high, 0.5);
   gboolean vertical = g_str_equal (g_variant_get_string (parameter, NULL), "vertical");
@@ -175,7 +163,7 @@ static void
 rotate (QnWindow *self, GVariant *parameter)
 {
   QnVec2 low, high;
-  if (!selected_box (self, &low, &high))
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
     return;
   double angle = g_variant_get_double (parameter) * G_PI / 180.0;
   edit_selection (
@@ -183,38 +171,47 @@ rotate (QnWindow *self, GVariant *parameter)
     (Edit){ .transform = qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), angle) });
 }
 
-static GHashTable *
-names_of_blocks (const QnModel *model)
+/* What an edit has added: named otherwise than everything that was there. */
+static void
+select_added (QnWindow *self, const QnModel *before)
 {
-  GHashTable *names = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-  for (gsize i = 0; i < model->block_count; i++)
-    g_hash_table_add (names, g_strdup (model->blocks[i].name));
-  return names;
+  const QnModel *model = qn_document_get_model (self->document);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  g_autoptr (GArray) added = g_array_new (FALSE, FALSE, sizeof (QnId));
+  for (QnId i = 0; i < (QnId) model->block_count; i++) {
+    if (qn_model_find_block (before, model->blocks[i].name) == QN_NONE)
+      g_array_append_val (added, i);
+  }
+  guint blocks = added->len;
+  for (QnId i = 0; i < (QnId) model->beam_count; i++) {
+    if (qn_model_find_beam (before, model->beams[i].name) == QN_NONE)
+      g_array_append_val (added, i);
+  }
+  if (added->len == 0)
+    return;
+  const QnId *ids = (const QnId *) added->data;
+  qn_selection_set_blocks (selection, ids, blocks);
+  qn_selection_add_beams (selection, ids + blocks, added->len - blocks);
 }
 
-/* A copy beside the original, selected for the next step. */
+/* A copy beside the original, selected for the next step; beside it by a part of its height where it has no width. */
 static void
 duplicate (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
   QnVec2 low, high;
-  if (!selected_box (self, &low, &high))
+  QnModel before;
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high)
+      || qn_model_copy (qn_document_get_model (self->document), &before, NULL) != QN_OK)
     return;
-  g_autoptr (GHashTable) before =
-    names_of_blocks (qn_document_get_model (self->document));
+  double aside = 1.25 * (high.x - low.x);
+  if (!(aside > 0.0))
+    aside = 0.25 * (high.y - low.y);
   edit_selection (
     self, _ ("Duplicate"), NULL, edit_copy,
-    (Edit){ .transform = qn_transform_translation (1.25 * (high.x - low.x), 0.0),
-            .copies = 1 });
-  const QnModel *model = qn_document_get_model (self->document);
-  g_autoptr (GArray) added = g_array_new (FALSE, FALSE, sizeof (QnId));
-  for (QnId i = 0; i < (QnId) model->block_count; i++) {
-    if (!g_hash_table_contains (before, model->blocks[i].name))
-      g_array_append_val (added, i);
-  }
-  if (added->len > 0)
-    qn_selection_set_blocks (qn_document_get_selection (self->document),
-                             (const QnId *) added->data, added->len);
+    (Edit){ .transform = qn_transform_translation (aside, 0.0), .copies = 1 });
+  select_added (self, &before);
+  qn_model_clear (&before);
 }
 
 /* Copies (number, right, up, turn in rad), each moved and turned against the one before: a row, or
@@ -226,7 +223,7 @@ array (QnWindow *self, GVariant *parameter)
   double dx, dy, turn;
   QnVec2 low, high;
   g_variant_get (parameter, "(iddd)", &copies, &dx, &dy, &turn);
-  if (!selected_box (self, &low, &high))
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
     return;
   QnTransform transform = qn_transform_translation (dx, dy);
   if (turn != 0.0)
@@ -348,7 +345,7 @@ static void
 cut (QnWindow *self, GVariant *parameter)
 {
   copy (self, parameter);
-  edit_blocks (self, _ ("Cut"), edit_delete);
+  edit_parts (self, _ ("Cut"), edit_cut);
 }
 
 /* One line of what copy() wrote. */

@@ -38,7 +38,7 @@ struct _QnWindow {
   GtkBox *start_box, *tool_box, *canvas_box, *view_box;
   GtkInfoBar *info_bar;
   GtkButton *info_button, *run_button, *undo_button, *redo_button;
-  GtkWidget *progress_box, *pause_button, *stale_label;
+  GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box;
   GtkProgressBar *progress_bar;
   GtkMenuButton *history_button;
   GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,

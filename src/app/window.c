@@ -85,8 +85,13 @@ update_counts (QnWindow *self)
   const QnModel *model = qn_document_get_model (self->document);
   const QnContacts *contacts = qn_document_get_contacts (self->document);
   g_autofree char *text =
-    g_strdup_printf (_ ("%u blocks · %u faces · %u findings"), (guint) model->block_count,
-                     (guint) contacts->face_count, (guint) contacts->findings.count);
+    model->beam_count > 0
+      ? g_strdup_printf (_ ("%u blocks · %u beams · %u faces · %u findings"),
+                         (guint) model->block_count, (guint) model->beam_count,
+                         (guint) contacts->face_count, (guint) contacts->findings.count)
+      : g_strdup_printf (_ ("%u blocks · %u faces · %u findings"),
+                         (guint) model->block_count, (guint) contacts->face_count,
+                         (guint) contacts->findings.count);
   gtk_label_set_text (self->status_counts, text);
 }
 
@@ -109,6 +114,18 @@ update_stale (QnWindow *self)
   gtk_widget_set_visible (self->stale_label, stale);
 }
 
+/* Beams have views that blocks do not need. */
+static void
+update_beam_views (QnWindow *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  gboolean beams = qn_document_get_model (self->document)->beam_count > 0
+                   || (run != NULL && run->result.beam_forces != NULL);
+  gboolean shown = qn_view_state_get_view (self->state) == QN_VIEW_DIAGRAMS;
+  gtk_widget_set_visible (self->diagrams_button, beams || shown);
+  gtk_widget_set_visible (self->diagram_box, shown);
+}
+
 static void
 on_document_changed (QnWindow *self)
 {
@@ -116,6 +133,7 @@ on_document_changed (QnWindow *self)
   update_title (self);
   update_counts (self);
   update_stale (self);
+  update_beam_views (self);
   qn_window_update_actions (self);
 }
 
@@ -123,6 +141,7 @@ static void
 on_view_changed (QnWindow *self)
 {
   update_stale (self);
+  update_beam_views (self);
   qn_window_update_actions (self);
 }
 
@@ -353,6 +372,7 @@ static const QnToolSettings first_settings = { .masonry = { .unit = { 0.4, 0.175
                                                             .ring = 0.3,
                                                             .voussoirs = 15,
                                                             .top_to_foot = 1.0 },
+                                               .elements = 1,
                                                .force = 1000.0,
                                                .live = TRUE };
 
@@ -383,6 +403,7 @@ qn_window_init (QnWindow *self)
   update_counts (self);
   update_history (self);
   update_status (self);
+  update_beam_views (self);
 }
 
 static gboolean
@@ -419,6 +440,7 @@ qn_window_finalize (GObject *object)
   g_clear_pointer (&self->last_recipe, qn_recipe_free);
   g_clear_object (&self->print_settings);
   g_free (self->tool_settings.joint_law);
+  g_free (self->tool_settings.section);
   G_OBJECT_CLASS (qn_window_parent_class)->finalize (object);
 }
 
@@ -448,6 +470,8 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (progress_box);
   BIND (pause_button);
   BIND (stale_label);
+  BIND (diagrams_button);
+  BIND (diagram_box);
   BIND (progress_bar);
   BIND (history_button);
   BIND (properties_scroller);

@@ -46,3 +46,15 @@ qn_section_weight (const QnSection *section)
 {
   return section->unit_weight * section->area;
 }
+
+QnBeamPoint
+qn_beam_forces_at (const QnBeamForces *f, double length, double s)
+{
+  double change = f->shear[1] - f->shear[0]; /* q L */
+  return (QnBeamPoint){
+    .normal = (1 - s) * f->normal[0] + s * f->normal[1],
+    .shear = (1 - s) * f->shear[0] + s * f->shear[1],
+    .moment =
+      (1 - s) * f->moment[0] + s * f->moment[1] - 0.5 * change * length * s * (1 - s),
+  };
+}

@@ -93,6 +93,16 @@ typedef struct QnBeamForces {
   double moment[2]; /* M, N m: positive with tension at the side of -y */
 } QnBeamForces;
 
+/* Section forces at one place. */
+typedef struct QnBeamPoint {
+  double normal, shear; /* N */
+  double moment;        /* N m */
+} QnBeamPoint;
+
+/* Inside of an element of this length, at x = s length: the load is constant along it, so that N
+ * and V are linear and M is quadratic. */
+QnBeamPoint qn_beam_forces_at (const QnBeamForces *forces, double length, double s);
+
 /* Spelling in project files: "timoshenko", "euler-bernoulli"; "left", "right", … */
 const char *qn_beam_kind_name (QnBeamKind kind);
 const char *qn_block_side_name (QnBlockSide side);

@@ -52,7 +52,7 @@ static gboolean
 is_empty_drawing (const char *text)
 {
   return strstr (text, "\"vertices\"") == NULL && strstr (text, "\"courses\"") == NULL
-         && strstr (text, "\"masonry\"") == NULL;
+         && strstr (text, "\"masonry\"") == NULL && strstr (text, "\"beams\"") == NULL;
 }
 
 static gboolean

@@ -1,5 +1,7 @@
 #include "doc/edit-beams.h"
 
+#include <math.h>
+
 static gboolean
 copy_sections (const QnModel *from, QnModel *to)
 {
@@ -14,6 +16,12 @@ copy_sections (const QnModel *from, QnModel *to)
   return TRUE;
 }
 
+static gboolean
+has_ends (const QnBeam *beam)
+{
+  return beam->nodes[0] != QN_NONE && beam->nodes[1] != QN_NONE;
+}
+
 /* Marks the nodes that stay: riding ones whose block is there, free ones with a beam that stays. */
 static void
 mark_nodes (const QnModel *from, QnId (*follow) (gconstpointer data, QnId block),
@@ -26,7 +34,7 @@ mark_nodes (const QnModel *from, QnId (*follow) (gconstpointer data, QnId block)
   g_autofree gboolean *used = g_new0 (gboolean, from->node_count + 1);
   for (gsize i = 0; i < from->beam_count; i++) {
     const QnId *ends = from->beams[i].nodes;
-    if (stays[ends[0]] && stays[ends[1]])
+    if (has_ends (&from->beams[i]) && stays[ends[0]] && stays[ends[1]])
       used[ends[0]] = used[ends[1]] = TRUE;
   }
   for (gsize i = 0; i < from->node_count; i++)
@@ -57,22 +65,15 @@ copy_nodes (const QnModel *from, QnModel *to,
   return TRUE;
 }
 
-gboolean
-qn_edit_copy_beams (const QnModel *from, QnModel *to,
-                    QnId (*follow) (gconstpointer data, QnId block), gconstpointer data,
-                    QnBeamRebuild *rebuild)
+static gboolean
+copy_beams (const QnModel *from, QnModel *to, QnBeamRebuild *rebuild)
 {
-  rebuild->nodes = g_new (QnId, from->node_count + 1);
-  rebuild->beams = g_new (QnId, from->beam_count + 1);
-  for (gsize i = 0; i < from->node_count; i++)
-    rebuild->nodes[i] = QN_NONE;
-  if (!copy_sections (from, to) || !copy_nodes (from, to, follow, data, rebuild))
-    return FALSE;
-
   for (gsize i = 0; i < from->beam_count; i++) {
     const QnBeam *old = &from->beams[i];
-    QnId ends[2] = { rebuild->nodes[old->nodes[0]], rebuild->nodes[old->nodes[1]] };
     rebuild->beams[i] = QN_NONE;
+    if (!has_ends (old))
+      continue;
+    QnId ends[2] = { rebuild->nodes[old->nodes[0]], rebuild->nodes[old->nodes[1]] };
     if (ends[0] == QN_NONE || ends[1] == QN_NONE)
       continue;
     QnBeam *beam = qn_model_add_beam (to, old->name);
@@ -85,11 +86,46 @@ qn_edit_copy_beams (const QnModel *from, QnModel *to,
     beam->nodes[1] = ends[1];
     rebuild->beams[i] = (QnId) to->beam_count - 1;
   }
-  if (qn_model_expand_beams (to, NULL) != QN_OK)
-    return FALSE;
+  return TRUE;
+}
+
+/* Nodes that cut a beam become those nearest to their places, for it may be cut into another
+ * number of elements. */
+static void
+follow_inner_nodes (const QnModel *from, const QnModel *to, QnBeamRebuild *rebuild)
+{
+  g_autofree guint *counts = g_new0 (guint, from->beam_count + 1);
+  g_autofree guint *seen = g_new0 (guint, from->beam_count + 1);
   for (gsize i = 0; i < from->node_count; i++)
-    if (from->nodes[i].beam != QN_NONE && rebuild->beams[from->nodes[i].beam] != QN_NONE)
-      rebuild->nodes[i] = qn_model_find_node (to, from->nodes[i].name);
+    if (from->nodes[i].beam != QN_NONE)
+      counts[from->nodes[i].beam]++;
+  for (gsize i = 0; i < from->node_count; i++) {
+    QnId old = from->nodes[i].beam;
+    if (old == QN_NONE || rebuild->beams[old] == QN_NONE)
+      continue;
+    const QnBeam *beam = &to->beams[rebuild->beams[old]];
+    int32_t last = beam->element_count;
+    int32_t number = (int32_t) lround ((double) ++seen[old] / (counts[old] + 1) * last);
+    rebuild->nodes[i] = number <= 0 ? beam->nodes[0]
+                        : number >= last
+                          ? beam->nodes[1]
+                          : to->elements[beam->first_element + number].nodes[0];
+  }
+}
+
+gboolean
+qn_edit_copy_beams (const QnModel *from, QnModel *to,
+                    QnId (*follow) (gconstpointer data, QnId block), gconstpointer data,
+                    QnBeamRebuild *rebuild)
+{
+  rebuild->nodes = g_new (QnId, from->node_count + 1);
+  rebuild->beams = g_new (QnId, from->beam_count + 1);
+  for (gsize i = 0; i < from->node_count; i++)
+    rebuild->nodes[i] = QN_NONE;
+  if (!copy_sections (from, to) || !copy_nodes (from, to, follow, data, rebuild)
+      || !copy_beams (from, to, rebuild) || qn_model_expand_beams (to, NULL) != QN_OK)
+    return FALSE;
+  follow_inner_nodes (from, to, rebuild);
   return TRUE;
 }
 

@@ -58,7 +58,15 @@ qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 p, const in
     return nothing;
 
   Best start = { magnet->reach, nothing };
-  Best corner = start, middle = start, edge = start, course = start, grid = start;
+  Best node = start, corner = start, middle = start, edge = start, course = start,
+       grid = start;
+  for (size_t i = 0; i < model->node_count; i++) {
+    QnVec2 at = model->nodes[i].at;
+    QnId block = model->nodes[i].block;
+    bool goes = skip != NULL && block != QN_NONE && skip[block];
+    if (model->nodes[i].beam == QN_NONE && !goes)
+      offer (&node, QN_MAGNET_NODE, p, at, at, at);
+  }
   for (size_t i = 0; i < model->block_count; i++) {
     if (skip == NULL || !skip[i])
       offer_block (model, (QnId) i, p, &corner, &middle, &edge);
@@ -66,12 +74,12 @@ qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 p, const in
   for (size_t i = 0; i < model->wall_count; i++)
     offer_courses (&model->walls[i], p, &course);
   if (magnet->grid > 0.0) {
-    QnVec2 node = qn_vec2 (round (p.x / magnet->grid) * magnet->grid,
-                           round (p.y / magnet->grid) * magnet->grid);
-    offer (&grid, QN_MAGNET_GRID, p, node, node, node);
+    QnVec2 crossing = qn_vec2 (round (p.x / magnet->grid) * magnet->grid,
+                               round (p.y / magnet->grid) * magnet->grid);
+    offer (&grid, QN_MAGNET_GRID, p, crossing, crossing, crossing);
   }
 
-  const Best *order[] = { &corner, &middle, &edge, &course, &grid };
+  const Best *order[] = { &node, &corner, &middle, &edge, &course, &grid };
   for (size_t i = 0; i < QN_N_ELEMENTS (order); i++) {
     if (order[i]->hit.kind != QN_MAGNET_NOTHING)
       return order[i]->hit;

@@ -1,7 +1,7 @@
 /* The magnet: which exact place a pointer near it means.
  *
- * Corners win over edges, edges over course lines, and those over the grid; within a kind the
- * nearest wins. The answer says what it took, so that the drawing can show it.
+ * Nodes of beams win over corners, those over middles of edges and edges, edges over course lines,
+ * and those over the grid; within a kind the nearest wins. The answer says what it took, so that the drawing can show it.
  */
 #ifndef QN_DOC_MAGNET_H
 #define QN_DOC_MAGNET_H
@@ -10,6 +10,7 @@
 
 typedef enum {
   QN_MAGNET_NOTHING,
+  QN_MAGNET_NODE, /* of beams */
   QN_MAGNET_CORNER,
   QN_MAGNET_MIDDLE, /* of an edge */
   QN_MAGNET_EDGE,

@@ -10,6 +10,7 @@
 struct _QnSelection {
   GObject parent_instance;
   GArray *blocks; /* of QnId, ascending */
+  GArray *beams;  /* of QnId, ascending */
   GArray *faces;  /* of QnId, ascending */
   QnId object;    /* of the opening, or QN_NONE */
   int opening;
@@ -24,6 +25,7 @@ static void
 qn_selection_finalize (GObject *object)
 {
   g_array_unref (QN_SELECTION (object)->blocks);
+  g_array_unref (QN_SELECTION (object)->beams);
   g_array_unref (QN_SELECTION (object)->faces);
   G_OBJECT_CLASS (qn_selection_parent_class)->finalize (object);
 }
@@ -40,6 +42,7 @@ static void
 qn_selection_init (QnSelection *self)
 {
   self->blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
+  self->beams = g_array_new (FALSE, FALSE, sizeof (QnId));
   self->faces = g_array_new (FALSE, FALSE, sizeof (QnId));
   self->object = QN_NONE;
 }
@@ -79,7 +82,8 @@ qn_selection_get_blocks (QnSelection *self, guint *count)
 gboolean
 qn_selection_is_empty (QnSelection *self)
 {
-  return self->blocks->len == 0 && self->faces->len == 0 && self->object == QN_NONE;
+  return self->blocks->len == 0 && self->beams->len == 0 && self->faces->len == 0
+         && self->object == QN_NONE;
 }
 
 void
@@ -109,17 +113,22 @@ same_ids (const GArray *a, const GArray *b)
          && (a->len == 0 || memcmp (a->data, b->data, a->len * sizeof (QnId)) == 0);
 }
 
-/* Takes over both lists. */
+/* Takes over the lists. */
 static void
-replace (QnSelection *self, GArray *blocks, GArray *faces, QnId object, int opening)
+replace (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces, QnId object,
+         int opening)
 {
   sort_ids (blocks);
+  sort_ids (beams);
   sort_ids (faces);
-  gboolean same = same_ids (blocks, self->blocks) && same_ids (faces, self->faces)
-                  && object == self->object && opening == self->opening;
+  gboolean same = same_ids (blocks, self->blocks) && same_ids (beams, self->beams)
+                  && same_ids (faces, self->faces) && object == self->object
+                  && opening == self->opening;
   g_array_unref (self->blocks);
+  g_array_unref (self->beams);
   g_array_unref (self->faces);
   self->blocks = blocks;
+  self->beams = beams;
   self->faces = faces;
   self->object = object;
   self->opening = opening;
@@ -133,40 +142,89 @@ new_ids (void)
   return g_array_new (FALSE, FALSE, sizeof (QnId));
 }
 
-static void
-replace_blocks (QnSelection *self, GArray *blocks)
+static GArray *
+ids_with (GArray *ids, const QnId *more, guint count)
 {
-  replace (self, blocks, new_ids (), QN_NONE, 0);
+  if (count > 0)
+    g_array_append_vals (ids, more, count);
+  return ids;
+}
+
+/* In the list or out of it. */
+static GArray *
+ids_toggled (GArray *ids, QnId id)
+{
+  GArray *copy = g_array_copy (ids);
+  guint at = 0;
+  if (g_array_binary_search (copy, &id, compare_ids, &at))
+    g_array_remove_index (copy, at);
+  else
+    g_array_append_val (copy, id);
+  return copy;
+}
+
+/* Takes over both lists. */
+static void
+replace_bodies (QnSelection *self, GArray *blocks, GArray *beams)
+{
+  replace (self, blocks, beams, new_ids (), QN_NONE, 0);
+}
+
+static void
+replace_faces (QnSelection *self, GArray *faces)
+{
+  replace (self, new_ids (), new_ids (), faces, QN_NONE, 0);
 }
 
 void
 qn_selection_set_blocks (QnSelection *self, const QnId *blocks, guint count)
 {
-  GArray *copy = g_array_new (FALSE, FALSE, sizeof (QnId));
-  if (count > 0)
-    g_array_append_vals (copy, blocks, count);
-  replace_blocks (self, copy);
+  replace_bodies (self, ids_with (new_ids (), blocks, count), new_ids ());
 }
 
 void
 qn_selection_add_blocks (QnSelection *self, const QnId *blocks, guint count)
 {
-  GArray *copy = g_array_copy (self->blocks);
-  if (count > 0)
-    g_array_append_vals (copy, blocks, count);
-  replace_blocks (self, copy);
+  replace_bodies (self, ids_with (g_array_copy (self->blocks), blocks, count),
+                  g_array_copy (self->beams));
 }
 
 void
 qn_selection_toggle_block (QnSelection *self, QnId block)
 {
-  GArray *copy = g_array_copy (self->blocks);
-  guint at = 0;
-  if (g_array_binary_search (copy, &block, compare_ids, &at))
-    g_array_remove_index (copy, at);
-  else
-    g_array_append_val (copy, block);
-  replace_blocks (self, copy);
+  replace_bodies (self, ids_toggled (self->blocks, block), g_array_copy (self->beams));
+}
+
+gboolean
+qn_selection_has_beam (QnSelection *self, QnId beam)
+{
+  return g_array_binary_search (self->beams, &beam, compare_ids, NULL);
+}
+
+const QnId *
+qn_selection_get_beams (QnSelection *self, guint *count)
+{
+  *count = self->beams->len;
+  return (const QnId *) self->beams->data;
+}
+
+void
+qn_selection_set_beams (QnSelection *self, const QnId *beams, guint count)
+{
+  replace_bodies (self, new_ids (), ids_with (new_ids (), beams, count));
+}
+
+void
+qn_selection_add_beams (QnSelection *self, const QnId *beams, guint count)
+{
+  replace_bodies (self, g_array_copy (self->blocks),
+                  ids_with (g_array_copy (self->beams), beams, count));
+}
+
+void
+qn_selection_toggle_beam (QnSelection *self, QnId beam)
+{
+  replace_bodies (self, g_array_copy (self->blocks), ids_toggled (self->beams, beam));
 }
 
 void
@@ -191,37 +249,26 @@ qn_selection_get_faces (QnSelection *self, guint *count)
 void
 qn_selection_set_faces (QnSelection *self, const QnId *faces, guint count)
 {
-  GArray *copy = new_ids ();
-  if (count > 0)
-    g_array_append_vals (copy, faces, count);
-  replace (self, new_ids (), copy, QN_NONE, 0);
+  replace_faces (self, ids_with (new_ids (), faces, count));
 }
 
 void
 qn_selection_add_faces (QnSelection *self, const QnId *faces, guint count)
 {
-  GArray *copy = g_array_copy (self->faces);
-  if (count > 0)
-    g_array_append_vals (copy, faces, count);
-  replace (self, new_ids (), copy, QN_NONE, 0);
+  replace_faces (self, ids_with (g_array_copy (self->faces), faces, count));
 }
 
 void
 qn_selection_toggle_face (QnSelection *self, QnId face)
 {
-  GArray *copy = g_array_copy (self->faces);
-  guint at = 0;
-  if (g_array_binary_search (copy, &face, compare_ids, &at))
-    g_array_remove_index (copy, at);
-  else
-    g_array_append_val (copy, face);
-  replace (self, new_ids (), copy, QN_NONE, 0);
+  replace_faces (self, ids_toggled (self->faces, face));
 }
 
 void
 qn_selection_set_opening (QnSelection *self, QnId object, int opening)
 {
-  replace (self, new_ids (), new_ids (), object, object != QN_NONE ? opening : 0);
+  replace (self, new_ids (), new_ids (), new_ids (), object,
+           object != QN_NONE ? opening : 0);
 }
 
 gboolean
@@ -241,16 +288,21 @@ select_matching (QnSelection *self, const QnModel *model, QnId block, BlockTest 
 {
   GArray *blocks = new_ids ();
   for (QnId i = 0; i < (QnId) model->block_count; i++) {
-    if (test == NULL || test (model, i, block))
+    if (test (model, i, block))
       g_array_append_val (blocks, i);
   }
-  replace_blocks (self, blocks);
+  replace_bodies (self, blocks, new_ids ());
 }
 
 void
 qn_selection_select_all (QnSelection *self, const QnModel *model)
 {
-  select_matching (self, model, QN_NONE, NULL);
+  GArray *blocks = new_ids (), *beams = new_ids ();
+  for (QnId i = 0; i < (QnId) model->block_count; i++)
+    g_array_append_val (blocks, i);
+  for (QnId i = 0; i < (QnId) model->beam_count; i++)
+    g_array_append_val (beams, i);
+  replace_bodies (self, blocks, beams);
 }
 
 /* Wall blocks are named <wall>.<course>.<position>: those of a course share what precedes the
@@ -325,7 +377,7 @@ qn_selection_select_faces_like (QnSelection *self, const QnContacts *contacts, Q
     if (i == face || are_alike (&contacts->faces[face], &contacts->faces[i], likeness))
       g_array_append_val (faces, i);
   }
-  replace (self, new_ids (), faces, QN_NONE, 0);
+  replace_faces (self, faces);
 }
 
 /* ---- across edits ---- */
@@ -363,7 +415,15 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
                      const QnContacts *contacts_before, const QnModel *after,
                      const QnContacts *contacts_after)
 {
-  GArray *blocks = new_ids (), *faces = new_ids ();
+  GArray *blocks = new_ids (), *beams = new_ids (), *faces = new_ids ();
+  for (guint i = 0; i < self->beams->len; i++) {
+    QnId old = g_array_index (self->beams, QnId, i);
+    QnId id = (gsize) old < before->beam_count
+                ? qn_model_find_beam (after, before->beams[old].name)
+                : QN_NONE;
+    if (id != QN_NONE)
+      g_array_append_val (beams, id);
+  }
   for (guint i = 0; i < self->blocks->len; i++) {
     QnId old = g_array_index (self->blocks, QnId, i);
     if ((gsize) old >= before->block_count)
@@ -380,5 +440,5 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
     if (id != QN_NONE)
       g_array_append_val (faces, id);
   }
-  replace (self, blocks, faces, self->object, self->opening);
+  replace (self, blocks, beams, faces, self->object, self->opening);
 }

@@ -267,6 +267,21 @@ qn_view_state_get_field (QnViewState *self)
   return self->options.field;
 }
 
+void
+qn_view_state_set_diagram (QnViewState *self, QnDiagram diagram)
+{
+  if (self->options.diagram == diagram)
+    return;
+  self->options.diagram = diagram;
+  emit_changed (self);
+}
+
+QnDiagram
+qn_view_state_get_diagram (QnViewState *self)
+{
+  return self->options.diagram;
+}
+
 const QnUnderlay *
 qn_view_state_get_underlay (QnViewState *self)
 {

@@ -18,20 +18,18 @@
 static double
 value_at (const QnBeamDrawing *drawing, QnId element, double s)
 {
-  const QnBeamForces *f = &drawing->forces[element];
+  QnBeamProperties p = qn_beam_properties (drawing->builder->model, element);
+  QnBeamPoint at = qn_beam_forces_at (&drawing->forces[element], p.length, s);
   switch (drawing->builder->options->diagram) {
   case QN_DIAGRAM_NORMAL:
-    return (1 - s) * f->normal[0] + s * f->normal[1];
+    return at.normal;
   case QN_DIAGRAM_SHEAR:
-    return (1 - s) * f->shear[0] + s * f->shear[1];
+    return at.shear;
   case QN_DIAGRAM_MOMENT:
   case QN_DIAGRAM_COUNT:
     break;
   }
-  QnBeamProperties p = qn_beam_properties (drawing->builder->model, element);
-  double q = (f->shear[1] - f->shear[0]) / p.length;
-  return (1 - s) * f->moment[0] + s * f->moment[1]
-         - 0.5 * q * p.length * p.length * s * (1 - s);
+  return at.moment;
 }
 
 static double
