@@ -8,12 +8,30 @@
 #include <locale.h>
 #include <math.h>
 
-static Chart chart = { .name = "joints",
-                       .title = "Six walls: processor time against the stiffness of "
+static Chart by_offset = { .name = "joints-offset",
+                           .title =
+                             "Six walls, dilatancy 0: multiplier against the offset "
+                             "of the pairs from the corners",
+                           .x_label = "Offset",
+                           .x_unit = "mm",
+                           .y_label = "Load multiplier",
+                           .x_linear = TRUE,
+                           .y_linear = TRUE };
+static Chart by_ratio = { .name = "joints-ratio",
+                          .title = "Six walls: processor time against ks/kn",
+                          .x_label = "ks/kn",
+                          .x_unit = "",
+                          .y_label = "Time (s)" };
+static Chart by_stiffness = { .name = "joints",
+                              .title =
+                                "Six walls: processor time against the stiffness of "
                                 "the joints (kn = ks)",
-                       .x_label = "Stiffness",
-                       .x_unit = "N/m",
-                       .y_label = "Time (s)" };
+                              .x_label = "Stiffness",
+                              .x_unit = "N/m",
+                              .y_label = "Time (s)" };
+
+/* Of the joints where only something else changes, N/m. */
+#define OWN_STIFFNESS 1e7
 
 /* Multipliers with corners rounded by 20 mm, without dilatancy: LMGC90. */
 static const double rounded[TEST_WALL_COUNT] = {
@@ -43,10 +61,13 @@ run (FILE *csv, int number, double kn, double ratio, double offset, double refer
                  result.collapse_multiplier, reference,
                  100 * (result.collapse_multiplier / reference - 1), seconds,
                  seconds / bench_kernel_seconds (), result.statistics.factorizations);
-  if (ratio == 1 && offset == 0) {
-    g_autofree char *label = g_strdup_printf ("wall %d", number);
-    chart_add (&chart, label, kn, seconds);
-  }
+  g_autofree char *label = g_strdup_printf ("wall %d", number);
+  if (ratio == 1 && offset == 0)
+    chart_add (&by_stiffness, label, kn, seconds);
+  if (kn == OWN_STIFFNESS && offset == 0)
+    chart_add (&by_ratio, label, ratio, seconds);
+  if (kn == OWN_STIFFNESS && ratio == 1)
+    chart_add (&by_offset, label, 1e3 * offset, result.collapse_multiplier);
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
   qn_model_clear (&model);
@@ -55,6 +76,7 @@ run (FILE *csv, int number, double kn, double ratio, double offset, double refer
 int
 main (void)
 {
+  static const double offsets[] = { 0.005, 0.01, 0.02, 0.04 }; /* m */
   setlocale (LC_ALL, "C.UTF-8");
   FILE *csv =
     bench_csv_open ("joints", "wall,kn N/m,ks/kn,offset mm,outcome,multiplier,reference,"
@@ -63,11 +85,15 @@ main (void)
     double published = test_walls[number - 1].non_associative;
     for (double kn = 1e4; kn < 2e12; kn *= 100)
       run (csv, number, kn, 1, 0, published);
-    run (csv, number, 1e7, 0.1, 0, published);
-    run (csv, number, 1e7, 10, 0, published);
-    run (csv, number, 1e7, 1, 0.02, rounded[number - 1]);
+    for (double ratio = 0.01; ratio < 200; ratio *= 10)
+      run (csv, number, OWN_STIFFNESS, ratio, 0, published);
+    for (size_t i = 0; i < G_N_ELEMENTS (offsets); i++)
+      run (csv, number, OWN_STIFFNESS, 1, offsets[i],
+           offsets[i] == 0.02 ? rounded[number - 1] : NAN);
   }
   fclose (csv);
-  chart_write (&chart);
+  chart_write (&by_stiffness);
+  chart_write (&by_ratio);
+  chart_write (&by_offset);
   return 0;
 }
