@@ -32,12 +32,12 @@ static Chart by_increments = { .name = "walls-increments",
                                .x_unit = "s",
                                .y_label = "Error (%)" };
 static Chart by_procedure = { .name = "walls-procedures",
-                              .title =
-                                "Six walls, dilatancy = friction: error against "
-                                "processor time for every procedure, tolerance 1e-4",
-                              .x_label = "Time",
-                              .x_unit = "s",
-                              .y_label = "Error (%)" };
+                              .title = "Six walls, dilatancy 0: processor time of every "
+                                       "procedure, 100 increments",
+                              .x_label = "Wall",
+                              .x_unit = "",
+                              .y_label = "Time (s)",
+                              .x_linear = TRUE };
 static Chart cost = { .name = "walls-cost",
                       .title = "Six walls, dilatancy 0: processor time against "
                                "increments, tolerance 1e-4",
@@ -78,10 +78,11 @@ draw (int number, double dilatancy, const Setting *setting, double seconds, doub
     chart_add (&by_tolerance, wall, seconds, error);
   if (associative && load && relaxed && setting->tolerance == 1e-4)
     chart_add (&by_increments, wall, seconds, error);
-  if (associative && setting->tolerance == 1e-4 && (!load || setting->increments == 100))
+  if (!associative && setting->tolerance == 1e-4
+      && (setting->increments == 100 || setting->procedure == QN_PROCEDURE_LIMIT))
     chart_add (&by_procedure,
-               relaxed ? procedures[setting->procedure] : "load, no relaxation", seconds,
-               error);
+               relaxed ? procedures[setting->procedure] : "load, no relaxation", number,
+               seconds);
   if (!associative && load && relaxed && setting->tolerance == 1e-4)
     chart_add (&cost, wall, setting->increments, seconds);
 }
@@ -151,8 +152,8 @@ run_wall (FILE *csv, int number, double dilatancy)
     }
   }
   for (size_t i = 0; i < G_N_ELEMENTS (controlled); i++)
-    for (size_t k = 0; k < G_N_ELEMENTS (tolerances); k += 2) {
-      setting = (Setting){ controlled[i], 100, tolerances[k], QN_SNAP_JUMP };
+    for (size_t k = 1; k < G_N_ELEMENTS (increments); k += 2) {
+      setting = (Setting){ controlled[i], increments[k], 1e-4, QN_SNAP_JUMP };
       run (csv, number, dilatancy, &setting);
     }
   setting = (Setting){ QN_PROCEDURE_LIMIT, 1, 1e-4, QN_SNAP_JUMP };
