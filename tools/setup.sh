@@ -1,6 +1,7 @@
 #!/bin/bash
-# Installs the Debian packages that building, testing and running Quoin needs, where any is
-# missing. Written for Debian 12; run by tools/run.sh and tools/test.sh.
+# Installs the Debian packages that building, testing and running Quoin needs, and any others that
+# are named, where one is missing. Written for Debian 12; run by tools/run.sh, tools/test.sh and
+# tools/bench.sh.
 set -euo pipefail
 
 packages=(
@@ -17,6 +18,7 @@ packages=(
   # checks and tests
   clang-format-14 binutils locales-all desktop-file-utils appstream xvfb xauth xdotool
   adwaita-icon-theme librsvg2-common
+  "$@"
 )
 
 missing=()

@@ -219,6 +219,17 @@ compare_texts (Kind kind, const char *before, const char *after)
   return is_answer (before) || !is_answer (after) ? 1 : -1;
 }
 
+/* Where the right answer is known, the error says what a multiplier is worth. */
+static gboolean
+has_error (const Table *table, char **row)
+{
+  char **headings = row_of (table, 0);
+  for (int i = 0; headings[i] != NULL; i++)
+    if (kind_of (headings[i]) == ERROR && !isnan (number (row, i)))
+      return TRUE;
+  return FALSE;
+}
+
 static int
 compare_numbers (Comparison *c, Kind kind, double before, double after, double margin)
 {
@@ -264,7 +275,8 @@ compare_field (Comparison *c, char **before, char **after, int column)
   Kind kind = kind_of (heading);
   const char *old = field (before, column), *new = field (after, other);
 
-  if (kind == OTHER || other < 0)
+  if (kind == OTHER || other < 0
+      || (kind == MULTIPLIER && has_error (&c->before, before)))
     return;
   if (kind == OUTCOME || kind == MET) {
     verdict = compare_texts (kind, old, new);

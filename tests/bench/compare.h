@@ -3,8 +3,8 @@
  * A column's heading says what it holds and when it got worse:
  *   … outcome         text: from an answer to none, or to another answer
  *   … factorisations  count: larger at all
- *   … multiplier      lower by more than a relative margin; "limit multiplier", which is exact:
- *                     different by more than 1e-6
+ *   … multiplier      lower by more than a relative margin, in rows without an error;
+ *                     "limit multiplier", which is exact: different by more than 1e-6
  *   error …           %: farther from zero by more than the margin of a multiplier
  *   …/kernel          time in calibration kernels: larger by more than the noise of one time
  *   met               "yes" that became "no"

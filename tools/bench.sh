@@ -1,0 +1,31 @@
+#!/bin/bash
+# Runs the benchmarks, an hour or so in all, and says what got worse since a baseline. Sets the
+# machine up first where something is missing, Clp among it, the peer of limit analysis.
+#
+#   tools/bench.sh [NAME...]     all, or some of: walls members joints render contacts scaling
+#                                paths
+#
+# Tables, charts and a description of the machine go to build/bench-results; the baseline is
+# $BASELINE, tests/bench/baselines/xeon-2ghz by default. Exits non-zero where a benchmark fails, or
+# a count, a multiplier or (beyond the noise) a time in calibration kernels got worse.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+exec </dev/null
+baseline=${BASELINE:-tests/bench/baselines/xeon-2ghz}
+failed=0
+partial=()
+[ $# -eq 0 ] || partial=(--partial)
+
+tools/setup.sh coinor-libclp-dev
+if [ -f build/build.ninja ]; then
+  meson setup --reconfigure build >/dev/null # Clp may be new
+else
+  meson setup build
+fi
+ninja -C build
+rm -rf build/bench-results
+meson test -C build --no-rebuild --benchmark --verbose "$@" || failed=$?
+
+echo
+build/tests/bench/bench-compare "${partial[@]}" "$baseline" build/bench-results || failed=$?
+exit "$failed"
