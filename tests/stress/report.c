@@ -1,0 +1,278 @@
+#include "stress/report.h"
+
+#include "stress/checks.h"
+#include "stress/shortfalls.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+char *
+stress_dup_faults (guint faults)
+{
+  static const char *const texts[] = {
+#define STRESS_FAULT_TEXT(name, text) text,
+    STRESS_FAULTS (STRESS_FAULT_TEXT)
+#undef STRESS_FAULT_TEXT
+  };
+  GString *joined = g_string_new (NULL);
+
+  for (int i = 0; i < STRESS_FAULT_COUNT; i++)
+    if ((faults >> i & 1) != 0)
+      g_string_append_printf (joined, "%s%s", joined->len > 0 ? "; " : "", texts[i]);
+  return g_string_free (joined, FALSE);
+}
+
+/* --- The protocol ----------------------------------------------------------------------- */
+
+static void
+print_solve (const char *name, const StressSolve *solve)
+{
+  if (!solve->solved)
+    return;
+  g_autofree char *faults = stress_dup_faults (solve->faults);
+  printf ("#   %s: %s, %.8g, %d steps, %d iterations, %d factorisations, %.2f s; off by "
+          "%.1e, %.1e, mechanism %.1e, %.1e, %.1e%s%s\n",
+          name, qn_outcome_name (solve->outcome), solve->multiplier, solve->steps,
+          solve->iterations, solve->factorizations, solve->seconds,
+          solve->check.out_of_balance, solve->check.excess, solve->check.misfit,
+          solve->check.penetration, solve->check.power, faults[0] != '\0' ? ": " : "",
+          faults);
+}
+
+static void
+print_figures (const StressEntry *entry)
+{
+  const StressRow *row = &entry->row;
+
+  printf ("# %s: %zu blocks, %zu pairs%s%s\n", entry->c->name, row->blocks, row->pairs,
+          row->description[0] != '\0' ? ", " : "", row->description);
+  if (row->problem != QN_PROBLEM_NONE)
+    printf ("#   refused: %s\n", qn_problem_text (row->problem));
+  if (row->limit.solved)
+    printf ("#   limit analysis: %s, %.10g to %.10g, %d iterations, %.2f s\n",
+            qn_outcome_name (row->limit.outcome), row->lower, row->upper,
+            row->limit.iterations, row->limit.seconds);
+  print_solve ("dilatancy = friction", &row->paths[STRESS_ASSOCIATIVE]);
+  print_solve ("dilatancy 0", &row->paths[STRESS_SLIDING]);
+  if (!isnan (row->mirrored))
+    printf ("#   loaded the other way: %.8g\n", row->mirrored);
+}
+
+bool
+stress_report_tap (const StressEntry *entry, guint number)
+{
+  guint faults = stress_row_faults (&entry->row);
+  guint known = stress_shortfalls (entry->c->name);
+  guint unknown = faults & ~known;
+  g_autofree char *text = stress_dup_faults (unknown != 0 ? unknown : faults);
+
+  print_figures (entry);
+  if (unknown != 0)
+    printf ("# %s\n", text);
+  if (faults == 0 || unknown != 0)
+    printf ("%s %u %s\n", faults == 0 ? "ok" : "not ok", number, entry->c->name);
+  else /* the protocol's mark for a failure that is expected */
+    printf ("not ok %u %s # %s %s\n", number, entry->c->name,
+            "TO"
+            "DO",
+            text);
+  fflush (stdout);
+  return unknown != 0;
+}
+
+/* --- The tables ------------------------------------------------------------------------- */
+
+/* What the rows of a group have in common: the worst of each figure. */
+typedef struct Group {
+  const char *subject;
+  char *name;
+  int cases, faulty;
+  int outcomes[QN_OUTCOME_COUNT], refused;
+  int iterations;
+  double difference, lowest, out_of_balance, excess;
+  int collapses, proved; /* of those, by forces and mechanism together */
+} Group;
+
+/* Cases on the six walls that differ by the wall alone make one group, random walls of a kind
+ * another. */
+static char *
+dup_group_name (const StressEntry *entry)
+{
+  const char *text =
+    entry->row.description[0] != '\0' ? entry->row.description : entry->c->name;
+  const char *wall = g_strrstr (text, "-wall");
+  gsize length = entry->row.description[0] != '\0' ? strcspn (text, ",")
+                 : wall != NULL                    ? (gsize) (wall - text)
+                                                   : strlen (text);
+  return g_strndup (text, length);
+}
+
+static void
+add_path (Group *group, const StressRow *row, StressFlow flow)
+{
+  const StressSolve *path = &row->paths[flow];
+  bool collapses = path->solved && path->outcome == QN_OUTCOME_COLLAPSE
+                   && row->limit.outcome == QN_OUTCOME_COLLAPSE && row->upper > 0;
+
+  if (!path->solved)
+    return;
+  group->outcomes[path->outcome]++;
+  group->iterations = MAX (group->iterations, path->iterations);
+  group->out_of_balance = fmax (group->out_of_balance, path->check.out_of_balance);
+  group->excess = fmax (group->excess, path->check.excess);
+  if (path->outcome == QN_OUTCOME_COLLAPSE) {
+    group->collapses++;
+    group->proved += path->check.misfit <= STRESS_MOTION_TOLERANCE;
+  }
+  if (collapses && flow == STRESS_ASSOCIATIVE && row->upper > 1e-6)
+    group->difference =
+      fmax (group->difference, fabs (path->multiplier / row->upper - 1));
+  if (collapses && flow == STRESS_SLIDING && row->upper > 1e-6)
+    group->lowest = fmin (group->lowest, path->multiplier / row->upper);
+}
+
+static GArray *
+collect_groups (const GArray *entries)
+{
+  GArray *groups = g_array_new (FALSE, TRUE, sizeof (Group));
+
+  for (guint i = 0; i < entries->len; i++) {
+    const StressEntry *entry = &g_array_index (entries, StressEntry, i);
+    g_autofree char *name = dup_group_name (entry);
+    Group *group = NULL;
+    for (guint k = 0; k < groups->len && group == NULL; k++) {
+      Group *g = &g_array_index (groups, Group, k);
+      if (g_str_equal (g->subject, entry->c->subject) && g_str_equal (g->name, name))
+        group = g;
+    }
+    if (group == NULL) {
+      const Group fresh = { .subject = entry->c->subject,
+                            .name = g_steal_pointer (&name),
+                            .lowest = INFINITY };
+      g_array_append_val (groups, fresh);
+      group = &g_array_index (groups, Group, groups->len - 1);
+    }
+    group->cases++;
+    group->faulty += stress_row_faults (&entry->row) != 0;
+    group->refused += entry->row.problem != QN_PROBLEM_NONE;
+    for (int flow = 0; flow < STRESS_FLOW_COUNT; flow++)
+      add_path (group, &entry->row, (StressFlow) flow);
+  }
+  return groups;
+}
+
+static void
+append_number (GString *text, bool known, const char *format, double value)
+{
+  char number[G_ASCII_DTOSTR_BUF_SIZE];
+
+  g_string_append (text, " | ");
+  if (known)
+    g_string_append (text, g_ascii_formatd (number, sizeof number, format, value));
+}
+
+static void
+append_group (GString *text, const Group *group)
+{
+  static const char *const outcomes[QN_OUTCOME_COUNT] = {
+    "collapse", "no collapse", "snap", "unbounded", "fall", "stopped", "no answer"
+  };
+  const char *comma = "";
+  bool solved = group->cases > group->refused;
+
+  g_string_append_printf (text, "| %s | %d | ", group->name, group->cases);
+  for (int i = 0; i < QN_OUTCOME_COUNT; i++)
+    if (group->outcomes[i] > 0) {
+      g_string_append_printf (text, "%s%d %s", comma, group->outcomes[i], outcomes[i]);
+      comma = ", ";
+    }
+  if (group->refused > 0)
+    g_string_append_printf (text, "%s%d refused", comma, group->refused);
+  append_number (text,
+                 group->outcomes[QN_OUTCOME_COLLAPSE] > 0 && isfinite (group->lowest),
+                 "%.0e", group->difference);
+  append_number (text, isfinite (group->lowest), "%.3f", group->lowest);
+  append_number (text, solved, "%.0f", group->iterations);
+  append_number (text, solved, "%.0e", group->out_of_balance);
+  append_number (text, solved, "%.0e", group->excess);
+  append_number (text, group->collapses > 0, "%.0f",
+                 100.0 * group->proved / MAX (1, group->collapses));
+  append_number (text, group->faulty > 0, "%.0f", group->faulty);
+  g_string_append (text, " |\n");
+}
+
+static void
+append_groups (GString *text, const GArray *entries)
+{
+  g_autoptr (GArray) groups = collect_groups (entries);
+  const char *subject = "";
+
+  for (guint i = 0; i < groups->len; i++) {
+    Group *group = &g_array_index (groups, Group, i);
+    if (!g_str_equal (subject, group->subject)) {
+      subject = group->subject;
+      g_string_append_printf (
+        text,
+        "\n### %c%s\n\n"
+        "| | cases | outcomes of both paths | difference | least | iterations | "
+        "equilibrium | strength | proved, %% | faults |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        g_ascii_toupper (subject[0]), subject + 1);
+    }
+    append_group (text, group);
+    g_free (group->name);
+  }
+}
+
+static void
+append_faults (GString *text, const GArray *entries)
+{
+  bool any = false;
+
+  for (guint i = 0; i < entries->len; i++) {
+    const StressEntry *entry = &g_array_index (entries, StressEntry, i);
+    const StressRow *row = &entry->row;
+    if (stress_row_faults (row) == 0)
+      continue;
+    g_autofree char *faults = stress_dup_faults (stress_row_faults (row));
+    if (!any)
+      g_string_append (
+        text, "| case | blocks | limit analysis | dilatancy = friction | dilatancy 0 | "
+              "what is wrong |\n| --- | --- | --- | --- | --- | --- |\n");
+    any = true;
+    g_string_append_printf (text, "| %s%s%s | %zu | %.7g | %.7g | %.7g | %s |\n",
+                            entry->c->name, row->description[0] != '\0' ? ": " : "",
+                            row->description, row->blocks, row->upper,
+                            row->paths[STRESS_ASSOCIATIVE].multiplier,
+                            row->paths[STRESS_SLIDING].multiplier, faults);
+  }
+  if (!any)
+    g_string_append (text, "None.\n");
+}
+
+void
+stress_report_markdown (GString *text, const GArray *entries, const char *command)
+{
+  guint faulty = 0, paths = 0;
+  double seconds = 0;
+  long iterations = 0;
+
+  for (guint i = 0; i < entries->len; i++) {
+    const StressRow *row = &g_array_index (entries, StressEntry, i).row;
+    faulty += stress_row_faults (row) != 0;
+    seconds += row->limit.seconds;
+    for (int flow = 0; flow < STRESS_FLOW_COUNT; flow++) {
+      paths += row->paths[flow].solved;
+      iterations += row->paths[flow].iterations;
+      seconds += row->paths[flow].seconds;
+    }
+  }
+  g_string_append_printf (text,
+                          "`%s`: %u cases, %u paths, %ld iterations, %.0f s of processor "
+                          "time; %u cases with faults.\n",
+                          command, entries->len, paths, iterations, seconds, faulty);
+  append_groups (text, entries);
+  g_string_append (text, "\n### Faults\n\n");
+  append_faults (text, entries);
+}
