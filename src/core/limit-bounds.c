@@ -1,8 +1,16 @@
 #include "core/limit-bounds.h"
 
+#include "core/tolerance.h"
+
 #include <math.h>
 
-/* Smallest slack h - Gy of every bound, or of those that `other` helps. */
+static double
+slack_at (const QnIpBound *b, const double *force)
+{
+  return b->limit - b->normal * force[0] - b->shear * force[1];
+}
+
+/* How far towards the anchor all bounds are kept. */
 static double
 share_to_anchor (const QnIpProblem *p, const double *y, const double *anchor)
 {
@@ -11,14 +19,13 @@ share_to_anchor (const QnIpProblem *p, const double *y, const double *anchor)
   for (int32_t c = 0; c < p->cell_count; c++) {
     const QnIpCell *cell = &p->cells[c];
     for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
-      const QnIpBound *b = &p->bounds[i];
-      double slack = b->limit - b->normal * y[2 * c] - b->shear * y[2 * c + 1];
-      double safe = b->limit - b->normal * anchor[2 * c] - b->shear * anchor[2 * c + 1];
-      if (slack < 0.0 && safe > 0.0)
+      double slack = slack_at (&p->bounds[i], y + 2 * c);
+      double safe = slack_at (&p->bounds[i], anchor + 2 * c);
+      if (slack < -QN_TOLERANCE_STRENGTH && safe > 0.0)
         share = fmax (share, -slack / (safe - slack));
     }
   }
-  return share;
+  return fmin (1.0, share);
 }
 
 static double
@@ -30,34 +37,23 @@ worst_excess (const QnIpProblem *p, const double *y)
     const QnIpCell *cell = &p->cells[c];
     for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
       const QnIpBound *b = &p->bounds[i];
-      worst = fmax (worst, b->normal * y[2 * c] + b->shear * y[2 * c + 1] - b->limit);
+      worst = fmax (worst, -slack_at (b, y + 2 * c));
     }
   }
   return worst;
 }
 
-QnStatus
-qn_limit_lower_bound (QnInteriorPoint *ip, const QnLimitProblem *limit,
-                      const double *anchor, double *y, double *lambda,
-                      QnLimitCheck *check, QnDiag *diag)
+double
+qn_limit_draw_inside (const QnLimitProblem *limit, const double *anchor,
+                      double anchor_lambda, double lambda, double *y, QnLimitCheck *check)
 {
   const QnIpProblem *p = &limit->ip;
-  double slack;
-  QnStatus status;
+  double share = anchor ? share_to_anchor (p, y, anchor) : 0.0;
 
-  *lambda = ip->lambda / ip->tau;
-  status = qn_interior_point_project (ip, false, lambda, y, &check->static_residual,
-                                      &slack, diag);
-  if (status)
-    return status;
-  if (anchor && slack < 0.0) {
-    double share = fmin (1.0, share_to_anchor (p, y, anchor));
-    for (int32_t i = 0; i < 2 * p->cell_count; i++)
-      y[i] += share * (anchor[i] - y[i]);
-    *lambda *= 1.0 - share;
-  }
+  for (int32_t i = 0; i < 2 * p->cell_count && share > 0.0; i++)
+    y[i] += share * (anchor[i] - y[i]);
   check->static_violation = worst_excess (p, y);
-  return QN_OK;
+  return lambda + share * (anchor_lambda - lambda);
 }
 
 /* Least dissipation sum h z over z >= 0 with G'z = rate, at a vertex of that little program,

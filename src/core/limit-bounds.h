@@ -4,14 +4,13 @@
 
 #include "core/limit.h"
 
-/* Forces in equilibrium and within the strength, and the scaled multiplier they carry.
- *
- * y: cell_count x 2 out. `anchor` (nullable) is a state known to lie within the strength at
- * multiplier 0: forces that leave the strength by rounding are drawn back towards it. What
- * excess remains is in check->static_violation. */
-QnStatus qn_limit_lower_bound (QnInteriorPoint *ip, const QnLimitProblem *limit,
-                               const double *anchor, double *y, double *lambda,
-                               QnLimitCheck *check, QnDiag *diag);
+/* Draws forces y (cell_count x 2) that leave the strength by rounding, or by the tolerance of the
+ * program, back towards `anchor` (nullable), which lies within the strength and carries
+ * anchor_lambda as y carries lambda. Returns the scaled multiplier that the drawn forces carry;
+ * what excess remains is in check->static_violation. */
+double qn_limit_draw_inside (const QnLimitProblem *limit, const double *anchor,
+                             double anchor_lambda, double lambda, double *y,
+                             QnLimitCheck *check);
 
 /* The scaled multiplier at which the mechanism v (row_count; rescaled in place to unit power
  * of the live load) balances its power: the dissipation belongs to v, not to the iterate. */

@@ -12,6 +12,13 @@
  * into equilibrium and velocities summed up; they come out within 1e-7 of each other. */
 #define PROGRAM_TOLERANCE 1e-8
 
+/* Where the bounds are further apart than this, relative to the multiplier, for want of forces
+ * well inside the strength to draw those of the optimum to, such forces are sought at a
+ * multiplier that is less by a part. */
+#define WANTED_GAP   1e-6
+#define LEAST_MARGIN 1e-5
+#define MOST_MARGIN  1e-2
+
 /* Without an optimum to full accuracy, an iterate this good is still an answer. */
 #define ACCEPTED_GAP      1e-6
 #define ACCEPTED_RESIDUAL 1e-7
@@ -26,6 +33,8 @@ typedef struct Run {
   double *rates;  /* cell_count x 2 */
   double *anchor; /* cell_count x 2: forces within the strength at multiplier 0 */
   bool anchored;  /* … where they are known */
+  double *inner;  /* cell_count x 2: the same just below the optimum */
+  double *drawn;  /* cell_count x 2 */
   bool cancelled;
 } Run;
 
@@ -72,32 +81,55 @@ count_effort (Run *run)
   run->solution->effort.factor_seconds += run->ip->factor_seconds;
 }
 
-/* Forces that carry the dead load alone, or the certificate that there are none. An iterate
- * that can be led into the interior of the strength settles the question early; the program
- * goes on to its end only where there is no interior. */
+/* Forces strictly within the strength that carry `constant` alone, or the certificate that there
+ * are none. An iterate that can be led into the interior settles the question early; the
+ * program goes on to its end only where there is no interior. */
 static QnStatus
-carry_dead_load (Run *run, QnDiag *diag)
+carry (Run *run, const double *constant, double *forces, bool *found, QnDiag *diag)
 {
   QnIpProblem *p = &run->limit->ip;
   QnInteriorPoint *ip = run->ip;
-  const double *load = p->load;
-  const double gain = p->load_gain;
+  const QnIpProblem whole = *p;
   double lambda = 0.0, residual = INFINITY, slack = 0.0;
   QnStatus status;
 
+  *found = false;
+  p->constant = constant;
   p->load = NULL;
   p->load_gain = 0.0;
   status = qn_interior_point_start (ip, diag);
-  while (!status && ip->state == QN_IP_RUNNING && !run->anchored && !run->cancelled) {
+  while (!status && ip->state == QN_IP_RUNNING && !*found && !run->cancelled) {
     status = iterate_once (run, diag);
     if (!status)
-      status = qn_interior_point_project (ip, true, &lambda, run->anchor, &residual,
-                                          &slack, diag);
-    run->anchored = !status && slack > 0.0 && residual < ACCEPTED_RESIDUAL;
+      status =
+        qn_interior_point_project (ip, true, &lambda, forces, &residual, &slack, diag);
+    *found = !status && slack > 0.0 && residual < ACCEPTED_RESIDUAL;
   }
-  p->load = load;
-  p->load_gain = gain;
+  *p = whole;
   count_effort (run);
+  return status;
+}
+
+static QnStatus
+carry_dead_load (Run *run, QnDiag *diag)
+{
+  return carry (run, run->limit->ip.constant, run->anchor, &run->anchored, diag);
+}
+
+/* Forces within the strength at a multiplier just below the optimum. */
+static QnStatus
+carry_almost_all (Run *run, double lambda, bool *found, QnDiag *diag)
+{
+  const QnIpProblem *p = &run->limit->ip;
+  double *constant = qn_alloc ((size_t) p->row_count, sizeof *constant);
+  QnStatus status;
+
+  if (!constant)
+    return qn_diag_no_memory (diag);
+  for (int32_t r = 0; r < p->row_count; r++)
+    constant[r] = p->constant[r] + lambda * p->load[r];
+  status = carry (run, constant, run->inner, found, diag);
+  free (constant);
   return status;
 }
 
@@ -136,26 +168,55 @@ take_certificate (Run *run, QnDiag *diag)
   return status;
 }
 
+/* The forces of the optimum, run->y at the scaled multiplier lambda, as run->drawn: within the
+ * strength, with the multiplier that they carry then. */
+static QnStatus
+prove_lower (Run *run, double lambda, double upper, double *lower, QnDiag *diag)
+{
+  const QnLimitProblem *limit = run->limit;
+  size_t size = 2 * (size_t) limit->ip.cell_count * sizeof *run->y;
+  QnLimitCheck *check = &run->solution->check;
+  QnStatus status = QN_OK;
+  bool found = false;
+
+  memcpy (run->drawn, run->y, size);
+  *lower = qn_limit_draw_inside (limit, run->anchored ? run->anchor : NULL, 0.0, lambda,
+                                 run->drawn, check);
+  if (upper - *lower <= WANTED_GAP * fabs (upper))
+    return QN_OK;
+  for (double margin = LEAST_MARGIN; !status && !found && margin <= MOST_MARGIN;
+       margin *= 10.0) {
+    double inner = lambda - margin * fabs (lambda);
+    status = carry_almost_all (run, inner, &found, diag);
+    if (!found)
+      continue;
+    memcpy (run->drawn, run->y, size);
+    *lower = qn_limit_draw_inside (limit, run->inner, inner, lambda, run->drawn, check);
+  }
+  return status;
+}
+
 /* The two bounds with what proves them. */
 static QnStatus
 take_optimum (Run *run, QnDiag *diag)
 {
   QnLimitSolution *solution = run->solution;
   const QnLimitProblem *limit = run->limit;
-  double lower, upper;
-  QnStatus status =
-    qn_limit_lower_bound (run->ip, limit, run->anchored ? run->anchor : NULL, run->y,
-                          &lower, &solution->check, diag);
+  double upper = qn_limit_upper_bound (limit, run->ip->v, run->rates, &solution->check);
+  double lambda = run->ip->lambda / run->ip->tau, lower, slack;
+  QnStatus status = qn_interior_point_project (
+    run->ip, false, &lambda, run->y, &solution->check.static_residual, &slack, diag);
 
+  qn_limit_problem_velocities (limit, run->ip->v, solution->velocities);
+  if (!status)
+    status = prove_lower (run, lambda, upper, &lower, diag);
   if (status)
     return status;
-  upper = qn_limit_upper_bound (limit, run->ip->v, run->rates, &solution->check);
   solution->check.gap = (upper - lower) / (1.0 + fabs (upper));
   solution->lower_bound = qn_limit_problem_multiplier (limit, lower);
   solution->upper_bound = qn_limit_problem_multiplier (limit, upper);
   solution->outcome = QN_OUTCOME_COLLAPSE;
-  qn_limit_problem_forces (limit, run->y, 1.0, solution->forces);
-  qn_limit_problem_velocities (limit, run->ip->v, solution->velocities);
+  qn_limit_problem_forces (limit, run->drawn, 1.0, solution->forces);
   return QN_OK;
 }
 
@@ -220,14 +281,17 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
               .solution = solution,
               .y = qn_alloc (2 * cells, sizeof (double)),
               .rates = qn_alloc (2 * cells, sizeof (double)),
-              .anchor = qn_alloc (2 * cells, sizeof (double)) };
+              .anchor = qn_alloc (2 * cells, sizeof (double)),
+              .inner = qn_alloc (2 * cells, sizeof (double)),
+              .drawn = qn_alloc (2 * cells, sizeof (double)) };
   QnStatus status;
 
   *solution = (QnLimitSolution){
     .forces = qn_alloc (2 * limit->pair_count, sizeof (double)),
     .velocities = qn_alloc (limit->block_count * QN_DOF_COUNT, sizeof (double)),
   };
-  if (!run.y || !run.rates || !run.anchor || !solution->forces || !solution->velocities)
+  if (!run.y || !run.rates || !run.anchor || !run.inner || !run.drawn || !solution->forces
+      || !solution->velocities)
     status = qn_diag_no_memory (diag);
   else
     status = solve (&run, from_dead_load, diag);
@@ -236,6 +300,8 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
   free (run.y);
   free (run.rates);
   free (run.anchor);
+  free (run.inner);
+  free (run.drawn);
   if (status)
     qn_limit_solution_clear (solution);
   return status;

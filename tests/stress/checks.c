@@ -149,6 +149,20 @@ pair_misfit (const Strength *s, const double *force, QnVec2 rate, double slack)
   return qn_vec2_length (rate);
 }
 
+/* Velocity of the fastest block, at its centroid or half its length away. */
+static double
+fastest_block (const QnModel *model, const double *velocities)
+{
+  double fastest = 0;
+
+  for (size_t i = 0; i < model->block_count; i++) {
+    const double *v = velocities + i * QN_DOF_COUNT;
+    fastest = fmax (fastest, hypot (v[QN_DOF_UX], v[QN_DOF_UY]));
+    fastest = fmax (fastest, fabs (v[QN_DOF_RZ]) * arm_of (&model->blocks[i]));
+  }
+  return fastest;
+}
+
 /* The power of forces on velocities, over what it would be if none were against another. */
 static double
 relative_power (const double *forces, const double *velocities, size_t count)
@@ -165,26 +179,26 @@ relative_power (const double *forces, const double *velocities, size_t count)
 /* `forces` of the pairs at collapse; NULL where there was no equilibrium at all. */
 static void
 check_mechanism (const QnModel *model, const QnContacts *contacts, const double *forces,
-                 const double *velocities, StressCheck *check)
+                 double multiplier, const double *velocities, StressCheck *check)
 {
   size_t count = model->block_count * QN_DOF_COUNT;
   g_autofree double *loads = g_new0 (double, count);
-  double largest = 0, fastest = 0, worst = 0, deepest = 0;
+  g_autofree double *live = g_new0 (double, count);
+  double largest = 0, fastest = fastest_block (model, velocities), worst = 0, deepest = 0;
 
   for (size_t i = 0; i < 2 * contacts->pair_count && forces != NULL; i++)
     largest = fmax (largest, fabs (forces[i]));
   for (size_t p = 0; p < contacts->pair_count; p++) {
     Strength strength = pair_strength (model, contacts, p);
     QnVec2 rate = pair_rate (model, contacts, p, velocities);
-    fastest = fmax (fastest, qn_vec2_length (rate));
     deepest = fmax (deepest, -rate.x);
     if (forces != NULL)
       worst = fmax (worst, pair_misfit (&strength, forces + 2 * p, rate, 1e-5 * largest));
   }
-  if (forces != NULL)
-    qn_model_live_forces (model, loads);
-  else
-    qn_model_dead_forces (model, loads);
+  qn_model_dead_forces (model, loads);
+  qn_model_live_forces (model, live);
+  for (size_t i = 0; i < count; i++)
+    loads[i] += multiplier * live[i];
   check->moves = true;
   check->misfit = forces != NULL ? worst / fastest : NAN;
   check->penetration = fastest > 0 ? deepest / fastest : INFINITY;
@@ -218,9 +232,10 @@ stress_check_result (const QnModel *model, const QnContacts *contacts,
     check.excess = fmax (check.excess, excess (model, contacts, forces));
   }
   if (result->mechanism != NULL && result->outcome == QN_OUTCOME_COLLAPSE)
-    check_mechanism (model, contacts, forces, result->mechanism, &check);
+    check_mechanism (model, contacts, forces, result->collapse_multiplier,
+                     result->mechanism, &check);
   if (result->mechanism != NULL && result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
-    check_mechanism (model, contacts, NULL, result->mechanism, &check);
+    check_mechanism (model, contacts, NULL, 0, result->mechanism, &check);
   return check;
 }
 
@@ -234,7 +249,8 @@ stress_check_faults (const StressCheck *check)
   if (!(check->excess <= STRESS_STRENGTH_TOLERANCE))
     faults |= STRESS_STRENGTH;
   if (check->moves
-      && !(check->penetration <= STRESS_MOTION_TOLERANCE && check->power > 0))
+      && !(check->penetration <= STRESS_MOTION_TOLERANCE
+           && check->power >= -STRESS_MOTION_TOLERANCE))
     faults |= STRESS_MECHANISM;
   return faults;
 }
@@ -256,7 +272,10 @@ stress_path_is_consistent (const QnResult *result)
           || (result->has_first_limit_multiplier
               && result->first_limit_multiplier > last)))
     return false;
-  return isfinite (last) == !falls && (result->mechanism != NULL) == (falls || collapses)
+  bool knows = result->outcome != QN_OUTCOME_NOT_CONVERGED
+               && result->outcome != QN_OUTCOME_CANCELLED;
+  return (!knows || isfinite (last) == !falls)
+         && (result->mechanism != NULL) == (falls || collapses)
          && (result->unstable_count > 0) == falls;
 }
 

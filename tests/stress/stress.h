@@ -57,7 +57,7 @@ struct StressCase {
   X (BALANCE, "equilibrium not kept")                                                    \
   X (STRENGTH, "strength exceeded")                                                      \
   X (PATH, "steps contradict the outcome")                                               \
-  X (MECHANISM, "mechanism closes joints, or the load does no work on it")               \
+  X (MECHANISM, "mechanism closes joints, or works against the loads")                   \
   X (MIRROR, "loaded the other way it carries another load")                             \
   X (FILE, "written and read back it is another model")
 
@@ -80,12 +80,13 @@ typedef struct StressCheck {
     out_of_balance; /* worst of all steps: on free blocks, over the largest load on one */
   double excess;    /* worst of all steps: of a pair's strength, over the largest force */
   bool moves;       /* there is a mechanism: */
-  double penetration; /* how fast joints close on it, over the fastest rate of a joint */
-  double power; /* of the live load, or the dead load that makes the structure fall, over
-                   the sum of the magnitudes of its parts; > 0 */
+  double penetration; /* how fast joints close on it, over the fastest block */
+  double
+    power; /* of the loads at collapse, over the sum of the magnitudes of its parts: what
+                   friction takes, so not negative */
   double
     misfit; /* rates that the flow rule forbids where the forces at collapse are, over
-                    the fastest rate: small where forces and mechanism prove each other, not
+                    the fastest block: small where forces and mechanism prove each other, not
                     where collapse sets in with a jump; NAN without an equilibrium */
 } StressCheck;
 
