@@ -48,7 +48,7 @@
 #define QN_TOLERANCE_POLISH 1e-7
 
 /* A force of limit analysis, in units of the loads, exceeds a strength by rounding up to this. */
-#define QN_TOLERANCE_STRENGTH 1e-12
+#define QN_TOLERANCE_STRENGTH 1e-10
 
 /* A prescribed displacement, work or length is met to this part of its advance. */
 #define QN_TOLERANCE_TARGET 1e-10

@@ -310,6 +310,29 @@ test_redundant_rows (void)
 }
 
 /* The mirrored load gives the mirrored mechanism. */
+/* Joints without reserve under the dead load: blocks without weight, whose joints carry nothing,
+ * a wall that almost slides, and one that its dead load has almost pushed over. The bounds meet
+ * all the same. */
+static void
+test_no_reserve (void)
+{
+  QnModel model;
+
+  test_model_init_stack (&model, 5, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  for (size_t i = 3; i < model.block_count; i++)
+    model.blocks[i].unit_weight = 0;
+  assert_multiplier (&model, 0.5);
+
+  test_model_init_wall (&model, 4, 0);
+  model.laws[0].friction = 0.05;
+  assert_multiplier (&model, 0.05);
+
+  test_model_init_wall (&model, 1, 0);
+  model.dead_loads[0].vector.x = 0.9 * test_walls[0].associative;
+  assert_multiplier (&model, 0.1 * test_walls[0].associative);
+}
+
 static void
 test_symmetry (void)
 {
@@ -435,6 +458,7 @@ main (int argc, char **argv)
   g_test_add_func ("/limit/no-joint", test_no_joint);
   g_test_add_func ("/limit/no-live-load", test_no_live_load);
   g_test_add_func ("/limit/redundant-rows", test_redundant_rows);
+  g_test_add_func ("/limit/no-reserve", test_no_reserve);
   g_test_add_func ("/limit/symmetry", test_symmetry);
   g_test_add_func ("/limit/arch", test_arch);
   g_test_add_func ("/limit/fine-arch", test_fine_arch);

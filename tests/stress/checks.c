@@ -163,15 +163,20 @@ fastest_block (const QnModel *model, const double *velocities)
   return fastest;
 }
 
-/* The power of forces on velocities, over what it would be if none were against another. */
+/* Power of dead load and multiplied live load on velocities, over the sum of the magnitudes. */
 static double
-relative_power (const double *forces, const double *velocities, size_t count)
+relative_power (const QnModel *model, double multiplier, const double *velocities)
 {
+  size_t count = model->block_count * QN_DOF_COUNT;
+  g_autofree double *dead = g_new0 (double, count);
+  g_autofree double *live = g_new0 (double, count);
   double power = 0, size = 0;
 
+  qn_model_dead_forces (model, dead);
+  qn_model_live_forces (model, live);
   for (size_t i = 0; i < count; i++) {
-    power += forces[i] * velocities[i];
-    size += fabs (forces[i] * velocities[i]);
+    power += (dead[i] + multiplier * live[i]) * velocities[i];
+    size += (fabs (dead[i]) + fabs (multiplier * live[i])) * fabs (velocities[i]);
   }
   return size > 0 ? power / size : 0;
 }
@@ -181,9 +186,6 @@ static void
 check_mechanism (const QnModel *model, const QnContacts *contacts, const double *forces,
                  double multiplier, const double *velocities, StressCheck *check)
 {
-  size_t count = model->block_count * QN_DOF_COUNT;
-  g_autofree double *loads = g_new0 (double, count);
-  g_autofree double *live = g_new0 (double, count);
   double largest = 0, fastest = fastest_block (model, velocities), worst = 0, deepest = 0;
 
   for (size_t i = 0; i < 2 * contacts->pair_count && forces != NULL; i++)
@@ -195,14 +197,10 @@ check_mechanism (const QnModel *model, const QnContacts *contacts, const double 
     if (forces != NULL)
       worst = fmax (worst, pair_misfit (&strength, forces + 2 * p, rate, 1e-5 * largest));
   }
-  qn_model_dead_forces (model, loads);
-  qn_model_live_forces (model, live);
-  for (size_t i = 0; i < count; i++)
-    loads[i] += multiplier * live[i];
   check->moves = true;
   check->misfit = forces != NULL ? worst / fastest : NAN;
   check->penetration = fastest > 0 ? deepest / fastest : INFINITY;
-  check->power = relative_power (loads, velocities, count);
+  check->power = relative_power (model, multiplier, velocities);
 }
 
 static void

@@ -12,7 +12,7 @@
  * collapse. */
 #define STRESS_BALANCE_TOLERANCE  1e-6
 #define STRESS_STRENGTH_TOLERANCE 1e-6
-#define STRESS_MOTION_TOLERANCE   1e-2
+#define STRESS_MOTION_TOLERANCE   5e-2
 
 /* Equilibrium and strength at every step whose forces are known, and the mechanism against the
  * forces at the last one. */
