@@ -28,9 +28,11 @@ allocate (QnAssembly *as)
   as->forces =
     qn_alloc (qn_model_body_count (as->model) * QN_DOF_COUNT, sizeof *as->forces);
   as->settles = qn_alloc (n, sizeof *as->settles);
+  as->face_unknowns =
+    qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
   return as->kinematics && as->springs && as->committed && as->responses && as->dead
          && as->live && as->dead_at_rest && as->live_at_rest && as->damping
-         && as->diagonal && as->scatter && as->forces && as->settles;
+         && as->diagonal && as->scatter && as->forces && as->settles && as->face_unknowns;
 }
 
 /* Marks the supports that settle in any of the loads. */
@@ -94,11 +96,15 @@ prepare_pairs (QnAssembly *as)
 }
 
 static void
-face_unknowns (const QnAssembly *as, const QnContactFace *face, int32_t unknowns[6])
+list_face_unknowns (QnAssembly *as)
 {
-  for (int i = 0; i < QN_DOF_COUNT; i++) {
-    unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
-    unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const QnContactFace *face = &as->contacts->faces[f];
+    int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
+    for (int i = 0; i < QN_DOF_COUNT; i++) {
+      unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
+      unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
+    }
   }
 }
 
@@ -142,11 +148,9 @@ build_pattern (QnAssembly *as, QnDiag *diag)
   for (size_t b = 0; ok && b < bodies; b++)
     ok = qn_sparse_pattern_add_clique (&pattern, as->unknown + QN_DOF_COUNT * b,
                                        QN_DOF_COUNT);
-  for (size_t f = 0; ok && f < contacts->face_count; f++) {
-    int32_t unknowns[6];
-    face_unknowns (as, &contacts->faces[f], unknowns);
-    ok = qn_sparse_pattern_add_clique (&pattern, unknowns, 6);
-  }
+  for (size_t f = 0; ok && f < contacts->face_count; f++)
+    ok = qn_sparse_pattern_add_clique (&pattern, as->face_unknowns + QN_FACE_UNKNOWNS * f,
+                                       QN_FACE_UNKNOWNS);
   ok = ok && qn_beam_assembly_add_pattern (&as->beams, &pattern);
   ok = ok && qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
   qn_sparse_pattern_clear (&pattern);
@@ -156,8 +160,7 @@ build_pattern (QnAssembly *as, QnDiag *diag)
     return qn_diag_no_memory (diag);
 
   for (size_t f = 0; f < contacts->face_count; f++) {
-    int32_t unknowns[6];
-    face_unknowns (as, &contacts->faces[f], unknowns);
+    const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
     for (int i = 0; i < 6; i++)
       for (int j = 0; j < 6; j++)
         as->scatter[36 * f + 6 * i + j] =
@@ -259,6 +262,7 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
     return qn_diag_no_memory (diag);
   }
   prepare_pairs (as);
+  list_face_unknowns (as);
   QnStatus status = build_pattern (as, diag);
   if (status == QN_OK) {
     prepare_damping (as);
@@ -293,35 +297,16 @@ qn_assembly_clear (QnAssembly *as)
   free (as->settles);
   free (as->settling_entries);
   free (as->forces);
+  free (as->face_unknowns);
   *as = (QnAssembly){ 0 };
 }
 
 /* --- Evaluating ------------------------------------------------------------------------- */
 
-static void
-gather_displacements (const double *u, const int32_t unknowns[6], double v[6])
-{
-  for (int i = 0; i < 6; i++)
-    v[i] = unknowns[i] == QN_NONE ? 0 : u[unknowns[i]];
-}
-
 void
 qn_assembly_update_kinematics (QnAssembly *as, const double *u)
 {
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const QnContactFace *face = &as->contacts->faces[f];
-    int32_t unknowns[6];
-    double v[6];
-
-    face_unknowns (as, face, unknowns);
-    gather_displacements (u, unknowns, v);
-    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-      if (as->nonlinear)
-        qn_pair_kinematics_update (&as->kinematics[p], v);
-      else
-        qn_pair_kinematics_update_linear (&as->kinematics[p], v);
-    }
-  }
+  qn_assembly_move_faces (as, u);
   qn_beam_assembly_update_kinematics (&as->beams, u);
   if (as->nonlinear)
     qn_assembly_turn_loads (as, u);
@@ -345,29 +330,22 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
 double
 qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
 {
+  return qn_assembly_residual_of (as, multiplier, as->responses[0].force,
+                                  sizeof *as->responses / sizeof (double), residual);
+}
+
+double
+qn_assembly_residual_of (const QnAssembly *as, double multiplier, const double *forces,
+                         size_t stride, double *residual)
+{
   double scale = as->force_scale;
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
     residual[i] = as->dead[i] + multiplier * as->live[i];
-    if (!as->settles[i])
-      scale = fmax (scale, fabs (residual[i]));
+    if (fabs (residual[i]) > scale && !as->settles[i])
+      scale = fabs (residual[i]);
   }
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const QnContactFace *face = &as->contacts->faces[f];
-    int32_t unknowns[6];
-    double forces[6] = { 0 };
-
-    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-      double (*g)[6] = as->kinematics[p].gradient;
-      const double *force = as->responses[p].force;
-      for (int i = 0; i < 6; i++)
-        forces[i] += g[0][i] * force[0] + g[1][i] * force[1]; /* P = G' f */
-    }
-    face_unknowns (as, face, unknowns);
-    for (int i = 0; i < 6; i++)
-      if (unknowns[i] != QN_NONE && !as->settles[unknowns[i]])
-        residual[unknowns[i]] -= forces[i];
-  }
+  qn_assembly_subtract_face_forces (as, forces, stride, residual);
   qn_beam_assembly_subtract_forces (&as->beams, residual);
   for (size_t s = 0; s < as->settling_count; s++) {
     int32_t i = as->settling[s].unknown;
@@ -377,27 +355,6 @@ qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
   return scale;
 }
 
-void
-qn_assembly_elongation_rates (const QnAssembly *as, const double *v, double *rates)
-{
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const QnContactFace *face = &as->contacts->faces[f];
-    int32_t unknowns[6];
-    double local[6];
-
-    face_unknowns (as, face, unknowns);
-    gather_displacements (v, unknowns, local);
-    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-      double (*g)[6] = as->kinematics[p].gradient;
-      for (int k = 0; k < 2; k++) {
-        rates[2 * p + k] = 0;
-        for (int i = 0; i < 6; i++)
-          rates[2 * p + k] += g[k][i] * local[i];
-      }
-    }
-  }
-}
-
 double
 qn_assembly_gap (const QnAssembly *as, size_t pair)
 {
@@ -405,26 +362,6 @@ qn_assembly_gap (const QnAssembly *as, size_t pair)
   double gap = as->kinematics[pair].elongation[0] - memory->a.opening;
 
   return as->springs[pair].equal ? gap : gap - memory->b.opening;
-}
-
-/* kf = sum over the face's pairs of G' D G, plus the geometric stiffness */
-static void
-face_tangent (const QnAssembly *as, const QnContactFace *face, double kf[6][6])
-{
-  memset (kf, 0, 36 * sizeof (double));
-  for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-    double (*g)[6] = as->kinematics[p].gradient;
-    double (*d)[2] = as->responses[p].tangent;
-
-    for (int j = 0; j < 6; j++) {
-      double n = d[0][0] * g[0][j] + d[0][1] * g[1][j];
-      double t = d[1][0] * g[0][j] + d[1][1] * g[1][j];
-      for (int i = 0; i < 6; i++)
-        kf[i][j] += g[0][i] * n + g[1][i] * t;
-    }
-    if (as->nonlinear)
-      qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force, kf);
-  }
 }
 
 static void
@@ -442,16 +379,16 @@ clear_settling_rows (QnAssembly *as)
 void
 qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
 {
-  memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const int32_t *scatter = as->scatter + 36 * f;
-    double kf[6][6];
+  qn_assembly_tangent_of (as, multiplier, viscosity, as->responses[0].tangent[0],
+                          sizeof *as->responses / sizeof (double));
+}
 
-    face_tangent (as, &as->contacts->faces[f], kf);
-    for (int k = 0; k < 36; k++)
-      if (scatter[k] != QN_NONE)
-        as->ax[scatter[k]] += kf[k / 6][k % 6];
-  }
+void
+qn_assembly_tangent_of (QnAssembly *as, double multiplier, double viscosity,
+                        const double *tangents, size_t stride)
+{
+  memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
+  qn_assembly_add_face_tangents (as, tangents, stride);
   qn_beam_assembly_add_tangent (&as->beams, as->ax);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->ax[as->diagonal[i]] += viscosity * as->damping[i];
@@ -551,11 +488,9 @@ hinge_position (const QnAssembly *as, size_t pair, const double *u)
   const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[pair].face];
   const QnPairKinematics *k = &as->kinematics[pair];
   const double *qa = as->responses[pair].memory.qa;
-  int32_t unknowns[6];
-  double v[6];
+  double v[QN_FACE_UNKNOWNS];
 
-  face_unknowns (as, face, unknowns);
-  gather_displacements (u, unknowns, v);
+  qn_assembly_gather (as, (size_t) as->contacts->pairs[pair].face, u, v);
   QnVec2 arm = k->turned_a;
   if (as->model->analysis.geometry == QN_GEOMETRY_LINEAR)
     arm = qn_vec2_add_scaled (k->arm_a, v[2] / as->length, qn_vec2_perp (k->arm_a));

@@ -45,6 +45,9 @@ typedef struct QnSettling {
   int32_t first_entry; /* of its row in QnAssembly.settling_entries */
 } QnSettling;
 
+/* Unknowns that a face couples: three of either block. */
+#define QN_FACE_UNKNOWNS 6
+
 typedef struct QnAssembly {
   const QnModel *model;
   const QnContacts *contacts;
@@ -83,6 +86,7 @@ typedef struct QnAssembly {
 
   int32_t *ap, *ai; /* pattern of K in compressed columns, rows sorted */
   double *ax;
+  int32_t *face_unknowns; /* face_count x 6, QN_NONE where fixed */
   int32_t *scatter;  /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
   int32_t *diagonal; /* unknown_count: where the diagonal stands in ax */
 } QnAssembly;
@@ -113,10 +117,19 @@ void qn_assembly_update_kinematics (QnAssembly *assembly, const double *u);
 double qn_assembly_residual (const QnAssembly *assembly, double multiplier,
                              double *residual);
 
+/* The same with other forces of the pairs: that of pair p stands at forces[p x stride]. */
+double qn_assembly_residual_of (const QnAssembly *assembly, double multiplier,
+                                const double *forces, size_t stride, double *residual);
+
 /* Assembles ax = K + viscosity C of the last evaluation, K = -dR/du at this multiplier (which
  * matters in nonlinear geometry only). C is a diagonal of stiffness size, distributed over the
  * blocks like their mass. */
 void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
+
+/* The same with other tangents of the pairs: that of pair p, 2 x 2 by rows, stands at
+ * tangents[p x stride]. */
+void qn_assembly_tangent_of (QnAssembly *assembly, double multiplier, double viscosity,
+                             const double *tangents, size_t stride);
 
 /* The same with settling supports held: their rows and columns are empty but for the diagonal,
  * so that K is symmetric where the pairs' tangents are. */

@@ -23,6 +23,16 @@ typedef int32_t QnId;
 
 #define QN_N_ELEMENTS(a) (sizeof (a) / sizeof ((a)[0]))
 
+/* Before a loop of a fixed, small number of turns: written out, so that what it works on stays in
+ * registers. */
+#if defined __clang__
+#define QN_UNROLL _Pragma ("unroll")
+#elif defined __GNUC__
+#define QN_UNROLL _Pragma ("GCC unroll 8")
+#else
+#define QN_UNROLL
+#endif
+
 /* Degrees of freedom of a block, in the order in which they are stored everywhere. */
 typedef enum {
   QN_DOF_UX, /* displacement of the centroid along x, m */

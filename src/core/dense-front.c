@@ -15,12 +15,6 @@
 /* Every function is made part of its caller, and so compiled for each kind of processor. */
 #define PART static inline __attribute__ ((always_inline))
 
-#if defined __clang__
-#define UNROLL _Pragma ("unroll")
-#else
-#define UNROLL _Pragma ("GCC unroll 8")
-#endif
-
 typedef double Eight __attribute__ ((vector_size (64), aligned (8), may_alias));
 typedef int64_t Mask __attribute__ ((vector_size (64)));
 
@@ -35,28 +29,28 @@ subtract_tile (double *target, int32_t target_height, const double *left,
 {
   Eight sum[2][TILE];
 
-  UNROLL
+  QN_UNROLL
   for (int c = 0; c < columns; c++)
-    UNROLL
+    QN_UNROLL
   for (int v = 0; v < vectors; v++)
     sum[v][c] =
       add ? *(const Eight *) (target + c * target_height + 8 * v) : (Eight){ 0 };
   for (int32_t k = 0; k < depth; k++) {
     Eight factor[2];
-    UNROLL
+    QN_UNROLL
     for (int v = 0; v < vectors; v++)
       factor[v] = *(const Eight *) (left + (size_t) k * (size_t) left_height + 8 * v);
-    UNROLL
+    QN_UNROLL
     for (int c = 0; c < columns; c++) {
       double value = right[c * right_height + k];
-      UNROLL
+      QN_UNROLL
       for (int v = 0; v < vectors; v++)
         sum[v][c] -= factor[v] * value;
     }
   }
-  UNROLL
+  QN_UNROLL
   for (int c = 0; c < columns; c++)
-    UNROLL
+    QN_UNROLL
   for (int v = 0; v < vectors; v++)
     *(Eight *) (target + c * target_height + 8 * v) = sum[v][c];
 }
@@ -234,16 +228,16 @@ multiply_strip (const double inverse[STRIP * STRIP], int32_t count, double *targ
 {
   Eight sum[4];
 
-  UNROLL
+  QN_UNROLL
   for (int c = 0; c < columns; c++)
     sum[c] = *(const Eight *) inverse * target[c * height];
   for (int32_t j = 1; j < count; j++) {
     Eight factor = *(const Eight *) (inverse + STRIP * j);
-    UNROLL
+    QN_UNROLL
     for (int c = 0; c < columns; c++)
       sum[c] += factor * target[c * height + j];
   }
-  UNROLL
+  QN_UNROLL
   for (int c = 0; c < columns; c++)
     *(Eight *) (target + c * height) = sum[c];
 }
@@ -306,7 +300,7 @@ add_columns (double *target, const double *matrix, int32_t height, int32_t colum
   for (; c + 4 <= columns; c += 4, matrix += 4 * (size_t) height)
     for (int32_t row = 0; row < height; row += 8) {
       Eight sum = *(const Eight *) (target + row);
-      UNROLL
+      QN_UNROLL
       for (int i = 0; i < 4; i++)
         sum += *(const Eight *) (matrix + i * height + row) * factors[c + i];
       *(Eight *) (target + row) = sum;

@@ -39,16 +39,6 @@ qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_a,
   set_gradient (pair, at_rest);
 }
 
-void
-qn_pair_kinematics_update_linear (QnPairKinematics *pair, const double v[6])
-{
-  for (int i = 0; i < 2; i++) {
-    pair->elongation[i] = 0;
-    for (int j = 0; j < 6; j++)
-      pair->elongation[i] += pair->gradient[i][j] * v[j];
-  }
-}
-
 /* (R - 1) r, without the loss of digits of R r - r when the rotation is small:
  * cos - 1 = -2 sin^2(rz / 2). */
 static QnVec2

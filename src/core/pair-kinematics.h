@@ -32,8 +32,23 @@ typedef struct QnPairKinematics {
 void qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_a,
                               QnVec2 arm_b, double length);
 
+/* rate = dq/du v. Translations of the two blocks enter by their difference, which keeps the
+ * digits that it has. */
+static inline void
+qn_pair_kinematics_rate (const QnPairKinematics *pair, const double v[6], double rate[2])
+{
+  for (int k = 0; k < 2; k++) {
+    const double *g = pair->gradient[k];
+    rate[k] = g[2] * v[2] + g[3] * (v[3] - v[0]) + g[4] * (v[4] - v[1]) + g[5] * v[5];
+  }
+}
+
 /* Elongation at displacements v; the gradient is constant. */
-void qn_pair_kinematics_update_linear (QnPairKinematics *pair, const double v[6]);
+static inline void
+qn_pair_kinematics_update_linear (QnPairKinematics *pair, const double v[6])
+{
+  qn_pair_kinematics_rate (pair, v, pair->elongation);
+}
 
 /* Elongation and gradient at displacements v of any size. */
 void qn_pair_kinematics_update (QnPairKinematics *pair, const double v[6]);
