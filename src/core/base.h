@@ -33,6 +33,13 @@ typedef int32_t QnId;
 #define QN_UNROLL
 #endif
 
+/* The larger of two numbers, the second where the first is none: fmax() is a call. */
+static inline double
+qn_larger (double a, double b)
+{
+  return a > b ? a : b;
+}
+
 /* Degrees of freedom of a block, in the order in which they are stored everywhere. */
 typedef enum {
   QN_DOF_UX, /* displacement of the centroid along x, m */

@@ -70,7 +70,9 @@ qn_central_pair_prepare (QnCentralPair *pair, const double q[2])
   apply_strength (pair, pair->y, used);
   for (int i = 0; i < pair->rows; i++) {
     pair->strength[i] = pair->limit[i] - used[i] - pair->s[i];
-    ratio[i] = pair->z[i] / pair->s[i];
+    pair->inverse_s[i] = 1 / pair->s[i];
+    pair->inverse_z[i] = 1 / pair->z[i];
+    ratio[i] = pair->z[i] * pair->inverse_s[i];
   }
   for (int i = 0; i < 2; i++)
     pair->strain[i] =
@@ -90,49 +92,55 @@ qn_central_pair_prepare (QnCentralPair *pair, const double q[2])
   /* nn tt - nt tn without the terms that cancel: sum^2 - difference^2 = 4 ratio ratio */
   double determinant =
     normal * tt + dilation * (sum * pair->flexibility[1] + 4 * ratio[1] * ratio[2]);
-  pair->inverse[0][0] = tt / determinant;
-  pair->inverse[0][1] = -nt / determinant;
-  pair->inverse[1][0] = -tn / determinant;
-  pair->inverse[1][1] = nn / determinant;
+  double inverse = 1 / determinant;
+  pair->inverse[0][0] = tt * inverse;
+  pair->inverse[0][1] = -nt * inverse;
+  pair->inverse[1][0] = -tn * inverse;
+  pair->inverse[1][1] = nn * inverse;
 }
 
-/* What of the strain is left for the forces when s z is to become `product`:
- *
- *   dz = (product - s z - z ds) / s,  ds = strength - G dy                                 */
+/* dy = H \ (rate + free_strain) */
 static void
-free_strain (const QnCentralPair *pair, double out[2])
+change_of_force (const QnCentralPair *pair, const double rate[2], double dy[2])
 {
+  double strain[2] = { rate[0] + pair->free_strain[0], rate[1] + pair->free_strain[1] };
+
+  for (int i = 0; i < 2; i++)
+    dy[i] = pair->inverse[i][0] * strain[0] + pair->inverse[i][1] * strain[1];
+}
+
+/* dz = (product - s z - z ds) / s,  ds = strength - G dy: what of it does not depend on dy is
+ * free. */
+void
+qn_central_pair_aim (QnCentralPair *pair, double dy[2])
+{
+  const double at_rest[2] = { 0 };
   double free_flow[QN_CENTRAL_ROWS] = { 0 }, flow[2];
 
   for (int i = 0; i < pair->rows; i++)
     free_flow[i] =
-      (pair->product[i] - pair->z[i] * pair->strength[i]) / pair->s[i] - pair->z[i];
+      (pair->product[i] - pair->z[i] * pair->strength[i]) * pair->inverse_s[i]
+      - pair->z[i];
   qn_central_pair_flow (pair, free_flow, flow);
   for (int i = 0; i < 2; i++)
-    out[i] = pair->strain[i] - flow[i];
+    pair->free_strain[i] = pair->strain[i] - flow[i];
+  change_of_force (pair, at_rest, dy);
 }
 
-void
-qn_central_pair_change_of_force (const QnCentralPair *pair, const double rate[2],
-                                 double dy[2])
+double
+qn_central_pair_complete (const QnCentralPair *pair, const double rate[2],
+                          QnCentralStep *step)
 {
-  double strain[2];
+  double used[QN_CENTRAL_ROWS], fastest = 0;
 
-  free_strain (pair, strain);
-  for (int i = 0; i < 2; i++)
-    dy[i] = pair->inverse[i][0] * (rate[0] + strain[0])
-            + pair->inverse[i][1] * (rate[1] + strain[1]);
-}
-
-void
-qn_central_pair_complete (QnCentralPair *pair, const double rate[2])
-{
-  double used[QN_CENTRAL_ROWS];
-
-  qn_central_pair_change_of_force (pair, rate, pair->dy);
-  apply_strength (pair, pair->dy, used);
+  change_of_force (pair, rate, step->dy);
+  apply_strength (pair, step->dy, used);
   for (int i = 0; i < pair->rows; i++) {
-    pair->ds[i] = pair->strength[i] - used[i];
-    pair->dz[i] = (pair->product[i] - pair->z[i] * pair->ds[i]) / pair->s[i] - pair->z[i];
+    step->ds[i] = pair->strength[i] - used[i];
+    step->dz[i] =
+      (pair->product[i] - pair->z[i] * step->ds[i]) * pair->inverse_s[i] - pair->z[i];
+    fastest = qn_larger (-step->ds[i] * pair->inverse_s[i], fastest);
+    fastest = qn_larger (-step->dz[i] * pair->inverse_z[i], fastest);
   }
+  return fastest;
 }

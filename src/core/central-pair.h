@@ -21,11 +21,18 @@ typedef struct QnCentralPair {
   double y[2], s[QN_CENTRAL_ROWS], z[QN_CENTRAL_ROWS];
   double inverse[2][2]; /* of H: the tangent */
 
+  double inverse_s[QN_CENTRAL_ROWS], inverse_z[QN_CENTRAL_ROWS];
+
   double strain[2];                 /* residuals: q - q_p - flow z - y / k */
   double strength[QN_CENTRAL_ROWS]; /* h - G y - s */
   double product[QN_CENTRAL_ROWS];  /* what s z is to become */
-  double dy[2], ds[QN_CENTRAL_ROWS], dz[QN_CENTRAL_ROWS];
+  double free_strain[2];            /* what of the strain is left for the forces then */
 } QnCentralPair;
+
+/* A direction. */
+typedef struct QnCentralStep {
+  double dy[2], ds[QN_CENTRAL_ROWS], dz[QN_CENTRAL_ROWS];
+} QnCentralStep;
 
 /* A pair at its committed state (elongation q and force y, in units of the path), off the
  * boundary of its strength: s z = size everywhere, and s - z what strength is left, or how far
@@ -41,12 +48,15 @@ void qn_central_pair_prepare (QnCentralPair *pair, const double q[2]);
 void qn_central_pair_flow (const QnCentralPair *pair, const double z[QN_CENTRAL_ROWS],
                            double out[2]);
 
-/* The change of the force, dy = H \ (rate + what of the strain is left for the forces), under a
- * rate of elongation. */
-void qn_central_pair_change_of_force (const QnCentralPair *pair, const double rate[2],
-                                      double dy[2]);
+/* Takes up `product`, and gives the change of the force if no block moved. */
+void qn_central_pair_aim (QnCentralPair *pair, double dy[2]);
 
-/* The whole direction, dy, ds and dz. */
-void qn_central_pair_complete (QnCentralPair *pair, const double rate[2]);
+/* The whole direction under a rate of elongation, with
+ *
+ *   dy = H \ (rate + what of the strain is left for the forces)
+ *
+ * Returns how fast it leads to the boundary: s or z vanishes after one over so many steps. */
+double qn_central_pair_complete (const QnCentralPair *pair, const double rate[2],
+                                 QnCentralStep *step);
 
 #endif

@@ -45,9 +45,12 @@ struct QnCentralPath {
   QnEquilibrium *eq;
   double force, length;
   QnCentralPair *pairs;
-  double *rates;       /* pair_count x 2: elongations under a step */
-  QnCentralPair *kept; /* with the direction found so far, while a better one is sought */
-  double *kept_step;   /* unknown_count */
+  QnCentralStep *steps; /* the direction of the pairs, */
+  QnCentralStep *kept;  /* and that found so far, while a better one is sought */
+  double *kept_step;    /* unknown_count */
+  double *rates;        /* pair_count x 2: elongations under a step */
+  double *forces;       /* pair_count x 2, N, and tangents, x 4, N/m, as handed over */
+  double *tangents;
 };
 
 bool
@@ -74,9 +77,13 @@ qn_central_path_new (QnEquilibrium *eq)
   path->length = path->force / as->stiffness;
   path->pairs = qn_alloc (as->pair_count, sizeof *path->pairs);
   path->rates = qn_alloc (2 * as->pair_count, sizeof *path->rates);
+  path->forces = qn_alloc (2 * as->pair_count, sizeof *path->forces);
+  path->tangents = qn_alloc (4 * as->pair_count, sizeof *path->tangents);
+  path->steps = qn_alloc (as->pair_count, sizeof *path->steps);
   path->kept = qn_alloc (as->pair_count, sizeof *path->kept);
   path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
-  if (!path->pairs || !path->rates || !path->kept || !path->kept_step) {
+  if (!path->pairs || !path->rates || !path->forces || !path->tangents || !path->steps
+      || !path->kept || !path->kept_step) {
     qn_central_path_free (path);
     return NULL;
   }
@@ -90,6 +97,9 @@ qn_central_path_free (QnCentralPath *path)
     return;
   free (path->pairs);
   free (path->rates);
+  free (path->forces);
+  free (path->tangents);
+  free (path->steps);
   free (path->kept);
   free (path->kept_step);
   free (path);
@@ -104,6 +114,7 @@ typedef struct {
   double elongation;       /* 1 + the largest */
   double target_gap;       /* what the target lacks */
   double multiplier_step;
+  double boundary;        /* how fast the direction leads there: see central-pair.h */
   double complementarity; /* asked for */
   double watched_gap;     /* when it had last halved, */
   int watched_since;      /* and that iteration */
@@ -141,12 +152,12 @@ prepare (Increment *increment)
     double q[2] = { elongation[0] / path->length, elongation[1] / path->length };
     qn_central_pair_prepare (pair, q);
     for (int i = 0; i < 2; i++) {
-      increment->strain = fmax (increment->strain, fabs (pair->strain[i]));
+      increment->strain = qn_larger (fabs (pair->strain[i]), increment->strain);
       increment->elongation =
-        fmax (increment->elongation, fabs (q[i] - pair->plastic[i]));
+        qn_larger (fabs (q[i] - pair->plastic[i]), increment->elongation);
     }
     for (int i = 0; i < pair->rows; i++) {
-      increment->strength = fmax (increment->strength, fabs (pair->strength[i]));
+      increment->strength = qn_larger (fabs (pair->strength[i]), increment->strength);
       products += pair->s[i] * pair->z[i];
     }
     rows += (size_t) pair->rows;
@@ -155,26 +166,23 @@ prepare (Increment *increment)
   return true;
 }
 
-/* The forces that the pairs would exert if no block moved, and their tangents, where the
- * assembly looks for them; `free_strain` off: the forces as they are. */
-static void
-hand_over_forces (QnCentralPath *path, bool with_free_strain)
+/* residual = what the forces of the pairs leave unbalanced; `aiming`: the forces that they would
+ * exert if no block moved. Returns what it is measured by. */
+static double
+balance (QnCentralPath *path, bool aiming, double *residual)
 {
-  const double at_rest[2] = { 0 };
+  const QnEquilibrium *eq = path->eq;
 
-  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
-    const QnCentralPair *pair = &path->pairs[p];
-    QnPairResponse *response = &path->eq->assembly.responses[p];
+  for (size_t p = 0; p < eq->assembly.pair_count; p++) {
+    QnCentralPair *pair = &path->pairs[p];
     double change[2] = { 0 };
-
-    if (with_free_strain && pair->rows > 0)
-      qn_central_pair_change_of_force (pair, at_rest, change);
-    for (int i = 0; i < 2; i++) {
-      response->force[i] = path->force * (pair->y[i] + change[i]);
-      for (int j = 0; j < 2; j++)
-        response->tangent[i][j] = pair->inverse[i][j] * path->force / path->length;
-    }
+    if (aiming && pair->rows > 0)
+      qn_central_pair_aim (pair, change);
+    for (int i = 0; i < 2; i++)
+      path->forces[2 * p + i] = path->force * (pair->y[i] + change[i]);
   }
+  return qn_assembly_residual_of (&eq->assembly, eq->multiplier, path->forces, 2,
+                                  residual);
 }
 
 static QnFactorStatus
@@ -183,8 +191,11 @@ factorize (QnCentralPath *path)
   QnEquilibrium *eq = path->eq;
   double start = qn_clock_seconds ();
 
-  hand_over_forces (path, false);
-  qn_assembly_tangent (&eq->assembly, eq->multiplier, TRACE);
+  for (size_t p = 0; p < eq->assembly.pair_count; p++)
+    for (int i = 0; i < 4; i++)
+      path->tangents[4 * p + i] =
+        path->pairs[p].inverse[i / 2][i % 2] * path->force / path->length;
+  qn_assembly_tangent_of (&eq->assembly, eq->multiplier, TRACE, path->tangents, 4);
   double assembled = qn_clock_seconds ();
   QnFactorStatus status = qn_linsys_factor (eq->linsys, eq->assembly.ax);
   eq->statistics.assembly_seconds += assembled - start;
@@ -195,17 +206,16 @@ factorize (QnCentralPath *path)
 }
 
 /* The direction that brings every s z to its product and all residuals to zero: eq->step,
- * multiplier_step and the pairs' changes. */
+ * multiplier_step and the pairs' steps. */
 static void
 find_direction (Increment *increment)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
   const QnTarget *target = increment->target;
-  double start = qn_clock_seconds ();
 
-  hand_over_forces (path, true);
-  qn_assembly_residual (&eq->assembly, eq->multiplier, eq->step);
+  balance (path, true, eq->step);
+  double start = qn_clock_seconds ();
   qn_linsys_solve (eq->linsys, eq->step);
   increment->multiplier_step = 0;
   if (target->direction != NULL) {
@@ -215,29 +225,22 @@ find_direction (Increment *increment)
   }
   eq->statistics.factor_seconds += qn_clock_seconds () - start;
 
+  increment->boundary = 0;
   qn_assembly_elongation_rates (&eq->assembly, eq->step, path->rates);
   for (size_t p = 0; p < eq->assembly.pair_count; p++)
     if (path->pairs[p].rows > 0) {
       double rate[2] = { path->rates[2 * p] / path->length,
                          path->rates[2 * p + 1] / path->length };
-      qn_central_pair_complete (&path->pairs[p], rate);
+      double fastest = qn_central_pair_complete (&path->pairs[p], rate, &path->steps[p]);
+      increment->boundary = qn_larger (fastest, increment->boundary);
     }
 }
 
 /* Largest part of the direction, up to all of it, that leaves s and z at zero or above. */
 static double
-way_to_boundary (const QnCentralPath *path)
+way_to_boundary (const Increment *increment)
 {
-  double fastest = 1;
-
-  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
-    const QnCentralPair *pair = &path->pairs[p];
-    for (int i = 0; i < pair->rows; i++) {
-      fastest = fmax (fastest, -pair->ds[i] / pair->s[i]);
-      fastest = fmax (fastest, -pair->dz[i] / pair->z[i]);
-    }
-  }
-  return 1 / fastest;
+  return 1 / qn_larger (increment->boundary, 1);
 }
 
 /* Mean of s z after `part` of the direction. */
@@ -249,8 +252,9 @@ gap_after (const QnCentralPath *path, double part)
 
   for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
     const QnCentralPair *pair = &path->pairs[p];
+    const QnCentralStep *step = &path->steps[p];
     for (int i = 0; i < pair->rows; i++)
-      sum += (pair->s[i] + part * pair->ds[i]) * (pair->z[i] + part * pair->dz[i]);
+      sum += (pair->s[i] + part * step->ds[i]) * (pair->z[i] + part * step->dz[i]);
     rows += (size_t) pair->rows;
   }
   return sum / (double) rows;
@@ -268,44 +272,62 @@ aim_by_predictor (Increment *increment)
     memset (path->pairs[p].product, 0, sizeof path->pairs[p].product);
   find_direction (increment);
 
-  double left = gap_after (path, way_to_boundary (path)) / increment->gap;
+  double left = gap_after (path, way_to_boundary (increment)) / increment->gap;
   double mean = fmax (LEAST_AIM, left * left * left) * increment->gap;
   for (size_t p = 0; p < count; p++) {
     QnCentralPair *pair = &path->pairs[p];
+    const QnCentralStep *step = &path->steps[p];
     for (int i = 0; i < pair->rows; i++)
-      pair->product[i] = mean - pair->ds[i] * pair->dz[i];
+      pair->product[i] = mean - step->ds[i] * step->dz[i];
   }
   return mean;
 }
 
-/* Gondzio: products that a longer step would leave far from their mean are asked to be nearer.
- * Keeps what lengthens the step, which is returned. */
+/* Asks products that a step of this length would leave far from `mean` to be nearer. */
+static void
+ask_for_centrality (QnCentralPath *path, double mean, double length)
+{
+  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
+    QnCentralPair *pair = &path->pairs[p];
+    const QnCentralStep *step = &path->steps[p];
+    for (int i = 0; i < pair->rows; i++) {
+      double product =
+        (pair->s[i] + length * step->ds[i]) * (pair->z[i] + length * step->dz[i]);
+      double wanted = product < mean / CENTRAL   ? mean / CENTRAL
+                      : product > mean * CENTRAL ? mean * CENTRAL
+                                                 : product;
+      pair->product[i] += qn_larger (wanted - product, -mean * CENTRAL);
+    }
+  }
+}
+
+static void
+exchange_steps (QnCentralPath *path)
+{
+  QnCentralStep *steps = path->steps;
+
+  path->steps = path->kept;
+  path->kept = steps;
+}
+
+/* Gondzio: corrects the direction, keeping what lengthens the step, which is returned. */
 static double
 centre (Increment *increment, double mean, double step)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
-  size_t count = eq->assembly.pair_count, bytes = count * sizeof *path->pairs;
   size_t step_bytes = (size_t) eq->assembly.unknown_count * sizeof (double);
 
   for (int corrector = 0; corrector < CORRECTORS && step < LONG; corrector++) {
     double longer = fmin (1, 1.3 * step + 0.1),
            multiplier_step = increment->multiplier_step;
-    memcpy (path->kept, path->pairs, bytes);
+    ask_for_centrality (path, mean, longer);
+    exchange_steps (path);
     memcpy (path->kept_step, eq->step, step_bytes);
-    for (size_t p = 0; p < count; p++) {
-      QnCentralPair *pair = &path->pairs[p];
-      for (int i = 0; i < pair->rows; i++) {
-        double product =
-          (pair->s[i] + longer * pair->ds[i]) * (pair->z[i] + longer * pair->dz[i]);
-        double wanted = fmin (fmax (product, mean / CENTRAL), mean * CENTRAL);
-        pair->product[i] += fmax (wanted - product, -mean * CENTRAL);
-      }
-    }
     find_direction (increment);
-    double reached = way_to_boundary (path);
+    double reached = way_to_boundary (increment);
     if (reached < step + GAIN) {
-      memcpy (path->pairs, path->kept, bytes);
+      exchange_steps (path);
       memcpy (eq->step, path->kept_step, step_bytes);
       increment->multiplier_step = multiplier_step;
       break;
@@ -326,36 +348,38 @@ take_step (Increment *increment, double part)
   eq->multiplier += part * increment->multiplier_step;
   for (size_t p = 0; p < eq->assembly.pair_count; p++) {
     QnCentralPair *pair = &path->pairs[p];
+    const QnCentralStep *step = &path->steps[p];
     if (pair->rows == 0)
       continue;
     for (int i = 0; i < 2; i++)
-      pair->y[i] += part * pair->dy[i];
+      pair->y[i] += part * step->dy[i];
     for (int i = 0; i < pair->rows; i++) {
-      pair->s[i] += part * pair->ds[i];
-      pair->z[i] += part * pair->dz[i];
+      pair->s[i] += part * step->ds[i];
+      pair->z[i] += part * step->dz[i];
     }
   }
 }
 
-/* Whether the iterate is good enough for Newton's method to finish. */
+/* Whether the iterate is good enough for Newton's method to finish. Balance, the dearest
+ * question, is asked last. */
 static bool
 has_converged (Increment *increment)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
-  double largest = 0;
 
-  hand_over_forces (path, false);
-  double scale = qn_assembly_residual (&eq->assembly, eq->multiplier, eq->residual);
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    largest = fmax (largest, fabs (eq->residual[i]));
   increment->target_gap =
     qn_equilibrium_target_lack (eq, increment->target, eq->u, eq->multiplier);
-  return largest <= BALANCE * scale && increment->strength <= BALANCE
-         && increment->strain <= STRAIN * increment->elongation
-         && increment->gap <= increment->complementarity * increment->elongation
-         && fabs (increment->target_gap)
-              <= 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance);
+  if (increment->strength > BALANCE || increment->strain > STRAIN * increment->elongation
+      || increment->gap > increment->complementarity * increment->elongation
+      || fabs (increment->target_gap)
+           > 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance))
+    return false;
+
+  double scale = balance (path, false, eq->residual), largest = 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    largest = qn_larger (fabs (eq->residual[i]), largest);
+  return largest <= BALANCE * scale;
 }
 
 /* Newton's method from where the iteration stands; FAILED leaves it there. */
@@ -439,13 +463,15 @@ improve (Increment *increment)
   case QN_FACTOR_NO_MEMORY:
     return QN_SOLVE_NO_MEMORY;
   }
-  memcpy (eq->live_step, eq->assembly.live,
-          (size_t) eq->assembly.unknown_count * sizeof (double));
-  qn_linsys_solve (eq->linsys, eq->live_step);
+  if (increment->target->direction != NULL) {
+    memcpy (eq->live_step, eq->assembly.live,
+            (size_t) eq->assembly.unknown_count * sizeof (double));
+    qn_linsys_solve (eq->linsys, eq->live_step);
+  }
 
   double mean = aim_by_predictor (increment);
   find_direction (increment);
-  double step = centre (increment, mean, way_to_boundary (increment->path));
+  double step = centre (increment, mean, way_to_boundary (increment));
   take_step (increment, fmin (1, TO_BOUNDARY * step));
   return QN_SOLVE_CONVERGED;
 }

@@ -22,7 +22,7 @@ struct QnLinsys {
   /* KLU takes its read-only arguments without const. */
   int32_t *ap, *ai;
   QnBlockLu *blocks;
-  double *trial, *sums; /* n: a solution of A trial = sums, sums = A 1 */
+  double *trial, *left; /* n: a solution of A trial = 1, and what it leaves */
   bool pivoted;         /* the last factorisation is KLU's */
   klu_common common;
   klu_symbolic *symbolic; /* NULL until it is needed */
@@ -48,9 +48,9 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai)
   system->ai = (int32_t *) ai;
   system->blocks = qn_block_lu_new (n, ap, ai);
   system->trial = qn_alloc ((size_t) n, sizeof *system->trial);
-  system->sums = qn_alloc ((size_t) n, sizeof *system->sums);
+  system->left = qn_alloc ((size_t) n, sizeof *system->left);
   system->visited = qn_alloc ((size_t) n, sizeof *system->visited);
-  if (system->blocks == NULL || system->trial == NULL || system->sums == NULL
+  if (system->blocks == NULL || system->trial == NULL || system->left == NULL
       || system->visited == NULL) {
     qn_linsys_free (system);
     return NULL;
@@ -65,7 +65,7 @@ qn_linsys_free (QnLinsys *system)
     return;
   qn_block_lu_free (system->blocks);
   free (system->trial);
-  free (system->sums);
+  free (system->left);
   klu_free_numeric (&system->numeric, &system->common);
   klu_free_symbolic (&system->symbolic, &system->common);
   free (system->visited);
@@ -133,50 +133,29 @@ factor_pivoting (QnLinsys *system, double *ax)
 
 /* --- Which of the two ------------------------------------------------------------------- */
 
-static double
-larger (double a, double b)
-{
-  return a > b ? a : b; /* fmax() is a call, and twenty times as slow */
-}
-
-static double
-largest_size (const double *x, int32_t n)
-{
-  double largest = 0;
-
-  for (int32_t i = 0; i < n; i++)
-    largest = larger (fabs (x[i]), largest);
-  return largest;
-}
-
-/* Backward error of the block factorisation on A x = A 1:
+/* Backward error of the block factorisation on A x = 1:
  *
- *   |A 1 - A x| / (|A| |x| + |A 1|)                                   (Rigal & Gaches 1967) */
+ *   |1 - A x| / (|A| |x| + 1)                                         (Rigal & Gaches 1967) */
 static double
 backward_error (QnLinsys *system, const double *ax)
 {
   const int32_t *ap = system->ap, *ai = system->ai;
-  size_t bytes = (size_t) system->n * sizeof (double);
-  double *x = system->trial, *sums = system->sums, matrix = 0;
+  double *x = system->trial, *left = system->left, matrix = 0, solution = 0, error = 0;
 
-  memset (sums, 0, bytes);
-  for (int32_t p = 0; p < ap[system->n]; p++) {
-    sums[ai[p]] += ax[p];
-    matrix = larger (fabs (ax[p]), matrix);
-  }
-  memcpy (x, sums, bytes);
-  qn_block_lu_solve (system->blocks, x);
-  double right = largest_size (sums, system->n), solution = largest_size (x, system->n);
-  for (int32_t j = 0; j < system->n; j++)
-    for (int32_t p = ap[j]; p < ap[j + 1]; p++)
-      sums[ai[p]] -= ax[p] * x[j];
-  if (right == 0 && solution == 0)
-    return 0;
-  double error = 0;
   for (int32_t i = 0; i < system->n; i++)
-    error =
-      fabs (sums[i]) <= error ? error : fabs (sums[i]); /* keeps what is no number */
-  return error / (matrix * solution + right);
+    x[i] = left[i] = 1;
+  qn_block_lu_solve (system->blocks, x);
+  for (int32_t j = 0; j < system->n; j++) {
+    for (int32_t p = ap[j]; p < ap[j + 1]; p++) {
+      left[ai[p]] -= ax[p] * x[j];
+      matrix = qn_larger (fabs (ax[p]), matrix);
+    }
+    solution = qn_larger (fabs (x[j]), solution);
+  }
+  for (int32_t i = 0; i < system->n; i++)
+    if (!(fabs (left[i]) <= error)) /* keeps what is no number */
+      error = fabs (left[i]);
+  return error / (matrix * solution + 1);
 }
 
 QnFactorStatus
