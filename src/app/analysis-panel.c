@@ -1,7 +1,6 @@
 #include "app/form.h"
 #include "app/panel.h"
 #include "doc/pair-text.h"
-#include "io/outcome-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -171,7 +170,7 @@ static QnVec2
 weight_load (const QnLoad *loads, gsize count)
 {
   for (gsize i = 0; i < count; i++) {
-    if (loads[i].kind == QN_LOAD_WEIGHT)
+    if (loads[i].kind == QN_LOAD_WEIGHT && loads[i].set == 0)
       return loads[i].vector;
   }
   return qn_vec2 (0.0, 0.0);
@@ -231,7 +230,8 @@ update_visibility (Panel *panel, const QnModel *model)
   } rows[] = { { panel->geometry, path },
                { panel->snap, path },
                { panel->increments, path },
-               { panel->max_multiplier, path },
+               { panel->max_multiplier, path && model->stage_count == 0 },
+               { panel->procedure, model->stage_count == 0 },
                { panel->multiplier_tolerance, path },
                { panel->residual_tolerance, path },
                { panel->control_block, path },
@@ -246,23 +246,15 @@ update_visibility (Panel *panel, const QnModel *model)
     qn_form_set_row_visible (rows[i].field, rows[i].visible);
 }
 
-/* Stages are kept and solved as the project file has them. */
+/* Stages have procedures and ends of their own. */
 static void
 update_stages (Panel *panel, const QnModel *model)
 {
-  g_autoptr (GString) text = g_string_new (NULL);
-  for (gsize i = 0; i < model->stage_count; i++) {
-    g_autofree char *name = qn_stage_dup_name (model, (int32_t) i + 1);
-    g_string_append_printf (text, "%s“%s”", i > 0 ? ", " : "", name);
-  }
-  g_autofree char *told =
-    model->stage_count > 0 ? g_strdup_printf (
-      _ ("Loaded in stages, as the project file has them: %s. Each has "
-         "its own procedure, increments and end."),
-      text->str)
-                           : g_strdup ("");
-  gtk_label_set_text (panel->stages, told);
+  gtk_label_set_text (panel->stages,
+                      _ ("Loaded in stages: each has its own procedure, increments and "
+                         "end; the rest holds for all of them."));
   gtk_widget_set_visible (GTK_WIDGET (panel->stages), model->stage_count > 0);
+  gtk_widget_set_visible (GTK_WIDGET (panel->explanation), model->stage_count == 0);
 }
 
 static void
@@ -392,10 +384,14 @@ qn_analysis_panel_new (QnCanvas *canvas)
   panel->canvas = canvas;
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   GtkWidget *form = qn_form_new ();
+  GtkWidget *contacts = qn_form_new ();
   build_procedure (panel, form);
   build_loads (panel, form);
-  build_contacts (panel, form);
+  build_contacts (panel, contacts);
   gtk_box_append (GTK_BOX (box), form);
+  gtk_box_append (GTK_BOX (box), qn_load_form_new (canvas));
+  gtk_box_append (GTK_BOX (box), qn_stage_form_new (canvas));
+  gtk_box_append (GTK_BOX (box), contacts);
   gtk_box_append (GTK_BOX (box), qn_law_form_new (canvas));
   qn_own (box, panel);
   qn_watch (box, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), panel);

@@ -33,9 +33,10 @@ on_number (QnQuantityEntry *entry, Form *form)
 static void
 update (Form *form)
 {
-  guint count = 0;
-  qn_selection_get_blocks (qn_canvas_get_selection (form->canvas), &count);
-  gtk_widget_set_visible (form->box, count > 0);
+  guint blocks = 0, beams = 0;
+  qn_selection_get_blocks (qn_canvas_get_selection (form->canvas), &blocks);
+  qn_selection_get_beams (qn_canvas_get_selection (form->canvas), &beams);
+  gtk_widget_set_visible (form->box, blocks + beams > 0);
 }
 
 GtkWidget *

@@ -28,6 +28,12 @@ qn_canvas_emit_failed (QnCanvas *self, const char *message)
   g_signal_emit (self, signals[SIGNAL_FAILED], 0, message);
 }
 
+void
+qn_canvas_tell (QnCanvas *self, const char *message)
+{
+  qn_canvas_emit_failed (self, message);
+}
+
 /* ---- scene ---- */
 
 const QnScene *

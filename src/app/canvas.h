@@ -88,6 +88,9 @@ gboolean qn_canvas_edit (QnCanvas *canvas, const char *name, const char *key,
 gboolean qn_canvas_edit_project (QnCanvas *canvas, const char *name, const char *key,
                                  QnProjectEditFunc func, gpointer data);
 
+/* Tells the user why something cannot be done. */
+void qn_canvas_tell (QnCanvas *canvas, const char *message);
+
 /* Says that a gesture is under way (Escape gives it up, numbers are typed for it) or over. */
 void qn_canvas_set_in_gesture (QnCanvas *canvas, gboolean in_gesture);
 

@@ -7,6 +7,9 @@
 /* Characters of a choice that are shown in any case. */
 #define CHOICE_CHARS 16
 
+/* px: lists that are higher scroll. */
+#define MOST_LIST_HEIGHT 160
+
 #define ROW_LABEL "qn-row-label"
 
 GtkWidget *
@@ -174,6 +177,71 @@ qn_form_set_check (GtkWidget *check, gboolean active, gpointer user_data)
   gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
   g_signal_handlers_unblock_matched (check, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
                                      user_data);
+}
+
+GtkWidget *
+qn_form_add_list (GtkWidget *form, const char *name, GCallback selected,
+                  gpointer user_data)
+{
+  GtkWidget *list = gtk_list_box_new ();
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_accessible_update_property (GTK_ACCESSIBLE (list), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  name, -1);
+  g_signal_connect (list, "row-selected", selected, user_data);
+  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
+                                  GTK_POLICY_AUTOMATIC);
+  gtk_scrolled_window_set_max_content_height (GTK_SCROLLED_WINDOW (scroller),
+                                              MOST_LIST_HEIGHT);
+  gtk_scrolled_window_set_propagate_natural_height (GTK_SCROLLED_WINDOW (scroller), TRUE);
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), list);
+  gtk_widget_add_css_class (scroller, "frame");
+  gtk_widget_set_hexpand (scroller, TRUE);
+  qn_form_add_wide (form, scroller);
+  return list;
+}
+
+void
+qn_form_fill_list (GtkWidget *list, const char *const *lines, int selected,
+                   gpointer user_data)
+{
+  GtkListBox *box = GTK_LIST_BOX (list);
+  g_signal_handlers_block_matched (list, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
+  GtkWidget *child;
+  while ((child = gtk_widget_get_first_child (list)) != NULL)
+    gtk_list_box_remove (box, child);
+  for (int i = 0; lines[i] != NULL; i++) {
+    GtkWidget *label = gtk_label_new (lines[i]);
+    gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    gtk_widget_set_tooltip_text (label, lines[i]);
+    gtk_list_box_append (box, label);
+  }
+  gtk_list_box_select_row (
+    box, selected >= 0 ? gtk_list_box_get_row_at_index (box, selected) : NULL);
+  g_signal_handlers_unblock_matched (list, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     user_data);
+}
+
+GtkWidget *
+qn_form_add_buttons (GtkWidget *form)
+{
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  gtk_box_set_homogeneous (GTK_BOX (box), TRUE);
+  gtk_widget_set_hexpand (box, TRUE);
+  qn_form_add_wide (form, box);
+  return box;
+}
+
+GtkWidget *
+qn_form_add_button (GtkWidget *buttons, const char *label, const char *tooltip,
+                    GCallback clicked, gpointer user_data)
+{
+  GtkWidget *button = gtk_button_new_with_mnemonic (label);
+  gtk_widget_set_tooltip_text (button, tooltip);
+  g_signal_connect_swapped (button, "clicked", clicked, user_data);
+  gtk_box_append (GTK_BOX (buttons), button);
+  return button;
 }
 
 void

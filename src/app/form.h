@@ -48,6 +48,20 @@ void qn_form_fill_laws (GtkDropDown *choice, const QnModel *model, const char *f
 /* The law that such a choice shows, or QN_NONE. */
 QnId qn_form_get_law (GtkDropDown *choice);
 
+/* A list of lines over both columns, of which one is selected, calling `selected` (GtkListBox *,
+ * GtkListBoxRow *, user_data); `name` is for screen readers. */
+GtkWidget *qn_form_add_list (GtkWidget *form, const char *name, GCallback selected,
+                             gpointer user_data);
+/* Fills it without calling back; selected < 0: none. */
+void qn_form_fill_list (GtkWidget *list, const char *const *lines, int selected,
+                        gpointer user_data);
+
+/* Buttons beside each other over both columns. */
+GtkWidget *qn_form_add_buttons (GtkWidget *form);
+/* One of them, calling `clicked` (user_data). */
+GtkWidget *qn_form_add_button (GtkWidget *buttons, const char *label, const char *tooltip,
+                               GCallback clicked, gpointer user_data);
+
 /* Sets a choice without calling back. */
 void qn_form_set_choice (GtkDropDown *choice, guint selected, gpointer user_data);
 

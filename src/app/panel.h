@@ -28,6 +28,10 @@ GtkWidget *qn_section_form_new (QnCanvas *canvas);
 /* Procedure and its parameters, loads, contacts, laws. */
 GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
 
+/* Single loads, and stages of loading; parts of the analysis panel. */
+GtkWidget *qn_load_form_new (QnCanvas *canvas);
+GtkWidget *qn_stage_form_new (QnCanvas *canvas);
+
 /* The law of the contacts; part of the analysis panel. */
 GtkWidget *qn_law_form_new (QnCanvas *canvas);
 

@@ -1,6 +1,8 @@
 #include "app/form.h"
 #include "app/panel.h"
 #include "app/settings.h"
+#include "doc/load-text.h"
+#include "io/outcome-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -131,10 +133,28 @@ update_label (Bar *bar, const QnRun *run)
   else {
     int step = qn_view_state_get_step (bar->state);
     int shown = step == QN_STEP_LAST ? last_step (bar) : step;
-    text = g_strdup_printf (_ ("Step %d of %d, multiplier %.4f"), shown, last_step (bar),
-                            run->result.steps[shown].multiplier);
+    const QnStep *at = &run->result.steps[shown];
+    if (at->stage > 0 && (gsize) at->stage <= run->model.stage_count) {
+      g_autofree char *stage = qn_stage_dup_name (&run->model, at->stage);
+      text = g_strdup_printf (_ ("Step %d of %d, “%s” %.4f"), shown, last_step (bar),
+                              stage, at->multiplier);
+    } else
+      text = g_strdup_printf (_ ("Step %d of %d, multiplier %.4f"), shown,
+                              last_step (bar), at->multiplier);
   }
   gtk_label_set_text (GTK_LABEL (bar->step_label), text);
+}
+
+/* The end of each stage but the last. */
+static void
+mark_stages (Bar *bar)
+{
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  gtk_scale_clear_marks (GTK_SCALE (bar->slider));
+  size_t first = 0, last = 0;
+  for (gsize i = 1; run != NULL && i < run->model.stage_count; i++)
+    if (qn_result_stage_steps (&run->result, (int32_t) i, &first, &last))
+      gtk_scale_add_mark (GTK_SCALE (bar->slider), (double) last, GTK_POS_TOP, NULL);
 }
 
 static void
@@ -218,6 +238,8 @@ qn_playback_bar_new (QnViewState *state)
   g_object_set_data (G_OBJECT (bar->box), "qn-bar", bar);
   qn_own (bar->box, bar);
   qn_watch (bar->box, state, "changed", G_CALLBACK (update), bar);
+  qn_watch (bar->box, qn_view_state_get_document (state), "runs-changed",
+            G_CALLBACK (mark_stages), bar);
   update (bar);
   return bar->box;
 }

@@ -2,6 +2,8 @@
 #include "app/form.h"
 #include "app/panel.h"
 #include "doc/explain.h"
+#include "doc/load-text.h"
+#include "io/outcome-text.h"
 #include <glib/gi18n.h>
 
 typedef struct Panel {
@@ -10,7 +12,7 @@ typedef struct Panel {
   GtkWidget *empty, *content, *stale, *curve;
   GtkLabel *outcome, *mechanism, *facts;
   GtkDropDown *runs;
-  GtkDropDown *onion;
+  GtkDropDown *onion, *stage;
 } Panel;
 
 static QnDocument *
@@ -110,6 +112,62 @@ update_runs (Panel *panel)
   qn_form_set_row_visible (GTK_WIDGET (panel->onion), runs->len > 1);
 }
 
+/* ---- stages ---- */
+
+/* The end of the chosen one. */
+static void
+on_stage_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
+{
+  (void) pspec;
+  const QnRun *run = run_of (panel);
+  size_t first = 0, last = 0;
+  if (run == NULL
+      || !qn_result_stage_steps (
+        &run->result, (int32_t) gtk_drop_down_get_selected (choice), &first, &last))
+    return;
+  if (!qn_view_needs_result (qn_view_state_get_view (panel->state))
+      || qn_view_state_get_view (panel->state) == QN_VIEW_MECHANISM)
+    qn_view_state_set_view (panel->state, QN_VIEW_DEFORMED);
+  qn_view_state_set_step (panel->state, (int) last);
+}
+
+/* The stage of the step that is shown. */
+static void
+follow_stage (Panel *panel)
+{
+  const QnRun *run = run_of (panel);
+  gsize count = run != NULL ? run->result.step_count : 0;
+  if (count == 0 || run->model.stage_count == 0)
+    return;
+  int step = qn_view_state_get_step (panel->state);
+  const QnStep *at = &run->result.steps[step == QN_STEP_LAST ? count - 1 : (gsize) step];
+  qn_form_set_choice (panel->stage, (guint) at->stage, panel);
+}
+
+/* Those that the run came to, behind the dead load. */
+static void
+update_stages (Panel *panel, const QnRun *run)
+{
+  gboolean any = run != NULL && run->model.stage_count > 0 && run->result.step_count > 0;
+  qn_form_set_row_visible (GTK_WIDGET (panel->stage), any);
+  if (!any)
+    return;
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  g_strv_builder_add (names, _ ("Dead load"));
+  size_t first = 0, last = 0;
+  for (int32_t i = 1; i <= (int32_t) run->model.stage_count; i++) {
+    if (!qn_result_stage_steps (&run->result, i, &first, &last))
+      break;
+    g_autofree char *name = qn_stage_dup_name (&run->model, i);
+    g_autofree char *line =
+      g_strdup_printf (_ ("%s, to %.4g"), name, run->result.steps[last].multiplier);
+    g_strv_builder_add (names, line);
+  }
+  g_auto (GStrv) strings = g_strv_builder_end (names);
+  qn_form_fill_choice (panel->stage, (const char *const *) strings, 0, panel);
+  follow_stage (panel);
+}
+
 static void
 update_on_change (Panel *panel)
 {
@@ -132,6 +190,7 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->curve,
                           busy || run == NULL
                             || run->model.analysis.procedure != QN_PROCEDURE_LIMIT);
+  update_stages (panel, run);
   if (run != NULL)
     update_words (panel, run);
 }
@@ -152,6 +211,8 @@ build_content (Panel *panel)
   qn_form_add_wide (form, panel->curve);
   panel->runs =
     qn_form_add_choice (form, _ ("_Run"), none, G_CALLBACK (on_run_chosen), panel);
+  panel->stage = qn_form_add_choice (form, _ ("End of _stage"), none,
+                                     G_CALLBACK (on_stage_chosen), panel);
   panel->facts = qn_form_add_text (form);
   gtk_widget_add_css_class (GTK_WIDGET (panel->facts), "dim-label");
   gtk_widget_set_hexpand (GTK_WIDGET (panel->runs), TRUE);
@@ -184,6 +245,7 @@ qn_result_panel_new (QnCanvas *canvas)
   qn_watch (box, document, "runs-changed", G_CALLBACK (update), panel);
   qn_watch (box, document, "job-changed", G_CALLBACK (update), panel);
   qn_watch (box, document, "changed", G_CALLBACK (update_on_change), panel);
+  qn_watch (box, panel->state, "changed", G_CALLBACK (follow_stage), panel);
   update (panel);
   return box;
 }

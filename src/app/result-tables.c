@@ -5,6 +5,7 @@
 #include "app/settings.h"
 #include "doc/beam-summary.h"
 #include "doc/explain.h"
+#include "io/outcome-text.h"
 #include "render/motion.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -17,6 +18,7 @@ typedef struct Table {
   GtkWidget *widget; /* of beams */
   GtkStringList *rows;
   GtkSingleSelection *selection;
+  GtkColumnViewColumn *stage; /* of steps: shown where there are stages */
 } Table;
 
 typedef char *(*CellFunc) (const Table *table, const QnRun *run, guint row);
@@ -63,7 +65,7 @@ on_bind_cell (GtkSignalListItemFactory *factory, GtkListItem *item, Column *colu
   gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)), text);
 }
 
-static void
+static GtkColumnViewColumn *
 add_column (GtkWidget *view, const char *title, const Table *table, CellFunc cell)
 {
   Column *data = g_new (Column, 1);
@@ -74,6 +76,7 @@ add_column (GtkWidget *view, const char *title, const Table *table, CellFunc cel
                          (GClosureNotify) (gpointer) g_free, 0);
   g_autoptr (GtkColumnViewColumn) column = gtk_column_view_column_new (title, factory);
   gtk_column_view_append_column (GTK_COLUMN_VIEW (view), column);
+  return column; /* the view holds it */
 }
 
 static char *
@@ -98,6 +101,16 @@ cell_step (const Table *table, const QnRun *run, guint row)
   (void) table;
   (void) run;
   return g_strdup_printf ("%u", row);
+}
+
+static char *
+cell_stage (const Table *table, const QnRun *run, guint row)
+{
+  (void) table;
+  int32_t stage = row < run->result.step_count ? run->result.steps[row].stage : 0;
+  return stage > 0 && (gsize) stage <= run->model.stage_count
+           ? qn_stage_dup_name (&run->model, stage)
+           : g_strdup ("");
 }
 
 static char *
@@ -324,6 +337,8 @@ static void
 update_steps (Table *table)
 {
   const QnRun *run = run_of (table);
+  gtk_column_view_column_set_visible (table->stage,
+                                      run != NULL && run->model.stage_count > 0);
   set_row_count (table, run != NULL ? run->result.step_count : 0,
                  G_CALLBACK (on_step_selected));
 }
@@ -350,6 +365,7 @@ qn_step_table_new (QnViewState *state)
   GtkWidget *view = make_view (table, G_CALLBACK (on_step_selected));
   g_autofree char *displacement = dup_title (_ ("Largest motion"), QN_QUANTITY_LENGTH);
   add_column (view, _ ("Step"), table, cell_step);
+  table->stage = add_column (view, _ ("Stage"), table, cell_stage);
   add_column (view, _ ("Multiplier"), table, cell_multiplier);
   add_column (view, displacement, table, cell_displacement);
   add_column (view, _ ("Iterations"), table, cell_iterations);

@@ -1,0 +1,129 @@
+/* Stages and settlements in the window: made in the panel, solved, and looked at one by one. */
+#include "driver.h"
+
+#include <math.h>
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static gboolean
+is_expander (GtkWidget *widget, gconstpointer label)
+{
+  return GTK_IS_EXPANDER (widget)
+         && g_strcmp0 (gtk_expander_get_label (GTK_EXPANDER (widget)), label) == 0;
+}
+
+static void
+open_expander (GtkWidget *root, const char *label)
+{
+  GtkWidget *expander = driver_find_widget (root, is_expander, label);
+  g_assert_nonnull (expander);
+  gtk_expander_set_expanded (GTK_EXPANDER (expander), TRUE);
+  driver_run (300);
+}
+
+static gboolean
+is_button (GtkWidget *widget, gconstpointer label)
+{
+  return GTK_IS_BUTTON (widget)
+         && g_strcmp0 (gtk_button_get_label (GTK_BUTTON (widget)), label) == 0;
+}
+
+static gboolean
+is_list_of_stages (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_LIST_BOX (widget) && gtk_widget_get_mapped (widget)
+         && gtk_list_box_get_row_at_index (GTK_LIST_BOX (widget), 1) != NULL;
+}
+
+static gboolean
+is_stage_choice (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  if (!GTK_IS_DROP_DOWN (widget) || !gtk_widget_get_mapped (widget))
+    return FALSE;
+  GListModel *names = gtk_drop_down_get_model (GTK_DROP_DOWN (widget));
+  g_autoptr (GtkStringObject) first =
+    names != NULL ? g_list_model_get_item (names, 0) : NULL;
+  return first != NULL && g_str_equal (gtk_string_object_get_string (first), "Dead load");
+}
+
+/* A wall, its foundation settles, then the loads push it: two sets, two stages. */
+static void
+test_settle_and_push (void)
+{
+  QnWindow *window = driver_open_example ("19-settling-wall.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  QnDocument *document = qn_window_get_document (window);
+  gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
+  driver_activate (window, "win.show-panel::analysis");
+  open_expander (root, "Loads One by _One");
+  driver_press (root, "Add Set");
+  g_assert_cmpuint (model_of (window)->load_set_count, ==, 1);
+  driver_press (root, "+ Weight");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
+  g_assert_cmpint (model_of (window)->live_loads[1].set, ==, 1);
+  driver_screenshot (root, "load-form");
+  open_expander (root, "Loading in _Stages");
+  driver_press (root, "Add Stage");
+  driver_press (root, "Add Stage");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 2);
+  g_assert_cmpuint (model_of (window)->stages[0].sets, ==, 1);
+  g_assert_cmpuint (model_of (window)->stages[1].sets, ==, 2);
+  /* The form shows the stage that is selected in the list. */
+  GtkWidget *list = driver_find_widget (root, is_list_of_stages, NULL);
+  g_assert_nonnull (list);
+  gtk_list_box_select_row (GTK_LIST_BOX (list),
+                           gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 0));
+  gtk_list_box_select_row (GTK_LIST_BOX (list),
+                           gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), 1));
+  GtkWidget *loads = driver_find_widget (root, is_expander, "Loads One by _One");
+  gtk_expander_set_expanded (GTK_EXPANDER (loads), FALSE);
+  gtk_widget_grab_focus (driver_find_widget (root, is_button, "_Earlier"));
+  driver_run (300);
+  driver_screenshot (root, "stage-form");
+  driver_press (root, "Earlier");
+  g_assert_cmpuint (model_of (window)->stages[0].sets, ==, 2);
+  driver_press (root, "Later");
+  g_assert_cmpuint (model_of (window)->stages[0].sets, ==, 1);
+
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  const QnRun *run = qn_document_get_run (document);
+  g_assert_nonnull (run);
+  g_assert_cmpint (run->result.stage, ==, 2);
+  GtkWidget *stage = driver_find_widget (root, is_stage_choice, NULL);
+  g_assert_nonnull (stage);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (stage), 1);
+  driver_run (200);
+  QnViewState *state = qn_window_get_view_state (window);
+  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DEFORMED);
+  int step = qn_view_state_get_step (state);
+  g_assert_cmpint (run->result.steps[step].stage, ==, 1);
+  g_assert_cmpint (run->result.steps[step + 1].stage, ==, 2);
+  g_assert_cmpfloat_with_epsilon (run->result.steps[step].multiplier, 1.0, 1e-9);
+  open_expander (root, "_Steps");
+  driver_screenshot (root, "stage-result");
+  /* The choice follows the step. */
+  driver_activate (window, "win.next-step");
+  g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (stage)), ==, 2);
+
+  while (qn_document_undo (document))
+    driver_run (20);
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 0);
+  g_assert_cmpuint (model_of (window)->load_set_count, ==, 0);
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/stages/settle-and-push", test_settle_and_push);
+  return g_test_run ();
+}

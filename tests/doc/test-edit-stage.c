@@ -1,0 +1,282 @@
+/* Sets of loads and stages: added, filled, put in order, undone; what breaks a rule is refused. */
+#include "doc/document.h"
+#include "doc/edit-stage.h"
+#include "doc/load-text.h"
+
+#include <string.h>
+
+static const char text[] =
+  "{ \"format\": \"quoin\", \"version\": 1,"
+  "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+  "    \"friction\": 0.6 } ],"
+  "  \"blocks\": [ { \"name\": \"ground\", \"vertices\": [[0,0],[2,0],[2,1],[0,1]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+  "    { \"name\": \"stone\", \"vertices\": [[0,1],[1,1],[1,2],[0,2]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+  "  \"contact\": { \"law\": \"dry\" },"
+  "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],"
+  "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },"
+  "  \"analysis\": { \"procedure\": \"load\", \"max_multiplier\": 0.25 } }";
+
+static QnDocument *
+open_stone (void)
+{
+  QnDocument *document = qn_document_new ();
+  g_autoptr (GError) error = NULL;
+  qn_document_load_text (document, text, "stone", &error);
+  g_assert_no_error (error);
+  return document;
+}
+
+static const QnModel *
+edit (QnDocument *document, QnEditFunc func, gconstpointer data)
+{
+  g_autoptr (GError) error = NULL;
+  qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error);
+  g_assert_no_error (error);
+  return qn_document_get_model (document);
+}
+
+static void
+refuse (QnDocument *document, QnEditFunc func, gconstpointer data)
+{
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autoptr (GError) error = NULL;
+  g_assert_false (
+    qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error));
+  g_assert_nonnull (error);
+  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+}
+
+static gboolean
+add_set (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_add_load_set (model, error);
+}
+
+static gboolean
+rename_set (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_rename_load_set (model, 1, data, error);
+}
+
+static gboolean
+delete_set (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_delete_load_set (model, 1, error);
+}
+
+typedef struct Put {
+  int32_t list;
+  gsize index;
+  QnLoad load;
+} Put;
+
+static gboolean
+append (QnModel *model, gpointer data, GError **error)
+{
+  const Put *put = data;
+  return qn_edit_append_load (model, put->list, put->load, error);
+}
+
+static gboolean
+replace (QnModel *model, gpointer data, GError **error)
+{
+  const Put *put = data;
+  return qn_edit_replace_load (model, put->list, put->index, put->load, error);
+}
+
+static gboolean
+remove_it (QnModel *model, gpointer data, GError **error)
+{
+  const Put *put = data;
+  return qn_edit_remove_load (model, put->list, put->index, error);
+}
+
+static gboolean
+add_stage (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_add_stage (model, error);
+}
+
+typedef struct Order {
+  gsize stage;
+  int by;
+} Order;
+
+static gboolean
+move_stage (QnModel *model, gpointer data, GError **error)
+{
+  const Order *order = data;
+  return qn_edit_move_stage (model, order->stage, order->by, error);
+}
+
+static gboolean
+delete_stage (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_stage (model, *(const gsize *) data, error);
+}
+
+static gboolean
+rename_stage (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_rename_stage (model, 0, data, error);
+}
+
+typedef struct Settings {
+  gsize stage;
+  QnStage settings;
+} Settings;
+
+static gboolean
+change_stage (QnModel *model, gpointer data, GError **error)
+{
+  const Settings *s = data;
+  return qn_edit_change_stage (model, s->stage, &s->settings, error);
+}
+
+static const QnLoad settlement = { .kind = QN_LOAD_SETTLEMENT,
+                                   .block = 0,
+                                   .node = QN_NONE,
+                                   .beam = QN_NONE,
+                                   .dof = QN_DOF_UY,
+                                   .value = -0.01 };
+
+/* Lists are independent of each other, whatever order their loads have in the model. */
+static void
+test_loads (void)
+{
+  g_autoptr (QnDocument) document = open_stone ();
+  const QnModel *model = edit (document, add_set, NULL);
+  g_assert_cmpuint (model->load_set_count, ==, 1);
+  model = edit (document, rename_set, "top");
+  g_assert_cmpint (qn_model_find_load_set (model, "top"), ==, 1);
+  refuse (document, rename_set, "live");
+  refuse (document, rename_set, "");
+
+  QnLoad force = { .kind = QN_LOAD_FORCE,
+                   .block = 1,
+                   .node = QN_NONE,
+                   .beam = QN_NONE,
+                   .vector = { 0, -500 } };
+  edit (document, append, &(Put){ 1, 0, force });
+  edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
+  edit (document, append, &(Put){ 0, 0, force });
+  model = edit (document, append, &(Put){ 1, 0, settlement });
+  g_assert_cmpuint (qn_model_count_loads (model, 1), ==, 2);
+  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 2);
+  g_assert_cmpuint (qn_model_count_loads (model, QN_DEAD_LOADS), ==, 2);
+  g_assert_cmpint (qn_model_get_load (model, 1, 1)->kind, ==, QN_LOAD_SETTLEMENT);
+  g_assert_null (qn_model_get_load (model, 1, 2));
+
+  force.vector.y = -700;
+  model = edit (document, replace, &(Put){ 1, 0, force });
+  g_assert_cmpfloat (qn_model_get_load (model, 1, 0)->vector.y, ==, -700);
+  g_assert_cmpfloat (qn_model_get_load (model, 0, 1)->vector.y, ==, -500);
+  QnLoad wrong = settlement;
+  wrong.block = 1; /* not fixed: nothing to give way */
+  refuse (document, append, &(Put){ 1, 0, wrong });
+  refuse (document, remove_it, &(Put){ 1, 7, force });
+  model = edit (document, remove_it, &(Put){ 1, 0, force });
+  g_assert_cmpint (qn_model_get_load (model, 1, 0)->kind, ==, QN_LOAD_SETTLEMENT);
+  g_autofree char *words =
+    qn_load_dup_text (model, qn_model_get_load (model, 1, 0), QN_UNITS_SI);
+  g_assert_nonnull (strstr (words, "ground"));
+  g_assert_nonnull (strstr (words, "-0.01"));
+
+  model = edit (document, delete_set, NULL);
+  g_assert_cmpuint (model->load_set_count, ==, 0);
+  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 2);
+  while (qn_document_undo (document))
+    ;
+  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
+}
+
+/* The analysis becomes the first stage with its end; what follows drives what waits. */
+static void
+test_stages (void)
+{
+  g_autoptr (QnDocument) document = open_stone ();
+  const QnModel *model = edit (document, add_stage, NULL);
+  g_assert_cmpuint (model->stage_count, ==, 1);
+  g_assert_true (model->stages[0].has_target);
+  g_assert_cmpfloat (model->stages[0].target, ==, 0.25);
+  g_assert_true (isinf (model->analysis.max_multiplier));
+  model = edit (document, add_stage, NULL); /* on with the same loads, to collapse */
+  g_assert_cmpuint (model->stages[1].sets, ==, 1);
+  g_assert_false (model->stages[1].has_target);
+
+  edit (document, add_set, NULL);
+  edit (document, append, &(Put){ 1, 0, settlement });
+  model = edit (document, add_stage, NULL);
+  g_assert_cmpuint (model->stages[2].sets, ==, 2);
+  g_assert_true (model->stages[1].has_target); /* an end, now that one follows */
+  g_assert_cmpfloat (model->stages[1].target, ==, 1.25);
+  model = edit (document, add_stage, NULL); /* and the settlement back */
+  g_assert_cmpuint (model->stages[3].sets, ==, 2);
+  g_assert_cmpfloat (model->stages[3].target, ==, 0.0);
+
+  model = edit (document, rename_stage, "push");
+  g_autofree char *words = qn_stage_dup_text (model, 0, QN_UNITS_SI);
+  g_assert_nonnull (strstr (words, "push"));
+  g_assert_nonnull (strstr (words, "0.25"));
+  model = edit (document, rename_stage, "");
+  g_assert_null (model->stages[0].name);
+
+  const gsize third = 2, fourth = 3;
+  refuse (document, delete_stage, &third); /* nothing left to come back from */
+  model = edit (document, delete_stage, &fourth);
+  g_assert_cmpuint (model->stage_count, ==, 3);
+  /* With the set go the stages that drive nothing else. */
+  model = edit (document, delete_set, NULL);
+  g_assert_cmpuint (model->stage_count, ==, 2);
+  while (qn_document_undo (document))
+    ;
+  g_assert_cmpuint (qn_document_get_model (document)->stage_count, ==, 0);
+  g_assert_cmpfloat (qn_document_get_model (document)->analysis.max_multiplier, ==, 0.25);
+}
+
+/* The order changes; the stage without an end gets one where it is no longer the last. */
+static void
+test_order (void)
+{
+  g_autoptr (QnDocument) document = open_stone ();
+  edit (document, add_stage, NULL);
+  edit (document, add_set, NULL);
+  edit (document, append, &(Put){ 1, 0, settlement });
+  const QnModel *model = edit (document, add_stage, NULL);
+  g_assert_cmpuint (model->stages[1].sets, ==, 2);
+  model = edit (document, move_stage, &(Order){ 1, -1 });
+  g_assert_cmpuint (model->stages[0].sets, ==, 2);
+  g_assert_cmpuint (model->stages[1].sets, ==, 1);
+  refuse (document, move_stage, &(Order){ 1, 1 });
+  refuse (document, move_stage, &(Order){ 0, -1 });
+
+  /* A displacement ends it; both ends at once are refused, and no loads at all. */
+  QnStage stage = model->stages[1];
+  stage.control_block = 1;
+  stage.control_dof = QN_DOF_UX;
+  stage.control_target = 0.01;
+  stage.has_target = true;
+  stage.target = 1;
+  refuse (document, change_stage, &(Settings){ 1, stage });
+  stage.has_target = false;
+  model = edit (document, change_stage, &(Settings){ 1, stage });
+  g_assert_cmpint (qn_stage_get_end (&model->stages[1]), ==, QN_STAGE_END_DISPLACEMENT);
+  stage = model->stages[1];
+  stage.sets = 0;
+  refuse (document, change_stage, &(Settings){ 1, stage });
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/edit-stage/loads", test_loads);
+  g_test_add_func ("/doc/edit-stage/stages", test_stages);
+  g_test_add_func ("/doc/edit-stage/order", test_order);
+  return g_test_run ();
+}
