@@ -63,8 +63,8 @@ bool
 stress_report_tap (const StressEntry *entry, guint number)
 {
   guint faults = stress_row_faults (&entry->row);
-  guint known = stress_shortfalls (entry->c->name);
-  guint unknown = faults & ~known;
+  const StressShortfall *known = stress_shortfall (entry->c->name);
+  guint unknown = faults & ~(known != NULL ? known->faults : 0);
   g_autofree char *text = stress_dup_faults (unknown != 0 ? unknown : faults);
 
   print_figures (entry);
@@ -196,7 +196,7 @@ append_group (GString *text, const Group *group)
   append_number (text, solved, "%.0f", group->iterations);
   append_number (text, solved, "%.0e", group->out_of_balance);
   append_number (text, solved, "%.0e", group->excess);
-  append_number (text, group->collapses > 0, "%.0f",
+  append_number (text, group->collapses > 0, "%.0f %%",
                  100.0 * group->proved / MAX (1, group->collapses));
   append_number (text, group->faulty > 0, "%.0f", group->faulty);
   g_string_append (text, " |\n");
@@ -215,8 +215,8 @@ append_groups (GString *text, const GArray *entries)
       g_string_append_printf (
         text,
         "\n### %c%s\n\n"
-        "| | cases | outcomes of both paths | difference | least | iterations | "
-        "equilibrium | strength | proved, %% | faults |\n"
+        "| | cases | how paths end | off limit analysis | least | iterations | "
+        "equilibrium | strength | proved | faults |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
         g_ascii_toupper (subject[0]), subject + 1);
     }
@@ -226,26 +226,36 @@ append_groups (GString *text, const GArray *entries)
 }
 
 static void
+append_fault (GString *text, const StressEntry *entry)
+{
+  const StressRow *row = &entry->row;
+  const StressShortfall *known = stress_shortfall (entry->c->name);
+  g_autofree char *faults = stress_dup_faults (stress_row_faults (row));
+
+  g_string_append_printf (text, "| %s%s%s | %zu", entry->c->name,
+                          row->description[0] != '\0' ? ": " : "", row->description,
+                          row->blocks);
+  append_number (text, row->limit.solved, "%.7g", row->upper);
+  for (int flow = 0; flow < STRESS_FLOW_COUNT; flow++)
+    append_number (text, row->paths[flow].steps > 0, "%.7g", row->paths[flow].multiplier);
+  g_string_append_printf (text, " | %s. %s |\n", faults, known != NULL ? known->why : "");
+}
+
+static void
 append_faults (GString *text, const GArray *entries)
 {
   bool any = false;
 
   for (guint i = 0; i < entries->len; i++) {
     const StressEntry *entry = &g_array_index (entries, StressEntry, i);
-    const StressRow *row = &entry->row;
-    if (stress_row_faults (row) == 0)
+    if (stress_row_faults (&entry->row) == 0)
       continue;
-    g_autofree char *faults = stress_dup_faults (stress_row_faults (row));
     if (!any)
       g_string_append (
         text, "| case | blocks | limit analysis | dilatancy = friction | dilatancy 0 | "
               "what is wrong |\n| --- | --- | --- | --- | --- | --- |\n");
     any = true;
-    g_string_append_printf (text, "| %s%s%s | %zu | %.7g | %.7g | %.7g | %s |\n",
-                            entry->c->name, row->description[0] != '\0' ? ": " : "",
-                            row->description, row->blocks, row->upper,
-                            row->paths[STRESS_ASSOCIATIVE].multiplier,
-                            row->paths[STRESS_SLIDING].multiplier, faults);
+    append_fault (text, entry);
   }
   if (!any)
     g_string_append (text, "None.\n");
@@ -268,10 +278,11 @@ stress_report_markdown (GString *text, const GArray *entries, const char *comman
       seconds += row->paths[flow].seconds;
     }
   }
-  g_string_append_printf (text,
-                          "`%s`: %u cases, %u paths, %ld iterations, %.0f s of processor "
-                          "time; %u cases with faults.\n",
-                          command, entries->len, paths, iterations, seconds, faulty);
+  g_string_append_printf (
+    text,
+    "`build/tests/stress/%s`: %u cases, %u paths, %ld iterations, %.0f s of processor "
+    "time; %u cases with faults.\n",
+    command, entries->len, paths, iterations, seconds, faulty);
   append_groups (text, entries);
   g_string_append (text, "\n### Faults\n\n");
   append_faults (text, entries);

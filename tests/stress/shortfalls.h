@@ -5,7 +5,13 @@
 
 #include "stress/stress.h"
 
-/* The faults of a case that are known. */
-guint stress_shortfalls (const char *name);
+typedef struct StressShortfall {
+  const char *pattern; /* of the cases' names */
+  guint faults;        /* StressFault */
+  const char *why;     /* a sentence for the table */
+} StressShortfall;
+
+/* What is known of a case; NULL where nothing is. */
+const StressShortfall *stress_shortfall (const char *name);
 
 #endif

@@ -13,9 +13,13 @@
 
 #include <locale.h>
 #include <stdio.h>
+#include <string.h>
 
 #define QUICK_WALLS 60
 #define LONG_WALLS  1000
+
+/* Everything in the file of --markdown after this line is written anew. */
+#define MARK "<!-- written by tests/stress -->\n"
 
 static gboolean all_cases, list_only;
 static int seed = 1, count = -1, seconds = 300;
@@ -91,15 +95,32 @@ write_projects (const StressCase *c)
   }
 }
 
+/* What stands in the file before the tables, up to and with the mark that they begin after. */
+static char *
+dup_introduction (void)
+{
+  char *text = NULL;
+
+  if (!g_file_get_contents (markdown, &text, NULL, NULL))
+    return g_strdup (MARK);
+  char *mark = strstr (text, MARK);
+  if (mark == NULL) {
+    g_free (text);
+    return g_strdup (MARK);
+  }
+  mark[strlen (MARK)] = '\0';
+  return text;
+}
+
 static void
 write_markdown (const GArray *rows)
 {
   g_autoptr (GString) text = g_string_new (NULL);
   g_autoptr (GError) error = NULL;
-  g_autofree char *command =
-    g_strdup_printf ("stress%s --seed %d%s", all_cases ? " --long" : "", seed, "");
+  g_autofree char *introduction = dup_introduction ();
 
-  stress_report_markdown (text, rows, command);
+  g_string_append_printf (text, "%s\n", introduction);
+  stress_report_markdown (text, rows, all_cases ? "stress --long" : "stress");
   if (!g_file_set_contents (markdown, text->str, (gssize) text->len, &error))
     g_error ("%s", error->message);
 }

@@ -1,0 +1,220 @@
+/* The stress tests' own checks: each is shown something to complain about. */
+#include "stress/cases.h"
+#include "stress/checks.h"
+#include "stress/process.h"
+#include "stress/random-wall.h"
+#include "stress/run.h"
+
+#include "core/analysis.h"
+#include "support/contacts.h"
+#include "support/models.h"
+
+#include <math.h>
+#include <signal.h>
+
+typedef struct Fixture {
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+} Fixture;
+
+/* Wall 1 without dilatancy, solved. */
+static void
+set_up (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  test_model_init_wall (&f->model, 1, 0);
+  f->model.analysis.increments = 10;
+  test_detect (&f->model, &f->contacts);
+  g_assert_cmpint (
+    qn_analysis_run (&f->model, &f->contacts, NULL, NULL, &f->result, NULL), ==, QN_OK);
+}
+
+static void
+tear_down (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  qn_result_clear (&f->result);
+  qn_contacts_clear (&f->contacts);
+  qn_model_clear (&f->model);
+}
+
+static guint
+faults_of (Fixture *f)
+{
+  StressCheck check = stress_check_result (&f->model, &f->contacts, &f->result);
+  return stress_check_faults (&check);
+}
+
+static void
+test_sound (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  g_assert_cmpuint (faults_of (f), ==, 0);
+  g_assert_true (stress_path_is_consistent (&f->result));
+}
+
+/* A thousandth of a block's weight too much in one joint, at some step on the way. */
+static void
+test_balance (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  f->result.step_forces[f->result.pair_count + 1] += 1e-3 * f->model.blocks[1].weight;
+  g_assert_cmpuint (faults_of (f) & STRESS_BALANCE, !=, 0);
+}
+
+/* The joint is weaker than what it was solved with. */
+static void
+test_strength (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  f->model.laws[0].friction *= 1 - 1e-3;
+  g_assert_cmpuint (faults_of (f), ==, STRESS_STRENGTH);
+}
+
+/* The mechanism backwards: joints close where they should open. */
+static void
+test_mechanism (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  for (size_t i = 0; i < f->result.block_count * QN_DOF_COUNT; i++)
+    f->result.mechanism[i] *= -1;
+  g_assert_cmpuint (faults_of (f), ==, STRESS_MECHANISM);
+}
+
+static void
+test_path (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  double collapse = f->result.collapse_multiplier;
+  f->result.collapse_multiplier *= 1 + 1e-6;
+  g_assert_false (stress_path_is_consistent (&f->result));
+  f->result.collapse_multiplier = collapse;
+  f->result.steps[1].multiplier = 2 * collapse;
+  g_assert_false (stress_path_is_consistent (&f->result));
+  f->result.steps[1].multiplier = NAN;
+  g_assert_false (stress_path_is_consistent (&f->result));
+}
+
+static void
+test_limit (Fixture *f, gconstpointer data)
+{
+  (void) data;
+  QnLimitSolution solution;
+  f->model.laws[0].dilatancy = f->model.laws[0].friction;
+  g_assert_cmpint (
+    qn_limit_associative (&f->model, &f->contacts, NULL, NULL, &solution, NULL), ==,
+    QN_OK);
+  g_assert_true (stress_limit_is_proved (&f->model, &f->contacts, &solution));
+  solution.upper_bound += 1e-3;
+  g_assert_false (stress_limit_is_proved (&f->model, &f->contacts, &solution));
+  solution.lower_bound = solution.upper_bound;
+  g_assert_false (stress_limit_is_proved (&f->model, &f->contacts, &solution));
+  solution.outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  g_assert_false (stress_limit_is_proved (&f->model, &f->contacts, &solution));
+  solution.outcome = QN_OUTCOME_UNBOUNDED;
+  g_assert_false (stress_limit_is_proved (&f->model, &f->contacts, &solution));
+  qn_limit_solution_clear (&solution);
+}
+
+static void
+build_crash (const StressCase *c, QnModel *model)
+{
+  (void) c;
+  (void) model;
+  raise (SIGSEGV);
+}
+
+static void
+build_for_ever (const StressCase *c, QnModel *model)
+{
+  volatile const StressCase *kept = c;
+  (void) model;
+  while (kept == c)
+    continue;
+}
+
+static void
+build_block (const StressCase *c, QnModel *model)
+{
+  test_model_init_block_on_plane (model, 1, c->value);
+  test_model_add_weight_loads (model, 1);
+}
+
+static void
+test_process (void)
+{
+  StressCase c = { .name = "case", .value = 2, .exact = { 0.5, 0.5 } };
+  StressRow row;
+
+  c.build = build_block;
+  stress_process_run (&c, 60, &row);
+  g_assert_cmpuint (stress_row_faults (&row), ==, 0);
+  g_assert_cmpuint (row.blocks, ==, 2);
+  c.exact[STRESS_SLIDING] = 0.501;
+  stress_process_run (&c, 60, &row);
+  g_assert_cmpuint (stress_row_faults (&row), ==, STRESS_STATICS);
+  c.expectation = STRESS_EXPECT_REFUSED;
+  c.problem = QN_PROBLEM_BLOCK_FLOATING;
+  stress_process_run (&c, 60, &row);
+  g_assert_cmpuint (row.faults, ==, STRESS_NOT_REFUSED);
+  c.build = build_crash;
+  stress_process_run (&c, 60, &row);
+  g_assert_cmpuint (row.faults, ==, STRESS_CRASH);
+  c.build = build_for_ever;
+  stress_process_run (&c, 1, &row);
+  g_assert_cmpuint (row.faults, ==, STRESS_HANG);
+}
+
+/* The same seed, the same wall; other seeds, other walls. */
+static void
+test_random (void)
+{
+  for (guint32 seed = 1; seed <= 20; seed++) {
+    QnModel models[3];
+    char text[3][160];
+    for (int i = 0; i < 3; i++)
+      stress_random_wall (seed + (i == 2), &models[i], text[i], sizeof text[i]);
+    g_assert_cmpstr (text[0], ==, text[1]);
+    g_assert_cmpuint (models[0].block_count, ==, models[1].block_count);
+    g_assert_cmpmem (models[0].vertices, models[0].vertex_count * sizeof (QnVec2),
+                     models[1].vertices, models[1].vertex_count * sizeof (QnVec2));
+    g_assert_cmpfloat (models[0].laws[0].friction, ==, models[1].laws[0].friction);
+    g_assert_cmpfloat (models[0].laws[0].friction, !=, models[2].laws[0].friction);
+    for (int i = 0; i < 3; i++)
+      qn_model_clear (&models[i]);
+  }
+}
+
+/* What --only takes must name one case. */
+static void
+test_names (void)
+{
+  g_autoptr (GArray) cases = stress_cases_new ();
+  g_autoptr (GHashTable) names = g_hash_table_new (g_str_hash, g_str_equal);
+
+  stress_cases_add_random (cases, 1, 1000);
+  for (guint i = 0; i < cases->len; i++)
+    g_assert_true (g_hash_table_add (names, g_array_index (cases, StressCase, i).name));
+}
+
+int
+main (int argc, char **argv)
+{
+  static const struct {
+    const char *name;
+    void (*test) (Fixture *f, gconstpointer data);
+  } tests[] = { { "sound", test_sound },       { "balance", test_balance },
+                { "strength", test_strength }, { "mechanism", test_mechanism },
+                { "path", test_path },         { "limit", test_limit } };
+
+  g_test_init (&argc, &argv, NULL);
+  for (size_t i = 0; i < G_N_ELEMENTS (tests); i++) {
+    g_autofree char *path = g_strconcat ("/stress/checks/", tests[i].name, NULL);
+    g_test_add (path, Fixture, NULL, set_up, tests[i].test, tear_down);
+  }
+  g_test_add_func ("/stress/process", test_process);
+  g_test_add_func ("/stress/random", test_random);
+  g_test_add_func ("/stress/names", test_names);
+  return g_test_run ();
+}
