@@ -403,15 +403,13 @@ restore_balance (QnInteriorPoint *ip, double *lambda, double *y, QnDiag *diag)
 }
 
 QnStatus
-qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda, double *y,
+qn_interior_point_restore (QnInteriorPoint *ip, bool fixed, double *lambda, double *y,
                            double *residual, double *slack, QnDiag *diag)
 {
   QnInteriorPointWork *work = ip->work;
   const QnIpProblem *p = work->problem;
   QnStatus status = QN_OK;
 
-  for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    y[i] = ip->y[i] / ip->tau;
   work->kkt.bordered = p->load && !fixed;
   for (int round = 0; round < PROJECTION_ROUNDS && !status; round++)
     status = restore_balance (ip, lambda, y, diag);
@@ -425,4 +423,13 @@ qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda, doub
   for (int32_t i = 0; i < p->bound_count; i++)
     *slack = fmin (*slack, p->bounds[i].limit - work->trial.s[i]);
   return QN_OK;
+}
+
+QnStatus
+qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda, double *y,
+                           double *residual, double *slack, QnDiag *diag)
+{
+  for (int32_t i = 0; i < 2 * ip->work->problem->cell_count; i++)
+    y[i] = ip->y[i] / ip->tau;
+  return qn_interior_point_restore (ip, fixed, lambda, y, residual, slack, diag);
 }

@@ -133,14 +133,19 @@ QnStatus qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag);
 /* Start and iterate to the end. */
 QnStatus qn_interior_point_solve (QnInteriorPoint *ip, QnDiag *diag);
 
-/* Forces in equilibrium nearest to the present iterate in the metric of its barrier: a
- * by-product of the last factorisation, at the price of a few solves.
+/* Forces in equilibrium nearest to y (cell_count x 2, in and out, not homogeneous) in the metric
+ * of the present iterate's barrier: a by-product of the last factorisation, at the price of a
+ * few solves.
  *
  * *lambda in: the multiplier wanted; out: unchanged where `fixed`, else moved as little as
- * the metric asks for. y: cell_count x 2 out, not homogeneous. *residual is the largest
- * remaining |By + lambda f + d|, *slack the smallest h - Gy (INFINITY without bounds); slack
- * >= 0 proves that this multiplier can be carried. The metric flattens towards the optimum:
- * ask for a fixed multiplier early. */
+ * the metric asks for. *residual is the largest remaining |By + lambda f + d|, *slack the
+ * smallest h - Gy (INFINITY without bounds); slack >= 0 proves that this multiplier can be
+ * carried. The metric flattens towards the optimum: ask for a fixed multiplier early. */
+QnStatus qn_interior_point_restore (QnInteriorPoint *ip, bool fixed, double *lambda,
+                                    double *y, double *residual, double *slack,
+                                    QnDiag *diag);
+
+/* The same, nearest to the present iterate; y is out alone. */
 QnStatus qn_interior_point_project (QnInteriorPoint *ip, bool fixed, double *lambda,
                                     double *y, double *residual, double *slack,
                                     QnDiag *diag);

@@ -43,6 +43,25 @@ worst_excess (const QnIpProblem *p, const double *y)
   return worst;
 }
 
+void
+qn_limit_move_inside (const QnLimitProblem *limit, double *y)
+{
+  const QnIpProblem *p = &limit->ip;
+
+  for (int32_t c = 0; c < p->cell_count; c++) {
+    const QnIpCell *cell = &p->cells[c];
+    for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
+      const QnIpBound *b = &p->bounds[i];
+      double shear = cell->no_shear ? 0.0 : b->shear;
+      double square = b->normal * b->normal + shear * shear;
+      double share =
+        square > 0.0 ? 2.0 * fmin (0.0, slack_at (b, y + 2 * c)) / square : 0.0;
+      y[2 * c] += share * b->normal;
+      y[2 * c + 1] += share * shear;
+    }
+  }
+}
+
 double
 qn_limit_draw_inside (const QnLimitProblem *limit, const double *anchor,
                       double anchor_lambda, double lambda, double *y, QnLimitCheck *check)

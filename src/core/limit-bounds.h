@@ -12,6 +12,9 @@ double qn_limit_draw_inside (const QnLimitProblem *limit, const double *anchor,
                              double anchor_lambda, double lambda, double *y,
                              QnLimitCheck *check);
 
+/* Mirrors forces that exceed a strength at its bound; equilibrium is lost. */
+void qn_limit_move_inside (const QnLimitProblem *limit, double *y);
+
 /* The scaled multiplier at which the mechanism v (row_count; rescaled in place to unit power
  * of the live load) balances its power: the dissipation belongs to v, not to the iterate. */
 double qn_limit_upper_bound (const QnLimitProblem *limit, double *v, double *rates,

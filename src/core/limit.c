@@ -12,10 +12,11 @@
  * into equilibrium and velocities summed up; they come out within 1e-7 of each other. */
 #define PROGRAM_TOLERANCE 1e-8
 
-/* Where the bounds are further apart than this, relative to the multiplier, for want of forces
- * well inside the strength to draw those of the optimum to, such forces are sought at a
- * multiplier that is less by a part. */
+/* The bounds are to meet to this part of the multiplier. Where they do not, so many rounds are
+ * made of moving forces inside the strength, and then forces are sought at a multiplier that
+ * is less than the optimum by the least of these parts that has some. */
 #define WANTED_GAP   1e-6
+#define MOST_ROUNDS  8
 #define LEAST_MARGIN 1e-5
 #define MOST_MARGIN  1e-2
 
@@ -29,12 +30,13 @@ typedef struct Run {
   QnProgressFunc progress;
   void *user_data;
   QnLimitSolution *solution;
-  double *y;      /* cell_count x 2 */
-  double *rates;  /* cell_count x 2 */
-  double *anchor; /* cell_count x 2: forces within the strength at multiplier 0 */
-  bool anchored;  /* … where they are known */
-  double *inner;  /* cell_count x 2: the same just below the optimum */
-  double *drawn;  /* cell_count x 2 */
+  double *y;       /* cell_count x 2 */
+  double residual; /* largest out-of-balance of y, scaled */
+  double *rates;   /* cell_count x 2 */
+  double *anchor;  /* cell_count x 2: forces within the strength at multiplier 0 */
+  bool anchored;   /* … where they are known */
+  double *inner;   /* cell_count x 2: the same just below the optimum */
+  double *drawn;   /* cell_count x 2 */
   bool cancelled;
 } Run;
 
@@ -168,30 +170,57 @@ take_certificate (Run *run, QnDiag *diag)
   return status;
 }
 
-/* The forces of the optimum, run->y at the scaled multiplier lambda, as run->drawn: within the
- * strength, with the multiplier that they carry then. */
-static QnStatus
-prove_lower (Run *run, double lambda, double upper, double *lower, QnDiag *diag)
+/* Draws the forces run->y, which carry the scaled multiplier lambda, to forces within the
+ * strength; keeps them as run->drawn where more is carried than *lower. */
+static void
+draw (Run *run, const double *anchor, double anchor_lambda, double lambda, double *lower)
 {
-  const QnLimitProblem *limit = run->limit;
-  size_t size = 2 * (size_t) limit->ip.cell_count * sizeof *run->y;
-  QnLimitCheck *check = &run->solution->check;
-  QnStatus status = QN_OK;
-  bool found = false;
+  size_t size = 2 * (size_t) run->limit->ip.cell_count * sizeof *run->y;
+  QnLimitCheck check = run->solution->check;
+  check.static_residual = run->residual;
+  double *drawn = run->rates; /* at rest since the upper bound was found */
 
-  memcpy (run->drawn, run->y, size);
-  *lower = qn_limit_draw_inside (limit, run->anchored ? run->anchor : NULL, 0.0, lambda,
-                                 run->drawn, check);
-  if (upper - *lower <= WANTED_GAP * fabs (upper))
-    return QN_OK;
-  for (double margin = LEAST_MARGIN; !status && !found && margin <= MOST_MARGIN;
-       margin *= 10.0) {
+  memcpy (drawn, run->y, size);
+  double carried =
+    qn_limit_draw_inside (run->limit, anchor, anchor_lambda, lambda, drawn, &check);
+  if (carried <= *lower)
+    return;
+  *lower = carried;
+  run->solution->check = check;
+  run->rates = run->drawn;
+  run->drawn = drawn;
+}
+
+/* The forces of the optimum within the strength, as run->drawn. They keep it to the tolerance of
+ * the program only. Where drawing them to the forces under dead load costs too much, they are
+ * moved inside and into equilibrium by turns; where that is not enough, forces just below the
+ * optimum are sought to draw them to. */
+static QnStatus
+prove_lower (Run *run, double upper, double *lower, QnDiag *diag)
+{
+  const double *anchor = run->anchored ? run->anchor : NULL;
+  double lambda = run->ip->lambda / run->ip->tau, slack;
+  double wanted = upper - WANTED_GAP * fabs (upper);
+  bool found = false;
+  QnStatus status = qn_interior_point_project (run->ip, false, &lambda, run->y,
+                                               &run->residual, &slack, diag);
+
+  *lower = -INFINITY;
+  if (!status)
+    draw (run, anchor, 0.0, lambda, lower);
+  for (int round = 0; !status && *lower < wanted && round < MOST_ROUNDS; round++) {
+    qn_limit_move_inside (run->limit, run->y);
+    status =
+      qn_interior_point_restore (run->ip, false, &lambda, run->y, residual, &slack, diag);
+    if (!status)
+      draw (run, anchor, 0.0, lambda, lower);
+  }
+  for (double margin = LEAST_MARGIN;
+       !status && !found && *lower < wanted && margin <= MOST_MARGIN; margin *= 10.0) {
     double inner = lambda - margin * fabs (lambda);
     status = carry_almost_all (run, inner, &found, diag);
-    if (!found)
-      continue;
-    memcpy (run->drawn, run->y, size);
-    *lower = qn_limit_draw_inside (limit, run->inner, inner, lambda, run->drawn, check);
+    if (!status && found)
+      draw (run, run->inner, inner, lambda, lower);
   }
   return status;
 }
@@ -203,13 +232,11 @@ take_optimum (Run *run, QnDiag *diag)
   QnLimitSolution *solution = run->solution;
   const QnLimitProblem *limit = run->limit;
   double upper = qn_limit_upper_bound (limit, run->ip->v, run->rates, &solution->check);
-  double lambda = run->ip->lambda / run->ip->tau, lower, slack;
-  QnStatus status = qn_interior_point_project (
-    run->ip, false, &lambda, run->y, &solution->check.static_residual, &slack, diag);
+  double lower;
+  QnStatus status;
 
   qn_limit_problem_velocities (limit, run->ip->v, solution->velocities);
-  if (!status)
-    status = prove_lower (run, lambda, upper, &lower, diag);
+  status = prove_lower (run, upper, &lower, diag);
   if (status)
     return status;
   solution->check.gap = (upper - lower) / (1.0 + fabs (upper));
