@@ -210,8 +210,8 @@ prove_lower (Run *run, double upper, double *lower, QnDiag *diag)
     draw (run, anchor, 0.0, lambda, lower);
   for (int round = 0; !status && *lower < wanted && round < MOST_ROUNDS; round++) {
     qn_limit_move_inside (run->limit, run->y);
-    status =
-      qn_interior_point_restore (run->ip, false, &lambda, run->y, residual, &slack, diag);
+    status = qn_interior_point_restore (run->ip, false, &lambda, run->y, &run->residual,
+                                        &slack, diag);
     if (!status)
       draw (run, anchor, 0.0, lambda, lower);
   }
