@@ -4,7 +4,7 @@
  *          [ B   -r  f ] [ v ] = [ rv ]      H = Q + G' diag (w) G
  *          [ 0    f' 0 ] [ l ]   [ rl ]
  *
- * (without the last row and column where there is no load f) by one Cholesky factorisation of
+ * (without the last row and column where there is no load f) by one factorisation of
  * the Schur complement M = B (H+r)^-1 B' + r, f bordered.
  *
  * r is the regularisation: cells with a free direction (H singular), redundant and empty rows

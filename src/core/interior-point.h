@@ -13,7 +13,7 @@
  *     M = B H^-1 B',   H = Q + G' diag (z/s) G   (2 x 2 per cell, inverted in closed form)
  *
  * has the sparsity of the graph of bodies. It is the only matrix ever factorised: symbolic
- * analysis once per structure, one Cholesky factorisation per iteration.
+ * analysis once per structure, one factorisation per iteration.
  *
  * The dual variables are v (one per row; with load_gain = 1 a velocity field with f'v = 1)
  * and z >= 0 (one per strength row): Qy + q + B'v + G'z = 0 and f'v = load_gain.
