@@ -48,7 +48,8 @@ stress_cases_add_random (GArray *cases, guint32 first, guint count)
 {
   for (guint32 seed = first; seed < first + count; seed++)
     stress_cases_add (cases, "random walls", stress_case_build_random, (int) seed, 0,
-                      "random-%u", seed);
+                      "random-%u", seed)
+      ->repeat = 37;
 }
 
 GArray *

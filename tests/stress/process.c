@@ -62,7 +62,7 @@ stress_process_run (const StressCase *c, int seconds, StressRow *row)
   while (waitpid (child, &status, 0) < 0 && errno == EINTR)
     continue;
   if (!received)
-    *row = (StressRow){ .mirrored = NAN, .lower = NAN, .upper = NAN };
+    *row = (StressRow){ .mirrored = NAN, .repeated = NAN, .lower = NAN, .upper = NAN };
   if (WIFSIGNALED (status)
       && (WTERMSIG (status) == SIGXCPU || WTERMSIG (status) == SIGKILL))
     row->faults |= STRESS_HANG;

@@ -57,6 +57,8 @@ print_figures (const StressEntry *entry)
   print_solve ("dilatancy 0", &row->paths[STRESS_SLIDING]);
   if (!isnan (row->mirrored))
     printf ("#   loaded the other way: %.8g\n", row->mirrored);
+  if (!isnan (row->repeated))
+    printf ("#   dilatancy 0 with other increments: %.8g\n", row->repeated);
 }
 
 bool
@@ -92,6 +94,7 @@ typedef struct Group {
   int iterations;
   double difference, lowest, out_of_balance, excess;
   int collapses, proved; /* of those, by forces and mechanism together */
+  int repeated, apart;   /* of those, by more than 1 % */
 } Group;
 
 /* Cases on the six walls that differ by the wall alone make one group, random walls of a kind
@@ -132,6 +135,18 @@ add_path (Group *group, const StressRow *row, StressFlow flow)
     group->lowest = fmin (group->lowest, path->multiplier / row->upper);
 }
 
+static void
+add_repeated (Group *group, const StressRow *row)
+{
+  const StressSolve *path = &row->paths[STRESS_SLIDING];
+  double larger = fmax (row->repeated, path->multiplier);
+
+  if (isnan (row->repeated) || path->outcome != QN_OUTCOME_COLLAPSE)
+    return;
+  group->repeated++;
+  group->apart += fabs (row->repeated - path->multiplier) > 0.01 * larger;
+}
+
 static GArray *
 collect_groups (const GArray *entries)
 {
@@ -158,6 +173,7 @@ collect_groups (const GArray *entries)
     group->refused += entry->row.problem != QN_PROBLEM_NONE;
     for (int flow = 0; flow < STRESS_FLOW_COUNT; flow++)
       add_path (group, &entry->row, (StressFlow) flow);
+    add_repeated (group, &entry->row);
   }
   return groups;
 }
@@ -198,6 +214,8 @@ append_group (GString *text, const Group *group)
   append_number (text, solved, "%.0e", group->excess);
   append_number (text, group->collapses > 0, "%.0f %%",
                  100.0 * group->proved / MAX (1, group->collapses));
+  append_number (text, group->repeated > 0, "%.0f %%",
+                 100.0 * group->apart / MAX (1, group->repeated));
   append_number (text, group->faulty > 0, "%.0f", group->faulty);
   g_string_append (text, " |\n");
 }
@@ -216,8 +234,8 @@ append_groups (GString *text, const GArray *entries)
         text,
         "\n### %c%s\n\n"
         "| | cases | how paths end | off limit analysis | least | iterations | "
-        "equilibrium | strength | proved | faults |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "equilibrium | strength | proved | apart | faults |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
         g_ascii_toupper (subject[0]), subject + 1);
     }
     append_group (text, group);

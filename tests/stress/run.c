@@ -217,6 +217,23 @@ run_mirrored (const StressCase *c, StressRow *row)
   structure_clear (&s);
 }
 
+/* Friction without dilatancy has no unique answer: how far two ways up are apart is for the
+ * table, no fault. */
+static void
+run_repeated (const StressCase *c, StressRow *row)
+{
+  StressSolve repeated;
+  Structure s;
+
+  g_assert_cmpint (structure_init (&s, c, STRESS_SLIDING, false), ==, QN_PROBLEM_NONE);
+  s.model.analysis.increments = c->repeat;
+  run_path (&s, &repeated);
+  if (repeated.outcome == QN_OUTCOME_COLLAPSE)
+    row->repeated = repeated.multiplier;
+  row->faults |= repeated.faults;
+  structure_clear (&s);
+}
+
 /* What a project file says must be the model that it was written from, whatever its numbers. */
 static void
 check_file (const StressCase *c, const Structure *s, StressRow *row)
@@ -261,7 +278,7 @@ stress_run (const StressCase *c, StressRow *row)
 {
   Structure s;
 
-  *row = (StressRow){ .mirrored = NAN, .lower = NAN, .upper = NAN };
+  *row = (StressRow){ .mirrored = NAN, .repeated = NAN, .lower = NAN, .upper = NAN };
   describe (c, row);
   for (int flow = 0; flow < STRESS_FLOW_COUNT; flow++) {
     row->problem = structure_init (&s, c, (StressFlow) flow, false);
@@ -283,6 +300,8 @@ stress_run (const StressCase *c, StressRow *row)
     row->faults |= STRESS_REFUSED;
   if (c->symmetric && row->problem == QN_PROBLEM_NONE)
     run_mirrored (c, row);
+  if (c->repeat > 0 && row->problem == QN_PROBLEM_NONE)
+    run_repeated (c, row);
 }
 
 gboolean

@@ -38,7 +38,10 @@ struct StressCase {
   QnProblem problem;               /* REFUSED: why */
   double exact[STRESS_FLOW_COUNT]; /* multiplier from statics, by flow; NAN: not known */
   bool symmetric; /* loaded the other way the structure must carry as much */
-  bool brief;     /* belongs to the quick set */
+  int
+    repeat; /* increments with which the path without dilatancy is followed once more, for the
+                 table; 0: not */
+  bool brief; /* belongs to the quick set */
 };
 
 /* What may be wrong. The text of each is what the table says. */
@@ -110,6 +113,7 @@ typedef struct StressRow {
   double lower, upper; /* limit analysis */
   StressSolve limit, paths[STRESS_FLOW_COUNT];
   double mirrored; /* multiplier loaded the other way, dilatancy 0; NAN: not asked for */
+  double repeated; /* collapse with other increments, dilatancy 0; NAN: likewise */
   guint faults;    /* of the case as a whole */
 } StressRow;
 
