@@ -189,6 +189,14 @@ append_number (GString *text, bool known, const char *format, double value)
 }
 
 static void
+append_share (GString *text, int part, int whole)
+{
+  g_string_append (text, " | ");
+  if (whole > 0)
+    g_string_append_printf (text, "%.0f %%", 100.0 * part / whole);
+}
+
+static void
 append_group (GString *text, const Group *group)
 {
   static const char *const outcomes[QN_OUTCOME_COUNT] = {
@@ -212,10 +220,8 @@ append_group (GString *text, const Group *group)
   append_number (text, solved, "%.0f", group->iterations);
   append_number (text, solved, "%.0e", group->out_of_balance);
   append_number (text, solved, "%.0e", group->excess);
-  append_number (text, group->collapses > 0, "%.0f %%",
-                 100.0 * group->proved / MAX (1, group->collapses));
-  append_number (text, group->repeated > 0, "%.0f %%",
-                 100.0 * group->apart / MAX (1, group->repeated));
+  append_share (text, group->proved, group->collapses);
+  append_share (text, group->apart, group->repeated);
   append_number (text, group->faulty > 0, "%.0f", group->faulty);
   g_string_append (text, " |\n");
 }

@@ -3,6 +3,7 @@
 #include "stress/checks.h"
 #include "stress/process.h"
 #include "stress/random-wall.h"
+#include "stress/report.h"
 #include "stress/run.h"
 
 #include "core/analysis.h"
@@ -11,6 +12,7 @@
 
 #include <math.h>
 #include <signal.h>
+#include <string.h>
 
 typedef struct Fixture {
   QnModel model;
@@ -198,6 +200,37 @@ test_names (void)
     g_assert_true (g_hash_table_add (names, g_array_index (cases, StressCase, i).name));
 }
 
+/* The tables of a case that went well, of one that did not, and of what is no structure. */
+static void
+test_report (void)
+{
+  StressCase cases[] = {
+    { .subject = "blocks", .name = "good-wall1", .build = build_block, .value = 2 },
+    { .subject = "blocks", .name = "good-wall2", .build = build_block, .value = 4 },
+    { .subject = "blocks", .name = "crash", .build = build_crash },
+    { .subject = "none", .name = "flat", .build = build_block, .value = 0 },
+  };
+  g_autoptr (GArray) entries = g_array_new (FALSE, TRUE, sizeof (StressEntry));
+  g_autoptr (GString) text = g_string_new (NULL);
+
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    StressEntry entry = { .c = &cases[i] };
+    cases[i].exact[0] = cases[i].exact[1] = NAN;
+    cases[i].repeat = 7;
+    stress_process_run (&cases[i], 60, &entry.row);
+    g_array_append_val (entries, entry);
+  }
+  stress_report_markdown (text, entries, "stress");
+  g_test_message ("%s", text->str);
+  g_assert_nonnull (strstr (text->str, "stress`: 4 cases, 4 paths, "));
+  g_assert_nonnull (strstr (text->str, "; 2 cases with faults.\n"));
+  g_assert_nonnull (strstr (text->str, "### Blocks\n"));
+  g_assert_nonnull (strstr (text->str, "| good | 2 | 4 collapse | "));
+  g_assert_nonnull (strstr (text->str, " | 100 % | 0 % |  |\n"));
+  g_assert_nonnull (strstr (text->str, "| flat | 1 | 1 refused | "));
+  g_assert_nonnull (strstr (text->str, "| crash | 0 |  |  |  | crashed. "));
+}
+
 int
 main (int argc, char **argv)
 {
@@ -216,5 +249,6 @@ main (int argc, char **argv)
   g_test_add_func ("/stress/process", test_process);
   g_test_add_func ("/stress/random", test_random);
   g_test_add_func ("/stress/names", test_names);
+  g_test_add_func ("/stress/report", test_report);
   return g_test_run ();
 }
