@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 #include <locale.h>
+#include <signal.h>
 
 int
 main (int argc, char **argv)
@@ -13,6 +14,8 @@ main (int argc, char **argv)
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
   textdomain (GETTEXT_PACKAGE);
 
+  /* A file beyond what the user may write is an error like others, not a reason to die. */
+  signal (SIGXFSZ, SIG_IGN);
   g_autoptr (QnApplication) application = qn_application_new ();
   return g_application_run (G_APPLICATION (application), argc, argv);
 }

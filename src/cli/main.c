@@ -4,6 +4,7 @@
 
 #include <glib/gi18n.h>
 #include <locale.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -73,6 +74,8 @@ main (int argc, char **argv)
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
   textdomain (GETTEXT_PACKAGE);
   g_set_prgname ("quoin-cli");
+  /* A file beyond what the user may write is an error like others, not a reason to die. */
+  signal (SIGXFSZ, SIG_IGN);
 
   QnExit code = dispatch (argc, argv);
 

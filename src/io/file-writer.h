@@ -1,8 +1,5 @@
-/* Writing a file so that a crash, a full disk or a cancelled run never leaves half of it.
- *
- * Bytes go to a temporary file in the target's folder, which takes the target's name only when
- * everything is on the disk. Three targets are written directly: "-" (standard output),
- * devices and pipes, because replacing them would be wrong.
+/* Writing a file so that a crash, a full disk or a cancelled run never leaves half of it; how, and
+ * what "-", devices and pipes are, says disk/whole-file.h.
  *
  *   QnFileWriter *writer = qn_file_writer_open (path, &error);
  *   if (writer == NULL)
@@ -23,6 +20,9 @@ typedef struct QnFileWriter QnFileWriter;
 /* NULL with an error (QN_IO_ERROR, code FILE) where the target cannot be written. */
 QnFileWriter *qn_file_writer_open (const char *path, GError **error);
 
+/* The same for a file that messages call by another name. */
+QnFileWriter *qn_file_writer_open_as (const char *path, const char *name, GError **error);
+
 void qn_file_writer_write (QnFileWriter *writer, const char *bytes, gsize length);
 void qn_file_writer_puts (QnFileWriter *writer, const char *text);
 void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
@@ -40,7 +40,7 @@ gboolean qn_file_writer_failed (const QnFileWriter *writer);
 /* Completes the file and frees the writer. On failure the target is as it was before. */
 gboolean qn_file_writer_commit (QnFileWriter *writer, GError **error);
 
-/* Gives up: removes the temporary file and frees the writer. NULL is allowed. */
+/* Gives up, leaves the target as it was and frees the writer. NULL is allowed. */
 void qn_file_writer_discard (QnFileWriter *writer);
 
 /* All of it at once. */

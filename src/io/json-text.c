@@ -112,7 +112,9 @@ void
 qn_json_begin_member (GString *json, const char *key)
 {
   char last = json->str[json->len - 1];
-  g_string_append_printf (json, "%s\"%s\": ", last == '{' ? " " : ", ", key);
+  g_string_append (json, last == '{' ? " " : ", ");
+  qn_json_append_string (json, key);
+  g_string_append (json, ": ");
 }
 
 void

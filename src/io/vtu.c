@@ -1,6 +1,12 @@
 #include "io/vtu.h"
-#include "io/file-writer.h"
 
+#include "disk/file-group.h"
+#include "io/file-writer.h"
+#include "io/io-error.h"
+#include "io/number-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define VTK_LINE    3
@@ -155,9 +161,8 @@ weight_value (const void *data, size_t index, int component)
 }
 
 static gboolean
-write_blocks (const Blocks *blocks, const char *path, GError **error)
+write_blocks (const Blocks *blocks, QnFileWriter *writer, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
   size_t points = blocks->point_count, cells = blocks->model->block_count;
@@ -247,9 +252,8 @@ force_value (const void *data, size_t index, int component)
 }
 
 static gboolean
-write_forces (const Forces *forces, const char *path, GError **error)
+write_forces (const Forces *forces, QnFileWriter *writer, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
   size_t cells = forces->contacts->pair_count;
@@ -286,62 +290,106 @@ force_scale (const Forces *forces, const Blocks *blocks)
   return largest > 0 ? FORCE_LENGTH * extent / largest : 0;
 }
 
-static void
-put_entry (QnFileWriter *writer, double time, int part, const char *file)
+/* The files of one export: the list and what it names. */
+typedef struct Export {
+  QnFileGroup group;
+  char *folder, *stem; /* "walls", "wall3" of walls/wall3.pvd */
+  GString *entries;    /* of the list */
+} Export;
+
+/* Opens a file of the group; messages call it by the place it is meant for. */
+static QnFileWriter *
+open_member (Export *export, const char *name, GError **error)
 {
-  g_autofree char *name = g_path_get_basename (file);
+  g_autofree char *place = g_build_filename (export->folder, name, NULL);
+  char *path;
+  int trouble = qn_file_group_add (&export->group, name, &path);
+  if (trouble != 0) {
+    qn_io_error_set_errno (error, place, _ ("cannot be written"), trouble);
+    return NULL;
+  }
+  QnFileWriter *writer = qn_file_writer_open_as (path, place, error);
+  free (path);
+  return writer;
+}
+
+static void
+put_entry (Export *export, double time, int part, const char *name)
+{
+  char number[QN_NUMBER_TEXT_SIZE];
   g_autofree char *escaped = g_markup_escape_text (name, -1);
-  qn_file_writer_puts (writer, "<DataSet timestep=\"");
-  qn_file_writer_number (writer, time);
-  qn_file_writer_printf (writer, "\" group=\"\" part=\"%d\" file=\"%s\"/>\n", part,
-                         escaped);
+  g_string_append_printf (
+    export->entries, "<DataSet timestep=\"%s\" group=\"\" part=\"%d\" file=\"%s\"/>\n",
+    qn_number_text (time, number), part, escaped);
 }
 
 static gboolean
-write_steps (Blocks *blocks, const QnContacts *contacts, const QnResult *result,
-             const char *stem, QnFileWriter *index, GError **error)
+write_steps (Export *export, Blocks *blocks, const QnContacts *contacts,
+             const QnResult *result, GError **error)
 {
   size_t steps = result != NULL && result->step_count > 0 ? result->step_count : 1;
   for (size_t i = 0; i < steps; i++) {
     gboolean has = result != NULL && i < result->step_count;
-    g_autofree char *file = g_strdup_printf ("%s_%04zu.vtu", stem, i);
+    g_autofree char *name = g_strdup_printf ("%s_%04zu.vtu", export->stem, i);
     blocks->u = has ? qn_result_step_displacements (result, i) : NULL;
-    if (!write_blocks (blocks, file, error))
+    if (!write_blocks (blocks, open_member (export, name, error), error))
       return FALSE;
-    put_entry (index, has ? result->steps[i].multiplier : 0, 0, file);
+    put_entry (export, has ? result->steps[i].multiplier : 0, 0, name);
   }
   if (result == NULL || result->step_count == 0
       || result->pair_count != contacts->pair_count)
     return TRUE;
-  g_autofree char *file = g_strdup_printf ("%s_forces.vtu", stem);
+  g_autofree char *name = g_strdup_printf ("%s_forces.vtu", export->stem);
   Forces forces = { contacts, result, 0 };
   forces.metres_per_newton = force_scale (&forces, blocks);
-  if (!write_forces (&forces, file, error))
+  if (!write_forces (&forces, open_member (export, name, error), error))
     return FALSE;
-  put_entry (index, result->steps[result->step_count - 1].multiplier, 1, file);
+  put_entry (export, result->steps[result->step_count - 1].multiplier, 1, name);
   return TRUE;
+}
+
+static gboolean
+write_list (Export *export, const char *name, GError **error)
+{
+  QnFileWriter *writer = open_member (export, name, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_printf (
+    writer,
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+    "byte_order=\"LittleEndian\">\n<Collection>\n%s</Collection>\n</VTKFile>\n",
+    export->entries->str);
+  return qn_file_writer_commit (writer, error);
 }
 
 gboolean
 qn_vtu_export (const QnModel *model, const QnContacts *contacts, const QnResult *result,
                const char *path, GError **error)
 {
-  QnFileWriter *index = qn_file_writer_open (path, error);
-  if (index == NULL)
-    return FALSE;
-  gsize length = strlen (path);
-  g_autofree char *stem =
-    g_strndup (path, g_str_has_suffix (path, ".pvd") ? length - 4 : length);
-  qn_file_writer_puts (
-    index, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
-           "byte_order=\"LittleEndian\">\n<Collection>\n");
-  Blocks blocks;
-  blocks_init (&blocks, model);
-  gboolean done = write_steps (&blocks, contacts, result, stem, index, error);
-  blocks_clear (&blocks);
-  qn_file_writer_puts (index, "</Collection>\n</VTKFile>\n");
-  if (done)
-    return qn_file_writer_commit (index, error);
-  qn_file_writer_discard (index);
-  return FALSE;
+  Export export = { 0 };
+  g_autofree char *name = g_path_get_basename (path);
+  gsize length = strlen (name);
+  export.folder = g_path_get_dirname (path);
+  export.stem = g_strndup (name, g_str_has_suffix (name, ".pvd") ? length - 4 : length);
+  export.entries = g_string_new (NULL);
+
+  int trouble = qn_file_group_open (&export.group, export.folder);
+  gboolean done = trouble == 0;
+  if (done) {
+    Blocks blocks;
+    blocks_init (&blocks, model);
+    done = write_steps (&export, &blocks, contacts, result, error)
+           && write_list (&export, name, error);
+    blocks_clear (&blocks);
+    if (done)
+      trouble = qn_file_group_commit (&export.group);
+    else
+      qn_file_group_discard (&export.group);
+  }
+  if (trouble != 0)
+    qn_io_error_set_errno (error, path, _ ("cannot be written"), trouble);
+  g_string_free (export.entries, TRUE);
+  g_free (export.folder);
+  g_free (export.stem);
+  return done && trouble == 0;
 }

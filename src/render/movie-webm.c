@@ -5,16 +5,20 @@
 
 #ifdef QN_HAVE_GSTREAMER
 
-#include <errno.h>
-#include <glib/gstdio.h>
+#include "disk/whole-file.h"
+
 #include <gst/app/gstappsrc.h>
 #include <gst/gst.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+/* Frames that may wait for the encoder, and how often it is looked whether it has stopped. */
+#define WAITING_FRAMES 4
+#define POLL_INTERVAL  (5 * GST_MSECOND)
 
 struct QnMovie {
-  char *path, *partial; /* the file is written beside its place and renamed at the end */
+  char *path;
+  QnWholeFile file;
   GstElement *pipeline, *source;
+  GstMessage *stopped; /* why the pipeline has, the first reason of several */
   int width, height;
   GstClockTime frame_time, time;
 };
@@ -23,7 +27,7 @@ bool
 qn_movie_webm_available (GError **error)
 {
   static const char *const needed[] = { "appsrc", "videoconvert", "vp8enc", "webmmux",
-                                        "filesink" };
+                                        "fdsink" };
   g_autoptr (GError) cause = NULL;
   bool ready = gst_init_check (NULL, NULL, &cause);
   for (size_t i = 0; ready && i < G_N_ELEMENTS (needed); i++) {
@@ -50,8 +54,8 @@ movie_free (QnMovie *movie)
     g_clear_pointer (&movie->source, gst_object_unref);
     gst_object_unref (movie->pipeline);
   }
+  g_clear_pointer (&movie->stopped, gst_message_unref);
   g_free (movie->path);
-  g_free (movie->partial);
   g_free (movie);
 }
 
@@ -60,43 +64,43 @@ webm_abandon (QnMovie *movie)
 {
   if (movie->pipeline != NULL)
     gst_element_set_state (movie->pipeline, GST_STATE_NULL);
-  g_unlink (movie->partial);
+  qn_whole_file_discard (&movie->file);
   movie_free (movie);
 }
 
-/* The first error that a stopped pipeline has on its bus. */
+/* Waits for the end of the stream or an error, for so long; an error is kept. */
+static bool
+wait_for_message (QnMovie *movie, GstClockTime longest, GstMessageType type)
+{
+  GstBus *bus = gst_element_get_bus (movie->pipeline);
+  GstMessage *message =
+    gst_bus_timed_pop_filtered (bus, longest, type | GST_MESSAGE_ERROR);
+  gst_object_unref (bus);
+  if (message == NULL || GST_MESSAGE_TYPE (message) != GST_MESSAGE_ERROR) {
+    g_clear_pointer (&message, gst_message_unref);
+    return true;
+  }
+  g_clear_pointer (&movie->stopped, gst_message_unref);
+  movie->stopped = message;
+  return false;
+}
+
 static void
 set_pipeline_error (QnMovie *movie, GError **error)
 {
   g_autoptr (GError) cause = NULL;
-  GstBus *bus = gst_element_get_bus (movie->pipeline);
-  GstMessage *message = gst_bus_pop_filtered (bus, GST_MESSAGE_ERROR);
-  if (message != NULL) {
-    gst_message_parse_error (message, &cause, NULL);
-    gst_message_unref (message);
-  }
-  gst_object_unref (bus);
+  if (movie->stopped != NULL)
+    gst_message_parse_error (movie->stopped, &cause, NULL);
   g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
                _ ("%s: cannot be written: %s"), movie->path,
                cause != NULL ? cause->message : _ ("the encoder stopped"));
 }
 
-static bool
-reserve_partial (QnMovie *movie, GError **error)
+static void
+set_file_error (const QnMovie *movie, int trouble, GError **error)
 {
-  movie->partial = g_strconcat (movie->path, ".XXXXXX", NULL);
-  int fd = g_mkstemp (movie->partial);
-  if (fd < 0) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
-                 _ ("%s: cannot be written: %s"), movie->path, g_strerror (errno));
-    return false;
-  }
-  /* As permissive as any other new file. */
-  mode_t mask = umask (0);
-  umask (mask);
-  fchmod (fd, 0666 & ~mask);
-  close (fd);
-  return true;
+  g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
+               _ ("%s: cannot be written: %s"), movie->path, g_strerror (trouble));
 }
 
 static QnMovie *
@@ -110,15 +114,17 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
   movie->width = (int) page->width;
   movie->height = (int) page->height;
   movie->frame_time = (GstClockTime) (GST_SECOND / rate);
-  if (!reserve_partial (movie, error)) {
+  int trouble = qn_whole_file_open (&movie->file, path);
+  if (trouble != 0) {
+    set_file_error (movie, trouble, error);
     movie_free (movie);
     return NULL;
   }
   g_autoptr (GError) cause = NULL;
   movie->pipeline = gst_parse_launch (
-    "appsrc name=source format=time block=true ! videoconvert ! "
+    "appsrc name=source format=time max-bytes=0 ! videoconvert ! "
     "vp8enc deadline=1000000 threads=1 end-usage=cq cq-level=10 min-quantizer=2 "
-    "max-quantizer=40 target-bitrate=8000000 ! webmmux name=mux ! filesink name=sink",
+    "max-quantizer=40 target-bitrate=8000000 ! webmmux name=mux ! fdsink name=sink",
     &cause);
   if (movie->pipeline == NULL) {
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_UNAVAILABLE,
@@ -128,7 +134,7 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
   }
   GstElement *sink = gst_bin_get_by_name (GST_BIN (movie->pipeline), "sink");
   GstElement *mux = gst_bin_get_by_name (GST_BIN (movie->pipeline), "mux");
-  g_object_set (sink, "location", movie->partial, NULL);
+  g_object_set (sink, "fd", movie->file.fd, NULL);
   if (metadata->generator != NULL)
     g_object_set (mux, "writing-app", metadata->generator, NULL);
   gst_object_unref (sink);
@@ -145,9 +151,25 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
   return movie;
 }
 
+/* Waits until the encoder has taken most of what it was given; false where it has stopped, of
+ * which a source that blocks by itself would never hear. */
+static bool
+wait_for_encoder (QnMovie *movie)
+{
+  guint64 most = (guint64) WAITING_FRAMES * movie->width * movie->height * 4;
+  while (gst_app_src_get_current_level_bytes (GST_APP_SRC (movie->source)) >= most)
+    if (!wait_for_message (movie, POLL_INTERVAL, GST_MESSAGE_UNKNOWN))
+      return false;
+  return true;
+}
+
 static bool
 webm_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
 {
+  if (!wait_for_encoder (movie)) {
+    set_pipeline_error (movie, error);
+    return false;
+  }
   gsize row = (gsize) movie->width * 4, length = row * movie->height;
   GstBuffer *buffer = gst_buffer_new_allocate (NULL, length, NULL);
   int stride = cairo_image_surface_get_stride (frame);
@@ -159,6 +181,7 @@ webm_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
   movie->time += movie->frame_time;
   if (gst_app_src_push_buffer (GST_APP_SRC (movie->source), buffer) == GST_FLOW_OK)
     return true;
+  wait_for_message (movie, 0, GST_MESSAGE_UNKNOWN);
   set_pipeline_error (movie, error);
   return false;
 }
@@ -167,27 +190,19 @@ static bool
 webm_finish (QnMovie *movie, GError **error)
 {
   gst_app_src_end_of_stream (GST_APP_SRC (movie->source));
-  GstBus *bus = gst_element_get_bus (movie->pipeline);
-  GstMessage *message = gst_bus_timed_pop_filtered (bus, GST_CLOCK_TIME_NONE,
-                                                    GST_MESSAGE_EOS | GST_MESSAGE_ERROR);
-  bool done = message != NULL && GST_MESSAGE_TYPE (message) == GST_MESSAGE_EOS;
-  if (!done && message != NULL)
-    gst_bus_post (bus, g_steal_pointer (&message));
-  g_clear_pointer (&message, gst_message_unref);
-  gst_object_unref (bus);
+  bool done = wait_for_message (movie, GST_CLOCK_TIME_NONE, GST_MESSAGE_EOS);
   if (!done)
     set_pipeline_error (movie, error);
   gst_element_set_state (movie->pipeline, GST_STATE_NULL);
-  if (done && g_rename (movie->partial, movie->path) != 0) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
-                 _ ("%s: cannot be written: %s"), movie->path, g_strerror (errno));
-    done = false;
-  }
-  if (done)
-    movie_free (movie);
-  else
+  if (!done) {
     webm_abandon (movie);
-  return done;
+    return false;
+  }
+  int trouble = qn_whole_file_commit (&movie->file);
+  if (trouble != 0)
+    set_file_error (movie, trouble, error);
+  movie_free (movie);
+  return trouble == 0;
 }
 
 #else
@@ -215,9 +230,31 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
 }
 
 /* Never reached: open() does not succeed. */
+/* Waits until the encoder has taken most of what it was given; false where it has stopped, of
+ * which a source that blocks by itself would never hear. */
+static bool
+wait_for_encoder (QnMovie *movie)
+{
+  guint64 most = (guint64) WAITING_FRAMES * movie->width * movie->height * 4;
+  GstBus *bus = gst_element_get_bus (movie->pipeline);
+  GstMessage *message = NULL;
+  while (message == NULL
+         && gst_app_src_get_current_level_bytes (GST_APP_SRC (movie->source)) >= most)
+    message = gst_bus_timed_pop_filtered (bus, POLL_INTERVAL, GST_MESSAGE_ERROR);
+  bool stopped = message != NULL;
+  if (stopped)
+    gst_bus_post (bus, message); /* for set_pipeline_error() */
+  gst_object_unref (bus);
+  return !stopped;
+}
+
 static bool
 webm_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
 {
+  if (!wait_for_encoder (movie)) {
+    set_pipeline_error (movie, error);
+    return false;
+  }
   (void) movie;
   (void) frame;
   return qn_movie_webm_available (error);

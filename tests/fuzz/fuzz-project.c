@@ -4,6 +4,7 @@
 #include "io/io-error.h"
 #include "io/project.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* Contact detection of more blocks costs more than it teaches. */
@@ -26,8 +27,10 @@ check_round_trip (const QnProject *project)
   char *text = qn_project_to_text (project, &length);
   QnProject again;
   GError *error = NULL;
-  if (!qn_project_parse (text, length, "again", NULL, &again, &error))
-    g_error ("written, but not read: %s", error->message);
+  if (!qn_project_parse (text, length, "again", NULL, &again, &error)) {
+    g_printerr ("written, but not read: %s\n%s\n", error->message, text);
+    abort (); /* as libFuzzer notices */
+  }
   char *second = qn_project_to_text (&again, NULL);
   g_assert_cmpstr (text, ==, second);
   qn_project_clear (&again);

@@ -1,0 +1,149 @@
+#define _GNU_SOURCE /* renameat2() */
+#include "disk/file-group.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static char *
+join (const char *folder, const char *name)
+{
+  size_t room = strlen (folder) + strlen (name) + 2;
+  char *path = malloc (room);
+  if (path != NULL)
+    snprintf (path, room, "%s/%s", folder, name);
+  return path;
+}
+
+int
+qn_file_group_open (QnFileGroup *group, const char *folder)
+{
+  int trouble = ENOMEM;
+
+  *group = (QnFileGroup){ .folder = strdup (folder[0] != '\0' ? folder : ".") };
+  group->hidden = group->folder != NULL ? join (group->folder, ".gather.XXXXXX") : NULL;
+  if (group->hidden != NULL)
+    trouble = mkdtemp (group->hidden) != NULL ? 0 : errno;
+  if (trouble != 0) {
+    free (group->folder);
+    free (group->hidden);
+    *group = (QnFileGroup){ 0 };
+  }
+  return trouble;
+}
+
+/* Why nothing may take this place. */
+static int
+refuse_place (const QnFileGroup *group, const char *name)
+{
+  struct stat status;
+  char *place = join (group->folder, name);
+  int trouble = 0;
+
+  if (place == NULL)
+    trouble = ENOMEM;
+  else if (stat (place, &status) == 0 && S_ISDIR (status.st_mode))
+    trouble = EISDIR;
+  else if (access (place, W_OK) != 0 && errno != ENOENT)
+    trouble = errno;
+  free (place);
+  return trouble;
+}
+
+int
+qn_file_group_add (QnFileGroup *group, const char *name, char **path)
+{
+  int trouble = refuse_place (group, name);
+  char **names = NULL;
+
+  *path = NULL;
+  if (trouble != 0)
+    return trouble;
+  names = realloc (group->names, (group->count + 1) * sizeof *names);
+  if (names == NULL)
+    return ENOMEM;
+  group->names = names;
+  names[group->count] = strdup (name);
+  *path = names[group->count] != NULL ? join (group->hidden, name) : NULL;
+  if (*path != NULL)
+    group->count++;
+  else
+    free (names[group->count]);
+  return *path != NULL ? 0 : ENOMEM;
+}
+
+/* Lets a file and what stands in its place change places. */
+static int
+exchange (const QnFileGroup *group, const char *name)
+{
+  char *from = join (group->hidden, name), *to = join (group->folder, name);
+  int trouble = from != NULL && to != NULL ? 0 : ENOMEM;
+
+  if (trouble == 0) {
+    bool first = access (to, F_OK) != 0;
+    if (first)
+      trouble = rename (from, to) == 0 ? 0 : errno;
+    else if (renameat2 (AT_FDCWD, from, AT_FDCWD, to, RENAME_EXCHANGE) != 0)
+      trouble = errno;
+    /* Some file systems cannot; there the old file is gone. */
+    if (!first && (trouble == EINVAL || trouble == ENOSYS))
+      trouble = rename (from, to) == 0 ? 0 : errno;
+  }
+  free (from);
+  free (to);
+  return trouble;
+}
+
+/* Undoes an exchange; a file that took nobody's place comes back. */
+static void
+take_back (const QnFileGroup *group, const char *name)
+{
+  char *from = join (group->hidden, name), *to = join (group->folder, name);
+
+  if (from != NULL && to != NULL && access (from, F_OK) == 0)
+    (void) !rename (from, to);
+  else if (to != NULL)
+    unlink (to);
+  free (from);
+  free (to);
+}
+
+void
+qn_file_group_discard (QnFileGroup *group)
+{
+  for (size_t i = 0; i < group->count; i++) {
+    char *path = join (group->hidden, group->names[i]);
+    if (path != NULL)
+      unlink (path); /* may not be there */
+    free (path);
+    free (group->names[i]);
+  }
+  if (group->hidden != NULL)
+    rmdir (group->hidden);
+  free (group->names);
+  free (group->folder);
+  free (group->hidden);
+  *group = (QnFileGroup){ 0 };
+}
+
+int
+qn_file_group_commit (QnFileGroup *group)
+{
+  size_t done = 0;
+  int trouble = 0;
+
+  while (done < group->count && trouble == 0) {
+    trouble = exchange (group, group->names[done]);
+    if (trouble == 0)
+      done++;
+  }
+  while (trouble != 0 && done > 0)
+    take_back (group, group->names[--done]);
+  qn_file_group_discard (group);
+  return trouble;
+}

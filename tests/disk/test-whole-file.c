@@ -1,0 +1,167 @@
+#define _GNU_SOURCE /* O_TMPFILE */
+#include "disk/whole-file.h"
+
+#include "io/scratch.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <glib/gstdio.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+typedef struct Fixture {
+  char *folder, *path;
+} Fixture;
+
+static void
+set_up (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  fixture->folder = test_scratch_new ();
+  fixture->path = g_build_filename (fixture->folder, "file", NULL);
+}
+
+static void
+tear_down (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  g_free (fixture->path);
+  test_scratch_free (fixture->folder);
+}
+
+static void
+expect (const char *path, const char *expected)
+{
+  g_autofree char *content = NULL;
+  g_assert_true (g_file_get_contents (path, &content, NULL, NULL));
+  g_assert_cmpstr (content, ==, expected);
+}
+
+static void
+test_new_and_old (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  g_assert_cmpint (qn_whole_file_replace (fixture->path, "one", 3), ==, 0);
+  expect (fixture->path, "one");
+  g_assert_cmpint (g_chmod (fixture->path, 0640), ==, 0);
+  g_assert_cmpint (qn_whole_file_replace (fixture->path, "two", 3), ==, 0);
+  expect (fixture->path, "two");
+  g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
+
+  struct stat status;
+  g_assert_cmpint (stat (fixture->path, &status), ==, 0);
+  g_assert_cmpint (status.st_mode & 07777, ==, 0640);
+}
+
+static void
+test_discard (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  for (int old = 0; old < 2; old++) {
+    QnWholeFile file;
+    if (old == 1)
+      g_assert_cmpint (qn_whole_file_replace (fixture->path, "old", 3), ==, 0);
+    g_assert_cmpint (qn_whole_file_open (&file, fixture->path), ==, 0);
+    g_assert_cmpint (qn_whole_file_write (&file, "new", 3), ==, 0);
+    qn_whole_file_discard (&file);
+    g_assert_cmpuint (test_scratch_count (fixture->folder), ==, (guint) old);
+  }
+  expect (fixture->path, "old");
+}
+
+/* Who is faster has made the file: it is replaced all the same. */
+static void
+test_made_meanwhile (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  QnWholeFile file;
+  g_assert_cmpint (qn_whole_file_open (&file, fixture->path), ==, 0);
+  g_assert_cmpint (qn_whole_file_write (&file, "mine", 4), ==, 0);
+  g_assert_true (g_file_set_contents (fixture->path, "theirs", -1, NULL));
+  g_assert_cmpint (qn_whole_file_commit (&file), ==, 0);
+  expect (fixture->path, "mine");
+  g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
+}
+
+static void
+test_link (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  g_autofree char *link = g_build_filename (fixture->folder, "link", NULL);
+  g_assert_cmpint (qn_whole_file_replace (fixture->path, "old", 3), ==, 0);
+  g_assert_cmpint (symlink ("file", link), ==, 0);
+  g_assert_cmpint (qn_whole_file_replace (link, "new", 3), ==, 0);
+  g_assert_true (g_file_test (link, G_FILE_TEST_IS_SYMLINK));
+  expect (fixture->path, "new");
+}
+
+static void
+test_refused (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  QnWholeFile file;
+  g_autofree char *missing = g_build_filename (fixture->folder, "no", "file", NULL);
+  g_autofree char *name = g_strnfill (300, 'a');
+  g_autofree char *longest = g_build_filename (fixture->folder, name, NULL);
+  g_autofree char *fits = g_strndup (longest, strlen (fixture->folder) + 1 + 255);
+
+  g_assert_cmpint (qn_whole_file_open (&file, fixture->folder), ==, EISDIR);
+  g_assert_cmpint (qn_whole_file_open (&file, missing), ==, ENOENT);
+  g_assert_cmpint (qn_whole_file_replace (longest, "", 0), ==, ENAMETOOLONG);
+  g_assert_cmpint (qn_whole_file_replace ("/dev/full", "x", 1), ==, ENOSPC);
+  g_assert_cmpint (qn_whole_file_replace ("/dev/null", "x", 1), ==, 0);
+  g_assert_cmpint (qn_whole_file_replace (fits, "x", 1), ==, 0);
+  g_assert_cmpint (qn_whole_file_replace (fits, "y", 1), ==, 0);
+  expect (fits, "y");
+  g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
+}
+
+/* A writer that is killed leaves the old file and no trace, where the system has files without
+ * a name. */
+static void
+test_kill (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  int status, fd = open (fixture->folder, O_RDWR | O_TMPFILE, 0600);
+  if (fd < 0) {
+    g_test_skip ("no files without a name here");
+    return;
+  }
+  close (fd);
+  g_assert_cmpint (qn_whole_file_replace (fixture->path, "old", 3), ==, 0);
+  pid_t writer = fork ();
+  if (writer == 0) {
+    QnWholeFile file;
+    if (qn_whole_file_open (&file, fixture->path) == 0
+        && qn_whole_file_write (&file, "half", 4) == 0)
+      kill (getpid (), SIGKILL);
+    _exit (1);
+  }
+  g_assert_cmpint (waitpid (writer, &status, 0), ==, writer);
+  g_assert_true (WIFSIGNALED (status) && WTERMSIG (status) == SIGKILL);
+  expect (fixture->path, "old");
+  g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  static const struct {
+    const char *path;
+    void (*function) (Fixture *fixture, gconstpointer data);
+  } tests[] = {
+    { "/disk/whole-file/new-and-old", test_new_and_old },
+    { "/disk/whole-file/discard", test_discard },
+    { "/disk/whole-file/made-meanwhile", test_made_meanwhile },
+    { "/disk/whole-file/link", test_link },
+    { "/disk/whole-file/refused", test_refused },
+    { "/disk/whole-file/kill", test_kill },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (tests); i++)
+    g_test_add (tests[i].path, Fixture, NULL, set_up, tests[i].function, tear_down);
+  return g_test_run ();
+}

@@ -1,0 +1,300 @@
+/* A disk that fails at every call that changes it, one after the other, and one that is full:
+ * quoin-cli says so in one line and exit code 5, the old file is as it was, and nothing is left
+ * beside it. */
+#include "cli/cli-run.h"
+
+#include <errno.h>
+#include <glib/gstdio.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#define OLD "what was there before\n"
+
+/* A command that writes OUTPUT; MODEL and RESULT stand for a project and its result. */
+typedef struct Writing {
+  const char *name;
+  const char *output; /* a folder where it ends in a slash */
+  const char *arguments[12];
+} Writing;
+
+static const Writing writings[] = {
+  { "project",
+    "out.quoin",
+    { "generate", "wall", "length=2", "height=1", "-o", "OUTPUT" } },
+  { "import", "out.quoin", { "import", "DRAWING", "-o", "OUTPUT" } },
+  { "result", "out.json", { "solve", "MODEL", "-q", "-o", "OUTPUT" } },
+  { "curve-csv", "out.csv", { "solve", "MODEL", "-q", "--csv", "OUTPUT" } },
+  { "contacts-csv",
+    "out.csv",
+    { "export", "MODEL", "-r", "RESULT", "--table", "contacts", "-o", "OUTPUT" } },
+  { "modal-csv", "out.csv", { "modal", "BEAM", "-q", "--csv", "OUTPUT" } },
+  { "law-csv", "out.csv", { "law", "coulomb", "--csv", "OUTPUT" } },
+  { "dxf", "out.dxf", { "export", "MODEL", "-r", "RESULT", "-o", "OUTPUT" } },
+  { "pvd", "out.pvd", { "export", "MODEL", "-r", "RESULT", "-o", "OUTPUT" } },
+  { "png", "out.png", { "render", "MODEL", "--size", "200x150", "-o", "OUTPUT" } },
+  { "svg", "out.svg", { "render", "MODEL", "--size", "200x150", "-o", "OUTPUT" } },
+  { "pdf", "out.pdf", { "render", "MODEL", "--size", "200x150", "-o", "OUTPUT" } },
+  { "curve",
+    "out.png",
+    { "curve", "MODEL=RESULT", "--size", "200x150", "-o", "OUTPUT" } },
+  { "gif",
+    "out.gif",
+    { "animate", "MODEL", "-r", "RESULT", "-q", "--frames", "4", "--size", "160x120",
+      "-o", "OUTPUT" } },
+  { "frames",
+    "out/",
+    { "animate", "MODEL", "-r", "RESULT", "-q", "--frames", "4", "--size", "160x120",
+      "-o", "OUTPUT" } },
+  { "webm",
+    "out.webm",
+    { "animate", "MODEL", "-r", "RESULT", "-q", "--frames", "4", "--size", "160x120",
+      "-o", "OUTPUT" } },
+};
+
+/* A folder with an old file in the place of the output, and what commands read, beside it. */
+typedef struct Place {
+  const Writing *writing;
+  char *inputs, *result, *mark;
+  char *folder, *output;
+  char *old; /* the old file */
+} Place;
+
+static char *
+fill_in (const Place *place, const char *argument)
+{
+  if (strcmp (argument, "OUTPUT") == 0)
+    return g_strdup (place->output);
+  if (strcmp (argument, "RESULT") == 0)
+    return g_strdup (place->result);
+  if (strcmp (argument, "MODEL") == 0)
+    return cli_example ("05-stack.quoin");
+  if (strcmp (argument, "BEAM") == 0)
+    return cli_example ("37-beam-vibrating.quoin");
+  if (strcmp (argument, "DRAWING") == 0)
+    return cli_example ("dxf/wall-clean.dxf");
+  if (strcmp (argument, "MODEL=RESULT") == 0) {
+    g_autofree char *model = cli_example ("05-stack.quoin");
+    return g_strdup_printf ("%s=%s", model, place->result);
+  }
+  return g_strdup (argument);
+}
+
+static char **
+command_of (const Place *place)
+{
+  g_autoptr (GStrvBuilder) builder = g_strv_builder_new ();
+  g_strv_builder_add (builder, g_getenv ("QUOIN_CLI"));
+  for (const char *const *a = place->writing->arguments; *a != NULL; a++) {
+    g_autofree char *argument = fill_in (place, *a);
+    g_strv_builder_add (builder, argument);
+  }
+  return g_strv_builder_end (builder);
+}
+
+static void
+place_init (Place *place, const Writing *writing)
+{
+  place->writing = writing;
+  place->inputs = cli_folder_new ();
+  place->result = g_build_filename (place->inputs, "result.json", NULL);
+  place->mark = g_build_filename (place->inputs, "mark", NULL);
+  g_autofree char *model = cli_example ("05-stack.quoin");
+  CliRun run = cli_run ("solve", model, "-q", "-o", place->result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+
+  place->folder = cli_folder_new ();
+  place->output = g_build_filename (place->folder, writing->output, NULL);
+  place->old = g_strdup (place->output);
+  if (g_str_has_suffix (writing->output, "/")) {
+    g_assert_cmpint (g_mkdir (place->output, 0777), ==, 0);
+    g_free (place->old);
+    place->old = g_build_filename (place->output, "frame-0001.png", NULL);
+  }
+  g_assert_true (g_file_set_contents (place->old, OLD, -1, NULL));
+}
+
+static void
+place_clear (Place *place)
+{
+  cli_folder_clear (place->inputs);
+  cli_folder_clear (place->folder);
+  g_free (place->result);
+  g_free (place->mark);
+  g_free (place->output);
+  g_free (place->old);
+}
+
+static guint
+count_entries (const char *folder)
+{
+  guint count = 0;
+  const char *name;
+  GDir *dir = g_dir_open (folder, 0, NULL);
+  g_assert_nonnull (dir);
+  while ((name = g_dir_read_name (dir)) != NULL) {
+    g_test_message ("%s/%s", folder, name);
+    count++;
+  }
+  g_dir_close (dir);
+  return count;
+}
+
+static void
+check_untouched (const Place *place)
+{
+  g_autofree char *content = cli_read (place->old);
+  g_assert_cmpstr (content, ==, OLD);
+  g_assert_cmpuint (count_entries (place->folder), ==, 1);
+  if (place->old[strlen (place->output)] != '\0')
+    g_assert_cmpuint (count_entries (place->output), ==, 1);
+}
+
+static void
+limit_size (gpointer bytes)
+{
+  const struct rlimit limit = { GPOINTER_TO_SIZE (bytes), GPOINTER_TO_SIZE (bytes) };
+  setrlimit (RLIMIT_FSIZE, &limit);
+}
+
+/* Runs the command with more in its environment; at most `bytes` in a file where not 0. */
+static CliRun
+run_in (const Place *place, char **environment, gsize bytes)
+{
+  CliRun run = { 0 };
+  int status;
+  g_autoptr (GError) error = NULL;
+  g_auto (GStrv) command = command_of (place);
+  g_spawn_sync (NULL, command, environment, G_SPAWN_DEFAULT,
+                bytes > 0 ? limit_size : NULL, GSIZE_TO_POINTER (bytes), &run.out,
+                &run.err, &status, &error);
+  g_assert_no_error (error);
+  run.code = WIFEXITED (status) ? WEXITSTATUS (status) : 128 + WTERMSIG (status);
+  return run;
+}
+
+/* The file was written although a call failed: one that is of no consequence, as closing what is
+ * given up. */
+static void
+check_written (const Place *place)
+{
+  g_autofree char *content = cli_read (place->old);
+  g_assert_cmpstr (content, !=, OLD);
+  g_assert_cmpuint (count_entries (place->folder), ==, 1);
+  g_assert_true (g_file_set_contents (place->old, OLD, -1, NULL));
+}
+
+/* Whether call `number` was made, and failed. */
+static gboolean
+fail_call (Place *place, int number, int code, gboolean named, int *harmless)
+{
+  g_autofree char *fault = g_strdup_printf ("%d:%d", number, code);
+  char **environment = g_get_environ ();
+  environment =
+    g_environ_setenv (environment, "LD_PRELOAD", g_getenv ("QUOIN_FAILING_DISK"), TRUE);
+  environment = g_environ_setenv (environment, "QUOIN_DISK_FAULT", fault, TRUE);
+  environment = g_environ_setenv (environment, "QUOIN_DISK_MARK", place->mark, TRUE);
+  if (named)
+    environment = g_environ_setenv (environment, "QUOIN_DISK_NAMED", "1", TRUE);
+  CliRun run = run_in (place, environment, 0);
+  g_strfreev (environment);
+
+  gboolean failed = g_remove (place->mark) == 0;
+  g_test_message ("call %d: %s, exit code %d, %s", number, failed ? "failed" : "not made",
+                  run.code, run.err);
+  if (failed && run.code == 0) {
+    check_written (place);
+    ++*harmless;
+  } else if (failed) {
+    /* GStreamer has words of its own. */
+    gboolean ours = !g_str_has_suffix (place->output, ".webm");
+    cli_assert_failed (&run, 5, ours ? g_strerror (code) : NULL);
+    check_untouched (place);
+  } else {
+    cli_assert_done (&run);
+  }
+  cli_run_clear (&run);
+  return failed;
+}
+
+static void
+fail_every_call (const Writing *writing, int code, gboolean named)
+{
+  Place place;
+  int number = 1, harmless = 0;
+  place_init (&place, writing);
+  while (!g_test_failed () && fail_call (&place, number, code, named, &harmless))
+    number++;
+  g_test_message ("%d calls failed, %d without harm", number - 1, harmless);
+  g_assert_cmpint (number, >=, 4);
+  g_assert_cmpint (harmless, <=, 1);
+  place_clear (&place);
+}
+
+static void
+test_every_call (gconstpointer data)
+{
+  fail_every_call (data, ENOSPC, FALSE);
+}
+
+/* As on file systems where every file has a name. */
+static void
+test_every_call_named (gconstpointer data)
+{
+  fail_every_call (data, EIO, TRUE);
+}
+
+/* No file may be larger than a few bytes: the system sends a signal that ends programs. */
+static void
+test_no_room (gconstpointer data)
+{
+  Place place;
+  place_init (&place, data);
+  CliRun run = run_in (&place, NULL, 64);
+  cli_assert_failed (&run, 5, NULL);
+  check_untouched (&place);
+  place_clear (&place);
+}
+
+/* Text that a script reads. */
+static void
+test_full_standard_output (void)
+{
+  g_autofree char *model = cli_example ("05-stack.quoin");
+  g_autofree char *line =
+    g_strdup_printf ("'%s' check '%s' >/dev/full", g_getenv ("QUOIN_CLI"), model);
+  const char *const command[] = { "/bin/sh", "-c", line, NULL };
+  CliRun run = { 0 };
+  int status;
+  g_assert_true (g_spawn_sync (NULL, (char **) command, NULL, G_SPAWN_DEFAULT, NULL, NULL,
+                               &run.out, &run.err, &status, NULL));
+  run.code = WEXITSTATUS (status);
+  cli_assert_failed (&run, 5, "standard output");
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  for (size_t i = 0; i < G_N_ELEMENTS (writings); i++) {
+    static const struct {
+      const char *name;
+      GTestDataFunc function;
+    } faults[] = { { "every-call", test_every_call },
+                   { "every-call-named", test_every_call_named },
+                   { "no-room", test_no_room } };
+    for (size_t k = 0; k < G_N_ELEMENTS (faults); k++) {
+      /* One file and several: names do not depend on what is in them. */
+      if (faults[k].function == test_every_call_named && i > 0
+          && strcmp (writings[i].name, "frames") != 0)
+        continue;
+      g_autofree char *path =
+        g_strdup_printf ("/faults/disk/%s/%s", writings[i].name, faults[k].name);
+      g_test_add_data_func (path, &writings[i], faults[k].function);
+    }
+  }
+  g_test_add_func ("/faults/disk/standard-output", test_full_standard_output);
+  return g_test_run ();
+}
