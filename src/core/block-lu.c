@@ -348,24 +348,24 @@ is_touched (const QnBlockLu *lu, int32_t f, const double *ax)
 }
 
 double
-qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *share)
+qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *work)
 {
   QnPivotRange range = { INFINITY, 0 };
-  double work = 0;
+  double done = 0;
   bool regular = true;
 
   for (int32_t f = 0; f < lu->tree.front_count && regular; f++) {
     Matrices *m = &lu->matrices[f];
     m->changed = !lu->whole || is_touched (lu, f, ax);
     if (m->changed) {
-      work += m->work;
+      done += m->work;
       regular = factor_front (lu, f, ax);
     }
     range.smallest = fmin (m->range.smallest, range.smallest);
     range.largest = fmax (m->range.largest, range.largest);
   }
   lu->whole = regular;
-  *share = lu->work > 0 ? work / lu->work : 0;
+  *work = lu->work > 0 ? done / lu->work : 0;
   if (!regular)
     return 0;
   return range.largest > 0 ? range.smallest / range.largest : 1;
@@ -374,10 +374,10 @@ qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *share)
 double
 qn_block_lu_factor (QnBlockLu *lu, const double *ax)
 {
-  double share;
+  double work;
 
   lu->whole = false;
-  return qn_block_lu_refactor (lu, ax, &share);
+  return qn_block_lu_refactor (lu, ax, &work);
 }
 
 /* --- Solution --------------------------------------------------------------------------- */

@@ -27,9 +27,9 @@ void qn_block_lu_free (QnBlockLu *lu);
  * pivot, 0 where one vanished (there is nothing to solve with then). Allocates nothing. */
 double qn_block_lu_factor (QnBlockLu *lu, const double *ax);
 
-/* The same, but eliminates anew only what new values reach; the result is that of
- * qn_block_lu_factor() to the bit. *share: the part of the work that was done. */
-double qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *share);
+/* The same, but eliminates anew only what new values reach; the factors are the same to the bit.
+ * *work: the part of a whole factorisation that was done, 0 where no value was new. */
+double qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *work);
 
 /* Overwrites b (length n) with the solution. */
 void qn_block_lu_solve (QnBlockLu *lu, double *b);

@@ -200,7 +200,7 @@ factorize (QnCentralPath *path)
   QnFactorStatus status = qn_linsys_factor (eq->linsys, eq->assembly.ax);
   eq->statistics.assembly_seconds += assembled - start;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
-  eq->statistics.factorizations++;
+  qn_equilibrium_count_factorization (eq);
   eq->factored = false; /* by Newton's method */
   return status;
 }
@@ -444,7 +444,8 @@ makes_headway (Increment *increment, int iteration)
     increment->watched_gap = increment->gap;
     increment->watched_since = iteration;
   }
-  return iteration - increment->watched_since < PATIENCE;
+  return iteration - increment->watched_since < PATIENCE
+         || !increment->path->eq->assembly.model->analysis.shortcuts.early_failure;
 }
 
 /* One iteration of the interior-point method. */

@@ -117,6 +117,9 @@ double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *targ
 double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
                                      double lack, double *along_live);
 
+/* Counts the factorisation just done. */
+void qn_equilibrium_count_factorization (QnEquilibrium *eq);
+
 /* Counts an iteration and reports it; false when the analysis is to be cancelled. */
 bool qn_equilibrium_go_on (QnEquilibrium *eq);
 

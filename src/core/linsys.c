@@ -22,8 +22,11 @@ struct QnLinsys {
   /* KLU takes its read-only arguments without const. */
   int32_t *ap, *ai;
   QnBlockLu *blocks;
-  double *trial, *left; /* n: a solution of A trial = 1, and what it leaves */
-  bool pivoted;         /* the last factorisation is KLU's */
+  double *trial, *left;  /* n: a solution of A trial = 1, and what it leaves */
+  bool pivoted;          /* the last factorisation is KLU's */
+  bool whole;            /* everything is to be eliminated anew each time */
+  QnFactorStatus status; /* of the last factorisation, */
+  double work;           /* and what part of a whole one it took */
   klu_common common;
   klu_symbolic *symbolic; /* NULL until it is needed */
   klu_numeric *numeric;
@@ -158,14 +161,36 @@ backward_error (QnLinsys *system, const double *ax)
   return error / (matrix * solution + 1);
 }
 
+void
+qn_linsys_eliminate_everything (QnLinsys *system, bool always)
+{
+  system->whole = always;
+}
+
+double
+qn_linsys_work (const QnLinsys *system)
+{
+  return system->work;
+}
+
 QnFactorStatus
 qn_linsys_factor (QnLinsys *system, const double *ax)
 {
-  double pivots = qn_block_lu_factor (system->blocks, ax);
+  double pivots;
 
+  if (system->whole) {
+    pivots = qn_block_lu_factor (system->blocks, ax);
+    system->work = 1;
+  } else {
+    pivots = qn_block_lu_refactor (system->blocks, ax, &system->work);
+    if (system->work == 0 && system->n > 0)
+      return system->status; /* of the same matrix */
+  }
   system->pivoted = !(pivots > QN_TOLERANCE_SINGULAR
                       && backward_error (system, ax) < QN_TOLERANCE_BACKWARD);
-  return system->pivoted ? factor_pivoting (system, (double *) ax) : QN_FACTOR_OK;
+  system->status =
+    system->pivoted ? factor_pivoting (system, (double *) ax) : QN_FACTOR_OK;
+  return system->status;
 }
 
 void

@@ -27,6 +27,13 @@ void qn_linsys_free (QnLinsys *system);
 /* Factorises the matrix with the values ax. */
 QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 
+/* Whether the next factorisations start from nothing, for comparison: otherwise only what new
+ * values reach is eliminated anew. The factors are the same to the bit. */
+void qn_linsys_eliminate_everything (QnLinsys *system, bool always);
+
+/* What part of the work of a whole factorisation the last one took. */
+double qn_linsys_work (const QnLinsys *system);
+
 /* Sign of the determinant of the matrix last factorised. */
 int qn_linsys_sign (const QnLinsys *system);
 

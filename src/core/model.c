@@ -22,7 +22,8 @@ qn_model_init (QnModel *model)
                   .multiplier_tolerance = 1e-4,
                   .residual_tolerance = 1e-8,
                   .control_block = QN_NONE,
-                  .control_node = QN_NONE },
+                  .control_node = QN_NONE,
+                  .shortcuts = { true, true, true, true, true } },
   };
 }
 

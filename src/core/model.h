@@ -159,6 +159,20 @@ typedef enum { QN_SNAP_JUMP, QN_SNAP_STOP, QN_SNAP_COUNT } QnSnap;
 
 typedef enum { QN_FLOW_ASSOCIATIVE, QN_FLOW_NON_ASSOCIATIVE, QN_FLOW_COUNT } QnFlow;
 
+/* What the path of equilibria leaves out because it is not needed. Each can be turned off to see
+ * what it brings: what is found is the same, to the tolerances. All are on by default. */
+typedef struct QnShortcuts {
+  bool same_tangent; /* a tangent that is factorised already is neither assembled nor
+                               factorised: none of the joints has changed state */
+  bool partial_elimination; /* of a tangent, only what joints that changed state reach is
+                               eliminated anew; the rest of the structure stays condensed */
+  bool early_failure; /* an increment along the central path that gets nowhere is given up
+                               before its budget is spent */
+  bool
+    mechanism_estimate; /* the first motion without equilibrium says where collapse is */
+  bool growing_increments; /* increments grow where they are easy */
+} QnShortcuts;
+
 typedef struct QnAnalysisSettings {
   QnProcedure procedure;
   QnGeometry geometry;
@@ -172,7 +186,8 @@ typedef struct QnAnalysisSettings {
   QnId control_node; /* the same for a node that stands free; at most one of both */
   QnDof control_dof;
   double control_target; /* m or rad */
-  bool all_forces;       /* of the run, not of the project: see QN_RESULT_FORCE_BUDGET */
+  QnShortcuts shortcuts;
+  bool all_forces; /* of the run, not of the project: see QN_RESULT_FORCE_BUDGET */
 } QnAnalysisSettings;
 
 /* A stage of loading: its sets go from the multiplier that they stand at to another one while

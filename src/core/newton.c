@@ -111,7 +111,7 @@ factorize (QnEquilibrium *eq, double viscosity)
     same = same && !response->varies && eq->factored_phases[p] == response->phase;
     eq->factored_phases[p] = response->phase;
   }
-  if (same)
+  if (same && as->model->analysis.shortcuts.same_tangent)
     return QN_FACTOR_OK;
 
   double start = qn_clock_seconds ();
@@ -120,10 +120,19 @@ factorize (QnEquilibrium *eq, double viscosity)
   QnFactorStatus status = qn_linsys_factor (eq->linsys, as->ax);
   eq->statistics.assembly_seconds += assembled - start;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
-  eq->statistics.factorizations++;
+  qn_equilibrium_count_factorization (eq);
   eq->factored = status == QN_FACTOR_OK;
   eq->factored_viscosity = viscosity;
   return status;
+}
+
+void
+qn_equilibrium_count_factorization (QnEquilibrium *eq)
+{
+  double work = qn_linsys_work (eq->linsys);
+
+  eq->statistics.factorizations += work > 0;
+  eq->statistics.factorization_work += work;
 }
 
 bool

@@ -110,6 +110,8 @@ grow_increment (LoadControl *control, double increment, double reached)
 {
   double largest = fmax (LARGEST_INCREMENT * control->first, LARGEST_PART * reached);
 
+  if (!control->path->settings->shortcuts.growing_increments)
+    largest = control->first;
   control->increment = fmin (GROWTH * fmax (control->increment, increment), largest);
 }
 
@@ -245,7 +247,9 @@ bound_from_above (LoadControl *control, double target, bool certified)
   }
   control->upper = target;
   control->certified = certified;
-  control->guess = live > 0 ? target - unbalanced / live : NAN;
+  control->guess = live > 0 && control->path->settings->shortcuts.mechanism_estimate
+                     ? target - unbalanced / live
+                     : NAN;
   memcpy (control->velocity, eq->velocity,
           (size_t) as->unknown_count * sizeof *control->velocity);
   qn_equilibrium_restore (eq);

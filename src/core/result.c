@@ -41,6 +41,7 @@ qn_statistics_add (QnStatistics *total, const QnStatistics *part)
   total->law_seconds += part->law_seconds;
   total->iterations += part->iterations;
   total->factorizations += part->factorizations;
+  total->factorization_work += part->factorization_work;
   if (part->peak_memory_bytes > total->peak_memory_bytes)
     total->peak_memory_bytes = part->peak_memory_bytes;
 }

@@ -63,6 +63,9 @@ typedef struct QnStatistics {
   double law_seconds;      /* evaluating constitutive laws */
   int32_t iterations;
   int32_t factorizations;
+  double
+    factorization_work; /* the same in whole factorisations: those of few new values are
+                                parts of one */
   int64_t peak_memory_bytes; /* filled by layers that can measure it, else 0 */
 } QnStatistics;
 

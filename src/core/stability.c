@@ -42,6 +42,7 @@ check_state (Search *search, bool *stable, QnDiag *diag)
   if (!qn_inertia_count (search->inertia, as->ax, &negative))
     return qn_diag_no_memory (diag);
   eq->statistics.factorizations++;
+  eq->statistics.factorization_work++;
   *stable = negative == 0;
   return QN_OK;
 }

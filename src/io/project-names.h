@@ -3,6 +3,8 @@
 #ifndef QN_IO_PROJECT_NAMES_H
 #define QN_IO_PROJECT_NAMES_H
 
+#include "core/model.h"
+
 const char *qn_name_of_law_kind (int kind);
 const char *qn_name_of_basis (int basis);
 const char *qn_name_of_placement (int placement);
@@ -14,5 +16,10 @@ const char *qn_name_of_geometry (int geometry);
 const char *qn_name_of_snap (int snap);
 const char *qn_name_of_flow (int flow);
 const char *qn_name_of_dof (int dof);
+
+/* The switches of QnShortcuts by number, and their words. */
+#define QN_SHORTCUT_COUNT 5
+const char *qn_name_of_shortcut (int shortcut);
+bool *qn_shortcut (QnShortcuts *shortcuts, int shortcut);
 
 #endif

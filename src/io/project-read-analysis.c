@@ -41,6 +41,24 @@ read_control (const QnPlace *owner, const QnModel *model, Control *read)
 }
 
 static gboolean
+read_shortcuts (const QnPlace *owner, QnShortcuts *shortcuts)
+{
+  const char *keys[QN_SHORTCUT_COUNT];
+  QnPlace place = qn_place_member (owner, "shortcuts");
+  if (place.value == NULL)
+    return TRUE;
+  if (!qn_place_object (&place))
+    return FALSE;
+  for (int i = 0; i < QN_SHORTCUT_COUNT; i++) {
+    keys[i] = qn_name_of_shortcut (i);
+    if (!qn_member_bool (&place, keys[i], QN_OPTIONAL, qn_shortcut (shortcuts, i)))
+      return FALSE;
+  }
+  qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
+  return TRUE;
+}
+
+static gboolean
 read_choices (const QnPlace *place, QnAnalysisSettings *settings)
 {
   int procedure = (int) settings->procedure, geometry = (int) settings->geometry;
@@ -156,11 +174,17 @@ warn_of_idle_settings (const QnPlace *analysis, const QnModel *model)
 gboolean
 qn_read_analysis (const QnPlace *root, QnModel *model)
 {
-  static const char *const keys[] = {
-    "procedure", "geometry", "increments",           "max_multiplier",
-    "snap",      "flow",     "multiplier_tolerance", "residual_tolerance",
-    "control",   "stages"
-  };
+  static const char *const keys[] = { "procedure",
+                                      "geometry",
+                                      "increments",
+                                      "max_multiplier",
+                                      "snap",
+                                      "flow",
+                                      "multiplier_tolerance",
+                                      "residual_tolerance",
+                                      "control",
+                                      "stages",
+                                      "shortcuts" };
   const QnRange positive = QN_RANGE_POSITIVE;
   QnAnalysisSettings *settings = &model->analysis;
   QnPlace place = qn_place_member (root, "analysis");
@@ -183,6 +207,7 @@ qn_read_analysis (const QnPlace *root, QnModel *model)
       || !qn_member_number (&place, "residual_tolerance", QN_OPTIONAL, positive,
                             &settings->residual_tolerance)
       || !read_control (&place, model, &control)
+      || !read_shortcuts (&place, &settings->shortcuts)
       || !qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model))
     return FALSE;
   settings->control_block = control.block;

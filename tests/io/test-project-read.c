@@ -33,6 +33,7 @@ static const char full[] =
   "  \"analysis\": { \"procedure\": \"displacement\", \"geometry\": \"linear\",\n"
   "    \"increments\": 37, \"max_multiplier\": 2, \"multiplier_tolerance\": 1e-3,\n"
   "    \"residual_tolerance\": 1e-7, \"snap\": \"stop\", \"flow\": \"non-associative\",\n"
+  "    \"shortcuts\": { \"partial_elimination\": false },\n"
   "    \"control\": { \"block\": \"w.2.1\", \"component\": \"ux\", \"target\": 0.05 } "
   "},\n"
   "  \"view\": { \"zoom\": 2 }, \"figures\": [] }";
@@ -56,6 +57,8 @@ check_settings (const QnModel *model)
   g_assert_cmpfloat (analysis->max_multiplier, ==, 2);
   g_assert_cmpfloat (analysis->multiplier_tolerance, ==, 1e-3);
   g_assert_cmpfloat (analysis->residual_tolerance, ==, 1e-7);
+  g_assert_false (analysis->shortcuts.partial_elimination);
+  g_assert_true (analysis->shortcuts.same_tangent);
   g_assert_cmpint (analysis->snap, ==, QN_SNAP_STOP);
   g_assert_cmpint (analysis->flow, ==, QN_FLOW_NON_ASSOCIATIVE);
   g_assert_cmpint (analysis->control_block, ==, qn_model_find_block (model, "w.2.1"));
