@@ -11,7 +11,7 @@ struct _QnDocument {
   char *text; /* the state; see document.h */
   QnProject project;
   QnContacts contacts;
-  char *fingerprint; /* of what an analysis depends on */
+  char *fingerprint; /* see below; NULL: to be computed */
   QnHistory *history;
   QnSelection *selection;
   gboolean never_saved;   /* came from memory: counts as modified */
@@ -35,6 +35,9 @@ typedef enum {
   QN_DOCUMENT_SIGNAL_JOB_PROGRESS,
   QN_DOCUMENT_SIGNAL_COUNT
 } QnDocumentSignal;
+
+/* Digest of what an analysis depends on. */
+const char *qn_document_get_fingerprint (QnDocument *document);
 
 void qn_document_emit (QnDocument *document, QnDocumentSignal signal);
 

@@ -92,7 +92,7 @@ start (QnDocument *self, const QnModel *model, gboolean live, GError **error)
   g_autofree char *name = live ? g_strdup (_ ("Live"))
                                : g_strdup_printf (_ ("Run %u, %s"), self->run_number + 1,
                                                   method_name (&model->analysis));
-  QnJob *job = qn_job_new (model, name, self->fingerprint, error);
+  QnJob *job = qn_job_new (model, name, qn_document_get_fingerprint (self), error);
   if (job == NULL)
     return FALSE;
   if (!live)
@@ -198,5 +198,5 @@ qn_document_remove_run (QnDocument *self, QnRun *run)
 gboolean
 qn_document_is_stale (QnDocument *self, const QnRun *run)
 {
-  return g_strcmp0 (run->fingerprint, self->fingerprint) != 0;
+  return g_strcmp0 (run->fingerprint, qn_document_get_fingerprint (self)) != 0;
 }

@@ -72,6 +72,17 @@ parse (const char *text, const char *name, QnProject *project, GError **error)
   return TRUE;
 }
 
+/* The same for a text that may differ little from the present one. */
+static gboolean
+parse_next (QnDocument *self, const char *text, const char *name, QnProject *project,
+            GError **error)
+{
+  return (self->text != NULL
+          && qn_project_parse_like (text, strlen (text), name, &self->project, self->text,
+                                    project))
+         || parse (text, name, project, error);
+}
+
 /* Contacts of the model that is to follow the document's present one. */
 static gboolean
 detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **error)
@@ -101,8 +112,7 @@ adopt (QnDocument *self, QnProject *project, char *text, GError **error)
   self->contacts = contacts;
   g_free (self->text);
   self->text = text;
-  g_free (self->fingerprint);
-  self->fingerprint = qn_model_digest (&self->project);
+  g_clear_pointer (&self->fingerprint, g_free);
   qn_selection_follow (self->selection, &old.model, &old_contacts, &self->project.model,
                        &self->contacts);
   qn_project_clear (&old);
@@ -123,13 +133,21 @@ restore (QnDocument *self, char *text)
 {
   QnProject project;
   g_autoptr (GError) error = NULL;
-  if (!parse (text, name_in_messages (self), &project, &error)) {
+  if (!parse_next (self, text, name_in_messages (self), &project, &error)) {
     /* The text was accepted when it was made. */
     g_critical ("history: %s", error->message);
     g_free (text);
     return FALSE;
   }
   return adopt (self, &project, text, NULL);
+}
+
+const char *
+qn_document_get_fingerprint (QnDocument *self)
+{
+  if (self->fingerprint == NULL)
+    self->fingerprint = qn_model_digest_like (&self->project, self->text);
+  return self->fingerprint;
 }
 
 /* ---- life ---- */
@@ -403,7 +421,7 @@ step_to (QnDocument *self, const char *name, const char *key, char *text, GError
     return TRUE;
   }
   QnProject project;
-  if (!parse (text, name_in_messages (self), &project, error)) {
+  if (!parse_next (self, text, name_in_messages (self), &project, error)) {
     g_free (text);
     return FALSE;
   }
@@ -442,7 +460,8 @@ qn_document_edit_project (QnDocument *self, const char *name, const char *key,
   }
   gboolean done =
     func (&draft, user_data, error) && put_free_blocks_first (&draft.model, error);
-  char *text = done ? qn_project_to_text (&draft, NULL) : NULL;
+  char *text =
+    done ? qn_project_to_text_like (&draft, &self->project, self->text, NULL) : NULL;
   qn_model_clear (&draft.model);
   qn_project_extras_free (draft.extras);
   return done && step_to (self, name, key, text, error);
@@ -484,7 +503,7 @@ qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
     return FALSE;
   QnProject draft = self->project;
   draft.extras = extras;
-  char *text = qn_project_to_text (&draft, NULL);
+  char *text = qn_project_to_text_like (&draft, &self->project, self->text, NULL);
   qn_project_extras_free (extras);
   return step_to (self, name, key, text, error);
 }

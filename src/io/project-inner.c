@@ -71,6 +71,18 @@ qn_project_keep_inner (QnProject *project, cJSON *unknown)
   return done;
 }
 
+gboolean
+qn_project_has_inner_blocks (const QnProject *project)
+{
+  const cJSON *inner =
+    cJSON_GetObjectItemCaseSensitive (project->extras, QN_INNER_MEMBER);
+  for (const cJSON *owner = inner != NULL ? inner->child : NULL; owner != NULL;
+       owner = owner->next)
+    if (g_str_has_prefix (owner->string, "blocks:"))
+      return TRUE;
+  return FALSE;
+}
+
 GHashTable *
 qn_project_index_inner (const QnProject *project)
 {

@@ -23,4 +23,7 @@ GHashTable *qn_project_index_inner (const QnProject *project);
 void qn_json_append_inner (GString *json, GHashTable *inner, const char *owner,
                            const char *name);
 
+/* Whether there are such members in any block. */
+gboolean qn_project_has_inner_blocks (const QnProject *project);
+
 #endif

@@ -1,3 +1,4 @@
+#include "io/block-lines.h"
 #include "io/file-writer.h"
 #include "io/json-text.h"
 #include "io/project-inner.h"
@@ -230,7 +231,8 @@ append_head (GString *json, const QnModel *model)
 }
 
 static void
-append_structure (GString *json, const QnModel *model, GHashTable *inner)
+append_structure (GString *json, const QnModel *model, GHashTable *inner,
+                  const QnBlockLines *like)
 {
   g_string_append (json, "  \"laws\": [");
   for (size_t i = 0; i < model->law_count; i++) {
@@ -244,9 +246,11 @@ append_structure (GString *json, const QnModel *model, GHashTable *inner)
     if (model->blocks[i].masonry != QN_NONE)
       continue;
     g_string_append (json, first ? "\n    " : ",\n    ");
+    first = FALSE;
+    if (like != NULL && qn_block_lines_append_same (json, like, model, (QnId) i))
+      continue;
     append_block (json, model, (QnId) i);
     qn_json_append_inner (json, inner, "blocks", model->blocks[i].name);
-    first = FALSE;
   }
   g_string_append (json, " ],\n");
   if (model->wall_count == 0)
@@ -287,14 +291,14 @@ append_masonry (GString *json, const QnProject *project, const cJSON *list)
   g_string_append (json, " ]");
 }
 
-char *
-qn_project_to_text (const QnProject *project, gsize *length)
+static char *
+write_text (const QnProject *project, const QnBlockLines *like, gsize *length)
 {
   const QnModel *model = &project->model;
-  GString *json = g_string_sized_new (4096);
+  GString *json = g_string_sized_new (like != NULL ? like->length + 4096 : 4096);
   append_head (json, model);
   GHashTable *inner = qn_project_index_inner (project);
-  append_structure (json, model, inner);
+  append_structure (json, model, inner, like);
   qn_project_append_beams (json, model);
   append_contact (json, model);
   qn_json_append_inner (json, inner, "contact", NULL);
@@ -325,6 +329,25 @@ qn_project_to_text (const QnProject *project, gsize *length)
   if (length != NULL)
     *length = json->len;
   return g_string_free (json, FALSE);
+}
+
+char *
+qn_project_to_text (const QnProject *project, gsize *length)
+{
+  return write_text (project, NULL, length);
+}
+
+char *
+qn_project_to_text_like (const QnProject *project, const QnProject *like,
+                         const char *like_text, gsize *length)
+{
+  QnBlockLines lines;
+  gboolean found = !qn_project_has_inner_blocks (project)
+                   && qn_block_lines_find (&lines, like, like_text);
+  char *text = write_text (project, found ? &lines : NULL, length);
+  if (found)
+    qn_block_lines_clear (&lines);
+  return text;
 }
 
 gboolean

@@ -54,6 +54,20 @@ gboolean qn_project_save (const QnProject *project, const char *path, GError **e
 /* The same as a string; free with g_free(). */
 char *qn_project_to_text (const QnProject *project, gsize *length);
 
+/* The same for a project that differs little from another one whose text, in the canonical layout,
+ * is at hand: lines of blocks that are equal are taken from there. It reads back as the same
+ * model. */
+char *qn_project_to_text_like (const QnProject *project, const QnProject *like,
+                               const char *like_text, gsize *length);
+
+/* Reads a text in the canonical layout that differs in single blocks only, of the same names,
+ * from that of a project at hand: the model is what qn_project_parse() gives, in a small part of
+ * its time. FALSE where the text must be read as a whole, which also tells what is wrong with
+ * it; `project` holds nothing then. */
+gboolean qn_project_parse_like (const char *text, gsize length, const char *name,
+                                const QnProject *like, const char *like_text,
+                                QnProject *project);
+
 /* Path of the key that an entity of the model comes from: "blocks[3]", "walls[0].courses[2][1]"
  * for a block of a wall, "loads.live[0]". `index` may be QN_NONE. Free with g_free(). */
 char *qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index);
