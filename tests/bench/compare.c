@@ -1,5 +1,7 @@
 #include "bench/compare.h"
 
+#include "bench/csv-table.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -25,16 +27,11 @@ typedef enum {
   MET
 } Kind;
 
-/* One CSV file: lines of fields. */
-typedef struct Table {
-  GPtrArray *rows; /* of char **; the first one has the headings */
-  int keys;
-} Table;
-
 /* What is being compared. */
 typedef struct Comparison {
   const char *name;
-  Table before, after;
+  CsvTable before, after;
+  int keys;
   const CompareMargins *margins;
   FILE *out;
   CompareVerdict verdict;
@@ -51,96 +48,21 @@ compare_margins_default (void)
   };
 }
 
-/* The fields of a line; quotes keep commas together. */
-static char **
-split_line (const char *line)
-{
-  GPtrArray *fields = g_ptr_array_new ();
-  g_autoptr (GString) field = g_string_new (NULL);
-  gboolean quoted = FALSE;
-  for (; *line != '\0'; line++) {
-    if (*line == '"') {
-      quoted = !quoted;
-    } else if (*line == ',' && !quoted) {
-      g_ptr_array_add (fields, g_strdup (field->str));
-      g_string_truncate (field, 0);
-    } else {
-      g_string_append_c (field, *line);
-    }
-  }
-  g_ptr_array_add (fields, g_strdup (field->str));
-  g_ptr_array_add (fields, NULL);
-  return (char **) g_ptr_array_free (fields, FALSE);
-}
-
-static gboolean
-table_read (Table *table, const char *folder, const char *name, int keys, GError **error)
-{
-  g_autofree char *file = g_strconcat (name, ".csv", NULL);
-  g_autofree char *path = g_build_filename (folder, file, NULL);
-  g_autofree char *text = NULL;
-  *table = (Table){ .keys = keys };
-  if (!g_file_get_contents (path, &text, NULL, error))
-    return FALSE;
-  g_auto (GStrv) lines = g_strsplit (g_strchomp (text), "\n", -1);
-  table->rows = g_ptr_array_new_with_free_func ((GDestroyNotify) g_strfreev);
-  for (char **line = lines; *line != NULL; line++)
-    g_ptr_array_add (table->rows, split_line (*line));
-  if (table->rows->len > 0
-      && (int) g_strv_length (g_ptr_array_index (table->rows, 0)) > keys)
-    return TRUE;
-  g_set_error (error, G_FILE_ERROR, G_FILE_ERROR_INVAL, "%s: no table", path);
-  g_clear_pointer (&table->rows, g_ptr_array_unref);
-  return FALSE;
-}
-
-static char **
-row_of (const Table *table, guint index)
-{
-  return g_ptr_array_index (table->rows, index);
-}
-
-static int
-find_column (const Table *table, const char *heading)
-{
-  char **headings = row_of (table, 0);
-  for (int i = 0; headings[i] != NULL; i++)
-    if (g_str_equal (headings[i], heading))
-      return i;
-  return -1;
-}
-
-/* A field, "" where the line is too short. */
-static const char *
-field (char **row, int column)
-{
-  return column >= 0 && column < (int) g_strv_length (row) ? row[column] : "";
-}
-
-static double
-number (char **row, int column)
-{
-  const char *text = field (row, column);
-  char *end;
-  double value = g_ascii_strtod (text, &end);
-  return end != text && *end == '\0' ? value : NAN;
-}
-
 static gboolean
 same_key (char **a, char **b, int keys)
 {
   for (int i = 0; i < keys; i++)
-    if (!g_str_equal (field (a, i), field (b, i)))
+    if (!g_str_equal (csv_field (a, i), csv_field (b, i)))
       return FALSE;
   return TRUE;
 }
 
 static char **
-find_row (const Table *table, char **key)
+find_row (const CsvTable *table, char **key, int keys)
 {
   for (guint i = 1; i < table->rows->len; i++)
-    if (same_key (row_of (table, i), key, table->keys))
-      return row_of (table, i);
+    if (same_key (csv_table_get_row (table, i), key, keys))
+      return csv_table_get_row (table, i);
   return NULL;
 }
 
@@ -173,14 +95,14 @@ is_answer (const char *outcome)
 /* The outcome that belongs to a column: "path outcome" to "path factorisations", or the
  * table's only one. */
 static const char *
-outcome_of (const Table *table, char **row, const char *heading)
+outcome_of (const CsvTable *table, char **row, const char *heading)
 {
   g_autofree char *first = g_strndup (heading, strcspn (heading, " /"));
   g_autofree char *own = g_strconcat (first, " outcome", NULL);
-  int column = find_column (table, own);
+  int column = csv_table_find_column (table, own);
   if (column < 0)
-    column = find_column (table, "outcome");
-  return column >= 0 ? field (row, column) : NULL;
+    column = csv_table_find_column (table, "outcome");
+  return column >= 0 ? csv_field (row, column) : NULL;
 }
 
 static void
@@ -188,9 +110,9 @@ note (Comparison *c, char **row, const char *heading, const char *before,
       const char *after, gboolean worse)
 {
   g_autoptr (GString) key = g_string_new (c->name);
-  for (int i = 0; i < c->before.keys; i++)
-    if (*field (row, i) != '\0')
-      g_string_append_printf (key, " %s", field (row, i));
+  for (int i = 0; i < c->keys; i++)
+    if (*csv_field (row, i) != '\0')
+      g_string_append_printf (key, " %s", csv_field (row, i));
   fprintf (c->out, "  %s  %s: %s %s -> %s\n", worse ? "WORSE " : "better", key->str,
            heading, before, after);
   if (worse)
@@ -203,7 +125,7 @@ note (Comparison *c, char **row, const char *heading, const char *before,
 static double
 multiplier_margin (const Comparison *c, char **row)
 {
-  double tolerance = number (row, find_column (&c->before, "tolerance"));
+  double tolerance = csv_number (row, csv_table_find_column (&c->before, "tolerance"));
   return isnan (tolerance) ? c->margins->multiplier
                            : fmax (c->margins->multiplier, 2 * tolerance);
 }
@@ -221,11 +143,11 @@ compare_texts (Kind kind, const char *before, const char *after)
 
 /* Where the right answer is known, the error says what a multiplier is worth. */
 static gboolean
-has_error (const Table *table, char **row)
+has_error (const CsvTable *table, char **row)
 {
-  char **headings = row_of (table, 0);
+  char **headings = csv_table_get_row (table, 0);
   for (int i = 0; headings[i] != NULL; i++)
-    if (kind_of (headings[i]) == ERROR && !isnan (number (row, i)))
+    if (kind_of (headings[i]) == ERROR && !isnan (csv_number (row, i)))
       return TRUE;
   return FALSE;
 }
@@ -270,10 +192,10 @@ compare_numbers (Comparison *c, Kind kind, double before, double after, double m
 static void
 compare_field (Comparison *c, char **before, char **after, int column)
 {
-  const char *heading = row_of (&c->before, 0)[column];
-  int other = find_column (&c->after, heading), verdict;
+  const char *heading = csv_table_get_row (&c->before, 0)[column];
+  int other = csv_table_find_column (&c->after, heading), verdict;
   Kind kind = kind_of (heading);
-  const char *old = field (before, column), *new = field (after, other);
+  const char *old = csv_field (before, column), *new = csv_field (after, other);
 
   if (kind == OTHER || other < 0
       || (kind == MULTIPLIER && has_error (&c->before, before)))
@@ -283,7 +205,7 @@ compare_field (Comparison *c, char **before, char **after, int column)
   } else {
     const char *outcome = outcome_of (&c->before, before, heading);
     const char *new_outcome = outcome_of (&c->after, after, heading);
-    double a = number (before, column), b = number (after, other);
+    double a = csv_number (before, column), b = csv_number (after, other);
     if ((outcome != NULL && !is_answer (outcome))
         || (new_outcome != NULL && !is_answer (new_outcome)) || isnan (a))
       return;
@@ -298,19 +220,21 @@ compare_field (Comparison *c, char **before, char **after, int column)
 static void
 compare_rows (Comparison *c, gboolean partial)
 {
-  int columns = (int) g_strv_length (row_of (&c->before, 0));
+  int columns = (int) g_strv_length (csv_table_get_row (&c->before, 0));
   for (guint i = 1; i < c->before.rows->len; i++) {
-    char **before = row_of (&c->before, i), **after = find_row (&c->after, before);
+    char **before = csv_table_get_row (&c->before, i),
+         **after = find_row (&c->after, before, c->keys);
     if (after == NULL && !partial) {
       note (c, before, "row", "there", "missing", TRUE);
       c->verdict.worse--;
       c->verdict.missing++;
     }
-    for (int column = c->before.keys; after != NULL && column < columns; column++)
+    for (int column = c->keys; after != NULL && column < columns; column++)
       compare_field (c, before, after, column);
   }
   for (guint i = 1; i < c->after.rows->len; i++)
-    c->verdict.added += find_row (&c->before, row_of (&c->after, i)) == NULL;
+    c->verdict.added +=
+      find_row (&c->before, csv_table_get_row (&c->after, i), c->keys) == NULL;
 }
 
 static void
@@ -341,18 +265,18 @@ has_table (const char *folder, const char *name)
 }
 
 static gboolean
-compare_table (Comparison *c, int keys, const char *baseline, const char *fresh,
-               gboolean partial, CompareVerdict *verdict, GError **error)
+compare_table (Comparison *c, const char *baseline, const char *fresh, gboolean partial,
+               CompareVerdict *verdict, GError **error)
 {
-  if (!table_read (&c->before, baseline, c->name, keys, error))
+  if (!csv_table_read (&c->before, baseline, c->name, error))
     return FALSE;
-  gboolean ok = table_read (&c->after, fresh, c->name, keys, error);
+  gboolean ok = csv_table_read (&c->after, fresh, c->name, error);
   if (ok) {
     compare_rows (c, partial);
     sum_up (c, verdict);
-    g_ptr_array_unref (c->after.rows);
+    csv_table_clear (&c->after);
   }
-  g_ptr_array_unref (c->before.rows);
+  csv_table_clear (&c->before);
   return ok;
 }
 
@@ -363,11 +287,13 @@ compare_folders (const char *baseline, const char *fresh, const CompareMargins *
   int found = 0;
   *verdict = (CompareVerdict){ 0 };
   for (gsize i = 0; i < G_N_ELEMENTS (tables); i++) {
-    Comparison c = { .name = tables[i].name, .margins = margins, .out = out };
+    Comparison c = {
+      .name = tables[i].name, .keys = tables[i].keys, .margins = margins, .out = out
+    };
     if (!has_table (baseline, c.name) || (partial && !has_table (fresh, c.name)))
       continue;
     found++;
-    if (!compare_table (&c, tables[i].keys, baseline, fresh, partial, verdict, error))
+    if (!compare_table (&c, baseline, fresh, partial, verdict, error))
       return FALSE;
   }
   if (found > 0)
