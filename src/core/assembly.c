@@ -214,6 +214,22 @@ mean_stiffness (const QnAssembly *as)
   return exp (sum / (double) as->pair_count);
 }
 
+/* The softest spring of all pairs, in either direction, as a part of the mean stiffness, at
+ * most 1: what makes ordinary elastic motion that much larger. */
+static double
+softness (const QnAssembly *as)
+{
+  double softest = as->stiffness;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *s = &as->springs[p];
+    double kn = s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn);
+    double ks = s->equal ? s->a.ks : 1 / (1 / s->a.ks + 1 / s->b.ks);
+    softest = fmin (softest, fmin (kn, ks));
+  }
+  return softest / as->stiffness;
+}
+
 /* Diagonal of C: the mean stiffness, distributed like mass (like area where nothing has weight),
  * with the radius of gyration for rotations. */
 static void
@@ -225,6 +241,7 @@ prepare_damping (QnAssembly *as)
   bool weightless = true;
 
   as->stiffness = mean_stiffness (as);
+  as->softness = softness (as);
   for (size_t b = 0; b < model->block_count && weightless; b++)
     weightless = model->blocks[b].weight <= 0;
   for (size_t i = 0; i < model->section_count && weightless; i++)
@@ -451,7 +468,7 @@ qn_assembly_elastic_displacements (const QnAssembly *as, const double *v,
   for (int32_t i = 0; i < as->unknown_count; i++)
     largest =
       fmax (largest, as->damping[i] * fabs (base != NULL ? v[i] - base[i] : v[i]));
-  return as->force_scale > 0 ? largest / as->force_scale : 0;
+  return as->force_scale > 0 ? as->softness * largest / as->force_scale : 0;
 }
 
 void

@@ -81,6 +81,7 @@ typedef struct QnAssembly {
   double *damping;  /* diagonal of C, N/m: see qn_assembly_tangent() */
   double *forces;   /* scratch, body_count x 3 */
   double stiffness; /* mean normal stiffness of a pair, N/m */
+  double softness;  /* of the softest spring of a pair, over that; <= 1 */
   double
     force_scale; /* largest dead load on a block, or live load where there is none, N */
 
@@ -155,7 +156,7 @@ void qn_assembly_elongation_rates (const QnAssembly *assembly, const double *v,
                                    double *rates);
 
 /* Largest displacement of v (unknowns), or of its difference from `base` unless that is NULL,
- * in elastic displacements: load over stiffness. */
+ * in elastic displacements: load over the stiffness of the softest spring. */
 double qn_assembly_elastic_displacements (const QnAssembly *assembly, const double *v,
                                           const double *base);
 

@@ -194,6 +194,32 @@ test_evaluation_has_no_memory (void)
   solver_clear (&solver);
 }
 
+/* The weight of a block on the softest of its springs is one elastic displacement or so, whichever
+ * direction that is. */
+static void
+test_elastic_displacements (void)
+{
+  static const double stiffness[][2] = { { 1e7, 1e7 }, { 1e9, 1e4 }, { 1e5, 1e10 } };
+
+  for (size_t i = 0; i < G_N_ELEMENTS (stiffness); i++) {
+    QnModel model;
+    Solver solver;
+    test_model_init_block_on_plane (&model, 1, 1);
+    test_model_add_weight_loads (&model, 1);
+    model.laws[0].kn = stiffness[i][0];
+    model.laws[0].ks = stiffness[i][1];
+    solver_init (&solver, &model);
+    const QnAssembly *as = &solver.equilibrium.assembly;
+    double softest = fmin (stiffness[i][0], stiffness[i][1]) / 2; /* two in series */
+    double v[] = { 0, model.blocks[1].weight / softest, 0 };
+    g_assert_cmpint (as->unknown_count, ==, 3);
+    double measure = qn_assembly_elastic_displacements (as, v, NULL);
+    g_assert_cmpfloat (measure, >, 0.25);
+    g_assert_cmpfloat (measure, <, 4);
+    solver_clear (&solver);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -202,6 +228,7 @@ main (int argc, char **argv)
   g_test_add_func ("/assembly/tangent/associative", test_tangent_associative);
   g_test_add_func ("/assembly/tangent/nonlinear", test_tangent_nonlinear);
   g_test_add_func ("/assembly/rigid-motion", test_rigid_motion);
+  g_test_add_func ("/assembly/elastic-displacements", test_elastic_displacements);
   g_test_add_func ("/assembly/evaluation-has-no-memory", test_evaluation_has_no_memory);
   return g_test_run ();
 }

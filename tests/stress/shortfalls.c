@@ -23,8 +23,6 @@ static const StressShortfall shortfalls[] = {
     "way to the largest multiplier there is." },
   { "residual=1e-12-*", STRESS_NO_ANSWER | STRESS_BUDGET,
     "Forces cannot be summed up to 1e-12." },
-  { "random-5", STRESS_DIFFERS,
-    "Collapse is claimed before the multiplier has settled." },
 };
 
 const StressShortfall *
