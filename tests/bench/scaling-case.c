@@ -143,7 +143,7 @@ scaling_case_path (ScalingCase *c, const ScalingLimits *limits)
 void
 scaling_case_clp (ScalingCase *c, const ScalingLimits *limits)
 {
-  static const ClpMethod order[] = { CLP_PRIMAL, CLP_BARRIER, CLP_DUAL };
+  static const ClpMethod order[] = { CLP_BARRIER, CLP_DUAL, CLP_PRIMAL };
   QnLimitProblem limit;
   g_assert_cmpint (qn_limit_problem_init (&limit, &c->model, &c->contacts, false, NULL),
                    ==, QN_OK);
