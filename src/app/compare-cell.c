@@ -1,6 +1,7 @@
 #include "app/compare-cell.h"
 
 #include "doc/explain.h"
+#include "doc/run-text.h"
 #include "render/draw-cairo.h"
 #include <glib/gi18n.h>
 
@@ -142,6 +143,10 @@ on_resize (GtkDrawingArea *area, int width, int height, Cell *cell)
 static char *
 dup_caption (const QnRun *run)
 {
+  if (run->kind != QN_RUN_ANALYSIS) {
+    g_autofree char *title = qn_run_dup_title (run);
+    return g_strdup_printf ("%s\n", title);
+  }
   g_autofree char *words =
     qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
   g_autofree char *value =

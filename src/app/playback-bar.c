@@ -167,7 +167,8 @@ update (Bar *bar)
     return;
   }
   int last = last_step (bar), step = qn_view_state_get_step (bar->state);
-  double value = moves_by_phase (bar)   ? qn_view_state_get_phase (bar->state) * last
+  double value = moves_by_phase (bar)
+                   ? qn_view_state_get_phase (bar->state) * MAX (1, last)
                  : step == QN_STEP_LAST ? last
                                         : step;
   g_signal_handlers_block_by_func (bar->slider, on_slider, bar);

@@ -1,8 +1,8 @@
 #include "app/curve-view.h"
 #include "app/form.h"
 #include "app/panel.h"
-#include "doc/explain.h"
 #include "doc/load-text.h"
+#include "doc/run-text.h"
 #include "io/outcome-text.h"
 #include <glib/gi18n.h>
 
@@ -32,12 +32,11 @@ run_of (const Panel *panel)
 static void
 update_words (Panel *panel, const QnRun *run)
 {
-  g_autofree char *outcome = qn_explain_outcome (&run->model, &run->result);
+  g_autofree char *outcome = qn_run_dup_explanation (run);
   gtk_label_set_text (panel->outcome, outcome);
   gtk_widget_set_visible (panel->stale, qn_document_is_stale (document_of (panel), run));
 
-  g_autofree char *words =
-    qn_explain_mechanism (&run->model, &run->contacts, &run->result);
+  g_autofree char *words = qn_run_dup_mechanism (run);
   gtk_label_set_text (panel->mechanism, words != NULL ? words : "");
   gtk_widget_set_visible (GTK_WIDGET (panel->mechanism), words != NULL);
 
@@ -72,11 +71,8 @@ static char *
 dup_run_title (Panel *panel, const QnRun *run)
 {
   const char *mark = qn_document_is_stale (document_of (panel), run) ? "⚠ " : "";
-  return run->result.has_collapse_multiplier
-           ? g_strdup_printf ("%s%s: %.4f", mark, run->name,
-                              run->result.collapse_multiplier)
-           : g_strdup_printf ("%s%s: %s", mark, run->name,
-                              qn_explain_outcome_label (run->result.outcome));
+  g_autofree char *title = qn_run_dup_title (run);
+  return g_strconcat (mark, title, NULL);
 }
 
 static void
@@ -186,10 +182,8 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->content, run != NULL || busy);
   gtk_widget_set_visible (panel->empty, run == NULL && !busy);
   update_runs (panel);
-  /* Limit analysis follows no path. */
-  gtk_widget_set_visible (panel->curve,
-                          busy || run == NULL
-                            || run->model.analysis.procedure != QN_PROCEDURE_LIMIT);
+  /* Limit analysis and modes follow no path. */
+  gtk_widget_set_visible (panel->curve, busy || run == NULL || qn_run_has_curve (run));
   update_stages (panel, run);
   if (run != NULL)
     update_words (panel, run);

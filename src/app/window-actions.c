@@ -307,6 +307,8 @@ qn_window_update_actions (QnWindow *self)
                  { "run", work && blocks && !busy },
                  { "run-limit", work && blocks && !busy },
                  { "run-all", work && blocks && !busy },
+                 { "run-modes", work && blocks && !busy },
+                 { "run-stability", work && blocks && !busy },
                  { "cancel", busy },
                  { "pause", busy },
                  { "diagram", run && has_beam_forces (self) },

@@ -2,6 +2,7 @@
 
 #include "app/settings.h"
 #include "doc/explain.h"
+#include "doc/run-text.h"
 #include <glib/gi18n.h>
 
 /* ms after an edit before a live analysis starts. */
@@ -55,7 +56,7 @@ update_live_label (QnWindow *self)
 static void
 show_unstable (QnWindow *self, const QnRun *run)
 {
-  g_autofree char *message = qn_explain_outcome (&run->model, &run->result);
+  g_autofree char *message = qn_run_dup_explanation (run);
   if (run->result.unstable_count == 0) {
     qn_window_show_error (self, message);
     return;
@@ -227,6 +228,29 @@ run_limit (QnWindow *self, GVariant *parameter)
     qn_window_show_error (self, error->message);
 }
 
+/* Modes that are found and listed. */
+#define MODES 6
+
+static void
+run_modes (QnWindow *self, GVariant *parameter)
+{
+  gboolean loaded = g_str_equal (g_variant_get_string (parameter, NULL), "loaded");
+  g_autoptr (GError) error = NULL;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  if (!qn_document_find_modes (self->document, MODES, loaded, &error))
+    qn_window_show_error (self, error->message);
+}
+
+static void
+run_stability (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  g_autoptr (GError) error = NULL;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  if (!qn_document_find_stability (self->document, &error))
+    qn_window_show_error (self, error->message);
+}
+
 static gboolean
 on_live_timeout (gpointer data)
 {
@@ -272,6 +296,8 @@ qn_window_add_analysis_actions (QnWindow *self)
     { "pause", NULL, pause_or_resume },
     { "run-limit", "s", run_limit },
     { "run-all", NULL, run_all },
+    { "run-modes", "s", run_modes },
+    { "run-stability", NULL, run_stability },
   };
   qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
 }

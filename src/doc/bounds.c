@@ -72,7 +72,7 @@ qn_bounds_collect (QnDocument *document)
   const GPtrArray *runs = qn_document_get_runs (document);
   for (guint i = 0; i < runs->len; i++) {
     const QnRun *run = g_ptr_array_index (runs, i);
-    if (!qn_document_is_stale (document, run))
+    if (run->kind == QN_RUN_ANALYSIS && !qn_document_is_stale (document, run))
       take (values, run);
   }
   GArray *bounds = g_array_new (FALSE, FALSE, sizeof (QnBound));

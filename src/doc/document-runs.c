@@ -52,6 +52,9 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
     if (run->live)
       drop_live_run (self);
     g_ptr_array_add (self->runs, qn_run_ref (run));
+    g_autoptr (GPtrArray) others = qn_job_take_others (job);
+    for (guint i = 0; others != NULL && i < others->len; i++)
+      g_ptr_array_add (self->runs, qn_run_ref (g_ptr_array_index (others, i)));
     qn_document_set_run (self, run);
   } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
     self->job_error = g_steal_pointer (&error);
@@ -81,23 +84,32 @@ method_name (const QnAnalysisSettings *analysis)
   return "";
 }
 
-static gboolean
-start (QnDocument *self, const QnModel *model, gboolean live, GError **error)
+/* A job for the model, with what it is told from others by; NULL with an error. */
+static QnJob *
+make_job (QnDocument *self, const QnModel *model, const char *method, GError **error)
 {
   if (model->block_count == 0 && model->beam_count == 0) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
                          _ ("There is nothing to analyse: draw a wall first"));
-    return FALSE;
+    return NULL;
   }
-  g_autofree char *name = live ? g_strdup (_ ("Live"))
-                               : g_strdup_printf (_ ("Run %u, %s"), self->run_number + 1,
-                                                  method_name (&model->analysis));
+  g_autofree char *name =
+    method == NULL ? g_strdup (_ ("Live"))
+                   : g_strdup_printf (_ ("Run %u, %s"), self->run_number + 1, method);
   QnJob *job = qn_job_new (model, name, qn_document_get_fingerprint (self), error);
+  if (job != NULL && method != NULL)
+    self->run_number++;
+  if (job != NULL)
+    qn_job_set_live (job, method == NULL);
+  return job;
+}
+
+/* Takes over the job. */
+static gboolean
+start (QnDocument *self, QnJob *job)
+{
   if (job == NULL)
     return FALSE;
-  if (!live)
-    self->run_number++;
-  qn_job_set_live (job, live);
   qn_document_drop_job (self);
   g_clear_error (&self->job_error);
   self->job = job;
@@ -110,19 +122,14 @@ start (QnDocument *self, const QnModel *model, gboolean live, GError **error)
 gboolean
 qn_document_analyse (QnDocument *self, GError **error)
 {
-  return start (self, &self->project.model, FALSE, error);
+  const QnModel *model = &self->project.model;
+  return start (self, make_job (self, model, method_name (&model->analysis), error));
 }
 
 gboolean
 qn_document_analyse_live (QnDocument *self, GError **error)
 {
-  return start (self, &self->project.model, TRUE, error);
-}
-
-gboolean
-qn_document_was_live (QnDocument *self)
-{
-  return self->was_live;
+  return start (self, make_job (self, &self->project.model, NULL, error));
 }
 
 gboolean
@@ -132,7 +139,34 @@ qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
   QnModel model = self->project.model;
   model.analysis.procedure = procedure;
   model.analysis.flow = flow;
-  return start (self, &model, FALSE, error);
+  return start (self, make_job (self, &model, method_name (&model.analysis), error));
+}
+
+gboolean
+qn_document_find_modes (QnDocument *self, guint count, gboolean loaded, GError **error)
+{
+  QnJob *job = make_job (self, &self->project.model,
+                         loaded ? _ ("modes under load") : _ ("modes"), error);
+  if (job != NULL)
+    qn_job_set_modes (job, count, loaded);
+  return start (self, job);
+}
+
+gboolean
+qn_document_find_stability (QnDocument *self, GError **error)
+{
+  QnModel model = self->project.model;
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  QnJob *job = make_job (self, &model, _ ("stability"), error);
+  if (job != NULL)
+    qn_job_set_stability (job);
+  return start (self, job);
+}
+
+gboolean
+qn_document_was_live (QnDocument *self)
+{
+  return self->was_live;
 }
 
 void

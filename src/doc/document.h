@@ -121,6 +121,15 @@ gboolean qn_document_analyse (QnDocument *document, GError **error);
 gboolean qn_document_analyse_with (QnDocument *document, QnProcedure procedure,
                                    QnFlow flow, GError **error);
 
+/* Frequencies and modes of small vibrations about the equilibrium under dead load, or about the
+ * last one of the analysis: a run for each of the lowest `count` modes. */
+gboolean qn_document_find_modes (QnDocument *document, guint count, gboolean loaded,
+                                 GError **error);
+
+/* The load under which the structure loses its stability, in nonlinear geometry whatever the
+ * settings say. */
+gboolean qn_document_find_stability (QnDocument *document, GError **error);
+
 /* The same as qn_document_analyse() after an edit, without being asked: its run replaces the
  * previous one of this kind. */
 gboolean qn_document_analyse_live (QnDocument *document, GError **error);

@@ -84,7 +84,8 @@ qn_document_find_own_run (QnDocument *document)
     const QnAnalysisSettings *its = &run->model.analysis;
     gboolean same = its->procedure == own->procedure
                     && (own->procedure != QN_PROCEDURE_LIMIT || its->flow == own->flow);
-    if (same && run->result.outcome != QN_OUTCOME_CANCELLED
+    if (same && run->kind == QN_RUN_ANALYSIS
+        && run->result.outcome != QN_OUTCOME_CANCELLED
         && !qn_document_is_stale (document, run))
       return run;
   }

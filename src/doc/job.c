@@ -1,6 +1,8 @@
 #include "doc/job.h"
 
 #include "core/analysis.h"
+#include "core/modal.h"
+#include "core/stability.h"
 #include "doc/explain.h"
 #include <glib/gi18n.h>
 #include <pthread.h>
@@ -12,6 +14,9 @@ struct _QnJob {
 
   QnRun *run; /* filled by the thread; the job's until it is finished */
   QnDiag diag;
+  GPtrArray *others; /* further runs, of QnRun; as the first one's */
+  guint mode_count;
+  gboolean loaded;
   guint tick;
   gboolean running, live;
   GArray *shown; /* copy of `multipliers` for the main thread */
@@ -39,6 +44,7 @@ qn_job_finalize (GObject *object)
 {
   QnJob *self = QN_JOB (object);
   g_clear_handle_id (&self->tick, g_source_remove);
+  g_clear_pointer (&self->others, g_ptr_array_unref);
   g_clear_pointer (&self->run, qn_run_unref);
   g_clear_pointer (&self->shown, g_array_unref);
   g_clear_pointer (&self->multipliers, g_array_unref);
@@ -98,6 +104,28 @@ qn_job_set_live (QnJob *self, gboolean live)
   self->run->live = live;
 }
 
+void
+qn_job_set_modes (QnJob *self, guint count, gboolean loaded)
+{
+  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL && count > 0);
+  self->run->kind = QN_RUN_MODE;
+  self->mode_count = count;
+  self->loaded = loaded;
+}
+
+void
+qn_job_set_stability (QnJob *self)
+{
+  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL);
+  self->run->kind = QN_RUN_STABILITY;
+}
+
+GPtrArray *
+qn_job_take_others (QnJob *self)
+{
+  return g_steal_pointer (&self->others);
+}
+
 gboolean
 qn_job_is_live (QnJob *self)
 {
@@ -121,17 +149,92 @@ on_solver_progress (const QnProgress *progress, void *user_data)
   return go_on;
 }
 
+/* Makes a run show one of the modes. */
+static QnStatus
+take_mode (QnRun *run, const QnModes *modes, gsize number, gboolean loaded, QnDiag *diag)
+{
+  gsize row = (modes->block_count + modes->node_count) * QN_DOF_COUNT;
+  run->mode = (guint) number + 1;
+  run->mode_count = (guint) modes->count;
+  run->omega = modes->omega[number];
+  run->loaded = loaded;
+  return qn_result_set_mechanism (&run->result, modes->shapes + number * row,
+                                  run->model.characteristic_length, diag);
+}
+
+/* A result of the state alone that the structure vibrates about. */
+static QnStatus
+copy_state (const QnResult *from, QnResult *to, QnDiag *diag)
+{
+  QnStatus status = qn_result_init (to, from->block_count, 0, diag);
+  to->node_count = from->node_count;
+  to->outcome = from->outcome;
+  to->statistics = from->statistics;
+  if (status == QN_OK && from->step_count > 0
+      && !qn_result_add_step (to, from->steps[from->step_count - 1],
+                              qn_result_step_displacements (from, from->step_count - 1)))
+    return qn_diag_no_memory (diag);
+  return status;
+}
+
+static QnStatus
+split_modes (QnJob *self, const QnModes *modes)
+{
+  QnStatus status = take_mode (self->run, modes, 0, self->loaded, &self->diag);
+  self->others = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+  for (gsize i = 1; i < modes->count && status == QN_OK; i++) {
+    QnRun *run = qn_run_new_beside (self->run, self->run->name);
+    g_ptr_array_add (self->others, run);
+    status = copy_state (&self->run->result, &run->result, &self->diag);
+    if (status == QN_OK)
+      status = take_mode (run, modes, i, self->loaded, &self->diag);
+  }
+  return status;
+}
+
+static QnStatus
+solve_modes (QnJob *self)
+{
+  QnRun *run = self->run;
+  QnModes modes;
+  QnStatus status = qn_modal_run (
+    &run->model, &run->contacts, self->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
+    self->mode_count, on_solver_progress, self, &modes, &run->result, &self->diag);
+  if (status == QN_OK && modes.count > 0)
+    status = split_modes (self, &modes);
+  if (status == QN_OK && run->result.outcome == QN_OUTCOME_CANCELLED)
+    status = QN_ERROR_CANCELLED;
+  qn_modes_clear (&modes);
+  return status;
+}
+
+static QnStatus
+solve_kind (QnJob *self)
+{
+  QnRun *run = self->run;
+  switch (run->kind) {
+  case QN_RUN_MODE:
+    return solve_modes (self);
+  case QN_RUN_STABILITY:
+    return qn_stability_run (&run->model, &run->contacts, on_solver_progress, self,
+                             &run->result, &self->diag);
+  case QN_RUN_ANALYSIS:
+  case QN_RUN_KIND_COUNT:
+    break;
+  }
+  return qn_analysis_run (&run->model, &run->contacts, on_solver_progress, self,
+                          &run->result, &self->diag);
+}
+
 static QnStatus
 solve (QnJob *self)
 {
   QnRun *run = self->run;
   QnStatus status = qn_contacts_detect (&run->model, &run->contacts, &self->diag);
-  if (status == QN_OK)
+  /* Free structures vibrate too. */
+  if (status == QN_OK && run->kind != QN_RUN_MODE)
     status = qn_contacts_require_sound (&run->model, &run->contacts, &self->diag);
-  if (status == QN_OK)
-    status = qn_analysis_run (&run->model, &run->contacts, on_solver_progress, self,
-                              &run->result, &self->diag);
-  return status;
+  return status == QN_OK ? solve_kind (self) : status;
 }
 
 static gpointer

@@ -24,6 +24,11 @@ QnJob *qn_job_new (const QnModel *model, const char *name, const char *fingerpri
 void qn_job_set_live (QnJob *job, gboolean live);
 gboolean qn_job_is_live (QnJob *job);
 
+/* Asks for the lowest modes of small vibrations, `count` of them, or for the load under which the
+ * structure loses its stability; before it is started. */
+void qn_job_set_modes (QnJob *job, guint count, gboolean loaded);
+void qn_job_set_stability (QnJob *job);
+
 /* Starts the thread. `callback` is called once, on the starting thread's main context, when
  * the analysis has ended in whatever way. A job is started only once. */
 void qn_job_start (QnJob *job, GAsyncReadyCallback callback, gpointer user_data);
@@ -32,6 +37,10 @@ void qn_job_start (QnJob *job, GAsyncReadyCallback callback, gpointer user_data)
  * that has converged steps is a run whose outcome says so; one without is
  * G_IO_ERROR_CANCELLED. The caller owns the run. */
 QnRun *qn_job_finish (QnJob *job, GAsyncResult *result, GError **error);
+
+/* Further runs of the same analysis, of QnRun: the second mode and those behind it. To be called
+ * once, after qn_job_finish(); NULL where there are none. */
+GPtrArray *qn_job_take_others (QnJob *job);
 
 /* Asks the analysis to end soon; what has converged is kept. */
 void qn_job_cancel (QnJob *job);

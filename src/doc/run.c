@@ -12,6 +12,17 @@ qn_run_new (const char *name, const char *fingerprint)
 }
 
 QnRun *
+qn_run_new_beside (QnRun *base, const char *name)
+{
+  QnRun *run = qn_run_new (name, base->fingerprint);
+  run->kind = base->kind;
+  run->base = qn_run_ref (base);
+  run->model = base->model;
+  run->contacts = base->contacts;
+  return run;
+}
+
+QnRun *
 qn_run_ref (QnRun *run)
 {
   return g_atomic_rc_box_acquire (run);
@@ -22,8 +33,11 @@ clear (gpointer data)
 {
   QnRun *run = data;
   qn_result_clear (&run->result);
-  qn_contacts_clear (&run->contacts);
-  qn_model_clear (&run->model);
+  if (run->base == NULL) {
+    qn_contacts_clear (&run->contacts);
+    qn_model_clear (&run->model);
+  }
+  g_clear_pointer (&run->base, qn_run_unref);
   g_free (run->name);
   g_free (run->fingerprint);
 }

@@ -11,13 +11,28 @@
 #include "core/result.h"
 #include <glib-object.h>
 
+/* What has been asked. */
+typedef enum {
+  QN_RUN_ANALYSIS,  /* what the settings of the analysis say */
+  QN_RUN_STABILITY, /* where the path loses its stability (core/stability.h) */
+  QN_RUN_MODE,      /* one mode of small vibrations (core/modal.h), as the mechanism */
+  QN_RUN_KIND_COUNT
+} QnRunKind;
+
 typedef struct QnRun {
+  QnRunKind kind;
   QnModel model;
   QnContacts contacts;
   QnResult result;
-  char *name;        /* what the user calls it, owned */
-  gboolean live;     /* replaced by the next live one */
-  char *fingerprint; /* digest of the document's model when it was frozen, owned */
+  guint mode;       /* MODE: its number, from 1, */
+  guint mode_count; /* of so many */
+  double omega;     /* MODE: rad/s; 0: a rigid motion */
+  gboolean
+    loaded; /* MODE: about the last equilibrium of the analysis, not the dead load's */
+  struct QnRun *base; /* holds model and contacts of this one, or NULL */
+  char *name;         /* what the user calls it, owned */
+  gboolean live;      /* replaced by the next live one */
+  char *fingerprint;  /* digest of the document's model when it was frozen, owned */
 } QnRun;
 
 #define QN_TYPE_RUN (qn_run_get_type ())
@@ -25,6 +40,8 @@ GType qn_run_get_type (void);
 
 /* A run with empty members that the caller fills before sharing it. */
 QnRun *qn_run_new (const char *name, const char *fingerprint);
+/* Another one of the same model and contacts, which are shared. */
+QnRun *qn_run_new_beside (QnRun *base, const char *name);
 QnRun *qn_run_ref (QnRun *run);
 void qn_run_unref (QnRun *run);
 

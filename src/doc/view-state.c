@@ -145,6 +145,9 @@ qn_view_state_get_options (QnViewState *self)
   QnViewOptions options = self->options;
   const QnRun *run = qn_document_get_run (self->document);
   options.step = qn_view_state_get_step (self);
+  /* Joints of a mode bend; they neither slide nor open. */
+  if (run != NULL && run->kind != QN_RUN_ANALYSIS && options.view == QN_VIEW_MECHANISM)
+    options.symbols = false;
   options.onion = self->onion != NULL && self->onion != run ? &self->onion->result : NULL;
   return options;
 }

@@ -202,6 +202,48 @@ test_bounds (void)
   driver_discard (window);
 }
 
+/* Modes and the buckling load stand in the list of runs, each with its shape; beside them the path
+ * keeps its place in the table of bounds. */
+static void
+test_modes_and_stability (void)
+{
+  QnWindow *window = driver_open_example ("11-vibrating-beam.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.run-modes::dead");
+  driver_wait_for_job (window);
+  const GPtrArray *runs = qn_document_get_runs (document);
+  g_assert_cmpuint (runs->len, ==, 6);
+  const QnRun *first = qn_document_get_run (document);
+  g_assert_true (first == g_ptr_array_index (runs, 0));
+  g_assert_cmpfloat_with_epsilon (first->omega, 315.711, 0.01);
+  QnViewState *state = qn_window_get_view_state (window);
+  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MECHANISM);
+  qn_document_set_run (document, g_ptr_array_index (runs, 1));
+  driver_run (300);
+  driver_screenshot (GTK_WIDGET (window), "mode-2");
+  g_autoptr (GArray) bounds = qn_bounds_collect (document);
+  g_assert_cmpuint (bounds->len, ==, 0);
+  driver_discard (window);
+
+  window = driver_open_example ("21-column-pinned.quoin");
+  document = qn_window_get_document (window);
+  driver_activate (window, "win.run-stability");
+  driver_wait_for_job (window);
+  const QnRun *run = qn_document_get_run (document);
+  g_assert_cmpint (run->kind, ==, QN_RUN_STABILITY);
+  g_assert_cmpfloat_with_epsilon (run->result.first_limit_multiplier, 2470.2, 0.1);
+  driver_screenshot (GTK_WIDGET (window), "stability");
+  driver_discard (window);
+
+  /* Joints that slip have no symmetric stiffness: it is said why not. */
+  window = driver_open_example ("ferris-tin-loi/wall1.quoin");
+  driver_activate (window, "win.run-modes::loaded");
+  driver_wait_for_job (window);
+  g_assert_null (qn_document_get_run (qn_window_get_document (window)));
+  g_assert_nonnull (qn_document_get_job_error (qn_window_get_document (window)));
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -212,5 +254,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/analysis/dead-load", test_dead_load);
   g_test_add_func ("/app/analysis/procedures", test_procedures);
   g_test_add_func ("/app/analysis/bounds", test_bounds);
+  g_test_add_func ("/app/analysis/modes-and-stability", test_modes_and_stability);
   return g_test_run ();
 }

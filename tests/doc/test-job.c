@@ -1,4 +1,5 @@
 #include "doc/job.h"
+#include "doc/run-text.h"
 
 #include "open-example.h"
 
@@ -179,6 +180,56 @@ test_unsound (void)
   outcome_clear (&outcome);
 }
 
+/* A run for every mode, the first from the job itself; they share model and contacts, and outlive
+ * each other. */
+static void
+test_modes (void)
+{
+  g_autoptr (QnJob) job = make_job ("11-vibrating-beam.quoin");
+  Outcome outcome = { 0 };
+  qn_job_set_modes (job, 3, FALSE);
+  qn_job_start (job, on_done, &outcome);
+  wait_for (&outcome);
+  g_assert_no_error (outcome.error);
+  g_autoptr (GPtrArray) others = qn_job_take_others (job);
+  g_assert_null (qn_job_take_others (job));
+  g_assert_cmpuint (others->len, ==, 2);
+  g_assert_cmpint (outcome.run->kind, ==, QN_RUN_MODE);
+  g_assert_cmpuint (outcome.run->mode, ==, 1);
+  g_assert_cmpuint (outcome.run->mode_count, ==, 3);
+  g_assert_cmpfloat_with_epsilon (outcome.run->omega, 315.711, 0.01);
+  g_autoptr (QnRun) second = qn_run_ref (g_ptr_array_index (others, 0));
+  g_assert_cmpfloat_with_epsilon (second->omega, 1150.488, 0.01);
+  g_assert_true (second->model.blocks == outcome.run->model.blocks);
+  g_assert_nonnull (second->result.mechanism);
+  g_assert_cmpuint (second->result.step_count, ==, 1);
+  g_autofree char *title = qn_run_dup_title (second);
+  g_assert_nonnull (strstr (title, "183.1 Hz"));
+  g_autofree char *words = qn_run_dup_explanation (second);
+  g_assert_nonnull (strstr (words, "2 of 3"));
+  outcome_clear (&outcome);
+  g_ptr_array_set_size (others, 0);
+  g_assert_cmpstr (second->model.blocks[0].name, !=, "");
+}
+
+/* The Euler load of a pinned column. */
+static void
+test_stability (void)
+{
+  g_autoptr (QnJob) job = make_job ("21-column-pinned.quoin");
+  Outcome outcome = { 0 };
+  qn_job_set_stability (job);
+  qn_job_start (job, on_done, &outcome);
+  wait_for (&outcome);
+  g_assert_no_error (outcome.error);
+  g_assert_cmpint (outcome.run->result.outcome, ==, QN_OUTCOME_SNAP);
+  g_assert_cmpfloat_with_epsilon (outcome.run->result.first_limit_multiplier, 2470.2,
+                                  0.1);
+  g_autofree char *title = qn_run_dup_title (outcome.run);
+  g_assert_nonnull (strstr (title, "2470."));
+  outcome_clear (&outcome);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -188,5 +239,7 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/job/pause", test_pause);
   g_test_add_func ("/doc/job/cancelled-at-once", test_cancelled_at_once);
   g_test_add_func ("/doc/job/unsound", test_unsound);
+  g_test_add_func ("/doc/job/modes", test_modes);
+  g_test_add_func ("/doc/job/stability", test_stability);
   return g_test_run ();
 }
