@@ -13,7 +13,7 @@ enum { UNIT_PX, UNIT_MM };
 typedef struct Dialog {
   QnWindow *window;
   GtkWidget *dialog, *preview;
-  GtkDropDown *view, *field, *format, *unit;
+  GtkDropDown *view, *diagram, *field, *format, *unit;
   QnQuantityEntry *width, *height, *dpi;
   GtkWidget *title, *caption, *name, *transparent;
   GtkWidget *switches[16]; /* as qn_view_switches */
@@ -59,6 +59,9 @@ take_fields (Dialog *dialog)
 {
   QnRecipe *recipe = dialog->recipe;
   recipe->view.view = (QnView) gtk_drop_down_get_selected (dialog->view);
+  recipe->view.diagram = (QnDiagram) gtk_drop_down_get_selected (dialog->diagram);
+  qn_form_set_row_visible (GTK_WIDGET (dialog->diagram),
+                           recipe->view.view == QN_VIEW_DIAGRAMS);
   recipe->view.field = (QnField) gtk_drop_down_get_selected (dialog->field);
   for (gsize i = 0; qn_view_switches[i] != NULL; i++)
     *qn_view_switch (&recipe->view, qn_view_switches[i]) =
@@ -235,8 +238,15 @@ add_entry (Dialog *dialog, GtkWidget *form, const char *label, const char *place
 static void
 add_content (Dialog *dialog, GtkWidget *form)
 {
-  const char *const views[] = { _ ("Model"),     _ ("Contacts"), _ ("Deformed"),
-                                _ ("Mechanism"), _ ("Forces"),   NULL };
+  const char *const views[] = { _ ("Model"),
+                                _ ("Contacts"),
+                                _ ("Deformed"),
+                                _ ("Mechanism"),
+                                _ ("Forces"),
+                                _ ("Diagrams"),
+                                NULL };
+  const char *const diagrams[] = { _ ("Bending moments"), _ ("Shear forces"),
+                                   _ ("Normal forces"), NULL };
   const char *const fields[] = { _ ("None"),
                                  _ ("Displacement"),
                                  _ ("Displacement, horizontal"),
@@ -249,6 +259,8 @@ add_content (Dialog *dialog, GtkWidget *form)
   GCallback chosen = G_CALLBACK (on_choice);
   dialog->view = qn_form_add_choice (form, _ ("_View"), views, chosen, dialog);
   qn_form_set_choice (dialog->view, (guint) dialog->recipe->view.view, dialog);
+  dialog->diagram = qn_form_add_choice (form, _ ("D_iagram"), diagrams, chosen, dialog);
+  qn_form_set_choice (dialog->diagram, (guint) dialog->recipe->view.diagram, dialog);
   dialog->field = qn_form_add_choice (form, _ ("_Colours"), fields, chosen, dialog);
   qn_form_set_choice (dialog->field, (guint) dialog->recipe->view.field, dialog);
   dialog->title = add_entry (dialog, form, _ ("T_itle"), _ ("as the project"));

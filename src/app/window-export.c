@@ -1,92 +1,8 @@
-/* Exports besides figures: animations, drawn in a thread, and tables. */
+/* Exports besides figures: tables; animations have a dialog of their own. */
 #include "app/window-private.h"
 
-#include "doc/figure-export.h"
 #include "io/table-csv.h"
-#include "render/animation.h"
 #include <glib/gi18n.h>
-
-/* ---- animation ---- */
-
-typedef struct AnimationTask {
-  QnRun *run;
-  QnViewOptions options;
-  QnMetadata metadata;
-  char *path, *model_name, *sha256;
-} AnimationTask;
-
-static void
-animation_task_free (gpointer data)
-{
-  AnimationTask *task = data;
-  qn_run_unref (task->run);
-  g_free (task->path);
-  g_free (task->model_name);
-  g_free (task->sha256);
-  g_free (task);
-}
-
-static void
-animate_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
-{
-  (void) source;
-  (void) cancellable;
-  const AnimationTask *work = data;
-  QnAnimation animation;
-  QnOutput output;
-  GError *error = NULL;
-  qn_animation_init (&animation, &work->run->model, &work->run->contacts,
-                     &work->run->result, work->options.view);
-  animation.figure.options = work->options;
-  qn_output_init (&output);
-  output.width = 800.0;
-  output.height = 600.0;
-  if (qn_animation_export (&animation, work->path, &output, &work->metadata, &error))
-    g_task_return_boolean (task, TRUE);
-  else
-    g_task_return_error (task, error);
-}
-
-static void
-on_animated (GObject *source, GAsyncResult *result, gpointer data)
-{
-  QnWindow *self = QN_WINDOW (source);
-  g_autoptr (GError) error = NULL;
-  g_autofree char *path = data;
-  if (!g_task_propagate_boolean (G_TASK (result), &error)) {
-    qn_window_show_error (self, error->message);
-    return;
-  }
-  g_autofree char *message = g_strdup_printf (_ ("Animation written to %s"), path);
-  qn_window_show_message (self, message);
-}
-
-static void
-animate_to (QnWindow *self, const char *path)
-{
-  QnRun *run = qn_document_get_run (self->document);
-  if (run == NULL)
-    return;
-  AnimationTask *work = g_new0 (AnimationTask, 1);
-  work->run = qn_run_ref (run);
-  work->path = g_strdup (path);
-  work->options = qn_view_state_get_options (self->state);
-  if (!qn_view_needs_result (work->options.view) || work->options.view == QN_VIEW_FORCES)
-    work->options.view =
-      run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
-  work->options.titles = true;
-  work->options.phase = 1.0;
-  work->options.onion = NULL;
-  work->options.underlay.image = NULL; /* belongs to the main thread */
-  qn_document_get_metadata (self->document, &work->metadata);
-  work->model_name = g_strdup (work->metadata.model);
-  work->sha256 = g_strdup (work->metadata.model_sha256);
-  work->metadata.model = work->model_name;
-  work->metadata.model_sha256 = work->sha256;
-  g_autoptr (GTask) task = g_task_new (self, NULL, on_animated, g_strdup (path));
-  g_task_set_task_data (task, work, animation_task_free);
-  g_task_run_in_thread (task, animate_in_thread);
-}
 
 /* ---- tables ---- */
 
@@ -123,7 +39,7 @@ static const struct {
   const char *file;
   WriteFunc write;
 } exports[] = {
-  { "animation", N_ ("Export Animation"), N_ ("collapse.gif"), animate_to },
+  { "animation", NULL, NULL, qn_animation_export_to },
   { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), write_curve },
   { "contacts", N_ ("Export Contacts as Table"), N_ ("contacts.csv"), write_contacts },
 };
@@ -147,6 +63,10 @@ static void
 export_result (QnWindow *self, GVariant *parameter)
 {
   const char *name = g_variant_get_string (parameter, NULL);
+  if (g_str_equal (name, "animation")) {
+    qn_animation_dialog_show (self);
+    return;
+  }
   for (gsize i = 0; i < G_N_ELEMENTS (exports); i++) {
     if (!g_str_equal (exports[i].name, name))
       continue;

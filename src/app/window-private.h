@@ -73,7 +73,7 @@ void qn_import_dialog_show (QnWindow *window, const char *path);
 void qn_window_add_analysis_actions (QnWindow *window);
 void qn_window_connect_analysis (QnWindow *window);
 
-/* window-export.c: animations and tables. */
+/* window-export.c: tables, and what leads to other exports. */
 void qn_window_add_export_actions (QnWindow *window);
 
 /* Shows the drawing instead of the start page. */
@@ -84,6 +84,11 @@ void qn_window_add_print_actions (QnWindow *window);
 
 /* figures-window.c */
 void qn_figures_window_show (QnWindow *window);
+
+/* animation-dialog.c */
+void qn_animation_dialog_show (QnWindow *window);
+/* Writes as the dialog would by itself, and shows how far it is. */
+void qn_animation_export_to (QnWindow *window, const char *path);
 
 /* export-dialog.c */
 void qn_export_dialog_show (QnWindow *window);

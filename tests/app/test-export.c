@@ -164,6 +164,82 @@ test_sheet (void)
   g_rmdir (folder);
 }
 
+static guint
+count_files (const char *folder)
+{
+  g_autoptr (GDir) files = g_dir_open (folder, 0, NULL);
+  guint count = 0;
+  while (files != NULL && g_dir_read_name (files) != NULL)
+    count++;
+  return count;
+}
+
+static gboolean
+has_no_animation_dialog (gpointer data)
+{
+  (void) data;
+  return driver_find_dialog ("Export Animation") == NULL;
+}
+
+static gboolean
+is_label_with (GtkWidget *widget, gconstpointer text)
+{
+  return GTK_IS_LABEL (widget)
+         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
+}
+
+static gboolean
+tells_of_cancelling (gpointer dialog)
+{
+  return driver_find_widget (dialog, is_label_with, "Cancelled") != NULL;
+}
+
+/* The dialog says what it will write; cancelled it leaves nothing, else all of it. */
+static void
+test_animation (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *pictures = g_strconcat (folder, "/pictures/", NULL);
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.export-result::animation");
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Export Animation");
+  g_assert_nonnull (dialog);
+  g_assert_nonnull (driver_find_widget (dialog, is_label_with, "48 pictures"));
+  driver_screenshot (dialog, "animation-dialog");
+  driver_key ("Escape");
+  driver_wait (has_no_animation_dialog, NULL);
+
+  g_autofree char *action =
+    g_strdup_printf ("win.export-result-path(('animation', '%s'))", pictures);
+  driver_activate (window, action);
+  dialog = driver_find_dialog ("Export Animation");
+  g_assert_nonnull (dialog);
+  driver_run (100);
+  driver_screenshot (dialog, "animation-progress");
+  driver_press (dialog, "Cancel");
+  driver_wait (tells_of_cancelling, dialog);
+  g_assert_cmpuint (count_files (pictures), ==, 0);
+  gtk_window_destroy (GTK_WINDOW (dialog));
+
+  driver_activate (window, action);
+  driver_wait (has_no_animation_dialog, NULL);
+  g_assert_cmpuint (count_files (pictures), ==, 48);
+
+  /* Closing the dialog cancels as well. */
+  g_autofree char *gif = g_build_filename (folder, "a.gif", NULL);
+  g_autofree char *other =
+    g_strdup_printf ("win.export-result-path(('animation', '%s'))", gif);
+  driver_activate (window, other);
+  dialog = driver_find_dialog ("Export Animation");
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_run (1500);
+  g_assert_false (g_file_test (gif, G_FILE_TEST_EXISTS));
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -172,5 +248,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/export/figures", test_figures);
   g_test_add_func ("/app/export/print", test_print);
   g_test_add_func ("/app/export/sheet", test_sheet);
+  g_test_add_func ("/app/export/animation", test_animation);
   return g_test_run ();
 }
