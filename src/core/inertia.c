@@ -56,6 +56,9 @@ qn_inertia_new (int32_t n, const int32_t *ap, const int32_t *ai)
   inertia->common.supernodal = CHOLMOD_SIMPLICIAL;
   inertia->common.final_ll = 0;
   inertia->common.quick_return_if_not_posdef = 0;
+  /* One ordering: where memory for the first runs out, others would be tried silently. */
+  inertia->common.nmethods = 1;
+  inertia->common.method[0].ordering = CHOLMOD_AMD;
   inertia->n = n;
   bool ok = take_pattern (inertia, ap, ai);
   if (ok) {
@@ -107,7 +110,7 @@ qn_inertia_count (QnInertia *inertia, const double *ax, int32_t *negative)
   return true;
 }
 
-bool
+QnFactorStatus
 qn_inertia_solve (QnInertia *inertia, double *b)
 {
   size_t bytes = (size_t) inertia->n * sizeof *b;
@@ -116,11 +119,11 @@ qn_inertia_solve (QnInertia *inertia, double *b)
   cholmod_dense *solution =
     cholmod_solve (CHOLMOD_A, inertia->factor, inertia->right, &inertia->common);
   if (solution == NULL)
-    return false;
+    return QN_FACTOR_NO_MEMORY;
   memcpy (b, solution->x, bytes);
   cholmod_free_dense (&solution, &inertia->common);
   for (int32_t i = 0; i < inertia->n; i++)
     if (!isfinite (b[i]))
-      return false;
-  return true;
+      return QN_FACTOR_SINGULAR;
+  return QN_FACTOR_OK;
 }

@@ -6,7 +6,7 @@
 #ifndef QN_CORE_INERTIA_H
 #define QN_CORE_INERTIA_H
 
-#include "core/status.h"
+#include "core/linsys.h"
 
 typedef struct QnInertia QnInertia;
 
@@ -21,8 +21,7 @@ void qn_inertia_free (QnInertia *inertia);
  * False where memory runs out. */
 bool qn_inertia_count (QnInertia *inertia, const double *ax, int32_t *negative);
 
-/* Overwrites b (length n) with A \ b of the last matrix. False where it was singular or memory
- * runs out. */
-bool qn_inertia_solve (QnInertia *inertia, double *b);
+/* Overwrites b (length n) with A \ b of the last matrix. */
+QnFactorStatus qn_inertia_solve (QnInertia *inertia, double *b);
 
 #endif

@@ -88,8 +88,9 @@ record_mode (Search *search, QnDiag *diag)
     double largest = 0;
     for (size_t s = 0; s < eq->assembly.settling_count; s++)
       mode[eq->assembly.settling[s].unknown] = 0;
-    if (!qn_inertia_solve (search->inertia, mode))
-      return QN_OK;
+    QnFactorStatus solved = qn_inertia_solve (search->inertia, mode);
+    if (solved != QN_FACTOR_OK)
+      return solved == QN_FACTOR_SINGULAR ? QN_OK : qn_diag_no_memory (diag);
     for (int32_t i = 0; i < n; i++)
       largest = fmax (largest, fabs (mode[i]));
     for (int32_t i = 0; i < n; i++)

@@ -34,6 +34,8 @@ typedef struct Import {
   double unit, tolerance;
   GArray *outlines; /* Outline */
   QnSegments soups[QN_ROLE_COUNT];
+  gboolean
+    no_memory; /* some of what was drawn is lost: refused at the next opportunity */
 } Import;
 
 static const struct {
@@ -293,8 +295,10 @@ add_outline (Import *import, const QnRing *ring, QnRole role, const char *name,
              guint line)
 {
   Outline outline = { .role = role, .name = name, .line = line };
-  if (!qn_ring_init (&outline.ring, ring->points, ring->count))
-    g_error ("out of memory");
+  if (!qn_ring_init (&outline.ring, ring->points, ring->count)) {
+    import->no_memory = TRUE;
+    return;
+  }
   qn_ring_orient (&outline.ring);
   g_array_append_val (import->outlines, outline);
 }
@@ -305,7 +309,7 @@ add_segments (Import *import, const QnRing *path, gboolean closed, QnRole role)
   for (gsize i = 0; i + 1 < path->count + (closed ? 1 : 0); i++)
     if (!qn_segments_add (&import->soups[role], path->points[i],
                           path->points[(i + 1) % path->count]))
-      g_error ("out of memory");
+      import->no_memory = TRUE;
 }
 
 /* Sorts every path into outlines and line work. */
@@ -322,8 +326,10 @@ sort_paths (Import *import)
       continue;
     }
     QnRing ring;
-    if (!qn_ring_init (&ring, path->points, path->count))
-      g_error ("out of memory");
+    if (!qn_ring_init (&ring, path->points, path->count)) {
+      import->no_memory = TRUE;
+      return;
+    }
     for (gsize k = 0; k < ring.count; k++)
       ring.points[k] = to_metres (import, ring.points[k]);
     if (close_ring (import, &ring, path->closed, &ends, &overruns)) {
@@ -358,7 +364,9 @@ drop_flawed (Import *import)
   for (guint i = 0; i < import->outlines->len; i++) {
     Outline outline = g_array_index (import->outlines, Outline, i);
     QnPolygonFlaw flaw = qn_polygon_check (outline.ring.points, outline.ring.count);
-    if (flaw.problem == QN_PROBLEM_NONE) {
+    if (flaw.problem == QN_PROBLEM_NO_MEMORY)
+      import->no_memory = TRUE;
+    if (flaw.problem == QN_PROBLEM_NONE || flaw.problem == QN_PROBLEM_NO_MEMORY) {
       g_array_index (import->outlines, Outline, kept++) = outline;
       continue;
     }
@@ -479,8 +487,10 @@ take_faces (Import *import, QnRole role, const QnRings *faces, const QnSegments 
   QnBoxTree tree;
   for (gsize i = 0; i < lines->count; i++)
     boxes[i] = qn_box_of_segment (lines->items[i].a, lines->items[i].b);
-  if (!qn_box_tree_init (&tree, boxes, lines->count))
-    g_error ("out of memory");
+  if (!qn_box_tree_init (&tree, boxes, lines->count)) {
+    import->no_memory = TRUE;
+    return;
+  }
   for (gsize i = 0; i < faces->count; i++) {
     const QnRing *face = &faces->items[i];
     QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
@@ -511,7 +521,7 @@ take_soup (Import *import, QnRole role, QnDiag *diag)
   QnSegments lines = { 0 };
   for (gsize i = 0; i < soup->count; i++)
     if (!qn_segments_add (&lines, soup->items[i].a, soup->items[i].b))
-      return qn_diag_no_memory (diag);
+      import->no_memory = TRUE;
   for (guint i = 0; i < outlines; i++) {
     const Outline *outline = &g_array_index (import->outlines, Outline, i);
     if (outline->role == role)
@@ -521,7 +531,9 @@ take_soup (Import *import, QnRole role, QnDiag *diag)
   QnHealing healing = { 0 };
   gsize holes = 0;
   QnStatus status =
-    qn_linework_polygonize (soup, import->tolerance, &faces, &holes, &healing, diag);
+    import->no_memory
+      ? qn_diag_no_memory (diag)
+      : qn_linework_polygonize (soup, import->tolerance, &faces, &holes, &healing, diag);
   tell_healing (import, _ ("ends of lines joined"), &healing);
   if (holes > 0)
     tell (import, TRUE, _ ("faces around other faces left out: %zu"), holes);
@@ -534,7 +546,7 @@ take_soup (Import *import, QnRole role, QnDiag *diag)
   return status;
 }
 
-/* Moves the rings of blocks and supports out of the outlines, or back. */
+/* Moves the rings of blocks and supports out of the outlines, or those that were moved back. */
 static void
 exchange_rings (Import *import, QnRings *rings, gboolean out)
 {
@@ -544,9 +556,11 @@ exchange_rings (Import *import, QnRings *rings, gboolean out)
     if (outline->role == QN_ROLE_OPENING)
       continue;
     if (out) {
-      if (!qn_rings_take (rings, &outline->ring))
-        g_error ("out of memory");
-    } else {
+      if (!qn_rings_take (rings, &outline->ring)) {
+        import->no_memory = TRUE;
+        return;
+      }
+    } else if (next < rings->count) {
       outline->ring = rings->items[next];
       rings->items[next++] = (QnRing){ 0 };
     }
@@ -575,8 +589,10 @@ heal (Import *import, QnDiag *diag)
   QnRings rings = { 0 };
   QnHealing welded = { 0 }, snapped = { 0 };
   exchange_rings (import, &rings, TRUE);
-  QnStatus status = qn_weld_vertices (&rings, 1e-6 * import->tolerance, import->tolerance,
-                                      NULL, &welded, diag);
+  QnStatus status = import->no_memory
+                      ? qn_diag_no_memory (diag)
+                      : qn_weld_vertices (&rings, 1e-6 * import->tolerance,
+                                          import->tolerance, NULL, &welded, diag);
   if (status == QN_OK)
     status = qn_snap_neighbours (&rings, import->tolerance, &snapped, diag);
   exchange_rings (import, &rings, FALSE);
@@ -597,9 +613,9 @@ cut_openings (Import *import, QnDiag *diag)
     const Outline *outline = &g_array_index (import->outlines, Outline, i);
     if (outline->role == QN_ROLE_OPENING
         && !qn_rings_add (&cutters, outline->ring.points, outline->ring.count))
-      return qn_diag_no_memory (diag);
+      import->no_memory = TRUE;
   }
-  QnStatus status = QN_OK;
+  QnStatus status = import->no_memory ? qn_diag_no_memory (diag) : QN_OK;
   guint count = import->outlines->len;
   for (guint i = 0; cutters.count > 0 && i < count && status == QN_OK; i++) {
     Outline outline = g_array_index (import->outlines, Outline, i);
@@ -712,7 +728,7 @@ run_import (Import *import, QnProject *project, GError **error)
   sort_paths (import);
   drop_flawed (import);
   drop_repeated (import);
-  QnStatus status = QN_OK;
+  QnStatus status = import->no_memory ? qn_diag_no_memory (&diag) : QN_OK;
   for (int role = 0; role < QN_ROLE_IGNORED && status == QN_OK; role++)
     status = take_soup (import, (QnRole) role, &diag);
   if (status == QN_OK)
@@ -720,6 +736,8 @@ run_import (Import *import, QnProject *project, GError **error)
   drop_flawed (import);
   if (status == QN_OK)
     status = cut_openings (import, &diag);
+  if (import->no_memory)
+    status = qn_diag_no_memory (&diag);
   if (status == QN_OK && import->outlines->len == 0) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: no closed outline to make a block of"), import->name);

@@ -185,6 +185,9 @@ qn_json_problem_to_error (const QnJsonProblem *problem, const char *name,
                           const char *text)
 {
   gsize line, column;
+  if (problem->no_memory)
+    return g_error_new (QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", name,
+                        _ ("not enough memory"));
   qn_json_position (text, problem->offset, &line, &column);
   gboolean inside = problem->path != NULL && problem->path[0] != '\0';
   return g_error_new (QN_IO_ERROR, QN_IO_ERROR_INVALID,

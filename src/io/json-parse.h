@@ -20,7 +20,7 @@ typedef struct QnJsonProblem {
  * the tree with cJSON_Delete(). Numbers beyond the range of a double are infinite. */
 cJSON *qn_json_parse (const char *text, gsize length, QnJsonProblem *problem);
 
-/* A problem (not of memory) as an error of the file `name`: "wall.quoin:3:9: laws[0]: …". */
+/* A problem as an error of the file `name`: "wall.quoin:3:9: laws[0]: …". */
 GError *qn_json_problem_to_error (const QnJsonProblem *problem, const char *name,
                                   const char *text);
 

@@ -13,10 +13,7 @@ parse_member (const char *member, const char *json, GError **error)
 {
   QnJsonProblem problem;
   cJSON *value = qn_json_parse (json, strlen (json), &problem);
-  if (value == NULL && problem.no_memory)
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", member,
-                 _ ("not enough memory"));
-  else if (value == NULL)
+  if (value == NULL)
     g_propagate_error (error, qn_json_problem_to_error (&problem, member, json));
   g_free (problem.path);
   return value;

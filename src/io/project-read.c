@@ -134,10 +134,7 @@ parse_text (QnReader *reader)
 {
   QnJsonProblem problem;
   cJSON *document = qn_json_parse (reader->text, reader->length, &problem);
-  QnPlace root = qn_place_root (reader, document);
-  if (document == NULL && problem.no_memory)
-    qn_place_no_memory (&root);
-  else if (document == NULL)
+  if (document == NULL)
     reader->error = qn_json_problem_to_error (&problem, reader->name, reader->text);
   g_free (problem.path);
 

@@ -78,16 +78,13 @@ append_multiplier (GString *text, const QnFigure *figure, bool brief)
 }
 
 static void
-append_mechanism (GString *text, const QnFigure *figure)
+append_mechanism (GString *text, const QnFigure *figure, const QnScene *scene)
 {
   if (figure->options.view != QN_VIEW_MECHANISM || figure->contacts == NULL
       || figure->result->mechanism == NULL
       || figure->result->block_count != figure->model->block_count)
     return;
-  QnMechanismKind kind;
-  g_free (qn_motion_mechanism_joints (figure->model, figure->contacts,
-                                      figure->result->mechanism, &kind));
-  append_part (text, qn_mechanism_kind_text (kind));
+  append_part (text, qn_mechanism_kind_text (scene->mechanism));
 }
 
 char *
@@ -107,7 +104,7 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
     return g_strdup (text->str);
   }
   append_multiplier (text, figure, brief);
-  append_mechanism (text, figure);
+  append_mechanism (text, figure, scene);
   if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
     g_autofree char *number = qn_label_number ("%g", scene->scale);
     g_autofree char *scale = g_strdup_printf (_ ("displacements × %s"), number);

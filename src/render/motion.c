@@ -167,15 +167,14 @@ qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
   };
   QnJoint *joints = qn_motion_joints (&motion, contacts, NULL);
   QnMechanism mechanism;
-  if (kind != NULL)
-    *kind = QN_MECHANISM_KIND_NONE;
-  /* Without memory for more the motion alone has to do. */
-  if (qn_mechanism_init (&mechanism, model, contacts, velocities, NULL) != QN_OK)
-    return joints;
+  *kind = QN_MECHANISM_KIND_NONE;
+  if (qn_mechanism_init (&mechanism, model, contacts, velocities, NULL) != QN_OK) {
+    g_free (joints);
+    return NULL;
+  }
   for (size_t f = 0; f < mechanism.joint_count; f++)
     joint_states_from_kind (&joints[f], &mechanism.joints[f]);
-  if (kind != NULL)
-    *kind = mechanism.kind;
+  *kind = mechanism.kind;
   qn_mechanism_clear (&mechanism);
   return joints;
 }

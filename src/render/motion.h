@@ -46,8 +46,8 @@ QnJoint *qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
                            const QnPairResult *pairs);
 
 /* The same for the velocity field of a mechanism, where a joint that only dilates while it
- * slides does not count as open; `kind`, nullable, receives what the core calls the whole (see
- * core/mechanism.h). */
+ * slides does not count as open; *kind is what the core calls the whole (see core/mechanism.h).
+ * NULL when memory runs out. */
 QnJoint *qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
                                      const double *velocities, QnMechanismKind *kind);
 

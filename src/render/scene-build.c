@@ -163,18 +163,22 @@ find_pairs (QnSceneBuilder *b)
 }
 
 /* Where the analysis does not say how joints are, the motion tells. */
-static void
-find_joints (QnSceneBuilder *b)
+static bool
+find_joints (QnSceneBuilder *b, GError **error)
 {
   if (b->motion.displacements == NULL || b->contacts == NULL
       || b->options->view == QN_VIEW_FORCES)
-    return;
-  if (b->options->view == QN_VIEW_MECHANISM) {
-    b->joints =
-      qn_motion_mechanism_joints (b->model, b->contacts, b->result->mechanism, NULL);
-    return;
+    return true;
+  if (b->options->view != QN_VIEW_MECHANISM) {
+    b->joints = qn_motion_joints (&b->motion, b->contacts, b->pairs);
+    return true;
   }
-  b->joints = qn_motion_joints (&b->motion, b->contacts, b->pairs);
+  b->joints = qn_motion_mechanism_joints (b->model, b->contacts, b->result->mechanism,
+                                          &b->scene->mechanism);
+  if (b->joints == NULL)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                         _ ("not enough memory"));
+  return b->joints != NULL;
 }
 
 static void
@@ -236,11 +240,14 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
   b.scene->fineness = 0.7 * b.block_size; /* of a block twice as long as tall */
   choose_motion (&b);
   find_pairs (&b);
-  find_joints (&b);
-  build_view (&b);
+  if (find_joints (&b, error)) {
+    build_view (&b);
+    qn_scene_finish (b.scene);
+  } else {
+    g_clear_pointer (&b.scene, qn_scene_free);
+  }
   g_free (b.joints);
   g_free (b.pairs);
-  qn_scene_finish (b.scene);
   return b.scene;
 }
 

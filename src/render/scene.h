@@ -10,7 +10,7 @@
 #ifndef QN_RENDER_SCENE_H
 #define QN_RENDER_SCENE_H
 
-#include "core/base.h"
+#include "core/mechanism.h"
 #include "render/camera.h"
 #include "render/color.h"
 #include "render/view-options.h"
@@ -114,6 +114,7 @@ typedef struct QnScene {
   double
     fineness;   /* m: smaller side of an ordinary block; thins lines of distant views */
   double scale; /* displacement factor used, or 0 where nothing is displaced */
+  QnMechanismKind mechanism; /* kind of the one that is shown; NONE where none is */
   bool monochrome;
   uint64_t revision; /* changes whenever the content does; never 0 */
 } QnScene;

@@ -4,11 +4,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+static void
+on_message (const char *message, void *data)
+{
+  QnGeos *geos = data;
+  if (strstr (message, "bad_alloc") != NULL)
+    geos->no_memory = true;
+}
+
 QnStatus
 qn_geos_init (QnGeos *geos, QnDiag *diag)
 {
-  geos->handle = GEOS_init_r ();
-  return geos->handle != NULL ? QN_OK : qn_diag_no_memory (diag);
+  *geos = (QnGeos){ .handle = GEOS_init_r () };
+  if (geos->handle == NULL)
+    return qn_diag_no_memory (diag);
+  GEOSContext_setErrorMessageHandler_r (geos->handle, on_message, geos);
+  return QN_OK;
 }
 
 void
@@ -20,8 +31,10 @@ qn_geos_clear (QnGeos *geos)
 }
 
 QnStatus
-qn_geos_failed (QnDiag *diag)
+qn_geos_failed (const QnGeos *geos, QnDiag *diag)
 {
+  if (geos->no_memory)
+    return qn_diag_no_memory (diag);
   return qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_GEOMETRY_FAILED,
                       QN_ENTITY_MODEL, QN_NONE, QN_NONE);
 }
@@ -31,8 +44,10 @@ qn_geos_polygon (QnGeos *geos, const QnVec2 *points, size_t count)
 {
   GEOSContextHandle_t h = geos->handle;
   QnVec2 *closed = qn_alloc (count + 1, sizeof *closed);
-  if (closed == NULL)
+  if (closed == NULL) {
+    geos->no_memory = true;
     return NULL;
+  }
   memcpy (closed, points, count * sizeof *closed);
   closed[count] = closed[0];
   GEOSCoordSequence *sequence = GEOSCoordSeq_copyFromBuffer_r (
@@ -48,8 +63,10 @@ qn_geos_collection (QnGeos *geos, const QnRings *rings)
 {
   GEOSContextHandle_t h = geos->handle;
   GEOSGeometry **parts = qn_alloc (rings->count, sizeof *parts);
-  if (parts == NULL)
+  if (parts == NULL) {
+    geos->no_memory = true;
     return NULL;
+  }
   size_t made = 0;
   while (made < rings->count) {
     parts[made] =

@@ -1,7 +1,7 @@
 /* GEOS behind one door: a context per computation, rings in and out.
  *
- * GEOS reports trouble through a message handler; it is silenced here, because every failure
- * shows in a NULL result and becomes a QnStatus. Private to this layer.
+ * Every failure shows in a NULL result and becomes a QnStatus. What GEOS says of it is listened to
+ * for want of memory alone. Private to this layer.
  */
 #ifndef QN_STEREOTOMY_GEOS_H
 #define QN_STEREOTOMY_GEOS_H
@@ -13,9 +13,10 @@
 
 typedef struct QnGeos {
   GEOSContextHandle_t handle;
+  bool no_memory; /* something failed for want of it */
 } QnGeos;
 
-/* NULL handle when memory runs out. */
+/* NULL handle when memory runs out. The struct must stay where it is until it is cleared. */
 QnStatus qn_geos_init (QnGeos *geos, QnDiag *diag);
 void qn_geos_clear (QnGeos *geos);
 
@@ -31,7 +32,8 @@ GEOSGeometry *qn_geos_collection (QnGeos *geos, const QnRings *rings);
 bool qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings *rings,
                             size_t *holes);
 
-/* A GEOS operation failed: QN_ERROR_INTERNAL with QN_PROBLEM_GEOMETRY_FAILED. */
-QnStatus qn_geos_failed (QnDiag *diag);
+/* A function above or a GEOS operation failed: QN_ERROR_NO_MEMORY, or QN_ERROR_INTERNAL with
+ * QN_PROBLEM_GEOMETRY_FAILED. */
+QnStatus qn_geos_failed (const QnGeos *geos, QnDiag *diag);
 
 #endif

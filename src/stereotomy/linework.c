@@ -272,7 +272,7 @@ static QnStatus
 enclosed_faces (const QnSegments *segments, double tolerance, QnRings *faces,
                 size_t *holes, QnDiag *diag)
 {
-  QnGeos geos = { NULL };
+  QnGeos geos = { 0 };
   QnStatus status = qn_geos_init (&geos, diag);
   if (status != QN_OK)
     return status;
@@ -284,7 +284,7 @@ enclosed_faces (const QnSegments *segments, double tolerance, QnRings *faces,
     noded != NULL ? GEOSPolygonize_r (geos.handle, &input, 1) : NULL;
   status = polygons != NULL ? read_faces (&geos, polygons, faces, holes, diag)
            : lines == NULL  ? qn_diag_no_memory (diag)
-                            : qn_geos_failed (diag);
+                            : qn_geos_failed (&geos, diag);
   GEOSGeom_destroy_r (geos.handle, lines);
   GEOSGeom_destroy_r (geos.handle, noded);
   GEOSGeom_destroy_r (geos.handle, polygons);

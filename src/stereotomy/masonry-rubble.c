@@ -125,7 +125,7 @@ sites_geometry (QnGeos *geos, const QnRubble *rubble, size_t *count)
 static QnStatus
 tessellate (const QnRubble *rubble, const QnRing *outline, QnRings *cells, QnDiag *diag)
 {
-  QnGeos geos = { NULL };
+  QnGeos geos = { 0 };
   QnStatus status = qn_geos_init (&geos, diag);
   if (status != QN_OK)
     return status;
@@ -140,7 +140,7 @@ tessellate (const QnRubble *rubble, const QnRing *outline, QnRings *cells, QnDia
   } else {
     GEOSGeometry *diagram = GEOSVoronoiDiagram_r (geos.handle, sites, frame, 0, 0);
     if (diagram == NULL)
-      status = qn_geos_failed (diag);
+      status = qn_geos_failed (&geos, diag);
     else if (!qn_geos_read_polygons (&geos, diagram, cells, NULL))
       status = qn_diag_no_memory (diag);
     GEOSGeom_destroy_r (geos.handle, diagram);

@@ -141,7 +141,7 @@ collect (QnGeos *geos, GEOSGeometry *geometry, QnBounds bounds, int round, QnRin
         half != NULL ? GEOSIntersection_r (geos->handle, geometry, half) : NULL;
       GEOSGeom_destroy_r (geos->handle, half);
       status = part != NULL ? collect (geos, part, bounds, round + 1, found, diag)
-                            : qn_geos_failed (diag);
+                            : qn_geos_failed (geos, diag);
     }
   }
   GEOSGeom_destroy_r (geos->handle, geometry);
@@ -165,7 +165,7 @@ overlay (QnGeos *geos, const GEOSGeometry *subject, const GEOSGeometry *other, O
     GEOSGeometry *result = op (geos->handle, subject, other, grids[i]);
     QnRings found = { 0 };
     status = result != NULL ? collect (geos, result, bounds, 0, &found, diag)
-                            : qn_geos_failed (diag);
+                            : qn_geos_failed (geos, diag);
     if (status == QN_OK)
       status = deliver (&found, least_area, out, diag);
     qn_rings_clear (&found);
@@ -206,7 +206,7 @@ qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *o
   QnStatus status = qn_ring_check (subject, 0, diag);
   if (status == QN_OK)
     status = check_all (cutters, diag);
-  QnGeos geos = { NULL };
+  QnGeos geos = { 0 };
   if (status == QN_OK)
     status = qn_geos_init (&geos, diag);
   if (status == QN_OK)
@@ -224,7 +224,7 @@ qn_polygon_intersection (const QnRing *a, const QnRing *b, QnRings *out, QnDiag 
   QnStatus status = qn_ring_check (a, 0, diag);
   if (status == QN_OK)
     status = qn_ring_check (b, 1, diag);
-  QnGeos geos = { NULL };
+  QnGeos geos = { 0 };
   if (status == QN_OK)
     status = qn_geos_init (&geos, diag);
   if (status == QN_OK)
@@ -246,7 +246,7 @@ union_problem (QnDiag *diag, QnProblem problem)
 static QnStatus
 union_on_grid (const QnRings *rings, double grid, QnRing *out, QnDiag *diag)
 {
-  QnGeos geos = { NULL };
+  QnGeos geos = { 0 };
   QnStatus status = qn_geos_init (&geos, diag);
   if (status != QN_OK)
     return status;
@@ -254,7 +254,7 @@ union_on_grid (const QnRings *rings, double grid, QnRing *out, QnDiag *diag)
   QnRings found = { 0 }, joined = { 0 };
   size_t holes = 0;
   if (all == NULL)
-    status = qn_geos_failed (diag);
+    status = qn_geos_failed (&geos, diag);
   else if (!qn_geos_read_polygons (&geos, all, &found, &holes))
     status = qn_diag_no_memory (diag);
   else if (holes > 0)
@@ -314,7 +314,7 @@ qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out, QnDiag 
     qn_vec2_add_scaled (a, qn_vec2_dot (qn_vec2_sub (middle, a), along), along);
   double reach =
     2 * (qn_bounds_size (bounds) + qn_vec2_length (qn_vec2_sub (middle, foot)));
-  QnGeos geos = { NULL };
+  QnGeos geos = { 0 };
   status = qn_geos_init (&geos, diag);
   size_t before = out->count;
   for (int side = -1; side <= 1 && status == QN_OK; side += 2) {
@@ -343,7 +343,7 @@ qn_fill_between (const QnRings *rings, const QnRing *frame, double least_area,
   if (status != QN_OK || (rings->count == 0 && frame == NULL))
     return status;
 
-  QnGeos geos = { NULL };
+  QnGeos geos = { 0 };
   status = qn_geos_init (&geos, diag);
   if (status == QN_OK) {
     GEOSGeometry *all = merged (&geos, rings, 0);

@@ -52,7 +52,7 @@ test_solve (void)
   g_assert_cmpint (found, >, 0);
   for (int i = 0; i < N; i++)
     b[i] = i + 1;
-  g_assert_true (qn_inertia_solve (inertia, b));
+  g_assert_cmpint (qn_inertia_solve (inertia, b), ==, QN_FACTOR_OK);
   for (int32_t j = 0; j < N; j++)
     for (int32_t k = ap[j]; k < ap[j + 1]; k++)
       product[ai[k]] += ax[k] * b[j];

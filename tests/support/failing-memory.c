@@ -10,9 +10,18 @@ static bool all_after, has_failed;
 void *__real_malloc (size_t size);
 void *__real_calloc (size_t count, size_t size);
 void *__real_realloc (void *block, size_t size);
+void *__real_g_try_malloc (size_t size);
+void *__wrap_g_try_malloc (size_t size);
 void *__wrap_malloc (size_t size);
 void *__wrap_calloc (size_t count, size_t size);
 void *__wrap_realloc (void *block, size_t size);
+
+/* For a debugger to stop at. */
+static void __attribute__ ((noinline))
+strike (void)
+{
+  has_failed = true;
+}
 
 static bool
 fails (void)
@@ -25,7 +34,7 @@ fails (void)
   }
   if (!all_after)
     next_failure = -1;
-  has_failed = true;
+  strike ();
   return true;
 }
 
@@ -47,6 +56,13 @@ __wrap_realloc (void *block, size_t size)
   return fails () ? NULL : __real_realloc (block, size);
 }
 
+/* GLib's functions that may fail; the others do not return. */
+void *
+__wrap_g_try_malloc (size_t size)
+{
+  return fails () ? NULL : __real_g_try_malloc (size);
+}
+
 void
 failing_memory_arm (long number, bool onwards)
 {
@@ -57,6 +73,12 @@ failing_memory_arm (long number, bool onwards)
   next_failure = number;
   all_after = onwards;
   has_failed = false;
+}
+
+long
+failing_memory_left (void)
+{
+  return next_failure;
 }
 
 bool
