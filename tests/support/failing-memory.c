@@ -17,8 +17,7 @@ void *__wrap_calloc (size_t count, size_t size);
 void *__wrap_realloc (void *block, size_t size);
 
 /* For a debugger to stop at. */
-static void __attribute__ ((noinline))
-strike (void)
+static void __attribute__ ((noinline)) strike (void)
 {
   has_failed = true;
 }
