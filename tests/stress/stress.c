@@ -158,6 +158,10 @@ main (int argc, char **argv)
     fprintf (stderr, "stress: %s\n", error->message);
     return 2;
   }
+  if (folder != NULL && g_mkdir_with_parents (folder, 0777) != 0) {
+    fprintf (stderr, "stress: %s: cannot be made\n", folder);
+    return 2;
+  }
   g_autoptr (GArray) cases = choose_cases ();
   for (guint i = 0; i < cases->len && list_only; i++)
     printf ("%s\n", g_array_index (cases, StressCase, i).name);
