@@ -77,10 +77,10 @@ qn_limit_draw_inside (const QnLimitProblem *limit, const double *anchor,
 
 /* Least dissipation sum h z over z >= 0 with G'z = rate, at a vertex of that little program,
  * that is with two rows at most. Where the rate cannot be had, the nearest vertex counts and
- * *violation grows to what is missing. */
+ * *missing is how far it is. */
 static double
 dissipation (const QnIpProblem *p, const QnIpCell *cell, const double *rate,
-             double *violation)
+             double *missing_rate)
 {
   const QnIpBound *b = p->bounds + cell->first_bound;
   double least_missing = hypot (rate[0], cell->no_shear ? 0.0 : rate[1]);
@@ -110,13 +110,13 @@ dissipation (const QnIpProblem *p, const QnIpCell *cell, const double *rate,
       least_missing = 0.0;
     }
   }
-  *violation = fmax (*violation, least_missing);
+  *missing_rate = least_missing;
   return isfinite (best) ? best : 0.0;
 }
 
 double
-qn_limit_upper_bound (const QnLimitProblem *limit, double *v, double *rates,
-                      QnLimitCheck *check)
+qn_limit_upper_bound (const QnLimitProblem *limit, double *v, const double *y, double tau,
+                      double *rates, QnLimitCheck *check)
 {
   const QnIpProblem *p = &limit->ip;
   double power = 0.0, largest = 0.0, bound = 0.0, violation = 0.0;
@@ -129,8 +129,12 @@ qn_limit_upper_bound (const QnLimitProblem *limit, double *v, double *rates,
     bound -= p->constant[r] * v[r];
   }
   qn_interior_point_rates (p, v, rates);
-  for (int32_t c = 0; c < p->cell_count; c++)
-    bound += dissipation (p, &p->cells[c], rates + 2 * c, &violation);
+  for (int32_t c = 0; c < p->cell_count; c++) {
+    double missing;
+    bound += dissipation (p, &p->cells[c], rates + 2 * c, &missing);
+    bound += missing * hypot (y[2 * c], y[2 * c + 1]) / tau;
+    violation = fmax (violation, missing);
+  }
   check->kinematic_violation = violation / largest;
   return bound;
 }

@@ -16,8 +16,12 @@ double qn_limit_draw_inside (const QnLimitProblem *limit, const double *anchor,
 void qn_limit_move_inside (const QnLimitProblem *limit, double *y);
 
 /* The scaled multiplier at which the mechanism v (row_count; rescaled in place to unit power
- * of the live load) balances its power: the dissipation belongs to v, not to the iterate. */
-double qn_limit_upper_bound (const QnLimitProblem *limit, double *v, double *rates,
-                             QnLimitCheck *check);
+ * of the live load) balances its power: the dissipation belongs to v, not to the iterate. Of the
+ * iterate's forces y / tau there is only what they do on rates that no flow rule knows, so that
+ * no rounding of v brings the bound below what these forces carry.
+ *
+ * rates: cell_count x 2 out */
+double qn_limit_upper_bound (const QnLimitProblem *limit, double *v, const double *y,
+                             double tau, double *rates, QnLimitCheck *check);
 
 #endif

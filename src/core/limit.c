@@ -12,10 +12,12 @@
  * into equilibrium and velocities summed up; they come out within 1e-7 of each other. */
 #define PROGRAM_TOLERANCE 1e-8
 
-/* The bounds are to meet to this part of the multiplier. Where they do not, so many rounds are
- * made of moving forces inside the strength, and then forces are sought at a multiplier that
- * is less than the optimum by the least of these parts that has some. */
+/* The lower bound is to reach the optimum to this part of the multiplier, or this part of the
+ * loads. Where it does not, so many rounds are made of moving forces inside the strength, and
+ * then forces are sought at a multiplier that is less than the optimum by the least of these
+ * parts that has some. */
 #define WANTED_GAP   1e-6
+#define LEAST_GAP    1e-9
 #define MOST_ROUNDS  8
 #define LEAST_MARGIN 1e-5
 #define MOST_MARGIN  1e-2
@@ -196,11 +198,11 @@ draw (Run *run, const double *anchor, double anchor_lambda, double lambda, doubl
  * moved inside and into equilibrium by turns; where that is not enough, forces just below the
  * optimum are sought to draw them to. */
 static QnStatus
-prove_lower (Run *run, double upper, double *lower, QnDiag *diag)
+prove_lower (Run *run, double *lower, QnDiag *diag)
 {
   const double *anchor = run->anchored ? run->anchor : NULL;
   double lambda = run->ip->lambda / run->ip->tau, slack;
-  double wanted = upper - WANTED_GAP * fabs (upper);
+  double wanted = lambda - WANTED_GAP * fabs (lambda) - LEAST_GAP;
   bool found = false;
   QnStatus status = qn_interior_point_project (run->ip, false, &lambda, run->y,
                                                &run->residual, &slack, diag);
@@ -231,12 +233,13 @@ take_optimum (Run *run, QnDiag *diag)
 {
   QnLimitSolution *solution = run->solution;
   const QnLimitProblem *limit = run->limit;
-  double upper = qn_limit_upper_bound (limit, run->ip->v, run->rates, &solution->check);
+  double upper = qn_limit_upper_bound (limit, run->ip->v, run->ip->y, run->ip->tau,
+                                       run->rates, &solution->check);
   double lower;
   QnStatus status;
 
   qn_limit_problem_velocities (limit, run->ip->v, solution->velocities);
-  status = prove_lower (run, upper, &lower, diag);
+  status = prove_lower (run, &lower, diag);
   if (status)
     return status;
   solution->check.gap = (upper - lower) / (1.0 + fabs (upper));

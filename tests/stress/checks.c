@@ -163,7 +163,8 @@ fastest_block (const QnModel *model, const double *velocities)
   return fastest;
 }
 
-/* Power of dead load and multiplied live load on velocities, over the sum of the magnitudes. */
+/* Power of dead load and multiplied live load on velocities, over what it would be if every load
+ * went along with its block. */
 static double
 relative_power (const QnModel *model, double multiplier, const double *velocities)
 {
@@ -174,9 +175,12 @@ relative_power (const QnModel *model, double multiplier, const double *velocitie
 
   qn_model_dead_forces (model, dead);
   qn_model_live_forces (model, live);
-  for (size_t i = 0; i < count; i++) {
-    power += (dead[i] + multiplier * live[i]) * velocities[i];
-    size += (fabs (dead[i]) + fabs (multiplier * live[i])) * fabs (velocities[i]);
+  for (size_t i = 0; i < count; i += QN_DOF_COUNT) {
+    double speed = hypot (velocities[i], velocities[i + 1]);
+    size += speed * hypot (dead[i], dead[i + 1])
+            + speed * fabs (multiplier) * hypot (live[i], live[i + 1]);
+    for (size_t k = i; k < i + QN_DOF_COUNT; k++)
+      power += (dead[k] + multiplier * live[k]) * velocities[k];
   }
   return size > 0 ? power / size : 0;
 }

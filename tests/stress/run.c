@@ -143,7 +143,7 @@ compare_collapse (const StressCase *c, StressFlow flow, const StressRow *row,
                   const QnAnalysisSettings *settings)
 {
   double found = row->paths[flow].multiplier;
-  double tolerance = settings->multiplier_tolerance;
+  double tolerance = fmax (settings->multiplier_tolerance, STRESS_LIMIT_ACCURACY);
   guint faults = 0;
 
   if (row->limit.outcome == QN_OUTCOME_UNBOUNDED)

@@ -10,6 +10,9 @@
 /* Agreement of associative paths with limit analysis, and of multipliers with statics. */
 #define STRESS_AGREEMENT 1e-3
 
+/* To which the bounds of limit analysis meet, so that nothing is above them by less. */
+#define STRESS_LIMIT_ACCURACY 1e-6
+
 /* Agreement of walls loaded from the left and from the right, dilatancy 0. */
 #define STRESS_MIRROR_AGREEMENT 5e-3
 

@@ -85,8 +85,8 @@ typedef struct StressCheck {
   bool moves;       /* there is a mechanism: */
   double penetration; /* how fast joints close on it, over the fastest block */
   double
-    power; /* of the loads at collapse, over the sum of the magnitudes of its parts: what
-                   friction takes, so not negative */
+    power; /* of the loads at collapse, over what it would be if every load went along
+                   with its block: what friction takes, so not negative */
   double
     misfit; /* rates that the flow rule forbids where the forces at collapse are, over
                     the fastest block: small where forces and mechanism prove each other, not
