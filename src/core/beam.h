@@ -41,6 +41,7 @@ typedef struct QnNode {
   QnBlockSide side;           /* SIDE: the side that faces this way most */
   bool support[QN_DOF_COUNT]; /* fixed degrees of freedom; FREE only */
   QnId beam;                  /* beam that this node cuts, or QN_NONE: of the project */
+  int32_t note;               /* as in QnBlock */
 
   bool turns; /* derived: a beam that is not hinged ends here, or the block turns */
 } QnNode;
@@ -58,6 +59,7 @@ typedef struct QnSection {
   double plastic_moment; /* Mp, N m; 0: from yield */
   double unit_weight;    /* N/m3, >= 0 */
   double density;        /* kg/m3 as given, or < 0 where unit_weight was given */
+  int32_t note;          /* as in QnBlock */
 } QnSection;
 
 typedef enum {
@@ -73,6 +75,7 @@ typedef struct QnBeam {
   QnId section;
   bool hinge[2];         /* no moment at this end */
   int32_t element_count; /* >= 1 */
+  int32_t note;          /* as in QnBlock */
 
   QnId first_element; /* derived: into QnModel.elements */
 } QnBeam;

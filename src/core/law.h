@@ -62,6 +62,7 @@ typedef struct QnLaw {
   int32_t point_count;
   QnVec2 points[QN_MAX_CURVE_POINTS]; /* (elongation or strain, force or stress), from
                                          compression to tension */
+  int32_t note;                       /* of the layers above; see QnBlock */
 } QnLaw;
 
 /* A number that a kind of law has besides kn, ks and shear_factor. */

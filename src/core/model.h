@@ -40,6 +40,9 @@
  * that are clearly apart would be joined. */
 #define QN_MAX_CONTACT_TOLERANCE 0.05
 
+/* Entities of a project have a `note`: a number under which the layers above keep what else a file
+ * says of them, 0 for nothing. The core hands it on with the entity and knows no more of it. */
+
 /* A rigid block: a simple polygon with three degrees of freedom at its centroid. */
 typedef struct QnBlock {
   char *name;         /* owned, unique in the model */
@@ -52,6 +55,7 @@ typedef struct QnBlock {
   QnId law;     /* law of the springs on this block's side, or QN_NONE: contact law */
   QnId wall;    /* wall that this block came from, or QN_NONE */
   QnId masonry; /* parametric object of the layers above that it came from, or QN_NONE */
+  int32_t note;
 
   /* Derived by qn_model_prepare(). */
   double area;         /* m2 */
@@ -75,6 +79,7 @@ typedef struct QnWall {
     *course_ends; /* owned: course i is lengths[course_ends[i-1] .. course_ends[i]) */
   int32_t course_count;
   size_t length_capacity, course_capacity;
+  int32_t note;
 } QnWall;
 
 typedef enum {
@@ -101,6 +106,7 @@ typedef struct QnBar {
   QnId law;
   double area; /* m2, > 0 */
   QnVec2 start, end;
+  int32_t note;
 } QnBar;
 
 /* Exception for the faces between two given blocks. */
@@ -109,6 +115,7 @@ typedef struct QnFaceOverride {
   QnId law;       /* or QN_NONE: unchanged */
   bool has_pairs; /* whether `pairs` replaces the general rule */
   QnPairRule pairs;
+  int32_t note;
 } QnFaceOverride;
 
 typedef struct QnContactSettings {
@@ -141,6 +148,7 @@ typedef struct QnLoad {
   QnVec2 at;     /* m */
   QnDof dof;     /* SETTLEMENT: which degree of freedom */
   double value;  /* SETTLEMENT: how far at multiplier 1, m or rad */
+  int32_t note;
 } QnLoad;
 
 typedef enum {
@@ -204,6 +212,7 @@ typedef struct QnStage {
   QnId control_node;  /* likewise; at most one of both */
   QnDof control_dof;
   double control_target; /* m or rad, as a total; may be 0 */
+  int32_t note;
 } QnStage;
 
 typedef struct QnModel {

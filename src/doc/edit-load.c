@@ -78,6 +78,7 @@ qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error)
   char *kept = law->name;
   *law = model->laws[like];
   law->name = kept;
+  law->note = 0;
   return TRUE;
 }
 

@@ -164,6 +164,7 @@ qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error)
   char *own = node->name;
   *node = model->nodes[shared];
   node->name = own;
+  node->note = 0;
   model->beams[beam].nodes[end] = (QnId) model->node_count - 1;
   return TRUE;
 }

@@ -87,6 +87,7 @@ copy_free_blocks (Rebuild *r, const gboolean *drop)
     block->density = old->density;
     block->law = old->law;
     block->masonry = old->masonry;
+    block->note = old->note;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = old->support[dof];
     r->blocks[i] = (QnId) r->to->block_count - 1;
@@ -111,6 +112,7 @@ copy_walls (Rebuild *r)
     wall->unit_weight = old->unit_weight;
     wall->density = old->density;
     wall->law = old->law;
+    wall->note = old->note;
     for (int32_t course = 0, first = 0; course < old->course_count; course++) {
       int32_t end = old->course_ends[course];
       if (!qn_wall_add_course (wall, old->lengths + first, (gsize) (end - first)))

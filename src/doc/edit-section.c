@@ -126,6 +126,7 @@ qn_edit_add_section (QnModel *model, QnId like, GError **error)
     char *own = section->name;
     *section = model->sections[like];
     section->name = own;
+    section->note = 0;
     return TRUE;
   }
   section->young = FIRST_YOUNG;

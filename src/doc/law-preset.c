@@ -87,6 +87,8 @@ qn_law_change_kind (QnLaw *law, QnLawKind kind)
     if (qn_law_check (law, 0, NULL) == QN_OK)
       return;
   }
+  int32_t note = law->note;
   *law = *typical;
+  law->note = note;
   law->name = name;
 }

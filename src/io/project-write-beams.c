@@ -1,5 +1,6 @@
 /* Sections, nodes and beams in the canonical layout. */
 #include "io/json-text.h"
+#include "io/project-inner.h"
 #include "io/project-names.h"
 #include "io/project-write-parts.h"
 
@@ -73,7 +74,7 @@ append_beam (GString *json, const QnModel *model, const QnBeam *beam)
 }
 
 void
-qn_project_append_beams (GString *json, const QnModel *model)
+qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
 {
   gboolean first = TRUE;
 
@@ -82,6 +83,7 @@ qn_project_append_beams (GString *json, const QnModel *model)
     for (size_t i = 0; i < model->section_count; i++) {
       g_string_append (json, i > 0 ? ",\n    " : "\n    ");
       append_section (json, &model->sections[i]);
+      qn_json_append_note (json, inner, model->sections[i].note);
     }
     g_string_append (json, " ],\n");
   }
@@ -90,6 +92,7 @@ qn_project_append_beams (GString *json, const QnModel *model)
       continue;
     g_string_append (json, first ? "  \"nodes\": [\n    " : ",\n    ");
     append_node (json, model, &model->nodes[i]);
+    qn_json_append_note (json, inner, model->nodes[i].note);
     first = FALSE;
   }
   g_string_append (json, first ? "" : " ],\n");
@@ -99,6 +102,7 @@ qn_project_append_beams (GString *json, const QnModel *model)
   for (size_t i = 0; i < model->beam_count; i++) {
     g_string_append (json, i > 0 ? ",\n    " : "\n    ");
     append_beam (json, model, &model->beams[i]);
+    qn_json_append_note (json, inner, model->beams[i].note);
   }
   g_string_append (json, " ],\n");
 }

@@ -1,5 +1,6 @@
 /* Loads, analysis and stages in the canonical layout. */
 #include "io/json-text.h"
+#include "io/project-inner.h"
 #include "io/project-names.h"
 #include "io/project-write-parts.h"
 
@@ -63,7 +64,8 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
 /* The loads of one set; of dead loads that is 0. */
 static void
 append_load_list (GString *json, const QnModel *model, const char *key,
-                  const QnLoad *loads, size_t count, int32_t set, const char *indent)
+                  const QnLoad *loads, size_t count, int32_t set, const char *indent,
+                  GHashTable *inner)
 {
   gboolean any = FALSE;
   g_string_append (json, indent);
@@ -74,24 +76,25 @@ append_load_list (GString *json, const QnModel *model, const char *key,
       continue;
     g_string_append_printf (json, "%s\n%s  ", any ? "," : "", indent);
     append_load (json, model, &loads[i]);
+    qn_json_append_note (json, inner, loads[i].note);
     any = TRUE;
   }
   g_string_append (json, any ? " ]" : "]");
 }
 
 void
-qn_project_append_loads (GString *json, const QnModel *model)
+qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner)
 {
   g_string_append (json, "  \"loads\": {\n");
   append_load_list (json, model, "dead", model->dead_loads, model->dead_load_count, 0,
-                    "    ");
+                    "    ", inner);
   g_string_append (json, ",\n");
   append_load_list (json, model, "live", model->live_loads, model->live_load_count, 0,
-                    "    ");
+                    "    ", inner);
   for (size_t i = 0; i < model->load_set_count; i++) {
     g_string_append (json, i > 0 ? ",\n" : ",\n    \"sets\": {\n");
     append_load_list (json, model, model->load_sets[i], model->live_loads,
-                      model->live_load_count, (int32_t) i + 1, "      ");
+                      model->live_load_count, (int32_t) i + 1, "      ", inner);
   }
   g_string_append (json, model->load_set_count > 0 ? " } }" : " }");
 }
@@ -161,7 +164,7 @@ append_stage (GString *json, const QnModel *model, const QnStage *stage)
 }
 
 static void
-put_stages (GString *json, const QnModel *model)
+put_stages (GString *json, const QnModel *model, GHashTable *inner)
 {
   if (model->stage_count == 0)
     return;
@@ -169,13 +172,14 @@ put_stages (GString *json, const QnModel *model)
   for (size_t i = 0; i < model->stage_count; i++) {
     g_string_append (json, i > 0 ? ",\n      " : "\n      ");
     append_stage (json, model, &model->stages[i]);
+    qn_json_append_note (json, inner, model->stages[i].note);
   }
   g_string_append (json, " ]");
 }
 
 /* What differs from the defaults, after the three settings that everybody looks for. */
 void
-qn_project_append_analysis (GString *json, const QnModel *model)
+qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner)
 {
   QnModel defaults;
   qn_model_init (&defaults);
@@ -199,7 +203,9 @@ qn_project_append_analysis (GString *json, const QnModel *model)
   put_control (json, model, analysis->control_block, analysis->control_node,
                analysis->control_dof, analysis->control_target);
   put_shortcuts (json, &analysis->shortcuts);
-  put_stages (json, model);
+  if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE)
+    qn_json_append_inner (json, inner, "analysis.control");
+  put_stages (json, model, inner);
   g_string_append (json, " }");
   qn_model_clear (&defaults);
 }

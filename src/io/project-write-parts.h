@@ -12,11 +12,13 @@ void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
 /* `support`, left out where nothing is fixed. */
 void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
 
-/* In project-write-beams.c. */
-void qn_project_append_beams (GString *json, const QnModel *model);
+/* Parts of the document; inner: members that no layer knows (project-inner.h), or NULL.
+ *
+ * In project-write-beams.c. */
+void qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner);
 
 /* In project-write-loading.c. */
-void qn_project_append_loads (GString *json, const QnModel *model);
-void qn_project_append_analysis (GString *json, const QnModel *model);
+void qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner);
+void qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner);
 
 #endif

@@ -164,17 +164,19 @@ append_face (GString *json, const QnModel *model, const QnFaceOverride *face)
 }
 
 static void
-append_contact (GString *json, const QnModel *model)
+append_contact (GString *json, const QnModel *model, GHashTable *inner)
 {
   g_string_append (json, "  \"contact\": {");
   put_law (json, "law", model, model->contact.law);
   qn_json_put_number (json, "tolerance", model->contact.tolerance);
   put_pair_rule (json, &model->contact.pairs);
+  qn_json_append_inner (json, inner, "contact.pairs");
   if (model->override_count > 0) {
     g_string_append (json, ",\n    \"faces\": [\n      ");
     for (size_t i = 0; i < model->override_count; i++) {
       g_string_append (json, i > 0 ? ",\n      " : "");
       append_face (json, model, &model->overrides[i]);
+      qn_json_append_note (json, inner, model->overrides[i].note);
     }
     g_string_append (json, " ]");
   }
@@ -182,7 +184,7 @@ append_contact (GString *json, const QnModel *model)
 }
 
 static void
-append_bars (GString *json, const QnModel *model)
+append_bars (GString *json, const QnModel *model, GHashTable *inner)
 {
   if (model->bar_count == 0)
     return;
@@ -195,6 +197,7 @@ append_bars (GString *json, const QnModel *model)
     qn_json_put_vec2 (json, "start", bar->start);
     qn_json_put_vec2 (json, "end", bar->end);
     g_string_append (json, " }");
+    qn_json_append_note (json, inner, bar->note);
   }
   g_string_append (json, " ],\n");
 }
@@ -238,7 +241,7 @@ append_structure (GString *json, const QnModel *model, GHashTable *inner,
   for (size_t i = 0; i < model->law_count; i++) {
     g_string_append (json, i > 0 ? ",\n    " : "\n    ");
     append_law (json, &model->laws[i]);
-    qn_json_append_inner (json, inner, "laws", model->laws[i].name);
+    qn_json_append_note (json, inner, model->laws[i].note);
   }
   g_string_append (json, " ],\n  \"blocks\": [");
   gboolean first = TRUE;
@@ -250,7 +253,7 @@ append_structure (GString *json, const QnModel *model, GHashTable *inner,
     if (like != NULL && qn_block_lines_append_same (json, like, model, (QnId) i))
       continue;
     append_block (json, model, (QnId) i);
-    qn_json_append_inner (json, inner, "blocks", model->blocks[i].name);
+    qn_json_append_note (json, inner, model->blocks[i].note);
   }
   g_string_append (json, " ],\n");
   if (model->wall_count == 0)
@@ -260,7 +263,7 @@ append_structure (GString *json, const QnModel *model, GHashTable *inner,
   for (size_t i = 0; i < model->wall_count; i++) {
     g_string_append (json, i > 0 ? ",\n    " : "\n    ");
     append_wall (json, model, &model->walls[i]);
-    qn_json_append_inner (json, inner, "walls", model->walls[i].name);
+    qn_json_append_note (json, inner, model->walls[i].note);
   }
   g_string_append (json, " ],\n");
 }
@@ -299,16 +302,16 @@ write_text (const QnProject *project, const QnBlockLines *like, gsize *length)
   append_head (json, model);
   GHashTable *inner = qn_project_index_inner (project);
   append_structure (json, model, inner, like);
-  qn_project_append_beams (json, model);
-  append_contact (json, model);
-  qn_json_append_inner (json, inner, "contact", NULL);
+  qn_project_append_beams (json, model, inner);
+  append_contact (json, model, inner);
+  qn_json_append_inner (json, inner, "contact");
   g_string_append (json, ",\n");
-  append_bars (json, model);
-  qn_project_append_loads (json, model);
-  qn_json_append_inner (json, inner, "loads", NULL);
+  append_bars (json, model, inner);
+  qn_project_append_loads (json, model, inner);
+  qn_json_append_inner (json, inner, "loads");
   g_string_append (json, ",\n");
-  qn_project_append_analysis (json, model);
-  qn_json_append_inner (json, inner, "analysis", NULL);
+  qn_project_append_analysis (json, model, inner);
+  qn_json_append_inner (json, inner, "analysis");
   g_clear_pointer (&inner, g_hash_table_unref);
 
   const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;

@@ -195,6 +195,53 @@ test_loads (void)
   g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
 }
 
+static gboolean
+shift_stone (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  const QnId stone = 1;
+  return qn_edit_transform_blocks (model, (QnBlockSet){ &stone, 1 },
+                                   qn_transform_translation (0.1, 0), error);
+}
+
+static gboolean
+rename_stone (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_rename_block (model, 1, "rock", error);
+}
+
+/* What no layer knows stays with its load and its block through edits of all kinds. */
+static void
+test_unknown_members (void)
+{
+  g_autoptr (QnDocument) document = open_stone ();
+  QnLoad force = { .kind = QN_LOAD_FORCE,
+                   .block = 1,
+                   .node = QN_NONE,
+                   .beam = QN_NONE,
+                   .vector = { 0, -500 } };
+  edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
+  g_auto (GStrv) parts = g_strsplit (qn_document_get_text (document), "[0, -500]", 2);
+  g_autofree char *marked =
+    g_strjoin ("[0, -500], \"source\": \"site\"", parts[0], parts[1], NULL);
+  g_auto (GStrv) halves = g_strsplit (marked, "\"name\": \"stone\"", 2);
+  g_autofree char *whole =
+    g_strjoin ("\"name\": \"stone\", \"colour\": \"red\"", halves[0], halves[1], NULL);
+  g_assert_true (qn_document_load_text (document, whole, "marked", NULL));
+  edit (document, shift_stone, NULL);
+  edit (document, rename_stone, NULL);
+  edit (document, remove_it, &(Put){ QN_DEAD_LOADS, 0, force }); /* the weight */
+  force.vector.y = -800;
+  force.note =
+    qn_model_get_load (qn_document_get_model (document), QN_DEAD_LOADS, 0)->note;
+  edit (document, replace, &(Put){ QN_DEAD_LOADS, 0, force });
+  const char *now = qn_document_get_text (document);
+  g_assert_nonnull (strstr (now, "[0, -800], \"source\": \"site\" }"));
+  g_assert_nonnull (strstr (now, "\"name\": \"rock\""));
+  g_assert_nonnull (strstr (now, "\"colour\": \"red\" }"));
+}
+
 /* The analysis becomes the first stage with its end; what follows drives what waits. */
 static void
 test_stages (void)
@@ -276,6 +323,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-stage/loads", test_loads);
+  g_test_add_func ("/doc/edit-stage/unknown-members", test_unknown_members);
   g_test_add_func ("/doc/edit-stage/stages", test_stages);
   g_test_add_func ("/doc/edit-stage/order", test_order);
   return g_test_run ();

@@ -348,6 +348,70 @@ test_inner_members (void)
   qn_project_clear (&project);
 }
 
+/* Members that no layer knows, in everything that has no name as well. */
+static void
+test_note_members (void)
+{
+  static const char json[] =
+    "{ \"format\": \"quoin\", \"version\": 1,"
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"basis\": \"surface\","
+    "    \"kn\": 1e9, \"ks\": 1e9, \"friction\": 0.6, \"k1\": 1 } ],"
+    "  \"blocks\": [ { \"name\": \"a\", \"vertices\": [[0,0],[1,0],[1,1],[0,1]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true], "
+    "\"k2\": 2 },"
+    "    { \"name\": \"b\", \"vertices\": [[0,1],[1,1],[1,2],[0,2]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+    "  \"walls\": [ { \"name\": \"w\", \"origin\": [0, 2], \"unit\": [1, 1],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4, \"courses\": [[1]], \"k3\": 3 } ],"
+    "  \"sections\": [ { \"name\": \"s\", \"young\": 1e9, \"width\": 1, \"height\": 1,"
+    "    \"k4\": 4 } ],"
+    "  \"nodes\": [ { \"name\": \"n\", \"block\": \"b\", \"k5\": 5 },"
+    "    { \"name\": \"m\", \"at\": [3, 3], \"k6\": 6 } ],"
+    "  \"beams\": [ { \"name\": \"beam\", \"nodes\": [\"n\", \"m\"], \"section\": \"s\","
+    "    \"k7\": 7 } ],"
+    "  \"bars\": [ { \"law\": \"dry\", \"area\": 1e-4, \"start\": [0.5, 0.5],"
+    "    \"end\": [0.5, 1.5], \"k8\": 8 } ],"
+    "  \"contact\": { \"law\": \"dry\", \"pairs\": { \"placement\": \"ends\", \"k9\": 9 "
+    "},"
+    "    \"faces\": [ { \"blocks\": [\"a\", \"b\"], \"law\": \"dry\", \"k10\": 10 } ] },"
+    "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] },"
+    "      { \"kind\": \"weight\", \"direction\": [0, -1], \"k11\": 11 } ],"
+    "    \"live\": [ { \"kind\": \"force\", \"block\": \"b\", \"value\": [1, 0], "
+    "\"k12\": 12 } ],"
+    "    \"sets\": { \"a.b\": [ { \"kind\": \"force\", \"block\": \"b\", \"value\": [2, "
+    "0] },"
+    "      { \"kind\": \"force\", \"block\": \"b\", \"value\": [3, 0], \"k13\": 13 } ] } "
+    "},"
+    "  \"analysis\": { \"control\": { \"block\": \"b\", \"component\": \"ux\","
+    "      \"target\": 1, \"k14\": 14 },"
+    "    \"stages\": [ { \"loads\": \"live\", \"target\": 1 },"
+    "      { \"loads\": \"a.b\", \"target\": 1, \"k15\": { \"deep\": [15] } } ] } }";
+  QnProject project, again;
+  test_parse (json, &project);
+  g_autofree char *written = qn_project_to_text (&project, NULL);
+  test_parse (written, &again);
+  g_autofree char *rewritten = qn_project_to_text (&again, NULL);
+  g_assert_cmpstr (rewritten, ==, written);
+  for (int k = 1; k <= 15; k++) {
+    g_autofree char *member = k < 15 ? g_strdup_printf ("\"k%d\": %d", k, k)
+                                     : g_strdup ("\"k15\": { \"deep\": [15] }");
+    const char *first = strstr (written, member);
+    g_assert_nonnull (first);
+    g_assert_null (strstr (first + 1, member));
+  }
+  /* They are those of the second load of the set, and go where it goes. */
+  QnModel *model = &again.model;
+  g_assert_cmpint (model->live_loads[1].note, ==, 0);
+  g_assert_cmpint (model->live_loads[2].note, !=, 0);
+  QnLoad other = model->live_loads[1];
+  model->live_loads[1] = model->live_loads[2];
+  model->live_loads[2] = other;
+  g_autofree char *swapped = qn_project_to_text (&again, NULL);
+  g_assert_nonnull (strstr (swapped, "\"value\": [3, 0], \"k13\": 13 }"));
+  qn_project_clear (&again);
+  qn_project_clear (&project);
+}
+
 /* Load sets, settlements and stages. */
 static void
 test_stages (void)
@@ -411,6 +475,7 @@ main (int argc, char **argv)
   g_test_add_func ("/project-write/layout", test_layout);
   g_test_add_func ("/project-write/save", test_save);
   g_test_add_func ("/project-write/inner-members", test_inner_members);
+  g_test_add_func ("/project-write/note-members", test_note_members);
   g_test_add_func ("/project-write/stages", test_stages);
   return g_test_run ();
 }
