@@ -29,6 +29,17 @@ write_contacts (QnWindow *self, const char *path)
     qn_window_show_error (self, error->message);
 }
 
+static void
+write_beams (QnWindow *self, const char *path)
+{
+  QnRun *run = qn_document_get_run (self->document);
+  g_autoptr (GError) error = NULL;
+  QnProject project = *qn_document_get_project (self->document);
+  project.model = run->model;
+  if (!qn_beams_csv_write (path, &project, &run->result, &error))
+    qn_window_show_error (self, error->message);
+}
+
 /* ---- choosing the file ---- */
 
 typedef void (*WriteFunc) (QnWindow *window, const char *path);
@@ -42,6 +53,7 @@ static const struct {
   { "animation", NULL, NULL, qn_animation_export_to },
   { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), write_curve },
   { "contacts", N_ ("Export Contacts as Table"), N_ ("contacts.csv"), write_contacts },
+  { "beams", N_ ("Export Section Forces as Table"), N_ ("beams.csv"), write_beams },
 };
 
 static void

@@ -40,6 +40,8 @@ write_csv (const Options *options, const QnInput *input, const QnResult *result,
   if (g_strcmp0 (options->table, "contacts") == 0)
     return qn_contacts_csv_write (options->output, project, &input->contacts, result,
                                   error);
+  if (g_strcmp0 (options->table, "beams") == 0)
+    return qn_beams_csv_write (options->output, project, result, error);
   return qn_curve_csv_write (options->output, project, result, error);
 }
 
@@ -89,7 +91,8 @@ load_and_export (const Options *options, Format format, const char *path)
 static QnExit
 check_options (const QnSubcommand *self, const Options *options, Format *format)
 {
-  static const char *const tables[] = { "curve", "displacements", "contacts", NULL };
+  static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
+                                        NULL };
   const char *problem = NULL;
   if (options->output == NULL)
     problem = _ ("-o is missing");
@@ -100,7 +103,7 @@ check_options (const QnSubcommand *self, const Options *options, Format *format)
   else if (*format == FORMAT_CSV && options->result == NULL)
     problem = _ ("a table needs --result");
   else if (options->table != NULL && !g_strv_contains (tables, options->table))
-    problem = _ ("--table must be curve, displacements or contacts");
+    problem = _ ("--table must be curve, displacements, contacts or beams");
   if (problem == NULL)
     return QN_EXIT_DONE;
   qn_cli_usage_error (self->name, problem);
@@ -122,7 +125,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &options.scale,
       N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
     { "table", 0, 0, G_OPTION_ARG_STRING, &options.table,
-      N_ ("Table of the CSV file: curve (default), displacements or contacts"),
+      N_ ("Table of the CSV file: curve (default), displacements, contacts or beams"),
       N_ ("TABLE") },
     QN_INPUT_SET_ENTRY (&options.overrides),
     G_OPTION_ENTRY_NULL,
@@ -145,9 +148,9 @@ const QnSubcommand qn_cmd_export = {
   .name = "export",
   .arguments = "MODEL -o OUT.dxf|pvd|csv",
   .summary = N_ ("Write DXF for CAD programs, PVD for ParaView, tables as CSV"),
-  .help =
-    N_ ("DXF has the layers BLOCKS, SUPPORTS, CONTACTS and, with a result, DEFORMED. PVD "
-        "lists one VTU file per step, written beside it, and one with the contact "
-        "forces."),
+  .help = N_ (
+    "DXF has the layers BLOCKS, SUPPORTS, CONTACTS, BEAMS where there are any and, with "
+    "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
+    "beams one more, and one with the contact forces."),
   .run = run,
 };

@@ -24,6 +24,7 @@ typedef struct Export {
   QnFileWriter *writer;
   double unit;
   guint handle; /* the next free one */
+  gboolean beams;
 } Export;
 
 static void
@@ -116,14 +117,15 @@ begin_record (Export *export, const char *type, guint handle, guint table,
 static void
 put_layers (Export *export)
 {
+  const gsize beams = 1; /* the last one, where there are any */
   static const struct {
     const char *name;
     int color;
-  } layers[] = {
-    { "0", 7 }, { "BLOCKS", 7 }, { "SUPPORTS", 5 }, { "CONTACTS", 1 }, { "DEFORMED", 3 }
-  };
-  begin_table (export, "LAYER", HANDLE_LAYERS, G_N_ELEMENTS (layers));
-  for (gsize i = 0; i < G_N_ELEMENTS (layers); i++) {
+  } layers[] = { { "0", 7 },        { "BLOCKS", 7 },   { "SUPPORTS", 5 },
+                 { "CONTACTS", 1 }, { "DEFORMED", 3 }, { "BEAMS", 6 } };
+  gsize count = G_N_ELEMENTS (layers) - (export->beams ? 0 : beams);
+  begin_table (export, "LAYER", HANDLE_LAYERS, (int) count);
+  for (gsize i = 0; i < count; i++) {
     begin_record (export, "LAYER", export->handle++, HANDLE_LAYERS,
                   "AcDbLayerTableRecord", layers[i].name);
     put_int (export, 70, 0);
@@ -268,15 +270,44 @@ put_block (Export *export, const QnModel *model, QnId id, const char *layer,
 }
 
 static void
-put_contact (Export *export, const QnContactFace *face)
+put_segment (Export *export, const char *layer, QnVec2 start, QnVec2 end)
 {
-  begin_entity (export, "LINE", "CONTACTS", "AcDbLine");
-  put_length (export, 10, face->start.x);
-  put_length (export, 20, face->start.y);
+  begin_entity (export, "LINE", layer, "AcDbLine");
+  put_length (export, 10, start.x);
+  put_length (export, 20, start.y);
   put (export, 30, "0.0");
-  put_length (export, 11, face->end.x);
-  put_length (export, 21, face->end.y);
+  put_length (export, 11, end.x);
+  put_length (export, 21, end.y);
   put (export, 31, "0.0");
+}
+
+/* Where a node has gone; u: rows of the nodes, or NULL. */
+static QnVec2
+place_node (const QnModel *model, QnId node, const double *u, double scale)
+{
+  QnVec2 at = model->nodes[node].at;
+  if (u == NULL)
+    return at;
+  const double *row = u + (size_t) node * QN_DOF_COUNT;
+  return qn_vec2_add_scaled (at, scale, qn_vec2 (row[QN_DOF_UX], row[QN_DOF_UY]));
+}
+
+/* Beams as they lie, whole; displaced ones element by element. */
+static void
+put_beams (Export *export, const QnModel *model, const QnResult *result, double scale)
+{
+  for (size_t i = 0; i < model->beam_count; i++)
+    put_segment (export, "BEAMS", model->nodes[model->beams[i].nodes[0]].at,
+                 model->nodes[model->beams[i].nodes[1]].at);
+  if (result == NULL || result->step_count == 0
+      || result->node_count != model->node_count)
+    return;
+  const double *u = qn_result_step_displacements (result, result->step_count - 1)
+                    + result->block_count * QN_DOF_COUNT;
+  for (size_t i = 0; i < model->element_count; i++)
+    put_segment (export, "DEFORMED",
+                 place_node (model, model->elements[i].nodes[0], u, scale),
+                 place_node (model, model->elements[i].nodes[1], u, scale));
 }
 
 static gboolean
@@ -296,12 +327,13 @@ put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
     put_block (export, model, (QnId) i,
                is_fixed (&model->blocks[i]) ? "SUPPORTS" : "BLOCKS", NULL, 0);
   for (size_t i = 0; contacts != NULL && i < contacts->face_count; i++)
-    put_contact (export, &contacts->faces[i]);
+    put_segment (export, "CONTACTS", contacts->faces[i].start, contacts->faces[i].end);
   if (result != NULL && result->step_count > 0) {
     const double *u = qn_result_step_displacements (result, result->step_count - 1);
     for (size_t i = 0; i < model->block_count; i++)
       put_block (export, model, (QnId) i, "DEFORMED", u + i * QN_DOF_COUNT, scale);
   }
+  put_beams (export, model, result, scale);
   put (export, 0, "ENDSEC");
 }
 
@@ -309,7 +341,8 @@ gboolean
 qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult *result,
                double scale, double unit, const char *path, GError **error)
 {
-  Export export = { qn_file_writer_open (path, error), unit, FIRST_ENTITY };
+  Export export = { qn_file_writer_open (path, error), unit, FIRST_ENTITY,
+                    model->beam_count > 0 };
   if (export.writer == NULL)
     return FALSE;
   put_header (&export);

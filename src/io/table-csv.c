@@ -231,3 +231,45 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
   }
   return qn_file_writer_commit (writer, error);
 }
+
+/* A row for one end of an element. */
+static void
+write_beam_end (QnFileWriter *writer, const QnModel *model, size_t element, int end,
+                const QnBeamForces *forces)
+{
+  const QnBeamElement *e = &model->elements[element];
+  const QnBeam *beam = &model->beams[e->beam];
+  QnVec2 at = model->nodes[e->nodes[end]].at;
+  QnVec2 from = model->nodes[beam->nodes[0]].at;
+  const double numbers[] = { at.x,
+                             at.y,
+                             qn_vec2_length (qn_vec2_sub (at, from)),
+                             forces->normal[end],
+                             forces->shear[end],
+                             forces->moment[end] };
+  write_text (writer, beam->name, "");
+  qn_file_writer_printf (writer, ",%d,", (int) element - beam->first_element);
+  write_text (writer, model->nodes[e->nodes[end]].name, "");
+  write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
+  qn_file_writer_puts (writer, "\n");
+}
+
+gboolean
+qn_beams_csv_write (const char *path, const QnProject *project, const QnResult *result,
+                    GError **error)
+{
+  const QnModel *model = &project->model;
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_puts (writer, "beam,element,node,x [m],y [m],s [m],normal force N [N],"
+                               "shear force V [N],moment M [N m]\n");
+  gboolean known = result->step_count > 0 && result->beam_forces != NULL
+                   && result->element_count == model->element_count;
+  const QnBeamForces *forces =
+    known ? qn_result_step_beam_forces (result, result->step_count - 1) : NULL;
+  for (size_t i = 0; known && i < model->element_count; i++)
+    for (int end = 0; end < 2; end++)
+      write_beam_end (writer, model, i, end, &forces[i]);
+  return qn_file_writer_commit (writer, error);
+}

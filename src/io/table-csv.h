@@ -28,4 +28,9 @@ gboolean qn_contacts_csv_write (const char *path, const QnProject *project,
                                 const QnContacts *contacts, const QnResult *result,
                                 GError **error);
 
+/* Section forces of beams at the last equilibrium: both ends of every element. Only the header where
+ * there are none, or the result does not know them. */
+gboolean qn_beams_csv_write (const char *path, const QnProject *project,
+                             const QnResult *result, GError **error);
+
 #endif

@@ -4,55 +4,14 @@
 #include "io/file-writer.h"
 #include "io/io-error.h"
 #include "io/number-text.h"
+#include "io/vtu-xml.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define VTK_LINE    3
-#define VTK_POLYGON 7
-
 /* Longest force arrow, as part of the model's extent. */
 #define FORCE_LENGTH 0.1
-
-/* A component of entry `index` of an array. */
-typedef double (*ValueFunc) (const void *data, size_t index, int component);
-
-static void
-begin_file (QnFileWriter *writer, size_t points, size_t cells)
-{
-  qn_file_writer_printf (
-    writer,
-    "<?xml version=\"1.0\"?>\n"
-    "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-    "<UnstructuredGrid>\n<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n",
-    points, cells);
-}
-
-static void
-end_file (QnFileWriter *writer)
-{
-  qn_file_writer_puts (writer, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-}
-
-static void
-put_array (QnFileWriter *writer, const char *type, const char *name, int components,
-           size_t count, ValueFunc value, const void *data)
-{
-  qn_file_writer_printf (writer,
-                         "<DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" "
-                         "format=\"ascii\">\n",
-                         type, name, components);
-  for (size_t i = 0; i < count; i++) {
-    for (int c = 0; c < components; c++) {
-      if (c > 0)
-        qn_file_writer_puts (writer, " ");
-      qn_file_writer_number (writer, value (data, i, c));
-    }
-    qn_file_writer_puts (writer, "\n");
-  }
-  qn_file_writer_puts (writer, "</DataArray>\n");
-}
 
 /* The blocks at one step. */
 typedef struct Blocks {
@@ -135,7 +94,7 @@ polygon_value (const void *data, size_t index, int component)
   (void) data;
   (void) index;
   (void) component;
-  return VTK_POLYGON;
+  return QN_VTK_POLYGON;
 }
 
 static double
@@ -166,22 +125,23 @@ write_blocks (const Blocks *blocks, QnFileWriter *writer, GError **error)
   if (writer == NULL)
     return FALSE;
   size_t points = blocks->point_count, cells = blocks->model->block_count;
-  begin_file (writer, points, cells);
+  qn_vtu_begin (writer, points, cells);
   qn_file_writer_puts (writer, "<Points>\n");
-  put_array (writer, "Float64", "Points", 3, points, point_value, blocks);
+  qn_vtu_put_array (writer, "Float64", "Points", 3, points, point_value, blocks);
   qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  put_array (writer, "Int64", "connectivity", 1, points, index_value, blocks);
-  put_array (writer, "Int64", "offsets", 1, cells, end_value, blocks);
-  put_array (writer, "UInt8", "types", 1, cells, polygon_value, blocks);
+  qn_vtu_put_array (writer, "Int64", "connectivity", 1, points, index_value, blocks);
+  qn_vtu_put_array (writer, "Int64", "offsets", 1, cells, end_value, blocks);
+  qn_vtu_put_array (writer, "UInt8", "types", 1, cells, polygon_value, blocks);
   qn_file_writer_puts (writer, "</Cells>\n<PointData Vectors=\"displacement\">\n");
-  put_array (writer, "Float64", "displacement", 3, points, displacement_value, blocks);
+  qn_vtu_put_array (writer, "Float64", "displacement", 3, points, displacement_value,
+                    blocks);
   qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"block\">\n");
-  put_array (writer, "Int64", "block", 1, cells, index_value, blocks);
-  put_array (writer, "UInt8", "supported", 1, cells, supported_value, blocks);
-  put_array (writer, "Float64", "motion", 3, cells, motion_value, blocks);
-  put_array (writer, "Float64", "weight", 1, cells, weight_value, blocks);
+  qn_vtu_put_array (writer, "Int64", "block", 1, cells, index_value, blocks);
+  qn_vtu_put_array (writer, "UInt8", "supported", 1, cells, supported_value, blocks);
+  qn_vtu_put_array (writer, "Float64", "motion", 3, cells, motion_value, blocks);
+  qn_vtu_put_array (writer, "Float64", "weight", 1, cells, weight_value, blocks);
   qn_file_writer_puts (writer, "</CellData>\n");
-  end_file (writer);
+  qn_vtu_end (writer);
   return qn_file_writer_commit (writer, error);
 }
 
@@ -227,7 +187,7 @@ line_value (const void *data, size_t index, int component)
   (void) data;
   (void) index;
   (void) component;
-  return VTK_LINE;
+  return QN_VTK_LINE;
 }
 
 static double
@@ -257,19 +217,20 @@ write_forces (const Forces *forces, QnFileWriter *writer, GError **error)
   if (writer == NULL)
     return FALSE;
   size_t cells = forces->contacts->pair_count;
-  begin_file (writer, 2 * cells, cells);
+  qn_vtu_begin (writer, 2 * cells, cells);
   qn_file_writer_puts (writer, "<Points>\n");
-  put_array (writer, "Float64", "Points", 3, 2 * cells, force_point, forces);
+  qn_vtu_put_array (writer, "Float64", "Points", 3, 2 * cells, force_point, forces);
   qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  put_array (writer, "Int64", "connectivity", 1, 2 * cells, index_value, forces);
-  put_array (writer, "Int64", "offsets", 1, cells, line_end, forces);
-  put_array (writer, "UInt8", "types", 1, cells, line_value, forces);
+  qn_vtu_put_array (writer, "Int64", "connectivity", 1, 2 * cells, index_value, forces);
+  qn_vtu_put_array (writer, "Int64", "offsets", 1, cells, line_end, forces);
+  qn_vtu_put_array (writer, "UInt8", "types", 1, cells, line_value, forces);
   qn_file_writer_puts (writer, "</Cells>\n<CellData Scalars=\"state\">\n");
-  put_array (writer, "Int64", "state", 1, cells, state_value, forces);
-  put_array (writer, "Int64", "face", 1, cells, face_value, forces);
-  put_array (writer, "Float64", "normal_shear_force", 2, cells, force_value, forces);
+  qn_vtu_put_array (writer, "Int64", "state", 1, cells, state_value, forces);
+  qn_vtu_put_array (writer, "Int64", "face", 1, cells, face_value, forces);
+  qn_vtu_put_array (writer, "Float64", "normal_shear_force", 2, cells, force_value,
+                    forces);
   qn_file_writer_puts (writer, "</CellData>\n");
-  end_file (writer);
+  qn_vtu_end (writer);
   return qn_file_writer_commit (writer, error);
 }
 
@@ -334,7 +295,15 @@ write_steps (Export *export, Blocks *blocks, const QnContacts *contacts,
     blocks->u = has ? qn_result_step_displacements (result, i) : NULL;
     if (!write_blocks (blocks, open_member (export, name, error), error))
       return FALSE;
-    put_entry (export, has ? result->steps[i].multiplier : 0, 0, name);
+    double time = has ? result->steps[i].multiplier : 0;
+    put_entry (export, time, 0, name);
+    if (blocks->model->element_count == 0)
+      continue;
+    g_autofree char *beams = g_strdup_printf ("%s_beams_%04zu.vtu", export->stem, i);
+    if (!qn_vtu_write_beams (open_member (export, beams, error), blocks->model, result, i,
+                             error))
+      return FALSE;
+    put_entry (export, time, 2, beams);
   }
   if (result == NULL || result->step_count == 0
       || result->pair_count != contacts->pair_count)

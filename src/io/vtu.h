@@ -14,6 +14,9 @@
  * motion. Point data: displacement (m, the rigid motion with a finite rotation). Cell data: block,
  * supported, motion (ux, uy, rz of the centroid), weight (N).
  *
+ * Beams are in NAME_beams_0000.vtu and so on, a line per element on points of its own; point data:
+ * displacement, normal_shear_moment (N, N, N m, at the element's ends); cell data: beam.
+ *
  * The forces at the last equilibrium are in NAME_forces.vtu, a line per contact pair from its
  * point along the force on the second block, the largest a tenth of the model's extent long; cell
  * data: state (0 stick, 1 slip, 2 open, 3 yield), normal_shear_force (N), face. Errors: QN_IO_ERROR. */

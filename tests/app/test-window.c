@@ -251,7 +251,8 @@ test_animate (void)
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   static const char *const kinds[][2] = { { "animation", "a.gif" },
                                           { "curve", "b.csv" },
-                                          { "contacts", "c.csv" } };
+                                          { "contacts", "c.csv" },
+                                          { "beams", "d.csv" } };
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *path = g_build_filename (folder, kinds[i][1], NULL);
     g_autofree char *action =
