@@ -32,7 +32,16 @@
 #define TO_BOUNDARY 0.995
 
 /* The iteration leads nowhere if complementarity has not halved in so many iterations. */
-#define PATIENCE 10
+#define PATIENCE       10
+#define SHORT_PATIENCE 5
+
+/* Part of the direction that counts as a short step. */
+#define SHORT 0.2
+
+/* Complementarity at which a new central path begins: so many times that at which the last one
+ * turned back, and LONGER times that of the last beginning, as long as that gets no further. */
+#define RISE   10.0
+#define LONGER 10.0
 
 /* Centrality correctors: at most so many, for steps shorter than LONG; products are brought
  * within CENTRAL times their mean either way; a corrector must gain GAIN. */
@@ -44,6 +53,7 @@
 struct QnCentralPath {
   QnEquilibrium *eq;
   double force, length;
+  bool turns_back; /* may, for some joint is not associative */
   QnCentralPair *pairs;
   QnCentralStep *steps; /* the direction of the pairs, */
   QnCentralStep *kept;  /* and that found so far, while a better one is sought */
@@ -64,6 +74,15 @@ qn_central_path_applies (const QnAssembly *as)
   return false;
 }
 
+static bool
+is_associative (const QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (as->springs[p].a.dilatancy < as->springs[p].a.friction)
+      return false;
+  return true;
+}
+
 QnCentralPath *
 qn_central_path_new (QnEquilibrium *eq)
 {
@@ -73,6 +92,7 @@ qn_central_path_new (QnEquilibrium *eq)
   if (path == NULL)
     return NULL;
   path->eq = eq;
+  path->turns_back = !is_associative (as);
   path->force = as->force_scale > 0 ? as->force_scale : 1;
   path->length = path->force / as->stiffness;
   path->pairs = qn_alloc (as->pair_count, sizeof *path->pairs);
@@ -88,6 +108,12 @@ qn_central_path_new (QnEquilibrium *eq)
     return NULL;
   }
   return path;
+}
+
+bool
+qn_central_path_turns_back (const QnCentralPath *path)
+{
+  return path->turns_back;
 }
 
 void
@@ -118,6 +144,8 @@ typedef struct {
   double complementarity; /* asked for */
   double watched_gap;     /* when it had last halved, */
   int watched_since;      /* and that iteration */
+  bool relaxes;           /* a new central path may begin where this one ends */
+  int short_steps;        /* one after the other, up to now */
 } Increment;
 
 /* The elongations of all pairs at eq->u, in units of the path; the pairs of other laws are
@@ -402,13 +430,11 @@ finish (Increment *increment)
   return status;
 }
 
-/* Takes the forces as they are, in balance and within their strengths, with the plastic
- * elongations that belong to them: where many pairs are neither sliding nor stuck, Newton's
- * method has nothing to hold on to. */
-static QnSolveStatus
-adopt (Increment *increment)
+/* The responses of the laws become the forces as they are, with the plastic elongations that
+ * belong to them. */
+static void
+take_flow (QnCentralPath *path)
 {
-  QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
   QnAssembly *as = &eq->assembly;
 
@@ -433,10 +459,19 @@ adopt (Increment *increment)
       response->memory.a.slip = as->kinematics[p].elongation[1]
                                 - path->length * pair->flexibility[1] * pair->y[1];
   }
-  return qn_equilibrium_newton (eq, increment->target, 0, 0);
 }
 
-/* Whether complementarity still improves. */
+/* Accepts what was reached, in balance and within all strengths: where many pairs are neither
+ * sliding nor stuck, Newton's method has nothing to hold on to. */
+static QnSolveStatus
+adopt (Increment *increment)
+{
+  take_flow (increment->path);
+  return qn_equilibrium_newton (increment->path->eq, increment->target, 0, 0);
+}
+
+/* Whether complementarity still improves. Where relaxation waits to go on from here, two short
+ * steps one after the other are a sign that the central path turns back. */
 static bool
 makes_headway (Increment *increment, int iteration)
 {
@@ -444,8 +479,11 @@ makes_headway (Increment *increment, int iteration)
     increment->watched_gap = increment->gap;
     increment->watched_since = iteration;
   }
-  return iteration - increment->watched_since < PATIENCE
-         || !increment->path->eq->assembly.model->analysis.shortcuts.early_failure;
+  if (!increment->path->eq->assembly.model->analysis.shortcuts.early_failure)
+    return true;
+  int patience = increment->relaxes ? SHORT_PATIENCE : PATIENCE;
+  return iteration - increment->watched_since < patience
+         && !(increment->relaxes && increment->short_steps == 2);
 }
 
 /* One iteration of the interior-point method. */
@@ -474,6 +512,7 @@ improve (Increment *increment)
   find_direction (increment);
   double step = centre (increment, mean, way_to_boundary (increment));
   take_step (increment, fmin (1, TO_BOUNDARY * step));
+  increment->short_steps = step < SHORT ? increment->short_steps + 1 : 0;
   return QN_SOLVE_CONVERGED;
 }
 
@@ -531,20 +570,67 @@ expected_elongation (const QnCentralPath *path, const QnTarget *target)
   return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->length)) : 1;
 }
 
-QnSolveStatus
-qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
+/* From the committed state towards the target. */
+static Increment
+begin (QnCentralPath *path, const QnTarget *target)
 {
   QnEquilibrium *eq = path->eq;
-  Increment increment = { .path = path,
-                          .target = target,
-                          .complementarity = COMPLEMENTARITY };
-  double size = expected_elongation (path, target);
 
   qn_equilibrium_restore (eq);
   if (target->direction == NULL)
     eq->multiplier = target->multiplier;
-  for (size_t p = 0; p < eq->assembly.pair_count; p++)
+  return (Increment){ .path = path, .target = target };
+}
+
+/* One central path from the current displacements and forces, from mean products of `size`. */
+static QnSolveStatus
+follow (Increment *increment, double size, int budget)
+{
+  QnCentralPath *path = increment->path;
+
+  increment->complementarity = COMPLEMENTARITY;
+  increment->short_steps = 0;
+  for (size_t p = 0; p < path->eq->assembly.pair_count; p++)
     start_pair (path, p, size);
-  QnSolveStatus status = iterate (&increment, budget);
-  return status;
+  return iterate (increment, budget);
+}
+
+QnSolveStatus
+qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
+{
+  Increment increment = begin (path, target);
+
+  return follow (&increment, expected_elongation (path, target), budget);
+}
+
+QnSolveStatus
+qn_central_path_relax (QnCentralPath *path, const QnTarget *target, int budget,
+                       int passes)
+{
+  QnEquilibrium *eq = path->eq;
+  double size = expected_elongation (path, target), gap_before = INFINITY;
+
+  if (!path->turns_back)
+    return qn_central_path_solve (path, target, budget);
+  Increment increment = begin (path, target);
+
+  increment.relaxes = true;
+  for (int pass = 0; pass < passes; pass++) {
+    QnSolveStatus status = follow (&increment, size, budget);
+    if (status != QN_SOLVE_FAILED)
+      return status;
+    if (!isfinite (increment.gap))
+      return QN_SOLVE_FAILED;
+    if (target->direction != NULL && eq->multiplier < eq->committed.multiplier)
+      return QN_SOLVE_FAILED; /* a branch that falls */
+    if (qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY)
+      return QN_SOLVE_MECHANISM;
+
+    take_flow (path);
+    qn_assembly_commit (&eq->assembly);
+    bool nearer = increment.gap <= 0.5 * gap_before;
+    size = fmax (fmax (1, RISE * increment.gap), nearer ? size / LONGER : size * LONGER);
+    gap_before = increment.gap;
+  }
+  return QN_SOLVE_FAILED;
 }

@@ -38,10 +38,23 @@ QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
 
 void qn_central_path_free (QnCentralPath *path);
 
+/* Whether it may turn back: some joint is not associative. */
+bool qn_central_path_turns_back (const QnCentralPath *path);
+
 /* From the committed state to the target, with at most `budget` factorisations, and then to the
  * residual tolerance by qn_equilibrium_newton(). Leaves the outcome as the current state:
  * CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
 QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target,
                                      int budget);
+
+/* The same where one central path leads nowhere, for it turns back: what has slid until there
+ * is committed, and a new one begins. Each is a step of relaxation like those of qn_equilibrium_relax(),
+ * and as long as they get no further they grow; at most `passes` of them, with `budget`
+ * factorisations each. The structure rests in the end (CONVERGED) or has moved by QN_RUNAWAY
+ * and still does (MECHANISM; eq->velocity is not set, for on the way pairs are neither here nor
+ * there). With a measure that
+ * advances, the multiplier being free, a branch on which the multiplier falls has FAILED. */
+QnSolveStatus qn_central_path_relax (QnCentralPath *path, const QnTarget *target,
+                                     int budget, int passes);
 
 #endif

@@ -1,35 +1,37 @@
-/* From the last equilibrium that load control found to collapse.
+/* From the last equilibrium that load control found towards collapse.
  *
  * Near collapse a little more load means a lot more motion, so the motion is prescribed: the
  * live load's work grows tenfold from step to step, each solved as a whole along the central
  * path, and the multiplier follows. It settles as the elastic part of the motion becomes
  * nothing beside the mechanism; what is still to come is then a tenth of what the last step
- * gained.
+ * gained. Without associativity the multiplier may fall instead, for a long step can lose the
+ * branch that a shorter one keeps: the step shortens until it gains or is too short to matter.
  */
 #include "core/path.h"
 
 #include <math.h>
 #include <string.h>
 
-/* By which the work grows from step to step, and is cut where a step has no solution. */
-#define GROWTH 10.0
-#define CUT    3.0
+/* By which the work grows from step to step: at most, and where the approach gives up. */
+#define GROWTH       10.0
+#define LEAST_GROWTH 1.5
 
 /* Part of the multiplier's tolerance that may be left to gain. */
 #define SETTLED 0.1
 
-#define MOST_FAILURES 4
-
-/* Factorisations of one step. */
+/* Factorisations of one central path, and how many of them the first step may take, which may
+ * have a jump to cross. */
 #define BUDGET 80
+#define PASSES 2
 
 typedef struct {
   QnPath *path;
-  QnCentralPath *central;
-  double advance; /* work to be done by the next step per unit of multiplier, J */
   const double *start;
   double *velocity; /* of the last step */
-  int failures;
+  double growth;    /* of the work in the next step */
+  bool gained;      /* a step has raised the multiplier */
+  bool gone;        /* the structure has run away */
+  bool may_jump;    /* some joint is not associative */
 } Approach;
 
 /* Work that the live load has done since it began to act. */
@@ -60,18 +62,21 @@ take_step (Approach *approach, bool *settled)
   QnPath *path = approach->path;
   QnEquilibrium *eq = &path->equilibrium;
   double gain = eq->multiplier - eq->committed.multiplier;
-  double growth = approach->advance / work_so_far (approach);
-  double left = gain / growth; /* lambda(work) = collapse - constant / work */
 
   keep_velocity (approach);
-  *settled =
-    qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY
-    || fabs (left) <= SETTLED * path->settings->multiplier_tolerance * eq->multiplier;
-  approach->advance *= GROWTH;
-  if (gain > 0)
-    return qn_path_accept (path, eq->multiplier, QN_EVENT_NONE);
-  qn_equilibrium_restore (eq);
-  return true;
+  if (gain <= 0) {
+    approach->growth = sqrt (approach->growth);
+    qn_equilibrium_restore (eq);
+    return true;
+  }
+  approach->gained = true;
+  double left = gain / (approach->growth - 1); /* lambda = collapse - constant / work */
+  approach->gone |= qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY;
+  *settled = left <= SETTLED * path->settings->multiplier_tolerance * eq->multiplier;
+  approach->growth = approach->gone && approach->may_jump
+                       ? 1
+                       : fmin (approach->growth * approach->growth, GROWTH);
+  return qn_path_accept (path, eq->multiplier, QN_EVENT_NONE);
 }
 
 QnStatus
@@ -80,20 +85,26 @@ qn_path_approach_collapse (QnPath *path, QnCentralPath *central, const double *s
                            QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
-  Approach approach = {
-    .path = path, .central = central, .start = start, .velocity = velocity
-  };
+  Approach approach = { .path = path,
+                        .start = start,
+                        .velocity = velocity,
+                        .growth = GROWTH,
+                        .may_jump = qn_central_path_turns_back (central) };
   bool settled = false;
 
   *outcome = QN_APPROACH_LOST;
-  approach.advance = GROWTH * work_so_far (&approach);
-  while (!settled && approach.advance > 0 && approach.failures < MOST_FAILURES) {
+  while (!settled && approach.growth > LEAST_GROWTH) {
     const QnTarget target = { .direction = eq->assembly.live,
-                              .advance = approach.advance };
-    switch (qn_central_path_solve (central, &target, BUDGET)) {
+                              .advance =
+                                (approach.growth - 1) * work_so_far (&approach) };
+    if (!(target.advance > 0))
+      return QN_OK;
+    int passes = approach.gained ? 1 : PASSES;
+    switch (qn_central_path_relax (central, &target, BUDGET, passes)) {
     case QN_SOLVE_CONVERGED:
       if (eq->multiplier > end) {
         qn_equilibrium_restore (eq);
+        *outcome = QN_APPROACH_BEYOND;
         return QN_OK;
       }
       if (!take_step (&approach, &settled))
@@ -102,8 +113,7 @@ qn_path_approach_collapse (QnPath *path, QnCentralPath *central, const double *s
     case QN_SOLVE_FAILED:
     case QN_SOLVE_MECHANISM:
       qn_equilibrium_restore (eq);
-      approach.advance /= CUT;
-      approach.failures++;
+      approach.growth = sqrt (approach.growth);
       break;
     case QN_SOLVE_CANCELLED:
       qn_equilibrium_restore (eq);
@@ -113,7 +123,8 @@ qn_path_approach_collapse (QnPath *path, QnCentralPath *central, const double *s
       return qn_diag_no_memory (diag);
     }
   }
-  if (settled)
+  /* Where nothing can jump, as far as rounding allows is all the way. */
+  if (settled || (approach.gone && !approach.may_jump))
     *outcome = QN_APPROACH_SETTLED;
   return QN_OK;
 }

@@ -2,9 +2,11 @@
  *
  * From the equilibrium under dead load the multiplier grows by increments. Newton tries each
  * one, then the central path takes it as a whole. Where that leads nowhere, collapse is
- * approached by growing motion (path-collapse.c). What is left to relaxation, which lets the
- * structure move until it rests (the path jumped) or goes on for good (collapse), encloses the
- * collapse multiplier between the last equilibrium and the lowest multiplier without one.
+ * approached by growing motion (path-collapse.c). Where that is lost too, increments go on, and
+ * what Newton does not solve is left to relaxation along central paths, which lets the
+ * structure move until it rests (the path jumped) or goes on for good: that encloses the
+ * collapse multiplier between the last equilibrium and the lowest multiplier without one. The
+ * last increment is decided by viscous relaxation where nothing else has.
  *
  * The first limit point is looked for as long as none was found. An increment that was not
  * easy is accepted only if the displacements at its end follow from the tangents at both ends;
@@ -44,17 +46,21 @@ typedef struct {
   double end;       /* largest multiplier asked for */
   double upper;     /* lowest multiplier found to have no equilibrium, or infinity */
   bool certified;   /* relaxation at `upper` ended in a mechanism, not in doubt */
+  bool steady;      /* and with a velocity, for it was viscous */
   double doubted;   /* the multiplier that was tried again because it was not certified */
   double guess;     /* where the motion at `upper` says that collapse is, or NaN */
   double explored;  /* highest multiplier that was solved at all, then looked at closer */
-  bool relaxed;     /* the last attempt needed relaxation */
+  bool relaxed;     /* Newton's method was not enough in the last attempt */
+  bool viscous;     /* nor was the central path */
   bool jumped;      /* the next accepted equilibrium lies beyond a jump */
   bool finished;
-  double *start;          /* unknowns where the live load begins to act */
-  double *velocity;       /* of the motion at `upper` */
+  double *start; /* unknowns where the live load begins to act */
+  double
+    *velocity; /* of viscous motion at `upper`, or the last motion between equilibria */
   QnCentralPath *central; /* NULL where it does not apply */
-  double approached_from; /* the multiplier from which collapse could not be approached */
-  double *rate;           /* du/dlambda at the last accepted equilibrium */
+  double
+    approached_from; /* the last equilibrium from which the approach was lost, or NaN */
+  double *rate;      /* du/dlambda at the last accepted equilibrium */
   double *rate_at_end;
   bool rate_known, end_known; /* not where the tangent is singular */
 } LoadControl;
@@ -216,21 +222,26 @@ attempt (LoadControl *control, double target, bool *cut)
   QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET);
 
   control->relaxed = status == QN_SOLVE_FAILED;
+  control->viscous = false;
   *cut = control->relaxed && newton_decides (control, target);
   if (!control->relaxed || *cut)
     return status;
-  if (control->central != NULL)
+  if (control->central != NULL && isnan (control->approached_from))
     status = qn_central_path_solve (control->central, &goal, QN_CENTRAL_BUDGET);
+  else if (control->central != NULL)
+    status = qn_central_path_relax (control->central, &goal, QN_CENTRAL_BUDGET,
+                                    QN_CENTRAL_PASSES);
   if (status != QN_SOLVE_FAILED || central_decides (control, target))
     return status;
 
+  control->viscous = true;
   qn_equilibrium_restore (eq);
   bool hint = increment > 3 * resolution (control, target);
   return qn_equilibrium_relax (eq, &goal, hint ? QN_RELAX_BUDGET_HINT : QN_RELAX_BUDGET);
 }
 
 /* No equilibrium found at `target`, which bounds the collapse multiplier from above. The power
- * that the motion leaves unbalanced says how much of the load is too much:
+ * that a steady motion leaves unbalanced says how much of the load is too much:
  *
  *   guess = target - R . v / F_live . v */
 static void
@@ -247,11 +258,14 @@ bound_from_above (LoadControl *control, double target, bool certified)
   }
   control->upper = target;
   control->certified = certified;
-  control->guess = live > 0 && control->path->settings->shortcuts.mechanism_estimate
-                     ? target - unbalanced / live
-                     : NAN;
-  memcpy (control->velocity, eq->velocity,
-          (size_t) as->unknown_count * sizeof *control->velocity);
+  control->steady = control->viscous;
+  control->guess =
+    control->viscous && live > 0 && control->path->settings->shortcuts.mechanism_estimate
+      ? target - unbalanced / live
+      : NAN;
+  if (control->viscous && certified)
+    memcpy (control->velocity, eq->velocity,
+            (size_t) as->unknown_count * sizeof *control->velocity);
   qn_equilibrium_restore (eq);
 }
 
@@ -265,6 +279,8 @@ consider (LoadControl *control, double target, int32_t iterations, QnDiag *diag)
 
   if (looks_for_limit_point (control) && !passes_limit_check (control, target, easy))
     return QN_OK;
+  for (int32_t i = 0; i < path->equilibrium.assembly.unknown_count; i++)
+    control->velocity[i] = path->equilibrium.u[i] - path->equilibrium.committed.u[i];
   if (!qn_path_accept (path, target, control->jumped ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return qn_diag_no_memory (diag);
 
@@ -349,11 +365,108 @@ conclude (LoadControl *control, QnDiag *diag)
   QnStatus status = polish (control, diag);
   return status == QN_OK ? report_collapse (control, diag) : status;
 }
-/* The bracket has closed. An upper end that was found from far away and without certainty is
- * tried once more from the equilibrium that is now close to it. */
+/* The approach has passed `target`, where the increment that begins at `lower` had no
+ * solution: there the path jumps. */
+static void
+note_jump_in_approach (LoadControl *control, double lower, double target)
+{
+  QnResult *result = control->path->result;
+  size_t step = result->step_count - 1;
+
+  while (result->steps[step - 1].multiplier > target)
+    step--;
+  result->has_first_limit_multiplier = true;
+  result->first_limit_multiplier = fmax (lower, result->steps[step - 1].multiplier);
+  result->steps[step].event = QN_EVENT_SNAP;
+}
+
+static void
+take_approach (LoadControl *control, double lower, double target, bool stops)
+{
+  double reached = control->path->equilibrium.committed.multiplier;
+
+  if (stops)
+    note_limit_point (control);
+  else if (looks_for_limit_point (control) && reached > target)
+    note_jump_in_approach (control, lower, target);
+  if (reached >= control->upper)
+    control->upper = INFINITY;
+}
+
+/* Goes for collapse, `target` having no equilibrium that is found directly. Where that leads
+ * nowhere either, a smaller increment may. */
+static QnStatus
+approach_collapse (LoadControl *control, double target, QnDiag *diag)
+{
+  QnPath *path = control->path;
+  const QnEquilibrium *eq = &path->equilibrium;
+  double lower = eq->committed.multiplier;
+  bool stops = looks_for_limit_point (control) && path->settings->snap == QN_SNAP_STOP;
+  QnApproach outcome;
+  QnStatus status = qn_path_approach_collapse (path, control->central, control->start,
+                                               stops ? target : control->end,
+                                               control->velocity, &outcome, diag);
+
+  if (status != QN_OK)
+    return status;
+  take_approach (control, lower, target, stops && outcome == QN_APPROACH_BEYOND);
+  switch (outcome) {
+  case QN_APPROACH_SETTLED:
+    return report_collapse (control, diag);
+  case QN_APPROACH_CANCELLED:
+    path->result->outcome = QN_OUTCOME_CANCELLED;
+    control->finished = true;
+    break;
+  case QN_APPROACH_BEYOND:
+  case QN_APPROACH_LOST:
+    control->approached_from = eq->committed.multiplier;
+    if (eq->committed.multiplier == lower)
+      look_closer (control, target);
+    else
+      control->increment = resolution (control, eq->committed.multiplier);
+    break;
+  }
+  return QN_OK;
+}
+
+/* Viscous relaxation at `upper` from the last equilibrium, which is close to it. */
+static QnStatus
+relax_at_upper (LoadControl *control, QnDiag *diag)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+  const QnTarget goal = qn_target_multiplier (control->upper);
+  QnSolveStatus status = qn_equilibrium_relax (eq, &goal, QN_RELAX_BUDGET_CONFIRM);
+
+  control->relaxed = control->viscous = control->steady = true;
+  switch (status) {
+  case QN_SOLVE_MECHANISM:
+    bound_from_above (control, control->upper, true);
+    break;
+  case QN_SOLVE_CONVERGED:
+    control->upper = INFINITY;
+    return consider (control, goal.multiplier, 0, diag);
+  case QN_SOLVE_FAILED:
+    qn_equilibrium_restore (eq);
+    break;
+  case QN_SOLVE_CANCELLED:
+    qn_equilibrium_restore (eq);
+    control->path->result->outcome = QN_OUTCOME_CANCELLED;
+    control->finished = true;
+    break;
+  case QN_SOLVE_NO_MEMORY:
+    return qn_diag_no_memory (diag);
+  }
+  return QN_OK;
+}
+
+/* The bracket has closed. Where relaxation along central paths closed it, viscous relaxation
+ * from here says how the structure moves, if it does. An upper end that was found from far
+ * away and without certainty is tried once more from the equilibrium that is now close to it. */
 static QnStatus
 close_bracket (LoadControl *control, QnDiag *diag)
 {
+  if (control->certified && !control->steady)
+    return relax_at_upper (control, diag);
   if (control->certified || control->doubted == control->upper)
     return conclude (control, diag);
 
@@ -364,36 +477,29 @@ close_bracket (LoadControl *control, QnDiag *diag)
   return QN_OK;
 }
 
-/* Goes for collapse, `target` having no equilibrium that the central path leads to. Where that
- * leads nowhere either, a smaller increment may. */
-static QnStatus
-approach_collapse (LoadControl *control, double target, QnDiag *diag)
+/* Whether the approach may find what it did not find before. */
+static bool
+may_approach (const LoadControl *control)
 {
-  const QnEquilibrium *eq = &control->path->equilibrium;
-  double lower = eq->committed.multiplier;
-  QnApproach outcome = QN_APPROACH_LOST;
+  double lower = control->path->equilibrium.committed.multiplier;
 
-  if (!(lower
-        <= control->approached_from + LIMIT_RESOLUTION * resolution (control, lower))) {
-    QnStatus status =
-      qn_path_approach_collapse (control->path, control->central, control->start,
-                                 control->end, control->velocity, &outcome, diag);
-    if (status != QN_OK)
-      return status;
-  }
-  switch (outcome) {
-  case QN_APPROACH_SETTLED:
-    return report_collapse (control, diag);
-  case QN_APPROACH_CANCELLED:
-    control->path->result->outcome = QN_OUTCOME_CANCELLED;
-    control->finished = true;
-    break;
-  case QN_APPROACH_LOST:
-    control->approached_from = eq->committed.multiplier;
-    if (eq->committed.multiplier == lower)
-      look_closer (control, target);
-    break;
-  }
+  return control->central != NULL
+         && !(lower <= control->approached_from
+                         + LIMIT_RESOLUTION * resolution (control, lower));
+}
+
+/* Neither Newton's method nor the central path found an equilibrium at `target`. */
+static QnStatus
+draw_conclusion (LoadControl *control, double target, QnSolveStatus status, QnDiag *diag)
+{
+  bool decided = control->viscous || status == QN_SOLVE_MECHANISM;
+
+  if (decided)
+    bound_from_above (control, target, status == QN_SOLVE_MECHANISM);
+  if (may_approach (control))
+    return approach_collapse (control, target, diag);
+  if (!decided)
+    look_closer (control, target);
   return QN_OK;
 }
 
@@ -411,12 +517,9 @@ advance (LoadControl *control, QnDiag *diag)
     return consider (control, target, eq->statistics.iterations - before, diag);
   case QN_SOLVE_MECHANISM:
   case QN_SOLVE_FAILED:
-    if (cut)
-      look_closer (control, target);
-    else if (central_decides (control, target))
-      return approach_collapse (control, target, diag);
-    else
-      bound_from_above (control, target, status == QN_SOLVE_MECHANISM);
+    if (!cut)
+      return draw_conclusion (control, target, status, diag);
+    look_closer (control, target);
     return QN_OK;
   case QN_SOLVE_CANCELLED:
     qn_equilibrium_restore (eq);

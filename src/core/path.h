@@ -12,10 +12,11 @@
 /* Newton iterations of a static solution before relaxation takes over. */
 #define QN_NEWTON_BUDGET 20
 
-/* Viscous steps until relaxation gives up: when only a hint is wanted, and when the answer
- * decides. */
-#define QN_RELAX_BUDGET_HINT 40
-#define QN_RELAX_BUDGET      300
+/* Viscous steps until relaxation gives up: when only a hint is wanted, when a mechanism is to
+ * be confirmed, and when the answer decides. */
+#define QN_RELAX_BUDGET_HINT    40
+#define QN_RELAX_BUDGET_CONFIRM 60
+#define QN_RELAX_BUDGET         300
 
 /* With a measure held every relaxation ends, at rest or with blocks that have left their
  * contacts; stiff joints make the way there long. */
@@ -23,6 +24,9 @@
 
 /* Factorisations of one increment along the central path. */
 #define QN_CENTRAL_BUDGET 40
+
+/* Central paths one after the other, until relaxation along them gives up. */
+#define QN_CENTRAL_PASSES 40
 
 typedef struct QnPath {
   const QnModel *model;
@@ -64,6 +68,7 @@ QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag 
 typedef enum {
   QN_APPROACH_SETTLED, /* the last step of the result is collapse */
   QN_APPROACH_LOST,    /* no solution; the steps until then stand */
+  QN_APPROACH_BEYOND,  /* the same, for the next one would have been beyond the end */
   QN_APPROACH_CANCELLED
 } QnApproach;
 
