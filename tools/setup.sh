@@ -16,7 +16,7 @@ packages=(
   # the window
   libgtk-4-dev
   # checks and tests
-  clang-format-14 binutils locales-all desktop-file-utils appstream xvfb xauth xdotool
+  clang-format-14 binutils valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
   adwaita-icon-theme librsvg2-common
   "$@"
 )

@@ -203,7 +203,11 @@ draw_frame (Player *player, cairo_t *cr, int k, GError **error)
                         player->plot.width, player->plot.height);
   }
   cairo_surface_flush (cairo_get_target (cr));
-  return true;
+  cairo_status_t status = cairo_status (cr);
+  if (status != CAIRO_STATUS_SUCCESS)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                         cairo_status_to_string (status));
+  return status == CAIRO_STATUS_SUCCESS;
 }
 
 /* Draws a few frames over the whole run, the fullest among them. */
