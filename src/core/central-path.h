@@ -48,12 +48,13 @@ QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target
                                      int budget);
 
 /* The same where one central path leads nowhere, for it turns back: what has slid until there
- * is committed, and a new one begins. Each is a step of relaxation like those of qn_equilibrium_relax(),
- * and as long as they get no further they grow; at most `passes` of them, with `budget`
- * factorisations each. The structure rests in the end (CONVERGED) or has moved by QN_RUNAWAY
- * and still does (MECHANISM; eq->velocity is not set, for on the way pairs are neither here nor
- * there). With a measure that
- * advances, the multiplier being free, a branch on which the multiplier falls has FAILED. */
+ * is committed, and a new one begins. Each is a step of relaxation like those of
+ * qn_equilibrium_relax(), and as long as they get no further they grow; at most `passes` of
+ * them, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
+ * moved by QN_RUNAWAY and still does (MECHANISM; eq->velocity is not set, for on the way pairs
+ * are neither here nor there). With a measure that advances, the multiplier being free, a
+ * branch on which the multiplier falls has FAILED. Where nothing can turn back it is
+ * qn_central_path_solve(). */
 QnSolveStatus qn_central_path_relax (QnCentralPath *path, const QnTarget *target,
                                      int budget, int passes);
 

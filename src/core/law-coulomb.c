@@ -75,9 +75,11 @@ evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
 {
   double n_trial = s->kn * (q[0] - committed->opening);
   double t_trial = s->ks * (q[1] - committed->slip);
-  double g_at_cap = fmax (0, (fabs (t_trial) - s->cap_strength) / s->ks);
+  double g_at_cap = 0;
 
   *r = (QnSpringResponse){ .memory = *committed, .phase = QN_PHASE_STICK };
+  if (n_trial > s->cap)
+    g_at_cap = qn_larger ((fabs (t_trial) - s->cap_strength) / s->ks, 0);
   if (n_trial - s->kn * s->dilatancy * g_at_cap > s->cap) {
     coulomb_cap (s, t_trial, g_at_cap, r);
   } else if (fabs (t_trial) + s->friction * n_trial - s->cohesion > 0) {

@@ -19,17 +19,15 @@ static const StressShortfall shortfalls[] = {
     "Upright slabs wedge and let go by turns." },
   { "*thin-course=*", STRESS_MECHANISM,
     "Without dilatancy: viscous relaxation does not decide in time how the structure "
-    "moves, "
-    "and the last motion between equilibria is reported." },
+    "moves, and the last motion between equilibria is reported." },
   { "random-27", STRESS_MECHANISM,
     "Without dilatancy: the last motion between equilibria closes joints that were "
     "open." },
   { "random-246", STRESS_DIFFERS,
-    "Associative multiplier 3 % low: the central path breaks off where blocks have gone "
-    "far." },
+    "Associative multiplier 3 % low: the central path breaks off where blocks are far." },
   { "random-813", STRESS_DIFFERS,
-    "Associative multiplier 0.15 % low: the central path breaks off where blocks have "
-    "gone far." },
+    "Associative multiplier 0.15 % low: the central path breaks off where blocks are "
+    "far." },
   { "idle-*", STRESS_BUDGET,
     "Free to move, under a live load that does not make it: increments stay small all "
     "the "
