@@ -1,44 +1,12 @@
 #include "core/memory.h"
 #include "io/file-read.h"
 #include "io/io-error.h"
-#include "io/json-stream.h"
 #include "io/project-names.h"
-#include "io/result-file.h"
-#include "io/result-forces.h"
+#include "io/result-draft.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define FORMAT_VERSION 1
-
-/* Rows of three numbers, one for each block. */
-typedef struct Rows {
-  double *items;
-  size_t count, capacity; /* numbers, not rows */
-} Rows;
-
-typedef struct Names {
-  GPtrArray *items;
-} Names;
-
-/* What is read before it is known to fit together. */
-typedef struct Draft {
-  QnResultFile *file;
-  char *format;
-  gint32 version;
-  char *outcome;
-  Names blocks, overrides, nodes;
-  Rows displacements, mechanism, reactions;
-  QnStepForces forces;
-  Rows node_displacements, node_mechanism;
-  QnBeamForces *beam_forces;
-  size_t beam_force_count, beam_force_capacity, element_count;
-  gboolean has_mechanism;
-  size_t rows_per_step; /* numbers; of the first step */
-  size_t step_capacity, contact_capacity, pair_capacity, unstable_capacity;
-  size_t support_capacity;
-} Draft;
 
 /* Room for one more item; FALSE with an error where memory runs out. */
 static gboolean
@@ -55,7 +23,7 @@ grow (QnJsonStream *stream, gpointer array, size_t count, size_t *capacity, size
 static gboolean
 read_row (QnJsonStream *stream, gpointer target)
 {
-  Rows *rows = target;
+  QnResultRows *rows = target;
   double row[QN_DOF_COUNT];
   if (!qn_json_stream_numbers (stream, row, QN_DOF_COUNT)
       || !grow (stream, &rows->items, rows->count + QN_DOF_COUNT, &rows->capacity,
@@ -69,7 +37,7 @@ read_row (QnJsonStream *stream, gpointer target)
 static gboolean
 read_name (QnJsonStream *stream, gpointer target)
 {
-  Names *names = target;
+  QnResultNames *names = target;
   char *name = NULL;
   if (!qn_json_stream_string (stream, &name))
     return FALSE;
@@ -80,7 +48,7 @@ read_name (QnJsonStream *stream, gpointer target)
 static gboolean
 read_names (QnJsonStream *stream, gpointer target)
 {
-  Names *names = target;
+  QnResultNames *names = target;
   names->items = g_ptr_array_new_with_free_func (g_free);
   return qn_json_stream_array (stream, read_name, names);
 }
@@ -104,7 +72,7 @@ read_optional (QnJsonStream *stream, gpointer target)
 static gboolean
 read_collapse (QnJsonStream *stream, gpointer target)
 {
-  QnResult *result = &((Draft *) target)->file->result;
+  QnResult *result = &((QnResultDraft *) target)->file->result;
   Optional optional = { false, 0 };
   gboolean done = read_optional (stream, &optional);
   result->has_collapse_multiplier = optional.given;
@@ -115,7 +83,7 @@ read_collapse (QnJsonStream *stream, gpointer target)
 static gboolean
 read_first_limit (QnJsonStream *stream, gpointer target)
 {
-  QnResult *result = &((Draft *) target)->file->result;
+  QnResult *result = &((QnResultDraft *) target)->file->result;
   Optional optional = { false, 0 };
   gboolean done = read_optional (stream, &optional);
   result->has_first_limit_multiplier = optional.given;
@@ -126,7 +94,7 @@ read_first_limit (QnJsonStream *stream, gpointer target)
 static QnLimitFigures *
 limit_figures (gpointer target)
 {
-  return &((Draft *) target)->file->result.limit;
+  return &((QnResultDraft *) target)->file->result.limit;
 }
 
 static gboolean
@@ -199,16 +167,16 @@ read_event (QnJsonStream *stream, gpointer target)
 /* A step with the list that its displacements go to. */
 typedef struct StepDraft {
   QnStep step;
-  Rows *displacements, *reactions, *node_displacements;
+  QnResultRows *displacements, *reactions, *node_displacements;
   QnStepForces *forces;
-  Draft *draft;
+  QnResultDraft *draft;
 } StepDraft;
 
 /* N, V, M at the first and the second end of an element. */
 static gboolean
 read_element_forces (QnJsonStream *stream, gpointer target)
 {
-  Draft *draft = target;
+  QnResultDraft *draft = target;
   double n[6];
   if (!qn_json_stream_numbers (stream, n, G_N_ELEMENTS (n))
       || !grow (stream, &draft->beam_forces, draft->beam_force_count,
@@ -222,7 +190,7 @@ read_element_forces (QnJsonStream *stream, gpointer target)
 static gboolean
 read_step_beam_forces (QnJsonStream *stream, gpointer target)
 {
-  return qn_json_stream_array (stream, read_element_forces, *(Draft **) target);
+  return qn_json_stream_array (stream, read_element_forces, *(QnResultDraft **) target);
 }
 
 /* Only how many there are is of interest: which they are is the model's knowledge. */
@@ -230,7 +198,7 @@ static gboolean
 read_element (QnJsonStream *stream, gpointer target)
 {
   double numbers[3];
-  ((Draft *) target)->element_count++;
+  ((QnResultDraft *) target)->element_count++;
   return qn_json_stream_numbers (stream, numbers, G_N_ELEMENTS (numbers));
 }
 
@@ -243,7 +211,8 @@ read_elements (QnJsonStream *stream, gpointer target)
 static gboolean
 read_node_mechanism (QnJsonStream *stream, gpointer target)
 {
-  return qn_json_stream_array (stream, read_row, &((Draft *) target)->node_mechanism);
+  return qn_json_stream_array (stream, read_row,
+                               &((QnResultDraft *) target)->node_mechanism);
 }
 
 /* Number of a stage, which the file counts from 0. */
@@ -262,7 +231,7 @@ read_stage (QnJsonStream *stream, gpointer target)
 static gboolean
 read_step_displacements (QnJsonStream *stream, gpointer target)
 {
-  return qn_json_stream_array (stream, read_row, *(Rows **) target);
+  return qn_json_stream_array (stream, read_row, *(QnResultRows **) target);
 }
 
 static gboolean
@@ -283,7 +252,7 @@ read_step (QnJsonStream *stream, gpointer target)
       offsetof (StepDraft, node_displacements), FALSE },
     { "beam_forces", read_step_beam_forces, offsetof (StepDraft, draft), FALSE },
   };
-  Draft *draft = target;
+  QnResultDraft *draft = target;
   QnResult *result = &draft->file->result;
   StepDraft read = { .displacements = &draft->displacements,
                      .reactions = &draft->reactions,
@@ -384,7 +353,7 @@ read_contact (QnJsonStream *stream, gpointer target)
     { "shear_force", qn_json_stream_number, offsetof (ContactDraft, pair.shear_force),
       TRUE },
   };
-  Draft *draft = target;
+  QnResultDraft *draft = target;
   QnResultFile *file = draft->file;
   QnResult *result = &file->result;
   ContactDraft read = { .contact = { .area = -1, .bar = QN_NONE } };
@@ -411,7 +380,7 @@ read_contacts (QnJsonStream *stream, gpointer target)
 static gboolean
 read_mechanism (QnJsonStream *stream, gpointer target)
 {
-  Draft *draft = target;
+  QnResultDraft *draft = target;
   if (stream->scanner.token == QN_JSON_NULL)
     return TRUE;
   draft->has_mechanism = TRUE;
@@ -421,7 +390,7 @@ read_mechanism (QnJsonStream *stream, gpointer target)
 static gboolean
 read_unstable_block (QnJsonStream *stream, gpointer target)
 {
-  Draft *draft = target;
+  QnResultDraft *draft = target;
   QnResult *result = &draft->file->result;
   return grow (stream, &result->unstable_blocks, result->unstable_count,
                &draft->unstable_capacity, sizeof *result->unstable_blocks)
@@ -438,7 +407,7 @@ read_unstable (QnJsonStream *stream, gpointer target)
 static gboolean
 read_support (QnJsonStream *stream, gpointer target)
 {
-  Draft *draft = target;
+  QnResultDraft *draft = target;
   QnResult *result = &draft->file->result;
   return grow (stream, &result->supports, result->support_count, &draft->support_capacity,
                sizeof *result->supports)
@@ -454,7 +423,7 @@ read_supports (QnJsonStream *stream, gpointer target)
 static gboolean
 read_end_stage (QnJsonStream *stream, gpointer target)
 {
-  return read_stage (stream, &((Draft *) target)->file->result.stage);
+  return read_stage (stream, &((QnResultDraft *) target)->file->result.stage);
 }
 
 static gboolean
@@ -473,7 +442,7 @@ read_statistics (QnJsonStream *stream, gpointer target)
     { "peak_memory_bytes", qn_json_stream_int64,
       offsetof (QnStatistics, peak_memory_bytes), FALSE },
   };
-  Draft *draft = target;
+  QnResultDraft *draft = target;
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members),
                                 &draft->file->result.statistics);
 }
@@ -481,32 +450,32 @@ read_statistics (QnJsonStream *stream, gpointer target)
 static gboolean
 read_generator (QnJsonStream *stream, gpointer target)
 {
-  return qn_json_stream_string (stream, &((Draft *) target)->file->generator);
+  return qn_json_stream_string (stream, &((QnResultDraft *) target)->file->generator);
 }
 
 static gboolean
 read_model (QnJsonStream *stream, gpointer target)
 {
-  return qn_json_stream_string (stream, &((Draft *) target)->file->model);
+  return qn_json_stream_string (stream, &((QnResultDraft *) target)->file->model);
 }
 
 static gboolean
 read_sha256 (QnJsonStream *stream, gpointer target)
 {
-  return qn_json_stream_string (stream, &((Draft *) target)->file->model_sha256);
+  return qn_json_stream_string (stream, &((QnResultDraft *) target)->file->model_sha256);
 }
 
 static gboolean
 read_document (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
-    { "format", qn_json_stream_string, offsetof (Draft, format), TRUE },
-    { "version", qn_json_stream_int32, offsetof (Draft, version), TRUE },
+    { "format", qn_json_stream_string, offsetof (QnResultDraft, format), TRUE },
+    { "version", qn_json_stream_int32, offsetof (QnResultDraft, version), TRUE },
     { "generator", read_generator, 0, FALSE },
     { "model", read_model, 0, FALSE },
     { "model_sha256", read_sha256, 0, FALSE },
-    { "overrides", read_names, offsetof (Draft, overrides), FALSE },
-    { "outcome", qn_json_stream_string, offsetof (Draft, outcome), TRUE },
+    { "overrides", read_names, offsetof (QnResultDraft, overrides), FALSE },
+    { "outcome", qn_json_stream_string, offsetof (QnResultDraft, outcome), TRUE },
     { "collapse_multiplier", read_collapse, 0, FALSE },
     { "first_limit_multiplier", read_first_limit, 0, FALSE },
     { "lower_bound", read_lower_bound, 0, FALSE },
@@ -517,8 +486,8 @@ read_document (QnJsonStream *stream, gpointer target)
     { "unstable_blocks", read_unstable, 0, FALSE },
     { "supports", read_supports, 0, FALSE },
     { "stage", read_end_stage, 0, FALSE },
-    { "blocks", read_names, offsetof (Draft, blocks), TRUE },
-    { "nodes", read_names, offsetof (Draft, nodes), FALSE },
+    { "blocks", read_names, offsetof (QnResultDraft, blocks), TRUE },
+    { "nodes", read_names, offsetof (QnResultDraft, nodes), FALSE },
     { "elements", read_elements, 0, FALSE },
     { "steps", read_steps, 0, TRUE },
     { "contacts", read_contacts, 0, TRUE },
@@ -529,175 +498,22 @@ read_document (QnJsonStream *stream, gpointer target)
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
 }
 
-static gboolean
-check_head (QnJsonStream *stream, Draft *draft)
-{
-  QnResult *result = &draft->file->result;
-  if (strcmp (draft->format, "quoin-result") != 0)
-    return qn_json_stream_fail_at (stream, "format",
-                                   _ ("this is not a result: expected \"quoin-result\""));
-  if (draft->version != FORMAT_VERSION)
-    return qn_json_stream_fail_at (
-      stream, "version", _ ("this program reads another version of the format"));
-  for (int outcome = 0; outcome < QN_OUTCOME_COUNT; outcome++) {
-    if (strcmp (draft->outcome, qn_outcome_name ((QnOutcome) outcome)) == 0) {
-      result->outcome = (QnOutcome) outcome;
-      return TRUE;
-    }
-  }
-  return qn_json_stream_fail_at (stream, "outcome",
-                                 _ ("this is no outcome of an analysis"));
-}
-
-/* The same for nodes and elements. */
-static gboolean
-check_beam_counts (QnJsonStream *stream, const Draft *draft)
-{
-  const QnResult *result = &draft->file->result;
-  size_t nodes = draft->nodes.items != NULL ? draft->nodes.items->len : 0;
-  if (draft->node_displacements.count != result->step_count * nodes * QN_DOF_COUNT)
-    return qn_json_stream_fail_at (
-      stream, "steps", _ ("there are not as many displacements as nodes in every step"));
-  if (draft->beam_force_count > 0
-      && draft->beam_force_count != result->step_count * draft->element_count)
-    return qn_json_stream_fail_at (
-      stream, "steps", _ ("there are not as many beam forces as elements in every step"));
-  if (draft->has_mechanism && draft->node_mechanism.count != nodes * QN_DOF_COUNT)
-    return qn_json_stream_fail_at (stream, "node_mechanism",
-                                   _ ("there are not as many velocities as nodes"));
-  return TRUE;
-}
-
-/* Everything that counts blocks must count the same. */
-static gboolean
-check_counts (QnJsonStream *stream, Draft *draft)
-{
-  const QnResult *result = &draft->file->result;
-  size_t blocks = draft->blocks.items->len;
-  if (result->step_count > 0 && draft->rows_per_step != blocks * QN_DOF_COUNT)
-    return qn_json_stream_fail_at (stream, "steps[0].displacements",
-                                   _ ("there are not as many displacements as blocks"));
-  if (!qn_result_forces_take (&draft->forces, &draft->file->result))
-    return qn_json_stream_fail_at (stream, "steps",
-                                   _ ("there are not as many forces as contacts"));
-  if (draft->has_mechanism && draft->mechanism.count != blocks * QN_DOF_COUNT)
-    return qn_json_stream_fail_at (stream, "mechanism",
-                                   _ ("there are not as many velocities as blocks"));
-  for (size_t i = 0; i < result->support_count; i++)
-    if ((size_t) result->supports[i] >= blocks)
-      return qn_json_stream_fail_at (stream, "supports", _ ("there is no such block"));
-  if (draft->reactions.count > 0
-      && draft->reactions.count
-           != result->step_count * result->support_count * QN_DOF_COUNT)
-    return qn_json_stream_fail_at (
-      stream, "steps", _ ("there are not as many reactions as supports in every step"));
-  for (size_t i = 0; i < result->unstable_count; i++)
-    if ((size_t) result->unstable_blocks[i] >= blocks)
-      return qn_json_stream_fail_at (stream, "unstable_blocks",
-                                     _ ("there is no such block"));
-  for (size_t i = 0; i < result->pair_count; i++) {
-    const QnResultContact *contact = &draft->file->contacts[i];
-    if ((size_t) contact->block_a >= blocks || (size_t) contact->block_b >= blocks
-        || contact->block_a == contact->block_b) {
-      char *path = g_strdup_printf ("contacts[%" G_GSIZE_FORMAT "].blocks", i);
-      qn_json_stream_fail_at (stream, path, _ ("there are no such two blocks"));
-      g_free (path);
-      return FALSE;
-    }
-  }
-  return check_beam_counts (stream, draft);
-}
-
-static char **
-take_names (Names *names)
-{
-  if (names->items == NULL)
-    return NULL;
-  g_ptr_array_add (names->items, NULL);
-  return (char **) g_ptr_array_free (g_steal_pointer (&names->items), FALSE);
-}
-
-/* Rows of blocks and rows of nodes, step by step, one behind the other. */
-static double *
-join_rows (QnJsonStream *stream, Rows *blocks, size_t block_count, const Rows *nodes,
-           size_t node_count)
-{
-  if (node_count == 0)
-    return g_steal_pointer (&blocks->items);
-  const size_t b = block_count * QN_DOF_COUNT, n = node_count * QN_DOF_COUNT;
-  const size_t steps = nodes->count / n;
-  double *joined = qn_alloc (steps * (b + n), sizeof *joined);
-  if (joined == NULL)
-    qn_json_stream_no_memory (stream);
-  for (size_t i = 0; joined != NULL && i < steps; i++) {
-    if (b > 0)
-      memcpy (joined + i * (b + n), blocks->items + i * b, b * sizeof *joined);
-    memcpy (joined + i * (b + n) + b, nodes->items + i * n, n * sizeof *joined);
-  }
-  return joined;
-}
-
-/* Hands the arrays of a complete draft over to the file; FALSE where memory runs out. */
-static gboolean
-take_draft (QnJsonStream *stream, Draft *draft)
-{
-  QnResultFile *file = draft->file;
-  QnResult *result = &file->result;
-  result->block_count = draft->blocks.items->len;
-  file->block_names = take_names (&draft->blocks);
-  file->overrides = take_names (&draft->overrides);
-  result->node_count = draft->nodes.items != NULL ? draft->nodes.items->len : 0;
-  result->element_count = draft->element_count;
-  file->node_names = take_names (&draft->nodes);
-  result->displacements = join_rows (stream, &draft->displacements, result->block_count,
-                                     &draft->node_displacements, result->node_count);
-  result->displacement_capacity =
-    draft->displacements.count + draft->node_displacements.count;
-  result->beam_forces = g_steal_pointer (&draft->beam_forces);
-  result->beam_force_capacity = draft->beam_force_capacity;
-  result->step_capacity = draft->step_capacity;
-  if (draft->has_mechanism)
-    result->mechanism = join_rows (stream, &draft->mechanism, result->block_count,
-                                   &draft->node_mechanism, result->node_count);
-  result->reactions = g_steal_pointer (&draft->reactions.items);
-  result->reaction_capacity = draft->reactions.capacity;
-  return stream->error == NULL;
-}
-
-static void
-draft_clear (Draft *draft)
-{
-  g_free (draft->format);
-  g_free (draft->outcome);
-  g_clear_pointer (&draft->blocks.items, g_ptr_array_unref);
-  g_clear_pointer (&draft->overrides.items, g_ptr_array_unref);
-  free (draft->displacements.items);
-  free (draft->mechanism.items);
-  free (draft->reactions.items);
-  qn_result_forces_clear (&draft->forces);
-  free (draft->node_displacements.items);
-  free (draft->node_mechanism.items);
-  free (draft->beam_forces);
-  g_clear_pointer (&draft->nodes.items, g_ptr_array_unref);
-}
-
 /* `text` is NUL-terminated. */
 static gboolean
 parse (const char *text, gsize length, const char *name, QnResultFile *file,
        GError **error)
 {
   *file = (QnResultFile){ 0 };
-  Draft draft = { .file = file };
+  QnResultDraft draft = { .file = file };
   QnJsonStream stream;
   qn_json_stream_init (&stream, text, length, name);
   gboolean done = qn_json_stream_document (&stream, read_document, &draft)
-                  && check_head (&stream, &draft) && check_counts (&stream, &draft)
-                  && take_draft (&stream, &draft);
+                  && qn_result_draft_take (&draft, &stream);
   if (!done) {
     qn_result_file_clear (file);
     g_propagate_error (error, stream.error);
   }
-  draft_clear (&draft);
+  qn_result_draft_clear (&draft);
   return done;
 }
 
