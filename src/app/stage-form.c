@@ -252,19 +252,34 @@ fill_list (Form *form, const QnModel *model)
   gtk_widget_set_visible (GTK_WIDGET (form->empty), model->stage_count == 0);
 }
 
-/* A check for every set. */
+static GtkWidget *
+nth_check (const Form *form, int32_t set)
+{
+  GtkWidget *check = gtk_widget_get_first_child (form->sets);
+  for (int32_t i = 0; i < set && check != NULL; i++)
+    check = gtk_widget_get_next_sibling (check);
+  return check;
+}
+
+/* A check for every set. Those that are there stay: one of them may be telling of its change. */
 static void
 fill_sets (Form *form, const QnModel *model, const QnStage *stage)
 {
-  GtkWidget *child;
-  while ((child = gtk_widget_get_first_child (form->sets)) != NULL)
-    gtk_box_remove (GTK_BOX (form->sets), child);
-  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
-    GtkWidget *check = gtk_check_button_new_with_label (
-      set == 0 ? _ ("Growing loads") : qn_model_load_set_name (model, set));
-    gtk_check_button_set_active (GTK_CHECK_BUTTON (check), stage->sets >> set & 1);
-    g_signal_connect (check, "toggled", G_CALLBACK (on_field), form);
-    gtk_box_append (GTK_BOX (form->sets), check);
+  int32_t count = (int32_t) model->load_set_count + 1;
+  GtkWidget *check;
+  while ((check = nth_check (form, count)) != NULL)
+    gtk_box_remove (GTK_BOX (form->sets), check);
+  for (int32_t set = 0; set < count; set++) {
+    check = nth_check (form, set);
+    if (check == NULL) {
+      check = gtk_check_button_new ();
+      g_signal_connect (check, "toggled", G_CALLBACK (on_field), form);
+      gtk_box_append (GTK_BOX (form->sets), check);
+    }
+    gtk_check_button_set_label (GTK_CHECK_BUTTON (check),
+                                set == 0 ? _ ("Growing loads")
+                                         : qn_model_load_set_name (model, set));
+    qn_form_set_check (check, stage->sets >> set & 1, form);
   }
 }
 

@@ -33,6 +33,13 @@ is_button (GtkWidget *widget, gconstpointer label)
 }
 
 static gboolean
+is_set (GtkWidget *widget, gconstpointer name)
+{
+  return GTK_IS_CHECK_BUTTON (widget) && gtk_widget_get_mapped (widget)
+         && g_strcmp0 (gtk_check_button_get_label (GTK_CHECK_BUTTON (widget)), name) == 0;
+}
+
+static gboolean
 is_list_of_stages (GtkWidget *widget, gconstpointer data)
 {
   (void) data;
@@ -86,6 +93,12 @@ test_settle_and_push (void)
   gtk_widget_grab_focus (driver_find_widget (root, is_button, "_Earlier"));
   driver_run (300);
   driver_screenshot (root, "stage-form");
+  /* A stage that drives nothing is refused, and the check is back. */
+  GtkWidget *check = driver_find_widget (root, is_set, "set 1");
+  g_assert_nonnull (check);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), FALSE);
+  g_assert_true (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
+  g_assert_cmpuint (model_of (window)->stages[1].sets, ==, 2);
   driver_press (root, "Earlier");
   g_assert_cmpuint (model_of (window)->stages[0].sets, ==, 2);
   driver_press (root, "Later");
