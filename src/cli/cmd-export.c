@@ -148,9 +148,10 @@ const QnSubcommand qn_cmd_export = {
   .name = "export",
   .arguments = "MODEL -o OUT.dxf|pvd|csv",
   .summary = N_ ("Write DXF for CAD programs, PVD for ParaView, tables as CSV"),
-  .help = N_ (
-    "DXF has the layers BLOCKS, SUPPORTS, CONTACTS, BEAMS where there are any and, with "
-    "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
-    "beams one more, and one with the contact forces."),
+  .help =
+    N_ ("DXF has the layers BLOCKS, SUPPORTS, CONTACTS, BEAM_AXES where there are any "
+        "and, with "
+        "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
+        "beams one more, and one with the contact forces."),
   .run = run,
 };

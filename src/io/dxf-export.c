@@ -122,7 +122,7 @@ put_layers (Export *export)
     const char *name;
     int color;
   } layers[] = { { "0", 7 },        { "BLOCKS", 7 },   { "SUPPORTS", 5 },
-                 { "CONTACTS", 1 }, { "DEFORMED", 3 }, { "BEAMS", 6 } };
+                 { "CONTACTS", 1 }, { "DEFORMED", 3 }, { "BEAM_AXES", 6 } };
   gsize count = G_N_ELEMENTS (layers) - (export->beams ? 0 : beams);
   begin_table (export, "LAYER", HANDLE_LAYERS, (int) count);
   for (gsize i = 0; i < count; i++) {
@@ -297,7 +297,7 @@ static void
 put_beams (Export *export, const QnModel *model, const QnResult *result, double scale)
 {
   for (size_t i = 0; i < model->beam_count; i++)
-    put_segment (export, "BEAMS", model->nodes[model->beams[i].nodes[0]].at,
+    put_segment (export, "BEAM_AXES", model->nodes[model->beams[i].nodes[0]].at,
                  model->nodes[model->beams[i].nodes[1]].at);
   if (result == NULL || result->step_count == 0
       || result->node_count != model->node_count)

@@ -121,7 +121,7 @@ test_dxf (Fixture *f, gconstpointer data)
   g_assert_true (
     qn_dxf_export (&f->project.model, &f->contacts, &f->result, 1, 0.001, path, NULL));
   g_autofree char *text = read_file (f, "arm.dxf");
-  g_auto (GStrv) beams = g_strsplit (text, "  8\nBEAMS\n", -1);
+  g_auto (GStrv) beams = g_strsplit (text, "  8\nBEAM_AXES\n", -1);
   g_assert_cmpuint (g_strv_length (beams), ==, 2);
   g_assert_true (g_str_has_prefix (beams[1],
                                    "100\nAcDbLine\n 10\n1000\n 20\n3000\n 30\n0.0\n"
@@ -133,7 +133,7 @@ test_dxf (Fixture *f, gconstpointer data)
   f->project.model.element_count = 0;
   g_assert_true (qn_dxf_export (&f->project.model, &f->contacts, NULL, 1, 1, path, NULL));
   g_autofree char *without = read_file (f, "arm.dxf");
-  g_assert_null (strstr (without, "BEAMS"));
+  g_assert_null (strstr (without, "BEAM_AXES"));
   f->project.model.beam_count = 1;
   f->project.model.element_count = elements;
 }
