@@ -21,6 +21,8 @@ check_quantity (const char *text)
     if (!qn_units_parse (units, (QnQuantity) quantity, text, &value, NULL))
       continue;
     g_assert_false (isnan (value));
+    if (isfinite (value) && fabs (value) > 1e290) /* shown in a smaller unit: infinite */
+      continue;
     g_autofree char *shown =
       qn_units_format_full (units, (QnQuantity) quantity, value, 17);
     g_assert_true (qn_units_parse (units, (QnQuantity) quantity, shown, &again, NULL));
