@@ -165,6 +165,19 @@ take_number (const char *text, const char **rest)
   return g_string_free (number, FALSE);
 }
 
+/* "∞" or "inf", with or without a unit that fits, as it is shown. */
+static gboolean
+is_infinity (QnQuantity quantity, const char *text)
+{
+  gboolean word = g_ascii_strncasecmp (text, "inf", 3) == 0;
+  if (!word && !g_str_has_prefix (text, "∞"))
+    return FALSE;
+  const char *rest = text + (word ? strlen ("inf") : strlen ("∞"));
+  while (*rest != '\0' && g_unichar_isspace (g_utf8_get_char (rest)))
+    rest = g_utf8_next_char (rest);
+  return *rest == '\0' || find_row (quantity, rest) != NULL;
+}
+
 gboolean
 qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *value,
                 GError **error)
@@ -172,7 +185,7 @@ qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *va
   g_return_val_if_fail (text != NULL && value != NULL, FALSE);
 
   g_autofree char *stripped = g_strstrip (g_strdup (text));
-  if (strcmp (stripped, "∞") == 0 || g_ascii_strcasecmp (stripped, "inf") == 0) {
+  if (is_infinity (quantity, stripped)) {
     *value = INFINITY;
     return TRUE;
   }
