@@ -41,10 +41,10 @@ receive (int pipe_end, StressRow *row)
   return true;
 }
 
-void
-stress_process_run (const StressCase *c, int seconds, StressRow *row)
+StressProcess
+stress_process_start (const StressCase *c, int seconds)
 {
-  int ends[2], status = 0;
+  int ends[2];
 
   fflush (NULL);
   if (pipe (ends) != 0)
@@ -57,9 +57,17 @@ stress_process_run (const StressCase *c, int seconds, StressRow *row)
     run_and_send (c, seconds, ends[1]);
   }
   close (ends[1]);
-  bool received = receive (ends[0], row);
-  close (ends[0]);
-  while (waitpid (child, &status, 0) < 0 && errno == EINTR)
+  return (StressProcess){ .pid = child, .pipe_end = ends[0] };
+}
+
+void
+stress_process_finish (StressProcess *process, StressRow *row)
+{
+  int status = 0;
+  bool received = receive (process->pipe_end, row);
+
+  close (process->pipe_end);
+  while (waitpid (process->pid, &status, 0) < 0 && errno == EINTR)
     continue;
   if (!received)
     *row = (StressRow){ .mirrored = NAN, .repeated = NAN, .lower = NAN, .upper = NAN };
@@ -68,4 +76,11 @@ stress_process_run (const StressCase *c, int seconds, StressRow *row)
     row->faults |= STRESS_HANG;
   else if (!received || !WIFEXITED (status) || WEXITSTATUS (status) != 0)
     row->faults |= STRESS_CRASH;
+}
+
+void
+stress_process_run (const StressCase *c, int seconds, StressRow *row)
+{
+  StressProcess process = stress_process_start (c, seconds);
+  stress_process_finish (&process, row);
 }
