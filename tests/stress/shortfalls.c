@@ -8,6 +8,9 @@
 #define STIFFNESSES                                                                      \
   "Springs whose stiffness differs by a thousand and more: the last part of the way to " \
   "collapse is longer than the digits reach."
+#define STALLS                                                                           \
+  "The program stalls at 1e-8 of the loads, and the bounds stay apart by more than "     \
+  "1e-6."
 #define BREAKS_OFF "The central path breaks off where blocks have gone far."
 #define TOWER                                                                            \
   "A tower of 2,000 joints moves as a beam does: its stiffness spreads over thirteen "   \
@@ -39,6 +42,34 @@ static const StressShortfall shortfalls[] = {
   { "random-27", STRESS_MECHANISM, LAST_MOTION },
   { "random-246", STRESS_DIFFERS, BREAKS_OFF },
   { "random-813", STRESS_DIFFERS, BREAKS_OFF },
+  { "random-77", STRESS_MECHANISM, LAST_MOTION },
+  { "random-106", STRESS_MECHANISM, LAST_MOTION },
+  { "random-137", STRESS_MECHANISM, LAST_MOTION },
+  { "random-227", STRESS_MECHANISM, LAST_MOTION },
+  { "random-235", STRESS_MECHANISM, LAST_MOTION },
+  { "random-242", STRESS_MECHANISM, LAST_MOTION },
+  { "random-267", STRESS_MECHANISM, LAST_MOTION },
+  { "random-287", STRESS_MECHANISM, LAST_MOTION },
+  { "random-340", STRESS_MECHANISM, LAST_MOTION },
+  { "random-370", STRESS_MECHANISM, LAST_MOTION },
+  { "random-418", STRESS_MECHANISM, LAST_MOTION },
+  { "random-480", STRESS_MECHANISM, LAST_MOTION },
+  { "random-517", STRESS_MECHANISM, LAST_MOTION },
+  { "random-620", STRESS_MECHANISM, LAST_MOTION },
+  { "random-678", STRESS_MECHANISM, LAST_MOTION },
+  { "random-696", STRESS_MECHANISM, LAST_MOTION },
+  { "random-698", STRESS_MECHANISM, LAST_MOTION },
+  { "random-750", STRESS_MECHANISM, LAST_MOTION },
+  { "random-754", STRESS_MECHANISM, LAST_MOTION },
+  { "random-785", STRESS_MECHANISM, LAST_MOTION },
+  { "random-793", STRESS_MECHANISM, LAST_MOTION },
+  { "random-834", STRESS_MECHANISM, LAST_MOTION },
+  { "random-893", STRESS_MECHANISM, LAST_MOTION },
+  { "random-989", STRESS_MECHANISM, LAST_MOTION },
+  { "random-581", STRESS_LIMIT, STALLS },
+  { "random-920", STRESS_LIMIT, STALLS },
+  { "residual=1e-10-wall6", STRESS_NO_ANSWER,
+    "Forces cannot be summed up that exactly." },
   { "idle-*", STRESS_BUDGET,
     "Free to move, under a live load that does not make it: increments stay small all "
     "the way to the largest multiplier there is." },
