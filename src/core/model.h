@@ -168,7 +168,9 @@ typedef enum { QN_SNAP_JUMP, QN_SNAP_STOP, QN_SNAP_COUNT } QnSnap;
 typedef enum { QN_FLOW_ASSOCIATIVE, QN_FLOW_NON_ASSOCIATIVE, QN_FLOW_COUNT } QnFlow;
 
 /* What the path of equilibria leaves out because it is not needed. Each can be turned off to see
- * what it brings: what is found is the same, to the tolerances. All are on by default. */
+ * what it brings: what is found is the same, to the tolerances, up
+ * to the first limit point; beyond it early_failure and growing_increments may lead to another
+ * branch. All are on by default. */
 typedef struct QnShortcuts {
   bool same_tangent; /* a tangent that is factorised already is neither assembled nor
                                factorised: none of the joints has changed state */

@@ -173,7 +173,6 @@ passes_limit_check (LoadControl *control, double target, bool easy)
 {
   double increment = target - control->path->equilibrium.committed.multiplier;
 
-  control->end_known = compute_rate (control, control->rate_at_end) == QN_SOLVE_CONVERGED;
   if (easy || !control->rate_known
       || (control->end_known && !is_discontinuous (control, increment)))
     return true;
@@ -277,8 +276,14 @@ consider (LoadControl *control, double target, int32_t iterations, QnDiag *diag)
   double increment = target - path->equilibrium.committed.multiplier;
   bool easy = !control->relaxed && iterations <= EASY;
 
-  if (looks_for_limit_point (control) && !passes_limit_check (control, target, easy))
-    return QN_OK;
+  if (looks_for_limit_point (control)) {
+    QnSolveStatus status = compute_rate (control, control->rate_at_end);
+    if (status == QN_SOLVE_NO_MEMORY)
+      return qn_diag_no_memory (diag);
+    control->end_known = status == QN_SOLVE_CONVERGED;
+    if (!passes_limit_check (control, target, easy))
+      return QN_OK;
+  }
   for (int32_t i = 0; i < path->equilibrium.assembly.unknown_count; i++)
     control->velocity[i] = path->equilibrium.u[i] - path->equilibrium.committed.u[i];
   if (!qn_path_accept (path, target, control->jumped ? QN_EVENT_SNAP : QN_EVENT_NONE))
@@ -444,6 +449,7 @@ relax_at_upper (LoadControl *control, QnDiag *diag)
     break;
   case QN_SOLVE_CONVERGED:
     control->upper = INFINITY;
+    control->increment = resolution (control, goal.multiplier);
     return consider (control, goal.multiplier, 0, diag);
   case QN_SOLVE_FAILED:
     qn_equilibrium_restore (eq);
