@@ -19,17 +19,15 @@
 /* Part of the multiplier's tolerance that may be left to gain. */
 #define SETTLED 0.1
 
-/* Factorisations of one central path, and how many of them the first step may take, which may
- * have a jump to cross. */
+/* Factorisations of one step, which is one central path: relaxing on the way finds equilibria
+ * above the mechanism that moves on for good. */
 #define BUDGET 80
-#define PASSES 2
 
 typedef struct {
   QnPath *path;
   const double *start;
   double *velocity; /* of the last step */
   double growth;    /* of the work in the next step */
-  bool gained;      /* a step has raised the multiplier */
   bool gone;        /* the structure has run away */
   bool may_jump;    /* some joint is not associative */
 } Approach;
@@ -69,7 +67,6 @@ take_step (Approach *approach, bool *settled)
     qn_equilibrium_restore (eq);
     return true;
   }
-  approach->gained = true;
   double left = gain / (approach->growth - 1); /* lambda = collapse - constant / work */
   approach->gone |= qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY;
   *settled = left <= SETTLED * path->settings->multiplier_tolerance * eq->multiplier;
@@ -99,8 +96,7 @@ qn_path_approach_collapse (QnPath *path, QnCentralPath *central, const double *s
                                 (approach.growth - 1) * work_so_far (&approach) };
     if (!(target.advance > 0))
       return QN_OK;
-    int passes = approach.gained ? 1 : PASSES;
-    switch (qn_central_path_relax (central, &target, BUDGET, passes)) {
+    switch (qn_central_path_relax (central, &target, BUDGET, 1)) {
     case QN_SOLVE_CONVERGED:
       if (eq->multiplier > end) {
         qn_equilibrium_restore (eq);

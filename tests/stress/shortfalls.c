@@ -28,6 +28,8 @@ static const StressShortfall shortfalls[] = {
   { "friction=1e-06-*", STRESS_LIMIT,
     "Shear forces of a millionth of the loads, the program being solved to 1e-8 of "
     "them." },
+  { "friction=1.5-wall2", STRESS_MECHANISM, LAST_MOTION },
+  { "friction=2-wall6", STRESS_MECHANISM | STRESS_NO_ANSWER, WEDGES },
   { "friction=4-*", STRESS_MECHANISM, WEDGES },
   { "friction=5-*", STRESS_NO_ANSWER | STRESS_MECHANISM, WEDGES },
   { "apex=1-wall6", STRESS_MECHANISM, LAST_MOTION },
@@ -46,6 +48,7 @@ static const StressShortfall shortfalls[] = {
   { "random-77", STRESS_MECHANISM, LAST_MOTION },
   { "random-106", STRESS_MECHANISM, LAST_MOTION },
   { "random-137", STRESS_MECHANISM, LAST_MOTION },
+  { "random-157", STRESS_MECHANISM | STRESS_NO_ANSWER, LAST_MOTION },
   { "random-168", STRESS_MECHANISM, LAST_MOTION },
   { "random-227", STRESS_MECHANISM, LAST_MOTION },
   { "random-235", STRESS_MECHANISM, LAST_MOTION },
