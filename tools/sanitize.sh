@@ -8,7 +8,7 @@
 #   tools/sanitize.sh valgrind            tests of the core under valgrind, uninstrumented
 #   tools/sanitize.sh fuzz [SECONDS]      every fuzz target for so long (60), with libFuzzer
 #
-# What tools/test.sh runs of it: address, thread, valgrind. docs/faults.md tells more.
+# What tools/test.sh runs of it: address, window, thread, valgrind. docs/faults.md tells more.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
@@ -45,7 +45,7 @@ with_valgrind () {
   ninja -C build-test
   meson test -C build-test --no-rebuild --print-errorlogs --setup valgrind \
     newton lanczos stability interior-point path-stages contacts limit-run central-path \
-    weld polygon-ops json-parse whole-file
+    weld polygon-ops io-json-parse whole-file
 }
 
 with_libfuzzer () {
@@ -64,7 +64,7 @@ with_libfuzzer () {
 }
 
 case ${1:-} in
-  address) with_asan --no-suite slow --no-suite app ;;
+  address) with_asan --no-suite slow ;;
   faults) with_asan --suite faults --suite fuzz ;;
   window) with_asan --suite app ;;
   thread) with_tsan ;;

@@ -260,7 +260,7 @@ update_stages (Panel *panel, const QnModel *model)
 static void
 update (Panel *panel)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (panel->canvas));
+  const QnModel *model = qn_canvas_get_model (panel->canvas);
   const QnAnalysisSettings *a = &model->analysis;
   qn_form_set_choice (panel->procedure, procedure_row (a), panel);
   qn_form_set_choice (panel->geometry, a->geometry == QN_GEOMETRY_NONLINEAR, panel);
@@ -352,7 +352,7 @@ add_list (Panel *panel, GtkWidget *form, const char *label)
 {
   GtkWidget *entry = gtk_entry_new ();
   gtk_editable_set_width_chars (GTK_EDITABLE (entry), 9);
-  gtk_entry_set_placeholder_text (GTK_ENTRY (entry), "0.1; 0.5; 0.9");
+  gtk_entry_set_placeholder_text (GTK_ENTRY (entry), _ ("0.1; 0.5; 0.9"));
   g_signal_connect_swapped (entry, "activate", G_CALLBACK (apply_settings), panel);
   qn_form_add_row (form, label, entry);
   return GTK_ENTRY (entry);

@@ -4,6 +4,7 @@
 
 #include "app/dialog.h"
 #include "app/form.h"
+#include "app/window-chooser.h"
 #include "doc/animation-job.h"
 #include <glib/gi18n.h>
 
@@ -183,20 +184,28 @@ write_to (Dialog *dialog, const char *path)
                             g_atomic_rc_box_acquire (dialog));
 }
 
+/* Numbered pictures go into a folder. */
+static char *
+dup_chosen_path (Dialog *dialog, GtkNativeDialog *chooser, GError **error)
+{
+  static const char *const endings[][3] = { { ".gif", ".webm" }, { ".webm", ".gif" } };
+  if (format_of (dialog) != FORMAT_PICTURES)
+    return qn_dialog_dup_chosen_path (chooser, endings[format_of (dialog)], error);
+  const char *const any[] = { "", NULL };
+  g_autofree char *folder = qn_dialog_dup_chosen_path (chooser, any, error);
+  return folder != NULL ? g_strconcat (folder, G_DIR_SEPARATOR_S, NULL) : NULL;
+}
+
 static void
 on_response (GtkNativeDialog *chooser, int response, Dialog *dialog)
 {
   if (response == GTK_RESPONSE_ACCEPT && dialog->dialog != NULL) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
-    g_autofree char *path = g_file_get_path (file);
-    gboolean folder = format_of (dialog) == FORMAT_PICTURES;
-    g_autofree char *whole = path != NULL && folder
-                               ? g_strconcat (path, G_DIR_SEPARATOR_S, NULL)
-                               : g_strdup (path);
-    if (whole != NULL)
-      write_to (dialog, whole);
+    g_autoptr (GError) error = NULL;
+    g_autofree char *path = dup_chosen_path (dialog, chooser, &error);
+    if (path != NULL)
+      write_to (dialog, path);
     else
-      gtk_label_set_text (dialog->facts, _ ("Only local files can be written"));
+      gtk_label_set_text (dialog->facts, error->message);
   }
   g_clear_object (&dialog->window->chooser);
 }
@@ -207,19 +216,15 @@ on_export (Dialog *dialog)
   static const char *const names[] = { N_ ("collapse.gif"), N_ ("collapse.webm") };
   int format = format_of (dialog);
   gboolean folder = format == FORMAT_PICTURES;
-  GtkFileChooserNative *chooser = gtk_file_chooser_native_new (
-    folder ? _ ("Folder for the Pictures") : _ ("Export Animation"),
-    GTK_WINDOW (dialog->dialog),
+  GtkFileChooserNative *chooser = qn_chooser_begin (
+    GTK_WINDOW (dialog->dialog), &dialog->window->chooser,
     folder ? GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER : GTK_FILE_CHOOSER_ACTION_SAVE,
-    _ ("_Export"), NULL);
+    folder ? _ ("Folder for the Pictures") : _ ("Export Animation"), _ ("_Export"));
   if (!folder)
     gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ (names[format]));
-  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
   g_signal_connect_data (chooser, "response", G_CALLBACK (on_response),
                          g_atomic_rc_box_acquire (dialog),
                          (GClosureNotify) (gpointer) dialog_unref, 0);
-  g_set_object (&dialog->window->chooser, G_OBJECT (chooser));
-  g_object_unref (chooser);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
@@ -295,6 +300,8 @@ build_foot (Dialog *dialog)
 {
   GtkWidget *foot = qn_form_new ();
   dialog->facts = qn_form_add_text (foot);
+  /* Otherwise room is kept for it in a column of single letters. */
+  gtk_label_set_width_chars (dialog->facts, 30);
   dialog->progress = GTK_PROGRESS_BAR (gtk_progress_bar_new ());
   gtk_progress_bar_set_show_text (dialog->progress, TRUE);
   gtk_widget_set_hexpand (GTK_WIDGET (dialog->progress), TRUE);
@@ -309,7 +316,7 @@ open_dialog (QnWindow *self)
 {
   Dialog *dialog = g_atomic_rc_box_new0 (Dialog);
   dialog->window = self;
-  dialog->dialog = qn_dialog_new (GTK_WINDOW (self), _ ("Export Animation"), 420, 500);
+  dialog->dialog = qn_dialog_new (GTK_WINDOW (self), _ ("Export Animation"), 420, -1);
   gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog));
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   build_form (dialog);

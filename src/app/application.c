@@ -148,7 +148,13 @@ qn_application_open (GApplication *application, GFile **files, int count,
   offer_recovery (QN_APPLICATION (application));
   for (int i = 0; i < count; i++) {
     g_autofree char *path = g_file_get_path (files[i]);
-    QnWindow *window = qn_window_new (GTK_APPLICATION (application));
+    QnWindow *window =
+      path != NULL ? qn_window_find_path (GTK_APPLICATION (application), path) : NULL;
+    if (window != NULL) {
+      gtk_window_present (GTK_WINDOW (window));
+      continue;
+    }
+    window = qn_window_new (GTK_APPLICATION (application));
     gtk_window_present (GTK_WINDOW (window));
     if (path != NULL)
       qn_window_open_path (window, path);

@@ -28,12 +28,6 @@ static const struct {
               { QN_SEAT_SIDE, QN_BLOCK_SIDE_BOTTOM },
               { QN_SEAT_SIDE, QN_BLOCK_SIDE_TOP } };
 
-static const QnModel *
-model_of (const Form *form)
-{
-  return qn_document_get_model (qn_canvas_get_document (form->canvas));
-}
-
 /* ---- changes ---- */
 
 typedef struct Change {
@@ -100,8 +94,8 @@ on_seat (GtkDropDown *choice, GParamSpec *pspec, Form *form)
   (void) pspec;
   if (form->node == QN_NONE)
     return;
-  const QnNode *node = &model_of (form)->nodes[form->node];
-  QnId under = qn_model_block_under (model_of (form), node->at, 1e-9);
+  const QnNode *node = &qn_canvas_get_model (form->canvas)->nodes[form->node];
+  QnId under = qn_model_block_under (qn_canvas_get_model (form->canvas), node->at, 1e-9);
   apply (form, _ ("Join Beam to Block"), edit_seat,
          (Change){ .block = node->block != QN_NONE ? node->block : under,
                    .seat = gtk_drop_down_get_selected (choice) });
@@ -157,7 +151,7 @@ update_facts (Form *form, const QnModel *model, const QnNode *node)
 static void
 update (Form *form)
 {
-  const QnModel *model = model_of (form);
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   guint count = 0;
   const QnId *ids =
     qn_selection_get_beams (qn_canvas_get_selection (form->canvas), &count);
@@ -222,9 +216,7 @@ qn_beam_end_form_new (QnCanvas *canvas, int end)
   form->part = gtk_button_new_with_mnemonic (_ ("_Part from the Other Beams"));
   g_signal_connect_swapped (form->part, "clicked", G_CALLBACK (on_part), form);
   qn_form_add_wide (grid, form->part);
-  qn_own (grid, form);
-  qn_watch (grid, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), form);
-  qn_watch (grid, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), form);
+  qn_form_follow_canvas (grid, canvas, G_CALLBACK (update), form);
   update (form);
   return grid;
 }

@@ -251,10 +251,7 @@ build_rows (Form *form, GtkWidget *grid)
   const char *const kinds[] = { _ ("Timoshenko"), _ ("Euler–Bernoulli"), NULL };
   const char *const none[] = { NULL };
   form->title = GTK_LABEL (qn_form_add_heading (grid, ""));
-  form->name = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->name), 10);
-  g_signal_connect (form->name, "activate", G_CALLBACK (on_name), form);
-  qn_form_add_row (grid, _ ("_Name"), form->name);
+  form->name = qn_form_add_entry (grid, _ ("_Name"), 10, G_CALLBACK (on_name), form);
   form->section =
     qn_form_add_choice (grid, _ ("_Section"), none, G_CALLBACK (on_section), form);
   form->kind =

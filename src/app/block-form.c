@@ -121,7 +121,7 @@ build_supports (Form *form, GtkWidget *grid)
 static void
 update_facts (Form *form, QnBlockSet set)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (form->canvas));
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   const QnBlock *block = &model->blocks[set.ids[0]];
   QnUnits units = qn_settings_get_units ();
   double weight = 0.0;
@@ -140,7 +140,7 @@ update_facts (Form *form, QnBlockSet set)
 static void
 update (Form *form)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (form->canvas));
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   QnBlockSet set = { 0 };
   set.ids = qn_selection_get_blocks (qn_canvas_get_selection (form->canvas), &set.count);
   gtk_widget_set_visible (form->box, set.count > 0);
@@ -184,10 +184,7 @@ qn_block_form_new (QnCanvas *canvas)
   form->canvas = canvas;
   GtkWidget *grid = form->box = qn_form_new ();
   form->title = GTK_LABEL (qn_form_add_heading (grid, ""));
-  form->name = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->name), 10);
-  g_signal_connect (form->name, "activate", G_CALLBACK (on_name), form);
-  qn_form_add_row (grid, _ ("_Name"), form->name);
+  form->name = qn_form_add_entry (grid, _ ("_Name"), 10, G_CALLBACK (on_name), form);
   form->thickness = qn_form_add_quantity (grid, _ ("_Thickness"), QN_QUANTITY_LENGTH,
                                           1e-6, LARGEST, G_CALLBACK (on_thickness), form);
   form->weight = qn_form_add_quantity (grid, _ ("Unit _weight"), QN_QUANTITY_UNIT_WEIGHT,
@@ -198,9 +195,7 @@ qn_block_form_new (QnCanvas *canvas)
   form->join = gtk_button_new_with_mnemonic (_ ("_Join into One Block"));
   gtk_actionable_set_action_name (GTK_ACTIONABLE (form->join), "win.join");
   qn_form_add_wide (grid, form->join);
-  qn_own (grid, form);
-  qn_watch (grid, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), form);
-  qn_watch (grid, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), form);
+  qn_form_follow_canvas (grid, canvas, G_CALLBACK (update), form);
   update (form);
   return grid;
 }

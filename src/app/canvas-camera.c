@@ -7,7 +7,8 @@
 
 #define FIT_TOP_PX    44.0
 #define FIT_MARGIN_PX 56.0
-#define REST_MS       150 /* without motion, until a heavy drawing is drawn anew */
+#define DIMENSION_PX  44.0 /* from the structure to the far side of a dimension */
+#define REST_MS       150  /* without motion, until a heavy drawing is drawn anew */
 #define PLACE_SECONDS 4
 #define WHEEL_FACTOR  1.15
 
@@ -114,20 +115,55 @@ qn_canvas_fit (QnCanvas *self)
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
+/* Centres the box in what strips on the left, at the top and at the bottom leave. */
+static void
+fit_beside (QnCanvas *self, QnBox box, double left, double bottom)
+{
+  QnCamera room = self->camera;
+  room.width -= left;
+  room.height -= FIT_TOP_PX + bottom;
+  qn_camera_fit (&room, box, FIT_MARGIN_PX);
+  self->camera.scale = CLAMP (room.scale, LEAST_SCALE, MOST_SCALE);
+  self->camera.center.x = room.center.x - 0.5 * left / self->camera.scale;
+  self->camera.center.y =
+    room.center.y + 0.5 * (FIT_TOP_PX - bottom) / self->camera.scale;
+}
+
+/* Whether the structure, with its dimensions, lies under the legend. */
+static gboolean
+is_under (QnCanvas *self, QnBox box, QnBox legend)
+{
+  QnVec2 low = qn_camera_to_screen (&self->camera, box.min);
+  QnVec2 high = qn_camera_to_screen (&self->camera, box.max);
+  return low.x - DIMENSION_PX < legend.max.x && high.x > legend.min.x
+         && low.y + DIMENSION_PX > legend.min.y && high.y < legend.max.y;
+}
+
+/* The legend hides nothing: the structure goes beside it or above it, where it is larger. */
+static void
+fit_around (QnCanvas *self, QnBox box, QnBox legend)
+{
+  double left = legend.max.x, bottom = self->camera.height - legend.min.y;
+  fit_beside (self, box, left, 0.0);
+  double beside = self->camera.scale;
+  fit_beside (self, box, 0.0, bottom);
+  if (beside > self->camera.scale)
+    fit_beside (self, box, left, 0.0);
+}
+
 void
 qn_canvas_fit_now (QnCanvas *self)
 {
   const QnScene *scene = qn_canvas_get_scene (self);
   QnBox box = scene != NULL ? scene->box : (QnBox){ { -0.5, -0.5 }, { 5.5, 4.5 } };
   /* Room for the rulers, the choice of view above and the buttons below. */
-  self->camera.y = FIT_TOP_PX;
-  self->camera.height -= FIT_TOP_PX;
-  qn_camera_fit (&self->camera, box, FIT_MARGIN_PX);
-  self->camera.height += FIT_TOP_PX;
-  self->camera.y = 0.0;
-  self->camera.center.y += 0.5 * FIT_TOP_PX / self->camera.scale;
+  fit_beside (self, box, 0.0, 0.0);
+  if (scene != NULL) {
+    QnBox legend = qn_canvas_legend_box (self, scene);
+    if (is_under (self, box, legend))
+      fit_around (self, box, legend);
+  }
   self->wants_fit = FALSE;
-  self->camera.scale = CLAMP (self->camera.scale, LEAST_SCALE, MOST_SCALE);
 }
 
 void

@@ -3,6 +3,7 @@
 #include "doc/explain.h"
 #include "render/draw-cairo.h"
 #include "render/figure-furniture.h"
+#include "render/paint.h"
 
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
@@ -15,6 +16,7 @@
 #define CURSOR_PX    14.0
 #define DIM_PAPER    0.9
 #define LEGEND_INSET 10.0
+#define LEGEND_PAD   4.0
 
 /* The drawing is paper, white in light windows and a little dimmed in dark ones. */
 static gboolean
@@ -28,8 +30,7 @@ is_dark (QnCanvas *self)
 static void
 set_ink (cairo_t *cr, QnInk ink, double alpha)
 {
-  QnColor c = qn_ink (ink, false);
-  cairo_set_source_rgba (cr, c.r / 255.0, c.g / 255.0, c.b / 255.0, alpha);
+  qn_set_color (cr, qn_ink (ink, false), alpha);
 }
 
 static PangoLayout *
@@ -187,7 +188,7 @@ qn_canvas_trace (QnCanvas *self, cairo_t *cr, const QnVec2 *points, gsize count)
 static void
 draw_selected_beams (QnCanvas *self, cairo_t *cr)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  const QnModel *model = qn_canvas_get_model (self);
   guint count = 0;
   const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (self), &count);
   for (guint i = 0; i < count; i++) {
@@ -405,22 +406,52 @@ qn_canvas_draw_label (QnCanvas *self, cairo_t *cr, const char *text, QnVec2 scre
 
 /* ---- all of it ---- */
 
-/* Symbols and what they mean, at the lower left. */
+/* Measured, at the lower left. The caller clears it. */
+static void
+lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, QnFurniture *furniture)
+{
+  qn_furniture_init (furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
+                     true);
+  qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
+  furniture->x = RULER_PX + LEGEND_INSET;
+  furniture->y = self->camera.height - furniture->height - LEGEND_INSET;
+}
+
+/* Around its paper. */
+static QnBox
+legend_box (const QnFurniture *furniture)
+{
+  QnVec2 corner = qn_vec2 (furniture->x - LEGEND_PAD, furniture->y - LEGEND_PAD);
+  QnVec2 size =
+    qn_vec2 (furniture->width + 2 * LEGEND_PAD, furniture->height + 2 * LEGEND_PAD);
+  return (QnBox){ corner, qn_vec2_add (corner, size) };
+}
+
+QnBox
+qn_canvas_legend_box (QnCanvas *self, const QnScene *scene)
+{
+  QnFurniture furniture;
+  cairo_surface_t *surface = cairo_recording_surface_create (CAIRO_CONTENT_COLOR, NULL);
+  cairo_t *cr = cairo_create (surface);
+  lay_legend (self, cr, scene, &furniture);
+  QnBox box = legend_box (&furniture);
+  qn_furniture_clear (&furniture);
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+  return box;
+}
+
+/* Symbols and what they mean. */
 static void
 draw_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene)
 {
   QnFurniture furniture;
-  double width = 0.0, height = 0.0;
-  qn_furniture_init (&furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
-                     true);
-  qn_furniture_column_size (&furniture, &width, &height);
-  furniture.x = RULER_PX + LEGEND_INSET;
-  furniture.y = self->camera.height - height - LEGEND_INSET;
-  furniture.width = width;
-  furniture.height = height;
+  lay_legend (self, cr, scene, &furniture);
+  QnBox box = legend_box (&furniture);
   double paper = is_dark (self) ? DIM_PAPER : 1.0;
   cairo_set_source_rgba (cr, paper, paper, paper, 0.85);
-  cairo_rectangle (cr, furniture.x - 4.0, furniture.y - 4.0, width + 8.0, height + 8.0);
+  cairo_rectangle (cr, box.min.x, box.min.y, box.max.x - box.min.x,
+                   box.max.y - box.min.y);
   cairo_fill (cr);
   qn_furniture_draw (&furniture, cr, self->camera.scale, true);
   qn_furniture_clear (&furniture);

@@ -20,7 +20,7 @@ update_hit (QnCanvas *self)
                       g_settings_get_boolean (settings, "grid")
                         ? qn_canvas_grid_distance (self) / 5.0
                         : 0.0 };
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  const QnModel *model = qn_canvas_get_model (self);
   self->hit = qn_magnet_find (&magnet, model, point, self->magnet_skip);
   /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm. */
   if (magnet.enabled && self->hit.kind == QN_MAGNET_NOTHING) {

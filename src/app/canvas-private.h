@@ -52,6 +52,9 @@ const QnScene *qn_canvas_get_scene (QnCanvas *canvas);
 void qn_canvas_draw_below (QnCanvas *canvas, gboolean with_photo, cairo_t *cr);
 void qn_canvas_draw_above (QnCanvas *canvas, gboolean with_labels, cairo_t *cr);
 
+/* What the legend covers, px. */
+QnBox qn_canvas_legend_box (QnCanvas *canvas, const QnScene *scene);
+
 /* Draws everything by Cairo. */
 void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
 
@@ -67,6 +70,7 @@ void qn_canvas_click (QnCanvas *canvas, GdkModifierType modifiers);
 /* Moves the camera so that everything is in view. */
 void qn_canvas_fit_now (QnCanvas *canvas);
 
+/* Emit the signals of canvas.h; `message` is translated. */
 void qn_canvas_emit_status (QnCanvas *canvas);
 void qn_canvas_emit_failed (QnCanvas *canvas, const char *message);
 

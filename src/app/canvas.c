@@ -1,6 +1,7 @@
 #include "app/canvas-private.h"
 
 #include "app/settings.h"
+#include "doc/count-text.h"
 #include "io/project-masonry.h"
 #include <glib/gi18n.h>
 
@@ -75,12 +76,17 @@ on_state_changed (QnCanvas *self)
 static void
 update_description (QnCanvas *self)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  const QnModel *model = qn_canvas_get_model (self);
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
+  const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, contacts->face_count },
+                             { QN_COUNTED_BEAMS, model->beam_count } };
+  g_autofree char *content = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
   g_autofree char *text = g_strdup_printf (
-    _ ("Drawing of %u blocks with %u contact faces and %u beams; the arrow keys move the "
-       "selection, or the pointer of a drawing tool, and Enter clicks there"),
-    (guint) model->block_count, (guint) contacts->face_count, (guint) model->beam_count);
+    _ (
+      "Drawing: %s; the arrow keys move the selection, or the pointer of a drawing tool, "
+      "and Enter clicks there"),
+    content);
   gtk_accessible_update_property (GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   _ ("Drawing"), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
                                   text, -1);
@@ -245,6 +251,12 @@ qn_canvas_get_gl_layer (QnCanvas *self)
   return self->gl_layer;
 }
 
+const QnModel *
+qn_canvas_get_model (QnCanvas *self)
+{
+  return qn_document_get_model (qn_canvas_get_document (self));
+}
+
 QnSelection *
 qn_canvas_get_selection (QnCanvas *self)
 {
@@ -355,7 +367,7 @@ is_between (QnVec2 p, QnVec2 a, QnVec2 b)
 void
 qn_canvas_beams_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  const QnModel *model = qn_canvas_get_model (self);
   for (QnId i = 0; i < (QnId) model->beam_count; i++) {
     const QnId *ends = model->beams[i].nodes;
     if (is_between (model->nodes[ends[0]].at, a, b)
@@ -404,7 +416,7 @@ qn_canvas_dup_parts (QnCanvas *self)
 gboolean
 qn_canvas_get_parts_box (QnCanvas *self, QnVec2 *low, QnVec2 *high)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  const QnModel *model = qn_canvas_get_model (self);
   QnSelection *selection = qn_canvas_get_selection (self);
   QnBox box = QN_BOX_EMPTY;
   guint count = 0;
@@ -426,7 +438,7 @@ qn_canvas_get_parts_box (QnCanvas *self, QnVec2 *low, QnVec2 *high)
 QnId
 qn_canvas_pick_node (QnCanvas *self, QnVec2 screen)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (self));
+  const QnModel *model = qn_canvas_get_model (self);
   return qn_model_node_near (model, qn_camera_to_model (&self->camera, screen),
                              NODE_REACH_PX / self->camera.scale);
 }

@@ -20,6 +20,7 @@ void qn_canvas_set_state (QnCanvas *canvas, QnViewState *state, QnToolSettings *
 QnViewState *qn_canvas_get_state (QnCanvas *canvas);
 QnDocument *qn_canvas_get_document (QnCanvas *canvas);
 QnSelection *qn_canvas_get_selection (QnCanvas *canvas);
+const QnModel *qn_canvas_get_model (QnCanvas *canvas); /* the document's */
 QnToolSettings *qn_canvas_get_tool_settings (QnCanvas *canvas);
 
 void qn_canvas_set_tool (QnCanvas *canvas, const QnTool *tool);
@@ -27,11 +28,14 @@ const QnTool *qn_canvas_get_tool (QnCanvas *canvas);
 /* Gives up the gesture of the current tool. */
 void qn_canvas_cancel_gesture (QnCanvas *canvas);
 
+/* Brings everything into view when the canvas is drawn next, and keeps it there until the user
+ * zooms or pans. */
 void qn_canvas_fit (QnCanvas *canvas);
 void qn_canvas_zoom (QnCanvas *canvas, double factor); /* about the middle */
 /* Brings a place into view and rings it. */
 void qn_canvas_show_place (QnCanvas *canvas, QnVec2 at);
 
+/* What part is in view; the viewport is the canvas's own. Borrowed, and copied. */
 const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
 void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
 
@@ -43,6 +47,7 @@ char *qn_canvas_dup_status (QnCanvas *canvas);
 
 /* ---- for tools ---- */
 
+/* The one gesture of the canvas, the current tool's to change; and whether one is under way. */
 QnGesture *qn_canvas_get_gesture (QnCanvas *canvas);
 gboolean qn_canvas_is_in_gesture (QnCanvas *canvas);
 
@@ -81,10 +86,10 @@ gboolean qn_canvas_snaps (QnCanvas *canvas);
 /* Blocks that the magnet leaves alone, one flag per block, taken over; NULL for none. */
 void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);
 
-/* Does an edit; shows why where it is refused. */
+/* Do an edit as qn_document_edit() and qn_document_edit_project(); FALSE where it is refused, which
+ * the signal "failed" has told then. */
 gboolean qn_canvas_edit (QnCanvas *canvas, const char *name, const char *key,
                          QnEditFunc func, gpointer data);
-
 gboolean qn_canvas_edit_project (QnCanvas *canvas, const char *name, const char *key,
                                  QnProjectEditFunc func, gpointer data);
 

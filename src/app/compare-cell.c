@@ -153,7 +153,8 @@ dup_caption (const QnRun *run)
     run->result.has_collapse_multiplier
       ? g_strdup_printf ("λ = %.4f", run->result.collapse_multiplier)
       : g_strdup (qn_explain_outcome_label (run->result.outcome));
-  return g_strdup_printf ("%s: %s\n%s", run->name, value, words != NULL ? words : "");
+  g_autofree char *what = g_strdup_printf (_ ("%s: %s"), run->name, value);
+  return g_strdup_printf ("%s\n%s", what, words != NULL ? words : "");
 }
 
 static void

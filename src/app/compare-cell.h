@@ -24,6 +24,7 @@ GtkWidget *qn_compare_cell_new (QnRun *run, QnCompareView *view);
 /* px per m at which the run fits its cell; 0 before the cell has a size. */
 double qn_compare_cell_fit_scale (GtkWidget *cell);
 
+/* After a change of what the cell was told to show. */
 void qn_compare_cell_redraw (GtkWidget *cell);
 
 #endif

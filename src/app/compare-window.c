@@ -4,6 +4,7 @@
 #include "app/dialog.h"
 #include "app/form.h"
 #include "app/settings.h"
+#include "app/window-chooser.h"
 #include "app/window-private.h"
 #include "render/compare-sheet.h"
 #include <glib/gi18n.h>
@@ -14,6 +15,7 @@
 typedef struct Compare {
   QnWindow *window;
   GtkWidget *dialog, *grid, *list, *play, *outline, *hint;
+  GtkLabel *message;
   GPtrArray *shown; /* of QnRun, in the order chosen */
   QnCompareView view;
   gint64 started;
@@ -105,7 +107,7 @@ static void
 add_run (Compare *compare, QnDocument *document, QnRun *run)
 {
   g_autofree char *title = qn_document_dup_display_name (document);
-  g_autofree char *label = g_strdup_printf ("%s: %s", title, run->name);
+  g_autofree char *label = g_strdup_printf (_ ("%s: %s"), title, run->name);
   GtkWidget *check = gtk_check_button_new_with_label (label);
   gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
                                g_ptr_array_find (compare->shown, run, NULL));
@@ -248,11 +250,14 @@ static void
 on_file_chosen (GtkNativeDialog *dialog, int response, Compare *compare)
 {
   if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog));
-    g_autofree char *path = g_file_get_path (file);
+    const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
     g_autoptr (GError) error = NULL;
-    if (path != NULL && !qn_compare_export (compare->shown, path, &error))
-      qn_window_show_error (compare->window, error->message);
+    g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
+    gboolean written = path != NULL && qn_compare_export (compare->shown, path, &error);
+    g_autofree char *message =
+      written ? g_strdup_printf (_ ("Figure written to %s"), path) : NULL;
+    gtk_label_set_text (compare->message, written ? message : error->message);
+    gtk_widget_set_visible (GTK_WIDGET (compare->message), TRUE);
   }
   g_clear_object (&compare->chooser);
 }
@@ -261,13 +266,10 @@ static void
 on_export (Compare *compare)
 {
   GtkFileChooserNative *chooser =
-    gtk_file_chooser_native_new (_ ("Export Sheet"), GTK_WINDOW (compare->dialog),
-                                 GTK_FILE_CHOOSER_ACTION_SAVE, _ ("_Export"), NULL);
+    qn_chooser_begin (GTK_WINDOW (compare->dialog), &compare->chooser,
+                      GTK_FILE_CHOOSER_ACTION_SAVE, _ ("Export Sheet"), _ ("_Export"));
   gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ ("comparison.png"));
-  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
   g_signal_connect (chooser, "response", G_CALLBACK (on_file_chosen), compare);
-  g_set_object (&compare->chooser, G_OBJECT (chooser));
-  g_object_unref (chooser);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
@@ -343,9 +345,14 @@ make_content (Compare *compare)
   gtk_grid_set_column_homogeneous (GTK_GRID (compare->grid), TRUE);
   gtk_grid_set_row_spacing (GTK_GRID (compare->grid), 12);
   gtk_grid_set_column_spacing (GTK_GRID (compare->grid), 12);
+  compare->message = GTK_LABEL (gtk_label_new (NULL));
+  gtk_label_set_wrap (compare->message, TRUE);
+  gtk_label_set_selectable (compare->message, TRUE);
+  gtk_widget_set_visible (GTK_WIDGET (compare->message), FALSE);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   gtk_box_append (GTK_BOX (box), compare->hint);
   gtk_box_append (GTK_BOX (box), compare->grid);
+  gtk_box_append (GTK_BOX (box), GTK_WIDGET (compare->message));
   return box;
 }
 

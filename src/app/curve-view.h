@@ -9,6 +9,7 @@
 #define QN_TYPE_CURVE_VIEW (qn_curve_view_get_type ())
 G_DECLARE_FINAL_TYPE (QnCurveView, qn_curve_view, QN, CURVE_VIEW, GtkWidget)
 
+/* Holds the state. */
 GtkWidget *qn_curve_view_new (QnViewState *state);
 
 #endif

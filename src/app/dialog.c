@@ -1,5 +1,7 @@
 #include "app/dialog.h"
 
+#include <glib/gi18n.h>
+
 GtkWidget *
 qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
 {
@@ -17,4 +19,33 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
                       gtk_named_action_new ("window.close")));
   gtk_widget_add_controller (dialog, keys);
   return dialog;
+}
+
+char *
+qn_dialog_complete_path (const char *path, const char *const *endings, GError **error)
+{
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  for (int i = 0; endings[i] != NULL; i++)
+    if (g_str_has_suffix (lower, endings[i]))
+      return g_strdup (path);
+  g_autofree char *whole = g_strconcat (path, endings[0], NULL);
+  if (g_file_test (whole, G_FILE_TEST_EXISTS)) {
+    g_set_error (error, G_IO_ERROR, G_IO_ERROR_EXISTS,
+                 _ ("%s is there already: choose it to replace it"), whole);
+    return NULL;
+  }
+  return g_steal_pointer (&whole);
+}
+
+char *
+qn_dialog_dup_chosen_path (GtkNativeDialog *chooser, const char *const *endings,
+                           GError **error)
+{
+  g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
+  g_autofree char *path = file != NULL ? g_file_get_path (file) : NULL;
+  if (path != NULL)
+    return qn_dialog_complete_path (path, endings, error);
+  g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_NOT_SUPPORTED,
+                       _ ("Only local files can be written"));
+  return NULL;
 }

@@ -7,4 +7,14 @@
 /* Modal, gone with its parent. A height of -1 takes what the content needs. */
 GtkWidget *qn_dialog_new (GtkWindow *parent, const char *title, int width, int height);
 
+/* The path chosen for a file to be written. One that ends in none of `endings` (NULL-terminated,
+ * with their dots) gets the first of them; such a file must not be there yet, as nobody was asked
+ * whether it may be replaced. NULL with an error; the caller frees it. */
+char *qn_dialog_dup_chosen_path (GtkNativeDialog *chooser, const char *const *endings,
+                                 GError **error);
+
+/* The same for a path. */
+char *qn_dialog_complete_path (const char *path, const char *const *endings,
+                               GError **error);
+
 #endif

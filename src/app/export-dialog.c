@@ -4,6 +4,7 @@
 
 #include "app/dialog.h"
 #include "app/form.h"
+#include "app/window-chooser.h"
 #include "doc/figure-export.h"
 #include "doc/figures.h"
 #include <glib/gi18n.h>
@@ -33,6 +34,11 @@ dialog_free (gpointer data, GObject *where)
 /* ---- the recipe ---- */
 
 static const char *const endings[] = { "png", "svg", "pdf" };
+
+/* What may be typed instead, by the format that is chosen. */
+static const char *const typed_endings[][4] = { { ".png", ".svg", ".pdf" },
+                                                { ".svg", ".png", ".pdf" },
+                                                { ".pdf", ".png", ".svg" } };
 
 static void
 take_text (char **text, GtkWidget *entry)
@@ -175,10 +181,11 @@ on_file_chosen (GtkNativeDialog *chooser, int response, Dialog *dialog)
 {
   QnWindow *self = dialog->window;
   if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
-    g_autofree char *path = g_file_get_path (file);
+    g_autoptr (GError) error = NULL;
+    const char *const *known = typed_endings[gtk_drop_down_get_selected (dialog->format)];
+    g_autofree char *path = qn_dialog_dup_chosen_path (chooser, known, &error);
     if (path == NULL)
-      qn_window_show_error (self, _ ("Only local files can be written"));
+      qn_window_show_error (self, error->message);
     else {
       g_free (self->last_export);
       self->last_export = g_steal_pointer (&path);
@@ -195,17 +202,14 @@ static void
 on_export (Dialog *dialog)
 {
   GtkFileChooserNative *chooser =
-    gtk_file_chooser_native_new (_ ("Export Figure"), GTK_WINDOW (dialog->dialog),
-                                 GTK_FILE_CHOOSER_ACTION_SAVE, _ ("_Export"), NULL);
+    qn_chooser_begin (GTK_WINDOW (dialog->dialog), &dialog->window->chooser,
+                      GTK_FILE_CHOOSER_ACTION_SAVE, _ ("Export Figure"), _ ("_Export"));
   take_fields (dialog);
   g_autofree char *name = qn_document_dup_display_name (dialog->window->document);
   g_autofree char *proposed = g_strdup_printf ("%s – %s", name, dialog->recipe->file);
   gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser),
                                      g_strdelimit (proposed, "/", '-'));
-  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
   g_signal_connect (chooser, "response", G_CALLBACK (on_file_chosen), dialog);
-  g_set_object (&dialog->window->chooser, G_OBJECT (chooser));
-  g_object_unref (chooser);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
@@ -247,15 +251,11 @@ add_content (Dialog *dialog, GtkWidget *form)
                                 NULL };
   const char *const diagrams[] = { _ ("Bending moments"), _ ("Shear forces"),
                                    _ ("Normal forces"), NULL };
-  const char *const fields[] = { _ ("None"),
-                                 _ ("Displacement"),
-                                 _ ("Displacement, horizontal"),
-                                 _ ("Displacement, vertical"),
-                                 _ ("Rotation"),
-                                 _ ("Stress"),
-                                 _ ("Opening of joints"),
-                                 _ ("Sliding of joints"),
-                                 NULL };
+  const char *const fields[] = {
+    C_ ("colours", "None"),       _ ("Displacement"),      _ ("Displacement, horizontal"),
+    _ ("Displacement, vertical"), _ ("Rotation"),          _ ("Stress"),
+    _ ("Opening of joints"),      _ ("Sliding of joints"), NULL
+  };
   GCallback chosen = G_CALLBACK (on_choice);
   dialog->view = qn_form_add_choice (form, _ ("_View"), views, chosen, dialog);
   qn_form_set_choice (dialog->view, (guint) dialog->recipe->view.view, dialog);

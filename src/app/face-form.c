@@ -3,8 +3,10 @@
 #include "app/joint-view.h"
 #include "app/panel.h"
 #include "app/settings.h"
+#include "doc/count-text.h"
 #include "doc/edit-face.h"
 #include "doc/explain.h"
+#include "doc/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdlib.h>
@@ -85,36 +87,6 @@ on_law (GtkDropDown *choice, GParamSpec *pspec, Form *form)
          (Change){ .law_only = TRUE, .law = qn_form_get_law (choice) });
 }
 
-/* "0.1; 0.9": parts of the length, each with an equal weight. */
-static gboolean
-read_positions (Form *form, QnPairRule *rule)
-{
-  const char *text = gtk_editable_get_text (GTK_EDITABLE (form->positions));
-  g_auto (GStrv) words = g_strsplit_set (text, "; ", -1);
-  rule->count = 0;
-  for (guint i = 0; words[i] != NULL; i++) {
-    if (*words[i] == '\0')
-      continue;
-    double value;
-    if (rule->count >= QN_MAX_EXPLICIT_PAIRS
-        || !qn_units_parse (qn_settings_get_units (), QN_QUANTITY_NUMBER, words[i],
-                            &value, NULL))
-      return FALSE;
-    rule->positions[rule->count++] = value;
-  }
-  for (int32_t i = 0; i < rule->count; i++)
-    rule->weights[i] = 1.0 / rule->count;
-  return rule->count > 0;
-}
-
-/* Where the selected placement has its pairs before the user says anything. */
-static void
-put_two_positions (Form *form)
-{
-  if (*gtk_editable_get_text (GTK_EDITABLE (form->positions)) == '\0')
-    gtk_editable_set_text (GTK_EDITABLE (form->positions), "0.1; 0.9");
-}
-
 static void
 change_pairs (Form *form)
 {
@@ -128,8 +100,8 @@ change_pairs (Form *form)
     rule.count = MAX (1, (int32_t) qn_quantity_entry_get_value (form->count));
   }
   if (row > ROW_AS_ALL && rule.placement == QN_PLACEMENT_EXPLICIT) {
-    put_two_positions (form);
-    if (!read_positions (form, &rule)) {
+    const char *positions = gtk_editable_get_text (GTK_EDITABLE (form->positions));
+    if (!qn_pair_rule_parse (&rule, positions, "", NULL)) {
       gtk_widget_add_css_class (form->positions, "error");
       return;
     }
@@ -195,12 +167,12 @@ dup_states (const QnJointPlot *plot)
     g_autofree char *n =
       qn_units_format_full (units, QN_QUANTITY_FORCE, point->normal, 4);
     g_autofree char *t = qn_units_format_full (units, QN_QUANTITY_FORCE, point->shear, 4);
-    g_string_append_printf (text, "%s%s %d: %s, N %s, T %s", i > 0 ? "\n" : "",
+    g_string_append_printf (text, _ ("%s%s %d: %s, N %s, T %s"), i > 0 ? "\n" : "",
                             _ ("Pair"), (int) i + 1, qn_explain_pair_state (point->state),
                             n, t);
   }
   for (int state = 0; state < QN_PAIR_STATE_COUNT && !told; state++)
-    g_string_append_printf (text, "%s%s: %u", state > 0 ? ", " : "",
+    g_string_append_printf (text, _ ("%s%s: %u"), state > 0 ? ", " : "",
                             qn_explain_pair_state ((QnPairState) state), counts[state]);
   return g_string_free (text, FALSE);
 }
@@ -241,13 +213,18 @@ update_facts (Form *form, const QnId *ids, guint count)
     count == 1
       ? g_strdup_printf (_ ("Contact Face %d"), ids[0])
       : g_strdup_printf (ngettext ("%u Contact Face", "%u Contact Faces", count), count);
+  const QnCount of_pairs = { QN_COUNTED_PAIRS, (gsize) pairs };
+  g_autofree char *contents = qn_counts_dup_text (&of_pairs, 1, "");
+  const char *a = model->blocks[face->a].name, *b = model->blocks[face->b].name;
+  const char *law_a = model->laws[face->law_a].name;
+  const char *law_b = model->laws[face->law_b].name;
   g_autofree char *facts =
-    count == 1
-      ? g_strdup_printf (_ ("%s – %s, %s long, %d pairs; laws “%s” and “%s”"),
-                         model->blocks[face->a].name, model->blocks[face->b].name, size,
-                         pairs, model->laws[face->law_a].name,
-                         model->laws[face->law_b].name)
-      : g_strdup_printf (_ ("%s long in all, %d pairs"), size, pairs);
+    count > 1 ? g_strdup_printf (_ ("%s long in all, %s"), size, contents)
+    : face->law_a == face->law_b
+      ? g_strdup_printf (_ ("%s – %s, %s long, %s; law “%s”"), a, b, size, contents,
+                         law_a)
+      : g_strdup_printf (_ ("%s – %s, %s long, %s; laws “%s” and “%s”"), a, b, size,
+                         contents, law_a, law_b);
   gtk_label_set_text (form->title, title);
   gtk_label_set_text (form->facts, facts);
 }
@@ -257,14 +234,8 @@ update_positions (Form *form, const QnPairRule *rule)
 {
   if (rule->placement != QN_PLACEMENT_EXPLICIT)
     return;
-  GString *text = g_string_new (NULL);
-  for (int32_t i = 0; i < rule->count; i++) {
-    g_autofree char *number = qn_units_format (qn_settings_get_units (),
-                                               QN_QUANTITY_NUMBER, rule->positions[i], 6);
-    g_string_append_printf (text, "%s%s", i > 0 ? "; " : "", number);
-  }
-  gtk_editable_set_text (GTK_EDITABLE (form->positions), text->str);
-  g_string_free (text, TRUE);
+  g_autofree char *text = qn_pair_rule_dup_positions (rule);
+  gtk_editable_set_text (GTK_EDITABLE (form->positions), text);
 }
 
 static void
@@ -365,13 +336,11 @@ qn_face_form_new (QnCanvas *canvas)
                                        LARGEST, G_CALLBACK (on_quantity), form);
   form->count = qn_form_add_quantity (grid, _ ("_Number"), QN_QUANTITY_NUMBER, 1.0,
                                       1000.0, G_CALLBACK (on_quantity), form);
-  form->positions = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->positions), 10);
+  form->positions =
+    qn_form_add_entry (grid, _ ("_At"), 10, G_CALLBACK (on_positions), form);
   gtk_widget_set_tooltip_text (form->positions,
                                _ ("Parts of the length of the joint from 0 to 1, with "
                                   "semicolons between"));
-  g_signal_connect (form->positions, "activate", G_CALLBACK (on_positions), form);
-  qn_form_add_row (grid, _ ("_At"), form->positions);
   form->reset = gtk_button_new_with_mnemonic (_ ("_Forget Exception"));
   g_signal_connect_swapped (form->reset, "clicked", G_CALLBACK (on_reset), form);
   qn_form_add_wide (grid, form->reset);

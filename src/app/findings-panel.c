@@ -1,5 +1,6 @@
 #include "app/form.h"
 #include "app/panel.h"
+#include "doc/count-text.h"
 #include "doc/explain.h"
 #include "doc/repair.h"
 #include <glib/gi18n.h>
@@ -126,9 +127,12 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->list, shown > 0);
   gtk_widget_set_visible (panel->repair_all, shown > 1);
 
+  const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, contacts->face_count },
+                             { QN_COUNTED_PAIRS, contacts->pair_count } };
+  g_autofree char *content = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
   g_autofree char *text = g_strdup_printf (
-    _ ("%u blocks, %u contact faces, %u contact pairs.\n%s"), (guint) model->block_count,
-    (guint) contacts->face_count, (guint) contacts->pair_count,
+    "%s.\n%s", content,
     shown == 0
       ? _ ("Nothing to complain of.")
       : _ ("Each line leads to its place; the triangles in the drawing mark them."));

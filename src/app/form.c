@@ -126,6 +126,17 @@ qn_form_add_choice (GtkWidget *form, const char *label, const char *const *choic
   return GTK_DROP_DOWN (choice);
 }
 
+GtkWidget *
+qn_form_add_entry (GtkWidget *form, const char *label, int width_chars,
+                   GCallback activate, gpointer user_data)
+{
+  GtkWidget *entry = gtk_entry_new ();
+  gtk_editable_set_width_chars (GTK_EDITABLE (entry), width_chars);
+  g_signal_connect (entry, "activate", activate, user_data);
+  qn_form_add_row (form, label, entry);
+  return entry;
+}
+
 GtkLabel *
 qn_form_add_text (GtkWidget *form)
 {
@@ -298,4 +309,12 @@ void
 qn_own (GtkWidget *owner, gpointer data)
 {
   g_object_weak_ref (G_OBJECT (owner), on_owner_gone, data);
+}
+
+void
+qn_form_follow_canvas (GtkWidget *form, QnCanvas *canvas, GCallback update, gpointer data)
+{
+  qn_own (form, data);
+  qn_watch (form, qn_canvas_get_document (canvas), "changed", update, data);
+  qn_watch (form, qn_canvas_get_selection (canvas), "changed", update, data);
 }

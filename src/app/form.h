@@ -2,6 +2,7 @@
 #ifndef QN_APP_FORM_H
 #define QN_APP_FORM_H
 
+#include "app/canvas.h"
 #include "app/quantity-entry.h"
 #include "core/model.h"
 
@@ -26,6 +27,10 @@ QnQuantityEntry *qn_form_add_quantity (GtkWidget *form, const char *label,
 GtkDropDown *qn_form_add_choice (GtkWidget *form, const char *label,
                                  const char *const *choices, GCallback selected,
                                  gpointer user_data);
+
+/* An entry for words; `activate` (GtkEntry *, user_data) when it is to be taken. */
+GtkWidget *qn_form_add_entry (GtkWidget *form, const char *label, int width_chars,
+                              GCallback activate, gpointer user_data);
 
 /* A paragraph that wraps. */
 GtkLabel *qn_form_add_text (GtkWidget *form);
@@ -71,5 +76,10 @@ void qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback 
 
 /* Frees `data` with g_free() when `owner` is gone. */
 void qn_own (GtkWidget *owner, gpointer data);
+
+/* Both for a form of what is selected: it owns `data`, and `update` (data) is called when the
+ * document or the selection has changed. */
+void qn_form_follow_canvas (GtkWidget *form, QnCanvas *canvas, GCallback update,
+                            gpointer data);
 
 #endif

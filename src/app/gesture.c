@@ -74,15 +74,25 @@ qn_gesture_rectangle_numbers (QnCanvas *canvas, const double *values, int count)
 }
 
 gboolean
-qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
+qn_gesture_typed_way (const QnGesture *gesture, const double *values, int count,
+                      QnVec2 *way)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (count < 1 || count > 2)
     return FALSE;
   QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
   double angle = count == 2 ? values[1] : atan2 (d.y, d.x);
-  gesture->to =
-    qn_vec2_add_scaled (gesture->from, values[0], qn_vec2 (cos (angle), sin (angle)));
+  *way = qn_vec2_scale (values[0], qn_vec2 (cos (angle), sin (angle)));
+  return TRUE;
+}
+
+gboolean
+qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnVec2 way;
+  if (!qn_gesture_typed_way (gesture, values, count, &way))
+    return FALSE;
+  gesture->to = qn_vec2_add (gesture->from, way);
   complete (canvas);
   return TRUE;
 }
@@ -144,7 +154,7 @@ qn_gesture_draw_masonry (QnCanvas *canvas, cairo_t *cr, const QnMasonry *masonry
 void
 qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   guint count = 0;
   const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
   for (guint i = 0; i < count; i++) {

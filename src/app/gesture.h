@@ -18,6 +18,23 @@ void qn_gesture_release (QnCanvas *canvas, const QnToolEvent *event);
 gboolean qn_gesture_rectangle_numbers (QnCanvas *canvas, const double *values, int count);
 gboolean qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count);
 
+/* These, and what can be typed, as members of a QnTool that draws a line, or a rectangle. */
+#define QN_GESTURE_LINE                                                                  \
+  .magnetic = TRUE, .numbers_label = N_ ("length; angle"),                               \
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE }, .press = qn_gesture_press,    \
+  .motion = qn_gesture_motion_straight, .release = qn_gesture_release,                   \
+  .numbers = qn_gesture_line_numbers
+#define QN_GESTURE_RECTANGLE                                                             \
+  .magnetic = TRUE, .numbers_label = N_ ("width; height"),                               \
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH }, .press = qn_gesture_press,   \
+  .motion = qn_gesture_motion, .release = qn_gesture_release,                            \
+  .numbers = qn_gesture_rectangle_numbers
+
+/* What one typed number, a length in the direction of the pointer, or two, a length and an angle,
+ * mean as a way from gesture.from; FALSE for any other count. */
+gboolean qn_gesture_typed_way (const QnGesture *gesture, const double *values, int count,
+                               QnVec2 *way);
+
 /* Frame and both dimensions of a rectangle. */
 void qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
 /* A line with its length. */

@@ -15,6 +15,7 @@ G_DECLARE_FINAL_TYPE (QnGlLayer, qn_gl_layer, QN, GL_LAYER, GtkWidget)
 /* Values of the setting "engine". */
 typedef enum { QN_ENGINE_AUTOMATIC, QN_ENGINE_CAIRO, QN_ENGINE_OPENGL } QnEngine;
 
+/* Without a context until it is asked to draw. */
 GtkWidget *qn_gl_layer_new (void);
 
 /* Says what the next frame holds; true where OpenGL draws it. Otherwise Cairo has to, be it

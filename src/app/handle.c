@@ -17,9 +17,6 @@
 /* Of more beams than these no single ends are dragged. */
 #define MOST_BEAMS 40
 
-/* At least this far between two handles of an opening, or the middle ones are left out. */
-#define APART_PX 24.0
-
 /* ---- what there is to drag ---- */
 
 static void
@@ -76,7 +73,7 @@ add_corner_grips (GArray *grips, const QnModel *model, QnId block)
 static void
 add_node_grips (QnCanvas *canvas, GArray *grips)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   guint count = 0;
   const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
   g_autoptr (GHashTable) known = g_hash_table_new (NULL, NULL);
@@ -99,7 +96,7 @@ collect (QnCanvas *canvas)
   if (qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas))))
     return grips;
   QnSelection *selection = qn_canvas_get_selection (canvas);
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   QnId object;
   int opening;
   if (qn_selection_get_opening (selection, &object, &opening)) {
@@ -352,7 +349,7 @@ draw_masonry_drag (QnCanvas *canvas, cairo_t *cr, Drag *drag)
 static void
 draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   guint count = 0;
   const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
   if (count == 0)
@@ -373,7 +370,7 @@ draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
 static void
 draw_node_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   for (gsize i = 0; i < model->beam_count; i++) {
     const QnId *ends = model->beams[i].nodes;
     for (int end = 0; end < 2; end++)

@@ -3,6 +3,7 @@
 #include "app/law-view.h"
 #include "app/panel.h"
 #include "app/settings.h"
+#include "doc/law-points.h"
 #include "doc/law-preset.h"
 #include <glib/gi18n.h>
 #include <stdlib.h>
@@ -68,12 +69,6 @@ number_of (QnLaw *law, int field)
       return qn_law_at (law, &parameters[i]);
   }
   return NULL;
-}
-
-static const QnModel *
-model_of (const Form *form)
-{
-  return qn_document_get_model (qn_canvas_get_document (form->canvas));
 }
 
 /* ---- changes ---- */
@@ -157,29 +152,13 @@ on_name (GtkEntry *entry, Form *form)
   apply (form, _ ("Rename Law"), (Change){ .field = -1, .name = name });
 }
 
-/* "-0.002 -2e6; 0.001 1e5": elongation and force, SI. */
 static void
 on_points (GtkEntry *entry, Form *form)
 {
   QnVec2 points[QN_MAX_CURVE_POINTS];
-  int32_t count = 0;
-  g_auto (GStrv) words =
-    g_strsplit (gtk_editable_get_text (GTK_EDITABLE (entry)), ";", -1);
-  gboolean valid = TRUE;
-  for (guint i = 0; words[i] != NULL && valid; i++) {
-    char *at = NULL;
-    if (*g_strstrip (words[i]) == '\0')
-      continue;
-    double x = g_ascii_strtod (words[i], &at);
-    valid = at != words[i] && *at == ' ' && count < QN_MAX_CURVE_POINTS;
-    if (!valid)
-      break;
-    const char *second = at + 1;
-    double y = g_ascii_strtod (second, &at);
-    valid = at != second && *at == '\0';
-    points[count++] = qn_vec2 (x, y);
-  }
-  if (!valid || count == 0) {
+  int32_t count;
+  if (!qn_law_points_parse (gtk_editable_get_text (GTK_EDITABLE (entry)), points,
+                            &count)) {
     gtk_widget_add_css_class (form->points, "error");
     return;
   }
@@ -215,7 +194,7 @@ on_add (Form *form)
   if (form->shown == QN_NONE)
     return;
   if (qn_canvas_edit (form->canvas, _ ("Add Law"), NULL, edit_add, form)) {
-    form->shown = (QnId) model_of (form)->law_count - 1;
+    form->shown = (QnId) qn_canvas_get_model (form->canvas)->law_count - 1;
     update (form);
   }
 }
@@ -251,22 +230,15 @@ static void
 update_points (Form *form, const QnLaw *law)
 {
   qn_form_set_row_visible (form->points, law->kind == QN_LAW_CURVE);
-  GString *text = g_string_new (NULL);
-  for (int32_t i = 0; i < law->point_count; i++) {
-    char x[G_ASCII_DTOSTR_BUF_SIZE], y[G_ASCII_DTOSTR_BUF_SIZE];
-    g_string_append_printf (text, "%s%s %s", i > 0 ? "; " : "",
-                            g_ascii_formatd (x, sizeof x, "%.9g", law->points[i].x),
-                            g_ascii_formatd (y, sizeof y, "%.9g", law->points[i].y));
-  }
-  gtk_editable_set_text (GTK_EDITABLE (form->points), text->str);
+  g_autofree char *text = qn_law_points_dup_text (law->points, law->point_count);
+  gtk_editable_set_text (GTK_EDITABLE (form->points), text);
   gtk_widget_remove_css_class (form->points, "error");
-  g_string_free (text, TRUE);
 }
 
 static void
 update (Form *form)
 {
-  const QnModel *model = model_of (form);
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   if (form->shown < 0 || (gsize) form->shown >= model->law_count)
     form->shown = model->law_count > 0 ? 0 : QN_NONE;
   fill_laws (form, model);
@@ -302,14 +274,11 @@ build_fields (Form *form, GtkWidget *grid)
         fields[field].meaning == IS_STIFFNESS ? 1e-12 : 0.0, LARGEST,
         G_CALLBACK (on_number), form);
   }
-  form->points = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->points), 12);
+  form->points = qn_form_add_entry (grid, _ ("Points"), 12, G_CALLBACK (on_points), form);
   gtk_widget_set_tooltip_text (
     form->points, _ ("Elongation and force, or strain and stress, in SI units, a space "
                      "between the two and semicolons between points, from compression "
                      "to tension"));
-  g_signal_connect (form->points, "activate", G_CALLBACK (on_points), form);
-  qn_form_add_row (grid, _ ("Points"), form->points);
 }
 
 static void
@@ -327,10 +296,7 @@ build_choices (Form *form, GtkWidget *grid)
                                 [QN_LAW_KIND_COUNT] = NULL };
   const char *const bases[] = { _ ("Contact pair"), _ ("Surface"), _ ("Material"), NULL };
   form->law = qn_form_add_choice (grid, _ ("La_w"), none, G_CALLBACK (on_law), form);
-  form->name = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->name), 10);
-  g_signal_connect (form->name, "activate", G_CALLBACK (on_name), form);
-  qn_form_add_row (grid, _ ("Na_me"), form->name);
+  form->name = qn_form_add_entry (grid, _ ("Na_me"), 10, G_CALLBACK (on_name), form);
   form->kind =
     qn_form_add_choice (grid, _ ("_Kind"), kinds, G_CALLBACK (on_choice), form);
   form->basis =

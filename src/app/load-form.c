@@ -24,18 +24,12 @@ typedef struct Form {
   int selected;  /* load of it, or -1 */
 } Form;
 
-static const QnModel *
-model_of (const Form *form)
-{
-  return qn_document_get_model (qn_canvas_get_document (form->canvas));
-}
-
 static const QnLoad *
 selected_load (const Form *form)
 {
-  return form->selected >= 0
-           ? qn_model_get_load (model_of (form), form->shown, (gsize) form->selected)
-           : NULL;
+  return form->selected >= 0 ? qn_model_get_load (qn_canvas_get_model (form->canvas),
+                                                  form->shown, (gsize) form->selected)
+                             : NULL;
 }
 
 /* ---- changes ---- */
@@ -106,7 +100,7 @@ static void
 on_add_set (Form *form)
 {
   if (apply (form, _ ("Add Set of Loads"), edit_add_set, (Change){ 0 })) {
-    form->shown = (int32_t) model_of (form)->load_set_count;
+    form->shown = (int32_t) qn_canvas_get_model (form->canvas)->load_set_count;
     update (form);
   }
 }
@@ -189,7 +183,8 @@ add (Form *form, QnLoad load)
 {
   if (!apply (form, _ ("Add Load"), edit_append, (Change){ .load = load }))
     return;
-  form->selected = (int) qn_model_count_loads (model_of (form), form->shown) - 1;
+  form->selected =
+    (int) qn_model_count_loads (qn_canvas_get_model (form->canvas), form->shown) - 1;
   update (form);
 }
 
@@ -222,7 +217,7 @@ on_add_force (Form *form)
     add (form, load);
   } else if (beams > 0) {
     load.kind = QN_LOAD_NODE;
-    load.node = model_of (form)->beams[beam[0]].nodes[1];
+    load.node = qn_canvas_get_model (form->canvas)->beams[beam[0]].nodes[1];
     add (form, load);
   } else
     qn_canvas_tell (form->canvas,
@@ -236,7 +231,8 @@ on_add_settlement (Form *form)
   guint count = 0;
   const QnId *ids =
     qn_selection_get_blocks (qn_canvas_get_selection (form->canvas), &count);
-  const QnBlock *block = count > 0 ? &model_of (form)->blocks[ids[0]] : NULL;
+  const QnBlock *block =
+    count > 0 ? &qn_canvas_get_model (form->canvas)->blocks[ids[0]] : NULL;
   int dof = QN_DOF_UY;
   while (block != NULL && dof < QN_DOF_UY + QN_DOF_COUNT
          && !block->support[dof % QN_DOF_COUNT])
@@ -245,7 +241,8 @@ on_add_settlement (Form *form)
     qn_canvas_tell (form->canvas, _ ("Select the fixed block that gives way"));
     return;
   }
-  double size = qn_magnet_round_distance (0.01 * model_of (form)->characteristic_length);
+  double size = qn_magnet_round_distance (
+    0.01 * qn_canvas_get_model (form->canvas)->characteristic_length);
   add (form, (QnLoad){ .kind = QN_LOAD_SETTLEMENT,
                        .block = ids[0],
                        .node = QN_NONE,
@@ -329,7 +326,7 @@ show_fields (Form *form, const QnLoad *load)
 static void
 update (Form *form)
 {
-  const QnModel *model = model_of (form);
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   if (form->shown > (int32_t) model->load_set_count)
     form->shown = 0;
   if (selected_load (form) == NULL)
@@ -396,10 +393,7 @@ qn_load_form_new (QnCanvas *canvas)
   GtkWidget *grid = qn_form_new ();
   GtkWidget *expander = gtk_expander_new_with_mnemonic (_ ("Loads One by _One"));
   form->list = qn_form_add_choice (grid, _ ("_List"), none, G_CALLBACK (on_list), form);
-  form->name = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->name), 10);
-  g_signal_connect (form->name, "activate", G_CALLBACK (on_name), form);
-  qn_form_add_row (grid, _ ("_Name"), form->name);
+  form->name = qn_form_add_entry (grid, _ ("_Name"), 10, G_CALLBACK (on_name), form);
   GtkWidget *sets = qn_form_add_buttons (grid);
   qn_form_add_button (
     sets, _ ("_Add Set"),

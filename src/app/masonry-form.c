@@ -24,7 +24,7 @@ static QnId
 selected_object (Form *form)
 {
   QnSelection *selection = qn_canvas_get_selection (form->canvas);
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (form->canvas));
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   QnId object;
   int opening;
   guint count = 0;
@@ -233,9 +233,8 @@ update (Form *form)
         form->fields[field], qn_masonry_get_field (masonry, (QnMasonryField) field));
   }
   update_choices (form, masonry);
-  qn_form_fill_laws (form->law,
-                     qn_document_get_model (qn_canvas_get_document (form->canvas)),
-                     _ ("As all contacts"), masonry->law, form);
+  qn_form_fill_laws (form->law, qn_canvas_get_model (form->canvas), _ ("As all contacts"),
+                     masonry->law, form);
 }
 
 static void
@@ -265,6 +264,16 @@ build_choices (Form *form, GtkWidget *grid)
 }
 
 GtkWidget *
+qn_detach_button_new (void)
+{
+  GtkWidget *button = gtk_button_new_with_mnemonic (_ ("_Detach into Free Blocks"));
+  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.detach");
+  gtk_widget_set_tooltip_text (
+    button, _ ("Free blocks can be moved, turned, fixed and renamed one by one"));
+  return button;
+}
+
+GtkWidget *
 qn_masonry_form_new (QnCanvas *canvas)
 {
   Form *form = g_new0 (Form, 1);
@@ -279,14 +288,8 @@ qn_masonry_form_new (QnCanvas *canvas)
                             info->most, G_CALLBACK (on_field), form);
   }
   form->openings = qn_form_add_text (grid);
-  GtkWidget *detach = gtk_button_new_with_mnemonic (_ ("_Detach into Free Blocks"));
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (detach), "win.detach");
-  gtk_widget_set_tooltip_text (
-    detach, _ ("Free blocks can be moved, turned, fixed and renamed one by one"));
-  qn_form_add_wide (grid, detach);
-  qn_own (grid, form);
-  qn_watch (grid, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), form);
-  qn_watch (grid, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), form);
+  qn_form_add_wide (grid, qn_detach_button_new ());
+  qn_form_follow_canvas (grid, canvas, G_CALLBACK (update), form);
   update (form);
   return grid;
 }

@@ -167,9 +167,7 @@ qn_opening_form_new (QnCanvas *canvas)
   GtkWidget *fill = gtk_button_new_with_mnemonic (_ ("_Fill Opening"));
   gtk_actionable_set_action_name (GTK_ACTIONABLE (fill), "win.delete");
   qn_form_add_wide (grid, fill);
-  qn_own (grid, form);
-  qn_watch (grid, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), form);
-  qn_watch (grid, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), form);
+  qn_form_follow_canvas (grid, canvas, G_CALLBACK (update), form);
   update (form);
   return grid;
 }

@@ -1,6 +1,7 @@
 #include "app/curve-view.h"
 #include "app/form.h"
 #include "app/panel.h"
+#include "doc/count-text.h"
 #include "doc/load-text.h"
 #include "doc/run-text.h"
 #include "io/outcome-text.h"
@@ -9,7 +10,7 @@
 typedef struct Panel {
   QnCanvas *canvas;
   QnViewState *state;
-  GtkWidget *empty, *content, *stale, *curve;
+  GtkWidget *empty, *content, *stale, *curve, *bounds;
   GtkLabel *outcome, *mechanism, *facts;
   GtkDropDown *runs;
   GtkDropDown *onion, *stage;
@@ -41,9 +42,13 @@ update_words (Panel *panel, const QnRun *run)
   gtk_widget_set_visible (GTK_WIDGET (panel->mechanism), words != NULL);
 
   const QnStatistics *s = &run->result.statistics;
-  g_autofree char *facts = g_strdup_printf (
-    _ ("%u steps, %d iterations, %d factorisations, %.2f s"),
-    (guint) run->result.step_count, s->iterations, s->factorizations, s->seconds);
+  const QnCount counts[] = {
+    { QN_COUNTED_STEPS, run->result.step_count },
+    { QN_COUNTED_ITERATIONS, (gsize) s->iterations },
+    { QN_COUNTED_FACTORISATIONS, (gsize) s->factorizations },
+  };
+  g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
+  g_autofree char *facts = g_strdup_printf (_ ("%s, %.2f s"), work, s->seconds);
   gtk_label_set_text (panel->facts, facts);
 }
 
@@ -104,6 +109,10 @@ update_runs (Panel *panel)
       onion = i + 1;
   }
   set_choice (panel, panel->runs, names, selected);
+  /* There may not be room for all of it. */
+  gtk_widget_set_tooltip_text (
+    GTK_WIDGET (panel->runs),
+    selected < runs->len ? gtk_string_list_get_string (names, selected) : NULL);
   set_choice (panel, panel->onion, others, onion);
   qn_form_set_row_visible (GTK_WIDGET (panel->onion), runs->len > 1);
 }
@@ -182,8 +191,12 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->content, run != NULL || busy);
   gtk_widget_set_visible (panel->empty, run == NULL && !busy);
   update_runs (panel);
-  /* Limit analysis and modes follow no path. */
-  gtk_widget_set_visible (panel->curve, busy || run == NULL || qn_run_has_curve (run));
+  /* Limit analysis and modes follow no path; without an equilibrium there is none either. */
+  gtk_widget_set_visible (panel->curve,
+                          busy || run == NULL
+                            || (qn_run_has_curve (run) && run->result.step_count > 0));
+  gtk_widget_set_visible (panel->bounds,
+                          busy || run == NULL || run->kind == QN_RUN_ANALYSIS);
   update_stages (panel, run);
   if (run != NULL)
     update_words (panel, run);
@@ -212,7 +225,8 @@ build_content (Panel *panel)
   gtk_widget_set_hexpand (GTK_WIDGET (panel->runs), TRUE);
   panel->onion = qn_form_add_choice (form, _ ("Out_line of"), none,
                                      G_CALLBACK (on_onion_chosen), panel);
-  qn_form_add_wide (form, qn_bounds_table_new (document_of (panel)));
+  panel->bounds = qn_bounds_table_new (document_of (panel));
+  qn_form_add_wide (form, panel->bounds);
   qn_form_add_wide (form, qn_step_table_new (panel->state));
   qn_form_add_wide (form, qn_contact_table_new (panel->canvas));
   qn_form_add_wide (form, qn_beam_table_new (panel->canvas));

@@ -430,7 +430,7 @@ on_beam_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table
   if (row == GTK_INVALID_LIST_POSITION || run == NULL
       || !find_end (table, run, row, &end))
     return;
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (table->canvas));
+  const QnModel *model = qn_canvas_get_model (table->canvas);
   QnId beam = qn_model_find_beam (model, run->model.beams[end.beam].name);
   if (beam != QN_NONE)
     qn_selection_set_beams (qn_canvas_get_selection (table->canvas), &beam, 1);

@@ -32,12 +32,6 @@ static const struct {
   [QN_SECTION_UNIT_WEIGHT] = { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9 },
 };
 
-static const QnModel *
-model_of (const Form *form)
-{
-  return qn_document_get_model (qn_canvas_get_document (form->canvas));
-}
-
 /* ---- changes ---- */
 
 typedef struct Change {
@@ -152,7 +146,7 @@ selected_section (Form *form)
   guint count = 0;
   const QnId *ids =
     qn_selection_get_beams (qn_canvas_get_selection (form->canvas), &count);
-  return count > 0 ? model_of (form)->beams[ids[0]].section : QN_NONE;
+  return count > 0 ? qn_canvas_get_model (form->canvas)->beams[ids[0]].section : QN_NONE;
 }
 
 static void
@@ -176,7 +170,7 @@ update_users (Form *form, const QnModel *model)
 static void
 update (Form *form)
 {
-  const QnModel *model = model_of (form);
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   form->section = selected_section (form);
   gtk_widget_set_visible (form->box, form->section != QN_NONE);
   if (form->section == QN_NONE)
@@ -220,10 +214,7 @@ qn_section_form_new (QnCanvas *canvas)
   form->title = GTK_LABEL (qn_form_add_heading (grid, ""));
   form->users = qn_form_add_text (grid);
   gtk_widget_add_css_class (GTK_WIDGET (form->users), "dim-label");
-  form->name = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->name), 10);
-  g_signal_connect (form->name, "activate", G_CALLBACK (on_name), form);
-  qn_form_add_row (grid, _ ("_Name"), form->name);
+  form->name = qn_form_add_entry (grid, _ ("_Name"), 10, G_CALLBACK (on_name), form);
   form->shape =
     qn_form_add_choice (grid, _ ("S_hape"), shapes, G_CALLBACK (on_shape), form);
   for (int field = 0; field < QN_SECTION_FIELD_COUNT; field++)
@@ -231,9 +222,7 @@ qn_section_form_new (QnCanvas *canvas)
       grid, _ (rows[field].label), rows[field].quantity, rows[field].least,
       rows[field].most, G_CALLBACK (on_field), form);
   build_buttons (form, grid);
-  qn_own (grid, form);
-  qn_watch (grid, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), form);
-  qn_watch (grid, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), form);
+  qn_form_follow_canvas (grid, canvas, G_CALLBACK (update), form);
   update (form);
   return grid;
 }

@@ -9,6 +9,7 @@
  * build tree, beside the program. */
 GSettings *qn_settings_get (void);
 
+/* The units of the setting. */
 QnUnits qn_settings_get_units (void);
 
 /* Applies the light or dark style to GTK and keeps it so. */

@@ -18,12 +18,6 @@ typedef struct Form {
 static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLACEMENT,
                                           QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
 
-static const QnModel *
-model_of (const Form *form)
-{
-  return qn_document_get_model (qn_canvas_get_document (form->canvas));
-}
-
 /* ---- changes ---- */
 
 typedef struct Change {
@@ -84,7 +78,7 @@ static void
 on_add (Form *form)
 {
   if (apply (form, _ ("Add Stage"), edit_add, (Change){ 0 })) {
-    form->selected = (int) model_of (form)->stage_count - 1;
+    form->selected = (int) qn_canvas_get_model (form->canvas)->stage_count - 1;
     update (form);
   }
 }
@@ -148,7 +142,7 @@ take_control (Form *form, QnStage *stage)
     return TRUE;
   }
   if (beams > 0) {
-    stage->control_node = model_of (form)->beams[beam[0]].nodes[1];
+    stage->control_node = qn_canvas_get_model (form->canvas)->beams[beam[0]].nodes[1];
     stage->control_block = QN_NONE;
     return TRUE;
   }
@@ -165,8 +159,8 @@ fill_in (const Form *form, QnStage *stage)
     stage->target = 1.0;
   if (qn_stage_get_end (stage) == QN_STAGE_END_DISPLACEMENT
       && stage->control_target == 0.0)
-    stage->control_target =
-      qn_magnet_round_distance (0.05 * model_of (form)->characteristic_length);
+    stage->control_target = qn_magnet_round_distance (
+      0.05 * qn_canvas_get_model (form->canvas)->characteristic_length);
 }
 
 static uint32_t
@@ -187,7 +181,8 @@ change_stage (Form *form, gboolean take)
 {
   if (form->selected < 0)
     return;
-  Change change = { .settings = model_of (form)->stages[form->selected] };
+  Change change = { .settings =
+                      qn_canvas_get_model (form->canvas)->stages[form->selected] };
   QnStage *stage = &change.settings;
   QnStageEnd end = (QnStageEnd) gtk_drop_down_get_selected (form->end);
   stage->sets = checked_sets (form);
@@ -326,7 +321,7 @@ show_stage (Form *form, const QnModel *model, const QnStage *stage)
 static void
 update_selected (Form *form)
 {
-  const QnModel *model = model_of (form);
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   gboolean any = form->selected >= 0;
   gtk_widget_set_visible (form->fields, any);
   gtk_widget_set_sensitive (form->up, form->selected > 0);
@@ -340,7 +335,7 @@ update_selected (Form *form)
 static void
 update (Form *form)
 {
-  const QnModel *model = model_of (form);
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   if (form->selected >= (int) model->stage_count)
     form->selected = (int) model->stage_count - 1;
   fill_list (form, model);
@@ -358,10 +353,7 @@ build_fields (Form *form, GtkWidget *grid)
                                _ ("At a displacement"), NULL };
   const char *const components[] = { "ux", "uy", "rz", NULL };
   GCallback field = G_CALLBACK (on_field), choice = G_CALLBACK (on_choice);
-  form->name = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (form->name), 10);
-  g_signal_connect (form->name, "activate", G_CALLBACK (on_name), form);
-  qn_form_add_row (grid, _ ("_Name"), form->name);
+  form->name = qn_form_add_entry (grid, _ ("_Name"), 10, G_CALLBACK (on_name), form);
   form->sets = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   qn_form_add_row (grid, _ ("Drives"), form->sets);
   form->procedure = qn_form_add_choice (grid, _ ("_Procedure"), methods, choice, form);

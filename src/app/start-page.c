@@ -11,8 +11,9 @@
 #define THUMBNAIL_HEIGHT 130
 #define MOST_RECENT      8
 
-char *
-qn_examples_dup_folder (void)
+/* Folder of the examples, installed or of the source tree. */
+static char *
+dup_examples_folder (void)
 {
   const char *given = g_getenv ("QUOIN_EXAMPLES");
   if (given != NULL)
@@ -203,7 +204,7 @@ make_examples (void)
   gtk_flow_box_set_max_children_per_line (GTK_FLOW_BOX (flow), 6);
   gtk_flow_box_set_min_children_per_line (GTK_FLOW_BOX (flow), 2);
   gtk_flow_box_set_homogeneous (GTK_FLOW_BOX (flow), TRUE);
-  g_autofree char *folder = qn_examples_dup_folder ();
+  g_autofree char *folder = dup_examples_folder ();
   g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
   collect_examples (folder, paths, 1);
   g_ptr_array_sort (paths, compare_paths);

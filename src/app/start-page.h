@@ -7,7 +7,4 @@
 /* Emits nothing: its buttons are actions of the window ("win.open-path" with a path). */
 GtkWidget *qn_start_page_new (void);
 
-/* Folder of the examples, installed or of the source tree; the caller frees it. */
-char *qn_examples_dup_folder (void);
-
 #endif

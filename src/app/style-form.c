@@ -102,12 +102,6 @@ on_choice (GtkDropDown *choice, GParamSpec *pspec, Form *form)
   on_setting (choice, form);
 }
 
-static const QnModel *
-model_of (const Form *form)
-{
-  return qn_document_get_model (qn_canvas_get_document (form->canvas));
-}
-
 static void
 on_joint_law (GtkDropDown *choice, GParamSpec *pspec, Form *form)
 {
@@ -116,7 +110,7 @@ on_joint_law (GtkDropDown *choice, GParamSpec *pspec, Form *form)
   QnId law = qn_form_get_law (choice);
   g_free (settings->joint_law);
   settings->joint_law =
-    law != QN_NONE ? g_strdup (model_of (form)->laws[law].name) : NULL;
+    law != QN_NONE ? g_strdup (qn_canvas_get_model (form->canvas)->laws[law].name) : NULL;
 }
 
 static void
@@ -126,16 +120,17 @@ on_section (GtkDropDown *choice, GParamSpec *pspec, Form *form)
   QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
   guint row = gtk_drop_down_get_selected (choice);
   g_free (settings->section);
-  settings->section = row < model_of (form)->section_count
-                        ? g_strdup (model_of (form)->sections[row].name)
-                        : NULL;
+  settings->section =
+    row < qn_canvas_get_model (form->canvas)->section_count
+      ? g_strdup (qn_canvas_get_model (form->canvas)->sections[row].name)
+      : NULL;
 }
 
 /* Without a section there is one to come with the first beam. */
 static void
 update_sections (Form *form)
 {
-  const QnModel *model = model_of (form);
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   const char *name = qn_canvas_get_tool_settings (form->canvas)->section;
   QnId section = name != NULL ? qn_model_find_section (model, name) : QN_NONE;
   g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
@@ -153,9 +148,10 @@ update_laws (Form *form)
 {
   update_sections (form);
   const char *name = qn_canvas_get_tool_settings (form->canvas)->joint_law;
-  QnId law = name != NULL ? qn_model_find_law (model_of (form), name) : QN_NONE;
-  qn_form_fill_laws (form->joint_law, model_of (form), _ ("None of their own"), law,
-                     form);
+  QnId law =
+    name != NULL ? qn_model_find_law (qn_canvas_get_model (form->canvas), name) : QN_NONE;
+  qn_form_fill_laws (form->joint_law, qn_canvas_get_model (form->canvas),
+                     _ ("None of their own"), law, form);
 }
 
 static void

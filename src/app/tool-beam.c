@@ -19,7 +19,7 @@ edit_add (QnModel *model, gpointer data, GError **error)
 static void
 select_last (QnCanvas *canvas)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   QnId last = (QnId) model->beam_count - 1;
   qn_selection_set_beams (qn_canvas_get_selection (canvas), &last, 1);
 }
@@ -56,13 +56,7 @@ const QnTool qn_tool_beam = {
   .hint = N_ ("Drag from end to end; an end on a block or on another beam is held there; "
               "Shift holds it straight"),
   .accel = "b",
-  .magnetic = TRUE,
-  .numbers_label = N_ ("length; angle"),
-  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE },
-  .press = qn_gesture_press,
-  .motion = qn_gesture_motion_straight,
-  .release = qn_gesture_release,
-  .numbers = qn_gesture_line_numbers,
+  QN_GESTURE_LINE,
   .complete = complete,
   .draw = draw,
 };

@@ -35,7 +35,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
   if (!qn_canvas_is_in_gesture (canvas))
     return;
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   QnSelection *selection = qn_canvas_get_selection (canvas);
   guint selected = 0;
   qn_selection_get_blocks (selection, &selected);
@@ -56,13 +56,7 @@ const QnTool qn_tool_cut = {
   .hint = N_ ("Drag a line across blocks: it parts them, or those of them that are "
               "selected; Shift holds it straight"),
   .accel = "x",
-  .magnetic = TRUE,
-  .numbers_label = N_ ("length; angle"),
-  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE },
-  .press = qn_gesture_press,
-  .motion = qn_gesture_motion_straight,
-  .release = qn_gesture_release,
-  .numbers = qn_gesture_line_numbers,
+  QN_GESTURE_LINE,
   .complete = complete,
   .draw = draw,
 };

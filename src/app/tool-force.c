@@ -62,11 +62,10 @@ static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (count < 1 || count > 2 || values[0] == 0.0)
+  QnVec2 force;
+  if (!qn_gesture_typed_way (gesture, values, count, &force) || values[0] == 0.0)
     return FALSE;
-  QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
-  double angle = count == 2 ? values[1] : atan2 (d.y, d.x);
-  add (canvas, qn_vec2_scale (values[0], qn_vec2 (cos (angle), sin (angle))));
+  add (canvas, force);
   return TRUE;
 }
 

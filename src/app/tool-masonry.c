@@ -60,13 +60,7 @@ const QnTool qn_tool_wall = {
     N_ ("Drag a rectangle: it becomes a bonded wall; or click a corner and type width; "
         "height"),
   .accel = "w",
-  .magnetic = TRUE,
-  .numbers_label = N_ ("width; height"),
-  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
-  .press = qn_gesture_press,
-  .motion = qn_gesture_motion,
-  .release = qn_gesture_release,
-  .numbers = qn_gesture_rectangle_numbers,
+  QN_GESTURE_RECTANGLE,
   .complete = complete,
   .draw = draw,
 };
@@ -78,13 +72,7 @@ const QnTool qn_tool_column = {
   .hint = N_ ("Drag a rectangle: it becomes a column of drums, each about a course high; "
               "or click a corner and type width; height"),
   .accel = "c",
-  .magnetic = TRUE,
-  .numbers_label = N_ ("width; height"),
-  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
-  .press = qn_gesture_press,
-  .motion = qn_gesture_motion,
-  .release = qn_gesture_release,
-  .numbers = qn_gesture_rectangle_numbers,
+  QN_GESTURE_RECTANGLE,
   .complete = complete,
   .draw = draw,
 };

@@ -1,5 +1,5 @@
 /* Measure: the distance between two points. */
-#include "app/canvas.h"
+#include "app/gesture.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -42,12 +42,10 @@ static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (count < 1 || count > 2)
+  QnVec2 way;
+  if (!qn_gesture_typed_way (gesture, values, count, &way))
     return FALSE;
-  QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
-  double angle = count == 2 ? values[1] : atan2 (d.y, d.x);
-  gesture->to =
-    qn_vec2_add_scaled (gesture->from, values[0], qn_vec2 (cos (angle), sin (angle)));
+  gesture->to = qn_vec2_add (gesture->from, way);
   gesture->dragging = FALSE;
   return TRUE;
 }

@@ -49,13 +49,7 @@ const QnTool qn_tool_mirror = {
   .hint = N_ ("Drag the line about which to mirror what is selected; Shift holds it "
               "straight"),
   .accel = "y",
-  .magnetic = TRUE,
-  .numbers_label = N_ ("length; angle"),
-  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE },
-  .press = qn_gesture_press,
-  .motion = qn_gesture_motion_straight,
-  .release = qn_gesture_release,
-  .numbers = qn_gesture_line_numbers,
+  QN_GESTURE_LINE,
   .complete = complete,
   .draw = draw,
 };

@@ -19,7 +19,7 @@ shows_undeformed (QnCanvas *canvas)
 static QnVec2
 grabbed_point (QnCanvas *canvas, QnId block, const QnToolEvent *event)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   const QnVec2 *v = qn_model_block_vertices (model, block);
   QnVec2 best = event->model;
   double nearest = GRAB_PX;
@@ -46,7 +46,7 @@ select_more (QnSelection *selection, const QnModel *model, QnId block, int press
 static void
 leave_to_magnet (QnCanvas *canvas)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   QnBlockSet set = { 0 };
   set.ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &set.count);
   qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
@@ -58,7 +58,7 @@ static void
 carry_whole (QnCanvas *canvas)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   if (gesture->whole == QN_NONE || gesture->band || gesture->grip.kind != QN_GRIP_NONE)
     return;
   qn_selection_select_wall (qn_canvas_get_selection (canvas), model, gesture->whole);
@@ -70,7 +70,7 @@ static void
 press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
     qn_selection_toggle_block (selection, block);
     return;

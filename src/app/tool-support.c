@@ -36,7 +36,7 @@ toggle (Support *support, const bool held[QN_DOF_COUNT])
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (canvas));
+  const QnModel *model = qn_canvas_get_model (canvas);
   Support support = { .id = qn_canvas_pick_node (canvas, event->screen) };
   if (support.id != QN_NONE && model->nodes[support.id].block == QN_NONE) {
     gboolean all = toggle (&support, model->nodes[support.id].support);

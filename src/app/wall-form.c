@@ -55,7 +55,7 @@ on_convert (Form *form)
 static void
 update (Form *form)
 {
-  const QnModel *model = qn_document_get_model (qn_canvas_get_document (form->canvas));
+  const QnModel *model = qn_canvas_get_model (form->canvas);
   guint count = 0;
   const QnId *ids =
     qn_selection_get_blocks (qn_canvas_get_selection (form->canvas), &count);
@@ -94,14 +94,8 @@ qn_wall_form_new (QnCanvas *canvas)
     convert, _ ("The wall is listed course by course; this makes it one with a bond and "
                 "openings that can be moved"));
   qn_form_add_wide (grid, convert);
-  GtkWidget *detach = gtk_button_new_with_mnemonic (_ ("_Detach into Free Blocks"));
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (detach), "win.detach");
-  gtk_widget_set_tooltip_text (
-    detach, _ ("Free blocks can be moved, turned, fixed and renamed one by one"));
-  qn_form_add_wide (grid, detach);
-  qn_own (grid, form);
-  qn_watch (grid, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), form);
-  qn_watch (grid, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), form);
+  qn_form_add_wide (grid, qn_detach_button_new ());
+  qn_form_follow_canvas (grid, canvas, G_CALLBACK (update), form);
   update (form);
   return grid;
 }

@@ -194,7 +194,8 @@ select_added (QnWindow *self, const QnModel *before)
   qn_selection_add_beams (selection, ids + blocks, added->len - blocks);
 }
 
-/* A copy beside the original, selected for the next step; beside it by a part of its height where it has no width. */
+/* A copy beside the original, selected for the next step; beside it by a part of its height where
+ * it has no width. */
 static void
 duplicate (QnWindow *self, GVariant *parameter)
 {

@@ -1,71 +1,58 @@
 #include "app/window-private.h"
 
+#include "app/dialog.h"
+#include "app/window-chooser.h"
 #include "doc/picture.h"
 #include <glib/gi18n.h>
 
 static void save_as (QnWindow *self, GVariant *parameter);
 
-static GtkFileFilter *
-project_filter (void)
-{
-  GtkFileFilter *filter = gtk_file_filter_new ();
-  gtk_file_filter_set_name (filter, _ ("Quoin projects"));
-  gtk_file_filter_add_pattern (filter, "*.quoin");
-  return filter;
-}
-
-static GtkFileChooserNative *
-begin_chooser (QnWindow *self, const char *title, GtkFileChooserAction action,
-               const char *accept, GCallback response)
-{
-  GtkFileChooserNative *chooser =
-    gtk_file_chooser_native_new (title, GTK_WINDOW (self), action, accept, NULL);
-  g_autoptr (GtkFileFilter) filter = project_filter ();
-  gtk_file_chooser_add_filter (GTK_FILE_CHOOSER (chooser), filter);
-  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
-  g_signal_connect (chooser, "response", response, self);
-  g_set_object (&self->chooser, G_OBJECT (chooser));
-  g_object_unref (chooser);
-  return chooser;
-}
+static const char *const project_suffixes[] = { "quoin", NULL };
+static const QnFileKind projects = { .title = N_ ("Open"),
+                                     .accept = N_ ("_Open"),
+                                     .name = N_ ("Quoin projects"),
+                                     .suffixes = project_suffixes,
+                                     .action = "win.open-path" };
 
 /* ---- opening ---- */
 
-/* Files open in this window while it is blank, in a new one otherwise. */
+QnWindow *
+qn_window_find_path (GtkApplication *application, const char *path)
+{
+  g_autofree char *absolute = g_canonicalize_filename (path, NULL);
+  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data)
+        && g_strcmp0 (qn_document_get_path (QN_WINDOW (l->data)->document), absolute)
+             == 0)
+      return l->data;
+  return NULL;
+}
+
+/* Files open in this window while it is blank, in a new one otherwise; one that is open already is
+ * shown where it is. */
 static void
 open_path (QnWindow *self, GVariant *parameter)
 {
   const char *path = g_variant_get_string (parameter, NULL);
-  QnWindow *target = self;
+  GtkApplication *application = gtk_window_get_application (GTK_WINDOW (self));
+  QnWindow *target = qn_window_find_path (application, path);
+  if (target != NULL) {
+    gtk_window_present (GTK_WINDOW (target));
+    return;
+  }
+  target = self;
   if (!qn_window_is_blank (self)) {
-    target = qn_window_new (gtk_window_get_application (GTK_WINDOW (self)));
+    target = qn_window_new (application);
     gtk_window_present (GTK_WINDOW (target));
   }
   qn_window_open_path (target, path);
 }
 
 static void
-on_open_response (GtkNativeDialog *dialog, int response, QnWindow *self)
-{
-  if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog));
-    g_autofree char *path = g_file_get_path (file);
-    if (path != NULL)
-      gtk_widget_activate_action (GTK_WIDGET (self), "win.open-path", "s", path);
-    else
-      qn_window_show_error (self, _ ("Only local files can be opened"));
-  }
-  g_clear_object (&self->chooser);
-}
-
-static void
 open_dialog (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
-  GtkFileChooserNative *chooser =
-    begin_chooser (self, _ ("Open"), GTK_FILE_CHOOSER_ACTION_OPEN, _ ("_Open"),
-                   G_CALLBACK (on_open_response));
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+  qn_window_choose_file (self, &projects);
 }
 
 void
@@ -118,10 +105,11 @@ on_save_response (GtkNativeDialog *dialog, int response, QnWindow *self)
   gboolean close_after = self->closing;
   self->closing = FALSE;
   if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog));
-    g_autofree char *path = g_file_get_path (file);
+    const char *const endings[] = { ".quoin", ".json", NULL };
+    g_autoptr (GError) error = NULL;
+    g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
     if (path == NULL)
-      qn_window_show_error (self, _ ("Only local files can be written"));
+      qn_window_show_error (self, error->message);
     else if (save_to (self, path) && close_after)
       close_soon (self);
   }
@@ -133,8 +121,10 @@ save_as (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
   GtkFileChooserNative *chooser =
-    begin_chooser (self, _ ("Save As"), GTK_FILE_CHOOSER_ACTION_SAVE, _ ("_Save"),
-                   G_CALLBACK (on_save_response));
+    qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
+                      _ ("Save As"), _ ("_Save"));
+  qn_chooser_add_kind (chooser, &projects);
+  g_signal_connect (chooser, "response", G_CALLBACK (on_save_response), self);
   const char *path = qn_document_get_path (self->document);
   if (path != NULL) {
     g_autoptr (GFile) file = g_file_new_for_path (path);
@@ -144,16 +134,74 @@ save_as (QnWindow *self, GVariant *parameter)
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
+/* Over the file that it came from, and closes then where that is wanted. */
+static void
+save_over (QnWindow *self)
+{
+  g_autofree char *path = g_strdup (qn_document_get_path (self->document));
+  if (save_to (self, path) && self->closing)
+    close_soon (self);
+}
+
+/* ---- questions ---- */
+
+/* Asks what is to become of something that may be lost. The answers are REJECT, which loses it,
+ * CANCEL, and ACCEPT, which is the default. */
+static void
+ask (QnWindow *self, const char *question, const char *consequence, const char *reject,
+     const char *accept, void (*respond) (GtkDialog *, int, QnWindow *))
+{
+  GtkWidget *dialog = gtk_message_dialog_new (
+    GTK_WINDOW (self), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
+    GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s", question);
+  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s",
+                                            consequence);
+  gtk_widget_add_css_class (
+    gtk_dialog_add_button (GTK_DIALOG (dialog), reject, GTK_RESPONSE_REJECT),
+    "destructive-action");
+  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
+  gtk_widget_add_css_class (
+    gtk_dialog_add_button (GTK_DIALOG (dialog), accept, GTK_RESPONSE_ACCEPT),
+    "suggested-action");
+  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);
+  g_signal_connect (dialog, "response", G_CALLBACK (respond), self);
+  gtk_window_present (GTK_WINDOW (dialog));
+}
+
+static void
+on_changed_response (GtkDialog *dialog, int response, QnWindow *self)
+{
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  if (response == GTK_RESPONSE_REJECT)
+    save_over (self);
+  else if (response == GTK_RESPONSE_ACCEPT)
+    save_as (self, NULL);
+  else
+    self->closing = FALSE;
+}
+
+/* What somebody else has written since must not be lost without a word. */
+static void
+ask_about_change (QnWindow *self)
+{
+  g_autofree char *name = g_path_get_basename (qn_document_get_path (self->document));
+  g_autofree char *question =
+    g_strdup_printf (_ ("“%s” has changed since it was opened here"), name);
+  ask (
+    self, question,
+    _ ("Another window or program has written the file. Saving replaces what it wrote."),
+    _ ("_Overwrite"), _ ("Save _As…"), on_changed_response);
+}
+
 static void
 save (QnWindow *self, GVariant *parameter)
 {
-  const char *path = qn_document_get_path (self->document);
-  if (path == NULL) {
+  if (qn_document_get_path (self->document) == NULL)
     save_as (self, parameter);
-    return;
-  }
-  g_autofree char *copy = g_strdup (path);
-  save_to (self, copy);
+  else if (qn_document_is_changed_elsewhere (self->document))
+    ask_about_change (self);
+  else
+    save_over (self);
 }
 
 /* For tests and scripts: saves to a given path without asking. */
@@ -172,15 +220,8 @@ on_unsaved_response (GtkDialog *dialog, int response, QnWindow *self)
   if (response == GTK_RESPONSE_REJECT)
     close_soon (self);
   else if (response == GTK_RESPONSE_ACCEPT) {
-    const char *path = qn_document_get_path (self->document);
     self->closing = TRUE;
-    if (path == NULL)
-      save_as (self, NULL);
-    else {
-      g_autofree char *copy = g_strdup (path);
-      if (save_to (self, copy))
-        close_soon (self);
-    }
+    save (self, NULL);
   }
 }
 
@@ -191,23 +232,9 @@ qn_window_may_close (QnWindow *self)
       || !qn_document_is_modified (self->document))
     return TRUE;
   g_autofree char *name = qn_document_dup_display_name (self->document);
-  GtkWidget *dialog = gtk_message_dialog_new (
-    GTK_WINDOW (self), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
-    GTK_MESSAGE_QUESTION, GTK_BUTTONS_NONE, _ ("Save changes to “%s”?"), name);
-  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s",
-                                            _ ("What is not saved will be lost."));
-  gtk_dialog_add_buttons (GTK_DIALOG (dialog), _ ("_Discard"), GTK_RESPONSE_REJECT,
-                          _ ("_Cancel"), GTK_RESPONSE_CANCEL, _ ("_Save"),
-                          GTK_RESPONSE_ACCEPT, NULL);
-  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);
-  gtk_widget_add_css_class (
-    gtk_dialog_get_widget_for_response (GTK_DIALOG (dialog), GTK_RESPONSE_REJECT),
-    "destructive-action");
-  gtk_widget_add_css_class (
-    gtk_dialog_get_widget_for_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT),
-    "suggested-action");
-  g_signal_connect (dialog, "response", G_CALLBACK (on_unsaved_response), self);
-  gtk_window_present (GTK_WINDOW (dialog));
+  g_autofree char *question = g_strdup_printf (_ ("Save changes to “%s”?"), name);
+  ask (self, question, _ ("What is not saved will be lost."), _ ("_Discard"), _ ("_Save"),
+       on_unsaved_response);
   return FALSE;
 }
 

@@ -1,9 +1,11 @@
 /* What comes in from outside: drawings of other programs, pictures behind the drawing, and files
  * dropped on the window. */
+#include "app/window-chooser.h"
 #include "app/window-private.h"
 
 #include "doc/import.h"
 #include "doc/picture.h"
+#include "doc/run-file.h"
 #include <glib/gi18n.h>
 
 /* ---- pictures ---- */
@@ -46,7 +48,9 @@ remove_picture (QnWindow *self, GVariant *parameter)
 void
 qn_window_take_file (QnWindow *self, const char *path)
 {
-  if (qn_import_is_picture (path))
+  if (qn_is_result_file (path))
+    qn_window_open_result (self, path);
+  else if (qn_import_is_picture (path))
     insert_picture (self, path);
   else if (qn_import_knows_file (path))
     qn_import_dialog_show (self, path);
@@ -89,53 +93,31 @@ qn_window_accept_drops (QnWindow *self)
 /* ---- choosing ---- */
 
 static void
-on_response (GtkNativeDialog *dialog, int response, QnWindow *self)
-{
-  if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog));
-    g_autofree char *path = g_file_get_path (file);
-    if (path != NULL)
-      gtk_widget_activate_action (GTK_WIDGET (self), "win.take-path", "s", path);
-    else
-      qn_window_show_error (self, _ ("Only local files can be opened"));
-  }
-  g_clear_object (&self->chooser);
-}
-
-static void
-choose (QnWindow *self, const char *title, const char *accept, const char *kind,
-        const char *const *patterns)
-{
-  GtkFileChooserNative *chooser = gtk_file_chooser_native_new (
-    title, GTK_WINDOW (self), GTK_FILE_CHOOSER_ACTION_OPEN, accept, NULL);
-  g_autoptr (GtkFileFilter) filter = gtk_file_filter_new ();
-  gtk_file_filter_set_name (filter, kind);
-  for (gsize i = 0; patterns[i] != NULL; i++)
-    gtk_file_filter_add_suffix (filter, patterns[i]);
-  gtk_file_chooser_add_filter (GTK_FILE_CHOOSER (chooser), filter);
-  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (chooser), TRUE);
-  g_signal_connect (chooser, "response", G_CALLBACK (on_response), self);
-  g_set_object (&self->chooser, G_OBJECT (chooser));
-  g_object_unref (chooser);
-  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
-}
-
-static void
 import_drawing (QnWindow *self, GVariant *parameter)
 {
-  static const char *const patterns[] = { "dxf", "svg", "json", "txt", NULL };
+  static const char *const suffixes[] = { "dxf", "svg", "json", "txt", NULL };
+  static const QnFileKind drawings = { .title = N_ ("Import Drawing"),
+                                       .accept = N_ ("_Import"),
+                                       .name =
+                                         N_ ("Drawings: DXF, SVG, COMPAS, HybriDFEM"),
+                                       .suffixes = suffixes,
+                                       .action = "win.take-path" };
   (void) parameter;
-  choose (self, _ ("Import Drawing"), _ ("_Import"),
-          _ ("Drawings: DXF, SVG, COMPAS, HybriDFEM"), patterns);
+  qn_window_choose_file (self, &drawings);
 }
 
 static void
 picture (QnWindow *self, GVariant *parameter)
 {
-  static const char *const patterns[] = { "png", "jpg",  "jpeg", "tif",
+  static const char *const suffixes[] = { "png", "jpg",  "jpeg", "tif",
                                           "bmp", "tiff", "webp", NULL };
+  static const QnFileKind pictures = { .title = N_ ("Picture behind the Drawing"),
+                                       .accept = N_ ("_Open"),
+                                       .name = N_ ("Pictures"),
+                                       .suffixes = suffixes,
+                                       .action = "win.take-path" };
   (void) parameter;
-  choose (self, _ ("Picture behind the Drawing"), _ ("_Open"), _ ("Pictures"), patterns);
+  qn_window_choose_file (self, &pictures);
 }
 
 void

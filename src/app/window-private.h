@@ -76,6 +76,9 @@ void qn_window_connect_analysis (QnWindow *window);
 /* window-export.c: tables, and what leads to other exports. */
 void qn_window_add_export_actions (QnWindow *window);
 
+/* A result file of the project: added to the runs and shown. */
+void qn_window_open_result (QnWindow *window, const char *path);
+
 /* Shows the drawing instead of the start page. */
 void qn_window_show_work (QnWindow *window);
 

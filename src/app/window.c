@@ -3,8 +3,10 @@
 #include "app/panel.h"
 #include "app/settings.h"
 #include "app/start-page.h"
+#include "doc/count-text.h"
 #include "doc/explain.h"
 #include "doc/import.h"
+#include "doc/run-file.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -84,14 +86,13 @@ update_counts (QnWindow *self)
 {
   const QnModel *model = qn_document_get_model (self->document);
   const QnContacts *contacts = qn_document_get_contacts (self->document);
+  const QnCount counts[] = { { QN_COUNTED_BEAMS, model->beam_count },
+                             { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, contacts->face_count },
+                             { QN_COUNTED_FINDINGS, contacts->findings.count } };
+  gsize skipped = model->beam_count > 0 ? 0 : 1;
   g_autofree char *text =
-    model->beam_count > 0
-      ? g_strdup_printf (_ ("%u blocks · %u beams · %u faces · %u findings"),
-                         (guint) model->block_count, (guint) model->beam_count,
-                         (guint) contacts->face_count, (guint) contacts->findings.count)
-      : g_strdup_printf (_ ("%u blocks · %u faces · %u findings"),
-                         (guint) model->block_count, (guint) contacts->face_count,
-                         (guint) contacts->findings.count);
+    qn_counts_dup_text (counts + skipped, G_N_ELEMENTS (counts) - skipped, " · ");
   gtk_label_set_text (self->status_counts, text);
 }
 
@@ -240,7 +241,8 @@ qn_window_open_path (QnWindow *self, const char *path)
 {
   g_autofree char *absolute = g_canonicalize_filename (path, NULL);
   g_autoptr (GError) error = NULL;
-  if (qn_import_knows_file (path) || qn_import_is_picture (path)) {
+  if (qn_import_knows_file (path) || qn_import_is_picture (path)
+      || qn_is_result_file (path)) {
     qn_window_take_file (self, absolute);
     return TRUE;
   }

@@ -11,12 +11,16 @@ G_DECLARE_FINAL_TYPE (QnWindow, qn_window, QN, WINDOW, GtkApplicationWindow)
 /* A window with the start page. */
 QnWindow *qn_window_new (GtkApplication *application);
 
+/* The window's parts; borrowed. */
 QnDocument *qn_window_get_document (QnWindow *window);
 QnViewState *qn_window_get_view_state (QnWindow *window);
 QnCanvas *qn_window_get_canvas (QnWindow *window);
 
 /* Whether it still shows the start page: a file may be opened into it. */
 gboolean qn_window_is_blank (QnWindow *window);
+
+/* The window that shows the project file, or NULL. */
+QnWindow *qn_window_find_path (GtkApplication *application, const char *path);
 
 /* Opens a project, or imports what the kind of file allows. Says so in the window where it
  * cannot be read, and returns FALSE. */

@@ -20,13 +20,6 @@ typedef struct Options {
   char **overrides;
 } Options;
 
-static QnExit
-refuse (const QnSubcommand *self, const char *message)
-{
-  qn_cli_usage_error (self->name, message);
-  return QN_EXIT_USAGE;
-}
-
 /* What can be judged before any file is read. */
 static QnExit
 check (const QnSubcommand *self, const Options *options, double *scale)
@@ -34,18 +27,18 @@ check (const QnSubcommand *self, const Options *options, double *scale)
   char *end = NULL;
   GError *error = NULL;
   if (options->result == NULL)
-    return refuse (self, _ ("--result is missing"));
+    return qn_cli_usage_error (self->name, _ ("--result is missing"));
   if (options->view != NULL && strcmp (options->view, "mechanism") != 0
       && strcmp (options->view, "deformed") != 0)
-    return refuse (self, _ ("--view is mechanism or deformed"));
+    return qn_cli_usage_error (self->name, _ ("--view is mechanism or deformed"));
   *scale = QN_SCALE_AUTO;
   if (options->scale != NULL && strcmp (options->scale, "auto") != 0) {
     *scale = g_ascii_strtod (options->scale, &end);
     if (end == options->scale || *end != '\0' || !isfinite (*scale) || *scale <= 0)
-      return refuse (self, _ ("--scale is a positive number, or auto"));
+      return qn_cli_usage_error (self->name, _ ("--scale is a positive number, or auto"));
   }
   if (options->picture.transparent)
-    return refuse (self, _ ("animations have a white ground"));
+    return qn_cli_usage_error (self->name, _ ("animations have a white ground"));
   if (!qn_animation_check_path (options->picture.path, &error))
     return qn_cli_fail (error);
   return QN_EXIT_DONE;
@@ -132,7 +125,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     G_OPTION_ENTRY_NULL,
   };
   QnOutput output;
-  double scale;
+  double scale = 0;
   QnExit code = QN_EXIT_USAGE;
 
   qn_output_init (&output);

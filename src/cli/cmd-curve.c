@@ -101,8 +101,7 @@ parse_references (const QnSubcommand *self, Options *options)
     if (end == *text || (*end != '\0' && *end != '=') || !isfinite (line.y)) {
       g_autofree char *message =
         g_strdup_printf (_ ("%s: a reference is a number, or a number=text"), *text);
-      qn_cli_usage_error (self->name, message);
-      return QN_EXIT_USAGE;
+      return qn_cli_usage_error (self->name, message);
     }
     line.label = *end == '=' ? end + 1 : _ ("reference");
     g_array_append_val (options->lines, line);

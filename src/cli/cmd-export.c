@@ -106,8 +106,7 @@ check_options (const QnSubcommand *self, const Options *options, Format *format)
     problem = _ ("--table must be curve, displacements, contacts or beams");
   if (problem == NULL)
     return QN_EXIT_DONE;
-  qn_cli_usage_error (self->name, problem);
-  return QN_EXIT_USAGE;
+  return qn_cli_usage_error (self->name, problem);
 }
 
 static QnExit

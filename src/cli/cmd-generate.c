@@ -108,8 +108,7 @@ generate (const QnSubcommand *self, const Options *options, const Kind *kind,
     if (override == NULL) {
       g_autofree char *message =
         g_strdup_printf (_ ("expected KEY=VALUE, not \"%s\""), arguments[i]);
-      qn_cli_usage_error (self->name, message);
-      return QN_EXIT_USAGE;
+      return qn_cli_usage_error (self->name, message);
     }
     g_ptr_array_add (overrides, override);
   }

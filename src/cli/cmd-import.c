@@ -63,8 +63,7 @@ check_options (const QnSubcommand *self, Options *options)
     problem = _ ("-o is missing");
   if (problem == NULL)
     return QN_EXIT_DONE;
-  qn_cli_usage_error (self->name, problem);
-  return QN_EXIT_USAGE;
+  return qn_cli_usage_error (self->name, problem);
 }
 
 static QnExit

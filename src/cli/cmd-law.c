@@ -121,8 +121,7 @@ take_preset (const QnSubcommand *self, const char *name, QnLawPreset *what)
       return QN_EXIT_DONE;
     }
   g_autofree char *message = g_strdup_printf (_ ("no law is called “%s”"), name);
-  qn_cli_usage_error (self->name, message);
-  return QN_EXIT_USAGE;
+  return qn_cli_usage_error (self->name, message);
 }
 
 static QnExit

@@ -147,8 +147,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "mode", 0, 0, G_OPTION_ARG_INT, &options.mode,
       N_ ("Number of the mode, from 1 (1)"), N_ ("K") },
     QN_INPUT_SET_ENTRY (&options.overrides),
-    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
-      NULL },
+    QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
   QnInput input;

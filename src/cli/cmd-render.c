@@ -21,8 +21,7 @@ static QnExit
 refuse (const QnSubcommand *self, const char *reason, const char *text)
 {
   g_autofree char *message = g_strdup_printf ("%s: %s", text, reason);
-  qn_cli_usage_error (self->name, message);
-  return QN_EXIT_USAGE;
+  return qn_cli_usage_error (self->name, message);
 }
 
 static gboolean

@@ -105,15 +105,10 @@ is_stdout (const char *path)
 static void
 print_mechanism (const QnInput *input, const QnResult *result)
 {
-  const QnModel *model = &input->project.model;
-  QnMechanism mechanism;
-  if (result->mechanism == NULL
-      || qn_mechanism_init (&mechanism, model, &input->contacts, result->mechanism, NULL)
-           != QN_OK)
-    return;
-  g_autofree char *text = qn_mechanism_dup_text (model, &mechanism);
-  printf ("%s\n", text);
-  qn_mechanism_clear (&mechanism);
+  g_autofree char *text =
+    qn_collapse_dup_text (&input->project.model, &input->contacts, result);
+  if (text != NULL)
+    printf ("%s\n", text);
 }
 
 static QnExit
@@ -257,8 +252,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
           "and springs too, or steps: forces of all steps, however many"),
       N_ ("forces|pairs|steps") },
     QN_INPUT_SET_ENTRY (&options.overrides),
-    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
-      NULL },
+    QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
   QnInput input;

@@ -84,8 +84,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Write a result here whose mechanism is the buckling mode"),
       N_ ("RESULT.json") },
     QN_INPUT_SET_ENTRY (&options.overrides),
-    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
-      NULL },
+    QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
   QnInput input;

@@ -14,6 +14,12 @@
       N_ ("PATH=VALUE")                                                                  \
   }
 
+/* The option --quiet. */
+#define QN_INPUT_QUIET_ENTRY(variable)                                                   \
+  {                                                                                      \
+    "quiet", 'q', 0, G_OPTION_ARG_NONE, (variable), N_ ("Print errors only"), NULL       \
+  }
+
 typedef struct QnInput {
   QnProject project;
   QnContacts contacts;

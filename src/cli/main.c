@@ -42,8 +42,7 @@ static QnExit
 dispatch (int argc, char **argv)
 {
   if (argc < 2) {
-    qn_cli_usage_error (NULL, _ ("a subcommand is missing"));
-    return QN_EXIT_USAGE;
+    return qn_cli_usage_error (NULL, _ ("a subcommand is missing"));
   }
   if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
     print_help ();
@@ -58,8 +57,7 @@ dispatch (int argc, char **argv)
   if (subcommand == NULL) {
     g_autofree char *message = g_strdup_printf (
       argv[1][0] == '-' ? _ ("unknown option %s") : _ ("unknown subcommand %s"), argv[1]);
-    qn_cli_usage_error (NULL, message);
-    return QN_EXIT_USAGE;
+    return qn_cli_usage_error (NULL, message);
   }
   return subcommand->run (subcommand, argc - 1, argv + 1);
 }
@@ -68,8 +66,8 @@ int
 main (int argc, char **argv)
 {
   setlocale (LC_ALL, "");
-  setlocale (LC_NUMERIC,
-             "C"); /* numbers look the same everywhere, in files and reports */
+  /* Numbers look the same everywhere, in files and reports; in pictures they go with the words. */
+  setlocale (LC_NUMERIC, "C");
   bindtextdomain (GETTEXT_PACKAGE, QN_LOCALE_DIR);
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
   textdomain (GETTEXT_PACKAGE);

@@ -33,7 +33,7 @@ qn_cli_warning (const char *format, ...)
   va_end (arguments);
 }
 
-void
+QnExit
 qn_cli_usage_error (const char *subcommand, const char *message)
 {
   if (subcommand != NULL)
@@ -41,6 +41,7 @@ qn_cli_usage_error (const char *subcommand, const char *message)
                   subcommand);
   else
     qn_cli_error (_ ("%s (see quoin-cli --help)"), message);
+  return QN_EXIT_USAGE;
 }
 
 static QnExit
@@ -76,8 +77,9 @@ render_exit_code (QnRenderError code)
   return QN_EXIT_INTERNAL;
 }
 
-QnExit
-qn_cli_exit_code (const GError *error)
+/* The exit code that belongs to an error of the layers below. */
+static QnExit
+exit_code_of (const GError *error)
 {
   if (error->domain == QN_IO_ERROR)
     return io_exit_code ((QnIoError) error->code);
@@ -91,7 +93,7 @@ qn_cli_exit_code (const GError *error)
 QnExit
 qn_cli_fail (GError *error)
 {
-  QnExit code = qn_cli_exit_code (error);
+  QnExit code = exit_code_of (error);
   qn_cli_error ("%s", error->message);
   g_error_free (error);
   return code;

@@ -11,13 +11,11 @@
 void qn_cli_error (const char *format, ...) G_GNUC_PRINTF (1, 2);
 void qn_cli_warning (const char *format, ...) G_GNUC_PRINTF (1, 2);
 
-/* Wrong usage: the message and where help is to be found. `subcommand` may be NULL. */
-void qn_cli_usage_error (const char *subcommand, const char *message);
+/* Wrong usage: the message and where help is to be found. `subcommand` may be NULL. Returns how the
+ * program ends, QN_EXIT_USAGE. */
+QnExit qn_cli_usage_error (const char *subcommand, const char *message);
 
 /* Prints the error, frees it and says how the program ends. */
 QnExit qn_cli_fail (GError *error);
-
-/* The exit code that belongs to an error of the layers below. */
-QnExit qn_cli_exit_code (const GError *error);
 
 #endif

@@ -5,13 +5,6 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-static QnExit
-refuse (const QnSubcommand *self, const char *message)
-{
-  qn_cli_usage_error (self->name, message);
-  return QN_EXIT_USAGE;
-}
-
 QnExit
 qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
                  QnOutput *output)
@@ -20,16 +13,16 @@ qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
   QnPage page;
 
   if (options->path == NULL)
-    return refuse (self, _ ("-o is missing"));
+    return qn_cli_usage_error (self->name, _ ("-o is missing"));
   output->transparent = options->transparent;
   if (options->dpi < 0)
-    return refuse (self, _ ("--dpi must be positive"));
+    return qn_cli_usage_error (self->name, _ ("--dpi must be positive"));
   if (options->dpi > 0)
     output->dpi = options->dpi;
   if (g_strcmp0 (options->backend, "gl") == 0)
     output->backend = QN_BACKEND_GL;
   else if (options->backend != NULL && strcmp (options->backend, "cairo") != 0)
-    return refuse (self, _ ("--backend is cairo or gl"));
+    return qn_cli_usage_error (self->name, _ ("--backend is cairo or gl"));
 
   if ((options->size != NULL && !qn_output_parse_size (output, options->size, &error))
       || !qn_output_page (output, &page, &error))

@@ -32,8 +32,11 @@ qn_sheet_item_solve (QnSheetItem *item)
   return qn_cli_fail (error);
 }
 
-QnExit
-qn_sheet_item_load (QnSheetItem *item, const char *argument)
+/* Reads the result named behind "=", or solves the project where none is named. An argument
+ * that is itself the name of a file is taken as that, "=" or not. On failure the user has
+ * been told and *item is empty. */
+static QnExit
+load_item (QnSheetItem *item, const char *argument)
 {
   const char *equals = strrchr (argument, '=');
   memset (item, 0, sizeof *item);
@@ -65,7 +68,7 @@ qn_sheet_items_load (char **arguments, gsize count, QnSheetItem **items)
   *items = g_new0 (QnSheetItem, count);
   qn_interrupt_install ();
   for (gsize i = 0; i < count; i++) {
-    QnExit code = qn_sheet_item_load (&(*items)[i], arguments[i]);
+    QnExit code = load_item (&(*items)[i], arguments[i]);
     if (code != QN_EXIT_DONE) {
       qn_sheet_items_free (*items, i);
       *items = NULL;

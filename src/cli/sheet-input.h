@@ -10,17 +10,14 @@ typedef struct QnSheetItem {
   QnResultFile file; /* only `result` is filled where it was computed here */
 } QnSheetItem;
 
-/* Reads the result named behind "=", or solves the project where none is named. An argument
- * that is itself the name of a file is taken as that, "=" or not. On failure the user has
- * been told and *item is empty. */
-QnExit qn_sheet_item_load (QnSheetItem *item, const char *argument);
-
 /* Solves the project that item->input holds; on failure the user has been told. */
 QnExit qn_sheet_item_solve (QnSheetItem *item);
 
 void qn_sheet_item_clear (QnSheetItem *item);
 
-/* Loads count items; on failure nothing is left. Free with qn_sheet_items_free(). */
+/* Loads count items: reads the result named behind "=", or solves the project where none is named.
+ * An argument that is itself the name of a file is taken as that, "=" or not. On failure the user
+ * has been told and nothing is left. Free with qn_sheet_items_free(). */
 QnExit qn_sheet_items_load (char **arguments, gsize count, QnSheetItem **items);
 void qn_sheet_items_free (QnSheetItem *items, gsize count);
 

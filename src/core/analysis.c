@@ -20,14 +20,5 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
     qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
   if (status == QN_OK)
     status = qn_path_run (&path, &stands, diag);
-  if (status == QN_OK) {
-    qn_assembly_pair_results (&path.equilibrium.assembly, path.equilibrium.u,
-                              result->pairs);
-    result->statistics = path.equilibrium.statistics;
-    result->statistics.seconds = qn_clock_seconds () - start;
-  } else {
-    qn_result_clear (result);
-  }
-  qn_path_clear (&path);
-  return status;
+  return qn_path_finish (&path, status, start);
 }

@@ -2,7 +2,6 @@
 
 #include "core/memory.h"
 #include "core/sparse.h"
-#include "core/tolerance.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +14,8 @@ allocate (QnAssembly *as)
   size_t pairs = as->pair_count, n = (size_t) as->unknown_count;
 
   as->kinematics = qn_alloc (pairs, sizeof *as->kinematics);
+  as->gradients = qn_alloc (pairs, sizeof *as->gradients);
+  as->elongations = qn_alloc (2 * (pairs + 7), sizeof *as->elongations);
   as->springs = qn_alloc (pairs, sizeof *as->springs);
   as->committed = qn_alloc (pairs, sizeof *as->committed);
   as->responses = qn_alloc (pairs, sizeof *as->responses);
@@ -25,14 +26,20 @@ allocate (QnAssembly *as)
   as->damping = qn_alloc (n, sizeof (double));
   as->diagonal = qn_alloc (n, sizeof *as->diagonal);
   as->scatter = qn_alloc (as->contacts->face_count * 36, sizeof *as->scatter);
+  as->first_pairs = qn_alloc (as->contacts->face_count + 1, sizeof *as->first_pairs);
+  as->whole = qn_alloc (as->contacts->face_count, sizeof *as->whole);
   as->forces =
     qn_alloc (qn_model_body_count (as->model) * QN_DOF_COUNT, sizeof *as->forces);
   as->settles = qn_alloc (n, sizeof *as->settles);
+  as->phases = qn_alloc (pairs, sizeof *as->phases);
+  as->stale = qn_alloc (qn_model_body_count (as->model), sizeof *as->stale);
   as->face_unknowns =
     qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
-  return as->kinematics && as->springs && as->committed && as->responses && as->dead
-         && as->live && as->dead_at_rest && as->live_at_rest && as->damping
-         && as->diagonal && as->scatter && as->forces && as->settles && as->face_unknowns;
+  return as->kinematics && as->gradients && as->elongations && as->springs
+         && as->committed && as->responses && as->dead && as->live && as->dead_at_rest
+         && as->live_at_rest && as->damping && as->diagonal && as->scatter
+         && as->first_pairs && as->whole && as->forces && as->settles && as->face_unknowns
+         && as->phases && as->stale;
 }
 
 /* Marks the supports that settle in any of the loads. */
@@ -91,16 +98,20 @@ prepare_pairs (QnAssembly *as)
       &as->kinematics[p], face->normal,
       qn_vec2_sub (pair->point, as->model->blocks[face->a].centroid),
       qn_vec2_sub (pair->point, as->model->blocks[face->b].centroid), as->length);
+    as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
     as->springs[p] = qn_contacts_pair_springs (as->model, contacts, p);
   }
 }
 
+/* What the inner loops need of faces. */
 static void
-list_face_unknowns (QnAssembly *as)
+list_faces (QnAssembly *as)
 {
+  as->first_pairs[as->contacts->face_count] = (int32_t) as->pair_count;
   for (size_t f = 0; f < as->contacts->face_count; f++) {
     const QnContactFace *face = &as->contacts->faces[f];
     int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
+    as->first_pairs[f] = face->first_pair;
     for (int i = 0; i < QN_DOF_COUNT; i++) {
       unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
       unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
@@ -134,6 +145,23 @@ find_settling_rows (QnAssembly *as)
   return true;
 }
 
+/* Where a face's 6 x 6 goes in ax. */
+static void
+find_face_places (QnAssembly *as, size_t f)
+{
+  const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
+  int32_t *scatter = as->scatter + 36 * f;
+
+  as->whole[f] = true;
+  for (int i = 0; i < QN_FACE_UNKNOWNS; i++)
+    for (int j = 0; j < QN_FACE_UNKNOWNS; j++) {
+      int32_t place = qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
+      scatter[6 * i + j] = place;
+      if (place == QN_NONE || (i % 3 > 0 && place != scatter[6 * (i - 1) + j] + 1))
+        as->whole[f] = false;
+    }
+}
+
 /* Pattern of K: every block couples with itself and with the blocks it touches. */
 static QnStatus
 build_pattern (QnAssembly *as, QnDiag *diag)
@@ -159,13 +187,8 @@ build_pattern (QnAssembly *as, QnDiag *diag)
   if (!ok || as->ax == NULL)
     return qn_diag_no_memory (diag);
 
-  for (size_t f = 0; f < contacts->face_count; f++) {
-    const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
-    for (int i = 0; i < 6; i++)
-      for (int j = 0; j < 6; j++)
-        as->scatter[36 * f + 6 * i + j] =
-          qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
-  }
+  for (size_t f = 0; f < contacts->face_count; f++)
+    find_face_places (as, f);
   qn_beam_assembly_find_places (&as->beams, as->ap, as->ai);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
@@ -279,7 +302,7 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
     return qn_diag_no_memory (diag);
   }
   prepare_pairs (as);
-  list_face_unknowns (as);
+  list_faces (as);
   QnStatus status = build_pattern (as, diag);
   if (status == QN_OK) {
     prepare_damping (as);
@@ -296,6 +319,8 @@ qn_assembly_clear (QnAssembly *as)
   qn_beam_assembly_clear (&as->beams);
   free (as->unknown);
   free (as->kinematics);
+  free (as->gradients);
+  free (as->elongations);
   free (as->dead_at_rest);
   free (as->live_at_rest);
   free (as->eccentric);
@@ -309,9 +334,13 @@ qn_assembly_clear (QnAssembly *as)
   free (as->ai);
   free (as->ax);
   free (as->scatter);
+  free (as->first_pairs);
+  free (as->whole);
   free (as->diagonal);
   free (as->settling);
   free (as->settles);
+  free (as->phases);
+  free (as->stale);
   free (as->settling_entries);
   free (as->forces);
   free (as->face_unknowns);
@@ -338,8 +367,8 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
 
   qn_assembly_update_kinematics (as, u);
   for (size_t p = 0; p < as->pair_count; p++)
-    ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p],
-                            as->kinematics[p].elongation, &as->responses[p]);
+    ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                            &as->responses[p]);
   qn_beam_assembly_evaluate (&as->beams);
   return ok;
 }
@@ -376,70 +405,9 @@ double
 qn_assembly_gap (const QnAssembly *as, size_t pair)
 {
   const QnPairMemory *memory = &as->committed[pair];
-  double gap = as->kinematics[pair].elongation[0] - memory->a.opening;
+  double gap = as->elongations[2 * pair] - memory->a.opening;
 
   return as->springs[pair].equal ? gap : gap - memory->b.opening;
-}
-
-static void
-clear_settling_rows (QnAssembly *as)
-{
-  for (size_t s = 0; s < as->settling_count; s++) {
-    const QnSettling *settling = &as->settling[s];
-    int32_t i = settling->unknown, count = as->ap[i + 1] - as->ap[i] - 1;
-    for (int32_t k = 0; k < count; k++)
-      as->ax[as->settling_entries[settling->first_entry + k]] = 0;
-    as->ax[as->diagonal[i]] = as->stiffness;
-  }
-}
-
-void
-qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
-{
-  qn_assembly_tangent_of (as, multiplier, viscosity, as->responses[0].tangent[0],
-                          sizeof *as->responses / sizeof (double));
-}
-
-void
-qn_assembly_tangent_of (QnAssembly *as, double multiplier, double viscosity,
-                        const double *tangents, size_t stride)
-{
-  memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
-  qn_assembly_add_face_tangents (as, tangents, stride);
-  qn_beam_assembly_add_tangent (&as->beams, as->ax);
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    as->ax[as->diagonal[i]] += viscosity * as->damping[i];
-  if (as->nonlinear)
-    qn_assembly_add_load_stiffness (as, multiplier);
-  clear_settling_rows (as);
-}
-
-void
-qn_assembly_tangent_held (QnAssembly *as, double multiplier)
-{
-  qn_assembly_tangent (as, multiplier, 0);
-  for (size_t s = 0; s < as->settling_count; s++) {
-    int32_t i = as->settling[s].unknown;
-    for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)
-      if (as->ai[k] != i)
-        as->ax[k] = 0;
-  }
-}
-
-bool
-qn_assembly_is_symmetric (const QnAssembly *as)
-{
-  double largest = 0, skew = 0;
-
-  for (int32_t j = 0; j < as->unknown_count; j++)
-    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++) {
-      int32_t i = as->ai[k], low = as->ap[i];
-      while (as->ai[low] != j)
-        low++;
-      largest = fmax (largest, fabs (as->ax[k]));
-      skew = fmax (skew, fabs (as->ax[k] - as->ax[low]));
-    }
-  return skew <= QN_TOLERANCE_SYMMETRIC * largest;
 }
 
 void

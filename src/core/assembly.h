@@ -1,8 +1,8 @@
 /* The assembled structure: contact pairs between blocks, and beams, as one nonlinear system.
  *
- * Unknowns are the free degrees of freedom of the bodies: blocks, and nodes that stand free. Rotations are multiplied by the
- * model's characteristic length L, moments divided by it, so that every unknown is in m,
- * every force in N and every entry of the tangent stiffness in N/m.
+ * Unknowns are the free degrees of freedom of the bodies: blocks, and nodes that stand free.
+ * Rotations are multiplied by the model's characteristic length L, moments divided by it, so that
+ * every unknown is in m, every force in N and every entry of the tangent stiffness in N/m.
  *
  *   residual   R(u, lambda) = F_dead + lambda F_live - P(u)
  *   tangent    K = dP / du   (unsymmetric where dilatancy differs from friction)
@@ -65,7 +65,12 @@ typedef struct QnAssembly {
                                 left out */
 
   size_t pair_count;
-  QnPairKinematics *kinematics; /* of the last evaluation */
+  QnPairKinematics
+    *kinematics; /* of the last evaluation in nonlinear geometry, or at rest */
+  QnPairGradient *gradients; /* of the last evaluation */
+  double
+    *elongations; /* pair_count x 2, and what is missing to a multiple of eight pairs: the
+                          same, m */
   QnPairSprings *springs;
   QnPairMemory *committed;   /* from which every evaluation starts */
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
@@ -87,8 +92,16 @@ typedef struct QnAssembly {
 
   int32_t *ap, *ai; /* pattern of K in compressed columns, rows sorted */
   double *ax;
-  int32_t *face_unknowns; /* face_count x 6, QN_NONE where fixed */
-  int32_t *scatter;  /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
+  bool is_tangent;          /* ax is the tangent of `phases`, */
+  double tangent_viscosity; /* and of this viscosity */
+  int16_t *phases;          /* pair_count */
+  bool *stale;              /* scratch, a body */
+  int32_t *first_pairs;     /* face_count + 1: the first pair of each face */
+  int32_t *face_unknowns;   /* face_count x 6, QN_NONE where fixed */
+  int32_t *scatter; /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
+  bool *
+    whole; /* face_count: whether the three rows of either block stand one below the other
+                  in every column */
   int32_t *diagonal; /* unknown_count: where the diagonal stands in ax */
 } QnAssembly;
 
@@ -126,6 +139,13 @@ double qn_assembly_residual_of (const QnAssembly *assembly, double multiplier,
  * matters in nonlinear geometry only). C is a diagonal of stiffness size, distributed over the
  * blocks like their mass. */
 void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
+
+/* Whoever changes ax by hand says so: what is there of the last tangent is used for the next. */
+static inline void
+qn_assembly_forget_tangent (QnAssembly *assembly)
+{
+  assembly->is_tangent = false;
+}
 
 /* The same with other tangents of the pairs: that of pair p, 2 x 2 by rows, stands at
  * tangents[p x stride]. */

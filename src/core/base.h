@@ -28,7 +28,7 @@ typedef int32_t QnId;
 #if defined __clang__
 #define QN_UNROLL _Pragma ("unroll")
 #elif defined __GNUC__
-#define QN_UNROLL _Pragma ("GCC unroll 8")
+#define QN_UNROLL _Pragma ("GCC unroll 16")
 #else
 #define QN_UNROLL
 #endif

@@ -209,16 +209,6 @@ node_forces (const QnAssembledBeam *beam, const QnBeamResponse *response, double
   }
 }
 
-/* (R - 1) r without the loss of digits of R r - r. */
-static QnVec2
-turn (QnVec2 arm, double rotation)
-{
-  double half = sin (0.5 * rotation);
-
-  return qn_vec2_add_scaled (qn_vec2_scale (-2 * half * half, arm), sin (rotation),
-                             qn_vec2_perp (arm));
-}
-
 void
 qn_beam_assembly_update_kinematics (QnBeamAssembly *as, const double *u)
 {
@@ -232,7 +222,7 @@ qn_beam_assembly_update_kinematics (QnBeamAssembly *as, const double *u)
       double *at = v + 3 * end;
       at[2] /= as->length;
       QnVec2 moved = as->nonlinear
-                       ? turn (beam->arms[end], at[2])
+                       ? qn_vec2_turn_away (beam->arms[end], at[2])
                        : qn_vec2_scale (at[2], qn_vec2_perp (beam->arms[end]));
       if (as->nonlinear)
         beam->turned[end] = qn_vec2_add (beam->arms[end], moved);

@@ -93,18 +93,22 @@ void qn_beam_assembly_add_load_stiffness (const QnBeamAssembly *beams, double mu
 void qn_beam_assembly_add_body_forces (const QnBeamAssembly *beams, double multiplier,
                                        double *forces);
 
+/* Takes over displacements of the unknowns (m, rotations times the characteristic length). */
 void qn_beam_assembly_update_kinematics (QnBeamAssembly *beams, const double *u);
 
 /* After qn_beam_assembly_update_kinematics(). */
 void qn_beam_assembly_evaluate (QnBeamAssembly *beams);
 
+/* Subtracts the forces of the last evaluation from the residual, N. */
 void qn_beam_assembly_subtract_forces (const QnBeamAssembly *beams, double *residual);
 
+/* Adds the tangent of the last evaluation, N/m, at the places found for it. */
 void qn_beam_assembly_add_tangent (QnBeamAssembly *beams, double *ax);
 
 /* Whether the tangent is another than the one assembled last. */
 bool qn_beam_assembly_has_changed (const QnBeamAssembly *beams);
 
+/* Accepts the state of the last evaluation: plastic hinges remember it. */
 void qn_beam_assembly_commit (QnBeamAssembly *beams);
 
 /* States, for going back. */

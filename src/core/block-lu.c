@@ -8,13 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A front's matrices, in QnBlockLu.numbers: D, L and U one after the other. */
+/* A front's matrices, in QnBlockLu.numbers: D, L and U one after the other. S stands in a place of
+ * its own where it is kept, or where others have stood before it and will after it, which is
+ * nearer to the processor. */
 typedef struct {
   size_t diagonal, lower, upper, end;
-  size_t schur;
+  size_t schur, passing_schur;
   int32_t first_entry;      /* of A's, in QnBlockLu.sources */
+  int32_t first_place;      /* of its pivots, in QnBlockLu.solution */
   int32_t pivots_of_parent; /* how much of its rest are pivots of the parent */
   double work;              /* of its elimination, any unit */
+  bool odd;                 /* depth in the tree */
   bool changed;             /* by the factorisation in progress */
   QnPivotRange range;
 } Matrices;
@@ -25,16 +29,22 @@ struct QnBlockLu {
   Matrices *matrices; /* front_count + 1 */
   double *numbers;
   double work;
-  bool whole; /* every front is that of the values that were last seen */
+  bool whole;   /* every front is that of the values that were last seen */
+  bool passing; /* no rest is kept in the factorisation in progress */
 
   /* The entries of A by the front that they come into: where they stand in ax, their values,
    * and where they go, counted from D. */
   int32_t *sources, *places;
   double *values;
 
-  int32_t *exchanges;    /* n */
-  double *solution;      /* n, in order of elimination */
-  double *pivots, *rest; /* of one front, with padding */
+  int32_t *exchanges; /* n */
+
+  /* In order of elimination, with the padding of each front's pivots; where it holds each unknown
+   * and those of the rests. */
+  double *solution;
+  size_t solution_size;
+  int32_t *unknown_places, *rest_places;
+  double *rest; /* of one front, with padding */
 };
 
 /* --- Setting up ------------------------------------------------------------------------- */
@@ -45,10 +55,10 @@ matrix_size (int32_t rows, int32_t columns)
   return (size_t) qn_front_height (rows) * (size_t) columns;
 }
 
-/* Lays out the matrices of all fronts; returns how many numbers they are. *longest:
- * most pivots of a front, or unknowns in its rest. */
+/* Lays out D, L and U of all fronts; returns how many numbers they are. *longest: most unknowns in
+ * the rest of a front. */
 static size_t
-lay_out (QnBlockLu *lu, int32_t *longest)
+lay_out_factors (QnBlockLu *lu, int32_t *longest)
 {
   size_t sum = 0;
 
@@ -60,13 +70,13 @@ lay_out (QnBlockLu *lu, int32_t *longest)
     m->diagonal = sum;
     m->lower = m->diagonal + matrix_size (front->pivots, front->pivots);
     m->upper = m->lower + matrix_size (front->rest, front->pivots);
-    m->end = m->upper + matrix_size (front->pivots, front->rest);
-    m->schur = m->end;
-    sum = m->schur + matrix_size (front->rest, front->rest);
+    m->end = m->upper + matrix_size (front->rest, front->pivots);
+    sum = m->end;
     m->work = pivots * (pivots * (pivots / 3 + rest) + rest * rest);
     lu->work += m->work;
     *longest = front->rest > *longest ? front->rest : *longest;
-    *longest = front->pivots > *longest ? front->pivots : *longest;
+    m->first_place = (int32_t) lu->solution_size;
+    lu->solution_size += matrix_size (front->pivots, 1);
     while (m->pivots_of_parent < front->rest
            && lu->tree.places[front->first_row + m->pivots_of_parent]
                 < lu->tree.fronts[front->parent].pivots)
@@ -75,19 +85,50 @@ lay_out (QnBlockLu *lu, int32_t *longest)
   return sum;
 }
 
+/* Lays out S of all fronts in so many numbers from `begin`, which are returned. Where it is not
+ * kept, it waits for the parent on one of two stacks, of even and of odd depths, which grow
+ * towards each other: fronts come right after their children's subtrees, so that the children's
+ * are on top of theirs. */
+static size_t
+lay_out_rests (QnBlockLu *lu, size_t begin)
+{
+  const QnFrontTree *tree = &lu->tree;
+  size_t sum = begin, low = begin, high;
+
+  for (int32_t f = tree->front_count - 1; f >= 0; f--) {
+    const QnFront *front = &tree->fronts[f];
+    lu->matrices[f].odd = front->parent != QN_NONE && !lu->matrices[front->parent].odd;
+  }
+  for (int32_t f = 0; f < tree->front_count; f++) {
+    lu->matrices[f].schur = sum;
+    sum += matrix_size (tree->fronts[f].rest, tree->fronts[f].rest);
+  }
+  high = sum;
+  for (int32_t f = 0; f < tree->front_count; f++) {
+    Matrices *m = &lu->matrices[f];
+    size_t size = matrix_size (tree->fronts[f].rest, tree->fronts[f].rest);
+    m->passing_schur = m->odd ? high - size : low;
+    *(m->odd ? &high : &low) = m->odd ? high - size : low + size;
+    for (int32_t c = tree->fronts[f].child; c != QN_NONE; c = tree->fronts[c].sibling) {
+      size = matrix_size (tree->fronts[c].rest, tree->fronts[c].rest);
+      *(m->odd ? &low : &high) = m->odd ? low - size : high + size;
+    }
+  }
+  return sum - begin;
+}
+
 /* Where in `front`, counted from D, the entry at these two places goes: pivots first, then the
  * rest. */
 static int32_t
 place_in_front (const QnFront *front, const Matrices *m, int32_t row, int32_t column)
 {
-  int32_t pivots = front->pivots, height = qn_front_height (pivots);
+  int32_t pivots = front->pivots, height = qn_front_height (front->rest);
 
   if (column >= pivots)
-    return (int32_t) (m->upper - m->diagonal) + (column - pivots) * height + row;
+    return (int32_t) (m->upper - m->diagonal) + row * height + column - pivots;
   if (row < pivots)
-    return column * height + row;
-  return (int32_t) (m->lower - m->diagonal) + column * qn_front_height (front->rest) + row
-         - pivots;
+    return column * qn_front_height (pivots) + row;
+  return (int32_t) (m->lower - m->diagonal) + column * height + row - pivots;
 }
 
 /* Lists the entries that come into a front: all that share a pivot of it with one of its
@@ -162,6 +203,33 @@ list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai)
   return ok;
 }
 
+/* Finds the places of all unknowns in the solution; `place`: of every position. */
+static bool
+lay_out_solution (QnBlockLu *lu)
+{
+  const QnFrontTree *tree = &lu->tree;
+  size_t n = (size_t) tree->n, rests = 0;
+  for (int32_t f = 0; f < tree->front_count; f++)
+    rests += (size_t) tree->fronts[f].rest;
+  int32_t *place = qn_alloc (n, sizeof *place);
+
+  lu->solution = qn_alloc_lines (lu->solution_size, sizeof *lu->solution);
+  lu->unknown_places = qn_alloc (n, sizeof *lu->unknown_places);
+  lu->rest_places = qn_alloc (rests, sizeof *lu->rest_places);
+  bool ok = place && lu->solution && lu->unknown_places && lu->rest_places;
+  if (ok) {
+    for (int32_t f = 0; f < tree->front_count; f++)
+      for (int32_t c = 0; c < tree->fronts[f].pivots; c++)
+        place[tree->fronts[f].first + c] = lu->matrices[f].first_place + c;
+    for (int32_t i = 0; i < tree->n; i++)
+      lu->unknown_places[i] = place[tree->position[i]];
+    for (size_t k = 0; k < rests; k++)
+      lu->rest_places[k] = place[tree->rows[k]];
+  }
+  free (place);
+  return ok;
+}
+
 static bool
 set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
 {
@@ -175,14 +243,14 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
   lu->places = qn_alloc (entries, sizeof *lu->places);
   lu->values = qn_alloc (entries, sizeof *lu->values);
   lu->exchanges = qn_alloc ((size_t) n, sizeof *lu->exchanges);
-  lu->solution = qn_alloc ((size_t) n, sizeof *lu->solution);
-  if (!lu->matrices || !lu->sources || !lu->places || !lu->values || !lu->exchanges
-      || !lu->solution)
+  if (!lu->matrices || !lu->sources || !lu->places || !lu->values || !lu->exchanges)
     return false;
-  lu->numbers = qn_alloc (lay_out (lu, &longest), sizeof *lu->numbers);
-  lu->rest = qn_alloc ((size_t) qn_front_height (longest), sizeof *lu->rest);
-  lu->pivots = qn_alloc ((size_t) qn_front_height (longest), sizeof *lu->pivots);
-  return lu->numbers && lu->rest && lu->pivots && list_all_entries (lu, ap, ai);
+  size_t factors = lay_out_factors (lu, &longest);
+  lu->numbers =
+    qn_alloc_lines (factors + lay_out_rests (lu, factors), sizeof *lu->numbers);
+  lu->rest = qn_alloc_lines ((size_t) qn_front_height (longest), sizeof *lu->rest);
+  return lu->numbers && lu->rest && lay_out_solution (lu)
+         && list_all_entries (lu, ap, ai);
 }
 
 QnBlockLu *
@@ -213,8 +281,9 @@ qn_block_lu_free (QnBlockLu *lu)
   free (lu->values);
   free (lu->exchanges);
   free (lu->solution);
+  free (lu->unknown_places);
+  free (lu->rest_places);
   free (lu->rest);
-  free (lu->pivots);
   free (lu);
 }
 
@@ -231,7 +300,8 @@ dense_front (const QnBlockLu *lu, int32_t f)
                          .diagonal = lu->numbers + m->diagonal,
                          .lower = lu->numbers + m->lower,
                          .upper = lu->numbers + m->upper,
-                         .schur = lu->numbers + m->schur,
+                         .schur =
+                           lu->numbers + (lu->passing ? m->passing_schur : m->schur),
                          .exchanges = lu->exchanges + front->first };
 }
 
@@ -246,32 +316,18 @@ has_new_values (const QnBlockLu *lu, int32_t f, const double *ax)
   return e < end;
 }
 
-/* Puts the values of A that come into a front there, and keeps them. */
+/* Puts the values of A that come into a front there, and keeps them for comparison where its rest
+ * is kept. */
 static void
 take_values (QnBlockLu *lu, int32_t f, const double *ax, double *diagonal)
 {
-  for (int32_t e = lu->matrices[f].first_entry; e < lu->matrices[f + 1].first_entry; e++)
+  int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
+
+  if (lu->passing)
+    for (; e < end; e++)
+      diagonal[lu->places[e]] = ax[lu->sources[e]];
+  for (; e < end; e++)
     diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
-}
-
-typedef double Four __attribute__ ((vector_size (32), aligned (8), may_alias));
-
-/* target[places[r]] += source[r], for r < count; runs[r]: so many places from there on stand
- * side by side. */
-static inline void
-add_at (double *target, const double *source, const int32_t *places, const int32_t *runs,
-        int32_t count)
-{
-  for (int32_t r = 0; r < count;) {
-    double *to = target + places[r];
-    const double *from = source + r;
-    int32_t length = runs[r], i = 0;
-    for (; i + 4 <= length; i += 4)
-      *(Four *) (to + i) += *(const Four *) (from + i);
-    for (; i < length; i++)
-      to[i] += from[i];
-    r += length;
-  }
 }
 
 /* Adds what of a child's rest are pivots here, to D, L and U. */
@@ -281,23 +337,20 @@ add_child_to_pivots (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
   const QnFront *child = &lu->tree.fronts[c];
   const int32_t *places = lu->tree.places + child->first_row;
   const int32_t *runs = lu->tree.runs + child->first_row;
-  const double *column = lu->numbers + lu->matrices[c].schur;
   int32_t known = lu->matrices[c].pivots_of_parent, rest = child->rest - known;
-  int32_t child_height = qn_front_height (child->rest);
-  int32_t height = qn_front_height (front->pivots),
+  int32_t height = qn_front_height (child->rest),
           low_height = qn_front_height (front->rest);
+  const double *schur = dense_front (lu, c).schur;
 
-  for (int32_t k = 0; k < child->rest; k++, column += child_height) {
-    if (k >= known) {
-      add_at (front->upper + (size_t) (places[k] - front->pivots) * (size_t) height,
-              column, places, runs, known);
-      continue;
-    }
-    add_at (front->diagonal + (size_t) places[k] * (size_t) height, column, places, runs,
-            known);
-    add_at (front->lower + (size_t) places[k] * (size_t) low_height - front->pivots,
-            column + known, places + known, runs + known, rest);
-  }
+  lu->loops->add (&(QnFrontPart){ schur, height, known, known, front->diagonal,
+                                  qn_front_height (front->pivots), places, runs,
+                                  places });
+  lu->loops->add (&(QnFrontPart){ schur + known, height, rest, known,
+                                  front->lower - front->pivots, low_height,
+                                  places + known, runs + known, places });
+  lu->loops->add_by_rows (&(QnFrontPart){
+    schur + (size_t) known * (size_t) height, height, known, rest,
+    front->upper - front->pivots, low_height, places, runs, places + known });
 }
 
 /* Adds the other part of it to S. */
@@ -308,15 +361,15 @@ add_child_to_rest (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
   const int32_t *places = lu->tree.places + child->first_row;
   const int32_t *runs = lu->tree.runs + child->first_row;
   int32_t known = lu->matrices[c].pivots_of_parent, rest = child->rest - known;
-  int32_t low_height = qn_front_height (front->rest);
-  const double *column = lu->numbers + lu->matrices[c].schur
-                         + (size_t) known * (size_t) qn_front_height (child->rest)
-                         + known;
+  int32_t height = qn_front_height (child->rest),
+          low_height = qn_front_height (front->rest);
+  size_t pivots = (size_t) front->pivots;
+  const double *schur = dense_front (lu, c).schur;
 
-  for (int32_t k = known; k < child->rest; k++, column += qn_front_height (child->rest))
-    add_at (front->schur + (size_t) (places[k] - front->pivots) * (size_t) low_height
-              - front->pivots,
-            column, places + known, runs + known, rest);
+  lu->loops->add (
+    &(QnFrontPart){ schur + (size_t) known * (size_t) height + known, height, rest, rest,
+                    front->schur - pivots * (size_t) low_height - pivots, low_height,
+                    places + known, runs + known, places + known });
 }
 
 static bool
@@ -377,52 +430,41 @@ qn_block_lu_factor (QnBlockLu *lu, const double *ax)
   double work;
 
   lu->whole = false;
-  return qn_block_lu_refactor (lu, ax, &work);
+  lu->passing = true;
+  double ratio = qn_block_lu_refactor (lu, ax, &work);
+  lu->whole = lu->passing = false;
+  return ratio;
 }
 
 /* --- Solution --------------------------------------------------------------------------- */
-
-/* The part of the solution that belongs to a front's pivots, with the padding of its columns. */
-static double *
-take_pivots (QnBlockLu *lu, int32_t f)
-{
-  const QnFront *front = &lu->tree.fronts[f];
-  size_t pivots = (size_t) front->pivots,
-         height = (size_t) qn_front_height (front->pivots);
-
-  memcpy (lu->pivots, lu->solution + front->first, pivots * sizeof *lu->pivots);
-  memset (lu->pivots + pivots, 0, (height - pivots) * sizeof *lu->pivots);
-  return lu->pivots;
-}
 
 void
 qn_block_lu_solve (QnBlockLu *lu, double *b)
 {
   const QnFrontTree *tree = &lu->tree;
-  double *x = lu->solution;
+  double *x = lu->solution, *rest = lu->rest;
 
+  memset (x, 0, lu->solution_size * sizeof *x);
   for (int32_t i = 0; i < tree->n; i++)
-    x[tree->position[i]] = b[i];
+    x[lu->unknown_places[i]] = b[i];
   for (int32_t f = 0; f < tree->front_count; f++) { /* x = L\x */
     QnDenseFront front = dense_front (lu, f);
-    const int32_t *rows = tree->rows + tree->fronts[f].first_row;
-    double *own = take_pivots (lu, f);
-    lu->loops->forward (&front, own, lu->rest);
-    memcpy (x + tree->fronts[f].first, own, (size_t) front.pivots * sizeof *x);
+    const int32_t *places = lu->rest_places + tree->fronts[f].first_row;
+    lu->loops->forward (&front, x + lu->matrices[f].first_place, rest);
     for (int32_t r = 0; r < front.rest; r++)
-      x[rows[r]] -= lu->rest[r];
+      x[places[r]] -= rest[r];
   }
   for (int32_t f = tree->front_count - 1; f >= 0; f--) { /* x = U\x */
     QnDenseFront front = dense_front (lu, f);
-    const int32_t *rows = tree->rows + tree->fronts[f].first_row;
+    const int32_t *places = lu->rest_places + tree->fronts[f].first_row;
     for (int32_t r = 0; r < front.rest; r++)
-      lu->rest[r] = x[rows[r]];
-    double *own = take_pivots (lu, f);
-    lu->loops->backward (&front, own, lu->rest);
-    memcpy (x + tree->fronts[f].first, own, (size_t) front.pivots * sizeof *x);
+      rest[r] = x[places[r]];
+    for (int32_t r = front.rest; r < qn_front_height (front.rest); r++)
+      rest[r] = 0;
+    lu->loops->backward (&front, x + lu->matrices[f].first_place, rest);
   }
   for (int32_t i = 0; i < tree->n; i++)
-    b[i] = x[tree->position[i]];
+    b[i] = x[lu->unknown_places[i]];
 }
 
 /* det A = product of the determinants of D: unknowns are permuted alike as rows and columns. */

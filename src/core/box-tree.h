@@ -48,6 +48,19 @@ QnBoxQuery qn_box_tree_query (const QnBoxTree *tree, QnBox box);
 /* The next item, or QN_NONE. The order depends on the boxes alone. */
 QnId qn_box_query_next (QnBoxQuery *query);
 
+/* Pairs of items. */
+typedef struct QnBoxPairs {
+  QnId (*items)[2]; /* owned */
+  size_t count, capacity;
+} QnBoxPairs;
+
+/* Appends all pairs of items whose boxes meet once one of the two is grown by `margin` (m), each
+ * pair once, in an order that depends on the boxes alone. The tree is walked against itself, which
+ * takes O(n + k) for well-separated boxes. False when memory runs out. */
+bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, QnBoxPairs *pairs);
+
+void qn_box_pairs_clear (QnBoxPairs *pairs);
+
 /* The smaller and the larger of two finite numbers; fmin and fmax would be calls, for the sake of
  * NaN. */
 static inline double
@@ -84,11 +97,13 @@ qn_box_grow (QnBox box, double margin)
                   { box.max.x + margin, box.max.y + margin } };
 }
 
+/* Whether two boxes have a point in common. All four comparisons in one: which of them fails cannot
+ * be predicted. */
 static inline bool
 qn_box_meets (QnBox a, QnBox b)
 {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y
-         && b.min.y <= a.max.y;
+  return (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y)
+         & (b.min.y <= a.max.y);
 }
 
 /* Smallest box around count >= 1 points. */

@@ -1,6 +1,6 @@
 #include "core/central-path.h"
 
-#include "core/central-pair.h"
+#include "core/central-pairs.h"
 #include "core/clock.h"
 #include "core/memory.h"
 #include "core/tolerance.h"
@@ -18,6 +18,10 @@
 #define COMPLEMENTARITY 1e-9
 #define TIGHTER         1e-2
 #define MOST_FINISHES   3
+
+/* Complementarity from which an iterate may stand where nothing can turn back and rounding
+ * forbids a better one: forces in balance leave a tenth of a millionth of their strength. */
+#define NEARLY 1e-7
 
 /* Iterations that Newton's method gets to finish. */
 #define FINISH_BUDGET 12
@@ -43,6 +47,9 @@
 #define RISE   10.0
 #define LONGER 10.0
 
+/* Central paths one after the other, until relaxation along them gives up. */
+#define PASSES 40
+
 /* Centrality correctors: at most so many, for steps shorter than LONG; products are brought
  * within CENTRAL times their mean either way; a corrector must gain GAIN. */
 #define CORRECTORS 2
@@ -52,24 +59,25 @@
 
 struct QnCentralPath {
   QnEquilibrium *eq;
-  double force, length;
   bool turns_back; /* may, for some joint is not associative */
-  QnCentralPair *pairs;
-  QnCentralStep *steps; /* the direction of the pairs, */
-  QnCentralStep *kept;  /* and that found so far, while a better one is sought */
-  double *kept_step;    /* unknown_count */
-  double *rates;        /* pair_count x 2: elongations under a step */
-  double *forces;       /* pair_count x 2, N, and tangents, x 4, N/m, as handed over */
-  double *tangents;
+  QnCentralPairs pairs;
+  double *near_u;    /* unknown_count: displacements of the best iterate, */
+  double *begun;     /* where the last central path began, */
+  double *kept_step; /* and of the direction found so far */
+  double *lack;      /* forces out of balance at the iterate */
 };
 
 bool
 qn_central_path_applies (const QnAssembly *as)
 {
-  if (as->nonlinear)
-    return false;
+  return !as->nonlinear && qn_central_path_has_joints (as);
+}
+
+bool
+qn_central_path_has_joints (const QnAssembly *as)
+{
   for (size_t p = 0; p < as->pair_count; p++)
-    if (as->springs[p].equal && as->springs[p].a.kind == QN_LAW_COULOMB)
+    if (qn_pair_springs_are_coulomb (&as->springs[p]))
       return true;
   return false;
 }
@@ -93,17 +101,12 @@ qn_central_path_new (QnEquilibrium *eq)
     return NULL;
   path->eq = eq;
   path->turns_back = !is_associative (as);
-  path->force = as->force_scale > 0 ? as->force_scale : 1;
-  path->length = path->force / as->stiffness;
-  path->pairs = qn_alloc (as->pair_count, sizeof *path->pairs);
-  path->rates = qn_alloc (2 * as->pair_count, sizeof *path->rates);
-  path->forces = qn_alloc (2 * as->pair_count, sizeof *path->forces);
-  path->tangents = qn_alloc (4 * as->pair_count, sizeof *path->tangents);
-  path->steps = qn_alloc (as->pair_count, sizeof *path->steps);
-  path->kept = qn_alloc (as->pair_count, sizeof *path->kept);
   path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
-  if (!path->pairs || !path->rates || !path->forces || !path->tangents || !path->steps
-      || !path->kept || !path->kept_step) {
+  path->begun = qn_alloc ((size_t) as->unknown_count, sizeof *path->begun);
+  path->near_u = qn_alloc ((size_t) as->unknown_count, sizeof *path->near_u);
+  path->lack = qn_alloc ((size_t) as->unknown_count, sizeof *path->lack);
+  if (!qn_central_pairs_init (&path->pairs, &eq->assembly) || !path->near_u
+      || !path->begun || !path->kept_step || !path->lack) {
     qn_central_path_free (path);
     return NULL;
   }
@@ -121,13 +124,11 @@ qn_central_path_free (QnCentralPath *path)
 {
   if (path == NULL)
     return;
-  free (path->pairs);
-  free (path->rates);
-  free (path->forces);
-  free (path->tangents);
-  free (path->steps);
-  free (path->kept);
+  qn_central_pairs_clear (&path->pairs);
   free (path->kept_step);
+  free (path->begun);
+  free (path->near_u);
+  free (path->lack);
   free (path);
 }
 
@@ -135,97 +136,73 @@ qn_central_path_free (QnCentralPath *path)
 typedef struct {
   QnCentralPath *path;
   const QnTarget *target;
-  double strain, strength; /* largest residuals */
-  double gap;              /* mean of s z */
-  double elongation;       /* 1 + the largest */
-  double target_gap;       /* what the target lacks */
+  QnCentralResiduals residuals;
+  double gap;        /* mean of s z */
+  double elongation; /* the largest, at least 1 */
+  double target_gap; /* what the target lacks */
   double multiplier_step;
-  double boundary;        /* how fast the direction leads there: see central-pair.h */
-  double complementarity; /* asked for */
-  double watched_gap;     /* when it had last halved, */
-  int watched_since;      /* and that iteration */
-  bool relaxes;           /* a new central path may begin where this one ends */
-  int short_steps;        /* one after the other, up to now */
+  QnCentralReach reach;             /* of the direction */
+  double complementarity;           /* asked for */
+  double watched_gap;               /* when it had last halved, */
+  int watched_since;                /* and that iteration */
+  bool relaxes;                     /* a new central path may begin where this one ends */
+  int short_steps;                  /* one after the other, up to now */
+  bool is_near;                     /* there is an iterate that may stand, */
+  double near_gap, near_multiplier; /* its complementarity and multiplier */
 } Increment;
 
-/* The elongations of all pairs at eq->u, in units of the path; the pairs of other laws are
- * evaluated. Sets the residuals of strain and strength. */
+/* Everything at eq->u: residuals, tangents, the pairs of other laws. */
 static bool
 prepare (Increment *increment)
 {
   QnCentralPath *path = increment->path;
   QnAssembly *as = &path->eq->assembly;
-  size_t rows = 0;
-  double products = 0;
 
   qn_assembly_update_kinematics (as, path->eq->u);
   qn_beam_assembly_evaluate (&as->beams);
-  increment->strain = increment->strength = 0;
-  increment->elongation = 1;
-  for (size_t p = 0; p < as->pair_count; p++) {
-    QnCentralPair *pair = &path->pairs[p];
-    const double *elongation = as->kinematics[p].elongation;
-    if (pair->rows == 0) {
-      if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], elongation,
-                             &as->responses[p]))
-        return false;
-      for (int i = 0; i < 2; i++) {
-        pair->y[i] = as->responses[p].force[i] / path->force;
-        for (int j = 0; j < 2; j++)
-          pair->inverse[i][j] =
-            as->responses[p].tangent[i][j] * path->length / path->force;
-      }
-      continue;
-    }
-    double q[2] = { elongation[0] / path->length, elongation[1] / path->length };
-    qn_central_pair_prepare (pair, q);
-    for (int i = 0; i < 2; i++) {
-      increment->strain = qn_larger (fabs (pair->strain[i]), increment->strain);
-      increment->elongation =
-        qn_larger (fabs (q[i] - pair->plastic[i]), increment->elongation);
-    }
-    for (int i = 0; i < pair->rows; i++) {
-      increment->strength = qn_larger (fabs (pair->strength[i]), increment->strength);
-      products += pair->s[i] * pair->z[i];
-    }
-    rows += (size_t) pair->rows;
-  }
-  increment->gap = products / (double) rows;
+  if (!qn_central_pairs_prepare (&path->pairs, &increment->residuals))
+    return false;
+  increment->elongation = fmax (1, increment->residuals.elongation);
+  increment->gap = increment->residuals.products / path->pairs.products;
   return true;
 }
 
-/* residual = what the forces of the pairs leave unbalanced; `aiming`: the forces that they would
- * exert if no block moved. Returns what it is measured by. */
+/* residual = what the forces of the pairs leave unbalanced. Returns what it is measured by. */
 static double
-balance (QnCentralPath *path, bool aiming, double *residual)
+balance (const QnCentralPath *path, double *residual)
 {
   const QnEquilibrium *eq = path->eq;
 
-  for (size_t p = 0; p < eq->assembly.pair_count; p++) {
-    QnCentralPair *pair = &path->pairs[p];
-    double change[2] = { 0 };
-    if (aiming && pair->rows > 0)
-      qn_central_pair_aim (pair, change);
-    for (int i = 0; i < 2; i++)
-      path->forces[2 * p + i] = path->force * (pair->y[i] + change[i]);
-  }
-  return qn_assembly_residual_of (&eq->assembly, eq->multiplier, path->forces, 2,
+  return qn_assembly_residual_of (&eq->assembly, eq->multiplier, path->pairs.forces, 2,
                                   residual);
 }
 
+/* The geometric stiffness is that of the forces on the central path. */
+static void
+hand_over_forces (QnCentralPath *path)
+{
+  QnAssembly *as = &path->eq->assembly;
+
+  qn_central_pairs_get_forces (&path->pairs);
+  for (size_t p = 0; p < as->pair_count; p++)
+    memcpy (as->responses[p].force, path->pairs.forces + 2 * p,
+            sizeof as->responses[p].force);
+}
+
+/* Factorises the tangent, and overwrites b with its solution. */
 static QnFactorStatus
-factorize (QnCentralPath *path)
+factorize (QnCentralPath *path, double *b)
 {
   QnEquilibrium *eq = path->eq;
   double start = qn_clock_seconds ();
 
-  for (size_t p = 0; p < eq->assembly.pair_count; p++)
-    for (int i = 0; i < 4; i++)
-      path->tangents[4 * p + i] =
-        path->pairs[p].inverse[i / 2][i % 2] * path->force / path->length;
-  qn_assembly_tangent_of (&eq->assembly, eq->multiplier, TRACE, path->tangents, 4);
+  if (eq->assembly.nonlinear)
+    hand_over_forces (path);
+  qn_central_pairs_get_tangents (&path->pairs);
+  qn_assembly_tangent_of (&eq->assembly, eq->multiplier, TRACE, path->pairs.tangents, 4);
   double assembled = qn_clock_seconds ();
-  QnFactorStatus status = qn_linsys_factor (eq->linsys, eq->assembly.ax);
+  QnFactorStatus status =
+    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, b);
   eq->statistics.assembly_seconds += assembled - start;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
   qn_equilibrium_count_factorization (eq);
@@ -233,114 +210,92 @@ factorize (QnCentralPath *path)
   return status;
 }
 
-/* The direction that brings every s z to its product and all residuals to zero: eq->step,
+/* The direction that belongs to eq->step, a solution for what the pairs aim at: eq->step,
  * multiplier_step and the pairs' steps. */
 static void
-find_direction (Increment *increment)
+complete_direction (Increment *increment, double part)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
   const QnTarget *target = increment->target;
 
-  balance (path, true, eq->step);
-  double start = qn_clock_seconds ();
-  qn_linsys_solve (eq->linsys, eq->step);
   increment->multiplier_step = 0;
   if (target->direction != NULL) {
     double along_live;
-    increment->multiplier_step =
-      qn_equilibrium_complete_step (eq, target, increment->target_gap, &along_live);
+    increment->multiplier_step = qn_equilibrium_complete_step (
+      eq, target, part * increment->target_gap, &along_live);
   }
-  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+  increment->reach = qn_central_pairs_complete (&path->pairs, eq->step);
+}
 
-  increment->boundary = 0;
-  qn_assembly_elongation_rates (&eq->assembly, eq->step, path->rates);
-  for (size_t p = 0; p < eq->assembly.pair_count; p++)
-    if (path->pairs[p].rows > 0) {
-      double rate[2] = { path->rates[2 * p] / path->length,
-                         path->rates[2 * p + 1] / path->length };
-      double fastest = qn_central_pair_complete (&path->pairs[p], rate, &path->steps[p]);
-      increment->boundary = qn_larger (fastest, increment->boundary);
-    }
+static void
+solve (QnEquilibrium *eq, double *b)
+{
+  double start = qn_clock_seconds ();
+
+  qn_linsys_solve (eq->linsys, b);
+  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+}
+
+/* The direction that brings every s z to what is aimed at, and takes that part off all residuals. */
+static void
+find_direction (Increment *increment, const QnCentralAim *aim)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+
+  qn_central_pairs_aim (&path->pairs, aim);
+  balance (path, eq->step);
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    eq->step[i] -= (1 - aim->part) * path->lack[i];
+  solve (eq, eq->step);
+  complete_direction (increment, aim->part);
+}
+
+/* The same from a tangent that is not factorised yet, towards nothing. */
+static QnFactorStatus
+find_predictor (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  bool bordered = increment->target->direction != NULL;
+
+  qn_central_pairs_aim (&path->pairs,
+                        &(QnCentralAim){ .wish = QN_CENTRAL_NOTHING, .part = 1 });
+  balance (path, eq->step);
+  if (bordered)
+    memcpy (eq->live_step, eq->assembly.live,
+            (size_t) eq->assembly.unknown_count * sizeof (double));
+  QnFactorStatus status = factorize (path, bordered ? eq->live_step : eq->step);
+  if (status != QN_FACTOR_OK)
+    return status;
+  if (bordered)
+    solve (eq, eq->step);
+  complete_direction (increment, 1);
+  return QN_FACTOR_OK;
 }
 
 /* Largest part of the direction, up to all of it, that leaves s and z at zero or above. */
 static double
 way_to_boundary (const Increment *increment)
 {
-  return 1 / qn_larger (increment->boundary, 1);
+  return 1 / qn_larger (increment->reach.boundary, 1);
 }
 
-/* Mean of s z after `part` of the direction. */
+/* Mehrotra: the predictor, which aims at nothing, says how far the mean of s z can be lowered. */
 static double
-gap_after (const QnCentralPath *path, double part)
+mean_by_predictor (const Increment *increment)
 {
-  double sum = 0;
-  size_t rows = 0;
+  const QnCentralReach *reach = &increment->reach;
+  double part = way_to_boundary (increment), products = increment->residuals.products;
+  double left = (products + part * (reach->first + part * reach->second)) / products;
 
-  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
-    const QnCentralPair *pair = &path->pairs[p];
-    const QnCentralStep *step = &path->steps[p];
-    for (int i = 0; i < pair->rows; i++)
-      sum += (pair->s[i] + part * step->ds[i]) * (pair->z[i] + part * step->dz[i]);
-    rows += (size_t) pair->rows;
-  }
-  return sum / (double) rows;
-}
-
-/* Mehrotra: the predictor, which aims at zero, says how far mu can be lowered and what its
- * second order is. */
-static double
-aim_by_predictor (Increment *increment)
-{
-  QnCentralPath *path = increment->path;
-  size_t count = path->eq->assembly.pair_count;
-
-  for (size_t p = 0; p < count; p++)
-    memset (path->pairs[p].product, 0, sizeof path->pairs[p].product);
-  find_direction (increment);
-
-  double left = gap_after (path, way_to_boundary (increment)) / increment->gap;
-  double mean = fmax (LEAST_AIM, left * left * left) * increment->gap;
-  for (size_t p = 0; p < count; p++) {
-    QnCentralPair *pair = &path->pairs[p];
-    const QnCentralStep *step = &path->steps[p];
-    for (int i = 0; i < pair->rows; i++)
-      pair->product[i] = mean - step->ds[i] * step->dz[i];
-  }
-  return mean;
-}
-
-/* Asks products that a step of this length would leave far from `mean` to be nearer. */
-static void
-ask_for_centrality (QnCentralPath *path, double mean, double length)
-{
-  for (size_t p = 0; p < path->eq->assembly.pair_count; p++) {
-    QnCentralPair *pair = &path->pairs[p];
-    const QnCentralStep *step = &path->steps[p];
-    for (int i = 0; i < pair->rows; i++) {
-      double product =
-        (pair->s[i] + length * step->ds[i]) * (pair->z[i] + length * step->dz[i]);
-      double wanted = product < mean / CENTRAL   ? mean / CENTRAL
-                      : product > mean * CENTRAL ? mean * CENTRAL
-                                                 : product;
-      pair->product[i] += qn_larger (wanted - product, -mean * CENTRAL);
-    }
-  }
-}
-
-static void
-exchange_steps (QnCentralPath *path)
-{
-  QnCentralStep *steps = path->steps;
-
-  path->steps = path->kept;
-  path->kept = steps;
+  return fmax (LEAST_AIM, left * left * left) * increment->gap;
 }
 
 /* Gondzio: corrects the direction, keeping what lengthens the step, which is returned. */
 static double
-centre (Increment *increment, double mean, double step)
+centre (Increment *increment, double mean, double part, double step)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
@@ -349,13 +304,15 @@ centre (Increment *increment, double mean, double step)
   for (int corrector = 0; corrector < CORRECTORS && step < LONG; corrector++) {
     double longer = fmin (1, 1.3 * step + 0.1),
            multiplier_step = increment->multiplier_step;
-    ask_for_centrality (path, mean, longer);
-    exchange_steps (path);
     memcpy (path->kept_step, eq->step, step_bytes);
-    find_direction (increment);
+    find_direction (increment, &(QnCentralAim){ .wish = QN_CENTRAL_CENTRE,
+                                                .part = part,
+                                                .mean = mean,
+                                                .length = longer,
+                                                .spread = CENTRAL });
     double reached = way_to_boundary (increment);
     if (reached < step + GAIN) {
-      exchange_steps (path);
+      qn_central_pairs_exchange_steps (&path->pairs);
       memcpy (eq->step, path->kept_step, step_bytes);
       increment->multiplier_step = multiplier_step;
       break;
@@ -374,40 +331,60 @@ take_step (Increment *increment, double part)
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     eq->u[i] += part * eq->step[i];
   eq->multiplier += part * increment->multiplier_step;
-  for (size_t p = 0; p < eq->assembly.pair_count; p++) {
-    QnCentralPair *pair = &path->pairs[p];
-    const QnCentralStep *step = &path->steps[p];
-    if (pair->rows == 0)
-      continue;
-    for (int i = 0; i < 2; i++)
-      pair->y[i] += part * step->dy[i];
-    for (int i = 0; i < pair->rows; i++) {
-      pair->s[i] += part * step->ds[i];
-      pair->z[i] += part * step->dz[i];
-    }
-  }
+  qn_central_pairs_go (&path->pairs, part);
 }
 
-/* Whether the iterate is good enough for Newton's method to finish. Balance, the dearest
- * question, is asked last. */
+/* Whether the iterate is an equilibrium but for this complementarity and lack of balance.
+ * Balance, the dearest question, is asked last. */
 static bool
-has_converged (Increment *increment)
+is_within (Increment *increment, double complementarity, double out_of_balance)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
 
-  increment->target_gap =
-    qn_equilibrium_target_lack (eq, increment->target, eq->u, eq->multiplier);
-  if (increment->strength > BALANCE || increment->strain > STRAIN * increment->elongation
-      || increment->gap > increment->complementarity * increment->elongation
+  if (increment->residuals.strength
+        > fmax (BALANCE, QN_TOLERANCE_FORCE * increment->residuals.force)
+      || increment->residuals.strain > STRAIN * increment->elongation
+      || increment->gap > complementarity * increment->elongation
       || fabs (increment->target_gap)
            > 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance))
     return false;
 
-  double scale = balance (path, false, eq->residual), largest = 0;
+  qn_central_pairs_get_forces (&path->pairs);
+  double scale = balance (path, eq->residual), largest = 0;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     largest = qn_larger (fabs (eq->residual[i]), largest);
-  return largest <= BALANCE * scale;
+  return largest <= out_of_balance * scale;
+}
+
+/* Keeps the best iterate that may stand if no better one comes: where the path cannot turn back
+ * there is one as good as one likes, and what is in the way is rounding. */
+static void
+keep_near (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  const QnAssembly *as = &path->eq->assembly;
+
+  if (path->turns_back || (increment->is_near && increment->gap >= increment->near_gap)
+      || !is_within (increment, NEARLY, path->eq->tolerance))
+    return;
+  increment->is_near = true;
+  increment->near_gap = increment->gap;
+  increment->near_multiplier = path->eq->multiplier;
+  qn_central_pairs_keep (&path->pairs);
+  memcpy (path->near_u, path->eq->u, (size_t) as->unknown_count * sizeof *path->near_u);
+}
+
+/* Whether the iterate is good enough for Newton's method to finish. */
+static bool
+has_converged (Increment *increment)
+{
+  const QnEquilibrium *eq = increment->path->eq;
+
+  increment->target_gap =
+    qn_equilibrium_target_lack (eq, increment->target, eq->u, eq->multiplier);
+  keep_near (increment);
+  return is_within (increment, increment->complementarity, BALANCE);
 }
 
 /* Newton's method from where the iteration stands; FAILED leaves it there. */
@@ -430,44 +407,29 @@ finish (Increment *increment)
   return status;
 }
 
-/* The responses of the laws become the forces as they are, with the plastic elongations that
- * belong to them. */
-static void
-take_flow (QnCentralPath *path)
-{
-  QnEquilibrium *eq = path->eq;
-  QnAssembly *as = &eq->assembly;
-
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const QnCentralPair *pair = &path->pairs[p];
-    QnPairResponse *response = &as->responses[p];
-    double flow[2], q[2];
-
-    if (pair->rows == 0) {
-      qn_pair_evaluate (&as->springs[p], &as->committed[p], as->kinematics[p].elongation,
-                        response);
-      continue;
-    }
-    qn_central_pair_flow (pair, pair->z, flow);
-    for (int i = 0; i < 2; i++)
-      q[i] =
-        path->length * (pair->plastic[i] + flow[i] + pair->flexibility[i] * pair->y[i]);
-    qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
-    response->force[0] = path->force * pair->y[0];
-    response->force[1] = path->force * pair->y[1];
-    if (pair->rows == QN_CENTRAL_ROWS)
-      response->memory.a.slip = as->kinematics[p].elongation[1]
-                                - path->length * pair->flexibility[1] * pair->y[1];
-  }
-}
-
 /* Accepts what was reached, in balance and within all strengths: where many pairs are neither
  * sliding nor stuck, Newton's method has nothing to hold on to. */
 static QnSolveStatus
 adopt (Increment *increment)
 {
-  take_flow (increment->path);
+  qn_central_pairs_take_flow (&increment->path->pairs);
   return qn_equilibrium_newton (increment->path->eq, increment->target, 0, 0);
+}
+
+/* The best iterate, if there is one that may stand. */
+static QnSolveStatus
+fall_back (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+
+  if (!increment->is_near)
+    return QN_SOLVE_FAILED;
+  qn_central_pairs_come_back (&path->pairs);
+  memcpy (eq->u, path->near_u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
+  eq->multiplier = increment->near_multiplier;
+  qn_assembly_update_kinematics (&eq->assembly, eq->u);
+  return adopt (increment);
 }
 
 /* Whether complementarity still improves. Where relaxation waits to go on from here, two short
@@ -486,6 +448,21 @@ makes_headway (Increment *increment, int iteration)
          && !(increment->relaxes && increment->short_steps == 2);
 }
 
+/* The part that the direction is to take off the residuals. Where a measure advances and the path may
+ * turn back, they go down with the mean of s z, at one rate: if they vanish sooner, iterates leave
+ * the path and get stuck between strengths where it does not turn back at all. Where the multiplier
+ * is prescribed, fewer increments get through like that; in nonlinear geometry, where the tangent
+ * moves with the blocks, a branch of wall 1 takes twice as many factorisations. */
+static double
+part_of_residuals (const Increment *increment, double mean)
+{
+  const QnEquilibrium *eq = increment->path->eq;
+  bool together = increment->path->turns_back && !eq->assembly.nonlinear
+                  && increment->target->direction != NULL;
+
+  return together ? fmax (0, 1 - mean / increment->gap) : 1;
+}
+
 /* One iteration of the interior-point method. */
 static QnSolveStatus
 improve (Increment *increment)
@@ -494,7 +471,7 @@ improve (Increment *increment)
 
   if (!qn_equilibrium_go_on (eq))
     return QN_SOLVE_CANCELLED;
-  switch (factorize (increment->path)) {
+  switch (find_predictor (increment)) {
   case QN_FACTOR_OK:
     break;
   case QN_FACTOR_SINGULAR:
@@ -502,15 +479,15 @@ improve (Increment *increment)
   case QN_FACTOR_NO_MEMORY:
     return QN_SOLVE_NO_MEMORY;
   }
-  if (increment->target->direction != NULL) {
-    memcpy (eq->live_step, eq->assembly.live,
-            (size_t) eq->assembly.unknown_count * sizeof (double));
-    qn_linsys_solve (eq->linsys, eq->live_step);
-  }
 
-  double mean = aim_by_predictor (increment);
-  find_direction (increment);
-  double step = centre (increment, mean, way_to_boundary (increment));
+  double mean = mean_by_predictor (increment);
+  double part = part_of_residuals (increment, mean);
+  qn_central_pairs_get_forces (&increment->path->pairs);
+  balance (increment->path, increment->path->lack);
+  find_direction (
+    increment,
+    &(QnCentralAim){ .wish = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });
+  double step = centre (increment, mean, part, way_to_boundary (increment));
   take_step (increment, fmin (1, TO_BOUNDARY * step));
   increment->short_steps = step < SHORT ? increment->short_steps + 1 : 0;
   return QN_SOLVE_CONVERGED;
@@ -523,7 +500,7 @@ iterate (Increment *increment, int budget)
 
   for (int iteration = 0;; iteration++) {
     if (!prepare (increment) || !isfinite (increment->gap))
-      return QN_SOLVE_FAILED;
+      return fall_back (increment);
     if (has_converged (increment)) {
       QnSolveStatus status = finish (increment);
       if (status != QN_SOLVE_FAILED)
@@ -535,25 +512,13 @@ iterate (Increment *increment, int budget)
       has_converged (increment);
     }
     if (iteration == budget || !makes_headway (increment, iteration))
-      return QN_SOLVE_FAILED;
+      return fall_back (increment);
     QnSolveStatus status = improve (increment);
+    if (status == QN_SOLVE_FAILED)
+      return fall_back (increment);
     if (status != QN_SOLVE_CONVERGED)
       return status;
   }
-}
-
-static void
-start_pair (const QnCentralPath *path, size_t p, double size)
-{
-  const QnAssembly *as = &path->eq->assembly;
-  double q[2], y[2];
-
-  for (int i = 0; i < 2; i++) {
-    q[i] = as->kinematics[p].elongation[i] / path->length;
-    y[i] = as->responses[p].force[i] / path->force;
-  }
-  qn_central_pair_start (&path->pairs[p], &as->springs[p], &as->committed[p], q, y,
-                         path->force, path->length, size);
 }
 
 /* The mean displacement that the target asks for, in units of the path: what elongations will
@@ -567,7 +532,7 @@ expected_elongation (const QnCentralPath *path, const QnTarget *target)
     return 1;
   for (int32_t i = 0; i < path->eq->assembly.unknown_count; i++)
     sum += fabs (target->direction[i]);
-  return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->length)) : 1;
+  return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->pairs.length)) : 1;
 }
 
 /* From the committed state towards the target. */
@@ -590,8 +555,8 @@ follow (Increment *increment, double size, int budget)
 
   increment->complementarity = COMPLEMENTARITY;
   increment->short_steps = 0;
-  for (size_t p = 0; p < path->eq->assembly.pair_count; p++)
-    start_pair (path, p, size);
+  increment->is_near = false;
+  qn_central_pairs_start (&path->pairs, size);
   return iterate (increment, budget);
 }
 
@@ -604,8 +569,8 @@ qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
 }
 
 QnSolveStatus
-qn_central_path_relax (QnCentralPath *path, const QnTarget *target, int budget,
-                       int passes)
+qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undecided,
+                       int budget)
 {
   QnEquilibrium *eq = path->eq;
   double size = expected_elongation (path, target), gap_before = INFINITY;
@@ -615,7 +580,8 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, int budget,
   Increment increment = begin (path, target);
 
   increment.relaxes = true;
-  for (int pass = 0; pass < passes; pass++) {
+  for (int pass = 0; pass < PASSES; pass++) {
+    memcpy (path->begun, eq->u, (size_t) eq->assembly.unknown_count * sizeof (double));
     QnSolveStatus status = follow (&increment, size, budget);
     if (status != QN_SOLVE_FAILED)
       return status;
@@ -623,10 +589,16 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, int budget,
       return QN_SOLVE_FAILED;
     if (target->direction != NULL && eq->multiplier < eq->committed.multiplier)
       return QN_SOLVE_FAILED; /* a branch that falls */
-    if (qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY)
+    double moved = qn_equilibrium_elastic_displacements (eq);
+    if (increment.gap > undecided * moved)
+      return QN_SOLVE_FAILED;
+    if (target->direction == NULL && moved > QN_RUNAWAY) {
+      for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+        eq->velocity[i] = eq->u[i] - path->begun[i];
       return QN_SOLVE_MECHANISM;
+    }
 
-    take_flow (path);
+    qn_central_pairs_take_flow (&path->pairs);
     qn_assembly_commit (&eq->assembly);
     bool nearer = increment.gap <= 0.5 * gap_before;
     size = fmax (fmax (1, RISE * increment.gap), nearer ? size / LONGER : size * LONGER);

@@ -18,6 +18,11 @@
  * is unsymmetric then and so is the tangent stiffness, whose pattern is the usual one. Without
  * associativity there may be several solutions or none, and no guarantee.
  *
+ * Without associativity, in linear geometry and towards a measure that advances, the residuals of
+ * all equations go down at the rate of mu, so that iterates stay close to the one curve along which both vanish (an
+ * infeasible start otherwise runs into the corners that some pairs leave to the others, steps become
+ * nothing, and a path that goes on looks as if it turned back).
+ *
  * Mehrotra's predictor and corrector (Mehrotra 1992), Gondzio's centrality correctors (Gondzio
  * 1996). For interior points on friction without associativity: Kleinert, Simeon & Obermayr
  * 2014, on rigid bodies in time.
@@ -32,6 +37,10 @@ typedef struct QnCentralPath QnCentralPath;
 /* Whether the method applies: linear geometry and at least one Coulomb joint. Pairs of other
  * laws take part as Newton's method would have it. */
 bool qn_central_path_applies (const QnAssembly *assembly);
+
+/* The same in any geometry. In nonlinear geometry the iteration takes up the deformed
+ * configuration as Newton's method does; it pays in steps that are not too long. */
+bool qn_central_path_has_joints (const QnAssembly *assembly);
 
 /* A workspace for `eq`, which must outlive it. NULL when memory runs out. */
 QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
@@ -49,13 +58,19 @@ QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target
 
 /* The same where one central path leads nowhere, for it turns back: what has slid until there
  * is committed, and a new one begins. Each is a step of relaxation like those of
- * qn_equilibrium_relax(), and as long as they get no further they grow; at most `passes` of
- * them, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
- * moved by QN_RUNAWAY and still does (MECHANISM; eq->velocity is not set, for on the way pairs
- * are neither here nor there). With a measure that advances, the multiplier being free, a
- * branch on which the multiplier falls has FAILED. Where nothing can turn back it is
- * qn_central_path_solve(). */
+ * qn_equilibrium_relax(), and as long as they get no further they grow; a few dozen at
+ * most, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
+ * moved by QN_RUNAWAY and still does (MECHANISM, with the motion of the last central path as
+ * eq->velocity, in metres; some pairs are neither here nor there on the way).
+ *
+ * undecided: complementarity, as a part of the displacements, above which nothing is committed
+ *            (FAILED), for by about so much pairs have slid that will not slide in the end.
+ *            INFINITY lets the structure move however it comes to rest; where it is to stay on
+ *            its branch, with a measure that advances, small values do. A branch on which the
+ *            free multiplier falls has FAILED.
+ *
+ * Where nothing can turn back it is qn_central_path_solve(). */
 QnSolveStatus qn_central_path_relax (QnCentralPath *path, const QnTarget *target,
-                                     int budget, int passes);
+                                     double undecided, int budget);
 
 #endif

@@ -1,29 +1,25 @@
 /* Contact faces: where a side of one block faces a side of another on a common line. */
-#include "core/contact-search.h"
+#include "core/contact-walk.h"
 #include "core/memory.h"
 #include "core/polygon.h"
 
 #include <stdlib.h>
 
-/* Sides of one block that share a walk through the tree: all of a rectangle. */
-#define SIDES_PER_QUERY 4
+/* Up to so many matches are sorted by insertion: two bricks have four. */
+#define FEW_MATCHES 16
 
 typedef enum { MATCH_FACE, MATCH_TOUCH, MATCH_GAP } MatchKind;
 
 /* What one side of block a and one side of block b have to do with each other. */
-typedef struct {
+typedef struct QnContactMatch {
   MatchKind kind;
-  QnId b;
   QnId side_a, side_b;
   double from;       /* where it begins along side a, m */
   QnVec2 start, end; /* FACE, GAP: ends of the common stretch; TOUCH: start alone */
   double width;      /* GAP: its largest width, m */
 } Match;
 
-typedef struct {
-  Match *items;
-  size_t count, capacity;
-} Matches;
+typedef QnContactMatches Matches;
 
 static bool
 add_match (Matches *matches, Match match)
@@ -91,8 +87,8 @@ match_stretch (const QnContactSearch *search, const QnSide *a, const QnSide *b,
   if (!common_stretch (a, b, 2 * search->lengths.tolerance, ends))
     return true;
 
-  double widest = fmax (ends[0].gap, ends[1].gap);
-  double narrowest = fmin (ends[0].gap, ends[1].gap);
+  double widest = qn_max (ends[0].gap, ends[1].gap);
+  double narrowest = qn_min (ends[0].gap, ends[1].gap);
   if (narrowest < -search->lengths.tolerance || widest > search->lengths.gap_limit)
     return true;
   match.kind = widest <= search->lengths.tolerance ? MATCH_FACE : MATCH_GAP;
@@ -139,8 +135,6 @@ static int
 compare_matches (const void *left, const void *right)
 {
   const Match *l = left, *r = right;
-  if (l->b != r->b)
-    return l->b < r->b ? -1 : 1;
   if (l->kind != r->kind)
     return l->kind < r->kind ? -1 : 1;
   if (l->side_a != r->side_a)
@@ -150,48 +144,46 @@ compare_matches (const void *left, const void *right)
   return (l->side_b > r->side_b) - (l->side_b < r->side_b);
 }
 
-/* Matches the sides from `begin` up to `end`, neighbours on block a, with those of blocks of
- * higher number. */
-static bool
-match_sides (const QnContactSearch *search, size_t begin, size_t end, Matches *matches)
+static void
+sort_matches (Matches *matches)
 {
-  const QnSides *sides = &search->sides;
-  QnBox near[SIDES_PER_QUERY], whole = search->side_boxes[begin];
-  for (size_t i = begin; i < end; i++) {
-    near[i - begin] = qn_box_grow (search->side_boxes[i], search->lengths.gap_limit);
-    whole = qn_box_union (whole, near[i - begin]);
+  Match *items = matches->items;
+  if (matches->count > FEW_MATCHES) {
+    qsort (items, matches->count, sizeof *items, compare_matches);
+    return;
   }
+  for (size_t i = 1; i < matches->count; i++) {
+    Match match = items[i];
+    size_t place = i;
+    for (; place > 0 && compare_matches (&items[place - 1], &match) > 0; place--)
+      items[place] = items[place - 1];
+    items[place] = match;
+  }
+}
 
-  QnBoxQuery query = qn_box_tree_query (&search->side_tree, whole);
-  QnId j;
-  while ((j = qn_box_query_next (&query)) != QN_NONE) {
-    const QnSide *side_b = &sides->items[j];
-    if (side_b->block <= sides->items[begin].block)
-      continue;
-    for (size_t i = begin; i < end; i++) {
-      Match match = { .b = side_b->block, .side_a = (QnId) i, .side_b = j };
-      if (qn_box_meets (near[i - begin], search->side_boxes[j])
-          && (!match_stretch (search, &sides->items[i], side_b, match, matches)
-              || !match_corners (search, &sides->items[i], side_b, match, matches)))
+/* Everything that two blocks have to do with each other, sorted. */
+static bool
+find_matches (const QnContactSearch *search, QnId a, QnId b, Matches *matches)
+{
+  const QnSide *sides = search->sides.items, *side_a, *side_b;
+  double reach = search->lengths.gap_limit;
+  QnSideWalk walk_a, walk_b;
+
+  matches->count = 0;
+  /* What is near enough for certain, then what is, by one and the same rounding. */
+  qn_side_walk_start (&walk_a, search, a,
+                      qn_box_grow (search->block_boxes[b], 2 * reach));
+  while ((side_a = qn_side_walk_next (&walk_a)) != NULL) {
+    qn_side_walk_start (&walk_b, search, b, qn_box_grow (qn_side_box (side_a), reach));
+    while ((side_b = qn_side_walk_next (&walk_b)) != NULL) {
+      Match match = { .side_a = (QnId) (side_a - sides),
+                      .side_b = (QnId) (side_b - sides) };
+      if (!match_stretch (search, side_a, side_b, match, matches)
+          || !match_corners (search, side_a, side_b, match, matches))
         return false;
     }
   }
-  return true;
-}
-
-/* Everything that block a has to do with blocks of higher number, sorted. */
-static bool
-find_matches (const QnContactSearch *search, QnId a, Matches *matches)
-{
-  size_t end = search->sides.first[a + 1];
-  matches->count = 0;
-  for (size_t i = search->sides.first[a]; i < end; i += SIDES_PER_QUERY) {
-    size_t group_end = i + SIDES_PER_QUERY < end ? i + SIDES_PER_QUERY : end;
-    if (!match_sides (search, i, group_end, matches))
-      return false;
-  }
-  if (matches->count > 1)
-    qsort (matches->items, matches->count, sizeof *matches->items, compare_matches);
+  sort_matches (matches);
   return true;
 }
 
@@ -217,7 +209,7 @@ add_face (const QnContactSearch *search, QnContacts *contacts, const Match *matc
     .start = match->start,
     .end = match->end,
     .length = qn_vec2_length (along),
-    .thickness = fmin (blocks[a->block].thickness, blocks[b->block].thickness),
+    .thickness = qn_min (blocks[a->block].thickness, blocks[b->block].thickness),
     .law_a = QN_NONE,
     .law_b = QN_NONE,
   };
@@ -248,25 +240,25 @@ static bool
 add_gap (const QnContactSearch *search, QnFindings *findings, const Match *match)
 {
   QnId a = search->sides.items[match->side_a].block;
+  QnId b = search->sides.items[match->side_b].block;
   QnVec2 at = qn_vec2_lerp (match->start, match->end, 0.5);
   QnVec2 across = qn_vec2_perp (search->sides.items[match->side_a].direction);
   QnVec2 between = qn_vec2_add_scaled (at, -match->width / 2, across);
-  if (is_filled (search, between, a, match->b))
+  if (is_filled (search, between, a, b))
     return true;
-  return qn_findings_add (findings, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, match->b,
-                                                 at, match->width, QN_NONE });
+  return qn_findings_add (
+    findings, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, b, at, match->width, QN_NONE });
 }
 
 static bool
-add_touch (const QnContactSearch *search, QnTouches *touches, QnId a, const Match *match)
+add_touch (const QnContactSearch *search, QnTouches *touches, QnId a, QnId b, QnVec2 at)
 {
   /* A corner on a corner of sides in several directions may be seen more than once. */
   for (size_t i = touches->count; i > 0; i--) {
     const QnTouch *earlier = &touches->items[i - 1];
-    if (earlier->a != a || earlier->b != match->b)
+    if (earlier->a != a || earlier->b != b)
       break;
-    if (qn_vec2_length (qn_vec2_sub (earlier->at, match->start))
-        <= 4 * search->lengths.tolerance)
+    if (qn_vec2_length (qn_vec2_sub (earlier->at, at)) <= 4 * search->lengths.tolerance)
       return true;
   }
 
@@ -275,16 +267,16 @@ add_touch (const QnContactSearch *search, QnTouches *touches, QnId a, const Matc
   if (items == NULL)
     return false;
   touches->items = items;
-  items[touches->count++] = (QnTouch){ a, match->b, match->start };
+  items[touches->count++] = (QnTouch){ a, b, at };
   return true;
 }
 
-/* Whether the place lies on one of the faces from `first` on, which all belong to block a. */
+/* Whether the place lies on one of the faces from `first` on. */
 static bool
 on_common_face (const QnContactSearch *search, const QnContacts *contacts, size_t first,
-                QnId b, QnVec2 place)
+                QnVec2 place)
 {
-  for (size_t i = contacts->face_count; i > first && contacts->faces[i - 1].b == b; i--) {
+  for (size_t i = contacts->face_count; i > first; i--) {
     const QnContactFace *face = &contacts->faces[i - 1];
     if (qn_segment_distance (face->start, face->end, place)
         <= 4 * search->lengths.tolerance)
@@ -293,42 +285,28 @@ on_common_face (const QnContactSearch *search, const QnContacts *contacts, size_
   return false;
 }
 
-/* Matches come block by block, faces before touches. */
-static bool
-keep_matches (const QnContactSearch *search, QnId a, const Matches *matches,
-              QnContacts *contacts, QnTouches *touches)
+bool
+qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b, Matches *matches,
+                       QnContacts *contacts, QnTouches *touches)
 {
   size_t first = contacts->face_count;
-  for (size_t i = 0; i < matches->count; i++) {
+  bool done = find_matches (search, a, b, matches);
+
+  /* Faces come before touches. */
+  for (size_t i = 0; i < matches->count && done; i++) {
     const Match *match = &matches->items[i];
-    bool done = true;
     switch (match->kind) {
     case MATCH_FACE:
       done = add_face (search, contacts, match);
       break;
     case MATCH_TOUCH:
-      if (!on_common_face (search, contacts, first, match->b, match->start))
-        done = add_touch (search, touches, a, match);
+      if (!on_common_face (search, contacts, first, match->start))
+        done = add_touch (search, touches, a, b, match->start);
       break;
     case MATCH_GAP:
       done = add_gap (search, &contacts->findings, match);
       break;
     }
-    if (!done)
-      return false;
   }
-  return true;
-}
-
-QnStatus
-qn_contact_search_faces (const QnContactSearch *search, QnContacts *contacts,
-                         QnTouches *touches, QnDiag *diag)
-{
-  Matches matches = { 0 };
-  bool done = true;
-  for (size_t a = 0; a < search->model->block_count && done; a++)
-    done = find_matches (search, (QnId) a, &matches)
-           && keep_matches (search, (QnId) a, &matches, contacts, touches);
-  free (matches.items);
-  return done ? QN_OK : qn_diag_no_memory (diag);
+  return done;
 }

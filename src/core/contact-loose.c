@@ -98,25 +98,6 @@ report_points (const QnContactSearch *search, const FaceLists *lists,
   return true;
 }
 
-/* Marks the blocks that have a face, a point contact or an overlap with another one, or a beam. */
-static void
-mark_touching (const QnModel *model, const FaceLists *lists, const QnFindings *findings,
-               bool *touching)
-{
-  for (size_t i = 0; i < model->block_count; i++)
-    touching[i] = lists->first[i] < lists->first[i + 1];
-  for (size_t i = 0; i < findings->count; i++) {
-    const QnFinding *finding = &findings->items[i];
-    if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
-      touching[finding->block_a] = touching[finding->block_b] = true;
-  }
-  for (size_t i = 0; i < 2 * model->beam_count; i++) {
-    QnId block = model->nodes[model->beams[i / 2].nodes[i % 2]].block;
-    if (block != QN_NONE)
-      touching[block] = true;
-  }
-}
-
 static QnId
 root_of (QnId *parents, QnId body)
 {
@@ -131,34 +112,85 @@ join (QnId *parents, size_t a, size_t b)
   parents[root_of (parents, (QnId) a)] = root_of (parents, (QnId) b);
 }
 
-/* Marks every body that hangs together, by faces and beams, with one that has a support.
- * `parents` has room for all bodies. Returns how many are marked. */
-static size_t
-mark_held (const QnModel *model, const QnContacts *contacts, bool *held, QnId *parents)
-{
-  size_t bodies = qn_model_body_count (model), count = 0;
+/* What hangs on what. */
+typedef struct {
+  bool *touching; /* blocks that have a face, a point contact or an overlap, or a beam */
+  QnId *parents;  /* of bodies: those with the same root hang together */
+  bool *held;     /* bodies that hang together with one that has a support */
+  size_t held_count;
+} Cohesion;
 
-  for (size_t i = 0; i < bodies; i++) {
-    parents[i] = (QnId) i;
-    held[i] = false;
+static void
+follow_faces (const QnContacts *contacts, Cohesion *cohesion)
+{
+  for (size_t i = 0; i < contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i];
+    cohesion->touching[face->a] = cohesion->touching[face->b] = true;
+    join (cohesion->parents, (size_t) face->a, (size_t) face->b);
   }
-  for (size_t i = 0; i < contacts->face_count; i++)
-    join (parents, (size_t) contacts->faces[i].a, (size_t) contacts->faces[i].b);
+  for (size_t i = 0; i < contacts->findings.count; i++) {
+    const QnFinding *finding = &contacts->findings.items[i];
+    if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
+      cohesion->touching[finding->block_a] = cohesion->touching[finding->block_b] = true;
+  }
+}
+
+static void
+follow_beams (const QnModel *model, Cohesion *cohesion)
+{
+  for (size_t i = 0; i < 2 * model->beam_count; i++) {
+    QnId block = model->nodes[model->beams[i / 2].nodes[i % 2]].block;
+    if (block != QN_NONE)
+      cohesion->touching[block] = true;
+  }
   for (size_t i = 0; i < model->element_count; i++)
-    join (parents, qn_model_node_body (model, model->elements[i].nodes[0]),
+    join (cohesion->parents, qn_model_node_body (model, model->elements[i].nodes[0]),
           qn_model_node_body (model, model->elements[i].nodes[1]));
+}
+
+static void
+mark_held (const QnModel *model, size_t bodies, Cohesion *cohesion)
+{
+  bool *held = cohesion->held;
   for (size_t i = 0; i < bodies; i++) {
     const bool *support = i < model->block_count
                             ? model->blocks[i].support
                             : model->nodes[i - model->block_count].support;
     if (support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ])
-      held[root_of (parents, (QnId) i)] = true;
+      held[root_of (cohesion->parents, (QnId) i)] = true;
   }
   for (size_t i = 0; i < bodies; i++) {
-    held[i] = held[root_of (parents, (QnId) i)];
-    count += held[i];
+    held[i] = held[root_of (cohesion->parents, (QnId) i)];
+    cohesion->held_count += held[i];
   }
-  return count;
+}
+
+/* `cohesion` is cleared by the caller, whether it has been filled or not; false when memory runs
+ * out. */
+static bool
+find_cohesion (const QnModel *model, const QnContacts *contacts, Cohesion *cohesion)
+{
+  size_t bodies = qn_model_body_count (model);
+  cohesion->touching = qn_alloc (model->block_count, sizeof *cohesion->touching);
+  cohesion->held = qn_alloc (bodies, sizeof *cohesion->held);
+  cohesion->parents = qn_alloc_unset (bodies, sizeof *cohesion->parents);
+  if (cohesion->touching == NULL || cohesion->held == NULL || cohesion->parents == NULL)
+    return false;
+
+  for (size_t i = 0; i < bodies; i++)
+    cohesion->parents[i] = (QnId) i;
+  follow_faces (contacts, cohesion);
+  follow_beams (model, cohesion);
+  mark_held (model, bodies, cohesion);
+  return true;
+}
+
+static void
+cohesion_clear (Cohesion *cohesion)
+{
+  free (cohesion->touching);
+  free (cohesion->held);
+  free (cohesion->parents);
 }
 
 static bool
@@ -211,6 +243,9 @@ QnStatus
 qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
                           const QnTouches *touches, QnDiag *diag)
 {
+  if (touches->count == 0)
+    return QN_OK;
+
   FaceLists lists = { 0 };
   bool done = face_lists_init (&lists, search->model->block_count, contacts)
               && report_points (search, &lists, contacts, touches);
@@ -221,24 +256,12 @@ qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
 QnStatus
 qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
-  QnFindings *findings = &contacts->findings;
-  FaceLists lists = { 0 };
-  size_t bodies = qn_model_body_count (model);
-  bool *flags = qn_alloc (bodies, sizeof *flags);
-  QnId *parents = qn_alloc (bodies, sizeof *parents);
-  bool done = flags != NULL && parents != NULL
-              && face_lists_init (&lists, model->block_count, contacts);
-  if (done) {
-    mark_touching (model, &lists, findings, flags);
-    done = report_blocks (model, findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, flags);
-  }
-  if (done) {
-    size_t held_count = mark_held (model, contacts, flags, parents);
-    done = report_support (model, findings, flags, held_count);
-  }
-
-  face_lists_clear (&lists);
-  free (flags);
-  free (parents);
+  Cohesion cohesion = { 0 };
+  bool done =
+    find_cohesion (model, contacts, &cohesion)
+    && report_blocks (model, &contacts->findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT,
+                      cohesion.touching)
+    && report_support (model, &contacts->findings, cohesion.held, cohesion.held_count);
+  cohesion_clear (&cohesion);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }

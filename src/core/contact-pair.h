@@ -30,7 +30,15 @@ typedef struct QnPairResponse {
   bool varies;   /* unless it varies */
 } QnPairResponse;
 
+/* The springs on the two sides of a pair in series; equal ones are joined into one. */
 QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
+
+/* Whether one Coulomb law rules the whole pair: those the central path solves. */
+static inline bool
+qn_pair_springs_are_coulomb (const QnPairSprings *springs)
+{
+  return springs->equal && springs->a.kind == QN_LAW_COULOMB;
+}
 
 /* Whether the pair would run back while one of its springs softens: growing elongation of the
  * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
@@ -52,6 +60,7 @@ typedef enum {
   QN_PAIR_STATE_COUNT
 } QnPairState;
 
+/* What a phase of these springs is called. */
 QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
 
 #endif

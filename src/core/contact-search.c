@@ -35,12 +35,9 @@ is_convex (const QnSides *sides, size_t block)
 }
 
 static void
-fill_boxes (QnContactSearch *search)
+describe_blocks (QnContactSearch *search)
 {
   const QnModel *model = search->model;
-  for (size_t i = 0; i < search->sides.count; i++)
-    search->side_boxes[i] =
-      qn_box_of_segment (search->sides.items[i].start, search->sides.items[i].end);
   for (size_t i = 0; i < model->block_count; i++) {
     search->block_boxes[i] = qn_box_of_points (qn_model_block_vertices (model, (QnId) i),
                                                (size_t) model->blocks[i].vertex_count);
@@ -48,24 +45,53 @@ fill_boxes (QnContactSearch *search)
   }
 }
 
+/* Whether the sides of a block belong into the tree. */
+static bool
+has_many_sides (const QnContactSearch *search, size_t block)
+{
+  return search->sides.first[block + 1] - search->sides.first[block] > QN_FEW_SIDES;
+}
+
+/* The tree of the sides of blocks that have many. */
+static bool
+plant_sides (QnContactSearch *search)
+{
+  const QnSides *sides = &search->sides;
+  size_t count = 0, blocks = search->model->block_count;
+  for (size_t i = 0; i < blocks; i++)
+    count += has_many_sides (search, i) ? sides->first[i + 1] - sides->first[i] : 0;
+  if (count == 0)
+    return true;
+
+  QnBox *boxes = qn_alloc (count, sizeof *boxes);
+  search->tree_sides = qn_alloc (count, sizeof *search->tree_sides);
+  bool done = boxes != NULL && search->tree_sides != NULL;
+  size_t item = 0;
+  for (size_t i = 0; i < blocks && done; i++) {
+    for (size_t k = sides->first[i];
+         k < sides->first[i + 1] && has_many_sides (search, i); k++) {
+      boxes[item] = qn_side_box (&sides->items[k]);
+      search->tree_sides[item++] = (QnId) k;
+    }
+  }
+  done = done && qn_box_tree_init (&search->side_tree, boxes, count);
+  free (boxes);
+  return done;
+}
+
 QnStatus
 qn_contact_search_init (QnContactSearch *search, const QnModel *model,
                         QnContactLengths lengths, QnDiag *diag)
 {
   *search = (QnContactSearch){ .model = model, .lengths = lengths };
-  if (!qn_sides_init (&search->sides, model, search->lengths.tolerance))
-    return qn_diag_no_memory (diag);
-
-  search->side_boxes = qn_alloc (search->sides.count, sizeof *search->side_boxes);
-  search->block_boxes = qn_alloc (model->block_count, sizeof *search->block_boxes);
-  search->convex = qn_alloc (model->block_count, sizeof *search->convex);
-  bool done =
-    search->side_boxes != NULL && search->block_boxes != NULL && search->convex != NULL;
+  search->block_boxes = qn_alloc_unset (model->block_count, sizeof *search->block_boxes);
+  search->convex = qn_alloc_unset (model->block_count, sizeof *search->convex);
+  bool done = search->block_boxes != NULL && search->convex != NULL
+              && qn_sides_init (&search->sides, model, search->lengths.tolerance);
   if (done) {
-    fill_boxes (search);
-    done =
-      qn_box_tree_init (&search->side_tree, search->side_boxes, search->sides.count)
-      && qn_box_tree_init (&search->block_tree, search->block_boxes, model->block_count);
+    describe_blocks (search);
+    done = qn_box_tree_init (&search->block_tree, search->block_boxes, model->block_count)
+           && plant_sides (search);
   }
   if (!done) {
     qn_contact_search_clear (search);
@@ -78,10 +104,10 @@ void
 qn_contact_search_clear (QnContactSearch *search)
 {
   qn_sides_clear (&search->sides);
-  free (search->side_boxes);
   free (search->block_boxes);
   free (search->convex);
-  qn_box_tree_clear (&search->side_tree);
   qn_box_tree_clear (&search->block_tree);
+  qn_box_tree_clear (&search->side_tree);
+  free (search->tree_sides);
   *search = (QnContactSearch){ 0 };
 }

@@ -15,16 +15,28 @@ typedef struct QnContactLengths {
 /* The lengths that follow from a prepared model's settings, block sizes and coordinates. */
 QnContactLengths qn_contact_lengths (const QnModel *model);
 
+/* Blocks with more sides than this are searched through a tree of their sides. */
+#define QN_FEW_SIDES 32
+
 typedef struct QnContactSearch {
   const QnModel *model; /* borrowed */
   QnContactLengths lengths;
 
   QnSides sides;
-  QnBox *side_boxes;
   QnBox *block_boxes;
   bool *convex; /* per block */
-  QnBoxTree side_tree, block_tree;
+  QnBoxTree block_tree;
+
+  /* Sides of blocks that have too many to be looked through; empty where there are none. */
+  QnBoxTree side_tree;
+  QnId *tree_sides; /* into sides.items, by item of the tree */
 } QnContactSearch;
+
+static inline QnBox
+qn_side_box (const QnSide *side)
+{
+  return qn_box_of_segment (side->start, side->end);
+}
 
 /* `search` is overwritten without being cleared. */
 QnStatus qn_contact_search_init (QnContactSearch *search, const QnModel *model,
@@ -43,20 +55,34 @@ typedef struct QnTouches {
   size_t count, capacity;
 } QnTouches;
 
-/* Appends the faces (without pairs) in their final order, the gaps to contacts->findings, and
- * the touches that lie on no common face of the two blocks. */
-QnStatus qn_contact_search_faces (const QnContactSearch *search, QnContacts *contacts,
-                                  QnTouches *touches, QnDiag *diag);
+/* Room that a search of pairs of blocks needs again and again. */
+typedef struct QnContactMatches {
+  struct QnContactMatch *items;
+  size_t count, capacity;
+} QnContactMatches;
 
-/* Appends findings for blocks that overlap. */
-QnStatus qn_contact_search_overlaps (const QnContactSearch *search, QnFindings *findings,
-                                     QnDiag *diag);
+typedef struct QnContactCuts {
+  double *items;
+  size_t count, capacity;
+} QnContactCuts;
+
+/* Appends the faces (without pairs) of blocks a < b in their final order, their gaps, and the
+ * touches that lie on no common face of the two. False when memory runs out. In
+ * contact-faces.c. */
+bool qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b,
+                            QnContactMatches *matches, QnContacts *contacts,
+                            QnTouches *touches);
+
+/* Appends a finding if blocks a < b overlap; false when memory runs out. In
+ * contact-overlaps.c. */
+bool qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
+                               QnContactCuts *cuts, QnFindings *findings);
 
 /* Appends findings for blocks that touch at a point only; overlaps must be found before. */
 QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
                                    const QnTouches *touches, QnDiag *diag);
 
-/* These three: all that pairs of blocks have to do with each other. Findings come kind by kind
+/* All that pairs of blocks have to do with each other. Findings come kind by kind
  * (gaps, overlaps, points), each kind sorted by blocks. */
 QnStatus qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts,
                                 QnDiag *diag);

@@ -31,10 +31,25 @@ sleeve_admits (Sleeve *sleeve, QnVec2 last, QnVec2 next, double tolerance)
   return true;
 }
 
+/* Whether `middle` lies so far from the line through `first` and `next` that no run passes it.
+ * Twice the tolerance, so that rounding has no say: what is nearer is left to the sleeve. */
+static bool
+is_corner (QnVec2 first, QnVec2 middle, QnVec2 next, double tolerance)
+{
+  QnVec2 to_middle = qn_vec2_sub (middle, first), to_next = qn_vec2_sub (next, first);
+  double off = qn_vec2_cross (to_middle, to_next);
+  return off * off > 4 * tolerance * tolerance * qn_vec2_dot (to_next, to_next);
+}
+
 /* Number of edges in the straight run that begins at vertex `first`, at most `limit`. */
 static size_t
 run_length (const QnVec2 *v, size_t count, size_t first, size_t limit, double tolerance)
 {
+  if (limit == 1
+      || is_corner (v[first % count], v[(first + 1) % count], v[(first + 2) % count],
+                    tolerance))
+    return 1;
+
   QnVec2 edge = qn_vec2_sub (v[(first + 1) % count], v[first % count]);
   double length = qn_vec2_length (edge);
   Sleeve sleeve = { v[first % count], qn_vec2_scale (1 / length, edge), -1, 1 };
@@ -86,19 +101,37 @@ collect_sides (QnSides *sides, const QnModel *model, QnId block, double toleranc
   }
 }
 
-static int
-compare_sides (const void *a, const void *b)
+static void
+reverse_sides (QnSide *sides, size_t count)
 {
-  const QnSide *left = a, *right = b;
-  return (left->vertex > right->vertex) - (left->vertex < right->vertex);
+  for (size_t i = 0; i < count / 2; i++) {
+    QnSide swap = sides[i];
+    sides[i] = sides[count - 1 - i];
+    sides[count - 1 - i] = swap;
+  }
+}
+
+/* Lets the sides of one block, which stand in their order around it, begin with the one of the
+ * lowest vertex. */
+static void
+rotate_sides (QnSide *sides, size_t count)
+{
+  size_t lowest = 0;
+  while (lowest < count && sides[lowest].vertex >= sides[0].vertex)
+    lowest++;
+  if (lowest == count)
+    return;
+  reverse_sides (sides, lowest);
+  reverse_sides (sides + lowest, count - lowest);
+  reverse_sides (sides, count);
 }
 
 bool
 qn_sides_init (QnSides *sides, const QnModel *model, double tolerance)
 {
   *sides = (QnSides){ 0 };
-  sides->items = qn_alloc (model->vertex_count, sizeof *sides->items);
-  sides->first = qn_alloc (model->block_count + 1, sizeof *sides->first);
+  sides->items = qn_alloc_unset (model->vertex_count, sizeof *sides->items);
+  sides->first = qn_alloc_unset (model->block_count + 1, sizeof *sides->first);
   if (sides->items == NULL || sides->first == NULL) {
     qn_sides_clear (sides);
     return false;
@@ -108,8 +141,7 @@ qn_sides_init (QnSides *sides, const QnModel *model, double tolerance)
     size_t begin = sides->count;
     sides->first[block] = begin;
     collect_sides (sides, model, (QnId) block, tolerance);
-    qsort (sides->items + begin, sides->count - begin, sizeof *sides->items,
-           compare_sides);
+    rotate_sides (sides->items + begin, sides->count - begin);
   }
   sides->first[model->block_count] = sides->count;
   return true;

@@ -5,19 +5,6 @@
 #include <stdlib.h>
 
 QnStatus
-qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts, QnDiag *diag)
-{
-  QnTouches touches = { 0 };
-  QnStatus status = qn_contact_search_faces (search, contacts, &touches, diag);
-  if (status == QN_OK)
-    status = qn_contact_search_overlaps (search, &contacts->findings, diag);
-  if (status == QN_OK)
-    status = qn_contact_search_points (search, contacts, &touches, diag);
-  free (touches.items);
-  return status;
-}
-
-QnStatus
 qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
   QnStatus status = qn_contacts_place_pairs (model, contacts, diag);

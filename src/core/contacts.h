@@ -28,11 +28,11 @@ typedef struct QnContactFace {
 
 typedef struct QnContactPair {
   QnId face;
+  QnId bar;         /* into QnModel.bars, or QN_NONE: part of the joint itself */
   QnVec2 point;     /* where A, B and C coincide in the undeformed state, m */
   double abscissa;  /* distance of the point from face.start, m */
   double tributary; /* length of the face that the pair stands for, m; times the face's
                        thickness its area, also that of a bar */
-  QnId bar;         /* into QnModel.bars, or QN_NONE: part of the joint itself */
 } QnContactPair;
 
 /* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa, those

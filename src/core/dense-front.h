@@ -5,8 +5,8 @@
  *   | D  U |   pivots            D = P' L_1 U_1   rows exchanged among the pivots only
  *   | L  S |   rest              L = L U_1^-1,  U = L_1^-1 P U,  S = S - L U
  *
- * All four are stored by columns whose height is a multiple of QN_FRONT_ROWS numbers; the
- * padding must be zero and stays so. The loops work on as many numbers at a time as the
+ * All are stored by columns, U by rows (which makes it as high as L), whose height is a multiple
+ * of QN_FRONT_ROWS numbers; the padding must be zero and stays so. The loops work on as many numbers at a time as the
  * processor has room for, in the same order everywhere: results are equal to the bit.
  */
 #ifndef QN_CORE_DENSE_FRONT_H
@@ -25,10 +25,11 @@ qn_front_height (int32_t rows)
 
 typedef struct QnDenseFront {
   int32_t pivots, rest;
-  double *diagonal; /* D, then L_1 below and U_1 on and above the diagonal */
-  double *lower;    /* L */
-  double *upper;    /* U */
-  double *schur;    /* out: - L U, padding included; S itself is for the caller to add */
+  double *
+    diagonal; /* D, then L_1 below and U_1 above the diagonal, and one over U_1's on it */
+  double *lower; /* L */
+  double *upper; /* U by rows: height of the rest, one column a pivot */
+  double *schur; /* out: - L U, padding included; S itself is for the caller to add */
   int32_t *exchanges; /* out, one a pivot: the row it was exchanged with */
 } QnDenseFront;
 
@@ -37,6 +38,17 @@ typedef struct QnPivotRange {
   double smallest, largest;
 } QnPivotRange;
 
+/* Part of what a child leaves, and where it goes in one of the matrices of its parent: number
+ * (r, c) is added at row places[r] of column column_places[c]. runs[r]: so many rows from there
+ * on stand side by side. */
+typedef struct QnFrontPart {
+  const double *source;
+  int32_t source_height, rows, columns;
+  double *target;
+  int32_t height;
+  const int32_t *places, *runs, *column_places;
+} QnFrontPart;
+
 /* The loops for one kind of processor. */
 typedef struct QnFrontLoops {
   /* Eliminates the pivots; false where one vanishes or is no number. */
@@ -44,8 +56,11 @@ typedef struct QnFrontLoops {
   /* x = L_1 \ P x of the pivots, and below = L x of the rest. Both have the padding of
    * columns, which must be zero in x. */
   void (*forward) (const QnDenseFront *front, double *x, double *below);
-  /* x = U_1 \ (x - U above); overwrites `above`, which needs no padding. */
-  void (*backward) (const QnDenseFront *front, double *x, double *above);
+  /* x = U_1 \ (x - U above). Both have the padding of columns, which must be zero. */
+  void (*backward) (const QnDenseFront *front, double *x, const double *above);
+  void (*add) (const QnFrontPart *part);
+  /* The same where rows of the child become columns of the parent's matrix. */
+  void (*add_by_rows) (const QnFrontPart *part);
 } QnFrontLoops;
 
 /* The fastest loops for this processor that work on at most `width` numbers at a time. */

@@ -65,8 +65,8 @@ typedef struct QnEquilibrium {
   double *step;      /* Newton direction */
   double *trial;     /* u + alpha step */
   double *live_step; /* K \\ F_live: displacements per multiplier */
-  double *gaps;      /* of the pairs before the viscous step, m */
-  double *velocity;  /* of the last viscous step, m per unit of time */
+  double *gaps;      /* of the pairs before the last step of motion, m */
+  double *velocity;  /* of the last viscous step, m per unit of time, or motion, m */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
   QnEquilibriumState anchor;    /* where the viscous step started */
@@ -88,6 +88,10 @@ typedef struct QnEquilibrium {
   QnStatistics statistics;
 } QnEquilibrium;
 
+/* Numbers the unknowns, analyses the pattern and allocates everything. The state is the structure
+ * at rest, at multiplier 0, not in equilibrium yet. `report` (nullable) is asked whether to go
+ * on. Model and contacts must outlive the workspace, which is overwritten without being cleared;
+ * on failure it is empty. */
 QnStatus qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model,
                                const QnContacts *contacts, QnProgressFunc report,
                                void *report_data, QnDiag *diag);
@@ -123,9 +127,10 @@ void qn_equilibrium_count_factorization (QnEquilibrium *eq);
 /* Counts an iteration and reports it; false when the analysis is to be cancelled. */
 bool qn_equilibrium_go_on (QnEquilibrium *eq);
 
-/* Overwrites b with K \ b, K the static tangent of the current state. CONVERGED, FAILED (K is
- * singular; b is unchanged) or NO_MEMORY. */
-QnSolveStatus qn_equilibrium_apply_tangent_inverse (QnEquilibrium *eq, double *b);
+/* Displacements per multiplier, rate = K \ F_live (unknown_count), by the static tangent K and the
+ * live load of the current state. CONVERGED, FAILED (K is singular; rate is not to be used) or
+ * NO_MEMORY. */
+QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
 /* Lets the structure move from the current state while the target holds, with viscosity that
  * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
@@ -138,7 +143,16 @@ QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target,
  * metres. It also leaves three digits between rounding and the default tolerance. */
 #define QN_RUNAWAY 1e5
 
-/* Largest motion since the committed state, in elastic displacements. */
+/* Notes how far joints stand open now; and whether one that stands open will close within `horizon`
+ * if it goes on as it did since then, in `time_step`. */
+void qn_equilibrium_note_gaps (QnEquilibrium *eq);
+bool qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step,
+                                double horizon);
+
+/* Largest change of an unknown since the committed state, m. */
+double qn_equilibrium_motion (const QnEquilibrium *eq);
+
+/* The same in elastic displacements. */
 double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
 
 /* Copies the current state into `state`, or makes `state` the current one. */

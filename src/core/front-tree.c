@@ -11,7 +11,7 @@
 
 /* A front joins its parent's where the sum of pivots stays small, or where little of the larger
  * front is known to be zero: larger fronts are faster, number for number. */
-#define SMALL      12
+#define SMALL      9
 #define MIDDLING   48
 #define SOME_ZEROS 0.25
 #define FEW_ZEROS  0.05
@@ -217,18 +217,39 @@ form_groups (Analysis *a)
   return true;
 }
 
+/* a->marks becomes the front of each node that is the last of a group: in postorder, whatever
+ * the order of nodes is, so that subtrees stay together. Returns their number. */
+static int32_t
+number_groups (Analysis *a)
+{
+  int32_t *size = a->counts, *next = a->marks, count = 0; /* of and in subtrees */
+
+  memset (size, 0, (size_t) (a->count + 1) * sizeof *size);
+  for (int32_t j = 0; j < a->count; j++)
+    if (a->group[j] == j) {
+      size[j]++;
+      if (a->column_start[j] < a->column_start[j + 1])
+        size[a->group[a->rows[a->column_start[j]]]] += size[j];
+    }
+  for (int32_t j = a->count - 1; j >= 0; j--)
+    if (a->group[j] == j) {
+      bool is_root = a->column_start[j] == a->column_start[j + 1];
+      int32_t *end = is_root ? &count : &next[a->group[a->rows[a->column_start[j]]]];
+      next[j] = *end;
+      *end += size[j];
+    }
+  return count; /* and next is where each of them itself comes, after its subtree */
+}
+
 /* Puts the nodes of a group side by side: a->counts becomes the place of each in the final
- * order. Groups follow one another as their last nodes do, so that children come first. */
+ * order. */
 static void
 order_groups (Analysis *a, QnFrontTree *tree)
 {
   int32_t *index = a->marks, sum = 0; /* index: of the front that a node is the last of */
 
-  tree->front_count = 0;
+  tree->front_count = number_groups (a);
   memset (a->counts, 0, (size_t) (a->count + 1) * sizeof *a->counts);
-  for (int32_t j = 0; j < a->count; j++)
-    if (a->group[j] == j)
-      index[j] = tree->front_count++;
   for (int32_t j = 0; j < a->count; j++)
     tree->fronts[index[a->group[j]]].pivots += a->width[a->order[j]];
   for (int32_t f = 0; f < tree->front_count; f++) {

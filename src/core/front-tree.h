@@ -23,7 +23,7 @@ typedef struct QnFront {
 
 typedef struct QnFrontTree {
   int32_t n;
-  QnFront *fronts; /* children before their parents */
+  QnFront *fronts; /* in postorder: each comes right after the subtrees of its children */
   int32_t front_count;
   int32_t *position; /* n: of each unknown */
   int32_t *rows;     /* positions of the rests, ascending */

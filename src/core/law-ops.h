@@ -36,6 +36,7 @@ typedef struct QnLawOps {
     .positive = is_positive                                                              \
   }
 
+/* The functions of a kind of law; static. */
 const QnLawOps *qn_law_ops (QnLawKind kind);
 
 extern const QnLawOps qn_law_ops_elastic;

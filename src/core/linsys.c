@@ -1,8 +1,8 @@
 /* Two factorisations behind one interface.
  *
  * Block LU is several times faster on the tangents of block masonry, but pivots within
- * blocks only. Every factorisation is therefore tried out on a system with a known solution;
- * where the digits are not there, KLU takes over: left-looking scalar LU with threshold
+ * blocks only. Every factorisation is therefore tried out on the first system that is to be
+ * solved; where the digits are not there, KLU takes over: left-looking scalar LU with threshold
  * pivoting (Davis & Palamadai Natarajan 2010), which also has the last word on what is
  * singular.
  */
@@ -22,9 +22,11 @@ struct QnLinsys {
   /* KLU takes its read-only arguments without const. */
   int32_t *ap, *ai;
   QnBlockLu *blocks;
-  double *trial, *left;  /* n: a solution of A trial = 1, and what it leaves */
-  bool pivoted;          /* the last factorisation is KLU's */
-  bool whole;            /* everything is to be eliminated anew each time */
+  double *trial;    /* n: right-hand side that the last factorisation was tried on, */
+  double *solution; /* its solution where nobody asked for it, */
+  double *left;     /* and what that leaves */
+  bool pivoted;     /* the last factorisation is KLU's */
+  bool whole;       /* everything is to be eliminated anew each time */
   QnFactorStatus status; /* of the last factorisation, */
   double work;           /* and what part of a whole one it took */
   klu_common common;
@@ -51,10 +53,11 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai)
   system->ai = (int32_t *) ai;
   system->blocks = qn_block_lu_new (n, ap, ai);
   system->trial = qn_alloc ((size_t) n, sizeof *system->trial);
+  system->solution = qn_alloc ((size_t) n, sizeof *system->solution);
   system->left = qn_alloc ((size_t) n, sizeof *system->left);
   system->visited = qn_alloc ((size_t) n, sizeof *system->visited);
-  if (system->blocks == NULL || system->trial == NULL || system->left == NULL
-      || system->visited == NULL) {
+  if (system->blocks == NULL || system->trial == NULL || system->solution == NULL
+      || system->left == NULL || system->visited == NULL) {
     qn_linsys_free (system);
     return NULL;
   }
@@ -68,6 +71,7 @@ qn_linsys_free (QnLinsys *system)
     return;
   qn_block_lu_free (system->blocks);
   free (system->trial);
+  free (system->solution);
   free (system->left);
   klu_free_numeric (&system->numeric, &system->common);
   klu_free_symbolic (&system->symbolic, &system->common);
@@ -136,17 +140,19 @@ factor_pivoting (QnLinsys *system, double *ax)
 
 /* --- Which of the two ------------------------------------------------------------------- */
 
-/* Backward error of the block factorisation on A x = 1:
+/* Backward error of the block factorisation on A x = trial:
  *
- *   |1 - A x| / (|A| |x| + 1)                                         (Rigal & Gaches 1967) */
+ *   |trial - A x| / (|A| |x| + |trial|)                               (Rigal & Gaches 1967) */
 static double
-backward_error (QnLinsys *system, const double *ax)
+backward_error (QnLinsys *system, const double *ax, double *x)
 {
   const int32_t *ap = system->ap, *ai = system->ai;
-  double *x = system->trial, *left = system->left, matrix = 0, solution = 0, error = 0;
+  double *left = system->left, matrix = 0, solution = 0, right = 0, error = 0;
 
-  for (int32_t i = 0; i < system->n; i++)
-    x[i] = left[i] = 1;
+  for (int32_t i = 0; i < system->n; i++) {
+    x[i] = left[i] = system->trial[i];
+    right = qn_larger (fabs (left[i]), right);
+  }
   qn_block_lu_solve (system->blocks, x);
   for (int32_t j = 0; j < system->n; j++) {
     for (int32_t p = ap[j]; p < ap[j + 1]; p++) {
@@ -158,7 +164,7 @@ backward_error (QnLinsys *system, const double *ax)
   for (int32_t i = 0; i < system->n; i++)
     if (!(fabs (left[i]) <= error)) /* keeps what is no number */
       error = fabs (left[i]);
-  return error / (matrix * solution + 1);
+  return error / (matrix * solution + right);
 }
 
 void
@@ -173,24 +179,52 @@ qn_linsys_work (const QnLinsys *system)
   return system->work;
 }
 
-QnFactorStatus
-qn_linsys_factor (QnLinsys *system, const double *ax)
+static bool
+is_zero (const double *b, int32_t n)
 {
+  int32_t i = 0;
+
+  while (i < n && b[i] == 0)
+    i++;
+  return i == n;
+}
+
+QnFactorStatus
+qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse reuse,
+                            double *b)
+{
+  bool zero = b == NULL || is_zero (b, system->n);
   double pivots;
 
-  if (system->whole) {
+  if (system->whole || reuse == QN_LINSYS_ONCE) {
     pivots = qn_block_lu_factor (system->blocks, ax);
     system->work = 1;
   } else {
     pivots = qn_block_lu_refactor (system->blocks, ax, &system->work);
-    if (system->work == 0 && system->n > 0)
-      return system->status; /* of the same matrix */
+    if (system->work == 0 && system->n > 0) { /* the same matrix */
+      if (b != NULL && system->status == QN_FACTOR_OK)
+        qn_linsys_solve (system, b);
+      return system->status;
+    }
   }
+  for (int32_t i = 0; i < system->n; i++)
+    system->trial[i] = zero ? 1 : b[i];
   system->pivoted = !(pivots > QN_TOLERANCE_SINGULAR
-                      && backward_error (system, ax) < QN_TOLERANCE_BACKWARD);
+                      && backward_error (system, ax, zero ? system->solution : b)
+                           < QN_TOLERANCE_BACKWARD);
   system->status =
     system->pivoted ? factor_pivoting (system, (double *) ax) : QN_FACTOR_OK;
+  if (system->pivoted && !zero && system->status == QN_FACTOR_OK) {
+    memcpy (b, system->trial, (size_t) system->n * sizeof *b);
+    qn_linsys_solve (system, b);
+  }
   return system->status;
+}
+
+QnFactorStatus
+qn_linsys_factor (QnLinsys *system, const double *ax)
+{
+  return qn_linsys_factor_and_solve (system, ax, QN_LINSYS_AGAIN, NULL);
 }
 
 void

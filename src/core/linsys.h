@@ -24,8 +24,19 @@ QnLinsys *qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai);
 
 void qn_linsys_free (QnLinsys *system);
 
+/* Whether the next matrix will be like this one. */
+typedef enum {
+  QN_LINSYS_AGAIN, /* what does not change is kept for it */
+  QN_LINSYS_ONCE   /* all values will be new: nothing is kept, which is faster */
+} QnLinsysReuse;
+
 /* Factorises the matrix with the values ax. */
 QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
+
+/* The same, and overwrites b (length n) with its solution. Factorisations are judged by a solution
+ * in any case: here by this one. b is undefined unless QN_FACTOR_OK is returned. */
+QnFactorStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
+                                           QnLinsysReuse reuse, double *b);
 
 /* Whether the next factorisations start from nothing, for comparison: otherwise only what new
  * values reach is eliminated anew. The factors are the same to the bit. */

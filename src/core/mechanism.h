@@ -64,7 +64,6 @@ typedef struct QnMechanism {
   double largest; /* speed of the fastest point, in the field's unit */
   int32_t counts[QN_JOINT_KIND_COUNT]; /* joints of each kind */
   int32_t sliding_count;               /* joints that slide, hinges that slide included */
-  QnVec2 slip_direction; /* of the sliding bodies over those beneath, unit; or 0 */
 } QnMechanism;
 
 /* Result-file spelling: "closed", "hinge-start", …; "overturning", "rocking", … */

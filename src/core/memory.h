@@ -12,6 +12,14 @@
  * gives a block that may be freed. */
 void *qn_alloc (size_t count, size_t size);
 
+/* The same with arbitrary contents, for what is written before it is read: large memory is not
+ * touched twice. */
+void *qn_alloc_unset (size_t count, size_t size);
+
+/* The same, not zeroed either, at the beginning of a cache line: for numbers that are worked on in
+ * vectors, none of which then lies in two lines. */
+void *qn_alloc_lines (size_t count, size_t size);
+
 /* Copy of a string, or NULL; NULL stays NULL. */
 char *qn_strdup (const char *text);
 

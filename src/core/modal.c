@@ -247,17 +247,9 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
     status = solve_pencil (&path.equilibrium, wanted, modes, diag);
   if (status == QN_OK && path.equilibrium.cancelled)
     result->outcome = QN_OUTCOME_CANCELLED;
-  if (status == QN_OK) {
-    qn_assembly_pair_results (&path.equilibrium.assembly, path.equilibrium.u,
-                              result->pairs);
-    result->statistics = path.equilibrium.statistics;
-    result->statistics.seconds = qn_clock_seconds () - start;
-  } else {
+  if (status != QN_OK)
     qn_modes_clear (modes);
-    qn_result_clear (result);
-  }
-  qn_path_clear (&path);
-  return status;
+  return qn_path_finish (&path, status, start);
 }
 
 void

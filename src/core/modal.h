@@ -28,9 +28,9 @@ typedef enum {
 } QnModalState;
 
 /* Solves for the `wanted` (>= 1) lowest modes, or as many as there are. *result holds the path up
- * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty. Refuses blocks
- * without mass and states in which pairs slip without dilatancy, whose stiffness is not
- * symmetric. Both outputs are overwritten without being cleared, and empty on failure. */
+ * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty.
+ * Refuses blocks without mass and states in which pairs slip without dilatancy, whose stiffness
+ * is not symmetric. Both outputs are overwritten without being cleared, and empty on failure. */
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
                        QnModalState state, size_t wanted, QnProgressFunc progress,
                        void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);

@@ -23,7 +23,7 @@ qn_model_init (QnModel *model)
                   .residual_tolerance = 1e-8,
                   .control_block = QN_NONE,
                   .control_node = QN_NONE,
-                  .shortcuts = { true, true, true, true, true } },
+                  .shortcuts = { true, true, true, true, true, true } },
   };
 }
 

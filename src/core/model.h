@@ -181,6 +181,9 @@ typedef struct QnShortcuts {
   bool
     mechanism_estimate; /* the first motion without equilibrium says where collapse is */
   bool growing_increments; /* increments grow where they are easy */
+  bool
+    unchanged_joints; /* of a tangent, only what blocks have whose joints changed state is
+                               assembled anew */
 } QnShortcuts;
 
 typedef struct QnAnalysisSettings {

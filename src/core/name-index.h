@@ -15,8 +15,8 @@ typedef struct QnNameIndex {
   size_t count;
 } QnNameIndex;
 
-/* Adds items[id], the next in the array, under its name (NULL counts as ""). An equal name added earlier stays the one
- * that is found. False when memory runs out, with the index unchanged. */
+/* Adds items[id], the next in the array, under its name (NULL counts as ""). An equal name added
+ * earlier stays the one that is found. False when memory runs out, with the index unchanged. */
 bool qn_name_index_add (QnNameIndex *index, const void *items, size_t item_size, QnId id);
 
 /* The item added first under this name, or QN_NONE. */

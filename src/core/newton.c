@@ -97,10 +97,10 @@ evaluate (Newton *newton, const double *u, double multiplier)
     newton->norm = INFINITY;
 }
 
-/* Factorises the tangent unless it is the one that is factorised already: the tangent depends
- * on the phases of the pairs and the viscosity only, as long as geometry is linear. */
+/* b = K \ b. Factorises the tangent unless it is the one that is factorised already: the tangent
+ * depends on the phases of the pairs and the viscosity only, as long as geometry is linear. */
 static QnFactorStatus
-factorize (QnEquilibrium *eq, double viscosity)
+apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
 {
   QnAssembly *as = &eq->assembly;
   bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear
@@ -111,13 +111,17 @@ factorize (QnEquilibrium *eq, double viscosity)
     same = same && !response->varies && eq->factored_phases[p] == response->phase;
     eq->factored_phases[p] = response->phase;
   }
-  if (same && as->model->analysis.shortcuts.same_tangent)
-    return QN_FACTOR_OK;
-
   double start = qn_clock_seconds ();
+  if (same && as->model->analysis.shortcuts.same_tangent) {
+    qn_linsys_solve (eq->linsys, b);
+    eq->statistics.factor_seconds += qn_clock_seconds () - start;
+    return QN_FACTOR_OK;
+  }
+
   qn_assembly_tangent (as, eq->multiplier, viscosity);
   double assembled = qn_clock_seconds ();
-  QnFactorStatus status = qn_linsys_factor (eq->linsys, as->ax);
+  QnFactorStatus status =
+    qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_AGAIN, b);
   eq->statistics.assembly_seconds += assembled - start;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
   qn_equilibrium_count_factorization (eq);
@@ -165,20 +169,23 @@ qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target, double 
 }
 
 /* The Newton direction: eq->step and multiplier_step. */
-static void
+static QnFactorStatus
 solve_direction (Newton *newton)
 {
   QnEquilibrium *eq = newton->eq;
   const QnTarget *target = newton->target;
   int32_t n = eq->assembly.unknown_count;
   size_t bytes = (size_t) n * sizeof (double);
-  double start = qn_clock_seconds ();
+  /* A full mechanism has a singular tangent, yet the target holds it: a trace of damping lets the
+   * bordered system be solved in two halves. */
+  double viscosity =
+    target->direction != NULL ? fmax (newton->viscosity, TRACE) : newton->viscosity;
 
   memcpy (eq->step, eq->residual, bytes);
-  qn_linsys_solve (eq->linsys, eq->step);
+  QnFactorStatus status = apply_inverse (eq, viscosity, eq->step);
   newton->multiplier_step = 0;
-  if (target->direction != NULL) {
-    double along_live, load = 0;
+  if (status == QN_FACTOR_OK && target->direction != NULL) {
+    double along_live, load = 0, start = qn_clock_seconds ();
     memcpy (eq->live_step, eq->assembly.live, bytes);
     qn_linsys_solve (eq->linsys, eq->live_step);
     for (int32_t i = 0; i < n; i++)
@@ -188,8 +195,9 @@ solve_direction (Newton *newton)
     newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
     eq->orientation =
       along_live < 0 ? -qn_linsys_sign (eq->linsys) : qn_linsys_sign (eq->linsys);
+    eq->statistics.factor_seconds += qn_clock_seconds () - start;
   }
-  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+  return status;
 }
 
 /* Moves along the Newton direction by the largest power of 1/2 that decreases the residual
@@ -231,10 +239,7 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
     if (!qn_equilibrium_go_on (eq))
       return QN_SOLVE_CANCELLED;
 
-    /* A full mechanism has a singular tangent, yet the target holds it: a trace of damping
-     * lets the bordered system be solved in two halves. */
-    switch (
-      factorize (eq, target->direction != NULL ? fmax (viscosity, TRACE) : viscosity)) {
+    switch (solve_direction (&newton)) {
     case QN_FACTOR_OK:
       break;
     case QN_FACTOR_SINGULAR:
@@ -242,7 +247,6 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
     case QN_FACTOR_NO_MEMORY:
       return QN_SOLVE_NO_MEMORY;
     }
-    solve_direction (&newton);
     /* The first step is free: it takes pairs across the corner they rest in, which costs
      * balance before it gains. */
     if (!line_search (&newton, iteration == 0 ? INFINITY : newton.norm))
@@ -251,11 +255,11 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
 }
 
 QnSolveStatus
-qn_equilibrium_apply_tangent_inverse (QnEquilibrium *eq, double *b)
+qn_equilibrium_rate (QnEquilibrium *eq, double *rate)
 {
-  switch (factorize (eq, 0)) {
+  memcpy (rate, eq->assembly.live, (size_t) eq->assembly.unknown_count * sizeof *rate);
+  switch (apply_inverse (eq, 0, rate)) {
   case QN_FACTOR_OK:
-    qn_linsys_solve (eq->linsys, b);
     return QN_SOLVE_CONVERGED;
   case QN_FACTOR_SINGULAR:
     return QN_SOLVE_FAILED;

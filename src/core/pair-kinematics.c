@@ -39,15 +39,14 @@ qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_a,
   set_gradient (pair, at_rest);
 }
 
-/* (R - 1) r, without the loss of digits of R r - r when the rotation is small:
- * cos - 1 = -2 sin^2(rz / 2). */
-static QnVec2
-turn (QnVec2 arm, double rotation)
+QnPairGradient
+qn_pair_kinematics_gradient (const QnPairKinematics *pair)
 {
-  double half = sin (0.5 * rotation);
+  QnPairGradient gradient;
 
-  return qn_vec2_add_scaled (qn_vec2_scale (-2 * half * half, arm), sin (rotation),
-                             qn_vec2_perp (arm));
+  for (int i = 0; i < 2; i++)
+    memcpy (gradient.factors[i], pair->gradient[i] + 2, sizeof gradient.factors[i]);
+  return gradient;
 }
 
 void
@@ -55,7 +54,8 @@ qn_pair_kinematics_update (QnPairKinematics *pair, const double v[6])
 {
   double rz_a = v[2] / pair->length, rz_b = v[5] / pair->length;
   double rz_m = 0.5 * (rz_a + rz_b);
-  QnVec2 move_a = turn (pair->arm_a, rz_a), move_b = turn (pair->arm_b, rz_b);
+  QnVec2 move_a = qn_vec2_turn_away (pair->arm_a, rz_a),
+         move_b = qn_vec2_turn_away (pair->arm_b, rz_b);
   QnVec2 d = qn_vec2_add (qn_vec2_sub (qn_vec2 (v[3], v[4]), qn_vec2 (v[0], v[1])),
                           qn_vec2_sub (move_b, move_a));
 

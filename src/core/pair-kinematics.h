@@ -22,7 +22,7 @@ typedef struct QnPairKinematics {
   QnVec2 arm_a, arm_b; /* from the centroids to the pair, undeformed, m */
   double length;       /* L, m */
 
-  /* Of the last update; at rest after qn_pair_kinematics_init(). */
+  /* Of the last update, in nonlinear geometry; at rest after qn_pair_kinematics_init(). */
   double elongation[2];      /* q, m */
   double gradient[2][6];     /* dq / d unknowns */
   QnVec2 frame;              /* normal as turned */
@@ -32,23 +32,17 @@ typedef struct QnPairKinematics {
 void qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_a,
                               QnVec2 arm_b, double length);
 
-/* rate = dq/du v. Translations of the two blocks enter by their difference, which keeps the
- * digits that it has. */
-static inline void
-qn_pair_kinematics_rate (const QnPairKinematics *pair, const double v[6], double rate[2])
-{
-  for (int k = 0; k < 2; k++) {
-    const double *g = pair->gradient[k];
-    rate[k] = g[2] * v[2] + g[3] * (v[3] - v[0]) + g[4] * (v[4] - v[1]) + g[5] * v[5];
-  }
-}
+/* The gradient of a pair as the inner loops want it. Translations of the two blocks enter by their
+ * difference, which keeps the digits that it has: factors of (L rz of a, u_b - u_a in x and y,
+ * L rz of b). */
+enum { QN_PAIR_FACTORS = 4 };
 
-/* Elongation at displacements v; the gradient is constant. */
-static inline void
-qn_pair_kinematics_update_linear (QnPairKinematics *pair, const double v[6])
-{
-  qn_pair_kinematics_rate (pair, v, pair->elongation);
-}
+typedef struct QnPairGradient {
+  double factors[2][QN_PAIR_FACTORS];
+} QnPairGradient;
+
+/* The gradient of the last update. */
+QnPairGradient qn_pair_kinematics_gradient (const QnPairKinematics *pair);
 
 /* Elongation and gradient at displacements v of any size. */
 void qn_pair_kinematics_update (QnPairKinematics *pair, const double v[6]);

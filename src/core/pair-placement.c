@@ -152,6 +152,26 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
                          : status;
 }
 
+/* Room for the pairs of all faces by the general rule and of one face per exception. */
+static bool
+reserve_pairs (const QnModel *model, QnContacts *contacts)
+{
+  size_t count = contacts->face_count * qn_pair_rule_count (&model->contact.pairs);
+  for (size_t i = 0; i < model->override_count; i++)
+    if (model->overrides[i].has_pairs)
+      count += qn_pair_rule_count (&model->overrides[i].pairs);
+  if (count <= contacts->pair_capacity || count > INT32_MAX)
+    return true;
+
+  QnContactPair *pairs = qn_alloc_unset (count, sizeof *pairs);
+  if (pairs == NULL)
+    return false;
+  free (contacts->pairs);
+  contacts->pairs = pairs;
+  contacts->pair_capacity = count;
+  return true;
+}
+
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
@@ -160,11 +180,11 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
   QnStatus status = QN_OK;
   size_t next = 0;
 
-  if (exceptions == NULL || used_bars == NULL)
+  contacts->pair_count = 0;
+  if (exceptions == NULL || used_bars == NULL || !reserve_pairs (model, contacts))
     status = qn_diag_no_memory (diag);
   else
     sort_exceptions (model, exceptions);
-  contacts->pair_count = 0;
   for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
     status = furnish_face (model, contacts, i,
                            exception_of (model, exceptions, &next, &contacts->faces[i]),

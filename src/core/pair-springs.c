@@ -59,6 +59,18 @@ refuse (const QnContactFace *face, QnProblem problem, QnDiag *diag)
   return QN_ERROR_INVALID;
 }
 
+/* Whether the springs on either side of a pair may soften, as far as the kinds of law tell. */
+static bool
+may_soften (const QnModel *model, const QnContacts *contacts, QnId pair)
+{
+  for (int side = 0; side < 2; side++) {
+    QnId law = qn_contacts_pair_law (model, contacts, (size_t) pair, side);
+    if (qn_law_softens (model->laws[law].kind))
+      return true;
+  }
+  return false;
+}
+
 QnStatus
 qn_contacts_check_springs (const QnModel *model, const QnContacts *contacts, QnId index,
                            QnDiag *diag)
@@ -69,7 +81,8 @@ qn_contacts_check_springs (const QnModel *model, const QnContacts *contacts, QnI
     return refuse (face, QN_PROBLEM_BASES_DIFFER, diag);
   for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
     /* Whether a pair runs back does not depend on its area: the first one and the bars tell. */
-    if (p > face->first_pair && contacts->pairs[p].bar == QN_NONE)
+    if ((p > face->first_pair && contacts->pairs[p].bar == QN_NONE)
+        || !may_soften (model, contacts, p))
       continue;
     QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) p);
     if (qn_pair_springs_run_back (&springs))

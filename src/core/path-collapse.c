@@ -19,17 +19,24 @@
 /* Part of the multiplier's tolerance that may be left to gain. */
 #define SETTLED 0.1
 
-/* Factorisations of one step, which is one central path: relaxing on the way finds equilibria
- * above the mechanism that moves on for good. */
+/* No step of a structure that may jump need go farther than so many times where it has run away. */
+#define FARTHEST 2.0
+
+/* What may slide too early where a central path turns back, as a part of the motion, in
+ * tolerances of the multiplier. Ten times as much, and relaxation finds equilibria above the
+ * mechanism that moves on for good. */
+#define UNDECIDED 0.3
+
+/* Factorisations of one central path. */
 #define BUDGET 80
 
 typedef struct {
   QnPath *path;
   const double *start;
-  double *velocity; /* of the last step */
-  double growth;    /* of the work in the next step */
-  bool gone;        /* the structure has run away */
-  bool may_jump;    /* some joint is not associative */
+  double growth; /* of the work in the next step */
+  double left;   /* to gain after the last step, as a part of the multiplier */
+  bool gone;     /* the structure has run away */
+  bool may_jump; /* some joint is not associative */
 } Approach;
 
 /* Work that the live load has done since it began to act. */
@@ -45,12 +52,10 @@ work_so_far (const Approach *approach)
 }
 
 static void
-keep_velocity (Approach *approach)
+keep_velocity (QnEquilibrium *eq)
 {
-  const QnEquilibrium *eq = &approach->path->equilibrium;
-
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    approach->velocity[i] = eq->u[i] - eq->committed.u[i];
+    eq->velocity[i] = eq->u[i] - eq->committed.u[i];
 }
 
 /* Takes what the step has found. *settled: this is collapse. */
@@ -60,33 +65,44 @@ take_step (Approach *approach, bool *settled)
   QnPath *path = approach->path;
   QnEquilibrium *eq = &path->equilibrium;
   double gain = eq->multiplier - eq->committed.multiplier;
+  double left = gain / (approach->growth - 1); /* lambda = collapse - constant / work */
+  double negligible = SETTLED * path->settings->multiplier_tolerance * eq->multiplier;
 
-  keep_velocity (approach);
   if (gain <= 0) {
+    /* Where nothing can jump, it falls by rounding only. */
+    *settled = !approach->may_jump && -left <= negligible;
+    if (*settled)
+      keep_velocity (eq);
     approach->growth = sqrt (approach->growth);
     qn_equilibrium_restore (eq);
     return true;
   }
-  double left = gain / (approach->growth - 1); /* lambda = collapse - constant / work */
-  approach->gone |= qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY;
-  *settled = left <= SETTLED * path->settings->multiplier_tolerance * eq->multiplier;
-  approach->growth = approach->gone && approach->may_jump
-                       ? 1
-                       : fmin (approach->growth * approach->growth, GROWTH);
+  keep_velocity (eq);
+  approach->left = left / eq->multiplier;
+  double motion = qn_equilibrium_elastic_displacements (eq);
+  approach->gone |= motion > QN_RUNAWAY;
+  /* A motion that closes joints is stopped before the structure has run away. */
+  *settled =
+    left <= negligible
+    && !(approach->may_jump && qn_equilibrium_will_close (eq, 1, QN_RUNAWAY / motion));
+  approach->growth = fmin (approach->growth * approach->growth, GROWTH);
+  if (approach->may_jump)
+    approach->growth =
+      approach->gone ? 1 : fmin (approach->growth, FARTHEST * QN_RUNAWAY / motion);
   return qn_path_accept (path, eq->multiplier, QN_EVENT_NONE);
 }
 
 QnStatus
 qn_path_approach_collapse (QnPath *path, QnCentralPath *central, const double *start,
-                           double end, double *velocity, QnApproach *outcome,
-                           QnDiag *diag)
+                           double end, QnApproach *outcome, QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
   Approach approach = { .path = path,
                         .start = start,
-                        .velocity = velocity,
                         .growth = GROWTH,
+                        .left = INFINITY,
                         .may_jump = qn_central_path_turns_back (central) };
+  double undecided = UNDECIDED * path->settings->multiplier_tolerance;
   bool settled = false;
 
   *outcome = QN_APPROACH_LOST;
@@ -96,7 +112,8 @@ qn_path_approach_collapse (QnPath *path, QnCentralPath *central, const double *s
                                 (approach.growth - 1) * work_so_far (&approach) };
     if (!(target.advance > 0))
       return QN_OK;
-    switch (qn_central_path_relax (central, &target, BUDGET, 1)) {
+    qn_equilibrium_note_gaps (eq);
+    switch (qn_central_path_relax (central, &target, undecided, BUDGET)) {
     case QN_SOLVE_CONVERGED:
       if (eq->multiplier > end) {
         qn_equilibrium_restore (eq);
@@ -119,8 +136,9 @@ qn_path_approach_collapse (QnPath *path, QnCentralPath *central, const double *s
       return qn_diag_no_memory (diag);
     }
   }
-  /* Where nothing can jump, as far as rounding allows is all the way. */
-  if (settled || (approach.gone && !approach.may_jump))
+  /* Where nothing can jump, as far as rounding allows is all the way, if that is near enough. */
+  bool near = approach.left <= path->settings->multiplier_tolerance;
+  if (settled || (near && !approach.may_jump))
     *outcome = QN_APPROACH_SETTLED;
   return QN_OK;
 }

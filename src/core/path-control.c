@@ -1,11 +1,14 @@
 /* Displacement, work and arc-length control: following the path beyond its peak.
  *
  * Instead of the multiplier, a step prescribes how far a measure of the motion advances; the
- * multiplier follows, up or down. What Newton does not solve is relaxed with the measure
- * held, which carries the structure to the equilibrium that a testing machine would find at
- * this displacement: near by, where the path has a corner that Newton walks round in circles,
- * or far away, where it turns back and the structure jumps. Steps that jump are cut until the
- * jump is located, and the equilibrium beyond it bears the event SNAP.
+ * multiplier follows, up or down. What Newton does not solve is taken as a whole along the
+ * central path, where there are joints for it. What is left is relaxed with the measure held, which
+ * carries the structure to the equilibrium that a testing machine would find at this
+ * displacement: near by, where the path has a corner that Newton walks round in circles, or far
+ * away, where it turns back and the structure jumps. Relaxation comes last because under
+ * damping joints slide that would not otherwise: it rests below the path, and Newton fails from
+ * there again. Steps that jump are cut until the jump is located, and the equilibrium beyond it
+ * bears the event SNAP.
  */
 #include "core/path-measure.h"
 #include "core/tolerance.h"
@@ -41,46 +44,101 @@
  * in linear geometry. */
 #define PLATEAU_GROWTH 100.0
 
+/* Motion beyond QN_RUNAWAY is collapse if so many tolerances of the multiplier are left to gain;
+ * if nothing can jump it goes on, so many times as far, until a part of one is: rounding leaves
+ * one digit there. */
+#define NEARLY_SETTLED 10.0
+#define FURTHER        100.0
+#define SETTLED        0.1
+
 /* Most steps of a path that nothing else ends. */
 #define MOST_STEPS 100000
 
 typedef struct {
   QnPath *path;
   QnPathMeasure measure;
+  double end;     /* largest multiplier */
   double step;    /* to try next */
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
-  int orientation; /* of the path where it began; 0: unknown */
-  bool relaxed;    /* the last attempt was one of relaxation */
-  bool jumped;     /* and moved on by a jump */
-  double peak;     /* largest multiplier so far */
+  int orientation;        /* of the path where it began; 0: unknown */
+  QnCentralPath *central; /* NULL where it does not apply */
+  bool may_jump;          /* some joint is not associative, or not known to be */
+  bool whole;   /* the last attempt took the step as a whole, along the central path */
+  bool relaxed; /* or was one of relaxation */
+  bool jumped;  /* and moved on by a jump */
+  double peak;  /* largest multiplier so far */
+  double last_multiplier; /* before the last accepted step */
   bool passed_peak;
+  bool gone; /* the structure has run away under a multiplier that hardly follows */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
   bool finished;
 } PathControl;
 
 /* --- One step --------------------------------------------------------------------------- */
 
-/* Tries the step by Newton or by relaxation. Newton knows no stability: an equilibrium that
- * the structure would leave is no solution. */
+/* An equilibrium that the structure would leave at once is none. */
+static QnSolveStatus
+refuse_unstable (const PathControl *control, QnSolveStatus status)
+{
+  bool unstable = control->path->equilibrium.orientation * control->orientation < 0;
+
+  return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
+}
+
+/* By Newton, or else along the central path. Stability counts where the branch that is lost
+ * leads elsewhere: in linear geometry what the central path finds goes on to the same plateau,
+ * and what relaxation would find instead may not. */
+static QnSolveStatus
+solve_statically (PathControl *control, const QnTarget *target)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+  QnSolveStatus status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
+
+  status = refuse_unstable (control, status);
+  control->whole = status == QN_SOLVE_FAILED && control->central != NULL;
+  if (!control->whole)
+    return status;
+  eq->orientation = control->orientation; /* should Newton find nothing left to do */
+  status = qn_central_path_solve (control->central, target, QN_CENTRAL_BUDGET);
+  return eq->assembly.nonlinear ? refuse_unstable (control, status) : status;
+}
+
+/* Whether the step that was solved went along the path, and not round corners of it that an arc
+ * had better not follow. */
+static bool
+is_smooth (const PathControl *control)
+{
+  bool linear = !control->path->equilibrium.assembly.nonlinear;
+
+  return !control->relaxed && !control->jumped && (!control->whole || linear);
+}
+
+/* Whether the step that was solved lets the next one grow. A whole step does not tell how many
+ * joints changed their minds; in nonlinear geometry the branch hangs on them. */
+static bool
+was_easy (const PathControl *control, int32_t iterations)
+{
+  bool linear = !control->path->equilibrium.assembly.nonlinear;
+
+  return control->relaxed || (control->whole && linear) || iterations <= EASY;
+}
+
 static QnSolveStatus
 solve (PathControl *control, double step, bool smallest)
 {
   QnEquilibrium *eq = &control->path->equilibrium;
   const QnTarget target = { .direction = control->measure.direction, .advance = step };
 
-  if (!control->relaxed) {
-    QnSolveStatus status = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
-    bool unstable = eq->orientation * control->orientation < 0;
-    return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
-  }
+  if (!control->relaxed)
+    return solve_statically (control, &target);
   return qn_equilibrium_relax (eq, &target,
                                smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT);
 }
 
-/* Tries the step, cut until it is solved without a jump or is the smallest one. Newton comes
- * first, and is cheap, unless relaxation was needed just before: then its first failure is
- * enough. On return *step is the size that was tried last. */
+/* Tries the step, cut until it is solved without a jump or is the smallest one. Static solutions
+ * come first, and are cheap, unless relaxation was needed just before: then their first failure
+ * is enough. On return *step is the size that was tried last. */
 static QnSolveStatus
 attempt (PathControl *control, double *step)
 {
@@ -90,11 +148,11 @@ attempt (PathControl *control, double *step)
 
   if (control->relaxed)
     least_for_newton = INFINITY;
-  control->relaxed = false;
+  control->relaxed = control->whole = false;
   for (;;) {
     bool smallest = fabs (*step) <= SMALLEST_STEP * control->largest;
     QnSolveStatus status = solve (control, *step, smallest);
-    double moved = qn_path_measure_motion (eq);
+    double moved = qn_equilibrium_motion (eq);
     bool far = control->pace > 0 && moved > JUMP * control->pace * fabs (*step);
     bool solved = status == QN_SOLVE_CONVERGED;
 
@@ -111,43 +169,44 @@ attempt (PathControl *control, double *step)
   }
 }
 
-/* What part of the step leads to the end of the path: to the controlled displacement, or,
- * without one, to multiplier zero beyond the peak. More than 1 where it does not pass it. */
+/* What part of the step leads to the end of the path, which is *end then: the largest multiplier,
+ * or multiplier zero beyond the peak where there is no controlled displacement; or that
+ * displacement where another measure is prescribed. Infinite where the step passes none. */
 static double
-share_to_end (const PathControl *control)
+share_to_end (const PathControl *control, QnTarget *end)
 {
   const QnEquilibrium *eq = &control->path->equilibrium;
   const QnPathMeasure *measure = &control->measure;
-  double before = eq->committed.multiplier;
+  double before = eq->committed.multiplier, share = INFINITY;
 
-  if (measure->procedure == QN_PROCEDURE_DISPLACEMENT)
-    return INFINITY;
-  if (measure->unknown != QN_NONE) {
+  *end = qn_target_multiplier (eq->multiplier > 0 ? control->end : 0);
+  if (eq->multiplier > control->end
+      || (measure->unknown == QN_NONE && control->passed_peak && eq->multiplier < 0))
+    share = (end->multiplier - before) / (eq->multiplier - before);
+  if (measure->procedure != QN_PROCEDURE_DISPLACEMENT
+      && qn_path_measure_is_at_end (measure)) {
     double start = eq->committed.u[measure->unknown];
-    return qn_path_measure_is_at_end (measure)
-             ? (measure->end - start) / (eq->u[measure->unknown] - start)
-             : INFINITY;
+    double way = (measure->end - start) / (eq->u[measure->unknown] - start);
+    if (way < share)
+      *end = (QnTarget){ .direction = measure->unit, .advance = measure->end - start };
+    share = fmin (way, share);
   }
-  return control->passed_peak && eq->multiplier < 0 ? before / (before - eq->multiplier)
-                                                    : INFINITY;
+  return share;
 }
 
 /* A step that passes the end of the path is solved once more, to end right there; FAILED
- * where that takes a shorter step. */
+ * where that takes a shorter step, *share of this one. */
 static QnSolveStatus
-land (PathControl *control)
+land (PathControl *control, double *share)
 {
   QnEquilibrium *eq = &control->path->equilibrium;
-  const QnPathMeasure *measure = &control->measure;
-  QnTarget target = qn_target_multiplier (0);
+  QnTarget end;
 
-  if (!(share_to_end (control) < 1))
+  *share = share_to_end (control, &end);
+  if (!(*share < 1))
     return QN_SOLVE_CONVERGED;
-  if (measure->unknown != QN_NONE)
-    target = (QnTarget){ .direction = measure->unit,
-                         .advance = measure->end - eq->committed.u[measure->unknown] };
   qn_equilibrium_save (eq, &eq->anchor);
-  QnSolveStatus status = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &end, 0, QN_NEWTON_BUDGET);
   if (status == QN_SOLVE_FAILED)
     qn_equilibrium_load (eq, &eq->anchor);
   return status;
@@ -174,7 +233,7 @@ choose_next_step (PathControl *control, double step, bool easy)
   double first = control->measure.first;
 
   if (!control->jumped)
-    control->pace = qn_path_measure_motion (&control->path->equilibrium) / fabs (step);
+    control->pace = qn_equilibrium_motion (&control->path->equilibrium) / fabs (step);
   control->largest = fmax (control->largest, fabs (step));
   control->step =
     fmax (fabs (easy ? GROWTH * step : step), RESTART_STEP * control->largest);
@@ -183,20 +242,44 @@ choose_next_step (PathControl *control, double step, bool easy)
 
 /* --- Where the path ends ---------------------------------------------------------------- */
 
+/* Whether the path may end on a plateau: in linear geometry motion knows no end. */
+static bool
+may_end_on_plateau (const PathControl *control)
+{
+  return !control->path->equilibrium.assembly.nonlinear
+         && control->measure.procedure != QN_PROCEDURE_DISPLACEMENT;
+}
+
+/* What the multiplier has still to gain if it goes like collapse - constant / motion, as a part
+ * of itself: near collapse less and less, all of it while the structure is elastic. */
+static double
+left_to_gain (const PathControl *control, double motion)
+{
+  const QnEquilibrium *eq = &control->path->equilibrium;
+  double before =
+    qn_assembly_elastic_displacements (&eq->assembly, control->measure.last_u, NULL);
+  double gain = eq->multiplier / control->last_multiplier - 1;
+
+  return fabs (gain * before / (motion - before));
+}
+
 /* Whether the multiplier has held still while the motion grew PLATEAU_GROWTH times, or the
  * structure has run away. */
 static bool
 is_plateau (PathControl *control)
 {
   const QnEquilibrium *eq = &control->path->equilibrium;
-  double tolerance = control->path->settings->multiplier_tolerance, motion = 0;
+  double tolerance = control->path->settings->multiplier_tolerance;
+  double motion = qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL);
+  double left = left_to_gain (control, motion);
 
-  if (eq->assembly.nonlinear || control->measure.procedure == QN_PROCEDURE_DISPLACEMENT)
+  if (!may_end_on_plateau (control))
     return false;
-  if (qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL) > QN_RUNAWAY)
+  control->gone = motion > QN_RUNAWAY && left <= NEARLY_SETTLED * tolerance;
+  if (control->gone
+      && (control->may_jump || motion > FURTHER * QN_RUNAWAY
+          || left <= SETTLED * tolerance))
     return true;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    motion = fmax (motion, fabs (eq->u[i]));
   if (fabs (eq->multiplier - control->plateau_multiplier)
       > tolerance * fabs (eq->multiplier)) {
     control->plateau_multiplier = eq->multiplier;
@@ -247,7 +330,7 @@ check_end (PathControl *control)
 {
   const QnEquilibrium *eq = &control->path->equilibrium;
 
-  if (eq->multiplier >= control->path->settings->max_multiplier)
+  if (eq->multiplier >= control->end)
     finish (control, QN_OUTCOME_TARGET_REACHED, QN_STOP_MULTIPLIER);
   else if (qn_path_measure_is_at_end (&control->measure))
     finish (control, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
@@ -280,7 +363,10 @@ give_up (PathControl *control, QnSolveStatus status)
     break;
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
-    finish (control, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEP_TOO_SMALL);
+    if (control->gone)
+      finish (control, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
+    else
+      finish (control, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEP_TOO_SMALL);
     break;
   }
 }
@@ -299,11 +385,11 @@ advance (PathControl *control, QnDiag *diag)
   if (share < 1 + QN_TOLERANCE_TARGET)
     step *= share;
   QnSolveStatus status = attempt (control, &step);
-  bool easy = control->relaxed || eq->statistics.iterations - before <= EASY;
+  bool easy = was_easy (control, eq->statistics.iterations - before);
   if (status == QN_SOLVE_CONVERGED) {
-    status = land (control);
+    status = land (control, &share);
     if (status == QN_SOLVE_FAILED && fabs (step) > SMALLEST_STEP * control->largest) {
-      control->step = step * fmin (share_to_end (control), MOST_OF_STEP);
+      control->step = step * fmin (share, MOST_OF_STEP);
       qn_equilibrium_restore (eq);
       return QN_OK;
     }
@@ -322,12 +408,13 @@ advance (PathControl *control, QnDiag *diag)
     control->orientation = eq->orientation;
   choose_next_step (control, step, easy);
   qn_path_measure_keep_last (&control->measure);
+  control->last_multiplier = eq->committed.multiplier;
   if (!qn_path_accept (path, eq->multiplier,
                        control->jumped ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return qn_diag_no_memory (diag);
   watch_peak (control);
   check_end (control);
-  if (!control->relaxed && !control->jumped)
+  if (is_smooth (control))
     qn_path_measure_follow (&control->measure);
   return QN_OK;
 }
@@ -378,12 +465,20 @@ run (PathControl *control, QnDiag *diag)
 QnStatus
 qn_path_motion_control (QnPath *path, QnDiag *diag)
 {
-  PathControl control = { .path = path };
+  PathControl control = { .path = path,
+                          .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };
+  bool central = qn_central_path_has_joints (&path->equilibrium.assembly);
   QnStatus status = qn_path_measure_setup (&control.measure, path, diag);
 
   if (status != QN_OK)
     return status;
-  status = run (&control, diag);
+  if (central)
+    control.central = qn_central_path_new (&path->equilibrium);
+  control.may_jump =
+    control.central == NULL || qn_central_path_turns_back (control.central);
+  status =
+    control.central != NULL || !central ? run (&control, diag) : qn_diag_no_memory (diag);
+  qn_central_path_free (control.central);
   qn_path_measure_clear (&control.measure);
   return status;
 }

@@ -15,6 +15,7 @@
 #include "core/path.h"
 
 #include "core/memory.h"
+#include "core/path-tangents.h"
 #include "core/tolerance.h"
 
 #include <stdlib.h>
@@ -33,11 +34,12 @@
  * at its ends explain, in multiplier tolerances. */
 #define JUMP 10.0
 
+/* Part of the displacements by which even an easy increment may: more has let joints slide along
+ * another path than that of the load. */
+#define COARSE 0.1
+
 /* The first limit point is located within so many resolutions of the multiplier. */
 #define LIMIT_RESOLUTION 10.0
-
-/* A multiplier at which a path without a prescribed end counts as unbounded. */
-#define UNBOUNDED 1e9
 
 typedef struct {
   QnPath *path;
@@ -46,23 +48,22 @@ typedef struct {
   double end;       /* largest multiplier asked for */
   double upper;     /* lowest multiplier found to have no equilibrium, or infinity */
   bool certified;   /* relaxation at `upper` ended in a mechanism, not in doubt */
-  bool steady;      /* and with a velocity, for it was viscous */
+  bool confirmed;   /* viscous relaxation has been tried there */
+  bool settled;     /* how the structure moves on above the collapse multiplier */
   double doubted;   /* the multiplier that was tried again because it was not certified */
   double guess;     /* where the motion at `upper` says that collapse is, or NaN */
   double explored;  /* highest multiplier that was solved at all, then looked at closer */
   bool relaxed;     /* Newton's method was not enough in the last attempt */
   bool viscous;     /* nor was the central path */
-  bool jumped;      /* the next accepted equilibrium lies beyond a jump */
+  bool may_jump; /* friction without associativity, or joints of other laws, allow it */
+  bool stuck;    /* Newton's method failed where the path goes on smoothly */
+  bool jumped;   /* the next accepted equilibrium lies beyond a jump */
   bool finished;
-  double *start; /* unknowns where the live load begins to act */
-  double
-    *velocity; /* of viscous motion at `upper`, or the last motion between equilibria */
+  double *start;          /* unknowns where the live load begins to act */
+  double *mechanism;      /* velocity of the motion at `upper`, where certified */
   QnCentralPath *central; /* NULL where it does not apply */
-  double
-    approached_from; /* the last equilibrium from which the approach was lost, or NaN */
-  double *rate;      /* du/dlambda at the last accepted equilibrium */
-  double *rate_at_end;
-  bool rate_known, end_known; /* not where the tangent is singular */
+  double approached_from; /* the last equilibrium where the approach was lost, or NaN */
+  QnPathTangents tangents;
 } LoadControl;
 
 /* --- Choosing multipliers --------------------------------------------------------------- */
@@ -78,6 +79,13 @@ static bool
 looks_for_limit_point (const LoadControl *control)
 {
   return !control->path->result->has_first_limit_multiplier;
+}
+
+/* Whether the path may jump below collapse, and has not yet. */
+static bool
+watches_for_jumps (const LoadControl *control)
+{
+  return control->may_jump && looks_for_limit_point (control);
 }
 
 /* Next multiplier to try: by increments until there is an upper bound, then just below or
@@ -111,6 +119,15 @@ look_closer (LoadControl *control, double target)
   qn_equilibrium_restore (eq);
 }
 
+/* The last equilibrium is where the path ends. */
+static void
+end_cancelled (LoadControl *control)
+{
+  qn_equilibrium_restore (&control->path->equilibrium);
+  control->path->result->outcome = QN_OUTCOME_CANCELLED;
+  control->finished = true;
+}
+
 static void
 grow_increment (LoadControl *control, double increment, double reached)
 {
@@ -123,30 +140,11 @@ grow_increment (LoadControl *control, double increment, double reached)
 
 /* --- The first limit point -------------------------------------------------------------- */
 
-/* rate = du/dlambda from the tangent of the current state: K rate = F_live. */
-static QnSolveStatus
-compute_rate (LoadControl *control, double *rate)
+static void
+set_first_limit (QnResult *result, double multiplier)
 {
-  QnEquilibrium *eq = &control->path->equilibrium;
-
-  memcpy (rate, eq->assembly.live, (size_t) eq->assembly.unknown_count * sizeof *rate);
-  return qn_equilibrium_apply_tangent_inverse (eq, rate);
-}
-
-/* Whether the displacements of the current state differ from what the tangents at both ends
- * of the increment explain by more than a JUMP. */
-static bool
-is_discontinuous (const LoadControl *control, double increment)
-{
-  const QnEquilibrium *eq = &control->path->equilibrium;
-  double error = 0, size = 0;
-
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++) {
-    double explained = 0.5 * increment * (control->rate[i] + control->rate_at_end[i]);
-    error = fmax (error, fabs (eq->u[i] - eq->committed.u[i] - explained));
-    size = fmax (size, fabs (eq->u[i]));
-  }
-  return error > JUMP * control->path->settings->multiplier_tolerance * size;
+  result->has_first_limit_multiplier = true;
+  result->first_limit_multiplier = multiplier;
 }
 
 /* The path jumps at the last accepted equilibrium. */
@@ -155,8 +153,7 @@ note_limit_point (LoadControl *control)
 {
   QnResult *result = control->path->result;
 
-  result->has_first_limit_multiplier = true;
-  result->first_limit_multiplier = control->path->equilibrium.committed.multiplier;
+  set_first_limit (result, control->path->equilibrium.committed.multiplier);
   control->jumped = true;
   if (control->path->settings->snap == QN_SNAP_STOP) {
     result->outcome = QN_OUTCOME_SNAP;
@@ -171,10 +168,13 @@ note_limit_point (LoadControl *control)
 static bool
 passes_limit_check (LoadControl *control, double target, bool easy)
 {
+  const QnPathTangents *tangents = &control->tangents;
   double increment = target - control->path->equilibrium.committed.multiplier;
+  double part = easy ? COARSE : JUMP * control->path->settings->multiplier_tolerance;
 
-  if (easy || !control->rate_known
-      || (control->end_known && !is_discontinuous (control, increment)))
+  if (!tangents->start_known
+      || (tangents->end_known ? qn_path_tangents_unexplained (tangents, increment) <= part
+                              : easy))
     return true;
   if (increment > LIMIT_RESOLUTION * resolution (control, target)) {
     look_closer (control, target);
@@ -197,7 +197,7 @@ newton_decides (const LoadControl *control, double target)
   double increment = target - eq->committed.multiplier;
   bool seen = target <= control->explored || isfinite (control->upper);
 
-  return looks_for_limit_point (control) && control->rate_known
+  return watches_for_jumps (control) && control->tangents.start_known && !control->stuck
          && (seen || control->central != NULL)
          && increment > LIMIT_RESOLUTION * resolution (control, target);
 }
@@ -228,8 +228,7 @@ attempt (LoadControl *control, double target, bool *cut)
   if (control->central != NULL && isnan (control->approached_from))
     status = qn_central_path_solve (control->central, &goal, QN_CENTRAL_BUDGET);
   else if (control->central != NULL)
-    status = qn_central_path_relax (control->central, &goal, QN_CENTRAL_BUDGET,
-                                    QN_CENTRAL_PASSES);
+    status = qn_central_path_relax (control->central, &goal, INFINITY, QN_CENTRAL_BUDGET);
   if (status != QN_SOLVE_FAILED || central_decides (control, target))
     return status;
 
@@ -257,14 +256,15 @@ bound_from_above (LoadControl *control, double target, bool certified)
   }
   control->upper = target;
   control->certified = certified;
-  control->steady = control->viscous;
+  control->confirmed = control->viscous;
+  control->settled = control->viscous && certified;
   control->guess =
     control->viscous && live > 0 && control->path->settings->shortcuts.mechanism_estimate
       ? target - unbalanced / live
       : NAN;
-  if (control->viscous && certified)
-    memcpy (control->velocity, eq->velocity,
-            (size_t) as->unknown_count * sizeof *control->velocity);
+  if (certified)
+    memcpy (control->mechanism, eq->velocity,
+            (size_t) as->unknown_count * sizeof *control->mechanism);
   qn_equilibrium_restore (eq);
 }
 
@@ -276,27 +276,20 @@ consider (LoadControl *control, double target, int32_t iterations, QnDiag *diag)
   double increment = target - path->equilibrium.committed.multiplier;
   bool easy = !control->relaxed && iterations <= EASY;
 
-  if (looks_for_limit_point (control)) {
-    QnSolveStatus status = compute_rate (control, control->rate_at_end);
-    if (status == QN_SOLVE_NO_MEMORY)
+  if (watches_for_jumps (control)) {
+    if (!qn_path_tangents_take_end (&control->tangents))
       return qn_diag_no_memory (diag);
-    control->end_known = status == QN_SOLVE_CONVERGED;
     if (!passes_limit_check (control, target, easy))
       return QN_OK;
   }
-  for (int32_t i = 0; i < path->equilibrium.assembly.unknown_count; i++)
-    control->velocity[i] = path->equilibrium.u[i] - path->equilibrium.committed.u[i];
   if (!qn_path_accept (path, target, control->jumped ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return qn_diag_no_memory (diag);
 
   control->jumped = false;
-  if (looks_for_limit_point (control)) {
-    double *rate = control->rate;
-    control->rate = control->rate_at_end;
-    control->rate_at_end = rate;
-    control->rate_known = control->end_known;
-  }
-  if (easy || !looks_for_limit_point (control))
+  control->stuck = control->relaxed && watches_for_jumps (control);
+  if (watches_for_jumps (control))
+    qn_path_tangents_accept (&control->tangents);
+  if (easy || control->stuck || !watches_for_jumps (control))
     grow_increment (control, increment, target);
   if (target >= control->end) {
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
@@ -337,9 +330,9 @@ polish (LoadControl *control, QnDiag *diag)
   return QN_OK;
 }
 
-/* The last step is collapse, along the velocity. */
+/* The last step is collapse, with this velocity. */
 static QnStatus
-report_collapse (LoadControl *control, QnDiag *diag)
+report_collapse (LoadControl *control, const double *velocity, QnDiag *diag)
 {
   QnPath *path = control->path;
   QnResult *result = path->result;
@@ -349,11 +342,11 @@ report_collapse (LoadControl *control, QnDiag *diag)
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = path->equilibrium.committed.multiplier;
   result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
+  result->mechanism_uncertain = !control->settled;
   if (looks_for_limit_point (control)) {
-    result->has_first_limit_multiplier = true;
-    result->first_limit_multiplier = result->collapse_multiplier;
+    set_first_limit (result, result->collapse_multiplier);
   }
-  return qn_path_record_mechanism (path, control->velocity, diag);
+  return qn_path_record_mechanism (path, velocity, diag);
 }
 
 static QnStatus
@@ -368,8 +361,9 @@ conclude (LoadControl *control, QnDiag *diag)
     return QN_OK;
   }
   QnStatus status = polish (control, diag);
-  return status == QN_OK ? report_collapse (control, diag) : status;
+  return status == QN_OK ? report_collapse (control, control->mechanism, diag) : status;
 }
+
 /* The approach has passed `target`, where the increment that begins at `lower` had no
  * solution: there the path jumps. */
 static void
@@ -380,8 +374,7 @@ note_jump_in_approach (LoadControl *control, double lower, double target)
 
   while (result->steps[step - 1].multiplier > target)
     step--;
-  result->has_first_limit_multiplier = true;
-  result->first_limit_multiplier = fmax (lower, result->steps[step - 1].multiplier);
+  set_first_limit (result, fmax (lower, result->steps[step - 1].multiplier));
   result->steps[step].event = QN_EVENT_SNAP;
 }
 
@@ -392,7 +385,7 @@ take_approach (LoadControl *control, double lower, double target, bool stops)
 
   if (stops)
     note_limit_point (control);
-  else if (looks_for_limit_point (control) && reached > target)
+  else if (watches_for_jumps (control) && reached > target)
     note_jump_in_approach (control, lower, target);
   if (reached >= control->upper)
     control->upper = INFINITY;
@@ -406,21 +399,21 @@ approach_collapse (LoadControl *control, double target, QnDiag *diag)
   QnPath *path = control->path;
   const QnEquilibrium *eq = &path->equilibrium;
   double lower = eq->committed.multiplier;
-  bool stops = looks_for_limit_point (control) && path->settings->snap == QN_SNAP_STOP;
+  bool stops = watches_for_jumps (control) && path->settings->snap == QN_SNAP_STOP;
   QnApproach outcome;
-  QnStatus status = qn_path_approach_collapse (path, control->central, control->start,
-                                               stops ? target : control->end,
-                                               control->velocity, &outcome, diag);
+  QnStatus status =
+    qn_path_approach_collapse (path, control->central, control->start,
+                               stops ? target : control->end, &outcome, diag);
 
   if (status != QN_OK)
     return status;
   take_approach (control, lower, target, stops && outcome == QN_APPROACH_BEYOND);
   switch (outcome) {
   case QN_APPROACH_SETTLED:
-    return report_collapse (control, diag);
+    control->settled = true;
+    return report_collapse (control, eq->velocity, diag);
   case QN_APPROACH_CANCELLED:
-    path->result->outcome = QN_OUTCOME_CANCELLED;
-    control->finished = true;
+    end_cancelled (control);
     break;
   case QN_APPROACH_BEYOND:
   case QN_APPROACH_LOST:
@@ -442,7 +435,7 @@ relax_at_upper (LoadControl *control, QnDiag *diag)
   const QnTarget goal = qn_target_multiplier (control->upper);
   QnSolveStatus status = qn_equilibrium_relax (eq, &goal, QN_RELAX_BUDGET_CONFIRM);
 
-  control->relaxed = control->viscous = control->steady = true;
+  control->relaxed = control->viscous = control->confirmed = true;
   switch (status) {
   case QN_SOLVE_MECHANISM:
     bound_from_above (control, control->upper, true);
@@ -455,9 +448,7 @@ relax_at_upper (LoadControl *control, QnDiag *diag)
     qn_equilibrium_restore (eq);
     break;
   case QN_SOLVE_CANCELLED:
-    qn_equilibrium_restore (eq);
-    control->path->result->outcome = QN_OUTCOME_CANCELLED;
-    control->finished = true;
+    end_cancelled (control);
     break;
   case QN_SOLVE_NO_MEMORY:
     return qn_diag_no_memory (diag);
@@ -471,7 +462,7 @@ relax_at_upper (LoadControl *control, QnDiag *diag)
 static QnStatus
 close_bracket (LoadControl *control, QnDiag *diag)
 {
-  if (control->certified && !control->steady)
+  if (control->certified && !control->confirmed)
     return relax_at_upper (control, diag);
   if (control->certified || control->doubted == control->upper)
     return conclude (control, diag);
@@ -528,9 +519,7 @@ advance (LoadControl *control, QnDiag *diag)
     look_closer (control, target);
     return QN_OK;
   case QN_SOLVE_CANCELLED:
-    qn_equilibrium_restore (eq);
-    control->path->result->outcome = QN_OUTCOME_CANCELLED;
-    control->finished = true;
+    end_cancelled (control);
     return QN_OK;
   case QN_SOLVE_NO_MEMORY:
     break;
@@ -548,10 +537,8 @@ run (LoadControl *control, QnDiag *diag)
 
   memcpy (control->start, eq->u,
           (size_t) eq->assembly.unknown_count * sizeof *control->start);
-  QnSolveStatus solved = compute_rate (control, control->rate);
-  if (solved == QN_SOLVE_NO_MEMORY)
+  if (!qn_path_tangents_take_start (&control->tangents))
     return qn_diag_no_memory (diag);
-  control->rate_known = solved == QN_SOLVE_CONVERGED;
   while (status == QN_OK && !control->finished) {
     double bracket = control->upper - eq->committed.multiplier;
     if (isfinite (bracket) && bracket <= resolution (control, control->upper))
@@ -571,6 +558,22 @@ has_live_load (const QnAssembly *as)
   return false;
 }
 
+/* Coulomb friction with dilatancy = friction has one multiplier for one motion, and collapse is
+ * the only limit point. */
+static bool
+may_jump (const QnAssembly *as)
+{
+  if (as->nonlinear || as->beams.count > 0)
+    return true;
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    if (!qn_pair_springs_are_coulomb (springs)
+        || springs->a.dilatancy != springs->a.friction)
+      return true;
+  }
+  return false;
+}
+
 QnStatus
 qn_path_load_control (QnPath *path, QnDiag *diag)
 {
@@ -580,9 +583,10 @@ qn_path_load_control (QnPath *path, QnDiag *diag)
   LoadControl control = { .path = path,
                           .first = first,
                           .increment = first,
-                          .end = fmin (path->settings->max_multiplier, UNBOUNDED),
+                          .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED),
                           .upper = INFINITY,
                           .guess = NAN,
+                          .may_jump = may_jump (as),
                           .approached_from = NAN };
 
   /* Without live load the path is the single equilibrium under dead load. */
@@ -591,22 +595,20 @@ qn_path_load_control (QnPath *path, QnDiag *diag)
     return QN_OK;
   }
   control.start = qn_alloc (n, sizeof *control.start);
-  control.velocity = qn_alloc (n, sizeof *control.velocity);
-  control.rate = qn_alloc (n, sizeof *control.rate);
-  control.rate_at_end = qn_alloc (n, sizeof *control.rate_at_end);
+  control.mechanism = qn_alloc (n, sizeof *control.mechanism);
+  bool tangents = qn_path_tangents_init (&control.tangents, &path->equilibrium);
 
   bool central = qn_central_path_applies (as);
   if (central)
     control.central = qn_central_path_new (&path->equilibrium);
 
-  QnStatus status = control.start && control.velocity && control.rate
-                        && control.rate_at_end && (control.central || !central)
-                      ? run (&control, diag)
-                      : qn_diag_no_memory (diag);
+  QnStatus status =
+    control.start && control.mechanism && tangents && (control.central || !central)
+      ? run (&control, diag)
+      : qn_diag_no_memory (diag);
   qn_central_path_free (control.central);
   free (control.start);
-  free (control.velocity);
-  free (control.rate);
-  free (control.rate_at_end);
+  free (control.mechanism);
+  qn_path_tangents_clear (&control.tangents);
   return status;
 }

@@ -24,8 +24,7 @@ take_tangent (QnPathMeasure *measure, double *rate_length)
   int32_t n = eq->assembly.unknown_count;
   double *rate = eq->trial;
 
-  memcpy (rate, eq->assembly.live, (size_t) n * sizeof *rate);
-  QnSolveStatus status = qn_equilibrium_apply_tangent_inverse (eq, rate);
+  QnSolveStatus status = qn_equilibrium_rate (eq, rate);
   if (status != QN_SOLVE_CONVERGED)
     return status;
   *rate_length = sqrt (dot (rate, rate, n));
@@ -161,14 +160,4 @@ qn_path_measure_is_at_end (const QnPathMeasure *measure)
     return false;
   return (eq->u[measure->unknown] - measure->start) / (measure->end - measure->start)
          >= 1 - QN_TOLERANCE_TARGET;
-}
-
-double
-qn_path_measure_motion (const QnEquilibrium *eq)
-{
-  double largest = 0;
-
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    largest = fmax (largest, fabs (eq->u[i] - eq->committed.u[i]));
-  return largest;
 }

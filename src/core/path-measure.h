@@ -32,8 +32,7 @@ void qn_path_measure_clear (QnPathMeasure *measure);
 void qn_path_measure_keep_last (QnPathMeasure *measure);
 
 /* Turns the arc into the direction of the step just accepted, along which the path goes on. Not
- * to be called after a relaxed step, in which friction may have led the structure round a
- * corner: an arc that follows every corner, like one along the tangent, ends where it came
+ * to be called after a step in which friction may have led the structure round a corner: an arc that follows every corner, like one along the tangent, ends where it came
  * from. */
 void qn_path_measure_follow (QnPathMeasure *measure);
 
@@ -43,8 +42,5 @@ double qn_path_measure_share_to_end (const QnPathMeasure *measure, double step);
 
 /* Whether the controlled displacement has come to its end. */
 bool qn_path_measure_is_at_end (const QnPathMeasure *measure);
-
-/* Largest change of an unknown since the committed state, m. */
-double qn_path_measure_motion (const QnEquilibrium *eq);
 
 #endif

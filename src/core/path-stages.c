@@ -25,7 +25,7 @@ follow (QnPath *path, QnDiag *diag)
            : qn_path_motion_control (path, diag);
 }
 
-/* --- The sense of displacement control -------------------------------------------------- */
+/* --- The sense of a controlled displacement ---------------------------------------------- */
 
 static int32_t
 controlled_unknown (const QnPath *path)
@@ -38,6 +38,17 @@ controlled_unknown (const QnPath *path)
     .unknown[QN_DOF_COUNT * body + (size_t) settings->control_dof];
 }
 
+/* What is left of the way of the controlled displacement to its target. */
+static double
+way_to_target (const QnPath *path)
+{
+  const QnEquilibrium *eq = &path->equilibrium;
+  const QnAnalysisSettings *settings = path->settings;
+  double unit = settings->control_dof == QN_DOF_RZ ? eq->assembly.length : 1;
+
+  return settings->control_target * unit - eq->committed.u[controlled_unknown (path)];
+}
+
 /* How the controlled displacement lies to the way that remains to its target: 1 if a growing
  * multiplier drives it there, -1 if away from it, 0 where the tangent does not tell. */
 static QnStatus
@@ -45,15 +56,12 @@ find_sense (QnPath *path, int *sense, QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
   const QnAssembly *as = &eq->assembly;
-  const QnAnalysisSettings *settings = path->settings;
   int32_t unknown = controlled_unknown (path);
-  double unit = settings->control_dof == QN_DOF_RZ ? as->length : 1;
-  double way = settings->control_target * unit - eq->committed.u[unknown];
+  double way = way_to_target (path);
   double *rate = eq->live_step, fastest = 0;
 
   *sense = 0;
-  memcpy (rate, as->live, (size_t) as->unknown_count * sizeof *rate);
-  switch (qn_equilibrium_apply_tangent_inverse (eq, rate)) {
+  switch (qn_equilibrium_rate (eq, rate)) {
   case QN_SOLVE_CONVERGED:
     break;
   case QN_SOLVE_NO_MEMORY:
@@ -68,6 +76,30 @@ find_sense (QnPath *path, int *sense, QnDiag *diag)
   if (fabs (rate[unknown]) > CLEAR_RATE * fastest)
     *sense = rate[unknown] * way > 0 ? 1 : -1;
   return QN_OK;
+}
+
+/* The same by a step towards the target: whether the driven loads do work on it. Unloading a
+ * structure that has yielded is another matter than what its tangent tells. */
+static QnStatus
+probe_sense (QnPath *path, int *sense, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  size_t bytes = (size_t) as->unknown_count * sizeof (double);
+  double *direction = eq->velocity, work = 0;
+  const QnTarget step = { .direction = direction,
+                          .advance = way_to_target (path) / path->settings->increments };
+
+  *sense = 0;
+  memset (direction, 0, bytes);
+  direction[controlled_unknown (path)] = 1;
+  QnSolveStatus solved = qn_equilibrium_newton (eq, &step, 0, QN_NEWTON_BUDGET);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    work += as->live[i] * (eq->u[i] - eq->committed.u[i]);
+  if (solved == QN_SOLVE_CONVERGED)
+    *sense = (work > 0) - (work < 0);
+  qn_equilibrium_restore (eq);
+  return solved == QN_SOLVE_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
 }
 
 /* --- Without stages --------------------------------------------------------------------- */
@@ -160,8 +192,10 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle,
     path->own_settings.max_multiplier = 1;
     *idle = way == 0;
     set_loads (path, stage, at, way);
-  } else if (stage->procedure == QN_PROCEDURE_DISPLACEMENT) {
-    QnStatus status = find_sense (path, &sense, diag);
+  } else if (controlled && stage->procedure != QN_PROCEDURE_LOAD) {
+    QnStatus status = probe_sense (path, &sense, diag);
+    if (status == QN_OK && sense == 0)
+      status = find_sense (path, &sense, diag);
     if (status != QN_OK)
       return status;
     set_loads (path, stage, at, sense < 0 ? -1 : 1);

@@ -1,5 +1,6 @@
 #include "core/path.h"
 
+#include "core/clock.h"
 #include "core/memory.h"
 
 #include <stdlib.h>
@@ -30,6 +31,23 @@ qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
              && qn_result_set_supports (result, model)
            ? QN_OK
            : qn_diag_no_memory (diag);
+}
+
+QnStatus
+qn_path_finish (QnPath *path, QnStatus status, double start)
+{
+  const QnEquilibrium *eq = &path->equilibrium;
+  QnResult *result = path->result;
+
+  if (status == QN_OK) {
+    qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
+    result->statistics = eq->statistics;
+    result->statistics.seconds = qn_clock_seconds () - start;
+  } else {
+    qn_result_clear (result);
+  }
+  qn_path_clear (path);
+  return status;
 }
 
 void
@@ -127,25 +145,63 @@ record_unstable_blocks (QnPath *path, QnDiag *diag)
   return QN_OK;
 }
 
-/* The equilibrium under dead load: by Newton's method, or along the central path, or where
- * relaxation comes to rest. */
+/* Whether friction is at its limit somewhere. */
+static bool
+slips (const QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (as->responses[p].phase == QN_PHASE_SLIP_POSITIVE
+        || as->responses[p].phase == QN_PHASE_SLIP_NEGATIVE)
+      return true;
+  return false;
+}
+
+/* By Newton's method, or along the central path. Where joints slip without dilatancy there are
+ * many equilibria, and Newton's method may end in one that the least of load makes jump; the
+ * central path ends amid them. */
 static QnSolveStatus
-find_rest (QnEquilibrium *eq)
+find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
 {
   const QnTarget target = qn_target_multiplier (0);
   QnSolveStatus solve = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
 
-  if (solve == QN_SOLVE_FAILED && qn_central_path_applies (&eq->assembly)) {
-    QnCentralPath *central = qn_central_path_new (eq);
-    if (central == NULL)
-      return QN_SOLVE_NO_MEMORY;
-    solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
-    qn_central_path_free (central);
-  }
+  if (central == NULL)
+    return solve;
+  if (solve == QN_SOLVE_FAILED)
+    return qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+  if (solve != QN_SOLVE_CONVERGED || !qn_central_path_turns_back (central)
+      || !slips (&eq->assembly))
+    return solve;
+  solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+  if (solve != QN_SOLVE_FAILED)
+    return solve;
+  qn_equilibrium_restore (eq);
+  return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+}
+
+/* The equilibrium under dead load, or else that in which viscous relaxation comes to rest. What
+ * still creeps when its steps are spent may settle along central paths, which slide farther but
+ * get there; that it falls is not for them to say. */
+static QnSolveStatus
+find_rest (QnEquilibrium *eq)
+{
+  const QnTarget target = qn_target_multiplier (0);
+  bool applies = qn_central_path_applies (&eq->assembly);
+  QnCentralPath *central = applies ? qn_central_path_new (eq) : NULL;
+
+  if (applies && central == NULL)
+    return QN_SOLVE_NO_MEMORY;
+  QnSolveStatus solve = find_equilibrium (eq, central);
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
     solve = qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET);
   }
+  if (solve == QN_SOLVE_FAILED && applies) {
+    solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
+    if (solve == QN_SOLVE_MECHANISM)
+      solve = QN_SOLVE_FAILED;
+  }
+  qn_central_path_free (central);
   return solve;
 }
 

@@ -9,13 +9,17 @@
 #include "core/central-path.h"
 #include "core/result.h"
 
+/* A multiplier at which a path without a prescribed end counts as unbounded. */
+#define QN_UNBOUNDED 1e9
+
 /* Newton iterations of a static solution before relaxation takes over. */
 #define QN_NEWTON_BUDGET 20
 
-/* Viscous steps until relaxation gives up: when only a hint is wanted, when a mechanism is to
- * be confirmed, and when the answer decides. */
+/* Viscous steps until relaxation gives up: when only a hint is wanted, when a mechanism that
+ * relaxation along central paths has found is to be confirmed (what is still undecided then
+ * takes hundreds), and when the answer decides. */
 #define QN_RELAX_BUDGET_HINT    40
-#define QN_RELAX_BUDGET_CONFIRM 60
+#define QN_RELAX_BUDGET_CONFIRM 20
 #define QN_RELAX_BUDGET         300
 
 /* With a measure held every relaxation ends, at rest or with blocks that have left their
@@ -24,9 +28,6 @@
 
 /* Factorisations of one increment along the central path. */
 #define QN_CENTRAL_BUDGET 40
-
-/* Central paths one after the other, until relaxation along them gives up. */
-#define QN_CENTRAL_PASSES 40
 
 typedef struct QnPath {
   const QnModel *model;
@@ -48,6 +49,11 @@ QnStatus qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *co
                         QnDiag *diag);
 
 void qn_path_clear (QnPath *path);
+
+/* Ends an analysis that began at `start` (qn_clock_seconds()) and clears the path. Where it went
+ * well the result gets the pairs of the current state and the statistics, otherwise it is cleared.
+ * Returns `status`. */
+QnStatus qn_path_finish (QnPath *path, QnStatus status, double start);
 
 /* Dead load: the first equilibrium. *stands is false when there is none; the outcome, and the
  * blocks that move where it is certain, are in the result then. */
@@ -75,11 +81,12 @@ typedef enum {
 /* From the last step to collapse, by growing motion under a multiplier that follows; steps
  * that raise the multiplier are recorded, none beyond `end`.
  *
- * start:    unknowns where the live load began to act
- * velocity: out, the motion of the last step (unknowns) */
+ * start: unknowns where the live load began to act
+ *
+ * SETTLED leaves the motion of the last step, in metres, in the equilibrium's velocity. */
 QnStatus qn_path_approach_collapse (QnPath *path, QnCentralPath *central,
-                                    const double *start, double end, double *velocity,
-                                    QnApproach *outcome, QnDiag *diag);
+                                    const double *start, double end, QnApproach *outcome,
+                                    QnDiag *diag);
 
 /* Load control: increments of the multiplier up to collapse or the largest multiplier. */
 QnStatus qn_path_load_control (QnPath *path, QnDiag *diag);

@@ -37,20 +37,6 @@ qn_polygon_reverse (QnVec2 *vertices, size_t count)
   }
 }
 
-bool
-qn_polygon_is_convex (const QnVec2 *vertices, size_t count)
-{
-  for (size_t i = 0; i < count; i++) {
-    QnVec2 corner = vertices[(i + 1) % count];
-    QnVec2 in = qn_vec2_sub (corner, vertices[i]);
-    QnVec2 out = qn_vec2_sub (vertices[(i + 2) % count], corner);
-    double turn = qn_vec2_cross (in, out);
-    if (turn < -QN_TOLERANCE_CONVEX * qn_vec2_length (in) * qn_vec2_length (out))
-      return false;
-  }
-  return true;
-}
-
 double
 qn_segment_distance (QnVec2 p, QnVec2 q, QnVec2 point)
 {
@@ -58,7 +44,7 @@ qn_segment_distance (QnVec2 p, QnVec2 q, QnVec2 point)
   QnVec2 to = qn_vec2_sub (point, p);
   double square = qn_vec2_dot (along, along);
   double share = square > 0 ? qn_vec2_dot (to, along) / square : 0;
-  share = fmin (fmax (share, 0), 1);
+  share = share < 0 ? 0 : share > 1 ? 1 : share;
   return qn_vec2_length (qn_vec2_add_scaled (to, -share, along));
 }
 

@@ -24,9 +24,6 @@ QnPolygonProperties qn_polygon_properties (const QnVec2 *vertices, size_t count)
 /* Reverses the order; the first vertex stays the first. */
 void qn_polygon_reverse (QnVec2 *vertices, size_t count);
 
-/* Whether a counter-clockwise simple polygon has no re-entrant corner deeper than rounding. */
-bool qn_polygon_is_convex (const QnVec2 *vertices, size_t count);
-
 /* Distance of a point from the segment pq, m. */
 double qn_segment_distance (QnVec2 p, QnVec2 q, QnVec2 point);
 

@@ -40,9 +40,12 @@
 #define DRIVE_STEPS 8
 
 /* In nonlinear geometry: elastic displacements from which motion is watched, and how often it
- * must double without slowing down until it counts as a fall. */
+ * must double without slowing down until it counts as a fall. Motion that would come to rest
+ * within so many characteristic lengths slows down: slender members bend far under little
+ * force, and at first without any hurry to stop. */
 #define FALL_BEGINS    10
 #define FALL_DOUBLINGS 4
+#define FALL_LENGTHS   1e3
 
 typedef struct {
   bool held;                            /* a measure, while the multiplier is free */
@@ -59,8 +62,7 @@ static void
 begin_step (QnEquilibrium *eq)
 {
   qn_equilibrium_save (eq, &eq->anchor);
-  for (size_t p = 0; p < eq->assembly.pair_count; p++)
-    eq->gaps[p] = qn_assembly_gap (&eq->assembly, p);
+  qn_equilibrium_note_gaps (eq);
 }
 
 /* velocity = (u - anchor) / time step; its change since the last step, in the norm of C. */
@@ -87,14 +89,25 @@ qn_equilibrium_elastic_displacements (const QnEquilibrium *eq)
   return qn_assembly_elastic_displacements (&eq->assembly, eq->u, eq->committed.u);
 }
 
-/* Whether an open joint will close at the present velocity before the structure has run away.
- * In linear geometry nothing else can stop a steady motion. */
-static bool
-will_close (const QnEquilibrium *eq, double time_step)
+/* Time until the structure has run away at the present velocity. */
+static double
+time_to_run_away (const QnEquilibrium *eq)
+{
+  return QN_RUNAWAY
+         / qn_assembly_elastic_displacements (&eq->assembly, eq->velocity, NULL);
+}
+
+void
+qn_equilibrium_note_gaps (QnEquilibrium *eq)
+{
+  for (size_t p = 0; p < eq->assembly.pair_count; p++)
+    eq->gaps[p] = qn_assembly_gap (&eq->assembly, p);
+}
+
+bool
+qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double horizon)
 {
   const QnAssembly *as = &eq->assembly;
-  double horizon =
-    QN_RUNAWAY / qn_assembly_elastic_displacements (as, eq->velocity, NULL);
 
   for (size_t p = 0; p < as->pair_count; p++) {
     double gap = qn_assembly_gap (as, p);
@@ -104,16 +117,40 @@ will_close (const QnEquilibrium *eq, double time_step)
   return false;
 }
 
+double
+qn_equilibrium_motion (const QnEquilibrium *eq)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    largest = fmax (largest, fabs (eq->u[i] - eq->committed.u[i]));
+  return largest;
+}
+
+/* Whether forces that grow as they do now will have stopped the motion before the structure has
+ * run away: soft joints give way at a velocity that hardly changes, long before they push back.
+ * By the change of the velocity over the last step, from forces alone as damping is linear. */
+static bool
+will_be_stopped (const QnEquilibrium *eq, const Relaxation *relaxation, double time_step)
+{
+  return relaxation->change * time_to_run_away (eq) > time_step;
+}
+
 /* In nonlinear geometry the velocity of a mechanism changes as it moves: a structure falls if
  * it covers twice the way again and again without slowing down. */
 static bool
 is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
 {
-  double moved = qn_equilibrium_elastic_displacements (eq);
+  double moved = qn_equilibrium_motion (eq), way = moved - relaxation->watched_motion;
+  double far = FALL_LENGTHS * eq->assembly.length;
 
-  if (moved < fmax (FALL_BEGINS, 2 * relaxation->watched_motion))
+  if (moved > far)
+    return true;
+  if (qn_equilibrium_elastic_displacements (eq) < FALL_BEGINS
+      || moved < 2 * relaxation->watched_motion)
     return false;
-  bool slower = relaxation->speed < (1 - STEADY) * relaxation->watched_speed;
+  double lost = 1 - relaxation->speed / relaxation->watched_speed;
+  bool slower = lost * far > way;
   relaxation->doublings = slower ? 0 : relaxation->doublings + 1;
   relaxation->watched_motion = moved;
   relaxation->watched_speed = relaxation->speed;
@@ -125,12 +162,7 @@ is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
 static bool
 has_left (const QnEquilibrium *eq)
 {
-  const QnAssembly *as = &eq->assembly;
-  bool left = false;
-
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    left |= fabs (eq->u[i] - eq->committed.u[i]) > as->length;
-  return left;
+  return qn_equilibrium_motion (eq) > eq->assembly.length;
 }
 
 /* Whether the structure moves on for good after a converged step. */
@@ -141,12 +173,13 @@ is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
 
   if (eq->assembly.nonlinear && relaxation->held)
     return has_left (eq);
-  if (qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY)
-    return true;
   if (eq->assembly.nonlinear)
     return is_falling (eq, relaxation);
+  if (qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY)
+    return true;
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
-         && !will_close (eq, time_step);
+         && !will_be_stopped (eq, relaxation, time_step)
+         && !qn_equilibrium_will_close (eq, time_step, time_to_run_away (eq));
 }
 
 /* Time in which the measure is to advance. The least damping force that any motion of this

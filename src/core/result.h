@@ -133,6 +133,8 @@ typedef struct QnResult {
   double
     *mechanism; /* (block_count + node_count) x 3 velocity field at collapse, scaled as
                           qn_result_set_mechanism() says; NULL where there is none */
+  bool mechanism_uncertain; /* how the structure moves on was not settled: the mechanism
+                               is its motion as far as it was followed */
 
   QnId *unstable_blocks; /* DEAD_LOAD_UNSTABLE: blocks that move, most moved first */
   size_t unstable_count;

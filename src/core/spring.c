@@ -42,6 +42,12 @@ qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
   qn_law_ops (spring->kind)->evaluate (spring, committed, q, response);
 }
 
+bool
+qn_law_softens (QnLawKind kind)
+{
+  return qn_law_ops (kind)->softening != NULL;
+}
+
 double
 qn_spring_softening (const QnSpring *spring)
 {

@@ -84,6 +84,9 @@ QnSpring qn_spring_from_law (const QnLaw *law, double area, double length);
 void qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                          const double q[2], QnSpringResponse *response);
 
+/* Whether springs of a kind of law may soften. */
+bool qn_law_softens (QnLawKind kind);
+
 /* Steepest descent of the normal force with growing elongation, N/m; 0 where there is none,
  * INFINITY where the law has too little fracture energy for the spring's length: it would run
  * back. */

@@ -12,9 +12,6 @@
 /* The critical multiplier is resolved to this part of the multiplier tolerance. */
 #define RESOLUTION 1e-3
 
-/* Multiplier at which a path counts as stable for good. */
-#define UNBOUNDED 1e9
-
 /* Inverse iterations towards the buckling mode: next to the critical multiplier its eigenvalue
  * is so much smaller than all others that the first one nearly does. */
 #define INVERSE_ITERATIONS 8
@@ -156,7 +153,7 @@ search_path (Search *search, QnDiag *diag)
   status = check_state (search, &stable, diag);
   if (status == QN_OK && !stable)
     search->unstable = 0;
-  search->end = fmin (settings->max_multiplier, UNBOUNDED);
+  search->end = fmin (settings->max_multiplier, QN_UNBOUNDED);
   while (status == QN_OK && !search->finished) {
     double bracket = search->unstable - eq->committed.multiplier;
     if (isfinite (bracket)
@@ -200,15 +197,8 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
     status =
       search.inertia != NULL ? search_path (&search, diag) : qn_diag_no_memory (diag);
   }
-  if (status == QN_OK) {
+  if (status == QN_OK)
     qn_equilibrium_restore (&search.path.equilibrium);
-    qn_assembly_pair_results (as, search.path.equilibrium.u, result->pairs);
-    result->statistics = search.path.equilibrium.statistics;
-    result->statistics.seconds = qn_clock_seconds () - start;
-  } else {
-    qn_result_clear (result);
-  }
   qn_inertia_free (search.inertia);
-  qn_path_clear (&search.path);
-  return status;
+  return qn_path_finish (&search.path, status, start);
 }

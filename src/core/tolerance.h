@@ -50,6 +50,10 @@
 /* A force of limit analysis, in units of the loads, exceeds a strength by rounding up to this. */
 #define QN_TOLERANCE_STRENGTH 1e-10
 
+/* Rounding of the strength that a force leaves of itself, relative to the force: a few units in the
+ * last place. */
+#define QN_TOLERANCE_FORCE (8 * DBL_EPSILON)
+
 /* A prescribed displacement, work or length is met to this part of its advance. */
 #define QN_TOLERANCE_TARGET 1e-10
 

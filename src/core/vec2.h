@@ -73,6 +73,17 @@ qn_vec2_lerp (QnVec2 a, QnVec2 b, double s)
   return (QnVec2){ a.x + s * (b.x - a.x), a.y + s * (b.y - a.y) };
 }
 
+/* How far a turns away from itself, (R - 1) a, without the loss of digits of R a - a where the
+ * angle is small: cos - 1 = -2 sin^2(angle / 2). */
+static inline QnVec2
+qn_vec2_turn_away (QnVec2 a, double angle)
+{
+  double half = sin (0.5 * angle);
+
+  return qn_vec2_add_scaled (qn_vec2_scale (-2 * half * half, a), sin (angle),
+                             qn_vec2_perp (a));
+}
+
 /* a turned by an angle whose cosine and sine are given */
 static inline QnVec2
 qn_vec2_rotate (QnVec2 a, double cosine, double sine)

@@ -26,6 +26,7 @@ typedef struct QnWholeFile {
 /* Refuses folders (EISDIR) and what is write-protected. On failure there is nothing to close. */
 int qn_whole_file_open (QnWholeFile *file, const char *path);
 
+/* Appends all of the bytes, however many calls of the system that takes. */
 int qn_whole_file_write (const QnWholeFile *file, const void *bytes, size_t length);
 
 /* Puts the bytes in their place and closes; on failure the target is as it was before. */

@@ -12,6 +12,7 @@ struct _QnDocument {
   QnProject project;
   QnContacts contacts;
   char *fingerprint; /* see below; NULL: to be computed */
+  char *file_digest; /* of the file as it was read or written; NULL: not known */
   QnHistory *history;
   QnSelection *selection;
   gboolean never_saved;   /* came from memory: counts as modified */
@@ -39,6 +40,7 @@ typedef enum {
 /* Digest of what an analysis depends on. */
 const char *qn_document_get_fingerprint (QnDocument *document);
 
+/* Emits one of the signals of document.h. */
 void qn_document_emit (QnDocument *document, QnDocumentSignal signal);
 
 /* Ends the running analysis, if any, and forgets its outcome. */

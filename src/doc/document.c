@@ -173,6 +173,7 @@ qn_document_finalize (GObject *object)
   g_free (self->path);
   g_free (self->text);
   g_free (self->fingerprint);
+  g_free (self->file_digest);
   G_OBJECT_CLASS (qn_document_parent_class)->finalize (object);
 }
 
@@ -188,11 +189,19 @@ qn_document_class_init (QnDocumentClass *klass)
 }
 
 static void
+on_selection_changed (QnDocument *self)
+{
+  qn_history_break (self->history);
+}
+
+static void
 qn_document_init (QnDocument *self)
 {
   qn_project_init (&self->project);
   self->history = qn_history_new ();
   self->selection = qn_selection_new ();
+  g_signal_connect_object (self->selection, "changed", G_CALLBACK (on_selection_changed),
+                           self, G_CONNECT_SWAPPED);
   self->runs = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
 }
 
@@ -227,6 +236,7 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
   self->path = g_strdup (path);
   self->never_saved = path == NULL;
   self->keeps_history = FALSE;
+  g_clear_pointer (&self->file_digest, g_free);
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
@@ -267,6 +277,24 @@ adopt_history (QnDocument *self, const char *json)
                    "steps before cannot be undone")));
 }
 
+static char *
+digest_file (const char *text, gsize length)
+{
+  return g_compute_checksum_for_data (G_CHECKSUM_SHA256, (const guchar *) text, length);
+}
+
+gboolean
+qn_document_is_changed_elsewhere (QnDocument *self)
+{
+  g_autofree char *text = NULL;
+  gsize length = 0;
+  if (self->path == NULL || self->file_digest == NULL
+      || !g_file_get_contents (self->path, &text, &length, NULL))
+    return FALSE;
+  g_autofree char *digest = digest_file (text, length);
+  return !g_str_equal (digest, self->file_digest);
+}
+
 gboolean
 qn_document_load (QnDocument *self, const char *path, GError **error)
 {
@@ -279,6 +307,7 @@ qn_document_load (QnDocument *self, const char *path, GError **error)
   if (!begin (self, &project, path, error))
     return FALSE;
   adopt_history (self, history);
+  self->file_digest = digest_file (text, length);
   return TRUE;
 }
 
@@ -303,8 +332,9 @@ qn_document_load_text (QnDocument *self, const char *text, const char *name,
   return parse (text, name, &project, error) && begin (self, &project, NULL, error);
 }
 
-char *
-qn_document_dup_file_text (QnDocument *self, GError **error)
+/* What a file would hold. */
+static char *
+dup_file_text (QnDocument *self, GError **error)
 {
   if (!self->keeps_history)
     return g_strdup (self->text);
@@ -338,11 +368,13 @@ qn_document_get_keeps_history (QnDocument *self)
 gboolean
 qn_document_save (QnDocument *self, const char *path, GError **error)
 {
-  g_autofree char *text = qn_document_dup_file_text (self, error);
+  g_autofree char *text = dup_file_text (self, error);
   if (text == NULL || !qn_file_write (path, text, strlen (text), error))
     return FALSE;
   qn_history_mark_clean (self->history);
   self->never_saved = FALSE;
+  g_free (self->file_digest);
+  self->file_digest = digest_file (text, strlen (text));
   if (g_strcmp0 (path, self->path) != 0) {
     g_free (self->path);
     self->path = g_strdup (path);

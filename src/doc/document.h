@@ -50,13 +50,14 @@ gboolean qn_document_load_recovered (QnDocument *document, const char *text,
 /* Writes the project and remembers the path. */
 gboolean qn_document_save (QnDocument *document, const char *path, GError **error);
 
+/* Whether the file has changed since it was read or written here: saving would undo that. One that
+ * has gone or cannot be read has not. */
+gboolean qn_document_is_changed_elsewhere (QnDocument *document);
+
 /* Whether the file holds the history too, so that steps can be undone after opening it again.
  * Loading a file that has one turns it on. */
 void qn_document_set_keeps_history (QnDocument *document, gboolean keeps);
 gboolean qn_document_get_keeps_history (QnDocument *document);
-
-/* What a file would hold. The caller frees it. */
-char *qn_document_dup_file_text (QnDocument *document, GError **error);
 
 const char *qn_document_get_path (QnDocument *document); /* NULL: never saved */
 const char *qn_document_get_text (QnDocument *document);
@@ -81,7 +82,7 @@ QnSelection *qn_document_get_selection (QnDocument *document);
 typedef gboolean (*QnEditFunc) (QnModel *model, gpointer user_data, GError **error);
 
 /* Makes one step of the history; an edit that changes nothing makes none. `name` and `key`
- * are those of qn_history_record(). */
+ * are those of qn_history_record(); a gesture ends when the selection changes. */
 gboolean qn_document_edit (QnDocument *document, const char *name, const char *key,
                            QnEditFunc func, gpointer user_data, GError **error);
 

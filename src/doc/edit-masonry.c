@@ -238,17 +238,26 @@ move_forces (QnModel *model, const gboolean *whole, QnTransform transform)
   }
 }
 
+/* Which objects a transform of the set carries along as a whole, one flag per object; NULL where
+ * there are none. */
+static gboolean *
+dup_carried (const QnModel *model, QnBlockSet set, QnTransform transform, gsize *count)
+{
+  g_autofree gboolean *whole = qn_edit_whole_objects (model, set, count);
+  gboolean any = FALSE;
+  for (gsize i = 0; i < *count; i++)
+    any = any || whole[i];
+  return any && is_rigid_motion (transform) ? g_steal_pointer (&whole) : NULL;
+}
+
 gboolean
 qn_edit_transform (QnProject *draft, QnBlockSet set, QnTransform transform,
                    GError **error)
 {
   QnModel *model = &draft->model;
   gsize count = 0;
-  g_autofree gboolean *whole = qn_edit_whole_objects (model, set, &count);
-  gboolean any = FALSE;
-  for (gsize i = 0; i < count; i++)
-    any = any || whole[i];
-  if (!any || !is_rigid_motion (transform))
+  g_autofree gboolean *whole = dup_carried (model, set, transform, &count);
+  if (whole == NULL)
     return qn_edit_transform_blocks (model, set, transform, error);
 
   QnBlockSet rest = dup_rest (model, set, whole);
@@ -294,11 +303,8 @@ qn_edit_copy (QnProject *draft, QnBlockSet set, QnTransform transform, int copie
 {
   QnModel *model = &draft->model;
   gsize count = 0;
-  g_autofree gboolean *whole = qn_edit_whole_objects (model, set, &count);
-  gboolean any = FALSE;
-  for (gsize i = 0; i < count; i++)
-    any = any || whole[i];
-  if (!any || !is_rigid_motion (transform))
+  g_autofree gboolean *whole = dup_carried (model, set, transform, &count);
+  if (whole == NULL)
     return qn_edit_copy_blocks (model, set, transform, copies, error);
 
   QnBlockSet rest = dup_rest (model, set, whole);

@@ -49,6 +49,7 @@ typedef struct QnBlockStyle {
   bool support[QN_DOF_COUNT];
 } QnBlockStyle;
 
+/* Adds a block of count >= 3 corners, m, in either orientation, under a free name. */
 gboolean qn_edit_add_block (QnModel *model, const QnVec2 *vertices, guint count,
                             QnBlockStyle style, GError **error);
 
@@ -110,6 +111,7 @@ gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
 /* A block name that is not taken: prefix and a number. The caller frees it. */
 char *qn_edit_dup_free_name (const QnModel *model, const char *prefix);
 
+/* Sets the error of an edit that ran out of memory; returns FALSE. */
 gboolean qn_edit_no_memory (GError **error);
 
 /* Which blocks are in the set: one flag per block. The caller frees it. */

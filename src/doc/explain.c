@@ -90,8 +90,8 @@ qn_explain_finding (const QnModel *model, const QnFinding *finding)
                              ? g_strdup_printf (" (%.3g mm)", finding->value * 1e3)
                              : g_strdup ("");
   if (a != NULL && b != NULL)
-    return g_strdup_printf ("%s – %s: %s%s", a, b, text, width);
-  return g_strdup_printf ("%s: %s%s", a != NULL ? a : _ ("Model"), text, width);
+    return g_strdup_printf (_ ("%s – %s: %s%s"), a, b, text, width);
+  return g_strdup_printf (_ ("%s: %s%s"), a != NULL ? a : _ ("Model"), text, width);
 }
 
 const char *
@@ -146,14 +146,7 @@ char *
 qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
                       const QnResult *result)
 {
-  if (result->mechanism == NULL)
-    return NULL;
-  QnMechanism mechanism;
-  if (qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL) != QN_OK)
-    return NULL;
-  char *text = qn_mechanism_dup_text (model, &mechanism);
-  qn_mechanism_clear (&mechanism);
-  return text;
+  return qn_collapse_dup_text (model, contacts, result);
 }
 
 char *

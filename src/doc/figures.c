@@ -74,8 +74,10 @@ qn_document_dup_figure_name (QnDocument *document, const char *like)
   return name;
 }
 
-QnRun *
-qn_document_find_own_run (QnDocument *document)
+/* The latest run of the present model by the project's own procedure, or NULL: what figures
+ * without a result file show. */
+static QnRun *
+find_own_run (QnDocument *document)
 {
   const QnAnalysisSettings *own = &qn_document_get_model (document)->analysis;
   const GPtrArray *runs = qn_document_get_runs (document);
@@ -96,7 +98,7 @@ gboolean
 qn_document_figure_waits (QnDocument *document, const QnRecipe *recipe)
 {
   return recipe->result == NULL && qn_recipe_needs_result (recipe)
-         && qn_document_find_own_run (document) == NULL;
+         && find_own_run (document) == NULL;
 }
 
 /* ---- export ---- */
@@ -156,8 +158,7 @@ qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const c
   if (recipe->result != NULL)
     done = draw_with_file (document, recipe, folder, place, error);
   else {
-    const QnRun *run =
-      qn_recipe_needs_result (recipe) ? qn_document_find_own_run (document) : NULL;
+    const QnRun *run = qn_recipe_needs_result (recipe) ? find_own_run (document) : NULL;
     done = draw (document, recipe, run != NULL ? &run->result : NULL, place, error);
   }
   if (!done)

@@ -13,17 +13,15 @@ GPtrArray *qn_document_get_figures (QnDocument *document, GError **error);
 gboolean qn_document_store_figure (QnDocument *document, const QnRecipe *recipe,
                                    GError **error);
 
+/* Forgets the recipe of this name; nothing changes where there is none. */
 gboolean qn_document_remove_figure (QnDocument *document, const char *name,
                                     GError **error);
 
 /* "figure", "figure-2", …: a name that no figure of the project has. The caller frees it. */
 char *qn_document_dup_figure_name (QnDocument *document, const char *like);
 
-/* The latest run of the present model by the project's own procedure, or NULL: what figures
- * without a result file show. Borrowed. */
-QnRun *qn_document_find_own_run (QnDocument *document);
-
-/* Whether that run is missing for a recipe: an analysis must come first. */
+/* Whether a recipe without a result file has nothing to show: no run of the present model by the
+ * project's own procedure is there, so an analysis must come first. */
 gboolean qn_document_figure_waits (QnDocument *document, const QnRecipe *recipe);
 
 /* Writes the picture of a recipe; `path` NULL: where the recipe says, beside the project. */

@@ -12,6 +12,7 @@
 
 typedef struct QnHistory QnHistory;
 
+/* Without steps, in a clean state. */
 QnHistory *qn_history_new (void);
 void qn_history_free (QnHistory *history);
 
@@ -26,6 +27,7 @@ void qn_history_record (QnHistory *history, const char *name, const char *key,
 /* Ends the gesture: the next step is separate even if it has the same key. */
 void qn_history_break (QnHistory *history);
 
+/* Whether there is a step before the present state, or behind it. */
 gboolean qn_history_can_undo (const QnHistory *history);
 gboolean qn_history_can_redo (const QnHistory *history);
 
@@ -46,6 +48,7 @@ gboolean qn_history_is_clean (const QnHistory *history);
 /* Bytes held by all the steps. */
 gsize qn_history_get_size (const QnHistory *history);
 
+/* Forgets all steps; the present state counts as clean. */
 void qn_history_clear (QnHistory *history);
 
 /* ---- in a file (history-file.c) ---- */

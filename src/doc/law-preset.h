@@ -17,6 +17,7 @@ typedef struct QnLawPreset {
   gsize turn_count;
 } QnLawPreset;
 
+/* The preset of a kind; static. */
 const QnLawPreset *qn_law_preset (QnLawKind kind);
 
 /* Another kind for a law: what the new kind requires and the law does not have is typical. Laws of

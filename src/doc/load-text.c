@@ -52,8 +52,9 @@ qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
   return g_strdup ("");
 }
 
-char *
-qn_stage_dup_set_names (const QnModel *model, const QnStage *stage)
+/* Names of the load sets that a stage drives, with commas. */
+static char *
+dup_set_names (const QnModel *model, const QnStage *stage)
 {
   GString *names = g_string_new (NULL);
   for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
@@ -71,7 +72,7 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
 {
   const QnStage *stage = &model->stages[index];
   g_autofree char *name = qn_stage_dup_name (model, (int32_t) index + 1);
-  g_autofree char *sets = qn_stage_dup_set_names (model, stage);
+  g_autofree char *sets = dup_set_names (model, stage);
   g_autofree char *target = NULL;
   switch (qn_stage_get_end (stage)) {
   case QN_STAGE_END_MULTIPLIER:

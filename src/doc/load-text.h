@@ -12,9 +12,6 @@ char *qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
 /* "load on top: top to 2". The caller frees it. */
 char *qn_stage_dup_text (const QnModel *model, gsize stage, QnUnits units);
 
-/* Names of the load sets that a stage drives, with commas. The caller frees it. */
-char *qn_stage_dup_set_names (const QnModel *model, const QnStage *stage);
-
 /* First and last step of a stage in a result (stage from 1; 0: what lies before the first).
  * False where it has none. */
 bool qn_result_stage_steps (const QnResult *result, int32_t stage, size_t *first,

@@ -1,7 +1,8 @@
 /* The magnet: which exact place a pointer near it means.
  *
- * Nodes of beams win over corners, those over middles of edges and edges, edges over course lines,
- * and those over the grid; within a kind the nearest wins. The answer says what it took, so that the drawing can show it.
+ * Nodes of beams win over corners, those over middles of edges and edges, edges over course
+ * lines, and those over the grid; within a kind the nearest wins. The answer says what it took,
+ * so that the drawing can show it.
  */
 #ifndef QN_DOC_MAGNET_H
 #define QN_DOC_MAGNET_H

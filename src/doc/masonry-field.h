@@ -73,11 +73,14 @@ typedef struct QnFieldInfo {
   gboolean whole; /* a whole number */
 } QnFieldInfo;
 
+/* What a field is called and may be (static); whether an object has it; its value, SI. Setting one
+ * does not check what else the object is made of: laying it anew does. */
 const QnFieldInfo *qn_masonry_field_info (QnMasonryField field);
 gboolean qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field);
 double qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field);
 void qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value);
 
+/* The same of openings. */
 const QnFieldInfo *qn_opening_field_info (QnOpeningField field);
 gboolean qn_opening_has_field (const QnOpening *opening, QnOpeningField field);
 double qn_opening_get_field (const QnOpening *opening, QnOpeningField field);

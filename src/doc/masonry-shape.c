@@ -121,13 +121,6 @@ snap_local (const QnMasonry *masonry, QnVec2 p)
   return qn_vec2 (x, snap_height (wall, p.y));
 }
 
-QnVec2
-qn_masonry_snap (const QnMasonry *masonry, QnVec2 point)
-{
-  QnVec2 local = snap_local (masonry, qn_masonry_to_local (masonry, point));
-  return qn_masonry_to_model (masonry, local);
-}
-
 /* ---- openings ---- */
 
 /* Keeps an arched head possible for the opening's size. */

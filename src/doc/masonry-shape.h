@@ -30,6 +30,7 @@ typedef struct QnHandle {
 /* No opening: the object itself. */
 #define QN_NO_OPENING (-1)
 
+/* A point of the object's own frame in the model, and back; m. */
 QnVec2 qn_masonry_to_model (const QnMasonry *masonry, QnVec2 local);
 QnVec2 qn_masonry_to_local (const QnMasonry *masonry, QnVec2 point);
 
@@ -45,9 +46,6 @@ int qn_masonry_opening_at (const QnMasonry *masonry, QnVec2 point);
 /* Corners of an opening's box, counter-clockwise from the lower left. */
 void qn_masonry_opening_corners (const QnMasonry *masonry, int opening,
                                  QnVec2 corners[4]);
-
-/* The point of a wall's bond nearest to `point`: half blocks and courses. */
-QnVec2 qn_masonry_snap (const QnMasonry *masonry, QnVec2 point);
 
 /* Makes the opening span the box between two points, in either order; with `snap` by half blocks
  * and courses. False where it would be empty. */

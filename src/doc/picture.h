@@ -19,6 +19,7 @@ gboolean qn_document_place_picture (QnDocument *document, const char *name,
                                     const char *key, const QnUnderlay *underlay,
                                     GError **error);
 
+/* Takes the picture away; its file stays. */
 gboolean qn_document_remove_picture (QnDocument *document, GError **error);
 
 /* Before the document is saved as `path`: names the picture as seen from there. */

@@ -155,14 +155,6 @@ qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repa
 
 /* ---- repairs ---- */
 
-static gboolean
-refuse (const QnModel *model, const QnDiag *diag, GError **error)
-{
-  g_autofree char *message = qn_explain_diag (model, diag);
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
-  return FALSE;
-}
-
 /* Outward normal of the side of a block that is nearest to a place. */
 static QnVec2
 normal_at (const QnModel *model, QnId block, QnVec2 at)
@@ -195,83 +187,74 @@ move_to_contact (QnModel *model, const QnFinding *finding, GError **error)
                                    qn_transform_translation (by.x, by.y), error);
 }
 
-/* The blocks of the finding, free: the one that gives way first. */
-static gboolean
-free_blocks (QnModel *model, const QnFinding *finding, QnId ids[2], guint count,
-             GError **error)
-{
-  choose (model, finding, &ids[0], &ids[1]);
-  return qn_edit_take_apart (model, ids, count, error);
-}
+/* The polygons that are to take the mover's place, appended to `left`; `gap` is the finding's
+ * value, m. */
+typedef QnStatus (*ReshapeFunc) (const QnModel *model, QnId mover, QnId keeper,
+                                 double gap, QnRings *left, QnDiag *diag);
 
-static gboolean
-replace_polygon (QnModel *model, QnId block, const QnRings *rings, const char *name,
-                 GError **error)
+static QnStatus
+snapped (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
+         QnDiag *diag)
 {
-  if (rings->count == 0) {
-    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                 _ ("Nothing would be left of %s"), name);
-    return FALSE;
-  }
-  return qn_edit_replace_blocks (model, &block, 1, rings, error);
-}
-
-static gboolean
-snap (QnModel *model, const QnFinding *finding, GError **error)
-{
-  QnId ids[2];
-  choose (model, finding, &ids[0], &ids[1]);
-  g_autofree char *keeper = g_strdup (model->blocks[ids[1]].name);
-  if (!free_blocks (model, finding, ids, 1, error))
-    return FALSE;
-  ids[1] = qn_model_find_block (model, keeper);
-  QnRings rings = { 0 }, moved = { 0 };
-  QnDiag diag = { 0 };
-  gboolean fine = TRUE;
-  for (int i = 1; i >= 0 && fine; i--)
-    fine = qn_rings_add (&rings, qn_model_block_vertices (model, ids[i]),
-                         (gsize) model->blocks[ids[i]].vertex_count);
-  if (!fine)
-    qn_edit_no_memory (error);
-  else if (qn_snap_neighbours (&rings, SNAP_REACH * finding->value, NULL, &diag) != QN_OK)
-    fine = refuse (model, &diag, error);
-  else {
-    g_autofree char *name = g_strdup (model->blocks[ids[0]].name);
-    fine = qn_rings_take (&moved, &rings.items[1]) || qn_edit_no_memory (error);
-    fine = fine && replace_polygon (model, ids[0], &moved, name, error);
-  }
+  const QnId order[] = { keeper, mover };
+  QnRings rings = { 0 };
+  QnStatus status = QN_OK;
+  for (int i = 0; i < 2 && status == QN_OK; i++)
+    if (!qn_rings_add (&rings, qn_model_block_vertices (model, order[i]),
+                       (gsize) model->blocks[order[i]].vertex_count))
+      status = qn_diag_no_memory (diag);
+  if (status == QN_OK)
+    status = qn_snap_neighbours (&rings, SNAP_REACH * gap, NULL, diag);
+  if (status == QN_OK && !qn_rings_take (left, &rings.items[1]))
+    status = qn_diag_no_memory (diag);
   qn_rings_clear (&rings);
-  qn_rings_clear (&moved);
-  return fine;
+  return status;
 }
 
-static gboolean
-trim (QnModel *model, const QnFinding *finding, GError **error)
+static QnStatus
+trimmed (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
+         QnDiag *diag)
 {
-  QnId ids[2];
-  choose (model, finding, &ids[0], &ids[1]);
-  g_autofree char *keeper = g_strdup (model->blocks[ids[1]].name);
-  if (!free_blocks (model, finding, ids, 1, error))
-    return FALSE;
-  ids[1] = qn_model_find_block (model, keeper);
+  (void) gap;
   QnRing subject = { 0 };
-  QnRings cutters = { 0 }, left = { 0 };
-  QnDiag diag = { 0 };
-  gboolean fine = qn_block_to_ring (model, ids[0], &subject)
-                  && qn_rings_add (&cutters, qn_model_block_vertices (model, ids[1]),
-                                   (gsize) model->blocks[ids[1]].vertex_count);
-  if (!fine)
-    qn_edit_no_memory (error);
-  else if (qn_polygon_difference (&subject, &cutters, &left, &diag) != QN_OK)
-    fine = refuse (model, &diag, error);
-  else {
-    g_autofree char *name = g_strdup (model->blocks[ids[0]].name);
-    fine = replace_polygon (model, ids[0], &left, name, error);
-  }
+  QnRings cutters = { 0 };
+  QnStatus status =
+    qn_block_to_ring (model, mover, &subject)
+        && qn_rings_add (&cutters, qn_model_block_vertices (model, keeper),
+                         (gsize) model->blocks[keeper].vertex_count)
+      ? qn_polygon_difference (&subject, &cutters, left, diag)
+      : qn_diag_no_memory (diag);
   qn_ring_clear (&subject);
   qn_rings_clear (&cutters);
+  return status;
+}
+
+/* Gives the block that gives way another shape, freed from its wall first. */
+static gboolean
+reshape (QnModel *model, const QnFinding *finding, ReshapeFunc func, GError **error)
+{
+  QnId mover, keeper;
+  choose (model, finding, &mover, &keeper);
+  g_autofree char *keeper_name = g_strdup (model->blocks[keeper].name);
+  if (!qn_edit_take_apart (model, &mover, 1, error))
+    return FALSE;
+  keeper = qn_model_find_block (model, keeper_name);
+  QnRings left = { 0 };
+  QnDiag diag = { 0 };
+  gboolean done = FALSE;
+  QnStatus status = func (model, mover, keeper, finding->value, &left, &diag);
+  if (status == QN_ERROR_NO_MEMORY)
+    qn_edit_no_memory (error);
+  else if (status != QN_OK) {
+    g_autofree char *message = qn_explain_diag (model, &diag);
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  } else if (left.count == 0)
+    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                 _ ("Nothing would be left of %s"), model->blocks[mover].name);
+  else
+    done = qn_edit_replace_blocks (model, &mover, 1, &left, error);
   qn_rings_clear (&left);
-  return fine;
+  return done;
 }
 
 static gboolean
@@ -297,7 +280,8 @@ merge (QnModel *model, const QnFinding *finding, GError **error)
   choose (model, finding, &ids[1], &ids[0]);
   g_autofree char *keeper = g_strdup (model->blocks[ids[0]].name);
   g_autofree char *mover = g_strdup (model->blocks[ids[1]].name);
-  if (finding->problem == QN_PROBLEM_NEAR_MISS_GAP && !snap (model, finding, error))
+  if (finding->problem == QN_PROBLEM_NEAR_MISS_GAP
+      && !reshape (model, finding, snapped, error))
     return FALSE;
   ids[0] = qn_model_find_block (model, keeper);
   ids[1] = qn_model_find_block (model, mover);
@@ -312,11 +296,11 @@ qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GErro
   static const bool fixed[QN_DOF_COUNT] = { true, true, true };
   switch (repair) {
   case QN_REPAIR_SNAP:
-    return snap (model, finding, error);
+    return reshape (model, finding, snapped, error);
   case QN_REPAIR_MOVE:
     return move_to_contact (model, finding, error);
   case QN_REPAIR_TRIM:
-    return trim (model, finding, error);
+    return reshape (model, finding, trimmed, error);
   case QN_REPAIR_MERGE:
     return merge (model, finding, error);
   case QN_REPAIR_SUPPORT:

@@ -25,12 +25,12 @@ qn_run_dup_title (const QnRun *run)
   if (run->kind == QN_RUN_MODE && run->mode > 0)
     return dup_mode_title (run);
   if (run->kind == QN_RUN_STABILITY && result->outcome == QN_OUTCOME_SNAP)
-    return g_strdup_printf ("%s: %.4f", run->name, result->first_limit_multiplier);
+    return g_strdup_printf (_ ("%s: %.4f"), run->name, result->first_limit_multiplier);
   if (run->kind == QN_RUN_STABILITY && result->outcome == QN_OUTCOME_TARGET_REACHED)
     return g_strdup_printf (_ ("%s: stable"), run->name);
   return result->has_collapse_multiplier
-           ? g_strdup_printf ("%s: %.4f", run->name, result->collapse_multiplier)
-           : g_strdup_printf ("%s: %s", run->name,
+           ? g_strdup_printf (_ ("%s: %.4f"), run->name, result->collapse_multiplier)
+           : g_strdup_printf (_ ("%s: %s"), run->name,
                               qn_explain_outcome_label (result->outcome));
 }
 

@@ -1,7 +1,5 @@
 #include "doc/run.h"
 
-G_DEFINE_BOXED_TYPE (QnRun, qn_run, qn_run_ref, qn_run_unref)
-
 QnRun *
 qn_run_new (const char *name, const char *fingerprint)
 {

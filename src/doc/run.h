@@ -35,9 +35,6 @@ typedef struct QnRun {
   char *fingerprint;  /* digest of the document's model when it was frozen, owned */
 } QnRun;
 
-#define QN_TYPE_RUN (qn_run_get_type ())
-GType qn_run_get_type (void);
-
 /* A run with empty members that the caller fills before sharing it. */
 QnRun *qn_run_new (const char *name, const char *fingerprint);
 /* Another one of the same model and contacts, which are shared. */

@@ -12,6 +12,7 @@
 #define QN_TYPE_SELECTION (qn_selection_get_type ())
 G_DECLARE_FINAL_TYPE (QnSelection, qn_selection, QN, SELECTION, GObject)
 
+/* Nothing selected. */
 QnSelection *qn_selection_new (void);
 
 gboolean qn_selection_has_block (QnSelection *selection, QnId block);

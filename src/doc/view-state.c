@@ -256,21 +256,6 @@ qn_view_state_set_switch (QnViewState *self, const char *name, gboolean on)
 }
 
 void
-qn_view_state_set_field (QnViewState *self, QnField field)
-{
-  if (self->options.field == field)
-    return;
-  self->options.field = field;
-  emit_changed (self);
-}
-
-QnField
-qn_view_state_get_field (QnViewState *self)
-{
-  return self->options.field;
-}
-
-void
 qn_view_state_set_diagram (QnViewState *self, QnDiagram diagram)
 {
   if (self->options.diagram == diagram)

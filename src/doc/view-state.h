@@ -12,6 +12,7 @@
 #define QN_TYPE_VIEW_STATE (qn_view_state_get_type ())
 G_DECLARE_FINAL_TYPE (QnViewState, qn_view_state, QN, VIEW_STATE, GObject)
 
+/* Shows the model; holds the document. */
 QnViewState *qn_view_state_new (QnDocument *document);
 
 QnDocument *qn_view_state_get_document (QnViewState *state);
@@ -38,10 +39,6 @@ double qn_view_state_get_phase (QnViewState *state);
  * "names". */
 gboolean qn_view_state_get_switch (QnViewState *state, const char *name);
 void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on);
-
-/* Colour shown on the blocks. */
-void qn_view_state_set_field (QnViewState *state, QnField field);
-QnField qn_view_state_get_field (QnViewState *state);
 
 /* Section force that the view of diagrams shows. */
 void qn_view_state_set_diagram (QnViewState *state, QnDiagram diagram);

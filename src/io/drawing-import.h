@@ -33,8 +33,8 @@ typedef struct QnImportSettings {
   double tolerance;   /* m; 0: 0.2 % of the size of a block */
   double thickness;   /* m */
   double unit_weight; /* N/m3 */
-  double friction;
-  char **layers; /* nullable: "NAME=block|support|opening|ignored" */
+  double friction;    /* >= 0 */
+  char **layers;      /* nullable: "NAME=block|support|opening|ignored" */
 } QnImportSettings;
 
 #define QN_IMPORT_DEFAULTS                                                               \
@@ -58,10 +58,11 @@ gboolean qn_drawing_to_project (const QnDrawing *drawing, const char *name,
                                 const QnImportSettings *settings, QnProject *project,
                                 QnImportReport *report, GError **error);
 
+/* Only needed where the import succeeded: a failed one leaves an empty report. */
 void qn_import_report_clear (QnImportReport *report);
 
-/* Reads a file by its ending (.dxf, .svg, .json: COMPAS, else text of HybriDFEM) and makes a
- * project of it. */
+/* Reads a file by its ending (.svg, .json: COMPAS, .dxf; any other: text of HybriDFEM where it says
+ * "Box", else DXF) and makes a project of it; as qn_drawing_to_project() otherwise. */
 gboolean qn_import_file (const char *path, const QnImportSettings *settings,
                          QnProject *project, QnImportReport *report, GError **error);
 

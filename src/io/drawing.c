@@ -6,11 +6,15 @@
 #define CHORDS_PER_SPAN   8
 #define MAX_CHORDS        720
 
+/* Names of layers, by the piece; bytes. */
+#define STRINGS_SIZE 1024
+
 void
 qn_drawing_init (QnDrawing *drawing)
 {
   *drawing = (QnDrawing){ .paths = g_array_new (FALSE, TRUE, sizeof (QnDrawingPath)),
-                          .notes = g_ptr_array_new () };
+                          .notes = g_ptr_array_new (),
+                          .strings = g_string_chunk_new (STRINGS_SIZE) };
 }
 
 void
@@ -25,12 +29,19 @@ qn_drawing_clear (QnDrawing *drawing)
   }
   g_clear_pointer (&drawing->paths, g_array_unref);
   g_clear_pointer (&drawing->notes, g_ptr_array_unref);
+  g_clear_pointer (&drawing->strings, g_string_chunk_free);
+}
+
+const char *
+qn_drawing_keep_string (QnDrawing *drawing, const char *string)
+{
+  return g_string_chunk_insert_const (drawing->strings, string);
 }
 
 QnDrawingPath *
 qn_drawing_add_path (QnDrawing *drawing, const char *layer, guint line)
 {
-  QnDrawingPath path = { .layer = g_intern_string (layer), .line = line };
+  QnDrawingPath path = { .layer = qn_drawing_keep_string (drawing, layer), .line = line };
   g_array_append_val (drawing->paths, path);
   return &g_array_index (drawing->paths, QnDrawingPath, drawing->paths->len - 1);
 }

@@ -18,8 +18,8 @@ typedef struct QnDrawingPath {
   gsize count;
   gboolean closed;   /* as the file says */
   gboolean support;  /* the file itself calls it a support */
-  const char *layer; /* interned */
-  const char *name;  /* interned; NULL where the file has none */
+  const char *layer; /* kept by the drawing */
+  const char *name;  /* likewise; NULL where the file has none */
   guint line;        /* of the file, from 1; 0 unknown */
 } QnDrawingPath;
 
@@ -35,11 +35,15 @@ typedef struct QnDrawingNote {
 typedef struct QnDrawing {
   GArray *paths;    /* QnDrawingPath */
   GPtrArray *notes; /* QnDrawingNote * */
-  double unit;      /* m per unit as the file declares it, 0 where it does not */
+  GStringChunk *strings;
+  double unit; /* m per unit as the file declares it, 0 where it does not */
 } QnDrawing;
 
 void qn_drawing_init (QnDrawing *drawing);
 void qn_drawing_clear (QnDrawing *drawing);
+
+/* A copy that lives as long as the drawing; equal strings have one. */
+const char *qn_drawing_keep_string (QnDrawing *drawing, const char *string);
 
 /* Adds an empty path; valid until the next addition. */
 QnDrawingPath *qn_drawing_add_path (QnDrawing *drawing, const char *layer, guint line);

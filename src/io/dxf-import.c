@@ -17,7 +17,7 @@ typedef struct Transform {
 } Transform;
 
 typedef struct Entity {
-  QnDxfEntity data; /* points and knots owned, strings interned */
+  QnDxfEntity data; /* points and knots owned, strings kept by the drawing */
   QnDxfSource source;
 } Entity;
 
@@ -63,7 +63,7 @@ source_of (const Importer *importer, const char *layer)
   guint64 index = g_ascii_strtoull (layer != NULL ? layer : "", NULL, 10);
   if (index < importer->scan->sources->len)
     return g_array_index (importer->scan->sources, QnDxfSource, index);
-  return (QnDxfSource){ g_intern_static_string ("0"), 0 };
+  return (QnDxfSource){ "0", 0 };
 }
 
 /* Keeps what the shim hands over. */
@@ -84,7 +84,9 @@ take_entity (const QnDxfEntity *entity, void *data)
   }
   Entity own = { *entity, source_of (importer, entity->layer) };
   own.data.layer = NULL;
-  own.data.name = entity->name != NULL ? g_intern_string (entity->name) : NULL;
+  own.data.name = entity->name != NULL
+                    ? qn_drawing_keep_string (importer->drawing, entity->name)
+                    : NULL;
   own.data.points = g_memdup2 (entity->points, 3 * entity->point_count * sizeof (double));
   own.data.knots = g_memdup2 (entity->knots, entity->knot_count * sizeof (double));
   guint index = importer->entities->len;

@@ -240,7 +240,8 @@ finish_entity (Scanner *scanner)
     const Pair *layer = find (scanner, 8);
     g_autofree char *layer_name =
       layer != NULL ? g_utf8_make_valid (layer->value, (gssize) layer->length) : NULL;
-    QnDxfSource source = { g_intern_string (layer_name != NULL ? layer_name : "0"),
+    QnDxfSource source = { qn_drawing_keep_string (scanner->drawing,
+                                                   layer_name != NULL ? layer_name : "0"),
                            scanner->entity_line };
     emit (scanner, 0, type, strlen (type));
     emit_count (scanner, 8, scanner->scan->sources->len);

@@ -11,7 +11,7 @@
 #include "io/drawing.h"
 
 typedef struct QnDxfSource {
-  const char *layer; /* interned */
+  const char *layer; /* kept by the drawing */
   guint line;
 } QnDxfSource;
 

@@ -23,6 +23,7 @@ QnFileWriter *qn_file_writer_open (const char *path, GError **error);
 /* The same for a file that messages call by another name. */
 QnFileWriter *qn_file_writer_open_as (const char *path, const char *name, GError **error);
 
+/* Append. What goes wrong is kept until the commit, which tells it. */
 void qn_file_writer_write (QnFileWriter *writer, const char *bytes, gsize length);
 void qn_file_writer_puts (QnFileWriter *writer, const char *text);
 void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)

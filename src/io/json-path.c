@@ -100,6 +100,20 @@ qn_json_path_append_index (GString *path, gsize index)
   g_string_append_printf (path, "[%" G_GSIZE_FORMAT "]", index);
 }
 
+char *
+qn_json_path_dup_text (const GArray *steps)
+{
+  GString *path = g_string_new (NULL);
+  for (guint i = 0; i < steps->len; i++) {
+    const QnJsonStep *step = &g_array_index (steps, QnJsonStep, i);
+    if (step->key != NULL)
+      qn_json_path_append_key (path, step->key);
+    else
+      qn_json_path_append_index (path, step->index);
+  }
+  return g_string_free (path, FALSE);
+}
+
 gboolean
 qn_json_path_is_within (const char *path, const char *ancestor)
 {

@@ -16,6 +16,11 @@ typedef struct QnJsonStep {
  * document itself. Free with g_array_unref(). */
 GArray *qn_json_path_parse (const char *text);
 
+/* The one spelling of the steps of a path, as messages and the append functions write it. Free with
+ * g_free(). */
+char *qn_json_path_dup_text (const GArray *steps);
+
+/* Append one step in that spelling. */
 void qn_json_path_append_key (GString *path, const char *key);
 void qn_json_path_append_index (GString *path, gsize index);
 

@@ -42,6 +42,8 @@ void qn_json_stream_init (QnJsonStream *stream, const char *text, gsize length,
 gboolean qn_json_stream_document (QnJsonStream *stream, QnJsonReadFunc read,
                                   gpointer target);
 
+/* Reads an object, its members in any order: at most 64 in the table, those given twice and
+ * required ones that are missing are errors. */
 gboolean qn_json_stream_object (QnJsonStream *stream, const QnJsonMember *members,
                                 guint count, gpointer target);
 

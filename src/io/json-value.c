@@ -44,8 +44,8 @@ append_path (const QnPlace *place, GString *path)
     qn_json_path_append_index (path, place->index);
 }
 
-char *
-qn_place_dup_path (const QnPlace *place)
+static char *
+dup_path (const QnPlace *place)
 {
   GString *path = g_string_new (NULL);
   append_path (place, path);
@@ -93,7 +93,7 @@ qn_place_fail (const QnPlace *place, const char *message)
 {
   if (place->reader->error != NULL)
     return FALSE;
-  char *path = qn_place_dup_path (place);
+  char *path = dup_path (place);
   char *line = qn_reader_dup_line (place->reader, path, message);
   place->reader->error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
   g_free (line);
@@ -131,7 +131,7 @@ qn_place_warn (const QnPlace *place, const char *message)
     reader->dropped_warnings++;
     return;
   }
-  char *path = qn_place_dup_path (place);
+  char *path = dup_path (place);
   g_ptr_array_add (reader->warnings, qn_reader_dup_line (reader, path, message));
   g_free (path);
 }
@@ -148,7 +148,7 @@ qn_place_keep_unknown (const QnPlace *object, const cJSON *member)
     reader->unknown = cJSON_CreateObject ();
   if (reader->unknown == NULL)
     return;
-  char *path = qn_place_dup_path (object);
+  char *path = dup_path (object);
   cJSON *first = reader->unknown->child, *owner = first != NULL ? first->prev : NULL;
   if (owner == NULL || strcmp (owner->string, path) != 0)
     owner = cJSON_AddObjectToObject (reader->unknown, path);

@@ -42,12 +42,11 @@ typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRan
 /* Name of the value of an enumeration, as the file spells it. */
 typedef const char *(*QnNameFunc) (int value);
 
+/* The document; a member of an object (value NULL where it is not there); an element of an array.
+ * They borrow what they come from, which must outlive them. */
 QnPlace qn_place_root (QnReader *reader, const cJSON *value);
 QnPlace qn_place_member (const QnPlace *object, const char *key);
 QnPlace qn_place_element (const QnPlace *array, gsize index, const cJSON *value);
-
-/* Path of a place as text; free with g_free(). */
-char *qn_place_dup_path (const QnPlace *place);
 
 /* "wall.quoin:12:7: blocks[3].vertices: message"; with "(set by …)" instead of line and column
  * where an override put the value there. Free with g_free(). */
@@ -60,6 +59,7 @@ gboolean qn_place_failf (const QnPlace *place, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
 gboolean qn_place_no_memory (const QnPlace *place);
 
+/* Adds a warning of a place to those of the reader. */
 void qn_place_warn (const QnPlace *place, const char *message);
 
 /* A warning for every member of an object that is not among `keys`; it is kept in the reader's

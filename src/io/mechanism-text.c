@@ -1,5 +1,7 @@
 #include "io/mechanism-text.h"
 
+#include "io/hinge-text.h"
+
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
@@ -50,7 +52,7 @@ title_of (QnMechanismKind kind, Direction direction)
   case QN_MECHANISM_KIND_COUNT:
     break;
   }
-  return _ ("No mechanism");
+  return _ ("Beams give way"); /* no block moves */
 }
 
 char *
@@ -169,22 +171,26 @@ qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism)
   return g_string_free (text, FALSE);
 }
 
-const char *
-qn_joint_kind_text (QnJointKind kind)
+char *
+qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
+                      const QnResult *result)
 {
-  switch (kind) {
-  case QN_JOINT_HINGE_START:
-  case QN_JOINT_HINGE_END:
-    return _ ("hinge");
-  case QN_JOINT_SLIDING:
-    return _ ("sliding");
-  case QN_JOINT_OPENING:
-    return _ ("opening");
-  case QN_JOINT_CLOSED:
-  case QN_JOINT_KIND_COUNT:
-    break;
-  }
-  return _ ("closed");
+  QnMechanism mechanism;
+  if (result->mechanism == NULL
+      || qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL)
+           != QN_OK)
+    return NULL;
+  char *hinges = qn_hinges_dup_text (model, result);
+  gboolean blocks_move = mechanism.body_count > 0;
+  g_autofree char *text = qn_mechanism_dup_text (model, &mechanism);
+  qn_mechanism_clear (&mechanism);
+  if (hinges == NULL)
+    return g_steal_pointer (&text);
+  if (!blocks_move)
+    return hinges;
+  char *both = g_strdup_printf ("%s %s", text, hinges);
+  g_free (hinges);
+  return both;
 }
 
 static void

@@ -140,6 +140,9 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
   const QnStep *last = last_step (result);
   switch (task->procedure) {
   case QN_PROCEDURE_LOAD:
+    if (result->mechanism_uncertain)
+      return _ ("Above the collapse multiplier the structure does not come to rest. How "
+                "it moves on was not settled: the mechanism shown is its last motion.");
     return _ (
       "Above the collapse multiplier the structure moves on along its mechanism and "
       "does not come to rest.");
@@ -241,6 +244,8 @@ static char *
 explain_failure (const Task *task, const QnResult *result)
 {
   const QnStep *last = last_step (result);
+  if (task->procedure == QN_PROCEDURE_LIMIT)
+    return g_strdup (_ ("The optimisation of limit analysis did not converge."));
   if (last == NULL)
     return g_strdup (_ ("The iteration did not converge under the dead load: the "
                         "structure neither rests nor clearly falls. Try a coarser "
@@ -250,8 +255,6 @@ explain_failure (const Task *task, const QnResult *result)
       _ ("Beyond a load multiplier of %.4g neither an equilibrium nor a mechanism was "
          "found. Try more increments or a coarser tolerance."),
       last->multiplier);
-  if (task->procedure == QN_PROCEDURE_LIMIT)
-    return g_strdup (_ ("The optimisation of limit analysis did not converge."));
   if (result->stop == QN_STOP_STEPS)
     return g_strdup_printf (
       _ ("The path was given up at a load multiplier of %.4g, after "

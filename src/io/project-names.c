@@ -114,6 +114,7 @@ static const struct {
   { "early_failure", offsetof (QnShortcuts, early_failure) },
   { "mechanism_estimate", offsetof (QnShortcuts, mechanism_estimate) },
   { "growing_increments", offsetof (QnShortcuts, growing_increments) },
+  { "unchanged_joints", offsetof (QnShortcuts, unchanged_joints) },
 };
 
 const char *

@@ -18,7 +18,7 @@ const char *qn_name_of_flow (int flow);
 const char *qn_name_of_dof (int dof);
 
 /* The switches of QnShortcuts by number, and their words. */
-#define QN_SHORTCUT_COUNT 5
+#define QN_SHORTCUT_COUNT 6
 const char *qn_name_of_shortcut (int shortcut);
 bool *qn_shortcut (QnShortcuts *shortcuts, int shortcut);
 

@@ -14,6 +14,7 @@ gboolean qn_read_bars (const QnPlace *root, QnModel *model);
 gboolean qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model);
 gboolean qn_read_walls (const QnPlace *root, QnModel *model);
 
+/* `support` of a block or node; left as it is where there is none. */
 gboolean qn_read_support (const QnPlace *place, bool support[QN_DOF_COUNT]);
 
 /* In project-read-beams.c: sections, nodes and beams; the walls must be expanded. */
@@ -42,7 +43,8 @@ gboolean qn_read_each (const QnPlace *root, const char *key, QnNeed need,
                        gboolean (*read) (const QnPlace *place, QnModel *model),
                        QnModel *model);
 
-/* Law, block, node, section or beam that a member names; an optional one that is not there leaves *id as it is. */
+/* Law, block, node, section or beam that a member names; an optional one that is not there leaves
+ * *id as it is. */
 gboolean qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
                            const QnModel *model, QnId *id);
 gboolean qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,

@@ -38,18 +38,18 @@ typedef enum {
   QN_DETAIL_COUNT
 } QnResultDetail;
 
+/* Writes a result, whole or not at all; `contacts` are the ones the analysis ran with. The second
+ * form says QN_DETAIL_FORCES. Errors: QN_IO_ERROR. */
 gboolean qn_result_file_write_detailed (const char *path, const QnProject *project,
                                         const QnContacts *contacts,
                                         const QnResult *result, QnResultDetail detail,
                                         GError **error);
-
-/* Writes a result; `contacts` are the ones the analysis ran with. */
 gboolean qn_result_file_write (const char *path, const QnProject *project,
                                const QnContacts *contacts, const QnResult *result,
                                GError **error);
 
 /* Reads a result file. `file` is overwritten without being cleared and holds nothing on
- * failure. Unknown keys are ignored: later versions of the program add some. */
+ * failure. Unknown keys are ignored: later versions of the program add some. Errors: QN_IO_ERROR. */
 gboolean qn_result_file_read (const char *path, QnResultFile *file, GError **error);
 
 /* The same from memory; `name` stands for the file in messages. */

@@ -91,6 +91,15 @@ read_first_limit (QnJsonStream *stream, gpointer target)
   return done;
 }
 
+static gboolean
+read_uncertain (QnJsonStream *stream, gpointer target)
+{
+  QnResult *result = &((QnResultDraft *) target)->file->result;
+  result->mechanism_uncertain = stream->scanner.token == QN_JSON_TRUE;
+  return result->mechanism_uncertain || stream->scanner.token == QN_JSON_FALSE
+         || qn_json_stream_fail (stream, _ ("expected true or false"));
+}
+
 static QnLimitFigures *
 limit_figures (gpointer target)
 {
@@ -492,6 +501,7 @@ read_document (QnJsonStream *stream, gpointer target)
     { "steps", read_steps, 0, TRUE },
     { "contacts", read_contacts, 0, TRUE },
     { "mechanism", read_mechanism, 0, FALSE },
+    { "mechanism_uncertain", read_uncertain, 0, FALSE },
     { "node_mechanism", read_node_mechanism, 0, FALSE },
     { "statistics", read_statistics, 0, FALSE },
   };

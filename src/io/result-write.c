@@ -342,6 +342,8 @@ write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *c
   }
   write_rows (writer, result->mechanism, result->block_count);
   qn_file_writer_puts (writer, ",\n");
+  if (result->mechanism_uncertain)
+    qn_file_writer_puts (writer, "  \"mechanism_uncertain\": true,\n");
   if (result->node_count > 0) {
     qn_file_writer_puts (writer, "  \"node_mechanism\": ");
     write_rows (writer, result->mechanism + result->block_count * QN_DOF_COUNT,

@@ -14,7 +14,7 @@ typedef struct Matrix {
 
 typedef struct Group {
   Matrix matrix;
-  const char *layer; /* interned */
+  const char *layer; /* kept by the drawing */
   gboolean hidden;   /* definitions, clip paths … */
 } Group;
 
@@ -456,7 +456,7 @@ start_element (GMarkupParseContext *context, const char *element, const char **k
     if (label == NULL)
       label = attribute (keys, values, "id");
     if (label != NULL)
-      own->layer = g_intern_string (label);
+      own->layer = qn_drawing_keep_string (importer->drawing, label);
   }
   static const char *const unseen[] = { "defs",   "clipPath", "mask", "pattern",
                                         "marker", "symbol",   NULL };
@@ -498,8 +498,7 @@ qn_svg_import (const char *text, gsize length, const char *name, QnDrawing *draw
   const GMarkupParser parser = { .start_element = start_element,
                                  .end_element = end_element };
   Importer importer = { .drawing = drawing, .name = name };
-  importer.groups[0] =
-    (Group){ { 1, 0, 0, 1, 0, 0 }, g_intern_static_string ("0"), FALSE };
+  importer.groups[0] = (Group){ { 1, 0, 0, 1, 0, 0 }, "0", FALSE };
   qn_drawing_init (drawing);
   GMarkupParseContext *context = g_markup_parse_context_new (&parser, 0, &importer, NULL);
   GError *problem = NULL;

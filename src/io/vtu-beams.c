@@ -44,31 +44,6 @@ force_value (const void *data, size_t index, int component)
 }
 
 static double
-index_value (const void *data, size_t index, int component)
-{
-  (void) data;
-  (void) component;
-  return (double) index;
-}
-
-static double
-line_end (const void *data, size_t index, int component)
-{
-  (void) data;
-  (void) component;
-  return 2 * ((double) index + 1);
-}
-
-static double
-line_value (const void *data, size_t index, int component)
-{
-  (void) data;
-  (void) index;
-  (void) component;
-  return QN_VTK_LINE;
-}
-
-static double
 beam_value (const void *data, size_t index, int component)
 {
   (void) component;
@@ -91,13 +66,8 @@ qn_vtu_write_beams (QnFileWriter *writer, const QnModel *model, const QnResult *
 
   size_t cells = model->element_count, points = 2 * cells;
   qn_vtu_begin (writer, points, cells);
-  qn_file_writer_puts (writer, "<Points>\n");
-  qn_vtu_put_array (writer, "Float64", "Points", 3, points, point_value, &beams);
-  qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  qn_vtu_put_array (writer, "Int64", "connectivity", 1, points, index_value, &beams);
-  qn_vtu_put_array (writer, "Int64", "offsets", 1, cells, line_end, &beams);
-  qn_vtu_put_array (writer, "UInt8", "types", 1, cells, line_value, &beams);
-  qn_file_writer_puts (writer, "</Cells>\n<PointData Vectors=\"displacement\">\n");
+  qn_vtu_put_lines (writer, cells, point_value, &beams);
+  qn_file_writer_puts (writer, "<PointData Vectors=\"displacement\">\n");
   qn_vtu_put_array (writer, "Float64", "displacement", 3, points, displacement_value,
                     &beams);
   if (beams.forces != NULL)

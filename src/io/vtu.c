@@ -10,6 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* VTK's number of the kind of cell that a block is. */
+#define VTK_POLYGON 7
+
 /* Longest force arrow, as part of the model's extent. */
 #define FORCE_LENGTH 0.1
 
@@ -74,14 +77,6 @@ displacement_value (const void *data, size_t index, int component)
 }
 
 static double
-index_value (const void *data, size_t index, int component)
-{
-  (void) data;
-  (void) component;
-  return (double) index;
-}
-
-static double
 end_value (const void *data, size_t index, int component)
 {
   (void) component;
@@ -94,7 +89,7 @@ polygon_value (const void *data, size_t index, int component)
   (void) data;
   (void) index;
   (void) component;
-  return QN_VTK_POLYGON;
+  return VTK_POLYGON;
 }
 
 static double
@@ -129,14 +124,15 @@ write_blocks (const Blocks *blocks, QnFileWriter *writer, GError **error)
   qn_file_writer_puts (writer, "<Points>\n");
   qn_vtu_put_array (writer, "Float64", "Points", 3, points, point_value, blocks);
   qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  qn_vtu_put_array (writer, "Int64", "connectivity", 1, points, index_value, blocks);
+  qn_vtu_put_array (writer, "Int64", "connectivity", 1, points, qn_vtu_index_value,
+                    blocks);
   qn_vtu_put_array (writer, "Int64", "offsets", 1, cells, end_value, blocks);
   qn_vtu_put_array (writer, "UInt8", "types", 1, cells, polygon_value, blocks);
   qn_file_writer_puts (writer, "</Cells>\n<PointData Vectors=\"displacement\">\n");
   qn_vtu_put_array (writer, "Float64", "displacement", 3, points, displacement_value,
                     blocks);
   qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"block\">\n");
-  qn_vtu_put_array (writer, "Int64", "block", 1, cells, index_value, blocks);
+  qn_vtu_put_array (writer, "Int64", "block", 1, cells, qn_vtu_index_value, blocks);
   qn_vtu_put_array (writer, "UInt8", "supported", 1, cells, supported_value, blocks);
   qn_vtu_put_array (writer, "Float64", "motion", 3, cells, motion_value, blocks);
   qn_vtu_put_array (writer, "Float64", "weight", 1, cells, weight_value, blocks);
@@ -174,23 +170,6 @@ force_point (const void *data, size_t index, int component)
 }
 
 static double
-line_end (const void *data, size_t index, int component)
-{
-  (void) data;
-  (void) component;
-  return 2 * ((double) index + 1);
-}
-
-static double
-line_value (const void *data, size_t index, int component)
-{
-  (void) data;
-  (void) index;
-  (void) component;
-  return QN_VTK_LINE;
-}
-
-static double
 state_value (const void *data, size_t index, int component)
 {
   (void) component;
@@ -218,13 +197,8 @@ write_forces (const Forces *forces, QnFileWriter *writer, GError **error)
     return FALSE;
   size_t cells = forces->contacts->pair_count;
   qn_vtu_begin (writer, 2 * cells, cells);
-  qn_file_writer_puts (writer, "<Points>\n");
-  qn_vtu_put_array (writer, "Float64", "Points", 3, 2 * cells, force_point, forces);
-  qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  qn_vtu_put_array (writer, "Int64", "connectivity", 1, 2 * cells, index_value, forces);
-  qn_vtu_put_array (writer, "Int64", "offsets", 1, cells, line_end, forces);
-  qn_vtu_put_array (writer, "UInt8", "types", 1, cells, line_value, forces);
-  qn_file_writer_puts (writer, "</Cells>\n<CellData Scalars=\"state\">\n");
+  qn_vtu_put_lines (writer, cells, force_point, forces);
+  qn_file_writer_puts (writer, "<CellData Scalars=\"state\">\n");
   qn_vtu_put_array (writer, "Int64", "state", 1, cells, state_value, forces);
   qn_vtu_put_array (writer, "Int64", "face", 1, cells, face_value, forces);
   qn_vtu_put_array (writer, "Float64", "normal_shear_force", 2, cells, force_value,

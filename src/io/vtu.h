@@ -19,7 +19,9 @@
  *
  * The forces at the last equilibrium are in NAME_forces.vtu, a line per contact pair from its
  * point along the force on the second block, the largest a tenth of the model's extent long; cell
- * data: state (0 stick, 1 slip, 2 open, 3 yield), normal_shear_force (N), face. Errors: QN_IO_ERROR. */
+ * data: state (0 stick, 1 slip, 2 open, 3 yield), normal_shear_force (N), face.
+ *
+ * All files appear together or none of them. Errors: QN_IO_ERROR. */
 gboolean qn_vtu_export (const QnModel *model, const QnContacts *contacts,
                         const QnResult *result, const char *path, GError **error);
 

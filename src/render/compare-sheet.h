@@ -21,6 +21,7 @@ typedef struct QnCompareSheet {
  * other figure shows the same structure with a mechanism. False when memory runs out. */
 bool qn_compare_sheet_groups (const QnFigure *figures, size_t count, QnId *groups);
 
+/* Writes the sheet as qn_page_export() does. */
 bool qn_compare_sheet_export (const QnCompareSheet *sheet, const char *path,
                               const QnOutput *output, const QnMetadata *metadata,
                               GError **error);

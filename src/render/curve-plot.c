@@ -3,6 +3,7 @@
 #include "render/camera.h"
 #include "render/draw-cairo.h"
 #include "render/figure-furniture.h"
+#include "render/paint.h"
 #include "render/scene.h"
 #include "render/text.h"
 
@@ -125,8 +126,7 @@ data_ranges (const QnCurvePlot *data, QnBox *box)
 static void
 set_ink (const Plot *plot, QnInk ink, double alpha)
 {
-  QnColor c = qn_ink (ink, plot->data->monochrome);
-  cairo_set_source_rgba (plot->cr, c.r / 255.0, c.g / 255.0, c.b / 255.0, alpha);
+  qn_set_color (plot->cr, qn_ink (ink, plot->data->monochrome), alpha);
 }
 
 /* The digits that tell neighbouring ticks apart; of decades, the power of ten. */
@@ -196,7 +196,7 @@ draw_curve (const Plot *plot, size_t index)
   double u = plot->unit, dashes[2] = { 4 * u, 2.5 * u };
   QnColor c = qn_series_color ((int) index, plot->data->monochrome);
   cairo_save (plot->cr);
-  cairo_set_source_rgb (plot->cr, c.r / 255.0, c.g / 255.0, c.b / 255.0);
+  qn_set_color (plot->cr, c, 1);
   cairo_set_line_width (plot->cr, 1.3 * u);
   cairo_set_line_join (plot->cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_dash (plot->cr, dashes, is_dashed (plot->data, index) ? 2 : 0, 0);
@@ -244,7 +244,7 @@ draw_references (const Plot *plot)
     QnColor c = reference_color (plot->data, i);
     double y = axis_place (&plot->y, plot->data->references[i].y);
     cairo_save (plot->cr);
-    cairo_set_source_rgb (plot->cr, c.r / 255.0, c.g / 255.0, c.b / 255.0);
+    qn_set_color (plot->cr, c, 1);
     cairo_set_line_width (plot->cr, 0.8 * u);
     cairo_set_dash (plot->cr, dashes, 2, 0);
     line (plot, plot->x.start, y, plot->x.end, y);

@@ -47,6 +47,7 @@ bool qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, Q
 
 void qn_curve_clear (QnCurve *curve);
 
+/* Writes the plot as qn_page_export() does. */
 bool qn_curve_export (const QnCurvePlot *plot, const char *path, const QnOutput *output,
                       const QnMetadata *metadata, GError **error);
 

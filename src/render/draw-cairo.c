@@ -1,17 +1,11 @@
 #include "render/draw-cairo.h"
 
 #include "render/marker-shape.h"
+#include "render/paint.h"
 #include "render/text.h"
 
 /* Paper around labels that stand on hatching, pt. */
 #define LABEL_HALO 1.0
-
-static void
-set_color (cairo_t *cr, QnColor color)
-{
-  cairo_set_source_rgba (cr, color.r / 255.0, color.g / 255.0, color.b / 255.0,
-                         color.a / 255.0);
-}
 
 static void
 trace_points (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
@@ -32,7 +26,7 @@ draw_stroke (const QnScene *scene, const QnCommand *command, const QnCamera *cam
 {
   double dashes[2] = { 4 * camera->unit, 2.5 * camera->unit };
   trace_points (scene, command, camera, command->closed, cr);
-  set_color (cr, command->color);
+  qn_set_color (cr, command->color, 1);
   cairo_set_line_width (cr, command->size * camera->unit * line_factor);
   cairo_set_dash (cr, dashes, command->dashed ? 2 : 0, 0);
   cairo_stroke (cr);
@@ -81,10 +75,10 @@ draw_marker (cairo_t *cr, QnMarker marker, double x, double y, double size, doub
     if (path.closed)
       cairo_close_path (cr);
     if (path.paint == QN_MARKER_RIM) {
-      set_color (cr, qn_rgb (0xffffff));
+      qn_set_color (cr, qn_rgb (0xffffff), 1);
       cairo_fill_preserve (cr);
     }
-    set_color (cr, color);
+    qn_set_color (cr, color, 1);
     if (path.paint == QN_MARKER_INK)
       cairo_fill (cr);
     else
@@ -109,7 +103,7 @@ draw_command (const QnScene *scene, const QnCommand *command, const QnCamera *ca
   switch ((QnCommandKind) command->kind) {
   case QN_COMMAND_FILL:
     trace_points (scene, command, camera, true, cr);
-    set_color (cr, command->color);
+    qn_set_color (cr, command->color, 1);
     cairo_fill (cr);
     break;
   case QN_COMMAND_STROKE:

@@ -1,6 +1,7 @@
 #include "render/figure-furniture.h"
 
 #include "render/draw-cairo.h"
+#include "render/paint.h"
 #include "render/scene-builder.h"
 #include "render/text.h"
 
@@ -111,17 +112,10 @@ qn_furniture_column_size (const QnFurniture *f, double *width, double *height)
 /* ---- items ----------------------------------------------------------------------------- */
 
 static void
-set_color (cairo_t *cr, QnColor color)
-{
-  cairo_set_source_rgba (cr, color.r / 255.0, color.g / 255.0, color.b / 255.0,
-                         color.a / 255.0);
-}
-
-static void
 rectangle_outline (cairo_t *cr, double x, double y, double width, double height,
                    double line, QnColor color)
 {
-  set_color (cr, color);
+  qn_set_color (cr, color, 1);
   cairo_set_line_width (cr, line);
   cairo_rectangle (cr, x, y, width, height);
   cairo_stroke (cr);
@@ -142,7 +136,7 @@ draw_scale_bar (const QnFurniture *f, cairo_t *cr, double x, double y, double sc
   QnColor line = qn_ink (QN_INK_LINE, f->scene->monochrome);
   double length = qn_nice_below (0.6 * SCALE_WIDTH * u / scale);
   double width = length * scale, top = y + 4.2 * u, height = 3.2 * u;
-  set_color (cr, line);
+  qn_set_color (cr, line, 1);
   cairo_rectangle (cr, x, top, 0.5 * width, height);
   cairo_fill (cr);
   rectangle_outline (cr, x, top, width, height, 0.6 * u, line);
@@ -174,7 +168,7 @@ draw_color_bar (const QnFurniture *f, cairo_t *cr, double x, double y, double wi
   cairo_set_antialias (cr, CAIRO_ANTIALIAS_NONE);
   for (int i = 0; i < STEPS; i++) {
     double value = bar->min + (bar->max - bar->min) * (i + 0.5) / STEPS;
-    set_color (cr, qn_color_bar_color (bar, value, monochrome));
+    qn_set_color (cr, qn_color_bar_color (bar, value, monochrome), 1);
     cairo_rectangle (cr, x + i * width / STEPS, top, width / STEPS, height);
     cairo_fill (cr);
   }
@@ -193,7 +187,7 @@ draw_hatch (cairo_t *cr, double x, double y, double width, double height, double
   cairo_save (cr);
   cairo_rectangle (cr, x, y, width, height);
   cairo_clip (cr);
-  set_color (cr, color);
+  qn_set_color (cr, color, 1);
   cairo_set_line_width (cr, 0.5 * u);
   for (double s = x - height; s < x + width; s += 3.5 * u) {
     cairo_move_to (cr, s, y + height);
@@ -209,7 +203,7 @@ draw_sample_marker (cairo_t *cr, const QnLegendEntry *entry, double x, double mi
 {
   if (entry->marker == QN_MARKER_ARROW_HEAD) {
     double head = (3 + 2.5 * entry->size) * u;
-    set_color (cr, entry->color);
+    qn_set_color (cr, entry->color, 1);
     cairo_set_line_width (cr, entry->size * u);
     cairo_move_to (cr, x, middle);
     cairo_line_to (cr, x + SAMPLE_WIDTH * u - 0.5 * head, middle);
@@ -232,7 +226,7 @@ draw_entry (const QnFurniture *f, cairo_t *cr, const QnLegendEntry *entry, doubl
   double left = (SAMPLE_WIDTH + SAMPLE_GAP) * u;
   switch ((QnCommandKind) entry->kind) {
   case QN_COMMAND_FILL:
-    set_color (cr, entry->color);
+    qn_set_color (cr, entry->color, 1);
     cairo_rectangle (cr, x, middle - 4 * u, SAMPLE_WIDTH * u, 8 * u);
     cairo_fill (cr);
     if (entry->hatched)
@@ -240,7 +234,7 @@ draw_entry (const QnFurniture *f, cairo_t *cr, const QnLegendEntry *entry, doubl
     rectangle_outline (cr, x, middle - 4 * u, SAMPLE_WIDTH * u, 8 * u, 0.5 * u, line);
     break;
   case QN_COMMAND_STROKE:
-    set_color (cr, entry->color);
+    qn_set_color (cr, entry->color, 1);
     cairo_set_line_width (cr, entry->size * u);
     cairo_set_dash (cr, dashes, entry->dashed ? 2 : 0, 0);
     cairo_move_to (cr, x, middle);

@@ -1,5 +1,6 @@
 #include "render/joint-plot.h"
 
+#include "render/paint.h"
 #include "render/text.h"
 
 #include <glib.h>
@@ -75,12 +76,6 @@ qn_joint_plot_fill (QnJointPlot *plot, const QnModel *model, const QnContacts *c
 
 /* ---- drawing ---- */
 
-static void
-set_ink (const Drawing *d, QnColor c, double alpha)
-{
-  cairo_set_source_rgba (d->cr, c.r / 255.0, c.g / 255.0, c.b / 255.0, alpha);
-}
-
 /* The ink of a state on this ground. */
 static QnColor
 state_ink (const Drawing *d, QnPairState state)
@@ -103,7 +98,7 @@ static void
 draw_mark (const Drawing *d, double x, double y, QnPairState state)
 {
   double r = MARK_PT * d->unit;
-  set_ink (d, state_ink (d, state), 1.0);
+  qn_set_color (d->cr, state_ink (d, state), 1.0);
   cairo_new_path (d->cr);
   if (state == QN_PAIR_SLIP || state == QN_PAIR_YIELD)
     cairo_rectangle (d->cr, x - r, y - r, 2 * r, 2 * r);
@@ -120,7 +115,7 @@ static void
 draw_line (const Drawing *d, double x0, double y0, double x1, double y1, QnColor color,
            double width)
 {
-  set_ink (d, color, 1.0);
+  qn_set_color (d->cr, color, 1.0);
   cairo_set_line_width (d->cr, width * d->unit);
   cairo_move_to (d->cr, x0, y0);
   cairo_line_to (d->cr, x1, y1);
@@ -193,9 +188,9 @@ draw_cones (const Drawing *d, Area a, double press, double pull, double shear)
     cairo_line_to (d->cr, zero + cap * per_n, middle - at_cap * per_t);
     cairo_line_to (d->cr, zero + cap * per_n, middle + at_cap * per_t);
     cairo_line_to (d->cr, a.x, middle + at_end * per_t);
-    set_ink (d, d->ink, 0.07);
+    qn_set_color (d->cr, d->ink, 0.07);
     cairo_fill_preserve (d->cr);
-    set_ink (d, d->ink, 0.8);
+    qn_set_color (d->cr, d->ink, 0.8);
     cairo_set_line_width (d->cr, 0.9 * d->unit);
     cairo_stroke (d->cr);
     cairo_restore (d->cr);

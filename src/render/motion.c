@@ -201,5 +201,5 @@ qn_mechanism_kind_text (QnMechanismKind kind)
   case QN_MECHANISM_KIND_COUNT:
     break;
   }
-  return _ ("no mechanism");
+  return _ ("beams give way"); /* no block moves */
 }

@@ -2,7 +2,6 @@
  * rectangle that changed. */
 #include "render/movie.h"
 #include "render/palette.h"
-#include "render/text.h"
 
 #include <gif_lib.h>
 #include <glib/gi18n-lib.h>
@@ -80,7 +79,8 @@ put_header (QnMovie *movie, const QnMetadata *metadata)
   if (metadata->title != NULL)
     g_string_append_printf (comment, "; %s", metadata->title);
   if (!isnan (metadata->multiplier)) {
-    g_autofree char *number = qn_label_number ("%.6g", metadata->multiplier);
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    g_ascii_formatd (number, sizeof number, "%.6g", metadata->multiplier);
     g_string_append_printf (comment, "; multiplier %s", number);
   }
   if (metadata->model != NULL)

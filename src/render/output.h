@@ -74,7 +74,8 @@ bool qn_output_page (const QnOutput *output, QnPage *page, GError **error);
 /* Draws one page; false with an error to give up. */
 typedef bool (*QnPageFunc) (cairo_t *cr, const QnPage *page, void *data, GError **error);
 
-/* Draws, encodes and writes; "-" writes to standard output. */
+/* Draws, encodes and writes, whole or not at all; "-" writes to standard output. False with an
+ * error of QN_RENDER_ERROR, or the one that `draw` has set. */
 bool qn_page_export (const char *path, const QnOutput *output, const QnMetadata *metadata,
                      QnPageFunc draw, void *data, GError **error);
 

@@ -197,7 +197,7 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
                               : g_strdup_printf (_ ("weight × (%s, %s)"), x, y);
     QnLegendEntry *entry =
       qn_scene_legend (b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color,
-                       "%s: %s", set_label (b, load, name), what);
+                       _ ("%s: %s"), set_label (b, load, name), what);
     entry->marker = QN_MARKER_ARROW_HEAD;
     entry->size = QN_WIDTH_ARROW;
   }

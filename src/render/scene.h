@@ -119,6 +119,7 @@ typedef struct QnScene {
   uint64_t revision; /* changes whenever the content does; never 0 */
 } QnScene;
 
+/* An empty scene, for builders. */
 QnScene *qn_scene_new (void);
 void qn_scene_free (QnScene *scene);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnScene, qn_scene_free)
@@ -145,6 +146,7 @@ QnCommand *qn_scene_text (QnScene *scene, QnLayer layer, QnVec2 at, double size,
 void qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double width,
                      QnColor color, QnPickKind pick, QnId id, double extent);
 
+/* Adds a line to the legend; valid until the next addition. */
 QnLegendEntry *qn_scene_legend (QnScene *scene, QnCommandKind kind, QnColor color,
                                 const char *format, ...) G_GNUC_PRINTF (4, 5);
 

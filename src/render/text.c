@@ -1,5 +1,8 @@
 #include "render/text.h"
 
+#include "render/paint.h"
+
+#include <glib/gi18n-lib.h>
 #include <pango/pangocairo.h>
 #include <string.h>
 
@@ -10,7 +13,9 @@ qn_label_number (const char *format, double value)
   g_ascii_formatd (buffer, sizeof buffer, format, value);
   /* What rounds to nothing has no sign. */
   bool nothing = buffer[0] == '-' && strpbrk (buffer, "123456789n") == NULL;
-  return g_strdup (nothing ? buffer + 1 : buffer);
+  GString *text = g_string_new (nothing ? buffer + 1 : buffer);
+  g_string_replace (text, ".", C_ ("decimal sign", "."), 1);
+  return g_string_free (text, FALSE);
 }
 
 /* A layout whose lines do not depend on the surface: no hinting, no rounding to pixels. */
@@ -88,8 +93,7 @@ qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
     cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke (cr);
   }
-  cairo_set_source_rgba (cr, color.r / 255.0, color.g / 255.0, color.b / 255.0,
-                         color.a / 255.0);
+  qn_set_color (cr, color, 1);
   cairo_move_to (cr, -align_x * set_width, -align_y * height);
   pango_cairo_show_layout (cr, layout);
   cairo_restore (cr);

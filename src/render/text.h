@@ -14,8 +14,9 @@ typedef struct QnTextStyle {
   double width; /* px: wraps to at most two lines, then shortens; 0: one line */
 } QnTextStyle;
 
-/* A number as text with a decimal point whatever the locale; `format` is one printf()
- * conversion of a double. Newly allocated. */
+/* A number as text, with the decimal sign of the language that words are in, so that a picture is
+ * of one piece whatever the locale's numbers look like; `format` is one printf() conversion of a
+ * double. Newly allocated. */
 char *qn_label_number (const char *format, double value);
 
 /* Size of the text in px. */

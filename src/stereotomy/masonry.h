@@ -224,9 +224,8 @@ bool qn_masonries_take (QnMasonries *list, QnMasonry *masonry);
 void qn_masonries_clear (QnMasonries *list);
 
 /* Adds the blocks of one object to a model that is not prepared yet. `index` is for the
- * diagnostic (QN_ENTITY_MASONRY; `sub` the opening or
- * `other` the leaf, `field` the key). On failure the
- * model may hold part of the blocks. */
+ * diagnostic (QN_ENTITY_MASONRY; `sub` the opening or `other` the leaf, `field` the key). On
+ * failure the model may hold part of the blocks. */
 QnStatus qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model,
                             QnDiag *diag);
 

@@ -33,6 +33,7 @@ bool qn_pieces_take (QnPieces *pieces, QnPiece *piece);
 /* Everything but name and ring. */
 void qn_piece_inherit (QnPiece *piece, const QnPiece *from);
 
+/* Removes one and closes the gap, or all. */
 void qn_pieces_remove (QnPieces *pieces, size_t index);
 void qn_pieces_clear (QnPieces *pieces);
 

@@ -332,30 +332,3 @@ qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out, QnDiag 
   qn_geos_clear (&geos);
   return status;
 }
-
-QnStatus
-qn_fill_between (const QnRings *rings, const QnRing *frame, double least_area,
-                 QnRings *out, QnDiag *diag)
-{
-  QnStatus status = check_all (rings, diag);
-  if (status == QN_OK && frame != NULL)
-    status = qn_ring_check (frame, (QnId) rings->count, diag);
-  if (status != QN_OK || (rings->count == 0 && frame == NULL))
-    return status;
-
-  QnGeos geos = { 0 };
-  status = qn_geos_init (&geos, diag);
-  if (status == QN_OK) {
-    GEOSGeometry *all = merged (&geos, rings, 0);
-    GEOSGeometry *around = frame != NULL
-                             ? qn_geos_polygon (&geos, frame->points, frame->count)
-                           : all != NULL ? GEOSConvexHull_r (geos.handle, all)
-                                         : NULL;
-    QnBounds bounds = frame != NULL ? qn_ring_bounds (frame) : qn_rings_bounds (rings);
-    double size = qn_bounds_size (bounds);
-    status = overlay_take (&geos, around, all, GEOSDifferencePrec_r, bounds,
-                           fmax (least_area, NOTHING * size * size), out, diag);
-  }
-  qn_geos_clear (&geos);
-  return status;
-}

@@ -35,10 +35,4 @@ QnStatus qn_polygons_union (const QnRings *rings, QnRing *out, QnDiag *diag);
 QnStatus qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out,
                          QnDiag *diag);
 
-/* What the polygons leave free inside `frame`, or inside their convex hull where frame is NULL:
- * spandrels, joints filled with mortar, infill. Parts smaller than `least_area` (m2) are left
- * out. Holes are parted as by qn_polygon_difference(). */
-QnStatus qn_fill_between (const QnRings *rings, const QnRing *frame, double least_area,
-                          QnRings *out, QnDiag *diag);
-
 #endif

@@ -28,7 +28,8 @@ typedef struct QnBounds {
 bool qn_ring_init (QnRing *ring, const QnVec2 *points, size_t count);
 void qn_ring_clear (QnRing *ring);
 
-/* Twice the signed area would cancel far from the origin: summed relative to the first vertex. */
+/* Signed area, m2, positive counter-clockwise; centroid; perimeter, m; extents. Area and centroid
+ * are summed relative to the first vertex, so that they keep their digits far from the origin. */
 double qn_ring_area (const QnRing *ring);
 QnVec2 qn_ring_centroid (const QnRing *ring);
 double qn_ring_perimeter (const QnRing *ring);
@@ -51,11 +52,14 @@ bool qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count);
 /* Moves `ring` to the end of the list and zeroes it; false (and nothing moved) without memory. */
 bool qn_rings_take (QnRings *rings, QnRing *ring);
 
+/* Removes one and closes the gap, or all. */
 void qn_rings_remove (QnRings *rings, size_t index);
 void qn_rings_clear (QnRings *rings);
 
+/* Extents of all of them. */
 QnBounds qn_rings_bounds (const QnRings *rings);
 
+/* The larger of width and height, m; 0 where empty. */
 static inline double
 qn_bounds_size (QnBounds bounds)
 {
@@ -64,6 +68,7 @@ qn_bounds_size (QnBounds bounds)
            : fmax (bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
 }
 
+/* Whether they meet when each may be off by half the margin, m. */
 static inline bool
 qn_bounds_overlap (QnBounds a, QnBounds b, double margin)
 {

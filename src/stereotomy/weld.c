@@ -1,7 +1,6 @@
 #include "stereotomy/weld.h"
 #include "core/box-tree.h"
 #include "core/memory.h"
-#include "stereotomy/polygon-ops.h"
 
 #include <stdlib.h>
 
@@ -351,71 +350,6 @@ qn_joint_length (const QnRing *a, const QnRing *b, double tolerance)
       sum += edge_overlap (a->points[i], a->points[(i + 1) % a->count], b->points[k],
                            b->points[(k + 1) % b->count], tolerance);
   return sum > tolerance ? sum : 0;
-}
-
-/* Joins ring `index` with its best neighbour; `merged` tells. */
-static QnStatus
-merge_ring (QnRings *rings, size_t index, const QnBoxTree *tree, double tolerance,
-            bool *merged, QnDiag *diag)
-{
-  QnRing *ring = &rings->items[index];
-  QnBounds bounds = qn_ring_bounds (ring);
-  QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ bounds.min, bounds.max });
-  double longest = 0;
-  size_t best = SIZE_MAX;
-  for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
-    double joint = (size_t) i == index || rings->items[i].count < 3
-                     ? 0
-                     : qn_joint_length (ring, &rings->items[i], tolerance);
-    if (joint > longest || (joint > 0 && joint == longest && (size_t) i < best)) {
-      longest = joint;
-      best = (size_t) i;
-    }
-  }
-  *merged = false;
-  if (best == SIZE_MAX)
-    return QN_OK;
-  QnRing pair[] = { rings->items[best], *ring }, joined;
-  QnDiag ignored;
-  QnStatus status = qn_polygons_union (&(QnRings){ pair, 2, 2 }, &joined, &ignored);
-  if (status == QN_ERROR_NO_MEMORY)
-    return qn_diag_no_memory (diag);
-  if (status == QN_OK) {
-    qn_ring_clear (&rings->items[best]);
-    rings->items[best] = joined;
-    *merged = true;
-  }
-  return QN_OK;
-}
-
-QnStatus
-qn_remove_slivers (QnRings *rings, double least_area, double least_width,
-                   QnHealing *healing, QnDiag *diag)
-{
-  if (rings->count == 0)
-    return QN_OK;
-  double tolerance = 1e-9 * qn_bounds_size (qn_rings_bounds (rings));
-  QnBoxTree tree = { 0 };
-  if (!ring_tree (rings, tolerance, &tree))
-    return qn_diag_no_memory (diag);
-  QnStatus status = QN_OK;
-  for (size_t i = 0; i < rings->count && status == QN_OK; i++) {
-    QnRing *ring = &rings->items[i];
-    double area = fabs (qn_ring_area (ring));
-    if (ring->count >= 3 && area >= least_area
-        && 2 * area >= least_width * qn_ring_perimeter (ring))
-      continue;
-    bool merged = false;
-    QnVec2 at = qn_ring_centroid (ring);
-    if (ring->count >= 3 && area > 0)
-      status = merge_ring (rings, i, &tree, tolerance, &merged, diag);
-    note (healing, at, at);
-    ring->count = 0;
-  }
-  qn_box_tree_clear (&tree);
-  if (status == QN_OK)
-    qn_drop_collapsed (rings);
-  return status;
 }
 
 size_t

@@ -11,7 +11,7 @@
 #include "stereotomy/ring.h"
 
 typedef struct QnHealing {
-  size_t count;    /* vertices moved or inserted, rings removed or merged */
+  size_t count;    /* vertices moved or inserted */
   double farthest; /* m: longest way a vertex went */
   QnVec2 at;       /* where that was */
 } QnHealing;
@@ -29,12 +29,6 @@ QnStatus qn_weld_vertices (QnRings *rings, double least, double tolerance,
  * their vertices lies beside an edge of its own, that edge gets it as a vertex. */
 QnStatus qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing,
                              QnDiag *diag);
-
-/* Rings smaller than `least_area` (m2) or nowhere wider than about `least_width` (m; area over
- * half the perimeter) are joined with the neighbour that shares the longest joint; without
- * one they are removed. */
-QnStatus qn_remove_slivers (QnRings *rings, double least_area, double least_width,
-                            QnHealing *healing, QnDiag *diag);
 
 /* Removes rings with fewer than three points. Returns how many there were. */
 size_t qn_drop_collapsed (QnRings *rings);

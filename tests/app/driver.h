@@ -39,6 +39,9 @@ void driver_activate (QnWindow *window, const char *detailed_action);
 /* Closes without asking. */
 void driver_discard (QnWindow *window);
 
+/* Lays a wall of 10,000 blocks in the drawing, 40 x 17.5 m. */
+void driver_lay_large_wall (QnWindow *window);
+
 /* Picture of a window in device pixels; the caller frees it. */
 cairo_surface_t *driver_picture (GtkWidget *window);
 
@@ -50,6 +53,9 @@ void driver_activate_target (QnWindow *window, const char *action, GVariant *tar
 
 /* The window on the screen, other than a main one, whose title starts so; or NULL. */
 GtkWidget *driver_find_dialog (const char *title);
+
+/* The question that is on the screen, or NULL. */
+GtkWidget *driver_find_message (void);
 
 /* The first widget below `root`, itself included, that matches; or NULL. */
 typedef gboolean (*DriverMatch) (GtkWidget *widget, gconstpointer data);

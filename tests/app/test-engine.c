@@ -4,8 +4,6 @@
 #include "app/canvas.h"
 #include "app/gl-layer.h"
 #include "app/settings.h"
-#include "doc/edit-masonry.h"
-#include "doc/edit.h"
 #include "driver.h"
 
 #include <glib.h>
@@ -78,30 +76,12 @@ test_same_picture (void)
   }
 }
 
-static gboolean
-add_large_wall (QnProject *draft, gpointer data, GError **error)
-{
-  (void) data;
-  const QnMasonryStyle style = { .unit = { 0.4, 0.175 },
-                                 .lap = 0.5,
-                                 .thickness = 1.0,
-                                 .unit_weight = 1e4,
-                                 .law = QN_NONE,
-                                 .base = TRUE };
-  QnMasonry wall;
-  g_assert_true (qn_plan_wall (&wall, &style, qn_vec2 (0.0, 0.0), qn_vec2 (40.0, 17.5)));
-  return qn_edit_add_masonry (draft, &wall, error);
-}
-
 static QnWindow *
 open_large_wall (void)
 {
   QnWindow *window = driver_open_window (1280, 800);
-  g_autoptr (GError) error = NULL;
   driver_activate (window, "win.draw");
-  qn_document_edit_project (qn_window_get_document (window), "Wall", NULL, add_large_wall,
-                            NULL, &error);
-  g_assert_no_error (error);
+  driver_lay_large_wall (window);
   driver_activate (window, "win.fit");
   driver_run (600);
   return window;

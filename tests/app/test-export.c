@@ -213,7 +213,7 @@ test_animation (void)
   driver_wait (has_no_animation_dialog, NULL);
 
   g_autofree char *action =
-    g_strdup_printf ("win.export-result-path(('animation', '%s'))", pictures);
+    g_strdup_printf ("win.export-path(('animation', '%s'))", pictures);
   driver_activate (window, action);
   dialog = driver_find_dialog ("Export Animation");
   g_assert_nonnull (dialog);
@@ -230,14 +230,79 @@ test_animation (void)
 
   /* Closing the dialog cancels as well. */
   g_autofree char *gif = g_build_filename (folder, "a.gif", NULL);
-  g_autofree char *other =
-    g_strdup_printf ("win.export-result-path(('animation', '%s'))", gif);
+  g_autofree char *other = g_strdup_printf ("win.export-path(('animation', '%s'))", gif);
   driver_activate (window, other);
   dialog = driver_find_dialog ("Export Animation");
   gtk_window_destroy (GTK_WINDOW (dialog));
   driver_run (1500);
   g_assert_false (g_file_test (gif, G_FILE_TEST_EXISTS));
   driver_discard (window);
+}
+
+static void
+expect_file (const char *folder, const char *name)
+{
+  g_autofree char *path = g_build_filename (folder, name, NULL);
+  g_assert_true (g_file_test (path, G_FILE_TEST_EXISTS));
+  g_unlink (path);
+}
+
+/* The drawing for CAD, the steps for ParaView, the result to be opened again, here and by the
+ * command line; a folder that is not there is told. */
+static void
+test_files (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  static const char *const kinds[][2] = { { "drawing", "wall.dxf" },
+                                          { "steps", "steps.pvd" },
+                                          { "result", "result.json" } };
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  GActionGroup *actions = G_ACTION_GROUP (window);
+  g_assert_false (g_action_group_get_action_enabled (actions, "export-result"));
+  g_assert_true (g_action_group_get_action_enabled (actions, "export-drawing"));
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    g_autofree char *path = g_build_filename (folder, kinds[i][1], NULL);
+    driver_activate_target (window, "win.export-path",
+                            g_variant_new ("(ss)", kinds[i][0], path));
+    g_assert_true (g_file_test (path, G_FILE_TEST_EXISTS));
+  }
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  double solved = run->result.collapse_multiplier;
+  driver_activate_target (window, "win.export-path",
+                          g_variant_new ("(ss)", "drawing", "/no/such/folder/wall.dxf"));
+  driver_screenshot (GTK_WIDGET (window), "export-failed");
+  g_assert_true (gtk_info_bar_get_revealed (window->info_bar));
+  g_assert_nonnull (
+    strstr (gtk_label_get_text (window->info_label), "/no/such/folder/wall.dxf"));
+  driver_discard (window);
+
+  window = driver_open_example ("02-overturning-block.quoin");
+  g_autofree char *result = g_build_filename (folder, "result.json", NULL);
+  driver_activate_target (window, "win.take-path", g_variant_new_string (result));
+  run = qn_document_get_run (qn_window_get_document (window));
+  g_assert_nonnull (run);
+  g_assert_cmpfloat (run->result.collapse_multiplier, ==, solved);
+  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
+                   QN_VIEW_MECHANISM);
+  driver_screenshot (GTK_WIDGET (window), "result-opened");
+  driver_discard (window);
+
+  g_autofree char *model = driver_example_path ("02-overturning-block.quoin");
+  const char *argv[] = {
+    g_getenv ("QUOIN_CLI"), "check", model, "--result", result, NULL
+  };
+  int status = -1;
+  g_assert_true (g_spawn_sync (NULL, (char **) argv, NULL, G_SPAWN_STDOUT_TO_DEV_NULL,
+                               NULL, NULL, NULL, NULL, &status, NULL));
+  g_assert_cmpint (status, ==, 0);
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
+    expect_file (folder, kinds[i][1]);
+  g_autoptr (GDir) steps = g_dir_open (folder, 0, NULL);
+  for (const char *name; (name = g_dir_read_name (steps)) != NULL;)
+    expect_file (folder, name);
+  g_rmdir (folder);
 }
 
 int
@@ -249,5 +314,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/export/print", test_print);
   g_test_add_func ("/app/export/sheet", test_sheet);
   g_test_add_func ("/app/export/animation", test_animation);
+  g_test_add_func ("/app/export/files", test_files);
   return g_test_run ();
 }

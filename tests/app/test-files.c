@@ -2,7 +2,9 @@
  * recovery after a crash, several windows. */
 #include "driver.h"
 
+#include "app/dialog.h"
 #include "app/settings.h"
+#include "app/window-private.h"
 #include "doc/picture.h"
 #include "doc/recovery.h"
 
@@ -206,6 +208,173 @@ test_windows (void)
   driver_discard (first);
 }
 
+/* A file that is open is shown where it is, not opened twice. */
+static void
+test_open_again (void)
+{
+  QnWindow *first = driver_open_example ("01-sliding-block.quoin");
+  QnWindow *other = driver_open_example ("05-stack.quoin");
+  guint before = g_list_length (gtk_application_get_windows (driver_application ()));
+  g_autofree char *path = driver_example_path ("../examples/01-sliding-block.quoin");
+  driver_activate_target (other, "win.open-path", g_variant_new_string (path));
+  GFile *files[] = { g_file_new_for_path (path) };
+  g_application_open (G_APPLICATION (driver_application ()), files, 1, "");
+  driver_run (200);
+  g_object_unref (files[0]);
+  g_assert_cmpuint (g_list_length (gtk_application_get_windows (driver_application ())),
+                    ==, before);
+  driver_discard (other);
+  driver_discard (first);
+}
+
+static void
+expect_text (const char *path, const char *words, gboolean there)
+{
+  g_autofree char *text = NULL;
+  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
+  g_assert_true ((strstr (text, words) != NULL) == there);
+}
+
+/* What another program has written meanwhile is replaced only when the user says so. */
+static void
+test_changed_elsewhere (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "shared.quoin", NULL);
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  driver_activate_target (window, "win.save-path", g_variant_new_string (path));
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  driver_activate (window, "win.save");
+  g_assert_false (qn_document_is_modified (qn_window_get_document (window)));
+
+  g_assert_true (g_file_set_contents (path, "theirs", -1, NULL));
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  driver_activate (window, "win.save");
+  driver_run (200);
+  GtkWidget *dialog = driver_find_message ();
+  g_assert_nonnull (dialog);
+  driver_screenshot (dialog, "changed-elsewhere");
+  gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
+  driver_run (100);
+  g_assert_true (qn_document_is_modified (qn_window_get_document (window)));
+  expect_text (path, "theirs", TRUE);
+
+  driver_activate (window, "win.save");
+  driver_run (100);
+  driver_press (driver_find_message (), "Overwrite");
+  g_assert_false (qn_document_is_modified (qn_window_get_document (window)));
+  expect_text (path, "theirs", FALSE);
+  /* From now on it is ours again. */
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  driver_activate (window, "win.save");
+  g_assert_null (driver_find_message ());
+  driver_discard (window);
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+static GtkFileChooser *
+begin_choosing (QnWindow *window, const char *action, const char *shown,
+                const char *hidden)
+{
+  driver_activate (window, action);
+  driver_run (100);
+  g_assert_true (GTK_IS_FILE_CHOOSER_NATIVE (window->chooser));
+  GtkFileChooser *chooser = GTK_FILE_CHOOSER (window->chooser);
+  g_assert_true (gtk_native_dialog_get_visible (GTK_NATIVE_DIALOG (chooser)));
+  g_assert_true (gtk_native_dialog_get_modal (GTK_NATIVE_DIALOG (chooser)));
+  g_autoptr (GListModel) filters = gtk_file_chooser_get_filters (chooser);
+  g_assert_cmpuint (g_list_model_get_n_items (filters), ==, 1);
+  g_autoptr (GtkFilter) filter = g_list_model_get_item (filters, 0);
+  g_autoptr (GFileInfo) info = g_file_info_new ();
+  g_file_info_set_content_type (info, "application/octet-stream");
+  g_file_info_set_display_name (info, shown);
+  g_assert_true (gtk_filter_match (filter, info));
+  g_file_info_set_display_name (info, hidden);
+  g_assert_false (gtk_filter_match (filter, info));
+  return chooser;
+}
+
+static void
+respond (QnWindow *window, int response)
+{
+  gtk_native_dialog_hide (GTK_NATIVE_DIALOG (window->chooser));
+  g_signal_emit_by_name (window->chooser, "response", response);
+  g_assert_null (window->chooser);
+}
+
+/* Each chooser shows files of its kind; none is left behind, and what was chosen is opened. */
+static void
+test_choosers (void)
+{
+  static const char *const choosers[][3] = {
+    { "win.open", "wall.QUOIN", "wall.dxf" },
+    { "win.save-as", "wall.quoin", "wall.dxf" },
+    { "win.open-result", "wall.result.json", "wall.quoin" },
+    { "win.import", "wall.dxf", "wall.png" },
+    { "win.picture", "wall.JPG", "wall.dxf" },
+  };
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  for (gsize i = 0; i < G_N_ELEMENTS (choosers); i++) {
+    begin_choosing (window, choosers[i][0], choosers[i][1], choosers[i][2]);
+    respond (window, GTK_RESPONSE_CANCEL);
+  }
+
+  g_autofree char *path = driver_example_path ("../examples/05-stack.quoin");
+  g_autoptr (GFile) file = g_file_new_for_path (path);
+  GtkFileChooser *chooser =
+    begin_choosing (window, choosers[0][0], choosers[0][1], choosers[0][2]);
+  gtk_file_chooser_set_file (chooser, file, NULL);
+  driver_run (500);
+  respond (window, GTK_RESPONSE_ACCEPT);
+  QnWindow *opened = qn_window_find_path (driver_application (), path);
+  g_assert_nonnull (opened);
+  g_assert_cmpuint (model_of (opened)->block_count, >, 0);
+  driver_discard (opened);
+  driver_discard (window);
+}
+
+/* Where a file cannot be written the bar says so, and the drawing is as unsaved as before. */
+static void
+test_save_fails (void)
+{
+  QnWindow *window = driver_open_example ("01-sliding-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *path = g_strdup (qn_document_get_path (document));
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  const char *where = "/no/such/folder/wall.quoin";
+  driver_activate_target (window, "win.save-path", g_variant_new_string (where));
+  g_assert_true (gtk_info_bar_get_revealed (window->info_bar));
+  g_assert_nonnull (strstr (gtk_label_get_text (window->info_label), where));
+  g_assert_true (qn_document_is_modified (document));
+  g_assert_cmpstr (qn_document_get_path (document), ==, path);
+  driver_discard (window);
+}
+
+/* Names without an ending get one, but replace nothing that was not chosen. */
+static void
+test_endings (void)
+{
+  const char *const endings[] = { ".png", ".svg", NULL };
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *bare = g_build_filename (folder, "wall 1.5", NULL);
+  g_autofree char *typed = g_build_filename (folder, "wall.SVG", NULL);
+  g_autofree char *whole = g_strconcat (bare, ".png", NULL);
+  g_autoptr (GError) error = NULL;
+  g_autofree char *first = qn_dialog_complete_path (bare, endings, &error);
+  g_assert_cmpstr (first, ==, whole);
+  g_autofree char *kept = qn_dialog_complete_path (typed, endings, &error);
+  g_assert_cmpstr (kept, ==, typed);
+  g_assert_no_error (error);
+  g_assert_true (g_file_set_contents (whole, "", -1, NULL));
+  g_assert_null (qn_dialog_complete_path (bare, endings, &error));
+  g_assert_error (error, G_IO_ERROR, G_IO_ERROR_EXISTS);
+  g_unlink (whole);
+  g_rmdir (folder);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -216,5 +385,10 @@ main (int argc, char **argv)
   g_test_add_func ("/app/files/kept-history", test_kept_history);
   g_test_add_func ("/app/files/recovery", test_recovery);
   g_test_add_func ("/app/files/windows", test_windows);
+  g_test_add_func ("/app/files/open-again", test_open_again);
+  g_test_add_func ("/app/files/changed-elsewhere", test_changed_elsewhere);
+  g_test_add_func ("/app/files/choosers", test_choosers);
+  g_test_add_func ("/app/files/save-fails", test_save_fails);
+  g_test_add_func ("/app/files/endings", test_endings);
   return g_test_run ();
 }

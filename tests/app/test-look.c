@@ -1,6 +1,6 @@
 /* Whether the window holds what it has to say: with strings as long as German ones, from right to
  * left, in the dark, at twice the scale. Everything must fit a screen of 1280 x 800; pictures of
- * the states are kept for the eye. QUOIN_LOOK names the look: plain, long, rtl, dark, large. */
+ * the states are kept for the eye. QUOIN_LOOK names the look: plain, long, fr, rtl, dark, large. */
 #include "driver.h"
 
 #include "app/settings.h"
@@ -106,6 +106,8 @@ test_dialogs (void)
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
   expect_dialog_to_fit ("compare");
+  driver_activate (window, "win.export-result::animation");
+  expect_dialog_to_fit ("animation");
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.nudge((1.0,0.0))");
   gtk_window_close (GTK_WINDOW (window));

@@ -2,7 +2,6 @@
 
 #include "app/canvas-private.h"
 #include "app/settings.h"
-#include "doc/edit-masonry.h"
 #include "doc/figure-export.h"
 
 #include <glib/gstdio.h>
@@ -256,7 +255,7 @@ test_animate (void)
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *path = g_build_filename (folder, kinds[i][1], NULL);
     g_autofree char *action =
-      g_strdup_printf ("win.export-result-path(('%s', '%s'))", kinds[i][0], path);
+      g_strdup_printf ("win.export-path(('%s', '%s'))", kinds[i][0], path);
     driver_activate (window, action);
     driver_wait (exists, path);
     g_unlink (path);
@@ -330,18 +329,6 @@ test_export (void)
   g_rmdir (folder);
 }
 
-static GtkWidget *
-find_dialog (void)
-{
-  GListModel *toplevels = gtk_window_get_toplevels ();
-  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
-    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
-    if (GTK_IS_MESSAGE_DIALOG (toplevel))
-      return toplevel;
-  }
-  return NULL;
-}
-
 static gboolean
 window_is_open (QnWindow *window)
 {
@@ -364,13 +351,13 @@ test_unsaved (void)
 
   gtk_window_close (GTK_WINDOW (window));
   driver_run (200);
-  GtkWidget *dialog = find_dialog ();
+  GtkWidget *dialog = driver_find_message ();
   g_assert_nonnull (dialog);
   driver_screenshot (dialog, "unsaved");
   gtk_dialog_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
   driver_run (200);
   g_assert_true (window_is_open (window));
-  g_assert_null (find_dialog ());
+  g_assert_null (driver_find_message ());
 
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   g_autofree char *path = g_build_filename (folder, "saved.quoin", NULL);
@@ -380,7 +367,7 @@ test_unsaved (void)
   driver_activate (window, "win.nudge((1.0,0.0))");
   gtk_window_close (GTK_WINDOW (window));
   driver_run (200);
-  gtk_dialog_response (GTK_DIALOG (find_dialog ()), GTK_RESPONSE_REJECT);
+  gtk_dialog_response (GTK_DIALOG (driver_find_message ()), GTK_RESPONSE_REJECT);
   driver_run (200);
   g_assert_false (window_is_open (window));
   g_unlink (path);
@@ -406,21 +393,6 @@ test_bad_file (void)
 }
 
 static gboolean
-add_large_wall (QnProject *draft, gpointer data, GError **error)
-{
-  (void) data;
-  const QnMasonryStyle style = { .unit = { 0.4, 0.175 },
-                                 .lap = 0.5,
-                                 .thickness = 1.0,
-                                 .unit_weight = 1e4,
-                                 .law = QN_NONE,
-                                 .base = TRUE };
-  QnMasonry wall;
-  g_assert_true (qn_plan_wall (&wall, &style, qn_vec2 (0.0, 0.0), qn_vec2 (40.0, 17.5)));
-  return qn_edit_add_masonry (draft, &wall, error);
-}
-
-static gboolean
 edit_nudge (QnModel *model, gpointer data, GError **error)
 {
   QnId block = 0;
@@ -440,8 +412,7 @@ test_large_model (void)
   driver_activate (window, "win.draw");
   g_autoptr (GError) error = NULL;
   gint64 before = g_get_monotonic_time ();
-  qn_document_edit_project (document, "Wall", NULL, add_large_wall, NULL, &error);
-  g_assert_no_error (error);
+  driver_lay_large_wall (window);
   g_test_message ("wall of %u blocks laid in %.3f s",
                   (guint) model_of (window)->block_count,
                   1e-6 * (double) (g_get_monotonic_time () - before));

@@ -5,7 +5,8 @@
  *
  * Each beside one factorisation of the elastic stiffness matrix of the same model, and with what
  * it takes to find the contacts anew after one block has moved. Every time is the best of
- * several. What is demanded is in contacts-bars.csv: the contacts of 100,000 blocks within three
+ * several rounds through all sizes; in each round a small model is searched so often that as many
+ * blocks pass as the large one has, so that a busy machine disturbs all sizes alike. What is demanded is in contacts-bars.csv: the contacts of 100,000 blocks within three
  * factorisations, and a growth exponent of at most 1.1; with --check the program fails where that
  * is not so. */
 #include "bench/bench.h"
@@ -17,7 +18,10 @@
 #include <math.h>
 
 /* A machine that others use too gets so many chances to show what it can do. */
-#define ROUNDS 5
+#define ROUNDS 15
+
+/* Most sizes in one run. */
+#define SIZES 32
 
 /* Demands are for models where either time can be measured. */
 #define LEAST_FOR_RATIO 50000
@@ -30,15 +34,12 @@ static Chart chart = { .name = "contacts",
                        .x_unit = "",
                        .y_label = "Time (s)" };
 
-/* Best times so far, s. */
-typedef struct Timing {
-  double prepare, detect, update;
-} Timing;
-
-/* What detection takes for all sizes of a kind. */
-typedef struct Growth {
-  GArray *blocks, *seconds; /* logarithms */
-} Growth;
+/* One size of a kind. */
+typedef struct Size {
+  int asked; /* blocks */
+  ScalingCase c;
+  double prepare, detect, update; /* best times so far, s */
+} Size;
 
 /* Moves one block a little and updates. */
 static double
@@ -59,64 +60,73 @@ time_update (const QnModel *model, const QnContacts *contacts)
   return seconds;
 }
 
-static Timing
-time_model (ScalingCase *c)
-{
-  Timing best = { .prepare = G_MAXDOUBLE, .detect = G_MAXDOUBLE, .update = G_MAXDOUBLE };
-  for (int round = 0; round < ROUNDS; round++) {
-    double start = bench_cpu_seconds ();
-    g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
-    best.prepare = fmin (best.prepare, bench_cpu_seconds () - start);
-    if (round > 0)
-      qn_contacts_clear (&c->contacts);
-    start = bench_cpu_seconds ();
-    g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, NULL), ==, QN_OK);
-    best.detect = fmin (best.detect, bench_cpu_seconds () - start);
-    best.update = fmin (best.update, time_update (&c->model, &c->contacts));
-    g_assert_cmpuint (c->contacts.findings.count, ==, 0);
-  }
-  c->faces = c->contacts.face_count;
-  return best;
-}
-
-static gboolean
-run (FILE *csv, FILE *bars, const char *kind, int blocks, Growth *growth)
-{
-  ScalingCase c;
-  gboolean turned = g_str_equal (kind, "turned façade"), met = TRUE;
-  scaling_case_init (&c, blocks, !g_str_equal (kind, "wall"));
-  if (turned)
-    test_model_rotate (&c.model, 1);
-  Timing best = time_model (&c);
-  scaling_case_elastic (&c);
-  double ratio = best.detect / c.factorization, kernel = bench_kernel_seconds ();
-  bench_csv_row (csv, "%s,%zu,%zu,%.4f,%.4f,%.3f,%.4f,%.3f,%.4f,%.3f", kind, c.blocks,
-                 c.faces, best.prepare, best.detect, best.detect / kernel, best.update,
-                 best.update / kernel, c.factorization, ratio);
-  chart_add (&chart, kind, (double) c.blocks, best.detect);
-  if (!turned) {
-    g_autofree char *label = g_strdup_printf ("factorisation, %s", kind);
-    chart_add (&chart, label, (double) c.blocks, c.factorization);
-  }
-  if (blocks >= LEAST_FOR_RATIO) {
-    g_autofree char *what = g_strdup_printf ("%s of %d", kind, blocks);
-    met = bench_bar (bars, "detection / factorisation", what, ratio, BENCH_AT_MOST, 3);
-  }
-  double x = log ((double) c.blocks), y = log (best.detect);
-  g_array_append_val (growth->blocks, x);
-  g_array_append_val (growth->seconds, y);
-  scaling_case_clear (&c);
-  return met;
-}
-
-/* Slope of the line through the logarithms by least squares. */
+/* Mean time of so many detections, s. */
 static double
-exponent (const Growth *growth)
+time_detection (ScalingCase *c, size_t times)
 {
-  double n = growth->blocks->len, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (guint i = 0; i < growth->blocks->len; i++) {
-    double x = g_array_index (growth->blocks, double, i);
-    double y = g_array_index (growth->seconds, double, i);
+  double seconds = 0;
+  for (size_t i = 0; i < times; i++) {
+    qn_contacts_clear (&c->contacts);
+    double start = bench_cpu_seconds ();
+    g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, NULL), ==, QN_OK);
+    seconds += bench_cpu_seconds () - start;
+  }
+  return seconds / (double) times;
+}
+
+/* One round for one size; `most` is how many blocks the largest one has. */
+static void
+time_size (Size *size, size_t most)
+{
+  ScalingCase *c = &size->c;
+  double start = bench_cpu_seconds ();
+  g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
+  size->prepare = fmin (size->prepare, bench_cpu_seconds () - start);
+  size->detect = fmin (size->detect, time_detection (c, most / c->blocks));
+  size->update = fmin (size->update, time_update (&c->model, &c->contacts));
+  g_assert_cmpuint (c->contacts.findings.count, ==, 0);
+}
+
+static void
+init_size (Size *size, const char *kind, int blocks)
+{
+  *size = (Size){
+    .asked = blocks, .prepare = G_MAXDOUBLE, .detect = G_MAXDOUBLE, .update = G_MAXDOUBLE
+  };
+  scaling_case_init (&size->c, blocks, !g_str_equal (kind, "wall"));
+  if (g_str_equal (kind, "turned façade"))
+    test_model_rotate (&size->c.model, 1);
+}
+
+/* Writes down what was measured, beside a factorisation. */
+static gboolean
+report (FILE *csv, FILE *bars, const char *kind, Size *size)
+{
+  ScalingCase *c = &size->c;
+  c->faces = c->contacts.face_count;
+  scaling_case_elastic (c);
+  double ratio = size->detect / c->factorization, kernel = bench_kernel_seconds ();
+  bench_csv_row (csv, "%s,%zu,%zu,%.4f,%.4f,%.3f,%.4f,%.3f,%.4f,%.3f", kind, c->blocks,
+                 c->faces, size->prepare, size->detect, size->detect / kernel,
+                 size->update, size->update / kernel, c->factorization, ratio);
+  chart_add (&chart, kind, (double) c->blocks, size->detect);
+  if (!g_str_equal (kind, "turned façade")) {
+    g_autofree char *label = g_strdup_printf ("factorisation, %s", kind);
+    chart_add (&chart, label, (double) c->blocks, c->factorization);
+  }
+  if (size->asked < LEAST_FOR_RATIO)
+    return TRUE;
+  g_autofree char *what = g_strdup_printf ("%s of %d", kind, size->asked);
+  return bench_bar (bars, "detection / factorisation", what, ratio, BENCH_AT_MOST, 3);
+}
+
+/* Slope of the line through the logarithms of blocks and seconds by least squares. */
+static double
+exponent (const Size *sizes, int count)
+{
+  double n = count, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (int i = 0; i < count; i++) {
+    double x = log ((double) sizes[i].c.blocks), y = log (sizes[i].detect);
     sx += x;
     sy += y;
     sxx += x * x;
@@ -126,18 +136,25 @@ exponent (const Growth *growth)
 }
 
 static gboolean
-run_kind (FILE *csv, FILE *bars, const char *kind, const int *sizes, int count)
+run_kind (FILE *csv, FILE *bars, const char *kind, const int *asked, int count)
 {
-  Growth growth = { g_array_new (FALSE, FALSE, sizeof (double)),
-                    g_array_new (FALSE, FALSE, sizeof (double)) };
+  Size sizes[SIZES];
+  size_t most = 0;
   gboolean met = TRUE;
+  for (int i = 0; i < count; i++) {
+    init_size (&sizes[i], kind, asked[i]);
+    most = MAX (most, sizes[i].c.blocks);
+  }
+  for (int round = 0; round < ROUNDS; round++)
+    for (int i = 0; i < count; i++)
+      time_size (&sizes[i], most);
   for (int i = 0; i < count; i++)
-    met &= run (csv, bars, kind, sizes[i], &growth);
+    met &= report (csv, bars, kind, &sizes[i]);
   if (count > 1)
-    met &=
-      bench_bar (bars, "growth exponent", kind, exponent (&growth), BENCH_AT_MOST, 1.1);
-  g_array_unref (growth.blocks);
-  g_array_unref (growth.seconds);
+    met &= bench_bar (bars, "growth exponent", kind, exponent (sizes, count),
+                      BENCH_AT_MOST, 1.1);
+  for (int i = 0; i < count; i++)
+    scaling_case_clear (&sizes[i].c);
   return met;
 }
 
@@ -145,7 +162,7 @@ int
 main (int argc, char **argv)
 {
   static const char *const kinds[] = { "wall", "façade", "turned façade" };
-  int sizes[32] = { 1000, 3000, 10000, 30000, 100000 }, count = 5;
+  int sizes[SIZES] = { 1000, 3000, 10000, 30000, 100000 }, count = 5;
   const GOptionEntry entries[] = {
     { "check", 0, 0, G_OPTION_ARG_NONE, &check, "Fail where a demand is not met", NULL },
     G_OPTION_ENTRY_NULL,

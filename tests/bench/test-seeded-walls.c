@@ -1,5 +1,6 @@
 #include "bench/seeded-walls.h"
 
+#include "core/analysis.h"
 #include "core/limit.h"
 
 #include <math.h>
@@ -87,6 +88,30 @@ test_stands (void)
   }
 }
 
+/* Its dead load makes this one slide by ten thousand elastic displacements before it rests. */
+static void
+test_creeps (void)
+{
+  QnProject project;
+  QnContacts contacts;
+  QnResult result;
+
+  if (!g_test_slow ()) {
+    g_test_skip ("takes a quarter of a minute");
+    return;
+  }
+  seeded_wall_init (&project, 20, 800, 5000);
+  project.model.analysis.max_multiplier = 1e-4;
+  g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&project.model, &contacts, NULL, NULL, &result, NULL),
+                   ==, QN_OK);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpfloat (result.steps[0].residual, <, 1e-8);
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_project_clear (&project);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -95,5 +120,6 @@ main (int argc, char **argv)
   g_test_add_func ("/bench/seeded-walls/sizes", test_sizes);
   g_test_add_func ("/bench/seeded-walls/saved", test_saved);
   g_test_add_func ("/bench/seeded-walls/stands", test_stands);
+  g_test_add_func ("/bench/seeded-walls/creeps", test_creeps);
   return g_test_run ();
 }

@@ -38,11 +38,11 @@ static const Layer layers[] = {
 
 /* Of the C and POSIX libraries. What of them the core may call is another check. */
 static const char *const everywhere[] = {
-  "assert.h",   "ctype.h",        "errno.h",   "float.h",  "inttypes.h",
-  "limits.h",   "locale.h",       "math.h",    "setjmp.h", "signal.h",
-  "stdarg.h",   "stdint.h",       "stdbool.h", "stddef.h", "stdio.h",
-  "stdlib.h",   "string.h",       "time.h",    "unistd.h", "fcntl.h",
-  "sys/stat.h", "sys/resource.h", "libintl.h", "malloc.h", NULL,
+  "assert.h",  "ctype.h",  "errno.h",    "float.h",        "inttypes.h", "limits.h",
+  "locale.h",  "math.h",   "setjmp.h",   "signal.h",       "stdarg.h",   "stdint.h",
+  "stdbool.h", "stddef.h", "stdio.h",    "stdlib.h",       "string.h",   "time.h",
+  "unistd.h",  "fcntl.h",  "sys/stat.h", "sys/resource.h", "sys/mman.h", "libintl.h",
+  "malloc.h",  NULL,
 };
 
 static const Layer *

@@ -1,7 +1,6 @@
 #include "cli-run.h"
 
 #include <gio/gio.h>
-#include <glib/gstdio.h>
 #include <string.h>
 #include <sys/wait.h>
 
@@ -85,35 +84,6 @@ cli_assert_done (const CliRun *run)
 {
   g_assert_cmpstr (run->err, ==, "");
   g_assert_cmpint (run->code, ==, 0);
-}
-
-char *
-cli_folder_new (void)
-{
-  g_autoptr (GError) error = NULL;
-  char *folder = g_dir_make_tmp ("quoin-test-XXXXXX", &error);
-  g_assert_no_error (error);
-  return folder;
-}
-
-void
-cli_folder_clear (char *folder)
-{
-  GDir *dir = g_dir_open (folder, 0, NULL);
-  const char *name;
-  while (dir != NULL && (name = g_dir_read_name (dir)) != NULL) {
-    char *path = g_build_filename (folder, name, NULL);
-    if (g_file_test (path, G_FILE_TEST_IS_DIR)) {
-      cli_folder_clear (path);
-    } else {
-      g_assert_cmpint (g_unlink (path), ==, 0);
-      g_free (path);
-    }
-  }
-  if (dir != NULL)
-    g_dir_close (dir);
-  g_assert_cmpint (g_rmdir (folder), ==, 0);
-  g_free (folder);
 }
 
 char *

@@ -2,6 +2,8 @@
 #ifndef QN_TESTS_CLI_RUN_H
 #define QN_TESTS_CLI_RUN_H
 
+#include "support/scratch.h"
+
 #include <glib.h>
 
 typedef struct CliRun {
@@ -24,10 +26,6 @@ void cli_assert_failed (CliRun *run, int code, const char *part);
 
 /* Fails unless the run ended well and quietly on standard error. */
 void cli_assert_done (const CliRun *run);
-
-/* A folder that is removed with everything in it by cli_folder_clear(). */
-char *cli_folder_new (void);
-void cli_folder_clear (char *folder);
 
 /* Writes a file into the folder; the path is returned. Free with g_free(). */
 char *cli_write (const char *folder, const char *name, const char *text);

@@ -62,7 +62,7 @@ test_json (void)
 static void
 test_unsound (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *text =
     cli_replace (cli_sliding_block, "[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]",
                  "[[0, 1], [1, 1], [1, 1.5], [0, 1.5]]");
@@ -75,14 +75,14 @@ test_unsound (void)
   run = cli_run ("check", model, "--json", NULL);
   g_assert_nonnull (strstr (run.out, "\"sound\": false"));
   cli_assert_failed (&run, 3, "stone");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 /* A gap a little wider than the tolerance is told with its place, and is no error. */
 static void
 test_gap (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *text = cli_replace (
     cli_sliding_block, "\"thickness\": 1, \"unit_weight\": 10000 }\n",
     "\"thickness\": 1, \"unit_weight\": 10000 },\n"
@@ -94,13 +94,13 @@ test_gap (void)
   g_assert_nonnull (strstr (run.out, "warnings: 1"));
   g_assert_nonnull (strstr (run.out, "next"));
   cli_run_clear (&run);
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
 test_result (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("06-arch.quoin");
   g_autofree char *result = g_build_filename (folder, "arch.json", NULL);
   CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
@@ -130,7 +130,7 @@ test_result (void)
   g_autofree char *other = cli_example ("05-stack.quoin");
   run = cli_run ("check", other, "--result", result, NULL);
   cli_assert_failed (&run, 3, NULL);
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 int

@@ -41,7 +41,7 @@ test_check_free (gconstpointer path)
 static void
 test_solve (gconstpointer path)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *result = g_build_filename (folder, "result.json", NULL);
   CliRun run = cli_run ("solve", path, "-q", "-o", result, NULL);
   cli_assert_done (&run);
@@ -50,7 +50,7 @@ test_solve (gconstpointer path)
   run = cli_run ("check", path, "--result", result, NULL);
   cli_assert_done (&run);
   cli_run_clear (&run);
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 /* Without supports there is no path to follow, but there are frequencies. */

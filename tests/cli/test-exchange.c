@@ -14,7 +14,7 @@ test_generate (void)
 {
   static const char *const kinds[] = { "wall",     "arch",   "column",
                                        "buttress", "portal", "rubble" };
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *path = file_in (folder, kinds[i]);
     CliRun run = cli_run ("generate", kinds[i], "-o", path, NULL);
@@ -24,13 +24,13 @@ test_generate (void)
     cli_assert_done (&run);
     cli_run_clear (&run);
   }
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
 test_generate_keys (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *path = file_in (folder, "wall.quoin");
   CliRun run = cli_run ("generate", "wall", "--length", "3", "unit=0.5x0.25",
                         "--bond=flemish", "-o", path, NULL);
@@ -49,14 +49,14 @@ test_generate_keys (void)
   cli_assert_failed (&run, 2, "wall");
   run = cli_run ("generate", "wall", NULL);
   cli_assert_failed (&run, 2, "-o");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 /* DXF to a project and back gives the same project again. */
 static void
 test_round_trip (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *drawing = cli_example ("dxf/wall-clean.dxf");
   g_autofree char *first = file_in (folder, "first.quoin");
   g_autofree char *back = file_in (folder, "back.dxf");
@@ -73,13 +73,13 @@ test_round_trip (void)
   cli_run_clear (&run);
   g_autofree char *a = cli_read (first), *b = cli_read (second);
   g_assert_cmpstr (a, ==, b);
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
 test_export_results (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "block.quoin", cli_sliding_block);
   g_autofree char *result = file_in (folder, "result.json");
   CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
@@ -98,13 +98,13 @@ test_export_results (void)
   cli_assert_failed (&run, 2, "--result");
   run = cli_run ("export", model, "-o", "out.stl", NULL);
   cli_assert_failed (&run, 2, ".dxf");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
 test_bad_import (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *bad = cli_write (folder, "bad.dxf", "0\nSECTION\n2\nENTITIES\nLINE\n");
   g_autofree char *output = file_in (folder, "out.quoin");
   CliRun run = cli_run ("import", bad, "-o", output, NULL);
@@ -113,7 +113,7 @@ test_bad_import (void)
   cli_assert_failed (&run, 5, "missing.dxf");
   run = cli_run ("import", bad, "--unit", "parsec", "-o", output, NULL);
   cli_assert_failed (&run, 2, "--unit");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 int

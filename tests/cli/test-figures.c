@@ -23,7 +23,7 @@ assert_begins (const char *path, const char *start)
 static void
 test_figures (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *text =
     with_figures ("[{\"name\": \"a\", \"view\": \"mechanism\", \"size\": \"300x200\"},"
                   "{\"name\": \"b\", \"view\": \"model\", \"file\": \"c.pdf\"}]");
@@ -53,13 +53,13 @@ test_figures (void)
 
   run = cli_run ("figures", model, "--figure", "zebra", NULL);
   cli_assert_failed (&run, 2, "zebra");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
 test_changed_model_is_said (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *text = with_figures (
     "[{\"name\": \"a\", \"size\": \"300x200\", \"model_digest\": \"0123\"}]");
   g_autofree char *model = cli_write (folder, "m.quoin", text);
@@ -67,24 +67,24 @@ test_changed_model_is_said (void)
   g_assert_cmpint (run.code, ==, 0);
   g_assert_nonnull (strstr (run.err, "the model changed"));
   cli_run_clear (&run);
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
 test_wrong_recipe (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *text = with_figures ("[{\"name\": \"a\", \"view\": \"round\"}]");
   g_autofree char *model = cli_write (folder, "m.quoin", text);
   CliRun run = cli_run ("figures", model, NULL);
   cli_assert_failed (&run, 3, "figures[0].view");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
 test_animate (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *model = cli_write (folder, "m.quoin", cli_sliding_block);
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   g_autofree char *gif = g_build_filename (folder, "a.gif", NULL);
@@ -117,7 +117,7 @@ test_animate (void)
   cli_assert_failed (&run, 2, "1000000");
   run = cli_run ("animate", model, "--result", result, "-o", "/nonexistent/a.gif", NULL);
   cli_assert_failed (&run, 5, "/nonexistent/a.gif");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 int

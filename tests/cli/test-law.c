@@ -13,7 +13,7 @@ static const char *const kinds[] = { "elastic",         "no-tension",
 static void
 test_kinds (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *csv = g_build_filename (folder, "law.csv", NULL);
     g_autofree char *png = g_build_filename (folder, "law.png", NULL);
@@ -31,7 +31,7 @@ test_kinds (void)
     g_assert_cmpuint (length, >, 1000);
     g_assert_true (memcmp (picture, "\x89PNG", 4) == 0);
   }
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 /* Column `column` of the last row of a table on standard output. */

@@ -6,7 +6,7 @@
 static void
 test_table (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *example = cli_example ("11-vibrating-beam.quoin");
   g_autofree char *result = g_build_filename (folder, "mode.json", NULL);
   g_autofree char *csv = g_build_filename (folder, "modes.csv", NULL);
@@ -23,7 +23,7 @@ test_table (void)
   g_assert_cmpuint (g_strv_length (lines), ==, 1 + 3 * 61 + 1);
   g_autofree char *written = cli_read (result);
   g_assert_nonnull (strstr (written, "\"mechanism\": [["));
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void

@@ -12,7 +12,7 @@ static void
 set_up (Solved *solved, gconstpointer data)
 {
   (void) data;
-  solved->folder = cli_folder_new ();
+  solved->folder = test_scratch_new ();
   solved->model = cli_example ("06-arch.quoin");
   solved->result = g_build_filename (solved->folder, "arch.json", NULL);
   CliRun run = cli_run ("solve", solved->model, "-q", "-o", solved->result, NULL);
@@ -24,7 +24,7 @@ static void
 tear_down (Solved *solved, gconstpointer data)
 {
   (void) data;
-  cli_folder_clear (solved->folder);
+  test_scratch_free (solved->folder);
   g_free (solved->model);
   g_free (solved->result);
 }

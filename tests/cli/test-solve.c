@@ -91,7 +91,7 @@ test_bad_set (void)
 static void
 test_outputs (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *model = cli_example ("05-stack.quoin");
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   g_autofree char *curve = g_build_filename (folder, "r.csv", NULL);
@@ -110,7 +110,7 @@ test_outputs (void)
   cli_assert_done (&run);
   g_assert_cmpstr (run.out, ==, "");
   cli_run_clear (&run);
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
@@ -151,7 +151,7 @@ test_unwritable (void)
 static void
 test_old_result_stays (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *model =
     cli_write (folder, "bad.quoin", "{ \"format\": \"quoin\", \"version\": 1 }");
   g_autofree char *result = cli_write (folder, "r.json", "old");
@@ -159,7 +159,7 @@ test_old_result_stays (void)
   cli_assert_failed (&run, 3, NULL);
   g_autofree char *text = cli_read (result);
   g_assert_cmpstr (text, ==, "old");
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 static void
@@ -177,7 +177,7 @@ test_snap_stop (void)
 static void
 test_interrupt (void)
 {
-  char *folder = cli_folder_new ();
+  char *folder = test_scratch_new ();
   g_autofree char *model = g_build_filename (folder, "large.quoin", NULL);
   g_autofree char *result = g_build_filename (folder, "r.json", NULL);
   const char *command[] = {
@@ -203,7 +203,7 @@ test_interrupt (void)
     g_assert_nonnull (strstr (json, "\"cancelled\""));
     g_assert_true (g_str_has_suffix (json, "}\n"));
   }
-  cli_folder_clear (folder);
+  test_scratch_free (folder);
 }
 
 int

@@ -6,17 +6,6 @@
 #include <string.h>
 
 static QnId
-add_node (QnModel *model, const char *name, double x, double y, const char *supports)
-{
-  QnNode *node = qn_model_add_node (model, name);
-  node->at = qn_vec2 (x, y);
-  node->support[0] = strchr (supports, 'x') != NULL;
-  node->support[1] = strchr (supports, 'y') != NULL;
-  node->support[2] = strchr (supports, 'r') != NULL;
-  return (QnId) model->node_count - 1;
-}
-
-static QnId
 add_riding_node (QnModel *model, const char *name, QnId block, QnSeat seat, double x,
                  double y)
 {
@@ -85,7 +74,7 @@ init_mixture (QnModel *model, QnGeometry geometry)
   QnId shared = add_riding_node (model, "n1", 4, QN_SEAT_CENTROID, 0, 0);
   QnId point = add_riding_node (model, "n2", 20, QN_SEAT_POINT, 1.1, 1.9);
   QnId side = add_riding_node (model, "n3", 40, QN_SEAT_SIDE, 0, 0);
-  QnId free = add_node (model, "n4", 2.5, 2.2, "y");
+  QnId free = test_model_add_node (model, "n4", 2.5, 2.2, "y");
   add_beam (model, "b1", shared, point, 3);
   add_beam (model, "b2", point, free, 2)->hinge[0] = true;
   add_beam (model, "b3", free, side, 1)->kind = QN_BEAM_EULER_BERNOULLI;
@@ -207,8 +196,8 @@ test_line_load (void)
     qn_model_init (&model);
     QnSection *section = add_section (&model);
     section->unit_weight = 0;
-    add_node (&model, "a", 0, 0, "xyr");
-    add_node (&model, "b", 4, 0, "xyr");
+    test_model_add_node (&model, "a", 0, 0, "xyr");
+    test_model_add_node (&model, "b", 4, 0, "xyr");
     add_beam (&model, "m", 0, 1, elements)->kind = QN_BEAM_EULER_BERNOULLI;
     add_line_load (&model, true, 0, 0, -12e3);
     model.analysis.increments = 1;
@@ -239,10 +228,10 @@ test_energy (void)
   QnSection *section = add_section (&model);
   section->young = 1e7;
   section->unit_weight = 0;
-  add_node (&model, "a", 0, 0, "xyr");
-  add_node (&model, "b", 0, 3, "");
-  add_node (&model, "c", 4, 3, "");
-  add_node (&model, "d", 4, 0, "xy");
+  test_model_add_node (&model, "a", 0, 0, "xyr");
+  test_model_add_node (&model, "b", 0, 3, "");
+  test_model_add_node (&model, "c", 4, 3, "");
+  test_model_add_node (&model, "d", 4, 0, "xy");
   add_beam (&model, "ab", 0, 1, 6);
   add_beam (&model, "bc", 1, 2, 6)->hinge[1] = true;
   add_beam (&model, "dc", 3, 2, 6);
@@ -289,9 +278,9 @@ test_truss (void)
   QnResult result;
   qn_model_init (&model);
   add_section (&model)->unit_weight = 0;
-  add_node (&model, "a", 0, 0, "xy");
-  add_node (&model, "b", 4, 0, "y");
-  add_node (&model, "c", 2, 1.5, "");
+  test_model_add_node (&model, "a", 0, 0, "xy");
+  test_model_add_node (&model, "b", 4, 0, "y");
+  test_model_add_node (&model, "c", 2, 1.5, "");
   const QnId ends[3][2] = { { 0, 1 }, { 0, 2 }, { 1, 2 } };
   for (int i = 0; i < 3; i++) {
     g_autofree char *name = g_strdup_printf ("bar%d", i);
@@ -322,7 +311,7 @@ test_rigid_link (void)
     test_model_add_rectangle (&model, "block", 0, 0, 1, 0.5)->unit_weight = 0;
     add_section (&model)->unit_weight = 0;
     add_riding_node (&model, "n", 0, (QnSeat) seat, 0.8, 0.1);
-    add_node (&model, "far", 3, 2, "xyr");
+    test_model_add_node (&model, "far", 3, 2, "xyr");
     add_beam (&model, "b", 0, 1, 1);
     QnLoad *load = qn_model_add_live_load (&model);
     load->kind = QN_LOAD_FORCE;
@@ -354,8 +343,8 @@ test_floating (void)
   QnDiag diag = { 0 };
   test_model_init_block_on_plane (&model, 1, 1);
   add_section (&model);
-  add_node (&model, "a", 5, 0, "");
-  add_node (&model, "b", 6, 0, "");
+  test_model_add_node (&model, "a", 5, 0, "");
+  test_model_add_node (&model, "b", 6, 0, "");
   add_beam (&model, "loose", 0, 1, 1);
   g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, &diag), ==, QN_OK);

@@ -36,6 +36,30 @@ check_against_all_pairs (const QnBox *boxes, size_t count)
   g_free (found);
 }
 
+/* The pairs of a walk of the tree against itself, with the same judge. */
+static void
+check_pairs (const QnBox *boxes, size_t count, double margin)
+{
+  QnBoxTree tree;
+  QnBoxPairs pairs = { 0 };
+  g_autofree gboolean *met = g_new0 (gboolean, count * count);
+  g_assert_true (qn_box_tree_init (&tree, boxes, count));
+  g_assert_true (qn_box_tree_pairs (&tree, margin, &pairs));
+  for (size_t i = 0; i < pairs.count; i++) {
+    size_t a = (size_t) pairs.items[i][0], b = (size_t) pairs.items[i][1];
+    g_assert_cmpuint (a, !=, b);
+    g_assert_false (met[a * count + b]);
+    met[a * count + b] = met[b * count + a] = TRUE;
+  }
+  for (size_t a = 0; a < count; a++) {
+    QnBox box = qn_box_grow (boxes[a], margin);
+    for (size_t b = 0; b < count; b++)
+      g_assert_true (met[a * count + b] == (a != b && qn_box_meets (box, boxes[b])));
+  }
+  qn_box_pairs_clear (&pairs);
+  qn_box_tree_clear (&tree);
+}
+
 /* Sizes over six decades, crowded in places. */
 static void
 test_all_sizes (void)
@@ -51,6 +75,8 @@ test_all_sizes (void)
       boxes[i] = qn_box_of_segment (p, qn_vec2 (p.x + size, p.y - size / 3));
     }
     check_against_all_pairs (boxes, counts[c]);
+    check_pairs (boxes, counts[c], 0);
+    check_pairs (boxes, counts[c], 0.125);
     g_free (boxes);
   }
   g_rand_free (random);
@@ -63,6 +89,7 @@ test_equal_boxes (void)
   for (int i = 0; i < 100; i++)
     boxes[i] = (QnBox){ { 3, 3 }, { 3, 3 } };
   check_against_all_pairs (boxes, 100);
+  check_pairs (boxes, 100, 0);
 }
 
 static void
@@ -72,6 +99,9 @@ test_empty (void)
   g_assert_true (qn_box_tree_init (&tree, NULL, 0));
   QnBoxQuery query = qn_box_tree_query (&tree, (QnBox){ { 0, 0 }, { 1, 1 } });
   g_assert_cmpint (qn_box_query_next (&query), ==, QN_NONE);
+  QnBoxPairs pairs = { 0 };
+  g_assert_true (qn_box_tree_pairs (&tree, 1, &pairs));
+  g_assert_cmpuint (pairs.count, ==, 0);
   qn_box_tree_clear (&tree);
 }
 

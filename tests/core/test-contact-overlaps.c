@@ -256,6 +256,38 @@ test_rough_ground (void)
   g_free (ground);
 }
 
+/* Of places that are equally deep it is always the same one that is reported: a block far away,
+ * which makes another tree of all boxes, has no say. */
+static void
+test_place_of_ties (void)
+{
+  enum { MANY = 80 };
+  QnVec2 places[2];
+  for (int far = 0; far < 2; far++) {
+    QnModel model;
+    QnContacts contacts;
+    test_model_init (&model);
+    for (int disc = 0; disc < 2; disc++) {
+      QnVec2 v[MANY];
+      for (int i = 0; i < MANY; i++)
+        v[i] = qn_vec2 ((1 - 0.8 * disc) * cos (2 * G_PI * i / MANY),
+                        (1 - 0.8 * disc) * sin (2 * G_PI * i / MANY));
+      qn_model_add_block (&model, disc == 0 ? "large" : "small", v, MANY)->thickness = 1;
+    }
+    if (far)
+      for (int i = 0; i < MANY; i++) {
+        g_autofree char *name = g_strdup_printf ("far%d", i);
+        test_model_add_rectangle (&model, name, 40 + 2 * i, -90 + 3 * i, 1, 1);
+      }
+    test_detect (&model, &contacts);
+    places[far] = test_the_finding (&contacts, QN_PROBLEM_BLOCKS_OVERLAP)->at;
+    qn_contacts_clear (&contacts);
+    qn_model_clear (&model);
+  }
+  g_assert_cmpfloat (places[0].x, ==, places[1].x);
+  g_assert_cmpfloat (places[0].y, ==, places[1].y);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -267,6 +299,7 @@ main (int argc, char **argv)
   }
   g_test_add_func ("/contact-overlaps/thresholds", test_thresholds);
   g_test_add_func ("/contact-overlaps/rough-ground", test_rough_ground);
+  g_test_add_func ("/contact-overlaps/place-of-ties", test_place_of_ties);
   g_test_add_func ("/contact-overlaps/against-sampling", test_against_sampling);
   return g_test_run ();
 }

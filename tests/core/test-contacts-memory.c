@@ -1,7 +1,7 @@
 /* Every allocation between a recipe and its contacts fails once, alone and with all after it. */
 #include "core/contacts.h"
-#include "core/generate.h"
 #include "support/failing-memory.h"
+#include "support/generate.h"
 
 #include <glib.h>
 

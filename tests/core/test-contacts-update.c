@@ -1,5 +1,5 @@
-#include "core/generate.h"
 #include "support/contacts.h"
+#include "support/generate.h"
 #include "support/models.h"
 
 #include <glib.h>

@@ -1,6 +1,6 @@
-#include "core/generate.h"
 #include "core/polygon.h"
 #include "support/contacts.h"
+#include "support/generate.h"
 #include "support/models.h"
 
 #include <glib.h>

@@ -9,9 +9,10 @@ enum { PIVOTS = 40, REST = 35, MOST = 40 };
 
 typedef struct {
   QnDenseFront dense;
-  double diagonal[MOST * PIVOTS], lower[MOST * PIVOTS], upper[MOST * REST],
+  double diagonal[MOST * PIVOTS], lower[MOST * PIVOTS], upper[MOST * PIVOTS],
     schur[MOST * REST];
   int32_t exchanges[PIVOTS];
+  double x[MOST], below[MOST]; /* a solution, and what forward passed on */
 } Front;
 
 static void
@@ -38,7 +39,7 @@ front_init (Front *front, int32_t pivots, int32_t rest, guint32 seed)
                                  .exchanges = front->exchanges };
   fill (front->diagonal, pivots, pivots, random);
   fill (front->lower, rest, pivots, random);
-  fill (front->upper, pivots, rest, random);
+  fill (front->upper, rest, pivots, random);
   g_rand_free (random);
 }
 
@@ -49,8 +50,9 @@ check_solution (const Front *original, Front *front, const QnFrontLoops *loops)
 {
   int32_t pivots = front->dense.pivots, rest = front->dense.rest;
   int32_t height = qn_front_height (pivots), low_height = qn_front_height (rest);
-  double x[MOST] = { 0 }, below[MOST], y[MOST], z[MOST], right[MOST];
+  double y[MOST] = { 0 }, z[MOST], right[MOST], *x = front->x, *below = front->below;
 
+  memset (x, 0, sizeof front->x);
   for (int32_t r = 0; r < pivots; r++)
     x[r] = right[r] = sin (r + 1);
   for (int32_t r = 0; r < rest; r++)
@@ -63,7 +65,7 @@ check_solution (const Front *original, Front *front, const QnFrontLoops *loops)
       right[r] -= original->diagonal[height * c + r] * x[c];
   for (int32_t c = 0; c < rest; c++)
     for (int32_t r = 0; r < pivots; r++)
-      right[r] -= original->upper[height * c + r] * z[c];
+      right[r] -= original->upper[low_height * r + c] * z[c];
   for (int32_t r = 0; r < pivots; r++)
     g_assert_cmpfloat (fabs (right[r]), <, 1e-9);
 
@@ -102,8 +104,50 @@ test_elimination (void)
         g_assert_cmpmem (wide.schur, bytes, front.schur, bytes);
         bytes = sizeof (double) * (size_t) (qn_front_height (pivots) * pivots);
         g_assert_cmpmem (wide.diagonal, bytes, front.diagonal, bytes);
+        bytes = sizeof (double) * (size_t) (qn_front_height (rest) * pivots);
+        g_assert_cmpmem (wide.lower, bytes, front.lower, bytes);
+        g_assert_cmpmem (wide.upper, bytes, front.upper, bytes);
+        g_assert_cmpmem (wide.x, sizeof wide.x, front.x, sizeof front.x);
+        bytes = sizeof (double) * (size_t) qn_front_height (rest);
+        g_assert_cmpmem (wide.below, bytes, front.below, bytes);
       }
     }
+}
+
+/* What a child leaves goes to its places, at every width. */
+static void
+test_assembly (void)
+{
+  enum { FIRST = 3, SECOND = 12, ROWS = FIRST + SECOND, COLUMNS = 5, HEIGHT = 24 };
+  int32_t places[ROWS], runs[ROWS]; /* two runs with a gap between them */
+  const int widths[] = { 2, 4, 8 };
+  static double source[MOST * PIVOTS], target[MOST * PIVOTS], expected[MOST * PIVOTS];
+  GRand *random = g_rand_new_with_seed (5);
+  QnFrontPart part = {
+    source, qn_front_height (ROWS), ROWS, COLUMNS, target, HEIGHT, places, runs, places
+  };
+
+  for (int32_t r = 0; r < ROWS; r++) {
+    places[r] = r < FIRST ? r : r + 2;
+    runs[r] = r < FIRST ? FIRST - r : ROWS - r;
+  }
+  fill (source, ROWS, COLUMNS, random);
+  g_rand_free (random);
+  for (int by_rows = 0; by_rows < 2; by_rows++) {
+    memset (expected, 0, sizeof expected);
+    for (int32_t c = 0; c < COLUMNS; c++)
+      for (int32_t r = 0; r < ROWS; r++)
+        expected[by_rows ? HEIGHT * places[r] + places[c]
+                         : HEIGHT * places[c] + places[r]] =
+          1 + source[qn_front_height (ROWS) * c + r];
+    for (size_t w = 0; w < G_N_ELEMENTS (widths); w++) {
+      const QnFrontLoops *loops = qn_front_loops (widths[w]);
+      for (size_t i = 0; i < G_N_ELEMENTS (target); i++)
+        target[i] = expected[i] != 0 ? 1 : 0;
+      (by_rows ? loops->add_by_rows : loops->add) (&part);
+      g_assert_cmpmem (target, sizeof target, expected, sizeof expected);
+    }
+  }
 }
 
 /* A row of zeros, and what is no number. */
@@ -128,6 +172,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/dense-front/elimination", test_elimination);
+  g_test_add_func ("/dense-front/assembly", test_assembly);
   g_test_add_func ("/dense-front/singular", test_singular);
   return g_test_run ();
 }

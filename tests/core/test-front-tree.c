@@ -37,6 +37,32 @@ make_pattern (GRand *random, int32_t **ap, int32_t **ai)
   return n;
 }
 
+/* Every front comes right after the subtrees of its children: S of a factorisation waits on a
+ * stack. */
+static void
+check_postorder (const QnFrontTree *tree)
+{
+  g_autofree int32_t *size = g_new0 (int32_t, tree->front_count);
+
+  for (int32_t f = 0; f < tree->front_count; f++) {
+    int32_t last = QN_NONE;
+    size[f] = 1;
+    for (int32_t c = tree->fronts[f].child; c != QN_NONE; c = tree->fronts[c].sibling) {
+      g_assert_cmpint (tree->fronts[c].parent, ==, f);
+      size[f] += size[c];
+      last = MAX (last, c);
+    }
+    if (last != QN_NONE)
+      g_assert_cmpint (last, ==, f - 1);
+    for (int32_t c = tree->fronts[f].child; c != QN_NONE; c = tree->fronts[c].sibling) {
+      gboolean follows = c - size[c] == f - size[f];
+      for (int32_t d = tree->fronts[f].child; d != QN_NONE; d = tree->fronts[d].sibling)
+        follows = follows || c - size[c] == d;
+      g_assert_true (follows);
+    }
+  }
+}
+
 /* Every position is eliminated once, rests are ascending, and go where their places say. */
 static void
 check_fronts (const QnFrontTree *tree)
@@ -106,6 +132,7 @@ test_random (void)
     g_assert_cmpint (tree.n, ==, n);
     check_fronts (&tree);
     check_entries (&tree, ap, ai);
+    check_postorder (&tree);
     qn_front_tree_clear (&tree);
     free (ap);
     free (ai);

@@ -1,6 +1,6 @@
-#include "core/generate.h"
 #include "core/limit.h"
 #include "support/certificate.h"
+#include "support/generate.h"
 #include "support/models.h"
 
 #include <glib.h>

@@ -112,6 +112,40 @@ test_sign (void)
   g_rand_free (random);
 }
 
+/* Factorising and solving at once, for matrices that come again and for others, with and without
+ * KLU; a right-hand side of zeros says nothing about factors, and has its solution all the same. */
+static void
+test_at_once (void)
+{
+  Dense d;
+  GRand *random = g_rand_new_with_seed (9);
+  dense_pattern (&d);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai);
+
+  for (int k = 0; k < 40; k++) {
+    double zeros[N] = { 0 };
+    dense_random (&d, random);
+    for (int i = 0; i < N && k % 2 == 0; i++)
+      d.b[i] += 9 * d.x[i], d.ax[i * N + i] += 9;
+    QnLinsysReuse reuse = k % 4 < 2 ? QN_LINSYS_ONCE : QN_LINSYS_AGAIN;
+    g_assert_cmpint (qn_linsys_factor_and_solve (system, d.ax, reuse, zeros), ==,
+                     QN_FACTOR_OK);
+    for (int again = 0; again < 2; again++) { /* the second time the factors are there */
+      double b[N];
+      memcpy (b, d.b, sizeof b);
+      g_assert_cmpint (qn_linsys_factor_and_solve (system, d.ax, reuse, b), ==,
+                       QN_FACTOR_OK);
+      for (int i = 0; i < N; i++) {
+        g_assert_cmpfloat (zeros[i], ==, 0);
+        g_assert_cmpfloat (fabs (b[i] - d.x[i]), <, 1e-8);
+      }
+      g_assert_cmpfloat (qn_linsys_work (system), ==, reuse == QN_LINSYS_ONCE ? 1 : 0);
+    }
+  }
+  qn_linsys_free (system);
+  g_rand_free (random);
+}
+
 static void
 test_singular (void)
 {
@@ -140,6 +174,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/linsys/refactorisation", test_refactorisation);
+  g_test_add_func ("/linsys/at-once", test_at_once);
   g_test_add_func ("/linsys/singular", test_singular);
   g_test_add_func ("/linsys/sign", test_sign);
   return g_test_run ();

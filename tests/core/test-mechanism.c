@@ -1,7 +1,7 @@
 #include "core/mechanism.h"
 
-#include "core/generate.h"
 #include "core/limit.h"
+#include "support/generate.h"
 #include "support/models.h"
 
 #include <glib.h>

@@ -35,6 +35,20 @@ test_grow_refuses_overflow (void)
 }
 
 static void
+test_lines (void)
+{
+  for (size_t count = 0; count < 20; count++) {
+    double *numbers = qn_alloc_lines (count, sizeof *numbers);
+    g_assert_nonnull (numbers);
+    g_assert_cmpuint ((uintptr_t) numbers % 64, ==, 0);
+    memset (numbers, 0, count * sizeof *numbers);
+    free (numbers);
+  }
+  g_assert_null (qn_alloc_lines (SIZE_MAX / 4, 16));
+  g_assert_null (qn_alloc_lines (SIZE_MAX, 1));
+}
+
+static void
 test_strdup (void)
 {
   char *copy = qn_strdup ("joint");
@@ -49,6 +63,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/memory/grow/keeps-and-zeroes", test_grow_keeps_and_zeroes);
   g_test_add_func ("/memory/grow/refuses-overflow", test_grow_refuses_overflow);
+  g_test_add_func ("/memory/lines", test_lines);
   g_test_add_func ("/memory/strdup", test_strdup);
   return g_test_run ();
 }

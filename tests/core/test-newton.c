@@ -1,6 +1,7 @@
 #include "solver.h"
 
 #include <math.h>
+#include <string.h>
 
 /* While nothing changes phase the problem is linear: one iteration, and none the second time. */
 static void
@@ -43,6 +44,82 @@ test_no_equilibrium_fails (void)
   solver_clear (&solver);
 }
 
+/* A chain of elastic blocks in large displacements under an eccentric load that grows. */
+static void
+make_chain (QnModel *model)
+{
+  test_model_init_stack (model, 4, 0.4, 0.5);
+  test_model_add_weight_loads (model, 0.3);
+  model->laws[0].kind = QN_LAW_ELASTIC;
+  model->laws[0].kn = model->laws[0].ks = 1e6;
+  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  QnLoad *load = qn_model_add_live_load (model);
+  load->kind = QN_LOAD_FORCE;
+  load->block = 4;
+  load->vector = qn_vec2 (300, -200);
+  load->has_at = true;
+  load->at = qn_vec2 (0.2, 2);
+}
+
+/* The state where a measure has advanced so far. */
+static void
+advance (QnEquilibrium *eq, const double *direction, double weight, double advance)
+{
+  const QnTarget target = { .direction = direction,
+                            .weight = weight,
+                            .advance = advance };
+
+  qn_equilibrium_restore (eq);
+  g_assert_cmpint (qn_equilibrium_newton (eq, &target, 0, 50), ==, QN_SOLVE_CONVERGED);
+}
+
+/* How displacements and multiplier follow a measure, by the bordered tangent and by differences:
+ * a measure of all displacements, with and without the multiplier in it. */
+static void
+test_tangent_of_a_measure (void)
+{
+  enum { UNKNOWNS = 12 };
+  const double way = 0.3, h = 1e-5;
+  QnModel model;
+  Solver solver;
+  make_chain (&model);
+  solver_init (&solver, &model);
+  QnEquilibrium *eq = &solver.equilibrium;
+  eq->tolerance = 1e-12;
+  g_assert_cmpint (eq->assembly.unknown_count, ==, UNKNOWNS);
+  g_assert_cmpint (newton (eq, 0), ==, QN_SOLVE_CONVERGED);
+  qn_equilibrium_commit (eq);
+
+  for (int with_multiplier = 0; with_multiplier < 2; with_multiplier++) {
+    double direction[UNKNOWNS], slope[UNKNOWNS], rate[UNKNOWNS], fastest = 0;
+    double weight = with_multiplier * 0.2, along = weight;
+    for (int i = 0; i < UNKNOWNS; i++)
+      direction[i] = i % 3 == 1 ? 0.2 : 1;
+
+    advance (eq, direction, weight, way - h);
+    double multiplier = eq->multiplier;
+    memcpy (slope, eq->u, sizeof slope);
+    advance (eq, direction, weight, way + h);
+    double multiplier_slope = (eq->multiplier - multiplier) / (2 * h);
+    for (int i = 0; i < UNKNOWNS; i++)
+      slope[i] = (eq->u[i] - slope[i]) / (2 * h);
+
+    advance (eq, direction, weight, way);
+    g_assert_cmpint (qn_equilibrium_rate (eq, rate), ==, QN_SOLVE_CONVERGED);
+    for (int i = 0; i < UNKNOWNS; i++) {
+      along += direction[i] * rate[i];
+      fastest = fmax (fastest, fabs (rate[i]));
+    }
+    g_test_message ("multiplier %.4f, slope %.8f, by differences %.8f", eq->multiplier,
+                    1 / along, multiplier_slope);
+    g_assert_cmpfloat_with_epsilon (multiplier_slope * along, 1, 1e-6);
+    for (int i = 0; i < UNKNOWNS; i++)
+      g_assert_cmpfloat_with_epsilon (slope[i] * along / fastest, rate[i] / fastest,
+                                      1e-6);
+  }
+  solver_clear (&solver);
+}
+
 static bool
 refuse (const QnProgress *progress, void *data)
 {
@@ -74,6 +151,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/newton/linear-problem", test_linear_problem_takes_one_iteration);
   g_test_add_func ("/newton/no-equilibrium", test_no_equilibrium_fails);
+  g_test_add_func ("/newton/tangent-of-a-measure", test_tangent_of_a_measure);
   g_test_add_func ("/newton/cancel", test_cancel);
   return g_test_run ();
 }

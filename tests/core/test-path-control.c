@@ -217,6 +217,66 @@ test_snap_back_by_arc_length (void)
   qn_model_clear (&model);
 }
 
+/* What the springs hold, J. */
+static double
+stored_energy (const QnResult *result)
+{
+  double energy = 0;
+
+  for (size_t p = 0; p < result->pair_count; p++) {
+    const QnPairResult *pair = &result->pairs[p];
+    double normal = pair->elongation_a[0] + pair->elongation_b[0];
+    double tangential = pair->elongation_a[1] + pair->elongation_b[1];
+    energy += 0.5 * (pair->normal_force * normal + pair->shear_force * tangential);
+  }
+  return energy;
+}
+
+/* The work of the load on the head, J, by trapezoids. */
+static double
+work_on_head (const QnModel *model, const QnResult *result)
+{
+  size_t head = (size_t) qn_model_find_block (model, "head") * QN_DOF_COUNT;
+  double work = 0;
+
+  for (size_t s = 1; s < result->step_count; s++) {
+    double before = qn_result_step_displacements (result, s - 1)[head + QN_DOF_UY];
+    double after = qn_result_step_displacements (result, s)[head + QN_DOF_UY];
+    double mean = 0.5 * (result->steps[s - 1].multiplier + result->steps[s].multiplier);
+    work += mean * -FORCE * (after - before);
+  }
+  return work;
+}
+
+/* What the press puts in is what the springs hold, when it pulls and when it pushes, past both
+ * turns of the load and both of the head: the keystone is what is controlled. The difference is
+ * the trapezoids': about a quarter for half the increment, the first steps being smaller. */
+static void
+test_energy_of_displacements (void)
+{
+  double before = 0;
+
+  for (int increments = 100; increments <= 400; increments *= 2) {
+    QnModel model;
+    QnResult result;
+    make_truss (&model, QN_PROCEDURE_DISPLACEMENT, 0);
+    model.analysis.increments = increments;
+    control (&model, QN_PROCEDURE_DISPLACEMENT, "keystone", QN_DOF_UY, -0.5);
+    run (&model, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    double stored = stored_energy (&result), work = work_on_head (&model, &result);
+    double error = work / stored - 1;
+    g_test_message ("%d increments: stored %.9g J, work %.9g J, %.2e", increments, stored,
+                    work, error);
+    g_assert_cmpfloat (fabs (error), <, 100.0 / (increments * increments));
+    if (before != 0)
+      g_assert_cmpfloat (before / error, >, 3);
+    before = error;
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+}
+
 /* Held by its head, the structure jumps where the head would have to turn back. */
 static void
 test_snap_under_held_displacement (void)
@@ -286,6 +346,52 @@ test_plateau (void)
   }
 }
 
+/* Every procedure ends right at the largest multiplier. */
+static void
+test_largest_multiplier (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_DISPLACEMENT, QN_PROCEDURE_WORK,
+                                            QN_PROCEDURE_ARC_LENGTH };
+  for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    bool displacement = procedures[i] == QN_PROCEDURE_DISPLACEMENT;
+    QnModel model;
+    QnResult result;
+    test_model_init_wall (&model, 3, 0);
+    g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+    control (&model, procedures[i], displacement ? "w.11.4" : NULL, QN_DOF_UX, 0.05);
+    model.analysis.max_multiplier = 0.2;
+    run (&model, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    g_assert_cmpint (result.stop, ==, QN_STOP_MULTIPLIER);
+    g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 0.2);
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+}
+
+/* A slender elastic member bends by far more than 1e5 times what its joints give, and carries
+ * every load in linear geometry. */
+static void
+test_elastic_member_never_collapses (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
+  for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    QnModel model;
+    QnResult result;
+    test_model_init_stack (&model, 50, 0.05, 0.1);
+    model.laws[0].kind = QN_LAW_ELASTIC;
+    test_model_add_weight_loads (&model, 1);
+    control (&model, procedures[i], NULL, QN_DOF_UX, 0);
+    run (&model, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    g_assert_cmpint (result.stop, ==, QN_STOP_MULTIPLIER);
+    g_assert_false (result.has_collapse_multiplier);
+    g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 1e9);
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+}
+
 /* Every procedure finds the same peak on a wall whose path is smooth. */
 static void
 test_peak_of_a_wall (void)
@@ -312,6 +418,88 @@ test_peak_of_a_wall (void)
   }
 }
 
+/* --- Walls to collapse ------------------------------------------------------------------ */
+
+static double
+top_displacement (const QnResult *result, size_t step)
+{
+  const double *u = qn_result_step_displacements (result, step);
+
+  return u[QN_DOF_COUNT * (result->block_count - 1) + QN_DOF_UX];
+}
+
+/* Multiplier of the path where the last block has moved so far, between steps by a straight
+ * line. */
+static double
+multiplier_at (const QnResult *path, double displacement)
+{
+  size_t i = 1;
+
+  while (i + 1 < path->step_count && top_displacement (path, i) < displacement)
+    i++;
+  double from = top_displacement (path, i - 1), to = top_displacement (path, i);
+  double low = path->steps[i - 1].multiplier, high = path->steps[i].multiplier;
+  return low + (high - low) * (displacement - from) / (to - from);
+}
+
+/* Load control in small increments up to 97 % of collapse. */
+static void
+follow_closely (int wall, double dilatancy, double collapse, QnResult *result)
+{
+  QnModel model;
+
+  test_model_init_wall (&model, wall, dilatancy);
+  model.analysis.increments = 1000;
+  model.analysis.shortcuts.growing_increments = false;
+  model.analysis.max_multiplier = 0.97 * collapse;
+  run (&model, result);
+  g_assert_cmpint (result->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  qn_model_clear (&model);
+}
+
+/* Work and arc-length control run along the path of load control and on to its collapse, with
+ * no more effort, although one of the two may lead through equilibria where Newton's method gets
+ * nowhere. */
+static void
+test_walls_to_collapse (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_WORK, QN_PROCEDURE_ARC_LENGTH };
+  static const double by_load_control[] = { 0.64148, 0.56402, 0.35582,
+                                            0.26374, 0.21520, 0.29633 };
+
+  for (int i = 0; i < 4 * TEST_WALL_COUNT; i++) {
+    int wall = i / 4 + 1;
+    bool associative = i % 4 / 2 == 1;
+    QnProcedure procedure = procedures[i % 2];
+    double dilatancy = associative ? 0.65 : 0;
+    double collapse =
+      associative ? test_walls[wall - 1].associative : by_load_control[wall - 1];
+    QnModel model;
+    QnResult result, close;
+    test_model_init_wall (&model, wall, dilatancy);
+    control (&model, procedure, NULL, QN_DOF_UX, 0);
+    run (&model, &result);
+    follow_closely (wall, dilatancy, collapse, &close);
+
+    g_test_message ("wall %d, dilatancy %g, procedure %d: %.6f, %d factorisations", wall,
+                    dilatancy, procedure, result.collapse_multiplier,
+                    result.statistics.factorizations);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpint (result.stop, ==, QN_STOP_PLATEAU);
+    g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, collapse,
+                                    (associative ? 1e-6 : 2e-3) * collapse);
+    g_assert_cmpint (result.statistics.factorizations, <, wall == 6 ? 450 : 200);
+    for (size_t s = 1; s < result.step_count; s++)
+      if (result.steps[s].multiplier < 0.97 * collapse)
+        g_assert_cmpfloat_with_epsilon (
+          multiplier_at (&close, top_displacement (&result, s)),
+          result.steps[s].multiplier, 1.5e-3 * collapse);
+    qn_result_clear (&close);
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -320,10 +508,14 @@ main (int argc, char **argv)
   g_test_add_func ("/path-control/overturning-until-nothing-is-left",
                    test_overturning_until_nothing_is_left);
   g_test_add_func ("/path-control/snap-back-by-arc-length", test_snap_back_by_arc_length);
+  g_test_add_func ("/path-control/energy-of-displacements", test_energy_of_displacements);
   g_test_add_func ("/path-control/snap-under-held-displacement",
                    test_snap_under_held_displacement);
   g_test_add_func ("/path-control/stop-at-limit-point", test_stop_at_limit_point);
   g_test_add_func ("/path-control/plateau", test_plateau);
+  g_test_add_func ("/path-control/largest-multiplier", test_largest_multiplier);
+  g_test_add_func ("/path-control/elastic-member", test_elastic_member_never_collapses);
   g_test_add_func ("/path-control/peak-of-a-wall", test_peak_of_a_wall);
+  g_test_add_func ("/path-control/walls-to-collapse", test_walls_to_collapse);
   return g_test_run ();
 }

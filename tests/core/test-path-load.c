@@ -292,6 +292,44 @@ test_forces_of_every_step (void)
   qn_model_clear (&model);
 }
 
+/* Blocks on points may swing, but a live load that acts along their weight does not ask them to:
+ * the path leads to the largest multiplier there is, without end of increments. */
+static void
+test_idle_live_load (void)
+{
+  QnModel model;
+  QnResult result;
+  test_model_init_stack (&model, 30, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  model.live_loads[0].vector = qn_vec2 (0, -1);
+  model.contact.pairs.placement = QN_PLACEMENT_UNIFORM;
+  model.contact.pairs.count = 1;
+  run (&model, NULL, NULL, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (result.statistics.iterations, <, 3000);
+  qn_result_clear (&result);
+}
+
+/* Every other block on joints a hundred million times softer: stiffness changes displacements,
+ * not what associative joints carry. */
+static void
+test_soft_and_stiff (void)
+{
+  QnModel model;
+  QnResult result;
+  test_model_init_wall (&model, 1, 0.65);
+  test_model_soften_every_other_block (&model, 1e8);
+  run (&model, NULL, NULL, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, test_walls[0].associative,
+                                  1e-4);
+  g_assert_cmpint (result.statistics.iterations, <, 1000);
+  g_assert_false (result.mechanism_uncertain);
+  qn_result_clear (&result);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -301,6 +339,8 @@ main (int argc, char **argv)
   g_test_add_func ("/path-load/digits", test_digits_beyond_the_bracket);
   g_test_add_func ("/path-load/no-live-load", test_no_live_load);
   g_test_add_func ("/path-load/unbounded", test_unbounded);
+  g_test_add_func ("/path-load/idle-live-load", test_idle_live_load);
+  g_test_add_func ("/path-load/soft-and-stiff", test_soft_and_stiff);
   g_test_add_func ("/path-load/dead-load-unstable", test_dead_load_unstable);
   g_test_add_func ("/path-load/limit-point", test_limit_point);
   g_test_add_func ("/path-load/nonlinear-geometry", test_nonlinear_geometry);

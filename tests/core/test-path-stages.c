@@ -1,5 +1,5 @@
-#include "core/analysis.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
@@ -8,12 +8,6 @@
  * spring is a million times as stiff. */
 #define STIFFNESS 1e6 /* N/m of the pair of springs */
 #define YIELD     1e3 /* N */
-
-typedef struct Run {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Run;
 
 static void
 init_fibre (QnModel *model, QnLawKind kind, double hardening)
@@ -60,11 +54,11 @@ add_stage (QnModel *model, uint32_t sets, double target)
 }
 
 static void
-add_controlled_stage (QnModel *model, uint32_t sets, double target)
+add_controlled_stage (QnModel *model, QnProcedure procedure, uint32_t sets, double target)
 {
   QnStage *stage = qn_model_add_stage (model, "controlled");
   stage->sets = sets;
-  stage->procedure = QN_PROCEDURE_DISPLACEMENT;
+  stage->procedure = procedure;
   stage->control_block = 1;
   stage->control_dof = QN_DOF_UY;
   stage->control_target = target;
@@ -72,28 +66,15 @@ add_controlled_stage (QnModel *model, uint32_t sets, double target)
 }
 
 static void
-solve (Run *run, QnModel *model)
+solve (TestRun *run, QnModel *model)
 {
-  QnDiag diag = { 0 };
   run->model = *model;
-  g_assert_cmpint (qn_model_prepare (&run->model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&run->model, &run->contacts, &diag), ==, QN_OK);
-  g_assert_cmpint (
-    qn_analysis_run (&run->model, &run->contacts, NULL, NULL, &run->result, &diag), ==,
-    QN_OK);
-}
-
-static void
-clear (Run *run)
-{
-  qn_result_clear (&run->result);
-  qn_contacts_clear (&run->contacts);
-  qn_model_clear (&run->model);
+  test_run_solve (run);
 }
 
 /* Last step of a stage. */
 static size_t
-end_of (const Run *run, int stage)
+end_of (const TestRun *run, int stage)
 {
   size_t end = 0;
   for (size_t i = 0; i < run->result.step_count; i++)
@@ -104,19 +85,20 @@ end_of (const Run *run, int stage)
 }
 
 static double
-uy (const Run *run, size_t step)
+uy (const TestRun *run, size_t step)
 {
   return qn_result_step_displacements (&run->result, step)[QN_DOF_COUNT + QN_DOF_UY];
 }
 
-/* Loading into the plastic range, unloading, reloading, load control with hardening r: the
- * plastic part of (F - Fy) (1/(r k) - 1/k) stays. Reversal reaches yield at F - 2 Fy. */
+/* Loading into the plastic range, unloading, reloading with hardening r: the plastic part of (F -
+ * Fy) (1/(r k) - 1/k) stays. Reversal reaches yield at F - 2 Fy. Every procedure ends its stages
+ * right at their targets. */
 static void
-test_cycle_of_loads (void)
+test_cycle_of_loads (const void *procedure)
 {
   const double r = 0.25, k = STIFFNESS;
   const double plastic = 0.2 * YIELD * (1 / (r * k) - 1 / k);
-  Run run;
+  TestRun run;
   QnModel model;
   init_fibre (&model, QN_LAW_BILINEAR, r);
   add_force (&model, "live", 0, YIELD);
@@ -125,6 +107,8 @@ test_cycle_of_loads (void)
   add_stage (&model, 1, 1.2);
   add_stage (&model, 1, -0.8);
   add_stage (&model, 1, -1.0);
+  for (size_t i = 0; i < model.stage_count; i++)
+    model.stages[i].procedure = (QnProcedure) GPOINTER_TO_INT (procedure);
   solve (&run, &model);
 
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
@@ -143,21 +127,23 @@ test_cycle_of_loads (void)
     g_assert_cmpfloat_with_epsilon (
       uy (&run, i), plastic + run.result.steps[i].multiplier * YIELD / k, 1e-10);
   g_assert_cmpint (run.result.steps[0].stage, ==, 0);
-  clear (&run);
+  test_run_clear (&run);
 }
 
-/* The same under displacement control, without hardening: the load follows the spring. */
+/* The same to given displacements, without hardening: the load follows the spring, whichever way
+ * leads to the target, and ends right there by every procedure. */
 static void
-test_cycle_of_displacements (void)
+test_cycle_of_displacements (const void *data)
 {
+  const QnProcedure procedure = (QnProcedure) GPOINTER_TO_INT (data);
   const double first = YIELD / STIFFNESS;
-  Run run;
+  TestRun run;
   QnModel model;
   init_fibre (&model, QN_LAW_ELASTIC_PLASTIC, 0);
   add_force (&model, "live", 0, YIELD);
-  add_controlled_stage (&model, 1, 3 * first);
-  add_controlled_stage (&model, 1, 0);
-  add_controlled_stage (&model, 1, 2.5 * first);
+  add_controlled_stage (&model, procedure, 1, 3 * first);
+  add_controlled_stage (&model, procedure, 1, 0);
+  add_controlled_stage (&model, procedure, 1, 2.5 * first);
   solve (&run, &model);
 
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
@@ -179,7 +165,7 @@ test_cycle_of_displacements (void)
       expected = fmin (u - 1, 1);
     g_assert_cmpfloat_with_epsilon (run.result.steps[i].multiplier, expected, 1e-8);
   }
-  clear (&run);
+  test_run_clear (&run);
 }
 
 /* A vertical load first, then the push: a block on a plane slides at mu (W + N). The held set
@@ -187,7 +173,7 @@ test_cycle_of_displacements (void)
 static void
 test_held_set (void)
 {
-  Run run;
+  TestRun run;
   QnModel model;
   double factors[QN_MAX_LOAD_SETS];
   test_model_init_block_on_plane (&model, 2, 0.5);
@@ -219,14 +205,14 @@ test_held_set (void)
   g_assert_cmpfloat_with_epsilon (reaction[0], -10000 * run.result.collapse_multiplier,
                                   1e-3);
   g_assert_cmpfloat_with_epsilon (reaction[1], base + weight + 10000, 1e-3);
-  clear (&run);
+  test_run_clear (&run);
 }
 
 /* A stage that does not reach its end is the last one. */
 static void
 test_stops_at_collapse (void)
 {
-  Run run;
+  TestRun run;
   QnModel model;
   test_model_init_block_on_plane (&model, 2, 0.5);
   test_model_add_weight_loads (&model, 1);
@@ -238,7 +224,7 @@ test_stops_at_collapse (void)
   g_assert_nonnull (run.result.mechanism);
   for (size_t i = 1; i < run.result.step_count; i++)
     g_assert_cmpint (run.result.steps[i].stage, ==, 1);
-  clear (&run);
+  test_run_clear (&run);
 }
 
 /* A prop in the middle of two unequal springs: the middle block settles with the support by the
@@ -247,7 +233,7 @@ static void
 test_settlement (void)
 {
   const double s = -2e-3;
-  Run run;
+  TestRun run;
   QnModel model;
   init_fibre (&model, QN_LAW_ELASTIC, 0);
   add_ceiling (&model);
@@ -270,7 +256,7 @@ test_settlement (void)
     g_assert_cmpfloat_with_epsilon (r[QN_DOF_UY], STIFFNESS * m * s / 2, 1e-3);
     g_assert_cmpfloat_with_epsilon (r[6 + QN_DOF_UY], -STIFFNESS * m * s / 2, 1e-3);
   }
-  clear (&run);
+  test_run_clear (&run);
 }
 
 /* The same as a stage after a load, and taken back: the load stays. */
@@ -278,7 +264,7 @@ static void
 test_settlement_stage (void)
 {
   const double s = -2e-3;
-  Run run;
+  TestRun run;
   QnModel model;
   init_fibre (&model, QN_LAW_ELASTIC, 0);
   add_ceiling (&model);
@@ -297,7 +283,7 @@ test_settlement_stage (void)
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 1)), loaded, 1e-12);
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 2)), loaded + s / 2, 1e-12);
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 3)), loaded, 1e-12);
-  clear (&run);
+  test_run_clear (&run);
 }
 
 /* A target that the load moves away from. */
@@ -305,7 +291,7 @@ static void
 test_wrong_sign (void)
 {
   QnDiag diag = { 0 };
-  Run run = { 0 };
+  TestRun run = { 0 };
   init_fibre (&run.model, QN_LAW_ELASTIC_PLASTIC, 0);
   add_force (&run.model, "live", 0, YIELD);
   QnAnalysisSettings *analysis = &run.model.analysis;
@@ -320,16 +306,27 @@ test_wrong_sign (void)
     QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_CONTROL_WRONG_SIGN);
   g_assert_cmpstr (diag.field, ==, "control.target");
-  clear (&run);
+  test_run_clear (&run);
 }
 
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/core/path-stages/cycle-of-loads", test_cycle_of_loads);
-  g_test_add_func ("/core/path-stages/cycle-of-displacements",
-                   test_cycle_of_displacements);
+  g_test_add_data_func ("/core/path-stages/cycle-of-loads",
+                        GINT_TO_POINTER (QN_PROCEDURE_LOAD), test_cycle_of_loads);
+  g_test_add_data_func ("/core/path-stages/cycle-of-work",
+                        GINT_TO_POINTER (QN_PROCEDURE_WORK), test_cycle_of_loads);
+  g_test_add_data_func ("/core/path-stages/cycle-of-arcs",
+                        GINT_TO_POINTER (QN_PROCEDURE_ARC_LENGTH), test_cycle_of_loads);
+  g_test_add_data_func ("/core/path-stages/cycle-of-displacements",
+                        GINT_TO_POINTER (QN_PROCEDURE_DISPLACEMENT),
+                        test_cycle_of_displacements);
+  g_test_add_data_func ("/core/path-stages/work-to-displacements",
+                        GINT_TO_POINTER (QN_PROCEDURE_WORK), test_cycle_of_displacements);
+  g_test_add_data_func ("/core/path-stages/arcs-to-displacements",
+                        GINT_TO_POINTER (QN_PROCEDURE_ARC_LENGTH),
+                        test_cycle_of_displacements);
   g_test_add_func ("/core/path-stages/held-set", test_held_set);
   g_test_add_func ("/core/path-stages/stops-at-collapse", test_stops_at_collapse);
   g_test_add_func ("/core/path-stages/settlement", test_settlement);

@@ -61,14 +61,6 @@ test_reverse (void)
 }
 
 static void
-test_convexity (void)
-{
-  const QnVec2 with_midpoint[] = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
-  g_assert_true (qn_polygon_is_convex (with_midpoint, 5));
-  g_assert_false (qn_polygon_is_convex (l_shape, 6));
-}
-
-static void
 test_depth (void)
 {
   CLOSE (qn_polygon_depth (l_shape, 6, qn_vec2 (0.4, 2)), 0.4, 1e-15);
@@ -101,7 +93,6 @@ main (int argc, char **argv)
   g_test_add_func ("/polygon/properties/l-shape", test_l_shape);
   g_test_add_func ("/polygon/properties/translation", test_translation_costs_nothing);
   g_test_add_func ("/polygon/reverse", test_reverse);
-  g_test_add_func ("/polygon/convexity", test_convexity);
   g_test_add_func ("/polygon/depth", test_depth);
   g_test_add_func ("/polygon/inner-point", test_inner_point);
   return g_test_run ();

@@ -1,7 +1,7 @@
 #include "disk/file-group.h"
 
 #include "disk/whole-file.h"
-#include "io/scratch.h"
+#include "support/scratch.h"
 
 #include <errno.h>
 #include <glib/gstdio.h>

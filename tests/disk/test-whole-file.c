@@ -1,7 +1,7 @@
 #define _GNU_SOURCE /* O_TMPFILE */
 #include "disk/whole-file.h"
 
-#include "io/scratch.h"
+#include "support/scratch.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -33,22 +33,14 @@ tear_down (Fixture *fixture, gconstpointer data)
 }
 
 static void
-expect (const char *path, const char *expected)
-{
-  g_autofree char *content = NULL;
-  g_assert_true (g_file_get_contents (path, &content, NULL, NULL));
-  g_assert_cmpstr (content, ==, expected);
-}
-
-static void
 test_new_and_old (Fixture *fixture, gconstpointer data)
 {
   (void) data;
   g_assert_cmpint (qn_whole_file_replace (fixture->path, "one", 3), ==, 0);
-  expect (fixture->path, "one");
+  test_scratch_expect (fixture->path, "one");
   g_assert_cmpint (g_chmod (fixture->path, 0640), ==, 0);
   g_assert_cmpint (qn_whole_file_replace (fixture->path, "two", 3), ==, 0);
-  expect (fixture->path, "two");
+  test_scratch_expect (fixture->path, "two");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 
   struct stat status;
@@ -69,7 +61,7 @@ test_discard (Fixture *fixture, gconstpointer data)
     qn_whole_file_discard (&file);
     g_assert_cmpuint (test_scratch_count (fixture->folder), ==, (guint) old);
   }
-  expect (fixture->path, "old");
+  test_scratch_expect (fixture->path, "old");
 }
 
 /* Who is faster has made the file: it is replaced all the same. */
@@ -82,7 +74,7 @@ test_made_meanwhile (Fixture *fixture, gconstpointer data)
   g_assert_cmpint (qn_whole_file_write (&file, "mine", 4), ==, 0);
   g_assert_true (g_file_set_contents (fixture->path, "theirs", -1, NULL));
   g_assert_cmpint (qn_whole_file_commit (&file), ==, 0);
-  expect (fixture->path, "mine");
+  test_scratch_expect (fixture->path, "mine");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 }
 
@@ -95,7 +87,7 @@ test_link (Fixture *fixture, gconstpointer data)
   g_assert_cmpint (symlink ("file", link), ==, 0);
   g_assert_cmpint (qn_whole_file_replace (link, "new", 3), ==, 0);
   g_assert_true (g_file_test (link, G_FILE_TEST_IS_SYMLINK));
-  expect (fixture->path, "new");
+  test_scratch_expect (fixture->path, "new");
 }
 
 static void
@@ -115,7 +107,7 @@ test_refused (Fixture *fixture, gconstpointer data)
   g_assert_cmpint (qn_whole_file_replace ("/dev/null", "x", 1), ==, 0);
   g_assert_cmpint (qn_whole_file_replace (fits, "x", 1), ==, 0);
   g_assert_cmpint (qn_whole_file_replace (fits, "y", 1), ==, 0);
-  expect (fits, "y");
+  test_scratch_expect (fits, "y");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 }
 
@@ -142,7 +134,7 @@ test_kill (Fixture *fixture, gconstpointer data)
   }
   g_assert_cmpint (waitpid (writer, &status, 0), ==, writer);
   g_assert_true (WIFSIGNALED (status) && WTERMSIG (status) == SIGKILL);
-  expect (fixture->path, "old");
+  test_scratch_expect (fixture->path, "old");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 }
 

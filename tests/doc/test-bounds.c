@@ -1,6 +1,6 @@
 #include "doc/bounds.h"
 
-#include "open-example.h"
+#include "fixture.h"
 
 #include <math.h>
 #include <string.h>

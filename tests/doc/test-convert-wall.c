@@ -1,6 +1,7 @@
-#include "doc/document.h"
 #include "doc/edit-masonry.h"
 #include "io/project-masonry.h"
+
+#include "fixture.h"
 
 #include <math.h>
 
@@ -10,25 +11,14 @@ convert (QnProject *draft, gpointer data, GError **error)
   return qn_edit_convert_wall (draft, *(const QnId *) data, error);
 }
 
-static void
-open_example (QnDocument *document, const char *name)
-{
-  g_autofree char *path = g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
-  g_autoptr (GError) error = NULL;
-  qn_document_load (document, path, &error);
-  g_assert_no_error (error);
-}
-
 /* Every published wall keeps its blocks, one by one. */
 static void
 test_same_blocks (void)
 {
   for (int number = 1; number <= 6; number++) {
     g_autofree char *name = g_strdup_printf ("ferris-tin-loi/wall%d.quoin", number);
-    g_autoptr (QnDocument) before = qn_document_new ();
-    g_autoptr (QnDocument) after = qn_document_new ();
-    open_example (before, name);
-    open_example (after, name);
+    g_autoptr (QnDocument) before = open_example (name);
+    g_autoptr (QnDocument) after = open_example (name);
     QnId wall = 0;
     g_autoptr (GError) error = NULL;
     qn_document_edit_project (after, "Convert", NULL, convert, &wall, &error);
@@ -66,10 +56,8 @@ test_openings (void)
     "    [1, 0.5, -1, 0.5, 1], [0.5, 0.5, 2, 0.5, 0.5], [1, 1, 1, 1],"
     "    [0.5, 1, 1, 1, 0.5] ] } ],"
     "  \"contact\": { \"law\": \"dry\" } }";
-  g_autoptr (QnDocument) document = qn_document_new ();
+  g_autoptr (QnDocument) document = open_text (text);
   g_autoptr (GError) error = NULL;
-  qn_document_load_text (document, text, "test", &error);
-  g_assert_no_error (error);
   QnId wall = 0;
   qn_document_edit_project (document, "Convert", NULL, convert, &wall, &error);
   g_assert_no_error (error);

@@ -1,27 +1,11 @@
-#include "doc/document.h"
 #include "doc/edit.h"
+
+#include "fixture.h"
 
 #include <glib/gstdio.h>
 #include <malloc.h>
 #include <math.h>
 #include <string.h>
-
-static char *
-example (const char *name)
-{
-  return g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
-}
-
-static QnDocument *
-open_example (const char *name)
-{
-  g_autofree char *path = example (name);
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load (document, path, &error);
-  g_assert_no_error (error);
-  return document;
-}
 
 static gboolean
 set_friction (QnModel *model, gpointer data, GError **error)
@@ -103,6 +87,14 @@ test_save_and_load (void)
   g_assert_cmpfloat (qn_document_get_model (again)->laws[0].friction, ==, 0.5);
   g_assert_cmpuint (qn_document_get_model (again)->block_count, ==,
                     qn_document_get_model (document)->block_count);
+
+  /* Written by another document since: told until it is written here. */
+  g_assert_false (qn_document_is_changed_elsewhere (document));
+  g_assert_false (qn_document_is_changed_elsewhere (again));
+  g_assert_true (change (again, 0.7, NULL));
+  g_assert_true (qn_document_save (again, path, NULL));
+  g_assert_true (qn_document_is_changed_elsewhere (document));
+  g_assert_false (qn_document_is_changed_elsewhere (again));
 
   /* What cannot be written or read is an error and changes nothing. */
   g_autoptr (GError) error = NULL;
@@ -197,6 +189,25 @@ test_gestures_and_signals (void)
   g_assert_false (qn_document_is_modified (document));
 }
 
+/* Arrow keys that move one block and then another are two steps. */
+static void
+test_selection_ends_gesture (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  QnSelection *selection = qn_document_get_selection (document);
+  QnHistory *history = qn_document_get_history (document);
+  const QnId first = 0;
+  qn_selection_set_blocks (selection, &first, 1);
+  change (document, 0.5, "nudge");
+  qn_selection_set_blocks (selection, &first, 1); /* the same */
+  change (document, 0.4, "nudge");
+  g_assert_cmpuint (qn_history_get_count (history), ==, 1);
+  qn_selection_clear (selection);
+  change (document, 0.3, "nudge");
+  change (document, 0.2, "nudge");
+  g_assert_cmpuint (qn_history_get_count (history), ==, 2);
+}
+
 static void
 test_extras (void)
 {
@@ -211,13 +222,6 @@ test_extras (void)
 }
 
 /* ---- analyses ---- */
-
-static void
-wait_for_job (QnDocument *document)
-{
-  while (qn_document_get_job (document) != NULL)
-    g_main_context_iteration (NULL, TRUE);
-}
 
 static void
 test_analysis (void)
@@ -351,6 +355,7 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/document/refused-edit", test_refused_edit);
   g_test_add_func ("/doc/document/thousand-undos", test_thousand_undos);
   g_test_add_func ("/doc/document/gestures-and-signals", test_gestures_and_signals);
+  g_test_add_func ("/doc/document/selection-ends-gesture", test_selection_ends_gesture);
   g_test_add_func ("/doc/document/extras", test_extras);
   g_test_add_func ("/doc/document/analysis", test_analysis);
   g_test_add_func ("/doc/document/cancel", test_cancel);

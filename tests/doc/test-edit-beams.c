@@ -1,6 +1,7 @@
 /* Beams in the drawing: they follow their blocks, go with them, and come back. */
-#include "doc/document.h"
 #include "doc/edit.h"
+
+#include "fixture.h"
 
 #include <glib/gstdio.h>
 
@@ -33,37 +34,16 @@ rename_block (QnModel *model, gpointer data, GError **error)
   return qn_edit_rename_block (model, qn_model_find_block (model, data), "stone", error);
 }
 
-static QnDocument *
-open_mast (void)
-{
-  g_autofree char *path =
-    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "36-mast-on-block.quoin", NULL);
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load (document, path, &error);
-  g_assert_no_error (error);
-  return document;
-}
-
-static const QnModel *
-apply (QnDocument *document, QnEditFunc func, const char *block)
-{
-  g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "edit", NULL, func, (gpointer) block, &error);
-  g_assert_no_error (error);
-  return qn_document_get_model (document);
-}
-
 /* A node on a block goes with it; one that stands free does when everything moves. */
 static void
 test_move (void)
 {
-  g_autoptr (QnDocument) document = open_mast ();
-  const QnModel *model = apply (document, move, "footing");
+  g_autoptr (QnDocument) document = open_example ("36-mast-on-block.quoin");
+  const QnModel *model = edit (document, move, "footing");
   g_assert_cmpfloat (model->nodes[0].at.x, ==, 0.75);
   g_assert_cmpfloat (model->nodes[1].at.x, ==, 0.5);
   g_assert_cmpuint (model->element_count, ==, 4);
-  model = apply (document, move_all, NULL);
+  model = edit (document, move_all, NULL);
   g_assert_cmpfloat (model->nodes[0].at.y, ==, 11);
   g_assert_cmpfloat (model->nodes[1].at.y, ==, 13);
   g_assert_cmpint (model->live_loads[0].kind, ==, QN_LOAD_NODE);
@@ -74,8 +54,8 @@ test_move (void)
 static void
 test_delete (void)
 {
-  g_autoptr (QnDocument) document = open_mast ();
-  const QnModel *model = apply (document, delete, "footing");
+  g_autoptr (QnDocument) document = open_example ("36-mast-on-block.quoin");
+  const QnModel *model = edit (document, delete, "footing");
   g_assert_cmpuint (model->node_count, ==, 0);
   g_assert_cmpuint (model->beam_count, ==, 0);
   g_assert_cmpuint (model->element_count, ==, 0);
@@ -93,9 +73,9 @@ test_delete (void)
 static void
 test_survive (void)
 {
-  g_autoptr (QnDocument) document = open_mast ();
-  apply (document, rename_block, "footing");
-  const QnModel *model = apply (document, delete, "ground");
+  g_autoptr (QnDocument) document = open_example ("36-mast-on-block.quoin");
+  edit (document, rename_block, "footing");
+  const QnModel *model = edit (document, delete, "ground");
   g_assert_cmpuint (model->block_count, ==, 1);
   g_assert_cmpint (model->nodes[0].block, ==, 0);
   g_assert_cmpuint (model->element_count, ==, 4);

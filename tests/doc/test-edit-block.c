@@ -1,5 +1,6 @@
-#include "doc/document.h"
 #include "doc/edit.h"
+
+#include "fixture.h"
 
 #include <math.h>
 
@@ -35,25 +36,6 @@ support (QnModel *model, gpointer data, GError **error)
 {
   const Edit *edit = data;
   return qn_edit_set_support (model, edit->set, edit->support, error);
-}
-
-static QnDocument *
-open_example (const char *name)
-{
-  g_autofree char *path = g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load (document, path, &error);
-  g_assert_no_error (error);
-  return document;
-}
-
-static void
-apply (QnDocument *document, QnEditFunc func, Edit edit)
-{
-  g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "edit", NULL, func, &edit, &error);
-  g_assert_no_error (error);
 }
 
 static void
@@ -96,14 +78,14 @@ test_walls_stay_or_detach (void)
   g_autofree QnId *all = g_memdup2 (ids, count * sizeof *ids);
   gsize faces = qn_document_get_contacts (document)->face_count;
 
-  apply (
+  edit (
     document, transform,
-    (Edit){ .set = { all, count }, .transform = qn_transform_translation (1.0, 2.0) });
+    &(Edit){ .set = { all, count }, .transform = qn_transform_translation (1.0, 2.0) });
   g_assert_cmpuint (qn_document_get_model (document)->wall_count, ==, 1);
   assert_place (qn_document_get_model (document)->walls[0].origin, 1.0, 2.0);
 
-  apply (document, transform,
-         (Edit){ .set = { all, count },
+  edit (document, transform,
+        &(Edit){ .set = { all, count },
                  .transform = qn_transform_rotation (qn_vec2 (0.0, 0.0), 0.3) });
   const QnModel *model = qn_document_get_model (document);
   g_assert_cmpuint (model->wall_count, ==, 0);
@@ -119,7 +101,7 @@ test_delete (void)
   const QnModel *model = qn_document_get_model (document);
   gsize count = model->block_count;
   QnId block = qn_model_find_block (model, "w.11.2");
-  apply (document, delete_blocks, (Edit){ .set = { &block, 1 } });
+  edit (document, delete_blocks, &(Edit){ .set = { &block, 1 } });
   model = qn_document_get_model (document);
   g_assert_cmpuint (model->block_count, ==, count - 1);
   g_assert_cmpuint (model->wall_count, ==, 1);
@@ -141,8 +123,8 @@ test_array (void)
   gsize count = qn_document_get_model (document)->block_count;
   QnId block = 1;
   QnVec2 from = qn_document_get_model (document)->blocks[block].centroid;
-  apply (document, copy,
-         (Edit){ .set = { &block, 1 },
+  edit (document, copy,
+        &(Edit){ .set = { &block, 1 },
                  .transform = qn_transform_translation (0.0, 3.0),
                  .copies = 4 });
   const QnModel *model = qn_document_get_model (document);
@@ -155,8 +137,8 @@ test_support (void)
 {
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall1.quoin");
   QnId block = qn_model_find_block (qn_document_get_model (document), "w.2.1");
-  apply (document, support,
-         (Edit){ .set = { &block, 1 }, .support = { true, false, true } });
+  edit (document, support,
+        &(Edit){ .set = { &block, 1 }, .support = { true, false, true } });
   const QnModel *model = qn_document_get_model (document);
   const QnBlock *changed = &model->blocks[qn_model_find_block (model, "w.2.1")];
   g_assert_true (changed->support[QN_DOF_UX]);

@@ -1,5 +1,6 @@
-#include "doc/document.h"
 #include "doc/edit-face.h"
+
+#include "fixture.h"
 
 typedef struct Change {
   QnFaceSet set;
@@ -31,31 +32,19 @@ add_law (QnModel *model, gpointer data, GError **error)
 static QnDocument *
 open_stack (void)
 {
-  g_autofree char *path =
-    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "05-stack.quoin", NULL);
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load (document, path, &error);
-  g_assert_no_error (error);
-  qn_document_edit (document, "Law", NULL, add_law, NULL, &error);
-  g_assert_no_error (error);
+  QnDocument *document = open_example ("05-stack.quoin");
+  edit (document, add_law, NULL);
   return document;
 }
 
 static void
 apply (QnDocument *document, QnEditFunc func, Change change)
 {
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
-  g_autoptr (GError) error = NULL;
   /* Faces are copied: the edit replaces the contacts. */
   g_autofree QnContactFace *faces =
     g_memdup2 (change.set.faces, change.set.count * sizeof (QnContactFace));
   change.set.faces = faces;
-  qn_document_edit (document, "edit", NULL, func, &change, &error);
-  g_assert_no_error (error);
-  g_assert_true (qn_document_undo (document));
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
-  g_assert_true (qn_document_redo (document));
+  edit (document, func, &change);
 }
 
 static QnFaceSet

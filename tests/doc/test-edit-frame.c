@@ -1,7 +1,8 @@
 /* Beams drawn, joined, parted, moved, copied, deleted: as a user would, undone to the byte. */
 #include "doc/beam-summary.h"
-#include "doc/document.h"
 #include "doc/edit-frame.h"
+
+#include "fixture.h"
 
 #include <math.h>
 
@@ -16,16 +17,6 @@ static const char text[] =
   "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] } ],"
   "  \"contact\": { \"law\": \"dry\" } }";
 
-static QnDocument *
-open_stones (void)
-{
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load_text (document, text, "stones", &error);
-  g_assert_no_error (error);
-  return document;
-}
-
 typedef struct Line {
   QnVec2 from, to;
   int elements;
@@ -39,26 +30,6 @@ add (QnModel *model, gpointer data, GError **error)
                            (QnBeamStyle){ .element_count = line->elements }, error);
 }
 
-static const QnModel *
-edit (QnDocument *document, QnEditFunc func, gconstpointer data)
-{
-  g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error);
-  g_assert_no_error (error);
-  return qn_document_get_model (document);
-}
-
-static void
-refuse (QnDocument *document, QnEditFunc func, gconstpointer data)
-{
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
-  g_autoptr (GError) error = NULL;
-  g_assert_false (
-    qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error));
-  g_assert_nonnull (error);
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
-}
-
 static const Line bridge = { { 1, 1 }, { 3, 1 }, 2 };
 static const Line mast = { { 1, 1 }, { 1, 3 }, 1 };
 
@@ -66,7 +37,7 @@ static const Line mast = { { 1, 1 }, { 1, 3 }, 1 };
 static void
 test_add (void)
 {
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   const QnModel *model = edit (document, add, &bridge);
   g_assert_cmpuint (model->section_count, ==, 1);
   g_assert_cmpuint (model->beam_count, ==, 1);
@@ -110,7 +81,7 @@ load_inner (QnModel *model, gpointer data, GError **error)
 static void
 test_delete (void)
 {
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   edit (document, add, &mast);
   gsize live = qn_document_get_model (document)->live_load_count;
@@ -140,7 +111,7 @@ set_elements (QnModel *model, gpointer data, GError **error)
 static void
 test_elements (void)
 {
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   edit (document, load_inner, "beam1.1");
   const QnModel *model = edit (document, set_elements, GINT_TO_POINTER (8));
@@ -177,7 +148,7 @@ part_second (QnModel *model, gpointer data, GError **error)
 static void
 test_place (void)
 {
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   edit (document, add, &mast);
   const QnModel *model = edit (document, place, &(Place){ "n1", { 1.5, 2 } });
@@ -219,7 +190,7 @@ fix_first (QnModel *model, gpointer data, GError **error)
 static void
 test_seat (void)
 {
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   refuse (document, fix_first, NULL);
   const QnModel *model =
@@ -271,7 +242,7 @@ static void
 test_move (void)
 {
   const QnId all[] = { 0, 1 };
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   edit (document, add, &mast);
   Motion motion = { { { all, 2 }, { all, 2 } }, qn_transform_translation (10, 0), 1 };
@@ -294,7 +265,7 @@ static void
 test_copy (void)
 {
   const QnId all[] = { 0, 1 };
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   edit (document, add, &mast);
   Motion motion = { { { all, 2 }, { all, 2 } }, qn_transform_translation (0, 10), 2 };
@@ -344,7 +315,7 @@ remove_unused (QnModel *model, gpointer data, GError **error)
 static void
 test_section (void)
 {
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   const QnModel *model = edit (document, add, &bridge);
   double area = model->sections[0].area, inertia = model->sections[0].inertia;
   model = edit (document, set_shape, GINT_TO_POINTER (FALSE));
@@ -375,7 +346,7 @@ set_line (QnModel *model, gpointer data, GError **error)
 static void
 test_line_load (void)
 {
-  g_autoptr (QnDocument) document = open_stones ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   const QnVec2 first = { 0, -500 }, second = { 0, -1200 }, none = { 0, 0 };
   edit (document, set_line, &first);

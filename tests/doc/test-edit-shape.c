@@ -1,5 +1,6 @@
-#include "doc/document.h"
 #include "doc/edit-shape.h"
+
+#include "fixture.h"
 
 #include <math.h>
 
@@ -40,30 +41,6 @@ move (QnModel *model, gpointer data, GError **error)
   return qn_edit_move_corner (model, s->set, s->a, s->b, error);
 }
 
-static QnDocument *
-open_project (void)
-{
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load_text (document, project, "test", &error);
-  g_assert_no_error (error);
-  return document;
-}
-
-static void
-apply (QnDocument *document, QnEditFunc func, Shape shape)
-{
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
-  g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "edit", NULL, func, &shape, &error);
-  g_assert_no_error (error);
-  g_autofree char *after = g_strdup (qn_document_get_text (document));
-  g_assert_true (qn_document_undo (document));
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
-  g_assert_true (qn_document_redo (document));
-  g_assert_cmpstr (qn_document_get_text (document), ==, after);
-}
-
 static double
 area_of (QnDocument *document, const char *name)
 {
@@ -78,8 +55,8 @@ area_of (QnDocument *document, const char *name)
 static void
 test_cut (void)
 {
-  g_autoptr (QnDocument) document = open_project ();
-  apply (document, cut, (Shape){ { NULL, 0 }, { 1.5, -1.0 }, { 1.5, 2.0 } });
+  g_autoptr (QnDocument) document = open_text (project);
+  edit (document, cut, &(Shape){ { NULL, 0 }, { 1.5, -1.0 }, { 1.5, 2.0 } });
   const QnModel *model = qn_document_get_model (document);
   g_assert_cmpuint (model->block_count, ==, 3);
   g_assert_cmpfloat_with_epsilon (area_of (document, "a"), 1.5, 1e-12);
@@ -94,7 +71,7 @@ test_cut (void)
 static void
 test_crossing (void)
 {
-  g_autoptr (QnDocument) document = open_project ();
+  g_autoptr (QnDocument) document = open_text (project);
   const QnModel *model = qn_document_get_model (document);
   g_assert_true (qn_block_is_crossed (model, 0, qn_vec2 (1, -1), qn_vec2 (1, 0.5)));
   g_assert_false (qn_block_is_crossed (model, 0, qn_vec2 (-1, 0), qn_vec2 (3, 0)));
@@ -110,9 +87,9 @@ test_crossing (void)
 static void
 test_join (void)
 {
-  g_autoptr (QnDocument) document = open_project ();
+  g_autoptr (QnDocument) document = open_text (project);
   const QnId both[] = { 0, 1 };
-  apply (document, join, (Shape){ { both, 2 }, { 0, 0 }, { 0, 0 } });
+  edit (document, join, &(Shape){ { both, 2 }, { 0, 0 }, { 0, 0 } });
   const QnModel *model = qn_document_get_model (document);
   g_assert_cmpuint (model->block_count, ==, 1);
   g_assert_cmpint (model->blocks[0].vertex_count, ==, 4);
@@ -120,10 +97,10 @@ test_join (void)
   g_assert_cmpint (model->live_loads[0].block, ==, 0);
 
   /* Blocks apart from each other do not become one. */
-  g_autoptr (QnDocument) apart = open_project ();
+  g_autoptr (QnDocument) apart = open_text (project);
   const QnId one = 1;
-  apply (apart, move, (Shape){ { &one, 1 }, { 2, 0 }, { 2.5, 0 } });
-  apply (apart, move, (Shape){ { &one, 1 }, { 2, 1 }, { 2.5, 1 } });
+  edit (apart, move, &(Shape){ { &one, 1 }, { 2, 0 }, { 2.5, 0 } });
+  edit (apart, move, &(Shape){ { &one, 1 }, { 2, 1 }, { 2.5, 1 } });
   Shape shape = { { both, 2 }, { 0, 0 }, { 0, 0 } };
   g_autoptr (GError) error = NULL;
   g_assert_false (qn_document_edit (apart, "Join", NULL, join, &shape, &error));
@@ -134,8 +111,8 @@ test_join (void)
 static void
 test_corner (void)
 {
-  g_autoptr (QnDocument) document = open_project ();
-  apply (document, move, (Shape){ { NULL, 0 }, { 2, 1 }, { 2.2, 1.1 } });
+  g_autoptr (QnDocument) document = open_text (project);
+  edit (document, move, &(Shape){ { NULL, 0 }, { 2, 1 }, { 2.2, 1.1 } });
   const QnContacts *contacts = qn_document_get_contacts (document);
   g_assert_cmpuint (contacts->face_count, ==, 1);
   g_assert_cmpfloat_with_epsilon (contacts->faces[0].length, hypot (0.2, 1.1), 1e-12);

@@ -1,7 +1,8 @@
 /* Sets of loads and stages: added, filled, put in order, undone; what breaks a rule is refused. */
-#include "doc/document.h"
 #include "doc/edit-stage.h"
 #include "doc/load-text.h"
+
+#include "fixture.h"
 
 #include <string.h>
 
@@ -17,36 +18,6 @@ static const char text[] =
   "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],"
   "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },"
   "  \"analysis\": { \"procedure\": \"load\", \"max_multiplier\": 0.25 } }";
-
-static QnDocument *
-open_stone (void)
-{
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load_text (document, text, "stone", &error);
-  g_assert_no_error (error);
-  return document;
-}
-
-static const QnModel *
-edit (QnDocument *document, QnEditFunc func, gconstpointer data)
-{
-  g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error);
-  g_assert_no_error (error);
-  return qn_document_get_model (document);
-}
-
-static void
-refuse (QnDocument *document, QnEditFunc func, gconstpointer data)
-{
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
-  g_autoptr (GError) error = NULL;
-  g_assert_false (
-    qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error));
-  g_assert_nonnull (error);
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
-}
 
 static gboolean
 add_set (QnModel *model, gpointer data, GError **error)
@@ -149,7 +120,7 @@ static const QnLoad settlement = { .kind = QN_LOAD_SETTLEMENT,
 static void
 test_loads (void)
 {
-  g_autoptr (QnDocument) document = open_stone ();
+  g_autoptr (QnDocument) document = open_text (text);
   const QnModel *model = edit (document, add_set, NULL);
   g_assert_cmpuint (model->load_set_count, ==, 1);
   model = edit (document, rename_set, "top");
@@ -215,7 +186,7 @@ rename_stone (QnModel *model, gpointer data, GError **error)
 static void
 test_unknown_members (void)
 {
-  g_autoptr (QnDocument) document = open_stone ();
+  g_autoptr (QnDocument) document = open_text (text);
   QnLoad force = { .kind = QN_LOAD_FORCE,
                    .block = 1,
                    .node = QN_NONE,
@@ -246,7 +217,7 @@ test_unknown_members (void)
 static void
 test_stages (void)
 {
-  g_autoptr (QnDocument) document = open_stone ();
+  g_autoptr (QnDocument) document = open_text (text);
   const QnModel *model = edit (document, add_stage, NULL);
   g_assert_cmpuint (model->stage_count, ==, 1);
   g_assert_true (model->stages[0].has_target);
@@ -290,7 +261,7 @@ test_stages (void)
 static void
 test_order (void)
 {
-  g_autoptr (QnDocument) document = open_stone ();
+  g_autoptr (QnDocument) document = open_text (text);
   edit (document, add_stage, NULL);
   edit (document, add_set, NULL);
   edit (document, append, &(Put){ 1, 0, settlement });

@@ -1,6 +1,6 @@
 #include "doc/explain.h"
 
-#include "open-example.h"
+#include "fixture.h"
 
 #include <string.h>
 
@@ -87,6 +87,37 @@ test_outcome (void)
   g_assert_null (qn_explain_mechanism (&run->model, &run->contacts, &none));
 }
 
+/* Where no block moves, plastic hinges are the mechanism. */
+static void
+test_frame (void)
+{
+  g_autoptr (QnDocument) document = open_example ("32-frame-beams.quoin");
+  const QnRun *run = solve_example (document);
+  g_autofree char *words =
+    qn_explain_mechanism (&run->model, &run->contacts, &run->result);
+  g_autofree char *brief =
+    qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
+  g_assert_cmpstr (
+    words, ==, "2 plastic hinges: “beam” at “left corner”, “beam” at “right corner”.");
+  g_assert_cmpstr (brief, ==, "Beams give way");
+}
+
+/* What did not converge is what was asked for: limit analysis has no dead load to rest under. */
+static void
+test_not_converged (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  QnResult result = { .outcome = QN_OUTCOME_NOT_CONVERGED };
+  QnModel model = *qn_document_get_model (document);
+
+  model.analysis.procedure = QN_PROCEDURE_LIMIT;
+  g_autofree char *limit = qn_explain_outcome (&model, &result);
+  g_assert_nonnull (strstr (limit, "limit analysis"));
+  model.analysis.procedure = QN_PROCEDURE_LOAD;
+  g_autofree char *path = qn_explain_outcome (&model, &result);
+  g_assert_nonnull (strstr (path, "dead load"));
+}
+
 int
 main (int argc, char **argv)
 {
@@ -94,5 +125,7 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/explain/diag", test_diag);
   g_test_add_func ("/doc/explain/finding", test_finding);
   g_test_add_func ("/doc/explain/outcome", test_outcome);
+  g_test_add_func ("/doc/explain/frame", test_frame);
+  g_test_add_func ("/doc/explain/not-converged", test_not_converged);
   return g_test_run ();
 }

@@ -1,6 +1,6 @@
 #include "doc/figure-export.h"
 
-#include "open-example.h"
+#include "fixture.h"
 
 #include <glib/gstdio.h>
 #include <string.h>

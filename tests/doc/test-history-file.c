@@ -1,6 +1,6 @@
 #include "doc/history.h"
 
-#include "open-example.h"
+#include "fixture.h"
 
 #include <glib/gstdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 #include "doc/import.h"
 
+#include "fixture.h"
 #include "io/drawing-import.h"
-#include "open-example.h"
 
 static void
 read_drawing (const char *name, QnProject *project)

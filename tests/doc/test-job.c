@@ -1,7 +1,7 @@
 #include "doc/job.h"
 #include "doc/run-text.h"
 
-#include "open-example.h"
+#include "fixture.h"
 
 #include <string.h>
 

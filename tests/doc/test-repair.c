@@ -1,5 +1,6 @@
-#include "doc/document.h"
 #include "doc/repair.h"
+
+#include "fixture.h"
 
 #include <string.h>
 
@@ -37,11 +38,7 @@ open_pair (double bottom)
     "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
     "  \"contact\": { \"law\": \"dry\" } }",
     y0, y0);
-  QnDocument *document = qn_document_new ();
-  g_autoptr (GError) error = NULL;
-  qn_document_load_text (document, text, "test", &error);
-  g_assert_no_error (error);
-  return document;
+  return open_text (text);
 }
 
 static QnFinding

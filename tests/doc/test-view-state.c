@@ -1,6 +1,6 @@
 #include "doc/view-state.h"
 
-#include "open-example.h"
+#include "fixture.h"
 
 static void
 on_changed (gpointer counter)

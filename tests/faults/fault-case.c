@@ -24,6 +24,11 @@ const FaultCase fault_cases[] = {
     "05-stack.quoin",
     FAULT_SOLVE,
     { "analysis.procedure=arc-length", "analysis.geometry=nonlinear", NULL } },
+  /* Steps taken as a whole along the central path, beyond where the structure has run away. */
+  { "work-whole",
+    "ferris-tin-loi/wall1.quoin",
+    FAULT_SOLVE,
+    { "analysis.procedure=work", "laws[0].dilatancy=0.65", NULL } },
   { "stages", "16-load-stages.quoin", FAULT_SOLVE, { NULL } },
   { "unloading", "17-unloading.quoin", FAULT_SOLVE, { NULL } },
   { "settlements", "18-spreading-arch.quoin", FAULT_SOLVE, { NULL } },

@@ -97,7 +97,7 @@ static void
 place_init (Place *place, const Writing *writing)
 {
   place->writing = writing;
-  place->inputs = cli_folder_new ();
+  place->inputs = test_scratch_new ();
   place->result = g_build_filename (place->inputs, "result.json", NULL);
   place->mark = g_build_filename (place->inputs, "mark", NULL);
   g_autofree char *model = cli_example ("05-stack.quoin");
@@ -105,7 +105,7 @@ place_init (Place *place, const Writing *writing)
   cli_assert_done (&run);
   cli_run_clear (&run);
 
-  place->folder = cli_folder_new ();
+  place->folder = test_scratch_new ();
   place->output = g_build_filename (place->folder, writing->output, NULL);
   place->old = g_strdup (place->output);
   if (g_str_has_suffix (writing->output, "/")) {
@@ -119,8 +119,8 @@ place_init (Place *place, const Writing *writing)
 static void
 place_clear (Place *place)
 {
-  cli_folder_clear (place->inputs);
-  cli_folder_clear (place->folder);
+  test_scratch_free (place->inputs);
+  test_scratch_free (place->folder);
   g_free (place->result);
   g_free (place->mark);
   g_free (place->output);

@@ -10,15 +10,6 @@
 
 #include <string.h>
 
-static void
-check_error (GError *error)
-{
-  g_assert_nonnull (error);
-  g_assert_true (error->domain == QN_IO_ERROR);
-  g_assert_null (strchr (error->message, '\n'));
-  g_error_free (error);
-}
-
 int
 LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
 {
@@ -31,7 +22,7 @@ LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
   memcpy (text, data, size);
   text[size] = '\0';
   if (!FUZZ_READER (text, size, "fuzz", &drawing, &error)) {
-    check_error (error);
+    fuzz_check_error (error);
     return 0;
   }
   if (qn_drawing_to_project (&drawing, "fuzz", &QN_IMPORT_DEFAULTS, &project, &report,
@@ -39,7 +30,7 @@ LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
     qn_project_clear (&project);
     qn_import_report_clear (&report);
   } else {
-    check_error (error);
+    fuzz_check_error (error);
   }
   qn_drawing_clear (&drawing);
   return 0;

@@ -11,16 +11,6 @@
 #define MAX_BLOCKS 60
 
 static void
-check_error (GError *error)
-{
-  g_assert_nonnull (error);
-  g_assert_true (error->domain == QN_IO_ERROR);
-  g_assert_true (g_utf8_validate (error->message, -1, NULL));
-  g_assert_null (strchr (error->message, '\n'));
-  g_error_free (error);
-}
-
-static void
 check_round_trip (const QnProject *project)
 {
   gsize length;
@@ -51,7 +41,7 @@ check_contacts (const QnProject *project)
   if (status != QN_OK) {
     GError *error = NULL;
     qn_project_set_error (project, &diag, &error);
-    check_error (error);
+    fuzz_check_error (error);
   }
   qn_contacts_clear (&contacts);
 }
@@ -75,7 +65,7 @@ LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
     }
     qn_project_clear (&project);
   } else {
-    check_error (error);
+    fuzz_check_error (error);
   }
   g_free (override);
   return 0;

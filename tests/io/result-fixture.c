@@ -1,7 +1,8 @@
 #include "result-fixture.h"
 
 #include "io/result-file.h"
-#include "scratch.h"
+#include "project-text.h"
+#include "support/scratch.h"
 
 void
 result_fixture_set_up (ResultFixture *fixture, gconstpointer data)

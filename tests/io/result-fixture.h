@@ -15,9 +15,13 @@ typedef struct ResultFixture {
   QnResult result; /* two steps, a mechanism, statistics */
 } ResultFixture;
 
-/* For g_test_add(). */
 void result_fixture_set_up (ResultFixture *fixture, gconstpointer data);
 void result_fixture_tear_down (ResultFixture *fixture, gconstpointer data);
+
+/* Adds a test, void test (ResultFixture *, gconstpointer), that gets one. */
+#define RESULT_FIXTURE_ADD(path, test)                                                   \
+  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
+              result_fixture_tear_down)
 
 /* The result file of the fixture as text; free with g_free(). */
 char *result_fixture_dup_text (const ResultFixture *fixture);

@@ -3,7 +3,7 @@
 #include "io/dxf-export.h"
 #include "io/table-csv.h"
 #include "io/vtu.h"
-#include "scratch.h"
+#include "support/scratch.h"
 
 #include <math.h>
 #include <string.h>

@@ -165,6 +165,32 @@ test_supports_inferred (void)
   qn_drawing_clear (&drawing);
 }
 
+/* A drawing may name some of its blocks as others are numbered, or several alike. */
+static void
+test_names (void)
+{
+  static const char *const given[] = { "b2", NULL, "b3", "b2", "pier" };
+  static const char *const expected[] = { "b2", "b3", "b4", "b5", "pier" };
+  QnDrawing drawing;
+  QnProject project;
+  QnImportReport report;
+  g_autoptr (GError) error = NULL;
+  qn_drawing_init (&drawing);
+  for (guint i = 0; i < G_N_ELEMENTS (given); i++) {
+    add_box (&drawing, "A", i, 0, i + 1, 0.5);
+    g_array_index (drawing.paths, QnDrawingPath, i).name = given[i];
+  }
+  QnImportSettings settings = QN_IMPORT_DEFAULTS;
+  qn_drawing_to_project (&drawing, "names", &settings, &project, &report, &error);
+  g_assert_no_error (error);
+  g_assert_cmpuint (project.model.block_count, ==, G_N_ELEMENTS (expected));
+  for (guint i = 0; i < G_N_ELEMENTS (expected); i++)
+    g_assert_cmpstr (project.model.blocks[i].name, ==, expected[i]);
+  qn_import_report_clear (&report);
+  qn_project_clear (&project);
+  qn_drawing_clear (&drawing);
+}
+
 static void
 test_refuses (void)
 {
@@ -194,6 +220,7 @@ main (int argc, char **argv)
   g_test_add_func ("/drawing-import/variants", test_variants);
   g_test_add_func ("/drawing-import/report", test_report);
   g_test_add_func ("/drawing-import/supports-inferred", test_supports_inferred);
+  g_test_add_func ("/drawing-import/names", test_names);
   g_test_add_func ("/drawing-import/refuses", test_refuses);
   return g_test_run ();
 }

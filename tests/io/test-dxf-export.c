@@ -1,8 +1,8 @@
 #include "io/drawing-import.h"
 #include "io/dxf-export.h"
 #include "io/dxf-import.h"
-#include "scratch.h"
 #include "support/models.h"
+#include "support/scratch.h"
 
 #include <string.h>
 

@@ -180,6 +180,24 @@ test_large (void)
   g_string_free (text, TRUE);
 }
 
+/* Names are the drawing's own: the program keeps none of them when it has gone. */
+static void
+test_names (void)
+{
+  GString *text = g_string_new (HEAD);
+  for (int i = 0; i < 200; i++)
+    g_string_append_printf (text, "0\nLINE\n8\nL%d\n10\n0\n20\n0\n11\n1\n21\n1\n", i / 2);
+  g_string_append (text, TAIL);
+  GQuark before = g_quark_from_string ("before the names");
+  QnDrawing drawing;
+  parse (text->str, &drawing);
+  g_assert_cmpuint (g_quark_from_string ("after the names"), <, before + 50);
+  g_assert_cmpstr (path_at (&drawing, 199)->layer, ==, "L99");
+  g_assert_true (path_at (&drawing, 0)->layer == path_at (&drawing, 1)->layer);
+  qn_drawing_clear (&drawing);
+  g_string_free (text, TRUE);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -191,5 +209,6 @@ main (int argc, char **argv)
   g_test_add_func ("/dxf-import/endless-inserts", test_endless_inserts);
   g_test_add_func ("/dxf-import/bad-files", test_bad_files);
   g_test_add_func ("/dxf-import/large", test_large);
+  g_test_add_func ("/dxf-import/names", test_names);
   return g_test_run ();
 }

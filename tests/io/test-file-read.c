@@ -1,7 +1,7 @@
 #include "io/file-read.h"
 
 #include "io/io-error.h"
-#include "scratch.h"
+#include "support/scratch.h"
 
 #include <glib/gstdio.h>
 #include <string.h>

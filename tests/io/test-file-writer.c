@@ -1,7 +1,7 @@
 #include "io/file-writer.h"
 
 #include "io/io-error.h"
-#include "scratch.h"
+#include "support/scratch.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -29,15 +29,6 @@ tear_down (Fixture *fixture, gconstpointer data)
 }
 
 static void
-expect_content (const char *path, const char *expected)
-{
-  char *content = NULL;
-  g_assert_true (g_file_get_contents (path, &content, NULL, NULL));
-  g_assert_cmpstr (content, ==, expected);
-  g_free (content);
-}
-
-static void
 test_pieces (Fixture *fixture, gconstpointer data)
 {
   (void) data;
@@ -53,7 +44,7 @@ test_pieces (Fixture *fixture, gconstpointer data)
   g_assert_false (g_file_test (fixture->path, G_FILE_TEST_EXISTS));
   g_assert_true (qn_file_writer_commit (writer, &error));
   g_assert_no_error (error);
-  expect_content (fixture->path, "a37 0.175\"\\\"q\\\"\"xy");
+  test_scratch_expect (fixture->path, "a37 0.175\"\\\"q\\\"\"xy");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 }
 
@@ -85,7 +76,7 @@ test_discard_keeps_the_old (Fixture *fixture, gconstpointer data)
   QnFileWriter *writer = qn_file_writer_open (fixture->path, &error);
   qn_file_writer_puts (writer, "new");
   qn_file_writer_discard (writer);
-  expect_content (fixture->path, "old");
+  test_scratch_expect (fixture->path, "old");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
   qn_file_writer_discard (NULL);
 }
@@ -104,7 +95,7 @@ test_mode_and_link (Fixture *fixture, gconstpointer data)
 
   g_assert_true (qn_file_write (link, "new", 3, &error));
   g_assert_no_error (error);
-  expect_content (fixture->path, "new");
+  test_scratch_expect (fixture->path, "new");
   g_assert_true (g_file_test (link, G_FILE_TEST_IS_SYMLINK));
   g_assert_cmpint (g_stat (fixture->path, &status), ==, 0);
   g_assert_cmpuint (status.st_mode & 07777, ==, 0640);

@@ -9,16 +9,9 @@ spell (const char *text)
   GArray *steps = qn_json_path_parse (text);
   if (steps == NULL)
     return NULL;
-  GString *path = g_string_new (NULL);
-  for (guint i = 0; i < steps->len; i++) {
-    const QnJsonStep *step = &g_array_index (steps, QnJsonStep, i);
-    if (step->key != NULL)
-      qn_json_path_append_key (path, step->key);
-    else
-      qn_json_path_append_index (path, step->index);
-  }
+  char *path = qn_json_path_dup_text (steps);
   g_array_unref (steps);
-  return g_string_free (path, FALSE);
+  return path;
 }
 
 static void

@@ -1,7 +1,7 @@
 #include "io/project-extras.h"
 
 #include "io/io-error.h"
-#include "scratch.h"
+#include "project-text.h"
 
 #include <cjson/cJSON.h>
 #include <string.h>

@@ -2,7 +2,8 @@
  * results that hold their forces. */
 #include "core/analysis.h"
 #include "io/result-check.h"
-#include "scratch.h"
+#include "project-text.h"
+#include "support/scratch.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Laws and bars: every kind read, written and read again; what is refused, with its place. */
-#include "scratch.h"
+#include "project-text.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Contact, loads and analysis: what is refused, with its place. */
-#include "scratch.h"
+#include "project-text.h"
 
 #include <string.h>
 

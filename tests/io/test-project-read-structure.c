@@ -1,5 +1,5 @@
 /* Laws, blocks and walls: what is refused, with its place. */
-#include "scratch.h"
+#include "project-text.h"
 
 #include <string.h>
 

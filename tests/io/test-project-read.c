@@ -1,11 +1,11 @@
 /* The document as a whole, its entry points and what they refuse. */
 #include "io/io-error.h"
 #include "io/project.h"
-#include "scratch.h"
+#include "project-text.h"
+#include "support/scratch.h"
 
 #include <cjson/cJSON.h>
 #include <glib/gstdio.h>
-#include <locale.h>
 #include <string.h>
 
 /* A project with every key of the format. */
@@ -283,28 +283,6 @@ test_files (void)
   test_scratch_free (folder);
 }
 
-/* Numbers mean the same where the user's language writes a decimal comma. */
-static void
-test_locale (void)
-{
-  static const char *const names[] = { "de_DE.UTF-8", "fr_FR.UTF-8", "it_IT.UTF-8" };
-  const char *set = NULL;
-  for (gsize i = 0; i < G_N_ELEMENTS (names) && set == NULL; i++)
-    set = setlocale (LC_ALL, names[i]);
-  if (set == NULL) {
-    g_test_skip ("no locale with a decimal comma is installed");
-    return;
-  }
-  QnProject project;
-  test_parse (test_project_text, &project);
-  g_assert_cmpfloat (project.model.laws[0].friction, ==, 0.65);
-  char *text = qn_project_to_text (&project, NULL);
-  g_assert_nonnull (strstr (text, "\"friction\": 0.65"));
-  g_free (text);
-  qn_project_clear (&project);
-  setlocale (LC_ALL, "C");
-}
-
 /* 100,000 blocks read at about linear cost: ten times the blocks, not more than thirty times
  * the time. */
 static double
@@ -353,7 +331,6 @@ main (int argc, char **argv)
   g_test_add_func ("/project-read/truncated", test_truncated);
   g_test_add_func ("/project-read/deep-nesting", test_deep_nesting);
   g_test_add_func ("/project-read/files", test_files);
-  g_test_add_func ("/project-read/locale", test_locale);
   g_test_add_func ("/project-read/large", test_large);
   return g_test_run ();
 }

@@ -1,8 +1,9 @@
 #include "io/project.h"
 
 #include "io/io-error.h"
-#include "scratch.h"
+#include "project-text.h"
 #include "support/models.h"
+#include "support/scratch.h"
 
 #include <cjson/cJSON.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #include "io/project.h"
 
 #include "io/io-error.h"
-#include "scratch.h"
+#include "project-text.h"
 
 #include <string.h>
 

@@ -2,7 +2,6 @@
 
 #include "io/io-error.h"
 #include "result-fixture.h"
-#include "scratch.h"
 
 #include <string.h>
 
@@ -245,20 +244,16 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-#define ADD(path, test)                                                                  \
-  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
-              result_fixture_tear_down)
-  ADD ("/result-check/sound", test_sound);
-  ADD ("/result-check/out-of-balance", test_out_of_balance);
-  ADD ("/result-check/moment", test_moment);
-  ADD ("/result-check/yield", test_yield);
-  ADD ("/result-check/laws-of-sides", test_laws_of_sides);
-  ADD ("/result-check/distant-point", test_distant_point);
-  ADD ("/result-check/weightless", test_weightless);
-  ADD ("/result-check/bar", test_bar);
-  ADD ("/result-check/nonlinear", test_nonlinear);
-  ADD ("/result-check/turned-load", test_turned_load);
-  ADD ("/result-check/refused", test_refused);
-#undef ADD
+  RESULT_FIXTURE_ADD ("/result-check/sound", test_sound);
+  RESULT_FIXTURE_ADD ("/result-check/out-of-balance", test_out_of_balance);
+  RESULT_FIXTURE_ADD ("/result-check/moment", test_moment);
+  RESULT_FIXTURE_ADD ("/result-check/yield", test_yield);
+  RESULT_FIXTURE_ADD ("/result-check/laws-of-sides", test_laws_of_sides);
+  RESULT_FIXTURE_ADD ("/result-check/distant-point", test_distant_point);
+  RESULT_FIXTURE_ADD ("/result-check/weightless", test_weightless);
+  RESULT_FIXTURE_ADD ("/result-check/bar", test_bar);
+  RESULT_FIXTURE_ADD ("/result-check/nonlinear", test_nonlinear);
+  RESULT_FIXTURE_ADD ("/result-check/turned-load", test_turned_load);
+  RESULT_FIXTURE_ADD ("/result-check/refused", test_refused);
   return g_test_run ();
 }

@@ -58,12 +58,8 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-#define ADD(path, test)                                                                  \
-  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
-              result_fixture_tear_down)
-  ADD ("/result-contact/deformation", test_deformation);
-  ADD ("/result-contact/at-rest", test_at_rest);
-  ADD ("/result-contact/moved", test_moved);
-#undef ADD
+  RESULT_FIXTURE_ADD ("/result-contact/deformation", test_deformation);
+  RESULT_FIXTURE_ADD ("/result-contact/at-rest", test_at_rest);
+  RESULT_FIXTURE_ADD ("/result-contact/moved", test_moved);
   return g_test_run ();
 }

@@ -3,7 +3,6 @@
 
 #include "io/io-error.h"
 #include "result-fixture.h"
-#include "scratch.h"
 
 #include <string.h>
 
@@ -70,11 +69,7 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-#define ADD(path, test)                                                                  \
-  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
-              result_fixture_tear_down)
-  ADD ("/result-file/match", test_match);
-  ADD ("/result-file/mismatch", test_mismatch);
-#undef ADD
+  RESULT_FIXTURE_ADD ("/result-file/match", test_match);
+  RESULT_FIXTURE_ADD ("/result-file/mismatch", test_mismatch);
   return g_test_run ();
 }

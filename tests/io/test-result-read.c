@@ -1,7 +1,8 @@
 #include "io/io-error.h"
 #include "io/result-file.h"
+#include "project-text.h"
 #include "result-fixture.h"
-#include "scratch.h"
+#include "support/scratch.h"
 
 #include <string.h>
 
@@ -10,6 +11,7 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
   fixture->project.overrides = g_strsplit ("analysis.snap=stop", "|", -1);
+  fixture->result.mechanism_uncertain = true;
   char *text = result_fixture_dup_text (fixture);
   QnResultFile file;
   GError *error = NULL;
@@ -35,6 +37,7 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
   g_assert_cmpfloat (read->steps[1].residual, ==, 3e-10);
   g_assert_cmpmem (read->mechanism, 6 * sizeof (double), written->mechanism,
                    6 * sizeof (double));
+  g_assert_true (read->mechanism_uncertain);
   g_assert_cmpuint (read->pair_count, ==, 2);
   for (size_t i = 0; i < 2; i++) {
     g_assert_cmpint (read->pairs[i].state, ==, written->pairs[i].state);
@@ -178,14 +181,10 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-#define ADD(path, test)                                                                  \
-  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
-              result_fixture_tear_down)
-  ADD ("/result-read/round-trip", test_round_trip);
-  ADD ("/result-read/errors", test_errors);
-  ADD ("/result-read/truncated", test_truncated);
-  ADD ("/result-read/file", test_file);
-#undef ADD
+  RESULT_FIXTURE_ADD ("/result-read/round-trip", test_round_trip);
+  RESULT_FIXTURE_ADD ("/result-read/errors", test_errors);
+  RESULT_FIXTURE_ADD ("/result-read/truncated", test_truncated);
+  RESULT_FIXTURE_ADD ("/result-read/file", test_file);
   g_test_add_func ("/result-read/order-and-unknown", test_order_and_unknown);
   return g_test_run ();
 }

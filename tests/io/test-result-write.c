@@ -1,14 +1,16 @@
 #include "io/io-error.h"
 #include "io/result-file.h"
 #include "result-fixture.h"
-#include "scratch.h"
 
+#include <locale.h>
 #include <string.h>
 
+/* Numbers have a point; the sentence is as the user writes it. */
 static void
 test_text (ResultFixture *fixture, gconstpointer data)
 {
   (void) data;
+  const char *sign = localeconv ()->decimal_point;
   char *expected = g_strdup_printf (
     "{\n"
     "  \"format\": \"quoin-result\", \"version\": 1,\n"
@@ -18,8 +20,8 @@ test_text (ResultFixture *fixture, gconstpointer data)
     "  \"outcome\": \"collapse\",\n"
     "  \"collapse_multiplier\": 0.2,\n"
     "  \"first_limit_multiplier\": 0.1,\n"
-    "  \"reason\": \"Collapse at a load multiplier of 0.2. The path first loses "
-    "stability at 0.1, where a real wall would jump; equilibria exist beyond. Above "
+    "  \"reason\": \"Collapse at a load multiplier of 0%s2. The path first loses "
+    "stability at 0%s1, where a real wall would jump; equilibria exist beyond. Above "
     "the collapse multiplier the structure moves on along its mechanism and does not "
     "come to rest.\",\n"
     "  \"blocks\": [\"base\", \"top\"],\n"
@@ -50,7 +52,7 @@ test_text (ResultFixture *fixture, gconstpointer data)
     "\"law_seconds\": 0, \"iterations\": 420, \"factorizations\": 400, "
     "\"peak_memory_bytes\": 12345678 }\n"
     "}\n",
-    fixture->project.sha256);
+    fixture->project.sha256, sign, sign);
   char *text = result_fixture_dup_text (fixture);
   g_assert_cmpstr (text, ==, expected);
   g_free (text);
@@ -76,6 +78,21 @@ test_unstable (ResultFixture *fixture, gconstpointer data)
   g_assert_nonnull (strstr (text, "\"steps\": [],"));
   g_assert_nonnull (strstr (text, "\"contacts\": [],"));
   g_assert_nonnull (strstr (text, "\"mechanism\": null,"));
+  g_free (text);
+}
+
+/* What is certain is not mentioned; what is not is said in words too. */
+static void
+test_uncertain_mechanism (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  char *certain = result_fixture_dup_text (fixture);
+  g_assert_null (strstr (certain, "uncertain"));
+  fixture->result.mechanism_uncertain = true;
+  char *text = result_fixture_dup_text (fixture);
+  g_assert_nonnull (strstr (text, "\"mechanism_uncertain\": true,"));
+  g_assert_nonnull (strstr (text, "How it moves on was not settled"));
+  g_free (certain);
   g_free (text);
 }
 
@@ -107,13 +124,10 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-#define ADD(path, test)                                                                  \
-  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
-              result_fixture_tear_down)
-  ADD ("/result-write/text", test_text);
-  ADD ("/result-write/unstable", test_unstable);
-  ADD ("/result-write/overrides", test_overrides);
-  ADD ("/result-write/disk-full", test_disk_full);
-#undef ADD
+  RESULT_FIXTURE_ADD ("/result-write/text", test_text);
+  RESULT_FIXTURE_ADD ("/result-write/unstable", test_unstable);
+  RESULT_FIXTURE_ADD ("/result-write/uncertain-mechanism", test_uncertain_mechanism);
+  RESULT_FIXTURE_ADD ("/result-write/overrides", test_overrides);
+  RESULT_FIXTURE_ADD ("/result-write/disk-full", test_disk_full);
   return g_test_run ();
 }

@@ -2,7 +2,7 @@
 
 #include "io/io-error.h"
 #include "result-fixture.h"
-#include "scratch.h"
+#include "support/scratch.h"
 
 typedef gboolean (*WriteFunc) (const char *path, const ResultFixture *fixture,
                                GError **error);
@@ -113,14 +113,10 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-#define ADD(path, test)                                                                  \
-  g_test_add (path, ResultFixture, NULL, result_fixture_set_up, test,                    \
-              result_fixture_tear_down)
-  ADD ("/table-csv/curve", test_curve);
-  ADD ("/table-csv/control-block", test_control_block);
-  ADD ("/table-csv/no-steps", test_no_steps);
-  ADD ("/table-csv/displacements", test_displacements);
-  ADD ("/table-csv/contacts", test_contacts);
-#undef ADD
+  RESULT_FIXTURE_ADD ("/table-csv/curve", test_curve);
+  RESULT_FIXTURE_ADD ("/table-csv/control-block", test_control_block);
+  RESULT_FIXTURE_ADD ("/table-csv/no-steps", test_no_steps);
+  RESULT_FIXTURE_ADD ("/table-csv/displacements", test_displacements);
+  RESULT_FIXTURE_ADD ("/table-csv/contacts", test_contacts);
   return g_test_run ();
 }

@@ -1,6 +1,6 @@
 #include "io/vtu.h"
 #include "result-fixture.h"
-#include "scratch.h"
+#include "support/scratch.h"
 
 #include <string.h>
 #include <sys/wait.h>

@@ -54,7 +54,7 @@ add_pair (Fixture *f, QnId face, QnVec2 point, double abscissa, double tributary
   c->pairs =
     qn_array_grow (c->pairs, &c->pair_capacity, c->pair_count + 1, sizeof *c->pairs);
   c->pairs[c->pair_count++] =
-    (QnContactPair){ face, point, abscissa, tributary, QN_NONE };
+    (QnContactPair){ face, QN_NONE, point, abscissa, tributary };
 }
 
 /* A face between blocks a < b along a side they share, if they share any. */

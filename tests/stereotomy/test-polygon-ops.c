@@ -113,27 +113,6 @@ test_cut (void)
 }
 
 static void
-test_fill_between (void)
-{
-  /* Two bricks a joint apart, in a frame that leaves a strip on top. */
-  QnRing bricks[] = { box (0, 0, 1, 0.5), box (1.1, 0, 2, 0.5) },
-         frame = box (0, 0, 2, 0.6);
-  const QnRings list = { bricks, 2, 2 };
-  QnRings out = { 0 };
-  g_assert_cmpint (qn_fill_between (&list, &frame, 0, &out, NULL), ==, QN_OK);
-  g_assert_cmpfloat_with_epsilon (total_area (&out), 0.05 + 0.2, 1e-12);
-  qn_rings_clear (&out);
-  g_assert_cmpint (qn_fill_between (&list, NULL, 0, &out, NULL), ==, QN_OK);
-  g_assert_cmpfloat_with_epsilon (total_area (&out), 0.05, 1e-12);
-  qn_rings_clear (&out);
-  g_assert_cmpint (qn_fill_between (&list, NULL, 0.06, &out, NULL), ==, QN_OK);
-  g_assert_cmpuint (out.count, ==, 0);
-  qn_ring_clear (&bricks[0]);
-  qn_ring_clear (&bricks[1]);
-  qn_ring_clear (&frame);
-}
-
-static void
 test_refuses (void)
 {
   const QnVec2 bow[] = { { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } };
@@ -171,7 +150,6 @@ main (int argc, char **argv)
   g_test_add_func ("/polygon-ops/difference", test_difference);
   g_test_add_func ("/polygon-ops/union", test_union);
   g_test_add_func ("/polygon-ops/cut", test_cut);
-  g_test_add_func ("/polygon-ops/fill-between", test_fill_between);
   g_test_add_func ("/polygon-ops/refuses", test_refuses);
   return g_test_run ();
 }

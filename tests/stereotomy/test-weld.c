@@ -83,22 +83,6 @@ test_edge_meets_vertex (void)
 }
 
 static void
-test_slivers (void)
-{
-  QnRings rings = { 0 };
-  add_box (&rings, 0, 0, 1, 1);
-  add_box (&rings, 1, 0, 1.001, 1);
-  add_box (&rings, 1.001, 0, 2, 0.9);
-  add_box (&rings, 5, 5, 5.001, 5.001);
-  QnHealing healing = { 0 };
-  g_assert_cmpint (qn_remove_slivers (&rings, 1e-4, 0.01, &healing, NULL), ==, QN_OK);
-  g_assert_cmpuint (rings.count, ==, 2);
-  g_assert_cmpfloat_with_epsilon (qn_ring_area (&rings.items[0]), 1.001, 1e-12);
-  g_assert_cmpuint (healing.count, ==, 2);
-  qn_rings_clear (&rings);
-}
-
-static void
 test_collapse (void)
 {
   QnRings rings = { 0 };
@@ -118,7 +102,6 @@ main (int argc, char **argv)
   g_test_add_func ("/weld/clean-stays", test_clean_stays);
   g_test_add_func ("/weld/gap-closes", test_gap_closes);
   g_test_add_func ("/weld/edge-meets-vertex", test_edge_meets_vertex);
-  g_test_add_func ("/weld/slivers", test_slivers);
   g_test_add_func ("/weld/collapse", test_collapse);
   return g_test_run ();
 }

@@ -64,14 +64,7 @@ static void
 build_stiffness_contrast (const StressCase *c, QnModel *model)
 {
   test_model_init_wall (model, c->number, 0);
-  g_assert_cmpint (qn_model_expand_walls (model, NULL), ==, QN_OK);
-  QnLaw *soft = qn_model_add_law (model, "soft");
-  char *name = soft->name;
-  *soft = model->laws[0];
-  soft->name = name;
-  soft->kn = soft->ks = model->laws[0].kn / c->value;
-  for (size_t i = 0; i < model->block_count; i++)
-    model->blocks[i].law = i % 2 == 0 ? 0 : 1;
+  test_model_soften_every_other_block (model, c->value);
 }
 
 void

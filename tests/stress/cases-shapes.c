@@ -1,7 +1,7 @@
 /* Structures of extreme size, place, slenderness, and with slivers among their blocks. */
 #include "stress/cases.h"
 
-#include "core/generate.h"
+#include "support/generate.h"
 #include "support/models.h"
 
 #include <math.h>

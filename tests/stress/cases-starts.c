@@ -1,7 +1,7 @@
 /* Structures that hardly stand, do not stand, stand only just, or are none. */
 #include "stress/cases.h"
 
-#include "core/generate.h"
+#include "support/generate.h"
 #include "support/models.h"
 
 #include <math.h>

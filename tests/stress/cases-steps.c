@@ -1,7 +1,7 @@
 /* How the path is followed, and from which side the wall is loaded. */
 #include "stress/cases.h"
 
-#include "core/generate.h"
+#include "support/generate.h"
 #include "support/models.h"
 
 #include <math.h>

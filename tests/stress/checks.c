@@ -1,5 +1,7 @@
 #include "stress/checks.h"
 
+#include "support/pair-sums.h"
+
 #include <math.h>
 
 /* What a pair carries: |t| <= cohesion - friction n and n <= cap, N. Two laws may differ in
@@ -23,32 +25,6 @@ pair_strength (const QnModel *model, const QnContacts *contacts, size_t pair)
     weaker.dilatancy = fmax (weaker.dilatancy, law->dilatancy);
   }
   return weaker;
-}
-
-/* Adds the forces of all pairs (normal, shear) on their blocks: fx, fy, moment about the
- * centroid. Returns the largest of them. */
-static double
-add_pairs (const QnModel *model, const QnContacts *contacts, const double *forces,
-           double *sum)
-{
-  double largest = 0;
-
-  for (size_t p = 0; p < contacts->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-    QnVec2 force = qn_vec2_add (qn_vec2_scale (forces[2 * p], face->normal),
-                                qn_vec2_scale (forces[2 * p + 1], face->tangent));
-    const QnId blocks[2] = { face->a, face->b };
-    largest = fmax (largest, qn_vec2_length (force));
-    for (int side = 0; side < 2; side++) {
-      double *on = sum + (size_t) blocks[side] * QN_DOF_COUNT, sign = side == 0 ? 1 : -1;
-      QnVec2 arm = qn_vec2_sub (pair->point, model->blocks[blocks[side]].centroid);
-      on[QN_DOF_UX] += sign * force.x;
-      on[QN_DOF_UY] += sign * force.y;
-      on[QN_DOF_RZ] += sign * qn_vec2_cross (arm, force); /* r x F */
-    }
-  }
-  return largest;
 }
 
 /* The arm that a moment on a block counts with: its size, or half its length where it is thin. */
@@ -79,7 +55,7 @@ out_of_balance (const QnModel *model, const QnContacts *contacts, const double *
       largest = fmax (largest, fmax (fabs (sum[i]), fabs (multiplier * live[i])));
     sum[i] += multiplier * live[i];
   }
-  double pairs = add_pairs (model, contacts, forces, sum);
+  double pairs = test_add_pair_forces (model, contacts, forces, sum);
   if (largest == 0)
     largest = pairs;
   for (size_t i = 0; i < count; i++) {
@@ -104,26 +80,6 @@ excess (const QnModel *model, const QnContacts *contacts, const double *forces)
     worst = fmax (worst, fmax (fabs (t) + s.friction * n - s.cohesion, n - s.cap));
   }
   return largest > 0 ? worst / largest : 0;
-}
-
-/* Velocity of block b against block a at the pair: opening and tangential. */
-static QnVec2
-pair_rate (const QnModel *model, const QnContacts *contacts, size_t pair,
-           const double *velocities)
-{
-  const QnContactPair *p = &contacts->pairs[pair];
-  const QnContactFace *face = &contacts->faces[p->face];
-  const QnId blocks[2] = { face->a, face->b };
-  QnVec2 rate = { 0, 0 };
-
-  for (int side = 0; side < 2; side++) {
-    const double *v = velocities + (size_t) blocks[side] * QN_DOF_COUNT;
-    QnVec2 arm = qn_vec2_sub (p->point, model->blocks[blocks[side]].centroid);
-    QnVec2 at = { v[QN_DOF_UX] - v[QN_DOF_RZ] * arm.y,
-                  v[QN_DOF_UY] + v[QN_DOF_RZ] * arm.x };
-    rate = qn_vec2_add_scaled (rate, side == 0 ? -1 : 1, at);
-  }
-  return qn_vec2 (qn_vec2_dot (rate, face->normal), qn_vec2_dot (rate, face->tangent));
 }
 
 /* What of a pair's rate its flow rule does not know: all of it inside the strength, what does
@@ -196,7 +152,7 @@ check_mechanism (const QnModel *model, const QnContacts *contacts, const double 
     largest = fmax (largest, fabs (forces[i]));
   for (size_t p = 0; p < contacts->pair_count; p++) {
     Strength strength = pair_strength (model, contacts, p);
-    QnVec2 rate = pair_rate (model, contacts, p, velocities);
+    QnVec2 rate = test_pair_rate (model, contacts, p, velocities);
     deepest = fmax (deepest, -rate.x);
     if (forces != NULL)
       worst = fmax (worst, pair_misfit (&strength, forces + 2 * p, rate, 1e-5 * largest));
@@ -233,6 +189,7 @@ stress_check_result (const QnModel *model, const QnContacts *contacts,
     check.out_of_balance = fmax (check.out_of_balance, out);
     check.excess = fmax (check.excess, excess (model, contacts, forces));
   }
+  check.uncertain = result->mechanism_uncertain;
   if (result->mechanism != NULL && result->outcome == QN_OUTCOME_COLLAPSE)
     check_mechanism (model, contacts, forces, result->collapse_multiplier,
                      result->mechanism, &check);
@@ -250,7 +207,7 @@ stress_check_faults (const StressCheck *check)
     faults |= STRESS_BALANCE;
   if (!(check->excess <= STRESS_STRENGTH_TOLERANCE))
     faults |= STRESS_STRENGTH;
-  if (check->moves
+  if (check->moves && !check->uncertain
       && !(check->penetration <= STRESS_MOTION_TOLERANCE
            && check->power >= -STRESS_MOTION_TOLERANCE))
     faults |= STRESS_MECHANISM;
@@ -295,7 +252,7 @@ falls_freely (const QnModel *model, const QnContacts *contacts, const double *ve
     power += dead[i] * velocities[i];
   for (size_t p = 0; p < contacts->pair_count; p++) {
     Strength s = pair_strength (model, contacts, p);
-    QnVec2 rate = pair_rate (model, contacts, p, velocities);
+    QnVec2 rate = test_pair_rate (model, contacts, p, velocities);
     double slip = fabs (rate.y);
     fastest = fmax (fastest, qn_vec2_length (rate));
     worst = fmax (worst, s.friction * slip - rate.x);

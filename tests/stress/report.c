@@ -32,10 +32,11 @@ print_solve (const char *name, const StressSolve *solve)
     return;
   g_autofree char *faults = stress_dup_faults (solve->faults);
   printf ("#   %s: %s, %.8g, %d steps, %d iterations, %d factorisations, %.2f s; off by "
-          "%.1e, %.1e, mechanism %.1e, %.1e, %.1e%s%s\n",
+          "%.1e, %.1e, %s %.1e, %.1e, %.1e%s%s\n",
           name, qn_outcome_name (solve->outcome), solve->multiplier, solve->steps,
           solve->iterations, solve->factorizations, solve->seconds,
-          solve->check.out_of_balance, solve->check.excess, solve->check.misfit,
+          solve->check.out_of_balance, solve->check.excess,
+          solve->check.uncertain ? "last motion" : "mechanism", solve->check.misfit,
           solve->check.penetration, solve->check.power, faults[0] != '\0' ? ": " : "",
           faults);
 }
@@ -94,6 +95,7 @@ typedef struct Group {
   int iterations;
   double difference, lowest, out_of_balance, excess;
   int collapses, proved; /* of those, by forces and mechanism together */
+  int uncertain;         /* of those, how the structure moves on */
   int repeated, apart;   /* of those, by more than 1 % */
 } Group;
 
@@ -126,6 +128,7 @@ add_path (Group *group, const StressRow *row, StressFlow flow)
   group->excess = fmax (group->excess, path->check.excess);
   if (path->outcome == QN_OUTCOME_COLLAPSE) {
     group->collapses++;
+    group->uncertain += path->check.uncertain;
     group->proved += path->check.misfit <= STRESS_MOTION_TOLERANCE;
   }
   if (collapses && flow == STRESS_ASSOCIATIVE && row->upper > 1e-6)
@@ -221,6 +224,7 @@ append_group (GString *text, const Group *group)
   append_number (text, solved, "%.0e", group->out_of_balance);
   append_number (text, solved, "%.0e", group->excess);
   append_share (text, group->proved, group->collapses);
+  append_number (text, group->uncertain > 0, "%.0f", group->uncertain);
   append_share (text, group->apart, group->repeated);
   append_number (text, group->faulty > 0, "%.0f", group->faulty);
   g_string_append (text, " |\n");
@@ -240,8 +244,8 @@ append_groups (GString *text, const GArray *entries)
         text,
         "\n### %c%s\n\n"
         "| | cases | how paths end | off limit analysis | least | iterations | "
-        "equilibrium | strength | proved | apart | faults |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "equilibrium | strength | proved | uncertain | apart | faults |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
         g_ascii_toupper (subject[0]), subject + 1);
     }
     append_group (text, group);

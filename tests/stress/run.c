@@ -193,6 +193,8 @@ compare (const StressCase *c, StressFlow flow, const StressRow *row,
   case QN_OUTCOME_COUNT:
     faults |= STRESS_OUTCOME;
   }
+  if (flow == STRESS_ASSOCIATIVE && path->check.uncertain)
+    faults |= STRESS_UNCERTAIN;
   if (!isnan (c->exact[flow])
       && !(fabs (path->multiplier - c->exact[flow])
            <= allowance (c, settings, STRESS_AGREEMENT, c->exact[flow])))

@@ -61,6 +61,7 @@ struct StressCase {
   X (STRENGTH, "strength exceeded")                                                      \
   X (PATH, "steps contradict the outcome")                                               \
   X (MECHANISM, "mechanism closes joints, or works against the loads")                   \
+  X (UNCERTAIN, "how it moves on is not settled, though nothing can jump")               \
   X (MIRROR, "loaded the other way it carries another load")                             \
   X (FILE, "written and read back it is another model")
 
@@ -83,6 +84,7 @@ typedef struct StressCheck {
     out_of_balance; /* worst of all steps: on free blocks, over the largest load on one */
   double excess;    /* worst of all steps: of a pair's strength, over the largest force */
   bool moves;       /* there is a mechanism: */
+  bool uncertain; /* by its own account the last motion only, of which nothing is asked */
   double penetration; /* how fast joints close on it, over the fastest block */
   double
     power; /* of the loads at collapse, over what it would be if every load went along

@@ -1,5 +1,7 @@
 #include "support/certificate.h"
 
+#include "support/pair-sums.h"
+
 #include <glib.h>
 #include <math.h>
 
@@ -39,20 +41,7 @@ imbalance (const QnModel *model, const QnContacts *contacts, const double *force
   qn_model_live_forces (model, live);
   for (size_t i = 0; i < count; i++)
     sum[i] += multiplier * live[i];
-  for (size_t p = 0; p < contacts->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-    QnVec2 force = qn_vec2_add (qn_vec2_scale (forces[2 * p], face->normal),
-                                qn_vec2_scale (forces[2 * p + 1], face->tangent));
-    const QnId blocks[2] = { face->a, face->b };
-    for (int side = 0; side < 2; side++) {
-      double *on = sum + blocks[side] * QN_DOF_COUNT, sign = side == 0 ? 1 : -1;
-      QnVec2 arm = qn_vec2_sub (pair->point, model->blocks[blocks[side]].centroid);
-      on[0] += sign * force.x;
-      on[1] += sign * force.y;
-      on[2] += sign * qn_vec2_cross (arm, force);
-    }
-  }
+  test_add_pair_forces (model, contacts, forces, sum);
   for (size_t i = 0; i < count; i++)
     if (!model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT])
       worst = fmax (worst, fabs (sum[i]));
@@ -73,25 +62,6 @@ excess (const QnModel *model, const QnContacts *contacts, const double *forces)
     worst = fmax (worst, fmax (fabs (t) + s.friction * n - s.cohesion, n - s.cap));
   }
   return worst;
-}
-
-/* Velocity of face b against face a at the pair: normal (opening) and tangential. */
-static QnVec2
-pair_rate (const QnModel *model, const QnContacts *contacts, size_t pair,
-           const double *velocities)
-{
-  const QnContactPair *p = &contacts->pairs[pair];
-  const QnContactFace *face = &contacts->faces[p->face];
-  const QnId blocks[2] = { face->a, face->b };
-  QnVec2 rate = { 0, 0 };
-
-  for (int side = 0; side < 2; side++) {
-    const double *v = velocities + blocks[side] * QN_DOF_COUNT;
-    QnVec2 arm = qn_vec2_sub (p->point, model->blocks[blocks[side]].centroid);
-    QnVec2 at = { v[0] - v[2] * arm.y, v[1] + v[2] * arm.x };
-    rate = qn_vec2_add_scaled (rate, side == 0 ? -1 : 1, at);
-  }
-  return qn_vec2 (qn_vec2_dot (rate, face->normal), qn_vec2_dot (rate, face->tangent));
 }
 
 /* Dissipation of a pair, N m/s: the most that a force within its strength does along `rate`, and
@@ -132,7 +102,8 @@ test_assert_certified (const QnModel *model, const QnContacts *contacts,
   }
   for (size_t p = 0; p < contacts->pair_count; p++) {
     Strength strength = pair_strength (model, contacts, p);
-    dissipation += dissipate (&strength, pair_rate (model, contacts, p, v), &violation);
+    dissipation +=
+      dissipate (&strength, test_pair_rate (model, contacts, p, v), &violation);
   }
   g_free (dead);
   g_free (live);

@@ -55,6 +55,14 @@ test_detect (QnModel *model, QnContacts *contacts)
   g_assert_cmpuint (pairs, ==, contacts->pair_count);
 }
 
+void
+test_detect_sound (QnModel *model, QnContacts *contacts)
+{
+  test_detect (model, contacts);
+  g_assert_cmpint (qn_contacts_require_sound (model, contacts, NULL), ==, QN_OK);
+  g_assert_cmpuint (contacts->findings.count, ==, 0);
+}
+
 size_t
 test_count_findings (const QnContacts *contacts, QnProblem problem)
 {

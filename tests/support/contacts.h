@@ -8,6 +8,9 @@
  * along the tangent, pairs on their faces with tributary lengths that add up. */
 void test_detect (QnModel *model, QnContacts *contacts);
 
+/* The same, and there must be nothing wrong with the model nor worth a finding. */
+void test_detect_sound (QnModel *model, QnContacts *contacts);
+
 /* Number of findings of one kind. */
 size_t test_count_findings (const QnContacts *contacts, QnProblem problem);
 

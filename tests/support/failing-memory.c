@@ -9,11 +9,13 @@ static bool all_after, has_failed;
 
 void *__real_malloc (size_t size);
 void *__real_calloc (size_t count, size_t size);
+void *__real_aligned_alloc (size_t alignment, size_t size);
 void *__real_realloc (void *block, size_t size);
 void *__real_g_try_malloc (size_t size);
 void *__wrap_g_try_malloc (size_t size);
 void *__wrap_malloc (size_t size);
 void *__wrap_calloc (size_t count, size_t size);
+void *__wrap_aligned_alloc (size_t alignment, size_t size);
 void *__wrap_realloc (void *block, size_t size);
 
 /* For a debugger to stop at. */
@@ -47,6 +49,12 @@ void *
 __wrap_calloc (size_t count, size_t size)
 {
   return fails () ? NULL : __real_calloc (count, size);
+}
+
+void *
+__wrap_aligned_alloc (size_t alignment, size_t size)
+{
+  return fails () ? NULL : __real_aligned_alloc (alignment, size);
 }
 
 void *

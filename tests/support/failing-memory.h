@@ -1,9 +1,9 @@
 /* Makes allocations fail on purpose, to walk every path that has no memory.
  *
- * Link with failing_memory_link_args: they turn malloc, calloc and realloc of everything that is
- * linked statically (our own code) into the functions here. SuiteSparse and cJSON, which are
- * shared, are given them through their configuration. Of GLib only what may fail
- * (g_try_malloc) does; all else ends the program when memory runs out, and so it does here. */
+ * Link with failing_memory_link_args: they turn malloc, calloc, aligned_alloc and realloc
+ * of everything that is linked statically (our own code) into the functions here. SuiteSparse and
+ * cJSON, which are shared, are given them through their configuration. Of GLib only what may
+ * fail (g_try_malloc) does; all else ends the program when memory runs out, and so it does here. */
 #ifndef TESTS_SUPPORT_FAILING_MEMORY_H
 #define TESTS_SUPPORT_FAILING_MEMORY_H
 

@@ -54,6 +54,18 @@ test_model_add_base (QnModel *model, double x, double y, double width, double he
   return base;
 }
 
+QnId
+test_model_add_node (QnModel *model, const char *name, double x, double y,
+                     const char *supports)
+{
+  QnNode *node = qn_model_add_node (model, name);
+  node->at = qn_vec2 (x, y);
+  node->support[0] = strchr (supports, 'x') != NULL;
+  node->support[1] = strchr (supports, 'y') != NULL;
+  node->support[2] = strchr (supports, 'r') != NULL;
+  return (QnId) model->node_count - 1;
+}
+
 void
 test_model_init_block_on_plane (QnModel *model, double width, double height)
 {
@@ -112,6 +124,21 @@ test_model_init_wall (QnModel *model, int number, double dilatancy)
   }
   test_model_add_base (model, 0, -0.175, 0.4 * length, 0.175);
   test_model_add_weight_loads (model, 1);
+}
+
+void
+test_model_soften_every_other_block (QnModel *model, double times)
+{
+  g_assert_cmpint (qn_model_expand_walls (model, NULL), ==, QN_OK);
+  QnLaw *soft = qn_model_add_law (model, "soft");
+  char *name = soft->name;
+
+  *soft = model->laws[0];
+  soft->name = name;
+  soft->kn = model->laws[0].kn / times;
+  soft->ks = model->laws[0].ks / times;
+  for (size_t i = 0; i < model->block_count; i++)
+    model->blocks[i].law = i % 2 == 0 ? 0 : 1;
 }
 
 void

@@ -32,6 +32,10 @@ QnBlock *test_model_add_rectangle (QnModel *model, const char *name, double x, d
 QnBlock *test_model_add_base (QnModel *model, double x, double y, double width,
                               double height);
 
+/* A node at (x, y) that is held where `supports` has an x, y or r; returns its number. */
+QnId test_model_add_node (QnModel *model, const char *name, double x, double y,
+                          const char *supports);
+
 /* "base" (fixed) under "block", width x height, centred at x = 0, standing on y = 0. */
 void test_model_init_block_on_plane (QnModel *model, double width, double height);
 
@@ -41,6 +45,10 @@ void test_model_init_stack (QnModel *model, int count, double width, double heig
 /* One of the six walls, number 1 to 6: "base" (fixed) under the wall "w", dead load -W, live load
  * +W along x. Dilatancy as given: 0 or 0.65. */
 void test_model_init_wall (QnModel *model, int number, double dilatancy);
+
+/* Gives every other block joints so many times softer, under a second law. Walls are expanded
+ * first. */
+void test_model_soften_every_other_block (QnModel *model, double times);
 
 /* Dead load: one weight downwards. Live load: one weight along x times `direction`. */
 void test_model_add_weight_loads (QnModel *model, double direction);

@@ -23,7 +23,8 @@ void probe_assert_force (const QnSpringResponse *response, double normal,
                          double tangential);
 
 /* Fails unless the tangent at this elongation is that of central differences, to 1e-6 of the
- * spring's stiffness, and symmetric where the law is associated. The elongation must not be at a corner of the law. */
+ * spring's stiffness, and symmetric where the law is associated. The elongation must not be at a
+ * corner of the law. */
 void probe_assert_tangent (const Probe *probe, double normal, double tangential);
 
 /* Commits the normal elongations one after the other, without shear, and compares the normal

@@ -2,23 +2,13 @@
 #include "core/analysis.h"
 #include "core/modal.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
 #include <string.h>
 
 static const double young = 30e9, yield = 20e6;
-
-static QnId
-add_node (QnModel *model, const char *name, double x, double y, const char *supports)
-{
-  QnNode *node = qn_model_add_node (model, name);
-  node->at = qn_vec2 (x, y);
-  node->support[0] = strchr (supports, 'x') != NULL;
-  node->support[1] = strchr (supports, 'y') != NULL;
-  node->support[2] = strchr (supports, 'r') != NULL;
-  return (QnId) model->node_count - 1;
-}
 
 static QnId
 add_section (QnModel *model, const char *name, double height, bool yields)
@@ -93,9 +83,10 @@ test_frame_collapse (void)
       qn_model_init (&model);
       QnId column = add_section (&model, "column", frames[i].column, true);
       QnId beam = add_section (&model, "beam", 0.2, true);
-      QnId a = add_node (&model, "a", 0, 0, frames[i].feet);
-      QnId b = add_node (&model, "b", 0, 3, ""), c = add_node (&model, "c", 3, 3, "");
-      QnId d = add_node (&model, "d", 3, 0, frames[i].feet);
+      QnId a = test_model_add_node (&model, "a", 0, 0, frames[i].feet);
+      QnId b = test_model_add_node (&model, "b", 0, 3, ""),
+           c = test_model_add_node (&model, "c", 3, 3, "");
+      QnId d = test_model_add_node (&model, "d", 3, 0, frames[i].feet);
       add_beam (&model, "left", a, b, column, elements);
       add_beam (&model, "top", b, c, beam, elements);
       add_beam (&model, "right", d, c, column, elements);
@@ -122,8 +113,8 @@ test_propped_cantilever (void)
   QnResult result;
   qn_model_init (&model);
   QnId section = add_section (&model, "s", 0.2, true);
-  add_node (&model, "a", 0, 0, "xyr");
-  add_node (&model, "b", L, 0, "y");
+  test_model_add_node (&model, "a", 0, 0, "xyr");
+  test_model_add_node (&model, "b", L, 0, "y");
   add_beam (&model, "ab", 0, 1, section, 40);
   add_live_load (&model, QN_LOAD_LINE, 0, 0, -1000);
   model.analysis.increments = 1;
@@ -148,8 +139,8 @@ test_elastica (void)
     section->young = 1e9;
     section->area = 1;
     section->inertia = 1e-6;
-    add_node (&model, "a", 0, 0, "xyr");
-    add_node (&model, "b", 1, 0, "");
+    test_model_add_node (&model, "a", 0, 0, "xyr");
+    test_model_add_node (&model, "b", 1, 0, "");
     add_beam (&model, "ab", 0, 1, 0, elements)->kind = QN_BEAM_EULER_BERNOULLI;
     add_live_load (&model, QN_LOAD_NODE, 1, 0, -1e4);
     model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
@@ -186,8 +177,8 @@ test_roll_up (void)
   section->young = 1e9;
   section->area = 1;
   section->inertia = 1e-6;
-  add_node (&model, "a", 0, 0, "xyr");
-  add_node (&model, "b", 1, 0, "");
+  test_model_add_node (&model, "a", 0, 0, "xyr");
+  test_model_add_node (&model, "b", 1, 0, "");
   add_beam (&model, "ab", 0, 1, 0, 40);
   add_live_load (&model, QN_LOAD_NODE, 1, 0, 0)->moment = 4 * G_PI * 1e3;
   model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
@@ -204,22 +195,6 @@ test_roll_up (void)
   qn_model_clear (&model);
 }
 
-static void
-find_modes (QnModel *model, size_t wanted, QnModes *modes)
-{
-  QnContacts contacts;
-  QnResult result;
-  QnDiag diag = { 0 };
-  g_assert_cmpint (qn_model_prepare (model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
-  QnStatus status = qn_modal_run (model, &contacts, QN_MODAL_DEAD_LOAD, wanted, NULL,
-                                  NULL, modes, &result, &diag);
-  g_assert_cmpstr (qn_problem_text (diag.problem), ==, "no problem");
-  g_assert_cmpint (status, ==, QN_OK);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-}
-
 /* Frequencies of a Timoshenko beam, simply supported: closed form; the consistent mass converges
  * from above with the fourth power. Free, its rigid motions have none. */
 static void
@@ -233,10 +208,10 @@ test_vibration (void)
     qn_model_init (&model);
     QnId section = add_section (&model, "s", 0.5, false);
     model.sections[section].density = 7000;
-    add_node (&model, "a", 0, 0, free ? "" : "xy");
-    add_node (&model, "b", 3, 0, free ? "" : "xy");
+    test_model_add_node (&model, "a", 0, 0, free ? "" : "xy");
+    test_model_add_node (&model, "b", 3, 0, free ? "" : "xy");
     add_beam (&model, "ab", 0, 1, section, 60);
-    find_modes (&model, 6, &modes);
+    test_find_modes (&model, 6, &modes);
     for (size_t i = 0; i < 3 && free; i++)
       g_assert_cmpfloat (modes.omega[i], <, 0.1);
     if (free) /* stiffer than between supports */
@@ -263,13 +238,13 @@ test_block_on_beam (void)
   block->unit_weight = 1e6;
   QnId section = add_section (&model, "s", 0.2, false);
   model.sections[section].unit_weight = 1e-3;
-  add_node (&model, "a", 0, 0, "xyr");
+  test_model_add_node (&model, "a", 0, 0, "xyr");
   QnNode *end = qn_model_add_node (&model, "b");
   end->seat = QN_SEAT_SIDE;
   end->block = 0;
   end->side = QN_BLOCK_SIDE_LEFT;
   add_beam (&model, "ab", 0, 1, section, 1)->kind = QN_BEAM_EULER_BERNOULLI;
-  find_modes (&model, 1, &modes);
+  test_find_modes (&model, 1, &modes);
   /* Flexibility of the block's centroid: beam of 3 m under a force with an arm of 0.5 m. */
   const double w = (9 + 2 * 4.5 * arm + 3 * arm * arm) / EI, r = (4.5 + 3 * arm) / EI;
   const double m = 1e6 * 0.1 / 9.81, J = m * (1 + 0.01) / 12, c = 3 / EI;
@@ -299,7 +274,7 @@ test_mast (void)
     foot->seat = QN_SEAT_SIDE;
     foot->block = 1;
     foot->side = QN_BLOCK_SIDE_TOP;
-    add_node (&model, "head", 0.5, 3, "");
+    test_model_add_node (&model, "head", 0.5, 3, "");
     add_beam (&model, "mast", 0, 1, section, 4);
     QnLoad *weight = qn_model_add_dead_load (&model);
     weight->kind = QN_LOAD_WEIGHT;

@@ -1,17 +1,11 @@
 /* Equilibrium in the deformed configuration against closed forms: Euler loads, the elastica, a
  * block turned over, and the balance of energy along an elastic path. */
-#include "core/analysis.h"
 #include "core/stability.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
-
-typedef struct Run {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Run;
 
 /* Length, depth, width, Young's modulus; EI/L^2 = 1 N for the slender one. */
 typedef struct Member {
@@ -51,32 +45,6 @@ add_end_force (QnModel *model, double fx, double fy)
   load->vector = qn_vec2 (fx, fy);
 }
 
-static void
-prepare (Run *run)
-{
-  QnDiag diag = { 0 };
-  g_assert_cmpint (qn_model_prepare (&run->model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&run->model, &run->contacts, &diag), ==, QN_OK);
-}
-
-static void
-solve (Run *run)
-{
-  QnDiag diag = { 0 };
-  prepare (run);
-  g_assert_cmpint (
-    qn_analysis_run (&run->model, &run->contacts, NULL, NULL, &run->result, &diag), ==,
-    QN_OK);
-}
-
-static void
-clear (Run *run)
-{
-  qn_result_clear (&run->result);
-  qn_contacts_clear (&run->contacts);
-  qn_model_clear (&run->model);
-}
-
 /* --- Columns ---------------------------------------------------------------------------- */
 
 typedef enum { FREE, PINNED, CLAMPED } Ends;
@@ -86,7 +54,7 @@ static double
 buckling_load (Ends ends, int faces)
 {
   const Member m = { 4, 0.2, 0.2, 30e9, 1e13 };
-  Run run;
+  TestRun run;
   QnDiag diag = { 0 };
   init_member (&run.model, m, faces);
   add_end_force (&run.model, -1000, 0);
@@ -98,13 +66,13 @@ buckling_load (Ends ends, int faces)
   if (ends == CLAMPED)
     last->support[QN_DOF_RZ] = true;
   run.model.analysis.increments = 1;
-  prepare (&run);
+  test_run_prepare (&run);
   g_assert_cmpint (
     qn_stability_run (&run.model, &run.contacts, NULL, NULL, &run.result, &diag), ==,
     QN_OK);
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_SNAP);
   double load = run.result.first_limit_multiplier;
-  clear (&run);
+  test_run_clear (&run);
   return load;
 }
 
@@ -147,7 +115,7 @@ test_elastica (void)
                                      { 10, 0.81061, 0.55500, 1.43029 } };
   const Member m = { 1, 0.02, 0.1, 12e9, 12e9 };
   const double EI = 12e9 * 0.1 * 0.02 * 0.02 * 0.02 / 12;
-  Run run;
+  TestRun run;
   init_member (&run.model, m, 40);
   add_end_force (&run.model, 0, -EI);
   for (int i = 0; i < 4; i++) {
@@ -157,7 +125,7 @@ test_elastica (void)
     stage->target = exact[i][0];
     stage->increments = 5;
   }
-  solve (&run);
+  test_run_solve (&run);
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   int found = 0;
   for (size_t s = 0; s < run.result.step_count; s++) {
@@ -172,14 +140,39 @@ test_elastica (void)
     }
   }
   g_assert_cmpint (found, ==, 4);
-  clear (&run);
+  test_run_clear (&run);
+}
+
+/* A member so slender that it swings by more than 1e5 times what its joints give under the same
+ * force; increments that Newton's method does not solve are no collapse. Two evenly spaced pairs
+ * have three quarters of the section's second moment. */
+static void
+test_slender_member_swings (void)
+{
+  const Member m = { 1, 0.005, 0.1, 200e9, 100e9 };
+  const double EI = 0.75 * 200e9 * 0.1 * 0.005 * 0.005 * 0.005 / 12;
+  TestRun run;
+  init_member (&run.model, m, 127);
+  add_end_force (&run.model, 0, -8. / 3 * EI);
+  run.model.contact.pairs.count = 2;
+  run.model.analysis.increments = 100;
+  run.model.analysis.max_multiplier = 0.75;
+  test_run_solve (&run);
+
+  const QnResult *result = &run.result;
+  g_assert_cmpint (result->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  const double *u = qn_result_step_displacements (result, result->step_count - 1);
+  g_assert_cmpfloat_with_epsilon (-u[3 * 127 + 1], 0.49346, 1e-4);
+  g_assert_cmpfloat_with_epsilon (-u[3 * 127], 0.16064, 1e-4);
+  g_assert_cmpfloat_with_epsilon (-u[3 * 127 + 2], 0.78175, 1e-4);
+  test_run_clear (&run);
 }
 
 /* --- Energy ----------------------------------------------------------------------------- */
 
 /* What the springs hold, J: an elastic pair of springs is one of half the stiffness. */
 static double
-stored_energy (const Run *run)
+stored_energy (const TestRun *run)
 {
   double energy = 0;
   for (size_t p = 0; p < run->contacts.pair_count; p++) {
@@ -194,7 +187,7 @@ stored_energy (const Run *run)
 
 /* Work of the end force along the path, J, by trapezoids. */
 static double
-work_of_load (const Run *run, double force)
+work_of_load (const TestRun *run, double force)
 {
   const QnResult *result = &run->result;
   size_t last = result->block_count - 1;
@@ -217,7 +210,7 @@ test_energy_balance (void)
   const double EI = 12e9 * 0.1 * 0.02 * 0.02 * 0.02 / 12;
   double before = 0;
   for (int steps = 50; steps <= 400; steps *= 2) {
-    Run run;
+    TestRun run;
     init_member (&run.model, m, 20);
     add_end_force (&run.model, 0, -10 * EI);
     for (int i = 1; i <= steps; i++) {
@@ -227,7 +220,7 @@ test_energy_balance (void)
       stage->target = (double) i / steps;
       stage->increments = 1;
     }
-    solve (&run);
+    test_run_solve (&run);
     g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
     g_assert_cmpuint (run.result.step_count, ==, steps + 1);
     double stored = stored_energy (&run), work = work_of_load (&run, -10 * EI);
@@ -238,7 +231,7 @@ test_energy_balance (void)
     if (before != 0)
       g_assert_cmpfloat_with_epsilon (before / error, 4, 0.1);
     before = error;
-    clear (&run);
+    test_run_clear (&run);
   }
 }
 
@@ -249,7 +242,7 @@ static void
 test_overturning (void)
 {
   const double b = 0.5, h = 1, alpha = atan2 (b, h), radius = hypot (b, h) / 2;
-  Run run;
+  TestRun run;
   test_model_init_block_on_plane (&run.model, b, h);
   test_model_add_weight_loads (&run.model, 1);
   run.model.laws[0].kn = run.model.laws[0].ks = 1e9;
@@ -260,7 +253,7 @@ test_overturning (void)
   analysis->control_block = 1;
   analysis->control_dof = QN_DOF_UX;
   analysis->control_target = b / 2;
-  solve (&run);
+  test_run_solve (&run);
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
 
   size_t compared = 0;
@@ -276,7 +269,7 @@ test_overturning (void)
   g_assert_cmpuint (compared, >, 20);
   const QnStep *last = &run.result.steps[run.result.step_count - 1];
   g_assert_cmpfloat_with_epsilon (last->multiplier, 0, 1e-6);
-  clear (&run);
+  test_run_clear (&run);
 }
 
 int
@@ -286,6 +279,8 @@ main (int argc, char **argv)
   g_test_add_func ("/verify/large-displacements/euler-loads", test_euler_loads);
   g_test_add_func ("/verify/large-displacements/columns-converge", test_columns_converge);
   g_test_add_func ("/verify/large-displacements/elastica", test_elastica);
+  g_test_add_func ("/verify/large-displacements/slender-member-swings",
+                   test_slender_member_swings);
   g_test_add_func ("/verify/large-displacements/energy-balance", test_energy_balance);
   g_test_add_func ("/verify/large-displacements/overturning", test_overturning);
   return g_test_run ();

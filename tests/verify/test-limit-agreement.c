@@ -3,8 +3,8 @@
  * path never passes the associative optimum. */
 #include "solve.h"
 
-#include "core/generate.h"
 #include "core/limit.h"
+#include "support/generate.h"
 
 #include <glib.h>
 #include <math.h>

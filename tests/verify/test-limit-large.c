@@ -1,8 +1,8 @@
 /* Limit analysis of a wall of ten thousand blocks, with both certificates summed up outside the
  * solver: the optimum is proved, whatever the way to it. */
-#include "core/generate.h"
 #include "core/limit.h"
 #include "support/certificate.h"
+#include "support/generate.h"
 
 #include <glib.h>
 

@@ -1,6 +1,7 @@
 /* Frequencies against closed forms. */
 #include "core/modal.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
@@ -8,19 +9,9 @@
 static void
 run (QnModel *model, size_t wanted, QnModes *modes)
 {
-  QnContacts contacts;
-  QnResult result;
-  QnDiag diag = { 0 };
-  g_assert_cmpint (qn_model_prepare (model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
-  QnStatus status = qn_modal_run (model, &contacts, QN_MODAL_DEAD_LOAD, wanted, NULL,
-                                  NULL, modes, &result, &diag);
-  g_assert_cmpstr (qn_problem_text (diag.problem), ==, "no problem");
-  g_assert_cmpint (status, ==, QN_OK);
+  test_find_modes (model, wanted, modes);
   for (size_t i = 1; i < modes->count; i++)
     g_assert_cmpfloat (modes->omega[i], >=, modes->omega[i - 1]);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
   qn_model_clear (model);
 }
 

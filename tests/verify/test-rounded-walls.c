@@ -83,7 +83,7 @@ test_branch (gconstpointer data)
     g_test_message ("wall %d, %d increments: %zu steps, %d factorisations", number,
                     increments[k], solved.result.step_count,
                     solved.result.statistics.factorizations);
-    g_assert_cmpint (solved.result.statistics.factorizations, <, 15000);
+    g_assert_cmpint (solved.result.statistics.factorizations, <, 5000);
     for (int i = 0; i < POINTS; i++) {
       double found = multiplier_at (&solved, number, moved[i]);
       double low = fmin (walls[number - 1].lmgc90[i], walls[number - 1].udec[i]);

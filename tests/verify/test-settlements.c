@@ -1,37 +1,12 @@
 /* Supports that give way, against closed forms and limit analysis. */
-#include "core/analysis.h"
 #include "core/limit.h"
 #include "support/models.h"
+#include "support/run.h"
 
 #include <glib.h>
 #include <math.h>
 
 #define SPREAD 0.04 /* m */
-
-typedef struct Run {
-  QnModel model;
-  QnContacts contacts;
-  QnResult result;
-} Run;
-
-static void
-solve (Run *run)
-{
-  QnDiag diag = { 0 };
-  g_assert_cmpint (qn_model_prepare (&run->model, &diag), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&run->model, &run->contacts, &diag), ==, QN_OK);
-  g_assert_cmpint (
-    qn_analysis_run (&run->model, &run->contacts, NULL, NULL, &run->result, &diag), ==,
-    QN_OK);
-}
-
-static void
-clear (Run *run)
-{
-  qn_result_clear (&run->result);
-  qn_contacts_clear (&run->contacts);
-  qn_model_clear (&run->model);
-}
 
 static void
 add_settlement (QnModel *model, QnId block, QnDof dof, double value)
@@ -46,7 +21,7 @@ add_settlement (QnModel *model, QnId block, QnDof dof, double value)
 /* Clamped elastic beam of length L, one end of which sinks by s, or turns by phi: reactions
  * 12 EI s/L^3, 6 EI s/L^2, and 4 EI phi/L, 2 EI phi/L, stiff in shear. */
 static void
-init_beam (Run *run, int faces)
+init_beam (TestRun *run, int faces)
 {
   const double L = 4, d = 0.2, h = L / faces;
   qn_model_init (&run->model);
@@ -76,13 +51,13 @@ test_clamped_beam (void)
   enum { FACES = 40 };
   const double L = 4, EI = 30e9 * 0.2 * 0.2 * 0.2 * 0.2 / 12, s = 0.01, phi = 0.002;
   for (int turned = 0; turned < 2; turned++) {
-    Run run;
+    TestRun run;
     init_beam (&run, FACES);
     if (turned)
       add_settlement (&run.model, FACES, QN_DOF_RZ, phi);
     else
       add_settlement (&run.model, FACES, QN_DOF_UY, -s);
-    solve (&run);
+    test_run_solve (&run);
     g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
     size_t last = run.result.step_count - 1;
     g_assert_cmpfloat (run.result.steps[last].multiplier, ==, 1);
@@ -97,7 +72,7 @@ test_clamped_beam (void)
     g_assert_cmpfloat_with_epsilon (near[1] / (-sign * force), 1, 2e-3);
     g_assert_cmpfloat_with_epsilon (fabs (far[2] / moment_far), 1, 2e-3);
     g_assert_cmpfloat_with_epsilon (fabs (near[2] / moment_near), 1, 2e-3);
-    clear (&run);
+    test_run_clear (&run);
   }
 }
 
@@ -106,7 +81,7 @@ test_clamped_beam (void)
 static void
 test_middle_support (void)
 {
-  Run run;
+  TestRun run;
   test_model_init (&run.model);
   for (int i = 0; i < 3; i++) {
     g_autofree char *name = g_strdup_printf ("pier%d", i);
@@ -118,7 +93,7 @@ test_middle_support (void)
   QnLoad *dead = qn_model_add_dead_load (&run.model);
   dead->vector = qn_vec2 (0, -1);
   add_settlement (&run.model, 1, QN_DOF_UY, -0.01);
-  solve (&run);
+  test_run_solve (&run);
   double weight = run.model.blocks[3].weight, pier = run.model.blocks[1].weight;
   size_t last = run.result.step_count - 1;
   const double *first = qn_result_step_reactions (&run.result, 0);
@@ -127,12 +102,12 @@ test_middle_support (void)
   g_assert_cmpfloat_with_epsilon (r[4], pier, 1e-6 * weight);
   g_assert_cmpfloat_with_epsilon (r[1], weight / 2 + pier, 1e-6 * weight);
   g_assert_cmpfloat_with_epsilon (r[7], weight / 2 + pier, 1e-6 * weight);
-  clear (&run);
+  test_run_clear (&run);
 }
 
 /* A semicircular arch of radius 5 m and thickness 1 m between two abutments. */
 static void
-init_arch (Run *run)
+init_arch (TestRun *run)
 {
   enum { COUNT = 21 };
   test_model_init (&run->model);
@@ -167,16 +142,16 @@ static void
 test_least_thrust (void)
 {
   const double push = 55e3;
-  Run run;
+  TestRun run;
   init_arch (&run);
   add_settlement (&run.model, 1, QN_DOF_UX, SPREAD);
   run.model.analysis.increments = 20;
-  solve (&run);
+  test_run_solve (&run);
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   size_t last = run.result.step_count - 1;
   double thrust = -qn_result_step_reactions (&run.result, last)[3];
   double before = -qn_result_step_reactions (&run.result, 0)[3];
-  clear (&run);
+  test_run_clear (&run);
 
   QnLimitSolution solution;
   init_arch (&run);

@@ -1,0 +1,27 @@
+/* A drawing of ten thousand blocks, an edit of one of them, and what that costs. */
+#ifndef QN_TESTS_DOC_LARGE_DRAWING_H
+#define QN_TESTS_DOC_LARGE_DRAWING_H
+
+#include "doc/document.h"
+
+/* Limits of processor time are multiplied by this: sanitizers take their share. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LARGE_DRAWING_SLOWER 10
+#else
+#define LARGE_DRAWING_SLOWER 1
+#endif
+
+/* The block that moves, amid the others. */
+#define LARGE_DRAWING_BLOCK ((QnId) 5050)
+
+/* Loads a running bond of 100 x 100 single blocks of 0.40 x 0.175 m, the lowest course fixed, with
+ * dead and live loads. */
+void large_drawing_load (QnDocument *document);
+
+/* Moves the block by as many m up, as one step; aborts where it is refused. */
+void large_drawing_move (QnDocument *document, double by);
+
+/* s of processor time that this program has used. */
+double large_drawing_seconds (void);
+
+#endif

@@ -1,0 +1,48 @@
+#include "support/run.h"
+
+#include <glib.h>
+
+void
+test_run_prepare (TestRun *run)
+{
+  QnDiag diag = { 0 };
+  QnStatus status = qn_model_prepare (&run->model, &diag);
+  if (status == QN_OK)
+    status = qn_contacts_detect (&run->model, &run->contacts, &diag);
+  g_assert_cmpstr (qn_problem_text (diag.problem), ==, qn_problem_text (QN_PROBLEM_NONE));
+  g_assert_cmpint (status, ==, QN_OK);
+}
+
+void
+test_run_solve (TestRun *run)
+{
+  QnDiag diag = { 0 };
+  test_run_prepare (run);
+  g_assert_cmpint (
+    qn_analysis_run (&run->model, &run->contacts, NULL, NULL, &run->result, &diag), ==,
+    QN_OK);
+}
+
+void
+test_find_modes (QnModel *model, size_t wanted, QnModes *modes)
+{
+  QnContacts contacts;
+  QnResult result;
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_model_prepare (model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
+  QnStatus status = qn_modal_run (model, &contacts, QN_MODAL_DEAD_LOAD, wanted, NULL,
+                                  NULL, modes, &result, &diag);
+  g_assert_cmpstr (qn_problem_text (diag.problem), ==, "no problem");
+  g_assert_cmpint (status, ==, QN_OK);
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+}
+
+void
+test_run_clear (TestRun *run)
+{
+  qn_result_clear (&run->result);
+  qn_contacts_clear (&run->contacts);
+  qn_model_clear (&run->model);
+}

@@ -1,0 +1,25 @@
+/* A model with what is computed of it. */
+#ifndef TESTS_SUPPORT_RUN_H
+#define TESTS_SUPPORT_RUN_H
+
+#include "core/analysis.h"
+#include "core/modal.h"
+
+typedef struct TestRun {
+  QnModel model; /* filled by the test */
+  QnContacts contacts;
+  QnResult result;
+} TestRun;
+
+/* Prepares the model and detects its contacts; also analyses it by its own settings. Any error
+ * fails the test. */
+void test_run_prepare (TestRun *run);
+void test_run_solve (TestRun *run);
+
+/* Prepares the model and finds the lowest modes about its equilibrium under dead load. */
+void test_find_modes (QnModel *model, size_t wanted, QnModes *modes);
+
+/* Clears the model too. */
+void test_run_clear (TestRun *run);
+
+#endif

@@ -1,0 +1,19 @@
+/* Folders for the files that a test makes. */
+#ifndef TESTS_SUPPORT_SCRATCH_H
+#define TESTS_SUPPORT_SCRATCH_H
+
+#include <glib.h>
+
+/* A new empty folder; what must not fail fails the test. */
+char *test_scratch_new (void);
+
+/* Removes it with all that is in it, and frees the path. */
+void test_scratch_free (char *folder);
+
+/* Number of entries in a folder. */
+guint test_scratch_count (const char *folder);
+
+/* Fails unless the file is this text. */
+void test_scratch_expect (const char *path, const char *text);
+
+#endif

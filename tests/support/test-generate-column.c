@@ -1,0 +1,29 @@
+#include "support/contacts.h"
+#include "support/generate.h"
+
+#include <glib.h>
+
+static void
+test_column (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnColumnRecipe recipe = qn_column_recipe_default ();
+  qn_model_init (&model);
+  g_assert_cmpint (qn_generate_column (&model, &recipe, NULL), ==, QN_OK);
+  test_detect_sound (&model, &contacts);
+  g_assert_cmpuint (model.block_count, ==, 7);
+  g_assert_cmpuint (contacts.face_count, ==, 6);
+  g_assert_cmpfloat_with_epsilon (contacts.faces[0].length, 1.0, 1e-14);
+  g_assert_cmpfloat_with_epsilon (contacts.faces[3].length, 0.9, 1e-14);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/generate-column/tapered", test_column);
+  return g_test_run ();
+}
