@@ -3,6 +3,7 @@
 #include "app/canvas-private.h"
 #include "app/settings.h"
 #include "doc/figure-export.h"
+#include "doc/long-analysis.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -270,6 +271,7 @@ test_cancel (void)
 {
   QnWindow *window = driver_open_example ("ferris-tin-loi/wall6.quoin");
   QnDocument *document = qn_window_get_document (window);
+  long_analysis_ask (document);
   driver_activate (window, "win.run");
   g_assert_nonnull (qn_document_get_job (document));
   driver_activate (window, "win.pause");

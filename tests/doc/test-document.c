@@ -1,6 +1,7 @@
 #include "doc/edit.h"
 
 #include "fixture.h"
+#include "long-analysis.h"
 
 #include <glib/gstdio.h>
 #include <malloc.h>
@@ -253,6 +254,7 @@ static void
 test_cancel (void)
 {
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall6.quoin");
+  long_analysis_ask (document);
   qn_document_analyse (document, NULL);
   while (qn_job_get_progress (qn_document_get_job (document)).steps < 2)
     g_main_context_iteration (NULL, TRUE);
