@@ -24,7 +24,8 @@ QnBlockLu *qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai);
 void qn_block_lu_free (QnBlockLu *lu);
 
 /* Factorises the matrix with the values ax. Returns the ratio of the smallest to the largest
- * pivot, 0 where one vanished (there is nothing to solve with then). Allocates nothing. */
+ * pivot, where one that vanishes counts as QN_FRONT_VANISHED (dense-front.h); 0 where one is no
+ * number (there is nothing to solve with then). Allocates nothing. */
 double qn_block_lu_factor (QnBlockLu *lu, const double *ax);
 
 /* The same, but eliminates anew only what new values reach; the factors are the same to the bit.

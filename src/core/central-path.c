@@ -64,7 +64,7 @@ struct QnCentralPath {
   double *near_u;    /* unknown_count: displacements of the best iterate, */
   double *begun;     /* where the last central path began, */
   double *kept_step; /* and of the direction found so far */
-  double *lack;      /* forces out of balance at the iterate */
+  double *lack;      /* forces out of balance at the iterate, where a part of them is to stay */
 };
 
 bool
@@ -246,8 +246,9 @@ find_direction (Increment *increment, const QnCentralAim *aim)
 
   qn_central_pairs_aim (&path->pairs, aim);
   balance (path, eq->step);
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    eq->step[i] -= (1 - aim->part) * path->lack[i];
+  if (aim->part < 1)
+    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+      eq->step[i] -= (1 - aim->part) * path->lack[i];
   solve (eq, eq->step);
   complete_direction (increment, aim->part);
 }
@@ -482,8 +483,10 @@ improve (Increment *increment)
 
   double mean = mean_by_predictor (increment);
   double part = part_of_residuals (increment, mean);
-  qn_central_pairs_get_forces (&increment->path->pairs);
-  balance (increment->path, increment->path->lack);
+  if (part < 1) {
+    qn_central_pairs_get_forces (&increment->path->pairs);
+    balance (increment->path, increment->path->lack);
+  }
   find_direction (
     increment,
     &(QnCentralAim){ .wish = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });

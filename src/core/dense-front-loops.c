@@ -193,7 +193,9 @@ choose_pivot (const QnDenseFront *front, int32_t height, int32_t first, int32_t 
       pivot++;
   front->exchanges[j] = pivot;
   size = fabs (column[pivot]);
-  if (!(size > 0 && size <= 1e300))
+  if (size == 0)
+    front->diagonal[(size_t) j * (size_t) height + (size_t) j] = size = QN_FRONT_VANISHED;
+  if (!(size <= 1e300))
     return false;
   range->smallest = size < range->smallest ? size : range->smallest;
   range->largest = size > range->largest ? size : range->largest;

@@ -16,6 +16,11 @@
 
 #define QN_FRONT_ROWS 8
 
+/* Stands for a pivot that vanishes: far below any stiffness, far above what its reciprocal could make
+ * overflow. What the front leaves to others is exact if nothing stands beside it; then solutions are
+ * as large as its reciprocal, in the direction that the matrix maps to nothing. */
+#define QN_FRONT_VANISHED 1e-60
+
 /* Height of the columns of a matrix of `rows` rows. */
 static inline int32_t
 qn_front_height (int32_t rows)
@@ -51,7 +56,7 @@ typedef struct QnFrontPart {
 
 /* The loops for one kind of processor. */
 typedef struct QnFrontLoops {
-  /* Eliminates the pivots; false where one vanishes or is no number. */
+  /* Eliminates the pivots; false where one is no number. */
   bool (*eliminate) (const QnDenseFront *front, QnPivotRange *range);
   /* x = L_1 \ P x of the pivots, and below = L x of the rest. Both have the padding of
    * columns, which must be zero in x. */

@@ -4,7 +4,7 @@
  * blocks only. Every factorisation is therefore tried out on the first system that is to be
  * solved; where the digits are not there, KLU takes over: left-looking scalar LU with threshold
  * pivoting (Davis & Palamadai Natarajan 2010), which also has the last word on what is
- * singular.
+ * singular unless that solution proves it.
  */
 #include "core/linsys.h"
 
@@ -140,31 +140,51 @@ factor_pivoting (QnLinsys *system, double *ax)
 
 /* --- Which of the two ------------------------------------------------------------------- */
 
-/* Backward error of the block factorisation on A x = trial:
- *
- *   |trial - A x| / (|A| |x| + |trial|)                               (Rigal & Gaches 1967) */
-static double
-backward_error (QnLinsys *system, const double *ax, double *x)
+/* The block factorisation's solution of A x = trial, by sizes (largest numbers). */
+typedef struct {
+  double matrix, solution, right;
+  double left; /* of trial - A x */
+} Trial;
+
+static Trial
+try_blocks (QnLinsys *system, const double *ax, double *x)
 {
   const int32_t *ap = system->ap, *ai = system->ai;
-  double *left = system->left, matrix = 0, solution = 0, right = 0, error = 0;
+  double *left = system->left;
+  Trial trial = { 0 };
 
   for (int32_t i = 0; i < system->n; i++) {
     x[i] = left[i] = system->trial[i];
-    right = qn_larger (fabs (left[i]), right);
+    trial.right = qn_larger (fabs (left[i]), trial.right);
   }
   qn_block_lu_solve (system->blocks, x);
   for (int32_t j = 0; j < system->n; j++) {
     for (int32_t p = ap[j]; p < ap[j + 1]; p++) {
       left[ai[p]] -= ax[p] * x[j];
-      matrix = qn_larger (fabs (ax[p]), matrix);
+      trial.matrix = qn_larger (fabs (ax[p]), trial.matrix);
     }
-    solution = qn_larger (fabs (x[j]), solution);
+    trial.solution = qn_larger (fabs (x[j]), trial.solution);
   }
   for (int32_t i = 0; i < system->n; i++)
-    if (!(fabs (left[i]) <= error)) /* keeps what is no number */
-      error = fabs (left[i]);
-  return error / (matrix * solution + right);
+    if (!(fabs (left[i]) <= trial.left)) /* keeps what is no number */
+      trial.left = fabs (left[i]);
+  return trial;
+}
+
+/* |trial - A x| / (|A| |x| + |trial|)                                   (Rigal & Gaches 1967) */
+static double
+backward_error (const Trial *trial)
+{
+  return trial->left / (trial->matrix * trial->solution + trial->right);
+}
+
+/* Whether A maps x to nothing, for |A x| is at most |trial| + |trial - A x|: then A is that close to
+ * a matrix without an inverse. */
+static bool
+proves_singular (const Trial *trial)
+{
+  return trial->right + trial->left
+         <= QN_TOLERANCE_SINGULAR * trial->matrix * trial->solution;
 }
 
 void
@@ -209,9 +229,16 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse re
   }
   for (int32_t i = 0; i < system->n; i++)
     system->trial[i] = zero ? 1 : b[i];
-  system->pivoted = !(pivots > QN_TOLERANCE_SINGULAR
-                      && backward_error (system, ax, zero ? system->solution : b)
-                           < QN_TOLERANCE_BACKWARD);
+  system->pivoted = true;
+  if (pivots > 0) {
+    Trial trial = try_blocks (system, ax, zero ? system->solution : b);
+    system->pivoted = !(pivots > QN_TOLERANCE_SINGULAR
+                        && backward_error (&trial) < QN_TOLERANCE_BACKWARD);
+    if (system->pivoted && proves_singular (&trial)) {
+      system->pivoted = false;
+      return system->status = QN_FACTOR_SINGULAR;
+    }
+  }
   system->status =
     system->pivoted ? factor_pivoting (system, (double *) ax) : QN_FACTOR_OK;
   if (system->pivoted && !zero && system->status == QN_FACTOR_OK) {

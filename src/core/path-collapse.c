@@ -35,7 +35,6 @@ typedef struct {
   const double *start;
   double growth; /* of the work in the next step */
   double left;   /* to gain after the last step, as a part of the multiplier */
-  bool gone;     /* the structure has run away */
   bool may_jump; /* some joint is not associative */
 } Approach;
 
@@ -56,6 +55,13 @@ keep_velocity (QnEquilibrium *eq)
 {
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     eq->velocity[i] = eq->u[i] - eq->committed.u[i];
+}
+
+/* How far the next step may grow after so large a motion: nowhere, once it has run away. */
+static double
+growth_within_reach (double motion)
+{
+  return motion > QN_RUNAWAY ? 1 : FARTHEST * QN_RUNAWAY / motion;
 }
 
 /* Takes what the step has found. *settled: this is collapse. */
@@ -80,15 +86,13 @@ take_step (Approach *approach, bool *settled)
   keep_velocity (eq);
   approach->left = left / eq->multiplier;
   double motion = qn_equilibrium_elastic_displacements (eq);
-  approach->gone |= motion > QN_RUNAWAY;
   /* A motion that closes joints is stopped before the structure has run away. */
   *settled =
     left <= negligible
     && !(approach->may_jump && qn_equilibrium_will_close (eq, 1, QN_RUNAWAY / motion));
   approach->growth = fmin (approach->growth * approach->growth, GROWTH);
   if (approach->may_jump)
-    approach->growth =
-      approach->gone ? 1 : fmin (approach->growth, FARTHEST * QN_RUNAWAY / motion);
+    approach->growth = fmin (approach->growth, growth_within_reach (motion));
   return qn_path_accept (path, eq->multiplier, QN_EVENT_NONE);
 }
 

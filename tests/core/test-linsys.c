@@ -169,6 +169,33 @@ test_singular (void)
   g_rand_free (random);
 }
 
+/* An unknown that nothing holds, pushed and not: the solution of the first proves it by its size, that
+ * of the other does not. */
+static void
+test_free_unknown (void)
+{
+  Dense d;
+  GRand *random = g_rand_new_with_seed (6);
+  dense_pattern (&d);
+  dense_random (&d, random);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai);
+
+  for (int i = 0; i < N; i++)
+    d.ax[5 * N + i] = d.ax[i * N + 5] = 0;
+  for (int pushed = 0; pushed < 2; pushed++) {
+    d.b[5] = pushed;
+    for (int again = 0; again < 2;
+         again++) { /* the same matrix is as singular as before */
+      double b[N];
+      memcpy (b, d.b, sizeof b);
+      g_assert_cmpint (qn_linsys_factor_and_solve (system, d.ax, QN_LINSYS_AGAIN, b), ==,
+                       QN_FACTOR_SINGULAR);
+    }
+  }
+  qn_linsys_free (system);
+  g_rand_free (random);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -176,6 +203,7 @@ main (int argc, char **argv)
   g_test_add_func ("/linsys/refactorisation", test_refactorisation);
   g_test_add_func ("/linsys/at-once", test_at_once);
   g_test_add_func ("/linsys/singular", test_singular);
+  g_test_add_func ("/linsys/free-unknown", test_free_unknown);
   g_test_add_func ("/linsys/sign", test_sign);
   return g_test_run ();
 }
