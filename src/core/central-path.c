@@ -595,7 +595,7 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undec
     double moved = qn_equilibrium_elastic_displacements (eq);
     if (increment.gap > undecided * moved)
       return QN_SOLVE_FAILED;
-    if (target->direction == NULL && moved > QN_RUNAWAY) {
+    if (target->direction == NULL && moved > eq->runaway) {
       for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
         eq->velocity[i] = eq->u[i] - path->begun[i];
       return QN_SOLVE_MECHANISM;

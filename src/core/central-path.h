@@ -60,7 +60,7 @@ QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target
  * is committed, and a new one begins. Each is a step of relaxation like those of
  * qn_equilibrium_relax(), and as long as they get no further they grow; a few dozen at
  * most, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
- * moved by QN_RUNAWAY and still does (MECHANISM, with the motion of the last central path as
+ * moved by eq->runaway and still does (MECHANISM, with the motion of the last central path as
  * eq->velocity, in metres; some pairs are neither here nor there on the way).
  *
  * undecided: complementarity, as a part of the displacements, above which nothing is committed

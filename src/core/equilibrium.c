@@ -68,6 +68,7 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
 {
   *eq = (QnEquilibrium){ .report = report,
                          .report_data = report_data,
+                         .runaway = QN_RUNAWAY,
                          .tolerance = model->analysis.residual_tolerance };
 
   QnStatus status = qn_assembly_setup (&eq->assembly, model, contacts, diag);

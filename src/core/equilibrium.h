@@ -67,6 +67,8 @@ typedef struct QnEquilibrium {
   double *live_step; /* K \\ F_live: displacements per multiplier */
   double *gaps;      /* of the pairs before the last step of motion, m */
   double *velocity;  /* of the last viscous step, m per unit of time, or motion, m */
+  double
+    runaway; /* motion beyond which the structure has run away, elastic displacements */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
   QnEquilibriumState anchor;    /* where the viscous step started */
@@ -121,6 +123,17 @@ double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *targ
 double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
                                      double lack, double *along_live);
 
+/* Motion, in elastic displacements of single joints under single blocks, that leaves the structure that
+ * was to be analysed if nothing is known of the whole: a tenth of a millimetre has become ten metres. */
+#define QN_RUNAWAY 1e5
+
+/* Motion beyond which rounding leaves no digit between forces and the default tolerance. */
+#define QN_FARTHEST 1e7
+
+/* Sets eq->runaway by the elasticity of the whole, from the state at rest; QN_RUNAWAY until then. False
+ * when memory runs out. */
+bool qn_equilibrium_set_runaway (QnEquilibrium *eq);
+
 /* Counts the factorisation just done. */
 void qn_equilibrium_count_factorization (QnEquilibrium *eq);
 
@@ -137,11 +150,6 @@ QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
  * with eq->velocity). FAILED when neither is certain after `budget` viscous steps. */
 QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target,
                                     int budget);
-
-/* Motion beyond this many elastic displacements (load over stiffness) has left the structure
- * that was to be analysed: a tenth of a millimetre of elastic deformation has become ten
- * metres. It also leaves three digits between rounding and the default tolerance. */
-#define QN_RUNAWAY 1e5
 
 /* Notes how far joints stand open now; and whether one that stands open will close within `horizon`
  * if it goes on as it did since then, in `time_step`. */

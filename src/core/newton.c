@@ -15,6 +15,11 @@
  * than the multiplier is sought. */
 #define TRACE 1e-9
 
+/* A structure has run away when a tenth of a millimetre of elastic deformation of the whole under its
+ * dead load, which grows with the square of the number of courses, has become three centimetres; and not
+ * before QN_RUNAWAY. */
+#define RUNAWAY_OF_WHOLE 300
+
 /* One solution in progress. */
 typedef struct {
   QnEquilibrium *eq;
@@ -252,6 +257,19 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
     if (!line_search (&newton, iteration == 0 ? INFINITY : newton.norm))
       return QN_SOLVE_FAILED;
   }
+}
+
+bool
+qn_equilibrium_set_runaway (QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+
+  memcpy (eq->step, as->dead, (size_t) as->unknown_count * sizeof *eq->step);
+  QnFactorStatus status = apply_inverse (eq, 0, eq->step);
+  double whole =
+    status == QN_FACTOR_OK ? qn_assembly_elastic_displacements (as, eq->step, NULL) : 0;
+  eq->runaway = fmin (fmax (QN_RUNAWAY, RUNAWAY_OF_WHOLE * whole), QN_FARTHEST);
+  return status != QN_FACTOR_NO_MEMORY;
 }
 
 QnSolveStatus

@@ -59,9 +59,9 @@ keep_velocity (QnEquilibrium *eq)
 
 /* How far the next step may grow after so large a motion: nowhere, once it has run away. */
 static double
-growth_within_reach (double motion)
+growth_within_reach (const QnEquilibrium *eq, double motion)
 {
-  return motion > QN_RUNAWAY ? 1 : FARTHEST * QN_RUNAWAY / motion;
+  return motion > eq->runaway ? 1 : FARTHEST * eq->runaway / motion;
 }
 
 /* Takes what the step has found. *settled: this is collapse. */
@@ -89,10 +89,10 @@ take_step (Approach *approach, bool *settled)
   /* A motion that closes joints is stopped before the structure has run away. */
   *settled =
     left <= negligible
-    && !(approach->may_jump && qn_equilibrium_will_close (eq, 1, QN_RUNAWAY / motion));
+    && !(approach->may_jump && qn_equilibrium_will_close (eq, 1, eq->runaway / motion));
   approach->growth = fmin (approach->growth * approach->growth, GROWTH);
   if (approach->may_jump)
-    approach->growth = fmin (approach->growth, growth_within_reach (motion));
+    approach->growth = fmin (approach->growth, growth_within_reach (eq, motion));
   return qn_path_accept (path, eq->multiplier, QN_EVENT_NONE);
 }
 

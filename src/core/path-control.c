@@ -44,9 +44,9 @@
  * in linear geometry. */
 #define PLATEAU_GROWTH 100.0
 
-/* Motion beyond QN_RUNAWAY is collapse if so many tolerances of the multiplier are left to gain;
- * if nothing can jump it goes on, so many times as far, until a part of one is: rounding leaves
- * one digit there. */
+/* Motion beyond eq->runaway is collapse if so many tolerances of the multiplier are left to gain;
+ * if nothing can jump it goes on, so many times as far, until a part of one is, as long as rounding
+ * leaves a digit. */
 #define NEARLY_SETTLED 10.0
 #define FURTHER        100.0
 #define SETTLED        0.1
@@ -275,9 +275,9 @@ is_plateau (PathControl *control)
 
   if (!may_end_on_plateau (control))
     return false;
-  control->gone = motion > QN_RUNAWAY && left <= NEARLY_SETTLED * tolerance;
+  control->gone = motion > eq->runaway && left <= NEARLY_SETTLED * tolerance;
   if (control->gone
-      && (control->may_jump || motion > FURTHER * QN_RUNAWAY
+      && (control->may_jump || motion > fmin (FURTHER * eq->runaway, QN_FARTHEST)
           || left <= SETTLED * tolerance))
     return true;
   if (fabs (eq->multiplier - control->plateau_multiplier)

@@ -6,6 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Viscous steps of relaxation under dead load before central paths are tried from there: twice as many
+ * each time. */
+#define FIRST_STINT 50
+#define LAST_STINT  800
+
 QnStatus
 qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
                QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)
@@ -179,9 +184,31 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
   return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
 }
 
-/* The equilibrium under dead load, or else that in which viscous relaxation comes to rest. What
- * still creeps when its steps are spent may settle along central paths, which slide farther but
- * get there; that it falls is not for them to say. */
+/* Viscous relaxation and relaxation along central paths in turns, from where the last left off. The
+ * first creeps, but knows what falls; the others slide as far as they like from far away, and from
+ * nearer by reach a rest at once. That it falls is not for them to say. */
+static QnSolveStatus
+relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
+{
+  const QnTarget target = qn_target_multiplier (0);
+  QnSolveStatus solve = QN_SOLVE_FAILED;
+
+  for (int steps = FIRST_STINT; steps <= LAST_STINT; steps *= 2) {
+    solve = qn_equilibrium_relax (eq, &target, steps);
+    if (solve != QN_SOLVE_FAILED)
+      break;
+    qn_equilibrium_load (eq, &eq->anchor); /* the last step may have failed */
+    qn_equilibrium_commit (eq);
+    solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
+    if (solve != QN_SOLVE_FAILED && solve != QN_SOLVE_MECHANISM)
+      break;
+    qn_equilibrium_restore (eq);
+    solve = QN_SOLVE_FAILED;
+  }
+  return solve;
+}
+
+/* The equilibrium under dead load, or else that in which relaxation comes to rest. */
 static QnSolveStatus
 find_rest (QnEquilibrium *eq)
 {
@@ -189,17 +216,15 @@ find_rest (QnEquilibrium *eq)
   bool applies = qn_central_path_applies (&eq->assembly);
   QnCentralPath *central = applies ? qn_central_path_new (eq) : NULL;
 
-  if (applies && central == NULL)
+  if ((applies && central == NULL) || !qn_equilibrium_set_runaway (eq)) {
+    qn_central_path_free (central);
     return QN_SOLVE_NO_MEMORY;
+  }
   QnSolveStatus solve = find_equilibrium (eq, central);
   if (solve == QN_SOLVE_FAILED) {
     qn_equilibrium_restore (eq);
-    solve = qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET);
-  }
-  if (solve == QN_SOLVE_FAILED && applies) {
-    solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
-    if (solve == QN_SOLVE_MECHANISM)
-      solve = QN_SOLVE_FAILED;
+    solve = applies ? relax_in_turns (eq, central)
+                    : qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET);
   }
   qn_central_path_free (central);
   return solve;

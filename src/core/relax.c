@@ -93,7 +93,7 @@ qn_equilibrium_elastic_displacements (const QnEquilibrium *eq)
 static double
 time_to_run_away (const QnEquilibrium *eq)
 {
-  return QN_RUNAWAY
+  return eq->runaway
          / qn_assembly_elastic_displacements (&eq->assembly, eq->velocity, NULL);
 }
 
@@ -175,7 +175,7 @@ is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
     return has_left (eq);
   if (eq->assembly.nonlinear)
     return is_falling (eq, relaxation);
-  if (qn_equilibrium_elastic_displacements (eq) > QN_RUNAWAY)
+  if (qn_equilibrium_elastic_displacements (eq) > eq->runaway)
     return true;
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
          && !will_be_stopped (eq, relaxation, time_step)

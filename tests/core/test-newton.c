@@ -44,6 +44,35 @@ test_no_equilibrium_fails (void)
   solver_clear (&solver);
 }
 
+/* The top of a stack of n blocks sinks by n (n + 1) / 2 times what one block shortens one joint: short
+ * ones have run away by the standards of a joint, tall ones by their own, the tallest as far as there
+ * are digits. */
+static void
+test_runaway (void)
+{
+  const int counts[] = { 10, 100, 1000 };
+  for (size_t i = 0; i < G_N_ELEMENTS (counts); i++) {
+    QnModel model;
+    Solver solver;
+    test_model_init_stack (&model, counts[i], 1, 0.5);
+    test_model_add_weight_loads (&model, 1);
+    solver_init (&solver, &model);
+    QnEquilibrium *eq = &solver.equilibrium;
+    double n = counts[i];
+    double pairs =
+      (double) solver.contacts.pair_count / (double) solver.contacts.face_count;
+    double mean_weight = (n + 3) / (n + 1); /* the base is as long as three blocks */
+    double whole = 300 * n * (n + 1) / (2 * pairs * mean_weight);
+
+    g_assert_cmpfloat (eq->runaway, ==, QN_RUNAWAY);
+    g_assert_true (qn_equilibrium_set_runaway (eq));
+    g_assert_cmpfloat (fabs (eq->runaway / CLAMP (whole, QN_RUNAWAY, QN_FARTHEST) - 1), <,
+                       1e-9);
+    g_assert_true ((whole < QN_RUNAWAY) == (i == 0) && (whole > QN_FARTHEST) == (i == 2));
+    solver_clear (&solver);
+  }
+}
+
 /* A chain of elastic blocks in large displacements under an eccentric load that grows. */
 static void
 make_chain (QnModel *model)
@@ -153,5 +182,6 @@ main (int argc, char **argv)
   g_test_add_func ("/newton/no-equilibrium", test_no_equilibrium_fails);
   g_test_add_func ("/newton/tangent-of-a-measure", test_tangent_of_a_measure);
   g_test_add_func ("/newton/cancel", test_cancel);
+  g_test_add_func ("/newton/runaway", test_runaway);
   return g_test_run ();
 }
