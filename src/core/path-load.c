@@ -26,6 +26,11 @@
 #define EASY   5
 #define GROWTH 2.0
 
+/* What an increment is shortened to that deserves a closer look. One that took a central path, which is
+ * dear, is mostly longer by far than what its tangents explain. */
+#define SHORTER      0.5
+#define MUCH_SHORTER 0.25
+
 /* Largest increment, as a multiple of the first and as a part of the multiplier reached. */
 #define LARGEST_INCREMENT 4.0
 #define LARGEST_PART      0.1
@@ -108,14 +113,14 @@ choose_target (const LoadControl *control)
   return fmin (target, lower + control->increment);
 }
 
-/* Halves the increment and takes up the last equilibrium again. */
+/* Shortens the increment to `part` of what was tried and takes up the last equilibrium again. */
 static void
-look_closer (LoadControl *control, double target)
+look_closer (LoadControl *control, double target, double part)
 {
   QnEquilibrium *eq = &control->path->equilibrium;
 
   control->explored = fmax (control->explored, target);
-  control->increment = 0.5 * (target - eq->committed.multiplier);
+  control->increment = part * (target - eq->committed.multiplier);
   qn_equilibrium_restore (eq);
 }
 
@@ -177,7 +182,7 @@ passes_limit_check (LoadControl *control, double target, bool easy)
                               : easy))
     return true;
   if (increment > LIMIT_RESOLUTION * resolution (control, target)) {
-    look_closer (control, target);
+    look_closer (control, target, control->relaxed ? MUCH_SHORTER : SHORTER);
     return false;
   }
   if (control->relaxed)
@@ -419,7 +424,7 @@ approach_collapse (LoadControl *control, double target, QnDiag *diag)
   case QN_APPROACH_LOST:
     control->approached_from = eq->committed.multiplier;
     if (eq->committed.multiplier == lower)
-      look_closer (control, target);
+      look_closer (control, target, SHORTER);
     else
       control->increment = resolution (control, eq->committed.multiplier);
     break;
@@ -496,7 +501,7 @@ draw_conclusion (LoadControl *control, double target, QnSolveStatus status, QnDi
   if (may_approach (control))
     return approach_collapse (control, target, diag);
   if (!decided)
-    look_closer (control, target);
+    look_closer (control, target, SHORTER);
   return QN_OK;
 }
 
@@ -516,7 +521,7 @@ advance (LoadControl *control, QnDiag *diag)
   case QN_SOLVE_FAILED:
     if (!cut)
       return draw_conclusion (control, target, status, diag);
-    look_closer (control, target);
+    look_closer (control, target, SHORTER);
     return QN_OK;
   case QN_SOLVE_CANCELLED:
     end_cancelled (control);
