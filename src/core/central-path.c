@@ -64,7 +64,7 @@ struct QnCentralPath {
   double *near_u;    /* unknown_count: displacements of the best iterate, */
   double *begun;     /* where the last central path began, */
   double *kept_step; /* and of the direction found so far */
-  double *lack;      /* forces out of balance at the iterate, where a part of them is to stay */
+  double *lack;      /* out of balance at the iterate, where a part of it is to stay */
 };
 
 bool

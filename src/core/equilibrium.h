@@ -130,8 +130,8 @@ double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
 /* Motion beyond which rounding leaves no digit between forces and the default tolerance. */
 #define QN_FARTHEST 1e7
 
-/* Sets eq->runaway by the elasticity of the whole, from the state at rest; QN_RUNAWAY until then. False
- * when memory runs out. */
+/* Sets eq->runaway by the elasticity of the whole under its dead load, settlements aside, from the state
+ * at rest; QN_RUNAWAY until then, and where there is no dead load. False when memory runs out. */
 bool qn_equilibrium_set_runaway (QnEquilibrium *eq);
 
 /* Counts the factorisation just done. */

@@ -166,7 +166,8 @@ try_blocks (QnLinsys *system, const double *ax, double *x)
     trial.solution = qn_larger (fabs (x[j]), trial.solution);
   }
   for (int32_t i = 0; i < system->n; i++)
-    if (!(fabs (left[i]) <= trial.left)) /* keeps what is no number */
+    if (!(fabs (left[i]) <= trial.left)
+        && !isnan (trial.left)) /* keeps what is no number */
       trial.left = fabs (left[i]);
   return trial;
 }
@@ -183,8 +184,9 @@ backward_error (const Trial *trial)
 static bool
 proves_singular (const Trial *trial)
 {
-  return trial->right + trial->left
-         <= QN_TOLERANCE_SINGULAR * trial->matrix * trial->solution;
+  return isfinite (trial->solution)
+         && trial->right + trial->left
+              <= QN_TOLERANCE_SINGULAR * trial->matrix * trial->solution;
 }
 
 void

@@ -265,6 +265,8 @@ qn_equilibrium_set_runaway (QnEquilibrium *eq)
   const QnAssembly *as = &eq->assembly;
 
   memcpy (eq->step, as->dead, (size_t) as->unknown_count * sizeof *eq->step);
+  for (size_t s = 0; s < as->settling_count; s++)
+    eq->step[as->settling[s].unknown] = 0; /* what follows a settlement does not deform */
   QnFactorStatus status = apply_inverse (eq, 0, eq->step);
   double whole =
     status == QN_FACTOR_OK ? qn_assembly_elastic_displacements (as, eq->step, NULL) : 0;

@@ -10,7 +10,7 @@
  *
  * The first limit point is looked for as long as none was found. An increment that was not
  * easy is accepted only if the displacements at its end follow from the tangents at both ends;
- * otherwise it is halved. What remains of a jump that no halving shrinks is a limit point.
+ * otherwise it is shortened. What remains of a jump that nothing shortens is a limit point.
  */
 #include "core/path.h"
 
@@ -26,8 +26,8 @@
 #define EASY   5
 #define GROWTH 2.0
 
-/* What an increment is shortened to that deserves a closer look. One that took a central path, which is
- * dear, is mostly longer by far than what its tangents explain. */
+/* What an increment is shortened to that deserves a closer look. One that Newton's method was not enough
+ * for was dear, and is mostly longer by far than what its tangents explain. */
 #define SHORTER      0.5
 #define MUCH_SHORTER 0.25
 

@@ -184,6 +184,13 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
   return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
 }
 
+/* Since it was at rest, all turns of relaxation together. */
+static bool
+has_run_away (const QnEquilibrium *eq)
+{
+  return qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL) > eq->runaway;
+}
+
 /* Viscous relaxation and relaxation along central paths in turns, from where the last left off. The
  * first creeps, but knows what falls; the others slide as far as they like from far away, and from
  * nearer by reach a rest at once. That it falls is not for them to say. */
@@ -191,21 +198,23 @@ static QnSolveStatus
 relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
 {
   const QnTarget target = qn_target_multiplier (0);
-  QnSolveStatus solve = QN_SOLVE_FAILED;
+  QnSolveStatus solve;
 
   for (int steps = FIRST_STINT; steps <= LAST_STINT; steps *= 2) {
     solve = qn_equilibrium_relax (eq, &target, steps);
     if (solve != QN_SOLVE_FAILED)
-      break;
+      return solve;
     qn_equilibrium_load (eq, &eq->anchor); /* the last step may have failed */
     qn_equilibrium_commit (eq);
+    if (has_run_away (eq))
+      return QN_SOLVE_MECHANISM;
     solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
-    if (solve != QN_SOLVE_FAILED && solve != QN_SOLVE_MECHANISM)
-      break;
+    bool rests = solve == QN_SOLVE_CONVERGED && !has_run_away (eq);
+    if (rests || solve == QN_SOLVE_CANCELLED || solve == QN_SOLVE_NO_MEMORY)
+      return solve;
     qn_equilibrium_restore (eq);
-    solve = QN_SOLVE_FAILED;
   }
-  return solve;
+  return QN_SOLVE_FAILED;
 }
 
 /* The equilibrium under dead load, or else that in which relaxation comes to rest. */

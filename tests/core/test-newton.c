@@ -73,6 +73,32 @@ test_runaway (void)
   }
 }
 
+/* A support that settles by a metre carries the blocks along: nothing deforms. */
+static void
+test_runaway_without_settlement (void)
+{
+  double runaway[2];
+  for (int settles = 0; settles < 2; settles++) {
+    QnModel model;
+    Solver solver;
+    test_model_init_stack (&model, 100, 1, 0.5);
+    test_model_add_weight_loads (&model, 1);
+    if (settles == 1) {
+      QnLoad *load = qn_model_add_dead_load (&model);
+      load->kind = QN_LOAD_SETTLEMENT;
+      load->block = 0;
+      load->dof = QN_DOF_UY;
+      load->value = -1;
+    }
+    solver_init (&solver, &model);
+    g_assert_true (qn_equilibrium_set_runaway (&solver.equilibrium));
+    runaway[settles] = solver.equilibrium.runaway;
+    solver_clear (&solver);
+  }
+  g_assert_cmpfloat (runaway[0], >, QN_RUNAWAY);
+  g_assert_cmpfloat (fabs (runaway[1] / runaway[0] - 1), <, 1e-9);
+}
+
 /* A chain of elastic blocks in large displacements under an eccentric load that grows. */
 static void
 make_chain (QnModel *model)
@@ -183,5 +209,6 @@ main (int argc, char **argv)
   g_test_add_func ("/newton/tangent-of-a-measure", test_tangent_of_a_measure);
   g_test_add_func ("/newton/cancel", test_cancel);
   g_test_add_func ("/newton/runaway", test_runaway);
+  g_test_add_func ("/newton/runaway-without-settlement", test_runaway_without_settlement);
   return g_test_run ();
 }
