@@ -95,7 +95,6 @@ solve (const Options *options, const QnInput *input)
   QnModes modes;
   QnResult result;
   QnDiag diag = { 0 };
-  GError *error = NULL;
   QnExit code = QN_EXIT_DONE;
 
   qn_interrupt_install ();
@@ -105,10 +104,9 @@ solve (const Options *options, const QnInput *input)
                                   (size_t) options->count, qn_terminal_progress_update,
                                   &progress, &modes, &result, &diag);
   qn_terminal_progress_done (&progress);
-  if (status != QN_OK) {
-    qn_project_set_error (&input->project, &diag, &error);
-    return qn_cli_fail (error);
-  }
+  if (status != QN_OK)
+    return qn_input_fail (input, options->loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD,
+                          &diag);
   if (result.outcome == QN_OUTCOME_CANCELLED) {
     qn_cli_error (_ ("%s: cancelled"), input->project.name);
     code = QN_EXIT_CANCELLED;

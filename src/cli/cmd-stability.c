@@ -60,10 +60,8 @@ solve (const Options *options, const QnInput *input)
     qn_stability_run (&input->project.model, &input->contacts,
                       qn_terminal_progress_update, &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
-  if (status != QN_OK) {
-    qn_project_set_error (&input->project, &diag, &error);
-    return qn_cli_fail (error);
-  }
+  if (status != QN_OK)
+    return qn_input_fail (input, QN_INPUT_PATH, &diag);
   if (!options->quiet && g_strcmp0 (options->output, "-") != 0)
     print_summary (&input->project, &result);
   QnExit code = exit_code (&input->project, &result);
@@ -73,6 +71,20 @@ solve (const Options *options, const QnInput *input)
     code = qn_cli_fail (error);
   qn_result_clear (&result);
   return code;
+}
+
+/* On the undeformed structure the tangent of elastic joints never changes: every answer would be
+ * "stable". */
+static QnExit
+require_nonlinear (const QnInput *input)
+{
+  GError *error = NULL;
+  if (input->project.model.analysis.geometry == QN_GEOMETRY_NONLINEAR)
+    return QN_EXIT_DONE;
+  qn_project_set_key_error (&input->project, "analysis.geometry",
+                            _ ("nothing buckles in linear geometry: set it to nonlinear"),
+                            &error);
+  return qn_cli_fail (error);
 }
 
 static QnExit
@@ -93,6 +105,8 @@ run (const QnSubcommand *self, int argc, char **argv)
   memset (&input, 0, sizeof input);
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+  if (code == QN_EXIT_DONE)
+    code = require_nonlinear (&input);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)

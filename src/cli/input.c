@@ -44,6 +44,33 @@ qn_input_require_sound (const QnInput *input)
   return qn_cli_fail (error);
 }
 
+/* The sentence of a problem that lies in the state, translated; NULL for one of the input. */
+static const char *
+state_problem (QnInputState state, const QnDiag *diag)
+{
+  if (diag->problem == QN_PROBLEM_STATE_SLIPS && state == QN_INPUT_DEAD_LOAD)
+    return _ ("pairs slip without dilatancy under the dead load: no symmetric stiffness");
+  if (diag->problem == QN_PROBLEM_STATE_SLIPS
+      || diag->problem == QN_PROBLEM_STATE_SINGULAR
+      || diag->problem == QN_PROBLEM_MODES_NOT_FOUND)
+    return _ (qn_problem_text (diag->problem));
+  return NULL;
+}
+
+QnExit
+qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
+{
+  GError *error = NULL;
+  const char *problem =
+    diag->status != QN_ERROR_NO_MEMORY ? state_problem (state, diag) : NULL;
+  if (problem != NULL) {
+    qn_cli_error ("%s: %s", input->project.name, problem);
+    return QN_EXIT_NO_ANSWER;
+  }
+  qn_project_set_error (&input->project, diag, &error);
+  return qn_cli_fail (error);
+}
+
 /* Both lists, one after the other; NULL where both are. The strings are borrowed. */
 static char **
 join_overrides (char **first, char **second)

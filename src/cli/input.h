@@ -33,6 +33,13 @@ QnExit qn_input_load (QnInput *input, const char *path, char **overrides, gboole
 /* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user. */
 QnExit qn_input_require_sound (const QnInput *input);
 
+/* What an analysis was about. */
+typedef enum { QN_INPUT_DEAD_LOAD, QN_INPUT_PATH } QnInputState;
+
+/* Tells the user why an analysis failed, and says how the program ends: QN_EXIT_NO_ANSWER where
+ * not the input but the state that was found is to blame. */
+QnExit qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag);
+
 /* Reads a result file and the project with the overrides that the result was computed with;
  * `overrides` (nullable) come after those. Refuses a result that is not of this project. */
 QnExit qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,

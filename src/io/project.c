@@ -189,11 +189,19 @@ qn_project_set_error (const QnProject *project, const QnDiag *diag, GError **err
   if (diag->entity == QN_ENTITY_BLOCK)
     append_block_names (message, &project->model, diag->index, diag->other);
   char *path = dup_problem_path (project, diag);
-  char *line = qn_reader_dup_line (&reader, path, message->str);
-  g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
-  g_free (line);
+  qn_project_set_key_error (project, path, message->str, error);
   g_free (path);
   g_string_free (message, TRUE);
+}
+
+void
+qn_project_set_key_error (const QnProject *project, const char *path, const char *message,
+                          GError **error)
+{
+  QnReader reader = reader_of (project);
+  char *line = qn_reader_dup_line (&reader, path, message);
+  g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
+  g_free (line);
 }
 
 char *

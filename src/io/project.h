@@ -76,6 +76,11 @@ char *qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId i
  * the blocks concerned. */
 void qn_project_set_error (const QnProject *project, const QnDiag *diag, GError **error);
 
+/* The same for what a layer above refuses: the value at a key path ("analysis.geometry"), there or
+ * not. `message` is translated. */
+void qn_project_set_key_error (const QnProject *project, const char *path,
+                               const char *message, GError **error);
+
 /* A finding of contact detection as one line in the same form as an error message; free with
  * g_free(). */
 char *qn_project_dup_finding_text (const QnProject *project, const QnFinding *finding);

@@ -39,11 +39,27 @@ test_refused (void)
   cli_assert_failed (&run, 3, "no mass");
 }
 
+/* A wall whose pairs slip is sound: there is no answer, and no line of the file to blame. */
+static void
+test_slipping (void)
+{
+  g_autofree char *example = cli_example ("ferris-tin-loi/wall3.quoin");
+  CliRun run = cli_run ("modal", example, NULL);
+  cli_assert_failed (&run, 4,
+                     "wall3.quoin: pairs slip without dilatancy under the dead load: no "
+                     "symmetric stiffness");
+  run = cli_run ("modal", example, "--loaded", NULL);
+  cli_assert_failed (&run, 4, "wall3.quoin: pairs slip");
+  run = cli_run ("stability", example, "--set", "analysis.geometry=nonlinear", NULL);
+  cli_assert_failed (&run, 4, "wall3.quoin: pairs slip");
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/modal/table", test_table);
   g_test_add_func ("/cli/modal/refused", test_refused);
+  g_test_add_func ("/cli/modal/slipping", test_slipping);
   return g_test_run ();
 }

@@ -145,10 +145,29 @@ test_stability (void)
   cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "stable all along"));
   cli_run_clear (&run);
-  run = cli_run ("stability", staged, NULL);
+  run = cli_run ("stability", staged, "--set", "analysis.geometry=nonlinear", NULL);
   g_assert_cmpint (run.code, ==, 3);
   g_assert_nonnull (strstr (run.err, "not along stages"));
   cli_run_clear (&run);
+}
+
+/* In linear geometry every column would be stable. */
+static void
+test_stability_linear (void)
+{
+  g_autofree char *example = cli_example ("20-column-free.quoin");
+  CliRun run = cli_run ("stability", example, "--set", "analysis.geometry=linear", NULL);
+  cli_assert_failed (&run, 3,
+                     "20-column-free.quoin: analysis.geometry: nothing buckles in linear "
+                     "geometry: set it to nonlinear (set by");
+
+  char *folder = test_scratch_new ();
+  g_autofree char *text = cli_read (example);
+  g_autofree char *linear = cli_replace (text, "\"nonlinear\"", "\"linear\"");
+  g_autofree char *path = cli_write (folder, "linear.quoin", linear);
+  run = cli_run ("stability", path, NULL);
+  cli_assert_failed (&run, 3, "linear.quoin:43:49: analysis.geometry: nothing buckles");
+  test_scratch_free (folder);
 }
 
 /* The quick groups of the published cases. */
@@ -172,6 +191,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/stages/tables", test_tables);
   g_test_add_func ("/cli/stages/reasons", test_reasons);
   g_test_add_func ("/cli/stages/stability", test_stability);
+  g_test_add_func ("/cli/stages/stability-linear", test_stability_linear);
   g_test_add_func ("/cli/stages/verify", test_verify);
   return g_test_run ();
 }
