@@ -30,6 +30,12 @@ wall3 --view forces -r "$work/wall3.json" --field stress -o $out/stress.png
 "$quoin" solve $walls/wall3.quoin -q --set laws[0].dilatancy=0.65 -o "$work/wall3-associative.json"
 "$quoin" curve $walls/wall3.quoin="$work/wall3.json" $walls/wall3.quoin="$work/wall3-associative.json" \
   --reference 0.4037="limit analysis" --until 0.12 --size 900x675 -o $out/curve.png
+"$quoin" verify walls -q --keep "$work" >"$work/walls.txt"
+set --
+for wall in 1 2 3 4 5 6; do
+  set -- "$@" "$walls/wall$wall.quoin=$work/walls/wall$wall.json"
+done
+"$quoin" compare --columns 6 --size 1800x510 -o docs/six-walls.png "$@"
 "$quoin" animate $walls/wall6.quoin -r "$work/wall6.json" -q --frames 36 --size 480x480 -o $out/collapse.gif
 "$quoin" animate $walls/wall3.quoin -r "$work/wall3.json" -q --view deformed --frames 36 --rate 12 \
   --size 720x405 -o $out/path.gif

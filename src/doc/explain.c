@@ -158,7 +158,9 @@ qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
   QnMechanism mechanism;
   if (qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL) != QN_OK)
     return NULL;
-  char *text = qn_mechanism_dup_title (&mechanism);
+  g_autofree char *title = qn_mechanism_dup_title (&mechanism);
   qn_mechanism_clear (&mechanism);
-  return text;
+  if (result->mechanism_uncertain)
+    return g_strdup_printf (_ ("%s (last motion)"), title);
+  return g_steal_pointer (&title);
 }

@@ -85,6 +85,8 @@ append_mechanism (GString *text, const QnFigure *figure, const QnScene *scene)
       || figure->result->block_count != figure->model->block_count)
     return;
   append_part (text, qn_mechanism_kind_text (scene->mechanism));
+  if (figure->result->mechanism_uncertain)
+    append_part (text, _ ("last motion"));
 }
 
 char *

@@ -182,6 +182,27 @@ test_verify (void)
   cli_run_clear (&run);
 }
 
+/* A wall whose mechanism was not settled bears a sign, and its footnote is there. */
+static void
+test_verify_uncertain (void)
+{
+  char *folder = test_scratch_new ();
+  CliRun run = cli_run ("verify", "-q", "walls", "--keep", folder, NULL);
+  cli_assert_done (&run);
+  gboolean any = FALSE;
+  for (int wall = 1; wall <= 6; wall++) {
+    g_autofree char *row = g_strdup_printf ("\nWall %d‡ ", wall);
+    g_autofree char *path = g_strdup_printf ("%s/walls/wall%d.json", folder, wall);
+    g_autofree char *result = cli_read (path);
+    gboolean uncertain = strstr (result, "\"mechanism_uncertain\": true") != NULL;
+    g_assert_cmpint (strstr (run.out, row) != NULL, ==, uncertain);
+    any = any || uncertain;
+  }
+  g_assert_cmpint (strstr (run.out, "\n‡ How the structure") != NULL, ==, any);
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -193,5 +214,6 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/stages/stability", test_stability);
   g_test_add_func ("/cli/stages/stability-linear", test_stability_linear);
   g_test_add_func ("/cli/stages/verify", test_verify);
+  g_test_add_func ("/cli/stages/verify-uncertain", test_verify_uncertain);
   return g_test_run ();
 }

@@ -83,6 +83,12 @@ test_outcome (void)
   for (int i = 0; i < QN_PAIR_STATE_COUNT; i++)
     g_assert_cmpstr (qn_explain_pair_state ((QnPairState) i), !=, "");
 
+  QnResult uncertain = run->result;
+  uncertain.mechanism_uncertain = true;
+  g_autofree char *last =
+    qn_explain_mechanism_briefly (&run->model, &run->contacts, &uncertain);
+  g_assert_cmpstr (last, ==, "Overturning to the right (last motion)");
+
   QnResult none = { 0 };
   g_assert_null (qn_explain_mechanism (&run->model, &run->contacts, &none));
 }

@@ -111,6 +111,27 @@ test_multiplier (void)
   fixture_clear (&f);
 }
 
+/* A mechanism that was not settled is told from one that was. */
+static void
+test_uncertain (void)
+{
+  Fixture f;
+  QnFigure figure;
+  fixture_init_wall (&f, 4, 4);
+  qn_figure_init (&figure, &f.model, &f.contacts, &f.result, QN_VIEW_MECHANISM);
+  g_autoptr (QnScene) scene =
+    qn_scene_build (&f.model, &f.contacts, &f.result, &figure.options, NULL);
+  g_autofree char *settled = qn_figure_dup_caption (&figure, scene, true);
+  f.result.mechanism_uncertain = true;
+  g_autofree char *uncertain = qn_figure_dup_caption (&figure, scene, true);
+  g_autofree char *expected = g_strconcat (settled, " · last motion", NULL);
+  g_assert_cmpstr (uncertain, ==, expected);
+  figure.options.view = QN_VIEW_DEFORMED;
+  g_autofree char *deformed = qn_figure_dup_caption (&figure, scene, true);
+  g_assert_null (strstr (deformed, "last motion"));
+  fixture_clear (&f);
+}
+
 static void
 test_failed_export_leaves_nothing (void)
 {
@@ -160,6 +181,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/render/figure/nothing-clipped", test_nothing_clipped);
   g_test_add_func ("/render/figure/multiplier", test_multiplier);
+  g_test_add_func ("/render/figure/uncertain", test_uncertain);
   g_test_add_func ("/render/figure/failed-export", test_failed_export_leaves_nothing);
   g_test_add_func ("/render/figure/label-numbers", test_label_numbers);
   return g_test_run ();
