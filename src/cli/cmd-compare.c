@@ -6,6 +6,9 @@
 
 #include <glib/gi18n.h>
 
+/* Where --columns is not given. */
+#define CHOSEN_BY_FORMAT G_MININT
+
 typedef struct Options {
   QnPictureOptions picture;
   char *title;
@@ -38,7 +41,7 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
   GError *error = NULL;
   QnCompareSheet sheet = { .figures = figures,
                            .count = count,
-                           .columns = options->columns,
+                           .columns = MAX (options->columns, 0),
                            .title = options->title };
   qn_picture_metadata (NULL, &metadata);
   metadata.title = options->title;
@@ -50,7 +53,7 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
 static QnExit
 run (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { 0 };
+  Options options = { .columns = CHOSEN_BY_FORMAT };
   const GOptionEntry entries[] = {
     { "columns", 0, 0, G_OPTION_ARG_INT, &options.columns,
       N_ ("Figures in a row; chosen by the format otherwise"), N_ ("N") },
@@ -65,7 +68,7 @@ run (const QnSubcommand *self, int argc, char **argv)
 
   qn_output_init (&output);
   if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
-    if (options.columns < 0)
+    if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
       qn_cli_usage_error (self->name, _ ("--columns must be positive"));
     else
       code = qn_picture_output (self, &options.picture, &output);

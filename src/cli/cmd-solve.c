@@ -261,6 +261,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)
       && parse_detail (self, &options)) {
     add_override (&options.overrides, override);
+    qn_cli_set_own_override (override, self->name);
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
   } else
     memset (&input, 0, sizeof input);

@@ -1,6 +1,7 @@
 #include "cli/message.h"
 
 #include "io/io-error.h"
+#include "io/json-text.h"
 #include "render/output.h"
 
 #include <gio/gio.h>
@@ -90,11 +91,27 @@ exit_code_of (const GError *error)
   return QN_EXIT_INTERNAL;
 }
 
+static const char *own_override, *own_subcommand;
+
+void
+qn_cli_set_own_override (const char *override, const char *subcommand)
+{
+  own_override = override;
+  own_subcommand = subcommand;
+}
+
 QnExit
 qn_cli_fail (GError *error)
 {
   QnExit code = exit_code_of (error);
-  qn_cli_error ("%s", error->message);
+  g_autoptr (GString) message = g_string_new (error->message);
+  if (own_override != NULL) {
+    g_autoptr (GString) quoted = g_string_new (NULL);
+    g_autofree char *command = g_strconcat ("quoin-cli ", own_subcommand, NULL);
+    qn_json_append_string (quoted, own_override);
+    g_string_replace (message, quoted->str, command, 0);
+  }
+  qn_cli_error ("%s", message->str);
   g_error_free (error);
   return code;
 }

@@ -15,6 +15,10 @@ void qn_cli_warning (const char *format, ...) G_GNUC_PRINTF (1, 2);
  * program ends, QN_EXIT_USAGE. */
 QnExit qn_cli_usage_error (const char *subcommand, const char *message);
 
+/* An override that a subcommand puts before those of the user: where an error names it as what set a
+ * value, the subcommand is named instead. Both are borrowed for good. */
+void qn_cli_set_own_override (const char *override, const char *subcommand);
+
 /* Prints the error, frees it and says how the program ends. */
 QnExit qn_cli_fail (GError *error);
 

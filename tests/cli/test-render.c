@@ -163,6 +163,23 @@ test_compare_and_curve (Solved *solved, gconstpointer data)
   }
 }
 
+static void
+test_columns (Solved *solved, gconstpointer data)
+{
+  static const char *const wrong[] = { "0", "-2", "many" };
+  (void) data;
+  g_autofree char *given = g_strdup_printf ("%s=%s", solved->model, solved->result);
+  g_autofree char *path = g_build_filename (solved->folder, "columns.png", NULL);
+  for (size_t i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    CliRun run = cli_run ("compare", given, "--columns", wrong[i], "-o", path, NULL);
+    cli_assert_failed (&run, 2, i < 2 ? "--columns must be positive" : wrong[i]);
+  }
+  CliRun run = cli_run ("compare", given, given, "--columns", "1", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  assert_picture (path);
+}
+
 /* Two runs of one project are told apart, known values are drawn, and all of it is a table. */
 static void
 test_curve_runs (Solved *solved, gconstpointer data)
@@ -209,6 +226,7 @@ main (int argc, char **argv)
   ADD ("refuses", test_render_refuses);
   ADD ("same-bytes", test_same_bytes);
   ADD ("compare-and-curve", test_compare_and_curve);
+  ADD ("columns", test_columns);
   ADD ("curve-runs", test_curve_runs);
 #undef ADD
   return g_test_run ();

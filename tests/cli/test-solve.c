@@ -172,6 +172,17 @@ test_snap_stop (void)
                                   0.002);
 }
 
+/* What `limit` sets by itself nobody is blamed for; what somebody sets is named. */
+static void
+test_limit_of_beams (void)
+{
+  g_autofree char *model = cli_example ("32-frame-beams.quoin");
+  CliRun run = cli_run ("limit", model, NULL);
+  cli_assert_failed (&run, 3, "use another procedure (set by quoin-cli limit)");
+  run = cli_run ("solve", model, "--set", "analysis.procedure=limit", NULL);
+  cli_assert_failed (&run, 3, "(set by \"analysis.procedure=limit\")");
+}
+
 /* Ctrl+C soon after the start of a large analysis: the code is 130 and a file that was written
  * is a whole one. */
 static void
@@ -220,6 +231,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/solve/unwritable", test_unwritable);
   g_test_add_func ("/cli/solve/old-result-stays", test_old_result_stays);
   g_test_add_func ("/cli/solve/snap-stop", test_snap_stop);
+  g_test_add_func ("/cli/solve/limit-of-beams", test_limit_of_beams);
   g_test_add_func ("/cli/solve/interrupt", test_interrupt);
   return g_test_run ();
 }
