@@ -5,7 +5,6 @@
 #include "core/analysis.h"
 #include "support/models.h"
 
-#include <locale.h>
 #include <math.h>
 
 static Chart by_offset = { .name = "joints-offset",
@@ -74,10 +73,12 @@ run (FILE *csv, int number, double kn, double ratio, double offset, double refer
 }
 
 int
-main (void)
+main (int argc, char **argv)
 {
   static const double offsets[] = { 0.005, 0.01, 0.02, 0.04 }; /* m */
-  setlocale (LC_ALL, "C.UTF-8");
+  bench_no_arguments (argc, argv,
+                      "What stiffness and offset of the joints do to multiplier and run "
+                      "time of the six walls.");
   FILE *csv =
     bench_csv_open ("joints", "wall,kn N/m,ks/kn,offset mm,outcome,multiplier,reference,"
                               "error %,time s,time/kernel,factorisations");

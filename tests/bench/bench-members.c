@@ -5,7 +5,6 @@
 #include "core/analysis.h"
 #include "support/models.h"
 
-#include <locale.h>
 #include <math.h>
 
 /* A way to place pairs on a face. */
@@ -157,13 +156,14 @@ run_elastica (FILE *csv, int blocks, const Rule *rule, double a, double exact)
 }
 
 int
-main (void)
+main (int argc, char **argv)
 {
   /* Mattiasson 1981. */
   static const double loads[][2] = {
     { 1, 0.30172 }, { 2, 0.49346 }, { 5, 0.71379 }, { 10, 0.81061 }
   };
-  setlocale (LC_ALL, "C.UTF-8");
+  bench_no_arguments (
+    argc, argv, "Error of continuous members against blocks, pairs and processor time.");
   FILE *csv =
     bench_csv_open ("members", "case,PL2/EI,blocks,pairs,value (mm; w/L),exact,error %,"
                                "time s,time/kernel,factorisations");

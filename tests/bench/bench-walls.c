@@ -8,7 +8,6 @@
 #include "core/analysis.h"
 #include "support/models.h"
 
-#include <locale.h>
 #include <math.h>
 
 #define FRICTION 0.65
@@ -161,9 +160,10 @@ run_wall (FILE *csv, int number, double dilatancy)
 }
 
 int
-main (void)
+main (int argc, char **argv)
 {
-  setlocale (LC_ALL, "C.UTF-8");
+  bench_no_arguments (argc, argv,
+                      "Run time against error on the six walls of Ferris & Tin-Loi.");
   FILE *csv = bench_csv_open (
     "walls", "wall,dilatancy,procedure,increments,tolerance,relaxation,outcome,"
              "multiplier,reference,error %,time s,time/kernel,iterations,factorisations");

@@ -2,8 +2,10 @@
 
 #include <cholmod.h>
 #include <glib/gstdio.h>
+#include <locale.h>
 #include <malloc.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/utsname.h>
@@ -13,6 +15,21 @@
 #define KERNEL_SIDE   150
 #define KERNEL_ROUNDS 5
 #define KERNEL_VALID  10 /* s */
+
+void
+bench_no_arguments (int argc, char **argv, const char *summary)
+{
+  g_autoptr (GOptionContext) context = g_option_context_new (NULL);
+  g_autoptr (GError) error = NULL;
+  setlocale (LC_ALL, "C.UTF-8");
+  g_option_context_set_summary (context, summary);
+  gboolean parsed = g_option_context_parse (context, &argc, &argv, &error);
+  if (parsed && argc == 1)
+    return;
+  fprintf (stderr, "%s: %s\n", g_get_prgname (),
+           parsed ? "takes no arguments" : error->message);
+  exit (2);
+}
 
 double
 bench_cpu_seconds (void)

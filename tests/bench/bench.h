@@ -12,6 +12,10 @@
 #include <glib.h>
 #include <stdio.h>
 
+/* Sets the locale and reads the command line of a program that has no arguments: --help tells what
+ * it measures (`summary`), anything else ends the program with exit code 2. */
+void bench_no_arguments (int argc, char **argv, const char *summary);
+
 /* Processor time of this process, s: what other processes do does not count. */
 double bench_cpu_seconds (void);
 
