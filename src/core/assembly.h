@@ -112,6 +112,9 @@ QnStatus qn_assembly_setup (QnAssembly *assembly, const QnModel *model,
 
 void qn_assembly_clear (QnAssembly *assembly);
 
+/* Where the bodies of all unknowns stand; NULL when memory runs out. */
+QnVec2 *qn_assembly_points (const QnAssembly *assembly);
+
 /* Makes "dead" the dead loads and every set times its factor in `held`, "live" every set times
  * its factor in `driven`; QN_MAX_LOAD_SETS factors each. At first nothing is held, and the live
  * loads (set 0) are driven. */

@@ -231,12 +231,13 @@ lay_out_solution (QnBlockLu *lu)
 }
 
 static bool
-set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
+set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai,
+        const QnVec2 *points)
 {
   size_t entries = (size_t) ap[n];
   int32_t longest;
 
-  if (!qn_front_tree_init (&lu->tree, n, ap, ai))
+  if (!qn_front_tree_init (&lu->tree, n, ap, ai, points))
     return false;
   lu->matrices = qn_alloc ((size_t) lu->tree.front_count + 1, sizeof *lu->matrices);
   lu->sources = qn_alloc (entries, sizeof *lu->sources);
@@ -254,14 +255,14 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
 }
 
 QnBlockLu *
-qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai)
+qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points)
 {
   QnBlockLu *lu = qn_alloc (1, sizeof *lu);
 
   if (lu == NULL)
     return NULL;
   lu->loops = qn_front_loops (QN_FRONT_ROWS);
-  if (!set_up (lu, n, ap, ai)) {
+  if (!set_up (lu, n, ap, ai, points)) {
     qn_block_lu_free (lu);
     return NULL;
   }

@@ -13,13 +13,15 @@
 #define QN_CORE_BLOCK_LU_H
 
 #include "core/status.h"
+#include "core/vec2.h"
 
 typedef struct QnBlockLu QnBlockLu;
 
 /* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which
- * must be symmetric. The pattern is borrowed and must outlive the object. NULL when memory
- * runs out. */
-QnBlockLu *qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai);
+ * must be symmetric. The pattern is borrowed and must outlive the object. `points`: where the
+ * unknowns stand (front-tree.h), or NULL. NULL when memory runs out. */
+QnBlockLu *qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai,
+                            const QnVec2 *points);
 
 void qn_block_lu_free (QnBlockLu *lu);
 

@@ -78,7 +78,10 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
   const QnAssembly *as = &eq->assembly;
   double **vectors[] = { &eq->u,     &eq->residual,  &eq->step,
                          &eq->trial, &eq->live_step, &eq->velocity };
-  eq->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai);
+  QnVec2 *points = qn_assembly_points (as);
+  if (points != NULL)
+    eq->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai, points);
+  free (points);
   eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
   eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);
   bool ok = eq->linsys != NULL && eq->factored_phases != NULL && eq->gaps != NULL;

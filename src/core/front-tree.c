@@ -1,8 +1,10 @@
 #include "core/front-tree.h"
 
+#include "core/dissection.h"
 #include "core/memory.h"
 
 #include <amd.h>
+#include <camd.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,11 +18,15 @@
 #define SOME_ZEROS 0.25
 #define FEW_ZEROS  0.05
 
+/* Nodes from which on dissection is tried. */
+#define LARGE 1000
+
 /* What the analysis works on: the graph of nodes, which are unknowns that stand together and
  * meet the same others. */
 typedef struct {
   int32_t n, count;
   const int32_t *ap, *ai;
+  const QnVec2 *points;  /* n, or NULL */
   int32_t *node;         /* n: of each unknown */
   int32_t *width;        /* unknowns of each node */
   int32_t *start, *next; /* neighbours of nodes, themselves left out */
@@ -147,6 +153,69 @@ find_columns (Analysis *a)
   }
   free (scratch);
   return true;
+}
+
+/* --- Order of elimination ---------------------------------------------------------------- */
+
+/* Finds place and columns that belong to an order; their number of multiplications in *work. */
+static bool
+try_order (Analysis *a, double *work)
+{
+  for (int32_t j = 0; j < a->count; j++)
+    a->place[a->order[j]] = j;
+  if (!find_columns (a))
+    return false;
+  *work = 0;
+  for (int32_t j = 0; j < a->count; j++) {
+    double length = a->column_start[j + 1] - a->column_start[j];
+    *work += length * length;
+  }
+  return true;
+}
+
+/* By dissection, and by minimum degree within its sets. */
+static bool
+order_by_dissection (const Analysis *a, int32_t *order)
+{
+  size_t nodes = (size_t) a->count;
+  QnVec2 *points = qn_alloc (nodes, sizeof *points);
+  int32_t *set = qn_alloc (nodes, sizeof *set);
+  bool ok = points != NULL && set != NULL;
+
+  if (ok) {
+    for (int32_t i = a->n - 1; i >= 0; i--)
+      points[a->node[i]] = a->points[i];
+    ok = qn_dissect (&(QnPlaneGraph){ a->count, a->start, a->next, points }, set)
+         && camd_order (a->count, a->start, a->next, order, NULL, NULL, set) >= CAMD_OK;
+  }
+  free (points);
+  free (set);
+  return ok;
+}
+
+/* The cheaper of two orders, with its columns. */
+static bool
+choose_order (Analysis *a)
+{
+  double by_degree, by_dissection;
+
+  if (amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK
+      || !try_order (a, &by_degree))
+    return false;
+  if (a->points == NULL || a->count < LARGE)
+    return true;
+
+  int32_t *order = qn_alloc ((size_t) a->count, sizeof *order);
+  if (order == NULL)
+    return false;
+  memcpy (order, a->order, (size_t) a->count * sizeof *order);
+  bool ok = order_by_dissection (a, a->order) && try_order (a, &by_dissection);
+  if (ok && by_dissection >= by_degree) {
+    memcpy (a->order, order, (size_t) a->count * sizeof *order);
+    ok = try_order (a, &by_degree);
+  }
+  free (order);
+  return ok;
 }
 
 /* --- Groups of nodes that make a front -------------------------------------------------- */
@@ -376,11 +445,7 @@ analyse (Analysis *a, QnFrontTree *tree)
     return false;
   gather_nodes (a);
   fill_graph (a);
-  if (amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK)
-    return false;
-  for (int32_t j = 0; j < a->count; j++)
-    a->place[a->order[j]] = j;
-  if (!find_columns (a) || !form_groups (a))
+  if (!choose_order (a) || !form_groups (a))
     return false;
   order_groups (a, tree);
   if (!list_rests (a, tree))
@@ -391,9 +456,10 @@ analyse (Analysis *a, QnFrontTree *tree)
 }
 
 bool
-qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap, const int32_t *ai)
+qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap, const int32_t *ai,
+                    const QnVec2 *points)
 {
-  Analysis a = { .n = n, .ap = ap, .ai = ai };
+  Analysis a = { .n = n, .ap = ap, .ai = ai, .points = points };
 
   *tree = (QnFrontTree){ .n = n };
   bool ok = analyse (&a, tree);

@@ -10,6 +10,7 @@
 #define QN_CORE_FRONT_TREE_H
 
 #include "core/base.h"
+#include "core/vec2.h"
 
 /* Positions: unknowns in the order of elimination. */
 typedef struct QnFront {
@@ -33,9 +34,10 @@ typedef struct QnFrontTree {
 } QnFrontTree;
 
 /* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which must
- * be symmetric. False when memory runs out; _clear is legal then. */
+ * be symmetric. `points` says where the unknowns stand, NULL: unknown; large structures are ordered by
+ * it where that makes factorisation cheaper. False when memory runs out; _clear is legal then. */
 bool qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap,
-                         const int32_t *ai);
+                         const int32_t *ai, const QnVec2 *points);
 
 void qn_front_tree_clear (QnFrontTree *tree);
 

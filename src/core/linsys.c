@@ -37,7 +37,7 @@ struct QnLinsys {
 };
 
 QnLinsys *
-qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai)
+qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points)
 {
   QnLinsys *system = qn_alloc (1, sizeof *system);
 
@@ -51,7 +51,7 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai)
   system->n = n;
   system->ap = (int32_t *) ap;
   system->ai = (int32_t *) ai;
-  system->blocks = qn_block_lu_new (n, ap, ai);
+  system->blocks = qn_block_lu_new (n, ap, ai, points);
   system->trial = qn_alloc ((size_t) n, sizeof *system->trial);
   system->solution = qn_alloc ((size_t) n, sizeof *system->solution);
   system->left = qn_alloc ((size_t) n, sizeof *system->left);

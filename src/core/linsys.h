@@ -8,6 +8,7 @@
 #define QN_CORE_LINSYS_H
 
 #include "core/status.h"
+#include "core/vec2.h"
 
 typedef struct QnLinsys QnLinsys;
 
@@ -19,8 +20,10 @@ typedef enum {
 
 /* For an n x n unsymmetric matrix in compressed columns with a structurally symmetric pattern
  * (column pointers ap, n + 1 of them; sorted row indices ai). The pattern is borrowed and
- * must outlive the system. Returns NULL when memory runs out. */
-QnLinsys *qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai);
+ * must outlive the system. `points`: where the unknowns stand (front-tree.h), or NULL. Returns NULL when
+ * memory runs out. */
+QnLinsys *qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai,
+                         const QnVec2 *points);
 
 void qn_linsys_free (QnLinsys *system);
 

@@ -80,7 +80,7 @@ test_solution (void)
   for (int structure = 0; structure < 5; structure++) {
     Grid grid;
     grid_init (&grid, random);
-    QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai);
+    QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
     g_assert_nonnull (lu);
     for (int k = 0; k < 3; k++) {
       grid_randomise (&grid, random);
@@ -104,7 +104,7 @@ test_vanishing_pivot (void)
   GRand *random = g_rand_new_with_seed (13);
   Grid grid;
   grid_init (&grid, random);
-  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
 
   grid_randomise (&grid, random);
   for (int32_t j = 0; j < grid.n; j++)
@@ -139,7 +139,7 @@ test_single_body (void)
   const int32_t ap[] = { 0, 2, 4 }, ai[] = { 0, 1, 0, 1 };
   const double ax[] = { 0, 2, 4, 1 };
   double b[] = { 4, 3 };
-  QnBlockLu *lu = qn_block_lu_new (2, ap, ai);
+  QnBlockLu *lu = qn_block_lu_new (2, ap, ai, NULL);
 
   g_assert_cmpfloat (qn_block_lu_factor (lu, ax), ==, 0.5);
   qn_block_lu_solve (lu, b);
@@ -152,7 +152,7 @@ static void
 test_empty (void)
 {
   const int32_t ap[] = { 0 }, ai[] = { 0 };
-  QnBlockLu *lu = qn_block_lu_new (0, ap, ai);
+  QnBlockLu *lu = qn_block_lu_new (0, ap, ai, NULL);
 
   g_assert_nonnull (lu);
   g_assert_cmpfloat (qn_block_lu_factor (lu, NULL), ==, 1);
@@ -167,8 +167,8 @@ test_refactorisation (void)
   GRand *random = g_rand_new_with_seed (17);
   Grid grid;
   grid_init (&grid, random);
-  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai);
-  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
   double share, least = 1;
 
   grid_randomise (&grid, random);

@@ -128,7 +128,7 @@ test_random (void)
   for (int structure = 0; structure < 10; structure++) {
     int32_t *ap, *ai, n = make_pattern (random, &ap, &ai);
     QnFrontTree tree;
-    g_assert_true (qn_front_tree_init (&tree, n, ap, ai));
+    g_assert_true (qn_front_tree_init (&tree, n, ap, ai, NULL));
     g_assert_cmpint (tree.n, ==, n);
     check_fronts (&tree);
     check_entries (&tree, ap, ai);
@@ -146,7 +146,7 @@ test_empty (void)
   const int32_t ap[] = { 0 }, ai[] = { 0 };
   QnFrontTree tree;
 
-  g_assert_true (qn_front_tree_init (&tree, 0, ap, ai));
+  g_assert_true (qn_front_tree_init (&tree, 0, ap, ai, NULL));
   g_assert_cmpint (tree.front_count, ==, 0);
   qn_front_tree_clear (&tree);
 }
