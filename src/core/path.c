@@ -9,7 +9,7 @@
 /* Viscous steps of relaxation under dead load before central paths are tried from there: twice as many
  * each time. */
 #define FIRST_STINT 50
-#define LAST_STINT  800
+#define LAST_STINT  400
 
 QnStatus
 qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,

@@ -25,6 +25,10 @@
 #define LONGER  4
 #define SHORTER 8
 
+/* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
+ * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
+#define WARY 8
+
 /* Viscosity at which joints are nothing against damping: what does not converge then never will. */
 #define STIFFEST 1e9
 
@@ -51,6 +55,8 @@ typedef struct {
   bool held;                            /* a measure, while the multiplier is free */
   double duration;                      /* of the measure's advance */
   double viscosity;                     /* of the next step */
+  double failed;                        /* that of the last step that failed, and */
+  int wary;                             /* for how many steps that is not tried again */
   double elapsed;                       /* time since the start */
   double speed;                         /* of the last step, in the norm of C */
   double change;                        /* of the velocity in the last step, relative */
@@ -213,6 +219,20 @@ target_in_time (const Relaxation *relaxation, const QnTarget *target)
   return now;
 }
 
+/* Chooses the next step by how many iterations the last one took. */
+static void
+adapt_step (Relaxation *relaxation, int iterations)
+{
+  bool may_fail = !relaxation->held && relaxation->wary > 0
+                  && relaxation->viscosity / LONGER <= relaxation->failed;
+
+  relaxation->wary -= relaxation->wary > 0;
+  if (iterations >= SLOW)
+    relaxation->viscosity *= 2;
+  else if (iterations <= QUICK && !may_fail)
+    relaxation->viscosity /= LONGER;
+}
+
 QnSolveStatus
 qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
 {
@@ -234,6 +254,8 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
       return status;
     if (status == QN_SOLVE_FAILED) {
       qn_equilibrium_load (eq, &eq->anchor);
+      relaxation.failed = relaxation.viscosity;
+      relaxation.wary = WARY;
       relaxation.viscosity *= SHORTER;
       if (relaxation.viscosity > STIFFEST)
         return QN_SOLVE_FAILED;
@@ -247,10 +269,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
       return QN_SOLVE_CONVERGED;
     if (is_mechanism (eq, &relaxation))
       return QN_SOLVE_MECHANISM;
-    if (eq->statistics.iterations - before <= QUICK)
-      relaxation.viscosity /= LONGER;
-    else if (eq->statistics.iterations - before >= SLOW)
-      relaxation.viscosity *= 2;
+    adapt_step (&relaxation, eq->statistics.iterations - before);
   }
   return QN_SOLVE_FAILED;
 }
