@@ -6,12 +6,12 @@
 #                                paths
 #
 # Tables, charts and a description of the machine go to build/bench-results; the baseline is
-# $BASELINE, tests/bench/baselines/xeon-2ghz by default. Exits non-zero where a benchmark fails, or
+# $BASELINE, tests/bench/baselines/epyc by default. Exits non-zero where a benchmark fails, or
 # a count, a multiplier or (beyond the noise) a time in calibration kernels got worse.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
-baseline=${BASELINE:-tests/bench/baselines/xeon-2ghz}
+baseline=${BASELINE:-tests/bench/baselines/epyc}
 failed=0
 partial=()
 [ $# -eq 0 ] || partial=(--partial)
