@@ -13,7 +13,7 @@ typedef struct Layer {
 static const Layer layers[] = {
   { "core",
     { "core/" },
-    { "klu.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h" } },
+    { "klu.h", "cholmod.h", "amd.h", "camd.h", "colamd.h", "SuiteSparse_config.h" } },
   { "disk", { "disk/" }, { NULL } },
   { "stereotomy", { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",
