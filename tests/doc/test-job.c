@@ -2,6 +2,7 @@
 #include "doc/run-text.h"
 
 #include "fixture.h"
+#include "long-analysis.h"
 
 #include <string.h>
 
@@ -37,14 +38,19 @@ outcome_clear (Outcome *outcome)
 }
 
 static QnJob *
-make_job (const char *example)
+make_job_of (QnDocument *document)
 {
-  g_autoptr (QnDocument) document = open_example (example);
   g_autoptr (GError) error = NULL;
   QnJob *job = qn_job_new (qn_document_get_model (document), "one", "mark", &error);
   g_assert_no_error (error);
-  /* The document goes; the job keeps a model of its own. */
   return job;
+}
+
+static QnJob *
+make_job (const char *example)
+{
+  g_autoptr (QnDocument) document = open_example (example);
+  return make_job_of (document); /* the document goes; the job keeps a model of its own */
 }
 
 static void
@@ -96,7 +102,9 @@ spin (guint milliseconds)
 static void
 test_pause (void)
 {
-  g_autoptr (QnJob) job = make_job ("ferris-tin-loi/wall6.quoin");
+  g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall6.quoin");
+  long_analysis_ask (document);
+  g_autoptr (QnJob) job = make_job_of (document);
   Outcome outcome = { 0 };
   qn_job_set_paused (job, TRUE);
   qn_job_start (job, on_done, &outcome);
