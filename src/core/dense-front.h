@@ -17,8 +17,9 @@
 #define QN_FRONT_ROWS 8
 
 /* Stands for a pivot that vanishes: far below any stiffness, far above what its reciprocal could make
- * overflow (several that multiply each other may, which elimination and the solutions show). What the front leaves to others is exact if nothing stands beside it; then solutions are
- * as large as its reciprocal, in the direction that the matrix maps to nothing. */
+ * overflow (several that multiply each other may, which elimination and the solutions show). What the
+ * front leaves to others is exact if nothing stands beside it; then solutions are as large as its
+ * reciprocal, in the direction that the matrix maps to nothing. */
 #define QN_FRONT_VANISHED 1e-60
 
 /* Height of the columns of a matrix of `rows` rows. */

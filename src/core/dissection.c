@@ -23,14 +23,13 @@ typedef struct {
   Item *items;    /* all nodes, those of a part side by side */
   Item *scratch;  /* as many */
   int32_t *place; /* of each node in `items` */
-  int32_t *
-    begun; /* of a cut: how many more nodes before it touch what is behind than one node ago */
+  int32_t *begun; /* of each cut: its touching nodes, less those of the last */
 } Dissection;
 
-/* A part, from a place in the items on, and where it is cut. */
+/* Where a part is cut. */
 typedef struct {
-  int32_t first, count, middle;
-  int32_t touching; /* nodes before the cut that touch what is behind */
+  int32_t middle;   /* nodes before it */
+  int32_t touching; /* of them, that touch what is behind */
 } Cut;
 
 static int
@@ -84,7 +83,7 @@ static Cut
 find_cut (Dissection *d, int32_t first, int32_t count, bool upwards)
 {
   int32_t low = (int32_t) (LEAST_PART * count), touching = 0;
-  Cut cut = { .first = first, .count = count, .touching = count };
+  Cut cut = { .touching = count };
 
   sort_part (d, first, count, upwards);
   memset (d->begun, 0, (size_t) (count + 1) * sizeof *d->begun);

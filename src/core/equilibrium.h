@@ -67,8 +67,7 @@ typedef struct QnEquilibrium {
   double *live_step; /* K \\ F_live: displacements per multiplier */
   double *gaps;      /* of the pairs before the last step of motion, m */
   double *velocity;  /* of the last viscous step, m per unit of time, or motion, m */
-  double
-    runaway; /* motion beyond which the structure has run away, elastic displacements */
+  double runaway;    /* elastic displacements from which on the structure has run away */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
   QnEquilibriumState anchor;    /* where the viscous step started */

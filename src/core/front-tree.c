@@ -193,10 +193,20 @@ order_by_dissection (const Analysis *a, int32_t *order)
   return ok;
 }
 
+static void
+free_order (Analysis *a)
+{
+  free (a->order);
+  free (a->place);
+  free (a->column_start);
+  free (a->rows);
+}
+
 /* The cheaper of two orders, with its columns. */
 static bool
 choose_order (Analysis *a)
 {
+  size_t nodes = (size_t) a->count;
   double by_degree, by_dissection;
 
   if (amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK
@@ -205,16 +215,19 @@ choose_order (Analysis *a)
   if (a->points == NULL || a->count < LARGE)
     return true;
 
-  int32_t *order = qn_alloc ((size_t) a->count, sizeof *order);
-  if (order == NULL)
-    return false;
-  memcpy (order, a->order, (size_t) a->count * sizeof *order);
-  bool ok = order_by_dissection (a, a->order) && try_order (a, &by_dissection);
-  if (ok && by_dissection >= by_degree) {
-    memcpy (a->order, order, (size_t) a->count * sizeof *order);
-    ok = try_order (a, &by_degree);
-  }
-  free (order);
+  Analysis other = *a; /* the same graph, another order */
+  other.order = qn_alloc (nodes, sizeof *other.order);
+  other.place = qn_alloc (nodes, sizeof *other.place);
+  other.column_start = qn_alloc (nodes + 1, sizeof *other.column_start);
+  other.rows = NULL;
+  other.row_capacity = 0;
+  bool ok = other.order && other.place && other.column_start
+            && order_by_dissection (a, other.order) && try_order (&other, &by_dissection);
+  if (ok && by_dissection < by_degree) {
+    free_order (a);
+    *a = other;
+  } else
+    free_order (&other);
   return ok;
 }
 
@@ -467,10 +480,7 @@ qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap, const int32
   free (a.width);
   free (a.start);
   free (a.next);
-  free (a.order);
-  free (a.place);
-  free (a.column_start);
-  free (a.rows);
+  free_order (&a);
   free (a.group);
   free (a.counts);
   free (a.marks);

@@ -231,19 +231,17 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse re
   }
   for (int32_t i = 0; i < system->n; i++)
     system->trial[i] = zero ? 1 : b[i];
-  system->pivoted = true;
+  system->pivoted = false;
   if (pivots > 0) {
     Trial trial = try_blocks (system, ax, zero ? system->solution : b);
-    system->pivoted = !(pivots > QN_TOLERANCE_SINGULAR
-                        && backward_error (&trial) < QN_TOLERANCE_BACKWARD);
-    if (system->pivoted && proves_singular (&trial)) {
-      system->pivoted = false;
+    if (pivots > QN_TOLERANCE_SINGULAR && backward_error (&trial) < QN_TOLERANCE_BACKWARD)
+      return system->status = QN_FACTOR_OK;
+    if (proves_singular (&trial))
       return system->status = QN_FACTOR_SINGULAR;
-    }
   }
-  system->status =
-    system->pivoted ? factor_pivoting (system, (double *) ax) : QN_FACTOR_OK;
-  if (system->pivoted && !zero && system->status == QN_FACTOR_OK) {
+  system->pivoted = true;
+  system->status = factor_pivoting (system, (double *) ax);
+  if (!zero && system->status == QN_FACTOR_OK) {
     memcpy (b, system->trial, (size_t) system->n * sizeof *b);
     qn_linsys_solve (system, b);
   }
