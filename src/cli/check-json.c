@@ -1,6 +1,6 @@
 /* The machine form of a check; data/check-format.md describes it key by key. */
 #include "cli/check-report.h"
-#include "io/file-writer.h"
+#include "io/text/file-writer.h"
 
 #include <math.h>
 #include <string.h>

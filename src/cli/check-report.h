@@ -3,7 +3,7 @@
 #define QN_CLI_CHECK_REPORT_H
 
 #include "cli/input.h"
-#include "io/result-check.h"
+#include "io/result/result-check.h"
 
 /* Largest imbalance, over the largest block weight, and largest yield violation, over the
  * largest contact force, that a result may have to pass the independent check. */

@@ -3,7 +3,7 @@
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/subcommand.h"
-#include "render/animation.h"
+#include "render/movie/animation.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "cli/picture.h"
 #include "cli/sheet-input.h"
 #include "cli/subcommand.h"
-#include "render/compare-sheet.h"
+#include "render/figure/compare-sheet.h"
 
 #include <glib/gi18n.h>
 

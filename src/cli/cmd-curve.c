@@ -3,8 +3,8 @@
 #include "cli/picture.h"
 #include "cli/sheet-input.h"
 #include "cli/subcommand.h"
-#include "io/table-csv.h"
-#include "render/curve-plot.h"
+#include "io/exchange/table-csv.h"
+#include "render/figure/curve-plot.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

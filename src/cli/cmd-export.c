@@ -1,10 +1,10 @@
 #include "cli/input.h"
 #include "cli/message.h"
 #include "cli/subcommand.h"
-#include "io/drawing-import.h"
-#include "io/dxf-export.h"
-#include "io/table-csv.h"
-#include "io/vtu.h"
+#include "io/exchange/drawing-import.h"
+#include "io/exchange/dxf-export.h"
+#include "io/exchange/table-csv.h"
+#include "io/exchange/vtu.h"
 
 #include <glib/gi18n.h>
 #include <string.h>

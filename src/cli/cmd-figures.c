@@ -3,8 +3,8 @@
 #include "cli/picture.h"
 #include "cli/sheet-input.h"
 #include "cli/subcommand.h"
-#include "doc/recipe.h"
-#include "doc/underlay.h"
+#include "doc/document/underlay.h"
+#include "doc/view/recipe.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 #include "cli/message.h"
 #include "cli/subcommand.h"
-#include "io/project-masonry.h"
+#include "io/project/project-masonry.h"
 
 #include <glib/gi18n.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "cli/message.h"
 #include "cli/subcommand.h"
-#include "io/drawing-import.h"
+#include "io/exchange/drawing-import.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>

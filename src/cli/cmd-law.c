@@ -1,10 +1,10 @@
 #include "cli/message.h"
 #include "cli/picture.h"
 #include "cli/subcommand.h"
-#include "doc/law-trace.h"
-#include "io/file-writer.h"
-#include "io/project.h"
-#include "render/curve-plot.h"
+#include "doc/text/law-trace.h"
+#include "io/project/project.h"
+#include "io/text/file-writer.h"
+#include "render/figure/curve-plot.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

@@ -2,8 +2,8 @@
 #include "cli/message.h"
 #include "cli/progress.h"
 #include "cli/subcommand.h"
-#include "core/modal.h"
-#include "io/file-writer.h"
+#include "core/modal/modal.h"
+#include "io/text/file-writer.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>

@@ -2,8 +2,8 @@
 #include "cli/message.h"
 #include "cli/picture.h"
 #include "cli/subcommand.h"
-#include "doc/underlay.h"
-#include "render/figure.h"
+#include "doc/document/underlay.h"
+#include "render/figure/figure.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

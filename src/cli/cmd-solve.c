@@ -3,11 +3,11 @@
 #include "cli/message.h"
 #include "cli/progress.h"
 #include "cli/subcommand.h"
-#include "core/analysis.h"
-#include "io/file-writer.h"
-#include "io/mechanism-text.h"
-#include "io/outcome-text.h"
-#include "io/table-csv.h"
+#include "core/path/analysis.h"
+#include "io/exchange/table-csv.h"
+#include "io/text/file-writer.h"
+#include "io/text/mechanism-text.h"
+#include "io/text/outcome-text.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>

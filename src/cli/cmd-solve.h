@@ -3,7 +3,7 @@
 #define QN_CLI_CMD_SOLVE_H
 
 #include "cli/subcommand.h"
-#include "core/result.h"
+#include "core/result/result.h"
 
 /* Runs the subcommand "solve" under the name, usage and help of `self`. `override` (nullable),
  * PATH=VALUE, comes before the user's own. */

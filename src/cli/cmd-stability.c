@@ -2,9 +2,9 @@
 #include "cli/message.h"
 #include "cli/progress.h"
 #include "cli/subcommand.h"
-#include "core/stability.h"
-#include "io/outcome-text.h"
-#include "io/result-file.h"
+#include "core/path/stability.h"
+#include "io/result/result-file.h"
+#include "io/text/outcome-text.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include "cli/subcommand.h"
 #include "cli/verify-cases.h"
 #include "cli/verify-run.h"
-#include "core/limit.h"
+#include "core/limit/limit.h"
 
 #include <errno.h>
 #include <gio/gio.h>

@@ -1,6 +1,6 @@
 #include "cli/curve-table.h"
 
-#include "io/file-writer.h"
+#include "io/text/file-writer.h"
 
 /* A field in quotes, which are doubled within. */
 static void

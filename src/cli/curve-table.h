@@ -2,7 +2,7 @@
 #ifndef QN_CLI_CURVE_TABLE_H
 #define QN_CLI_CURVE_TABLE_H
 
-#include "render/curve-plot.h"
+#include "render/figure/curve-plot.h"
 
 /* Writes `run`, `step`, `displacement [m or rad]`, `multiplier [-]`, `mark` ("limit point",
  * "collapse" or nothing) for every point of every curve. */

@@ -3,8 +3,8 @@
 #define QN_CLI_INPUT_H
 
 #include "cli/exit-code.h"
-#include "io/project.h"
-#include "io/result-file.h"
+#include "io/project/project.h"
+#include "io/result/result-file.h"
 
 /* Value of the option --set, which may be given many times. */
 #define QN_INPUT_SET_ENTRY(variable)                                                     \

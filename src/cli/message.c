@@ -1,8 +1,8 @@
 #include "cli/message.h"
 
-#include "io/io-error.h"
-#include "io/json-text.h"
-#include "render/output.h"
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+#include "render/backend/output.h"
 
 #include <gio/gio.h>
 #include <glib/gi18n.h>

@@ -4,8 +4,8 @@
 
 #include "cli/exit-code.h"
 #include "cli/subcommand.h"
-#include "io/project.h"
-#include "render/output.h"
+#include "io/project/project.h"
+#include "render/backend/output.h"
 
 /* The options as they stand on the command line; all NULL or zero before parsing. */
 typedef struct QnPictureOptions {

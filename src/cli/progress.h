@@ -2,7 +2,7 @@
 #ifndef QN_CLI_PROGRESS_H
 #define QN_CLI_PROGRESS_H
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 #include <glib.h>
 

@@ -2,7 +2,7 @@
 
 #include "cli/message.h"
 #include "cli/progress.h"
-#include "core/analysis.h"
+#include "core/path/analysis.h"
 
 #include <glib/gi18n.h>
 #include <string.h>

@@ -3,8 +3,8 @@
 #define QN_CLI_VERIFY_CASES_BRANCH_H
 
 #include "cli/verify-cases.h"
-#include "core/model.h"
-#include "core/result.h"
+#include "core/model/model.h"
+#include "core/result/result.h"
 
 #define QN_VERIFY_BRANCH_CASES 12
 

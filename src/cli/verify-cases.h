@@ -5,7 +5,7 @@
 #ifndef QN_CLI_VERIFY_CASES_H
 #define QN_CLI_VERIFY_CASES_H
 
-#include "core/base.h"
+#include "core/base/base.h"
 
 #include <glib.h>
 

@@ -1,9 +1,9 @@
 #include "cli/verify-run.h"
 
 #include "cli/verify-cases-branch.h"
-#include "core/analysis.h"
-#include "core/modal.h"
-#include "core/stability.h"
+#include "core/modal/modal.h"
+#include "core/path/analysis.h"
+#include "core/path/stability.h"
 
 #include <math.h>
 

@@ -4,8 +4,8 @@
 
 #include "cli/input.h"
 #include "cli/verify-cases.h"
-#include "core/progress.h"
-#include "core/result.h"
+#include "core/base/progress.h"
+#include "core/result/result.h"
 
 /* Runs the analysis that the case asks for. *value is not-a-number where it did not come to
  * what is compared. *result is overwritten, empty on failure. */

@@ -1,5 +1,5 @@
 #include "stereotomy/arch-ring.h"
-#include "core/memory.h"
+#include "core/base/memory.h"
 
 #include <stdlib.h>
 

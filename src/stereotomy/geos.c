@@ -1,5 +1,5 @@
 #include "stereotomy/geos.h"
-#include "core/memory.h"
+#include "core/base/memory.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #ifndef QN_STEREOTOMY_GEOS_H
 #define QN_STEREOTOMY_GEOS_H
 
-#include "core/status.h"
+#include "core/base/status.h"
 #include "stereotomy/ring.h"
 
 #include <geos_c.h>

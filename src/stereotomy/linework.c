@@ -1,6 +1,6 @@
 #include "stereotomy/linework.h"
-#include "core/box-tree.h"
-#include "core/memory.h"
+#include "core/base/box-tree.h"
+#include "core/base/memory.h"
 #include "stereotomy/geos.h"
 
 #include <stdlib.h>

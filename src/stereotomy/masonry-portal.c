@@ -1,5 +1,5 @@
 /* Piers with lintels or arches between them. */
-#include "core/memory.h"
+#include "core/base/memory.h"
 #include "stereotomy/arch-ring.h"
 #include "stereotomy/masonry-parts.h"
 

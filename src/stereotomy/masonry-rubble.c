@@ -1,7 +1,7 @@
 /* Rubble: a seeded Voronoi tessellation, its short edges closed, within a trapezium. */
-#include "core/box-tree.h"
-#include "core/memory.h"
-#include "core/polygon.h"
+#include "core/base/box-tree.h"
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
 #include "stereotomy/geos.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/polygon-ops.h"

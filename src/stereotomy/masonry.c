@@ -1,5 +1,5 @@
 #include "stereotomy/masonry.h"
-#include "core/memory.h"
+#include "core/base/memory.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/polygon-ops.h"
 

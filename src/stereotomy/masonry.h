@@ -32,7 +32,7 @@
 #ifndef QN_STEREOTOMY_MASONRY_H
 #define QN_STEREOTOMY_MASONRY_H
 
-#include "core/model.h"
+#include "core/model/model.h"
 
 typedef enum {
   QN_MASONRY_WALL,

@@ -1,5 +1,5 @@
 /* Openings of a wall: the hole, what spans it, and the fabric cut to fit. */
-#include "core/memory.h"
+#include "core/base/memory.h"
 #include "stereotomy/arch-ring.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/polygon-ops.h"

@@ -1,5 +1,5 @@
 #include "stereotomy/pieces.h"
-#include "core/memory.h"
+#include "core/base/memory.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef QN_STEREOTOMY_PIECES_H
 #define QN_STEREOTOMY_PIECES_H
 
-#include "core/status.h"
+#include "core/base/status.h"
 #include "stereotomy/ring.h"
 
 typedef struct QnPiece {

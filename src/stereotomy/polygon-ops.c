@@ -1,6 +1,6 @@
 #include "stereotomy/polygon-ops.h"
-#include "core/memory.h"
-#include "core/polygon.h"
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
 #include "stereotomy/geos.h"
 
 #include <stdlib.h>

@@ -10,7 +10,7 @@
 #ifndef QN_STEREOTOMY_POLYGON_OPS_H
 #define QN_STEREOTOMY_POLYGON_OPS_H
 
-#include "core/status.h"
+#include "core/base/status.h"
 #include "stereotomy/ring.h"
 
 /* Whether the ring may be a block: QN_OK or the problem, with `index` in the diagnostic. */

@@ -1,5 +1,5 @@
 #include "stereotomy/ring.h"
-#include "core/memory.h"
+#include "core/base/memory.h"
 
 #include <stdlib.h>
 #include <string.h>

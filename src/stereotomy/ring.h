@@ -7,8 +7,8 @@
 #ifndef QN_STEREOTOMY_RING_H
 #define QN_STEREOTOMY_RING_H
 
-#include "core/base.h"
-#include "core/vec2.h"
+#include "core/base/base.h"
+#include "core/base/vec2.h"
 
 typedef struct QnRing {
   QnVec2 *points; /* owned */

@@ -1,5 +1,5 @@
 /* The minimum piece rule; see masonry.h. */
-#include "core/memory.h"
+#include "core/base/memory.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"

@@ -1,6 +1,6 @@
 #include "stereotomy/weld.h"
-#include "core/box-tree.h"
-#include "core/memory.h"
+#include "core/base/box-tree.h"
+#include "core/base/memory.h"
 
 #include <stdlib.h>
 

@@ -7,7 +7,7 @@
 #ifndef QN_STEREOTOMY_WELD_H
 #define QN_STEREOTOMY_WELD_H
 
-#include "core/status.h"
+#include "core/base/status.h"
 #include "stereotomy/ring.h"
 
 typedef struct QnHealing {

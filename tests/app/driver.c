@@ -1,6 +1,6 @@
 #include "driver.h"
 
-#include "doc/edit-masonry.h"
+#include "doc/edit/edit-masonry.h"
 
 #include <glib/gstdio.h>
 

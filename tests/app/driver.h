@@ -3,8 +3,8 @@
 #ifndef QN_TESTS_APP_DRIVER_H
 #define QN_TESTS_APP_DRIVER_H
 
-#include "app/application.h"
-#include "app/window.h"
+#include "app/window/application.h"
+#include "app/window/window.h"
 
 /* The program, started once for all tests of a process. */
 GtkApplication *driver_application (void);

@@ -1,11 +1,11 @@
 /* Every drawing tool, by pointer and by keys. */
 #include "driver.h"
 
-#include "app/settings.h"
-#include "doc/edit-masonry.h"
-#include "doc/law-preset.h"
-#include "doc/masonry-shape.h"
-#include "io/project-masonry.h"
+#include "app/widgets/settings.h"
+#include "doc/edit/edit-masonry.h"
+#include "doc/masonry/masonry-shape.h"
+#include "doc/text/law-preset.h"
+#include "io/project/project-masonry.h"
 
 #include <math.h>
 #include <string.h>

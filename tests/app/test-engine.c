@@ -1,9 +1,9 @@
 /* What draws the structure in the window: OpenGL and Cairo show the same, at the resolution of
  * the screen, and where there is no OpenGL Cairo draws it all. The test is run at one and at
  * two device pixels a pixel, and without OpenGL (environment variable QUOIN_NO_GL). */
-#include "app/canvas.h"
-#include "app/gl-layer.h"
-#include "app/settings.h"
+#include "app/canvas/canvas.h"
+#include "app/canvas/gl-layer.h"
+#include "app/widgets/settings.h"
 #include "driver.h"
 
 #include <glib.h>

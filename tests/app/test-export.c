@@ -2,8 +2,8 @@
  * again, comparison sheets, printed pages. */
 #include "driver.h"
 
-#include "app/window-private.h"
-#include "doc/figures.h"
+#include "app/window/window-private.h"
+#include "doc/view/figures.h"
 
 #include <glib/gstdio.h>
 #include <string.h>

@@ -2,11 +2,11 @@
  * recovery after a crash, several windows. */
 #include "driver.h"
 
-#include "app/dialog.h"
-#include "app/settings.h"
-#include "app/window-private.h"
-#include "doc/picture.h"
-#include "doc/recovery.h"
+#include "app/widgets/dialog.h"
+#include "app/widgets/settings.h"
+#include "app/window/window-private.h"
+#include "doc/document/recovery.h"
+#include "doc/edit/picture.h"
 
 #include <glib/gstdio.h>
 #include <string.h>

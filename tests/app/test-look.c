@@ -3,7 +3,7 @@
  * the states are kept for the eye. QUOIN_LOOK names the look: plain, long, fr, rtl, dark, large. */
 #include "driver.h"
 
-#include "app/settings.h"
+#include "app/widgets/settings.h"
 
 #include <libintl.h>
 

@@ -1,9 +1,9 @@
 #include "driver.h"
 
-#include "app/canvas-private.h"
-#include "app/settings.h"
-#include "doc/figure-export.h"
+#include "app/canvas/canvas-private.h"
+#include "app/widgets/settings.h"
 #include "doc/long-analysis.h"
+#include "doc/view/figure-export.h"
 
 #include <glib/gstdio.h>
 #include <math.h>

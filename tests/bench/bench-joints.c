@@ -2,7 +2,7 @@
  * linear geometry: the multiplier should not depend on the first, and it follows the second. */
 #include "bench/bench.h"
 #include "bench/chart.h"
-#include "core/analysis.h"
+#include "core/path/analysis.h"
 #include "support/models.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
  * theory in linear geometry, the elastica in nonlinear geometry. */
 #include "bench/bench.h"
 #include "bench/chart.h"
-#include "core/analysis.h"
+#include "core/path/analysis.h"
 #include "support/models.h"
 
 #include <math.h>

@@ -13,8 +13,8 @@
 #include "bench/bench.h"
 #include "bench/chart.h"
 #include "bench/seeded-walls.h"
-#include "core/analysis.h"
-#include "core/limit.h"
+#include "core/limit/limit.h"
+#include "core/path/analysis.h"
 
 #include <locale.h>
 #include <math.h>

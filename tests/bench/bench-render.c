@@ -5,10 +5,10 @@
  * machine can do when nobody else uses it; the program fails only where even that is twice
  * the target. */
 #include "bench/bench.h"
-#include "render/draw-cairo.h"
-#include "render/draw-gl.h"
+#include "render/backend/draw-cairo.h"
+#include "render/backend/draw-gl.h"
+#include "render/backend/offscreen.h"
 #include "render/fixture.h"
-#include "render/offscreen.h"
 
 enum { COLUMNS = 320, COURSES = 313, RUNS = 7 };
 

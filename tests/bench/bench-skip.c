@@ -13,8 +13,8 @@
  */
 #include "bench/bench.h"
 #include "bench/scaling-case.h"
-#include "core/analysis.h"
-#include "core/path.h"
+#include "core/path/analysis.h"
+#include "core/path/path.h"
 #include "support/models.h"
 
 #include <locale.h>

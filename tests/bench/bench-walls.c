@@ -5,7 +5,7 @@
  * reference is the published limit analysis, of three digits. */
 #include "bench/bench.h"
 #include "bench/chart.h"
-#include "core/analysis.h"
+#include "core/path/analysis.h"
 #include "support/models.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 #ifndef QN_TESTS_BENCH_H
 #define QN_TESTS_BENCH_H
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 #include <glib.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #include "bench/chart.h"
 
 #include "bench/bench.h"
-#include "render/curve-plot.h"
+#include "render/figure/curve-plot.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #ifndef QN_TESTS_CLP_LIMIT_H
 #define QN_TESTS_CLP_LIMIT_H
 
-#include "core/limit-problem.h"
+#include "core/limit/limit-problem.h"
 
 typedef enum { CLP_DUAL, CLP_PRIMAL, CLP_BARRIER, CLP_METHOD_COUNT } ClpMethod;
 

@@ -1,9 +1,9 @@
 #include "bench/scaling-case.h"
 
 #include "bench/bench.h"
-#include "core/analysis.h"
-#include "core/equilibrium.h"
-#include "core/limit.h"
+#include "core/equilibrium/equilibrium.h"
+#include "core/limit/limit.h"
+#include "core/path/analysis.h"
 #include "support/generate.h"
 
 #include <math.h>

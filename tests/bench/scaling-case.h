@@ -2,8 +2,8 @@
 #ifndef QN_TESTS_BENCH_SCALING_CASE_H
 #define QN_TESTS_BENCH_SCALING_CASE_H
 
-#include "core/contacts.h"
-#include "core/model.h"
+#include "core/contact/contacts.h"
+#include "core/model/model.h"
 
 #include <glib.h>
 

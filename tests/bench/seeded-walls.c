@@ -1,6 +1,6 @@
 #include "bench/seeded-walls.h"
 
-#include "io/project-masonry.h"
+#include "io/project/project-masonry.h"
 
 #include <math.h>
 

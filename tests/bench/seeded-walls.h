@@ -16,7 +16,7 @@
 #ifndef QN_TESTS_SEEDED_WALLS_H
 #define QN_TESTS_SEEDED_WALLS_H
 
-#include "io/project.h"
+#include "io/project/project.h"
 
 /* Name of the family that a seed belongs to. */
 const char *seeded_wall_family (guint32 seed);

@@ -1,7 +1,7 @@
 #include "bench/seeded-walls.h"
 
-#include "core/analysis.h"
-#include "core/limit.h"
+#include "core/limit/limit.h"
+#include "core/path/analysis.h"
 
 #include <math.h>
 

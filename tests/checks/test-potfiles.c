@@ -12,7 +12,7 @@ static const char *const marks[] = {
 static gboolean
 is_translatable (const char *path, const char *text)
 {
-  if (strcmp (path, "src/core/problem.h") == 0)
+  if (strcmp (path, "src/core/base/problem.h") == 0)
     return TRUE;
   for (size_t i = 0; i < G_N_ELEMENTS (marks); i++) {
     const char *found = text;

@@ -2,7 +2,7 @@
 #ifndef TESTS_CORE_SOLVER_H
 #define TESTS_CORE_SOLVER_H
 
-#include "core/equilibrium.h"
+#include "core/equilibrium/equilibrium.h"
 #include "support/models.h"
 
 #include <glib.h>

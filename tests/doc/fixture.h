@@ -3,7 +3,7 @@
 #ifndef TESTS_DOC_FIXTURE_H
 #define TESTS_DOC_FIXTURE_H
 
-#include "doc/document.h"
+#include "doc/document/document.h"
 
 /* A document with a file of the examples, or with a project given as text. */
 QnDocument *open_example (const char *name);

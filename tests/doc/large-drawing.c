@@ -1,6 +1,6 @@
 #include "large-drawing.h"
 
-#include "doc/edit-masonry.h"
+#include "doc/edit/edit-masonry.h"
 
 #include <sys/resource.h>
 

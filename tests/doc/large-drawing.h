@@ -2,7 +2,7 @@
 #ifndef QN_TESTS_DOC_LARGE_DRAWING_H
 #define QN_TESTS_DOC_LARGE_DRAWING_H
 
-#include "doc/document.h"
+#include "doc/document/document.h"
 
 /* Limits of processor time are multiplied by this: sanitizers take their share. */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

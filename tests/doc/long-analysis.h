@@ -2,7 +2,7 @@
 #ifndef QN_TESTS_DOC_LONG_ANALYSIS_H
 #define QN_TESTS_DOC_LONG_ANALYSIS_H
 
-#include "doc/document.h"
+#include "doc/document/document.h"
 
 /* Asks for a hundred thousand increments per unit of the multiplier, none of which is to grow, as
  * one step of editing. */

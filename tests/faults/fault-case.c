@@ -1,7 +1,7 @@
 #include "faults/fault-case.h"
 
-#include "core/analysis.h"
-#include "core/stability.h"
+#include "core/path/analysis.h"
+#include "core/path/stability.h"
 
 const FaultCase fault_cases[] = {
   { "load", "06-arch.quoin", FAULT_SOLVE, { NULL } },

@@ -3,8 +3,8 @@
 #ifndef TESTS_FAULTS_FAULT_CASE_H
 #define TESTS_FAULTS_FAULT_CASE_H
 
-#include "core/modal.h"
-#include "io/project.h"
+#include "core/modal/modal.h"
+#include "io/project/project.h"
 
 typedef enum { FAULT_SOLVE, FAULT_STABILITY, FAULT_MODAL, FAULT_MODAL_LOADED } FaultKind;
 

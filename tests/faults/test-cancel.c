@@ -2,7 +2,7 @@
  * it was cancelled, keeps what had converged to the last bit, writes that as a file that reads
  * back, and leaves model and contacts fit for another run. */
 #include "faults/fault-case.h"
-#include "io/result-file.h"
+#include "io/result/result-file.h"
 
 #include <glib/gstdio.h>
 #include <time.h>

@@ -1,8 +1,8 @@
 /* Writers that are killed or interrupted, again and again: what bears the name is always one whole
  * version, and no half of another lies beside it. */
 #include "cli/cli-run.h"
-#include "io/project.h"
-#include "io/result-file.h"
+#include "io/project/project.h"
+#include "io/result/result-file.h"
 
 #include <glib/gstdio.h>
 #include <signal.h>

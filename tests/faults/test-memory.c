@@ -2,9 +2,9 @@
  * refusal for want of memory or the same answer as ever, no crash, and no leak (the sanitizers
  * look). What counts is our own code with SuiteSparse and cJSON; see failing-memory.h. */
 #include "faults/fault-case.h"
-#include "io/drawing-import.h"
-#include "io/io-error.h"
-#include "render/figure.h"
+#include "io/exchange/drawing-import.h"
+#include "io/text/io-error.h"
+#include "render/figure/figure.h"
 #include "support/failing-memory.h"
 
 #include <glib/gstdio.h>

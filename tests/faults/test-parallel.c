@@ -2,7 +2,7 @@
  * come to what one thread comes to, bit for bit; models and contacts are shared, results are
  * each thread's own. The thread sanitizer has its say on this program. */
 #include "faults/fault-case.h"
-#include "render/figure.h"
+#include "render/figure/figure.h"
 
 #include <glib/gstdio.h>
 #include <unistd.h>

@@ -1,12 +1,12 @@
 /* Any bytes as a drawing, all the way to a project. Built once per importer: FUZZ_READER is the
  * function that reads one. */
 #include "fuzz.h"
-#include "io/compas-import.h"
-#include "io/drawing-import.h"
-#include "io/dxf-import.h"
-#include "io/hybridfem-import.h"
-#include "io/io-error.h"
-#include "io/svg-import.h"
+#include "io/exchange/compas-import.h"
+#include "io/exchange/drawing-import.h"
+#include "io/exchange/dxf-import.h"
+#include "io/exchange/hybridfem-import.h"
+#include "io/exchange/svg-import.h"
+#include "io/text/io-error.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* Any bytes as a project file. Behind a NUL byte, which no project holds, an override. What is
  * refused must be refused in one line; what is accepted must survive writing and reading. */
 #include "fuzz.h"
-#include "io/io-error.h"
-#include "io/project.h"
+#include "io/project/project.h"
+#include "io/text/io-error.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Any bytes as a result file, checked against a project where its blocks are the same. */
 #include "fuzz.h"
-#include "io/io-error.h"
-#include "io/result-check.h"
+#include "io/result/result-check.h"
+#include "io/text/io-error.h"
 
 #include <string.h>
 

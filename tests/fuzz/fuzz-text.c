@@ -1,12 +1,12 @@
 /* Any bytes as what is typed or kept beside a project: numbers with units, sizes of pictures,
  * weights and places of contact pairs, names of views, a stored history. The first byte says
  * which. */
-#include "doc/history.h"
-#include "doc/pair-text.h"
-#include "doc/units.h"
+#include "doc/document/history.h"
+#include "doc/text/units.h"
+#include "doc/view/pair-text.h"
 #include "fuzz.h"
-#include "render/output.h"
-#include "render/view-options.h"
+#include "render/backend/output.h"
+#include "render/scene/view-options.h"
 
 #include <math.h>
 #include <string.h>

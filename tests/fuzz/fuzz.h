@@ -3,7 +3,7 @@
 #ifndef TESTS_FUZZ_FUZZ_H
 #define TESTS_FUZZ_FUZZ_H
 
-#include "io/io-error.h"
+#include "io/text/io-error.h"
 
 #include <stdint.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "project-text.h"
 
-#include "io/io-error.h"
+#include "io/text/io-error.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_IO_PROJECT_TEXT_H
 #define TESTS_IO_PROJECT_TEXT_H
 
-#include "io/project.h"
+#include "io/project/project.h"
 
 /* A small sound project: "base" (fixed) under "top", one law "joint". Its lines are numbered in
  * the tests that expect errors at a place:

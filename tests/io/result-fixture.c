@@ -1,6 +1,6 @@
 #include "result-fixture.h"
 
-#include "io/result-file.h"
+#include "io/result/result-file.h"
 #include "project-text.h"
 #include "support/scratch.h"
 

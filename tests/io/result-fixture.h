@@ -6,8 +6,8 @@
 #ifndef TESTS_IO_RESULT_FIXTURE_H
 #define TESTS_IO_RESULT_FIXTURE_H
 
-#include "core/result.h"
-#include "io/project.h"
+#include "core/result/result.h"
+#include "io/project/project.h"
 
 typedef struct ResultFixture {
   QnProject project;

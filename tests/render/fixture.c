@@ -1,6 +1,6 @@
 #include "render/fixture.h"
 
-#include "core/memory.h"
+#include "core/base/memory.h"
 
 #include <glib.h>
 #include <stdlib.h>

@@ -3,9 +3,9 @@
 #ifndef QN_TESTS_RENDER_FIXTURE_H
 #define QN_TESTS_RENDER_FIXTURE_H
 
-#include "core/contacts.h"
-#include "core/model.h"
-#include "core/result.h"
+#include "core/contact/contacts.h"
+#include "core/model/model.h"
+#include "core/result/result.h"
 
 typedef struct Fixture {
   QnModel model;

@@ -1,5 +1,5 @@
 #include "stereotomy/sound.h"
-#include "core/contacts.h"
+#include "core/contact/contacts.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_STEREOTOMY_SOUND_H
 #define TESTS_STEREOTOMY_SOUND_H
 
-#include "core/model.h"
+#include "core/model/model.h"
 
 /* An empty model with the law "joint". */
 void test_sound_init (QnModel *model);

@@ -1,4 +1,4 @@
-#include "core/contacts.h"
+#include "core/contact/contacts.h"
 #include "stereotomy/masonry.h"
 #include "stereotomy/ring.h"
 #include "stereotomy/sound.h"

@@ -5,7 +5,7 @@
 
 #include "stress/stress.h"
 
-#include "core/limit.h"
+#include "core/limit/limit.h"
 
 /* What equilibrium and strength may be off by, and how much of the fastest rate at which joints
  * move counts as none: joints are elastic, and the last equilibrium is found a little before

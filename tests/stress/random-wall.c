@@ -1,6 +1,6 @@
 #include "stress/random-wall.h"
 
-#include "core/contacts.h"
+#include "core/contact/contacts.h"
 #include "stereotomy/masonry.h"
 #include "support/models.h"
 

@@ -3,7 +3,7 @@
 #ifndef QN_TESTS_STRESS_RANDOM_WALL_H
 #define QN_TESTS_STRESS_RANDOM_WALL_H
 
-#include "core/model.h"
+#include "core/model/model.h"
 
 #include <glib.h>
 

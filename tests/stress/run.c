@@ -4,9 +4,9 @@
 #include "stress/checks.h"
 #include "stress/random-wall.h"
 
-#include "core/analysis.h"
-#include "core/limit.h"
-#include "io/project.h"
+#include "core/limit/limit.h"
+#include "core/path/analysis.h"
+#include "io/project/project.h"
 #include "support/models.h"
 
 #include <math.h>

@@ -7,8 +7,8 @@
 #ifndef QN_TESTS_STRESS_H
 #define QN_TESTS_STRESS_H
 
-#include "core/model.h"
-#include "core/result.h"
+#include "core/model/model.h"
+#include "core/result/result.h"
 
 #include <glib.h>
 

@@ -6,7 +6,7 @@
 #include "stress/report.h"
 #include "stress/run.h"
 
-#include "core/analysis.h"
+#include "core/path/analysis.h"
 #include "support/contacts.h"
 #include "support/models.h"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_SUPPORT_CERTIFICATE_H
 #define TESTS_SUPPORT_CERTIFICATE_H
 
-#include "core/limit.h"
+#include "core/limit/limit.h"
 
 /* Aborts unless the forces of an associative COLLAPSE balance dead + lower bound x live load on
  * every free block (1e-8 of the loads) within the strength of every pair (1e-9), the velocities

@@ -10,7 +10,7 @@
 #ifndef TESTS_SUPPORT_GENERATE_H
 #define TESTS_SUPPORT_GENERATE_H
 
-#include "core/model.h"
+#include "core/model/model.h"
 
 /* Material that all recipes share. */
 typedef struct QnGenerateMaterial {

@@ -3,7 +3,7 @@
 #ifndef TESTS_SUPPORT_PAIR_SUMS_H
 #define TESTS_SUPPORT_PAIR_SUMS_H
 
-#include "core/contacts.h"
+#include "core/contact/contacts.h"
 
 /* Adds the forces of all pairs (2 x pair_count: normal, shear, N) on their blocks to `sum`
  * (3 x block_count: fx, fy, moment about the centroid). Returns the largest of them. */

@@ -2,8 +2,8 @@
 #ifndef TESTS_SUPPORT_RUN_H
 #define TESTS_SUPPORT_RUN_H
 
-#include "core/analysis.h"
-#include "core/modal.h"
+#include "core/modal/modal.h"
+#include "core/path/analysis.h"
 
 typedef struct TestRun {
   QnModel model; /* filled by the test */

@@ -3,7 +3,7 @@
 #ifndef QN_TESTS_SUPPORT_SPRING_PROBE_H
 #define QN_TESTS_SUPPORT_SPRING_PROBE_H
 
-#include "core/spring.h"
+#include "core/law/spring.h"
 
 /* A spring that remembers what it was taken through. */
 typedef struct Probe {

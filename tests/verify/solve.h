@@ -2,8 +2,8 @@
 #ifndef QN_TESTS_VERIFY_SOLVE_H
 #define QN_TESTS_VERIFY_SOLVE_H
 
-#include "core/analysis.h"
-#include "core/model.h"
+#include "core/model/model.h"
+#include "core/path/analysis.h"
 
 /* A solved model with everything that belongs to it. */
 typedef struct Solved {

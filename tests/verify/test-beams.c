@@ -1,6 +1,6 @@
 /* Beam elements against closed forms: stiffness, collapse, large displacements, vibration. */
-#include "core/analysis.h"
-#include "core/modal.h"
+#include "core/modal/modal.h"
+#include "core/path/analysis.h"
 #include "support/models.h"
 #include "support/run.h"
 

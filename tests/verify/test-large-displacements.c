@@ -1,6 +1,6 @@
 /* Equilibrium in the deformed configuration against closed forms: Euler loads, the elastica, a
  * block turned over, and the balance of energy along an elastic path. */
-#include "core/stability.h"
+#include "core/path/stability.h"
 #include "support/models.h"
 #include "support/run.h"
 

@@ -3,7 +3,7 @@
  * path never passes the associative optimum. */
 #include "solve.h"
 
-#include "core/limit.h"
+#include "core/limit/limit.h"
 #include "support/generate.h"
 
 #include <glib.h>

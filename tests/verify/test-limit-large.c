@@ -1,6 +1,6 @@
 /* Limit analysis of a wall of ten thousand blocks, with both certificates summed up outside the
  * solver: the optimum is proved, whatever the way to it. */
-#include "core/limit.h"
+#include "core/limit/limit.h"
 #include "support/certificate.h"
 #include "support/generate.h"
 

@@ -1,5 +1,5 @@
 /* Continuous members in linear geometry against closed forms of textbook mechanics. */
-#include "core/analysis.h"
+#include "core/path/analysis.h"
 #include "support/models.h"
 
 #include <glib.h>

@@ -1,5 +1,5 @@
 /* Frequencies against closed forms. */
-#include "core/modal.h"
+#include "core/modal/modal.h"
 #include "support/models.h"
 #include "support/run.h"
 

@@ -2,9 +2,9 @@
  * limit analysis, write, read the result, check it, clear) fails once, alone and with all after
  * it: no crash, no leak (the sanitizers look), and either the answer or a refusal for want of
  * memory. Of the sequences of programs of non-associative limit analysis, every 29th. */
-#include "core/analysis.h"
-#include "io/io-error.h"
-#include "io/result-check.h"
+#include "core/path/analysis.h"
+#include "io/result/result-check.h"
+#include "io/text/io-error.h"
 #include "support/failing-memory.h"
 
 #include <glib.h>

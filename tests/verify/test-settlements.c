@@ -1,5 +1,5 @@
 /* Supports that give way, against closed forms and limit analysis. */
-#include "core/limit.h"
+#include "core/limit/limit.h"
 #include "support/models.h"
 #include "support/run.h"
 

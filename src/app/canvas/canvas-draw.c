@@ -1,0 +1,527 @@
+#include "app/canvas/canvas-private.h"
+#include "app/widgets/settings.h"
+#include "doc/text/explain.h"
+#include "render/backend/draw-cairo.h"
+#include "render/figure/figure-furniture.h"
+#include "render/scene/paint.h"
+
+#include <glib/gi18n.h>
+#include <pango/pangocairo.h>
+
+#define RULER_PX     20.0
+#define GRID_PX      60.0 /* least distance of labelled grid lines */
+#define MOST_MARKS   300  /* of findings: more hide the drawing */
+#define MARK_PX      7.0
+#define RING_PX      16.0
+#define CURSOR_PX    14.0
+#define DIM_PAPER    0.9
+#define LEGEND_INSET 10.0
+#define LEGEND_PAD   4.0
+
+/* The drawing is paper, white in light windows and a little dimmed in dark ones. */
+static gboolean
+is_dark (QnCanvas *self)
+{
+  GdkRGBA color;
+  gtk_style_context_get_color (gtk_widget_get_style_context (GTK_WIDGET (self)), &color);
+  return color.red + color.green + color.blue > 1.5f;
+}
+
+static void
+set_ink (cairo_t *cr, QnInk ink, double alpha)
+{
+  qn_set_color (cr, qn_ink (ink, false), alpha);
+}
+
+static PangoLayout *
+make_text (QnCanvas *self, const char *text, double points)
+{
+  PangoLayout *layout = gtk_widget_create_pango_layout (GTK_WIDGET (self), text);
+  PangoFontDescription *font =
+    pango_font_description_copy (pango_context_get_font_description (
+      gtk_widget_get_pango_context (GTK_WIDGET (self))));
+  pango_font_description_set_size (font, (int) (points * PANGO_SCALE));
+  pango_layout_set_font_description (layout, font);
+  pango_font_description_free (font);
+  return layout;
+}
+
+double
+qn_canvas_grid_distance (QnCanvas *self)
+{
+  return qn_magnet_round_distance (GRID_PX / self->camera.scale);
+}
+
+/* ---- grid and rulers ---- */
+
+static void
+draw_grid_lines (QnCanvas *self, cairo_t *cr, double distance)
+{
+  QnBox box = qn_camera_visible_box (&self->camera);
+  for (double i = ceil (box.min.x / distance); i * distance <= box.max.x; i++) {
+    double x = floor (qn_canvas_to_screen (self, qn_vec2 (i * distance, 0.0)).x) + 0.5;
+    cairo_move_to (cr, x, 0.0);
+    cairo_line_to (cr, x, self->camera.height);
+  }
+  for (double i = ceil (box.min.y / distance); i * distance <= box.max.y; i++) {
+    double y = floor (qn_canvas_to_screen (self, qn_vec2 (0.0, i * distance)).y) + 0.5;
+    cairo_move_to (cr, 0.0, y);
+    cairo_line_to (cr, self->camera.width, y);
+  }
+  cairo_set_line_width (cr, 1.0);
+  cairo_stroke (cr);
+}
+
+static void
+draw_grid (QnCanvas *self, cairo_t *cr)
+{
+  double distance = qn_canvas_grid_distance (self);
+  cairo_set_source_rgba (cr, 0.2, 0.3, 0.5, 0.05);
+  draw_grid_lines (self, cr, distance / 5.0);
+  cairo_set_source_rgba (cr, 0.2, 0.3, 0.5, 0.11);
+  draw_grid_lines (self, cr, distance);
+}
+
+static void
+draw_ruler_label (QnCanvas *self, cairo_t *cr, double value, QnVec2 at, gboolean vertical)
+{
+  g_autofree char *text =
+    qn_units_format (qn_settings_get_units (), QN_QUANTITY_LENGTH, value, 6);
+  g_autoptr (PangoLayout) layout = make_text (self, text, 7.0);
+  cairo_save (cr);
+  cairo_move_to (cr, at.x, at.y);
+  if (vertical)
+    cairo_rotate (cr, -G_PI_2);
+  pango_cairo_show_layout (cr, layout);
+  cairo_restore (cr);
+}
+
+static void
+draw_ruler_ticks (QnCanvas *self, cairo_t *cr, gboolean vertical)
+{
+  double distance = qn_canvas_grid_distance (self) / 5.0;
+  QnBox box = qn_camera_visible_box (&self->camera);
+  double from = vertical ? box.min.y : box.min.x, to = vertical ? box.max.y : box.max.x;
+  for (double i = ceil (from / distance); i * distance <= to; i++) {
+    double value = i * distance;
+    QnVec2 s = qn_canvas_to_screen (self, qn_vec2 (value, value));
+    gboolean major = fmod (fabs (i), 5.0) < 0.5;
+    double length = major ? RULER_PX : 5.0;
+    if (vertical) {
+      cairo_move_to (cr, RULER_PX, floor (s.y) + 0.5);
+      cairo_line_to (cr, RULER_PX - length, floor (s.y) + 0.5);
+    } else {
+      cairo_move_to (cr, floor (s.x) + 0.5, RULER_PX);
+      cairo_line_to (cr, floor (s.x) + 0.5, RULER_PX - length);
+    }
+    cairo_stroke (cr);
+    if (major)
+      draw_ruler_label (self, cr, i == 0.0 ? 0.0 : value,
+                        vertical ? qn_vec2 (2.0, s.y - 3.0) : qn_vec2 (s.x + 3.0, 2.0),
+                        vertical);
+  }
+}
+
+static void
+draw_pointer_on_rulers (QnCanvas *self, cairo_t *cr)
+{
+  QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_move_to (cr, floor (s.x) + 0.5, 0.0);
+  cairo_rel_line_to (cr, 0.0, RULER_PX);
+  cairo_move_to (cr, 0.0, floor (s.y) + 0.5);
+  cairo_rel_line_to (cr, RULER_PX, 0.0);
+  cairo_stroke (cr);
+}
+
+static void
+draw_rulers (QnCanvas *self, cairo_t *cr)
+{
+  cairo_save (cr);
+  cairo_set_source_rgb (cr, 0.955, 0.955, 0.95);
+  cairo_rectangle (cr, 0.0, 0.0, self->camera.width, RULER_PX);
+  cairo_rectangle (cr, 0.0, 0.0, RULER_PX, self->camera.height);
+  cairo_fill (cr);
+  cairo_set_source_rgb (cr, 0.35, 0.37, 0.4);
+  cairo_set_line_width (cr, 1.0);
+
+  cairo_save (cr);
+  cairo_rectangle (cr, RULER_PX, 0.0, self->camera.width, RULER_PX);
+  cairo_clip (cr);
+  draw_ruler_ticks (self, cr, FALSE);
+  cairo_restore (cr);
+  cairo_save (cr);
+  cairo_rectangle (cr, 0.0, RULER_PX, RULER_PX, self->camera.height);
+  cairo_clip (cr);
+  draw_ruler_ticks (self, cr, TRUE);
+  cairo_restore (cr);
+
+  if (self->pointer_inside)
+    draw_pointer_on_rulers (self, cr);
+  g_autoptr (PangoLayout) unit =
+    make_text (self, qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH), 7.0);
+  cairo_set_source_rgb (cr, 0.955, 0.955, 0.95);
+  cairo_rectangle (cr, 0.0, 0.0, RULER_PX, RULER_PX);
+  cairo_fill (cr);
+  cairo_set_source_rgb (cr, 0.35, 0.37, 0.4);
+  cairo_move_to (cr, 4.0, 3.0);
+  pango_cairo_show_layout (cr, unit);
+  cairo_restore (cr);
+}
+
+/* ---- over the scene ---- */
+
+void
+qn_canvas_trace (QnCanvas *self, cairo_t *cr, const QnVec2 *points, gsize count)
+{
+  for (gsize i = 0; i < count; i++) {
+    QnVec2 s = qn_canvas_to_screen (self, points[i]);
+    if (i == 0)
+      cairo_move_to (cr, s.x, s.y);
+    else
+      cairo_line_to (cr, s.x, s.y);
+  }
+  cairo_close_path (cr);
+}
+
+/* Along their axes, wider than these are drawn. */
+static void
+draw_selected_beams (QnCanvas *self, cairo_t *cr)
+{
+  const QnModel *model = qn_canvas_get_model (self);
+  guint count = 0;
+  const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (self), &count);
+  for (guint i = 0; i < count; i++) {
+    if ((gsize) ids[i] >= model->beam_count)
+      continue;
+    const QnId *ends = model->beams[ids[i]].nodes;
+    QnVec2 a = qn_canvas_to_screen (self, model->nodes[ends[0]].at);
+    QnVec2 b = qn_canvas_to_screen (self, model->nodes[ends[1]].at);
+    cairo_move_to (cr, a.x, a.y);
+    cairo_line_to (cr, b.x, b.y);
+  }
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
+  set_ink (cr, QN_INK_SELECTION, 0.3);
+  cairo_set_line_width (cr, 12.0);
+  cairo_stroke_preserve (cr);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_set_line_width (cr, 3.0);
+  cairo_stroke (cr);
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
+}
+
+/* Selected things are outlined where they are in the undeformed drawing. */
+static void
+draw_selection (QnCanvas *self, cairo_t *cr)
+{
+  QnDocument *document = qn_canvas_get_document (self);
+  const QnModel *model = qn_document_get_model (document);
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  QnSelection *selection = qn_canvas_get_selection (self);
+  guint count = 0;
+  const QnId *blocks = qn_selection_get_blocks (selection, &count);
+  for (guint i = 0; i < count; i++) {
+    if ((gsize) blocks[i] >= model->block_count)
+      continue;
+    qn_canvas_trace (self, cr, qn_model_block_vertices (model, blocks[i]),
+                     (gsize) model->blocks[blocks[i]].vertex_count);
+  }
+  set_ink (cr, QN_INK_SELECTION, 0.18);
+  cairo_fill_preserve (cr);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_set_line_width (cr, 2.0);
+  cairo_stroke (cr);
+
+  const QnId *faces = qn_selection_get_faces (selection, &count);
+  for (guint i = 0; i < count; i++) {
+    if ((gsize) faces[i] >= contacts->face_count)
+      continue;
+    QnVec2 a = qn_canvas_to_screen (self, contacts->faces[faces[i]].start);
+    QnVec2 b = qn_canvas_to_screen (self, contacts->faces[faces[i]].end);
+    cairo_move_to (cr, a.x, a.y);
+    cairo_line_to (cr, b.x, b.y);
+  }
+  cairo_set_line_width (cr, 6.0);
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
+  cairo_stroke (cr);
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
+}
+
+/* A warning triangle at the place of each finding. */
+static void
+draw_findings (QnCanvas *self, cairo_t *cr)
+{
+  const QnFindings *findings =
+    &qn_document_get_contacts (qn_canvas_get_document (self))->findings;
+  gsize shown = MIN (findings->count, MOST_MARKS);
+  for (gsize i = 0; i < shown; i++) {
+    QnVec2 s = qn_canvas_to_screen (self, findings->items[i].at);
+    cairo_move_to (cr, s.x, s.y - MARK_PX);
+    cairo_line_to (cr, s.x + MARK_PX, s.y + 0.7 * MARK_PX);
+    cairo_line_to (cr, s.x - MARK_PX, s.y + 0.7 * MARK_PX);
+    cairo_close_path (cr);
+    cairo_set_source_rgb (cr, 1.0, 0.82, 0.2);
+    cairo_fill_preserve (cr);
+    cairo_set_source_rgb (cr, 0.2, 0.15, 0.0);
+    cairo_set_line_width (cr, 1.3);
+    cairo_stroke (cr);
+    cairo_rectangle (cr, s.x - 0.8, s.y - 3.0, 1.6, 4.2);
+    cairo_rectangle (cr, s.x - 0.8, s.y + 2.0, 1.6, 1.6);
+    cairo_fill (cr);
+  }
+}
+
+static void
+draw_place (QnCanvas *self, cairo_t *cr)
+{
+  QnVec2 s = qn_canvas_to_screen (self, self->place);
+  cairo_arc (cr, s.x, s.y, RING_PX, 0.0, 2.0 * G_PI);
+  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.9);
+  cairo_set_line_width (cr, 6.0);
+  cairo_stroke_preserve (cr);
+  cairo_set_source_rgb (cr, 0.85, 0.1, 0.1);
+  cairo_set_line_width (cr, 2.5);
+  cairo_stroke (cr);
+}
+
+static void
+draw_magnet (QnCanvas *self, cairo_t *cr)
+{
+  QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_set_line_width (cr, 1.5);
+  switch (self->hit.kind) {
+  case QN_MAGNET_NODE:
+    cairo_arc (cr, s.x, s.y, 6.0, 0.0, 2.0 * G_PI);
+    break;
+  case QN_MAGNET_CORNER:
+    cairo_rectangle (cr, s.x - 5.0, s.y - 5.0, 10.0, 10.0);
+    break;
+  case QN_MAGNET_MIDDLE:
+    cairo_move_to (cr, s.x, s.y - 6.0);
+    cairo_line_to (cr, s.x + 6.0, s.y + 5.0);
+    cairo_line_to (cr, s.x - 6.0, s.y + 5.0);
+    cairo_close_path (cr);
+    break;
+  case QN_MAGNET_EDGE:
+  case QN_MAGNET_COURSE: {
+    QnVec2 a = qn_canvas_to_screen (self, self->hit.a);
+    QnVec2 b = qn_canvas_to_screen (self, self->hit.b);
+    cairo_move_to (cr, a.x, a.y);
+    cairo_line_to (cr, b.x, b.y);
+    cairo_new_sub_path (cr);
+    cairo_arc (cr, s.x, s.y, 4.0, 0.0, 2.0 * G_PI);
+    break;
+  }
+  case QN_MAGNET_GRID:
+    cairo_move_to (cr, s.x - 6.0, s.y);
+    cairo_line_to (cr, s.x + 6.0, s.y);
+    cairo_move_to (cr, s.x, s.y - 6.0);
+    cairo_line_to (cr, s.x, s.y + 6.0);
+    break;
+  case QN_MAGNET_NOTHING:
+    return;
+  }
+  cairo_stroke (cr);
+}
+
+/* The pointer that the arrow keys move. */
+static void
+draw_cursor (QnCanvas *self, cairo_t *cr)
+{
+  QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
+  cairo_move_to (cr, s.x - CURSOR_PX, s.y);
+  cairo_line_to (cr, s.x + CURSOR_PX, s.y);
+  cairo_move_to (cr, s.x, s.y - CURSOR_PX);
+  cairo_line_to (cr, s.x, s.y + CURSOR_PX);
+  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.9);
+  cairo_set_line_width (cr, 4.0);
+  cairo_stroke_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.1, 0.1);
+  cairo_set_line_width (cr, 1.5);
+  cairo_stroke (cr);
+}
+
+/* What is typed for the gesture, beside the pointer. */
+static void
+draw_typed (QnCanvas *self, cairo_t *cr)
+{
+  const char *label = self->tool->numbers_label;
+  g_autofree char *text =
+    g_strdup_printf ("%s▏   %s", self->typed->str, label != NULL ? _ (label) : "");
+  g_autoptr (PangoLayout) layout = make_text (self, text, 10.0);
+  int width, height;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  double x = self->pointer.x + 16.0, y = self->pointer.y + 16.0;
+  cairo_rectangle (cr, x - 6.0, y - 4.0, width + 12.0, height + 8.0);
+  cairo_set_source_rgb (cr, 1.0, 1.0, 0.92);
+  cairo_fill_preserve (cr);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_set_line_width (cr, 1.0);
+  cairo_stroke (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.1, 0.1);
+  cairo_move_to (cr, x, y);
+  pango_cairo_show_layout (cr, layout);
+}
+
+static void
+draw_layout (cairo_t *cr, PangoLayout *layout, QnVec2 at)
+{
+  int width, height;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.85);
+  cairo_rectangle (cr, at.x - 2.0, at.y, width + 4.0, height);
+  cairo_fill (cr);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_move_to (cr, at.x, at.y);
+  pango_cairo_show_layout (cr, layout);
+}
+
+void
+qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
+{
+  QnVec2 sa = qn_canvas_to_screen (self, a), sb = qn_canvas_to_screen (self, b);
+  double length = qn_vec2_length (qn_vec2_sub (b, a));
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_set_line_width (cr, 1.0);
+  cairo_move_to (cr, sa.x, sa.y);
+  cairo_line_to (cr, sb.x, sb.y);
+  cairo_stroke (cr);
+
+  g_autofree char *text =
+    qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_LENGTH, length, 4);
+  g_autoptr (PangoLayout) layout = make_text (self, text, 9.0);
+  int width, height;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  draw_layout (cr, layout,
+               qn_vec2 (0.5 * (sa.x + sb.x - width), 0.5 * (sa.y + sb.y - height)));
+}
+
+void
+qn_canvas_draw_label (QnCanvas *self, cairo_t *cr, const char *text, QnVec2 screen)
+{
+  g_autoptr (PangoLayout) layout = make_text (self, text, 9.0);
+  draw_layout (cr, layout, screen);
+}
+
+/* ---- all of it ---- */
+
+/* Measured, at the lower left. The caller clears it. */
+static void
+lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, QnFurniture *furniture)
+{
+  qn_furniture_init (furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
+                     true);
+  qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
+  furniture->x = RULER_PX + LEGEND_INSET;
+  furniture->y = self->camera.height - furniture->height - LEGEND_INSET;
+}
+
+/* Around its paper. */
+static QnBox
+legend_box (const QnFurniture *furniture)
+{
+  QnVec2 corner = qn_vec2 (furniture->x - LEGEND_PAD, furniture->y - LEGEND_PAD);
+  QnVec2 size =
+    qn_vec2 (furniture->width + 2 * LEGEND_PAD, furniture->height + 2 * LEGEND_PAD);
+  return (QnBox){ corner, qn_vec2_add (corner, size) };
+}
+
+QnBox
+qn_canvas_legend_box (QnCanvas *self, const QnScene *scene)
+{
+  QnFurniture furniture;
+  cairo_surface_t *surface = cairo_recording_surface_create (CAIRO_CONTENT_COLOR, NULL);
+  cairo_t *cr = cairo_create (surface);
+  lay_legend (self, cr, scene, &furniture);
+  QnBox box = legend_box (&furniture);
+  qn_furniture_clear (&furniture);
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+  return box;
+}
+
+/* Symbols and what they mean. */
+static void
+draw_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene)
+{
+  QnFurniture furniture;
+  lay_legend (self, cr, scene, &furniture);
+  QnBox box = legend_box (&furniture);
+  double paper = is_dark (self) ? DIM_PAPER : 1.0;
+  cairo_set_source_rgba (cr, paper, paper, paper, 0.85);
+  cairo_rectangle (cr, box.min.x, box.min.y, box.max.x - box.min.x,
+                   box.max.y - box.min.y);
+  cairo_fill (cr);
+  qn_furniture_draw (&furniture, cr, self->camera.scale, true);
+  qn_furniture_clear (&furniture);
+}
+
+static void
+draw_message (QnCanvas *self, cairo_t *cr, const char *text)
+{
+  g_autoptr (PangoLayout) layout = make_text (self, text, 12.0);
+  pango_layout_set_alignment (layout, PANGO_ALIGN_CENTER);
+  pango_layout_set_width (layout, (int) (0.7 * self->camera.width) * PANGO_SCALE);
+  int width, height;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  cairo_set_source_rgba (cr, 0.3, 0.3, 0.3, 0.9);
+  cairo_move_to (cr, 0.15 * self->camera.width, 0.5 * (self->camera.height - height));
+  pango_cairo_show_layout (cr, layout);
+}
+
+void
+qn_canvas_draw_below (QnCanvas *self, gboolean with_photo, cairo_t *cr)
+{
+  const QnScene *scene = qn_canvas_get_scene (self);
+  double paper = is_dark (self) ? DIM_PAPER : 1.0;
+  cairo_set_source_rgb (cr, paper, paper, paper);
+  cairo_paint (cr);
+  if (g_settings_get_boolean (qn_settings_get (), "grid"))
+    draw_grid (self, cr);
+  if (with_photo && scene != NULL)
+    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_BELOW, true, cr, NULL);
+}
+
+void
+qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
+{
+  const QnScene *scene = qn_canvas_get_scene (self);
+  gboolean undeformed = !qn_view_needs_result (qn_view_state_get_view (self->state));
+  if (with_labels && scene != NULL)
+    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, true, cr, NULL);
+  if (undeformed) {
+    draw_selection (self, cr);
+    draw_selected_beams (self, cr);
+    draw_findings (self, cr);
+  }
+  if (scene != NULL)
+    draw_legend (self, cr, scene);
+  else if (self->scene_error != NULL)
+    draw_message (self, cr, self->scene_error->message);
+  else if (!self->in_gesture)
+    draw_message (self, cr, _ ("Choose the wall tool (W) and drag a rectangle"));
+
+  if (self->tool->draw != NULL)
+    self->tool->draw (self, cr);
+  if (self->keyboard_cursor && self->pointer_inside)
+    draw_cursor (self, cr);
+  if (self->pointer_inside)
+    draw_magnet (self, cr);
+  if (self->has_place)
+    draw_place (self, cr);
+  draw_rulers (self, cr);
+  if (self->typed->len > 0)
+    draw_typed (self, cr);
+}
+
+void
+qn_canvas_draw (QnCanvas *self, cairo_t *cr)
+{
+  const QnScene *scene = qn_canvas_get_scene (self);
+  qn_canvas_draw_below (self, FALSE, cr);
+  if (scene != NULL)
+    qn_scene_cache_draw (&self->cache, scene, &self->camera, self->rest_timeout != 0,
+                         gtk_widget_get_scale_factor (GTK_WIDGET (self)), cr);
+  qn_canvas_draw_above (self, FALSE, cr);
+}

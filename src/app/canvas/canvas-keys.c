@@ -1,0 +1,195 @@
+/* Keys of the drawing: shortcuts that mean something here alone, and numbers typed for a gesture. */
+#include "app/canvas/canvas-private.h"
+
+#include "app/widgets/settings.h"
+#include <glib/gi18n.h>
+
+static void
+refuse_typed (QnCanvas *self)
+{
+  g_autofree char *message =
+    g_strdup_printf (_ ("What can be typed here: %s"), _ (self->tool->numbers_label));
+  qn_canvas_emit_failed (self, message);
+}
+
+static void
+finish_typed (QnCanvas *self)
+{
+  double values[QN_TOOL_NUMBERS];
+  int count = 0;
+  QnUnits units = qn_settings_get_units ();
+  g_auto (GStrv) words = g_strsplit_set (self->typed->str, ";x×", -1);
+  for (guint i = 0; words[i] != NULL; i++) {
+    if (*g_strstrip (words[i]) == '\0')
+      continue;
+    g_autoptr (GError) error = NULL;
+    /* What an earlier phase of the gesture has settled is not typed again. */
+    int place = count + self->gesture.phase;
+    if (place >= QN_TOOL_NUMBERS) {
+      refuse_typed (self);
+      return;
+    }
+    if (!qn_units_parse (units, self->tool->quantities[place], words[i], &values[count],
+                         &error)) {
+      qn_canvas_emit_failed (self, error->message);
+      return;
+    }
+    count++;
+  }
+  g_string_truncate (self->typed, 0);
+  if (!self->tool->numbers (self, values, count))
+    refuse_typed (self);
+}
+
+static gboolean
+is_number_character (gunichar c)
+{
+  return (c < 128 && g_ascii_isdigit ((char) c)) || c == '.' || c == ',' || c == ';'
+         || c == '-' || c == ' ' || c == 'x' || c == 'm' || c == 'c';
+}
+
+/* Keys that mean something for the drawing alone, so that entries keep theirs. */
+static const struct {
+  guint keyval;
+  GdkModifierType modifiers;
+  const char *action; /* detailed name */
+} canvas_keys[] = {
+  { GDK_KEY_Delete, 0, "win.delete" },
+  { GDK_KEY_BackSpace, 0, "win.delete" },
+  { GDK_KEY_Left, 0, "win.nudge((-1.0,0.0))" },
+  { GDK_KEY_Right, 0, "win.nudge((1.0,0.0))" },
+  { GDK_KEY_Up, 0, "win.nudge((0.0,1.0))" },
+  { GDK_KEY_Down, 0, "win.nudge((0.0,-1.0))" },
+  { GDK_KEY_space, 0, "win.play" },
+  { GDK_KEY_period, 0, "win.next-step" },
+  { GDK_KEY_comma, 0, "win.previous-step" },
+  { GDK_KEY_c, GDK_CONTROL_MASK, "win.copy" },
+  { GDK_KEY_x, GDK_CONTROL_MASK, "win.cut" },
+  { GDK_KEY_v, GDK_CONTROL_MASK, "win.paste" },
+  { GDK_KEY_a, GDK_CONTROL_MASK, "win.select-all" },
+  { GDK_KEY_j, 0, "win.join" },
+};
+
+static gboolean
+activate_key (QnCanvas *self, guint keyval, GdkModifierType modifiers)
+{
+  GdkModifierType held = modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK | GDK_SHIFT_MASK);
+  for (gsize i = 0; i < G_N_ELEMENTS (canvas_keys); i++) {
+    if (canvas_keys[i].keyval != keyval || canvas_keys[i].modifiers != held)
+      continue;
+    g_autofree char *name = NULL;
+    g_autoptr (GVariant) target = NULL;
+    g_action_parse_detailed_name (canvas_keys[i].action, &name, &target, NULL);
+    return gtk_widget_activate_action_variant (GTK_WIDGET (self), name, target);
+  }
+  for (int i = 0; qn_tools[i] != NULL && held == 0; i++) {
+    if (gdk_keyval_to_unicode (keyval) == (gunichar) qn_tools[i]->accel[0])
+      return gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s",
+                                         qn_tools[i]->name);
+  }
+  return FALSE;
+}
+
+/* ---- the pointer by keys ---- */
+
+/* Grid lines that a press of an arrow key passes: usually, with Control, with Shift. */
+#define CURSOR_STEP      1.0
+#define CURSOR_LEAP      5.0
+#define CURSOR_FINE_STEP 0.2
+
+/* Arrow keys move the pointer unless they nudge what is selected. */
+static gboolean
+move_cursor (QnCanvas *self, guint keyval, GdkModifierType modifiers)
+{
+  QnVec2 way;
+  switch (keyval) {
+  case GDK_KEY_Left:
+    way = qn_vec2 (-1.0, 0.0);
+    break;
+  case GDK_KEY_Right:
+    way = qn_vec2 (1.0, 0.0);
+    break;
+  case GDK_KEY_Up:
+    way = qn_vec2 (0.0, -1.0);
+    break;
+  case GDK_KEY_Down:
+    way = qn_vec2 (0.0, 1.0);
+    break;
+  default:
+    return FALSE;
+  }
+  if (self->tool == &qn_tool_select && !self->in_gesture
+      && !qn_selection_is_empty (qn_canvas_get_selection (self)))
+    return FALSE;
+  if (!self->keyboard_cursor && !self->pointer_inside)
+    self->pointer = qn_vec2 (0.5 * self->camera.width, 0.5 * self->camera.height);
+  double lines = modifiers & GDK_CONTROL_MASK ? CURSOR_LEAP
+                 : modifiers & GDK_SHIFT_MASK ? CURSOR_FINE_STEP
+                                              : CURSOR_STEP;
+  double step = lines * qn_canvas_grid_distance (self) / 5.0;
+  /* From where the magnet has it, so that steps along the grid stay on the grid. */
+  QnVec2 from = self->hit.kind != QN_MAGNET_NOTHING && self->keyboard_cursor
+                  ? qn_camera_to_screen (&self->camera, self->hit.point)
+                  : self->pointer;
+  QnVec2 at = qn_vec2_add_scaled (from, step * self->camera.scale, way);
+  at.x = CLAMP (at.x, 0.0, self->camera.width);
+  at.y = CLAMP (at.y, 0.0, self->camera.height);
+  self->keyboard_cursor = TRUE;
+  qn_canvas_point (self, at, modifiers & GDK_ALT_MASK);
+  return TRUE;
+}
+
+/* Enter where nothing is typed is a click at the pointer that the keys have moved. */
+static gboolean
+click_cursor (QnCanvas *self, guint keyval, GdkModifierType modifiers)
+{
+  if ((keyval != GDK_KEY_Return && keyval != GDK_KEY_KP_Enter) || self->typed->len > 0
+      || !self->keyboard_cursor)
+    return FALSE;
+  qn_canvas_click (self, modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK));
+  return TRUE;
+}
+
+static gboolean
+on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
+        GdkModifierType modifiers, QnCanvas *self)
+{
+  (void) controller;
+  (void) keycode;
+  gboolean control = (modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK)) != 0;
+  if (keyval == GDK_KEY_Escape) {
+    if (self->typed->len > 0)
+      g_string_truncate (self->typed, 0);
+    else if (self->in_gesture)
+      qn_canvas_cancel_gesture (self);
+    else if (self->tool != &qn_tool_select)
+      gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "select");
+    else
+      qn_selection_clear (qn_canvas_get_selection (self));
+  } else if (move_cursor (self, keyval, modifiers)
+             || click_cursor (self, keyval, modifiers))
+    return TRUE;
+  else if (!self->in_gesture || control)
+    return activate_key (self, keyval, modifiers);
+  else if ((keyval == GDK_KEY_Return || keyval == GDK_KEY_KP_Enter)
+           && self->tool->numbers)
+    finish_typed (self);
+  else if (keyval == GDK_KEY_BackSpace && self->typed->len > 0)
+    g_string_truncate (self->typed, self->typed->len - 1);
+  else if (is_number_character (gdk_keyval_to_unicode (keyval))
+           && (self->typed->len > 0 || gdk_keyval_to_unicode (keyval) < 0x3a))
+    g_string_append_unichar (self->typed, gdk_keyval_to_unicode (keyval));
+  else
+    return FALSE;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+  return TRUE;
+}
+
+void
+qn_canvas_add_key_controller (QnCanvas *self)
+{
+  GtkEventController *key = gtk_event_controller_key_new ();
+  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
+  gtk_widget_add_controller (GTK_WIDGET (self), key);
+}

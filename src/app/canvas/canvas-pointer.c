@@ -1,0 +1,147 @@
+/* What the pointer does on the drawing: the magnet places it, the tool gets it. */
+#include "app/canvas/canvas-private.h"
+
+#include "app/widgets/settings.h"
+#include <math.h>
+
+/* px: how far the magnet pulls. */
+#define MAGNET_REACH_PX 9.0
+
+static void
+update_hit (QnCanvas *self)
+{
+  QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
+  GSettings *settings = qn_settings_get ();
+  gboolean free_hand = (self->modifiers & GDK_ALT_MASK) != 0;
+  gboolean wanted =
+    self->tool != NULL && (self->tool->magnetic || self->in_gesture) && !free_hand;
+  QnMagnet magnet = { wanted && g_settings_get_boolean (settings, "snap"),
+                      MAGNET_REACH_PX / self->camera.scale,
+                      g_settings_get_boolean (settings, "grid")
+                        ? qn_canvas_grid_distance (self) / 5.0
+                        : 0.0 };
+  const QnModel *model = qn_canvas_get_model (self);
+  self->hit = qn_magnet_find (&magnet, model, point, self->magnet_skip);
+  /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm. */
+  if (magnet.enabled && self->hit.kind == QN_MAGNET_NOTHING) {
+    double round_to = qn_magnet_round_distance (1.0 / self->camera.scale);
+    self->hit.point = qn_vec2 (round (self->hit.point.x / round_to) * round_to,
+                               round (self->hit.point.y / round_to) * round_to);
+  }
+}
+
+static QnToolEvent
+make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
+            int press_count)
+{
+  self->pointer = qn_vec2 (x, y);
+  self->modifiers = modifiers;
+  update_hit (self);
+  return (QnToolEvent){ self->pointer, qn_camera_to_model (&self->camera, self->pointer),
+                        self->hit.point, modifiers, press_count };
+}
+
+static void
+press (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
+{
+  if (self->state == NULL || self->tool == NULL)
+    return;
+  QnToolEvent event = make_event (self, at.x, at.y, modifiers, count);
+  self->pressed = TRUE;
+  self->has_place = FALSE;
+  if (self->tool->press != NULL)
+    self->tool->press (self, &event);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+static void
+release (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
+{
+  if (!self->pressed)
+    return;
+  QnToolEvent event = make_event (self, at.x, at.y, modifiers, count);
+  self->pressed = FALSE;
+  if (self->tool->release != NULL)
+    self->tool->release (self, &event);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+void
+qn_canvas_point (QnCanvas *self, QnVec2 screen, GdkModifierType modifiers)
+{
+  if (self->state == NULL || self->tool == NULL)
+    return;
+  self->pointer_inside = TRUE;
+  QnToolEvent event = make_event (self, screen.x, screen.y, modifiers, 0);
+  if (self->tool->motion != NULL)
+    self->tool->motion (self, &event);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+void
+qn_canvas_click (QnCanvas *self, GdkModifierType modifiers)
+{
+  press (self, self->pointer, modifiers, 1);
+  release (self, self->pointer, modifiers, 1);
+}
+
+/* ---- events ---- */
+
+static GdkModifierType
+modifiers_of (gpointer controller)
+{
+  return gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (controller));
+}
+
+static void
+on_press (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+{
+  gtk_widget_grab_focus (GTK_WIDGET (self));
+  self->keyboard_cursor = FALSE;
+  press (self, qn_vec2 (x, y), modifiers_of (gesture), count);
+}
+
+static void
+on_release (GtkGestureClick *gesture, int count, double x, double y, QnCanvas *self)
+{
+  release (self, qn_vec2 (x, y), modifiers_of (gesture), count);
+}
+
+static void
+on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *self)
+{
+  /* GTK tells of a motion when what lies under a pointer at rest has changed. */
+  if (self->keyboard_cursor && x == self->mouse.x && y == self->mouse.y)
+    return;
+  self->mouse = qn_vec2 (x, y);
+  self->keyboard_cursor = FALSE;
+  qn_canvas_point (self, self->mouse, modifiers_of (controller));
+}
+
+static void
+on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
+{
+  (void) controller;
+  self->pointer_inside = self->keyboard_cursor;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+void
+qn_canvas_add_pointer_controllers (QnCanvas *self)
+{
+  GtkWidget *widget = GTK_WIDGET (self);
+  GtkGesture *click = gtk_gesture_click_new ();
+  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (click), GDK_BUTTON_PRIMARY);
+  g_signal_connect (click, "pressed", G_CALLBACK (on_press), self);
+  g_signal_connect (click, "released", G_CALLBACK (on_release), self);
+  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (click));
+
+  GtkEventController *motion = gtk_event_controller_motion_new ();
+  g_signal_connect (motion, "motion", G_CALLBACK (on_motion), self);
+  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), self);
+  gtk_widget_add_controller (widget, motion);
+}

@@ -1,0 +1,80 @@
+/* The inside of the drawing widget, shared by the files that make it up. */
+#ifndef QN_APP_CANVAS_PRIVATE_H
+#define QN_APP_CANVAS_PRIVATE_H
+
+#include "app/canvas/canvas.h"
+#include "app/canvas/gl-layer.h"
+#include "app/canvas/scene-cache.h"
+
+struct _QnCanvas {
+  GtkWidget parent_instance;
+
+  QnViewState *state;
+  QnToolSettings *settings; /* the window's */
+  const QnTool *tool;
+
+  QnScene *scene; /* NULL: to be built */
+  GError *scene_error;
+  QnSceneCache cache;
+  GtkWidget *gl_layer; /* large scenes by OpenGL */
+  guint rest_timeout;  /* runs while the camera moves */
+  QnCamera camera;
+  gboolean wants_fit; /* at the next drawing */
+  gboolean keeps_fit; /* until the user zooms or pans */
+  QnView shown_view;
+
+  QnVec2 pointer; /* px */
+  gboolean pointer_inside;
+  GdkModifierType modifiers;
+  QnMagnetHit hit;
+  gboolean *magnet_skip;
+  gboolean pressed;
+  gboolean in_gesture; /* a tool has begun something that Escape gives up */
+  QnGesture gesture;
+  GString *typed;           /* numbers typed during a gesture */
+  QnVec2 mouse;             /* where the pointing device is, px */
+  gboolean keyboard_cursor; /* the pointer was last moved by keys */
+  QnMasonries masonry;      /* of the document, read when needed */
+  gboolean has_masonry;
+  QnVec2 pan_from, zoom_center;
+  QnCamera gesture_camera;
+
+  gboolean has_place;
+  QnVec2 place; /* ringed, m */
+  guint place_timeout;
+};
+
+/* The scene of the present state, built when needed; NULL where there is nothing to show. */
+const QnScene *qn_canvas_get_scene (QnCanvas *canvas);
+
+/* What is under the scene, and over it. The photo and the labels of the scene belong to them
+ * where OpenGL draws the rest. */
+void qn_canvas_draw_below (QnCanvas *canvas, gboolean with_photo, cairo_t *cr);
+void qn_canvas_draw_above (QnCanvas *canvas, gboolean with_labels, cairo_t *cr);
+
+/* What the legend covers, px. */
+QnBox qn_canvas_legend_box (QnCanvas *canvas, const QnScene *scene);
+
+/* Draws everything by Cairo. */
+void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
+
+/* canvas-pointer.c, canvas-camera.c, canvas-keys.c: what the user does to the drawing. */
+void qn_canvas_add_pointer_controllers (QnCanvas *canvas);
+void qn_canvas_add_camera_controllers (QnCanvas *canvas);
+void qn_canvas_add_key_controller (QnCanvas *canvas);
+
+/* Puts the pointer somewhere, and presses and releases there, as the mouse would; px. */
+void qn_canvas_point (QnCanvas *canvas, QnVec2 screen, GdkModifierType modifiers);
+void qn_canvas_click (QnCanvas *canvas, GdkModifierType modifiers);
+
+/* Moves the camera so that everything is in view. */
+void qn_canvas_fit_now (QnCanvas *canvas);
+
+/* Emit the signals of canvas.h; `message` is translated. */
+void qn_canvas_emit_status (QnCanvas *canvas);
+void qn_canvas_emit_failed (QnCanvas *canvas, const char *message);
+
+/* Distance of grid lines at the present zoom, m. */
+double qn_canvas_grid_distance (QnCanvas *canvas);
+
+#endif

@@ -1,0 +1,522 @@
+#include "app/canvas/canvas-private.h"
+
+#include "app/widgets/settings.h"
+#include "doc/text/count-text.h"
+#include "io/project/project-masonry.h"
+#include <glib/gi18n.h>
+
+/* px: how near the pointer must be to pick. */
+#define PICK_REACH_PX 4.0
+#define CLICK_PX      4.0
+#define NODE_REACH_PX 7.0
+
+#define PX_PER_POINT (96.0 / 72.0)
+
+G_DEFINE_FINAL_TYPE (QnCanvas, qn_canvas, GTK_TYPE_WIDGET)
+
+enum { SIGNAL_STATUS, SIGNAL_FAILED, SIGNAL_COUNT };
+static guint signals[SIGNAL_COUNT];
+
+void
+qn_canvas_emit_status (QnCanvas *self)
+{
+  g_signal_emit (self, signals[SIGNAL_STATUS], 0);
+}
+
+void
+qn_canvas_emit_failed (QnCanvas *self, const char *message)
+{
+  g_signal_emit (self, signals[SIGNAL_FAILED], 0, message);
+}
+
+void
+qn_canvas_tell (QnCanvas *self, const char *message)
+{
+  qn_canvas_emit_failed (self, message);
+}
+
+/* ---- scene ---- */
+
+const QnScene *
+qn_canvas_get_scene (QnCanvas *self)
+{
+  if (self->scene != NULL || self->scene_error != NULL || self->state == NULL)
+    return self->scene;
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result;
+  if (!qn_view_state_get_content (self->state, &model, &contacts, &result)
+      || (model->block_count == 0 && model->beam_count == 0
+          && qn_view_state_get_underlay (self->state)->image == NULL))
+    return NULL;
+  QnViewOptions options = qn_view_state_get_options (self->state);
+  self->scene = qn_scene_build (model, contacts, result, &options, &self->scene_error);
+  return self->scene;
+}
+
+static void
+invalidate (QnCanvas *self)
+{
+  g_clear_pointer (&self->scene, qn_scene_free);
+  g_clear_error (&self->scene_error);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
+/* Another view takes other room; steps and phases of a motion do not move the paper. */
+static void
+on_state_changed (QnCanvas *self)
+{
+  QnView view = qn_view_state_get_view (self->state);
+  if (view != self->shown_view && self->keeps_fit)
+    self->wants_fit = TRUE;
+  self->shown_view = view;
+  invalidate (self);
+}
+
+static void
+update_description (QnCanvas *self)
+{
+  const QnModel *model = qn_canvas_get_model (self);
+  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
+  const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, contacts->face_count },
+                             { QN_COUNTED_BEAMS, model->beam_count } };
+  g_autofree char *content = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
+  g_autofree char *text = g_strdup_printf (
+    _ (
+      "Drawing: %s; the arrow keys move the selection, or the pointer of a drawing tool, "
+      "and Enter clicks there"),
+    content);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (self), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Drawing"), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                  text, -1);
+}
+
+/* ---- widget ---- */
+
+static void
+qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
+{
+  QnCanvas *self = QN_CANVAS (widget);
+  int width = gtk_widget_get_width (widget), height = gtk_widget_get_height (widget);
+  if (self->state == NULL || width <= 0 || height <= 0)
+    return;
+  gboolean resized = self->camera.width != width || self->camera.height != height;
+  self->camera.width = width;
+  self->camera.height = height;
+  if (self->wants_fit || (resized && self->keeps_fit))
+    qn_canvas_fit_now (self);
+  const graphene_rect_t all = GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height);
+  const QnScene *scene = qn_canvas_get_scene (self);
+  cairo_t *cr = gtk_snapshot_append_cairo (snapshot, &all);
+  if (qn_gl_layer_prepare (QN_GL_LAYER (self->gl_layer), scene, &self->camera)) {
+    qn_scene_cache_clear (&self->cache);
+    qn_canvas_draw_below (self, TRUE, cr);
+    cairo_destroy (cr);
+    gtk_widget_snapshot_child (widget, self->gl_layer, snapshot);
+    cr = gtk_snapshot_append_cairo (snapshot, &all);
+    qn_canvas_draw_above (self, TRUE, cr);
+  } else {
+    qn_canvas_draw (self, cr);
+  }
+  cairo_destroy (cr);
+}
+
+static void
+qn_canvas_size_allocate (GtkWidget *widget, int width, int height, int baseline)
+{
+  gtk_widget_allocate (QN_CANVAS (widget)->gl_layer, width, height, baseline, NULL);
+}
+
+static void
+forget_masonry (QnCanvas *self)
+{
+  qn_masonries_clear (&self->masonry);
+  self->has_masonry = FALSE;
+}
+
+static void
+qn_canvas_dispose (GObject *object)
+{
+  QnCanvas *self = QN_CANVAS (object);
+  if (self->state != NULL) {
+    QnDocument *document = qn_view_state_get_document (self->state);
+    g_signal_handlers_disconnect_by_data (self->state, self);
+    g_signal_handlers_disconnect_by_data (qn_document_get_selection (document), self);
+  }
+  g_signal_handlers_disconnect_by_data (qn_settings_get (), self);
+  g_clear_handle_id (&self->place_timeout, g_source_remove);
+  g_clear_handle_id (&self->rest_timeout, g_source_remove);
+  g_clear_pointer (&self->gl_layer, gtk_widget_unparent);
+  qn_scene_cache_clear (&self->cache);
+  g_clear_pointer (&self->scene, qn_scene_free);
+  g_clear_error (&self->scene_error);
+  g_clear_object (&self->state);
+  G_OBJECT_CLASS (qn_canvas_parent_class)->dispose (object);
+}
+
+static void
+qn_canvas_finalize (GObject *object)
+{
+  QnCanvas *self = QN_CANVAS (object);
+  g_free (self->magnet_skip);
+  g_string_free (self->typed, TRUE);
+  forget_masonry (self);
+  g_array_unref (self->gesture.points);
+  G_OBJECT_CLASS (qn_canvas_parent_class)->finalize (object);
+}
+
+static void
+qn_canvas_class_init (QnCanvasClass *klass)
+{
+  GObjectClass *object_class = G_OBJECT_CLASS (klass);
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (klass);
+  object_class->dispose = qn_canvas_dispose;
+  object_class->finalize = qn_canvas_finalize;
+  widget_class->snapshot = qn_canvas_snapshot;
+  widget_class->size_allocate = qn_canvas_size_allocate;
+  signals[SIGNAL_STATUS] = g_signal_new ("status", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,
+                                         NULL, NULL, NULL, G_TYPE_NONE, 0);
+  signals[SIGNAL_FAILED] = g_signal_new ("failed", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,
+                                         NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
+  gtk_widget_class_set_css_name (widget_class, "canvas");
+  gtk_widget_class_set_accessible_role (widget_class, GTK_ACCESSIBLE_ROLE_IMG);
+}
+
+static void
+qn_canvas_init (QnCanvas *self)
+{
+  gtk_widget_set_focusable (GTK_WIDGET (self), TRUE);
+  /* A drawing is the same in every script. */
+  gtk_widget_set_direction (GTK_WIDGET (self), GTK_TEXT_DIR_LTR);
+  gtk_widget_set_overflow (GTK_WIDGET (self), GTK_OVERFLOW_HIDDEN);
+  gtk_widget_set_hexpand (GTK_WIDGET (self), TRUE);
+  gtk_widget_set_vexpand (GTK_WIDGET (self), TRUE);
+  self->camera.scale = 100.0;
+  self->camera.unit = PX_PER_POINT;
+  self->typed = g_string_new (NULL);
+  self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  self->gesture.whole = QN_NONE;
+  self->tool = &qn_tool_select;
+  self->gl_layer = qn_gl_layer_new ();
+  gtk_widget_set_parent (self->gl_layer, GTK_WIDGET (self));
+  self->wants_fit = self->keeps_fit = TRUE;
+  qn_canvas_add_pointer_controllers (self);
+  qn_canvas_add_camera_controllers (self);
+  qn_canvas_add_key_controller (self);
+}
+
+static void
+on_document_changed (QnCanvas *self)
+{
+  forget_masonry (self);
+  /* Gestures point at blocks of the model that has just gone. */
+  if (self->in_gesture)
+    qn_canvas_cancel_gesture (self);
+  update_description (self);
+}
+
+void
+qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *settings)
+{
+  g_return_if_fail (self->state == NULL);
+  self->state = g_object_ref (state);
+  self->settings = settings;
+  g_signal_connect_swapped (state, "changed", G_CALLBACK (on_state_changed), self);
+  QnDocument *document = qn_view_state_get_document (state);
+  g_signal_connect_object (document, "changed", G_CALLBACK (on_document_changed), self,
+                           G_CONNECT_SWAPPED);
+  g_signal_connect_swapped (qn_document_get_selection (document), "changed",
+                            G_CALLBACK (gtk_widget_queue_draw), self);
+  g_signal_connect_swapped (qn_settings_get (), "changed",
+                            G_CALLBACK (gtk_widget_queue_draw), self);
+  update_description (self);
+}
+
+QnViewState *
+qn_canvas_get_state (QnCanvas *self)
+{
+  return self->state;
+}
+
+QnDocument *
+qn_canvas_get_document (QnCanvas *self)
+{
+  return qn_view_state_get_document (self->state);
+}
+
+GtkWidget *
+qn_canvas_get_gl_layer (QnCanvas *self)
+{
+  return self->gl_layer;
+}
+
+const QnModel *
+qn_canvas_get_model (QnCanvas *self)
+{
+  return qn_document_get_model (qn_canvas_get_document (self));
+}
+
+QnSelection *
+qn_canvas_get_selection (QnCanvas *self)
+{
+  return qn_document_get_selection (qn_canvas_get_document (self));
+}
+
+QnToolSettings *
+qn_canvas_get_tool_settings (QnCanvas *self)
+{
+  return self->settings;
+}
+
+void
+qn_canvas_cancel_gesture (QnCanvas *self)
+{
+  g_string_truncate (self->typed, 0);
+  if (self->tool->cancel != NULL)
+    self->tool->cancel (self);
+  qn_canvas_set_magnet_skip (self, NULL);
+  qn_canvas_set_in_gesture (self, FALSE);
+}
+
+void
+qn_canvas_set_in_gesture (QnCanvas *self, gboolean in_gesture)
+{
+  self->in_gesture = in_gesture;
+  if (!in_gesture) {
+    g_string_truncate (self->typed, 0);
+    g_array_set_size (self->gesture.points, 0);
+    self->gesture.dragging = FALSE;
+    self->gesture.band = FALSE;
+    self->gesture.phase = 0;
+    self->gesture.grip = (QnGrip){ QN_GRIP_NONE };
+    self->gesture.whole = QN_NONE;
+  }
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
+void
+qn_canvas_set_tool (QnCanvas *self, const QnTool *tool)
+{
+  if (self->in_gesture)
+    qn_canvas_cancel_gesture (self);
+  self->tool = tool;
+  gtk_widget_set_cursor_from_name (GTK_WIDGET (self),
+                                   tool == &qn_tool_select ? NULL : "crosshair");
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  qn_canvas_emit_status (self);
+}
+
+const QnTool *
+qn_canvas_get_tool (QnCanvas *self)
+{
+  return self->tool;
+}
+
+/* ---- for tools ---- */
+
+QnGesture *
+qn_canvas_get_gesture (QnCanvas *self)
+{
+  return &self->gesture;
+}
+
+gboolean
+qn_canvas_is_in_gesture (QnCanvas *self)
+{
+  return self->in_gesture;
+}
+
+gboolean
+qn_canvas_is_drag (QnCanvas *self, const QnToolEvent *event)
+{
+  QnVec2 moved = qn_vec2_sub (event->screen, self->gesture.from_screen);
+  return qn_vec2_length (moved) > CLICK_PX;
+}
+
+QnVec2
+qn_canvas_to_screen (QnCanvas *self, QnVec2 point)
+{
+  return qn_camera_to_screen (&self->camera, point);
+}
+
+QnPick
+qn_canvas_pick (QnCanvas *self, QnVec2 screen, unsigned kinds)
+{
+  const QnScene *scene = qn_canvas_get_scene (self);
+  if (scene == NULL)
+    return (QnPick){ QN_PICK_NOTHING, QN_NONE, 0 };
+  return qn_pick_at (scene, &self->camera, screen, PICK_REACH_PX, kinds);
+}
+
+void
+qn_canvas_pick_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
+{
+  const QnScene *scene = qn_canvas_get_scene (self);
+  if (scene != NULL)
+    qn_pick_inside (scene, &self->camera, a, b, QN_PICK_BLOCK, ids);
+}
+
+static gboolean
+is_between (QnVec2 p, QnVec2 a, QnVec2 b)
+{
+  return p.x >= MIN (a.x, b.x) && p.x <= MAX (a.x, b.x) && p.y >= MIN (a.y, b.y)
+         && p.y <= MAX (a.y, b.y);
+}
+
+void
+qn_canvas_beams_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
+{
+  const QnModel *model = qn_canvas_get_model (self);
+  for (QnId i = 0; i < (QnId) model->beam_count; i++) {
+    const QnId *ends = model->beams[i].nodes;
+    if (is_between (model->nodes[ends[0]].at, a, b)
+        && is_between (model->nodes[ends[1]].at, a, b))
+      g_array_append_val (ids, i);
+  }
+}
+
+void
+qn_canvas_faces_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
+{
+  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
+    QnVec2 m = qn_vec2_lerp (contacts->faces[i].start, contacts->faces[i].end, 0.5);
+    if (is_between (m, a, b))
+      g_array_append_val (ids, i);
+  }
+}
+
+const QnMasonries *
+qn_canvas_get_masonry (QnCanvas *self)
+{
+  if (!self->has_masonry) {
+    const QnProject *project = qn_document_get_project (qn_canvas_get_document (self));
+    /* What the document holds was read before. */
+    qn_project_get_masonry (project, &self->masonry, NULL);
+    self->has_masonry = TRUE;
+  }
+  return &self->masonry;
+}
+
+QnBlockSet
+qn_canvas_dup_selected (QnCanvas *self)
+{
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (self), &count);
+  return (QnBlockSet){ g_memdup2 (ids, count * sizeof *ids), count };
+}
+
+QnPartSet
+qn_canvas_dup_parts (QnCanvas *self)
+{
+  return qn_part_set_of_selection (qn_canvas_get_selection (self));
+}
+
+gboolean
+qn_canvas_get_parts_box (QnCanvas *self, QnVec2 *low, QnVec2 *high)
+{
+  const QnModel *model = qn_canvas_get_model (self);
+  QnSelection *selection = qn_canvas_get_selection (self);
+  QnBox box = QN_BOX_EMPTY;
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  for (guint i = 0; i < count; i++) {
+    const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
+    for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++)
+      qn_box_add_point (&box, v[k]);
+  }
+  ids = qn_selection_get_beams (selection, &count);
+  for (guint i = 0; i < count; i++)
+    for (int end = 0; end < 2; end++)
+      qn_box_add_point (&box, model->nodes[model->beams[ids[i]].nodes[end]].at);
+  *low = box.min;
+  *high = box.max;
+  return box.min.x <= box.max.x;
+}
+
+QnId
+qn_canvas_pick_node (QnCanvas *self, QnVec2 screen)
+{
+  const QnModel *model = qn_canvas_get_model (self);
+  return qn_model_node_near (model, qn_camera_to_model (&self->camera, screen),
+                             NODE_REACH_PX / self->camera.scale);
+}
+
+gboolean
+qn_canvas_snaps (QnCanvas *self)
+{
+  return g_settings_get_boolean (qn_settings_get (), "snap")
+         && (self->modifiers & GDK_ALT_MASK) == 0;
+}
+
+void
+qn_canvas_set_magnet_skip (QnCanvas *self, gboolean *skip)
+{
+  g_free (self->magnet_skip);
+  self->magnet_skip = skip;
+}
+
+gboolean
+qn_canvas_edit (QnCanvas *self, const char *name, const char *key, QnEditFunc func,
+                gpointer data)
+{
+  g_autoptr (GError) error = NULL;
+  if (qn_document_edit (qn_canvas_get_document (self), name, key, func, data, &error))
+    return TRUE;
+  qn_canvas_emit_failed (self, error->message);
+  return FALSE;
+}
+
+gboolean
+qn_canvas_edit_project (QnCanvas *self, const char *name, const char *key,
+                        QnProjectEditFunc func, gpointer data)
+{
+  g_autoptr (GError) error = NULL;
+  if (qn_document_edit_project (qn_canvas_get_document (self), name, key, func, data,
+                                &error))
+    return TRUE;
+  qn_canvas_emit_failed (self, error->message);
+  return FALSE;
+}
+
+static const char *
+magnet_word (QnMagnetKind kind)
+{
+  switch (kind) {
+  case QN_MAGNET_NODE:
+    return _ ("node");
+  case QN_MAGNET_CORNER:
+    return _ ("corner");
+  case QN_MAGNET_MIDDLE:
+    return _ ("middle of an edge");
+  case QN_MAGNET_EDGE:
+    return _ ("edge");
+  case QN_MAGNET_COURSE:
+    return _ ("course line");
+  case QN_MAGNET_GRID:
+    return _ ("grid");
+  case QN_MAGNET_NOTHING:
+    break;
+  }
+  return NULL;
+}
+
+char *
+qn_canvas_dup_status (QnCanvas *self)
+{
+  if (!self->pointer_inside || self->state == NULL)
+    return g_strdup ("");
+  QnUnits units = qn_settings_get_units ();
+  QnVec2 p = self->hit.point;
+  double resolution = 1.0 / self->camera.scale;
+  p = qn_vec2 (round (p.x / resolution) * resolution,
+               round (p.y / resolution) * resolution);
+  if (self->hit.kind != QN_MAGNET_NOTHING)
+    p = self->hit.point;
+  g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, p.x, 5);
+  g_autofree char *y = qn_units_format_full (units, QN_QUANTITY_LENGTH, p.y, 5);
+  const char *word = magnet_word (self->hit.kind);
+  return word != NULL ? g_strdup_printf ("%s; %s  (%s)", x, y, word)
+                      : g_strdup_printf ("%s; %s", x, y);
+}

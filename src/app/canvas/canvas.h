@@ -1,0 +1,110 @@
+/* The drawing: shows what the view state says, and hands the pointer to the current tool.
+ *
+ * Zooms about the pointer (wheel, pinch), pans with the middle button or two fingers, fits on
+ * request. Grid, rulers, selection, findings and the tool's gesture are drawn over the scene.
+ *
+ * Signals: "status" (without arguments) when pointer, hint or snapping have changed;
+ * "failed" (message) when an edit was refused.
+ */
+#ifndef QN_APP_CANVAS_H
+#define QN_APP_CANVAS_H
+
+#include "app/canvas/tool.h"
+#include "doc/edit/edit-frame.h"
+#include "doc/view/view-state.h"
+#include "render/scene/pick.h"
+
+/* Connects a canvas made by a template; once. */
+void qn_canvas_set_state (QnCanvas *canvas, QnViewState *state, QnToolSettings *settings);
+
+QnViewState *qn_canvas_get_state (QnCanvas *canvas);
+QnDocument *qn_canvas_get_document (QnCanvas *canvas);
+QnSelection *qn_canvas_get_selection (QnCanvas *canvas);
+const QnModel *qn_canvas_get_model (QnCanvas *canvas); /* the document's */
+QnToolSettings *qn_canvas_get_tool_settings (QnCanvas *canvas);
+
+void qn_canvas_set_tool (QnCanvas *canvas, const QnTool *tool);
+const QnTool *qn_canvas_get_tool (QnCanvas *canvas);
+/* Gives up the gesture of the current tool. */
+void qn_canvas_cancel_gesture (QnCanvas *canvas);
+
+/* Brings everything into view when the canvas is drawn next, and keeps it there until the user
+ * zooms or pans. */
+void qn_canvas_fit (QnCanvas *canvas);
+void qn_canvas_zoom (QnCanvas *canvas, double factor); /* about the middle */
+/* Brings a place into view and rings it. */
+void qn_canvas_show_place (QnCanvas *canvas, QnVec2 at);
+
+/* What part is in view; the viewport is the canvas's own. Borrowed, and copied. */
+const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
+void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
+
+/* Where OpenGL draws large structures; a QnGlLayer. */
+GtkWidget *qn_canvas_get_gl_layer (QnCanvas *canvas);
+
+/* One line on the pointer: place and what the magnet took; the caller frees it. */
+char *qn_canvas_dup_status (QnCanvas *canvas);
+
+/* ---- for tools ---- */
+
+/* The one gesture of the canvas, the current tool's to change; and whether one is under way. */
+QnGesture *qn_canvas_get_gesture (QnCanvas *canvas);
+gboolean qn_canvas_is_in_gesture (QnCanvas *canvas);
+
+/* Whether the pointer has moved too far since the press to be a click. */
+gboolean qn_canvas_is_drag (QnCanvas *canvas, const QnToolEvent *event);
+
+/* Screen place of a point of the model. */
+QnVec2 qn_canvas_to_screen (QnCanvas *canvas, QnVec2 point);
+
+/* Topmost entity of these kinds under the pointer; kinds as of qn_pick_at(). */
+QnPick qn_canvas_pick (QnCanvas *canvas, QnVec2 screen, unsigned kinds);
+void qn_canvas_pick_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
+
+/* Faces whose middle lies in the rectangle between two points of the model. */
+void qn_canvas_faces_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
+
+/* Beams whose both ends lie there. */
+void qn_canvas_beams_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
+
+/* The document's parametric masonry; borrowed until the next change. */
+const QnMasonries *qn_canvas_get_masonry (QnCanvas *canvas);
+
+/* The selected blocks, copied, because the selection may change under an edit; free the ids. */
+QnBlockSet qn_canvas_dup_selected (QnCanvas *canvas);
+/* The selected blocks and beams likewise; clear them. */
+QnPartSet qn_canvas_dup_parts (QnCanvas *canvas);
+/* Box around them; FALSE where there are none. */
+gboolean qn_canvas_get_parts_box (QnCanvas *canvas, QnVec2 *low, QnVec2 *high);
+
+/* The node of beams under the pointer, or QN_NONE. */
+QnId qn_canvas_pick_node (QnCanvas *canvas, QnVec2 screen);
+
+/* Whether the magnet is on at the moment. */
+gboolean qn_canvas_snaps (QnCanvas *canvas);
+
+/* Blocks that the magnet leaves alone, one flag per block, taken over; NULL for none. */
+void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);
+
+/* Do an edit as qn_document_edit() and qn_document_edit_project(); FALSE where it is refused, which
+ * the signal "failed" has told then. */
+gboolean qn_canvas_edit (QnCanvas *canvas, const char *name, const char *key,
+                         QnEditFunc func, gpointer data);
+gboolean qn_canvas_edit_project (QnCanvas *canvas, const char *name, const char *key,
+                                 QnProjectEditFunc func, gpointer data);
+
+/* Tells the user why something cannot be done. */
+void qn_canvas_tell (QnCanvas *canvas, const char *message);
+
+/* Says that a gesture is under way (Escape gives it up, numbers are typed for it) or over. */
+void qn_canvas_set_in_gesture (QnCanvas *canvas, gboolean in_gesture);
+
+/* Draws a dimension line with its length between two points of the model. */
+void qn_canvas_draw_dimension (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
+/* A text on paper, its upper left corner at a place of the screen. */
+void qn_canvas_draw_label (QnCanvas *canvas, cairo_t *cr, const char *text,
+                           QnVec2 screen);
+/* Traces a polygon of the model as a path. */
+void qn_canvas_trace (QnCanvas *canvas, cairo_t *cr, const QnVec2 *points, gsize count);
+
+#endif

@@ -1,0 +1,177 @@
+#include "app/canvas/gesture.h"
+
+#include <math.h>
+
+/* Objects with more blocks are drawn as a frame while they are dragged. */
+#define MOST_DRAWN_BLOCKS 3000
+
+#define ANGLE_STEP (G_PI / 12.0)
+
+static void
+complete (QnCanvas *canvas)
+{
+  qn_canvas_get_tool (canvas)->complete (canvas);
+}
+
+void
+qn_gesture_press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (qn_canvas_is_in_gesture (canvas)) {
+    qn_canvas_get_tool (canvas)->motion (canvas, event);
+    complete (canvas);
+    return;
+  }
+  gesture->from = gesture->to = event->point;
+  gesture->from_screen = event->screen;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+void
+qn_gesture_motion (QnCanvas *canvas, const QnToolEvent *event)
+{
+  if (qn_canvas_is_in_gesture (canvas))
+    qn_canvas_get_gesture (canvas)->to = event->point;
+}
+
+void
+qn_gesture_motion_straight (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  gesture->to = event->point;
+  if ((event->modifiers & GDK_SHIFT_MASK) == 0)
+    return;
+  QnVec2 d = qn_vec2_sub (event->model, gesture->from);
+  double angle = round (atan2 (d.y, d.x) / ANGLE_STEP) * ANGLE_STEP;
+  QnVec2 direction = qn_vec2 (cos (angle), sin (angle));
+  gesture->to = qn_vec2_add_scaled (gesture->from, qn_vec2_dot (d, direction), direction);
+}
+
+void
+qn_gesture_release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  if (!qn_canvas_is_in_gesture (canvas) || !qn_canvas_is_drag (canvas, event))
+    return;
+  qn_canvas_get_tool (canvas)->motion (canvas, event);
+  complete (canvas);
+}
+
+gboolean
+qn_gesture_rectangle_numbers (QnCanvas *canvas, const double *values, int count)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (count != 2)
+    return FALSE;
+  /* Towards the side on which the pointer is. */
+  double right = gesture->to.x < gesture->from.x ? -1.0 : 1.0;
+  double up = gesture->to.y < gesture->from.y ? -1.0 : 1.0;
+  gesture->to =
+    qn_vec2 (gesture->from.x + right * values[0], gesture->from.y + up * values[1]);
+  complete (canvas);
+  return TRUE;
+}
+
+gboolean
+qn_gesture_typed_way (const QnGesture *gesture, const double *values, int count,
+                      QnVec2 *way)
+{
+  if (count < 1 || count > 2)
+    return FALSE;
+  QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
+  double angle = count == 2 ? values[1] : atan2 (d.y, d.x);
+  *way = qn_vec2_scale (values[0], qn_vec2 (cos (angle), sin (angle)));
+  return TRUE;
+}
+
+gboolean
+qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnVec2 way;
+  if (!qn_gesture_typed_way (gesture, values, count, &way))
+    return FALSE;
+  gesture->to = qn_vec2_add (gesture->from, way);
+  complete (canvas);
+  return TRUE;
+}
+
+/* ---- drawing ---- */
+
+void
+qn_gesture_paint (cairo_t *cr)
+{
+  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.15);
+  cairo_fill_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 1.5);
+  cairo_stroke (cr);
+}
+
+void
+qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
+{
+  QnVec2 corners[] = { a, { b.x, a.y }, b, { a.x, b.y } };
+  qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));
+  qn_gesture_paint (cr);
+  double low = MIN (a.y, b.y), right = MAX (a.x, b.x);
+  qn_canvas_draw_dimension (canvas, cr, qn_vec2 (a.x, low), qn_vec2 (b.x, low));
+  qn_canvas_draw_dimension (canvas, cr, qn_vec2 (right, a.y), qn_vec2 (right, b.y));
+}
+
+void
+qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
+{
+  QnVec2 p = qn_canvas_to_screen (canvas, a), q = qn_canvas_to_screen (canvas, b);
+  cairo_move_to (cr, p.x, p.y);
+  cairo_line_to (cr, q.x, q.y);
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 2.0);
+  cairo_stroke (cr);
+  if (qn_vec2_length (qn_vec2_sub (b, a)) > 0.0)
+    qn_canvas_draw_dimension (canvas, cr, a, b);
+}
+
+void
+qn_gesture_draw_masonry (QnCanvas *canvas, cairo_t *cr, const QnMasonry *masonry)
+{
+  if (!(qn_masonry_estimate_blocks (masonry) <= MOST_DRAWN_BLOCKS))
+    return;
+  QnMasonry named = *masonry;
+  named.name = masonry->name != NULL ? masonry->name : (char *) "new";
+  QnModel model;
+  qn_model_init (&model);
+  if (qn_masonry_expand (&named, 0, &model, NULL) == QN_OK) {
+    for (QnId i = 0; i < (QnId) model.block_count; i++)
+      qn_canvas_trace (canvas, cr, qn_model_block_vertices (&model, i),
+                       (gsize) model.blocks[i].vertex_count);
+    qn_gesture_paint (cr);
+  }
+  qn_model_clear (&model);
+}
+
+void
+qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
+  for (guint i = 0; i < count; i++) {
+    gsize n = (gsize) model->blocks[ids[i]].vertex_count;
+    const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
+    g_autofree QnVec2 *moved = g_new (QnVec2, n);
+    for (gsize k = 0; k < n; k++)
+      moved[k] = qn_transform_apply (transform, v[k]);
+    qn_canvas_trace (canvas, cr, moved, n);
+  }
+  qn_gesture_paint (cr);
+  ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
+  for (guint i = 0; i < count; i++) {
+    const QnId *ends = model->beams[ids[i]].nodes;
+    QnVec2 line[2] = { qn_transform_apply (transform, model->nodes[ends[0]].at),
+                       qn_transform_apply (transform, model->nodes[ends[1]].at) };
+    qn_canvas_trace (canvas, cr, line, 2);
+  }
+  cairo_stroke (cr);
+}

@@ -1,0 +1,52 @@
+/* Gestures between two points: pressed at the one and released at the other, or clicked at both,
+ * or clicked at the first and typed. Rectangles and lines share them; what becomes of the two
+ * points is the tool's `complete`. */
+#ifndef QN_APP_GESTURE_H
+#define QN_APP_GESTURE_H
+
+#include "app/canvas/canvas.h"
+
+/* For QnTool.press, .motion and .release. */
+void qn_gesture_press (QnCanvas *canvas, const QnToolEvent *event);
+void qn_gesture_motion (QnCanvas *canvas, const QnToolEvent *event);
+/* The same, held to multiples of 15 degrees while Shift is pressed. */
+void qn_gesture_motion_straight (QnCanvas *canvas, const QnToolEvent *event);
+void qn_gesture_release (QnCanvas *canvas, const QnToolEvent *event);
+
+/* For QnTool.numbers: width and height towards the pointer; or length and angle of a line, the
+ * angle that of the pointer where it is not given. */
+gboolean qn_gesture_rectangle_numbers (QnCanvas *canvas, const double *values, int count);
+gboolean qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count);
+
+/* These, and what can be typed, as members of a QnTool that draws a line, or a rectangle. */
+#define QN_GESTURE_LINE                                                                  \
+  .magnetic = TRUE, .numbers_label = N_ ("length; angle"),                               \
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE }, .press = qn_gesture_press,    \
+  .motion = qn_gesture_motion_straight, .release = qn_gesture_release,                   \
+  .numbers = qn_gesture_line_numbers
+#define QN_GESTURE_RECTANGLE                                                             \
+  .magnetic = TRUE, .numbers_label = N_ ("width; height"),                               \
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH }, .press = qn_gesture_press,   \
+  .motion = qn_gesture_motion, .release = qn_gesture_release,                            \
+  .numbers = qn_gesture_rectangle_numbers
+
+/* What one typed number, a length in the direction of the pointer, or two, a length and an angle,
+ * mean as a way from gesture.from; FALSE for any other count. */
+gboolean qn_gesture_typed_way (const QnGesture *gesture, const double *values, int count,
+                               QnVec2 *way);
+
+/* Frame and both dimensions of a rectangle. */
+void qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
+/* A line with its length. */
+void qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
+
+/* Joints of an object that is not laid yet. */
+void qn_gesture_draw_masonry (QnCanvas *canvas, cairo_t *cr, const QnMasonry *masonry);
+
+/* Outlines of the selected blocks as a transform would put them. */
+void qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform);
+
+/* Fill and outline of everything that is about to be. */
+void qn_gesture_paint (cairo_t *cr);
+
+#endif

@@ -1,0 +1,200 @@
+#include "app/canvas/gl-layer.h"
+
+#include "app/canvas/scene-cache.h"
+#include "app/widgets/settings.h"
+#include "render/backend/draw-gl.h"
+#include "render/backend/offscreen.h"
+
+struct _QnGlLayer {
+  GtkWidget parent_instance;
+
+  GtkWidget *area; /* visible only while OpenGL draws */
+  QnGl gl;
+  QnGlRenderer *renderer; /* of the area's context */
+  const QnScene *scene;   /* of the frame being drawn */
+  QnCamera camera;
+  uint64_t revision; /* last drawn, with camera */
+  guint wake;        /* shows or hides the area outside of any frame */
+  gboolean wanted;
+  gboolean failed;
+  gboolean software;
+  unsigned frames;
+};
+
+G_DEFINE_FINAL_TYPE (QnGlLayer, qn_gl_layer, GTK_TYPE_WIDGET)
+
+/* ---- the area ---- */
+
+static void
+give_up (QnGlLayer *self, const char *reason)
+{
+  g_info ("OpenGL is not available to the window: %s", reason);
+  self->failed = TRUE;
+}
+
+static void
+on_realize (GtkGLArea *area, QnGlLayer *self)
+{
+  g_autoptr (GError) error = NULL;
+  gtk_gl_area_make_current (area);
+  if (gtk_gl_area_get_error (area) != NULL) {
+    give_up (self, gtk_gl_area_get_error (area)->message);
+    return;
+  }
+  if (!qn_gl_load_current (&self->gl)) {
+    give_up (self, "the context is older than OpenGL 3.3");
+    return;
+  }
+  self->software = qn_gl_is_software (&self->gl);
+  self->renderer = qn_gl_renderer_new (&self->gl, &error);
+  self->revision = 0;
+  if (self->renderer == NULL)
+    give_up (self, error->message);
+}
+
+static void
+on_unrealize (GtkGLArea *area, QnGlLayer *self)
+{
+  gtk_gl_area_make_current (area);
+  g_clear_pointer (&self->renderer, qn_gl_renderer_free);
+}
+
+/* Labels and photos are Cairo's, below and above this layer. */
+static gboolean
+on_render (GtkGLArea *area, GdkGLContext *context, QnGlLayer *self)
+{
+  (void) context;
+  int factor = gtk_widget_get_scale_factor (GTK_WIDGET (area));
+  self->gl.Disable (GL_SCISSOR_TEST);
+  self->gl.ClearColor (0, 0, 0, 0);
+  self->gl.Clear (GL_COLOR_BUFFER_BIT);
+  if (self->scene == NULL || self->renderer == NULL)
+    return TRUE;
+  QnCamera camera = self->camera;
+  camera.x *= factor;
+  camera.y *= factor;
+  camera.width *= factor;
+  camera.height *= factor;
+  camera.scale *= factor;
+  camera.unit *= factor;
+  qn_gl_renderer_draw (self->renderer, self->scene, &camera, (int) camera.height, true,
+                       NULL);
+  self->revision = self->scene->revision;
+  self->frames++;
+  return TRUE;
+}
+
+/* ---- layer ---- */
+
+static gboolean
+on_wake (gpointer data)
+{
+  QnGlLayer *self = data;
+  self->wake = 0;
+  gtk_widget_set_visible (self->area, self->wanted && !self->failed);
+  /* What was never drawn does not ask for it. */
+  gtk_widget_queue_draw (gtk_widget_get_parent (GTK_WIDGET (self)));
+  return G_SOURCE_REMOVE;
+}
+
+/* Few commands are drawn by Cairo in less time than a picture takes to the screen, and without
+ * a graphics card moving a picture of many is quicker than drawing them for every frame. */
+static gboolean
+is_worthwhile (QnGlLayer *self, const QnScene *scene)
+{
+  switch ((QnEngine) g_settings_get_enum (qn_settings_get (), "engine")) {
+  case QN_ENGINE_CAIRO:
+    return FALSE;
+  case QN_ENGINE_OPENGL:
+    return TRUE;
+  case QN_ENGINE_AUTOMATIC:
+    break;
+  }
+  return scene->commands->len >= QN_SCENE_CACHE_LEAST && !self->software;
+}
+
+static gboolean
+is_same_camera (const QnCamera *a, const QnCamera *b)
+{
+  return a->center.x == b->center.x && a->center.y == b->center.y && a->scale == b->scale
+         && a->width == b->width && a->height == b->height;
+}
+
+gboolean
+qn_gl_layer_prepare (QnGlLayer *self, const QnScene *scene, const QnCamera *camera)
+{
+  self->wanted = scene != NULL && !self->failed && is_worthwhile (self, scene);
+  self->scene = self->wanted ? scene : NULL;
+  if (gtk_widget_get_visible (self->area) != self->wanted && self->wake == 0)
+    self->wake = g_idle_add (on_wake, self);
+  /* The area has its size from the allocation after it was shown. */
+  if (!self->wanted || self->renderer == NULL || !gtk_widget_get_mapped (self->area)
+      || gtk_widget_get_width (self->area) != (int) camera->width)
+    return FALSE;
+  if (self->revision != scene->revision || !is_same_camera (&self->camera, camera)) {
+    self->camera = *camera;
+    gtk_widget_queue_draw (self->area);
+  }
+  return TRUE;
+}
+
+unsigned
+qn_gl_layer_get_uploads (QnGlLayer *self)
+{
+  return self->renderer != NULL ? qn_gl_renderer_uploads (self->renderer) : 0;
+}
+
+gboolean
+qn_gl_layer_is_software (QnGlLayer *self)
+{
+  return self->software;
+}
+
+unsigned
+qn_gl_layer_get_frames (QnGlLayer *self)
+{
+  return self->frames;
+}
+
+static void
+qn_gl_layer_size_allocate (GtkWidget *widget, int width, int height, int baseline)
+{
+  QnGlLayer *self = QN_GL_LAYER (widget);
+  if (gtk_widget_should_layout (self->area))
+    gtk_widget_allocate (self->area, width, height, baseline, NULL);
+}
+
+static void
+qn_gl_layer_dispose (GObject *object)
+{
+  QnGlLayer *self = QN_GL_LAYER (object);
+  g_clear_handle_id (&self->wake, g_source_remove);
+  g_clear_pointer (&self->area, gtk_widget_unparent);
+  G_OBJECT_CLASS (qn_gl_layer_parent_class)->dispose (object);
+}
+
+static void
+qn_gl_layer_class_init (QnGlLayerClass *klass)
+{
+  G_OBJECT_CLASS (klass)->dispose = qn_gl_layer_dispose;
+  GTK_WIDGET_CLASS (klass)->size_allocate = qn_gl_layer_size_allocate;
+}
+
+static void
+qn_gl_layer_init (QnGlLayer *self)
+{
+  self->area = gtk_gl_area_new ();
+  gtk_gl_area_set_required_version (GTK_GL_AREA (self->area), 3, 3);
+  gtk_widget_set_visible (self->area, FALSE);
+  gtk_widget_set_parent (self->area, GTK_WIDGET (self));
+  g_signal_connect_after (self->area, "realize", G_CALLBACK (on_realize), self);
+  g_signal_connect (self->area, "unrealize", G_CALLBACK (on_unrealize), self);
+  g_signal_connect (self->area, "render", G_CALLBACK (on_render), self);
+  gtk_widget_set_can_target (GTK_WIDGET (self), FALSE);
+}
+
+GtkWidget *
+qn_gl_layer_new (void)
+{
+  return g_object_new (QN_TYPE_GL_LAYER, NULL);
+}

@@ -1,0 +1,407 @@
+#include "app/canvas/handle.h"
+
+#include "app/canvas/gesture.h"
+#include "doc/edit/edit-masonry.h"
+#include "doc/edit/edit-shape.h"
+#include "io/project/project-masonry.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+#define HANDLE_PX 4.5  /* half a side of the square */
+#define REACH_PX  8.0  /* how near the pointer must be */
+#define TURN_PX   28.0 /* of the turning handle above the selection */
+
+/* Blocks with more corners show none of them: a curve, not a shape to edit by hand. */
+#define MOST_CORNERS 40
+
+/* Of more beams than these no single ends are dragged. */
+#define MOST_BEAMS 40
+
+/* ---- what there is to drag ---- */
+
+static void
+add_grip (GArray *grips, QnGrip grip)
+{
+  g_array_append_val (grips, grip);
+}
+
+static void
+add_masonry_grips (QnCanvas *canvas, GArray *grips, QnId object, int opening)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  if (object < 0 || (gsize) object >= list->count
+      || (opening != QN_NO_OPENING
+          && (gsize) opening >= list->items[object].wall.opening_count))
+    return;
+  QnHandle handles[QN_HANDLE_COUNT];
+  guint count = qn_masonry_get_handles (&list->items[object], opening, handles);
+  for (guint i = 0; i < count; i++) {
+    QnGrip grip = { .kind = QN_GRIP_MASONRY,
+                    .at = handles[i].at,
+                    .object = object,
+                    .opening = opening,
+                    .handle = (int) handles[i].kind };
+    add_grip (grips, grip);
+  }
+}
+
+static void
+add_turn_grip (QnCanvas *canvas, GArray *grips)
+{
+  QnVec2 low, high;
+  if (!qn_canvas_get_parts_box (canvas, &low, &high))
+    return;
+  double above = TURN_PX / qn_canvas_get_camera (canvas)->scale;
+  QnGrip grip = { .kind = QN_GRIP_TURN,
+                  .at = qn_vec2 (0.5 * (low.x + high.x), high.y + above),
+                  .center = qn_vec2_lerp (low, high, 0.5) };
+  add_grip (grips, grip);
+}
+
+static void
+add_corner_grips (GArray *grips, const QnModel *model, QnId block)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnId count = model->blocks[block].vertex_count;
+  for (QnId k = 0; k < count && count <= MOST_CORNERS; k++) {
+    QnGrip grip = { .kind = QN_GRIP_CORNER, .at = v[k] };
+    add_grip (grips, grip);
+  }
+}
+
+/* Ends of the selected beams, each once. */
+static void
+add_node_grips (QnCanvas *canvas, GArray *grips)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  guint count = 0;
+  const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
+  g_autoptr (GHashTable) known = g_hash_table_new (NULL, NULL);
+  for (guint i = 0; i < count && count <= MOST_BEAMS; i++) {
+    for (int end = 0; end < 2; end++) {
+      QnId node = model->beams[ids[i]].nodes[end];
+      if (g_hash_table_add (known, GINT_TO_POINTER (node)))
+        add_grip (
+          grips,
+          (QnGrip){ .kind = QN_GRIP_NODE, .at = model->nodes[node].at, .object = node });
+    }
+  }
+}
+
+/* Handles of what is selected, none in views of results. */
+static GArray *
+collect (QnCanvas *canvas)
+{
+  GArray *grips = g_array_new (FALSE, FALSE, sizeof (QnGrip));
+  if (qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas))))
+    return grips;
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnModel *model = qn_canvas_get_model (canvas);
+  QnId object;
+  int opening;
+  if (qn_selection_get_opening (selection, &object, &opening)) {
+    add_masonry_grips (canvas, grips, object, opening);
+    return grips;
+  }
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  add_turn_grip (canvas, grips);
+  add_node_grips (canvas, grips);
+  if (count == 0)
+    return grips;
+  if (count == 1 && model->blocks[ids[0]].masonry == QN_NONE
+      && model->blocks[ids[0]].wall == QN_NONE) {
+    add_corner_grips (grips, model, ids[0]);
+    return grips;
+  }
+  QnId first = model->blocks[ids[0]].masonry;
+  gsize objects = 0;
+  g_autofree gboolean *whole =
+    qn_edit_whole_objects (model, (QnBlockSet){ ids, count }, &objects);
+  gboolean alone = first != QN_NONE && whole[first];
+  for (guint i = 0; i < count && alone; i++)
+    alone = model->blocks[ids[i]].masonry == first;
+  if (alone)
+    add_masonry_grips (canvas, grips, first, QN_NO_OPENING);
+  return grips;
+}
+
+gboolean
+qn_handle_find (QnCanvas *canvas, QnVec2 screen, QnGrip *grip)
+{
+  g_autoptr (GArray) grips = collect (canvas);
+  double nearest = REACH_PX;
+  gboolean found = FALSE;
+  for (guint i = 0; i < grips->len; i++) {
+    const QnGrip *candidate = &g_array_index (grips, QnGrip, i);
+    QnVec2 s = qn_canvas_to_screen (canvas, candidate->at);
+    double distance = qn_vec2_length (qn_vec2_sub (s, screen));
+    if (distance <= nearest) {
+      nearest = distance;
+      *grip = *candidate;
+      found = TRUE;
+    }
+  }
+  return found;
+}
+
+void
+qn_handle_begin (QnCanvas *canvas, QnGrip grip)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  gesture->from = gesture->to = grip.at;
+  gesture->grip = grip;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+/* ---- drawing ---- */
+
+static void
+paint_handle (cairo_t *cr)
+{
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+  cairo_fill_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 1.5);
+  cairo_stroke (cr);
+}
+
+static void
+draw_opening_outline (QnCanvas *canvas, cairo_t *cr)
+{
+  QnId object;
+  int opening;
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  if (!qn_selection_get_opening (qn_canvas_get_selection (canvas), &object, &opening)
+      || (gsize) object >= list->count
+      || (gsize) opening >= list->items[object].wall.opening_count)
+    return;
+  QnVec2 corners[4];
+  qn_masonry_opening_corners (&list->items[object], opening, corners);
+  qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));
+  qn_gesture_paint (cr);
+}
+
+void
+qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
+{
+  g_autoptr (GArray) grips = collect (canvas);
+  if (grips->len > 0)
+    draw_opening_outline (canvas, cr);
+  for (guint i = 0; i < grips->len; i++) {
+    const QnGrip *grip = &g_array_index (grips, QnGrip, i);
+    QnVec2 s = qn_canvas_to_screen (canvas, grip->at);
+    if (grip->kind == QN_GRIP_NODE)
+      cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
+    else if (grip->kind == QN_GRIP_TURN) {
+      cairo_move_to (cr, s.x, s.y + HANDLE_PX);
+      cairo_line_to (cr, s.x, s.y + TURN_PX);
+      cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+      cairo_set_line_width (cr, 1.0);
+      cairo_stroke (cr);
+      cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
+    } else if (grip->handle == QN_HANDLE_MIDDLE && grip->kind == QN_GRIP_MASONRY)
+      cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
+    else
+      cairo_rectangle (cr, s.x - HANDLE_PX, s.y - HANDLE_PX, 2.0 * HANDLE_PX,
+                       2.0 * HANDLE_PX);
+    paint_handle (cr);
+  }
+}
+
+/* ---- dragging ---- */
+
+typedef struct Drag {
+  QnGrip grip;
+  QnPartSet set;
+  QnVec2 from, to;
+  gboolean snap;
+} Drag;
+
+/* Bonds have a grid of their own; what has none follows the magnet. */
+static Drag
+drag_of_gesture (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  return (Drag){ .grip = gesture->grip,
+                 .from = gesture->from,
+                 .to = gesture->to,
+                 .snap = qn_canvas_snaps (canvas) };
+}
+
+static double
+turn_angle (const Drag *drag)
+{
+  QnVec2 a = qn_vec2_sub (drag->grip.at, drag->grip.center);
+  QnVec2 b = qn_vec2_sub (drag->to, drag->grip.center);
+  double angle = atan2 (qn_vec2_cross (a, b), qn_vec2_dot (a, b));
+  /* Whole degrees, and the quarters with some pull. */
+  double quarter = round (angle / G_PI_2) * G_PI_2, degree = G_PI / 180.0;
+  if (!drag->snap)
+    return angle;
+  return fabs (angle - quarter) < 3.0 * degree ? quarter
+                                               : round (angle / degree) * degree;
+}
+
+static gboolean
+drag_masonry (QnMasonry *masonry, gpointer data, GError **error)
+{
+  (void) error;
+  const Drag *drag = data;
+  qn_masonry_drag (masonry, drag->grip.opening, (QnHandleKind) drag->grip.handle,
+                   drag->from, drag->to, drag->snap);
+  return TRUE;
+}
+
+static gboolean
+edit_masonry (QnProject *draft, gpointer data, GError **error)
+{
+  const Drag *drag = data;
+  return qn_edit_change_masonry (draft, drag->grip.object, drag_masonry, data, error);
+}
+
+static gboolean
+edit_corner (QnModel *model, gpointer data, GError **error)
+{
+  const Drag *drag = data;
+  return qn_edit_move_corner (model, drag->set.blocks, drag->from, drag->to, error);
+}
+
+static gboolean
+edit_node (QnModel *model, gpointer data, GError **error)
+{
+  const Drag *drag = data;
+  return qn_edit_place_node (model, drag->grip.object, drag->to, error);
+}
+
+static gboolean
+edit_turn (QnProject *draft, gpointer data, GError **error)
+{
+  const Drag *drag = data;
+  return qn_edit_transform_all (
+    draft, drag->set, qn_transform_rotation (drag->grip.center, turn_angle (drag)),
+    error);
+}
+
+static const char *
+step_name (QnCanvas *canvas, const QnGrip *grip)
+{
+  if (grip->opening != QN_NO_OPENING)
+    return grip->handle == QN_HANDLE_MIDDLE ? _ ("Move Opening") : _ ("Resize Opening");
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  switch (list->items[grip->object].kind) {
+  case QN_MASONRY_WALL:
+    return _ ("Resize Wall");
+  case QN_MASONRY_ARCH:
+    return _ ("Change Arch");
+  case QN_MASONRY_COLUMN:
+    return _ ("Resize Column");
+  case QN_MASONRY_BUTTRESS:
+  case QN_MASONRY_PORTAL:
+  case QN_MASONRY_RUBBLE:
+  case QN_MASONRY_KIND_COUNT:
+    break;
+  }
+  return _ ("Change Masonry");
+}
+
+void
+qn_handle_finish (QnCanvas *canvas)
+{
+  Drag drag = drag_of_gesture (canvas);
+  drag.set = qn_canvas_dup_parts (canvas);
+  const char *name =
+    drag.grip.kind == QN_GRIP_MASONRY ? step_name (canvas, &drag.grip) : NULL;
+  qn_canvas_set_magnet_skip (canvas, NULL);
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (drag.grip.kind == QN_GRIP_MASONRY)
+    qn_canvas_edit_project (canvas, name, NULL, edit_masonry, &drag);
+  else if (drag.grip.kind == QN_GRIP_CORNER)
+    qn_canvas_edit (canvas, _ ("Move Corner"), NULL, edit_corner, &drag);
+  else if (drag.grip.kind == QN_GRIP_TURN)
+    qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &drag);
+  else if (drag.grip.kind == QN_GRIP_NODE)
+    qn_canvas_edit (canvas, _ ("Move Beam End"), NULL, edit_node, &drag);
+  qn_part_set_clear (&drag.set);
+}
+
+static void
+draw_masonry_drag (QnCanvas *canvas, cairo_t *cr, Drag *drag)
+{
+  const QnProject *project = qn_document_get_project (qn_canvas_get_document (canvas));
+  QnMasonries list;
+  if (!qn_project_get_masonry (project, &list, NULL))
+    return;
+  if ((gsize) drag->grip.object < list.count) {
+    QnMasonry *masonry = &list.items[drag->grip.object];
+    drag_masonry (masonry, drag, NULL);
+    qn_gesture_draw_masonry (canvas, cr, masonry);
+    if (drag->grip.opening != QN_NO_OPENING) {
+      QnVec2 c[4];
+      qn_masonry_opening_corners (masonry, drag->grip.opening, c);
+      qn_canvas_draw_dimension (canvas, cr, c[0], c[1]);
+      qn_canvas_draw_dimension (canvas, cr, c[1], c[2]);
+    }
+  }
+  qn_masonries_clear (&list);
+}
+
+static void
+draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
+  if (count == 0)
+    return;
+  gsize n = (gsize) model->blocks[ids[0]].vertex_count;
+  g_autofree QnVec2 *v =
+    g_memdup2 (qn_model_block_vertices (model, ids[0]), n * sizeof (QnVec2));
+  for (gsize i = 0; i < n; i++) {
+    if (v[i].x == drag->from.x && v[i].y == drag->from.y)
+      v[i] = drag->to;
+  }
+  qn_canvas_trace (canvas, cr, v, n);
+  qn_gesture_paint (cr);
+  qn_canvas_draw_dimension (canvas, cr, drag->from, drag->to);
+}
+
+/* All beams that end there, with their lengths. */
+static void
+draw_node_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  for (gsize i = 0; i < model->beam_count; i++) {
+    const QnId *ends = model->beams[i].nodes;
+    for (int end = 0; end < 2; end++)
+      if (ends[end] == drag->grip.object)
+        qn_gesture_draw_line (canvas, cr, model->nodes[ends[1 - end]].at, drag->to);
+  }
+}
+
+void
+qn_handle_draw_drag (QnCanvas *canvas, cairo_t *cr)
+{
+  Drag drag = drag_of_gesture (canvas);
+  switch (drag.grip.kind) {
+  case QN_GRIP_MASONRY:
+    draw_masonry_drag (canvas, cr, &drag);
+    break;
+  case QN_GRIP_CORNER:
+    draw_corner_drag (canvas, cr, &drag);
+    break;
+  case QN_GRIP_NODE:
+    draw_node_drag (canvas, cr, &drag);
+    break;
+  case QN_GRIP_TURN: {
+    double angle = turn_angle (&drag);
+    qn_gesture_draw_moved (canvas, cr, qn_transform_rotation (drag.grip.center, angle));
+    g_autofree char *text = g_strdup_printf ("%.1f°", angle * 180.0 / G_PI);
+    QnVec2 s = qn_canvas_to_screen (canvas, drag.to);
+    qn_canvas_draw_label (canvas, cr, text, qn_vec2 (s.x + 14.0, s.y - 8.0));
+    break;
+  }
+  case QN_GRIP_NONE:
+    break;
+  }
+}

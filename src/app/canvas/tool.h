@@ -1,0 +1,122 @@
+/* Tools: what the pointer does on the drawing.
+ *
+ * A tool is a row in a table: its names and its answers to the pointer. Gestures go press,
+ * motion, release; a tool that builds up a figure over several clicks keeps it in its state
+ * until it is complete or cancelled with Escape. While a gesture is under way, typed numbers
+ * go to the tool too, so that a wall can be drawn as "2,4; 1,5" and Enter.
+ */
+#ifndef QN_APP_TOOL_H
+#define QN_APP_TOOL_H
+
+#include "doc/document/edit.h"
+#include "doc/masonry/masonry-plan.h"
+#include "doc/text/units.h"
+#include "doc/view/magnet.h"
+#include <gtk/gtk.h>
+
+#define QN_TYPE_CANVAS (qn_canvas_get_type ())
+G_DECLARE_FINAL_TYPE (QnCanvas, qn_canvas, QN, CANVAS, GtkWidget)
+
+/* Where the pointer is. */
+typedef struct QnToolEvent {
+  QnVec2 screen; /* px of the canvas */
+  QnVec2 model;  /* m, exactly there */
+  QnVec2 point;  /* m, where the magnet puts it */
+  GdkModifierType modifiers;
+  int press_count;
+} QnToolEvent;
+
+/* What a handle drags (handle.h). */
+typedef enum {
+  QN_GRIP_NONE,
+  QN_GRIP_MASONRY, /* a measure of a masonry object or an opening of it */
+  QN_GRIP_CORNER,  /* of a block */
+  QN_GRIP_NODE,    /* of beams */
+  QN_GRIP_TURN     /* the selection around its middle */
+} QnGripKind;
+
+typedef struct QnGrip {
+  QnGripKind kind;
+  QnVec2 at;     /* m */
+  QnId object;   /* MASONRY; NODE: the node */
+  int opening;   /* MASONRY: or QN_NO_OPENING */
+  int handle;    /* MASONRY: QnHandleKind */
+  QnVec2 center; /* TURN: m */
+} QnGrip;
+
+/* What a gesture has so far; one per canvas, the tool's to use. */
+typedef struct QnGesture {
+  QnVec2 from, to;    /* m */
+  QnVec2 from_screen; /* px, where the button went down */
+  gboolean dragging;  /* moved far enough to be no click */
+  gboolean band;      /* a selection rectangle rather than a move */
+  QnId whole;         /* block whose wall a drag carries, or QN_NONE */
+  QnGrip grip;        /* the handle that is dragged, if any */
+  int phase;          /* of a gesture with several, from 0 */
+  GArray *points;     /* of QnVec2, of a polygon */
+} QnGesture;
+
+/* Numbers that can be typed at most. */
+#define QN_TOOL_NUMBERS 4
+
+typedef struct QnTool {
+  const char *name; /* target of the window's action "tool" */
+  const char *icon;
+  const char *label;         /* translatable, shown as tooltip */
+  const char *hint;          /* translatable, shown in the status bar */
+  const char *accel;         /* single key */
+  gboolean magnetic;         /* whether the magnet works before a gesture has begun */
+  const char *numbers_label; /* translatable: "width; height", what can be typed */
+  QnQuantity quantities[QN_TOOL_NUMBERS]; /* of the typed numbers */
+
+  void (*press) (QnCanvas *canvas, const QnToolEvent *event);
+  void (*motion) (QnCanvas *canvas, const QnToolEvent *event);
+  void (*release) (QnCanvas *canvas, const QnToolEvent *event);
+  /* Completes the gesture with typed numbers (SI); false: these are not the right ones. */
+  gboolean (*numbers) (QnCanvas *canvas, const double *values, int count);
+  /* Carries out what lies between gesture.from and gesture.to, and ends the gesture; for tools
+   * that work between two points (gesture.h). */
+  void (*complete) (QnCanvas *canvas);
+  /* Gives up the gesture. */
+  void (*cancel) (QnCanvas *canvas);
+  /* Draws the gesture in px of the canvas. */
+  void (*draw) (QnCanvas *canvas, cairo_t *cr);
+} QnTool;
+
+/* All tools, in the order of the palette; NULL-terminated. */
+extern const QnTool *const qn_tools[];
+const QnTool *qn_tool_find (const char *name);
+
+extern const QnTool qn_tool_select;
+extern const QnTool qn_tool_wall;
+extern const QnTool qn_tool_opening;
+extern const QnTool qn_tool_arch;
+extern const QnTool qn_tool_column;
+extern const QnTool qn_tool_rectangle;
+extern const QnTool qn_tool_polygon;
+extern const QnTool qn_tool_beam;
+extern const QnTool qn_tool_cut;
+extern const QnTool qn_tool_rotate;
+extern const QnTool qn_tool_mirror;
+extern const QnTool qn_tool_joint;
+extern const QnTool qn_tool_support;
+extern const QnTool qn_tool_force;
+extern const QnTool qn_tool_measure;
+extern const QnTool qn_tool_picture;
+
+/* What the tools draw with; shared by all of a window's tools and shown in its panel. */
+typedef struct QnToolSettings {
+  QnMasonryStyle masonry;
+  char *section;        /* name, of new beams; NULL: the first one */
+  gboolean hinges[2];   /* of new beams */
+  int elements;         /* of new beams */
+  double force;         /* N, of new forces */
+  gboolean live;        /* whether new forces grow with the multiplier */
+  char *joint_law;      /* name, given to joints; NULL: none of their own */
+  gboolean mirror_copy; /* whether mirroring keeps the original */
+} QnToolSettings;
+
+/* Style of single blocks. */
+QnBlockStyle qn_tool_settings_get_block_style (const QnToolSettings *settings);
+
+#endif

@@ -1,0 +1,196 @@
+/* The figures of the project: which there are, whether the model has changed since they were
+ * stored, and all of them made again. */
+#include "app/forms/form.h"
+#include "app/widgets/dialog.h"
+#include "app/window/window-private.h"
+#include "doc/view/figures.h"
+#include <glib/gi18n.h>
+
+typedef struct Figures {
+  QnWindow *window;
+  GtkWidget *dialog, *list, *export_all;
+  GtkLabel *message;
+  gboolean waiting; /* for an analysis, before the figures are made */
+} Figures;
+
+static void
+tell (Figures *figures, const char *text)
+{
+  gtk_label_set_text (figures->message, text);
+  gtk_widget_set_visible (GTK_WIDGET (figures->message), *text != '\0');
+}
+
+/* ---- making them ---- */
+
+static void
+make_all (Figures *figures)
+{
+  QnDocument *document = figures->window->document;
+  g_autoptr (GError) error = NULL;
+  g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, &error);
+  guint made = 0;
+  for (guint i = 0; recipes != NULL && i < recipes->len && error == NULL; i++) {
+    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
+    made += qn_document_export_figure (document, recipe, NULL, &error);
+  }
+  if (error != NULL) {
+    tell (figures, error->message);
+    return;
+  }
+  g_autofree char *text = g_strdup_printf (
+    ngettext ("%u figure made again.", "%u figures made again.", made), made);
+  tell (figures, text);
+}
+
+static gboolean
+any_waits (Figures *figures)
+{
+  QnDocument *document = figures->window->document;
+  g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, NULL);
+  for (guint i = 0; recipes != NULL && i < recipes->len; i++) {
+    if (qn_document_figure_waits (document, g_ptr_array_index (recipes, i)))
+      return TRUE;
+  }
+  return FALSE;
+}
+
+/* One analysis serves all figures that need one. */
+static void
+on_export_all (Figures *figures)
+{
+  QnDocument *document = figures->window->document;
+  g_autoptr (GError) error = NULL;
+  if (!any_waits (figures)) {
+    make_all (figures);
+    return;
+  }
+  figures->waiting = qn_document_analyse (document, &error);
+  tell (figures, figures->waiting ? _ ("Solving first…") : error->message);
+}
+
+static void
+on_job_changed (Figures *figures)
+{
+  QnDocument *document = figures->window->document;
+  if (!figures->waiting || qn_document_get_job (document) != NULL)
+    return;
+  figures->waiting = FALSE;
+  const GError *error = qn_document_get_job_error (document);
+  if (error != NULL)
+    tell (figures, error->message);
+  else if (any_waits (figures))
+    tell (figures, _ ("The analysis was cancelled; no figure has been made."));
+  else
+    make_all (figures);
+}
+
+/* ---- the list ---- */
+
+static void
+on_remove (GtkButton *button, Figures *figures)
+{
+  g_autofree char *name = g_strdup (g_object_get_data (G_OBJECT (button), "qn-name"));
+  g_autoptr (GError) error = NULL;
+  if (!qn_document_remove_figure (figures->window->document, name, &error))
+    tell (figures, error->message);
+}
+
+static GtkWidget *
+make_row (Figures *figures, const QnRecipe *recipe)
+{
+  const QnProject *project = qn_document_get_project (figures->window->document);
+  gboolean stale = qn_recipe_is_stale (recipe, project);
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
+  GtkWidget *words = gtk_box_new (GTK_ORIENTATION_VERTICAL, 2);
+  GtkWidget *name = gtk_label_new (recipe->name);
+  gtk_label_set_xalign (GTK_LABEL (name), 0.0f);
+  gtk_widget_add_css_class (name, "heading");
+  g_autofree char *text =
+    g_strdup_printf ("%s → %s%s%s", qn_view_name (recipe->view.view), recipe->file,
+                     stale ? " · " : "", stale ? _ ("the model has changed since") : "");
+  GtkWidget *what = gtk_label_new (text);
+  gtk_label_set_xalign (GTK_LABEL (what), 0.0f);
+  gtk_label_set_ellipsize (GTK_LABEL (what), PANGO_ELLIPSIZE_MIDDLE);
+  gtk_widget_add_css_class (what, "dim-label");
+  gtk_box_append (GTK_BOX (words), name);
+  gtk_box_append (GTK_BOX (words), what);
+  gtk_widget_set_hexpand (words, TRUE);
+  GtkWidget *remove = gtk_button_new_from_icon_name ("user-trash-symbolic");
+  gtk_widget_set_valign (remove, GTK_ALIGN_CENTER);
+  gtk_widget_add_css_class (remove, "flat");
+  gtk_widget_set_tooltip_text (remove, _ ("Remove Figure"));
+  gtk_accessible_update_property (GTK_ACCESSIBLE (remove), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Remove Figure"), -1);
+  g_object_set_data_full (G_OBJECT (remove), "qn-name", g_strdup (recipe->name), g_free);
+  g_signal_connect (remove, "clicked", G_CALLBACK (on_remove), figures);
+  gtk_box_append (GTK_BOX (box), words);
+  gtk_box_append (GTK_BOX (box), remove);
+  return box;
+}
+
+static void
+update (Figures *figures)
+{
+  GtkWidget *child;
+  while ((child = gtk_widget_get_first_child (figures->list)) != NULL)
+    gtk_list_box_remove (GTK_LIST_BOX (figures->list), child);
+  g_autoptr (GError) error = NULL;
+  g_autoptr (GPtrArray) recipes =
+    qn_document_get_figures (figures->window->document, &error);
+  guint count = recipes != NULL ? recipes->len : 0;
+  for (guint i = 0; i < count; i++)
+    gtk_list_box_append (GTK_LIST_BOX (figures->list),
+                         make_row (figures, g_ptr_array_index (recipes, i)));
+  gtk_widget_set_visible (figures->list, count > 0);
+  gtk_widget_set_sensitive (figures->export_all, count > 0);
+  if (error != NULL)
+    tell (figures, error->message);
+  else
+    tell (figures, count > 0
+                     ? ""
+                     : _ ("No figure is stored yet. Store one with Export Figure: "
+                          "what it shows is kept in the project and can be made "
+                          "again after every change, here and with quoin-cli "
+                          "figures."));
+}
+
+void
+qn_figures_window_show (QnWindow *self)
+{
+  Figures *figures = g_new0 (Figures, 1);
+  figures->window = self;
+  figures->dialog =
+    qn_dialog_new (GTK_WINDOW (self), _ ("Figures of the Project"), 520, 420);
+  gtk_window_set_modal (GTK_WINDOW (figures->dialog), FALSE);
+  GtkWidget *header = gtk_header_bar_new ();
+  figures->export_all = gtk_button_new_with_mnemonic (_ ("Make _All Again"));
+  gtk_widget_add_css_class (figures->export_all, "suggested-action");
+  g_signal_connect_swapped (figures->export_all, "clicked", G_CALLBACK (on_export_all),
+                            figures);
+  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), figures->export_all);
+  gtk_window_set_titlebar (GTK_WINDOW (figures->dialog), header);
+
+  GtkWidget *form = qn_form_new ();
+  figures->message = qn_form_add_text (form);
+  gtk_label_set_max_width_chars (figures->message, 60);
+  gtk_widget_set_hexpand (GTK_WIDGET (figures->message), TRUE);
+  figures->list = gtk_list_box_new ();
+  gtk_widget_set_hexpand (figures->list, TRUE);
+  gtk_list_box_set_selection_mode (GTK_LIST_BOX (figures->list), GTK_SELECTION_NONE);
+  gtk_widget_add_css_class (figures->list, "frame");
+  gtk_widget_add_css_class (figures->list, "rich-list");
+  gtk_accessible_update_property (GTK_ACCESSIBLE (figures->list),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Figures of the Project"), -1);
+  qn_form_add_wide (form, figures->list);
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
+                                  GTK_POLICY_AUTOMATIC);
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), form);
+  gtk_window_set_child (GTK_WINDOW (figures->dialog), scroller);
+  qn_own (form, figures);
+  qn_watch (form, self->document, "changed", G_CALLBACK (update), figures);
+  qn_watch (form, self->document, "job-changed", G_CALLBACK (on_job_changed), figures);
+  update (figures);
+  gtk_window_present (GTK_WINDOW (figures->dialog));
+}

@@ -1,0 +1,320 @@
+#include "app/forms/form.h"
+
+#define ROW_SPACING    6
+#define COLUMN_SPACING 12
+#define MARGIN         12
+
+/* Characters of a choice that are shown in any case. */
+#define CHOICE_CHARS 16
+
+/* px: lists that are higher scroll. */
+#define MOST_LIST_HEIGHT 160
+
+#define ROW_LABEL "qn-row-label"
+
+GtkWidget *
+qn_form_new (void)
+{
+  GtkWidget *grid = gtk_grid_new ();
+  gtk_grid_set_row_spacing (GTK_GRID (grid), ROW_SPACING);
+  gtk_grid_set_column_spacing (GTK_GRID (grid), COLUMN_SPACING);
+  gtk_widget_set_margin_top (grid, MARGIN);
+  gtk_widget_set_margin_bottom (grid, MARGIN);
+  gtk_widget_set_margin_start (grid, MARGIN);
+  gtk_widget_set_margin_end (grid, MARGIN);
+  return grid;
+}
+
+static int
+next_row (GtkWidget *form)
+{
+  int row = GPOINTER_TO_INT (g_object_get_data (G_OBJECT (form), "qn-rows"));
+  g_object_set_data (G_OBJECT (form), "qn-rows", GINT_TO_POINTER (row + 1));
+  return row;
+}
+
+void
+qn_form_add_wide (GtkWidget *form, GtkWidget *widget)
+{
+  gtk_grid_attach (GTK_GRID (form), widget, 0, next_row (form), 2, 1);
+}
+
+GtkWidget *
+qn_form_add_heading (GtkWidget *form, const char *text)
+{
+  GtkWidget *label = gtk_label_new (text);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  gtk_widget_add_css_class (label, "heading");
+  gtk_widget_set_margin_top (label, ROW_SPACING);
+  qn_form_add_wide (form, label);
+  return label;
+}
+
+void
+qn_form_add_row (GtkWidget *form, const char *text, GtkWidget *field)
+{
+  GtkWidget *label = gtk_label_new_with_mnemonic (text);
+  gtk_label_set_mnemonic_widget (GTK_LABEL (label), field);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  gtk_widget_set_hexpand (label, TRUE);
+  gtk_widget_set_halign (field, GTK_ALIGN_FILL);
+  gtk_accessible_update_relation (GTK_ACCESSIBLE (field),
+                                  GTK_ACCESSIBLE_RELATION_LABELLED_BY, label, NULL, -1);
+  g_object_set_data (G_OBJECT (field), ROW_LABEL, label);
+  int row = next_row (form);
+  gtk_grid_attach (GTK_GRID (form), label, 0, row, 1, 1);
+  gtk_grid_attach (GTK_GRID (form), field, 1, row, 1, 1);
+}
+
+QnQuantityEntry *
+qn_form_add_quantity (GtkWidget *form, const char *label, QnQuantity quantity,
+                      double least, double most, GCallback committed, gpointer user_data)
+{
+  GtkWidget *entry = qn_quantity_entry_new (quantity, least, most);
+  g_signal_connect (entry, "committed", committed, user_data);
+  qn_form_add_row (form, label, entry);
+  return QN_QUANTITY_ENTRY (entry);
+}
+
+/* ---- choices: long names are cut short in the button, not in the list ---- */
+
+static void
+on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer shortened)
+{
+  (void) factory;
+  GtkWidget *label = gtk_label_new (NULL);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  if (shortened != NULL) {
+    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    gtk_label_set_width_chars (GTK_LABEL (label), CHOICE_CHARS);
+  }
+  gtk_list_item_set_child (item, label);
+}
+
+static void
+on_bind_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
+{
+  (void) factory;
+  (void) data;
+  GtkStringObject *row = gtk_list_item_get_item (item);
+  gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)),
+                      gtk_string_object_get_string (row));
+}
+
+static GtkListItemFactory *
+make_choice_factory (gboolean shortened)
+{
+  GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
+  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_choice),
+                    GINT_TO_POINTER (shortened));
+  g_signal_connect (factory, "bind", G_CALLBACK (on_bind_choice), NULL);
+  return factory;
+}
+
+GtkDropDown *
+qn_form_add_choice (GtkWidget *form, const char *label, const char *const *choices,
+                    GCallback selected, gpointer user_data)
+{
+  GtkWidget *choice = gtk_drop_down_new_from_strings (choices);
+  g_autoptr (GtkListItemFactory) button = make_choice_factory (TRUE);
+  g_autoptr (GtkListItemFactory) list = make_choice_factory (FALSE);
+  gtk_drop_down_set_factory (GTK_DROP_DOWN (choice), button);
+  gtk_drop_down_set_list_factory (GTK_DROP_DOWN (choice), list);
+  g_signal_connect (choice, "notify::selected", selected, user_data);
+  qn_form_add_row (form, label, choice);
+  return GTK_DROP_DOWN (choice);
+}
+
+GtkWidget *
+qn_form_add_entry (GtkWidget *form, const char *label, int width_chars,
+                   GCallback activate, gpointer user_data)
+{
+  GtkWidget *entry = gtk_entry_new ();
+  gtk_editable_set_width_chars (GTK_EDITABLE (entry), width_chars);
+  g_signal_connect (entry, "activate", activate, user_data);
+  qn_form_add_row (form, label, entry);
+  return entry;
+}
+
+GtkLabel *
+qn_form_add_text (GtkWidget *form)
+{
+  GtkWidget *label = gtk_label_new (NULL);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
+  gtk_label_set_max_width_chars (GTK_LABEL (label), 36);
+  gtk_label_set_selectable (GTK_LABEL (label), FALSE);
+  qn_form_add_wide (form, label);
+  return GTK_LABEL (label);
+}
+
+void
+qn_form_set_row_visible (GtkWidget *field, gboolean visible)
+{
+  gtk_widget_set_visible (field, visible);
+  GtkWidget *label = g_object_get_data (G_OBJECT (field), ROW_LABEL);
+  if (label != NULL)
+    gtk_widget_set_visible (label, visible);
+}
+
+void
+qn_form_set_choice (GtkDropDown *choice, guint selected, gpointer user_data)
+{
+  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
+  gtk_drop_down_set_selected (choice, selected);
+  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     user_data);
+}
+
+GtkWidget *
+qn_form_add_check (GtkWidget *form, const char *label, gboolean active, GCallback toggled,
+                   gpointer user_data)
+{
+  GtkWidget *check = gtk_check_button_new_with_mnemonic (label);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
+  g_signal_connect (check, "toggled", toggled, user_data);
+  qn_form_add_wide (form, check);
+  return check;
+}
+
+void
+qn_form_set_check (GtkWidget *check, gboolean active, gpointer user_data)
+{
+  g_signal_handlers_block_matched (check, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
+  g_signal_handlers_unblock_matched (check, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     user_data);
+}
+
+GtkWidget *
+qn_form_add_list (GtkWidget *form, const char *name, GCallback selected,
+                  gpointer user_data)
+{
+  GtkWidget *list = gtk_list_box_new ();
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_accessible_update_property (GTK_ACCESSIBLE (list), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  name, -1);
+  g_signal_connect (list, "row-selected", selected, user_data);
+  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
+                                  GTK_POLICY_AUTOMATIC);
+  gtk_scrolled_window_set_max_content_height (GTK_SCROLLED_WINDOW (scroller),
+                                              MOST_LIST_HEIGHT);
+  gtk_scrolled_window_set_propagate_natural_height (GTK_SCROLLED_WINDOW (scroller), TRUE);
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), list);
+  gtk_widget_add_css_class (scroller, "frame");
+  gtk_widget_set_hexpand (scroller, TRUE);
+  qn_form_add_wide (form, scroller);
+  return list;
+}
+
+void
+qn_form_fill_list (GtkWidget *list, const char *const *lines, int selected,
+                   gpointer user_data)
+{
+  GtkListBox *box = GTK_LIST_BOX (list);
+  g_signal_handlers_block_matched (list, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
+  GtkWidget *child;
+  while ((child = gtk_widget_get_first_child (list)) != NULL)
+    gtk_list_box_remove (box, child);
+  for (int i = 0; lines[i] != NULL; i++) {
+    GtkWidget *label = gtk_label_new (lines[i]);
+    gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    gtk_widget_set_tooltip_text (label, lines[i]);
+    gtk_list_box_append (box, label);
+  }
+  gtk_list_box_select_row (
+    box, selected >= 0 ? gtk_list_box_get_row_at_index (box, selected) : NULL);
+  g_signal_handlers_unblock_matched (list, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     user_data);
+}
+
+GtkWidget *
+qn_form_add_buttons (GtkWidget *form)
+{
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  gtk_box_set_homogeneous (GTK_BOX (box), TRUE);
+  gtk_widget_set_hexpand (box, TRUE);
+  qn_form_add_wide (form, box);
+  return box;
+}
+
+GtkWidget *
+qn_form_add_button (GtkWidget *buttons, const char *label, const char *tooltip,
+                    GCallback clicked, gpointer user_data)
+{
+  GtkWidget *button = gtk_button_new_with_mnemonic (label);
+  gtk_widget_set_tooltip_text (button, tooltip);
+  g_signal_connect_swapped (button, "clicked", clicked, user_data);
+  gtk_box_append (GTK_BOX (buttons), button);
+  return button;
+}
+
+void
+qn_form_fill_choice (GtkDropDown *choice, const char *const *strings, guint selected,
+                     gpointer user_data)
+{
+  g_autoptr (GtkStringList) list = gtk_string_list_new (strings);
+  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                   user_data);
+  gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
+  gtk_drop_down_set_selected (choice, selected);
+  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     user_data);
+}
+
+void
+qn_form_fill_laws (GtkDropDown *choice, const QnModel *model, const char *first, QnId law,
+                   gpointer user_data)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  g_strv_builder_add (names, first);
+  for (gsize i = 0; i < model->law_count; i++)
+    g_strv_builder_add (names, model->laws[i].name);
+  g_auto (GStrv) strings = g_strv_builder_end (names);
+  qn_form_fill_choice (choice, (const char *const *) strings,
+                       law == QN_NONE ? 0 : (guint) law + 1, user_data);
+}
+
+QnId
+qn_form_get_law (GtkDropDown *choice)
+{
+  guint selected = gtk_drop_down_get_selected (choice);
+  return selected == 0 || selected == GTK_INVALID_LIST_POSITION ? QN_NONE
+                                                                : (QnId) selected - 1;
+}
+
+void
+qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback func,
+          gpointer data)
+{
+  GClosure *closure = g_cclosure_new_swap (func, data, NULL);
+  g_object_watch_closure (G_OBJECT (owner), closure);
+  g_signal_connect_closure (object, signal, closure, FALSE);
+}
+
+static void
+on_owner_gone (gpointer data, GObject *where)
+{
+  (void) where;
+  g_free (data);
+}
+
+void
+qn_own (GtkWidget *owner, gpointer data)
+{
+  g_object_weak_ref (G_OBJECT (owner), on_owner_gone, data);
+}
+
+void
+qn_form_follow_canvas (GtkWidget *form, QnCanvas *canvas, GCallback update, gpointer data)
+{
+  qn_own (form, data);
+  qn_watch (form, qn_canvas_get_document (canvas), "changed", update, data);
+  qn_watch (form, qn_canvas_get_selection (canvas), "changed", update, data);
+}

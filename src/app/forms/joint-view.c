@@ -1,0 +1,88 @@
+#include "app/forms/joint-view.h"
+
+#include "app/widgets/settings.h"
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+#include <stdlib.h>
+
+#define LEAST_HEIGHT 230
+#define PX_PER_POINT (96.0 / 72.0)
+
+typedef struct View {
+  QnJointPlot plot;
+} View;
+
+static void
+on_gone (gpointer data, GObject *where)
+{
+  View *view = data;
+  (void) where;
+  free (view->plot.points);
+  g_free (view);
+}
+
+static void
+draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  View *view = data;
+  if (view->plot.count == 0)
+    return;
+  GdkRGBA color;
+  gtk_style_context_get_color (gtk_widget_get_style_context (GTK_WIDGET (area)), &color);
+  QnUnits units = qn_settings_get_units ();
+  const char *force = qn_units_symbol (units, QN_QUANTITY_FORCE);
+  const char *length = qn_units_symbol (units, QN_QUANTITY_LENGTH);
+  g_autofree char *normal = g_strdup_printf (_ ("N, %s"), force);
+  g_autofree char *shear = g_strdup_printf (_ ("T, %s"), force);
+  g_autofree char *size =
+    qn_units_format (units, QN_QUANTITY_LENGTH, view->plot.length, 4);
+  g_autofree char *along = g_strdup_printf (_ ("along the joint, %s %s"), size, length);
+  QnJointPlot plot = view->plot;
+  plot.force_factor = qn_units_factor (units, QN_QUANTITY_FORCE);
+  plot.force_unit = force;
+  plot.normal_label = normal;
+  plot.shear_label = shear;
+  plot.along_label = along;
+  plot.dark = color.red + color.green + color.blue > 1.5f;
+  qn_joint_plot_draw (&plot, cr, width, height, PX_PER_POINT);
+}
+
+GtkWidget *
+qn_joint_view_new (void)
+{
+  GtkWidget *area = gtk_drawing_area_new ();
+  View *view = g_new0 (View, 1);
+  gtk_widget_set_size_request (area, -1, LEAST_HEIGHT);
+  g_object_set_data (G_OBJECT (area), "qn-view", view);
+  g_object_weak_ref (G_OBJECT (area), on_gone, view);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, view, NULL);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (area), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Forces in the joint"), -1);
+  return area;
+}
+
+/* The plot in words. */
+static char *
+dup_description (const QnJointPlot *plot)
+{
+  guint states[QN_PAIR_STATE_COUNT] = { 0 };
+  for (gsize i = 0; i < plot->count; i++)
+    states[plot->points[i].state]++;
+  GString *text = g_string_new (NULL);
+  for (int state = 0; state < QN_PAIR_STATE_COUNT; state++)
+    g_string_append_printf (text, "%s%u %s", state > 0 ? ", " : "", states[state],
+                            qn_explain_pair_state ((QnPairState) state));
+  return g_string_free (text, FALSE);
+}
+
+void
+qn_joint_view_set_plot (GtkWidget *area, const QnJointPlot *plot)
+{
+  View *view = g_object_get_data (G_OBJECT (area), "qn-view");
+  free (view->plot.points);
+  view->plot = *plot;
+  g_autofree char *description = dup_description (plot);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (area),
+                                  GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, description, -1);
+  gtk_widget_queue_draw (area);
+}

@@ -1,0 +1,15 @@
+/* The forces in the selected joint after a run: normal against shear force with the friction cone,
+ * and both along the joint. */
+#ifndef QN_APP_JOINT_VIEW_H
+#define QN_APP_JOINT_VIEW_H
+
+#include <gtk/gtk.h>
+
+#include "render/figure/joint-plot.h"
+
+GtkWidget *qn_joint_view_new (void);
+
+/* Takes over the points of the plot. */
+void qn_joint_view_set_plot (GtkWidget *view, const QnJointPlot *plot);
+
+#endif

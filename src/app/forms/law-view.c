@@ -1,0 +1,94 @@
+#include "app/forms/law-view.h"
+
+#include "doc/text/law-trace.h"
+#include "render/figure/curve-plot.h"
+#include <glib/gi18n.h>
+
+#define HEIGHT       200
+#define PX_PER_POINT (96.0 / 72.0)
+
+/* m: of the block's side, where a law speaks of strains. */
+#define TYPICAL_LENGTH 0.1
+
+typedef struct View {
+  QnLawPreset what;
+  GArray *samples; /* of QnLawSample; empty where the law runs back */
+} View;
+
+static void
+on_gone (gpointer data, GObject *where)
+{
+  View *view = data;
+  (void) where;
+  g_array_unref (view->samples);
+  g_free (view);
+}
+
+static void
+draw_plot (const View *view, cairo_t *cr, int width, int height)
+{
+  gboolean strain = view->what.law.basis == QN_BASIS_MATERIAL;
+  gboolean stress = view->what.law.basis != QN_BASIS_CONTACT;
+  int axis = view->what.shear ? 1 : 0;
+  guint count = view->samples->len;
+  g_autofree double *x = g_new (double, count), *y = g_new (double, count);
+  for (guint i = 0; i < count; i++) {
+    const QnLawSample *s = &g_array_index (view->samples, QnLawSample, i);
+    x[i] = s->elongation[axis] * 1e3;
+    y[i] = s->force[axis] * (stress ? 1e-6 : 1e-3);
+  }
+  QnCurve curve = {
+    .x = x, .y = y, .count = count, .limit_point = -1, .collapse_point = -1, .dot = -1
+  };
+  QnCurvePlot plot = { .x_label = view->what.shear ? _ ("Slip")
+                                  : strain         ? _ ("Strain")
+                                                   : _ ("Elongation"),
+                       .x_unit = strain ? "‰" : "mm",
+                       .y_label = view->what.shear ? (stress ? _ ("Shear stress (MPa)")
+                                                             : _ ("Shear force (kN)"))
+                                  : stress         ? _ ("Stress (MPa)")
+                                                   : _ ("Force (kN)"),
+                       .curves = &curve,
+                       .curve_count = 1 };
+  QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
+  qn_curve_plot_draw (&plot, cr, &page, 6.0, 6.0, width - 12.0, height - 12.0);
+}
+
+/* Plots are on paper, in dark windows too. */
+static void
+draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  const View *view = data;
+  (void) area;
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+  cairo_paint (cr);
+  if (view->samples->len > 0)
+    draw_plot (view, cr, width, height);
+}
+
+GtkWidget *
+qn_law_view_new (void)
+{
+  GtkWidget *area = gtk_drawing_area_new ();
+  View *view = g_new0 (View, 1);
+  view->samples = g_array_new (FALSE, FALSE, sizeof (QnLawSample));
+  gtk_widget_set_size_request (area, -1, HEIGHT);
+  g_object_set_data (G_OBJECT (area), "qn-view", view);
+  g_object_weak_ref (G_OBJECT (area), on_gone, view);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, view, NULL);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (area), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Response of the law"), -1);
+  return area;
+}
+
+void
+qn_law_view_set_law (GtkWidget *area, const QnLaw *law)
+{
+  View *view = g_object_get_data (G_OBJECT (area), "qn-view");
+  view->what = qn_law_preset_for (law);
+  view->what.law.name = NULL; /* not ours */
+  g_array_set_size (view->samples, 0);
+  qn_law_trace (&view->what, law->basis == QN_BASIS_MATERIAL ? TYPICAL_LENGTH : 1.0,
+                view->samples);
+  gtk_widget_queue_draw (area);
+}

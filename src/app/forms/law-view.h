@@ -1,0 +1,13 @@
+/* How the law answers a typical history of elongations. */
+#ifndef QN_APP_LAW_VIEW_H
+#define QN_APP_LAW_VIEW_H
+
+#include "core/law/law.h"
+#include <gtk/gtk.h>
+
+GtkWidget *qn_law_view_new (void);
+
+/* Takes a copy. */
+void qn_law_view_set_law (GtkWidget *view, const QnLaw *law);
+
+#endif

@@ -1,0 +1,63 @@
+/* The side panels of a window; each looks at the view state and the canvas of its window. */
+#ifndef QN_APP_PANEL_H
+#define QN_APP_PANEL_H
+
+#include "app/canvas/canvas.h"
+
+/* The tool's settings and what is selected: blocks, their wall, a contact face. */
+GtkWidget *qn_properties_panel_new (QnCanvas *canvas);
+
+/* The picture behind the drawing; hidden where there is none. */
+GtkWidget *qn_picture_panel_new (QnCanvas *canvas);
+
+/* Its parts, each hidden where it has nothing to say: what the current tool draws with, the
+ * selected blocks, copies of them, the masonry they belong to, an opening, contact faces. */
+GtkWidget *qn_style_form_new (QnCanvas *canvas);
+GtkWidget *qn_block_form_new (QnCanvas *canvas);
+GtkWidget *qn_array_form_new (QnCanvas *canvas);
+GtkWidget *qn_wall_form_new (QnCanvas *canvas);
+GtkWidget *qn_masonry_form_new (QnCanvas *canvas);
+GtkWidget *qn_opening_form_new (QnCanvas *canvas);
+GtkWidget *qn_face_form_new (QnCanvas *canvas);
+
+/* A button that makes free blocks of the selected wall or masonry; for the forms of both. */
+GtkWidget *qn_detach_button_new (void);
+
+/* The selected beams, the two ends of a single one (end: 0, 1), their section. */
+GtkWidget *qn_beam_form_new (QnCanvas *canvas);
+GtkWidget *qn_beam_end_form_new (QnCanvas *canvas, int end);
+GtkWidget *qn_section_form_new (QnCanvas *canvas);
+
+/* Procedure and its parameters, loads, contacts, laws. */
+GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
+
+/* Single loads, and stages of loading; parts of the analysis panel. */
+GtkWidget *qn_load_form_new (QnCanvas *canvas);
+GtkWidget *qn_stage_form_new (QnCanvas *canvas);
+
+/* The law of the contacts; part of the analysis panel. */
+GtkWidget *qn_law_form_new (QnCanvas *canvas);
+
+/* Outcome in words, curve, list of runs and steps, table of contacts. */
+GtkWidget *qn_result_panel_new (QnCanvas *canvas);
+
+/* Tables of the current run: a row leads to its step, or to its place in the drawing. */
+GtkWidget *qn_step_table_new (QnViewState *state);
+GtkWidget *qn_contact_table_new (QnCanvas *canvas);
+GtkWidget *qn_beam_table_new (QnCanvas *canvas);
+
+/* HybriDFEM and limit analysis side by side, with what each number guarantees. */
+GtkWidget *qn_bounds_table_new (QnDocument *document);
+
+/* What contact detection has to tell, with buttons that show the place. */
+GtkWidget *qn_findings_panel_new (QnCanvas *canvas);
+
+/* The list of named steps; a click walks to one. For a popover. */
+GtkWidget *qn_history_list_new (QnDocument *document);
+
+/* Play, step slider, speed and scale of results. */
+GtkWidget *qn_playback_bar_new (QnViewState *state);
+void qn_playback_bar_toggle (GtkWidget *bar);
+gboolean qn_playback_bar_is_playing (GtkWidget *bar);
+
+#endif

@@ -1,0 +1,62 @@
+/* Beam: from point to point; an end on a block, or on another beam's, holds on to it. */
+#include "app/canvas/gesture.h"
+
+#include <glib/gi18n.h>
+
+typedef struct Draw {
+  QnVec2 from, to;
+  QnBeamStyle style;
+} Draw;
+
+static gboolean
+edit_add (QnModel *model, gpointer data, GError **error)
+{
+  const Draw *drawn = data;
+  return qn_edit_add_beam (model, drawn->from, drawn->to, drawn->style, error);
+}
+
+/* The new beam is selected, so that its handles and its form are there. */
+static void
+select_last (QnCanvas *canvas)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  QnId last = (QnId) model->beam_count - 1;
+  qn_selection_set_beams (qn_canvas_get_selection (canvas), &last, 1);
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
+  g_autofree char *section = g_strdup (settings->section);
+  Draw drawn = { gesture->from,
+                 gesture->to,
+                 { .section = section,
+                   .hinge = { settings->hinges[0], settings->hinges[1] },
+                   .element_count = settings->elements } };
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if ((drawn.from.x != drawn.to.x || drawn.from.y != drawn.to.y)
+      && qn_canvas_edit (canvas, _ ("Add Beam"), NULL, edit_add, &drawn))
+    select_last (canvas);
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (qn_canvas_is_in_gesture (canvas))
+    qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
+}
+
+const QnTool qn_tool_beam = {
+  .name = "beam",
+  .icon = "quoin-beam-symbolic",
+  .label = N_ ("Beam"),
+  .hint = N_ ("Drag from end to end; an end on a block or on another beam is held there; "
+              "Shift holds it straight"),
+  .accel = "b",
+  QN_GESTURE_LINE,
+  .complete = complete,
+  .draw = draw,
+};

@@ -1,0 +1,62 @@
+/* Cut: a line parts the blocks that it crosses; of the selected ones where some are selected. */
+#include "app/canvas/gesture.h"
+
+#include "doc/edit/edit-shape.h"
+#include <glib/gi18n.h>
+
+typedef struct Cut {
+  QnBlockSet set;
+  QnVec2 a, b;
+} Cut;
+
+static gboolean
+edit_cut (QnModel *model, gpointer data, GError **error)
+{
+  const Cut *cut = data;
+  return qn_edit_cut_blocks (model, cut->set, cut->a, cut->b, error);
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnBlockSet set = qn_canvas_dup_selected (canvas);
+  Cut cut = { set, gesture->from, gesture->to };
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (cut.a.x != cut.b.x || cut.a.y != cut.b.y)
+    qn_canvas_edit (canvas, _ ("Cut Blocks"), NULL, edit_cut, &cut);
+  g_free ((gpointer) set.ids);
+}
+
+/* The line, and the blocks that it would part. */
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnModel *model = qn_canvas_get_model (canvas);
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  guint selected = 0;
+  qn_selection_get_blocks (selection, &selected);
+  for (QnId i = 0; i < (QnId) model->block_count; i++) {
+    if ((selected == 0 || qn_selection_has_block (selection, i))
+        && qn_block_is_crossed (model, i, gesture->from, gesture->to))
+      qn_canvas_trace (canvas, cr, qn_model_block_vertices (model, i),
+                       (gsize) model->blocks[i].vertex_count);
+  }
+  qn_gesture_paint (cr);
+  qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
+}
+
+const QnTool qn_tool_cut = {
+  .name = "cut",
+  .icon = "quoin-cut-symbolic",
+  .label = N_ ("Cut Blocks"),
+  .hint = N_ ("Drag a line across blocks: it parts them, or those of them that are "
+              "selected; Shift holds it straight"),
+  .accel = "x",
+  QN_GESTURE_LINE,
+  .complete = complete,
+  .draw = draw,
+};

@@ -1,0 +1,110 @@
+/* Force: drag from a point of a block, or from a node of beams, into the direction of the force. */
+#include "app/canvas/gesture.h"
+
+#include "doc/document/edit.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+typedef struct Force {
+  QnId node; /* or QN_NONE, */
+  QnId block;
+  gboolean live;
+  QnVec2 vector, at;
+} Force;
+
+static gboolean
+edit_add (QnModel *model, gpointer data, GError **error)
+{
+  const Force *force = data;
+  return force->node != QN_NONE ? qn_edit_add_node_force (model, force->node, force->live,
+                                                          force->vector, error)
+                                : qn_edit_add_force (model, force->block, force->live,
+                                                     force->vector, force->at, error);
+}
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  if (qn_canvas_is_in_gesture (canvas)
+      || qn_canvas_pick_node (canvas, event->screen) != QN_NONE
+      || qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK).kind
+           == QN_PICK_BLOCK)
+    qn_gesture_press (canvas, event);
+}
+
+static void
+add (QnCanvas *canvas, QnVec2 vector)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnPick pick = qn_canvas_pick (canvas, gesture->from_screen, 1u << QN_PICK_BLOCK);
+  Force force = { qn_canvas_pick_node (canvas, gesture->from_screen), pick.id,
+                  qn_canvas_get_tool_settings (canvas)->live, vector, gesture->from };
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (pick.kind == QN_PICK_BLOCK || force.node != QN_NONE)
+    qn_canvas_edit (canvas, _ ("Add Force"), NULL, edit_add, &force);
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnVec2 direction = qn_vec2_sub (gesture->to, gesture->from);
+  double length = qn_vec2_length (direction);
+  double size = qn_canvas_get_tool_settings (canvas)->force;
+  if (length > 0.0)
+    add (canvas, qn_vec2_scale (size / length, direction));
+  else
+    qn_canvas_set_in_gesture (canvas, FALSE);
+}
+
+/* The size, in the pointer's direction or at an angle. */
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnVec2 force;
+  if (!qn_gesture_typed_way (gesture, values, count, &force) || values[0] == 0.0)
+    return FALSE;
+  add (canvas, force);
+  return TRUE;
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  QnVec2 a = qn_canvas_to_screen (canvas, gesture->from);
+  QnVec2 b = qn_canvas_to_screen (canvas, gesture->to);
+  double angle = atan2 (b.y - a.y, b.x - a.x);
+  cairo_set_source_rgb (cr, 0.8, 0.1, 0.1);
+  cairo_set_line_width (cr, 2.0);
+  cairo_move_to (cr, a.x, a.y);
+  cairo_line_to (cr, b.x, b.y);
+  cairo_stroke (cr);
+  cairo_move_to (cr, b.x, b.y);
+  cairo_line_to (cr, b.x - 12.0 * cos (angle - 0.4), b.y - 12.0 * sin (angle - 0.4));
+  cairo_line_to (cr, b.x - 12.0 * cos (angle + 0.4), b.y - 12.0 * sin (angle + 0.4));
+  cairo_close_path (cr);
+  cairo_fill (cr);
+}
+
+const QnTool qn_tool_force = {
+  .name = "force",
+  .icon = "quoin-force-symbolic",
+  .label = N_ ("Force"),
+  .hint =
+    N_ ("Drag from a point of a block or an end of a beam in the direction of the force; "
+        "its size is in the panel, or typed"),
+  .accel = "f",
+  .magnetic = TRUE,
+  .numbers_label = N_ ("size; angle"),
+  .quantities = { QN_QUANTITY_FORCE, QN_QUANTITY_ANGLE },
+  .press = press,
+  .motion = qn_gesture_motion_straight,
+  .release = qn_gesture_release,
+  .numbers = numbers,
+  .complete = complete,
+  .draw = draw,
+};

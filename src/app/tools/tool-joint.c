@@ -1,0 +1,92 @@
+/* Laws of joints: a click, or a frame, gives contact faces the law that the panel shows. */
+#include "app/canvas/gesture.h"
+
+#include "doc/edit/edit-face.h"
+#include <glib/gi18n.h>
+
+typedef struct Paint {
+  GArray *faces; /* of QnContactFace */
+  const char *law;
+} Paint;
+
+static gboolean
+edit_paint (QnModel *model, gpointer data, GError **error)
+{
+  const Paint *paint = data;
+  QnId law = paint->law != NULL ? qn_model_find_law (model, paint->law) : QN_NONE;
+  QnFaceSet set = { (const QnContactFace *) paint->faces->data, paint->faces->len };
+  return qn_edit_set_face_law (model, set, law, error);
+}
+
+static void
+paint_faces (QnCanvas *canvas, const QnId *ids, guint count)
+{
+  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
+  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
+  for (guint i = 0; i < count; i++)
+    g_array_append_val (faces, contacts->faces[ids[i]]);
+  g_autofree char *law = g_strdup (qn_canvas_get_tool_settings (canvas)->joint_law);
+  Paint paint = { faces, law };
+  if (count > 0)
+    qn_canvas_edit (canvas, _ ("Set Law of Joints"), NULL, edit_paint, &paint);
+}
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  qn_view_state_set_view (qn_canvas_get_state (canvas), QN_VIEW_CONTACTS);
+  gesture->from = gesture->to = event->model;
+  gesture->from_screen = event->screen;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+static void
+motion (QnCanvas *canvas, const QnToolEvent *event)
+{
+  if (qn_canvas_is_in_gesture (canvas))
+    qn_canvas_get_gesture (canvas)->to = event->model;
+}
+
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
+  if (qn_canvas_is_drag (canvas, event))
+    qn_canvas_faces_inside (canvas, gesture->from, event->model, ids);
+  else {
+    QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
+    if (pick.kind == QN_PICK_FACE)
+      g_array_append_val (ids, pick.id);
+  }
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  paint_faces (canvas, (const QnId *) ids->data, ids->len);
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  QnVec2 a = gesture->from, b = gesture->to;
+  QnVec2 corners[] = { a, { b.x, a.y }, b, { a.x, b.y } };
+  qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));
+  qn_gesture_paint (cr);
+}
+
+const QnTool qn_tool_joint = {
+  .name = "joint",
+  .icon = "quoin-joint-symbolic",
+  .label = N_ ("Law of Joints"),
+  .hint = N_ ("Click a joint, or drag a frame around several, to give them the law that "
+              "the panel shows"),
+  .accel = "l",
+  .press = press,
+  .motion = motion,
+  .release = release,
+  .draw = draw,
+};

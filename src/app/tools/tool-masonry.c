@@ -1,0 +1,78 @@
+/* Wall and column: a dragged rectangle becomes parametric masonry. */
+#include "app/canvas/gesture.h"
+
+#include "doc/edit/edit-masonry.h"
+#include <glib/gi18n.h>
+
+/* What the gesture would lay, by the current tool; FALSE where memory runs out. */
+static gboolean
+make_plan (QnCanvas *canvas, QnMasonry *masonry)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnMasonryStyle *style = &qn_canvas_get_tool_settings (canvas)->masonry;
+  return qn_canvas_get_tool (canvas) == &qn_tool_wall
+           ? qn_plan_wall (masonry, style, gesture->from, gesture->to)
+           : qn_plan_column (masonry, style, gesture->from, gesture->to);
+}
+
+static gboolean
+edit_add (QnProject *draft, gpointer data, GError **error)
+{
+  QnMasonry masonry;
+  return make_plan (data, &masonry) ? qn_edit_add_masonry (draft, &masonry, error)
+                                    : qn_edit_no_memory (error);
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const char *name =
+    qn_canvas_get_tool (canvas) == &qn_tool_wall ? _ ("Add Wall") : _ ("Add Column");
+  if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y)
+    qn_canvas_edit_project (canvas, name, NULL, edit_add, canvas);
+  qn_canvas_set_in_gesture (canvas, FALSE);
+}
+
+/* The frame is that of whole blocks where a wall has rounded it. */
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnMasonry masonry;
+  if (!qn_canvas_is_in_gesture (canvas) || !make_plan (canvas, &masonry))
+    return;
+  QnVec2 from = gesture->from, to = gesture->to;
+  if (masonry.kind == QN_MASONRY_WALL) {
+    from = masonry.origin;
+    to = qn_vec2 (from.x + masonry.wall.leaves[0].length, from.y + masonry.wall.height);
+  }
+  qn_gesture_draw_masonry (canvas, cr, &masonry);
+  qn_gesture_draw_rectangle (canvas, cr, from, to);
+  qn_masonry_clear (&masonry);
+}
+
+const QnTool qn_tool_wall = {
+  .name = "wall",
+  .icon = "quoin-wall-symbolic",
+  .label = N_ ("Wall"),
+  .hint =
+    N_ ("Drag a rectangle: it becomes a bonded wall; or click a corner and type width; "
+        "height"),
+  .accel = "w",
+  QN_GESTURE_RECTANGLE,
+  .complete = complete,
+  .draw = draw,
+};
+
+const QnTool qn_tool_column = {
+  .name = "column",
+  .icon = "quoin-column-symbolic",
+  .label = N_ ("Column"),
+  .hint = N_ ("Drag a rectangle: it becomes a column of drums, each about a course high; "
+              "or click a corner and type width; height"),
+  .accel = "c",
+  QN_GESTURE_RECTANGLE,
+  .complete = complete,
+  .draw = draw,
+};

@@ -1,0 +1,81 @@
+/* Measure: the distance between two points. */
+#include "app/canvas/gesture.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  /* The second of two clicks is the end. */
+  if (qn_canvas_is_in_gesture (canvas) && gesture->dragging) {
+    gesture->to = event->point;
+    return;
+  }
+  gesture->from = gesture->to = event->point;
+  gesture->from_screen = event->screen;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+  gesture->dragging = TRUE;
+}
+
+static void
+motion (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (gesture->dragging)
+    gesture->to = event->point;
+}
+
+/* The measure stays until the next press. */
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (gesture->to.x != gesture->from.x || gesture->to.y != gesture->from.y
+      || qn_canvas_is_drag (canvas, event))
+    gesture->dragging = FALSE;
+}
+
+/* Marks off a length in the pointer's direction, or at an angle. */
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnVec2 way;
+  if (!qn_gesture_typed_way (gesture, values, count, &way))
+    return FALSE;
+  gesture->to = qn_vec2_add (gesture->from, way);
+  gesture->dragging = FALSE;
+  return TRUE;
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  QnVec2 corner = qn_vec2 (gesture->to.x, gesture->from.y);
+  qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
+  if (gesture->from.x == gesture->to.x || gesture->from.y == gesture->to.y)
+    return;
+  qn_canvas_draw_dimension (canvas, cr, gesture->from, corner);
+  qn_canvas_draw_dimension (canvas, cr, corner, gesture->to);
+}
+
+const QnTool qn_tool_measure = {
+  .name = "measure",
+  .icon = "quoin-measure-symbolic",
+  .label = N_ ("Measure"),
+  .hint = N_ ("Drag from point to point"),
+  .accel = "m",
+  .magnetic = TRUE,
+  .numbers_label = N_ ("length; angle"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_ANGLE },
+  .press = press,
+  .motion = motion,
+  .release = release,
+  .numbers = numbers,
+  .draw = draw,
+};

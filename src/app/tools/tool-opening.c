@@ -1,0 +1,227 @@
+/* Opening: a rectangle dragged on a wall becomes a window or door that can be moved and changed; a
+ * click with Shift fills it again. */
+#include "app/canvas/gesture.h"
+#include "app/canvas/handle.h"
+
+#include "doc/edit/edit-masonry.h"
+#include "doc/masonry/masonry-shape.h"
+#include "io/project/project-masonry.h"
+#include <glib/gi18n.h>
+
+typedef struct Opening {
+  QnMasonryStyle style;
+  QnVec2 from, to;
+  gboolean snap;
+  QnId object;
+  int number; /* what was cut, or is to be filled */
+} Opening;
+
+/* The object whose rectangle contains a point, the last one first, or QN_NONE. */
+static QnId
+wall_at (const QnMasonries *list, QnVec2 point)
+{
+  for (gsize i = list->count; i > 0; i--) {
+    if (list->items[i - 1].kind == QN_MASONRY_WALL
+        && qn_masonry_wall_contains (&list->items[i - 1], point))
+      return (QnId) (i - 1);
+  }
+  return QN_NONE;
+}
+
+static QnId
+wall_of_rectangle (const QnMasonries *list, QnVec2 from, QnVec2 to)
+{
+  QnId wall = wall_at (list, qn_vec2_lerp (from, to, 0.5));
+  return wall != QN_NONE ? wall : wall_at (list, from);
+}
+
+static gboolean
+refuse (GError **error)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       _ ("Openings are cut into walls: drag on a wall"));
+  return FALSE;
+}
+
+static gboolean
+add_opening (QnMasonry *masonry, gpointer data, GError **error)
+{
+  Opening *o = data;
+  QnOpening plan;
+  if (!qn_plan_opening (masonry, &o->style, o->from, o->to, o->snap, &plan)) {
+    g_set_error_literal (
+      error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+      _ ("The opening is smaller than half a block or outside the wall"));
+    return FALSE;
+  }
+  QnOpening *opening = qn_masonry_add_opening (masonry);
+  if (opening == NULL)
+    return qn_edit_no_memory (error);
+  *opening = plan;
+  o->number = (int) masonry->wall.opening_count - 1;
+  return TRUE;
+}
+
+/* A wall that is listed course by course becomes an object first. */
+static gboolean
+edit_cut (QnProject *draft, gpointer data, GError **error)
+{
+  Opening *o = data;
+  QnVec2 middle = qn_vec2_lerp (o->from, o->to, 0.5);
+  QnMasonries list;
+  if (!qn_project_get_masonry (draft, &list, error))
+    return FALSE;
+  o->object = wall_of_rectangle (&list, o->from, o->to);
+  gsize count = list.count;
+  qn_masonries_clear (&list);
+  if (o->object == QN_NONE) {
+    QnId wall = qn_model_wall_at (&draft->model, middle);
+    if (wall == QN_NONE)
+      return refuse (error);
+    if (!qn_edit_convert_wall (draft, wall, error))
+      return FALSE;
+    o->object = (QnId) count;
+  }
+  return qn_edit_change_masonry (draft, o->object, add_opening, o, error);
+}
+
+static gboolean
+edit_fill (QnProject *draft, gpointer data, GError **error)
+{
+  const Opening *o = data;
+  return qn_edit_remove_opening (draft, o->object, (gsize) o->number, error);
+}
+
+static Opening
+opening_of_gesture (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  return (Opening){ .style = qn_canvas_get_tool_settings (canvas)->masonry,
+                    .from = gesture->from,
+                    .to = gesture->to,
+                    .snap = qn_canvas_snaps (canvas) };
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  Opening opening = opening_of_gesture (canvas);
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (opening.from.x != opening.to.x && opening.from.y != opening.to.y
+      && qn_canvas_edit_project (canvas, _ ("Cut Opening"), NULL, edit_cut, &opening))
+    qn_selection_set_opening (qn_canvas_get_selection (canvas), opening.object,
+                              opening.number);
+}
+
+static void
+fill_at (QnCanvas *canvas, QnVec2 at)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  Opening opening = { .object = wall_at (list, at) };
+  if (opening.object == QN_NONE)
+    return;
+  opening.number = qn_masonry_opening_at (&list->items[opening.object], at);
+  if (opening.number == QN_NO_OPENING)
+    return;
+  qn_selection_clear (qn_canvas_get_selection (canvas));
+  qn_canvas_edit_project (canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
+}
+
+/* ---- the one that is selected, by its handles ---- */
+
+static gboolean
+has_opening (QnCanvas *canvas)
+{
+  QnId object;
+  int opening;
+  return qn_selection_get_opening (qn_canvas_get_selection (canvas), &object, &opening);
+}
+
+static gboolean
+drags_handle (QnCanvas *canvas)
+{
+  return qn_canvas_get_gesture (canvas)->grip.kind != QN_GRIP_NONE;
+}
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGrip grip;
+  if (event->modifiers & GDK_SHIFT_MASK)
+    fill_at (canvas, event->model);
+  else if (!qn_canvas_is_in_gesture (canvas) && has_opening (canvas)
+           && qn_handle_find (canvas, event->screen, &grip)) {
+    qn_canvas_get_gesture (canvas)->from_screen = event->screen;
+    qn_handle_begin (canvas, grip);
+  } else
+    qn_gesture_press (canvas, event);
+}
+
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  if (!drags_handle (canvas))
+    qn_gesture_release (canvas, event);
+  else if (qn_canvas_is_drag (canvas, event))
+    qn_handle_finish (canvas);
+  else
+    qn_canvas_set_in_gesture (canvas, FALSE);
+}
+
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  return !drags_handle (canvas) && qn_gesture_rectangle_numbers (canvas, values, count);
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  if (!qn_canvas_is_in_gesture (canvas)) {
+    if (has_opening (canvas))
+      qn_handle_draw_all (canvas, cr);
+    return;
+  }
+  if (drags_handle (canvas)) {
+    qn_handle_draw_drag (canvas, cr);
+    return;
+  }
+  Opening o = opening_of_gesture (canvas);
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  QnId wall = wall_of_rectangle (list, o.from, o.to);
+  QnOpening plan;
+  if (wall == QN_NONE
+      || !qn_plan_opening (&list->items[wall], &o.style, o.from, o.to, o.snap, &plan)) {
+    qn_gesture_draw_rectangle (canvas, cr, o.from, o.to);
+    return;
+  }
+  const QnMasonry *masonry = &list->items[wall];
+  QnVec2 far = qn_vec2_add (plan.at, qn_vec2 (plan.width, plan.height));
+  if (masonry->rotation == 0.0) {
+    qn_gesture_draw_rectangle (canvas, cr, qn_masonry_to_model (masonry, plan.at),
+                               qn_masonry_to_model (masonry, far));
+    return;
+  }
+  QnVec2 corners[] = { qn_masonry_to_model (masonry, plan.at),
+                       qn_masonry_to_model (masonry, qn_vec2 (far.x, plan.at.y)),
+                       qn_masonry_to_model (masonry, far),
+                       qn_masonry_to_model (masonry, qn_vec2 (plan.at.x, far.y)) };
+  qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));
+  qn_gesture_paint (cr);
+}
+
+const QnTool qn_tool_opening = {
+  .name = "opening",
+  .icon = "quoin-opening-symbolic",
+  .label = N_ ("Opening"),
+  .hint = N_ ("Drag on a wall: window or door; Shift+click fills an opening"),
+  .accel = "o",
+  .numbers_label = N_ ("width; height"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
+  .press = press,
+  .motion = qn_gesture_motion,
+  .release = release,
+  .numbers = numbers,
+  .complete = complete,
+  .draw = draw,
+};

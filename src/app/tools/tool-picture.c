@@ -1,0 +1,149 @@
+/* Picture behind the drawing: drag it, or click two points on it and type how far they are from
+ * each other. */
+#include "app/canvas/canvas.h"
+
+#include "doc/edit/picture.h"
+#include <glib/gi18n.h>
+
+#define MARK_PX 7.0
+
+static gboolean
+has_picture (QnCanvas *canvas)
+{
+  return qn_view_state_get_underlay (qn_canvas_get_state (canvas))->image != NULL;
+}
+
+static void
+place (QnCanvas *canvas, const char *name, const QnUnderlay *underlay)
+{
+  g_autoptr (GError) error = NULL;
+  QnUnderlay wanted = *underlay;
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (!qn_document_place_picture (qn_canvas_get_document (canvas), name, NULL, &wanted,
+                                  &error))
+    g_signal_emit_by_name (canvas, "failed", error->message);
+}
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!has_picture (canvas)) {
+    gtk_widget_activate_action (GTK_WIDGET (canvas), "win.picture", NULL);
+    return;
+  }
+  gesture->from = gesture->to = event->model;
+  gesture->from_screen = event->screen;
+  gesture->dragging = FALSE;
+  gesture->band = TRUE; /* the button is down */
+}
+
+/* The picture follows the pointer from where it was last. */
+static void
+motion (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!gesture->band)
+    return;
+  if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
+    return;
+  if (!gesture->dragging) {
+    g_array_set_size (gesture->points, 0);
+    qn_canvas_set_in_gesture (canvas, TRUE);
+    gesture->dragging = TRUE;
+  }
+  QnViewState *state = qn_canvas_get_state (canvas);
+  QnUnderlay moved = *qn_view_state_get_underlay (state);
+  moved.origin = qn_vec2_add (moved.origin, qn_vec2_sub (event->model, gesture->to));
+  gesture->to = event->model;
+  qn_view_state_show_underlay_at (state, &moved);
+}
+
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!gesture->band)
+    return;
+  gesture->band = FALSE;
+  if (gesture->dragging) {
+    place (canvas, _ ("Move Picture"),
+           qn_view_state_get_underlay (qn_canvas_get_state (canvas)));
+    return;
+  }
+  if (gesture->points->len >= 2)
+    g_array_set_size (gesture->points, 0);
+  g_array_append_val (gesture->points, event->model);
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+/* The distance of the two points; the first stays where it is. */
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (count != 1 || !(values[0] > 0.0) || gesture->points->len != 2)
+    return FALSE;
+  QnVec2 shown[] = { g_array_index (gesture->points, QnVec2, 0),
+                     g_array_index (gesture->points, QnVec2, 1) };
+  QnVec2 across = qn_vec2_sub (shown[1], shown[0]);
+  double length = qn_vec2_length (across);
+  if (!(length > 0.0))
+    return FALSE;
+  QnVec2 wanted[] = { shown[0],
+                      qn_vec2_add_scaled (shown[0], values[0] / length, across) };
+  QnUnderlay scaled = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
+  if (!qn_underlay_match (&scaled, shown, wanted))
+    return FALSE;
+  place (canvas, _ ("Scale Picture"), &scaled);
+  return TRUE;
+}
+
+/* A picture that was being dragged goes back to where the document has it. */
+static void
+cancel (QnCanvas *canvas)
+{
+  qn_canvas_get_gesture (canvas)->band = FALSE;
+  qn_view_state_refresh_underlay (qn_canvas_get_state (canvas));
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  const GArray *points = qn_canvas_get_gesture (canvas)->points;
+  if (points->len == 2)
+    qn_canvas_draw_dimension (canvas, cr, g_array_index (points, QnVec2, 0),
+                              g_array_index (points, QnVec2, 1));
+  for (guint i = 0; i < points->len; i++) {
+    QnVec2 s = qn_canvas_to_screen (canvas, g_array_index (points, QnVec2, i));
+    cairo_move_to (cr, s.x - MARK_PX, s.y);
+    cairo_rel_line_to (cr, 2.0 * MARK_PX, 0.0);
+    cairo_move_to (cr, s.x, s.y - MARK_PX);
+    cairo_rel_line_to (cr, 0.0, 2.0 * MARK_PX);
+    cairo_new_sub_path (cr);
+    cairo_arc (cr, s.x, s.y, 0.5 * MARK_PX, 0.0, 2.0 * G_PI);
+  }
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+  cairo_set_line_width (cr, 4.0);
+  cairo_stroke_preserve (cr);
+  cairo_set_source_rgb (cr, 0.75, 0.0, 0.4);
+  cairo_set_line_width (cr, 1.5);
+  cairo_stroke (cr);
+}
+
+const QnTool qn_tool_picture = {
+  .name = "picture",
+  .icon = "quoin-picture-symbolic",
+  .label = N_ ("Place the Picture"),
+  .hint = N_ ("Drag moves the picture; click two points on it, type their distance and "
+              "press Enter to scale it"),
+  .accel = "i",
+  .numbers_label = N_ ("distance"),
+  .quantities = { QN_QUANTITY_LENGTH },
+  .press = press,
+  .motion = motion,
+  .release = release,
+  .numbers = numbers,
+  .cancel = cancel,
+  .draw = draw,
+};

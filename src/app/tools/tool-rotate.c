@@ -1,0 +1,104 @@
+/* Rotate: press at the centre, drag around it; or type the angle. */
+#include "app/canvas/gesture.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+typedef struct Turn {
+  QnPartSet set;
+  QnTransform transform;
+} Turn;
+
+static gboolean
+edit_turn (QnProject *draft, gpointer data, GError **error)
+{
+  const Turn *turn = data;
+  return qn_edit_transform_all (draft, turn->set, turn->transform, error);
+}
+
+static double
+angle_of_gesture (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
+  return atan2 (d.y, d.x);
+}
+
+static void
+rotate (QnCanvas *canvas, double angle)
+{
+  QnPartSet set = qn_canvas_dup_parts (canvas);
+  Turn turn = { set,
+                qn_transform_rotation (qn_canvas_get_gesture (canvas)->from, angle) };
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &turn);
+  qn_part_set_clear (&set);
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  rotate (canvas, angle_of_gesture (canvas));
+}
+
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  if (count != 1)
+    return FALSE;
+  rotate (canvas, values[0]);
+  return TRUE;
+}
+
+static void
+draw_arc (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnVec2 c = qn_canvas_to_screen (canvas, gesture->from);
+  QnVec2 p = qn_canvas_to_screen (canvas, gesture->to);
+  double angle = angle_of_gesture (canvas);
+  double radius = 0.5 * qn_vec2_length (qn_vec2_sub (p, c));
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 1.5);
+  cairo_move_to (cr, c.x + 2.0 * radius, c.y);
+  cairo_line_to (cr, c.x, c.y);
+  cairo_line_to (cr, p.x, p.y);
+  cairo_stroke (cr);
+  if (angle > 0.0)
+    cairo_arc_negative (cr, c.x, c.y, radius, 0.0, -angle);
+  else
+    cairo_arc (cr, c.x, c.y, radius, 0.0, -angle);
+  cairo_stroke (cr);
+  g_autofree char *text = g_strdup_printf ("%.1f°", angle * 180.0 / G_PI);
+  qn_canvas_draw_label (canvas, cr, text, qn_vec2 (c.x + radius + 6.0, c.y - 20.0));
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnTransform transform =
+    qn_transform_rotation (gesture->from, angle_of_gesture (canvas));
+  qn_gesture_draw_moved (canvas, cr, transform);
+  draw_arc (canvas, cr);
+}
+
+const QnTool qn_tool_rotate = {
+  .name = "rotate",
+  .icon = "quoin-rotate-symbolic",
+  .label = N_ ("Rotate"),
+  .hint = N_ ("Press at the centre and drag around it to turn what is selected, or type "
+              "the angle; Shift turns by steps of 15°"),
+  .accel = "t",
+  .magnetic = TRUE,
+  .numbers_label = N_ ("angle"),
+  .quantities = { QN_QUANTITY_ANGLE },
+  .press = qn_gesture_press,
+  .motion = qn_gesture_motion_straight,
+  .release = qn_gesture_release,
+  .numbers = numbers,
+  .complete = complete,
+  .draw = draw,
+};

@@ -1,0 +1,347 @@
+/* Select and move: click, Shift+click, rectangle; drag a block to move what is selected, and a
+ * handle to change it. */
+#include "app/canvas/gesture.h"
+#include "app/canvas/handle.h"
+
+#include "doc/edit/edit-masonry.h"
+#include <glib/gi18n.h>
+
+/* px: a corner this near to the press is what a move carries. */
+#define GRAB_PX 14.0
+
+static gboolean
+shows_undeformed (QnCanvas *canvas)
+{
+  return !qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas)));
+}
+
+/* The corner of a block that was grabbed, or the place itself. */
+static QnVec2
+grabbed_point (QnCanvas *canvas, QnId block, const QnToolEvent *event)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnVec2 best = event->model;
+  double nearest = GRAB_PX;
+  for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
+    double distance =
+      qn_vec2_length (qn_vec2_sub (qn_canvas_to_screen (canvas, v[i]), event->screen));
+    if (distance < nearest) {
+      nearest = distance;
+      best = v[i];
+    }
+  }
+  return best;
+}
+
+static void
+select_more (QnSelection *selection, const QnModel *model, QnId block, int press_count)
+{
+  if (press_count == 2)
+    qn_selection_select_course (selection, model, block);
+  else
+    qn_selection_select_wall (selection, model, block);
+}
+
+static void
+leave_to_magnet (QnCanvas *canvas)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  QnBlockSet set = { 0 };
+  set.ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &set.count);
+  qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
+}
+
+/* A drag that begins on a block of a wall carries the wall, unless the block was selected before:
+ * a stone comes out of its wall only where that is meant. */
+static void
+carry_whole (QnCanvas *canvas)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnModel *model = qn_canvas_get_model (canvas);
+  if (gesture->whole == QN_NONE || gesture->band || gesture->grip.kind != QN_GRIP_NONE)
+    return;
+  qn_selection_select_wall (qn_canvas_get_selection (canvas), model, gesture->whole);
+  gesture->whole = QN_NONE;
+  leave_to_magnet (canvas);
+}
+
+static void
+press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnModel *model = qn_canvas_get_model (canvas);
+  if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
+    qn_selection_toggle_block (selection, block);
+    return;
+  }
+  if (event->press_count > 1) {
+    select_more (selection, model, block, event->press_count);
+    return;
+  }
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  gboolean part_of_whole =
+    model->blocks[block].masonry != QN_NONE || model->blocks[block].wall != QN_NONE;
+  gesture->whole = QN_NONE;
+  if (!qn_selection_has_block (selection, block)) {
+    qn_selection_set_blocks (selection, &block, 1);
+    gesture->whole = part_of_whole ? block : QN_NONE;
+  }
+  if (!shows_undeformed (canvas))
+    return;
+
+  gesture->from = gesture->to = grabbed_point (canvas, block, event);
+  leave_to_magnet (canvas);
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+static void
+press_on_beam (QnCanvas *canvas, QnId beam, const QnToolEvent *event)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
+    qn_selection_toggle_beam (selection, beam);
+    return;
+  }
+  if (!qn_selection_has_beam (selection, beam))
+    qn_selection_set_beams (selection, &beam, 1);
+  if (!shows_undeformed (canvas))
+    return;
+  gesture->from = gesture->to = event->model;
+  leave_to_magnet (canvas);
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+/* ---- faces ---- */
+
+static gboolean
+shows_contacts (QnCanvas *canvas)
+{
+  return qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_CONTACTS;
+}
+
+static gboolean
+press_on_face (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
+  QnPick face = { QN_PICK_NOTHING, QN_NONE, 0 };
+  if (shows_contacts (canvas))
+    face = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
+  if (face.kind != QN_PICK_FACE)
+    return FALSE;
+  if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK))
+    qn_selection_toggle_face (selection, face.id);
+  else if (event->press_count > 1)
+    qn_selection_select_faces_like (selection, contacts, face.id,
+                                    event->press_count == 2 ? QN_LIKE_LINE
+                                                            : QN_LIKE_DIRECTION);
+  else
+    qn_selection_set_face (selection, face.id);
+  return TRUE;
+}
+
+/* ---- openings and handles ---- */
+
+/* A click into an opening selects it, and a drag from there moves it. */
+static gboolean
+press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  for (gsize i = list->count; i > 0 && shows_undeformed (canvas); i--) {
+    int opening = qn_masonry_opening_at (&list->items[i - 1], event->model);
+    if (opening == QN_NO_OPENING)
+      continue;
+    qn_selection_set_opening (qn_canvas_get_selection (canvas), (QnId) (i - 1), opening);
+    QnGrip grip = { .kind = QN_GRIP_MASONRY,
+                    .at = event->model,
+                    .object = (QnId) (i - 1),
+                    .opening = opening,
+                    .handle = QN_HANDLE_MIDDLE };
+    qn_handle_begin (canvas, grip);
+    return TRUE;
+  }
+  return FALSE;
+}
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  gesture->from_screen = event->screen;
+  QnGrip grip;
+  if (event->press_count == 1 && qn_handle_find (canvas, event->screen, &grip)) {
+    qn_handle_begin (canvas, grip);
+    return;
+  }
+  if (press_on_face (canvas, event))
+    return;
+  QnPick pick =
+    qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
+  if (pick.kind == QN_PICK_BEAM) {
+    press_on_beam (canvas, pick.id, event);
+    return;
+  }
+  if (pick.kind == QN_PICK_BLOCK) {
+    press_on_block (canvas, pick.id, event);
+    return;
+  }
+  if (press_on_opening (canvas, event))
+    return;
+  if ((event->modifiers & GDK_SHIFT_MASK) == 0)
+    qn_selection_clear (selection);
+  gesture->from = gesture->to = event->model;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+  gesture->band = TRUE;
+}
+
+static void
+motion (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
+    return;
+  if (!gesture->dragging)
+    carry_whole (canvas);
+  gesture->dragging = TRUE;
+  /* Bonds and angles have steps of their own. */
+  gboolean by_magnet = !gesture->band && gesture->grip.kind != QN_GRIP_TURN;
+  gesture->to = by_magnet ? event->point : event->model;
+  if (!gesture->band && (event->modifiers & GDK_SHIFT_MASK)) {
+    /* Shift keeps a move horizontal or vertical. */
+    QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
+    if (fabs (d.x) > fabs (d.y))
+      gesture->to.y = gesture->from.y;
+    else
+      gesture->to.x = gesture->from.x;
+  }
+}
+
+typedef struct Move {
+  QnPartSet set;
+  QnTransform transform;
+} Move;
+
+static gboolean
+edit_move (QnProject *draft, gpointer data, GError **error)
+{
+  const Move *move = data;
+  return qn_edit_transform_all (draft, move->set, move->transform, error);
+}
+
+static void
+finish_move (QnCanvas *canvas, QnVec2 by)
+{
+  Move move = { qn_canvas_dup_parts (canvas), qn_transform_translation (by.x, by.y) };
+  qn_canvas_set_magnet_skip (canvas, NULL);
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  qn_canvas_edit_project (canvas, _ ("Move"), NULL, edit_move, &move);
+  qn_part_set_clear (&move.set);
+}
+
+static void
+finish_band (QnCanvas *canvas)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
+  if (shows_contacts (canvas)) {
+    qn_canvas_faces_inside (canvas, gesture->from, gesture->to, ids);
+    qn_selection_add_faces (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
+                            ids->len);
+    return;
+  }
+  qn_canvas_pick_inside (canvas, qn_canvas_to_screen (canvas, gesture->from),
+                         qn_canvas_to_screen (canvas, gesture->to), ids);
+  qn_selection_add_blocks (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
+                           ids->len);
+  g_array_set_size (ids, 0);
+  qn_canvas_beams_inside (canvas, gesture->from, gesture->to, ids);
+  qn_selection_add_beams (qn_canvas_get_selection (canvas), (const QnId *) ids->data,
+                          ids->len);
+}
+
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  (void) event;
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas))
+    return;
+  if (gesture->band && gesture->dragging)
+    finish_band (canvas);
+  else if (gesture->grip.kind != QN_GRIP_NONE && gesture->dragging) {
+    qn_handle_finish (canvas);
+    return;
+  } else if (gesture->dragging) {
+    finish_move (canvas, qn_vec2_sub (gesture->to, gesture->from));
+    return;
+  }
+  qn_canvas_set_magnet_skip (canvas, NULL);
+  qn_canvas_set_in_gesture (canvas, FALSE);
+}
+
+static gboolean
+numbers (QnCanvas *canvas, const double *values, int count)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (count < 1 || count > 2 || gesture->band || gesture->grip.kind == QN_GRIP_TURN)
+    return FALSE;
+  if (gesture->grip.kind != QN_GRIP_NONE) {
+    gesture->to =
+      qn_vec2_add (gesture->from, qn_vec2 (values[0], count > 1 ? values[1] : 0.0));
+    qn_handle_finish (canvas);
+    return TRUE;
+  }
+  finish_move (canvas, qn_vec2 (values[0], count > 1 ? values[1] : 0.0));
+  return TRUE;
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (!qn_canvas_is_in_gesture (canvas) || !gesture->dragging) {
+    qn_handle_draw_all (canvas, cr);
+    return;
+  }
+  if (gesture->grip.kind != QN_GRIP_NONE) {
+    qn_handle_draw_drag (canvas, cr);
+    return;
+  }
+  if (!gesture->band) {
+    QnVec2 by = qn_vec2_sub (gesture->to, gesture->from);
+    qn_gesture_draw_moved (canvas, cr, qn_transform_translation (by.x, by.y));
+    qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
+    return;
+  }
+  QnVec2 a = qn_canvas_to_screen (canvas, gesture->from);
+  QnVec2 b = qn_canvas_to_screen (canvas, gesture->to);
+  cairo_rectangle (cr, MIN (a.x, b.x), MIN (a.y, b.y), fabs (a.x - b.x),
+                   fabs (a.y - b.y));
+  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.12);
+  cairo_fill_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 1.0);
+  cairo_stroke (cr);
+}
+
+const QnTool qn_tool_select = {
+  .name = "select",
+  .icon = "quoin-select-symbolic",
+  .label = N_ ("Select and Move"),
+  .hint = N_ (
+    "Click selects, double click a course, triple click a wall; drag to move, handles "
+    "change; numbers move exactly"),
+  .accel = "v",
+  .numbers_label = N_ ("right; up"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
+  .press = press,
+  .motion = motion,
+  .release = release,
+  .numbers = numbers,
+  .draw = draw,
+};

@@ -1,0 +1,169 @@
+#include "app/forms/form.h"
+#include "app/forms/panel.h"
+#include "doc/edit/repair.h"
+#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+
+/* Findings listed at most; more would be a wall of text, the rest is marked in the drawing. */
+#define MOST_ROWS 200
+
+typedef struct Panel {
+  QnCanvas *canvas;
+  GtkWidget *list, *repair_all;
+  GtkLabel *summary;
+} Panel;
+
+/* What a button of a row does. */
+typedef struct Fix {
+  QnFinding finding;
+  QnRepair repair;
+} Fix;
+
+/* ---- repairs ---- */
+
+static gboolean
+edit_repair (QnModel *model, gpointer data, GError **error)
+{
+  const Fix *fix = data;
+  return qn_edit_repair (model, &fix->finding, fix->repair, error);
+}
+
+static gboolean
+edit_repair_all (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_repair_all (model, data, error);
+}
+
+static void
+on_fix (GtkButton *button, Panel *panel)
+{
+  /* The edit makes the list anew, and with it this button goes. */
+  Fix fix = *(const Fix *) g_object_get_data (G_OBJECT (button), "qn-fix");
+  qn_canvas_edit (panel->canvas, qn_repair_get_step_name (fix.repair), NULL, edit_repair,
+                  &fix);
+}
+
+static void
+on_repair_all (Panel *panel)
+{
+  guint count = 0;
+  qn_canvas_edit (panel->canvas, _ ("Repair Contacts"), NULL, edit_repair_all, &count);
+}
+
+static GtkWidget *
+make_fixes (Panel *panel, const QnModel *model, const QnFinding *finding)
+{
+  QnRepair choices[QN_REPAIR_COUNT];
+  guint count = qn_repair_get_choices (model, finding, choices);
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  for (guint i = 0; i < count; i++) {
+    GtkWidget *button = gtk_button_new_with_label (qn_repair_get_label (choices[i]));
+    Fix *fix = g_new (Fix, 1);
+    *fix = (Fix){ *finding, choices[i] };
+    g_autofree char *what = qn_repair_explain (model, finding, choices[i]);
+    gtk_widget_set_tooltip_text (button, what);
+    gtk_accessible_update_property (GTK_ACCESSIBLE (button),
+                                    GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, what, -1);
+    g_object_set_data_full (G_OBJECT (button), "qn-fix", fix, g_free);
+    g_signal_connect (button, "clicked", G_CALLBACK (on_fix), panel);
+    gtk_box_append (GTK_BOX (box), button);
+  }
+  gtk_widget_set_visible (box, count > 0);
+  return box;
+}
+
+/* ---- the list ---- */
+
+static void
+on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
+{
+  (void) list;
+  const QnContacts *contacts =
+    qn_document_get_contacts (qn_canvas_get_document (panel->canvas));
+  int index = gtk_list_box_row_get_index (row);
+  if (index < 0 || (gsize) index >= contacts->findings.count)
+    return;
+  const QnFinding *finding = &contacts->findings.items[index];
+  QnId blocks[] = { finding->block_a, finding->block_b };
+  guint count = (finding->block_a != QN_NONE) + (finding->block_b != QN_NONE);
+  qn_view_state_set_view (qn_canvas_get_state (panel->canvas), QN_VIEW_CONTACTS);
+  qn_selection_set_blocks (qn_canvas_get_selection (panel->canvas), blocks, count);
+  qn_canvas_show_place (panel->canvas, finding->at);
+}
+
+static GtkWidget *
+make_row (Panel *panel, const QnModel *model, const QnFinding *finding)
+{
+  g_autofree char *text = qn_explain_finding (model, finding);
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 8);
+  GtkWidget *icon = gtk_image_new_from_icon_name ("dialog-warning-symbolic");
+  GtkWidget *label = gtk_label_new (text);
+  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  GtkWidget *column = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
+  gtk_widget_set_valign (icon, GTK_ALIGN_START);
+  gtk_box_append (GTK_BOX (column), label);
+  gtk_box_append (GTK_BOX (column), make_fixes (panel, model, finding));
+  gtk_box_append (GTK_BOX (box), icon);
+  gtk_box_append (GTK_BOX (box), column);
+  return box;
+}
+
+static void
+update (Panel *panel)
+{
+  QnDocument *document = qn_canvas_get_document (panel->canvas);
+  const QnModel *model = qn_document_get_model (document);
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  GtkWidget *child;
+  while ((child = gtk_widget_get_first_child (panel->list)) != NULL)
+    gtk_list_box_remove (GTK_LIST_BOX (panel->list), child);
+  gsize shown = MIN (contacts->findings.count, MOST_ROWS);
+  for (gsize i = 0; i < shown; i++)
+    gtk_list_box_append (GTK_LIST_BOX (panel->list),
+                         make_row (panel, model, &contacts->findings.items[i]));
+  gtk_widget_set_visible (panel->list, shown > 0);
+  gtk_widget_set_visible (panel->repair_all, shown > 1);
+
+  const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, contacts->face_count },
+                             { QN_COUNTED_PAIRS, contacts->pair_count } };
+  g_autofree char *content = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
+  g_autofree char *text = g_strdup_printf (
+    "%s.\n%s", content,
+    shown == 0
+      ? _ ("Nothing to complain of.")
+      : _ ("Each line leads to its place; the triangles in the drawing mark them."));
+  gtk_label_set_text (panel->summary, text);
+}
+
+GtkWidget *
+qn_findings_panel_new (QnCanvas *canvas)
+{
+  Panel *panel = g_new0 (Panel, 1);
+  panel->canvas = canvas;
+  GtkWidget *form = qn_form_new ();
+  qn_form_add_heading (form, _ ("Contacts Found"));
+  panel->summary = qn_form_add_text (form);
+  panel->list = gtk_list_box_new ();
+  gtk_list_box_set_selection_mode (GTK_LIST_BOX (panel->list), GTK_SELECTION_NONE);
+  gtk_widget_add_css_class (panel->list, "rich-list");
+  gtk_widget_add_css_class (panel->list, "frame");
+  gtk_accessible_update_property (GTK_ACCESSIBLE (panel->list),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Findings"), -1);
+  g_signal_connect (panel->list, "row-activated", G_CALLBACK (on_row_activated), panel);
+  qn_form_add_wide (form, panel->list);
+  panel->repair_all = gtk_button_new_with_mnemonic (_ ("_Repair What Repairs Itself"));
+  gtk_widget_set_tooltip_text (
+    panel->repair_all,
+    _ ("Snaps, trims and forgets wherever that is all it takes, in one step"));
+  g_signal_connect_swapped (panel->repair_all, "clicked", G_CALLBACK (on_repair_all),
+                            panel);
+  qn_form_add_wide (form, panel->repair_all);
+  qn_own (form, panel);
+  qn_watch (form, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), panel);
+  update (panel);
+  return form;
+}

@@ -1,0 +1,259 @@
+#include "app/forms/form.h"
+#include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include "doc/view/load-text.h"
+#include "io/text/outcome-text.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+typedef struct Bar {
+  QnViewState *state;
+  GtkWidget *box, *play, *slider, *loop, *speed, *step_label;
+  QnQuantityEntry *scale;
+  guint tick;
+  gint64 last_time;
+  double position; /* seconds into the motion */
+} Bar;
+
+static const double speeds[] = { 0.25, 0.5, 1.0, 2.0, 4.0 };
+#define NORMAL_SPEED 2
+
+static int
+last_step (const Bar *bar)
+{
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  return run != NULL && run->result.step_count > 0 ? (int) run->result.step_count - 1 : 0;
+}
+
+static gboolean
+moves_by_phase (const Bar *bar)
+{
+  return qn_view_state_get_view (bar->state) == QN_VIEW_MECHANISM;
+}
+
+/* Shows the state `share` of the way from rest to the end. */
+static void
+show_share (Bar *bar, double share)
+{
+  if (moves_by_phase (bar))
+    qn_view_state_set_phase (bar->state, share);
+  else
+    qn_view_state_set_step (bar->state, (int) lround (share * last_step (bar)));
+}
+
+static void
+stop (Bar *bar)
+{
+  if (bar->tick != 0)
+    gtk_widget_remove_tick_callback (bar->box, bar->tick);
+  bar->tick = 0;
+  gtk_button_set_icon_name (GTK_BUTTON (bar->play), "media-playback-start-symbolic");
+  gtk_widget_set_tooltip_text (bar->play, _ ("Play (Space)"));
+}
+
+static gboolean
+on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
+{
+  (void) widget;
+  Bar *bar = data;
+  gint64 now = gdk_frame_clock_get_frame_time (clock);
+  double speed = speeds[gtk_drop_down_get_selected (GTK_DROP_DOWN (bar->speed))];
+  if (bar->last_time != 0)
+    bar->position += 1e-6 * (double) (now - bar->last_time) * speed;
+  bar->last_time = now;
+  double period = g_settings_get_double (qn_settings_get (), "animation-period");
+  gboolean loop = gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (bar->loop));
+  double turns = bar->position / period;
+  if (!loop && turns >= 1.0) {
+    show_share (bar, 1.0);
+    stop (bar);
+    return G_SOURCE_REMOVE;
+  }
+  /* To and fro, slowly at both ends. */
+  show_share (bar, loop ? 0.5 - 0.5 * cos (G_PI * turns)
+                        : 0.5 - 0.5 * cos (G_PI * fmin (turns, 1.0)));
+  return G_SOURCE_CONTINUE;
+}
+
+static void
+play (Bar *bar)
+{
+  QnView view = qn_view_state_get_view (bar->state);
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  if (run == NULL)
+    return;
+  if (!qn_view_needs_result (view) || view == QN_VIEW_FORCES)
+    qn_view_state_set_view (bar->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM
+                                                                      : QN_VIEW_DEFORMED);
+  bar->position = 0.0;
+  bar->last_time = 0;
+  if (qn_settings_reduced_motion ()) {
+    show_share (bar, 1.0);
+    return;
+  }
+  bar->tick = gtk_widget_add_tick_callback (bar->box, on_tick, bar, NULL);
+  gtk_button_set_icon_name (GTK_BUTTON (bar->play), "media-playback-pause-symbolic");
+  gtk_widget_set_tooltip_text (bar->play, _ ("Pause (Space)"));
+}
+
+static void
+toggle (Bar *bar)
+{
+  if (bar->tick != 0)
+    stop (bar);
+  else
+    play (bar);
+}
+
+static void
+on_slider (GtkRange *range, Bar *bar)
+{
+  if (moves_by_phase (bar))
+    qn_view_state_set_phase (bar->state,
+                             gtk_range_get_value (range) / MAX (1, last_step (bar)));
+  else
+    qn_view_state_set_step (bar->state, (int) lround (gtk_range_get_value (range)));
+}
+
+static void
+on_scale (QnQuantityEntry *entry, Bar *bar)
+{
+  qn_view_state_set_scale (bar->state, qn_quantity_entry_get_value (entry));
+}
+
+static void
+update_label (Bar *bar, const QnRun *run)
+{
+  g_autofree char *text = NULL;
+  if (run == NULL || run->result.step_count == 0)
+    text = g_strdup ("");
+  else if (moves_by_phase (bar))
+    text = g_strdup_printf (_ ("Motion %.0f %%"),
+                            100.0 * qn_view_state_get_phase (bar->state));
+  else {
+    int step = qn_view_state_get_step (bar->state);
+    int shown = step == QN_STEP_LAST ? last_step (bar) : step;
+    const QnStep *at = &run->result.steps[shown];
+    if (at->stage > 0 && (gsize) at->stage <= run->model.stage_count) {
+      g_autofree char *stage = qn_stage_dup_name (&run->model, at->stage);
+      text = g_strdup_printf (_ ("Step %d of %d, “%s” %.4f"), shown, last_step (bar),
+                              stage, at->multiplier);
+    } else
+      text = g_strdup_printf (_ ("Step %d of %d, multiplier %.4f"), shown,
+                              last_step (bar), at->multiplier);
+  }
+  gtk_label_set_text (GTK_LABEL (bar->step_label), text);
+}
+
+/* The end of each stage but the last. */
+static void
+mark_stages (Bar *bar)
+{
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  gtk_scale_clear_marks (GTK_SCALE (bar->slider));
+  size_t first = 0, last = 0;
+  for (gsize i = 1; run != NULL && i < run->model.stage_count; i++)
+    if (qn_result_stage_steps (&run->result, (int32_t) i, &first, &last))
+      gtk_scale_add_mark (GTK_SCALE (bar->slider), (double) last, GTK_POS_TOP, NULL);
+}
+
+static void
+update (Bar *bar)
+{
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  gtk_widget_set_visible (bar->box, run != NULL);
+  if (run == NULL) {
+    stop (bar);
+    return;
+  }
+  int last = last_step (bar), step = qn_view_state_get_step (bar->state);
+  double value = moves_by_phase (bar)
+                   ? qn_view_state_get_phase (bar->state) * MAX (1, last)
+                 : step == QN_STEP_LAST ? last
+                                        : step;
+  g_signal_handlers_block_by_func (bar->slider, on_slider, bar);
+  gtk_range_set_range (GTK_RANGE (bar->slider), 0.0, MAX (1, last));
+  gtk_range_set_value (GTK_RANGE (bar->slider), value);
+  g_signal_handlers_unblock_by_func (bar->slider, on_slider, bar);
+  qn_quantity_entry_set_value (bar->scale, qn_view_state_get_scale (bar->state));
+  update_label (bar, run);
+}
+
+static void
+build (Bar *bar)
+{
+  bar->play = gtk_button_new_from_icon_name ("media-playback-start-symbolic");
+  gtk_widget_set_tooltip_text (bar->play, _ ("Play (Space)"));
+  gtk_widget_add_css_class (bar->play, "flat");
+  g_signal_connect_swapped (bar->play, "clicked", G_CALLBACK (toggle), bar);
+
+  bar->slider = gtk_scale_new_with_range (GTK_ORIENTATION_HORIZONTAL, 0.0, 1.0, 1.0);
+  gtk_scale_set_draw_value (GTK_SCALE (bar->slider), FALSE);
+  gtk_widget_set_direction (bar->slider, GTK_TEXT_DIR_LTR);
+  gtk_widget_set_hexpand (bar->slider, TRUE);
+  gtk_widget_set_size_request (bar->slider, 140, -1);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->slider),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Step"), -1);
+  g_signal_connect (bar->slider, "value-changed", G_CALLBACK (on_slider), bar);
+
+  bar->step_label = gtk_label_new (NULL);
+  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 26);
+  gtk_label_set_ellipsize (GTK_LABEL (bar->step_label), PANGO_ELLIPSIZE_END);
+  gtk_label_set_xalign (GTK_LABEL (bar->step_label), 0.0f);
+  gtk_widget_add_css_class (bar->step_label, "numeric");
+
+  bar->loop = gtk_toggle_button_new ();
+  gtk_button_set_icon_name (GTK_BUTTON (bar->loop), "media-playlist-repeat-symbolic");
+  gtk_widget_set_tooltip_text (bar->loop, _ ("Loop"));
+  gtk_widget_add_css_class (bar->loop, "flat");
+  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->loop), TRUE);
+
+  const char *const names[] = { "¼×", "½×", "1×", "2×", "4×", NULL };
+  bar->speed = gtk_drop_down_new_from_strings (names);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (bar->speed), NORMAL_SPEED);
+  gtk_widget_set_tooltip_text (bar->speed, _ ("Speed"));
+
+  bar->scale = QN_QUANTITY_ENTRY (qn_quantity_entry_new (QN_QUANTITY_NUMBER, 0.0, 1e9));
+  gtk_editable_set_width_chars (GTK_EDITABLE (bar->scale), 6);
+  g_signal_connect (bar->scale, "committed", G_CALLBACK (on_scale), bar);
+  GtkWidget *label = gtk_label_new (_ ("Scale (0: fitting)"));
+  gtk_accessible_update_relation (GTK_ACCESSIBLE (bar->scale),
+                                  GTK_ACCESSIBLE_RELATION_LABELLED_BY, label, NULL, -1);
+
+  GtkWidget *parts[] = { bar->play,  bar->slider, bar->step_label,        bar->loop,
+                         bar->speed, label,       GTK_WIDGET (bar->scale) };
+  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
+    gtk_box_append (GTK_BOX (bar->box), parts[i]);
+}
+
+GtkWidget *
+qn_playback_bar_new (QnViewState *state)
+{
+  Bar *bar = g_new0 (Bar, 1);
+  bar->state = state;
+  bar->box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  gtk_widget_add_css_class (bar->box, "toolbar");
+  /* Time runs to the right, as on every player. */
+  gtk_widget_set_direction (bar->box, GTK_TEXT_DIR_LTR);
+  build (bar);
+  g_object_set_data (G_OBJECT (bar->box), "qn-bar", bar);
+  qn_own (bar->box, bar);
+  qn_watch (bar->box, state, "changed", G_CALLBACK (update), bar);
+  qn_watch (bar->box, qn_view_state_get_document (state), "runs-changed",
+            G_CALLBACK (mark_stages), bar);
+  update (bar);
+  return bar->box;
+}
+
+void
+qn_playback_bar_toggle (GtkWidget *box)
+{
+  toggle (g_object_get_data (G_OBJECT (box), "qn-bar"));
+}
+
+gboolean
+qn_playback_bar_is_playing (GtkWidget *box)
+{
+  const Bar *bar = g_object_get_data (G_OBJECT (box), "qn-bar");
+  return bar->tick != 0;
+}

@@ -1,0 +1,259 @@
+#include "app/forms/form.h"
+#include "app/forms/panel.h"
+#include "app/views/curve-view.h"
+#include "doc/document/run-text.h"
+#include "doc/text/count-text.h"
+#include "doc/view/load-text.h"
+#include "io/text/outcome-text.h"
+#include <glib/gi18n.h>
+
+typedef struct Panel {
+  QnCanvas *canvas;
+  QnViewState *state;
+  GtkWidget *empty, *content, *stale, *curve, *bounds;
+  GtkLabel *outcome, *mechanism, *facts;
+  GtkDropDown *runs;
+  GtkDropDown *onion, *stage;
+} Panel;
+
+static QnDocument *
+document_of (const Panel *panel)
+{
+  return qn_view_state_get_document (panel->state);
+}
+
+static const QnRun *
+run_of (const Panel *panel)
+{
+  return qn_document_get_run (document_of (panel));
+}
+
+/* ---- words ---- */
+
+static void
+update_words (Panel *panel, const QnRun *run)
+{
+  g_autofree char *outcome = qn_run_dup_explanation (run);
+  gtk_label_set_text (panel->outcome, outcome);
+  gtk_widget_set_visible (panel->stale, qn_document_is_stale (document_of (panel), run));
+
+  g_autofree char *words = qn_run_dup_mechanism (run);
+  gtk_label_set_text (panel->mechanism, words != NULL ? words : "");
+  gtk_widget_set_visible (GTK_WIDGET (panel->mechanism), words != NULL);
+
+  const QnStatistics *s = &run->result.statistics;
+  const QnCount counts[] = {
+    { QN_COUNTED_STEPS, run->result.step_count },
+    { QN_COUNTED_ITERATIONS, (gsize) s->iterations },
+    { QN_COUNTED_FACTORISATIONS, (gsize) s->factorizations },
+  };
+  g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
+  g_autofree char *facts = g_strdup_printf (_ ("%s, %.2f s"), work, s->seconds);
+  gtk_label_set_text (panel->facts, facts);
+}
+
+static void
+on_run_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
+{
+  (void) pspec;
+  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
+  guint row = gtk_drop_down_get_selected (choice);
+  if (row < runs->len)
+    qn_document_set_run (document_of (panel), g_ptr_array_index (runs, row));
+}
+
+static void
+on_onion_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
+{
+  (void) pspec;
+  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
+  guint row = gtk_drop_down_get_selected (choice);
+  qn_view_state_set_onion (
+    panel->state, row > 0 && row <= runs->len ? g_ptr_array_index (runs, row - 1) : NULL);
+}
+
+static char *
+dup_run_title (Panel *panel, const QnRun *run)
+{
+  const char *mark = qn_document_is_stale (document_of (panel), run) ? "⚠ " : "";
+  g_autofree char *title = qn_run_dup_title (run);
+  return g_strconcat (mark, title, NULL);
+}
+
+static void
+set_choice (Panel *panel, GtkDropDown *choice, GtkStringList *names, guint selected)
+{
+  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, panel);
+  gtk_drop_down_set_model (choice, G_LIST_MODEL (names));
+  gtk_drop_down_set_selected (choice, selected);
+  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
+                                     panel);
+}
+
+static void
+update_runs (Panel *panel)
+{
+  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
+  g_autoptr (GtkStringList) names = gtk_string_list_new (NULL);
+  g_autoptr (GtkStringList) others = gtk_string_list_new (NULL);
+  guint selected = GTK_INVALID_LIST_POSITION, onion = 0;
+  gtk_string_list_append (others, _ ("None"));
+  for (guint i = 0; i < runs->len; i++) {
+    const QnRun *run = g_ptr_array_index (runs, i);
+    g_autofree char *name = dup_run_title (panel, run);
+    gtk_string_list_append (names, name);
+    gtk_string_list_append (others, name);
+    if (run == run_of (panel))
+      selected = i;
+    if (run == qn_view_state_get_onion (panel->state))
+      onion = i + 1;
+  }
+  set_choice (panel, panel->runs, names, selected);
+  /* There may not be room for all of it. */
+  gtk_widget_set_tooltip_text (
+    GTK_WIDGET (panel->runs),
+    selected < runs->len ? gtk_string_list_get_string (names, selected) : NULL);
+  set_choice (panel, panel->onion, others, onion);
+  qn_form_set_row_visible (GTK_WIDGET (panel->onion), runs->len > 1);
+}
+
+/* ---- stages ---- */
+
+/* The end of the chosen one. */
+static void
+on_stage_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
+{
+  (void) pspec;
+  const QnRun *run = run_of (panel);
+  size_t first = 0, last = 0;
+  if (run == NULL
+      || !qn_result_stage_steps (
+        &run->result, (int32_t) gtk_drop_down_get_selected (choice), &first, &last))
+    return;
+  if (!qn_view_needs_result (qn_view_state_get_view (panel->state))
+      || qn_view_state_get_view (panel->state) == QN_VIEW_MECHANISM)
+    qn_view_state_set_view (panel->state, QN_VIEW_DEFORMED);
+  qn_view_state_set_step (panel->state, (int) last);
+}
+
+/* The stage of the step that is shown. */
+static void
+follow_stage (Panel *panel)
+{
+  const QnRun *run = run_of (panel);
+  gsize count = run != NULL ? run->result.step_count : 0;
+  if (count == 0 || run->model.stage_count == 0)
+    return;
+  int step = qn_view_state_get_step (panel->state);
+  const QnStep *at = &run->result.steps[step == QN_STEP_LAST ? count - 1 : (gsize) step];
+  qn_form_set_choice (panel->stage, (guint) at->stage, panel);
+}
+
+/* Those that the run came to, behind the dead load. */
+static void
+update_stages (Panel *panel, const QnRun *run)
+{
+  gboolean any = run != NULL && run->model.stage_count > 0 && run->result.step_count > 0;
+  qn_form_set_row_visible (GTK_WIDGET (panel->stage), any);
+  if (!any)
+    return;
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  g_strv_builder_add (names, _ ("Dead load"));
+  size_t first = 0, last = 0;
+  for (int32_t i = 1; i <= (int32_t) run->model.stage_count; i++) {
+    if (!qn_result_stage_steps (&run->result, i, &first, &last))
+      break;
+    g_autofree char *name = qn_stage_dup_name (&run->model, i);
+    g_autofree char *line =
+      g_strdup_printf (_ ("%s, to %.4g"), name, run->result.steps[last].multiplier);
+    g_strv_builder_add (names, line);
+  }
+  g_auto (GStrv) strings = g_strv_builder_end (names);
+  qn_form_fill_choice (panel->stage, (const char *const *) strings, 0, panel);
+  follow_stage (panel);
+}
+
+static void
+update_on_change (Panel *panel)
+{
+  const QnRun *run = run_of (panel);
+  if (run != NULL)
+    gtk_widget_set_visible (panel->stale,
+                            qn_document_is_stale (document_of (panel), run));
+  update_runs (panel);
+}
+
+static void
+update (Panel *panel)
+{
+  const QnRun *run = run_of (panel);
+  gboolean busy = qn_document_get_job (document_of (panel)) != NULL;
+  gtk_widget_set_visible (panel->content, run != NULL || busy);
+  gtk_widget_set_visible (panel->empty, run == NULL && !busy);
+  update_runs (panel);
+  /* Limit analysis and modes follow no path; without an equilibrium there is none either. */
+  gtk_widget_set_visible (panel->curve,
+                          busy || run == NULL
+                            || (qn_run_has_curve (run) && run->result.step_count > 0));
+  gtk_widget_set_visible (panel->bounds,
+                          busy || run == NULL || run->kind == QN_RUN_ANALYSIS);
+  update_stages (panel, run);
+  if (run != NULL)
+    update_words (panel, run);
+}
+
+static GtkWidget *
+build_content (Panel *panel)
+{
+  const char *const none[] = { NULL };
+  GtkWidget *form = qn_form_new ();
+  panel->stale = gtk_label_new (_ ("Outdated: the model has changed since this run."));
+  gtk_widget_add_css_class (panel->stale, "stale");
+  gtk_label_set_wrap (GTK_LABEL (panel->stale), TRUE);
+  qn_form_add_wide (form, panel->stale);
+  panel->outcome = qn_form_add_text (form);
+  gtk_widget_add_css_class (GTK_WIDGET (panel->outcome), "outcome");
+  panel->mechanism = qn_form_add_text (form);
+  panel->curve = qn_curve_view_new (panel->state);
+  qn_form_add_wide (form, panel->curve);
+  panel->runs =
+    qn_form_add_choice (form, _ ("_Run"), none, G_CALLBACK (on_run_chosen), panel);
+  panel->stage = qn_form_add_choice (form, _ ("End of _stage"), none,
+                                     G_CALLBACK (on_stage_chosen), panel);
+  panel->facts = qn_form_add_text (form);
+  gtk_widget_add_css_class (GTK_WIDGET (panel->facts), "dim-label");
+  gtk_widget_set_hexpand (GTK_WIDGET (panel->runs), TRUE);
+  panel->onion = qn_form_add_choice (form, _ ("Out_line of"), none,
+                                     G_CALLBACK (on_onion_chosen), panel);
+  panel->bounds = qn_bounds_table_new (document_of (panel));
+  qn_form_add_wide (form, panel->bounds);
+  qn_form_add_wide (form, qn_step_table_new (panel->state));
+  qn_form_add_wide (form, qn_contact_table_new (panel->canvas));
+  qn_form_add_wide (form, qn_beam_table_new (panel->canvas));
+  return form;
+}
+
+GtkWidget *
+qn_result_panel_new (QnCanvas *canvas)
+{
+  Panel *panel = g_new0 (Panel, 1);
+  panel->canvas = canvas;
+  panel->state = qn_canvas_get_state (canvas);
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
+  panel->empty = gtk_label_new (_ ("No result yet. Solve the model with F5."));
+  gtk_label_set_wrap (GTK_LABEL (panel->empty), TRUE);
+  gtk_widget_add_css_class (panel->empty, "dim-label");
+  gtk_widget_set_margin_top (panel->empty, 24);
+  panel->content = build_content (panel);
+  gtk_box_append (GTK_BOX (box), panel->empty);
+  gtk_box_append (GTK_BOX (box), panel->content);
+
+  qn_own (box, panel);
+  QnDocument *document = document_of (panel);
+  qn_watch (box, document, "runs-changed", G_CALLBACK (update), panel);
+  qn_watch (box, document, "job-changed", G_CALLBACK (update), panel);
+  qn_watch (box, document, "changed", G_CALLBACK (update_on_change), panel);
+  qn_watch (box, panel->state, "changed", G_CALLBACK (follow_stage), panel);
+  update (panel);
+  return box;
+}

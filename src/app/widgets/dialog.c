@@ -1,0 +1,51 @@
+#include "app/widgets/dialog.h"
+
+#include <glib/gi18n.h>
+
+GtkWidget *
+qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
+{
+  GtkWidget *dialog = gtk_window_new ();
+  gtk_window_set_title (GTK_WINDOW (dialog), title);
+  gtk_window_set_transient_for (GTK_WINDOW (dialog), parent);
+  gtk_window_set_modal (GTK_WINDOW (dialog), TRUE);
+  gtk_window_set_destroy_with_parent (GTK_WINDOW (dialog), TRUE);
+  gtk_window_set_default_size (GTK_WINDOW (dialog), width, height);
+
+  GtkEventController *keys = gtk_shortcut_controller_new ();
+  gtk_shortcut_controller_add_shortcut (
+    GTK_SHORTCUT_CONTROLLER (keys),
+    gtk_shortcut_new (gtk_keyval_trigger_new (GDK_KEY_Escape, 0),
+                      gtk_named_action_new ("window.close")));
+  gtk_widget_add_controller (dialog, keys);
+  return dialog;
+}
+
+char *
+qn_dialog_complete_path (const char *path, const char *const *endings, GError **error)
+{
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  for (int i = 0; endings[i] != NULL; i++)
+    if (g_str_has_suffix (lower, endings[i]))
+      return g_strdup (path);
+  g_autofree char *whole = g_strconcat (path, endings[0], NULL);
+  if (g_file_test (whole, G_FILE_TEST_EXISTS)) {
+    g_set_error (error, G_IO_ERROR, G_IO_ERROR_EXISTS,
+                 _ ("%s is there already: choose it to replace it"), whole);
+    return NULL;
+  }
+  return g_steal_pointer (&whole);
+}
+
+char *
+qn_dialog_dup_chosen_path (GtkNativeDialog *chooser, const char *const *endings,
+                           GError **error)
+{
+  g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
+  g_autofree char *path = file != NULL ? g_file_get_path (file) : NULL;
+  if (path != NULL)
+    return qn_dialog_complete_path (path, endings, error);
+  g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_NOT_SUPPORTED,
+                       _ ("Only local files can be written"));
+  return NULL;
+}

@@ -1,0 +1,20 @@
+/* An entry for a quantity: shows its unit, accepts any other, and says what is wrong.
+ *
+ * Emits "committed" when the user has entered a new, valid value (Enter, or leaving the
+ * field). What cannot be read, or lies outside of the limits, is marked and not committed. */
+#ifndef QN_APP_QUANTITY_ENTRY_H
+#define QN_APP_QUANTITY_ENTRY_H
+
+#include "doc/text/units.h"
+#include <gtk/gtk.h>
+
+#define QN_TYPE_QUANTITY_ENTRY (qn_quantity_entry_get_type ())
+G_DECLARE_FINAL_TYPE (QnQuantityEntry, qn_quantity_entry, QN, QUANTITY_ENTRY, GtkEntry)
+
+/* Values outside of least .. most are refused. */
+GtkWidget *qn_quantity_entry_new (QnQuantity quantity, double least, double most);
+
+double qn_quantity_entry_get_value (QnQuantityEntry *entry); /* SI */
+void qn_quantity_entry_set_value (QnQuantityEntry *entry, double value);
+
+#endif

@@ -1,0 +1,21 @@
+/* What the user has chosen once for all windows. */
+#ifndef QN_APP_SETTINGS_H
+#define QN_APP_SETTINGS_H
+
+#include "doc/text/units.h"
+#include <gio/gio.h>
+
+/* The settings; borrowed, live as long as the program. Found in the system's schemas or, in a
+ * build tree, beside the program. */
+GSettings *qn_settings_get (void);
+
+/* The units of the setting. */
+QnUnits qn_settings_get_units (void);
+
+/* Applies the light or dark style to GTK and keeps it so. */
+void qn_settings_apply_style (void);
+
+/* Whether movement should be kept to a minimum. */
+gboolean qn_settings_reduced_motion (void);
+
+#endif

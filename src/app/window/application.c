@@ -1,0 +1,238 @@
+#include "app/window/application.h"
+
+#include "app/canvas/tool.h"
+#include "app/widgets/settings.h"
+#include "app/window/window.h"
+#include "doc/document/recovery.h"
+#include <glib/gi18n.h>
+
+struct _QnApplication {
+  GtkApplication parent_instance;
+  gboolean recovery_offered;
+};
+
+G_DEFINE_FINAL_TYPE (QnApplication, qn_application, GTK_TYPE_APPLICATION)
+
+/* ---- actions of the program ---- */
+
+static GtkWindow *
+active_window (gpointer application)
+{
+  return gtk_application_get_active_window (GTK_APPLICATION (application));
+}
+
+static void
+on_new_window (GSimpleAction *action, GVariant *parameter, gpointer application)
+{
+  (void) action;
+  (void) parameter;
+  QnWindow *window = qn_window_new (GTK_APPLICATION (application));
+  gtk_window_present (GTK_WINDOW (window));
+}
+
+static void
+on_preferences (GSimpleAction *action, GVariant *parameter, gpointer application)
+{
+  (void) action;
+  (void) parameter;
+  qn_preferences_show (active_window (application));
+}
+
+static void
+on_about (GSimpleAction *action, GVariant *parameter, gpointer application)
+{
+  (void) action;
+  (void) parameter;
+  qn_about_show (active_window (application));
+}
+
+static void
+on_help (GSimpleAction *action, GVariant *parameter, gpointer application)
+{
+  (void) action;
+  (void) parameter;
+  qn_help_show (active_window (application), NULL);
+}
+
+/* Closes the windows one by one, so that each can ask about its changes. */
+static void
+on_quit (GSimpleAction *action, GVariant *parameter, gpointer application)
+{
+  (void) action;
+  (void) parameter;
+  GList *windows =
+    g_list_copy (gtk_application_get_windows (GTK_APPLICATION (application)));
+  for (GList *l = windows; l != NULL; l = l->next)
+    gtk_window_close (GTK_WINDOW (l->data));
+  g_list_free (windows);
+}
+
+/* ---- shortcuts ---- */
+
+static const struct {
+  const char *action;
+  const char *accels[3];
+} shortcuts[] = {
+  { "app.new-window", { "<Control>n" } },
+  { "app.quit", { "<Control>q" } },
+  { "app.help", { "F1" } },
+  { "app.preferences", { "<Control>comma" } },
+  { "win.open", { "<Control>o" } },
+  { "win.save", { "<Control>s" } },
+  { "win.save-as", { "<Control><Shift>s" } },
+  { "win.close", { "<Control>w" } },
+  { "win.undo", { "<Control>z" } },
+  { "win.redo", { "<Control><Shift>z", "<Control>y" } },
+  { "win.duplicate", { "<Control>d" } },
+  { "win.run", { "F5" } },
+  { "win.cancel", { "<Shift>F5" } },
+  { "win.export", { "<Control>e" } },
+  { "win.print", { "<Control>p" } },
+  { "win.import", { "<Control>i" } },
+  { "win.repeat-export", { "<Control><Shift>e" } },
+  { "win.fullscreen", { "F11" } },
+  { "win.show-help-overlay", { "<Control>question" } },
+  { "win.zoom-in", { "<Control>plus", "<Control>equal" } },
+  { "win.zoom-out", { "<Control>minus" } },
+  { "win.fit", { "<Control>0" } },
+  { "win.view::model", { "<Control>1" } },
+  { "win.view::contacts", { "<Control>2" } },
+  { "win.view::deformed", { "<Control>3" } },
+  { "win.view::mechanism", { "<Control>4" } },
+  { "win.view::forces", { "<Control>5" } },
+  { "win.view::diagrams", { "<Control>6" } },
+};
+
+static void
+add_shortcuts (GtkApplication *application)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (shortcuts); i++)
+    gtk_application_set_accels_for_action (application, shortcuts[i].action,
+                                           shortcuts[i].accels);
+}
+
+/* ---- life ---- */
+
+static void
+offer_recovery (QnApplication *self)
+{
+  if (self->recovery_offered)
+    return;
+  self->recovery_offered = TRUE;
+  g_autoptr (GPtrArray) paths = qn_recovery_list ();
+  for (guint i = 0; i < paths->len; i++) {
+    const char *path = g_ptr_array_index (paths, i);
+    QnWindow *window = qn_window_new (GTK_APPLICATION (self));
+    gtk_window_present (GTK_WINDOW (window));
+    if (qn_window_open_recovered (window, path))
+      qn_recovery_remove (path);
+  }
+}
+
+static void
+qn_application_activate (GApplication *application)
+{
+  QnApplication *self = QN_APPLICATION (application);
+  offer_recovery (self);
+  GtkWindow *window = active_window (application);
+  if (window == NULL)
+    window = GTK_WINDOW (qn_window_new (GTK_APPLICATION (application)));
+  gtk_window_present (window);
+}
+
+static void
+qn_application_open (GApplication *application, GFile **files, int count,
+                     const char *hint)
+{
+  (void) hint;
+  offer_recovery (QN_APPLICATION (application));
+  for (int i = 0; i < count; i++) {
+    g_autofree char *path = g_file_get_path (files[i]);
+    QnWindow *window =
+      path != NULL ? qn_window_find_path (GTK_APPLICATION (application), path) : NULL;
+    if (window != NULL) {
+      gtk_window_present (GTK_WINDOW (window));
+      continue;
+    }
+    window = qn_window_new (GTK_APPLICATION (application));
+    gtk_window_present (GTK_WINDOW (window));
+    if (path != NULL)
+      qn_window_open_path (window, path);
+    else
+      qn_window_show_error (window, _ ("Only local files can be opened"));
+  }
+}
+
+static int
+qn_application_handle_local_options (GApplication *application, GVariantDict *options)
+{
+  if (g_variant_dict_contains (options, "version")) {
+    g_print ("quoin %s\n", QN_VERSION);
+    return 0;
+  }
+  if (g_variant_dict_contains (options, "new-window")) {
+    if (!g_application_register (application, NULL, NULL))
+      return 1;
+    g_action_group_activate_action (G_ACTION_GROUP (application), "new-window", NULL);
+    return g_application_get_is_remote (application) ? 0 : -1;
+  }
+  return -1;
+}
+
+static void
+load_css (void)
+{
+  g_autoptr (GtkCssProvider) provider = gtk_css_provider_new ();
+  gtk_css_provider_load_from_resource (provider, "/io/github/quoin/Quoin/style.css");
+  gtk_style_context_add_provider_for_display (gdk_display_get_default (),
+                                              GTK_STYLE_PROVIDER (provider),
+                                              GTK_STYLE_PROVIDER_PRIORITY_APPLICATION);
+}
+
+static void
+qn_application_startup (GApplication *application)
+{
+  static const GActionEntry actions[] = {
+    { .name = "new-window", .activate = on_new_window },
+    { .name = "preferences", .activate = on_preferences },
+    { .name = "about", .activate = on_about },
+    { .name = "help", .activate = on_help },
+    { .name = "quit", .activate = on_quit },
+  };
+  G_APPLICATION_CLASS (qn_application_parent_class)->startup (application);
+  g_action_map_add_action_entries (G_ACTION_MAP (application), actions,
+                                   G_N_ELEMENTS (actions), application);
+  gtk_window_set_default_icon_name ("io.github.quoin.Quoin");
+  qn_settings_apply_style ();
+  load_css ();
+  add_shortcuts (GTK_APPLICATION (application));
+}
+
+static void
+qn_application_class_init (QnApplicationClass *klass)
+{
+  GApplicationClass *application_class = G_APPLICATION_CLASS (klass);
+  application_class->activate = qn_application_activate;
+  application_class->open = qn_application_open;
+  application_class->startup = qn_application_startup;
+  application_class->handle_local_options = qn_application_handle_local_options;
+}
+
+static void
+qn_application_init (QnApplication *self)
+{
+  const GOptionEntry options[] = {
+    { "new-window", 'w', 0, G_OPTION_ARG_NONE, NULL, N_ ("Open a new window"), NULL },
+    { "version", 0, 0, G_OPTION_ARG_NONE, NULL, N_ ("Show the version"), NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  g_application_add_main_option_entries (G_APPLICATION (self), options);
+}
+
+QnApplication *
+qn_application_new (void)
+{
+  return g_object_new (QN_TYPE_APPLICATION, "application-id", "io.github.quoin.Quoin",
+                       "flags", G_APPLICATION_HANDLES_OPEN, "resource-base-path",
+                       "/io/github/quoin/Quoin", NULL);
+}

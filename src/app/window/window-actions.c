@@ -1,0 +1,335 @@
+#include "app/window/window-private.h"
+
+#include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include <glib/gi18n.h>
+
+#define ZOOM_FACTOR 1.25
+
+static void
+on_table_action (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  const QnWindowAction *row = g_object_get_data (G_OBJECT (action), "qn-row");
+  row->func (data, parameter);
+}
+
+void
+qn_window_add_action_table (QnWindow *self, const QnWindowAction *actions, gsize count)
+{
+  for (gsize i = 0; i < count; i++) {
+    const char *type = actions[i].parameter;
+    g_autoptr (GSimpleAction) action =
+      g_simple_action_new (actions[i].name, type != NULL ? G_VARIANT_TYPE (type) : NULL);
+    g_object_set_data (G_OBJECT (action), "qn-row", (gpointer) &actions[i]);
+    g_signal_connect (action, "activate", G_CALLBACK (on_table_action), self);
+    g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
+  }
+}
+
+/* ---- viewing ---- */
+
+static void
+new_drawing (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_window_show_work (self);
+  gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "wall");
+}
+
+static void
+zoom_in (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_canvas_zoom (self->canvas, ZOOM_FACTOR);
+}
+
+static void
+zoom_out (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_canvas_zoom (self->canvas, 1.0 / ZOOM_FACTOR);
+}
+
+static void
+fit (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_canvas_fit (self->canvas);
+}
+
+static void
+play (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_playback_bar_toggle (self->playback);
+}
+
+static void
+go_by_steps (QnWindow *self, int by)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  if (run == NULL || run->result.step_count == 0)
+    return;
+  int last = (int) run->result.step_count - 1;
+  int step = qn_view_state_get_step (self->state);
+  if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
+    qn_view_state_set_view (self->state, QN_VIEW_DEFORMED);
+  qn_view_state_set_step (self->state,
+                          CLAMP ((step == QN_STEP_LAST ? last : step) + by, 0, last));
+}
+
+static void
+next_step (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  go_by_steps (self, 1);
+}
+
+static void
+previous_step (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  go_by_steps (self, -1);
+}
+
+static void
+show_panel (QnWindow *self, GVariant *parameter)
+{
+  gtk_stack_set_visible_child_name (self->side_stack,
+                                    g_variant_get_string (parameter, NULL));
+}
+
+static void
+toggle_fullscreen (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  if (gtk_window_is_fullscreen (GTK_WINDOW (self)))
+    gtk_window_unfullscreen (GTK_WINDOW (self));
+  else
+    gtk_window_fullscreen (GTK_WINDOW (self));
+}
+
+static void
+export_figure (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_export_dialog_show (self);
+}
+
+static void
+repeat_export (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_export_repeat (self);
+}
+
+static void
+show_figures (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_figures_window_show (self);
+}
+
+static void
+compare (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_compare_window_show (self);
+}
+
+/* ---- actions with a state ---- */
+
+static void
+on_tool (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  const QnTool *tool = qn_tool_find (g_variant_get_string (value, NULL));
+  if (tool == NULL)
+    return;
+  g_simple_action_set_state (action, value);
+  if (qn_view_needs_result (qn_view_state_get_view (self->state))
+      && tool != &qn_tool_select)
+    qn_view_state_set_view (self->state, QN_VIEW_MODEL);
+  qn_canvas_set_tool (self->canvas, tool);
+  gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
+}
+
+static void
+on_view (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  QnView view;
+  (void) action;
+  if (!qn_view_parse (g_variant_get_string (value, NULL), &view))
+    return;
+  if (qn_view_needs_result (view) && qn_document_get_run (self->document) == NULL)
+    return;
+  qn_view_state_set_view (self->state, view);
+}
+
+static void
+on_diagram (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  QnDiagram diagram;
+  if (!qn_diagram_parse (g_variant_get_string (value, NULL), &diagram))
+    return;
+  g_simple_action_set_state (action, value);
+  qn_view_state_set_diagram (self->state, diagram);
+  if (qn_document_get_run (self->document) != NULL)
+    qn_view_state_set_view (self->state, QN_VIEW_DIAGRAMS);
+}
+
+static void
+on_switch (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  g_simple_action_set_state (action, value);
+  qn_view_state_set_switch (self->state, g_action_get_name (G_ACTION (action)),
+                            g_variant_get_boolean (value));
+}
+
+static const char *const switches[] = { "ghost",      "symbols", "loads",
+                                        "dimensions", "names",   "monochrome" };
+
+static void
+add_stateful_actions (QnWindow *self)
+{
+  const GActionEntry entries[] = {
+    { .name = "tool",
+      .parameter_type = "s",
+      .state = "'select'",
+      .change_state = on_tool },
+    { .name = "view",
+      .parameter_type = "s",
+      .state = "'model'",
+      .change_state = on_view },
+    { .name = "diagram",
+      .parameter_type = "s",
+      .state = "'M'",
+      .change_state = on_diagram },
+  };
+  g_action_map_add_action_entries (G_ACTION_MAP (self), entries, G_N_ELEMENTS (entries),
+                                   self);
+  for (gsize i = 0; i < G_N_ELEMENTS (switches); i++) {
+    gboolean on = qn_view_state_get_switch (self->state, switches[i]);
+    g_autoptr (GSimpleAction) action =
+      g_simple_action_new_stateful (switches[i], NULL, g_variant_new_boolean (on));
+    g_signal_connect (action, "change-state", G_CALLBACK (on_switch), self);
+    g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
+  }
+  static const char *const kept[] = { "snap", "grid", "live" };
+  for (gsize i = 0; i < G_N_ELEMENTS (kept); i++) {
+    g_autoptr (GAction) action = g_settings_create_action (qn_settings_get (), kept[i]);
+    g_action_map_add_action (G_ACTION_MAP (self), action);
+  }
+}
+
+void
+qn_window_add_actions (QnWindow *self)
+{
+  static const QnWindowAction actions[] = {
+    { "draw", NULL, new_drawing },
+    { "zoom-in", NULL, zoom_in },
+    { "zoom-out", NULL, zoom_out },
+    { "fit", NULL, fit },
+    { "play", NULL, play },
+    { "next-step", NULL, next_step },
+    { "previous-step", NULL, previous_step },
+    { "show-panel", "s", show_panel },
+    { "fullscreen", NULL, toggle_fullscreen },
+    { "export", NULL, export_figure },
+    { "repeat-export", NULL, repeat_export },
+    { "compare", NULL, compare },
+    { "figures", NULL, show_figures },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+  add_stateful_actions (self);
+}
+
+static void
+set_enabled (QnWindow *self, const char *name, gboolean enabled)
+{
+  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), name);
+  if (action != NULL)
+    g_simple_action_set_enabled (G_SIMPLE_ACTION (action), enabled);
+}
+
+static gboolean
+has_beam_forces (QnWindow *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  return run != NULL && run->result.beam_forces != NULL;
+}
+
+void
+qn_window_update_actions (QnWindow *self)
+{
+  QnHistory *history = qn_document_get_history (self->document);
+  guint selected = 0;
+  guint selected_beams = 0;
+  qn_selection_get_blocks (qn_document_get_selection (self->document), &selected);
+  qn_selection_get_beams (qn_document_get_selection (self->document), &selected_beams);
+  gboolean parts = selected > 0 || selected_beams > 0;
+  QnId object;
+  int number;
+  gboolean opening = qn_selection_get_opening (qn_document_get_selection (self->document),
+                                               &object, &number);
+  gboolean face =
+    qn_selection_get_face (qn_document_get_selection (self->document)) != QN_NONE;
+  gboolean work = !qn_window_is_blank (self);
+  gboolean blocks = qn_document_get_model (self->document)->block_count > 0
+                    || qn_document_get_model (self->document)->beam_count > 0;
+  gboolean run = qn_document_get_run (self->document) != NULL;
+  QnJob *job = qn_document_get_job (self->document);
+  gboolean busy = job != NULL && !qn_job_is_live (job);
+  const struct {
+    const char *name;
+    gboolean enabled;
+  } states[] = { { "undo", work && qn_history_can_undo (history) },
+                 { "redo", work && qn_history_can_redo (history) },
+                 { "delete", parts || opening },
+                 { "detach", selected > 0 },
+                 { "mirror", parts },
+                 { "rotate", parts },
+                 { "duplicate", parts },
+                 { "array", parts },
+                 { "nudge", parts || opening },
+                 { "join", selected > 1 },
+                 { "select-faces-like", face },
+                 { "copy", selected > 0 },
+                 { "cut", selected > 0 },
+                 { "select-like", selected > 0 },
+                 { "select-all", blocks },
+                 { "paste", work },
+                 { "save", work },
+                 { "save-as", work },
+                 { "run", work && blocks && !busy },
+                 { "run-limit", work && blocks && !busy },
+                 { "run-all", work && blocks && !busy },
+                 { "run-modes", work && blocks && !busy },
+                 { "run-stability", work && blocks && !busy },
+                 { "cancel", busy },
+                 { "pause", busy },
+                 { "diagram", run && has_beam_forces (self) },
+                 { "play", run },
+                 { "export-result", run },
+                 { "export-drawing", work && blocks },
+                 { "open-result", work && blocks },
+                 { "open-result-path", work && blocks },
+                 { "next-step", run },
+                 { "previous-step", run },
+                 { "export", work && blocks },
+                 { "print", work && blocks },
+                 { "print-path", work && blocks },
+                 { "figures", work },
+                 { "repeat-export", work && self->last_export != NULL },
+                 { "compare", qn_document_get_runs (self->document)->len > 0 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (states); i++)
+    set_enabled (self, states[i].name, states[i].enabled);
+
+  GAction *view = g_action_map_lookup_action (G_ACTION_MAP (self), "view");
+  g_simple_action_set_state (
+    G_SIMPLE_ACTION (view),
+    g_variant_new_string (qn_view_name (qn_view_state_get_view (self->state))));
+}

@@ -1,0 +1,303 @@
+#include "app/window/window-private.h"
+
+#include "app/widgets/settings.h"
+#include "doc/document/run-text.h"
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+
+/* ms after an edit before a live analysis starts. */
+#define LIVE_DELAY_MS 200
+
+static void
+show_job_error (QnWindow *self)
+{
+  const GError *error = qn_document_get_job_error (self->document);
+  if (error == NULL)
+    return;
+  const QnDiag *diag = qn_document_get_job_diag (self->document);
+  const QnModel *model = qn_document_get_model (self->document);
+  if (diag->entity == QN_ENTITY_BLOCK && diag->index >= 0
+      && (gsize) diag->index < model->block_count) {
+    QnId blocks[] = { diag->index, diag->other };
+    gboolean two = diag->other >= 0 && (gsize) diag->other < model->block_count;
+    qn_view_state_set_view (self->state, QN_VIEW_CONTACTS);
+    qn_selection_set_blocks (qn_document_get_selection (self->document), blocks,
+                             two ? 2 : 1);
+    qn_window_show_error_at (self, error->message, model->blocks[diag->index].centroid);
+  } else
+    qn_window_show_error (self, error->message);
+}
+
+/* What the live analysis found, in one line over the drawing. */
+static void
+update_live_label (QnWindow *self)
+{
+  gboolean live = g_settings_get_boolean (qn_settings_get (), "live");
+  const GError *error = qn_document_get_job_error (self->document);
+  const QnRun *run = qn_document_get_run (self->document);
+  g_autofree char *text = NULL;
+  if (live && error != NULL)
+    text = g_strdup (error->message);
+  else if (live && run != NULL && run->live
+           && !qn_document_is_stale (self->document, run)) {
+    g_autofree char *words =
+      qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
+    const char *label = qn_explain_outcome_label (run->result.outcome);
+    text = run->result.has_collapse_multiplier
+             ? g_strdup_printf ("λ = %.4f · %s", run->result.collapse_multiplier,
+                                words != NULL ? words : label)
+             : g_strdup (label);
+  }
+  gtk_label_set_text (self->live_label, text != NULL ? text : "");
+  gtk_widget_set_visible (GTK_WIDGET (self->live_label), text != NULL);
+}
+
+/* Dead load cannot stand: the blocks that move are selected and shown. */
+static void
+show_unstable (QnWindow *self, const QnRun *run)
+{
+  g_autofree char *message = qn_run_dup_explanation (run);
+  if (run->result.unstable_count == 0) {
+    qn_window_show_error (self, message);
+    return;
+  }
+  qn_view_state_set_view (self->state, QN_VIEW_MODEL);
+  qn_selection_set_blocks (qn_document_get_selection (self->document),
+                           run->result.unstable_blocks,
+                           (guint) run->result.unstable_count);
+  qn_window_show_error_at (self, message,
+                           run->model.blocks[run->result.unstable_blocks[0]].centroid);
+}
+
+static void
+show_run (QnWindow *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  if (run == NULL || qn_document_is_stale (self->document, run))
+    return;
+  gtk_stack_set_visible_child_name (self->side_stack, "result");
+  if (run->result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    show_unstable (self, run);
+  else if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
+    qn_view_state_set_view (
+      self->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+}
+
+/* ---- several analyses one after the other ---- */
+
+static const QnQueuedAnalysis queue[] = {
+  { QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE },
+  { QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
+};
+
+static void
+clear_queue (QnWindow *self)
+{
+  self->next_analysis = self->last_analysis = NULL;
+}
+
+/* The path has a curve and steps; limit analysis has neither. */
+static void
+show_first_of_queue (QnWindow *self)
+{
+  const GPtrArray *runs = qn_document_get_runs (self->document);
+  guint back = G_N_ELEMENTS (queue) + 1;
+  gtk_stack_set_visible_child_name (self->side_stack, "result");
+  if (runs->len >= back)
+    qn_document_set_run (self->document, g_ptr_array_index (runs, runs->len - back));
+}
+
+/* Starts the next of those to be compared; behind the last they are shown. */
+static void
+start_next (QnWindow *self)
+{
+  if (self->next_analysis == NULL)
+    return;
+  const QnRun *run = qn_document_get_run (self->document);
+  if (qn_document_get_job_error (self->document) != NULL || run == NULL
+      || run->result.outcome == QN_OUTCOME_CANCELLED) {
+    clear_queue (self);
+    return;
+  }
+  if (self->next_analysis == self->last_analysis) {
+    clear_queue (self);
+    show_first_of_queue (self);
+    return;
+  }
+  const QnQueuedAnalysis *next = self->next_analysis++;
+  qn_document_analyse_with (self->document, next->procedure, next->flow, NULL);
+}
+
+/* HybriDFEM and both limit analyses of the same model. */
+static void
+run_all (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  QnProcedure own = qn_document_get_model (self->document)->analysis.procedure;
+  g_autoptr (GError) error = NULL;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  if (!qn_document_analyse_with (self->document,
+                                 own == QN_PROCEDURE_LIMIT ? QN_PROCEDURE_LOAD : own,
+                                 QN_FLOW_ASSOCIATIVE, &error)) {
+    qn_window_show_error (self, error->message);
+    return;
+  }
+  self->next_analysis = queue;
+  self->last_analysis = queue + G_N_ELEMENTS (queue);
+}
+
+static void
+on_job_changed (QnWindow *self)
+{
+  QnJob *job = qn_document_get_job (self->document);
+  /* A live analysis is over before one could read how far it is. */
+  gboolean running = job != NULL && !qn_job_is_live (job);
+  gboolean was_running = self->was_running;
+  self->was_running = job != NULL;
+  gtk_widget_set_visible (self->progress_box, running);
+  gtk_widget_set_visible (GTK_WIDGET (self->run_button), !running);
+  if (running) {
+    gtk_label_set_text (self->progress_label, _ ("Starting…"));
+    gtk_button_set_icon_name (GTK_BUTTON (self->pause_button),
+                              "media-playback-pause-symbolic");
+  } else if (was_running && !qn_document_was_live (self->document)) {
+    show_job_error (self);
+    show_run (self);
+  }
+  update_live_label (self);
+  qn_window_update_actions (self);
+  if (!running && was_running)
+    start_next (self);
+}
+
+static void
+on_job_progress (QnWindow *self)
+{
+  QnJob *job = qn_document_get_job (self->document);
+  if (job == NULL)
+    return;
+  QnProgress progress = qn_job_get_progress (job);
+  g_autofree char *text =
+    g_strdup_printf (_ ("λ %.4f · step %d · %d iterations"), progress.multiplier,
+                     progress.steps, progress.iterations);
+  gtk_label_set_text (self->progress_label, text);
+  gtk_progress_bar_pulse (self->progress_bar);
+}
+
+static void
+run (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  g_autoptr (GError) error = NULL;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  if (!qn_document_analyse (self->document, &error))
+    qn_window_show_error (self, error->message);
+}
+
+static void
+cancel (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_document_cancel (self->document);
+}
+
+static void
+pause_or_resume (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  QnJob *job = qn_document_get_job (self->document);
+  if (job == NULL)
+    return;
+  gboolean paused = !qn_job_is_paused (job);
+  qn_job_set_paused (job, paused);
+  gtk_button_set_icon_name (GTK_BUTTON (self->pause_button),
+                            paused ? "media-playback-start-symbolic"
+                                   : "media-playback-pause-symbolic");
+}
+
+/* HybriDFEM against limit analysis, on the same model. */
+static void
+run_limit (QnWindow *self, GVariant *parameter)
+{
+  const char *flow = g_variant_get_string (parameter, NULL);
+  g_autoptr (GError) error = NULL;
+  if (!qn_document_analyse_with (
+        self->document, QN_PROCEDURE_LIMIT,
+        g_str_equal (flow, "associative") ? QN_FLOW_ASSOCIATIVE : QN_FLOW_NON_ASSOCIATIVE,
+        &error))
+    qn_window_show_error (self, error->message);
+}
+
+/* Modes that are found and listed. */
+#define MODES 6
+
+static void
+run_modes (QnWindow *self, GVariant *parameter)
+{
+  gboolean loaded = g_str_equal (g_variant_get_string (parameter, NULL), "loaded");
+  g_autoptr (GError) error = NULL;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  if (!qn_document_find_modes (self->document, MODES, loaded, &error))
+    qn_window_show_error (self, error->message);
+}
+
+static void
+run_stability (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  g_autoptr (GError) error = NULL;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  if (!qn_document_find_stability (self->document, &error))
+    qn_window_show_error (self, error->message);
+}
+
+static gboolean
+on_live_timeout (gpointer data)
+{
+  QnWindow *self = data;
+  self->live_timeout = 0;
+  qn_document_analyse_live (self->document, NULL);
+  return G_SOURCE_REMOVE;
+}
+
+static void
+on_document_changed (QnWindow *self)
+{
+  GSettings *settings = qn_settings_get ();
+  gsize count = qn_document_get_model (self->document)->block_count;
+  g_clear_handle_id (&self->live_timeout, g_source_remove);
+  clear_queue (self);
+  update_live_label (self);
+  if (g_settings_get_boolean (settings, "live") && count > 0
+      && count <= (gsize) g_settings_get_int (settings, "live-limit"))
+    self->live_timeout = g_timeout_add (LIVE_DELAY_MS, on_live_timeout, self);
+}
+
+void
+qn_window_connect_analysis (QnWindow *self)
+{
+  g_signal_connect_object (self->document, "job-changed", G_CALLBACK (on_job_changed),
+                           self, G_CONNECT_SWAPPED);
+  g_signal_connect_object (self->document, "job-progress", G_CALLBACK (on_job_progress),
+                           self, G_CONNECT_SWAPPED);
+  g_signal_connect_object (self->document, "changed", G_CALLBACK (on_document_changed),
+                           self, G_CONNECT_SWAPPED);
+  g_signal_connect_object (qn_settings_get (), "changed::live",
+                           G_CALLBACK (on_document_changed), self, G_CONNECT_SWAPPED);
+  on_job_changed (self);
+}
+
+void
+qn_window_add_analysis_actions (QnWindow *self)
+{
+  static const QnWindowAction actions[] = {
+    { "run", NULL, run },
+    { "cancel", NULL, cancel },
+    { "pause", NULL, pause_or_resume },
+    { "run-limit", "s", run_limit },
+    { "run-all", NULL, run_all },
+    { "run-modes", "s", run_modes },
+    { "run-stability", NULL, run_stability },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+}

@@ -1,0 +1,29 @@
+/* Choosing files: one modal chooser at a time over a window or one of its dialogs. */
+#ifndef QN_APP_WINDOW_CHOOSER_H
+#define QN_APP_WINDOW_CHOOSER_H
+
+#include "app/window/window.h"
+
+/* Files of one kind that a window opens. Titles and names are marked for translation, not
+ * translated yet. */
+typedef struct QnFileKind {
+  const char *title;           /* of the chooser */
+  const char *accept;          /* what its button is called */
+  const char *name;            /* of the kind */
+  const char *const *suffixes; /* without their dots, NULL-terminated */
+  const char *action;          /* of the window, with the chosen path as its parameter */
+} QnFileKind;
+
+/* Asks for a file of a kind, which must outlive the chooser, and activates its action. */
+void qn_window_choose_file (QnWindow *window, const QnFileKind *kind);
+
+/* Shows such files alone. */
+void qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind);
+
+/* A chooser over `parent` that is still to be told what happens on its response, and to be shown.
+ * *kept holds it from now on, in place of what it held; the response is to clear *kept. */
+GtkFileChooserNative *qn_chooser_begin (GtkWindow *parent, GObject **kept,
+                                        GtkFileChooserAction action, const char *title,
+                                        const char *accept);
+
+#endif

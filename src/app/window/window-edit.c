@@ -1,0 +1,446 @@
+/* Actions that change the drawing: what is selected is moved, copied and deleted, undone and done
+ * again, and travels by the clipboard. */
+#include "app/window/window-private.h"
+
+#include "doc/edit/edit-masonry.h"
+#include "doc/edit/edit-shape.h"
+#include <glib/gi18n.h>
+
+/* px on the screen that an arrow key moves the selection by, when there is no grid. */
+#define NUDGE_PX 5.0
+
+typedef struct Edit {
+  QnPartSet set;
+  QnTransform transform;
+  int copies;
+} Edit;
+
+static gboolean
+edit_delete (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_all (model, ((const Edit *) data)->set, error);
+}
+
+/* Beams do not travel by the clipboard. */
+static gboolean
+edit_cut (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_blocks (model, ((const Edit *) data)->set.blocks, error);
+}
+
+static gboolean
+edit_detach (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_detach (model, ((const Edit *) data)->set.blocks, error);
+}
+
+static gboolean
+edit_join (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_join_blocks (model, ((const Edit *) data)->set.blocks, error);
+}
+
+static gboolean
+edit_transform (QnProject *draft, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_transform_all (draft, edit->set, edit->transform, error);
+}
+
+static gboolean
+edit_copy (QnProject *draft, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_copy_all (draft, edit->set, edit->transform, edit->copies, error);
+}
+
+static void
+edit_parts (QnWindow *self, const char *name, QnEditFunc func)
+{
+  Edit edit = { .set = qn_canvas_dup_parts (self->canvas) };
+  qn_canvas_edit (self->canvas, name, NULL, func, &edit);
+  qn_part_set_clear (&edit.set);
+}
+
+static void
+edit_selection (QnWindow *self, const char *name, const char *key, QnProjectEditFunc func,
+                Edit edit)
+{
+  edit.set = qn_canvas_dup_parts (self->canvas);
+  qn_canvas_edit_project (self->canvas, name, key, func, &edit);
+  qn_part_set_clear (&edit.set);
+}
+
+/* ---- openings ---- */
+
+typedef struct OpeningEdit {
+  QnId object;
+  int opening;
+  double dx, dy; /* half blocks, courses */
+} OpeningEdit;
+
+static gboolean
+edit_fill (QnProject *draft, gpointer data, GError **error)
+{
+  const OpeningEdit *edit = data;
+  return qn_edit_remove_opening (draft, edit->object, (gsize) edit->opening, error);
+}
+
+static gboolean
+move_opening (QnMasonry *masonry, gpointer data, GError **error)
+{
+  (void) error;
+  const OpeningEdit *edit = data;
+  const QnLeaf *leaf = &masonry->wall.leaves[0];
+  QnOpening *opening = &masonry->wall.openings[edit->opening];
+  opening->at.x += edit->dx * 0.5 * leaf->unit.x;
+  opening->at.y += edit->dy * leaf->unit.y;
+  return TRUE;
+}
+
+static gboolean
+edit_move_opening (QnProject *draft, gpointer data, GError **error)
+{
+  const OpeningEdit *edit = data;
+  return qn_edit_change_masonry (draft, edit->object, move_opening, data, error);
+}
+
+/* The selected opening; FALSE where there is none. */
+static gboolean
+selected_opening (QnWindow *self, OpeningEdit *edit)
+{
+  const QnMasonries *list = qn_canvas_get_masonry (self->canvas);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  return qn_selection_get_opening (selection, &edit->object, &edit->opening)
+         && (gsize) edit->object < list->count
+         && (gsize) edit->opening < list->items[edit->object].wall.opening_count;
+}
+
+/* ---- actions ---- */
+
+static void
+delete_selected (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  OpeningEdit opening = { 0 };
+  if (selected_opening (self, &opening)) {
+    qn_selection_clear (qn_document_get_selection (self->document));
+    qn_canvas_edit_project (self->canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
+  } else
+    edit_parts (self, _ ("Delete"), edit_delete);
+}
+
+static void
+detach (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  edit_parts (self, _ ("Detach Wall"), edit_detach);
+}
+
+static void
+join (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  edit_parts (self, _ ("Join Blocks"), edit_join);
+}
+
+static void
+mirror (QnWindow *self, GVariant *parameter)
+{
+  QnVec2 low, high;
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
+    return;
+  QnVec2 middle = qn_vec2_lerp (low, high, 0.5);
+  gboolean vertical = g_str_equal (g_variant_get_string (parameter, NULL), "vertical");
+  QnVec2 other =
+    vertical ? qn_vec2 (middle.x, middle.y + 1.0) : qn_vec2 (middle.x + 1.0, middle.y);
+  edit_selection (self, _ ("Mirror"), NULL, edit_transform,
+                  (Edit){ .transform = qn_transform_mirror (middle, other) });
+}
+
+/* Degrees, counter-clockwise, about the middle of the selection. */
+static void
+rotate (QnWindow *self, GVariant *parameter)
+{
+  QnVec2 low, high;
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
+    return;
+  double angle = g_variant_get_double (parameter) * G_PI / 180.0;
+  edit_selection (
+    self, _ ("Rotate"), NULL, edit_transform,
+    (Edit){ .transform = qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), angle) });
+}
+
+/* What an edit has added: named otherwise than everything that was there. */
+static void
+select_added (QnWindow *self, const QnModel *before)
+{
+  const QnModel *model = qn_document_get_model (self->document);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  g_autoptr (GArray) added = g_array_new (FALSE, FALSE, sizeof (QnId));
+  for (QnId i = 0; i < (QnId) model->block_count; i++) {
+    if (qn_model_find_block (before, model->blocks[i].name) == QN_NONE)
+      g_array_append_val (added, i);
+  }
+  guint blocks = added->len;
+  for (QnId i = 0; i < (QnId) model->beam_count; i++) {
+    if (qn_model_find_beam (before, model->beams[i].name) == QN_NONE)
+      g_array_append_val (added, i);
+  }
+  if (added->len == 0)
+    return;
+  const QnId *ids = (const QnId *) added->data;
+  qn_selection_set_blocks (selection, ids, blocks);
+  qn_selection_add_beams (selection, ids + blocks, added->len - blocks);
+}
+
+/* A copy beside the original, selected for the next step; beside it by a part of its height where
+ * it has no width. */
+static void
+duplicate (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  QnVec2 low, high;
+  QnModel before;
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high)
+      || qn_model_copy (qn_document_get_model (self->document), &before, NULL) != QN_OK)
+    return;
+  double aside = 1.25 * (high.x - low.x);
+  if (!(aside > 0.0))
+    aside = 0.25 * (high.y - low.y);
+  edit_selection (
+    self, _ ("Duplicate"), NULL, edit_copy,
+    (Edit){ .transform = qn_transform_translation (aside, 0.0), .copies = 1 });
+  select_added (self, &before);
+  qn_model_clear (&before);
+}
+
+/* Copies (number, right, up, turn in rad), each moved and turned against the one before: a row, or
+ * with a turn a ring. */
+static void
+array (QnWindow *self, GVariant *parameter)
+{
+  int copies;
+  double dx, dy, turn;
+  QnVec2 low, high;
+  g_variant_get (parameter, "(iddd)", &copies, &dx, &dy, &turn);
+  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
+    return;
+  QnTransform transform = qn_transform_translation (dx, dy);
+  if (turn != 0.0)
+    transform = qn_transform_compose (
+      qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), turn), transform);
+  edit_selection (self, _ ("Array"), NULL, edit_copy,
+                  (Edit){ .transform = transform, .copies = CLAMP (copies, 1, 10000) });
+}
+
+static void
+nudge (QnWindow *self, GVariant *parameter)
+{
+  double dx, dy;
+  OpeningEdit opening = { 0 };
+  g_variant_get (parameter, "(dd)", &dx, &dy);
+  if (selected_opening (self, &opening)) {
+    opening.dx = dx;
+    opening.dy = dy;
+    qn_canvas_edit_project (self->canvas, _ ("Move Opening"), "nudge-opening",
+                            edit_move_opening, &opening);
+    return;
+  }
+  double step =
+    qn_magnet_round_distance (NUDGE_PX / qn_canvas_get_camera (self->canvas)->scale);
+  edit_selection (self, _ ("Nudge"), "nudge", edit_transform,
+                  (Edit){ .transform = qn_transform_translation (dx * step, dy * step) });
+}
+
+static void
+undo (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_document_undo (self->document);
+}
+
+static void
+redo (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_document_redo (self->document);
+}
+
+static void
+select_all (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_selection_select_all (qn_document_get_selection (self->document),
+                           qn_document_get_model (self->document));
+}
+
+static void
+select_like (QnWindow *self, GVariant *parameter)
+{
+  const char *what = g_variant_get_string (parameter, NULL);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  const QnModel *model = qn_document_get_model (self->document);
+  guint count = 0;
+  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  if (count == 0)
+    return;
+  QnId block = ids[0];
+  if (g_str_equal (what, "course"))
+    qn_selection_select_course (selection, model, block);
+  else if (g_str_equal (what, "wall"))
+    qn_selection_select_wall (selection, model, block);
+  else
+    qn_selection_select_same_law (selection, model, block);
+}
+
+static void
+select_faces_like (QnWindow *self, GVariant *parameter)
+{
+  const char *what = g_variant_get_string (parameter, NULL);
+  QnSelection *selection = qn_document_get_selection (self->document);
+  const QnContacts *contacts = qn_document_get_contacts (self->document);
+  QnId face = qn_selection_get_face (selection);
+  if (face == QN_NONE || (gsize) face >= contacts->face_count)
+    return;
+  qn_selection_select_faces_like (selection, contacts, face,
+                                  g_str_equal (what, "line")        ? QN_LIKE_LINE
+                                  : g_str_equal (what, "direction") ? QN_LIKE_DIRECTION
+                                                                    : QN_LIKE_LAW);
+}
+
+/* ---- clipboard: blocks travel as a project of their own ---- */
+
+static void
+copy (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  QnBlockSet set = qn_canvas_dup_selected (self->canvas);
+  const QnModel *model = qn_document_get_model (self->document);
+  GString *text = g_string_new ("quoin-blocks\n");
+  for (guint i = 0; i < set.count; i++) {
+    const QnBlock *block = &model->blocks[set.ids[i]];
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    g_string_append_printf (text, "%d %d", block->vertex_count,
+                            block->support[QN_DOF_UX] && block->support[QN_DOF_UY]);
+    g_string_append_printf (text, " %s",
+                            g_ascii_dtostr (number, sizeof number, block->thickness));
+    g_string_append_printf (text, " %s",
+                            g_ascii_dtostr (number, sizeof number, block->unit_weight));
+    const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
+    for (QnId k = 0; k < block->vertex_count; k++) {
+      g_string_append_printf (text, " %s",
+                              g_ascii_dtostr (number, sizeof number, v[k].x));
+      g_string_append_printf (text, " %s",
+                              g_ascii_dtostr (number, sizeof number, v[k].y));
+    }
+    g_string_append_c (text, '\n');
+  }
+  if (set.count > 0)
+    gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (self)), text->str);
+  g_string_free (text, TRUE);
+  g_free ((gpointer) set.ids);
+}
+
+static void
+cut (QnWindow *self, GVariant *parameter)
+{
+  copy (self, parameter);
+  edit_parts (self, _ ("Cut"), edit_cut);
+}
+
+/* One line of what copy() wrote. */
+static gboolean
+paste_line (QnModel *model, const char *line, double offset, GError **error)
+{
+  char *at = (char *) line;
+  double head[4];
+  for (int i = 0; i < 4; i++)
+    head[i] = g_ascii_strtod (at, &at);
+  int count = (int) CLAMP (head[0], 3.0, 1e5);
+  bool fixed = head[1] != 0.0;
+  QnBlockStyle style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } };
+  g_autofree QnVec2 *vertices = g_new (QnVec2, (gsize) count);
+  for (int i = 0; i < count; i++) {
+    vertices[i].x = g_ascii_strtod (at, &at) + offset;
+    vertices[i].y = g_ascii_strtod (at, &at);
+  }
+  return qn_edit_add_block (model, vertices, (guint) count, style, error);
+}
+
+static gboolean
+edit_paste (QnModel *model, gpointer data, GError **error)
+{
+  g_auto (GStrv) lines = g_strsplit (data, "\n", -1);
+  if (!g_str_equal (lines[0], "quoin-blocks")) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There are no blocks on the clipboard"));
+    return FALSE;
+  }
+  /* Beside everything there is, where nothing overlaps. */
+  double left = INFINITY, right = -INFINITY;
+  for (gsize i = 0; i < model->vertex_count; i++)
+    right = MAX (right, model->vertices[i].x);
+  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
+    char *at = lines[i];
+    for (int k = 0; k < 4; k++)
+      g_ascii_strtod (at, &at);
+    while (*at != '\0') {
+      char *before = at;
+      left = MIN (left, g_ascii_strtod (at, &at));
+      g_ascii_strtod (at, &at);
+      if (at == before)
+        break;
+    }
+  }
+  double offset = isfinite (left) && isfinite (right)
+                    ? right - left + model->characteristic_length
+                    : 0.0;
+  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
+    if (!paste_line (model, lines[i], offset, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+static void
+on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
+{
+  g_autoptr (QnWindow) self = data;
+  g_autofree char *text =
+    gdk_clipboard_read_text_finish (GDK_CLIPBOARD (source), result, NULL);
+  qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste,
+                  text != NULL ? text : (char *) "");
+}
+
+static void
+paste (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  gdk_clipboard_read_text_async (gtk_widget_get_clipboard (GTK_WIDGET (self)), NULL,
+                                 on_clipboard_text, g_object_ref (self));
+}
+
+void
+qn_window_add_edit_actions (QnWindow *self)
+{
+  static const QnWindowAction actions[] = {
+    { "delete", NULL, delete_selected },
+    { "detach", NULL, detach },
+    { "mirror", "s", mirror },
+    { "rotate", "d", rotate },
+    { "duplicate", NULL, duplicate },
+    { "join", NULL, join },
+    { "array", "(iddd)", array },
+    { "nudge", "(dd)", nudge },
+    { "undo", NULL, undo },
+    { "redo", NULL, redo },
+    { "select-all", NULL, select_all },
+    { "select-like", "s", select_like },
+    { "select-faces-like", "s", select_faces_like },
+    { "copy", NULL, copy },
+    { "cut", NULL, cut },
+    { "paste", NULL, paste },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+}

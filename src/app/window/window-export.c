@@ -1,0 +1,217 @@
+/* Results and drawings as files besides figures, and results read again; animations have a dialog
+ * of their own. */
+#include "app/window/window-private.h"
+
+#include "app/widgets/dialog.h"
+#include "app/window/window-chooser.h"
+#include "doc/document/run-file.h"
+#include "io/exchange/dxf-export.h"
+#include "io/exchange/table-csv.h"
+#include "io/exchange/vtu.h"
+#include <glib/gi18n.h>
+
+/* ---- what is written ---- */
+
+/* The project as it was solved, whatever has been drawn since. */
+static QnProject
+solved_project (QnWindow *self, const QnRun *run)
+{
+  QnProject project = *qn_document_get_project (self->document);
+  project.model = run->model;
+  return project;
+}
+
+static gboolean
+write_curve (QnWindow *self, const char *path, GError **error)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  QnProject project = solved_project (self, run);
+  return qn_curve_csv_write (path, &project, &run->result, error);
+}
+
+static gboolean
+write_contacts (QnWindow *self, const char *path, GError **error)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  QnProject project = solved_project (self, run);
+  return qn_contacts_csv_write (path, &project, &run->contacts, &run->result, error);
+}
+
+static gboolean
+write_beams (QnWindow *self, const char *path, GError **error)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  QnProject project = solved_project (self, run);
+  return qn_beams_csv_write (path, &project, &run->result, error);
+}
+
+static gboolean
+write_steps (QnWindow *self, const char *path, GError **error)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  return qn_vtu_export (&run->model, &run->contacts, &run->result, path, error);
+}
+
+static gboolean
+write_result (QnWindow *self, const char *path, GError **error)
+{
+  return qn_document_write_result (self->document, qn_document_get_run (self->document),
+                                   path, error);
+}
+
+/* In metres, as it is drawn. */
+static gboolean
+write_drawing (QnWindow *self, const char *path, GError **error)
+{
+  return qn_dxf_export (qn_document_get_model (self->document),
+                        qn_document_get_contacts (self->document), NULL, 1.0, 1.0, path,
+                        error);
+}
+
+/* ---- choosing the file ---- */
+
+typedef gboolean (*WriteFunc) (QnWindow *window, const char *path, GError **error);
+
+/* By the parameter of the action "export-result". */
+static const struct {
+  const char *name;
+  const char *title;
+  const char *file;
+  const char *ending;
+  WriteFunc write;
+} exports[] = {
+  { "result", N_ ("Export Result File"), N_ ("result.json"), ".json", write_result },
+  { "steps", N_ ("Export Steps for ParaView"), N_ ("steps.pvd"), ".pvd", write_steps },
+  { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), ".csv", write_curve },
+  { "contacts", N_ ("Export Contacts as Table"), N_ ("contacts.csv"), ".csv",
+    write_contacts },
+  { "beams", N_ ("Export Section Forces as Table"), N_ ("beams.csv"), ".csv",
+    write_beams },
+  { "drawing", N_ ("Export Drawing as DXF"), N_ ("drawing.dxf"), ".dxf", write_drawing },
+};
+#define DRAWING (G_N_ELEMENTS (exports) - 1)
+
+static void
+export_to (QnWindow *self, gsize i, const char *path)
+{
+  g_autoptr (GError) error = NULL;
+  if (i != DRAWING && qn_document_get_run (self->document) == NULL)
+    return;
+  if (!exports[i].write (self, path, &error)) {
+    qn_window_show_error (self, error->message);
+    return;
+  }
+  g_autofree char *message = g_strdup_printf (_ ("Written to %s"), path);
+  qn_window_show_message (self, message);
+}
+
+static void
+on_response (GtkNativeDialog *dialog, int response, QnWindow *self)
+{
+  gsize i = GPOINTER_TO_SIZE (g_object_get_data (G_OBJECT (dialog), "qn-export"));
+  if (response == GTK_RESPONSE_ACCEPT) {
+    g_autoptr (GError) error = NULL;
+    const char *const endings[] = { exports[i].ending, NULL };
+    g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
+    if (path != NULL)
+      export_to (self, i, path);
+    else
+      qn_window_show_error (self, error->message);
+  }
+  g_clear_object (&self->chooser);
+}
+
+static void
+choose_file (QnWindow *self, gsize i)
+{
+  GtkFileChooserNative *chooser =
+    qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
+                      _ (exports[i].title), _ ("_Export"));
+  gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ (exports[i].file));
+  g_object_set_data (G_OBJECT (chooser), "qn-export", GSIZE_TO_POINTER (i));
+  g_signal_connect (chooser, "response", G_CALLBACK (on_response), self);
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+}
+
+static void
+export_result (QnWindow *self, GVariant *parameter)
+{
+  const char *name = g_variant_get_string (parameter, NULL);
+  if (g_str_equal (name, "animation")) {
+    qn_animation_dialog_show (self);
+    return;
+  }
+  for (gsize i = 0; i < DRAWING; i++)
+    if (g_str_equal (exports[i].name, name))
+      choose_file (self, i);
+}
+
+static void
+export_drawing (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  choose_file (self, DRAWING);
+}
+
+/* The same without asking: (what, path). */
+static void
+export_path (QnWindow *self, GVariant *parameter)
+{
+  const char *name, *path;
+  g_variant_get (parameter, "(&s&s)", &name, &path);
+  if (g_str_equal (name, "animation") && qn_document_get_run (self->document) != NULL)
+    qn_animation_export_to (self, path);
+  for (gsize i = 0; i < G_N_ELEMENTS (exports); i++)
+    if (g_str_equal (exports[i].name, name))
+      export_to (self, i, path);
+}
+
+/* ---- opening a result ---- */
+
+void
+qn_window_open_result (QnWindow *self, const char *path)
+{
+  g_autoptr (GError) error = NULL;
+  if (!qn_document_open_result (self->document, path, &error)) {
+    qn_window_show_work (self);
+    qn_window_show_error (self, error->message);
+    return;
+  }
+  const QnRun *run = qn_document_get_run (self->document);
+  gtk_stack_set_visible_child_name (self->side_stack, "result");
+  if (run->result.outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    qn_view_state_set_view (
+      self->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+}
+
+static void
+open_result_path (QnWindow *self, GVariant *parameter)
+{
+  qn_window_open_result (self, g_variant_get_string (parameter, NULL));
+}
+
+static void
+open_result (QnWindow *self, GVariant *parameter)
+{
+  static const char *const suffixes[] = { "json", NULL };
+  static const QnFileKind results = { .title = N_ ("Open Result"),
+                                      .accept = N_ ("_Open"),
+                                      .name = N_ ("Result files"),
+                                      .suffixes = suffixes,
+                                      .action = "win.open-result-path" };
+  (void) parameter;
+  qn_window_choose_file (self, &results);
+}
+
+void
+qn_window_add_export_actions (QnWindow *self)
+{
+  static const QnWindowAction actions[] = {
+    { "export-result", "s", export_result },
+    { "export-drawing", NULL, export_drawing },
+    { "export-path", "(ss)", export_path },
+    { "open-result", NULL, open_result },
+    { "open-result-path", "s", open_result_path },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+}

@@ -1,0 +1,291 @@
+#include "app/window/window-private.h"
+
+#include "app/widgets/dialog.h"
+#include "app/window/window-chooser.h"
+#include "doc/edit/picture.h"
+#include <glib/gi18n.h>
+
+static void save_as (QnWindow *self, GVariant *parameter);
+
+static const char *const project_suffixes[] = { "quoin", NULL };
+static const QnFileKind projects = { .title = N_ ("Open"),
+                                     .accept = N_ ("_Open"),
+                                     .name = N_ ("Quoin projects"),
+                                     .suffixes = project_suffixes,
+                                     .action = "win.open-path" };
+
+/* ---- opening ---- */
+
+QnWindow *
+qn_window_find_path (GtkApplication *application, const char *path)
+{
+  g_autofree char *absolute = g_canonicalize_filename (path, NULL);
+  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data)
+        && g_strcmp0 (qn_document_get_path (QN_WINDOW (l->data)->document), absolute)
+             == 0)
+      return l->data;
+  return NULL;
+}
+
+/* Files open in this window while it is blank, in a new one otherwise; one that is open already is
+ * shown where it is. */
+static void
+open_path (QnWindow *self, GVariant *parameter)
+{
+  const char *path = g_variant_get_string (parameter, NULL);
+  GtkApplication *application = gtk_window_get_application (GTK_WINDOW (self));
+  QnWindow *target = qn_window_find_path (application, path);
+  if (target != NULL) {
+    gtk_window_present (GTK_WINDOW (target));
+    return;
+  }
+  target = self;
+  if (!qn_window_is_blank (self)) {
+    target = qn_window_new (application);
+    gtk_window_present (GTK_WINDOW (target));
+  }
+  qn_window_open_path (target, path);
+}
+
+static void
+open_dialog (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_window_choose_file (self, &projects);
+}
+
+void
+qn_window_remember_recent (const char *path)
+{
+  g_autofree char *uri = g_filename_to_uri (path, NULL, NULL);
+  if (uri == NULL)
+    return;
+  GtkRecentData data = { .mime_type = (char *) "application/x-quoin",
+                         .app_name = (char *) "Quoin",
+                         .app_exec = (char *) "quoin %u" };
+  gtk_recent_manager_add_full (gtk_recent_manager_get_default (), uri, &data);
+}
+
+/* Dialogs must be gone before the window that they stand over. */
+static gboolean
+on_close_idle (gpointer data)
+{
+  gtk_window_close (GTK_WINDOW (data));
+  return G_SOURCE_REMOVE;
+}
+
+static void
+close_soon (QnWindow *self)
+{
+  self->closing = TRUE;
+  g_idle_add_full (G_PRIORITY_DEFAULT_IDLE, on_close_idle, g_object_ref (self),
+                   g_object_unref);
+}
+
+/* ---- saving ---- */
+
+static gboolean
+save_to (QnWindow *self, const char *path)
+{
+  g_autoptr (GError) error = NULL;
+  if (qn_document_carry_picture (self->document, path, &error)
+      && qn_document_save (self->document, path, &error)) {
+    qn_window_remember_recent (path);
+    return TRUE;
+  }
+  self->closing = FALSE;
+  qn_window_show_error (self, error->message);
+  return FALSE;
+}
+
+static void
+on_save_response (GtkNativeDialog *dialog, int response, QnWindow *self)
+{
+  gboolean close_after = self->closing;
+  self->closing = FALSE;
+  if (response == GTK_RESPONSE_ACCEPT) {
+    const char *const endings[] = { ".quoin", ".json", NULL };
+    g_autoptr (GError) error = NULL;
+    g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
+    if (path == NULL)
+      qn_window_show_error (self, error->message);
+    else if (save_to (self, path) && close_after)
+      close_soon (self);
+  }
+  g_clear_object (&self->chooser);
+}
+
+static void
+save_as (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  GtkFileChooserNative *chooser =
+    qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
+                      _ ("Save As"), _ ("_Save"));
+  qn_chooser_add_kind (chooser, &projects);
+  g_signal_connect (chooser, "response", G_CALLBACK (on_save_response), self);
+  const char *path = qn_document_get_path (self->document);
+  if (path != NULL) {
+    g_autoptr (GFile) file = g_file_new_for_path (path);
+    gtk_file_chooser_set_file (GTK_FILE_CHOOSER (chooser), file, NULL);
+  } else
+    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ ("untitled.quoin"));
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+}
+
+/* Over the file that it came from, and closes then where that is wanted. */
+static void
+save_over (QnWindow *self)
+{
+  g_autofree char *path = g_strdup (qn_document_get_path (self->document));
+  if (save_to (self, path) && self->closing)
+    close_soon (self);
+}
+
+/* ---- questions ---- */
+
+/* Asks what is to become of something that may be lost. The answers are REJECT, which loses it,
+ * CANCEL, and ACCEPT, which is the default. */
+static void
+ask (QnWindow *self, const char *question, const char *consequence, const char *reject,
+     const char *accept, void (*respond) (GtkDialog *, int, QnWindow *))
+{
+  GtkWidget *dialog = gtk_message_dialog_new (
+    GTK_WINDOW (self), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
+    GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s", question);
+  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s",
+                                            consequence);
+  gtk_widget_add_css_class (
+    gtk_dialog_add_button (GTK_DIALOG (dialog), reject, GTK_RESPONSE_REJECT),
+    "destructive-action");
+  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
+  gtk_widget_add_css_class (
+    gtk_dialog_add_button (GTK_DIALOG (dialog), accept, GTK_RESPONSE_ACCEPT),
+    "suggested-action");
+  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);
+  g_signal_connect (dialog, "response", G_CALLBACK (respond), self);
+  gtk_window_present (GTK_WINDOW (dialog));
+}
+
+static void
+on_changed_response (GtkDialog *dialog, int response, QnWindow *self)
+{
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  if (response == GTK_RESPONSE_REJECT)
+    save_over (self);
+  else if (response == GTK_RESPONSE_ACCEPT)
+    save_as (self, NULL);
+  else
+    self->closing = FALSE;
+}
+
+/* What somebody else has written since must not be lost without a word. */
+static void
+ask_about_change (QnWindow *self)
+{
+  g_autofree char *name = g_path_get_basename (qn_document_get_path (self->document));
+  g_autofree char *question =
+    g_strdup_printf (_ ("“%s” has changed since it was opened here"), name);
+  ask (
+    self, question,
+    _ ("Another window or program has written the file. Saving replaces what it wrote."),
+    _ ("_Overwrite"), _ ("Save _As…"), on_changed_response);
+}
+
+static void
+save (QnWindow *self, GVariant *parameter)
+{
+  if (qn_document_get_path (self->document) == NULL)
+    save_as (self, parameter);
+  else if (qn_document_is_changed_elsewhere (self->document))
+    ask_about_change (self);
+  else
+    save_over (self);
+}
+
+/* For tests and scripts: saves to a given path without asking. */
+static void
+save_to_path (QnWindow *self, GVariant *parameter)
+{
+  save_to (self, g_variant_get_string (parameter, NULL));
+}
+
+/* ---- closing ---- */
+
+static void
+on_unsaved_response (GtkDialog *dialog, int response, QnWindow *self)
+{
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  if (response == GTK_RESPONSE_REJECT)
+    close_soon (self);
+  else if (response == GTK_RESPONSE_ACCEPT) {
+    self->closing = TRUE;
+    save (self, NULL);
+  }
+}
+
+gboolean
+qn_window_may_close (QnWindow *self)
+{
+  if (self->closing || qn_window_is_blank (self)
+      || !qn_document_is_modified (self->document))
+    return TRUE;
+  g_autofree char *name = qn_document_dup_display_name (self->document);
+  g_autofree char *question = g_strdup_printf (_ ("Save changes to “%s”?"), name);
+  ask (self, question, _ ("What is not saved will be lost."), _ ("_Discard"), _ ("_Save"),
+       on_unsaved_response);
+  return FALSE;
+}
+
+static void
+close_window (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  gtk_window_close (GTK_WINDOW (self));
+}
+
+/* ---- history in the file ---- */
+
+static void
+on_keep_history (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  g_simple_action_set_state (action, value);
+  qn_document_set_keeps_history (self->document, g_variant_get_boolean (value));
+}
+
+static void
+update_keep_history (QnWindow *self)
+{
+  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), "keep-history");
+  g_simple_action_set_state (
+    G_SIMPLE_ACTION (action),
+    g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
+}
+
+static void
+add_keep_history (QnWindow *self)
+{
+  const GActionEntry entry = { .name = "keep-history",
+                               .state = "false",
+                               .change_state = on_keep_history };
+  g_action_map_add_action_entries (G_ACTION_MAP (self), &entry, 1, self);
+  g_signal_connect_object (self->document, "history-changed",
+                           G_CALLBACK (update_keep_history), self, G_CONNECT_SWAPPED);
+}
+
+void
+qn_window_add_file_actions (QnWindow *self)
+{
+  add_keep_history (self);
+  static const QnWindowAction actions[] = {
+    { "open", NULL, open_dialog },
+    { "open-path", "s", open_path },
+    { "save", NULL, save },
+    { "save-as", NULL, save_as },
+    { "save-path", "s", save_to_path },
+    { "close", NULL, close_window },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+}

@@ -1,0 +1,134 @@
+/* What comes in from outside: drawings of other programs, pictures behind the drawing, and files
+ * dropped on the window. */
+#include "app/window/window-chooser.h"
+#include "app/window/window-private.h"
+
+#include "doc/document/import.h"
+#include "doc/document/run-file.h"
+#include "doc/edit/picture.h"
+#include <glib/gi18n.h>
+
+/* ---- pictures ---- */
+
+static void
+insert_picture (QnWindow *self, const char *path)
+{
+  g_autoptr (GError) error = NULL;
+  gboolean blank = qn_window_is_blank (self);
+  qn_window_show_work (self);
+  QnBox view = qn_camera_visible_box (qn_canvas_get_camera (self->canvas));
+  if (blank || !(view.max.x > view.min.x))
+    view = (QnBox){ { 0.0, 0.0 }, { 5.0, 4.0 } };
+  if (!qn_document_insert_picture (self->document, path, view, &error)) {
+    qn_window_show_error (self, error->message);
+    return;
+  }
+  gtk_stack_set_visible_child_name (self->side_stack, "properties");
+  gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "picture");
+  qn_canvas_fit (self->canvas);
+}
+
+static void
+picture_path (QnWindow *self, GVariant *parameter)
+{
+  insert_picture (self, g_variant_get_string (parameter, NULL));
+}
+
+static void
+remove_picture (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  g_autoptr (GError) error = NULL;
+  if (!qn_document_remove_picture (self->document, &error))
+    qn_window_show_error (self, error->message);
+}
+
+/* ---- files of every kind ---- */
+
+void
+qn_window_take_file (QnWindow *self, const char *path)
+{
+  if (qn_is_result_file (path))
+    qn_window_open_result (self, path);
+  else if (qn_import_is_picture (path))
+    insert_picture (self, path);
+  else if (qn_import_knows_file (path))
+    qn_import_dialog_show (self, path);
+  else
+    gtk_widget_activate_action (GTK_WIDGET (self), "win.open-path", "s", path);
+}
+
+static void
+take_path (QnWindow *self, GVariant *parameter)
+{
+  qn_window_take_file (self, g_variant_get_string (parameter, NULL));
+}
+
+static gboolean
+on_drop (GtkDropTarget *target, const GValue *value, double x, double y, QnWindow *self)
+{
+  (void) target;
+  (void) x;
+  (void) y;
+  gboolean taken = FALSE;
+  for (GSList *l = g_value_get_boxed (value); l != NULL; l = l->next) {
+    g_autofree char *path = g_file_get_path (l->data);
+    if (path != NULL)
+      qn_window_take_file (self, path);
+    else
+      qn_window_show_error (self, _ ("Only local files can be opened"));
+    taken |= path != NULL;
+  }
+  return taken;
+}
+
+void
+qn_window_accept_drops (QnWindow *self)
+{
+  GtkDropTarget *drop = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
+  g_signal_connect (drop, "drop", G_CALLBACK (on_drop), self);
+  gtk_widget_add_controller (GTK_WIDGET (self), GTK_EVENT_CONTROLLER (drop));
+}
+
+/* ---- choosing ---- */
+
+static void
+import_drawing (QnWindow *self, GVariant *parameter)
+{
+  static const char *const suffixes[] = { "dxf", "svg", "json", "txt", NULL };
+  static const QnFileKind drawings = { .title = N_ ("Import Drawing"),
+                                       .accept = N_ ("_Import"),
+                                       .name =
+                                         N_ ("Drawings: DXF, SVG, COMPAS, HybriDFEM"),
+                                       .suffixes = suffixes,
+                                       .action = "win.take-path" };
+  (void) parameter;
+  qn_window_choose_file (self, &drawings);
+}
+
+static void
+picture (QnWindow *self, GVariant *parameter)
+{
+  static const char *const suffixes[] = { "png", "jpg",  "jpeg", "tif",
+                                          "bmp", "tiff", "webp", NULL };
+  static const QnFileKind pictures = { .title = N_ ("Picture behind the Drawing"),
+                                       .accept = N_ ("_Open"),
+                                       .name = N_ ("Pictures"),
+                                       .suffixes = suffixes,
+                                       .action = "win.take-path" };
+  (void) parameter;
+  qn_window_choose_file (self, &pictures);
+}
+
+void
+qn_window_add_import_actions (QnWindow *self)
+{
+  static const QnWindowAction actions[] = {
+    { "import", NULL, import_drawing },
+    { "take-path", "s", take_path },
+    { "picture", NULL, picture },
+    { "picture-path", "s", picture_path },
+    { "remove-picture", NULL, remove_picture },
+  };
+  qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
+}

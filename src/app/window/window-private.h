@@ -1,0 +1,114 @@
+/* The inside of a window, shared by the files that make it up. */
+#ifndef QN_APP_WINDOW_PRIVATE_H
+#define QN_APP_WINDOW_PRIVATE_H
+
+#include "app/window/window.h"
+#include "doc/document/recovery.h"
+#include "doc/view/recipe.h"
+
+/* An analysis that waits for another to end. */
+typedef struct QnQueuedAnalysis {
+  QnProcedure procedure;
+  QnFlow flow;
+} QnQueuedAnalysis;
+
+struct _QnWindow {
+  GtkApplicationWindow parent_instance;
+
+  QnDocument *document;
+  QnViewState *state;
+  QnToolSettings tool_settings;
+  QnRecovery *recovery;
+  guint live_timeout, message_timeout;
+  const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
+  gboolean was_running;             /* an analysis, when the document last told */
+  gboolean closing;                 /* unsaved changes have been dealt with */
+  char *last_export;                /* path of the last exported figure */
+  QnRecipe *last_recipe;            /* what it looked like */
+  GtkPrintSettings *print_settings; /* of the last page, or NULL */
+  GObject *chooser;                 /* file chooser on the screen */
+  gboolean has_info_place;
+  QnVec2 info_place;
+
+  /* from window.ui */
+  GtkLabel *title_label, *subtitle_label, *info_label;
+  GtkLabel *live_label;
+  GtkLabel *status_hint, *status_pointer, *status_counts, *progress_label;
+  GtkStack *main_stack, *side_stack;
+  GtkBox *start_box, *tool_box, *canvas_box, *view_box;
+  GtkInfoBar *info_bar;
+  GtkButton *info_button, *run_button, *undo_button, *redo_button;
+  GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box;
+  GtkProgressBar *progress_bar;
+  GtkMenuButton *history_button;
+  GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,
+    *findings_scroller;
+  QnCanvas *canvas;
+  GtkWidget *playback;
+};
+
+/* window-actions.c: actions of viewing, tools, panels. */
+void qn_window_add_actions (QnWindow *window);
+void qn_window_update_actions (QnWindow *window);
+
+/* window-edit.c: actions that change the drawing. */
+void qn_window_add_edit_actions (QnWindow *window);
+
+/* window-files.c: open, save, close. */
+void qn_window_add_file_actions (QnWindow *window);
+void qn_window_remember_recent (const char *path);
+/* Asks about unsaved changes; TRUE when the window may close at once. */
+gboolean qn_window_may_close (QnWindow *window);
+
+/* window-import.c: drawings of other programs, pictures, dropped files. */
+void qn_window_add_import_actions (QnWindow *window);
+void qn_window_accept_drops (QnWindow *window);
+/* Opens, imports or lays behind the drawing, by the kind of file. */
+void qn_window_take_file (QnWindow *window, const char *path);
+
+/* import-dialog.c */
+void qn_import_dialog_show (QnWindow *window, const char *path);
+
+/* window-analysis.c: run, progress, live mode. */
+void qn_window_add_analysis_actions (QnWindow *window);
+void qn_window_connect_analysis (QnWindow *window);
+
+/* window-export.c: tables, and what leads to other exports. */
+void qn_window_add_export_actions (QnWindow *window);
+
+/* A result file of the project: added to the runs and shown. */
+void qn_window_open_result (QnWindow *window, const char *path);
+
+/* Shows the drawing instead of the start page. */
+void qn_window_show_work (QnWindow *window);
+
+/* window-print.c */
+void qn_window_add_print_actions (QnWindow *window);
+
+/* figures-window.c */
+void qn_figures_window_show (QnWindow *window);
+
+/* animation-dialog.c */
+void qn_animation_dialog_show (QnWindow *window);
+/* Writes as the dialog would by itself, and shows how far it is. */
+void qn_animation_export_to (QnWindow *window, const char *path);
+
+/* export-dialog.c */
+void qn_export_dialog_show (QnWindow *window);
+void qn_export_repeat (QnWindow *window);
+
+/* compare-window.c */
+void qn_compare_window_show (QnWindow *window);
+/* Writes runs (of QnRun) as one sheet. */
+gboolean qn_compare_export (const GPtrArray *runs, const char *path, GError **error);
+
+/* Adds actions that call func (window) or, with a parameter type, func (window, value). */
+typedef struct QnWindowAction {
+  const char *name;
+  const char *parameter; /* type of the parameter, or NULL */
+  void (*func) (QnWindow *window, GVariant *parameter);
+} QnWindowAction;
+void qn_window_add_action_table (QnWindow *window, const QnWindowAction *actions,
+                                 gsize count);
+
+#endif

@@ -1,0 +1,505 @@
+#include "app/window/window-private.h"
+
+#include "app/forms/panel.h"
+#include "app/views/start-page.h"
+#include "app/widgets/settings.h"
+#include "doc/document/import.h"
+#include "doc/document/run-file.h"
+#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+#include <string.h>
+
+/* How long good news stay. */
+#define MESSAGE_SECONDS 6
+
+G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
+
+QnDocument *
+qn_window_get_document (QnWindow *self)
+{
+  return self->document;
+}
+
+QnViewState *
+qn_window_get_view_state (QnWindow *self)
+{
+  return self->state;
+}
+
+QnCanvas *
+qn_window_get_canvas (QnWindow *self)
+{
+  return self->canvas;
+}
+
+/* ---- what the window says ---- */
+
+static void
+update_title (QnWindow *self)
+{
+  g_autofree char *name = qn_document_dup_display_name (self->document);
+  const char *path = qn_document_get_path (self->document);
+  g_autofree char *folder = path != NULL ? g_path_get_dirname (path) : NULL;
+  g_autofree char *base = path != NULL ? g_path_get_basename (path) : NULL;
+  gboolean modified =
+    qn_document_is_modified (self->document) && !qn_window_is_blank (self);
+  g_autofree char *title = g_strdup_printf ("%s%s", modified ? "• " : "", name);
+  g_autofree char *subtitle = g_strdup (_ ("Not saved yet"));
+  const char *home = g_get_home_dir ();
+  if (folder != NULL) {
+    g_free (subtitle);
+    subtitle = g_str_has_prefix (folder, home)
+                 ? g_strdup_printf ("%s — ~%s", base, folder + strlen (home))
+                 : g_strdup_printf ("%s — %s", base, folder);
+  }
+  gboolean blank = qn_window_is_blank (self);
+  gtk_label_set_text (self->title_label, blank ? _ ("Quoin") : title);
+  gtk_label_set_text (self->subtitle_label, subtitle);
+  gtk_widget_set_visible (GTK_WIDGET (self->subtitle_label), !blank);
+  g_autofree char *window_title =
+    blank ? g_strdup (_ ("Quoin")) : g_strdup_printf ("%s — Quoin", title);
+  gtk_window_set_title (GTK_WINDOW (self), window_title);
+}
+
+static void
+update_history (QnWindow *self)
+{
+  QnHistory *history = qn_document_get_history (self->document);
+  guint position = qn_history_get_position (history);
+  g_autofree char *undo =
+    qn_history_can_undo (history) ? g_strdup_printf (
+      _ ("Undo %s (Ctrl+Z)"), qn_history_get_name (history, position - 1))
+                                  : g_strdup (_ ("Nothing to undo"));
+  g_autofree char *redo = qn_history_can_redo (history)
+                            ? g_strdup_printf (_ ("Redo %s (Shift+Ctrl+Z)"),
+                                               qn_history_get_name (history, position))
+                            : g_strdup (_ ("Nothing to redo"));
+  gtk_widget_set_tooltip_text (GTK_WIDGET (self->undo_button), undo);
+  gtk_widget_set_tooltip_text (GTK_WIDGET (self->redo_button), redo);
+  update_title (self);
+  qn_window_update_actions (self);
+}
+
+static void
+update_counts (QnWindow *self)
+{
+  const QnModel *model = qn_document_get_model (self->document);
+  const QnContacts *contacts = qn_document_get_contacts (self->document);
+  const QnCount counts[] = { { QN_COUNTED_BEAMS, model->beam_count },
+                             { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, contacts->face_count },
+                             { QN_COUNTED_FINDINGS, contacts->findings.count } };
+  gsize skipped = model->beam_count > 0 ? 0 : 1;
+  g_autofree char *text =
+    qn_counts_dup_text (counts + skipped, G_N_ELEMENTS (counts) - skipped, " · ");
+  gtk_label_set_text (self->status_counts, text);
+}
+
+static void
+update_status (QnWindow *self)
+{
+  const QnTool *tool = qn_canvas_get_tool (self->canvas);
+  g_autofree char *pointer = qn_canvas_dup_status (self->canvas);
+  gtk_label_set_text (self->status_hint, _ (tool->hint));
+  gtk_label_set_text (self->status_pointer, pointer);
+}
+
+static void
+update_stale (QnWindow *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  gboolean stale = run != NULL
+                   && qn_view_needs_result (qn_view_state_get_view (self->state))
+                   && qn_document_is_stale (self->document, run);
+  gtk_widget_set_visible (self->stale_label, stale);
+}
+
+/* Beams have views that blocks do not need. */
+static void
+update_beam_views (QnWindow *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  gboolean beams = qn_document_get_model (self->document)->beam_count > 0
+                   || (run != NULL && run->result.beam_forces != NULL);
+  gboolean shown = qn_view_state_get_view (self->state) == QN_VIEW_DIAGRAMS;
+  gtk_widget_set_visible (self->diagrams_button, beams || shown);
+  gtk_widget_set_visible (self->diagram_box, shown);
+}
+
+static void
+on_document_changed (QnWindow *self)
+{
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  update_title (self);
+  update_counts (self);
+  update_stale (self);
+  update_beam_views (self);
+  qn_window_update_actions (self);
+}
+
+static void
+on_view_changed (QnWindow *self)
+{
+  update_stale (self);
+  update_beam_views (self);
+  qn_window_update_actions (self);
+}
+
+void
+qn_window_show_error (QnWindow *self, const char *message)
+{
+  /* Work that outlives its window has nobody to tell. */
+  if (self->info_label == NULL)
+    return;
+  g_clear_handle_id (&self->message_timeout, g_source_remove);
+  gtk_info_bar_set_message_type (self->info_bar, GTK_MESSAGE_WARNING);
+  self->has_info_place = FALSE;
+  gtk_label_set_text (self->info_label, message);
+  gtk_widget_set_visible (GTK_WIDGET (self->info_button), FALSE);
+  gtk_info_bar_set_revealed (self->info_bar, TRUE);
+}
+
+static gboolean
+on_message_timeout (gpointer data)
+{
+  QnWindow *self = data;
+  self->message_timeout = 0;
+  gtk_info_bar_set_revealed (self->info_bar, FALSE);
+  return G_SOURCE_REMOVE;
+}
+
+void
+qn_window_show_message (QnWindow *self, const char *message)
+{
+  qn_window_show_error (self, message);
+  if (self->info_label == NULL)
+    return;
+  gtk_info_bar_set_message_type (self->info_bar, GTK_MESSAGE_INFO);
+  self->message_timeout =
+    g_timeout_add_seconds (MESSAGE_SECONDS, on_message_timeout, self);
+}
+
+void
+qn_window_show_error_at (QnWindow *self, const char *message, QnVec2 at)
+{
+  qn_window_show_error (self, message);
+  self->has_info_place = TRUE;
+  self->info_place = at;
+  gtk_widget_set_visible (GTK_WIDGET (self->info_button), TRUE);
+}
+
+static void
+on_info_button (QnWindow *self)
+{
+  if (self->has_info_place)
+    qn_canvas_show_place (self->canvas, self->info_place);
+}
+
+static void
+on_info_response (GtkInfoBar *bar, int response, QnWindow *self)
+{
+  (void) response;
+  (void) self;
+  gtk_info_bar_set_revealed (bar, FALSE);
+}
+
+static void
+on_canvas_failed (QnCanvas *canvas, const char *message, QnWindow *self)
+{
+  (void) canvas;
+  qn_window_show_error (self, message);
+}
+
+/* ---- opening ---- */
+
+gboolean
+qn_window_is_blank (QnWindow *self)
+{
+  return g_strcmp0 (gtk_stack_get_visible_child_name (self->main_stack), "start") == 0;
+}
+
+void
+qn_window_show_work (QnWindow *self)
+{
+  gtk_stack_set_visible_child_name (self->main_stack, "work");
+  gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
+  update_title (self);
+  qn_window_update_actions (self);
+}
+
+static void
+show_warnings (QnWindow *self)
+{
+  const GPtrArray *warnings = qn_document_get_warnings (self->document);
+  if (warnings != NULL && warnings->len > 0)
+    qn_window_show_error (self, g_ptr_array_index (warnings, 0));
+}
+
+gboolean
+qn_window_open_path (QnWindow *self, const char *path)
+{
+  g_autofree char *absolute = g_canonicalize_filename (path, NULL);
+  g_autoptr (GError) error = NULL;
+  if (qn_import_knows_file (path) || qn_import_is_picture (path)
+      || qn_is_result_file (path)) {
+    qn_window_take_file (self, absolute);
+    return TRUE;
+  }
+  if (!qn_document_load (self->document, absolute, &error)) {
+    qn_window_show_work (self);
+    qn_window_show_error (self, error->message);
+    return FALSE;
+  }
+  qn_window_remember_recent (absolute);
+  qn_window_show_work (self);
+  qn_view_state_set_view (self->state, QN_VIEW_MODEL);
+  qn_canvas_fit (self->canvas);
+  show_warnings (self);
+  return TRUE;
+}
+
+gboolean
+qn_window_open_recovered (QnWindow *self, const char *recovery_path)
+{
+  g_autofree char *text = NULL, *original = NULL;
+  g_autoptr (GError) error = NULL;
+  if (!qn_recovery_read (recovery_path, &text, &original, &error)
+      || !qn_document_load_recovered (self->document, text, original, &error)) {
+    qn_window_show_work (self);
+    qn_window_show_error (self, error->message);
+    return FALSE;
+  }
+  qn_recovery_flush (self->recovery);
+  qn_window_show_work (self);
+  qn_canvas_fit (self->canvas);
+  g_autofree char *message =
+    original != NULL ? g_strdup_printf (
+      _ ("Recovered what was not saved to %s. Save it to keep it."), original)
+                     : g_strdup (_ ("Recovered an unsaved drawing. Save it to keep it."));
+  qn_window_show_error (self, message);
+  return TRUE;
+}
+
+/* ---- construction ---- */
+
+static void
+build_tools (QnWindow *self)
+{
+  for (int i = 0; qn_tools[i] != NULL; i++) {
+    const QnTool *tool = qn_tools[i];
+    GtkWidget *button = gtk_toggle_button_new ();
+    gtk_button_set_icon_name (GTK_BUTTON (button), tool->icon);
+    gtk_widget_add_css_class (button, "flat");
+    g_autofree char *key = g_ascii_strup (tool->accel, -1);
+    g_autofree char *tooltip = g_strdup_printf ("%s (%s)", _ (tool->label), key);
+    gtk_widget_set_tooltip_text (button, tooltip);
+    gtk_accessible_update_property (GTK_ACCESSIBLE (button),
+                                    GTK_ACCESSIBLE_PROPERTY_LABEL, _ (tool->label), -1);
+    gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.tool");
+    gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", tool->name);
+    gtk_box_append (self->tool_box, button);
+  }
+}
+
+static void
+connect_document (QnWindow *self)
+{
+  const struct {
+    const char *signal;
+    void (*func) (QnWindow *);
+  } signals[] = { { "changed", on_document_changed },
+                  { "history-changed", update_history },
+                  { "file-changed", update_title },
+                  { "runs-changed", on_view_changed } };
+  for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
+    g_signal_connect_object (self->document, signals[i].signal,
+                             G_CALLBACK (signals[i].func), self, G_CONNECT_SWAPPED);
+  g_signal_connect_object (self->state, "changed", G_CALLBACK (on_view_changed), self,
+                           G_CONNECT_SWAPPED);
+  g_signal_connect_object (qn_document_get_selection (self->document), "changed",
+                           G_CALLBACK (qn_window_update_actions), self,
+                           G_CONNECT_SWAPPED);
+  g_signal_connect_object (self->canvas, "status", G_CALLBACK (update_status), self,
+                           G_CONNECT_SWAPPED);
+  g_signal_connect_object (self->canvas, "failed", G_CALLBACK (on_canvas_failed), self,
+                           0);
+}
+
+static void
+build_panels (QnWindow *self)
+{
+  GtkWidget *drawing = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
+  gtk_box_append (GTK_BOX (drawing), qn_properties_panel_new (self->canvas));
+  gtk_box_append (GTK_BOX (drawing), qn_picture_panel_new (self->canvas));
+  gtk_scrolled_window_set_child (self->properties_scroller, drawing);
+  gtk_scrolled_window_set_child (self->analysis_scroller,
+                                 qn_analysis_panel_new (self->canvas));
+  gtk_scrolled_window_set_child (self->result_scroller,
+                                 qn_result_panel_new (self->canvas));
+  gtk_scrolled_window_set_child (self->findings_scroller,
+                                 qn_findings_panel_new (self->canvas));
+  self->playback = qn_playback_bar_new (self->state);
+  gtk_box_append (self->canvas_box, self->playback);
+  gtk_box_append (self->start_box, qn_start_page_new ());
+  GtkWidget *popover = gtk_popover_new ();
+  gtk_popover_set_child (GTK_POPOVER (popover), qn_history_list_new (self->document));
+  gtk_menu_button_set_popover (self->history_button, popover);
+}
+
+static void
+bind_settings (QnWindow *self)
+{
+  /* Opposite to the legend, which stays where it is in every script. */
+  gtk_widget_set_direction (GTK_WIDGET (self->view_box), GTK_TEXT_DIR_LTR);
+  GSettings *settings = qn_settings_get ();
+  g_settings_bind (settings, "window-width", self, "default-width",
+                   G_SETTINGS_BIND_DEFAULT);
+  g_settings_bind (settings, "window-height", self, "default-height",
+                   G_SETTINGS_BIND_DEFAULT);
+  g_settings_bind (settings, "window-maximized", self, "maximized",
+                   G_SETTINGS_BIND_DEFAULT);
+}
+
+static const QnToolSettings first_settings = { .masonry = { .unit = { 0.4, 0.175 },
+                                                            .bond = QN_BOND_RUNNING,
+                                                            .lap = 0.5,
+                                                            .thickness = 1.0,
+                                                            .unit_weight = 1e4,
+                                                            .law = QN_NONE,
+                                                            .base = TRUE,
+                                                            .head = QN_HEAD_FLAT,
+                                                            .span = QN_SPAN_LINTEL,
+                                                            .shape = QN_ARCH_CIRCULAR,
+                                                            .ring = 0.3,
+                                                            .voussoirs = 15,
+                                                            .top_to_foot = 1.0 },
+                                               .elements = 1,
+                                               .force = 1000.0,
+                                               .live = TRUE };
+
+static void
+qn_window_init (QnWindow *self)
+{
+  g_type_ensure (QN_TYPE_CANVAS);
+  gtk_widget_init_template (GTK_WIDGET (self));
+  self->document = qn_document_new ();
+  self->state = qn_view_state_new (self->document);
+  self->tool_settings = first_settings;
+  qn_canvas_set_state (self->canvas, self->state, &self->tool_settings);
+  qn_window_add_actions (self);
+  qn_window_add_edit_actions (self);
+  qn_window_add_file_actions (self);
+  qn_window_add_import_actions (self);
+  qn_window_add_analysis_actions (self);
+  qn_window_add_export_actions (self);
+  qn_window_add_print_actions (self);
+  build_tools (self);
+  build_panels (self);
+  connect_document (self);
+  qn_window_connect_analysis (self);
+  self->recovery = qn_recovery_watch (self->document);
+  bind_settings (self);
+
+  qn_window_accept_drops (self);
+  update_counts (self);
+  update_history (self);
+  update_status (self);
+  update_beam_views (self);
+}
+
+static gboolean
+qn_window_close_request (GtkWindow *window)
+{
+  QnWindow *self = QN_WINDOW (window);
+  if (!qn_window_may_close (self))
+    return TRUE;
+  qn_document_cancel (self->document);
+  return GTK_WINDOW_CLASS (qn_window_parent_class)->close_request (window);
+}
+
+static void
+qn_window_dispose (GObject *object)
+{
+  QnWindow *self = QN_WINDOW (object);
+  g_clear_handle_id (&self->live_timeout, g_source_remove);
+  g_clear_handle_id (&self->message_timeout, g_source_remove);
+  g_clear_pointer (&self->recovery, qn_recovery_end);
+  if (self->document != NULL)
+    qn_document_cancel (self->document);
+  gtk_widget_dispose_template (GTK_WIDGET (self), QN_TYPE_WINDOW);
+  G_OBJECT_CLASS (qn_window_parent_class)->dispose (object);
+}
+
+static void
+qn_window_finalize (GObject *object)
+{
+  QnWindow *self = QN_WINDOW (object);
+  g_clear_object (&self->chooser);
+  g_clear_object (&self->state);
+  g_clear_object (&self->document);
+  g_free (self->last_export);
+  g_clear_pointer (&self->last_recipe, qn_recipe_free);
+  g_clear_object (&self->print_settings);
+  g_free (self->tool_settings.joint_law);
+  g_free (self->tool_settings.section);
+  G_OBJECT_CLASS (qn_window_parent_class)->finalize (object);
+}
+
+static void
+bind_children (GtkWidgetClass *widget_class)
+{
+#define BIND(name) gtk_widget_class_bind_template_child (widget_class, QnWindow, name)
+  BIND (title_label);
+  BIND (subtitle_label);
+  BIND (info_label);
+  BIND (live_label);
+  BIND (status_hint);
+  BIND (status_pointer);
+  BIND (status_counts);
+  BIND (progress_label);
+  BIND (main_stack);
+  BIND (side_stack);
+  BIND (start_box);
+  BIND (tool_box);
+  BIND (canvas_box);
+  BIND (view_box);
+  BIND (info_bar);
+  BIND (info_button);
+  BIND (run_button);
+  BIND (undo_button);
+  BIND (redo_button);
+  BIND (progress_box);
+  BIND (pause_button);
+  BIND (stale_label);
+  BIND (diagrams_button);
+  BIND (diagram_box);
+  BIND (progress_bar);
+  BIND (history_button);
+  BIND (properties_scroller);
+  BIND (analysis_scroller);
+  BIND (result_scroller);
+  BIND (findings_scroller);
+  BIND (canvas);
+#undef BIND
+}
+
+static void
+qn_window_class_init (QnWindowClass *klass)
+{
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (klass);
+  G_OBJECT_CLASS (klass)->dispose = qn_window_dispose;
+  G_OBJECT_CLASS (klass)->finalize = qn_window_finalize;
+  GTK_WINDOW_CLASS (klass)->close_request = qn_window_close_request;
+  gtk_widget_class_set_template_from_resource (widget_class,
+                                               "/io/github/quoin/Quoin/window.ui");
+  bind_children (widget_class);
+  gtk_widget_class_bind_template_callback (widget_class, on_info_button);
+  gtk_widget_class_bind_template_callback (widget_class, on_info_response);
+}
+
+QnWindow *
+qn_window_new (GtkApplication *application)
+{
+  return g_object_new (QN_TYPE_WINDOW, "application", application, NULL);
+}

@@ -1,0 +1,38 @@
+/* A window: one document with its drawing, panels and actions. */
+#ifndef QN_APP_WINDOW_H
+#define QN_APP_WINDOW_H
+
+#include "app/canvas/canvas.h"
+#include <gtk/gtk.h>
+
+#define QN_TYPE_WINDOW (qn_window_get_type ())
+G_DECLARE_FINAL_TYPE (QnWindow, qn_window, QN, WINDOW, GtkApplicationWindow)
+
+/* A window with the start page. */
+QnWindow *qn_window_new (GtkApplication *application);
+
+/* The window's parts; borrowed. */
+QnDocument *qn_window_get_document (QnWindow *window);
+QnViewState *qn_window_get_view_state (QnWindow *window);
+QnCanvas *qn_window_get_canvas (QnWindow *window);
+
+/* Whether it still shows the start page: a file may be opened into it. */
+gboolean qn_window_is_blank (QnWindow *window);
+
+/* The window that shows the project file, or NULL. */
+QnWindow *qn_window_find_path (GtkApplication *application, const char *path);
+
+/* Opens a project, or imports what the kind of file allows. Says so in the window where it
+ * cannot be read, and returns FALSE. */
+gboolean qn_window_open_path (QnWindow *window, const char *path);
+
+/* Takes over a recovered text. */
+gboolean qn_window_open_recovered (QnWindow *window, const char *recovery_path);
+
+/* A message in the bar above the drawing, with the place it is about (nullable). */
+void qn_window_show_error (QnWindow *window, const char *message);
+/* The same for what went well; it goes by itself. */
+void qn_window_show_message (QnWindow *window, const char *message);
+void qn_window_show_error_at (QnWindow *window, const char *message, QnVec2 at);
+
+#endif

@@ -1,0 +1,521 @@
+#include "core/assembly/assembly-parts.h"
+
+#include "core/base/memory.h"
+#include "core/linalg/sparse.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Setting up ------------------------------------------------------------------------- */
+
+static bool
+allocate (QnAssembly *as)
+{
+  size_t pairs = as->pair_count, n = (size_t) as->unknown_count;
+
+  as->kinematics = qn_alloc (pairs, sizeof *as->kinematics);
+  as->gradients = qn_alloc (pairs, sizeof *as->gradients);
+  as->elongations = qn_alloc (2 * (pairs + 7), sizeof *as->elongations);
+  as->springs = qn_alloc (pairs, sizeof *as->springs);
+  as->committed = qn_alloc (pairs, sizeof *as->committed);
+  as->responses = qn_alloc (pairs, sizeof *as->responses);
+  as->dead = qn_alloc (n, sizeof (double));
+  as->live = qn_alloc (n, sizeof (double));
+  as->dead_at_rest = qn_alloc (n, sizeof (double));
+  as->live_at_rest = qn_alloc (n, sizeof (double));
+  as->damping = qn_alloc (n, sizeof (double));
+  as->diagonal = qn_alloc (n, sizeof *as->diagonal);
+  as->scatter = qn_alloc (as->contacts->face_count * 36, sizeof *as->scatter);
+  as->first_pairs = qn_alloc (as->contacts->face_count + 1, sizeof *as->first_pairs);
+  as->whole = qn_alloc (as->contacts->face_count, sizeof *as->whole);
+  as->forces =
+    qn_alloc (qn_model_body_count (as->model) * QN_DOF_COUNT, sizeof *as->forces);
+  as->settles = qn_alloc (n, sizeof *as->settles);
+  as->phases = qn_alloc (pairs, sizeof *as->phases);
+  as->stale = qn_alloc (qn_model_body_count (as->model), sizeof *as->stale);
+  as->face_unknowns =
+    qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
+  return as->kinematics && as->gradients && as->elongations && as->springs
+         && as->committed && as->responses && as->dead && as->live && as->dead_at_rest
+         && as->live_at_rest && as->damping && as->diagonal && as->scatter
+         && as->first_pairs && as->whole && as->forces && as->settles && as->face_unknowns
+         && as->phases && as->stale;
+}
+
+/* Marks the supports that settle in any of the loads. */
+static void
+mark_settling (const QnLoad *loads, size_t count, int32_t *unknown)
+{
+  for (size_t i = 0; i < count; i++)
+    if (loads[i].kind == QN_LOAD_SETTLEMENT)
+      unknown[QN_DOF_COUNT * loads[i].block + (int) loads[i].dof] = 1;
+}
+
+static bool
+number_unknowns (QnAssembly *as)
+{
+  const QnModel *model = as->model;
+
+  const size_t count = qn_model_body_count (model) * QN_DOF_COUNT;
+
+  as->unknown = qn_alloc (count, sizeof *as->unknown);
+  if (as->unknown == NULL)
+    return false;
+  mark_settling (model->dead_loads, model->dead_load_count, as->unknown);
+  mark_settling (model->live_loads, model->live_load_count, as->unknown);
+  as->settling_count = 0;
+  for (size_t i = 0; i < model->block_count * QN_DOF_COUNT; i++)
+    as->settling_count += as->unknown[i] != 0;
+  as->settling = qn_alloc (as->settling_count, sizeof *as->settling);
+  if (as->settling == NULL)
+    return false;
+
+  QnSettling *next = as->settling;
+  as->unknown_count = 0;
+  for (size_t i = 0; i < count; i++) {
+    bool settles = as->unknown[i] != 0;
+    bool fixed =
+      qn_model_body_is_fixed (model, i / QN_DOF_COUNT, (QnDof) (i % QN_DOF_COUNT));
+    if (settles)
+      *next++ = (QnSettling){ .unknown = as->unknown_count,
+                              .block = (QnId) (i / QN_DOF_COUNT),
+                              .dof = (QnDof) (i % QN_DOF_COUNT) };
+    as->unknown[i] = fixed && !settles ? QN_NONE : as->unknown_count++;
+  }
+  return true;
+}
+
+static void
+prepare_pairs (QnAssembly *as)
+{
+  const QnContacts *contacts = as->contacts;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+
+    qn_pair_kinematics_init (
+      &as->kinematics[p], face->normal,
+      qn_vec2_sub (pair->point, as->model->blocks[face->a].centroid),
+      qn_vec2_sub (pair->point, as->model->blocks[face->b].centroid), as->length);
+    as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
+    as->springs[p] = qn_contacts_pair_springs (as->model, contacts, p);
+  }
+}
+
+/* What the inner loops need of faces. */
+static void
+list_faces (QnAssembly *as)
+{
+  as->first_pairs[as->contacts->face_count] = (int32_t) as->pair_count;
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const QnContactFace *face = &as->contacts->faces[f];
+    int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
+    as->first_pairs[f] = face->first_pair;
+    for (int i = 0; i < QN_DOF_COUNT; i++) {
+      unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
+      unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
+    }
+  }
+}
+
+/* Where the rows of settling unknowns stand: the pattern is symmetric, so their columns say
+ * which columns have an entry in them. */
+static bool
+find_settling_rows (QnAssembly *as)
+{
+  size_t count = 0;
+  int32_t next = 0;
+
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    as->settles[i] = true;
+    count += (size_t) (as->ap[i + 1] - as->ap[i]);
+  }
+  as->settling_entries = qn_alloc (count, sizeof *as->settling_entries);
+  if (as->settling_entries == NULL)
+    return false;
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    as->settling[s].first_entry = next;
+    for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)
+      if (as->ai[k] != i)
+        as->settling_entries[next++] = qn_sparse_find (as->ap, as->ai, i, as->ai[k]);
+  }
+  return true;
+}
+
+/* Where a face's 6 x 6 goes in ax. */
+static void
+find_face_places (QnAssembly *as, size_t f)
+{
+  const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
+  int32_t *scatter = as->scatter + 36 * f;
+
+  as->whole[f] = true;
+  for (int i = 0; i < QN_FACE_UNKNOWNS; i++)
+    for (int j = 0; j < QN_FACE_UNKNOWNS; j++) {
+      int32_t place = qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
+      scatter[6 * i + j] = place;
+      if (place == QN_NONE || (i % 3 > 0 && place != scatter[6 * (i - 1) + j] + 1))
+        as->whole[f] = false;
+    }
+}
+
+/* Pattern of K: every block couples with itself and with the blocks it touches. */
+static QnStatus
+build_pattern (QnAssembly *as, QnDiag *diag)
+{
+  const QnContacts *contacts = as->contacts;
+  size_t bodies = qn_model_body_count (as->model);
+  QnSparsePattern pattern;
+  bool ok =
+    qn_sparse_pattern_init (&pattern, as->unknown_count,
+                            bodies * 9 + (contacts->face_count + as->beams.count) * 36);
+
+  for (size_t b = 0; ok && b < bodies; b++)
+    ok = qn_sparse_pattern_add_clique (&pattern, as->unknown + QN_DOF_COUNT * b,
+                                       QN_DOF_COUNT);
+  for (size_t f = 0; ok && f < contacts->face_count; f++)
+    ok = qn_sparse_pattern_add_clique (&pattern, as->face_unknowns + QN_FACE_UNKNOWNS * f,
+                                       QN_FACE_UNKNOWNS);
+  ok = ok && qn_beam_assembly_add_pattern (&as->beams, &pattern);
+  ok = ok && qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
+  qn_sparse_pattern_clear (&pattern);
+  if (ok)
+    as->ax = qn_alloc ((size_t) as->ap[as->unknown_count], sizeof (double));
+  if (!ok || as->ax == NULL)
+    return qn_diag_no_memory (diag);
+
+  for (size_t f = 0; f < contacts->face_count; f++)
+    find_face_places (as, f);
+  qn_beam_assembly_find_places (&as->beams, as->ap, as->ai);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
+  return find_settling_rows (as) ? QN_OK : qn_diag_no_memory (diag);
+}
+
+/* What a body resists acceleration with: its weight, or its area, and the square of the radius of
+ * gyration, m2. */
+typedef struct {
+  double mass, gyration;
+} Inertia;
+
+static Inertia
+body_inertia (const QnAssembly *as, size_t body, bool weightless)
+{
+  const QnModel *model = as->model;
+  Inertia inertia;
+
+  if (body >= model->block_count) {
+    const QnNode *node = &model->nodes[body - model->block_count];
+    const QnBeamShare *share = &as->beams.shares[body - model->block_count];
+    bool rides = node->block != QN_NONE; /* what it carries is carried by its block */
+    inertia.mass = rides ? 0 : weightless ? share->volume : share->weight;
+    inertia.gyration = share->longest * share->longest / 12;
+  } else {
+    const QnBlock *block = &model->blocks[body];
+    inertia.mass = weightless ? block->area : block->weight;
+    inertia.gyration = block->polar_moment / block->area;
+  }
+  return inertia;
+}
+
+/* Mean normal stiffness of a pair; without pairs what a beam as large as the whole offers against
+ * sway, however finely it is cut. */
+static double
+mean_stiffness (const QnAssembly *as)
+{
+  double sum = 0;
+
+  if (as->pair_count == 0)
+    return qn_beam_assembly_stiffness (&as->beams);
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *s = &as->springs[p];
+    sum += log (s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn));
+  }
+  return exp (sum / (double) as->pair_count);
+}
+
+/* The softest spring of all pairs, in either direction, as a part of the mean stiffness, at
+ * most 1: what makes ordinary elastic motion that much larger. */
+static double
+softness (const QnAssembly *as)
+{
+  double softest = as->stiffness;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *s = &as->springs[p];
+    double kn = s->equal ? s->a.kn : 1 / (1 / s->a.kn + 1 / s->b.kn);
+    double ks = s->equal ? s->a.ks : 1 / (1 / s->a.ks + 1 / s->b.ks);
+    softest = fmin (softest, fmin (kn, ks));
+  }
+  return softest / as->stiffness;
+}
+
+/* Diagonal of C: the mean stiffness, distributed like mass (like area where nothing has weight),
+ * with the radius of gyration for rotations. */
+static void
+prepare_damping (QnAssembly *as)
+{
+  const QnModel *model = as->model;
+  size_t bodies = qn_model_body_count (model);
+  double total = 0;
+  bool weightless = true;
+
+  as->stiffness = mean_stiffness (as);
+  as->softness = softness (as);
+  for (size_t b = 0; b < model->block_count && weightless; b++)
+    weightless = model->blocks[b].weight <= 0;
+  for (size_t i = 0; i < model->section_count && weightless; i++)
+    weightless = model->sections[i].unit_weight <= 0;
+  for (size_t b = 0; b < bodies; b++)
+    total += body_inertia (as, b, weightless).mass;
+
+  double mean = total / (double) bodies;
+  for (size_t b = 0; b < bodies; b++) {
+    Inertia inertia = body_inertia (as, b, weightless);
+    double mass = weightless ? inertia.mass : fmax (inertia.mass, 1e-3 * mean);
+    double c = as->stiffness * mass / mean;
+    double gyration = inertia.gyration / (as->length * as->length);
+    for (int i = 0; i < QN_DOF_COUNT; i++) {
+      int32_t unknown = as->unknown[QN_DOF_COUNT * b + (size_t) i];
+      if (unknown != QN_NONE && !as->settles[unknown])
+        as->damping[unknown] = i == QN_DOF_RZ ? c * gyration : c;
+    }
+  }
+}
+
+QnVec2 *
+qn_assembly_points (const QnAssembly *as)
+{
+  const QnModel *model = as->model;
+  QnVec2 *points = qn_alloc ((size_t) as->unknown_count, sizeof *points);
+
+  if (points == NULL)
+    return NULL;
+  for (size_t b = 0; b < qn_model_body_count (model); b++) {
+    QnVec2 point = b < model->block_count ? model->blocks[b].centroid
+                                          : model->nodes[b - model->block_count].at;
+    for (size_t i = 0; i < QN_DOF_COUNT; i++)
+      if (as->unknown[QN_DOF_COUNT * b + i] != QN_NONE)
+        points[as->unknown[QN_DOF_COUNT * b + i]] = point;
+  }
+  return points;
+}
+
+QnStatus
+qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *contacts,
+                   QnDiag *diag)
+{
+  *as = (QnAssembly){ .model = model,
+                      .contacts = contacts,
+                      .length = model->characteristic_length,
+                      .nonlinear = model->analysis.geometry == QN_GEOMETRY_NONLINEAR,
+                      .pair_count = contacts->pair_count };
+
+  if (!number_unknowns (as) || !allocate (as)
+      || !qn_beam_assembly_setup (&as->beams, model, as->unknown)) {
+    qn_assembly_clear (as);
+    return qn_diag_no_memory (diag);
+  }
+  prepare_pairs (as);
+  list_faces (as);
+  QnStatus status = build_pattern (as, diag);
+  if (status == QN_OK) {
+    prepare_damping (as);
+    status = qn_assembly_gather_loads (as, diag);
+  }
+  if (status != QN_OK)
+    qn_assembly_clear (as);
+  return status;
+}
+
+void
+qn_assembly_clear (QnAssembly *as)
+{
+  qn_beam_assembly_clear (&as->beams);
+  free (as->unknown);
+  free (as->kinematics);
+  free (as->gradients);
+  free (as->elongations);
+  free (as->dead_at_rest);
+  free (as->live_at_rest);
+  free (as->eccentric);
+  free (as->springs);
+  free (as->committed);
+  free (as->responses);
+  free (as->dead);
+  free (as->live);
+  free (as->damping);
+  free (as->ap);
+  free (as->ai);
+  free (as->ax);
+  free (as->scatter);
+  free (as->first_pairs);
+  free (as->whole);
+  free (as->diagonal);
+  free (as->settling);
+  free (as->settles);
+  free (as->phases);
+  free (as->stale);
+  free (as->settling_entries);
+  free (as->forces);
+  free (as->face_unknowns);
+  *as = (QnAssembly){ 0 };
+}
+
+/* --- Evaluating ------------------------------------------------------------------------- */
+
+void
+qn_assembly_update_kinematics (QnAssembly *as, const double *u)
+{
+  qn_assembly_move_faces (as, u);
+  qn_beam_assembly_update_kinematics (&as->beams, u);
+  if (as->nonlinear)
+    qn_assembly_turn_loads (as, u);
+  for (size_t s = 0; s < as->settling_count; s++)
+    as->settling[s].u = u[as->settling[s].unknown];
+}
+
+bool
+qn_assembly_evaluate (QnAssembly *as, const double *u)
+{
+  bool ok = true;
+
+  qn_assembly_update_kinematics (as, u);
+  for (size_t p = 0; p < as->pair_count; p++)
+    ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                            &as->responses[p]);
+  qn_beam_assembly_evaluate (&as->beams);
+  return ok;
+}
+
+double
+qn_assembly_residual (const QnAssembly *as, double multiplier, double *residual)
+{
+  return qn_assembly_residual_of (as, multiplier, as->responses[0].force,
+                                  sizeof *as->responses / sizeof (double), residual);
+}
+
+double
+qn_assembly_residual_of (const QnAssembly *as, double multiplier, const double *forces,
+                         size_t stride, double *residual)
+{
+  double scale = as->force_scale;
+
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    residual[i] = as->dead[i] + multiplier * as->live[i];
+    if (fabs (residual[i]) > scale && !as->settles[i])
+      scale = fabs (residual[i]);
+  }
+  qn_assembly_subtract_face_forces (as, forces, stride, residual);
+  qn_beam_assembly_subtract_forces (&as->beams, residual);
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    residual[i] =
+      as->dead[i] + multiplier * as->live[i] - as->stiffness * as->settling[s].u;
+  }
+  return scale;
+}
+
+double
+qn_assembly_gap (const QnAssembly *as, size_t pair)
+{
+  const QnPairMemory *memory = &as->committed[pair];
+  double gap = as->elongations[2 * pair] - memory->a.opening;
+
+  return as->springs[pair].equal ? gap : gap - memory->b.opening;
+}
+
+void
+qn_assembly_commit (QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    as->committed[p] = as->responses[p].memory;
+  qn_beam_assembly_commit (&as->beams);
+}
+
+static void
+expand_unknowns (const QnAssembly *as, const double *u, double *rows)
+{
+  for (size_t i = 0; i < qn_model_body_count (as->model) * QN_DOF_COUNT; i++) {
+    double value = as->unknown[i] == QN_NONE ? 0 : u[as->unknown[i]];
+    rows[i] = i % QN_DOF_COUNT == QN_DOF_RZ ? value / as->length : value;
+  }
+}
+
+double
+qn_assembly_elastic_displacements (const QnAssembly *as, const double *v,
+                                   const double *base)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    largest =
+      fmax (largest, as->damping[i] * fabs (base != NULL ? v[i] - base[i] : v[i]));
+  return as->force_scale > 0 ? as->softness * largest / as->force_scale : 0;
+}
+
+void
+qn_assembly_expand (const QnAssembly *as, const double *u, double *displacements)
+{
+  expand_unknowns (as, u, displacements);
+  qn_model_move_riding_nodes (as->model, as->nonlinear, displacements);
+}
+
+void
+qn_assembly_expand_rates (const QnAssembly *as, const double *u, const double *rates,
+                          double *velocities)
+{
+  const QnModel *model = as->model;
+
+  expand_unknowns (as, rates, velocities);
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    if (node->block == QN_NONE)
+      continue;
+    const int32_t turning = as->unknown[QN_DOF_COUNT * node->block + QN_DOF_RZ];
+    double rz = as->nonlinear && turning != QN_NONE ? u[turning] / as->length : 0;
+    QnVec2 arm = qn_vec2_sub (node->at, model->blocks[node->block].centroid);
+    qn_body_velocity_at (velocities + QN_DOF_COUNT * node->block,
+                         qn_vec2_rotate (arm, cos (rz), sin (rz)),
+                         velocities + QN_DOF_COUNT * (model->block_count + i));
+  }
+}
+
+/* C = A + qa in the frame of the pair,  A = centroid + u_a + arm */
+static QnVec2
+hinge_position (const QnAssembly *as, size_t pair, const double *u)
+{
+  const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[pair].face];
+  const QnPairKinematics *k = &as->kinematics[pair];
+  const double *qa = as->responses[pair].memory.qa;
+  double v[QN_FACE_UNKNOWNS];
+
+  qn_assembly_gather (as, (size_t) as->contacts->pairs[pair].face, u, v);
+  QnVec2 arm = k->turned_a;
+  if (as->model->analysis.geometry == QN_GEOMETRY_LINEAR)
+    arm = qn_vec2_add_scaled (k->arm_a, v[2] / as->length, qn_vec2_perp (k->arm_a));
+  QnVec2 a = qn_vec2_add (as->model->blocks[face->a].centroid, arm);
+  a = qn_vec2_add (a, qn_vec2 (v[0], v[1]));
+  return qn_vec2_add_scaled (qn_vec2_add_scaled (a, qa[0], k->frame), qa[1],
+                             qn_vec2_perp (k->frame));
+}
+
+void
+qn_assembly_pair_results (const QnAssembly *as, const double *u, QnPairResult *results)
+{
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairResponse *response = &as->responses[p];
+    results[p] = (QnPairResult){
+      .state = qn_pair_state (&as->springs[p], response->phase),
+      .normal_force = response->force[0],
+      .shear_force = response->force[1],
+      .has_springs = true,
+      .hinge = hinge_position (as, p, u),
+    };
+    memcpy (results[p].elongation_a, response->memory.qa, sizeof response->memory.qa);
+    memcpy (results[p].elongation_b, response->memory.qb, sizeof response->memory.qb);
+  }
+}

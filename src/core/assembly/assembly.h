@@ -1,0 +1,198 @@
+/* The assembled structure: contact pairs between blocks, and beams, as one nonlinear system.
+ *
+ * Unknowns are the free degrees of freedom of the bodies: blocks, and nodes that stand free.
+ * Rotations are multiplied by the model's characteristic length L, moments divided by it, so that
+ * every unknown is in m, every force in N and every entry of the tangent stiffness in N/m.
+ *
+ *   residual   R(u, lambda) = F_dead + lambda F_live - P(u)
+ *   tangent    K = dP / du   (unsymmetric where dilatancy differs from friction)
+ *
+ * Pairs have a committed memory, from which every evaluation starts, and a trial memory,
+ * which the last evaluation left. qn_assembly_commit() makes the trial the committed one.
+ */
+#ifndef QN_CORE_ASSEMBLY_H
+#define QN_CORE_ASSEMBLY_H
+
+#include "core/assembly/beam-assembly.h"
+#include "core/contact/contact-pair.h"
+#include "core/contact/contacts.h"
+#include "core/contact/pair-kinematics.h"
+#include "core/model/model.h"
+#include "core/result/result.h"
+
+/* A force that acts away from the centroid of its block: in nonlinear geometry its arm turns. */
+typedef struct QnEccentricLoad {
+  int32_t unknown;   /* rotation of the block */
+  int32_t set;       /* of the load; QN_NONE: dead */
+  double dead, live; /* its parts in the dead and the live loads */
+  QnVec2 arm;        /* undeformed, m */
+  QnVec2 turned;     /* the arm at the last evaluation */
+  QnVec2 force;      /* N */
+} QnEccentricLoad;
+
+/* A supported degree of freedom that settles. It is an unknown with an equation of its own in
+ * place of equilibrium,
+ *
+ *   k (dead + lambda live - u) = 0
+ *
+ * where k is a stiffness of the structure's size and the entries of the load vectors hold k
+ * times the settlement. So a path may drive it like a load. */
+typedef struct QnSettling {
+  int32_t unknown;
+  QnId block;
+  QnDof dof;
+  double u;            /* at the last evaluation, m */
+  int32_t first_entry; /* of its row in QnAssembly.settling_entries */
+} QnSettling;
+
+/* Unknowns that a face couples: three of either block. */
+#define QN_FACE_UNKNOWNS 6
+
+typedef struct QnAssembly {
+  const QnModel *model;
+  const QnContacts *contacts;
+  double length;  /* L, m */
+  bool nonlinear; /* equilibrium in the deformed configuration */
+
+  int32_t unknown_count;
+  int32_t
+    *unknown; /* body_count x 3: index of the unknown, or QN_NONE where fixed or moved
+                       by another body */
+  QnSettling *settling;
+  size_t settling_count;
+  bool *settles;             /* unknown_count: whether it is a support's */
+  int32_t *settling_entries; /* where the rows of settling unknowns stand in ax, diagonals
+                                left out */
+
+  size_t pair_count;
+  QnPairKinematics
+    *kinematics; /* of the last evaluation in nonlinear geometry, or at rest */
+  QnPairGradient *gradients; /* of the last evaluation */
+  double
+    *elongations; /* pair_count x 2, and what is missing to a multiple of eight pairs: the
+                          same, m */
+  QnPairSprings *springs;
+  QnPairMemory *committed;   /* from which every evaluation starts */
+  QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
+
+  QnBeamAssembly beams;
+
+  double *dead,
+    *live; /* loads on the unknowns, N; in nonlinear geometry of the last evaluation */
+  double *dead_at_rest, *live_at_rest;
+  double held[QN_MAX_LOAD_SETS], driven[QN_MAX_LOAD_SETS]; /* factors of the sets */
+  QnEccentricLoad *eccentric;
+  size_t eccentric_count;
+  double *damping;  /* diagonal of C, N/m: see qn_assembly_tangent() */
+  double *forces;   /* scratch, body_count x 3 */
+  double stiffness; /* mean normal stiffness of a pair, N/m */
+  double softness;  /* of the softest spring of a pair, over that; <= 1 */
+  double
+    force_scale; /* largest dead load on a block, or live load where there is none, N */
+
+  int32_t *ap, *ai; /* pattern of K in compressed columns, rows sorted */
+  double *ax;
+  bool is_tangent;          /* ax is the tangent of `phases`, */
+  double tangent_viscosity; /* and of this viscosity */
+  int16_t *phases;          /* pair_count */
+  bool *stale;              /* scratch, a body */
+  int32_t *first_pairs;     /* face_count + 1: the first pair of each face */
+  int32_t *face_unknowns;   /* face_count x 6, QN_NONE where fixed */
+  int32_t *scatter; /* face_count x 36: where a face's 6 x 6 goes in ax, or QN_NONE */
+  bool *
+    whole; /* face_count: whether the three rows of either block stand one below the other
+                  in every column */
+  int32_t *diagonal; /* unknown_count: where the diagonal stands in ax */
+} QnAssembly;
+
+/* Prepares everything that does not change during an analysis. `assembly` is overwritten
+ * without being cleared; the model and the contacts must outlive it. */
+QnStatus qn_assembly_setup (QnAssembly *assembly, const QnModel *model,
+                            const QnContacts *contacts, QnDiag *diag);
+
+void qn_assembly_clear (QnAssembly *assembly);
+
+/* Where the bodies of all unknowns stand; NULL when memory runs out. */
+QnVec2 *qn_assembly_points (const QnAssembly *assembly);
+
+/* Makes "dead" the dead loads and every set times its factor in `held`, "live" every set times
+ * its factor in `driven`; QN_MAX_LOAD_SETS factors each. At first nothing is held, and the live
+ * loads (set 0) are driven. */
+void qn_assembly_set_loads (QnAssembly *assembly, const double *held,
+                            const double *driven);
+
+/* Evaluates every pair at the displacements u (unknown_count). Returns false where a pair's
+ * internal iteration failed. */
+bool qn_assembly_evaluate (QnAssembly *assembly, const double *u);
+
+/* Brings the kinematics of pairs and loads to displacements u, without evaluating forces: for
+ * taking up responses that were kept from an earlier evaluation at u. */
+void qn_assembly_update_kinematics (QnAssembly *assembly, const double *u);
+
+/* residual = F_dead + multiplier F_live - P of the last evaluation. Returns the largest load on
+ * any unknown at this multiplier (at least force_scale), N, to measure the residual by. */
+double qn_assembly_residual (const QnAssembly *assembly, double multiplier,
+                             double *residual);
+
+/* The same with other forces of the pairs: that of pair p stands at forces[p x stride]. */
+double qn_assembly_residual_of (const QnAssembly *assembly, double multiplier,
+                                const double *forces, size_t stride, double *residual);
+
+/* Assembles ax = K + viscosity C of the last evaluation, K = -dR/du at this multiplier (which
+ * matters in nonlinear geometry only). C is a diagonal of stiffness size, distributed over the
+ * blocks like their mass. */
+void qn_assembly_tangent (QnAssembly *assembly, double multiplier, double viscosity);
+
+/* Whoever changes ax by hand says so: what is there of the last tangent is used for the next. */
+static inline void
+qn_assembly_forget_tangent (QnAssembly *assembly)
+{
+  assembly->is_tangent = false;
+}
+
+/* The same with other tangents of the pairs: that of pair p, 2 x 2 by rows, stands at
+ * tangents[p x stride]. */
+void qn_assembly_tangent_of (QnAssembly *assembly, double multiplier, double viscosity,
+                             const double *tangents, size_t stride);
+
+/* The same with settling supports held: their rows and columns are empty but for the diagonal,
+ * so that K is symmetric where the pairs' tangents are. */
+void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
+
+/* Whether the tangent last assembled is symmetric. */
+bool qn_assembly_is_symmetric (const QnAssembly *assembly);
+
+/* What the supports do: the forces (body_count x 3: N, N, N m about the centroid or node where
+ * the body has moved to) that the ground exerts on fixed degrees of freedom at the last evaluation
+ * with its loads at this multiplier; 0 for free ones. */
+void qn_assembly_reactions (QnAssembly *assembly, double multiplier, double *reactions);
+
+/* Accepts the last evaluation as the state from which further ones start. */
+void qn_assembly_commit (QnAssembly *assembly);
+
+/* Opening of a pair at the last evaluation, beyond what the committed memory holds of
+ * dilatancy, m: positive where the joint is open. */
+double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
+
+/* rates (pair_count x 2) = dq/du v of every pair at the last evaluation. */
+void qn_assembly_elongation_rates (const QnAssembly *assembly, const double *v,
+                                   double *rates);
+
+/* Largest displacement of v (unknowns), or of its difference from `base` unless that is NULL,
+ * in elastic displacements: load over the stiffness of the softest spring. */
+double qn_assembly_elastic_displacements (const QnAssembly *assembly, const double *v,
+                                          const double *base);
+
+/* Displacements of bodies (body_count x 3: m, m, rad) from unknowns. */
+void qn_assembly_expand (const QnAssembly *assembly, const double *u,
+                         double *displacements);
+
+/* The same for velocities or modes about the configuration u. */
+void qn_assembly_expand_rates (const QnAssembly *assembly, const double *u,
+                               const double *rates, double *velocities);
+
+/* State, forces and springs of every pair at the last evaluation, which was at u. */
+void qn_assembly_pair_results (const QnAssembly *assembly, const double *u,
+                               QnPairResult *results);
+
+#endif

@@ -1,0 +1,526 @@
+#include "core/assembly/beam-assembly.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Setting up ------------------------------------------------------------------------- */
+
+QnBeamProperties
+qn_beam_properties (const QnModel *model, QnId index)
+{
+  const QnBeamElement *element = &model->elements[index];
+  const QnBeam *beam = &model->beams[element->beam];
+  const QnSection *section = &model->sections[beam->section];
+  const double plastic = qn_section_plastic_moment (section);
+  QnBeamProperties p = { .chord = qn_vec2_sub (model->nodes[element->nodes[1]].at,
+                                               model->nodes[element->nodes[0]].at) };
+
+  p.length = qn_vec2_length (p.chord);
+  p.axial = section->young * section->area / p.length;
+  p.bending = section->young * section->inertia / p.length;
+  if (beam->kind == QN_BEAM_TIMOSHENKO)
+    p.phi = 12 * p.bending
+            / (section->shear_factor * qn_section_shear_modulus (section) * section->area
+               * p.length);
+  for (int end = 0; end < 2; end++) {
+    p.moments[end] = element->yields[end] ? plastic : INFINITY;
+    if (element->hinge[end])
+      p.moments[end] = 0;
+  }
+  if (model->gravity > 0) {
+    double density = section->unit_weight / model->gravity;
+    p.mass = density * section->area;
+    /* Euler and Bernoulli neglect the inertia of turning together with the shear. */
+    p.rotary = beam->kind == QN_BEAM_TIMOSHENKO ? density * section->inertia : 0;
+  }
+  return p;
+}
+
+static void
+place (QnBeamAssembly *as, size_t index, const int32_t *unknowns)
+{
+  const QnModel *model = as->model;
+  const QnBeamElement *element = &model->elements[index];
+  QnAssembledBeam *beam = &as->beams[index];
+
+  beam->properties = qn_beam_properties (model, (QnId) index);
+  for (int end = 0; end < 2; end++) {
+    const QnNode *node = &model->nodes[element->nodes[end]];
+    size_t body = qn_model_node_body (model, element->nodes[end]);
+    if (node->block != QN_NONE)
+      beam->arms[end] = qn_vec2_sub (node->at, model->blocks[node->block].centroid);
+    beam->turned[end] = beam->arms[end];
+    for (int i = 0; i < QN_DOF_COUNT; i++)
+      beam->unknowns[3 * end + i] = unknowns[QN_DOF_COUNT * body + (size_t) i];
+  }
+  qn_beam_kinematics_init (&beam->kinematics, &beam->properties);
+}
+
+static void
+share_out (QnBeamAssembly *as)
+{
+  const QnModel *model = as->model;
+
+  for (size_t i = 0; i < as->count; i++) {
+    const QnBeamElement *element = &model->elements[i];
+    const QnSection *section = &model->sections[model->beams[element->beam].section];
+    double length = as->beams[i].properties.length;
+    for (int end = 0; end < 2; end++) {
+      QnBeamShare *share = &as->shares[element->nodes[end]];
+      share->weight += 0.5 * length * qn_section_weight (section);
+      share->volume += 0.5 * length * section->area;
+      share->longest = fmax (share->longest, length);
+    }
+  }
+}
+
+double
+qn_beam_assembly_stiffness (const QnBeamAssembly *as)
+{
+  const QnModel *model = as->model;
+  QnVec2 low = { INFINITY, INFINITY }, high = { -INFINITY, -INFINITY };
+  double sum = 0;
+
+  if (as->count == 0)
+    return 1;
+  for (size_t i = 0; i < model->node_count; i++) {
+    QnVec2 at = model->nodes[i].at;
+    low = qn_vec2 (fmin (low.x, at.x), fmin (low.y, at.y));
+    high = qn_vec2 (fmax (high.x, at.x), fmax (high.y, at.y));
+  }
+  double extent = qn_vec2_length (qn_vec2_sub (high, low));
+  for (size_t i = 0; i < as->count; i++) {
+    const QnBeamProperties *p = &as->beams[i].properties;
+    sum += log (12 * p->bending * p->length / (extent * extent * extent));
+  }
+  return exp (sum / (double) as->count);
+}
+
+bool
+qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t *unknowns)
+{
+  size_t count = model->element_count;
+
+  *as = (QnBeamAssembly){ .model = model,
+                          .length = model->characteristic_length,
+                          .nonlinear = model->analysis.geometry == QN_GEOMETRY_NONLINEAR,
+                          .count = count };
+  as->beams = qn_alloc (count, sizeof *as->beams);
+  as->committed = qn_alloc (count, sizeof *as->committed);
+  as->responses = qn_alloc (count, sizeof *as->responses);
+  as->loads[0] = qn_alloc (count, sizeof *as->loads[0]);
+  as->loads[1] = qn_alloc (count, sizeof *as->loads[1]);
+  as->scratch = qn_alloc (count, sizeof *as->scratch);
+  as->assembled_phases = qn_alloc (count, sizeof *as->assembled_phases);
+  as->shares = qn_alloc (model->node_count, sizeof *as->shares);
+  if (!(as->beams && as->committed && as->responses && as->loads[0] && as->loads[1]
+        && as->scratch && as->assembled_phases && as->shares))
+    return false;
+
+  for (size_t i = 0; i < count; i++)
+    place (as, i, unknowns);
+  share_out (as);
+  return true;
+}
+
+void
+qn_beam_assembly_clear (QnBeamAssembly *as)
+{
+  free (as->beams);
+  free (as->committed);
+  free (as->responses);
+  free (as->loads[0]);
+  free (as->loads[1]);
+  free (as->scratch);
+  free (as->assembled_phases);
+  free (as->shares);
+  *as = (QnBeamAssembly){ 0 };
+}
+
+bool
+qn_beam_assembly_add_pattern (const QnBeamAssembly *as, QnSparsePattern *pattern)
+{
+  for (size_t i = 0; i < as->count; i++)
+    if (!qn_sparse_pattern_add_clique (pattern, as->beams[i].unknowns, 6))
+      return false;
+  return true;
+}
+
+void
+qn_beam_assembly_find_places (QnBeamAssembly *as, const int32_t *ap, const int32_t *ai)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    QnAssembledBeam *beam = &as->beams[b];
+    for (int i = 0; i < 6; i++)
+      for (int j = 0; j < 6; j++)
+        beam->scatter[6 * i + j] =
+          qn_sparse_find (ap, ai, beam->unknowns[i], beam->unknowns[j]);
+  }
+}
+
+/* --- Bodies and nodes -------------------------------------------------------------------- */
+
+/* dv / dx = T: displacements of the nodes from those of the bodies,
+ *   v = u + perp (r) rz,  rz = x / L */
+static void
+transform (const QnAssembledBeam *beam, double length, double t[6][6])
+{
+  memset (t, 0, 36 * sizeof (double));
+  for (int end = 0; end < 2; end++) {
+    const int k = 3 * end;
+    t[k][k] = t[k + 1][k + 1] = 1;
+    t[k][k + 2] = -beam->turned[end].y / length;
+    t[k + 1][k + 2] = beam->turned[end].x / length;
+    t[k + 2][k + 2] = 1 / length;
+  }
+}
+
+/* out = T' k T */
+static void
+transform_matrix (double t[6][6], double k[6][6], double out[6][6])
+{
+  double kt[6][6];
+
+  for (int i = 0; i < 6; i++)
+    for (int j = 0; j < 6; j++) {
+      kt[i][j] = 0;
+      for (int m = 0; m < 6; m++)
+        kt[i][j] += k[i][m] * t[m][j];
+    }
+  for (int i = 0; i < 6; i++)
+    for (int j = 0; j < 6; j++) {
+      out[i][j] = 0;
+      for (int m = 0; m < 6; m++)
+        out[i][j] += t[m][i] * kt[m][j];
+    }
+}
+
+/* Forces on the nodes that the element exerts on itself: P = G' s */
+static void
+node_forces (const QnAssembledBeam *beam, const QnBeamResponse *response, double p[6])
+{
+  for (int j = 0; j < 6; j++) {
+    p[j] = 0;
+    for (int i = 0; i < 3; i++)
+      p[j] += beam->kinematics.gradient[i][j] * response->force[i];
+  }
+}
+
+void
+qn_beam_assembly_update_kinematics (QnBeamAssembly *as, const double *u)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    QnAssembledBeam *beam = &as->beams[b];
+    double v[6];
+
+    for (int i = 0; i < 6; i++)
+      v[i] = beam->unknowns[i] == QN_NONE ? 0 : u[beam->unknowns[i]];
+    for (int end = 0; end < 2; end++) {
+      double *at = v + 3 * end;
+      at[2] /= as->length;
+      QnVec2 moved = as->nonlinear
+                       ? qn_vec2_turn_away (beam->arms[end], at[2])
+                       : qn_vec2_scale (at[2], qn_vec2_perp (beam->arms[end]));
+      if (as->nonlinear)
+        beam->turned[end] = qn_vec2_add (beam->arms[end], moved);
+      at[0] += moved.x;
+      at[1] += moved.y;
+    }
+    qn_beam_kinematics_update (&beam->kinematics, &beam->properties, v, as->nonlinear);
+  }
+}
+
+/* --- Loads ------------------------------------------------------------------------------- */
+
+static bool
+can_yield (const QnBeamProperties *p)
+{
+  return (p->moments[0] > 0 && isfinite (p->moments[0]))
+         || (p->moments[1] > 0 && isfinite (p->moments[1]));
+}
+
+/* Moments that hold a distributed load q (N/m, in the axes of the model) at the ends. */
+static void
+held_moments (const QnBeamAssembly *as, size_t element, QnVec2 q, double moments[2])
+{
+  const QnAssembledBeam *beam = &as->beams[element];
+
+  moments[0] = moments[1] = 0;
+  if (!as->nonlinear && !can_yield (&beam->properties))
+    qn_beam_fixed_end_moments (
+      &beam->properties, qn_vec2_dot (q, qn_vec2_perp (beam->kinematics.axis)), moments);
+}
+
+void
+qn_beam_assembly_set_loads (QnBeamAssembly *as, const double *held, const double *driven)
+{
+  qn_model_element_loads (as->model, driven, as->loads[1]);
+  qn_model_element_loads (as->model, held, as->loads[0]);
+  qn_model_element_loads (as->model, NULL, as->scratch);
+  for (size_t b = 0; b < as->count; b++)
+    as->loads[0][b] = qn_vec2_add (as->loads[0][b], as->scratch[b]);
+}
+
+/* What a load q on an element puts on its two nodes: forces, and moments. */
+static void
+node_loads (const QnBeamAssembly *as, size_t element, QnVec2 q, QnVec2 forces[2],
+            double moments[2])
+{
+  const QnAssembledBeam *beam = &as->beams[element];
+  QnVec2 half = qn_vec2_scale (0.5 * beam->properties.length, q);
+  double held[2];
+
+  held_moments (as, element, q, held);
+  /* The chord turns the difference of the moments into a couple of end forces. */
+  QnVec2 couple = qn_vec2_scale ((held[0] + held[1]) / beam->properties.length,
+                                 qn_vec2_perp (beam->kinematics.axis));
+  forces[0] = qn_vec2_sub (half, couple);
+  forces[1] = qn_vec2_add (half, couple);
+  moments[0] = -held[0];
+  moments[1] = -held[1];
+}
+
+void
+qn_beam_assembly_add_loads (const QnBeamAssembly *as, const QnVec2 *q, double *loads)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    QnVec2 forces[2];
+    double moments[2];
+
+    node_loads (as, b, q[b], forces, moments);
+    for (int end = 0; end < 2; end++) {
+      const int32_t *unknown = beam->unknowns + 3 * end;
+      double moment = moments[end] + qn_vec2_cross (beam->arms[end], forces[end]);
+      if (unknown[0] != QN_NONE)
+        loads[unknown[0]] += forces[end].x;
+      if (unknown[1] != QN_NONE)
+        loads[unknown[1]] += forces[end].y;
+      if (unknown[2] != QN_NONE)
+        loads[unknown[2]] += moment / as->length;
+    }
+  }
+}
+
+void
+qn_beam_assembly_turn_loads (const QnBeamAssembly *as, const QnVec2 *q, double *loads)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    QnVec2 half = qn_vec2_scale (0.5 * beam->properties.length, q[b]);
+    for (int end = 0; end < 2; end++) {
+      QnVec2 moved = qn_vec2_sub (beam->turned[end], beam->arms[end]);
+      int32_t unknown = beam->unknowns[3 * end + 2];
+      if (unknown != QN_NONE)
+        loads[unknown] += qn_vec2_cross (moved, half) / as->length;
+    }
+  }
+}
+
+/* A force at the arm r of a block that turns loses -d(r x F)/drz = r . F of its moment. */
+void
+qn_beam_assembly_add_load_stiffness (const QnBeamAssembly *as, double multiplier,
+                                     double *ax)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    QnVec2 q = qn_vec2_add_scaled (as->loads[0][b], multiplier, as->loads[1][b]);
+    QnVec2 half = qn_vec2_scale (0.5 * beam->properties.length, q);
+    for (int end = 0; end < 2; end++) {
+      int32_t place = beam->scatter[7 * (3 * end + 2)];
+      if (place != QN_NONE)
+        ax[place] += qn_vec2_dot (beam->turned[end], half) / (as->length * as->length);
+    }
+  }
+}
+
+void
+qn_beam_assembly_add_body_forces (const QnBeamAssembly *as, double multiplier,
+                                  double *forces)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    QnVec2 q = qn_vec2_add_scaled (as->loads[0][b], multiplier, as->loads[1][b]),
+           loads[2];
+    double p[6], moments[2];
+
+    node_forces (beam, &as->responses[b], p);
+    node_loads (as, b, q, loads, moments);
+    for (int end = 0; end < 2; end++) {
+      size_t body = qn_model_node_body (as->model, as->model->elements[b].nodes[end]);
+      double *out = forces + QN_DOF_COUNT * body;
+      QnVec2 force = qn_vec2_sub (qn_vec2 (p[3 * end], p[3 * end + 1]), loads[end]);
+      out[QN_DOF_UX] += force.x;
+      out[QN_DOF_UY] += force.y;
+      out[QN_DOF_RZ] +=
+        p[3 * end + 2] - moments[end] + qn_vec2_cross (beam->turned[end], force);
+    }
+  }
+}
+
+/* --- Evaluating ------------------------------------------------------------------------- */
+
+void
+qn_beam_assembly_evaluate (QnBeamAssembly *as)
+{
+  for (size_t b = 0; b < as->count; b++)
+    qn_beam_evaluate (&as->beams[b].properties, &as->committed[b],
+                      as->beams[b].kinematics.deformation, &as->responses[b]);
+}
+
+void
+qn_beam_assembly_subtract_forces (const QnBeamAssembly *as, double *residual)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    double p[6];
+
+    node_forces (beam, &as->responses[b], p);
+    for (int end = 0; end < 2; end++) {
+      const int k = 3 * end;
+      QnVec2 force = qn_vec2 (p[k], p[k + 1]);
+      p[k + 2] = (p[k + 2] + qn_vec2_cross (beam->turned[end], force)) / as->length;
+    }
+    for (int i = 0; i < 6; i++)
+      if (beam->unknowns[i] != QN_NONE)
+        residual[beam->unknowns[i]] -= p[i];
+  }
+}
+
+/* k = T' (G' D G + geometric) T - r . F of arms that turn */
+static void
+element_tangent (const QnBeamAssembly *as, size_t index, double out[6][6])
+{
+  const QnAssembledBeam *beam = &as->beams[index];
+  const QnBeamResponse *response = &as->responses[index];
+  const double (*g)[6] = beam->kinematics.gradient;
+  double k[6][6], t[6][6], p[6];
+
+  for (int j = 0; j < 6; j++) {
+    double dg[3];
+    for (int i = 0; i < 3; i++) {
+      dg[i] = 0;
+      for (int m = 0; m < 3; m++)
+        dg[i] += response->tangent[i][m] * g[m][j];
+    }
+    for (int i = 0; i < 6; i++)
+      k[i][j] = g[0][i] * dg[0] + g[1][i] * dg[1] + g[2][i] * dg[2];
+  }
+  if (as->nonlinear)
+    qn_beam_kinematics_add_stiffness (&beam->kinematics, response->force, k);
+  transform (beam, as->length, t);
+  transform_matrix (t, k, out);
+  if (!as->nonlinear)
+    return;
+  node_forces (beam, response, p);
+  for (int end = 0; end < 2; end++)
+    out[3 * end + 2][3 * end + 2] -=
+      qn_vec2_dot (beam->turned[end], qn_vec2 (p[3 * end], p[3 * end + 1]))
+      / (as->length * as->length);
+}
+
+static void
+add_matrix (const QnAssembledBeam *beam, double k[6][6], double *ax)
+{
+  for (int i = 0; i < 36; i++)
+    if (beam->scatter[i] != QN_NONE)
+      ax[beam->scatter[i]] += k[i / 6][i % 6];
+}
+
+void
+qn_beam_assembly_add_tangent (QnBeamAssembly *as, double *ax)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    double k[6][6];
+    element_tangent (as, b, k);
+    add_matrix (&as->beams[b], k, ax);
+    as->assembled_phases[b] = as->responses[b].phase;
+  }
+}
+
+void
+qn_beam_assembly_add_mass (const QnBeamAssembly *as, double *ax)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    double m[6][6], t[6][6], out[6][6];
+    QnBeamProperties now = as->beams[b].properties;
+
+    /* Along the chord as it lies, with the mass of the undeformed length. */
+    now.chord = qn_vec2_scale (now.length, as->beams[b].kinematics.axis);
+    qn_beam_mass (&now, m);
+    transform (&as->beams[b], as->length, t);
+    transform_matrix (t, m, out);
+    add_matrix (&as->beams[b], out, ax);
+  }
+}
+
+bool
+qn_beam_assembly_has_changed (const QnBeamAssembly *as)
+{
+  for (size_t b = 0; b < as->count; b++)
+    if (as->assembled_phases[b] != as->responses[b].phase)
+      return true;
+  return false;
+}
+
+void
+qn_beam_assembly_commit (QnBeamAssembly *as)
+{
+  for (size_t b = 0; b < as->count; b++)
+    as->committed[b] = as->responses[b].memory;
+}
+
+void
+qn_beam_assembly_forces (const QnBeamAssembly *as, double multiplier,
+                         QnBeamForces *forces)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    const double *force = as->responses[b].force;
+    QnVec2 q = qn_vec2_add_scaled (as->loads[0][b], multiplier, as->loads[1][b]);
+    QnVec2 x = beam->kinematics.axis, y = qn_vec2_perp (x);
+    double half = 0.5 * beam->properties.length, held[2];
+
+    held_moments (as, b, q, held);
+    double first = force[1] + held[0], second = force[2] + held[1];
+    double shear = (first + second) / beam->kinematics.length;
+    double along = half * qn_vec2_dot (q, x), across = half * qn_vec2_dot (q, y);
+    forces[b] = (QnBeamForces){ .normal = { force[0] + along, force[0] - along },
+                                .shear = { shear - across, shear + across },
+                                .moment = { -first, second } };
+  }
+}
+
+/* --- States ----------------------------------------------------------------------------- */
+
+bool
+qn_beam_state_init (QnBeamState *state, const QnBeamAssembly *as)
+{
+  state->memory = qn_alloc (as->count, sizeof *state->memory);
+  state->responses = qn_alloc (as->count, sizeof *state->responses);
+  return state->memory && state->responses;
+}
+
+void
+qn_beam_state_clear (QnBeamState *state)
+{
+  free (state->memory);
+  free (state->responses);
+}
+
+void
+qn_beam_state_save (QnBeamState *state, const QnBeamAssembly *as)
+{
+  memcpy (state->memory, as->committed, as->count * sizeof *state->memory);
+  memcpy (state->responses, as->responses, as->count * sizeof *state->responses);
+}
+
+void
+qn_beam_state_load (const QnBeamState *state, QnBeamAssembly *as)
+{
+  memcpy (as->committed, state->memory, as->count * sizeof *state->memory);
+  memcpy (as->responses, state->responses, as->count * sizeof *state->responses);
+}

@@ -1,0 +1,85 @@
+/* Mechanics of one beam element in its basic system: two ends, six displacements.
+ *
+ * A rigid motion leaves three deformations: elongation e of the chord and the rotations of
+ * both ends against it. With the shear number phi = 12 EI / (k G A L^2), 0 for Euler and
+ * Bernoulli,
+ *
+ *   N = EA/L e
+ *   M = EI / (L (1 + phi)) [4 + phi, 2 - phi; 2 - phi, 4 + phi] theta
+ *
+ * is exact for a Timoshenko beam under end forces. In nonlinear geometry the chord follows
+ * the ends (corotational: Crisfield 1991, Non-linear Finite Element Analysis of Solids and
+ * Structures 1, section 7.3), rotations are of any size, deformations against the chord small.
+ *
+ * An end may be hinged, or yield at the plastic moment: its rotation is then the sum of the
+ * beam's and the hinge's, and the hinge turns as much as brings the moment back to its limit
+ * (return mapping; a hinge is one with plastic moment 0). Perfectly plastic.
+ *
+ * Moments M on the ends are counter-clockwise; displacements in the order u1 v1 r1 u2 v2 r2.
+ */
+#ifndef QN_CORE_BEAM_ELEMENT_H
+#define QN_CORE_BEAM_ELEMENT_H
+
+#include "core/model/beam.h"
+
+typedef struct QnBeamProperties {
+  QnVec2 chord;      /* from end to end, undeformed, m */
+  double length;     /* m */
+  double axial;      /* EA/L, N/m */
+  double bending;    /* EI/L, N m */
+  double phi;        /* shear number */
+  double moments[2]; /* plastic moments of the ends: 0 hinged, INFINITY rigid */
+  double mass;       /* kg/m */
+  double rotary;     /* rho I, kg m */
+} QnBeamProperties;
+
+/* What a yielding end remembers, rad. */
+typedef struct QnBeamMemory {
+  double plastic[2];
+} QnBeamMemory;
+
+typedef struct QnBeamResponse {
+  QnBeamMemory memory;
+  double force[3];      /* N, M1, M2 */
+  double tangent[3][3]; /* d force / d (e, theta1, theta2) */
+  int8_t phase;         /* which ends yield, and in which sense; 0: none */
+} QnBeamResponse;
+
+/* Where the element is and how its deformations depend on its displacements. */
+typedef struct QnBeamKinematics {
+  double deformation[3]; /* e, theta1, theta2 */
+  double gradient[3][6];
+  QnVec2 axis;   /* unit, along the chord */
+  double length; /* of the chord, m */
+} QnBeamKinematics;
+
+void qn_beam_kinematics_init (QnBeamKinematics *kinematics,
+                              const QnBeamProperties *properties);
+
+/* At displacements v (m, m, rad, twice); linear geometry leaves the gradient as it was. */
+void qn_beam_kinematics_update (QnBeamKinematics *kinematics,
+                                const QnBeamProperties *properties, const double v[6],
+                                bool nonlinear);
+
+/* Adds N and M times the second derivatives of the deformations. */
+void qn_beam_kinematics_add_stiffness (const QnBeamKinematics *kinematics,
+                                       const double force[3], double k[6][6]);
+
+/* Forces and consistent tangent at a deformation, from the committed memory. */
+void qn_beam_evaluate (const QnBeamProperties *properties, const QnBeamMemory *committed,
+                       const double deformation[3], QnBeamResponse *response);
+
+/* Moments on the ends that hold a load q (N/m along y) over the length; hinged ends hold
+ * none. */
+void qn_beam_fixed_end_moments (const QnBeamProperties *properties, double q,
+                                double moments[2]);
+
+/* Consistent mass matrix for v, by the shape functions of the linear element. */
+void qn_beam_mass (const QnBeamProperties *properties, double mass[6][6]);
+
+/* Displacement of the axis against the chord at x = s L, along y, m. From the section moments at
+ * the ends (see QnBeamForces), so that hinges show as kinks; q: N/m along y. */
+double qn_beam_deflection (const QnBeamProperties *properties, const double moments[2],
+                           double q, double s);
+
+#endif

@@ -1,0 +1,112 @@
+/* Broad phase: which of many axis-parallel boxes meet a given box.
+ *
+ * A static tree of boxes, packed along a Hilbert curve. Chosen over a uniform grid because it
+ * needs no cell size: a foundation a thousand times longer than the bricks on it, or a crowd of
+ * splinters in one corner, costs nothing extra. Building takes O(n log n), a query O(log n + k)
+ * for well-separated boxes. Source: Kamel & Faloutsos, "On packing R-trees" (1993).
+ */
+#ifndef QN_CORE_BOX_TREE_H
+#define QN_CORE_BOX_TREE_H
+
+#include "core/base/base.h"
+#include "core/base/vec2.h"
+
+typedef struct QnBox {
+  QnVec2 min, max; /* m, min <= max */
+} QnBox;
+
+#define QN_BOX_TREE_FANOUT     8
+#define QN_BOX_TREE_MAX_LEVELS 12 /* 8^11 items are more than a QnId can number */
+
+typedef struct QnBoxTree {
+  QnBox
+    *nodes; /* owned: the items' boxes in tree order, then level by level to the root */
+  QnId *items; /* owned: item in each of the first item_count nodes */
+  size_t item_count;
+  size_t level_starts[QN_BOX_TREE_MAX_LEVELS]; /* of the nodes */
+  size_t level_sizes[QN_BOX_TREE_MAX_LEVELS];
+  int32_t level_count; /* 0 for an empty tree */
+} QnBoxTree;
+
+/* One walk through the tree; several may be under way at once. */
+typedef struct QnBoxQuery {
+  const QnBoxTree *tree;
+  QnBox box;
+  int32_t level;
+  size_t cursor[QN_BOX_TREE_MAX_LEVELS], end[QN_BOX_TREE_MAX_LEVELS];
+} QnBoxQuery;
+
+/* Builds the tree of `count` boxes, which are copied; item i is boxes[i]. `tree` is overwritten
+ * without being cleared. False when memory runs out, with the tree empty. */
+bool qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count);
+
+void qn_box_tree_clear (QnBoxTree *tree);
+
+/* Starts a walk over the items whose boxes meet `box`; touching counts. */
+QnBoxQuery qn_box_tree_query (const QnBoxTree *tree, QnBox box);
+
+/* The next item, or QN_NONE. The order depends on the boxes alone. */
+QnId qn_box_query_next (QnBoxQuery *query);
+
+/* Pairs of items. */
+typedef struct QnBoxPairs {
+  QnId (*items)[2]; /* owned */
+  size_t count, capacity;
+} QnBoxPairs;
+
+/* Appends all pairs of items whose boxes meet once one of the two is grown by `margin` (m), each
+ * pair once, in an order that depends on the boxes alone. The tree is walked against itself, which
+ * takes O(n + k) for well-separated boxes. False when memory runs out. */
+bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, QnBoxPairs *pairs);
+
+void qn_box_pairs_clear (QnBoxPairs *pairs);
+
+/* The smaller and the larger of two finite numbers; fmin and fmax would be calls, for the sake of
+ * NaN. */
+static inline double
+qn_min (double a, double b)
+{
+  return a < b ? a : b;
+}
+
+static inline double
+qn_max (double a, double b)
+{
+  return a > b ? a : b;
+}
+
+/* Smallest box around two points. */
+static inline QnBox
+qn_box_of_segment (QnVec2 p, QnVec2 q)
+{
+  return (QnBox){ { qn_min (p.x, q.x), qn_min (p.y, q.y) },
+                  { qn_max (p.x, q.x), qn_max (p.y, q.y) } };
+}
+
+static inline QnBox
+qn_box_union (QnBox a, QnBox b)
+{
+  return (QnBox){ { qn_min (a.min.x, b.min.x), qn_min (a.min.y, b.min.y) },
+                  { qn_max (a.max.x, b.max.x), qn_max (a.max.y, b.max.y) } };
+}
+
+static inline QnBox
+qn_box_grow (QnBox box, double margin)
+{
+  return (QnBox){ { box.min.x - margin, box.min.y - margin },
+                  { box.max.x + margin, box.max.y + margin } };
+}
+
+/* Whether two boxes have a point in common. All four comparisons in one: which of them fails cannot
+ * be predicted. */
+static inline bool
+qn_box_meets (QnBox a, QnBox b)
+{
+  return (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y)
+         & (b.min.y <= a.max.y);
+}
+
+/* Smallest box around count >= 1 points. */
+QnBox qn_box_of_points (const QnVec2 *points, size_t count);
+
+#endif

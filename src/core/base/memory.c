@@ -1,0 +1,96 @@
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+/* From this size on memory is asked for in large pages, and this is how they are aligned. */
+#define LARGE_MEMORY ((size_t) 4 << 20)
+#define LARGE_PAGE   ((uintptr_t) 2 << 20)
+
+/* Bytes that processors move together. */
+#define LINE 64
+
+/* Tells the system that large pages suit a block, where it has them and leaves the choice to
+ * programs: a page for every 4 kB is met by a fault each, which may take longer than what is done
+ * with its contents. A wish, which nothing depends on. */
+static void *
+with_large_pages (void *block, size_t count, size_t size)
+{
+#ifdef MADV_HUGEPAGE
+  if (block != NULL && size > 0 && count >= LARGE_MEMORY / size) {
+    uintptr_t start = (uintptr_t) block, end = start + count * size;
+    start = (start + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;
+    end = end / LARGE_PAGE * LARGE_PAGE;
+    if (end > start)
+      madvise ((void *) start, end - start, MADV_HUGEPAGE);
+  }
+#else
+  (void) count;
+  (void) size;
+#endif
+  return block;
+}
+
+void *
+qn_alloc (size_t count, size_t size)
+{
+  return with_large_pages (calloc (count > 0 ? count : 1, size > 0 ? size : 1), count,
+                           size);
+}
+
+void *
+qn_alloc_unset (size_t count, size_t size)
+{
+  if (size > 0 && count > SIZE_MAX / size)
+    return NULL;
+  return with_large_pages (malloc (count > 0 && size > 0 ? count * size : 1), count,
+                           size);
+}
+
+void *
+qn_alloc_lines (size_t count, size_t size)
+{
+  if (size > 0 && count > (SIZE_MAX - LINE) / size)
+    return NULL;
+  return with_large_pages (aligned_alloc (LINE, (count * size + LINE) / LINE * LINE),
+                           count, size);
+}
+
+char *
+qn_strdup (const char *text)
+{
+  if (text == NULL)
+    return NULL;
+
+  size_t bytes = strlen (text) + 1;
+  char *copy = malloc (bytes);
+  if (copy != NULL)
+    memcpy (copy, text, bytes);
+  return copy;
+}
+
+void *
+qn_array_grow (void *array, size_t *capacity, size_t need, size_t size)
+{
+  if (array != NULL && need <= *capacity)
+    return array;
+
+  size_t grown = *capacity < 8 ? 8 : *capacity;
+  while (grown < need) {
+    if (grown > SIZE_MAX / 2)
+      return NULL;
+    grown *= 2;
+  }
+  if (grown > SIZE_MAX / size)
+    return NULL;
+
+  char *moved = with_large_pages (realloc (array, grown * size), grown, size);
+  if (moved == NULL)
+    return NULL;
+  memset (moved + *capacity * size, 0, (grown - *capacity) * size);
+  *capacity = grown;
+  return moved;
+}

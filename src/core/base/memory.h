@@ -1,0 +1,34 @@
+/* Memory: thin, checked wrappers around the C allocator.
+ *
+ * Every function may fail and returns NULL or false then; nothing in the core aborts for want
+ * of memory. Blocks are released with free().
+ */
+#ifndef QN_CORE_MEMORY_H
+#define QN_CORE_MEMORY_H
+
+#include "core/base/base.h"
+
+/* Zeroed memory for `count` items of `size` bytes; NULL on overflow or failure. A count of 0
+ * gives a block that may be freed. */
+void *qn_alloc (size_t count, size_t size);
+
+/* The same with arbitrary contents, for what is written before it is read: large memory is not
+ * touched twice. */
+void *qn_alloc_unset (size_t count, size_t size);
+
+/* The same, not zeroed either, at the beginning of a cache line: for numbers that are worked on in
+ * vectors, none of which then lies in two lines. */
+void *qn_alloc_lines (size_t count, size_t size);
+
+/* Copy of a string, or NULL; NULL stays NULL. */
+char *qn_strdup (const char *text);
+
+/* The array grown so that it holds at least `need` items of `size` bytes; `*capacity` is the
+ * number of items it has room for and is updated. New items are zeroed. Returns the array
+ * (moved or not), or NULL with nothing changed. `array` may be NULL while *capacity is 0.
+ *
+ *   QnBlock *grown = qn_array_grow (v->items, &v->capacity, n, sizeof *grown);
+ */
+void *qn_array_grow (void *array, size_t *capacity, size_t need, size_t size);
+
+#endif

@@ -1,0 +1,45 @@
+#include "core/base/status.h"
+
+const char *
+qn_problem_text (QnProblem problem)
+{
+#define QN_PROBLEM_TEXT(name, text) text,
+  static const char *const texts[QN_PROBLEM_COUNT] = { QN_PROBLEMS (QN_PROBLEM_TEXT) };
+#undef QN_PROBLEM_TEXT
+
+  QN_ASSERT (problem >= 0 && problem < QN_PROBLEM_COUNT);
+  return texts[problem];
+}
+
+QnStatus
+qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
+             QnId index, QnId sub)
+{
+  if (diag != NULL)
+    *diag = (QnDiag){ .status = status,
+                      .problem = problem,
+                      .entity = entity,
+                      .index = index,
+                      .sub = sub,
+                      .other = QN_NONE };
+  return status;
+}
+
+QnStatus
+qn_diag_set_field (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index,
+                   const char *field, double value)
+{
+  qn_diag_set (diag, QN_ERROR_INVALID, problem, entity, index, QN_NONE);
+  if (diag != NULL) {
+    diag->field = field;
+    diag->value = value;
+  }
+  return QN_ERROR_INVALID;
+}
+
+QnStatus
+qn_diag_no_memory (QnDiag *diag)
+{
+  return qn_diag_set (diag, QN_ERROR_NO_MEMORY, QN_PROBLEM_NO_MEMORY, QN_ENTITY_MODEL,
+                      QN_NONE, QN_NONE);
+}

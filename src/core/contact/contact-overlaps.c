@@ -1,0 +1,224 @@
+/* Blocks that overlap, how deeply and where. */
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
+#include "core/contact/contact-walk.h"
+
+#include <stdlib.h>
+
+static bool
+add_number (QnContactCuts *numbers, double value)
+{
+  double *items =
+    qn_array_grow (numbers->items, &numbers->capacity, numbers->count + 1, sizeof *items);
+  if (items == NULL)
+    return false;
+  numbers->items = items;
+  items[numbers->count++] = value;
+  return true;
+}
+
+static int
+compare_numbers (const void *a, const void *b)
+{
+  double left = *(const double *) a, right = *(const double *) b;
+  return (left > right) - (left < right);
+}
+
+/* How far block b reaches behind the sides of the convex block a: the least over these sides of
+ * the largest depth, m; negative or zero where one of them separates the two. Sides after one
+ * that separates by more than `enough` are not looked at. */
+static double
+reach_behind_sides (const QnContactSearch *search, QnId a, QnId b, double enough)
+{
+  const QnSides *sides = &search->sides;
+  double least = INFINITY;
+  for (size_t i = sides->first[a]; i < sides->first[a + 1] && least > enough; i++) {
+    const QnSide *side = &sides->items[i];
+    double deepest = -INFINITY;
+    for (size_t j = sides->first[b]; j < sides->first[b + 1]; j++) {
+      QnVec2 to = qn_vec2_sub (sides->items[j].start, side->start);
+      deepest = qn_max (deepest, qn_vec2_cross (side->direction, to));
+    }
+    least = qn_min (least, deepest);
+  }
+  return least;
+}
+
+/* Deepest point found so far; of equally deep ones that on the lowest side, in whatever order the
+ * sides are visited. */
+typedef struct {
+  double depth;
+  QnVec2 at;
+  size_t side;
+} Deepest;
+
+/* Whether a point on a side that lies so deep takes the place of the deepest one. */
+static bool
+is_deeper (double depth, size_t side, const Deepest *deepest)
+{
+  return depth > deepest->depth || (depth == deepest->depth && side < deepest->side);
+}
+
+static bool
+is_inside (const QnContactSearch *search, QnId block, QnVec2 point)
+{
+  bool inside = false;
+  QnBox ray =
+    qn_box_of_segment (point, qn_vec2 (search->block_boxes[block].max.x, point.y));
+  QnSideWalk walk;
+  qn_side_walk_start (&walk, search, block, ray);
+  const QnSide *side;
+  while ((side = qn_side_walk_next (&walk)) != NULL) {
+    QnVec2 p = qn_vec2_sub (side->start, point), q = qn_vec2_sub (side->end, point);
+    if ((p.y > 0) != (q.y > 0) && (qn_vec2_cross (p, q) > 0) == (q.y > p.y))
+      inside = !inside;
+  }
+  return inside;
+}
+
+/* Notes a point of a side of `other` if it lies deeper in `block` than those before. An overlap cannot be
+ * deeper than the other block is wide, so the search for the nearest side ends there. */
+static void
+try_point (const QnContactSearch *search, QnId block, QnId other, QnVec2 point,
+           size_t point_side, Deepest *deepest)
+{
+  QnBox width = search->block_boxes[other];
+  double depth = fmin (width.max.x - width.min.x, width.max.y - width.min.y);
+  QnSideWalk walk;
+  qn_side_walk_start (&walk, search, block, qn_box_grow ((QnBox){ point, point }, depth));
+  const QnSide *side;
+  while ((side = qn_side_walk_next (&walk)) != NULL
+         && is_deeper (depth, point_side, deepest))
+    depth = qn_min (depth, qn_segment_distance (side->start, side->end, point));
+  if (is_deeper (depth, point_side, deepest) && is_inside (search, block, point))
+    *deepest = (Deepest){ depth, point, point_side };
+}
+
+/* Cuts a side of `other` where it meets the boundary of `block` and tries the middle of every
+ * piece: a piece lies inside or outside as a whole. */
+static bool
+try_side (const QnContactSearch *search, const QnSide *side, QnId block,
+          QnContactCuts *cuts, Deepest *deepest)
+{
+  cuts->count = 0;
+  bool done = add_number (cuts, 0) && add_number (cuts, side->length);
+  QnSideWalk walk;
+  qn_side_walk_start (&walk, search, block,
+                      qn_box_grow (qn_side_box (side), search->lengths.tolerance));
+  const QnSide *cutter;
+  while (done && (cutter = qn_side_walk_next (&walk)) != NULL) {
+    QnVec2 p = qn_vec2_sub (cutter->start, side->start);
+    QnVec2 q = qn_vec2_sub (cutter->end, side->start);
+    double left_p = qn_vec2_cross (side->direction, p);
+    double left_q = qn_vec2_cross (side->direction, q);
+    double at = NAN;
+    if (fabs (left_p) <= search->lengths.tolerance)
+      at = qn_vec2_dot (side->direction, p);
+    else if ((left_p > 0) != (left_q > 0))
+      at = qn_vec2_dot (side->direction, qn_vec2_lerp (p, q, left_p / (left_p - left_q)));
+    if (at > 0 && at < side->length)
+      done = add_number (cuts, at);
+  }
+  if (!done)
+    return false;
+
+  qsort (cuts->items, cuts->count, sizeof *cuts->items, compare_numbers);
+  size_t number = (size_t) (side - search->sides.items);
+  for (size_t i = 0; i + 1 < cuts->count; i++) {
+    double middle = (cuts->items[i] + cuts->items[i + 1]) / 2;
+    try_point (search, block, side->block,
+               qn_vec2_add_scaled (side->start, middle, side->direction), number,
+               deepest);
+  }
+  try_point (search, block, side->block, side->start, number, deepest);
+  return true;
+}
+
+/* Looks for the point on the boundary of a that lies deepest in b. */
+static bool
+try_boundary (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts,
+              Deepest *deepest)
+{
+  QnSideWalk walk;
+  qn_side_walk_start (&walk, search, a, search->block_boxes[b]);
+  const QnSide *side;
+  while ((side = qn_side_walk_next (&walk)) != NULL) {
+    if (!try_side (search, side, b, cuts, deepest))
+      return false;
+  }
+  return true;
+}
+
+static void
+try_inner_point (const QnContactSearch *search, QnId a, QnId b, Deepest *deepest)
+{
+  const QnModel *model = search->model;
+  QnVec2 inner = qn_polygon_inner_point (qn_model_block_vertices (model, a),
+                                         (size_t) model->blocks[a].vertex_count);
+  Deepest own = { 0, inner, 0 }, other = { 0, inner, 0 };
+  try_point (search, a, b, inner, 0, &own);
+  try_point (search, b, a, inner, 0, &other);
+  double depth = fmin (own.depth, other.depth);
+  if (depth > deepest->depth)
+    *deepest = (Deepest){ depth, inner, 0 };
+}
+
+/* Whether two blocks fill the same box, up to what may pass unnoticed on either. */
+static bool
+fill_same_box (const QnContactSearch *search, QnId a, QnId b)
+{
+  QnBox left = search->block_boxes[a], right = search->block_boxes[b];
+  double most =
+    fmax (fmax (fabs (left.min.x - right.min.x), fabs (left.min.y - right.min.y)),
+          fmax (fabs (left.max.x - right.max.x), fabs (left.max.y - right.max.y)));
+  return most <= 4 * search->lengths.tolerance;
+}
+
+/* Depth and place of the overlap of two blocks of any shape, depth 0 where they do not overlap.
+ * If the interiors meet, the boundary of one passes through the other, or they are equal. */
+static bool
+find_deepest (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts,
+              Deepest *deepest)
+{
+  *deepest = (Deepest){ 0, { 0, 0 }, 0 };
+  if (!try_boundary (search, a, b, cuts, deepest)
+      || !try_boundary (search, b, a, cuts, deepest))
+    return false;
+  if (deepest->depth <= search->lengths.tolerance && fill_same_box (search, a, b))
+    try_inner_point (search, a, b, deepest);
+  return true;
+}
+
+bool
+qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
+                          QnContactCuts *cuts, QnFindings *findings)
+{
+  double tolerance = search->lengths.tolerance;
+  if (!qn_box_meets (search->block_boxes[b],
+                     qn_box_grow (search->block_boxes[a], -tolerance)))
+    return true;
+
+  bool small =
+    qn_side_count (search, a) * qn_side_count (search, b) <= QN_FEW_SIDES * QN_FEW_SIDES;
+  double depth = INFINITY;
+  if (small && search->convex[a])
+    depth = reach_behind_sides (search, a, b, search->lengths.tolerance);
+  if (small && search->convex[b] && depth > search->lengths.tolerance)
+    depth = qn_min (depth, reach_behind_sides (search, b, a, search->lengths.tolerance));
+  if (depth <= search->lengths.tolerance)
+    return true;
+
+  Deepest deepest;
+  if (!find_deepest (search, a, b, cuts, &deepest))
+    return false;
+  /* For two convex blocks the separating axes know the depth exactly. */
+  if (!small || !search->convex[a] || !search->convex[b])
+    depth = deepest.depth;
+  if (depth <= search->lengths.tolerance)
+    return true;
+  QnProblem problem = depth > search->lengths.overlap_limit
+                        ? QN_PROBLEM_BLOCKS_OVERLAP
+                        : QN_PROBLEM_NEAR_MISS_OVERLAP;
+  return qn_findings_add (findings,
+                          (QnFinding){ problem, a, b, deepest.at, depth, QN_NONE });
+}

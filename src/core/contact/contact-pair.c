@@ -1,0 +1,141 @@
+#include "core/contact/contact-pair.h"
+
+#include "core/base/tolerance.h"
+#include "core/contact/pair-series.h"
+
+#include <math.h>
+
+/* Most iterations of the internal Newton; a handful is usual, one per change of phase. */
+#define INTERNAL_ITERATIONS 16
+
+/* Most sweeps where that is not enough. */
+#define INTERNAL_SWEEPS 60
+
+QnPairSprings
+qn_pair_springs (QnSpring a, QnSpring b)
+{
+  QnPairSprings springs = { .a = a, .b = b, .equal = qn_spring_similar (&a, &b) };
+  if (springs.equal)
+    springs.a = qn_spring_join (&a, &b);
+  return springs;
+}
+
+bool
+qn_pair_springs_run_back (const QnPairSprings *springs)
+{
+  double a = qn_spring_softening (&springs->a), b = qn_spring_softening (&springs->b);
+
+  if (springs->equal)
+    return !isfinite (a);
+  return a >= springs->b.kn || b >= springs->a.kn;
+}
+
+static void
+evaluate_joined (const QnPairSprings *springs, const QnPairMemory *committed,
+                 const double q[2], QnPairResponse *r)
+{
+  QnSpringResponse whole;
+  double share = springs->a.kn / springs->b.kn; /* b's length over the joint one */
+
+  qn_spring_evaluate (&springs->a, &committed->a, q, &whole);
+  r->memory = (QnPairMemory){ .a = whole.memory };
+  for (int i = 0; i < 2; i++) {
+    r->force[i] = whole.force[i];
+    r->tangent[i][0] = whole.tangent[i][0];
+    r->tangent[i][1] = whole.tangent[i][1];
+    r->memory.qb[i] = share * q[i];
+    r->memory.qa[i] = q[i] - r->memory.qb[i];
+  }
+  r->phase = (int16_t) whole.phase;
+  r->varies = whole.varies;
+}
+
+/* The pair's response from the state that the iteration ended in. */
+static void
+take_series (const QnPairSeries *series, QnPairResponse *r)
+{
+  const QnSpringResponse *a = &series->a, *b = &series->b;
+  double inverse[2][2], share[2][2];
+
+  qn_pair_series_flexibility (series, inverse);
+  for (int i = 0; i < 2; i++)
+    for (int j = 0; j < 2; j++)
+      share[i][j] = inverse[i][0] * b->tangent[0][j] + inverse[i][1] * b->tangent[1][j];
+  for (int i = 0; i < 2; i++) {
+    for (int j = 0; j < 2; j++)
+      r->tangent[i][j] = a->tangent[i][0] * share[0][j] + a->tangent[i][1] * share[1][j];
+    r->force[i] = a->force[i];
+    r->memory.qa[i] = series->qa[i];
+    r->memory.qb[i] = series->q[i] - series->qa[i];
+  }
+  r->memory.a = a->memory;
+  r->memory.b = b->memory;
+  r->phase = (int16_t) (a->phase * QN_PHASE_COUNT + b->phase);
+  r->varies = a->varies || b->varies;
+}
+
+bool
+qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
+                  const double q[2], QnPairResponse *r)
+{
+  if (springs->equal) {
+    evaluate_joined (springs, committed, q, r);
+    return true;
+  }
+
+  QnPairSeries series;
+  qn_pair_series_start (&series, springs, committed, q);
+  for (int i = 0; i < INTERNAL_ITERATIONS && series.size > QN_TOLERANCE_SERIES; i++)
+    qn_pair_series_step (&series);
+  for (int i = 0; i < INTERNAL_SWEEPS && series.size > QN_TOLERANCE_SERIES; i++)
+    qn_pair_series_sweep (&series);
+  take_series (&series, r);
+  return series.size <= QN_TOLERANCE_SERIES;
+}
+
+static QnPairState
+phase_state (QnPhase phase)
+{
+  if (phase >= QN_PHASE_SEGMENT)
+    return QN_PAIR_YIELD;
+  switch (phase) {
+  case QN_PHASE_STICK:
+  case QN_PHASE_CURVED:
+    return QN_PAIR_STICK;
+  case QN_PHASE_YIELD_POSITIVE:
+  case QN_PHASE_YIELD_NEGATIVE:
+  case QN_PHASE_CRUSH:
+    return QN_PAIR_YIELD;
+  case QN_PHASE_SLIP_POSITIVE:
+  case QN_PHASE_SLIP_NEGATIVE:
+    return QN_PAIR_SLIP;
+  case QN_PHASE_OPEN:
+  case QN_PHASE_OPEN_STICK:
+  case QN_PHASE_OPEN_SLIP_POSITIVE:
+  case QN_PHASE_OPEN_SLIP_NEGATIVE:
+  case QN_PHASE_SOFTEN:
+  case QN_PHASE_CRACKED:
+  case QN_PHASE_BROKEN:
+    return QN_PAIR_OPEN;
+  case QN_PHASE_SEGMENT:
+  case QN_PHASE_COUNT:
+    break;
+  }
+  QN_ASSERT (false);
+  return QN_PAIR_STICK;
+}
+
+QnPairState
+qn_pair_state (const QnPairSprings *springs, int16_t phase)
+{
+  static const int ranks[QN_PAIR_STATE_COUNT] = {
+    [QN_PAIR_STICK] = 0, [QN_PAIR_YIELD] = 1, [QN_PAIR_SLIP] = 2, [QN_PAIR_OPEN] = 3
+  };
+
+  if (springs->equal)
+    return phase_state ((QnPhase) phase);
+
+  QnPairState a = phase_state ((QnPhase) (phase / QN_PHASE_COUNT));
+  QnPairState b = phase_state ((QnPhase) (phase % QN_PHASE_COUNT));
+  return ranks[a] > ranks[b] ? a : b;
+}

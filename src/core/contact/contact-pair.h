@@ -1,0 +1,66 @@
+/* A contact pair: two springs in series between points A and B, with the hinge C condensed.
+ *
+ * The elongation of the pair, q = (normal, tangential) position of B relative to A, is shared
+ * by the two springs, q = qa + qb, so that both carry the same force: fa(qa) = fb(q - qa).
+ * Springs of one law, of whatever two lengths, make one spring of their joint length (closed
+ * form); others are solved by an internal Newton iteration (HybriDFEM, section 2.2; see
+ * pair-series.h).
+ */
+#ifndef QN_CORE_CONTACT_PAIR_H
+#define QN_CORE_CONTACT_PAIR_H
+
+#include "core/law/spring.h"
+
+typedef struct QnPairSprings {
+  QnSpring a, b; /* side of block a, side of block b */
+  bool equal;    /* `a` then stands for the whole pair; `b` is as it was given */
+} QnPairSprings;
+
+/* What a pair remembers between steps. */
+typedef struct QnPairMemory {
+  QnSpringMemory a, b; /* of equal springs only `a` is used, for the pair as a whole */
+  double qa[2], qb[2]; /* elongations of the two springs at the last commit, m */
+} QnPairMemory;
+
+typedef struct QnPairResponse {
+  double force[2];
+  double tangent[2][2];
+  QnPairMemory memory;
+  int16_t phase; /* the tangent depends on this number alone, */
+  bool varies;   /* unless it varies */
+} QnPairResponse;
+
+/* The springs on the two sides of a pair in series; equal ones are joined into one. */
+QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
+
+/* Whether one Coulomb law rules the whole pair: those the central path solves. */
+static inline bool
+qn_pair_springs_are_coulomb (const QnPairSprings *springs)
+{
+  return springs->equal && springs->a.kind == QN_LAW_COULOMB;
+}
+
+/* Whether the pair would run back while one of its springs softens: growing elongation of the
+ * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
+bool qn_pair_springs_run_back (const QnPairSprings *springs);
+
+/* Force and consistent tangent of the pair at elongation q. Returns false where the internal
+ * iteration did not converge; the response is then not to be used. */
+bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
+                       const double q[2], QnPairResponse *response);
+
+/* What is reported of a phase. Of unequal springs one that is open makes the pair open, else one
+ * that slips makes it slip, else one that yields makes it yield. Joints never yield: that is
+ * for the plastic branches of members' laws. */
+typedef enum {
+  QN_PAIR_STICK,
+  QN_PAIR_SLIP,
+  QN_PAIR_OPEN,
+  QN_PAIR_YIELD,
+  QN_PAIR_STATE_COUNT
+} QnPairState;
+
+/* What a phase of these springs is called. */
+QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
+
+#endif

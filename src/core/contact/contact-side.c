@@ -1,0 +1,156 @@
+#include "core/contact/contact-side.h"
+
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+
+/* Directions that a run from its first vertex may take without leaving a vertex behind, as an
+ * interval of angles about the direction of its first edge. */
+typedef struct {
+  QnVec2 origin, forward;
+  double low, high;
+} Sleeve;
+
+/* Whether the run may be prolonged to `next`; narrows the sleeve if so. Every vertex passed
+ * leaves the angles under which it is seen within the tolerance (Zhao & Saalfeld's sleeve). */
+static bool
+sleeve_admits (Sleeve *sleeve, QnVec2 last, QnVec2 next, double tolerance)
+{
+  QnVec2 to = qn_vec2_sub (next, sleeve->origin);
+  double ahead = qn_vec2_dot (to, sleeve->forward);
+  double distance = qn_vec2_length (to);
+  if (qn_vec2_dot (qn_vec2_sub (next, last), sleeve->forward) <= 0 || ahead <= 0)
+    return false;
+
+  double angle = atan2 (qn_vec2_cross (sleeve->forward, to), ahead);
+  if (angle < sleeve->low || angle > sleeve->high)
+    return false;
+  double spread = distance > tolerance ? asin (tolerance / distance) : 1;
+  sleeve->low = fmax (sleeve->low, angle - spread);
+  sleeve->high = fmin (sleeve->high, angle + spread);
+  return true;
+}
+
+/* Whether `middle` lies so far from the line through `first` and `next` that no run passes it.
+ * Twice the tolerance, so that rounding has no say: what is nearer is left to the sleeve. */
+static bool
+is_corner (QnVec2 first, QnVec2 middle, QnVec2 next, double tolerance)
+{
+  QnVec2 to_middle = qn_vec2_sub (middle, first), to_next = qn_vec2_sub (next, first);
+  double off = qn_vec2_cross (to_middle, to_next);
+  return off * off > 4 * tolerance * tolerance * qn_vec2_dot (to_next, to_next);
+}
+
+/* Number of edges in the straight run that begins at vertex `first`, at most `limit`. */
+static size_t
+run_length (const QnVec2 *v, size_t count, size_t first, size_t limit, double tolerance)
+{
+  if (limit == 1
+      || is_corner (v[first % count], v[(first + 1) % count], v[(first + 2) % count],
+                    tolerance))
+    return 1;
+
+  QnVec2 edge = qn_vec2_sub (v[(first + 1) % count], v[first % count]);
+  double length = qn_vec2_length (edge);
+  Sleeve sleeve = { v[first % count], qn_vec2_scale (1 / length, edge), -1, 1 };
+
+  size_t edges = 0;
+  while (edges < limit
+         && sleeve_admits (&sleeve, v[(first + edges) % count],
+                           v[(first + edges + 1) % count], tolerance))
+    edges++;
+  return edges > 0 ? edges : 1;
+}
+
+/* A vertex where the boundary certainly turns, to begin with: the one farthest from the
+ * centroid, which is a corner of the convex hull. */
+static size_t
+sharp_vertex (const QnVec2 *v, size_t count, QnVec2 centroid)
+{
+  size_t farthest = 0;
+  double most = -1;
+  for (size_t i = 0; i < count; i++) {
+    QnVec2 arm = qn_vec2_sub (v[i], centroid);
+    double square = qn_vec2_dot (arm, arm);
+    if (square > most) {
+      most = square;
+      farthest = i;
+    }
+  }
+  return farthest;
+}
+
+/* Appends the sides of one block; items has room for one per vertex. */
+static void
+collect_sides (QnSides *sides, const QnModel *model, QnId block, double tolerance)
+{
+  size_t count = (size_t) model->blocks[block].vertex_count;
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  size_t begin = sharp_vertex (v, count, model->blocks[block].centroid);
+  for (size_t done = 0; done < count;) {
+    size_t edges = run_length (v, count, begin + done, count - done, tolerance);
+    QnSide *side = &sides->items[sides->count++];
+    side->block = block;
+    side->vertex = (QnId) ((begin + done) % count);
+    side->start = v[(begin + done) % count];
+    side->end = v[(begin + done + edges) % count];
+    QnVec2 along = qn_vec2_sub (side->end, side->start);
+    side->length = qn_vec2_length (along);
+    side->direction = qn_vec2_scale (1 / side->length, along);
+    done += edges;
+  }
+}
+
+static void
+reverse_sides (QnSide *sides, size_t count)
+{
+  for (size_t i = 0; i < count / 2; i++) {
+    QnSide swap = sides[i];
+    sides[i] = sides[count - 1 - i];
+    sides[count - 1 - i] = swap;
+  }
+}
+
+/* Lets the sides of one block, which stand in their order around it, begin with the one of the
+ * lowest vertex. */
+static void
+rotate_sides (QnSide *sides, size_t count)
+{
+  size_t lowest = 0;
+  while (lowest < count && sides[lowest].vertex >= sides[0].vertex)
+    lowest++;
+  if (lowest == count)
+    return;
+  reverse_sides (sides, lowest);
+  reverse_sides (sides + lowest, count - lowest);
+  reverse_sides (sides, count);
+}
+
+bool
+qn_sides_init (QnSides *sides, const QnModel *model, double tolerance)
+{
+  *sides = (QnSides){ 0 };
+  sides->items = qn_alloc_unset (model->vertex_count, sizeof *sides->items);
+  sides->first = qn_alloc_unset (model->block_count + 1, sizeof *sides->first);
+  if (sides->items == NULL || sides->first == NULL) {
+    qn_sides_clear (sides);
+    return false;
+  }
+
+  for (size_t block = 0; block < model->block_count; block++) {
+    size_t begin = sides->count;
+    sides->first[block] = begin;
+    collect_sides (sides, model, (QnId) block, tolerance);
+    rotate_sides (sides->items + begin, sides->count - begin);
+  }
+  sides->first[model->block_count] = sides->count;
+  return true;
+}
+
+void
+qn_sides_clear (QnSides *sides)
+{
+  free (sides->items);
+  free (sides->first);
+  *sides = (QnSides){ 0 };
+}

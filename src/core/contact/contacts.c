@@ -1,0 +1,87 @@
+#include "core/contact/contacts.h"
+
+#include "core/contact/contact-search.h"
+
+#include <stdlib.h>
+
+QnStatus
+qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  QnStatus status = qn_contacts_place_pairs (model, contacts, diag);
+  if (status == QN_OK)
+    status = qn_contacts_report_loose (model, contacts, diag);
+  if (status != QN_OK)
+    qn_contacts_clear (contacts);
+  return status;
+}
+
+QnStatus
+qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  *contacts = (QnContacts){ 0 };
+  if (model->block_count == 0)
+    return model->node_count > 0 ? qn_contacts_report_loose (model, contacts, diag)
+                                 : QN_OK;
+
+  QnContactSearch search;
+  QnStatus status =
+    qn_contact_search_init (&search, model, qn_contact_lengths (model), diag);
+  if (status != QN_OK)
+    return status;
+
+  status = qn_contact_search_all (&search, contacts, diag);
+  qn_contact_search_clear (&search);
+  if (status != QN_OK) {
+    qn_contacts_clear (contacts);
+    return status;
+  }
+  return qn_contacts_complete (model, contacts, diag);
+}
+
+/* The first finding of a kind, or NULL. */
+static const QnFinding *
+first_finding (const QnFindings *findings, QnProblem problem)
+{
+  for (size_t i = 0; i < findings->count; i++) {
+    if (findings->items[i].problem == problem)
+      return &findings->items[i];
+  }
+  return NULL;
+}
+
+QnStatus
+qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
+{
+  static const QnProblem fatal[] = { QN_PROBLEM_BLOCKS_OVERLAP, QN_PROBLEM_NO_SUPPORT,
+                                     QN_PROBLEM_BLOCK_FLOATING,
+                                     QN_PROBLEM_BEAM_FLOATING };
+  if (model->block_count == 0 && model->beam_count == 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
+                              "blocks", 0);
+  for (size_t i = 0; i < QN_N_ELEMENTS (fatal); i++) {
+    const QnFinding *finding = first_finding (&contacts->findings, fatal[i]);
+    if (finding == NULL)
+      continue;
+    if (finding->problem == QN_PROBLEM_BEAM_FLOATING)
+      qn_diag_set_field (diag, finding->problem, QN_ENTITY_BEAM, finding->beam, NULL, 0);
+    else
+      qn_diag_set_field (diag, finding->problem,
+                         finding->block_a == QN_NONE ? QN_ENTITY_MODEL : QN_ENTITY_BLOCK,
+                         finding->block_a, NULL, finding->value);
+    if (diag != NULL) {
+      diag->other = finding->block_b;
+      diag->at = finding->at;
+    }
+    return QN_ERROR_INVALID;
+  }
+  return QN_OK;
+}
+
+void
+qn_contacts_clear (QnContacts *contacts)
+{
+  free (contacts->faces);
+  free (contacts->pairs);
+  qn_findings_clear (&contacts->findings);
+  *contacts = (QnContacts){ 0 };
+}

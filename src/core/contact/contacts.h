@@ -1,0 +1,76 @@
+/* Contact faces and contact pairs, as detected in the undeformed configuration.
+ *
+ * A contact face is the overlap of an edge of block a with an edge of block b on a common
+ * line, a < b. Every face carries contact pairs: places where two springs in series join the
+ * two blocks. Source: HybriDFEM in 2D, sections 3 and 4 (see README, "Method").
+ */
+#ifndef QN_CORE_CONTACTS_H
+#define QN_CORE_CONTACTS_H
+
+#include "core/contact/contact-pair.h"
+#include "core/contact/finding.h"
+#include "core/model/model.h"
+
+typedef struct QnContactFace {
+  QnId a, b; /* blocks, a < b */
+  QnId edge_a,
+    edge_b; /* first vertex (index within the block) of the edge, of the first edge
+                          where a collinear run was merged */
+  QnVec2 start, end; /* m; end - start points along `tangent` */
+  QnVec2 normal;     /* unit, from a to b */
+  QnVec2 tangent;    /* unit, normal turned by +90 degrees */
+  double length;     /* m */
+  double thickness;  /* m, the smaller of the two blocks' */
+  QnId law_a, law_b; /* laws of the springs on the two sides */
+  QnId first_pair;   /* into QnContacts.pairs */
+  int32_t pair_count;
+} QnContactFace;
+
+typedef struct QnContactPair {
+  QnId face;
+  QnId bar;         /* into QnModel.bars, or QN_NONE: part of the joint itself */
+  QnVec2 point;     /* where A, B and C coincide in the undeformed state, m */
+  double abscissa;  /* distance of the point from face.start, m */
+  double tributary; /* length of the face that the pair stands for, m; times the face's
+                       thickness its area, also that of a bar */
+} QnContactPair;
+
+/* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa, those
+ * of bars after the others. */
+typedef struct QnContacts {
+  QnContactFace *faces;
+  size_t face_count, face_capacity;
+  QnContactPair *pairs;
+  size_t pair_count, pair_capacity;
+  QnFindings findings; /* gaps, overlaps, point contacts, loose and floating blocks */
+} QnContacts;
+
+/* Finds all faces and pairs of a prepared model in O(n log n) time. Overlaps deeper than the
+ * tolerance and floating blocks are findings here, refused by qn_contacts_require_sound().
+ * `contacts` is overwritten without being cleared. */
+QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag);
+
+/* The contacts of a model that differs little from `old_model`, whose contacts are `old`: only the
+ * neighbourhood of blocks that are new, gone, moved or reshaped is searched. The result equals
+ * that of qn_contacts_detect(). Blocks are recognised by name; where too much has changed, or
+ * the order of blocks, all is detected anew. Both models prepared; `contacts` is overwritten
+ * without being cleared and must not be `old`. */
+QnStatus qn_contacts_update (const QnModel *old_model, const QnContacts *old,
+                             const QnModel *model, QnContacts *contacts, QnDiag *diag);
+
+/* Refuses what cannot be analysed: no blocks, overlapping blocks, no support, floating blocks. */
+QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,
+                                    QnDiag *diag);
+
+/* Law of the spring on side 0 (block a) or 1 (block b) of a pair: the bar's or the face's. */
+QnId qn_contacts_pair_law (const QnModel *model, const QnContacts *contacts, size_t pair,
+                           int side);
+
+/* The springs of a pair. In the material basis each is as long as half the extent of its block
+ * along the face's normal: a block's other half belongs to its far side. */
+QnPairSprings qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts,
+                                        size_t pair);
+
+void qn_contacts_clear (QnContacts *contacts);
+
+#endif

@@ -1,0 +1,28 @@
+/* Findings: what is worth telling the user about a model that can nevertheless be analysed,
+ * or that shows why it cannot. A list to be shown at the place, never an error by itself. */
+#ifndef QN_CORE_FINDING_H
+#define QN_CORE_FINDING_H
+
+#include "core/base/problem.h"
+#include "core/base/status.h"
+
+typedef struct QnFinding {
+  QnProblem problem; /* NEAR_MISS_GAP, BLOCKS_OVERLAP, BLOCK_FLOATING, … */
+  QnId block_a;      /* block concerned */
+  QnId block_b;      /* the other one, or QN_NONE */
+  QnVec2 at;         /* place, m */
+  double value; /* width of the gap, depth of the overlap, m; 0 where there is none */
+  QnId beam;    /* BEAM_FLOATING: the beam; QN_NONE otherwise */
+} QnFinding;
+
+typedef struct QnFindings {
+  QnFinding *items;
+  size_t count, capacity;
+} QnFindings;
+
+/* Appends; false when memory runs out. */
+bool qn_findings_add (QnFindings *findings, QnFinding finding);
+
+void qn_findings_clear (QnFindings *findings);
+
+#endif

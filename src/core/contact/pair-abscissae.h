@@ -1,0 +1,32 @@
+/* Where the contact pairs of a face sit and what share of it each stands for.
+ *
+ * Positions and weights are parts of the face's length; weights add up to 1. What sums over the
+ * pairs integrate exactly, of a normal stress that varies along the face like a polynomial:
+ *
+ *   ends       2 pairs, weight 1/2 each, `offset` from the corners: constant stress only; of a
+ *              linear one (bending) the moment is 3 (1 - 2 offset)^2 times the true one
+ *   uniform    n pairs in the middle of n equal parts, the outer ones with a little more weight,
+ *              the inner ones with a little less (+1.8 % and -1.2 % at n = 10), so that from n = 3 on
+ *              linear stress has the right force and the right moment, cubic stress too; equal
+ *              weights would lose 1/n^2 of the moment, which they do for n = 2. Yield of the whole
+ *              section: 1 + 5/(16 n^2) times for large even n
+ *   gauss      n pairs at the abscissae of Gauss and Legendre: polynomials up to degree 2n - 1,
+ *              so that 2 pairs already have the stiffness of the continuous section
+ *   explicit   as given: whatever the positions and weights integrate
+ */
+#ifndef QN_CORE_PAIR_ABSCISSAE_H
+#define QN_CORE_PAIR_ABSCISSAE_H
+
+#include "core/model/model.h"
+
+/* Number of pairs that the rule puts on a face. */
+size_t qn_pair_rule_count (const QnPairRule *rule);
+
+/* Position and weight of pair i of a face of this length (m), ascending. */
+void qn_pair_rule_place (const QnPairRule *rule, double length, size_t i,
+                         double *position, double *weight);
+
+/* Abscissa and weight number i of n on [-1, 1], ascending; weights add up to 2. */
+void qn_gauss_legendre (size_t n, size_t i, double *abscissa, double *weight);
+
+#endif

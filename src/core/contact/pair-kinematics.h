@@ -1,0 +1,54 @@
+/* Kinematics of a contact pair: its elongation, and how that depends on its blocks' motion.
+ *
+ * Points A and B coincide in the undeformed state. Their distance d = x_B - x_A is measured in
+ * a frame (normal n, tangent t) that turns with the pair, by the mean of the two blocks'
+ * rotations, so that a rigid motion of both strains nothing:
+ *
+ *   q = (n . d, t . d)
+ *
+ * In linear geometry the frame and the arms stay as they were and d is linear in the
+ * displacements. In nonlinear geometry rotations are of any size.
+ *
+ * Unknowns of a pair, everywhere in this order: ux, uy, L rz of block a, then of block b, in m;
+ * L is the length by which rotations are scaled.
+ */
+#ifndef QN_CORE_PAIR_KINEMATICS_H
+#define QN_CORE_PAIR_KINEMATICS_H
+
+#include "core/base/vec2.h"
+
+typedef struct QnPairKinematics {
+  QnVec2 normal;       /* undeformed, unit, from a to b */
+  QnVec2 arm_a, arm_b; /* from the centroids to the pair, undeformed, m */
+  double length;       /* L, m */
+
+  /* Of the last update, in nonlinear geometry; at rest after qn_pair_kinematics_init(). */
+  double elongation[2];      /* q, m */
+  double gradient[2][6];     /* dq / d unknowns */
+  QnVec2 frame;              /* normal as turned */
+  QnVec2 turned_a, turned_b; /* arms as turned */
+} QnPairKinematics;
+
+void qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_a,
+                              QnVec2 arm_b, double length);
+
+/* The gradient of a pair as the inner loops want it. Translations of the two blocks enter by their
+ * difference, which keeps the digits that it has: factors of (L rz of a, u_b - u_a in x and y,
+ * L rz of b). */
+enum { QN_PAIR_FACTORS = 4 };
+
+typedef struct QnPairGradient {
+  double factors[2][QN_PAIR_FACTORS];
+} QnPairGradient;
+
+/* The gradient of the last update. */
+QnPairGradient qn_pair_kinematics_gradient (const QnPairKinematics *pair);
+
+/* Elongation and gradient at displacements v of any size. */
+void qn_pair_kinematics_update (QnPairKinematics *pair, const double v[6]);
+
+/* Adds the geometric stiffness of the last update, force[0] d2 q_n + force[1] d2 q_t. */
+void qn_pair_kinematics_add_stiffness (const QnPairKinematics *pair,
+                                       const double force[2], double k[6][6]);
+
+#endif

@@ -1,0 +1,199 @@
+/* Laws and contact pairs of the faces, by the model's rules and its exceptions. */
+#include "core/base/memory.h"
+#include "core/contact/contact-search.h"
+#include "core/contact/pair-abscissae.h"
+
+#include <stdlib.h>
+
+/* An exception, its blocks in the order in which faces name them. */
+typedef struct {
+  QnId a, b;
+  size_t index; /* into QnModel.overrides */
+  bool used;
+} Exception;
+
+/* Of two exceptions for the same blocks the later one comes last, and counts. */
+static int
+compare_exceptions (const void *left, const void *right)
+{
+  const Exception *l = left, *r = right;
+  if (l->a != r->a)
+    return l->a < r->a ? -1 : 1;
+  if (l->b != r->b)
+    return l->b < r->b ? -1 : 1;
+  return (l->index > r->index) - (l->index < r->index);
+}
+
+static void
+sort_exceptions (const QnModel *model, Exception *exceptions)
+{
+  for (size_t i = 0; i < model->override_count; i++) {
+    const QnFaceOverride *override = &model->overrides[i];
+    bool ordered = override->block_a < override->block_b;
+    exceptions[i] =
+      (Exception){ ordered ? override->block_a : override->block_b,
+                   ordered ? override->block_b : override->block_a, i, false };
+  }
+  if (model->override_count > 1)
+    qsort (exceptions, model->override_count, sizeof *exceptions, compare_exceptions);
+}
+
+/* The exception that counts for this face, marked as used, or NULL. `*next` walks along the
+ * sorted exceptions as the sorted faces pass by. */
+static const QnFaceOverride *
+exception_of (const QnModel *model, Exception *exceptions, size_t *next,
+              const QnContactFace *face)
+{
+  size_t count = model->override_count;
+  while (*next < count
+         && (exceptions[*next].a < face->a
+             || (exceptions[*next].a == face->a && exceptions[*next].b < face->b)))
+    (*next)++;
+
+  const QnFaceOverride *found = NULL;
+  for (size_t i = *next;
+       i < count && exceptions[i].a == face->a && exceptions[i].b == face->b; i++) {
+    exceptions[i].used = true;
+    found = &model->overrides[exceptions[i].index];
+  }
+  return found;
+}
+
+static QnId
+law_of_side (const QnModel *model, QnId block, const QnFaceOverride *exception)
+{
+  if (exception != NULL && exception->law != QN_NONE)
+    return exception->law;
+  QnId own = model->blocks[block].law;
+  return own != QN_NONE ? own : model->contact.law;
+}
+
+static QnStatus
+place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag *diag)
+{
+  QnContactFace *face = &contacts->faces[index];
+  bool ends = rule->placement == QN_PLACEMENT_ENDS;
+  if (ends && 2 * rule->offset >= face->length) {
+    qn_diag_set_field (diag, QN_PROBLEM_PAIR_OFFSET_TOO_LARGE, QN_ENTITY_BLOCK, face->a,
+                       NULL, face->length);
+    if (diag != NULL) {
+      diag->other = face->b;
+      diag->at = qn_vec2_lerp (face->start, face->end, 0.5);
+    }
+    return QN_ERROR_INVALID;
+  }
+
+  size_t count = qn_pair_rule_count (rule);
+  QnContactPair *pairs = contacts->pair_count + count > INT32_MAX
+                           ? NULL
+                           : qn_array_grow (contacts->pairs, &contacts->pair_capacity,
+                                            contacts->pair_count + count, sizeof *pairs);
+  if (pairs == NULL)
+    return qn_diag_no_memory (diag);
+  contacts->pairs = pairs;
+
+  face->first_pair = (QnId) contacts->pair_count;
+  face->pair_count = (int32_t) count;
+  for (size_t i = 0; i < count; i++) {
+    double position, weight;
+    qn_pair_rule_place (rule, face->length, i, &position, &weight);
+    pairs[contacts->pair_count++] = (QnContactPair){
+      .face = (QnId) index,
+      .point = qn_vec2_lerp (face->start, face->end, position),
+      .abscissa = position * face->length,
+      .tributary = weight * face->length,
+      .bar = QN_NONE,
+    };
+  }
+  return QN_OK;
+}
+
+static bool
+report_unused (const QnModel *model, const Exception *exceptions, QnFindings *findings)
+{
+  for (size_t i = 0; i < model->override_count; i++) {
+    const Exception *exception = &exceptions[i];
+    if (exception->used)
+      continue;
+    QnVec2 at = qn_vec2_lerp (model->blocks[exception->a].centroid,
+                              model->blocks[exception->b].centroid, 0.5);
+    if (!qn_findings_add (findings, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED, exception->a,
+                                                 exception->b, at, 0, QN_NONE }))
+      return false;
+  }
+  return true;
+}
+
+static QnStatus
+report_unused_bars (const QnModel *model, const bool *used, QnDiag *diag)
+{
+  for (size_t i = 0; i < model->bar_count; i++)
+    if (!used[i])
+      return qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i,
+                                NULL, 0);
+  return QN_OK;
+}
+
+/* Everything about the pairs of one face. */
+static QnStatus
+furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
+              const QnFaceOverride *exception, bool *used_bars, QnDiag *diag)
+{
+  QnContactFace *face = &contacts->faces[index];
+  bool own_pairs = exception != NULL && exception->has_pairs;
+
+  face->law_a = law_of_side (model, face->a, exception);
+  face->law_b = law_of_side (model, face->b, exception);
+  QnStatus status = place_pairs (
+    contacts, index, own_pairs ? &exception->pairs : &model->contact.pairs, diag);
+  if (status == QN_OK)
+    status = qn_contacts_add_bars (model, contacts, (QnId) index, used_bars, diag);
+  return status == QN_OK ? qn_contacts_check_springs (model, contacts, (QnId) index, diag)
+                         : status;
+}
+
+/* Room for the pairs of all faces by the general rule and of one face per exception. */
+static bool
+reserve_pairs (const QnModel *model, QnContacts *contacts)
+{
+  size_t count = contacts->face_count * qn_pair_rule_count (&model->contact.pairs);
+  for (size_t i = 0; i < model->override_count; i++)
+    if (model->overrides[i].has_pairs)
+      count += qn_pair_rule_count (&model->overrides[i].pairs);
+  if (count <= contacts->pair_capacity || count > INT32_MAX)
+    return true;
+
+  QnContactPair *pairs = qn_alloc_unset (count, sizeof *pairs);
+  if (pairs == NULL)
+    return false;
+  free (contacts->pairs);
+  contacts->pairs = pairs;
+  contacts->pair_capacity = count;
+  return true;
+}
+
+QnStatus
+qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+{
+  Exception *exceptions = qn_alloc (model->override_count, sizeof *exceptions);
+  bool *used_bars = qn_alloc (model->bar_count, sizeof *used_bars);
+  QnStatus status = QN_OK;
+  size_t next = 0;
+
+  contacts->pair_count = 0;
+  if (exceptions == NULL || used_bars == NULL || !reserve_pairs (model, contacts))
+    status = qn_diag_no_memory (diag);
+  else
+    sort_exceptions (model, exceptions);
+  for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
+    status = furnish_face (model, contacts, i,
+                           exception_of (model, exceptions, &next, &contacts->faces[i]),
+                           used_bars, diag);
+  if (status == QN_OK)
+    status = report_unused_bars (model, used_bars, diag);
+  if (status == QN_OK && !report_unused (model, exceptions, &contacts->findings))
+    status = qn_diag_no_memory (diag);
+  free (exceptions);
+  free (used_bars);
+  return status;
+}

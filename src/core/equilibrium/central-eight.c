@@ -1,0 +1,11 @@
+#include "core/equilibrium/central-eight-loops.h"
+
+#include "core/linalg/vectors.h"
+
+const QnCentralLoops *
+qn_central_loops (int width)
+{
+  static const QnCentralLoops *const loops[] = QN_ALL_WIDTHS (qn_central_loops);
+
+  return loops[qn_vectors (width)];
+}

@@ -1,0 +1,249 @@
+#include "core/equilibrium/central-pairs.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool
+shears (const QnPairSprings *springs)
+{
+  return springs->a.friction > 0 || springs->a.cohesion > 0;
+}
+
+bool
+qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
+{
+  size_t count = (as->pair_count + QN_CENTRAL_EIGHT - 1) / QN_CENTRAL_EIGHT;
+  size_t padded = count * QN_CENTRAL_EIGHT;
+
+  *pairs = (QnCentralPairs){ .assembly = as,
+                             .loops = qn_central_loops (QN_CENTRAL_EIGHT),
+                             .count = count };
+  pairs->force = as->force_scale > 0 ? as->force_scale : 1;
+  pairs->length = pairs->force / as->stiffness;
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    pairs->others = pairs->others || !qn_pair_springs_are_coulomb (springs);
+    pairs->products += !qn_pair_springs_are_coulomb (springs) ? 0
+                       : shears (springs)                     ? QN_CENTRAL_ROWS
+                                                              : 1;
+  }
+  pairs->eights = qn_alloc_lines (count, sizeof *pairs->eights);
+  pairs->steps = qn_alloc_lines (count, sizeof *pairs->steps);
+  pairs->kept = qn_alloc_lines (count, sizeof *pairs->kept);
+  pairs->near = qn_alloc_lines (count, sizeof *pairs->near);
+  pairs->rates = qn_alloc (2 * padded, sizeof *pairs->rates);
+  pairs->forces = qn_alloc_lines (2 * padded, sizeof *pairs->forces);
+  pairs->tangents = qn_alloc_lines (4 * padded, sizeof *pairs->tangents);
+  return pairs->eights && pairs->steps && pairs->kept && pairs->near && pairs->rates
+         && pairs->forces && pairs->tangents;
+}
+
+void
+qn_central_pairs_clear (QnCentralPairs *pairs)
+{
+  free (pairs->eights);
+  free (pairs->steps);
+  free (pairs->kept);
+  free (pairs->near);
+  free (pairs->rates);
+  free (pairs->forces);
+  free (pairs->tangents);
+  *pairs = (QnCentralPairs){ 0 };
+}
+
+/* s > 0 with s - product / s = surplus, without cancellation. */
+static double
+positive_root (double surplus, double product)
+{
+  double root = sqrt (surplus * surplus + 4 * product);
+
+  return surplus >= 0 ? 0.5 * (surplus + root) : 2 * product / (root - surplus);
+}
+
+static void
+start_pair (QnCentralPairs *pairs, size_t p, double size)
+{
+  const QnAssembly *as = pairs->assembly;
+  const QnSpring *spring = &as->springs[p].a;
+  const QnSpringMemory *memory = &as->committed[p].a;
+  QnCentralEight *e = &pairs->eights[p / QN_CENTRAL_EIGHT];
+  size_t i = p % QN_CENTRAL_EIGHT;
+  double stiffness = pairs->force / pairs->length;
+  double y[2] = { as->responses[p].force[0] / pairs->force,
+                  as->responses[p].force[1] / pairs->force };
+  int rows = shears (&as->springs[p]) ? QN_CENTRAL_ROWS : 1;
+
+  e->capped[i] = -1;
+  e->shears[i] = rows == QN_CENTRAL_ROWS ? -1 : 0;
+  e->friction[i] = spring->friction;
+  e->dilatancy[i] = spring->dilatancy;
+  e->flexibility[0][i] = stiffness / spring->kn;
+  e->flexibility[1][i] = stiffness / spring->ks;
+  e->plastic[0][i] = memory->opening / pairs->length;
+  e->plastic[1][i] = memory->slip / pairs->length;
+  e->cap[i] = spring->cap / pairs->force;
+  e->cohesion[i] = spring->cohesion / pairs->force;
+  for (int k = 0; k < 2; k++)
+    e->now.y[k][i] = y[k];
+
+  const double left[QN_CENTRAL_ROWS] = {
+    e->cap[i] - y[0],
+    e->cohesion[i] - (spring->friction * y[0] + y[1]),
+    e->cohesion[i] - (spring->friction * y[0] - y[1]),
+  };
+  double opening = as->elongations[2 * p] / pairs->length - e->plastic[0][i]
+                   - e->flexibility[0][i] * y[0];
+  for (int row = 0; row < rows; row++) {
+    double flow = row == 0 ? fmax (opening, 0) : 0;
+    double surplus = fmax (left[row], 0) - flow / size;
+    e->now.s[row][i] = positive_root (surplus, 1);
+    e->now.z[row][i] = size / e->now.s[row][i];
+  }
+}
+
+void
+qn_central_pairs_start (QnCentralPairs *pairs, double size)
+{
+  memset (pairs->eights, 0, pairs->count * sizeof *pairs->eights);
+  for (size_t k = 0; k < pairs->count; k++)
+    for (int row = 0; row < QN_CENTRAL_ROWS; row++)
+      for (int i = 0; i < QN_CENTRAL_EIGHT; i++)
+        pairs->eights[k].now.s[row][i] = 1;
+  for (size_t p = 0; p < pairs->assembly->pair_count; p++)
+    if (qn_pair_springs_are_coulomb (&pairs->assembly->springs[p]))
+      start_pair (pairs, p, size);
+}
+
+/* Forces and tangents of the pairs of other laws. */
+static bool
+evaluate_others (QnCentralPairs *pairs)
+{
+  QnAssembly *as = pairs->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    QnCentralEight *e = &pairs->eights[p / QN_CENTRAL_EIGHT];
+    QnPairResponse *response = &as->responses[p];
+    size_t lane = p % QN_CENTRAL_EIGHT;
+    if (qn_pair_springs_are_coulomb (&as->springs[p]))
+      continue;
+    if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                           response))
+      return false;
+    for (int i = 0; i < 2; i++) {
+      e->now.y[i][lane] = response->force[i] / pairs->force;
+      for (int j = 0; j < 2; j++)
+        e->inverse[2 * i + j][lane] =
+          response->tangent[i][j] * pairs->length / pairs->force;
+    }
+  }
+  return true;
+}
+
+bool
+qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals)
+{
+  if (pairs->others && !evaluate_others (pairs))
+    return false;
+  *residuals = pairs->loops->prepare (pairs->eights, pairs->count,
+                                      pairs->assembly->elongations, 1 / pairs->length);
+  return true;
+}
+
+void
+qn_central_pairs_exchange_steps (QnCentralPairs *pairs)
+{
+  QnCentralState *steps = pairs->steps;
+
+  pairs->steps = pairs->kept;
+  pairs->kept = steps;
+}
+
+void
+qn_central_pairs_get_forces (QnCentralPairs *pairs)
+{
+  pairs->loops->forces (pairs->eights, pairs->count, pairs->force, pairs->forces);
+}
+
+void
+qn_central_pairs_aim (QnCentralPairs *pairs, const QnCentralAim *aim)
+{
+  pairs->loops->aim (pairs->eights, pairs->steps, pairs->count, aim, pairs->force,
+                     pairs->forces);
+  if (aim->wish == QN_CENTRAL_CENTRE)
+    qn_central_pairs_exchange_steps (pairs);
+}
+
+void
+qn_central_pairs_get_tangents (QnCentralPairs *pairs)
+{
+  pairs->loops->tangents (pairs->eights, pairs->count, pairs->force / pairs->length,
+                          pairs->tangents);
+}
+
+QnCentralReach
+qn_central_pairs_complete (QnCentralPairs *pairs, const double *step)
+{
+  qn_assembly_elongation_rates (pairs->assembly, step, pairs->rates);
+  return pairs->loops->complete (pairs->eights, pairs->count, pairs->rates,
+                                 1 / pairs->length, pairs->steps);
+}
+
+void
+qn_central_pairs_go (QnCentralPairs *pairs, double part)
+{
+  pairs->loops->go (pairs->eights, pairs->steps, pairs->count, part);
+}
+
+void
+qn_central_pairs_keep (QnCentralPairs *pairs)
+{
+  for (size_t k = 0; k < pairs->count; k++)
+    pairs->near[k] = pairs->eights[k].now;
+}
+
+void
+qn_central_pairs_come_back (QnCentralPairs *pairs)
+{
+  for (size_t k = 0; k < pairs->count; k++)
+    pairs->eights[k].now = pairs->near[k];
+}
+
+static void
+take_flow_of_pair (QnCentralPairs *pairs, size_t p)
+{
+  QnAssembly *as = pairs->assembly;
+  const QnCentralEight *e = &pairs->eights[p / QN_CENTRAL_EIGHT];
+  QnPairResponse *response = &as->responses[p];
+  size_t i = p % QN_CENTRAL_EIGHT;
+  const QnEight *z = e->now.z;
+  const double flow[2] = { z[0][i] + e->dilatancy[i] * (z[1][i] + z[2][i]),
+                           z[1][i] - z[2][i] };
+  double y[2], q[2];
+
+  for (int k = 0; k < 2; k++) {
+    y[k] = e->now.y[k][i];
+    q[k] = pairs->length * (e->plastic[k][i] + flow[k] + e->flexibility[k][i] * y[k]);
+  }
+  qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
+  for (int k = 0; k < 2; k++)
+    response->force[k] = pairs->force * y[k];
+  if (shears (&as->springs[p]))
+    response->memory.a.slip =
+      as->elongations[2 * p + 1] - pairs->length * e->flexibility[1][i] * y[1];
+}
+
+void
+qn_central_pairs_take_flow (QnCentralPairs *pairs)
+{
+  QnAssembly *as = pairs->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (qn_pair_springs_are_coulomb (&as->springs[p]))
+      take_flow_of_pair (pairs, p);
+    else
+      qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                        &as->responses[p]);
+}

@@ -1,0 +1,611 @@
+#include "core/equilibrium/central-path.h"
+
+#include "core/base/clock.h"
+#include "core/base/memory.h"
+#include "core/base/tolerance.h"
+#include "core/equilibrium/central-pairs.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Residuals of balance and strength, of strain and complementarity (both relative to the
+ * elongations) at which Newton's method may finish; complementarity becomes TIGHTER times as
+ * small where it does not. Flows that belong to the last trace of a strength, z = product / s,
+ * lose their digits to rounding, and strain with them; displacements and forces do not. */
+#define BALANCE         1e-9
+#define STRAIN          1e-3
+#define COMPLEMENTARITY 1e-9
+#define TIGHTER         1e-2
+#define MOST_FINISHES   3
+
+/* Complementarity from which an iterate may stand where nothing can turn back and rounding
+ * forbids a better one: forces in balance leave a tenth of a millionth of their strength. */
+#define NEARLY 1e-7
+
+/* Iterations that Newton's method gets to finish. */
+#define FINISH_BUDGET 12
+
+/* Viscosity in the tangent: holds what touches nothing. */
+#define TRACE 1e-12
+
+/* The mean product is lowered to this part of itself at most in one iteration. */
+#define LEAST_AIM 1e-6
+
+/* Part of the way to the boundary that a step may go. */
+#define TO_BOUNDARY 0.995
+
+/* The iteration leads nowhere if complementarity has not halved in so many iterations. */
+#define PATIENCE       10
+#define SHORT_PATIENCE 5
+
+/* Part of the direction that counts as a short step. */
+#define SHORT 0.2
+
+/* Complementarity at which a new central path begins: so many times that at which the last one
+ * turned back, and LONGER times that of the last beginning, as long as that gets no further. */
+#define RISE   10.0
+#define LONGER 10.0
+
+/* Central paths one after the other, until relaxation along them gives up. */
+#define PASSES 40
+
+/* Centrality correctors: at most so many, for steps shorter than LONG; products are brought
+ * within CENTRAL times their mean either way; a corrector must gain GAIN. */
+#define CORRECTORS 2
+#define LONG       0.9
+#define CENTRAL    10.0
+#define GAIN       0.01
+
+struct QnCentralPath {
+  QnEquilibrium *eq;
+  bool turns_back; /* may, for some joint is not associative */
+  QnCentralPairs pairs;
+  double *near_u;    /* unknown_count: displacements of the best iterate, */
+  double *begun;     /* where the last central path began, */
+  double *kept_step; /* and of the direction found so far */
+  double *lack;      /* out of balance at the iterate, where a part of it is to stay */
+};
+
+bool
+qn_central_path_applies (const QnAssembly *as)
+{
+  return !as->nonlinear && qn_central_path_has_joints (as);
+}
+
+bool
+qn_central_path_has_joints (const QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (qn_pair_springs_are_coulomb (&as->springs[p]))
+      return true;
+  return false;
+}
+
+static bool
+is_associative (const QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (as->springs[p].a.dilatancy < as->springs[p].a.friction)
+      return false;
+  return true;
+}
+
+QnCentralPath *
+qn_central_path_new (QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+  QnCentralPath *path = qn_alloc (1, sizeof *path);
+
+  if (path == NULL)
+    return NULL;
+  path->eq = eq;
+  path->turns_back = !is_associative (as);
+  path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
+  path->begun = qn_alloc ((size_t) as->unknown_count, sizeof *path->begun);
+  path->near_u = qn_alloc ((size_t) as->unknown_count, sizeof *path->near_u);
+  path->lack = qn_alloc ((size_t) as->unknown_count, sizeof *path->lack);
+  if (!qn_central_pairs_init (&path->pairs, &eq->assembly) || !path->near_u
+      || !path->begun || !path->kept_step || !path->lack) {
+    qn_central_path_free (path);
+    return NULL;
+  }
+  return path;
+}
+
+bool
+qn_central_path_turns_back (const QnCentralPath *path)
+{
+  return path->turns_back;
+}
+
+void
+qn_central_path_free (QnCentralPath *path)
+{
+  if (path == NULL)
+    return;
+  qn_central_pairs_clear (&path->pairs);
+  free (path->kept_step);
+  free (path->begun);
+  free (path->near_u);
+  free (path->lack);
+  free (path);
+}
+
+/* One solution in progress. */
+typedef struct {
+  QnCentralPath *path;
+  const QnTarget *target;
+  QnCentralResiduals residuals;
+  double gap;        /* mean of s z */
+  double elongation; /* the largest, at least 1 */
+  double target_gap; /* what the target lacks */
+  double multiplier_step;
+  QnCentralReach reach;             /* of the direction */
+  double complementarity;           /* asked for */
+  double watched_gap;               /* when it had last halved, */
+  int watched_since;                /* and that iteration */
+  bool relaxes;                     /* a new central path may begin where this one ends */
+  int short_steps;                  /* one after the other, up to now */
+  bool is_near;                     /* there is an iterate that may stand, */
+  double near_gap, near_multiplier; /* its complementarity and multiplier */
+} Increment;
+
+/* Everything at eq->u: residuals, tangents, the pairs of other laws. */
+static bool
+prepare (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnAssembly *as = &path->eq->assembly;
+
+  qn_assembly_update_kinematics (as, path->eq->u);
+  qn_beam_assembly_evaluate (&as->beams);
+  if (!qn_central_pairs_prepare (&path->pairs, &increment->residuals))
+    return false;
+  increment->elongation = fmax (1, increment->residuals.elongation);
+  increment->gap = increment->residuals.products / path->pairs.products;
+  return true;
+}
+
+/* residual = what the forces of the pairs leave unbalanced. Returns what it is measured by. */
+static double
+balance (const QnCentralPath *path, double *residual)
+{
+  const QnEquilibrium *eq = path->eq;
+
+  return qn_assembly_residual_of (&eq->assembly, eq->multiplier, path->pairs.forces, 2,
+                                  residual);
+}
+
+/* The geometric stiffness is that of the forces on the central path. */
+static void
+hand_over_forces (QnCentralPath *path)
+{
+  QnAssembly *as = &path->eq->assembly;
+
+  qn_central_pairs_get_forces (&path->pairs);
+  for (size_t p = 0; p < as->pair_count; p++)
+    memcpy (as->responses[p].force, path->pairs.forces + 2 * p,
+            sizeof as->responses[p].force);
+}
+
+/* Factorises the tangent, and overwrites b with its solution. */
+static QnFactorStatus
+factorize (QnCentralPath *path, double *b)
+{
+  QnEquilibrium *eq = path->eq;
+  double start = qn_clock_seconds ();
+
+  if (eq->assembly.nonlinear)
+    hand_over_forces (path);
+  qn_central_pairs_get_tangents (&path->pairs);
+  qn_assembly_tangent_of (&eq->assembly, eq->multiplier, TRACE, path->pairs.tangents, 4);
+  double assembled = qn_clock_seconds ();
+  QnFactorStatus status =
+    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, b);
+  eq->statistics.assembly_seconds += assembled - start;
+  eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
+  qn_equilibrium_count_factorization (eq);
+  eq->factored = false; /* by Newton's method */
+  return status;
+}
+
+/* The direction that belongs to eq->step, a solution for what the pairs aim at: eq->step,
+ * multiplier_step and the pairs' steps. */
+static void
+complete_direction (Increment *increment, double part)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  const QnTarget *target = increment->target;
+
+  increment->multiplier_step = 0;
+  if (target->direction != NULL) {
+    double along_live;
+    increment->multiplier_step = qn_equilibrium_complete_step (
+      eq, target, part * increment->target_gap, &along_live);
+  }
+  increment->reach = qn_central_pairs_complete (&path->pairs, eq->step);
+}
+
+static void
+solve (QnEquilibrium *eq, double *b)
+{
+  double start = qn_clock_seconds ();
+
+  qn_linsys_solve (eq->linsys, b);
+  eq->statistics.factor_seconds += qn_clock_seconds () - start;
+}
+
+/* The direction that brings every s z to what is aimed at, and takes that part off all residuals. */
+static void
+find_direction (Increment *increment, const QnCentralAim *aim)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+
+  qn_central_pairs_aim (&path->pairs, aim);
+  balance (path, eq->step);
+  if (aim->part < 1)
+    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+      eq->step[i] -= (1 - aim->part) * path->lack[i];
+  solve (eq, eq->step);
+  complete_direction (increment, aim->part);
+}
+
+/* The same from a tangent that is not factorised yet, towards nothing. */
+static QnFactorStatus
+find_predictor (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  bool bordered = increment->target->direction != NULL;
+
+  qn_central_pairs_aim (&path->pairs,
+                        &(QnCentralAim){ .wish = QN_CENTRAL_NOTHING, .part = 1 });
+  balance (path, eq->step);
+  if (bordered)
+    memcpy (eq->live_step, eq->assembly.live,
+            (size_t) eq->assembly.unknown_count * sizeof (double));
+  QnFactorStatus status = factorize (path, bordered ? eq->live_step : eq->step);
+  if (status != QN_FACTOR_OK)
+    return status;
+  if (bordered)
+    solve (eq, eq->step);
+  complete_direction (increment, 1);
+  return QN_FACTOR_OK;
+}
+
+/* Largest part of the direction, up to all of it, that leaves s and z at zero or above. */
+static double
+way_to_boundary (const Increment *increment)
+{
+  return 1 / qn_larger (increment->reach.boundary, 1);
+}
+
+/* Mehrotra: the predictor, which aims at nothing, says how far the mean of s z can be lowered. */
+static double
+mean_by_predictor (const Increment *increment)
+{
+  const QnCentralReach *reach = &increment->reach;
+  double part = way_to_boundary (increment), products = increment->residuals.products;
+  double left = (products + part * (reach->first + part * reach->second)) / products;
+
+  return fmax (LEAST_AIM, left * left * left) * increment->gap;
+}
+
+/* Gondzio: corrects the direction, keeping what lengthens the step, which is returned. */
+static double
+centre (Increment *increment, double mean, double part, double step)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  size_t step_bytes = (size_t) eq->assembly.unknown_count * sizeof (double);
+
+  for (int corrector = 0; corrector < CORRECTORS && step < LONG; corrector++) {
+    double longer = fmin (1, 1.3 * step + 0.1),
+           multiplier_step = increment->multiplier_step;
+    memcpy (path->kept_step, eq->step, step_bytes);
+    find_direction (increment, &(QnCentralAim){ .wish = QN_CENTRAL_CENTRE,
+                                                .part = part,
+                                                .mean = mean,
+                                                .length = longer,
+                                                .spread = CENTRAL });
+    double reached = way_to_boundary (increment);
+    if (reached < step + GAIN) {
+      qn_central_pairs_exchange_steps (&path->pairs);
+      memcpy (eq->step, path->kept_step, step_bytes);
+      increment->multiplier_step = multiplier_step;
+      break;
+    }
+    step = reached;
+  }
+  return step;
+}
+
+static void
+take_step (Increment *increment, double part)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    eq->u[i] += part * eq->step[i];
+  eq->multiplier += part * increment->multiplier_step;
+  qn_central_pairs_go (&path->pairs, part);
+}
+
+/* Whether the iterate is an equilibrium but for this complementarity and lack of balance.
+ * Balance, the dearest question, is asked last. */
+static bool
+is_within (Increment *increment, double complementarity, double out_of_balance)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+
+  if (increment->residuals.strength
+        > fmax (BALANCE, QN_TOLERANCE_FORCE * increment->residuals.force)
+      || increment->residuals.strain > STRAIN * increment->elongation
+      || increment->gap > complementarity * increment->elongation
+      || fabs (increment->target_gap)
+           > 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance))
+    return false;
+
+  qn_central_pairs_get_forces (&path->pairs);
+  double scale = balance (path, eq->residual), largest = 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    largest = qn_larger (fabs (eq->residual[i]), largest);
+  return largest <= out_of_balance * scale;
+}
+
+/* Keeps the best iterate that may stand if no better one comes: where the path cannot turn back
+ * there is one as good as one likes, and what is in the way is rounding. */
+static void
+keep_near (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  const QnAssembly *as = &path->eq->assembly;
+
+  if (path->turns_back || (increment->is_near && increment->gap >= increment->near_gap)
+      || !is_within (increment, NEARLY, path->eq->tolerance))
+    return;
+  increment->is_near = true;
+  increment->near_gap = increment->gap;
+  increment->near_multiplier = path->eq->multiplier;
+  qn_central_pairs_keep (&path->pairs);
+  memcpy (path->near_u, path->eq->u, (size_t) as->unknown_count * sizeof *path->near_u);
+}
+
+/* Whether the iterate is good enough for Newton's method to finish. */
+static bool
+has_converged (Increment *increment)
+{
+  const QnEquilibrium *eq = increment->path->eq;
+
+  increment->target_gap =
+    qn_equilibrium_target_lack (eq, increment->target, eq->u, eq->multiplier);
+  keep_near (increment);
+  return is_within (increment, increment->complementarity, BALANCE);
+}
+
+/* Newton's method from where the iteration stands; FAILED leaves it there. */
+static QnSolveStatus
+finish (Increment *increment)
+{
+  QnEquilibrium *eq = increment->path->eq;
+  size_t bytes = (size_t) eq->assembly.unknown_count * sizeof (double);
+  double multiplier = eq->multiplier;
+  QnSolveStatus status = QN_SOLVE_FAILED;
+
+  memcpy (increment->path->kept_step, eq->u, bytes);
+  if (qn_assembly_evaluate (&eq->assembly, eq->u))
+    status = qn_equilibrium_newton (eq, increment->target, 0, FINISH_BUDGET);
+  if (status == QN_SOLVE_FAILED) {
+    memcpy (eq->u, increment->path->kept_step, bytes);
+    eq->multiplier = multiplier;
+    qn_assembly_update_kinematics (&eq->assembly, eq->u);
+  }
+  return status;
+}
+
+/* Accepts what was reached, in balance and within all strengths: where many pairs are neither
+ * sliding nor stuck, Newton's method has nothing to hold on to. */
+static QnSolveStatus
+adopt (Increment *increment)
+{
+  qn_central_pairs_take_flow (&increment->path->pairs);
+  return qn_equilibrium_newton (increment->path->eq, increment->target, 0, 0);
+}
+
+/* The best iterate, if there is one that may stand. */
+static QnSolveStatus
+fall_back (Increment *increment)
+{
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+
+  if (!increment->is_near)
+    return QN_SOLVE_FAILED;
+  qn_central_pairs_come_back (&path->pairs);
+  memcpy (eq->u, path->near_u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
+  eq->multiplier = increment->near_multiplier;
+  qn_assembly_update_kinematics (&eq->assembly, eq->u);
+  return adopt (increment);
+}
+
+/* Whether complementarity still improves. Where relaxation waits to go on from here, two short
+ * steps one after the other are a sign that the central path turns back. */
+static bool
+makes_headway (Increment *increment, int iteration)
+{
+  if (increment->gap <= 0.5 * increment->watched_gap || iteration == 0) {
+    increment->watched_gap = increment->gap;
+    increment->watched_since = iteration;
+  }
+  if (!increment->path->eq->assembly.model->analysis.shortcuts.early_failure)
+    return true;
+  int patience = increment->relaxes ? SHORT_PATIENCE : PATIENCE;
+  return iteration - increment->watched_since < patience
+         && !(increment->relaxes && increment->short_steps == 2);
+}
+
+/* The part that the direction is to take off the residuals. Where a measure advances and the path may
+ * turn back, they go down with the mean of s z, at one rate: if they vanish sooner, iterates leave
+ * the path and get stuck between strengths where it does not turn back at all. Where the multiplier
+ * is prescribed, fewer increments get through like that; in nonlinear geometry, where the tangent
+ * moves with the blocks, a branch of wall 1 takes twice as many factorisations. */
+static double
+part_of_residuals (const Increment *increment, double mean)
+{
+  const QnEquilibrium *eq = increment->path->eq;
+  bool together = increment->path->turns_back && !eq->assembly.nonlinear
+                  && increment->target->direction != NULL;
+
+  return together ? fmax (0, 1 - mean / increment->gap) : 1;
+}
+
+/* One iteration of the interior-point method. */
+static QnSolveStatus
+improve (Increment *increment)
+{
+  QnEquilibrium *eq = increment->path->eq;
+
+  if (!qn_equilibrium_go_on (eq))
+    return QN_SOLVE_CANCELLED;
+  switch (find_predictor (increment)) {
+  case QN_FACTOR_OK:
+    break;
+  case QN_FACTOR_SINGULAR:
+    return QN_SOLVE_FAILED;
+  case QN_FACTOR_NO_MEMORY:
+    return QN_SOLVE_NO_MEMORY;
+  }
+
+  double mean = mean_by_predictor (increment);
+  double part = part_of_residuals (increment, mean);
+  if (part < 1) {
+    qn_central_pairs_get_forces (&increment->path->pairs);
+    balance (increment->path, increment->path->lack);
+  }
+  find_direction (
+    increment,
+    &(QnCentralAim){ .wish = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });
+  double step = centre (increment, mean, part, way_to_boundary (increment));
+  take_step (increment, fmin (1, TO_BOUNDARY * step));
+  increment->short_steps = step < SHORT ? increment->short_steps + 1 : 0;
+  return QN_SOLVE_CONVERGED;
+}
+
+static QnSolveStatus
+iterate (Increment *increment, int budget)
+{
+  int finishes = 0;
+
+  for (int iteration = 0;; iteration++) {
+    if (!prepare (increment) || !isfinite (increment->gap))
+      return fall_back (increment);
+    if (has_converged (increment)) {
+      QnSolveStatus status = finish (increment);
+      if (status != QN_SOLVE_FAILED)
+        return status;
+      if (++finishes == MOST_FINISHES)
+        return adopt (increment);
+      increment->complementarity *= TIGHTER;
+      prepare (increment);
+      has_converged (increment);
+    }
+    if (iteration == budget || !makes_headway (increment, iteration))
+      return fall_back (increment);
+    QnSolveStatus status = improve (increment);
+    if (status == QN_SOLVE_FAILED)
+      return fall_back (increment);
+    if (status != QN_SOLVE_CONVERGED)
+      return status;
+  }
+}
+
+/* The mean displacement that the target asks for, in units of the path: what elongations will
+ * be like. */
+static double
+expected_elongation (const QnCentralPath *path, const QnTarget *target)
+{
+  double sum = 0;
+
+  if (target->direction == NULL)
+    return 1;
+  for (int32_t i = 0; i < path->eq->assembly.unknown_count; i++)
+    sum += fabs (target->direction[i]);
+  return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->pairs.length)) : 1;
+}
+
+/* From the committed state towards the target. */
+static Increment
+begin (QnCentralPath *path, const QnTarget *target)
+{
+  QnEquilibrium *eq = path->eq;
+
+  qn_equilibrium_restore (eq);
+  if (target->direction == NULL)
+    eq->multiplier = target->multiplier;
+  return (Increment){ .path = path, .target = target };
+}
+
+/* One central path from the current displacements and forces, from mean products of `size`. */
+static QnSolveStatus
+follow (Increment *increment, double size, int budget)
+{
+  QnCentralPath *path = increment->path;
+
+  increment->complementarity = COMPLEMENTARITY;
+  increment->short_steps = 0;
+  increment->is_near = false;
+  qn_central_pairs_start (&path->pairs, size);
+  return iterate (increment, budget);
+}
+
+QnSolveStatus
+qn_central_path_solve (QnCentralPath *path, const QnTarget *target, int budget)
+{
+  Increment increment = begin (path, target);
+
+  return follow (&increment, expected_elongation (path, target), budget);
+}
+
+QnSolveStatus
+qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undecided,
+                       int budget)
+{
+  QnEquilibrium *eq = path->eq;
+  double size = expected_elongation (path, target), gap_before = INFINITY;
+
+  if (!path->turns_back)
+    return qn_central_path_solve (path, target, budget);
+  Increment increment = begin (path, target);
+
+  increment.relaxes = true;
+  for (int pass = 0; pass < PASSES; pass++) {
+    memcpy (path->begun, eq->u, (size_t) eq->assembly.unknown_count * sizeof (double));
+    QnSolveStatus status = follow (&increment, size, budget);
+    if (status != QN_SOLVE_FAILED)
+      return status;
+    if (!isfinite (increment.gap))
+      return QN_SOLVE_FAILED;
+    if (target->direction != NULL && eq->multiplier < eq->committed.multiplier)
+      return QN_SOLVE_FAILED; /* a branch that falls */
+    double moved = qn_equilibrium_elastic_displacements (eq);
+    if (increment.gap > undecided * moved)
+      return QN_SOLVE_FAILED;
+    if (target->direction == NULL && moved > eq->runaway) {
+      for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+        eq->velocity[i] = eq->u[i] - path->begun[i];
+      return QN_SOLVE_MECHANISM;
+    }
+
+    qn_central_pairs_take_flow (&path->pairs);
+    qn_assembly_commit (&eq->assembly);
+    bool nearer = increment.gap <= 0.5 * gap_before;
+    size = fmax (fmax (1, RISE * increment.gap), nearer ? size / LONGER : size * LONGER);
+    gap_before = increment.gap;
+  }
+  return QN_SOLVE_FAILED;
+}

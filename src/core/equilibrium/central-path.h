@@ -1,0 +1,76 @@
+/* Equilibrium of a whole increment by a primal–dual interior-point iteration.
+ *
+ * One increment of Coulomb joints is a complementarity problem: every pair has strengths s and
+ * plastic flows z of which one vanishes,
+ *
+ *   y = k (q - q_p - flow z)      forces from the elongations q of the pair
+ *   G y + s = h,  s >= 0          strength: cap of the normal force, friction both ways
+ *   z >= 0,  s z = 0              flow only at the strength
+ *
+ * together with equilibrium. Newton's method on s z = mu instead, with mu taken to zero,
+ * approaches the solution along the central path, on which no pair has made up its mind yet.
+ * It is indifferent to how many pairs change state, where Newton's method on the law itself
+ * loses its way, and takes increments of any size; the price is that it starts anew each time.
+ * The flow need not be associative: the flexibility of a pair,
+ *
+ *   H = 1/k + flow diag (z/s) G   (2 x 2, inverted in closed form)
+ *
+ * is unsymmetric then and so is the tangent stiffness, whose pattern is the usual one. Without
+ * associativity there may be several solutions or none, and no guarantee.
+ *
+ * Without associativity, in linear geometry and towards a measure that advances, the residuals of
+ * all equations go down at the rate of mu, so that iterates stay close to the one curve along which both vanish (an
+ * infeasible start otherwise runs into the corners that some pairs leave to the others, steps become
+ * nothing, and a path that goes on looks as if it turned back).
+ *
+ * Mehrotra's predictor and corrector (Mehrotra 1992), Gondzio's centrality correctors (Gondzio
+ * 1996). For interior points on friction without associativity: Kleinert, Simeon & Obermayr
+ * 2014, on rigid bodies in time.
+ */
+#ifndef QN_CORE_CENTRAL_PATH_H
+#define QN_CORE_CENTRAL_PATH_H
+
+#include "core/equilibrium/equilibrium.h"
+
+typedef struct QnCentralPath QnCentralPath;
+
+/* Whether the method applies: linear geometry and at least one Coulomb joint. Pairs of other
+ * laws take part as Newton's method would have it. */
+bool qn_central_path_applies (const QnAssembly *assembly);
+
+/* The same in any geometry. In nonlinear geometry the iteration takes up the deformed
+ * configuration as Newton's method does; it pays in steps that are not too long. */
+bool qn_central_path_has_joints (const QnAssembly *assembly);
+
+/* A workspace for `eq`, which must outlive it. NULL when memory runs out. */
+QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
+
+void qn_central_path_free (QnCentralPath *path);
+
+/* Whether it may turn back: some joint is not associative. */
+bool qn_central_path_turns_back (const QnCentralPath *path);
+
+/* From the committed state to the target, with at most `budget` factorisations, and then to the
+ * residual tolerance by qn_equilibrium_newton(). Leaves the outcome as the current state:
+ * CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
+QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target,
+                                     int budget);
+
+/* The same where one central path leads nowhere, for it turns back: what has slid until there
+ * is committed, and a new one begins. Each is a step of relaxation like those of
+ * qn_equilibrium_relax(), and as long as they get no further they grow; a few dozen at
+ * most, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
+ * moved by eq->runaway and still does (MECHANISM, with the motion of the last central path as
+ * eq->velocity, in metres; some pairs are neither here nor there on the way).
+ *
+ * undecided: complementarity, as a part of the displacements, above which nothing is committed
+ *            (FAILED), for by about so much pairs have slid that will not slide in the end.
+ *            INFINITY lets the structure move however it comes to rest; where it is to stay on
+ *            its branch, with a measure that advances, small values do. A branch on which the
+ *            free multiplier falls has FAILED.
+ *
+ * Where nothing can turn back it is qn_central_path_solve(). */
+QnSolveStatus qn_central_path_relax (QnCentralPath *path, const QnTarget *target,
+                                     double undecided, int budget);
+
+#endif

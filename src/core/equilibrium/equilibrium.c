@@ -1,0 +1,119 @@
+#include "core/equilibrium/equilibrium.h"
+
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool
+state_init (QnEquilibriumState *state, const QnAssembly *as)
+{
+  state->u = qn_alloc ((size_t) as->unknown_count, sizeof *state->u);
+  state->memory = qn_alloc (as->pair_count, sizeof *state->memory);
+  state->responses = qn_alloc (as->pair_count, sizeof *state->responses);
+  return qn_beam_state_init (&state->beams, &as->beams) && state->u && state->memory
+         && state->responses;
+}
+
+static void
+state_clear (QnEquilibriumState *state)
+{
+  free (state->u);
+  free (state->memory);
+  free (state->responses);
+  qn_beam_state_clear (&state->beams);
+}
+
+void
+qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
+{
+  const QnAssembly *as = &eq->assembly;
+
+  memcpy (state->u, eq->u, (size_t) as->unknown_count * sizeof *eq->u);
+  state->multiplier = eq->multiplier;
+  memcpy (state->memory, as->committed, as->pair_count * sizeof *as->committed);
+  memcpy (state->responses, as->responses, as->pair_count * sizeof *as->responses);
+  qn_beam_state_save (&state->beams, &as->beams);
+}
+
+void
+qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state)
+{
+  QnAssembly *as = &eq->assembly;
+
+  memcpy (eq->u, state->u, (size_t) as->unknown_count * sizeof *eq->u);
+  eq->multiplier = state->multiplier;
+  memcpy (as->committed, state->memory, as->pair_count * sizeof *as->committed);
+  memcpy (as->responses, state->responses, as->pair_count * sizeof *as->responses);
+  qn_beam_state_load (&state->beams, &as->beams);
+  qn_assembly_update_kinematics (as, eq->u);
+}
+
+void
+qn_equilibrium_commit (QnEquilibrium *eq)
+{
+  qn_assembly_commit (&eq->assembly);
+  qn_equilibrium_save (eq, &eq->committed);
+}
+
+void
+qn_equilibrium_restore (QnEquilibrium *eq)
+{
+  qn_equilibrium_load (eq, &eq->committed);
+}
+
+QnStatus
+qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts *contacts,
+                      QnProgressFunc report, void *report_data, QnDiag *diag)
+{
+  *eq = (QnEquilibrium){ .report = report,
+                         .report_data = report_data,
+                         .runaway = QN_RUNAWAY,
+                         .tolerance = model->analysis.residual_tolerance };
+
+  QnStatus status = qn_assembly_setup (&eq->assembly, model, contacts, diag);
+  if (status != QN_OK)
+    return status;
+
+  const QnAssembly *as = &eq->assembly;
+  double **vectors[] = { &eq->u,     &eq->residual,  &eq->step,
+                         &eq->trial, &eq->live_step, &eq->velocity };
+  QnVec2 *points = qn_assembly_points (as);
+  if (points != NULL)
+    eq->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai, points);
+  free (points);
+  eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
+  eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);
+  bool ok = eq->linsys != NULL && eq->factored_phases != NULL && eq->gaps != NULL;
+  for (size_t i = 0; i < QN_N_ELEMENTS (vectors); i++) {
+    *vectors[i] = qn_alloc ((size_t) as->unknown_count, sizeof (double));
+    ok &= *vectors[i] != NULL;
+  }
+  if (!ok || !state_init (&eq->committed, as) || !state_init (&eq->anchor, as)) {
+    qn_equilibrium_clear (eq);
+    return qn_diag_no_memory (diag);
+  }
+  qn_linsys_eliminate_everything (eq->linsys,
+                                  !model->analysis.shortcuts.partial_elimination);
+  qn_assembly_evaluate (&eq->assembly, eq->u);
+  qn_equilibrium_save (eq, &eq->committed);
+  return QN_OK;
+}
+
+void
+qn_equilibrium_clear (QnEquilibrium *eq)
+{
+  qn_linsys_free (eq->linsys);
+  free (eq->u);
+  free (eq->residual);
+  free (eq->step);
+  free (eq->trial);
+  free (eq->live_step);
+  free (eq->gaps);
+  free (eq->velocity);
+  free (eq->factored_phases);
+  state_clear (&eq->committed);
+  state_clear (&eq->anchor);
+  qn_assembly_clear (&eq->assembly);
+  *eq = (QnEquilibrium){ 0 };
+}

@@ -1,0 +1,173 @@
+/* Workspace of the equilibrium solver: semismooth Newton with a line search, and relaxation
+ * across jumps, towards a multiplier or another target.
+ *
+ * The workspace always holds one committed equilibrium (displacements, multiplier, memory of
+ * pairs and beams). The solving functions try to go on from there and leave their outcome as the
+ * current state; qn_equilibrium_commit() accepts it, qn_equilibrium_restore() goes back.
+ * Nothing is allocated after qn_equilibrium_setup(), except inside SuiteSparse.
+ */
+#ifndef QN_CORE_EQUILIBRIUM_H
+#define QN_CORE_EQUILIBRIUM_H
+
+#include "core/assembly/assembly.h"
+#include "core/base/progress.h"
+#include "core/linalg/linsys.h"
+
+typedef enum {
+  QN_SOLVE_CONVERGED,
+  QN_SOLVE_MECHANISM, /* relaxation ended in steady motion: no equilibrium at this load */
+  QN_SOLVE_FAILED,    /* iteration budget spent, or the line search found no descent */
+  QN_SOLVE_CANCELLED,
+  QN_SOLVE_NO_MEMORY
+} QnSolveStatus;
+
+/* All that makes a state: to go on from it, or to come back to it. The responses belong to
+ * it because they hold the tangent that led there: pairs that slip right at their strength
+ * look stuck when they are evaluated anew, and an iteration that starts from that stiffness
+ * goes astray. */
+typedef struct QnEquilibriumState {
+  double *u;
+  double multiplier;
+  QnPairMemory *memory;
+  QnPairResponse *responses;
+  QnBeamState beams;
+} QnEquilibriumState;
+
+/* What closes the system of equations besides equilibrium: a prescribed multiplier, or a linear
+ * combination of displacements and multiplier that has advanced by a given amount since the
+ * committed state:
+ *
+ *   direction . (u - committed.u) + weight (lambda - committed lambda) = advance
+ *
+ * A unit direction prescribes one displacement, the live load prescribes its work, the tangent
+ * of the path a length along it. */
+typedef struct QnTarget {
+  const double *direction; /* NULL: `multiplier` is prescribed */
+  double weight;
+  double advance;
+  double multiplier;
+} QnTarget;
+
+static inline QnTarget
+qn_target_multiplier (double multiplier)
+{
+  return (QnTarget){ .multiplier = multiplier };
+}
+
+typedef struct QnEquilibrium {
+  QnAssembly assembly;
+  QnLinsys *linsys;
+  double tolerance; /* largest out-of-balance, relative to the loads */
+
+  double *u;         /* current displacements */
+  double multiplier; /* current multiplier, lambda */
+  double *residual;  /* of the last evaluation, viscous part included */
+  double *step;      /* Newton direction */
+  double *trial;     /* u + alpha step */
+  double *live_step; /* K \\ F_live: displacements per multiplier */
+  double *gaps;      /* of the pairs before the last step of motion, m */
+  double *velocity;  /* of the last viscous step, m per unit of time, or motion, m */
+  double runaway;    /* elastic displacements from which on the structure has run away */
+
+  QnEquilibriumState committed; /* last accepted equilibrium */
+  QnEquilibriumState anchor;    /* where the viscous step started */
+
+  int
+    orientation; /* sign of the determinant of the bordered tangent of the last iteration
+                      towards a measure: it keeps as long as the equilibrium is one where
+                      a structure would stay with the measure held, and turns with the path */
+
+  int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
+  double factored_viscosity;
+  bool factored;
+
+  double out_of_balance; /* of the current state, relative */
+  QnProgress progress;
+  QnProgressFunc report;
+  void *report_data;
+  bool cancelled;
+  QnStatistics statistics;
+} QnEquilibrium;
+
+/* Numbers the unknowns, analyses the pattern and allocates everything. The state is the structure
+ * at rest, at multiplier 0, not in equilibrium yet. `report` (nullable) is asked whether to go
+ * on. Model and contacts must outlive the workspace, which is overwritten without being cleared;
+ * on failure it is empty. */
+QnStatus qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model,
+                               const QnContacts *contacts, QnProgressFunc report,
+                               void *report_data, QnDiag *diag);
+
+void qn_equilibrium_clear (QnEquilibrium *eq);
+
+/* Newton iterations from the current displacements towards
+ *
+ *   R(u, lambda) - viscosity C (u - anchor.u) = 0
+ *
+ * and the target, with at most `budget` iterations. Viscosity 0 gives static equilibrium. */
+QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
+                                     double viscosity, int budget);
+
+/* What the target lacks at displacements u and a multiplier; 0 where the multiplier itself is
+ * prescribed. */
+double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
+                                   const double *u, double multiplier);
+
+/* The second half of the bordered system of a target other than the multiplier,
+ *
+ *   K step - F_live multiplier_step             = residual
+ *   direction . step + weight multiplier_step   = lack
+ *
+ * from eq->step = K \\ residual and eq->live_step = K \\ F_live: completes eq->step and returns
+ * multiplier_step, 0 where *along_live = direction . live_step + weight vanishes. */
+double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
+                                     double lack, double *along_live);
+
+/* Motion, in elastic displacements of single joints under single blocks, that leaves the structure that
+ * was to be analysed if nothing is known of the whole: a tenth of a millimetre has become ten metres. */
+#define QN_RUNAWAY 1e5
+
+/* Motion beyond which rounding leaves no digit between forces and the default tolerance. */
+#define QN_FARTHEST 1e7
+
+/* Sets eq->runaway by the elasticity of the whole under its dead load, settlements aside, from the state
+ * at rest; QN_RUNAWAY until then, and where there is no dead load. False when memory runs out. */
+bool qn_equilibrium_set_runaway (QnEquilibrium *eq);
+
+/* Counts the factorisation just done. */
+void qn_equilibrium_count_factorization (QnEquilibrium *eq);
+
+/* Counts an iteration and reports it; false when the analysis is to be cancelled. */
+bool qn_equilibrium_go_on (QnEquilibrium *eq);
+
+/* Displacements per multiplier, rate = K \ F_live (unknown_count), by the static tangent K and the
+ * live load of the current state. CONVERGED, FAILED (K is singular; rate is not to be used) or
+ * NO_MEMORY. */
+QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
+
+/* Lets the structure move from the current state while the target holds, with viscosity that
+ * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
+ * with eq->velocity). FAILED when neither is certain after `budget` viscous steps. */
+QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target,
+                                    int budget);
+
+/* Notes how far joints stand open now; and whether one that stands open will close within `horizon`
+ * if it goes on as it did since then, in `time_step`. */
+void qn_equilibrium_note_gaps (QnEquilibrium *eq);
+bool qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step,
+                                double horizon);
+
+/* Largest change of an unknown since the committed state, m. */
+double qn_equilibrium_motion (const QnEquilibrium *eq);
+
+/* The same in elastic displacements. */
+double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
+
+/* Copies the current state into `state`, or makes `state` the current one. */
+void qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state);
+void qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state);
+
+/* Accepts the current state as an equilibrium, or goes back to the last accepted one. */
+void qn_equilibrium_commit (QnEquilibrium *eq);
+void qn_equilibrium_restore (QnEquilibrium *eq);
+
+#endif

@@ -1,0 +1,290 @@
+/* Semismooth Newton iteration with a backtracking line search on the out-of-balance forces. */
+#include "core/base/clock.h"
+#include "core/base/tolerance.h"
+#include "core/equilibrium/equilibrium.h"
+
+#include <string.h>
+
+/* Shortest fraction of the Newton direction that the line search tries. */
+#define SHORTEST_STEP (1.0 / 1024)
+
+/* Decrease of the residual asked for, as a fraction of what a linear system would give. */
+#define SUFFICIENT_DECREASE 1e-4
+
+/* Viscosity that is always in the factorised tangent, not in the residual, when a target other
+ * than the multiplier is sought. */
+#define TRACE 1e-9
+
+/* A structure has run away when a tenth of a millimetre of elastic deformation of the whole under its
+ * dead load, which grows with the square of the number of courses, has become three centimetres; and not
+ * before QN_RUNAWAY. */
+#define RUNAWAY_OF_WHOLE 300
+
+/* One solution in progress. */
+typedef struct {
+  QnEquilibrium *eq;
+  const QnTarget *target;
+  double viscosity;
+  double stiffness; /* force that the target's equation is worth per unit, N or N/m */
+  double norm;      /* of residual and target together, N */
+  double relative;  /* largest entry of the residual relative to the loads */
+  double multiplier_step; /* that belongs to eq->step */
+} Newton;
+
+double
+qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
+                            const double *u, double multiplier)
+{
+  double lack =
+    target->advance - target->weight * (multiplier - eq->committed.multiplier);
+
+  if (target->direction == NULL)
+    return 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    lack -= target->direction[i] * (u[i] - eq->committed.u[i]);
+  return lack;
+}
+
+/* The same, but nothing where it is no more than rounding. */
+static double
+target_gap (const Newton *newton, const double *u, double multiplier)
+{
+  const QnEquilibrium *eq = newton->eq;
+  const QnTarget *target = newton->target;
+  double gap = qn_equilibrium_target_lack (eq, target, u, multiplier);
+  double size = fabs (target->weight * multiplier);
+
+  if (target->direction == NULL)
+    return 0;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    size += fabs (target->direction[i] * u[i]);
+  double met = QN_TOLERANCE_TARGET * fabs (target->advance) + QN_TOLERANCE_MEASURE * size;
+  return fabs (gap) > met ? gap : 0;
+}
+
+/* residual = R(u, multiplier) - viscosity C (u - anchor), from the forces of the last
+ * evaluation; sets norm and relative. */
+static void
+measure (Newton *newton, const double *u, double multiplier)
+{
+  QnEquilibrium *eq = newton->eq;
+  QnAssembly *as = &eq->assembly;
+  double start = qn_clock_seconds ();
+  double scale = qn_assembly_residual (as, multiplier, eq->residual);
+  double gap = newton->stiffness * target_gap (newton, u, multiplier);
+  double sum = gap * gap, largest = 0, largest_static = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    largest_static = fmax (largest_static, fabs (eq->residual[i]));
+    eq->residual[i] -= newton->viscosity * as->damping[i] * (u[i] - eq->anchor.u[i]);
+    largest = fmax (largest, fabs (eq->residual[i]));
+    sum += eq->residual[i] * eq->residual[i];
+  }
+  eq->out_of_balance = scale > 0 ? largest_static / scale : 0;
+  newton->relative = scale > 0 ? largest / scale : 0;
+  if (gap != 0)
+    newton->relative = INFINITY; /* the target is met exactly or not at all */
+  newton->norm = sqrt (sum);
+  eq->statistics.assembly_seconds += qn_clock_seconds () - start;
+}
+
+static void
+evaluate (Newton *newton, const double *u, double multiplier)
+{
+  QnEquilibrium *eq = newton->eq;
+  double start = qn_clock_seconds ();
+  bool evaluated = qn_assembly_evaluate (&eq->assembly, u);
+
+  eq->statistics.law_seconds += qn_clock_seconds () - start;
+  if (evaluated)
+    measure (newton, u, multiplier);
+  else
+    newton->norm = INFINITY;
+}
+
+/* b = K \ b. Factorises the tangent unless it is the one that is factorised already: the tangent
+ * depends on the phases of the pairs and the viscosity only, as long as geometry is linear. */
+static QnFactorStatus
+apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
+{
+  QnAssembly *as = &eq->assembly;
+  bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear
+              && !qn_beam_assembly_has_changed (&as->beams);
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairResponse *response = &as->responses[p];
+    same = same && !response->varies && eq->factored_phases[p] == response->phase;
+    eq->factored_phases[p] = response->phase;
+  }
+  double start = qn_clock_seconds ();
+  if (same && as->model->analysis.shortcuts.same_tangent) {
+    qn_linsys_solve (eq->linsys, b);
+    eq->statistics.factor_seconds += qn_clock_seconds () - start;
+    return QN_FACTOR_OK;
+  }
+
+  qn_assembly_tangent (as, eq->multiplier, viscosity);
+  double assembled = qn_clock_seconds ();
+  QnFactorStatus status =
+    qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_AGAIN, b);
+  eq->statistics.assembly_seconds += assembled - start;
+  eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
+  qn_equilibrium_count_factorization (eq);
+  eq->factored = status == QN_FACTOR_OK;
+  eq->factored_viscosity = viscosity;
+  return status;
+}
+
+void
+qn_equilibrium_count_factorization (QnEquilibrium *eq)
+{
+  double work = qn_linsys_work (eq->linsys);
+
+  eq->statistics.factorizations += work > 0;
+  eq->statistics.factorization_work += work;
+}
+
+bool
+qn_equilibrium_go_on (QnEquilibrium *eq)
+{
+  eq->statistics.iterations++;
+  eq->progress.iterations = eq->statistics.iterations;
+  eq->progress.factorizations = eq->statistics.factorizations;
+  if (eq->report != NULL && !eq->cancelled)
+    eq->cancelled = !eq->report (&eq->progress, eq->report_data);
+  return !eq->cancelled;
+}
+
+double
+qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target, double lack,
+                              double *along_live)
+{
+  int32_t n = eq->assembly.unknown_count;
+  double along_step = 0;
+
+  *along_live = target->weight;
+  for (int32_t i = 0; i < n; i++) {
+    along_step += target->direction[i] * eq->step[i];
+    *along_live += target->direction[i] * eq->live_step[i];
+  }
+  double multiplier_step = *along_live != 0 ? (lack - along_step) / *along_live : 0;
+  for (int32_t i = 0; i < n; i++)
+    eq->step[i] += multiplier_step * eq->live_step[i];
+  return multiplier_step;
+}
+
+/* The Newton direction: eq->step and multiplier_step. */
+static QnFactorStatus
+solve_direction (Newton *newton)
+{
+  QnEquilibrium *eq = newton->eq;
+  const QnTarget *target = newton->target;
+  int32_t n = eq->assembly.unknown_count;
+  size_t bytes = (size_t) n * sizeof (double);
+  /* A full mechanism has a singular tangent, yet the target holds it: a trace of damping lets the
+   * bordered system be solved in two halves. */
+  double viscosity =
+    target->direction != NULL ? fmax (newton->viscosity, TRACE) : newton->viscosity;
+
+  memcpy (eq->step, eq->residual, bytes);
+  QnFactorStatus status = apply_inverse (eq, viscosity, eq->step);
+  newton->multiplier_step = 0;
+  if (status == QN_FACTOR_OK && target->direction != NULL) {
+    double along_live, load = 0, start = qn_clock_seconds ();
+    memcpy (eq->live_step, eq->assembly.live, bytes);
+    qn_linsys_solve (eq->linsys, eq->live_step);
+    for (int32_t i = 0; i < n; i++)
+      load = fmax (load, fabs (eq->assembly.live[i]));
+    double gap = target_gap (newton, eq->u, eq->multiplier);
+    newton->multiplier_step = qn_equilibrium_complete_step (eq, target, gap, &along_live);
+    newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
+    eq->orientation =
+      along_live < 0 ? -qn_linsys_sign (eq->linsys) : qn_linsys_sign (eq->linsys);
+    eq->statistics.factor_seconds += qn_clock_seconds () - start;
+  }
+  return status;
+}
+
+/* Moves along the Newton direction by the largest power of 1/2 that decreases the residual
+ * below `norm`; false where none does. */
+static bool
+line_search (Newton *newton, double norm)
+{
+  QnEquilibrium *eq = newton->eq;
+  int32_t n = eq->assembly.unknown_count;
+
+  for (double alpha = 1; alpha >= SHORTEST_STEP; alpha /= 2) {
+    double multiplier = eq->multiplier + alpha * newton->multiplier_step;
+    for (int32_t i = 0; i < n; i++)
+      eq->trial[i] = eq->u[i] + alpha * eq->step[i];
+    evaluate (newton, eq->trial, multiplier);
+    if (newton->norm <= (1 - SUFFICIENT_DECREASE * alpha) * norm) {
+      memcpy (eq->u, eq->trial, (size_t) n * sizeof *eq->u);
+      eq->multiplier = multiplier;
+      return true;
+    }
+  }
+  return false;
+}
+
+QnSolveStatus
+qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosity,
+                       int budget)
+{
+  Newton newton = { .eq = eq, .target = target, .viscosity = viscosity, .stiffness = 1 };
+
+  if (target->direction == NULL)
+    eq->multiplier = target->multiplier;
+  measure (&newton, eq->u, eq->multiplier);
+  for (int iteration = 0;; iteration++) {
+    if (newton.relative <= eq->tolerance)
+      return QN_SOLVE_CONVERGED;
+    if (iteration == budget || !isfinite (newton.norm))
+      return QN_SOLVE_FAILED;
+    if (!qn_equilibrium_go_on (eq))
+      return QN_SOLVE_CANCELLED;
+
+    switch (solve_direction (&newton)) {
+    case QN_FACTOR_OK:
+      break;
+    case QN_FACTOR_SINGULAR:
+      return QN_SOLVE_FAILED;
+    case QN_FACTOR_NO_MEMORY:
+      return QN_SOLVE_NO_MEMORY;
+    }
+    /* The first step is free: it takes pairs across the corner they rest in, which costs
+     * balance before it gains. */
+    if (!line_search (&newton, iteration == 0 ? INFINITY : newton.norm))
+      return QN_SOLVE_FAILED;
+  }
+}
+
+bool
+qn_equilibrium_set_runaway (QnEquilibrium *eq)
+{
+  const QnAssembly *as = &eq->assembly;
+
+  memcpy (eq->step, as->dead, (size_t) as->unknown_count * sizeof *eq->step);
+  for (size_t s = 0; s < as->settling_count; s++)
+    eq->step[as->settling[s].unknown] = 0; /* what follows a settlement does not deform */
+  QnFactorStatus status = apply_inverse (eq, 0, eq->step);
+  double whole =
+    status == QN_FACTOR_OK ? qn_assembly_elastic_displacements (as, eq->step, NULL) : 0;
+  eq->runaway = fmin (fmax (QN_RUNAWAY, RUNAWAY_OF_WHOLE * whole), QN_FARTHEST);
+  return status != QN_FACTOR_NO_MEMORY;
+}
+
+QnSolveStatus
+qn_equilibrium_rate (QnEquilibrium *eq, double *rate)
+{
+  memcpy (rate, eq->assembly.live, (size_t) eq->assembly.unknown_count * sizeof *rate);
+  switch (apply_inverse (eq, 0, rate)) {
+  case QN_FACTOR_OK:
+    return QN_SOLVE_CONVERGED;
+  case QN_FACTOR_SINGULAR:
+    return QN_SOLVE_FAILED;
+  case QN_FACTOR_NO_MEMORY:
+    break;
+  }
+  return QN_SOLVE_NO_MEMORY;
+}

@@ -1,0 +1,275 @@
+/* Relaxation: pseudo-transient continuation across jumps of the path.
+ *
+ * Backward Euler steps of C du/dt = R(u, lambda), each solved to convergence, slip committed
+ * along the way. The step grows while convergence is quick, so that the motion either dies
+ * down in a new equilibrium or goes on for good along a mechanism. (Kelley & Keyes 1998,
+ * Convergence analysis of pseudo-transient continuation, SIAM J. Numer. Anal. 35.)
+ *
+ * Time is counted in units of C / k, with k the mean stiffness of the pairs, so that a
+ * viscosity of 1 (a step of 1) is as stiff as the joints themselves.
+ */
+#include "core/equilibrium/equilibrium.h"
+
+#include <string.h>
+
+/* Newton iterations of one viscous step; more means that the step is too long. */
+#define NEWTON_BUDGET 12
+
+/* Viscosity of the first step: soft enough to cross a small jump at once. */
+#define FIRST_VISCOSITY 0.01
+
+/* A step that converges within QUICK iterations lets the next one be LONGER times as long; one
+ * that fails is repeated SHORTER times as short. */
+#define QUICK   6
+#define SLOW    12
+#define LONGER  4
+#define SHORTER 8
+
+/* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
+ * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
+#define WARY 8
+
+/* Viscosity at which joints are nothing against damping: what does not converge then never will. */
+#define STIFFEST 1e9
+
+/* Velocities that differ by less than this part of themselves, over a time as long as all
+ * that went before, are steady. */
+#define STEADY 1e-3
+
+/* A measure that is to advance does so at a speed that damping resists with this part of the
+ * largest dead load on a block, slowly enough to leave friction alone: ten times as fast, and
+ * walls take other branches in large than in small steps. So many viscous steps, of equal
+ * length if none grows, take the measure there. */
+#define DRIVE       0.001
+#define DRIVE_STEPS 8
+
+/* In nonlinear geometry: elastic displacements from which motion is watched, and how often it
+ * must double without slowing down until it counts as a fall. Motion that would come to rest
+ * within so many characteristic lengths slows down: slender members bend far under little
+ * force, and at first without any hurry to stop. */
+#define FALL_BEGINS    10
+#define FALL_DOUBLINGS 4
+#define FALL_LENGTHS   1e3
+
+typedef struct {
+  bool held;                            /* a measure, while the multiplier is free */
+  double duration;                      /* of the measure's advance */
+  double viscosity;                     /* of the next step */
+  double failed;                        /* that of the last step that failed, and */
+  int wary;                             /* for how many steps that is not tried again */
+  double elapsed;                       /* time since the start */
+  double speed;                         /* of the last step, in the norm of C */
+  double change;                        /* of the velocity in the last step, relative */
+  double watched_motion, watched_speed; /* when motion had last doubled */
+  int doublings;                        /* since the motion last slowed down */
+} Relaxation;
+
+static void
+begin_step (QnEquilibrium *eq)
+{
+  qn_equilibrium_save (eq, &eq->anchor);
+  qn_equilibrium_note_gaps (eq);
+}
+
+/* velocity = (u - anchor) / time step; its change since the last step, in the norm of C. */
+static void
+update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
+{
+  const QnAssembly *as = &eq->assembly;
+  double change = 0, norm = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    double v = relaxation->viscosity * (eq->u[i] - eq->anchor.u[i]);
+    double d = v - eq->velocity[i];
+    change += as->damping[i] * d * d;
+    norm += as->damping[i] * v * v;
+    eq->velocity[i] = v;
+  }
+  relaxation->speed = sqrt (norm);
+  relaxation->change = norm > 0 ? sqrt (change / norm) : 0;
+}
+
+double
+qn_equilibrium_elastic_displacements (const QnEquilibrium *eq)
+{
+  return qn_assembly_elastic_displacements (&eq->assembly, eq->u, eq->committed.u);
+}
+
+/* Time until the structure has run away at the present velocity. */
+static double
+time_to_run_away (const QnEquilibrium *eq)
+{
+  return eq->runaway
+         / qn_assembly_elastic_displacements (&eq->assembly, eq->velocity, NULL);
+}
+
+void
+qn_equilibrium_note_gaps (QnEquilibrium *eq)
+{
+  for (size_t p = 0; p < eq->assembly.pair_count; p++)
+    eq->gaps[p] = qn_assembly_gap (&eq->assembly, p);
+}
+
+bool
+qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double horizon)
+{
+  const QnAssembly *as = &eq->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    double gap = qn_assembly_gap (as, p);
+    if (gap > 0 && gap * time_step < (eq->gaps[p] - gap) * horizon)
+      return true;
+  }
+  return false;
+}
+
+double
+qn_equilibrium_motion (const QnEquilibrium *eq)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    largest = fmax (largest, fabs (eq->u[i] - eq->committed.u[i]));
+  return largest;
+}
+
+/* Whether forces that grow as they do now will have stopped the motion before the structure has
+ * run away: soft joints give way at a velocity that hardly changes, long before they push back.
+ * By the change of the velocity over the last step, from forces alone as damping is linear. */
+static bool
+will_be_stopped (const QnEquilibrium *eq, const Relaxation *relaxation, double time_step)
+{
+  return relaxation->change * time_to_run_away (eq) > time_step;
+}
+
+/* In nonlinear geometry the velocity of a mechanism changes as it moves: a structure falls if
+ * it covers twice the way again and again without slowing down. */
+static bool
+is_falling (const QnEquilibrium *eq, Relaxation *relaxation)
+{
+  double moved = qn_equilibrium_motion (eq), way = moved - relaxation->watched_motion;
+  double far = FALL_LENGTHS * eq->assembly.length;
+
+  if (moved > far)
+    return true;
+  if (qn_equilibrium_elastic_displacements (eq) < FALL_BEGINS
+      || moved < 2 * relaxation->watched_motion)
+    return false;
+  double lost = 1 - relaxation->speed / relaxation->watched_speed;
+  bool slower = lost * far > way;
+  relaxation->doublings = slower ? 0 : relaxation->doublings + 1;
+  relaxation->watched_motion = moved;
+  relaxation->watched_speed = relaxation->speed;
+  return relaxation->doublings > FALL_DOUBLINGS;
+}
+
+/* With a measure held a structure may well move far and come to rest; but not by more than a
+ * block, or a radian, beyond which the contacts that were detected mean nothing. */
+static bool
+has_left (const QnEquilibrium *eq)
+{
+  return qn_equilibrium_motion (eq) > eq->assembly.length;
+}
+
+/* Whether the structure moves on for good after a converged step. */
+static bool
+is_mechanism (const QnEquilibrium *eq, Relaxation *relaxation)
+{
+  double time_step = 1 / relaxation->viscosity;
+
+  if (eq->assembly.nonlinear && relaxation->held)
+    return has_left (eq);
+  if (eq->assembly.nonlinear)
+    return is_falling (eq, relaxation);
+  if (qn_equilibrium_elastic_displacements (eq) > eq->runaway)
+    return true;
+  return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
+         && !will_be_stopped (eq, relaxation, time_step)
+         && !qn_equilibrium_will_close (eq, time_step, time_to_run_away (eq));
+}
+
+/* Time in which the measure is to advance. The least damping force that any motion of this
+ * speed meets is that of the velocity C^-1 direction. */
+static double
+find_duration (const QnEquilibrium *eq, const QnTarget *target)
+{
+  const QnAssembly *as = &eq->assembly;
+  double largest = 0, yielding = 0;
+
+  if (target->direction == NULL)
+    return 0;
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    largest = fmax (largest, fabs (target->direction[i]));
+    if (target->direction[i] != 0)
+      yielding += target->direction[i] * target->direction[i] / as->damping[i];
+  }
+  double force = largest * fabs (target->advance) / yielding; /* at unit duration */
+  return as->force_scale > 0 ? force / (DRIVE * as->force_scale) : 0;
+}
+
+/* The target at the end of the next viscous step. */
+static QnTarget
+target_in_time (const Relaxation *relaxation, const QnTarget *target)
+{
+  double time = relaxation->elapsed + 1 / relaxation->viscosity;
+  QnTarget now = *target;
+
+  if (time < relaxation->duration)
+    now.advance *= time / relaxation->duration;
+  return now;
+}
+
+/* Chooses the next step by how many iterations the last one took. */
+static void
+adapt_step (Relaxation *relaxation, int iterations)
+{
+  bool may_fail = !relaxation->held && relaxation->wary > 0
+                  && relaxation->viscosity / LONGER <= relaxation->failed;
+
+  relaxation->wary -= relaxation->wary > 0;
+  if (iterations >= SLOW)
+    relaxation->viscosity *= 2;
+  else if (iterations <= QUICK && !may_fail)
+    relaxation->viscosity /= LONGER;
+}
+
+QnSolveStatus
+qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
+{
+  Relaxation relaxation = { .held = target->direction != NULL,
+                            .duration = find_duration (eq, target),
+                            .viscosity = FIRST_VISCOSITY };
+  if (relaxation.duration > 0)
+    relaxation.viscosity = fmin (FIRST_VISCOSITY, DRIVE_STEPS / relaxation.duration);
+
+  memset (eq->velocity, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->velocity);
+  for (int step = 0; step < budget; step++) {
+    int32_t before = eq->statistics.iterations;
+    QnTarget now = target_in_time (&relaxation, target);
+    begin_step (eq);
+    QnSolveStatus status =
+      qn_equilibrium_newton (eq, &now, relaxation.viscosity, NEWTON_BUDGET);
+
+    if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
+      return status;
+    if (status == QN_SOLVE_FAILED) {
+      qn_equilibrium_load (eq, &eq->anchor);
+      relaxation.failed = relaxation.viscosity;
+      relaxation.wary = WARY;
+      relaxation.viscosity *= SHORTER;
+      if (relaxation.viscosity > STIFFEST)
+        return QN_SOLVE_FAILED;
+      continue;
+    }
+
+    qn_assembly_commit (&eq->assembly);
+    relaxation.elapsed += 1 / relaxation.viscosity;
+    update_velocity (eq, &relaxation);
+    if (eq->out_of_balance <= eq->tolerance && relaxation.elapsed >= relaxation.duration)
+      return QN_SOLVE_CONVERGED;
+    if (is_mechanism (eq, &relaxation))
+      return QN_SOLVE_MECHANISM;
+    adapt_step (&relaxation, eq->statistics.iterations - before);
+  }
+  return QN_SOLVE_FAILED;
+}

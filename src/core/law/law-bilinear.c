@@ -1,0 +1,71 @@
+/* Elastic, then linear kinematic hardening, the same in tension and compression.
+ *
+ *   force       n = kn (q - p)                  p: plastic elongation
+ *   back force  x = kn r / (1 - r) p            r: hardening, 0 <= r < 1
+ *   yield       |n - x| <= ny
+ *   flow        dp in the direction of n - x
+ *
+ * In monotonic loading this is the line of stiffness kn up to ny and of stiffness r kn from
+ * there on. Unloading is elastic; the elastic range stays 2 ny wide (Bauschinger effect), so
+ * that yield in the other direction begins 2 ny below. Because the back force is proportional
+ * to p, the plastic elongation is all there is to remember. Return mapping in closed form:
+ *
+ *   y = |kn (q - p) - x| - ny > 0:   |dp| = y (1 - r) / kn,   dn/dq = r kn
+ *
+ * Source: Simo & Hughes, Computational Inelasticity (1998), section 1.4. Shear is elastic.
+ */
+#include "core/law/law-ops.h"
+
+#include <math.h>
+
+void
+qn_law_bilinear_evaluate (const QnSpring *s, const QnSpringMemory *committed,
+                          const double q[2], QnSpringResponse *r)
+{
+  double back = s->kn * s->hardening / (1 - s->hardening);
+  double trial = s->kn * (q[0] - committed->opening);
+  double relative = trial - back * committed->opening;
+  double excess = fabs (relative) - s->yield;
+
+  *r = (QnSpringResponse){ .force = { trial, s->ks * q[1] },
+                           .tangent = { { s->kn, 0 }, { 0, s->ks } },
+                           .memory = *committed,
+                           .phase = QN_PHASE_STICK };
+  if (excess <= 0)
+    return;
+
+  double sign = relative < 0 ? -1 : 1;
+  r->memory.opening += sign * excess * (1 - s->hardening) / s->kn;
+  /* On the yield line itself, so that rounding does not add up over many steps. */
+  r->force[0] = sign * s->yield + back * r->memory.opening;
+  r->tangent[0][0] = s->hardening * s->kn;
+  r->phase = sign > 0 ? QN_PHASE_YIELD_POSITIVE : QN_PHASE_YIELD_NEGATIVE;
+}
+
+static QnStatus
+check (const QnLaw *law, QnId index, QnDiag *diag)
+{
+  if (law->hardening < 1)
+    return QN_OK;
+  return qn_diag_set_field (diag, QN_PROBLEM_HARDENING_TOO_LARGE, QN_ENTITY_LAW, index,
+                            "hardening", law->hardening);
+}
+
+static void
+resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+{
+  spring->yield = law->yield * scale.force;
+  spring->hardening = law->hardening;
+}
+
+static const QnLawParameter parameters[] = {
+  QN_LAW_PARAMETER (yield, true, true),
+  QN_LAW_PARAMETER (hardening, false, false),
+};
+
+const QnLawOps qn_law_ops_bilinear = { .name = "bilinear",
+                                       .parameters = parameters,
+                                       .parameter_count = QN_N_ELEMENTS (parameters),
+                                       .check = check,
+                                       .resolve = resolve,
+                                       .evaluate = qn_law_bilinear_evaluate };

@@ -1,0 +1,190 @@
+/* Concrete: parabola and rectangle in compression, optional tension with a fracture energy.
+ *
+ * Compression, e = shortening, s = compressive force, positive:
+ *
+ *   s(e) = fc (2 x - x^2),  x = e / ep,  ep = 2 fc / kn      0 <= e <= ep
+ *   s(e) = fc                                                ep <= e <= eu
+ *   s(e) = fc (ec - e) / (ec - eu)                           eu <= e <= ec, then nothing
+ *   ec   = eu - fc / kn + 2 Gc / fc                          so that crushing dissipates Gc
+ *
+ * The end of the rectangle and the crushing branch are optional. Unloading and reloading are
+ * elastic, of stiffness kn, about the plastic shortening e - s / kn.
+ *
+ * Tension, d = elongation beyond that plastic shortening:
+ *
+ *   n(d) = kn d                                              d <= ft / kn
+ *   n(d) = ft (w - d) / (w - ft / kn),  w = 2 Gf / ft        up to d = w, then nothing
+ *
+ * A crack closes completely: unloading goes straight to the origin and comes back the same way.
+ * Both softening branches are cohesive: their lengths follow from energies per area and not from
+ * strains, so that the response does not depend on the size of the blocks.
+ *
+ * Sources: EN 1992-1-1, 3.1.7 (parabola-rectangle, exponent 2); Hillerborg, Modeer & Petersson
+ * 1976, Cem. Concr. Res. 6:773-782 (cohesive crack). Shear is elastic, cracked or not.
+ *
+ * Remembers minus the plastic shortening as `opening` and the widest d as `extreme`.
+ */
+#include "core/law/law-ops.h"
+
+#include <math.h>
+
+/* Shortening at which crushed concrete carries nothing more. */
+static double
+crushed_at (const QnSpring *s)
+{
+  return s->ultimate - s->strength / s->kn + s->crushing;
+}
+
+/* s(e) and its derivative. */
+static double
+compressive_force (const QnSpring *s, double e, double *slope, QnSpringResponse *r)
+{
+  double peak = 2 * s->strength / s->kn, x = e / peak;
+
+  r->varies = false;
+  *slope = 0;
+  if (e < peak) {
+    r->phase = QN_PHASE_CURVED;
+    r->varies = true;
+    *slope = s->kn * (1 - x);
+    return s->strength * x * (2 - x);
+  }
+  if (e <= s->ultimate) {
+    r->phase = QN_PHASE_YIELD_NEGATIVE;
+    return s->strength;
+  }
+  double end = crushed_at (s);
+  if (e >= end) {
+    r->phase = QN_PHASE_BROKEN;
+    return 0;
+  }
+  r->phase = QN_PHASE_CRUSH;
+  *slope = -s->strength / (end - s->ultimate);
+  return -*slope * (end - e);
+}
+
+static void
+compress (const QnSpring *s, double e, double plastic, QnSpringResponse *r)
+{
+  QnSpringResponse virgin = *r;
+  double slope, force = compressive_force (s, e, &slope, &virgin);
+  double trial = s->kn * (e - plastic);
+
+  if (trial <= force) {
+    r->force[0] = -trial;
+    r->tangent[0][0] = s->kn;
+    return;
+  }
+  r->force[0] = -force;
+  r->tangent[0][0] = slope;
+  r->memory.opening = -(e - force / s->kn);
+  r->phase = virgin.phase;
+  r->varies = virgin.varies;
+}
+
+static void
+stretch (const QnSpring *s, double d, QnSpringResponse *r)
+{
+  double crack = s->cap / s->kn, open = s->fracture;
+  double widest = fmax (d, r->memory.extreme);
+
+  r->memory.extreme = widest;
+  if (widest <= crack) {
+    r->force[0] = s->kn * d;
+    r->tangent[0][0] = s->kn;
+  } else if (widest >= open) {
+    r->phase = QN_PHASE_OPEN;
+  } else {
+    double slope = -s->cap / (open - crack), force = slope * (widest - open);
+    bool further = d == widest;
+    r->force[0] = further ? force : force / widest * d;
+    r->tangent[0][0] = further ? slope : force / widest;
+    r->phase = further ? QN_PHASE_SOFTEN : QN_PHASE_CRACKED;
+    r->varies = !further;
+  }
+}
+
+static void
+evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
+          QnSpringResponse *r)
+{
+  double plastic = -committed->opening;
+
+  *r = (QnSpringResponse){ .force = { 0, s->ks * q[1] },
+                           .tangent = { { 0, 0 }, { 0, s->ks } },
+                           .memory = *committed,
+                           .phase = QN_PHASE_STICK };
+  if (q[0] < -plastic)
+    compress (s, -q[0], plastic, r);
+  else
+    stretch (s, q[0] + plastic, r);
+}
+
+static QnStatus
+check (const QnLaw *law, QnId index, QnDiag *diag)
+{
+  const char *field = NULL;
+  QnProblem problem = QN_PROBLEM_NONE;
+  double peak = 2 * law->strength / law->kn;
+
+  if (law->tension > 0 && law->fracture_energy == 0) {
+    problem = QN_PROBLEM_FRACTURE_ENERGY_MISSING;
+    field = "fracture_energy";
+  } else if (law->ultimate_strain > 0 && law->ultimate_strain < peak) {
+    problem = QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL;
+    field = "ultimate_strain";
+  } else if (law->ultimate_strain > 0 && law->crushing_energy == 0) {
+    problem = QN_PROBLEM_FRACTURE_ENERGY_MISSING;
+    field = "crushing_energy";
+  } else if (law->ultimate_strain == 0 && law->crushing_energy > 0) {
+    problem = QN_PROBLEM_NOT_POSITIVE;
+    field = "ultimate_strain";
+  }
+  if (problem == QN_PROBLEM_NONE)
+    return QN_OK;
+  return qn_diag_set_field (diag, problem, QN_ENTITY_LAW, index, field, 0);
+}
+
+static void
+resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+{
+  bool crushes = law->ultimate_strain > 0;
+
+  spring->strength = law->strength * scale.force;
+  spring->ultimate = crushes ? law->ultimate_strain * scale.strain : INFINITY;
+  spring->crushing = crushes ? 2 * law->crushing_energy / law->strength : 0;
+  spring->cap = law->tension * scale.force;
+  spring->fracture = law->tension > 0 ? 2 * law->fracture_energy / law->tension : 0;
+}
+
+static double
+softening (const QnSpring *s)
+{
+  double steepest = 0;
+
+  if (s->cap > 0) {
+    double length = s->fracture - s->cap / s->kn;
+    steepest = length > 0 ? s->cap / length : INFINITY;
+  }
+  if (isfinite (s->ultimate)) {
+    double length = crushed_at (s) - s->ultimate;
+    steepest = fmax (steepest, length > 0 ? s->strength / length : INFINITY);
+  }
+  return steepest;
+}
+
+static const QnLawParameter parameters[] = {
+  QN_LAW_PARAMETER (strength, true, true),
+  QN_LAW_PARAMETER (ultimate_strain, false, true),
+  QN_LAW_PARAMETER (crushing_energy, false, true),
+  QN_LAW_PARAMETER (tension, false, false),
+  QN_LAW_PARAMETER (fracture_energy, false, true),
+};
+
+const QnLawOps qn_law_ops_concrete = { .name = "concrete",
+                                       .parameters = parameters,
+                                       .parameter_count = QN_N_ELEMENTS (parameters),
+                                       .check = check,
+                                       .resolve = resolve,
+                                       .evaluate = evaluate,
+                                       .softening = softening };

@@ -1,0 +1,16 @@
+/* Linear elastic in both directions, in tension as in compression: f = k q. */
+#include "core/law/law-ops.h"
+
+static void
+evaluate (const QnSpring *spring, const QnSpringMemory *committed, const double q[2],
+          QnSpringResponse *response)
+{
+  *response = (QnSpringResponse){
+    .force = { spring->kn * q[0], spring->ks * q[1] },
+    .tangent = { { spring->kn, 0 }, { 0, spring->ks } },
+    .memory = *committed,
+    .phase = QN_PHASE_STICK,
+  };
+}
+
+const QnLawOps qn_law_ops_elastic = { .name = "elastic", .evaluate = evaluate };

@@ -1,0 +1,55 @@
+/* What a constitutive law is made of; private to laws and springs. One file and one row of the
+ * table in law-ops.c per law. */
+#ifndef QN_CORE_LAW_OPS_H
+#define QN_CORE_LAW_OPS_H
+
+#include "core/law/spring.h"
+
+/* How the units of a law become those of a spring. */
+typedef struct QnLawScale {
+  double force;  /* N per unit of strength */
+  double strain; /* m per unit of elongation */
+} QnLawScale;
+
+typedef struct QnLawOps {
+  const char *name; /* as in project files */
+  const QnLawParameter *parameters;
+  size_t parameter_count;
+
+  /* Rules between parameters; nullable. Numbers have been checked one by one before. */
+  QnStatus (*check) (const QnLaw *law, QnId index, QnDiag *diag);
+
+  /* Fills what of the spring is the law's own; nullable. kind, kn and ks are set already. */
+  void (*resolve) (const QnLaw *law, QnLawScale scale, QnSpring *spring);
+
+  void (*evaluate) (const QnSpring *spring, const QnSpringMemory *committed,
+                    const double q[2], QnSpringResponse *response);
+
+  /* Steepest descent of the normal force, N/m; nullable for laws that never soften. INFINITY
+   * where a softening branch would run back. */
+  double (*softening) (const QnSpring *spring);
+} QnLawOps;
+
+#define QN_LAW_PARAMETER(member, is_required, is_positive)                               \
+  {                                                                                      \
+    .key = #member, .offset = offsetof (QnLaw, member), .required = is_required,         \
+    .positive = is_positive                                                              \
+  }
+
+/* The functions of a kind of law; static. */
+const QnLawOps *qn_law_ops (QnLawKind kind);
+
+extern const QnLawOps qn_law_ops_elastic;
+extern const QnLawOps qn_law_ops_no_tension;
+extern const QnLawOps qn_law_ops_coulomb;
+extern const QnLawOps qn_law_ops_bilinear;
+extern const QnLawOps qn_law_ops_elastic_plastic;
+extern const QnLawOps qn_law_ops_concrete;
+extern const QnLawOps qn_law_ops_steel;
+extern const QnLawOps qn_law_ops_curve;
+
+/* Kinematic hardening in the normal direction, elastic shear; see law-bilinear.c. */
+void qn_law_bilinear_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
+                               const double q[2], QnSpringResponse *response);
+
+#endif

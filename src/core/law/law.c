@@ -1,0 +1,84 @@
+#include "core/law/law.h"
+
+#include "core/law/law-ops.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+const char *
+qn_law_kind_name (QnLawKind kind)
+{
+  return qn_law_ops (kind)->name;
+}
+
+const char *
+qn_basis_name (QnBasis basis)
+{
+  static const char *const names[QN_BASIS_COUNT] = {
+    [QN_BASIS_CONTACT] = "contact",
+    [QN_BASIS_SURFACE] = "surface",
+    [QN_BASIS_MATERIAL] = "material",
+  };
+  return names[basis];
+}
+
+const QnLawParameter *
+qn_law_parameters (QnLawKind kind, size_t *count)
+{
+  const QnLawOps *ops = qn_law_ops (kind);
+  *count = ops->parameter_count;
+  return ops->parameters;
+}
+
+double
+qn_law_get (const QnLaw *law, const QnLawParameter *parameter)
+{
+  return *(const double *) ((const char *) law + parameter->offset);
+}
+
+double *
+qn_law_at (QnLaw *law, const QnLawParameter *parameter)
+{
+  return (double *) ((char *) law + parameter->offset);
+}
+
+static QnStatus
+check_number (double value, bool positive, const char *field, QnId index, QnDiag *diag)
+{
+  QnProblem problem = !isfinite (value)        ? QN_PROBLEM_NOT_FINITE
+                      : positive && value <= 0 ? QN_PROBLEM_NOT_POSITIVE
+                      : value < 0              ? QN_PROBLEM_NEGATIVE
+                                               : QN_PROBLEM_NONE;
+  if (problem == QN_PROBLEM_NONE)
+    return QN_OK;
+  return qn_diag_set_field (diag, problem, QN_ENTITY_LAW, index, field, value);
+}
+
+QnStatus
+qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
+{
+  if (law->name == NULL || law->name[0] == '\0')
+    return qn_diag_set_field (diag, QN_PROBLEM_NAME_MISSING, QN_ENTITY_LAW, index, "name",
+                              0);
+
+  const QnLawOps *ops = qn_law_ops (law->kind);
+  QnStatus status = check_number (law->kn, true, "kn", index, diag);
+  if (status == QN_OK)
+    status = check_number (law->ks, true, "ks", index, diag);
+  if (status == QN_OK)
+    status = check_number (law->shear_factor, false, "shear_factor", index, diag);
+  for (size_t i = 0; i < ops->parameter_count && status == QN_OK; i++) {
+    const QnLawParameter *parameter = &ops->parameters[i];
+    double value = qn_law_get (law, parameter);
+    bool positive = parameter->positive && (parameter->required || value != 0);
+    status = check_number (value, positive, parameter->key, index, diag);
+  }
+  return status == QN_OK && ops->check != NULL ? ops->check (law, index, diag) : status;
+}
+
+void
+qn_law_clear (QnLaw *law)
+{
+  free (law->name);
+  *law = (QnLaw){ 0 };
+}

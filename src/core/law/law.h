@@ -1,0 +1,93 @@
+/* Constitutive laws of the springs: what relates elongation and force.
+ *
+ * A contact pair has two springs in series, one on each block's side, each with a law of its
+ * own. A law answers for one spring: given the elongation q = (normal, tangential) and what
+ * the spring remembers from the last committed step, it returns the force and the consistent
+ * tangent. Normal components are positive in opening (tension).
+ *
+ * Three kinds are joints, whose two directions belong together; the others describe the fibres
+ * of a continuous member: nonlinear in the normal direction, linear elastic in shear.
+ */
+#ifndef QN_CORE_LAW_H
+#define QN_CORE_LAW_H
+
+#include "core/base/status.h"
+
+/* Most points of a curve. */
+#define QN_MAX_CURVE_POINTS 32
+
+typedef enum {
+  QN_LAW_ELASTIC,         /* linear in both directions, in tension too */
+  QN_LAW_NO_TENSION,      /* linear while closed, nothing while open; no slip limit */
+  QN_LAW_COULOMB,         /* friction, cohesion, tension cut-off, dilatancy */
+  QN_LAW_BILINEAR,        /* linear kinematic hardening */
+  QN_LAW_ELASTIC_PLASTIC, /* the same without hardening */
+  QN_LAW_CONCRETE,        /* parabola and rectangle; tension with a fracture energy */
+  QN_LAW_STEEL,           /* bilinear up to a strength, may break */
+  QN_LAW_CURVE,           /* points joined by straight lines, elastic unloading */
+  QN_LAW_KIND_COUNT
+} QnLawKind;
+
+typedef enum {
+  QN_BASIS_CONTACT, /* N/m, N: per pair, whatever its size; elongations in m */
+  QN_BASIS_SURFACE, /* Pa/m, Pa: times the pair's area; elongations in m */
+  QN_BASIS_MATERIAL, /* Pa, Pa: times the area; strains, over the length of the block's side */
+  QN_BASIS_COUNT
+} QnBasis;
+
+/* Strengths are forces per pair (contact) or stresses (surface, material); energies are J per
+ * pair or J/m2. What a kind uses and requires stands in qn_law_parameters(); the rest is
+ * ignored. */
+typedef struct QnLaw {
+  char *name; /* owned */
+  QnLawKind kind;
+  QnBasis basis;
+  double kn;           /* > 0, stiffness of ONE spring in the normal direction */
+  double ks;           /* > 0, the same, tangential */
+  double shear_factor; /* > 0, multiplies ks: 5/6 for the section of a rectangular member;
+                          0 stands for 1 */
+  double friction;     /* mu >= 0, tangent of the friction angle */
+  double cohesion;     /* c >= 0 */
+  double tension;   /* ft >= 0, tension cut-off; the cone's apex c/mu bounds it as well */
+  double dilatancy; /* psi, 0 <= psi <= mu: plastic opening per slip; mu = associative */
+  double yield;     /* > 0, at which the elastic range first ends */
+  double hardening; /* 0 <= r < 1, part of kn that remains beyond yield */
+  double strength;  /* > 0, the most that is carried; of concrete in compression */
+  double
+    ultimate_strain; /* > 0 where it is used, positive in compression too: strain (m for
+                             the contact and surface bases) at which the strength is spent */
+  double fracture_energy; /* >= 0, to open a crack, or break a bar, for good */
+  double
+    crushing_energy; /* >= 0, to crush concrete for good beyond its ultimate strain */
+  int32_t point_count;
+  QnVec2 points[QN_MAX_CURVE_POINTS]; /* (elongation or strain, force or stress), from
+                                         compression to tension */
+  int32_t note;                       /* of the layers above; see QnBlock */
+} QnLaw;
+
+/* A number that a kind of law has besides kn, ks and shear_factor. */
+typedef struct QnLawParameter {
+  const char *key; /* as in project files */
+  size_t offset;   /* of the double in QnLaw */
+  bool required;
+  bool positive; /* > 0 wherever it is given; >= 0 otherwise */
+} QnLawParameter;
+
+/* The parameters of a kind, in the order in which they are written; a static array. */
+const QnLawParameter *qn_law_parameters (QnLawKind kind, size_t *count);
+
+/* Value of a parameter, and the same to be set. */
+double qn_law_get (const QnLaw *law, const QnLawParameter *parameter);
+double *qn_law_at (QnLaw *law, const QnLawParameter *parameter);
+
+/* The name used in project files: "elastic", "no-tension", "coulomb", "bilinear",
+ * "elastic-plastic", "concrete", "steel", "curve". */
+const char *qn_law_kind_name (QnLawKind kind);
+const char *qn_basis_name (QnBasis basis);
+
+/* Checks the parameters of one law; `index` is for the diagnostic. */
+QnStatus qn_law_check (const QnLaw *law, QnId index, QnDiag *diag);
+
+void qn_law_clear (QnLaw *law);
+
+#endif

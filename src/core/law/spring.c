@@ -1,0 +1,95 @@
+#include "core/law/spring.h"
+
+#include "core/base/tolerance.h"
+#include "core/law/law-ops.h"
+
+#include <math.h>
+
+QnSpring
+qn_spring_from_law (const QnLaw *law, double area, double length)
+{
+  QnLawScale scale = { .force = 1, .strain = 1 };
+
+  switch (law->basis) {
+  case QN_BASIS_CONTACT:
+    break;
+  case QN_BASIS_SURFACE:
+    scale.force = area;
+    break;
+  case QN_BASIS_MATERIAL:
+    scale.force = area;
+    scale.strain = length;
+    break;
+  case QN_BASIS_COUNT:
+    QN_ASSERT (false);
+  }
+
+  double stiffness = scale.force / scale.strain;
+  double shear_factor = law->shear_factor > 0 ? law->shear_factor : 1;
+  const QnLawOps *ops = qn_law_ops (law->kind);
+  QnSpring spring = { .kind = law->kind,
+                      .kn = law->kn * stiffness,
+                      .ks = law->ks * shear_factor * stiffness };
+  if (ops->resolve != NULL)
+    ops->resolve (law, scale, &spring);
+  return spring;
+}
+
+void
+qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
+                    const double q[2], QnSpringResponse *response)
+{
+  qn_law_ops (spring->kind)->evaluate (spring, committed, q, response);
+}
+
+bool
+qn_law_softens (QnLawKind kind)
+{
+  return qn_law_ops (kind)->softening != NULL;
+}
+
+double
+qn_spring_softening (const QnSpring *spring)
+{
+  const QnLawOps *ops = qn_law_ops (spring->kind);
+  return ops->softening != NULL ? ops->softening (spring) : 0;
+}
+
+static bool
+close_to (double x, double y)
+{
+  return x == y || fabs (x - y) <= QN_TOLERANCE_SIMILAR * (fabs (x) + fabs (y));
+}
+
+bool
+qn_spring_similar (const QnSpring *a, const QnSpring *b)
+{
+  double ratio = a->kn / b->kn; /* of b's length to a's */
+
+  return a->kind == b->kind && close_to (a->ks, ratio * b->ks)
+         && a->friction == b->friction && close_to (a->cohesion, b->cohesion)
+         && close_to (a->cap, b->cap) && close_to (a->cap_strength, b->cap_strength)
+         && a->dilatancy == b->dilatancy && close_to (a->yield, b->yield)
+         && close_to (a->hardening, b->hardening) && close_to (a->strength, b->strength)
+         && close_to (ratio * a->ultimate, b->ultimate)
+         && close_to (a->fracture, b->fracture) && close_to (a->crushing, b->crushing)
+         && a->points == b->points && close_to (a->force_scale, b->force_scale)
+         && close_to (ratio * a->strain_scale, b->strain_scale)
+         && close_to (a->stretch[0], ratio * b->stretch[0])
+         && close_to (a->stretch[1], ratio * b->stretch[1]);
+}
+
+QnSpring
+qn_spring_join (const QnSpring *a, const QnSpring *b)
+{
+  QnSpring joined = *a;
+  double longer = 1 + a->kn / b->kn; /* joint length over that of a */
+
+  joined.kn /= longer;
+  joined.ks /= longer;
+  joined.ultimate *= longer;
+  joined.strain_scale *= longer;
+  joined.stretch[0] /= longer;
+  joined.stretch[1] /= longer;
+  return joined;
+}

@@ -1,0 +1,102 @@
+/* One spring of a contact pair: a law resolved to forces and elongations.
+ *
+ * Elongation q and force f are (normal, tangential) pairs; normal components are positive in
+ * opening and tension. What a spring remembers is advanced only when a step is committed:
+ * evaluating it any number of times from the same memory gives the same answer, so the result
+ * of a step does not depend on the iterations that led to it.
+ */
+#ifndef QN_CORE_SPRING_H
+#define QN_CORE_SPRING_H
+
+#include "core/law/law.h"
+
+typedef struct QnSpring {
+  QnLawKind kind;
+  double kn; /* N/m */
+  double ks; /* N/m */
+
+  double friction; /* mu */
+  double cohesion; /* N */
+  double
+    cap; /* largest normal force, N: the lower of cut-off and apex of the cone; tensile
+                      strength of concrete */
+  double
+    cap_strength;   /* shear strength left at the cap, N; 0 where the apex is the cap */
+  double dilatancy; /* psi */
+
+  double yield;     /* N, where the elastic range first ends */
+  double hardening; /* part of kn that remains beyond */
+  double strength;  /* N, the most that is carried; of concrete in compression */
+  double ultimate;  /* m, elongation (of concrete shortening) at which softening begins */
+  double fracture;  /* m, plastic elongation of the opening crack or breaking bar */
+  double crushing;  /* m, plastic shortening of concrete while it is crushed */
+
+  const QnVec2 *points; /* of the law, which must outlive the spring */
+  int32_t point_count;
+  double force_scale, strain_scale; /* N and m per unit of the points */
+  double stretch[2]; /* of the descending branches in tension and compression */
+} QnSpring;
+
+/* Plastic part of the elongation: what of q does not strain the spring. */
+typedef struct QnSpringMemory {
+  double opening; /* m, opened by dilatancy or plastically; negative: shortened */
+  double slip;    /* m, slid so far */
+  double extreme; /* m, what else a law remembers; its file says what */
+} QnSpringMemory;
+
+/* What a spring, or a pair of springs, is doing. The tangent of a spring depends on its law and
+ * its phase alone, unless its response says that it varies. */
+typedef enum {
+  QN_PHASE_STICK,         /* elastic */
+  QN_PHASE_SLIP_POSITIVE, /* slips, shear force >= 0 */
+  QN_PHASE_SLIP_NEGATIVE,
+  QN_PHASE_OPEN,       /* at the cap of the normal force, no shear strength left */
+  QN_PHASE_OPEN_STICK, /* at the cap with shear strength left, not slipping */
+  QN_PHASE_OPEN_SLIP_POSITIVE, /* at the cap, slipping */
+  QN_PHASE_OPEN_SLIP_NEGATIVE,
+  QN_PHASE_YIELD_POSITIVE, /* plastic in tension */
+  QN_PHASE_YIELD_NEGATIVE, /* plastic in compression */
+  QN_PHASE_CURVED,         /* on a branch that is no straight line */
+  QN_PHASE_SOFTEN,         /* a crack opens, a bar breaks */
+  QN_PHASE_CRACKED,        /* a crack closes or reopens, still carrying tension */
+  QN_PHASE_CRUSH,          /* is being crushed */
+  QN_PHASE_BROKEN,         /* carries nothing any more */
+  QN_PHASE_SEGMENT, /* on a segment of a curve: number added, tension before compression */
+  QN_PHASE_COUNT = QN_PHASE_SEGMENT + 2 * (QN_MAX_CURVE_POINTS + 1)
+} QnPhase;
+
+typedef struct QnSpringResponse {
+  double force[2];       /* N */
+  double tangent[2][2];  /* d force[i] / d q[j], N/m */
+  QnSpringMemory memory; /* to commit if the step is accepted */
+  QnPhase phase;
+  bool varies; /* the tangent is not told by the phase */
+} QnSpringResponse;
+
+/* The spring that a law makes of a pair.
+ *
+ * area:   tributary length of the pair times thickness, or a bar's section, m2 (surface and
+ *         material basis)
+ * length: extent of the block's side behind the spring, m (material basis) */
+QnSpring qn_spring_from_law (const QnLaw *law, double area, double length);
+
+/* Force and consistent tangent at elongation q, starting from what was last committed. */
+void qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
+                         const double q[2], QnSpringResponse *response);
+
+/* Whether springs of a kind of law may soften. */
+bool qn_law_softens (QnLawKind kind);
+
+/* Steepest descent of the normal force with growing elongation, N/m; 0 where there is none,
+ * INFINITY where the law has too little fracture energy for the spring's length: it would run
+ * back. */
+double qn_spring_softening (const QnSpring *spring);
+
+/* Whether two springs differ by their length only: then they carry equal forces at elongations
+ * in one proportion, and one spring of their joint length stands for both. */
+bool qn_spring_similar (const QnSpring *a, const QnSpring *b);
+
+/* That spring. What softens, softens once: a crack opens in one place. */
+QnSpring qn_spring_join (const QnSpring *a, const QnSpring *b);
+
+#endif

@@ -1,0 +1,299 @@
+#include "core/limit/interior-point-kkt.h"
+
+#include "core/base/memory.h"
+#include "core/limit/interior-point-apply.h"
+
+#include <math.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A direction need not be more exact than this: the next iteration sees what is left. */
+#define REFINEMENT_TARGET 1e-6
+#define MOST_REFINEMENTS  4
+
+QnStatus
+qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag)
+{
+  size_t cells = (size_t) problem->cell_count, rows = (size_t) problem->row_count;
+
+  *kkt = (QnIpKkt){ .problem = problem };
+  kkt->compliance = qn_alloc (3 * cells, sizeof (double));
+  kkt->axes = qn_alloc (2 * cells, sizeof (double));
+  kkt->turns = qn_alloc ((size_t) problem->bound_count, sizeof (double));
+  kkt->residual_v = qn_alloc (rows, sizeof (double));
+  kkt->border = qn_alloc (rows, sizeof (double));
+  kkt->step_v = qn_alloc (rows, sizeof (double));
+  if (!kkt->compliance || !kkt->axes || !kkt->turns || !kkt->residual_v || !kkt->border
+      || !kkt->step_v)
+    return qn_diag_no_memory (diag);
+  return qn_ip_schur_init (&kkt->schur, problem, diag);
+}
+
+void
+qn_ip_kkt_clear (QnIpKkt *kkt)
+{
+  qn_ip_schur_clear (&kkt->schur);
+  free (kkt->compliance);
+  free (kkt->axes);
+  free (kkt->turns);
+  free (kkt->residual_v);
+  free (kkt->border);
+  free (kkt->step_v);
+  *kkt = (QnIpKkt){ 0 };
+}
+
+/* The inverse of H of a cell, every term a sum without cancellation however different the
+ * weights: the determinant by Cauchy and Binet, det = sum_{i<j} w_i w_j (g_i x g_j)^2, the
+ * adjugate by turning each row by a right angle, adj H = sum_j w_j g_j^ g_j^'. Q and the
+ * regularisation count as rows along the axes. */
+static void
+invert_cell (QnIpKkt *kkt, int32_t c, const double *w)
+{
+  const QnIpCell *cell = &kkt->problem->cells[c];
+  const QnIpBound *bounds = kkt->problem->bounds + cell->first_bound;
+  double axis_n = cell->quadratic[0] + kkt->regularization;
+  double axis_t = cell->quadratic[1] + kkt->regularization;
+  double nn = axis_n, nt = 0.0, tt = axis_t, determinant = axis_n * axis_t;
+  double *compliance = kkt->compliance + 3 * (size_t) c;
+  double *turns = kkt->turns + cell->first_bound;
+
+  w += cell->first_bound;
+  for (int32_t i = 0; i < cell->bound_count; i++) {
+    const QnIpBound *b = &bounds[i];
+    nn += w[i] * b->normal * b->normal;
+    nt += w[i] * b->normal * b->shear;
+    tt += w[i] * b->shear * b->shear;
+    determinant += w[i] * (b->normal * b->normal * axis_t + b->shear * b->shear * axis_n);
+    for (int32_t j = 0; j < i; j++) {
+      double cross = b->normal * bounds[j].shear - b->shear * bounds[j].normal;
+      determinant += w[i] * w[j] * cross * cross;
+    }
+  }
+  compliance[0] = cell->no_shear ? 1.0 / nn : tt / determinant;
+  compliance[1] = cell->no_shear ? 0.0 : -nt / determinant;
+  compliance[2] = cell->no_shear ? 0.0 : nn / determinant;
+  kkt->axes[2 * c] = cell->no_shear ? 1.0 / nn : axis_t / determinant;
+  kkt->axes[2 * c + 1] = cell->no_shear ? 0.0 : axis_n / determinant;
+  for (int32_t i = 0; i < cell->bound_count; i++)
+    turns[i] = cell->no_shear ? 0.0 : w[i] / determinant;
+}
+
+static QnStatus
+solve_border (QnIpKkt *kkt, QnDiag *diag)
+{
+  const QnIpProblem *p = kkt->problem;
+  size_t size = (size_t) p->row_count * sizeof (double);
+  const double *solution;
+  QnStatus status;
+
+  kkt->bordered = p->load != NULL;
+  if (!kkt->bordered)
+    return QN_OK;
+  memcpy (qn_ip_schur_get_right (&kkt->schur), p->load, size);
+  status = qn_ip_schur_solve (&kkt->schur, &solution, diag);
+  if (status)
+    return status;
+  memcpy (kkt->border, solution, size);
+  kkt->border_power = qn_ip_dot (p->load, kkt->border, p->row_count);
+  return QN_OK;
+}
+
+QnStatus
+qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w, bool *ok, QnDiag *diag)
+{
+  QnStatus status;
+
+  for (int32_t c = 0; c < kkt->problem->cell_count; c++)
+    invert_cell (kkt, c, w);
+  kkt->error = 0.0;
+  status =
+    qn_ip_schur_factorize (&kkt->schur, kkt->compliance, kkt->regularization, ok, diag);
+  return !status && *ok ? solve_border (kkt, diag) : status;
+}
+
+/* y += dy = (H+r)^-1 (normal, shear), g += G dy for one cell. A row's own part of dy is at right
+ * angles to it and left out of its g. */
+static void
+answer_cell (const QnIpKkt *kkt, int32_t c, double normal, double shear,
+             QnIpKktVector *out)
+{
+  const QnIpCell *cell = &kkt->problem->cells[c];
+  const QnIpBound *bounds = kkt->problem->bounds + cell->first_bound;
+  const double *turns = kkt->turns + cell->first_bound;
+  double *g = out->g + cell->first_bound;
+  double axis_n = kkt->axes[2 * c] * normal, axis_t = kkt->axes[2 * c + 1] * shear;
+  double yn = axis_n, yt = axis_t;
+
+  for (int32_t i = 0; i < cell->bound_count; i++) {
+    const QnIpBound *b = &bounds[i];
+    double turn = turns[i] * (b->normal * shear - b->shear * normal);
+    yn -= turn * b->shear;
+    yt += turn * b->normal;
+    g[i] += b->normal * axis_n + b->shear * axis_t;
+    for (int32_t j = 0; j < cell->bound_count; j++)
+      if (j != i)
+        g[j] += turn * (b->normal * bounds[j].shear - b->shear * bounds[j].normal);
+  }
+  out->y[2 * c] += yn;
+  out->y[2 * c + 1] += yt;
+}
+
+/* Largest relative residual of the second and third block row; residual_v holds what
+ * subtract_forces() has left. */
+static double
+relative_error (QnIpKkt *kkt, const QnIpKktRight *right, const QnIpKktVector *out)
+{
+  const QnIpProblem *p = kkt->problem;
+  double error = 0.0;
+  double scale = fmax (qn_ip_largest (right->v, p->row_count), fabs (out->lambda));
+
+  scale = fmax (scale, 1e-3 * qn_ip_largest (out->y, 2 * p->cell_count));
+  if (scale > 0.0)
+    error = qn_ip_largest (kkt->residual_v, p->row_count) / scale;
+  if (kkt->bordered) {
+    kkt->residual_lambda = right->lambda - qn_ip_dot (p->load, out->v, p->row_count);
+    scale = fmax (fabs (right->lambda), qn_ip_largest (out->v, p->row_count));
+    if (scale > 0.0)
+      error = fmax (error, fabs (kkt->residual_lambda) / scale);
+  }
+  return error;
+}
+
+/* Lets the forces follow `sign` times the last correction of v (and ry, where given), and
+ * measures the residuals of the second and third block row. */
+static double
+follow (QnIpKkt *kkt, const QnIpKktRight *right, const double *ry, double sign,
+        QnIpKktVector *out)
+{
+  const QnIpProblem *p = kkt->problem;
+  double *e = kkt->residual_v;
+
+  for (int32_t r = 0; r < p->row_count; r++)
+    e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0)
+           + kkt->regularization * out->v[r];
+  for (int32_t g = 0; g < p->group_count; g++) {
+    const QnIpGroup *group = &p->groups[g];
+    double local[QN_IP_GROUP_ROWS], sum[QN_IP_GROUP_ROWS] = { 0 };
+
+    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+      local[i] = group->rows[i] >= 0 ? sign * kkt->step_v[group->rows[i]] : 0.0;
+    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
+      const double (*map)[2] = p->cells[c].map;
+      double normal = ry ? ry[2 * c] : 0.0;
+      double shear = ry && !p->cells[c].no_shear ? ry[2 * c + 1] : 0.0;
+      for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
+        normal -= map[i][0] * local[i];
+        shear -= map[i][1] * local[i];
+      }
+      answer_cell (kkt, c, normal, shear, out);
+      for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+        sum[i] += map[i][0] * out->y[2 * c] + map[i][1] * out->y[2 * c + 1];
+    }
+    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+      if (group->rows[i] >= 0)
+        e[group->rows[i]] -= sum[i];
+  }
+  return relative_error (kkt, right, out);
+}
+
+/* residual_v -= B (H+r)^-1 ry: what the forces along v have to balance. */
+static void
+condense (QnIpKkt *kkt, const QnIpKktRight *right)
+{
+  const QnIpProblem *p = kkt->problem;
+
+  memcpy (kkt->residual_v, right->v, (size_t) p->row_count * sizeof (double));
+  kkt->residual_lambda = right->lambda;
+  for (int32_t g = 0; g < p->group_count; g++) {
+    const QnIpGroup *group = &p->groups[g];
+    double sum[QN_IP_GROUP_ROWS] = { 0 };
+
+    for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
+      const QnIpCell *cell = &p->cells[c];
+      const double *h = kkt->compliance + 3 * (size_t) c, *ry = right->y + 2 * (size_t) c;
+      double shear = cell->no_shear ? 0.0 : ry[1];
+      double yn = h[0] * ry[0] + h[1] * shear, yt = h[1] * ry[0] + h[2] * shear;
+      for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+        sum[i] += cell->map[i][0] * yn + cell->map[i][1] * yt;
+    }
+    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+      if (group->rows[i] >= 0)
+        kkt->residual_v[group->rows[i]] -= sum[i];
+  }
+}
+
+/* The change of v and lambda that the residuals ask for. */
+static QnStatus
+correct (QnIpKkt *kkt, QnIpKktVector *out, QnDiag *diag)
+{
+  const QnIpProblem *p = kkt->problem;
+  double *right = qn_ip_schur_get_right (&kkt->schur), *step = kkt->step_v;
+  const double *solution;
+  QnStatus status;
+
+  for (int32_t r = 0; r < p->row_count; r++)
+    right[r] = -kkt->residual_v[r]; /* M dv - f dl = -e,  f'dv = e_l */
+  status = qn_ip_schur_solve (&kkt->schur, &solution, diag);
+  if (status)
+    return status;
+  memcpy (step, solution, (size_t) p->row_count * sizeof (double));
+  kkt->step_lambda = 0.0;
+  if (kkt->bordered && kkt->border_power > 0.0) {
+    kkt->step_lambda = (kkt->residual_lambda - qn_ip_dot (p->load, step, p->row_count))
+                       / kkt->border_power;
+    for (int32_t r = 0; r < p->row_count; r++)
+      step[r] += kkt->step_lambda * kkt->border[r];
+  }
+  for (int32_t r = 0; r < p->row_count; r++)
+    out->v[r] += step[r];
+  out->lambda += kkt->step_lambda;
+  return QN_OK;
+}
+
+/* Takes the last correction back. */
+static double
+undo (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
+{
+  for (int32_t r = 0; r < kkt->problem->row_count; r++)
+    out->v[r] -= kkt->step_v[r];
+  out->lambda -= kkt->step_lambda;
+  return follow (kkt, right, NULL, -1.0, out);
+}
+
+static void
+set_zero (const QnIpProblem *p, QnIpKktVector *out)
+{
+  memset (out->y, 0, 2 * (size_t) p->cell_count * sizeof (double));
+  memset (out->g, 0, (size_t) p->bound_count * sizeof (double));
+  memset (out->v, 0, (size_t) p->row_count * sizeof (double));
+  out->lambda = 0.0;
+}
+
+QnStatus
+qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
+                 QnDiag *diag)
+{
+  double last = INFINITY;
+
+  set_zero (kkt->problem, out);
+  condense (kkt, right);
+  for (int round = 0; round <= MOST_REFINEMENTS; round++) {
+    QnStatus status = correct (kkt, out, diag);
+    double now;
+    if (status)
+      return status;
+    now = follow (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
+    /* The first pass is the solution; later ones go on while they gain a digit. */
+    if (round > 0 && now > last)
+      now = undo (kkt, right, out);
+    if (now <= REFINEMENT_TARGET || (round > 0 && now > 0.1 * last)) {
+      last = now;
+      break;
+    }
+    last = now;
+  }
+  if (!(last <= kkt->error)) /* NaN counts as the worst */
+    kkt->error = isnan (last) ? INFINITY : last;
+  return QN_OK;
+}

@@ -1,0 +1,70 @@
+/* The linear systems of the interior-point engine; private to interior-point*.c.
+ *
+ * Solves   [ H+r  B' 0 ] [ y ]   [ ry ]
+ *          [ B   -r  f ] [ v ] = [ rv ]      H = Q + G' diag (w) G
+ *          [ 0    f' 0 ] [ l ]   [ rl ]
+ *
+ * (without the last row and column where there is no load f) by one factorisation of
+ * the Schur complement M = B (H+r)^-1 B' + r, f bordered.
+ *
+ * r is the regularisation: cells with a free direction (H singular), redundant and empty rows
+ * (M singular) and forces that wedge each other without end would leave the system singular.
+ * It acts as a proximal term of the step, so a step of length 1 leaves r times itself as the
+ * residual of the optimality conditions, and that vanishes as steps do.
+ *
+ * Weights w spread over twenty orders of magnitude near the optimum. What a joint's strength
+ * rows do, g = G y, is therefore returned besides y: it is found from the forces along v without
+ * the cancellation that forming G y has where a large weight keeps that near 0. The first block
+ * row then holds by construction, and iterative refinement looks at the other two.
+ */
+#ifndef QN_CORE_INTERIOR_POINT_KKT_H
+#define QN_CORE_INTERIOR_POINT_KKT_H
+
+#include "core/limit/interior-point-schur.h"
+
+typedef struct QnIpKkt {
+  const QnIpProblem *problem; /* borrowed */
+  QnIpSchur schur;
+  double *compliance; /* cell_count x 3: nn, nt, tt of (H+r)^-1 */
+  double *axes;       /* cell_count x 2 and … */
+  double *turns;      /* bound_count: factors of the same inverse as a sum without
+                         cancellation, (H+r)^-1 = diag (axes) + sum of turn g^ g^' */
+  double *residual_v;
+  double residual_lambda;
+  double *step_v; /* the last correction */
+  double step_lambda;
+  bool bordered;         /* the multiplier is an unknown; set by _factorize() */
+  double *border;        /* M^-1 f, row_count */
+  double border_power;   /* f'M^-1 f */
+  double regularization; /* r */
+  double error;          /* largest relative residual left since the last _factorize() */
+} QnIpKkt;
+
+QnStatus qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem, QnDiag *diag);
+
+/* Factorises for the weights w (bound_count). *ok is false where the matrix could not be
+ * made positive definite. */
+QnStatus qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w, bool *ok, QnDiag *diag);
+
+/* A right-hand side of the system. */
+typedef struct QnIpKktRight {
+  double *y;     /* cell_count x 2; shear of cells without shear is ignored */
+  double *v;     /* row_count */
+  double lambda; /* ignored without a load */
+} QnIpKktRight;
+
+/* Its unknowns. */
+typedef struct QnIpKktVector {
+  double *y;     /* cell_count x 2 */
+  double *g;     /* bound_count: G y */
+  double *v;     /* row_count */
+  double lambda; /* 0 without a load */
+} QnIpKktVector;
+
+/* Solves for one right-hand side; `out` must not overlap it. */
+QnStatus qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out,
+                          QnDiag *diag);
+
+void qn_ip_kkt_clear (QnIpKkt *kkt);
+
+#endif

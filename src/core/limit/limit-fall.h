@@ -1,0 +1,20 @@
+/* How a structure that its dead load does not let stand begins to move; private to limit*.c. */
+#ifndef QN_CORE_LIMIT_FALL_H
+#define QN_CORE_LIMIT_FALL_H
+
+#include "core/limit/limit-problem.h"
+
+/* Accelerations from rest under the dead load: of all forces within the strength, the joints
+ * exert those that leave the least imbalance in the metric of the inverse masses (Gauss's
+ * principle of least constraint, flow being associative), and what is left accelerates. Blocks
+ * that can stand stay at rest exactly, which tells apart who falls from who watches.
+ *
+ * At the optimum this is a certificate too: the dead load does positive power along it, and
+ * no joint resists with more than that.
+ *
+ * v: row_count, out, unchanged where *found is false. `go_on` is asked with `user_data` after
+ * every iteration; false ends the search, nothing found. */
+QnStatus qn_limit_fall (const QnLimitProblem *limit, bool (*go_on) (void *user_data),
+                        void *user_data, double *v, bool *found, QnDiag *diag);
+
+#endif

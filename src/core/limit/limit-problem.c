@@ -1,0 +1,396 @@
+#include "core/limit/limit-problem.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Most strength rows of one pair: two lines of each Coulomb law and the tension cut-off. */
+#define MOST_BOUNDS 5
+
+/* Scaled mass of a block without weight. */
+#define LEAST_MASS 1e-3
+
+/* A Coulomb cone |t| <= cohesion - slope n. */
+typedef struct Cone {
+  double slope;
+  double cohesion;
+} Cone;
+
+/* What the two laws of a pair allow together. */
+typedef struct Strength {
+  Cone cones[2];
+  int cone_count;
+  double cap; /* largest normal force, INFINITY where there is none */
+} Strength;
+
+static bool
+dominates (const Cone *tight, const Cone *loose, double cap)
+{
+  return loose->slope >= tight->slope
+         && loose->cohesion - loose->slope * cap >= tight->cohesion - tight->slope * cap;
+}
+
+/* What one law allows; `area` (m2) turns stresses into forces where the basis is not that of
+ * the contact pair itself. The apex of a cone bounds tension as the cut-off does. */
+static void
+restrict_by_law (Strength *strength, const QnLaw *law, double area)
+{
+  double unit = law->basis == QN_BASIS_CONTACT ? 1.0 : area;
+
+  switch (law->kind) {
+  case QN_LAW_ELASTIC:
+  case QN_LAW_BILINEAR:
+  case QN_LAW_ELASTIC_PLASTIC:
+  case QN_LAW_CONCRETE:
+  case QN_LAW_STEEL:
+  case QN_LAW_CURVE:
+  case QN_LAW_KIND_COUNT:
+    break;
+  case QN_LAW_NO_TENSION:
+    strength->cap = fmin (strength->cap, 0.0);
+    break;
+  case QN_LAW_COULOMB:
+    strength->cap = fmin (strength->cap, law->tension * unit);
+    if (law->friction > 0.0)
+      strength->cap = fmin (strength->cap, law->cohesion / law->friction * unit);
+    strength->cones[strength->cone_count++] =
+      (Cone){ law->friction, law->cohesion * unit };
+    break;
+  }
+}
+
+/* Changes a cone to the line through its point at the compression `anchor`. */
+static void
+turn_cone (Cone *cone, double dilatancy, double anchor, double remaining)
+{
+  double slope = dilatancy + (cone->slope - dilatancy) * remaining;
+
+  cone->cohesion += (cone->slope - slope) * anchor;
+  cone->slope = slope;
+}
+
+static Strength
+pair_strength (const QnLimitProblem *limit, const QnModel *model,
+               const QnContacts *contacts, QnId pair, const double *anchor,
+               double remaining)
+{
+  const QnContactPair *p = &contacts->pairs[pair];
+  const QnContactFace *face = &contacts->faces[p->face];
+  const QnId laws[2] = { qn_contacts_pair_law (model, contacts, pair, 0),
+                         qn_contacts_pair_law (model, contacts, pair, 1) };
+  Strength strength = { .cap = INFINITY };
+
+  for (int side = 0; side < 2; side++) {
+    const QnLaw *law = &model->laws[laws[side]];
+    int before = strength.cone_count;
+    restrict_by_law (&strength, law, p->tributary * face->thickness);
+    if (anchor && strength.cone_count > before)
+      turn_cone (&strength.cones[before], law->dilatancy, anchor[pair], remaining);
+  }
+  if (limit->adjustable) {
+    if (laws[0] == laws[1] && strength.cone_count == 2)
+      strength.cone_count = 1;
+  } else if (strength.cone_count == 2) {
+    if (dominates (&strength.cones[0], &strength.cones[1], strength.cap)) {
+      strength.cone_count = 1;
+    } else if (dominates (&strength.cones[1], &strength.cones[0], strength.cap)) {
+      strength.cones[0] = strength.cones[1];
+      strength.cone_count = 1;
+    }
+  }
+  return strength;
+}
+
+/* Writes the rows of a cell and returns their number. An adjustable problem keeps the cut-off
+ * even where the apex of a cone implies it. */
+static int32_t
+write_bounds (const QnLimitProblem *limit, const Strength *strength, QnIpCell *cell,
+              QnIpBound *bounds)
+{
+  int32_t count = 0;
+  bool cut_off = isfinite (strength->cap);
+
+  cell->no_shear = false;
+  for (int i = 0; i < strength->cone_count; i++) {
+    const Cone *cone = &strength->cones[i];
+    double norm = hypot (cone->slope, 1.0);
+    double cohesion = cone->cohesion / limit->force_unit;
+
+    if (cone->slope == 0.0 && cone->cohesion == 0.0)
+      cell->no_shear = true;
+    if (!limit->adjustable && cone->slope > 0.0
+        && cone->cohesion <= cone->slope * strength->cap)
+      cut_off = false;
+    for (int sign = -1; sign <= 1; sign += 2)
+      bounds[count++] = (QnIpBound){ cone->slope / norm, sign / norm, cohesion / norm };
+  }
+  if (cell->no_shear) {
+    count = 0;
+    cut_off = true;
+  }
+  if (cut_off)
+    bounds[count++] = (QnIpBound){ 1.0, 0.0, strength->cap / limit->force_unit };
+  return count;
+}
+
+/* Root mean square of the entries that are not zero, 0 if all are. */
+static double
+typical_size (const double *values, const int32_t *rows, size_t count)
+{
+  double sum = 0.0;
+  size_t n = 0;
+
+  for (size_t i = 0; i < count; i++)
+    if (rows[i] >= 0 && values[i] != 0.0) {
+      sum += values[i] * values[i];
+      n++;
+    }
+  return n > 0 ? sqrt (sum / (double) n) : 0.0;
+}
+
+static void
+number_rows (QnLimitProblem *limit, const QnModel *model)
+{
+  int32_t count = 0;
+
+  for (size_t b = 0; b < model->block_count; b++)
+    for (int d = 0; d < QN_DOF_COUNT; d++)
+      limit->rows[b * QN_DOF_COUNT + (size_t) d] =
+        model->blocks[b].support[d] ? -1 : count++;
+  limit->ip.row_count = count;
+}
+
+static QnStatus
+scale_loads (QnLimitProblem *limit, const QnModel *model, QnDiag *diag)
+{
+  size_t count = model->block_count * QN_DOF_COUNT;
+  double *dead = qn_alloc (count, sizeof *dead), *live = qn_alloc (count, sizeof *live);
+  QnStatus status = QN_OK;
+
+  limit->constant = qn_alloc ((size_t) limit->ip.row_count, sizeof (double));
+  limit->load = qn_alloc ((size_t) limit->ip.row_count, sizeof (double));
+  if (!dead || !live || !limit->constant || !limit->load) {
+    status = qn_diag_no_memory (diag);
+  } else {
+    qn_model_dead_forces (model, dead);
+    qn_model_live_forces (model, live);
+    for (size_t i = QN_DOF_RZ; i < count; i += QN_DOF_COUNT) {
+      dead[i] /= limit->length_unit;
+      live[i] /= limit->length_unit;
+    }
+    limit->force_unit = typical_size (dead, limit->rows, count);
+    limit->load_unit = typical_size (live, limit->rows, count);
+    if (limit->force_unit == 0.0)
+      limit->force_unit = limit->load_unit;
+    for (size_t i = 0; i < count && limit->load_unit > 0.0; i++)
+      if (limit->rows[i] >= 0) {
+        limit->constant[limit->rows[i]] = dead[i] / limit->force_unit;
+        limit->load[limit->rows[i]] = live[i] / limit->load_unit;
+      }
+    if (limit->load_unit == 0.0)
+      status = qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_NO_LIVE_LOAD,
+                            QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  }
+  free (dead);
+  free (live);
+  return status;
+}
+
+/* Weights stand for masses; a weightless block has the little that keeps its motion finite. */
+static void
+fill_masses (QnLimitProblem *limit, const QnModel *model)
+{
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    double mass = fmax (block->weight / limit->force_unit, LEAST_MASS);
+    double radius = sqrt (block->polar_moment / block->area) / limit->length_unit;
+    double *out = limit->mass + b * QN_DOF_COUNT;
+    out[QN_DOF_UX] = out[QN_DOF_UY] = mass;
+    out[QN_DOF_RZ] = mass * radius * radius;
+  }
+}
+
+/* Resultant on block `id` of a unit force along `axis` at `point`, lengths scaled. */
+static void
+map_force (const QnModel *model, QnId id, QnVec2 point, QnVec2 axis, double sign,
+           double length_unit, int column, double (*map)[2])
+{
+  QnVec2 arm = qn_vec2_sub (point, model->blocks[id].centroid);
+
+  map[QN_DOF_UX][column] = sign * axis.x;
+  map[QN_DOF_UY][column] = sign * axis.y;
+  map[QN_DOF_RZ][column] = sign * qn_vec2_cross (arm, axis) / length_unit;
+}
+
+static void
+map_pair (QnIpCell *cell, const QnModel *model, const QnContactFace *face, QnVec2 point,
+          double length_unit)
+{
+  double (*on_b)[2] = cell->map + QN_DOF_COUNT;
+
+  map_force (model, face->a, point, face->normal, 1.0, length_unit, 0, cell->map);
+  map_force (model, face->a, point, face->tangent, 1.0, length_unit, 1, cell->map);
+  map_force (model, face->b, point, face->normal, -1.0, length_unit, 0, on_b);
+  map_force (model, face->b, point, face->tangent, -1.0, length_unit, 1, on_b);
+}
+
+/* Groups, cells and bounds of all faces that touch a free degree of freedom. */
+static void
+fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *contacts)
+{
+  QnIpProblem *ip = &limit->ip;
+
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    QnIpGroup group = { .first_cell = ip->cell_count, .cell_count = face->pair_count };
+    bool free_row = false;
+
+    for (int d = 0; d < QN_DOF_COUNT; d++) {
+      group.rows[d] = limit->rows[face->a * QN_DOF_COUNT + d];
+      group.rows[QN_DOF_COUNT + d] = limit->rows[face->b * QN_DOF_COUNT + d];
+      free_row |= group.rows[d] >= 0 || group.rows[QN_DOF_COUNT + d] >= 0;
+    }
+    if (!free_row)
+      continue;
+    limit->groups[ip->group_count++] = group;
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+      QnIpCell *cell = &limit->cells[ip->cell_count];
+      Strength strength = pair_strength (limit, model, contacts, p, NULL, 1.0);
+
+      map_pair (cell, model, face, contacts->pairs[p].point, limit->length_unit);
+      cell->first_bound = ip->bound_count;
+      cell->bound_count =
+        write_bounds (limit, &strength, cell, limit->bounds + ip->bound_count);
+      ip->bound_count += cell->bound_count;
+      limit->cell_pairs[ip->cell_count++] = p;
+    }
+  }
+}
+
+/* The strengths of fibres have no place in the rows of a pair, beams have no pairs at all. */
+static QnStatus
+check_kinds (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
+{
+  if (model->node_count > 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_BEAMS_WITHOUT_LIMIT, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "procedure", 0);
+  for (size_t p = 0; p < contacts->pair_count; p++)
+    for (int side = 0; side < 2; side++) {
+      QnId law = qn_contacts_pair_law (model, contacts, p, side);
+      QnLawKind kind = model->laws[law].kind;
+      if (kind != QN_LAW_ELASTIC && kind != QN_LAW_NO_TENSION && kind != QN_LAW_COULOMB)
+        return qn_diag_set_field (diag, QN_PROBLEM_LAW_WITHOUT_LIMIT, QN_ENTITY_LAW, law,
+                                  "kind", 0);
+    }
+  return QN_OK;
+}
+
+QnStatus
+qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
+                       const QnContacts *contacts, bool adjustable, QnDiag *diag)
+{
+  QnStatus status = check_kinds (model, contacts, diag);
+
+  *limit = (QnLimitProblem){ 0 };
+  if (status != QN_OK)
+    return status;
+  *limit = (QnLimitProblem){
+    .block_count = model->block_count,
+    .pair_count = contacts->pair_count,
+    .length_unit = model->characteristic_length,
+    .adjustable = adjustable,
+  };
+  limit->rows = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->rows);
+  limit->mass = qn_alloc (model->block_count * QN_DOF_COUNT, sizeof *limit->mass);
+  limit->groups = qn_alloc (contacts->face_count, sizeof *limit->groups);
+  limit->cells = qn_alloc (contacts->pair_count, sizeof *limit->cells);
+  limit->cell_pairs = qn_alloc (contacts->pair_count, sizeof *limit->cell_pairs);
+  limit->bounds = qn_alloc (contacts->pair_count * MOST_BOUNDS, sizeof *limit->bounds);
+  if (!limit->rows || !limit->mass || !limit->groups || !limit->cells
+      || !limit->cell_pairs || !limit->bounds) {
+    status = qn_diag_no_memory (diag);
+  } else {
+    number_rows (limit, model);
+    status = scale_loads (limit, model, diag);
+  }
+  if (status) {
+    qn_limit_problem_clear (limit);
+    return status;
+  }
+  fill_masses (limit, model);
+  fill_faces (limit, model, contacts);
+  limit->ip.groups = limit->groups;
+  limit->ip.cells = limit->cells;
+  limit->ip.bounds = limit->bounds;
+  limit->ip.constant = limit->constant;
+  limit->ip.load = limit->load;
+  for (int32_t r = 0; r < limit->ip.row_count; r++)
+    limit->ip.load_gain += fabs (limit->load[r]);
+  return QN_OK;
+}
+
+void
+qn_limit_problem_clear (QnLimitProblem *limit)
+{
+  free (limit->mass);
+  free (limit->rows);
+  free (limit->groups);
+  free (limit->cells);
+  free (limit->cell_pairs);
+  free (limit->bounds);
+  free (limit->constant);
+  free (limit->load);
+  *limit = (QnLimitProblem){ 0 };
+}
+
+void
+qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
+                            const QnContacts *contacts, const double *anchor,
+                            double remaining)
+{
+  QN_ASSERT (limit->adjustable);
+  for (int32_t c = 0; c < limit->ip.cell_count; c++) {
+    QnIpCell *cell = &limit->cells[c];
+    Strength strength =
+      pair_strength (limit, model, contacts, limit->cell_pairs[c], anchor, remaining);
+    int32_t count =
+      write_bounds (limit, &strength, cell, limit->bounds + cell->first_bound);
+    QN_ASSERT (count == cell->bound_count);
+    (void) count;
+  }
+}
+
+void
+qn_limit_problem_set_compliance (QnLimitProblem *limit, double compliance)
+{
+  for (int32_t c = 0; c < limit->ip.cell_count; c++)
+    limit->cells[c].quadratic[0] = limit->cells[c].quadratic[1] = compliance;
+}
+
+double
+qn_limit_problem_multiplier (const QnLimitProblem *limit, double lambda)
+{
+  return lambda * limit->force_unit / limit->load_unit;
+}
+
+void
+qn_limit_problem_forces (const QnLimitProblem *limit, const double *y, double tau,
+                         double *forces)
+{
+  for (size_t i = 0; i < 2 * limit->pair_count; i++)
+    forces[i] = 0.0;
+  for (int32_t c = 0; c < limit->ip.cell_count; c++)
+    for (int k = 0; k < 2; k++)
+      forces[2 * limit->cell_pairs[c] + k] = y[2 * c + k] / tau * limit->force_unit;
+}
+
+void
+qn_limit_problem_velocities (const QnLimitProblem *limit, const double *v,
+                             double *velocities)
+{
+  for (size_t i = 0; i < limit->block_count * QN_DOF_COUNT; i++) {
+    double value = limit->rows[i] >= 0 ? v[limit->rows[i]] : 0.0;
+    velocities[i] = i % QN_DOF_COUNT == QN_DOF_RZ ? value / limit->length_unit : value;
+  }
+}

@@ -1,0 +1,68 @@
+/* The limit-analysis program of a model, in the scaled terms of the interior-point engine.
+ *
+ * One cell per contact pair that touches a free block, holding the pair's normal and shear
+ * force (tension positive, tangent as in contacts.h); its bounds are the strength of the two
+ * springs in series, that is the intersection of what their laws allow:
+ *
+ *   coulomb     mu n + t <= c,  mu n - t <= c,  n <= tension
+ *   no-tension  n <= 0, any shear
+ *   elastic     no bound
+ *
+ * Friction 0 without cohesion leaves no shear at all, and the cell says so. Stiffness plays no
+ * part. Forces are divided by `force_unit`, lengths by `length_unit`, the live load by its own
+ * `load_unit`; equilibrium rows of supported degrees of freedom do not exist.
+ */
+#ifndef QN_CORE_LIMIT_PROBLEM_H
+#define QN_CORE_LIMIT_PROBLEM_H
+
+#include "core/contact/contacts.h"
+#include "core/limit/interior-point.h"
+
+typedef struct QnLimitProblem {
+  QnIpProblem ip; /* views of the arrays below */
+  QnIpGroup *groups;
+  QnIpCell *cells;
+  QnIpBound *bounds;
+  double *constant, *load;
+  QnId *cell_pairs; /* contact pair of every cell */
+  int32_t *rows;    /* block_count x 3: equilibrium row, or -1 where supported */
+  double *mass;     /* block_count x 3: inertia of every degree of freedom, scaled; > 0 */
+  size_t block_count, pair_count;
+  bool adjustable;    /* cells have all rows that qn_limit_problem_set_shear() may need */
+  double force_unit;  /* N */
+  double length_unit; /* m */
+  double load_unit;   /* N; multiplier = lambda x force_unit / load_unit */
+} QnLimitProblem;
+
+/* `limit` is overwritten without being cleared. A model none of whose free blocks carries a
+ * live load is refused (NO_LIVE_LOAD). `adjustable` keeps rows that the associative program
+ * does without, for qn_limit_problem_set_shear(). */
+QnStatus qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
+                                const QnContacts *contacts, bool adjustable,
+                                QnDiag *diag);
+
+void qn_limit_problem_clear (QnLimitProblem *limit);
+
+/* Replaces the shear strength of every Coulomb cell: |t| <= c + (mu - slope) anchor - slope n
+ * with slope = dilatancy + (mu - dilatancy) remaining. The line meets the true one at the
+ * compression anchor[pair] (N, >= 0) and approaches the law's dilatancy as `remaining` goes
+ * from 1 (associative) to 0. Only for an adjustable problem. */
+void qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
+                                 const QnContacts *contacts, const double *anchor,
+                                 double remaining);
+
+/* Adds a price of `compliance` / 2 on the square of every scaled force: among the forces that
+ * reach the optimum, the smallest are taken then. */
+void qn_limit_problem_set_compliance (QnLimitProblem *limit, double compliance);
+
+/* The multiplier that a scaled lambda stands for, and back. */
+double qn_limit_problem_multiplier (const QnLimitProblem *limit, double lambda);
+
+/* Scaled unknowns to model quantities; unset pairs and supported degrees become 0.
+ * forces: pair_count x 2, N; velocities: block_count x 3. */
+void qn_limit_problem_forces (const QnLimitProblem *limit, const double *y, double tau,
+                              double *forces);
+void qn_limit_problem_velocities (const QnLimitProblem *limit, const double *v,
+                                  double *velocities);
+
+#endif

@@ -1,0 +1,200 @@
+#include "core/base/clock.h"
+#include "core/base/memory.h"
+#include "core/limit/limit.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Of the largest strength that a pair has, or force that any pair carries: below it a force is
+ * none, and a point is on the surface of the strength. */
+#define STATE_TOLERANCE 1e-6
+
+/* Blocks that move less than this part of the fastest are not named as unstable. */
+#define UNSTABLE_SHARE 1e-3
+
+/* A pair without compression is open; one at the friction cone slips if the mechanism moves it,
+ * which its two force components tell: cohesion apart, |t| = mu |n|. */
+static QnPairState
+pair_state (const QnModel *model, const QnContactFace *face, const QnContactPair *pair,
+            const double *force, double largest)
+{
+  const QnId laws[2] = { face->law_a, face->law_b };
+  double tolerance = STATE_TOLERANCE * largest;
+
+  if (hypot (force[0], force[1]) <= tolerance)
+    return QN_PAIR_OPEN;
+  for (int side = 0; side < 2; side++) {
+    const QnLaw *law = &model->laws[laws[side]];
+    double unit =
+      law->basis == QN_BASIS_CONTACT ? 1.0 : pair->tributary * face->thickness;
+    if (law->kind == QN_LAW_COULOMB
+        && fabs (force[1]) + law->friction * force[0] >= law->cohesion * unit - tolerance)
+      return QN_PAIR_SLIP;
+  }
+  return QN_PAIR_STICK;
+}
+
+static void
+keep_forces (QnResult *result, const QnModel *model, const QnContacts *contacts,
+             const double *forces)
+{
+  double largest = 0.0;
+
+  for (size_t i = 0; i < 2 * contacts->pair_count; i++)
+    largest = fmax (largest, fabs (forces[i]));
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    result->pairs[p] = (QnPairResult){
+      .state =
+        pair_state (model, &contacts->faces[pair->face], pair, forces + 2 * p, largest),
+      .normal_force = forces[2 * p],
+      .shear_force = forces[2 * p + 1],
+    };
+  }
+}
+
+/* A block and how far it moves, for sorting. */
+typedef struct Mover {
+  double size;
+  QnId block;
+} Mover;
+
+static int
+compare_movers (const void *a, const void *b)
+{
+  const Mover *x = a, *y = b;
+
+  if (x->size != y->size)
+    return x->size < y->size ? 1 : -1;
+  return (x->block > y->block) - (x->block < y->block);
+}
+
+static QnStatus
+keep_unstable (QnResult *result, const QnModel *model, const double *velocities,
+               QnDiag *diag)
+{
+  Mover *movers = qn_alloc (model->block_count, sizeof *movers);
+  double length = model->characteristic_length;
+
+  result->unstable_blocks = qn_alloc (model->block_count, sizeof (QnId));
+  if (!movers || !result->unstable_blocks) {
+    free (movers);
+    return qn_diag_no_memory (diag);
+  }
+  for (size_t b = 0; b < model->block_count; b++) {
+    const double *v = velocities + b * QN_DOF_COUNT;
+    movers[b].block = (QnId) b;
+    movers[b].size = hypot (hypot (v[QN_DOF_UX], v[QN_DOF_UY]), v[QN_DOF_RZ] * length);
+  }
+  qsort (movers, model->block_count, sizeof *movers, compare_movers);
+  for (size_t b = 0; b < model->block_count; b++)
+    if (movers[b].size > UNSTABLE_SHARE * movers[0].size)
+      result->unstable_blocks[result->unstable_count++] = movers[b].block;
+  free (movers);
+  return QN_OK;
+}
+
+/* Rigid blocks have not moved when they collapse: both steps have no displacements. */
+static QnStatus
+keep_steps (QnResult *result, double multiplier, double residual, int32_t iterations,
+            QnDiag *diag)
+{
+  double *none = qn_alloc (result->block_count * QN_DOF_COUNT, sizeof *none);
+  bool ok = none != NULL;
+
+  ok = ok && qn_result_add_step (result, (QnStep){ 0 }, none);
+  ok = ok
+       && qn_result_add_step (result,
+                              (QnStep){ .multiplier = multiplier,
+                                        .iterations = iterations,
+                                        .residual = residual,
+                                        .event = QN_EVENT_COLLAPSE },
+                              none);
+  free (none);
+  return ok ? QN_OK : qn_diag_no_memory (diag);
+}
+
+static QnStatus
+keep_solution (QnResult *result, const QnModel *model, const QnContacts *contacts,
+               const QnLimitSolution *solution, QnDiag *diag)
+{
+  QnStatus status = QN_OK;
+
+  result->outcome = solution->outcome;
+  qn_statistics_add (&result->statistics, &solution->effort);
+  switch (solution->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+    result->has_collapse_multiplier = true;
+    result->collapse_multiplier = solution->lower_bound;
+    result->limit.given = true;
+    result->limit.lower_bound = solution->lower_bound;
+    result->limit.upper_bound = solution->upper_bound;
+    keep_forces (result, model, contacts, solution->forces);
+    status = keep_steps (result, solution->lower_bound, solution->check.static_residual,
+                         solution->effort.iterations, diag);
+    break;
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
+    status = keep_unstable (result, model, solution->velocities, diag);
+    break;
+  case QN_OUTCOME_UNBOUNDED:
+  case QN_OUTCOME_TARGET_REACHED:
+  case QN_OUTCOME_SNAP:
+  case QN_OUTCOME_CANCELLED:
+  case QN_OUTCOME_NOT_CONVERGED:
+  case QN_OUTCOME_COUNT:
+    return QN_OK;
+  }
+  if (!status)
+    status = qn_result_set_mechanism (result, solution->velocities,
+                                      model->characteristic_length, diag);
+  return status;
+}
+
+static QnStatus
+run_non_associative (const QnModel *model, const QnContacts *contacts,
+                     QnProgressFunc progress, void *user_data, QnResult *result,
+                     QnDiag *diag)
+{
+  QnLimitInterval interval;
+  QnStatus status =
+    qn_limit_non_associative (model, contacts, progress, user_data, &interval, diag);
+
+  if (status)
+    return status;
+  status = keep_solution (result, model, contacts, &interval.solution, diag);
+  if (interval.solution.outcome == QN_OUTCOME_COLLAPSE) {
+    QnLimitFigures *figures = &result->limit;
+    figures->lower_bound = interval.lowest;
+    figures->upper_bound = interval.highest;
+    figures->has_associative_bound = true;
+    figures->associative_bound = interval.associative;
+    for (int32_t i = 0; i < interval.count; i++)
+      figures->fixed_points[figures->fixed_point_count++] = interval.points[i].multiplier;
+  }
+  qn_limit_interval_clear (&interval);
+  return status;
+}
+
+QnStatus
+qn_limit_run (const QnModel *model, const QnContacts *contacts, QnProgressFunc progress,
+              void *user_data, QnResult *result, QnDiag *diag)
+{
+  double start = qn_clock_seconds ();
+  QnStatus status =
+    qn_result_init (result, model->block_count, contacts->pair_count, diag);
+
+  result->limit.flow = model->analysis.flow;
+  if (!status && model->analysis.flow == QN_FLOW_NON_ASSOCIATIVE) {
+    status = run_non_associative (model, contacts, progress, user_data, result, diag);
+  } else if (!status) {
+    QnLimitSolution solution;
+    status = qn_limit_associative (model, contacts, progress, user_data, &solution, diag);
+    if (!status)
+      status = keep_solution (result, model, contacts, &solution, diag);
+    qn_limit_solution_clear (&solution);
+  }
+  result->statistics.seconds = qn_clock_seconds () - start;
+  if (status)
+    qn_result_clear (result);
+  return status;
+}

@@ -1,0 +1,360 @@
+#include "core/limit/limit.h"
+
+#include "core/base/memory.h"
+#include "core/limit/limit-bounds.h"
+#include "core/limit/limit-fall.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Accuracy of the program. The bounds that are reported are proved afterwards, from forces put
+ * into equilibrium and velocities summed up; they come out within 1e-7 of each other. */
+#define PROGRAM_TOLERANCE 1e-8
+
+/* The lower bound is to reach the optimum to this part of the multiplier, or this part of the
+ * loads. Where it does not, so many rounds are made of moving forces inside the strength, and
+ * then forces are sought at a multiplier that is less than the optimum by the least of these
+ * parts that has some. */
+#define WANTED_GAP   1e-6
+#define LEAST_GAP    1e-9
+#define MOST_ROUNDS  8
+#define LEAST_MARGIN 1e-5
+#define MOST_MARGIN  1e-2
+
+/* Without an optimum to full accuracy, an iterate this good is still an answer. */
+#define ACCEPTED_GAP      1e-6
+#define ACCEPTED_RESIDUAL 1e-7
+
+typedef struct Run {
+  QnLimitProblem *limit;
+  QnInteriorPoint *ip;
+  QnProgressFunc progress;
+  void *user_data;
+  QnLimitSolution *solution;
+  double *y;       /* cell_count x 2 */
+  double residual; /* largest out-of-balance of y, scaled */
+  double *rates;   /* cell_count x 2 */
+  double *anchor;  /* cell_count x 2: forces within the strength at multiplier 0 */
+  bool anchored;   /* … where they are known */
+  double *inner;   /* cell_count x 2: the same just below the optimum */
+  double *drawn;   /* cell_count x 2 */
+  bool cancelled;
+} Run;
+
+void
+qn_limit_solution_clear (QnLimitSolution *solution)
+{
+  free (solution->forces);
+  free (solution->velocities);
+  free (solution->dead_forces);
+  *solution = (QnLimitSolution){ 0 };
+}
+
+/* Counts an iteration and reports it; false when the analysis is to be cancelled. */
+static bool
+go_on (void *data)
+{
+  Run *run = data;
+
+  run->solution->effort.iterations++;
+  if (run->progress != NULL) {
+    QnProgress report = {
+      .iterations = run->solution->effort.iterations,
+      .factorizations = run->solution->effort.factorizations + run->ip->factorizations,
+    };
+    run->cancelled = !run->progress (&report, run->user_data);
+  }
+  return !run->cancelled;
+}
+
+static QnStatus
+iterate_once (Run *run, QnDiag *diag)
+{
+  QnStatus status = qn_interior_point_iterate (run->ip, diag);
+
+  if (!status)
+    go_on (run);
+  return status;
+}
+
+static void
+count_effort (Run *run)
+{
+  run->solution->effort.factorizations += run->ip->factorizations;
+  run->solution->effort.factor_seconds += run->ip->factor_seconds;
+}
+
+/* Forces strictly within the strength that carry `constant` alone, or the certificate that there
+ * are none. An iterate that can be led into the interior settles the question early; the
+ * program goes on to its end only where there is no interior. */
+static QnStatus
+carry (Run *run, const double *constant, double *forces, bool *found, QnDiag *diag)
+{
+  QnIpProblem *p = &run->limit->ip;
+  QnInteriorPoint *ip = run->ip;
+  const QnIpProblem whole = *p;
+  double lambda = 0.0, residual = INFINITY, slack = 0.0;
+  QnStatus status;
+
+  *found = false;
+  p->constant = constant;
+  p->load = NULL;
+  p->load_gain = 0.0;
+  status = qn_interior_point_start (ip, diag);
+  while (!status && ip->state == QN_IP_RUNNING && !*found && !run->cancelled) {
+    status = iterate_once (run, diag);
+    if (!status)
+      status =
+        qn_interior_point_project (ip, true, &lambda, forces, &residual, &slack, diag);
+    *found = !status && slack > 0.0 && residual < ACCEPTED_RESIDUAL;
+  }
+  *p = whole;
+  count_effort (run);
+  return status;
+}
+
+static QnStatus
+carry_dead_load (Run *run, QnDiag *diag)
+{
+  return carry (run, run->limit->ip.constant, run->anchor, &run->anchored, diag);
+}
+
+/* Forces within the strength at a multiplier just below the optimum. */
+static QnStatus
+carry_almost_all (Run *run, double lambda, bool *found, QnDiag *diag)
+{
+  const QnIpProblem *p = &run->limit->ip;
+  double *constant = qn_alloc ((size_t) p->row_count, sizeof *constant);
+  QnStatus status;
+
+  if (!constant)
+    return qn_diag_no_memory (diag);
+  for (int32_t r = 0; r < p->row_count; r++)
+    constant[r] = p->constant[r] + lambda * p->load[r];
+  status = carry (run, constant, run->inner, found, diag);
+  free (constant);
+  return status;
+}
+
+static bool
+is_answer (const QnInteriorPoint *ip)
+{
+  return ip->state == QN_IP_OPTIMAL
+         || (ip->state == QN_IP_STALLED && ip->measures.gap < ACCEPTED_GAP
+             && ip->measures.primal_residual < ACCEPTED_RESIDUAL
+             && ip->measures.dual_residual < ACCEPTED_RESIDUAL);
+}
+
+static QnStatus
+raise_multiplier (Run *run, QnDiag *diag)
+{
+  QnStatus status = qn_interior_point_start (run->ip, diag);
+
+  while (!status && run->ip->state == QN_IP_RUNNING && !run->cancelled)
+    status = iterate_once (run, diag);
+  count_effort (run);
+  return status;
+}
+
+/* The engine's certificate proves that there is no equilibrium, but moves blocks that could
+ * stand as well; the fall moves those alone that cannot. */
+static QnStatus
+take_certificate (Run *run, QnDiag *diag)
+{
+  double *v = run->ip->v;
+  bool found;
+  QnStatus status = qn_limit_fall (run->limit, go_on, run, v, &found, diag);
+
+  run->solution->outcome =
+    run->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  qn_limit_problem_velocities (run->limit, v, run->solution->velocities);
+  return status;
+}
+
+/* Draws the forces run->y, which carry the scaled multiplier lambda, to forces within the
+ * strength; keeps them as run->drawn where more is carried than *lower. */
+static void
+draw (Run *run, const double *anchor, double anchor_lambda, double lambda, double *lower)
+{
+  size_t size = 2 * (size_t) run->limit->ip.cell_count * sizeof *run->y;
+  QnLimitCheck check = run->solution->check;
+  check.static_residual = run->residual;
+  double *drawn = run->rates; /* at rest since the upper bound was found */
+
+  memcpy (drawn, run->y, size);
+  double carried =
+    qn_limit_draw_inside (run->limit, anchor, anchor_lambda, lambda, drawn, &check);
+  if (carried <= *lower)
+    return;
+  *lower = carried;
+  run->solution->check = check;
+  run->rates = run->drawn;
+  run->drawn = drawn;
+}
+
+/* The forces of the optimum within the strength, as run->drawn. They keep it to the tolerance of
+ * the program only. Where drawing them to the forces under dead load costs too much, they are
+ * moved inside and into equilibrium by turns; where that is not enough, forces just below the
+ * optimum are sought to draw them to. */
+static QnStatus
+prove_lower (Run *run, double *lower, QnDiag *diag)
+{
+  const double *anchor = run->anchored ? run->anchor : NULL;
+  double lambda = run->ip->lambda / run->ip->tau, slack;
+  double wanted = lambda - WANTED_GAP * fabs (lambda) - LEAST_GAP;
+  bool found = false;
+  QnStatus status = qn_interior_point_project (run->ip, false, &lambda, run->y,
+                                               &run->residual, &slack, diag);
+
+  *lower = -INFINITY;
+  if (!status)
+    draw (run, anchor, 0.0, lambda, lower);
+  for (int round = 0; !status && *lower < wanted && round < MOST_ROUNDS; round++) {
+    qn_limit_move_inside (run->limit, run->y);
+    status = qn_interior_point_restore (run->ip, false, &lambda, run->y, &run->residual,
+                                        &slack, diag);
+    if (!status)
+      draw (run, anchor, 0.0, lambda, lower);
+  }
+  for (double margin = LEAST_MARGIN;
+       !status && !found && *lower < wanted && margin <= MOST_MARGIN; margin *= 10.0) {
+    double inner = lambda - margin * fabs (lambda);
+    status = carry_almost_all (run, inner, &found, diag);
+    if (!status && found)
+      draw (run, run->inner, inner, lambda, lower);
+  }
+  return status;
+}
+
+/* The two bounds with what proves them. */
+static QnStatus
+take_optimum (Run *run, QnDiag *diag)
+{
+  QnLimitSolution *solution = run->solution;
+  const QnLimitProblem *limit = run->limit;
+  double upper = qn_limit_upper_bound (limit, run->ip->v, run->ip->y, run->ip->tau,
+                                       run->rates, &solution->check);
+  double lower;
+  QnStatus status;
+
+  qn_limit_problem_velocities (limit, run->ip->v, solution->velocities);
+  status = prove_lower (run, &lower, diag);
+  if (status)
+    return status;
+  solution->check.gap = (upper - lower) / (1.0 + fabs (upper));
+  solution->lower_bound = qn_limit_problem_multiplier (limit, lower);
+  solution->upper_bound = qn_limit_problem_multiplier (limit, upper);
+  solution->outcome = QN_OUTCOME_COLLAPSE;
+  qn_limit_problem_forces (limit, run->drawn, 1.0, solution->forces);
+  return QN_OK;
+}
+
+static void
+take_growth (Run *run)
+{
+  QnLimitSolution *solution = run->solution;
+
+  solution->outcome = QN_OUTCOME_UNBOUNDED;
+  solution->lower_bound = solution->upper_bound = INFINITY;
+  qn_limit_problem_forces (run->limit, run->ip->y,
+                           qn_limit_problem_multiplier (run->limit, run->ip->lambda),
+                           solution->forces);
+}
+
+static QnStatus
+solve (Run *run, bool from_dead_load, QnDiag *diag)
+{
+  QnInteriorPoint *ip = run->ip;
+  QnStatus status = from_dead_load ? carry_dead_load (run, diag) : QN_OK;
+
+  run->solution->outcome = QN_OUTCOME_NOT_CONVERGED;
+  if (!status && from_dead_load && !run->cancelled && ip->state == QN_IP_INFEASIBLE)
+    return take_certificate (run, diag);
+  if (!status && !run->cancelled && (!from_dead_load || run->anchored || is_answer (ip)))
+    status = raise_multiplier (run, diag);
+  else
+    ip->state = QN_IP_STALLED;
+  if (status)
+    return status;
+  if (run->cancelled)
+    run->solution->outcome = QN_OUTCOME_CANCELLED;
+  else if (ip->state == QN_IP_INFEASIBLE)
+    status = take_certificate (run, diag);
+  else if (ip->state == QN_IP_UNBOUNDED)
+    take_growth (run);
+  else if (is_answer (ip))
+    status = take_optimum (run, diag);
+  return status;
+}
+
+static QnStatus
+keep_dead_forces (Run *run, QnDiag *diag)
+{
+  run->solution->dead_forces = qn_alloc (2 * run->limit->pair_count, sizeof (double));
+  if (!run->solution->dead_forces)
+    return qn_diag_no_memory (diag);
+  qn_limit_problem_forces (run->limit, run->anchor, 1.0, run->solution->dead_forces);
+  return QN_OK;
+}
+
+QnStatus
+qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
+                QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
+                QnDiag *diag)
+{
+  size_t cells = (size_t) limit->ip.cell_count;
+  Run run = { .limit = limit,
+              .ip = ip,
+              .progress = progress,
+              .user_data = user_data,
+              .solution = solution,
+              .y = qn_alloc (2 * cells, sizeof (double)),
+              .rates = qn_alloc (2 * cells, sizeof (double)),
+              .anchor = qn_alloc (2 * cells, sizeof (double)),
+              .inner = qn_alloc (2 * cells, sizeof (double)),
+              .drawn = qn_alloc (2 * cells, sizeof (double)) };
+  QnStatus status;
+
+  *solution = (QnLimitSolution){
+    .forces = qn_alloc (2 * limit->pair_count, sizeof (double)),
+    .velocities = qn_alloc (limit->block_count * QN_DOF_COUNT, sizeof (double)),
+  };
+  if (!run.y || !run.rates || !run.anchor || !run.inner || !run.drawn || !solution->forces
+      || !solution->velocities)
+    status = qn_diag_no_memory (diag);
+  else
+    status = solve (&run, from_dead_load, diag);
+  if (!status && run.anchored)
+    status = keep_dead_forces (&run, diag);
+  free (run.y);
+  free (run.rates);
+  free (run.anchor);
+  free (run.inner);
+  free (run.drawn);
+  if (status)
+    qn_limit_solution_clear (solution);
+  return status;
+}
+
+QnStatus
+qn_limit_associative (const QnModel *model, const QnContacts *contacts,
+                      QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
+                      QnDiag *diag)
+{
+  QnIpSettings settings = qn_interior_point_defaults ();
+  QnLimitProblem limit;
+  QnInteriorPoint ip;
+  QnStatus status = qn_limit_problem_init (&limit, model, contacts, false, diag);
+
+  *solution = (QnLimitSolution){ 0 };
+  if (status)
+    return status;
+  settings.tolerance = PROGRAM_TOLERANCE;
+  status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
+  if (!status)
+    status = qn_limit_solve (&limit, &ip, true, progress, user_data, solution, diag);
+  qn_interior_point_clear (&ip);
+  qn_limit_problem_clear (&limit);
+  return status;
+}

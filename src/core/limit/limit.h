@@ -1,0 +1,109 @@
+/* Limit analysis of rigid blocks: the multiplier at which a structure collapses, directly.
+ *
+ * Associative flow (dilatancy = friction). The static theorem makes the multiplier the optimum
+ * of a linear program,
+ *
+ *     maximise lambda  such that  the pair forces balance dead + lambda x live load
+ *                                 on every free block and respect every pair's strength,
+ *
+ * whose dual is the kinematic theorem: among the mechanisms on which the live load does unit
+ * power, the one with the least (dissipation - power of the dead load). Any admissible
+ * forces give a lower bound, any admissible mechanism an upper bound, and at the optimum they
+ * meet. Elastic stiffness plays no part and geometry is that of the undeformed structure.
+ *
+ * What the numbers guarantee, for rigid blocks, the model's joints and small displacements:
+ *
+ *   associative lower bound       equilibrium exists up to it. With true (dilatancy < friction)
+ *                                 Coulomb friction it is still necessary for equilibrium to
+ *                                 exist, but no longer sufficient for the structure to stand.
+ *   associative upper bound       no equilibrium exists above it, whatever the dilatancy: the
+ *                                 associative value bounds every other one from above.
+ *   non-associative fixed points  each is a multiplier at which equilibrium forces and a
+ *                                 mechanism that obeys the flow rule exist together. There may
+ *                                 be many; neither the least nor the greatest found is a bound
+ *                                 on the multipliers at which a real path may collapse.
+ *
+ * Sources: Livesley 1978 (the static program); Gilbert, Casapulla & Ahmed, Comput. Struct. 84
+ * (2006) 873-887 (the sequence of linear programs for non-associative friction).
+ */
+#ifndef QN_CORE_LIMIT_H
+#define QN_CORE_LIMIT_H
+
+#include "core/base/progress.h"
+#include "core/limit/limit-problem.h"
+#include "core/result/result.h"
+
+/* How far the numbers can be trusted, in quantities without units. */
+typedef struct QnLimitCheck {
+  double static_residual;  /* out-of-balance of the forces, relative to the loads */
+  double static_violation; /* largest excess over the strength, relative to the loads */
+  double kinematic_violation; /* largest inadmissible rate, relative to the velocities */
+  double gap;                 /* (upper - lower) / (1 + |upper|) in scaled multipliers */
+} QnLimitCheck;
+
+typedef struct QnLimitSolution {
+  QnOutcome
+    outcome; /* COLLAPSE, DEAD_LOAD_UNSTABLE, UNBOUNDED, CANCELLED, NOT_CONVERGED */
+  double lower_bound; /* COLLAPSE: carried by `forces`; UNBOUNDED: INFINITY */
+  double upper_bound; /* COLLAPSE: proved by `velocities` */
+  double *forces;     /* pair_count x 2: normal and shear force, N, as in QnPairResult;
+                         UNBOUNDED: the growth of the forces per unit of the multiplier */
+  double
+    *velocities; /* block_count x 3; COLLAPSE: the mechanism, live load at unit power in
+                         scaled terms; DEAD_LOAD_UNSTABLE: how the blocks give way */
+  double
+    *dead_forces; /* pair_count x 2: strictly admissible forces under the dead load alone;
+                          NULL where none were asked for or found */
+  QnLimitCheck check;
+  QnStatistics effort; /* iterations, factorisations and factor_seconds alone */
+} QnLimitSolution;
+
+void qn_limit_solution_clear (QnLimitSolution *solution);
+
+/* Solves the program as it stands, with certificates for every outcome. With `from_dead_load`,
+ * DEAD_LOAD_UNSTABLE is also the outcome where equilibrium exists under some live load but not
+ * without, and the lower bound is proved by strictly admissible forces. `ip` must have been
+ * initialised with &limit->ip; only its numbers may have changed since. `solution` is
+ * overwritten without being cleared. */
+QnStatus qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
+                         QnProgressFunc progress, void *user_data,
+                         QnLimitSolution *solution, QnDiag *diag);
+
+/* The associative limit analysis of a model from beginning to end. */
+QnStatus qn_limit_associative (const QnModel *model, const QnContacts *contacts,
+                               QnProgressFunc progress, void *user_data,
+                               QnLimitSolution *solution, QnDiag *diag);
+
+/* One fixed point of the sequence of linear programs. */
+typedef struct QnLimitFixedPoint {
+  double multiplier;
+  int32_t programs; /* linear programs solved on the way */
+  bool settled;     /* the last two programs agreed */
+} QnLimitFixedPoint;
+
+/* Starting points of the sequence. */
+#define QN_LIMIT_STARTS 6
+
+typedef struct QnLimitInterval {
+  QnLimitFixedPoint points[QN_LIMIT_STARTS]; /* in the order of the starts */
+  int32_t count; /* of starts that settled somewhere; points holds them first */
+  double lowest, highest;
+  double associative;       /* upper bound of the associative program */
+  QnLimitSolution solution; /* that of the lowest fixed point */
+} QnLimitInterval;
+
+/* The non-associative limit analysis from several starts. solution.outcome is that of the
+ * associative program where this has no optimum. */
+QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
+                                   QnProgressFunc progress, void *user_data,
+                                   QnLimitInterval *interval, QnDiag *diag);
+
+void qn_limit_interval_clear (QnLimitInterval *interval);
+
+/* The limit analysis that the model's settings ask for, as a result: steps at the dead load
+ * and at collapse (rigid blocks have not moved yet), pair forces, mechanism, bounds. */
+QnStatus qn_limit_run (const QnModel *model, const QnContacts *contacts,
+                       QnProgressFunc progress, void *user_data, QnResult *result,
+                       QnDiag *diag);
+
+#endif

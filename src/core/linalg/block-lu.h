@@ -1,0 +1,43 @@
+/* LU factorisation of sparse matrices with a symmetric pattern, in dense fronts.
+ *
+ * Multifrontal (Duff & Reid 1983): unknowns that meet much the same others are eliminated
+ * together as a dense matrix, and what they leave to the rest of the structure is kept, front
+ * by front. Dense matrices suit the processor; and a front is to be eliminated again only where
+ * one of its own entries is new or a front below it was, so that regions of a structure where
+ * nothing changes are condensed once.
+ *
+ * Rows are exchanged among the pivots of a front only, so that a factorisation can lose digits
+ * or break down where one with free pivoting would not: the caller is to judge its solutions.
+ */
+#ifndef QN_CORE_BLOCK_LU_H
+#define QN_CORE_BLOCK_LU_H
+
+#include "core/base/status.h"
+#include "core/base/vec2.h"
+
+typedef struct QnBlockLu QnBlockLu;
+
+/* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which
+ * must be symmetric. The pattern is borrowed and must outlive the object. `points`: where the
+ * unknowns stand (front-tree.h), or NULL. NULL when memory runs out. */
+QnBlockLu *qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai,
+                            const QnVec2 *points);
+
+void qn_block_lu_free (QnBlockLu *lu);
+
+/* Factorises the matrix with the values ax. Returns the ratio of the smallest to the largest
+ * pivot, where one that vanishes counts as QN_FRONT_VANISHED (dense-front.h); 0 where one is no
+ * number (there is nothing to solve with then). Allocates nothing. */
+double qn_block_lu_factor (QnBlockLu *lu, const double *ax);
+
+/* The same, but eliminates anew only what new values reach; the factors are the same to the bit.
+ * *work: the part of a whole factorisation that was done, 0 where no value was new. */
+double qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *work);
+
+/* Overwrites b (length n) with the solution. */
+void qn_block_lu_solve (QnBlockLu *lu, double *b);
+
+/* Sign of the determinant of the matrix last factorised. */
+int qn_block_lu_sign (const QnBlockLu *lu);
+
+#endif

@@ -1,0 +1,75 @@
+/* Partial elimination of a dense matrix: the inner work of a multifrontal factorisation.
+ *
+ * A front is a dense matrix of pivots that are eliminated and a rest that waits:
+ *
+ *   | D  U |   pivots            D = P' L_1 U_1   rows exchanged among the pivots only
+ *   | L  S |   rest              L = L U_1^-1,  U = L_1^-1 P U,  S = S - L U
+ *
+ * All are stored by columns, U by rows (which makes it as high as L), whose height is a multiple
+ * of QN_FRONT_ROWS numbers; the padding must be zero and stays so. The loops work on as many numbers at a time as the
+ * processor has room for, in the same order everywhere: results are equal to the bit.
+ */
+#ifndef QN_CORE_DENSE_FRONT_H
+#define QN_CORE_DENSE_FRONT_H
+
+#include "core/base/base.h"
+
+#define QN_FRONT_ROWS 8
+
+/* Stands for a pivot that vanishes: far below any stiffness, far above what its reciprocal could make
+ * overflow (several that multiply each other may, which elimination and the solutions show). What the
+ * front leaves to others is exact if nothing stands beside it; then solutions are as large as its
+ * reciprocal, in the direction that the matrix maps to nothing. */
+#define QN_FRONT_VANISHED 1e-60
+
+/* Height of the columns of a matrix of `rows` rows. */
+static inline int32_t
+qn_front_height (int32_t rows)
+{
+  return (rows + QN_FRONT_ROWS - 1) / QN_FRONT_ROWS * QN_FRONT_ROWS;
+}
+
+typedef struct QnDenseFront {
+  int32_t pivots, rest;
+  double *
+    diagonal; /* D, then L_1 below and U_1 above the diagonal, and one over U_1's on it */
+  double *lower; /* L */
+  double *upper; /* U by rows: height of the rest, one column a pivot */
+  double *schur; /* out: - L U, padding included; S itself is for the caller to add */
+  int32_t *exchanges; /* out, one a pivot: the row it was exchanged with */
+} QnDenseFront;
+
+/* Sizes of the pivots of a factorisation so far. */
+typedef struct QnPivotRange {
+  double smallest, largest;
+} QnPivotRange;
+
+/* Part of what a child leaves, and where it goes in one of the matrices of its parent: number
+ * (r, c) is added at row places[r] of column column_places[c]. runs[r]: so many rows from there
+ * on stand side by side. */
+typedef struct QnFrontPart {
+  const double *source;
+  int32_t source_height, rows, columns;
+  double *target;
+  int32_t height;
+  const int32_t *places, *runs, *column_places;
+} QnFrontPart;
+
+/* The loops for one kind of processor. */
+typedef struct QnFrontLoops {
+  /* Eliminates the pivots; false where one is no number. */
+  bool (*eliminate) (const QnDenseFront *front, QnPivotRange *range);
+  /* x = L_1 \ P x of the pivots, and below = L x of the rest. Both have the padding of
+   * columns, which must be zero in x. */
+  void (*forward) (const QnDenseFront *front, double *x, double *below);
+  /* x = U_1 \ (x - U above). Both have the padding of columns, which must be zero. */
+  void (*backward) (const QnDenseFront *front, double *x, const double *above);
+  void (*add) (const QnFrontPart *part);
+  /* The same where rows of the child become columns of the parent's matrix. */
+  void (*add_by_rows) (const QnFrontPart *part);
+} QnFrontLoops;
+
+/* The fastest loops for this processor that work on at most `width` numbers at a time. */
+const QnFrontLoops *qn_front_loops (int width);
+
+#endif

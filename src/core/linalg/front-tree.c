@@ -1,0 +1,499 @@
+#include "core/linalg/front-tree.h"
+
+#include "core/base/memory.h"
+#include "core/linalg/dissection.h"
+
+#include <amd.h>
+#include <camd.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Unknowns of a body at most. */
+#define SIDE 3
+
+/* A front joins its parent's where the sum of pivots stays small, or where little of the larger
+ * front is known to be zero: larger fronts are faster, number for number. */
+#define SMALL      9
+#define MIDDLING   48
+#define SOME_ZEROS 0.25
+#define FEW_ZEROS  0.05
+
+/* Nodes from which on dissection is tried. */
+#define LARGE 1000
+
+/* What the analysis works on: the graph of nodes, which are unknowns that stand together and
+ * meet the same others. */
+typedef struct {
+  int32_t n, count;
+  const int32_t *ap, *ai;
+  const QnVec2 *points;  /* n, or NULL */
+  int32_t *node;         /* n: of each unknown */
+  int32_t *width;        /* unknowns of each node */
+  int32_t *start, *next; /* neighbours of nodes, themselves left out */
+  int32_t *order;        /* the k-th node to be eliminated, */
+  int32_t *place;        /* and the reverse */
+
+  int32_t *column_start,
+    *rows; /* pattern of the factor by nodes in order of elimination */
+  size_t row_capacity;
+  int32_t *group;  /* of each place: the group that it is eliminated with */
+  int32_t *counts; /* scratch */
+  int32_t *marks;
+} Analysis;
+
+static bool
+same_column (const Analysis *a, int32_t i, int32_t j)
+{
+  int32_t length = a->ap[i + 1] - a->ap[i];
+
+  return length == a->ap[j + 1] - a->ap[j]
+         && memcmp (a->ai + a->ap[i], a->ai + a->ap[j], (size_t) length * sizeof *a->ai)
+              == 0;
+}
+
+static void
+gather_nodes (Analysis *a)
+{
+  a->count = 0;
+  for (int32_t i = 0, first = 0; i < a->n; i++) {
+    if (i == 0 || i - first == SIDE || !same_column (a, first, i)) {
+      first = i;
+      a->count++;
+    }
+    a->node[i] = a->count - 1;
+    a->width[a->count - 1]++;
+  }
+}
+
+static void
+fill_graph (Analysis *a)
+{
+  int32_t fill = 0;
+
+  memset (a->marks, -1, (size_t) a->count * sizeof *a->marks);
+  for (int32_t i = 0; i < a->n; i++) {
+    int32_t k = a->node[i];
+    if (i > 0 && a->node[i - 1] == k)
+      continue;
+    a->start[k] = fill;
+    a->marks[k] = k;
+    for (int32_t p = a->ap[i]; p < a->ap[i + 1]; p++) {
+      int32_t neighbour = a->node[a->ai[p]];
+      if (a->marks[neighbour] != k) {
+        a->marks[neighbour] = k;
+        a->next[fill++] = neighbour;
+      }
+    }
+  }
+  a->start[a->count] = fill;
+}
+
+static int
+compare_index (const void *a, const void *b)
+{
+  return *(const int32_t *) a - *(const int32_t *) b;
+}
+
+/* The rows of column j of the factor: the later neighbours of node j, and the rows of the columns
+ * that it is the parent of in the elimination tree, which `child` and `sibling` hold. */
+static int32_t
+find_column (const Analysis *a, int32_t j, const int32_t *child, const int32_t *sibling,
+             int32_t *out)
+{
+  int32_t length = 0;
+
+  a->marks[j] = j;
+  for (int32_t p = a->start[a->order[j]]; p < a->start[a->order[j] + 1]; p++) {
+    int32_t i = a->place[a->next[p]];
+    if (i > j && a->marks[i] != j) {
+      a->marks[i] = j;
+      out[length++] = i;
+    }
+  }
+  for (int32_t c = child[j]; c != -1; c = sibling[c])
+    for (int32_t p = a->column_start[c]; p < a->column_start[c + 1]; p++) {
+      int32_t i = a->rows[p];
+      if (a->marks[i] != j) {
+        a->marks[i] = j;
+        out[length++] = i;
+      }
+    }
+  qsort (out, (size_t) length, sizeof *out, compare_index);
+  return length;
+}
+
+/* Fills column_start and rows. */
+static bool
+find_columns (Analysis *a)
+{
+  size_t nodes = (size_t) a->count;
+  int32_t *scratch = qn_alloc (3 * nodes + 1, sizeof *scratch);
+  int32_t *child = scratch, *sibling = scratch + nodes, *column = scratch + 2 * nodes;
+
+  if (scratch == NULL)
+    return false;
+  memset (scratch, -1, 2 * nodes * sizeof *scratch);
+  memset (a->marks, -1, nodes * sizeof *a->marks);
+  for (int32_t j = 0; j < a->count; j++) {
+    int32_t start = a->column_start[j],
+            length = find_column (a, j, child, sibling, column);
+    int32_t *grown = qn_array_grow (a->rows, &a->row_capacity,
+                                    (size_t) start + (size_t) length, sizeof *grown);
+    if (grown == NULL) {
+      free (scratch);
+      return false;
+    }
+    a->rows = grown;
+    memcpy (a->rows + start, column, (size_t) length * sizeof *column);
+    a->column_start[j + 1] = start + length;
+    if (length > 0) {
+      sibling[j] = child[column[0]];
+      child[column[0]] = j;
+    }
+  }
+  free (scratch);
+  return true;
+}
+
+/* --- Order of elimination ---------------------------------------------------------------- */
+
+/* Finds place and columns that belong to an order; their number of multiplications in *work. */
+static bool
+try_order (Analysis *a, double *work)
+{
+  for (int32_t j = 0; j < a->count; j++)
+    a->place[a->order[j]] = j;
+  if (!find_columns (a))
+    return false;
+  *work = 0;
+  for (int32_t j = 0; j < a->count; j++) {
+    double length = a->column_start[j + 1] - a->column_start[j];
+    *work += length * length;
+  }
+  return true;
+}
+
+/* By dissection, and by minimum degree within its sets. */
+static bool
+order_by_dissection (const Analysis *a, int32_t *order)
+{
+  size_t nodes = (size_t) a->count;
+  QnVec2 *points = qn_alloc (nodes, sizeof *points);
+  int32_t *set = qn_alloc (nodes, sizeof *set);
+  bool ok = points != NULL && set != NULL;
+
+  if (ok) {
+    for (int32_t i = a->n - 1; i >= 0; i--)
+      points[a->node[i]] = a->points[i];
+    ok = qn_dissect (&(QnPlaneGraph){ a->count, a->start, a->next, points }, set)
+         && camd_order (a->count, a->start, a->next, order, NULL, NULL, set) >= CAMD_OK;
+  }
+  free (points);
+  free (set);
+  return ok;
+}
+
+static void
+free_order (Analysis *a)
+{
+  free (a->order);
+  free (a->place);
+  free (a->column_start);
+  free (a->rows);
+}
+
+/* The cheaper of two orders, with its columns. */
+static bool
+choose_order (Analysis *a)
+{
+  size_t nodes = (size_t) a->count;
+  double by_degree, by_dissection;
+
+  if (amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK
+      || !try_order (a, &by_degree))
+    return false;
+  if (a->points == NULL || a->count < LARGE)
+    return true;
+
+  Analysis other = *a; /* the same graph, another order */
+  other.order = qn_alloc (nodes, sizeof *other.order);
+  other.place = qn_alloc (nodes, sizeof *other.place);
+  other.column_start = qn_alloc (nodes + 1, sizeof *other.column_start);
+  other.rows = NULL;
+  other.row_capacity = 0;
+  bool ok = other.order && other.place && other.column_start
+            && order_by_dissection (a, other.order) && try_order (&other, &by_dissection);
+  if (ok && by_dissection < by_degree) {
+    free_order (a);
+    *a = other;
+  } else
+    free_order (&other);
+  return ok;
+}
+
+/* --- Groups of nodes that make a front -------------------------------------------------- */
+
+/* A group is known by its last node, whose column of the factor is what waits. */
+typedef struct {
+  int32_t pivots, rest; /* unknowns */
+  double zeros;         /* numbers of its pivots' columns that are known to be zero */
+} Group;
+
+static int32_t
+find_group (int32_t *group, int32_t j)
+{
+  while (group[j] != j)
+    j = group[j] = group[group[j]];
+  return j;
+}
+
+static int32_t
+rows_below (const Analysis *a, int32_t j)
+{
+  int32_t sum = 0;
+
+  for (int32_t p = a->column_start[j]; p < a->column_start[j + 1]; p++)
+    sum += a->width[a->order[a->rows[p]]];
+  return sum;
+}
+
+static bool
+is_worth_joining (const Group *child, const Group *parent, double *zeros)
+{
+  double pivots = child->pivots + parent->pivots;
+  double size = pivots * (pivots + 2.0 * parent->rest);
+
+  *zeros = child->zeros + parent->zeros
+           + 2.0 * child->pivots * (parent->pivots + parent->rest - child->rest);
+  return *zeros == 0 || pivots <= SMALL
+         || *zeros <= (pivots <= MIDDLING ? SOME_ZEROS : FEW_ZEROS) * size;
+}
+
+/* Every node starts as a group, and joins its parent's in the elimination tree where that pays. */
+static bool
+form_groups (Analysis *a)
+{
+  Group *groups = qn_alloc ((size_t) a->count, sizeof *groups);
+
+  if (groups == NULL)
+    return false;
+  for (int32_t j = 0; j < a->count; j++) {
+    a->group[j] = j;
+    groups[j].pivots = a->width[a->order[j]];
+    groups[j].rest = rows_below (a, j);
+  }
+  for (int32_t j = 0; j < a->count; j++) {
+    double zeros;
+    if (a->column_start[j] == a->column_start[j + 1])
+      continue;
+    Group *parent = &groups[a->rows[a->column_start[j]]], *child = &groups[j];
+    if (is_worth_joining (child, parent, &zeros)) {
+      a->group[j] = a->rows[a->column_start[j]];
+      parent->pivots += child->pivots;
+      parent->zeros = zeros;
+    }
+  }
+  for (int32_t j = a->count - 1; j >= 0; j--)
+    a->group[j] = find_group (a->group, j);
+  free (groups);
+  return true;
+}
+
+/* a->marks becomes the front of each node that is the last of a group: in postorder, whatever
+ * the order of nodes is, so that subtrees stay together. Returns their number. */
+static int32_t
+number_groups (Analysis *a)
+{
+  int32_t *size = a->counts, *next = a->marks, count = 0; /* of and in subtrees */
+
+  memset (size, 0, (size_t) (a->count + 1) * sizeof *size);
+  for (int32_t j = 0; j < a->count; j++)
+    if (a->group[j] == j) {
+      size[j]++;
+      if (a->column_start[j] < a->column_start[j + 1])
+        size[a->group[a->rows[a->column_start[j]]]] += size[j];
+    }
+  for (int32_t j = a->count - 1; j >= 0; j--)
+    if (a->group[j] == j) {
+      bool is_root = a->column_start[j] == a->column_start[j + 1];
+      int32_t *end = is_root ? &count : &next[a->group[a->rows[a->column_start[j]]]];
+      next[j] = *end;
+      *end += size[j];
+    }
+  return count; /* and next is where each of them itself comes, after its subtree */
+}
+
+/* Puts the nodes of a group side by side: a->counts becomes the place of each in the final
+ * order. */
+static void
+order_groups (Analysis *a, QnFrontTree *tree)
+{
+  int32_t *index = a->marks, sum = 0; /* index: of the front that a node is the last of */
+
+  tree->front_count = number_groups (a);
+  memset (a->counts, 0, (size_t) (a->count + 1) * sizeof *a->counts);
+  for (int32_t j = 0; j < a->count; j++)
+    tree->fronts[index[a->group[j]]].pivots += a->width[a->order[j]];
+  for (int32_t f = 0; f < tree->front_count; f++) {
+    QnFront *front = &tree->fronts[f];
+    int32_t pivots = front->pivots;
+    *front = (QnFront){ .first = sum, .child = QN_NONE, .sibling = QN_NONE };
+    sum += pivots;
+  }
+  for (int32_t j = 0; j < a->count; j++) {
+    QnFront *front = &tree->fronts[index[a->group[j]]];
+    a->counts[j] = front->first + front->pivots; /* first position of the node */
+    front->pivots += a->width[a->order[j]];
+  }
+  for (int32_t i = 0; i < a->n; i++) {
+    int32_t j = a->place[a->node[i]];
+    bool begins = i == 0 || a->node[i - 1] != a->node[i];
+    tree->position[i] = begins ? a->counts[j] : tree->position[i - 1] + 1;
+  }
+}
+
+static int32_t
+front_of_position (const QnFrontTree *tree, int32_t position)
+{
+  int32_t low = 0, high = tree->front_count - 1;
+
+  while (low < high) {
+    int32_t middle = (low + high + 1) / 2;
+    if (tree->fronts[middle].first <= position)
+      low = middle;
+    else
+      high = middle - 1;
+  }
+  return low;
+}
+
+/* The rests, and where they stand in the parents. */
+static bool
+list_rests (const Analysis *a, QnFrontTree *tree)
+{
+  size_t total = 0;
+  int32_t fill = 0;
+
+  for (int32_t j = 0; j < a->count; j++)
+    if (a->group[j] == j)
+      total += (size_t) rows_below (a, j);
+  tree->rows = qn_alloc (total + 1, sizeof *tree->rows);
+  tree->places = qn_alloc (total + 1, sizeof *tree->places);
+  tree->runs = qn_alloc (total + 1, sizeof *tree->runs);
+  if (tree->rows == NULL || tree->places == NULL || tree->runs == NULL)
+    return false;
+  for (int32_t j = 0; j < a->count; j++) {
+    if (a->group[j] != j)
+      continue;
+    QnFront *front = &tree->fronts[a->marks[j]];
+    front->first_row = fill;
+    for (int32_t p = a->column_start[j]; p < a->column_start[j + 1]; p++)
+      for (int32_t w = 0; w < a->width[a->order[a->rows[p]]]; w++)
+        tree->rows[fill++] = a->counts[a->rows[p]] + w;
+    front->rest = fill - front->first_row;
+    qsort (tree->rows + front->first_row, (size_t) front->rest, sizeof *tree->rows,
+           compare_index);
+    front->parent =
+      front->rest > 0 ? front_of_position (tree, tree->rows[front->first_row]) : QN_NONE;
+  }
+  return true;
+}
+
+/* Makes each front a child of its parent, and finds where its rest goes there. */
+static void
+link_fronts (QnFrontTree *tree)
+{
+  for (int32_t f = tree->front_count - 1; f >= 0; f--) {
+    QnFront *front = &tree->fronts[f];
+    if (front->parent == QN_NONE)
+      continue;
+    QnFront *parent = &tree->fronts[front->parent];
+    int32_t next = 0;
+    front->sibling = parent->child;
+    parent->child = f;
+    for (int32_t k = front->first_row; k < front->first_row + front->rest; k++) {
+      int32_t row = tree->rows[k];
+      if (row < parent->first + parent->pivots) {
+        tree->places[k] = row - parent->first;
+        continue;
+      }
+      while (tree->rows[parent->first_row + next] < row)
+        next++;
+      tree->places[k] = parent->pivots + next;
+    }
+  }
+}
+
+static void
+measure_runs (QnFrontTree *tree)
+{
+  for (int32_t f = 0; f < tree->front_count; f++) {
+    const QnFront *front = &tree->fronts[f];
+    int32_t last = front->first_row + front->rest - 1;
+    if (front->parent == QN_NONE)
+      continue;
+    int32_t pivots = tree->fronts[front->parent].pivots;
+    for (int32_t k = last; k >= front->first_row; k--) {
+      bool goes_on = k < last && tree->places[k + 1] == tree->places[k] + 1
+                     && tree->places[k + 1] != pivots;
+      tree->runs[k] = goes_on ? tree->runs[k + 1] + 1 : 1;
+    }
+  }
+}
+
+static bool
+analyse (Analysis *a, QnFrontTree *tree)
+{
+  size_t n = (size_t) a->n, entries = (size_t) a->ap[a->n];
+  int32_t **lists[] = { &a->node,   &a->width,      &a->start,        &a->order,
+                        &a->place,  &a->marks,      &a->column_start, &a->group,
+                        &a->counts, &tree->position };
+
+  for (size_t i = 0; i < QN_N_ELEMENTS (lists); i++)
+    if ((*lists[i] = qn_alloc (n + 1, sizeof (int32_t))) == NULL)
+      return false;
+  a->next = qn_alloc (entries, sizeof *a->next);
+  tree->fronts = qn_alloc (n, sizeof *tree->fronts);
+  if (a->next == NULL || tree->fronts == NULL)
+    return false;
+  gather_nodes (a);
+  fill_graph (a);
+  if (!choose_order (a) || !form_groups (a))
+    return false;
+  order_groups (a, tree);
+  if (!list_rests (a, tree))
+    return false;
+  link_fronts (tree);
+  measure_runs (tree);
+  return true;
+}
+
+bool
+qn_front_tree_init (QnFrontTree *tree, int32_t n, const int32_t *ap, const int32_t *ai,
+                    const QnVec2 *points)
+{
+  Analysis a = { .n = n, .ap = ap, .ai = ai, .points = points };
+
+  *tree = (QnFrontTree){ .n = n };
+  bool ok = analyse (&a, tree);
+  free (a.node);
+  free (a.width);
+  free (a.start);
+  free (a.next);
+  free_order (&a);
+  free (a.group);
+  free (a.counts);
+  free (a.marks);
+  return ok;
+}
+
+void
+qn_front_tree_clear (QnFrontTree *tree)
+{
+  free (tree->fronts);
+  free (tree->position);
+  free (tree->rows);
+  free (tree->places);
+  free (tree->runs);
+  *tree = (QnFrontTree){ 0 };
+}

@@ -1,0 +1,57 @@
+/* Direct solution of sparse linear systems A x = b, behind one interface.
+ *
+ * The pattern of A is fixed for the life of a QnLinsys: ordering and symbolic analysis are
+ * done once, each factorisation is numeric only. Nothing is allocated here between calls; the
+ * library behind may do so.
+ */
+#ifndef QN_CORE_LINSYS_H
+#define QN_CORE_LINSYS_H
+
+#include "core/base/status.h"
+#include "core/base/vec2.h"
+
+typedef struct QnLinsys QnLinsys;
+
+typedef enum {
+  QN_FACTOR_OK,
+  QN_FACTOR_SINGULAR, /* to working precision */
+  QN_FACTOR_NO_MEMORY
+} QnFactorStatus;
+
+/* For an n x n unsymmetric matrix in compressed columns with a structurally symmetric pattern
+ * (column pointers ap, n + 1 of them; sorted row indices ai). The pattern is borrowed and
+ * must outlive the system. `points`: where the unknowns stand (front-tree.h), or NULL. Returns NULL when
+ * memory runs out. */
+QnLinsys *qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai,
+                         const QnVec2 *points);
+
+void qn_linsys_free (QnLinsys *system);
+
+/* Whether the next matrix will be like this one. */
+typedef enum {
+  QN_LINSYS_AGAIN, /* what does not change is kept for it */
+  QN_LINSYS_ONCE   /* all values will be new: nothing is kept, which is faster */
+} QnLinsysReuse;
+
+/* Factorises the matrix with the values ax. */
+QnFactorStatus qn_linsys_factor (QnLinsys *system, const double *ax);
+
+/* The same, and overwrites b (length n) with its solution. Factorisations are judged by a solution
+ * in any case: here by this one. b is undefined unless QN_FACTOR_OK is returned. */
+QnFactorStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
+                                           QnLinsysReuse reuse, double *b);
+
+/* Whether the next factorisations start from nothing, for comparison: otherwise only what new
+ * values reach is eliminated anew. The factors are the same to the bit. */
+void qn_linsys_eliminate_everything (QnLinsys *system, bool always);
+
+/* What part of the work of a whole factorisation the last one took. */
+double qn_linsys_work (const QnLinsys *system);
+
+/* Sign of the determinant of the matrix last factorised. */
+int qn_linsys_sign (const QnLinsys *system);
+
+/* Overwrites b (length n) with the solution of the last factorised system. */
+void qn_linsys_solve (QnLinsys *system, double *b);
+
+#endif

@@ -1,0 +1,110 @@
+#include "core/linalg/sparse.h"
+
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+
+bool
+qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected)
+{
+  *pattern = (QnSparsePattern){ .n = n, .capacity = expected };
+  pattern->entries = qn_alloc (expected, sizeof *pattern->entries);
+  return pattern->entries != NULL;
+}
+
+bool
+qn_sparse_pattern_add_clique (QnSparsePattern *pattern, const int32_t *unknowns,
+                              int count)
+{
+  size_t need = pattern->count + (size_t) (count * count);
+  uint64_t *entries =
+    qn_array_grow (pattern->entries, &pattern->capacity, need, sizeof *entries);
+
+  if (entries == NULL)
+    return false;
+  pattern->entries = entries;
+  for (int j = 0; j < count; j++)
+    for (int i = 0; i < count; i++)
+      if (unknowns[i] != QN_NONE && unknowns[j] != QN_NONE)
+        entries[pattern->count++] = (uint64_t) unknowns[j] << 32 | (uint64_t) unknowns[i];
+  return true;
+}
+
+/* Rows of one column are gathered by a counting sort over rows, then over columns, so that
+ * the whole takes linear time: transposing twice sorts. */
+static void
+counting_sort (const uint64_t *in, uint64_t *out, size_t count, int shift,
+               int32_t *starts, int32_t n)
+{
+  for (int32_t i = 0; i <= n; i++)
+    starts[i] = 0;
+  for (size_t k = 0; k < count; k++)
+    starts[((in[k] >> shift) & UINT32_MAX) + 1]++;
+  for (int32_t i = 0; i < n; i++)
+    starts[i + 1] += starts[i];
+  for (size_t k = 0; k < count; k++)
+    out[starts[(in[k] >> shift) & UINT32_MAX]++] = in[k];
+}
+
+bool
+qn_sparse_pattern_compress (QnSparsePattern *pattern, int32_t **ap, int32_t **ai)
+{
+  size_t n = (size_t) pattern->n, unique = 0;
+  uint64_t *scratch = qn_alloc (pattern->count, sizeof *scratch);
+
+  *ap = qn_alloc (n + 1, sizeof **ap);
+  *ai = NULL;
+  if (scratch == NULL || *ap == NULL || pattern->count > INT32_MAX)
+    goto fail;
+
+  counting_sort (pattern->entries, scratch, pattern->count, 0, *ap, pattern->n);
+  counting_sort (scratch, pattern->entries, pattern->count, 32, *ap, pattern->n);
+  for (size_t k = 0; k < pattern->count; k++)
+    if (k == 0 || pattern->entries[k] != pattern->entries[k - 1])
+      pattern->entries[unique++] = pattern->entries[k];
+  pattern->count = unique;
+
+  *ai = qn_alloc (unique, sizeof **ai);
+  if (*ai == NULL)
+    goto fail;
+  for (size_t i = 0; i <= n; i++)
+    (*ap)[i] = 0;
+  for (size_t k = 0; k < unique; k++) {
+    (*ai)[k] = (int32_t) (pattern->entries[k] & UINT32_MAX);
+    (*ap)[(pattern->entries[k] >> 32) + 1]++;
+  }
+  for (size_t i = 0; i < n; i++)
+    (*ap)[i + 1] += (*ap)[i];
+  free (scratch);
+  return true;
+
+fail:
+  free (scratch);
+  free (*ap);
+  *ap = NULL;
+  return false;
+}
+
+void
+qn_sparse_pattern_clear (QnSparsePattern *pattern)
+{
+  free (pattern->entries);
+  *pattern = (QnSparsePattern){ 0 };
+}
+
+int32_t
+qn_sparse_find (const int32_t *ap, const int32_t *ai, int32_t row, int32_t column)
+{
+  if (row == QN_NONE || column == QN_NONE)
+    return QN_NONE;
+
+  int32_t low = ap[column], high = ap[column + 1];
+  while (low < high) {
+    int32_t middle = low + (high - low) / 2;
+    if (ai[middle] < row)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low < ap[column + 1] && ai[low] == row ? low : QN_NONE;
+}

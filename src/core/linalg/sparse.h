@@ -1,0 +1,31 @@
+/* Sparse matrix patterns in compressed columns. */
+#ifndef QN_CORE_SPARSE_H
+#define QN_CORE_SPARSE_H
+
+#include "core/base/base.h"
+
+/* Collects entries, repeated or not, of an n x n pattern. */
+typedef struct QnSparsePattern {
+  int32_t n;
+  uint64_t *entries; /* column in the high, row in the low half */
+  size_t count, capacity;
+} QnSparsePattern;
+
+/* An empty pattern with room for `expected` entries; false when memory runs out. */
+bool qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected);
+
+/* Adds all entries between the given unknowns, skipping those that are QN_NONE. */
+bool qn_sparse_pattern_add_clique (QnSparsePattern *pattern, const int32_t *unknowns,
+                                   int count);
+
+/* Column pointers (n + 1) and sorted, unique row indices; the caller frees both. */
+bool qn_sparse_pattern_compress (QnSparsePattern *pattern, int32_t **ap, int32_t **ai);
+
+void qn_sparse_pattern_clear (QnSparsePattern *pattern);
+
+/* Position of entry (row, column) in the arrays of a compressed pattern, or QN_NONE where
+ * either is QN_NONE or the entry is not in the pattern. */
+int32_t qn_sparse_find (const int32_t *ap, const int32_t *ai, int32_t row,
+                        int32_t column);
+
+#endif

@@ -1,0 +1,67 @@
+/* The words of files that are compiled once for each width of vectors: see vectors.h. */
+#ifndef QN_CORE_VECTOR_LOOPS_H
+#define QN_CORE_VECTOR_LOOPS_H
+
+#include "core/base/base.h"
+
+/* Numbers in a vector, which the processor must have room for; two, as every one has, where the
+ * build does not say. */
+#ifndef QN_VECTOR_LANES
+#define QN_VECTOR_LANES 2
+#endif
+#define LANES QN_VECTOR_LANES
+
+#if defined __x86_64__                                                                   \
+  && ((LANES == 8 && !defined __AVX512F__) || (LANES == 4 && !defined __AVX2__))
+#error "These vectors would be split: the compiler is not asked for what they need."
+#endif
+
+typedef double Vector __attribute__ ((vector_size (8 * LANES), aligned (8), may_alias));
+typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_alias));
+
+#if defined __clang__ || __GNUC__ >= 12
+#define SHUFFLE(a, b, ...) __builtin_shufflevector (a, b, __VA_ARGS__)
+#else
+#define SHUFFLE(a, b, ...) __builtin_shuffle (a, b, (Mask){ __VA_ARGS__ })
+#endif
+
+/* Where the numbers of a vector come from, of two: the even and the odd places of both, or every
+ * second two of them; one of either in turn (ZIP), or two, or four. */
+#if LANES == 2
+#define EVEN         0, 2
+#define ODD          1, 3
+#define ZIP_LOW      0, 2
+#define ZIP_HIGH     1, 3
+#define ZIP_TWO_LOW  0, 1
+#define ZIP_TWO_HIGH 2, 3
+#elif LANES == 4
+#define EVEN         0, 2, 4, 6
+#define ODD          1, 3, 5, 7
+#define ZIP_LOW      0, 4, 1, 5
+#define ZIP_HIGH     2, 6, 3, 7
+#define ZIP_TWO_LOW  0, 1, 4, 5
+#define ZIP_TWO_HIGH 2, 3, 6, 7
+#define TWO_EVEN     0, 1, 4, 5
+#define TWO_ODD      2, 3, 6, 7
+#else
+#define EVEN          0, 2, 4, 6, 8, 10, 12, 14
+#define ODD           1, 3, 5, 7, 9, 11, 13, 15
+#define ZIP_LOW       0, 8, 1, 9, 2, 10, 3, 11
+#define ZIP_HIGH      4, 12, 5, 13, 6, 14, 7, 15
+#define ZIP_TWO_LOW   0, 1, 8, 9, 2, 3, 10, 11
+#define ZIP_TWO_HIGH  4, 5, 12, 13, 6, 7, 14, 15
+#define TWO_EVEN      0, 1, 4, 5, 8, 9, 12, 13
+#define TWO_ODD       2, 3, 6, 7, 10, 11, 14, 15
+#define ZIP_FOUR_LOW  0, 1, 2, 3, 8, 9, 10, 11
+#define ZIP_FOUR_HIGH 4, 5, 6, 7, 12, 13, 14, 15
+#endif
+
+/* Made part of its caller, where the numbers of vectors and columns are known. */
+#define PART static inline __attribute__ ((always_inline))
+
+/* The name of this width's loops. */
+#define WITH_NUMBER(name, lanes) name##_##lanes
+#define WITH_LANES(name, lanes)  WITH_NUMBER (name, lanes)
+#define WITH_WIDTH(name)         WITH_LANES (name, LANES)
+
+#endif

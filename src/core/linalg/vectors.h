@@ -1,0 +1,30 @@
+/* Vectors of the processor's own size.
+ *
+ * Inner loops are compiled once for vectors of two, four and eight numbers (`vectors` in
+ * meson.build): the compiler splits vectors that are wider than the processor's, and keeps what it
+ * has split in memory. Every width does the same operations on every number, and sums up in the
+ * same order: results are equal to the bit.
+ */
+#ifndef QN_CORE_VECTORS_H
+#define QN_CORE_VECTORS_H
+
+#include "core/base/base.h"
+
+/* The loops `name` of all widths, narrow ones first: name_2, name_4 (AVX2), name_8 (AVX-512F). */
+#ifdef QN_HAVE_X86_VECTORS
+#define QN_ALL_WIDTHS(name)                                                              \
+  {                                                                                      \
+    &name##_2, &name##_4, &name##_8                                                      \
+  }
+#else
+#define QN_ALL_WIDTHS(name)                                                              \
+  {                                                                                      \
+    &name##_2                                                                            \
+  }
+#endif
+
+/* Which of them are the fastest that this processor has and that work on at most `width` numbers
+ * at a time. */
+int qn_vectors (int width);
+
+#endif

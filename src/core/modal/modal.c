@@ -1,0 +1,261 @@
+#include "core/modal/modal.h"
+
+#include "core/base/clock.h"
+#include "core/base/memory.h"
+#include "core/linalg/lanczos.h"
+#include "core/path/path.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Shift of the inverse iteration, as a part of the largest stiffness over mass: small enough to
+ * cost no digits, large enough to make K of a free structure regular. */
+#define SHIFT 1e-7
+
+/* Frequencies below this part of the highest that the diagonals allow are rounding. */
+#define ZERO 1e-6
+
+typedef struct {
+  QnAssembly *assembly;
+  QnLinsys *linsys;
+  int32_t n;
+  double *mass; /* M in the pattern of K, rotations scaled by the characteristic length */
+  double largest; /* of K_ii / M_ii */
+  double shift;   /* sigma < 0 */
+} Pencil;
+
+typedef struct {
+  size_t found;
+  double *values, *vectors; /* omega squared; columns of n */
+} Eigen;
+
+/* M = masses of blocks, diagonal, and of beams, consistent. */
+static QnStatus
+fill_masses (Pencil *pencil, QnDiag *diag)
+{
+  const QnAssembly *as = pencil->assembly;
+  const QnModel *model = as->model;
+
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    double mass = block->weight / model->gravity;
+    double gyration = block->polar_moment / block->area / (as->length * as->length);
+    for (int i = 0; i < QN_DOF_COUNT; i++) {
+      int32_t unknown = as->unknown[QN_DOF_COUNT * b + i];
+      if (unknown == QN_NONE || as->settles[unknown])
+        continue;
+      if (!(mass > 0 && isfinite (mass)))
+        return qn_diag_set_field (diag, QN_PROBLEM_BLOCK_WITHOUT_MASS, QN_ENTITY_BLOCK,
+                                  (QnId) b, NULL, mass);
+      pencil->mass[as->diagonal[unknown]] = i == QN_DOF_RZ ? mass * gyration : mass;
+    }
+  }
+  for (size_t b = 0; b < model->beam_count; b++) {
+    double mass =
+      qn_section_weight (&model->sections[model->beams[b].section]) / model->gravity;
+    if (!(mass > 0 && isfinite (mass)))
+      return qn_diag_set_field (diag, QN_PROBLEM_BEAM_WITHOUT_MASS, QN_ENTITY_BEAM,
+                                (QnId) b, NULL, mass);
+  }
+  qn_beam_assembly_add_mass (&as->beams, pencil->mass);
+  for (int32_t j = 0; j < pencil->n; j++)
+    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
+      if (as->settles[j] || as->settles[as->ai[k]])
+        pencil->mass[k] = 0; /* supports that may settle do not move */
+  return QN_OK;
+}
+
+/* ax = K - sigma M, factorised. */
+static QnStatus
+factorize (Pencil *pencil, double multiplier, QnDiag *diag)
+{
+  QnAssembly *as = pencil->assembly;
+
+  qn_assembly_tangent_held (as, multiplier);
+  if (!qn_assembly_is_symmetric (as))
+    return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
+                              NULL, 0);
+
+  for (int32_t i = 0; i < pencil->n; i++) {
+    double mass = pencil->mass[as->diagonal[i]];
+    if (mass > 0)
+      pencil->largest = fmax (pencil->largest, as->ax[as->diagonal[i]] / mass);
+  }
+  pencil->shift = -SHIFT * pencil->largest;
+  for (int32_t k = 0; k < as->ap[pencil->n]; k++)
+    as->ax[k] -= pencil->shift * pencil->mass[k];
+
+  switch (qn_linsys_factor (pencil->linsys, as->ax)) {
+  case QN_FACTOR_OK:
+    return QN_OK;
+  case QN_FACTOR_SINGULAR:
+    return qn_diag_set_field (diag, QN_PROBLEM_STATE_SINGULAR, QN_ENTITY_MODEL, QN_NONE,
+                              NULL, 0);
+  case QN_FACTOR_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}
+
+/* y = M x */
+static void
+multiply (const void *data, const double *x, double *y)
+{
+  const Pencil *pencil = data;
+  const QnAssembly *as = pencil->assembly;
+
+  memset (y, 0, (size_t) pencil->n * sizeof *y);
+  for (int32_t j = 0; j < pencil->n; j++)
+    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
+      y[as->ai[k]] += pencil->mass[k] * x[j];
+}
+
+static void
+solve_shifted (const void *data, double *b)
+{
+  const Pencil *pencil = data;
+  qn_linsys_solve (pencil->linsys, b);
+}
+
+static bool
+go_on (void *equilibrium)
+{
+  return qn_equilibrium_go_on (equilibrium);
+}
+
+/* Modes scaled to a largest displacement of 1. */
+static QnStatus
+take_modes (const Pencil *pencil, const Eigen *eigen, const double *u, QnModes *modes,
+            QnDiag *diag)
+{
+  const QnAssembly *as = pencil->assembly;
+  size_t bodies = qn_model_body_count (as->model), row = bodies * QN_DOF_COUNT;
+
+  modes->omega = qn_alloc (eigen->found, sizeof *modes->omega);
+  modes->shapes = qn_alloc (eigen->found * row, sizeof *modes->shapes);
+  if (modes->omega == NULL || modes->shapes == NULL)
+    return qn_diag_no_memory (diag);
+  modes->count = eigen->found;
+  modes->block_count = as->model->block_count;
+  modes->node_count = as->model->node_count;
+
+  for (size_t mode = 0; mode < eigen->found; mode++) {
+    double square = eigen->values[mode], largest = 0;
+    double *shape = modes->shapes + mode * row;
+    modes->omega[mode] = square > ZERO * ZERO * pencil->largest ? sqrt (square) : 0;
+    qn_assembly_expand_rates (as, u, eigen->vectors + mode * (size_t) pencil->n, shape);
+    for (size_t b = 0; b < bodies; b++)
+      largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
+    for (size_t i = 0; largest > 0 && i < row; i++)
+      shape[i] /= largest;
+  }
+  return QN_OK;
+}
+
+/* The `wanted` lowest eigenvalues, or as many as there are; none where it was cancelled. */
+static QnStatus
+find_eigenvalues (const Pencil *pencil, QnEquilibrium *eq, size_t wanted, Eigen *eigen,
+                  QnDiag *diag)
+{
+  const QnLanczosProblem problem = { .n = pencil->n,
+                                     .shift = pencil->shift,
+                                     .multiply = multiply,
+                                     .solve = solve_shifted,
+                                     .go_on = go_on,
+                                     .user_data = eq,
+                                     .data = pencil };
+
+  switch (
+    qn_lanczos_run (&problem, wanted, &eigen->found, eigen->values, eigen->vectors)) {
+  case QN_LANCZOS_DONE:
+  case QN_LANCZOS_CANCELLED:
+    return QN_OK;
+  case QN_LANCZOS_NOT_FOUND:
+    return qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
+                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  case QN_LANCZOS_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}
+
+static QnStatus
+solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
+{
+  Pencil pencil = { .assembly = &eq->assembly,
+                    .linsys = eq->linsys,
+                    .n = eq->assembly.unknown_count };
+  Eigen eigen = { 0 };
+  size_t n = (size_t) pencil.n, most = wanted < n ? wanted : n;
+  QnStatus status = QN_OK;
+
+  if (n == 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_FEW_UNKNOWNS, QN_ENTITY_MODEL, QN_NONE,
+                              NULL, 0);
+  pencil.mass = qn_alloc ((size_t) eq->assembly.ap[n], sizeof (double));
+  eigen.values = qn_alloc (most, sizeof *eigen.values);
+  eigen.vectors = qn_alloc (n, most * sizeof *eigen.vectors);
+  if (pencil.mass == NULL || eigen.values == NULL || eigen.vectors == NULL)
+    status = qn_diag_no_memory (diag);
+  if (status == QN_OK)
+    status = fill_masses (&pencil, diag);
+  if (status == QN_OK)
+    status = factorize (&pencil, eq->multiplier, diag);
+  if (status == QN_OK)
+    status = find_eigenvalues (&pencil, eq, most, &eigen, diag);
+  if (status == QN_OK && eigen.found > 0)
+    status = take_modes (&pencil, &eigen, eq->u, modes, diag);
+  free (pencil.mass);
+  free (eigen.values);
+  free (eigen.vectors);
+  return status;
+}
+
+/* Brings the solver to the state; *reached is false where there is no equilibrium. */
+static QnStatus
+reach_state (QnPath *path, QnModalState state, bool *reached, QnDiag *diag)
+{
+  if (state == QN_MODAL_LOADED) {
+    QnStatus status = qn_path_run (path, reached, diag);
+    qn_equilibrium_restore (&path->equilibrium);
+    return status;
+  }
+  path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+  return qn_path_apply_dead_load (path, reached, diag);
+}
+
+QnStatus
+qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState state,
+              size_t wanted, QnProgressFunc progress, void *user_data, QnModes *modes,
+              QnResult *result, QnDiag *diag)
+{
+  double start = qn_clock_seconds ();
+  QnPath path;
+  bool reached = false;
+
+  *modes = (QnModes){ 0 };
+  *result = (QnResult){ 0 };
+  if (state == QN_MODAL_LOADED && model->analysis.procedure == QN_PROCEDURE_LIMIT)
+    return qn_diag_set_field (diag, QN_PROBLEM_LIMIT_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "procedure", 0);
+  QnStatus status =
+    qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
+  if (status == QN_OK)
+    status = reach_state (&path, state, &reached, diag);
+  if (status == QN_OK && reached && !path.equilibrium.cancelled)
+    status = solve_pencil (&path.equilibrium, wanted, modes, diag);
+  if (status == QN_OK && path.equilibrium.cancelled)
+    result->outcome = QN_OUTCOME_CANCELLED;
+  if (status != QN_OK)
+    qn_modes_clear (modes);
+  return qn_path_finish (&path, status, start);
+}
+
+void
+qn_modes_clear (QnModes *modes)
+{
+  free (modes->omega);
+  free (modes->shapes);
+  *modes = (QnModes){ 0 };
+}

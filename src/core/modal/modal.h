@@ -1,0 +1,40 @@
+/* Small vibrations about an equilibrium: frequencies and modes.
+ *
+ *   K phi = omega^2 M phi
+ *
+ * K is the tangent stiffness of the state, M the mass: of rigid blocks weight over gravity, with
+ * the polar moment of inertia about the centroid for the rotation, diagonal at the centroids; of
+ * beams consistent with their shape functions. The lowest frequencies come from Lanczos iteration
+ * (lanczos.h) with a small negative shift, so that structures without supports have their rigid
+ * motions as modes of frequency zero.
+ */
+#ifndef QN_CORE_MODAL_H
+#define QN_CORE_MODAL_H
+
+#include "core/base/progress.h"
+#include "core/result/result.h"
+
+typedef struct QnModes {
+  size_t count, block_count, node_count;
+  double *omega;  /* rad/s, ascending; rigid motions and what is numerically zero: 0 */
+  double *shapes; /* count x (block_count + node_count) x 3: m, m, rad; largest
+                     displacement 1 m */
+} QnModes;
+
+/* The state that the structure vibrates about. */
+typedef enum {
+  QN_MODAL_DEAD_LOAD, /* the equilibrium under dead load */
+  QN_MODAL_LOADED     /* the last equilibrium of the analysis that the settings ask for */
+} QnModalState;
+
+/* Solves for the `wanted` (>= 1) lowest modes, or as many as there are. *result holds the path up
+ * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty.
+ * Refuses blocks without mass and states in which pairs slip without dilatancy, whose stiffness
+ * is not symmetric. Both outputs are overwritten without being cleared, and empty on failure. */
+QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
+                       QnModalState state, size_t wanted, QnProgressFunc progress,
+                       void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);
+
+void qn_modes_clear (QnModes *modes);
+
+#endif

@@ -1,0 +1,326 @@
+/* Nodes, sections and beams of a model: adding them, cutting beams into elements, and what is
+ * derived of them. */
+#include "core/model/beam-model.h"
+
+#include "core/base/decimal.h"
+#include "core/base/memory.h"
+#include "core/base/tolerance.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Adding ------------------------------------------------------------------------------ */
+
+/* Appends an item of `size` bytes whose first member is its name, and enters it in the index;
+ * NULL with nothing changed where memory runs out. */
+static void *
+add_named (void **array, size_t *count, size_t *capacity, size_t size, QnNameIndex *index,
+           const char *name)
+{
+  char *grown =
+    *count < INT32_MAX ? qn_array_grow (*array, capacity, *count + 1, size) : NULL;
+  if (grown == NULL)
+    return NULL;
+  *array = grown;
+
+  char *item = grown + *count * size, *copy = qn_strdup (name);
+  memset (item, 0, size);
+  memcpy (item, &copy, sizeof copy);
+  if ((copy == NULL && name != NULL)
+      || !qn_name_index_add (index, grown, size, (QnId) *count)) {
+    free (copy);
+    return NULL;
+  }
+  (*count)++;
+  return item;
+}
+
+QnNode *
+qn_model_add_node (QnModel *model, const char *name)
+{
+  void *nodes = model->nodes;
+  QnNode *node = add_named (&nodes, &model->node_count, &model->node_capacity,
+                            sizeof *node, &model->node_names, name);
+  model->nodes = nodes;
+  if (node != NULL)
+    node->block = node->beam = QN_NONE;
+  return node;
+}
+
+QnSection *
+qn_model_add_section (QnModel *model, const char *name)
+{
+  void *sections = model->sections;
+  QnSection *section =
+    add_named (&sections, &model->section_count, &model->section_capacity,
+               sizeof *section, &model->section_names, name);
+  model->sections = sections;
+  if (section != NULL) {
+    section->density = -1;
+    section->shear_factor = 5.0 / 6;
+  }
+  return section;
+}
+
+QnBeam *
+qn_model_add_beam (QnModel *model, const char *name)
+{
+  void *beams = model->beams;
+  QnBeam *beam = add_named (&beams, &model->beam_count, &model->beam_capacity,
+                            sizeof *beam, &model->beam_names, name);
+  model->beams = beams;
+  if (beam != NULL) {
+    beam->nodes[0] = beam->nodes[1] = beam->section = beam->first_element = QN_NONE;
+    beam->element_count = 1;
+  }
+  return beam;
+}
+
+QnId
+qn_model_find_node (const QnModel *model, const char *name)
+{
+  return qn_name_index_find (&model->node_names, model->nodes, sizeof *model->nodes,
+                             name);
+}
+
+QnId
+qn_model_find_section (const QnModel *model, const char *name)
+{
+  return qn_name_index_find (&model->section_names, model->sections,
+                             sizeof *model->sections, name);
+}
+
+QnId
+qn_model_find_beam (const QnModel *model, const char *name)
+{
+  return qn_name_index_find (&model->beam_names, model->beams, sizeof *model->beams,
+                             name);
+}
+
+/* --- Expanding --------------------------------------------------------------------------- */
+
+static bool
+add_inner_node (QnModel *model, QnId beam, int32_t number)
+{
+  const char *prefix = model->beams[beam].name != NULL ? model->beams[beam].name : "";
+  size_t length = strlen (prefix), room = length + 1 + QN_DECIMAL_SIZE;
+  char *name = qn_alloc (room, 1);
+  if (name == NULL)
+    return false;
+  memcpy (name, prefix, length);
+  name[length] = '.';
+  qn_write_decimal (name + length + 1, number);
+  QnNode *node = qn_model_add_node (model, name);
+  free (name);
+  if (node != NULL)
+    node->beam = beam;
+  return node != NULL;
+}
+
+static QnStatus
+expand_beam (QnModel *model, QnId index, QnDiag *diag)
+{
+  int32_t count = model->beams[index].element_count;
+  QnId first_node = (QnId) model->node_count;
+
+  if (count < 1 || count > QN_MAX_BEAM_ELEMENTS)
+    return qn_diag_set_field (diag,
+                              count < 1 ? QN_PROBLEM_NOT_POSITIVE : QN_PROBLEM_TOO_LARGE,
+                              QN_ENTITY_BEAM, index, "elements", count);
+  if (model->node_count + (size_t) count > QN_MAX_NODES)
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_NODES, QN_ENTITY_BEAM, index,
+                              "elements", count);
+  for (int32_t i = 1; i < count; i++)
+    if (!add_inner_node (model, index, i))
+      return qn_diag_no_memory (diag);
+
+  QnBeamElement *elements =
+    qn_array_grow (model->elements, &model->element_capacity,
+                   model->element_count + (size_t) count, sizeof *elements);
+  if (elements == NULL)
+    return qn_diag_no_memory (diag);
+  model->elements = elements;
+  QnBeam *beam = &model->beams[index];
+  beam->first_element = (QnId) model->element_count;
+  for (int32_t i = 0; i < count; i++) {
+    const bool first = i == 0, last = i == count - 1;
+    elements[model->element_count++] = (QnBeamElement){
+      .beam = index,
+      .nodes = { first ? beam->nodes[0] : first_node + i - 1,
+                 last ? beam->nodes[1] : first_node + i },
+      .hinge = { first && beam->hinge[0], last && beam->hinge[1] },
+      .yields = { first, true },
+    };
+  }
+  return QN_OK;
+}
+
+QnStatus
+qn_model_expand_beams (QnModel *model, QnDiag *diag)
+{
+  for (; model->expanded_beam_count < model->beam_count; model->expanded_beam_count++) {
+    QnStatus status = expand_beam (model, (QnId) model->expanded_beam_count, diag);
+    if (status != QN_OK)
+      return status;
+  }
+  return QN_OK;
+}
+
+/* --- Deriving ---------------------------------------------------------------------------- */
+
+/* The middle of the straight part of a block's outline that faces a direction most; of several
+ * such the one with the longest edge. */
+static QnVec2
+side_middle (const QnModel *model, QnId block, QnVec2 direction)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnId count = model->blocks[block].vertex_count, best = 0;
+  double best_facing = -INFINITY, best_length = 0;
+
+  for (QnId i = 0; i < count; i++) {
+    QnVec2 edge = qn_vec2_sub (v[(i + 1) % count], v[i]);
+    double length = qn_vec2_length (edge);
+    /* Counter-clockwise: the outer normal is the edge turned by -90 degrees. */
+    double facing = qn_vec2_cross (direction, edge) / length;
+    if (facing > best_facing + QN_TOLERANCE_CONVEX
+        || (facing > best_facing - QN_TOLERANCE_CONVEX && length > best_length)) {
+      best = i;
+      best_facing = facing;
+      best_length = length;
+    }
+  }
+
+  const QnVec2 start = v[best];
+  const QnVec2 along =
+    qn_vec2_scale (1 / best_length, qn_vec2_sub (v[(best + 1) % count], start));
+  double low = 0, high = best_length;
+  for (QnId i = 0; i < count; i++) { /* vertices in the middle of the side split it */
+    QnVec2 from = qn_vec2_sub (v[i], start), to = qn_vec2_sub (v[(i + 1) % count], start);
+    double flat = QN_TOLERANCE_CONVEX * best_length;
+    if (fabs (qn_vec2_cross (along, from)) <= flat
+        && fabs (qn_vec2_cross (along, to)) <= flat) {
+      low = fmin (low, qn_vec2_dot (along, from));
+      high = fmax (high, qn_vec2_dot (along, to));
+    }
+  }
+  return qn_vec2_add_scaled (start, 0.5 * (low + high), along);
+}
+
+static void
+seat_node (QnModel *model, QnNode *node)
+{
+  static const QnVec2 directions[QN_BLOCK_SIDE_COUNT] = {
+    [QN_BLOCK_SIDE_LEFT] = { -1, 0 },
+    [QN_BLOCK_SIDE_RIGHT] = { 1, 0 },
+    [QN_BLOCK_SIDE_BOTTOM] = { 0, -1 },
+    [QN_BLOCK_SIDE_TOP] = { 0, 1 },
+  };
+
+  if (node->seat == QN_SEAT_CENTROID)
+    node->at = model->blocks[node->block].centroid;
+  else if (node->seat == QN_SEAT_SIDE)
+    node->at = side_middle (model, node->block, directions[node->side]);
+}
+
+static QnStatus
+derive_beam (QnModel *model, QnId index, QnDiag *diag)
+{
+  const QnBeam *beam = &model->beams[index];
+  QnVec2 a = model->nodes[beam->nodes[0]].at, b = model->nodes[beam->nodes[1]].at;
+  double size = fmax (fmax (fabs (a.x), fabs (a.y)), fmax (fabs (b.x), fabs (b.y)));
+
+  if (!(qn_vec2_length (qn_vec2_sub (b, a)) > QN_TOLERANCE_COORDINATE * size))
+    return qn_diag_set_field (diag, QN_PROBLEM_BEAM_SHORT, QN_ENTITY_BEAM, index, "nodes",
+                              0);
+  for (int32_t i = 0; i < beam->element_count; i++) {
+    const QnBeamElement *element = &model->elements[beam->first_element + i];
+    QnNode *end = &model->nodes[element->nodes[1]];
+    if (i + 1 < beam->element_count)
+      end->at = qn_vec2_lerp (a, b, (double) (i + 1) / beam->element_count);
+  }
+  return QN_OK;
+}
+
+static void
+derive_section (const QnModel *model, QnSection *section)
+{
+  if (section->height > 0) {
+    section->area = section->width * section->height;
+    section->inertia = section->area * section->height * section->height / 12;
+  }
+  if (section->density >= 0)
+    section->unit_weight = section->density * model->gravity;
+}
+
+static QnStatus
+check_moments (const QnModel *model, const QnLoad *loads, size_t count, QnEntity entity,
+               QnDiag *diag)
+{
+  for (size_t i = 0; i < count; i++)
+    if (loads[i].kind == QN_LOAD_NODE && loads[i].moment != 0
+        && !model->nodes[loads[i].node].turns)
+      return qn_diag_set_field (diag, QN_PROBLEM_NODE_MOMENT, entity, (QnId) i, "moment",
+                                loads[i].moment);
+  return QN_OK;
+}
+
+void
+qn_model_mark_turning_nodes (QnModel *model)
+{
+  for (size_t i = 0; i < model->node_count; i++)
+    model->nodes[i].turns = model->nodes[i].block != QN_NONE;
+  for (size_t i = 0; i < model->element_count; i++)
+    for (int end = 0; end < 2; end++)
+      if (!model->elements[i].hinge[end])
+        model->nodes[model->elements[i].nodes[end]].turns = true;
+}
+
+QnStatus
+qn_model_derive_beams (QnModel *model, QnDiag *diag)
+{
+  QnStatus status = QN_OK;
+
+  for (size_t i = 0; i < model->section_count; i++)
+    derive_section (model, &model->sections[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    seat_node (model, &model->nodes[i]);
+  for (size_t i = 0; i < model->beam_count && status == QN_OK; i++)
+    status = derive_beam (model, (QnId) i, diag);
+  if (status == QN_OK)
+    status = check_moments (model, model->dead_loads, model->dead_load_count,
+                            QN_ENTITY_DEAD_LOAD, diag);
+  if (status == QN_OK)
+    status = check_moments (model, model->live_loads, model->live_load_count,
+                            QN_ENTITY_LIVE_LOAD, diag);
+  return status;
+}
+
+bool
+qn_model_body_is_fixed (const QnModel *model, size_t body, QnDof dof)
+{
+  if (body < model->block_count)
+    return model->blocks[body].support[dof];
+  const QnNode *node = &model->nodes[body - model->block_count];
+  return node->block != QN_NONE || node->support[dof]
+         || (dof == QN_DOF_RZ && !node->turns);
+}
+
+void
+qn_model_move_riding_nodes (const QnModel *model, bool finite, double *displacements)
+{
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    if (node->block == QN_NONE)
+      continue;
+    const double *block = displacements + QN_DOF_COUNT * node->block;
+    double *out = displacements + QN_DOF_COUNT * (model->block_count + i);
+    QnVec2 arm = qn_vec2_sub (node->at, model->blocks[node->block].centroid);
+    qn_body_velocity_at (block, arm, out);
+    if (finite) {
+      QnVec2 turned =
+        qn_vec2_rotate (arm, cos (block[QN_DOF_RZ]), sin (block[QN_DOF_RZ]));
+      out[QN_DOF_UX] = block[QN_DOF_UX] + turned.x - arm.x;
+      out[QN_DOF_UY] = block[QN_DOF_UY] + turned.y - arm.y;
+    }
+  }
+}

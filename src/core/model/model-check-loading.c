@@ -1,0 +1,284 @@
+/* Rules of loads, settlements, the analysis and its stages. */
+#include "core/model/model-check.h"
+
+static QnStatus
+check_settlement (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
+                  QnDiag *diag)
+{
+  if (!model->blocks[load->block].support[load->dof])
+    return qn_diag_set_field (diag, QN_PROBLEM_SETTLEMENT_FREE, entity, index,
+                              "component", 0);
+  return qn_check_number (load->value, QN_NUMBER_ANY, entity, index, "value", diag);
+}
+
+static QnStatus
+check_index (QnId id, size_t count, QnProblem problem, QnEntity entity, QnId index,
+             const char *field, QnDiag *diag)
+{
+  return id >= 0 && (size_t) id < count
+           ? QN_OK
+           : qn_diag_set_field (diag, problem, entity, index, field, id);
+}
+
+/* What a load acts on. */
+static QnStatus
+check_loaded (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
+              QnDiag *diag)
+{
+  if (load->kind == QN_LOAD_LINE)
+    return check_index (load->beam, model->beam_count, QN_PROBLEM_BEAM_UNKNOWN, entity,
+                        index, "beam", diag);
+  if (load->kind == QN_LOAD_NODE)
+    return check_index (load->node, model->node_count, QN_PROBLEM_NODE_UNKNOWN, entity,
+                        index, "node", diag);
+  return qn_check_block_reference (model, load->block, entity, index, "block", diag);
+}
+
+static QnStatus
+check_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
+            QnDiag *diag)
+{
+  if (load->kind == QN_LOAD_WEIGHT)
+    return qn_check_vector (load->vector, entity, index, "direction", diag);
+
+  QnStatus status = check_loaded (model, load, entity, index, diag);
+  if (status == QN_OK && load->kind == QN_LOAD_SETTLEMENT)
+    return check_settlement (model, load, entity, index, diag);
+  if (status == QN_OK)
+    status = qn_check_vector (load->vector, entity, index, "value", diag);
+  if (status == QN_OK)
+    status = qn_check_number (load->moment, QN_NUMBER_ANY, entity, index, "moment", diag);
+  if (status == QN_OK && load->has_at)
+    status = qn_check_vector (load->at, entity, index, "at", diag);
+  return status;
+}
+
+QnStatus
+qn_model_check_loads (const QnModel *model, QnDiag *diag)
+{
+  QnStatus status = QN_OK;
+  for (size_t i = 0; i < model->dead_load_count && status == QN_OK; i++)
+    status =
+      check_load (model, &model->dead_loads[i], QN_ENTITY_DEAD_LOAD, (QnId) i, diag);
+  for (size_t i = 0; i < model->live_load_count && status == QN_OK; i++)
+    status =
+      check_load (model, &model->live_loads[i], QN_ENTITY_LIVE_LOAD, (QnId) i, diag);
+  return status;
+}
+
+/* The block or node whose displacement is controlled, and that it is free to move. */
+static QnStatus
+check_controlled (const QnModel *model, QnId block, QnId node, QnDof dof, QnEntity entity,
+                  QnId index, QnDiag *diag)
+{
+  QnStatus status =
+    node == QN_NONE
+      ? qn_check_block_reference (model, block, entity, index, "control.block", diag)
+      : check_index (node, model->node_count, QN_PROBLEM_NODE_UNKNOWN, entity, index,
+                     "control.node", diag);
+  if (status == QN_OK && node != QN_NONE && model->nodes[node].seat != QN_SEAT_FREE)
+    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_NODE_RIDES, entity, index,
+                                "control.node", 0);
+  if (status == QN_OK
+      && qn_model_body_is_fixed (model, qn_model_controlled_body (model, block, node),
+                                 dof))
+    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_DOF_FIXED, entity, index,
+                                "control.component", 0);
+  return status;
+}
+
+static QnStatus
+check_control (const QnModel *model, QnDiag *diag)
+{
+  const QnAnalysisSettings *analysis = &model->analysis;
+  const QnEntity entity = QN_ENTITY_ANALYSIS;
+  if (analysis->control_block == QN_NONE && analysis->control_node == QN_NONE) {
+    if (analysis->procedure != QN_PROCEDURE_DISPLACEMENT || model->stage_count > 0)
+      return QN_OK;
+    return qn_diag_set_field (diag, QN_PROBLEM_CONTROL_MISSING, entity, QN_NONE,
+                              "control", 0);
+  }
+
+  QnStatus status =
+    check_controlled (model, analysis->control_block, analysis->control_node,
+                      analysis->control_dof, entity, QN_NONE, diag);
+  if (status == QN_OK)
+    status = qn_check_number (analysis->control_target, QN_NUMBER_ANY, entity, QN_NONE,
+                              "control.target", diag);
+  if (status == QN_OK && analysis->control_target == 0)
+    status = qn_diag_set_field (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, entity, QN_NONE,
+                                "control.target", 0);
+  return status;
+}
+
+/* Whether a settlement is among the loads of some sets, bit by bit as in QnStage. */
+static bool
+has_settlement (const QnModel *model, uint32_t sets)
+{
+  for (size_t i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].kind == QN_LOAD_SETTLEMENT
+        && (sets >> model->live_loads[i].set & 1) != 0)
+      return true;
+  return false;
+}
+
+static QnStatus
+check_procedure (const QnModel *model, QnProcedure procedure, uint32_t sets,
+                 QnEntity entity, QnId index, QnDiag *diag)
+{
+  bool work = procedure == QN_PROCEDURE_WORK, limit = procedure == QN_PROCEDURE_LIMIT;
+
+  if ((work || limit) && has_settlement (model, sets))
+    return qn_diag_set_field (
+      diag, work ? QN_PROBLEM_SETTLEMENT_WORK : QN_PROBLEM_SETTLEMENT_LIMIT, entity,
+      index, "procedure", 0);
+  return QN_OK;
+}
+
+/* --- Stages ----------------------------------------------------------------------------- */
+
+/* What is known of the load sets before a run. */
+typedef struct {
+  double multiplier[QN_MAX_LOAD_SETS];  /* NaN where only the run will tell */
+  size_t last_driven[QN_MAX_LOAD_SETS]; /* number of the stage, from 1; 0: none */
+} SetStates;
+
+static QnStatus
+refuse_stage (QnDiag *diag, QnProblem problem, QnId index, const char *field)
+{
+  return qn_diag_set_field (diag, problem, QN_ENTITY_STAGE, index, field, 0);
+}
+
+/* Sets that a stage drives together must have been driven together before. */
+static QnStatus
+check_stage_sets (const QnModel *model, const SetStates *states, QnId index, int *first,
+                  QnDiag *diag)
+{
+  const QnStage *stage = &model->stages[index];
+
+  *first = QN_NONE;
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++) {
+    if ((stage->sets >> set & 1) == 0)
+      continue;
+    if ((size_t) set > model->load_set_count)
+      return refuse_stage (diag, QN_PROBLEM_LOAD_SET_UNKNOWN, index, "loads");
+    if (*first == QN_NONE)
+      *first = set;
+    else if (states->last_driven[set] != states->last_driven[*first])
+      return refuse_stage (diag, QN_PROBLEM_STAGE_SETS_APART, index, "loads");
+  }
+  return *first != QN_NONE ? QN_OK
+                           : refuse_stage (diag, QN_PROBLEM_STAGE_IDLE, index, "loads");
+}
+
+static QnStatus
+check_stage_control (const QnModel *model, QnId index, QnDiag *diag)
+{
+  const QnStage *stage = &model->stages[index];
+  const QnEntity entity = QN_ENTITY_STAGE;
+
+  if (stage->control_block == QN_NONE && stage->control_node == QN_NONE)
+    return stage->procedure == QN_PROCEDURE_DISPLACEMENT
+             ? refuse_stage (diag, QN_PROBLEM_CONTROL_MISSING, index, "control")
+             : QN_OK;
+  QnStatus status = check_controlled (model, stage->control_block, stage->control_node,
+                                      stage->control_dof, entity, index, diag);
+  if (status == QN_OK)
+    status = qn_check_number (stage->control_target, QN_NUMBER_ANY, entity, index,
+                              "control.target", diag);
+  if (status == QN_OK && index == 0 && stage->control_target == 0)
+    status = refuse_stage (diag, QN_PROBLEM_CONTROL_TARGET_ZERO, index, "control.target");
+  if (status == QN_OK && stage->has_target)
+    status = refuse_stage (diag, QN_PROBLEM_STAGE_TWO_ENDS, index, "target");
+  return status;
+}
+
+static QnStatus
+check_stage (const QnModel *model, SetStates *states, QnId index, QnDiag *diag)
+{
+  const QnStage *stage = &model->stages[index];
+  bool last = (size_t) index + 1 == model->stage_count;
+  int first;
+
+  if (stage->procedure == QN_PROCEDURE_LIMIT)
+    return refuse_stage (diag, QN_PROBLEM_STAGE_LIMIT, index, "procedure");
+  QnStatus status = check_stage_sets (model, states, index, &first, diag);
+  if (status == QN_OK)
+    status = check_procedure (model, stage->procedure, stage->sets, QN_ENTITY_STAGE,
+                              index, diag);
+  if (status == QN_OK && stage->increments < 0)
+    status = refuse_stage (diag, QN_PROBLEM_NOT_POSITIVE, index, "increments");
+  if (status == QN_OK && stage->has_target)
+    status = qn_check_number (stage->target, QN_NUMBER_ANY, QN_ENTITY_STAGE, index,
+                              "target", diag);
+  if (status == QN_OK)
+    status = check_stage_control (model, index, diag);
+  if (status != QN_OK)
+    return status;
+
+  bool controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;
+  bool ends =
+    stage->has_target || controlled || !qn_model_sets_have_force (model, stage->sets);
+  if (!ends && !last)
+    return refuse_stage (diag, QN_PROBLEM_STAGE_ENDLESS, index, "target");
+  double target = stage->has_target ? stage->target : controlled ? NAN : 1;
+  if (ends && target == states->multiplier[first])
+    return refuse_stage (diag, QN_PROBLEM_STAGE_NO_CHANGE, index, "target");
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++) {
+    if ((stage->sets >> set & 1) == 0)
+      continue;
+    states->multiplier[set] = target;
+    states->last_driven[set] = (size_t) index + 1;
+  }
+  return QN_OK;
+}
+
+static QnStatus
+check_stages (const QnModel *model, QnDiag *diag)
+{
+  SetStates states = { 0 };
+  QnStatus status = QN_OK;
+
+  if (model->stage_count == 0)
+    return QN_OK;
+  if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
+    return qn_diag_set_field (diag, QN_PROBLEM_STAGE_LIMIT, QN_ENTITY_ANALYSIS, QN_NONE,
+                              "stages", 0);
+  if (model->stage_count > QN_MAX_STAGES)
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_ANALYSIS, QN_NONE,
+                              "stages", (double) model->stage_count);
+  if (isfinite (model->analysis.max_multiplier))
+    return qn_diag_set_field (diag, QN_PROBLEM_STAGE_MULTIPLIER, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "max_multiplier", model->analysis.max_multiplier);
+  for (size_t i = 0; i < model->stage_count && status == QN_OK; i++)
+    status = check_stage (model, &states, (QnId) i, diag);
+  return status;
+}
+
+/* ---------------------------------------------------------------------------------------- */
+
+QnStatus
+qn_model_check_analysis (const QnModel *model, QnDiag *diag)
+{
+  const QnAnalysisSettings *analysis = &model->analysis;
+  const QnEntity entity = QN_ENTITY_ANALYSIS;
+  QnStatus status = qn_check_number (analysis->increments, QN_NUMBER_POSITIVE, entity,
+                                     QN_NONE, "increments", diag);
+  /* Infinity is the default and allowed here. */
+  if (status == QN_OK && !(analysis->max_multiplier > 0))
+    status = qn_diag_set_field (
+      diag,
+      isnan (analysis->max_multiplier) ? QN_PROBLEM_NOT_FINITE : QN_PROBLEM_NOT_POSITIVE,
+      entity, QN_NONE, "max_multiplier", analysis->max_multiplier);
+  if (status == QN_OK)
+    status = qn_check_number (analysis->multiplier_tolerance, QN_NUMBER_POSITIVE, entity,
+                              QN_NONE, "multiplier_tolerance", diag);
+  if (status == QN_OK)
+    status = qn_check_number (analysis->residual_tolerance, QN_NUMBER_POSITIVE, entity,
+                              QN_NONE, "residual_tolerance", diag);
+  if (status == QN_OK)
+    status = check_control (model, diag);
+  if (status == QN_OK && model->stage_count == 0)
+    status = check_procedure (model, analysis->procedure, 1, entity, QN_NONE, diag);
+  return status == QN_OK ? check_stages (model, diag) : status;
+}

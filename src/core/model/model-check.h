@@ -1,0 +1,30 @@
+/* The rules that a model's numbers and references must keep; part of qn_model_prepare(). */
+#ifndef QN_CORE_MODEL_CHECK_H
+#define QN_CORE_MODEL_CHECK_H
+
+#include "core/model/model.h"
+
+/* Checks one block of a model: name, polygon, numbers. A fault in a block that came from a wall
+ * is reported as the wall's. */
+QnStatus qn_model_check_block (const QnModel *model, QnId block, QnDiag *diag);
+
+/* Checks everything outside blocks and walls: gravity, laws, contact settings, exceptions,
+ * loads, analysis settings. Walls must be expanded. */
+QnStatus qn_model_check_settings (const QnModel *model, QnDiag *diag);
+
+/* Parts of it: loads and settlements; analysis settings and stages. */
+QnStatus qn_model_check_loads (const QnModel *model, QnDiag *diag);
+QnStatus qn_model_check_analysis (const QnModel *model, QnDiag *diag);
+
+/* Range that a number must keep. */
+typedef enum { QN_NUMBER_ANY, QN_NUMBER_NOT_NEGATIVE, QN_NUMBER_POSITIVE } QnNumberRange;
+
+/* One number, both of a vector, or the index of a block: the first problem as the field's. */
+QnStatus qn_check_number (double value, QnNumberRange range, QnEntity entity, QnId index,
+                          const char *field, QnDiag *diag);
+QnStatus qn_check_vector (QnVec2 vector, QnEntity entity, QnId index, const char *field,
+                          QnDiag *diag);
+QnStatus qn_check_block_reference (const QnModel *model, QnId block, QnEntity entity,
+                                   QnId index, const char *field, QnDiag *diag);
+
+#endif

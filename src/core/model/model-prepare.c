@@ -1,0 +1,103 @@
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
+#include "core/model/beam-model.h"
+#include "core/model/model-check.h"
+
+#include <stdlib.h>
+
+/* Derived geometry and weight of one checked block. */
+static QnStatus
+derive_block (QnModel *model, QnId index, QnDiag *diag)
+{
+  QnBlock *block = &model->blocks[index];
+  QnVec2 *vertices = model->vertices + block->first_vertex;
+  size_t count = (size_t) block->vertex_count;
+
+  QnPolygonProperties properties = qn_polygon_properties (vertices, count);
+  if (properties.area < 0) {
+    qn_polygon_reverse (vertices, count);
+    properties = qn_polygon_properties (vertices, count);
+  }
+  block->area = properties.area;
+  block->centroid = properties.centroid;
+  block->polar_moment = properties.polar_moment;
+  if (block->density >= 0)
+    block->unit_weight = block->density * model->gravity;
+  block->weight = block->unit_weight * block->area * block->thickness;
+
+  bool from_wall = block->wall != QN_NONE;
+  if (!(block->area > 0))
+    return qn_diag_set_field (
+      diag, QN_PROBLEM_ZERO_AREA, from_wall ? QN_ENTITY_WALL : QN_ENTITY_BLOCK,
+      from_wall ? block->wall : index, from_wall ? "unit" : "vertices", block->area);
+  if (!isfinite (block->weight) || !isfinite (block->polar_moment))
+    return qn_diag_set_field (
+      diag, QN_PROBLEM_TOO_LARGE, from_wall ? QN_ENTITY_WALL : QN_ENTITY_BLOCK,
+      from_wall ? block->wall : index, block->density >= 0 ? "density" : "unit_weight",
+      block->density >= 0 ? block->density : block->unit_weight);
+  return QN_OK;
+}
+
+static int
+compare_doubles (const void *a, const void *b)
+{
+  double left = *(const double *) a, right = *(const double *) b;
+  return (left > right) - (left < right);
+}
+
+static double
+beam_length (const QnModel *model, size_t index)
+{
+  const QnBeam *beam = &model->beams[index];
+
+  return qn_vec2_length (
+    qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at));
+}
+
+/* The upper median of the square roots of the areas: one huge foundation or a crowd of small
+ * wedges does not move it. Without blocks that of the lengths of beams. */
+static QnStatus
+derive_characteristic_length (QnModel *model, QnDiag *diag)
+{
+  size_t count = model->block_count > 0 ? model->block_count : model->beam_count;
+  double *sizes = qn_alloc (count, sizeof *sizes);
+  if (sizes == NULL)
+    return qn_diag_no_memory (diag);
+  for (size_t i = 0; i < count; i++)
+    sizes[i] =
+      model->block_count > 0 ? sqrt (model->blocks[i].area) : beam_length (model, i);
+  qsort (sizes, count, sizeof *sizes, compare_doubles);
+  model->characteristic_length = sizes[count / 2];
+  free (sizes);
+  return QN_OK;
+}
+
+QnStatus
+qn_model_prepare (QnModel *model, QnDiag *diag)
+{
+  QnStatus status = qn_model_expand_walls (model, diag);
+  if (status == QN_OK)
+    status = qn_model_expand_beams (model, diag);
+  if (status != QN_OK)
+    return status;
+  if (model->block_count == 0 && model->beam_count == 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
+                              "blocks", 0);
+  if (model->block_count > QN_MAX_BLOCKS)
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
+                              "blocks", (double) model->block_count);
+
+  for (size_t i = 0; i < model->block_count && status == QN_OK; i++)
+    status = qn_model_check_block (model, (QnId) i, diag);
+  if (status == QN_OK)
+    status = qn_model_check_beams (model, diag);
+  if (status == QN_OK) {
+    qn_model_mark_turning_nodes (model);
+    status = qn_model_check_settings (model, diag);
+  }
+  for (size_t i = 0; i < model->block_count && status == QN_OK; i++)
+    status = derive_block (model, (QnId) i, diag);
+  if (status == QN_OK)
+    status = qn_model_derive_beams (model, diag);
+  return status == QN_OK ? derive_characteristic_length (model, diag) : status;
+}

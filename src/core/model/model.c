@@ -1,0 +1,400 @@
+#include "core/model/model.h"
+
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void
+qn_model_init (QnModel *model)
+{
+  *model = (QnModel){
+    .gravity = 9.81,
+    .contact = { .law = QN_NONE,
+                 .tolerance = 1e-6,
+                 .pairs = { .placement = QN_PLACEMENT_ENDS, .count = 2 } },
+    .analysis = { .procedure = QN_PROCEDURE_LOAD,
+                  .geometry = QN_GEOMETRY_LINEAR,
+                  .snap = QN_SNAP_JUMP,
+                  .flow = QN_FLOW_ASSOCIATIVE,
+                  .increments = 100,
+                  .max_multiplier = INFINITY,
+                  .multiplier_tolerance = 1e-4,
+                  .residual_tolerance = 1e-8,
+                  .control_block = QN_NONE,
+                  .control_node = QN_NONE,
+                  .shortcuts = { true, true, true, true, true, true } },
+  };
+}
+
+static void
+wall_clear (QnWall *wall)
+{
+  free (wall->name);
+  free (wall->lengths);
+  free (wall->course_ends);
+  *wall = (QnWall){ 0 };
+}
+
+void
+qn_model_clear (QnModel *model)
+{
+  for (size_t i = 0; i < model->law_count; i++)
+    qn_law_clear (&model->laws[i]);
+  for (size_t i = 0; i < model->block_count; i++)
+    free (model->blocks[i].name);
+  for (size_t i = 0; i < model->wall_count; i++)
+    wall_clear (&model->walls[i]);
+  for (size_t i = 0; i < model->load_set_count; i++)
+    free (model->load_sets[i]);
+  for (size_t i = 0; i < model->stage_count; i++)
+    free (model->stages[i].name);
+
+  for (size_t i = 0; i < model->node_count; i++)
+    free (model->nodes[i].name);
+  for (size_t i = 0; i < model->section_count; i++)
+    free (model->sections[i].name);
+  for (size_t i = 0; i < model->beam_count; i++)
+    free (model->beams[i].name);
+
+  free (model->title);
+  free (model->vertices);
+  free (model->laws);
+  free (model->blocks);
+  free (model->walls);
+  free (model->overrides);
+  free (model->bars);
+  free (model->dead_loads);
+  free (model->live_loads);
+  free (model->load_sets);
+  free (model->stages);
+  free (model->nodes);
+  free (model->sections);
+  free (model->beams);
+  free (model->elements);
+  qn_name_index_clear (&model->law_names);
+  qn_name_index_clear (&model->block_names);
+  qn_name_index_clear (&model->node_names);
+  qn_name_index_clear (&model->section_names);
+  qn_name_index_clear (&model->beam_names);
+  *model = (QnModel){ 0 };
+}
+
+/* Copies `count` items; *failed is set where memory ran out. NULL for no items. */
+static void *
+duplicate (const void *items, size_t count, size_t size, bool *failed)
+{
+  if (count == 0)
+    return NULL;
+  void *copy = qn_alloc (count, size);
+  if (copy == NULL)
+    *failed = true;
+  else
+    memcpy (copy, items, count * size);
+  return copy;
+}
+
+static char *
+duplicate_name (const char *name, bool *failed)
+{
+  char *copy = qn_strdup (name);
+  if (copy == NULL && name != NULL)
+    *failed = true;
+  return copy;
+}
+
+static QnNameIndex
+duplicate_index (QnNameIndex index, bool *failed)
+{
+  index.slots = duplicate (index.slots, index.slot_count, sizeof *index.slots, failed);
+  return index.slots != NULL ? index : (QnNameIndex){ 0 };
+}
+
+/* Everything but names and what walls own. Counts of arrays that could not be copied are 0, so
+ * that the copy may be cleared. */
+static void
+copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
+{
+#define COPY_ARRAY(array, counter, room)                                                 \
+  do {                                                                                   \
+    copy->array =                                                                        \
+      duplicate (source->array, source->counter, sizeof *copy->array, failed);           \
+    copy->counter = copy->room = copy->array != NULL ? source->counter : 0;              \
+  } while (0)
+
+  COPY_ARRAY (vertices, vertex_count, vertex_capacity);
+  COPY_ARRAY (laws, law_count, law_capacity);
+  COPY_ARRAY (blocks, block_count, block_capacity);
+  COPY_ARRAY (walls, wall_count, wall_capacity);
+  COPY_ARRAY (overrides, override_count, override_capacity);
+  COPY_ARRAY (bars, bar_count, bar_capacity);
+  COPY_ARRAY (dead_loads, dead_load_count, dead_load_capacity);
+  COPY_ARRAY (live_loads, live_load_count, live_load_capacity);
+  COPY_ARRAY (nodes, node_count, node_capacity);
+  COPY_ARRAY (sections, section_count, section_capacity);
+  COPY_ARRAY (beams, beam_count, beam_capacity);
+  COPY_ARRAY (elements, element_count, element_capacity);
+  COPY_ARRAY (load_sets, load_set_count, load_set_capacity);
+  COPY_ARRAY (stages, stage_count, stage_capacity);
+#undef COPY_ARRAY
+}
+
+QnStatus
+qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
+{
+  bool failed = false;
+  *copy = *source;
+  copy->title = duplicate_name (source->title, &failed);
+  copy->law_names = duplicate_index (source->law_names, &failed);
+  copy->block_names = duplicate_index (source->block_names, &failed);
+  copy->node_names = duplicate_index (source->node_names, &failed);
+  copy->section_names = duplicate_index (source->section_names, &failed);
+  copy->beam_names = duplicate_index (source->beam_names, &failed);
+  copy_arrays (source, copy, &failed);
+
+  for (size_t i = 0; i < copy->law_count; i++)
+    copy->laws[i].name = duplicate_name (source->laws[i].name, &failed);
+  for (size_t i = 0; i < copy->block_count; i++)
+    copy->blocks[i].name = duplicate_name (source->blocks[i].name, &failed);
+  for (size_t i = 0; i < copy->node_count; i++)
+    copy->nodes[i].name = duplicate_name (source->nodes[i].name, &failed);
+  for (size_t i = 0; i < copy->section_count; i++)
+    copy->sections[i].name = duplicate_name (source->sections[i].name, &failed);
+  for (size_t i = 0; i < copy->beam_count; i++)
+    copy->beams[i].name = duplicate_name (source->beams[i].name, &failed);
+  for (size_t i = 0; i < copy->load_set_count; i++)
+    copy->load_sets[i] = duplicate_name (source->load_sets[i], &failed);
+  for (size_t i = 0; i < copy->stage_count; i++)
+    copy->stages[i].name = duplicate_name (source->stages[i].name, &failed);
+  for (size_t i = 0; i < copy->wall_count; i++) {
+    const QnWall *from = &source->walls[i];
+    QnWall *to = &copy->walls[i];
+    size_t courses = (size_t) from->course_count;
+    size_t lengths = courses > 0 ? (size_t) from->course_ends[courses - 1] : 0;
+    to->name = duplicate_name (from->name, &failed);
+    to->lengths = duplicate (from->lengths, lengths, sizeof *to->lengths, &failed);
+    to->course_ends =
+      duplicate (from->course_ends, courses, sizeof *to->course_ends, &failed);
+    to->length_capacity = lengths;
+    to->course_capacity = courses;
+  }
+
+  if (failed) {
+    qn_model_clear (copy);
+    return qn_diag_no_memory (diag);
+  }
+  return QN_OK;
+}
+
+/* The array with room for one more item, that item zeroed; NULL with nothing changed where
+ * memory runs out. */
+static void *
+make_room (void *array, size_t count, size_t *capacity, size_t size)
+{
+  char *grown = qn_array_grow (array, capacity, count + 1, size);
+  if (grown != NULL)
+    memset (grown + count * size, 0, size);
+  return grown;
+}
+
+QnLaw *
+qn_model_add_law (QnModel *model, const char *name)
+{
+  QnLaw *laws =
+    make_room (model->laws, model->law_count, &model->law_capacity, sizeof *laws);
+  if (laws == NULL)
+    return NULL;
+  model->laws = laws;
+
+  QnLaw *law = &laws[model->law_count];
+  law->name = qn_strdup (name);
+  if ((law->name == NULL && name != NULL)
+      || !qn_name_index_add (&model->law_names, laws, sizeof *laws,
+                             (QnId) model->law_count)) {
+    qn_law_clear (law);
+    return NULL;
+  }
+  model->law_count++;
+  return law;
+}
+
+/* Appends vertices without counting them yet. */
+static bool
+append_vertices (QnModel *model, const QnVec2 *vertices, size_t count)
+{
+  size_t need = model->vertex_count + count;
+  if (need > INT32_MAX)
+    return false;
+  QnVec2 *grown =
+    qn_array_grow (model->vertices, &model->vertex_capacity, need, sizeof *grown);
+  if (grown == NULL)
+    return false;
+  model->vertices = grown;
+  if (count > 0)
+    memcpy (grown + model->vertex_count, vertices, count * sizeof *grown);
+  return true;
+}
+
+QnBlock *
+qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
+                    size_t vertex_count)
+{
+  if (model->block_count >= INT32_MAX || !append_vertices (model, vertices, vertex_count))
+    return NULL;
+  QnBlock *blocks =
+    make_room (model->blocks, model->block_count, &model->block_capacity, sizeof *blocks);
+  if (blocks == NULL)
+    return NULL;
+  model->blocks = blocks;
+
+  QnBlock *block = &blocks[model->block_count];
+  block->name = qn_strdup (name);
+  if ((block->name == NULL && name != NULL)
+      || !qn_name_index_add (&model->block_names, blocks, sizeof *blocks,
+                             (QnId) model->block_count)) {
+    free (block->name);
+    return NULL;
+  }
+  block->density = -1;
+  block->law = block->wall = block->masonry = QN_NONE;
+  block->first_vertex = (QnId) model->vertex_count;
+  block->vertex_count = (QnId) vertex_count;
+  model->vertex_count += vertex_count;
+  model->block_count++;
+  return block;
+}
+
+QnWall *
+qn_model_add_wall (QnModel *model, const char *name)
+{
+  QnWall *walls =
+    make_room (model->walls, model->wall_count, &model->wall_capacity, sizeof *walls);
+  if (walls == NULL)
+    return NULL;
+  model->walls = walls;
+
+  QnWall *wall = &walls[model->wall_count];
+  wall->name = qn_strdup (name);
+  if (wall->name == NULL && name != NULL)
+    return NULL;
+  wall->density = -1;
+  wall->law = QN_NONE;
+  model->wall_count++;
+  return wall;
+}
+
+QnFaceOverride *
+qn_model_add_override (QnModel *model)
+{
+  QnFaceOverride *overrides = make_room (model->overrides, model->override_count,
+                                         &model->override_capacity, sizeof *overrides);
+  if (overrides == NULL)
+    return NULL;
+  model->overrides = overrides;
+
+  QnFaceOverride *override = &overrides[model->override_count++];
+  override->block_a = override->block_b = override->law = QN_NONE;
+  return override;
+}
+
+QnBar *
+qn_model_add_bar (QnModel *model)
+{
+  QnBar *bars =
+    make_room (model->bars, model->bar_count, &model->bar_capacity, sizeof *bars);
+  if (bars == NULL)
+    return NULL;
+  model->bars = bars;
+  bars[model->bar_count].law = QN_NONE;
+  return &bars[model->bar_count++];
+}
+
+static QnLoad *
+add_load (QnLoad **loads, size_t *count, size_t *capacity)
+{
+  QnLoad *grown = make_room (*loads, *count, capacity, sizeof *grown);
+  if (grown == NULL)
+    return NULL;
+  *loads = grown;
+
+  QnLoad *load = &grown[(*count)++];
+  load->block = load->node = load->beam = QN_NONE;
+  return load;
+}
+
+QnLoad *
+qn_model_add_dead_load (QnModel *model)
+{
+  return add_load (&model->dead_loads, &model->dead_load_count,
+                   &model->dead_load_capacity);
+}
+
+QnLoad *
+qn_model_add_live_load (QnModel *model)
+{
+  return add_load (&model->live_loads, &model->live_load_count,
+                   &model->live_load_capacity);
+}
+
+QnStage *
+qn_model_add_stage (QnModel *model, const char *name)
+{
+  QnStage *stages =
+    make_room (model->stages, model->stage_count, &model->stage_capacity, sizeof *stages);
+  if (stages == NULL)
+    return NULL;
+  model->stages = stages;
+
+  QnStage *stage = &stages[model->stage_count];
+  stage->name = qn_strdup (name);
+  if (stage->name == NULL && name != NULL)
+    return NULL;
+  stage->control_block = stage->control_node = QN_NONE;
+  model->stage_count++;
+  return stage;
+}
+
+int32_t
+qn_model_find_load_set (const QnModel *model, const char *name)
+{
+  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++)
+    if (strcmp (qn_model_load_set_name (model, set), name) == 0)
+      return set;
+  return QN_NONE;
+}
+
+int32_t
+qn_model_add_load_set (QnModel *model, const char *name)
+{
+  int32_t set = qn_model_find_load_set (model, name);
+  if (set != QN_NONE || model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
+    return set;
+  char **names = make_room (model->load_sets, model->load_set_count,
+                            &model->load_set_capacity, sizeof *names);
+  if (names == NULL)
+    return QN_NONE;
+  model->load_sets = names;
+  names[model->load_set_count] = qn_strdup (name);
+  if (names[model->load_set_count] == NULL)
+    return QN_NONE;
+  return (int32_t) ++model->load_set_count;
+}
+
+const char *
+qn_model_load_set_name (const QnModel *model, int32_t set)
+{
+  return set == 0 ? "live" : model->load_sets[set - 1];
+}
+
+QnId
+qn_model_find_law (const QnModel *model, const char *name)
+{
+  return qn_name_index_find (&model->law_names, model->laws, sizeof *model->laws, name);
+}
+
+QnId
+qn_model_find_block (const QnModel *model, const char *name)
+{
+  return qn_name_index_find (&model->block_names, model->blocks, sizeof *model->blocks,
+                             name);
+}

@@ -1,0 +1,404 @@
+/* The model: everything an analysis needs to know about a structure, in flat arrays.
+ *
+ * Entities are plain structs in arrays owned by the model and refer to each other by index.
+ * A zeroed QnModel is empty and may be cleared. Fill it with the qn_model_add_ functions, then
+ * call qn_model_prepare() once: it expands walls into blocks, computes derived geometry and
+ * refuses what breaks a rule. Afterwards the model is read-only.
+ */
+#ifndef QN_CORE_MODEL_H
+#define QN_CORE_MODEL_H
+
+#include "core/base/name-index.h"
+#include "core/base/status.h"
+#include "core/law/law.h"
+#include "core/model/beam.h"
+
+/* Most blocks that one model may have; far above what a plane masonry structure needs, far
+ * below what would exhaust a machine. */
+#define QN_MAX_BLOCKS 1000000
+
+/* Largest absolute coordinate, m: beyond it double precision leaves less than a tenth of a
+ * millimetre. */
+#define QN_MAX_COORDINATE 1e12
+
+/* Longest block or opening in a course, in units of the wall; longer ones are typing errors. */
+#define QN_MAX_COURSE_LENGTH 1e6
+
+/* Most contact pairs on one face. */
+#define QN_MAX_PAIRS_PER_FACE 1000
+
+/* Most pairs that are placed one by one. */
+#define QN_MAX_EXPLICIT_PAIRS 32
+
+/* Most sets of loads, that of the live loads included. */
+#define QN_MAX_LOAD_SETS 32
+
+/* Most stages of one analysis. */
+#define QN_MAX_STAGES 1000
+
+/* Largest contact tolerance, relative to the characteristic block length: beyond it blocks
+ * that are clearly apart would be joined. */
+#define QN_MAX_CONTACT_TOLERANCE 0.05
+
+/* Entities of a project have a `note`: a number under which the layers above keep what else a file
+ * says of them, 0 for nothing. The core hands it on with the entity and knows no more of it. */
+
+/* A rigid block: a simple polygon with three degrees of freedom at its centroid. */
+typedef struct QnBlock {
+  char *name;         /* owned, unique in the model */
+  QnId first_vertex;  /* into QnModel.vertices */
+  QnId vertex_count;  /* >= 3, counter-clockwise after qn_model_prepare() */
+  double thickness;   /* m, > 0 */
+  double unit_weight; /* N/m3, >= 0; follows from density where that was given */
+  double density;     /* kg/m3 as given in the file, or < 0 where unit_weight was given */
+  bool support[QN_DOF_COUNT]; /* fixed degrees of freedom */
+  QnId law;     /* law of the springs on this block's side, or QN_NONE: contact law */
+  QnId wall;    /* wall that this block came from, or QN_NONE */
+  QnId masonry; /* parametric object of the layers above that it came from, or QN_NONE */
+  int32_t note;
+
+  /* Derived by qn_model_prepare(). */
+  double area;         /* m2 */
+  QnVec2 centroid;     /* m */
+  double polar_moment; /* second moment of area about the centroid, m4 */
+  double weight;       /* unit_weight x area x thickness, N */
+} QnBlock;
+
+/* A parametric wall, laid course by course from the bottom. */
+typedef struct QnWall {
+  char *name;         /* owned */
+  QnVec2 origin;      /* lower left corner, m */
+  QnVec2 unit;        /* length and height of the full block, m */
+  double thickness;   /* m */
+  double unit_weight; /* N/m3 */
+  double density;     /* as in QnBlock */
+  QnId law;           /* as in QnBlock */
+  double *lengths;    /* owned: all courses one after the other, in multiples of unit.x;
+                         negative = opening of that length */
+  int32_t
+    *course_ends; /* owned: course i is lengths[course_ends[i-1] .. course_ends[i]) */
+  int32_t course_count;
+  size_t length_capacity, course_capacity;
+  int32_t note;
+} QnWall;
+
+typedef enum {
+  QN_PLACEMENT_ENDS,     /* two pairs, each `offset` away from its end of the face */
+  QN_PLACEMENT_UNIFORM,  /* `count` pairs, each in the middle of its tributary length */
+  QN_PLACEMENT_GAUSS,    /* `count` pairs at the abscissae of Gauss and Legendre */
+  QN_PLACEMENT_EXPLICIT, /* `count` pairs at `positions` */
+  QN_PLACEMENT_COUNT
+} QnPlacement;
+
+typedef struct QnPairRule {
+  QnPlacement placement;
+  double offset; /* m, >= 0, for ENDS; stands for rounded corners */
+  int32_t count; /* >= 1, for all but ENDS */
+  double
+    positions[QN_MAX_EXPLICIT_PAIRS];    /* EXPLICIT: parts of the face's length from its
+                                              start, ascending, 0 to 1 */
+  double weights[QN_MAX_EXPLICIT_PAIRS]; /* of it, what each pair stands for; sum 1 */
+} QnPairRule;
+
+/* A reinforcing bar: a straight line that makes a pair of its own, with its own law and
+ * section, on every contact face that it crosses. */
+typedef struct QnBar {
+  QnId law;
+  double area; /* m2, > 0 */
+  QnVec2 start, end;
+  int32_t note;
+} QnBar;
+
+/* Exception for the faces between two given blocks. */
+typedef struct QnFaceOverride {
+  QnId block_a, block_b;
+  QnId law;       /* or QN_NONE: unchanged */
+  bool has_pairs; /* whether `pairs` replaces the general rule */
+  QnPairRule pairs;
+  int32_t note;
+} QnFaceOverride;
+
+typedef struct QnContactSettings {
+  QnId law;         /* law of every spring that has no other */
+  double tolerance; /* relative to the model's characteristic block length */
+  QnPairRule pairs;
+} QnContactSettings;
+
+typedef enum {
+  QN_LOAD_WEIGHT,     /* on every block and beam: weight x direction */
+  QN_LOAD_FORCE,      /* on one block: force and moment */
+  QN_LOAD_SETTLEMENT, /* of one fixed degree of freedom of one block */
+  QN_LOAD_LINE,       /* on one beam: force per undeformed length */
+  QN_LOAD_NODE,       /* force and moment on one node */
+  QN_LOAD_KIND_COUNT
+} QnLoadKind;
+
+/* Dead loads act from the start. The others belong to a set that grows with a multiplier: the
+ * live loads are set 0, sets with names follow (QnModel.load_sets). */
+typedef struct QnLoad {
+  QnLoadKind kind;
+  int32_t set;   /* of loads that are not dead: 0 = live */
+  QnVec2 vector; /* WEIGHT: direction of any length (1 = one weight); FORCE, NODE: N;
+                    LINE: N/m */
+  QnId block;    /* FORCE and SETTLEMENT */
+  QnId node;     /* NODE */
+  QnId beam;     /* LINE */
+  double moment; /* N m about the point of application; FORCE, NODE */
+  bool has_at;   /* FORCE: whether `at` is given; the centroid otherwise */
+  QnVec2 at;     /* m */
+  QnDof dof;     /* SETTLEMENT: which degree of freedom */
+  double value;  /* SETTLEMENT: how far at multiplier 1, m or rad */
+  int32_t note;
+} QnLoad;
+
+typedef enum {
+  QN_PROCEDURE_LOAD,
+  QN_PROCEDURE_DISPLACEMENT,
+  QN_PROCEDURE_WORK,
+  QN_PROCEDURE_ARC_LENGTH,
+  QN_PROCEDURE_LIMIT,
+  QN_PROCEDURE_COUNT
+} QnProcedure;
+
+typedef enum { QN_GEOMETRY_LINEAR, QN_GEOMETRY_NONLINEAR, QN_GEOMETRY_COUNT } QnGeometry;
+
+/* What to do at a limit point of the path: jump to the equilibrium beyond it or stop there. */
+typedef enum { QN_SNAP_JUMP, QN_SNAP_STOP, QN_SNAP_COUNT } QnSnap;
+
+typedef enum { QN_FLOW_ASSOCIATIVE, QN_FLOW_NON_ASSOCIATIVE, QN_FLOW_COUNT } QnFlow;
+
+/* What the path of equilibria leaves out because it is not needed. Each can be turned off to see
+ * what it brings: what is found is the same, to the tolerances, up
+ * to the first limit point; beyond it early_failure and growing_increments may lead to another
+ * branch. All are on by default. */
+typedef struct QnShortcuts {
+  bool same_tangent; /* a tangent that is factorised already is neither assembled nor
+                               factorised: none of the joints has changed state */
+  bool partial_elimination; /* of a tangent, only what joints that changed state reach is
+                               eliminated anew; the rest of the structure stays condensed */
+  bool early_failure; /* an increment along the central path that gets nowhere is given up
+                               before its budget is spent */
+  bool
+    mechanism_estimate; /* the first motion without equilibrium says where collapse is */
+  bool growing_increments; /* increments grow where they are easy */
+  bool
+    unchanged_joints; /* of a tangent, only what blocks have whose joints changed state is
+                               assembled anew */
+} QnShortcuts;
+
+typedef struct QnAnalysisSettings {
+  QnProcedure procedure;
+  QnGeometry geometry;
+  QnSnap snap;
+  QnFlow flow;           /* for QN_PROCEDURE_LIMIT; default associative */
+  int32_t increments;    /* >= 1; the first increment of the multiplier is 1/increments */
+  double max_multiplier; /* > 0; INFINITY by default */
+  double multiplier_tolerance; /* relative to the multiplier; default 1e-4 */
+  double residual_tolerance;   /* relative to the forces in the model; default 1e-8 */
+  QnId control_block;          /* or QN_NONE */
+  QnId control_node; /* the same for a node that stands free; at most one of both */
+  QnDof control_dof;
+  double control_target; /* m or rad */
+  QnShortcuts shortcuts;
+  bool all_forces; /* of the run, not of the project: see QN_RESULT_FORCE_BUDGET */
+} QnAnalysisSettings;
+
+/* A stage of loading: its sets go from the multiplier that they stand at to another one while
+ * all others are held. What joints and members remember carries over from stage to stage.
+ * Settings that a stage does not have are those of the analysis. */
+typedef struct QnStage {
+  char *name;    /* owned; may be NULL */
+  uint32_t sets; /* bit i: set i is driven */
+  QnProcedure procedure;
+  int32_t increments; /* 0: as the analysis says */
+  bool has_target;    /* whether the stage ends at a multiplier, */
+  double target;      /* this one; any sign */
+  QnId control_block; /* or QN_NONE */
+  QnId control_node;  /* likewise; at most one of both */
+  QnDof control_dof;
+  double control_target; /* m or rad, as a total; may be 0 */
+  int32_t note;
+} QnStage;
+
+typedef struct QnModel {
+  char *title;    /* owned, may be NULL */
+  double gravity; /* m/s2 */
+
+  QnVec2 *vertices;
+  size_t vertex_count, vertex_capacity;
+  QnLaw *laws;
+  size_t law_count, law_capacity;
+  QnBlock *blocks; /* those of the file first, then those of the walls in order */
+  size_t block_count, block_capacity;
+  QnNameIndex law_names, block_names;
+  QnNode
+    *nodes; /* those of the file first, then those that cut the beams, beam by beam */
+  size_t node_count, node_capacity;
+  QnSection *sections;
+  size_t section_count, section_capacity;
+  QnBeam *beams;
+  size_t beam_count, beam_capacity;
+  QnBeamElement *elements; /* beam by beam */
+  size_t element_count, element_capacity;
+  size_t expanded_beam_count; /* beams whose elements are in `elements` already */
+  QnNameIndex node_names, section_names, beam_names;
+  QnWall *walls;
+  size_t wall_count, wall_capacity;
+  size_t expanded_wall_count; /* walls whose blocks are in `blocks` already */
+  QnFaceOverride *overrides;
+  size_t override_count, override_capacity;
+  QnBar *bars;
+  size_t bar_count, bar_capacity;
+  QnLoad *dead_loads;
+  size_t dead_load_count, dead_load_capacity;
+  QnLoad *live_loads; /* those of all sets */
+  size_t live_load_count, live_load_capacity;
+  char **load_sets; /* owned names of set 1, 2, … */
+  size_t load_set_count, load_set_capacity;
+  QnStage *stages; /* none: the live loads in one go */
+  size_t stage_count, stage_capacity;
+
+  QnContactSettings contact;
+  QnAnalysisSettings analysis;
+
+  double
+    characteristic_length; /* median of the square roots of the block areas, m; derived */
+} QnModel;
+
+/* An empty model with the defaults of the project file format. */
+void qn_model_init (QnModel *model);
+
+/* Frees everything the model owns and leaves it zeroed. */
+void qn_model_clear (QnModel *model);
+
+/* Deep copy, prepared if `source` is. `copy` is overwritten without being cleared. */
+QnStatus qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag);
+
+/* Each returns a pointer to the new, zeroed entity (valid until the next addition of its
+ * kind), or NULL when memory runs out. A new block or wall has law = wall = masonry = QN_NONE and
+ * density = -1; a new node stands free; a new section has density = -1, shear_factor = 5/6; a new
+ * beam is a Timoshenko beam of one element. */
+QnLaw *qn_model_add_law (QnModel *model, const char *name);
+QnBlock *qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
+                             size_t vertex_count);
+QnWall *qn_model_add_wall (QnModel *model, const char *name);
+QnFaceOverride *qn_model_add_override (QnModel *model);
+QnNode *qn_model_add_node (QnModel *model, const char *name);
+QnSection *qn_model_add_section (QnModel *model, const char *name);
+QnBeam *qn_model_add_beam (QnModel *model, const char *name);
+QnBar *qn_model_add_bar (QnModel *model);
+QnLoad *qn_model_add_dead_load (QnModel *model);
+QnLoad *qn_model_add_live_load (QnModel *model);
+QnStage *qn_model_add_stage (QnModel *model, const char *name);
+
+/* Number of the load set with this name, added where there is none; "live" is 0. QN_NONE where
+ * memory runs out or QN_MAX_LOAD_SETS are there already. */
+int32_t qn_model_add_load_set (QnModel *model, const char *name);
+
+/* The same without adding: QN_NONE where there is none. */
+int32_t qn_model_find_load_set (const QnModel *model, const char *name);
+
+/* Name of a load set, "live" for 0. */
+const char *qn_model_load_set_name (const QnModel *model, int32_t set);
+
+/* Appends a course to a wall; false when memory runs out. */
+bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);
+
+/* Turns the walls that are not yet expanded into blocks named `<wall>.<course>.<position>`,
+ * both counted from 1, openings not counted. Afterwards loads and overrides can refer to them
+ * by index. qn_model_prepare() does it too; to call it first is for those who must look up
+ * such names. More than QN_MAX_BLOCKS are refused before anything is allocated. */
+QnStatus qn_model_expand_walls (QnModel *model, QnDiag *diag);
+
+/* Cuts the beams that are not yet expanded into elements, at nodes named `<beam>.<n>`, n from
+ * 1. Afterwards loads can refer to those nodes by index; where they are follows in
+ * qn_model_prepare(). */
+QnStatus qn_model_expand_beams (QnModel *model, QnDiag *diag);
+
+/* Index of the entity with this name, or QN_NONE; in constant time. Of equal names the first
+ * is found. A name must not be changed behind the model's back. */
+QnId qn_model_find_law (const QnModel *model, const char *name);
+QnId qn_model_find_block (const QnModel *model, const char *name);
+QnId qn_model_find_node (const QnModel *model, const char *name);
+QnId qn_model_find_section (const QnModel *model, const char *name);
+QnId qn_model_find_beam (const QnModel *model, const char *name);
+
+/* Expands walls, orients polygons counter-clockwise, computes areas, centroids and weights,
+ * and checks every number and reference that can be checked without contacts. The first
+ * problem found is reported; the model may only be cleared then. */
+QnStatus qn_model_prepare (QnModel *model, QnDiag *diag);
+
+/* Bodies are what has degrees of freedom: the blocks, then the nodes. A node that rides on a
+ * block has none of its own; its row of displacements says where the block takes it. */
+static inline size_t
+qn_model_body_count (const QnModel *model)
+{
+  return model->block_count + model->node_count;
+}
+
+/* The body whose degrees of freedom move a node: its block, or itself. */
+static inline size_t
+qn_model_node_body (const QnModel *model, QnId node)
+{
+  QnId block = model->nodes[node].block;
+  return block != QN_NONE ? (size_t) block : model->block_count + (size_t) node;
+}
+
+/* The body that a control names, by block or by node; SIZE_MAX where it names neither. */
+static inline size_t
+qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
+{
+  if (node != QN_NONE)
+    return model->block_count + (size_t) node;
+  return block != QN_NONE ? (size_t) block : SIZE_MAX;
+}
+
+/* Velocity at an arm r from a body's centroid: v + rz x r; rows of three. */
+static inline void
+qn_body_velocity_at (const double body[3], QnVec2 arm, double out[3])
+{
+  out[QN_DOF_UX] = body[QN_DOF_UX] - arm.y * body[QN_DOF_RZ];
+  out[QN_DOF_UY] = body[QN_DOF_UY] + arm.x * body[QN_DOF_RZ];
+  out[QN_DOF_RZ] = body[QN_DOF_RZ];
+}
+
+/* Fills in the rows of riding nodes in displacements of bodies (body_count x 3) from those of
+ * their blocks: by finite rotations, or linearly. */
+void qn_model_move_riding_nodes (const QnModel *model, bool finite,
+                                 double *displacements);
+
+/* Whether a degree of freedom of a body is fixed, or moved by that of another body. */
+bool qn_model_body_is_fixed (const QnModel *model, size_t body, QnDof dof);
+
+/* Resultant of the dead or the live loads (those of set 0) on every body, without those
+ * distributed over beams. Settlements are no forces.
+ *
+ * forces: body_count x 3: fx, fy in N and the moment about centroid or node in N m. Loads on
+ * riding nodes count as the block's. */
+void qn_model_dead_forces (const QnModel *model, double *forces);
+void qn_model_live_forces (const QnModel *model, double *forces);
+
+/* Whether there is a force or a weight among the loads of some sets, bit by bit as in QnStage.
+ * Sets of settlements alone go as far as their values say, to multiplier 1. */
+bool qn_model_sets_have_force (const QnModel *model, uint32_t sets);
+
+/* Loads of all sets, each times its own factor; factors: QN_MAX_LOAD_SETS. */
+void qn_model_set_forces (const QnModel *model, const double *factors, double *forces);
+
+/* The body that a FORCE or a NODE load acts on, and the arm from its centroid. */
+size_t qn_model_load_body (const QnModel *model, const QnLoad *load);
+QnVec2 qn_model_load_arm (const QnModel *model, const QnLoad *load);
+
+/* Load distributed over every element, in the axes of the model: element_count vectors, N/m of
+ * undeformed length. Loads of all sets, each times its own factor; or the dead loads where
+ * `factors` is NULL. */
+void qn_model_element_loads (const QnModel *model, const double *factors, QnVec2 *loads);
+
+/* Vertices of a block. */
+static inline const QnVec2 *
+qn_model_block_vertices (const QnModel *model, QnId block)
+{
+  return model->vertices + model->blocks[block].first_vertex;
+}
+
+#endif

@@ -1,0 +1,175 @@
+#include "core/base/decimal.h"
+#include "core/base/memory.h"
+#include "core/model/model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool
+qn_wall_add_course (QnWall *wall, const double *lengths, size_t count)
+{
+  size_t courses = (size_t) wall->course_count;
+  size_t begin = courses > 0 ? (size_t) wall->course_ends[courses - 1] : 0;
+  if (count > (size_t) INT32_MAX - begin || courses >= INT32_MAX)
+    return false;
+
+  double *grown =
+    qn_array_grow (wall->lengths, &wall->length_capacity, begin + count, sizeof *grown);
+  if (grown == NULL)
+    return false;
+  wall->lengths = grown;
+  int32_t *ends =
+    qn_array_grow (wall->course_ends, &wall->course_capacity, courses + 1, sizeof *ends);
+  if (ends == NULL)
+    return false;
+  wall->course_ends = ends;
+
+  if (count > 0)
+    memcpy (grown + begin, lengths, count * sizeof *grown);
+  ends[courses] = (int32_t) (begin + count);
+  wall->course_count++;
+  return true;
+}
+
+static QnStatus
+course_problem (QnDiag *diag, QnProblem problem, QnId wall, QnId course, QnId position,
+                double value)
+{
+  qn_diag_set_field (diag, problem, QN_ENTITY_WALL, wall, "courses", value);
+  if (diag != NULL) {
+    diag->sub = course;
+    diag->other = position;
+  }
+  return QN_ERROR_INVALID;
+}
+
+static QnStatus
+check_courses (const QnWall *wall, QnId index, size_t *block_count, QnDiag *diag)
+{
+  if (wall->course_count == 0)
+    return course_problem (diag, QN_PROBLEM_COURSE_EMPTY, index, QN_NONE, QN_NONE, 0);
+
+  int32_t begin = 0;
+  for (int32_t course = 0; course < wall->course_count; course++) {
+    int32_t end = wall->course_ends[course];
+    if (begin == end)
+      return course_problem (diag, QN_PROBLEM_COURSE_EMPTY, index, course, QN_NONE, 0);
+    for (int32_t i = begin; i < end; i++) {
+      double length = wall->lengths[i];
+      QnProblem problem = !isfinite (length) ? QN_PROBLEM_NOT_FINITE
+                          : length == 0      ? QN_PROBLEM_COURSE_LENGTH_ZERO
+                          : fabs (length) > QN_MAX_COURSE_LENGTH ? QN_PROBLEM_TOO_LARGE
+                                                                 : QN_PROBLEM_NONE;
+      if (problem != QN_PROBLEM_NONE)
+        return course_problem (diag, problem, index, course, i - begin, length);
+      if (length > 0)
+        (*block_count)++;
+    }
+    begin = end;
+  }
+  return QN_OK;
+}
+
+static QnStatus
+check_wall (const QnModel *model, QnId index, size_t *block_count, QnDiag *diag)
+{
+  const QnWall *wall = &model->walls[index];
+  if (wall->name == NULL || wall->name[0] == '\0')
+    return qn_diag_set_field (diag, QN_PROBLEM_NAME_MISSING, QN_ENTITY_WALL, index,
+                              "name", 0);
+
+  const double origin[] = { wall->origin.x, wall->origin.y };
+  for (size_t i = 0; i < QN_N_ELEMENTS (origin); i++) {
+    QnProblem problem = !isfinite (origin[i])                  ? QN_PROBLEM_NOT_FINITE
+                        : fabs (origin[i]) > QN_MAX_COORDINATE ? QN_PROBLEM_TOO_LARGE
+                                                               : QN_PROBLEM_NONE;
+    if (problem != QN_PROBLEM_NONE)
+      return qn_diag_set_field (diag, problem, QN_ENTITY_WALL, index, "origin",
+                                origin[i]);
+  }
+
+  const double unit[] = { wall->unit.x, wall->unit.y };
+  for (size_t i = 0; i < QN_N_ELEMENTS (unit); i++) {
+    QnProblem problem = !isfinite (unit[i])           ? QN_PROBLEM_NOT_FINITE
+                        : unit[i] <= 0                ? QN_PROBLEM_NOT_POSITIVE
+                        : unit[i] > QN_MAX_COORDINATE ? QN_PROBLEM_TOO_LARGE
+                                                      : QN_PROBLEM_NONE;
+    if (problem != QN_PROBLEM_NONE)
+      return qn_diag_set_field (diag, problem, QN_ENTITY_WALL, index, "unit", unit[i]);
+  }
+  return check_courses (wall, index, block_count, diag);
+}
+
+/* "<wall>.<course>.<position>" into `out`, which has room for it. */
+static void
+write_block_name (char *out, const char *wall, int32_t course, int32_t position)
+{
+  size_t length = strlen (wall);
+  memcpy (out, wall, length);
+  out += length;
+  *out++ = '.';
+  out = qn_write_decimal (out, course);
+  *out++ = '.';
+  qn_write_decimal (out, position);
+}
+
+/* Adds the blocks of one checked wall; false when memory runs out. */
+static bool
+expand_wall (QnModel *model, QnId index)
+{
+  const QnWall *wall = &model->walls[index];
+  char *name = qn_alloc (strlen (wall->name) + 2 * QN_DECIMAL_SIZE + 2, 1);
+  if (name == NULL)
+    return false;
+
+  bool done = true;
+  int32_t i = 0;
+  for (int32_t course = 0; course < wall->course_count && done; course++) {
+    double y0 = wall->origin.y + wall->unit.y * course;
+    double y1 = wall->origin.y + wall->unit.y * (course + 1);
+    double end = 0;
+    int32_t position = 0;
+    for (; i < wall->course_ends[course] && done; i++) {
+      double begin = end;
+      end += fabs (wall->lengths[i]);
+      if (wall->lengths[i] < 0)
+        continue;
+      double x0 = wall->origin.x + wall->unit.x * begin;
+      double x1 = wall->origin.x + wall->unit.x * end;
+      const QnVec2 corners[] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
+      write_block_name (name, wall->name, course + 1, ++position);
+      QnBlock *block = qn_model_add_block (model, name, corners, 4);
+      done = block != NULL;
+      if (done) {
+        block->wall = index;
+        block->law = wall->law;
+        block->thickness = wall->thickness;
+        block->unit_weight = wall->unit_weight;
+        block->density = wall->density;
+      }
+    }
+  }
+  free (name);
+  return done;
+}
+
+QnStatus
+qn_model_expand_walls (QnModel *model, QnDiag *diag)
+{
+  size_t block_count = model->block_count;
+  for (size_t i = model->expanded_wall_count; i < model->wall_count; i++) {
+    QnStatus status = check_wall (model, (QnId) i, &block_count, diag);
+    if (status != QN_OK)
+      return status;
+    if (block_count > QN_MAX_BLOCKS)
+      return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_BLOCKS, QN_ENTITY_WALL,
+                                (QnId) i, "courses", (double) block_count);
+  }
+
+  while (model->expanded_wall_count < model->wall_count) {
+    if (!expand_wall (model, (QnId) model->expanded_wall_count))
+      return qn_diag_no_memory (diag);
+    model->expanded_wall_count++;
+  }
+  return QN_OK;
+}

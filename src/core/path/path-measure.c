@@ -1,0 +1,163 @@
+#include "core/path/path-measure.h"
+
+#include "core/base/memory.h"
+#include "core/base/tolerance.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static double
+dot (const double *a, const double *b, int32_t n)
+{
+  double sum = 0;
+
+  for (int32_t i = 0; i < n; i++)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+/* direction = K \ F_live, of unit length. A singular tangent leaves it zero. */
+static QnSolveStatus
+take_tangent (QnPathMeasure *measure, double *rate_length)
+{
+  QnEquilibrium *eq = &measure->path->equilibrium;
+  int32_t n = eq->assembly.unknown_count;
+  double *rate = eq->trial;
+
+  QnSolveStatus status = qn_equilibrium_rate (eq, rate);
+  if (status != QN_SOLVE_CONVERGED)
+    return status;
+  *rate_length = sqrt (dot (rate, rate, n));
+  for (int32_t i = 0; i<n && * rate_length> 0; i++)
+    measure->direction[i] = rate[i] / *rate_length;
+  return QN_SOLVE_CONVERGED;
+}
+
+/* Where the tangent is singular, for blocks that nothing holds before there is a live load: the
+ * direction of a structure that is equally stiff everywhere. */
+static void
+take_load_direction (QnPathMeasure *measure, double *rate_length)
+{
+  const QnAssembly *as = &measure->path->equilibrium.assembly;
+  double length = sqrt (dot (as->live, as->live, as->unknown_count));
+
+  *rate_length = length / as->stiffness;
+  for (int32_t i = 0; i < as->unknown_count && length > 0; i++)
+    measure->direction[i] = as->live[i] / length;
+}
+
+/* The first step moves the structure as far as the first increment of load control would. */
+static QnStatus
+choose (QnPathMeasure *measure, QnDiag *diag)
+{
+  QnEquilibrium *eq = &measure->path->equilibrium;
+  const QnAnalysisSettings *settings = measure->path->settings;
+  int32_t n = eq->assembly.unknown_count;
+  double rate_length = 0;
+
+  if (measure->procedure == QN_PROCEDURE_DISPLACEMENT) {
+    measure->direction[measure->unknown] = 1;
+    measure->first = (measure->end - measure->start) / settings->increments;
+    return QN_OK;
+  }
+
+  if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  if (rate_length == 0)
+    take_load_direction (measure, &rate_length);
+  measure->first = rate_length / settings->increments;
+  if (measure->procedure == QN_PROCEDURE_WORK) {
+    double along = dot (measure->direction, eq->assembly.live_at_rest, n);
+    memcpy (measure->direction, eq->assembly.live_at_rest, (size_t) n * sizeof (double));
+    measure->first *= fabs (along);
+  }
+  return QN_OK;
+}
+
+QnStatus
+qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
+{
+  const QnAssembly *as = &path->equilibrium.assembly;
+  const QnAnalysisSettings *settings = path->settings;
+  size_t n = (size_t) as->unknown_count;
+  size_t body = qn_model_controlled_body (path->model, settings->control_block,
+                                          settings->control_node);
+
+  *measure = (QnPathMeasure){ .path = path,
+                              .procedure = settings->procedure,
+                              .unknown = QN_NONE,
+                              .end = NAN,
+                              .direction = qn_alloc (n, sizeof (double)),
+                              .unit = qn_alloc (n, sizeof (double)),
+                              .last_u = qn_alloc (n, sizeof (double)) };
+  if (measure->direction == NULL || measure->unit == NULL || measure->last_u == NULL) {
+    qn_path_measure_clear (measure);
+    return qn_diag_no_memory (diag);
+  }
+  if (body != SIZE_MAX) {
+    bool turns = settings->control_dof == QN_DOF_RZ;
+    measure->unknown = as->unknown[QN_DOF_COUNT * body + (size_t) settings->control_dof];
+    measure->end = settings->control_target * (turns ? as->length : 1);
+    measure->unit[measure->unknown] = 1;
+    if (path->stage > 0)
+      measure->start = path->equilibrium.committed.u[measure->unknown];
+  }
+  QnStatus status = choose (measure, diag);
+  if (status != QN_OK)
+    qn_path_measure_clear (measure);
+  return status;
+}
+
+void
+qn_path_measure_clear (QnPathMeasure *measure)
+{
+  free (measure->direction);
+  free (measure->unit);
+  free (measure->last_u);
+  *measure = (QnPathMeasure){ 0 };
+}
+
+void
+qn_path_measure_keep_last (QnPathMeasure *measure)
+{
+  const QnEquilibrium *eq = &measure->path->equilibrium;
+
+  memcpy (measure->last_u, eq->committed.u,
+          (size_t) eq->assembly.unknown_count * sizeof *measure->last_u);
+}
+
+void
+qn_path_measure_follow (QnPathMeasure *measure)
+{
+  const QnEquilibrium *eq = &measure->path->equilibrium;
+  int32_t n = eq->assembly.unknown_count;
+  double length = 0;
+
+  if (measure->procedure != QN_PROCEDURE_ARC_LENGTH)
+    return;
+  for (int32_t i = 0; i < n; i++)
+    length = hypot (length, eq->u[i] - measure->last_u[i]);
+  for (int32_t i = 0; i < n && length > 0; i++)
+    measure->direction[i] = (eq->u[i] - measure->last_u[i]) / length;
+}
+
+double
+qn_path_measure_share_to_end (const QnPathMeasure *measure, double step)
+{
+  const QnEquilibrium *eq = &measure->path->equilibrium;
+
+  if (measure->procedure != QN_PROCEDURE_DISPLACEMENT)
+    return INFINITY;
+  return (measure->end - eq->committed.u[measure->unknown]) / step;
+}
+
+bool
+qn_path_measure_is_at_end (const QnPathMeasure *measure)
+{
+  const QnEquilibrium *eq = &measure->path->equilibrium;
+
+  if (measure->unknown == QN_NONE)
+    return false;
+  return (eq->u[measure->unknown] - measure->start) / (measure->end - measure->start)
+         >= 1 - QN_TOLERANCE_TARGET;
+}

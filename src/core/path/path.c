@@ -1,0 +1,268 @@
+#include "core/path/path.h"
+
+#include "core/base/clock.h"
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Viscous steps of relaxation under dead load before central paths are tried from there: twice as many
+ * each time. */
+#define FIRST_STINT 50
+#define LAST_STINT  400
+
+QnStatus
+qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
+               QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)
+{
+  *path = (QnPath){
+    .model = model, .settings = &model->analysis, .scale = 1, .result = result
+  };
+
+  QnStatus status =
+    qn_result_init (result, model->block_count, contacts->pair_count, diag);
+  result->node_count = model->node_count;
+  result->element_count = model->element_count;
+  if (status == QN_OK)
+    status = qn_equilibrium_setup (&path->equilibrium, model, contacts, report,
+                                   report_data, diag);
+  if (status != QN_OK)
+    return status;
+
+  path->displacements =
+    qn_alloc (qn_model_body_count (model) * QN_DOF_COUNT, sizeof (double));
+  path->beam_forces = qn_alloc (model->element_count, sizeof *path->beam_forces);
+  return path->displacements != NULL && path->beam_forces != NULL
+             && qn_result_set_supports (result, model)
+           ? QN_OK
+           : qn_diag_no_memory (diag);
+}
+
+QnStatus
+qn_path_finish (QnPath *path, QnStatus status, double start)
+{
+  const QnEquilibrium *eq = &path->equilibrium;
+  QnResult *result = path->result;
+
+  if (status == QN_OK) {
+    qn_assembly_pair_results (&eq->assembly, eq->u, result->pairs);
+    result->statistics = eq->statistics;
+    result->statistics.seconds = qn_clock_seconds () - start;
+  } else {
+    qn_result_clear (result);
+  }
+  qn_path_clear (path);
+  return status;
+}
+
+void
+qn_path_clear (QnPath *path)
+{
+  qn_equilibrium_clear (&path->equilibrium);
+  free (path->displacements);
+  free (path->beam_forces);
+  *path = (QnPath){ 0 };
+}
+
+bool
+qn_path_accept (QnPath *path, double multiplier, QnEvent event)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnStep step = { .multiplier = path->origin + path->scale * multiplier,
+                  .iterations = eq->statistics.iterations - path->iterations_at_step,
+                  .residual = eq->out_of_balance,
+                  .event = event,
+                  .stage = path->stage };
+
+  eq->multiplier = multiplier;
+  qn_equilibrium_commit (eq);
+  path->iterations_at_step = eq->statistics.iterations;
+  eq->progress.multiplier = step.multiplier;
+  eq->progress.steps++;
+  qn_assembly_expand (&eq->assembly, eq->u, path->displacements);
+  if (!qn_result_add_step (path->result, step, path->displacements))
+    return false;
+  qn_beam_assembly_forces (&eq->assembly.beams, multiplier, path->beam_forces);
+  if (path->model->element_count > 0
+      && !qn_result_add_beam_forces (path->result, path->beam_forces))
+    return false;
+  qn_assembly_reactions (&eq->assembly, multiplier, path->displacements);
+  if (!qn_result_add_reactions (path->result, path->displacements))
+    return false;
+  qn_assembly_pair_results (&eq->assembly, eq->u, path->result->pairs);
+  return qn_result_add_forces (path->result, path->settings->all_forces);
+}
+
+QnStatus
+qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag)
+{
+  const QnEquilibrium *eq = &path->equilibrium;
+
+  qn_assembly_expand_rates (&eq->assembly, eq->committed.u, velocity,
+                            path->displacements);
+  return qn_result_set_mechanism (path->result, path->displacements,
+                                  path->model->characteristic_length, diag);
+}
+
+/* Blocks by how fast they move, for a stable order by index among equals. */
+typedef struct {
+  double speed;
+  QnId block;
+} MovingBlock;
+
+static int
+compare_speed (const void *a, const void *b)
+{
+  const MovingBlock *one = a, *other = b;
+
+  if (one->speed != other->speed)
+    return one->speed > other->speed ? -1 : 1;
+  return one->block - other->block;
+}
+
+/* Blocks that move at a tenth of the greatest speed or more: those that fall, without those
+ * that are merely dragged along. */
+static QnStatus
+record_unstable_blocks (QnPath *path, QnDiag *diag)
+{
+  QnResult *result = path->result;
+  const double *v = result->mechanism;
+  size_t count = result->block_count;
+  MovingBlock *moving = qn_alloc (count, sizeof *moving);
+
+  result->unstable_blocks = qn_alloc (count, sizeof *result->unstable_blocks);
+  if (moving == NULL || result->unstable_blocks == NULL) {
+    free (moving);
+    return qn_diag_no_memory (diag);
+  }
+  for (size_t b = 0; b < count; b++) {
+    double turning = fabs (v[3 * b + 2]) * path->model->characteristic_length;
+    moving[b] = (MovingBlock){ fmax (hypot (v[3 * b], v[3 * b + 1]), turning), (QnId) b };
+  }
+  qsort (moving, count, sizeof *moving, compare_speed);
+  while (result->unstable_count < count && moving[0].speed > 0
+         && moving[result->unstable_count].speed >= 0.1 * moving[0].speed) {
+    result->unstable_blocks[result->unstable_count] =
+      moving[result->unstable_count].block;
+    result->unstable_count++;
+  }
+  free (moving);
+  return QN_OK;
+}
+
+/* Whether friction is at its limit somewhere. */
+static bool
+slips (const QnAssembly *as)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (as->responses[p].phase == QN_PHASE_SLIP_POSITIVE
+        || as->responses[p].phase == QN_PHASE_SLIP_NEGATIVE)
+      return true;
+  return false;
+}
+
+/* By Newton's method, or along the central path. Where joints slip without dilatancy there are
+ * many equilibria, and Newton's method may end in one that the least of load makes jump; the
+ * central path ends amid them. */
+static QnSolveStatus
+find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
+{
+  const QnTarget target = qn_target_multiplier (0);
+  QnSolveStatus solve = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+
+  if (central == NULL)
+    return solve;
+  if (solve == QN_SOLVE_FAILED)
+    return qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+  if (solve != QN_SOLVE_CONVERGED || !qn_central_path_turns_back (central)
+      || !slips (&eq->assembly))
+    return solve;
+  solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
+  if (solve != QN_SOLVE_FAILED)
+    return solve;
+  qn_equilibrium_restore (eq);
+  return qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
+}
+
+/* Since it was at rest, all turns of relaxation together. */
+static bool
+has_run_away (const QnEquilibrium *eq)
+{
+  return qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL) > eq->runaway;
+}
+
+/* Viscous relaxation and relaxation along central paths in turns, from where the last left off. The
+ * first creeps, but knows what falls; the others slide as far as they like from far away, and from
+ * nearer by reach a rest at once. That it falls is not for them to say. */
+static QnSolveStatus
+relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
+{
+  const QnTarget target = qn_target_multiplier (0);
+  QnSolveStatus solve;
+
+  for (int steps = FIRST_STINT; steps <= LAST_STINT; steps *= 2) {
+    solve = qn_equilibrium_relax (eq, &target, steps);
+    if (solve != QN_SOLVE_FAILED)
+      return solve;
+    qn_equilibrium_load (eq, &eq->anchor); /* the last step may have failed */
+    qn_equilibrium_commit (eq);
+    if (has_run_away (eq))
+      return QN_SOLVE_MECHANISM;
+    solve = qn_central_path_relax (central, &target, INFINITY, QN_CENTRAL_BUDGET);
+    bool rests = solve == QN_SOLVE_CONVERGED && !has_run_away (eq);
+    if (rests || solve == QN_SOLVE_CANCELLED || solve == QN_SOLVE_NO_MEMORY)
+      return solve;
+    qn_equilibrium_restore (eq);
+  }
+  return QN_SOLVE_FAILED;
+}
+
+/* The equilibrium under dead load, or else that in which relaxation comes to rest. */
+static QnSolveStatus
+find_rest (QnEquilibrium *eq)
+{
+  const QnTarget target = qn_target_multiplier (0);
+  bool applies = qn_central_path_applies (&eq->assembly);
+  QnCentralPath *central = applies ? qn_central_path_new (eq) : NULL;
+
+  if ((applies && central == NULL) || !qn_equilibrium_set_runaway (eq)) {
+    qn_central_path_free (central);
+    return QN_SOLVE_NO_MEMORY;
+  }
+  QnSolveStatus solve = find_equilibrium (eq, central);
+  if (solve == QN_SOLVE_FAILED) {
+    qn_equilibrium_restore (eq);
+    solve = applies ? relax_in_turns (eq, central)
+                    : qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET);
+  }
+  qn_central_path_free (central);
+  return solve;
+}
+
+QnStatus
+qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  QnSolveStatus solve = find_rest (eq);
+
+  *stands = solve == QN_SOLVE_CONVERGED;
+
+  switch (solve) {
+  case QN_SOLVE_CONVERGED:
+    return qn_path_accept (path, 0, QN_EVENT_NONE) ? QN_OK : qn_diag_no_memory (diag);
+  case QN_SOLVE_MECHANISM: {
+    path->result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+    QnStatus status = qn_path_record_mechanism (path, eq->velocity, diag);
+    return status == QN_OK ? record_unstable_blocks (path, diag) : status;
+  }
+  case QN_SOLVE_FAILED:
+    path->result->outcome = QN_OUTCOME_NOT_CONVERGED;
+    return QN_OK;
+  case QN_SOLVE_CANCELLED:
+    path->result->outcome = QN_OUTCOME_CANCELLED;
+    return QN_OK;
+  case QN_SOLVE_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}

@@ -1,0 +1,98 @@
+/* Following the path of equilibria: what the procedures share.
+ *
+ * A procedure (path-load.c, …) drives the equilibrium solver from the state under dead load
+ * and records every accepted equilibrium in the result.
+ */
+#ifndef QN_CORE_PATH_H
+#define QN_CORE_PATH_H
+
+#include "core/equilibrium/central-path.h"
+#include "core/result/result.h"
+
+/* A multiplier at which a path without a prescribed end counts as unbounded. */
+#define QN_UNBOUNDED 1e9
+
+/* Newton iterations of a static solution before relaxation takes over. */
+#define QN_NEWTON_BUDGET 20
+
+/* Viscous steps until relaxation gives up: when only a hint is wanted, when a mechanism that
+ * relaxation along central paths has found is to be confirmed (what is still undecided then
+ * takes hundreds), and when the answer decides. */
+#define QN_RELAX_BUDGET_HINT    40
+#define QN_RELAX_BUDGET_CONFIRM 20
+#define QN_RELAX_BUDGET         300
+
+/* With a measure held every relaxation ends, at rest or with blocks that have left their
+ * contacts; stiff joints make the way there long. */
+#define QN_RELAX_BUDGET_HELD 10000
+
+/* Factorisations of one increment along the central path. */
+#define QN_CENTRAL_BUDGET 40
+
+typedef struct QnPath {
+  const QnModel *model;
+  const QnAnalysisSettings *settings; /* in force: those of the model, or of the stage */
+  QnAnalysisSettings own_settings;    /* what `settings` points to while a path is run */
+  int32_t stage;                      /* number of the stage, from 1; 0: none */
+  double origin, scale; /* the sets that are driven stand at origin + scale x the solver's
+                           multiplier, which every stage starts from 0; 0 and 1 by default */
+  QnEquilibrium equilibrium;
+  QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
+  double *displacements;      /* scratch, a row for every body; reactions too */
+  QnBeamForces *beam_forces;  /* scratch, by element */
+  int32_t iterations_at_step; /* statistics when the last step was recorded */
+} QnPath;
+
+/* Prepares the workspace and initialises *result. */
+QnStatus qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
+                        QnProgressFunc report, void *report_data, QnResult *result,
+                        QnDiag *diag);
+
+void qn_path_clear (QnPath *path);
+
+/* Ends an analysis that began at `start` (qn_clock_seconds()) and clears the path. Where it went
+ * well the result gets the pairs of the current state and the statistics, otherwise it is cleared.
+ * Returns `status`. */
+QnStatus qn_path_finish (QnPath *path, QnStatus status, double start);
+
+/* Dead load: the first equilibrium. *stands is false when there is none; the outcome, and the
+ * blocks that move where it is certain, are in the result then. */
+QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
+
+/* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
+ * (path-stages.c). *stands is false where there is no equilibrium under dead load. */
+QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
+
+/* Accepts the current state of the solver and records it as a step. False when memory runs
+ * out. */
+bool qn_path_accept (QnPath *path, double multiplier, QnEvent event);
+
+/* Records the velocity that the last relaxation ended with as the collapse mechanism. */
+QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag);
+
+/* How the approach to collapse ended. */
+typedef enum {
+  QN_APPROACH_SETTLED, /* the last step of the result is collapse */
+  QN_APPROACH_LOST,    /* no solution; the steps until then stand */
+  QN_APPROACH_BEYOND,  /* the same, for the next one would have been beyond the end */
+  QN_APPROACH_CANCELLED
+} QnApproach;
+
+/* From the last step to collapse, by growing motion under a multiplier that follows; steps
+ * that raise the multiplier are recorded, none beyond `end`.
+ *
+ * start: unknowns where the live load began to act
+ *
+ * SETTLED leaves the motion of the last step, in metres, in the equilibrium's velocity. */
+QnStatus qn_path_approach_collapse (QnPath *path, QnCentralPath *central,
+                                    const double *start, double end, QnApproach *outcome,
+                                    QnDiag *diag);
+
+/* Load control: increments of the multiplier up to collapse or the largest multiplier. */
+QnStatus qn_path_load_control (QnPath *path, QnDiag *diag);
+
+/* Displacement, work or arc-length control, as the settings say, to the control target, down
+ * to multiplier zero, or to a plateau. */
+QnStatus qn_path_motion_control (QnPath *path, QnDiag *diag);
+
+#endif

@@ -1,0 +1,204 @@
+#include "core/path/stability.h"
+
+#include "core/assembly/inertia.h"
+#include "core/base/clock.h"
+#include "core/path/path.h"
+
+#include <string.h>
+
+/* Growth of the increment after every step. */
+#define GROWTH 1.5
+
+/* The critical multiplier is resolved to this part of the multiplier tolerance. */
+#define RESOLUTION 1e-3
+
+/* Inverse iterations towards the buckling mode: next to the critical multiplier its eigenvalue
+ * is so much smaller than all others that the first one nearly does. */
+#define INVERSE_ITERATIONS 8
+
+typedef struct {
+  QnPath path;
+  QnInertia *inertia;
+  double unstable; /* lowest multiplier found not to be stable, or infinity */
+  double end;
+  bool finished;
+} Search;
+
+/* Whether the stiffness of the current state has positive eigenvalues only. */
+static QnStatus
+check_state (Search *search, bool *stable, QnDiag *diag)
+{
+  QnEquilibrium *eq = &search->path.equilibrium;
+  QnAssembly *as = &eq->assembly;
+  int32_t negative;
+
+  qn_assembly_tangent_held (as, eq->multiplier);
+  if (!qn_assembly_is_symmetric (as))
+    return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
+                              NULL, 0);
+  if (!qn_inertia_count (search->inertia, as->ax, &negative))
+    return qn_diag_no_memory (diag);
+  eq->statistics.factorizations++;
+  eq->statistics.factorization_work++;
+  *stable = negative == 0;
+  return QN_OK;
+}
+
+/* The state at `target`: *stable is false where there is none, or where it is not stable. */
+static QnStatus
+try_state (Search *search, double target, bool *stable, QnDiag *diag)
+{
+  QnEquilibrium *eq = &search->path.equilibrium;
+  const QnTarget goal = qn_target_multiplier (target);
+
+  *stable = false;
+  switch (qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET)) {
+  case QN_SOLVE_CONVERGED:
+    return check_state (search, stable, diag);
+  case QN_SOLVE_FAILED:
+  case QN_SOLVE_MECHANISM:
+    return QN_OK;
+  case QN_SOLVE_CANCELLED:
+    search->path.result->outcome = QN_OUTCOME_CANCELLED;
+    search->finished = true;
+    return QN_OK;
+  case QN_SOLVE_NO_MEMORY:
+    break;
+  }
+  return qn_diag_no_memory (diag);
+}
+
+/* Inverse iteration from a start that no symmetry of a structure has. */
+static QnStatus
+record_mode (Search *search, QnDiag *diag)
+{
+  QnEquilibrium *eq = &search->path.equilibrium;
+  int32_t n = eq->assembly.unknown_count;
+  double *mode = eq->velocity;
+  bool stable;
+
+  qn_equilibrium_restore (eq);
+  QnStatus status = check_state (search, &stable, diag);
+  for (int32_t i = 0; i < n; i++)
+    mode[i] = 1 + 0.5 * sin (1.7 * i);
+  for (int k = 0; status == QN_OK && k < INVERSE_ITERATIONS; k++) {
+    double largest = 0;
+    for (size_t s = 0; s < eq->assembly.settling_count; s++)
+      mode[eq->assembly.settling[s].unknown] = 0;
+    QnFactorStatus solved = qn_inertia_solve (search->inertia, mode);
+    if (solved != QN_FACTOR_OK)
+      return solved == QN_FACTOR_SINGULAR ? QN_OK : qn_diag_no_memory (diag);
+    for (int32_t i = 0; i < n; i++)
+      largest = fmax (largest, fabs (mode[i]));
+    for (int32_t i = 0; i < n; i++)
+      mode[i] /= largest;
+  }
+  return status == QN_OK ? qn_path_record_mechanism (&search->path, mode, diag) : status;
+}
+
+static QnStatus
+conclude (Search *search, QnDiag *diag)
+{
+  QnPath *path = &search->path;
+  QnResult *result = path->result;
+  double stable = path->equilibrium.committed.multiplier;
+
+  search->finished = true;
+  result->outcome = QN_OUTCOME_SNAP;
+  result->has_first_limit_multiplier = true;
+  result->first_limit_multiplier = 0.5 * (stable + search->unstable);
+  result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
+  return record_mode (search, diag);
+}
+
+/* One increment, or one bisection once there is an upper bound. */
+static QnStatus
+advance (Search *search, double *increment, QnDiag *diag)
+{
+  QnPath *path = &search->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  double from = eq->committed.multiplier, target = fmin (from + *increment, search->end);
+  bool stable = false;
+
+  if (isfinite (search->unstable))
+    target = 0.5 * (from + search->unstable);
+  QnStatus status = try_state (search, target, &stable, diag);
+  if (status != QN_OK || search->finished || !stable) {
+    qn_equilibrium_restore (eq);
+    search->unstable = target;
+    return status;
+  }
+  if (!qn_path_accept (path, target, QN_EVENT_NONE))
+    return qn_diag_no_memory (diag);
+  *increment *= GROWTH;
+  if (target >= search->end) {
+    path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+    search->finished = true;
+  }
+  return QN_OK;
+}
+
+static QnStatus
+search_path (Search *search, QnDiag *diag)
+{
+  QnPath *path = &search->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  const QnAnalysisSettings *settings = path->settings;
+  double increment = 1.0 / settings->increments;
+  bool stands, stable = false;
+  QnStatus status = qn_path_apply_dead_load (path, &stands, diag);
+
+  if (status != QN_OK || !stands)
+    return status;
+  status = check_state (search, &stable, diag);
+  if (status == QN_OK && !stable)
+    search->unstable = 0;
+  search->end = fmin (settings->max_multiplier, QN_UNBOUNDED);
+  while (status == QN_OK && !search->finished) {
+    double bracket = search->unstable - eq->committed.multiplier;
+    if (isfinite (bracket)
+        && bracket <= RESOLUTION * settings->multiplier_tolerance * search->unstable)
+      status = conclude (search, diag);
+    else
+      status = advance (search, &increment, diag);
+  }
+  return status;
+}
+
+static QnStatus
+refuse_settings (const QnModel *model, QnDiag *diag)
+{
+  if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
+    return qn_diag_set_field (diag, QN_PROBLEM_LIMIT_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "procedure", 0);
+  if (model->stage_count > 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_STABILITY_STAGES, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "stages", 0);
+  return QN_OK;
+}
+
+QnStatus
+qn_stability_run (const QnModel *model, const QnContacts *contacts,
+                  QnProgressFunc progress, void *user_data, QnResult *result,
+                  QnDiag *diag)
+{
+  double start = qn_clock_seconds ();
+  Search search = { .unstable = INFINITY };
+
+  *result = (QnResult){ 0 };
+  QnStatus status = refuse_settings (model, diag);
+  if (status != QN_OK)
+    return status;
+  status =
+    qn_path_setup (&search.path, model, contacts, progress, user_data, result, diag);
+  const QnAssembly *as = &search.path.equilibrium.assembly;
+  if (status == QN_OK) {
+    search.inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
+    status =
+      search.inertia != NULL ? search_path (&search, diag) : qn_diag_no_memory (diag);
+  }
+  if (status == QN_OK)
+    qn_equilibrium_restore (&search.path.equilibrium);
+  qn_inertia_free (search.inertia);
+  return qn_path_finish (&search.path, status, start);
+}

@@ -1,0 +1,298 @@
+#include "core/result/mechanism.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Of the fastest point's speed: a joint that moves less is closed, a block at rest. */
+#define MOTION_SHARE 0.01
+
+/* Rotation counts where it moves the ends of a joint, or the far corner of a body, apart by more
+ * than this part of their motion. */
+#define ROTATION_SHARE 0.05
+
+const char *
+qn_joint_kind_name (QnJointKind kind)
+{
+  static const char *const names[QN_JOINT_KIND_COUNT] = {
+    [QN_JOINT_CLOSED] = "closed",       [QN_JOINT_HINGE_START] = "hinge-start",
+    [QN_JOINT_HINGE_END] = "hinge-end", [QN_JOINT_SLIDING] = "sliding",
+    [QN_JOINT_OPENING] = "opening",
+  };
+  return names[kind];
+}
+
+/* Velocity of the point p of a block. */
+static QnVec2
+velocity_at (const QnModel *model, const double *velocities, QnId block, QnVec2 p)
+{
+  const double *v = velocities + (size_t) block * QN_DOF_COUNT;
+  QnVec2 arm = qn_vec2_sub (p, model->blocks[block].centroid);
+
+  return qn_vec2 (v[QN_DOF_UX] - v[QN_DOF_RZ] * arm.y,
+                  v[QN_DOF_UY] + v[QN_DOF_RZ] * arm.x);
+}
+
+static double
+fastest_vertex (const QnModel *model, const double *velocities, QnId block)
+{
+  const QnVec2 *vertices = qn_model_block_vertices (model, block);
+  double fastest = 0.0;
+
+  for (QnId i = 0; i < model->blocks[block].vertex_count; i++)
+    fastest = fmax (fastest,
+                    qn_vec2_length (velocity_at (model, velocities, block, vertices[i])));
+  return fastest;
+}
+
+void
+qn_joint_corners (const QnContacts *contacts, QnId face, QnVec2 *start, QnVec2 *end)
+{
+  const QnContactFace *f = &contacts->faces[face];
+  const QnContactPair *pairs = &contacts->pairs[f->first_pair];
+
+  *start = f->pair_count > 1 ? pairs[0].point : f->start;
+  *end = f->pair_count > 1 ? pairs[f->pair_count - 1].point : f->end;
+}
+
+/* The larger friction of the two sides: associative sliding opens a joint by so much. */
+static double
+largest_friction (const QnModel *model, const QnContactFace *face)
+{
+  return fmax (model->laws[face->law_a].friction, model->laws[face->law_b].friction);
+}
+
+static QnJointMotion
+joint_motion (const QnModel *model, const QnContacts *contacts, QnId id,
+              const double *velocities, double least)
+{
+  const QnContactFace *face = &contacts->faces[id];
+  QnJointMotion joint;
+  QnVec2 corners[2], jumps[2];
+  double low, high, dilated;
+
+  qn_joint_corners (contacts, id, &corners[0], &corners[1]);
+  for (int i = 0; i < 2; i++)
+    jumps[i] = qn_vec2_sub (velocity_at (model, velocities, face->b, corners[i]),
+                            velocity_at (model, velocities, face->a, corners[i]));
+  joint.opening_start = qn_vec2_dot (jumps[0], face->normal);
+  joint.opening_end = qn_vec2_dot (jumps[1], face->normal);
+  joint.slip =
+    0.5 * (qn_vec2_dot (jumps[0], face->tangent) + qn_vec2_dot (jumps[1], face->tangent));
+  joint.slides = fabs (joint.slip) > least;
+  low = fmin (joint.opening_start, joint.opening_end);
+  high = fmax (joint.opening_start, joint.opening_end);
+  dilated = largest_friction (model, face) * fabs (joint.slip);
+  if (low > 1.05 * dilated + least) {
+    joint.kind = QN_JOINT_OPENING;
+    joint.slides = false;
+  } else if (high - low > least && high - low > ROTATION_SHARE * fabs (joint.slip))
+    joint.kind =
+      joint.opening_start < joint.opening_end ? QN_JOINT_HINGE_START : QN_JOINT_HINGE_END;
+  else
+    joint.kind = joint.slides ? QN_JOINT_SLIDING : QN_JOINT_CLOSED;
+  return joint;
+}
+
+/* Root of a block in the forest of bodies, with path halving. */
+static QnId
+find_root (QnId *parents, QnId block)
+{
+  while (parents[block] != block) {
+    parents[block] = parents[parents[block]];
+    block = parents[block];
+  }
+  return block;
+}
+
+static void
+join_blocks (const QnMechanism *m, const QnContacts *contacts, QnId *parents)
+{
+  for (size_t f = 0; f < m->joint_count; f++) {
+    QnId a, b;
+    if (m->joints[f].kind != QN_JOINT_CLOSED)
+      continue;
+    a = find_root (parents, contacts->faces[f].a);
+    b = find_root (parents, contacts->faces[f].b);
+    parents[a > b ? a : b] = a > b ? b : a;
+  }
+}
+
+/* A body during grouping: its root block and size, for sorting. */
+typedef struct Group {
+  QnId root;
+  int32_t blocks;
+} Group;
+
+static int
+compare_groups (const void *a, const void *b)
+{
+  const Group *x = a, *y = b;
+
+  if (x->blocks != y->blocks)
+    return y->blocks - x->blocks;
+  return (x->root > y->root) - (x->root < y->root);
+}
+
+/* Groups moving blocks by their roots; the largest body comes first. `numbers` is scratch. */
+static QnStatus
+group_blocks (QnMechanism *m, const bool *moving, QnId *parents, QnId *numbers,
+              QnDiag *diag)
+{
+  Group *groups = qn_alloc (m->block_count, sizeof *groups);
+  size_t count = 0;
+
+  if (!groups)
+    return qn_diag_no_memory (diag);
+  for (size_t b = 0; b < m->block_count; b++)
+    numbers[b] = QN_NONE;
+  for (size_t b = 0; b < m->block_count; b++) {
+    QnId root = find_root (parents, (QnId) b);
+    if (!moving[b])
+      continue;
+    if (numbers[root] == QN_NONE) {
+      numbers[root] = (QnId) count;
+      groups[count++] = (Group){ .root = root };
+    }
+    groups[numbers[root]].blocks++;
+  }
+  qsort (groups, count, sizeof *groups, compare_groups);
+  for (size_t g = 0; g < count; g++)
+    numbers[groups[g].root] = (QnId) g;
+  for (size_t b = 0; b < m->block_count; b++)
+    m->body_of_block[b] = moving[b] ? numbers[find_root (parents, (QnId) b)] : QN_NONE;
+  m->bodies = qn_alloc (count, sizeof *m->bodies);
+  m->body_count = count;
+  free (groups);
+  return m->bodies ? QN_OK : qn_diag_no_memory (diag);
+}
+
+static void
+extend_box (QnMechanismBody *body, const QnModel *model, QnId block)
+{
+  const QnVec2 *vertices = qn_model_block_vertices (model, block);
+
+  for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
+    body->lowest.x = fmin (body->lowest.x, vertices[i].x);
+    body->lowest.y = fmin (body->lowest.y, vertices[i].y);
+    body->highest.x = fmax (body->highest.x, vertices[i].x);
+    body->highest.y = fmax (body->highest.y, vertices[i].y);
+  }
+}
+
+/* Means over the blocks of every body, weighted by area: first the sums, then the division. */
+static void
+sum_bodies (QnMechanism *m, const QnModel *model, const double *velocities, double *areas)
+{
+  for (size_t i = 0; i < m->body_count; i++)
+    m->bodies[i] = (QnMechanismBody){ .lowest = { INFINITY, INFINITY },
+                                      .highest = { -INFINITY, -INFINITY } };
+  for (size_t b = 0; b < m->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    const double *v = velocities + b * QN_DOF_COUNT;
+    QnMechanismBody *body;
+    double fastest;
+    if (m->body_of_block[b] == QN_NONE)
+      continue;
+    body = &m->bodies[m->body_of_block[b]];
+    fastest = fastest_vertex (model, velocities, (QnId) b);
+    areas[m->body_of_block[b]] += block->area;
+    body->block_count++;
+    body->centroid = qn_vec2_add_scaled (body->centroid, block->area, block->centroid);
+    body->rotation += block->area * v[QN_DOF_RZ];
+    body->velocity = qn_vec2_add_scaled (body->velocity, block->area,
+                                         qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]));
+    body->largest = fmax (body->largest, fastest / m->largest);
+    extend_box (body, model, (QnId) b);
+  }
+}
+
+static void
+finish_body (QnMechanismBody *body, double area)
+{
+  double radius = 0.5 * qn_vec2_length (qn_vec2_sub (body->highest, body->lowest));
+
+  body->centroid = qn_vec2_scale (1.0 / area, body->centroid);
+  body->velocity = qn_vec2_scale (1.0 / area, body->velocity);
+  body->rotation /= area;
+  body->turns =
+    fabs (body->rotation) * radius > ROTATION_SHARE * qn_vec2_length (body->velocity);
+  /* 0 = velocity + rotation x (centre - centroid) */
+  body->centre = body->turns ? qn_vec2_add_scaled (body->centroid, 1.0 / body->rotation,
+                                                   qn_vec2_perp (body->velocity))
+                             : body->centroid;
+}
+
+static QnStatus
+find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
+             const double *velocities, QnDiag *diag)
+{
+  bool *moving = qn_alloc (m->block_count, sizeof *moving);
+  QnId *parents = qn_alloc (m->block_count, sizeof *parents);
+  QnId *numbers = qn_alloc (m->block_count, sizeof *numbers);
+  double *areas = qn_alloc (m->block_count, sizeof *areas);
+  QnStatus status;
+
+  if (!moving || !parents || !numbers || !areas) {
+    status = qn_diag_no_memory (diag);
+  } else {
+    for (size_t b = 0; b < m->block_count; b++) {
+      parents[b] = (QnId) b;
+      moving[b] =
+        fastest_vertex (model, velocities, (QnId) b) > MOTION_SHARE * m->largest;
+    }
+    join_blocks (m, contacts, parents);
+    status = group_blocks (m, moving, parents, numbers, diag);
+  }
+  if (!status) {
+    sum_bodies (m, model, velocities, areas);
+    for (size_t i = 0; i < m->body_count; i++)
+      finish_body (&m->bodies[i], areas[i]);
+  }
+  free (moving);
+  free (parents);
+  free (numbers);
+  free (areas);
+  return status;
+}
+
+QnStatus
+qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
+                   const QnContacts *contacts, const double *velocities, QnDiag *diag)
+{
+  QnMechanism *m = mechanism;
+  QnStatus status;
+
+  *m = (QnMechanism){ .joint_count = contacts->face_count,
+                      .block_count = model->block_count };
+  m->joints = qn_alloc (m->joint_count, sizeof *m->joints);
+  m->body_of_block = qn_alloc (m->block_count, sizeof *m->body_of_block);
+  if (!m->joints || !m->body_of_block) {
+    qn_mechanism_clear (m);
+    return qn_diag_no_memory (diag);
+  }
+  for (size_t b = 0; b < model->block_count; b++)
+    m->largest = fmax (m->largest, fastest_vertex (model, velocities, (QnId) b));
+  for (size_t f = 0; f < m->joint_count; f++) {
+    m->joints[f] =
+      joint_motion (model, contacts, (QnId) f, velocities, MOTION_SHARE * m->largest);
+    m->counts[m->joints[f].kind]++;
+    m->sliding_count += m->joints[f].slides;
+  }
+  status = find_bodies (m, model, contacts, velocities, diag);
+  if (status)
+    qn_mechanism_clear (m);
+  else
+    m->kind = qn_mechanism_classify (m, model, contacts);
+  return status;
+}
+
+void
+qn_mechanism_clear (QnMechanism *mechanism)
+{
+  free (mechanism->joints);
+  free (mechanism->body_of_block);
+  free (mechanism->bodies);
+  *mechanism = (QnMechanism){ 0 };
+}

@@ -1,0 +1,104 @@
+/* What a velocity field does: joints classified, blocks grouped into bodies that move together,
+ * the mechanism named. Facts only; sentences are composed above the core.
+ *
+ * The field may be a mechanism of collapse, the difference of two steps, or any other field of
+ * small motions (ux, uy, rz of every block; m, m, rad, or the same per time). Everything is
+ * judged relative to the fastest point, so its scale does not matter.
+ */
+#ifndef QN_CORE_MECHANISM_H
+#define QN_CORE_MECHANISM_H
+
+#include "core/contact/contacts.h"
+
+typedef enum {
+  QN_JOINT_CLOSED,      /* no relative motion */
+  QN_JOINT_HINGE_START, /* opens, turning about the corner at face.start */
+  QN_JOINT_HINGE_END,   /* … at face.end */
+  QN_JOINT_SLIDING, /* shears along the face, opening no more than friction dilates it */
+  QN_JOINT_OPENING, /* both corners part */
+  QN_JOINT_KIND_COUNT
+} QnJointKind;
+
+/* Motion of block b relative to block a of a face. */
+typedef struct QnJointMotion {
+  QnJointKind kind;
+  bool slides;          /* a hinge or an opening joint may shear as well */
+  double opening_start; /* along the normal, at face.start; < 0: closes (penetrates) */
+  double opening_end;   /* … at face.end */
+  double slip;          /* mean, along the tangent; > 0: block b moves along +tangent */
+} QnJointMotion;
+
+/* Blocks that move as one rigid body. */
+typedef struct QnMechanismBody {
+  int32_t block_count;
+  QnVec2 centroid;        /* of its blocks, by area, m */
+  QnVec2 velocity;        /* of that point */
+  double rotation;        /* rad, counter-clockwise positive */
+  bool turns;             /* rotation matters beside translation */
+  QnVec2 centre;          /* fixed point of the motion, m; where it turns */
+  double largest;         /* fastest point, relative to that of the whole mechanism */
+  QnVec2 lowest, highest; /* corners of the box around its blocks, m */
+} QnMechanismBody;
+
+/* What the whole is called. */
+typedef enum {
+  QN_MECHANISM_KIND_NONE,        /* nothing moves */
+  QN_MECHANISM_KIND_OVERTURNING, /* one body turns about hinges at its foot */
+  QN_MECHANISM_KIND_ROCKING, /* several bodies rock on hinges, piers above each other */
+  QN_MECHANISM_KIND_SLIDING, /* a body slides along one course of joints */
+  QN_MECHANISM_KIND_STEPPED, /* a body separates along a staircase of joints */
+  QN_MECHANISM_KIND_ARCH,    /* a chain of bodies folds at alternating hinges */
+  QN_MECHANISM_KIND_FALLING, /* bodies lose contact and fall */
+  QN_MECHANISM_KIND_MIXED,   /* hinges and sliding joints together, none prevailing */
+  QN_MECHANISM_KIND_COUNT
+} QnMechanismKind;
+
+typedef struct QnMechanism {
+  QnMechanismKind kind;
+  QnJointMotion *joints; /* one per face */
+  size_t joint_count;
+  QnId *body_of_block; /* block_count: body, or QN_NONE where the block stays at rest */
+  size_t block_count;
+  QnMechanismBody *bodies; /* most blocks first */
+  size_t body_count;
+  double largest; /* speed of the fastest point, in the field's unit */
+  int32_t counts[QN_JOINT_KIND_COUNT]; /* joints of each kind */
+  int32_t sliding_count;               /* joints that slide, hinges that slide included */
+} QnMechanism;
+
+/* Result-file spelling: "closed", "hinge-start", …; "overturning", "rocking", … */
+const char *qn_joint_kind_name (QnJointKind kind);
+const char *qn_mechanism_kind_name (QnMechanismKind kind);
+
+/* Analyses a field: velocities, block_count x 3. `mechanism` is overwritten without being
+ * cleared. */
+QnStatus qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
+                            const QnContacts *contacts, const double *velocities,
+                            QnDiag *diag);
+
+void qn_mechanism_clear (QnMechanism *mechanism);
+
+/* The name for joints and bodies already found; _init() keeps it in `kind`. */
+QnMechanismKind qn_mechanism_classify (const QnMechanism *mechanism, const QnModel *model,
+                                       const QnContacts *contacts);
+
+/* Where the relative motion of a face is taken: its outermost contact pairs, which stand for the
+ * corners; the ends of the face where it has one pair only. */
+void qn_joint_corners (const QnContacts *contacts, QnId face, QnVec2 *start, QnVec2 *end);
+
+/* Cosine of two fields of the same model, in the metric of the masses (weights, or areas where
+ * nothing weighs): 1 for the same mechanism whatever its scale, 0 for unrelated ones, -1 for
+ * the reverse motion; 0 where a field is zero. */
+double qn_mechanism_cosine (const QnModel *model, const double *a, const double *b);
+
+/* Share of bodies that two mechanisms of the same model have in common, 0 … 1: bodies are the
+ * same if nine tenths of the blocks of both together belong to both. 1 where neither moves. */
+double qn_mechanism_common_bodies (const QnMechanism *a, const QnMechanism *b);
+
+/* Clusters of `count` fields whose cosines with the first of their cluster reach `threshold`:
+ * groups[i] is the number of field i's cluster, numbered from 0 by first member. Returns the
+ * number of clusters. fields: count pointers to block_count x 3. */
+int32_t qn_mechanism_cluster (const QnModel *model, const double *const *fields,
+                              int32_t count, double threshold, int32_t *groups);
+
+#endif

@@ -1,0 +1,249 @@
+#include "core/result/result.h"
+
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const char *
+qn_outcome_name (QnOutcome outcome)
+{
+  static const char *const names[QN_OUTCOME_COUNT] = {
+    [QN_OUTCOME_COLLAPSE] = "collapse",
+    [QN_OUTCOME_TARGET_REACHED] = "target-reached",
+    [QN_OUTCOME_SNAP] = "snap",
+    [QN_OUTCOME_UNBOUNDED] = "unbounded",
+    [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = "dead-load-unstable",
+    [QN_OUTCOME_CANCELLED] = "cancelled",
+    [QN_OUTCOME_NOT_CONVERGED] = "not-converged",
+  };
+  return names[outcome];
+}
+
+const char *
+qn_pair_state_name (QnPairState state)
+{
+  static const char *const names[QN_PAIR_STATE_COUNT] = {
+    [QN_PAIR_STICK] = "stick",
+    [QN_PAIR_SLIP] = "slip",
+    [QN_PAIR_OPEN] = "open",
+    [QN_PAIR_YIELD] = "yield",
+  };
+  return names[state];
+}
+
+void
+qn_statistics_add (QnStatistics *total, const QnStatistics *part)
+{
+  total->seconds += part->seconds;
+  total->factor_seconds += part->factor_seconds;
+  total->assembly_seconds += part->assembly_seconds;
+  total->law_seconds += part->law_seconds;
+  total->iterations += part->iterations;
+  total->factorizations += part->factorizations;
+  total->factorization_work += part->factorization_work;
+  if (part->peak_memory_bytes > total->peak_memory_bytes)
+    total->peak_memory_bytes = part->peak_memory_bytes;
+}
+
+QnStatus
+qn_result_init (QnResult *result, size_t block_count, size_t pair_count, QnDiag *diag)
+{
+  *result = (QnResult){ .outcome = QN_OUTCOME_NOT_CONVERGED,
+                        .block_count = block_count,
+                        .pair_count = pair_count };
+  result->pairs = qn_alloc (pair_count, sizeof *result->pairs);
+  return result->pairs != NULL ? QN_OK : qn_diag_no_memory (diag);
+}
+
+void
+qn_result_clear (QnResult *result)
+{
+  free (result->steps);
+  free (result->displacements);
+  free (result->beam_forces);
+  free (result->pairs);
+  free (result->mechanism);
+  free (result->unstable_blocks);
+  free (result->supports);
+  free (result->reactions);
+  free (result->step_forces);
+  free (result->step_states);
+  *result = (QnResult){ 0 };
+}
+
+bool
+qn_result_add_step (QnResult *result, QnStep step, const double *displacements)
+{
+  size_t row = qn_result_body_count (result) * QN_DOF_COUNT;
+  QnStep *steps = qn_array_grow (result->steps, &result->step_capacity,
+                                 result->step_count + 1, sizeof *steps);
+  if (steps == NULL)
+    return false;
+  result->steps = steps;
+
+  double *all = qn_array_grow (result->displacements, &result->displacement_capacity,
+                               (result->step_count + 1) * row, sizeof *all);
+  if (all == NULL)
+    return false;
+  result->displacements = all;
+
+  memcpy (all + result->step_count * row, displacements, row * sizeof *all);
+  steps[result->step_count++] = step;
+  return true;
+}
+
+static bool
+is_supported (const QnBlock *block)
+{
+  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
+         || block->support[QN_DOF_RZ];
+}
+
+bool
+qn_result_set_supports (QnResult *result, const QnModel *model)
+{
+  size_t count = 0;
+
+  for (size_t b = 0; b < model->block_count; b++)
+    count += is_supported (&model->blocks[b]);
+  result->supports = qn_alloc (count, sizeof *result->supports);
+  if (result->supports == NULL)
+    return false;
+  for (size_t b = 0; b < model->block_count; b++)
+    if (is_supported (&model->blocks[b]))
+      result->supports[result->support_count++] = (QnId) b;
+  return true;
+}
+
+bool
+qn_result_add_reactions (QnResult *result, const double *reactions)
+{
+  size_t row = result->support_count * QN_DOF_COUNT;
+  double *all = qn_array_grow (result->reactions, &result->reaction_capacity,
+                               result->step_count * row, sizeof *all);
+  if (all == NULL)
+    return false;
+  result->reactions = all;
+
+  double *last = all + (result->step_count - 1) * row;
+  for (size_t s = 0; s < result->support_count; s++)
+    memcpy (last + s * QN_DOF_COUNT, reactions + result->supports[s] * QN_DOF_COUNT,
+            QN_DOF_COUNT * sizeof *last);
+  return true;
+}
+
+static void
+drop_forces (QnResult *result)
+{
+  free (result->step_forces);
+  free (result->step_states);
+  result->step_forces = NULL;
+  result->step_states = NULL;
+  result->step_force_capacity = result->step_state_capacity = 0;
+  result->forces_dropped = true;
+}
+
+bool
+qn_result_add_forces (QnResult *result, bool all)
+{
+  size_t row = result->pair_count, last = (result->step_count - 1) * row;
+
+  if (!all && result->step_count * row > QN_RESULT_FORCE_BUDGET)
+    drop_forces (result);
+  if (result->forces_dropped)
+    return true;
+  double *forces = qn_array_grow (result->step_forces, &result->step_force_capacity,
+                                  2 * (last + row), sizeof *forces);
+  if (forces == NULL)
+    return false;
+  result->step_forces = forces;
+  uint8_t *states = qn_array_grow (result->step_states, &result->step_state_capacity,
+                                   last + row, sizeof *states);
+  if (states == NULL)
+    return false;
+  result->step_states = states;
+
+  for (size_t p = 0; p < row; p++) {
+    forces[2 * (last + p)] = result->pairs[p].normal_force;
+    forces[2 * (last + p) + 1] = result->pairs[p].shear_force;
+    states[last + p] = (uint8_t) result->pairs[p].state;
+  }
+  return true;
+}
+
+bool
+qn_result_has_forces (const QnResult *result, size_t step)
+{
+  return step < result->step_count && result->pairs != NULL
+         && (step + 1 == result->step_count || result->step_forces != NULL);
+}
+
+QnPairResult
+qn_result_pair_at (const QnResult *result, size_t step, size_t pair)
+{
+  QN_ASSERT (qn_result_has_forces (result, step) && pair < result->pair_count);
+  if (step + 1 == result->step_count)
+    return result->pairs[pair];
+  size_t at = step * result->pair_count + pair;
+  return (QnPairResult){ .state = (QnPairState) result->step_states[at],
+                         .normal_force = result->step_forces[2 * at],
+                         .shear_force = result->step_forces[2 * at + 1] };
+}
+
+void
+qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
+                        double *factors)
+{
+  memset (factors, 0, QN_MAX_LOAD_SETS * sizeof *factors);
+  if (model->stage_count == 0) {
+    factors[0] = result->steps[step].multiplier;
+    return;
+  }
+  for (size_t s = 0; s <= step; s++) {
+    int32_t stage = result->steps[s].stage;
+    if (stage < 1 || (size_t) stage > model->stage_count)
+      continue;
+    for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+      if ((model->stages[stage - 1].sets >> set & 1) != 0)
+        factors[set] = result->steps[s].multiplier;
+  }
+}
+
+bool
+qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces)
+{
+  QN_ASSERT (result->step_count > 0);
+  size_t count = result->element_count, end = result->step_count * count;
+  QnBeamForces *all =
+    qn_array_grow (result->beam_forces, &result->beam_force_capacity, end, sizeof *all);
+  if (all == NULL)
+    return false;
+  result->beam_forces = all;
+  memcpy (all + end - count, forces, count * sizeof *all);
+  return true;
+}
+
+QnStatus
+qn_result_set_mechanism (QnResult *result, const double *velocities,
+                         double characteristic_length, QnDiag *diag)
+{
+  size_t count = qn_result_body_count (result) * QN_DOF_COUNT;
+  double *mechanism = qn_alloc (count, sizeof *mechanism), translation = 0, rotation = 0;
+
+  if (mechanism == NULL)
+    return qn_diag_no_memory (diag);
+  for (size_t b = 0; b < qn_result_body_count (result); b++) {
+    const double *v = velocities + QN_DOF_COUNT * b;
+    translation = fmax (translation, hypot (v[QN_DOF_UX], v[QN_DOF_UY]));
+    rotation = fmax (rotation, fabs (v[QN_DOF_RZ]) * characteristic_length);
+  }
+  /* Blocks that only turn about their centroids have no displacement to scale by. */
+  double largest = translation > 1e-6 * rotation ? translation : rotation;
+  for (size_t i = 0; i < count; i++)
+    mechanism[i] = largest > 0 ? velocities[i] / largest : 0;
+
+  free (result->mechanism);
+  result->mechanism = mechanism;
+  return QN_OK;
+}

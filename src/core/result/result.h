@@ -1,0 +1,217 @@
+/* Result of an analysis: the path of converged equilibria and how it ended. */
+#ifndef QN_CORE_RESULT_H
+#define QN_CORE_RESULT_H
+
+#include "core/contact/contact-pair.h"
+#include "core/contact/contacts.h"
+
+typedef enum {
+  QN_OUTCOME_COLLAPSE,           /* no equilibrium beyond collapse_multiplier */
+  QN_OUTCOME_TARGET_REACHED,     /* max_multiplier or the control target was reached */
+  QN_OUTCOME_SNAP,               /* stopped at a limit point, as asked */
+  QN_OUTCOME_UNBOUNDED,          /* limit analysis: no multiplier is too large */
+  QN_OUTCOME_DEAD_LOAD_UNSTABLE, /* no equilibrium under the dead load */
+  QN_OUTCOME_CANCELLED,
+  QN_OUTCOME_NOT_CONVERGED,
+  QN_OUTCOME_COUNT
+} QnOutcome;
+
+/* Why a path of displacement, work or arc-length control ended where it did. */
+typedef enum {
+  QN_STOP_UNKNOWN,        /* another procedure: the outcome says all */
+  QN_STOP_DISPLACEMENT,   /* the controlled displacement came to its target */
+  QN_STOP_MULTIPLIER,     /* max_multiplier was reached */
+  QN_STOP_ZERO,           /* the multiplier fell back to zero: stands no more by itself */
+  QN_STOP_PLATEAU,        /* the multiplier held still while the motion went on and on */
+  QN_STOP_FALL,           /* parts fall although the measure is held */
+  QN_STOP_LIMIT_POINT,    /* peak or jump, and the settings ask to stop there */
+  QN_STOP_STEP_TOO_SMALL, /* nothing was found near by with the smallest step */
+  QN_STOP_STEPS,          /* more steps than a path may have */
+  QN_STOP_CANCELLED,
+  QN_STOP_COUNT
+} QnStop;
+
+typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT } QnEvent;
+
+/* One converged equilibrium. The first step is the dead load alone, multiplier 0. The
+ * multiplier is that of the load sets which the stage drives. */
+typedef struct QnStep {
+  double multiplier;
+  int32_t iterations; /* spent on this step */
+  double residual;    /* out-of-balance relative to the forces in the model */
+  QnEvent event; /* SNAP: the first equilibrium after a jump; COLLAPSE: the last one */
+  int32_t
+    stage; /* number of the stage it belongs to, from 1; 0: dead load, or no stages */
+} QnStep;
+
+/* Force of a contact pair on block a of its face is normal_force * normal + shear_force *
+ * tangent; the opposite acts on block b. */
+typedef struct QnPairResult {
+  QnPairState state;
+  double normal_force; /* N, <= 0 in compression */
+  double shear_force;  /* N */
+
+  bool has_springs; /* whether what follows is known; limit analysis has no springs */
+  QnVec2 hinge;     /* point C between the two springs, deformed, m */
+  double elongation_a[2], elongation_b[2]; /* (normal, tangential) of the springs, m */
+} QnPairResult;
+
+typedef struct QnStatistics {
+  double seconds;
+  double factor_seconds;   /* of these: factorising and solving */
+  double assembly_seconds; /* scattering element tangents and residuals */
+  double law_seconds;      /* evaluating constitutive laws */
+  int32_t iterations;
+  int32_t factorizations;
+  double
+    factorization_work; /* the same in whole factorisations: those of few new values are
+                                parts of one */
+  int64_t peak_memory_bytes; /* filled by layers that can measure it, else 0 */
+} QnStatistics;
+
+/* Adds what another part of an analysis took; peak memory is the larger of the two. */
+void qn_statistics_add (QnStatistics *total, const QnStatistics *part);
+
+/* Most fixed points of the non-associative limit analysis that a result keeps. */
+#define QN_RESULT_FIXED_POINTS 8
+
+/* What limit analysis adds. limit.h says what each number guarantees. */
+typedef struct QnLimitFigures {
+  bool given;
+  QnFlow flow;
+  double lower_bound; /* associative: static value; non-associative: least fixed point */
+  double
+    upper_bound; /* associative: kinematic value; non-associative: greatest fixed point */
+  bool has_associative_bound; /* with non-associative flow: what nothing exceeds */
+  double associative_bound;
+  double fixed_points[QN_RESULT_FIXED_POINTS]; /* non-associative, by starting point */
+  int32_t fixed_point_count;
+} QnLimitFigures;
+
+/* Contact forces of every step are kept as long as there are no more than this many, pairs
+ * times steps (17 bytes each); of longer or larger analyses only when the settings ask for all
+ * of them. Those of the last step are always there. */
+#define QN_RESULT_FORCE_BUDGET 2000000
+
+typedef struct QnResult {
+  QnOutcome outcome;
+  int32_t stage; /* number of the stage in which the analysis ended, from 1; 0: without */
+  QnStop stop;
+  bool has_collapse_multiplier;
+  double collapse_multiplier; /* largest multiplier with an equilibrium */
+  bool has_first_limit_multiplier;
+  double first_limit_multiplier; /* where the path first loses stability */
+
+  QnLimitFigures limit;
+
+  size_t block_count;
+  size_t node_count;    /* of beams */
+  size_t element_count; /* of beams */
+  size_t pair_count;
+
+  QnStep *steps;
+  size_t step_count, step_capacity;
+  double *displacements; /* step_count x (block_count + node_count) x 3; m, m, rad at
+                            centroids and nodes */
+  size_t displacement_capacity;
+  QnBeamForces
+    *beam_forces; /* step_count x element_count; NULL where they are not known */
+  size_t beam_force_capacity;
+
+  QnId *supports; /* blocks with a fixed degree of freedom, ascending; none in limit
+                     analysis */
+  size_t support_count;
+  double *reactions; /* step_count x support_count x 3, on the blocks: N, N, N m about the
+                        centroid; 0 where the block is free */
+  size_t reaction_capacity;
+
+  QnPairResult *pairs; /* at the last equilibrium */
+  double *step_forces; /* step_count x pair_count x 2: normal, shear, N; NULL: not kept */
+  uint8_t *step_states; /* step_count x pair_count: QnPairState */
+  size_t step_force_capacity, step_state_capacity;
+  bool forces_dropped; /* there were more than the budget */
+  double
+    *mechanism; /* (block_count + node_count) x 3 velocity field at collapse, scaled as
+                          qn_result_set_mechanism() says; NULL where there is none */
+  bool mechanism_uncertain; /* how the structure moves on was not settled: the mechanism
+                               is its motion as far as it was followed */
+
+  QnId *unstable_blocks; /* DEAD_LOAD_UNSTABLE: blocks that move, most moved first */
+  size_t unstable_count;
+
+  QnStatistics statistics;
+} QnResult;
+
+/* Result-file spelling: "collapse", "target-reached", … and "stick", "slip", "open", "yield". */
+const char *qn_outcome_name (QnOutcome outcome);
+const char *qn_pair_state_name (QnPairState state);
+
+/* An empty result for a model with this many blocks and pairs; where it has beams, node_count and
+ * element_count are to be set before the first step. */
+QnStatus qn_result_init (QnResult *result, size_t block_count, size_t pair_count,
+                         QnDiag *diag);
+
+void qn_result_clear (QnResult *result);
+
+/* Appends a step; displacements: a row for every block and node. False when memory runs out. */
+bool qn_result_add_step (QnResult *result, QnStep step, const double *displacements);
+
+/* Section forces by element of the step that was added last. False when memory runs out. */
+bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);
+
+/* Keeps which blocks have reactions, and appends those of the last step added: reactions:
+ * block_count x 3, of which the rows of the supports are kept. False when memory runs out. */
+bool qn_result_set_supports (QnResult *result, const QnModel *model);
+bool qn_result_add_reactions (QnResult *result, const double *reactions);
+
+/* Keeps the forces that stand in `pairs` for the last step added, within the budget unless
+ * `all`. False when memory runs out. */
+bool qn_result_add_forces (QnResult *result, bool all);
+
+/* Whether the contact forces of a step are known. */
+bool qn_result_has_forces (const QnResult *result, size_t step);
+
+/* State and forces of a pair at a step whose forces are known; its springs are known at the
+ * last step alone. */
+QnPairResult qn_result_pair_at (const QnResult *result, size_t step, size_t pair);
+
+/* Multiplier of every load set (factors: QN_MAX_LOAD_SETS) at a step: that of the step for the
+ * sets that its stage drives, for others where earlier stages left them. */
+void qn_result_load_factors (const QnModel *model, const QnResult *result, size_t step,
+                             double *factors);
+
+/* Keeps `velocities` (a row for every block and node), scaled so that the largest of |(ux, uy)|
+ * over the rows, or of |rz| x characteristic length where that is larger, is 1. */
+QnStatus qn_result_set_mechanism (QnResult *result, const double *velocities,
+                                  double characteristic_length, QnDiag *diag);
+
+/* Rows of displacements and mechanism: blocks, then nodes. */
+static inline size_t
+qn_result_body_count (const QnResult *result)
+{
+  return result->block_count + result->node_count;
+}
+
+/* Displacements of one step: a row for every block, then for every node. */
+static inline const double *
+qn_result_step_displacements (const QnResult *result, size_t step)
+{
+  return result->displacements + step * qn_result_body_count (result) * QN_DOF_COUNT;
+}
+
+/* Section forces of one step by element; NULL where they are not known. */
+static inline const QnBeamForces *
+qn_result_step_beam_forces (const QnResult *result, size_t step)
+{
+  return result->beam_forces != NULL ? result->beam_forces + step * result->element_count
+                                     : NULL;
+}
+
+/* Reactions of one step, support_count x 3. */
+static inline const double *
+qn_result_step_reactions (const QnResult *result, size_t step)
+{
+  return result->reactions + step * result->support_count * QN_DOF_COUNT;
+}
+
+#endif

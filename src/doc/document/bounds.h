@@ -1,0 +1,23 @@
+/* HybriDFEM against limit analysis: what the latest runs of a document say about the load that
+ * its present model can carry, and what each number guarantees. */
+#ifndef QN_DOC_BOUNDS_H
+#define QN_DOC_BOUNDS_H
+
+#include "doc/document/document.h"
+
+typedef struct QnBound {
+  const char *label;     /* "Limit analysis, upper bound", translated */
+  double value;          /* multiplier; INFINITY: no limit */
+  const char *guarantee; /* one or two sentences, translated */
+} QnBound;
+
+/* Of QnBound, free with g_array_unref(): the path, its first limit point, the associative
+ * bounds, the non-associative interval; of each the latest run that is not outdated. Empty where
+ * nothing has been solved. */
+GArray *qn_bounds_collect (QnDocument *document);
+
+/* How the numbers stand to each other, in a sentence; NULL where there is only one kind of
+ * analysis. The caller frees it. */
+char *qn_bounds_dup_verdict (const GArray *bounds);
+
+#endif

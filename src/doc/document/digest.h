@@ -1,0 +1,14 @@
+/* What tells one model from another. */
+#ifndef QN_DOC_DIGEST_H
+#define QN_DOC_DIGEST_H
+
+#include "io/project/project.h"
+
+/* Digest of the model and its settings alone, hexadecimal: neither the title nor views and
+ * figures make a result or a figure stale. Free with g_free(). */
+char *qn_model_digest (const QnProject *project);
+
+/* The same, quicker where the project's text in the canonical layout is at hand. */
+char *qn_model_digest_like (const QnProject *project, const char *text);
+
+#endif

@@ -1,0 +1,49 @@
+/* The inside of a document, shared by the files that make it up. */
+#ifndef QN_DOC_DOCUMENT_PRIVATE_H
+#define QN_DOC_DOCUMENT_PRIVATE_H
+
+#include "doc/document/document.h"
+
+struct _QnDocument {
+  GObject parent_instance;
+
+  char *path;
+  char *text; /* the state; see document.h */
+  QnProject project;
+  QnContacts contacts;
+  char *fingerprint; /* see below; NULL: to be computed */
+  char *file_digest; /* of the file as it was read or written; NULL: not known */
+  QnHistory *history;
+  QnSelection *selection;
+  gboolean never_saved;   /* came from memory: counts as modified */
+  gboolean keeps_history; /* in the file */
+
+  QnJob *job;
+  GError *job_error;
+  QnDiag job_diag;
+  GPtrArray *runs;
+  QnRun *run;
+  guint run_number;
+  gboolean was_live;
+};
+
+typedef enum {
+  QN_DOCUMENT_SIGNAL_CHANGED,
+  QN_DOCUMENT_SIGNAL_HISTORY_CHANGED,
+  QN_DOCUMENT_SIGNAL_FILE_CHANGED,
+  QN_DOCUMENT_SIGNAL_RUNS_CHANGED,
+  QN_DOCUMENT_SIGNAL_JOB_CHANGED,
+  QN_DOCUMENT_SIGNAL_JOB_PROGRESS,
+  QN_DOCUMENT_SIGNAL_COUNT
+} QnDocumentSignal;
+
+/* Digest of what an analysis depends on. */
+const char *qn_document_get_fingerprint (QnDocument *document);
+
+/* Emits one of the signals of document.h. */
+void qn_document_emit (QnDocument *document, QnDocumentSignal signal);
+
+/* Ends the running analysis, if any, and forgets its outcome. */
+void qn_document_drop_job (QnDocument *document);
+
+#endif

@@ -1,0 +1,236 @@
+/* Analyses of a document and the runs that they leave. */
+#include "doc/document/document-private.h"
+
+#include "doc/document/edit.h"
+#include <glib/gi18n.h>
+
+void
+qn_document_drop_job (QnDocument *self)
+{
+  if (self->job == NULL)
+    return;
+  g_signal_handlers_disconnect_by_data (self->job, self);
+  qn_job_cancel (self->job);
+  g_clear_object (&self->job);
+}
+
+static void
+on_job_progress (QnJob *job, QnDocument *self)
+{
+  (void) job;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_PROGRESS);
+}
+
+/* There is one live run at most. */
+static void
+drop_live_run (QnDocument *self)
+{
+  for (guint i = 0; i < self->runs->len; i++) {
+    const QnRun *run = g_ptr_array_index (self->runs, i);
+    if (run->live) {
+      g_ptr_array_remove_index (self->runs, i);
+      return;
+    }
+  }
+}
+
+static void
+on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
+{
+  QnJob *job = QN_JOB (source);
+  g_autoptr (QnDocument) self = user_data;
+  g_autoptr (GError) error = NULL;
+  g_autoptr (QnRun) run = qn_job_finish (job, result, &error);
+  if (self->job != job)
+    return; /* replaced or dropped meanwhile */
+
+  self->job_diag = *qn_job_get_diag (job);
+  self->was_live = qn_job_is_live (job);
+  g_signal_handlers_disconnect_by_data (job, self);
+  g_clear_object (&self->job);
+  if (run != NULL) {
+    if (run->live)
+      drop_live_run (self);
+    g_ptr_array_add (self->runs, qn_run_ref (run));
+    g_autoptr (GPtrArray) others = qn_job_take_others (job);
+    for (guint i = 0; others != NULL && i < others->len; i++)
+      g_ptr_array_add (self->runs, qn_run_ref (g_ptr_array_index (others, i)));
+    qn_document_set_run (self, run);
+  } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
+    self->job_error = g_steal_pointer (&error);
+  }
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+}
+
+/* "Load control", "Limit, associative": what a run is told from others by. */
+static const char *
+method_name (const QnAnalysisSettings *analysis)
+{
+  switch (analysis->procedure) {
+  case QN_PROCEDURE_LOAD:
+    return _ ("load control");
+  case QN_PROCEDURE_DISPLACEMENT:
+    return _ ("displacement control");
+  case QN_PROCEDURE_WORK:
+    return _ ("work control");
+  case QN_PROCEDURE_ARC_LENGTH:
+    return _ ("arc length");
+  case QN_PROCEDURE_LIMIT:
+    return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("limit, associative")
+                                                 : _ ("limit, non-associative");
+  case QN_PROCEDURE_COUNT:
+    break;
+  }
+  return "";
+}
+
+/* A job for the model, with what it is told from others by; NULL with an error. */
+static QnJob *
+make_job (QnDocument *self, const QnModel *model, const char *method, GError **error)
+{
+  if (model->block_count == 0 && model->beam_count == 0) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is nothing to analyse: draw a wall first"));
+    return NULL;
+  }
+  g_autofree char *name =
+    method == NULL ? g_strdup (_ ("Live"))
+                   : g_strdup_printf (_ ("Run %u, %s"), self->run_number + 1, method);
+  QnJob *job = qn_job_new (model, name, qn_document_get_fingerprint (self), error);
+  if (job != NULL && method != NULL)
+    self->run_number++;
+  if (job != NULL)
+    qn_job_set_live (job, method == NULL);
+  return job;
+}
+
+/* Takes over the job. */
+static gboolean
+start (QnDocument *self, QnJob *job)
+{
+  if (job == NULL)
+    return FALSE;
+  qn_document_drop_job (self);
+  g_clear_error (&self->job_error);
+  self->job = job;
+  g_signal_connect (job, "progress", G_CALLBACK (on_job_progress), self);
+  qn_job_start (job, on_job_done, g_object_ref (self));
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+  return TRUE;
+}
+
+gboolean
+qn_document_analyse (QnDocument *self, GError **error)
+{
+  const QnModel *model = &self->project.model;
+  return start (self, make_job (self, model, method_name (&model->analysis), error));
+}
+
+gboolean
+qn_document_analyse_live (QnDocument *self, GError **error)
+{
+  return start (self, make_job (self, &self->project.model, NULL, error));
+}
+
+gboolean
+qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
+                          GError **error)
+{
+  QnModel model = self->project.model;
+  model.analysis.procedure = procedure;
+  model.analysis.flow = flow;
+  return start (self, make_job (self, &model, method_name (&model.analysis), error));
+}
+
+gboolean
+qn_document_find_modes (QnDocument *self, guint count, gboolean loaded, GError **error)
+{
+  QnJob *job = make_job (self, &self->project.model,
+                         loaded ? _ ("modes under load") : _ ("modes"), error);
+  if (job != NULL)
+    qn_job_set_modes (job, count, loaded);
+  return start (self, job);
+}
+
+gboolean
+qn_document_find_stability (QnDocument *self, GError **error)
+{
+  QnModel model = self->project.model;
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  QnJob *job = make_job (self, &model, _ ("stability"), error);
+  if (job != NULL)
+    qn_job_set_stability (job);
+  return start (self, job);
+}
+
+gboolean
+qn_document_was_live (QnDocument *self)
+{
+  return self->was_live;
+}
+
+void
+qn_document_cancel (QnDocument *self)
+{
+  if (self->job != NULL)
+    qn_job_cancel (self->job);
+}
+
+QnJob *
+qn_document_get_job (QnDocument *self)
+{
+  return self->job;
+}
+
+const GError *
+qn_document_get_job_error (QnDocument *self)
+{
+  return self->job_error;
+}
+
+const QnDiag *
+qn_document_get_job_diag (QnDocument *self)
+{
+  return &self->job_diag;
+}
+
+const GPtrArray *
+qn_document_get_runs (QnDocument *self)
+{
+  return self->runs;
+}
+
+QnRun *
+qn_document_get_run (QnDocument *self)
+{
+  return self->run;
+}
+
+void
+qn_document_set_run (QnDocument *self, QnRun *run)
+{
+  if (run != NULL)
+    qn_run_ref (run);
+  g_clear_pointer (&self->run, qn_run_unref);
+  self->run = run;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+}
+
+void
+qn_document_remove_run (QnDocument *self, QnRun *run)
+{
+  g_autoptr (QnRun) kept = qn_run_ref (run);
+  g_ptr_array_remove (self->runs, run);
+  if (self->run == kept) {
+    guint left = self->runs->len;
+    qn_document_set_run (self,
+                         left > 0 ? g_ptr_array_index (self->runs, left - 1) : NULL);
+  } else
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+}
+
+gboolean
+qn_document_is_stale (QnDocument *self, const QnRun *run)
+{
+  return g_strcmp0 (run->fingerprint, qn_document_get_fingerprint (self)) != 0;
+}

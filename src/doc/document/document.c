@@ -1,0 +1,596 @@
+#include "doc/document/document-private.h"
+
+#include "doc/document/digest.h"
+#include "doc/document/edit.h"
+#include "doc/text/explain.h"
+#include "io/project/project-extras.h"
+#include "io/text/file-read.h"
+#include "io/text/file-writer.h"
+#include <glib/gi18n.h>
+#include <string.h>
+
+G_DEFINE_FINAL_TYPE (QnDocument, qn_document, G_TYPE_OBJECT)
+
+static guint signals[QN_DOCUMENT_SIGNAL_COUNT];
+
+static const char *const signal_names[QN_DOCUMENT_SIGNAL_COUNT] = {
+  "changed",      "history-changed", "file-changed",
+  "runs-changed", "job-changed",     "job-progress"
+};
+
+/* What a new drawing starts with. */
+static const char empty_text[] =
+  "{ \"format\": \"quoin\", \"version\": 1,\n"
+  "  \"laws\": [ { \"name\": \"dry joint\", \"kind\": \"coulomb\", \"basis\": "
+  "\"contact\","
+  " \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.65, \"cohesion\": 0, \"tension\": 0,"
+  " \"dilatancy\": 0 } ],\n"
+  "  \"contact\": { \"law\": \"dry joint\", \"tolerance\": 1e-6,"
+  " \"pairs\": { \"placement\": \"ends\", \"offset\": 0 } },\n"
+  "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],\n"
+  "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },\n"
+  "  \"analysis\": { \"procedure\": \"load\", \"geometry\": \"linear\","
+  " \"increments\": 100 } }\n";
+
+/* An empty drawing is no valid project. It is read with this block, which is taken away
+ * again before anybody sees it. */
+static const char *const placeholder[] = {
+  "blocks=[{\"name\":\"placeholder\",\"vertices\":[[0,0],[1,0],[1,1],[0,1]],"
+  "\"thickness\":1,\"unit_weight\":0}]",
+  NULL
+};
+
+void
+qn_document_emit (QnDocument *self, QnDocumentSignal signal)
+{
+  g_signal_emit (self, signals[signal], 0);
+}
+
+/* ---- state ---- */
+
+static gboolean
+is_empty_drawing (const char *text)
+{
+  return strstr (text, "\"vertices\"") == NULL && strstr (text, "\"courses\"") == NULL
+         && strstr (text, "\"masonry\"") == NULL && strstr (text, "\"beams\"") == NULL;
+}
+
+static gboolean
+parse (const char *text, const char *name, QnProject *project, GError **error)
+{
+  if (!is_empty_drawing (text))
+    return qn_project_parse (text, strlen (text), name, NULL, project, error);
+
+  if (!qn_project_parse (text, strlen (text), name, placeholder, project, error))
+    return FALSE;
+  g_clear_pointer (&project->overrides, g_strfreev);
+  gboolean drop[] = { TRUE };
+  if (!qn_edit_rebuild (&project->model, drop, error)) {
+    qn_project_clear (project);
+    return FALSE;
+  }
+  return TRUE;
+}
+
+/* The same for a text that may differ little from the present one. */
+static gboolean
+parse_next (QnDocument *self, const char *text, const char *name, QnProject *project,
+            GError **error)
+{
+  return (self->text != NULL
+          && qn_project_parse_like (text, strlen (text), name, &self->project, self->text,
+                                    project))
+         || parse (text, name, project, error);
+}
+
+/* Contacts of the model that is to follow the document's present one. */
+static gboolean
+detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **error)
+{
+  QnDiag diag = { 0 };
+  if (qn_contacts_update (&self->project.model, &self->contacts, model, contacts, &diag)
+      == QN_OK)
+    return TRUE;
+  g_autofree char *message = qn_explain_diag (model, &diag);
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  return FALSE;
+}
+
+/* Takes over `project` (cleared on failure) as the state whose text is `text`. */
+static gboolean
+adopt (QnDocument *self, QnProject *project, char *text, GError **error)
+{
+  QnContacts contacts;
+  if (!detect (self, &project->model, &contacts, error)) {
+    qn_project_clear (project);
+    g_free (text);
+    return FALSE;
+  }
+  QnProject old = self->project;
+  QnContacts old_contacts = self->contacts;
+  self->project = *project;
+  self->contacts = contacts;
+  g_free (self->text);
+  self->text = text;
+  g_clear_pointer (&self->fingerprint, g_free);
+  qn_selection_follow (self->selection, &old.model, &old_contacts, &self->project.model,
+                       &self->contacts);
+  qn_project_clear (&old);
+  qn_contacts_clear (&old_contacts);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_CHANGED);
+  return TRUE;
+}
+
+static const char *
+name_in_messages (QnDocument *self)
+{
+  return self->path != NULL ? self->path : _ ("Untitled");
+}
+
+/* Makes `text` (taken over) the state; the history is the caller's business. */
+static gboolean
+restore (QnDocument *self, char *text)
+{
+  QnProject project;
+  g_autoptr (GError) error = NULL;
+  if (!parse_next (self, text, name_in_messages (self), &project, &error)) {
+    /* The text was accepted when it was made. */
+    g_critical ("history: %s", error->message);
+    g_free (text);
+    return FALSE;
+  }
+  return adopt (self, &project, text, NULL);
+}
+
+const char *
+qn_document_get_fingerprint (QnDocument *self)
+{
+  if (self->fingerprint == NULL)
+    self->fingerprint = qn_model_digest_like (&self->project, self->text);
+  return self->fingerprint;
+}
+
+/* ---- life ---- */
+
+static void
+qn_document_dispose (GObject *object)
+{
+  qn_document_drop_job (QN_DOCUMENT (object));
+  G_OBJECT_CLASS (qn_document_parent_class)->dispose (object);
+}
+
+static void
+qn_document_finalize (GObject *object)
+{
+  QnDocument *self = QN_DOCUMENT (object);
+  qn_project_clear (&self->project);
+  qn_contacts_clear (&self->contacts);
+  qn_history_free (self->history);
+  g_clear_object (&self->selection);
+  g_clear_error (&self->job_error);
+  g_clear_pointer (&self->run, qn_run_unref);
+  g_ptr_array_unref (self->runs);
+  g_free (self->path);
+  g_free (self->text);
+  g_free (self->fingerprint);
+  g_free (self->file_digest);
+  G_OBJECT_CLASS (qn_document_parent_class)->finalize (object);
+}
+
+static void
+qn_document_class_init (QnDocumentClass *klass)
+{
+  GObjectClass *object_class = G_OBJECT_CLASS (klass);
+  object_class->dispose = qn_document_dispose;
+  object_class->finalize = qn_document_finalize;
+  for (int i = 0; i < QN_DOCUMENT_SIGNAL_COUNT; i++)
+    signals[i] = g_signal_new (signal_names[i], QN_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0,
+                               NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void
+on_selection_changed (QnDocument *self)
+{
+  qn_history_break (self->history);
+}
+
+static void
+qn_document_init (QnDocument *self)
+{
+  qn_project_init (&self->project);
+  self->history = qn_history_new ();
+  self->selection = qn_selection_new ();
+  g_signal_connect_object (self->selection, "changed", G_CALLBACK (on_selection_changed),
+                           self, G_CONNECT_SWAPPED);
+  self->runs = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+}
+
+QnDocument *
+qn_document_new (void)
+{
+  QnDocument *self = g_object_new (QN_TYPE_DOCUMENT, NULL);
+  QnProject project;
+  g_autoptr (GError) error = NULL;
+  if (!parse (empty_text, _ ("Untitled"), &project, &error))
+    g_error ("%s", error->message);
+  adopt (self, &project, qn_project_to_text (&project, NULL), NULL);
+  return self;
+}
+
+/* ---- the file ---- */
+
+/* Starts afresh from a project that was read; `project` is taken over. */
+static gboolean
+begin (QnDocument *self, QnProject *project, const char *path, GError **error)
+{
+  /* The history starts from the canonical text, whatever the file looks like. */
+  if (!adopt (self, project, qn_project_to_text (project, NULL), error))
+    return FALSE;
+  qn_document_drop_job (self);
+  g_clear_error (&self->job_error);
+  qn_history_clear (self->history);
+  g_clear_pointer (&self->run, qn_run_unref);
+  g_ptr_array_set_size (self->runs, 0);
+  self->run_number = 0;
+  g_free (self->path);
+  self->path = g_strdup (path);
+  self->never_saved = path == NULL;
+  self->keeps_history = FALSE;
+  g_clear_pointer (&self->file_digest, g_free);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+  return TRUE;
+}
+
+/* The history is no part of the state that it leads to. */
+static char *
+take_history (QnProject *project)
+{
+  char *json = qn_project_dup_extra (project, QN_HISTORY_MEMBER);
+  if (json == NULL)
+    return NULL;
+  struct cJSON *rest = qn_project_extras_with (project, QN_HISTORY_MEMBER, NULL, NULL);
+  if (rest != NULL) {
+    qn_project_extras_free (project->extras);
+    project->extras = rest;
+  }
+  return json;
+}
+
+static void
+adopt_history (QnDocument *self, const char *json)
+{
+  self->keeps_history = json != NULL;
+  if (json == NULL)
+    return;
+  QnHistory *history = qn_history_from_json (json, self->text);
+  if (history != NULL) {
+    qn_history_free (self->history);
+    self->history = history;
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  } else
+    g_ptr_array_add (
+      self->project.warnings,
+      g_strdup (_ ("The file has been changed elsewhere since its history was kept; the "
+                   "steps before cannot be undone")));
+}
+
+static char *
+digest_file (const char *text, gsize length)
+{
+  return g_compute_checksum_for_data (G_CHECKSUM_SHA256, (const guchar *) text, length);
+}
+
+gboolean
+qn_document_is_changed_elsewhere (QnDocument *self)
+{
+  g_autofree char *text = NULL;
+  gsize length = 0;
+  if (self->path == NULL || self->file_digest == NULL
+      || !g_file_get_contents (self->path, &text, &length, NULL))
+    return FALSE;
+  g_autofree char *digest = digest_file (text, length);
+  return !g_str_equal (digest, self->file_digest);
+}
+
+gboolean
+qn_document_load (QnDocument *self, const char *path, GError **error)
+{
+  QnProject project;
+  gsize length = 0;
+  g_autofree char *text = qn_file_read (path, &length, error);
+  if (text == NULL || !parse (text, path, &project, error))
+    return FALSE;
+  g_autofree char *history = take_history (&project);
+  if (!begin (self, &project, path, error))
+    return FALSE;
+  adopt_history (self, history);
+  self->file_digest = digest_file (text, length);
+  return TRUE;
+}
+
+gboolean
+qn_document_load_recovered (QnDocument *self, const char *text, const char *path,
+                            GError **error)
+{
+  QnProject project;
+  const char *name = path != NULL ? path : _ ("Untitled");
+  if (!parse (text, name, &project, error) || !begin (self, &project, path, error))
+    return FALSE;
+  self->never_saved = TRUE;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return TRUE;
+}
+
+gboolean
+qn_document_load_text (QnDocument *self, const char *text, const char *name,
+                       GError **error)
+{
+  QnProject project;
+  return parse (text, name, &project, error) && begin (self, &project, NULL, error);
+}
+
+/* What a file would hold. */
+static char *
+dup_file_text (QnDocument *self, GError **error)
+{
+  if (!self->keeps_history)
+    return g_strdup (self->text);
+  g_autofree char *json = qn_history_to_json (self->history, self->text);
+  struct cJSON *extras =
+    qn_project_extras_with (&self->project, QN_HISTORY_MEMBER, json, error);
+  if (extras == NULL)
+    return NULL;
+  QnProject draft = self->project;
+  draft.extras = extras;
+  char *text = qn_project_to_text (&draft, NULL);
+  qn_project_extras_free (extras);
+  return text;
+}
+
+void
+qn_document_set_keeps_history (QnDocument *self, gboolean keeps)
+{
+  if (self->keeps_history == keeps)
+    return;
+  self->keeps_history = keeps;
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+}
+
+gboolean
+qn_document_get_keeps_history (QnDocument *self)
+{
+  return self->keeps_history;
+}
+
+gboolean
+qn_document_save (QnDocument *self, const char *path, GError **error)
+{
+  g_autofree char *text = dup_file_text (self, error);
+  if (text == NULL || !qn_file_write (path, text, strlen (text), error))
+    return FALSE;
+  qn_history_mark_clean (self->history);
+  self->never_saved = FALSE;
+  g_free (self->file_digest);
+  self->file_digest = digest_file (text, strlen (text));
+  if (g_strcmp0 (path, self->path) != 0) {
+    g_free (self->path);
+    self->path = g_strdup (path);
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
+  }
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return TRUE;
+}
+
+const char *
+qn_document_get_path (QnDocument *self)
+{
+  return self->path;
+}
+
+const char *
+qn_document_get_text (QnDocument *self)
+{
+  return self->text;
+}
+
+char *
+qn_document_dup_display_name (QnDocument *self)
+{
+  const char *title = self->project.model.title;
+  if (title != NULL && *title != '\0')
+    return g_strdup (title);
+  return self->path != NULL ? g_path_get_basename (self->path)
+                            : g_strdup (_ ("Untitled"));
+}
+
+gboolean
+qn_document_is_modified (QnDocument *self)
+{
+  return self->never_saved || !qn_history_is_clean (self->history);
+}
+
+const GPtrArray *
+qn_document_get_warnings (QnDocument *self)
+{
+  return self->project.warnings;
+}
+
+const QnModel *
+qn_document_get_model (QnDocument *self)
+{
+  return &self->project.model;
+}
+
+const QnContacts *
+qn_document_get_contacts (QnDocument *self)
+{
+  return &self->contacts;
+}
+
+const QnProject *
+qn_document_get_project (QnDocument *self)
+{
+  return &self->project;
+}
+
+QnSelection *
+qn_document_get_selection (QnDocument *self)
+{
+  return self->selection;
+}
+
+/* ---- edits ---- */
+
+/* Reads `text` (taken over) as the next state and makes it a step of the history. */
+static gboolean
+step_to (QnDocument *self, const char *name, const char *key, char *text, GError **error)
+{
+  if (strcmp (text, self->text) == 0) {
+    g_free (text);
+    return TRUE;
+  }
+  QnProject project;
+  if (!parse_next (self, text, name_in_messages (self), &project, error)) {
+    g_free (text);
+    return FALSE;
+  }
+  g_autofree char *before = g_strdup (self->text);
+  if (!adopt (self, &project, text, error))
+    return FALSE;
+  qn_history_record (self->history, name, key, before, self->text);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return TRUE;
+}
+
+/* Files hold free blocks before walls; an edit may have appended some behind. */
+static gboolean
+put_free_blocks_first (QnModel *model, GError **error)
+{
+  for (gsize i = 1; i < model->block_count; i++) {
+    if (model->blocks[i].wall == QN_NONE && model->blocks[i - 1].wall != QN_NONE)
+      return qn_edit_rebuild (model, NULL, error);
+  }
+  return TRUE;
+}
+
+gboolean
+qn_document_edit_project (QnDocument *self, const char *name, const char *key,
+                          QnProjectEditFunc func, gpointer user_data, GError **error)
+{
+  QnProject draft = self->project;
+  QnDiag diag = { 0 };
+  /* No member has an empty name: this is a plain copy. */
+  draft.extras = qn_project_extras_with (&self->project, "", NULL, error);
+  if (draft.extras == NULL)
+    return FALSE;
+  if (qn_model_copy (&self->project.model, &draft.model, &diag) != QN_OK) {
+    qn_project_extras_free (draft.extras);
+    return qn_edit_no_memory (error);
+  }
+  gboolean done =
+    func (&draft, user_data, error) && put_free_blocks_first (&draft.model, error);
+  char *text =
+    done ? qn_project_to_text_like (&draft, &self->project, self->text, NULL) : NULL;
+  qn_model_clear (&draft.model);
+  qn_project_extras_free (draft.extras);
+  return done && step_to (self, name, key, text, error);
+}
+
+typedef struct ModelEdit {
+  QnEditFunc func;
+  gpointer user_data;
+} ModelEdit;
+
+static gboolean
+edit_model (QnProject *draft, gpointer user_data, GError **error)
+{
+  const ModelEdit *edit = user_data;
+  return edit->func (&draft->model, edit->user_data, error);
+}
+
+gboolean
+qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFunc func,
+                  gpointer user_data, GError **error)
+{
+  ModelEdit edit = { func, user_data };
+  return qn_document_edit_project (self, name, key, edit_model, &edit, error);
+}
+
+gboolean
+qn_document_edit_text (QnDocument *self, const char *name, const char *text,
+                       GError **error)
+{
+  return step_to (self, name, NULL, g_strdup (text), error);
+}
+
+gboolean
+qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
+                        const char *member, const char *json, GError **error)
+{
+  struct cJSON *extras = qn_project_extras_with (&self->project, member, json, error);
+  if (extras == NULL)
+    return FALSE;
+  QnProject draft = self->project;
+  draft.extras = extras;
+  char *text = qn_project_to_text_like (&draft, &self->project, self->text, NULL);
+  qn_project_extras_free (extras);
+  return step_to (self, name, key, text, error);
+}
+
+char *
+qn_document_dup_extra (QnDocument *self, const char *member)
+{
+  return qn_project_dup_extra (&self->project, member);
+}
+
+QnHistory *
+qn_document_get_history (QnDocument *self)
+{
+  return self->history;
+}
+
+static gboolean
+walk (QnDocument *self, gboolean back)
+{
+  char *text = back ? qn_history_undo (self->history, self->text)
+                    : qn_history_redo (self->history, self->text);
+  return text != NULL && restore (self, text);
+}
+
+gboolean
+qn_document_undo (QnDocument *self)
+{
+  gboolean done = walk (self, TRUE);
+  if (done)
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return done;
+}
+
+gboolean
+qn_document_redo (QnDocument *self)
+{
+  gboolean done = walk (self, FALSE);
+  if (done)
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return done;
+}
+
+void
+qn_document_go_to (QnDocument *self, guint position)
+{
+  g_autofree char *text = g_strdup (self->text);
+  while (qn_history_get_position (self->history) != position) {
+    gboolean back = qn_history_get_position (self->history) > position;
+    char *next = back ? qn_history_undo (self->history, text)
+                      : qn_history_redo (self->history, text);
+    if (next == NULL)
+      break;
+    g_free (text);
+    text = next;
+  }
+  restore (self, g_steal_pointer (&text));
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+}

@@ -1,0 +1,156 @@
+/* A document: one project with its history, its selection and its analyses.
+ *
+ * The state of a document is the text of its project file. Every edit works on a copy of the
+ * model, is written as text and read back through the same door as a file; so an edit that
+ * would make an invalid project is refused with the reason and leaves everything as it was,
+ * undo needs no code per command, and what is on the screen is what a file would give.
+ *
+ * Signals, all without arguments:
+ *   "changed"       the model is another one: edited, undone, loaded
+ *   "history-changed" steps, their position or whether there are unsaved changes
+ *   "file-changed"  the path
+ *   "runs-changed"  the list of runs, or which of them is current
+ *   "job-changed"   an analysis started or ended
+ *   "job-progress"  the running analysis has something to report
+ */
+#ifndef QN_DOC_DOCUMENT_H
+#define QN_DOC_DOCUMENT_H
+
+#include "doc/document/history.h"
+#include "doc/document/job.h"
+#include "doc/document/run.h"
+#include "doc/document/selection.h"
+#include "io/project/project.h"
+#include <gio/gio.h>
+
+/* Member of a project file that keeps the history. */
+#define QN_HISTORY_MEMBER "history"
+
+#define QN_TYPE_DOCUMENT (qn_document_get_type ())
+G_DECLARE_FINAL_TYPE (QnDocument, qn_document, QN, DOCUMENT, GObject)
+
+/* An empty drawing: no blocks, one dry joint law, own weight as dead load, own weight to the
+ * right as live load. */
+QnDocument *qn_document_new (void);
+
+/* ---- the file ---- */
+
+/* Replaces everything by the content of a project file. On failure nothing changes. */
+gboolean qn_document_load (QnDocument *document, const char *path, GError **error);
+
+/* Replaces everything by a project in memory, not yet in a file and counted as unsaved. */
+gboolean qn_document_load_text (QnDocument *document, const char *text, const char *name,
+                                GError **error);
+
+/* Takes over what was not saved to `path` (NULL: never saved), unsaved still: the file stays as
+ * it is until the user saves. */
+gboolean qn_document_load_recovered (QnDocument *document, const char *text,
+                                     const char *path, GError **error);
+
+/* Writes the project and remembers the path. */
+gboolean qn_document_save (QnDocument *document, const char *path, GError **error);
+
+/* Whether the file has changed since it was read or written here: saving would undo that. One that
+ * has gone or cannot be read has not. */
+gboolean qn_document_is_changed_elsewhere (QnDocument *document);
+
+/* Whether the file holds the history too, so that steps can be undone after opening it again.
+ * Loading a file that has one turns it on. */
+void qn_document_set_keeps_history (QnDocument *document, gboolean keeps);
+gboolean qn_document_get_keeps_history (QnDocument *document);
+
+const char *qn_document_get_path (QnDocument *document); /* NULL: never saved */
+const char *qn_document_get_text (QnDocument *document);
+char *qn_document_dup_display_name (QnDocument *document);
+gboolean qn_document_is_modified (QnDocument *document);
+/* Warnings of reading the file; array of char *. */
+const GPtrArray *qn_document_get_warnings (QnDocument *document);
+
+/* ---- the model ---- */
+
+/* Prepared; empty (no blocks) for an empty drawing. Borrowed until the next "changed". */
+const QnModel *qn_document_get_model (QnDocument *document);
+/* Faces, pairs and findings of the model; empty for an empty drawing. Borrowed likewise. */
+const QnContacts *qn_document_get_contacts (QnDocument *document);
+const QnProject *qn_document_get_project (QnDocument *document);
+QnSelection *qn_document_get_selection (QnDocument *document);
+
+/* ---- edits ---- */
+
+/* Changes a copy of the model. Blocks may be appended behind the wall blocks; for removals and
+ * changes of walls see edit.h. False with an error refuses the edit. */
+typedef gboolean (*QnEditFunc) (QnModel *model, gpointer user_data, GError **error);
+
+/* Makes one step of the history; an edit that changes nothing makes none. `name` and `key`
+ * are those of qn_history_record(); a gesture ends when the selection changes. */
+gboolean qn_document_edit (QnDocument *document, const char *name, const char *key,
+                           QnEditFunc func, gpointer user_data, GError **error);
+
+/* The same for edits of what the file says besides the model: parametric masonry
+ * (edit-masonry.h). The draft owns its model and its extras; both may be replaced. */
+typedef gboolean (*QnProjectEditFunc) (QnProject *draft, gpointer user_data,
+                                       GError **error);
+gboolean qn_document_edit_project (QnDocument *document, const char *name,
+                                   const char *key, QnProjectEditFunc func,
+                                   gpointer user_data, GError **error);
+
+/* Replaces everything by the text of another project, as an undoable step. */
+gboolean qn_document_edit_text (QnDocument *document, const char *name, const char *text,
+                                GError **error);
+
+/* Replaces a top-level member that the model does not hold (view, figures, …), as an
+ * undoable step; `json` is the new value or NULL to remove it. */
+gboolean qn_document_edit_extra (QnDocument *document, const char *name, const char *key,
+                                 const char *member, const char *json, GError **error);
+
+/* Value of such a member as JSON text, or NULL. The caller frees it. */
+char *qn_document_dup_extra (QnDocument *document, const char *member);
+
+QnHistory *qn_document_get_history (QnDocument *document); /* for reading */
+gboolean qn_document_undo (QnDocument *document);
+gboolean qn_document_redo (QnDocument *document);
+/* Walks to the state after `position` steps. */
+void qn_document_go_to (QnDocument *document, guint position);
+
+/* ---- analyses ---- */
+
+/* Starts an analysis of the model as it is, with its own settings; one that runs already is
+ * cancelled and its outcome dropped. */
+gboolean qn_document_analyse (QnDocument *document, GError **error);
+
+/* The same by another procedure, whatever the settings say. */
+gboolean qn_document_analyse_with (QnDocument *document, QnProcedure procedure,
+                                   QnFlow flow, GError **error);
+
+/* Frequencies and modes of small vibrations about the equilibrium under dead load, or about the
+ * last one of the analysis: a run for each of the lowest `count` modes. */
+gboolean qn_document_find_modes (QnDocument *document, guint count, gboolean loaded,
+                                 GError **error);
+
+/* The load under which the structure loses its stability, in nonlinear geometry whatever the
+ * settings say. */
+gboolean qn_document_find_stability (QnDocument *document, GError **error);
+
+/* The same as qn_document_analyse() after an edit, without being asked: its run replaces the
+ * previous one of this kind. */
+gboolean qn_document_analyse_live (QnDocument *document, GError **error);
+/* Whether the last analysis to end was such a one. */
+gboolean qn_document_was_live (QnDocument *document);
+
+void qn_document_cancel (QnDocument *document);
+QnJob *qn_document_get_job (QnDocument *document); /* NULL when none runs */
+
+/* Why the last analysis gave no run, or NULL. */
+const GError *qn_document_get_job_error (QnDocument *document);
+const QnDiag *qn_document_get_job_diag (QnDocument *document);
+
+/* Runs of this session, oldest first; of QnRun. */
+const GPtrArray *qn_document_get_runs (QnDocument *document);
+QnRun *qn_document_get_run (QnDocument *document); /* the current one, or NULL */
+void qn_document_set_run (QnDocument *document, QnRun *run);
+void qn_document_remove_run (QnDocument *document, QnRun *run);
+
+/* Whether the model has changed since the run's. */
+gboolean qn_document_is_stale (QnDocument *document, const QnRun *run);
+
+#endif

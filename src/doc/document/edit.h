@@ -1,0 +1,120 @@
+/* Edits: what the commands of the drawing do to a model.
+ *
+ * Each works on the copy that qn_document_edit() hands out and either does the whole of it or
+ * refuses with an error (domain QN_EDIT_ERROR) that says why in the user's language. Lengths
+ * are m, forces N. Blocks of a parametric wall follow their wall: what concerns single ones
+ * either changes the wall's courses or first turns the wall into free blocks.
+ */
+#ifndef QN_DOC_EDIT_H
+#define QN_DOC_EDIT_H
+
+#include "core/model/model.h"
+#include "stereotomy/masonry.h"
+#include <glib.h>
+
+#define QN_EDIT_ERROR (qn_edit_error_quark ())
+GQuark qn_edit_error_quark (void);
+
+typedef enum {
+  QN_EDIT_ERROR_NO_MEMORY,
+  QN_EDIT_ERROR_NOTHING,   /* there is nothing to do it to */
+  QN_EDIT_ERROR_IMPOSSIBLE /* it cannot be done here */
+} QnEditError;
+
+/* A set of blocks, by number. */
+typedef struct QnBlockSet {
+  const QnId *ids;
+  guint count;
+} QnBlockSet;
+
+/* (x, y) -> (xx x + xy y + x0, yx x + yy y + y0) */
+typedef struct QnTransform {
+  double xx, xy, yx, yy, x0, y0;
+} QnTransform;
+
+QnTransform qn_transform_translation (double x, double y);
+QnTransform qn_transform_rotation (QnVec2 center,
+                                   double angle);     /* rad, counter-clockwise */
+QnTransform qn_transform_mirror (QnVec2 a, QnVec2 b); /* about the line through */
+QnTransform qn_transform_compose (QnTransform first, QnTransform second);
+QnVec2 qn_transform_apply (QnTransform transform, QnVec2 point);
+
+/* ---- blocks (edit-block.c) ---- */
+
+/* What a new block is made of. */
+typedef struct QnBlockStyle {
+  double thickness;   /* m */
+  double unit_weight; /* N/m3 */
+  QnId law;           /* or QN_NONE: the contact law */
+  bool support[QN_DOF_COUNT];
+} QnBlockStyle;
+
+/* Adds a block of count >= 3 corners, m, in either orientation, under a free name. */
+gboolean qn_edit_add_block (QnModel *model, const QnVec2 *vertices, guint count,
+                            QnBlockStyle style, GError **error);
+
+/* Wall blocks become openings of their length. */
+gboolean qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error);
+
+/* Walls of which every block is in the set and which are only shifted stay parametric;
+ * others are turned into free blocks. */
+gboolean qn_edit_transform_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
+                                   GError **error);
+
+/* Adds `copies` copies, the k-th moved by the transform applied k times. Copies are free
+ * blocks. */
+gboolean qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
+                              int copies, GError **error);
+
+/* Turns the walls of these blocks into free blocks of the same names. */
+gboolean qn_edit_detach (QnModel *model, QnBlockSet set, GError **error);
+
+/* Fixes or frees the degrees of freedom. */
+gboolean qn_edit_set_support (QnModel *model, QnBlockSet set,
+                              const bool support[QN_DOF_COUNT], GError **error);
+
+/* For wall blocks these hold for the whole wall. */
+gboolean qn_edit_set_thickness (QnModel *model, QnBlockSet set, double thickness,
+                                GError **error);
+gboolean qn_edit_set_unit_weight (QnModel *model, QnBlockSet set, double unit_weight,
+                                  GError **error);
+gboolean qn_edit_set_law (QnModel *model, QnBlockSet set, QnId law, GError **error);
+gboolean qn_edit_rename_block (QnModel *model, QnId block, const char *name,
+                               GError **error);
+
+/* ---- loads, laws (edit-load.c) ---- */
+
+/* A force at a point of a block; `live`: grows with the multiplier. */
+gboolean qn_edit_add_force (QnModel *model, QnId block, gboolean live, QnVec2 force,
+                            QnVec2 at, GError **error);
+gboolean qn_edit_delete_load (QnModel *model, gboolean live, QnId load, GError **error);
+
+/* The one load of kind weight; a zero direction removes it. */
+gboolean qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction,
+                                  GError **error);
+
+/* Adds a law like an existing one under a new name; its number is that of the last law. */
+gboolean qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error);
+gboolean qn_edit_delete_law (QnModel *model, QnId law, GError **error);
+
+/* ---- for edits (edit-rebuild.c) ---- */
+
+/* Makes the model anew: free blocks of `drop` (nullable, one flag per block) and walls
+ * without courses are left out, walls are expanded from their courses as they are now, and
+ * loads and overrides follow their blocks or go with them. */
+gboolean qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error);
+
+/* The same with the parametric masonry laid anew from this list (NULL: left as it is). */
+gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
+                                  const QnMasonries *masonry, GError **error);
+
+/* A block name that is not taken: prefix and a number. The caller frees it. */
+char *qn_edit_dup_free_name (const QnModel *model, const char *prefix);
+
+/* Sets the error of an edit that ran out of memory; returns FALSE. */
+gboolean qn_edit_no_memory (GError **error);
+
+/* Which blocks are in the set: one flag per block. The caller frees it. */
+gboolean *qn_block_set_to_flags (QnBlockSet set, const QnModel *model);
+
+#endif

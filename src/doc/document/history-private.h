@@ -1,0 +1,30 @@
+/* The inside of a history, shared by the files that make it up. */
+#ifndef QN_DOC_HISTORY_PRIVATE_H
+#define QN_DOC_HISTORY_PRIVATE_H
+
+#include "doc/document/history.h"
+
+/* One run of bytes that differs. Offsets count in the text after the step. */
+typedef struct QnHunk {
+  gsize offset;
+  char *removed;  /* owned */
+  char *inserted; /* owned */
+} QnHunk;
+
+typedef struct QnStep {
+  char *name;
+  char *key;
+  GArray *hunks; /* of QnHunk, by offset */
+} QnStep;
+
+struct QnHistory {
+  GPtrArray *steps; /* of QnStep */
+  guint position;
+  gint64 clean; /* position of the clean state; -1: it cannot be reached any more */
+  gboolean broken;
+};
+
+/* Appends a step without hunks behind all others; does not move the position. */
+QnStep *qn_history_add_step (QnHistory *history, const char *name);
+
+#endif

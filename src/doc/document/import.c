@@ -1,0 +1,90 @@
+#include "doc/document/import.h"
+
+#include "doc/document/edit.h"
+#include <glib/gi18n.h>
+#include <string.h>
+
+static gboolean
+has_ending (const char *path, const char *const *endings)
+{
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  for (gsize i = 0; endings[i] != NULL; i++) {
+    if (g_str_has_suffix (lower, endings[i]))
+      return TRUE;
+  }
+  return FALSE;
+}
+
+gboolean
+qn_import_knows_file (const char *path)
+{
+  static const char *const endings[] = { ".dxf", ".svg", ".json", ".txt", NULL };
+  return has_ending (path, endings);
+}
+
+gboolean
+qn_import_is_picture (const char *path)
+{
+  static const char *const endings[] = { ".png", ".jpg",  ".jpeg", ".tif",
+                                         ".bmp", ".tiff", ".webp", NULL };
+  return has_ending (path, endings);
+}
+
+/* Names of a model's blocks; they live as long as the blocks. */
+static GHashTable *
+names_of (const QnModel *model)
+{
+  GHashTable *names = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  for (gsize i = 0; i < model->block_count; i++)
+    g_hash_table_add (names, g_strdup (model->blocks[i].name));
+  return names;
+}
+
+/* The name itself, or with the first number behind it that makes it new. */
+static char *
+dup_new_name (GHashTable *taken, const char *name)
+{
+  char *free_name = g_strdup (name);
+  for (guint i = 2; g_hash_table_contains (taken, free_name); i++) {
+    g_free (free_name);
+    free_name = g_strdup_printf ("%s-%u", name, i);
+  }
+  g_hash_table_add (taken, g_strdup (free_name));
+  return free_name;
+}
+
+static gboolean
+add_blocks (QnModel *model, gpointer data, GError **error)
+{
+  const QnModel *imported = data;
+  g_autoptr (GHashTable) taken = names_of (model);
+  for (gsize i = 0; i < imported->block_count; i++) {
+    const QnBlock *from = &imported->blocks[i];
+    g_autofree char *name = dup_new_name (taken, from->name);
+    QnBlock *block =
+      qn_model_add_block (model, name, qn_model_block_vertices (imported, (QnId) i),
+                          (gsize) from->vertex_count);
+    if (block == NULL)
+      return qn_edit_no_memory (error);
+    block->thickness = from->thickness;
+    block->unit_weight = from->unit_weight;
+    memcpy (block->support, from->support, sizeof block->support);
+  }
+  return TRUE;
+}
+
+gboolean
+qn_document_import (QnDocument *document, const QnProject *imported, GError **error)
+{
+  g_autofree char *base = g_path_get_basename (imported->name);
+  g_autofree char *step = g_strdup_printf (_ ("Import %s"), base);
+  if (qn_document_get_model (document)->block_count > 0)
+    return qn_document_edit (document, step, NULL, add_blocks,
+                             (gpointer) &imported->model, error);
+
+  /* What lies behind an empty drawing stays. */
+  QnProject draft = *imported;
+  draft.extras = qn_document_get_project (document)->extras;
+  g_autofree char *text = qn_project_to_text (&draft, NULL);
+  return qn_document_edit_text (document, step, text, error);
+}

@@ -1,0 +1,19 @@
+/* Drawings of other programs taken into a document, as one step that can be undone. */
+#ifndef QN_DOC_IMPORT_H
+#define QN_DOC_IMPORT_H
+
+#include "doc/document/document.h"
+
+/* Takes over what was imported: an empty drawing becomes it, with its laws and loads; to
+ * another its blocks are added, with their supports and names where these are free, and get the
+ * joints of the drawing. Refused, with the reason, where it would not be a valid model. */
+gboolean qn_document_import (QnDocument *document, const QnProject *imported,
+                             GError **error);
+
+/* Whether the program imports a file of that name, rather than opening it. */
+gboolean qn_import_knows_file (const char *path);
+
+/* Whether it is a picture that can lie behind a drawing. */
+gboolean qn_import_is_picture (const char *path);
+
+#endif

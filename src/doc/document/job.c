@@ -1,0 +1,363 @@
+#include "doc/document/job.h"
+
+#include "core/modal/modal.h"
+#include "core/path/analysis.h"
+#include "core/path/stability.h"
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+#include <pthread.h>
+
+#define PROGRESS_INTERVAL_MS 50
+
+struct _QnJob {
+  GObject parent_instance;
+
+  QnRun *run; /* filled by the thread; the job's until it is finished */
+  QnDiag diag;
+  GPtrArray *others; /* further runs, of QnRun; as the first one's */
+  guint mode_count;
+  gboolean loaded;
+  guint tick;
+  gboolean running, live;
+  GArray *shown; /* copy of `multipliers` for the main thread */
+
+  GThread *thread; /* joined before its run is handed out */
+
+  /* POSIX rather than GLib, so that thread checkers see the locks. */
+  pthread_mutex_t mutex; /* guards what follows */
+  pthread_cond_t resumed;
+  gboolean paused;
+  gboolean cancelled;
+  gboolean fresh;
+  QnProgress progress;
+  GArray *multipliers; /* of double */
+};
+
+G_DEFINE_FINAL_TYPE (QnJob, qn_job, G_TYPE_OBJECT)
+G_DEFINE_QUARK (qn - job - error - quark, qn_job_error)
+
+enum { SIGNAL_PROGRESS, SIGNAL_COUNT };
+static guint signals[SIGNAL_COUNT];
+
+static void
+qn_job_finalize (GObject *object)
+{
+  QnJob *self = QN_JOB (object);
+  g_clear_handle_id (&self->tick, g_source_remove);
+  g_clear_pointer (&self->others, g_ptr_array_unref);
+  g_clear_pointer (&self->run, qn_run_unref);
+  g_clear_pointer (&self->shown, g_array_unref);
+  g_clear_pointer (&self->multipliers, g_array_unref);
+  pthread_mutex_destroy (&self->mutex);
+  pthread_cond_destroy (&self->resumed);
+  G_OBJECT_CLASS (qn_job_parent_class)->finalize (object);
+}
+
+static void
+qn_job_class_init (QnJobClass *klass)
+{
+  G_OBJECT_CLASS (klass)->finalize = qn_job_finalize;
+  signals[SIGNAL_PROGRESS] = g_signal_new ("progress", QN_TYPE_JOB, G_SIGNAL_RUN_LAST, 0,
+                                           NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void
+qn_job_init (QnJob *self)
+{
+  self->shown = g_array_new (FALSE, FALSE, sizeof (double));
+  self->multipliers = g_array_new (FALSE, FALSE, sizeof (double));
+  pthread_mutex_init (&self->mutex, NULL);
+  pthread_cond_init (&self->resumed, NULL);
+}
+
+static void
+set_error (GError **error, const QnModel *model, const QnDiag *diag, QnStatus status)
+{
+  QnJobError code = QN_JOB_ERROR_INTERNAL;
+  if (status == QN_ERROR_NO_MEMORY)
+    code = QN_JOB_ERROR_NO_MEMORY;
+  else if (status == QN_ERROR_INVALID)
+    code = QN_JOB_ERROR_INVALID;
+  g_autofree char *message = qn_explain_diag (model, diag);
+  g_set_error_literal (error, QN_JOB_ERROR, (int) code, message);
+}
+
+QnJob *
+qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
+            GError **error)
+{
+  g_autoptr (QnJob) self = g_object_new (QN_TYPE_JOB, NULL);
+  self->run = qn_run_new (name, fingerprint);
+  QnStatus status = qn_model_copy (model, &self->run->model, &self->diag);
+  if (status != QN_OK) {
+    set_error (error, model, &self->diag, status);
+    return NULL;
+  }
+  return g_steal_pointer (&self);
+}
+
+void
+qn_job_set_live (QnJob *self, gboolean live)
+{
+  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL);
+  self->live = live;
+  self->run->live = live;
+}
+
+void
+qn_job_set_modes (QnJob *self, guint count, gboolean loaded)
+{
+  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL && count > 0);
+  self->run->kind = QN_RUN_MODE;
+  self->mode_count = count;
+  self->loaded = loaded;
+}
+
+void
+qn_job_set_stability (QnJob *self)
+{
+  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL);
+  self->run->kind = QN_RUN_STABILITY;
+}
+
+GPtrArray *
+qn_job_take_others (QnJob *self)
+{
+  return g_steal_pointer (&self->others);
+}
+
+gboolean
+qn_job_is_live (QnJob *self)
+{
+  return self->live;
+}
+
+/* In the thread, at least once per iteration. */
+static bool
+on_solver_progress (const QnProgress *progress, void *user_data)
+{
+  QnJob *self = user_data;
+  pthread_mutex_lock (&self->mutex);
+  while (self->paused && !self->cancelled)
+    pthread_cond_wait (&self->resumed, &self->mutex);
+  self->progress = *progress;
+  self->fresh = TRUE;
+  while (self->multipliers->len < (guint) MAX (progress->steps, 0))
+    g_array_append_val (self->multipliers, progress->multiplier);
+  bool go_on = !self->cancelled;
+  pthread_mutex_unlock (&self->mutex);
+  return go_on;
+}
+
+/* Makes a run show one of the modes. */
+static QnStatus
+take_mode (QnRun *run, const QnModes *modes, gsize number, gboolean loaded, QnDiag *diag)
+{
+  gsize row = (modes->block_count + modes->node_count) * QN_DOF_COUNT;
+  run->mode = (guint) number + 1;
+  run->mode_count = (guint) modes->count;
+  run->omega = modes->omega[number];
+  run->loaded = loaded;
+  return qn_result_set_mechanism (&run->result, modes->shapes + number * row,
+                                  run->model.characteristic_length, diag);
+}
+
+/* A result of the state alone that the structure vibrates about. */
+static QnStatus
+copy_state (const QnResult *from, QnResult *to, QnDiag *diag)
+{
+  QnStatus status = qn_result_init (to, from->block_count, 0, diag);
+  to->node_count = from->node_count;
+  to->outcome = from->outcome;
+  to->statistics = from->statistics;
+  if (status == QN_OK && from->step_count > 0
+      && !qn_result_add_step (to, from->steps[from->step_count - 1],
+                              qn_result_step_displacements (from, from->step_count - 1)))
+    return qn_diag_no_memory (diag);
+  return status;
+}
+
+static QnStatus
+split_modes (QnJob *self, const QnModes *modes)
+{
+  QnStatus status = take_mode (self->run, modes, 0, self->loaded, &self->diag);
+  self->others = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+  for (gsize i = 1; i < modes->count && status == QN_OK; i++) {
+    QnRun *run = qn_run_new_beside (self->run, self->run->name);
+    g_ptr_array_add (self->others, run);
+    status = copy_state (&self->run->result, &run->result, &self->diag);
+    if (status == QN_OK)
+      status = take_mode (run, modes, i, self->loaded, &self->diag);
+  }
+  return status;
+}
+
+static QnStatus
+solve_modes (QnJob *self)
+{
+  QnRun *run = self->run;
+  QnModes modes;
+  QnStatus status = qn_modal_run (
+    &run->model, &run->contacts, self->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
+    self->mode_count, on_solver_progress, self, &modes, &run->result, &self->diag);
+  if (status == QN_OK && modes.count > 0)
+    status = split_modes (self, &modes);
+  if (status == QN_OK && run->result.outcome == QN_OUTCOME_CANCELLED)
+    status = QN_ERROR_CANCELLED;
+  qn_modes_clear (&modes);
+  return status;
+}
+
+static QnStatus
+solve_kind (QnJob *self)
+{
+  QnRun *run = self->run;
+  switch (run->kind) {
+  case QN_RUN_MODE:
+    return solve_modes (self);
+  case QN_RUN_STABILITY:
+    return qn_stability_run (&run->model, &run->contacts, on_solver_progress, self,
+                             &run->result, &self->diag);
+  case QN_RUN_ANALYSIS:
+  case QN_RUN_KIND_COUNT:
+    break;
+  }
+  return qn_analysis_run (&run->model, &run->contacts, on_solver_progress, self,
+                          &run->result, &self->diag);
+}
+
+static QnStatus
+solve (QnJob *self)
+{
+  QnRun *run = self->run;
+  QnStatus status = qn_contacts_detect (&run->model, &run->contacts, &self->diag);
+  /* Free structures vibrate too. */
+  if (status == QN_OK && run->kind != QN_RUN_MODE)
+    status = qn_contacts_require_sound (&run->model, &run->contacts, &self->diag);
+  return status == QN_OK ? solve_kind (self) : status;
+}
+
+static gpointer
+run_in_thread (gpointer data)
+{
+  g_autoptr (GTask) task = data;
+  QnJob *self = g_task_get_source_object (task);
+  QnStatus status = solve (self);
+  if (status == QN_OK) {
+    g_task_return_pointer (task, qn_run_ref (self->run), (GDestroyNotify) qn_run_unref);
+  } else if (status == QN_ERROR_CANCELLED) {
+    g_task_return_new_error (task, G_IO_ERROR, G_IO_ERROR_CANCELLED, "%s",
+                             _ ("The analysis was cancelled before its first step"));
+  } else {
+    GError *error = NULL;
+    set_error (&error, &self->run->model, &self->diag, status);
+    g_task_return_error (task, error);
+  }
+  return NULL;
+}
+
+static gboolean
+on_tick (gpointer data)
+{
+  QnJob *self = data;
+  pthread_mutex_lock (&self->mutex);
+  gboolean fresh = self->fresh;
+  self->fresh = FALSE;
+  guint have = self->shown->len;
+  if (self->multipliers->len > have)
+    g_array_append_vals (self->shown, &g_array_index (self->multipliers, double, have),
+                         self->multipliers->len - have);
+  pthread_mutex_unlock (&self->mutex);
+  if (fresh)
+    g_signal_emit (self, signals[SIGNAL_PROGRESS], 0);
+  return G_SOURCE_CONTINUE;
+}
+
+static void
+on_task_completed (GTask *task, GParamSpec *pspec, QnJob *self)
+{
+  (void) task;
+  (void) pspec;
+  self->running = FALSE;
+  g_clear_handle_id (&self->tick, g_source_remove);
+}
+
+void
+qn_job_start (QnJob *self, GAsyncReadyCallback callback, gpointer user_data)
+{
+  g_return_if_fail (QN_IS_JOB (self) && !self->running && self->tick == 0);
+
+  g_autoptr (GTask) task = g_task_new (self, NULL, callback, user_data);
+  g_signal_connect_object (task, "notify::completed", G_CALLBACK (on_task_completed),
+                           self, 0);
+  self->running = TRUE;
+  self->tick = g_timeout_add (PROGRESS_INTERVAL_MS, on_tick, self);
+  self->thread = g_thread_new ("analysis", run_in_thread, g_steal_pointer (&task));
+}
+
+QnRun *
+qn_job_finish (QnJob *self, GAsyncResult *result, GError **error)
+{
+  g_return_val_if_fail (g_task_is_valid (result, self), NULL);
+  self->running = FALSE;
+  g_clear_handle_id (&self->tick, g_source_remove);
+  g_clear_pointer (&self->thread, g_thread_join);
+  return g_task_propagate_pointer (G_TASK (result), error);
+}
+
+void
+qn_job_cancel (QnJob *self)
+{
+  g_return_if_fail (QN_IS_JOB (self));
+  pthread_mutex_lock (&self->mutex);
+  self->cancelled = TRUE;
+  pthread_cond_signal (&self->resumed);
+  pthread_mutex_unlock (&self->mutex);
+}
+
+void
+qn_job_set_paused (QnJob *self, gboolean paused)
+{
+  g_return_if_fail (QN_IS_JOB (self));
+  pthread_mutex_lock (&self->mutex);
+  self->paused = paused;
+  pthread_cond_signal (&self->resumed);
+  pthread_mutex_unlock (&self->mutex);
+}
+
+gboolean
+qn_job_is_paused (QnJob *self)
+{
+  pthread_mutex_lock (&self->mutex);
+  gboolean paused = self->paused;
+  pthread_mutex_unlock (&self->mutex);
+  return paused;
+}
+
+gboolean
+qn_job_is_running (QnJob *self)
+{
+  return self->running;
+}
+
+QnProgress
+qn_job_get_progress (QnJob *self)
+{
+  pthread_mutex_lock (&self->mutex);
+  QnProgress progress = self->progress;
+  pthread_mutex_unlock (&self->mutex);
+  return progress;
+}
+
+const double *
+qn_job_get_multipliers (QnJob *self, gsize *count)
+{
+  *count = self->shown->len;
+  return (const double *) self->shown->data;
+}
+
+const QnDiag *
+qn_job_get_diag (QnJob *self)
+{
+  return &self->diag;
+}

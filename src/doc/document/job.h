@@ -1,0 +1,73 @@
+/* A background analysis: a frozen copy of the model, solved in a thread of its own.
+ *
+ * The job copies what it needs when it is made, so the document may be edited meanwhile. Its
+ * progress is reported on the main context of the thread that started it, at most twenty
+ * times a second. All functions are for that thread.
+ */
+#ifndef QN_DOC_JOB_H
+#define QN_DOC_JOB_H
+
+#include "core/base/progress.h"
+#include "doc/document/run.h"
+#include <gio/gio.h>
+
+#define QN_TYPE_JOB (qn_job_get_type ())
+G_DECLARE_FINAL_TYPE (QnJob, qn_job, QN, JOB, GObject)
+
+/* Freezes a prepared model. NULL when memory runs out.
+ *
+ * name: of the run to be; fingerprint: of the document's model, handed on to the run. */
+QnJob *qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
+                   GError **error);
+
+/* Its run is to be replaced by that of the next such job; before it is started. */
+void qn_job_set_live (QnJob *job, gboolean live);
+gboolean qn_job_is_live (QnJob *job);
+
+/* Asks for the lowest modes of small vibrations, `count` of them, or for the load under which the
+ * structure loses its stability; before it is started. */
+void qn_job_set_modes (QnJob *job, guint count, gboolean loaded);
+void qn_job_set_stability (QnJob *job);
+
+/* Starts the thread. `callback` is called once, on the starting thread's main context, when
+ * the analysis has ended in whatever way. A job is started only once. */
+void qn_job_start (QnJob *job, GAsyncReadyCallback callback, gpointer user_data);
+
+/* The run, or NULL with an error when the model cannot be analysed. A cancelled analysis
+ * that has converged steps is a run whose outcome says so; one without is
+ * G_IO_ERROR_CANCELLED. The caller owns the run. */
+QnRun *qn_job_finish (QnJob *job, GAsyncResult *result, GError **error);
+
+/* Further runs of the same analysis, of QnRun: the second mode and those behind it. To be called
+ * once, after qn_job_finish(); NULL where there are none. */
+GPtrArray *qn_job_take_others (QnJob *job);
+
+/* Asks the analysis to end soon; what has converged is kept. */
+void qn_job_cancel (QnJob *job);
+
+/* Holds the analysis at its next iteration, or lets it go on. */
+void qn_job_set_paused (QnJob *job, gboolean paused);
+gboolean qn_job_is_paused (QnJob *job);
+gboolean qn_job_is_running (QnJob *job);
+
+/* Emitted as "progress" (no arguments); this is what it was about. */
+QnProgress qn_job_get_progress (QnJob *job);
+
+/* Multipliers reached after each converged step so far, for the live curve; the array
+ * belongs to the job and is valid until control returns to the main loop. */
+const double *qn_job_get_multipliers (QnJob *job, gsize *count);
+
+/* Errors of qn_job_finish() and qn_job_new(): the core's problem as an error. */
+#define QN_JOB_ERROR (qn_job_error_quark ())
+GQuark qn_job_error_quark (void);
+
+typedef enum {
+  QN_JOB_ERROR_NO_MEMORY,
+  QN_JOB_ERROR_INVALID,
+  QN_JOB_ERROR_INTERNAL
+} QnJobError;
+
+/* What stopped the analysis, for marking the place; valid after a failed finish. */
+const QnDiag *qn_job_get_diag (QnJob *job);
+
+#endif

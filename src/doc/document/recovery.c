@@ -1,0 +1,136 @@
+#include "doc/document/recovery.h"
+
+#include <errno.h>
+#include <glib/gstdio.h>
+#include <signal.h>
+#include <string.h>
+#include <unistd.h>
+
+#define DELAY_SECONDS 2
+
+struct QnRecovery {
+  QnDocument *document;
+  char *path;
+  guint timeout;
+};
+
+char *
+qn_recovery_dup_folder (void)
+{
+  return g_build_filename (g_get_user_state_dir (), "quoin", "recovery", NULL);
+}
+
+/* First line: the file it belongs to, escaped; then the text. */
+static void
+write_file (QnRecovery *recovery)
+{
+  g_autofree char *folder = qn_recovery_dup_folder ();
+  const char *original = qn_document_get_path (recovery->document);
+  g_autofree char *escaped = g_strescape (original != NULL ? original : "", NULL);
+  g_autofree char *content =
+    g_strdup_printf ("%s\n%s", escaped, qn_document_get_text (recovery->document));
+  g_autoptr (GError) error = NULL;
+  if (g_mkdir_with_parents (folder, 0700) != 0
+      || !g_file_set_contents (recovery->path, content, -1, &error))
+    g_info ("recovery file not written: %s",
+            error != NULL ? error->message : g_strerror (errno));
+}
+
+static gboolean
+on_timeout (gpointer data)
+{
+  QnRecovery *recovery = data;
+  recovery->timeout = 0;
+  write_file (recovery);
+  return G_SOURCE_REMOVE;
+}
+
+static void
+on_history_changed (QnDocument *document, gpointer data)
+{
+  QnRecovery *recovery = data;
+  g_clear_handle_id (&recovery->timeout, g_source_remove);
+  if (qn_document_is_modified (document))
+    recovery->timeout = g_timeout_add_seconds (DELAY_SECONDS, on_timeout, recovery);
+  else
+    g_unlink (recovery->path);
+}
+
+QnRecovery *
+qn_recovery_watch (QnDocument *document)
+{
+  QnRecovery *recovery = g_new0 (QnRecovery, 1);
+  recovery->document = g_object_ref (document);
+  g_autofree char *folder = qn_recovery_dup_folder ();
+  g_autofree char *unique = g_uuid_string_random ();
+  g_autofree char *name = g_strdup_printf ("%d-%s.recovery", (int) getpid (), unique);
+  recovery->path = g_build_filename (folder, name, NULL);
+  g_signal_connect (document, "history-changed", G_CALLBACK (on_history_changed),
+                    recovery);
+  return recovery;
+}
+
+void
+qn_recovery_flush (QnRecovery *recovery)
+{
+  if (recovery->timeout == 0)
+    return;
+  g_clear_handle_id (&recovery->timeout, g_source_remove);
+  write_file (recovery);
+}
+
+void
+qn_recovery_end (QnRecovery *recovery)
+{
+  if (recovery == NULL)
+    return;
+  g_clear_handle_id (&recovery->timeout, g_source_remove);
+  g_signal_handlers_disconnect_by_data (recovery->document, recovery);
+  g_unlink (recovery->path);
+  g_object_unref (recovery->document);
+  g_free (recovery->path);
+  g_free (recovery);
+}
+
+/* Whether the program that wrote it still runs. */
+static gboolean
+is_in_use (const char *name)
+{
+  gint64 pid = g_ascii_strtoll (name, NULL, 10);
+  return pid == getpid () || (pid > 0 && (kill ((pid_t) pid, 0) == 0 || errno == EPERM));
+}
+
+GPtrArray *
+qn_recovery_list (void)
+{
+  GPtrArray *paths = g_ptr_array_new_with_free_func (g_free);
+  g_autofree char *folder = qn_recovery_dup_folder ();
+  g_autoptr (GDir) dir = g_dir_open (folder, 0, NULL);
+  const char *name;
+  while (dir != NULL && (name = g_dir_read_name (dir)) != NULL) {
+    if (g_str_has_suffix (name, ".recovery") && !is_in_use (name))
+      g_ptr_array_add (paths, g_build_filename (folder, name, NULL));
+  }
+  return paths;
+}
+
+gboolean
+qn_recovery_read (const char *recovery_path, char **text, char **original, GError **error)
+{
+  g_autofree char *content = NULL;
+  if (!g_file_get_contents (recovery_path, &content, NULL, error))
+    return FALSE;
+  char *newline = strchr (content, '\n');
+  if (newline != NULL)
+    *newline = '\0';
+  g_autofree char *file = g_strcompress (content);
+  *original = *file != '\0' ? g_steal_pointer (&file) : NULL;
+  *text = g_strdup (newline != NULL ? newline + 1 : "");
+  return TRUE;
+}
+
+void
+qn_recovery_remove (const char *recovery_path)
+{
+  g_unlink (recovery_path);
+}

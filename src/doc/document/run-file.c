@@ -1,0 +1,153 @@
+#include "doc/document/run-file.h"
+
+#include "doc/document/digest.h"
+#include "doc/document/document-private.h"
+#include "doc/document/edit.h"
+#include "doc/text/explain.h"
+#include "io/project/project-names.h"
+#include "io/result/result-file.h"
+#include <glib/gi18n.h>
+#include <string.h>
+
+static gboolean
+refuse (GError **error, const char *reason)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, reason);
+  return FALSE;
+}
+
+/* ---- writing ---- */
+
+/* What tells the run's settings from the project's, as `--set` would. NULL where nothing does. */
+static char **
+dup_overrides (const QnAnalysisSettings *own, const QnAnalysisSettings *projects)
+{
+  if (own->procedure == projects->procedure && own->flow == projects->flow)
+    return NULL;
+  char *overrides[] = {
+    g_strdup_printf ("analysis.procedure=%s",
+                     qn_name_of_procedure ((int) own->procedure)),
+    g_strdup_printf ("analysis.flow=%s", qn_name_of_flow ((int) own->flow)), NULL
+  };
+  return g_memdup2 (overrides, sizeof overrides);
+}
+
+gboolean
+qn_document_write_result (QnDocument *self, const QnRun *run, const char *path,
+                          GError **error)
+{
+  if (run->kind != QN_RUN_ANALYSIS)
+    return refuse (error, _ ("Only load paths and limit analyses have result files"));
+  if (qn_document_is_stale (self, run))
+    return refuse (error, _ ("The model has changed since this run: solve it again, or "
+                             "undo the changes, before its result is kept"));
+  QnProject project = self->project;
+  g_auto (GStrv) overrides =
+    dup_overrides (&run->model.analysis, &self->project.model.analysis);
+  project.model = run->model;
+  if (overrides != NULL)
+    project.overrides = overrides;
+  if (self->path != NULL)
+    project.name = self->path;
+  return qn_result_file_write (path, &project, &run->contacts, &run->result, error);
+}
+
+/* ---- reading ---- */
+
+/* Bytes within which the format is named. */
+#define HEAD_BYTES 256
+
+gboolean
+qn_is_result_file (const char *path)
+{
+  char head[HEAD_BYTES];
+  gsize length = 0;
+  g_autoptr (GFile) file = g_file_new_for_path (path);
+  g_autoptr (GFileInputStream) stream = g_file_read (file, NULL, NULL);
+  return stream != NULL
+         && g_input_stream_read_all (G_INPUT_STREAM (stream), head, sizeof head, &length,
+                                     NULL, NULL)
+         && g_strstr_len (head, (gssize) length, "\"quoin-result\"") != NULL;
+}
+
+/* The project as the result was computed with. Cleared by the caller. */
+static gboolean
+read_project (QnDocument *self, const QnResultFile *file, QnProject *project,
+              GError **error)
+{
+  const char *name = self->path != NULL ? self->path : _ ("Untitled");
+  return qn_project_parse (self->text, strlen (self->text), name,
+                           (const char *const *) file->overrides, project, error);
+}
+
+static gboolean
+fill_contacts (QnRun *run, GError **error)
+{
+  QnDiag diag = { 0 };
+  if (qn_contacts_detect (&run->model, &run->contacts, &diag) == QN_OK)
+    return TRUE;
+  g_autofree char *message = qn_explain_diag (&run->model, &diag);
+  return refuse (error, message);
+}
+
+/* Procedures that are asked for in passing are no change of the model. */
+static gboolean
+changes_model (const QnResultFile *file)
+{
+  for (char **o = file->overrides; o != NULL && *o != NULL; o++)
+    if (!g_str_has_prefix (*o, "analysis.procedure=")
+        && !g_str_has_prefix (*o, "analysis.flow="))
+      return TRUE;
+  return FALSE;
+}
+
+/* A digest that no model has stands for another state of the project. */
+static const char *
+fingerprint_of (QnDocument *self, const QnResultFile *file)
+{
+  gboolean same = g_strcmp0 (file->model_sha256, self->project.sha256) == 0
+                  || (!qn_document_is_modified (self)
+                      && g_strcmp0 (file->model_sha256, self->file_digest) == 0);
+  return same && !changes_model (file) ? qn_document_get_fingerprint (self)
+                                       : file->model_sha256;
+}
+
+/* A run of what the file says; `file` gives its result away. */
+static QnRun *
+make_run (QnDocument *self, QnResultFile *file, const char *path, GError **error)
+{
+  QnProject project;
+  if (!read_project (self, file, &project, error))
+    return NULL;
+  g_autofree char *name = g_path_get_basename (path);
+  g_autoptr (QnRun) run = qn_run_new (name, fingerprint_of (self, file));
+  run->model = project.model; /* given away */
+  project.model = (QnModel){ 0 };
+  qn_project_clear (&project);
+
+  QnProject solved = self->project;
+  solved.model = run->model;
+  if (!fill_contacts (run, error)
+      || !qn_result_file_match (file, path, &solved, &run->contacts, NULL, error))
+    return NULL;
+  run->result = file->result;
+  file->result = (QnResult){ 0 };
+  return g_steal_pointer (&run);
+}
+
+gboolean
+qn_document_open_result (QnDocument *self, const char *path, GError **error)
+{
+  QnResultFile file;
+  if (self->project.model.block_count == 0 && self->project.model.beam_count == 0)
+    return refuse (error, _ ("Open the project that the result belongs to first"));
+  if (!qn_result_file_read (path, &file, error))
+    return FALSE;
+  g_autoptr (QnRun) run = make_run (self, &file, path, error);
+  qn_result_file_clear (&file);
+  if (run == NULL)
+    return FALSE;
+  g_ptr_array_add (self->runs, qn_run_ref (run));
+  qn_document_set_run (self, run);
+  return TRUE;
+}

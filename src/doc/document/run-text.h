@@ -1,0 +1,20 @@
+/* Runs in words: what was asked, and what came of it. */
+#ifndef QN_DOC_RUN_TEXT_H
+#define QN_DOC_RUN_TEXT_H
+
+#include "doc/document/run.h"
+
+/* "Run 1, load control: 0.3558", "Run 2, modes: mode 1, 12.3 Hz". The caller frees it. */
+char *qn_run_dup_title (const QnRun *run);
+
+/* The outcome in one or two sentences. The caller frees it. */
+char *qn_run_dup_explanation (const QnRun *run);
+
+/* The mechanism in words, NULL where there is none, and of modes and buckling, in which nothing
+ * slides or opens. The caller frees it. */
+char *qn_run_dup_mechanism (const QnRun *run);
+
+/* Whether it followed a path that has a curve. */
+gboolean qn_run_has_curve (const QnRun *run);
+
+#endif

@@ -1,0 +1,47 @@
+/* One analysis that has been run: the frozen model, its contacts and the result.
+ *
+ * Immutable and reference counted, so it may be read from any thread and outlives the
+ * document's further edits: pictures of a stale result still show the wall that was solved.
+ */
+#ifndef QN_DOC_RUN_H
+#define QN_DOC_RUN_H
+
+#include "core/contact/contacts.h"
+#include "core/model/model.h"
+#include "core/result/result.h"
+#include <glib-object.h>
+
+/* What has been asked. */
+typedef enum {
+  QN_RUN_ANALYSIS,  /* what the settings of the analysis say */
+  QN_RUN_STABILITY, /* where the path loses its stability (core/path/stability.h) */
+  QN_RUN_MODE, /* one mode of small vibrations (core/modal/modal.h), as the mechanism */
+  QN_RUN_KIND_COUNT
+} QnRunKind;
+
+typedef struct QnRun {
+  QnRunKind kind;
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+  guint mode;       /* MODE: its number, from 1, */
+  guint mode_count; /* of so many */
+  double omega;     /* MODE: rad/s; 0: a rigid motion */
+  gboolean
+    loaded; /* MODE: about the last equilibrium of the analysis, not the dead load's */
+  struct QnRun *base; /* holds model and contacts of this one, or NULL */
+  char *name;         /* what the user calls it, owned */
+  gboolean live;      /* replaced by the next live one */
+  char *fingerprint;  /* digest of the document's model when it was frozen, owned */
+} QnRun;
+
+/* A run with empty members that the caller fills before sharing it. */
+QnRun *qn_run_new (const char *name, const char *fingerprint);
+/* Another one of the same model and contacts, which are shared. */
+QnRun *qn_run_new_beside (QnRun *base, const char *name);
+QnRun *qn_run_ref (QnRun *run);
+void qn_run_unref (QnRun *run);
+
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnRun, qn_run_unref)
+
+#endif

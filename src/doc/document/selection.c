@@ -1,0 +1,444 @@
+#include "doc/document/selection.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Faces whose directions or lines differ by less belong together, relative to 1 and to their
+ * length. */
+#define SAME_LINE 1e-6
+
+struct _QnSelection {
+  GObject parent_instance;
+  GArray *blocks; /* of QnId, ascending */
+  GArray *beams;  /* of QnId, ascending */
+  GArray *faces;  /* of QnId, ascending */
+  QnId object;    /* of the opening, or QN_NONE */
+  int opening;
+};
+
+G_DEFINE_FINAL_TYPE (QnSelection, qn_selection, G_TYPE_OBJECT)
+
+enum { SIGNAL_CHANGED, SIGNAL_COUNT };
+static guint signals[SIGNAL_COUNT];
+
+static void
+qn_selection_finalize (GObject *object)
+{
+  g_array_unref (QN_SELECTION (object)->blocks);
+  g_array_unref (QN_SELECTION (object)->beams);
+  g_array_unref (QN_SELECTION (object)->faces);
+  G_OBJECT_CLASS (qn_selection_parent_class)->finalize (object);
+}
+
+static void
+qn_selection_class_init (QnSelectionClass *klass)
+{
+  G_OBJECT_CLASS (klass)->finalize = qn_selection_finalize;
+  signals[SIGNAL_CHANGED] = g_signal_new ("changed", QN_TYPE_SELECTION, G_SIGNAL_RUN_LAST,
+                                          0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void
+qn_selection_init (QnSelection *self)
+{
+  self->blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
+  self->beams = g_array_new (FALSE, FALSE, sizeof (QnId));
+  self->faces = g_array_new (FALSE, FALSE, sizeof (QnId));
+  self->object = QN_NONE;
+}
+
+QnSelection *
+qn_selection_new (void)
+{
+  return g_object_new (QN_TYPE_SELECTION, NULL);
+}
+
+static void
+emit_changed (QnSelection *self)
+{
+  g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
+}
+
+static int
+compare_ids (gconstpointer a, gconstpointer b)
+{
+  QnId x = *(const QnId *) a, y = *(const QnId *) b;
+  return (x > y) - (x < y);
+}
+
+gboolean
+qn_selection_has_block (QnSelection *self, QnId block)
+{
+  return g_array_binary_search (self->blocks, &block, compare_ids, NULL);
+}
+
+const QnId *
+qn_selection_get_blocks (QnSelection *self, guint *count)
+{
+  *count = self->blocks->len;
+  return (const QnId *) self->blocks->data;
+}
+
+gboolean
+qn_selection_is_empty (QnSelection *self)
+{
+  return self->blocks->len == 0 && self->beams->len == 0 && self->faces->len == 0
+         && self->object == QN_NONE;
+}
+
+void
+qn_selection_clear (QnSelection *self)
+{
+  qn_selection_set_blocks (self, NULL, 0);
+}
+
+/* Ascending, each once. */
+static void
+sort_ids (GArray *ids)
+{
+  g_array_sort (ids, compare_ids);
+  guint kept = 0;
+  for (guint i = 0; i < ids->len; i++) {
+    QnId id = g_array_index (ids, QnId, i);
+    if (kept == 0 || g_array_index (ids, QnId, kept - 1) != id)
+      g_array_index (ids, QnId, kept++) = id;
+  }
+  g_array_set_size (ids, kept);
+}
+
+static gboolean
+same_ids (const GArray *a, const GArray *b)
+{
+  return a->len == b->len
+         && (a->len == 0 || memcmp (a->data, b->data, a->len * sizeof (QnId)) == 0);
+}
+
+/* Takes over the lists. */
+static void
+replace (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces, QnId object,
+         int opening)
+{
+  sort_ids (blocks);
+  sort_ids (beams);
+  sort_ids (faces);
+  gboolean same = same_ids (blocks, self->blocks) && same_ids (beams, self->beams)
+                  && same_ids (faces, self->faces) && object == self->object
+                  && opening == self->opening;
+  g_array_unref (self->blocks);
+  g_array_unref (self->beams);
+  g_array_unref (self->faces);
+  self->blocks = blocks;
+  self->beams = beams;
+  self->faces = faces;
+  self->object = object;
+  self->opening = opening;
+  if (!same)
+    emit_changed (self);
+}
+
+static GArray *
+new_ids (void)
+{
+  return g_array_new (FALSE, FALSE, sizeof (QnId));
+}
+
+static GArray *
+ids_with (GArray *ids, const QnId *more, guint count)
+{
+  if (count > 0)
+    g_array_append_vals (ids, more, count);
+  return ids;
+}
+
+/* In the list or out of it. */
+static GArray *
+ids_toggled (GArray *ids, QnId id)
+{
+  GArray *copy = g_array_copy (ids);
+  guint at = 0;
+  if (g_array_binary_search (copy, &id, compare_ids, &at))
+    g_array_remove_index (copy, at);
+  else
+    g_array_append_val (copy, id);
+  return copy;
+}
+
+/* Takes over both lists. */
+static void
+replace_bodies (QnSelection *self, GArray *blocks, GArray *beams)
+{
+  replace (self, blocks, beams, new_ids (), QN_NONE, 0);
+}
+
+static void
+replace_faces (QnSelection *self, GArray *faces)
+{
+  replace (self, new_ids (), new_ids (), faces, QN_NONE, 0);
+}
+
+void
+qn_selection_set_blocks (QnSelection *self, const QnId *blocks, guint count)
+{
+  replace_bodies (self, ids_with (new_ids (), blocks, count), new_ids ());
+}
+
+void
+qn_selection_add_blocks (QnSelection *self, const QnId *blocks, guint count)
+{
+  replace_bodies (self, ids_with (g_array_copy (self->blocks), blocks, count),
+                  g_array_copy (self->beams));
+}
+
+void
+qn_selection_toggle_block (QnSelection *self, QnId block)
+{
+  replace_bodies (self, ids_toggled (self->blocks, block), g_array_copy (self->beams));
+}
+
+gboolean
+qn_selection_has_beam (QnSelection *self, QnId beam)
+{
+  return g_array_binary_search (self->beams, &beam, compare_ids, NULL);
+}
+
+const QnId *
+qn_selection_get_beams (QnSelection *self, guint *count)
+{
+  *count = self->beams->len;
+  return (const QnId *) self->beams->data;
+}
+
+void
+qn_selection_set_beams (QnSelection *self, const QnId *beams, guint count)
+{
+  replace_bodies (self, new_ids (), ids_with (new_ids (), beams, count));
+}
+
+void
+qn_selection_add_beams (QnSelection *self, const QnId *beams, guint count)
+{
+  replace_bodies (self, g_array_copy (self->blocks),
+                  ids_with (g_array_copy (self->beams), beams, count));
+}
+
+void
+qn_selection_toggle_beam (QnSelection *self, QnId beam)
+{
+  replace_bodies (self, g_array_copy (self->blocks), ids_toggled (self->beams, beam));
+}
+
+void
+qn_selection_set_face (QnSelection *self, QnId face)
+{
+  qn_selection_set_faces (self, &face, face != QN_NONE);
+}
+
+QnId
+qn_selection_get_face (QnSelection *self)
+{
+  return self->faces->len > 0 ? g_array_index (self->faces, QnId, 0) : QN_NONE;
+}
+
+const QnId *
+qn_selection_get_faces (QnSelection *self, guint *count)
+{
+  *count = self->faces->len;
+  return (const QnId *) self->faces->data;
+}
+
+void
+qn_selection_set_faces (QnSelection *self, const QnId *faces, guint count)
+{
+  replace_faces (self, ids_with (new_ids (), faces, count));
+}
+
+void
+qn_selection_add_faces (QnSelection *self, const QnId *faces, guint count)
+{
+  replace_faces (self, ids_with (g_array_copy (self->faces), faces, count));
+}
+
+void
+qn_selection_toggle_face (QnSelection *self, QnId face)
+{
+  replace_faces (self, ids_toggled (self->faces, face));
+}
+
+void
+qn_selection_set_opening (QnSelection *self, QnId object, int opening)
+{
+  replace (self, new_ids (), new_ids (), new_ids (), object,
+           object != QN_NONE ? opening : 0);
+}
+
+gboolean
+qn_selection_get_opening (QnSelection *self, QnId *object, int *opening)
+{
+  *object = self->object;
+  *opening = self->opening;
+  return self->object != QN_NONE;
+}
+
+/* ---- what belongs together ---- */
+
+typedef gboolean (*BlockTest) (const QnModel *model, QnId candidate, QnId block);
+
+static void
+select_matching (QnSelection *self, const QnModel *model, QnId block, BlockTest test)
+{
+  GArray *blocks = new_ids ();
+  for (QnId i = 0; i < (QnId) model->block_count; i++) {
+    if (test (model, i, block))
+      g_array_append_val (blocks, i);
+  }
+  replace_bodies (self, blocks, new_ids ());
+}
+
+void
+qn_selection_select_all (QnSelection *self, const QnModel *model)
+{
+  GArray *blocks = new_ids (), *beams = new_ids ();
+  for (QnId i = 0; i < (QnId) model->block_count; i++)
+    g_array_append_val (blocks, i);
+  for (QnId i = 0; i < (QnId) model->beam_count; i++)
+    g_array_append_val (beams, i);
+  replace_bodies (self, blocks, beams);
+}
+
+/* Wall blocks are named <wall>.<course>.<position>: those of a course share what precedes the
+ * last dot. */
+static gboolean
+same_course (const QnModel *model, QnId candidate, QnId block)
+{
+  const QnBlock *a = &model->blocks[candidate], *b = &model->blocks[block];
+  if (candidate == block)
+    return TRUE;
+  if (a->wall != b->wall || a->masonry != b->masonry
+      || (b->wall == QN_NONE && b->masonry == QN_NONE))
+    return FALSE;
+  const char *dot_a = strrchr (a->name, '.'), *dot_b = strrchr (b->name, '.');
+  if (dot_a == NULL || dot_b == NULL)
+    return FALSE;
+  gsize length = (gsize) (dot_b - b->name);
+  return (gsize) (dot_a - a->name) == length && memcmp (a->name, b->name, length) == 0;
+}
+
+static gboolean
+same_wall (const QnModel *model, QnId candidate, QnId block)
+{
+  const QnBlock *a = &model->blocks[candidate], *b = &model->blocks[block];
+  return candidate == block || (b->wall != QN_NONE && a->wall == b->wall)
+         || (b->masonry != QN_NONE && a->masonry == b->masonry);
+}
+
+static gboolean
+same_law (const QnModel *model, QnId candidate, QnId block)
+{
+  return model->blocks[candidate].law == model->blocks[block].law;
+}
+
+void
+qn_selection_select_course (QnSelection *self, const QnModel *model, QnId block)
+{
+  select_matching (self, model, block, same_course);
+}
+
+void
+qn_selection_select_wall (QnSelection *self, const QnModel *model, QnId block)
+{
+  select_matching (self, model, block, same_wall);
+}
+
+void
+qn_selection_select_same_law (QnSelection *self, const QnModel *model, QnId block)
+{
+  select_matching (self, model, block, same_law);
+}
+
+static gboolean
+are_alike (const QnContactFace *a, const QnContactFace *b, QnFaceLikeness likeness)
+{
+  if (likeness == QN_LIKE_LAW)
+    return (a->law_a == b->law_a && a->law_b == b->law_b)
+           || (a->law_a == b->law_b && a->law_b == b->law_a);
+  if (fabs (qn_vec2_cross (a->tangent, b->tangent)) > SAME_LINE)
+    return FALSE;
+  double off = qn_vec2_dot (a->normal, qn_vec2_sub (b->start, a->start));
+  return likeness == QN_LIKE_DIRECTION
+         || fabs (off) <= SAME_LINE * (a->length + b->length);
+}
+
+void
+qn_selection_select_faces_like (QnSelection *self, const QnContacts *contacts, QnId face,
+                                QnFaceLikeness likeness)
+{
+  GArray *faces = new_ids ();
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
+    if (i == face || are_alike (&contacts->faces[face], &contacts->faces[i], likeness))
+      g_array_append_val (faces, i);
+  }
+  replace_faces (self, faces);
+}
+
+/* ---- across edits ---- */
+
+static QnVec2
+middle (const QnContactFace *face)
+{
+  return qn_vec2_lerp (face->start, face->end, 0.5);
+}
+
+/* The face between blocks of the same names that is nearest to where it was. */
+static QnId
+follow_face (const QnModel *before, const QnContactFace *face, const QnModel *after,
+             const QnContacts *contacts)
+{
+  QnId a = qn_model_find_block (after, before->blocks[face->a].name);
+  QnId b = qn_model_find_block (after, before->blocks[face->b].name);
+  QnId best = QN_NONE;
+  double nearest = INFINITY;
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
+    const QnContactFace *other = &contacts->faces[i];
+    if (!(other->a == a && other->b == b) && !(other->a == b && other->b == a))
+      continue;
+    double distance = qn_vec2_length (qn_vec2_sub (middle (other), middle (face)));
+    if (distance < nearest) {
+      nearest = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+void
+qn_selection_follow (QnSelection *self, const QnModel *before,
+                     const QnContacts *contacts_before, const QnModel *after,
+                     const QnContacts *contacts_after)
+{
+  GArray *blocks = new_ids (), *beams = new_ids (), *faces = new_ids ();
+  for (guint i = 0; i < self->beams->len; i++) {
+    QnId old = g_array_index (self->beams, QnId, i);
+    QnId id = (gsize) old < before->beam_count
+                ? qn_model_find_beam (after, before->beams[old].name)
+                : QN_NONE;
+    if (id != QN_NONE)
+      g_array_append_val (beams, id);
+  }
+  for (guint i = 0; i < self->blocks->len; i++) {
+    QnId old = g_array_index (self->blocks, QnId, i);
+    if ((gsize) old >= before->block_count)
+      continue;
+    QnId id = qn_model_find_block (after, before->blocks[old].name);
+    if (id != QN_NONE)
+      g_array_append_val (blocks, id);
+  }
+  for (guint i = 0; i < self->faces->len; i++) {
+    QnId old = g_array_index (self->faces, QnId, i);
+    if ((gsize) old >= contacts_before->face_count)
+      continue;
+    QnId id = follow_face (before, &contacts_before->faces[old], after, contacts_after);
+    if (id != QN_NONE)
+      g_array_append_val (faces, id);
+  }
+  replace (self, blocks, beams, faces, self->object, self->opening);
+}

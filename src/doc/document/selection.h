@@ -1,0 +1,79 @@
+/* What is selected: blocks and beams, or contact faces, or an opening of parametric masonry.
+ *
+ * Blocks and beams are remembered by name across edits, because their numbers change, and faces by
+ * the names of their blocks and their place. Emits "changed".
+ */
+#ifndef QN_DOC_SELECTION_H
+#define QN_DOC_SELECTION_H
+
+#include "core/contact/contacts.h"
+#include <glib-object.h>
+
+#define QN_TYPE_SELECTION (qn_selection_get_type ())
+G_DECLARE_FINAL_TYPE (QnSelection, qn_selection, QN, SELECTION, GObject)
+
+/* Nothing selected. */
+QnSelection *qn_selection_new (void);
+
+gboolean qn_selection_has_block (QnSelection *selection, QnId block);
+/* Numbers of the selected blocks, ascending; borrowed. */
+const QnId *qn_selection_get_blocks (QnSelection *selection, guint *count);
+
+gboolean qn_selection_is_empty (QnSelection *selection);
+void qn_selection_clear (QnSelection *selection);
+/* These blocks and nothing else. */
+void qn_selection_set_blocks (QnSelection *selection, const QnId *blocks, guint count);
+/* These blocks beside the blocks and beams that are selected. */
+void qn_selection_add_blocks (QnSelection *selection, const QnId *blocks, guint count);
+void qn_selection_toggle_block (QnSelection *selection, QnId block);
+
+/* The same for beams. */
+gboolean qn_selection_has_beam (QnSelection *selection, QnId beam);
+const QnId *qn_selection_get_beams (QnSelection *selection, guint *count);
+void qn_selection_set_beams (QnSelection *selection, const QnId *beams, guint count);
+void qn_selection_add_beams (QnSelection *selection, const QnId *beams, guint count);
+void qn_selection_toggle_beam (QnSelection *selection, QnId beam);
+
+/* Selects a face and nothing else; QN_NONE for none. */
+void qn_selection_set_face (QnSelection *selection, QnId face);
+/* The first of the selected faces, or QN_NONE. */
+QnId qn_selection_get_face (QnSelection *selection);
+/* Numbers of the selected faces, ascending; borrowed. */
+const QnId *qn_selection_get_faces (QnSelection *selection, guint *count);
+void qn_selection_set_faces (QnSelection *selection, const QnId *faces, guint count);
+void qn_selection_add_faces (QnSelection *selection, const QnId *faces, guint count);
+void qn_selection_toggle_face (QnSelection *selection, QnId face);
+
+/* Selects an opening of a masonry object and nothing else. Both numbers are those of lists that
+ * edits change: whoever asks must check that they still are. */
+void qn_selection_set_opening (QnSelection *selection, QnId object, int opening);
+gboolean qn_selection_get_opening (QnSelection *selection, QnId *object, int *opening);
+
+/* Every block and beam. */
+void qn_selection_select_all (QnSelection *selection, const QnModel *model);
+
+/* Sets of blocks that belong together: the course of a wall block, its whole wall, all blocks
+ * of the same law. `block` is in every one of them. */
+void qn_selection_select_course (QnSelection *selection, const QnModel *model,
+                                 QnId block);
+void qn_selection_select_wall (QnSelection *selection, const QnModel *model, QnId block);
+void qn_selection_select_same_law (QnSelection *selection, const QnModel *model,
+                                   QnId block);
+
+/* Faces that belong together: of the same laws, along the same line, in the same direction.
+ * `face` is in every one of them. */
+typedef enum {
+  QN_LIKE_LAW,
+  QN_LIKE_LINE,     /* a whole bed joint, or a vertical line of head joints */
+  QN_LIKE_DIRECTION /* all bed joints, all head joints */
+} QnFaceLikeness;
+void qn_selection_select_faces_like (QnSelection *selection, const QnContacts *contacts,
+                                     QnId face, QnFaceLikeness likeness);
+
+/* Follows the blocks and beams of `before` to those of the same names in `after`, and faces to
+ * those between them. */
+void qn_selection_follow (QnSelection *selection, const QnModel *before,
+                          const QnContacts *contacts_before, const QnModel *after,
+                          const QnContacts *contacts_after);
+
+#endif

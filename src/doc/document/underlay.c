@@ -1,0 +1,128 @@
+#include "doc/document/underlay.h"
+
+#include "io/json/json-value.h"
+#include "io/text/json-text.h"
+#include "render/scene/photo.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+static const char *const keys[] = { "image", "origin", "width", "angle", "opacity" };
+
+static gboolean
+read_members (const QnPlace *object, const char **image, QnUnderlay *underlay)
+{
+  if (!qn_place_object (object) || !qn_member_string (object, "image", QN_REQUIRED, image)
+      || !qn_member_vec2 (object, "origin", QN_OPTIONAL, &underlay->origin)
+      || !qn_member_number (object, "width", QN_REQUIRED, QN_RANGE_POSITIVE,
+                            &underlay->width)
+      || !qn_member_number (object, "angle", QN_OPTIONAL, QN_RANGE_FINITE,
+                            &underlay->angle)
+      || !qn_member_number (object, "opacity", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
+                            &underlay->opacity))
+    return FALSE;
+  if (underlay->opacity > 1) {
+    QnPlace place = qn_place_member (object, "opacity");
+    return qn_place_fail (&place, _ ("must not be above 1"));
+  }
+  qn_place_warn_unknown (object, keys, G_N_ELEMENTS (keys));
+  return TRUE;
+}
+
+gboolean
+qn_underlay_locate (const QnProject *project, const char *folder, char **path,
+                    QnUnderlay *underlay, GError **error)
+{
+  g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
+  QnReader reader = { .name = project->name,
+                      .text = project->text,
+                      .length = project->text_length,
+                      .overrides = (const char *const *) project->overrides,
+                      .warnings = warnings };
+  const char *image = NULL;
+  *path = NULL;
+  *underlay = (QnUnderlay){ .width = 1, .opacity = 0.6 };
+  if (project->extras == NULL)
+    return TRUE;
+  QnPlace root = qn_place_root (&reader, project->extras);
+  QnPlace object = qn_place_member (&root, "underlay");
+  if (object.value == NULL)
+    return TRUE;
+  if (!read_members (&object, &image, underlay)) {
+    g_propagate_error (error, reader.error);
+    return FALSE;
+  }
+  *path = folder == NULL || g_path_is_absolute (image)
+            ? g_strdup (image)
+            : g_build_filename (folder, image, NULL);
+  return TRUE;
+}
+
+gboolean
+qn_underlay_read (const QnProject *project, QnUnderlay *underlay, GError **error)
+{
+  g_autofree char *folder =
+    g_path_get_dirname (project->path != NULL ? project->path : "");
+  return qn_underlay_read_from (project, folder, underlay, error);
+}
+
+gboolean
+qn_underlay_read_from (const QnProject *project, const char *folder, QnUnderlay *underlay,
+                       GError **error)
+{
+  g_autofree char *path = NULL;
+  if (!qn_underlay_locate (project, folder, &path, underlay, error))
+    return FALSE;
+  if (path == NULL)
+    return TRUE;
+  underlay->image = qn_photo_load (path, error);
+  return underlay->image != NULL;
+}
+
+char *
+qn_underlay_dup_name (const char *path, const char *folder)
+{
+  g_autofree char *whole = g_canonicalize_filename (path, NULL);
+  g_autofree char *base = folder != NULL ? g_canonicalize_filename (folder, NULL) : NULL;
+  gsize length = base != NULL ? strlen (base) : 0;
+  if (base != NULL && g_str_has_prefix (whole, base) && whole[length] == G_DIR_SEPARATOR)
+    return g_strdup (whole + length + 1);
+  return g_steal_pointer (&whole);
+}
+
+char *
+qn_underlay_to_json (const char *image, const QnUnderlay *underlay)
+{
+  GString *json = g_string_new ("{\"image\": ");
+  qn_json_append_string (json, image);
+  g_string_append (json, ", \"origin\": [");
+  qn_json_append_number (json, underlay->origin.x);
+  g_string_append (json, ", ");
+  qn_json_append_number (json, underlay->origin.y);
+  g_string_append (json, "], \"width\": ");
+  qn_json_append_number (json, underlay->width);
+  g_string_append (json, ", \"angle\": ");
+  qn_json_append_number (json, underlay->angle);
+  g_string_append (json, ", \"opacity\": ");
+  qn_json_append_number (json, underlay->opacity);
+  g_string_append_c (json, '}');
+  return g_string_free (json, FALSE);
+}
+
+bool
+qn_underlay_match (QnUnderlay *underlay, const QnVec2 shown[2], const QnVec2 wanted[2])
+{
+  QnVec2 from = qn_vec2_sub (shown[1], shown[0]), to = qn_vec2_sub (wanted[1], wanted[0]);
+  double from_length = qn_vec2_length (from), to_length = qn_vec2_length (to);
+  if (!(from_length > 0) || !(to_length > 0))
+    return false;
+  double scale = to_length / from_length;
+  double turn = atan2 (qn_vec2_cross (from, to), qn_vec2_dot (from, to));
+  QnVec2 arm = qn_vec2_sub (underlay->origin, shown[0]);
+  QnVec2 turned = qn_vec2_rotate (arm, cos (turn), sin (turn));
+  underlay->origin = qn_vec2_add_scaled (wanted[0], scale, turned);
+  underlay->width *= scale;
+  underlay->angle = remainder (underlay->angle + turn, 2 * G_PI);
+  return true;
+}

@@ -1,0 +1,42 @@
+/* The photo or survey behind a structure, as the project keeps it:
+ *
+ *   "underlay": { "image": "facade.jpg", "origin": [0, 0], "width": 6.4 }
+ *
+ * `image` is a path relative to the project's folder, `origin` the model point of its lower
+ * left corner, `width` its width in m. Optional: `angle` (rad, counter-clockwise about the
+ * origin, default 0) and `opacity` (0 to 1, default 0.6). */
+#ifndef QN_DOC_UNDERLAY_H
+#define QN_DOC_UNDERLAY_H
+
+#include "io/project/project.h"
+#include "render/scene/view-options.h"
+
+/* Fills the underlay with the project's; the image is owned by the caller
+ * (cairo_surface_destroy) and NULL where the project has none. FALSE with an error that names
+ * the key (QN_IO_ERROR) or the file (QN_RENDER_ERROR). */
+gboolean qn_underlay_read (const QnProject *project, QnUnderlay *underlay,
+                           GError **error);
+
+/* The same where relative paths start from `folder` (nullable). */
+gboolean qn_underlay_read_from (const QnProject *project, const char *folder,
+                                QnUnderlay *underlay, GError **error);
+
+/* The same without the image: its path, owned by the caller, or NULL where the project has no
+ * underlay. `folder` (nullable) is what a relative path starts from. */
+gboolean qn_underlay_locate (const QnProject *project, const char *folder, char **path,
+                             QnUnderlay *underlay, GError **error);
+
+/* How a project in `folder` (nullable: not saved yet) calls an image: by a path from there
+ * where it lies within the folder, by the whole path otherwise. The caller frees it. */
+char *qn_underlay_dup_name (const char *path, const char *folder);
+
+/* The value of `underlay` as JSON text, for qn_document_edit_extra(). Free with g_free(). */
+char *qn_underlay_to_json (const char *image, const QnUnderlay *underlay);
+
+/* Moves, turns and scales the underlay so that two places on it, given where they are shown
+ * now, come to lie on two model points: scaling by two picked points. False where the places
+ * or the points coincide. */
+bool qn_underlay_match (QnUnderlay *underlay, const QnVec2 shown[2],
+                        const QnVec2 wanted[2]);
+
+#endif

@@ -1,0 +1,27 @@
+/* Part of rebuilding a model: beams follow the blocks that their nodes ride on. */
+#ifndef QN_DOC_EDIT_BEAMS_H
+#define QN_DOC_EDIT_BEAMS_H
+
+#include "doc/document/edit.h"
+
+/* Where nodes and beams of the old model went; QN_NONE: they are gone. */
+typedef struct QnBeamRebuild {
+  QnId *nodes, *beams;
+} QnBeamRebuild;
+
+/* Copies sections, nodes and beams into a model that has its blocks already, and cuts the beams.
+ * follow: the new number of an old block, or QN_NONE. A node goes with its block, a beam with
+ * either of its nodes or where it names none, and a node that stands free with the last of its
+ * beams. FALSE where memory runs out. Clear the rebuild in either case. */
+gboolean qn_edit_copy_beams (const QnModel *from, QnModel *to,
+                             QnId (*follow) (gconstpointer data, QnId block),
+                             gconstpointer data, QnBeamRebuild *rebuild);
+
+void qn_beam_rebuild_clear (QnBeamRebuild *rebuild);
+
+/* Nodes at given points of the blocks go where the transform takes those blocks; so do nodes
+ * that stand free where every block of the model is among them. flags: one per block. */
+void qn_edit_transform_nodes (QnModel *model, const gboolean *flags,
+                              QnTransform transform);
+
+#endif

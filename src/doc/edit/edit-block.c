@@ -1,0 +1,351 @@
+#include "doc/edit/edit-beams.h"
+
+#include <glib/gi18n.h>
+#include <stdlib.h>
+#include <string.h>
+
+QnTransform
+qn_transform_translation (double x, double y)
+{
+  return (QnTransform){ 1.0, 0.0, 0.0, 1.0, x, y };
+}
+
+QnTransform
+qn_transform_rotation (QnVec2 center, double angle)
+{
+  double c = cos (angle), s = sin (angle);
+  return (QnTransform){ c,
+                        -s,
+                        s,
+                        c,
+                        center.x - c * center.x + s * center.y,
+                        center.y - s * center.x - c * center.y };
+}
+
+QnTransform
+qn_transform_mirror (QnVec2 a, QnVec2 b)
+{
+  QnVec2 d = qn_vec2_sub (b, a);
+  double square = qn_vec2_dot (d, d);
+  if (square == 0.0)
+    return qn_transform_translation (0.0, 0.0);
+  double c = (d.x * d.x - d.y * d.y) / square, s = 2.0 * d.x * d.y / square;
+  return (QnTransform){ c, s, s, -c, a.x - c * a.x - s * a.y, a.y - s * a.x + c * a.y };
+}
+
+QnTransform
+qn_transform_compose (QnTransform f, QnTransform s)
+{
+  return (
+    QnTransform){ s.xx * f.xx + s.xy * f.yx,        s.xx * f.xy + s.xy * f.yy,
+                  s.yx * f.xx + s.yy * f.yx,        s.yx * f.xy + s.yy * f.yy,
+                  s.xx * f.x0 + s.xy * f.y0 + s.x0, s.yx * f.x0 + s.yy * f.y0 + s.y0 };
+}
+
+QnVec2
+qn_transform_apply (QnTransform t, QnVec2 p)
+{
+  return qn_vec2 (t.xx * p.x + t.xy * p.y + t.x0, t.yx * p.x + t.yy * p.y + t.y0);
+}
+
+static gboolean
+refuse_nothing (GError **error)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       _ ("No block is selected"));
+  return FALSE;
+}
+
+static gboolean
+add_named (QnModel *model, const char *name, const QnVec2 *vertices, gsize count,
+           QnBlockStyle style, GError **error)
+{
+  QnBlock *block = qn_model_add_block (model, name, vertices, count);
+  if (block == NULL)
+    return qn_edit_no_memory (error);
+  block->thickness = style.thickness;
+  block->unit_weight = style.unit_weight;
+  block->law = style.law;
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    block->support[dof] = style.support[dof];
+  return TRUE;
+}
+
+gboolean
+qn_edit_add_block (QnModel *model, const QnVec2 *vertices, guint count,
+                   QnBlockStyle style, GError **error)
+{
+  g_autofree char *name = qn_edit_dup_free_name (model, "b");
+  return add_named (model, name, vertices, count, style, error);
+}
+
+/* Wall of every block in the set, each once, as flags per wall. */
+static gboolean *
+walls_of (const QnModel *model, QnBlockSet set)
+{
+  gboolean *walls = g_new0 (gboolean, model->wall_count + 1);
+  for (guint i = 0; i < set.count; i++) {
+    QnId wall = model->blocks[set.ids[i]].wall;
+    if (wall != QN_NONE)
+      walls[wall] = TRUE;
+  }
+  return walls;
+}
+
+/* Blocks of a masonry object follow its parameters. A change of one of them makes all of them
+ * plain blocks. */
+static void
+detach_masonry (QnModel *model, QnBlockSet set)
+{
+  for (guint i = 0; i < set.count; i++) {
+    QnId object = model->blocks[set.ids[i]].masonry;
+    for (gsize k = 0; object != QN_NONE && k < model->block_count; k++) {
+      if (model->blocks[k].masonry == object)
+        model->blocks[k].masonry = QN_NONE;
+    }
+  }
+}
+
+static void
+remove_courses (QnWall *wall)
+{
+  free (wall->lengths);
+  free (wall->course_ends);
+  wall->lengths = NULL;
+  wall->course_ends = NULL;
+  wall->course_count = 0;
+}
+
+/* Makes free blocks of the marked walls; block numbers stay what they are. */
+static void
+detach_walls (QnModel *model, const gboolean *walls)
+{
+  for (gsize i = 0; i < model->block_count; i++) {
+    QnBlock *block = &model->blocks[i];
+    if (block->wall == QN_NONE || !walls[block->wall])
+      continue;
+    block->wall = QN_NONE;
+  }
+  for (gsize i = 0; i < model->wall_count; i++) {
+    if (walls[i])
+      remove_courses (&model->walls[i]);
+  }
+}
+
+gboolean
+qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
+{
+  g_autofree gboolean *walls = walls_of (model, set);
+  gboolean any = FALSE;
+  for (gsize i = 0; i < model->wall_count; i++)
+    any = any || walls[i];
+  for (guint i = 0; i < set.count; i++)
+    any = any || model->blocks[set.ids[i]].masonry != QN_NONE;
+  if (!any) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("None of the selected blocks belongs to a wall"));
+    return FALSE;
+  }
+  detach_masonry (model, set);
+  detach_walls (model, walls);
+  return qn_edit_rebuild (model, NULL, error);
+}
+
+/* Turns the entries of deleted wall blocks into openings. Blocks of a wall follow each other in
+ * the model in the order of the positive entries. */
+static void
+open_wall_blocks (QnModel *model, const gboolean *gone)
+{
+  for (gsize w = 0, block = 0; w < model->wall_count; w++) {
+    QnWall *wall = &model->walls[w];
+    while (block < model->block_count && model->blocks[block].wall != (QnId) w)
+      block++;
+    int32_t end = wall->course_count > 0 ? wall->course_ends[wall->course_count - 1] : 0;
+    gboolean any_left = FALSE;
+    for (int32_t entry = 0; entry < end; entry++) {
+      if (wall->lengths[entry] < 0.0)
+        continue;
+      if (gone[block])
+        wall->lengths[entry] = -wall->lengths[entry];
+      else
+        any_left = TRUE;
+      block++;
+    }
+    if (!any_left)
+      remove_courses (wall);
+  }
+}
+
+gboolean
+qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
+{
+  if (set.count == 0)
+    return refuse_nothing (error);
+  g_autofree gboolean *gone = qn_block_set_to_flags (set, model);
+  detach_masonry (model, set);
+  open_wall_blocks (model, gone);
+  return qn_edit_rebuild (model, gone, error);
+}
+
+static gboolean
+is_translation (QnTransform t)
+{
+  return t.xx == 1.0 && t.yy == 1.0 && t.xy == 0.0 && t.yx == 0.0;
+}
+
+static void
+move_points (QnModel *model, const gboolean *flags, QnTransform transform)
+{
+  for (gsize i = 0; i < model->block_count; i++) {
+    if (!flags[i])
+      continue;
+    QnVec2 *v = model->vertices + model->blocks[i].first_vertex;
+    for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
+      v[k] = qn_transform_apply (transform, v[k]);
+  }
+  QnLoad *lists[] = { model->dead_loads, model->live_loads };
+  gsize counts[] = { model->dead_load_count, model->live_load_count };
+  for (int l = 0; l < 2; l++) {
+    for (gsize i = 0; i < counts[l]; i++) {
+      QnLoad *load = &lists[l][i];
+      if (load->kind == QN_LOAD_FORCE && load->has_at && flags[load->block])
+        load->at = qn_transform_apply (transform, load->at);
+    }
+  }
+  qn_edit_transform_nodes (model, flags, transform);
+}
+
+gboolean
+qn_edit_transform_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
+                          GError **error)
+{
+  if (set.count == 0)
+    return refuse_nothing (error);
+  g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
+  detach_masonry (model, set);
+  g_autofree gboolean *walls = walls_of (model, set);
+  g_autofree gboolean *broken = g_new0 (gboolean, model->wall_count + 1);
+  for (gsize i = 0; i < model->block_count; i++) {
+    QnId wall = model->blocks[i].wall;
+    if (wall != QN_NONE && walls[wall] && (!flags[i] || !is_translation (transform)))
+      broken[wall] = TRUE;
+  }
+  for (gsize w = 0; w < model->wall_count; w++) {
+    if (walls[w] && !broken[w])
+      model->walls[w].origin = qn_transform_apply (transform, model->walls[w].origin);
+  }
+  move_points (model, flags, transform);
+  detach_walls (model, broken);
+  return qn_edit_rebuild (model, NULL, error);
+}
+
+gboolean
+qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int copies,
+                     GError **error)
+{
+  if (set.count == 0)
+    return refuse_nothing (error);
+  QnTransform step = qn_transform_translation (0.0, 0.0);
+  for (int k = 0; k < copies; k++) {
+    step = qn_transform_compose (step, transform);
+    for (guint i = 0; i < set.count; i++) {
+      const QnBlock old = model->blocks[set.ids[i]];
+      gsize count = (gsize) old.vertex_count;
+      g_autofree QnVec2 *vertices = g_new (QnVec2, count);
+      for (gsize v = 0; v < count; v++)
+        vertices[v] =
+          qn_transform_apply (step, qn_model_block_vertices (model, set.ids[i])[v]);
+      QnBlockStyle style = { old.thickness, old.unit_weight, old.law, { false } };
+      for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+        style.support[dof] = old.support[dof];
+      g_autofree char *name = qn_edit_dup_free_name (model, "b");
+      if (!add_named (model, name, vertices, count, style, error))
+        return FALSE;
+      model->blocks[model->block_count - 1].density = old.density;
+    }
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_set_support (QnModel *model, QnBlockSet set, const bool support[QN_DOF_COUNT],
+                     GError **error)
+{
+  if (set.count == 0)
+    return refuse_nothing (error);
+  /* The courses of a wall say nothing of supports. */
+  detach_masonry (model, set);
+  g_autofree gboolean *walls = walls_of (model, set);
+  for (guint i = 0; i < set.count; i++) {
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      model->blocks[set.ids[i]].support[dof] = support[dof];
+  }
+  detach_walls (model, walls);
+  return qn_edit_rebuild (model, NULL, error);
+}
+
+typedef enum { FIELD_THICKNESS, FIELD_UNIT_WEIGHT, FIELD_LAW } Field;
+
+static gboolean
+set_field (QnModel *model, QnBlockSet set, Field field, double value, QnId law,
+           GError **error)
+{
+  if (set.count == 0)
+    return refuse_nothing (error);
+  detach_masonry (model, set);
+  for (guint i = 0; i < set.count; i++) {
+    QnBlock *block = &model->blocks[set.ids[i]];
+    QnWall *wall = block->wall != QN_NONE ? &model->walls[block->wall] : NULL;
+    switch (field) {
+    case FIELD_THICKNESS:
+      *(wall != NULL ? &wall->thickness : &block->thickness) = value;
+      break;
+    case FIELD_UNIT_WEIGHT:
+      *(wall != NULL ? &wall->unit_weight : &block->unit_weight) = value;
+      *(wall != NULL ? &wall->density : &block->density) = -1.0;
+      break;
+    case FIELD_LAW:
+      *(wall != NULL ? &wall->law : &block->law) = law;
+      break;
+    }
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_set_thickness (QnModel *model, QnBlockSet set, double thickness, GError **error)
+{
+  return set_field (model, set, FIELD_THICKNESS, thickness, QN_NONE, error);
+}
+
+gboolean
+qn_edit_set_unit_weight (QnModel *model, QnBlockSet set, double unit_weight,
+                         GError **error)
+{
+  return set_field (model, set, FIELD_UNIT_WEIGHT, unit_weight, QN_NONE, error);
+}
+
+gboolean
+qn_edit_set_law (QnModel *model, QnBlockSet set, QnId law, GError **error)
+{
+  return set_field (model, set, FIELD_LAW, 0.0, law, error);
+}
+
+gboolean
+qn_edit_rename_block (QnModel *model, QnId id, const char *name, GError **error)
+{
+  QnBlock *block = &model->blocks[id];
+  detach_masonry (model, (QnBlockSet){ &id, 1 });
+  if (block->wall != QN_NONE) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                         _ ("Blocks of a wall are named by their course and position; "
+                            "detach the wall to rename them"));
+    return FALSE;
+  }
+  char *copy = strdup (name);
+  if (copy == NULL)
+    return qn_edit_no_memory (error);
+  free (block->name);
+  block->name = copy;
+  return TRUE;
+}

@@ -1,0 +1,93 @@
+#include "doc/edit/edit-face.h"
+
+#include <glib/gi18n.h>
+
+static gboolean
+concerns (const QnFaceOverride *override, const QnContactFace *face)
+{
+  return (override->block_a == face->a && override->block_b == face->b)
+         || (override->block_a == face->b && override->block_b == face->a);
+}
+
+/* Of two exceptions for the same blocks the later counts. */
+const QnFaceOverride *
+qn_model_find_override (const QnModel *model, const QnContactFace *face)
+{
+  for (gsize i = model->override_count; i > 0; i--) {
+    if (concerns (&model->overrides[i - 1], face))
+      return &model->overrides[i - 1];
+  }
+  return NULL;
+}
+
+/* Puts an exception in the place of those there were. */
+static gboolean
+replace_override (QnModel *model, const QnContactFace *face, QnFaceOverride override,
+                  GError **error)
+{
+  override.block_a = face->a;
+  override.block_b = face->b;
+  gboolean wanted = override.law != QN_NONE || override.has_pairs;
+  gsize kept = 0;
+  for (gsize i = 0; i < model->override_count; i++) {
+    if (!concerns (&model->overrides[i], face))
+      model->overrides[kept++] = model->overrides[i];
+    else if (wanted) {
+      model->overrides[kept++] = override;
+      wanted = FALSE;
+    }
+  }
+  model->override_count = kept;
+  if (!wanted)
+    return TRUE;
+  QnFaceOverride *added = qn_model_add_override (model);
+  if (added == NULL)
+    return qn_edit_no_memory (error);
+  *added = override;
+  return TRUE;
+}
+
+static QnFaceOverride
+present_override (const QnModel *model, const QnContactFace *face)
+{
+  const QnFaceOverride *old = qn_model_find_override (model, face);
+  return old != NULL ? *old : (QnFaceOverride){ .law = QN_NONE };
+}
+
+static gboolean
+refuse_nothing (GError **error)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       _ ("No contact face is selected"));
+  return FALSE;
+}
+
+gboolean
+qn_edit_set_face_law (QnModel *model, QnFaceSet set, QnId law, GError **error)
+{
+  if (set.count == 0)
+    return refuse_nothing (error);
+  for (guint i = 0; i < set.count; i++) {
+    QnFaceOverride override = present_override (model, &set.faces[i]);
+    override.law = law;
+    if (!replace_override (model, &set.faces[i], override, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_set_face_pairs (QnModel *model, QnFaceSet set, const QnPairRule *rule,
+                        GError **error)
+{
+  if (set.count == 0)
+    return refuse_nothing (error);
+  for (guint i = 0; i < set.count; i++) {
+    QnFaceOverride override = present_override (model, &set.faces[i]);
+    override.has_pairs = rule != NULL;
+    override.pairs = rule != NULL ? *rule : (QnPairRule){ 0 };
+    if (!replace_override (model, &set.faces[i], override, error))
+      return FALSE;
+  }
+  return TRUE;
+}

@@ -1,0 +1,150 @@
+/* Edits of beams, their nodes and their sections.
+ *
+ * They work on the draft of qn_document_edit() with errors as in edit.h. Lengths are m, stresses
+ * Pa. A node that several beams share is one joint: what moves it moves all their ends.
+ */
+#ifndef QN_DOC_EDIT_FRAME_H
+#define QN_DOC_EDIT_FRAME_H
+
+#include "doc/document/edit.h"
+#include "doc/document/selection.h"
+#include "io/project/project.h"
+
+/* Beams, by number. */
+typedef struct QnBeamSet {
+  const QnId *ids;
+  guint count;
+} QnBeamSet;
+
+/* Blocks and beams together. */
+typedef struct QnPartSet {
+  QnBlockSet blocks;
+  QnBeamSet beams;
+} QnPartSet;
+
+/* What is selected, copied, because the selection may change under an edit. Clear it. */
+QnPartSet qn_part_set_of_selection (QnSelection *selection);
+void qn_part_set_clear (QnPartSet *set);
+
+/* What a new beam is made of. */
+typedef struct QnBeamStyle {
+  const char *section; /* name; NULL or unknown: the first there is, or a new one */
+  QnBeamKind kind;
+  bool hinge[2];
+  int32_t element_count; /* >= 1 */
+} QnBeamStyle;
+
+/* ---- beams (edit-frame.c) ---- */
+
+/* A beam from place to place. An end takes the node that lies there already; otherwise it gets
+ * one of its own, which rides on the block there, if any, or stands free. */
+gboolean qn_edit_add_beam (QnModel *model, QnVec2 from, QnVec2 to, QnBeamStyle style,
+                           GError **error);
+
+/* With the beams go their nodes that carry no other one, and the loads on both. */
+gboolean qn_edit_delete_beams (QnModel *model, QnBeamSet set, GError **error);
+/* Blocks and beams; one of the sets may be empty. */
+gboolean qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error);
+
+gboolean qn_edit_set_beam_kind (QnModel *model, QnBeamSet set, QnBeamKind kind,
+                                GError **error);
+gboolean qn_edit_set_beam_section (QnModel *model, QnBeamSet set, QnId section,
+                                   GError **error);
+gboolean qn_edit_set_beam_hinge (QnModel *model, QnBeamSet set, int end, gboolean hinge,
+                                 GError **error);
+/* Loads on nodes between elements go to the nearest of the new ones. */
+gboolean qn_edit_set_beam_elements (QnModel *model, QnBeamSet set, int32_t count,
+                                    GError **error);
+gboolean qn_edit_rename_beam (QnModel *model, QnId beam, const char *name,
+                              GError **error);
+
+/* The one force along each of these beams, N/m; zero takes it away. `live`: it grows. */
+gboolean qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live,
+                                QnVec2 value, GError **error);
+/* What the beam carries, dead or live (of the live loads proper): the sum of its line loads. */
+QnVec2 qn_model_line_load (const QnModel *model, QnId beam, gboolean live);
+
+/* ---- beams together with blocks (edit-frame-move.c) ---- */
+
+/* As qn_edit_transform(); nodes of the beams go along where they stand free or at given points
+ * of blocks that stay, and nodes on blocks of the set go with these. */
+gboolean qn_edit_transform_all (QnProject *draft, QnPartSet set, QnTransform transform,
+                                GError **error);
+
+/* As qn_edit_copy(). Copied beams are joined where the originals are, and hold on to the nodes
+ * and blocks that lie where their ends come to be. */
+gboolean qn_edit_copy_all (QnProject *draft, QnPartSet set, QnTransform transform,
+                           int copies, GError **error);
+
+/* ---- nodes (edit-node.c) ---- */
+
+/* The block that a node at this place would ride on, or QN_NONE: the one that contains it, or
+ * has it on its outline within `reach`, the last of several. */
+QnId qn_model_block_under (const QnModel *model, QnVec2 at, double reach);
+
+/* The node nearest to a place and not farther than `reach`, or QN_NONE; of those that the project
+ * names, not those that cut a beam. */
+QnId qn_model_node_near (const QnModel *model, QnVec2 at, double reach);
+
+/* The node at a place, added where there is none: riding on the block that lies there, or standing
+ * free. QN_NONE where memory runs out. */
+QnId qn_edit_take_node (QnModel *model, QnVec2 at);
+
+/* Puts a node somewhere: on another node it becomes one with that; on a block it rides there;
+ * elsewhere it stands free. */
+gboolean qn_edit_place_node (QnModel *model, QnId node, QnVec2 at, GError **error);
+
+/* How it is held by a block: side counts for QN_SEAT_SIDE. FREE takes no block. */
+gboolean qn_edit_set_node_seat (QnModel *model, QnId node, QnSeat seat, QnId block,
+                                QnBlockSide side, GError **error);
+gboolean qn_edit_set_node_support (QnModel *model, QnId node,
+                                   const bool support[QN_DOF_COUNT], GError **error);
+
+/* Gives this end of a beam a node of its own at the same place. */
+gboolean qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error);
+
+/* How many beams end at a node. */
+guint qn_model_node_beams (const QnModel *model, QnId node);
+
+/* A force at a node, dead or live. */
+gboolean qn_edit_add_node_force (QnModel *model, QnId node, gboolean live, QnVec2 force,
+                                 GError **error);
+
+/* ---- sections (edit-section.c) ---- */
+
+typedef enum {
+  QN_SECTION_YOUNG,
+  QN_SECTION_SHEAR_MODULUS,
+  QN_SECTION_POISSON,
+  QN_SECTION_WIDTH,
+  QN_SECTION_HEIGHT,
+  QN_SECTION_AREA,
+  QN_SECTION_INERTIA,
+  QN_SECTION_SHEAR_FACTOR,
+  QN_SECTION_YIELD,
+  QN_SECTION_PLASTIC_MOMENT,
+  QN_SECTION_UNIT_WEIGHT,
+  QN_SECTION_FIELD_COUNT
+} QnSectionField;
+
+/* Whether the section has this number: width and height, or area and inertia. */
+gboolean qn_section_has_field (const QnSection *section, QnSectionField field);
+double qn_section_get_field (const QnSection *section, QnSectionField field);
+void qn_section_set_field (QnSection *section, QnSectionField field, double value);
+
+/* Whether the section is one still is checked when the draft becomes the document. */
+gboolean qn_edit_set_section_field (QnModel *model, QnId section, QnSectionField field,
+                                    double value, GError **error);
+
+/* Whether it is a rectangle, or has area and inertia, which stay what they are. */
+gboolean qn_edit_set_section_shape (QnModel *model, QnId section, gboolean rectangle,
+                                    GError **error);
+
+/* Adds a section like an existing one (QN_NONE: concrete, 0.2 x 0.2 m) under a free name; its
+ * number is that of the last one. */
+gboolean qn_edit_add_section (QnModel *model, QnId like, GError **error);
+gboolean qn_edit_rename_section (QnModel *model, QnId section, const char *name,
+                                 GError **error);
+void qn_edit_remove_unused_sections (QnModel *model);
+
+#endif

@@ -1,0 +1,183 @@
+#include "doc/edit/edit-frame.h"
+
+#include "core/base/polygon.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* Places nearer to each other, relative to their coordinates, are one. */
+#define SAME_PLACE 1e-9
+
+/* ---- where nodes are ---- */
+
+QnId
+qn_model_block_under (const QnModel *model, QnVec2 at, double reach)
+{
+  for (QnId i = (QnId) model->block_count - 1; i >= 0; i--) {
+    const QnVec2 *v = qn_model_block_vertices (model, i);
+    if (qn_polygon_depth (v, (gsize) model->blocks[i].vertex_count, at) >= -reach)
+      return i;
+  }
+  return QN_NONE;
+}
+
+QnId
+qn_model_node_near (const QnModel *model, QnVec2 at, double reach)
+{
+  QnId best = QN_NONE;
+  double nearest = reach;
+  for (QnId i = 0; i < (QnId) model->node_count; i++) {
+    double distance = qn_vec2_length (qn_vec2_sub (model->nodes[i].at, at));
+    if (model->nodes[i].beam == QN_NONE && distance <= nearest) {
+      nearest = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+guint
+qn_model_node_beams (const QnModel *model, QnId node)
+{
+  guint count = 0;
+  for (gsize i = 0; i < model->beam_count; i++)
+    count += model->beams[i].nodes[0] == node || model->beams[i].nodes[1] == node;
+  return count;
+}
+
+/* ---- moving ---- */
+
+static void
+replace_id (QnId *id, QnId gone, QnId by)
+{
+  if (*id == gone)
+    *id = by;
+}
+
+/* Everything that named the one names the other; rebuilding leaves out a node without beams. */
+static gboolean
+merge (QnModel *model, QnId gone, QnId into, GError **error)
+{
+  for (gsize i = 0; i < model->beam_count; i++) {
+    replace_id (&model->beams[i].nodes[0], gone, into);
+    replace_id (&model->beams[i].nodes[1], gone, into);
+  }
+  for (gsize i = 0; i < model->dead_load_count; i++)
+    if (model->dead_loads[i].kind == QN_LOAD_NODE)
+      replace_id (&model->dead_loads[i].node, gone, into);
+  for (gsize i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].kind == QN_LOAD_NODE)
+      replace_id (&model->live_loads[i].node, gone, into);
+  replace_id (&model->analysis.control_node, gone, into);
+  for (gsize i = 0; i < model->stage_count; i++)
+    replace_id (&model->stages[i].control_node, gone, into);
+  model->nodes[gone].seat = QN_SEAT_FREE;
+  model->nodes[gone].block = QN_NONE;
+  return qn_edit_rebuild (model, NULL, error);
+}
+
+static double
+reach_of (QnVec2 at)
+{
+  return SAME_PLACE * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
+}
+
+static void
+seat_on (QnNode *node, QnSeat seat, QnId block)
+{
+  node->seat = seat;
+  node->block = seat == QN_SEAT_FREE ? QN_NONE : block;
+  for (int dof = 0; dof < QN_DOF_COUNT && seat != QN_SEAT_FREE; dof++)
+    node->support[dof] = false;
+}
+
+gboolean
+qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
+{
+  QnNode *node = &model->nodes[id];
+  QnVec2 from = node->at;
+  node->at = qn_vec2 (INFINITY, INFINITY); /* not found as its own neighbour */
+  QnId other = qn_model_node_near (model, at, reach_of (at));
+  if (other != QN_NONE) {
+    node->at = from;
+    return merge (model, id, other, error);
+  }
+  node->at = at;
+  QnId block = qn_model_block_under (model, at, reach_of (at));
+  seat_on (node, block != QN_NONE ? QN_SEAT_POINT : QN_SEAT_FREE, block);
+  return TRUE;
+}
+
+/* ---- how nodes are held ---- */
+
+gboolean
+qn_edit_set_node_seat (QnModel *model, QnId id, QnSeat seat, QnId block, QnBlockSide side,
+                       GError **error)
+{
+  if (seat != QN_SEAT_FREE && block == QN_NONE) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                         _ ("There is no block here: move the end of the beam onto one"));
+    return FALSE;
+  }
+  seat_on (&model->nodes[id], seat, block);
+  model->nodes[id].side = side;
+  return TRUE;
+}
+
+gboolean
+qn_edit_set_node_support (QnModel *model, QnId id, const bool support[QN_DOF_COUNT],
+                          GError **error)
+{
+  QnNode *node = &model->nodes[id];
+  if (node->block != QN_NONE) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                         _ ("A node on a block is held by its block: fix the block"));
+    return FALSE;
+  }
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    node->support[dof] = support[dof];
+  return TRUE;
+}
+
+static char *
+dup_name_like (const QnModel *model, const char *name)
+{
+  for (guint number = 2;; number++) {
+    g_autofree char *candidate = g_strdup_printf ("%s-%u", name, number);
+    if (qn_model_find_node (model, candidate) == QN_NONE)
+      return g_steal_pointer (&candidate);
+  }
+}
+
+gboolean
+qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error)
+{
+  QnId shared = model->beams[beam].nodes[end];
+  if (qn_model_node_beams (model, shared) < 2) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("No other beam ends here"));
+    return FALSE;
+  }
+  g_autofree char *name = dup_name_like (model, model->nodes[shared].name);
+  QnNode *node = qn_model_add_node (model, name);
+  if (node == NULL)
+    return qn_edit_no_memory (error);
+  char *own = node->name;
+  *node = model->nodes[shared];
+  node->name = own;
+  node->note = 0;
+  model->beams[beam].nodes[end] = (QnId) model->node_count - 1;
+  return TRUE;
+}
+
+gboolean
+qn_edit_add_node_force (QnModel *model, QnId node, gboolean live, QnVec2 force,
+                        GError **error)
+{
+  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  if (load == NULL)
+    return qn_edit_no_memory (error);
+  load->kind = QN_LOAD_NODE;
+  load->node = node;
+  load->vector = force;
+  return TRUE;
+}

@@ -1,0 +1,354 @@
+#include "doc/document/edit.h"
+
+#include "core/base/polygon.h"
+#include "doc/edit/edit-beams.h"
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* Distance from a joint that is rounding, relative to the size of a block. */
+#define ON_JOINT 1e-9
+
+/* clang-format off */
+G_DEFINE_QUARK (qn-edit-error-quark, qn_edit_error)
+/* clang-format on */
+
+/* Where the blocks of the old model went. */
+typedef struct Rebuild {
+  const QnModel *from;
+  QnModel *to;
+  const QnMasonries *masonry; /* laid anew; NULL: masonry blocks stay as they are */
+  QnId *blocks;               /* of old free blocks */
+  QnId *walls;
+  QnBeamRebuild beams;
+} Rebuild;
+
+gboolean
+qn_edit_no_memory (GError **error)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NO_MEMORY,
+                       _ ("Not enough memory"));
+  return FALSE;
+}
+
+gboolean *
+qn_block_set_to_flags (QnBlockSet set, const QnModel *model)
+{
+  gboolean *flags = g_new0 (gboolean, model->block_count + 1);
+  for (guint i = 0; i < set.count; i++) {
+    if (set.ids[i] >= 0 && (gsize) set.ids[i] < model->block_count)
+      flags[set.ids[i]] = TRUE;
+  }
+  return flags;
+}
+
+char *
+qn_edit_dup_free_name (const QnModel *model, const char *prefix)
+{
+  for (gsize number = model->block_count + 1;; number++) {
+    g_autofree char *name = g_strdup_printf ("%s%" G_GSIZE_FORMAT, prefix, number);
+    if (qn_model_find_block (model, name) == QN_NONE)
+      return g_steal_pointer (&name);
+  }
+}
+
+static gboolean
+copy_laws (Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->law_count; i++) {
+    const QnLaw *old = &r->from->laws[i];
+    QnLaw *law = qn_model_add_law (r->to, old->name);
+    if (law == NULL)
+      return FALSE;
+    char *name = law->name;
+    *law = *old;
+    law->name = name;
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_free_blocks (Rebuild *r, const gboolean *drop)
+{
+  for (gsize i = 0; i < r->from->block_count; i++) {
+    const QnBlock *old = &r->from->blocks[i];
+    r->blocks[i] = QN_NONE;
+    if (old->wall != QN_NONE || (drop != NULL && drop[i]))
+      continue;
+    if (r->masonry != NULL && old->masonry != QN_NONE)
+      continue;
+    QnBlock *block =
+      qn_model_add_block (r->to, old->name, qn_model_block_vertices (r->from, (QnId) i),
+                          (gsize) old->vertex_count);
+    if (block == NULL)
+      return FALSE;
+    block->thickness = old->thickness;
+    block->unit_weight = old->unit_weight;
+    block->density = old->density;
+    block->law = old->law;
+    block->masonry = old->masonry;
+    block->note = old->note;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = old->support[dof];
+    r->blocks[i] = (QnId) r->to->block_count - 1;
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_walls (Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->wall_count; i++) {
+    const QnWall *old = &r->from->walls[i];
+    r->walls[i] = QN_NONE;
+    if (old->course_count == 0)
+      continue;
+    QnWall *wall = qn_model_add_wall (r->to, old->name);
+    if (wall == NULL)
+      return FALSE;
+    wall->origin = old->origin;
+    wall->unit = old->unit;
+    wall->thickness = old->thickness;
+    wall->unit_weight = old->unit_weight;
+    wall->density = old->density;
+    wall->law = old->law;
+    wall->note = old->note;
+    for (int32_t course = 0, first = 0; course < old->course_count; course++) {
+      int32_t end = old->course_ends[course];
+      if (!qn_wall_add_course (wall, old->lengths + first, (gsize) (end - first)))
+        return FALSE;
+      first = end;
+    }
+    r->walls[i] = (QnId) r->to->wall_count - 1;
+  }
+  return TRUE;
+}
+
+static QnVec2
+middle_of_box (const QnModel *model, QnId block, QnVec2 *half)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnVec2 low = v[0], high = v[0];
+  for (QnId i = 1; i < model->blocks[block].vertex_count; i++) {
+    low = qn_vec2 (MIN (low.x, v[i].x), MIN (low.y, v[i].y));
+    high = qn_vec2 (MAX (high.x, v[i].x), MAX (high.y, v[i].y));
+  }
+  *half = qn_vec2_scale (0.5, qn_vec2_sub (high, low));
+  return qn_vec2_lerp (low, high, 0.5);
+}
+
+/* A block of masonry laid anew is the one of the same name, or where there is none any more the
+ * one that lies where it was. */
+static QnId
+follow_masonry_block (const Rebuild *r, QnId old)
+{
+  QnId same = qn_model_find_block (r->to, r->from->blocks[old].name);
+  if (same != QN_NONE && r->to->blocks[same].masonry != QN_NONE)
+    return same;
+  QnVec2 place = qn_polygon_inner_point (qn_model_block_vertices (r->from, old),
+                                         (gsize) r->from->blocks[old].vertex_count);
+  /* The place may be on a joint of the new ones. */
+  double deepest = -ON_JOINT * sqrt (r->from->blocks[old].area);
+  QnId best = QN_NONE;
+  for (gsize i = 0; i < r->to->block_count; i++) {
+    if (r->to->blocks[i].masonry == QN_NONE)
+      continue;
+    double depth = qn_polygon_depth (qn_model_block_vertices (r->to, (QnId) i),
+                                     (gsize) r->to->blocks[i].vertex_count, place);
+    if (depth > deepest) {
+      deepest = depth;
+      best = (QnId) i;
+    }
+  }
+  return best;
+}
+
+/* A wall block becomes the one that lies where its middle was. */
+static QnId
+follow_block (const Rebuild *r, QnId old)
+{
+  if (old == QN_NONE || r->blocks[old] != QN_NONE)
+    return old == QN_NONE ? QN_NONE : r->blocks[old];
+  if (r->masonry != NULL && r->from->blocks[old].masonry != QN_NONE)
+    return follow_masonry_block (r, old);
+  QnId old_wall = r->from->blocks[old].wall;
+  if (old_wall == QN_NONE)
+    return QN_NONE;
+  if (r->walls[old_wall] == QN_NONE)
+    return r->masonry != NULL ? follow_masonry_block (r, old) : QN_NONE;
+
+  QnVec2 half;
+  QnVec2 middle = middle_of_box (r->from, old, &half);
+  for (gsize i = 0; i < r->to->block_count; i++) {
+    if (r->to->blocks[i].wall != r->walls[old_wall])
+      continue;
+    QnVec2 at = qn_vec2_sub (middle, middle_of_box (r->to, (QnId) i, &half));
+    if (fabs (at.x) <= half.x && fabs (at.y) <= half.y)
+      return (QnId) i;
+  }
+  return QN_NONE;
+}
+
+static QnId
+follow_block_of (gconstpointer rebuild, QnId block)
+{
+  return follow_block (rebuild, block);
+}
+
+/* FALSE where what the load acts on is gone. */
+static gboolean
+follow_load (const Rebuild *r, QnLoad *load)
+{
+  switch (load->kind) {
+  case QN_LOAD_WEIGHT:
+  case QN_LOAD_KIND_COUNT:
+    return TRUE;
+  case QN_LOAD_NODE:
+    load->node = r->beams.nodes[load->node];
+    return load->node != QN_NONE;
+  case QN_LOAD_LINE:
+    load->beam = r->beams.beams[load->beam];
+    return load->beam != QN_NONE;
+  case QN_LOAD_FORCE:
+  case QN_LOAD_SETTLEMENT:
+    break;
+  }
+  load->block = follow_block (r, load->block);
+  return load->block != QN_NONE;
+}
+
+static QnId
+follow_node (const Rebuild *r, QnId node)
+{
+  return node == QN_NONE ? QN_NONE : r->beams.nodes[node];
+}
+
+static gboolean
+copy_loads (const Rebuild *r, const QnLoad *loads, gsize count,
+            QnLoad *(*add) (QnModel *model))
+{
+  for (gsize i = 0; i < count; i++) {
+    QnLoad load = loads[i];
+    if (!follow_load (r, &load))
+      continue;
+    QnLoad *added = add (r->to);
+    if (added == NULL)
+      return FALSE;
+    *added = load;
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_overrides (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->override_count; i++) {
+    QnFaceOverride override = r->from->overrides[i];
+    override.block_a = follow_block (r, override.block_a);
+    override.block_b = follow_block (r, override.block_b);
+    if (override.block_a == QN_NONE || override.block_b == QN_NONE)
+      continue;
+    QnFaceOverride *added = qn_model_add_override (r->to);
+    if (added == NULL)
+      return FALSE;
+    *added = override;
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_bars (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->bar_count; i++) {
+    QnBar *added = qn_model_add_bar (r->to);
+    if (added == NULL)
+      return FALSE;
+    *added = r->from->bars[i];
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_stages (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->load_set_count; i++) {
+    if (qn_model_add_load_set (r->to, r->from->load_sets[i]) == QN_NONE)
+      return FALSE;
+  }
+  for (gsize i = 0; i < r->from->stage_count; i++) {
+    QnStage *added = qn_model_add_stage (r->to, r->from->stages[i].name);
+    if (added == NULL)
+      return FALSE;
+    char *name = added->name;
+    *added = r->from->stages[i];
+    added->name = name;
+    added->control_block = follow_block (r, added->control_block);
+    added->control_node = follow_node (r, added->control_node);
+  }
+  return TRUE;
+}
+
+static gboolean
+lay_masonry (const Rebuild *r, GError **error)
+{
+  for (gsize i = 0; r->masonry != NULL && i < r->masonry->count; i++) {
+    gsize first = r->to->block_count;
+    QnDiag diag = { 0 };
+    if (qn_masonry_expand (&r->masonry->items[i], (QnId) i, r->to, &diag) != QN_OK) {
+      g_autofree char *message = qn_explain_diag (r->to, &diag);
+      g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, "%s: %s",
+                   r->masonry->items[i].name, message);
+      return FALSE;
+    }
+    for (gsize k = first; k < r->to->block_count; k++)
+      r->to->blocks[k].masonry = (QnId) i;
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error)
+{
+  return qn_edit_rebuild_masonry (model, drop, NULL, error);
+}
+
+gboolean
+qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries *masonry,
+                         GError **error)
+{
+  QnModel fresh;
+  qn_model_init (&fresh);
+  fresh.title = g_strdup (model->title);
+  fresh.gravity = model->gravity;
+  fresh.contact = model->contact;
+  fresh.analysis = model->analysis;
+
+  g_autofree QnId *blocks = g_new (QnId, model->block_count + 1);
+  g_autofree QnId *walls = g_new (QnId, model->wall_count + 1);
+  Rebuild r = { model, &fresh, masonry, blocks, walls, { 0 } };
+  gboolean laid = copy_laws (&r) && copy_free_blocks (&r, drop);
+  if (laid && !lay_masonry (&r, error)) {
+    qn_model_clear (&fresh);
+    return FALSE;
+  }
+  gboolean done =
+    laid && copy_walls (&r)
+    && (fresh.wall_count == 0 || qn_model_expand_walls (&fresh, NULL) == QN_OK)
+    && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams)
+    && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
+    && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
+    && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r);
+  if (done) {
+    fresh.analysis.control_block = follow_block (&r, model->analysis.control_block);
+    fresh.analysis.control_node = follow_node (&r, model->analysis.control_node);
+  }
+  qn_beam_rebuild_clear (&r.beams);
+  if (!done) {
+    qn_model_clear (&fresh);
+    return qn_edit_no_memory (error);
+  }
+
+  qn_model_clear (model);
+  *model = fresh;
+  return TRUE;
+}

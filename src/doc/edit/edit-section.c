@@ -1,0 +1,176 @@
+#include "doc/edit/edit-frame.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Plain concrete, where nothing is known. */
+#define FIRST_YOUNG       30e9
+#define FIRST_POISSON     0.2
+#define FIRST_SIZE        0.2
+#define FIRST_UNIT_WEIGHT 24e3
+
+static gboolean
+is_rectangle (const QnSection *section)
+{
+  return section->height > 0.0;
+}
+
+/* ---- numbers ---- */
+
+gboolean
+qn_section_has_field (const QnSection *section, QnSectionField field)
+{
+  switch (field) {
+  case QN_SECTION_WIDTH:
+  case QN_SECTION_HEIGHT:
+  case QN_SECTION_YIELD:
+    return is_rectangle (section);
+  case QN_SECTION_AREA:
+  case QN_SECTION_INERTIA:
+  case QN_SECTION_PLASTIC_MOMENT:
+    return !is_rectangle (section);
+  case QN_SECTION_SHEAR_MODULUS:
+    return section->shear_modulus > 0.0;
+  case QN_SECTION_POISSON:
+    return !(section->shear_modulus > 0.0);
+  case QN_SECTION_YOUNG:
+  case QN_SECTION_SHEAR_FACTOR:
+  case QN_SECTION_UNIT_WEIGHT:
+  case QN_SECTION_FIELD_COUNT:
+    break;
+  }
+  return TRUE;
+}
+
+static double *
+field_of (QnSection *section, QnSectionField field)
+{
+  double *fields[QN_SECTION_FIELD_COUNT] = {
+    [QN_SECTION_YOUNG] = &section->young,
+    [QN_SECTION_SHEAR_MODULUS] = &section->shear_modulus,
+    [QN_SECTION_POISSON] = &section->poisson,
+    [QN_SECTION_WIDTH] = &section->width,
+    [QN_SECTION_HEIGHT] = &section->height,
+    [QN_SECTION_AREA] = &section->area,
+    [QN_SECTION_INERTIA] = &section->inertia,
+    [QN_SECTION_SHEAR_FACTOR] = &section->shear_factor,
+    [QN_SECTION_YIELD] = &section->yield,
+    [QN_SECTION_PLASTIC_MOMENT] = &section->plastic_moment,
+    [QN_SECTION_UNIT_WEIGHT] = &section->unit_weight,
+  };
+  return fields[field];
+}
+
+double
+qn_section_get_field (const QnSection *section, QnSectionField field)
+{
+  QnSection copy = *section;
+  return *field_of (&copy, field);
+}
+
+void
+qn_section_set_field (QnSection *section, QnSectionField field, double value)
+{
+  *field_of (section, field) = value;
+  if (field == QN_SECTION_UNIT_WEIGHT)
+    section->density = -1.0; /* no longer what counts */
+}
+
+gboolean
+qn_edit_set_section_field (QnModel *model, QnId section, QnSectionField field,
+                           double value, GError **error)
+{
+  (void) error; /* the rules are the model's */
+  qn_section_set_field (&model->sections[section], field, value);
+  return TRUE;
+}
+
+gboolean
+qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError **error)
+{
+  (void) error;
+  QnSection *section = &model->sections[id];
+  if (rectangle == is_rectangle (section))
+    return TRUE;
+  if (rectangle) { /* of the same area and inertia */
+    section->height = sqrt (12.0 * section->inertia / section->area);
+    section->width = section->area / section->height;
+  } else {
+    section->area = section->width * section->height;
+    section->inertia = section->area * section->height * section->height / 12.0;
+    double plastic = qn_section_plastic_moment (section);
+    section->plastic_moment = isfinite (plastic) ? plastic : 0.0;
+    section->width = section->height = section->yield = 0.0;
+  }
+  return TRUE;
+}
+
+/* ---- the list ---- */
+
+gboolean
+qn_edit_add_section (QnModel *model, QnId like, GError **error)
+{
+  g_autofree char *name = NULL;
+  for (gsize number = model->section_count + 1; name == NULL; number++) {
+    g_autofree char *candidate =
+      g_strdup_printf ("%s %" G_GSIZE_FORMAT, _ ("section"), number);
+    if (qn_model_find_section (model, candidate) == QN_NONE)
+      name = g_steal_pointer (&candidate);
+  }
+  QnSection *section = qn_model_add_section (model, name);
+  if (section == NULL)
+    return qn_edit_no_memory (error);
+  if (like != QN_NONE) {
+    char *own = section->name;
+    *section = model->sections[like];
+    section->name = own;
+    section->note = 0;
+    return TRUE;
+  }
+  section->young = FIRST_YOUNG;
+  section->poisson = FIRST_POISSON;
+  section->width = section->height = FIRST_SIZE;
+  section->unit_weight = FIRST_UNIT_WEIGHT;
+  return TRUE;
+}
+
+gboolean
+qn_edit_rename_section (QnModel *model, QnId id, const char *name, GError **error)
+{
+  QnId there = qn_model_find_section (model, name);
+  if (there != QN_NONE) {
+    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                 _ ("There is a section named “%s” already"), name);
+    return FALSE;
+  }
+  char *copy = strdup (name);
+  if (copy == NULL)
+    return qn_edit_no_memory (error);
+  free (model->sections[id].name);
+  model->sections[id].name = copy;
+  return TRUE;
+}
+
+void
+qn_edit_remove_unused_sections (QnModel *model)
+{
+  g_autofree QnId *follow = g_new (QnId, model->section_count + 1);
+  for (gsize i = 0; i < model->section_count; i++)
+    follow[i] = QN_NONE;
+  for (gsize i = 0; i < model->beam_count; i++)
+    follow[model->beams[i].section] = 0;
+  gsize kept = 0;
+  for (gsize i = 0; i < model->section_count; i++) {
+    if (follow[i] == QN_NONE) {
+      free (model->sections[i].name);
+      continue;
+    }
+    follow[i] = (QnId) kept;
+    model->sections[kept++] = model->sections[i];
+  }
+  model->section_count = kept;
+  for (gsize i = 0; i < model->beam_count; i++)
+    model->beams[i].section = follow[model->beams[i].section];
+}

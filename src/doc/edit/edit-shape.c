@@ -1,0 +1,320 @@
+#include "doc/edit/edit-shape.h"
+
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
+#include "doc/text/explain.h"
+#include "stereotomy/polygon-ops.h"
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* Lengths below this part of a block's size are rounding. */
+#define LEAST_PART 1e-9
+
+/* ---- common ---- */
+
+gboolean
+qn_block_to_ring (const QnModel *model, QnId block, QnRing *ring)
+{
+  return qn_ring_init (ring, qn_model_block_vertices (model, block),
+                       (gsize) model->blocks[block].vertex_count);
+}
+
+static gboolean
+refuse (const QnModel *model, const QnDiag *diag, GError **error)
+{
+  g_autofree char *message = qn_explain_diag (model, diag);
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  return FALSE;
+}
+
+gboolean
+qn_edit_take_apart (QnModel *model, QnId *ids, guint count, GError **error)
+{
+  gboolean any = FALSE;
+  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
+  for (guint i = 0; i < count; i++) {
+    const QnBlock *block = &model->blocks[ids[i]];
+    any = any || block->wall != QN_NONE || block->masonry != QN_NONE;
+    g_ptr_array_add (names, g_strdup (block->name));
+  }
+  if (!any)
+    return TRUE;
+  if (!qn_edit_detach (model, (QnBlockSet){ ids, count }, error))
+    return FALSE;
+  for (guint i = 0; i < count; i++)
+    ids[i] = qn_model_find_block (model, g_ptr_array_index (names, i));
+  return TRUE;
+}
+
+static gsize
+largest_ring (const QnRings *rings)
+{
+  gsize best = 0;
+  for (gsize i = 1; i < rings->count; i++) {
+    if (fabs (qn_ring_area (&rings->items[i]))
+        > fabs (qn_ring_area (&rings->items[best])))
+      best = i;
+  }
+  return best;
+}
+
+/* The new block that a point of application belongs to: the one it is deepest in. */
+static QnId
+block_at (const QnModel *model, QnId first, QnVec2 at)
+{
+  QnId best = first;
+  double deepest = -INFINITY;
+  for (QnId i = first; i < (QnId) model->block_count; i++) {
+    double depth = qn_polygon_depth (qn_model_block_vertices (model, i),
+                                     (gsize) model->blocks[i].vertex_count, at);
+    if (depth > deepest) {
+      deepest = depth;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/* Everything that pointed at a block that goes points at one of the new ones. */
+static void
+redirect (QnModel *model, QnId gone, QnId first, QnId main)
+{
+  QnLoad *lists[] = { model->dead_loads, model->live_loads };
+  gsize counts[] = { model->dead_load_count, model->live_load_count };
+  for (int l = 0; l < 2; l++) {
+    for (gsize i = 0; i < counts[l]; i++) {
+      QnLoad *load = &lists[l][i];
+      if (load->kind == QN_LOAD_WEIGHT || load->block != gone)
+        continue;
+      if (load->kind == QN_LOAD_SETTLEMENT) {
+        load->block = main;
+        continue;
+      }
+      if (!load->has_at) {
+        load->has_at = true;
+        load->at = model->blocks[gone].centroid;
+      }
+      load->block = block_at (model, first, load->at);
+    }
+  }
+  gsize kept = 0;
+  for (gsize i = 0; i < model->override_count; i++) {
+    QnFaceOverride override = model->overrides[i];
+    if (override.block_a == gone)
+      override.block_a = main;
+    if (override.block_b == gone)
+      override.block_b = main;
+    if (override.block_a != override.block_b)
+      model->overrides[kept++] = override;
+  }
+  model->override_count = kept;
+  if (model->analysis.control_block == gone)
+    model->analysis.control_block = main;
+  for (gsize i = 0; i < model->node_count; i++) {
+    QnNode *node = &model->nodes[i];
+    if (node->block != gone)
+      continue;
+    node->seat = QN_SEAT_POINT;
+    node->block = block_at (model, first, node->at);
+  }
+}
+
+gboolean
+qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
+                        const QnRings *rings, GError **error)
+{
+  QnId first = (QnId) model->block_count;
+  gsize keeper = largest_ring (rings);
+  g_autofree char *kept_name = g_strdup (model->blocks[gone[0]].name);
+  for (gsize i = 0; i < rings->count; i++) {
+    const QnBlock old = model->blocks[gone[0]];
+    g_autofree char *name =
+      i == keeper ? g_strdup (kept_name) : qn_edit_dup_free_name (model, "b");
+    QnBlock *block =
+      qn_model_add_block (model, name, rings->items[i].points, rings->items[i].count);
+    if (block == NULL)
+      return qn_edit_no_memory (error);
+    block->thickness = old.thickness;
+    block->unit_weight = old.unit_weight;
+    block->density = old.density;
+    block->law = old.law;
+    block->note = i == keeper ? old.note : 0;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = old.support[dof];
+  }
+  for (guint i = 0; i < count; i++)
+    redirect (model, gone[i], first, first + (QnId) keeper);
+  g_autofree gboolean *drop = qn_block_set_to_flags ((QnBlockSet){ gone, count }, model);
+  return qn_edit_rebuild (model, drop, error);
+}
+
+/* ---- cutting ---- */
+
+/* Where the segment ab meets the edge pq, as a part of ab; NAN where it does not. */
+static double
+meet (QnVec2 a, QnVec2 b, QnVec2 p, QnVec2 q)
+{
+  QnVec2 d = qn_vec2_sub (b, a), e = qn_vec2_sub (q, p), to = qn_vec2_sub (p, a);
+  double cross = qn_vec2_cross (d, e);
+  if (cross == 0.0)
+    return NAN;
+  double t = qn_vec2_cross (to, e) / cross, s = qn_vec2_cross (to, d) / cross;
+  return s >= 0.0 && s <= 1.0 && t > 0.0 && t < 1.0 ? t : NAN;
+}
+
+static int
+compare_numbers (gconstpointer a, gconstpointer b)
+{
+  double left = *(const double *) a, right = *(const double *) b;
+  return (left > right) - (left < right);
+}
+
+gboolean
+qn_block_is_crossed (const QnModel *model, QnId block, QnVec2 a, QnVec2 b)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  gsize count = (gsize) model->blocks[block].vertex_count;
+  g_autoptr (GArray) cuts = g_array_new (FALSE, FALSE, sizeof (double));
+  double ends[] = { 0.0, 1.0 }, size = 0.0;
+  g_array_append_vals (cuts, ends, 2);
+  for (gsize i = 0; i < count; i++) {
+    double t = meet (a, b, v[i], v[(i + 1) % count]);
+    size = MAX (size, qn_vec2_length (qn_vec2_sub (v[i], v[0])));
+    if (!isnan (t))
+      g_array_append_val (cuts, t);
+  }
+  g_array_sort (cuts, compare_numbers);
+  for (guint i = 1; i < cuts->len; i++) {
+    double from = g_array_index (cuts, double, i - 1);
+    double to = g_array_index (cuts, double, i);
+    if (qn_polygon_depth (v, count, qn_vec2_lerp (a, b, 0.5 * (from + to)))
+        > LEAST_PART * size)
+      return TRUE;
+  }
+  return FALSE;
+}
+
+static gboolean
+cut_block (QnModel *model, QnId id, QnVec2 a, QnVec2 b, gboolean *done, GError **error)
+{
+  QnRing ring;
+  QnRings parts = { 0 };
+  QnDiag diag = { 0 };
+  if (!qn_block_to_ring (model, id, &ring))
+    return qn_edit_no_memory (error);
+  QnStatus status = qn_polygon_cut (&ring, a, b, &parts, &diag);
+  qn_ring_clear (&ring);
+  gboolean fine = status == QN_OK || refuse (model, &diag, error);
+  if (fine && parts.count > 1) {
+    *done = TRUE;
+    fine = qn_edit_replace_blocks (model, &id, 1, &parts, error);
+  }
+  qn_rings_clear (&parts);
+  return fine;
+}
+
+/* Blocks of the set, or all, that the segment passes through. */
+static GArray *
+crossed_blocks (const QnModel *model, QnBlockSet set, QnVec2 a, QnVec2 b)
+{
+  GArray *crossed = g_array_new (FALSE, FALSE, sizeof (QnId));
+  g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
+  for (QnId i = 0; i < (QnId) model->block_count; i++) {
+    if ((set.count == 0 || flags[i]) && qn_block_is_crossed (model, i, a, b))
+      g_array_append_val (crossed, i);
+  }
+  return crossed;
+}
+
+gboolean
+qn_edit_cut_blocks (QnModel *model, QnBlockSet set, QnVec2 a, QnVec2 b, GError **error)
+{
+  g_autoptr (GArray) crossed = crossed_blocks (model, set, a, b);
+  QnId *ids = (QnId *) crossed->data;
+  gboolean any = FALSE;
+  if (crossed->len > 0 && !qn_edit_take_apart (model, ids, crossed->len, error))
+    return FALSE;
+  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
+  for (guint i = 0; i < crossed->len; i++)
+    g_ptr_array_add (names, g_strdup (model->blocks[ids[i]].name));
+  for (guint i = 0; i < names->len; i++) {
+    QnId id = qn_model_find_block (model, g_ptr_array_index (names, i));
+    if (!cut_block (model, id, a, b, &any, error))
+      return FALSE;
+  }
+  if (any)
+    return TRUE;
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       set.count > 0 ? _ ("The line crosses none of the selected blocks")
+                                     : _ ("The line crosses no block"));
+  return FALSE;
+}
+
+/* ---- joining ---- */
+
+gboolean
+qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
+{
+  if (set.count < 2) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("Select the blocks that are to become one"));
+    return FALSE;
+  }
+  g_autofree QnId *ids = g_memdup2 (set.ids, set.count * sizeof *set.ids);
+  if (!qn_edit_take_apart (model, ids, set.count, error))
+    return FALSE;
+  QnRings rings = { 0 }, joined = { 0 };
+  QnRing whole = { 0 };
+  QnDiag diag = { 0 };
+  gboolean fine = TRUE;
+  for (guint i = 0; i < set.count && fine; i++)
+    fine = qn_rings_add (&rings, qn_model_block_vertices (model, ids[i]),
+                         (gsize) model->blocks[ids[i]].vertex_count);
+  if (!fine)
+    qn_edit_no_memory (error);
+  else if (qn_polygons_union (&rings, &whole, &diag) != QN_OK)
+    fine = refuse (model, &diag, error);
+  else
+    fine = qn_rings_take (&joined, &whole) || qn_edit_no_memory (error);
+  qn_rings_clear (&rings);
+  fine = fine && qn_edit_replace_blocks (model, ids, set.count, &joined, error);
+  qn_ring_clear (&whole);
+  qn_rings_clear (&joined);
+  return fine;
+}
+
+/* ---- corners ---- */
+
+gboolean
+qn_edit_move_corner (QnModel *model, QnBlockSet set, QnVec2 from, QnVec2 to,
+                     GError **error)
+{
+  double reach = LEAST_PART * MAX (1.0, model->characteristic_length);
+  g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
+  g_autoptr (GArray) touched = g_array_new (FALSE, FALSE, sizeof (QnId));
+  for (QnId i = 0; i < (QnId) model->block_count; i++) {
+    const QnVec2 *v = qn_model_block_vertices (model, i);
+    gboolean at = FALSE;
+    for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
+      at = at || qn_vec2_length (qn_vec2_sub (v[k], from)) <= reach;
+    if (at && (set.count == 0 || flags[i]))
+      g_array_append_val (touched, i);
+  }
+  QnId *ids = (QnId *) touched->data;
+  if (touched->len == 0) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is no corner of a block here"));
+    return FALSE;
+  }
+  if (!qn_edit_take_apart (model, ids, touched->len, error))
+    return FALSE;
+  for (guint i = 0; i < touched->len; i++) {
+    QnVec2 *v = model->vertices + model->blocks[ids[i]].first_vertex;
+    for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++) {
+      if (qn_vec2_length (qn_vec2_sub (v[k], from)) <= reach)
+        v[k] = to;
+    }
+  }
+  return TRUE;
+}

@@ -1,0 +1,302 @@
+#include "doc/edit/edit-stage.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static gboolean
+refuse (GError **error, const char *message)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  return FALSE;
+}
+
+/* ---- sets ---- */
+
+gboolean
+qn_edit_add_load_set (QnModel *model, GError **error)
+{
+  for (gsize number = model->load_set_count + 1;; number++) {
+    g_autofree char *name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, _ ("set"), number);
+    if (qn_model_find_load_set (model, name) != QN_NONE)
+      continue;
+    if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
+      return refuse (error, _ ("There are as many sets of loads as there can be"));
+    return qn_model_add_load_set (model, name) != QN_NONE || qn_edit_no_memory (error);
+  }
+}
+
+gboolean
+qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name, GError **error)
+{
+  if (*name == '\0' || qn_model_find_load_set (model, name) != QN_NONE
+      || g_str_equal (name, "dead"))
+    return refuse (error, _ ("A set of loads needs a name of its own"));
+  char *copy = strdup (name);
+  if (copy == NULL)
+    return qn_edit_no_memory (error);
+  free (model->load_sets[set - 1]);
+  model->load_sets[set - 1] = copy;
+  return TRUE;
+}
+
+static uint32_t
+without_bit (uint32_t bits, int32_t set)
+{
+  uint32_t low = (UINT32_C (1) << set) - 1;
+  return (bits & low) | (bits >> 1 & ~low);
+}
+
+gboolean
+qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error)
+{
+  (void) error;
+  gsize kept = 0;
+  for (gsize i = 0; i < model->live_load_count; i++) {
+    QnLoad load = model->live_loads[i];
+    if (load.set == set)
+      continue;
+    load.set -= load.set > set;
+    model->live_loads[kept++] = load;
+  }
+  model->live_load_count = kept;
+  kept = 0;
+  for (gsize i = 0; i < model->stage_count; i++) {
+    QnStage stage = model->stages[i];
+    stage.sets = without_bit (stage.sets, set);
+    if (stage.sets != 0)
+      model->stages[kept++] = stage;
+    else
+      free (stage.name);
+  }
+  model->stage_count = kept;
+  free (model->load_sets[set - 1]);
+  memmove (model->load_sets + set - 1, model->load_sets + set,
+           (model->load_set_count - (gsize) set) * sizeof *model->load_sets);
+  model->load_set_count--;
+  return TRUE;
+}
+
+/* ---- loads ---- */
+
+/* Place of the k-th load of a list in the model's array; the array's end where there is none. */
+static gsize
+find_load (const QnModel *model, int32_t list, gsize index)
+{
+  if (list == QN_DEAD_LOADS)
+    return MIN (index, model->dead_load_count);
+  gsize i = 0;
+  for (gsize seen = 0; i < model->live_load_count; i++) {
+    if (model->live_loads[i].set == list && seen++ == index)
+      break;
+  }
+  return i;
+}
+
+gsize
+qn_model_count_loads (const QnModel *model, int32_t list)
+{
+  gsize count = 0;
+  for (gsize i = 0; list != QN_DEAD_LOADS && i < model->live_load_count; i++)
+    count += model->live_loads[i].set == list;
+  return list == QN_DEAD_LOADS ? model->dead_load_count : count;
+}
+
+const QnLoad *
+qn_model_get_load (const QnModel *model, int32_t list, gsize index)
+{
+  gsize place = find_load (model, list, index);
+  if (list == QN_DEAD_LOADS)
+    return place < model->dead_load_count ? &model->dead_loads[place] : NULL;
+  return place < model->live_load_count ? &model->live_loads[place] : NULL;
+}
+
+gboolean
+qn_edit_append_load (QnModel *model, int32_t list, QnLoad load, GError **error)
+{
+  QnLoad *added = list == QN_DEAD_LOADS ? qn_model_add_dead_load (model)
+                                        : qn_model_add_live_load (model);
+  if (added == NULL)
+    return qn_edit_no_memory (error);
+  *added = load;
+  added->set = MAX (list, 0);
+  return TRUE;
+}
+
+static gboolean
+refuse_load (GError **error)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       _ ("There is no such load"));
+  return FALSE;
+}
+
+gboolean
+qn_edit_replace_load (QnModel *model, int32_t list, gsize index, QnLoad load,
+                      GError **error)
+{
+  if (qn_model_get_load (model, list, index) == NULL)
+    return refuse_load (error);
+  QnLoad *loads = list == QN_DEAD_LOADS ? model->dead_loads : model->live_loads;
+  load.set = MAX (list, 0);
+  loads[find_load (model, list, index)] = load;
+  return TRUE;
+}
+
+gboolean
+qn_edit_remove_load (QnModel *model, int32_t list, gsize index, GError **error)
+{
+  return qn_edit_delete_load (model, list != QN_DEAD_LOADS,
+                              (QnId) find_load (model, list, index), error);
+}
+
+/* ---- stages ---- */
+
+static gboolean
+is_controlled (const QnStage *stage)
+{
+  return stage->control_block != QN_NONE || stage->control_node != QN_NONE;
+}
+
+QnStageEnd
+qn_stage_get_end (const QnStage *stage)
+{
+  if (is_controlled (stage))
+    return QN_STAGE_END_DISPLACEMENT;
+  return stage->has_target ? QN_STAGE_END_MULTIPLIER : QN_STAGE_END_COLLAPSE;
+}
+
+/* Stages but the last must end somewhere: one that does not is driven by 1 from where its sets
+ * were left. */
+static void
+close_ends (QnModel *model)
+{
+  double multiplier[QN_MAX_LOAD_SETS] = { 0 };
+  for (gsize i = 0; i < model->stage_count; i++) {
+    QnStage *stage = &model->stages[i];
+    gboolean ends = qn_stage_get_end (stage) != QN_STAGE_END_COLLAPSE
+                    || !qn_model_sets_have_force (model, stage->sets);
+    double from = 0.0;
+    for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+      if (stage->sets >> set & 1 && !isnan (multiplier[set]))
+        from = multiplier[set];
+    if (!ends && i + 1 < model->stage_count) {
+      stage->has_target = true;
+      stage->target = from + 1.0;
+    }
+    double reached = stage->has_target       ? stage->target
+                     : is_controlled (stage) ? NAN
+                                             : 1.0;
+    for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+      if (stage->sets >> set & 1)
+        multiplier[set] = reached;
+  }
+}
+
+/* The analysis as a whole becomes its first stage. */
+static void
+begin_stages (QnModel *model, QnStage *stage)
+{
+  QnAnalysisSettings *a = &model->analysis;
+  if (a->procedure == QN_PROCEDURE_LIMIT)
+    a->procedure = QN_PROCEDURE_LOAD;
+  stage->sets = 1;
+  stage->procedure = a->procedure;
+  if (a->procedure == QN_PROCEDURE_DISPLACEMENT) {
+    stage->control_block = a->control_block;
+    stage->control_node = a->control_node;
+    stage->control_dof = a->control_dof;
+    stage->control_target = a->control_target;
+  }
+  stage->has_target = isfinite (a->max_multiplier) && !is_controlled (stage);
+  stage->target = stage->has_target ? a->max_multiplier : 0.0;
+  a->max_multiplier = INFINITY;
+}
+
+/* Sets of a further stage: one that has loads and waits, or what the stage before drives. */
+static uint32_t
+next_sets (const QnModel *model)
+{
+  uint32_t driven = 0;
+  for (gsize i = 0; i + 1 < model->stage_count; i++)
+    driven |= model->stages[i].sets;
+  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
+    if ((driven >> set & 1) == 0 && qn_model_count_loads (model, set) > 0)
+      return UINT32_C (1) << set;
+  }
+  return model->stages[model->stage_count - 2].sets;
+}
+
+gboolean
+qn_edit_add_stage (QnModel *model, GError **error)
+{
+  QnStage *stage = qn_model_add_stage (model, NULL);
+  if (stage == NULL)
+    return qn_edit_no_memory (error);
+  stage->control_block = stage->control_node = QN_NONE;
+  stage->procedure = QN_PROCEDURE_LOAD;
+  if (model->stage_count == 1) {
+    begin_stages (model, stage);
+    return TRUE;
+  }
+  stage->sets = next_sets (model);
+  close_ends (model);
+  /* Settlements that went to 1 come back. */
+  const QnStage *before = stage - 1;
+  if (!qn_model_sets_have_force (model, stage->sets) && before->sets == stage->sets) {
+    double reached = before->has_target ? before->target : 1.0;
+    stage->has_target = true;
+    stage->target = reached != 0.0 ? 0.0 : 1.0;
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_delete_stage (QnModel *model, gsize index, GError **error)
+{
+  (void) error;
+  free (model->stages[index].name);
+  memmove (model->stages + index, model->stages + index + 1,
+           (model->stage_count - index - 1) * sizeof *model->stages);
+  model->stage_count--;
+  return TRUE;
+}
+
+gboolean
+qn_edit_move_stage (QnModel *model, gsize index, int by, GError **error)
+{
+  if ((by < 0 && index == 0) || (by > 0 && index + 1 >= model->stage_count)) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is no stage to change places with"));
+    return FALSE;
+  }
+  gsize other = by < 0 ? index - 1 : index + 1;
+  QnStage stage = model->stages[index];
+  model->stages[index] = model->stages[other];
+  model->stages[other] = stage;
+  close_ends (model);
+  return TRUE;
+}
+
+gboolean
+qn_edit_change_stage (QnModel *model, gsize index, const QnStage *settings,
+                      GError **error)
+{
+  (void) error;
+  char *name = model->stages[index].name;
+  model->stages[index] = *settings;
+  model->stages[index].name = name;
+  return TRUE;
+}
+
+gboolean
+qn_edit_rename_stage (QnModel *model, gsize index, const char *name, GError **error)
+{
+  char *copy = *name != '\0' ? strdup (name) : NULL;
+  if (copy == NULL && *name != '\0')
+    return qn_edit_no_memory (error);
+  free (model->stages[index].name);
+  model->stages[index].name = copy;
+  return TRUE;
+}

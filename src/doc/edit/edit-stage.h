@@ -1,0 +1,61 @@
+/* Edits of load sets, of single loads, and of the stages that they are applied in.
+ *
+ * They work on the draft of qn_document_edit(), with errors as in edit.h; what breaks a rule of
+ * stages (model-check-loading.c) is refused when the draft becomes the document. Lists of loads are
+ * told by numbers: QN_DEAD_LOADS, 0 for the live loads, and those of the sets.
+ */
+#ifndef QN_DOC_EDIT_STAGE_H
+#define QN_DOC_EDIT_STAGE_H
+
+#include "doc/document/edit.h"
+
+#define QN_DEAD_LOADS (-1)
+
+/* ---- lists of loads ---- */
+
+/* Adds an empty set under a free name ("set 1", …); its number is that of the last. */
+gboolean qn_edit_add_load_set (QnModel *model, GError **error);
+gboolean qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name,
+                                  GError **error);
+/* With it go its loads, and stages that drive nothing else. */
+gboolean qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error);
+
+/* How many loads a list has, and its k-th; NULL behind the last. */
+gsize qn_model_count_loads (const QnModel *model, int32_t list);
+const QnLoad *qn_model_get_load (const QnModel *model, int32_t list, gsize index);
+
+/* Appends a load to a list, replaces or removes the k-th. The set of `load` is that of the list. */
+gboolean qn_edit_append_load (QnModel *model, int32_t list, QnLoad load, GError **error);
+gboolean qn_edit_replace_load (QnModel *model, int32_t list, gsize index, QnLoad load,
+                               GError **error);
+gboolean qn_edit_remove_load (QnModel *model, int32_t list, gsize index, GError **error);
+
+/* ---- stages ---- */
+
+/* Appends a stage: the first takes over the procedure of the analysis and its live loads; others
+ * drive the first set that no stage drives yet, or go on with that of the stage before. Where
+ * that had no end it gets one. */
+gboolean qn_edit_add_stage (QnModel *model, GError **error);
+gboolean qn_edit_delete_stage (QnModel *model, gsize stage, GError **error);
+
+/* Swaps a stage with the one before (by = -1) or behind it (1); of both, what would now lack an
+ * end gets one. */
+gboolean qn_edit_move_stage (QnModel *model, gsize stage, int by, GError **error);
+
+/* Replaces the settings of a stage, all but its name. */
+gboolean qn_edit_change_stage (QnModel *model, gsize stage, const QnStage *settings,
+                               GError **error);
+/* An empty name is none: its number stands for it. */
+gboolean qn_edit_rename_stage (QnModel *model, gsize stage, const char *name,
+                               GError **error);
+
+/* How a stage ends. */
+typedef enum {
+  QN_STAGE_END_COLLAPSE,     /* nowhere: only the last one may */
+  QN_STAGE_END_MULTIPLIER,   /* at a multiplier */
+  QN_STAGE_END_DISPLACEMENT, /* at a displacement */
+  QN_STAGE_END_COUNT
+} QnStageEnd;
+QnStageEnd qn_stage_get_end (const QnStage *stage);
+
+#endif

@@ -1,0 +1,99 @@
+#include "doc/edit/picture.h"
+
+#include "doc/document/edit.h"
+#include "render/scene/photo.h"
+#include <glib/gi18n.h>
+
+#define MEMBER "underlay"
+
+char *
+qn_document_dup_folder (QnDocument *document)
+{
+  const char *path = qn_document_get_path (document);
+  return path != NULL ? g_path_get_dirname (path) : NULL;
+}
+
+static QnBox
+box_of (const QnModel *model)
+{
+  QnBox box = { model->vertices[0], model->vertices[0] };
+  for (gsize i = 1; i < model->vertex_count; i++) {
+    QnVec2 v = model->vertices[i];
+    box.min = qn_vec2 (MIN (box.min.x, v.x), MIN (box.min.y, v.y));
+    box.max = qn_vec2 (MAX (box.max.x, v.x), MAX (box.max.y, v.y));
+  }
+  return box;
+}
+
+gboolean
+qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
+                            GError **error)
+{
+  cairo_surface_t *image = qn_photo_load (path, error);
+  if (image == NULL)
+    return FALSE;
+  cairo_surface_destroy (image);
+  const QnModel *model = qn_document_get_model (document);
+  QnBox box = model->block_count > 0 ? box_of (model) : view;
+  QnUnderlay underlay = { .origin = box.min,
+                          .width = MAX (box.max.x - box.min.x, 1e-3),
+                          .opacity = 0.6 };
+  g_autofree char *folder = qn_document_dup_folder (document);
+  g_autofree char *name = qn_underlay_dup_name (path, folder);
+  g_autofree char *json = qn_underlay_to_json (name, &underlay);
+  return qn_document_edit_extra (document, _ ("Lay Picture Behind"), NULL, MEMBER, json,
+                                 error);
+}
+
+/* Path of the present picture, or NULL with an error. */
+static char *
+dup_image (QnDocument *document, const char *folder, QnUnderlay *underlay, GError **error)
+{
+  char *path = NULL;
+  if (qn_underlay_locate (qn_document_get_project (document), folder, &path, underlay,
+                          error)
+      && path == NULL)
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is no picture behind the drawing"));
+  return path;
+}
+
+gboolean
+qn_document_place_picture (QnDocument *document, const char *name, const char *key,
+                           const QnUnderlay *underlay, GError **error)
+{
+  QnUnderlay before;
+  g_autofree char *image = dup_image (document, NULL, &before, error);
+  if (image == NULL)
+    return FALSE;
+  g_autofree char *json = qn_underlay_to_json (image, underlay);
+  return qn_document_edit_extra (document, name, key, MEMBER, json, error);
+}
+
+gboolean
+qn_document_remove_picture (QnDocument *document, GError **error)
+{
+  return qn_document_edit_extra (document, _ ("Remove Picture"), NULL, MEMBER, NULL,
+                                 error);
+}
+
+gboolean
+qn_document_carry_picture (QnDocument *document, const char *path, GError **error)
+{
+  g_autofree char *old_folder = qn_document_dup_folder (document);
+  g_autofree char *new_folder = g_path_get_dirname (path);
+  QnUnderlay underlay;
+  g_autofree char *image = NULL;
+  if (!qn_underlay_locate (qn_document_get_project (document), old_folder, &image,
+                           &underlay, error))
+    return FALSE;
+  if (image == NULL)
+    return TRUE;
+  g_autofree char *name = qn_underlay_dup_name (image, new_folder);
+  g_autofree char *present = dup_image (document, NULL, &underlay, NULL);
+  if (g_strcmp0 (present, name) == 0)
+    return TRUE;
+  g_autofree char *json = qn_underlay_to_json (name, &underlay);
+  return qn_document_edit_extra (document, _ ("Name Picture Anew"), NULL, MEMBER, json,
+                                 error);
+}

@@ -1,0 +1,33 @@
+/* The picture behind a document's drawing: laid there, moved, scaled and taken away, each as a
+ * step that can be undone. Where it is kept and shown: underlay.h, view-state.h. */
+#ifndef QN_DOC_PICTURE_H
+#define QN_DOC_PICTURE_H
+
+#include "doc/document/document.h"
+#include "doc/document/underlay.h"
+#include "render/scene/camera.h"
+
+/* Lays a picture behind the drawing, in place of the one that is there: over the width of the
+ * drawing where there is one and of `view` otherwise, its foot at that of the drawing. Refused
+ * where the file is no picture. */
+gboolean qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
+                                     GError **error);
+
+/* Another place, size or opacity for the same picture; `name` and `key` as of
+ * qn_document_edit(). */
+gboolean qn_document_place_picture (QnDocument *document, const char *name,
+                                    const char *key, const QnUnderlay *underlay,
+                                    GError **error);
+
+/* Takes the picture away; its file stays. */
+gboolean qn_document_remove_picture (QnDocument *document, GError **error);
+
+/* Before the document is saved as `path`: names the picture as seen from there. */
+gboolean qn_document_carry_picture (QnDocument *document, const char *path,
+                                    GError **error);
+
+/* Folder that the document's relative paths start from, or NULL for one that was never saved.
+ * The caller frees it. */
+char *qn_document_dup_folder (QnDocument *document);
+
+#endif

@@ -1,0 +1,367 @@
+#include "doc/edit/repair.h"
+
+#include "core/base/polygon.h"
+#include "doc/edit/edit-shape.h"
+#include "doc/text/explain.h"
+#include "stereotomy/polygon-ops.h"
+#include "stereotomy/weld.h"
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+/* Repairs in one go at most; each can bring another finding to light. */
+#define MOST_REPAIRS 500
+
+/* Overlap above this part of the smaller block: it lies in the other. */
+#define SAME_BLOCK 0.999
+
+/* Snapping reaches this much farther than the gap: corners lie aslant. */
+#define SNAP_REACH 1.5
+
+/* ---- which block gives way ---- */
+
+static int
+firmness (const QnBlock *block)
+{
+  int fixed = block->support[0] || block->support[1] || block->support[2];
+  return 2 * fixed + (block->wall != QN_NONE || block->masonry != QN_NONE);
+}
+
+static void
+choose (const QnModel *model, const QnFinding *finding, QnId *mover, QnId *keeper)
+{
+  *mover = finding->block_a;
+  *keeper = finding->block_b;
+  if (*keeper == QN_NONE)
+    return;
+  const QnBlock *a = &model->blocks[*mover], *b = &model->blocks[*keeper];
+  gboolean swap =
+    firmness (a) != firmness (b) ? firmness (a) > firmness (b) : a->area > b->area;
+  if (swap) {
+    *mover = finding->block_b;
+    *keeper = finding->block_a;
+  }
+}
+
+static double
+common_area (const QnModel *model, QnId a, QnId b)
+{
+  QnRing p = { 0 }, q = { 0 };
+  QnRings common = { 0 };
+  double area = 0.0;
+  if (qn_block_to_ring (model, a, &p) && qn_block_to_ring (model, b, &q)
+      && qn_polygon_intersection (&p, &q, &common, NULL) == QN_OK) {
+    for (gsize i = 0; i < common.count; i++)
+      area += fabs (qn_ring_area (&common.items[i]));
+  }
+  qn_ring_clear (&p);
+  qn_ring_clear (&q);
+  qn_rings_clear (&common);
+  return area;
+}
+
+/* ---- choices ---- */
+
+static guint
+overlap_choices (const QnModel *model, const QnFinding *finding, QnRepair *choices)
+{
+  QnId mover, keeper;
+  guint count = 0;
+  choose (model, finding, &mover, &keeper);
+  if (common_area (model, mover, keeper) >= SAME_BLOCK * model->blocks[mover].area) {
+    choices[count++] = QN_REPAIR_DELETE;
+  } else {
+    choices[count++] = QN_REPAIR_TRIM;
+    choices[count++] = QN_REPAIR_MOVE;
+  }
+  choices[count++] = QN_REPAIR_MERGE;
+  return count;
+}
+
+guint
+qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
+                       QnRepair choices[QN_REPAIR_COUNT])
+{
+  guint count = 0;
+  gboolean two = finding->block_a != QN_NONE && finding->block_b != QN_NONE;
+  if ((finding->problem == QN_PROBLEM_NEAR_MISS_GAP
+       || finding->problem == QN_PROBLEM_NEAR_MISS_OVERLAP)
+      && two) {
+    choices[count++] = QN_REPAIR_SNAP;
+    choices[count++] = QN_REPAIR_MOVE;
+    choices[count++] = QN_REPAIR_MERGE;
+  } else if (finding->problem == QN_PROBLEM_BLOCKS_OVERLAP && two) {
+    count = overlap_choices (model, finding, choices);
+  } else if ((finding->problem == QN_PROBLEM_BLOCK_WITHOUT_CONTACT
+              || finding->problem == QN_PROBLEM_BLOCK_FLOATING)
+             && finding->block_a != QN_NONE) {
+    choices[count++] = QN_REPAIR_SUPPORT;
+    choices[count++] = QN_REPAIR_DELETE;
+  } else if (finding->problem == QN_PROBLEM_OVERRIDE_UNUSED && two) {
+    choices[count++] = QN_REPAIR_FORGET;
+  }
+  return count;
+}
+
+const char *
+qn_repair_get_label (QnRepair repair)
+{
+  static const char *const labels[QN_REPAIR_COUNT] = {
+    [QN_REPAIR_SNAP] = N_ ("Snap"),     [QN_REPAIR_MOVE] = N_ ("Move"),
+    [QN_REPAIR_TRIM] = N_ ("Trim"),     [QN_REPAIR_MERGE] = N_ ("Merge"),
+    [QN_REPAIR_SUPPORT] = N_ ("Fix"),   [QN_REPAIR_DELETE] = N_ ("Delete"),
+    [QN_REPAIR_FORGET] = N_ ("Forget"),
+  };
+  return _ (labels[repair]);
+}
+
+const char *
+qn_repair_get_step_name (QnRepair repair)
+{
+  static const char *const names[QN_REPAIR_COUNT] = {
+    [QN_REPAIR_SNAP] = N_ ("Snap Corners"),
+    [QN_REPAIR_MOVE] = N_ ("Move to Contact"),
+    [QN_REPAIR_TRIM] = N_ ("Trim Block"),
+    [QN_REPAIR_MERGE] = N_ ("Merge Blocks"),
+    [QN_REPAIR_SUPPORT] = N_ ("Fix Block"),
+    [QN_REPAIR_DELETE] = N_ ("Delete Block"),
+    [QN_REPAIR_FORGET] = N_ ("Forget Exception"),
+  };
+  return _ (names[repair]);
+}
+
+char *
+qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair)
+{
+  static const char *const sentences[QN_REPAIR_COUNT] = {
+    [QN_REPAIR_SNAP] = N_ ("Moves corners of %s onto %s"),
+    [QN_REPAIR_MOVE] = N_ ("Moves %s as a whole until it touches %s"),
+    [QN_REPAIR_TRIM] = N_ ("Takes from %s what it has in common with %s"),
+    [QN_REPAIR_MERGE] = N_ ("Makes one block of %s and %s"),
+    [QN_REPAIR_SUPPORT] = N_ ("Fixes %s to the ground"),
+    [QN_REPAIR_DELETE] = N_ ("Removes %s"),
+    [QN_REPAIR_FORGET] = N_ ("Removes the exception for %s and %s"),
+  };
+  QnId mover, keeper;
+  choose (model, finding, &mover, &keeper);
+  const char *first = model->blocks[mover].name;
+  const char *second = keeper != QN_NONE ? model->blocks[keeper].name : "";
+  g_auto (GStrv) parts = g_strsplit (_ (sentences[repair]), "%s", -1);
+  GString *text = g_string_new (parts[0]);
+  for (guint i = 1; parts[i] != NULL; i++)
+    g_string_append_printf (text, "%s%s", i == 1 ? first : second, parts[i]);
+  return g_string_free (text, FALSE);
+}
+
+/* ---- repairs ---- */
+
+/* Outward normal of the side of a block that is nearest to a place. */
+static QnVec2
+normal_at (const QnModel *model, QnId block, QnVec2 at)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  gsize count = (gsize) model->blocks[block].vertex_count;
+  QnVec2 normal = { 0.0, 1.0 };
+  double nearest = INFINITY;
+  for (gsize i = 0; i < count; i++) {
+    QnVec2 along = qn_vec2_sub (v[(i + 1) % count], v[i]);
+    double length = qn_vec2_length (along);
+    double distance = qn_segment_distance (v[i], v[(i + 1) % count], at);
+    if (length > 0.0 && distance < nearest) {
+      nearest = distance;
+      normal = qn_vec2 (along.y / length, -along.x / length);
+    }
+  }
+  return normal;
+}
+
+static gboolean
+move_to_contact (QnModel *model, const QnFinding *finding, GError **error)
+{
+  QnId mover, keeper;
+  choose (model, finding, &mover, &keeper);
+  double sign = finding->problem == QN_PROBLEM_NEAR_MISS_GAP ? -1.0 : 1.0;
+  QnVec2 by =
+    qn_vec2_scale (sign * finding->value, normal_at (model, keeper, finding->at));
+  return qn_edit_transform_blocks (model, (QnBlockSet){ &mover, 1 },
+                                   qn_transform_translation (by.x, by.y), error);
+}
+
+/* The polygons that are to take the mover's place, appended to `left`; `gap` is the finding's
+ * value, m. */
+typedef QnStatus (*ReshapeFunc) (const QnModel *model, QnId mover, QnId keeper,
+                                 double gap, QnRings *left, QnDiag *diag);
+
+static QnStatus
+snapped (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
+         QnDiag *diag)
+{
+  const QnId order[] = { keeper, mover };
+  QnRings rings = { 0 };
+  QnStatus status = QN_OK;
+  for (int i = 0; i < 2 && status == QN_OK; i++)
+    if (!qn_rings_add (&rings, qn_model_block_vertices (model, order[i]),
+                       (gsize) model->blocks[order[i]].vertex_count))
+      status = qn_diag_no_memory (diag);
+  if (status == QN_OK)
+    status = qn_snap_neighbours (&rings, SNAP_REACH * gap, NULL, diag);
+  if (status == QN_OK && !qn_rings_take (left, &rings.items[1]))
+    status = qn_diag_no_memory (diag);
+  qn_rings_clear (&rings);
+  return status;
+}
+
+static QnStatus
+trimmed (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
+         QnDiag *diag)
+{
+  (void) gap;
+  QnRing subject = { 0 };
+  QnRings cutters = { 0 };
+  QnStatus status =
+    qn_block_to_ring (model, mover, &subject)
+        && qn_rings_add (&cutters, qn_model_block_vertices (model, keeper),
+                         (gsize) model->blocks[keeper].vertex_count)
+      ? qn_polygon_difference (&subject, &cutters, left, diag)
+      : qn_diag_no_memory (diag);
+  qn_ring_clear (&subject);
+  qn_rings_clear (&cutters);
+  return status;
+}
+
+/* Gives the block that gives way another shape, freed from its wall first. */
+static gboolean
+reshape (QnModel *model, const QnFinding *finding, ReshapeFunc func, GError **error)
+{
+  QnId mover, keeper;
+  choose (model, finding, &mover, &keeper);
+  g_autofree char *keeper_name = g_strdup (model->blocks[keeper].name);
+  if (!qn_edit_take_apart (model, &mover, 1, error))
+    return FALSE;
+  keeper = qn_model_find_block (model, keeper_name);
+  QnRings left = { 0 };
+  QnDiag diag = { 0 };
+  gboolean done = FALSE;
+  QnStatus status = func (model, mover, keeper, finding->value, &left, &diag);
+  if (status == QN_ERROR_NO_MEMORY)
+    qn_edit_no_memory (error);
+  else if (status != QN_OK) {
+    g_autofree char *message = qn_explain_diag (model, &diag);
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  } else if (left.count == 0)
+    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                 _ ("Nothing would be left of %s"), model->blocks[mover].name);
+  else
+    done = qn_edit_replace_blocks (model, &mover, 1, &left, error);
+  qn_rings_clear (&left);
+  return done;
+}
+
+static gboolean
+forget (QnModel *model, const QnFinding *finding)
+{
+  gsize kept = 0;
+  for (gsize i = 0; i < model->override_count; i++) {
+    const QnFaceOverride *o = &model->overrides[i];
+    gboolean same = (o->block_a == finding->block_a && o->block_b == finding->block_b)
+                    || (o->block_a == finding->block_b && o->block_b == finding->block_a);
+    if (!same)
+      model->overrides[kept++] = *o;
+  }
+  model->override_count = kept;
+  return TRUE;
+}
+
+/* What a gap parts must touch before it can be one. */
+static gboolean
+merge (QnModel *model, const QnFinding *finding, GError **error)
+{
+  QnId ids[2];
+  choose (model, finding, &ids[1], &ids[0]);
+  g_autofree char *keeper = g_strdup (model->blocks[ids[0]].name);
+  g_autofree char *mover = g_strdup (model->blocks[ids[1]].name);
+  if (finding->problem == QN_PROBLEM_NEAR_MISS_GAP
+      && !reshape (model, finding, snapped, error))
+    return FALSE;
+  ids[0] = qn_model_find_block (model, keeper);
+  ids[1] = qn_model_find_block (model, mover);
+  return qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
+}
+
+gboolean
+qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GError **error)
+{
+  QnId mover, keeper;
+  choose (model, finding, &mover, &keeper);
+  static const bool fixed[QN_DOF_COUNT] = { true, true, true };
+  switch (repair) {
+  case QN_REPAIR_SNAP:
+    return reshape (model, finding, snapped, error);
+  case QN_REPAIR_MOVE:
+    return move_to_contact (model, finding, error);
+  case QN_REPAIR_TRIM:
+    return reshape (model, finding, trimmed, error);
+  case QN_REPAIR_MERGE:
+    return merge (model, finding, error);
+  case QN_REPAIR_SUPPORT:
+    return qn_edit_set_support (model, (QnBlockSet){ &mover, 1 }, fixed, error);
+  case QN_REPAIR_DELETE:
+    return qn_edit_delete_blocks (model, (QnBlockSet){ &mover, 1 }, error);
+  case QN_REPAIR_FORGET:
+    return forget (model, finding);
+  case QN_REPAIR_COUNT:
+    break;
+  }
+  return FALSE;
+}
+
+/* ---- all at once ---- */
+
+static gboolean
+is_harmless (QnRepair repair)
+{
+  return repair == QN_REPAIR_SNAP || repair == QN_REPAIR_TRIM
+         || repair == QN_REPAIR_FORGET;
+}
+
+/* Repairs the first finding that can be; FALSE where there is none. */
+static gboolean
+repair_one (QnModel *model)
+{
+  QnContacts contacts = { 0 };
+  QnDiag diag = { 0 };
+  if (qn_model_prepare (model, &diag) != QN_OK
+      || qn_contacts_detect (model, &contacts, &diag) != QN_OK)
+    return FALSE;
+  gboolean done = FALSE;
+  for (gsize i = 0; i < contacts.findings.count && !done; i++) {
+    QnRepair choices[QN_REPAIR_COUNT];
+    const QnFinding *finding = &contacts.findings.items[i];
+    if (qn_repair_get_choices (model, finding, choices) == 0 || !is_harmless (choices[0]))
+      continue;
+    QnModel trial;
+    if (qn_model_copy (model, &trial, &diag) != QN_OK)
+      break;
+    done = qn_edit_repair (&trial, finding, choices[0], NULL);
+    if (done) {
+      QnModel old = *model;
+      *model = trial;
+      trial = old;
+    }
+    qn_model_clear (&trial);
+  }
+  qn_contacts_clear (&contacts);
+  return done;
+}
+
+gboolean
+qn_edit_repair_all (QnModel *model, guint *count, GError **error)
+{
+  for (*count = 0; *count < MOST_REPAIRS && repair_one (model);)
+    (*count)++;
+  if (*count > 0)
+    return TRUE;
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                       _ ("There is nothing here that repairs itself"));
+  return FALSE;
+}

@@ -1,0 +1,42 @@
+/* Repairs: what can be done about a finding of contact detection.
+ *
+ * Gaps are closed by snapping corners or by moving a block, overlaps by trimming, merging or
+ * moving apart, blocks that nothing holds are fixed or removed. Of the two blocks of a finding
+ * the one that is free, not supported and smaller gives way. */
+#ifndef QN_DOC_REPAIR_H
+#define QN_DOC_REPAIR_H
+
+#include "core/contact/contacts.h"
+#include "doc/document/edit.h"
+
+typedef enum {
+  QN_REPAIR_SNAP,    /* corners of one block go to the other */
+  QN_REPAIR_MOVE,    /* the block as a whole */
+  QN_REPAIR_TRIM,    /* takes the common part from one */
+  QN_REPAIR_MERGE,   /* makes one of the two */
+  QN_REPAIR_SUPPORT, /* fixes the block */
+  QN_REPAIR_DELETE,
+  QN_REPAIR_FORGET, /* removes an exception that concerns no face */
+  QN_REPAIR_COUNT
+} QnRepair;
+
+/* What can be done, the best first; returns how many. */
+guint qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
+                             QnRepair choices[QN_REPAIR_COUNT]);
+
+/* "Snap", "Move" …, for a button; and the name of the step in the history. Static. */
+const char *qn_repair_get_label (QnRepair repair);
+const char *qn_repair_get_step_name (QnRepair repair);
+
+/* What the repair would do, with the block's name. The caller frees it. */
+char *qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair);
+
+/* Does it to the draft of an edit whose model the finding is about. */
+gboolean qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair,
+                         GError **error);
+
+/* Does the best for every finding that can be repaired without removing or fixing a block;
+ * `count` is how many were. Refused where there is none. */
+gboolean qn_edit_repair_all (QnModel *model, guint *count, GError **error);
+
+#endif

@@ -1,0 +1,281 @@
+#include "doc/masonry/masonry-field.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+#define LARGEST 1e6  /* m */
+#define SMALL   1e-3 /* m: least size */
+
+typedef enum { TYPE_NUMBER, TYPE_COUNT, TYPE_SEED } Type;
+
+/* Where a field is: in the object, or in the leaf of a wall. */
+typedef struct Field {
+  QnFieldInfo info;
+  int kind; /* QnMasonryKind, or -1 for all */
+  Type type;
+  gboolean leaf;
+  gsize offset;
+} Field;
+
+#define ALL (-1)
+#define SIZE(text, kind, member)                                                         \
+  {                                                                                      \
+    { text, QN_QUANTITY_LENGTH, SMALL, LARGEST, FALSE }, kind, TYPE_NUMBER, FALSE,       \
+      G_STRUCT_OFFSET (QnMasonry, member)                                                \
+  }
+#define EXTRA(text, kind, member)                                                        \
+  {                                                                                      \
+    { text, QN_QUANTITY_LENGTH, 0.0, LARGEST, FALSE }, kind, TYPE_NUMBER, FALSE,         \
+      G_STRUCT_OFFSET (QnMasonry, member)                                                \
+  }
+#define PLACE(text, member)                                                              \
+  {                                                                                      \
+    { text, QN_QUANTITY_LENGTH, -LARGEST, LARGEST, FALSE }, ALL, TYPE_NUMBER, FALSE,     \
+      G_STRUCT_OFFSET (QnMasonry, member)                                                \
+  }
+#define NUMBER(text, kind, member, least)                                                \
+  {                                                                                      \
+    { text, QN_QUANTITY_NUMBER, least, 10000.0, TRUE }, kind, TYPE_COUNT, FALSE,         \
+      G_STRUCT_OFFSET (QnMasonry, member)                                                \
+  }
+#define LEAF(text, quantity, least, most, member)                                        \
+  {                                                                                      \
+    { text, quantity, least, most, FALSE }, QN_MASONRY_WALL, TYPE_NUMBER, TRUE,          \
+      G_STRUCT_OFFSET (QnLeaf, member)                                                   \
+  }
+
+/* clang-format off */
+static const Field fields[QN_MASONRY_FIELD_COUNT] = {
+  [QN_MASONRY_ORIGIN_X] = PLACE (N_ ("Left edge"), origin.x),
+  [QN_MASONRY_ORIGIN_Y] = PLACE (N_ ("Lower edge"), origin.y),
+  [QN_MASONRY_ROTATION] = { { N_ ("Turned by"), QN_QUANTITY_ANGLE, -10.0, 10.0, FALSE }, ALL, TYPE_NUMBER,
+                          FALSE, G_STRUCT_OFFSET (QnMasonry, rotation) },
+  [QN_MASONRY_LENGTH] = LEAF (N_ ("Length"), QN_QUANTITY_LENGTH, SMALL, LARGEST, length),
+  [QN_MASONRY_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_WALL, wall.height),
+  [QN_MASONRY_UNIT_X] = LEAF (N_ ("Block length"), QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.x),
+  [QN_MASONRY_UNIT_Y] = LEAF (N_ ("Course height"), QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.y),
+  [QN_MASONRY_LAP] = LEAF (N_ ("Overlap, part of a block"), QN_QUANTITY_NUMBER, 0.0, 0.999, lap),
+  [QN_MASONRY_HEADER] = LEAF (N_ ("Header length (0: half)"), QN_QUANTITY_LENGTH, 0.0, LARGEST, header),
+  [QN_MASONRY_ARCH_SPAN] = SIZE (N_ ("Span"), QN_MASONRY_ARCH, arch.span),
+  [QN_MASONRY_ARCH_RISE] = SIZE (N_ ("Rise"), QN_MASONRY_ARCH, arch.rise),
+  [QN_MASONRY_ARCH_RING] = SIZE (N_ ("Ring thickness"), QN_MASONRY_ARCH, arch.ring),
+  [QN_MASONRY_ARCH_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), QN_MASONRY_ARCH, arch.voussoirs, 2.0),
+  [QN_MASONRY_ARCH_SPRINGER] = EXTRA (N_ ("Springer height"), QN_MASONRY_ARCH, arch.springer),
+  [QN_MASONRY_COLUMN_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_COLUMN, column.height),
+  [QN_MASONRY_COLUMN_BOTTOM] = SIZE (N_ ("Width at the foot"), QN_MASONRY_COLUMN, column.bottom),
+  [QN_MASONRY_COLUMN_TOP] = SIZE (N_ ("Width at the top"), QN_MASONRY_COLUMN, column.top),
+  [QN_MASONRY_COLUMN_DRUMS] = NUMBER (N_ ("Drums"), QN_MASONRY_COLUMN, column.drums, 1.0),
+  [QN_MASONRY_PLINTH_WIDTH] = EXTRA (N_ ("Plinth width"), QN_MASONRY_COLUMN, column.plinth_width),
+  [QN_MASONRY_PLINTH_HEIGHT] = EXTRA (N_ ("Plinth height"), QN_MASONRY_COLUMN, column.plinth_height),
+  [QN_MASONRY_CAPITAL_WIDTH] = EXTRA (N_ ("Capital width"), QN_MASONRY_COLUMN, column.capital_width),
+  [QN_MASONRY_CAPITAL_HEIGHT] = EXTRA (N_ ("Capital height"), QN_MASONRY_COLUMN, column.capital_height),
+  [QN_MASONRY_BUTTRESS_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_BUTTRESS, buttress.height),
+  [QN_MASONRY_BUTTRESS_BOTTOM] = SIZE (N_ ("Width at the foot"), QN_MASONRY_BUTTRESS, buttress.bottom),
+  [QN_MASONRY_BUTTRESS_TOP] = SIZE (N_ ("Width at the top"), QN_MASONRY_BUTTRESS, buttress.top),
+  [QN_MASONRY_BUTTRESS_COURSES] = NUMBER (N_ ("Courses"), QN_MASONRY_BUTTRESS, buttress.courses, 1.0),
+  [QN_MASONRY_PORTAL_BAYS] = NUMBER (N_ ("Bays"), QN_MASONRY_PORTAL, portal.bays, 1.0),
+  [QN_MASONRY_PORTAL_SPAN] = SIZE (N_ ("Span"), QN_MASONRY_PORTAL, portal.span),
+  [QN_MASONRY_PORTAL_PIER_WIDTH] = SIZE (N_ ("Pier width"), QN_MASONRY_PORTAL, portal.pier_width),
+  [QN_MASONRY_PORTAL_PIER_HEIGHT] = SIZE (N_ ("Pier height"), QN_MASONRY_PORTAL, portal.pier_height),
+  [QN_MASONRY_PORTAL_COURSES] = NUMBER (N_ ("Courses per pier"), QN_MASONRY_PORTAL, portal.courses, 1.0),
+  [QN_MASONRY_RUBBLE_WIDTH] = SIZE (N_ ("Width at the foot"), QN_MASONRY_RUBBLE, rubble.width),
+  [QN_MASONRY_RUBBLE_TOP] = SIZE (N_ ("Width at the top"), QN_MASONRY_RUBBLE, rubble.top),
+  [QN_MASONRY_RUBBLE_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_RUBBLE, rubble.height),
+  [QN_MASONRY_RUBBLE_STONE] = SIZE (N_ ("Size of stones"), QN_MASONRY_RUBBLE, rubble.stone),
+  [QN_MASONRY_RUBBLE_IRREGULARITY] = { { N_ ("Irregularity, 0 to 1"), QN_QUANTITY_NUMBER, 0.0, 1.0, FALSE },
+                                     QN_MASONRY_RUBBLE, TYPE_NUMBER, FALSE,
+                                     G_STRUCT_OFFSET (QnMasonry, rubble.irregularity) },
+  [QN_MASONRY_RUBBLE_SEED] = { { N_ ("Seed"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE }, QN_MASONRY_RUBBLE,
+                             TYPE_SEED, FALSE, G_STRUCT_OFFSET (QnMasonry, rubble.seed) },
+  [QN_MASONRY_THICKNESS] = SIZE (N_ ("Thickness"), ALL, thickness),
+  [QN_MASONRY_UNIT_WEIGHT] = { { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9, FALSE }, ALL, TYPE_NUMBER,
+                             FALSE, G_STRUCT_OFFSET (QnMasonry, unit_weight) },
+  [QN_MASONRY_FOUNDATION] = EXTRA (N_ ("Fixed base, depth"), ALL, foundation),
+};
+/* clang-format on */
+
+const QnFieldInfo *
+qn_masonry_field_info (QnMasonryField field)
+{
+  return &fields[field].info;
+}
+
+gboolean
+qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field)
+{
+  const Field *f = &fields[field];
+  if (f->kind != ALL && f->kind != (int) masonry->kind)
+    return FALSE;
+  if (masonry->kind != QN_MASONRY_WALL)
+    return TRUE;
+  QnBond bond = masonry->wall.leaves[0].bond;
+  if (field == QN_MASONRY_LENGTH || field == QN_MASONRY_HEIGHT)
+    return bond != QN_BOND_CUSTOM;
+  if (field == QN_MASONRY_LAP)
+    return bond == QN_BOND_RUNNING;
+  if (field == QN_MASONRY_HEADER)
+    return bond == QN_BOND_HEADER || bond == QN_BOND_ENGLISH || bond == QN_BOND_FLEMISH;
+  return TRUE;
+}
+
+static gpointer
+address (QnMasonry *masonry, const Field *field)
+{
+  char *base = field->leaf ? (char *) &masonry->wall.leaves[0] : (char *) masonry;
+  return base + field->offset;
+}
+
+double
+qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
+{
+  const void *at = address ((QnMasonry *) masonry, &fields[field]);
+  switch (fields[field].type) {
+  case TYPE_NUMBER:
+    return *(const double *) at;
+  case TYPE_COUNT:
+    return *(const int32_t *) at;
+  case TYPE_SEED:
+    return *(const uint32_t *) at;
+  }
+  return 0.0;
+}
+
+/* Numbers that others depend on take them along. */
+static void
+follow (QnMasonry *masonry, QnMasonryField field)
+{
+  QnArch *arch = &masonry->arch;
+  QnColumn *column = &masonry->column;
+  if (masonry->kind == QN_MASONRY_ARCH && arch->shape != QN_ARCH_ELLIPTIC)
+    arch->shape = arch->rise > 0.5 * arch->span ? QN_ARCH_POINTED : QN_ARCH_CIRCULAR;
+  if (field == QN_MASONRY_PLINTH_HEIGHT && column->plinth_width <= 0.0)
+    column->plinth_width = 1.25 * column->bottom;
+  if (field == QN_MASONRY_CAPITAL_HEIGHT && column->capital_width <= 0.0)
+    column->capital_width = 1.25 * column->top;
+  if (field == QN_MASONRY_UNIT_WEIGHT)
+    masonry->density = -1.0;
+}
+
+void
+qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
+{
+  void *at = address (masonry, &fields[field]);
+  switch (fields[field].type) {
+  case TYPE_NUMBER:
+    *(double *) at = value;
+    break;
+  case TYPE_COUNT:
+    *(int32_t *) at = (int32_t) round (value);
+    break;
+  case TYPE_SEED:
+    *(uint32_t *) at = (uint32_t) round (value);
+    break;
+  }
+  for (gsize i = 1; fields[field].leaf && i < masonry->wall.leaf_count; i++) {
+    /* Leaves keep lengths of their own; blocks are alike. */
+    if (field != QN_MASONRY_LENGTH)
+      *(double *) ((char *) &masonry->wall.leaves[i] + fields[field].offset) = value;
+  }
+  follow (masonry, field);
+}
+
+/* ---- openings ---- */
+
+static const QnFieldInfo opening_infos[QN_OPENING_FIELD_COUNT] = {
+  [QN_OPENING_LEFT] = { N_ ("From the left"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST, 0 },
+  [QN_OPENING_BOTTOM] = { N_ ("From the foot"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST,
+                          0 },
+  [QN_OPENING_WIDTH] = { N_ ("Width"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0 },
+  [QN_OPENING_HEIGHT] = { N_ ("Height"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0 },
+  [QN_OPENING_RISE] = { N_ ("Rise of the head"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0 },
+  [QN_OPENING_DEPTH] = { N_ ("Depth of what spans it"), QN_QUANTITY_LENGTH, SMALL,
+                         LARGEST, 0 },
+  [QN_OPENING_BEARING] = { N_ ("Bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0 },
+  [QN_OPENING_VOUSSOIRS] = { N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, TRUE },
+  [QN_OPENING_SKEW] = { N_ ("Lean of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, 0 },
+  [QN_OPENING_SILL_HEIGHT] = { N_ ("Sill height"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0 },
+  [QN_OPENING_SILL_BEARING] = { N_ ("Sill bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST,
+                                0 },
+};
+
+const QnFieldInfo *
+qn_opening_field_info (QnOpeningField field)
+{
+  return &opening_infos[field];
+}
+
+gboolean
+qn_opening_has_field (const QnOpening *opening, QnOpeningField field)
+{
+  switch (field) {
+  case QN_OPENING_RISE:
+    return opening->head == QN_HEAD_SEGMENTAL;
+  case QN_OPENING_DEPTH:
+    return opening->span != QN_SPAN_NONE;
+  case QN_OPENING_BEARING:
+    return opening->span == QN_SPAN_LINTEL;
+  case QN_OPENING_VOUSSOIRS:
+    return opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
+  case QN_OPENING_SKEW:
+    return opening->span == QN_SPAN_FLAT_ARCH;
+  case QN_OPENING_SILL_BEARING:
+    return opening->sill_height > 0.0;
+  case QN_OPENING_LEFT:
+  case QN_OPENING_BOTTOM:
+  case QN_OPENING_WIDTH:
+  case QN_OPENING_HEIGHT:
+  case QN_OPENING_SILL_HEIGHT:
+    return TRUE;
+  case QN_OPENING_FIELD_COUNT:
+    break;
+  }
+  return FALSE;
+}
+
+static double *
+opening_number (QnOpening *opening, QnOpeningField field)
+{
+  switch (field) {
+  case QN_OPENING_LEFT:
+    return &opening->at.x;
+  case QN_OPENING_BOTTOM:
+    return &opening->at.y;
+  case QN_OPENING_WIDTH:
+    return &opening->width;
+  case QN_OPENING_HEIGHT:
+    return &opening->height;
+  case QN_OPENING_RISE:
+    return &opening->rise;
+  case QN_OPENING_DEPTH:
+    return &opening->depth;
+  case QN_OPENING_BEARING:
+    return &opening->bearing;
+  case QN_OPENING_SKEW:
+    return &opening->skew;
+  case QN_OPENING_SILL_HEIGHT:
+    return &opening->sill_height;
+  case QN_OPENING_SILL_BEARING:
+    return &opening->sill_bearing;
+  case QN_OPENING_VOUSSOIRS:
+  case QN_OPENING_FIELD_COUNT:
+    break;
+  }
+  return NULL;
+}
+
+double
+qn_opening_get_field (const QnOpening *opening, QnOpeningField field)
+{
+  const double *number = opening_number ((QnOpening *) opening, field);
+  return number != NULL ? *number : opening->voussoirs;
+}
+
+void
+qn_opening_set_field (QnOpening *opening, QnOpeningField field, double value)
+{
+  double *number = opening_number (opening, field);
+  if (number != NULL)
+    *number = value;
+  else
+    opening->voussoirs = (int32_t) round (value);
+}

@@ -1,0 +1,124 @@
+#include "doc/masonry/masonry-plan.h"
+
+#include "doc/masonry/masonry-shape.h"
+#include <math.h>
+
+/* Rise of an arch of which the pointer tells none, in parts of the span. */
+#define LEAST_RISE 0.02
+
+static gboolean
+begin (QnMasonry *masonry, const QnMasonryStyle *style, QnMasonryKind kind)
+{
+  if (qn_masonry_init (masonry, kind, NULL, NULL) != QN_OK)
+    return FALSE;
+  masonry->thickness = style->thickness;
+  masonry->unit_weight = style->unit_weight;
+  masonry->law = style->law;
+  masonry->foundation = style->base ? style->unit.y : 0.0;
+  return TRUE;
+}
+
+gboolean
+qn_plan_wall (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVec2 to)
+{
+  if (!begin (masonry, style, QN_MASONRY_WALL))
+    return FALSE;
+  QnLeaf *leaf = &masonry->wall.leaves[0];
+  double half = 0.5 * style->unit.x;
+  leaf->unit = style->unit;
+  leaf->bond = style->bond;
+  leaf->lap = style->lap;
+  leaf->length = MAX (round (fabs (to.x - from.x) / half), 1.0) * half;
+  masonry->wall.height =
+    MAX (round (fabs (to.y - from.y) / style->unit.y), 1.0) * style->unit.y;
+  masonry->origin.x = to.x < from.x ? from.x - leaf->length : from.x;
+  masonry->origin.y = to.y < from.y ? from.y - masonry->wall.height : from.y;
+  return TRUE;
+}
+
+gboolean
+qn_plan_opening (const QnMasonry *wall, const QnMasonryStyle *style, QnVec2 from,
+                 QnVec2 to, gboolean snap, QnOpening *opening)
+{
+  *opening = (QnOpening){ .voussoirs = 1 };
+  if (!qn_masonry_set_opening_box (wall, opening, from, to, snap))
+    return FALSE;
+  const QnLeaf *leaf = &wall->wall.leaves[0];
+  /* Nothing can span an opening that reaches the top of the wall. */
+  double above =
+    qn_masonry_wall_size (wall).y - opening->at.y - opening->height + 1e-9 * leaf->unit.y;
+  QnSpan span = above < leaf->unit.y ? QN_SPAN_NONE : style->span;
+  qn_opening_set_head (opening, style->head, span, leaf->unit.y);
+  return TRUE;
+}
+
+double
+qn_plan_arch_rise (QnVec2 left, QnVec2 right, QnVec2 at)
+{
+  QnVec2 chord = qn_vec2_sub (right, left);
+  double span = qn_vec2_length (chord);
+  return span > 0.0 ? qn_vec2_cross (chord, qn_vec2_sub (at, left)) / span : 0.0;
+}
+
+gboolean
+qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left, QnVec2 right,
+              double rise)
+{
+  if (!begin (masonry, style, QN_MASONRY_ARCH))
+    return FALSE;
+  QnVec2 chord = qn_vec2_sub (right, left);
+  QnArch *arch = &masonry->arch;
+  arch->span = qn_vec2_length (chord);
+  arch->rise = MAX (rise, LEAST_RISE * arch->span);
+  arch->ring = style->ring;
+  arch->voussoirs = style->voussoirs;
+  arch->shape = style->shape;
+  if (arch->shape == QN_ARCH_CIRCULAR && arch->rise > 0.5 * arch->span)
+    arch->shape = QN_ARCH_POINTED;
+  else if (arch->shape == QN_ARCH_POINTED && arch->rise <= 0.5 * arch->span)
+    arch->shape = QN_ARCH_CIRCULAR;
+  masonry->origin = left;
+  masonry->rotation = atan2 (chord.y, chord.x);
+  return TRUE;
+}
+
+gboolean
+qn_plan_column (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVec2 to)
+{
+  if (!begin (masonry, style, QN_MASONRY_COLUMN))
+    return FALSE;
+  QnColumn *column = &masonry->column;
+  column->height = fabs (to.y - from.y);
+  column->bottom = fabs (to.x - from.x);
+  column->top = style->top_to_foot * column->bottom;
+  column->drums = MAX ((int32_t) round (column->height / style->unit.y), 1);
+  masonry->origin = qn_vec2 (0.5 * (from.x + to.x), MIN (from.y, to.y));
+  return TRUE;
+}
+
+double
+qn_masonry_estimate_blocks (const QnMasonry *masonry)
+{
+  switch (masonry->kind) {
+  case QN_MASONRY_WALL: {
+    QnVec2 size = qn_masonry_wall_size (masonry);
+    QnVec2 unit = masonry->wall.leaves[0].unit;
+    return size.x / unit.x * size.y / unit.y;
+  }
+  case QN_MASONRY_ARCH:
+    return masonry->arch.voussoirs;
+  case QN_MASONRY_COLUMN:
+    return masonry->column.drums;
+  case QN_MASONRY_BUTTRESS:
+    return masonry->buttress.courses;
+  case QN_MASONRY_PORTAL:
+    return (masonry->portal.bays + 1) * masonry->portal.courses
+           + masonry->portal.bays * masonry->portal.arch.voussoirs;
+  case QN_MASONRY_RUBBLE:
+    return masonry->rubble.width * masonry->rubble.height
+           / (masonry->rubble.stone * masonry->rubble.stone);
+  case QN_MASONRY_KIND_COUNT:
+    break;
+  }
+  return 0.0;
+}

@@ -1,0 +1,31 @@
+/* The core's problems in the user's language, with the names of what they are about. */
+#ifndef QN_DOC_EXPLAIN_H
+#define QN_DOC_EXPLAIN_H
+
+#include "core/contact/finding.h"
+#include "core/model/model.h"
+#include "core/result/result.h"
+#include <glib.h>
+
+/* "Block “w.3.1”: polygon crosses itself". `model` may be half built. The caller frees it. */
+char *qn_explain_diag (const QnModel *model, const QnDiag *diag);
+
+/* "w.3.1 – w.4.1: gap just wider than the contact tolerance (0.02 mm)". The caller frees. */
+char *qn_explain_finding (const QnModel *model, const QnFinding *finding);
+
+/* One or two sentences on how an analysis ended: what the multiplier means, which blocks
+ * move where there is no equilibrium. The caller frees it. */
+char *qn_explain_outcome (const QnModel *model, const QnResult *result);
+
+/* What kind of mechanism it is and what takes part, in whole sentences, or in a few words;
+ * NULL where there is none. The caller frees it. */
+char *qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
+                            const QnResult *result);
+char *qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
+                                    const QnResult *result);
+
+/* Short label of an outcome and of a pair's state, translated; static strings. */
+const char *qn_explain_outcome_label (QnOutcome outcome);
+const char *qn_explain_pair_state (QnPairState state);
+
+#endif

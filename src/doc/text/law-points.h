@@ -1,0 +1,17 @@
+/* The points of a law's curve as the user types them: "-0.002 -2e6; 0.001 1e5", elongation and
+ * force or strain and stress, in SI. The decimal sign is that of the locale, or the other. */
+#ifndef QN_DOC_LAW_POINTS_H
+#define QN_DOC_LAW_POINTS_H
+
+#include "core/law/law.h"
+
+#include <glib.h>
+
+/* Points apart by semicolons, their two numbers by spaces. FALSE where there is none, where there
+ * are more than QN_MAX_CURVE_POINTS, the room in `points`, or where one cannot be read. */
+gboolean qn_law_points_parse (const char *text, QnVec2 *points, int32_t *count);
+
+/* The text with nine significant digits; the caller frees it. */
+char *qn_law_points_dup_text (const QnVec2 *points, int32_t count);
+
+#endif

@@ -1,0 +1,84 @@
+#include "doc/text/law-trace.h"
+
+#include "core/law/spring.h"
+#include <math.h>
+
+/* Points between two turning points of the history. */
+#define POINTS_PER_BRANCH 400
+
+/* What presses a joint while it is sheared, N or Pa. */
+#define PRESSING_FORCE  1e4
+#define PRESSING_STRESS 1e6
+
+gboolean
+qn_law_trace (const QnLawPreset *what, double length, GArray *samples)
+{
+  QnSpring spring = qn_spring_from_law (&what->law, 1, length);
+  QnSpringMemory memory = { 0 };
+  double from = 0, step = length / POINTS_PER_BRANCH;
+  if (isinf (qn_spring_softening (&spring)))
+    return FALSE;
+  for (gsize turn = 0; turn < what->turn_count; turn++) {
+    for (int i = turn == 0 ? 0 : 1; i <= POINTS_PER_BRANCH; i++) {
+      double at = from * length + i * step * (what->turns[turn] - from);
+      double pressed = what->pressed * length;
+      double q[2] = { what->shear ? pressed : at, what->shear ? at : 0 };
+      QnSpringResponse r;
+      qn_spring_evaluate (&spring, &memory, q, &r);
+      memory = r.memory;
+      QnLawSample sample = { { q[0] / length, q[1] / length },
+                             { r.force[0], r.force[1] },
+                             { r.tangent[0][0] * length, r.tangent[1][1] * length } };
+      g_array_append_val (samples, sample);
+    }
+    from = what->turns[turn];
+  }
+  return TRUE;
+}
+
+/* The elongation at which what is particular about a law happens. */
+static double
+characteristic (const QnLaw *law, double pressed)
+{
+  switch (law->kind) {
+  case QN_LAW_COULOMB:
+    return (law->cohesion - law->friction * law->kn * pressed) / law->ks;
+  case QN_LAW_BILINEAR:
+  case QN_LAW_ELASTIC_PLASTIC:
+    return law->yield / law->kn;
+  case QN_LAW_CONCRETE:
+    return law->ultimate_strain > 0.0 ? law->ultimate_strain
+                                      : 3.5 * law->strength / law->kn;
+  case QN_LAW_STEEL:
+    return law->ultimate_strain;
+  case QN_LAW_CURVE: {
+    double most = 0.0;
+    for (int32_t i = 0; i < law->point_count; i++)
+      most = fmax (most, fabs (law->points[i].x));
+    return most;
+  }
+  case QN_LAW_ELASTIC:
+  case QN_LAW_NO_TENSION:
+  case QN_LAW_KIND_COUNT:
+    break;
+  }
+  return 1.0;
+}
+
+QnLawPreset
+qn_law_preset_for (const QnLaw *law)
+{
+  QnLawPreset what = *qn_law_preset (law->kind);
+  double typical = characteristic (&what.law, what.pressed);
+  if (what.shear)
+    what.pressed =
+      -(law->basis == QN_BASIS_CONTACT ? PRESSING_FORCE : PRESSING_STRESS) / law->kn;
+  double scale = characteristic (law, what.pressed) / typical;
+  /* A joint without friction slips at once: any slip shows that. */
+  if (!(scale > 0.0) || !isfinite (scale))
+    scale = 1.0;
+  for (gsize i = 0; i < what.turn_count; i++)
+    what.turns[i] *= scale;
+  what.law = *law;
+  return what;
+}

@@ -1,0 +1,22 @@
+/* How a constitutive law answers a history of elongations, for tables and plots. */
+#ifndef QN_DOC_LAW_TRACE_H
+#define QN_DOC_LAW_TRACE_H
+
+#include "doc/text/law-preset.h"
+
+/* One point of the history; normal and tangential. */
+typedef struct QnLawSample {
+  double elongation[2]; /* m, or strain in the material basis */
+  double force[2];      /* N, or Pa in the other bases */
+  double tangent[2];
+} QnLawSample;
+
+/* Takes a spring of unit area through the history of `what`; `length` (m) is that of the block's
+ * side where the law speaks of strains, 1 elsewhere. Appends QnLawSample. FALSE where the law has
+ * too little fracture energy for that length. */
+gboolean qn_law_trace (const QnLawPreset *what, double length, GArray *samples);
+
+/* A law of one's own with the typical history of its kind, scaled to its numbers. */
+QnLawPreset qn_law_preset_for (const QnLaw *law);
+
+#endif

@@ -1,0 +1,224 @@
+#include "doc/text/units.h"
+
+#include <glib/gi18n.h>
+#include <locale.h>
+#include <math.h>
+#include <string.h>
+
+G_DEFINE_QUARK (qn - units - error - quark, qn_units_error)
+
+typedef struct UnitRow {
+  QnQuantity quantity;
+  const char *symbol;
+  double factor; /* SI value of one */
+} UnitRow;
+
+/* Every unit that is understood. The ones in which quantities are shown are found by symbol. */
+static const UnitRow unit_rows[] = {
+  { QN_QUANTITY_LENGTH, "m", 1.0 },
+  { QN_QUANTITY_LENGTH, "cm", 1e-2 },
+  { QN_QUANTITY_LENGTH, "mm", 1e-3 },
+  { QN_QUANTITY_LENGTH, "in", 0.0254 },
+  { QN_QUANTITY_LENGTH, "ft", 0.3048 },
+  { QN_QUANTITY_ANGLE, "°", G_PI / 180.0 },
+  { QN_QUANTITY_ANGLE, "deg", G_PI / 180.0 },
+  { QN_QUANTITY_ANGLE, "rad", 1.0 },
+  { QN_QUANTITY_FORCE, "N", 1.0 },
+  { QN_QUANTITY_FORCE, "kN", 1e3 },
+  { QN_QUANTITY_FORCE, "MN", 1e6 },
+  { QN_QUANTITY_MOMENT, "N·m", 1.0 },
+  { QN_QUANTITY_MOMENT, "kN·m", 1e3 },
+  { QN_QUANTITY_MOMENT, "Nm", 1.0 },
+  { QN_QUANTITY_MOMENT, "kNm", 1e3 },
+  { QN_QUANTITY_STRESS, "Pa", 1.0 },
+  { QN_QUANTITY_STRESS, "kPa", 1e3 },
+  { QN_QUANTITY_STRESS, "MPa", 1e6 },
+  { QN_QUANTITY_STRESS, "GPa", 1e9 },
+  { QN_QUANTITY_STRESS, "N/mm²", 1e6 },
+  { QN_QUANTITY_STIFFNESS, "N/m", 1.0 },
+  { QN_QUANTITY_STIFFNESS, "kN/m", 1e3 },
+  { QN_QUANTITY_STIFFNESS, "kN/mm", 1e6 },
+  { QN_QUANTITY_STIFFNESS, "N/mm", 1e3 },
+  { QN_QUANTITY_SURFACE_STIFFNESS, "Pa/m", 1.0 },
+  { QN_QUANTITY_SURFACE_STIFFNESS, "kPa/m", 1e3 },
+  { QN_QUANTITY_SURFACE_STIFFNESS, "MPa/m", 1e6 },
+  { QN_QUANTITY_SURFACE_STIFFNESS, "N/mm³", 1e9 },
+  { QN_QUANTITY_UNIT_WEIGHT, "N/m³", 1.0 },
+  { QN_QUANTITY_UNIT_WEIGHT, "kN/m³", 1e3 },
+  { QN_QUANTITY_UNIT_WEIGHT, "N/m3", 1.0 },
+  { QN_QUANTITY_UNIT_WEIGHT, "kN/m3", 1e3 },
+  { QN_QUANTITY_DENSITY, "kg/m³", 1.0 },
+  { QN_QUANTITY_DENSITY, "kg/m3", 1.0 },
+  { QN_QUANTITY_TIME, "s", 1.0 },
+  { QN_QUANTITY_TIME, "ms", 1e-3 },
+};
+
+static const char *const length_symbols[] = { "m", "cm", "mm" };
+static const char *const force_symbols[] = { "N", "kN" };
+static const char *const moment_symbols[] = { "N·m", "kN·m" };
+static const char *const stress_symbols[] = { "Pa", "kPa", "MPa" };
+static const char *const stiffness_symbols[] = { "N/m", "kN/m" };
+static const char *const surface_symbols[] = { "Pa/m", "kPa/m", "MPa/m" };
+static const char *const unit_weight_symbols[] = { "N/m³", "kN/m³" };
+
+static const UnitRow *
+find_row (QnQuantity quantity, const char *symbol)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (unit_rows); i++) {
+    if (unit_rows[i].quantity == quantity && strcmp (unit_rows[i].symbol, symbol) == 0)
+      return &unit_rows[i];
+  }
+  return NULL;
+}
+
+const char *
+qn_units_symbol (QnUnits units, QnQuantity quantity)
+{
+  switch (quantity) {
+  case QN_QUANTITY_LENGTH:
+    return length_symbols[units.length];
+  case QN_QUANTITY_ANGLE:
+    return "°";
+  case QN_QUANTITY_FORCE:
+    return force_symbols[units.force];
+  case QN_QUANTITY_MOMENT:
+    return moment_symbols[units.force];
+  case QN_QUANTITY_STRESS:
+    return stress_symbols[units.stress];
+  case QN_QUANTITY_STIFFNESS:
+    return stiffness_symbols[units.force];
+  case QN_QUANTITY_SURFACE_STIFFNESS:
+    return surface_symbols[units.stress];
+  case QN_QUANTITY_UNIT_WEIGHT:
+    return unit_weight_symbols[units.force];
+  case QN_QUANTITY_DENSITY:
+    return "kg/m³";
+  case QN_QUANTITY_TIME:
+    return "s";
+  case QN_QUANTITY_NUMBER:
+  case QN_QUANTITY_COUNT:
+    break;
+  }
+  return "";
+}
+
+double
+qn_units_factor (QnUnits units, QnQuantity quantity)
+{
+  const UnitRow *row = find_row (quantity, qn_units_symbol (units, quantity));
+  return row != NULL ? row->factor : 1.0;
+}
+
+char *
+qn_units_format (QnUnits units, QnQuantity quantity, double value, int digits)
+{
+  if (isinf (value))
+    return g_strdup (value > 0.0 ? "∞" : "−∞");
+
+  char format[8], number[G_ASCII_DTOSTR_BUF_SIZE];
+  g_snprintf (format, sizeof format, "%%.%dg", CLAMP (digits, 1, 17));
+  double shown = value / qn_units_factor (units, quantity);
+  /* "-0" would make the reader look for a reason. */
+  g_ascii_formatd (number, sizeof number, format, shown == 0.0 ? 0.0 : shown);
+
+  GString *text = g_string_new (number);
+  g_string_replace (text, ".", localeconv ()->decimal_point, 1);
+  return g_string_free (text, FALSE);
+}
+
+char *
+qn_units_format_full (QnUnits units, QnQuantity quantity, double value, int digits)
+{
+  g_autofree char *number = qn_units_format (units, quantity, value, digits);
+  const char *symbol = qn_units_symbol (units, quantity);
+  if (*symbol == '\0')
+    return g_steal_pointer (&number);
+  /* The degree sign follows its number closely. */
+  return g_strconcat (number, quantity == QN_QUANTITY_ANGLE ? "" : "\u00a0", symbol,
+                      NULL);
+}
+
+/* Splits "1 234,5 kN" after its number; the number comes back in C spelling. */
+static char *
+take_number (const char *text, const char **rest)
+{
+  GString *number = g_string_new (NULL);
+  const char *p = text;
+  gboolean had_exponent = FALSE;
+  for (; *p != '\0'; p = g_utf8_next_char (p)) {
+    gunichar c = g_utf8_get_char (p);
+    if (c < 128 && g_ascii_isdigit ((char) c))
+      g_string_append_c (number, (char) c);
+    else if (c == ',' || c == '.')
+      g_string_append_c (number, '.');
+    else if (c == 0x2212 || c == '-' || c == '+') /* the typographic minus as well */
+      g_string_append_c (number, c == '+' ? '+' : '-');
+    else if ((c == 'e' || c == 'E') && !had_exponent && number->len > 0
+             && (g_ascii_isdigit (p[1])
+                 || ((p[1] == '-' || p[1] == '+') && g_ascii_isdigit (p[2])))) {
+      had_exponent = TRUE;
+      g_string_append_c (number, 'e');
+    } else
+      break;
+  }
+  *rest = p;
+  return g_string_free (number, FALSE);
+}
+
+/* "∞" or "inf", with or without a unit that fits, as it is shown. */
+static gboolean
+is_infinity (QnQuantity quantity, const char *text)
+{
+  gboolean word = g_ascii_strncasecmp (text, "inf", 3) == 0;
+  if (!word && !g_str_has_prefix (text, "∞"))
+    return FALSE;
+  const char *rest = text + (word ? strlen ("inf") : strlen ("∞"));
+  while (*rest != '\0' && g_unichar_isspace (g_utf8_get_char (rest)))
+    rest = g_utf8_next_char (rest);
+  return *rest == '\0' || find_row (quantity, rest) != NULL;
+}
+
+gboolean
+qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *value,
+                GError **error)
+{
+  g_return_val_if_fail (text != NULL && value != NULL, FALSE);
+
+  g_autofree char *stripped = g_strstrip (g_strdup (text));
+  if (is_infinity (quantity, stripped)) {
+    *value = INFINITY;
+    return TRUE;
+  }
+
+  const char *rest = NULL;
+  g_autofree char *number = take_number (stripped, &rest);
+  char *end = NULL;
+  double parsed = g_ascii_strtod (number, &end);
+  if (*number == '\0' || *end != '\0') {
+    g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_NOT_A_NUMBER,
+                 _ ("“%s” is not a number"), text);
+    return FALSE;
+  }
+
+  double factor = qn_units_factor (units, quantity);
+  while (*rest != '\0' && g_unichar_isspace (g_utf8_get_char (rest)))
+    rest = g_utf8_next_char (rest);
+  if (*rest != '\0') {
+    const UnitRow *row = find_row (quantity, rest);
+    if (row == NULL) {
+      g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_UNKNOWN_UNIT,
+                   _ ("“%s” is not a unit that fits here"), rest);
+      return FALSE;
+    }
+    factor = row->factor;
+  }
+
+  parsed *= factor;
+  if (!isfinite (parsed)) {
+    g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE, _ ("“%s” is too large"),
+                 text);
+    return FALSE;
+  }
+  *value = parsed;
+  return TRUE;
+}

@@ -1,0 +1,167 @@
+#include "doc/view/figures.h"
+
+#include "doc/document/digest.h"
+#include "doc/document/edit.h"
+#include "doc/document/underlay.h"
+#include "doc/edit/picture.h"
+#include "doc/view/figure-export.h"
+#include "io/result/result-file.h"
+#include <glib/gi18n.h>
+
+#define MEMBER "figures"
+
+GPtrArray *
+qn_document_get_figures (QnDocument *document, GError **error)
+{
+  return qn_recipes_read (qn_document_get_project (document), NULL, error);
+}
+
+static gint64
+find (const GPtrArray *recipes, const char *name)
+{
+  for (guint i = 0; i < recipes->len; i++) {
+    if (g_str_equal (((const QnRecipe *) g_ptr_array_index (recipes, i))->name, name))
+      return i;
+  }
+  return -1;
+}
+
+gboolean
+qn_document_store_figure (QnDocument *document, const QnRecipe *recipe, GError **error)
+{
+  g_autoptr (GPtrArray) figures = qn_document_get_figures (document, error);
+  if (figures == NULL)
+    return FALSE;
+  g_autofree char *digest = qn_model_digest (qn_document_get_project (document));
+  QnRecipe stored = *recipe;
+  stored.digest = digest;
+  /* The list only lends its members to the writer. */
+  g_autoptr (GPtrArray) written = g_ptr_array_new ();
+  gint64 place = find (figures, recipe->name);
+  for (guint i = 0; i < figures->len; i++)
+    g_ptr_array_add (written,
+                     i == place ? (gpointer) &stored : g_ptr_array_index (figures, i));
+  if (place < 0)
+    g_ptr_array_add (written, &stored);
+  g_autofree char *json = qn_recipes_to_json (written);
+  return qn_document_edit_extra (document, _ ("Store Figure"), NULL, MEMBER, json, error);
+}
+
+gboolean
+qn_document_remove_figure (QnDocument *document, const char *name, GError **error)
+{
+  g_autoptr (GPtrArray) figures = qn_document_get_figures (document, error);
+  if (figures == NULL)
+    return FALSE;
+  gint64 place = find (figures, name);
+  if (place < 0)
+    return TRUE;
+  g_ptr_array_remove_index (figures, (guint) place);
+  g_autofree char *json = figures->len > 0 ? qn_recipes_to_json (figures) : NULL;
+  return qn_document_edit_extra (document, _ ("Remove Figure"), NULL, MEMBER, json,
+                                 error);
+}
+
+char *
+qn_document_dup_figure_name (QnDocument *document, const char *like)
+{
+  g_autoptr (GPtrArray) figures = qn_document_get_figures (document, NULL);
+  char *name = g_strdup (like);
+  for (guint i = 2; figures != NULL && find (figures, name) >= 0; i++) {
+    g_free (name);
+    name = g_strdup_printf ("%s-%u", like, i);
+  }
+  return name;
+}
+
+/* The latest run of the present model by the project's own procedure, or NULL: what figures
+ * without a result file show. */
+static QnRun *
+find_own_run (QnDocument *document)
+{
+  const QnAnalysisSettings *own = &qn_document_get_model (document)->analysis;
+  const GPtrArray *runs = qn_document_get_runs (document);
+  for (guint i = runs->len; i > 0; i--) {
+    QnRun *run = g_ptr_array_index (runs, i - 1);
+    const QnAnalysisSettings *its = &run->model.analysis;
+    gboolean same = its->procedure == own->procedure
+                    && (own->procedure != QN_PROCEDURE_LIMIT || its->flow == own->flow);
+    if (same && run->kind == QN_RUN_ANALYSIS
+        && run->result.outcome != QN_OUTCOME_CANCELLED
+        && !qn_document_is_stale (document, run))
+      return run;
+  }
+  return NULL;
+}
+
+gboolean
+qn_document_figure_waits (QnDocument *document, const QnRecipe *recipe)
+{
+  return recipe->result == NULL && qn_recipe_needs_result (recipe)
+         && find_own_run (document) == NULL;
+}
+
+/* ---- export ---- */
+
+static gboolean
+draw (QnDocument *document, const QnRecipe *recipe, const QnResult *result,
+      const char *path, GError **error)
+{
+  QnFigure figure;
+  QnMetadata metadata;
+  QnUnderlay underlay;
+  g_autofree char *folder = qn_document_dup_folder (document);
+  const QnProject *project = qn_document_get_project (document);
+  qn_recipe_fill (recipe, qn_document_get_model (document),
+                  qn_document_get_contacts (document), result, &figure);
+  qn_document_get_metadata (document, &metadata);
+  if (!qn_underlay_read_from (project, folder, &underlay, error))
+    return FALSE;
+  figure.options.underlay = underlay;
+  gboolean done = qn_figure_export (&figure, path, &recipe->output, &metadata, error);
+  g_clear_pointer (&underlay.image, cairo_surface_destroy);
+  return done;
+}
+
+static gboolean
+draw_with_file (QnDocument *document, const QnRecipe *recipe, const char *folder,
+                const char *path, GError **error)
+{
+  g_autofree char *place = g_path_is_absolute (recipe->result)
+                             ? g_strdup (recipe->result)
+                             : g_build_filename (folder, recipe->result, NULL);
+  QnResultFile file;
+  if (!qn_result_file_read (place, &file, error))
+    return FALSE;
+  gboolean done = qn_result_file_match (&file, place, qn_document_get_project (document),
+                                        qn_document_get_contacts (document), NULL, error)
+                  && draw (document, recipe, &file.result, path, error);
+  qn_result_file_clear (&file);
+  return done;
+}
+
+gboolean
+qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const char *path,
+                           GError **error)
+{
+  g_autofree char *folder = qn_document_dup_folder (document);
+  if (folder == NULL && (path == NULL || recipe->result != NULL)) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                         _ ("Save the project first: its figures go beside it"));
+    return FALSE;
+  }
+  g_autofree char *place = path != NULL ? g_strdup (path)
+                           : g_path_is_absolute (recipe->file)
+                             ? g_strdup (recipe->file)
+                             : g_build_filename (folder, recipe->file, NULL);
+  gboolean done;
+  if (recipe->result != NULL)
+    done = draw_with_file (document, recipe, folder, place, error);
+  else {
+    const QnRun *run = qn_recipe_needs_result (recipe) ? find_own_run (document) : NULL;
+    done = draw (document, recipe, run != NULL ? &run->result : NULL, place, error);
+  }
+  if (!done)
+    g_prefix_error (error, _ ("figure \"%s\": "), recipe->name);
+  return done;
+}

@@ -1,0 +1,31 @@
+/* The figures of a document's project: stored as recipes, each change a step that can be undone,
+ * and made again from the window as `quoin-cli figures` makes them. */
+#ifndef QN_DOC_FIGURES_H
+#define QN_DOC_FIGURES_H
+
+#include "doc/document/document.h"
+#include "doc/view/recipe.h"
+
+/* Of QnRecipe *, possibly none; NULL with an error where the project's are unreadable. */
+GPtrArray *qn_document_get_figures (QnDocument *document, GError **error);
+
+/* Keeps a recipe, in place of one of the same name, with the digest of the present model. */
+gboolean qn_document_store_figure (QnDocument *document, const QnRecipe *recipe,
+                                   GError **error);
+
+/* Forgets the recipe of this name; nothing changes where there is none. */
+gboolean qn_document_remove_figure (QnDocument *document, const char *name,
+                                    GError **error);
+
+/* "figure", "figure-2", …: a name that no figure of the project has. The caller frees it. */
+char *qn_document_dup_figure_name (QnDocument *document, const char *like);
+
+/* Whether a recipe without a result file has nothing to show: no run of the present model by the
+ * project's own procedure is there, so an analysis must come first. */
+gboolean qn_document_figure_waits (QnDocument *document, const QnRecipe *recipe);
+
+/* Writes the picture of a recipe; `path` NULL: where the recipe says, beside the project. */
+gboolean qn_document_export_figure (QnDocument *document, const QnRecipe *recipe,
+                                    const char *path, GError **error);
+
+#endif

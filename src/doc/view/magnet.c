@@ -1,0 +1,102 @@
+#include "doc/view/magnet.h"
+
+/* Best candidate of one kind so far. */
+typedef struct Best {
+  double distance;
+  QnMagnetHit hit;
+} Best;
+
+static void
+offer (Best *best, QnMagnetKind kind, QnVec2 from, QnVec2 point, QnVec2 a, QnVec2 b)
+{
+  double distance = qn_vec2_length (qn_vec2_sub (from, point));
+  if (distance <= best->distance) {
+    best->distance = distance;
+    best->hit = (QnMagnetHit){ kind, point, a, b };
+  }
+}
+
+static QnVec2
+nearest_on_segment (QnVec2 p, QnVec2 a, QnVec2 b)
+{
+  QnVec2 d = qn_vec2_sub (b, a);
+  double square = qn_vec2_dot (d, d);
+  double s = square > 0.0 ? qn_vec2_dot (qn_vec2_sub (p, a), d) / square : 0.0;
+  return qn_vec2_lerp (a, b, s < 0.0 ? 0.0 : s > 1.0 ? 1.0 : s);
+}
+
+static void
+offer_block (const QnModel *model, QnId block, QnVec2 p, Best *corner, Best *middle,
+             Best *edge)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnId count = model->blocks[block].vertex_count;
+  for (QnId i = 0; i < count; i++) {
+    QnVec2 a = v[i], b = v[(i + 1) % count];
+    offer (corner, QN_MAGNET_CORNER, p, a, a, a);
+    offer (middle, QN_MAGNET_MIDDLE, p, qn_vec2_lerp (a, b, 0.5), a, b);
+    offer (edge, QN_MAGNET_EDGE, p, nearest_on_segment (p, a, b), a, b);
+  }
+}
+
+static void
+offer_courses (const QnWall *wall, QnVec2 p, Best *course)
+{
+  double row = round ((p.y - wall->origin.y) / wall->unit.y);
+  if (row < 0.0 || row > wall->course_count)
+    return;
+  double y = wall->origin.y + row * wall->unit.y;
+  offer (course, QN_MAGNET_COURSE, p, qn_vec2 (p.x, y), qn_vec2 (wall->origin.x, y),
+         qn_vec2 (p.x, y));
+}
+
+QnMagnetHit
+qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 p, const int *skip)
+{
+  QnMagnetHit nothing = { QN_MAGNET_NOTHING, p, p, p };
+  if (!magnet->enabled)
+    return nothing;
+
+  Best start = { magnet->reach, nothing };
+  Best node = start, corner = start, middle = start, edge = start, course = start,
+       grid = start;
+  for (size_t i = 0; i < model->node_count; i++) {
+    QnVec2 at = model->nodes[i].at;
+    QnId block = model->nodes[i].block;
+    bool goes = skip != NULL && block != QN_NONE && skip[block];
+    if (model->nodes[i].beam == QN_NONE && !goes)
+      offer (&node, QN_MAGNET_NODE, p, at, at, at);
+  }
+  for (size_t i = 0; i < model->block_count; i++) {
+    if (skip == NULL || !skip[i])
+      offer_block (model, (QnId) i, p, &corner, &middle, &edge);
+  }
+  for (size_t i = 0; i < model->wall_count; i++)
+    offer_courses (&model->walls[i], p, &course);
+  if (magnet->grid > 0.0) {
+    QnVec2 crossing = qn_vec2 (round (p.x / magnet->grid) * magnet->grid,
+                               round (p.y / magnet->grid) * magnet->grid);
+    offer (&grid, QN_MAGNET_GRID, p, crossing, crossing, crossing);
+  }
+
+  const Best *order[] = { &node, &corner, &middle, &edge, &course, &grid };
+  for (size_t i = 0; i < QN_N_ELEMENTS (order); i++) {
+    if (order[i]->hit.kind != QN_MAGNET_NOTHING)
+      return order[i]->hit;
+  }
+  return nothing;
+}
+
+double
+qn_magnet_round_distance (double least)
+{
+  if (!(least > 0.0) || isinf (least))
+    return 1.0;
+  double power = pow (10.0, floor (log10 (least)));
+  static const double steps[] = { 1.0, 2.0, 5.0, 10.0 };
+  for (size_t i = 0; i < QN_N_ELEMENTS (steps); i++) {
+    if (steps[i] * power >= least * (1.0 - 1e-9))
+      return steps[i] * power;
+  }
+  return 10.0 * power;
+}

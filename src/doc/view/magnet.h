@@ -1,0 +1,41 @@
+/* The magnet: which exact place a pointer near it means.
+ *
+ * Nodes of beams win over corners, those over middles of edges and edges, edges over course
+ * lines, and those over the grid; within a kind the nearest wins. The answer says what it took,
+ * so that the drawing can show it.
+ */
+#ifndef QN_DOC_MAGNET_H
+#define QN_DOC_MAGNET_H
+
+#include "core/model/model.h"
+
+typedef enum {
+  QN_MAGNET_NOTHING,
+  QN_MAGNET_NODE, /* of beams */
+  QN_MAGNET_CORNER,
+  QN_MAGNET_MIDDLE, /* of an edge */
+  QN_MAGNET_EDGE,
+  QN_MAGNET_COURSE, /* height of a bed joint of a wall, beside it */
+  QN_MAGNET_GRID
+} QnMagnetKind;
+
+typedef struct QnMagnetHit {
+  QnMagnetKind kind;
+  QnVec2 point; /* m; the given point where kind is NOTHING */
+  QnVec2 a, b;  /* EDGE, MIDDLE, COURSE: the line */
+} QnMagnetHit;
+
+typedef struct QnMagnet {
+  bool enabled;
+  double reach; /* m: how far it pulls */
+  double grid;  /* m: distance of grid lines; 0: no grid */
+} QnMagnet;
+
+/* `skip` (nullable, one flag per block) leaves out blocks that are being moved themselves. */
+QnMagnetHit qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 point,
+                            const int *skip);
+
+/* A round distance (1, 2 or 5 times a power of ten, m) that is at least `least` m. */
+double qn_magnet_round_distance (double least);
+
+#endif

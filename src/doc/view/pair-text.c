@@ -1,0 +1,106 @@
+#include "doc/view/pair-text.h"
+
+#include "doc/document/edit.h"
+#include "doc/text/units.h"
+#include <glib/gi18n.h>
+#include <string.h>
+
+static gboolean
+refuse (GError **error, const char *message)
+{
+  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  return FALSE;
+}
+
+/* Numbers between semicolons or spaces; -1 where one cannot be read or there are too many. */
+static int
+parse_list (const char *text, double *values, GError **error)
+{
+  g_auto (GStrv) words = g_strsplit_set (text, "; \t", -1);
+  int count = 0;
+  for (gsize i = 0; words[i] != NULL; i++) {
+    if (*words[i] == '\0')
+      continue;
+    if (count == QN_MAX_EXPLICIT_PAIRS) {
+      refuse (error, _ ("There are too many contact pairs at given places"));
+      return -1;
+    }
+    if (!qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, words[i], &values[count++],
+                         error))
+      return -1;
+  }
+  return count;
+}
+
+static gboolean
+check_positions (const double *positions, int count, GError **error)
+{
+  for (int i = 0; i < count; i++) {
+    if (!(positions[i] >= 0.0 && positions[i] <= 1.0)
+        || (i > 0 && !(positions[i] > positions[i - 1])))
+      return refuse (error, _ ("Places of contact pairs must ascend from 0 to 1"));
+  }
+  return TRUE;
+}
+
+gboolean
+qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights,
+                    GError **error)
+{
+  QnPairRule draft = *rule;
+  draft.placement = QN_PLACEMENT_EXPLICIT;
+  draft.count = parse_list (positions, draft.positions, error);
+  if (draft.count < 0 || !check_positions (draft.positions, draft.count, error))
+    return FALSE;
+  if (draft.count == 0) {
+    draft.count = 2;
+    draft.positions[0] = 0.0;
+    draft.positions[1] = 1.0;
+  }
+  int given = parse_list (weights, draft.weights, error);
+  if (given < 0)
+    return FALSE;
+  if (given != 0 && given != draft.count)
+    return refuse (error, _ ("There must be a weight for each contact pair, or none"));
+  double sum = 0.0;
+  for (int i = 0; i < draft.count; i++) {
+    if (given == 0)
+      draft.weights[i] = 1.0;
+    if (!(draft.weights[i] > 0.0))
+      return refuse (error, _ ("Weights of contact pairs must be positive"));
+    sum += draft.weights[i];
+  }
+  for (int i = 0; i < draft.count; i++)
+    draft.weights[i] /= sum;
+  *rule = draft;
+  return TRUE;
+}
+
+static char *
+dup_list (const QnPairRule *rule, const double *values)
+{
+  GString *text = g_string_new (NULL);
+  for (int i = 0; rule->placement == QN_PLACEMENT_EXPLICIT && i < rule->count; i++) {
+    g_autofree char *number =
+      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, values[i], 6);
+    g_string_append_printf (text, "%s%s", i > 0 ? "; " : "", number);
+  }
+  return g_string_free (text, FALSE);
+}
+
+char *
+qn_pair_rule_dup_positions (const QnPairRule *rule)
+{
+  return dup_list (rule, rule->positions);
+}
+
+char *
+qn_pair_rule_dup_weights (const QnPairRule *rule)
+{
+  for (int i = 1; i < rule->count; i++) {
+    if (rule->placement == QN_PLACEMENT_EXPLICIT
+        && ABS (rule->weights[i] - rule->weights[0]) > 1e-12)
+      return dup_list (rule, rule->weights);
+  }
+  return g_strdup ("");
+}

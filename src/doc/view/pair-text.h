@@ -1,0 +1,18 @@
+/* Contact pairs at given places, as the user types them: "0,1; 0,5; 0,9". */
+#ifndef QN_DOC_PAIR_TEXT_H
+#define QN_DOC_PAIR_TEXT_H
+
+#include "core/model/model.h"
+#include <glib.h>
+
+/* Makes the rule one of given places, parts of the face's length from 0 to 1 in ascending order;
+ * weights empty: all equal, otherwise one for each, scaled to the sum 1. Without any place one
+ * at each end is meant. On failure nothing changes (domain QN_EDIT_ERROR). */
+gboolean qn_pair_rule_parse (QnPairRule *rule, const char *positions, const char *weights,
+                             GError **error);
+
+/* The lists of a rule of given places, "" for other rules. The caller frees them. */
+char *qn_pair_rule_dup_positions (const QnPairRule *rule);
+char *qn_pair_rule_dup_weights (const QnPairRule *rule);
+
+#endif

@@ -1,0 +1,343 @@
+#include "doc/view/view-state.h"
+
+#include "doc/edit/picture.h"
+#include "render/scene/photo.h"
+
+#include <string.h>
+
+struct _QnViewState {
+  GObject parent_instance;
+  QnDocument *document;
+  QnViewOptions options; /* its underlay's image is owned */
+  char *image_path;      /* of that image, or of the one that could not be read */
+  GError *image_error;
+  QnRun *onion;
+};
+
+G_DEFINE_FINAL_TYPE (QnViewState, qn_view_state, G_TYPE_OBJECT)
+
+enum { SIGNAL_CHANGED, SIGNAL_COUNT };
+static guint signals[SIGNAL_COUNT];
+
+static void
+qn_view_state_finalize (GObject *object)
+{
+  QnViewState *self = QN_VIEW_STATE (object);
+  g_clear_object (&self->document);
+  g_clear_pointer (&self->options.underlay.image, cairo_surface_destroy);
+  g_clear_pointer (&self->onion, qn_run_unref);
+  g_clear_error (&self->image_error);
+  g_free (self->image_path);
+  G_OBJECT_CLASS (qn_view_state_parent_class)->finalize (object);
+}
+
+static void
+qn_view_state_class_init (QnViewStateClass *klass)
+{
+  G_OBJECT_CLASS (klass)->finalize = qn_view_state_finalize;
+  signals[SIGNAL_CHANGED] =
+    g_signal_new ("changed", QN_TYPE_VIEW_STATE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                  G_TYPE_NONE, 0);
+}
+
+static void
+qn_view_state_init (QnViewState *self)
+{
+  qn_view_options_init (&self->options, QN_VIEW_MODEL);
+  /* The window has a title and a scale of its own. */
+  self->options.titles = false;
+}
+
+static void
+emit_changed (QnViewState *self)
+{
+  g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
+}
+
+/* The image is read again only where its file is another. */
+static void
+update_underlay (QnViewState *self)
+{
+  g_autofree char *folder = qn_document_dup_folder (self->document);
+  g_autofree char *path = NULL;
+  QnUnderlay underlay;
+  g_clear_error (&self->image_error);
+  qn_underlay_locate (qn_document_get_project (self->document), folder, &path, &underlay,
+                      &self->image_error);
+  cairo_surface_t *image = self->options.underlay.image;
+  if (g_strcmp0 (path, self->image_path) != 0 || image == NULL) {
+    g_clear_pointer (&image, cairo_surface_destroy);
+    g_free (self->image_path);
+    self->image_path = g_steal_pointer (&path);
+    if (self->image_path != NULL)
+      image = qn_photo_load (self->image_path, &self->image_error);
+  }
+  self->options.underlay = underlay;
+  self->options.underlay.image = image;
+}
+
+static void
+on_document_changed (QnDocument *document, QnViewState *self)
+{
+  (void) document;
+  update_underlay (self);
+  emit_changed (self);
+}
+
+/* An outline of other blocks would be nonsense. */
+static gboolean
+same_structure (const QnRun *a, const QnRun *b)
+{
+  if (a->model.block_count != b->model.block_count)
+    return FALSE;
+  for (gsize i = 0; i < a->model.block_count; i++) {
+    if (a->model.blocks[i].vertex_count != b->model.blocks[i].vertex_count)
+      return FALSE;
+  }
+  return TRUE;
+}
+
+void
+qn_view_state_refresh_underlay (QnViewState *self)
+{
+  update_underlay (self);
+  emit_changed (self);
+}
+
+/* Another run has other steps; without one only the model can be shown. */
+static void
+on_runs_changed (QnDocument *document, QnViewState *self)
+{
+  self->options.step = QN_STEP_LAST;
+  self->options.phase = 1.0;
+  const QnRun *run = qn_document_get_run (document);
+  if (self->onion != NULL && (run == NULL || !same_structure (self->onion, run)))
+    g_clear_pointer (&self->onion, qn_run_unref);
+  if (run == NULL && qn_view_needs_result (self->options.view))
+    self->options.view = QN_VIEW_MODEL;
+  emit_changed (self);
+}
+
+QnViewState *
+qn_view_state_new (QnDocument *document)
+{
+  QnViewState *self = g_object_new (QN_TYPE_VIEW_STATE, NULL);
+  self->document = g_object_ref (document);
+  g_signal_connect_object (document, "runs-changed", G_CALLBACK (on_runs_changed), self,
+                           0);
+  g_signal_connect_object (document, "changed", G_CALLBACK (on_document_changed), self,
+                           0);
+  g_signal_connect_object (document, "file-changed", G_CALLBACK (on_document_changed),
+                           self, 0);
+  update_underlay (self);
+  return self;
+}
+
+QnDocument *
+qn_view_state_get_document (QnViewState *self)
+{
+  return self->document;
+}
+
+QnViewOptions
+qn_view_state_get_options (QnViewState *self)
+{
+  QnViewOptions options = self->options;
+  const QnRun *run = qn_document_get_run (self->document);
+  options.step = qn_view_state_get_step (self);
+  /* Joints of a mode bend; they neither slide nor open. */
+  if (run != NULL && run->kind != QN_RUN_ANALYSIS && options.view == QN_VIEW_MECHANISM)
+    options.symbols = false;
+  options.onion = self->onion != NULL && self->onion != run ? &self->onion->result : NULL;
+  return options;
+}
+
+QnView
+qn_view_state_get_view (QnViewState *self)
+{
+  return self->options.view;
+}
+
+void
+qn_view_state_set_view (QnViewState *self, QnView view)
+{
+  if (self->options.view == view)
+    return;
+  self->options.view = view;
+  self->options.phase = 1.0;
+  emit_changed (self);
+}
+
+int
+qn_view_state_get_step (QnViewState *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  if (run == NULL || self->options.step == QN_STEP_LAST || run->result.step_count == 0)
+    return QN_STEP_LAST;
+  return MIN (self->options.step, (int) run->result.step_count - 1);
+}
+
+void
+qn_view_state_set_step (QnViewState *self, int step)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  int count = run != NULL ? (int) run->result.step_count : 0;
+  int clamped = step < 0 || step >= count ? QN_STEP_LAST : step;
+  if (self->options.step == clamped)
+    return;
+  self->options.step = clamped;
+  emit_changed (self);
+}
+
+void
+qn_view_state_set_scale (QnViewState *self, double scale)
+{
+  if (self->options.scale == scale)
+    return;
+  self->options.scale = scale;
+  emit_changed (self);
+}
+
+double
+qn_view_state_get_scale (QnViewState *self)
+{
+  return self->options.scale;
+}
+
+void
+qn_view_state_set_phase (QnViewState *self, double phase)
+{
+  if (self->options.phase == phase)
+    return;
+  self->options.phase = phase;
+  emit_changed (self);
+}
+
+double
+qn_view_state_get_phase (QnViewState *self)
+{
+  return self->options.phase;
+}
+
+static bool *
+find_switch (QnViewState *self, const char *name)
+{
+  QnViewOptions *o = &self->options;
+  const struct {
+    const char *name;
+    bool *value;
+  } switches[] = { { "ghost", &o->ghost }, { "symbols", &o->symbols },
+                   { "loads", &o->loads }, { "dimensions", &o->dimensions },
+                   { "names", &o->names }, { "monochrome", &o->monochrome } };
+  for (gsize i = 0; i < G_N_ELEMENTS (switches); i++) {
+    if (strcmp (switches[i].name, name) == 0)
+      return switches[i].value;
+  }
+  return NULL;
+}
+
+gboolean
+qn_view_state_get_switch (QnViewState *self, const char *name)
+{
+  const bool *value = find_switch (self, name);
+  g_return_val_if_fail (value != NULL, FALSE);
+  return *value;
+}
+
+void
+qn_view_state_set_switch (QnViewState *self, const char *name, gboolean on)
+{
+  bool *value = find_switch (self, name);
+  g_return_if_fail (value != NULL);
+  if (*value == (on != FALSE))
+    return;
+  *value = on != FALSE;
+  emit_changed (self);
+}
+
+void
+qn_view_state_set_diagram (QnViewState *self, QnDiagram diagram)
+{
+  if (self->options.diagram == diagram)
+    return;
+  self->options.diagram = diagram;
+  emit_changed (self);
+}
+
+QnDiagram
+qn_view_state_get_diagram (QnViewState *self)
+{
+  return self->options.diagram;
+}
+
+const QnUnderlay *
+qn_view_state_get_underlay (QnViewState *self)
+{
+  return &self->options.underlay;
+}
+
+const GError *
+qn_view_state_get_underlay_error (QnViewState *self)
+{
+  return self->image_error;
+}
+
+void
+qn_view_state_show_underlay_at (QnViewState *self, const QnUnderlay *underlay)
+{
+  cairo_surface_t *image = self->options.underlay.image;
+  self->options.underlay = *underlay;
+  self->options.underlay.image = image;
+  emit_changed (self);
+}
+
+void
+qn_view_state_set_onion (QnViewState *self, QnRun *run)
+{
+  const QnRun *current = qn_document_get_run (self->document);
+  if (run == self->onion
+      || (run != NULL && (current == NULL || !same_structure (run, current))))
+    return;
+  g_clear_pointer (&self->onion, qn_run_unref);
+  self->onion = run != NULL ? qn_run_ref (run) : NULL;
+  emit_changed (self);
+}
+
+QnRun *
+qn_view_state_get_onion (QnViewState *self)
+{
+  return self->onion;
+}
+
+gboolean
+qn_view_needs_result (QnView view)
+{
+  return view == QN_VIEW_DEFORMED || view == QN_VIEW_MECHANISM || view == QN_VIEW_FORCES
+         || view == QN_VIEW_DIAGRAMS;
+}
+
+gboolean
+qn_view_state_get_content (QnViewState *self, const QnModel **model,
+                           const QnContacts **contacts, const QnResult **result)
+{
+  return qn_view_state_get_content_of (self, self->options.view, model, contacts, result);
+}
+
+gboolean
+qn_view_state_get_content_of (QnViewState *self, QnView view, const QnModel **model,
+                              const QnContacts **contacts, const QnResult **result)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  if (!qn_view_needs_result (view)) {
+    *model = qn_document_get_model (self->document);
+    *contacts = qn_document_get_contacts (self->document);
+    *result = NULL;
+    return TRUE;
+  }
+  if (run == NULL)
+    return FALSE;
+  *model = &run->model;
+  *contacts = &run->contacts;
+  *result = &run->result;
+  return TRUE;
+}

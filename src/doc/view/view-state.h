@@ -1,0 +1,77 @@
+/* What a window shows of its document: the view, the step, the scale and the switches.
+ *
+ * Several widgets look at it (drawing, curve, step slider); each change is announced by
+ * "changed", without arguments. The document is not changed by looking at it.
+ */
+#ifndef QN_DOC_VIEW_STATE_H
+#define QN_DOC_VIEW_STATE_H
+
+#include "doc/document/document.h"
+#include "render/scene/view-options.h"
+
+#define QN_TYPE_VIEW_STATE (qn_view_state_get_type ())
+G_DECLARE_FINAL_TYPE (QnViewState, qn_view_state, QN, VIEW_STATE, GObject)
+
+/* Shows the model; holds the document. */
+QnViewState *qn_view_state_new (QnDocument *document);
+
+QnDocument *qn_view_state_get_document (QnViewState *state);
+
+/* Current options, step resolved to a number where there is a run. */
+QnViewOptions qn_view_state_get_options (QnViewState *state);
+
+QnView qn_view_state_get_view (QnViewState *state);
+void qn_view_state_set_view (QnViewState *state, QnView view);
+
+/* Step of the current run, or QN_STEP_LAST; clamped to those there are. */
+int qn_view_state_get_step (QnViewState *state);
+void qn_view_state_set_step (QnViewState *state, int step);
+
+/* Displacement scale, QN_SCALE_AUTO for one that fits. */
+void qn_view_state_set_scale (QnViewState *state, double scale);
+double qn_view_state_get_scale (QnViewState *state);
+
+/* Share of the motion shown, 0 to 1. */
+void qn_view_state_set_phase (QnViewState *state, double phase);
+double qn_view_state_get_phase (QnViewState *state);
+
+/* Switches by the names of the window's actions: "ghost", "symbols", "loads", "dimensions",
+ * "names". */
+gboolean qn_view_state_get_switch (QnViewState *state, const char *name);
+void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on);
+
+/* Section force that the view of diagrams shows. */
+void qn_view_state_set_diagram (QnViewState *state, QnDiagram diagram);
+QnDiagram qn_view_state_get_diagram (QnViewState *state);
+
+/* The picture behind the drawing, as the document has it; its image is NULL where there is none
+ * or it cannot be read, which the error tells (NULL: nothing wrong). */
+const QnUnderlay *qn_view_state_get_underlay (QnViewState *state);
+const GError *qn_view_state_get_underlay_error (QnViewState *state);
+
+/* Shows the picture elsewhere while it is being moved; the next change of the document ends
+ * it. */
+void qn_view_state_show_underlay_at (QnViewState *state, const QnUnderlay *underlay);
+
+/* Ends that: the picture is again where the document has it. */
+void qn_view_state_refresh_underlay (QnViewState *state);
+
+/* A second run of the same structure drawn as an outline over the current one; NULL: none. */
+void qn_view_state_set_onion (QnViewState *state, QnRun *run);
+QnRun *qn_view_state_get_onion (QnViewState *state);
+
+/* The model, contacts and result that the view shows: those of the current run where the
+ * view needs a result, else the document's. `result` is NULL for the latter. False where the
+ * view needs a result and there is none. */
+gboolean qn_view_state_get_content (QnViewState *state, const QnModel **model,
+                                    const QnContacts **contacts, const QnResult **result);
+
+/* The same for another view. */
+gboolean qn_view_state_get_content_of (QnViewState *state, QnView view,
+                                       const QnModel **model, const QnContacts **contacts,
+                                       const QnResult **result);
+
+/* Whether a view shows a result. */
+gboolean qn_view_needs_result (QnView view);
+
+#endif

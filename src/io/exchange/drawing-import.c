@@ -1,0 +1,168 @@
+#include "io/exchange/import-work.h"
+#include "io/text/io-error.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Tolerance where the user gives none, as part of a block's size. */
+#define DEFAULT_TOLERANCE 0.002
+
+/* What the reader of the file had to tell. */
+static void
+tell_notes (QnImportWork *work)
+{
+  for (guint i = 0; i < work->drawing->notes->len; i++) {
+    const QnDrawingNote *note = work->drawing->notes->pdata[i];
+    if (note->line > 0)
+      qn_import_tell (work, FALSE, _ ("%s: %u, first at line %u"), note->text,
+                      note->count, note->line);
+    else
+      qn_import_tell (work, FALSE, "%s: %u", note->text, note->count);
+  }
+}
+
+/* Fixes the lowest row where no layer says what is fixed. */
+static void
+infer_supports (QnImportWork *work)
+{
+  double lowest = INFINITY;
+  gsize supports = 0;
+  for (guint i = 0; i < work->outlines->len; i++) {
+    const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    supports += outline->role == QN_ROLE_SUPPORT;
+    lowest = fmin (lowest, qn_ring_bounds (&outline->ring).min.y);
+  }
+  work->report->supported = work->outlines->len > 0;
+  if (supports > 0) {
+    qn_import_tell (work, FALSE, _ ("fixed by their layer: %zu"), supports);
+    return;
+  }
+  double margin = fmax (work->tolerance, 1e-9 * fabs (lowest));
+  for (guint i = 0; i < work->outlines->len; i++) {
+    QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    if (qn_ring_bounds (&outline->ring).min.y <= lowest + margin) {
+      outline->role = QN_ROLE_SUPPORT;
+      supports++;
+    }
+  }
+  qn_import_tell (work, TRUE,
+                  _ ("no layer of supports: the lowest row is fixed, %zu blocks"),
+                  supports);
+}
+
+/* The name that the drawing gives, or else one by number, whichever is free. */
+static char *
+dup_block_name (const QnModel *model, const char *wanted, guint number)
+{
+  char *name = wanted != NULL ? g_strdup (wanted) : g_strdup_printf ("b%u", number);
+  while (qn_model_find_block (model, name) != QN_NONE) {
+    g_free (name);
+    name = g_strdup_printf ("b%u", number++);
+  }
+  return name;
+}
+
+static gboolean
+fill_project (QnImportWork *work, QnProject *project)
+{
+  QnModel *model = &project->model;
+  const QnImportSettings *settings = work->settings;
+  QnLaw *law = qn_model_add_law (model, "dry joint");
+  QnLoad *dead = qn_model_add_dead_load (model), *live = qn_model_add_live_load (model);
+  if (law == NULL || dead == NULL || live == NULL)
+    return FALSE;
+  law->kind = QN_LAW_COULOMB;
+  law->kn = law->ks = 1e9;
+  law->friction = settings->friction;
+  model->contact.law = 0;
+  dead->vector = qn_vec2 (0, -1);
+  live->vector = qn_vec2 (1, 0);
+  dead->block = live->block = QN_NONE;
+  for (guint i = 0; i < work->outlines->len; i++) {
+    const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    g_autofree char *name = dup_block_name (model, outline->name, i + 1);
+    QnBlock *block =
+      qn_model_add_block (model, name, outline->ring.points, outline->ring.count);
+    if (block == NULL)
+      return FALSE;
+    block->thickness = settings->thickness;
+    block->unit_weight = settings->unit_weight;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = outline->role == QN_ROLE_SUPPORT;
+  }
+  return TRUE;
+}
+
+static gboolean
+run_import (QnImportWork *work, QnProject *project, GError **error)
+{
+  QnDiag diag = { 0 };
+  tell_notes (work);
+  qn_import_choose_unit (work);
+  work->tolerance =
+    work->settings->tolerance > 0
+      ? work->settings->tolerance
+      : DEFAULT_TOLERANCE * qn_import_block_size (work->drawing) * work->unit;
+  qn_import_sort_paths (work);
+  qn_import_drop_flawed (work);
+  qn_import_drop_repeated (work);
+  QnStatus status = work->no_memory ? qn_diag_no_memory (&diag) : QN_OK;
+  for (int role = 0; role < QN_ROLE_IGNORED && status == QN_OK; role++)
+    status = qn_import_take_faces (work, (QnRole) role, &diag);
+  if (status == QN_OK)
+    status = qn_import_heal (work, &diag);
+  qn_import_drop_flawed (work);
+  if (status == QN_OK)
+    status = qn_import_cut_openings (work, &diag);
+  if (work->no_memory)
+    status = qn_diag_no_memory (&diag);
+  if (status == QN_OK && work->outlines->len == 0) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:1: no closed outline to make a block of"), work->name);
+    return FALSE;
+  }
+  infer_supports (work);
+  qn_import_tell (work, FALSE, _ ("blocks: %u"), work->outlines->len);
+  qn_project_init (project);
+  project->name = g_strdup (work->name);
+  if (status == QN_OK && !fill_project (work, project))
+    status = qn_diag_no_memory (&diag);
+  if (status == QN_OK)
+    status = qn_model_prepare (&project->model, &diag);
+  if (status == QN_OK)
+    return TRUE;
+  qn_project_set_error (project, &diag, error);
+  qn_project_clear (project);
+  return FALSE;
+}
+
+gboolean
+qn_drawing_to_project (const QnDrawing *drawing, const char *name,
+                       const QnImportSettings *settings, QnProject *project,
+                       QnImportReport *report, GError **error)
+{
+  *project = (QnProject){ 0 };
+  *report = (QnImportReport){ g_ptr_array_new_with_free_func (g_free),
+                              g_ptr_array_new_with_free_func (g_free), FALSE };
+  QnImportWork work = { .drawing = drawing,
+                        .settings = settings,
+                        .name = name,
+                        .report = report,
+                        .outlines = g_array_new (FALSE, FALSE, sizeof (QnOutline)) };
+  gboolean done =
+    qn_import_check_layers (settings, error) && run_import (&work, project, error);
+  for (guint i = 0; i < work.outlines->len; i++)
+    qn_ring_clear (&g_array_index (work.outlines, QnOutline, i).ring);
+  g_array_unref (work.outlines);
+  for (int role = 0; role < QN_ROLE_COUNT; role++)
+    qn_segments_clear (&work.soups[role]);
+  if (!done)
+    qn_import_report_clear (report);
+  return done;
+}
+
+void
+qn_import_report_clear (QnImportReport *report)
+{
+  g_clear_pointer (&report->lines, g_ptr_array_unref);
+  g_clear_pointer (&report->warnings, g_ptr_array_unref);
+}

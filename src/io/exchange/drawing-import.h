@@ -1,0 +1,69 @@
+/* From a drawing to a project: unit, layers, healing, supports.
+ *
+ * Layers have roles. By name, unless the settings say otherwise (case does not matter):
+ *   SUPPORT, BASE, GROUND, FOUNDATION, FIXED …   fixed blocks
+ *   OPENING, VOID, HOLE, WINDOW, DOOR            cut out of the blocks
+ *   DIM, TEXT, AXIS, HATCH, DEFPOINTS, CONTACTS, DEFORMED, GRID    ignored
+ *   every other                                  blocks
+ *
+ * Healing, in this order, each step told in the report: outlines that end on or overrun their
+ * first vertex are closed; repeated and collinear vertices go; outlines without area or that
+ * cross themselves are left out; so are repeated outlines; what is left open is line work and is
+ * made into the faces it encloses; vertices within the tolerance are welded, neighbours fitted
+ * to each other; openings are cut out.
+ *
+ * Without a layer of supports the blocks of the lowest row are fixed.
+ */
+#ifndef QN_IO_DRAWING_IMPORT_H
+#define QN_IO_DRAWING_IMPORT_H
+
+#include "io/exchange/drawing.h"
+#include "io/project/project.h"
+
+typedef enum {
+  QN_ROLE_BLOCK,
+  QN_ROLE_SUPPORT,
+  QN_ROLE_OPENING,
+  QN_ROLE_IGNORED,
+  QN_ROLE_COUNT
+} QnRole;
+
+typedef struct QnImportSettings {
+  double unit; /* m per unit of the drawing; 0: from the file, checked with the extents */
+  double tolerance;   /* m; 0: 0.2 % of the size of a block */
+  double thickness;   /* m */
+  double unit_weight; /* N/m3 */
+  double friction;    /* >= 0 */
+  char **layers;      /* nullable: "NAME=block|support|opening|ignored" */
+} QnImportSettings;
+
+#define QN_IMPORT_DEFAULTS                                                               \
+  ((QnImportSettings){ .thickness = 1, .unit_weight = 20000, .friction = 0.65 })
+
+/* What was done; every line is translated. */
+typedef struct QnImportReport {
+  GPtrArray *lines;    /* char *: all of it, in order */
+  GPtrArray *warnings; /* char *: what the user must look at, also among the lines */
+  gboolean supported;  /* whether the project has supports */
+} QnImportReport;
+
+/* "mm", "cm", "dm", "m", "in", "ft"; 0 for anything else. */
+double qn_import_unit (const char *name);
+
+/* Makes a project: one block per outline, dry joints, own weight as dead load and a horizontal
+ * live load. Consumes nothing. `project` and `report` are overwritten without being cleared;
+ * FALSE with an error (domain QN_IO_ERROR) where there is nothing to make blocks of or a setting
+ * is wrong (QN_IO_ERROR_OVERRIDE). */
+gboolean qn_drawing_to_project (const QnDrawing *drawing, const char *name,
+                                const QnImportSettings *settings, QnProject *project,
+                                QnImportReport *report, GError **error);
+
+/* Only needed where the import succeeded: a failed one leaves an empty report. */
+void qn_import_report_clear (QnImportReport *report);
+
+/* Reads a file by its ending (.svg, .json: COMPAS, .dxf; any other: text of HybriDFEM where it says
+ * "Box", else DXF) and makes a project of it; as qn_drawing_to_project() otherwise. */
+gboolean qn_import_file (const char *path, const QnImportSettings *settings,
+                         QnProject *project, QnImportReport *report, GError **error);
+
+#endif

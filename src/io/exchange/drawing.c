@@ -1,0 +1,160 @@
+#include "io/exchange/drawing.h"
+
+#include <string.h>
+
+#define MAX_SPLINE_DEGREE 11
+#define CHORDS_PER_SPAN   8
+#define MAX_CHORDS        720
+
+/* Names of layers, by the piece; bytes. */
+#define STRINGS_SIZE 1024
+
+void
+qn_drawing_init (QnDrawing *drawing)
+{
+  *drawing = (QnDrawing){ .paths = g_array_new (FALSE, TRUE, sizeof (QnDrawingPath)),
+                          .notes = g_ptr_array_new (),
+                          .strings = g_string_chunk_new (STRINGS_SIZE) };
+}
+
+void
+qn_drawing_clear (QnDrawing *drawing)
+{
+  for (guint i = 0; drawing->paths != NULL && i < drawing->paths->len; i++)
+    g_free (g_array_index (drawing->paths, QnDrawingPath, i).points);
+  for (guint i = 0; drawing->notes != NULL && i < drawing->notes->len; i++) {
+    QnDrawingNote *note = drawing->notes->pdata[i];
+    g_free (note->text);
+    g_free (note);
+  }
+  g_clear_pointer (&drawing->paths, g_array_unref);
+  g_clear_pointer (&drawing->notes, g_ptr_array_unref);
+  g_clear_pointer (&drawing->strings, g_string_chunk_free);
+}
+
+const char *
+qn_drawing_keep_string (QnDrawing *drawing, const char *string)
+{
+  return g_string_chunk_insert_const (drawing->strings, string);
+}
+
+QnDrawingPath *
+qn_drawing_add_path (QnDrawing *drawing, const char *layer, guint line)
+{
+  QnDrawingPath path = { .layer = qn_drawing_keep_string (drawing, layer), .line = line };
+  g_array_append_val (drawing->paths, path);
+  return &g_array_index (drawing->paths, QnDrawingPath, drawing->paths->len - 1);
+}
+
+/* Room grows by doubling; the count tells when. */
+void
+qn_drawing_path_add (QnDrawingPath *path, QnVec2 point)
+{
+  if ((path->count & (path->count - 1)) == 0)
+    path->points =
+      g_renew (QnVec2, path->points, path->count == 0 ? 4 : 2 * path->count + 4);
+  path->points[path->count++] = point;
+}
+
+void
+qn_drawing_note (QnDrawing *drawing, const char *text, guint line, QnVec2 at)
+{
+  for (guint i = 0; i < drawing->notes->len; i++) {
+    QnDrawingNote *note = drawing->notes->pdata[i];
+    if (strcmp (note->text, text) == 0) {
+      note->count++;
+      return;
+    }
+  }
+  QnDrawingNote *note = g_new (QnDrawingNote, 1);
+  *note = (QnDrawingNote){ g_strdup (text), 1, line, at };
+  g_ptr_array_add (drawing->notes, note);
+}
+
+static int
+chord_count (double angle)
+{
+  double step = 2 * acos (1 - QN_DRAWING_SAGITTA);
+  return (int) CLAMP (ceil (fabs (angle) / step - 1e-9), 1, MAX_CHORDS);
+}
+
+void
+qn_drawing_path_add_ellipse (QnDrawingPath *path, QnVec2 centre, QnVec2 major,
+                             QnVec2 minor, double from, double to)
+{
+  int chords = chord_count (to - from);
+  for (int i = 0; i <= chords; i++) {
+    double t = from + (to - from) * i / chords;
+    qn_drawing_path_add (
+      path,
+      qn_vec2_add_scaled (qn_vec2_add_scaled (centre, cos (t), major), sin (t), minor));
+  }
+}
+
+void
+qn_drawing_path_add_bulge (QnDrawingPath *path, QnVec2 end, double bulge)
+{
+  g_return_if_fail (path->count > 0);
+  QnVec2 start = path->points[path->count - 1];
+  double angle = 4 * atan (bulge);
+  int chords = bulge != 0 && isfinite (bulge) ? chord_count (angle) : 1;
+  /* Centre on the perpendicular through the middle of the chord. */
+  QnVec2 chord = qn_vec2_sub (end, start);
+  double away = (1 - bulge * bulge) / (4 * bulge);
+  QnVec2 centre =
+    qn_vec2_add_scaled (qn_vec2_lerp (start, end, 0.5), away, qn_vec2_perp (chord));
+  QnVec2 radius = qn_vec2_sub (start, centre);
+  for (int i = 1; i < chords; i++) {
+    double t = angle * i / chords;
+    qn_drawing_path_add (path,
+                         qn_vec2_add (centre, qn_vec2_rotate (radius, cos (t), sin (t))));
+  }
+  qn_drawing_path_add (path, end);
+}
+
+/* de Boor's algorithm in homogeneous coordinates. */
+static QnVec2
+spline_point (guint degree, const double *knots, gsize span, const QnVec2 *points,
+              const double *weights, double t)
+{
+  double x[MAX_SPLINE_DEGREE + 1], y[MAX_SPLINE_DEGREE + 1], w[MAX_SPLINE_DEGREE + 1];
+  for (guint i = 0; i <= degree; i++) {
+    gsize k = span - degree + i;
+    w[i] = weights != NULL ? weights[k] : 1;
+    x[i] = points[k].x * w[i];
+    y[i] = points[k].y * w[i];
+  }
+  for (guint round = 1; round <= degree; round++)
+    for (guint i = degree; i >= round; i--) {
+      gsize k = span - degree + i;
+      double width = knots[k + degree - round + 1] - knots[k];
+      double a = width > 0 ? (t - knots[k]) / width : 0;
+      x[i] = (1 - a) * x[i - 1] + a * x[i];
+      y[i] = (1 - a) * y[i - 1] + a * y[i];
+      w[i] = (1 - a) * w[i - 1] + a * w[i];
+    }
+  return qn_vec2 (x[degree] / w[degree], y[degree] / w[degree]);
+}
+
+gboolean
+qn_drawing_path_add_spline (QnDrawingPath *path, guint degree, const double *knots,
+                            gsize knot_count, const QnVec2 *points, const double *weights,
+                            gsize point_count)
+{
+  if (degree < 1 || degree > MAX_SPLINE_DEGREE || point_count <= degree
+      || knot_count != point_count + degree + 1)
+    return FALSE;
+  for (gsize i = 1; i < knot_count; i++)
+    if (!(knots[i] >= knots[i - 1]))
+      return FALSE;
+  for (gsize span = degree; span < point_count; span++) {
+    double t0 = knots[span], t1 = knots[span + 1];
+    if (!(t1 > t0))
+      continue;
+    int chords = degree == 1 ? 1 : CHORDS_PER_SPAN;
+    for (int i = path->count == 0 ? 0 : 1; i <= chords; i++)
+      qn_drawing_path_add (path, spline_point (degree, knots, span, points, weights,
+                                               t0 + (t1 - t0) * i / chords));
+  }
+  return path->count > 1;
+}

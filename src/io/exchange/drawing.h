@@ -1,0 +1,71 @@
+/* Drawings: what files of other programs come down to before they become blocks.
+ *
+ * Every importer flattens what it reads into paths, open or closed, in the file's own unit, with
+ * their layer and the line of the file they come from. drawing-import.h makes a project of them.
+ */
+#ifndef QN_IO_DRAWING_H
+#define QN_IO_DRAWING_H
+
+#include "core/base/vec2.h"
+
+#include <glib.h>
+
+/* Chords of curves deviate from them by less than this part of the radius. */
+#define QN_DRAWING_SAGITTA 0.002
+
+typedef struct QnDrawingPath {
+  QnVec2 *points; /* owned */
+  gsize count;
+  gboolean closed;   /* as the file says */
+  gboolean support;  /* the file itself calls it a support */
+  const char *layer; /* kept by the drawing */
+  const char *name;  /* likewise; NULL where the file has none */
+  guint line;        /* of the file, from 1; 0 unknown */
+} QnDrawingPath;
+
+/* Something that was done to the drawing or left out, told once per kind with its count and the
+ * place of the first. */
+typedef struct QnDrawingNote {
+  char *text; /* "%u polylines closed" is made of these */
+  guint count;
+  guint line; /* of the first; 0 where there is none */
+  QnVec2 at;  /* of the first, in the drawing's unit; NaN where there is none */
+} QnDrawingNote;
+
+typedef struct QnDrawing {
+  GArray *paths;    /* QnDrawingPath */
+  GPtrArray *notes; /* QnDrawingNote * */
+  GStringChunk *strings;
+  double unit; /* m per unit as the file declares it, 0 where it does not */
+} QnDrawing;
+
+void qn_drawing_init (QnDrawing *drawing);
+void qn_drawing_clear (QnDrawing *drawing);
+
+/* A copy that lives as long as the drawing; equal strings have one. */
+const char *qn_drawing_keep_string (QnDrawing *drawing, const char *string);
+
+/* Adds an empty path; valid until the next addition. */
+QnDrawingPath *qn_drawing_add_path (QnDrawing *drawing, const char *layer, guint line);
+void qn_drawing_path_add (QnDrawingPath *path, QnVec2 point);
+
+/* Counts something; `text` is translated and says what, in the plural: "texts left out". */
+void qn_drawing_note (QnDrawing *drawing, const char *text, guint line, QnVec2 at);
+
+/* Flattened curves, appended to a path whose last point, if it has one, is the start. Angles in
+ * rad. */
+
+/* From the last point to `end`; bulge = tan of a quarter of the angle, positive to the left. */
+void qn_drawing_path_add_bulge (QnDrawingPath *path, QnVec2 end, double bulge);
+
+/* centre + cos(t) major + sin(t) minor for t from `from` to `to`. */
+void qn_drawing_path_add_ellipse (QnDrawingPath *path, QnVec2 centre, QnVec2 major,
+                                  QnVec2 minor, double from, double to);
+
+/* A rational B-spline (de Boor). False where knots and points do not match. weights may be NULL. */
+gboolean qn_drawing_path_add_spline (QnDrawingPath *path, guint degree,
+                                     const double *knots, gsize knot_count,
+                                     const QnVec2 *points, const double *weights,
+                                     gsize point_count);
+
+#endif

@@ -1,0 +1,359 @@
+#include "io/exchange/dxf-export.h"
+#include "io/text/file-writer.h"
+
+/* Handles of the fixed objects; entities count on from FIRST_ENTITY. */
+enum {
+  HANDLE_LAYERS = 0x10,
+  HANDLE_LTYPES,
+  HANDLE_RECORDS,
+  HANDLE_APPIDS,
+  HANDLE_VPORTS,
+  HANDLE_STYLES,
+  HANDLE_VIEWS,
+  HANDLE_UCSS,
+  HANDLE_DIMSTYLES,
+  HANDLE_MODEL,
+  HANDLE_PAPER,
+  HANDLE_ROOT,
+  HANDLE_GROUPS,
+  HANDLE_FREE,
+  FIRST_ENTITY = 0x100
+};
+
+typedef struct Export {
+  QnFileWriter *writer;
+  double unit;
+  guint handle; /* the next free one */
+  gboolean beams;
+} Export;
+
+static void
+put (Export *export, int code, const char *text)
+{
+  qn_file_writer_printf (export->writer, "%3d\n%s\n", code, text);
+}
+
+static void
+put_int (Export *export, int code, int number)
+{
+  qn_file_writer_printf (export->writer, "%3d\n%d\n", code, number);
+}
+
+static void
+put_handle (Export *export, int code, guint handle)
+{
+  qn_file_writer_printf (export->writer, "%3d\n%X\n", code, handle);
+}
+
+/* Fifteen digits where they say the same as seventeen: scaling leaves the file's own digits. */
+static void
+put_length (Export *export, int code, double metres)
+{
+  double number = metres / export->unit;
+  double per_metre = 1 / export->unit;
+  if (export->unit < 1 && fabs (per_metre - round (per_metre)) < 1e-9)
+    number = metres * round (per_metre);
+  char text[G_ASCII_DTOSTR_BUF_SIZE];
+  g_ascii_formatd (text, sizeof text, "%.15g", number);
+  if (export->unit == 1 && g_ascii_strtod (text, NULL) != number)
+    g_ascii_formatd (text, sizeof text, "%.17g", number);
+  put (export, code, text);
+}
+
+/* $INSUNITS of the unit, 0 where it has no number. */
+static int
+unit_code (double unit)
+{
+  static const struct {
+    double unit;
+    int code;
+  } codes[] = { { 1, 6 },    { 0.001, 4 },  { 0.01, 5 },
+                { 0.1, 14 }, { 0.0254, 1 }, { 0.3048, 2 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (codes); i++)
+    if (codes[i].unit == unit)
+      return codes[i].code;
+  return 0;
+}
+
+static void
+put_header (Export *export)
+{
+  put (export, 0, "SECTION");
+  put (export, 2, "HEADER");
+  put (export, 9, "$ACADVER");
+  put (export, 1, "AC1015");
+  put (export, 9, "$HANDSEED");
+  put (export, 5, "FFFFFF");
+  put (export, 9, "$INSUNITS");
+  put_int (export, 70, unit_code (export->unit));
+  put (export, 9, "$MEASUREMENT");
+  put_int (export, 70, 1);
+  put (export, 0, "ENDSEC");
+}
+
+static void
+begin_table (Export *export, const char *name, guint handle, int entries)
+{
+  put (export, 0, "TABLE");
+  put (export, 2, name);
+  put_handle (export, 5, handle);
+  put_int (export, 330, 0);
+  put (export, 100, "AcDbSymbolTable");
+  put_int (export, 70, entries);
+}
+
+static void
+begin_record (Export *export, const char *type, guint handle, guint table,
+              const char *subclass, const char *name)
+{
+  put (export, 0, type);
+  put_handle (export, 5, handle);
+  put_handle (export, 330, table);
+  put (export, 100, "AcDbSymbolTableRecord");
+  put (export, 100, subclass);
+  put (export, 2, name);
+}
+
+static void
+put_layers (Export *export)
+{
+  const gsize beams = 1; /* the last one, where there are any */
+  static const struct {
+    const char *name;
+    int color;
+  } layers[] = { { "0", 7 },        { "BLOCKS", 7 },   { "SUPPORTS", 5 },
+                 { "CONTACTS", 1 }, { "DEFORMED", 3 }, { "BEAM_AXES", 6 } };
+  gsize count = G_N_ELEMENTS (layers) - (export->beams ? 0 : beams);
+  begin_table (export, "LAYER", HANDLE_LAYERS, (int) count);
+  for (gsize i = 0; i < count; i++) {
+    begin_record (export, "LAYER", export->handle++, HANDLE_LAYERS,
+                  "AcDbLayerTableRecord", layers[i].name);
+    put_int (export, 70, 0);
+    put_int (export, 62, layers[i].color);
+    put (export, 6, "CONTINUOUS");
+  }
+  put (export, 0, "ENDTAB");
+}
+
+static void
+put_line_types (Export *export)
+{
+  static const char *const names[] = { "ByBlock", "ByLayer", "CONTINUOUS" };
+  begin_table (export, "LTYPE", HANDLE_LTYPES, G_N_ELEMENTS (names));
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
+    begin_record (export, "LTYPE", export->handle++, HANDLE_LTYPES,
+                  "AcDbLinetypeTableRecord", names[i]);
+    put_int (export, 70, 0);
+    put (export, 3, "");
+    put_int (export, 72, 65);
+    put_int (export, 73, 0);
+    put (export, 40, "0.0");
+  }
+  put (export, 0, "ENDTAB");
+}
+
+static void
+put_empty_table (Export *export, const char *name, guint handle)
+{
+  begin_table (export, name, handle, 0);
+  put (export, 0, "ENDTAB");
+}
+
+static void
+put_tables (Export *export)
+{
+  put (export, 0, "SECTION");
+  put (export, 2, "TABLES");
+  put_empty_table (export, "VPORT", HANDLE_VPORTS);
+  put_line_types (export);
+  put_layers (export);
+  begin_table (export, "STYLE", HANDLE_STYLES, 1);
+  begin_record (export, "STYLE", export->handle++, HANDLE_STYLES,
+                "AcDbTextStyleTableRecord", "Standard");
+  put_int (export, 70, 0);
+  put (export, 3, "txt");
+  put (export, 0, "ENDTAB");
+  put_empty_table (export, "VIEW", HANDLE_VIEWS);
+  put_empty_table (export, "UCS", HANDLE_UCSS);
+  begin_table (export, "APPID", HANDLE_APPIDS, 1);
+  begin_record (export, "APPID", export->handle++, HANDLE_APPIDS, "AcDbRegAppTableRecord",
+                "ACAD");
+  put_int (export, 70, 0);
+  put (export, 0, "ENDTAB");
+  begin_table (export, "DIMSTYLE", HANDLE_DIMSTYLES, 0);
+  put (export, 100, "AcDbDimStyleTable");
+  put (export, 0, "ENDTAB");
+  begin_table (export, "BLOCK_RECORD", HANDLE_RECORDS, 2);
+  begin_record (export, "BLOCK_RECORD", HANDLE_MODEL, HANDLE_RECORDS,
+                "AcDbBlockTableRecord", "*Model_Space");
+  begin_record (export, "BLOCK_RECORD", HANDLE_PAPER, HANDLE_RECORDS,
+                "AcDbBlockTableRecord", "*Paper_Space");
+  put (export, 0, "ENDTAB");
+  put (export, 0, "ENDSEC");
+}
+
+static void
+put_space (Export *export, const char *name, guint record)
+{
+  put (export, 0, "BLOCK");
+  put_handle (export, 5, export->handle++);
+  put_handle (export, 330, record);
+  put (export, 100, "AcDbEntity");
+  put (export, 8, "0");
+  put (export, 100, "AcDbBlockBegin");
+  put (export, 2, name);
+  put_int (export, 70, 0);
+  put (export, 10, "0.0");
+  put (export, 20, "0.0");
+  put (export, 30, "0.0");
+  put (export, 3, name);
+  put (export, 1, "");
+  put (export, 0, "ENDBLK");
+  put_handle (export, 5, export->handle++);
+  put_handle (export, 330, record);
+  put (export, 100, "AcDbEntity");
+  put (export, 8, "0");
+  put (export, 100, "AcDbBlockEnd");
+}
+
+static void
+put_objects (Export *export)
+{
+  put (export, 0, "SECTION");
+  put (export, 2, "OBJECTS");
+  put (export, 0, "DICTIONARY");
+  put_handle (export, 5, HANDLE_ROOT);
+  put_int (export, 330, 0);
+  put (export, 100, "AcDbDictionary");
+  put (export, 3, "ACAD_GROUP");
+  put_handle (export, 350, HANDLE_GROUPS);
+  put (export, 0, "DICTIONARY");
+  put_handle (export, 5, HANDLE_GROUPS);
+  put_handle (export, 330, HANDLE_ROOT);
+  put (export, 100, "AcDbDictionary");
+  put (export, 0, "ENDSEC");
+}
+
+static void
+begin_entity (Export *export, const char *type, const char *layer, const char *subclass)
+{
+  put (export, 0, type);
+  put_handle (export, 5, export->handle++);
+  put_handle (export, 330, HANDLE_MODEL);
+  put (export, 100, "AcDbEntity");
+  put (export, 8, layer);
+  put (export, 100, subclass);
+}
+
+/* The outline of a block, moved by `u` (nullable: ux, uy, rz, the rotation as a finite one). */
+static void
+put_block (Export *export, const QnModel *model, QnId id, const char *layer,
+           const double *u, double scale)
+{
+  const QnBlock *block = &model->blocks[id];
+  const QnVec2 *vertices = qn_model_block_vertices (model, id);
+  begin_entity (export, "LWPOLYLINE", layer, "AcDbPolyline");
+  put_int (export, 90, block->vertex_count);
+  put_int (export, 70, 1);
+  for (QnId i = 0; i < block->vertex_count; i++) {
+    QnVec2 p = vertices[i];
+    if (u != NULL) {
+      double angle = scale * u[QN_DOF_RZ];
+      QnVec2 arm =
+        qn_vec2_rotate (qn_vec2_sub (p, block->centroid), cos (angle), sin (angle));
+      p = qn_vec2_add (qn_vec2_add (block->centroid, arm),
+                       qn_vec2 (scale * u[QN_DOF_UX], scale * u[QN_DOF_UY]));
+    }
+    put_length (export, 10, p.x);
+    put_length (export, 20, p.y);
+  }
+}
+
+static void
+put_segment (Export *export, const char *layer, QnVec2 start, QnVec2 end)
+{
+  begin_entity (export, "LINE", layer, "AcDbLine");
+  put_length (export, 10, start.x);
+  put_length (export, 20, start.y);
+  put (export, 30, "0.0");
+  put_length (export, 11, end.x);
+  put_length (export, 21, end.y);
+  put (export, 31, "0.0");
+}
+
+/* Where a node has gone; u: rows of the nodes, or NULL. */
+static QnVec2
+place_node (const QnModel *model, QnId node, const double *u, double scale)
+{
+  QnVec2 at = model->nodes[node].at;
+  if (u == NULL)
+    return at;
+  const double *row = u + (size_t) node * QN_DOF_COUNT;
+  return qn_vec2_add_scaled (at, scale, qn_vec2 (row[QN_DOF_UX], row[QN_DOF_UY]));
+}
+
+/* Beams as they lie, whole; displaced ones element by element. */
+static void
+put_beams (Export *export, const QnModel *model, const QnResult *result, double scale)
+{
+  for (size_t i = 0; i < model->beam_count; i++)
+    put_segment (export, "BEAM_AXES", model->nodes[model->beams[i].nodes[0]].at,
+                 model->nodes[model->beams[i].nodes[1]].at);
+  if (result == NULL || result->step_count == 0
+      || result->node_count != model->node_count)
+    return;
+  const double *u = qn_result_step_displacements (result, result->step_count - 1)
+                    + result->block_count * QN_DOF_COUNT;
+  for (size_t i = 0; i < model->element_count; i++)
+    put_segment (export, "DEFORMED",
+                 place_node (model, model->elements[i].nodes[0], u, scale),
+                 place_node (model, model->elements[i].nodes[1], u, scale));
+}
+
+static gboolean
+is_fixed (const QnBlock *block)
+{
+  return block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+         && block->support[QN_DOF_RZ];
+}
+
+static void
+put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
+              const QnResult *result, double scale)
+{
+  put (export, 0, "SECTION");
+  put (export, 2, "ENTITIES");
+  for (size_t i = 0; i < model->block_count; i++)
+    put_block (export, model, (QnId) i,
+               is_fixed (&model->blocks[i]) ? "SUPPORTS" : "BLOCKS", NULL, 0);
+  for (size_t i = 0; contacts != NULL && i < contacts->face_count; i++)
+    put_segment (export, "CONTACTS", contacts->faces[i].start, contacts->faces[i].end);
+  if (result != NULL && result->step_count > 0) {
+    const double *u = qn_result_step_displacements (result, result->step_count - 1);
+    for (size_t i = 0; i < model->block_count; i++)
+      put_block (export, model, (QnId) i, "DEFORMED", u + i * QN_DOF_COUNT, scale);
+  }
+  put_beams (export, model, result, scale);
+  put (export, 0, "ENDSEC");
+}
+
+gboolean
+qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult *result,
+               double scale, double unit, const char *path, GError **error)
+{
+  Export export = { qn_file_writer_open (path, error), unit, FIRST_ENTITY,
+                    model->beam_count > 0 };
+  if (export.writer == NULL)
+    return FALSE;
+  put_header (&export);
+  put_tables (&export);
+  put (&export, 0, "SECTION");
+  put (&export, 2, "BLOCKS");
+  put_space (&export, "*Model_Space", HANDLE_MODEL);
+  put_space (&export, "*Paper_Space", HANDLE_PAPER);
+  put (&export, 0, "ENDSEC");
+  put_entities (&export, model, contacts, result, scale);
+  put_objects (&export);
+  put (&export, 0, "EOF");
+  return qn_file_writer_commit (export.writer, error);
+}

@@ -1,0 +1,14 @@
+/* DXF files as drawings. */
+#ifndef QN_IO_DXF_IMPORT_H
+#define QN_IO_DXF_IMPORT_H
+
+#include "io/exchange/drawing.h"
+
+/* Reads the text of a DXF file: lines, polylines with bulges, arcs, circles, ellipses, splines,
+ * solids and inserts nested to any sensible depth, those of layer 0 in a block on the layer of
+ * its insert. `drawing` is overwritten without being cleared and holds nothing on failure;
+ * errors are one line with file and line, domain QN_IO_ERROR. */
+gboolean qn_dxf_import (const char *text, gsize length, const char *name,
+                        QnDrawing *drawing, GError **error);
+
+#endif

@@ -1,0 +1,124 @@
+#include "core/base/box-tree.h"
+#include "core/base/polygon.h"
+#include "io/exchange/import-work.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Faces of line work so many times larger than the median are perhaps openings. */
+#define SUSPICIOUS_SIZE 4.0
+
+static gboolean
+lies_in_outline (const QnImportWork *work, QnVec2 point, guint count)
+{
+  for (guint i = 0; i < count; i++) {
+    const QnRing *ring = &g_array_index (work->outlines, QnOutline, i).ring;
+    QnBounds b = qn_ring_bounds (ring);
+    if (point.x >= b.min.x && point.x <= b.max.x && point.y >= b.min.y
+        && point.y <= b.max.y && qn_polygon_depth (ring->points, ring->count, point) > 0)
+      return TRUE;
+  }
+  return FALSE;
+}
+
+/* Warns of faces that are much larger than the others. */
+static void
+look_for_openings (QnImportWork *work, const QnRings *faces)
+{
+  g_autoptr (GArray) areas = g_array_new (FALSE, FALSE, sizeof (double));
+  for (gsize i = 0; i < faces->count; i++) {
+    double area = qn_ring_area (&faces->items[i]);
+    g_array_append_val (areas, area);
+  }
+  double median = qn_import_median (areas);
+  gsize count = 0;
+  QnVec2 at = { 0, 0 };
+  for (gsize i = 0; i < faces->count; i++)
+    if (qn_ring_area (&faces->items[i]) > SUSPICIOUS_SIZE * median) {
+      if (count++ == 0)
+        at = qn_ring_centroid (&faces->items[i]);
+    }
+  if (count > 0)
+    qn_import_tell (
+      work, TRUE,
+      _ ("faces much larger than the others, perhaps openings or the ground: %zu, "
+         "first at "
+         "(%.6g, %.6g); outlines on a layer OPENINGS cut them out"),
+      count, at.x, at.y);
+}
+
+/* Whether a face is bounded by open lines at all, and not only by outlines around it. */
+static gboolean
+touches_lines (const QnImportWork *work, const QnBoxTree *tree, const QnSegments *lines,
+               const QnRing *face)
+{
+  for (gsize i = 0; i < face->count; i++) {
+    QnVec2 a = face->points[i], b = face->points[(i + 1) % face->count];
+    QnVec2 middle = qn_vec2_lerp (a, b, 0.5);
+    QnBoxQuery query =
+      qn_box_tree_query (tree, qn_box_grow ((QnBox){ middle, middle }, work->tolerance));
+    for (QnId k; (k = qn_box_query_next (&query)) != QN_NONE;)
+      if (qn_segment_distance (lines->items[k].a, lines->items[k].b, middle)
+          <= work->tolerance)
+        return TRUE;
+  }
+  return FALSE;
+}
+
+/* Turns the faces that lie in no outline and are bounded by open lines, of which there are
+ * `lines`, into outlines. */
+static void
+take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
+            const QnSegments *lines, guint outlines)
+{
+  g_autofree QnBox *boxes = g_new (QnBox, lines->count);
+  QnBoxTree tree;
+  for (gsize i = 0; i < lines->count; i++)
+    boxes[i] = qn_box_of_segment (lines->items[i].a, lines->items[i].b);
+  if (!qn_box_tree_init (&tree, boxes, lines->count)) {
+    work->no_memory = TRUE;
+    return;
+  }
+  for (gsize i = 0; i < faces->count; i++) {
+    const QnRing *face = &faces->items[i];
+    QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
+    if (!lies_in_outline (work, inner, outlines)
+        && touches_lines (work, &tree, lines, face))
+      qn_import_add_outline (work, face, role, NULL, 0);
+  }
+  qn_box_tree_clear (&tree);
+}
+
+QnStatus
+qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
+{
+  QnSegments *soup = &work->soups[role];
+  if (soup->count == 0)
+    return QN_OK;
+  guint outlines = work->outlines->len;
+  QnSegments lines = { 0 };
+  for (gsize i = 0; i < soup->count; i++)
+    if (!qn_segments_add (&lines, soup->items[i].a, soup->items[i].b))
+      work->no_memory = TRUE;
+  for (guint i = 0; i < outlines; i++) {
+    const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    if (outline->role == role)
+      qn_import_add_segments (work, &outline->ring, TRUE, role);
+  }
+  QnRings faces = { 0 };
+  QnHealing healing = { 0 };
+  gsize holes = 0;
+  QnStatus status =
+    work->no_memory
+      ? qn_diag_no_memory (diag)
+      : qn_linework_polygonize (soup, work->tolerance, &faces, &holes, &healing, diag);
+  qn_import_tell_healing (work, _ ("ends of lines joined"), &healing);
+  if (holes > 0)
+    qn_import_tell (work, TRUE, _ ("faces around other faces left out: %zu"), holes);
+  if (status == QN_OK)
+    take_faces (work, role, &faces, &lines, outlines);
+  if (role == QN_ROLE_BLOCK && outlines == 0)
+    look_for_openings (work, &faces);
+  qn_rings_clear (&faces);
+  qn_segments_clear (&lines);
+  return status;
+}

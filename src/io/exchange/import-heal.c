@@ -1,0 +1,103 @@
+#include "io/exchange/import-work.h"
+#include "stereotomy/polygon-ops.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Moves the rings of blocks and supports out of the outlines, or those that were moved back. */
+static void
+exchange_rings (QnImportWork *work, QnRings *rings, gboolean out)
+{
+  gsize next = 0;
+  for (guint i = 0; i < work->outlines->len; i++) {
+    QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    if (outline->role == QN_ROLE_OPENING)
+      continue;
+    if (out) {
+      if (!qn_rings_take (rings, &outline->ring)) {
+        work->no_memory = TRUE;
+        return;
+      }
+    } else if (next < rings->count) {
+      outline->ring = rings->items[next];
+      rings->items[next++] = (QnRing){ 0 };
+    }
+  }
+}
+
+static gboolean
+is_polygon (const QnOutline *outline, gpointer data)
+{
+  (void) data;
+  return outline->ring.count >= 3;
+}
+
+static gboolean
+is_block (const QnOutline *outline, gpointer data)
+{
+  return outline->role != QN_ROLE_OPENING && is_polygon (outline, data);
+}
+
+QnStatus
+qn_import_heal (QnImportWork *work, QnDiag *diag)
+{
+  QnRings rings = { 0 };
+  QnHealing welded = { 0 }, snapped = { 0 };
+  exchange_rings (work, &rings, TRUE);
+  QnStatus status = work->no_memory
+                      ? qn_diag_no_memory (diag)
+                      : qn_weld_vertices (&rings, 1e-6 * work->tolerance, work->tolerance,
+                                          NULL, &welded, diag);
+  if (status == QN_OK)
+    status = qn_snap_neighbours (&rings, work->tolerance, &snapped, diag);
+  exchange_rings (work, &rings, FALSE);
+  qn_rings_clear (&rings);
+  qn_import_tell_healing (work, _ ("vertices welded"), &welded);
+  qn_import_tell_healing (work, _ ("gaps and overlaps between neighbours closed"),
+                          &snapped);
+  gsize slivers = qn_import_keep_outlines (work, is_polygon, NULL);
+  if (slivers > 0)
+    qn_import_tell (work, FALSE, _ ("slivers left out: %zu"), slivers);
+  return status;
+}
+
+QnStatus
+qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
+{
+  QnRings cutters = { 0 };
+  gsize changed = 0;
+  for (guint i = 0; i < work->outlines->len; i++) {
+    const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    if (outline->role == QN_ROLE_OPENING
+        && !qn_rings_add (&cutters, outline->ring.points, outline->ring.count))
+      work->no_memory = TRUE;
+  }
+  QnStatus status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
+  guint count = work->outlines->len;
+  for (guint i = 0; cutters.count > 0 && i < count && status == QN_OK; i++) {
+    QnOutline outline = g_array_index (work->outlines, QnOutline, i);
+    if (outline.role == QN_ROLE_OPENING)
+      continue;
+    QnRings parts = { 0 };
+    double area = qn_ring_area (&outline.ring), left = 0;
+    status = qn_polygon_difference (&outline.ring, &cutters, &parts, diag);
+    for (gsize k = 0; k < parts.count; k++)
+      left += qn_ring_area (&parts.items[k]);
+    /* What is left along the edge of an opening within the tolerance is no block. */
+    if (status == QN_OK && left < area * (1 - 1e-9)) {
+      changed++;
+      for (gsize k = 0; k < parts.count; k++)
+        if (2 * qn_ring_area (&parts.items[k])
+            > work->tolerance * qn_ring_perimeter (&parts.items[k]))
+          qn_import_add_outline (work, &parts.items[k], outline.role, outline.name,
+                                 outline.line);
+      g_array_index (work->outlines, QnOutline, i).ring.count = 0;
+    }
+    qn_rings_clear (&parts);
+  }
+  if (cutters.count > 0)
+    qn_import_tell (work, FALSE, _ ("openings cut out: %zu, blocks cut or removed: %zu"),
+                    cutters.count, changed);
+  qn_rings_clear (&cutters);
+  qn_import_keep_outlines (work, is_block, NULL);
+  return status;
+}

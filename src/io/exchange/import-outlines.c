@@ -1,0 +1,154 @@
+#include "core/base/polygon.h"
+#include "io/exchange/import-work.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Whether the points behind `first` run along the beginning of the ring again. */
+static gboolean
+retraces (const QnRing *ring, gsize first, double tolerance)
+{
+  for (gsize i = first; i < ring->count; i++) {
+    double nearest = INFINITY;
+    for (gsize k = 0; k + 1 < first; k++)
+      nearest = fmin (nearest, qn_segment_distance (ring->points[k], ring->points[k + 1],
+                                                    ring->points[i]));
+    if (nearest > tolerance)
+      return FALSE;
+  }
+  return TRUE;
+}
+
+/* Cuts the ring where it comes back to its beginning. FALSE for an open path. */
+static gboolean
+close_ring (QnImportWork *work, QnRing *ring, gboolean closed, gsize *ends,
+            gsize *overruns)
+{
+  for (gsize i = 3; i < ring->count; i++) {
+    QnVec2 way = qn_vec2_sub (ring->points[i], ring->points[0]);
+    if (qn_vec2_length (way) > work->tolerance
+        || !retraces (ring, i + 1, work->tolerance))
+      continue;
+    if (i + 1 < ring->count)
+      (*overruns)++;
+    else if (!closed)
+      (*ends)++;
+    ring->count = i;
+    return TRUE;
+  }
+  return closed && ring->count >= 3;
+}
+
+void
+qn_import_sort_paths (QnImportWork *work)
+{
+  gsize ends = 0, overruns = 0, collinear = 0, open = 0, ignored = 0;
+  for (guint i = 0; i < work->drawing->paths->len; i++) {
+    const QnDrawingPath *path = &g_array_index (work->drawing->paths, QnDrawingPath, i);
+    QnRole role = path->support ? QN_ROLE_SUPPORT
+                                : qn_import_role_of_layer (work->settings, path->layer);
+    if (role == QN_ROLE_IGNORED) {
+      ignored++;
+      continue;
+    }
+    QnRing ring;
+    if (!qn_ring_init (&ring, path->points, path->count)) {
+      work->no_memory = TRUE;
+      return;
+    }
+    for (gsize k = 0; k < ring.count; k++)
+      ring.points[k] = qn_import_to_metres (work, ring.points[k]);
+    if (close_ring (work, &ring, path->closed, &ends, &overruns)) {
+      collinear += qn_ring_simplify (&ring, 1e-6 * work->tolerance);
+      if (ring.count >= 3)
+        qn_import_add_outline (work, &ring, role, path->name, path->line);
+    } else if (ring.count >= 2) {
+      open++;
+      qn_import_add_segments (work, &ring, FALSE, role);
+    }
+    qn_ring_clear (&ring);
+  }
+  if (ignored > 0)
+    qn_import_tell (work, FALSE, _ ("on ignored layers: %zu"), ignored);
+  if (ends > 0)
+    qn_import_tell (work, FALSE, _ ("outlines closed that end where they began: %zu"),
+                    ends);
+  if (overruns > 0)
+    qn_import_tell (work, FALSE, _ ("outlines closed that overran their beginning: %zu"),
+                    overruns);
+  if (collinear > 0)
+    qn_import_tell (work, FALSE, _ ("repeated and collinear vertices removed: %zu"),
+                    collinear);
+  if (open > 0)
+    qn_import_tell (work, FALSE, _ ("open lines made into faces: %zu"), open);
+}
+
+typedef struct Flaws {
+  gsize crossing, flat;
+  guint first_crossing; /* line of the file */
+  gboolean no_memory;
+} Flaws;
+
+static gboolean
+is_flawless (const QnOutline *outline, gpointer data)
+{
+  Flaws *flaws = data;
+  QnPolygonFlaw flaw = qn_polygon_check (outline->ring.points, outline->ring.count);
+  if (flaw.problem == QN_PROBLEM_NO_MEMORY)
+    flaws->no_memory = TRUE;
+  if (flaw.problem == QN_PROBLEM_NONE || flaw.problem == QN_PROBLEM_NO_MEMORY)
+    return TRUE;
+  if (flaw.problem != QN_PROBLEM_SELF_CROSSING)
+    flaws->flat++;
+  else if (flaws->crossing++ == 0)
+    flaws->first_crossing = outline->line;
+  return FALSE;
+}
+
+void
+qn_import_drop_flawed (QnImportWork *work)
+{
+  Flaws flaws = { 0 };
+  qn_import_keep_outlines (work, is_flawless, &flaws);
+  if (flaws.no_memory)
+    work->no_memory = TRUE;
+  if (flaws.crossing > 0)
+    qn_import_tell (work, TRUE,
+                    _ ("outlines left out that cross themselves: %zu, first at line %u"),
+                    flaws.crossing, flaws.first_crossing);
+  if (flaws.flat > 0)
+    qn_import_tell (work, FALSE, _ ("outlines without area left out: %zu"), flaws.flat);
+}
+
+typedef struct Seen {
+  GHashTable *keys; /* char *: of the outlines kept so far */
+  double tolerance; /* m */
+} Seen;
+
+/* Key of an outline to the tolerance: centroid and area. */
+static char *
+outline_key (const QnRing *ring, double tolerance)
+{
+  QnVec2 c = qn_ring_centroid (ring);
+  double t = 2 * tolerance;
+  return g_strdup_printf ("%.0f %.0f %.0f", c.x / t, c.y / t,
+                          sqrt (fabs (qn_ring_area (ring))) / t);
+}
+
+static gboolean
+is_new (const QnOutline *outline, gpointer data)
+{
+  Seen *seen = data;
+  return outline->role == QN_ROLE_OPENING
+         || g_hash_table_add (seen->keys, outline_key (&outline->ring, seen->tolerance));
+}
+
+void
+qn_import_drop_repeated (QnImportWork *work)
+{
+  g_autoptr (GHashTable) keys =
+    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  gsize repeated =
+    qn_import_keep_outlines (work, is_new, &(Seen){ keys, work->tolerance });
+  if (repeated > 0)
+    qn_import_tell (work, FALSE, _ ("outlines drawn twice: %zu"), repeated);
+}

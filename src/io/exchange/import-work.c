@@ -1,0 +1,78 @@
+#include "io/exchange/import-work.h"
+
+#include <glib/gi18n-lib.h>
+
+void
+qn_import_tell (QnImportWork *work, gboolean warn, const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  char *line = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
+  g_ptr_array_add (work->report->lines, line);
+  if (warn)
+    g_ptr_array_add (work->report->warnings, g_strdup (line));
+}
+
+void
+qn_import_tell_healing (QnImportWork *work, const char *what, const QnHealing *healing)
+{
+  if (healing->count > 0)
+    qn_import_tell (work, FALSE, _ ("%s: %zu, by up to %.3g m, first near (%.6g, %.6g)"),
+                    what, healing->count, healing->farthest, healing->at.x,
+                    healing->at.y);
+}
+
+void
+qn_import_add_outline (QnImportWork *work, const QnRing *ring, QnRole role,
+                       const char *name, guint line)
+{
+  QnOutline outline = { .role = role, .name = name, .line = line };
+  if (!qn_ring_init (&outline.ring, ring->points, ring->count)) {
+    work->no_memory = TRUE;
+    return;
+  }
+  qn_ring_orient (&outline.ring);
+  g_array_append_val (work->outlines, outline);
+}
+
+void
+qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,
+                        QnRole role)
+{
+  for (gsize i = 0; i + 1 < path->count + (closed ? 1 : 0); i++)
+    if (!qn_segments_add (&work->soups[role], path->points[i],
+                          path->points[(i + 1) % path->count]))
+      work->no_memory = TRUE;
+}
+
+gsize
+qn_import_keep_outlines (QnImportWork *work,
+                         gboolean (*is_kept) (const QnOutline *outline, gpointer data),
+                         gpointer data)
+{
+  guint count = work->outlines->len, kept = 0;
+  for (guint i = 0; i < count; i++) {
+    QnOutline outline = g_array_index (work->outlines, QnOutline, i);
+    if (is_kept (&outline, data))
+      g_array_index (work->outlines, QnOutline, kept++) = outline;
+    else
+      qn_ring_clear (&outline.ring);
+  }
+  g_array_set_size (work->outlines, kept);
+  return count - kept;
+}
+
+static int
+compare_doubles (gconstpointer left, gconstpointer right)
+{
+  double a = *(const double *) left, b = *(const double *) right;
+  return (a > b) - (a < b);
+}
+
+double
+qn_import_median (GArray *values)
+{
+  g_array_sort (values, compare_doubles);
+  return values->len > 0 ? g_array_index (values, double, values->len / 2) : 0;
+}

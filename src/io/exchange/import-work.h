@@ -1,0 +1,97 @@
+/* Private to making a project of a drawing (drawing-import.h): what its steps share, and the steps,
+ * in the order in which drawing-import.c takes them. Each changes the work and tells in the report
+ * what it did. Where memory runs out they set `no_memory` or return QN_ERROR_NO_MEMORY; the work
+ * can be cleared then as ever.
+ */
+#ifndef QN_IO_IMPORT_WORK_H
+#define QN_IO_IMPORT_WORK_H
+
+#include "io/exchange/drawing-import.h"
+#include "stereotomy/linework.h"
+
+/* One outline on its way to a block. */
+typedef struct QnOutline {
+  QnRing ring; /* m; counter-clockwise */
+  QnRole role;
+  const char *name; /* kept by the drawing; NULL where it has none */
+  guint line;       /* of the file, from 1; 0 for faces of line work */
+} QnOutline;
+
+typedef struct QnImportWork {
+  const QnDrawing *drawing;
+  const QnImportSettings *settings;
+  const char *name; /* of the file, for messages */
+  QnImportReport *report;
+  double unit;                     /* m per unit of the drawing */
+  double tolerance;                /* m */
+  GArray *outlines;                /* QnOutline */
+  QnSegments soups[QN_ROLE_COUNT]; /* open lines, m, by what their faces become */
+  gboolean
+    no_memory; /* some of what was drawn is lost: refused at the next opportunity */
+} QnImportWork;
+
+/* ---- import-work.c: what several steps need ---- */
+
+/* Adds a line, translated, to the report, and to its warnings where the user must look. */
+void qn_import_tell (QnImportWork *work, gboolean warn, const char *format, ...)
+  G_GNUC_PRINTF (3, 4);
+
+/* "`what`: how often, how far, where"; nothing where nothing was healed. */
+void qn_import_tell_healing (QnImportWork *work, const char *what,
+                             const QnHealing *healing);
+
+/* Adds a copy of a ring (m), turned counter-clockwise. */
+void qn_import_add_outline (QnImportWork *work, const QnRing *ring, QnRole role,
+                            const char *name, guint line);
+
+/* Adds the sides of a path (m) to the line work of a role. */
+void qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,
+                             QnRole role);
+
+/* Keeps those outlines of which `is_kept` says so, in their order. Returns how many went. */
+gsize qn_import_keep_outlines (QnImportWork *work,
+                               gboolean (*is_kept) (const QnOutline *outline,
+                                                    gpointer data),
+                               gpointer data);
+
+/* The upper median of doubles, which are sorted by it; 0 where there are none. */
+double qn_import_median (GArray *values);
+
+/* ---- the steps ---- */
+
+/* import-layers.c. Whether every entry of the settings' table of layers is of the form NAME=role;
+ * else FALSE with QN_IO_ERROR_OVERRIDE. The role of a layer needs a table that was checked. */
+gboolean qn_import_check_layers (const QnImportSettings *settings, GError **error);
+QnRole qn_import_role_of_layer (const QnImportSettings *settings, const char *layer);
+
+/* import-unit.c. The unit given, else the declared one if blocks have a plausible size in it, else
+ * a guess. */
+void qn_import_choose_unit (QnImportWork *work);
+
+/* Median size of the drawing's closed outlines, or of its open paths' lengths where there are
+ * none, in the drawing's unit; 0 for an empty drawing. */
+double qn_import_block_size (const QnDrawing *drawing);
+
+/* A point of the drawing, m. */
+QnVec2 qn_import_to_metres (const QnImportWork *work, QnVec2 p);
+
+/* import-outlines.c. Sorts every path into outlines and line work. */
+void qn_import_sort_paths (QnImportWork *work);
+
+/* Leaves out what cannot be a block: outlines that cross themselves or have no area. */
+void qn_import_drop_flawed (QnImportWork *work);
+
+/* Leaves out all but the first of outlines that are the same to the tolerance. Openings stay. */
+void qn_import_drop_repeated (QnImportWork *work);
+
+/* import-faces.c. Line work of one role into outlines. Outlines that are there already bound faces
+ * too. */
+QnStatus qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag);
+
+/* import-heal.c. Welds vertices, fits neighbours to each other and leaves out what collapsed. */
+QnStatus qn_import_heal (QnImportWork *work, QnDiag *diag);
+
+/* Cuts all openings out of the blocks and supports; no opening is left among the outlines. */
+QnStatus qn_import_cut_openings (QnImportWork *work, QnDiag *diag);
+
+#endif

@@ -1,0 +1,275 @@
+#include "io/exchange/table-csv.h"
+
+#include "io/result/result-contact.h"
+#include "io/text/file-writer.h"
+#include "io/text/outcome-text.h"
+
+#include <string.h>
+
+static bool
+is_free (const QnBlock *block)
+{
+  return !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+           && block->support[QN_DOF_RZ]);
+}
+
+QnId
+qn_result_curve_block (const QnModel *model, const QnResult *result)
+{
+  size_t controlled = qn_model_controlled_body (model, model->analysis.control_block,
+                                                model->analysis.control_node);
+  if (controlled != SIZE_MAX || result->step_count == 0)
+    return controlled != SIZE_MAX ? (QnId) controlled : QN_NONE;
+
+  const double *last = qn_result_step_displacements (result, result->step_count - 1);
+  QnId furthest = QN_NONE, node = QN_NONE;
+  double distance = -1;
+  for (size_t i = 0; i < result->block_count; i++) {
+    double moved = hypot (last[i * QN_DOF_COUNT], last[i * QN_DOF_COUNT + 1]);
+    if (is_free (&model->blocks[i]) && moved > distance) {
+      distance = moved;
+      furthest = (QnId) i;
+    }
+  }
+  for (size_t i = result->block_count;
+       furthest == QN_NONE && i < qn_result_body_count (result); i++) {
+    double moved = hypot (last[i * QN_DOF_COUNT], last[i * QN_DOF_COUNT + 1]);
+    if (moved > distance) {
+      distance = moved;
+      node = (QnId) i;
+    }
+  }
+  return furthest != QN_NONE ? furthest : node;
+}
+
+const char *
+qn_result_body_name (const QnModel *model, QnId body)
+{
+  return (size_t) body < model->block_count
+           ? model->blocks[body].name
+           : model->nodes[(size_t) body - model->block_count].name;
+}
+
+/* A field of text: in quotes where it would be taken for several. `suffix` belongs to it. */
+static void
+write_text (QnFileWriter *writer, const char *text, const char *suffix)
+{
+  if (strpbrk (text, ",\"\r\n") == NULL) {
+    qn_file_writer_printf (writer, "%s%s", text, suffix);
+    return;
+  }
+  qn_file_writer_puts (writer, "\"");
+  for (const char *c = text; *c != '\0'; c++)
+    qn_file_writer_write (writer, *c == '"' ? "\"\"" : c, *c == '"' ? 2 : 1);
+  qn_file_writer_printf (writer, "%s\"", suffix);
+}
+
+static void
+write_numbers (QnFileWriter *writer, const double *numbers, size_t count)
+{
+  for (size_t i = 0; i < count; i++) {
+    qn_file_writer_puts (writer, ",");
+    qn_file_writer_number (writer, numbers[i]);
+  }
+}
+
+/* Whether a support settles in any of the loads. */
+static gboolean
+settles (const QnModel *model, QnId block, QnDof dof)
+{
+  const QnLoad *lists[] = { model->dead_loads, model->live_loads };
+  const size_t counts[] = { model->dead_load_count, model->live_load_count };
+  for (int l = 0; l < 2; l++)
+    for (size_t i = 0; i < counts[l]; i++)
+      if (lists[l][i].kind == QN_LOAD_SETTLEMENT && lists[l][i].block == block
+          && lists[l][i].dof == dof)
+        return TRUE;
+  return FALSE;
+}
+
+/* How far supports that settle have gone, and what that takes: a row, or with result NULL the
+ * heads of its columns. */
+static void
+write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *result,
+                   const QnResult *values, size_t step)
+{
+  static const char *const motions[] = { " ux [m]", " uy [m]", " rz [rad]" };
+  static const char *const actions[] = { " Rx [N]", " Ry [N]", " M [N m]" };
+  for (size_t s = 0; s < result->support_count; s++)
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
+      QnId block = result->supports[s];
+      if (!settles (model, block, (QnDof) dof))
+        continue;
+      if (values == NULL) {
+        qn_file_writer_puts (writer, ",");
+        write_text (writer, model->blocks[block].name, motions[dof]);
+        qn_file_writer_puts (writer, ",");
+        write_text (writer, model->blocks[block].name, actions[dof]);
+        continue;
+      }
+      const double numbers[] = {
+        qn_result_step_displacements (values, step)[block * QN_DOF_COUNT + dof],
+        qn_result_step_reactions (values, step)[s * QN_DOF_COUNT + (size_t) dof]
+      };
+      write_numbers (writer, numbers, 2);
+    }
+}
+
+static void
+write_curve_head (QnFileWriter *writer, const QnModel *model, const QnResult *result,
+                  QnId block)
+{
+  static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
+  qn_file_writer_puts (writer, "step,multiplier [-]");
+  for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, qn_result_body_name (model, block), columns[dof]);
+  }
+  qn_file_writer_puts (writer, ",iterations,residual [-],event");
+  if (model->stage_count > 0)
+    qn_file_writer_puts (writer, ",stage");
+  if (result->reactions != NULL)
+    write_settlements (writer, model, result, NULL, 0);
+  qn_file_writer_puts (writer, "\n");
+}
+
+static void
+write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage)
+{
+  qn_file_writer_puts (writer, ",");
+  if (stage < 1 || (size_t) stage > model->stage_count)
+    return;
+  g_autofree char *name = qn_stage_dup_name (model, stage);
+  write_text (writer, name, "");
+}
+
+gboolean
+qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *result,
+                    GError **error)
+{
+  static const char *const events[QN_EVENT_COUNT] = { "", "snap", "collapse" };
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  QnId block = qn_result_curve_block (&project->model, result);
+  write_curve_head (writer, &project->model, result, block);
+  for (size_t i = 0; i < result->step_count; i++) {
+    const QnStep *step = &result->steps[i];
+    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, i);
+    write_numbers (writer, &step->multiplier, 1);
+    if (block != QN_NONE)
+      write_numbers (
+        writer, qn_result_step_displacements (result, i) + (size_t) block * QN_DOF_COUNT,
+        QN_DOF_COUNT);
+    qn_file_writer_printf (writer, ",%d", step->iterations);
+    write_numbers (writer, &step->residual, 1);
+    qn_file_writer_printf (writer, ",%s", events[step->event]);
+    if (project->model.stage_count > 0)
+      write_stage (writer, &project->model, step->stage);
+    if (result->reactions != NULL)
+      write_settlements (writer, &project->model, result, result, i);
+    qn_file_writer_puts (writer, "\n");
+  }
+  return qn_file_writer_commit (writer, error);
+}
+
+gboolean
+qn_displacements_csv_write (const char *path, const QnProject *project,
+                            const QnResult *result, size_t step, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  const double *displacements = qn_result_step_displacements (result, step);
+  qn_file_writer_puts (writer, "block,x [m],y [m],ux [m],uy [m],rz [rad]\n");
+  for (size_t i = 0; i < result->block_count; i++) {
+    const QnBlock *block = &project->model.blocks[i];
+    write_text (writer, block->name, "");
+    write_numbers (writer, (const double[]){ block->centroid.x, block->centroid.y }, 2);
+    write_numbers (writer, displacements + i * QN_DOF_COUNT, QN_DOF_COUNT);
+    qn_file_writer_puts (writer, "\n");
+  }
+  for (size_t i = 0; i < result->node_count; i++) {
+    const QnNode *node = &project->model.nodes[i];
+    write_text (writer, node->name, "");
+    write_numbers (writer, (const double[]){ node->at.x, node->at.y }, 2);
+    write_numbers (writer, displacements + (result->block_count + i) * QN_DOF_COUNT,
+                   QN_DOF_COUNT);
+    qn_file_writer_puts (writer, "\n");
+  }
+  return qn_file_writer_commit (writer, error);
+}
+
+gboolean
+qn_contacts_csv_write (const char *path, const QnProject *project,
+                       const QnContacts *contacts, const QnResult *result, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  const QnBlock *blocks = project->model.blocks;
+  qn_file_writer_puts (writer,
+                       "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],"
+                       "normal force [N],shear force [N],state\n");
+  const double *deformation = qn_result_deformation (&project->model, result);
+  size_t count = result->step_count > 0 ? contacts->pair_count : 0;
+  for (size_t i = 0; i < count; i++) {
+    const QnContactPair *pair = &contacts->pairs[i];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    const QnPairResult *forces = &result->pairs[i];
+    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT ",%d,", i, pair->face);
+    write_text (writer, blocks[face->a].name, "");
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, blocks[face->b].name, "");
+    QnVec2 point, normal;
+    qn_result_contact_place (&project->model, contacts, i, deformation, &point, &normal);
+    const double numbers[] = {
+      point.x, point.y, normal.x, normal.y, forces->normal_force, forces->shear_force
+    };
+    write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
+    qn_file_writer_printf (writer, ",%s\n", qn_pair_state_name (forces->state));
+  }
+  return qn_file_writer_commit (writer, error);
+}
+
+/* A row for one end of an element. */
+static void
+write_beam_end (QnFileWriter *writer, const QnModel *model, size_t element, int end,
+                const QnBeamForces *forces)
+{
+  const QnBeamElement *e = &model->elements[element];
+  const QnBeam *beam = &model->beams[e->beam];
+  QnVec2 at = model->nodes[e->nodes[end]].at;
+  QnVec2 from = model->nodes[beam->nodes[0]].at;
+  const double numbers[] = { at.x,
+                             at.y,
+                             qn_vec2_length (qn_vec2_sub (at, from)),
+                             forces->normal[end],
+                             forces->shear[end],
+                             forces->moment[end] };
+  write_text (writer, beam->name, "");
+  qn_file_writer_printf (writer, ",%d,", (int) element - beam->first_element);
+  write_text (writer, model->nodes[e->nodes[end]].name, "");
+  write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
+  qn_file_writer_puts (writer, "\n");
+}
+
+gboolean
+qn_beams_csv_write (const char *path, const QnProject *project, const QnResult *result,
+                    GError **error)
+{
+  const QnModel *model = &project->model;
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_puts (writer, "beam,element,node,x [m],y [m],s [m],normal force N [N],"
+                               "shear force V [N],moment M [N m]\n");
+  gboolean known = result->step_count > 0 && result->beam_forces != NULL
+                   && result->element_count == model->element_count;
+  const QnBeamForces *forces =
+    known ? qn_result_step_beam_forces (result, result->step_count - 1) : NULL;
+  for (size_t i = 0; known && i < model->element_count; i++)
+    for (int end = 0; end < 2; end++)
+      write_beam_end (writer, model, i, end, &forces[i]);
+  return qn_file_writer_commit (writer, error);
+}

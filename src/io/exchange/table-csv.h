@@ -1,0 +1,37 @@
+/* Tables as comma-separated values, units in the header, quoted where RFC 4180 asks for it. Files
+ * are written whole or not at all; errors are QN_IO_ERROR. */
+#ifndef QN_IO_TABLE_CSV_H
+#define QN_IO_TABLE_CSV_H
+
+#include "core/result/result.h"
+#include "io/project/project.h"
+
+/* The block whose displacement a load–displacement curve shows: the analysis' control block if
+ * it has one, otherwise the free block that moves furthest at the last step. A node of beams,
+ * where the analysis controls one or there are no blocks, counts behind the blocks. QN_NONE for
+ * a result without steps. */
+QnId qn_result_curve_block (const QnModel *model, const QnResult *result);
+
+/* Name of a block or, behind the blocks, of a node of beams. */
+const char *qn_result_body_name (const QnModel *model, QnId body);
+
+/* Load–displacement curve, a row per step: step number, multiplier, displacements of the block
+ * of qn_result_curve_block(), iterations, residual, event. */
+gboolean qn_curve_csv_write (const char *path, const QnProject *project,
+                             const QnResult *result, GError **error);
+
+/* Displacements of every block at one step (< result->step_count). */
+gboolean qn_displacements_csv_write (const char *path, const QnProject *project,
+                                     const QnResult *result, size_t step, GError **error);
+
+/* Every contact pair at the last equilibrium. */
+gboolean qn_contacts_csv_write (const char *path, const QnProject *project,
+                                const QnContacts *contacts, const QnResult *result,
+                                GError **error);
+
+/* Section forces of beams at the last equilibrium: both ends of every element. Only the header
+ * where there are none, or the result does not know them. */
+gboolean qn_beams_csv_write (const char *path, const QnProject *project,
+                             const QnResult *result, GError **error);
+
+#endif

@@ -1,0 +1,339 @@
+#include "io/json/json-value.h"
+
+#include "io/json/json-locate.h"
+#include "io/json/json-override.h"
+#include "io/json/json-path.h"
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdarg.h>
+#include <string.h>
+
+QnPlace
+qn_place_root (QnReader *reader, const cJSON *value)
+{
+  return (QnPlace){ .reader = reader, .value = value };
+}
+
+QnPlace
+qn_place_member (const QnPlace *object, const char *key)
+{
+  return (QnPlace){ .reader = object->reader,
+                    .parent = object,
+                    .key = key,
+                    .value = cJSON_GetObjectItemCaseSensitive (object->value, key) };
+}
+
+QnPlace
+qn_place_element (const QnPlace *array, gsize index, const cJSON *value)
+{
+  return (
+    QnPlace){ .reader = array->reader, .parent = array, .index = index, .value = value };
+}
+
+static void
+append_path (const QnPlace *place, GString *path)
+{
+  if (place->parent == NULL)
+    return;
+  append_path (place->parent, path);
+  if (place->key != NULL)
+    qn_json_path_append_key (path, place->key);
+  else
+    qn_json_path_append_index (path, place->index);
+}
+
+static char *
+dup_path (const QnPlace *place)
+{
+  GString *path = g_string_new (NULL);
+  append_path (place, path);
+  return g_string_free (path, FALSE);
+}
+
+/* The override that put the value at `path` there, or NULL. */
+static const char *
+find_override (const QnReader *reader, const char *path)
+{
+  for (gsize i = 0; reader->overrides != NULL && reader->overrides[i] != NULL; i++) {
+    char *set = qn_json_override_dup_path (reader->overrides[i]);
+    gboolean found = set != NULL && qn_json_path_is_within (path, set);
+    g_free (set);
+    if (found)
+      return reader->overrides[i];
+  }
+  return NULL;
+}
+
+char *
+qn_reader_dup_line (const QnReader *reader, const char *path, const char *message)
+{
+  GString *line = g_string_new (reader->name);
+  const char *override = find_override (reader, path);
+  if (override == NULL && reader->text != NULL) {
+    gsize row, column;
+    qn_json_position (reader->text, qn_json_locate (reader->text, reader->length, path),
+                      &row, &column);
+    g_string_append_printf (line, ":%" G_GSIZE_FORMAT ":%" G_GSIZE_FORMAT, row, column);
+  }
+  if (path[0] != '\0')
+    g_string_append_printf (line, ": %s", path);
+  g_string_append_printf (line, ": %s", message);
+  if (override != NULL) {
+    g_string_append (line, _ (" (set by "));
+    qn_json_append_string (line, override);
+    g_string_append_c (line, ')');
+  }
+  return g_string_free (line, FALSE);
+}
+
+gboolean
+qn_place_fail (const QnPlace *place, const char *message)
+{
+  if (place->reader->error != NULL)
+    return FALSE;
+  char *path = dup_path (place);
+  char *line = qn_reader_dup_line (place->reader, path, message);
+  place->reader->error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
+  g_free (line);
+  g_free (path);
+  return FALSE;
+}
+
+gboolean
+qn_place_failf (const QnPlace *place, const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  char *message = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
+  qn_place_fail (place, message);
+  g_free (message);
+  return FALSE;
+}
+
+gboolean
+qn_place_no_memory (const QnPlace *place)
+{
+  QnReader *reader = place->reader;
+  if (reader->error == NULL)
+    reader->error = g_error_new (QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s",
+                                 reader->name, _ ("not enough memory"));
+  return FALSE;
+}
+
+void
+qn_place_warn (const QnPlace *place, const char *message)
+{
+  QnReader *reader = place->reader;
+  if (reader->warnings->len >= QN_READER_MAX_WARNINGS) {
+    reader->dropped_warnings++;
+    return;
+  }
+  char *path = dup_path (place);
+  g_ptr_array_add (reader->warnings, qn_reader_dup_line (reader, path, message));
+  g_free (path);
+}
+
+/* Members of one object follow each other, so that its entry is the last one. What memory does
+ * not hold is not kept. */
+void
+qn_place_keep_unknown (const QnPlace *object, const cJSON *member)
+{
+  QnReader *reader = object->reader;
+  if (!reader->keeps_unknown)
+    return;
+  if (reader->unknown == NULL)
+    reader->unknown = cJSON_CreateObject ();
+  if (reader->unknown == NULL)
+    return;
+  char *path = dup_path (object);
+  cJSON *first = reader->unknown->child, *owner = first != NULL ? first->prev : NULL;
+  if (owner == NULL || strcmp (owner->string, path) != 0)
+    owner = cJSON_AddObjectToObject (reader->unknown, path);
+  cJSON *copy = owner != NULL ? cJSON_Duplicate (member, 1) : NULL;
+  if (copy != NULL && !cJSON_AddItemToObject (owner, member->string, copy))
+    cJSON_Delete (copy);
+  g_free (path);
+}
+
+void
+qn_place_warn_unknown (const QnPlace *object, const char *const *keys, gsize count)
+{
+  for (const cJSON *child = object->value->child; child != NULL; child = child->next) {
+    gsize i = 0;
+    while (i < count && strcmp (child->string, keys[i]) != 0)
+      i++;
+    if (i < count)
+      continue;
+    QnPlace member = qn_place_member (object, child->string);
+    qn_place_warn (&member, _ ("unknown key"));
+    qn_place_keep_unknown (object, child);
+  }
+}
+
+/* What a value is, for a message; translated. */
+static const char *
+describe_type (const cJSON *value)
+{
+  if (cJSON_IsObject (value))
+    return _ ("an object");
+  if (cJSON_IsArray (value))
+    return _ ("an array");
+  if (cJSON_IsString (value))
+    return _ ("a string");
+  if (cJSON_IsNumber (value))
+    return _ ("a number");
+  return cJSON_IsBool (value) ? _ ("true or false") : _ ("null");
+}
+
+/* Whether the value is there and of the type that `wanted` describes. */
+static gboolean
+require_type (const QnPlace *place, gboolean matches, const char *wanted)
+{
+  if (place->value == NULL)
+    return qn_place_fail (place, _ ("required key is missing"));
+  if (!matches)
+    /* Translators: "expected a number, found a string". */
+    return qn_place_failf (place, _ ("expected %s, found %s"), wanted,
+                           describe_type (place->value));
+  return TRUE;
+}
+
+gboolean
+qn_place_object (const QnPlace *place)
+{
+  return require_type (place, cJSON_IsObject (place->value), _ ("an object"));
+}
+
+gboolean
+qn_place_array (const QnPlace *place)
+{
+  return require_type (place, cJSON_IsArray (place->value), _ ("an array"));
+}
+
+gboolean
+qn_place_number (const QnPlace *place, QnRange range, double *number)
+{
+  if (!require_type (place, cJSON_IsNumber (place->value), _ ("a number")))
+    return FALSE;
+
+  double value = place->value->valuedouble;
+  QnProblem problem = QN_PROBLEM_NONE;
+  if (!isfinite (value))
+    problem = QN_PROBLEM_NOT_FINITE;
+  else if (range == QN_RANGE_NOT_NEGATIVE && value < 0)
+    problem = QN_PROBLEM_NEGATIVE;
+  else if (range == QN_RANGE_POSITIVE && value <= 0)
+    problem = QN_PROBLEM_NOT_POSITIVE;
+  if (problem != QN_PROBLEM_NONE)
+    return qn_place_fail (place, _ (qn_problem_text (problem)));
+  *number = value;
+  return TRUE;
+}
+
+gboolean
+qn_place_vec2 (const QnPlace *place, QnVec2 *vector)
+{
+  if (!qn_place_array (place))
+    return FALSE;
+  const cJSON *x = place->value->child;
+  const cJSON *y = x != NULL ? x->next : NULL;
+  if (y == NULL || y->next != NULL)
+    return qn_place_fail (place, _ ("expected two numbers"));
+
+  QnPlace first = qn_place_element (place, 0, x), second = qn_place_element (place, 1, y);
+  return qn_place_number (&first, QN_RANGE_FINITE, &vector->x)
+         && qn_place_number (&second, QN_RANGE_FINITE, &vector->y);
+}
+
+gboolean
+qn_member_number (const QnPlace *object, const char *key, QnNeed need, QnRange range,
+                  double *number)
+{
+  QnPlace member = qn_place_member (object, key);
+  return (member.value == NULL && need == QN_OPTIONAL)
+         || qn_place_number (&member, range, number);
+}
+
+gboolean
+qn_member_count (const QnPlace *object, const char *key, QnNeed need, int32_t max,
+                 int32_t *count)
+{
+  QnPlace member = qn_place_member (object, key);
+  if (member.value == NULL && need == QN_OPTIONAL)
+    return TRUE;
+  double number;
+  if (!qn_place_number (&member, QN_RANGE_FINITE, &number))
+    return FALSE;
+  if (number != floor (number) || number < 1 || number > max)
+    return qn_place_failf (&member, _ ("expected a whole number from 1 to %d"), max);
+  *count = (int32_t) number;
+  return TRUE;
+}
+
+gboolean
+qn_member_bool (const QnPlace *object, const char *key, QnNeed need, bool *flag)
+{
+  QnPlace member = qn_place_member (object, key);
+  if (member.value == NULL && need == QN_OPTIONAL)
+    return TRUE;
+  if (!require_type (&member, cJSON_IsBool (member.value), _ ("true or false")))
+    return FALSE;
+  *flag = cJSON_IsTrue (member.value);
+  return TRUE;
+}
+
+gboolean
+qn_member_vec2 (const QnPlace *object, const char *key, QnNeed need, QnVec2 *vector)
+{
+  QnPlace member = qn_place_member (object, key);
+  return (member.value == NULL && need == QN_OPTIONAL) || qn_place_vec2 (&member, vector);
+}
+
+gboolean
+qn_member_string (const QnPlace *object, const char *key, QnNeed need,
+                  const char **string)
+{
+  QnPlace member = qn_place_member (object, key);
+  if (member.value == NULL && need == QN_OPTIONAL)
+    return TRUE;
+  if (!require_type (&member, cJSON_IsString (member.value), _ ("a string")))
+    return FALSE;
+  *string = member.value->valuestring;
+  return TRUE;
+}
+
+static gboolean
+fail_choice (const QnPlace *member, const char *given, QnNameFunc name, int count)
+{
+  GString *message = g_string_new (NULL);
+  qn_json_append_string (message, given);
+  /* Translators: followed by a list of words. */
+  g_string_append (message, _ (" is none of "));
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (message, "%s%s", i > 0 ? ", " : "", name (i));
+  qn_place_fail (member, message->str);
+  g_string_free (message, TRUE);
+  return FALSE;
+}
+
+gboolean
+qn_member_choice (const QnPlace *object, const char *key, QnNeed need, QnNameFunc name,
+                  int count, int *choice)
+{
+  const char *given = NULL;
+  if (!qn_member_string (object, key, need, &given))
+    return FALSE;
+  if (given == NULL)
+    return TRUE;
+  for (int i = 0; i < count; i++) {
+    if (strcmp (given, name (i)) == 0) {
+      *choice = i;
+      return TRUE;
+    }
+  }
+  QnPlace member = qn_place_member (object, key);
+  return fail_choice (&member, given, name, count);
+}

@@ -1,0 +1,157 @@
+#include "io/project/project-inner.h"
+
+#include "io/json/json-path.h"
+#include "io/text/json-text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Objects that there is one of. */
+static const char *const singles[] = { "contact", "contact.pairs", "loads", "analysis",
+                                       "analysis.control" };
+
+/* Index in a path like "blocks[3]" where it leads to an element of that list; -1 otherwise. */
+static gssize
+element_of (const char *path, const char *list, gsize count)
+{
+  gsize length = strlen (list);
+  char *end;
+  if (strncmp (path, list, length) != 0 || path[length] != '[')
+    return -1;
+  long index = strtol (path + length + 1, &end, 10);
+  return strcmp (end, "]") == 0 && index >= 0 && (gsize) index < count ? (gssize) index
+                                                                       : -1;
+}
+
+/* The note of a load that is not dead: the k-th of its set. */
+static int32_t *
+note_of_live_load (QnModel *model, const char *path)
+{
+  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
+    g_autoptr (GString) list = g_string_new (set == 0 ? "loads" : "loads.sets");
+    qn_json_path_append_key (list, qn_model_load_set_name (model, set));
+    gssize left = element_of (path, list->str, model->live_load_count);
+    for (gsize i = 0; left >= 0 && i < model->live_load_count; i++)
+      if (model->live_loads[i].set == set && left-- == 0)
+        return &model->live_loads[i].note;
+  }
+  return NULL;
+}
+
+/* The note of what a path leads to; NULL where it is no entity. */
+static int32_t *
+note_of_path (QnModel *m, const char *path)
+{
+#define NOTE_OF(list, array, count)                                                      \
+  {                                                                                      \
+    gssize index = element_of (path, list, count);                                       \
+    if (index >= 0)                                                                      \
+      return &(array)[index].note;                                                       \
+  }
+  NOTE_OF ("laws", m->laws, m->law_count)
+  NOTE_OF ("blocks", m->blocks, m->block_count)
+  NOTE_OF ("walls", m->walls, m->wall_count)
+  NOTE_OF ("sections", m->sections, m->section_count)
+  NOTE_OF ("nodes", m->nodes, m->node_count)
+  NOTE_OF ("beams", m->beams, m->beam_count)
+  NOTE_OF ("bars", m->bars, m->bar_count)
+  NOTE_OF ("contact.faces", m->overrides, m->override_count)
+  NOTE_OF ("loads.dead", m->dead_loads, m->dead_load_count)
+  NOTE_OF ("analysis.stages", m->stages, m->stage_count)
+#undef NOTE_OF
+  return note_of_live_load (m, path);
+}
+
+static char *
+dup_note_owner (int32_t note)
+{
+  return g_strdup_printf ("note:%d", (int) note);
+}
+
+/* What the object at a path is called from now on; NULL where it is not kept. An entity that had
+ * no note gets one of this number. */
+static char *
+dup_owner_of_path (QnModel *model, const char *path, int32_t number)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (singles); i++)
+    if (strcmp (path, singles[i]) == 0)
+      return g_strdup (path);
+  int32_t *note = note_of_path (model, path);
+  if (note == NULL)
+    return NULL;
+  *note = number;
+  return dup_note_owner (number);
+}
+
+gboolean
+qn_project_keep_inner (QnProject *project, cJSON *unknown)
+{
+  cJSON *kept = unknown != NULL ? cJSON_CreateObject () : NULL;
+  gboolean done = unknown == NULL || kept != NULL;
+  int32_t number = 0;
+  while (done && unknown != NULL && unknown->child != NULL) {
+    cJSON *members = cJSON_DetachItemViaPointer (unknown, unknown->child);
+    char *owner = dup_owner_of_path (&project->model, members->string, ++number);
+    if (owner != NULL)
+      done = cJSON_AddItemToObject (kept, owner, members);
+    if (owner == NULL || !done)
+      cJSON_Delete (members);
+    g_free (owner);
+  }
+  cJSON_Delete (unknown);
+  if (done && kept != NULL && kept->child != NULL) {
+    if (project->extras == NULL)
+      project->extras = cJSON_CreateObject ();
+    done = project->extras != NULL
+           && cJSON_AddItemToObject (project->extras, QN_INNER_MEMBER, kept);
+    if (done)
+      kept = NULL;
+  }
+  cJSON_Delete (kept);
+  return done;
+}
+
+gboolean
+qn_project_has_inner_blocks (const QnProject *project)
+{
+  for (gsize i = 0; i < project->model.block_count; i++)
+    if (project->model.blocks[i].note != 0)
+      return TRUE;
+  return FALSE;
+}
+
+GHashTable *
+qn_project_index_inner (const QnProject *project)
+{
+  const cJSON *inner =
+    cJSON_GetObjectItemCaseSensitive (project->extras, QN_INNER_MEMBER);
+  if (inner == NULL)
+    return NULL;
+  GHashTable *index = g_hash_table_new (g_str_hash, g_str_equal);
+  for (cJSON *owner = inner->child; owner != NULL; owner = owner->next)
+    g_hash_table_insert (index, owner->string, owner);
+  return index;
+}
+
+void
+qn_json_append_inner (GString *json, GHashTable *inner, const char *owner)
+{
+  const cJSON *members = inner != NULL ? g_hash_table_lookup (inner, owner) : NULL;
+  if (members == NULL)
+    return;
+  g_string_truncate (json, json->len - strlen (" }"));
+  for (const cJSON *member = members->child; member != NULL; member = member->next) {
+    qn_json_begin_member (json, member->string);
+    qn_json_append_value (json, member, 6);
+  }
+  g_string_append (json, " }");
+}
+
+void
+qn_json_append_note (GString *json, GHashTable *inner, int32_t note)
+{
+  if (inner == NULL || note == 0)
+    return;
+  g_autofree char *owner = dup_note_owner (note);
+  qn_json_append_inner (json, inner, owner);
+}

@@ -1,0 +1,29 @@
+/* Private to reading and writing project files: members inside entities (laws, blocks, loads,
+ * stages, …), contact, loads and analysis that no layer knows. They are kept by what they stand
+ * in; an entity carries the number of its members as its note, so that they go where it goes.
+ */
+#ifndef QN_IO_PROJECT_INNER_H
+#define QN_IO_PROJECT_INNER_H
+
+#include "io/json/json-value.h"
+#include "io/project/project.h"
+
+/* Where the project's extras keep them; no member of a document may be called that. */
+#define QN_INNER_MEMBER "\x01inner"
+
+/* Takes over what the reader found unknown: an object of objects by their paths, or NULL. FALSE
+ * where memory runs out. */
+gboolean qn_project_keep_inner (QnProject *project, cJSON *unknown);
+
+/* Of a project, by owner; NULL where there are none. Free with g_hash_table_unref(). */
+GHashTable *qn_project_index_inner (const QnProject *project);
+
+/* Adds the unknown members of an owner ("contact", "analysis", …), or of the entity with this note,
+ * to its object, the end of which was just written. `inner` may be NULL. */
+void qn_json_append_inner (GString *json, GHashTable *inner, const char *owner);
+void qn_json_append_note (GString *json, GHashTable *inner, int32_t note);
+
+/* Whether there are such members in any block. */
+gboolean qn_project_has_inner_blocks (const QnProject *project);
+
+#endif

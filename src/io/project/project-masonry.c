@@ -1,0 +1,123 @@
+#include "io/project/project-masonry.h"
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+
+#include <cjson/cJSON.h>
+#include <glib/gi18n-lib.h>
+
+/* Adds the blocks of one object and marks them as its own. */
+static QnStatus
+expand_object (QnProject *project, const QnMasonry *masonry, QnId index, QnDiag *diag)
+{
+  QnModel *model = &project->model;
+  size_t first = model->block_count;
+  QnStatus status = qn_masonry_expand (masonry, index, model, diag);
+  for (size_t i = first; i < model->block_count; i++)
+    model->blocks[i].masonry = index;
+  return status;
+}
+
+gboolean
+qn_read_masonry (const QnPlace *root, QnProject *project)
+{
+  QnPlace list = qn_place_root (root->reader, NULL);
+  list.parent = root;
+  list.key = QN_MASONRY_MEMBER;
+  list.value = cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
+  if (list.value == NULL)
+    return TRUE;
+  if (!qn_place_array (&list))
+    return FALSE;
+
+  gsize index = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
+    QnPlace place = qn_place_element (&list, index, item);
+    QnMasonry masonry;
+    if (!qn_read_masonry_object (&place, &project->model, &masonry))
+      return FALSE;
+    QnDiag diag;
+    QnStatus status = expand_object (project, &masonry, (QnId) index, &diag);
+    qn_masonry_clear (&masonry);
+    if (status != QN_OK) {
+      qn_project_set_error (project, &diag, &root->reader->error);
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+gboolean
+qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **error)
+{
+  *list = (QnMasonries){ 0 };
+  g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
+  QnReader reader = { .name = project->name, .warnings = warnings };
+  QnPlace root = qn_place_root (&reader, project->extras);
+  QnPlace place = qn_place_member (&root, QN_MASONRY_MEMBER);
+  if (project->extras == NULL || place.value == NULL)
+    return TRUE;
+  gsize index = 0;
+  for (const cJSON *item = place.value->child; item != NULL; item = item->next) {
+    QnPlace element = qn_place_element (&place, index++, item);
+    QnMasonry masonry;
+    if (!qn_read_masonry_object (&element, &project->model, &masonry)) {
+      g_propagate_error (error, reader.error);
+      qn_masonries_clear (list);
+      return FALSE;
+    }
+    if (!qn_masonries_take (list, &masonry)) {
+      qn_masonry_clear (&masonry);
+      qn_masonries_clear (list);
+      g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
+                           _ ("not enough memory"));
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+gboolean
+qn_project_add_masonry (QnProject *project, const QnMasonry *masonry, GError **error)
+{
+  if (project->extras == NULL)
+    project->extras = cJSON_CreateObject ();
+  cJSON *list = cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
+  if (list == NULL)
+    list = cJSON_AddArrayToObject (project->extras, QN_MASONRY_MEMBER);
+  QnDiag diag;
+  QnId index = cJSON_GetArraySize (list);
+  if (expand_object (project, masonry, index, &diag) != QN_OK) {
+    qn_project_set_error (project, &diag, error);
+    return FALSE;
+  }
+  GString *json = g_string_new (NULL);
+  qn_masonry_append_json (json, masonry, &project->model);
+  cJSON *object = cJSON_Parse (json->str);
+  g_string_free (json, TRUE);
+  if (object == NULL || !cJSON_AddItemToArray (list, object)) {
+    cJSON_Delete (object);
+    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
+                         _ ("not enough memory"));
+    return FALSE;
+  }
+  return TRUE;
+}
+
+void
+qn_project_detach_masonry (QnProject *project, QnId index)
+{
+  QnModel *model = &project->model;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (model->blocks[i].masonry == index)
+      model->blocks[i].masonry = QN_NONE;
+}
+
+gboolean
+qn_project_has_masonry (const QnProject *project, QnId index)
+{
+  const QnModel *model = &project->model;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (model->blocks[i].masonry == index)
+      return TRUE;
+  return FALSE;
+}

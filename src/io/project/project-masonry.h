@@ -1,0 +1,45 @@
+/* Parametric masonry in project files: the top-level member `masonry`, a list of objects.
+ *
+ * The model holds only the blocks that such objects expand to; QnBlock.masonry says which object
+ * a block came from. What the file says of the objects stays in QnProject.extras, and is written
+ * back while blocks of the object remain. Keys, defaults and names of blocks are described in
+ * data/project-format.md; the rules behind them in stereotomy/masonry.h.
+ */
+#ifndef QN_IO_PROJECT_MASONRY_H
+#define QN_IO_PROJECT_MASONRY_H
+
+#include "io/json/json-value.h"
+#include "io/project/project.h"
+#include "stereotomy/masonry.h"
+
+#define QN_MASONRY_MEMBER "masonry"
+
+/* Reads the list from `root`, the document, and adds the blocks of every object to the model
+ * behind those that it has. FALSE with the reader's error set. */
+gboolean qn_read_masonry (const QnPlace *root, QnProject *project);
+
+/* Reads one object. `masonry` is overwritten without being cleared and holds nothing on failure. */
+gboolean qn_read_masonry_object (const QnPlace *place, const QnModel *model,
+                                 QnMasonry *masonry);
+
+/* Appends one object as JSON, defaults left out. */
+void qn_masonry_append_json (GString *json, const QnMasonry *masonry,
+                             const QnModel *model);
+
+/* The objects of a project that were read from or will be written to its file, as structs;
+ * clear with qn_masonries_clear(). FALSE with an error where the list is not valid. */
+gboolean qn_project_get_masonry (const QnProject *project, QnMasonries *list,
+                                 GError **error);
+
+/* Appends an object to an unprepared project: its blocks to the model and its parameters to the
+ * extras. FALSE with an error, the project then may only be cleared. */
+gboolean qn_project_add_masonry (QnProject *project, const QnMasonry *masonry,
+                                 GError **error);
+
+/* Makes plain blocks of what an object expanded to: the parameters are no longer written. */
+void qn_project_detach_masonry (QnProject *project, QnId index);
+
+/* Whether the file must still say something of object `index`: blocks of it remain. */
+gboolean qn_project_has_masonry (const QnProject *project, QnId index);
+
+#endif

@@ -1,0 +1,191 @@
+/* Sections, nodes and beams of a project file. */
+#include "io/project/project-names.h"
+#include "io/project/project-read-parts.h"
+
+#include <glib/gi18n-lib.h>
+
+/* A member that has no meaning next to another one. */
+static gboolean
+exclude (const QnPlace *place, const char *key, const char *other)
+{
+  if (!cJSON_HasObjectItem (place->value, key)
+      || !cJSON_HasObjectItem (place->value, other))
+    return TRUE;
+  QnPlace member = qn_place_member (place, key);
+  return qn_place_failf (&member, _ ("%s and %s exclude each other"), key, other);
+}
+
+static gboolean
+read_entity_name (const QnPlace *place, const char **name)
+{
+  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_REQUIRED, name))
+    return FALSE;
+  QnPlace member = qn_place_member (place, "name");
+  return (*name)[0] != '\0'
+         || qn_place_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
+}
+
+/* A rectangle, or area and inertia. */
+static gboolean
+read_shape (const QnPlace *place, QnSection *section)
+{
+  const QnRange positive = QN_RANGE_POSITIVE;
+  gboolean rectangle = cJSON_HasObjectItem (place->value, "width")
+                       || cJSON_HasObjectItem (place->value, "height");
+  if (!exclude (place, "area", "height") || !exclude (place, "area", "width")
+      || !exclude (place, "inertia", "height") || !exclude (place, "inertia", "width"))
+    return FALSE;
+  if (rectangle)
+    return qn_member_number (place, "width", QN_REQUIRED, positive, &section->width)
+           && qn_member_number (place, "height", QN_REQUIRED, positive, &section->height);
+  return qn_member_number (place, "area", QN_REQUIRED, positive, &section->area)
+         && qn_member_number (place, "inertia", QN_REQUIRED, positive, &section->inertia);
+}
+
+static gboolean
+read_section_numbers (const QnPlace *place, const QnModel *model, QnSection *section)
+{
+  const QnRange positive = QN_RANGE_POSITIVE;
+  gboolean heavy = cJSON_HasObjectItem (place->value, "unit_weight")
+                   || cJSON_HasObjectItem (place->value, "density");
+  return exclude (place, "shear_modulus", "poisson")
+         && exclude (place, "plastic_moment", "yield")
+         && qn_member_number (place, "young", QN_REQUIRED, positive, &section->young)
+         && qn_member_number (place, "shear_modulus", QN_OPTIONAL, positive,
+                              &section->shear_modulus)
+         && qn_member_number (place, "poisson", QN_OPTIONAL, QN_RANGE_FINITE,
+                              &section->poisson)
+         && read_shape (place, section)
+         && qn_member_number (place, "shear_factor", QN_OPTIONAL, positive,
+                              &section->shear_factor)
+         && qn_member_number (place, "yield", QN_OPTIONAL, positive, &section->yield)
+         && qn_member_number (place, "plastic_moment", QN_OPTIONAL, positive,
+                              &section->plastic_moment)
+         && (!heavy
+             || qn_read_weight (place, model, &section->unit_weight, &section->density));
+}
+
+static gboolean
+read_section (const QnPlace *place, QnModel *model)
+{
+  static const char *const keys[] = {
+    "name",        "young",   "shear_modulus",  "poisson",      "width",
+    "height",      "area",    "inertia",        "shear_factor", "yield",
+    "unit_weight", "density", "plastic_moment",
+  };
+  const char *name;
+  if (!read_entity_name (place, &name))
+    return FALSE;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  QnSection *section = qn_model_add_section (model, name);
+  if (section == NULL)
+    return qn_place_no_memory (place);
+  return read_section_numbers (place, model, section);
+}
+
+static gboolean
+read_seat (const QnPlace *place, const QnModel *model, QnNode *node)
+{
+  gboolean at = cJSON_HasObjectItem (place->value, "at");
+  gboolean side = cJSON_HasObjectItem (place->value, "side");
+  if (!cJSON_HasObjectItem (place->value, "block")) {
+    QnPlace member = qn_place_member (place, "side");
+    return side ? qn_place_fail (&member, _ ("side needs a block"))
+                : qn_member_vec2 (place, "at", QN_REQUIRED, &node->at);
+  }
+  int which = 0;
+  node->seat = at ? QN_SEAT_POINT : side ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
+  if (!exclude (place, "side", "at")
+      || !qn_read_block_name (place, "block", QN_REQUIRED, model, &node->block)
+      || !qn_member_vec2 (place, "at", QN_OPTIONAL, &node->at)
+      || !qn_member_choice (place, "side", QN_OPTIONAL, qn_name_of_block_side,
+                            QN_BLOCK_SIDE_COUNT, &which))
+    return FALSE;
+  node->side = (QnBlockSide) which;
+  return TRUE;
+}
+
+static gboolean
+read_node (const QnPlace *place, QnModel *model)
+{
+  static const char *const keys[] = { "name", "at", "block", "side", "support" };
+  const char *name;
+  if (!read_entity_name (place, &name))
+    return FALSE;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  QnNode *node = qn_model_add_node (model, name);
+  if (node == NULL)
+    return qn_place_no_memory (place);
+  return read_seat (place, model, node) && qn_read_support (place, node->support);
+}
+
+/* ["a", "b"]: exactly two elements. */
+static gboolean
+read_two (const QnPlace *list)
+{
+  return qn_place_array (list)
+         && (cJSON_GetArraySize (list->value) == 2
+             || qn_place_fail (list, _ ("expected two values, one for each end")));
+}
+
+static gboolean
+read_ends (const QnPlace *place, const QnModel *model, QnBeam *beam)
+{
+  QnPlace nodes = qn_place_member (place, "nodes"), hinges;
+  if (!read_two (&nodes))
+    return FALSE;
+  for (int end = 0; end < 2; end++) {
+    QnPlace name =
+      qn_place_element (&nodes, (gsize) end, cJSON_GetArrayItem (nodes.value, end));
+    if (!cJSON_IsString (name.value))
+      return qn_place_fail (&name, _ ("expected the name of a node"));
+    if (!qn_read_name_of (&name, model, qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN,
+                          &beam->nodes[end]))
+      return FALSE;
+  }
+  hinges = qn_place_member (place, "hinges");
+  if (hinges.value == NULL)
+    return TRUE;
+  if (!read_two (&hinges))
+    return FALSE;
+  for (int end = 0; end < 2; end++) {
+    QnPlace flag =
+      qn_place_element (&hinges, (gsize) end, cJSON_GetArrayItem (hinges.value, end));
+    if (!cJSON_IsBool (flag.value))
+      return qn_place_fail (&flag, _ ("expected true or false"));
+    beam->hinge[end] = cJSON_IsTrue (flag.value);
+  }
+  return TRUE;
+}
+
+static gboolean
+read_beam (const QnPlace *place, QnModel *model)
+{
+  static const char *const keys[] = { "name",   "nodes",    "section",
+                                      "hinges", "elements", "kind" };
+  const char *name;
+  int kind = QN_BEAM_TIMOSHENKO;
+  if (!read_entity_name (place, &name))
+    return FALSE;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  QnBeam *beam = qn_model_add_beam (model, name);
+  if (beam == NULL)
+    return qn_place_no_memory (place);
+  if (!read_ends (place, model, beam)
+      || !qn_read_section_name (place, "section", QN_REQUIRED, model, &beam->section)
+      || !qn_member_choice (place, "kind", QN_OPTIONAL, qn_name_of_beam_kind,
+                            QN_BEAM_KIND_COUNT, &kind)
+      || !qn_member_count (place, "elements", QN_OPTIONAL, QN_MAX_BEAM_ELEMENTS,
+                           &beam->element_count))
+    return FALSE;
+  beam->kind = (QnBeamKind) kind;
+  return TRUE;
+}
+
+gboolean
+qn_read_beams (const QnPlace *root, QnModel *model)
+{
+  return qn_read_each (root, "sections", QN_OPTIONAL, read_section, model)
+         && qn_read_each (root, "nodes", QN_OPTIONAL, read_node, model)
+         && qn_read_each (root, "beams", QN_OPTIONAL, read_beam, model);
+}

@@ -1,0 +1,395 @@
+#include "core/base/memory.h"
+#include "io/project/project-masonry.h"
+#include "io/project/project-read-parts.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+
+#define MAX_COUNT 200000
+
+/* Names of the enumerations in the form that qn_member_choice() asks for. */
+#define NAME_FUNC(function, type)                                                        \
+  static const char *name_of_##function (int value)                                      \
+  {                                                                                      \
+    return qn_##function##_name ((type) value);                                          \
+  }
+NAME_FUNC (masonry_kind, QnMasonryKind)
+NAME_FUNC (bond, QnBond)
+NAME_FUNC (closer, QnCloser)
+NAME_FUNC (edge, QnEdge)
+NAME_FUNC (head, QnHead)
+NAME_FUNC (span, QnSpan)
+NAME_FUNC (sides, QnSides)
+NAME_FUNC (arch_shape, QnArchShape)
+
+static const char *
+name_of_side (int value)
+{
+  return value == 0 ? "left" : "right";
+}
+
+/* A choice into an enumeration of any type; an absent one changes nothing. */
+#define MEMBER_CHOICE(place, key, name, count, target)                                   \
+  (choice = (int) (target),                                                              \
+   qn_member_choice (place, key, QN_OPTIONAL, name, count, &choice))                     \
+    && ((target) = choice, TRUE)
+
+static gboolean
+read_length (const QnPlace *place, const char *key, QnNeed need, double *length)
+{
+  return qn_member_number (place, key, need, QN_RANGE_POSITIVE, length);
+}
+
+static gboolean
+read_size (const QnPlace *place, const char *key, double *size)
+{
+  return qn_member_number (place, key, QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE, size);
+}
+
+/* [a, b] into two numbers. */
+static gboolean
+read_two (const QnPlace *place, const char *key, QnNeed need, double *a, double *b)
+{
+  QnVec2 both = { *a, *b };
+  if (!qn_member_vec2 (place, key, need, &both))
+    return FALSE;
+  *a = both.x;
+  *b = both.y;
+  return TRUE;
+}
+
+static gboolean
+read_leaf (const QnPlace *place, QnLeaf *leaf, gboolean listed)
+{
+  int choice;
+  if (!(MEMBER_CHOICE (place, "bond", name_of_bond, QN_BOND_COUNT, leaf->bond)))
+    return FALSE;
+  QnNeed need = listed || leaf->length > 0 ? QN_OPTIONAL : QN_REQUIRED;
+  QnNeed unit = leaf->unit.x > 0 ? QN_OPTIONAL : QN_REQUIRED;
+  return read_length (place, "length", need, &leaf->length)
+         && qn_member_vec2 (place, "unit", unit, &leaf->unit)
+         && (MEMBER_CHOICE (place, "closers", name_of_closer, QN_CLOSER_COUNT,
+                            leaf->closer))
+         && read_size (place, "header", &leaf->header)
+         && read_size (place, "lap", &leaf->lap);
+}
+
+/* Several leaves: each takes what it does not say from the wall. */
+static gboolean
+read_leaves (const QnPlace *place, QnMasonry *masonry)
+{
+  static const char *const keys[] = {
+    "length", "unit", "bond", "closers", "header", "lap"
+  };
+  QnPlace list = qn_place_member (place, "leaves");
+  QnLeaf common = masonry->wall.leaves[0];
+  if (list.value == NULL)
+    return TRUE;
+  if (!qn_place_array (&list))
+    return FALSE;
+  gsize index = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
+    QnPlace element = qn_place_element (&list, index, item);
+    QnLeaf *leaf = index == 0 ? &masonry->wall.leaves[0] : qn_masonry_add_leaf (masonry);
+    if (leaf == NULL)
+      return qn_place_no_memory (&element);
+    *leaf = common;
+    if (!qn_place_object (&element) || !read_leaf (&element, leaf, FALSE))
+      return FALSE;
+    qn_place_warn_unknown (&element, keys, G_N_ELEMENTS (keys));
+  }
+  return index > 0 || qn_place_fail (&list, _ ("there must be at least one leaf"));
+}
+
+static gboolean
+read_opening (const QnPlace *place, QnOpening *opening)
+{
+  static const char *const keys[] = { "name", "at",    "width", "height",  "head",
+                                      "rise", "span",  "depth", "bearing", "voussoirs",
+                                      "skew", "sides", "sill" };
+  int choice;
+  const char *name = NULL;
+  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+    return FALSE;
+  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  opening->name = qn_strdup (name);
+  if (name != NULL && opening->name == NULL)
+    return qn_place_no_memory (place);
+  if (!qn_member_vec2 (place, "at", QN_REQUIRED, &opening->at)
+      || !read_length (place, "width", QN_REQUIRED, &opening->width)
+      || !read_length (place, "height", QN_REQUIRED, &opening->height)
+      || !(MEMBER_CHOICE (place, "head", name_of_head, QN_HEAD_COUNT, opening->head))
+      || !(MEMBER_CHOICE (place, "span", name_of_span, QN_SPAN_COUNT, opening->span))
+      || !(MEMBER_CHOICE (place, "sides", name_of_sides, QN_SIDES_COUNT, opening->sides)))
+    return FALSE;
+  gboolean pieces =
+    opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
+  return read_length (place, "rise",
+                      opening->head == QN_HEAD_SEGMENTAL ? QN_REQUIRED : QN_OPTIONAL,
+                      &opening->rise)
+         && read_length (place, "depth",
+                         opening->span != QN_SPAN_NONE ? QN_REQUIRED : QN_OPTIONAL,
+                         &opening->depth)
+         && read_size (place, "bearing", &opening->bearing)
+         && qn_member_count (place, "voussoirs", pieces ? QN_REQUIRED : QN_OPTIONAL,
+                             MAX_COUNT, &opening->voussoirs)
+         && read_size (place, "skew", &opening->skew)
+         && read_two (place, "sill", QN_OPTIONAL, &opening->sill_height,
+                      &opening->sill_bearing);
+}
+
+static gboolean
+read_openings (const QnPlace *place, QnMasonry *masonry)
+{
+  QnPlace list = qn_place_member (place, "openings");
+  if (list.value == NULL)
+    return TRUE;
+  if (!qn_place_array (&list))
+    return FALSE;
+  gsize index = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
+    QnPlace element = qn_place_element (&list, index++, item);
+    QnOpening *opening = qn_masonry_add_opening (masonry);
+    if (opening == NULL)
+      return qn_place_no_memory (&element);
+    if (!read_opening (&element, opening))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_course_heights (const QnPlace *place, QnMasonryWall *wall)
+{
+  QnPlace list = qn_place_member (place, "course_heights");
+  if (list.value == NULL)
+    return TRUE;
+  if (!qn_place_array (&list))
+    return FALSE;
+  gsize count = (gsize) cJSON_GetArraySize (list.value), index = 0;
+  wall->course_heights = qn_alloc (count, sizeof *wall->course_heights);
+  if (wall->course_heights == NULL)
+    return qn_place_no_memory (&list);
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
+    QnPlace element = qn_place_element (&list, index, item);
+    if (!qn_place_number (&element, QN_RANGE_POSITIVE, &wall->course_heights[index]))
+      return FALSE;
+  }
+  wall->course_height_count = count;
+  return TRUE;
+}
+
+static gboolean
+read_edges (const QnPlace *place, QnMasonryWall *wall)
+{
+  QnPlace list = qn_place_member (place, "edges");
+  if (list.value == NULL)
+    return TRUE;
+  if (!qn_place_array (&list))
+    return FALSE;
+  QnEdge *edges[] = { &wall->left, &wall->right };
+  gsize index = 0;
+  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
+    QnPlace element = qn_place_element (&list, index, item);
+    int edge = 0;
+    while (edge < QN_EDGE_COUNT
+           && (!cJSON_IsString (item)
+               || g_strcmp0 (item->valuestring, name_of_edge (edge)) != 0))
+      edge++;
+    if (index >= G_N_ELEMENTS (edges) || edge == QN_EDGE_COUNT)
+      return qn_place_fail (
+        &element, _ ("expected \"straight\" or \"toothed\" for left and right"));
+    *edges[index] = (QnEdge) edge;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_wall (const QnPlace *place, QnMasonry *masonry)
+{
+  QnMasonryWall *wall = &masonry->wall;
+  QnPlace courses = qn_place_member (place, "courses");
+  QnPlace leaves = qn_place_member (place, "leaves");
+  gboolean listed = courses.value != NULL;
+  if (listed) {
+    wall->leaves[0].bond = QN_BOND_CUSTOM;
+    if (!qn_read_courses (place, &wall->courses))
+      return FALSE;
+  }
+  /* With leaves, these are only what the leaves have in common. */
+  if (leaves.value == NULL
+        ? !read_leaf (place, &wall->leaves[0], listed)
+        : !read_length (place, "length", QN_OPTIONAL, &wall->leaves[0].length)
+            || !qn_member_vec2 (place, "unit", QN_OPTIONAL, &wall->leaves[0].unit))
+    return FALSE;
+  if ((wall->leaves[0].bond == QN_BOND_CUSTOM) != listed) {
+    QnPlace bond = qn_place_member (place, "bond");
+    return qn_place_fail (&bond, _ ("\"custom\" and courses go together"));
+  }
+  return read_length (place, "height", listed ? QN_OPTIONAL : QN_REQUIRED, &wall->height)
+         && read_course_heights (place, wall) && read_edges (place, wall)
+         && read_size (place, "minimum_piece", &wall->minimum_piece)
+         && read_leaves (place, masonry) && read_openings (place, masonry);
+}
+
+static gboolean
+read_arch (const QnPlace *place, QnNeed span, QnArch *arch)
+{
+  int choice;
+  return (MEMBER_CHOICE (place, "shape", name_of_arch_shape, QN_ARCH_SHAPE_COUNT,
+                         arch->shape))
+         && (MEMBER_CHOICE (place, "sides", name_of_sides, QN_SIDES_COUNT, arch->sides))
+         && read_length (place, "span", span, &arch->span)
+         && read_length (place, "rise", QN_REQUIRED, &arch->rise)
+         && read_length (place, "ring", QN_REQUIRED, &arch->ring)
+         && qn_member_count (place, "voussoirs", QN_REQUIRED, MAX_COUNT, &arch->voussoirs)
+         && read_size (place, "springer", &arch->springer);
+}
+
+static gboolean
+read_column (const QnPlace *place, QnColumn *column)
+{
+  return read_length (place, "height", QN_REQUIRED, &column->height)
+         && read_two (place, "width", QN_REQUIRED, &column->bottom, &column->top)
+         && qn_member_count (place, "drums", QN_REQUIRED, MAX_COUNT, &column->drums)
+         && read_two (place, "plinth", QN_OPTIONAL, &column->plinth_width,
+                      &column->plinth_height)
+         && read_two (place, "capital", QN_OPTIONAL, &column->capital_width,
+                      &column->capital_height);
+}
+
+static gboolean
+read_buttress (const QnPlace *place, QnButtress *buttress)
+{
+  int choice = 0;
+  if (!qn_member_choice (place, "side", QN_REQUIRED, name_of_side, 2, &choice))
+    return FALSE;
+  buttress->leans_right = choice == 1;
+  return read_length (place, "height", QN_REQUIRED, &buttress->height)
+         && read_two (place, "width", QN_REQUIRED, &buttress->bottom, &buttress->top)
+         && qn_member_count (place, "courses", QN_REQUIRED, MAX_COUNT,
+                             &buttress->courses);
+}
+
+static gboolean
+read_portal (const QnPlace *place, QnPortal *portal)
+{
+  static const char *const arch_keys[] = { "shape", "sides", "rise", "ring",
+                                           "voussoirs" };
+  QnPlace arch = qn_place_member (place, "arch");
+  portal->bays = 1;
+  if (!qn_member_count (place, "bays", QN_OPTIONAL, MAX_COUNT, &portal->bays)
+      || !read_length (place, "span", QN_REQUIRED, &portal->span)
+      || !read_two (place, "pier", QN_REQUIRED, &portal->pier_width, &portal->pier_height)
+      || !qn_member_count (place, "courses", QN_REQUIRED, MAX_COUNT, &portal->courses)
+      || !read_length (place, "lintel", arch.value != NULL ? QN_OPTIONAL : QN_REQUIRED,
+                       &portal->lintel_height))
+    return FALSE;
+  if (arch.value == NULL)
+    return TRUE;
+  if (portal->lintel_height > 0)
+    return qn_place_fail (&arch, _ ("arch and lintel exclude each other"));
+  if (!qn_place_object (&arch))
+    return FALSE;
+  qn_place_warn_unknown (&arch, arch_keys, G_N_ELEMENTS (arch_keys));
+  return read_arch (&arch, QN_OPTIONAL, &portal->arch);
+}
+
+static gboolean
+read_rubble (const QnPlace *place, QnRubble *rubble)
+{
+  double seed = 1;
+  rubble->irregularity = 0.7;
+  if (!read_two (place, "width", QN_REQUIRED, &rubble->width, &rubble->top)
+      || !read_length (place, "height", QN_REQUIRED, &rubble->height)
+      || !read_length (place, "stone", QN_REQUIRED, &rubble->stone)
+      || !read_size (place, "irregularity", &rubble->irregularity)
+      || !read_size (place, "seed", &seed))
+    return FALSE;
+  if (seed > G_MAXUINT32 || seed != floor (seed)) {
+    QnPlace member = qn_place_member (place, "seed");
+    return qn_place_fail (&member, _ ("expected a whole number below 4294967296"));
+  }
+  rubble->seed = (uint32_t) seed;
+  return TRUE;
+}
+
+/* Keys of every kind behind those that all have. */
+static const char *const common_keys[] = { "kind",     "name",       "origin",
+                                           "rotation", "thickness",  "unit_weight",
+                                           "density",  "foundation", "law",
+                                           "material" };
+static const char *const kind_keys[QN_MASONRY_KIND_COUNT][16] = {
+  [QN_MASONRY_WALL] = { "length", "height", "unit", "bond", "closers", "header", "lap",
+                        "course_heights", "courses", "edges", "minimum_piece", "leaves",
+                        "openings" },
+  [QN_MASONRY_ARCH] = { "shape", "span", "rise", "ring", "voussoirs", "sides",
+                        "springer" },
+  [QN_MASONRY_COLUMN] = { "height", "width", "drums", "plinth", "capital" },
+  [QN_MASONRY_BUTTRESS] = { "height", "width", "courses", "side" },
+  [QN_MASONRY_PORTAL] = { "bays", "span", "pier", "courses", "lintel", "arch" },
+  [QN_MASONRY_RUBBLE] = { "width", "height", "stone", "irregularity", "seed" },
+};
+
+static void
+warn_unknown_keys (const QnPlace *place, QnMasonryKind kind)
+{
+  const char *keys[G_N_ELEMENTS (common_keys) + 16];
+  gsize count = 0;
+  for (gsize i = 0; i < G_N_ELEMENTS (common_keys); i++)
+    keys[count++] = common_keys[i];
+  for (gsize i = 0; i < 16 && kind_keys[kind][i] != NULL; i++)
+    keys[count++] = kind_keys[kind][i];
+  qn_place_warn_unknown (place, keys, count);
+}
+
+static gboolean
+read_kind (const QnPlace *place, QnMasonry *masonry)
+{
+  switch (masonry->kind) {
+  case QN_MASONRY_WALL:
+    return read_wall (place, masonry);
+  case QN_MASONRY_ARCH:
+    return read_arch (place, QN_REQUIRED, &masonry->arch);
+  case QN_MASONRY_COLUMN:
+    return read_column (place, &masonry->column);
+  case QN_MASONRY_BUTTRESS:
+    return read_buttress (place, &masonry->buttress);
+  case QN_MASONRY_PORTAL:
+    return read_portal (place, &masonry->portal);
+  case QN_MASONRY_RUBBLE:
+    return read_rubble (place, &masonry->rubble);
+  case QN_MASONRY_KIND_COUNT:
+    break;
+  }
+  g_return_val_if_reached (FALSE);
+}
+
+gboolean
+qn_read_masonry_object (const QnPlace *place, const QnModel *model, QnMasonry *masonry)
+{
+  char default_name[16];
+  g_snprintf (default_name, sizeof default_name, "m%" G_GSIZE_FORMAT, place->index + 1);
+  const char *name = default_name;
+  int kind;
+  *masonry = (QnMasonry){ 0 };
+  if (!qn_place_object (place)
+      || !qn_member_choice (place, "kind", QN_REQUIRED, name_of_masonry_kind,
+                            QN_MASONRY_KIND_COUNT, &kind)
+      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+    return FALSE;
+  if (qn_masonry_init (masonry, (QnMasonryKind) kind, name, NULL) != QN_OK)
+    return qn_place_no_memory (place);
+  warn_unknown_keys (place, masonry->kind);
+  if (qn_member_vec2 (place, "origin", QN_OPTIONAL, &masonry->origin)
+      && qn_member_number (place, "rotation", QN_OPTIONAL, QN_RANGE_FINITE,
+                           &masonry->rotation)
+      && read_length (place, "thickness", QN_REQUIRED, &masonry->thickness)
+      && qn_read_weight (place, model, &masonry->unit_weight, &masonry->density)
+      && qn_read_own_law (place, model, &masonry->law)
+      && read_size (place, "foundation", &masonry->foundation)
+      && read_kind (place, masonry))
+    return TRUE;
+  qn_masonry_clear (masonry);
+  return FALSE;
+}

@@ -1,0 +1,224 @@
+#include "core/base/memory.h"
+#include "io/json/json-override.h"
+#include "io/json/json-parse.h"
+#include "io/project/project-inner.h"
+#include "io/project/project-masonry.h"
+#include "io/project/project-read-parts.h"
+#include "io/project/project.h"
+#include "io/text/file-read.h"
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+#define FORMAT_VERSION 1
+
+/* Members of the document that become part of the model. */
+static const char *const model_keys[] = { "format", "version", "title",    "gravity",
+                                          "laws",   "blocks",  "walls",    "contact",
+                                          "loads",  "bars",    "analysis", "sections",
+                                          "nodes",  "beams" };
+
+/* Members that the model does not hold: kept and written back as they are. */
+static const char *const upper_keys[] = { "view",     "figures", "guides",
+                                          "underlay", "history", QN_MASONRY_MEMBER };
+
+static gboolean
+is_among (const char *key, const char *const *keys, gsize count)
+{
+  for (gsize i = 0; i < count; i++)
+    if (strcmp (key, keys[i]) == 0)
+      return TRUE;
+  return FALSE;
+}
+
+static gboolean
+check_format (const QnPlace *root)
+{
+  const char *format;
+  double version;
+  if (!qn_place_object (root) || !qn_member_string (root, "format", QN_REQUIRED, &format))
+    return FALSE;
+  if (strcmp (format, "quoin") != 0) {
+    QnPlace place = qn_place_member (root, "format");
+    return qn_place_fail (&place, _ ("this is not a Quoin project: expected \"quoin\""));
+  }
+  if (!qn_member_number (root, "version", QN_REQUIRED, QN_RANGE_FINITE, &version))
+    return FALSE;
+  if (version != FORMAT_VERSION) {
+    QnPlace place = qn_place_member (root, "version");
+    return qn_place_failf (&place, _ ("this program reads version %d of the format only"),
+                           FORMAT_VERSION);
+  }
+  return TRUE;
+}
+
+static gboolean
+read_title_and_gravity (const QnPlace *root, QnModel *model)
+{
+  const char *title = NULL;
+  if (!qn_member_string (root, "title", QN_OPTIONAL, &title)
+      || !qn_member_number (root, "gravity", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
+                            &model->gravity))
+    return FALSE;
+  model->title = qn_strdup (title);
+  return model->title != NULL || title == NULL || qn_place_no_memory (root);
+}
+
+/* Moves the top-level members that the model does not hold out of the tree, with a warning for
+ * those that no layer knows. */
+static gboolean
+keep_extras (const QnPlace *root, cJSON *document, QnProject *project)
+{
+  cJSON *next;
+  for (cJSON *child = document->child; child != NULL; child = next) {
+    next = child->next;
+    if (is_among (child->string, model_keys, G_N_ELEMENTS (model_keys)))
+      continue;
+    if (!is_among (child->string, upper_keys, G_N_ELEMENTS (upper_keys))) {
+      QnPlace place = qn_place_member (root, child->string);
+      qn_place_warn (&place, _ ("unknown key"));
+    }
+    if (project->extras == NULL)
+      project->extras = cJSON_CreateObject ();
+    cJSON_DetachItemViaPointer (document, child);
+    if (project->extras == NULL
+        || !cJSON_AddItemToObject (project->extras, child->string, child)) {
+      cJSON_Delete (child);
+      return qn_place_no_memory (root);
+    }
+  }
+  return TRUE;
+}
+
+/* A status of the core as the reader's error. */
+static gboolean
+take_status (const QnPlace *root, const QnProject *project, QnStatus status,
+             const QnDiag *diag)
+{
+  if (status != QN_OK && root->reader->error == NULL)
+    qn_project_set_error (project, diag, &root->reader->error);
+  return status == QN_OK;
+}
+
+static gboolean
+read_document (const QnPlace *root, cJSON *document, QnProject *project)
+{
+  QnModel *model = &project->model;
+  QnDiag diag;
+  /* With walls, parametric masonry or beams, no block of its own is needed. */
+  gboolean others = cJSON_HasObjectItem (document, "walls")
+                    || cJSON_HasObjectItem (document, QN_MASONRY_MEMBER);
+  gboolean beams = cJSON_HasObjectItem (document, "beams");
+  QnNeed blocks = others || beams ? QN_OPTIONAL : QN_REQUIRED;
+  /* Beams alone have no joints. */
+  gboolean joints =
+    others || cJSON_GetArraySize (cJSON_GetObjectItem (document, "blocks")) > 0;
+  QnNeed laws = beams && !joints ? QN_OPTIONAL : QN_REQUIRED;
+  return check_format (root) && keep_extras (root, document, project)
+         && read_title_and_gravity (root, model) && qn_read_laws (root, laws, model)
+         && qn_read_blocks (root, blocks, model) && qn_read_masonry (root, project)
+         && qn_read_walls (root, model)
+         && take_status (root, project, qn_model_expand_walls (model, &diag), &diag)
+         && qn_read_beams (root, model)
+         && take_status (root, project, qn_model_expand_beams (model, &diag), &diag)
+         && qn_read_bars (root, model) && qn_read_contact (root, model)
+         && qn_read_loads (root, model) && qn_read_analysis (root, model)
+         && take_status (root, project, qn_model_prepare (model, &diag), &diag);
+}
+
+/* The tree of the project's text with the overrides applied, or NULL. */
+static cJSON *
+parse_text (QnReader *reader)
+{
+  QnJsonProblem problem;
+  cJSON *document = qn_json_parse (reader->text, reader->length, &problem);
+  if (document == NULL)
+    reader->error = qn_json_problem_to_error (&problem, reader->name, reader->text);
+  g_free (problem.path);
+
+  for (gsize i = 0; document != NULL && reader->overrides != NULL && reader->overrides[i];
+       i++) {
+    if (!qn_json_override (document, reader->overrides[i], &reader->error)) {
+      if (reader->error->code != QN_IO_ERROR_OVERRIDE)
+        g_prefix_error (&reader->error, "%s: ", reader->name);
+      g_clear_pointer (&document, cJSON_Delete);
+    }
+  }
+  return document;
+}
+
+static void
+count_dropped_warnings (const QnReader *reader)
+{
+  if (reader->dropped_warnings > 0)
+    g_ptr_array_add (
+      reader->warnings,
+      g_strdup_printf (ngettext ("%s: %u more warning", "%s: %u more warnings",
+                                 reader->dropped_warnings),
+                       reader->name, reader->dropped_warnings));
+}
+
+/* Fills an initialised project whose name and text are set. */
+static gboolean
+read_project (QnProject *project, GError **error)
+{
+  QnReader reader = { .name = project->name,
+                      .keeps_unknown = TRUE,
+                      .text = project->text,
+                      .length = project->text_length,
+                      .overrides = (const char *const *) project->overrides,
+                      .warnings = project->warnings };
+  cJSON *document = parse_text (&reader);
+  if (document != NULL) {
+    QnPlace root = qn_place_root (&reader, document);
+    read_document (&root, document, project);
+    if (!qn_project_keep_inner (project, g_steal_pointer (&reader.unknown))
+        && reader.error == NULL)
+      qn_place_no_memory (&root);
+    cJSON_Delete (document);
+    count_dropped_warnings (&reader);
+  }
+  if (reader.error == NULL) {
+    project->sha256 = g_compute_checksum_for_data (
+      G_CHECKSUM_SHA256, (const guchar *) project->text, project->text_length);
+    return TRUE;
+  }
+  g_propagate_error (error, reader.error);
+  qn_project_clear (project);
+  return FALSE;
+}
+
+gboolean
+qn_project_load (const char *path, const char *const *overrides, QnProject *project,
+                 GError **error)
+{
+  *project = (QnProject){ 0 };
+  gsize length;
+  char *text = qn_file_read (path, &length, error);
+  if (text == NULL)
+    return FALSE;
+
+  qn_project_init (project);
+  project->name = g_strdup (path);
+  project->path = g_strdup (path);
+  project->overrides = g_strdupv ((char **) overrides);
+  project->text = text;
+  project->text_length = length;
+  return read_project (project, error);
+}
+
+gboolean
+qn_project_parse (const char *text, gsize length, const char *name,
+                  const char *const *overrides, QnProject *project, GError **error)
+{
+  qn_project_init (project);
+  project->name = g_strdup (name);
+  project->overrides = g_strdupv ((char **) overrides);
+  project->text = g_strndup ("", length + 1);
+  if (length > 0)
+    memcpy (project->text, text, length);
+  project->text_length = length;
+  return read_project (project, error);
+}

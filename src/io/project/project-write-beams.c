@@ -1,0 +1,108 @@
+/* Sections, nodes and beams in the canonical layout. */
+#include "io/project/project-inner.h"
+#include "io/project/project-names.h"
+#include "io/project/project-write-parts.h"
+#include "io/text/json-text.h"
+
+/* Numbers that follow from others are left out. */
+static void
+append_section (GString *json, const QnSection *section)
+{
+  g_string_append_c (json, '{');
+  qn_json_put_string (json, "name", section->name);
+  qn_json_put_number (json, "young", section->young);
+  if (section->shear_modulus > 0)
+    qn_json_put_number (json, "shear_modulus", section->shear_modulus);
+  else
+    qn_json_put_number (json, "poisson", section->poisson);
+  if (section->height > 0) {
+    qn_json_put_number (json, "width", section->width);
+    qn_json_put_number (json, "height", section->height);
+  } else {
+    qn_json_put_number (json, "area", section->area);
+    qn_json_put_number (json, "inertia", section->inertia);
+  }
+  qn_json_put_number (json, "shear_factor", section->shear_factor);
+  if (section->yield > 0)
+    qn_json_put_number (json, "yield", section->yield);
+  if (section->plastic_moment > 0)
+    qn_json_put_number (json, "plastic_moment", section->plastic_moment);
+  if (section->density >= 0)
+    qn_json_put_number (json, "density", section->density);
+  else if (section->unit_weight > 0)
+    qn_json_put_number (json, "unit_weight", section->unit_weight);
+  g_string_append (json, " }");
+}
+
+static void
+append_node (GString *json, const QnModel *model, const QnNode *node)
+{
+  g_string_append_c (json, '{');
+  qn_json_put_string (json, "name", node->name);
+  if (node->seat != QN_SEAT_FREE)
+    qn_json_put_string (json, "block", model->blocks[node->block].name);
+  if (node->seat == QN_SEAT_SIDE)
+    qn_json_put_string (json, "side", qn_name_of_block_side ((int) node->side));
+  if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT)
+    qn_json_put_vec2 (json, "at", node->at);
+  qn_json_put_support (json, node->support);
+  g_string_append (json, " }");
+}
+
+static void
+append_beam (GString *json, const QnModel *model, const QnBeam *beam)
+{
+  g_string_append_c (json, '{');
+  qn_json_put_string (json, "name", beam->name);
+  if (beam->kind != QN_BEAM_TIMOSHENKO)
+    qn_json_put_string (json, "kind", qn_name_of_beam_kind ((int) beam->kind));
+  qn_json_begin_member (json, "nodes");
+  for (int end = 0; end < 2; end++) {
+    g_string_append (json, end == 0 ? "[" : ", ");
+    qn_json_append_string (json, model->nodes[beam->nodes[end]].name);
+  }
+  g_string_append_c (json, ']');
+  qn_json_put_string (json, "section", model->sections[beam->section].name);
+  if (beam->hinge[0] || beam->hinge[1]) {
+    qn_json_begin_member (json, "hinges");
+    g_string_append_printf (json, "[%s, %s]", beam->hinge[0] ? "true" : "false",
+                            beam->hinge[1] ? "true" : "false");
+  }
+  if (beam->element_count > 1)
+    qn_json_put_number (json, "elements", beam->element_count);
+  g_string_append (json, " }");
+}
+
+void
+qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
+{
+  gboolean first = TRUE;
+
+  if (model->section_count > 0) {
+    g_string_append (json, "  \"sections\": [");
+    for (size_t i = 0; i < model->section_count; i++) {
+      g_string_append (json, i > 0 ? ",\n    " : "\n    ");
+      append_section (json, &model->sections[i]);
+      qn_json_append_note (json, inner, model->sections[i].note);
+    }
+    g_string_append (json, " ],\n");
+  }
+  for (size_t i = 0; i < model->node_count; i++) {
+    if (model->nodes[i].beam != QN_NONE)
+      continue;
+    g_string_append (json, first ? "  \"nodes\": [\n    " : ",\n    ");
+    append_node (json, model, &model->nodes[i]);
+    qn_json_append_note (json, inner, model->nodes[i].note);
+    first = FALSE;
+  }
+  g_string_append (json, first ? "" : " ],\n");
+  if (model->beam_count == 0)
+    return;
+  g_string_append (json, "  \"beams\": [");
+  for (size_t i = 0; i < model->beam_count; i++) {
+    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
+    append_beam (json, model, &model->beams[i]);
+    qn_json_append_note (json, inner, model->beams[i].note);
+  }
+  g_string_append (json, " ],\n");
+}

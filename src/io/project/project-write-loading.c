@@ -1,0 +1,211 @@
+/* Loads, analysis and stages in the canonical layout. */
+#include "io/project/project-inner.h"
+#include "io/project/project-names.h"
+#include "io/project/project-write-parts.h"
+#include "io/text/json-text.h"
+
+#include <math.h>
+
+void
+qn_json_append_vec2 (GString *json, QnVec2 vector)
+{
+  g_string_append_c (json, '[');
+  qn_json_append_number (json, vector.x);
+  g_string_append (json, ", ");
+  qn_json_append_number (json, vector.y);
+  g_string_append_c (json, ']');
+}
+
+void
+qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector)
+{
+  qn_json_begin_member (json, key);
+  qn_json_append_vec2 (json, vector);
+}
+
+static void
+append_load (GString *json, const QnModel *model, const QnLoad *load)
+{
+  g_string_append_c (json, '{');
+  qn_json_put_string (json, "kind", qn_name_of_load_kind ((int) load->kind));
+  switch (load->kind) {
+  case QN_LOAD_WEIGHT:
+    qn_json_put_vec2 (json, "direction", load->vector);
+    break;
+  case QN_LOAD_FORCE:
+    qn_json_put_string (json, "block", model->blocks[load->block].name);
+    qn_json_put_vec2 (json, "value", load->vector);
+    if (load->moment != 0)
+      qn_json_put_number (json, "moment", load->moment);
+    if (load->has_at)
+      qn_json_put_vec2 (json, "at", load->at);
+    break;
+  case QN_LOAD_SETTLEMENT:
+    qn_json_put_string (json, "block", model->blocks[load->block].name);
+    qn_json_put_string (json, "component", qn_name_of_dof ((int) load->dof));
+    qn_json_put_number (json, "value", load->value);
+    break;
+  case QN_LOAD_LINE:
+    qn_json_put_string (json, "beam", model->beams[load->beam].name);
+    qn_json_put_vec2 (json, "value", load->vector);
+    break;
+  case QN_LOAD_NODE:
+    qn_json_put_string (json, "node", model->nodes[load->node].name);
+    qn_json_put_vec2 (json, "value", load->vector);
+    if (load->moment != 0)
+      qn_json_put_number (json, "moment", load->moment);
+    break;
+  case QN_LOAD_KIND_COUNT:
+    g_assert_not_reached ();
+  }
+  g_string_append (json, " }");
+}
+
+/* The loads of one set; of dead loads that is 0. */
+static void
+append_load_list (GString *json, const QnModel *model, const char *key,
+                  const QnLoad *loads, size_t count, int32_t set, const char *indent,
+                  GHashTable *inner)
+{
+  gboolean any = FALSE;
+  g_string_append (json, indent);
+  qn_json_append_string (json, key);
+  g_string_append (json, ": [");
+  for (size_t i = 0; i < count; i++) {
+    if (loads[i].set != set)
+      continue;
+    g_string_append_printf (json, "%s\n%s  ", any ? "," : "", indent);
+    append_load (json, model, &loads[i]);
+    qn_json_append_note (json, inner, loads[i].note);
+    any = TRUE;
+  }
+  g_string_append (json, any ? " ]" : "]");
+}
+
+void
+qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner)
+{
+  g_string_append (json, "  \"loads\": {\n");
+  append_load_list (json, model, "dead", model->dead_loads, model->dead_load_count, 0,
+                    "    ", inner);
+  g_string_append (json, ",\n");
+  append_load_list (json, model, "live", model->live_loads, model->live_load_count, 0,
+                    "    ", inner);
+  for (size_t i = 0; i < model->load_set_count; i++) {
+    g_string_append (json, i > 0 ? ",\n" : ",\n    \"sets\": {\n");
+    append_load_list (json, model, model->load_sets[i], model->live_loads,
+                      model->live_load_count, (int32_t) i + 1, "      ", inner);
+  }
+  g_string_append (json, model->load_set_count > 0 ? " } }" : " }");
+}
+
+static void
+put_control (GString *json, const QnModel *model, QnId block, QnId node, QnDof dof,
+             double target)
+{
+  if (block == QN_NONE && node == QN_NONE)
+    return;
+  qn_json_begin_member (json, "control");
+  g_string_append_c (json, '{');
+  if (node != QN_NONE)
+    qn_json_put_string (json, "node", model->nodes[node].name);
+  else
+    qn_json_put_string (json, "block", model->blocks[block].name);
+  qn_json_put_string (json, "component", qn_name_of_dof ((int) dof));
+  qn_json_put_number (json, "target", target);
+  g_string_append (json, " }");
+}
+
+/* Those that are turned off. */
+static void
+put_shortcuts (GString *json, const QnShortcuts *shortcuts)
+{
+  QnShortcuts copy = *shortcuts;
+  gboolean any = FALSE;
+  for (int i = 0; i < QN_SHORTCUT_COUNT; i++) {
+    if (*qn_shortcut (&copy, i))
+      continue;
+    if (!any) {
+      qn_json_begin_member (json, "shortcuts");
+      g_string_append_c (json, '{');
+    }
+    qn_json_begin_member (json, qn_name_of_shortcut (i));
+    g_string_append (json, "false");
+    any = TRUE;
+  }
+  if (any)
+    g_string_append (json, " }");
+}
+
+static void
+append_stage (GString *json, const QnModel *model, const QnStage *stage)
+{
+  gboolean any = FALSE;
+  g_string_append_c (json, '{');
+  if (stage->name != NULL)
+    qn_json_put_string (json, "name", stage->name);
+  qn_json_begin_member (json, "loads");
+  for (size_t set = 0; set <= model->load_set_count; set++) {
+    if ((stage->sets >> set & 1) == 0)
+      continue;
+    g_string_append (json, any ? ", " : "[");
+    qn_json_append_string (json, qn_model_load_set_name (model, (int32_t) set));
+    any = TRUE;
+  }
+  g_string_append (json, any ? "]" : "[]");
+  qn_json_put_string (json, "procedure", qn_name_of_procedure ((int) stage->procedure));
+  if (stage->has_target)
+    qn_json_put_number (json, "target", stage->target);
+  if (stage->increments > 0)
+    qn_json_put_number (json, "increments", stage->increments);
+  put_control (json, model, stage->control_block, stage->control_node, stage->control_dof,
+               stage->control_target);
+  g_string_append (json, " }");
+}
+
+static void
+put_stages (GString *json, const QnModel *model, GHashTable *inner)
+{
+  if (model->stage_count == 0)
+    return;
+  g_string_append (json, ",\n    \"stages\": [");
+  for (size_t i = 0; i < model->stage_count; i++) {
+    g_string_append (json, i > 0 ? ",\n      " : "\n      ");
+    append_stage (json, model, &model->stages[i]);
+    qn_json_append_note (json, inner, model->stages[i].note);
+  }
+  g_string_append (json, " ]");
+}
+
+/* What differs from the defaults, after the three settings that everybody looks for. */
+void
+qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner)
+{
+  QnModel defaults;
+  qn_model_init (&defaults);
+  const QnAnalysisSettings *usual = &defaults.analysis, *analysis = &model->analysis;
+
+  g_string_append (json, "  \"analysis\": {");
+  qn_json_put_string (json, "procedure",
+                      qn_name_of_procedure ((int) analysis->procedure));
+  qn_json_put_string (json, "geometry", qn_name_of_geometry ((int) analysis->geometry));
+  qn_json_put_number (json, "increments", analysis->increments);
+  if (isfinite (analysis->max_multiplier))
+    qn_json_put_number (json, "max_multiplier", analysis->max_multiplier);
+  if (analysis->multiplier_tolerance != usual->multiplier_tolerance)
+    qn_json_put_number (json, "multiplier_tolerance", analysis->multiplier_tolerance);
+  if (analysis->residual_tolerance != usual->residual_tolerance)
+    qn_json_put_number (json, "residual_tolerance", analysis->residual_tolerance);
+  if (analysis->snap != usual->snap)
+    qn_json_put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
+  if (analysis->flow != usual->flow)
+    qn_json_put_string (json, "flow", qn_name_of_flow ((int) analysis->flow));
+  put_control (json, model, analysis->control_block, analysis->control_node,
+               analysis->control_dof, analysis->control_target);
+  put_shortcuts (json, &analysis->shortcuts);
+  if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE)
+    qn_json_append_inner (json, inner, "analysis.control");
+  put_stages (json, model, inner);
+  g_string_append (json, " }");
+  qn_model_clear (&defaults);
+}

@@ -1,0 +1,220 @@
+#include "io/project/project-masonry.h"
+#include "io/text/json-text.h"
+
+/* Sizes whose default is 0. */
+static void
+put_size (GString *json, const char *key, double size)
+{
+  if (size != 0)
+    qn_json_put_number (json, key, size);
+}
+
+static void
+put_two (GString *json, const char *key, double a, double b)
+{
+  qn_json_begin_member (json, key);
+  g_string_append_c (json, '[');
+  qn_json_append_number (json, a);
+  g_string_append (json, ", ");
+  qn_json_append_number (json, b);
+  g_string_append_c (json, ']');
+}
+
+static void
+put_leaf (GString *json, const QnLeaf *leaf)
+{
+  if (leaf->bond != QN_BOND_CUSTOM)
+    qn_json_put_number (json, "length", leaf->length);
+  put_two (json, "unit", leaf->unit.x, leaf->unit.y);
+  qn_json_put_string (json, "bond", qn_bond_name (leaf->bond));
+  if (leaf->closer != QN_CLOSER_NONE)
+    qn_json_put_string (json, "closers", qn_closer_name (leaf->closer));
+  put_size (json, "header", leaf->header);
+  if (leaf->lap != 0.5)
+    qn_json_put_number (json, "lap", leaf->lap);
+}
+
+static void
+put_courses (GString *json, const QnWall *courses)
+{
+  qn_json_begin_member (json, "courses");
+  g_string_append_c (json, '[');
+  int32_t entry = 0;
+  for (int32_t course = 0; course < courses->course_count; course++) {
+    g_string_append (json, course > 0 ? ", [" : "[");
+    for (int32_t start = entry; entry < courses->course_ends[course]; entry++) {
+      g_string_append (json, entry > start ? ", " : "");
+      qn_json_append_number (json, courses->lengths[entry]);
+    }
+    g_string_append_c (json, ']');
+  }
+  g_string_append_c (json, ']');
+}
+
+static void
+append_opening (GString *json, const QnOpening *opening)
+{
+  g_string_append_c (json, '{');
+  if (opening->name != NULL)
+    qn_json_put_string (json, "name", opening->name);
+  put_two (json, "at", opening->at.x, opening->at.y);
+  qn_json_put_number (json, "width", opening->width);
+  qn_json_put_number (json, "height", opening->height);
+  qn_json_put_string (json, "head", qn_head_name (opening->head));
+  if (opening->head == QN_HEAD_SEGMENTAL)
+    qn_json_put_number (json, "rise", opening->rise);
+  qn_json_put_string (json, "span", qn_span_name (opening->span));
+  if (opening->span != QN_SPAN_NONE)
+    qn_json_put_number (json, "depth", opening->depth);
+  if (opening->span == QN_SPAN_LINTEL)
+    put_size (json, "bearing", opening->bearing);
+  if (opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS)
+    qn_json_put_number (json, "voussoirs", opening->voussoirs);
+  if (opening->span == QN_SPAN_FLAT_ARCH)
+    put_size (json, "skew", opening->skew);
+  if (opening->span == QN_SPAN_VOUSSOIRS)
+    qn_json_put_string (json, "sides", qn_sides_name (opening->sides));
+  if (opening->sill_height > 0)
+    put_two (json, "sill", opening->sill_height, opening->sill_bearing);
+  g_string_append (json, " }");
+}
+
+static void
+put_wall (GString *json, const QnMasonryWall *wall)
+{
+  gboolean listed = wall->leaves[0].bond == QN_BOND_CUSTOM;
+  if (!listed)
+    qn_json_put_number (json, "height", wall->height);
+  if (wall->leaf_count == 1) {
+    put_leaf (json, &wall->leaves[0]);
+  } else {
+    qn_json_begin_member (json, "leaves");
+    for (gsize i = 0; i < wall->leaf_count; i++) {
+      g_string_append (json, i > 0 ? ", {" : "[{");
+      put_leaf (json, &wall->leaves[i]);
+      g_string_append (json, " }");
+    }
+    g_string_append_c (json, ']');
+  }
+  if (wall->course_height_count > 0) {
+    qn_json_begin_member (json, "course_heights");
+    for (gsize i = 0; i < wall->course_height_count; i++) {
+      g_string_append (json, i > 0 ? ", " : "[");
+      qn_json_append_number (json, wall->course_heights[i]);
+    }
+    g_string_append_c (json, ']');
+  }
+  if (listed)
+    put_courses (json, &wall->courses);
+  if (wall->left != QN_EDGE_STRAIGHT || wall->right != QN_EDGE_STRAIGHT) {
+    qn_json_begin_member (json, "edges");
+    g_string_append_printf (json, "[\"%s\", \"%s\"]", qn_edge_name (wall->left),
+                            qn_edge_name (wall->right));
+  }
+  qn_json_put_number (json, "minimum_piece", wall->minimum_piece);
+  if (wall->opening_count == 0)
+    return;
+  qn_json_begin_member (json, "openings");
+  for (gsize i = 0; i < wall->opening_count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    append_opening (json, &wall->openings[i]);
+  }
+  g_string_append_c (json, ']');
+}
+
+static void
+put_arch (GString *json, const QnArch *arch, gboolean with_span)
+{
+  qn_json_put_string (json, "shape", qn_arch_shape_name (arch->shape));
+  if (with_span)
+    qn_json_put_number (json, "span", arch->span);
+  qn_json_put_number (json, "rise", arch->rise);
+  qn_json_put_number (json, "ring", arch->ring);
+  qn_json_put_number (json, "voussoirs", arch->voussoirs);
+  qn_json_put_string (json, "sides", qn_sides_name (arch->sides));
+  if (with_span)
+    put_size (json, "springer", arch->springer);
+}
+
+static void
+put_column (GString *json, const QnColumn *column)
+{
+  qn_json_put_number (json, "height", column->height);
+  put_two (json, "width", column->bottom, column->top);
+  qn_json_put_number (json, "drums", column->drums);
+  if (column->plinth_height > 0)
+    put_two (json, "plinth", column->plinth_width, column->plinth_height);
+  if (column->capital_height > 0)
+    put_two (json, "capital", column->capital_width, column->capital_height);
+}
+
+static void
+put_portal (GString *json, const QnPortal *portal)
+{
+  qn_json_put_number (json, "bays", portal->bays);
+  qn_json_put_number (json, "span", portal->span);
+  put_two (json, "pier", portal->pier_width, portal->pier_height);
+  qn_json_put_number (json, "courses", portal->courses);
+  if (portal->lintel_height > 0) {
+    qn_json_put_number (json, "lintel", portal->lintel_height);
+    return;
+  }
+  qn_json_begin_member (json, "arch");
+  g_string_append_c (json, '{');
+  put_arch (json, &portal->arch, FALSE);
+  g_string_append (json, " }");
+}
+
+static void
+put_kind (GString *json, const QnMasonry *masonry)
+{
+  switch (masonry->kind) {
+  case QN_MASONRY_WALL:
+    put_wall (json, &masonry->wall);
+    break;
+  case QN_MASONRY_ARCH:
+    put_arch (json, &masonry->arch, TRUE);
+    break;
+  case QN_MASONRY_COLUMN:
+    put_column (json, &masonry->column);
+    break;
+  case QN_MASONRY_BUTTRESS:
+    qn_json_put_number (json, "height", masonry->buttress.height);
+    put_two (json, "width", masonry->buttress.bottom, masonry->buttress.top);
+    qn_json_put_number (json, "courses", masonry->buttress.courses);
+    qn_json_put_string (json, "side", masonry->buttress.leans_right ? "right" : "left");
+    break;
+  case QN_MASONRY_PORTAL:
+    put_portal (json, &masonry->portal);
+    break;
+  case QN_MASONRY_RUBBLE:
+    put_two (json, "width", masonry->rubble.width, masonry->rubble.top);
+    qn_json_put_number (json, "height", masonry->rubble.height);
+    qn_json_put_number (json, "stone", masonry->rubble.stone);
+    qn_json_put_number (json, "irregularity", masonry->rubble.irregularity);
+    qn_json_put_number (json, "seed", masonry->rubble.seed);
+    break;
+  case QN_MASONRY_KIND_COUNT:
+    break;
+  }
+}
+
+void
+qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *model)
+{
+  g_string_append_c (json, '{');
+  qn_json_put_string (json, "kind", qn_masonry_kind_name (masonry->kind));
+  qn_json_put_string (json, "name", masonry->name);
+  put_two (json, "origin", masonry->origin.x, masonry->origin.y);
+  put_size (json, "rotation", masonry->rotation);
+  qn_json_put_number (json, "thickness", masonry->thickness);
+  if (masonry->density >= 0)
+    qn_json_put_number (json, "density", masonry->density);
+  else
+    qn_json_put_number (json, "unit_weight", masonry->unit_weight);
+  if (masonry->law != QN_NONE)
+    qn_json_put_string (json, "law", model->laws[masonry->law].name);
+  put_size (json, "foundation", masonry->foundation);
+  put_kind (json, masonry);
+  g_string_append (json, " }");
+}

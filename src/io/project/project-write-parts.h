@@ -1,0 +1,25 @@
+/* Private to the writing of project files: one function per part of the document. */
+#ifndef QN_IO_PROJECT_WRITE_PARTS_H
+#define QN_IO_PROJECT_WRITE_PARTS_H
+
+#include "core/model/model.h"
+
+#include <glib.h>
+
+/* [x, y], as a value or as a member. */
+void qn_json_append_vec2 (GString *json, QnVec2 vector);
+void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
+
+/* `support`, left out where nothing is fixed. */
+void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
+
+/* Parts of the document; inner: members that no layer knows (project-inner.h), or NULL.
+ *
+ * In project-write-beams.c. */
+void qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner);
+
+/* In project-write-loading.c. */
+void qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner);
+void qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner);
+
+#endif

@@ -1,0 +1,228 @@
+#include "io/project/project.h"
+
+#include "io/json/json-path.h"
+#include "io/json/json-value.h"
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+/* Findings come by the thousand and each look for its line reads the text from the start: in
+ * longer texts than this they are told without. */
+#define LARGE_TEXT 1000000
+
+void
+qn_project_init (QnProject *project)
+{
+  *project = (QnProject){ .warnings = g_ptr_array_new_with_free_func (g_free) };
+  qn_model_init (&project->model);
+}
+
+void
+qn_project_clear (QnProject *project)
+{
+  qn_model_clear (&project->model);
+  g_free (project->name);
+  g_free (project->path);
+  g_free (project->sha256);
+  g_strfreev (project->overrides);
+  g_clear_pointer (&project->warnings, g_ptr_array_unref);
+  cJSON_Delete (project->extras);
+  g_free (project->text);
+  *project = (QnProject){ 0 };
+}
+
+/* Key path of a block that a wall was expanded into: its entry among the courses. Blocks of a
+ * wall stand one after the other in the model, openings left out. */
+static void
+append_wall_block (GString *path, const QnModel *model, QnId block)
+{
+  QnId wall_index = model->blocks[block].wall;
+  const QnWall *wall = &model->walls[wall_index];
+  g_string_append_printf (path, "walls[%d]", wall_index);
+
+  QnId first = block;
+  while (first > 0 && model->blocks[first - 1].wall == wall_index)
+    first--;
+  QnId left = block - first;
+  int32_t entry = 0;
+  for (int32_t course = 0; course < wall->course_count; course++) {
+    int32_t course_start = entry;
+    for (; entry < wall->course_ends[course]; entry++) {
+      if (wall->lengths[entry] > 0 && left-- == 0) {
+        g_string_append_printf (path, ".courses[%d][%d]", course, entry - course_start);
+        return;
+      }
+    }
+  }
+}
+
+/* Key path of a load that is not dead: its entry in the list of its set. */
+static void
+append_live_load (GString *path, const QnModel *model, QnId index)
+{
+  int32_t set = model->live_loads[index].set;
+  gsize place = 0;
+  for (QnId i = 0; i < index; i++)
+    place += model->live_loads[i].set == set;
+  g_string_append (path, set == 0 ? "loads" : "loads.sets");
+  qn_json_path_append_key (path, qn_model_load_set_name (model, set));
+  qn_json_path_append_index (path, place);
+}
+
+char *
+qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
+{
+  static const char *const containers[] = {
+    [QN_ENTITY_MODEL] = "",
+    [QN_ENTITY_LAW] = "laws",
+    [QN_ENTITY_BLOCK] = "blocks",
+    [QN_ENTITY_WALL] = "walls",
+    [QN_ENTITY_CONTACT] = "contact",
+    [QN_ENTITY_FACE_OVERRIDE] = "contact.faces",
+    [QN_ENTITY_BAR] = "bars",
+    [QN_ENTITY_NODE] = "nodes",
+    [QN_ENTITY_SECTION] = "sections",
+    [QN_ENTITY_BEAM] = "beams",
+    [QN_ENTITY_DEAD_LOAD] = "loads.dead",
+    [QN_ENTITY_LIVE_LOAD] = "loads.live",
+    [QN_ENTITY_ANALYSIS] = "analysis",
+    [QN_ENTITY_STAGE] = "analysis.stages",
+    [QN_ENTITY_MASONRY] = "masonry",
+  };
+  const QnModel *model = &project->model;
+  GString *path = g_string_new (NULL);
+  if (entity == QN_ENTITY_BLOCK && index >= 0 && (size_t) index < model->block_count
+      && model->blocks[index].masonry != QN_NONE) {
+    entity = QN_ENTITY_MASONRY;
+    index = model->blocks[index].masonry;
+  }
+  if (entity == QN_ENTITY_BLOCK && index >= 0 && (size_t) index < model->block_count
+      && model->blocks[index].wall != QN_NONE) {
+    append_wall_block (path, model, index);
+  } else if (entity == QN_ENTITY_LIVE_LOAD && index >= 0
+             && (size_t) index < model->live_load_count) {
+    append_live_load (path, model, index);
+  } else {
+    g_string_append (path, containers[entity]);
+    gboolean is_list = entity != QN_ENTITY_MODEL && entity != QN_ENTITY_CONTACT
+                       && entity != QN_ENTITY_ANALYSIS;
+    if (is_list && index != QN_NONE)
+      g_string_append_printf (path, "[%d]", index);
+  }
+  return g_string_free (path, FALSE);
+}
+
+/* Whether a problem of a polygon is that of one vertex and not of all of them together. */
+static gboolean
+is_of_one_vertex (QnProblem problem)
+{
+  return problem == QN_PROBLEM_DUPLICATE_VERTEX || problem == QN_PROBLEM_NOT_FINITE
+         || problem == QN_PROBLEM_TOO_LARGE;
+}
+
+/* Path of the key that a diagnostic is about. */
+static char *
+dup_problem_path (const QnProject *project, const QnDiag *diag)
+{
+  char *entity = qn_project_dup_key_path (project, diag->entity, diag->index);
+  GString *path = g_string_new (entity);
+  g_free (entity);
+  if (diag->entity == QN_ENTITY_MASONRY && diag->sub != QN_NONE) {
+    g_string_append_printf (path, ".openings[%d]", diag->sub);
+    if (g_strcmp0 (diag->field, "openings") == 0)
+      return g_string_free (path, FALSE);
+  } else if (diag->entity == QN_ENTITY_MASONRY && diag->other != QN_NONE) {
+    g_string_append_printf (path, ".leaves[%d]", diag->other);
+  }
+  if (diag->field == NULL)
+    return g_string_free (path, FALSE);
+
+  g_string_append_printf (path, "%s%s", path->len > 0 ? "." : "", diag->field);
+  gboolean in_course = strcmp (diag->field, "courses") == 0;
+  gboolean at_vertex =
+    strcmp (diag->field, "vertices") == 0 && is_of_one_vertex (diag->problem);
+  gboolean at_point = strcmp (diag->field, "points") == 0;
+  if ((in_course || at_vertex || at_point) && diag->sub != QN_NONE)
+    g_string_append_printf (path, "[%d]", diag->sub);
+  if (in_course && diag->sub != QN_NONE && diag->other != QN_NONE)
+    g_string_append_printf (path, "[%d]", diag->other);
+  return g_string_free (path, FALSE);
+}
+
+/* (block "a") or (blocks "a" and "b") */
+static void
+append_block_names (GString *message, const QnModel *model, QnId a, QnId b)
+{
+  if (a < 0 || (size_t) a >= model->block_count)
+    return;
+  gboolean two = b >= 0 && (size_t) b < model->block_count;
+  g_string_append (message, two ? _ (" (blocks ") : _ (" (block "));
+  qn_json_append_string (message, model->blocks[a].name);
+  if (two) {
+    g_string_append (message, _ (" and "));
+    qn_json_append_string (message, model->blocks[b].name);
+  }
+  g_string_append_c (message, ')');
+}
+
+static QnReader
+reader_of (const QnProject *project)
+{
+  return (QnReader){ .name = project->name != NULL ? project->name : _ ("project"),
+                     .text = project->text,
+                     .length = project->text_length,
+                     .overrides = (const char *const *) project->overrides };
+}
+
+void
+qn_project_set_error (const QnProject *project, const QnDiag *diag, GError **error)
+{
+  QnReader reader = reader_of (project);
+  if (diag->status == QN_ERROR_NO_MEMORY) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", reader.name,
+                 _ ("not enough memory"));
+    return;
+  }
+  GString *message = g_string_new (_ (qn_problem_text (diag->problem)));
+  if (diag->entity == QN_ENTITY_BLOCK)
+    append_block_names (message, &project->model, diag->index, diag->other);
+  char *path = dup_problem_path (project, diag);
+  qn_project_set_key_error (project, path, message->str, error);
+  g_free (path);
+  g_string_free (message, TRUE);
+}
+
+void
+qn_project_set_key_error (const QnProject *project, const char *path, const char *message,
+                          GError **error)
+{
+  QnReader reader = reader_of (project);
+  char *line = qn_reader_dup_line (&reader, path, message);
+  g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
+  g_free (line);
+}
+
+char *
+qn_project_dup_finding_text (const QnProject *project, const QnFinding *finding)
+{
+  GString *message = g_string_new (_ (qn_problem_text (finding->problem)));
+  append_block_names (message, &project->model, finding->block_a, finding->block_b);
+  if (finding->block_b != QN_NONE)
+    g_string_append_printf (message, _ (" at (%.6g, %.6g) m"), finding->at.x,
+                            finding->at.y);
+  if (finding->value != 0)
+    g_string_append_printf (message, ": %.3g m", finding->value);
+
+  QnReader reader = reader_of (project);
+  if (reader.length > LARGE_TEXT)
+    reader.text = NULL;
+  gboolean beam = finding->problem == QN_PROBLEM_BEAM_FLOATING;
+  char *path = qn_project_dup_key_path (project, beam ? QN_ENTITY_BEAM : QN_ENTITY_BLOCK,
+                                        beam ? finding->beam : finding->block_a);
+  char *line = qn_reader_dup_line (&reader, path, message->str);
+  g_free (path);
+  g_string_free (message, TRUE);
+  return line;
+}

@@ -1,0 +1,88 @@
+/* Project files (*.quoin): a model with all that its file says besides mechanics.
+ *
+ * The format is described key by key in data/project-format.md. What is required: `format`,
+ * `version`; `laws` and `contact.law`; `blocks` or `walls`; of a law `name`, `kind`, `kn`, `ks`
+ * and, for coulomb, `friction`; of a block `vertices`, `thickness` and `unit_weight` or
+ * `density`; of a wall `unit`, `courses`, `thickness` and `unit_weight` or `density`; of a load
+ * what its kind needs. Everything else has the default that the format's description gives.
+ */
+#ifndef QN_IO_PROJECT_H
+#define QN_IO_PROJECT_H
+
+#include "core/contact/contacts.h"
+#include "core/model/model.h"
+
+#include <glib.h>
+
+struct cJSON;
+
+typedef struct QnProject {
+  QnModel model;        /* prepared: walls are expanded behind the blocks of the file */
+  char *name;           /* what messages call the file: its path as given */
+  char *path;           /* where it was read from, or NULL for a project from memory */
+  char *sha256;         /* of the file's bytes, hexadecimal; overrides do not change it */
+  char **overrides;     /* "path=value", NULL-terminated; NULL where there were none */
+  GPtrArray *warnings;  /* of char *: "wall.quoin:3:5: colour: unknown key" */
+  struct cJSON *extras; /* object with the top-level members that the model does not hold
+                           (view, figures, …), in file order; written back as they are. NULL
+                           where there are none */
+  char *text; /* the file's bytes, to find lines and columns; NULL when unknown */
+  gsize text_length;
+} QnProject;
+
+/* Reads a project file. `overrides` (nullable, NULL-terminated) are "path=value" strings as of
+ * the command line's --set: each replaces or adds one value before anything is interpreted,
+ * value being JSON or else a plain string. `project` is overwritten without being cleared and
+ * holds nothing on failure. Errors: QN_IO_ERROR. */
+gboolean qn_project_load (const char *path, const char *const *overrides,
+                          QnProject *project, GError **error);
+
+/* The same from memory; `name` stands for the file in messages. */
+gboolean qn_project_parse (const char *text, gsize length, const char *name,
+                           const char *const *overrides, QnProject *project,
+                           GError **error);
+
+/* An empty project with the format's defaults, not prepared. */
+void qn_project_init (QnProject *project);
+
+void qn_project_clear (QnProject *project);
+
+/* Writes the project in the canonical layout: what reads back is the same model. Overrides are
+ * part of the model by then and so of the written file. */
+gboolean qn_project_save (const QnProject *project, const char *path, GError **error);
+
+/* The same as a string; free with g_free(). */
+char *qn_project_to_text (const QnProject *project, gsize *length);
+
+/* The same for a project that differs little from another one whose text, in the canonical layout,
+ * is at hand: lines of blocks that are equal are taken from there. It reads back as the same
+ * model. */
+char *qn_project_to_text_like (const QnProject *project, const QnProject *like,
+                               const char *like_text, gsize *length);
+
+/* Reads a text in the canonical layout that differs in single blocks only, of the same names,
+ * from that of a project at hand: the model is what qn_project_parse() gives, in a small part of
+ * its time. FALSE where the text must be read as a whole, which also tells what is wrong with
+ * it; `project` holds nothing then. */
+gboolean qn_project_parse_like (const char *text, gsize length, const char *name,
+                                const QnProject *like, const char *like_text,
+                                QnProject *project);
+
+/* Path of the key that an entity of the model comes from: "blocks[3]", "walls[0].courses[2][1]"
+ * for a block of a wall, "loads.live[0]". `index` may be QN_NONE. Free with g_free(). */
+char *qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index);
+
+/* Turns what the core refused into an error with file, line, column, key path and the names of
+ * the blocks concerned. */
+void qn_project_set_error (const QnProject *project, const QnDiag *diag, GError **error);
+
+/* The same for what a layer above refuses: the value at a key path ("analysis.geometry"), there or
+ * not. `message` is translated. */
+void qn_project_set_key_error (const QnProject *project, const char *path,
+                               const char *message, GError **error);
+
+/* A finding of contact detection as one line in the same form as an error message; free with
+ * g_free(). */
+char *qn_project_dup_finding_text (const QnProject *project, const QnFinding *finding);
+
+#endif

@@ -1,0 +1,168 @@
+#include "io/result/result-draft.h"
+
+#include "core/base/memory.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FORMAT_VERSION 1
+
+static gboolean
+check_head (QnJsonStream *stream, QnResultDraft *draft)
+{
+  QnResult *result = &draft->file->result;
+  if (strcmp (draft->format, "quoin-result") != 0)
+    return qn_json_stream_fail_at (stream, "format",
+                                   _ ("this is not a result: expected \"quoin-result\""));
+  if (draft->version != FORMAT_VERSION)
+    return qn_json_stream_fail_at (
+      stream, "version", _ ("this program reads another version of the format"));
+  for (int outcome = 0; outcome < QN_OUTCOME_COUNT; outcome++) {
+    if (strcmp (draft->outcome, qn_outcome_name ((QnOutcome) outcome)) == 0) {
+      result->outcome = (QnOutcome) outcome;
+      return TRUE;
+    }
+  }
+  return qn_json_stream_fail_at (stream, "outcome",
+                                 _ ("this is no outcome of an analysis"));
+}
+
+/* The same for nodes and elements. */
+static gboolean
+check_beam_counts (QnJsonStream *stream, const QnResultDraft *draft)
+{
+  const QnResult *result = &draft->file->result;
+  size_t nodes = draft->nodes.items != NULL ? draft->nodes.items->len : 0;
+  if (draft->node_displacements.count != result->step_count * nodes * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many displacements as nodes in every step"));
+  if (draft->beam_force_count > 0
+      && draft->beam_force_count != result->step_count * draft->element_count)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many beam forces as elements in every step"));
+  if (draft->has_mechanism && draft->node_mechanism.count != nodes * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (stream, "node_mechanism",
+                                   _ ("there are not as many velocities as nodes"));
+  return TRUE;
+}
+
+/* Everything that counts blocks must count the same. */
+static gboolean
+check_counts (QnJsonStream *stream, QnResultDraft *draft)
+{
+  const QnResult *result = &draft->file->result;
+  size_t blocks = draft->blocks.items->len;
+  if (result->step_count > 0 && draft->rows_per_step != blocks * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (stream, "steps[0].displacements",
+                                   _ ("there are not as many displacements as blocks"));
+  if (!qn_result_forces_take (&draft->forces, &draft->file->result))
+    return qn_json_stream_fail_at (stream, "steps",
+                                   _ ("there are not as many forces as contacts"));
+  if (draft->has_mechanism && draft->mechanism.count != blocks * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (stream, "mechanism",
+                                   _ ("there are not as many velocities as blocks"));
+  for (size_t i = 0; i < result->support_count; i++)
+    if ((size_t) result->supports[i] >= blocks)
+      return qn_json_stream_fail_at (stream, "supports", _ ("there is no such block"));
+  if (draft->reactions.count > 0
+      && draft->reactions.count
+           != result->step_count * result->support_count * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many reactions as supports in every step"));
+  for (size_t i = 0; i < result->unstable_count; i++)
+    if ((size_t) result->unstable_blocks[i] >= blocks)
+      return qn_json_stream_fail_at (stream, "unstable_blocks",
+                                     _ ("there is no such block"));
+  for (size_t i = 0; i < result->pair_count; i++) {
+    const QnResultContact *contact = &draft->file->contacts[i];
+    if ((size_t) contact->block_a >= blocks || (size_t) contact->block_b >= blocks
+        || contact->block_a == contact->block_b) {
+      char *path = g_strdup_printf ("contacts[%" G_GSIZE_FORMAT "].blocks", i);
+      qn_json_stream_fail_at (stream, path, _ ("there are no such two blocks"));
+      g_free (path);
+      return FALSE;
+    }
+  }
+  return check_beam_counts (stream, draft);
+}
+
+static char **
+take_names (QnResultNames *names)
+{
+  if (names->items == NULL)
+    return NULL;
+  g_ptr_array_add (names->items, NULL);
+  return (char **) g_ptr_array_free (g_steal_pointer (&names->items), FALSE);
+}
+
+/* QnResultRows of blocks and rows of nodes, step by step, one behind the other. */
+static double *
+join_rows (QnJsonStream *stream, QnResultRows *blocks, size_t block_count,
+           const QnResultRows *nodes, size_t node_count)
+{
+  if (node_count == 0)
+    return g_steal_pointer (&blocks->items);
+  const size_t b = block_count * QN_DOF_COUNT, n = node_count * QN_DOF_COUNT;
+  const size_t steps = nodes->count / n;
+  double *joined = qn_alloc (steps * (b + n), sizeof *joined);
+  if (joined == NULL)
+    qn_json_stream_no_memory (stream);
+  for (size_t i = 0; joined != NULL && i < steps; i++) {
+    if (b > 0)
+      memcpy (joined + i * (b + n), blocks->items + i * b, b * sizeof *joined);
+    memcpy (joined + i * (b + n) + b, nodes->items + i * n, n * sizeof *joined);
+  }
+  return joined;
+}
+
+/* Hands the arrays of a complete draft over to the file; FALSE where memory runs out. */
+static gboolean
+take_arrays (QnJsonStream *stream, QnResultDraft *draft)
+{
+  QnResultFile *file = draft->file;
+  QnResult *result = &file->result;
+  result->block_count = draft->blocks.items->len;
+  file->block_names = take_names (&draft->blocks);
+  file->overrides = take_names (&draft->overrides);
+  result->node_count = draft->nodes.items != NULL ? draft->nodes.items->len : 0;
+  result->element_count = draft->element_count;
+  file->node_names = take_names (&draft->nodes);
+  result->displacements = join_rows (stream, &draft->displacements, result->block_count,
+                                     &draft->node_displacements, result->node_count);
+  result->displacement_capacity =
+    draft->displacements.count + draft->node_displacements.count;
+  result->beam_forces = g_steal_pointer (&draft->beam_forces);
+  result->beam_force_capacity = draft->beam_force_capacity;
+  result->step_capacity = draft->step_capacity;
+  if (draft->has_mechanism)
+    result->mechanism = join_rows (stream, &draft->mechanism, result->block_count,
+                                   &draft->node_mechanism, result->node_count);
+  result->reactions = g_steal_pointer (&draft->reactions.items);
+  result->reaction_capacity = draft->reactions.capacity;
+  return stream->error == NULL;
+}
+
+gboolean
+qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
+{
+  return check_head (stream, draft) && check_counts (stream, draft)
+         && take_arrays (stream, draft);
+}
+
+void
+qn_result_draft_clear (QnResultDraft *draft)
+{
+  g_free (draft->format);
+  g_free (draft->outcome);
+  g_clear_pointer (&draft->blocks.items, g_ptr_array_unref);
+  g_clear_pointer (&draft->overrides.items, g_ptr_array_unref);
+  free (draft->displacements.items);
+  free (draft->mechanism.items);
+  free (draft->reactions.items);
+  qn_result_forces_clear (&draft->forces);
+  free (draft->node_displacements.items);
+  free (draft->node_mechanism.items);
+  free (draft->beam_forces);
+  g_clear_pointer (&draft->nodes.items, g_ptr_array_unref);
+}

@@ -1,0 +1,44 @@
+/* Private to the reading of results: what a file has said before it is known to fit together, and
+ * how it becomes a result. */
+#ifndef QN_IO_RESULT_DRAFT_H
+#define QN_IO_RESULT_DRAFT_H
+
+#include "io/json/json-stream.h"
+#include "io/result/result-file.h"
+#include "io/result/result-forces.h"
+
+/* QnResultRows of three numbers, one for each block. */
+typedef struct QnResultRows {
+  double *items;
+  size_t count, capacity; /* numbers, not rows */
+} QnResultRows;
+
+typedef struct QnResultNames {
+  GPtrArray *items;
+} QnResultNames;
+
+/* What is read before it is known to fit together. */
+typedef struct QnResultDraft {
+  QnResultFile *file;
+  char *format;
+  gint32 version;
+  char *outcome;
+  QnResultNames blocks, overrides, nodes;
+  QnResultRows displacements, mechanism, reactions;
+  QnStepForces forces;
+  QnResultRows node_displacements, node_mechanism;
+  QnBeamForces *beam_forces;
+  size_t beam_force_count, beam_force_capacity, element_count;
+  gboolean has_mechanism;
+  size_t rows_per_step; /* numbers; of the first step */
+  size_t step_capacity, contact_capacity, pair_capacity, unstable_capacity;
+  size_t support_capacity;
+} QnResultDraft;
+
+/* Checks that everything that counts the same counts alike, and hands the arrays over to the file.
+ * FALSE with the stream's error. */
+gboolean qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream);
+
+void qn_result_draft_clear (QnResultDraft *draft);
+
+#endif

@@ -1,0 +1,84 @@
+#include "io/result/result-file.h"
+
+#include "io/text/io-error.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+#include <string.h>
+
+void
+qn_result_file_clear (QnResultFile *file)
+{
+  g_free (file->generator);
+  g_free (file->model);
+  g_free (file->model_sha256);
+  g_strfreev (file->overrides);
+  g_strfreev (file->block_names);
+  g_strfreev (file->node_names);
+  free (file->contacts);
+  qn_result_clear (&file->result);
+  *file = (QnResultFile){ 0 };
+}
+
+static gboolean
+fail (GError **error, const char *name, const char *message)
+{
+  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", name, message);
+  return FALSE;
+}
+
+static gboolean
+match_beams (const QnResultFile *file, const char *name, const QnModel *model,
+             GError **error)
+{
+  gboolean same = file->result.node_count == model->node_count
+                  && file->result.element_count == model->element_count;
+  for (size_t i = 0; same && i < model->node_count; i++)
+    same = strcmp (file->node_names[i], model->nodes[i].name) == 0;
+  return same
+         || fail (error, name, _ ("the result is of another model: it has other beams"));
+}
+
+static gboolean
+match_blocks (const QnResultFile *file, const char *name, const QnModel *model,
+              GError **error)
+{
+  if (file->result.block_count != model->block_count)
+    return fail (error, name, _ ("the result is of another model: it has other blocks"));
+  for (size_t i = 0; i < model->block_count; i++) {
+    if (strcmp (file->block_names[i], model->blocks[i].name) != 0)
+      return fail (error, name,
+                   _ ("the result is of another model: its blocks have other names"));
+  }
+  return match_beams (file, name, model, error);
+}
+
+static gboolean
+match_contacts (const QnResultFile *file, const char *name, const QnContacts *contacts,
+                GError **error)
+{
+  /* Without any equilibrium there are no contacts to compare. */
+  if (file->result.pair_count == 0)
+    return TRUE;
+  gboolean same = file->result.pair_count == contacts->pair_count;
+  for (size_t i = 0; same && i < contacts->pair_count; i++) {
+    const QnResultContact *contact = &file->contacts[i];
+    const QnContactFace *face = &contacts->faces[contacts->pairs[i].face];
+    same = contact->face == contacts->pairs[i].face && contact->block_a == face->a
+           && contact->block_b == face->b && contact->bar == contacts->pairs[i].bar;
+  }
+  return same
+         || fail (error, name,
+                  _ ("the result is of another model: it has other contacts"));
+}
+
+gboolean
+qn_result_file_match (const QnResultFile *file, const char *name,
+                      const QnProject *project, const QnContacts *contacts,
+                      gboolean *same_bytes, GError **error)
+{
+  if (same_bytes != NULL)
+    *same_bytes = g_strcmp0 (file->model_sha256, project->sha256) == 0;
+  return match_blocks (file, name, &project->model, error)
+         && (contacts == NULL || match_contacts (file, name, contacts, error));
+}

@@ -1,0 +1,68 @@
+/* Result files (*.json): the path of an analysis, its last equilibrium and its mechanism.
+ *
+ * The format is described key by key in data/result-format.md.
+ */
+#ifndef QN_IO_RESULT_FILE_H
+#define QN_IO_RESULT_FILE_H
+
+#include "core/result/result.h"
+#include "io/project/project.h"
+
+/* What the file says about a contact pair besides its forces. */
+typedef struct QnResultContact {
+  QnId face;             /* number of the detected face */
+  QnId block_a, block_b; /* into block_names */
+  QnVec2 point;          /* m, where the force acts; see result-contact.h */
+  QnVec2 normal;         /* unit, from block a to block b */
+  double area;           /* tributary area, m2; negative where the file does not say */
+  QnId bar;              /* reinforcing bar that the pair belongs to, or QN_NONE */
+} QnResultContact;
+
+/* A result file in memory: enough to draw it and to check it without solving again. */
+typedef struct QnResultFile {
+  char *generator;    /* "quoin 0.1.0" */
+  char *model;        /* name of the project file, without folders */
+  char *model_sha256; /* of the project file's bytes */
+  char **overrides;   /* those the project was read with; NULL where there were none */
+  char **block_names; /* NULL-terminated, result.block_count names */
+  char **node_names;  /* NULL-terminated, result.node_count names; NULL without beams */
+  QnResultContact *contacts; /* result.pair_count of them, same order as result.pairs */
+  QnResult result;
+} QnResultFile;
+
+/* How much a result file says about every contact pair. */
+typedef enum {
+  QN_DETAIL_FORCES, /* its force */
+  QN_DETAIL_PAIRS,  /* the hinge and its two springs as well */
+  QN_DETAIL_STEPS,  /* forces, and those of every step however many they are */
+  QN_DETAIL_COUNT
+} QnResultDetail;
+
+/* Writes a result, whole or not at all; `contacts` are the ones the analysis ran with. The second
+ * form says QN_DETAIL_FORCES. Errors: QN_IO_ERROR. */
+gboolean qn_result_file_write_detailed (const char *path, const QnProject *project,
+                                        const QnContacts *contacts,
+                                        const QnResult *result, QnResultDetail detail,
+                                        GError **error);
+gboolean qn_result_file_write (const char *path, const QnProject *project,
+                               const QnContacts *contacts, const QnResult *result,
+                               GError **error);
+
+/* Reads a result file. `file` is overwritten without being cleared and holds nothing on
+ * failure. Unknown keys are ignored: later versions of the program add some. Errors: QN_IO_ERROR. */
+gboolean qn_result_file_read (const char *path, QnResultFile *file, GError **error);
+
+/* The same from memory; `name` stands for the file in messages. */
+gboolean qn_result_file_parse (const char *text, gsize length, const char *name,
+                               QnResultFile *file, GError **error);
+
+void qn_result_file_clear (QnResultFile *file);
+
+/* Refuses a result whose blocks are not those of the project, or whose contact pairs are not
+ * those of `contacts` (nullable). Sets *same_bytes (nullable) to whether the project file is
+ * unchanged since the analysis: a difference there is no error. `name` is the result file's. */
+gboolean qn_result_file_match (const QnResultFile *file, const char *name,
+                               const QnProject *project, const QnContacts *contacts,
+                               gboolean *same_bytes, GError **error);
+
+#endif

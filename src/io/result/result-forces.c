@@ -1,0 +1,101 @@
+#include "io/result/result-forces.h"
+
+#include "core/base/memory.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Digits of a force: more than any picture or table shows, half of what a double holds. The
+ * last step's forces, of which equilibrium is checked, are written in full. */
+#define FORCE_FORMAT "%.8g"
+
+/* Stick, slip, open, yield. */
+static const char letters[QN_PAIR_STATE_COUNT + 1] = "ksoy";
+
+void
+qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t step)
+{
+  if (result->step_forces == NULL)
+    return;
+  size_t count = result->pair_count;
+  const double *forces = result->step_forces + 2 * count * step;
+  const uint8_t *states = result->step_states + count * step;
+  char text[G_ASCII_DTOSTR_BUF_SIZE];
+  qn_file_writer_puts (writer, ", \"forces\": [");
+  for (size_t i = 0; i < 2 * count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? "," : "");
+    qn_file_writer_puts (
+      writer, g_ascii_formatd (text, sizeof text, FORCE_FORMAT, forces[i] + 0.0));
+  }
+  qn_file_writer_puts (writer, "], \"states\": \"");
+  text[1] = '\0';
+  for (size_t i = 0; i < count; i++) {
+    text[0] = letters[states[i]];
+    qn_file_writer_puts (writer, text);
+  }
+  qn_file_writer_puts (writer, "\"");
+}
+
+static gboolean
+read_force (QnJsonStream *stream, gpointer target)
+{
+  QnStepForces *all = target;
+  double *grown = qn_array_grow (all->forces, &all->force_capacity, all->force_count + 1,
+                                 sizeof *grown);
+  if (grown == NULL)
+    return qn_json_stream_no_memory (stream);
+  all->forces = grown;
+  return qn_json_stream_number (stream, &all->forces[all->force_count++]);
+}
+
+gboolean
+qn_result_forces_read (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_force, *(QnStepForces **) target);
+}
+
+gboolean
+qn_result_states_read (QnJsonStream *stream, gpointer target)
+{
+  QnStepForces *all = *(QnStepForces **) target;
+  g_autofree char *text = NULL;
+  if (!qn_json_stream_string (stream, &text))
+    return FALSE;
+  size_t length = strlen (text);
+  uint8_t *grown = qn_array_grow (all->states, &all->state_capacity,
+                                  all->state_count + length, sizeof *grown);
+  if (grown == NULL)
+    return qn_json_stream_no_memory (stream);
+  all->states = grown;
+  for (size_t i = 0; i < length; i++) {
+    const char *letter = strchr (letters, text[i]);
+    if (letter == NULL)
+      return qn_json_stream_fail (stream, _ ("states are letters k, s and o"));
+    all->states[all->state_count++] = (uint8_t) (letter - letters);
+  }
+  return TRUE;
+}
+
+gboolean
+qn_result_forces_take (QnStepForces *all, QnResult *result)
+{
+  if (all->force_count == 0 && all->state_count == 0)
+    return TRUE;
+  size_t wanted = result->step_count * result->pair_count;
+  if (all->force_count != 2 * wanted || all->state_count != wanted)
+    return FALSE;
+  result->step_forces = g_steal_pointer (&all->forces);
+  result->step_states = g_steal_pointer (&all->states);
+  result->step_force_capacity = all->force_capacity;
+  result->step_state_capacity = all->state_capacity;
+  return TRUE;
+}
+
+void
+qn_result_forces_clear (QnStepForces *all)
+{
+  free (all->forces);
+  free (all->states);
+  *all = (QnStepForces){ 0 };
+}

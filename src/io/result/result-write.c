@@ -1,0 +1,386 @@
+#include "io/project/project-names.h"
+#include "io/result/result-contact.h"
+#include "io/result/result-file.h"
+#include "io/result/result-forces.h"
+#include "io/text/file-writer.h"
+#include "io/text/mechanism-text.h"
+#include "io/text/outcome-text.h"
+
+/* What the file spells for an event, with its quotes. */
+static const char *
+event_text (QnEvent event)
+{
+  static const char *const texts[QN_EVENT_COUNT] = {
+    [QN_EVENT_NONE] = "null",
+    [QN_EVENT_SNAP] = "\"snap\"",
+    [QN_EVENT_COLLAPSE] = "\"collapse\"",
+  };
+  return texts[event];
+}
+
+static void
+write_optional (QnFileWriter *writer, const char *key, bool given, double number)
+{
+  qn_file_writer_printf (writer, "  \"%s\": ", key);
+  if (given)
+    qn_file_writer_number (writer, number);
+  else
+    qn_file_writer_puts (writer, "null");
+  qn_file_writer_puts (writer, ",\n");
+}
+
+static void
+write_strings (QnFileWriter *writer, const char *const *strings)
+{
+  qn_file_writer_puts (writer, "[");
+  for (gsize i = 0; strings[i] != NULL; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, strings[i]);
+  }
+  qn_file_writer_puts (writer, "]");
+}
+
+static void
+write_limit (QnFileWriter *writer, const QnLimitFigures *limit)
+{
+  if (!limit->given)
+    return;
+  write_optional (writer, "lower_bound", TRUE, limit->lower_bound);
+  write_optional (writer, "upper_bound", TRUE, limit->upper_bound);
+  qn_file_writer_printf (writer, "  \"flow\": \"%s\",\n",
+                         qn_name_of_flow ((int) limit->flow));
+  if (!limit->has_associative_bound)
+    return;
+  write_optional (writer, "associative_bound", TRUE, limit->associative_bound);
+  qn_file_writer_puts (writer, "  \"fixed_points\": [");
+  for (int32_t i = 0; i < limit->fixed_point_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_number (writer, limit->fixed_points[i]);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+static void
+write_head (QnFileWriter *writer, const QnProject *project, const QnResult *result)
+{
+  const char *path = project->path != NULL ? project->path : project->name;
+  char *model = g_path_get_basename (path != NULL ? path : "");
+  qn_file_writer_puts (writer,
+                       "{\n  \"format\": \"quoin-result\", \"version\": 1,\n"
+                       "  \"generator\": \"quoin " QN_VERSION "\",\n  \"model\": ");
+  qn_file_writer_json_string (writer, model);
+  qn_file_writer_puts (writer, ",\n  \"model_sha256\": ");
+  qn_file_writer_json_string (writer, project->sha256 != NULL ? project->sha256 : "");
+  qn_file_writer_puts (writer, ",\n");
+  g_free (model);
+  if (project->overrides != NULL && project->overrides[0] != NULL) {
+    qn_file_writer_puts (writer, "  \"overrides\": ");
+    write_strings (writer, (const char *const *) project->overrides);
+    qn_file_writer_puts (writer, ",\n");
+  }
+
+  qn_file_writer_printf (writer, "  \"outcome\": \"%s\",\n",
+                         qn_outcome_name (result->outcome));
+  write_optional (writer, "collapse_multiplier", result->has_collapse_multiplier,
+                  result->collapse_multiplier);
+  write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
+                  result->first_limit_multiplier);
+  write_limit (writer, &result->limit);
+  char *reason = qn_outcome_dup_reason (&project->model, result);
+  qn_file_writer_puts (writer, "  \"reason\": ");
+  qn_file_writer_json_string (writer, reason);
+  qn_file_writer_puts (writer, ",\n");
+  g_free (reason);
+}
+
+/* Names of the stages and which one the analysis ended in. */
+static void
+write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result)
+{
+  if (model->stage_count == 0 || result->stage == 0)
+    return;
+  qn_file_writer_printf (writer, "  \"stage\": %d, \"stages\": [", result->stage - 1);
+  for (size_t i = 0; i < model->stage_count; i++) {
+    char *name = qn_stage_dup_name (model, (int32_t) i + 1);
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, name);
+    g_free (name);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+/* Names of the nodes; the elements in the order of their forces, by numbers of beam and nodes. */
+static void
+write_beams (QnFileWriter *writer, const QnModel *model)
+{
+  if (model->node_count == 0)
+    return;
+  qn_file_writer_puts (writer, "  \"nodes\": [");
+  for (size_t i = 0; i < model->node_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, model->nodes[i].name);
+  }
+  qn_file_writer_puts (writer, "],\n  \"beams\": [");
+  for (size_t i = 0; i < model->beam_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, model->beams[i].name);
+  }
+  qn_file_writer_puts (writer, "],\n  \"elements\": [");
+  for (size_t i = 0; i < model->element_count; i++) {
+    const QnBeamElement *element = &model->elements[i];
+    qn_file_writer_printf (writer, "%s[%d, %d, %d]", i > 0 ? ", " : "", element->beam,
+                           element->nodes[0], element->nodes[1]);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+static void
+write_blocks (QnFileWriter *writer, const QnModel *model, const QnResult *result)
+{
+  if (result->unstable_count > 0) {
+    qn_file_writer_puts (writer, "  \"unstable_blocks\": [");
+    for (size_t i = 0; i < result->unstable_count; i++)
+      qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "",
+                             result->unstable_blocks[i]);
+    qn_file_writer_puts (writer, "],\n");
+  }
+  if (result->support_count > 0) {
+    qn_file_writer_puts (writer, "  \"supports\": [");
+    for (size_t i = 0; i < result->support_count; i++)
+      qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "", result->supports[i]);
+    qn_file_writer_puts (writer, "],\n");
+  }
+  qn_file_writer_puts (writer, "  \"blocks\": [");
+  for (size_t i = 0; i < model->block_count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_json_string (writer, model->blocks[i].name);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+/* [[ux, uy, rz], …], a row per block. */
+static void
+write_rows (QnFileWriter *writer, const double *rows, size_t count)
+{
+  qn_file_writer_puts (writer, "[");
+  for (size_t i = 0; i < count * QN_DOF_COUNT; i++) {
+    qn_file_writer_puts (writer, i % QN_DOF_COUNT > 0 ? ", " : i > 0 ? "], [" : "[");
+    qn_file_writer_number (writer, rows[i]);
+  }
+  qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
+}
+
+/* [[N, V, M, N, V, M], …], at the first and the second end of every element. */
+static void
+write_beam_forces (QnFileWriter *writer, const QnBeamForces *forces, size_t count)
+{
+  qn_file_writer_puts (writer, "[");
+  for (size_t i = 0; i < count; i++)
+    for (int end = 0; end < 2; end++) {
+      qn_file_writer_puts (writer, end > 0 ? ", " : i > 0 ? "], [" : "[");
+      qn_file_writer_number (writer, forces[i].normal[end]);
+      qn_file_writer_puts (writer, ", ");
+      qn_file_writer_number (writer, forces[i].shear[end]);
+      qn_file_writer_puts (writer, ", ");
+      qn_file_writer_number (writer, forces[i].moment[end]);
+    }
+  qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
+}
+
+static void
+write_step_beams (QnFileWriter *writer, const QnResult *result, size_t step)
+{
+  if (result->node_count == 0)
+    return;
+  qn_file_writer_puts (writer, ", \"node_displacements\": ");
+  write_rows (writer,
+              qn_result_step_displacements (result, step)
+                + result->block_count * QN_DOF_COUNT,
+              result->node_count);
+  if (result->beam_forces == NULL)
+    return;
+  qn_file_writer_puts (writer, ", \"beam_forces\": ");
+  write_beam_forces (writer, qn_result_step_beam_forces (result, step),
+                     result->element_count);
+}
+
+static void
+write_steps (QnFileWriter *writer, const QnResult *result)
+{
+  qn_file_writer_puts (writer, "  \"steps\": [");
+  for (size_t i = 0; i < result->step_count && !qn_file_writer_failed (writer); i++) {
+    const QnStep *step = &result->steps[i];
+    qn_file_writer_puts (writer, i > 0 ? ",\n    { \"multiplier\": "
+                                       : "\n    { \"multiplier\": ");
+    qn_file_writer_number (writer, step->multiplier);
+    qn_file_writer_puts (writer, ", \"displacements\": ");
+    write_rows (writer, qn_result_step_displacements (result, i), result->block_count);
+    qn_file_writer_printf (writer,
+                           ", \"iterations\": %d, \"residual\": ", step->iterations);
+    qn_file_writer_number (writer, step->residual);
+    qn_file_writer_printf (writer, ", \"event\": %s", event_text (step->event));
+    if (step->stage > 0)
+      qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
+    write_step_beams (writer, result, i);
+    if (result->support_count > 0 && result->reactions != NULL) {
+      qn_file_writer_puts (writer, ", \"reactions\": ");
+      write_rows (writer, qn_result_step_reactions (result, i), result->support_count);
+    }
+    qn_result_forces_write (writer, result, i);
+    qn_file_writer_puts (writer, " }");
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+static void
+write_vec2 (QnFileWriter *writer, QnVec2 vector)
+{
+  qn_file_writer_puts (writer, "[");
+  qn_file_writer_number (writer, vector.x);
+  qn_file_writer_puts (writer, ", ");
+  qn_file_writer_number (writer, vector.y);
+  qn_file_writer_puts (writer, "]");
+}
+
+/* The two springs between A, C and B; both carry the pair's force. */
+static void
+write_springs (QnFileWriter *writer, const QnPairResult *pair)
+{
+  const double *elongations[2] = { pair->elongation_a, pair->elongation_b };
+  qn_file_writer_puts (writer, ", \"hinge\": ");
+  write_vec2 (writer, pair->hinge);
+  qn_file_writer_puts (writer, ", \"springs\": [");
+  for (int side = 0; side < 2; side++) {
+    qn_file_writer_puts (writer,
+                         side == 0 ? "{ \"elongation\": " : ", { \"elongation\": ");
+    write_vec2 (writer, qn_vec2 (elongations[side][0], elongations[side][1]));
+    qn_file_writer_puts (writer, ", \"force\": ");
+    write_vec2 (writer, qn_vec2 (pair->normal_force, pair->shear_force));
+    qn_file_writer_puts (writer, " }");
+  }
+  qn_file_writer_puts (writer, "]");
+}
+
+static void
+write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+               const QnResult *result, size_t index, QnResultDetail detail)
+{
+  const QnContactPair *pair = &contacts->pairs[index];
+  const QnContactFace *face = &contacts->faces[pair->face];
+  const QnPairResult *forces = &result->pairs[index];
+  QnVec2 point, normal;
+  qn_result_contact_place (model, contacts, index, qn_result_deformation (model, result),
+                           &point, &normal);
+  qn_file_writer_printf (writer,
+                         "{ \"face\": %d, \"blocks\": [%d, %d], \"point\": ", pair->face,
+                         face->a, face->b);
+  write_vec2 (writer, point);
+  qn_file_writer_puts (writer, ", \"normal\": ");
+  write_vec2 (writer, normal);
+  qn_file_writer_puts (writer, ", \"area\": ");
+  qn_file_writer_number (writer, pair->tributary * face->thickness);
+  if (pair->bar != QN_NONE)
+    qn_file_writer_printf (writer, ", \"bar\": %d", pair->bar);
+  qn_file_writer_printf (writer, ", \"state\": \"%s\", \"normal_force\": ",
+                         qn_pair_state_name (forces->state));
+  qn_file_writer_number (writer, forces->normal_force);
+  qn_file_writer_puts (writer, ", \"shear_force\": ");
+  qn_file_writer_number (writer, forces->shear_force);
+  if (detail == QN_DETAIL_PAIRS && forces->has_springs)
+    write_springs (writer, forces);
+  qn_file_writer_puts (writer, " }");
+}
+
+static void
+write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+                const QnResult *result, QnResultDetail detail)
+{
+  qn_file_writer_puts (writer, "  \"contacts\": [");
+  size_t count =
+    result->step_count > 0 && result->pairs != NULL ? contacts->pair_count : 0;
+  for (size_t i = 0; i < count && !qn_file_writer_failed (writer); i++) {
+    qn_file_writer_puts (writer, i > 0 ? ",\n    " : "\n    ");
+    write_contact (writer, model, contacts, result, i, detail);
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
+static void
+write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
+{
+  const struct {
+    const char *key;
+    double number;
+  } numbers[] = {
+    { "seconds", statistics->seconds },
+    { "factor_seconds", statistics->factor_seconds },
+    { "assembly_seconds", statistics->assembly_seconds },
+    { "law_seconds", statistics->law_seconds },
+    { "iterations", statistics->iterations },
+    { "factorizations", statistics->factorizations },
+    { "peak_memory_bytes", (double) statistics->peak_memory_bytes },
+  };
+  qn_file_writer_puts (writer, "  \"statistics\": {");
+  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++) {
+    qn_file_writer_printf (writer, "%s \"%s\": ", i > 0 ? "," : "", numbers[i].key);
+    qn_file_writer_number (writer, numbers[i].number);
+  }
+  qn_file_writer_puts (writer, " }\n}\n");
+}
+
+/* The velocity field and, for readers who do not want to work them out, its facts. These are
+ * left out where memory runs out: the field is the result. */
+static void
+write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+                 const QnResult *result)
+{
+  QnMechanism facts;
+  qn_file_writer_puts (writer, "  \"mechanism\": ");
+  if (result->mechanism == NULL) {
+    qn_file_writer_puts (writer, "null,\n");
+    return;
+  }
+  write_rows (writer, result->mechanism, result->block_count);
+  qn_file_writer_puts (writer, ",\n");
+  if (result->mechanism_uncertain)
+    qn_file_writer_puts (writer, "  \"mechanism_uncertain\": true,\n");
+  if (result->node_count > 0) {
+    qn_file_writer_puts (writer, "  \"node_mechanism\": ");
+    write_rows (writer, result->mechanism + result->block_count * QN_DOF_COUNT,
+                result->node_count);
+    qn_file_writer_puts (writer, ",\n");
+  }
+  if (qn_mechanism_init (&facts, model, contacts, result->mechanism, NULL) != QN_OK)
+    return;
+  qn_file_writer_puts (writer, "  \"mechanism_facts\": ");
+  qn_mechanism_write (writer, contacts, &facts);
+  qn_file_writer_puts (writer, ",\n");
+  qn_mechanism_clear (&facts);
+}
+
+gboolean
+qn_result_file_write (const char *path, const QnProject *project,
+                      const QnContacts *contacts, const QnResult *result, GError **error)
+{
+  return qn_result_file_write_detailed (path, project, contacts, result, QN_DETAIL_FORCES,
+                                        error);
+}
+
+gboolean
+qn_result_file_write_detailed (const char *path, const QnProject *project,
+                               const QnContacts *contacts, const QnResult *result,
+                               QnResultDetail detail, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  write_head (writer, project, result);
+  write_stages (writer, &project->model, result);
+  write_blocks (writer, &project->model, result);
+  write_beams (writer, &project->model);
+  write_steps (writer, result);
+  write_contacts (writer, &project->model, contacts, result, detail);
+  write_mechanism (writer, &project->model, contacts, result);
+  write_statistics (writer, &result->statistics);
+  return qn_file_writer_commit (writer, error);
+}

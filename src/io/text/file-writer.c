@@ -1,0 +1,142 @@
+#include "io/text/file-writer.h"
+
+#include "disk/whole-file.h"
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+#include "io/text/number-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdarg.h>
+#include <string.h>
+
+#define BUFFER_SIZE (1 << 16)
+
+struct QnFileWriter {
+  char *name; /* for messages */
+  QnWholeFile file;
+  int trouble; /* errno of the first failure, 0 while all is well */
+  GString *buffer;
+};
+
+static void
+writer_free (QnFileWriter *writer)
+{
+  g_free (writer->name);
+  g_string_free (writer->buffer, TRUE);
+  g_free (writer);
+}
+
+QnFileWriter *
+qn_file_writer_open (const char *path, GError **error)
+{
+  return qn_file_writer_open_as (path, path, error);
+}
+
+QnFileWriter *
+qn_file_writer_open_as (const char *path, const char *name, GError **error)
+{
+  QnFileWriter *writer = g_new0 (QnFileWriter, 1);
+  writer->name = g_strdup (name);
+  writer->buffer = g_string_sized_new (BUFFER_SIZE + 1024);
+  int trouble = qn_whole_file_open (&writer->file, path);
+  if (trouble == 0)
+    return writer;
+
+  qn_io_error_set_errno (error, name, _ ("cannot be written"), trouble);
+  writer_free (writer);
+  return NULL;
+}
+
+static void
+flush (QnFileWriter *writer)
+{
+  if (writer->trouble == 0)
+    writer->trouble =
+      qn_whole_file_write (&writer->file, writer->buffer->str, writer->buffer->len);
+  g_string_truncate (writer->buffer, 0);
+}
+
+static inline void
+flush_when_full (QnFileWriter *writer)
+{
+  if (writer->buffer->len >= BUFFER_SIZE)
+    flush (writer);
+}
+
+void
+qn_file_writer_write (QnFileWriter *writer, const char *bytes, gsize length)
+{
+  g_string_append_len (writer->buffer, bytes, (gssize) length);
+  flush_when_full (writer);
+}
+
+void
+qn_file_writer_puts (QnFileWriter *writer, const char *text)
+{
+  qn_file_writer_write (writer, text, strlen (text));
+}
+
+void
+qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  g_string_append_vprintf (writer->buffer, format, arguments);
+  va_end (arguments);
+  flush_when_full (writer);
+}
+
+void
+qn_file_writer_number (QnFileWriter *writer, double number)
+{
+  char text[QN_NUMBER_TEXT_SIZE];
+  qn_file_writer_puts (writer, qn_number_text (number, text));
+}
+
+void
+qn_file_writer_json_string (QnFileWriter *writer, const char *text)
+{
+  qn_json_append_string (writer->buffer, text);
+  flush_when_full (writer);
+}
+
+gboolean
+qn_file_writer_failed (const QnFileWriter *writer)
+{
+  return writer->trouble != 0;
+}
+
+gboolean
+qn_file_writer_commit (QnFileWriter *writer, GError **error)
+{
+  flush (writer);
+  if (writer->trouble == 0)
+    writer->trouble = qn_whole_file_commit (&writer->file);
+  else
+    qn_whole_file_discard (&writer->file);
+
+  gboolean done = writer->trouble == 0;
+  if (!done)
+    qn_io_error_set_errno (error, writer->name, _ ("cannot be written"), writer->trouble);
+  writer_free (writer);
+  return done;
+}
+
+void
+qn_file_writer_discard (QnFileWriter *writer)
+{
+  if (writer == NULL)
+    return;
+  qn_whole_file_discard (&writer->file);
+  writer_free (writer);
+}
+
+gboolean
+qn_file_write (const char *path, const char *bytes, gsize length, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_write (writer, bytes, length);
+  return qn_file_writer_commit (writer, error);
+}

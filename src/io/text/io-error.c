@@ -1,0 +1,14 @@
+#include "io/text/io-error.h"
+
+#include <errno.h>
+
+G_DEFINE_QUARK (qn - io - error - quark, qn_io_error)
+
+void
+qn_io_error_set_errno (GError **error, const char *file, const char *what,
+                       int error_number)
+{
+  QnIoError code = error_number == ENOMEM ? QN_IO_ERROR_NO_MEMORY : QN_IO_ERROR_FILE;
+  g_set_error (error, QN_IO_ERROR, code, "%s: %s: %s", file, what,
+               g_strerror (error_number));
+}

@@ -1,0 +1,271 @@
+#include "io/text/mechanism-text.h"
+
+#include "io/text/hinge-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+/* Bodies told one by one; the rest are counted. */
+#define BODIES_IN_WORDS 3
+
+typedef enum { TO_THE_RIGHT, TO_THE_LEFT, UPWARDS, DOWNWARDS } Direction;
+
+static Direction
+direction_of (QnVec2 velocity)
+{
+  if (fabs (velocity.x) >= 0.5 * fabs (velocity.y))
+    return velocity.x >= 0 ? TO_THE_RIGHT : TO_THE_LEFT;
+  return velocity.y >= 0 ? UPWARDS : DOWNWARDS;
+}
+
+/* Whole phrases: languages do not build "to the right" into a sentence alike. */
+static const char *
+title_of (QnMechanismKind kind, Direction direction)
+{
+  gboolean right = direction == TO_THE_RIGHT, left = direction == TO_THE_LEFT;
+  switch (kind) {
+  case QN_MECHANISM_KIND_OVERTURNING:
+    return right  ? _ ("Overturning to the right")
+           : left ? _ ("Overturning to the left")
+                  : _ ("Overturning");
+  case QN_MECHANISM_KIND_ROCKING:
+    return right  ? _ ("Rocking to the right")
+           : left ? _ ("Rocking to the left")
+                  : _ ("Rocking");
+  case QN_MECHANISM_KIND_SLIDING:
+    return right  ? _ ("Sliding to the right along a course")
+           : left ? _ ("Sliding to the left along a course")
+                  : _ ("Sliding along a course");
+  case QN_MECHANISM_KIND_STEPPED:
+    return right  ? _ ("Stepped crack, opening to the right")
+           : left ? _ ("Stepped crack, opening to the left")
+                  : _ ("Stepped crack");
+  case QN_MECHANISM_KIND_ARCH:
+    return _ ("Folding like an arch");
+  case QN_MECHANISM_KIND_FALLING:
+    return _ ("Falling");
+  case QN_MECHANISM_KIND_MIXED:
+    return right  ? _ ("Rocking and sliding to the right")
+           : left ? _ ("Rocking and sliding to the left")
+                  : _ ("Rocking and sliding");
+  case QN_MECHANISM_KIND_NONE:
+  case QN_MECHANISM_KIND_COUNT:
+    break;
+  }
+  return _ ("Beams give way"); /* no block moves */
+}
+
+char *
+qn_mechanism_dup_title (const QnMechanism *mechanism)
+{
+  QnVec2 sum = { 0, 0 };
+  for (size_t i = 0; i < mechanism->body_count; i++)
+    sum = qn_vec2_add_scaled (sum, mechanism->bodies[i].block_count,
+                              mechanism->bodies[i].velocity);
+  return g_strdup (title_of (mechanism->kind, direction_of (sum)));
+}
+
+/* “w.3.1” or “w.3.1” … “w.7.4” (23 blocks) */
+static char *
+dup_blocks (const QnModel *model, const QnMechanism *mechanism, QnId body)
+{
+  const char *first = NULL, *last = NULL;
+  int count = mechanism->bodies[body].block_count;
+  for (size_t b = 0; b < mechanism->block_count; b++)
+    if (mechanism->body_of_block[b] == body) {
+      last = model->blocks[b].name;
+      first = first != NULL ? first : last;
+    }
+  if (count == 1)
+    return g_strdup_printf (_ ("“%s”"), first);
+  return g_strdup_printf (
+    ngettext ("“%s” … “%s” (%d block)", "“%s” … “%s” (%d blocks)", (gulong) count), first,
+    last, count);
+}
+
+/* Rounding leaves 1e-13 where 0 is meant: nothing to show to a reader. */
+static double
+legible (double coordinate, const QnMechanismBody *body)
+{
+  double size = qn_vec2_length (qn_vec2_sub (body->highest, body->lowest));
+  return fabs (coordinate) < 1e-4 * size ? 0 : coordinate;
+}
+
+static char *
+dup_body (const QnModel *model, const QnMechanism *mechanism, QnId id)
+{
+  const QnMechanismBody *body = &mechanism->bodies[id];
+  g_autofree char *blocks = dup_blocks (model, mechanism, id);
+  if (!body->turns) {
+    switch (direction_of (body->velocity)) {
+    case TO_THE_RIGHT:
+      return g_strdup_printf (_ ("%s: to the right"), blocks);
+    case TO_THE_LEFT:
+      return g_strdup_printf (_ ("%s: to the left"), blocks);
+    case UPWARDS:
+      return g_strdup_printf (_ ("%s: upwards"), blocks);
+    case DOWNWARDS:
+      return g_strdup_printf (_ ("%s: downwards"), blocks);
+    }
+  }
+  return g_strdup_printf (
+    body->rotation < 0 ? _ ("%s: turns clockwise about (%.3g, %.3g) m")
+                       : _ ("%s: turns anticlockwise about (%.3g, %.3g) m"),
+    blocks, legible (body->centre.x, body), legible (body->centre.y, body));
+}
+
+static void
+append_count (GString *text, const char *phrase)
+{
+  if (text->len > 0)
+    g_string_append (text, _ (", "));
+  g_string_append (text, phrase);
+}
+
+/* "2 joints hinge, 4 slide" */
+static char *
+dup_joints (const QnMechanism *mechanism)
+{
+  int hinges =
+    mechanism->counts[QN_JOINT_HINGE_START] + mechanism->counts[QN_JOINT_HINGE_END];
+  int slides = mechanism->sliding_count, opens = mechanism->counts[QN_JOINT_OPENING];
+  GString *text = g_string_new (NULL);
+  if (hinges > 0) {
+    g_autofree char *phrase = g_strdup_printf (
+      ngettext ("%d joint hinges", "%d joints hinge", (gulong) hinges), hinges);
+    append_count (text, phrase);
+  }
+  if (slides > 0) {
+    g_autofree char *phrase = g_strdup_printf (
+      ngettext ("%d joint slides", "%d joints slide", (gulong) slides), slides);
+    append_count (text, phrase);
+  }
+  if (opens > 0) {
+    g_autofree char *phrase = g_strdup_printf (
+      ngettext ("%d joint opens", "%d joints open", (gulong) opens), opens);
+    append_count (text, phrase);
+  }
+  return g_string_free (text, FALSE);
+}
+
+char *
+qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism)
+{
+  g_autofree char *title = qn_mechanism_dup_title (mechanism);
+  g_autofree char *joints = dup_joints (mechanism);
+  GString *text = g_string_new (title);
+  g_string_append_c (text, '.');
+  for (size_t i = 0; i < mechanism->body_count && i < BODIES_IN_WORDS; i++) {
+    g_autofree char *body = dup_body (model, mechanism, (QnId) i);
+    g_string_append_printf (text, " %s.", body);
+  }
+  if (mechanism->body_count > BODIES_IN_WORDS) {
+    int more = (int) mechanism->body_count - BODIES_IN_WORDS;
+    g_string_append (text, " ");
+    g_string_append_printf (
+      text, ngettext ("%d more body moves.", "%d more bodies move.", (gulong) more),
+      more);
+  }
+  if (joints[0] != '\0')
+    g_string_append_printf (text, " %s.", joints);
+  return g_string_free (text, FALSE);
+}
+
+char *
+qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
+                      const QnResult *result)
+{
+  QnMechanism mechanism;
+  if (result->mechanism == NULL
+      || qn_mechanism_init (&mechanism, model, contacts, result->mechanism, NULL)
+           != QN_OK)
+    return NULL;
+  char *hinges = qn_hinges_dup_text (model, result);
+  gboolean blocks_move = mechanism.body_count > 0;
+  g_autofree char *text = qn_mechanism_dup_text (model, &mechanism);
+  qn_mechanism_clear (&mechanism);
+  if (hinges == NULL)
+    return g_steal_pointer (&text);
+  if (!blocks_move)
+    return hinges;
+  char *both = g_strdup_printf ("%s %s", text, hinges);
+  g_free (hinges);
+  return both;
+}
+
+static void
+write_point (QnFileWriter *writer, QnVec2 point)
+{
+  qn_file_writer_puts (writer, "[");
+  qn_file_writer_number (writer, point.x);
+  qn_file_writer_puts (writer, ", ");
+  qn_file_writer_number (writer, point.y);
+  qn_file_writer_puts (writer, "]");
+}
+
+static void
+write_body (QnFileWriter *writer, const QnMechanism *mechanism, QnId id)
+{
+  const QnMechanismBody *body = &mechanism->bodies[id];
+  gboolean first = TRUE;
+  qn_file_writer_puts (writer,
+                       id > 0 ? ",\n      { \"blocks\": [" : "\n      { \"blocks\": [");
+  for (size_t b = 0; b < mechanism->block_count; b++)
+    if (mechanism->body_of_block[b] == id) {
+      qn_file_writer_printf (writer, first ? "%d" : ", %d", (int) b);
+      first = FALSE;
+    }
+  qn_file_writer_puts (writer, "], \"velocity\": ");
+  write_point (writer, body->velocity);
+  qn_file_writer_puts (writer, ", \"rotation\": ");
+  qn_file_writer_number (writer, body->rotation);
+  qn_file_writer_puts (writer, ", \"centre\": ");
+  if (body->turns)
+    write_point (writer, body->centre);
+  else
+    qn_file_writer_puts (writer, "null");
+  qn_file_writer_puts (writer, " }");
+}
+
+static void
+write_joint (QnFileWriter *writer, const QnContacts *contacts, QnId face,
+             const QnJointMotion *joint, gboolean first)
+{
+  QnVec2 start, end;
+  qn_joint_corners (contacts, face, &start, &end);
+  qn_file_writer_printf (writer,
+                         "%s\n      { \"face\": %d, \"kind\": \"%s\", \"slides\": %s",
+                         first ? "" : ",", face, qn_joint_kind_name (joint->kind),
+                         joint->slides ? "true" : "false");
+  if (joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END) {
+    qn_file_writer_puts (writer, ", \"hinge\": ");
+    write_point (writer, joint->kind == QN_JOINT_HINGE_START ? start : end);
+  }
+  qn_file_writer_puts (writer, ", \"opening\": [");
+  qn_file_writer_number (writer, joint->opening_start);
+  qn_file_writer_puts (writer, ", ");
+  qn_file_writer_number (writer, joint->opening_end);
+  qn_file_writer_puts (writer, "], \"slip\": ");
+  qn_file_writer_number (writer, joint->slip);
+  qn_file_writer_puts (writer, " }");
+}
+
+void
+qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
+                    const QnMechanism *mechanism)
+{
+  gboolean first = TRUE;
+  qn_file_writer_printf (writer, "{\n    \"kind\": \"%s\",\n    \"bodies\": [",
+                         qn_mechanism_kind_name (mechanism->kind));
+  for (size_t i = 0; i < mechanism->body_count; i++)
+    write_body (writer, mechanism, (QnId) i);
+  qn_file_writer_puts (writer, "],\n    \"joints\": [");
+  for (size_t f = 0; f < mechanism->joint_count; f++) {
+    const QnJointMotion *joint = &mechanism->joints[f];
+    if (joint->kind == QN_JOINT_CLOSED)
+      continue;
+    write_joint (writer, contacts, (QnId) f, joint, first);
+    first = FALSE;
+  }
+  qn_file_writer_puts (writer, "]\n  }");
+}

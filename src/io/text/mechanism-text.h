@@ -1,0 +1,26 @@
+/* A mechanism in words, translated, and its facts in the result file. */
+#ifndef QN_IO_MECHANISM_TEXT_H
+#define QN_IO_MECHANISM_TEXT_H
+
+#include "core/result/mechanism.h"
+#include "core/result/result.h"
+#include "io/text/file-writer.h"
+
+/* A few words, translated: "Overturning to the right", "Stepped crack, moving to the left", … Free
+ * with g_free(). */
+char *qn_mechanism_dup_title (const QnMechanism *mechanism);
+
+/* Whole sentences: what the mechanism is called, what the largest bodies do and about which
+ * points, how many joints hinge, slide and open. Free with g_free(). */
+char *qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism);
+
+/* The same of a result, with the plastic hinges of its beams; where only these move the structure,
+ * them alone. NULL where it has no mechanism, or no memory is left. */
+char *qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
+                            const QnResult *result);
+
+/* The facts as a JSON object: kind, bodies, joints that move. See data/result-format.md. */
+void qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
+                         const QnMechanism *mechanism);
+
+#endif

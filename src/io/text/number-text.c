@@ -1,0 +1,106 @@
+#include "io/text/number-text.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* 1e-06 to 1e-6, 1e+20 to 1e20 */
+static void
+tidy_exponent (char *text)
+{
+  char *exponent = strchr (text, 'e');
+  if (exponent == NULL)
+    return;
+  char *out = exponent + 1, *in = out;
+  if (*in == '-')
+    out++;
+  in += *in == '-' || *in == '+';
+  while (*in == '0' && in[1] != '\0')
+    in++;
+  memmove (out, in, strlen (in) + 1);
+}
+
+/* Whether 15 digits may be enough, judged by 17 of them. A decimal number of 15 digits and the
+ * double next to it differ by at most 2^-53 of their size, 11.1 units of the 17th digit: the
+ * last two digits are then close to 00 or 99. Spares most numbers a vain attempt. */
+static gboolean
+may_be_short (const char *digits17)
+{
+  int count = 0, last = 0, before = 0;
+  for (const char *c = digits17; *c != '\0' && *c != 'e'; c++) {
+    if (!g_ascii_isdigit (*c) || (count == 0 && *c == '0'))
+      continue;
+    before = last;
+    last = *c - '0';
+    count++;
+  }
+  int tail = count == 17 ? before * 10 + last : count == 16 ? last * 10 : 0;
+  return tail <= 12 || tail >= 88;
+}
+
+/* Most decimals that are tried without printing. */
+#define MOST_DECIMALS 9
+
+/* Most of 15 digits, with which no two decimal numbers are the same double. */
+#define LARGEST_DIGITS 1e15
+
+/* Numbers of few decimals, as people type them: number = digits / 10^k. Powers of ten and the
+ * digits are exact, and a division is rounded as reading the decimal is, so that equality says
+ * that the text reads back as the number. FALSE where there are more decimals. */
+static gboolean
+write_short_decimal (double number, char text[QN_NUMBER_TEXT_SIZE])
+{
+  static const double powers[] = { 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9 };
+  double size = fabs (number);
+  if (!(size >= 1e-4 && size < LARGEST_DIGITS / powers[MOST_DECIMALS]))
+    return FALSE; /* printed with an exponent, or too long */
+  for (int decimals = 1; decimals <= MOST_DECIMALS; decimals++) {
+    double digits = nearbyint (size * powers[decimals]);
+    if (digits / powers[decimals] != size)
+      continue;
+    char *out = text + QN_NUMBER_TEXT_SIZE;
+    *--out = '\0';
+    guint64 left = (guint64) digits;
+    for (int i = 0; i < decimals || left > 0 || i == decimals; i++) {
+      if (i == decimals)
+        *--out = '.';
+      *--out = (char) ('0' + left % 10);
+      left /= 10;
+    }
+    if (number < 0)
+      *--out = '-';
+    memmove (text, out, strlen (out) + 1);
+    return TRUE;
+  }
+  return FALSE;
+}
+
+const char *
+qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE])
+{
+  if (!isfinite (number)) {
+    g_strlcpy (text, "null", QN_NUMBER_TEXT_SIZE);
+    return text;
+  }
+  if (fabs (number) < 1e15 && number == trunc (number)) {
+    g_snprintf (text, QN_NUMBER_TEXT_SIZE, "%" G_GINT64_FORMAT, (gint64) number);
+    return text;
+  }
+
+  if (write_short_decimal (number, text))
+    return text;
+  static const char *const shorter[] = { "%.15g", "%.16g" };
+  char exact[QN_NUMBER_TEXT_SIZE];
+  g_ascii_formatd (exact, sizeof exact, "%.17g", number);
+  gboolean coarse = fabs (number) < DBL_MIN; /* fewer digits than the judgement assumes */
+  gboolean found = FALSE;
+  for (gsize i = coarse || may_be_short (exact) ? 0 : 1;
+       i < G_N_ELEMENTS (shorter) && !found; i++) {
+    g_ascii_formatd (text, QN_NUMBER_TEXT_SIZE, shorter[i], number);
+    found = g_ascii_strtod (text, NULL) == number;
+  }
+  if (!found)
+    g_strlcpy (text, exact, QN_NUMBER_TEXT_SIZE);
+  tidy_exponent (text);
+  return text;
+}

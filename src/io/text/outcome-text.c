@@ -1,0 +1,330 @@
+#include "io/text/outcome-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+/* Most blocks that a sentence names before it says "and others". */
+#define NAMES_IN_A_SENTENCE 5
+
+/* A displacement has reached its target within this part of it. */
+#define AT_TARGET 1e-6
+
+/* What the procedure was asked to do: the analysis as a whole, or the stage that it ended in. */
+typedef struct Task {
+  QnProcedure procedure;
+  uint32_t sets;
+  gboolean has_end; /* whether a largest multiplier is set */
+  double end;
+  QnId control_block, control_node;
+  QnDof control_dof;
+  double control_target;
+} Task;
+
+static Task
+task_of (const QnModel *model, const QnResult *result)
+{
+  const QnAnalysisSettings *a = &model->analysis;
+  if (result->stage < 1 || (size_t) result->stage > model->stage_count)
+    return (Task){ .procedure = a->procedure,
+                   .sets = 1,
+                   .has_end = isfinite (a->max_multiplier) != 0,
+                   .end = a->max_multiplier,
+                   .control_block = a->control_block,
+                   .control_node = a->control_node,
+                   .control_dof = a->control_dof,
+                   .control_target = a->control_target };
+  const QnStage *stage = &model->stages[result->stage - 1];
+  return (Task){ .procedure = stage->procedure,
+                 .sets = stage->sets,
+                 .has_end = stage->has_target,
+                 .end = stage->target,
+                 .control_block = stage->control_block,
+                 .control_node = stage->control_node,
+                 .control_dof = stage->control_dof,
+                 .control_target = stage->control_target };
+}
+
+char *
+qn_stage_dup_name (const QnModel *model, int32_t stage)
+{
+  const char *name = model->stages[stage - 1].name;
+  return name != NULL ? g_strdup (name) : g_strdup_printf ("%d", stage);
+}
+
+/* Whether a load acts on beams: on a node that is not fixed altogether, or along them. */
+static gboolean
+meets_beams (const QnModel *model, const QnLoad *load)
+{
+  if (load->kind == QN_LOAD_LINE)
+    return TRUE;
+  for (size_t i = 0; load->kind == QN_LOAD_WEIGHT && i < model->beam_count; i++)
+    if (model->sections[model->beams[i].section].unit_weight > 0)
+      return TRUE;
+  if (load->kind != QN_LOAD_NODE)
+    return FALSE;
+  QnId block = model->nodes[load->node].block;
+  const bool *fixed =
+    block != QN_NONE ? model->blocks[block].support : model->nodes[load->node].support;
+  return !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]);
+}
+
+gboolean
+qn_model_lacks_live_load (const QnModel *model)
+{
+  for (size_t i = 0; i < model->live_load_count; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    if (load->kind == QN_LOAD_SETTLEMENT && load->value != 0)
+      return FALSE;
+    if (load->kind == QN_LOAD_SETTLEMENT)
+      continue;
+    gboolean acts = load->vector.x != 0 || load->vector.y != 0 || load->moment != 0;
+    if (acts && meets_beams (model, load))
+      return FALSE;
+    for (size_t b = 0; acts && b < model->block_count; b++) {
+      const bool *fixed = model->blocks[b].support;
+      gboolean meets = load->kind == QN_LOAD_WEIGHT
+                         ? model->blocks[b].weight > 0
+                         : load->kind == QN_LOAD_FORCE && load->block == (QnId) b;
+      if (meets && !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]))
+        return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+static char *
+unstable_names (const QnModel *model, const QnResult *result)
+{
+  GString *names = g_string_new (NULL);
+  for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
+    QnId block = result->unstable_blocks[i];
+    g_string_append_printf (names, "%s“%s”", i > 0 ? ", " : "",
+                            (gsize) block < model->block_count ? model->blocks[block].name
+                                                               : "?");
+  }
+  if (result->unstable_count > NAMES_IN_A_SENTENCE) {
+    gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
+    g_string_append_printf (
+      names, ngettext (" and %zu other", " and %zu others", (gulong) more), more);
+  }
+  return g_string_free (names, FALSE);
+}
+
+static const QnStep *
+last_step (const QnResult *result)
+{
+  return result->step_count > 0 ? &result->steps[result->step_count - 1] : NULL;
+}
+
+/* --- Collapse --------------------------------------------------------------------------- */
+
+static char *
+collapse_sentence (const QnResult *result)
+{
+  if (!result->has_collapse_multiplier)
+    return g_strdup (_ ("The structure collapses."));
+  if (result->has_first_limit_multiplier
+      && fabs (result->first_limit_multiplier - result->collapse_multiplier)
+           > 1e-3 * fabs (result->collapse_multiplier))
+    return g_strdup_printf (
+      _ ("Collapse at a load multiplier of %.4g. The path first loses stability at %.4g, "
+         "where a real wall would jump; equilibria exist beyond."),
+      result->collapse_multiplier, result->first_limit_multiplier);
+  return g_strdup_printf (_ ("Collapse at a load multiplier of %.4g."),
+                          result->collapse_multiplier);
+}
+
+static const char *
+collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
+{
+  const QnStep *last = last_step (result);
+  switch (task->procedure) {
+  case QN_PROCEDURE_LOAD:
+    if (result->mechanism_uncertain)
+      return _ ("Above the collapse multiplier the structure does not come to rest. How "
+                "it moves on was not settled: the mechanism shown is its last motion.");
+    return _ (
+      "Above the collapse multiplier the structure moves on along its mechanism and "
+      "does not come to rest.");
+  case QN_PROCEDURE_LIMIT:
+    return model->analysis.flow == QN_FLOW_ASSOCIATIVE
+             ? _ ("No forces that the joints can carry balance more, and a mechanism "
+                  "needs no more.")
+             : _ ("It is the lowest multiplier found at which a mechanism with the "
+                  "friction of the joints can move.");
+  case QN_PROCEDURE_DISPLACEMENT:
+  case QN_PROCEDURE_WORK:
+  case QN_PROCEDURE_ARC_LENGTH:
+  case QN_PROCEDURE_COUNT:
+    break;
+  }
+  if (result->stop == QN_STOP_FALL)
+    return _ (
+      "Beyond the last equilibrium blocks fall out of their contacts, although the "
+      "controlled motion is held.");
+  if (last != NULL && last->multiplier <= 0)
+    return _ ("The path was followed beyond its peak until nothing of the load was "
+              "left.");
+  return _ ("The structure moves on and on while the load stays the same.");
+}
+
+static char *
+explain_collapse (const QnModel *model, const Task *task, const QnResult *result)
+{
+  char *what = collapse_sentence (result);
+  char *text = g_strdup_printf ("%s %s", what, collapse_reason (model, task, result));
+  g_free (what);
+  return text;
+}
+
+/* --- Target reached --------------------------------------------------------------------- */
+
+static gboolean
+is_controlled_displacement_reached (const QnModel *model, const Task *task,
+                                    const QnResult *result)
+{
+  size_t body = qn_model_controlled_body (model, task->control_block, task->control_node);
+  if (result->step_count == 0 || body >= qn_result_body_count (result))
+    return FALSE;
+  double u = qn_result_step_displacements (
+    result, result->step_count - 1)[QN_DOF_COUNT * body + (size_t) task->control_dof];
+  double size = fabs (task->control_target);
+  return task->procedure != QN_PROCEDURE_LOAD
+         && fabs (u - task->control_target) <= AT_TARGET * (size > 0 ? size : 1);
+}
+
+/* Which displacement it was and how far it went. */
+static char *
+explain_controlled (const QnModel *model, const Task *task, double reached)
+{
+  static const char *const components[] = { "ux", "uy", "rz" };
+  const char *component = components[task->control_dof];
+  gboolean turning = task->control_dof == QN_DOF_RZ;
+  if (task->control_node != QN_NONE)
+    return g_strdup_printf (
+      turning ? _ ("%s of node “%s” has reached its target of %.4g rad, at a load "
+                   "multiplier of %.4g.")
+              : _ ("%s of node “%s” has reached its target of %.4g m, at a load "
+                   "multiplier of %.4g."),
+      component, model->nodes[task->control_node].name, task->control_target, reached);
+  return g_strdup_printf (
+    turning ? _ ("%s of block “%s” has reached its target of %.4g rad, at a load "
+                 "multiplier of %.4g.")
+            : _ ("%s of block “%s” has reached its target of %.4g m, at a load "
+                 "multiplier of %.4g."),
+    component, model->blocks[task->control_block].name, task->control_target, reached);
+}
+
+static char *
+explain_target (const QnModel *model, const Task *task, const QnResult *result)
+{
+  double reached = result->step_count > 0 ? last_step (result)->multiplier : 0;
+  if (result->stage == 0 && qn_model_lacks_live_load (model))
+    return g_strdup (_ ("No live load acts on any free block, so there is no path to "
+                        "follow: what was found is the equilibrium under the dead "
+                        "load."));
+  if (is_controlled_displacement_reached (model, task, result))
+    return explain_controlled (model, task, reached);
+  if (!task->has_end && !qn_model_sets_have_force (model, task->sets))
+    return g_strdup (_ ("The supports have settled as far as they were to, without "
+                        "collapse."));
+  if (task->has_end)
+    return g_strdup_printf (_ ("The load multiplier has reached %.4g, where it was to "
+                               "end, without collapse."),
+                            reached);
+  return g_strdup_printf (
+    _ ("The target was reached at a load multiplier of %.4g without "
+       "collapse."),
+    reached);
+}
+
+/* --- Other ends ------------------------------------------------------------------------- */
+
+static char *
+explain_failure (const Task *task, const QnResult *result)
+{
+  const QnStep *last = last_step (result);
+  if (task->procedure == QN_PROCEDURE_LIMIT)
+    return g_strdup (_ ("The optimisation of limit analysis did not converge."));
+  if (last == NULL)
+    return g_strdup (_ ("The iteration did not converge under the dead load: the "
+                        "structure neither rests nor clearly falls. Try a coarser "
+                        "residual tolerance."));
+  if (task->procedure == QN_PROCEDURE_LOAD)
+    return g_strdup_printf (
+      _ ("Beyond a load multiplier of %.4g neither an equilibrium nor a mechanism was "
+         "found. Try more increments or a coarser tolerance."),
+      last->multiplier);
+  if (result->stop == QN_STOP_STEPS)
+    return g_strdup_printf (
+      _ ("The path was given up at a load multiplier of %.4g, after "
+         "more steps than a path may have. Ask for fewer "
+         "increments or a nearer target."),
+      last->multiplier);
+  return g_strdup_printf (
+    _ ("The path was lost at a load multiplier of %.4g: no equilibrium was found even at "
+       "the shortest step. Try more increments, another controlled displacement or a "
+       "coarser tolerance."),
+    last->multiplier);
+}
+
+static char *
+explain_unstable (const QnModel *model, const QnResult *result)
+{
+  char *names = unstable_names (model, result);
+  char *text =
+    g_strdup_printf (_ ("There is no equilibrium under the dead load alone. What "
+                        "moves: %s. Support these blocks, close the gaps next to "
+                        "them, or give their joints more friction."),
+                     names);
+  g_free (names);
+  return text;
+}
+
+static char *
+explain (const QnModel *model, const Task *task, const QnResult *result)
+{
+  double reached = result->step_count > 0 ? last_step (result)->multiplier : 0;
+  switch (result->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+    return explain_collapse (model, task, result);
+  case QN_OUTCOME_TARGET_REACHED:
+    return explain_target (model, task, result);
+  case QN_OUTCOME_SNAP:
+    return g_strdup_printf (
+      _ ("Stopped at the first limit point, load multiplier %.4g."),
+      result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
+  case QN_OUTCOME_UNBOUNDED:
+    return g_strdup (
+      _ ("The joints can carry any multiple of the live load: rigid blocks "
+         "have no limit here. Check its direction, or bound the strength of "
+         "the joints."));
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
+    return explain_unstable (model, result);
+  case QN_OUTCOME_CANCELLED:
+    return g_strdup_printf (
+      _ ("Cancelled at a load multiplier of %.4g; what had converged "
+         "is kept."),
+      reached);
+  case QN_OUTCOME_NOT_CONVERGED:
+    return explain_failure (task, result);
+  case QN_OUTCOME_COUNT:
+    break;
+  }
+  return g_strdup ("");
+}
+
+char *
+qn_outcome_dup_reason (const QnModel *model, const QnResult *result)
+{
+  Task task = task_of (model, result);
+  char *text = explain (model, &task, result);
+  if (result->stage < 1 || (size_t) result->stage > model->stage_count)
+    return text;
+  char *name = qn_stage_dup_name (model, result->stage);
+  char *staged = g_strdup_printf (_ ("Stage %d of %u, “%s”: %s"), result->stage,
+                                  (guint) model->stage_count, name, text);
+  g_free (name);
+  g_free (text);
+  return staged;
+}

@@ -1,0 +1,20 @@
+/* How an analysis ended and why, in plain sentences of the user's language. */
+#ifndef QN_IO_OUTCOME_TEXT_H
+#define QN_IO_OUTCOME_TEXT_H
+
+#include "core/model/model.h"
+#include "core/result/result.h"
+
+#include <glib.h>
+
+/* One to three sentences: what the outcome is, at which multiplier, in which stage, and what
+ * made the procedure stop there. Free with g_free(). */
+char *qn_outcome_dup_reason (const QnModel *model, const QnResult *result);
+
+/* Name of a stage (number from 1): its own, or its number. Free with g_free(). */
+char *qn_stage_dup_name (const QnModel *model, int32_t stage);
+
+/* Whether nothing but the dead load acts, so that there is no path to follow. */
+gboolean qn_model_lacks_live_load (const QnModel *model);
+
+#endif

@@ -1,0 +1,159 @@
+#include "render/backend/draw-cairo.h"
+
+#include "render/scene/marker-shape.h"
+#include "render/scene/paint.h"
+#include "render/scene/text.h"
+
+/* Paper around labels that stand on hatching, pt. */
+#define LABEL_HALO 1.0
+
+static void
+trace_points (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
+              bool closed, cairo_t *cr)
+{
+  const QnVec2 *points = qn_scene_points (scene, command);
+  for (uint32_t i = 0; i < command->count; i++) {
+    QnVec2 s = qn_camera_to_screen (camera, points[i]);
+    cairo_line_to (cr, s.x, s.y);
+  }
+  if (closed)
+    cairo_close_path (cr);
+}
+
+static void
+draw_stroke (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
+             double line_factor, cairo_t *cr)
+{
+  double dashes[2] = { 4 * camera->unit, 2.5 * camera->unit };
+  trace_points (scene, command, camera, command->closed, cr);
+  qn_set_color (cr, command->color, 1);
+  cairo_set_line_width (cr, command->size * camera->unit * line_factor);
+  cairo_set_dash (cr, dashes, command->dashed ? 2 : 0, 0);
+  cairo_stroke (cr);
+}
+
+static void
+draw_image (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
+            cairo_t *cr)
+{
+  const QnVec2 *p = qn_scene_points (scene, command);
+  QnVec2 low_left = qn_camera_to_screen (camera, p[0]);
+  QnVec2 low_right = qn_camera_to_screen (camera, p[1]);
+  QnVec2 top_left = qn_camera_to_screen (camera, p[3]);
+  double columns = cairo_image_surface_get_width (scene->image);
+  double rows = cairo_image_surface_get_height (scene->image);
+  cairo_matrix_t to_page = {
+    .xx = (low_right.x - low_left.x) / columns,
+    .yx = (low_right.y - low_left.y) / columns,
+    .xy = (low_left.x - top_left.x) / rows,
+    .yy = (low_left.y - top_left.y) / rows,
+    .x0 = top_left.x,
+    .y0 = top_left.y,
+  };
+  cairo_save (cr);
+  cairo_transform (cr, &to_page);
+  cairo_set_source_surface (cr, scene->image, 0, 0);
+  cairo_paint_with_alpha (cr, command->color.a / 255.0);
+  cairo_restore (cr);
+}
+
+static void
+draw_marker (cairo_t *cr, QnMarker marker, double x, double y, double size, double angle,
+             bool mirrored, double unit, QnColor color)
+{
+  QnMarkerPath path;
+  double c = cos (angle), s = sin (angle), flip = mirrored ? -1 : 1;
+  cairo_set_dash (cr, NULL, 0, 0);
+  cairo_set_line_width (cr, QN_RIM_WIDTH * unit);
+  for (int part = 0; qn_marker_path (marker, part, &path); part++) {
+    cairo_new_path (cr); /* text leaves a current point behind */
+    for (int i = 0; i < path.count; i++) {
+      QnVec2 p = path.points[i];
+      QnVec2 turned = qn_vec2_rotate (qn_vec2 (p.x, flip * p.y), c, s);
+      cairo_line_to (cr, x + size * turned.x, y - size * turned.y);
+    }
+    if (path.closed)
+      cairo_close_path (cr);
+    if (path.paint == QN_MARKER_RIM) {
+      qn_set_color (cr, qn_rgb (0xffffff), 1);
+      cairo_fill_preserve (cr);
+    }
+    qn_set_color (cr, color, 1);
+    if (path.paint == QN_MARKER_INK)
+      cairo_fill (cr);
+    else
+      cairo_stroke (cr);
+  }
+}
+
+void
+qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double size,
+                      double angle, double unit, QnColor color)
+{
+  draw_marker (cr, marker, x, y, size, angle, false, unit, color);
+}
+
+static void
+draw_command (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
+              double line_factor, cairo_t *cr)
+{
+  QnVec2 s = { 0, 0 };
+  if (command->count > 0)
+    s = qn_camera_to_screen (camera, *qn_scene_points (scene, command));
+  switch ((QnCommandKind) command->kind) {
+  case QN_COMMAND_FILL:
+    trace_points (scene, command, camera, true, cr);
+    qn_set_color (cr, command->color, 1);
+    cairo_fill (cr);
+    break;
+  case QN_COMMAND_STROKE:
+    draw_stroke (scene, command, camera,
+                 qn_command_is_thinned (command) ? line_factor : 1, cr);
+    break;
+  case QN_COMMAND_MARKER:
+    draw_marker (cr, (QnMarker) command->marker, s.x, s.y, command->size * camera->unit,
+                 command->angle, command->mirrored, camera->unit, command->color);
+    break;
+  case QN_COMMAND_TEXT:
+    qn_text_draw (cr,
+                  &(QnTextStyle){ .size = command->size * camera->unit,
+                                  .halo = command->layer == QN_LAYER_LABELS
+                                            ? LABEL_HALO * camera->unit
+                                            : 0 },
+                  command->text, s.x, s.y, command->align_x, 1 - command->align_y,
+                  command->angle, command->color);
+    break;
+  case QN_COMMAND_IMAGE:
+    draw_image (scene, command, camera, cr);
+    break;
+  }
+}
+
+void
+qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
+               bool antialias, cairo_t *cr, QnDrawCounts *counts)
+{
+  QnBox visible = qn_camera_visible_box (camera);
+  double line_factor = qn_scene_line_factor (scene, camera);
+  QnDrawCounts tally = { 0, 0 };
+  cairo_save (cr);
+  cairo_rectangle (cr, camera->x, camera->y, camera->width, camera->height);
+  cairo_clip (cr);
+  cairo_set_antialias (cr, antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
+  cairo_set_line_join (cr, CAIRO_LINE_JOIN_MITER);
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (!(layers & 1u << command->layer))
+      continue;
+    if (!qn_command_is_visible (command, camera, visible)) {
+      tally.skipped++;
+      continue;
+    }
+    draw_command (scene, command, camera, line_factor, cr);
+    tally.drawn++;
+  }
+  cairo_restore (cr);
+  if (counts != NULL)
+    *counts = tally;
+}

@@ -1,0 +1,29 @@
+/* The Cairo back end: walks a scene and draws it. */
+#ifndef QN_RENDER_DRAW_CAIRO_H
+#define QN_RENDER_DRAW_CAIRO_H
+
+#include "render/scene/scene.h"
+
+/* What a drawing cost. */
+typedef struct QnDrawCounts {
+  size_t drawn;   /* commands */
+  size_t skipped; /* outside the viewport or too small to be seen */
+} QnDrawCounts;
+
+/* Which layers to draw: a bit for each. */
+#define QN_LAYERS_ALL ((1u << QN_LAYER_COUNT) - 1)
+/* Photos and text are drawn by Cairo on every back end. */
+#define QN_LAYERS_CAIRO_BELOW (1u << QN_LAYER_UNDERLAY)
+#define QN_LAYERS_CAIRO_ABOVE (1u << QN_LAYER_LABELS)
+
+/* Draws the visible commands of the layers in the set, clipped to the camera's viewport.
+ * `counts` may be NULL. */
+void qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
+                    bool antialias, cairo_t *cr, QnDrawCounts *counts);
+
+/* Draws one marker of `size` px at a place of the page, as legends and plots need it. `angle`
+ * is counter-clockwise on the page; `unit` px are a point. */
+void qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double size,
+                           double angle, double unit, QnColor color);
+
+#endif

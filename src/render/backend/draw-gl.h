@@ -1,0 +1,35 @@
+/* The OpenGL 3.3 back end: draws a scene but its photos and text, which are Cairo's on every
+ * back end. All calls need the context current in which the renderer was made. */
+#ifndef QN_RENDER_DRAW_GL_H
+#define QN_RENDER_DRAW_GL_H
+
+#include "render/backend/draw-cairo.h"
+#include "render/backend/gl-api.h"
+#include "render/scene/scene.h"
+
+typedef struct QnGlRenderer QnGlRenderer;
+
+/* Compiles what is needed; `gl` must outlive the renderer. NULL with an error (UNAVAILABLE). */
+QnGlRenderer *qn_gl_renderer_new (const QnGl *gl, GError **error);
+void qn_gl_renderer_free (QnGlRenderer *renderer);
+
+/* Draws into the bound framebuffer of this height in px (GL counts rows from below), over what
+ * is there, with premultiplied alpha. The scene's triangles are uploaded when its revision is
+ * another than last time. `counts` may be NULL. */
+void qn_gl_renderer_draw (QnGlRenderer *renderer, const QnScene *scene,
+                          const QnCamera *camera, int framebuffer_height, bool antialias,
+                          QnDrawCounts *counts);
+
+/* The table that the renderer was made with. */
+const QnGl *qn_gl_renderer_api (const QnGlRenderer *renderer);
+
+/* How often a scene was uploaded since the renderer was made. */
+unsigned qn_gl_renderer_uploads (const QnGlRenderer *renderer);
+
+/* Draws the camera's viewport into a new image of its size with a transparent ground. NULL with
+ * an error. */
+cairo_surface_t *qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
+                                            const QnCamera *camera, bool antialias,
+                                            QnDrawCounts *counts, GError **error);
+
+#endif

@@ -1,0 +1,340 @@
+#include "render/backend/output.h"
+
+#include "render/backend/gl-painter.h"
+#include "render/backend/png-encode.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#define MAX_SIDE    32000.0
+#define MAX_AREA    268435456.0 /* px; four bytes each */
+#define MM_PER_INCH 25.4
+
+/* Pixel pictures without dpi are drawn as if they were to be printed this wide in points: the
+ * text of a picture keeps its share of the picture whatever its number of pixels. */
+#define NOMINAL_WIDTH_PT 520.0
+
+G_DEFINE_QUARK (qn - render - error - quark, qn_render_error)
+
+void
+qn_output_init (QnOutput *output)
+{
+  *output = (QnOutput){ .width = 1600, .height = 1200, .antialias = true };
+}
+
+void
+qn_metadata_init (QnMetadata *metadata)
+{
+  *metadata = (QnMetadata){ .multiplier = (double) NAN };
+}
+
+/* A positive number with its unit; returns the text after it or NULL. */
+static const char *
+parse_length (const char *text, double *value, bool *millimetres)
+{
+  /* Cut out first: "0x600" is no hexadecimal number here. */
+  size_t length = strspn (text, "0123456789.+-eE");
+  g_autofree char *number = g_strndup (text, length);
+  const char *end = text + length;
+  char *rest;
+  *value = g_ascii_strtod (number, &rest);
+  if (length == 0 || *rest != '\0' || !isfinite (*value))
+    return NULL;
+  *millimetres = g_str_has_prefix (end, "mm");
+  return *millimetres ? end + 2 : g_str_has_prefix (end, "px") ? end + 2 : end;
+}
+
+bool
+qn_output_parse_size (QnOutput *output, const char *text, GError **error)
+{
+  double width, height;
+  bool width_mm, height_mm;
+  const char *rest = parse_length (text, &width, &width_mm);
+  if (rest != NULL)
+    rest = *rest == 'x' ? parse_length (rest + 1, &height, &height_mm) : NULL;
+  if (rest == NULL || *rest != '\0' || width_mm != height_mm) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("size \"%s\" is neither like 1600x1200 nor like 160mmx120mm"), text);
+    return false;
+  }
+  output->width = width;
+  output->height = height;
+  output->millimetres = width_mm;
+  return true;
+}
+
+bool
+qn_format_of_path (const char *path, QnFormat *format, GError **error)
+{
+  static const char *const endings[] = { ".png", ".svg", ".pdf" };
+  if (strcmp (path, "-") == 0) {
+    *format = QN_FORMAT_PNG;
+    return true;
+  }
+  /* What cannot keep a name by its ending, such as a device, takes the first format. */
+  if (g_str_has_prefix (path, "/dev/")) {
+    *format = QN_FORMAT_PNG;
+    return true;
+  }
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  for (size_t i = 0; i < G_N_ELEMENTS (endings); i++) {
+    if (g_str_has_suffix (lower, endings[i])) {
+      *format = (QnFormat) i;
+      return true;
+    }
+  }
+  g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+               _ ("%s: a picture's name ends in .png, .svg or .pdf"), path);
+  return false;
+}
+
+bool
+qn_output_page (const QnOutput *output, QnPage *page, GError **error)
+{
+  double dpi = output->dpi;
+  if (dpi < 0 || !isfinite (dpi) || dpi > 1e5) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the resolution must be a positive number of dpi"));
+    return false;
+  }
+  if (output->millimetres && !(dpi > 0))
+    dpi = 300;
+  double factor = output->millimetres ? dpi / MM_PER_INCH : 1;
+  double width = round (output->width * factor), height = round (output->height * factor);
+  if (!(width >= 1) || !(height >= 1)) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the size of the picture must be positive"));
+    return false;
+  }
+  if (width > MAX_SIDE || height > MAX_SIDE || width * height > MAX_AREA) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("a picture of %.0f x %.0f px is larger than the program draws"),
+                 width, height);
+    return false;
+  }
+  *page = (QnPage){
+    .width = width,
+    .height = height,
+    .unit = dpi > 0 ? dpi / 72 : fmin (width, height * 1.4) / NOMINAL_WIDTH_PT,
+    .antialias = output->antialias,
+    .transparent = output->transparent,
+  };
+  return true;
+}
+
+/* ---- encoders -------------------------------------------------------------------------- */
+
+static double
+recorded_dpi (const QnOutput *output)
+{
+  return output->dpi > 0 ? output->dpi : output->millimetres ? 300 : 96;
+}
+
+static bool
+draw_page (cairo_t *cr, const QnPage *page, QnPageFunc draw, void *data, GError **error)
+{
+  if (!page->transparent) {
+    cairo_set_source_rgb (cr, 1, 1, 1);
+    cairo_paint (cr);
+  }
+  if (!draw (cr, page, data, error))
+    return false;
+  cairo_status_t status = cairo_status (cr);
+  if (status != CAIRO_STATUS_SUCCESS)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                         cairo_status_to_string (status));
+  return status == CAIRO_STATUS_SUCCESS;
+}
+
+static size_t
+describe (const QnMetadata *m, QnPngText texts[5])
+{
+  size_t n = 0;
+  if (m->title != NULL)
+    texts[n++] = (QnPngText){ "Title", g_strdup (m->title) };
+  if (m->generator != NULL)
+    texts[n++] = (QnPngText){ "Software", g_strdup (m->generator) };
+  if (m->model != NULL)
+    texts[n++] = (QnPngText){ "Source", g_strdup (m->model) };
+  if (m->model_sha256 != NULL)
+    texts[n++] = (QnPngText){ "Model-SHA256", g_strdup (m->model_sha256) };
+  if (!isnan (m->multiplier)) {
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    g_ascii_formatd (number, sizeof number, "%.6g", m->multiplier);
+    texts[n++] = (QnPngText){ "Multiplier", g_strdup (number) };
+  }
+  return n;
+}
+
+static GBytes *
+encode_png (const QnOutput *output, const QnPage *page, const QnMetadata *metadata,
+            QnPageFunc draw, void *data, GError **error)
+{
+  cairo_surface_t *surface = cairo_image_surface_create (
+    CAIRO_FORMAT_ARGB32, (int) page->width, (int) page->height);
+  cairo_t *cr = cairo_create (surface);
+  GBytes *bytes = NULL;
+  if (draw_page (cr, page, draw, data, error)) {
+    QnPngText texts[5];
+    size_t count = describe (metadata, texts);
+    bytes = qn_png_encode (surface, recorded_dpi (output), texts, count, error);
+    for (size_t i = 0; i < count; i++)
+      g_free (texts[i].text);
+  }
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+  return bytes;
+}
+
+static cairo_status_t
+append_output (void *closure, const unsigned char *data, unsigned int length)
+{
+  g_byte_array_append (closure, data, length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+static void
+describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata)
+{
+  QnPngText texts[5];
+  size_t count = describe (metadata, texts);
+  g_autoptr (GString) keywords = g_string_new (NULL);
+  for (size_t i = 0; i < count; i++) {
+    if (strcmp (texts[i].key, "Title") == 0)
+      cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_TITLE, texts[i].text);
+    else if (strcmp (texts[i].key, "Software") == 0)
+      cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_CREATOR, texts[i].text);
+    else
+      g_string_append_printf (keywords, "%s%s: %s", keywords->len > 0 ? ", " : "",
+                              texts[i].key, texts[i].text);
+    g_free (texts[i].text);
+  }
+  if (keywords->len > 0)
+    cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_KEYWORDS, keywords->str);
+  /* No date: equal input shall give equal bytes. */
+  cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+}
+
+/* Cairo names the groups of an SVG after a counter of the process; numbers them anew in the
+ * order of their appearance. */
+static void
+renumber_surfaces (GString *svg)
+{
+  g_autoptr (GHashTable) seen =
+    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  g_autoptr (GString) out = g_string_sized_new (svg->len);
+  const char *at = svg->str, *hit;
+  while ((hit = strstr (at, "surface")) != NULL) {
+    const char *end = hit + strlen ("surface");
+    while (g_ascii_isdigit (*end))
+      end++;
+    g_string_append_len (out, at, hit - at);
+    char *name = g_strndup (hit, (gsize) (end - hit));
+    bool is_id = end - hit > 7 && (hit[-1] == '"' || hit[-1] == '#');
+    if (!is_id) {
+      g_string_append (out, name);
+      g_free (name);
+    } else {
+      gpointer number = g_hash_table_lookup (seen, name);
+      if (number == NULL) {
+        number = GUINT_TO_POINTER (g_hash_table_size (seen) + 1);
+        g_hash_table_insert (seen, name, number);
+      } else {
+        g_free (name);
+      }
+      g_string_append_printf (out, "surface%u", GPOINTER_TO_UINT (number));
+    }
+    at = end;
+  }
+  g_string_append (out, at);
+  g_string_assign (svg, out->str);
+}
+
+/* Adds <title> and <metadata> as first children of the root. */
+static void
+describe_svg (GString *svg, const QnMetadata *metadata)
+{
+  QnPngText texts[5];
+  size_t count = describe (metadata, texts);
+  g_autoptr (GString) head = g_string_new (NULL);
+  if (metadata->title != NULL) {
+    g_autofree char *title = g_markup_escape_text (metadata->title, -1);
+    g_string_append_printf (head, "<title>%s</title>\n", title);
+  }
+  g_string_append (head, "<metadata>\n");
+  for (size_t i = 0; i < count; i++) {
+    g_autofree char *text = g_markup_escape_text (texts[i].text, -1);
+    g_string_append_printf (head, "%s: %s\n", texts[i].key, text);
+    g_free (texts[i].text);
+  }
+  g_string_append (head, "</metadata>\n");
+  const char *root = strstr (svg->str, "<svg");
+  const char *end = root != NULL ? strchr (root, '>') : NULL;
+  if (end != NULL)
+    g_string_insert (svg, end - svg->str + 2, head->str);
+}
+
+static GBytes *
+encode_vector (QnFormat format, const QnOutput *output, const QnPage *page,
+               const QnMetadata *metadata, QnPageFunc draw, void *data, GError **error)
+{
+  g_autoptr (GByteArray) bytes = g_byte_array_new ();
+  double points = 72 / recorded_dpi (output);
+  double width = page->width * points, height = page->height * points;
+  bool pdf = format == QN_FORMAT_PDF;
+  cairo_surface_t *surface =
+    pdf ? cairo_pdf_surface_create_for_stream (append_output, bytes, width, height)
+        : cairo_svg_surface_create_for_stream (append_output, bytes, width, height);
+  if (pdf)
+    describe_pdf (surface, metadata);
+  cairo_t *cr = cairo_create (surface);
+  cairo_scale (cr, points, points);
+  bool done = draw_page (cr, page, draw, data, error);
+  cairo_destroy (cr);
+  cairo_surface_finish (surface);
+  cairo_surface_destroy (surface);
+  if (!done)
+    return NULL;
+  if (pdf)
+    return g_byte_array_free_to_bytes (g_steal_pointer (&bytes));
+
+  g_autoptr (GString) svg = g_string_new_len ((const char *) bytes->data, bytes->len);
+  renumber_surfaces (svg);
+  describe_svg (svg, metadata);
+  return g_string_free_to_bytes (g_steal_pointer (&svg));
+}
+
+GBytes *
+qn_page_encode (QnFormat format, const QnOutput *output, const QnMetadata *metadata,
+                QnPageFunc draw, void *data, GError **error)
+{
+  QnPage page;
+  if (!qn_output_page (output, &page, error))
+    return NULL;
+  if (format == QN_FORMAT_PNG) {
+    g_autoptr (QnGlPainter) painter = NULL;
+    if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
+      return NULL;
+    page.painter = painter;
+    return encode_png (output, &page, metadata, draw, data, error);
+  }
+  return encode_vector (format, output, &page, metadata, draw, data, error);
+}
+
+bool
+qn_page_export (const char *path, const QnOutput *output, const QnMetadata *metadata,
+                QnPageFunc draw, void *data, GError **error)
+{
+  QnFormat format;
+  if (!qn_format_of_path (path, &format, error))
+    return false;
+  g_autoptr (GBytes) bytes = qn_page_encode (format, output, metadata, draw, data, error);
+  if (bytes == NULL)
+    return false;
+  gsize length;
+  const void *content = g_bytes_get_data (bytes, &length);
+  return qn_file_replace (path, content, length, error);
+}

@@ -1,0 +1,93 @@
+/* Curves read off results. */
+#include "render/figure/curve-plot.h"
+
+#include <glib.h>
+#include <math.h>
+
+/* The component that moves most over the whole path. A rotation counts only where it is
+ * asked for. */
+static void
+find_busiest (const QnResult *result, QnId *block, QnDof *dof)
+{
+  const double *u = qn_result_step_displacements (result, result->step_count - 1);
+  double largest = -1;
+  /* Nodes of beams count where there are no blocks. */
+  size_t bodies =
+    result->block_count > 0 ? result->block_count : qn_result_body_count (result);
+  for (size_t b = 0; b < bodies; b++) {
+    for (int k = QN_DOF_UX; k <= QN_DOF_UY; k++) {
+      double size = fabs (u[b * QN_DOF_COUNT + k]);
+      if (size > largest) {
+        largest = size;
+        *block = (QnId) b;
+        *dof = (QnDof) k;
+      }
+    }
+  }
+}
+
+/* The step from which the path first loses stability: the first that comes up to the multiplier
+ * that the analysis reports, or the one before it goes beyond. Further on a path that descends
+ * from its peak stays below. */
+static ptrdiff_t
+find_limit_point (const QnResult *result)
+{
+  double limit = result->first_limit_multiplier, blur = 1e-9 * fabs (limit) + 1e-12;
+
+  if (!result->has_first_limit_multiplier)
+    return -1;
+  for (size_t s = 0; s < result->step_count; s++)
+    if (result->steps[s].multiplier >= limit - blur)
+      return (ptrdiff_t) s - (result->steps[s].multiplier > limit + blur);
+  return (ptrdiff_t) result->step_count - 1;
+}
+
+static ptrdiff_t
+find_collapse (const QnResult *result)
+{
+  for (size_t s = result->step_count; s-- > 0;)
+    if (result->steps[s].event == QN_EVENT_COLLAPSE)
+      return (ptrdiff_t) s;
+  return -1;
+}
+
+bool
+qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof dof,
+                      QnId *block_used, QnDof *dof_used)
+{
+  *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
+  if (result->step_count > 0 && qn_result_body_count (result) > 0
+      && (block == QN_NONE || (size_t) block >= qn_result_body_count (result)))
+    find_busiest (result, &block, &dof);
+  if (block_used != NULL)
+    *block_used = block;
+  if (dof_used != NULL)
+    *dof_used = dof;
+
+  size_t count = qn_result_body_count (result) > 0 ? result->step_count : 0;
+  curve->x = g_try_new0 (double, MAX (count, 1));
+  curve->y = g_try_new0 (double, MAX (count, 1));
+  if (curve->x == NULL || curve->y == NULL) {
+    qn_curve_clear (curve);
+    return false;
+  }
+  curve->count = count;
+  for (size_t s = 0; s < count; s++) {
+    const double *u = qn_result_step_displacements (result, s);
+    curve->x[s] = u[(size_t) block * QN_DOF_COUNT + dof];
+    curve->y[s] = result->steps[s].multiplier;
+  }
+  if (count > 0) {
+    curve->limit_point = find_limit_point (result);
+    curve->collapse_point = find_collapse (result);
+  }
+  return true;
+}
+
+void
+qn_curve_clear (QnCurve *curve)
+{
+  g_free (curve->x);
+  g_free (curve->y);
+  *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
+}

@@ -1,0 +1,58 @@
+/* Load-displacement curves: several runs in one plot with ticks, units, marked collapse and
+ * limit points and reference lines. */
+#ifndef QN_RENDER_CURVE_PLOT_H
+#define QN_RENDER_CURVE_PLOT_H
+
+#include "core/model/model.h"
+#include "core/result/result.h"
+#include "render/backend/output.h"
+
+/* One run. */
+typedef struct QnCurve {
+  const char *label; /* in the legend; borrowed, may be NULL where there is one curve */
+  double *x;         /* displacement in SI (m or rad), `count` values; owned */
+  double *y;         /* multiplier; owned */
+  size_t count;
+  ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
+  ptrdiff_t collapse_point; /* index of the point marked as collapse, or -1 */
+  ptrdiff_t dot;            /* index of the moving dot of an animation, or -1 */
+} QnCurve;
+
+/* A horizontal line with a label, for a published value. */
+typedef struct QnReferenceLine {
+  double y;
+  const char *label;
+} QnReferenceLine;
+
+typedef struct QnCurvePlot {
+  const char *title;   /* or NULL */
+  const char *x_label; /* without unit, or NULL: "Displacement" */
+  const char *x_unit;  /* unit of x as it is, "" for none; NULL: x is in m or rad */
+  const char *y_label; /* or NULL: "Load multiplier" */
+  bool rotation;       /* x is in rad instead of m */
+  bool x_log, y_log;   /* decades: values that are not positive are left out */
+  bool points;         /* every point of the curves is marked */
+  const QnCurve *curves;
+  size_t curve_count;
+  const QnReferenceLine *references;
+  size_t reference_count;
+  bool monochrome;
+} QnCurvePlot;
+
+/* The curve of one component of one block's displacement over the steps of a result. With
+ * block = QN_NONE: the block that moves most at the last step, by its larger component,
+ * which *block_used and *dof_used (nullable) tell. False when memory runs out. */
+bool qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof dof,
+                           QnId *block_used, QnDof *dof_used);
+
+void qn_curve_clear (QnCurve *curve);
+
+/* Writes the plot as qn_page_export() does. */
+bool qn_curve_export (const QnCurvePlot *plot, const char *path, const QnOutput *output,
+                      const QnMetadata *metadata, GError **error);
+
+/* Draws the plot into a rectangle of a page. */
+void qn_curve_plot_draw (const QnCurvePlot *plot, cairo_t *cr, const QnPage *page,
+                         double x, double y, double width, double height);
+
+#endif

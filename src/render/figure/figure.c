@@ -1,0 +1,159 @@
+#include "render/figure/figure.h"
+
+#include "render/figure/figure-layout.h"
+#include "render/scene/motion.h"
+#include "render/scene/text.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+/* Space around everything, pt. */
+#define PAGE_MARGIN 8.0
+
+void
+qn_figure_init (QnFigure *figure, const QnModel *model, const QnContacts *contacts,
+                const QnResult *result, QnView view)
+{
+  *figure = (QnFigure){ .model = model, .contacts = contacts, .result = result };
+  qn_view_options_init (&figure->options, view);
+}
+
+static size_t
+shown_step (const QnFigure *figure)
+{
+  const QnResult *result = figure->result;
+  return figure->options.step == QN_STEP_LAST
+           ? result->step_count - 1
+           : MIN ((size_t) MAX (figure->options.step, 0), result->step_count - 1);
+}
+
+static bool
+shows_result (const QnFigure *figure)
+{
+  return figure->result != NULL && figure->options.view != QN_VIEW_MODEL
+         && figure->options.view != QN_VIEW_CONTACTS;
+}
+
+double
+qn_figure_multiplier (const QnFigure *figure)
+{
+  const QnResult *result = figure->result;
+  if (!shows_result (figure))
+    return (double) NAN;
+  if (figure->options.view == QN_VIEW_MECHANISM && result->has_collapse_multiplier)
+    return result->collapse_multiplier;
+  return result->step_count > 0 ? result->steps[shown_step (figure)].multiplier
+                                : (double) NAN;
+}
+
+/* ---- words ----------------------------------------------------------------------------- */
+
+static void
+append_part (GString *text, const char *part)
+{
+  if (text->len > 0)
+    g_string_append (text, " · ");
+  g_string_append (text, part);
+}
+
+static void
+append_multiplier (GString *text, const QnFigure *figure, bool brief)
+{
+  double multiplier = qn_figure_multiplier (figure);
+  const QnResult *result = figure->result;
+  if (isnan (multiplier))
+    return;
+  g_autofree char *number =
+    qn_label_number (fabs (multiplier) < 10 ? "%.4f" : "%.5g", multiplier);
+  g_autofree char *part =
+    g_strdup_printf (brief ? "λ = %s" : _ ("load multiplier λ = %s"), number);
+  append_part (text, part);
+  if (brief || figure->options.view == QN_VIEW_MECHANISM || result->step_count == 0)
+    return;
+  size_t step = shown_step (figure);
+  if (result->steps[step].event == QN_EVENT_COLLAPSE)
+    append_part (text, _ ("last equilibrium before collapse"));
+  else if (result->steps[step].event == QN_EVENT_SNAP)
+    append_part (text, _ ("after a snap"));
+}
+
+static void
+append_mechanism (GString *text, const QnFigure *figure, const QnScene *scene)
+{
+  if (figure->options.view != QN_VIEW_MECHANISM || figure->contacts == NULL
+      || figure->result->mechanism == NULL
+      || figure->result->block_count != figure->model->block_count)
+    return;
+  append_part (text, qn_mechanism_kind_text (scene->mechanism));
+  if (figure->result->mechanism_uncertain)
+    append_part (text, _ ("last motion"));
+}
+
+char *
+qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  const QnModel *model = figure->model;
+  if (!shows_result (figure)) {
+    g_autofree char *blocks = g_strdup_printf (
+      ngettext ("%zu block", "%zu blocks", model->block_count), model->block_count);
+    if (model->block_count > 0 || model->beam_count == 0)
+      append_part (text, blocks);
+    g_autofree char *beams = g_strdup_printf (
+      ngettext ("%zu beam", "%zu beams", model->beam_count), model->beam_count);
+    if (model->beam_count > 0)
+      append_part (text, beams);
+    return g_strdup (text->str);
+  }
+  append_multiplier (text, figure, brief);
+  append_mechanism (text, figure, scene);
+  if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
+    g_autofree char *number = qn_label_number ("%g", scene->scale);
+    g_autofree char *scale = g_strdup_printf (_ ("displacements × %s"), number);
+    append_part (text, scale);
+  }
+  return g_strdup (text->str);
+}
+
+bool
+qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
+                const QnFrame *frame, QnCamera *camera, GError **error)
+{
+  g_autoptr (QnScene) scene = qn_scene_build (figure->model, figure->contacts,
+                                              figure->result, &figure->options, error);
+  if (scene == NULL)
+    return false;
+  QnFigureLayout layout;
+  qn_figure_layout_init (&layout, figure, scene, cr, page, frame);
+  bool done = qn_figure_layout_draw (&layout, figure, scene, cr, page, error);
+  if (camera != NULL)
+    *camera = layout.camera;
+  qn_figure_layout_clear (&layout);
+  return done;
+}
+
+/* ---- export ---------------------------------------------------------------------------- */
+
+static bool
+draw_figure_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
+{
+  double margin = fmin (PAGE_MARGIN * page->unit, 0.1 * fmin (page->width, page->height));
+  QnFrame frame = { .x = margin,
+                    .y = margin,
+                    .width = page->width - 2 * margin,
+                    .height = page->height - 2 * margin };
+  return qn_figure_draw (data, cr, page, &frame, NULL, error);
+}
+
+bool
+qn_figure_export (const QnFigure *figure, const char *path, const QnOutput *output,
+                  const QnMetadata *metadata, GError **error)
+{
+  QnMetadata full = *metadata;
+  if (full.title == NULL)
+    full.title = figure->title != NULL ? figure->title : figure->model->title;
+  if (isnan (full.multiplier))
+    full.multiplier = qn_figure_multiplier (figure);
+  QnFigure copy = *figure;
+  return qn_page_export (path, output, &full, draw_figure_page, &copy, error);
+}

@@ -1,0 +1,43 @@
+/* A figure: one view of one model with title, legend and scale bar, ready for a report. */
+#ifndef QN_RENDER_FIGURE_H
+#define QN_RENDER_FIGURE_H
+
+#include "render/backend/output.h"
+#include "render/scene/scene.h"
+
+typedef struct QnFigure {
+  const QnModel *model;       /* borrowed, prepared */
+  const QnContacts *contacts; /* borrowed; NULL where the view does without */
+  const QnResult *result;     /* borrowed; NULL where the view does without */
+  QnViewOptions options;
+  const char *title; /* above the picture; NULL: the model's title */
+  const char
+    *caption; /* second line; NULL: what the view, step and result say; "": none */
+} QnFigure;
+
+void qn_figure_init (QnFigure *figure, const QnModel *model, const QnContacts *contacts,
+                     const QnResult *result, QnView view);
+
+/* Writes PNG, SVG or PDF by the ending of the path. Title and multiplier are added to the
+ * metadata where it does not give them. */
+bool qn_figure_export (const QnFigure *figure, const char *path, const QnOutput *output,
+                       const QnMetadata *metadata, GError **error);
+
+/* Multiplier of what the figure shows; not-a-number where no result is shown. */
+double qn_figure_multiplier (const QnFigure *figure);
+
+/* The second line of a figure as it would stand there by itself, or shorter for sheets; newly
+ * allocated. */
+char *qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief);
+
+/* One figure within a rectangle of a page. */
+typedef struct QnFrame {
+  double x, y, width, height; /* px */
+  double scale;               /* px per m wanted; 0: as large as fits */
+} QnFrame;
+
+/* Draws scene and furniture. `camera`, nullable, receives the camera used. */
+bool qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
+                     const QnFrame *frame, QnCamera *camera, GError **error);
+
+#endif

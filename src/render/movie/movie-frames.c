@@ -1,0 +1,111 @@
+/* Numbered PNG pictures in a folder, all of them or none. */
+#include "disk/file-group.h"
+#include "disk/whole-file.h"
+#include "render/backend/png-encode.h"
+#include "render/movie/movie.h"
+
+#include <errno.h>
+#include <glib/gi18n-lib.h>
+#include <glib/gstdio.h>
+#include <stdlib.h>
+
+struct QnMovie {
+  char *folder;
+  char *generator;
+  bool made; /* the folder did not exist before */
+  QnFileGroup pictures;
+};
+
+static void
+movie_free (QnMovie *movie)
+{
+  g_free (movie->folder);
+  g_free (movie->generator);
+  g_free (movie);
+}
+
+static void
+set_write_error (GError **error, const char *path, int trouble)
+{
+  g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
+               _ ("%s: cannot be written: %s"), path, g_strerror (trouble));
+}
+
+static void
+frames_abandon (QnMovie *movie)
+{
+  qn_file_group_discard (&movie->pictures);
+  if (movie->made)
+    g_rmdir (movie->folder);
+  movie_free (movie);
+}
+
+static QnMovie *
+frames_open (const char *path, const QnPage *page, double rate,
+             const QnMetadata *metadata, cairo_surface_t *const *samples,
+             int sample_count, GError **error)
+{
+  (void) page;
+  (void) rate;
+  (void) samples;
+  (void) sample_count;
+  bool exists = g_file_test (path, G_FILE_TEST_IS_DIR);
+  if (!exists && g_mkdir (path, 0777) != 0) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
+                 _ ("%s: cannot be made: %s"), path, g_strerror (errno));
+    return NULL;
+  }
+  QnMovie *movie = g_new0 (QnMovie, 1);
+  movie->folder = g_strdup (path);
+  movie->generator = g_strdup (metadata->generator);
+  movie->made = !exists;
+  int trouble = qn_file_group_open (&movie->pictures, path);
+  if (trouble == 0)
+    return movie;
+  set_write_error (error, path, trouble);
+  frames_abandon (movie);
+  return NULL;
+}
+
+static bool
+frames_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
+{
+  g_autofree char *name = g_strdup_printf ("frame-%04zu.png", movie->pictures.count + 1);
+  QnPngText text = { "Software", movie->generator };
+  g_autoptr (GBytes) bytes =
+    qn_png_encode (frame, 0, &text, movie->generator != NULL ? 1 : 0, error);
+  if (bytes == NULL)
+    return false;
+  gsize length;
+  const void *data = g_bytes_get_data (bytes, &length);
+  char *path;
+  int trouble = qn_file_group_add (&movie->pictures, name, &path);
+  if (trouble == 0)
+    trouble = qn_whole_file_replace (path, data, length);
+  free (path);
+  if (trouble != 0) {
+    g_autofree char *meant = g_build_filename (movie->folder, name, NULL);
+    set_write_error (error, meant, trouble);
+  }
+  return trouble == 0;
+}
+
+static bool
+frames_finish (QnMovie *movie, GError **error)
+{
+  int trouble = qn_file_group_commit (&movie->pictures);
+  if (trouble != 0) {
+    set_write_error (error, movie->folder, trouble);
+    frames_abandon (movie);
+    return false;
+  }
+  movie_free (movie);
+  return true;
+}
+
+const QnMovieFormat qn_movie_frames = {
+  .open = frames_open,
+  .add = frames_add,
+  .finish = frames_finish,
+  .abandon = frames_abandon,
+};

@@ -1,0 +1,207 @@
+/* Animated GIF through giflib: one palette for all frames, and of every frame only the
+ * rectangle that changed. */
+#include "render/movie/movie.h"
+#include "render/scene/palette.h"
+
+#include <gif_lib.h>
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+struct QnMovie {
+  char *path;
+  GByteArray *bytes;
+  GifFileType *gif;
+  QnPalette palette;
+  int width, height, delay; /* delay in hundredths of a second */
+  uint8_t *previous, *current;
+  bool first;
+};
+
+static int
+append_bytes (GifFileType *gif, const GifByteType *data, int length)
+{
+  g_byte_array_append (gif->UserData, data, (guint) length);
+  return length;
+}
+
+static void
+movie_free (QnMovie *movie)
+{
+  int code;
+  if (movie->gif != NULL)
+    EGifCloseFile (movie->gif, &code);
+  qn_palette_clear (&movie->palette);
+  g_byte_array_unref (movie->bytes);
+  g_free (movie->path);
+  g_free (movie->previous);
+  g_free (movie->current);
+  g_free (movie);
+}
+
+static void
+set_failed (GError **error)
+{
+  g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                       _ ("the animation could not be encoded as GIF"));
+}
+
+/* The palette padded to a power of two, as the format wants it. */
+static ColorMapObject *
+make_color_map (const QnPalette *palette)
+{
+  GifColorType colors[QN_PALETTE_MAX] = { { 0, 0, 0 } };
+  int size = 2;
+  while (size < palette->count)
+    size *= 2;
+  for (int i = 0; i < palette->count; i++)
+    colors[i] = (GifColorType){ palette->colors[i][0], palette->colors[i][1],
+                                palette->colors[i][2] };
+  return GifMakeMapObject (size, colors);
+}
+
+/* Screen, endless loop, and who made it. */
+static bool
+put_header (QnMovie *movie, const QnMetadata *metadata)
+{
+  static const GifByteType loop[3] = { 1, 0, 0 };
+  GifFileType *gif = movie->gif;
+  ColorMapObject *map = make_color_map (&movie->palette);
+  EGifSetGifVersion (gif, true);
+  bool done = map != NULL
+              && EGifPutScreenDesc (gif, movie->width, movie->height, 8, 0, map) == GIF_OK
+              && EGifPutExtensionLeader (gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK
+              && EGifPutExtensionBlock (gif, 11, "NETSCAPE2.0") == GIF_OK
+              && EGifPutExtensionBlock (gif, sizeof loop, loop) == GIF_OK
+              && EGifPutExtensionTrailer (gif) == GIF_OK;
+  GifFreeMapObject (map);
+  g_autoptr (GString) comment = g_string_new (metadata->generator);
+  if (metadata->title != NULL)
+    g_string_append_printf (comment, "; %s", metadata->title);
+  if (!isnan (metadata->multiplier)) {
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    g_ascii_formatd (number, sizeof number, "%.6g", metadata->multiplier);
+    g_string_append_printf (comment, "; multiplier %s", number);
+  }
+  if (metadata->model != NULL)
+    g_string_append_printf (comment, "; %s", metadata->model);
+  if (metadata->model_sha256 != NULL)
+    g_string_append_printf (comment, "; sha256 %s", metadata->model_sha256);
+  return done && (comment->len == 0 || EGifPutComment (gif, comment->str) == GIF_OK);
+}
+
+static QnMovie *
+gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
+          cairo_surface_t *const *samples, int sample_count, GError **error)
+{
+  int code;
+  QnMovie *movie = g_new0 (QnMovie, 1);
+  movie->path = g_strdup (path);
+  movie->bytes = g_byte_array_new ();
+  movie->width = (int) page->width;
+  movie->height = (int) page->height;
+  /* Viewers slow down what is faster than fifty frames a second. */
+  movie->delay = MAX (2, (int) lround (100 / rate));
+  movie->first = true;
+  qn_palette_init (&movie->palette, samples, sample_count);
+  movie->previous = g_try_malloc ((gsize) movie->width * movie->height);
+  movie->current = g_try_malloc ((gsize) movie->width * movie->height);
+  movie->gif = EGifOpen (movie->bytes, append_bytes, &code);
+  if (movie->previous == NULL || movie->current == NULL || movie->gif == NULL
+      || !put_header (movie, metadata)) {
+    movie_free (movie);
+    set_failed (error);
+    return NULL;
+  }
+  return movie;
+}
+
+static void
+index_frame (QnMovie *movie, cairo_surface_t *frame)
+{
+  int stride = cairo_image_surface_get_stride (frame);
+  const unsigned char *data = cairo_image_surface_get_data (frame);
+  uint8_t *out = movie->current;
+  for (int y = 0; y < movie->height; y++) {
+    const uint32_t *row = (const uint32_t *) (const void *) (data + (size_t) y * stride);
+    for (int x = 0; x < movie->width; x++)
+      *out++ = qn_palette_find (&movie->palette, row[x]);
+  }
+}
+
+/* The smallest rectangle outside which nothing changed; one pixel where nothing did. */
+static void
+find_change (const QnMovie *movie, int *left, int *top, int *right, int *bottom)
+{
+  *left = movie->width;
+  *top = movie->height;
+  *right = *bottom = 0;
+  for (int y = 0; y < movie->height; y++) {
+    const uint8_t *a = movie->previous + (size_t) y * movie->width;
+    const uint8_t *b = movie->current + (size_t) y * movie->width;
+    if (memcmp (a, b, (size_t) movie->width) == 0)
+      continue;
+    int first = 0, last = movie->width - 1;
+    while (a[first] == b[first])
+      first++;
+    while (a[last] == b[last])
+      last--;
+    *left = MIN (*left, first);
+    *right = MAX (*right, last + 1);
+    *top = MIN (*top, y);
+    *bottom = y + 1;
+  }
+  if (*right == 0)
+    *left = *top = 0, *right = *bottom = 1;
+}
+
+static bool
+gif_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
+{
+  int left = 0, top = 0, right = movie->width, bottom = movie->height;
+  index_frame (movie, frame);
+  if (!movie->first)
+    find_change (movie, &left, &top, &right, &bottom);
+  movie->first = false;
+
+  GraphicsControlBlock control = { .DisposalMode = DISPOSE_DO_NOT,
+                                   .DelayTime = movie->delay,
+                                   .TransparentColor = NO_TRANSPARENT_COLOR };
+  GifByteType block[4];
+  EGifGCBToExtension (&control, block);
+  bool done =
+    EGifPutExtension (movie->gif, GRAPHICS_EXT_FUNC_CODE, 4, block) == GIF_OK
+    && EGifPutImageDesc (movie->gif, left, top, right - left, bottom - top, false, NULL)
+         == GIF_OK;
+  for (int y = top; done && y < bottom; y++)
+    done = EGifPutLine (movie->gif, movie->current + (size_t) y * movie->width + left,
+                        right - left)
+           == GIF_OK;
+  uint8_t *swap = movie->previous;
+  movie->previous = movie->current;
+  movie->current = swap;
+  if (!done)
+    set_failed (error);
+  return done;
+}
+
+static bool
+gif_finish (QnMovie *movie, GError **error)
+{
+  int code;
+  bool done = EGifCloseFile (movie->gif, &code) == GIF_OK;
+  movie->gif = NULL;
+  if (!done)
+    set_failed (error);
+  done =
+    done && qn_file_replace (movie->path, movie->bytes->data, movie->bytes->len, error);
+  movie_free (movie);
+  return done;
+}
+
+const QnMovieFormat qn_movie_gif = {
+  .open = gif_open,
+  .add = gif_add,
+  .finish = gif_finish,
+  .abandon = movie_free,
+};

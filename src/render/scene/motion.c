@@ -1,0 +1,205 @@
+#include "render/scene/motion.h"
+
+#include "render/scene/camera.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Fraction of the structure's diagonal that the fastest point moves in a drawing. */
+#define AUTO_SHARE    (1.0 / 12.0)
+#define AUTO_ROTATION 0.25
+
+/* Share of the largest joint motion below which a joint counts as closed. */
+#define JOINT_SHARE 0.02
+
+/* Share of the largest displacement below which a joint's motion is not seen: a twelfth of the
+ * diagonal is drawn of that displacement, of the joint a four-hundredth. */
+#define SEEN_SHARE 0.03
+
+QnVec2
+qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale)
+{
+  if (motion->displacements == NULL)
+    return p;
+  const double *u = motion->displacements + (size_t) block * QN_DOF_COUNT;
+  QnVec2 c = motion->model->blocks[block].centroid;
+  QnVec2 arm = qn_vec2_sub (p, c);
+  double angle = scale * u[QN_DOF_RZ];
+  QnVec2 turned = motion->linear ? qn_vec2_add_scaled (arm, angle, qn_vec2_perp (arm))
+                                 : qn_vec2_rotate (arm, cos (angle), sin (angle));
+  return qn_vec2 (c.x + turned.x + scale * u[QN_DOF_UX],
+                  c.y + turned.y + scale * u[QN_DOF_UY]);
+}
+
+double
+qn_motion_of_block (const QnMotion *motion, QnId block)
+{
+  const QnVec2 *v = qn_model_block_vertices (motion->model, block);
+  double largest = 0;
+  for (QnId i = 0; i < motion->model->blocks[block].vertex_count; i++) {
+    QnVec2 moved = qn_motion_place (motion, block, v[i], 1);
+    largest = fmax (largest, qn_vec2_length (qn_vec2_sub (moved, v[i])));
+  }
+  return largest;
+}
+
+double
+qn_motion_largest (const QnMotion *motion)
+{
+  double largest = 0;
+  for (size_t b = 0; b < motion->model->block_count; b++)
+    largest = fmax (largest, qn_motion_of_block (motion, (QnId) b));
+  for (size_t n = 0; motion->displacements != NULL && n < motion->model->node_count;
+       n++) {
+    const double *u =
+      motion->displacements + QN_DOF_COUNT * (motion->model->block_count + n);
+    largest = fmax (largest, hypot (u[QN_DOF_UX], u[QN_DOF_UY]));
+  }
+  return largest;
+}
+
+double
+qn_motion_auto_scale (const QnMotion *motion)
+{
+  const QnModel *model = motion->model;
+  QnBox box = QN_BOX_EMPTY;
+  double turn = 0;
+  for (size_t i = 0; i < model->vertex_count; i++)
+    qn_box_add_point (&box, model->vertices[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
+  for (size_t b = 0; motion->displacements != NULL && b < model->block_count; b++)
+    turn = fmax (turn, fabs (motion->displacements[b * QN_DOF_COUNT + QN_DOF_RZ]));
+
+  double largest = qn_motion_largest (motion);
+  double scale = AUTO_SHARE * qn_box_diagonal (box) / largest;
+  if (turn > 0)
+    scale = fmin (scale, AUTO_ROTATION / turn);
+  if (!(largest > 0) || !isfinite (scale) || scale <= 0)
+    return 1;
+
+  double power = pow (10, floor (log10 (scale)) - 1);
+  return floor (scale / power) * power;
+}
+
+QnJoint
+qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
+{
+  QnVec2 normal = face->normal, tangent = face->tangent;
+  if (!motion->linear && motion->displacements != NULL) {
+    double angle = motion->displacements[(size_t) face->a * QN_DOF_COUNT + QN_DOF_RZ];
+    normal = qn_vec2_rotate (normal, cos (angle), sin (angle));
+    tangent = qn_vec2_perp (normal);
+  }
+  QnVec2 ends[2] = { face->start, face->end };
+  QnVec2 jump[2];
+  for (int i = 0; i < 2; i++)
+    jump[i] = qn_vec2_sub (qn_motion_place (motion, face->b, ends[i], 1),
+                           qn_motion_place (motion, face->a, ends[i], 1));
+  return (QnJoint){
+    .opening_start = qn_vec2_dot (jump[0], normal),
+    .opening_end = qn_vec2_dot (jump[1], normal),
+    .slip = 0.5 * (qn_vec2_dot (jump[0], tangent) + qn_vec2_dot (jump[1], tangent)),
+  };
+}
+
+/* States by what the analysis found at the pairs of the face, where the motion is more than
+ * `least`: near collapse most joints slip or open a little, which no picture shows. */
+static void
+joint_states_from_pairs (QnJoint *joint, const QnContactFace *face,
+                         const QnPairResult *pairs, double least)
+{
+  if (face->pair_count < 1)
+    return;
+  const QnPairResult *first = pairs + face->first_pair;
+  const QnPairResult *last = first + face->pair_count - 1;
+  bool slips = false;
+  for (int32_t i = 0; i < face->pair_count; i++)
+    slips |= first[i].state == QN_PAIR_SLIP;
+  joint->open_start = first->state == QN_PAIR_OPEN && joint->opening_start > least;
+  joint->open_end = last->state == QN_PAIR_OPEN && joint->opening_end > least;
+  joint->sliding = slips && fabs (joint->slip) > least;
+}
+
+QnJoint *
+qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
+                  const QnPairResult *pairs)
+{
+  QnJoint *joints = g_new0 (QnJoint, MAX (contacts->face_count, 1));
+  double largest = 0;
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    QnJoint *joint = &joints[f];
+    *joint = qn_motion_joint (motion, &contacts->faces[f]);
+    largest = fmax (largest, fmax (joint->opening_start, joint->opening_end));
+    largest = fmax (largest, fabs (joint->slip));
+  }
+  double least = JOINT_SHARE * largest;
+  double seen = fmax (least, SEEN_SHARE * qn_motion_largest (motion));
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    QnJoint *joint = &joints[f];
+    if (pairs != NULL) {
+      joint_states_from_pairs (joint, &contacts->faces[f], pairs, seen);
+      continue;
+    }
+    joint->open_start = largest > 0 && joint->opening_start > least;
+    joint->open_end = largest > 0 && joint->opening_end > least;
+    joint->sliding = largest > 0 && fabs (joint->slip) > least
+                     && !(joint->open_start && joint->open_end);
+  }
+  return joints;
+}
+
+/* Friction that dilates lifts a sliding joint off its bed without opening it. */
+static void
+joint_states_from_kind (QnJoint *joint, const QnJointMotion *motion)
+{
+  if (motion->kind != QN_JOINT_SLIDING)
+    return;
+  joint->open_start = joint->open_end = false;
+  joint->sliding = true;
+}
+
+QnJoint *
+qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
+                            const double *velocities, QnMechanismKind *kind)
+{
+  QnMotion motion = {
+    .model = model, .displacements = velocities, .linear = true, .scale = 1
+  };
+  QnJoint *joints = qn_motion_joints (&motion, contacts, NULL);
+  QnMechanism mechanism;
+  *kind = QN_MECHANISM_KIND_NONE;
+  if (qn_mechanism_init (&mechanism, model, contacts, velocities, NULL) != QN_OK) {
+    g_free (joints);
+    return NULL;
+  }
+  for (size_t f = 0; f < mechanism.joint_count; f++)
+    joint_states_from_kind (&joints[f], &mechanism.joints[f]);
+  *kind = mechanism.kind;
+  qn_mechanism_clear (&mechanism);
+  return joints;
+}
+
+const char *
+qn_mechanism_kind_text (QnMechanismKind kind)
+{
+  switch (kind) {
+  case QN_MECHANISM_KIND_OVERTURNING:
+    return _ ("overturning");
+  case QN_MECHANISM_KIND_ROCKING:
+    return _ ("rocking");
+  case QN_MECHANISM_KIND_SLIDING:
+    return _ ("sliding");
+  case QN_MECHANISM_KIND_STEPPED:
+    return _ ("stepped separation");
+  case QN_MECHANISM_KIND_ARCH:
+    return _ ("hinged arch");
+  case QN_MECHANISM_KIND_FALLING:
+    return _ ("falling blocks");
+  case QN_MECHANISM_KIND_MIXED:
+    return _ ("rocking and sliding");
+  case QN_MECHANISM_KIND_NONE:
+  case QN_MECHANISM_KIND_COUNT:
+    break;
+  }
+  return _ ("beams give way"); /* no block moves */
+}

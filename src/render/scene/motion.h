@@ -1,0 +1,57 @@
+/* Motion: a displacement field over the blocks, scaled for drawing, and what it does to the
+ * joints. */
+#ifndef QN_RENDER_MOTION_H
+#define QN_RENDER_MOTION_H
+
+#include "core/contact/contacts.h"
+#include "core/result/mechanism.h"
+#include "core/result/result.h"
+
+typedef struct QnMotion {
+  const QnModel *model;
+  const double
+    *displacements; /* a row (m, m, rad) for every block, then for every node of
+                                  beams; NULL: nothing moves */
+  bool linear; /* rotations act linearly, as in the analysis; closed joints stay closed */
+  double scale; /* displacements and rotations are drawn multiplied by this */
+} QnMotion;
+
+/* Place of the point `p` of a block (m), moved by `scale` times the field. */
+QnVec2 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double scale);
+
+/* A factor that moves the fastest vertex by about a twelfth of the structure's diagonal and
+ * turns no block by more than a quarter of a radian; 1 where nothing moves. Rounded down to
+ * two digits. */
+double qn_motion_auto_scale (const QnMotion *motion);
+
+/* Largest length of a displacement over the vertices of one block and of all, m, not scaled. */
+double qn_motion_of_block (const QnMotion *motion, QnId block);
+double qn_motion_largest (const QnMotion *motion);
+
+/* What a joint does. */
+typedef struct QnJoint {
+  double opening_start, opening_end; /* m, of the two ends of the face; < 0: closing */
+  double slip;                       /* m, of block b along the tangent, mean */
+  bool open_start, open_end, sliding;
+} QnJoint;
+
+/* Relative motion of the two sides of a face under the unscaled field. States are not set. */
+QnJoint qn_motion_joint (const QnMotion *motion, const QnContactFace *face);
+
+/* Joints of all faces (newly allocated, face_count of them, g_free). `pairs`, nullable, are
+ * pair results that decide the states of joints that move by more than 3 % of the largest
+ * displacement; without them a joint opens or slides where it moves by more than 2 % of the
+ * largest joint motion. */
+QnJoint *qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
+                           const QnPairResult *pairs);
+
+/* The same for the velocity field of a mechanism, where a joint that only dilates while it
+ * slides does not count as open; *kind is what the core calls the whole (see core/result/mechanism.h).
+ * NULL when memory runs out. */
+QnJoint *qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
+                                     const double *velocities, QnMechanismKind *kind);
+
+/* "overturning", "rocking", "sliding", …; translated. */
+const char *qn_mechanism_kind_text (QnMechanismKind kind);
+
+#endif

@@ -1,0 +1,17 @@
+/* Colours of the palette as Cairo takes them. */
+#ifndef QN_RENDER_PAINT_H
+#define QN_RENDER_PAINT_H
+
+#include "render/scene/color.h"
+
+#include <cairo.h>
+
+/* What follows is painted in this colour, with its opacity multiplied by alpha, 0 .. 1. */
+static inline void
+qn_set_color (cairo_t *cr, QnColor color, double alpha)
+{
+  cairo_set_source_rgba (cr, color.r / 255.0, color.g / 255.0, color.b / 255.0,
+                         color.a / 255.0 * alpha);
+}
+
+#endif

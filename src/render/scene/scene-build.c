@@ -1,0 +1,260 @@
+/* Chooses, checks and runs the builders of one view. */
+#include "render/backend/output.h"
+#include "render/scene/scene-builder.h"
+
+#include <glib/gi18n-lib.h>
+
+static bool
+needs_result (const QnViewOptions *options)
+{
+  return options->view == QN_VIEW_DEFORMED || options->view == QN_VIEW_MECHANISM
+         || options->view == QN_VIEW_FORCES || options->view == QN_VIEW_DIAGRAMS;
+}
+
+static bool
+result_fits (const QnSceneBuilder *b, const QnResult *result, GError **error)
+{
+  if (result->block_count != b->model->block_count) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the result has %zu blocks, the model %zu"), result->block_count,
+                 b->model->block_count);
+    return false;
+  }
+  if (b->options->view == QN_VIEW_MECHANISM && result->mechanism == NULL) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the result has no mechanism"));
+    return false;
+  }
+  if (b->options->view != QN_VIEW_MECHANISM && result->step_count == 0) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the result has no steps"));
+    return false;
+  }
+  return true;
+}
+
+/* A field is read off a result; stresses and forces off its contact forces as well. */
+static bool
+forces_fit (const QnSceneBuilder *b, GError **error)
+{
+  bool wanted =
+    b->options->view == QN_VIEW_FORCES || b->options->field == QN_FIELD_STRESS;
+  if (!wanted)
+    return true;
+  if (b->contacts == NULL || b->result->pairs == NULL
+      || b->result->pair_count != b->contacts->pair_count) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the result has no contact forces of this model"));
+    return false;
+  }
+  if (!qn_result_has_forces (b->result, b->step)) {
+    g_set_error_literal (
+      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+      b->result->limit.given
+        ? _ ("limit analysis knows contact forces at its last step alone")
+        : _ ("the result has the contact forces of its last step alone; "
+             "solve --detail steps keeps all"));
+    return false;
+  }
+  return true;
+}
+
+static bool
+choose_step (QnSceneBuilder *b, GError **error)
+{
+  const QnViewOptions *options = b->options;
+  if (b->result == NULL || b->result->step_count == 0)
+    return true;
+  if (options->step == QN_STEP_LAST) {
+    b->step = b->result->step_count - 1;
+    return true;
+  }
+  if (options->step < 0 || (size_t) options->step >= b->result->step_count) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the result has no step %d (0 to %zu)"), options->step,
+                 b->result->step_count - 1);
+    return false;
+  }
+  b->step = (size_t) options->step;
+  return true;
+}
+
+static bool
+check (QnSceneBuilder *b, GError **error)
+{
+  const QnViewOptions *options = b->options;
+  bool wants_result = needs_result (options) || options->field != QN_FIELD_NONE;
+  if (wants_result && b->result == NULL) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the view \"%s\" needs a result"), qn_view_name (options->view));
+    return false;
+  }
+  bool wants_contacts = options->view == QN_VIEW_CONTACTS
+                        || options->field == QN_FIELD_OPENING
+                        || options->field == QN_FIELD_SLIDING;
+  if (wants_contacts && b->contacts == NULL) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("the view \"%s\" needs contacts"), qn_view_name (options->view));
+    return false;
+  }
+  if (!isfinite (options->scale) || options->scale < 0 || !isfinite (options->phase)) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("the scale of displacements must be a positive number"));
+    return false;
+  }
+  if (wants_result && !result_fits (b, b->result, error))
+    return false;
+  if (options->onion != NULL && !result_fits (b, options->onion, error))
+    return false;
+  if (options->view == QN_VIEW_DIAGRAMS && b->result->beam_forces == NULL) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("diagrams need beams and a result that holds their forces"));
+    return false;
+  }
+  return choose_step (b, error) && (!wants_result || forces_fit (b, error));
+}
+
+/* Whether forces balance where the blocks have moved to, and are drawn there. */
+static bool
+forces_act_displaced (const QnSceneBuilder *b)
+{
+  return b->options->view == QN_VIEW_FORCES && b->result != NULL
+         && b->result->step_count > 0 && !b->result->limit.given
+         && b->model->analysis.geometry != QN_GEOMETRY_LINEAR;
+}
+
+/* The displacements that the view shows, at the factor asked for. */
+static void
+choose_motion (QnSceneBuilder *b)
+{
+  const QnViewOptions *options = b->options;
+  b->motion = (QnMotion){ .model = b->model, .linear = true, .scale = 0 };
+  if (options->view == QN_VIEW_MECHANISM) {
+    b->motion.displacements = b->result->mechanism;
+  } else if (options->view == QN_VIEW_DEFORMED) {
+    b->motion.displacements = qn_result_step_displacements (b->result, b->step);
+    b->motion.linear = b->model->analysis.geometry == QN_GEOMETRY_LINEAR;
+  } else {
+    if (forces_act_displaced (b)) {
+      b->motion.displacements = qn_result_step_displacements (b->result, b->step);
+      b->motion.linear = false;
+      b->motion.scale = 1;
+    }
+    return;
+  }
+  double scale = options->scale;
+  if (!(scale > 0))
+    scale = qn_motion_auto_scale (&b->motion);
+  b->scene->scale = scale;
+  b->motion.scale = scale * options->phase;
+}
+
+/* Contact forces of the step shown. */
+static void
+find_pairs (QnSceneBuilder *b)
+{
+  if (b->result == NULL || b->contacts == NULL || b->options->view == QN_VIEW_MECHANISM
+      || b->result->pair_count != b->contacts->pair_count
+      || !qn_result_has_forces (b->result, b->step))
+    return;
+  b->pairs = g_new (QnPairResult, MAX (b->result->pair_count, 1));
+  for (size_t p = 0; p < b->result->pair_count; p++)
+    b->pairs[p] = qn_result_pair_at (b->result, b->step, p);
+}
+
+/* Where the analysis does not say how joints are, the motion tells. */
+static bool
+find_joints (QnSceneBuilder *b, GError **error)
+{
+  if (b->motion.displacements == NULL || b->contacts == NULL
+      || b->options->view == QN_VIEW_FORCES)
+    return true;
+  if (b->options->view != QN_VIEW_MECHANISM) {
+    b->joints = qn_motion_joints (&b->motion, b->contacts, b->pairs);
+    return true;
+  }
+  b->joints = qn_motion_mechanism_joints (b->model, b->contacts, b->result->mechanism,
+                                          &b->scene->mechanism);
+  if (b->joints == NULL)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                         _ ("not enough memory"));
+  return b->joints != NULL;
+}
+
+static void
+build_view (QnSceneBuilder *b)
+{
+  const QnViewOptions *options = b->options;
+  bool moving = b->motion.displacements != NULL && options->view != QN_VIEW_FORCES;
+
+  qn_build_underlay (b);
+  if (moving && options->ghost)
+    qn_build_ghost (b);
+  g_autofree QnColor *fills = qn_build_field (b);
+  qn_build_blocks (b, fills);
+  qn_build_supports (b);
+  qn_build_beams (b);
+  if (options->view == QN_VIEW_CONTACTS)
+    qn_build_contacts (b);
+  if (options->view == QN_VIEW_CONTACTS && options->symbols)
+    qn_build_findings (b);
+  if (b->joints != NULL && options->symbols)
+    qn_build_joints (b);
+  if (options->view == QN_VIEW_FORCES && b->pairs != NULL)
+    qn_build_forces (b);
+  if (options->view == QN_VIEW_DIAGRAMS)
+    qn_build_diagrams (b);
+  if (moving && options->onion != NULL)
+    qn_build_onion (b);
+  if (options->loads)
+    qn_build_loads (b);
+  if (options->dimensions)
+    qn_build_dimensions (b);
+  if (options->names)
+    qn_build_names (b);
+}
+
+QnScene *
+qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult *result,
+                const QnViewOptions *options, GError **error)
+{
+  QnSceneBuilder b = { .model = model,
+                       .contacts = contacts,
+                       .result = result,
+                       .options = options,
+                       .box = QN_BOX_EMPTY };
+  if (!check (&b, error))
+    return NULL;
+
+  b.scene = qn_scene_new ();
+  b.scene->monochrome = options->monochrome;
+  for (size_t i = 0; i < model->vertex_count; i++)
+    qn_box_add_point (&b.box, model->vertices[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&b.box, model->nodes[i].at);
+  b.block_size = model->characteristic_length;
+  if (model->block_count == 0) /* what follows beams' lengths is no size for symbols */
+    b.block_size = 0.08 * qn_box_diagonal (b.box);
+  if (!(b.block_size > 0))
+    b.block_size = 0.1 * qn_box_diagonal (b.box);
+  b.scene->fineness = 0.7 * b.block_size; /* of a block twice as long as tall */
+  choose_motion (&b);
+  find_pairs (&b);
+  if (find_joints (&b, error)) {
+    build_view (&b);
+    qn_scene_finish (b.scene);
+  } else {
+    g_clear_pointer (&b.scene, qn_scene_free);
+  }
+  g_free (b.joints);
+  g_free (b.pairs);
+  return b.scene;
+}
+
+double
+qn_nice_below (double value)
+{
+  double power = pow (10, floor (log10 (value)));
+  double digit = value / power;
+  return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
+}

@@ -1,0 +1,81 @@
+/* What the builders of a scene share; private to the scene-*.c files. */
+#ifndef QN_RENDER_SCENE_BUILDER_H
+#define QN_RENDER_SCENE_BUILDER_H
+
+#include "render/scene/motion.h"
+#include "render/scene/scene.h"
+
+/* Line widths and sizes of figures, pt. */
+#define QN_WIDTH_OUTLINE 0.55
+#define QN_WIDTH_GHOST   0.4
+#define QN_WIDTH_FACE    1.8
+#define QN_WIDTH_ARROW   0.9
+#define QN_SIZE_LABEL    7.0
+
+typedef struct QnSceneBuilder {
+  QnScene *scene;
+  const QnModel *model;
+  const QnContacts *contacts; /* or NULL */
+  const QnResult *result;     /* or NULL */
+  const QnViewOptions *options;
+  size_t step;       /* meaningful with a result */
+  QnMotion motion;   /* of the blocks as drawn; scale includes the animation's phase */
+  QnBox box;         /* of the undeformed blocks and nodes */
+  double block_size; /* m, characteristic length of the blocks */
+  QnPairResult
+    *pairs;        /* at the step, where contact forces are known and wanted; or NULL */
+  QnJoint *joints; /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
+} QnSceneBuilder;
+
+static inline QnColor
+qn_builder_ink (const QnSceneBuilder *builder, QnInk ink)
+{
+  return qn_ink (ink, builder->options->monochrome);
+}
+
+/* The point of a block as drawn. */
+static inline QnVec2
+qn_builder_place (const QnSceneBuilder *builder, QnId block, QnVec2 p)
+{
+  return qn_motion_place (&builder->motion, block, p, builder->motion.scale);
+}
+
+/* scene-blocks.c */
+void qn_build_underlay (QnSceneBuilder *builder);
+void qn_build_ghost (QnSceneBuilder *builder);
+/* `fills`, nullable, has one colour per block. */
+void qn_build_blocks (QnSceneBuilder *builder, const QnColor *fills);
+void qn_build_onion (QnSceneBuilder *builder);
+void qn_build_names (QnSceneBuilder *builder);
+
+/* scene-supports.c */
+void qn_build_supports (QnSceneBuilder *builder);
+
+/* scene-loads.c */
+void qn_build_loads (QnSceneBuilder *builder);
+void qn_build_dimensions (QnSceneBuilder *builder);
+
+/* scene-contacts.c */
+void qn_build_contacts (QnSceneBuilder *builder);
+void qn_build_findings (QnSceneBuilder *builder);
+
+/* scene-joints.c */
+void qn_build_joints (QnSceneBuilder *builder);
+
+/* scene-forces.c */
+void qn_build_forces (QnSceneBuilder *builder);
+
+/* scene-beams.c */
+void qn_build_beams (QnSceneBuilder *builder);
+
+/* scene-diagrams.c */
+void qn_build_diagrams (QnSceneBuilder *builder);
+
+/* scene-field.c: one colour per block, newly allocated, or NULL where the field is not one of
+ * blocks; fields of joints are added as lines. */
+QnColor *qn_build_field (QnSceneBuilder *builder);
+
+/* The largest of 1, 2, 5 x 10^n not above `value` (> 0). */
+double qn_nice_below (double value);
+
+#endif

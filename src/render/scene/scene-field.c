@@ -1,0 +1,178 @@
+/* Fields by colour: displacements and mean stresses of blocks, opening and sliding of joints. */
+#include "render/scene/scene-builder.h"
+
+#include <glib/gi18n-lib.h>
+
+typedef struct FieldSpec {
+  const char *title;          /* to be translated */
+  const char *relative_title; /* of the scaled velocities of a mechanism */
+  double factor;              /* from SI to the unit of the title */
+  bool diverging;
+  bool joints;
+} FieldSpec;
+
+static const FieldSpec specs[QN_FIELD_COUNT] = {
+  [QN_FIELD_NONE] = { "", "", 1, false, false },
+  [QN_FIELD_DISPLACEMENT] = { N_ ("Displacement (mm)"), N_ ("Velocity (relative)"), 1e3,
+                              false, false },
+  [QN_FIELD_DISPLACEMENT_X] = { N_ ("Displacement ux (mm)"),
+                                N_ ("Velocity ux (relative)"), 1e3, true, false },
+  [QN_FIELD_DISPLACEMENT_Y] = { N_ ("Displacement uy (mm)"),
+                                N_ ("Velocity uy (relative)"), 1e3, true, false },
+  [QN_FIELD_ROTATION] = { N_ ("Rotation (mrad)"), N_ ("Rotation rate (relative)"), 1e3,
+                          true, false },
+  [QN_FIELD_STRESS] = { N_ ("Least principal stress (MPa)"),
+                        N_ ("Least principal stress (MPa)"), 1e-6, true, false },
+  [QN_FIELD_OPENING] = { N_ ("Joint opening (mm)"), N_ ("Joint opening (relative)"), 1e3,
+                         false, true },
+  [QN_FIELD_SLIDING] = { N_ ("Joint sliding (mm)"), N_ ("Joint sliding (relative)"), 1e3,
+                         false, true },
+};
+
+/* The displacements a field is read from: those drawn, else those of the step. */
+static const double *
+field_displacements (const QnSceneBuilder *b)
+{
+  if (b->motion.displacements != NULL)
+    return b->motion.displacements;
+  return qn_result_step_displacements (b->result, b->step);
+}
+
+/* Adds f (x) arm of a contact force to the stress sums (xx, yy, xy) of a block. */
+static void
+add_virial (double *sums, QnVec2 force, QnVec2 arm)
+{
+  sums[0] += force.x * arm.x;
+  sums[1] += force.y * arm.y;
+  sums[2] += 0.5 * (force.x * arm.y + force.y * arm.x);
+}
+
+/* Mean stress of a block from its boundary forces, sigma = (1/V) sum f (x) r (Love 1927,
+ * Weber 1966), and its least principal value. */
+static void
+block_stresses (const QnSceneBuilder *b, double *values)
+{
+  const QnModel *model = b->model;
+  g_autofree double *sums = g_new0 (double, 3 * model->block_count);
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    const QnContactFace *face = &b->contacts->faces[f];
+    for (int32_t k = 0; k < face->pair_count; k++) {
+      QnId index = face->first_pair + k;
+      const QnPairResult *pair = &b->pairs[index];
+      QnVec2 at = b->contacts->pairs[index].point;
+      QnVec2 force = qn_vec2_add (qn_vec2_scale (pair->normal_force, face->normal),
+                                  qn_vec2_scale (pair->shear_force, face->tangent));
+      /* normal_force < 0 pushes block a back from b, which is compression. */
+      add_virial (sums + 3 * face->a, force,
+                  qn_vec2_sub (at, model->blocks[face->a].centroid));
+      add_virial (sums + 3 * face->b, qn_vec2_scale (-1, force),
+                  qn_vec2_sub (at, model->blocks[face->b].centroid));
+    }
+  }
+  for (size_t i = 0; i < model->block_count; i++) {
+    double volume = model->blocks[i].area * model->blocks[i].thickness;
+    double xx = sums[3 * i] / volume, yy = sums[3 * i + 1] / volume;
+    double xy = sums[3 * i + 2] / volume;
+    values[i] = 0.5 * (xx + yy) - hypot (0.5 * (xx - yy), xy);
+  }
+}
+
+static void
+block_values (const QnSceneBuilder *b, double *values)
+{
+  if (b->options->field == QN_FIELD_STRESS) {
+    block_stresses (b, values);
+    return;
+  }
+  const double *u = field_displacements (b);
+  for (size_t i = 0; i < b->model->block_count; i++, u += QN_DOF_COUNT) {
+    switch (b->options->field) {
+    case QN_FIELD_DISPLACEMENT_X:
+      values[i] = u[QN_DOF_UX];
+      break;
+    case QN_FIELD_DISPLACEMENT_Y:
+      values[i] = u[QN_DOF_UY];
+      break;
+    case QN_FIELD_ROTATION:
+      values[i] = u[QN_DOF_RZ];
+      break;
+    case QN_FIELD_NONE:
+    case QN_FIELD_DISPLACEMENT:
+    case QN_FIELD_STRESS:
+    case QN_FIELD_OPENING:
+    case QN_FIELD_SLIDING:
+    case QN_FIELD_COUNT:
+      values[i] = hypot (u[QN_DOF_UX], u[QN_DOF_UY]);
+    }
+  }
+}
+
+static void
+joint_values (const QnSceneBuilder *b, double *values)
+{
+  QnMotion motion = b->motion;
+  motion.displacements = field_displacements (b);
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    QnJoint joint = qn_motion_joint (&motion, &b->contacts->faces[f]);
+    values[f] = b->options->field == QN_FIELD_OPENING
+                  ? fmax (fmax (joint.opening_start, joint.opening_end), 0)
+                  : fabs (joint.slip);
+  }
+}
+
+/* The range of the values, with zero in it. */
+static void
+set_bar (QnSceneBuilder *b, const FieldSpec *spec, const double *values, size_t count)
+{
+  QnColorBar *bar = &b->scene->bar;
+  bool relative = b->options->view == QN_VIEW_MECHANISM;
+  bar->shown = true;
+  bar->diverging = spec->diverging;
+  bar->factor = relative ? 1 : spec->factor;
+  bar->title = g_strdup (relative ? _ (spec->relative_title) : _ (spec->title));
+  for (size_t i = 0; i < count; i++) {
+    bar->min = fmin (bar->min, values[i]);
+    bar->max = fmax (bar->max, values[i]);
+  }
+}
+
+static void
+add_joint_lines (QnSceneBuilder *b, const double *values)
+{
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    const QnContactFace *face = &b->contacts->faces[f];
+    QnVec2 line[2] = { qn_vec2_lerp (qn_builder_place (b, face->a, face->start),
+                                     qn_builder_place (b, face->b, face->start), 0.5),
+                       qn_vec2_lerp (qn_builder_place (b, face->a, face->end),
+                                     qn_builder_place (b, face->b, face->end), 0.5) };
+    double share = b->scene->bar.max > 0 ? values[f] / b->scene->bar.max : 0;
+    QnCommand *command = qn_scene_stroke (
+      b->scene, QN_LAYER_JOINTS, line, 2, false, 1.2 + 2.4 * share,
+      qn_color_bar_color (&b->scene->bar, values[f], b->options->monochrome));
+    command->pick = QN_PICK_FACE;
+    command->id = (QnId) f;
+  }
+}
+
+QnColor *
+qn_build_field (QnSceneBuilder *b)
+{
+  QnField field = b->options->field;
+  if (field == QN_FIELD_NONE)
+    return NULL;
+  const FieldSpec *spec = &specs[field];
+  size_t count = spec->joints ? b->contacts->face_count : b->model->block_count;
+  g_autofree double *values = g_new0 (double, MAX (count, 1));
+  if (spec->joints) {
+    joint_values (b, values);
+    set_bar (b, spec, values, count);
+    add_joint_lines (b, values);
+    return NULL;
+  }
+  block_values (b, values);
+  set_bar (b, spec, values, count);
+  QnColor *colors = g_new (QnColor, MAX (count, 1));
+  for (size_t i = 0; i < count; i++)
+    colors[i] = qn_color_bar_color (&b->scene->bar, values[i], b->options->monochrome);
+  return colors;
+}

@@ -1,0 +1,127 @@
+/* What the joints do: open ones as filled gaps, hinges as rings, sliding ones as lines with
+ * opposed half arrows. All three differ in shape, not in colour alone. */
+#include "render/scene/scene-builder.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Joints shorter than this on paper get no symbol, pt. */
+#define SYMBOL_LEAST 7
+
+typedef struct JointTally {
+  bool open, hinge, sliding;
+} JointTally;
+
+/* The gap between the two sides of an open joint as drawn. */
+static void
+add_gap (QnSceneBuilder *b, QnId index, const QnContactFace *face, QnColor color)
+{
+  QnVec2 a0 = qn_builder_place (b, face->a, face->start);
+  QnVec2 a1 = qn_builder_place (b, face->a, face->end);
+  QnVec2 b0 = qn_builder_place (b, face->b, face->start);
+  QnVec2 b1 = qn_builder_place (b, face->b, face->end);
+  /* Where a joint opens at one end and closes at the other, the sides may cross by the
+   * elastic closing: the gap ends at the crossing. */
+  double open0 = qn_vec2_dot (qn_vec2_sub (b0, a0), face->normal);
+  double open1 = qn_vec2_dot (qn_vec2_sub (b1, a1), face->normal);
+  if (open0 < 0 && open1 > 0) {
+    double s = open0 / (open0 - open1);
+    a0 = b0 = qn_vec2_lerp (a0, a1, s);
+  } else if (open1 < 0 && open0 > 0) {
+    double s = open0 / (open0 - open1);
+    a1 = b1 = qn_vec2_lerp (a0, a1, s);
+  }
+  QnVec2 gap[4] = { a0, a1, b1, b0 };
+  /* The hairline closes the seam that antialiasing leaves between neighbouring gaps. */
+  qn_scene_stroke (b->scene, QN_LAYER_GAPS, gap, 4, true, 0.3, color);
+  QnCommand *command = qn_scene_fill (b->scene, QN_LAYER_GAPS, gap, 4, color);
+  command->pick = QN_PICK_FACE;
+  command->id = index;
+}
+
+static void
+add_hinge (QnSceneBuilder *b, QnId index, const QnContactFace *face, bool at_start,
+           QnColor color)
+{
+  QnVec2 end = at_start ? face->start : face->end;
+  QnVec2 at = qn_vec2_lerp (qn_builder_place (b, face->a, end),
+                            qn_builder_place (b, face->b, end), 0.5);
+  QnCommand *command =
+    qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_RING, at, 4.2, 0, color);
+  command->pick = QN_PICK_FACE;
+  command->id = index;
+  command->extent = (float) face->length;
+  command->least = SYMBOL_LEAST;
+}
+
+static void
+add_sliding (QnSceneBuilder *b, QnId index, const QnContactFace *face,
+             const QnJoint *joint, QnColor color)
+{
+  QnVec2 start = qn_vec2_lerp (qn_builder_place (b, face->a, face->start),
+                               qn_builder_place (b, face->b, face->start), 0.5);
+  QnVec2 end = qn_vec2_lerp (qn_builder_place (b, face->a, face->end),
+                             qn_builder_place (b, face->b, face->end), 0.5);
+  QnVec2 line[2] = { start, end };
+  QnCommand *command =
+    qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false, 1.5, color);
+  command->pick = QN_PICK_FACE;
+  command->id = index;
+
+  /* Seen along the tangent, block a is on the left and block b on the right. The left half
+   * arrow of the symbol points forwards, which is right where b slips backwards. */
+  QnVec2 d = qn_vec2_sub (end, start);
+  double angle = atan2 (d.y, d.x);
+  command = qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_SLIDE,
+                             qn_vec2_lerp (start, end, 0.5), 11, angle, color);
+  command->mirrored = joint->slip > 0;
+  command->pick = QN_PICK_FACE;
+  command->id = index;
+  command->extent = (float) face->length;
+  command->least = 1.6f * SYMBOL_LEAST;
+}
+
+static void
+add_legend (QnSceneBuilder *b, const JointTally *tally, QnColor open, QnColor slide,
+            QnColor hinge)
+{
+  if (tally->open)
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, open, "%s", _ ("open joint"));
+  if (tally->hinge) {
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, hinge, "%s", _ ("hinge"));
+    entry->marker = QN_MARKER_RING;
+    entry->size = 4.2f;
+  }
+  if (tally->sliding) {
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, slide, "%s", _ ("sliding joint"));
+    entry->marker = QN_MARKER_SLIDE;
+    entry->size = 11;
+  }
+}
+
+void
+qn_build_joints (QnSceneBuilder *b)
+{
+  QnColor open = qn_builder_ink (b, QN_INK_OPEN);
+  QnColor slide = qn_builder_ink (b, QN_INK_SLIDE);
+  QnColor hinge = qn_builder_ink (b, QN_INK_HINGE);
+  JointTally tally = { false, false, false };
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    const QnContactFace *face = &b->contacts->faces[f];
+    const QnJoint *joint = &b->joints[f];
+    if (joint->open_start || joint->open_end) {
+      add_gap (b, (QnId) f, face, open);
+      tally.open = true;
+    }
+    if (joint->open_start != joint->open_end) {
+      add_hinge (b, (QnId) f, face, joint->open_end, hinge);
+      tally.hinge = true;
+    }
+    if (joint->sliding && !(joint->open_start && joint->open_end)) {
+      add_sliding (b, (QnId) f, face, joint, slide);
+      tally.sliding = true;
+    }
+  }
+  add_legend (b, &tally, open, slide, hinge);
+}

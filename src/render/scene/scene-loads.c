@@ -1,0 +1,263 @@
+/* Loads as arrows and overall dimensions. */
+#include "render/scene/scene-beams.h"
+#include "render/scene/text.h"
+
+#include <glib/gi18n-lib.h>
+
+/* Largest length of a weight or force arrow in block sizes. */
+#define WEIGHT_ARROW 0.45
+#define FORCE_ARROW  1.4
+
+/* Length of the arrow of a support that gives way, in block sizes. */
+#define SETTLEMENT_ARROW 1.2
+
+/* Arrows of a load along a beam, less one. */
+#define LINE_ARROWS 10
+
+/* Most blocks that get an arrow of their own for a load on every block. */
+#define MAX_WEIGHT_ARROWS 20000
+
+static bool
+is_free (const QnBlock *block)
+{
+  return !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+           && block->support[QN_DOF_RZ]);
+}
+
+/* A load proportional to weight: one arrow per block, as long as its share of the heaviest. */
+static void
+add_weight_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
+                 QnColor color)
+{
+  const QnModel *model = b->model;
+  double norm = qn_vec2_length (load->vector), heaviest = 0;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (is_free (&model->blocks[i]))
+      heaviest = fmax (heaviest, model->blocks[i].weight);
+  if (!(norm > 0) || !(heaviest > 0) || model->block_count > MAX_WEIGHT_ARROWS)
+    return;
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    if (!is_free (block) || !(block->weight > 0))
+      continue;
+    /* Half blocks are marked by shorter arrows, not by arrows too short to read. */
+    double share = sqrt (block->weight / heaviest);
+    double length = WEIGHT_ARROW * b->block_size * share / norm;
+    QnVec2 from = qn_builder_place (b, (QnId) i, block->centroid);
+    from = qn_vec2_add_scaled (from, -0.5 * length, load->vector);
+    qn_scene_arrow (b->scene, QN_LAYER_LOADS, from,
+                    qn_vec2_add_scaled (from, length, load->vector), QN_WIDTH_ARROW,
+                    color, pick, index, length * norm);
+  }
+}
+
+static double
+largest_force (const QnLoad *loads, size_t count)
+{
+  double largest = 0;
+  for (size_t i = 0; i < count; i++)
+    if (loads[i].kind == QN_LOAD_FORCE || loads[i].kind == QN_LOAD_NODE)
+      largest = fmax (largest, qn_vec2_length (loads[i].vector));
+  return largest;
+}
+
+static void
+add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKind pick,
+                QnId index, QnColor color)
+{
+  double force = qn_vec2_length (load->vector);
+  QnVec2 at;
+  if (load->kind == QN_LOAD_NODE) {
+    at = qn_builder_place_node (b, load->node);
+  } else {
+    at = load->has_at ? load->at : b->model->blocks[load->block].centroid;
+    at = qn_builder_place (b, load->block, at);
+  }
+  if (force > 0) {
+    double length = FORCE_ARROW * b->block_size * fmax (force / largest, 0.2);
+    QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
+    qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, at, 1.4, color, pick, index, 0);
+    g_autofree char *number = qn_label_number ("%.4g", force / 1000);
+    g_autofree char *text = g_strconcat (number, " kN", NULL);
+    QnCommand *label =
+      qn_scene_text (b->scene, QN_LAYER_LABELS, from, QN_SIZE_LABEL, text, color);
+    label->align_x = load->vector.x > 0.3 * force    ? 1
+                     : load->vector.x < -0.3 * force ? 0
+                                                     : 0.5f;
+    label->align_y = load->vector.y < -0.3 * force  ? -0.2f
+                     : load->vector.y > 0.3 * force ? 1.2f
+                                                    : 0.5f;
+  }
+  if (load->moment != 0) {
+    QnVec2 arc[25];
+    double r = 0.35 * b->block_size, turn = load->moment > 0 ? 1 : -1;
+    for (size_t i = 0; i < G_N_ELEMENTS (arc); i++) {
+      double a = turn * (-0.75 + 1.5 * (double) i / (G_N_ELEMENTS (arc) - 1)) * G_PI;
+      arc[i] = qn_vec2 (at.x + r * cos (a), at.y + r * sin (a));
+    }
+    size_t last = G_N_ELEMENTS (arc) - 1;
+    qn_scene_stroke (b->scene, QN_LAYER_LOADS, arc, last, false, 1.2, color);
+    QnVec2 d = qn_vec2_sub (arc[last], arc[last - 1]);
+    qn_scene_marker (b->scene, QN_LAYER_LOADS, QN_MARKER_ARROW_HEAD, arc[last], 6,
+                     atan2 (d.y, d.x), color);
+  }
+}
+
+/* A row of arrows that reach the beam, joined at their tails. */
+static void
+add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
+               QnColor color)
+{
+  const QnBeam *beam = &b->model->beams[load->beam];
+  QnVec2 ends[2] = { qn_builder_place_node (b, beam->nodes[0]),
+                     qn_builder_place_node (b, beam->nodes[1]) };
+  double force = qn_vec2_length (load->vector);
+  if (!(force > 0))
+    return;
+  QnVec2 arrow = qn_vec2_scale (0.6 * b->block_size / force, load->vector);
+  QnVec2 tails[2] = { qn_vec2_sub (ends[0], arrow), qn_vec2_sub (ends[1], arrow) };
+  for (int i = 0; i <= LINE_ARROWS; i++) {
+    double s = (double) i / LINE_ARROWS;
+    qn_scene_arrow (b->scene, QN_LAYER_LOADS, qn_vec2_lerp (tails[0], tails[1], s),
+                    qn_vec2_lerp (ends[0], ends[1], s), QN_WIDTH_ARROW, color, pick,
+                    index, 0);
+  }
+  qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
+  g_autofree char *number = qn_label_number ("%.4g", force / 1000);
+  g_autofree char *text = g_strconcat (number, " kN/m", NULL);
+  qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_lerp (tails[0], tails[1], 0.5),
+                 QN_SIZE_LABEL, text, color)
+    ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
+}
+
+/* A support that gives way: an arrow in its direction with how far. Turning has its size told
+ * only. */
+static void
+add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
+                QnColor color)
+{
+  bool turns = load->dof == QN_DOF_RZ;
+  double sign = load->value < 0 ? -1 : 1, length = SETTLEMENT_ARROW * b->block_size;
+  QnVec2 along = turns                    ? qn_vec2 (0, 0)
+                 : load->dof == QN_DOF_UX ? qn_vec2 (sign, 0)
+                                          : qn_vec2 (0, sign);
+  QnVec2 from = qn_builder_place (b, load->block, b->model->blocks[load->block].centroid);
+  QnVec2 to = qn_vec2_add_scaled (from, length, along);
+  if (!turns)
+    qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, to, 1.4, color, pick, index, 0);
+  g_autofree char *number =
+    qn_label_number ("%.3g", turns ? 1e3 * load->value : 1e3 * fabs (load->value));
+  g_autofree char *text = g_strconcat (number, turns ? " mrad" : " mm", NULL);
+  QnCommand *label =
+    qn_scene_text (b->scene, QN_LAYER_LABELS, to, QN_SIZE_LABEL, text, color);
+  label->align_x = along.x < 0 ? 1.1f : along.x > 0 ? -0.1f : 0.5f;
+  label->align_y = along.y < 0 ? 1.2f : along.y > 0 ? -0.2f : 0.5f;
+}
+
+/* Loads of sets are called by the name of their set. */
+static const char *
+set_label (const QnSceneBuilder *b, const QnLoad *load, const char *name)
+{
+  return load->set > 0 ? qn_model_load_set_name (b->model, load->set) : name;
+}
+
+static void
+add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick,
+           QnInk ink, const char *name)
+{
+  QnColor color = qn_builder_ink (b, ink);
+  double largest = largest_force (loads, count);
+  for (size_t i = 0; i < count; i++) {
+    const QnLoad *load = &loads[i];
+    if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE) {
+      add_force_load (b, load, largest, pick, (QnId) i, color);
+      continue;
+    }
+    if (load->kind == QN_LOAD_LINE) {
+      add_line_load (b, load, pick, (QnId) i, color);
+      continue;
+    }
+    if (load->kind == QN_LOAD_SETTLEMENT) {
+      add_settlement (b, load, pick, (QnId) i, color);
+      QnLegendEntry *entry =
+        qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, _ ("%s: settlement"),
+                         set_label (b, load, name));
+      entry->marker = QN_MARKER_ARROW_HEAD;
+      entry->size = 1.4f;
+      continue;
+    }
+    /* Own weight downwards goes without saying: the legend names it, no arrow is spent. */
+    bool own = load->vector.x == 0 && load->vector.y < 0 && pick == QN_PICK_DEAD_LOAD;
+    if (!own)
+      add_weight_load (b, load, pick, (QnId) i, color);
+    g_autofree char *x = qn_label_number ("%.3g", load->vector.x);
+    g_autofree char *y = qn_label_number ("%.3g", load->vector.y);
+    g_autofree char *what = own && load->vector.y == -1
+                              ? g_strdup (_ ("own weight"))
+                              : g_strdup_printf (_ ("weight × (%s, %s)"), x, y);
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color,
+                       _ ("%s: %s"), set_label (b, load, name), what);
+    entry->marker = QN_MARKER_ARROW_HEAD;
+    entry->size = QN_WIDTH_ARROW;
+  }
+  if (largest > 0) {
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, _ ("%s: force"), name);
+    entry->marker = QN_MARKER_ARROW_HEAD;
+    entry->size = 1.4f;
+  }
+}
+
+void
+qn_build_loads (QnSceneBuilder *b)
+{
+  add_loads (b, b->model->dead_loads, b->model->dead_load_count, QN_PICK_DEAD_LOAD,
+             QN_INK_DEAD_LOAD, _ ("dead load"));
+  add_loads (b, b->model->live_loads, b->model->live_load_count, QN_PICK_LIVE_LOAD,
+             QN_INK_LIVE_LOAD, _ ("live load"));
+}
+
+/* A dimension line from a to b, with ticks, extension lines from the object and its length.
+ * `text_angle` is 0 or 90 degrees. */
+static void
+add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
+               QnVec2 object_to, double text_angle)
+{
+  QnScene *scene = b->scene;
+  QnColor color = qn_builder_ink (b, QN_INK_LINE);
+  QnVec2 line[2] = { from, to };
+  QnVec2 extensions[2][2] = {
+    { qn_vec2_lerp (object_from, from, 0.25), qn_vec2_lerp (object_from, from, 1.25) },
+    { qn_vec2_lerp (object_to, to, 0.25), qn_vec2_lerp (object_to, to, 1.25) }
+  };
+  qn_scene_stroke (scene, QN_LAYER_DIMENSIONS, line, 2, false, 0.5, color);
+  for (int i = 0; i < 2; i++) {
+    qn_scene_stroke (scene, QN_LAYER_DIMENSIONS, extensions[i], 2, false, 0.35, color);
+    qn_scene_marker (scene, QN_LAYER_DIMENSIONS, QN_MARKER_TICK, line[i], 6, 0, color);
+  }
+  double length = qn_vec2_length (qn_vec2_sub (to, from));
+  g_autofree char *number = length >= 1 ? qn_label_number ("%.2f", length)
+                                        : qn_label_number ("%.4g", 1000 * length);
+  g_autofree char *text = g_strconcat (number, length >= 1 ? " m" : " mm", NULL);
+  QnCommand *label = qn_scene_text (scene, QN_LAYER_LABELS, qn_vec2_lerp (from, to, 0.5),
+                                    7.5, text, color);
+  label->angle = (float) text_angle;
+  label->align_y = text_angle > 0 ? -0.25f : 1.25f;
+}
+
+void
+qn_build_dimensions (QnSceneBuilder *b)
+{
+  if (qn_box_is_empty (b->box) || !(qn_box_diagonal (b->box) > 0))
+    return;
+  QnVec2 low = b->box.min, high = b->box.max;
+  double gap = 0.045 * qn_box_diagonal (b->box);
+  /* A line of beams has no height. */
+  if (high.x > low.x)
+    add_dimension (b, qn_vec2 (low.x, low.y - gap), qn_vec2 (high.x, low.y - gap), low,
+                   qn_vec2 (high.x, low.y), 0);
+  if (high.y > low.y)
+    add_dimension (b, qn_vec2 (low.x - gap, low.y), qn_vec2 (low.x - gap, high.y), low,
+                   qn_vec2 (low.x, high.y), G_PI / 2);
+}

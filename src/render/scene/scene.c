@@ -1,0 +1,206 @@
+#include "render/scene/scene.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+
+static void
+legend_entry_clear (gpointer data)
+{
+  g_free (((QnLegendEntry *) data)->text);
+}
+
+QnScene *
+qn_scene_new (void)
+{
+  QnScene *scene = g_new0 (QnScene, 1);
+  scene->commands = g_array_new (FALSE, TRUE, sizeof (QnCommand));
+  scene->points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  scene->legend = g_array_new (FALSE, TRUE, sizeof (QnLegendEntry));
+  g_array_set_clear_func (scene->legend, legend_entry_clear);
+  scene->strings = g_string_chunk_new (1024);
+  scene->box = QN_BOX_EMPTY;
+  return scene;
+}
+
+void
+qn_scene_free (QnScene *scene)
+{
+  if (scene == NULL)
+    return;
+  g_array_unref (scene->commands);
+  g_array_unref (scene->points);
+  g_array_unref (scene->legend);
+  g_string_chunk_free (scene->strings);
+  g_free (scene->bar.title);
+  g_clear_pointer (&scene->image, cairo_surface_destroy);
+  g_free (scene);
+}
+
+static QnCommand *
+add_command (QnScene *scene, QnLayer layer, QnCommandKind kind, const QnVec2 *points,
+             size_t count, QnColor color)
+{
+  QnCommand command = {
+    .layer = (uint8_t) layer,
+    .kind = (uint8_t) kind,
+    .id = QN_NONE,
+    .color = color,
+    .first = scene->points->len,
+    .count = (uint32_t) count,
+    .box = QN_BOX_EMPTY,
+  };
+  for (size_t i = 0; i < count; i++)
+    qn_box_add_point (&command.box, points[i]);
+  g_array_append_vals (scene->points, points, (guint) count);
+  g_array_append_val (scene->commands, command);
+  return &g_array_index (scene->commands, QnCommand, scene->commands->len - 1);
+}
+
+QnCommand *
+qn_scene_fill (QnScene *scene, QnLayer layer, const QnVec2 *points, size_t count,
+               QnColor color)
+{
+  return add_command (scene, layer, QN_COMMAND_FILL, points, count, color);
+}
+
+QnCommand *
+qn_scene_stroke (QnScene *scene, QnLayer layer, const QnVec2 *points, size_t count,
+                 bool closed, double width, QnColor color)
+{
+  QnCommand *command =
+    add_command (scene, layer, QN_COMMAND_STROKE, points, count, color);
+  command->closed = closed;
+  command->size = (float) width;
+  return command;
+}
+
+QnCommand *
+qn_scene_marker (QnScene *scene, QnLayer layer, QnMarker marker, QnVec2 at, double size,
+                 double angle, QnColor color)
+{
+  QnCommand *command = add_command (scene, layer, QN_COMMAND_MARKER, &at, 1, color);
+  command->marker = (uint8_t) marker;
+  command->size = (float) size;
+  command->angle = (float) angle;
+  return command;
+}
+
+QnCommand *
+qn_scene_text (QnScene *scene, QnLayer layer, QnVec2 at, double size, const char *text,
+               QnColor color)
+{
+  QnCommand *command = add_command (scene, layer, QN_COMMAND_TEXT, &at, 1, color);
+  command->size = (float) size;
+  command->align_x = command->align_y = 0.5f;
+  command->text = g_string_chunk_insert (scene->strings, text);
+  return command;
+}
+
+void
+qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double width,
+                QnColor color, QnPickKind pick, QnId id, double extent)
+{
+  QnVec2 line[2] = { from, to };
+  double angle = atan2 (to.y - from.y, to.x - from.x);
+  QnCommand *shaft = qn_scene_stroke (scene, layer, line, 2, false, width, color);
+  shaft->pick = (uint8_t) pick;
+  shaft->id = id;
+  shaft->extent = (float) extent;
+  shaft->least = 3;
+  QnCommand *head = qn_scene_marker (scene, layer, QN_MARKER_ARROW_HEAD, to,
+                                     3 + 2.5 * width, angle, color);
+  head->pick = (uint8_t) pick;
+  head->id = id;
+  head->extent = (float) extent;
+  head->least = 3 + 2.5f * (float) width;
+}
+
+QnLegendEntry *
+qn_scene_legend (QnScene *scene, QnCommandKind kind, QnColor color, const char *format,
+                 ...)
+{
+  va_list args;
+  va_start (args, format);
+  QnLegendEntry entry = {
+    .kind = (uint8_t) kind,
+    .color = color,
+    .size = 1.5f,
+    .text = g_strdup_vprintf (format, args),
+  };
+  va_end (args);
+  g_array_append_val (scene->legend, entry);
+  return &g_array_index (scene->legend, QnLegendEntry, scene->legend->len - 1);
+}
+
+/* Stable counting sort by layer: within a layer the order of addition stays. */
+static void
+sort_by_layer (QnScene *scene)
+{
+  size_t start[QN_LAYER_COUNT + 1] = { 0 };
+  guint n = scene->commands->len;
+  for (guint i = 0; i < n; i++)
+    start[qn_scene_command (scene, i)->layer + 1]++;
+  for (int layer = 0; layer < QN_LAYER_COUNT; layer++)
+    start[layer + 1] += start[layer];
+
+  GArray *sorted = g_array_sized_new (FALSE, FALSE, sizeof (QnCommand), n);
+  g_array_set_size (sorted, n);
+  for (guint i = 0; i < n; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    g_array_index (sorted, QnCommand, start[command->layer]++) = *command;
+  }
+  g_array_unref (scene->commands);
+  scene->commands = sorted;
+}
+
+void
+qn_scene_finish (QnScene *scene)
+{
+  /* Process-wide, so that a batch can never take one scene for another. */
+  static gint next_revision;
+
+  sort_by_layer (scene);
+  scene->box = QN_BOX_EMPTY;
+  for (guint i = 0; i < scene->commands->len; i++)
+    qn_box_add_box (&scene->box, qn_scene_command (scene, i)->box);
+  scene->revision = (uint64_t) (guint) g_atomic_int_add (&next_revision, 1) + 1;
+}
+
+bool
+qn_command_is_visible (const QnCommand *command, const QnCamera *camera, QnBox visible)
+{
+  if (command->extent > 0
+      && command->extent * camera->scale < command->least * camera->unit)
+    return false;
+
+  /* Sizes in points reach beyond the box of the places. A line of text is taken to be no
+   * longer than forty times its height. */
+  double reach = command->kind == QN_COMMAND_TEXT ? 20 * command->size : command->size;
+  reach *= camera->unit / camera->scale;
+  return command->box.min.x - reach <= visible.max.x
+         && command->box.max.x + reach >= visible.min.x
+         && command->box.min.y - reach <= visible.max.y
+         && command->box.max.y + reach >= visible.min.y;
+}
+
+/* A line may take a twelfth of the height of a block and is never thinner than a quarter of
+ * its width. */
+double
+qn_scene_line_factor (const QnScene *scene, const QnCamera *camera)
+{
+  double full = 0.55 * camera->unit;
+  if (!(scene->fineness > 0))
+    return 1;
+  return fmin (fmax (scene->fineness * camera->scale / 12 / full, 0.25), 1);
+}
+
+QnColor
+qn_color_bar_color (const QnColorBar *bar, double value, int monochrome)
+{
+  if (bar->diverging) {
+    double largest = fmax (fabs (bar->min), fabs (bar->max));
+    return qn_map_diverging (largest > 0 ? value / largest : 0, monochrome);
+  }
+  double range = bar->max - bar->min;
+  return qn_map_sequential (range > 0 ? (value - bar->min) / range : 0, monochrome);
+}

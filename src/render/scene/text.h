@@ -1,0 +1,31 @@
+/* Text on a page, through Pango: any language, and the same layout on every surface. */
+#ifndef QN_RENDER_TEXT_H
+#define QN_RENDER_TEXT_H
+
+#include "render/scene/color.h"
+
+#include <cairo.h>
+#include <stdbool.h>
+
+typedef struct QnTextStyle {
+  double size; /* px, height of the font's em */
+  bool bold;
+  double halo;  /* px: rim of white that sets the text off its ground; 0: none */
+  double width; /* px: wraps to at most two lines, then shortens; 0: one line */
+} QnTextStyle;
+
+/* A number as text, with the decimal sign of the language that words are in, so that a picture is
+ * of one piece whatever the locale's numbers look like; `format` is one printf() conversion of a
+ * double. Newly allocated. */
+char *qn_label_number (const char *format, double value);
+
+/* Size of the text in px. */
+void qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text,
+                      double *width, double *height);
+
+/* Draws the text with its box aligned to (x, y): align 0 puts the left or top edge there, 1
+ * the right or bottom edge. `angle` turns it counter-clockwise about (x, y). */
+void qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
+                   double y, double align_x, double align_y, double angle, QnColor color);
+
+#endif

@@ -1,0 +1,114 @@
+#include "render/scene/view-options.h"
+
+#include <string.h>
+
+static const char *const view_names[QN_VIEW_COUNT] = {
+  [QN_VIEW_MODEL] = "model",       [QN_VIEW_CONTACTS] = "contacts",
+  [QN_VIEW_DEFORMED] = "deformed", [QN_VIEW_MECHANISM] = "mechanism",
+  [QN_VIEW_FORCES] = "forces",     [QN_VIEW_DIAGRAMS] = "diagrams",
+};
+
+static const char *const diagram_names[QN_DIAGRAM_COUNT] = {
+  [QN_DIAGRAM_MOMENT] = "M",
+  [QN_DIAGRAM_SHEAR] = "V",
+  [QN_DIAGRAM_NORMAL] = "N",
+};
+
+static const char *const field_names[QN_FIELD_COUNT] = {
+  [QN_FIELD_NONE] = "none",
+  [QN_FIELD_DISPLACEMENT] = "displacement",
+  [QN_FIELD_DISPLACEMENT_X] = "displacement-x",
+  [QN_FIELD_DISPLACEMENT_Y] = "displacement-y",
+  [QN_FIELD_ROTATION] = "rotation",
+  [QN_FIELD_STRESS] = "stress",
+  [QN_FIELD_OPENING] = "opening",
+  [QN_FIELD_SLIDING] = "sliding",
+};
+
+void
+qn_view_options_init (QnViewOptions *options, QnView view)
+{
+  *options = (QnViewOptions){
+    .view = view,
+    .step = QN_STEP_LAST,
+    .scale = QN_SCALE_AUTO,
+    .phase = 1,
+    .ghost = true,
+    .symbols = true,
+    .loads = view == QN_VIEW_MODEL,
+    .dimensions = view == QN_VIEW_MODEL,
+    .legend = true,
+    .titles = true,
+    .underlay = { .width = 1, .opacity = 1 },
+  };
+}
+
+static int
+find_name (const char *const *names, int count, const char *name)
+{
+  for (int i = 0; name != NULL && i < count; i++)
+    if (strcmp (names[i], name) == 0)
+      return i;
+  return -1;
+}
+
+bool
+qn_view_parse (const char *name, QnView *view)
+{
+  int i = find_name (view_names, QN_VIEW_COUNT, name);
+  if (i >= 0)
+    *view = (QnView) i;
+  return i >= 0;
+}
+
+const char *
+qn_view_name (QnView view)
+{
+  return view_names[view];
+}
+
+bool
+qn_field_parse (const char *name, QnField *field)
+{
+  int i = find_name (field_names, QN_FIELD_COUNT, name);
+  if (i >= 0)
+    *field = (QnField) i;
+  return i >= 0;
+}
+
+const char *
+qn_field_name (QnField field)
+{
+  return field_names[field];
+}
+
+const char *const qn_view_switches[] = {
+  "ghost",  "symbols", "loads",      "dimensions", "names",
+  "legend", "titles",  "monochrome", NULL,
+};
+
+bool *
+qn_view_switch (QnViewOptions *options, const char *name)
+{
+  bool *const flags[] = { &options->ghost,      &options->symbols,   &options->loads,
+                          &options->dimensions, &options->names,     &options->legend,
+                          &options->titles,     &options->monochrome };
+  int i = find_name (qn_view_switches, QN_N_ELEMENTS (flags), name);
+  return i >= 0 ? flags[i] : NULL;
+}
+
+bool
+qn_diagram_parse (const char *name, QnDiagram *diagram)
+{
+  int i = find_name (diagram_names, QN_DIAGRAM_COUNT, name);
+  if (i < 0)
+    return false;
+  *diagram = (QnDiagram) i;
+  return true;
+}
+
+const char *
+qn_diagram_name (QnDiagram diagram)
+{
+  return diagram_names[diagram];
+}

@@ -1,0 +1,96 @@
+/* What a picture shows: the view of the command line and its switches, as plain data. */
+#ifndef QN_RENDER_VIEW_OPTIONS_H
+#define QN_RENDER_VIEW_OPTIONS_H
+
+#include "core/contact/contacts.h"
+#include "core/result/result.h"
+
+#include <cairo.h>
+#include <stdbool.h>
+
+typedef enum {
+  QN_VIEW_MODEL,
+  QN_VIEW_CONTACTS,
+  QN_VIEW_DEFORMED,
+  QN_VIEW_MECHANISM,
+  QN_VIEW_FORCES,
+  QN_VIEW_DIAGRAMS, /* section forces along beams */
+  QN_VIEW_COUNT
+} QnView;
+
+/* Quantity shown by colour on the blocks or along the joints. */
+typedef enum {
+  QN_FIELD_NONE,
+  QN_FIELD_DISPLACEMENT,   /* length of the centroid's displacement, m */
+  QN_FIELD_DISPLACEMENT_X, /* m */
+  QN_FIELD_DISPLACEMENT_Y, /* m */
+  QN_FIELD_ROTATION,       /* rad */
+  QN_FIELD_STRESS, /* least principal value of the block's mean stress, Pa: compression < 0;
+                       from the contact forces */
+  QN_FIELD_OPENING, /* largest opening along the joint, m */
+  QN_FIELD_SLIDING, /* relative tangential motion of the joint, m */
+  QN_FIELD_COUNT
+} QnField;
+
+/* Section force that QN_VIEW_DIAGRAMS draws. */
+typedef enum {
+  QN_DIAGRAM_MOMENT,
+  QN_DIAGRAM_SHEAR,
+  QN_DIAGRAM_NORMAL,
+  QN_DIAGRAM_COUNT
+} QnDiagram;
+
+#define QN_STEP_LAST  (-1)
+#define QN_SCALE_AUTO 0.0
+
+/* A photo or survey behind the structure. */
+typedef struct QnUnderlay {
+  cairo_surface_t *image; /* borrowed; NULL: none */
+  QnVec2 origin;          /* lower left corner, m */
+  double width;           /* m; the height follows from the image */
+  double angle;           /* rad, counter-clockwise about the origin */
+  double opacity;         /* 0 .. 1 */
+} QnUnderlay;
+
+typedef struct QnViewOptions {
+  QnView view;
+  QnField field;
+  QnDiagram diagram;
+  int32_t step; /* of result->steps, or QN_STEP_LAST */
+  double scale; /* displacements are multiplied by this; or QN_SCALE_AUTO */
+  double phase; /* further factor on displacements for animation, 1 = full */
+  bool ghost;   /* undeformed outline behind the deformed structure */
+  bool symbols; /* open, sliding and hinging joints */
+  bool loads;
+  bool dimensions;
+  bool names;            /* of blocks */
+  bool legend;           /* also the colour bar and the scale bar */
+  bool titles;           /* title and multiplier */
+  bool monochrome;       /* greys only */
+  const QnResult *onion; /* a second result of the same model drawn as outline over the
+                            first (DEFORMED, MECHANISM); borrowed, or NULL */
+  QnUnderlay underlay;
+} QnViewOptions;
+
+/* The settings a view starts with. */
+void qn_view_options_init (QnViewOptions *options, QnView view);
+
+/* The switches above by name, as in --show, --hide and figure recipes: "ghost", "symbols", …;
+ * NULL-terminated. */
+extern const char *const qn_view_switches[];
+/* The switch of that name, or NULL. */
+bool *qn_view_switch (QnViewOptions *options, const char *name);
+
+/* "model", "contacts", … as in --view and figure recipes; false when unknown. */
+bool qn_view_parse (const char *name, QnView *view);
+const char *qn_view_name (QnView view);
+
+/* "none", "displacement", "displacement-x", …, "sliding". */
+bool qn_field_parse (const char *name, QnField *field);
+const char *qn_field_name (QnField field);
+
+/* "M", "V", "N". */
+bool qn_diagram_parse (const char *name, QnDiagram *diagram);
+const char *qn_diagram_name (QnDiagram diagram);
+
+#endif

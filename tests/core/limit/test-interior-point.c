@@ -1,0 +1,270 @@
+/* The engine on programs whose answers are known by hand, bodies being single rows here. */
+#include "core/limit/interior-point.h"
+
+#include <glib.h>
+#include <math.h>
+
+/* Two rows (forces along x and y on a point) and one cell whose normal acts along y and whose
+ * shear acts along x; the point weighs 1 and is pushed sideways by lambda. */
+typedef struct Slider {
+  QnIpGroup group;
+  QnIpCell cell;
+  QnIpBound bounds[3];
+  double constant[2], load[2];
+  QnIpProblem problem;
+} Slider;
+
+static void
+slider_init (Slider *slider, double friction, double cohesion)
+{
+  *slider = (Slider){
+    .group = { .rows = { 0, 1, -1, -1, -1, -1 }, .cell_count = 1 },
+    .cell = { .map = { { 0, 1 }, { -1, 0 } }, .bound_count = 2 },
+    .bounds = { { friction, 1, cohesion }, { friction, -1, cohesion } },
+    .constant = { 0, -1 },
+    .load = { 1, 0 },
+  };
+  slider->problem = (QnIpProblem){
+    .row_count = 2,
+    .group_count = 1,
+    .cell_count = 1,
+    .bound_count = 2,
+    .groups = &slider->group,
+    .cells = &slider->cell,
+    .bounds = slider->bounds,
+    .constant = slider->constant,
+    .load = slider->load,
+    .load_gain = 1,
+  };
+}
+
+static void
+solve (QnInteriorPoint *ip, const QnIpProblem *problem)
+{
+  QnIpSettings settings = qn_interior_point_defaults ();
+  g_assert_cmpint (qn_interior_point_init (ip, problem, &settings, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_interior_point_solve (ip, NULL), ==, QN_OK);
+}
+
+static void
+test_optimum (void)
+{
+  Slider slider;
+  QnInteriorPoint ip;
+
+  slider_init (&slider, 0.65, 0.1);
+  solve (&ip, &slider.problem);
+  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
+  g_assert_cmpfloat_with_epsilon (ip.lambda / ip.tau, 0.75, 1e-8);
+  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -1, 1e-8);
+  g_assert_cmpfloat_with_epsilon (fabs (ip.y[1] / ip.tau), 0.75, 1e-8);
+  /* The mechanism slides and, flow being associative, lifts by the friction. */
+  g_assert_cmpfloat_with_epsilon (ip.v[0] / ip.tau, 1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (ip.v[1] / ip.tau, 0.65, 1e-7);
+  g_assert_cmpfloat (ip.measures.primal_residual, <, 1e-9);
+  g_assert_cmpfloat (ip.measures.dual_residual, <, 1e-9);
+  g_assert_cmpfloat (ip.measures.gap, <, 1e-9);
+  qn_interior_point_clear (&ip);
+}
+
+/* Pulled upwards by twice its weight, a block without tension flies: no forces carry it. */
+static void
+test_infeasible (void)
+{
+  Slider slider;
+  QnInteriorPoint ip;
+  double rates[2];
+
+  slider_init (&slider, 0.65, 0);
+  slider.constant[1] = 2;
+  solve (&ip, &slider.problem);
+  g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
+  double power = slider.constant[1] * ip.v[1];
+  g_assert_cmpfloat (power, >, 0);
+  g_assert_cmpfloat_with_epsilon (ip.v[0] / ip.v[1], 0, 1e-6);
+  qn_interior_point_rates (&slider.problem, ip.v, rates);
+  g_assert_cmpfloat (rates[0], >, 0.65 * fabs (rates[1]));
+  qn_interior_point_clear (&ip);
+}
+
+static void
+test_unbounded (void)
+{
+  Slider slider;
+  QnInteriorPoint ip;
+
+  slider_init (&slider, 0.65, 0);
+  slider.load[0] = 0.6;
+  slider.load[1] = -1;
+  solve (&ip, &slider.problem);
+  g_assert_cmpint (ip.state, ==, QN_IP_UNBOUNDED);
+  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.lambda, -1, 1e-6);
+  g_assert_cmpfloat_with_epsilon (ip.y[1] / ip.lambda, -0.6, 1e-6);
+  qn_interior_point_clear (&ip);
+}
+
+/* A cell without bounds carries whatever it must. */
+static void
+test_no_bounds (void)
+{
+  Slider slider;
+  QnInteriorPoint ip;
+
+  slider_init (&slider, 0.65, 0);
+  slider.cell.bound_count = 0;
+  slider.problem.bound_count = 0;
+  slider.problem.load = NULL;
+  slider.problem.load_gain = 0;
+  slider.constant[0] = 3;
+  solve (&ip, &slider.problem);
+  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
+  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (ip.y[1] / ip.tau, -3, 1e-7);
+  qn_interior_point_clear (&ip);
+}
+
+/* Two equal cells side by side share a weight as their compliances ask, which is what the
+ * quadratic term is for: 1/2 (y1^2/k1 + y2^2/k2) is least for y1 : y2 = k1 : k2. */
+static void
+test_quadratic (void)
+{
+  const double k1 = 3, k2 = 1;
+  QnIpGroup group = { .rows = { 0, -1, -1, -1, -1, -1 }, .cell_count = 2 };
+  QnIpCell cells[2] = {
+    { .map = { { -1, 0 } },
+      .quadratic = { 1 / k1, 0 },
+      .bound_count = 1,
+      .no_shear = true },
+    { .map = { { -1, 0 } },
+      .quadratic = { 1 / k2, 0 },
+      .first_bound = 1,
+      .bound_count = 1,
+      .no_shear = true },
+  };
+  QnIpBound bounds[2] = { { 1, 0, 0 }, { 1, 0, 0 } };
+  double constant = -1;
+  QnIpProblem problem = { .row_count = 1,
+                          .group_count = 1,
+                          .cell_count = 2,
+                          .bound_count = 2,
+                          .groups = &group,
+                          .cells = cells,
+                          .bounds = bounds,
+                          .constant = &constant };
+  QnInteriorPoint ip;
+
+  solve (&ip, &problem);
+  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
+  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -0.75, 1e-6);
+  g_assert_cmpfloat_with_epsilon (ip.y[2] / ip.tau, -0.25, 1e-6);
+  /* A gap wide enough in the second spring leaves all of the weight to the first. */
+  cells[1].linear[0] = -0.5;
+  g_assert_cmpint (qn_interior_point_solve (&ip, NULL), ==, QN_OK);
+  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
+  g_assert_cmpfloat_with_epsilon (ip.y[0] / ip.tau, -1, 1e-6);
+  qn_interior_point_clear (&ip);
+}
+
+/* A row that no cell acts on, and a row that repeats another: both harmless while their loads
+ * fit, the first a reason of infeasibility where it is loaded. */
+static void
+test_empty_row (void)
+{
+  Slider slider;
+  QnInteriorPoint ip;
+  double constant[3] = { 0, -1, 0 }, load[3] = { 1, 0, 0 };
+
+  slider_init (&slider, 0.65, 0);
+  slider.problem.row_count = 3;
+  slider.problem.constant = constant;
+  slider.problem.load = load;
+  solve (&ip, &slider.problem);
+  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
+  g_assert_cmpfloat_with_epsilon (ip.lambda / ip.tau, 0.65, 1e-8);
+  constant[2] = 0.1;
+  g_assert_cmpint (qn_interior_point_solve (&ip, NULL), ==, QN_OK);
+  g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
+  g_assert_cmpfloat (ip.v[2] * constant[2], >, 0);
+  qn_interior_point_clear (&ip);
+}
+
+static void
+test_redundant_row (void)
+{
+  Slider slider;
+  QnInteriorPoint ip;
+  double constant[3] = { 0, -1, -1 }, load[3] = { 1, 0, 0 };
+
+  slider_init (&slider, 0.65, 0);
+  slider.group.rows[2] = 2;
+  slider.cell.map[2][0] = -1;
+  slider.problem.row_count = 3;
+  slider.problem.constant = constant;
+  slider.problem.load = load;
+  solve (&ip, &slider.problem);
+  g_assert_cmpint (ip.state, ==, QN_IP_OPTIMAL);
+  g_assert_cmpfloat_with_epsilon (ip.lambda / ip.tau, 0.65, 1e-8);
+  constant[2] = -2;
+  g_assert_cmpint (qn_interior_point_solve (&ip, NULL), ==, QN_OK);
+  g_assert_cmpint (ip.state, ==, QN_IP_INFEASIBLE);
+  qn_interior_point_clear (&ip);
+}
+
+/* The projection keeps equilibrium exactly and tells whether a multiplier can be carried. Its
+ * metric is that of the iterate, so it is asked while that is still well inside. */
+static void
+test_project (void)
+{
+  QnIpSettings settings = qn_interior_point_defaults ();
+  Slider slider;
+  QnInteriorPoint ip;
+  double y[2], residual, slack, lambda = 0.5;
+
+  slider_init (&slider, 0.65, 0);
+  g_assert_cmpint (qn_interior_point_init (&ip, &slider.problem, &settings, NULL), ==,
+                   QN_OK);
+  g_assert_cmpint (qn_interior_point_start (&ip, NULL), ==, QN_OK);
+  for (int i = 0; i < 2; i++)
+    g_assert_cmpint (qn_interior_point_iterate (&ip, NULL), ==, QN_OK);
+  qn_interior_point_project (&ip, true, &lambda, y, &residual, &slack, NULL);
+  g_assert_cmpfloat (residual, <, 1e-12);
+  g_assert_cmpfloat (lambda, ==, 0.5);
+  g_assert_cmpfloat_with_epsilon (slack, 0.15, 1e-9);
+  lambda = 0.7;
+  qn_interior_point_project (&ip, true, &lambda, y, &residual, &slack, NULL);
+  g_assert_cmpfloat_with_epsilon (slack, -0.05, 1e-9);
+  qn_interior_point_clear (&ip);
+}
+
+static void
+test_repeat (void)
+{
+  Slider slider;
+  QnInteriorPoint a, b;
+
+  slider_init (&slider, 0.65, 0.1);
+  solve (&a, &slider.problem);
+  solve (&b, &slider.problem);
+  g_assert_cmpint (a.iterations, ==, b.iterations);
+  g_assert_true (a.lambda == b.lambda && a.v[0] == b.v[0]);
+  g_assert_cmpint (qn_interior_point_solve (&a, NULL), ==, QN_OK);
+  g_assert_true (a.lambda == b.lambda && a.v[0] == b.v[0]);
+  qn_interior_point_clear (&a);
+  qn_interior_point_clear (&b);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/interior-point/optimum", test_optimum);
+  g_test_add_func ("/interior-point/infeasible", test_infeasible);
+  g_test_add_func ("/interior-point/unbounded", test_unbounded);
+  g_test_add_func ("/interior-point/no-bounds", test_no_bounds);
+  g_test_add_func ("/interior-point/quadratic", test_quadratic);
+  g_test_add_func ("/interior-point/empty-row", test_empty_row);
+  g_test_add_func ("/interior-point/redundant-row", test_redundant_row);
+  g_test_add_func ("/interior-point/project", test_project);
+  g_test_add_func ("/interior-point/repeat", test_repeat);
+  return g_test_run ();
+}

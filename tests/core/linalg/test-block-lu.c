@@ -1,0 +1,211 @@
+#include "core/linalg/block-lu.h"
+
+#include "core/linalg/sparse.h"
+
+#include <glib.h>
+#include <math.h>
+
+/* Bodies in a square grid, each coupled with its neighbours; some lack degrees of freedom. */
+enum { SIDE = 12, BODIES = SIDE * SIDE, MOST = 3 * BODIES };
+
+typedef struct {
+  int32_t n;
+  int32_t unknown[BODIES][3];
+  int32_t *ap, *ai;
+  double *ax, x[MOST], b[MOST];
+} Grid;
+
+static void
+couple (Grid *grid, QnSparsePattern *pattern, int one, int other)
+{
+  int32_t unknowns[6];
+
+  for (int d = 0; d < 3; d++) {
+    unknowns[d] = grid->unknown[one][d];
+    unknowns[3 + d] = grid->unknown[other][d];
+  }
+  g_assert_true (qn_sparse_pattern_add_clique (pattern, unknowns, 6));
+}
+
+static void
+grid_init (Grid *grid, GRand *random)
+{
+  QnSparsePattern pattern;
+
+  grid->n = 0;
+  for (int body = 0; body < BODIES; body++)
+    for (int d = 0; d < 3; d++)
+      grid->unknown[body][d] =
+        body > 0 && g_rand_int_range (random, 0, 8) == 0 ? QN_NONE : grid->n++;
+  g_assert_true (qn_sparse_pattern_init (&pattern, grid->n, 100));
+  for (int body = 0; body < BODIES; body++) {
+    if (body % SIDE > 0)
+      couple (grid, &pattern, body, body - 1);
+    if (body >= SIDE)
+      couple (grid, &pattern, body, body - SIDE);
+  }
+  g_assert_true (qn_sparse_pattern_compress (&pattern, &grid->ap, &grid->ai));
+  qn_sparse_pattern_clear (&pattern);
+  grid->ax = g_new (double, grid->ap[grid->n]);
+}
+
+/* Random values, not symmetric, with a diagonal that elimination can rest upon; b = A x. */
+static void
+grid_randomise (Grid *grid, GRand *random)
+{
+  for (int32_t i = 0; i < grid->n; i++) {
+    grid->x[i] = g_rand_double_range (random, -1, 1);
+    grid->b[i] = 0;
+  }
+  for (int32_t j = 0; j < grid->n; j++)
+    for (int32_t p = grid->ap[j]; p < grid->ap[j + 1]; p++) {
+      grid->ax[p] = g_rand_double_range (random, -1, 1) + (grid->ai[p] == j ? 12 : 0);
+      grid->b[grid->ai[p]] += grid->ax[p] * grid->x[j];
+    }
+}
+
+static void
+grid_clear (Grid *grid)
+{
+  g_free (grid->ax);
+  free (grid->ap);
+  free (grid->ai);
+}
+
+static void
+test_solution (void)
+{
+  GRand *random = g_rand_new_with_seed (11);
+
+  for (int structure = 0; structure < 5; structure++) {
+    Grid grid;
+    grid_init (&grid, random);
+    QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+    g_assert_nonnull (lu);
+    for (int k = 0; k < 3; k++) {
+      grid_randomise (&grid, random);
+      double ratio = qn_block_lu_factor (lu, grid.ax);
+      g_assert_cmpfloat (ratio, >, 1e-3);
+      g_assert_cmpfloat (ratio, <=, 1);
+      qn_block_lu_solve (lu, grid.b);
+      for (int32_t i = 0; i < grid.n; i++)
+        g_assert_cmpfloat (fabs (grid.b[i] - grid.x[i]), <, 1e-12);
+    }
+    qn_block_lu_free (lu);
+    grid_clear (&grid);
+  }
+  g_rand_free (random);
+}
+
+/* A body without any stiffness is found out: it moves without end. It leaves nothing behind. */
+static void
+test_vanishing_pivot (void)
+{
+  GRand *random = g_rand_new_with_seed (13);
+  Grid grid;
+  grid_init (&grid, random);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+
+  grid_randomise (&grid, random);
+  for (int32_t j = 0; j < grid.n; j++)
+    for (int32_t p = grid.ap[j]; p < grid.ap[j + 1]; p++)
+      for (int d = 0; d < 3; d++)
+        if (grid.ai[p] == grid.unknown[40][d] || j == grid.unknown[40][d])
+          grid.ax[p] = 0;
+  g_assert_cmpfloat (qn_block_lu_factor (lu, grid.ax), <, 1e-50);
+  qn_block_lu_solve (lu, grid.b);
+  for (int32_t i = 0; i < grid.n; i++) {
+    bool free =
+      i == grid.unknown[40][0] || i == grid.unknown[40][1] || i == grid.unknown[40][2];
+    g_assert_true (free == (fabs (grid.b[i]) > 1e50));
+  }
+
+  grid_randomise (&grid, random);
+  double share;
+  g_assert_cmpfloat (qn_block_lu_refactor (lu, grid.ax, &share), >, 0);
+  g_assert_cmpfloat (share, ==, 1);
+  qn_block_lu_solve (lu, grid.b);
+  for (int32_t i = 0; i < grid.n; i++)
+    g_assert_cmpfloat (fabs (grid.b[i] - grid.x[i]), <, 1e-12);
+  qn_block_lu_free (lu);
+  grid_clear (&grid);
+  g_rand_free (random);
+}
+
+/* Rows are exchanged within a block: the first pivot may be zero. */
+static void
+test_single_body (void)
+{
+  const int32_t ap[] = { 0, 2, 4 }, ai[] = { 0, 1, 0, 1 };
+  const double ax[] = { 0, 2, 4, 1 };
+  double b[] = { 4, 3 };
+  QnBlockLu *lu = qn_block_lu_new (2, ap, ai, NULL);
+
+  g_assert_cmpfloat (qn_block_lu_factor (lu, ax), ==, 0.5);
+  qn_block_lu_solve (lu, b);
+  g_assert_cmpfloat (b[0], ==, 1);
+  g_assert_cmpfloat (b[1], ==, 1);
+  qn_block_lu_free (lu);
+}
+
+static void
+test_empty (void)
+{
+  const int32_t ap[] = { 0 }, ai[] = { 0 };
+  QnBlockLu *lu = qn_block_lu_new (0, ap, ai, NULL);
+
+  g_assert_nonnull (lu);
+  g_assert_cmpfloat (qn_block_lu_factor (lu, NULL), ==, 1);
+  qn_block_lu_free (lu);
+}
+
+/* What is eliminated anew is what new values reach, and the factors are those of a factorisation
+ * from the start, to the bit. */
+static void
+test_refactorisation (void)
+{
+  GRand *random = g_rand_new_with_seed (17);
+  Grid grid;
+  grid_init (&grid, random);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+  double share, least = 1;
+
+  grid_randomise (&grid, random);
+  g_assert_cmpfloat (qn_block_lu_refactor (lu, grid.ax, &share), >, 0);
+  g_assert_cmpfloat (share, ==, 1);
+  g_assert_cmpfloat (qn_block_lu_refactor (lu, grid.ax, &share), >, 0);
+  g_assert_cmpfloat (share, ==, 0);
+  for (int k = 0; k < 100; k++) {
+    int32_t p = g_rand_int_range (random, 0, grid.ap[grid.n]);
+    double x[MOST];
+    grid.ax[p] += 0.125;
+    double ratio = qn_block_lu_refactor (lu, grid.ax, &share);
+    g_assert_cmpfloat (share, >, 0);
+    g_assert_cmpfloat (share, <, 1);
+    least = MIN (least, share);
+    g_assert_cmpfloat (qn_block_lu_factor (fresh, grid.ax), ==, ratio);
+    memcpy (x, grid.b, sizeof x);
+    qn_block_lu_solve (lu, x);
+    qn_block_lu_solve (fresh, grid.b);
+    g_assert_cmpmem (x, (size_t) grid.n * sizeof *x, grid.b, (size_t) grid.n * sizeof *x);
+    g_assert_cmpint (qn_block_lu_sign (lu), ==, qn_block_lu_sign (fresh));
+  }
+  g_assert_cmpfloat (least, <, 0.7);
+  qn_block_lu_free (lu);
+  qn_block_lu_free (fresh);
+  grid_clear (&grid);
+  g_rand_free (random);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/block-lu/solution", test_solution);
+  g_test_add_func ("/block-lu/refactorisation", test_refactorisation);
+  g_test_add_func ("/block-lu/vanishing-pivot", test_vanishing_pivot);
+  g_test_add_func ("/block-lu/single-body", test_single_body);
+  g_test_add_func ("/block-lu/empty", test_empty);
+  return g_test_run ();
+}

@@ -1,0 +1,44 @@
+#include "core/model/model.h"
+#include "support/models.h"
+
+#include <glib.h>
+
+static void
+test_weights_and_forces (void)
+{
+  QnModel model;
+  test_model_init_block_on_plane (&model, 2, 1);
+  test_model_add_weight_loads (&model, 0.5);
+  QnLoad *force = qn_model_add_live_load (&model);
+  force->kind = QN_LOAD_FORCE;
+  force->block = 1;
+  force->vector = qn_vec2 (100, 20);
+  force->moment = 7;
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+
+  double forces[6] = { 9, 9, 9, 9, 9, 9 };
+  qn_model_dead_forces (&model, forces);
+  const double dead[] = { 0, -80000, 0, 0, -20000, 0 };
+  for (int i = 0; i < 6; i++)
+    g_assert_cmpfloat (forces[i], ==, dead[i]);
+
+  qn_model_live_forces (&model, forces);
+  const double live[] = { 40000, 0, 0, 10100, 20, 7 };
+  for (int i = 0; i < 6; i++)
+    g_assert_cmpfloat (forces[i], ==, live[i]);
+
+  /* At the upper right corner: arm (1, 0.5). */
+  force->has_at = true;
+  force->at = qn_vec2 (1, 1);
+  qn_model_live_forces (&model, forces);
+  g_assert_cmpfloat_with_epsilon (forces[5], 7 + 1 * 20 - 0.5 * 100, 1e-12);
+  qn_model_clear (&model);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/load/weights-and-forces", test_weights_and_forces);
+  return g_test_run ();
+}

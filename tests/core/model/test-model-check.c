@@ -1,0 +1,242 @@
+#include "core/model/model.h"
+#include "support/models.h"
+
+#include <glib.h>
+
+/* A sound model with one of everything, to be spoilt in one place. */
+static void
+init_sound (QnModel *model)
+{
+  test_model_init_stack (model, 2, 1, 0.5);
+  test_model_add_weight_loads (model, 1);
+  QnLoad *force = qn_model_add_live_load (model);
+  force->kind = QN_LOAD_FORCE;
+  force->block = 2;
+  force->vector = qn_vec2 (10, 0);
+  force->has_at = true;
+  QnFaceOverride *override = qn_model_add_override (model);
+  override->block_a = 1;
+  override->block_b = 2;
+  override->has_pairs = true;
+  override->pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 3 };
+  model->analysis.control_block = 2;
+  model->analysis.control_target = 0.1;
+}
+
+static void
+test_sound (void)
+{
+  QnModel model;
+  init_sound (&model);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  qn_model_clear (&model);
+}
+
+/* Each of these spoils one thing. */
+#define SPOIL(name, statement)                                                           \
+  static void spoil_##name (QnModel *m)                                                  \
+  {                                                                                      \
+    statement;                                                                           \
+  }
+
+SPOIL (gravity, m->gravity = -1)
+SPOIL (name_missing, m->blocks[1].name[0] = '\0')
+SPOIL (name_taken, m->blocks[2].name[1] = '1')
+SPOIL (vertex, m->vertices[5].x = NAN)
+SPOIL (vertex_repeated, m->vertices[5] = m->vertices[4])
+SPOIL (thickness, m->blocks[1].thickness = -0.1)
+SPOIL (thickness_zero, m->blocks[1].thickness = 0)
+SPOIL (thickness_nan, m->blocks[1].thickness = NAN)
+SPOIL (unit_weight, m->blocks[2].unit_weight = -1)
+SPOIL (unit_weight_infinite, m->blocks[2].unit_weight = INFINITY)
+SPOIL (density, m->blocks[2].density = NAN)
+SPOIL (block_law, m->blocks[1].law = 1)
+SPOIL (law_stiffness, m->laws[0].kn = 0)
+SPOIL (law_friction, m->laws[0].friction = -0.1)
+SPOIL (contact_law, m->contact.law = 7)
+SPOIL (contact_law_missing, m->contact.law = QN_NONE)
+SPOIL (tolerance, m->contact.tolerance = -1e-6)
+SPOIL (tolerance_large, m->contact.tolerance = 1)
+SPOIL (offset, m->contact.pairs.offset = -0.01)
+SPOIL (offset_nan, m->contact.pairs.offset = NAN)
+SPOIL (count, m->overrides[0].pairs.count = 0)
+SPOIL (count_large, m->overrides[0].pairs.count = 1000000)
+SPOIL (override_block, m->overrides[0].block_b = QN_NONE)
+SPOIL (override_same, m->overrides[0].block_b = 1)
+SPOIL (override_law, m->overrides[0].law = 3)
+SPOIL (direction, m->dead_loads[0].vector.y = NAN)
+SPOIL (load_block, m->live_loads[1].block = 99)
+SPOIL (load_block_none, m->live_loads[1].block = QN_NONE)
+SPOIL (force, m->live_loads[1].vector.x = INFINITY)
+SPOIL (moment, m->live_loads[1].moment = NAN)
+SPOIL (at, m->live_loads[1].at.x = NAN)
+SPOIL (increments, m->analysis.increments = 0)
+SPOIL (max_multiplier, m->analysis.max_multiplier = 0)
+SPOIL (max_multiplier_nan, m->analysis.max_multiplier = NAN)
+SPOIL (multiplier_tolerance, m->analysis.multiplier_tolerance = -1)
+SPOIL (residual_tolerance, m->analysis.residual_tolerance = 0)
+SPOIL (control_block, m->analysis.control_block = 3)
+SPOIL (control_target, m->analysis.control_target = 0)
+SPOIL (control_fixed, m->analysis.control_block = 0)
+SPOIL (control_missing, m->analysis.control_block = QN_NONE;
+       m->analysis.procedure = QN_PROCEDURE_DISPLACEMENT)
+
+typedef struct {
+  const char *name;
+  void (*spoil) (QnModel *model);
+  QnProblem problem;
+  QnEntity entity;
+  QnId index;
+  const char *field;
+} Case;
+
+#define CASE(name, problem, entity, index, field)                                        \
+  {                                                                                      \
+#name, spoil_##name, QN_PROBLEM_##problem, QN_ENTITY_##entity, index, field          \
+  }
+
+static const Case cases[] = {
+  CASE (gravity, NEGATIVE, MODEL, QN_NONE, "gravity"),
+  CASE (name_missing, NAME_MISSING, BLOCK, 1, "name"),
+  CASE (name_taken, NAME_TAKEN, BLOCK, 2, "name"),
+  CASE (vertex, NOT_FINITE, BLOCK, 1, "vertices"),
+  CASE (vertex_repeated, DUPLICATE_VERTEX, BLOCK, 1, "vertices"),
+  CASE (thickness, NOT_POSITIVE, BLOCK, 1, "thickness"),
+  CASE (thickness_zero, NOT_POSITIVE, BLOCK, 1, "thickness"),
+  CASE (thickness_nan, NOT_FINITE, BLOCK, 1, "thickness"),
+  CASE (unit_weight, NEGATIVE, BLOCK, 2, "unit_weight"),
+  CASE (unit_weight_infinite, NOT_FINITE, BLOCK, 2, "unit_weight"),
+  CASE (density, NOT_FINITE, BLOCK, 2, "density"),
+  CASE (block_law, LAW_UNKNOWN, BLOCK, 1, "law"),
+  CASE (contact_law, LAW_UNKNOWN, CONTACT, QN_NONE, "law"),
+  CASE (contact_law_missing, LAW_MISSING, CONTACT, QN_NONE, "law"),
+  CASE (tolerance, NEGATIVE, CONTACT, QN_NONE, "tolerance"),
+  CASE (tolerance_large, TOO_LARGE, CONTACT, QN_NONE, "tolerance"),
+  CASE (offset, NEGATIVE, CONTACT, QN_NONE, "pairs.offset"),
+  CASE (offset_nan, NOT_FINITE, CONTACT, QN_NONE, "pairs.offset"),
+  CASE (count, PAIR_COUNT, FACE_OVERRIDE, 0, "pairs.count"),
+  CASE (count_large, TOO_LARGE, FACE_OVERRIDE, 0, "pairs.count"),
+  CASE (override_block, BLOCK_UNKNOWN, FACE_OVERRIDE, 0, "blocks"),
+  CASE (override_same, SAME_BLOCK, FACE_OVERRIDE, 0, "blocks"),
+  CASE (override_law, LAW_UNKNOWN, FACE_OVERRIDE, 0, "law"),
+  CASE (direction, NOT_FINITE, DEAD_LOAD, 0, "direction"),
+  CASE (load_block, BLOCK_UNKNOWN, LIVE_LOAD, 1, "block"),
+  CASE (load_block_none, BLOCK_UNKNOWN, LIVE_LOAD, 1, "block"),
+  CASE (force, NOT_FINITE, LIVE_LOAD, 1, "value"),
+  CASE (moment, NOT_FINITE, LIVE_LOAD, 1, "moment"),
+  CASE (at, NOT_FINITE, LIVE_LOAD, 1, "at"),
+  CASE (increments, NOT_POSITIVE, ANALYSIS, QN_NONE, "increments"),
+  CASE (max_multiplier, NOT_POSITIVE, ANALYSIS, QN_NONE, "max_multiplier"),
+  CASE (max_multiplier_nan, NOT_FINITE, ANALYSIS, QN_NONE, "max_multiplier"),
+  CASE (multiplier_tolerance, NOT_POSITIVE, ANALYSIS, QN_NONE, "multiplier_tolerance"),
+  CASE (residual_tolerance, NOT_POSITIVE, ANALYSIS, QN_NONE, "residual_tolerance"),
+  CASE (control_block, BLOCK_UNKNOWN, ANALYSIS, QN_NONE, "control.block"),
+  CASE (control_target, CONTROL_TARGET_ZERO, ANALYSIS, QN_NONE, "control.target"),
+  CASE (control_fixed, CONTROL_DOF_FIXED, ANALYSIS, QN_NONE, "control.component"),
+  CASE (control_missing, CONTROL_MISSING, ANALYSIS, QN_NONE, "control"),
+};
+
+static void
+test_refused (const void *data)
+{
+  const Case *c = data;
+  QnModel model;
+  QnDiag diag;
+  init_sound (&model);
+  c->spoil (&model);
+  /* Names are changed in place here: let the model's index know. */
+  QnModel copy;
+  g_assert_cmpint (qn_model_copy (&model, &copy, NULL), ==, QN_OK);
+  qn_name_index_clear (&copy.block_names);
+  for (size_t i = 0; i < copy.block_count; i++)
+    g_assert_true (
+      qn_name_index_add (&copy.block_names, copy.blocks, sizeof *copy.blocks, (QnId) i));
+
+  g_assert_cmpint (qn_model_prepare (&copy, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpstr (qn_problem_text (diag.problem), ==, qn_problem_text (c->problem));
+  g_assert_cmpint (diag.entity, ==, c->entity);
+  g_assert_cmpint (diag.index, ==, c->index);
+  g_assert_cmpstr (diag.field, ==, c->field);
+  g_assert_cmpint (qn_model_prepare (&copy, NULL), ==, QN_ERROR_INVALID);
+  qn_model_clear (&copy);
+  qn_model_clear (&model);
+}
+
+/* The rules for laws are the laws' own; here only that they are asked. */
+static void
+test_laws_are_checked (void)
+{
+  void (*spoils[]) (QnModel *) = { spoil_law_stiffness, spoil_law_friction };
+  for (size_t i = 0; i < G_N_ELEMENTS (spoils); i++) {
+    QnModel model;
+    QnDiag diag;
+    init_sound (&model);
+    spoils[i](&model);
+    g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
+    g_assert_cmpint (diag.entity, ==, QN_ENTITY_LAW);
+    g_assert_cmpint (diag.index, ==, 0);
+    qn_model_clear (&model);
+  }
+}
+
+static void
+test_law_name_taken (void)
+{
+  QnModel model;
+  QnDiag diag;
+  init_sound (&model);
+  QnLaw *law = qn_model_add_law (&model, "joint");
+  law->kind = QN_LAW_ELASTIC;
+  law->kn = law->ks = 1;
+  g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NAME_TAKEN);
+  g_assert_cmpint (diag.entity, ==, QN_ENTITY_LAW);
+  g_assert_cmpint (diag.index, ==, 1);
+  qn_model_clear (&model);
+}
+
+/* Where every block has a law of its own the contact law may be left out. */
+static void
+test_block_laws_suffice (void)
+{
+  QnModel model;
+  init_sound (&model);
+  model.contact.law = QN_NONE;
+  for (size_t i = 0; i < model.block_count; i++)
+    model.blocks[i].law = 0;
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  qn_model_clear (&model);
+}
+
+/* A fault in a block that came from a wall is the wall's. */
+static void
+test_wall_is_blamed (void)
+{
+  QnModel model;
+  QnDiag diag;
+  test_model_init_wall (&model, 1, 0);
+  model.walls[0].thickness = -1;
+  g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NOT_POSITIVE);
+  g_assert_cmpint (diag.entity, ==, QN_ENTITY_WALL);
+  g_assert_cmpint (diag.index, ==, 0);
+  g_assert_cmpstr (diag.field, ==, "thickness");
+  qn_model_clear (&model);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/model-check/sound", test_sound);
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    char *path = g_strconcat ("/model-check/refused/", cases[i].name, NULL);
+    g_test_add_data_func (path, &cases[i], test_refused);
+    g_free (path);
+  }
+  g_test_add_func ("/model-check/laws-are-checked", test_laws_are_checked);
+  g_test_add_func ("/model-check/law-name-taken", test_law_name_taken);
+  g_test_add_func ("/model-check/block-laws-suffice", test_block_laws_suffice);
+  g_test_add_func ("/model-check/wall-is-blamed", test_wall_is_blamed);
+  return g_test_run ();
+}

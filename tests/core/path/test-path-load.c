@@ -1,0 +1,352 @@
+#include "core/path/analysis.h"
+#include "support/models.h"
+
+#include <float.h>
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+static void
+run (QnModel *model, QnProgressFunc progress, void *data, QnResult *result)
+{
+  QnContacts contacts;
+
+  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (model, &contacts, progress, data, result, NULL), ==,
+                   QN_OK);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (model);
+}
+
+static void
+init_block (QnModel *model)
+{
+  test_model_init_block_on_plane (model, 2, 0.5);
+  test_model_add_weight_loads (model, 1);
+}
+
+static void
+test_target (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.analysis.max_multiplier = 0.3;
+  run (&model, NULL, NULL, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_false (result.has_collapse_multiplier);
+  g_assert_cmpfloat (result.steps[0].multiplier, ==, 0);
+  g_assert_cmpfloat (result.steps[1].multiplier, ==, 0.01);
+  g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 0.3);
+  for (size_t s = 1; s < result.step_count; s++)
+    g_assert_cmpfloat (result.steps[s].multiplier, >, result.steps[s - 1].multiplier);
+  qn_result_clear (&result);
+}
+
+/* However coarse the increments are, even where the first one is far beyond collapse. */
+static void
+test_collapse_does_not_depend_on_increments (void)
+{
+  static const int increments[] = { 1, 2, 10, 1000 };
+  for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
+    QnModel model;
+    QnResult result;
+    init_block (&model);
+    model.analysis.increments = increments[i];
+    model.analysis.multiplier_tolerance = 1e-9;
+    model.analysis.residual_tolerance = 1e-11;
+    run (&model, NULL, NULL, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.65, 1e-9);
+    g_assert_cmpint (result.steps[result.step_count - 1].event, ==, QN_EVENT_COLLAPSE);
+    g_assert_nonnull (result.mechanism);
+    qn_result_clear (&result);
+  }
+}
+
+/* The mechanism tells the multiplier more exactly than the bracket that encloses it. */
+static void
+test_digits_beyond_the_bracket (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpfloat (result.collapse_multiplier, <=, 0.65 * (1 + 4 * DBL_EPSILON));
+  g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.65, 1e-6 * 0.65);
+  qn_result_clear (&result);
+}
+
+static void
+test_no_live_load (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.live_load_count = 0;
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpuint (result.step_count, ==, 1);
+  qn_result_clear (&result);
+}
+
+/* A load that presses a block onto its base has no limit. */
+static void
+test_unbounded (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.live_loads[0].vector = qn_vec2 (0, -1);
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  qn_result_clear (&result);
+}
+
+static void
+test_dead_load_unstable (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.dead_loads[0].vector = qn_vec2 (0.7, -1);
+  run (&model, NULL, NULL, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
+  g_assert_cmpuint (result.step_count, ==, 0);
+  g_assert_cmpuint (result.unstable_count, ==, 1);
+  g_assert_cmpint (result.unstable_blocks[0], ==, 1);
+  qn_result_clear (&result);
+}
+
+/* Wall 3 loses stability long before its last equilibrium; an event-by-event tracer puts the
+ * limit point at 0.2604. */
+static void
+test_limit_point (void)
+{
+  static const int increments[] = { 10, 37, 100 };
+  for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
+    QnModel model;
+    QnResult result;
+    test_model_init_wall (&model, 3, 0);
+    model.analysis.increments = increments[i];
+    model.analysis.snap = QN_SNAP_STOP;
+    run (&model, NULL, NULL, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
+    g_assert_cmpfloat_with_epsilon (result.first_limit_multiplier, 0.2604, 3e-4);
+    g_assert_cmpint (result.steps[result.step_count - 1].event, ==, QN_EVENT_SNAP);
+    g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==,
+                       result.first_limit_multiplier);
+    qn_result_clear (&result);
+  }
+}
+
+/* As joints grow stiffer, equilibrium in the deformed configuration becomes equilibrium in the
+ * undeformed one; soft joints lose capacity by their own deformation. */
+static void
+test_nonlinear_geometry (void)
+{
+  static const double stiffness[] = { 1e6, 1e7, 1e8, 1e10 };
+  double before = 0;
+  for (size_t i = 0; i < G_N_ELEMENTS (stiffness); i++) {
+    QnModel model;
+    QnResult result;
+    test_model_init_wall (&model, 1, 0);
+    model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    model.laws[0].kn = model.laws[0].ks = stiffness[i];
+    run (&model, NULL, NULL, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat (result.collapse_multiplier, >, before);
+    before = result.collapse_multiplier;
+    qn_result_clear (&result);
+  }
+  g_assert_cmpfloat_with_epsilon (before, 0.6415, 3e-4);
+}
+
+static bool
+stop_after_steps (const QnProgress *progress, void *data)
+{
+  return progress->steps < *(int *) data;
+}
+
+static void
+test_cancel_keeps_what_converged (void)
+{
+  QnModel model;
+  QnResult result;
+  int steps = 5;
+  test_model_init_wall (&model, 1, 0);
+  run (&model, stop_after_steps, &steps, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_CANCELLED);
+  g_assert_cmpuint (result.step_count, ==, 5);
+  g_assert_cmpfloat (result.pairs[0].normal_force, <, 0);
+  qn_result_clear (&result);
+}
+
+static bool
+refuse_at (const QnProgress *progress, void *data)
+{
+  return progress->iterations < *(int *) data;
+}
+
+/* Whenever it is cancelled, a run ends, soon and with steps in order. */
+static void
+test_cancel_anywhere (void)
+{
+  QnModel model;
+  QnResult result;
+  test_model_init_wall (&model, 3, 0);
+  run (&model, NULL, NULL, &result);
+  int iterations = result.statistics.iterations;
+  g_assert_cmpint (iterations, >, 100);
+  qn_result_clear (&result);
+
+  for (int at = 1; at < iterations; at += 7) {
+    test_model_init_wall (&model, 3, 0);
+    run (&model, refuse_at, &at, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_CANCELLED);
+    g_assert_cmpint (result.statistics.iterations, ==, at);
+    qn_result_clear (&result);
+  }
+}
+
+static void
+test_repeatable (void)
+{
+  QnResult results[2];
+  for (int k = 0; k < 2; k++) {
+    QnModel model;
+    test_model_init_wall (&model, 5, 0);
+    run (&model, NULL, NULL, &results[k]);
+  }
+  size_t numbers = results[0].step_count * results[0].block_count * QN_DOF_COUNT;
+  g_assert_cmpuint (results[0].step_count, ==, results[1].step_count);
+  g_assert_cmpmem (results[0].displacements, numbers * sizeof (double),
+                   results[1].displacements, numbers * sizeof (double));
+  g_assert_true (results[0].collapse_multiplier == results[1].collapse_multiplier);
+  qn_result_clear (&results[0]);
+  qn_result_clear (&results[1]);
+}
+
+/* Largest force or moment (about the centroid, over the length of a block) on a free block at a
+ * step, its own weight and the live load included, N. */
+static double
+largest_imbalance (const QnModel *model, const QnContacts *contacts,
+                   const QnResult *result, size_t step)
+{
+  double sums[64][3] = { { 0 } }, largest = 0;
+  g_assert_cmpuint (model->block_count, <=, G_N_ELEMENTS (sums));
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    QnPairResult forces = qn_result_pair_at (result, step, p);
+    QnVec2 force = qn_vec2_add (qn_vec2_scale (forces.normal_force, face->normal),
+                                qn_vec2_scale (forces.shear_force, face->tangent));
+    for (int side = 0; side < 2; side++) {
+      QnId block = side == 0 ? face->a : face->b;
+      QnVec2 f = qn_vec2_scale (side == 0 ? 1 : -1, force);
+      QnVec2 arm = qn_vec2_sub (pair->point, model->blocks[block].centroid);
+      sums[block][0] += f.x;
+      sums[block][1] += f.y;
+      sums[block][2] += qn_vec2_cross (arm, f) / model->characteristic_length;
+    }
+  }
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    sums[b][0] += result->steps[step].multiplier * block->weight;
+    sums[b][1] -= block->weight;
+    for (int i = 0; i < 3 && !block->support[0]; i++)
+      largest = fmax (largest, fabs (sums[b][i]));
+  }
+  return largest;
+}
+
+/* Wall 1 jumps before it collapses. The forces kept of every step balance its loads, those
+ * after the jump too. */
+static void
+test_forces_of_every_step (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+  test_model_init_wall (&model, 1, 0);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                   QN_OK);
+  g_assert_cmpuint (result.step_count, >, 10);
+  for (size_t s = 0; s < result.step_count; s++) {
+    g_assert_true (qn_result_has_forces (&result, s));
+    g_assert_cmpfloat (largest_imbalance (&model, &contacts, &result, s), <, 0.01);
+  }
+  /* What is kept of the last step is what stands for itself. */
+  size_t last = (result.step_count - 1) * result.pair_count;
+  for (size_t p = 0; p < result.pair_count; p++) {
+    g_assert_cmpfloat (result.step_forces[2 * (last + p)], ==,
+                       result.pairs[p].normal_force);
+    g_assert_cmpint (result.step_states[last + p], ==, result.pairs[p].state);
+  }
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* Blocks on points may swing, but a live load that acts along their weight does not ask them to:
+ * the path leads to the largest multiplier there is, without end of increments. */
+static void
+test_idle_live_load (void)
+{
+  QnModel model;
+  QnResult result;
+  test_model_init_stack (&model, 30, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  model.live_loads[0].vector = qn_vec2 (0, -1);
+  model.contact.pairs.placement = QN_PLACEMENT_UNIFORM;
+  model.contact.pairs.count = 1;
+  run (&model, NULL, NULL, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (result.statistics.iterations, <, 3000);
+  qn_result_clear (&result);
+}
+
+/* Every other block on joints a hundred million times softer: stiffness changes displacements,
+ * not what associative joints carry. */
+static void
+test_soft_and_stiff (void)
+{
+  QnModel model;
+  QnResult result;
+  test_model_init_wall (&model, 1, 0.65);
+  test_model_soften_every_other_block (&model, 1e8);
+  run (&model, NULL, NULL, &result);
+
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, test_walls[0].associative,
+                                  1e-4);
+  g_assert_cmpint (result.statistics.iterations, <, 1000);
+  g_assert_false (result.mechanism_uncertain);
+  qn_result_clear (&result);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/path-load/target", test_target);
+  g_test_add_func ("/path-load/increments", test_collapse_does_not_depend_on_increments);
+  g_test_add_func ("/path-load/digits", test_digits_beyond_the_bracket);
+  g_test_add_func ("/path-load/no-live-load", test_no_live_load);
+  g_test_add_func ("/path-load/unbounded", test_unbounded);
+  g_test_add_func ("/path-load/idle-live-load", test_idle_live_load);
+  g_test_add_func ("/path-load/soft-and-stiff", test_soft_and_stiff);
+  g_test_add_func ("/path-load/dead-load-unstable", test_dead_load_unstable);
+  g_test_add_func ("/path-load/limit-point", test_limit_point);
+  g_test_add_func ("/path-load/nonlinear-geometry", test_nonlinear_geometry);
+  g_test_add_func ("/path-load/cancel/keeps", test_cancel_keeps_what_converged);
+  g_test_add_func ("/path-load/cancel/anywhere", test_cancel_anywhere);
+  g_test_add_func ("/path-load/repeatable", test_repeatable);
+  g_test_add_func ("/path-load/forces-of-every-step", test_forces_of_every_step);
+  return g_test_run ();
+}

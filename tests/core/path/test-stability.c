@@ -1,0 +1,123 @@
+#include "core/path/stability.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+/* A rigid block of height 2a on a joint that is elastic in tension too, two pairs at its ends: a
+ * weightless inverted pendulum. The force P at its centroid turns it over when
+ *
+ *   P a = K,   K = 2 k (b/2)^2,
+ *
+ * k the stiffness of a pair of springs. */
+#define WIDTH  0.4
+#define HEIGHT 2.0
+#define K      1e6
+
+static void
+init_pendulum (QnModel *model)
+{
+  test_model_init_block_on_plane (model, WIDTH, HEIGHT);
+  model->laws[0].kind = QN_LAW_ELASTIC;
+  model->laws[0].kn = 2 * K;
+  model->laws[0].ks = 2e3 * K; /* sliding adds nothing worth speaking of */
+  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  QnLoad *load = qn_model_add_live_load (model);
+  load->kind = QN_LOAD_FORCE;
+  load->block = 1;
+  load->vector = qn_vec2 (0, -1000);
+}
+
+static QnStatus
+run (QnModel *model, QnResult *result, QnDiag *diag)
+{
+  QnContacts contacts;
+  memset (diag, 0, sizeof *diag);
+  g_assert_cmpint (qn_model_prepare (model, diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, diag), ==, QN_OK);
+  QnStatus status = qn_stability_run (model, &contacts, NULL, NULL, result, diag);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (model);
+  return status;
+}
+
+/* The pairs shorten under the load by P/2k, which lowers the block: P (a - P/2k) = K at first
+ * order. */
+static void
+test_pendulum (void)
+{
+  QnModel model;
+  QnResult result;
+  QnDiag diag;
+  init_pendulum (&model);
+  g_assert_cmpint (run (&model, &result, &diag), ==, QN_OK);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
+  g_assert_true (result.has_first_limit_multiplier);
+  double stiffness = 2 * K * (WIDTH / 2) * (WIDTH / 2), a = HEIGHT / 2;
+  double critical = stiffness / a / 1000;
+  g_test_message ("%.6f, rigid pivot %.6f", result.first_limit_multiplier, critical);
+  g_assert_cmpfloat_with_epsilon (result.first_limit_multiplier / critical, 1, 0.02);
+  /* The mode: it turns about its foot, without sinking. */
+  g_assert_nonnull (result.mechanism);
+  g_assert_cmpfloat_with_epsilon (fabs (result.mechanism[3]), 1, 1e-6);
+  g_assert_cmpfloat_with_epsilon (result.mechanism[4], 0, 1e-3);
+  /* The step below is stable, and straight. */
+  const double *u = qn_result_step_displacements (&result, result.step_count - 1);
+  g_assert_cmpfloat_with_epsilon (u[3], 0, 1e-9);
+  g_assert_cmpint (result.steps[result.step_count - 1].event, ==, QN_EVENT_SNAP);
+  qn_result_clear (&result);
+}
+
+static void
+test_stable (void)
+{
+  QnModel model;
+  QnResult result;
+  QnDiag diag;
+  init_pendulum (&model);
+  model.analysis.max_multiplier = 50;
+  g_assert_cmpint (run (&model, &result, &diag), ==, QN_OK);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_false (result.has_first_limit_multiplier);
+  qn_result_clear (&result);
+}
+
+/* In linear geometry nothing buckles, however far. */
+static void
+test_linear (void)
+{
+  QnModel model;
+  QnResult result;
+  QnDiag diag;
+  init_pendulum (&model);
+  model.analysis.geometry = QN_GEOMETRY_LINEAR;
+  model.analysis.max_multiplier = 1e6;
+  g_assert_cmpint (run (&model, &result, &diag), ==, QN_OK);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  qn_result_clear (&result);
+}
+
+static void
+test_refused (void)
+{
+  QnModel model;
+  QnResult result;
+  QnDiag diag;
+  init_pendulum (&model);
+  QnStage *stage = qn_model_add_stage (&model, "s");
+  stage->sets = 1;
+  g_assert_cmpint (run (&model, &result, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_STABILITY_STAGES);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/stability/pendulum", test_pendulum);
+  g_test_add_func ("/stability/stable", test_stable);
+  g_test_add_func ("/stability/linear", test_linear);
+  g_test_add_func ("/stability/refused", test_refused);
+  return g_test_run ();
+}

@@ -1,0 +1,49 @@
+/* What makes a result outdated, and what does not. */
+#include "doc/document/digest.h"
+
+#include <string.h>
+
+static char *
+digest_of (const char *title, double friction, double length, const char *extra)
+{
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin\", \"version\": 1, \"title\": \"%s\","
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": %g } ],"
+    "  \"masonry\": [ { \"kind\": \"wall\", \"length\": %g, \"height\": 1,"
+    "    \"unit\": [0.5, 0.25], \"thickness\": 1, \"unit_weight\": 1e4,"
+    "    \"foundation\": 0.3 } ], \"contact\": { \"law\": \"dry\" }%s }",
+    title, friction, length, extra);
+  g_autoptr (GError) error = NULL;
+  QnProject project;
+  qn_project_parse (text, strlen (text), "wall", NULL, &project, &error);
+  g_assert_no_error (error);
+  char *digest = qn_model_digest (&project);
+  g_autofree char *canonical = qn_project_to_text (&project, NULL);
+  g_autofree char *quick = qn_model_digest_like (&project, canonical);
+  g_assert_cmpstr (quick, ==, digest);
+  qn_project_clear (&project);
+  return digest;
+}
+
+static void
+test_digest (void)
+{
+  g_autofree char *first = digest_of ("a", 0.6, 3, "");
+  g_autofree char *title = digest_of ("b", 0.6, 3, "");
+  g_autofree char *figures = digest_of ("a", 0.6, 3, ", \"figures\": [ ]");
+  g_autofree char *law = digest_of ("a", 0.5, 3, "");
+  g_autofree char *masonry = digest_of ("a", 0.6, 4, "");
+  g_assert_cmpstr (title, ==, first);
+  g_assert_cmpstr (figures, ==, first);
+  g_assert_cmpstr (law, !=, first);
+  g_assert_cmpstr (masonry, !=, first);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/digest/digest", test_digest);
+  return g_test_run ();
+}

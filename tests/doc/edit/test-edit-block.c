@@ -1,0 +1,174 @@
+#include "doc/document/edit.h"
+
+#include "doc/fixture.h"
+
+#include <math.h>
+
+typedef struct Edit {
+  QnBlockSet set;
+  QnTransform transform;
+  int copies;
+  bool support[QN_DOF_COUNT];
+} Edit;
+
+static gboolean
+transform (QnModel *model, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_transform_blocks (model, edit->set, edit->transform, error);
+}
+
+static gboolean
+copy (QnModel *model, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_copy_blocks (model, edit->set, edit->transform, edit->copies, error);
+}
+
+static gboolean
+delete_blocks (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_blocks (model, ((const Edit *) data)->set, error);
+}
+
+static gboolean
+support (QnModel *model, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  return qn_edit_set_support (model, edit->set, edit->support, error);
+}
+
+static void
+assert_place (QnVec2 a, double x, double y)
+{
+  g_assert_cmpfloat_with_epsilon (a.x, x, 1e-12);
+  g_assert_cmpfloat_with_epsilon (a.y, y, 1e-12);
+}
+
+static void
+test_transforms (void)
+{
+  QnVec2 p = { 2.0, 1.0 };
+  assert_place (qn_transform_apply (qn_transform_translation (1.0, -1.0), p), 3.0, 0.0);
+  assert_place (
+    qn_transform_apply (qn_transform_rotation (qn_vec2 (1.0, 1.0), G_PI_2), p), 1.0, 2.0);
+  assert_place (
+    qn_transform_apply (qn_transform_mirror (qn_vec2 (0.0, 5.0), qn_vec2 (0.0, 6.0)), p),
+    -2.0, 1.0);
+  assert_place (
+    qn_transform_apply (qn_transform_mirror (qn_vec2 (0.0, 0.0), qn_vec2 (1.0, 1.0)), p),
+    1.0, 2.0);
+  QnTransform both =
+    qn_transform_compose (qn_transform_translation (1.0, 0.0),
+                          qn_transform_rotation (qn_vec2 (0.0, 0.0), G_PI));
+  assert_place (qn_transform_apply (both, p), -3.0, -1.0);
+}
+
+/* A whole wall that is shifted stays a wall; one that is turned becomes free blocks, whose
+ * joints are found all the same. */
+static void
+test_walls_stay_or_detach (void)
+{
+  g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
+  qn_selection_select_all (qn_document_get_selection (document),
+                           qn_document_get_model (document));
+  guint count = 0;
+  const QnId *ids =
+    qn_selection_get_blocks (qn_document_get_selection (document), &count);
+  g_autofree QnId *all = g_memdup2 (ids, count * sizeof *ids);
+  gsize faces = qn_document_get_contacts (document)->face_count;
+
+  edit (
+    document, transform,
+    &(Edit){ .set = { all, count }, .transform = qn_transform_translation (1.0, 2.0) });
+  g_assert_cmpuint (qn_document_get_model (document)->wall_count, ==, 1);
+  assert_place (qn_document_get_model (document)->walls[0].origin, 1.0, 2.0);
+
+  edit (document, transform,
+        &(Edit){ .set = { all, count },
+                 .transform = qn_transform_rotation (qn_vec2 (0.0, 0.0), 0.3) });
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->wall_count, ==, 0);
+  g_assert_cmpuint (model->block_count, ==, count);
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, faces);
+  g_assert_cmpint (qn_model_find_block (model, "w.3.2"), !=, QN_NONE);
+}
+
+static void
+test_delete (void)
+{
+  g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
+  const QnModel *model = qn_document_get_model (document);
+  gsize count = model->block_count;
+  QnId block = qn_model_find_block (model, "w.11.2");
+  edit (document, delete_blocks, &(Edit){ .set = { &block, 1 } });
+  model = qn_document_get_model (document);
+  g_assert_cmpuint (model->block_count, ==, count - 1);
+  g_assert_cmpuint (model->wall_count, ==, 1);
+  /* The courses, from the bottom: 1 to 10, then the one that the block was in. */
+  const QnWall *wall = &model->walls[0];
+  double gap = 0.0;
+  for (int32_t entry = wall->course_ends[9]; entry < wall->course_ends[10]; entry++)
+    gap += MIN (wall->lengths[entry], 0.0);
+  g_assert_cmpfloat (gap, <, 0.0);
+
+  qn_document_undo (document);
+  g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, count);
+}
+
+static void
+test_array (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  gsize count = qn_document_get_model (document)->block_count;
+  QnId block = 1;
+  QnVec2 from = qn_document_get_model (document)->blocks[block].centroid;
+  edit (document, copy,
+        &(Edit){ .set = { &block, 1 },
+                 .transform = qn_transform_translation (0.0, 3.0),
+                 .copies = 4 });
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->block_count, ==, count + 4);
+  assert_place (model->blocks[count + 3].centroid, from.x, from.y + 12.0);
+}
+
+static void
+test_support (void)
+{
+  g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall1.quoin");
+  QnId block = qn_model_find_block (qn_document_get_model (document), "w.2.1");
+  edit (document, support,
+        &(Edit){ .set = { &block, 1 }, .support = { true, false, true } });
+  const QnModel *model = qn_document_get_model (document);
+  const QnBlock *changed = &model->blocks[qn_model_find_block (model, "w.2.1")];
+  g_assert_true (changed->support[QN_DOF_UX]);
+  g_assert_false (changed->support[QN_DOF_UY]);
+  g_assert_true (changed->support[QN_DOF_RZ]);
+}
+
+static void
+test_nothing_selected (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  Edit edit = { .set = { NULL, 0 } };
+  QnEditFunc funcs[] = { transform, copy, delete_blocks, support };
+  for (gsize i = 0; i < G_N_ELEMENTS (funcs); i++) {
+    g_autoptr (GError) error = NULL;
+    g_assert_false (qn_document_edit (document, "edit", NULL, funcs[i], &edit, &error));
+    g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING);
+  }
+  g_assert_false (qn_history_can_undo (qn_document_get_history (document)));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/edit-block/transforms", test_transforms);
+  g_test_add_func ("/doc/edit-block/walls-stay-or-detach", test_walls_stay_or_detach);
+  g_test_add_func ("/doc/edit-block/delete", test_delete);
+  g_test_add_func ("/doc/edit-block/array", test_array);
+  g_test_add_func ("/doc/edit-block/support", test_support);
+  g_test_add_func ("/doc/edit-block/nothing-selected", test_nothing_selected);
+  return g_test_run ();
+}

@@ -1,0 +1,137 @@
+#include "doc/edit/edit-face.h"
+
+#include "doc/fixture.h"
+
+typedef struct Change {
+  QnFaceSet set;
+  QnId law;
+  const QnPairRule *rule;
+} Change;
+
+static gboolean
+set_law (QnModel *model, gpointer data, GError **error)
+{
+  const Change *c = data;
+  return qn_edit_set_face_law (model, c->set, c->law, error);
+}
+
+static gboolean
+set_pairs (QnModel *model, gpointer data, GError **error)
+{
+  const Change *c = data;
+  return qn_edit_set_face_pairs (model, c->set, c->rule, error);
+}
+
+static gboolean
+add_law (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_add_law (model, 0, "rough", error);
+}
+
+static QnDocument *
+open_stack (void)
+{
+  QnDocument *document = open_example ("05-stack.quoin");
+  edit (document, add_law, NULL);
+  return document;
+}
+
+static void
+apply (QnDocument *document, QnEditFunc func, Change change)
+{
+  /* Faces are copied: the edit replaces the contacts. */
+  g_autofree QnContactFace *faces =
+    g_memdup2 (change.set.faces, change.set.count * sizeof (QnContactFace));
+  change.set.faces = faces;
+  edit (document, func, &change);
+}
+
+static QnFaceSet
+first_faces (QnDocument *document, guint count)
+{
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  g_assert_cmpuint (contacts->face_count, >=, count);
+  return (QnFaceSet){ contacts->faces, count };
+}
+
+static void
+test_law (void)
+{
+  g_autoptr (QnDocument) document = open_stack ();
+  apply (document, set_law, (Change){ first_faces (document, 2), 1, NULL });
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 2);
+  g_assert_cmpint (contacts->faces[0].law_a, ==, 1);
+  g_assert_cmpint (contacts->faces[1].law_b, ==, 1);
+  /* None of its own again: no exception is left behind. */
+  apply (document, set_law, (Change){ first_faces (document, 2), QN_NONE, NULL });
+  g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 0);
+}
+
+/* All placements, one after the other; the law that was given before stays. */
+static void
+test_pairs (void)
+{
+  g_autoptr (QnDocument) document = open_stack ();
+  apply (document, set_law, (Change){ first_faces (document, 1), 1, NULL });
+  const QnPairRule rules[] = {
+    { .placement = QN_PLACEMENT_ENDS, .offset = 0.01 },
+    { .placement = QN_PLACEMENT_UNIFORM, .count = 5 },
+    { .placement = QN_PLACEMENT_GAUSS, .count = 4 },
+    { .placement = QN_PLACEMENT_EXPLICIT,
+      .count = 3,
+      .positions = { 0.1, 0.5, 0.9 },
+      .weights = { 0.25, 0.5, 0.25 } },
+  };
+  const int32_t expected[] = { 2, 5, 4, 3 };
+  for (gsize i = 0; i < G_N_ELEMENTS (rules); i++) {
+    apply (document, set_pairs,
+           (Change){ first_faces (document, 1), QN_NONE, &rules[i] });
+    const QnContactFace *face = &qn_document_get_contacts (document)->faces[0];
+    g_assert_cmpint (face->pair_count, ==, expected[i]);
+    g_assert_cmpint (face->law_a, ==, 1);
+    g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 1);
+  }
+  apply (document, set_pairs, (Change){ first_faces (document, 1), QN_NONE, NULL });
+  g_assert_nonnull (qn_model_find_override (
+    qn_document_get_model (document), &qn_document_get_contacts (document)->faces[0]));
+  apply (document, set_law, (Change){ first_faces (document, 1), QN_NONE, NULL });
+  g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 0);
+}
+
+/* The selection keeps its faces across an edit that numbers them anew. */
+static void
+test_selection (void)
+{
+  g_autoptr (QnDocument) document = open_stack ();
+  QnSelection *selection = qn_document_get_selection (document);
+  const QnId faces[] = { 0, 1 };
+  qn_selection_set_faces (selection, faces, 2);
+  apply (document, set_law, (Change){ first_faces (document, 2), 1, NULL });
+  guint count = 0;
+  qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, ==, 2);
+  qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
+                                  QN_LIKE_LAW);
+  qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, ==, 2);
+  qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
+                                  QN_LIKE_LINE);
+  qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, ==, 1);
+  qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
+                                  QN_LIKE_DIRECTION);
+  qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, ==, qn_document_get_contacts (document)->face_count);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/edit-face/law", test_law);
+  g_test_add_func ("/doc/edit-face/pairs", test_pairs);
+  g_test_add_func ("/doc/edit-face/selection", test_selection);
+  return g_test_run ();
+}

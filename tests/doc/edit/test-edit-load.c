@@ -1,0 +1,102 @@
+#include "doc/document/edit.h"
+
+#include "doc/fixture.h"
+
+static gboolean
+add_force (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_add_force (model, 1, TRUE, qn_vec2 (10.0, -5.0), qn_vec2 (0.1, 0.2),
+                            error);
+}
+
+static gboolean
+delete_force (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_load (model, TRUE, *(const QnId *) data, error);
+}
+
+static gboolean
+set_weight (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_set_weight_load (model, TRUE, *(const QnVec2 *) data, error);
+}
+
+static gboolean
+add_law (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_add_law (model, 0, data, error);
+}
+
+static gboolean
+delete_law (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_law (model, *(const QnId *) data, error);
+}
+
+static void
+test_forces (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  gsize before = qn_document_get_model (document)->live_load_count;
+  edit (document, add_force, NULL);
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->live_load_count, ==, before + 1);
+  const QnLoad *load = &model->live_loads[before];
+  g_assert_cmpint (load->kind, ==, QN_LOAD_FORCE);
+  g_assert_cmpint (load->block, ==, 1);
+  g_assert_cmpfloat (load->vector.y, ==, -5.0);
+  g_assert_true (load->has_at);
+  g_assert_cmpfloat (load->at.y, ==, 0.2);
+
+  QnId none = 99, force = (QnId) before;
+  refuse (document, delete_force, &none);
+  edit (document, delete_force, &force);
+  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, before);
+  g_assert_true (qn_document_undo (document));
+  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, before + 1);
+}
+
+/* There is one load of own weight; no direction means none. */
+static void
+test_weight (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  QnVec2 left = qn_vec2 (-2.0, 0.0), none = qn_vec2 (0.0, 0.0);
+  edit (document, set_weight, &left);
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->live_load_count, ==, 1);
+  g_assert_cmpfloat (model->live_loads[0].vector.x, ==, -2.0);
+  edit (document, set_weight, &none);
+  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 0);
+  edit (document, set_weight, &left);
+  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
+}
+
+static void
+test_laws (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  gsize before = qn_document_get_model (document)->law_count;
+  edit (document, add_law, "mortar");
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->law_count, ==, before + 1);
+  g_assert_cmpstr (model->laws[before].name, ==, "mortar");
+  g_assert_cmpfloat (model->laws[before].friction, ==, model->laws[0].friction);
+  refuse (document, add_law, "mortar"); /* a name counts once */
+
+  QnId contact = qn_document_get_model (document)->contact.law, added = (QnId) before;
+  refuse (document, delete_law, &contact); /* it is needed */
+  edit (document, delete_law, &added);
+  g_assert_cmpuint (qn_document_get_model (document)->law_count, ==, before);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/edit-load/forces", test_forces);
+  g_test_add_func ("/doc/edit-load/weight", test_weight);
+  g_test_add_func ("/doc/edit-load/laws", test_laws);
+  return g_test_run ();
+}

@@ -1,0 +1,130 @@
+#include "doc/edit/edit-shape.h"
+
+#include "doc/fixture.h"
+
+#include <math.h>
+
+static const char project[] =
+  "{ \"format\": \"quoin\", \"version\": 1,"
+  "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+  "    \"friction\": 0.6 } ],"
+  "  \"blocks\": [ { \"name\": \"a\", \"vertices\": [[0,0],[2,0],[2,1],[0,1]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+  "    { \"name\": \"b\", \"vertices\": [[2,0],[3,0],[3,1],[2,1]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+  "  \"contact\": { \"law\": \"dry\" },"
+  "  \"loads\": { \"live\": [ { \"kind\": \"force\", \"block\": \"a\", \"value\": [1, 0],"
+  "    \"at\": [1.75, 0.5] } ] } }";
+
+typedef struct Shape {
+  QnBlockSet set;
+  QnVec2 a, b;
+} Shape;
+
+static gboolean
+cut (QnModel *model, gpointer data, GError **error)
+{
+  const Shape *s = data;
+  return qn_edit_cut_blocks (model, s->set, s->a, s->b, error);
+}
+
+static gboolean
+join (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_join_blocks (model, ((const Shape *) data)->set, error);
+}
+
+static gboolean
+move (QnModel *model, gpointer data, GError **error)
+{
+  const Shape *s = data;
+  return qn_edit_move_corner (model, s->set, s->a, s->b, error);
+}
+
+static double
+area_of (QnDocument *document, const char *name)
+{
+  const QnModel *model = qn_document_get_model (document);
+  QnId id = qn_model_find_block (model, name);
+  g_assert_cmpint (id, !=, QN_NONE);
+  return model->blocks[id].area;
+}
+
+/* The larger part keeps the name, the load goes with the part that it acts on, supports with
+ * both. */
+static void
+test_cut (void)
+{
+  g_autoptr (QnDocument) document = open_text (project);
+  edit (document, cut, &(Shape){ { NULL, 0 }, { 1.5, -1.0 }, { 1.5, 2.0 } });
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->block_count, ==, 3);
+  g_assert_cmpfloat_with_epsilon (area_of (document, "a"), 1.5, 1e-12);
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 2);
+  const QnLoad *load = &model->live_loads[0];
+  g_assert_cmpfloat (load->at.x, ==, 1.75);
+  g_assert_cmpfloat_with_epsilon (model->blocks[load->block].centroid.x, 1.75, 1e-12);
+  g_assert_true (model->blocks[load->block].support[0]);
+}
+
+/* A segment that ends inside a block still parts it; one that only touches does not. */
+static void
+test_crossing (void)
+{
+  g_autoptr (QnDocument) document = open_text (project);
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_true (qn_block_is_crossed (model, 0, qn_vec2 (1, -1), qn_vec2 (1, 0.5)));
+  g_assert_false (qn_block_is_crossed (model, 0, qn_vec2 (-1, 0), qn_vec2 (3, 0)));
+  g_assert_false (qn_block_is_crossed (model, 0, qn_vec2 (2, -1), qn_vec2 (2, 2)));
+  g_assert_false (qn_block_is_crossed (model, 1, qn_vec2 (1, -1), qn_vec2 (1, 2)));
+
+  Shape beside = { { NULL, 0 }, { 5, 5 }, { 6, 6 } };
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_document_edit (document, "Cut", NULL, cut, &beside, &error));
+  g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING);
+}
+
+static void
+test_join (void)
+{
+  g_autoptr (QnDocument) document = open_text (project);
+  const QnId both[] = { 0, 1 };
+  edit (document, join, &(Shape){ { both, 2 }, { 0, 0 }, { 0, 0 } });
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->block_count, ==, 1);
+  g_assert_cmpint (model->blocks[0].vertex_count, ==, 4);
+  g_assert_cmpfloat_with_epsilon (area_of (document, "a"), 3.0, 1e-12);
+  g_assert_cmpint (model->live_loads[0].block, ==, 0);
+
+  /* Blocks apart from each other do not become one. */
+  g_autoptr (QnDocument) apart = open_text (project);
+  const QnId one = 1;
+  edit (apart, move, &(Shape){ { &one, 1 }, { 2, 0 }, { 2.5, 0 } });
+  edit (apart, move, &(Shape){ { &one, 1 }, { 2, 1 }, { 2.5, 1 } });
+  Shape shape = { { both, 2 }, { 0, 0 }, { 0, 0 } };
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_document_edit (apart, "Join", NULL, join, &shape, &error));
+  g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE);
+}
+
+/* Both blocks follow a corner that they share, so that the joint stays closed. */
+static void
+test_corner (void)
+{
+  g_autoptr (QnDocument) document = open_text (project);
+  edit (document, move, &(Shape){ { NULL, 0 }, { 2, 1 }, { 2.2, 1.1 } });
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  g_assert_cmpuint (contacts->face_count, ==, 1);
+  g_assert_cmpfloat_with_epsilon (contacts->faces[0].length, hypot (0.2, 1.1), 1e-12);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/edit-shape/cut", test_cut);
+  g_test_add_func ("/doc/edit-shape/crossing", test_crossing);
+  g_test_add_func ("/doc/edit-shape/join", test_join);
+  g_test_add_func ("/doc/edit-shape/corner", test_corner);
+  return g_test_run ();
+}

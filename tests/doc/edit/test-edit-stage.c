@@ -1,0 +1,301 @@
+/* Sets of loads and stages: added, filled, put in order, undone; what breaks a rule is refused. */
+#include "doc/edit/edit-stage.h"
+#include "doc/view/load-text.h"
+
+#include "doc/fixture.h"
+
+#include <string.h>
+
+static const char text[] =
+  "{ \"format\": \"quoin\", \"version\": 1,"
+  "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+  "    \"friction\": 0.6 } ],"
+  "  \"blocks\": [ { \"name\": \"ground\", \"vertices\": [[0,0],[2,0],[2,1],[0,1]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+  "    { \"name\": \"stone\", \"vertices\": [[0,1],[1,1],[1,2],[0,2]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+  "  \"contact\": { \"law\": \"dry\" },"
+  "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],"
+  "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },"
+  "  \"analysis\": { \"procedure\": \"load\", \"max_multiplier\": 0.25 } }";
+
+static gboolean
+add_set (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_add_load_set (model, error);
+}
+
+static gboolean
+rename_set (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_rename_load_set (model, 1, data, error);
+}
+
+static gboolean
+delete_set (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_delete_load_set (model, 1, error);
+}
+
+typedef struct Put {
+  int32_t list;
+  gsize index;
+  QnLoad load;
+} Put;
+
+static gboolean
+append (QnModel *model, gpointer data, GError **error)
+{
+  const Put *put = data;
+  return qn_edit_append_load (model, put->list, put->load, error);
+}
+
+static gboolean
+replace (QnModel *model, gpointer data, GError **error)
+{
+  const Put *put = data;
+  return qn_edit_replace_load (model, put->list, put->index, put->load, error);
+}
+
+static gboolean
+remove_it (QnModel *model, gpointer data, GError **error)
+{
+  const Put *put = data;
+  return qn_edit_remove_load (model, put->list, put->index, error);
+}
+
+static gboolean
+add_stage (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_add_stage (model, error);
+}
+
+typedef struct Order {
+  gsize stage;
+  int by;
+} Order;
+
+static gboolean
+move_stage (QnModel *model, gpointer data, GError **error)
+{
+  const Order *order = data;
+  return qn_edit_move_stage (model, order->stage, order->by, error);
+}
+
+static gboolean
+delete_stage (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_stage (model, *(const gsize *) data, error);
+}
+
+static gboolean
+rename_stage (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_rename_stage (model, 0, data, error);
+}
+
+typedef struct Settings {
+  gsize stage;
+  QnStage settings;
+} Settings;
+
+static gboolean
+change_stage (QnModel *model, gpointer data, GError **error)
+{
+  const Settings *s = data;
+  return qn_edit_change_stage (model, s->stage, &s->settings, error);
+}
+
+static const QnLoad settlement = { .kind = QN_LOAD_SETTLEMENT,
+                                   .block = 0,
+                                   .node = QN_NONE,
+                                   .beam = QN_NONE,
+                                   .dof = QN_DOF_UY,
+                                   .value = -0.01 };
+
+/* Lists are independent of each other, whatever order their loads have in the model. */
+static void
+test_loads (void)
+{
+  g_autoptr (QnDocument) document = open_text (text);
+  const QnModel *model = edit (document, add_set, NULL);
+  g_assert_cmpuint (model->load_set_count, ==, 1);
+  model = edit (document, rename_set, "top");
+  g_assert_cmpint (qn_model_find_load_set (model, "top"), ==, 1);
+  refuse (document, rename_set, "live");
+  refuse (document, rename_set, "");
+
+  QnLoad force = { .kind = QN_LOAD_FORCE,
+                   .block = 1,
+                   .node = QN_NONE,
+                   .beam = QN_NONE,
+                   .vector = { 0, -500 } };
+  edit (document, append, &(Put){ 1, 0, force });
+  edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
+  edit (document, append, &(Put){ 0, 0, force });
+  model = edit (document, append, &(Put){ 1, 0, settlement });
+  g_assert_cmpuint (qn_model_count_loads (model, 1), ==, 2);
+  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 2);
+  g_assert_cmpuint (qn_model_count_loads (model, QN_DEAD_LOADS), ==, 2);
+  g_assert_cmpint (qn_model_get_load (model, 1, 1)->kind, ==, QN_LOAD_SETTLEMENT);
+  g_assert_null (qn_model_get_load (model, 1, 2));
+
+  force.vector.y = -700;
+  model = edit (document, replace, &(Put){ 1, 0, force });
+  g_assert_cmpfloat (qn_model_get_load (model, 1, 0)->vector.y, ==, -700);
+  g_assert_cmpfloat (qn_model_get_load (model, 0, 1)->vector.y, ==, -500);
+  QnLoad wrong = settlement;
+  wrong.block = 1; /* not fixed: nothing to give way */
+  refuse (document, append, &(Put){ 1, 0, wrong });
+  refuse (document, remove_it, &(Put){ 1, 7, force });
+  model = edit (document, remove_it, &(Put){ 1, 0, force });
+  g_assert_cmpint (qn_model_get_load (model, 1, 0)->kind, ==, QN_LOAD_SETTLEMENT);
+  g_autofree char *words =
+    qn_load_dup_text (model, qn_model_get_load (model, 1, 0), QN_UNITS_SI);
+  g_assert_nonnull (strstr (words, "ground"));
+  g_assert_nonnull (strstr (words, "-0.01"));
+
+  model = edit (document, delete_set, NULL);
+  g_assert_cmpuint (model->load_set_count, ==, 0);
+  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 2);
+  while (qn_document_undo (document))
+    ;
+  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
+}
+
+static gboolean
+shift_stone (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  const QnId stone = 1;
+  return qn_edit_transform_blocks (model, (QnBlockSet){ &stone, 1 },
+                                   qn_transform_translation (0.1, 0), error);
+}
+
+static gboolean
+rename_stone (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_rename_block (model, 1, "rock", error);
+}
+
+/* What no layer knows stays with its load and its block through edits of all kinds. */
+static void
+test_unknown_members (void)
+{
+  g_autoptr (QnDocument) document = open_text (text);
+  QnLoad force = { .kind = QN_LOAD_FORCE,
+                   .block = 1,
+                   .node = QN_NONE,
+                   .beam = QN_NONE,
+                   .vector = { 0, -500 } };
+  edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
+  g_auto (GStrv) parts = g_strsplit (qn_document_get_text (document), "[0, -500]", 2);
+  g_autofree char *marked =
+    g_strjoin ("[0, -500], \"source\": \"site\"", parts[0], parts[1], NULL);
+  g_auto (GStrv) halves = g_strsplit (marked, "\"name\": \"stone\"", 2);
+  g_autofree char *whole =
+    g_strjoin ("\"name\": \"stone\", \"colour\": \"red\"", halves[0], halves[1], NULL);
+  g_assert_true (qn_document_load_text (document, whole, "marked", NULL));
+  edit (document, shift_stone, NULL);
+  edit (document, rename_stone, NULL);
+  edit (document, remove_it, &(Put){ QN_DEAD_LOADS, 0, force }); /* the weight */
+  force.vector.y = -800;
+  force.note =
+    qn_model_get_load (qn_document_get_model (document), QN_DEAD_LOADS, 0)->note;
+  edit (document, replace, &(Put){ QN_DEAD_LOADS, 0, force });
+  const char *now = qn_document_get_text (document);
+  g_assert_nonnull (strstr (now, "[0, -800], \"source\": \"site\" }"));
+  g_assert_nonnull (strstr (now, "\"name\": \"rock\""));
+  g_assert_nonnull (strstr (now, "\"colour\": \"red\" }"));
+}
+
+/* The analysis becomes the first stage with its end; what follows drives what waits. */
+static void
+test_stages (void)
+{
+  g_autoptr (QnDocument) document = open_text (text);
+  const QnModel *model = edit (document, add_stage, NULL);
+  g_assert_cmpuint (model->stage_count, ==, 1);
+  g_assert_true (model->stages[0].has_target);
+  g_assert_cmpfloat (model->stages[0].target, ==, 0.25);
+  g_assert_true (isinf (model->analysis.max_multiplier));
+  model = edit (document, add_stage, NULL); /* on with the same loads, to collapse */
+  g_assert_cmpuint (model->stages[1].sets, ==, 1);
+  g_assert_false (model->stages[1].has_target);
+
+  edit (document, add_set, NULL);
+  edit (document, append, &(Put){ 1, 0, settlement });
+  model = edit (document, add_stage, NULL);
+  g_assert_cmpuint (model->stages[2].sets, ==, 2);
+  g_assert_true (model->stages[1].has_target); /* an end, now that one follows */
+  g_assert_cmpfloat (model->stages[1].target, ==, 1.25);
+  model = edit (document, add_stage, NULL); /* and the settlement back */
+  g_assert_cmpuint (model->stages[3].sets, ==, 2);
+  g_assert_cmpfloat (model->stages[3].target, ==, 0.0);
+
+  model = edit (document, rename_stage, "push");
+  g_autofree char *words = qn_stage_dup_text (model, 0, QN_UNITS_SI);
+  g_assert_nonnull (strstr (words, "push"));
+  g_assert_nonnull (strstr (words, "0.25"));
+  model = edit (document, rename_stage, "");
+  g_assert_null (model->stages[0].name);
+
+  const gsize third = 2, fourth = 3;
+  refuse (document, delete_stage, &third); /* nothing left to come back from */
+  model = edit (document, delete_stage, &fourth);
+  g_assert_cmpuint (model->stage_count, ==, 3);
+  /* With the set go the stages that drive nothing else. */
+  model = edit (document, delete_set, NULL);
+  g_assert_cmpuint (model->stage_count, ==, 2);
+  while (qn_document_undo (document))
+    ;
+  g_assert_cmpuint (qn_document_get_model (document)->stage_count, ==, 0);
+  g_assert_cmpfloat (qn_document_get_model (document)->analysis.max_multiplier, ==, 0.25);
+}
+
+/* The order changes; the stage without an end gets one where it is no longer the last. */
+static void
+test_order (void)
+{
+  g_autoptr (QnDocument) document = open_text (text);
+  edit (document, add_stage, NULL);
+  edit (document, add_set, NULL);
+  edit (document, append, &(Put){ 1, 0, settlement });
+  const QnModel *model = edit (document, add_stage, NULL);
+  g_assert_cmpuint (model->stages[1].sets, ==, 2);
+  model = edit (document, move_stage, &(Order){ 1, -1 });
+  g_assert_cmpuint (model->stages[0].sets, ==, 2);
+  g_assert_cmpuint (model->stages[1].sets, ==, 1);
+  refuse (document, move_stage, &(Order){ 1, 1 });
+  refuse (document, move_stage, &(Order){ 0, -1 });
+
+  /* A displacement ends it; both ends at once are refused, and no loads at all. */
+  QnStage stage = model->stages[1];
+  stage.control_block = 1;
+  stage.control_dof = QN_DOF_UX;
+  stage.control_target = 0.01;
+  stage.has_target = true;
+  stage.target = 1;
+  refuse (document, change_stage, &(Settings){ 1, stage });
+  stage.has_target = false;
+  model = edit (document, change_stage, &(Settings){ 1, stage });
+  g_assert_cmpint (qn_stage_get_end (&model->stages[1]), ==, QN_STAGE_END_DISPLACEMENT);
+  stage = model->stages[1];
+  stage.sets = 0;
+  refuse (document, change_stage, &(Settings){ 1, stage });
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/edit-stage/loads", test_loads);
+  g_test_add_func ("/doc/edit-stage/unknown-members", test_unknown_members);
+  g_test_add_func ("/doc/edit-stage/stages", test_stages);
+  g_test_add_func ("/doc/edit-stage/order", test_order);
+  return g_test_run ();
+}

@@ -1,0 +1,142 @@
+#include "doc/edit/repair.h"
+
+#include "doc/fixture.h"
+
+#include <string.h>
+
+typedef struct Fix {
+  QnFinding finding;
+  QnRepair repair;
+} Fix;
+
+static gboolean
+repair (QnModel *model, gpointer data, GError **error)
+{
+  const Fix *fix = data;
+  return qn_edit_repair (model, &fix->finding, fix->repair, error);
+}
+
+static gboolean
+repair_all (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_repair_all (model, data, error);
+}
+
+/* A fixed block of 1 x 0.5 m, and another one above it that begins at `bottom`. */
+static QnDocument *
+open_pair (double bottom)
+{
+  char y0[G_ASCII_DTOSTR_BUF_SIZE];
+  g_ascii_dtostr (y0, sizeof y0, bottom);
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin\", \"version\": 1,"
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": 0.6 } ],"
+    "  \"blocks\": [ { \"name\": \"below\", \"vertices\": [[0,0],[1,0],[1,0.5],[0,0.5]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+    "    { \"name\": \"above\", \"vertices\": [[0,%s],[1,%s],[1,1.2],[0,1.2]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+    "  \"contact\": { \"law\": \"dry\" } }",
+    y0, y0);
+  return open_text (text);
+}
+
+static QnFinding
+finding_of (QnDocument *document, QnProblem problem)
+{
+  const QnFindings *findings = &qn_document_get_contacts (document)->findings;
+  for (gsize i = 0; i < findings->count; i++) {
+    if (findings->items[i].problem == problem)
+      return findings->items[i];
+  }
+  g_assert_not_reached ();
+}
+
+/* Every choice for a finding leaves a model without it, in one step that can be undone. */
+static void
+check_every_choice (double bottom, QnProblem problem, guint expected)
+{
+  g_autoptr (QnDocument) document = open_pair (bottom);
+  QnFinding finding = finding_of (document, problem);
+  QnRepair choices[QN_REPAIR_COUNT];
+  guint count =
+    qn_repair_get_choices (qn_document_get_model (document), &finding, choices);
+  g_assert_cmpuint (count, ==, expected);
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  for (guint i = 0; i < count; i++) {
+    g_autofree char *what =
+      qn_repair_explain (qn_document_get_model (document), &finding, choices[i]);
+    g_assert_nonnull (strstr (what, "above"));
+    Fix fix = { finding, choices[i] };
+    g_autoptr (GError) error = NULL;
+    qn_document_edit (document, qn_repair_get_step_name (choices[i]), NULL, repair, &fix,
+                      &error);
+    g_assert_no_error (error);
+    const QnContacts *contacts = qn_document_get_contacts (document);
+    for (gsize k = 0; k < contacts->findings.count; k++)
+      g_assert_cmpint (contacts->findings.items[k].problem, !=, problem);
+    if (choices[i] == QN_REPAIR_SNAP || choices[i] == QN_REPAIR_TRIM
+        || choices[i] == QN_REPAIR_MOVE)
+      g_assert_cmpuint (contacts->face_count, ==, 1);
+    g_assert_true (qn_document_undo (document));
+    g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  }
+}
+
+static void
+test_gap (void)
+{
+  check_every_choice (0.5004, QN_PROBLEM_NEAR_MISS_GAP, 3);
+}
+
+static void
+test_overlap (void)
+{
+  check_every_choice (0.4, QN_PROBLEM_BLOCKS_OVERLAP, 3);
+}
+
+static void
+test_loose (void)
+{
+  check_every_choice (0.8, QN_PROBLEM_BLOCK_FLOATING, 2);
+}
+
+/* The supported block stays where it is; the free one comes to it. */
+static void
+test_who_moves (void)
+{
+  g_autoptr (QnDocument) document = open_pair (0.5004);
+  Fix fix = { finding_of (document, QN_PROBLEM_NEAR_MISS_GAP), QN_REPAIR_SNAP };
+  g_assert_true (qn_document_edit (document, "Snap", NULL, repair, &fix, NULL));
+  const QnModel *model = qn_document_get_model (document);
+  QnId below = qn_model_find_block (model, "below");
+  QnId above = qn_model_find_block (model, "above");
+  g_assert_cmpfloat_with_epsilon (model->blocks[below].area, 0.5, 1e-15);
+  g_assert_cmpfloat_with_epsilon (model->blocks[above].area, 0.7, 1e-12);
+}
+
+static void
+test_all (void)
+{
+  g_autoptr (QnDocument) document = open_pair (0.5004);
+  guint count = 0;
+  g_assert_true (qn_document_edit (document, "All", NULL, repair_all, &count, NULL));
+  g_assert_cmpuint (count, ==, 1);
+  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_document_edit (document, "All", NULL, repair_all, &count, &error));
+  g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/repair/gap", test_gap);
+  g_test_add_func ("/doc/repair/overlap", test_overlap);
+  g_test_add_func ("/doc/repair/loose", test_loose);
+  g_test_add_func ("/doc/repair/who-moves", test_who_moves);
+  g_test_add_func ("/doc/repair/all", test_all);
+  return g_test_run ();
+}

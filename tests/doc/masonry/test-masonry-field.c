@@ -1,0 +1,80 @@
+#include "doc/masonry/masonry-field.h"
+
+#include <string.h>
+
+/* Every field of every kind of object comes back as it was set and touches no other, but for those
+ * that must follow. */
+static void
+test_fields (void)
+{
+  for (int kind = 0; kind < QN_MASONRY_KIND_COUNT; kind++) {
+    QnMasonry masonry;
+    g_assert_cmpint (qn_masonry_init (&masonry, (QnMasonryKind) kind, "m", NULL), ==,
+                     QN_OK);
+    guint shown = 0;
+    for (int field = 0; field < QN_MASONRY_FIELD_COUNT; field++) {
+      const QnFieldInfo *info = qn_masonry_field_info ((QnMasonryField) field);
+      g_assert_nonnull (info->label);
+      g_assert_cmpfloat (info->least, <, info->most);
+      if (!qn_masonry_has_field (&masonry, (QnMasonryField) field))
+        continue;
+      shown++;
+      double value = info->whole ? 7.0 : 0.75;
+      qn_masonry_set_field (&masonry, (QnMasonryField) field, value);
+      g_assert_cmpfloat (qn_masonry_get_field (&masonry, (QnMasonryField) field), ==,
+                         value);
+    }
+    g_assert_cmpuint (shown, >=, 9);
+    /* All of them at once: those set before have kept their values. */
+    for (int field = 0; field < QN_MASONRY_FIELD_COUNT; field++) {
+      const QnFieldInfo *info = qn_masonry_field_info ((QnMasonryField) field);
+      if (qn_masonry_has_field (&masonry, (QnMasonryField) field))
+        g_assert_cmpfloat (qn_masonry_get_field (&masonry, (QnMasonryField) field), ==,
+                           info->whole ? 7.0 : 0.75);
+    }
+    qn_masonry_clear (&masonry);
+  }
+}
+
+static void
+test_listed_wall (void)
+{
+  QnMasonry wall;
+  g_assert_cmpint (qn_masonry_init (&wall, QN_MASONRY_WALL, "w", NULL), ==, QN_OK);
+  g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_LENGTH));
+  g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_LAP));
+  wall.wall.leaves[0].bond = QN_BOND_CUSTOM;
+  g_assert_false (qn_masonry_has_field (&wall, QN_MASONRY_LENGTH));
+  g_assert_false (qn_masonry_has_field (&wall, QN_MASONRY_LAP));
+  g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_UNIT_X));
+  qn_masonry_clear (&wall);
+}
+
+static void
+test_opening (void)
+{
+  QnOpening opening = { .head = QN_HEAD_FLAT, .span = QN_SPAN_FLAT_ARCH };
+  for (int field = 0; field < QN_OPENING_FIELD_COUNT; field++) {
+    double value = qn_opening_field_info ((QnOpeningField) field)->whole ? 5.0 : 0.25;
+    qn_opening_set_field (&opening, (QnOpeningField) field, value);
+    g_assert_cmpfloat (qn_opening_get_field (&opening, (QnOpeningField) field), ==,
+                       value);
+  }
+  g_assert_true (qn_opening_has_field (&opening, QN_OPENING_SKEW));
+  g_assert_false (qn_opening_has_field (&opening, QN_OPENING_BEARING));
+  g_assert_false (qn_opening_has_field (&opening, QN_OPENING_RISE));
+  opening.span = QN_SPAN_LINTEL;
+  g_assert_true (qn_opening_has_field (&opening, QN_OPENING_BEARING));
+  opening.head = QN_HEAD_SEGMENTAL;
+  g_assert_true (qn_opening_has_field (&opening, QN_OPENING_RISE));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/masonry-field/fields", test_fields);
+  g_test_add_func ("/doc/masonry-field/listed-wall", test_listed_wall);
+  g_test_add_func ("/doc/masonry-field/opening", test_opening);
+  return g_test_run ();
+}

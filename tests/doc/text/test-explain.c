@@ -1,0 +1,137 @@
+#include "doc/text/explain.h"
+
+#include "doc/fixture.h"
+
+#include <string.h>
+
+static void
+test_diag (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  const QnModel *model = qn_document_get_model (document);
+  const struct {
+    QnDiag diag;
+    const char *expected;
+  } cases[] = {
+    { { .problem = QN_PROBLEM_NO_BLOCKS,
+        .entity = QN_ENTITY_MODEL,
+        .index = QN_NONE,
+        .other = QN_NONE },
+      "Model: " },
+    { { .problem = QN_PROBLEM_NO_BLOCKS,
+        .entity = QN_ENTITY_BLOCK,
+        .index = 0,
+        .other = QN_NONE },
+      model->blocks[0].name },
+    { { .problem = QN_PROBLEM_NO_BLOCKS,
+        .entity = QN_ENTITY_BLOCK,
+        .index = 0,
+        .other = 1 },
+      model->blocks[1].name },
+    { { .problem = QN_PROBLEM_NO_BLOCKS,
+        .entity = QN_ENTITY_LIVE_LOAD,
+        .index = 2,
+        .other = QN_NONE },
+      "Live load 3: " },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text = qn_explain_diag (model, &cases[i].diag);
+    g_assert_nonnull (strstr (text, cases[i].expected));
+    g_assert_nonnull (strstr (text, qn_problem_text (QN_PROBLEM_NO_BLOCKS)));
+  }
+  g_autofree char *half_built = qn_explain_diag (NULL, &cases[1].diag);
+  g_assert_nonnull (half_built);
+}
+
+static void
+test_finding (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  const QnModel *model = qn_document_get_model (document);
+  QnFinding finding = {
+    .problem = QN_PROBLEM_NO_BLOCKS, .block_a = 0, .block_b = 1, .value = 2e-5
+  };
+  g_autofree char *text = qn_explain_finding (model, &finding);
+  g_assert_nonnull (strstr (text, model->blocks[0].name));
+  g_assert_nonnull (strstr (text, model->blocks[1].name));
+  g_assert_nonnull (strstr (text, "(0.02 mm)"));
+  finding.block_b = QN_NONE;
+  finding.value = 0.0;
+  g_autofree char *single = qn_explain_finding (model, &finding);
+  g_assert_null (strstr (single, "mm"));
+}
+
+/* The words name the multiplier, the mechanism and its motion. */
+static void
+test_outcome (void)
+{
+  g_autoptr (QnDocument) document = open_example ("02-overturning-block.quoin");
+  const QnRun *run = solve_example (document);
+  g_autofree char *outcome = qn_explain_outcome (&run->model, &run->result);
+  g_assert_nonnull (strstr (outcome, "0.5"));
+  g_autofree char *words =
+    qn_explain_mechanism (&run->model, &run->contacts, &run->result);
+  g_autofree char *brief =
+    qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
+  g_assert_nonnull (strstr (words, "verturning"));
+  g_assert_nonnull (strstr (words, "block"));
+  g_assert_cmpstr (brief, ==, "Overturning to the right");
+  g_assert_true (g_str_has_prefix (words, brief));
+  g_assert_cmpstr (qn_explain_outcome_label (QN_OUTCOME_COLLAPSE), ==, "Collapse");
+  for (int i = 0; i < QN_OUTCOME_COUNT; i++)
+    g_assert_cmpstr (qn_explain_outcome_label ((QnOutcome) i), !=, "");
+  for (int i = 0; i < QN_PAIR_STATE_COUNT; i++)
+    g_assert_cmpstr (qn_explain_pair_state ((QnPairState) i), !=, "");
+
+  QnResult uncertain = run->result;
+  uncertain.mechanism_uncertain = true;
+  g_autofree char *last =
+    qn_explain_mechanism_briefly (&run->model, &run->contacts, &uncertain);
+  g_assert_cmpstr (last, ==, "Overturning to the right (last motion)");
+
+  QnResult none = { 0 };
+  g_assert_null (qn_explain_mechanism (&run->model, &run->contacts, &none));
+}
+
+/* Where no block moves, plastic hinges are the mechanism. */
+static void
+test_frame (void)
+{
+  g_autoptr (QnDocument) document = open_example ("32-frame-beams.quoin");
+  const QnRun *run = solve_example (document);
+  g_autofree char *words =
+    qn_explain_mechanism (&run->model, &run->contacts, &run->result);
+  g_autofree char *brief =
+    qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
+  g_assert_cmpstr (
+    words, ==, "2 plastic hinges: “beam” at “left corner”, “beam” at “right corner”.");
+  g_assert_cmpstr (brief, ==, "Beams give way");
+}
+
+/* What did not converge is what was asked for: limit analysis has no dead load to rest under. */
+static void
+test_not_converged (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  QnResult result = { .outcome = QN_OUTCOME_NOT_CONVERGED };
+  QnModel model = *qn_document_get_model (document);
+
+  model.analysis.procedure = QN_PROCEDURE_LIMIT;
+  g_autofree char *limit = qn_explain_outcome (&model, &result);
+  g_assert_nonnull (strstr (limit, "limit analysis"));
+  model.analysis.procedure = QN_PROCEDURE_LOAD;
+  g_autofree char *path = qn_explain_outcome (&model, &result);
+  g_assert_nonnull (strstr (path, "dead load"));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/explain/diag", test_diag);
+  g_test_add_func ("/doc/explain/finding", test_finding);
+  g_test_add_func ("/doc/explain/outcome", test_outcome);
+  g_test_add_func ("/doc/explain/frame", test_frame);
+  g_test_add_func ("/doc/explain/not-converged", test_not_converged);
+  return g_test_run ();
+}

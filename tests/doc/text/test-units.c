@@ -1,0 +1,114 @@
+#include "doc/text/units.h"
+
+#include "support/locale.h"
+#include <math.h>
+
+static const QnUnits cm_kn = { QN_LENGTH_CM, QN_FORCE_KN, QN_STRESS_MPA };
+
+static void
+check_parse (QnUnits units, QnQuantity quantity, const char *text, double expected)
+{
+  double value = NAN;
+  g_autoptr (GError) error = NULL;
+  g_assert_true (qn_units_parse (units, quantity, text, &value, &error));
+  g_assert_no_error (error);
+  g_assert_cmpfloat_with_epsilon (value, expected, 1e-12 * (1.0 + fabs (expected)));
+}
+
+static void
+test_parse (void)
+{
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "0.4", 0.4);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, " 0,4 ", 0.4);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "40 cm", 0.4);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "400mm", 0.4);
+  check_parse (cm_kn, QN_QUANTITY_LENGTH, "40", 0.4);
+  check_parse (cm_kn, QN_QUANTITY_LENGTH, "0.4 m", 0.4);
+  check_parse (cm_kn, QN_QUANTITY_FORCE, "−1,5", -1500.0);
+  check_parse (cm_kn, QN_QUANTITY_FORCE, "2e3 N", 2000.0);
+  check_parse (cm_kn, QN_QUANTITY_UNIT_WEIGHT, "10", 1e4);
+  check_parse (cm_kn, QN_QUANTITY_UNIT_WEIGHT, "10 kN/m3", 1e4);
+  check_parse (cm_kn, QN_QUANTITY_STRESS, "0.2", 2e5);
+  check_parse (cm_kn, QN_QUANTITY_STRESS, "3 N/mm²", 3e6);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45", G_PI / 4.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45°", G_PI / 4.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "1 rad", 1.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_STIFFNESS, "1e7", 1e7);
+  double value = 0.0;
+  g_assert_true (qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, "∞", &value, NULL));
+  g_assert_true (isinf (value));
+}
+
+static void
+test_refuse (void)
+{
+  static const struct {
+    const char *text;
+    QnUnitsError code;
+  } cases[] = {
+    { "", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "abc", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "1.2.3", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "--4", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "3 kN", QN_UNITS_ERROR_UNKNOWN_UNIT },
+    { "3 furlong", QN_UNITS_ERROR_UNKNOWN_UNIT },
+    { "1e999", QN_UNITS_ERROR_TOO_LARGE },
+    { "nan", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "1e308 km", QN_UNITS_ERROR_UNKNOWN_UNIT },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    double value = 7.0;
+    g_autoptr (GError) error = NULL;
+    g_assert_false (
+      qn_units_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, cases[i].text, &value, &error));
+    g_assert_error (error, QN_UNITS_ERROR, (int) cases[i].code);
+    g_assert_cmpfloat (value, ==, 7.0);
+  }
+}
+
+static void
+check_format (QnUnits units, QnQuantity quantity, double value, int digits,
+              const char *expected)
+{
+  g_autofree char *text = qn_units_format_full (units, quantity, value, digits);
+  g_autofree char *localized = test_with_decimal_sign (expected);
+  g_assert_cmpstr (text, ==, localized);
+}
+
+static void
+test_format (void)
+{
+  check_format (QN_UNITS_SI, QN_QUANTITY_LENGTH, 0.4, 6, "0.4\u00a0m");
+  check_format (cm_kn, QN_QUANTITY_LENGTH, 0.4, 6, "40\u00a0cm");
+  check_format (cm_kn, QN_QUANTITY_UNIT_WEIGHT, 1e4, 6, "10\u00a0kN/m³");
+  check_format (QN_UNITS_SI, QN_QUANTITY_ANGLE, G_PI / 6.0, 6, "30°");
+  check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, -0.0, 6, "0");
+  check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, INFINITY, 6, "∞");
+}
+
+/* What a field shows with all its digits is what it reads. */
+static void
+test_round_trip (void)
+{
+  static const double values[] = { 0.1, 1.0 / 3.0, 12345.678901234567, 1e-9, -2.5e7 };
+  for (int quantity = 0; quantity < QN_QUANTITY_COUNT; quantity++) {
+    for (gsize i = 0; i < G_N_ELEMENTS (values); i++) {
+      g_autofree char *text =
+        qn_units_format_full (cm_kn, (QnQuantity) quantity, values[i], 17);
+      double value = 0.0;
+      g_assert_true (qn_units_parse (cm_kn, (QnQuantity) quantity, text, &value, NULL));
+      g_assert_cmpfloat_with_epsilon (value, values[i], 1e-15 * fabs (values[i]));
+    }
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/units/parse", test_parse);
+  g_test_add_func ("/doc/units/refuse", test_refuse);
+  g_test_add_func ("/doc/units/format", test_format);
+  g_test_add_func ("/doc/units/round-trip", test_round_trip);
+  return g_test_run ();
+}

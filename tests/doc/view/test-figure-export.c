@@ -1,0 +1,99 @@
+#include "doc/view/figure-export.h"
+
+#include "doc/fixture.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+static gboolean
+bytes_contain (const char *path, const char *text)
+{
+  g_autofree char *bytes = NULL;
+  gsize length = 0;
+  if (!g_file_get_contents (path, &bytes, &length, NULL))
+    return FALSE;
+  gsize wanted = strlen (text);
+  for (gsize i = 0; i + wanted <= length; i++) {
+    if (memcmp (bytes + i, text, wanted) == 0)
+      return TRUE;
+  }
+  return FALSE;
+}
+
+/* A picture says what it shows: title, model, version, digest of the file. */
+static void
+test_metadata (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "model.png", NULL);
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  g_autoptr (QnViewState) state = qn_view_state_new (document);
+  QnMetadata metadata;
+  qn_document_get_metadata (document, &metadata);
+  g_assert_cmpstr (metadata.model, ==, "01-sliding-block.quoin");
+  g_assert_cmpuint (strlen (metadata.model_sha256), ==, 64);
+
+  QnOutput output;
+  qn_output_init (&output);
+  g_autoptr (GError) error = NULL;
+  qn_view_state_export (state, path, &output, &error);
+  g_assert_no_error (error);
+  g_assert_true (bytes_contain (path, "01-sliding-block.quoin"));
+  g_assert_true (bytes_contain (path, metadata.model_sha256));
+  g_assert_true (bytes_contain (path, "quoin "));
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
+static void
+test_needs_result (void)
+{
+  g_autoptr (QnDocument) document = open_example ("02-overturning-block.quoin");
+  g_autoptr (QnViewState) state = qn_view_state_new (document);
+  g_autoptr (GError) error = NULL;
+  QnFigure figure;
+  qn_view_state_set_view (state, QN_VIEW_MECHANISM);
+  g_assert_false (qn_view_state_get_figure (state, &figure, &error));
+  g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
+  g_clear_error (&error);
+
+  const QnRun *run = solve_example (document);
+  g_assert_true (qn_view_state_get_figure (state, &figure, &error));
+  g_assert_true (figure.result == &run->result);
+  g_assert_true (figure.options.titles);
+
+  /* A recipe decides for itself what it shows. */
+  g_autoptr (QnRecipe) recipe = qn_recipe_new ("plan", QN_VIEW_MODEL);
+  recipe->title = g_strdup ("A plan");
+  g_assert_true (qn_view_state_get_figure_as (state, recipe, &figure, &error));
+  g_assert_null (figure.result);
+  g_assert_cmpint (figure.options.view, ==, QN_VIEW_MODEL);
+  g_assert_cmpstr (figure.title, ==, "A plan");
+}
+
+/* An ending that is no picture's, and a folder that is not there: an error, and no file. */
+static void
+test_refused (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  g_autoptr (QnViewState) state = qn_view_state_new (document);
+  QnOutput output;
+  qn_output_init (&output);
+  static const char *const paths[] = { "/tmp/quoin-nowhere/x.png", "/tmp/quoin-x.doc" };
+  for (gsize i = 0; i < G_N_ELEMENTS (paths); i++) {
+    g_autoptr (GError) error = NULL;
+    g_assert_false (qn_view_state_export (state, paths[i], &output, &error));
+    g_assert_nonnull (error);
+    g_assert_false (g_file_test (paths[i], G_FILE_TEST_EXISTS));
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/figure-export/metadata", test_metadata);
+  g_test_add_func ("/doc/figure-export/needs-result", test_needs_result);
+  g_test_add_func ("/doc/figure-export/refused", test_refused);
+  return g_test_run ();
+}

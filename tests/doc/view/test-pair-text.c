@@ -1,0 +1,70 @@
+#include "doc/view/pair-text.h"
+
+#include "doc/document/edit.h"
+#include "doc/text/units.h"
+#include "support/locale.h"
+
+static void
+test_parse (void)
+{
+  QnPairRule rule = { .placement = QN_PLACEMENT_ENDS };
+  g_autoptr (GError) error = NULL;
+  qn_pair_rule_parse (&rule, "0,1; 0.5;0,9", "1 2 1", &error);
+  g_assert_no_error (error);
+  g_assert_cmpint (rule.placement, ==, QN_PLACEMENT_EXPLICIT);
+  g_assert_cmpint (rule.count, ==, 3);
+  g_assert_cmpfloat (rule.positions[0], ==, 0.1);
+  g_assert_cmpfloat (rule.weights[1], ==, 0.5);
+  g_autofree char *positions = qn_pair_rule_dup_positions (&rule);
+  g_autofree char *weights = qn_pair_rule_dup_weights (&rule);
+  g_autofree char *expected_positions = test_with_decimal_sign ("0.1; 0.5; 0.9");
+  g_autofree char *expected_weights = test_with_decimal_sign ("0.25; 0.5; 0.25");
+  g_assert_cmpstr (positions, ==, expected_positions);
+  g_assert_cmpstr (weights, ==, expected_weights);
+  QnPairRule again = { .placement = QN_PLACEMENT_ENDS };
+  g_assert_true (qn_pair_rule_parse (&again, positions, weights, NULL));
+  g_assert_cmpfloat (again.weights[2], ==, rule.weights[2]);
+
+  /* Nothing given: the ends, equally. */
+  g_assert_true (qn_pair_rule_parse (&rule, " ", "", NULL));
+  g_assert_cmpint (rule.count, ==, 2);
+  g_assert_cmpfloat (rule.positions[1], ==, 1.0);
+  g_autofree char *equal = qn_pair_rule_dup_weights (&rule);
+  g_assert_cmpstr (equal, ==, "");
+}
+
+/* What is wrong changes nothing. */
+static void
+test_refused (void)
+{
+  static const char *const cases[][2] = {
+    { "0.5; 0.1", "" },      { "-0.1; 0.5", "" }, { "0.5; 1.1", "" },
+    { "0.5; x", "" },        { "0.1; 0.9", "1" }, { "0.1; 0.9", "1; 0" },
+    { "0.1; 0.9", "1; -2" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnPairRule rule = { .placement = QN_PLACEMENT_UNIFORM, .count = 7 };
+    g_autoptr (GError) error = NULL;
+    g_assert_false (qn_pair_rule_parse (&rule, cases[i][0], cases[i][1], &error));
+    g_assert_nonnull (error);
+    g_assert_cmpint (rule.placement, ==, QN_PLACEMENT_UNIFORM);
+    g_assert_cmpint (rule.count, ==, 7);
+  }
+  GString *many = g_string_new (NULL);
+  for (int i = 0; i <= QN_MAX_EXPLICIT_PAIRS; i++)
+    g_string_append_printf (many, "0.%03d;", i + 1);
+  QnPairRule rule = { .placement = QN_PLACEMENT_ENDS };
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_pair_rule_parse (&rule, many->str, "", &error));
+  g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE);
+  g_string_free (many, TRUE);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/pair-text/parse", test_parse);
+  g_test_add_func ("/doc/pair-text/refused", test_refused);
+  return g_test_run ();
+}

@@ -1,0 +1,98 @@
+#include "doc/view/view-state.h"
+
+#include "doc/fixture.h"
+
+static void
+on_changed (gpointer counter)
+{
+  (*(int *) counter)++;
+}
+
+static void
+test_without_result (void)
+{
+  g_autoptr (QnDocument) document = open_example ("02-overturning-block.quoin");
+  g_autoptr (QnViewState) state = qn_view_state_new (document);
+  int changes = 0;
+  g_signal_connect_swapped (state, "changed", G_CALLBACK (on_changed), &changes);
+  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MODEL);
+  g_assert_cmpint (qn_view_state_get_step (state), ==, QN_STEP_LAST);
+  qn_view_state_set_view (state, QN_VIEW_CONTACTS);
+  qn_view_state_set_view (state, QN_VIEW_CONTACTS);
+  g_assert_cmpint (changes, ==, 1);
+
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result;
+  g_assert_true (qn_view_state_get_content (state, &model, &contacts, &result));
+  g_assert_true (model == qn_document_get_model (document));
+  g_assert_null (result);
+  g_assert_false (
+    qn_view_state_get_content_of (state, QN_VIEW_MECHANISM, &model, &contacts, &result));
+  g_assert_null (qn_view_state_get_underlay (state)->image);
+}
+
+static void
+test_switches (void)
+{
+  g_autoptr (QnDocument) document = qn_document_new ();
+  g_autoptr (QnViewState) state = qn_view_state_new (document);
+  static const char *const names[] = { "ghost",      "symbols", "loads",
+                                       "dimensions", "names",   "monochrome" };
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
+    int changes = 0;
+    gulong handler =
+      g_signal_connect_swapped (state, "changed", G_CALLBACK (on_changed), &changes);
+    gboolean before = qn_view_state_get_switch (state, names[i]);
+    qn_view_state_set_switch (state, names[i], before);
+    g_assert_cmpint (changes, ==, 0);
+    qn_view_state_set_switch (state, names[i], !before);
+    g_assert_cmpint (changes, ==, 1);
+    g_assert_true (qn_view_state_get_switch (state, names[i]) == !before);
+    g_signal_handler_disconnect (state, handler);
+  }
+}
+
+/* Steps are clamped to those there are, another run starts at its end. */
+static void
+test_steps (void)
+{
+  g_autoptr (QnDocument) document = open_example ("02-overturning-block.quoin");
+  g_autoptr (QnViewState) state = qn_view_state_new (document);
+  const QnRun *run = solve_example (document);
+  int count = (int) run->result.step_count;
+  g_assert_cmpint (count, >, 3);
+  qn_view_state_set_view (state, QN_VIEW_DEFORMED);
+  qn_view_state_set_step (state, 2);
+  g_assert_cmpint (qn_view_state_get_step (state), ==, 2);
+  g_assert_cmpint (qn_view_state_get_options (state).step, ==, 2);
+  qn_view_state_set_step (state, count + 5);
+  g_assert_cmpint (qn_view_state_get_step (state), ==, QN_STEP_LAST);
+  qn_view_state_set_step (state, 1);
+  solve_example (document);
+  g_assert_cmpint (qn_view_state_get_step (state), ==, QN_STEP_LAST);
+
+  /* The first run as an outline over the second, but not over itself. */
+  const GPtrArray *runs = qn_document_get_runs (document);
+  qn_view_state_set_onion (state, g_ptr_array_index (runs, 0));
+  g_assert_true (qn_view_state_get_options (state).onion
+                 == &((QnRun *) g_ptr_array_index (runs, 0))->result);
+  qn_document_set_run (document, g_ptr_array_index (runs, 0));
+  g_assert_null (qn_view_state_get_options (state).onion);
+
+  /* Without runs only the model is left to be shown. */
+  while (runs->len > 0)
+    qn_document_remove_run (document, g_ptr_array_index (runs, 0));
+  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MODEL);
+  g_assert_null (qn_view_state_get_onion (state));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/view-state/without-result", test_without_result);
+  g_test_add_func ("/doc/view-state/switches", test_switches);
+  g_test_add_func ("/doc/view-state/steps", test_steps);
+  return g_test_run ();
+}

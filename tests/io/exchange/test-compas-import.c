@@ -1,0 +1,95 @@
+#include "io/exchange/compas-import.h"
+#include "io/text/io-error.h"
+
+#include <string.h>
+
+/* A box from 0 to w, 0 to d, 0 to h, lifted by z. */
+static char *
+box (double w, double d, double h, double z)
+{
+  return g_strdup_printf (
+    "{ \"vertex\": { \"0\": {\"x\":0,\"y\":0,\"z\":%g}, \"1\": "
+    "{\"x\":%g,\"y\":0,\"z\":%g}, "
+    "\"2\": {\"x\":%g,\"y\":%g,\"z\":%g}, \"3\": {\"x\":0,\"y\":%g,\"z\":%g}, "
+    "\"4\": {\"x\":0,\"y\":0,\"z\":%g}, \"5\": {\"x\":%g,\"y\":0,\"z\":%g}, "
+    "\"6\": {\"x\":%g,\"y\":%g,\"z\":%g}, \"7\": {\"x\":0,\"y\":%g,\"z\":%g} }, "
+    "\"face\": { \"0\": [0,3,2,1], \"1\": [4,5,6,7], \"2\": [0,1,5,4], \"3\": "
+    "[\"3\",\"7\",\"6\","
+    "\"2\"], \"4\": [0,4,7,3], \"5\": [1,2,6,5] } }",
+    z, w, z, w, d, z, d, z, z + h, w, z + h, w, d, z + h, d, z + h);
+}
+
+static void
+assert_blocks (const char *text)
+{
+  QnDrawing drawing;
+  g_autoptr (GError) error = NULL;
+  if (!qn_compas_import (text, strlen (text), "test.json", &drawing, &error))
+    g_error ("%s", error->message);
+  g_assert_cmpuint (drawing.paths->len, ==, 2);
+  for (guint i = 0; i < 2; i++) {
+    const QnDrawingPath *path = &g_array_index (drawing.paths, QnDrawingPath, i);
+    g_assert_cmpint (path->support, ==, i == 0);
+    g_assert_cmpuint (path->count, ==, 4);
+    double low = INFINITY, high = -INFINITY, right = 0;
+    for (gsize k = 0; k < path->count; k++) {
+      low = fmin (low, path->points[k].y);
+      high = fmax (high, path->points[k].y);
+      right = fmax (right, path->points[k].x);
+    }
+    g_assert_cmpfloat (low, ==, i * 0.5);
+    g_assert_cmpfloat (high, ==, i * 0.5 + 0.5);
+    g_assert_cmpfloat (right, ==, 2);
+  }
+  qn_drawing_clear (&drawing);
+}
+
+static void
+test_both_forms (void)
+{
+  g_autofree char *a = box (2, 1, 0.5, 0), *b = box (2, 1, 0.5, 0.5);
+  g_autofree char *today =
+    g_strdup_printf ("{ \"dtype\": \"compas_assembly.datastructures/Assembly\", "
+                     "\"data\": { \"graph\": { \"data\": "
+                     "{ \"node\": { \"0\": { \"block\": { \"data\": %s }, "
+                     "\"is_support\": true }, \"1\": { "
+                     "\"block\": { \"data\": %s } } } } } } }",
+                     a, b);
+  assert_blocks (today);
+  g_autofree char *older =
+    g_strdup_printf ("{ \"assembly\": { \"vertex\": { \"0\": { \"is_support\": true }, "
+                     "\"1\": {} } }, \"blocks\": "
+                     "{ \"0\": %s, \"1\": %s } }",
+                     a, b);
+  assert_blocks (older);
+}
+
+static void
+test_bad_files (void)
+{
+  static const char *const texts[] = {
+    "{", "{}", "[]",
+    "{ \"assembly\": { \"vertex\": { \"0\": {} } }, \"blocks\": "
+    "{ \"0\": { \"vertex\": {}, \"face\": {} } } }",
+    "{ \"assembly\": { \"vertex\": { \"0\": {} } }, \"blocks\": "
+    "{ \"0\": { \"vertex\": [[0,0],[1]], \"face\": [[0,1,7]] } } "
+    "}"
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (texts); i++) {
+    QnDrawing drawing;
+    g_autoptr (GError) error = NULL;
+    g_assert_false (
+      qn_compas_import (texts[i], strlen (texts[i]), "bad.json", &drawing, &error));
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+    g_assert_true (g_str_has_prefix (error->message, "bad.json:1:"));
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/compas-import/both-forms", test_both_forms);
+  g_test_add_func ("/compas-import/bad-files", test_bad_files);
+  return g_test_run ();
+}

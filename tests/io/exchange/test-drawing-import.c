@@ -1,0 +1,226 @@
+#include "core/limit/limit.h"
+#include "io/exchange/drawing-import.h"
+#include "io/text/io-error.h"
+
+#include <string.h>
+
+/* One wall, the third of Ferris & Tin-Loi with its base, in every way that a drawing comes. */
+static const char *const variants[] = {
+  "clean", "closed-by-vertex", "overrun",   "collinear-vertices",
+  "lines", "inserts",          "clutter",   "mirrored-extrusion",
+  "gaps",  "no-unit",          "wrong-unit"
+};
+
+static char *
+example (const char *name)
+{
+  return g_strdup_printf ("%s/dxf/wall-%s.dxf", g_getenv ("QUOIN_EXAMPLES"), name);
+}
+
+static void
+import (const char *name, QnProject *project, QnImportReport *report)
+{
+  g_autofree char *path = example (name);
+  g_autoptr (GError) error = NULL;
+  if (!qn_import_file (path, &QN_IMPORT_DEFAULTS, project, report, &error))
+    g_error ("%s", error->message);
+}
+
+static double
+multiplier (const QnModel *model)
+{
+  QnContacts contacts;
+  QnLimitSolution solution;
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_require_sound (model, &contacts, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_limit_associative (model, &contacts, NULL, NULL, &solution, &diag),
+                   ==, QN_OK);
+  g_assert_cmpint (solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+  double value = solution.upper_bound;
+  qn_limit_solution_clear (&solution);
+  qn_contacts_clear (&contacts);
+  return value;
+}
+
+/* The block of b whose centroid is where that of block i of a is. */
+static QnId
+same_block (const QnModel *a, size_t i, const QnModel *b)
+{
+  for (size_t k = 0; k < b->block_count; k++) {
+    QnVec2 way = qn_vec2_sub (a->blocks[i].centroid, b->blocks[k].centroid);
+    if (qn_vec2_length (way) < 1e-6)
+      return (QnId) k;
+  }
+  return QN_NONE;
+}
+
+static void
+test_variants (void)
+{
+  QnProject clean, project;
+  QnImportReport report;
+  import ("clean", &clean, &report);
+  qn_import_report_clear (&report);
+  double expected = multiplier (&clean.model);
+  g_assert_cmpfloat_with_epsilon (expected, 0.40369410, 1e-6);
+  for (size_t v = 1; v < G_N_ELEMENTS (variants); v++) {
+    import (variants[v], &project, &report);
+    g_test_message ("%s", variants[v]);
+    g_assert_true (report.supported);
+    g_assert_cmpuint (project.model.block_count, ==, clean.model.block_count);
+    for (size_t i = 0; i < clean.model.block_count; i++) {
+      QnId k = same_block (&clean.model, i, &project.model);
+      g_assert_cmpint (k, !=, QN_NONE);
+      const QnBlock *a = &clean.model.blocks[i], *b = &project.model.blocks[k];
+      g_assert_cmpint (a->vertex_count, ==, b->vertex_count);
+      g_assert_cmpfloat_with_epsilon (a->area, b->area, 1e-6 * a->area);
+      g_assert_cmpint (a->support[0], ==, b->support[0]);
+    }
+    g_assert_cmpfloat_with_epsilon (multiplier (&project.model), expected, 1e-6);
+    qn_import_report_clear (&report);
+    qn_project_clear (&project);
+  }
+  qn_project_clear (&clean);
+}
+
+static gboolean
+tells (const GPtrArray *lines, const char *part)
+{
+  for (guint i = 0; i < lines->len; i++)
+    if (strstr (lines->pdata[i], part) != NULL)
+      return TRUE;
+  return FALSE;
+}
+
+static void
+test_report (void)
+{
+  static const char *const expected[][3] = {
+    { "closed-by-vertex", "end where they began: 24", NULL },
+    { "overrun", "overran their beginning: 47", NULL },
+    { "collinear-vertices", "collinear vertices removed: 117", NULL },
+    { "lines", "open lines made into faces: 158", "openings cut out: 1" },
+    { "clutter", "cross themselves: 1, first at line", "drawn twice: 6" },
+    { "clutter", "HATCH entities left out: 1, first at line",
+      "3DFACE entities left out: 1" },
+    { "gaps", "vertices welded: ", NULL },
+    { "no-unit", "not declared; read as mm", "1.6 x 2.1 m" },
+    { "wrong-unit", "declares 0.0254 m", "read as mm instead" }
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (expected); i++) {
+    QnProject project;
+    QnImportReport report;
+    import (expected[i][0], &project, &report);
+    g_assert_true (tells (report.lines, expected[i][1]));
+    g_assert_true (expected[i][2] == NULL || tells (report.lines, expected[i][2]));
+    g_assert_cmpint (tells (report.warnings, "unit"), ==,
+                     strstr (expected[i][0], "unit") != NULL);
+    qn_import_report_clear (&report);
+    qn_project_clear (&project);
+  }
+}
+
+/* A drawing of boxes, corner by corner. */
+static void
+add_box (QnDrawing *drawing, const char *layer, double x0, double y0, double x1,
+         double y1)
+{
+  QnDrawingPath *path = qn_drawing_add_path (drawing, layer, 1);
+  qn_drawing_path_add (path, qn_vec2 (x0, y0));
+  qn_drawing_path_add (path, qn_vec2 (x1, y0));
+  qn_drawing_path_add (path, qn_vec2 (x1, y1));
+  qn_drawing_path_add (path, qn_vec2 (x0, y1));
+  path->closed = TRUE;
+}
+
+static void
+test_supports_inferred (void)
+{
+  QnDrawing drawing;
+  QnProject project;
+  QnImportReport report;
+  qn_drawing_init (&drawing);
+  add_box (&drawing, "A", 0, 0, 1, 0.5);
+  add_box (&drawing, "A", 1, 0, 2, 0.5);
+  add_box (&drawing, "A", 0.5, 0.5, 1.5, 1);
+  QnImportSettings settings = QN_IMPORT_DEFAULTS;
+  g_assert_true (
+    qn_drawing_to_project (&drawing, "test", &settings, &project, &report, NULL));
+  g_assert_true (tells (report.warnings, "the lowest row is fixed, 2 blocks"));
+  g_assert_true (project.model.blocks[0].support[0]);
+  g_assert_false (project.model.blocks[2].support[0]);
+  qn_import_report_clear (&report);
+  qn_project_clear (&project);
+
+  /* A table of layers overrules the names. */
+  char *layers[] = { (char *) "A=ignored", NULL };
+  settings.layers = layers;
+  add_box (&drawing, "BASE", 0, -1, 2, 0);
+  g_assert_true (
+    qn_drawing_to_project (&drawing, "test", &settings, &project, &report, NULL));
+  g_assert_cmpuint (project.model.block_count, ==, 1);
+  qn_import_report_clear (&report);
+  qn_project_clear (&project);
+  qn_drawing_clear (&drawing);
+}
+
+/* A drawing may name some of its blocks as others are numbered, or several alike. */
+static void
+test_names (void)
+{
+  static const char *const given[] = { "b2", NULL, "b3", "b2", "pier" };
+  static const char *const expected[] = { "b2", "b3", "b4", "b5", "pier" };
+  QnDrawing drawing;
+  QnProject project;
+  QnImportReport report;
+  g_autoptr (GError) error = NULL;
+  qn_drawing_init (&drawing);
+  for (guint i = 0; i < G_N_ELEMENTS (given); i++) {
+    add_box (&drawing, "A", i, 0, i + 1, 0.5);
+    g_array_index (drawing.paths, QnDrawingPath, i).name = given[i];
+  }
+  QnImportSettings settings = QN_IMPORT_DEFAULTS;
+  qn_drawing_to_project (&drawing, "names", &settings, &project, &report, &error);
+  g_assert_no_error (error);
+  g_assert_cmpuint (project.model.block_count, ==, G_N_ELEMENTS (expected));
+  for (guint i = 0; i < G_N_ELEMENTS (expected); i++)
+    g_assert_cmpstr (project.model.blocks[i].name, ==, expected[i]);
+  qn_import_report_clear (&report);
+  qn_project_clear (&project);
+  qn_drawing_clear (&drawing);
+}
+
+static void
+test_refuses (void)
+{
+  QnDrawing drawing;
+  QnProject project;
+  QnImportReport report;
+  g_autoptr (GError) error = NULL;
+  qn_drawing_init (&drawing);
+  QnImportSettings settings = QN_IMPORT_DEFAULTS;
+  g_assert_false (
+    qn_drawing_to_project (&drawing, "empty.dxf", &settings, &project, &report, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+  g_assert_true (g_str_has_prefix (error->message, "empty.dxf:1: "));
+  g_clear_error (&error);
+  char *layers[] = { (char *) "A=wall", NULL };
+  settings.layers = layers;
+  g_assert_false (
+    qn_drawing_to_project (&drawing, "empty.dxf", &settings, &project, &report, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE);
+  qn_drawing_clear (&drawing);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/drawing-import/variants", test_variants);
+  g_test_add_func ("/drawing-import/report", test_report);
+  g_test_add_func ("/drawing-import/supports-inferred", test_supports_inferred);
+  g_test_add_func ("/drawing-import/names", test_names);
+  g_test_add_func ("/drawing-import/refuses", test_refuses);
+  return g_test_run ();
+}

@@ -1,0 +1,214 @@
+#include "io/exchange/dxf-import.h"
+#include "io/text/io-error.h"
+
+#include <string.h>
+
+#define HEAD "0\nSECTION\n2\nENTITIES\n"
+#define TAIL "0\nENDSEC\n0\nEOF\n"
+
+static void
+parse (const char *text, QnDrawing *drawing)
+{
+  g_autoptr (GError) error = NULL;
+  if (!qn_dxf_import (text, strlen (text), "test.dxf", drawing, &error))
+    g_error ("%s", error->message);
+}
+
+static const QnDrawingPath *
+path_at (const QnDrawing *drawing, guint index)
+{
+  g_assert_cmpuint (index, <, drawing->paths->len);
+  return &g_array_index (drawing->paths, QnDrawingPath, index);
+}
+
+static void
+test_line_and_layer (void)
+{
+  QnDrawing drawing;
+  parse (HEAD "0\nLINE\n8\nJoints\n10\n1.25\n20\n-2\n11\n3\n21\n4e1\n" TAIL, &drawing);
+  const QnDrawingPath *path = path_at (&drawing, 0);
+  g_assert_cmpstr (path->layer, ==, "Joints");
+  g_assert_cmpuint (path->line, ==, 5);
+  g_assert_cmpuint (path->count, ==, 2);
+  g_assert_cmpfloat (path->points[0].x, ==, 1.25);
+  g_assert_cmpfloat (path->points[1].y, ==, 40);
+  g_assert_false (path->closed);
+  qn_drawing_clear (&drawing);
+}
+
+static void
+test_bulge (void)
+{
+  /* Half a circle of radius 1 from (0, 0) to (2, 0), below, and straight back. */
+  QnDrawing drawing;
+  parse (HEAD
+         "0\nLWPOLYLINE\n8\n0\n90\n99\n70\n1\n10\n0\n20\n0\n42\n1\n10\n2\n20\n0\n" TAIL,
+         &drawing);
+  const QnDrawingPath *path = path_at (&drawing, 0);
+  g_assert_true (path->closed);
+  g_assert_cmpuint (path->count, >, 20);
+  double lowest = 0;
+  for (gsize i = 0; i < path->count; i++) {
+    g_assert_cmpfloat_with_epsilon (hypot (path->points[i].x - 1, path->points[i].y), 1,
+                                    1e-12);
+    lowest = fmin (lowest, path->points[i].y);
+  }
+  g_assert_cmpfloat (lowest, <, -0.99);
+  qn_drawing_clear (&drawing);
+}
+
+static void
+test_curves (void)
+{
+  QnDrawing drawing;
+  parse (
+    HEAD
+    "0\nCIRCLE\n8\n0\n10\n5\n20\n5\n40\n2\n"
+    "0\nARC\n8\n0\n10\n0\n20\n0\n40\n1\n50\n90\n51\n180\n"
+    "0\nELLIPSE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n0\n40\n0.5\n41\n0\n42\n"
+    "6.283185307179586\n"
+    "0\nSPLINE\n8\n0\n70\n8\n71\n2\n72\n6\n73\n3\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n"
+    "1\n10\n0\n20\n0\n10\n1\n20\n2\n10\n2\n20\n0\n" TAIL,
+    &drawing);
+  g_assert_cmpuint (drawing.paths->len, ==, 4);
+  g_assert_true (path_at (&drawing, 0)->closed);
+  const QnDrawingPath *arc = path_at (&drawing, 1);
+  g_assert_cmpfloat_with_epsilon (arc->points[0].y, 1, 1e-12);
+  g_assert_cmpfloat_with_epsilon (arc->points[arc->count - 1].x, -1, 1e-12);
+  const QnDrawingPath *ellipse = path_at (&drawing, 2);
+  for (gsize i = 0; i < ellipse->count; i++) {
+    QnVec2 p = ellipse->points[i];
+    g_assert_cmpfloat_with_epsilon (p.x * p.x / 9 + p.y * p.y / 2.25, 1, 1e-12);
+  }
+  /* A parabola: y = x (2 - x). */
+  const QnDrawingPath *spline = path_at (&drawing, 3);
+  for (gsize i = 0; i < spline->count; i++)
+    g_assert_cmpfloat_with_epsilon (
+      spline->points[i].y, spline->points[i].x * (2 - spline->points[i].x), 1e-12);
+  g_assert_cmpfloat (spline->points[spline->count - 1].x, ==, 2);
+  qn_drawing_clear (&drawing);
+}
+
+static void
+test_inserts (void)
+{
+  /* A unit square in a block, that block twice as large in another, inserted turned and as an
+   * array, its layer 0 taking the layer of the insert. */
+  QnDrawing drawing;
+  parse ("0\nSECTION\n2\nBLOCKS\n"
+         "0\nBLOCK\n8\n0\n2\nA\n10\n1\n20\n1\n0\nLWPOLYLINE\n8\n0\n70\n1\n10\n1\n20\n1\n1"
+         "0\n2\n20\n"
+         "1\n10\n2\n20\n2\n10\n1\n20\n2\n0\nENDBLK\n8\n0\n"
+         "0\nBLOCK\n8\n0\n2\nB\n10\n0\n20\n0\n0\nINSERT\n8\n0\n2\nA\n10\n3\n20\n0\n41\n2"
+         "\n42\n2\n0\n"
+         "ENDBLK\n8\n0\n0\nENDSEC\n"
+         "0\nSECTION\n2\nENTITIES\n0\nINSERT\n8\nStones\n2\nB\n10\n0\n20\n0\n50\n90\n70\n"
+         "2\n44\n10\n"
+         "0\nINSERT\n8\n0\n2\nMissing\n10\n0\n20\n0\n" TAIL,
+         &drawing);
+  g_assert_cmpuint (drawing.paths->len, ==, 2);
+  const QnDrawingPath *first = path_at (&drawing, 0), *second = path_at (&drawing, 1);
+  g_assert_cmpstr (first->layer, ==, "Stones");
+  g_assert_cmpfloat_with_epsilon (first->points[0].x, 0, 1e-12);
+  g_assert_cmpfloat_with_epsilon (first->points[0].y, 3, 1e-12);
+  g_assert_cmpfloat_with_epsilon (first->points[2].x, -2, 1e-12);
+  g_assert_cmpfloat_with_epsilon (first->points[2].y, 5, 1e-12);
+  g_assert_cmpfloat_with_epsilon (second->points[0].y, 13, 1e-12);
+  g_assert_cmpuint (drawing.notes->len, ==, 1);
+  qn_drawing_clear (&drawing);
+}
+
+/* A block that contains itself, twice: ends, and is told. */
+static void
+test_endless_inserts (void)
+{
+  static const char text[] = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\n0\n2\nA\n10\n0\n20\n0\n"
+                             "0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0\n"
+                             "0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0\n0\nENDBLK\n8\n0\n0\nEN"
+                             "DSEC\n0\nSECTION\n2\nENTITIES\n0\n"
+                             "INSERT\n8\n0\n2\nA\n10\n0\n20\n0\n" TAIL;
+  QnDrawing drawing;
+  g_autoptr (GError) error = NULL;
+  g_assert_false (qn_dxf_import (text, strlen (text), "test.dxf", &drawing, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+}
+
+static void
+test_bad_files (void)
+{
+  static const struct {
+    const char *text;
+    const char *start, *part;
+  } cases[] = {
+    { "", "bad.dxf:1: ", "empty" },
+    { "hello\nworld\n", "bad.dxf:1: ", "not a DXF file" },
+    { "AutoCAD Binary DXF\r\n\x1a", "bad.dxf:1: ", "binary" },
+    { HEAD "0\nLINE\n8\n0\n10\nabc\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
+    { HEAD "0\nLINE\n8\n0\n10\n1e400\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
+    { HEAD "0\nLINE\n8\n0\n10\nnan\n20\n0\n" TAIL, "bad.dxf:10: ", "coordinate" },
+    { HEAD "0\nLINE\nlayer\n0\n" TAIL, "bad.dxf:7: ", "group code" },
+    { HEAD "0\nLINE\n8", "bad.dxf:7: ", "ends behind a group code" },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnDrawing drawing;
+    g_autoptr (GError) error = NULL;
+    g_assert_false (
+      qn_dxf_import (cases[i].text, strlen (cases[i].text), "bad.dxf", &drawing, &error));
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+    g_assert_true (g_str_has_prefix (error->message, cases[i].start));
+    g_assert_nonnull (strstr (error->message, cases[i].part));
+    g_assert_null (strchr (error->message, '\n'));
+  }
+}
+
+/* A hundred thousand lines in seconds. */
+static void
+test_large (void)
+{
+  GString *text = g_string_new (HEAD);
+  for (int i = 0; i < 100000; i++)
+    g_string_append_printf (text, "0\nLINE\n8\n0\n10\n%d\n20\n0\n11\n%d\n21\n1\n", i, i);
+  g_string_append (text, TAIL);
+  QnDrawing drawing;
+  gint64 start = g_get_monotonic_time ();
+  parse (text->str, &drawing);
+  double seconds = (double) (g_get_monotonic_time () - start) / 1e6;
+  g_assert_cmpuint (drawing.paths->len, ==, 100000);
+  g_test_message ("100,000 lines in %.2f s", seconds);
+  g_assert_cmpfloat (seconds, <, 20);
+  qn_drawing_clear (&drawing);
+  g_string_free (text, TRUE);
+}
+
+/* Names are the drawing's own: the program keeps none of them when it has gone. */
+static void
+test_names (void)
+{
+  GString *text = g_string_new (HEAD);
+  for (int i = 0; i < 200; i++)
+    g_string_append_printf (text, "0\nLINE\n8\nL%d\n10\n0\n20\n0\n11\n1\n21\n1\n", i / 2);
+  g_string_append (text, TAIL);
+  GQuark before = g_quark_from_string ("before the names");
+  QnDrawing drawing;
+  parse (text->str, &drawing);
+  g_assert_cmpuint (g_quark_from_string ("after the names"), <, before + 50);
+  g_assert_cmpstr (path_at (&drawing, 199)->layer, ==, "L99");
+  g_assert_true (path_at (&drawing, 0)->layer == path_at (&drawing, 1)->layer);
+  qn_drawing_clear (&drawing);
+  g_string_free (text, TRUE);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/dxf-import/line-and-layer", test_line_and_layer);
+  g_test_add_func ("/dxf-import/bulge", test_bulge);
+  g_test_add_func ("/dxf-import/curves", test_curves);
+  g_test_add_func ("/dxf-import/inserts", test_inserts);
+  g_test_add_func ("/dxf-import/endless-inserts", test_endless_inserts);
+  g_test_add_func ("/dxf-import/bad-files", test_bad_files);
+  g_test_add_func ("/dxf-import/large", test_large);
+  g_test_add_func ("/dxf-import/names", test_names);
+  return g_test_run ();
+}

@@ -1,0 +1,122 @@
+#include "io/exchange/table-csv.h"
+
+#include "io/result-fixture.h"
+#include "io/text/io-error.h"
+#include "support/scratch.h"
+
+typedef gboolean (*WriteFunc) (const char *path, const ResultFixture *fixture,
+                               GError **error);
+
+static gboolean
+write_curve (const char *path, const ResultFixture *fixture, GError **error)
+{
+  return qn_curve_csv_write (path, &fixture->project, &fixture->result, error);
+}
+
+static gboolean
+write_displacements (const char *path, const ResultFixture *fixture, GError **error)
+{
+  return qn_displacements_csv_write (path, &fixture->project, &fixture->result, 1, error);
+}
+
+static gboolean
+write_contacts (const char *path, const ResultFixture *fixture, GError **error)
+{
+  return qn_contacts_csv_write (path, &fixture->project, &fixture->contacts,
+                                &fixture->result, error);
+}
+
+static void
+expect (const ResultFixture *fixture, WriteFunc write, const char *expected)
+{
+  char *folder = test_scratch_new ();
+  char *path = g_build_filename (folder, "table.csv", NULL);
+  char *text = NULL;
+  GError *error = NULL;
+  g_assert_true (write (path, fixture, &error));
+  g_assert_no_error (error);
+  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
+  g_assert_cmpstr (text, ==, expected);
+  g_free (text);
+  g_free (path);
+  test_scratch_free (folder);
+
+  g_assert_false (write ("/dev/full", fixture, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
+  g_error_free (error);
+}
+
+static void
+test_curve (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  expect (
+    fixture, write_curve,
+    "step,multiplier [-],top ux [m],top uy [m],top rz [rad],iterations,residual [-],"
+    "event\n"
+    "0,0,0,0,0,3,1e-12,\n"
+    "1,0.2,1e-6,-2e-6,3e-9,4,3e-10,collapse\n");
+}
+
+/* The control block where there is one, even where it does not move; names that need quotes. */
+static void
+test_control_block (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  QnModel *model = &fixture->project.model;
+  g_assert_cmpint (qn_result_curve_block (model, &fixture->result), ==, 1);
+  model->analysis.control_block = 0;
+  g_assert_cmpint (qn_result_curve_block (model, &fixture->result), ==, 0);
+  model->blocks[0].name[0] = ',';
+  model->blocks[0].name[1] = '"';
+  expect (
+    fixture, write_curve,
+    "step,multiplier [-],\",\"\"se ux [m]\",\",\"\"se uy [m]\",\",\"\"se rz [rad]\","
+    "iterations,residual [-],event\n"
+    "0,0,0,0,0,3,1e-12,\n"
+    "1,0.2,0,0,0,4,3e-10,collapse\n");
+}
+
+static void
+test_no_steps (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  fixture->result.step_count = 0;
+  g_assert_cmpint (qn_result_curve_block (&fixture->project.model, &fixture->result), ==,
+                   QN_NONE);
+  expect (fixture, write_curve, "step,multiplier [-],iterations,residual [-],event\n");
+}
+
+static void
+test_displacements (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  expect (fixture, write_displacements,
+          "block,x [m],y [m],ux [m],uy [m],rz [rad]\n"
+          "base,1,-0.5,0,0,0\n"
+          "top,1,0.5,1e-6,-2e-6,3e-9\n");
+}
+
+static void
+test_contacts (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  expect (
+    fixture, write_contacts,
+    "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],normal force [N],"
+    "shear force [N],state\n"
+    "0,0,base,top,1.5,0,0,1,-6000,-1000,stick\n"
+    "1,0,base,top,0.5,0,0,1,-4000,-1000,stick\n");
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  RESULT_FIXTURE_ADD ("/table-csv/curve", test_curve);
+  RESULT_FIXTURE_ADD ("/table-csv/control-block", test_control_block);
+  RESULT_FIXTURE_ADD ("/table-csv/no-steps", test_no_steps);
+  RESULT_FIXTURE_ADD ("/table-csv/displacements", test_displacements);
+  RESULT_FIXTURE_ADD ("/table-csv/contacts", test_contacts);
+  return g_test_run ();
+}

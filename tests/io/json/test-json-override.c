@@ -1,0 +1,104 @@
+#include "io/json/json-override.h"
+
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+
+static const char document[] = "{\"a\":{\"b\":1},\"l\":[{\"k\":2},3]}";
+
+static void
+expect (const char *override, const char *expected)
+{
+  cJSON *root = cJSON_Parse (document);
+  GError *error = NULL;
+  gboolean done = qn_json_override (root, override, &error);
+  g_assert_no_error (error);
+  g_assert_true (done);
+  GString *written = g_string_new (NULL);
+  qn_json_append_value (written, root, 0);
+  g_assert_cmpstr (written->str, ==, expected);
+  g_string_free (written, TRUE);
+  cJSON_Delete (root);
+}
+
+static void
+test_replace (void)
+{
+  expect ("a.b=37", "{ \"a\": { \"b\": 37 }, \"l\": [{ \"k\": 2 }, 3] }");
+  expect ("l[0].k=-0.5", "{ \"a\": { \"b\": 1 }, \"l\": [{ \"k\": -0.5 }, 3] }");
+  expect ("l[1]=[1, 2]", "{ \"a\": { \"b\": 1 }, \"l\": [{ \"k\": 2 }, [1, 2]] }");
+  expect ("a={}", "{ \"a\": {}, \"l\": [{ \"k\": 2 }, 3] }");
+}
+
+static void
+test_add (void)
+{
+  expect ("a.c=true", "{ \"a\": { \"b\": 1, \"c\": true }, \"l\": [{ \"k\": 2 }, 3] }");
+  expect (
+    "x.y.z=1",
+    "{ \"a\": { \"b\": 1 }, \"l\": [{ \"k\": 2 }, 3], \"x\": { \"y\": { \"z\": 1 } } }");
+}
+
+/* What is not JSON is a string. */
+static void
+test_strings (void)
+{
+  expect ("a.b=stop", "{ \"a\": { \"b\": \"stop\" }, \"l\": [{ \"k\": 2 }, 3] }");
+  expect ("a.b=\"37\"", "{ \"a\": { \"b\": \"37\" }, \"l\": [{ \"k\": 2 }, 3] }");
+  expect ("a.b=x=y", "{ \"a\": { \"b\": \"x=y\" }, \"l\": [{ \"k\": 2 }, 3] }");
+  expect ("a.b=", "{ \"a\": { \"b\": \"\" }, \"l\": [{ \"k\": 2 }, 3] }");
+  expect ("a.b=[1", "{ \"a\": { \"b\": \"[1\" }, \"l\": [{ \"k\": 2 }, 3] }");
+}
+
+static void
+expect_error (const char *override, int code)
+{
+  cJSON *root = cJSON_Parse (document);
+  GError *error = NULL;
+  g_assert_false (qn_json_override (root, override, &error));
+  g_assert_error (error, QN_IO_ERROR, code);
+  GString *quoted = g_string_new (NULL);
+  qn_json_append_string (quoted, override);
+  g_assert_true (g_str_has_prefix (error->message, quoted->str));
+  g_string_free (quoted, TRUE);
+  g_error_free (error);
+  cJSON_Delete (root);
+}
+
+static void
+test_errors (void)
+{
+  expect_error ("", QN_IO_ERROR_OVERRIDE);
+  expect_error ("a.b", QN_IO_ERROR_OVERRIDE);
+  expect_error ("=1", QN_IO_ERROR_OVERRIDE);
+  expect_error ("a..b=1", QN_IO_ERROR_OVERRIDE);
+  expect_error ("l[2]=1", QN_IO_ERROR_INVALID);
+  expect_error ("l[0][0]=1", QN_IO_ERROR_INVALID);
+  expect_error ("l.x=1", QN_IO_ERROR_INVALID);
+  expect_error ("a.b.c=1", QN_IO_ERROR_INVALID);
+  expect_error ("a[0]=1", QN_IO_ERROR_INVALID);
+  expect_error ("l[1].x=1", QN_IO_ERROR_INVALID);
+}
+
+static void
+test_path (void)
+{
+  char *path = qn_json_override_dup_path ("laws[0].dilatancy=0.65");
+  g_assert_cmpstr (path, ==, "laws[0].dilatancy");
+  g_free (path);
+  path = qn_json_override_dup_path ("[\"a=b\"].c=1");
+  g_assert_cmpstr (path, ==, "a=b.c");
+  g_free (path);
+  g_assert_null (qn_json_override_dup_path ("nothing"));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/json-override/replace", test_replace);
+  g_test_add_func ("/json-override/add", test_add);
+  g_test_add_func ("/json-override/strings", test_strings);
+  g_test_add_func ("/json-override/errors", test_errors);
+  g_test_add_func ("/json-override/path", test_path);
+  return g_test_run ();
+}

@@ -1,0 +1,71 @@
+#include "io/project/project-extras.h"
+
+#include "io/project-text.h"
+#include "io/text/io-error.h"
+
+#include <cjson/cJSON.h>
+#include <string.h>
+
+static void
+expect_extra (const QnProject *project, const char *member, const char *expected)
+{
+  char *json = qn_project_dup_extra (project, member);
+  g_assert_cmpstr (json, ==, expected);
+  g_free (json);
+}
+
+/* Puts the members with one changed in place of the project's own. */
+static void
+change (QnProject *project, const char *member, const char *json)
+{
+  GError *error = NULL;
+  cJSON *extras = qn_project_extras_with (project, member, json, &error);
+  g_assert_no_error (error);
+  g_assert_nonnull (extras);
+  qn_project_extras_free (project->extras);
+  project->extras = extras;
+}
+
+static void
+test_members (void)
+{
+  QnProject project;
+  test_parse (test_project_text, &project);
+  expect_extra (&project, "view", NULL);
+  change (&project, "view", "{\"zoom\":0.5}");
+  change (&project, "figures", "[1, \"ü\"]");
+  expect_extra (&project, "view", "{ \"zoom\": 0.5 }");
+  change (&project, "view", "2");
+  expect_extra (&project, "view", "2");
+  change (&project, "view", NULL);
+  expect_extra (&project, "view", NULL);
+  expect_extra (&project, "figures", "[1, \"ü\"]");
+
+  /* What was put there is in the file. */
+  char *text = qn_project_to_text (&project, NULL);
+  g_assert_nonnull (strstr (text, "\"figures\": [1, \"ü\"]"));
+  g_free (text);
+  qn_project_clear (&project);
+}
+
+static void
+test_not_json (void)
+{
+  QnProject project;
+  GError *error = NULL;
+  test_parse (test_project_text, &project);
+  g_assert_null (qn_project_extras_with (&project, "view", "{", &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+  g_assert_cmpstr (error->message, ==, "view:1:2: text ends inside an object");
+  g_error_free (error);
+  qn_project_clear (&project);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/project-extras/members", test_members);
+  g_test_add_func ("/project-extras/not-json", test_not_json);
+  return g_test_run ();
+}

@@ -1,0 +1,149 @@
+/* Contact, loads and analysis: what is refused, with its place. */
+#include "io/project-text.h"
+
+#include <string.h>
+
+/* The project with one line put in place of its line 8 or 9, and the expected message. */
+typedef struct Case {
+  const char *line, *message;
+} Case;
+
+static void
+expect_errors (const char *replaced, const Case *cases, gsize count)
+{
+  for (gsize i = 0; i < count; i++) {
+    char *text = test_replace (test_project_text, replaced, cases[i].line);
+    char *message = test_parse_error (text, NULL);
+    g_assert_cmpstr (message, ==, cases[i].message);
+    g_free (message);
+    g_free (text);
+  }
+}
+
+static void
+test_contact (void)
+{
+  static const Case cases[] = {
+    { "\"c\": {}", "1:1: contact: required key is missing" },
+    { "\"contact\": {}", "8:14: contact.law: required key is missing" },
+    { "\"contact\": []", "8:14: contact: expected an object, found an array" },
+    { "\"contact\": { \"law\": \"glue\" }",
+      "8:23: contact.law: no law has this name: \"glue\"" },
+    { "\"contact\": { \"law\": \"joint\", \"tolerance\": -1 }",
+      "8:45: contact.tolerance: number must not be negative" },
+    { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"middle\" } }",
+      "8:56: contact.pairs.placement: \"middle\" is none of ends, uniform, gauss, "
+      "explicit" },
+    { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"offset\": -0.1 } }",
+      "8:53: contact.pairs.offset: number must not be negative" },
+    { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"uniform\" } }",
+      "8:41: contact.pairs.count: required key is missing" },
+    { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"uniform\", "
+      "\"count\": 0 } }",
+      "8:76: contact.pairs.count: expected a whole number from 1 to 1000" },
+    { "\"contact\": { \"law\": \"joint\", \"pairs\": { \"placement\": \"uniform\", "
+      "\"count\": 1e9 } }",
+      "8:76: contact.pairs.count: expected a whole number from 1 to 1000" },
+    { "\"contact\": { \"law\": \"joint\", \"faces\": [{ \"blocks\": [\"base\"] }] }",
+      "8:54: contact.faces[0].blocks: expected the names of two blocks" },
+    { "\"contact\": { \"law\": \"joint\", \"faces\": [{ \"blocks\": [\"base\", \"x\"] }] "
+      "}",
+      "8:63: contact.faces[0].blocks[1]: no block has this name" },
+    { "\"contact\": { \"law\": \"joint\", \"faces\": [{ \"blocks\": [\"base\", 1] }] }",
+      "8:63: contact.faces[0].blocks[1]: expected the name of a block" },
+    { "\"contact\": { \"law\": \"joint\", \"faces\": [{ \"blocks\": [\"top\", \"top\"] "
+      "}] }",
+      "8:54: contact.faces[0].blocks: a block has no contact with itself" },
+  };
+  expect_errors ("\"contact\": { \"law\": \"joint\" }", cases, G_N_ELEMENTS (cases));
+}
+
+static void
+test_loads (void)
+{
+  static const Case cases[] = {
+    { "{ \"kind\": \"wind\" }",
+      "9:34: loads.dead[0].kind: \"wind\" is none of weight, force, settlement, line" },
+    { "{ \"kind\": \"weight\" }",
+      "9:24: loads.dead[0].direction: required key is missing" },
+    { "{ \"kind\": \"weight\", \"direction\": [0] }",
+      "9:57: loads.dead[0].direction: expected two numbers" },
+    { "{ \"kind\": \"force\", \"value\": [0, 1] }",
+      "9:24: loads.dead[0].block: required key is missing" },
+    { "{ \"kind\": \"force\", \"block\": \"x\", \"value\": [0, 1] }",
+      "9:52: loads.dead[0].block: no block has this name: \"x\"" },
+    { "{ \"kind\": \"force\", \"block\": \"top\" }",
+      "9:24: loads.dead[0].value: required key is missing" },
+    { "{ \"kind\": \"force\", \"block\": \"top\", \"value\": [0, 1], \"moment\": true }",
+      "9:86: loads.dead[0].moment: expected a number, found true or false" },
+    { "3", "9:24: loads.dead[0]: expected an object, found a number" },
+  };
+  expect_errors ("{ \"kind\": \"weight\", \"direction\": [0, -1] }", cases,
+                 G_N_ELEMENTS (cases));
+}
+
+static void
+test_analysis (void)
+{
+  static const Case cases[] = {
+    { "\"analysis\": 3,", "9:15: analysis: expected an object, found a number" },
+    { "\"analysis\": { \"procedure\": \"fast\" },",
+      "9:30: analysis.procedure: \"fast\" is none of load, displacement, work, "
+      "arc-length, "
+      "limit" },
+    { "\"analysis\": { \"increments\": 0 },",
+      "9:31: analysis.increments: expected a whole number from 1 to 2147483647" },
+    { "\"analysis\": { \"increments\": 1.5 },",
+      "9:31: analysis.increments: expected a whole number from 1 to 2147483647" },
+    { "\"analysis\": { \"max_multiplier\": 0 },",
+      "9:35: analysis.max_multiplier: number must be positive" },
+    { "\"analysis\": { \"snap\": \"go\" },",
+      "9:25: analysis.snap: \"go\" is none of jump, stop" },
+    { "\"analysis\": { \"control\": { \"component\": \"ux\", \"target\": 1 } },",
+      "9:28: analysis.control.block: required key is missing" },
+    { "\"analysis\": { \"control\": { \"block\": \"top\", \"component\": \"uz\", "
+      "\"target\": 1 } },",
+      "9:59: analysis.control.component: \"uz\" is none of ux, uy, rz" },
+    { "\"analysis\": { \"control\": { \"block\": \"top\", \"component\": \"ux\", "
+      "\"target\": 0 } },",
+      "9:75: analysis.control.target: control target is zero" },
+    { "\"analysis\": { \"control\": { \"block\": \"base\", \"component\": \"ux\", "
+      "\"target\": 1 } },",
+      "9:60: analysis.control.component: controlled degree of freedom is fixed" },
+    { "\"analysis\": { \"procedure\": \"displacement\" },",
+      "9:15: analysis.control: procedure needs a control block and target" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    Case padded = cases[i];
+    char *line = g_strconcat (cases[i].line, " \"loads\": {", NULL);
+    padded.line = line;
+    expect_errors ("\"loads\": {", &padded, 1);
+    g_free (line);
+  }
+}
+
+static void
+test_no_effect (void)
+{
+  QnProject project;
+  char *text = test_replace (test_project_text, "\"law\": \"joint\" }",
+                             "\"law\": \"joint\", \"pairs\": { \"count\": 3 } }");
+  test_parse (text, &project);
+  g_assert_cmpuint (project.warnings->len, ==, 1);
+  g_assert_cmpstr (
+    g_ptr_array_index (project.warnings, 0), ==,
+    "wall.quoin:8:52: contact.pairs.count: has no effect with this placement");
+  qn_project_clear (&project);
+  g_free (text);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/project-read-loading/contact", test_contact);
+  g_test_add_func ("/project-read-loading/loads", test_loads);
+  g_test_add_func ("/project-read-loading/analysis", test_analysis);
+  g_test_add_func ("/project-read-loading/no-effect", test_no_effect);
+  return g_test_run ();
+}

@@ -1,0 +1,190 @@
+#include "io/project-text.h"
+#include "io/result-fixture.h"
+#include "io/result/result-file.h"
+#include "io/text/io-error.h"
+#include "support/scratch.h"
+
+#include <string.h>
+
+static void
+test_round_trip (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  fixture->project.overrides = g_strsplit ("analysis.snap=stop", "|", -1);
+  fixture->result.mechanism_uncertain = true;
+  char *text = result_fixture_dup_text (fixture);
+  QnResultFile file;
+  GError *error = NULL;
+  g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
+  g_assert_no_error (error);
+
+  const QnResult *read = &file.result, *written = &fixture->result;
+  g_assert_cmpstr (file.model, ==, "wall.quoin");
+  g_assert_cmpstr (file.model_sha256, ==, fixture->project.sha256);
+  g_assert_cmpstr (file.overrides[0], ==, "analysis.snap=stop");
+  g_assert_cmpstr (file.block_names[1], ==, "top");
+  g_assert_null (file.block_names[2]);
+  g_assert_cmpint (read->outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_true (read->has_collapse_multiplier && read->has_first_limit_multiplier);
+  g_assert_cmpfloat (read->collapse_multiplier, ==, 0.2);
+  g_assert_cmpfloat (read->first_limit_multiplier, ==, 0.1);
+  g_assert_cmpuint (read->block_count, ==, 2);
+  g_assert_cmpuint (read->step_count, ==, 2);
+  g_assert_cmpmem (read->displacements, 12 * sizeof (double), written->displacements,
+                   12 * sizeof (double));
+  g_assert_cmpint (read->steps[1].event, ==, QN_EVENT_COLLAPSE);
+  g_assert_cmpint (read->steps[1].iterations, ==, 4);
+  g_assert_cmpfloat (read->steps[1].residual, ==, 3e-10);
+  g_assert_cmpmem (read->mechanism, 6 * sizeof (double), written->mechanism,
+                   6 * sizeof (double));
+  g_assert_true (read->mechanism_uncertain);
+  g_assert_cmpuint (read->pair_count, ==, 2);
+  for (size_t i = 0; i < 2; i++) {
+    g_assert_cmpint (read->pairs[i].state, ==, written->pairs[i].state);
+    g_assert_cmpfloat (read->pairs[i].normal_force, ==, written->pairs[i].normal_force);
+    g_assert_cmpfloat (read->pairs[i].shear_force, ==, written->pairs[i].shear_force);
+    g_assert_cmpfloat (file.contacts[i].point.x, ==, fixture->contacts.pairs[i].point.x);
+    g_assert_cmpfloat (file.contacts[i].area, ==, 0.5);
+    g_assert_cmpint (file.contacts[i].block_b, ==, 1);
+  }
+  g_assert_cmpint (read->statistics.factorizations, ==, 400);
+  g_assert_cmpint (read->statistics.peak_memory_bytes, ==, 12345678);
+  qn_result_file_clear (&file);
+  g_free (text);
+}
+
+typedef struct Case {
+  const char *what, *by, *message;
+} Case;
+
+static const Case cases[] = {
+  { "\"quoin-result\"", "\"quoin\"",
+    "r.json:2:13: format: this is not a result: expected \"quoin-result\"" },
+  { "\"version\": 1", "\"version\": 2",
+    "r.json:2:40: version: this program reads another version of the format" },
+  { "\"outcome\": \"collapse\"", "\"outcome\": \"glory\"",
+    "r.json:6:14: outcome: this is no outcome of an analysis" },
+  { "\"collapse_multiplier\": 0.2", "\"collapse_multiplier\": \"0.2\"",
+    "r.json:7:26: collapse_multiplier: expected a number" },
+  { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\"]",
+    "r.json:12:41: steps[0].displacements: there are not as many displacements as "
+    "blocks" },
+  { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\", 3]",
+    "r.json:10:22: blocks[1]: expected a string" },
+  { "\"multiplier\": 0.2", "\"multiplier\": 1e999",
+    "r.json:13:21: steps[1].multiplier: number is not finite" },
+  { "\"multiplier\": 0.2, ", "",
+    "r.json:13:5: steps[1].multiplier: required key is missing" },
+  { "[1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6]",
+    "r.json:13:67: steps[1].displacements[1]: expected a number" },
+  { "[1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6, 3e-9, 1]",
+    "r.json:13:75: steps[1].displacements[1]: array has too many elements" },
+  { "[0, 0, 0], [1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6, 3e-9]",
+    "r.json:13:122: steps[1]: step has displacements of another number of blocks than "
+    "the "
+    "first" },
+  { "\"event\": \"collapse\"", "\"event\": \"boom\"",
+    "r.json:13:122: steps[1].event: expected null, \"snap\" or \"collapse\"" },
+  { "\"iterations\": 4", "\"iterations\": 4.5",
+    "r.json:13:91: steps[1].iterations: expected a whole number that is not negative" },
+  { "\"blocks\": [0, 1]", "\"blocks\": [0, 2]",
+    "r.json:15:28: contacts[0].blocks: there are no such two blocks" },
+  { "\"blocks\": [0, 1]", "\"blocks\": [1, 1]",
+    "r.json:15:28: contacts[0].blocks: there are no such two blocks" },
+  { "\"blocks\": [0, 1]", "\"blocks\": [0, -1]",
+    "r.json:15:34: contacts[0].blocks: blocks are given by their numbers from 0" },
+  { "\"normal\": [0, 1]", "\"normal\": [0, 2]",
+    "r.json:15:70: contacts[0].normal: normal is not of length 1" },
+  { "\"state\": \"stick\"", "\"state\": \"glue\"",
+    "r.json:15:95: contacts[0].state: this is no state of a contact pair" },
+  { "\"mechanism\": [[0, 0, 0], ", "\"mechanism\": [",
+    "r.json:17:16: mechanism: there are not as many velocities as blocks" },
+  { "\"seconds\": 0.012", "\"seconds\": true",
+    "r.json:25:30: statistics.seconds: expected a number" },
+};
+
+static void
+test_errors (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  char *text = result_fixture_dup_text (fixture);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    char *changed = test_replace (text, cases[i].what, cases[i].by);
+    QnResultFile file;
+    GError *error = NULL;
+    g_assert_false (
+      qn_result_file_parse (changed, strlen (changed), "r.json", &file, &error));
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+    g_assert_cmpstr (error->message, ==, cases[i].message);
+    g_error_free (error);
+    g_free (changed);
+  }
+  g_free (text);
+}
+
+static void
+test_truncated (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  char *text = result_fixture_dup_text (fixture);
+  for (gsize length = 0; length < strlen (text) - 2; length++) {
+    QnResultFile file;
+    GError *error = NULL;
+    g_assert_false (qn_result_file_parse (text, length, "r.json", &file, &error));
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+    g_clear_error (&error);
+  }
+  g_free (text);
+}
+
+/* Keys may come in any order, and keys of a later version are passed over. */
+static void
+test_order_and_unknown (void)
+{
+  const char *text =
+    "{ \"later\": { \"kind\": [1, 2] }, \"steps\": [ { \"multiplier\": 0.5, "
+    "\"displacements\": [[1, 2, 3]] } ], \"contacts\": [], "
+    "\"blocks\": [\"b\"], \"outcome\": \"target-reached\", \"version\": 1, "
+    "\"format\": \"quoin-result\" }";
+  QnResultFile file;
+  GError *error = NULL;
+  g_assert_true (qn_result_file_parse (text, strlen (text), "r.json", &file, &error));
+  g_assert_no_error (error);
+  g_assert_cmpint (file.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_false (file.result.has_collapse_multiplier);
+  g_assert_null (file.result.mechanism);
+  g_assert_cmpfloat (qn_result_step_displacements (&file.result, 0)[2], ==, 3);
+  qn_result_file_clear (&file);
+}
+
+static void
+test_file (ResultFixture *fixture, gconstpointer data)
+{
+  (void) data;
+  char *folder = test_scratch_new ();
+  char *path = g_build_filename (folder, "r.json", NULL);
+  QnResultFile file;
+  GError *error = NULL;
+  g_assert_false (qn_result_file_read (path, &file, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
+  g_clear_error (&error);
+  g_assert_true (qn_result_file_write (path, &fixture->project, &fixture->contacts,
+                                       &fixture->result, &error));
+  g_assert_true (qn_result_file_read (path, &file, &error));
+  g_assert_no_error (error);
+  qn_result_file_clear (&file);
+  g_free (path);
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  RESULT_FIXTURE_ADD ("/result-read/round-trip", test_round_trip);
+  RESULT_FIXTURE_ADD ("/result-read/errors", test_errors);
+  RESULT_FIXTURE_ADD ("/result-read/truncated", test_truncated);
+  RESULT_FIXTURE_ADD ("/result-read/file", test_file);
+  g_test_add_func ("/result-read/order-and-unknown", test_order_and_unknown);
+  return g_test_run ();
+}

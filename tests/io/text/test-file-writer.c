@@ -1,0 +1,160 @@
+#include "io/text/file-writer.h"
+
+#include "io/text/io-error.h"
+#include "support/scratch.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef struct Fixture {
+  char *folder, *path;
+} Fixture;
+
+static void
+set_up (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  fixture->folder = test_scratch_new ();
+  fixture->path = g_build_filename (fixture->folder, "result.json", NULL);
+}
+
+static void
+tear_down (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  g_free (fixture->path);
+  test_scratch_free (fixture->folder);
+}
+
+static void
+test_pieces (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  GError *error = NULL;
+  QnFileWriter *writer = qn_file_writer_open (fixture->path, &error);
+  g_assert_no_error (error);
+  qn_file_writer_puts (writer, "a");
+  qn_file_writer_printf (writer, "%d ", 37);
+  qn_file_writer_number (writer, 0.175);
+  qn_file_writer_json_string (writer, "\"q\"");
+  qn_file_writer_write (writer, "xyz", 2);
+  /* Nothing has the name of the target before all of it is there. */
+  g_assert_false (g_file_test (fixture->path, G_FILE_TEST_EXISTS));
+  g_assert_true (qn_file_writer_commit (writer, &error));
+  g_assert_no_error (error);
+  test_scratch_expect (fixture->path, "a37 0.175\"\\\"q\\\"\"xy");
+  g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
+}
+
+static void
+test_larger_than_buffer (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  GError *error = NULL;
+  QnFileWriter *writer = qn_file_writer_open (fixture->path, &error);
+  for (int i = 0; i < 100000; i++)
+    qn_file_writer_printf (writer, "%05d\n", i);
+  g_assert_true (qn_file_writer_commit (writer, &error));
+
+  char *content = NULL;
+  gsize length;
+  g_assert_true (g_file_get_contents (fixture->path, &content, &length, NULL));
+  g_assert_cmpuint (length, ==, 600000);
+  for (int i = 0; i < 100000; i++)
+    g_assert_cmpint (atoi (content + 6 * i), ==, i);
+  g_free (content);
+}
+
+static void
+test_discard_keeps_the_old (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  GError *error = NULL;
+  g_assert_true (qn_file_write (fixture->path, "old", 3, &error));
+  QnFileWriter *writer = qn_file_writer_open (fixture->path, &error);
+  qn_file_writer_puts (writer, "new");
+  qn_file_writer_discard (writer);
+  test_scratch_expect (fixture->path, "old");
+  g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
+  qn_file_writer_discard (NULL);
+}
+
+/* A file that is replaced keeps its permissions; a link keeps leading to it. */
+static void
+test_mode_and_link (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  char *link = g_build_filename (fixture->folder, "link", NULL);
+  GError *error = NULL;
+  GStatBuf status;
+  g_assert_true (qn_file_write (fixture->path, "old", 3, &error));
+  g_assert_cmpint (g_chmod (fixture->path, 0640), ==, 0);
+  g_assert_cmpint (symlink (fixture->path, link), ==, 0);
+
+  g_assert_true (qn_file_write (link, "new", 3, &error));
+  g_assert_no_error (error);
+  test_scratch_expect (fixture->path, "new");
+  g_assert_true (g_file_test (link, G_FILE_TEST_IS_SYMLINK));
+  g_assert_cmpint (g_stat (fixture->path, &status), ==, 0);
+  g_assert_cmpuint (status.st_mode & 07777, ==, 0640);
+  g_free (link);
+}
+
+static void
+expect_refused (const char *path, const char *reason)
+{
+  GError *error = NULL;
+  g_assert_false (qn_file_write (path, "new", 3, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
+  g_assert_true (g_str_has_prefix (error->message, path));
+  g_assert_nonnull (strstr (error->message, reason));
+  g_error_free (error);
+}
+
+static void
+test_refused (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  char *nowhere = g_build_filename (fixture->folder, "none", "file", NULL);
+  expect_refused (nowhere, "No such file");
+  expect_refused (fixture->folder, "directory");
+  expect_refused ("/dev/full", "No space left");
+  if (geteuid () != 0) { /* root writes everywhere */
+    g_assert_true (qn_file_write (fixture->path, "old", 3, NULL));
+    g_assert_cmpint (g_chmod (fixture->path, 0400), ==, 0);
+    expect_refused (fixture->path, "ermission");
+    g_assert_cmpint (g_chmod (fixture->path, 0600), ==, 0);
+  }
+  g_free (nowhere);
+}
+
+/* Devices are written, not replaced. */
+static void
+test_device (Fixture *fixture, gconstpointer data)
+{
+  (void) fixture;
+  (void) data;
+  GError *error = NULL;
+  GStatBuf status;
+  g_assert_true (qn_file_write ("/dev/null", "new", 3, &error));
+  g_assert_no_error (error);
+  g_assert_cmpint (g_stat ("/dev/null", &status), ==, 0);
+  g_assert_true (S_ISCHR (status.st_mode));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+#define ADD(path, test) g_test_add (path, Fixture, NULL, set_up, test, tear_down)
+  ADD ("/file-writer/pieces", test_pieces);
+  ADD ("/file-writer/larger-than-buffer", test_larger_than_buffer);
+  ADD ("/file-writer/discard-keeps-the-old", test_discard_keeps_the_old);
+  ADD ("/file-writer/mode-and-link", test_mode_and_link);
+  ADD ("/file-writer/refused", test_refused);
+  ADD ("/file-writer/device", test_device);
+#undef ADD
+  return g_test_run ();
+}

@@ -1,0 +1,165 @@
+#include "render/figure/curve-plot.h"
+#include "render/fixture.h"
+
+#include <glib/gstdio.h>
+#include <math.h>
+
+static void
+test_curve_of_result (void)
+{
+  Fixture f;
+  QnCurve curve;
+  QnId block;
+  QnDof dof;
+  fixture_init_wall (&f, 4, 4);
+  f.result.has_first_limit_multiplier = true;
+  f.result.first_limit_multiplier = f.result.steps[2].multiplier;
+  g_assert_true (
+    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  g_assert_cmpuint (curve.count, ==, f.result.step_count);
+  const double *last = qn_result_step_displacements (&f.result, curve.count - 1);
+  for (size_t b = 0; b < f.model.block_count; b++)
+    for (int k = 0; k < 2; k++)
+      g_assert_cmpfloat (fabs (last[3 * b + k]), <=, fabs (last[3 * block + dof]));
+  g_assert_cmpfloat (curve.x[curve.count - 1], ==, last[3 * block + dof]);
+  g_assert_cmpfloat (curve.y[1], ==, f.result.steps[1].multiplier);
+  g_assert_cmpint (curve.limit_point, ==, 2);
+  g_assert_cmpint (curve.collapse_point, ==, (ptrdiff_t) curve.count - 1);
+  qn_curve_clear (&curve);
+
+  g_assert_true (qn_curve_from_result (&curve, &f.result, 3, QN_DOF_RZ, &block, &dof));
+  g_assert_cmpint (block, ==, 3);
+  g_assert_cmpfloat (curve.x[curve.count - 1], ==, last[3 * 3 + QN_DOF_RZ]);
+  qn_curve_clear (&curve);
+  fixture_clear (&f);
+}
+
+/* The peak is marked where the path passes it, though the path ends below. */
+static void
+test_limit_of_descending_curve (void)
+{
+  Fixture f;
+  QnCurve curve;
+  QnId block;
+  QnDof dof;
+  fixture_init_wall (&f, 4, 4);
+  QnStep *steps = f.result.steps;
+  g_assert_cmpuint (f.result.step_count, >, 3);
+  for (size_t s = 0; s < f.result.step_count; s++)
+    steps[s].multiplier = s == 2 ? 0.5 : s < 2 ? 0.1 * (double) s : 0.4;
+  f.result.has_first_limit_multiplier = true;
+  f.result.first_limit_multiplier = 0.5;
+  g_assert_true (
+    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  g_assert_cmpint (curve.limit_point, ==, 2);
+  qn_curve_clear (&curve);
+
+  f.result.first_limit_multiplier = 0.45; /* between two steps */
+  g_assert_true (
+    qn_curve_from_result (&curve, &f.result, QN_NONE, QN_DOF_UX, &block, &dof));
+  g_assert_cmpint (curve.limit_point, ==, 1);
+  qn_curve_clear (&curve);
+  fixture_clear (&f);
+}
+
+static void
+export_plot (const QnCurvePlot *plot)
+{
+  static const char *const names[] = { "c.png", "c.svg", "c.pdf" };
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  QnOutput output;
+  QnMetadata metadata;
+  qn_output_init (&output);
+  qn_metadata_init (&metadata);
+  for (size_t i = 0; i < G_N_ELEMENTS (names); i++) {
+    GError *error = NULL;
+    g_autofree char *path = g_build_filename (folder, names[i], NULL);
+    g_assert_true (qn_curve_export (plot, path, &output, &metadata, &error));
+    g_assert_no_error (error);
+    g_assert_cmpint (g_unlink (path), ==, 0);
+  }
+  g_rmdir (folder);
+}
+
+/* No data, one point, not-a-number, a vertical drop: a plot is still drawn. */
+static void
+test_odd_data (void)
+{
+  double x[4] = { 0, 0.5, (double) NAN, 0.5 }, y[4] = { 0, 0.4, 0.1, -0.2 };
+  QnCurve curves[3] = { { .limit_point = -1, .collapse_point = -1, .dot = -1 },
+                        { .x = x, .y = y, .count = 1, .limit_point = 0, .dot = 9 },
+                        { .x = x, .y = y, .count = 4, .collapse_point = 3, .dot = 1 } };
+  QnReferenceLine line = { 0.3, "reference" };
+  for (size_t n = 0; n <= 3; n++) {
+    QnCurvePlot plot = { .curves = curves,
+                         .curve_count = n,
+                         .references = &line,
+                         .reference_count = n > 1 ? 1 : 0 };
+    export_plot (&plot);
+    plot.x_log = plot.y_log = plot.points = true;
+    export_plot (&plot);
+    plot.x_log = false;
+    export_plot (&plot);
+  }
+}
+
+/* Share of dark pixels in the columns of a picture from x0 to x1 of its width. */
+static double
+darkness (cairo_surface_t *surface, double x0, double x1)
+{
+  const int width = cairo_image_surface_get_width (surface);
+  const int height = cairo_image_surface_get_height (surface);
+  const int stride = cairo_image_surface_get_stride (surface);
+  const unsigned char *data = cairo_image_surface_get_data (surface);
+  int dark = 0, all = 0;
+  for (int y = height / 10; y < 8 * height / 10; y++)
+    for (int x = (int) (x0 * width); x < (int) (x1 * width); x++, all++)
+      dark += data[y * stride + 4 * x + 1] < 160;
+  return (double) dark / all;
+}
+
+/* Over decades a power law is a straight line: as much ink at its start as at its end, where
+ * linear axes press most points into one corner and leave the left half of the rest bare. */
+static void
+test_decades (void)
+{
+  double x[31], y[31];
+  for (int i = 0; i <= 30; i++) {
+    x[i] = pow (10, i / 10.0);
+    y[i] = 1e-4 * pow (x[i], 1.5);
+  }
+  QnCurve curve = {
+    .x = x, .y = y, .count = 31, .limit_point = -1, .collapse_point = -1, .dot = -1
+  };
+  QnCurvePlot plot = { .x_unit = "", .curves = &curve, .curve_count = 1, .points = true };
+  double share[2];
+  for (int log = 0; log < 2; log++) {
+    plot.x_log = plot.y_log = log;
+    cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 400, 300);
+    cairo_t *cr = cairo_create (surface);
+    cairo_set_source_rgb (cr, 1, 1, 1);
+    cairo_paint (cr);
+    qn_curve_plot_draw (&plot, cr, &(QnPage){ .width = 400, .height = 300, .unit = 1 }, 0,
+                        0, 400, 300);
+    cairo_destroy (cr);
+    cairo_surface_flush (surface);
+    share[log] = darkness (surface, 0.2, 0.5) / darkness (surface, 0.6, 0.9);
+    cairo_surface_destroy (surface);
+  }
+  g_test_message ("ink left of right: %.2f linear, %.2f logarithmic", share[0], share[1]);
+  g_assert_cmpfloat (share[1], >, 0.7);
+  g_assert_cmpfloat (share[1], <, 1.4);
+  g_assert_cmpfloat (share[0], <, 0.7 * share[1]);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
+  g_test_add_func ("/render/curve-plot/limit-of-descending-curve",
+                   test_limit_of_descending_curve);
+  g_test_add_func ("/render/curve-plot/odd-data", test_odd_data);
+  g_test_add_func ("/render/curve-plot/decades", test_decades);
+  return g_test_run ();
+}

@@ -1,0 +1,144 @@
+#include "render/fixture.h"
+#include "render/scene/motion.h"
+
+#include <glib.h>
+
+static void
+test_linear_rotation (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 2);
+  double u[6] = { 0, 0, 0, 0.1, 0.2, 0.01 };
+  QnMotion motion = { .model = &f.model, .displacements = u, .linear = true, .scale = 1 };
+  QnVec2 p = qn_motion_place (&motion, 1, qn_vec2 (1, 2), 10);
+  g_assert_cmpfloat_with_epsilon (p.x, 1 + 10 * 0.1 - 10 * 0.01 * 1, 1e-12);
+  g_assert_cmpfloat_with_epsilon (p.y, 2 + 10 * 0.2 + 10 * 0.01 * 0.5, 1e-12);
+  fixture_clear (&f);
+}
+
+static void
+test_exact_rotation_keeps_lengths (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 2);
+  double u[6] = { 0, 0, 0, 0.1, 0.2, 0.5 };
+  QnMotion motion = {
+    .model = &f.model, .displacements = u, .linear = false, .scale = 1
+  };
+  QnVec2 a = qn_motion_place (&motion, 1, qn_vec2 (0, 0), 2);
+  QnVec2 b = qn_motion_place (&motion, 1, qn_vec2 (1, 2), 2);
+  g_assert_cmpfloat_with_epsilon (qn_vec2_length (qn_vec2_sub (b, a)), sqrt (5), 1e-12);
+  fixture_clear (&f);
+}
+
+/* The block turns about its lower right corner: one hinge there, an open joint, no sliding. */
+static void
+test_overturning_block (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 0.5, 1.5);
+  QnMotion motion = {
+    .model = &f.model, .displacements = f.result.mechanism, .linear = true, .scale = 1
+  };
+  g_autofree QnJoint *joints = qn_motion_joints (&motion, &f.contacts, NULL);
+  const QnContactFace *face = &f.contacts.faces[0];
+  bool start_is_right = face->start.x > 0.25;
+  g_assert_true ((start_is_right ? joints->open_end : joints->open_start));
+  g_assert_false ((start_is_right ? joints->open_start : joints->open_end));
+  g_assert_false (joints->sliding);
+  double lifted = fmax (joints->opening_start, joints->opening_end);
+  g_assert_cmpfloat_with_epsilon (lifted, 0.2 * 0.5, 1e-12);
+
+  fixture_clear (&f);
+}
+
+/* What the analysis says of the pairs counts where it is to be seen. */
+static void
+test_small_motion_is_not_shown (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 1);
+  QnPairResult pairs[2] = { { .state = QN_PAIR_SLIP }, { .state = QN_PAIR_OPEN } };
+  for (int seen = 0; seen < 2; seen++) {
+    /* The base moves along, all but a little. */
+    double along = seen ? 0.9 : 0.99;
+    double u[6] = { along, along, 0, 1, 1, 0 };
+    QnMotion motion = {
+      .model = &f.model, .displacements = u, .linear = true, .scale = 1
+    };
+    g_autofree QnJoint *joints = qn_motion_joints (&motion, &f.contacts, pairs);
+    g_assert_cmpint (joints->sliding, ==, seen);
+    g_assert_cmpint (joints->open_end, ==, seen);
+    g_assert_false (joints->open_start);
+  }
+  fixture_clear (&f);
+}
+
+static void
+test_sliding_block (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 1);
+  double u[6] = { 0, 0, 0, 1, 0, 0 };
+  QnMotion motion = { .model = &f.model, .displacements = u, .linear = true, .scale = 1 };
+  g_autofree QnJoint *joints = qn_motion_joints (&motion, &f.contacts, NULL);
+  g_assert_true (joints->sliding);
+  g_assert_cmpfloat_with_epsilon (joints->slip * f.contacts.faces[0].tangent.x, 1, 1e-12);
+  fixture_clear (&f);
+}
+
+/* The core names the mechanism; sliding with dilatancy opens nothing. */
+static void
+test_mechanism_joints (void)
+{
+  Fixture f;
+  QnMechanismKind kind;
+  fixture_init_block (&f, 0.5, 1.5);
+  g_autofree QnJoint *joints =
+    qn_motion_mechanism_joints (&f.model, &f.contacts, f.result.mechanism, &kind);
+  g_assert_cmpint (kind, ==, QN_MECHANISM_KIND_OVERTURNING);
+  bool start_is_right = f.contacts.faces[0].start.x > 0.25;
+  g_assert_true (start_is_right ? joints->open_end : joints->open_start);
+  g_assert_false (start_is_right ? joints->open_start : joints->open_end);
+
+  double slide[6] = { 0, 0, 0, 1, 0.65, 0 };
+  g_autofree QnJoint *other =
+    qn_motion_mechanism_joints (&f.model, &f.contacts, slide, &kind);
+  g_assert_cmpint (kind, ==, QN_MECHANISM_KIND_SLIDING);
+  g_assert_true (other->sliding && !other->open_start && !other->open_end);
+  fixture_clear (&f);
+}
+
+static void
+test_auto_scale (void)
+{
+  Fixture f;
+  fixture_init_wall (&f, 5, 11);
+  QnMotion motion = { .model = &f.model, .linear = true, .scale = 1 };
+  g_assert_cmpfloat (qn_motion_auto_scale (&motion), ==, 1);
+  motion.displacements = f.result.mechanism;
+  double first = qn_motion_auto_scale (&motion);
+  motion.displacements =
+    qn_result_step_displacements (&f.result, f.result.step_count - 1);
+  double second = qn_motion_auto_scale (&motion);
+  g_assert_cmpfloat (second / first, >, 900);
+  g_assert_cmpfloat (second / first, <, 1100);
+  double diagonal = hypot (2, 12 * 0.175);
+  g_assert_cmpfloat (second * qn_motion_largest (&motion), <=, diagonal / 12);
+  g_assert_cmpfloat (second * qn_motion_largest (&motion), >, 0.9 * diagonal / 12);
+  fixture_clear (&f);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/motion/linear", test_linear_rotation);
+  g_test_add_func ("/render/motion/exact", test_exact_rotation_keeps_lengths);
+  g_test_add_func ("/render/motion/overturning", test_overturning_block);
+  g_test_add_func ("/render/motion/sliding", test_sliding_block);
+  g_test_add_func ("/render/motion/mechanism", test_mechanism_joints);
+  g_test_add_func ("/render/motion/auto-scale", test_auto_scale);
+  g_test_add_func ("/render/motion/small", test_small_motion_is_not_shown);
+  return g_test_run ();
+}

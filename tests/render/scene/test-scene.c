@@ -1,0 +1,261 @@
+#include "render/backend/draw-cairo.h"
+#include "render/backend/output.h"
+#include "render/fixture.h"
+#include "render/scene/pick.h"
+
+#include <glib.h>
+
+static QnScene *
+build (const Fixture *f, QnView view, QnViewOptions *options)
+{
+  GError *error = NULL;
+  qn_view_options_init (options, view);
+  QnScene *scene = qn_scene_build (&f->model, &f->contacts, &f->result, options, &error);
+  g_assert_no_error (error);
+  return scene;
+}
+
+static guint
+count_commands (const QnScene *scene, QnLayer layer, QnPickKind pick)
+{
+  guint count = 0;
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    count += command->layer == layer && command->pick == pick;
+  }
+  return count;
+}
+
+static void
+test_sorted_with_boxes (void)
+{
+  Fixture f;
+  fixture_init_wall (&f, 4, 5);
+  for (int view = 0; view < QN_VIEW_DIAGRAMS; view++) {
+    QnViewOptions options;
+    g_autoptr (QnScene) scene = build (&f, (QnView) view, &options);
+    g_assert_cmpuint (count_commands (scene, QN_LAYER_BLOCKS, QN_PICK_BLOCK), ==,
+                      f.model.block_count);
+    for (guint i = 0; i < scene->commands->len; i++) {
+      const QnCommand *command = qn_scene_command (scene, i);
+      if (i > 0)
+        g_assert_cmpint (command->layer, >=, qn_scene_command (scene, i - 1)->layer);
+      const QnVec2 *p = qn_scene_points (scene, command);
+      for (uint32_t k = 0; k < command->count; k++) {
+        g_assert_cmpfloat (p[k].x, >=, command->box.min.x);
+        g_assert_cmpfloat (p[k].y, <=, command->box.max.y);
+      }
+    }
+  }
+  fixture_clear (&f);
+}
+
+/* Direction of the bar of the only resultant. */
+static double
+bar_angle (const Fixture *f)
+{
+  QnViewOptions options;
+  g_autoptr (QnScene) scene = build (f, QN_VIEW_FORCES, &options);
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    const QnVec2 *p = qn_scene_points (scene, command);
+    if (command->layer == QN_LAYER_FORCES && command->pick == QN_PICK_FACE
+        && command->kind == QN_COMMAND_STROKE)
+      return atan2 (p[1].y - p[0].y, p[1].x - p[0].x);
+  }
+  g_assert_not_reached ();
+}
+
+/* In nonlinear geometry forces turn with the frames of their joints, by half of what the one
+ * block turns, and are drawn where the blocks have moved to. */
+static void
+test_forces_of_nonlinear_geometry (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_block (&f, 0.5, 1.5);
+  double *u = f.result.displacements + 6 * (f.result.step_count - 1);
+  u[3] = u[4] = 0;
+  u[5] = 0.3;
+  double linear = bar_angle (&f);
+  f.model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  g_assert_cmpfloat_with_epsilon (bar_angle (&f), linear + 0.15, 1e-9);
+
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_FORCES, &options);
+  double top = -G_MAXDOUBLE;
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->layer == QN_LAYER_BLOCKS)
+      top = fmax (top, command->box.max.y);
+  }
+  g_assert_cmpfloat_with_epsilon (top, 0.75 + 0.75 * cos (0.3) + 0.25 * sin (0.3), 1e-9);
+  fixture_clear (&f);
+}
+
+static void
+test_contacts_are_all_there (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_wall (&f, 4, 5);
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_CONTACTS, &options);
+  guint dots = 0;
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *c = qn_scene_command (scene, i);
+    dots += c->pick == QN_PICK_PAIR && c->kind == QN_COMMAND_MARKER && c->least < 3;
+  }
+  g_assert_cmpuint (dots, ==, f.contacts.pair_count);
+  fixture_clear (&f);
+}
+
+static void
+test_refusals (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  GError *error = NULL;
+  fixture_init_wall (&f, 3, 2);
+  qn_view_options_init (&options, QN_VIEW_MECHANISM);
+  g_assert_null (qn_scene_build (&f.model, &f.contacts, NULL, &options, &error));
+  g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
+  g_clear_error (&error);
+
+  options.view = QN_VIEW_DEFORMED;
+  options.step = (int32_t) f.result.step_count;
+  g_assert_null (qn_scene_build (&f.model, &f.contacts, &f.result, &options, &error));
+  g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
+  g_clear_error (&error);
+
+  options.view = QN_VIEW_FORCES;
+  options.step = 1;
+  g_assert_null (qn_scene_build (&f.model, &f.contacts, &f.result, &options, &error));
+  g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
+  g_clear_error (&error);
+
+  QnResult other = f.result;
+  other.block_count++;
+  options.step = QN_STEP_LAST;
+  g_assert_null (qn_scene_build (&f.model, &f.contacts, &other, &options, &error));
+  g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
+  g_clear_error (&error);
+  fixture_clear (&f);
+}
+
+/* Zoomed in, only what is near is drawn; zoomed far out, nothing too small to see. */
+static void
+test_culling (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_wall (&f, 40, 50);
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_MODEL, &options);
+  cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_ARGB32, 300, 200);
+  cairo_t *cr = cairo_create (surface);
+  QnCamera camera = { .width = 300, .height = 200, .unit = 1, .scale = 1 };
+  QnDrawCounts all, near, far;
+
+  qn_camera_fit (&camera, scene->box, 0);
+  camera.scale = 400;
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &near);
+  g_assert_cmpuint (near.drawn + near.skipped, ==, scene->commands->len);
+  g_assert_cmpuint (near.drawn, <, 60);
+  g_assert_cmpuint (near.drawn, >, 8);
+
+  camera.width = 3000;
+  camera.height = 2000;
+  qn_camera_fit (&camera, scene->box, 0);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &all);
+  g_assert_cmpuint (all.skipped, ==, 0);
+
+  camera.scale = 1;
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &far);
+  g_assert_cmpuint (far.drawn, <, all.drawn / 2);
+  g_assert_cmpuint (far.drawn, >=, f.model.block_count);
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+  fixture_clear (&f);
+}
+
+static void
+test_picking (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_wall (&f, 4, 5);
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_CONTACTS, &options);
+  QnCamera camera = { .width = 800, .height = 600, .unit = 1, .scale = 1 };
+  qn_camera_fit (&camera, scene->box, 20);
+
+  for (size_t i = 0; i < f.model.block_count; i++) {
+    QnVec2 off = qn_vec2_add (f.model.blocks[i].centroid, qn_vec2 (0.06, 0.05));
+    QnPick pick = qn_pick_at (scene, &camera, qn_camera_to_screen (&camera, off), 3,
+                              1u << QN_PICK_BLOCK);
+    g_assert_cmpint (pick.kind, ==, QN_PICK_BLOCK);
+    g_assert_cmpint (pick.id, ==, (QnId) i);
+  }
+  for (size_t i = 0; i < f.contacts.face_count; i++) {
+    const QnContactFace *face = &f.contacts.faces[i];
+    QnVec2 at = qn_vec2_lerp (face->start, face->end, 0.3);
+    QnPick pick = qn_pick_at (scene, &camera, qn_camera_to_screen (&camera, at), 3,
+                              1u << QN_PICK_FACE);
+    g_assert_cmpint (pick.kind, ==, QN_PICK_FACE);
+    g_assert_cmpint (pick.id, ==, (QnId) i);
+  }
+  QnPick nothing = qn_pick_at (scene, &camera, qn_vec2 (2, 2), 3, 0);
+  g_assert_cmpint (nothing.kind, ==, QN_PICK_NOTHING);
+
+  g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
+  qn_pick_inside (scene, &camera, qn_vec2 (0, 0), qn_vec2 (800, 600), QN_PICK_BLOCK, ids);
+  g_assert_cmpuint (ids->len, ==, f.model.block_count);
+  g_array_set_size (ids, 0);
+  qn_pick_inside (scene, &camera, qn_vec2 (0, 0), qn_vec2 (1, 1), QN_PICK_BLOCK, ids);
+  g_assert_cmpuint (ids->len, ==, 0);
+  fixture_clear (&f);
+}
+
+/* What pictures of a large wall leave out, command by command: joints where courses are too
+ * low to be told apart, and all that is not near. */
+static void
+test_culling_large (void)
+{
+  Fixture f;
+  QnViewOptions options;
+  fixture_init_wall (&f, 320, 313);
+  g_assert_cmpuint (f.model.block_count, >=, 100000);
+  g_autoptr (QnScene) scene = build (&f, QN_VIEW_MODEL, &options);
+  cairo_surface_t *surface = cairo_image_surface_create (CAIRO_FORMAT_ARGB32, 1600, 1200);
+  cairo_t *cr = cairo_create (surface);
+  QnCamera camera = { .width = 1600, .height = 1200, .unit = 2, .scale = 1 };
+  QnDrawCounts full, zoomed;
+  size_t commands = scene->commands->len;
+
+  qn_camera_fit (&camera, scene->box, 10);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &full);
+  g_assert_cmpuint (full.drawn + full.skipped, ==, commands);
+  g_assert_cmpuint (full.drawn, >=, f.model.block_count);
+  g_assert_cmpuint (full.skipped, >=, f.model.block_count);
+
+  /* A fortieth of the width: some eight blocks abreast. */
+  camera.scale *= 40;
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &zoomed);
+  g_assert_cmpuint (zoomed.drawn + zoomed.skipped, ==, commands);
+  g_assert_cmpuint (zoomed.drawn, >=, 100);
+  g_assert_cmpuint (zoomed.drawn, <=, 600);
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+  fixture_clear (&f);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/scene/sorted", test_sorted_with_boxes);
+  g_test_add_func ("/render/scene/contacts", test_contacts_are_all_there);
+  g_test_add_func ("/render/scene/refusals", test_refusals);
+  g_test_add_func ("/render/scene/culling", test_culling);
+  g_test_add_func ("/render/scene/culling-large", test_culling_large);
+  g_test_add_func ("/render/scene/picking", test_picking);
+  g_test_add_func ("/render/scene/nonlinear-forces", test_forces_of_nonlinear_geometry);
+  return g_test_run ();
+}
