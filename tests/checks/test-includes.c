@@ -3,34 +3,43 @@
 
 #include <string.h>
 
-/* Header families are named by prefixes of what stands between the quotes or brackets. */
+/* Header families are named by prefixes of what stands between the quotes or brackets. Rooms are
+ * the subfolders of a layer: each may include itself and those named before it. */
 typedef struct Layer {
   const char *folder;
+  const char *rooms[12];
   const char *own[8];      /* folders of ours that it may include */
   const char *foreign[12]; /* system headers it may include beside the C library's */
 } Layer;
 
 static const Layer layers[] = {
   { "core",
+    { "base", "law", "model", "contact", "linalg", "result", "assembly", "equilibrium",
+      "limit", "path", "modal" },
     { "core/" },
     { "klu.h", "cholmod.h", "amd.h", "camd.h", "colamd.h", "SuiteSparse_config.h" } },
-  { "disk", { "disk/" }, { NULL } },
-  { "stereotomy", { "core/", "stereotomy/" }, { "geos_c.h" } },
+  { "disk", { NULL }, { "disk/" }, { NULL } },
+  { "stereotomy", { NULL }, { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",
+    { "text", "json", "project", "result", "exchange" },
     { "core/", "stereotomy/", "disk/", "io/" },
     /* The last three for the shim in C++ that stands before dxflib. */
     { "glib", "gio/", "cjson/", "dxflib/", "dl_", "sstream", "string", "vector" } },
   { "render",
+    { "scene", "backend", "figure", "movie" },
     { "core/", "disk/", "render/" },
     { "glib", "gio/", "gmodule.h", "cairo", "pango/", "gdk-pixbuf/", "GL/", "EGL/",
       "png.h", "gif_lib.h", "gst/" } },
   { "doc",
+    { "text", "document", "edit", "masonry", "view" },
     { "core/", "stereotomy/", "io/", "render/", "doc/" },
     { "glib", "gio/", "gmodule.h", "cairo", "pthread.h" } },
   { "cli",
+    { NULL },
     { "core/", "stereotomy/", "io/", "render/", "doc/", "cli/", "config.h" },
     { "glib", "gio/" } },
   { "app",
+    { "widgets", "canvas", "tools", "forms", "views", "window", "dialogs" },
     { "core/", "stereotomy/", "io/", "render/", "doc/", "app/", "config.h" },
     { "glib", "gio/", "gmodule.h", "cairo", "gtk/", "gdk/", "gsk/", "graphene",
       "pango" } },
@@ -65,6 +74,35 @@ has_one_of (const char *name, const char *const *prefixes, size_t count)
   return FALSE;
 }
 
+/* The place of the room that a path "room/file" begins with in the list of a layer; -1: none. */
+static int
+room_of (const Layer *layer, const char *path)
+{
+  for (int i = 0; i < (int) G_N_ELEMENTS (layer->rooms) && layer->rooms[i]; i++) {
+    size_t length = strlen (layer->rooms[i]);
+    if (strncmp (path, layer->rooms[i], length) == 0 && path[length] == '/')
+      return i;
+  }
+  return -1;
+}
+
+/* A header of the same layer stands in the room of the file itself or in an earlier one. */
+static void
+check_room (const Layer *layer, const char *path, const char *header, GString *complaints)
+{
+  g_autofree char *prefix = g_strconcat (layer->folder, "/", NULL);
+  if (layer->rooms[0] == NULL || !g_str_has_prefix (header, prefix))
+    return;
+  const char *inside = path + strlen ("src/") + strlen (prefix);
+  int own = room_of (layer, inside), other = room_of (layer, header + strlen (prefix));
+  if (own < 0 || other < 0)
+    complain (complaints, "%s: %s is in no room of layer '%s'", path,
+              own < 0 ? "it" : header, layer->folder);
+  else if (other > own)
+    complain (complaints, "%s: room '%s' may not include %s", path, layer->rooms[own],
+              header);
+}
+
 /* Checks one line of a source file. */
 static void
 check_line (const char *path, const char *line, GString *complaints)
@@ -93,6 +131,8 @@ check_line (const char *path, const char *line, GString *complaints)
                        || has_one_of (at, layer->foreign, G_N_ELEMENTS (layer->foreign));
   if (!allowed)
     complain (complaints, "%s: layer '%s' may not include %s", path, layer->folder, at);
+  else if (opening == '"')
+    check_room (layer, path, at, complaints);
 }
 
 static void
@@ -126,20 +166,23 @@ expect (const char *path, const char *line, gboolean refused)
 static void
 test_check_can_fail (void)
 {
-  expect ("src/core/a.c", "#include <glib.h>", TRUE);
-  expect ("src/core/a.c", "#include \"io/project-read.h\"", TRUE);
-  expect ("src/core/a.c", "# include <gtk/gtk.h>", TRUE);
-  expect ("src/core/a.c", "#include \"core/model.h\"", FALSE);
-  expect ("src/core/a.c", "#include <cholmod.h>", FALSE);
-  expect ("src/io/a.c", "#include \"render/scene.h\"", TRUE);
-  expect ("src/io/a.c", "#include <cairo.h>", TRUE);
-  expect ("src/render/a.c", "#include \"io/project-read.h\"", TRUE);
-  expect ("src/render/a.c", "#include <cairo-svg.h>", FALSE);
-  expect ("src/doc/a.c", "#include <gtk/gtk.h>", TRUE);
+  expect ("src/core/law/a.c", "#include <glib.h>", TRUE);
+  expect ("src/core/law/a.c", "#include \"io/project/project-read.h\"", TRUE);
+  expect ("src/core/law/a.c", "# include <gtk/gtk.h>", TRUE);
+  expect ("src/core/path/a.c", "#include \"core/model/model.h\"", FALSE);
+  expect ("src/core/law/a.c", "#include \"core/model/model.h\"", TRUE);
+  expect ("src/core/law/a.c", "#include \"core/elsewhere.h\"", TRUE);
+  expect ("src/core/a.c", "#include \"core/law/law.h\"", TRUE);
+  expect ("src/core/law/a.c", "#include <cholmod.h>", FALSE);
+  expect ("src/io/json/a.c", "#include \"render/scene/scene.h\"", TRUE);
+  expect ("src/io/json/a.c", "#include <cairo.h>", TRUE);
+  expect ("src/render/scene/a.c", "#include \"io/project/project-read.h\"", TRUE);
+  expect ("src/render/scene/a.c", "#include <cairo-svg.h>", FALSE);
+  expect ("src/doc/edit/a.c", "#include <gtk/gtk.h>", TRUE);
   expect ("src/cli/a.c", "#include <gtk/gtk.h>", TRUE);
-  expect ("src/cli/a.c", "#include \"app/window.h\"", TRUE);
-  expect ("src/app/a.c", "#include \"cli/command.h\"", TRUE);
-  expect ("src/app/a.c", "#include <gtk/gtk.h>", FALSE);
+  expect ("src/cli/a.c", "#include \"app/window/window.h\"", TRUE);
+  expect ("src/app/window/a.c", "#include \"cli/command.h\"", TRUE);
+  expect ("src/app/window/a.c", "#include <gtk/gtk.h>", FALSE);
   expect ("src/elsewhere/a.c", "#include <math.h>", TRUE);
 }
 

@@ -34,7 +34,10 @@ struct _QnJob {
 };
 
 G_DEFINE_FINAL_TYPE (QnJob, qn_job, G_TYPE_OBJECT)
-G_DEFINE_QUARK (qn - job - error - quark, qn_job_error)
+/* The formatter would set spaces around dashes that are part of the name. */
+/* clang-format off */
+G_DEFINE_QUARK (qn-job-error-quark, qn_job_error)
+/* clang-format on */
 
 enum { SIGNAL_PROGRESS, SIGNAL_COUNT };
 static guint signals[SIGNAL_COUNT];

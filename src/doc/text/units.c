@@ -5,7 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-G_DEFINE_QUARK (qn - units - error - quark, qn_units_error)
+/* The formatter would set spaces around dashes that are part of the name. */
+/* clang-format off */
+G_DEFINE_QUARK (qn-units-error-quark, qn_units_error)
+/* clang-format on */
 
 typedef struct UnitRow {
   QnQuantity quantity;

@@ -2,7 +2,10 @@
 
 #include <errno.h>
 
-G_DEFINE_QUARK (qn - io - error - quark, qn_io_error)
+/* The formatter would set spaces around dashes that are part of the name. */
+/* clang-format off */
+G_DEFINE_QUARK (qn-io-error-quark, qn_io_error)
+/* clang-format on */
 
 void
 qn_io_error_set_errno (GError **error, const char *file, const char *what,

@@ -17,8 +17,6 @@
  * text of a picture keeps its share of the picture whatever its number of pixels. */
 #define NOMINAL_WIDTH_PT 520.0
 
-G_DEFINE_QUARK (qn - render - error - quark, qn_render_error)
-
 void
 qn_output_init (QnOutput *output)
 {

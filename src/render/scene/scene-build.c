@@ -1,5 +1,5 @@
 /* Chooses, checks and runs the builders of one view. */
-#include "render/backend/output.h"
+#include "render/scene/render-error.h"
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>

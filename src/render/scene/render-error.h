@@ -1,0 +1,19 @@
+/* Errors of this layer, with a sentence in the user's language. */
+#ifndef QN_RENDER_RENDER_ERROR_H
+#define QN_RENDER_RENDER_ERROR_H
+
+#include <glib.h>
+
+#define QN_RENDER_ERROR (qn_render_error_quark ())
+
+typedef enum {
+  QN_RENDER_ERROR_USAGE,       /* what is asked for makes no sense: size, ending, step */
+  QN_RENDER_ERROR_FILE,        /* a file cannot be read or written */
+  QN_RENDER_ERROR_UNAVAILABLE, /* this build or machine lacks OpenGL or an encoder */
+  QN_RENDER_ERROR_CANCELLED,
+  QN_RENDER_ERROR_FAILED /* a library failed, no memory */
+} QnRenderError;
+
+GQuark qn_render_error_quark (void);
+
+#endif
