@@ -49,7 +49,7 @@ typedef struct Setting {
   QnProcedure procedure;
   int increments;
   double tolerance;
-  QnSnap snap;
+  QnSnapThrough snap;
 } Setting;
 
 static const char *const procedures[] = { "load", "displacement", "work", "arc-length",
@@ -70,7 +70,7 @@ draw (int number, double dilatancy, const Setting *setting, double seconds, doub
 {
   g_autofree char *wall = g_strdup_printf ("wall %d", number);
   gboolean load = setting->procedure == QN_PROCEDURE_LOAD, associative = dilatancy > 0;
-  gboolean relaxed = setting->snap == QN_SNAP_JUMP;
+  gboolean relaxed = setting->snap == QN_SNAP_THROUGH_JUMP;
 
   error = fmax (error, LEAST_DRAWN);
   if (associative && load && relaxed && setting->increments == 30)
@@ -117,7 +117,7 @@ run (FILE *csv, int number, double dilatancy, const Setting *setting)
   double value = highest_multiplier (&result), error = 100 * (value / reference - 1);
   bench_csv_row (csv, "%d,%g,%s,%d,%g,%s,%s,%.6f,%.6f,%+.4f,%.4f,%.3f,%d,%d", number,
                  dilatancy, procedures[setting->procedure], setting->increments,
-                 setting->tolerance, setting->snap == QN_SNAP_STOP ? "off" : "on",
+                 setting->tolerance, setting->snap == QN_SNAP_THROUGH_STOP ? "off" : "on",
                  qn_outcome_name (result.outcome), value, reference, error, seconds,
                  seconds / bench_kernel_seconds (), result.statistics.iterations,
                  result.statistics.factorizations);
@@ -137,8 +137,8 @@ run_wall (FILE *csv, int number, double dilatancy)
                                             QN_PROCEDURE_ARC_LENGTH };
   Setting setting;
 
-  for (int snap = 0; snap < QN_SNAP_COUNT; snap++) {
-    setting = (Setting){ QN_PROCEDURE_LOAD, 30, 1e-4, (QnSnap) snap };
+  for (int snap = 0; snap < QN_SNAP_THROUGH_COUNT; snap++) {
+    setting = (Setting){ QN_PROCEDURE_LOAD, 30, 1e-4, (QnSnapThrough) snap };
     for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
       setting.increments = increments[i];
       run (csv, number, dilatancy, &setting);
@@ -152,10 +152,10 @@ run_wall (FILE *csv, int number, double dilatancy)
   }
   for (size_t i = 0; i < G_N_ELEMENTS (controlled); i++)
     for (size_t k = 1; k < G_N_ELEMENTS (increments); k += 2) {
-      setting = (Setting){ controlled[i], increments[k], 1e-4, QN_SNAP_JUMP };
+      setting = (Setting){ controlled[i], increments[k], 1e-4, QN_SNAP_THROUGH_JUMP };
       run (csv, number, dilatancy, &setting);
     }
-  setting = (Setting){ QN_PROCEDURE_LIMIT, 1, 1e-4, QN_SNAP_JUMP };
+  setting = (Setting){ QN_PROCEDURE_LIMIT, 1, 1e-4, QN_SNAP_THROUGH_JUMP };
   run (csv, number, dilatancy, &setting);
 }
 

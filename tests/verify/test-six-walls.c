@@ -96,7 +96,7 @@ test_first_limit_of_wall_3 (void)
   verify_clear (&solved);
 
   make_wall (&model, 3, 0, 1e7, 100, 1);
-  model.analysis.snap = QN_SNAP_STOP;
+  model.analysis.snap = QN_SNAP_THROUGH_STOP;
   verify_solve (&solved, &model);
   g_assert_cmpint (solved.result.outcome, ==, QN_OUTCOME_SNAP);
   g_assert_cmpfloat_with_epsilon (solved.result.first_limit_multiplier, 0.2604, 0.0015);

@@ -102,7 +102,8 @@ edit_settings (QnModel *model, gpointer data, GError **error)
     a->flow = procedures[row].flow;
   a->geometry = gtk_drop_down_get_selected (panel->geometry) == 1 ? QN_GEOMETRY_NONLINEAR
                                                                   : QN_GEOMETRY_LINEAR;
-  a->snap = gtk_drop_down_get_selected (panel->snap) == 1 ? QN_SNAP_STOP : QN_SNAP_JUMP;
+  a->snap = gtk_drop_down_get_selected (panel->snap) == 1 ? QN_SNAP_THROUGH_STOP
+                                                          : QN_SNAP_THROUGH_JUMP;
   a->increments = (int32_t) qn_quantity_entry_get_value (panel->increments);
   a->max_multiplier = qn_quantity_entry_get_value (panel->max_multiplier);
   a->multiplier_tolerance = qn_quantity_entry_get_value (panel->multiplier_tolerance);
@@ -264,7 +265,7 @@ update (Panel *panel)
   const QnAnalysisSettings *a = &model->analysis;
   qn_form_set_choice (panel->procedure, procedure_row (a), panel);
   qn_form_set_choice (panel->geometry, a->geometry == QN_GEOMETRY_NONLINEAR, panel);
-  qn_form_set_choice (panel->snap, a->snap == QN_SNAP_STOP, panel);
+  qn_form_set_choice (panel->snap, a->snap == QN_SNAP_THROUGH_STOP, panel);
   qn_form_set_choice (panel->component, (guint) a->control_dof, panel);
   qn_form_set_choice (panel->placement, (guint) model->contact.pairs.placement, panel);
   gtk_label_set_text (panel->explanation, _ (procedures[procedure_row (a)].explanation));

@@ -15,7 +15,7 @@ qn_model_init (QnModel *model)
                  .pairs = { .placement = QN_PLACEMENT_ENDS, .count = 2 } },
     .analysis = { .procedure = QN_PROCEDURE_LOAD,
                   .geometry = QN_GEOMETRY_LINEAR,
-                  .snap = QN_SNAP_JUMP,
+                  .snap = QN_SNAP_THROUGH_JUMP,
                   .flow = QN_FLOW_ASSOCIATIVE,
                   .increments = 100,
                   .max_multiplier = INFINITY,

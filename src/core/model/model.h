@@ -163,7 +163,11 @@ typedef enum {
 typedef enum { QN_GEOMETRY_LINEAR, QN_GEOMETRY_NONLINEAR, QN_GEOMETRY_COUNT } QnGeometry;
 
 /* What to do at a limit point of the path: jump to the equilibrium beyond it or stop there. */
-typedef enum { QN_SNAP_JUMP, QN_SNAP_STOP, QN_SNAP_COUNT } QnSnap;
+typedef enum {
+  QN_SNAP_THROUGH_JUMP,
+  QN_SNAP_THROUGH_STOP,
+  QN_SNAP_THROUGH_COUNT
+} QnSnapThrough;
 
 typedef enum { QN_FLOW_ASSOCIATIVE, QN_FLOW_NON_ASSOCIATIVE, QN_FLOW_COUNT } QnFlow;
 
@@ -189,7 +193,7 @@ typedef struct QnShortcuts {
 typedef struct QnAnalysisSettings {
   QnProcedure procedure;
   QnGeometry geometry;
-  QnSnap snap;
+  QnSnapThrough snap;
   QnFlow flow;           /* for QN_PROCEDURE_LIMIT; default associative */
   int32_t increments;    /* >= 1; the first increment of the multiplier is 1/increments */
   double max_multiplier; /* > 0; INFINITY by default */

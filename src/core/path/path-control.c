@@ -320,7 +320,7 @@ watch_peak (PathControl *control)
   if (!control->passed_peak)
     return;
   note_limit_point (control, control->peak);
-  if (control->path->settings->snap == QN_SNAP_STOP)
+  if (control->path->settings->snap == QN_SNAP_THROUGH_STOP)
     finish (control, QN_OUTCOME_SNAP, QN_STOP_LIMIT_POINT);
 }
 
@@ -399,7 +399,7 @@ advance (PathControl *control, QnDiag *diag)
   if (status == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
   if (status != QN_SOLVE_CONVERGED
-      || (control->jumped && path->settings->snap == QN_SNAP_STOP)) {
+      || (control->jumped && path->settings->snap == QN_SNAP_THROUGH_STOP)) {
     give_up (control, status);
     return QN_OK;
   }

@@ -160,7 +160,7 @@ note_limit_point (LoadControl *control)
 
   set_first_limit (result, control->path->equilibrium.committed.multiplier);
   control->jumped = true;
-  if (control->path->settings->snap == QN_SNAP_STOP) {
+  if (control->path->settings->snap == QN_SNAP_THROUGH_STOP) {
     result->outcome = QN_OUTCOME_SNAP;
     result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
     control->finished = true;
@@ -404,7 +404,8 @@ approach_collapse (LoadControl *control, double target, QnDiag *diag)
   QnPath *path = control->path;
   const QnEquilibrium *eq = &path->equilibrium;
   double lower = eq->committed.multiplier;
-  bool stops = watches_for_jumps (control) && path->settings->snap == QN_SNAP_STOP;
+  bool stops =
+    watches_for_jumps (control) && path->settings->snap == QN_SNAP_THROUGH_STOP;
   QnApproach outcome;
   QnStatus status =
     qn_path_approach_collapse (path, control->central, control->start,

@@ -11,9 +11,10 @@
 static const char *const keys[] = { "image", "origin", "width", "angle", "opacity" };
 
 static gboolean
-read_members (const QnPlace *object, const char **image, QnUnderlay *underlay)
+read_members (const QnJsonValue *object, const char **image, QnUnderlay *underlay)
 {
-  if (!qn_place_object (object) || !qn_member_string (object, "image", QN_REQUIRED, image)
+  if (!qn_json_value_object (object)
+      || !qn_member_string (object, "image", QN_REQUIRED, image)
       || !qn_member_vec2 (object, "origin", QN_OPTIONAL, &underlay->origin)
       || !qn_member_number (object, "width", QN_REQUIRED, QN_RANGE_POSITIVE,
                             &underlay->width)
@@ -23,10 +24,10 @@ read_members (const QnPlace *object, const char **image, QnUnderlay *underlay)
                             &underlay->opacity))
     return FALSE;
   if (underlay->opacity > 1) {
-    QnPlace place = qn_place_member (object, "opacity");
-    return qn_place_fail (&place, _ ("must not be above 1"));
+    QnJsonValue place = qn_json_value_member (object, "opacity");
+    return qn_json_value_fail (&place, _ ("must not be above 1"));
   }
-  qn_place_warn_unknown (object, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (object, keys, G_N_ELEMENTS (keys));
   return TRUE;
 }
 
@@ -45,9 +46,9 @@ qn_underlay_locate (const QnProject *project, const char *folder, char **path,
   *underlay = (QnUnderlay){ .width = 1, .opacity = 0.6 };
   if (project->extras == NULL)
     return TRUE;
-  QnPlace root = qn_place_root (&reader, project->extras);
-  QnPlace object = qn_place_member (&root, "underlay");
-  if (object.value == NULL)
+  QnJsonValue root = qn_json_value_root (&reader, project->extras);
+  QnJsonValue object = qn_json_value_member (&root, "underlay");
+  if (object.json == NULL)
     return TRUE;
   if (!read_members (&object, &image, underlay)) {
     g_propagate_error (error, reader.error);

@@ -70,23 +70,24 @@ backend_name (int backend)
 
 /* A member that is a number or one word with a meaning of its own ("last", "auto"). */
 static gboolean
-read_number_or (const QnPlace *object, const char *key, const char *word, double *number)
+read_number_or (const QnJsonValue *object, const char *key, const char *word,
+                double *number)
 {
-  QnPlace place = qn_place_member (object, key);
+  QnJsonValue place = qn_json_value_member (object, key);
   const char *text = NULL;
-  if (place.value == NULL)
+  if (place.json == NULL)
     return TRUE;
-  if (place.value->type == cJSON_String) {
+  if (place.json->type == cJSON_String) {
     if (!qn_member_string (object, key, QN_REQUIRED, &text))
       return FALSE;
     return strcmp (text, word) == 0
-           || qn_place_failf (&place, _ ("must be a number or \"%s\""), word);
+           || qn_json_value_failf (&place, _ ("must be a number or \"%s\""), word);
   }
-  return qn_place_number (&place, QN_RANGE_NOT_NEGATIVE, number);
+  return qn_json_value_number (&place, QN_RANGE_NOT_NEGATIVE, number);
 }
 
 static gboolean
-read_output (const QnPlace *object, QnOutput *output)
+read_output (const QnJsonValue *object, QnOutput *output)
 {
   const char *size = NULL;
   int backend = QN_BACKEND_CAIRO;
@@ -100,8 +101,8 @@ read_output (const QnPlace *object, QnOutput *output)
   output->backend = (QnBackend) backend;
   if ((size != NULL && !qn_output_parse_size (output, size, &error))
       || !qn_output_page (output, &page, &error)) {
-    QnPlace place = qn_place_member (object, size != NULL ? "size" : "dpi");
-    qn_place_fail (&place, error->message);
+    QnJsonValue place = qn_json_value_member (object, size != NULL ? "size" : "dpi");
+    qn_json_value_fail (&place, error->message);
     g_clear_error (&error);
     return FALSE;
   }
@@ -109,7 +110,7 @@ read_output (const QnPlace *object, QnOutput *output)
 }
 
 static gboolean
-read_view (const QnPlace *object, QnViewOptions *view)
+read_view (const QnJsonValue *object, QnViewOptions *view)
 {
   int field = QN_FIELD_NONE, diagram = QN_DIAGRAM_MOMENT;
   double step = QN_STEP_LAST, scale = QN_SCALE_AUTO;
@@ -120,8 +121,8 @@ read_view (const QnPlace *object, QnViewOptions *view)
       || !read_number_or (object, "scale", "auto", &scale))
     return FALSE;
   if (step > G_MAXINT32 || step != floor (step)) {
-    QnPlace place = qn_place_member (object, "step");
-    return qn_place_fail (&place, _ ("must be a whole number"));
+    QnJsonValue place = qn_json_value_member (object, "step");
+    return qn_json_value_fail (&place, _ ("must be a whole number"));
   }
   view->field = (QnField) field;
   view->diagram = (QnDiagram) diagram;
@@ -136,21 +137,21 @@ read_view (const QnPlace *object, QnViewOptions *view)
 
 /* A name becomes a file name where the recipe has no other: no folders in it. */
 static gboolean
-check_name (const QnPlace *object, const char *name, const GPtrArray *known)
+check_name (const QnJsonValue *object, const char *name, const GPtrArray *known)
 {
-  QnPlace place = qn_place_member (object, "name");
+  QnJsonValue place = qn_json_value_member (object, "name");
   if (*name == '\0' || strchr (name, G_DIR_SEPARATOR) != NULL || *name == '.')
-    return qn_place_fail (&place, _ ("must be a name without folders"));
+    return qn_json_value_fail (&place, _ ("must be a name without folders"));
   for (guint i = 0; i < known->len; i++) {
     const QnRecipe *other = g_ptr_array_index (known, i);
     if (strcmp (other->name, name) == 0)
-      return qn_place_fail (&place, _ ("name is used twice"));
+      return qn_json_value_fail (&place, _ ("name is used twice"));
   }
   return TRUE;
 }
 
 static gboolean
-read_file (const QnPlace *object, QnRecipe *recipe)
+read_file (const QnJsonValue *object, QnRecipe *recipe)
 {
   const char *file = NULL;
   QnFormat format;
@@ -163,19 +164,20 @@ read_file (const QnPlace *object, QnRecipe *recipe)
   recipe->file = g_strdup (file);
   if (strcmp (file, "-") != 0 && qn_format_of_path (file, &format, &error))
     return TRUE;
-  QnPlace place = qn_place_member (object, "file");
-  qn_place_fail (&place,
-                 error != NULL ? error->message : _ ("must be the name of a picture"));
+  QnJsonValue place = qn_json_value_member (object, "file");
+  qn_json_value_fail (&place, error != NULL ? error->message
+                                            : _ ("must be the name of a picture"));
   g_clear_error (&error);
   return FALSE;
 }
 
 static QnRecipe *
-read_recipe (const QnPlace *object, const GPtrArray *known)
+read_recipe (const QnJsonValue *object, const GPtrArray *known)
 {
   const char *name, *title = NULL, *caption = NULL, *result = NULL, *digest = NULL;
   int view = QN_VIEW_MODEL;
-  if (!qn_place_object (object) || !qn_member_string (object, "name", QN_REQUIRED, &name)
+  if (!qn_json_value_object (object)
+      || !qn_member_string (object, "name", QN_REQUIRED, &name)
       || !check_name (object, name, known)
       || !qn_member_choice (object, "view", QN_OPTIONAL, view_name, QN_VIEW_COUNT, &view))
     return NULL;
@@ -191,7 +193,7 @@ read_recipe (const QnPlace *object, const GPtrArray *known)
   recipe->caption = g_strdup (caption);
   recipe->result = g_strdup (result);
   recipe->digest = g_strdup (digest);
-  qn_place_warn_unknown (object, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (object, keys, G_N_ELEMENTS (keys));
   return g_steal_pointer (&recipe);
 }
 
@@ -206,18 +208,18 @@ qn_recipes_read (const QnProject *project, GPtrArray *warnings, GError **error)
                       .length = project->text_length,
                       .overrides = (const char *const *) project->overrides,
                       .warnings = warnings != NULL ? warnings : unheard };
-  QnPlace root = qn_place_root (&reader, project->extras);
-  QnPlace list = { .value = NULL };
+  QnJsonValue root = qn_json_value_root (&reader, project->extras);
+  QnJsonValue list = { .json = NULL };
   if (project->extras != NULL)
-    list = qn_place_member (&root, "figures");
-  if (list.value == NULL)
+    list = qn_json_value_member (&root, "figures");
+  if (list.json == NULL)
     return g_steal_pointer (&recipes);
 
   gsize index = 0;
-  gboolean sound = qn_place_array (&list);
-  for (const cJSON *value = list.value->child; sound && value != NULL;
+  gboolean sound = qn_json_value_array (&list);
+  for (const cJSON *value = list.json->child; sound && value != NULL;
        value = value->next) {
-    QnPlace element = qn_place_element (&list, index++, value);
+    QnJsonValue element = qn_json_value_element (&list, index++, value);
     QnRecipe *recipe = read_recipe (&element, recipes);
     sound = recipe != NULL;
     if (sound)

@@ -10,30 +10,31 @@
 #include <stdarg.h>
 #include <string.h>
 
-QnPlace
-qn_place_root (QnReader *reader, const cJSON *value)
+QnJsonValue
+qn_json_value_root (QnReader *reader, const cJSON *value)
 {
-  return (QnPlace){ .reader = reader, .value = value };
+  return (QnJsonValue){ .reader = reader, .json = value };
 }
 
-QnPlace
-qn_place_member (const QnPlace *object, const char *key)
+QnJsonValue
+qn_json_value_member (const QnJsonValue *object, const char *key)
 {
-  return (QnPlace){ .reader = object->reader,
-                    .parent = object,
-                    .key = key,
-                    .value = cJSON_GetObjectItemCaseSensitive (object->value, key) };
+  return (QnJsonValue){ .reader = object->reader,
+                        .parent = object,
+                        .key = key,
+                        .json = cJSON_GetObjectItemCaseSensitive (object->json, key) };
 }
 
-QnPlace
-qn_place_element (const QnPlace *array, gsize index, const cJSON *value)
+QnJsonValue
+qn_json_value_element (const QnJsonValue *array, gsize index, const cJSON *value)
 {
-  return (
-    QnPlace){ .reader = array->reader, .parent = array, .index = index, .value = value };
+  return (QnJsonValue){
+    .reader = array->reader, .parent = array, .index = index, .json = value
+  };
 }
 
 static void
-append_path (const QnPlace *place, GString *path)
+append_path (const QnJsonValue *place, GString *path)
 {
   if (place->parent == NULL)
     return;
@@ -45,7 +46,7 @@ append_path (const QnPlace *place, GString *path)
 }
 
 static char *
-dup_path (const QnPlace *place)
+dup_path (const QnJsonValue *place)
 {
   GString *path = g_string_new (NULL);
   append_path (place, path);
@@ -89,7 +90,7 @@ qn_reader_dup_line (const QnReader *reader, const char *path, const char *messag
 }
 
 gboolean
-qn_place_fail (const QnPlace *place, const char *message)
+qn_json_value_fail (const QnJsonValue *place, const char *message)
 {
   if (place->reader->error != NULL)
     return FALSE;
@@ -102,19 +103,19 @@ qn_place_fail (const QnPlace *place, const char *message)
 }
 
 gboolean
-qn_place_failf (const QnPlace *place, const char *format, ...)
+qn_json_value_failf (const QnJsonValue *place, const char *format, ...)
 {
   va_list arguments;
   va_start (arguments, format);
   char *message = g_strdup_vprintf (format, arguments);
   va_end (arguments);
-  qn_place_fail (place, message);
+  qn_json_value_fail (place, message);
   g_free (message);
   return FALSE;
 }
 
 gboolean
-qn_place_no_memory (const QnPlace *place)
+qn_json_value_no_memory (const QnJsonValue *place)
 {
   QnReader *reader = place->reader;
   if (reader->error == NULL)
@@ -124,7 +125,7 @@ qn_place_no_memory (const QnPlace *place)
 }
 
 void
-qn_place_warn (const QnPlace *place, const char *message)
+qn_json_value_warn (const QnJsonValue *place, const char *message)
 {
   QnReader *reader = place->reader;
   if (reader->warnings->len >= QN_READER_MAX_WARNINGS) {
@@ -139,7 +140,7 @@ qn_place_warn (const QnPlace *place, const char *message)
 /* Members of one object follow each other, so that its entry is the last one. What memory does
  * not hold is not kept. */
 void
-qn_place_keep_unknown (const QnPlace *object, const cJSON *member)
+qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member)
 {
   QnReader *reader = object->reader;
   if (!reader->keeps_unknown)
@@ -159,17 +160,18 @@ qn_place_keep_unknown (const QnPlace *object, const cJSON *member)
 }
 
 void
-qn_place_warn_unknown (const QnPlace *object, const char *const *keys, gsize count)
+qn_json_value_warn_unknown (const QnJsonValue *object, const char *const *keys,
+                            gsize count)
 {
-  for (const cJSON *child = object->value->child; child != NULL; child = child->next) {
+  for (const cJSON *child = object->json->child; child != NULL; child = child->next) {
     gsize i = 0;
     while (i < count && strcmp (child->string, keys[i]) != 0)
       i++;
     if (i < count)
       continue;
-    QnPlace member = qn_place_member (object, child->string);
-    qn_place_warn (&member, _ ("unknown key"));
-    qn_place_keep_unknown (object, child);
+    QnJsonValue member = qn_json_value_member (object, child->string);
+    qn_json_value_warn (&member, _ ("unknown key"));
+    qn_json_value_keep_unknown (object, child);
   }
 }
 
@@ -190,36 +192,36 @@ describe_type (const cJSON *value)
 
 /* Whether the value is there and of the type that `wanted` describes. */
 static gboolean
-require_type (const QnPlace *place, gboolean matches, const char *wanted)
+require_type (const QnJsonValue *place, gboolean matches, const char *wanted)
 {
-  if (place->value == NULL)
-    return qn_place_fail (place, _ ("required key is missing"));
+  if (place->json == NULL)
+    return qn_json_value_fail (place, _ ("required key is missing"));
   if (!matches)
     /* Translators: "expected a number, found a string". */
-    return qn_place_failf (place, _ ("expected %s, found %s"), wanted,
-                           describe_type (place->value));
+    return qn_json_value_failf (place, _ ("expected %s, found %s"), wanted,
+                                describe_type (place->json));
   return TRUE;
 }
 
 gboolean
-qn_place_object (const QnPlace *place)
+qn_json_value_object (const QnJsonValue *place)
 {
-  return require_type (place, cJSON_IsObject (place->value), _ ("an object"));
+  return require_type (place, cJSON_IsObject (place->json), _ ("an object"));
 }
 
 gboolean
-qn_place_array (const QnPlace *place)
+qn_json_value_array (const QnJsonValue *place)
 {
-  return require_type (place, cJSON_IsArray (place->value), _ ("an array"));
+  return require_type (place, cJSON_IsArray (place->json), _ ("an array"));
 }
 
 gboolean
-qn_place_number (const QnPlace *place, QnRange range, double *number)
+qn_json_value_number (const QnJsonValue *place, QnRange range, double *number)
 {
-  if (!require_type (place, cJSON_IsNumber (place->value), _ ("a number")))
+  if (!require_type (place, cJSON_IsNumber (place->json), _ ("a number")))
     return FALSE;
 
-  double value = place->value->valuedouble;
+  double value = place->json->valuedouble;
   QnProblem problem = QN_PROBLEM_NONE;
   if (!isfinite (value))
     problem = QN_PROBLEM_NOT_FINITE;
@@ -228,85 +230,87 @@ qn_place_number (const QnPlace *place, QnRange range, double *number)
   else if (range == QN_RANGE_POSITIVE && value <= 0)
     problem = QN_PROBLEM_NOT_POSITIVE;
   if (problem != QN_PROBLEM_NONE)
-    return qn_place_fail (place, _ (qn_problem_text (problem)));
+    return qn_json_value_fail (place, _ (qn_problem_text (problem)));
   *number = value;
   return TRUE;
 }
 
 gboolean
-qn_place_vec2 (const QnPlace *place, QnVec2 *vector)
+qn_json_value_vec2 (const QnJsonValue *place, QnVec2 *vector)
 {
-  if (!qn_place_array (place))
+  if (!qn_json_value_array (place))
     return FALSE;
-  const cJSON *x = place->value->child;
+  const cJSON *x = place->json->child;
   const cJSON *y = x != NULL ? x->next : NULL;
   if (y == NULL || y->next != NULL)
-    return qn_place_fail (place, _ ("expected two numbers"));
+    return qn_json_value_fail (place, _ ("expected two numbers"));
 
-  QnPlace first = qn_place_element (place, 0, x), second = qn_place_element (place, 1, y);
-  return qn_place_number (&first, QN_RANGE_FINITE, &vector->x)
-         && qn_place_number (&second, QN_RANGE_FINITE, &vector->y);
+  QnJsonValue first = qn_json_value_element (place, 0, x),
+              second = qn_json_value_element (place, 1, y);
+  return qn_json_value_number (&first, QN_RANGE_FINITE, &vector->x)
+         && qn_json_value_number (&second, QN_RANGE_FINITE, &vector->y);
 }
 
 gboolean
-qn_member_number (const QnPlace *object, const char *key, QnNeed need, QnRange range,
+qn_member_number (const QnJsonValue *object, const char *key, QnNeed need, QnRange range,
                   double *number)
 {
-  QnPlace member = qn_place_member (object, key);
-  return (member.value == NULL && need == QN_OPTIONAL)
-         || qn_place_number (&member, range, number);
+  QnJsonValue member = qn_json_value_member (object, key);
+  return (member.json == NULL && need == QN_OPTIONAL)
+         || qn_json_value_number (&member, range, number);
 }
 
 gboolean
-qn_member_count (const QnPlace *object, const char *key, QnNeed need, int32_t max,
+qn_member_count (const QnJsonValue *object, const char *key, QnNeed need, int32_t max,
                  int32_t *count)
 {
-  QnPlace member = qn_place_member (object, key);
-  if (member.value == NULL && need == QN_OPTIONAL)
+  QnJsonValue member = qn_json_value_member (object, key);
+  if (member.json == NULL && need == QN_OPTIONAL)
     return TRUE;
   double number;
-  if (!qn_place_number (&member, QN_RANGE_FINITE, &number))
+  if (!qn_json_value_number (&member, QN_RANGE_FINITE, &number))
     return FALSE;
   if (number != floor (number) || number < 1 || number > max)
-    return qn_place_failf (&member, _ ("expected a whole number from 1 to %d"), max);
+    return qn_json_value_failf (&member, _ ("expected a whole number from 1 to %d"), max);
   *count = (int32_t) number;
   return TRUE;
 }
 
 gboolean
-qn_member_bool (const QnPlace *object, const char *key, QnNeed need, bool *flag)
+qn_member_bool (const QnJsonValue *object, const char *key, QnNeed need, bool *flag)
 {
-  QnPlace member = qn_place_member (object, key);
-  if (member.value == NULL && need == QN_OPTIONAL)
+  QnJsonValue member = qn_json_value_member (object, key);
+  if (member.json == NULL && need == QN_OPTIONAL)
     return TRUE;
-  if (!require_type (&member, cJSON_IsBool (member.value), _ ("true or false")))
+  if (!require_type (&member, cJSON_IsBool (member.json), _ ("true or false")))
     return FALSE;
-  *flag = cJSON_IsTrue (member.value);
+  *flag = cJSON_IsTrue (member.json);
   return TRUE;
 }
 
 gboolean
-qn_member_vec2 (const QnPlace *object, const char *key, QnNeed need, QnVec2 *vector)
+qn_member_vec2 (const QnJsonValue *object, const char *key, QnNeed need, QnVec2 *vector)
 {
-  QnPlace member = qn_place_member (object, key);
-  return (member.value == NULL && need == QN_OPTIONAL) || qn_place_vec2 (&member, vector);
+  QnJsonValue member = qn_json_value_member (object, key);
+  return (member.json == NULL && need == QN_OPTIONAL)
+         || qn_json_value_vec2 (&member, vector);
 }
 
 gboolean
-qn_member_string (const QnPlace *object, const char *key, QnNeed need,
+qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
                   const char **string)
 {
-  QnPlace member = qn_place_member (object, key);
-  if (member.value == NULL && need == QN_OPTIONAL)
+  QnJsonValue member = qn_json_value_member (object, key);
+  if (member.json == NULL && need == QN_OPTIONAL)
     return TRUE;
-  if (!require_type (&member, cJSON_IsString (member.value), _ ("a string")))
+  if (!require_type (&member, cJSON_IsString (member.json), _ ("a string")))
     return FALSE;
-  *string = member.value->valuestring;
+  *string = member.json->valuestring;
   return TRUE;
 }
 
 static gboolean
-fail_choice (const QnPlace *member, const char *given, QnNameFunc name, int count)
+fail_choice (const QnJsonValue *member, const char *given, QnNameFunc name, int count)
 {
   GString *message = g_string_new (NULL);
   qn_json_append_string (message, given);
@@ -314,14 +318,14 @@ fail_choice (const QnPlace *member, const char *given, QnNameFunc name, int coun
   g_string_append (message, _ (" is none of "));
   for (int i = 0; i < count; i++)
     g_string_append_printf (message, "%s%s", i > 0 ? ", " : "", name (i));
-  qn_place_fail (member, message->str);
+  qn_json_value_fail (member, message->str);
   g_string_free (message, TRUE);
   return FALSE;
 }
 
 gboolean
-qn_member_choice (const QnPlace *object, const char *key, QnNeed need, QnNameFunc name,
-                  int count, int *choice)
+qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
+                  QnNameFunc name, int count, int *choice)
 {
   const char *given = NULL;
   if (!qn_member_string (object, key, need, &given))
@@ -334,6 +338,6 @@ qn_member_choice (const QnPlace *object, const char *key, QnNeed need, QnNameFun
       return TRUE;
     }
   }
-  QnPlace member = qn_place_member (object, key);
+  QnJsonValue member = qn_json_value_member (object, key);
   return fail_choice (&member, given, name, count);
 }

@@ -1,8 +1,8 @@
-/* Taking values out of a JSON tree with errors that name the place.
+/* Reading values from a JSON tree, with errors that name the line, the column and the key.
  *
- * A QnPlace is a value together with the way that leads to it. Places live on the stack of the
- * functions that read, each pointing to the one it was reached from; the path is spelled out
- * and its line and column looked up only when something is wrong.
+ * A QnJsonValue is a value together with the path to it. Such values live on the stack of the
+ * functions that read; each points to the one that it was reached from. The text of the path, and
+ * the line and column, are found only when something is wrong.
  */
 #ifndef QN_IO_JSON_VALUE_H
 #define QN_IO_JSON_VALUE_H
@@ -28,13 +28,13 @@ typedef struct QnReader {
 
 #define QN_READER_MAX_WARNINGS 100
 
-typedef struct QnPlace {
+typedef struct QnJsonValue {
   QnReader *reader;
-  const struct QnPlace *parent; /* NULL: the document */
-  const char *key;              /* NULL: element `index` of an array */
+  const struct QnJsonValue *parent; /* NULL: the document */
+  const char *key;                  /* NULL: element `index` of an array */
   gsize index;
-  const cJSON *value; /* NULL where the file has none */
-} QnPlace;
+  const cJSON *json; /* NULL where the file has none */
+} QnJsonValue;
 
 typedef enum { QN_OPTIONAL, QN_REQUIRED } QnNeed;
 typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRange;
@@ -42,11 +42,12 @@ typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRan
 /* Name of the value of an enumeration, as the file spells it. */
 typedef const char *(*QnNameFunc) (int value);
 
-/* The document; a member of an object (value NULL where it is not there); an element of an array.
+/* The document; a member of an object (json NULL where it is not there); an element of an array.
  * They borrow what they come from, which must outlive them. */
-QnPlace qn_place_root (QnReader *reader, const cJSON *value);
-QnPlace qn_place_member (const QnPlace *object, const char *key);
-QnPlace qn_place_element (const QnPlace *array, gsize index, const cJSON *value);
+QnJsonValue qn_json_value_root (QnReader *reader, const cJSON *value);
+QnJsonValue qn_json_value_member (const QnJsonValue *object, const char *key);
+QnJsonValue qn_json_value_element (const QnJsonValue *array, gsize index,
+                                   const cJSON *value);
 
 /* "wall.quoin:12:7: blocks[3].vertices: message"; with "(set by …)" instead of line and column
  * where an override put the value there. Free with g_free(). */
@@ -54,40 +55,42 @@ char *qn_reader_dup_line (const QnReader *reader, const char *path, const char *
 
 /* Records the error of a place; returns FALSE. The first form takes ownership of nothing, the
  * second formats. */
-gboolean qn_place_fail (const QnPlace *place, const char *message);
-gboolean qn_place_failf (const QnPlace *place, const char *format, ...)
+gboolean qn_json_value_fail (const QnJsonValue *place, const char *message);
+gboolean qn_json_value_failf (const QnJsonValue *place, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
-gboolean qn_place_no_memory (const QnPlace *place);
+gboolean qn_json_value_no_memory (const QnJsonValue *place);
 
 /* Adds a warning of a place to those of the reader. */
-void qn_place_warn (const QnPlace *place, const char *message);
+void qn_json_value_warn (const QnJsonValue *place, const char *message);
 
 /* A warning for every member of an object that is not among `keys`; it is kept in the reader's
  * `unknown`. */
-void qn_place_warn_unknown (const QnPlace *object, const char *const *keys, gsize count);
+void qn_json_value_warn_unknown (const QnJsonValue *object, const char *const *keys,
+                                 gsize count);
 
 /* Puts a copy of one member aside in the reader's `unknown`. */
-void qn_place_keep_unknown (const QnPlace *object, const cJSON *member);
+void qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member);
 
 /* Values of a place. Each returns FALSE with the error recorded where the value is missing, of
  * another type or out of range. Strings are borrowed from the tree. */
-gboolean qn_place_object (const QnPlace *place);
-gboolean qn_place_array (const QnPlace *place);
-gboolean qn_place_number (const QnPlace *place, QnRange range, double *number);
-gboolean qn_place_vec2 (const QnPlace *place, QnVec2 *vector);
+gboolean qn_json_value_object (const QnJsonValue *place);
+gboolean qn_json_value_array (const QnJsonValue *place);
+gboolean qn_json_value_number (const QnJsonValue *place, QnRange range, double *number);
+gboolean qn_json_value_vec2 (const QnJsonValue *place, QnVec2 *vector);
 
 /* The same for a member of an object; an optional one that is not there changes nothing. */
-gboolean qn_member_number (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_member_number (const QnJsonValue *object, const char *key, QnNeed need,
                            QnRange range, double *number);
-gboolean qn_member_count (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_member_count (const QnJsonValue *object, const char *key, QnNeed need,
                           int32_t max,
                           int32_t *count); /* a whole number from 1 to `max` */
-gboolean qn_member_bool (const QnPlace *object, const char *key, QnNeed need, bool *flag);
-gboolean qn_member_vec2 (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_member_bool (const QnJsonValue *object, const char *key, QnNeed need,
+                         bool *flag);
+gboolean qn_member_vec2 (const QnJsonValue *object, const char *key, QnNeed need,
                          QnVec2 *vector);
-gboolean qn_member_string (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
                            const char **string);
-gboolean qn_member_choice (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                            QnNameFunc name, int count, int *choice);
 
 #endif

@@ -18,20 +18,20 @@ expand_object (QnProject *project, const QnMasonry *masonry, QnId index, QnDiag 
 }
 
 gboolean
-qn_read_masonry (const QnPlace *root, QnProject *project)
+qn_read_masonry (const QnJsonValue *root, QnProject *project)
 {
-  QnPlace list = qn_place_root (root->reader, NULL);
+  QnJsonValue list = qn_json_value_root (root->reader, NULL);
   list.parent = root;
   list.key = QN_MASONRY_MEMBER;
-  list.value = cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
-  if (list.value == NULL)
+  list.json = cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
+  if (list.json == NULL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_json_value_array (&list))
     return FALSE;
 
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
-    QnPlace place = qn_place_element (&list, index, item);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
+    QnJsonValue place = qn_json_value_element (&list, index, item);
     QnMasonry masonry;
     if (!qn_read_masonry_object (&place, &project->model, &masonry))
       return FALSE;
@@ -52,13 +52,13 @@ qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **er
   *list = (QnMasonries){ 0 };
   g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
   QnReader reader = { .name = project->name, .warnings = warnings };
-  QnPlace root = qn_place_root (&reader, project->extras);
-  QnPlace place = qn_place_member (&root, QN_MASONRY_MEMBER);
-  if (project->extras == NULL || place.value == NULL)
+  QnJsonValue root = qn_json_value_root (&reader, project->extras);
+  QnJsonValue place = qn_json_value_member (&root, QN_MASONRY_MEMBER);
+  if (project->extras == NULL || place.json == NULL)
     return TRUE;
   gsize index = 0;
-  for (const cJSON *item = place.value->child; item != NULL; item = item->next) {
-    QnPlace element = qn_place_element (&place, index++, item);
+  for (const cJSON *item = place.json->child; item != NULL; item = item->next) {
+    QnJsonValue element = qn_json_value_element (&place, index++, item);
     QnMasonry masonry;
     if (!qn_read_masonry_object (&element, &project->model, &masonry)) {
       g_propagate_error (error, reader.error);

@@ -16,10 +16,10 @@
 
 /* Reads the list from `root`, the document, and adds the blocks of every object to the model
  * behind those that it has. FALSE with the reader's error set. */
-gboolean qn_read_masonry (const QnPlace *root, QnProject *project);
+gboolean qn_read_masonry (const QnJsonValue *root, QnProject *project);
 
 /* Reads one object. `masonry` is overwritten without being cleared and holds nothing on failure. */
-gboolean qn_read_masonry_object (const QnPlace *place, const QnModel *model,
+gboolean qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
                                  QnMasonry *masonry);
 
 /* Appends one object as JSON, defaults left out. */

@@ -75,9 +75,9 @@ qn_name_of_geometry (int geometry)
 const char *
 qn_name_of_snap (int snap)
 {
-  static const char *const names[QN_SNAP_COUNT] = {
-    [QN_SNAP_JUMP] = "jump",
-    [QN_SNAP_STOP] = "stop",
+  static const char *const names[QN_SNAP_THROUGH_COUNT] = {
+    [QN_SNAP_THROUGH_JUMP] = "jump",
+    [QN_SNAP_THROUGH_STOP] = "stop",
   };
   return names[snap];
 }

@@ -10,56 +10,56 @@ typedef struct Control {
 } Control;
 
 static gboolean
-read_controlled (const QnPlace *control, const QnModel *model, Control *read)
+read_controlled (const QnJsonValue *control, const QnModel *model, Control *read)
 {
-  if (!cJSON_HasObjectItem (control->value, "node"))
+  if (!cJSON_HasObjectItem (control->json, "node"))
     return qn_read_block_name (control, "block", QN_REQUIRED, model, &read->block);
-  if (cJSON_HasObjectItem (control->value, "block")) {
-    QnPlace block = qn_place_member (control, "block");
-    return qn_place_fail (&block, _ ("block and node exclude each other"));
+  if (cJSON_HasObjectItem (control->json, "block")) {
+    QnJsonValue block = qn_json_value_member (control, "block");
+    return qn_json_value_fail (&block, _ ("block and node exclude each other"));
   }
   return qn_read_node_name (control, "node", QN_REQUIRED, model, &read->node);
 }
 
 static gboolean
-read_control (const QnPlace *owner, const QnModel *model, Control *read)
+read_control (const QnJsonValue *owner, const QnModel *model, Control *read)
 {
   static const char *const keys[] = { "block", "node", "component", "target" };
-  QnPlace control = qn_place_member (owner, "control");
-  if (control.value == NULL)
+  QnJsonValue control = qn_json_value_member (owner, "control");
+  if (control.json == NULL)
     return TRUE;
   int component;
-  if (!qn_place_object (&control) || !read_controlled (&control, model, read)
+  if (!qn_json_value_object (&control) || !read_controlled (&control, model, read)
       || !qn_member_choice (&control, "component", QN_REQUIRED, qn_name_of_dof,
                             QN_DOF_COUNT, &component)
       || !qn_member_number (&control, "target", QN_REQUIRED, QN_RANGE_FINITE,
                             &read->target))
     return FALSE;
-  qn_place_warn_unknown (&control, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (&control, keys, G_N_ELEMENTS (keys));
   read->dof = (QnDof) component;
   return TRUE;
 }
 
 static gboolean
-read_shortcuts (const QnPlace *owner, QnShortcuts *shortcuts)
+read_shortcuts (const QnJsonValue *owner, QnShortcuts *shortcuts)
 {
   const char *keys[QN_SHORTCUT_COUNT];
-  QnPlace place = qn_place_member (owner, "shortcuts");
-  if (place.value == NULL)
+  QnJsonValue place = qn_json_value_member (owner, "shortcuts");
+  if (place.json == NULL)
     return TRUE;
-  if (!qn_place_object (&place))
+  if (!qn_json_value_object (&place))
     return FALSE;
   for (int i = 0; i < QN_SHORTCUT_COUNT; i++) {
     keys[i] = qn_name_of_shortcut (i);
     if (!qn_member_bool (&place, keys[i], QN_OPTIONAL, qn_shortcut (shortcuts, i)))
       return FALSE;
   }
-  qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
   return TRUE;
 }
 
 static gboolean
-read_choices (const QnPlace *place, QnAnalysisSettings *settings)
+read_choices (const QnJsonValue *place, QnAnalysisSettings *settings)
 {
   int procedure = (int) settings->procedure, geometry = (int) settings->geometry;
   int snap = (int) settings->snap, flow = (int) settings->flow;
@@ -67,44 +67,44 @@ read_choices (const QnPlace *place, QnAnalysisSettings *settings)
                          QN_PROCEDURE_COUNT, &procedure)
       || !qn_member_choice (place, "geometry", QN_OPTIONAL, qn_name_of_geometry,
                             QN_GEOMETRY_COUNT, &geometry)
-      || !qn_member_choice (place, "snap", QN_OPTIONAL, qn_name_of_snap, QN_SNAP_COUNT,
-                            &snap)
+      || !qn_member_choice (place, "snap", QN_OPTIONAL, qn_name_of_snap,
+                            QN_SNAP_THROUGH_COUNT, &snap)
       || !qn_member_choice (place, "flow", QN_OPTIONAL, qn_name_of_flow, QN_FLOW_COUNT,
                             &flow))
     return FALSE;
   settings->procedure = (QnProcedure) procedure;
   settings->geometry = (QnGeometry) geometry;
-  settings->snap = (QnSnap) snap;
+  settings->snap = (QnSnapThrough) snap;
   settings->flow = (QnFlow) flow;
   return TRUE;
 }
 
 static gboolean
-add_set (const QnPlace *place, const QnModel *model, QnStage *stage)
+add_set (const QnJsonValue *place, const QnModel *model, QnStage *stage)
 {
-  if (!cJSON_IsString (place->value))
-    return qn_place_fail (place, _ ("expected the name of a load set"));
-  int32_t set = qn_model_find_load_set (model, place->value->valuestring);
+  if (!cJSON_IsString (place->json))
+    return qn_json_value_fail (place, _ ("expected the name of a load set"));
+  int32_t set = qn_model_find_load_set (model, place->json->valuestring);
   if (set == QN_NONE)
-    return qn_place_fail (place, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNKNOWN)));
+    return qn_json_value_fail (place, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNKNOWN)));
   if ((stage->sets >> set & 1) != 0)
-    return qn_place_fail (place, _ ("load set is named twice"));
+    return qn_json_value_fail (place, _ ("load set is named twice"));
   stage->sets |= (uint32_t) 1 << set;
   return TRUE;
 }
 
 /* The name of a load set, or a list of names. */
 static gboolean
-read_stage_sets (const QnPlace *place, const QnModel *model, QnStage *stage)
+read_stage_sets (const QnJsonValue *place, const QnModel *model, QnStage *stage)
 {
-  QnPlace sets = qn_place_member (place, "loads");
-  if (cJSON_IsString (sets.value))
+  QnJsonValue sets = qn_json_value_member (place, "loads");
+  if (cJSON_IsString (sets.json))
     return add_set (&sets, model, stage);
-  if (!qn_place_array (&sets))
+  if (!qn_json_value_array (&sets))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = sets.value->child; item != NULL; item = item->next) {
-    QnPlace name = qn_place_element (&sets, index++, item);
+  for (const cJSON *item = sets.json->child; item != NULL; item = item->next) {
+    QnJsonValue name = qn_json_value_element (&sets, index++, item);
     if (!add_set (&name, model, stage))
       return FALSE;
   }
@@ -112,21 +112,22 @@ read_stage_sets (const QnPlace *place, const QnModel *model, QnStage *stage)
 }
 
 static gboolean
-read_stage (const QnPlace *place, QnModel *model)
+read_stage (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "name",   "loads",      "procedure",
                                       "target", "increments", "control" };
   const char *name = NULL;
   int procedure = QN_PROCEDURE_LOAD;
   Control control = { .block = QN_NONE, .node = QN_NONE };
-  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
   QnStage *stage = qn_model_add_stage (model, name);
   if (stage == NULL)
-    return qn_place_no_memory (place);
-  stage->has_target = cJSON_HasObjectItem (place->value, "target");
+    return qn_json_value_no_memory (place);
+  stage->has_target = cJSON_HasObjectItem (place->json, "target");
   if (!read_stage_sets (place, model, stage)
       || !qn_member_choice (place, "procedure", QN_OPTIONAL, qn_name_of_procedure,
                             QN_PROCEDURE_COUNT, &procedure)
@@ -145,34 +146,35 @@ read_stage (const QnPlace *place, QnModel *model)
 
 /* Warns of load sets that no stage drives. */
 static void
-warn_of_idle_sets (const QnPlace *root, const QnModel *model)
+warn_of_idle_sets (const QnJsonValue *root, const QnModel *model)
 {
-  QnPlace loads = qn_place_member (root, "loads");
-  QnPlace sets = qn_place_member (&loads, "sets");
+  QnJsonValue loads = qn_json_value_member (root, "loads");
+  QnJsonValue sets = qn_json_value_member (&loads, "sets");
   uint32_t driven = model->stage_count > 0 ? 0 : 1;
   for (size_t i = 0; i < model->stage_count; i++)
     driven |= model->stages[i].sets;
   for (size_t i = 0; i <= model->load_set_count; i++) {
     const char *name = qn_model_load_set_name (model, (int32_t) i);
-    QnPlace set = qn_place_member (i == 0 ? &loads : &sets, name);
-    if ((driven >> i & 1) == 0 && set.value != NULL && set.value->child != NULL)
-      qn_place_warn (&set, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNUSED)));
+    QnJsonValue set = qn_json_value_member (i == 0 ? &loads : &sets, name);
+    if ((driven >> i & 1) == 0 && set.json != NULL && set.json->child != NULL)
+      qn_json_value_warn (&set, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNUSED)));
   }
 }
 
 /* Settings that a stage has for itself say nothing beside stages. */
 static void
-warn_of_idle_settings (const QnPlace *analysis, const QnModel *model)
+warn_of_idle_settings (const QnJsonValue *analysis, const QnModel *model)
 {
-  QnPlace procedure = qn_place_member (analysis, "procedure");
-  if (model->stage_count > 0 && procedure.value != NULL
+  QnJsonValue procedure = qn_json_value_member (analysis, "procedure");
+  if (model->stage_count > 0 && procedure.json != NULL
       && model->analysis.procedure != QN_PROCEDURE_LOAD
       && model->analysis.procedure != QN_PROCEDURE_LIMIT)
-    qn_place_warn (&procedure, _ ("has no effect beside stages, which have their own"));
+    qn_json_value_warn (&procedure,
+                        _ ("has no effect beside stages, which have their own"));
 }
 
 gboolean
-qn_read_analysis (const QnPlace *root, QnModel *model)
+qn_read_analysis (const QnJsonValue *root, QnModel *model)
 {
   static const char *const keys[] = { "procedure",
                                       "geometry",
@@ -187,14 +189,14 @@ qn_read_analysis (const QnPlace *root, QnModel *model)
                                       "shortcuts" };
   const QnRange positive = QN_RANGE_POSITIVE;
   QnAnalysisSettings *settings = &model->analysis;
-  QnPlace place = qn_place_member (root, "analysis");
-  if (place.value == NULL) {
+  QnJsonValue place = qn_json_value_member (root, "analysis");
+  if (place.json == NULL) {
     warn_of_idle_sets (root, model);
     return TRUE;
   }
-  if (!qn_place_object (&place))
+  if (!qn_json_value_object (&place))
     return FALSE;
-  qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
   Control control = { .block = QN_NONE, .node = QN_NONE };
   if (!read_choices (&place, settings)

@@ -6,32 +6,33 @@
 
 /* A member that has no meaning next to another one. */
 static gboolean
-exclude (const QnPlace *place, const char *key, const char *other)
+exclude (const QnJsonValue *place, const char *key, const char *other)
 {
-  if (!cJSON_HasObjectItem (place->value, key)
-      || !cJSON_HasObjectItem (place->value, other))
+  if (!cJSON_HasObjectItem (place->json, key)
+      || !cJSON_HasObjectItem (place->json, other))
     return TRUE;
-  QnPlace member = qn_place_member (place, key);
-  return qn_place_failf (&member, _ ("%s and %s exclude each other"), key, other);
+  QnJsonValue member = qn_json_value_member (place, key);
+  return qn_json_value_failf (&member, _ ("%s and %s exclude each other"), key, other);
 }
 
 static gboolean
-read_entity_name (const QnPlace *place, const char **name)
+read_entity_name (const QnJsonValue *place, const char **name)
 {
-  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_REQUIRED, name))
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_REQUIRED, name))
     return FALSE;
-  QnPlace member = qn_place_member (place, "name");
+  QnJsonValue member = qn_json_value_member (place, "name");
   return (*name)[0] != '\0'
-         || qn_place_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
+         || qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
 }
 
 /* A rectangle, or area and inertia. */
 static gboolean
-read_shape (const QnPlace *place, QnSection *section)
+read_shape (const QnJsonValue *place, QnSection *section)
 {
   const QnRange positive = QN_RANGE_POSITIVE;
-  gboolean rectangle = cJSON_HasObjectItem (place->value, "width")
-                       || cJSON_HasObjectItem (place->value, "height");
+  gboolean rectangle = cJSON_HasObjectItem (place->json, "width")
+                       || cJSON_HasObjectItem (place->json, "height");
   if (!exclude (place, "area", "height") || !exclude (place, "area", "width")
       || !exclude (place, "inertia", "height") || !exclude (place, "inertia", "width"))
     return FALSE;
@@ -43,11 +44,11 @@ read_shape (const QnPlace *place, QnSection *section)
 }
 
 static gboolean
-read_section_numbers (const QnPlace *place, const QnModel *model, QnSection *section)
+read_section_numbers (const QnJsonValue *place, const QnModel *model, QnSection *section)
 {
   const QnRange positive = QN_RANGE_POSITIVE;
-  gboolean heavy = cJSON_HasObjectItem (place->value, "unit_weight")
-                   || cJSON_HasObjectItem (place->value, "density");
+  gboolean heavy = cJSON_HasObjectItem (place->json, "unit_weight")
+                   || cJSON_HasObjectItem (place->json, "density");
   return exclude (place, "shear_modulus", "poisson")
          && exclude (place, "plastic_moment", "yield")
          && qn_member_number (place, "young", QN_REQUIRED, positive, &section->young)
@@ -66,7 +67,7 @@ read_section_numbers (const QnPlace *place, const QnModel *model, QnSection *sec
 }
 
 static gboolean
-read_section (const QnPlace *place, QnModel *model)
+read_section (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = {
     "name",        "young",   "shear_modulus",  "poisson",      "width",
@@ -76,21 +77,21 @@ read_section (const QnPlace *place, QnModel *model)
   const char *name;
   if (!read_entity_name (place, &name))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   QnSection *section = qn_model_add_section (model, name);
   if (section == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   return read_section_numbers (place, model, section);
 }
 
 static gboolean
-read_seat (const QnPlace *place, const QnModel *model, QnNode *node)
+read_seat (const QnJsonValue *place, const QnModel *model, QnNode *node)
 {
-  gboolean at = cJSON_HasObjectItem (place->value, "at");
-  gboolean side = cJSON_HasObjectItem (place->value, "side");
-  if (!cJSON_HasObjectItem (place->value, "block")) {
-    QnPlace member = qn_place_member (place, "side");
-    return side ? qn_place_fail (&member, _ ("side needs a block"))
+  gboolean at = cJSON_HasObjectItem (place->json, "at");
+  gboolean side = cJSON_HasObjectItem (place->json, "side");
+  if (!cJSON_HasObjectItem (place->json, "block")) {
+    QnJsonValue member = qn_json_value_member (place, "side");
+    return side ? qn_json_value_fail (&member, _ ("side needs a block"))
                 : qn_member_vec2 (place, "at", QN_REQUIRED, &node->at);
   }
   int which = 0;
@@ -106,60 +107,60 @@ read_seat (const QnPlace *place, const QnModel *model, QnNode *node)
 }
 
 static gboolean
-read_node (const QnPlace *place, QnModel *model)
+read_node (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "name", "at", "block", "side", "support" };
   const char *name;
   if (!read_entity_name (place, &name))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   return read_seat (place, model, node) && qn_read_support (place, node->support);
 }
 
 /* ["a", "b"]: exactly two elements. */
 static gboolean
-read_two (const QnPlace *list)
+read_two (const QnJsonValue *list)
 {
-  return qn_place_array (list)
-         && (cJSON_GetArraySize (list->value) == 2
-             || qn_place_fail (list, _ ("expected two values, one for each end")));
+  return qn_json_value_array (list)
+         && (cJSON_GetArraySize (list->json) == 2
+             || qn_json_value_fail (list, _ ("expected two values, one for each end")));
 }
 
 static gboolean
-read_ends (const QnPlace *place, const QnModel *model, QnBeam *beam)
+read_ends (const QnJsonValue *place, const QnModel *model, QnBeam *beam)
 {
-  QnPlace nodes = qn_place_member (place, "nodes"), hinges;
+  QnJsonValue nodes = qn_json_value_member (place, "nodes"), hinges;
   if (!read_two (&nodes))
     return FALSE;
   for (int end = 0; end < 2; end++) {
-    QnPlace name =
-      qn_place_element (&nodes, (gsize) end, cJSON_GetArrayItem (nodes.value, end));
-    if (!cJSON_IsString (name.value))
-      return qn_place_fail (&name, _ ("expected the name of a node"));
+    QnJsonValue name =
+      qn_json_value_element (&nodes, (gsize) end, cJSON_GetArrayItem (nodes.json, end));
+    if (!cJSON_IsString (name.json))
+      return qn_json_value_fail (&name, _ ("expected the name of a node"));
     if (!qn_read_name_of (&name, model, qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN,
                           &beam->nodes[end]))
       return FALSE;
   }
-  hinges = qn_place_member (place, "hinges");
-  if (hinges.value == NULL)
+  hinges = qn_json_value_member (place, "hinges");
+  if (hinges.json == NULL)
     return TRUE;
   if (!read_two (&hinges))
     return FALSE;
   for (int end = 0; end < 2; end++) {
-    QnPlace flag =
-      qn_place_element (&hinges, (gsize) end, cJSON_GetArrayItem (hinges.value, end));
-    if (!cJSON_IsBool (flag.value))
-      return qn_place_fail (&flag, _ ("expected true or false"));
-    beam->hinge[end] = cJSON_IsTrue (flag.value);
+    QnJsonValue flag =
+      qn_json_value_element (&hinges, (gsize) end, cJSON_GetArrayItem (hinges.json, end));
+    if (!cJSON_IsBool (flag.json))
+      return qn_json_value_fail (&flag, _ ("expected true or false"));
+    beam->hinge[end] = cJSON_IsTrue (flag.json);
   }
   return TRUE;
 }
 
 static gboolean
-read_beam (const QnPlace *place, QnModel *model)
+read_beam (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "name",   "nodes",    "section",
                                       "hinges", "elements", "kind" };
@@ -167,10 +168,10 @@ read_beam (const QnPlace *place, QnModel *model)
   int kind = QN_BEAM_TIMOSHENKO;
   if (!read_entity_name (place, &name))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   QnBeam *beam = qn_model_add_beam (model, name);
   if (beam == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   if (!read_ends (place, model, beam)
       || !qn_read_section_name (place, "section", QN_REQUIRED, model, &beam->section)
       || !qn_member_choice (place, "kind", QN_OPTIONAL, qn_name_of_beam_kind,
@@ -183,7 +184,7 @@ read_beam (const QnPlace *place, QnModel *model)
 }
 
 gboolean
-qn_read_beams (const QnPlace *root, QnModel *model)
+qn_read_beams (const QnJsonValue *root, QnModel *model)
 {
   return qn_read_each (root, "sections", QN_OPTIONAL, read_section, model)
          && qn_read_each (root, "nodes", QN_OPTIONAL, read_node, model)

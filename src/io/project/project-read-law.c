@@ -27,34 +27,34 @@ is_of_any_kind (const char *key)
 
 /* Keys of other kinds mean nothing to this one, keys of no kind nothing at all. */
 static void
-warn_of_keys (const QnPlace *place, QnLawKind kind)
+warn_of_keys (const QnJsonValue *place, QnLawKind kind)
 {
   static const char *const common[] = { "name", "kind",         "basis", "kn",
                                         "ks",   "shear_factor", NULL };
-  for (const cJSON *child = place->value->child; child != NULL; child = child->next) {
+  for (const cJSON *child = place->json->child; child != NULL; child = child->next) {
     if (g_strv_contains (common, child->string) || has_parameter (kind, child->string))
       continue;
-    QnPlace member = qn_place_member (place, child->string);
-    qn_place_warn (&member, is_of_any_kind (child->string)
-                              ? _ ("has no effect for this kind of law")
-                              : _ ("unknown key"));
+    QnJsonValue member = qn_json_value_member (place, child->string);
+    qn_json_value_warn (&member, is_of_any_kind (child->string)
+                                   ? _ ("has no effect for this kind of law")
+                                   : _ ("unknown key"));
     if (!is_of_any_kind (child->string))
-      qn_place_keep_unknown (place, child);
+      qn_json_value_keep_unknown (place, child);
   }
 }
 
 static gboolean
-read_points (const QnPlace *place, QnLaw *law)
+read_points (const QnJsonValue *place, QnLaw *law)
 {
-  QnPlace points = qn_place_member (place, "points");
-  if (!qn_place_array (&points))
+  QnJsonValue points = qn_json_value_member (place, "points");
+  if (!qn_json_value_array (&points))
     return FALSE;
-  if (cJSON_GetArraySize (points.value) > QN_MAX_CURVE_POINTS)
-    return qn_place_fail (&points, _ (qn_problem_text (QN_PROBLEM_CURVE_COUNT)));
+  if (cJSON_GetArraySize (points.json) > QN_MAX_CURVE_POINTS)
+    return qn_json_value_fail (&points, _ (qn_problem_text (QN_PROBLEM_CURVE_COUNT)));
 
-  for (const cJSON *item = points.value->child; item != NULL; item = item->next) {
-    QnPlace point = qn_place_element (&points, (gsize) law->point_count, item);
-    if (!qn_place_vec2 (&point, &law->points[law->point_count]))
+  for (const cJSON *item = points.json->child; item != NULL; item = item->next) {
+    QnJsonValue point = qn_json_value_element (&points, (gsize) law->point_count, item);
+    if (!qn_json_value_vec2 (&point, &law->points[law->point_count]))
       return FALSE;
     law->point_count++;
   }
@@ -62,7 +62,7 @@ read_points (const QnPlace *place, QnLaw *law)
 }
 
 static gboolean
-read_parameters (const QnPlace *place, QnLaw *law)
+read_parameters (const QnJsonValue *place, QnLaw *law)
 {
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
@@ -78,11 +78,12 @@ read_parameters (const QnPlace *place, QnLaw *law)
 }
 
 static gboolean
-read_law (const QnPlace *place, QnModel *model)
+read_law (const QnJsonValue *place, QnModel *model)
 {
   const char *name;
   int kind, basis = QN_BASIS_CONTACT;
-  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_REQUIRED, &name)
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_REQUIRED, &name)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_law_kind,
                             QN_LAW_KIND_COUNT, &kind)
       || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_name_of_basis, QN_BASIS_COUNT,
@@ -91,12 +92,12 @@ read_law (const QnPlace *place, QnModel *model)
   warn_of_keys (place, (QnLawKind) kind);
 
   if (name[0] == '\0') {
-    QnPlace member = qn_place_member (place, "name");
-    return qn_place_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
+    QnJsonValue member = qn_json_value_member (place, "name");
+    return qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
   }
   QnLaw *law = qn_model_add_law (model, name);
   if (law == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   law->kind = (QnLawKind) kind;
   law->basis = (QnBasis) basis;
   return qn_member_number (place, "kn", QN_REQUIRED, QN_RANGE_POSITIVE, &law->kn)
@@ -107,26 +108,26 @@ read_law (const QnPlace *place, QnModel *model)
 }
 
 gboolean
-qn_read_laws (const QnPlace *root, QnNeed need, QnModel *model)
+qn_read_laws (const QnJsonValue *root, QnNeed need, QnModel *model)
 {
   if (!qn_read_each (root, "laws", need, read_law, model))
     return FALSE;
-  QnPlace laws = qn_place_member (root, "laws");
+  QnJsonValue laws = qn_json_value_member (root, "laws");
   return model->law_count > 0 || need == QN_OPTIONAL
-         || qn_place_fail (&laws, _ ("there must be at least one law"));
+         || qn_json_value_fail (&laws, _ ("there must be at least one law"));
 }
 
 static gboolean
-read_bar (const QnPlace *place, QnModel *model)
+read_bar (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "law", "area", "start", "end" };
-  if (!qn_place_object (place))
+  if (!qn_json_value_object (place))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
   QnBar *bar = qn_model_add_bar (model);
   if (bar == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   return qn_read_law_name (place, "law", QN_REQUIRED, model, &bar->law)
          && qn_member_number (place, "area", QN_REQUIRED, QN_RANGE_POSITIVE, &bar->area)
          && qn_member_vec2 (place, "start", QN_REQUIRED, &bar->start)
@@ -134,7 +135,7 @@ read_bar (const QnPlace *place, QnModel *model)
 }
 
 gboolean
-qn_read_bars (const QnPlace *root, QnModel *model)
+qn_read_bars (const QnJsonValue *root, QnModel *model)
 {
   return qn_read_each (root, "bars", QN_OPTIONAL, read_bar, model);
 }

@@ -115,7 +115,7 @@ read_changed (const Difference *d, const QnModel *like, QnModel *scratch)
 {
   GPtrArray *warnings = g_ptr_array_new_with_free_func (g_free);
   QnReader reader = { .name = "", .warnings = warnings };
-  QnPlace root = qn_place_root (&reader, d->document);
+  QnJsonValue root = qn_json_value_root (&reader, d->document);
   gboolean done = copy_laws (like, scratch)
                   && qn_read_blocks (&root, QN_REQUIRED, scratch) && warnings->len == 0
                   && reader.error == NULL && scratch->block_count == d->lines->len;

@@ -6,17 +6,17 @@
 
 /* Numbers of a member that is an array of at most QN_MAX_EXPLICIT_PAIRS. */
 static gboolean
-read_numbers (const QnPlace *object, const char *key, double *numbers, int32_t *count)
+read_numbers (const QnJsonValue *object, const char *key, double *numbers, int32_t *count)
 {
-  QnPlace list = qn_place_member (object, key);
-  if (!qn_place_array (&list))
+  QnJsonValue list = qn_json_value_member (object, key);
+  if (!qn_json_value_array (&list))
     return FALSE;
-  if (cJSON_GetArraySize (list.value) > QN_MAX_EXPLICIT_PAIRS)
-    return qn_place_fail (&list, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
+  if (cJSON_GetArraySize (list.json) > QN_MAX_EXPLICIT_PAIRS)
+    return qn_json_value_fail (&list, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
   *count = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
-    QnPlace number = qn_place_element (&list, (gsize) *count, item);
-    if (!qn_place_number (&number, QN_RANGE_NOT_NEGATIVE, &numbers[*count]))
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
+    QnJsonValue number = qn_json_value_element (&list, (gsize) *count, item);
+    if (!qn_json_value_number (&number, QN_RANGE_NOT_NEGATIVE, &numbers[*count]))
       return FALSE;
     ++*count;
   }
@@ -25,24 +25,25 @@ read_numbers (const QnPlace *object, const char *key, double *numbers, int32_t *
 
 /* Positions, and weights that are equal where none are given. */
 static gboolean
-read_explicit_pairs (const QnPlace *place, QnPairRule *rule)
+read_explicit_pairs (const QnJsonValue *place, QnPairRule *rule)
 {
   int32_t weights;
   if (!read_numbers (place, "positions", rule->positions, &rule->count))
     return FALSE;
   for (int32_t i = 0; i < rule->count; i++)
     rule->weights[i] = 1.0 / rule->count;
-  if (!cJSON_HasObjectItem (place->value, "weights"))
+  if (!cJSON_HasObjectItem (place->json, "weights"))
     return TRUE;
   if (!read_numbers (place, "weights", rule->weights, &weights))
     return FALSE;
-  QnPlace member = qn_place_member (place, "weights");
+  QnJsonValue member = qn_json_value_member (place, "weights");
   return weights == rule->count
-         || qn_place_fail (&member, _ ("there must be as many weights as positions"));
+         || qn_json_value_fail (&member,
+                                _ ("there must be as many weights as positions"));
 }
 
 static gboolean
-read_pair_rule (const QnPlace *object, QnPairRule *rule)
+read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
 {
   /* Which placements a key is for. */
   static const struct {
@@ -56,19 +57,19 @@ read_pair_rule (const QnPlace *object, QnPairRule *rule)
   };
   static const char *const keys[] = { "placement", "offset", "count", "positions",
                                       "weights" };
-  QnPlace place = qn_place_member (object, "pairs");
+  QnJsonValue place = qn_json_value_member (object, "pairs");
   int placement = (int) rule->placement;
-  if (!qn_place_object (&place)
+  if (!qn_json_value_object (&place)
       || !qn_member_choice (&place, "placement", QN_OPTIONAL, qn_name_of_placement,
                             QN_PLACEMENT_COUNT, &placement))
     return FALSE;
-  qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
   rule->placement = (QnPlacement) placement;
   for (gsize i = 0; i < G_N_ELEMENTS (uses); i++) {
-    QnPlace idle = qn_place_member (&place, uses[i].key);
-    if (idle.value != NULL && (uses[i].placements & 1u << placement) == 0)
-      qn_place_warn (&idle, _ ("has no effect with this placement"));
+    QnJsonValue idle = qn_json_value_member (&place, uses[i].key);
+    if (idle.json != NULL && (uses[i].placements & 1u << placement) == 0)
+      qn_json_value_warn (&idle, _ ("has no effect with this placement"));
   }
   if (rule->placement == QN_PLACEMENT_EXPLICIT)
     return read_explicit_pairs (&place, rule);
@@ -80,37 +81,38 @@ read_pair_rule (const QnPlace *object, QnPairRule *rule)
 }
 
 static gboolean
-read_face_blocks (const QnPlace *face, const QnModel *model, QnId blocks[2])
+read_face_blocks (const QnJsonValue *face, const QnModel *model, QnId blocks[2])
 {
-  QnPlace names = qn_place_member (face, "blocks");
-  if (!qn_place_array (&names))
+  QnJsonValue names = qn_json_value_member (face, "blocks");
+  if (!qn_json_value_array (&names))
     return FALSE;
-  if (cJSON_GetArraySize (names.value) != 2)
-    return qn_place_fail (&names, _ ("expected the names of two blocks"));
+  if (cJSON_GetArraySize (names.json) != 2)
+    return qn_json_value_fail (&names, _ ("expected the names of two blocks"));
 
   gsize i = 0;
-  for (const cJSON *name = names.value->child; name != NULL; name = name->next, i++) {
-    QnPlace element = qn_place_element (&names, i, name);
+  for (const cJSON *name = names.json->child; name != NULL; name = name->next, i++) {
+    QnJsonValue element = qn_json_value_element (&names, i, name);
     if (!cJSON_IsString (name))
-      return qn_place_fail (&element, _ ("expected the name of a block"));
+      return qn_json_value_fail (&element, _ ("expected the name of a block"));
     blocks[i] = qn_model_find_block (model, name->valuestring);
     if (blocks[i] == QN_NONE)
-      return qn_place_fail (&element, _ (qn_problem_text (QN_PROBLEM_BLOCK_UNKNOWN)));
+      return qn_json_value_fail (&element,
+                                 _ (qn_problem_text (QN_PROBLEM_BLOCK_UNKNOWN)));
   }
   return TRUE;
 }
 
 static gboolean
-read_face (const QnPlace *place, QnModel *model)
+read_face (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "blocks", "law", "pairs" };
-  if (!qn_place_object (place))
+  if (!qn_json_value_object (place))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
   QnId blocks[2], law = QN_NONE;
   QnPairRule pairs = { .placement = QN_PLACEMENT_ENDS, .count = 2 };
-  bool has_pairs = cJSON_HasObjectItem (place->value, "pairs");
+  bool has_pairs = cJSON_HasObjectItem (place->json, "pairs");
   if (!read_face_blocks (place, model, blocks)
       || !qn_read_law_name (place, "law", QN_OPTIONAL, model, &law)
       || (has_pairs && !read_pair_rule (place, &pairs)))
@@ -118,7 +120,7 @@ read_face (const QnPlace *place, QnModel *model)
 
   QnFaceOverride *override = qn_model_add_override (model);
   if (override == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   *override = (QnFaceOverride){ .block_a = blocks[0],
                                 .block_b = blocks[1],
                                 .law = law,
@@ -128,34 +130,34 @@ read_face (const QnPlace *place, QnModel *model)
 }
 
 gboolean
-qn_read_contact (const QnPlace *root, QnModel *model)
+qn_read_contact (const QnJsonValue *root, QnModel *model)
 {
   static const char *const keys[] = { "law", "tolerance", "pairs", "faces" };
   QnContactSettings *contact = &model->contact;
-  QnPlace place = qn_place_member (root, "contact");
+  QnJsonValue place = qn_json_value_member (root, "contact");
   const gboolean touching = model->block_count > 0; /* beams alone have no contacts */
-  if (place.value == NULL && !touching)
+  if (place.json == NULL && !touching)
     return TRUE;
-  if (!qn_place_object (&place))
+  if (!qn_json_value_object (&place))
     return FALSE;
-  qn_place_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
   if (!qn_read_law_name (&place, "law", touching ? QN_REQUIRED : QN_OPTIONAL, model,
                          &contact->law)
       || !qn_member_number (&place, "tolerance", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &contact->tolerance)
-      || (cJSON_HasObjectItem (place.value, "pairs")
+      || (cJSON_HasObjectItem (place.json, "pairs")
           && !read_pair_rule (&place, &contact->pairs)))
     return FALSE;
 
-  QnPlace faces = qn_place_member (&place, "faces");
-  if (faces.value == NULL)
+  QnJsonValue faces = qn_json_value_member (&place, "faces");
+  if (faces.json == NULL)
     return TRUE;
-  if (!qn_place_array (&faces))
+  if (!qn_json_value_array (&faces))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = faces.value->child; item != NULL; item = item->next) {
-    QnPlace face = qn_place_element (&faces, index++, item);
+  for (const cJSON *item = faces.json->child; item != NULL; item = item->next) {
+    QnJsonValue face = qn_json_value_element (&faces, index++, item);
     if (!read_face (&face, model))
       return FALSE;
   }
@@ -163,14 +165,14 @@ qn_read_contact (const QnPlace *root, QnModel *model)
 }
 
 static gboolean
-read_node_force (const QnPlace *place, const QnModel *model, QnLoad *load)
+read_node_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const keys[] = { "kind", "node", "value", "moment" };
-  if (cJSON_HasObjectItem (place->value, "block")) {
-    QnPlace block = qn_place_member (place, "block");
-    return qn_place_fail (&block, _ ("block and node exclude each other"));
+  if (cJSON_HasObjectItem (place->json, "block")) {
+    QnJsonValue block = qn_json_value_member (place, "block");
+    return qn_json_value_fail (&block, _ ("block and node exclude each other"));
   }
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   load->kind = QN_LOAD_NODE;
   return qn_read_node_name (place, "node", QN_REQUIRED, model, &load->node)
          && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector)
@@ -179,22 +181,22 @@ read_node_force (const QnPlace *place, const QnModel *model, QnLoad *load)
 }
 
 static gboolean
-read_line_load (const QnPlace *place, const QnModel *model, QnLoad *load)
+read_line_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const keys[] = { "kind", "beam", "value" };
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   return qn_read_beam_name (place, "beam", QN_REQUIRED, model, &load->beam)
          && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector);
 }
 
 static gboolean
-read_force (const QnPlace *place, const QnModel *model, QnLoad *load)
+read_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const keys[] = { "kind", "block", "value", "moment", "at" };
-  if (cJSON_HasObjectItem (place->value, "node"))
+  if (cJSON_HasObjectItem (place->json, "node"))
     return read_node_force (place, model, load);
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-  load->has_at = cJSON_HasObjectItem (place->value, "at");
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  load->has_at = cJSON_HasObjectItem (place->json, "at");
   return qn_read_block_name (place, "block", QN_REQUIRED, model, &load->block)
          && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector)
          && qn_member_number (place, "moment", QN_OPTIONAL, QN_RANGE_FINITE,
@@ -203,11 +205,11 @@ read_force (const QnPlace *place, const QnModel *model, QnLoad *load)
 }
 
 static gboolean
-read_settlement (const QnPlace *place, const QnModel *model, QnLoad *load)
+read_settlement (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const keys[] = { "kind", "block", "component", "value" };
   int component;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   if (!qn_read_block_name (place, "block", QN_REQUIRED, model, &load->block)
       || !qn_member_choice (place, "component", QN_REQUIRED, qn_name_of_dof, QN_DOF_COUNT,
                             &component)
@@ -218,11 +220,11 @@ read_settlement (const QnPlace *place, const QnModel *model, QnLoad *load)
 }
 
 static gboolean
-read_load (const QnPlace *place, const QnModel *model, QnLoad *load)
+read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const weight_keys[] = { "kind", "direction" };
   int kind;
-  if (!qn_place_object (place)
+  if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_load_kind,
                             QN_LOAD_NODE, &kind))
     return FALSE;
@@ -233,24 +235,24 @@ read_load (const QnPlace *place, const QnModel *model, QnLoad *load)
     return read_settlement (place, model, load);
   if (load->kind == QN_LOAD_LINE)
     return read_line_load (place, model, load);
-  qn_place_warn_unknown (place, weight_keys, G_N_ELEMENTS (weight_keys));
+  qn_json_value_warn_unknown (place, weight_keys, G_N_ELEMENTS (weight_keys));
   return qn_member_vec2 (place, "direction", QN_REQUIRED, &load->vector);
 }
 
 static gboolean
-read_load_list (const QnPlace *list, int32_t set, QnModel *model,
+read_load_list (const QnJsonValue *list, int32_t set, QnModel *model,
                 QnLoad *(*add) (QnModel *model))
 {
-  if (list->value == NULL)
+  if (list->json == NULL)
     return TRUE;
-  if (!qn_place_array (list))
+  if (!qn_json_value_array (list))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = list->value->child; item != NULL; item = item->next) {
-    QnPlace place = qn_place_element (list, index++, item);
+  for (const cJSON *item = list->json->child; item != NULL; item = item->next) {
+    QnJsonValue place = qn_json_value_element (list, index++, item);
     QnLoad *load = add (model);
     if (load == NULL)
-      return qn_place_no_memory (&place);
+      return qn_json_value_no_memory (&place);
     load->set = set;
     if (!read_load (&place, model, load))
       return FALSE;
@@ -260,23 +262,23 @@ read_load_list (const QnPlace *list, int32_t set, QnModel *model,
 
 /* Sets of loads with names of their own, for stages. */
 static gboolean
-read_load_sets (const QnPlace *loads, QnModel *model)
+read_load_sets (const QnJsonValue *loads, QnModel *model)
 {
-  QnPlace sets = qn_place_member (loads, "sets");
-  if (sets.value == NULL)
+  QnJsonValue sets = qn_json_value_member (loads, "sets");
+  if (sets.json == NULL)
     return TRUE;
-  if (!qn_place_object (&sets))
+  if (!qn_json_value_object (&sets))
     return FALSE;
-  for (const cJSON *item = sets.value->child; item != NULL; item = item->next) {
-    QnPlace list = qn_place_member (&sets, item->string);
+  for (const cJSON *item = sets.json->child; item != NULL; item = item->next) {
+    QnJsonValue list = qn_json_value_member (&sets, item->string);
     if (strcmp (item->string, "live") == 0 || strcmp (item->string, "dead") == 0)
-      return qn_place_fail (&list, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
+      return qn_json_value_fail (&list, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
     if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
-      return qn_place_failf (&list, _ ("there may be %d load sets with names"),
-                             QN_MAX_LOAD_SETS - 1);
+      return qn_json_value_failf (&list, _ ("there may be %d load sets with names"),
+                                  QN_MAX_LOAD_SETS - 1);
     int32_t set = qn_model_add_load_set (model, item->string);
     if (set == QN_NONE)
-      return qn_place_no_memory (&list);
+      return qn_json_value_no_memory (&list);
     if (!read_load_list (&list, set, model, qn_model_add_live_load))
       return FALSE;
   }
@@ -284,17 +286,17 @@ read_load_sets (const QnPlace *loads, QnModel *model)
 }
 
 gboolean
-qn_read_loads (const QnPlace *root, QnModel *model)
+qn_read_loads (const QnJsonValue *root, QnModel *model)
 {
   static const char *const keys[] = { "dead", "live", "sets" };
-  QnPlace loads = qn_place_member (root, "loads");
-  if (loads.value == NULL)
+  QnJsonValue loads = qn_json_value_member (root, "loads");
+  if (loads.json == NULL)
     return TRUE;
-  if (!qn_place_object (&loads))
+  if (!qn_json_value_object (&loads))
     return FALSE;
-  qn_place_warn_unknown (&loads, keys, G_N_ELEMENTS (keys));
-  QnPlace dead = qn_place_member (&loads, "dead"),
-          live = qn_place_member (&loads, "live");
+  qn_json_value_warn_unknown (&loads, keys, G_N_ELEMENTS (keys));
+  QnJsonValue dead = qn_json_value_member (&loads, "dead"),
+              live = qn_json_value_member (&loads, "live");
   return read_load_list (&dead, 0, model, qn_model_add_dead_load)
          && read_load_list (&live, 0, model, qn_model_add_live_load)
          && read_load_sets (&loads, model);

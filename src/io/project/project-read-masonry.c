@@ -35,20 +35,20 @@ name_of_side (int value)
     && ((target) = choice, TRUE)
 
 static gboolean
-read_length (const QnPlace *place, const char *key, QnNeed need, double *length)
+read_length (const QnJsonValue *place, const char *key, QnNeed need, double *length)
 {
   return qn_member_number (place, key, need, QN_RANGE_POSITIVE, length);
 }
 
 static gboolean
-read_size (const QnPlace *place, const char *key, double *size)
+read_size (const QnJsonValue *place, const char *key, double *size)
 {
   return qn_member_number (place, key, QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE, size);
 }
 
 /* [a, b] into two numbers. */
 static gboolean
-read_two (const QnPlace *place, const char *key, QnNeed need, double *a, double *b)
+read_two (const QnJsonValue *place, const char *key, QnNeed need, double *a, double *b)
 {
   QnVec2 both = { *a, *b };
   if (!qn_member_vec2 (place, key, need, &both))
@@ -59,7 +59,7 @@ read_two (const QnPlace *place, const char *key, QnNeed need, double *a, double 
 }
 
 static gboolean
-read_leaf (const QnPlace *place, QnLeaf *leaf, gboolean listed)
+read_leaf (const QnJsonValue *place, QnLeaf *leaf, gboolean listed)
 {
   int choice;
   if (!(MEMBER_CHOICE (place, "bond", name_of_bond, QN_BOND_COUNT, leaf->bond)))
@@ -76,45 +76,46 @@ read_leaf (const QnPlace *place, QnLeaf *leaf, gboolean listed)
 
 /* Several leaves: each takes what it does not say from the wall. */
 static gboolean
-read_leaves (const QnPlace *place, QnMasonry *masonry)
+read_leaves (const QnJsonValue *place, QnMasonry *masonry)
 {
   static const char *const keys[] = {
     "length", "unit", "bond", "closers", "header", "lap"
   };
-  QnPlace list = qn_place_member (place, "leaves");
+  QnJsonValue list = qn_json_value_member (place, "leaves");
   QnLeaf common = masonry->wall.leaves[0];
-  if (list.value == NULL)
+  if (list.json == NULL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_json_value_array (&list))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
-    QnPlace element = qn_place_element (&list, index, item);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
+    QnJsonValue element = qn_json_value_element (&list, index, item);
     QnLeaf *leaf = index == 0 ? &masonry->wall.leaves[0] : qn_masonry_add_leaf (masonry);
     if (leaf == NULL)
-      return qn_place_no_memory (&element);
+      return qn_json_value_no_memory (&element);
     *leaf = common;
-    if (!qn_place_object (&element) || !read_leaf (&element, leaf, FALSE))
+    if (!qn_json_value_object (&element) || !read_leaf (&element, leaf, FALSE))
       return FALSE;
-    qn_place_warn_unknown (&element, keys, G_N_ELEMENTS (keys));
+    qn_json_value_warn_unknown (&element, keys, G_N_ELEMENTS (keys));
   }
-  return index > 0 || qn_place_fail (&list, _ ("there must be at least one leaf"));
+  return index > 0 || qn_json_value_fail (&list, _ ("there must be at least one leaf"));
 }
 
 static gboolean
-read_opening (const QnPlace *place, QnOpening *opening)
+read_opening (const QnJsonValue *place, QnOpening *opening)
 {
   static const char *const keys[] = { "name", "at",    "width", "height",  "head",
                                       "rise", "span",  "depth", "bearing", "voussoirs",
                                       "skew", "sides", "sill" };
   int choice;
   const char *name = NULL;
-  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   opening->name = qn_strdup (name);
   if (name != NULL && opening->name == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   if (!qn_member_vec2 (place, "at", QN_REQUIRED, &opening->at)
       || !read_length (place, "width", QN_REQUIRED, &opening->width)
       || !read_length (place, "height", QN_REQUIRED, &opening->height)
@@ -139,19 +140,19 @@ read_opening (const QnPlace *place, QnOpening *opening)
 }
 
 static gboolean
-read_openings (const QnPlace *place, QnMasonry *masonry)
+read_openings (const QnJsonValue *place, QnMasonry *masonry)
 {
-  QnPlace list = qn_place_member (place, "openings");
-  if (list.value == NULL)
+  QnJsonValue list = qn_json_value_member (place, "openings");
+  if (list.json == NULL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_json_value_array (&list))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
-    QnPlace element = qn_place_element (&list, index++, item);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
+    QnJsonValue element = qn_json_value_element (&list, index++, item);
     QnOpening *opening = qn_masonry_add_opening (masonry);
     if (opening == NULL)
-      return qn_place_no_memory (&element);
+      return qn_json_value_no_memory (&element);
     if (!read_opening (&element, opening))
       return FALSE;
   }
@@ -159,20 +160,20 @@ read_openings (const QnPlace *place, QnMasonry *masonry)
 }
 
 static gboolean
-read_course_heights (const QnPlace *place, QnMasonryWall *wall)
+read_course_heights (const QnJsonValue *place, QnMasonryWall *wall)
 {
-  QnPlace list = qn_place_member (place, "course_heights");
-  if (list.value == NULL)
+  QnJsonValue list = qn_json_value_member (place, "course_heights");
+  if (list.json == NULL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_json_value_array (&list))
     return FALSE;
-  gsize count = (gsize) cJSON_GetArraySize (list.value), index = 0;
+  gsize count = (gsize) cJSON_GetArraySize (list.json), index = 0;
   wall->course_heights = qn_alloc (count, sizeof *wall->course_heights);
   if (wall->course_heights == NULL)
-    return qn_place_no_memory (&list);
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
-    QnPlace element = qn_place_element (&list, index, item);
-    if (!qn_place_number (&element, QN_RANGE_POSITIVE, &wall->course_heights[index]))
+    return qn_json_value_no_memory (&list);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
+    QnJsonValue element = qn_json_value_element (&list, index, item);
+    if (!qn_json_value_number (&element, QN_RANGE_POSITIVE, &wall->course_heights[index]))
       return FALSE;
   }
   wall->course_height_count = count;
@@ -180,24 +181,24 @@ read_course_heights (const QnPlace *place, QnMasonryWall *wall)
 }
 
 static gboolean
-read_edges (const QnPlace *place, QnMasonryWall *wall)
+read_edges (const QnJsonValue *place, QnMasonryWall *wall)
 {
-  QnPlace list = qn_place_member (place, "edges");
-  if (list.value == NULL)
+  QnJsonValue list = qn_json_value_member (place, "edges");
+  if (list.json == NULL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_json_value_array (&list))
     return FALSE;
   QnEdge *edges[] = { &wall->left, &wall->right };
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next, index++) {
-    QnPlace element = qn_place_element (&list, index, item);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
+    QnJsonValue element = qn_json_value_element (&list, index, item);
     int edge = 0;
     while (edge < QN_EDGE_COUNT
            && (!cJSON_IsString (item)
                || g_strcmp0 (item->valuestring, name_of_edge (edge)) != 0))
       edge++;
     if (index >= G_N_ELEMENTS (edges) || edge == QN_EDGE_COUNT)
-      return qn_place_fail (
+      return qn_json_value_fail (
         &element, _ ("expected \"straight\" or \"toothed\" for left and right"));
     *edges[index] = (QnEdge) edge;
   }
@@ -205,26 +206,26 @@ read_edges (const QnPlace *place, QnMasonryWall *wall)
 }
 
 static gboolean
-read_wall (const QnPlace *place, QnMasonry *masonry)
+read_wall (const QnJsonValue *place, QnMasonry *masonry)
 {
   QnMasonryWall *wall = &masonry->wall;
-  QnPlace courses = qn_place_member (place, "courses");
-  QnPlace leaves = qn_place_member (place, "leaves");
-  gboolean listed = courses.value != NULL;
+  QnJsonValue courses = qn_json_value_member (place, "courses");
+  QnJsonValue leaves = qn_json_value_member (place, "leaves");
+  gboolean listed = courses.json != NULL;
   if (listed) {
     wall->leaves[0].bond = QN_BOND_CUSTOM;
     if (!qn_read_courses (place, &wall->courses))
       return FALSE;
   }
   /* With leaves, these are only what the leaves have in common. */
-  if (leaves.value == NULL
+  if (leaves.json == NULL
         ? !read_leaf (place, &wall->leaves[0], listed)
         : !read_length (place, "length", QN_OPTIONAL, &wall->leaves[0].length)
             || !qn_member_vec2 (place, "unit", QN_OPTIONAL, &wall->leaves[0].unit))
     return FALSE;
   if ((wall->leaves[0].bond == QN_BOND_CUSTOM) != listed) {
-    QnPlace bond = qn_place_member (place, "bond");
-    return qn_place_fail (&bond, _ ("\"custom\" and courses go together"));
+    QnJsonValue bond = qn_json_value_member (place, "bond");
+    return qn_json_value_fail (&bond, _ ("\"custom\" and courses go together"));
   }
   return read_length (place, "height", listed ? QN_OPTIONAL : QN_REQUIRED, &wall->height)
          && read_course_heights (place, wall) && read_edges (place, wall)
@@ -233,7 +234,7 @@ read_wall (const QnPlace *place, QnMasonry *masonry)
 }
 
 static gboolean
-read_arch (const QnPlace *place, QnNeed span, QnArch *arch)
+read_arch (const QnJsonValue *place, QnNeed span, QnArch *arch)
 {
   int choice;
   return (MEMBER_CHOICE (place, "shape", name_of_arch_shape, QN_ARCH_SHAPE_COUNT,
@@ -247,7 +248,7 @@ read_arch (const QnPlace *place, QnNeed span, QnArch *arch)
 }
 
 static gboolean
-read_column (const QnPlace *place, QnColumn *column)
+read_column (const QnJsonValue *place, QnColumn *column)
 {
   return read_length (place, "height", QN_REQUIRED, &column->height)
          && read_two (place, "width", QN_REQUIRED, &column->bottom, &column->top)
@@ -259,7 +260,7 @@ read_column (const QnPlace *place, QnColumn *column)
 }
 
 static gboolean
-read_buttress (const QnPlace *place, QnButtress *buttress)
+read_buttress (const QnJsonValue *place, QnButtress *buttress)
 {
   int choice = 0;
   if (!qn_member_choice (place, "side", QN_REQUIRED, name_of_side, 2, &choice))
@@ -272,31 +273,31 @@ read_buttress (const QnPlace *place, QnButtress *buttress)
 }
 
 static gboolean
-read_portal (const QnPlace *place, QnPortal *portal)
+read_portal (const QnJsonValue *place, QnPortal *portal)
 {
   static const char *const arch_keys[] = { "shape", "sides", "rise", "ring",
                                            "voussoirs" };
-  QnPlace arch = qn_place_member (place, "arch");
+  QnJsonValue arch = qn_json_value_member (place, "arch");
   portal->bays = 1;
   if (!qn_member_count (place, "bays", QN_OPTIONAL, MAX_COUNT, &portal->bays)
       || !read_length (place, "span", QN_REQUIRED, &portal->span)
       || !read_two (place, "pier", QN_REQUIRED, &portal->pier_width, &portal->pier_height)
       || !qn_member_count (place, "courses", QN_REQUIRED, MAX_COUNT, &portal->courses)
-      || !read_length (place, "lintel", arch.value != NULL ? QN_OPTIONAL : QN_REQUIRED,
+      || !read_length (place, "lintel", arch.json != NULL ? QN_OPTIONAL : QN_REQUIRED,
                        &portal->lintel_height))
     return FALSE;
-  if (arch.value == NULL)
+  if (arch.json == NULL)
     return TRUE;
   if (portal->lintel_height > 0)
-    return qn_place_fail (&arch, _ ("arch and lintel exclude each other"));
-  if (!qn_place_object (&arch))
+    return qn_json_value_fail (&arch, _ ("arch and lintel exclude each other"));
+  if (!qn_json_value_object (&arch))
     return FALSE;
-  qn_place_warn_unknown (&arch, arch_keys, G_N_ELEMENTS (arch_keys));
+  qn_json_value_warn_unknown (&arch, arch_keys, G_N_ELEMENTS (arch_keys));
   return read_arch (&arch, QN_OPTIONAL, &portal->arch);
 }
 
 static gboolean
-read_rubble (const QnPlace *place, QnRubble *rubble)
+read_rubble (const QnJsonValue *place, QnRubble *rubble)
 {
   double seed = 1;
   rubble->irregularity = 0.7;
@@ -307,8 +308,8 @@ read_rubble (const QnPlace *place, QnRubble *rubble)
       || !read_size (place, "seed", &seed))
     return FALSE;
   if (seed > G_MAXUINT32 || seed != floor (seed)) {
-    QnPlace member = qn_place_member (place, "seed");
-    return qn_place_fail (&member, _ ("expected a whole number below 4294967296"));
+    QnJsonValue member = qn_json_value_member (place, "seed");
+    return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
   }
   rubble->seed = (uint32_t) seed;
   return TRUE;
@@ -332,7 +333,7 @@ static const char *const kind_keys[QN_MASONRY_KIND_COUNT][16] = {
 };
 
 static void
-warn_unknown_keys (const QnPlace *place, QnMasonryKind kind)
+warn_unknown_keys (const QnJsonValue *place, QnMasonryKind kind)
 {
   const char *keys[G_N_ELEMENTS (common_keys) + 16];
   gsize count = 0;
@@ -340,11 +341,11 @@ warn_unknown_keys (const QnPlace *place, QnMasonryKind kind)
     keys[count++] = common_keys[i];
   for (gsize i = 0; i < 16 && kind_keys[kind][i] != NULL; i++)
     keys[count++] = kind_keys[kind][i];
-  qn_place_warn_unknown (place, keys, count);
+  qn_json_value_warn_unknown (place, keys, count);
 }
 
 static gboolean
-read_kind (const QnPlace *place, QnMasonry *masonry)
+read_kind (const QnJsonValue *place, QnMasonry *masonry)
 {
   switch (masonry->kind) {
   case QN_MASONRY_WALL:
@@ -366,20 +367,21 @@ read_kind (const QnPlace *place, QnMasonry *masonry)
 }
 
 gboolean
-qn_read_masonry_object (const QnPlace *place, const QnModel *model, QnMasonry *masonry)
+qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
+                        QnMasonry *masonry)
 {
   char default_name[16];
   g_snprintf (default_name, sizeof default_name, "m%" G_GSIZE_FORMAT, place->index + 1);
   const char *name = default_name;
   int kind;
   *masonry = (QnMasonry){ 0 };
-  if (!qn_place_object (place)
+  if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, name_of_masonry_kind,
                             QN_MASONRY_KIND_COUNT, &kind)
       || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
   if (qn_masonry_init (masonry, (QnMasonryKind) kind, name, NULL) != QN_OK)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   warn_unknown_keys (place, masonry->kind);
   if (qn_member_vec2 (place, "origin", QN_OPTIONAL, &masonry->origin)
       && qn_member_number (place, "rotation", QN_OPTIONAL, QN_RANGE_FINITE,

@@ -7,57 +7,57 @@
 #include "io/json/json-value.h"
 
 /* In project-read-law.c; `root` is the document. */
-gboolean qn_read_laws (const QnPlace *root, QnNeed need, QnModel *model);
-gboolean qn_read_bars (const QnPlace *root, QnModel *model);
+gboolean qn_read_laws (const QnJsonValue *root, QnNeed need, QnModel *model);
+gboolean qn_read_bars (const QnJsonValue *root, QnModel *model);
 
 /* In project-read-structure.c. */
-gboolean qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model);
-gboolean qn_read_walls (const QnPlace *root, QnModel *model);
+gboolean qn_read_blocks (const QnJsonValue *root, QnNeed need, QnModel *model);
+gboolean qn_read_walls (const QnJsonValue *root, QnModel *model);
 
 /* `support` of a block or node; left as it is where there is none. */
-gboolean qn_read_support (const QnPlace *place, bool support[QN_DOF_COUNT]);
+gboolean qn_read_support (const QnJsonValue *place, bool support[QN_DOF_COUNT]);
 
 /* In project-read-beams.c: sections, nodes and beams; the walls must be expanded. */
-gboolean qn_read_beams (const QnPlace *root, QnModel *model);
+gboolean qn_read_beams (const QnJsonValue *root, QnModel *model);
 
 /* In project-read-loading.c; the walls must be expanded, so that their blocks have names. */
-gboolean qn_read_contact (const QnPlace *root, QnModel *model);
-gboolean qn_read_loads (const QnPlace *root, QnModel *model);
+gboolean qn_read_contact (const QnJsonValue *root, QnModel *model);
+gboolean qn_read_loads (const QnJsonValue *root, QnModel *model);
 
 /* In project-read-analysis.c; after the loads. */
-gboolean qn_read_analysis (const QnPlace *root, QnModel *model);
+gboolean qn_read_analysis (const QnJsonValue *root, QnModel *model);
 
 /* Parts that walls and parametric masonry have in common. Weight of the material as N/m3 or, times
  * gravity, as kg/m3: exactly one of them. */
-gboolean qn_read_weight (const QnPlace *place, const QnModel *model, double *unit_weight,
-                         double *density);
+gboolean qn_read_weight (const QnJsonValue *place, const QnModel *model,
+                         double *unit_weight, double *density);
 
 /* `law` or, the same thing under the name that suits its basis, `material`. */
-gboolean qn_read_own_law (const QnPlace *place, const QnModel *model, QnId *law);
+gboolean qn_read_own_law (const QnJsonValue *place, const QnModel *model, QnId *law);
 
 /* `courses`: lists of lengths. */
-gboolean qn_read_courses (const QnPlace *place, QnWall *wall);
+gboolean qn_read_courses (const QnJsonValue *place, QnWall *wall);
 
 /* Calls `read` for every element of a member that is an array. */
-gboolean qn_read_each (const QnPlace *root, const char *key, QnNeed need,
-                       gboolean (*read) (const QnPlace *place, QnModel *model),
+gboolean qn_read_each (const QnJsonValue *root, const char *key, QnNeed need,
+                       gboolean (*read) (const QnJsonValue *place, QnModel *model),
                        QnModel *model);
 
 /* Law, block, node, section or beam that a member names; an optional one that is not there leaves
  * *id as it is. */
-gboolean qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_read_law_name (const QnJsonValue *object, const char *key, QnNeed need,
                            const QnModel *model, QnId *id);
-gboolean qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_read_block_name (const QnJsonValue *object, const char *key, QnNeed need,
                              const QnModel *model, QnId *id);
-gboolean qn_read_node_name (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_read_node_name (const QnJsonValue *object, const char *key, QnNeed need,
                             const QnModel *model, QnId *id);
-gboolean qn_read_section_name (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_read_section_name (const QnJsonValue *object, const char *key, QnNeed need,
                                const QnModel *model, QnId *id);
-gboolean qn_read_beam_name (const QnPlace *object, const char *key, QnNeed need,
+gboolean qn_read_beam_name (const QnJsonValue *object, const char *key, QnNeed need,
                             const QnModel *model, QnId *id);
 
 /* Finds an entity by name; fails at the place with what is known as `problem`. */
-gboolean qn_read_name_of (const QnPlace *place, const QnModel *model,
+gboolean qn_read_name_of (const QnJsonValue *place, const QnModel *model,
                           QnId (*find) (const QnModel *model, const char *name),
                           QnProblem problem, QnId *id);
 

@@ -7,40 +7,40 @@
 
 /* "no law has this name: "joint"", so that a typing error is seen without opening the file. */
 static gboolean
-fail_unknown_name (const QnPlace *place, QnProblem problem, const char *name)
+fail_unknown_name (const QnJsonValue *place, QnProblem problem, const char *name)
 {
   GString *quoted = g_string_new (NULL);
   qn_json_append_string (quoted, name);
-  qn_place_failf (place, "%s: %s", _ (qn_problem_text (problem)), quoted->str);
+  qn_json_value_failf (place, "%s: %s", _ (qn_problem_text (problem)), quoted->str);
   g_string_free (quoted, TRUE);
   return FALSE;
 }
 
 gboolean
-qn_read_name_of (const QnPlace *place, const QnModel *model,
+qn_read_name_of (const QnJsonValue *place, const QnModel *model,
                  QnId (*find) (const QnModel *model, const char *name), QnProblem problem,
                  QnId *id)
 {
-  const char *name = place->value->valuestring;
+  const char *name = place->json->valuestring;
   *id = find (model, name);
   return *id != QN_NONE || fail_unknown_name (place, problem, name);
 }
 
 /* The entity that a member names. */
 static gboolean
-read_name (const QnPlace *object, const char *key, QnNeed need, const QnModel *model,
+read_name (const QnJsonValue *object, const char *key, QnNeed need, const QnModel *model,
            QnId (*find) (const QnModel *model, const char *name), QnProblem problem,
            QnId *id)
 {
   const char *name = NULL;
   if (!qn_member_string (object, key, need, &name))
     return FALSE;
-  QnPlace member = qn_place_member (object, key);
+  QnJsonValue member = qn_json_value_member (object, key);
   return name == NULL || qn_read_name_of (&member, model, find, problem, id);
 }
 
 gboolean
-qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
+qn_read_law_name (const QnJsonValue *object, const char *key, QnNeed need,
                   const QnModel *model, QnId *id)
 {
   return read_name (object, key, need, model, qn_model_find_law, QN_PROBLEM_LAW_UNKNOWN,
@@ -48,7 +48,7 @@ qn_read_law_name (const QnPlace *object, const char *key, QnNeed need,
 }
 
 gboolean
-qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
+qn_read_block_name (const QnJsonValue *object, const char *key, QnNeed need,
                     const QnModel *model, QnId *id)
 {
   return read_name (object, key, need, model, qn_model_find_block,
@@ -56,7 +56,7 @@ qn_read_block_name (const QnPlace *object, const char *key, QnNeed need,
 }
 
 gboolean
-qn_read_node_name (const QnPlace *object, const char *key, QnNeed need,
+qn_read_node_name (const QnJsonValue *object, const char *key, QnNeed need,
                    const QnModel *model, QnId *id)
 {
   return read_name (object, key, need, model, qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN,
@@ -64,7 +64,7 @@ qn_read_node_name (const QnPlace *object, const char *key, QnNeed need,
 }
 
 gboolean
-qn_read_section_name (const QnPlace *object, const char *key, QnNeed need,
+qn_read_section_name (const QnJsonValue *object, const char *key, QnNeed need,
                       const QnModel *model, QnId *id)
 {
   return read_name (object, key, need, model, qn_model_find_section,
@@ -72,7 +72,7 @@ qn_read_section_name (const QnPlace *object, const char *key, QnNeed need,
 }
 
 gboolean
-qn_read_beam_name (const QnPlace *object, const char *key, QnNeed need,
+qn_read_beam_name (const QnJsonValue *object, const char *key, QnNeed need,
                    const QnModel *model, QnId *id)
 {
   return read_name (object, key, need, model, qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN,
@@ -80,18 +80,18 @@ qn_read_beam_name (const QnPlace *object, const char *key, QnNeed need,
 }
 
 gboolean
-qn_read_each (const QnPlace *root, const char *key, QnNeed need,
-              gboolean (*read) (const QnPlace *place, QnModel *model), QnModel *model)
+qn_read_each (const QnJsonValue *root, const char *key, QnNeed need,
+              gboolean (*read) (const QnJsonValue *place, QnModel *model), QnModel *model)
 {
-  QnPlace list = qn_place_member (root, key);
-  if (list.value == NULL && need == QN_OPTIONAL)
+  QnJsonValue list = qn_json_value_member (root, key);
+  if (list.json == NULL && need == QN_OPTIONAL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_json_value_array (&list))
     return FALSE;
 
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
-    QnPlace place = qn_place_element (&list, index++, item);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
+    QnJsonValue place = qn_json_value_element (&list, index++, item);
     if (!read (&place, model))
       return FALSE;
   }
@@ -99,64 +99,66 @@ qn_read_each (const QnPlace *root, const char *key, QnNeed need,
 }
 
 gboolean
-qn_read_weight (const QnPlace *place, const QnModel *model, double *unit_weight,
+qn_read_weight (const QnJsonValue *place, const QnModel *model, double *unit_weight,
                 double *density)
 {
   const QnRange range = QN_RANGE_NOT_NEGATIVE;
-  QnPlace by_density = qn_place_member (place, "density");
-  if (by_density.value == NULL)
+  QnJsonValue by_density = qn_json_value_member (place, "density");
+  if (by_density.json == NULL)
     return qn_member_number (place, "unit_weight", QN_REQUIRED, range, unit_weight);
-  if (cJSON_HasObjectItem (place->value, "unit_weight"))
-    return qn_place_fail (&by_density, _ ("density and unit_weight exclude each other"));
-  if (!qn_place_number (&by_density, range, density))
+  if (cJSON_HasObjectItem (place->json, "unit_weight"))
+    return qn_json_value_fail (&by_density,
+                               _ ("density and unit_weight exclude each other"));
+  if (!qn_json_value_number (&by_density, range, density))
     return FALSE;
   *unit_weight = *density * model->gravity;
   return TRUE;
 }
 
 gboolean
-qn_read_own_law (const QnPlace *place, const QnModel *model, QnId *law)
+qn_read_own_law (const QnJsonValue *place, const QnModel *model, QnId *law)
 {
-  QnPlace material = qn_place_member (place, "material");
-  if (material.value == NULL)
+  QnJsonValue material = qn_json_value_member (place, "material");
+  if (material.json == NULL)
     return qn_read_law_name (place, "law", QN_OPTIONAL, model, law);
-  if (cJSON_HasObjectItem (place->value, "law"))
-    return qn_place_fail (&material, _ ("law and material exclude each other"));
+  if (cJSON_HasObjectItem (place->json, "law"))
+    return qn_json_value_fail (&material, _ ("law and material exclude each other"));
   return qn_read_law_name (place, "material", QN_REQUIRED, model, law);
 }
 
 gboolean
-qn_read_support (const QnPlace *place, bool support[QN_DOF_COUNT])
+qn_read_support (const QnJsonValue *place, bool support[QN_DOF_COUNT])
 {
-  QnPlace list = qn_place_member (place, "support");
-  if (list.value == NULL)
+  QnJsonValue list = qn_json_value_member (place, "support");
+  if (list.json == NULL)
     return TRUE;
-  if (!qn_place_array (&list))
+  if (!qn_json_value_array (&list))
     return FALSE;
-  if (cJSON_GetArraySize (list.value) != QN_DOF_COUNT)
-    return qn_place_fail (&list, _ ("expected three values: ux, uy, rz fixed or not"));
+  if (cJSON_GetArraySize (list.json) != QN_DOF_COUNT)
+    return qn_json_value_fail (&list,
+                               _ ("expected three values: ux, uy, rz fixed or not"));
 
   gsize i = 0;
-  for (const cJSON *flag = list.value->child; flag != NULL; flag = flag->next, i++) {
-    QnPlace element = qn_place_element (&list, i, flag);
+  for (const cJSON *flag = list.json->child; flag != NULL; flag = flag->next, i++) {
+    QnJsonValue element = qn_json_value_element (&list, i, flag);
     if (!cJSON_IsBool (flag))
-      return qn_place_fail (&element, _ ("expected true or false"));
+      return qn_json_value_fail (&element, _ ("expected true or false"));
     support[i] = cJSON_IsTrue (flag);
   }
   return TRUE;
 }
 
 static gboolean
-read_vertices (const QnPlace *place, GArray *vertices)
+read_vertices (const QnJsonValue *place, GArray *vertices)
 {
-  QnPlace list = qn_place_member (place, "vertices");
-  if (!qn_place_array (&list))
+  QnJsonValue list = qn_json_value_member (place, "vertices");
+  if (!qn_json_value_array (&list))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
-    QnPlace element = qn_place_element (&list, index++, item);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
+    QnJsonValue element = qn_json_value_element (&list, index++, item);
     QnVec2 vertex;
-    if (!qn_place_vec2 (&element, &vertex))
+    if (!qn_json_value_vec2 (&element, &vertex))
       return FALSE;
     g_array_append_val (vertices, vertex);
   }
@@ -164,7 +166,7 @@ read_vertices (const QnPlace *place, GArray *vertices)
 }
 
 static gboolean
-read_block_properties (const QnPlace *place, const QnModel *model, QnBlock *block)
+read_block_properties (const QnJsonValue *place, const QnModel *model, QnBlock *block)
 {
   return qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
                            &block->thickness)
@@ -174,16 +176,17 @@ read_block_properties (const QnPlace *place, const QnModel *model, QnBlock *bloc
 }
 
 static gboolean
-read_block (const QnPlace *place, QnModel *model)
+read_block (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "name",    "vertices", "thickness", "unit_weight",
                                       "density", "support",  "law",       "material" };
   char default_name[16];
   g_snprintf (default_name, sizeof default_name, "b%" G_GSIZE_FORMAT, place->index + 1);
   const char *name = default_name;
-  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
   GArray *vertices = g_array_sized_new (FALSE, FALSE, sizeof (QnVec2), 8);
   gboolean done = read_vertices (place, vertices);
@@ -191,52 +194,52 @@ read_block (const QnPlace *place, QnModel *model)
     QnBlock *block =
       qn_model_add_block (model, name, (const QnVec2 *) vertices->data, vertices->len);
     done = block != NULL ? read_block_properties (place, model, block)
-                         : qn_place_no_memory (place);
+                         : qn_json_value_no_memory (place);
   }
   g_array_unref (vertices);
   return done;
 }
 
 gboolean
-qn_read_blocks (const QnPlace *root, QnNeed need, QnModel *model)
+qn_read_blocks (const QnJsonValue *root, QnNeed need, QnModel *model)
 {
   return qn_read_each (root, "blocks", need, read_block, model);
 }
 
 static gboolean
-read_course (const QnPlace *place, QnWall *wall)
+read_course (const QnJsonValue *place, QnWall *wall)
 {
-  if (!qn_place_array (place))
+  if (!qn_json_value_array (place))
     return FALSE;
   GArray *lengths = g_array_new (FALSE, FALSE, sizeof (double));
   gboolean done = TRUE;
   gsize index = 0;
-  for (const cJSON *item = place->value->child; done && item != NULL; item = item->next) {
-    QnPlace element = qn_place_element (place, index++, item);
+  for (const cJSON *item = place->json->child; done && item != NULL; item = item->next) {
+    QnJsonValue element = qn_json_value_element (place, index++, item);
     double length = 0;
-    done = qn_place_number (&element, QN_RANGE_FINITE, &length);
+    done = qn_json_value_number (&element, QN_RANGE_FINITE, &length);
     if (done && length == 0)
-      done =
-        qn_place_fail (&element, _ (qn_problem_text (QN_PROBLEM_COURSE_LENGTH_ZERO)));
+      done = qn_json_value_fail (&element,
+                                 _ (qn_problem_text (QN_PROBLEM_COURSE_LENGTH_ZERO)));
     else if (done && fabs (length) > QN_MAX_COURSE_LENGTH)
-      done = qn_place_fail (&element, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
+      done = qn_json_value_fail (&element, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
     g_array_append_val (lengths, length);
   }
   if (done && !qn_wall_add_course (wall, (const double *) lengths->data, lengths->len))
-    done = qn_place_no_memory (place);
+    done = qn_json_value_no_memory (place);
   g_array_unref (lengths);
   return done;
 }
 
 gboolean
-qn_read_courses (const QnPlace *place, QnWall *wall)
+qn_read_courses (const QnJsonValue *place, QnWall *wall)
 {
-  QnPlace list = qn_place_member (place, "courses");
-  if (!qn_place_array (&list))
+  QnJsonValue list = qn_json_value_member (place, "courses");
+  if (!qn_json_value_array (&list))
     return FALSE;
   gsize index = 0;
-  for (const cJSON *item = list.value->child; item != NULL; item = item->next) {
-    QnPlace course = qn_place_element (&list, index++, item);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
+    QnJsonValue course = qn_json_value_element (&list, index++, item);
     if (!read_course (&course, wall))
       return FALSE;
   }
@@ -244,7 +247,7 @@ qn_read_courses (const QnPlace *place, QnWall *wall)
 }
 
 static gboolean
-read_wall (const QnPlace *place, QnModel *model)
+read_wall (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "name",      "origin",      "unit",
                                       "thickness", "unit_weight", "density",
@@ -252,13 +255,14 @@ read_wall (const QnPlace *place, QnModel *model)
   char default_name[16];
   g_snprintf (default_name, sizeof default_name, "w%" G_GSIZE_FORMAT, place->index + 1);
   const char *name = default_name;
-  if (!qn_place_object (place) || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
-  qn_place_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
   QnWall *wall = qn_model_add_wall (model, name);
   if (wall == NULL)
-    return qn_place_no_memory (place);
+    return qn_json_value_no_memory (place);
   return qn_member_vec2 (place, "origin", QN_OPTIONAL, &wall->origin)
          && qn_member_vec2 (place, "unit", QN_REQUIRED, &wall->unit)
          && qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
@@ -268,7 +272,7 @@ read_wall (const QnPlace *place, QnModel *model)
 }
 
 gboolean
-qn_read_walls (const QnPlace *root, QnModel *model)
+qn_read_walls (const QnJsonValue *root, QnModel *model)
 {
   return qn_read_each (root, "walls", QN_OPTIONAL, read_wall, model);
 }

@@ -34,28 +34,30 @@ is_among (const char *key, const char *const *keys, gsize count)
 }
 
 static gboolean
-check_format (const QnPlace *root)
+check_format (const QnJsonValue *root)
 {
   const char *format;
   double version;
-  if (!qn_place_object (root) || !qn_member_string (root, "format", QN_REQUIRED, &format))
+  if (!qn_json_value_object (root)
+      || !qn_member_string (root, "format", QN_REQUIRED, &format))
     return FALSE;
   if (strcmp (format, "quoin") != 0) {
-    QnPlace place = qn_place_member (root, "format");
-    return qn_place_fail (&place, _ ("this is not a Quoin project: expected \"quoin\""));
+    QnJsonValue place = qn_json_value_member (root, "format");
+    return qn_json_value_fail (&place,
+                               _ ("this is not a Quoin project: expected \"quoin\""));
   }
   if (!qn_member_number (root, "version", QN_REQUIRED, QN_RANGE_FINITE, &version))
     return FALSE;
   if (version != FORMAT_VERSION) {
-    QnPlace place = qn_place_member (root, "version");
-    return qn_place_failf (&place, _ ("this program reads version %d of the format only"),
-                           FORMAT_VERSION);
+    QnJsonValue place = qn_json_value_member (root, "version");
+    return qn_json_value_failf (
+      &place, _ ("this program reads version %d of the format only"), FORMAT_VERSION);
   }
   return TRUE;
 }
 
 static gboolean
-read_title_and_gravity (const QnPlace *root, QnModel *model)
+read_title_and_gravity (const QnJsonValue *root, QnModel *model)
 {
   const char *title = NULL;
   if (!qn_member_string (root, "title", QN_OPTIONAL, &title)
@@ -63,13 +65,13 @@ read_title_and_gravity (const QnPlace *root, QnModel *model)
                             &model->gravity))
     return FALSE;
   model->title = qn_strdup (title);
-  return model->title != NULL || title == NULL || qn_place_no_memory (root);
+  return model->title != NULL || title == NULL || qn_json_value_no_memory (root);
 }
 
 /* Moves the top-level members that the model does not hold out of the tree, with a warning for
  * those that no layer knows. */
 static gboolean
-keep_extras (const QnPlace *root, cJSON *document, QnProject *project)
+keep_extras (const QnJsonValue *root, cJSON *document, QnProject *project)
 {
   cJSON *next;
   for (cJSON *child = document->child; child != NULL; child = next) {
@@ -77,8 +79,8 @@ keep_extras (const QnPlace *root, cJSON *document, QnProject *project)
     if (is_among (child->string, model_keys, G_N_ELEMENTS (model_keys)))
       continue;
     if (!is_among (child->string, upper_keys, G_N_ELEMENTS (upper_keys))) {
-      QnPlace place = qn_place_member (root, child->string);
-      qn_place_warn (&place, _ ("unknown key"));
+      QnJsonValue place = qn_json_value_member (root, child->string);
+      qn_json_value_warn (&place, _ ("unknown key"));
     }
     if (project->extras == NULL)
       project->extras = cJSON_CreateObject ();
@@ -86,7 +88,7 @@ keep_extras (const QnPlace *root, cJSON *document, QnProject *project)
     if (project->extras == NULL
         || !cJSON_AddItemToObject (project->extras, child->string, child)) {
       cJSON_Delete (child);
-      return qn_place_no_memory (root);
+      return qn_json_value_no_memory (root);
     }
   }
   return TRUE;
@@ -94,7 +96,7 @@ keep_extras (const QnPlace *root, cJSON *document, QnProject *project)
 
 /* A status of the core as the reader's error. */
 static gboolean
-take_status (const QnPlace *root, const QnProject *project, QnStatus status,
+take_status (const QnJsonValue *root, const QnProject *project, QnStatus status,
              const QnDiag *diag)
 {
   if (status != QN_OK && root->reader->error == NULL)
@@ -103,7 +105,7 @@ take_status (const QnPlace *root, const QnProject *project, QnStatus status,
 }
 
 static gboolean
-read_document (const QnPlace *root, cJSON *document, QnProject *project)
+read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
 {
   QnModel *model = &project->model;
   QnDiag diag;
@@ -172,11 +174,11 @@ read_project (QnProject *project, GError **error)
                       .warnings = project->warnings };
   cJSON *document = parse_text (&reader);
   if (document != NULL) {
-    QnPlace root = qn_place_root (&reader, document);
+    QnJsonValue root = qn_json_value_root (&reader, document);
     read_document (&root, document, project);
     if (!qn_project_keep_inner (project, g_steal_pointer (&reader.unknown))
         && reader.error == NULL)
-      qn_place_no_memory (&root);
+      qn_json_value_no_memory (&root);
     cJSON_Delete (document);
     count_dropped_warnings (&reader);
   }

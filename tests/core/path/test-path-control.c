@@ -314,7 +314,7 @@ test_stop_at_limit_point (void)
   QnModel model;
   QnResult result;
   make_truss (&model, QN_PROCEDURE_DISPLACEMENT, -0.65);
-  model.analysis.snap = QN_SNAP_STOP;
+  model.analysis.snap = QN_SNAP_THROUGH_STOP;
   run (&model, &result);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
   g_assert_cmpint (result.stop, ==, QN_STOP_LIMIT_POINT);

@@ -131,7 +131,7 @@ test_limit_point (void)
     QnResult result;
     test_model_init_wall (&model, 3, 0);
     model.analysis.increments = increments[i];
-    model.analysis.snap = QN_SNAP_STOP;
+    model.analysis.snap = QN_SNAP_THROUGH_STOP;
     run (&model, NULL, NULL, &result);
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
     g_assert_cmpfloat_with_epsilon (result.first_limit_multiplier, 0.2604, 3e-4);

@@ -7,7 +7,7 @@
 typedef struct Fixture {
   QnReader reader;
   cJSON *document;
-  QnPlace root;
+  QnJsonValue root;
 } Fixture;
 
 static const char text[] =
@@ -23,7 +23,7 @@ set_up (Fixture *fixture, gconstpointer data)
                                 .text = text,
                                 .length = strlen (text),
                                 .warnings = g_ptr_array_new_with_free_func (g_free) };
-  fixture->root = qn_place_root (&fixture->reader, fixture->document);
+  fixture->root = qn_json_value_root (&fixture->reader, fixture->document);
 }
 
 static void
@@ -54,7 +54,7 @@ static void
 test_values (Fixture *fixture, gconstpointer data)
 {
   (void) data;
-  const QnPlace *root = &fixture->root;
+  const QnJsonValue *root = &fixture->root;
   double number = 0;
   int32_t count = 0;
   int choice = -1;
@@ -97,7 +97,7 @@ static void
 test_errors (Fixture *fixture, gconstpointer data)
 {
   (void) data;
-  const QnPlace *root = &fixture->root;
+  const QnJsonValue *root = &fixture->root;
   double number;
   int32_t count;
   int choice;
@@ -128,10 +128,10 @@ static void
 test_first_error (Fixture *fixture, gconstpointer data)
 {
   (void) data;
-  QnPlace first = qn_place_member (&fixture->root, "n");
-  QnPlace second = qn_place_member (&fixture->root, "c");
-  g_assert_false (qn_place_fail (&first, "one"));
-  g_assert_false (qn_place_fail (&second, "two"));
+  QnJsonValue first = qn_json_value_member (&fixture->root, "n");
+  QnJsonValue second = qn_json_value_member (&fixture->root, "c");
+  g_assert_false (qn_json_value_fail (&first, "one"));
+  g_assert_false (qn_json_value_fail (&second, "two"));
   expect_error (fixture, "f:1:8: n: one");
 }
 
@@ -140,13 +140,13 @@ test_warnings (Fixture *fixture, gconstpointer data)
 {
   (void) data;
   static const char *const known[] = { "n", "c", "h", "s", "b", "v", "w", "x" };
-  qn_place_warn_unknown (&fixture->root, known, G_N_ELEMENTS (known));
+  qn_json_value_warn_unknown (&fixture->root, known, G_N_ELEMENTS (known));
   g_assert_cmpuint (fixture->reader.warnings->len, ==, 1);
   g_assert_cmpstr (g_ptr_array_index (fixture->reader.warnings, 0), ==,
                    "f:2:48: inf: unknown key");
 
   for (guint i = 0; i < 2 * QN_READER_MAX_WARNINGS; i++)
-    qn_place_warn (&fixture->root, "again");
+    qn_json_value_warn (&fixture->root, "again");
   g_assert_cmpuint (fixture->reader.warnings->len, ==, QN_READER_MAX_WARNINGS);
   g_assert_cmpuint (fixture->reader.dropped_warnings, ==, QN_READER_MAX_WARNINGS + 1);
 }
@@ -157,9 +157,9 @@ test_override_named (Fixture *fixture, gconstpointer data)
   (void) data;
   static const char *const overrides[] = { "c=4", "v=[5, 6]", NULL };
   fixture->reader.overrides = overrides;
-  QnPlace list = qn_place_member (&fixture->root, "v");
-  QnPlace element = qn_place_element (&list, 1, list.value->child->next);
-  g_assert_false (qn_place_fail (&element, "is wrong"));
+  QnJsonValue list = qn_json_value_member (&fixture->root, "v");
+  QnJsonValue element = qn_json_value_element (&list, 1, list.json->child->next);
+  g_assert_false (qn_json_value_fail (&element, "is wrong"));
   expect_error (fixture, "f: v[1]: is wrong (set by \"v=[5, 6]\")");
 }
 

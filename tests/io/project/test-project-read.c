@@ -59,7 +59,7 @@ check_settings (const QnModel *model)
   g_assert_cmpfloat (analysis->residual_tolerance, ==, 1e-7);
   g_assert_false (analysis->shortcuts.partial_elimination);
   g_assert_true (analysis->shortcuts.same_tangent);
-  g_assert_cmpint (analysis->snap, ==, QN_SNAP_STOP);
+  g_assert_cmpint (analysis->snap, ==, QN_SNAP_THROUGH_STOP);
   g_assert_cmpint (analysis->flow, ==, QN_FLOW_NON_ASSOCIATIVE);
   g_assert_cmpint (analysis->control_block, ==, qn_model_find_block (model, "w.2.1"));
   g_assert_cmpint (analysis->control_dof, ==, QN_DOF_UX);
@@ -111,7 +111,7 @@ test_defaults (void)
   g_assert_true (isinf (model->analysis.max_multiplier));
   g_assert_cmpfloat (model->analysis.multiplier_tolerance, ==, 1e-4);
   g_assert_cmpfloat (model->analysis.residual_tolerance, ==, 1e-8);
-  g_assert_cmpint (model->analysis.snap, ==, QN_SNAP_JUMP);
+  g_assert_cmpint (model->analysis.snap, ==, QN_SNAP_THROUGH_JUMP);
   g_assert_cmpint (model->contact.pairs.placement, ==, QN_PLACEMENT_ENDS);
   g_assert_cmpfloat (model->contact.pairs.offset, ==, 0);
   g_assert_null (project.extras);
@@ -152,7 +152,7 @@ test_overrides (void)
   g_assert_cmpint (project.model.analysis.increments, ==, 37);
   g_assert_cmpfloat (project.model.laws[0].dilatancy, ==, 0.65);
   g_assert_cmpfloat (project.model.contact.pairs.offset, ==, 0.02);
-  g_assert_cmpint (project.model.analysis.snap, ==, QN_SNAP_STOP);
+  g_assert_cmpint (project.model.analysis.snap, ==, QN_SNAP_THROUGH_STOP);
   g_assert_cmpstr (project.overrides[1], ==, "laws[0].dilatancy=0.65");
 
   /* The sum is that of the file, whatever was overridden. */
