@@ -1,4 +1,5 @@
 #include "stereotomy/arch-ring.h"
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 
 #include <stdlib.h>
@@ -65,9 +66,10 @@ qn_arch_ring_init (QnArchRing *ring, const QnArch *arch)
     break;
   }
   double chord = 2 * acos (1 - QN_ARCH_SAGITTA);
-  ring->chords = arch->sides == QN_SIDES_STRAIGHT
-                   ? 1
-                   : (int32_t) ceil (turn / arch->voussoirs / chord);
+  ring->chords =
+    arch->sides == QN_SIDES_STRAIGHT
+      ? 1
+      : (int32_t) qn_to_integer (ceil (turn / arch->voussoirs / chord), 1, QN_MAX_BLOCKS);
 }
 
 /* Point at the distance `offset` outside the intrados, on the left half (u <= 1/2). */

@@ -1,5 +1,6 @@
 /* Rubble: a seeded Voronoi tessellation, its short edges closed, within a trapezium. */
 #include "core/base/box-tree.h"
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "stereotomy/geos.h"
@@ -72,13 +73,15 @@ half_width (const QnRubble *rubble, double y)
 static int32_t
 row_count (const QnRubble *rubble)
 {
-  return (int32_t) fmax (1, round (rubble->height / (FLATNESS * rubble->stone)));
+  return (int32_t) qn_to_integer (round (rubble->height / (FLATNESS * rubble->stone)), 1,
+                                  QN_MAX_BLOCKS);
 }
 
 static int32_t
 column_count (const QnRubble *rubble, double y)
 {
-  return (int32_t) fmax (1, round (2 * half_width (rubble, y) / rubble->stone));
+  return (int32_t) qn_to_integer (round (2 * half_width (rubble, y) / rubble->stone), 1,
+                                  QN_MAX_BLOCKS);
 }
 
 /* Site of a stone: rows of equal height, stones of equal length, every other row shifted, all

@@ -1,5 +1,6 @@
 #include "app/canvas/canvas-private.h"
 #include "app/widgets/settings.h"
+#include "core/base/integer.h"
 #include "doc/text/explain.h"
 #include "render/backend/draw-cairo.h"
 #include "render/figure/figure-furniture.h"
@@ -40,7 +41,8 @@ make_text (QnCanvas *self, const char *text, double points)
   PangoFontDescription *font =
     pango_font_description_copy (pango_context_get_font_description (
       gtk_widget_get_pango_context (GTK_WIDGET (self))));
-  pango_font_description_set_size (font, (int) (points * PANGO_SCALE));
+  pango_font_description_set_size (
+    font, (int) qn_to_integer (points * PANGO_SCALE, 0, G_MAXINT));
   pango_layout_set_font_description (layout, font);
   pango_font_description_free (font);
   return layout;
@@ -462,7 +464,8 @@ draw_message (QnCanvas *self, cairo_t *cr, const char *text)
 {
   g_autoptr (PangoLayout) layout = make_text (self, text, 12.0);
   pango_layout_set_alignment (layout, PANGO_ALIGN_CENTER);
-  pango_layout_set_width (layout, (int) (0.7 * self->camera.width) * PANGO_SCALE);
+  pango_layout_set_width (
+    layout, (int) qn_to_integer (0.7 * self->camera.width, 0, G_MAXINT16) * PANGO_SCALE);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
   cairo_set_source_rgba (cr, 0.3, 0.3, 0.3, 0.9);

@@ -2,6 +2,7 @@
 
 #include "app/canvas/scene-cache.h"
 #include "app/widgets/settings.h"
+#include "core/base/integer.h"
 #include "render/backend/draw-gl.h"
 #include "render/backend/offscreen.h"
 
@@ -77,8 +78,8 @@ on_render (GtkGLArea *area, GdkGLContext *context, QnGlLayer *self)
   camera.height *= factor;
   camera.scale *= factor;
   camera.unit *= factor;
-  qn_gl_renderer_draw (self->renderer, self->scene, &camera, (int) camera.height, true,
-                       NULL);
+  qn_gl_renderer_draw (self->renderer, self->scene, &camera,
+                       (int) qn_to_integer (camera.height, 0, G_MAXINT16), true, NULL);
   self->revision = self->scene->revision;
   self->frames++;
   return TRUE;
@@ -129,7 +130,8 @@ qn_gl_layer_prepare (QnGlLayer *self, const QnScene *scene, const QnCamera *came
     self->wake = g_idle_add (on_wake, self);
   /* The area has its size from the allocation after it was shown. */
   if (!self->wanted || self->renderer == NULL || !gtk_widget_get_mapped (self->area)
-      || gtk_widget_get_width (self->area) != (int) camera->width)
+      || gtk_widget_get_width (self->area)
+           != (int) qn_to_integer (camera->width, 0, G_MAXINT16))
     return FALSE;
   if (self->revision != scene->revision || !is_same_camera (&self->camera, camera)) {
     self->camera = *camera;

@@ -1,5 +1,6 @@
 #include "app/canvas/scene-cache.h"
 
+#include "core/base/integer.h"
 #include "render/backend/draw-cairo.h"
 
 /* Part of the viewport that the picture reaches beyond it on every side. */
@@ -21,9 +22,10 @@ redraw (QnSceneCache *cache, const QnScene *scene, const QnCamera *camera, int f
   cache->camera.height = ceil (camera->height * (1.0 + 2.0 * RIM));
   cache->revision = scene->revision;
   cache->factor = factor;
-  cache->surface =
-    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, (int) cache->camera.width * factor,
-                                (int) cache->camera.height * factor);
+  cache->surface = cairo_image_surface_create (
+    CAIRO_FORMAT_ARGB32,
+    (int) qn_to_integer (cache->camera.width, 0, G_MAXINT16) * factor,
+    (int) qn_to_integer (cache->camera.height, 0, G_MAXINT16) * factor);
   cairo_surface_set_device_scale (cache->surface, factor, factor);
   cairo_t *cr = cairo_create (cache->surface);
   qn_draw_cairo (scene, &cache->camera, QN_LAYERS_ALL, true, cr, NULL);

@@ -5,6 +5,7 @@
 #include "app/forms/form.h"
 #include "app/widgets/dialog.h"
 #include "app/window/window-chooser.h"
+#include "core/base/integer.h"
 #include "doc/view/animation-job.h"
 #include <glib/gi18n.h>
 
@@ -58,9 +59,12 @@ take_settings (const Dialog *dialog)
   qn_animation_settings_init (&s, dialog->window->state);
   s.view =
     gtk_drop_down_get_selected (dialog->what) == 0 ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
-  s.width = (int) qn_quantity_entry_get_value (dialog->width);
-  s.height = (int) qn_quantity_entry_get_value (dialog->height);
-  s.frames = (int) qn_quantity_entry_get_value (dialog->frames);
+  s.width =
+    (int) qn_to_integer (qn_quantity_entry_get_value (dialog->width), 0, G_MAXINT32);
+  s.height =
+    (int) qn_to_integer (qn_quantity_entry_get_value (dialog->height), 0, G_MAXINT32);
+  s.frames =
+    (int) qn_to_integer (qn_quantity_entry_get_value (dialog->frames), 0, G_MAXINT32);
   s.rate = qn_quantity_entry_get_value (dialog->rate);
   s.scale = qn_quantity_entry_get_value (dialog->scale);
   s.once = gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->once));

@@ -1,6 +1,7 @@
 /* Copies of what is selected: in a row, a column, or around a point. */
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "core/base/integer.h"
 #include <glib/gi18n.h>
 
 #define LARGEST 1e6 /* m */
@@ -15,7 +16,8 @@ static void
 on_make (Form *form)
 {
   GVariant *value = g_variant_new (
-    "(iddd)", (int) qn_quantity_entry_get_value (form->copies),
+    "(iddd)",
+    (int) qn_to_integer (qn_quantity_entry_get_value (form->copies), 0, G_MAXINT32),
     qn_quantity_entry_get_value (form->right), qn_quantity_entry_get_value (form->up),
     qn_quantity_entry_get_value (form->turn));
   g_autoptr (GVariant) owned = g_variant_ref_sink (value);

@@ -2,6 +2,7 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
+#include "core/base/integer.h"
 #include "doc/text/beam-summary.h"
 #include <glib/gi18n.h>
 
@@ -59,7 +60,8 @@ edit_change (QnModel *model, gpointer data, GError **error)
   case CHANGE_HINGE:
     return qn_edit_set_beam_hinge (model, c->set, c->end, c->on, error);
   case CHANGE_ELEMENTS:
-    return qn_edit_set_beam_elements (model, c->set, (int32_t) c->value, error);
+    return qn_edit_set_beam_elements (
+      model, c->set, (int32_t) qn_to_integer (c->value, 1, G_MAXINT32), error);
   case CHANGE_LOAD:
     return qn_edit_set_line_load (model, c->set, c->on, c->load, error);
   }

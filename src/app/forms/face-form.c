@@ -3,6 +3,7 @@
 #include "app/forms/joint-view.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
+#include "core/base/integer.h"
 #include "doc/edit/edit-face.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
@@ -97,7 +98,8 @@ change_pairs (Form *form)
     rule.offset = rule.placement == QN_PLACEMENT_ENDS
                     ? qn_quantity_entry_get_value (form->offset)
                     : 0.0;
-    rule.count = MAX (1, (int32_t) qn_quantity_entry_get_value (form->count));
+    rule.count =
+      (int32_t) qn_to_integer (qn_quantity_entry_get_value (form->count), 1, G_MAXINT32);
   }
   if (row > ROW_AS_ALL && rule.placement == QN_PLACEMENT_EXPLICIT) {
     const char *positions = gtk_editable_get_text (GTK_EDITABLE (form->positions));

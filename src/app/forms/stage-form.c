@@ -2,6 +2,7 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
+#include "core/base/integer.h"
 #include "doc/edit/edit-stage.h"
 #include "doc/view/load-text.h"
 #include <glib/gi18n.h>
@@ -189,7 +190,8 @@ change_stage (Form *form, gboolean take)
   stage->procedure = procedures[gtk_drop_down_get_selected (form->procedure)];
   if (stage->procedure == QN_PROCEDURE_DISPLACEMENT)
     end = QN_STAGE_END_DISPLACEMENT;
-  stage->increments = (int32_t) qn_quantity_entry_get_value (form->increments);
+  stage->increments = (int32_t) qn_to_integer (
+    qn_quantity_entry_get_value (form->increments), 0, G_MAXINT32);
   stage->has_target = end == QN_STAGE_END_MULTIPLIER;
   stage->target = stage->has_target ? qn_quantity_entry_get_value (form->target) : 0.0;
   gboolean controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;

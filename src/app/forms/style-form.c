@@ -1,6 +1,7 @@
 /* What the current tool draws with; only what concerns it is shown. */
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "core/base/integer.h"
 #include <glib/gi18n.h>
 
 #define LARGEST 1e6 /* m, N/m3: limits of fields */
@@ -83,11 +84,13 @@ on_setting (gpointer widget, Form *form)
   style->span = heads[MIN (head, G_N_ELEMENTS (heads) - 1)].span;
   style->shape = (QnArchShape) gtk_drop_down_get_selected (form->shape);
   style->ring = qn_quantity_entry_get_value (form->ring);
-  style->voussoirs = (int32_t) qn_quantity_entry_get_value (form->voussoirs);
+  style->voussoirs = (int32_t) qn_to_integer (
+    qn_quantity_entry_get_value (form->voussoirs), 0, G_MAXINT32);
   style->top_to_foot = qn_quantity_entry_get_value (form->taper);
   settings->force = qn_quantity_entry_get_value (form->force);
   settings->live = gtk_drop_down_get_selected (form->force_kind) == 0;
-  settings->elements = (int) qn_quantity_entry_get_value (form->elements);
+  settings->elements =
+    (int) qn_to_integer (qn_quantity_entry_get_value (form->elements), 0, G_MAXINT32);
   for (int end = 0; end < 2; end++)
     settings->hinges[end] =
       gtk_check_button_get_active (GTK_CHECK_BUTTON (form->hinges[end]));

@@ -1,6 +1,7 @@
 /* Arch: first the span, from springing to springing, then the rise. */
 #include "app/canvas/gesture.h"
 
+#include "core/base/integer.h"
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>
 
@@ -114,7 +115,7 @@ numbers (QnCanvas *canvas, const double *values, int count)
   if (count > first + 1)
     arch.style.ring = values[first + 1];
   if (count > first + 2)
-    arch.style.voussoirs = (int32_t) CLAMP (values[first + 2], 2.0, 1000.0);
+    arch.style.voussoirs = (int32_t) qn_to_integer (values[first + 2], 2, 1000);
   add (canvas, arch);
   return TRUE;
 }

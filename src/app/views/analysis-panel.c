@@ -1,5 +1,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "core/base/integer.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -81,7 +82,8 @@ take_placement (const Panel *panel, QnPairRule *rule, GError **error)
   QnPlacement placement = (QnPlacement) gtk_drop_down_get_selected (panel->placement);
   rule->offset = qn_quantity_entry_get_value (panel->offset);
   if (placement != QN_PLACEMENT_EXPLICIT) {
-    rule->count = MAX (1, (int32_t) qn_quantity_entry_get_value (panel->count));
+    rule->count =
+      (int32_t) qn_to_integer (qn_quantity_entry_get_value (panel->count), 1, G_MAXINT32);
     rule->placement = placement;
     return TRUE;
   }
@@ -104,7 +106,8 @@ edit_settings (QnModel *model, gpointer data, GError **error)
                                                                   : QN_GEOMETRY_LINEAR;
   a->snap = gtk_drop_down_get_selected (panel->snap) == 1 ? QN_SNAP_THROUGH_STOP
                                                           : QN_SNAP_THROUGH_JUMP;
-  a->increments = (int32_t) qn_quantity_entry_get_value (panel->increments);
+  a->increments = (int32_t) qn_to_integer (
+    qn_quantity_entry_get_value (panel->increments), 0, G_MAXINT32);
   a->max_multiplier = qn_quantity_entry_get_value (panel->max_multiplier);
   a->multiplier_tolerance = qn_quantity_entry_get_value (panel->multiplier_tolerance);
   a->residual_tolerance = qn_quantity_entry_get_value (panel->residual_tolerance);

@@ -1,6 +1,7 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
+#include "core/base/integer.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n.h>
@@ -38,7 +39,8 @@ show_share (Bar *bar, double share)
   if (moves_by_phase (bar))
     qn_view_state_set_phase (bar->state, share);
   else
-    qn_view_state_set_step (bar->state, (int) lround (share * last_step (bar)));
+    qn_view_state_set_step (
+      bar->state, (int) qn_to_integer (round (share * last_step (bar)), 0, G_MAXINT));
 }
 
 static void
@@ -112,7 +114,8 @@ on_slider (GtkRange *range, Bar *bar)
     qn_view_state_set_phase (bar->state,
                              gtk_range_get_value (range) / MAX (1, last_step (bar)));
   else
-    qn_view_state_set_step (bar->state, (int) lround (gtk_range_get_value (range)));
+    qn_view_state_set_step (
+      bar->state, (int) qn_to_integer (round (gtk_range_get_value (range)), 0, G_MAXINT));
 }
 
 static void

@@ -2,6 +2,7 @@
  * again, and travels by the clipboard. */
 #include "app/window/window-private.h"
 
+#include "core/base/integer.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-shape.h"
 #include <glib/gi18n.h>
@@ -357,7 +358,7 @@ paste_line (QnModel *model, const char *line, double offset, GError **error)
   double head[4];
   for (int i = 0; i < 4; i++)
     head[i] = g_ascii_strtod (at, &at);
-  int count = (int) CLAMP (head[0], 3.0, 1e5);
+  int count = (int) qn_to_integer (head[0], 3, 100000);
   bool fixed = head[1] != 0.0;
   QnBlockStyle style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } };
   g_autofree QnVec2 *vertices = g_new (QnVec2, (gsize) count);

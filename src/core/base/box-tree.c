@@ -1,5 +1,6 @@
 #include "core/base/box-tree.h"
 
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 
 #include <stdlib.h>
@@ -11,7 +12,8 @@ typedef struct {
 
 /* Cells of the curve along each side of the square: splinters a millionth of the whole still find
  * an order. */
-#define CURVE_BITS 24
+#define CURVE_BITS   24
+#define LARGEST_CELL ((INT64_C (1) << CURVE_BITS) - 1)
 
 /* Place of a cell along the Hilbert curve that fills a square of 2^24 x 2^24 cells. Two digits
  * of the place, one quadrant, are settled per turn of the loop; the rest of the square is then
@@ -37,7 +39,7 @@ static uint32_t
 cell_of (double value, double low, double extent)
 {
   double share = extent > 0 ? (value - low) / extent : 0;
-  return (uint32_t) (qn_min (qn_max (share, 0), 1) * ((UINT32_C (1) << CURVE_BITS) - 1));
+  return (uint32_t) qn_to_integer (share * LARGEST_CELL, 0, LARGEST_CELL);
 }
 
 /* Bits of a key that one pass of the sort looks at. */

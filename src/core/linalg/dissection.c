@@ -1,5 +1,6 @@
 #include "core/linalg/dissection.h"
 
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 
 #include <stdlib.h>
@@ -82,7 +83,7 @@ last_neighbour (const Dissection *d, int32_t node, int32_t end)
 static Cut
 find_cut (Dissection *d, int32_t first, int32_t count, bool upwards)
 {
-  int32_t low = (int32_t) (LEAST_PART * count), touching = 0;
+  int32_t low = (int32_t) qn_to_integer (LEAST_PART * count, 0, count), touching = 0;
   Cut cut = { .touching = count };
 
   sort_part (d, first, count, upwards);

@@ -4,6 +4,7 @@
  *
  * A hunk is the place in the text after the step, what the step took away there and what it put
  * in its place. */
+#include "core/base/integer.h"
 #include "doc/document/history-private.h"
 
 #include "io/json/json-parse.h"
@@ -62,8 +63,8 @@ read_hunk (const cJSON *value, QnStep *step)
       || offset->valuedouble > (double) G_MAXINT32 || !cJSON_IsString (removed)
       || !cJSON_IsString (inserted))
     return FALSE;
-  QnHunk hunk = { (gsize) offset->valuedouble, g_strdup (removed->valuestring),
-                  g_strdup (inserted->valuestring) };
+  QnHunk hunk = { (gsize) qn_to_integer (offset->valuedouble, 0, G_MAXINT32),
+                  g_strdup (removed->valuestring), g_strdup (inserted->valuestring) };
   g_array_append_val (step->hunks, hunk);
   return TRUE;
 }
@@ -145,7 +146,8 @@ read_history (const cJSON *root, const char *text, QnHistory *history)
   if (!(position->valuedouble >= 0.0)
       || position->valuedouble > (double) history->steps->len)
     return FALSE;
-  history->position = (guint) position->valuedouble;
+  history->position =
+    (guint) qn_to_integer (position->valuedouble, 0, history->steps->len);
   if (!try_steps (history, text))
     return FALSE;
   history->broken = TRUE;

@@ -1,4 +1,5 @@
 #include "doc/edit/edit-beams.h"
+#include "core/base/integer.h"
 
 #include <math.h>
 
@@ -105,7 +106,8 @@ follow_inner_nodes (const QnModel *from, const QnModel *to, QnBeamRebuild *rebui
       continue;
     const QnBeam *beam = &to->beams[rebuild->beams[old]];
     int32_t last = beam->element_count;
-    int32_t number = (int32_t) lround ((double) ++seen[old] / (counts[old] + 1) * last);
+    int32_t number = (int32_t) qn_to_integer (
+      round ((double) ++seen[old] / (counts[old] + 1) * last), 0, last);
     rebuild->nodes[i] = number <= 0 ? beam->nodes[0]
                         : number >= last
                           ? beam->nodes[1]

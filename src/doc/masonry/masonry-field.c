@@ -1,4 +1,5 @@
 #include "doc/masonry/masonry-field.h"
+#include "core/base/integer.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -165,10 +166,10 @@ qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
     *(double *) at = value;
     break;
   case TYPE_COUNT:
-    *(int32_t *) at = (int32_t) round (value);
+    *(int32_t *) at = (int32_t) qn_to_integer (round (value), G_MININT32, G_MAXINT32);
     break;
   case TYPE_SEED:
-    *(uint32_t *) at = (uint32_t) round (value);
+    *(uint32_t *) at = (uint32_t) qn_to_integer (round (value), 0, G_MAXUINT32);
     break;
   }
   for (gsize i = 1; fields[field].leaf && i < masonry->wall.leaf_count; i++) {
@@ -277,5 +278,5 @@ qn_opening_set_field (QnOpening *opening, QnOpeningField field, double value)
   if (number != NULL)
     *number = value;
   else
-    opening->voussoirs = (int32_t) round (value);
+    opening->voussoirs = (int32_t) qn_to_integer (round (value), G_MININT32, G_MAXINT32);
 }

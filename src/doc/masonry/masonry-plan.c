@@ -1,5 +1,6 @@
 #include "doc/masonry/masonry-plan.h"
 
+#include "core/base/integer.h"
 #include "doc/masonry/masonry-shape.h"
 #include <math.h>
 
@@ -91,7 +92,8 @@ qn_plan_column (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, Qn
   column->height = fabs (to.y - from.y);
   column->bottom = fabs (to.x - from.x);
   column->top = style->top_to_foot * column->bottom;
-  column->drums = MAX ((int32_t) round (column->height / style->unit.y), 1);
+  column->drums =
+    (int32_t) qn_to_integer (round (column->height / style->unit.y), 1, QN_MAX_BLOCKS);
   masonry->origin = qn_vec2 (0.5 * (from.x + to.x), MIN (from.y, to.y));
   return TRUE;
 }

@@ -1,4 +1,5 @@
 #include "doc/masonry/masonry-shape.h"
+#include "core/base/integer.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -179,7 +180,8 @@ qn_opening_set_head (QnOpening *opening, QnHead head, QnSpan span, double course
   if ((opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS)
       && opening->voussoirs < 2) {
     /* An odd number has a keystone. */
-    int pairs = (int) ceil (0.25 * opening->width / course_height);
+    int pairs = (int) qn_to_integer (ceil (0.25 * opening->width / course_height), 0,
+                                     QN_MAX_BLOCKS);
     opening->voussoirs = 2 * CLAMP (pairs, 2, 15) + 1;
   }
   fit_head (opening);

@@ -1,5 +1,6 @@
 #include "doc/view/recipe.h"
 
+#include "core/base/integer.h"
 #include "doc/document/digest.h"
 #include "io/json/json-value.h"
 #include "io/project/project-extras.h"
@@ -126,7 +127,7 @@ read_view (const QnJsonValue *object, QnViewOptions *view)
   }
   view->field = (QnField) field;
   view->diagram = (QnDiagram) diagram;
-  view->step = (int32_t) step;
+  view->step = (int32_t) qn_to_integer (step, G_MININT32, G_MAXINT32);
   view->scale = scale;
   for (size_t i = 0; qn_view_switches[i] != NULL; i++)
     if (!qn_member_bool (object, qn_view_switches[i], QN_OPTIONAL,

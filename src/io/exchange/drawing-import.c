@@ -136,11 +136,12 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
 }
 
 gboolean
-qn_drawing_to_project (const QnDrawing *drawing, const char *name,
+qn_drawing_to_project (QnDrawing *drawing, const char *name,
                        const QnImportSettings *settings, QnProject *project,
                        QnImportReport *report, GError **error)
 {
   *project = (QnProject){ 0 };
+  qn_drawing_drop_unbounded (drawing);
   *report = (QnImportReport){ g_ptr_array_new_with_free_func (g_free),
                               g_ptr_array_new_with_free_func (g_free), FALSE };
   QnImportWork work = { .drawing = drawing,

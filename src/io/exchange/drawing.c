@@ -1,5 +1,7 @@
 #include "io/exchange/drawing.h"
+#include "core/base/integer.h"
 
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #define MAX_SPLINE_DEGREE 11
@@ -71,11 +73,38 @@ qn_drawing_note (QnDrawing *drawing, const char *text, guint line, QnVec2 at)
   g_ptr_array_add (drawing->notes, note);
 }
 
+static gboolean
+is_bounded (const QnDrawingPath *path)
+{
+  for (gsize i = 0; i < path->count; i++)
+    if (!(fabs (path->points[i].x) <= QN_DRAWING_LARGEST
+          && fabs (path->points[i].y) <= QN_DRAWING_LARGEST))
+      return FALSE;
+  return TRUE;
+}
+
+void
+qn_drawing_drop_unbounded (QnDrawing *drawing)
+{
+  guint kept = 0;
+  for (guint i = 0; i < drawing->paths->len; i++) {
+    QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
+    if (is_bounded (path)) {
+      g_array_index (drawing->paths, QnDrawingPath, kept++) = *path;
+    } else {
+      qn_drawing_note (drawing, _ ("shapes with coordinates beyond 1e15 left out"),
+                       path->line, qn_vec2 (NAN, NAN));
+      g_free (path->points);
+    }
+  }
+  g_array_set_size (drawing->paths, kept);
+}
+
 static int
 chord_count (double angle)
 {
   double step = 2 * acos (1 - QN_DRAWING_SAGITTA);
-  return (int) CLAMP (ceil (fabs (angle) / step - 1e-9), 1, MAX_CHORDS);
+  return (int) qn_to_integer (ceil (fabs (angle) / step - 1e-9), 1, MAX_CHORDS);
 }
 
 void

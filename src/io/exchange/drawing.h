@@ -13,6 +13,9 @@
 /* Chords of curves deviate from them by less than this part of the radius. */
 #define QN_DRAWING_SAGITTA 0.002
 
+/* Largest coordinate, in any unit: beyond it a double does not tell a millimetre any more. */
+#define QN_DRAWING_LARGEST 1e15
+
 typedef struct QnDrawingPath {
   QnVec2 *points; /* owned */
   gsize count;
@@ -48,6 +51,10 @@ const char *qn_drawing_keep_string (QnDrawing *drawing, const char *string);
 /* Adds an empty path; valid until the next addition. */
 QnDrawingPath *qn_drawing_add_path (QnDrawing *drawing, const char *layer, guint line);
 void qn_drawing_path_add (QnDrawingPath *path, QnVec2 point);
+
+/* Takes out the paths with a coordinate that is not finite or beyond QN_DRAWING_LARGEST, which the
+ * arithmetic of curves and transformations can bring about, and notes them. */
+void qn_drawing_drop_unbounded (QnDrawing *drawing);
 
 /* Counts something; `text` is translated and says what, in the plural: "texts left out". */
 void qn_drawing_note (QnDrawing *drawing, const char *text, guint line, QnVec2 at);

@@ -1,4 +1,5 @@
 #include "io/exchange/dxf-import.h"
+#include "core/base/integer.h"
 #include "io/exchange/dxf-scan.h"
 #include "io/exchange/dxf-shim.h"
 #include "io/text/io-error.h"
@@ -160,10 +161,9 @@ add_spline (QnDrawingPath *path, const QnDxfEntity *entity)
     weights[i] = entity->points[3 * i + 2] != 0 ? entity->points[3 * i + 2] : 1;
   }
   path->closed = (entity->flags & 1) != 0;
-  double degree = entity->numbers[0];
-  return degree >= 1 && degree <= 100
-         && qn_drawing_path_add_spline (path, (guint) degree, entity->knots,
-                                        entity->knot_count, points, weights, n);
+  guint degree = (guint) qn_to_integer (entity->numbers[0], 0, G_MAXINT);
+  return qn_drawing_path_add_spline (path, degree, entity->knots, entity->knot_count,
+                                     points, weights, n);
 }
 
 /* The entity's own points; FALSE for a curve that makes no sense. */
@@ -278,8 +278,8 @@ add_insert (Importer *importer, const Entity *entity, const Transform *transform
                      entity->source.line, at);
     return;
   }
-  int columns = (int) CLAMP (insert->numbers[5], 1, MAX_PATHS);
-  int rows = (int) CLAMP (insert->numbers[6], 1, MAX_PATHS);
+  int columns = (int) qn_to_integer (insert->numbers[5], 1, MAX_PATHS);
+  int rows = (int) qn_to_integer (insert->numbers[6], 1, MAX_PATHS);
   for (int row = 0; row < rows; row++)
     for (int column = 0; column < columns; column++) {
       Transform own = insert_transform (insert, definition->base, column, row);

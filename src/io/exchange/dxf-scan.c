@@ -4,9 +4,6 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-/* Largest absolute coordinate in any unit. */
-#define MAX_NUMBER 1e15
-
 typedef struct Pair {
   int code;
   const char *value; /* borrowed, not NUL-terminated */
@@ -85,7 +82,7 @@ parse_number (const Pair *pair, double *number)
   memcpy (buffer, pair->value, pair->length);
   buffer[pair->length] = '\0';
   *number = g_ascii_strtod (buffer, &end);
-  return *end == '\0' && fabs (*number) <= MAX_NUMBER;
+  return *end == '\0' && fabs (*number) <= QN_DRAWING_LARGEST;
 }
 
 static gboolean

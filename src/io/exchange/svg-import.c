@@ -7,6 +7,10 @@
 #define MAX_GROUPS   64
 #define CURVE_CHORDS 12
 
+/* A unit outside of these is taken for undeclared; m. */
+#define LEAST_UNIT   1e-9
+#define LARGEST_UNIT 1e9
+
 /* x' = a x + c y + e, y' = b x + d y + f, as SVG writes matrix(a b c d e f). */
 typedef struct Matrix {
   double a, b, c, d, e, f;
@@ -421,13 +425,15 @@ read_unit (Importer *importer, const char **keys, const char **values)
   } units[] = { { "mm", 0.001 }, { "cm", 0.01 }, { "in", 0.0254 }, { "m", 1 } };
   const char *width = attribute (keys, values, "width");
   const char *box = attribute (keys, values, "viewBox");
-  double size, numbers[4];
+  double size, numbers[4], unit = 0;
   if (width == NULL || box == NULL || !next_number (&width, &size)
       || read_numbers (box, numbers, 4) != 4 || !(numbers[2] > 0))
     return;
   for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
     if (strcmp (width, units[i].name) == 0)
-      importer->drawing->unit = units[i].metres * size / numbers[2];
+      unit = units[i].metres * size / numbers[2];
+  if (unit >= LEAST_UNIT && unit <= LARGEST_UNIT)
+    importer->drawing->unit = unit;
 }
 
 static void

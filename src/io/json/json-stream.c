@@ -1,5 +1,6 @@
 #include "io/json/json-stream.h"
 
+#include "core/base/integer.h"
 #include "io/json/json-locate.h"
 #include "io/json/json-path.h"
 #include "io/text/io-error.h"
@@ -190,7 +191,7 @@ qn_json_stream_int32 (QnJsonStream *stream, gpointer target)
   double number;
   if (!read_whole (stream, G_MAXINT32, &number))
     return FALSE;
-  *(gint32 *) target = (gint32) number;
+  *(gint32 *) target = (gint32) qn_to_integer (number, 0, G_MAXINT32);
   return TRUE;
 }
 
@@ -200,7 +201,7 @@ qn_json_stream_int64 (QnJsonStream *stream, gpointer target)
   double number;
   if (!read_whole (stream, 0x1p53, &number))
     return FALSE;
-  *(gint64 *) target = (gint64) number;
+  *(gint64 *) target = qn_to_integer (number, 0, G_MAXINT64);
   return TRUE;
 }
 

@@ -1,5 +1,6 @@
 #include "io/json/json-value.h"
 
+#include "core/base/integer.h"
 #include "io/json/json-locate.h"
 #include "io/json/json-override.h"
 #include "io/json/json-path.h"
@@ -272,7 +273,7 @@ qn_member_count (const QnJsonValue *object, const char *key, QnNeed need, int32_
     return FALSE;
   if (number != floor (number) || number < 1 || number > max)
     return qn_json_value_failf (&member, _ ("expected a whole number from 1 to %d"), max);
-  *count = (int32_t) number;
+  *count = (int32_t) qn_to_integer (number, 1, max);
   return TRUE;
 }
 

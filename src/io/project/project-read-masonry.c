@@ -1,3 +1,4 @@
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "io/project/project-masonry.h"
 #include "io/project/project-read-parts.h"
@@ -311,7 +312,7 @@ read_rubble (const QnJsonValue *place, QnRubble *rubble)
     QnJsonValue member = qn_json_value_member (place, "seed");
     return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
   }
-  rubble->seed = (uint32_t) seed;
+  rubble->seed = (uint32_t) qn_to_integer (seed, 0, G_MAXUINT32);
   return TRUE;
 }
 

@@ -1,3 +1,4 @@
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "io/project/project-names.h"
 #include "io/result/result-draft.h"
@@ -341,7 +342,7 @@ read_contact_blocks (QnJsonStream *stream, gpointer target)
     if (!(numbers[i] >= 0 && numbers[i] < QN_MAX_BLOCKS
           && numbers[i] == floor (numbers[i])))
       return qn_json_stream_fail (stream, _ ("blocks are given by their numbers from 0"));
-    blocks[i] = (QnId) numbers[i];
+    blocks[i] = (QnId) qn_to_integer (numbers[i], 0, QN_MAX_BLOCKS - 1);
   }
   return TRUE;
 }

@@ -1,4 +1,5 @@
 #include "io/text/number-text.h"
+#include "core/base/integer.h"
 
 #include <float.h>
 #include <math.h>
@@ -60,7 +61,7 @@ write_short_decimal (double number, char text[QN_NUMBER_TEXT_SIZE])
       continue;
     char *out = text + QN_NUMBER_TEXT_SIZE;
     *--out = '\0';
-    guint64 left = (guint64) digits;
+    guint64 left = (guint64) qn_to_integer (digits, 0, G_MAXINT64);
     for (int i = 0; i < decimals || left > 0 || i == decimals; i++) {
       if (i == decimals)
         *--out = '.';
@@ -83,7 +84,8 @@ qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE])
     return text;
   }
   if (fabs (number) < 1e15 && number == trunc (number)) {
-    g_snprintf (text, QN_NUMBER_TEXT_SIZE, "%" G_GINT64_FORMAT, (gint64) number);
+    g_snprintf (text, QN_NUMBER_TEXT_SIZE, "%" G_GINT64_FORMAT,
+                qn_to_integer (number, G_MININT64, G_MAXINT64));
     return text;
   }
 

@@ -1,5 +1,6 @@
 #include "render/backend/draw-gl.h"
 
+#include "core/base/integer.h"
 #include "render/backend/gl-batch.h"
 #include "render/backend/gl-target.h"
 #include "render/backend/output.h"
@@ -253,6 +254,12 @@ set_camera (const QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
   gl->Uniform2f (r->dash, (float) (6.5 * camera->unit), (float) (4 * camera->unit));
 }
 
+static GLint
+whole (double px)
+{
+  return (GLint) qn_to_integer (round (px), G_MININT16, G_MAXINT16);
+}
+
 void
 qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
                      int framebuffer_height, bool antialias, QnDrawCounts *counts)
@@ -264,12 +271,10 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   if (r->revision != scene->revision)
     upload (r, scene);
 
-  GLint left = (GLint) lround (camera->x);
-  GLint bottom = framebuffer_height - (GLint) lround (camera->y + camera->height);
-  gl->Viewport (left, bottom, (GLsizei) lround (camera->width),
-                (GLsizei) lround (camera->height));
-  gl->Scissor (left, bottom, (GLsizei) lround (camera->width),
-               (GLsizei) lround (camera->height));
+  GLint left = whole (camera->x);
+  GLint bottom = framebuffer_height - whole (camera->y + camera->height);
+  gl->Viewport (left, bottom, whole (camera->width), whole (camera->height));
+  gl->Scissor (left, bottom, whole (camera->width), whole (camera->height));
   gl->Enable (GL_SCISSOR_TEST);
   gl->Disable (GL_DEPTH_TEST);
   gl->Enable (GL_BLEND);

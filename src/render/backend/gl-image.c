@@ -1,4 +1,5 @@
 /* Drawing into images: through a framebuffer that is read back tile by tile. */
+#include "core/base/integer.h"
 #include "render/backend/draw-gl.h"
 #include "render/backend/gl-target.h"
 #include "render/backend/output.h"
@@ -66,8 +67,8 @@ qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
                            const QnCamera *camera, bool antialias, QnDrawCounts *counts,
                            GError **error)
 {
-  int width = MAX (1, (int) ceil (camera->width));
-  int height = MAX (1, (int) ceil (camera->height));
+  int width = (int) qn_to_integer (ceil (camera->width), 1, G_MAXINT16);
+  int height = (int) qn_to_integer (ceil (camera->height), 1, G_MAXINT16);
   int tile_width = MIN (width, TILE), tile_height = MIN (height, TILE);
   cairo_surface_t *image =
     cairo_image_surface_create (CAIRO_FORMAT_ARGB32, width, height);

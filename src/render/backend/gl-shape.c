@@ -1,5 +1,6 @@
 #include "render/backend/gl-shape.h"
 
+#include "core/base/integer.h"
 #include "render/scene/triangulate.h"
 
 /* Distance from an edge that is not there, m or pt. */
@@ -14,7 +15,7 @@
 static int8_t
 growth_steps (double px)
 {
-  return (int8_t) CLAMP (lround (px * QN_GL_GROWTH_STEPS), -127, 127);
+  return (int8_t) qn_to_integer (round (px * QN_GL_GROWTH_STEPS), -127, 127);
 }
 
 /* A vertex inside all edges, of the brush's colour. */

@@ -1,5 +1,6 @@
 #include "render/backend/output.h"
 
+#include "core/base/integer.h"
 #include "render/backend/gl-painter.h"
 #include "render/backend/png-encode.h"
 
@@ -172,7 +173,8 @@ encode_png (const QnOutput *output, const QnPage *page, const QnMetadata *metada
             QnPageFunc draw, void *data, GError **error)
 {
   cairo_surface_t *surface = cairo_image_surface_create (
-    CAIRO_FORMAT_ARGB32, (int) page->width, (int) page->height);
+    CAIRO_FORMAT_ARGB32, (int) qn_to_integer (page->width, 1, G_MAXINT16),
+    (int) qn_to_integer (page->height, 1, G_MAXINT16));
   cairo_t *cr = cairo_create (surface);
   GBytes *bytes = NULL;
   if (draw_page (cr, page, draw, data, error)) {

@@ -1,5 +1,6 @@
 #include "render/backend/png-encode.h"
 
+#include "core/base/integer.h"
 #include "render/backend/output.h"
 
 #include <glib/gi18n-lib.h>
@@ -103,7 +104,8 @@ write_image (png_structp png, png_infop info, cairo_surface_t *surface, double d
                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                 PNG_FILTER_TYPE_DEFAULT);
   if (dpi > 0) {
-    png_uint_32 per_metre = (png_uint_32) lround (dpi / 0.0254);
+    png_uint_32 per_metre =
+      (png_uint_32) qn_to_integer (round (dpi / 0.0254), 1, G_MAXINT32);
     png_set_pHYs (png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
   }
   set_texts (png, info, texts, text_count);

@@ -1,5 +1,6 @@
 #include "render/figure/compare-sheet.h"
 
+#include "core/base/integer.h"
 #include "core/result/mechanism.h"
 #include "render/backend/draw-cairo.h"
 #include "render/figure/figure-furniture.h"
@@ -282,8 +283,10 @@ draw_sheet (SheetLayout *s)
   furniture.x = s->left;
   furniture.y = s->page->height - margin - furniture.height;
 
-  int guess = s->sheet->columns > 0 ? s->sheet->columns
-                                    : (int) ceil (sqrt ((double) s->sheet->count));
+  int guess =
+    s->sheet->columns > 0
+      ? s->sheet->columns
+      : (int) qn_to_integer (ceil (sqrt ((double) s->sheet->count)), 1, G_MAXINT16);
   s->words = measure_words (s, MAX (guess, 1));
   choose_grid (s);
   draw_cells (s);

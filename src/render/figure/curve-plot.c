@@ -1,5 +1,6 @@
 #include "render/figure/curve-plot.h"
 
+#include "core/base/integer.h"
 #include "render/backend/draw-cairo.h"
 #include "render/figure/figure-furniture.h"
 #include "render/scene/camera.h"
@@ -136,10 +137,10 @@ tick_text (const Axis *axis, double value)
   double step = axis->step;
   if (axis->log)
     return qn_label_number ("%.6g", pow (10, value));
-  int digits = (int) fmax (0, -floor (log10 (step) + 1e-9));
+  int digits = (int) qn_to_integer (-floor (log10 (step) + 1e-9), 0, 9);
   if (fabs (value) < 0.5 * step)
     value = 0;
-  g_autofree char *format = g_strdup_printf ("%%.%df", MIN (digits, 9));
+  g_autofree char *format = g_strdup_printf ("%%.%df", digits);
   return qn_label_number (format, value);
 }
 

@@ -1,5 +1,6 @@
 #include "render/movie/animation.h"
 
+#include "core/base/integer.h"
 #include "render/backend/gl-painter.h"
 #include "render/figure/curve-plot.h"
 #include "render/figure/figure-layout.h"
@@ -217,7 +218,8 @@ draw_samples (Player *player, cairo_surface_t **samples, GError **error)
   int frames = player->animation->frames, count = 0;
   for (int i = 0; i < SAMPLES; i++) {
     samples[i] = cairo_image_surface_create (
-      CAIRO_FORMAT_ARGB32, (int) player->page->width, (int) player->page->height);
+      CAIRO_FORMAT_ARGB32, (int) qn_to_integer (player->page->width, 1, G_MAXINT16),
+      (int) qn_to_integer (player->page->height, 1, G_MAXINT16));
     count++;
     cairo_t *cr = cairo_create (samples[i]);
     int last = player->along_steps || player->animation->once ? frames - 1 : frames / 2;
@@ -319,8 +321,9 @@ qn_animation_export (const QnAnimation *animation, const char *path,
   if (isnan (full.multiplier))
     full.multiplier = qn_figure_multiplier (&animation->figure);
 
-  cairo_surface_t *surface =
-    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, (int) page.width, (int) page.height);
+  cairo_surface_t *surface = cairo_image_surface_create (
+    CAIRO_FORMAT_ARGB32, (int) qn_to_integer (page.width, 1, G_MAXINT16),
+    (int) qn_to_integer (page.height, 1, G_MAXINT16));
   cairo_t *cr = cairo_create (surface);
   Player player;
   bool done = player_init (&player, animation, &page, cr, error)

@@ -1,5 +1,6 @@
 /* Animated GIF through giflib: one palette for all frames, and of every frame only the
  * rectangle that changed. */
+#include "core/base/integer.h"
 #include "render/movie/movie.h"
 #include "render/scene/palette.h"
 
@@ -98,10 +99,10 @@ gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *m
   QnMovie *movie = g_new0 (QnMovie, 1);
   movie->path = g_strdup (path);
   movie->bytes = g_byte_array_new ();
-  movie->width = (int) page->width;
-  movie->height = (int) page->height;
+  movie->width = (int) qn_to_integer (page->width, 1, G_MAXINT16);
+  movie->height = (int) qn_to_integer (page->height, 1, G_MAXINT16);
   /* Viewers slow down what is faster than fifty frames a second. */
-  movie->delay = MAX (2, (int) lround (100 / rate));
+  movie->delay = (int) qn_to_integer (round (100 / rate), 2, G_MAXUINT16);
   movie->first = true;
   qn_palette_init (&movie->palette, samples, sample_count);
   movie->previous = g_try_malloc ((gsize) movie->width * movie->height);

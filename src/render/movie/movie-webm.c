@@ -1,4 +1,5 @@
 /* WebM (VP8) through GStreamer, where the build found it and the machine has the encoder. */
+#include "core/base/integer.h"
 #include "render/movie/movie.h"
 
 #include <glib/gi18n-lib.h>
@@ -111,9 +112,10 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
   (void) sample_count;
   QnMovie *movie = g_new0 (QnMovie, 1);
   movie->path = g_strdup (path);
-  movie->width = (int) page->width;
-  movie->height = (int) page->height;
-  movie->frame_time = (GstClockTime) (GST_SECOND / rate);
+  movie->width = (int) qn_to_integer (page->width, 1, G_MAXINT16);
+  movie->height = (int) qn_to_integer (page->height, 1, G_MAXINT16);
+  movie->frame_time = (GstClockTime) qn_to_integer ((double) GST_SECOND / rate, 1,
+                                                    3600 * (gint64) GST_SECOND);
   int trouble = qn_whole_file_open (&movie->file, path);
   if (trouble != 0) {
     set_file_error (movie, trouble, error);
@@ -144,7 +146,7 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
     "video/x-raw", "format", G_TYPE_STRING,
     G_BYTE_ORDER == G_LITTLE_ENDIAN ? "BGRx" : "xRGB", "width", G_TYPE_INT, movie->width,
     "height", G_TYPE_INT, movie->height, "framerate", GST_TYPE_FRACTION,
-    (gint) (rate * 1000 + 0.5), 1000, NULL);
+    (gint) qn_to_integer (rate * 1000 + 0.5, 1, G_MAXINT), 1000, NULL);
   gst_app_src_set_caps (GST_APP_SRC (movie->source), caps);
   gst_caps_unref (caps);
   gst_element_set_state (movie->pipeline, GST_STATE_PLAYING);

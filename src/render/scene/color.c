@@ -1,6 +1,7 @@
 #include "render/scene/color.h"
 
 #include "core/base/base.h"
+#include "core/base/integer.h"
 
 #include <math.h>
 
@@ -65,7 +66,7 @@ static uint8_t
 to_byte (double linear)
 {
   double v = gamma_encode (fmin (fmax (linear, 0.0), 1.0)) * 255.0;
-  return (uint8_t) lround (v);
+  return (uint8_t) qn_to_integer (round (v), 0, 255);
 }
 
 /* OKLab to sRGB; the matrices are those of B. Ottosson, "A perceptual color space for image
@@ -118,6 +119,6 @@ qn_map_diverging (double t, int monochrome)
 QnColor
 qn_color_fade (QnColor color, double alpha)
 {
-  color.a = (uint8_t) lround (color.a * fmin (fmax (alpha, 0.0), 1.0));
+  color.a = (uint8_t) qn_to_integer (round (color.a * alpha), 0, color.a);
   return color;
 }

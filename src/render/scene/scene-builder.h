@@ -6,10 +6,10 @@
 #include "render/scene/scene.h"
 
 /* Line widths and sizes of figures, pt. */
-#define QN_WIDTH_OUTLINE 0.55
-#define QN_WIDTH_GHOST   0.4
-#define QN_WIDTH_FACE    1.8
-#define QN_WIDTH_ARROW   0.9
+#define QN_WIDTH_OUTLINE 0.55F
+#define QN_WIDTH_GHOST   0.4F
+#define QN_WIDTH_FACE    1.8F
+#define QN_WIDTH_ARROW   0.9F
 #define QN_SIZE_LABEL    7.0
 
 typedef struct QnSceneBuilder {

@@ -1,5 +1,6 @@
 #include "render/scene/text.h"
 
+#include "core/base/integer.h"
 #include "render/scene/paint.h"
 
 #include <glib/gi18n-lib.h>
@@ -43,7 +44,8 @@ create_layout (cairo_t *cr, const QnTextStyle *style, const char *text)
   pango_font_description_free (font);
 
   if (style->width > 0) {
-    pango_layout_set_width (layout, (int) (style->width * PANGO_SCALE));
+    pango_layout_set_width (
+      layout, (int) qn_to_integer (style->width * PANGO_SCALE, 0, G_MAXINT));
     pango_layout_set_height (layout, -2);
     pango_layout_set_wrap (layout, PANGO_WRAP_WORD_CHAR);
     pango_layout_set_ellipsize (layout, PANGO_ELLIPSIZE_END);

@@ -94,12 +94,48 @@ test_bad_files (void)
   }
 }
 
+/* Numbers that arithmetic cannot carry, one at a time in every place where a shape has one. */
+static void
+test_extreme_numbers (void)
+{
+  static const char *const shapes[] = {
+    "<path d=\"M0 0 A %s %s %s 0 1 %s %s z\"/>",
+    "<path d=\"M%s %s C %s %s 1 1 %s 0 z\"/>",
+    "<rect x=\"%s\" y=\"%s\" width=\"%s\" height=\"%s\" transform=\"scale(%s)\"/>",
+    "<ellipse cx=\"%s\" cy=\"%s\" rx=\"%s\" ry=\"%s\" transform=\"rotate(%s)\"/>",
+    "<polygon points=\"0,0 %s,%s 1,%s 2,2\" transform=\"translate(%s,%s)\"/>",
+  };
+  static const char *const extremes[] = { "1e155",  "-1e155", "1e308", "-1.7e308",
+                                          "1e-160", "5e-324", "0",     "1e15" };
+  for (guint i = 0; i < G_N_ELEMENTS (shapes) * G_N_ELEMENTS (extremes) * 5; i++) {
+    const char *numbers[] = { "1", "1", "3", "4", "5" };
+    numbers[i % 5] = extremes[i / 5 % G_N_ELEMENTS (extremes)];
+    g_auto (GStrv) parts = g_strsplit (shapes[i / 5 / G_N_ELEMENTS (extremes)], "%s", -1);
+    g_autoptr (GString) text = g_string_new ("<svg>");
+    for (guint k = 0; parts[k] != NULL; k++)
+      g_string_append_printf (text, "%s%s", parts[k], k < 5 ? numbers[k] : "");
+    g_string_append (text, "</svg>");
+    QnDrawing drawing;
+    parse (text->str, &drawing);
+    g_assert_cmpuint (drawing.paths->len, ==, 1);
+    g_assert_cmpuint (path_at (&drawing, 0)->count, >=, 2);
+    qn_drawing_drop_unbounded (&drawing);
+    for (gsize k = 0; drawing.paths->len > 0 && k < path_at (&drawing, 0)->count; k++) {
+      g_assert_cmpfloat (fabs (path_at (&drawing, 0)->points[k].x), <=, 1e15);
+      g_assert_cmpfloat (fabs (path_at (&drawing, 0)->points[k].y), <=, 1e15);
+    }
+    g_assert_cmpuint (drawing.paths->len + drawing.notes->len, ==, 1);
+    qn_drawing_clear (&drawing);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/svg-import/shapes", test_shapes);
   g_test_add_func ("/svg-import/path-commands", test_path_commands);
+  g_test_add_func ("/svg-import/extreme-numbers", test_extreme_numbers);
   g_test_add_func ("/svg-import/bad-files", test_bad_files);
   return g_test_run ();
 }
