@@ -264,23 +264,49 @@ driver_press (GtkWidget *root, const char *label)
   driver_run (150);
 }
 
-static gboolean
-is_gone (gpointer window)
+/* What a window takes with it. */
+enum { ITS_WINDOW, ITS_CANVAS, ITS_STATE, ITS_DOCUMENT, ITS_COUNT };
+
+struct DriverParts {
+  gpointer objects[ITS_COUNT]; /* NULL: gone */
+};
+
+DriverParts *
+driver_watch_parts (QnWindow *window)
 {
-  GListModel *toplevels = gtk_window_get_toplevels ();
-  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
-    g_autoptr (GObject) item = g_list_model_get_item (toplevels, i);
-    if ((gpointer) item == window)
+  DriverParts *parts = g_new (DriverParts, 1);
+  parts->objects[ITS_WINDOW] = window;
+  parts->objects[ITS_CANVAS] = qn_window_get_canvas (window);
+  parts->objects[ITS_STATE] = qn_window_get_view_state (window);
+  parts->objects[ITS_DOCUMENT] = qn_window_get_document (window);
+  for (int i = 0; i < ITS_COUNT; i++)
+    g_object_add_weak_pointer (parts->objects[i], &parts->objects[i]);
+  return parts;
+}
+
+static gboolean
+are_gone (gpointer data)
+{
+  const DriverParts *parts = data;
+  for (int i = 0; i < ITS_COUNT; i++)
+    if (parts->objects[i] != NULL)
       return FALSE;
-  }
   return TRUE;
+}
+
+void
+driver_wait_until_gone (DriverParts *parts)
+{
+  driver_wait (are_gone, parts);
+  g_free (parts);
 }
 
 void
 driver_discard (QnWindow *window)
 {
+  DriverParts *parts = driver_watch_parts (window);
   gtk_window_destroy (GTK_WINDOW (window));
-  driver_wait (is_gone, window);
+  driver_wait_until_gone (parts);
 }
 
 static GdkTexture *

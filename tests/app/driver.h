@@ -36,8 +36,14 @@ void driver_type (const char *text);
 
 void driver_activate (QnWindow *window, const char *detailed_action);
 
-/* Closes without asking. */
+/* Closes without asking, and waits until the window and all that belongs to it are gone. */
 void driver_discard (QnWindow *window);
+
+/* Remembers a window with its drawing, view state and document; waits until they are gone, and
+ * forgets them. Fails where one of them outlives the others. */
+typedef struct DriverParts DriverParts;
+DriverParts *driver_watch_parts (QnWindow *window);
+void driver_wait_until_gone (DriverParts *parts);
 
 /* Lays a wall of 10,000 blocks in the drawing, 40 x 17.5 m. */
 void driver_lay_large_wall (QnWindow *window);

@@ -1,6 +1,8 @@
 /* Stages and settlements in the window: made in the panel, solved, and looked at one by one. */
 #include "driver.h"
 
+#include "app/widgets/quantity-entry.h"
+
 #include <math.h>
 
 static const QnModel *
@@ -132,11 +134,65 @@ test_settle_and_push (void)
   driver_discard (window);
 }
 
+/* Whatever a form shows, its window closes: by its own shortcut, and with the program. */
+static void
+test_close_with_selected (void)
+{
+  static const char *const keys[] = { "ctrl+w", "ctrl+q" };
+  for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
+    QnWindow *window = driver_open_example ("16-load-stages.quoin");
+    GtkWidget *root = GTK_WIDGET (window);
+    gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
+    driver_activate (window, "win.show-panel::analysis");
+    open_expander (root, "Loading in _Stages");
+    open_expander (root, "Loads One by _One");
+    GtkListBox *list = GTK_LIST_BOX (driver_find_widget (root, is_list_of_stages, NULL));
+    gtk_list_box_select_row (list, gtk_list_box_get_row_at_index (list, 1));
+    gtk_widget_grab_focus (GTK_WIDGET (gtk_list_box_get_row_at_index (list, 1)));
+    driver_run (200);
+    DriverParts *parts = driver_watch_parts (window);
+    driver_key (keys[i]);
+    driver_wait_until_gone (parts);
+  }
+}
+
+static gboolean
+is_number (GtkWidget *widget, gconstpointer value)
+{
+  return QN_IS_QUANTITY_ENTRY (widget) && gtk_widget_get_mapped (widget)
+         && qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (widget))
+              == *(const double *) value;
+}
+
+/* A number that is typed when the window is closed counts as a change, which is asked about. */
+static void
+test_close_while_typing (void)
+{
+  QnWindow *window = driver_open_example ("16-load-stages.quoin");
+  driver_activate (window, "win.show-panel::analysis");
+  double increments = model_of (window)->analysis.increments;
+  GtkWidget *entry = driver_find_widget (GTK_WIDGET (window), is_number, &increments);
+  g_assert_nonnull (entry);
+  gtk_widget_grab_focus (entry);
+  driver_key ("ctrl+a");
+  driver_type ("17");
+  driver_key ("ctrl+w");
+  driver_run (200);
+  g_assert_cmpint (model_of (window)->analysis.increments, ==, 17);
+  GtkWidget *question = driver_find_message ();
+  g_assert_nonnull (question);
+  DriverParts *parts = driver_watch_parts (window);
+  gtk_dialog_response (GTK_DIALOG (question), GTK_RESPONSE_REJECT);
+  driver_wait_until_gone (parts);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/stages/settle-and-push", test_settle_and_push);
+  g_test_add_func ("/app/stages/close-with-selected", test_close_with_selected);
+  g_test_add_func ("/app/stages/close-while-typing", test_close_while_typing);
   return g_test_run ();
 }

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <signal.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 static const QnModel *
@@ -75,6 +76,81 @@ test_startup (void)
   kill (pid, SIGTERM);
   g_spawn_close_pid (pid);
   g_assert_cmpfloat (seconds, <, 1.0);
+}
+
+/* A copy of the program in a build tree of its own, with nothing installed. */
+typedef struct Copy {
+  char *root, *folder, *data, *program;
+} Copy;
+
+static void
+copy_init (Copy *copy)
+{
+  copy->root = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  copy->folder = g_build_filename (copy->root, "src", "app", NULL);
+  copy->data = g_build_filename (copy->root, "data", NULL);
+  copy->program = g_build_filename (copy->folder, "quoin", NULL);
+  g_assert_cmpint (g_mkdir_with_parents (copy->folder, 0755), ==, 0);
+  g_assert_cmpint (g_mkdir_with_parents (copy->data, 0755), ==, 0);
+  const char *argv[] = { "cp", g_getenv ("QUOIN_WINDOW"), copy->program, NULL };
+  int status = -1;
+  g_assert_true (g_spawn_sync (NULL, (char **) argv, NULL, G_SPAWN_SEARCH_PATH, NULL,
+                               NULL, NULL, NULL, &status, NULL));
+  g_assert_cmpint (status, ==, 0);
+  g_autofree char *mark = g_build_filename (copy->data, "examples.path", NULL);
+  g_assert_true (g_file_set_contents (mark, "/nowhere", -1, NULL));
+}
+
+static void
+copy_clear (Copy *copy)
+{
+  const char *argv[] = { "rm", "-r", copy->root, NULL };
+  g_assert_true (g_spawn_sync (NULL, (char **) argv, NULL, G_SPAWN_SEARCH_PATH, NULL,
+                               NULL, NULL, NULL, NULL, NULL));
+  g_free (copy->root);
+  g_free (copy->folder);
+  g_free (copy->data);
+  g_free (copy->program);
+}
+
+/* Starts it with the machine's data or with none; what it said on standard error, and how it
+ * ended, where it did so by itself. */
+static char *
+copy_start (const Copy *copy, gboolean bare, int *status)
+{
+  const char *argv[] = { "timeout", "3", copy->program, NULL };
+  g_auto (GStrv) environment = g_get_environ ();
+  if (bare)
+    environment = g_environ_setenv (environment, "XDG_DATA_DIRS", "/nonexistent", TRUE);
+  char *said = NULL;
+  g_assert_true (g_spawn_sync (NULL, (char **) argv, environment, G_SPAWN_SEARCH_PATH,
+                               NULL, NULL, NULL, &said, status, NULL));
+  return said;
+}
+
+/* Without its settings schema the program says so and ends; the build tree's serves as well as an
+ * installed one. */
+static void
+test_uninstalled (void)
+{
+  Copy copy;
+  int status = -1;
+  copy_init (&copy);
+  g_autofree char *missing = copy_start (&copy, TRUE, &status);
+  g_assert_true (WIFEXITED (status));
+  g_assert_cmpint (WEXITSTATUS (status), ==, EXIT_FAILURE);
+  g_assert_nonnull (strstr (missing, "the settings schema"));
+
+  g_autofree char *schema = g_build_filename (g_getenv ("QUOIN_WINDOW"), "..", "..", "..",
+                                              "data", "gschemas.compiled", NULL);
+  g_autofree char *real = g_canonicalize_filename (schema, NULL);
+  const char *argv[] = { "cp", real, copy.data, NULL };
+  g_assert_true (g_spawn_sync (NULL, (char **) argv, NULL, G_SPAWN_SEARCH_PATH, NULL,
+                               NULL, NULL, NULL, NULL, NULL));
+  g_autofree char *silent = copy_start (&copy, FALSE, &status);
+  g_assert_cmpstr (silent, ==, "");
+  g_assert_cmpint (WEXITSTATUS (status), ==, 124); /* ended by timeout, not by itself */
+  copy_clear (&copy);
 }
 
 /* Every example opens, without complaint, and shows all of its blocks. */
@@ -494,6 +570,7 @@ main (int argc, char **argv)
   gtk_init ();
   g_test_add_func ("/app/window/start", test_start);
   g_test_add_func ("/app/window/startup", test_startup);
+  g_test_add_func ("/app/window/uninstalled", test_uninstalled);
   g_test_add_func ("/app/window/examples", test_examples);
   g_test_add_func ("/app/window/draw", test_draw);
   g_test_add_func ("/app/window/edit", test_edit);

@@ -87,6 +87,22 @@ test_forces_of_steps (Solved *solved, gconstpointer data)
   }
 }
 
+/* A mechanism may be coloured by stress: that of the last step, in its unit. */
+static void
+test_stress_of_mechanism (Solved *solved, gconstpointer data)
+{
+  static const char *const views[] = { "deformed", "mechanism" };
+  g_autofree char *path = g_build_filename (solved->folder, "m.svg", NULL);
+  (void) data;
+  for (size_t i = 0; i < G_N_ELEMENTS (views); i++) {
+    CliRun run = cli_run ("render", solved->model, "--result", solved->result, "--view",
+                          views[i], "--field", "stress", "-o", path, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    assert_picture (path);
+  }
+}
+
 static void
 test_render_options (Solved *solved, gconstpointer data)
 {
@@ -222,6 +238,7 @@ main (int argc, char **argv)
   g_test_add ("/cli/render/" path, Solved, NULL, set_up, function, tear_down)
   ADD ("views-and-formats", test_views_and_formats);
   ADD ("forces-of-steps", test_forces_of_steps);
+  ADD ("stress-of-mechanism", test_stress_of_mechanism);
   ADD ("options", test_render_options);
   ADD ("refuses", test_render_refuses);
   ADD ("same-bytes", test_same_bytes);

@@ -2,39 +2,40 @@
 
 #include "app/widgets/build-tree.h"
 
+#include <glib/gi18n.h>
 #include <gtk/gtk.h>
+#include <stdlib.h>
 
 #define SCHEMA_ID "io.github.quoin.Quoin"
 
 enum { STYLE_SYSTEM, STYLE_LIGHT, STYLE_DARK };
 
-/* The compiled schema of the build tree. */
-static GSettingsSchemaSource *
-build_tree_source (void)
+/* The schema of the build tree for a program that is run there, else the installed one. */
+static GSettingsSchema *
+find_schema (void)
 {
+  GSettingsSchemaSource *installed = g_settings_schema_source_get_default ();
   g_autofree char *data = qn_build_tree_dup_folder ("data");
-  if (data == NULL)
-    return NULL;
-  return g_settings_schema_source_new_from_directory (
-    data, g_settings_schema_source_get_default (), TRUE, NULL);
+  g_autoptr (GSettingsSchemaSource) built =
+    data != NULL
+      ? g_settings_schema_source_new_from_directory (data, installed, TRUE, NULL)
+      : NULL;
+  GSettingsSchemaSource *source = built != NULL ? built : installed;
+  return source != NULL ? g_settings_schema_source_lookup (source, SCHEMA_ID, TRUE)
+                        : NULL;
 }
 
 static GSettings *
 make_settings (void)
 {
-  GSettingsSchemaSource *source = g_settings_schema_source_get_default ();
-  g_autoptr (GSettingsSchema) schema =
-    source != NULL ? g_settings_schema_source_lookup (source, SCHEMA_ID, TRUE) : NULL;
-  if (schema == NULL) {
-    source = build_tree_source ();
-    if (source != NULL) {
-      schema = g_settings_schema_source_lookup (source, SCHEMA_ID, TRUE);
-      g_settings_schema_source_unref (source);
-    }
-  }
-  if (schema == NULL)
-    g_error ("The settings schema %s is not installed", SCHEMA_ID);
-  return g_settings_new_full (schema, NULL, NULL);
+  g_autoptr (GSettingsSchema) schema = find_schema ();
+  if (schema != NULL)
+    return g_settings_new_full (schema, NULL, NULL);
+  g_printerr (
+    _ ("quoin: the settings schema %s is missing; install the program, or build "
+       "all of it\n"),
+    SCHEMA_ID);
+  exit (EXIT_FAILURE);
 }
 
 GSettings *

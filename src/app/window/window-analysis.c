@@ -189,6 +189,7 @@ run (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
   g_autoptr (GError) error = NULL;
+  qn_window_commit_entry (self);
   gtk_info_bar_set_revealed (self->info_bar, FALSE);
   if (!qn_document_analyse (self->document, &error))
     qn_window_show_error (self, error->message);

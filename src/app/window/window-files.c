@@ -120,6 +120,7 @@ static void
 save_as (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
+  qn_window_commit_entry (self);
   GtkFileChooserNative *chooser =
     qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_SAVE,
                       _ ("Save As"), _ ("_Save"));
@@ -196,6 +197,7 @@ ask_about_change (QnWindow *self)
 static void
 save (QnWindow *self, GVariant *parameter)
 {
+  qn_window_commit_entry (self);
   if (qn_document_get_path (self->document) == NULL)
     save_as (self, parameter);
   else if (qn_document_is_changed_elsewhere (self->document))

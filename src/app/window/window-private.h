@@ -54,6 +54,9 @@ void qn_window_update_actions (QnWindow *window);
 /* window-edit.c: actions that change the drawing. */
 void qn_window_add_edit_actions (QnWindow *window);
 
+/* Takes over a value that is being typed, as leaving its field does. */
+void qn_window_commit_entry (QnWindow *window);
+
 /* window-files.c: open, save, close. */
 void qn_window_add_file_actions (QnWindow *window);
 void qn_window_remember_recent (const char *path);

@@ -408,10 +408,28 @@ qn_window_init (QnWindow *self)
   update_beam_views (self);
 }
 
+void
+qn_window_commit_entry (QnWindow *self)
+{
+  gtk_window_set_focus (GTK_WINDOW (self), NULL);
+}
+
+/* Forms act on the canvas, also while they lose focus and rows: they go before it does. */
+static void
+remove_panels (QnWindow *self)
+{
+  GtkScrolledWindow *scrollers[] = { self->properties_scroller, self->analysis_scroller,
+                                     self->result_scroller, self->findings_scroller };
+  for (gsize i = 0; i < G_N_ELEMENTS (scrollers); i++)
+    if (scrollers[i] != NULL)
+      gtk_scrolled_window_set_child (scrollers[i], NULL);
+}
+
 static gboolean
 qn_window_close_request (GtkWindow *window)
 {
   QnWindow *self = QN_WINDOW (window);
+  qn_window_commit_entry (self);
   if (!qn_window_may_close (self))
     return TRUE;
   qn_document_cancel (self->document);
@@ -427,6 +445,7 @@ qn_window_dispose (GObject *object)
   g_clear_pointer (&self->recovery, qn_recovery_end);
   if (self->document != NULL)
     qn_document_cancel (self->document);
+  remove_panels (self);
   gtk_widget_dispose_template (GTK_WIDGET (self), QN_TYPE_WINDOW);
   G_OBJECT_CLASS (qn_window_parent_class)->dispose (object);
 }

@@ -153,7 +153,7 @@ choose_motion (QnSceneBuilder *b)
 static void
 find_pairs (QnSceneBuilder *b)
 {
-  if (b->result == NULL || b->contacts == NULL || b->options->view == QN_VIEW_MECHANISM
+  if (b->result == NULL || b->contacts == NULL
       || b->result->pair_count != b->contacts->pair_count
       || !qn_result_has_forces (b->result, b->step))
     return;

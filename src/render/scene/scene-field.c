@@ -4,9 +4,10 @@
 #include <glib/gi18n-lib.h>
 
 typedef struct FieldSpec {
-  const char *title;          /* to be translated */
-  const char *relative_title; /* of the scaled velocities of a mechanism */
-  double factor;              /* from SI to the unit of the title */
+  const char *title; /* to be translated */
+  const char
+    *relative_title; /* of a mechanism's scaled velocities; NULL: not of velocities */
+  double factor;     /* from SI to the unit of the title */
   bool diverging;
   bool joints;
 } FieldSpec;
@@ -21,8 +22,7 @@ static const FieldSpec specs[QN_FIELD_COUNT] = {
                                 N_ ("Velocity uy (relative)"), 1e3, true, false },
   [QN_FIELD_ROTATION] = { N_ ("Rotation (mrad)"), N_ ("Rotation rate (relative)"), 1e3,
                           true, false },
-  [QN_FIELD_STRESS] = { N_ ("Least principal stress (MPa)"),
-                        N_ ("Least principal stress (MPa)"), 1e-6, true, false },
+  [QN_FIELD_STRESS] = { N_ ("Least principal stress (MPa)"), NULL, 1e-6, true, false },
   [QN_FIELD_OPENING] = { N_ ("Joint opening (mm)"), N_ ("Joint opening (relative)"), 1e3,
                          false, true },
   [QN_FIELD_SLIDING] = { N_ ("Joint sliding (mm)"), N_ ("Joint sliding (relative)"), 1e3,
@@ -125,7 +125,7 @@ static void
 set_bar (QnSceneBuilder *b, const FieldSpec *spec, const double *values, size_t count)
 {
   QnColorBar *bar = &b->scene->bar;
-  bool relative = b->options->view == QN_VIEW_MECHANISM;
+  bool relative = b->options->view == QN_VIEW_MECHANISM && spec->relative_title != NULL;
   bar->shown = true;
   bar->diverging = spec->diverging;
   bar->factor = relative ? 1 : spec->factor;

@@ -1,0 +1,161 @@
+/* Every view of every kind of result, coloured by every field, with every decoration: drawn where
+ * the result has what the picture needs, refused in one line where it has not. */
+#include "cli-run.h"
+
+#include <string.h>
+
+typedef enum {
+  HAS_NOTHING = 0,
+  HAS_STEPS = 1,
+  HAS_FORCES = 2, /* between blocks, of the last step */
+  HAS_MECHANISM = 4,
+  HAS_BEAMS = 8, /* and their section forces */
+} Has;
+
+/* A result, and how it is made; without a subcommand there is none. */
+typedef struct Kind {
+  const char *name, *example, *subcommand, *setting;
+  Has has;
+} Kind;
+
+static const Kind kinds[] = {
+  { "no-result", "06-arch.quoin", NULL, NULL, HAS_NOTHING },
+  { "collapse", "06-arch.quoin", "solve", NULL, HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "target-reached", "06-arch.quoin", "solve", "analysis.max_multiplier=0.01",
+    HAS_STEPS | HAS_FORCES },
+  { "nonlinear", "06-arch.quoin", "solve", "analysis.geometry=nonlinear",
+    HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "stages", "16-load-stages.quoin", "solve", NULL,
+    HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "limit", "06-arch.quoin", "limit", NULL, HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "limit-interval", "06-arch.quoin", "limit", "analysis.flow=non-associative",
+    HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "modes", "06-arch.quoin", "modal", NULL, HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "buckling", "22-column-clamped.quoin", "stability", NULL,
+    HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "beams", "30-beam-cantilever.quoin", "solve", NULL, HAS_STEPS | HAS_BEAMS },
+  { "blocks-and-beams", "36-mast-on-block.quoin", "solve", NULL,
+    HAS_STEPS | HAS_FORCES | HAS_MECHANISM | HAS_BEAMS },
+};
+
+static const char *const views[] = { "model",     "contacts", "deformed",
+                                     "mechanism", "forces",   "diagrams" };
+static const char *const fields[] = {
+  "none",     "displacement", "displacement-x", "displacement-y",
+  "rotation", "stress",       "opening",        "sliding",
+};
+/* None, each alone, all. */
+#define ALL_DECORATIONS "ghost,symbols,loads,dimensions,names,legend,titles,monochrome"
+static const char *const decorations[] = {
+  "",      "ghost",  "symbols", "loads",      "dimensions",
+  "names", "legend", "titles",  "monochrome", ALL_DECORATIONS,
+};
+
+/* What a picture is drawn of. */
+static Has
+needs (const char *view, const char *field)
+{
+  gboolean coloured = !g_str_equal (field, "none");
+  gboolean mechanism = g_str_equal (view, "mechanism");
+  Has needed = HAS_NOTHING;
+  if (mechanism)
+    needed |= HAS_MECHANISM;
+  else if (coloured || !(g_str_equal (view, "model") || g_str_equal (view, "contacts")))
+    needed |= HAS_STEPS;
+  if (g_str_equal (view, "forces") || g_str_equal (field, "stress"))
+    needed |= HAS_FORCES;
+  if (g_str_equal (view, "diagrams"))
+    needed |= HAS_BEAMS;
+  return needed;
+}
+
+/* The decorations that are not in a list of them. */
+static char *
+dup_others (const char *shown)
+{
+  g_auto (GStrv) all = g_strsplit (ALL_DECORATIONS, ",", -1);
+  g_auto (GStrv) on = g_strsplit (shown, ",", -1);
+  g_autoptr (GStrvBuilder) others = g_strv_builder_new ();
+  for (char **name = all; *name != NULL; name++)
+    if (!g_strv_contains ((const char *const *) on, *name))
+      g_strv_builder_add (others, *name);
+  g_auto (GStrv) names = g_strv_builder_end (others);
+  return g_strjoinv (",", names);
+}
+
+/* Draws one picture; whether it was drawn. */
+static gboolean
+draw (const char *model, const char *result, const char *view, const char *field,
+      const char *shown, const char *picture)
+{
+  g_autofree char *hidden = dup_others (shown);
+  const char *arguments[18] = { "render", model,    "--view",  view, "--field",
+                                field,    "--size", "200x150", "-o", picture };
+  size_t count = 10;
+  const char *const given[][2] = { { "--result", result },
+                                   { "--show", shown },
+                                   { "--hide", hidden } };
+  for (size_t i = 0; i < G_N_ELEMENTS (given); i++)
+    if (given[i][1] != NULL && *given[i][1] != '\0') {
+      arguments[count++] = given[i][0];
+      arguments[count++] = given[i][1];
+    }
+  CliRun run = cli_run_with (arguments, NULL, NULL);
+  if (run.code != 0) {
+    cli_assert_failed (&run, run.code == 3 ? 3 : 2, NULL);
+    return FALSE;
+  }
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *text = cli_read (picture);
+  g_assert_nonnull (strstr (text, "</svg>"));
+  return TRUE;
+}
+
+static char *
+solve (const Kind *kind, const char *model, const char *folder)
+{
+  if (kind->subcommand == NULL)
+    return NULL;
+  char *path = g_build_filename (folder, "result.json", NULL);
+  CliRun run =
+    kind->setting != NULL
+      ? cli_run (kind->subcommand, model, "-q", "--set", kind->setting, "-o", path, NULL)
+      : cli_run (kind->subcommand, model, "-q", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  return path;
+}
+
+static void
+test_kind (gconstpointer data)
+{
+  const Kind *kind = data;
+  g_autofree char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example (kind->example);
+  g_autofree char *result = solve (kind, model, folder);
+  g_autofree char *picture = g_build_filename (folder, "picture.svg", NULL);
+  for (size_t v = 0; v < G_N_ELEMENTS (views); v++)
+    for (size_t f = 0; f < G_N_ELEMENTS (fields); f++)
+      for (size_t d = 0; d < G_N_ELEMENTS (decorations); d++) {
+        Has needed = needs (views[v], fields[f]);
+        gboolean drawn =
+          draw (model, result, views[v], fields[f], decorations[d], picture);
+        if (drawn != ((needed & ~kind->has) == 0))
+          g_test_fail_printf ("%s: view %s, field %s, showing \"%s\" was %s", kind->name,
+                              views[v], fields[f], decorations[d],
+                              drawn ? "drawn" : "refused");
+      }
+  test_scratch_free (g_steal_pointer (&folder));
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    g_autofree char *path = g_strconcat ("/cli/pictures/", kinds[i].name, NULL);
+    g_test_add_data_func (path, &kinds[i], test_kind);
+  }
+  return g_test_run ();
+}
