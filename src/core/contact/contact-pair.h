@@ -33,11 +33,12 @@ typedef struct QnPairResponse {
 /* The springs on the two sides of a pair in series; equal ones are joined into one. */
 QnPairSprings qn_pair_springs (QnSpring a, QnSpring b);
 
-/* Whether one Coulomb law rules the whole pair: those the central path solves. */
+/* Whether one law, elastic and perfectly plastic, rules the whole pair: the interior-point
+ * increment solves those. */
 static inline bool
-qn_pair_springs_are_coulomb (const QnPairSprings *springs)
+qn_pair_springs_are_plastic (const QnPairSprings *springs)
 {
-  return springs->equal && springs->a.kind == QN_LAW_COULOMB;
+  return springs->equal && qn_law_is_plastic (springs->a.kind);
 }
 
 /* Whether the pair would run back while one of its springs softens: growing elongation of the

@@ -93,9 +93,10 @@ typedef struct {
 PART Kind
 kind (const QnCentralEight *e, int at)
 {
-  Mask shears = take_mask (e->shears + at);
+  Mask shears = take_mask (e->has_shear + at);
 
-  return (Kind){ { take_mask (e->capped + at), shears, shears },
+  return (Kind){ { take_mask (e->has_tension + at), shears, shears,
+                   take_mask (e->has_compression + at) },
                  take (e->friction + at),
                  take (e->dilatancy + at) };
 }
@@ -107,13 +108,14 @@ apply_strength (const Kind *kind, const Vector y[2], Vector out[QN_CENTRAL_ROWS]
   out[0] = y[0];
   out[1] = kind->friction * y[0] + y[1];
   out[2] = kind->friction * y[0] - y[1];
+  out[3] = -y[0];
 }
 
 /* out = flow z */
 PART void
 apply_flow (const Kind *kind, const Vector z[QN_CENTRAL_ROWS], Vector out[2])
 {
-  out[0] = z[0] + kind->dilatancy * (z[1] + z[2]);
+  out[0] = z[0] - z[3] + kind->dilatancy * (z[1] + z[2]);
   out[1] = z[1] - z[2];
 }
 
@@ -123,11 +125,11 @@ PART void
 invert_flexibility (QnCentralEight *e, int at, const Kind *kind,
                     const Vector ratio[QN_CENTRAL_ROWS])
 {
-  Mask capped = kind->row[0], shears = kind->row[1];
+  Mask plastic = kind->row[0], shears = kind->row[1];
   Vector sum = ratio[1] + ratio[2], difference = ratio[1] - ratio[2];
   Vector dilation = kind->dilatancy * kind->friction;
   Vector tangential = take (e->flexibility[1] + at);
-  Vector normal = take (e->flexibility[0] + at) + ratio[0];
+  Vector normal = take (e->flexibility[0] + at) + ratio[0] + ratio[3];
   Vector nn = normal + dilation * sum, tt = tangential + sum;
   Vector nt = kind->dilatancy * difference, tn = kind->friction * difference;
   Vector determinant =
@@ -139,7 +141,7 @@ invert_flexibility (QnCentralEight *e, int at, const Kind *kind,
 
   QN_UNROLL
   for (int k = 0; k < 4; k++)
-    put (e->inverse[k] + at, chosen (capped, found[k], take (e->inverse[k] + at)));
+    put (e->inverse[k] + at, chosen (plastic, found[k], take (e->inverse[k] + at)));
 }
 
 static QnCentralResiduals
@@ -153,7 +155,8 @@ prepare (QnCentralEight *eights, size_t count, const double *elongations, double
       Kind k = kind (e, at);
       Vector q[2], y[2], z[QN_CENTRAL_ROWS], flow[2], used[QN_CENTRAL_ROWS],
         ratio[QN_CENTRAL_ROWS], product = take (products + at);
-      const double *const limit[] = { e->cap, e->cohesion, e->cohesion };
+      const double *const limit[] = { e->tension, e->cohesion, e->cohesion,
+                                      e->compression };
       QN_UNROLL
       for (int i = 0; i < 2; i++)
         y[i] = take (e->now.y[i] + at);

@@ -8,8 +8,9 @@
 
 #include "core/base/base.h"
 
-/* Strengths of a pair: cap of the normal force; friction against positive, negative shear. */
-enum { QN_CENTRAL_ROWS = 3, QN_CENTRAL_EIGHT = 8 };
+/* Strengths of a pair: limit of tension; friction against positive and negative shear; limit of
+ * compression. */
+enum { QN_CENTRAL_ROWS = 4, QN_CENTRAL_EIGHT = 8 };
 
 typedef double QnEight[QN_CENTRAL_EIGHT];
 typedef int64_t QnEightMask[QN_CENTRAL_EIGHT];
@@ -22,11 +23,11 @@ typedef struct QnCentralState {
 /* In units of the path: forces F, the largest load of a block; elongations F over the mean
  * stiffness. Strengths that a pair lacks have s = 1 and z = 0, and stay so. */
 typedef struct QnCentralEight {
-  QnEightMask capped,
-    shears; /* all ones where a pair has a cap at least, or friction too; of others only y and
-               its tangent count, and only shearing pairs have a strength but the cap */
+  /* All ones where the pair has that strength. Without a limit of tension it has none of them: only
+   * y and its tangent count. */
+  QnEightMask has_tension, has_shear, has_compression;
   QnEight friction, dilatancy;
-  QnEight cap, cohesion;
+  QnEight tension, cohesion, compression; /* h, by rows; cohesion twice */
   QnEight flexibility[2];
   QnEight plastic[2]; /* q_p */
 

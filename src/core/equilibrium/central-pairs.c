@@ -6,10 +6,35 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool
-shears (const QnPairSprings *springs)
+/* The strengths of a plastic pair by what they limit. */
+typedef struct {
+  bool shears, crushes; /* whether shear and compression have a limit of their own */
+  double tension, compression;
+  double friction, cohesion, dilatancy;
+} Strengths;
+
+/* Friction without strength at any compression leaves no shear force, and is no row. */
+static Strengths
+sort_strengths (const QnSpring *spring)
 {
-  return springs->a.friction > 0 || springs->a.cohesion > 0;
+  QnStrengthRow rows[QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (spring, rows);
+  Strengths found = { 0 };
+
+  for (const QnStrengthRow *row = rows; row < rows + count; row++) {
+    if (row->shear > 0) {
+      found.shears = row->normal > 0 || row->limit > 0;
+      found.friction = row->normal;
+      found.cohesion = row->limit;
+      found.dilatancy = row->opening;
+    } else if (row->normal > 0) {
+      found.tension = row->limit;
+    } else {
+      found.crushes = true;
+      found.compression = row->limit;
+    }
+  }
+  return found;
 }
 
 bool
@@ -25,10 +50,12 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
   pairs->length = pairs->force / as->stiffness;
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
-    pairs->others = pairs->others || !qn_pair_springs_are_coulomb (springs);
-    pairs->products += !qn_pair_springs_are_coulomb (springs) ? 0
-                       : shears (springs)                     ? QN_CENTRAL_ROWS
-                                                              : 1;
+    if (qn_pair_springs_are_plastic (springs)) {
+      Strengths strengths = sort_strengths (&springs->a);
+      pairs->products += 1 + 2 * strengths.shears + strengths.crushes;
+    } else {
+      pairs->others = true;
+    }
   }
   pairs->eights = qn_alloc_lines (count, sizeof *pairs->eights);
   pairs->steps = qn_alloc_lines (count, sizeof *pairs->steps);
@@ -74,31 +101,38 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
   double stiffness = pairs->force / pairs->length;
   double y[2] = { as->responses[p].force[0] / pairs->force,
                   as->responses[p].force[1] / pairs->force };
-  int rows = shears (&as->springs[p]) ? QN_CENTRAL_ROWS : 1;
+  Strengths strengths = sort_strengths (spring);
 
-  e->capped[i] = -1;
-  e->shears[i] = rows == QN_CENTRAL_ROWS ? -1 : 0;
-  e->friction[i] = spring->friction;
-  e->dilatancy[i] = spring->dilatancy;
+  e->has_tension[i] = -1;
+  e->has_shear[i] = strengths.shears ? -1 : 0;
+  e->has_compression[i] = strengths.crushes ? -1 : 0;
+  e->friction[i] = strengths.friction;
+  e->dilatancy[i] = strengths.dilatancy;
   e->flexibility[0][i] = stiffness / spring->kn;
   e->flexibility[1][i] = stiffness / spring->ks;
   e->plastic[0][i] = memory->opening / pairs->length;
   e->plastic[1][i] = memory->slip / pairs->length;
-  e->cap[i] = spring->cap / pairs->force;
-  e->cohesion[i] = spring->cohesion / pairs->force;
+  e->tension[i] = strengths.tension / pairs->force;
+  e->cohesion[i] = strengths.cohesion / pairs->force;
+  e->compression[i] = strengths.compression / pairs->force;
   for (int k = 0; k < 2; k++)
     e->now.y[k][i] = y[k];
 
   const double left[QN_CENTRAL_ROWS] = {
-    e->cap[i] - y[0],
-    e->cohesion[i] - (spring->friction * y[0] + y[1]),
-    e->cohesion[i] - (spring->friction * y[0] - y[1]),
+    e->tension[i] - y[0],
+    e->cohesion[i] - (e->friction[i] * y[0] + y[1]),
+    e->cohesion[i] - (e->friction[i] * y[0] - y[1]),
+    e->compression[i] + y[0],
   };
   double opening = as->elongations[2 * p] / pairs->length - e->plastic[0][i]
                    - e->flexibility[0][i] * y[0];
-  for (int row = 0; row < rows; row++) {
-    double flow = row == 0 ? fmax (opening, 0) : 0;
-    double surplus = fmax (left[row], 0) - flow / size;
+  const double flows[QN_CENTRAL_ROWS] = { fmax (opening, 0), 0, 0, fmax (-opening, 0) };
+  const bool has[QN_CENTRAL_ROWS] = { true, strengths.shears, strengths.shears,
+                                      strengths.crushes };
+  for (int row = 0; row < QN_CENTRAL_ROWS; row++) {
+    if (!has[row])
+      continue;
+    double surplus = fmax (left[row], 0) - flows[row] / size;
     e->now.s[row][i] = positive_root (surplus, 1);
     e->now.z[row][i] = size / e->now.s[row][i];
   }
@@ -113,7 +147,7 @@ qn_central_pairs_start (QnCentralPairs *pairs, double size)
       for (int i = 0; i < QN_CENTRAL_EIGHT; i++)
         pairs->eights[k].now.s[row][i] = 1;
   for (size_t p = 0; p < pairs->assembly->pair_count; p++)
-    if (qn_pair_springs_are_coulomb (&pairs->assembly->springs[p]))
+    if (qn_pair_springs_are_plastic (&pairs->assembly->springs[p]))
       start_pair (pairs, p, size);
 }
 
@@ -127,7 +161,7 @@ evaluate_others (QnCentralPairs *pairs)
     QnCentralEight *e = &pairs->eights[p / QN_CENTRAL_EIGHT];
     QnPairResponse *response = &as->responses[p];
     size_t lane = p % QN_CENTRAL_EIGHT;
-    if (qn_pair_springs_are_coulomb (&as->springs[p]))
+    if (qn_pair_springs_are_plastic (&as->springs[p]))
       continue;
     if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                            response))
@@ -219,7 +253,7 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
   QnPairResponse *response = &as->responses[p];
   size_t i = p % QN_CENTRAL_EIGHT;
   const QnEight *z = e->now.z;
-  const double flow[2] = { z[0][i] + e->dilatancy[i] * (z[1][i] + z[2][i]),
+  const double flow[2] = { z[0][i] - z[3][i] + e->dilatancy[i] * (z[1][i] + z[2][i]),
                            z[1][i] - z[2][i] };
   double y[2], q[2];
 
@@ -230,7 +264,7 @@ take_flow_of_pair (QnCentralPairs *pairs, size_t p)
   qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
   for (int k = 0; k < 2; k++)
     response->force[k] = pairs->force * y[k];
-  if (shears (&as->springs[p]))
+  if (e->has_shear[i])
     response->memory.a.slip =
       as->elongations[2 * p + 1] - pairs->length * e->flexibility[1][i] * y[1];
 }
@@ -241,7 +275,7 @@ qn_central_pairs_take_flow (QnCentralPairs *pairs)
   QnAssembly *as = pairs->assembly;
 
   for (size_t p = 0; p < as->pair_count; p++)
-    if (qn_pair_springs_are_coulomb (&as->springs[p]))
+    if (qn_pair_springs_are_plastic (&as->springs[p]))
       take_flow_of_pair (pairs, p);
     else
       qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,

@@ -114,6 +114,16 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
   spring->cap_strength = law->tension < apex ? left * scale.force : 0;
 }
 
+static int
+strength (const QnSpring *s, QnStrengthRow rows[])
+{
+  rows[0] = (QnStrengthRow){ .normal = 1, .limit = s->cap, .opening = 1 };
+  rows[1] = (QnStrengthRow){
+    .normal = s->friction, .shear = 1, .limit = s->cohesion, .opening = s->dilatancy
+  };
+  return 2;
+}
+
 static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (friction, true, false),
   QN_LAW_PARAMETER (cohesion, false, false),
@@ -126,4 +136,6 @@ const QnLawOps qn_law_ops_coulomb = { .name = "coulomb",
                                       .parameter_count = QN_N_ELEMENTS (parameters),
                                       .check = check,
                                       .resolve = resolve,
-                                      .evaluate = evaluate };
+                                      .evaluate = evaluate,
+                                      .strength = strength,
+                                      .plastic = true };

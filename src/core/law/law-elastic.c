@@ -13,4 +13,14 @@ evaluate (const QnSpring *spring, const QnSpringMemory *committed, const double 
   };
 }
 
-const QnLawOps qn_law_ops_elastic = { .name = "elastic", .evaluate = evaluate };
+static int
+strength (const QnSpring *spring, QnStrengthRow rows[])
+{
+  (void) spring;
+  (void) rows;
+  return 0;
+}
+
+const QnLawOps qn_law_ops_elastic = { .name = "elastic",
+                                      .evaluate = evaluate,
+                                      .strength = strength };

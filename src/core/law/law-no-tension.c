@@ -22,4 +22,14 @@ evaluate (const QnSpring *spring, const QnSpringMemory *committed, const double 
   };
 }
 
-const QnLawOps qn_law_ops_no_tension = { .name = "no-tension", .evaluate = evaluate };
+static int
+strength (const QnSpring *spring, QnStrengthRow rows[])
+{
+  (void) spring;
+  rows[0] = (QnStrengthRow){ .normal = 1, .limit = 0, .opening = 1 };
+  return 1;
+}
+
+const QnLawOps qn_law_ops_no_tension = { .name = "no-tension",
+                                         .evaluate = evaluate,
+                                         .strength = strength };

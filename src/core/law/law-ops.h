@@ -25,6 +25,15 @@ typedef struct QnLawOps {
   void (*evaluate) (const QnSpring *spring, const QnSpringMemory *committed,
                     const double q[2], QnSpringResponse *response);
 
+  /* The strengths of a joint, at most QN_STRENGTH_ROWS; returns their number. NULL for laws
+   * whose strength no such row describes: they have no limit analysis. */
+  int (*strength) (const QnSpring *spring, QnStrengthRow rows[]);
+
+  /* Whether the law is elastic and perfectly plastic with these strengths and their flow, one
+   * of them a limit of tension, at most one of compression and one of shear. Then increments
+   * can be solved by interior points (core/equilibrium/central-path.h). */
+  bool plastic;
+
   /* Steepest descent of the normal force, N/m; nullable for laws that never soften. INFINITY
    * where a softening branch would run back. */
   double (*softening) (const QnSpring *spring);

@@ -42,6 +42,25 @@ qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
   qn_law_ops (spring->kind)->evaluate (spring, committed, q, response);
 }
 
+int
+qn_spring_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_ROWS])
+{
+  const QnLawOps *ops = qn_law_ops (spring->kind);
+  return ops->strength != NULL ? ops->strength (spring, rows) : 0;
+}
+
+bool
+qn_law_has_strength (QnLawKind kind)
+{
+  return qn_law_ops (kind)->strength != NULL;
+}
+
+bool
+qn_law_is_plastic (QnLawKind kind)
+{
+  return qn_law_ops (kind)->plastic;
+}
+
 bool
 qn_law_softens (QnLawKind kind)
 {

@@ -73,6 +73,23 @@ typedef struct QnSpringResponse {
   bool varies; /* the tangent is not told by the phase */
 } QnSpringResponse;
 
+/* A strength of a joint in terms of its normal force n (tension positive) and shear force t, and
+ * the flow where it is reached:
+ *
+ *   normal n + shear |t| <= limit        (shear is 0 or 1)
+ *   opening += z opening,  slip += z shear sign (t),  z >= 0
+ *
+ * Flow is associative where opening = normal. What consumes these rows: limit analysis, the
+ * interior-point increment, the states of pairs. */
+typedef struct QnStrengthRow {
+  double normal, shear;
+  double limit; /* N */
+  double opening;
+} QnStrengthRow;
+
+/* Most strengths of one spring. */
+enum { QN_STRENGTH_ROWS = 3 };
+
 /* The spring that a law makes of a pair.
  *
  * area:   tributary length of the pair times thickness, or a bar's section, m2 (surface and
@@ -83,6 +100,15 @@ QnSpring qn_spring_from_law (const QnLaw *law, double area, double length);
 /* Force and consistent tangent at elongation q, starting from what was last committed. */
 void qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                          const double q[2], QnSpringResponse *response);
+
+/* The strengths of a spring; returns their number, 0 for a law that has none. */
+int qn_spring_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_ROWS]);
+
+/* Whether qn_spring_strength() tells everything that the law limits, as limit analysis needs. */
+bool qn_law_has_strength (QnLawKind kind);
+
+/* Whether the law is elastic and perfectly plastic within its strengths. */
+bool qn_law_is_plastic (QnLawKind kind);
 
 /* Whether springs of a kind of law may soften. */
 bool qn_law_softens (QnLawKind kind);

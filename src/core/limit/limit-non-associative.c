@@ -101,9 +101,7 @@ move_anchors (Sequence *seq, const double *forces, double mix)
   double worst = 0.0, largest = 0.0;
 
   for (size_t p = 0; p < seq->contacts->pair_count; p++) {
-    const QnContactFace *face = &seq->contacts->faces[seq->contacts->pairs[p].face];
-    double friction = fmin (seq->model->laws[face->law_a].friction,
-                            seq->model->laws[face->law_b].friction);
+    double friction = qn_limit_problem_friction (seq->model, seq->contacts, (QnId) p);
     double now = compression (forces + 2 * p);
     largest = fmax (largest, now);
     worst = fmax (worst, friction * (seq->anchor[p] - now));

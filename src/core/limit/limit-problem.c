@@ -5,100 +5,98 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Most strength rows of one pair: two lines of each Coulomb law and the tension cut-off. */
-#define MOST_BOUNDS 5
-
 /* Scaled mass of a block without weight. */
 #define LEAST_MASS 1e-3
 
-/* A Coulomb cone |t| <= cohesion - slope n. */
-typedef struct Cone {
-  double slope;
-  double cohesion;
-} Cone;
+/* A pair has two springs, one on each block's side. */
+enum { MOST_CONES = 2 * QN_STRENGTH_ROWS, MOST_BOUNDS = 2 * MOST_CONES + 2 };
 
-/* What the two laws of a pair allow together. */
+/* What the springs of a pair allow together. */
 typedef struct Strength {
-  Cone cones[2];
+  QnStrengthRow cones[MOST_CONES]; /* the rows that limit shear */
   int cone_count;
-  double cap; /* largest normal force, INFINITY where there is none */
+  double tension,
+    compression; /* largest normal forces, INFINITY where there is no limit */
 } Strength;
 
+/* Whether `loose` allows what `tight` does wherever the normal force is within its limits. */
 static bool
-dominates (const Cone *tight, const Cone *loose, double cap)
+dominates (const QnStrengthRow *tight, const QnStrengthRow *loose,
+           const Strength *strength)
 {
-  return loose->slope >= tight->slope
-         && loose->cohesion - loose->slope * cap >= tight->cohesion - tight->slope * cap;
-}
+  double cap = strength->tension, press = strength->compression;
+  bool pressed = isfinite (press) ? loose->limit + loose->normal * press
+                                      >= tight->limit + tight->normal * press
+                                  : loose->normal >= tight->normal;
 
-/* What one law allows; `area` (m2) turns stresses into forces where the basis is not that of
- * the contact pair itself. The apex of a cone bounds tension as the cut-off does. */
-static void
-restrict_by_law (Strength *strength, const QnLaw *law, double area)
-{
-  double unit = law->basis == QN_BASIS_CONTACT ? 1.0 : area;
-
-  switch (law->kind) {
-  case QN_LAW_ELASTIC:
-  case QN_LAW_BILINEAR:
-  case QN_LAW_ELASTIC_PLASTIC:
-  case QN_LAW_CONCRETE:
-  case QN_LAW_STEEL:
-  case QN_LAW_CURVE:
-  case QN_LAW_KIND_COUNT:
-    break;
-  case QN_LAW_NO_TENSION:
-    strength->cap = fmin (strength->cap, 0.0);
-    break;
-  case QN_LAW_COULOMB:
-    strength->cap = fmin (strength->cap, law->tension * unit);
-    if (law->friction > 0.0)
-      strength->cap = fmin (strength->cap, law->cohesion / law->friction * unit);
-    strength->cones[strength->cone_count++] =
-      (Cone){ law->friction, law->cohesion * unit };
-    break;
-  }
+  return pressed
+         && loose->limit - loose->normal * cap >= tight->limit - tight->normal * cap;
 }
 
 /* Changes a cone to the line through its point at the compression `anchor`. */
 static void
-turn_cone (Cone *cone, double dilatancy, double anchor, double remaining)
+turn_cone (QnStrengthRow *cone, double anchor, double remaining)
 {
-  double slope = dilatancy + (cone->slope - dilatancy) * remaining;
+  double slope = cone->opening + (cone->normal - cone->opening) * remaining;
 
-  cone->cohesion += (cone->slope - slope) * anchor;
-  cone->slope = slope;
+  cone->limit += (cone->normal - slope) * anchor;
+  cone->normal = slope;
 }
 
+/* The apex of a cone bounds tension as a cut-off does. */
+static void
+restrict_by_spring (Strength *strength, const QnSpring *spring, const double *anchor,
+                    double remaining)
+{
+  QnStrengthRow rows[QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (spring, rows);
+
+  for (const QnStrengthRow *row = rows; row < rows + count; row++) {
+    if (row->shear > 0) {
+      QnStrengthRow *cone = &strength->cones[strength->cone_count++];
+      *cone = *row;
+      if (anchor != NULL)
+        turn_cone (cone, *anchor, remaining);
+    } else if (row->normal > 0) {
+      strength->tension = fmin (strength->tension, row->limit);
+    } else {
+      strength->compression = fmin (strength->compression, row->limit);
+    }
+  }
+}
+
+static void
+drop_dominated (Strength *strength)
+{
+  const Strength all = *strength;
+
+  strength->cone_count = 0;
+  for (int j = 0; j < all.cone_count; j++) {
+    bool needed = true;
+    for (int i = 0; i < all.cone_count && needed; i++)
+      needed = i == j || !dominates (&all.cones[i], &all.cones[j], &all)
+               || (i > j && dominates (&all.cones[j], &all.cones[i], &all));
+    if (needed)
+      strength->cones[strength->cone_count++] = all.cones[j];
+  }
+}
+
+/* An adjustable problem keeps all rows, but those of one law once. */
 static Strength
 pair_strength (const QnLimitProblem *limit, const QnModel *model,
                const QnContacts *contacts, QnId pair, const double *anchor,
                double remaining)
 {
-  const QnContactPair *p = &contacts->pairs[pair];
-  const QnContactFace *face = &contacts->faces[p->face];
-  const QnId laws[2] = { qn_contacts_pair_law (model, contacts, pair, 0),
-                         qn_contacts_pair_law (model, contacts, pair, 1) };
-  Strength strength = { .cap = INFINITY };
+  QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) pair);
+  Strength strength = { .tension = INFINITY, .compression = INFINITY };
 
-  for (int side = 0; side < 2; side++) {
-    const QnLaw *law = &model->laws[laws[side]];
-    int before = strength.cone_count;
-    restrict_by_law (&strength, law, p->tributary * face->thickness);
-    if (anchor && strength.cone_count > before)
-      turn_cone (&strength.cones[before], law->dilatancy, anchor[pair], remaining);
-  }
-  if (limit->adjustable) {
-    if (laws[0] == laws[1] && strength.cone_count == 2)
-      strength.cone_count = 1;
-  } else if (strength.cone_count == 2) {
-    if (dominates (&strength.cones[0], &strength.cones[1], strength.cap)) {
-      strength.cone_count = 1;
-    } else if (dominates (&strength.cones[1], &strength.cones[0], strength.cap)) {
-      strength.cones[0] = strength.cones[1];
-      strength.cone_count = 1;
-    }
-  }
+  if (anchor != NULL)
+    anchor += pair;
+  restrict_by_spring (&strength, &springs.a, anchor, remaining);
+  if (!springs.equal)
+    restrict_by_spring (&strength, &springs.b, anchor, remaining);
+  if (!limit->adjustable)
+    drop_dominated (&strength);
   return strength;
 }
 
@@ -109,28 +107,30 @@ write_bounds (const QnLimitProblem *limit, const Strength *strength, QnIpCell *c
               QnIpBound *bounds)
 {
   int32_t count = 0;
-  bool cut_off = isfinite (strength->cap);
+  bool cut_off = isfinite (strength->tension);
 
   cell->no_shear = false;
   for (int i = 0; i < strength->cone_count; i++) {
-    const Cone *cone = &strength->cones[i];
-    double norm = hypot (cone->slope, 1.0);
-    double cohesion = cone->cohesion / limit->force_unit;
+    const QnStrengthRow *cone = &strength->cones[i];
+    double norm = hypot (cone->normal, 1.0);
+    double cohesion = cone->limit / limit->force_unit;
 
-    if (cone->slope == 0.0 && cone->cohesion == 0.0)
+    if (cone->normal == 0.0 && cone->limit == 0.0)
       cell->no_shear = true;
-    if (!limit->adjustable && cone->slope > 0.0
-        && cone->cohesion <= cone->slope * strength->cap)
+    if (!limit->adjustable && cone->normal > 0.0
+        && cone->limit <= cone->normal * strength->tension)
       cut_off = false;
     for (int sign = -1; sign <= 1; sign += 2)
-      bounds[count++] = (QnIpBound){ cone->slope / norm, sign / norm, cohesion / norm };
+      bounds[count++] = (QnIpBound){ cone->normal / norm, sign / norm, cohesion / norm };
   }
   if (cell->no_shear) {
     count = 0;
     cut_off = true;
   }
   if (cut_off)
-    bounds[count++] = (QnIpBound){ 1.0, 0.0, strength->cap / limit->force_unit };
+    bounds[count++] = (QnIpBound){ 1.0, 0.0, strength->tension / limit->force_unit };
+  if (isfinite (strength->compression))
+    bounds[count++] = (QnIpBound){ -1.0, 0.0, strength->compression / limit->force_unit };
   return count;
 }
 
@@ -278,8 +278,7 @@ check_kinds (const QnModel *model, const QnContacts *contacts, QnDiag *diag)
   for (size_t p = 0; p < contacts->pair_count; p++)
     for (int side = 0; side < 2; side++) {
       QnId law = qn_contacts_pair_law (model, contacts, p, side);
-      QnLawKind kind = model->laws[law].kind;
-      if (kind != QN_LAW_ELASTIC && kind != QN_LAW_NO_TENSION && kind != QN_LAW_COULOMB)
+      if (!qn_law_has_strength (model->laws[law].kind))
         return qn_diag_set_field (diag, QN_PROBLEM_LAW_WITHOUT_LIMIT, QN_ENTITY_LAW, law,
                                   "kind", 0);
     }
@@ -359,6 +358,20 @@ qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
     QN_ASSERT (count == cell->bound_count);
     (void) count;
   }
+}
+
+double
+qn_limit_problem_friction (const QnModel *model, const QnContacts *contacts, QnId pair)
+{
+  QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) pair);
+  Strength strength = { 0 };
+  double least = INFINITY;
+
+  restrict_by_spring (&strength, &springs.a, NULL, 1);
+  restrict_by_spring (&strength, &springs.b, NULL, 1);
+  for (int i = 0; i < strength.cone_count; i++)
+    least = fmin (least, strength.cones[i].normal);
+  return isfinite (least) ? least : 0;
 }
 
 void

@@ -1,12 +1,8 @@
 /* The limit-analysis program of a model, in the scaled terms of the interior-point engine.
  *
  * One cell per contact pair that touches a free block, holding the pair's normal and shear
- * force (tension positive, tangent as in contacts.h); its bounds are the strength of the two
- * springs in series, that is the intersection of what their laws allow:
- *
- *   coulomb     mu n + t <= c,  mu n - t <= c,  n <= tension
- *   no-tension  n <= 0, any shear
- *   elastic     no bound
+ * force (tension positive, tangent as in contacts.h); its bounds are the strengths of the two
+ * springs in series, that is the intersection of what their laws allow (qn_spring_strength()).
  *
  * Friction 0 without cohesion leaves no shear at all, and the cell says so. Stiffness plays no
  * part. Forces are divided by `force_unit`, lengths by `length_unit`, the live load by its own
@@ -43,13 +39,17 @@ QnStatus qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
 
 void qn_limit_problem_clear (QnLimitProblem *limit);
 
-/* Replaces the shear strength of every Coulomb cell: |t| <= c + (mu - slope) anchor - slope n
+/* Replaces the shear strength mu n + |t| <= c of every cell: |t| <= c + (mu - slope) anchor - slope n
  * with slope = dilatancy + (mu - dilatancy) remaining. The line meets the true one at the
  * compression anchor[pair] (N, >= 0) and approaches the law's dilatancy as `remaining` goes
  * from 1 (associative) to 0. Only for an adjustable problem. */
 void qn_limit_problem_set_shear (QnLimitProblem *limit, const QnModel *model,
                                  const QnContacts *contacts, const double *anchor,
                                  double remaining);
+
+/* The least friction of the springs of a pair, 0 where nothing limits their shear. */
+double qn_limit_problem_friction (const QnModel *model, const QnContacts *contacts,
+                                  QnId pair);
 
 /* Adds a price of `compliance` / 2 on the square of every scaled force: among the forces that
  * reach the optimum, the smallest are taken then. */

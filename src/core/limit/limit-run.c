@@ -12,26 +12,28 @@
 /* Blocks that move less than this part of the fastest are not named as unstable. */
 #define UNSTABLE_SHARE 1e-3
 
-/* A pair without compression is open; one at the friction cone slips if the mechanism moves it,
- * which its two force components tell: cohesion apart, |t| = mu |n|. */
+/* A pair without force is open; at a strength that limits shear it slips, at one that limits
+ * compression it yields. */
 static QnPairState
-pair_state (const QnModel *model, const QnContactFace *face, const QnContactPair *pair,
-            const double *force, double largest)
+pair_state (const QnPairSprings *springs, const double *force, double largest)
 {
-  const QnId laws[2] = { face->law_a, face->law_b };
   double tolerance = STATE_TOLERANCE * largest;
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (&springs->a, rows);
+  QnPairState state = QN_PAIR_STICK;
 
   if (hypot (force[0], force[1]) <= tolerance)
     return QN_PAIR_OPEN;
-  for (int side = 0; side < 2; side++) {
-    const QnLaw *law = &model->laws[laws[side]];
-    double unit =
-      law->basis == QN_BASIS_CONTACT ? 1.0 : pair->tributary * face->thickness;
-    if (law->kind == QN_LAW_COULOMB
-        && fabs (force[1]) + law->friction * force[0] >= law->cohesion * unit - tolerance)
+  count += qn_spring_strength (&springs->b, rows + count);
+  for (const QnStrengthRow *row = rows; row < rows + count; row++) {
+    if (row->shear * fabs (force[1]) + row->normal * force[0] < row->limit - tolerance)
+      continue;
+    if (row->shear > 0)
       return QN_PAIR_SLIP;
+    if (row->normal < 0)
+      state = QN_PAIR_YIELD;
   }
-  return QN_PAIR_STICK;
+  return state;
 }
 
 static void
@@ -43,10 +45,9 @@ keep_forces (QnResult *result, const QnModel *model, const QnContacts *contacts,
   for (size_t i = 0; i < 2 * contacts->pair_count; i++)
     largest = fmax (largest, fabs (forces[i]));
   for (size_t p = 0; p < contacts->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
+    QnPairSprings springs = qn_contacts_pair_springs (model, contacts, p);
     result->pairs[p] = (QnPairResult){
-      .state =
-        pair_state (model, &contacts->faces[pair->face], pair, forces + 2 * p, largest),
+      .state = pair_state (&springs, forces + 2 * p, largest),
       .normal_force = forces[2 * p],
       .shear_force = forces[2 * p + 1],
     };

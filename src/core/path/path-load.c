@@ -573,7 +573,7 @@ may_jump (const QnAssembly *as)
     return true;
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
-    if (!qn_pair_springs_are_coulomb (springs)
+    if (!qn_pair_springs_are_plastic (springs)
         || springs->a.dilatancy != springs->a.friction)
       return true;
   }

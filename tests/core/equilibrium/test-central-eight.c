@@ -21,8 +21,8 @@ typedef struct {
 static void
 fill_pair (QnCentralEight *e, int i, GRand *random)
 {
-  int kind =
-    g_rand_int_range (random, 0, 4); /* another law, a cap alone, and two with all */
+  /* Another law; a limit of tension alone; friction too; cohesion too; compression too. */
+  int kind = g_rand_int_range (random, 0, 6);
 
   for (int row = 0; row < QN_CENTRAL_ROWS; row++)
     e->now.s[row][i] = 1;
@@ -33,19 +33,25 @@ fill_pair (QnCentralEight *e, int i, GRand *random)
       e->inverse[k][i] = g_rand_double_range (random, -1, 1);
     return;
   }
-  e->capped[i] = -1;
-  e->shears[i] = kind > 1 ? -1 : 0;
-  e->friction[i] = kind > 1 ? g_rand_double_range (random, 0.1, 1) : 0;
+  bool crushes = kind > 3, shears = kind > 1 && kind < 5;
+  const bool has[QN_CENTRAL_ROWS] = { true, shears, shears, crushes };
+  e->has_tension[i] = -1;
+  e->has_shear[i] = shears ? -1 : 0;
+  e->has_compression[i] = crushes ? -1 : 0;
+  e->friction[i] = shears ? g_rand_double_range (random, 0.1, 1) : 0;
   e->dilatancy[i] = e->friction[i] * g_rand_double_range (random, 0, 1);
-  e->cap[i] = g_rand_double_range (random, 0, 1);
-  e->cohesion[i] = kind > 2 ? 0.3 : 0;
+  e->tension[i] = g_rand_double_range (random, 0, 1);
+  e->compression[i] = crushes ? g_rand_double_range (random, 1, 3) : 0;
+  e->cohesion[i] = shears && kind > 2 ? 0.3 : 0;
   for (int k = 0; k < 2; k++) {
     e->flexibility[k][i] = g_rand_double_range (random, 0.5, 2);
     e->plastic[k][i] = g_rand_double_range (random, -0.1, 0.1);
   }
-  for (int row = 0; row < (kind > 1 ? QN_CENTRAL_ROWS : 1); row++) {
-    e->now.s[row][i] = g_rand_double_range (random, 0.01, 1);
-    e->now.z[row][i] = g_rand_double_range (random, 0.01, 1);
+  for (int row = 0; row < QN_CENTRAL_ROWS; row++) {
+    if (!has[row])
+      continue;
+    e->now.s[row][i] = g_rand_double_range (random, 0.1, 1);
+    e->now.z[row][i] = g_rand_double_range (random, 0.1, 1);
   }
 }
 
@@ -111,19 +117,21 @@ check_direction (const Case *c, int p)
 {
   const QnCentralEight *e = &c->eights[p / QN_CENTRAL_EIGHT];
   const QnCentralState *d = &c->steps[p / QN_CENTRAL_EIGHT];
-  int i = p % QN_CENTRAL_EIGHT, rows = e->shears[i] ? QN_CENTRAL_ROWS : 1;
+  int i = p % QN_CENTRAL_EIGHT;
+  const bool has[] = { true, e->has_shear[i], e->has_shear[i], e->has_compression[i] };
   double mu = e->friction[i], psi = e->dilatancy[i];
   const double y[2] = { e->now.y[0][i], e->now.y[1][i] };
   const double dy[2] = { d->y[0][i], d->y[1][i] };
-  const double limit[] = { e->cap[i], e->cohesion[i], e->cohesion[i] };
-  const double used[] = { y[0], mu * y[0] + y[1], mu * y[0] - y[1] };
-  const double more[] = { dy[0], mu * dy[0] + dy[1], mu * dy[0] - dy[1] };
+  const double limit[] = { e->tension[i], e->cohesion[i], e->cohesion[i],
+                           e->compression[i] };
+  const double used[] = { y[0], mu * y[0] + y[1], mu * y[0] - y[1], -y[0] };
+  const double more[] = { dy[0], mu * dy[0] + dy[1], mu * dy[0] - dy[1], -dy[0] };
   double z[QN_CENTRAL_ROWS];
 
   for (int row = 0; row < QN_CENTRAL_ROWS; row++) {
     double s = e->now.s[row][i], ds = d->s[row][i], dz = d->z[row][i];
     z[row] = e->now.z[row][i] + dz;
-    if (row >= rows) {
+    if (!has[row]) {
       g_assert_cmpfloat (ds, ==, 0);
       g_assert_cmpfloat (z[row], ==, 0);
       continue;
@@ -135,12 +143,12 @@ check_direction (const Case *c, int p)
     g_assert_cmpfloat (s + ds / c->reach.boundary, >=, -1e-12);
     g_assert_cmpfloat (e->now.z[row][i] + dz / c->reach.boundary, >=, -1e-12);
   }
-  const double flow[2] = { z[0] + psi * (z[1] + z[2]), z[1] - z[2] };
-  for (int k = 0; k < (rows == 1 ? 1 : 2); k++)
+  const double flow[2] = { z[0] - z[3] + psi * (z[1] + z[2]), z[1] - z[2] };
+  for (int k = 0; k < (e->has_shear[i] ? 2 : 1); k++)
     assert_near (0.5 * (c->elongations[2 * p + k] + c->rates[2 * p + k]),
                  e->plastic[k][i] + flow[k] + e->flexibility[k][i] * (y[k] + dy[k])
                    + (1 - PART) * e->strain[k][i]);
-  if (rows == 1)
+  if (!e->has_shear[i])
     g_assert_cmpfloat (dy[1], ==, 0);
 }
 
@@ -158,7 +166,7 @@ test_direction (void)
     int i = p % QN_CENTRAL_EIGHT;
     for (int k = 0; k < 4; k++)
       g_assert_cmpfloat (c.tangents[4 * p + k], ==, 3 * e->inverse[k][i]);
-    if (e->capped[i])
+    if (e->has_tension[i])
       check_direction (&c, p);
     else
       for (int k = 0; k < 2; k++) {

@@ -120,6 +120,75 @@ test_join_curve (void)
   g_assert_cmpfloat_with_epsilon (r.force[0], 0, 1e-12);
 }
 
+/* Whether some strength that limits this (shear, or the sign of the normal force) is reached. */
+static bool
+reaches (const QnStrengthRow *rows, int count, const double force[2], double shear,
+         double normal)
+{
+  for (const QnStrengthRow *row = rows; row < rows + count; row++)
+    if (row->shear == shear && (shear > 0 || row->normal == normal)
+        && row->shear * fabs (force[1]) + row->normal * force[0] > row->limit - 1e-9)
+      return true;
+  return false;
+}
+
+/* What a perfectly plastic law answers is within the strengths that it gives, and what of the
+ * elongation is not elastic flows at strengths that are reached, by their flow. */
+static void
+check_flow (const QnSpring *spring, const QnSpringMemory *before, const double q[2],
+            const QnSpringResponse *r)
+{
+  QnStrengthRow rows[QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (spring, rows);
+  double slip = q[1] - r->force[1] / spring->ks - before->slip;
+  double opening = q[0] - r->force[0] / spring->kn - before->opening;
+
+  for (const QnStrengthRow *row = rows; row < rows + count; row++) {
+    double used = row->shear * fabs (r->force[1]) + row->normal * r->force[0];
+    g_assert_cmpfloat (used, <=, row->limit + 1e-9);
+    if (row->shear > 0)
+      opening -= row->opening * fabs (slip);
+  }
+  if (fabs (slip) > 1e-9) {
+    g_assert_true (reaches (rows, count, r->force, 1, 0));
+    g_assert_cmpfloat (slip * r->force[1], >=, -1e-9);
+  }
+  if (fabs (opening) > 1e-9)
+    g_assert_true (reaches (rows, count, r->force, 0, opening > 0 ? 1 : -1));
+}
+
+static void
+test_strength (void)
+{
+  g_autoptr (GRand) random = g_rand_new_with_seed (5);
+  int plastic = 0;
+
+  for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++) {
+    if (!qn_law_is_plastic ((QnLawKind) kind))
+      continue;
+    plastic++;
+    g_assert_true (qn_law_has_strength ((QnLawKind) kind));
+    for (int trial = 0; trial < 200; trial++) {
+      QnLaw law = { .name = "joint", .kind = (QnLawKind) kind, .kn = 2, .ks = 1 };
+      law.friction = g_rand_double_range (random, 0, 1);
+      law.dilatancy = law.friction * g_rand_double_range (random, 0, 1);
+      law.cohesion = trial % 2 ? g_rand_double_range (random, 0, 1) : 0;
+      law.tension = trial % 3 ? g_rand_double_range (random, 0, 1) : 0;
+      QnSpring spring = qn_spring_from_law (&law, 1, 1);
+      QnSpringMemory memory = { 0 };
+      for (int step = 0; step < 50; step++) {
+        double q[2] = { g_rand_double_range (random, -3, 1),
+                        g_rand_double_range (random, -4, 4) };
+        QnSpringResponse response;
+        qn_spring_evaluate (&spring, &memory, q, &response);
+        check_flow (&spring, &memory, q, &response);
+        memory = response.memory;
+      }
+    }
+  }
+  g_assert_cmpint (plastic, >, 0);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -128,5 +197,6 @@ main (int argc, char **argv)
   g_test_add_func ("/spring/lengths", test_lengths);
   g_test_add_func ("/spring/similar", test_similar);
   g_test_add_func ("/spring/join-curve", test_join_curve);
+  g_test_add_func ("/spring/strength", test_strength);
   return g_test_run ();
 }
