@@ -13,6 +13,8 @@ packages=(
   libcairo2-dev libpango1.0-dev libpng-dev libgif-dev libgdk-pixbuf-2.0-dev fonts-dejavu-core
   libosmesa6-dev libegl-dev libgl1-mesa-dri
   libgstreamer1.0-dev libgstreamer-plugins-base1.0-dev gstreamer1.0-plugins-good
+  # the Python package and its tests
+  python3-cffi python3-numpy python3-pandas python3-matplotlib python3-shapely python3-pytest
   # the window
   libgtk-4-dev
   # checks and tests

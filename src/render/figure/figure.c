@@ -145,15 +145,32 @@ draw_figure_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
   return qn_figure_draw (data, cr, page, &frame, NULL, error);
 }
 
-bool
-qn_figure_export (const QnFigure *figure, const char *path, const QnOutput *output,
-                  const QnMetadata *metadata, GError **error)
+/* The metadata, with what the figure itself knows where they say nothing. */
+static QnMetadata
+complete_metadata (const QnFigure *figure, const QnMetadata *metadata)
 {
   QnMetadata full = *metadata;
   if (full.title == NULL)
     full.title = figure->title != NULL ? figure->title : figure->model->title;
   if (isnan (full.multiplier))
     full.multiplier = qn_figure_multiplier (figure);
+  return full;
+}
+
+bool
+qn_figure_export (const QnFigure *figure, const char *path, const QnOutput *output,
+                  const QnMetadata *metadata, GError **error)
+{
+  QnMetadata full = complete_metadata (figure, metadata);
   QnFigure copy = *figure;
   return qn_page_export (path, output, &full, draw_figure_page, &copy, error);
+}
+
+GBytes *
+qn_figure_encode (const QnFigure *figure, QnFormat format, const QnOutput *output,
+                  const QnMetadata *metadata, GError **error)
+{
+  QnMetadata full = complete_metadata (figure, metadata);
+  QnFigure copy = *figure;
+  return qn_page_encode (format, output, &full, draw_figure_page, &copy, error);
 }

@@ -23,6 +23,10 @@ void qn_figure_init (QnFigure *figure, const QnModel *model, const QnContacts *c
 bool qn_figure_export (const QnFigure *figure, const char *path, const QnOutput *output,
                        const QnMetadata *metadata, GError **error);
 
+/* The same, into memory. Returns NULL with an error. */
+GBytes *qn_figure_encode (const QnFigure *figure, QnFormat format, const QnOutput *output,
+                          const QnMetadata *metadata, GError **error);
+
 /* Multiplier of what the figure shows; not-a-number where no result is shown. */
 double qn_figure_multiplier (const QnFigure *figure);
 

@@ -1,0 +1,19 @@
+"""Block masonry: contact faces, load multipliers and collapse mechanisms.
+
+    import quoin
+    result = quoin.open("wall3.quoin").solve()
+    print(result.multiplier)
+
+All numbers are SI (m, N, rad, s).
+"""
+
+from ._library import Error, FileError, InvalidError, NoAnswerError, UsageError, lib, text
+from .model import Block, Face, Model, from_dict, from_polygons, open, read_drawing, wall
+from .result import Modes, Result
+
+__version__ = text(lib.quoin_version())
+
+__all__ = [
+    "Block", "Error", "Face", "FileError", "InvalidError", "Model", "Modes", "NoAnswerError",
+    "Result", "UsageError", "from_dict", "from_polygons", "open", "read_drawing", "wall",
+]

@@ -1,0 +1,175 @@
+"""Results: paths of equilibria, mechanisms, modes, figures."""
+
+import math
+import os
+
+import numpy
+
+from . import _library
+from ._library import ffi, lib
+
+
+def draw(model, result, view, path, format, options):
+    """Draws into a file, or returns the bytes of a format."""
+    figure = ffi.gc(_library.call(lib.quoin_figure_new, model, result, view.encode()),
+                    lib.quoin_figure_free)
+    for name, value in options.items():
+        if isinstance(value, bool):
+            value = "on" if value else "off"
+        _library.call(lib.quoin_figure_set, figure, name.encode(), str(value).encode())
+    if path is not None:
+        _library.call(lib.quoin_figure_write, figure, os.fspath(path).encode())
+        return None
+    length = ffi.new("size_t *")
+    content = _library.call(lib.quoin_figure_encode, figure, (format or "svg").encode(),
+                            length)
+    return bytes(ffi.buffer(ffi.gc(content, lib.quoin_free), length[0]))
+
+
+def _number(value):
+    return None if math.isnan(value) else value
+
+
+class Result:
+    """What an analysis found. Arrays are read-only views of the library's memory; rows are
+    blocks, then nodes of beams."""
+
+    def __init__(self, handle):
+        self._handle = ffi.gc(handle, lib.quoin_result_free)
+
+    @property
+    def outcome(self):
+        """"collapse", "target-reached", "snap", "unbounded", "dead-load-unstable",
+        "cancelled", "not-converged"."""
+        return _library.text(lib.quoin_result_get_outcome(self._handle))
+
+    @property
+    def multiplier(self):
+        """The collapse multiplier, or None."""
+        return _number(lib.quoin_result_get_collapse_multiplier(self._handle))
+
+    @property
+    def first_limit_multiplier(self):
+        """The multiplier of the first snap, or None."""
+        return _number(lib.quoin_result_get_first_limit_multiplier(self._handle))
+
+    @property
+    def bounds(self):
+        """(lower, upper) of limit analysis, or None."""
+        lower = lib.quoin_result_get_lower_bound(self._handle)
+        upper = lib.quoin_result_get_upper_bound(self._handle)
+        return None if math.isnan(lower) else (lower, upper)
+
+    @property
+    def multipliers(self):
+        """(steps,): of every equilibrium; the first is the dead load alone."""
+        return _library.array(lib.quoin_result_get_multipliers(self._handle),
+                              (self._steps,), self._handle)
+
+    @property
+    def displacements(self):
+        """(steps, bodies, 3): ux, uy in m at the centroid, rz in rad."""
+        return _library.array(lib.quoin_result_get_displacements(self._handle),
+                              (self._steps, self._bodies, 3), self._handle)
+
+    @property
+    def mechanism(self):
+        """(bodies, 3): velocities, the largest displacement 1; None where there is none."""
+        return _library.array(lib.quoin_result_get_mechanism(self._handle),
+                              (self._bodies, 3), self._handle)
+
+    @property
+    def forces(self):
+        """(pairs, 2): normal (<= 0 in compression) and shear force at the last equilibrium, N."""
+        count = lib.quoin_result_get_pair_count(self._handle)
+        return _library.array(lib.quoin_result_get_forces(self._handle), (count, 2),
+                              self._handle)
+
+    @property
+    def states(self):
+        """States of the contact pairs: "stick", "slip", "open", "yield"."""
+        count = lib.quoin_result_get_pair_count(self._handle)
+        return [_library.text(lib.quoin_result_get_pair_state(self._handle, i))
+                for i in range(count)]
+
+    @property
+    def iterations(self):
+        return lib.quoin_result_get_iterations(self._handle)
+
+    @property
+    def factorizations(self):
+        return lib.quoin_result_get_factorizations(self._handle)
+
+    @property
+    def _steps(self):
+        return lib.quoin_result_get_step_count(self._handle)
+
+    @property
+    def _bodies(self):
+        return lib.quoin_result_get_body_count(self._handle)
+
+    def _names(self):
+        model = lib.quoin_result_get_model(self._handle)
+        return [_library.text(lib.quoin_model_get_block_name(model, i))
+                for i in range(lib.quoin_model_get_block_count(model))]
+
+    def to_dataframe(self):
+        """A row for every step and block: step, multiplier, block, ux, uy (m), rz (rad)."""
+        import pandas
+
+        names = self._names()
+        blocks, steps = len(names), self._steps
+        moved = numpy.asarray(self.displacements)[:, :blocks, :].reshape(-1, 3)
+        return pandas.DataFrame({
+            "step": numpy.repeat(numpy.arange(steps), blocks),
+            "multiplier": numpy.repeat(self.multipliers, blocks),
+            "block": names * steps,
+            "ux": moved[:, 0], "uy": moved[:, 1], "rz": moved[:, 2],
+        })
+
+    def plot(self, axes=None, block=None, component="ux"):
+        """The multiplier over a displacement: of a block (name), or the largest of all.
+        Returns the axes of matplotlib."""
+        import matplotlib.pyplot
+
+        axes = axes if axes is not None else matplotlib.pyplot.gca()
+        column = ("ux", "uy", "rz").index(component)
+        values = numpy.asarray(self.displacements)[:, :, column]
+        if block is not None:
+            shown = values[:, self._names().index(block)]
+        else:
+            shown = values[:, numpy.abs(values[-1]).argmax()]
+        axes.plot(shown, self.multipliers, marker=".", markersize=3)
+        unit = "rad" if component == "rz" else "m"
+        axes.set_xlabel(f"{component} [{unit}]")
+        axes.set_ylabel("load multiplier")
+        return axes
+
+    def save(self, path):
+        """Writes a result file."""
+        _library.call(lib.quoin_result_write, self._handle, os.fspath(path).encode())
+
+    def draw(self, view="mechanism", path=None, format=None, **options):
+        """Draws into a file by its ending, or returns the bytes of a format ("svg")."""
+        model = lib.quoin_result_get_model(self._handle)
+        return draw(model, self._handle, view, path, format, options)
+
+    def _repr_svg_(self):
+        view = "mechanism" if self.mechanism is not None else "deformed"
+        return self.draw(view, format="svg", size="640x480").decode()
+
+    def __repr__(self):
+        return f"<quoin.Result {self.outcome}: multiplier {self.multiplier}>"
+
+
+class Modes:
+    """Small vibrations: `omega` (n,) in rad/s and `shapes` (n, bodies, 3), largest
+    displacement 1 m."""
+
+    def __init__(self, handle):
+        handle = ffi.gc(handle, lib.quoin_modes_free)
+        count = lib.quoin_modes_get_count(handle)
+        bodies = lib.quoin_modes_get_body_count(handle)
+        self.omega = _library.array(lib.quoin_modes_get_omega(handle), (count,), handle)
+        self.shapes = _library.array(lib.quoin_modes_get_shapes(handle), (count, bodies, 3),
+                                     handle)

@@ -1,0 +1,234 @@
+#include "io/exchange/drawing-import.h"
+#include "library/library-private.h"
+
+#include <string.h>
+
+static void
+free_model (QuoinModel *model)
+{
+  qn_contacts_clear (&model->contacts);
+  qn_project_clear (&model->project);
+  g_ptr_array_unref (model->warnings);
+  g_free (model);
+}
+
+QuoinModel *
+quoin_library_model_take (QnProject *project, QuoinError **error)
+{
+  QnDiag diag = { 0 };
+  QuoinModel *model = g_new0 (QuoinModel, 1);
+  g_atomic_ref_count_init (&model->references);
+  model->project = *project;
+  model->warnings = g_ptr_array_new_with_free_func (g_free);
+  if (qn_contacts_detect (&model->project.model, &model->contacts, &diag) != QN_OK) {
+    quoin_library_take_diag (error, &model->project, &diag);
+    free_model (model);
+    return NULL;
+  }
+  for (guint i = 0; i < model->project.warnings->len; i++)
+    g_ptr_array_add (model->warnings,
+                     g_strdup (g_ptr_array_index (model->project.warnings, i)));
+  for (size_t i = 0; i < model->contacts.findings.count; i++)
+    g_ptr_array_add (
+      model->warnings,
+      qn_project_dup_finding_text (&model->project, &model->contacts.findings.items[i]));
+  return model;
+}
+
+/* Takes the error of a reader that has left no project. */
+static QuoinModel *
+refuse (const char *name, GError *cause, QuoinError **error)
+{
+  QnProject named = { .name = (char *) name };
+  quoin_library_take_error (error, &named, cause);
+  return NULL;
+}
+
+QuoinModel *
+quoin_model_open (const char *path, const char *const *overrides, QuoinError **error)
+{
+  QnProject project;
+  GError *cause = NULL;
+  if (!qn_project_load (path, overrides, &project, &cause))
+    return refuse (path, cause, error);
+  return quoin_library_model_take (&project, error);
+}
+
+QuoinModel *
+quoin_model_parse (const char *text, size_t length, const char *name,
+                   const char *const *overrides, QuoinError **error)
+{
+  QnProject project;
+  GError *cause = NULL;
+  if (!qn_project_parse (text, length, name, overrides, &project, &cause))
+    return refuse (name, cause, error);
+  return quoin_library_model_take (&project, error);
+}
+
+QuoinModel *
+quoin_model_import (const char *path, double unit, double thickness, double unit_weight,
+                    double friction, QuoinError **error)
+{
+  QnProject project;
+  QnImportReport report;
+  GError *cause = NULL;
+  QnImportSettings settings = {
+    .unit = unit, .thickness = thickness, .unit_weight = unit_weight, .friction = friction
+  };
+  if (!qn_import_file (path, &settings, &project, &report, &cause))
+    return refuse (path, cause, error);
+  QuoinModel *model = quoin_library_model_take (&project, error);
+  for (guint i = 0; model != NULL && i < report.warnings->len; i++)
+    g_ptr_array_insert (model->warnings, (gint) i,
+                        g_strdup (g_ptr_array_index (report.warnings, i)));
+  qn_import_report_clear (&report);
+  return model;
+}
+
+QuoinModel *
+quoin_model_with (const QuoinModel *model, const char *const *overrides,
+                  QuoinError **error)
+{
+  gsize length;
+  g_autofree char *text = qn_project_to_text (&model->project, &length);
+  return quoin_model_parse (text, length, model->project.name, overrides, error);
+}
+
+QuoinModel *
+quoin_model_ref (QuoinModel *model)
+{
+  g_atomic_ref_count_inc (&model->references);
+  return model;
+}
+
+void
+quoin_model_unref (QuoinModel *model)
+{
+  if (model != NULL && g_atomic_ref_count_dec (&model->references))
+    free_model (model);
+}
+
+bool
+quoin_model_save (const QuoinModel *model, const char *path, QuoinError **error)
+{
+  GError *cause = NULL;
+  if (qn_project_save (&model->project, path, &cause))
+    return true;
+  refuse (path, cause, error);
+  return false;
+}
+
+char *
+quoin_model_to_text (const QuoinModel *model)
+{
+  return qn_project_to_text (&model->project, NULL);
+}
+
+const char *
+quoin_model_get_title (const QuoinModel *model)
+{
+  const char *title = model->project.model.title;
+  return title != NULL ? title : "";
+}
+
+size_t
+quoin_model_get_warning_count (const QuoinModel *model)
+{
+  return model->warnings->len;
+}
+
+const char *
+quoin_model_get_warning (const QuoinModel *model, size_t index)
+{
+  return g_ptr_array_index (model->warnings, index);
+}
+
+size_t
+quoin_model_get_block_count (const QuoinModel *model)
+{
+  return model->project.model.block_count;
+}
+
+static const QnBlock *
+get_block (const QuoinModel *model, size_t block)
+{
+  return &model->project.model.blocks[block];
+}
+
+const char *
+quoin_model_get_block_name (const QuoinModel *model, size_t block)
+{
+  return get_block (model, block)->name;
+}
+
+double
+quoin_model_get_block_area (const QuoinModel *model, size_t block)
+{
+  return get_block (model, block)->area;
+}
+
+double
+quoin_model_get_block_thickness (const QuoinModel *model, size_t block)
+{
+  return get_block (model, block)->thickness;
+}
+
+double
+quoin_model_get_block_weight (const QuoinModel *model, size_t block)
+{
+  return get_block (model, block)->weight;
+}
+
+const double *
+quoin_model_get_block_centroid (const QuoinModel *model, size_t block)
+{
+  return &get_block (model, block)->centroid.x;
+}
+
+const double *
+quoin_model_get_block_vertices (const QuoinModel *model, size_t block, size_t *count)
+{
+  G_STATIC_ASSERT (sizeof (QnVec2) == 2 * sizeof (double));
+  const QnBlock *of = get_block (model, block);
+  *count = (size_t) of->vertex_count;
+  return &model->project.model.vertices[of->first_vertex].x;
+}
+
+bool
+quoin_model_is_block_fixed (const QuoinModel *model, size_t block, int dof)
+{
+  return get_block (model, block)->support[dof];
+}
+
+size_t
+quoin_model_get_face_count (const QuoinModel *model)
+{
+  return model->contacts.face_count;
+}
+
+void
+quoin_model_get_face_blocks (const QuoinModel *model, size_t face, size_t *a, size_t *b)
+{
+  *a = (size_t) model->contacts.faces[face].a;
+  *b = (size_t) model->contacts.faces[face].b;
+}
+
+void
+quoin_model_get_face_ends (const QuoinModel *model, size_t face, double ends[4])
+{
+  const QnContactFace *of = &model->contacts.faces[face];
+  const double values[4] = { of->start.x, of->start.y, of->end.x, of->end.y };
+  memcpy (ends, values, sizeof values);
+}
+
+size_t
+quoin_model_get_pair_count (const QuoinModel *model)
+{
+  return model->contacts.pair_count;
+}
+
+size_t
+quoin_model_get_pair_face (const QuoinModel *model, size_t pair)
+{
+  return (size_t) model->contacts.pairs[pair].face;
+}

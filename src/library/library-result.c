@@ -1,0 +1,294 @@
+#include "core/limit/limit.h"
+#include "core/modal/modal.h"
+#include "core/path/analysis.h"
+#include "library/library-private.h"
+
+#include <math.h>
+
+struct QuoinModes {
+  QnModes modes;
+};
+
+/* --- Running ----------------------------------------------------------------------------- */
+
+bool
+quoin_library_report (const QnProgress *progress, void *data)
+{
+  const QuoinLibraryProgress *caller = data;
+  return caller->func == NULL
+         || caller->func (progress->multiplier, progress->steps, progress->iterations,
+                          caller->data);
+}
+
+/* A result that takes over what the core has filled. */
+static QuoinResult *
+make_result (QuoinModel *model, QnResult *filled)
+{
+  QuoinResult *result = g_new0 (QuoinResult, 1);
+  g_atomic_ref_count_init (&result->references);
+  result->model = quoin_model_ref (model);
+  result->result = *filled;
+  result->multipliers = g_new (double, filled->step_count + 1);
+  for (size_t i = 0; i < filled->step_count; i++)
+    result->multipliers[i] = filled->steps[i].multiplier;
+  result->forces = g_new (double, 2 * filled->pair_count + 1);
+  for (size_t i = 0; i < filled->pair_count; i++) {
+    result->forces[2 * i] = filled->pairs[i].normal_force;
+    result->forces[2 * i + 1] = filled->pairs[i].shear_force;
+  }
+  return result;
+}
+
+static bool
+require_sound (const QuoinModel *model, QuoinError **error)
+{
+  QnDiag diag = { 0 };
+  if (qn_contacts_require_sound (&model->project.model, &model->contacts, &diag) == QN_OK)
+    return true;
+  quoin_library_take_diag (error, &model->project, &diag);
+  return false;
+}
+
+QuoinResult *
+quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
+             QuoinError **error)
+{
+  QnDiag diag = { 0 };
+  QnResult result;
+  QuoinLibraryProgress caller = { progress, data };
+  if (!require_sound (model, error))
+    return NULL;
+  if (qn_analysis_run (&model->project.model, &model->contacts, quoin_library_report,
+                       &caller, &result, &diag)
+      != QN_OK) {
+    quoin_library_take_diag (error, &model->project, &diag);
+    return NULL;
+  }
+  return make_result (model, &result);
+}
+
+QuoinResult *
+quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc progress, void *data,
+             QuoinError **error)
+{
+  const char *const overrides[] = { "analysis.procedure=limit",
+                                    associative ? "analysis.flow=associative"
+                                                : "analysis.flow=non-associative",
+                                    NULL };
+  QuoinModel *own = quoin_model_with (model, overrides, error);
+  if (own == NULL)
+    return NULL;
+  QuoinResult *result = quoin_solve (own, progress, data, error);
+  quoin_model_unref (own);
+  return result;
+}
+
+QuoinModes *
+quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc progress,
+             void *data, QuoinError **error)
+{
+  QnDiag diag = { 0 };
+  QnResult result;
+  QuoinModes *modes = g_new0 (QuoinModes, 1);
+  QuoinLibraryProgress caller = { progress, data };
+  if (require_sound (model, error)) {
+    if (qn_modal_run (&model->project.model, &model->contacts,
+                      loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, count,
+                      quoin_library_report, &caller, &modes->modes, &result, &diag)
+        == QN_OK) {
+      qn_result_clear (&result);
+      return modes;
+    }
+    quoin_library_take_diag (error, &model->project, &diag);
+  }
+  g_free (modes);
+  return NULL;
+}
+
+void
+quoin_modes_free (QuoinModes *modes)
+{
+  if (modes == NULL)
+    return;
+  qn_modes_clear (&modes->modes);
+  g_free (modes);
+}
+
+size_t
+quoin_modes_get_count (const QuoinModes *modes)
+{
+  return modes->modes.count;
+}
+
+const double *
+quoin_modes_get_omega (const QuoinModes *modes)
+{
+  return modes->modes.omega;
+}
+
+const double *
+quoin_modes_get_shapes (const QuoinModes *modes)
+{
+  return modes->modes.shapes;
+}
+
+size_t
+quoin_modes_get_body_count (const QuoinModes *modes)
+{
+  return modes->modes.block_count + modes->modes.node_count;
+}
+
+/* --- Files ------------------------------------------------------------------------------- */
+
+QuoinResult *
+quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
+{
+  QnResultFile file;
+  GError *cause = NULL;
+  gboolean same;
+  QnProject named = { .name = (char *) path };
+  if (!qn_result_file_read (path, &file, &cause)) {
+    quoin_library_take_error (error, &named, cause);
+    return NULL;
+  }
+  QuoinResult *result = NULL;
+  if (qn_result_file_match (&file, path, &model->project, &model->contacts, &same,
+                            &cause)) {
+    result = make_result (model, &file.result);
+    file.result = (QnResult){ 0 };
+  } else
+    quoin_library_take_error (error, &named, cause);
+  qn_result_file_clear (&file);
+  return result;
+}
+
+bool
+quoin_result_write (const QuoinResult *result, const char *path, QuoinError **error)
+{
+  GError *cause = NULL;
+  QnProject named = { .name = (char *) path };
+  if (qn_result_file_write (path, &result->model->project, &result->model->contacts,
+                            &result->result, &cause))
+    return true;
+  quoin_library_take_error (error, &named, cause);
+  return false;
+}
+
+/* --- What it says ------------------------------------------------------------------------ */
+
+QuoinResult *
+quoin_library_result_ref (QuoinResult *result)
+{
+  g_atomic_ref_count_inc (&result->references);
+  return result;
+}
+
+void
+quoin_result_free (QuoinResult *result)
+{
+  if (result == NULL || !g_atomic_ref_count_dec (&result->references))
+    return;
+  quoin_model_unref (result->model);
+  qn_result_clear (&result->result);
+  g_free (result->multipliers);
+  g_free (result->forces);
+  g_free (result);
+}
+
+QuoinModel *
+quoin_result_get_model (const QuoinResult *result)
+{
+  return result->model;
+}
+
+const char *
+quoin_result_get_outcome (const QuoinResult *result)
+{
+  return qn_outcome_name (result->result.outcome);
+}
+
+double
+quoin_result_get_collapse_multiplier (const QuoinResult *result)
+{
+  return result->result.has_collapse_multiplier ? result->result.collapse_multiplier
+                                                : (double) NAN;
+}
+
+double
+quoin_result_get_first_limit_multiplier (const QuoinResult *result)
+{
+  return result->result.has_first_limit_multiplier ? result->result.first_limit_multiplier
+                                                   : (double) NAN;
+}
+
+double
+quoin_result_get_lower_bound (const QuoinResult *result)
+{
+  return result->result.limit.given ? result->result.limit.lower_bound : (double) NAN;
+}
+
+double
+quoin_result_get_upper_bound (const QuoinResult *result)
+{
+  return result->result.limit.given ? result->result.limit.upper_bound : (double) NAN;
+}
+
+size_t
+quoin_result_get_step_count (const QuoinResult *result)
+{
+  return result->result.step_count;
+}
+
+size_t
+quoin_result_get_body_count (const QuoinResult *result)
+{
+  return qn_result_body_count (&result->result);
+}
+
+const double *
+quoin_result_get_multipliers (const QuoinResult *result)
+{
+  return result->multipliers;
+}
+
+const double *
+quoin_result_get_displacements (const QuoinResult *result)
+{
+  return result->result.displacements;
+}
+
+const double *
+quoin_result_get_mechanism (const QuoinResult *result)
+{
+  return result->result.mechanism;
+}
+
+size_t
+quoin_result_get_pair_count (const QuoinResult *result)
+{
+  return result->result.pair_count;
+}
+
+const double *
+quoin_result_get_forces (const QuoinResult *result)
+{
+  return result->forces;
+}
+
+const char *
+quoin_result_get_pair_state (const QuoinResult *result, size_t pair)
+{
+  return qn_pair_state_name (result->result.pairs[pair].state);
+}
+
+int32_t
+quoin_result_get_iterations (const QuoinResult *result)
+{
+  return result->result.statistics.iterations;
+}
+
+int32_t
+quoin_result_get_factorizations (const QuoinResult *result)
+{
+  return result->result.statistics.factorizations;
+}

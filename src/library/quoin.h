@@ -1,0 +1,254 @@
+/* libquoin: block masonry from C and from every language that can call it.
+ *
+ * A model is read from a project file, or built by calls; its contacts are found at once. Models
+ * are read-only from then on, and may be used by many threads. An analysis gives a result, a
+ * figure draws both. All numbers are SI (m, N, rad, s), decimal points whatever the locale.
+ *
+ *   QuoinError *error = NULL;
+ *   QuoinModel *model = quoin_model_open ("wall3.quoin", NULL, &error);
+ *   QuoinResult *result = quoin_solve (model, NULL, NULL, &error);
+ *   printf ("%g\n", quoin_result_get_collapse_multiplier (result));
+ *
+ * Ownership: what a function called _new, _open, _parse, _import, _with, _read, _finish, _ref,
+ * quoin_solve, quoin_limit or quoin_modal returns belongs to the caller; strings and arrays of
+ * _get_ functions belong to the object and live as long as it does.
+ *
+ * Failure: a function with an `error` parameter returns NULL or false and, where `error` is not
+ * NULL, sets *error, to be freed with quoin_error_free(). Passing indices out of range, or NULL
+ * where it is not allowed, is an error of the program and undefined.
+ *
+ * The interface is stable within a major version: functions are added, none is changed. Types
+ * are opaque, so that they can grow.
+ */
+#ifndef QUOIN_H
+#define QUOIN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct QuoinError QuoinError;
+typedef struct QuoinModel QuoinModel;
+typedef struct QuoinBuilder QuoinBuilder;
+typedef struct QuoinResult QuoinResult;
+typedef struct QuoinModes QuoinModes;
+typedef struct QuoinFigure QuoinFigure;
+
+/* "0.1.0" */
+const char *quoin_version (void);
+
+/* --- Errors ------------------------------------------------------------------------------ */
+
+typedef enum {
+  QUOIN_ERROR_INVALID,   /* the content of a file or a value breaks a rule */
+  QUOIN_ERROR_FILE,      /* a file cannot be read or written */
+  QUOIN_ERROR_USAGE,     /* no such option, view, format … */
+  QUOIN_ERROR_NO_MEMORY, /* an allocation failed */
+  QUOIN_ERROR_NO_ANSWER  /* the state that was found does not allow what was asked */
+} QuoinErrorKind;
+
+QuoinErrorKind quoin_error_get_kind (const QuoinError *error);
+
+/* One line, such as "wall.quoin:12:7: blocks[3].vertices: polygon crosses itself". */
+const char *quoin_error_get_message (const QuoinError *error);
+
+/* The place that the message begins with: file, line and column from 1, and path of the key.
+ * NULL and 0 where it names none. */
+const char *quoin_error_get_file (const QuoinError *error);
+int quoin_error_get_line (const QuoinError *error);
+int quoin_error_get_column (const QuoinError *error);
+const char *quoin_error_get_key (const QuoinError *error);
+
+void quoin_error_free (QuoinError *error);
+
+/* Frees what the functions that say so return. */
+void quoin_free (void *memory);
+
+/* --- Models ------------------------------------------------------------------------------ */
+
+/* Reads a project file. `overrides` (nullable, NULL-terminated) are "path=value" strings as
+ * "laws[0].friction=0.5". */
+QuoinModel *quoin_model_open (const char *path, const char *const *overrides,
+                              QuoinError **error);
+
+/* The same from memory; `name` stands for the file in messages. */
+QuoinModel *quoin_model_parse (const char *text, size_t length, const char *name,
+                               const char *const *overrides, QuoinError **error);
+
+/* Reads a drawing: DXF, SVG, or a COMPAS assembly as JSON. unit: m per unit of the drawing, 0:
+ * as the file says; thickness m; unit_weight N/m3; friction: a tangent. */
+QuoinModel *quoin_model_import (const char *path, double unit, double thickness,
+                                double unit_weight, double friction, QuoinError **error);
+
+/* The same model with other values. */
+QuoinModel *quoin_model_with (const QuoinModel *model, const char *const *overrides,
+                              QuoinError **error);
+
+QuoinModel *quoin_model_ref (QuoinModel *model);
+void quoin_model_unref (QuoinModel *model);
+
+/* Writes a project file, whole or not at all. */
+bool quoin_model_save (const QuoinModel *model, const char *path, QuoinError **error);
+
+/* The same as a string, to be freed with quoin_free(). */
+char *quoin_model_to_text (const QuoinModel *model);
+
+const char *quoin_model_get_title (const QuoinModel *model); /* "" where there is none */
+
+/* What reading and detection found to be looked at: unknown keys, gaps, loose blocks. */
+size_t quoin_model_get_warning_count (const QuoinModel *model);
+const char *quoin_model_get_warning (const QuoinModel *model, size_t index);
+
+size_t quoin_model_get_block_count (const QuoinModel *model);
+const char *quoin_model_get_block_name (const QuoinModel *model, size_t block);
+double quoin_model_get_block_area (const QuoinModel *model, size_t block);      /* m2 */
+double quoin_model_get_block_thickness (const QuoinModel *model, size_t block); /* m */
+double quoin_model_get_block_weight (const QuoinModel *model, size_t block);    /* N */
+/* x, y, m */
+const double *quoin_model_get_block_centroid (const QuoinModel *model, size_t block);
+/* *count x 2: x, y, m, counter-clockwise */
+const double *quoin_model_get_block_vertices (const QuoinModel *model, size_t block,
+                                              size_t *count);
+/* dof: 0 ux, 1 uy, 2 rz */
+bool quoin_model_is_block_fixed (const QuoinModel *model, size_t block, int dof);
+
+/* Contact faces as detected; every face has contact pairs, numbered one face after the other. */
+size_t quoin_model_get_face_count (const QuoinModel *model);
+void quoin_model_get_face_blocks (const QuoinModel *model, size_t face, size_t *a,
+                                  size_t *b);
+/* x, y of its start and of its end, m */
+void quoin_model_get_face_ends (const QuoinModel *model, size_t face, double ends[4]);
+size_t quoin_model_get_pair_count (const QuoinModel *model);
+size_t quoin_model_get_pair_face (const QuoinModel *model, size_t pair);
+
+/* --- Models built by calls --------------------------------------------------------------- */
+
+/* A model without blocks, with dead load by weight and without live load. Nothing fails before
+ * quoin_builder_finish(). */
+QuoinBuilder *quoin_builder_new (const char *title);
+void quoin_builder_free (QuoinBuilder *builder);
+
+/* A dry or cohesive joint (basis "contact"): kn, ks in N/m; friction and dilatancy are tangents;
+ * cohesion and tension in N. The first law is that of every contact. */
+void quoin_builder_add_joint (QuoinBuilder *builder, const char *name, double kn,
+                              double ks, double friction, double dilatancy,
+                              double cohesion, double tension);
+
+/* vertices: count x 2, m, in either orientation; unit_weight N/m3; fixed: a support. `name` may
+ * be NULL. */
+void quoin_builder_add_block (QuoinBuilder *builder, const char *name,
+                              const double *vertices, size_t count, double thickness,
+                              double unit_weight, bool fixed);
+
+/* Live load on every block: its weight times (x, y). */
+void quoin_builder_add_live_weight (QuoinBuilder *builder, double x, double y);
+
+/* A force N on a block at its centroid, with a moment N m: dead, or growing with the multiplier. */
+void quoin_builder_add_force (QuoinBuilder *builder, const char *block, double x,
+                              double y, double moment, bool live);
+
+/* Any value by its path in the project file: "analysis.increments", "37". */
+void quoin_builder_set (QuoinBuilder *builder, const char *path, const char *value);
+
+/* The builder stays as it is. */
+QuoinModel *quoin_builder_finish (const QuoinBuilder *builder, QuoinError **error);
+
+/* --- Analyses ---------------------------------------------------------------------------- */
+
+/* Called at least once per iteration from the thread that computes; false cancels, and what has
+ * converged by then is kept. */
+typedef bool (*QuoinProgressFunc) (double multiplier, int32_t steps, int32_t iterations,
+                                   void *data);
+
+/* The analysis that the model's settings name. Collapse, no convergence or cancelling are
+ * outcomes of the result, not errors. `progress` may be NULL. */
+QuoinResult *quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
+                          QuoinError **error);
+
+/* Limit analysis of rigid blocks; associative: dilatancy = friction, whose multiplier nothing
+ * exceeds. */
+QuoinResult *quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc progress,
+                          void *data, QuoinError **error);
+
+/* The lowest frequencies about the equilibrium under dead load or, with `loaded`, about the last
+ * one of the analysis. */
+QuoinModes *quoin_modal (QuoinModel *model, size_t count, bool loaded,
+                         QuoinProgressFunc progress, void *data, QuoinError **error);
+void quoin_modes_free (QuoinModes *modes);
+size_t quoin_modes_get_count (const QuoinModes *modes);
+const double *quoin_modes_get_omega (const QuoinModes *modes);  /* count, rad/s */
+const double *quoin_modes_get_shapes (const QuoinModes *modes); /* count x bodies x 3 */
+/* Rows of a shape: blocks, then nodes of beams. */
+size_t quoin_modes_get_body_count (const QuoinModes *modes);
+
+/* --- Results ----------------------------------------------------------------------------- */
+
+/* Reads a result file of this model. */
+QuoinResult *quoin_result_read (QuoinModel *model, const char *path, QuoinError **error);
+
+/* Writes a result file, whole or not at all. */
+bool quoin_result_write (const QuoinResult *result, const char *path, QuoinError **error);
+
+void quoin_result_free (QuoinResult *result);
+
+/* The model that was solved; borrowed. */
+QuoinModel *quoin_result_get_model (const QuoinResult *result);
+
+/* "collapse", "target-reached", "snap", "unbounded", "dead-load-unstable", "cancelled",
+ * "not-converged" */
+const char *quoin_result_get_outcome (const QuoinResult *result);
+
+/* Not-a-number where there is none. */
+double quoin_result_get_collapse_multiplier (const QuoinResult *result);
+double quoin_result_get_first_limit_multiplier (const QuoinResult *result);
+double quoin_result_get_lower_bound (const QuoinResult *result); /* limit analysis */
+double quoin_result_get_upper_bound (const QuoinResult *result);
+
+/* Converged equilibria, the first under dead load alone. Bodies are blocks, then nodes of beams. */
+size_t quoin_result_get_step_count (const QuoinResult *result);
+size_t quoin_result_get_body_count (const QuoinResult *result);
+const double *quoin_result_get_multipliers (const QuoinResult *result); /* steps */
+/* steps x bodies x 3: ux, uy m at the centroid, rz rad */
+const double *quoin_result_get_displacements (const QuoinResult *result);
+/* bodies x 3, largest displacement 1; NULL where there is none */
+const double *quoin_result_get_mechanism (const QuoinResult *result);
+
+/* Contact pairs at the last equilibrium. pairs x 2: normal (<= 0 in compression) and shear, N */
+size_t quoin_result_get_pair_count (const QuoinResult *result);
+const double *quoin_result_get_forces (const QuoinResult *result);
+/* "stick", "slip", "open", "yield" */
+const char *quoin_result_get_pair_state (const QuoinResult *result, size_t pair);
+
+int32_t quoin_result_get_iterations (const QuoinResult *result);
+int32_t quoin_result_get_factorizations (const QuoinResult *result);
+
+/* --- Figures ----------------------------------------------------------------------------- */
+
+/* view: "model", "contacts", "deformed", "mechanism", "forces", "diagrams"; `result` may be NULL
+ * for the first two. Keeps what it draws alive: model and result may go before it. */
+QuoinFigure *quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
+                               QuoinError **error);
+void quoin_figure_free (QuoinFigure *figure);
+
+/* "size" ("1600x1200", "160mmx120mm"), "dpi", "field" ("stress", …), "step" ("last" or a number),
+ * "scale" ("auto" or a factor), "title", "caption", "monochrome" and the switches of the command
+ * line ("ghost", "loads", "names", …) with "on" or "off". */
+bool quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
+                       QuoinError **error);
+
+/* PNG, SVG or PDF by the ending; whole or not at all. */
+bool quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **error);
+
+/* The same into memory, format "png", "svg" or "pdf"; to be freed with quoin_free(). */
+void *quoin_figure_encode (const QuoinFigure *figure, const char *format, size_t *length,
+                           QuoinError **error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

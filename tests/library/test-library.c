@@ -1,0 +1,352 @@
+/* libquoin as a program sees it that links to nothing else of Quoin. */
+#include "support/scratch.h"
+
+#include <glib.h>
+#include <glib/gstdio.h>
+#include <math.h>
+#include <quoin.h>
+#include <string.h>
+
+static char *
+wall_path (int number)
+{
+  g_autofree char *name = g_strdup_printf ("wall%d.quoin", number);
+  return g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "ferris-tin-loi", name, NULL);
+}
+
+static QuoinModel *
+open_wall (int number)
+{
+  g_autofree char *path = wall_path (number);
+  QuoinError *error = NULL;
+  QuoinModel *model = quoin_model_open (path, NULL, &error);
+  g_assert_nonnull (model);
+  g_assert_null (error);
+  return model;
+}
+
+static void
+test_model (void)
+{
+  QuoinModel *model = open_wall (1);
+  size_t count, a, b;
+  double ends[4];
+  g_assert_cmpuint (quoin_model_get_block_count (model), ==, 34);
+  g_assert_cmpuint (quoin_model_get_face_count (model), ==, 83);
+  g_assert_cmpuint (quoin_model_get_pair_count (model), ==, 166);
+  g_assert_cmpuint (quoin_model_get_warning_count (model), ==, 0);
+  g_assert_true (quoin_model_is_block_fixed (model, 0, 2));
+  g_assert_false (quoin_model_is_block_fixed (model, 1, 0));
+
+  const double *vertices = quoin_model_get_block_vertices (model, 1, &count);
+  g_assert_cmpuint (count, ==, 4);
+  double area = 0, x = 0;
+  for (size_t i = 0; i < count; i++) {
+    const double *p = vertices + 2 * i, *q = vertices + 2 * ((i + 1) % count);
+    area += 0.5 * (p[0] * q[1] - q[0] * p[1]);
+    x += p[0] / 4;
+  }
+  g_assert_cmpfloat_with_epsilon (area, quoin_model_get_block_area (model, 1), 1e-12);
+  g_assert_cmpfloat_with_epsilon (x, quoin_model_get_block_centroid (model, 1)[0], 1e-12);
+  g_assert_cmpfloat_with_epsilon (quoin_model_get_block_weight (model, 1), 1e4 * area,
+                                  1e-6);
+
+  for (size_t i = 0; i < quoin_model_get_face_count (model); i++) {
+    quoin_model_get_face_blocks (model, i, &a, &b);
+    quoin_model_get_face_ends (model, i, ends);
+    g_assert_cmpuint (a, <, b);
+    g_assert_cmpfloat (hypot (ends[2] - ends[0], ends[3] - ends[1]), >, 0.1);
+  }
+  g_assert_cmpuint (quoin_model_get_pair_face (model, 165), ==, 82);
+  quoin_model_unref (model);
+}
+
+/* The first line names the place in every part. */
+static void
+test_error_names_the_place (void)
+{
+  static const char text[] = "{ \"format\": \"quoin\", \"version\": 1,\n"
+                             "  \"laws\": [ { \"name\": \"j\", \"kind\": \"coulomb\",\n"
+                             "    \"kn\": -1, \"ks\": 1, \"friction\": 0.5 } ],\n"
+                             "  \"contact\": { \"law\": \"j\" }, \"blocks\": [] }";
+  QuoinError *error = NULL;
+  g_assert_null (quoin_model_parse (text, strlen (text), "my model", NULL, &error));
+  g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_INVALID);
+  g_assert_cmpstr (quoin_error_get_file (error), ==, "my model");
+  g_assert_cmpint (quoin_error_get_line (error), ==, 3);
+  g_assert_cmpint (quoin_error_get_column (error), ==, 11);
+  g_assert_cmpstr (quoin_error_get_key (error), ==, "laws[0].kn");
+  quoin_error_free (error);
+
+  error = NULL;
+  g_assert_null (quoin_model_open ("/no/such/file.quoin", NULL, &error));
+  g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_FILE);
+  g_assert_cmpstr (quoin_error_get_file (error), ==, "/no/such/file.quoin");
+  g_assert_cmpint (quoin_error_get_line (error), ==, 0);
+  g_assert_null (quoin_error_get_key (error));
+  quoin_error_free (error);
+
+  g_assert_null (quoin_model_open ("/no/such/file.quoin", NULL, NULL));
+}
+
+/* The weight is given as thickness 1; what pushes block a off its base is friction 0.4. */
+static QuoinBuilder *
+build_sliding_block (void)
+{
+  static const double base[] = { 0, -1, 4, -1, 4, 0, 0, 0 };
+  static const double block[] = { 1, 0, 2, 0, 2, 0.5, 1, 0.5 };
+  QuoinBuilder *builder = quoin_builder_new ("Sliding block");
+  quoin_builder_add_joint (builder, "dry", 1e7, 1e7, 0.4, 0, 0, 0);
+  quoin_builder_add_block (builder, "base", base, 4, 1, 20000, true);
+  quoin_builder_add_block (builder, "a", block, 4, 1, 20000, false);
+  return builder;
+}
+
+static void
+test_builder (void)
+{
+  QuoinError *error = NULL;
+  QuoinBuilder *builder = build_sliding_block ();
+  quoin_builder_add_live_weight (builder, 1, 0);
+  quoin_builder_set (builder, "analysis.increments", "20");
+  QuoinModel *model = quoin_builder_finish (builder, &error);
+  g_assert_nonnull (model);
+  QuoinResult *result = quoin_solve (model, NULL, NULL, &error);
+  g_assert_nonnull (result);
+  g_assert_cmpstr (quoin_result_get_outcome (result), ==, "collapse");
+  g_assert_cmpfloat_with_epsilon (quoin_result_get_collapse_multiplier (result), 0.4,
+                                  1e-4);
+  quoin_result_free (result);
+
+  /* The text is a project file, and reads back as the same model. */
+  char *text = quoin_model_to_text (model);
+  QuoinModel *again = quoin_model_parse (text, strlen (text), "again", NULL, &error);
+  char *same = quoin_model_to_text (again);
+  g_assert_cmpstr (text, ==, same);
+  quoin_free (text);
+  quoin_free (same);
+  quoin_model_unref (again);
+  quoin_model_unref (model);
+
+  quoin_builder_set (builder, "laws[0].friction", "-1");
+  g_assert_null (quoin_builder_finish (builder, &error));
+  g_assert_cmpstr (quoin_error_get_key (error), ==, "laws[0].friction");
+  quoin_error_free (error);
+  quoin_builder_free (builder);
+}
+
+/* A force of half the weight at the centroid pushes the block at twice the friction. */
+static void
+test_builder_forces (void)
+{
+  QuoinError *error = NULL;
+  QuoinBuilder *builder = build_sliding_block ();
+  quoin_builder_add_force (builder, "a", 5000, 0, 0, true);
+  QuoinModel *model = quoin_builder_finish (builder, &error);
+  g_assert_nonnull (model);
+  QuoinResult *result = quoin_limit (model, false, NULL, NULL, &error);
+  g_assert_nonnull (result);
+  g_assert_cmpfloat_with_epsilon (quoin_result_get_collapse_multiplier (result), 0.8,
+                                  1e-5);
+  quoin_result_free (result);
+  quoin_model_unref (model);
+  quoin_builder_free (builder);
+}
+
+static void
+test_results (void)
+{
+  QuoinError *error = NULL;
+  QuoinModel *model = open_wall (3);
+  QuoinResult *result = quoin_solve (model, NULL, NULL, &error);
+  size_t steps = quoin_result_get_step_count (result);
+  size_t bodies = quoin_result_get_body_count (result);
+  g_assert_cmpuint (bodies, ==, quoin_model_get_block_count (model));
+  g_assert_cmpuint (quoin_result_get_pair_count (result), ==,
+                    quoin_model_get_pair_count (model));
+  const double *multipliers = quoin_result_get_multipliers (result);
+  g_assert_cmpfloat (multipliers[0], ==, 0);
+  g_assert_cmpfloat (multipliers[steps - 1], ==,
+                     quoin_result_get_collapse_multiplier (result));
+  g_assert_nonnull (quoin_result_get_mechanism (result));
+  g_assert_true (isnan (quoin_result_get_lower_bound (result)));
+
+  /* Every open pair is without force. */
+  const double *forces = quoin_result_get_forces (result);
+  for (size_t i = 0; i < quoin_result_get_pair_count (result); i++) {
+    g_assert_cmpfloat (forces[2 * i], <=, 0);
+    if (strcmp (quoin_result_get_pair_state (result, i), "open") == 0)
+      g_assert_true (forces[2 * i] == 0 && forces[2 * i + 1] == 0);
+  }
+
+  /* What is written reads back. */
+  char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "r.json", NULL);
+  g_assert_true (quoin_result_write (result, path, &error));
+  QuoinResult *read = quoin_result_read (model, path, &error);
+  g_assert_nonnull (read);
+  g_assert_cmpuint (quoin_result_get_step_count (read), ==, steps);
+  g_assert_cmpmem (quoin_result_get_displacements (read), steps * bodies * 24,
+                   quoin_result_get_displacements (result), steps * bodies * 24);
+  quoin_result_free (read);
+
+  QuoinModel *other = open_wall (4);
+  g_assert_null (quoin_result_read (other, path, &error));
+  g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_INVALID);
+  quoin_error_free (error);
+  quoin_model_unref (other);
+  quoin_result_free (result);
+  quoin_model_unref (model);
+  test_scratch_free (folder);
+}
+
+static void
+test_limit_bounds (void)
+{
+  QuoinError *error = NULL;
+  QuoinModel *model = open_wall (1);
+  QuoinResult *bound = quoin_limit (model, true, NULL, NULL, &error);
+  g_assert_nonnull (bound);
+  g_assert_cmpfloat_with_epsilon (quoin_result_get_lower_bound (bound), 0.642859, 1e-6);
+  g_assert_cmpfloat (quoin_result_get_lower_bound (bound), <=,
+                     quoin_result_get_upper_bound (bound));
+  /* The model itself is as it was. */
+  const char *const friction[] = { "laws[0].friction=0.5", NULL };
+  QuoinModel *slippery = quoin_model_with (model, friction, &error);
+  QuoinResult *less = quoin_limit (slippery, true, NULL, NULL, &error);
+  g_assert_cmpfloat (quoin_result_get_upper_bound (less), <,
+                     quoin_result_get_lower_bound (bound));
+  quoin_result_free (less);
+  quoin_model_unref (slippery);
+  quoin_result_free (bound);
+  quoin_model_unref (model);
+}
+
+static bool
+cancel_at_third (double multiplier, int32_t steps, int32_t iterations, void *data)
+{
+  int *calls = data;
+  g_assert_true (isfinite (multiplier) && steps >= 0 && iterations >= 0);
+  return ++*calls < 3;
+}
+
+static void
+test_cancel (void)
+{
+  int calls = 0;
+  QuoinModel *model = open_wall (6);
+  QuoinResult *result = quoin_solve (model, cancel_at_third, &calls, NULL);
+  g_assert_cmpint (calls, ==, 3);
+  g_assert_cmpstr (quoin_result_get_outcome (result), ==, "cancelled");
+  g_assert_true (isnan (quoin_result_get_collapse_multiplier (result)));
+  quoin_result_free (result);
+  quoin_model_unref (model);
+}
+
+/* A block on two springs: omega^2 = 2 kn / 2 / m for the vertical motion. */
+static void
+test_modes (void)
+{
+  QuoinError *error = NULL;
+  QuoinBuilder *builder = build_sliding_block ();
+  QuoinModel *model = quoin_builder_finish (builder, &error);
+  QuoinModes *modes = quoin_modal (model, 3, false, NULL, NULL, &error);
+  g_assert_nonnull (modes);
+  g_assert_cmpuint (quoin_modes_get_count (modes), ==, 3);
+  double mass = quoin_model_get_block_weight (model, 1) / 9.81;
+  double vertical = sqrt (1e7 / mass), nearest = INFINITY;
+  for (size_t i = 0; i < 3; i++)
+    nearest = fmin (nearest, fabs (quoin_modes_get_omega (modes)[i] / vertical - 1));
+  g_assert_cmpfloat (nearest, <, 1e-9);
+  quoin_modes_free (modes);
+  quoin_model_unref (model);
+  quoin_builder_free (builder);
+}
+
+static void
+test_figure (void)
+{
+  QuoinError *error = NULL;
+  QuoinModel *model = open_wall (3);
+  QuoinResult *result = quoin_limit (model, true, NULL, NULL, &error);
+  QuoinFigure *figure = quoin_figure_new (model, result, "mechanism", &error);
+  g_assert_nonnull (figure);
+  quoin_model_unref (model); /* the figure holds what it draws */
+  quoin_result_free (result);
+  g_assert_true (quoin_figure_set (figure, "size", "400x300", &error));
+  g_assert_true (quoin_figure_set (figure, "loads", "off", &error));
+  static const char *const wrong[][2] = { { "size", "400" },   { "step", "7" },
+                                          { "loads", "yes" },  { "field", "colour" },
+                                          { "scale", "-1" },   { "dpi", "nan" },
+                                          { "colour", "red" }, { "step", "0.5" } };
+  for (size_t i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    error = NULL;
+    g_assert_false (quoin_figure_set (figure, wrong[i][0], wrong[i][1], &error));
+    g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_USAGE);
+    quoin_error_free (error);
+  }
+  error = NULL;
+  size_t length;
+  char *svg = quoin_figure_encode (figure, "svg", &length, &error);
+  g_assert_nonnull (g_strstr_len (svg, (gssize) length, "<svg"));
+  quoin_free (svg);
+  g_assert_null (quoin_figure_encode (figure, "bmp", &length, &error));
+  g_assert_cmpint (quoin_error_get_kind (error), ==, QUOIN_ERROR_USAGE);
+  quoin_error_free (error);
+
+  char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "wall.png", NULL);
+  g_autofree char *content = NULL;
+  g_assert_true (quoin_figure_write (figure, path, NULL));
+  g_assert_true (g_file_get_contents (path, &content, &length, NULL));
+  g_assert_cmpmem (content, 4, "\x89PNG", 4);
+  quoin_figure_free (figure);
+  test_scratch_free (folder);
+}
+
+static gpointer
+solve_wall (gpointer model)
+{
+  QuoinResult *result = quoin_solve (model, NULL, NULL, NULL);
+  double *multiplier = g_new (double, 1);
+  *multiplier = quoin_result_get_collapse_multiplier (result);
+  quoin_result_free (result);
+  return multiplier;
+}
+
+/* One model in four threads gives the same bits four times. */
+static void
+test_threads (void)
+{
+  GThread *threads[4];
+  double *multipliers[4];
+  QuoinModel *model = open_wall (5);
+  for (int i = 0; i < 4; i++)
+    threads[i] = g_thread_new ("solve", solve_wall, model);
+  for (int i = 0; i < 4; i++)
+    multipliers[i] = g_thread_join (threads[i]);
+  for (int i = 0; i < 4; i++) {
+    g_assert_true (*multipliers[i] == *multipliers[0]);
+    if (i > 0)
+      g_free (multipliers[i]);
+  }
+  g_free (multipliers[0]);
+  quoin_model_unref (model);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/library/model", test_model);
+  g_test_add_func ("/library/error-names-the-place", test_error_names_the_place);
+  g_test_add_func ("/library/builder", test_builder);
+  g_test_add_func ("/library/builder-forces", test_builder_forces);
+  g_test_add_func ("/library/results", test_results);
+  g_test_add_func ("/library/limit-bounds", test_limit_bounds);
+  g_test_add_func ("/library/cancel", test_cancel);
+  g_test_add_func ("/library/modes", test_modes);
+  g_test_add_func ("/library/figure", test_figure);
+  g_test_add_func ("/library/threads", test_threads);
+  return g_test_run ();
+}

@@ -1,0 +1,178 @@
+"""The Python package over libquoin; run with QUOIN_LIBRARY, QUOIN_HEADER and QUOIN_EXAMPLES set."""
+
+import gc
+import json
+import os
+import pathlib
+import threading
+
+import numpy
+import pytest
+
+import quoin
+
+EXAMPLES = pathlib.Path(os.environ["QUOIN_EXAMPLES"])
+WALLS = EXAMPLES / "ferris-tin-loi"
+
+
+def test_wall_of_a_file():
+    model = quoin.open(WALLS / "wall3.quoin")
+    assert (len(model.blocks), len(model.faces)) == (47, 102)
+    assert model.blocks[0].fixed == (True, True, True)
+    assert len(model.pair_faces) == 204
+    result = model.solve()
+    assert result.outcome == "collapse"
+    assert result.multiplier == pytest.approx(0.356, abs=0.002)
+    assert result.displacements.shape == (len(result.multipliers), 47, 3)
+    assert result.mechanism.shape == (47, 3)
+    assert result.bounds is None
+    assert len(result.states) == len(result.forces) == 204
+
+
+def test_overrides_leave_the_model():
+    model = quoin.open(WALLS / "wall1.quoin")
+    less = model.set({"laws[0].friction": 0.5})
+    assert less.to_dict()["laws"][0]["friction"] == 0.5
+    assert model.to_dict()["laws"][0]["friction"] == 0.65
+    lower, upper = model.limit().bounds
+    assert lower == pytest.approx(0.64285900, abs=1e-6) and lower <= upper
+    assert less.limit().bounds[1] < lower
+
+
+def test_errors_name_the_place():
+    project = quoin.open(WALLS / "wall1.quoin").to_dict()
+    project["laws"][0]["kn"] = -1
+    with pytest.raises(quoin.InvalidError) as caught:
+        quoin.from_dict(project, "mine")
+    assert caught.value.key == "laws[0].kn"
+    assert caught.value.file == "mine" and caught.value.line == 1
+    with pytest.raises(quoin.FileError):
+        quoin.open("/no/such/file.quoin")
+    with pytest.raises(OSError):
+        quoin.open("/no/such/file.quoin")
+    with pytest.raises(quoin.UsageError):
+        quoin.open(WALLS / "wall1.quoin").draw("no-such-view")
+
+
+def test_wall_equals_the_example():
+    even, odd = [0.5, 1, 1, 1, 1, 0.5], [1, 1, 1, 1, 1]
+    built = quoin.wall([even, odd, even, odd, even, odd])
+    drawn = quoin.open(WALLS / "wall1.quoin")
+    assert built.limit().multiplier == drawn.limit().multiplier
+
+
+def test_arrays_outlive_their_result():
+    result = quoin.open(WALLS / "wall1.quoin").solve()
+    view = result.displacements
+    copy = numpy.array(view)
+    assert not view.flags.writeable
+    assert not view.flags.owndata
+    del result
+    gc.collect()
+    assert (view == copy).all()
+
+
+def test_progress_cancels_and_raises():
+    model = quoin.open(WALLS / "wall6.quoin")
+    calls = []
+    result = model.solve(lambda *arguments: calls.append(arguments) or len(calls) < 3)
+    assert result.outcome == "cancelled" and len(calls) == 3
+
+    def fail(*_arguments):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        model.solve(fail)
+
+
+def test_other_threads_run_meanwhile():
+    """A callback waits for another thread of Python, which could not run under the lock."""
+    ran, started = threading.Event(), threading.Event()
+
+    def other():
+        started.wait()
+        ran.set()
+
+    thread = threading.Thread(target=other)
+    thread.start()
+
+    def progress(*_arguments):
+        started.set()
+        assert ran.wait(60)
+        return False
+
+    quoin.open(WALLS / "wall1.quoin").solve(progress)
+    thread.join()
+    assert ran.is_set()
+
+
+def test_results_are_read_back(tmp_path):
+    model = quoin.open(WALLS / "wall2.quoin")
+    result = model.solve()
+    result.save(tmp_path / "r.json")
+    again = model.read_result(tmp_path / "r.json")
+    assert (again.displacements == result.displacements).all()
+    model.save(tmp_path / "m.quoin")
+    assert quoin.open(tmp_path / "m.quoin").to_dict() == model.to_dict()
+
+
+def test_dataframe():
+    result = quoin.open(WALLS / "wall1.quoin").solve()
+    frame = result.to_dataframe()
+    assert list(frame.columns) == ["step", "multiplier", "block", "ux", "uy", "rz"]
+    last = frame[frame.step == frame.step.max()].set_index("block")
+    assert last.loc["w.6.1", "ux"] == result.displacements[-1, -5, 0]
+    assert (frame[frame.block == "base"][["ux", "uy", "rz"]] == 0).all(axis=None)
+
+
+def test_plot():
+    import matplotlib
+
+    matplotlib.use("Agg")
+    result = quoin.open(WALLS / "wall1.quoin").solve()
+    axes = result.plot(block="w.6.1")
+    x, y = axes.lines[0].get_data()
+    assert y[-1] == result.multiplier and len(x) == len(result.multipliers)
+    assert axes.get_xlabel() == "ux [m]"
+
+
+def test_pictures(tmp_path):
+    model = quoin.open(WALLS / "wall1.quoin")
+    result = model.solve()
+    assert "<svg" in model._repr_svg_() and "<svg" in result._repr_svg_()
+    result.draw("deformed", tmp_path / "d.png", step=0, loads=False, size="320x240")
+    assert (tmp_path / "d.png").read_bytes()[:4] == b"\x89PNG"
+    assert result.draw("forces", format="pdf")[:4] == b"%PDF"
+    with pytest.raises(quoin.UsageError):
+        result.draw("deformed", format="svg", step=len(result.multipliers))
+
+
+def test_shapely_there_and_back():
+    from shapely.geometry import Polygon, box
+
+    model = quoin.from_polygons([box(0, -1, 4, 0), box(1, 0, 2, 0.5)], supports=[0],
+                                friction=0.4)
+    assert model.limit().multiplier == pytest.approx(0.4, abs=1e-6)
+    assert [p.area for p in model.to_polygons()] == pytest.approx([4, 0.5])
+    holed = Polygon(box(0, 0, 4, 4).exterior, [box(1, 1, 2, 2).exterior])
+    with pytest.raises(ValueError, match="holes"):
+        quoin.from_polygons([holed], supports=[0])
+
+
+def test_compas_there_and_back(tmp_path):
+    model = quoin.open(WALLS / "wall1.quoin")
+    path = tmp_path / "assembly.json"
+    path.write_text(json.dumps(model.to_compas()), encoding="utf-8")
+    again = quoin.read_drawing(path, unit_weight=10000)
+    assert len(again.faces) == len(model.faces)
+    # Vertices are welded on reading: not the same digits, but the same wall.
+    assert again.limit().multiplier == pytest.approx(model.limit().multiplier, rel=1e-6)
+
+
+def test_modes():
+    wall = quoin.open(WALLS / "wall1.quoin")
+    with pytest.raises(quoin.NoAnswerError):  # pairs slip: no symmetric stiffness
+        wall.modal(4)
+    modes = wall.set({"laws[0].dilatancy": 0.65}).modal(4)
+    assert modes.omega.shape == (4,) and modes.shapes.shape == (4, 34, 3)
+    assert (numpy.diff(modes.omega) >= 0).all() and modes.omega[0] > 0
