@@ -5,6 +5,7 @@
 #include "cli/subcommand.h"
 #include "doc/document/underlay.h"
 #include "doc/view/recipe.h"
+#include "io/text/file-inside.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>
@@ -13,7 +14,7 @@
 typedef struct Options {
   char *folder;
   char **names; /* make only these; NULL: all */
-  gboolean list;
+  gboolean list, allow_outside;
 } Options;
 
 /* The project with what was computed for its figures so far. */
@@ -22,33 +23,32 @@ typedef struct Workshop {
   char *folder;        /* where pictures go */
   char *result_folder; /* where results that recipes name are looked for */
   QnSheetItem solved;  /* the project, and its own result once solved */
-  gboolean is_solved;
+  gboolean is_solved, allow_outside;
 } Workshop;
 
-/* Path of a file that a recipe names. */
-static char *
-resolve (const char *folder, const char *file)
+static QnExit
+fail (const QnRecipe *recipe, GError *error)
 {
-  return g_path_is_absolute (file) ? g_strdup (file)
-                                   : g_build_filename (folder, file, NULL);
+  g_prefix_error (&error, _ ("figure \"%s\": "), recipe->name);
+  return qn_cli_fail (error);
 }
 
 static QnExit
 draw (const QnRecipe *recipe, const QnInput *input, const QnResult *result,
-      const char *path)
+      const Workshop *shop, const char *path)
 {
   QnFigure figure;
   QnMetadata metadata;
   GError *error = NULL;
   qn_recipe_fill (recipe, &input->project.model, &input->contacts, result, &figure);
   qn_picture_metadata (&input->project, &metadata);
-  bool done = qn_underlay_read (&input->project, &figure.options.underlay, &error)
+  bool done = qn_underlay_read (&input->project, shop->allow_outside,
+                                &figure.options.underlay, &error)
               && qn_figure_export (&figure, path, &recipe->output, &metadata, &error);
   g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
   if (done)
     return QN_EXIT_DONE;
-  g_prefix_error (&error, _ ("figure \"%s\": "), recipe->name);
-  return qn_cli_fail (error);
+  return fail (recipe, error);
 }
 
 /* With the result file that the recipe names. */
@@ -57,11 +57,15 @@ draw_with_file (const QnRecipe *recipe, const Workshop *shop, const char *path)
 {
   QnInput input;
   QnResultFile file;
-  g_autofree char *result = resolve (shop->result_folder, recipe->result);
+  GError *error = NULL;
+  g_autofree char *result =
+    qn_file_inside (shop->result_folder, recipe->result, shop->allow_outside, &error);
+  if (result == NULL)
+    return fail (recipe, error);
   QnExit code = qn_input_load_with_result (&input, &file, shop->path, result, NULL, TRUE);
   if (code != QN_EXIT_DONE)
     return code;
-  code = draw (recipe, &input, &file.result, path);
+  code = draw (recipe, &input, &file.result, shop, path);
   qn_result_file_clear (&file);
   qn_input_clear (&input);
   return code;
@@ -70,7 +74,11 @@ draw_with_file (const QnRecipe *recipe, const Workshop *shop, const char *path)
 static QnExit
 make (const QnRecipe *recipe, Workshop *shop)
 {
-  g_autofree char *path = resolve (shop->folder, recipe->file);
+  GError *error = NULL;
+  g_autofree char *path =
+    qn_file_inside (shop->folder, recipe->file, shop->allow_outside, &error);
+  if (path == NULL)
+    return fail (recipe, error);
   QnExit code = QN_EXIT_DONE;
   if (recipe->result != NULL) {
     code = draw_with_file (recipe, shop, path);
@@ -82,7 +90,7 @@ make (const QnRecipe *recipe, Workshop *shop)
     }
     if (code == QN_EXIT_DONE)
       code = draw (recipe, &shop->solved.input,
-                   shop->is_solved ? &shop->solved.file.result : NULL, path);
+                   shop->is_solved ? &shop->solved.file.result : NULL, shop, path);
   }
   if (code != QN_EXIT_DONE)
     return code;
@@ -141,7 +149,9 @@ make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
 static QnExit
 run_with (const Options *options, const char *path)
 {
-  Workshop shop = { .path = path, .result_folder = g_path_get_dirname (path) };
+  Workshop shop = { .path = path,
+                    .result_folder = g_path_get_dirname (path),
+                    .allow_outside = options->allow_outside };
   shop.folder = g_strdup (options->folder != NULL ? options->folder : shop.result_folder);
   QnExit code = qn_input_load (&shop.solved.input, path, NULL, FALSE);
   if (code == QN_EXIT_DONE) {
@@ -170,6 +180,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Make this figure only; may be given many times"), N_ ("NAME") },
     { "list", 0, 0, G_OPTION_ARG_NONE, &options.list,
       N_ ("Only list the figures and whether the model changed since"), NULL },
+    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
     G_OPTION_ENTRY_NULL,
   };
   QnExit code = QN_EXIT_USAGE;

@@ -14,6 +14,7 @@ typedef struct Options {
   char *result, *onion, *view, *step, *scale, *field, *diagram;
   char **show, **hide;
   char **overrides;
+  gboolean allow_outside;
 } Options;
 
 /* `text` is what stands on the command line. */
@@ -109,7 +110,8 @@ draw (const Options *options, const QnViewOptions *view, const QnOutput *output,
   figure.options.onion = onion;
   qn_picture_metadata (&input->project, &metadata);
   bool done =
-    qn_underlay_read (&input->project, &figure.options.underlay, &error)
+    qn_underlay_read (&input->project, options->allow_outside, &figure.options.underlay,
+                      &error)
     && qn_figure_export (&figure, options->picture.path, output, &metadata, &error);
   g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
   return done ? QN_EXIT_DONE : qn_cli_fail (error);
@@ -182,6 +184,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Leave out any of these"), N_ ("LIST") },
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
     QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
     G_OPTION_ENTRY_NULL,
   };
   QnViewOptions view;

@@ -14,6 +14,13 @@
       N_ ("PATH=VALUE")                                                                  \
   }
 
+/* The option --allow-outside. */
+#define QN_INPUT_OUTSIDE_ENTRY(variable)                                                 \
+  {                                                                                      \
+    "allow-outside", 0, 0, G_OPTION_ARG_NONE, (variable),                                \
+      N_ ("Use files that the project names outside its folder"), NULL                   \
+  }
+
 /* The option --quiet. */
 #define QN_INPUT_QUIET_ENTRY(variable)                                                   \
   {                                                                                      \

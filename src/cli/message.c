@@ -52,6 +52,7 @@ io_exit_code (QnIoError code)
   case QN_IO_ERROR_INVALID:
     return QN_EXIT_INVALID;
   case QN_IO_ERROR_FILE:
+  case QN_IO_ERROR_OUTSIDE:
     return QN_EXIT_FILE;
   case QN_IO_ERROR_OVERRIDE:
     return QN_EXIT_USAGE;

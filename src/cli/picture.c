@@ -3,6 +3,7 @@
 #include "cli/message.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
 #include <string.h>
 
 QnExit
@@ -15,10 +16,13 @@ qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
   if (options->path == NULL)
     return qn_cli_usage_error (self->name, _ ("-o is missing"));
   output->transparent = options->transparent;
-  if (options->dpi < 0)
-    return qn_cli_usage_error (self->name, _ ("--dpi must be positive"));
-  if (options->dpi > 0)
-    output->dpi = options->dpi;
+  char *end = options->dpi;
+  if (options->dpi != NULL) {
+    output->dpi = g_ascii_strtod (options->dpi, &end);
+    if (end == options->dpi || *end != '\0' || !(output->dpi > 0)
+        || !isfinite (output->dpi))
+      return qn_cli_usage_error (self->name, _ ("--dpi must be positive"));
+  }
   if (g_strcmp0 (options->backend, "gl") == 0)
     output->backend = QN_BACKEND_GL;
   else if (options->backend != NULL && strcmp (options->backend, "cairo") != 0)
@@ -59,5 +63,6 @@ qn_picture_options_clear (QnPictureOptions *options)
 {
   g_free (options->path);
   g_free (options->size);
+  g_free (options->dpi);
   g_free (options->backend);
 }

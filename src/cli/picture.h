@@ -9,8 +9,7 @@
 
 /* The options as they stand on the command line; all NULL or zero before parsing. */
 typedef struct QnPictureOptions {
-  char *path, *size, *backend;
-  double dpi;
+  char *path, *size, *dpi, *backend;
   gboolean transparent, monochrome;
 } QnPictureOptions;
 
@@ -33,7 +32,7 @@ typedef struct QnPictureOptions {
     { "dpi",                                                                             \
       0,                                                                                 \
       0,                                                                                 \
-      G_OPTION_ARG_DOUBLE,                                                               \
+      G_OPTION_ARG_STRING,                                                               \
       &(options).dpi,                                                                    \
       N_ ("Pixels per inch for sizes in millimetres"),                                   \
       N_ ("DPI") },                                                                      \

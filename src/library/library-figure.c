@@ -147,7 +147,7 @@ encode (const QuoinFigure *self, QnFormat format, GError **cause)
   metadata.model_sha256 = project->sha256;
   g_autofree char *base = g_path_get_basename (project->name);
   metadata.model = base;
-  if (!qn_underlay_read (project, &figure.options.underlay, cause))
+  if (!qn_underlay_read (project, FALSE, &figure.options.underlay, cause))
     return NULL;
   GBytes *bytes = qn_figure_encode (&figure, format, &self->output, &metadata, cause);
   g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);

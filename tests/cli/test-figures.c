@@ -1,7 +1,9 @@
 /* quoin-cli figures and animate: the files they make, and what they refuse. */
 #include "cli-run.h"
 
+#include <glib/gstdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static char *
 with_figures (const char *figures)
@@ -53,6 +55,44 @@ test_figures (void)
 
   run = cli_run ("figures", model, "--figure", "zebra", NULL);
   cli_assert_failed (&run, 2, "zebra");
+  test_scratch_free (folder);
+}
+
+/* What a project names outside its folder is neither read nor written, unless that is allowed. */
+static void
+test_outside (void)
+{
+  static const char *const cases[][2] = {
+    { "\"file\": \"../victim.png\"", "" },
+    { "\"file\": \"out/victim.png\"", "" },
+    { "\"result\": \"../victim.png\", \"view\": \"mechanism\"", "" },
+    { "\"view\": \"model\"",
+      "\"underlay\": {\"image\": \"../victim.png\", \"width\": 1}," },
+  };
+  char *folder = test_scratch_new ();
+  g_autofree char *victim = cli_write (folder, "victim.png", "precious");
+  g_autofree char *inner = g_build_filename (folder, "project", NULL);
+  g_autofree char *link = g_build_filename (inner, "out", NULL);
+  g_assert_cmpint (g_mkdir (inner, 0700), ==, 0);
+  g_assert_cmpint (symlink ("..", link), ==, 0);
+  for (guint i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *members = g_strdup_printf (
+      "{%s\n\"figures\": [{\"name\": \"a\", %s}],", cases[i][1], cases[i][0]);
+    g_autofree char *text = cli_replace (cli_sliding_block, "{", members);
+    g_autofree char *model = cli_write (inner, "m.quoin", text);
+    CliRun run = cli_run ("figures", model, NULL);
+    cli_assert_failed (&run, 5, "outside the project's folder");
+    g_autofree char *left = NULL;
+    g_assert_true (g_file_get_contents (victim, &left, NULL, NULL));
+    g_assert_cmpstr (left, ==, "precious");
+  }
+  g_autofree char *text = with_figures ("[{\"name\": \"a\", \"file\": \"../b.png\"}]");
+  g_autofree char *model = cli_write (inner, "m.quoin", text);
+  CliRun run = cli_run ("figures", model, "--allow-outside", NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *made = g_build_filename (folder, "b.png", NULL);
+  assert_begins (made, "\x89PNG");
   test_scratch_free (folder);
 }
 
@@ -125,6 +165,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/figures/made", test_figures);
+  g_test_add_func ("/cli/figures/outside", test_outside);
   g_test_add_func ("/cli/figures/changed-model", test_changed_model_is_said);
   g_test_add_func ("/cli/figures/wrong-recipe", test_wrong_recipe);
   g_test_add_func ("/cli/animate", test_animate);

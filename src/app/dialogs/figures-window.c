@@ -4,6 +4,7 @@
 #include "app/widgets/dialog.h"
 #include "app/window/window-private.h"
 #include "doc/view/figures.h"
+#include "io/text/io-error.h"
 #include <glib/gi18n.h>
 
 typedef struct Figures {
@@ -22,6 +23,45 @@ tell (Figures *figures, const char *text)
 
 /* ---- making them ---- */
 
+static void make_all (Figures *figures);
+
+static void
+on_allow_response (GtkDialog *dialog, int response, Figures *figures)
+{
+  QnDocument *document = figures->window->document;
+  const char *name = g_object_get_data (G_OBJECT (dialog), "qn-name");
+  g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, NULL);
+  gboolean allowed = FALSE;
+  for (guint i = 0; recipes != NULL && i < recipes->len; i++) {
+    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
+    if (response != GTK_RESPONSE_ACCEPT || !g_str_equal (recipe->name, name))
+      continue;
+    qn_document_allow_figure (document, recipe);
+    allowed = TRUE;
+  }
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  if (allowed)
+    make_all (figures);
+}
+
+/* A project from elsewhere may name any file: the user decides about each figure. */
+static void
+ask_to_allow (Figures *figures, const QnRecipe *recipe, const char *what)
+{
+  GtkWidget *dialog = gtk_message_dialog_new (
+    GTK_WINDOW (figures->dialog), GTK_DIALOG_MODAL | GTK_DIALOG_DESTROY_WITH_PARENT,
+    GTK_MESSAGE_WARNING, GTK_BUTTONS_NONE, "%s",
+    _ ("Use files outside the project's folder?"));
+  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog), "%s", what);
+  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Cancel"), GTK_RESPONSE_CANCEL);
+  gtk_dialog_add_button (GTK_DIALOG (dialog), _ ("_Allow for This Figure"),
+                         GTK_RESPONSE_ACCEPT);
+  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_CANCEL);
+  g_object_set_data_full (G_OBJECT (dialog), "qn-name", g_strdup (recipe->name), g_free);
+  g_signal_connect (dialog, "response", G_CALLBACK (on_allow_response), figures);
+  gtk_window_present (GTK_WINDOW (dialog));
+}
+
 static void
 make_all (Figures *figures)
 {
@@ -32,6 +72,8 @@ make_all (Figures *figures)
   for (guint i = 0; recipes != NULL && i < recipes->len && error == NULL; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
     made += qn_document_export_figure (document, recipe, NULL, &error);
+    if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
+      ask_to_allow (figures, recipe, error->message);
   }
   if (error != NULL) {
     tell (figures, error->message);

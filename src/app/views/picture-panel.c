@@ -2,13 +2,14 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "doc/edit/picture.h"
+#include "io/text/io-error.h"
 #include <glib/gi18n.h>
 
 typedef struct Panel {
   QnCanvas *canvas;
   GtkWidget *form;
   GtkLabel *trouble;
-  GtkWidget *opacity;
+  GtkWidget *opacity, *allow;
   QnQuantityEntry *width, *x, *y, *angle;
 } Panel;
 
@@ -56,6 +57,8 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->form, underlay->image != NULL || error != NULL);
   gtk_label_set_text (panel->trouble, error != NULL ? error->message : "");
   gtk_widget_set_visible (GTK_WIDGET (panel->trouble), error != NULL);
+  gtk_widget_set_visible (panel->allow,
+                          g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE));
   g_signal_handlers_block_by_func (panel->opacity, on_opacity, panel);
   gtk_range_set_value (GTK_RANGE (panel->opacity), underlay->opacity);
   g_signal_handlers_unblock_by_func (panel->opacity, on_opacity, panel);
@@ -63,6 +66,14 @@ update (Panel *panel)
   qn_quantity_entry_set_value (panel->x, underlay->origin.x);
   qn_quantity_entry_set_value (panel->y, underlay->origin.y);
   qn_quantity_entry_set_value (panel->angle, underlay->angle);
+}
+
+static void
+on_allow (Panel *panel)
+{
+  QnViewState *state = qn_canvas_get_state (panel->canvas);
+  qn_document_allow_picture (qn_canvas_get_document (panel->canvas));
+  qn_view_state_refresh_underlay (state);
 }
 
 static GtkWidget *
@@ -86,6 +97,9 @@ qn_picture_panel_new (QnCanvas *canvas)
   panel->form = form;
   qn_form_add_heading (form, _ ("Picture behind the Drawing"));
   panel->trouble = qn_form_add_text (form);
+  panel->allow = gtk_button_new_with_mnemonic (_ ("_Show It All the Same"));
+  g_signal_connect_swapped (panel->allow, "clicked", G_CALLBACK (on_allow), panel);
+  qn_form_add_wide (form, panel->allow);
   panel->opacity = gtk_scale_new_with_range (GTK_ORIENTATION_HORIZONTAL, 0.0, 1.0, 0.05);
   gtk_widget_set_hexpand (panel->opacity, TRUE);
   g_signal_connect (panel->opacity, "value-changed", G_CALLBACK (on_opacity), panel);

@@ -1,6 +1,7 @@
 #include "doc/document/underlay.h"
 
 #include "io/json/json-value.h"
+#include "io/text/file-inside.h"
 #include "io/text/json-text.h"
 #include "render/scene/photo.h"
 
@@ -61,22 +62,26 @@ qn_underlay_locate (const QnProject *project, const char *folder, char **path,
 }
 
 gboolean
-qn_underlay_read (const QnProject *project, QnUnderlay *underlay, GError **error)
+qn_underlay_read (const QnProject *project, gboolean allow_outside, QnUnderlay *underlay,
+                  GError **error)
 {
   g_autofree char *folder =
     g_path_get_dirname (project->path != NULL ? project->path : "");
-  return qn_underlay_read_from (project, folder, underlay, error);
+  return qn_underlay_read_from (project, folder, allow_outside, underlay, error);
 }
 
 gboolean
-qn_underlay_read_from (const QnProject *project, const char *folder, QnUnderlay *underlay,
-                       GError **error)
+qn_underlay_read_from (const QnProject *project, const char *folder,
+                       gboolean allow_outside, QnUnderlay *underlay, GError **error)
 {
-  g_autofree char *path = NULL;
-  if (!qn_underlay_locate (project, folder, &path, underlay, error))
+  g_autofree char *name = NULL;
+  if (!qn_underlay_locate (project, folder, &name, underlay, error))
     return FALSE;
-  if (path == NULL)
+  if (name == NULL)
     return TRUE;
+  g_autofree char *path = qn_file_inside (folder, name, allow_outside, error);
+  if (path == NULL)
+    return FALSE;
   underlay->image = qn_photo_load (path, error);
   return underlay->image != NULL;
 }

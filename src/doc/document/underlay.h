@@ -13,13 +13,15 @@
 
 /* Fills the underlay with the project's; the image is owned by the caller
  * (cairo_surface_destroy) and NULL where the project has none. FALSE with an error that names
- * the key (QN_IO_ERROR) or the file (QN_RENDER_ERROR). */
-gboolean qn_underlay_read (const QnProject *project, QnUnderlay *underlay,
-                           GError **error);
+ * the key (QN_IO_ERROR) or the file (QN_RENDER_ERROR; QN_IO_ERROR_OUTSIDE where it lies outside the
+ * project's folder and that is not allowed). */
+gboolean qn_underlay_read (const QnProject *project, gboolean allow_outside,
+                           QnUnderlay *underlay, GError **error);
 
 /* The same where relative paths start from `folder` (nullable). */
 gboolean qn_underlay_read_from (const QnProject *project, const char *folder,
-                                QnUnderlay *underlay, GError **error);
+                                gboolean allow_outside, QnUnderlay *underlay,
+                                GError **error);
 
 /* The same without the image: its path, owned by the caller, or NULL where the project has no
  * underlay. `folder` (nullable) is what a relative path starts from. */

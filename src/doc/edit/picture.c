@@ -1,6 +1,7 @@
 #include "doc/edit/picture.h"
 
 #include "doc/document/edit.h"
+#include "io/text/file-inside.h"
 #include "render/scene/photo.h"
 #include <glib/gi18n.h>
 
@@ -11,6 +12,48 @@ qn_document_dup_folder (QnDocument *document)
 {
   const char *path = qn_document_get_path (document);
   return path != NULL ? g_path_get_dirname (path) : NULL;
+}
+
+/* Files allowed in this session, by their whole paths. */
+static GHashTable *
+allowed_files (QnDocument *document)
+{
+  static const char key[] = "qn-allowed-files";
+  GHashTable *files = g_object_get_data (G_OBJECT (document), key);
+  if (files == NULL) {
+    files = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+    g_object_set_data_full (G_OBJECT (document), key, files,
+                            (GDestroyNotify) g_hash_table_unref);
+  }
+  return files;
+}
+
+char *
+qn_document_dup_file (QnDocument *document, const char *file, GError **error)
+{
+  g_autofree char *folder = qn_document_dup_folder (document);
+  g_autofree char *whole = g_canonicalize_filename (file, folder);
+  gboolean allowed = g_hash_table_contains (allowed_files (document), whole);
+  return qn_file_inside (folder, file, allowed, error);
+}
+
+void
+qn_document_allow_file (QnDocument *document, const char *file)
+{
+  g_autofree char *folder = qn_document_dup_folder (document);
+  g_hash_table_add (allowed_files (document), g_canonicalize_filename (file, folder));
+}
+
+void
+qn_document_allow_picture (QnDocument *document)
+{
+  QnUnderlay underlay;
+  g_autofree char *folder = qn_document_dup_folder (document);
+  g_autofree char *path = NULL;
+  if (qn_underlay_locate (qn_document_get_project (document), folder, &path, &underlay,
+                          NULL)
+      && path != NULL)
+    qn_document_allow_file (document, path);
 }
 
 static QnBox
@@ -33,6 +76,7 @@ qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
   if (image == NULL)
     return FALSE;
   cairo_surface_destroy (image);
+  qn_document_allow_file (document, path);
   const QnModel *model = qn_document_get_model (document);
   QnBox box = model->block_count > 0 ? box_of (model) : view;
   QnUnderlay underlay = { .origin = box.min,

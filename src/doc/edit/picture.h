@@ -30,4 +30,14 @@ gboolean qn_document_carry_picture (QnDocument *document, const char *path,
  * The caller frees it. */
 char *qn_document_dup_folder (QnDocument *document);
 
+/* Path of a file that the project names, which the caller frees. NULL with QN_IO_ERROR_OUTSIDE where
+ * it lies outside the project's folder and the user has not allowed it in this session. */
+char *qn_document_dup_file (QnDocument *document, const char *file, GError **error);
+
+/* The user allows this file, wherever it is, until the document is closed. */
+void qn_document_allow_file (QnDocument *document, const char *file);
+
+/* The same for the picture behind the drawing, if there is one. */
+void qn_document_allow_picture (QnDocument *document);
+
 #endif

@@ -32,6 +32,7 @@ qn_document_store_figure (QnDocument *document, const QnRecipe *recipe, GError *
   g_autoptr (GPtrArray) figures = qn_document_get_figures (document, error);
   if (figures == NULL)
     return FALSE;
+  qn_document_allow_file (document, recipe->file);
   g_autofree char *digest = qn_model_digest (qn_document_get_project (document));
   QnRecipe stored = *recipe;
   stored.digest = digest;
@@ -94,6 +95,15 @@ find_own_run (QnDocument *document)
   return NULL;
 }
 
+void
+qn_document_allow_figure (QnDocument *document, const QnRecipe *recipe)
+{
+  qn_document_allow_file (document, recipe->file);
+  if (recipe->result != NULL)
+    qn_document_allow_file (document, recipe->result);
+  qn_document_allow_picture (document);
+}
+
 gboolean
 qn_document_figure_waits (QnDocument *document, const QnRecipe *recipe)
 {
@@ -110,12 +120,18 @@ draw (QnDocument *document, const QnRecipe *recipe, const QnResult *result,
   QnFigure figure;
   QnMetadata metadata;
   QnUnderlay underlay;
-  g_autofree char *folder = qn_document_dup_folder (document);
+  g_autofree char *folder = qn_document_dup_folder (document), *image = NULL;
   const QnProject *project = qn_document_get_project (document);
+  if (!qn_underlay_locate (project, folder, &image, &underlay, error))
+    return FALSE;
+  g_autofree char *allowed =
+    image != NULL ? qn_document_dup_file (document, image, error) : NULL;
+  if (image != NULL && allowed == NULL)
+    return FALSE;
   qn_recipe_fill (recipe, qn_document_get_model (document),
                   qn_document_get_contacts (document), result, &figure);
   qn_document_get_metadata (document, &metadata);
-  if (!qn_underlay_read_from (project, folder, &underlay, error))
+  if (!qn_underlay_read_from (project, folder, TRUE, &underlay, error))
     return FALSE;
   figure.options.underlay = underlay;
   gboolean done = qn_figure_export (&figure, path, &recipe->output, &metadata, error);
@@ -124,14 +140,12 @@ draw (QnDocument *document, const QnRecipe *recipe, const QnResult *result,
 }
 
 static gboolean
-draw_with_file (QnDocument *document, const QnRecipe *recipe, const char *folder,
-                const char *path, GError **error)
+draw_with_file (QnDocument *document, const QnRecipe *recipe, const char *path,
+                GError **error)
 {
-  g_autofree char *place = g_path_is_absolute (recipe->result)
-                             ? g_strdup (recipe->result)
-                             : g_build_filename (folder, recipe->result, NULL);
+  g_autofree char *place = qn_document_dup_file (document, recipe->result, error);
   QnResultFile file;
-  if (!qn_result_file_read (place, &file, error))
+  if (place == NULL || !qn_result_file_read (place, &file, error))
     return FALSE;
   gboolean done = qn_result_file_match (&file, place, qn_document_get_project (document),
                                         qn_document_get_contacts (document), NULL, error)
@@ -150,14 +164,12 @@ qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const c
                          _ ("Save the project first: its figures go beside it"));
     return FALSE;
   }
-  g_autofree char *place = path != NULL ? g_strdup (path)
-                           : g_path_is_absolute (recipe->file)
-                             ? g_strdup (recipe->file)
-                             : g_build_filename (folder, recipe->file, NULL);
-  gboolean done;
-  if (recipe->result != NULL)
-    done = draw_with_file (document, recipe, folder, place, error);
-  else {
+  g_autofree char *place =
+    path != NULL ? g_strdup (path) : qn_document_dup_file (document, recipe->file, error);
+  gboolean done = FALSE;
+  if (place != NULL && recipe->result != NULL)
+    done = draw_with_file (document, recipe, place, error);
+  else if (place != NULL) {
     const QnRun *run = qn_recipe_needs_result (recipe) ? find_own_run (document) : NULL;
     done = draw (document, recipe, run != NULL ? &run->result : NULL, place, error);
   }

@@ -24,7 +24,11 @@ char *qn_document_dup_figure_name (QnDocument *document, const char *like);
  * project's own procedure is there, so an analysis must come first. */
 gboolean qn_document_figure_waits (QnDocument *document, const QnRecipe *recipe);
 
-/* Writes the picture of a recipe; `path` NULL: where the recipe says, beside the project. */
+/* The user allows the files of this figure, wherever they are, until the document is closed. */
+void qn_document_allow_figure (QnDocument *document, const QnRecipe *recipe);
+
+/* Writes the picture of a recipe; `path` NULL: where the recipe says, beside the project. Files
+ * outside the project's folder that the user has not allowed are refused (QN_IO_ERROR_OUTSIDE). */
 gboolean qn_document_export_figure (QnDocument *document, const QnRecipe *recipe,
                                     const char *path, GError **error);
 

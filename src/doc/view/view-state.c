@@ -69,8 +69,12 @@ update_underlay (QnViewState *self)
     g_clear_pointer (&image, cairo_surface_destroy);
     g_free (self->image_path);
     self->image_path = g_steal_pointer (&path);
-    if (self->image_path != NULL)
-      image = qn_photo_load (self->image_path, &self->image_error);
+    g_autofree char *allowed =
+      self->image_path != NULL
+        ? qn_document_dup_file (self->document, self->image_path, &self->image_error)
+        : NULL;
+    if (allowed != NULL)
+      image = qn_photo_load (allowed, &self->image_error);
   }
   self->options.underlay = underlay;
   self->options.underlay.image = image;

@@ -14,10 +14,11 @@
 #define QN_IO_ERROR (qn_io_error_quark ())
 
 typedef enum {
-  QN_IO_ERROR_INVALID,  /* the content breaks a rule of its format */
-  QN_IO_ERROR_FILE,     /* the file cannot be opened, read or written */
-  QN_IO_ERROR_OVERRIDE, /* an override is not of the form path=value: wrong usage */
-  QN_IO_ERROR_NO_MEMORY /* an allocation failed */
+  QN_IO_ERROR_INVALID,   /* the content breaks a rule of its format */
+  QN_IO_ERROR_FILE,      /* the file cannot be opened, read or written */
+  QN_IO_ERROR_OVERRIDE,  /* an override is not of the form path=value: wrong usage */
+  QN_IO_ERROR_NO_MEMORY, /* an allocation failed */
+  QN_IO_ERROR_OUTSIDE    /* a project names a file outside its folder */
 } QnIoError;
 
 GQuark qn_io_error_quark (void);

@@ -61,7 +61,7 @@ test_reads (void)
   GError *error = NULL;
   rig_init (&rig, "{\"image\": \"photo.png\", \"origin\": [1, -2], \"width\": 8,"
                   "\"angle\": 0.1, \"opacity\": 0.25}");
-  g_assert_true (qn_underlay_read (&rig.project, &underlay, &error));
+  g_assert_true (qn_underlay_read (&rig.project, FALSE, &underlay, &error));
   g_assert_no_error (error);
   g_assert_cmpint (cairo_image_surface_get_width (underlay.image), ==, 40);
   guint32 pixel = *(guint32 *) (void *) cairo_image_surface_get_data (underlay.image);
@@ -78,7 +78,7 @@ test_reads (void)
   rig_clear (&rig);
 
   rig_init (&rig, NULL);
-  g_assert_true (qn_underlay_read (&rig.project, &underlay, &error));
+  g_assert_true (qn_underlay_read (&rig.project, FALSE, &underlay, &error));
   g_assert_null (underlay.image);
   rig_clear (&rig);
 }
@@ -100,7 +100,7 @@ test_refusals (void)
     QnUnderlay underlay;
     GError *error = NULL;
     rig_init (&rig, wrong[i][0]);
-    g_assert_false (qn_underlay_read (&rig.project, &underlay, &error));
+    g_assert_false (qn_underlay_read (&rig.project, FALSE, &underlay, &error));
     g_assert_nonnull (error);
     g_assert_nonnull (strstr (error->message, wrong[i][1]));
     g_assert_null (underlay.image);
