@@ -8,6 +8,7 @@
 #include <glib/gi18n.h>
 #include <stdio.h>
 
+G_GNUC_PRINTF (2, 0)
 static void
 print_line (const char *kind, const char *format, va_list arguments)
 {

@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#if defined __GNUC__
+__attribute__ ((format (printf, 1, 0)))
+#endif
 static char *
 format_name (const char *format, va_list arguments)
 {

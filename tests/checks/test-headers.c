@@ -29,14 +29,18 @@ static void
 test_headers (void)
 {
   static const char *const suffixes[] = { ".h", NULL };
-  g_autoptr (GPtrArray) files = source_tree_files ("src", suffixes);
-  g_assert_cmpuint (files->len, >, 5);
-
+  /* Without GTK the window's cannot. */
+  g_auto (GStrv) folders = g_strsplit (g_getenv ("QUOIN_HEADER_FOLDERS"), " ", -1);
   GString *complaints = g_string_new (NULL);
-  for (guint i = 0; i < files->len; i++) {
-    g_autofree char *path =
-      g_build_filename (source_tree_root (), g_ptr_array_index (files, i), NULL);
-    check_header (path, complaints);
+  for (guint k = 0; folders[k] != NULL; k++) {
+    g_autofree char *folder = g_build_filename ("src", folders[k], NULL);
+    g_autoptr (GPtrArray) files = source_tree_files (folder, suffixes);
+    g_assert_cmpuint (files->len, >, 0);
+    for (guint i = 0; i < files->len; i++) {
+      g_autofree char *path =
+        g_build_filename (source_tree_root (), g_ptr_array_index (files, i), NULL);
+      check_header (path, complaints);
+    }
   }
   assert_no_complaints (complaints);
 }

@@ -83,7 +83,7 @@ run_case (const Shared *shared, size_t index, guint worker)
   const QnProject *project = &shared->projects[index];
   QnContacts own;
   FaultAnswer answer;
-  Outcome outcome = { NULL };
+  Outcome outcome = { 0 };
   g_assert_cmpint (qn_contacts_detect (&project->model, &own, NULL), ==, QN_OK);
   outcome.contacts = dup_contacts_digest (&own);
   qn_contacts_clear (&own);

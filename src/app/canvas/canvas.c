@@ -289,7 +289,7 @@ qn_canvas_set_in_gesture (QnCanvas *self, gboolean in_gesture)
     self->gesture.dragging = FALSE;
     self->gesture.band = FALSE;
     self->gesture.phase = 0;
-    self->gesture.grip = (QnGrip){ QN_GRIP_NONE };
+    self->gesture.grip = (QnGrip){ .kind = QN_GRIP_NONE };
     self->gesture.whole = QN_NONE;
   }
   gtk_widget_queue_draw (GTK_WIDGET (self));

@@ -232,31 +232,9 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
 }
 
 /* Never reached: open() does not succeed. */
-/* Waits until the encoder has taken most of what it was given; false where it has stopped, of
- * which a source that blocks by itself would never hear. */
-static bool
-wait_for_encoder (QnMovie *movie)
-{
-  guint64 most = (guint64) WAITING_FRAMES * movie->width * movie->height * 4;
-  GstBus *bus = gst_element_get_bus (movie->pipeline);
-  GstMessage *message = NULL;
-  while (message == NULL
-         && gst_app_src_get_current_level_bytes (GST_APP_SRC (movie->source)) >= most)
-    message = gst_bus_timed_pop_filtered (bus, POLL_INTERVAL, GST_MESSAGE_ERROR);
-  bool stopped = message != NULL;
-  if (stopped)
-    gst_bus_post (bus, message); /* for set_pipeline_error() */
-  gst_object_unref (bus);
-  return !stopped;
-}
-
 static bool
 webm_add (QnMovie *movie, cairo_surface_t *frame, GError **error)
 {
-  if (!wait_for_encoder (movie)) {
-    set_pipeline_error (movie, error);
-    return false;
-  }
   (void) movie;
   (void) frame;
   return qn_movie_webm_available (error);
