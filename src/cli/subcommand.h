@@ -37,6 +37,7 @@ extern const QnSubcommand qn_cmd_import;
 extern const QnSubcommand qn_cmd_export;
 extern const QnSubcommand qn_cmd_modal;
 extern const QnSubcommand qn_cmd_stability;
+extern const QnSubcommand qn_cmd_study;
 extern const QnSubcommand qn_cmd_verify;
 
 /* Parses options in the usual way: options and arguments in any order, "--" ends the options,

@@ -38,9 +38,14 @@ static const Layer layers[] = {
     { NULL },
     { "core/", "stereotomy/", "io/", "render/", "doc/", "library/" },
     { "glib", "cjson/" } },
+  { "study",
+    { "plan", "cases", "report" },
+    { "core/", "stereotomy/", "io/", "render/", "disk/", "study/" },
+    { "glib", "gsl/", "sqlite3.h", "poll.h", "sys/file.h", "sys/prctl.h",
+      "sys/wait.h" } },
   { "cli",
     { NULL },
-    { "core/", "stereotomy/", "io/", "render/", "doc/", "cli/", "config.h" },
+    { "core/", "stereotomy/", "io/", "render/", "doc/", "study/", "cli/", "config.h" },
     { "glib", "gio/" } },
   { "app",
     { "widgets", "canvas", "tools", "forms", "views", "window", "dialogs" },
@@ -183,6 +188,10 @@ test_check_can_fail (void)
   expect ("src/render/scene/a.c", "#include \"io/project/project-read.h\"", TRUE);
   expect ("src/render/scene/a.c", "#include <cairo-svg.h>", FALSE);
   expect ("src/doc/edit/a.c", "#include <gtk/gtk.h>", TRUE);
+  expect ("src/study/cases/a.c", "#include \"doc/document/run.h\"", TRUE);
+  expect ("src/study/plan/a.c", "#include \"study/cases/store.h\"", TRUE);
+  expect ("src/study/plan/a.c", "#include <gsl/gsl_cdf.h>", FALSE);
+  expect ("src/doc/edit/a.c", "#include \"study/plan/study.h\"", TRUE);
   expect ("src/cli/a.c", "#include <gtk/gtk.h>", TRUE);
   expect ("src/cli/a.c", "#include \"app/window/window.h\"", TRUE);
   expect ("src/app/window/a.c", "#include \"cli/command.h\"", TRUE);

@@ -1,0 +1,248 @@
+#include "study/cases/case.h"
+
+#include "core/base/clock.h"
+#include "core/limit/limit.h"
+#include "core/modal/modal.h"
+#include "core/path/analysis.h"
+#include "core/result/mechanism.h"
+#include "io/result/result-file.h"
+#include "io/text/io-error.h"
+#include "io/text/number-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+gboolean
+qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error)
+{
+  QnDiag diag = { 0 };
+  *solver = (QnCaseSolver){ .study = study };
+  if (qn_contacts_detect (&study->project.model, &solver->contacts, &diag) == QN_OK)
+    return TRUE;
+  qn_project_set_error (&study->project, &diag, error);
+  return FALSE;
+}
+
+void
+qn_case_solver_clear (QnCaseSolver *solver)
+{
+  qn_contacts_clear (&solver->contacts);
+}
+
+void
+qn_case_model_clear (QnCaseModel *model)
+{
+  qn_result_clear (&model->result);
+  qn_contacts_clear (&model->contacts);
+  qn_project_clear (&model->project);
+}
+
+void
+qn_case_result_clear (QnCaseResult *result)
+{
+  g_free (result->outcome);
+  g_free (result->reason);
+  g_free (result->mechanism);
+  *result = (QnCaseResult){ 0 };
+}
+
+void
+qn_case_result_fail (QnCaseResult *result, const char *reason)
+{
+  *result = (QnCaseResult){ .failed = TRUE, .reason = g_strdup (reason) };
+  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
+    result->numbers[i] = NAN;
+}
+
+/* "path=value" for every path of every parameter, NULL-terminated. */
+static char **
+dup_overrides (const QnStudy *study, const double *values)
+{
+  GPtrArray *overrides = g_ptr_array_new ();
+  char number[QN_NUMBER_TEXT_SIZE];
+  if (study->run == QN_STUDY_LIMIT)
+    g_ptr_array_add (overrides, g_strdup ("analysis.procedure=\"limit\""));
+  for (guint i = 0; i < study->parameters->len; i++) {
+    qn_number_text (values[i], number);
+    for (char **path = qn_study_parameter (study, i)->paths; *path != NULL; path++)
+      g_ptr_array_add (overrides, g_strconcat (*path, "=", number, NULL));
+  }
+  g_ptr_array_add (overrides, NULL);
+  return (char **) g_ptr_array_free (overrides, FALSE);
+}
+
+/* Reads the case and finds its contacts. */
+static gboolean
+prepare (const QnCaseSolver *solver, const double *values, QnCaseModel *model,
+         GError **error)
+{
+  const QnProject *base = &solver->study->project;
+  g_auto (GStrv) overrides = dup_overrides (solver->study, values);
+  QnDiag diag = { 0 };
+  if (!qn_project_parse (base->text, base->text_length, base->name,
+                         (const char *const *) overrides, &model->project, error))
+    return FALSE;
+  if (qn_contacts_update (&base->model, &solver->contacts, &model->project.model,
+                          &model->contacts, &diag)
+        == QN_OK
+      && qn_contacts_require_sound (&model->project.model, &model->contacts, &diag)
+           == QN_OK)
+    return TRUE;
+  qn_project_set_error (&model->project, &diag, error);
+  return FALSE;
+}
+
+/* What bounds the multiplier from above whatever the dilatancy; NaN where limit analysis does not
+ * know the joints, or finds no bound. */
+static double
+associative_multiplier (const QnCaseModel *model)
+{
+  const QnLimitFigures *figures = &model->result.limit;
+  if (figures->given)
+    return figures->has_associative_bound ? figures->associative_bound
+                                          : figures->upper_bound;
+  QnLimitSolution solution;
+  double bound = NAN;
+  if (qn_limit_associative (&model->project.model, &model->contacts, NULL, NULL,
+                            &solution, NULL)
+        == QN_OK
+      && solution.outcome == QN_OUTCOME_COLLAPSE)
+    bound = solution.upper_bound;
+  qn_limit_solution_clear (&solution);
+  return bound;
+}
+
+static double
+largest_displacement (const QnResult *result)
+{
+  double largest = 0;
+  if (result->step_count == 0)
+    return NAN;
+  const double *u = qn_result_step_displacements (result, result->step_count - 1);
+  for (size_t b = 0; b < qn_result_body_count (result); b++)
+    largest = fmax (
+      largest, hypot (u[b * QN_DOF_COUNT + QN_DOF_UX], u[b * QN_DOF_COUNT + QN_DOF_UY]));
+  return largest;
+}
+
+static double
+known (gboolean is_known, double value)
+{
+  return is_known ? value : NAN;
+}
+
+static double
+number_of (const QnCaseModel *model, QnStudyOutput output)
+{
+  const QnResult *result = &model->result;
+  const QnLimitFigures *figures = &result->limit;
+  switch (output) {
+  case QN_STUDY_COLLAPSE_MULTIPLIER:
+    return known (result->has_collapse_multiplier, result->collapse_multiplier);
+  case QN_STUDY_ASSOCIATIVE_MULTIPLIER:
+    return associative_multiplier (model);
+  case QN_STUDY_FIRST_LIMIT_MULTIPLIER:
+    return known (result->has_first_limit_multiplier, result->first_limit_multiplier);
+  case QN_STUDY_LOWER_BOUND:
+    return known (figures->given, figures->lower_bound);
+  case QN_STUDY_UPPER_BOUND:
+    return known (figures->given, figures->upper_bound);
+  case QN_STUDY_LAST_MULTIPLIER:
+    return result->step_count > 0 ? result->steps[result->step_count - 1].multiplier
+                                  : NAN;
+  case QN_STUDY_LARGEST_DISPLACEMENT:
+    return largest_displacement (result);
+  case QN_STUDY_STEPS:
+    return (double) result->step_count;
+  case QN_STUDY_ITERATIONS:
+    return result->statistics.iterations;
+  case QN_STUDY_MECHANISM_KIND:
+  case QN_STUDY_FREQUENCY_1:
+  case QN_STUDY_FREQUENCY_2:
+  case QN_STUDY_FREQUENCY_3:
+  case QN_STUDY_FREQUENCY_4:
+  case QN_STUDY_FREQUENCY_5:
+  case QN_STUDY_FREQUENCY_6:
+  case QN_STUDY_OUTPUT_COUNT:
+    break;
+  }
+  return NAN;
+}
+
+static char *
+dup_mechanism_kind (const QnCaseModel *model)
+{
+  QnMechanism mechanism;
+  if (model->result.mechanism == NULL
+      || qn_mechanism_init (&mechanism, &model->project.model, &model->contacts,
+                            model->result.mechanism, NULL)
+           != QN_OK)
+    return NULL;
+  char *kind = g_strdup (qn_mechanism_kind_name (mechanism.kind));
+  qn_mechanism_clear (&mechanism);
+  return kind;
+}
+
+static QnStatus
+analyse (QnStudyRun run, QnCaseModel *model, QnCaseResult *result, QnDiag *diag)
+{
+  const QnModel *core = &model->project.model;
+  if (run != QN_STUDY_MODAL)
+    return qn_analysis_run (core, &model->contacts, NULL, NULL, &model->result, diag);
+
+  enum { WANTED = QN_STUDY_FREQUENCY_6 - QN_STUDY_FREQUENCY_1 + 1 };
+  QnModes modes;
+  QnStatus status = qn_modal_run (core, &model->contacts, QN_MODAL_DEAD_LOAD, WANTED,
+                                  NULL, NULL, &modes, &model->result, diag);
+  for (size_t i = 0; status == QN_OK && i < MIN (modes.count, (size_t) WANTED); i++)
+    result->numbers[QN_STUDY_FREQUENCY_1 + i] = modes.omega[i] / (2 * G_PI);
+  qn_modes_clear (&modes);
+  return status;
+}
+
+static void
+take_outputs (const QnStudy *study, const QnCaseModel *model, QnCaseResult *result)
+{
+  result->failed = FALSE;
+  result->outcome = g_strdup (qn_outcome_name (model->result.outcome));
+  for (guint i = 0; i < study->outputs->len; i++) {
+    QnStudyOutput output = qn_study_output (study, i);
+    if (output == QN_STUDY_MECHANISM_KIND)
+      result->mechanism = dup_mechanism_kind (model);
+    else if (output < QN_STUDY_FREQUENCY_1)
+      result->numbers[output] = number_of (model, output);
+  }
+}
+
+void
+qn_case_solve (const QnCaseSolver *solver, const double *values, const char *keep,
+               QnCaseModel *model, QnCaseResult *result)
+{
+  double start = qn_clock_seconds ();
+  const QnStudy *study = solver->study;
+  QnCaseModel own;
+  GError *error = NULL;
+  QnDiag diag = { 0 };
+  QnCaseModel *current = model != NULL ? model : &own;
+
+  *current = (QnCaseModel){ 0 };
+  qn_case_result_fail (result, NULL);
+  if (prepare (solver, values, current, &error)) {
+    if (analyse (study->run, current, result, &diag) != QN_OK)
+      qn_project_set_error (&current->project, &diag, &error);
+    else
+      take_outputs (study, current, result);
+  }
+  if (error == NULL && keep != NULL)
+    qn_result_file_write (keep, &current->project, &current->contacts, &current->result,
+                          &error);
+  if (error != NULL) {
+    qn_case_result_clear (result);
+    qn_case_result_fail (result, error->message);
+    qn_case_model_clear (current);
+    g_error_free (error);
+  } else if (model == NULL) {
+    qn_case_model_clear (&own);
+  }
+  result->seconds = qn_clock_seconds () - start;
+}

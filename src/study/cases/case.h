@@ -1,0 +1,51 @@
+/* One case of a study: the project with the values of its parameters, analysed. */
+#ifndef QN_STUDY_CASE_H
+#define QN_STUDY_CASE_H
+
+#include "core/contact/contacts.h"
+#include "core/result/result.h"
+#include "study/plan/study.h"
+
+/* What became of a case. An analysis that found no equilibrium, or did not converge, is done as
+ * well: its outcome says so. */
+typedef struct QnCaseResult {
+  gboolean failed;
+  char *outcome; /* as result files spell it; NULL where there is none. Owned */
+  char *reason;  /* of a failure, in one line. Owned */
+  double seconds;
+  double numbers[QN_STUDY_OUTPUT_COUNT]; /* NaN: the case has none */
+  char *mechanism;                       /* kind of mechanism, nullable. Owned */
+} QnCaseResult;
+
+/* What the cases of a study share: blocks that no parameter moves keep the contacts that were found
+ * once. */
+typedef struct QnCaseSolver {
+  const QnStudy *study; /* borrowed */
+  QnContacts contacts;  /* of the project as it is */
+} QnCaseSolver;
+
+/* A case in full, for those who draw it. */
+typedef struct QnCaseModel {
+  QnProject project;
+  QnContacts contacts;
+  QnResult result;
+} QnCaseModel;
+
+/* Errors: QN_IO_ERROR. */
+gboolean qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error);
+void qn_case_solver_clear (QnCaseSolver *solver);
+
+/* Analyses the project with these values (one per parameter) and fills *result, which is
+ * overwritten without being cleared. Where `keep` is a path, the full result is written there.
+ * `model` (nullable) receives the case itself, empty where it failed. */
+void qn_case_solve (const QnCaseSolver *solver, const double *values, const char *keep,
+                    QnCaseModel *model, QnCaseResult *result);
+
+void qn_case_model_clear (QnCaseModel *model);
+
+/* A row that says why there is no result; takes ownership of nothing. */
+void qn_case_result_fail (QnCaseResult *result, const char *reason);
+
+void qn_case_result_clear (QnCaseResult *result);
+
+#endif

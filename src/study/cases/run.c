@@ -1,0 +1,251 @@
+#include "study/cases/run.h"
+
+#include "core/base/clock.h"
+#include "io/text/io-error.h"
+#include "study/cases/store.h"
+#include "study/cases/worker.h"
+
+#include <errno.h>
+#include <glib/gi18n-lib.h>
+#include <glib/gstdio.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <unistd.h>
+
+/* Rows are committed after so many of them, and after so long, s: a kill costs no more than what
+ * came since, and writing to the disk costs little beside computing. */
+#define ROWS        100
+#define INTERVAL    0.5
+#define INTERVAL_MS 500
+
+typedef struct Run {
+  const QnStudyRunSettings *settings;
+  const char *folder;
+  QnSample sample;
+  QnStore *store;
+  guint8 *taken;    /* per case: has a row, or a worker has it, or not of this slice */
+  gsize next;       /* no case before it is free */
+  GArray *returned; /* of gsize: cases that a worker left behind */
+  QnWorker *workers;
+  QnStudyProgress progress;
+  double begun, committed;
+  guint uncommitted; /* rows */
+  gsize present_before;
+  gboolean cancelled;
+} Run;
+
+/* The next case to be computed; FALSE where none is left. */
+static gboolean
+take_case (Run *run, gsize *index)
+{
+  if (run->returned->len > 0) {
+    *index = g_array_index (run->returned, gsize, run->returned->len - 1);
+    g_array_set_size (run->returned, run->returned->len - 1);
+    return TRUE;
+  }
+  while (run->next < run->sample.count && run->taken[run->next])
+    run->next++;
+  if (run->next == run->sample.count)
+    return FALSE;
+  *index = run->next;
+  run->taken[run->next++] = 1;
+  return TRUE;
+}
+
+static gboolean
+keep_row (Run *run, gsize index, const QnCaseResult *result, GError **error)
+{
+  run->progress.present++;
+  run->progress.failed += result->failed;
+  run->uncommitted++;
+  return qn_store_add (run->store, index, qn_sample_case (&run->sample, index), result,
+                       error);
+}
+
+/* Fills the queue of a worker, and starts it before where there is none. */
+static gboolean
+feed (Run *run, QnWorker *worker, GError **error)
+{
+  gsize index;
+  while (worker->queued < QN_WORKER_AHEAD && take_case (run, &index)) {
+    if (worker->pid == 0
+        && !qn_worker_start (worker, run->settings->program, run->folder,
+                             run->settings->keep, error)) {
+      g_array_append_val (run->returned, index);
+      return FALSE;
+    }
+    /* One that has gone is found at the end of its output. */
+    if (!qn_worker_give (worker, index, qn_sample_case (&run->sample, index),
+                         run->sample.width))
+      break;
+  }
+  return TRUE;
+}
+
+/* A worker has ended: the case that it had begun failed, the others go back. */
+static gboolean
+bury (Run *run, QnWorker *worker, GError **error)
+{
+  gboolean ready = worker->ready;
+  guint queued = worker->queued;
+  gsize queue[QN_WORKER_AHEAD] = { 0 };
+  for (guint i = 0; i < queued; i++)
+    queue[i] = worker->queue[i];
+  g_autofree char *how = qn_worker_end (worker, FALSE);
+  if (!ready) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE, "%s: %s", run->settings->program,
+                 how != NULL ? how : _ ("cannot be started"));
+    return FALSE;
+  }
+  for (guint i = 1; i < queued; i++)
+    g_array_append_val (run->returned, queue[i]);
+  if (queued == 0)
+    return TRUE;
+  QnCaseResult result;
+  qn_case_result_fail (&result,
+                       how != NULL ? how : _ ("the process of the case ended early"));
+  gboolean ok = keep_row (run, queue[0], &result, error);
+  qn_case_result_clear (&result);
+  return ok;
+}
+
+static gboolean
+hear (Run *run, QnWorker *worker, GError **error)
+{
+  gsize index;
+  QnCaseResult result;
+  gboolean more = qn_worker_receive (worker), ok = TRUE;
+  while (ok && qn_worker_answer (worker, &index, &result)) {
+    ok = keep_row (run, index, &result, error);
+    qn_case_result_clear (&result);
+  }
+  return ok && (more || bury (run, worker, error));
+}
+
+static gboolean
+tell (Run *run, GError **error)
+{
+  double now = qn_clock_seconds ();
+  QnStudyProgress *progress = &run->progress;
+  gsize done = progress->present - run->present_before;
+  progress->seconds = now - run->begun;
+  progress->to_go = done > 0 ? progress->seconds / (double) done
+                                 * (double) (progress->wanted - progress->present)
+                             : NAN;
+  if (run->settings->progress != NULL
+      && !run->settings->progress (progress, run->settings->data))
+    run->cancelled = TRUE;
+  if (now - run->committed < INTERVAL && run->uncommitted < ROWS)
+    return TRUE;
+  run->committed = now;
+  run->uncommitted = 0;
+  return qn_store_commit (run->store, error);
+}
+
+/* Waits until a worker has something to say, or it is time to tell. */
+static gboolean
+wait_for_workers (Run *run, gboolean *busy, GError **error)
+{
+  guint jobs = run->settings->jobs;
+  g_autofree struct pollfd *polls = g_new0 (struct pollfd, jobs);
+  *busy = FALSE;
+  for (guint i = 0; i < jobs; i++) {
+    polls[i] = (struct pollfd){ .fd = run->workers[i].output, .events = POLLIN };
+    *busy |= run->workers[i].queued > 0;
+  }
+  if (!*busy)
+    return TRUE;
+  if (poll (polls, jobs, INTERVAL_MS) < 0 && errno != EINTR) {
+    qn_io_error_set_errno (error, run->folder, _ ("cannot be read"), errno);
+    return FALSE;
+  }
+  for (guint i = 0; i < jobs; i++)
+    if (polls[i].revents != 0 && !hear (run, &run->workers[i], error))
+      return FALSE;
+  return TRUE;
+}
+
+static gboolean
+compute (Run *run, GError **error)
+{
+  gboolean busy = TRUE, ok = TRUE;
+  while (ok && busy && !run->cancelled) {
+    for (guint i = 0; ok && i < run->settings->jobs; i++)
+      ok = feed (run, &run->workers[i], error);
+    ok = ok && wait_for_workers (run, &busy, error) && tell (run, error);
+  }
+  for (guint i = 0; i < run->settings->jobs; i++)
+    if (run->workers[i].pid != 0)
+      g_free (qn_worker_end (&run->workers[i], run->cancelled || !ok));
+  /* What came in before something went wrong is kept if it can be. */
+  return qn_store_commit (run->store, ok ? error : NULL) && ok;
+}
+
+/* Marks what there is, and what is of another slice. */
+static gboolean
+survey (Run *run, GError **error)
+{
+  QnShard shard = run->settings->shard;
+  if (run->settings->retry && !qn_store_forget_failed (run->store, error))
+    return FALSE;
+  if (!qn_store_mark_present (run->store, run->taken, run->sample.count, error))
+    return FALSE;
+  for (gsize i = 0; i < run->sample.count; i++) {
+    gboolean ours = i % shard.count == shard.index;
+    run->progress.wanted += ours;
+    run->progress.present += ours && run->taken[i];
+    if (!ours)
+      run->taken[i] = 1;
+  }
+  run->present_before = run->progress.present;
+  return TRUE;
+}
+
+static gboolean
+make_results_folder (const Run *run, GError **error)
+{
+  g_autofree char *path = g_build_filename (run->folder, "results", NULL);
+  if (!run->settings->keep || g_mkdir_with_parents (path, 0777) == 0)
+    return TRUE;
+  qn_io_error_set_errno (error, path, _ ("cannot be written"), errno);
+  return FALSE;
+}
+
+gboolean
+qn_study_run (const QnStudy *study, const char *folder,
+              const QnStudyRunSettings *settings, QnStudyProgress *progress,
+              gboolean *cancelled, GError **error)
+{
+  Run run = { .settings = settings, .folder = folder, .begun = qn_clock_seconds () };
+  if (!qn_folder_prepare (folder, study, error))
+    return FALSE;
+  g_autofree char *database = qn_folder_dup_database (folder, settings->shard);
+  int lock = qn_folder_lock (database, error);
+  if (lock < 0)
+    return FALSE;
+
+  /* A worker that has gone is noticed by its output. */
+  void (*before) (int) = signal (SIGPIPE, SIG_IGN);
+  qn_sample_init (&run.sample, study);
+  run.taken = g_new0 (guint8, run.sample.count);
+  run.returned = g_array_new (FALSE, FALSE, sizeof (gsize));
+  run.workers = g_new (QnWorker, settings->jobs);
+  for (guint i = 0; i < settings->jobs; i++)
+    run.workers[i] = (QnWorker){ .input = -1, .output = -1 };
+  run.store = qn_store_open (database, study, TRUE, error);
+  gboolean ok = run.store != NULL && make_results_folder (&run, error)
+                && survey (&run, error) && compute (&run, error);
+  run.progress.seconds = qn_clock_seconds () - run.begun;
+  *progress = run.progress;
+  *cancelled = run.cancelled;
+
+  qn_store_close (run.store);
+  qn_sample_clear (&run.sample);
+  g_array_unref (run.returned);
+  g_free (run.workers);
+  g_free (run.taken);
+  signal (SIGPIPE, before);
+  close (lock);
+  return ok;
+}

@@ -1,0 +1,242 @@
+#include "study/cases/worker.h"
+
+#include "io/text/io-error.h"
+#include "io/text/number-text.h"
+#include "study/cases/folder.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* Exit status of a child that could not become the program. */
+#define NOT_STARTED 127
+
+static void
+print_number (FILE *output, double number)
+{
+  char text[QN_NUMBER_TEXT_SIZE];
+  fprintf (output, "\t%s", isnan (number) ? "" : qn_number_text (number, text));
+}
+
+static void
+print_text (FILE *output, const char *text)
+{
+  g_autofree char *line = g_strdup (text != NULL ? text : "");
+  g_strdelimit (line, "\t\r\n", ' ');
+  fprintf (output, "\t%s", line);
+}
+
+static void
+print_result (FILE *output, gsize number, const QnCaseResult *result)
+{
+  fprintf (output, "%" G_GSIZE_FORMAT "\t%s", number, result->failed ? "failed" : "done");
+  print_number (output, result->seconds);
+  print_text (output, result->outcome);
+  print_text (output, result->reason);
+  print_text (output, result->mechanism);
+  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
+    print_number (output, result->numbers[i]);
+  fputc ('\n', output);
+  fflush (output);
+}
+
+/* A field that may be empty. */
+static double
+number_of (const char *field)
+{
+  return *field != '\0' ? g_ascii_strtod (field, NULL) : NAN;
+}
+
+static char *
+text_of (const char *field)
+{
+  return *field != '\0' ? g_strdup (field) : NULL;
+}
+
+static gboolean
+parse_result (const char *line, gsize *number, QnCaseResult *result)
+{
+  enum { NUMBER, STATUS, SECONDS, OUTCOME, REASON, MECHANISM, OUTPUTS };
+  g_auto (GStrv) fields = g_strsplit (line, "\t", -1);
+  if (g_strv_length (fields) != OUTPUTS + QN_STUDY_OUTPUT_COUNT)
+    return FALSE;
+  *number = (gsize) g_ascii_strtoull (fields[NUMBER], NULL, 10);
+  *result = (QnCaseResult){ .failed = strcmp (fields[STATUS], "failed") == 0,
+                            .seconds = number_of (fields[SECONDS]),
+                            .outcome = text_of (fields[OUTCOME]),
+                            .reason = text_of (fields[REASON]),
+                            .mechanism = text_of (fields[MECHANISM]) };
+  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
+    result->numbers[i] = number_of (fields[OUTPUTS + i]);
+  return TRUE;
+}
+
+void
+qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep, FILE *input,
+                 FILE *output)
+{
+  QnCaseSolver solver;
+  GError *error = NULL;
+  char *line = NULL;
+  size_t size = 0;
+  g_autofree double *values = g_new (double, study->parameters->len);
+  gboolean sound = qn_case_solver_init (&solver, study, &error);
+
+  fputs ("ready\n", output);
+  fflush (output);
+  while (getline (&line, &size, input) > 0) {
+    QnCaseResult result;
+    char *at = line;
+    gsize number = (gsize) g_ascii_strtoull (at, &at, 10);
+    for (guint i = 0; i < study->parameters->len; i++)
+      values[i] = g_ascii_strtod (at, &at);
+    g_autofree char *path = keep ? qn_folder_dup_result (folder, number) : NULL;
+    if (sound)
+      qn_case_solve (&solver, values, path, NULL, &result);
+    else
+      qn_case_result_fail (&result, error->message);
+    print_result (output, number, &result);
+    qn_case_result_clear (&result);
+  }
+  free (line);
+  g_clear_error (&error);
+  qn_case_solver_clear (&solver);
+}
+
+/* In the child: becomes the worker, or ends. Only what is safe after a fork. */
+static void
+become_worker (char **arguments, char **variables, int input, int output, pid_t parent)
+{
+  prctl (PR_SET_PDEATHSIG, SIGKILL);
+  signal (SIGINT, SIG_IGN);
+  signal (SIGPIPE, SIG_DFL);
+  if (getppid () == parent && dup2 (input, STDIN_FILENO) >= 0
+      && dup2 (output, STDOUT_FILENO) >= 0)
+    execve (arguments[0], arguments, variables);
+  _exit (NOT_STARTED);
+}
+
+gboolean
+qn_worker_start (QnWorker *worker, const char *program, const char *folder, gboolean keep,
+                 GError **error)
+{
+  const char *arguments[] = { program, "study", "worker", folder, keep ? "--keep" : NULL,
+                              NULL };
+  int to[2] = { -1, -1 }, from[2] = { -1, -1 };
+  pid_t parent = getpid (), pid = -1;
+  /* As many workers as cores: libraries are not to start threads of their own beside them. */
+  g_auto (GStrv) variables =
+    g_environ_setenv (g_get_environ (), "OPENBLAS_NUM_THREADS", "1", TRUE);
+  *worker = (QnWorker){ .input = -1, .output = -1 };
+  if (pipe2 (to, O_CLOEXEC) == 0 && pipe2 (from, O_CLOEXEC) == 0)
+    pid = fork ();
+  if (pid == 0)
+    become_worker ((char **) arguments, variables, to[0], from[1], parent);
+  int trouble = errno;
+  const int theirs[] = { to[0], from[1] }, ours[] = { to[1], from[0] };
+  for (gsize i = 0; i < G_N_ELEMENTS (theirs); i++) {
+    if (theirs[i] >= 0)
+      close (theirs[i]);
+    if (pid < 0 && ours[i] >= 0)
+      close (ours[i]);
+  }
+  if (pid < 0) {
+    qn_io_error_set_errno (error, program, _ ("cannot be started"), trouble);
+    return FALSE;
+  }
+  worker->pid = pid;
+  worker->input = to[1];
+  worker->output = from[0];
+  worker->received = g_string_new (NULL);
+  return TRUE;
+}
+
+gboolean
+qn_worker_give (QnWorker *worker, gsize index, const double *values, gsize width)
+{
+  g_autoptr (GString) line = g_string_new (NULL);
+  char number[QN_NUMBER_TEXT_SIZE];
+  g_string_printf (line, "%" G_GSIZE_FORMAT, index + 1);
+  for (gsize i = 0; i < width; i++)
+    g_string_append_printf (line, "\t%s", qn_number_text (values[i], number));
+  g_string_append_c (line, '\n');
+  worker->queue[worker->queued++] = index;
+  for (gsize sent = 0; sent < line->len;) {
+    ssize_t count = write (worker->input, line->str + sent, line->len - sent);
+    if (count < 0 && errno != EINTR)
+      return FALSE;
+    sent += count > 0 ? (gsize) count : 0;
+  }
+  return TRUE;
+}
+
+gboolean
+qn_worker_receive (QnWorker *worker)
+{
+  char bytes[4096];
+  ssize_t count = read (worker->output, bytes, sizeof bytes);
+  if (count > 0)
+    g_string_append_len (worker->received, bytes, count);
+  return count > 0 || (count < 0 && errno == EINTR);
+}
+
+/* Takes the first line; NULL where none is complete. */
+static char *
+take_line (QnWorker *worker)
+{
+  const char *end = memchr (worker->received->str, '\n', worker->received->len);
+  if (end == NULL)
+    return NULL;
+  gsize length = (gsize) (end - worker->received->str);
+  char *line = g_strndup (worker->received->str, length);
+  g_string_erase (worker->received, 0, (gssize) length + 1);
+  return line;
+}
+
+gboolean
+qn_worker_answer (QnWorker *worker, gsize *index, QnCaseResult *result)
+{
+  for (;;) {
+    g_autofree char *line = take_line (worker);
+    gsize number;
+    if (line == NULL)
+      return FALSE;
+    if (strcmp (line, "ready") == 0) {
+      worker->ready = TRUE;
+    } else if (worker->queued > 0 && parse_result (line, &number, result)) {
+      *index = worker->queue[0];
+      g_return_val_if_fail (number == *index + 1, FALSE);
+      worker->queued--;
+      memmove (worker->queue, worker->queue + 1, worker->queued * sizeof *worker->queue);
+      return TRUE;
+    }
+  }
+}
+
+char *
+qn_worker_end (QnWorker *worker, gboolean kill_it)
+{
+  int status = 0;
+  if (kill_it)
+    kill (worker->pid, SIGKILL);
+  close (worker->input);
+  close (worker->output);
+  while (waitpid (worker->pid, &status, 0) < 0 && errno == EINTR)
+    ;
+  g_string_free (worker->received, TRUE);
+  *worker = (QnWorker){ .input = -1, .output = -1 };
+  if (WIFSIGNALED (status))
+    return g_strdup_printf (_ ("the process of the case was ended by signal %d (%s)"),
+                            WTERMSIG (status), strsignal (WTERMSIG (status)));
+  if (WIFEXITED (status) && WEXITSTATUS (status) != 0)
+    return g_strdup_printf (_ ("the process of the case ended with status %d"),
+                            WEXITSTATUS (status));
+  return NULL;
+}

@@ -1,0 +1,51 @@
+/* Worker processes: each computes one case after the other, so that a case that crashes or takes
+ * all memory ends its worker and nothing else.
+ *
+ * A worker is this program again (`quoin-cli study worker FOLDER`). It says "ready", then reads
+ * lines "number, values" from standard input and answers each with one line on standard output,
+ * fields separated by tabs. It ends with its input, or with the process that started it.
+ */
+#ifndef QN_STUDY_WORKER_H
+#define QN_STUDY_WORKER_H
+
+#include "study/cases/case.h"
+
+#include <stdio.h>
+
+/* The worker's side: serves until `input` ends. With `keep`, full results go to the folder. */
+void qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep,
+                      FILE *input, FILE *output);
+
+/* Cases that a worker is given ahead, so that it need not wait for the next one. */
+#define QN_WORKER_AHEAD 2
+
+typedef struct QnWorker {
+  int pid;           /* 0: none */
+  int input, output; /* to write to and to read from; -1 */
+  gboolean ready;
+  GString *received; /* what has come of the next line */
+  gsize
+    queue[QN_WORKER_AHEAD]; /* places of the cases that it has, the present one first */
+  guint queued;
+} QnWorker;
+
+/* Starts `program` with the arguments of a worker. Errors: QN_IO_ERROR. */
+gboolean qn_worker_start (QnWorker *worker, const char *program, const char *folder,
+                          gboolean keep, GError **error);
+
+/* Hands over a case; FALSE where the worker has gone. */
+gboolean qn_worker_give (QnWorker *worker, gsize index, const double *values,
+                         gsize width);
+
+/* Takes what the worker has written. FALSE at the end of its output. */
+gboolean qn_worker_receive (QnWorker *worker);
+
+/* The next answer that is complete: place and result of the first case of the queue, which it
+ * leaves. FALSE where there is none. *result is overwritten; to be cleared. */
+gboolean qn_worker_answer (QnWorker *worker, gsize *index, QnCaseResult *result);
+
+/* Waits for a worker that has ended, or kills it first; how it ended, in words, or NULL where it
+ * ended as it should. Free with g_free(). */
+char *qn_worker_end (QnWorker *worker, gboolean kill_it);
+
+#endif

@@ -1,0 +1,158 @@
+#include "study/plan/sample.h"
+
+#include "study/plan/correlation.h"
+
+#include <gsl/gsl_qrng.h>
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <string.h>
+
+static double
+round_digits (double value)
+{
+  char text[G_ASCII_DTOSTR_BUF_SIZE];
+  return g_ascii_strtod (g_ascii_formatd (text, sizeof text, "%.11e", value), NULL);
+}
+
+static double
+final_value (const QnParameter *parameter, double value)
+{
+  return parameter->whole ? rint (value) : round_digits (value);
+}
+
+/* The last parameter changes first. */
+static void
+fill_grid (QnSample *sample, const QnStudy *study)
+{
+  for (gsize i = 0; i < sample->count; i++) {
+    gsize rest = i;
+    for (gsize j = sample->width; j-- > 0;) {
+      const QnParameter *parameter = qn_study_parameter (study, j);
+      gsize levels = qn_parameter_level_count (parameter);
+      sample->values[i * sample->width + j] =
+        final_value (parameter, qn_parameter_level (parameter, rest % levels));
+      rest /= levels;
+    }
+  }
+}
+
+static void
+fill_one_at_a_time (QnSample *sample, const QnStudy *study)
+{
+  for (gsize i = 0; i < sample->count; i++)
+    for (gsize j = 0; j < sample->width; j++)
+      sample->values[i * sample->width + j] = qn_study_parameter (study, j)->base;
+  gsize row = 1;
+  for (gsize j = 0; j < sample->width; j++) {
+    const QnParameter *parameter = qn_study_parameter (study, j);
+    for (gsize k = 0; k < qn_parameter_level_count (parameter); k++)
+      sample->values[row++ * sample->width + j] =
+        final_value (parameter, qn_parameter_level (parameter, k));
+  }
+}
+
+static void
+draw_points (double *points, gsize count, gsize width, gsl_rng *random)
+{
+  for (gsize i = 0; i < count * width; i++)
+    points[i] = gsl_rng_uniform_pos (random);
+}
+
+/* One point in each of `count` layers, at random within it. */
+static void
+draw_layers (double *points, gsize count, gsize width, gsl_rng *random)
+{
+  g_autofree gsize *layer = g_new (gsize, count);
+  for (gsize j = 0; j < width; j++) {
+    for (gsize i = 0; i < count; i++)
+      layer[i] = i;
+    gsl_ran_shuffle (random, layer, count, sizeof *layer);
+    for (gsize i = 0; i < count; i++)
+      points[i * width + j] =
+        ((double) layer[i] + gsl_rng_uniform_pos (random)) / (double) count;
+  }
+}
+
+/* Saltelli et al., Computer Physics Communications 181 (2010) 259-270, on the Sobol sequence in
+ * twice as many dimensions, shifted by a random vector modulo 1 (Cranley and Patterson 1976). */
+static void
+draw_sobol (double *points, gsize count, gsize width, gsl_rng *random)
+{
+  gsize rows = width + 2, dimensions = 2 * width;
+  g_autofree double *shift = g_new (double, dimensions);
+  g_autofree double *q = g_new (double, dimensions);
+  gsl_qrng *sequence = gsl_qrng_alloc (gsl_qrng_sobol, (guint) dimensions);
+  draw_points (shift, 1, dimensions, random);
+  for (gsize i = 0; i < count; i++) {
+    double *block = points + i * rows * width;
+    gsl_qrng_get (sequence, q);
+    for (gsize j = 0; j < dimensions; j++) {
+      q[j] = fmod (q[j] + shift[j], 1);
+      q[j] = fmax (q[j], 1e-12);
+    }
+    memcpy (block, q, dimensions * sizeof *q);
+    for (gsize k = 0; k < width; k++) {
+      double *mixed = block + (k + 2) * width;
+      memcpy (mixed, q, width * sizeof *q);
+      mixed[k] = q[width + k];
+    }
+  }
+  gsl_qrng_free (sequence);
+}
+
+static void
+fill_random (QnSample *sample, const QnStudy *study)
+{
+  gsize width = sample->width;
+  double *points = sample->values;
+  gsl_rng *random = gsl_rng_alloc (gsl_rng_mt19937);
+  gsl_rng_set (random, study->seed);
+  if (study->plan == QN_PLAN_SOBOL)
+    draw_sobol (points, study->count, width, random);
+  else if (study->plan == QN_PLAN_LATIN_HYPERCUBE)
+    draw_layers (points, sample->count, width, random);
+  else
+    draw_points (points, sample->count, width, random);
+  if (study->correlation != NULL && study->plan == QN_PLAN_LATIN_HYPERCUBE)
+    qn_correlation_reorder (study->correlation, width, points, sample->count, random);
+  else if (study->correlation != NULL)
+    qn_correlation_copula (study->correlation, width, points, sample->count);
+  gsl_rng_free (random);
+
+  for (gsize i = 0; i < sample->count * width; i++) {
+    const QnParameter *parameter = qn_study_parameter (study, i % width);
+    sample->values[i] = final_value (
+      parameter, qn_distribution_quantile (&parameter->distribution, points[i]));
+  }
+}
+
+void
+qn_sample_init (QnSample *sample, const QnStudy *study)
+{
+  sample->count = qn_study_case_count (study);
+  sample->width = study->parameters->len;
+  sample->values = g_new (double, sample->count * sample->width);
+  switch (study->plan) {
+  case QN_PLAN_GRID:
+    fill_grid (sample, study);
+    return;
+  case QN_PLAN_ONE_AT_A_TIME:
+    fill_one_at_a_time (sample, study);
+    return;
+  case QN_PLAN_MONTE_CARLO:
+  case QN_PLAN_LATIN_HYPERCUBE:
+  case QN_PLAN_SOBOL:
+    fill_random (sample, study);
+    return;
+  case QN_PLAN_COUNT:
+    break;
+  }
+  g_assert_not_reached ();
+}
+
+void
+qn_sample_clear (QnSample *sample)
+{
+  g_free (sample->values);
+  *sample = (QnSample){ 0 };
+}

@@ -1,0 +1,595 @@
+#include "core/base/integer.h"
+#include "io/json/json-parse.h"
+#include "io/json/json-path.h"
+#include "io/json/json-value.h"
+#include "io/text/file-read.h"
+#include "io/text/io-error.h"
+#include "io/text/number-text.h"
+#include "study/plan/correlation.h"
+#include "study/plan/study.h"
+
+#include <glib/gi18n-lib.h>
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <string.h>
+
+#define FORMAT_VERSION 1
+
+/* Parameters of a Sobol sequence of GSL: two dimensions for each. */
+#define SOBOL_PARAMETERS 20
+
+static gboolean
+check_format (const QnJsonValue *root)
+{
+  static const char *const keys[] = { "format", "version", "title",
+                                      "model",  "run",     "parameters",
+                                      "plan",   "outputs", "correlation" };
+  const char *format;
+  double version;
+  if (!qn_json_value_object (root)
+      || !qn_member_string (root, "format", QN_REQUIRED, &format))
+    return FALSE;
+  QnJsonValue place = qn_json_value_member (root, "format");
+  if (strcmp (format, "quoin-study") != 0)
+    return qn_json_value_fail (&place,
+                               _ ("this is not a study: expected \"quoin-study\""));
+  if (!qn_member_number (root, "version", QN_REQUIRED, QN_RANGE_FINITE, &version))
+    return FALSE;
+  place = qn_json_value_member (root, "version");
+  if (version != FORMAT_VERSION)
+    return qn_json_value_failf (
+      &place, _ ("this program reads version %d of the format only"), FORMAT_VERSION);
+  qn_json_value_warn_unknown (root, keys, G_N_ELEMENTS (keys));
+  return TRUE;
+}
+
+/* Numbers of an array, at least one. */
+static gboolean
+read_numbers (const QnJsonValue *list, QnRange range, GArray *numbers)
+{
+  if (!qn_json_value_array (list))
+    return FALSE;
+  gsize index = 0;
+  for (const cJSON *item = list->json->child; item != NULL; item = item->next) {
+    double number;
+    QnJsonValue element = qn_json_value_element (list, index++, item);
+    if (!qn_json_value_number (&element, range, &number))
+      return FALSE;
+    g_array_append_val (numbers, number);
+  }
+  if (numbers->len == 0)
+    return qn_json_value_fail (list, _ ("expected at least one number"));
+  if (numbers->len > QN_STUDY_MAX_VALUES)
+    return qn_json_value_failf (list, _ ("more than %d values"), QN_STUDY_MAX_VALUES);
+  return TRUE;
+}
+
+static gboolean
+read_values (const QnJsonValue *list, const QnJsonValue *weights, QnDistribution *d)
+{
+  g_autoptr (GArray) values = g_array_new (FALSE, FALSE, sizeof (double));
+  g_autoptr (GArray) shares = g_array_new (FALSE, FALSE, sizeof (double));
+  if (!read_numbers (list, QN_RANGE_FINITE, values))
+    return FALSE;
+  if (weights != NULL && weights->json != NULL) {
+    double sum = 0;
+    if (!read_numbers (weights, QN_RANGE_NOT_NEGATIVE, shares))
+      return FALSE;
+    for (guint i = 0; i < shares->len; i++)
+      sum += g_array_index (shares, double, i);
+    if (shares->len != values->len || !(sum > 0))
+      return qn_json_value_fail (weights,
+                                 _ ("expected one weight for every value, at least "
+                                    "one above 0"));
+  }
+  qn_distribution_set_values (d, (double *) (void *) values->data,
+                              shares->len > 0 ? (double *) (void *) shares->data : NULL,
+                              values->len);
+  return TRUE;
+}
+
+/* [low, high, count]: equally spaced values, both ends included. */
+static gboolean
+read_range (const QnJsonValue *list, QnDistribution *d)
+{
+  g_autoptr (GArray) ends = g_array_new (FALSE, FALSE, sizeof (double));
+  if (!read_numbers (list, QN_RANGE_FINITE, ends))
+    return FALSE;
+  const double *end = (double *) (void *) ends->data;
+  if (ends->len != 3 || !(end[0] < end[1]) || end[2] < 2 || end[2] != floor (end[2])
+      || end[2] > QN_STUDY_MAX_VALUES)
+    return qn_json_value_fail (list,
+                               _ ("expected [least, greatest, number of values], at "
+                                  "least 2 values"));
+  gsize count = (gsize) qn_to_integer (end[2], 0, QN_STUDY_MAX_VALUES);
+  g_autofree double *values = g_new (double, count);
+  for (gsize i = 0; i < count; i++)
+    values[i] = end[0] + (end[1] - end[0]) * (double) i / (double) (count - 1);
+  values[count - 1] = end[1];
+  qn_distribution_set_values (d, values, NULL, count);
+  return TRUE;
+}
+
+/* Mean with either deviation or coefficient of variation. */
+static gboolean
+read_moments (const QnJsonValue *place, QnDistribution *d)
+{
+  double mean = 0, deviation = 0, cov = 0;
+  gboolean log = d->kind == QN_DISTRIBUTION_LOGNORMAL;
+  QnJsonValue by_share = qn_json_value_member (place, "cov");
+  QnJsonValue by_size = qn_json_value_member (place, "deviation");
+  if (!qn_member_number (place, "mean", QN_REQUIRED,
+                         log ? QN_RANGE_POSITIVE : QN_RANGE_FINITE, &mean)
+      || !qn_member_number (place, "cov", QN_OPTIONAL, QN_RANGE_POSITIVE, &cov)
+      || !qn_member_number (place, "deviation", QN_OPTIONAL, QN_RANGE_POSITIVE,
+                            &deviation))
+    return FALSE;
+  if ((by_share.json == NULL) == (by_size.json == NULL))
+    return qn_json_value_fail (place, _ ("expected either cov or deviation"));
+  if (by_share.json != NULL && mean == 0)
+    return qn_json_value_fail (&by_share,
+                               _ ("a mean of 0 needs a deviation instead of cov"));
+  if (by_share.json != NULL)
+    deviation = cov * fabs (mean);
+  if (log) {
+    qn_distribution_set_lognormal (d, mean, deviation);
+  } else {
+    d->first = mean;
+    d->second = deviation;
+  }
+  return TRUE;
+}
+
+static gboolean
+read_distribution (const QnJsonValue *place, QnDistribution *d)
+{
+  static const char *const keys[QN_DISTRIBUTION_COUNT][8] = {
+    [QN_DISTRIBUTION_NORMAL] = { "kind", "min", "max", "mean", "cov", "deviation" },
+    [QN_DISTRIBUTION_LOGNORMAL] = { "kind", "min", "max", "mean", "cov", "deviation" },
+    [QN_DISTRIBUTION_UNIFORM] = { "kind", "min", "max" },
+    [QN_DISTRIBUTION_TRIANGULAR] = { "kind", "min", "max", "mode" },
+    [QN_DISTRIBUTION_WEIBULL] = { "kind", "min", "max", "scale", "shape" },
+    [QN_DISTRIBUTION_DISCRETE] = { "kind", "values", "weights" },
+  };
+  int kind = 0;
+  gsize count = 0;
+  if (!qn_json_value_object (place)
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_distribution_kind_name,
+                            QN_DISTRIBUTION_COUNT, &kind))
+    return FALSE;
+  while (keys[kind][count] != NULL)
+    count++;
+  qn_json_value_warn_unknown (place, keys[kind], count);
+  if (kind == QN_DISTRIBUTION_DISCRETE) {
+    QnJsonValue values = qn_json_value_member (place, "values");
+    QnJsonValue weights = qn_json_value_member (place, "weights");
+    return read_values (&values, &weights, d);
+  }
+
+  gboolean bounded =
+    kind == QN_DISTRIBUTION_UNIFORM || kind == QN_DISTRIBUTION_TRIANGULAR;
+  d->kind = (QnDistributionKind) kind;
+  d->min = -INFINITY;
+  d->max = INFINITY;
+  QnNeed ends = bounded ? QN_REQUIRED : QN_OPTIONAL;
+  if (!qn_member_number (place, "min", ends, QN_RANGE_FINITE, &d->min)
+      || !qn_member_number (place, "max", ends, QN_RANGE_FINITE, &d->max))
+    return FALSE;
+  if (kind == QN_DISTRIBUTION_TRIANGULAR
+      && !qn_member_number (place, "mode", QN_REQUIRED, QN_RANGE_FINITE, &d->first))
+    return FALSE;
+  if (kind == QN_DISTRIBUTION_WEIBULL
+      && (!qn_member_number (place, "scale", QN_REQUIRED, QN_RANGE_POSITIVE, &d->first)
+          || !qn_member_number (place, "shape", QN_REQUIRED, QN_RANGE_POSITIVE,
+                                &d->second)))
+    return FALSE;
+  if ((kind == QN_DISTRIBUTION_NORMAL || kind == QN_DISTRIBUTION_LOGNORMAL)
+      && !read_moments (place, d))
+    return FALSE;
+  if (!(d->min < d->max))
+    return qn_json_value_fail (place, _ ("min must be less than max"));
+  if (kind == QN_DISTRIBUTION_TRIANGULAR && !(d->min <= d->first && d->first <= d->max))
+    return qn_json_value_fail (place, _ ("the mode must lie between min and max"));
+  return qn_distribution_is_possible (d)
+         || qn_json_value_fail (place, _ ("no value lies between min and max"));
+}
+
+/* The number that a path leads to in the project, NaN where there is none; FALSE where something
+ * else stands there. */
+static gboolean
+find_number (const cJSON *value, const char *path, double *number)
+{
+  g_autoptr (GArray) steps = qn_json_path_parse (path);
+  *number = NAN;
+  for (guint i = 0; steps != NULL && i < steps->len && value != NULL; i++) {
+    const QnJsonStep *step = &g_array_index (steps, QnJsonStep, i);
+    value = step->key != NULL ? cJSON_GetObjectItemCaseSensitive (value, step->key)
+                              : cJSON_GetArrayItem (value, (int) step->index);
+  }
+  if (cJSON_IsNumber (value))
+    *number = value->valuedouble;
+  return value == NULL || cJSON_IsNumber (value);
+}
+
+/* Whether a path leads to a number of the project: the project must read with one there, without a
+ * new warning of an unknown key. */
+static gboolean
+check_path (const QnJsonValue *place, const char *path, const QnStudy *study,
+            const cJSON *document, const QnParameter *parameter, double *base)
+{
+  char number[QN_NUMBER_TEXT_SIZE];
+  const QnProject *project = &study->project;
+  if (!find_number (document, path, base))
+    return qn_json_value_failf (place, _ ("%s: no number stands at %s"), project->name,
+                                path);
+
+  /* Where the project says nothing yet, any value that the parameter may have. */
+  double value = *base;
+  if (isnan (value))
+    value = qn_distribution_quantile (&parameter->distribution, 0.5);
+  if (parameter->whole)
+    value = rint (value);
+  g_autofree char *override =
+    g_strdup_printf ("%s=%s", path, qn_number_text (value, number));
+  const char *const overrides[] = { override, NULL };
+  QnProject probe;
+  GError *error = NULL;
+  if (!qn_project_parse (project->text, project->text_length, project->name, overrides,
+                         &probe, &error)) {
+    qn_json_value_fail (place, error->message);
+    g_error_free (error);
+    return FALSE;
+  }
+  guint warnings = probe.warnings->len;
+  qn_project_clear (&probe);
+  return warnings <= project->warnings->len
+         || qn_json_value_failf (place, _ ("%s has no key %s"), project->name, path);
+}
+
+/* One path or an array of them. */
+static gboolean
+read_paths (const QnJsonValue *parameter, const QnStudy *study, const cJSON *document,
+            QnParameter *target)
+{
+  QnJsonValue place = qn_json_value_member (parameter, "path");
+  g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
+  const cJSON *item = cJSON_IsArray (place.json) ? place.json->child : place.json;
+  gsize index = 0;
+  for (; item != NULL; item = item != place.json ? item->next : NULL) {
+    QnJsonValue element =
+      item != place.json ? qn_json_value_element (&place, index, item) : place;
+    double base;
+    if (!cJSON_IsString (item))
+      return qn_json_value_fail (&element,
+                                 _ ("expected a path into the project, or an array "
+                                    "of them"));
+    if (!check_path (&element, item->valuestring, study, document, target, &base))
+      return FALSE;
+    if (index++ == 0)
+      target->base = base;
+    g_ptr_array_add (paths, g_strdup (item->valuestring));
+  }
+  if (paths->len == 0)
+    return qn_json_value_fail (&place, _ ("required key is missing"));
+  g_ptr_array_add (paths, NULL);
+  target->paths = (char **) g_ptr_array_steal (paths, NULL);
+  return TRUE;
+}
+
+/* Names become columns of a table, beside those of outputs and of what every case has. */
+static gboolean
+check_name (const QnJsonValue *place, const char *name, const QnStudy *study)
+{
+  static const char *const taken[] = { "case",   "status",  "outcome",
+                                       "reason", "seconds", "version" };
+  gboolean used = *name == '\0';
+  for (gsize i = 0; i < G_N_ELEMENTS (taken); i++)
+    used |= g_ascii_strcasecmp (name, taken[i]) == 0;
+  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
+    used |= g_ascii_strcasecmp (name, qn_study_output_name (i)) == 0;
+  for (guint i = 0; i + 1 < study->parameters->len; i++)
+    used |= g_ascii_strcasecmp (name, qn_study_parameter (study, i)->name) == 0;
+  QnJsonValue member = qn_json_value_member (place, "name");
+  for (const char *c = name; *c != '\0'; c++)
+    if ((guchar) *c < 0x20 || *c == '"')
+      return qn_json_value_fail (&member,
+                                 _ ("a name has neither quotes nor line breaks"));
+  return !used
+         || qn_json_value_fail (&member, _ ("this name is empty, used twice, or that of "
+                                            "another column of the table"));
+}
+
+static gboolean
+read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
+{
+  static const char *const keys[] = { "name",  "path",   "distribution", "values",
+                                      "range", "levels", "whole" };
+  static const char *const kinds[] = { "distribution", "values", "range" };
+  const char *name = NULL;
+  if (!qn_json_value_object (place)
+      || !qn_member_string (place, "name", QN_REQUIRED, &name))
+    return FALSE;
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+
+  g_array_set_size (study->parameters, study->parameters->len + 1);
+  QnParameter *parameter =
+    &g_array_index (study->parameters, QnParameter, study->parameters->len - 1);
+  parameter->name = g_strdup (name);
+  if (!check_name (place, name, study))
+    return FALSE;
+
+  QnJsonValue given[G_N_ELEMENTS (kinds)];
+  guint count = 0;
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    given[i] = qn_json_value_member (place, kinds[i]);
+    count += given[i].json != NULL;
+  }
+  if (count != 1)
+    return qn_json_value_fail (
+      place, _ ("expected one of \"distribution\", \"values\", \"range\""));
+  int32_t levels = 0;
+  bool whole = false;
+  QnDistribution *d = &parameter->distribution;
+  if (!(given[0].json != NULL   ? read_distribution (&given[0], d)
+        : given[1].json != NULL ? read_values (&given[1], NULL, d)
+                                : read_range (&given[2], d))
+      || !qn_member_count (place, "levels", QN_OPTIONAL, QN_STUDY_MAX_VALUES, &levels)
+      || !qn_member_bool (place, "whole", QN_OPTIONAL, &whole))
+    return FALSE;
+  parameter->levels = (guint) levels;
+  parameter->whole = whole;
+  return read_paths (place, study, document, parameter);
+}
+
+static gboolean
+read_parameters (const QnJsonValue *root, QnStudy *study)
+{
+  QnJsonValue list = qn_json_value_member (root, "parameters");
+  QnJsonProblem problem = { 0 };
+  if (!qn_json_value_array (&list))
+    return FALSE;
+  if (cJSON_GetArraySize (list.json) < 1
+      || cJSON_GetArraySize (list.json) > QN_STUDY_MAX_PARAMETERS)
+    return qn_json_value_failf (&list, _ ("expected 1 to %d parameters"),
+                                QN_STUDY_MAX_PARAMETERS);
+  cJSON *document =
+    qn_json_parse (study->project.text, study->project.text_length, &problem);
+  g_free (problem.path);
+  if (document == NULL)
+    return qn_json_value_no_memory (&list);
+  gboolean ok = TRUE;
+  gsize index = 0;
+  for (const cJSON *item = list.json->child; ok && item != NULL; item = item->next) {
+    QnJsonValue element = qn_json_value_element (&list, index++, item);
+    ok = read_parameter (&element, study, document);
+  }
+  cJSON_Delete (document);
+  return ok;
+}
+
+static gboolean
+find_parameter (const QnJsonValue *place, const QnStudy *study, guint *index)
+{
+  for (guint i = 0; cJSON_IsString (place->json) && i < study->parameters->len; i++)
+    if (strcmp (place->json->valuestring, qn_study_parameter (study, i)->name) == 0) {
+      *index = i;
+      return TRUE;
+    }
+  return qn_json_value_fail (place, _ ("no parameter has this name"));
+}
+
+static gboolean
+read_pair (const QnJsonValue *pair, QnStudy *study)
+{
+  guint width = study->parameters->len, a, b;
+  double value;
+  if (!qn_json_value_array (pair))
+    return FALSE;
+  if (cJSON_GetArraySize (pair->json) != 3)
+    return qn_json_value_fail (pair, _ ("expected [name, name, rank correlation]"));
+  const cJSON *item = pair->json->child;
+  QnJsonValue first = qn_json_value_element (pair, 0, item);
+  QnJsonValue second = qn_json_value_element (pair, 1, item->next);
+  QnJsonValue number = qn_json_value_element (pair, 2, item->next->next);
+  if (!find_parameter (&first, study, &a) || !find_parameter (&second, study, &b)
+      || !qn_json_value_number (&number, QN_RANGE_FINITE, &value))
+    return FALSE;
+  if (a == b || study->correlation[a * width + b] != 0)
+    return qn_json_value_fail (pair, _ ("expected two parameters, and each pair once"));
+  if (!(fabs (value) < 1))
+    return qn_json_value_fail (&number, _ ("a correlation lies between -1 and 1"));
+  study->correlation[a * width + b] = study->correlation[b * width + a] = value;
+  return TRUE;
+}
+
+static gboolean
+read_correlation (const QnJsonValue *root, QnStudy *study)
+{
+  QnJsonValue list = qn_json_value_member (root, "correlation");
+  guint width = study->parameters->len;
+  gsize index = 0;
+  if (list.json == NULL)
+    return TRUE;
+  if (!qn_json_value_array (&list))
+    return FALSE;
+  if (study->plan != QN_PLAN_MONTE_CARLO && study->plan != QN_PLAN_LATIN_HYPERCUBE)
+    return qn_json_value_failf (&list, _ ("a plan \"%s\" has independent parameters"),
+                                qn_plan_kind_name (study->plan));
+  study->correlation = g_new0 (double, width *width);
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
+    QnJsonValue element = qn_json_value_element (&list, index++, item);
+    if (!read_pair (&element, study))
+      return FALSE;
+  }
+  for (guint i = 0; i < width; i++)
+    study->correlation[i * width + i] = 1;
+  if (!qn_correlation_is_possible (study->correlation, width))
+    return qn_json_value_fail (
+      &list, _ ("no variables have these correlations at once: the matrix "
+                "is not positive definite"));
+  if (study->plan == QN_PLAN_LATIN_HYPERCUBE && study->count < 2 * width + 2)
+    return qn_json_value_failf (&list, _ ("correlated layers need at least %u cases"),
+                                2 * width + 2);
+  return TRUE;
+}
+
+static gboolean
+check_levels (const QnJsonValue *root, const QnStudy *study)
+{
+  QnJsonValue list = qn_json_value_member (root, "parameters");
+  for (guint i = 0; i < study->parameters->len; i++) {
+    const QnParameter *parameter = qn_study_parameter (study, i);
+    QnJsonValue element =
+      qn_json_value_element (&list, i, cJSON_GetArrayItem (list.json, (int) i));
+    if (qn_parameter_level_count (parameter) == 0)
+      return qn_json_value_failf (&element,
+                                  _ ("a distribution in a plan \"%s\" needs \"levels\""),
+                                  qn_plan_kind_name (study->plan));
+    if (study->plan == QN_PLAN_ONE_AT_A_TIME && isnan (parameter->base))
+      return qn_json_value_failf (
+        &element,
+        _ ("the plan begins with the project's own values, and %s "
+           "gives none here"),
+        study->project.name);
+  }
+  return TRUE;
+}
+
+static gboolean
+read_plan (const QnJsonValue *root, QnStudy *study)
+{
+  static const char *const keys[] = { "kind", "count", "seed" };
+  QnJsonValue plan = qn_json_value_member (root, "plan");
+  int kind = 0;
+  int32_t count = 0;
+  double seed = study->seed;
+  if (!qn_json_value_object (&plan)
+      || !qn_member_choice (&plan, "kind", QN_REQUIRED, qn_plan_kind_name, QN_PLAN_COUNT,
+                            &kind))
+    return FALSE;
+  qn_json_value_warn_unknown (&plan, keys, G_N_ELEMENTS (keys));
+  gboolean levels = kind == QN_PLAN_GRID || kind == QN_PLAN_ONE_AT_A_TIME;
+  study->plan = (QnPlanKind) kind;
+  if (!qn_member_count (&plan, "count", levels ? QN_OPTIONAL : QN_REQUIRED,
+                        QN_STUDY_MAX_CASES, &count)
+      || !qn_member_number (&plan, "seed", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE, &seed))
+    return FALSE;
+  QnJsonValue member = qn_json_value_member (&plan, "seed");
+  if (seed > G_MAXUINT32 || seed != floor (seed))
+    return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
+  study->count = (guint) count;
+  study->seed = (guint) qn_to_integer (seed, 0, G_MAXUINT32);
+  if (levels && !check_levels (root, study))
+    return FALSE;
+  if (kind == QN_PLAN_SOBOL && study->parameters->len > SOBOL_PARAMETERS)
+    return qn_json_value_failf (&plan, _ ("a plan \"sobol\" has at most %d parameters"),
+                                SOBOL_PARAMETERS);
+  return qn_study_case_count (study) <= QN_STUDY_MAX_CASES
+         || qn_json_value_failf (&plan, _ ("the plan has more than %d cases"),
+                                 QN_STUDY_MAX_CASES);
+}
+
+/* Whether a kind of run knows an output. */
+static gboolean
+gives (QnStudyRun run, int output)
+{
+  gboolean modal = output >= QN_STUDY_FREQUENCY_1 && output <= QN_STUDY_FREQUENCY_6;
+  return modal == (run == QN_STUDY_MODAL);
+}
+
+static gboolean
+read_outputs (const QnJsonValue *root, QnStudy *study)
+{
+  QnJsonValue list = qn_json_value_member (root, "outputs");
+  gsize index = 0;
+  if (!qn_json_value_array (&list))
+    return FALSE;
+  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
+    QnJsonValue element = qn_json_value_element (&list, index++, item);
+    int output = 0;
+    while (output < QN_STUDY_OUTPUT_COUNT
+           && (!cJSON_IsString (item)
+               || strcmp (item->valuestring, qn_study_output_name (output)) != 0))
+      output++;
+    if (output == QN_STUDY_OUTPUT_COUNT || !gives (study->run, output))
+      return qn_json_value_failf (&element, _ ("a run \"%s\" has no such output"),
+                                  qn_study_run_name (study->run));
+    for (guint i = 0; i < study->outputs->len; i++)
+      if ((int) qn_study_output (study, i) == output)
+        return qn_json_value_fail (&element, _ ("this output is given twice"));
+    QnStudyOutput value = (QnStudyOutput) output;
+    g_array_append_val (study->outputs, value);
+  }
+  return study->outputs->len > 0
+         || qn_json_value_fail (&list, _ ("expected at least one output"));
+}
+
+static gboolean
+read_model (const QnJsonValue *root, const char *path, const char *model_path,
+            QnStudy *study)
+{
+  const char *model = NULL;
+  if (!qn_member_string (root, "model", QN_REQUIRED, &model))
+    return FALSE;
+  g_autofree char *folder = g_path_get_dirname (path);
+  g_autofree char *beside = g_path_is_absolute (model) || strcmp (folder, ".") == 0
+                              ? g_strdup (model)
+                              : g_build_filename (folder, model, NULL);
+  return qn_project_load (model_path != NULL ? model_path : beside, NULL, &study->project,
+                          &root->reader->error);
+}
+
+static gboolean
+read_document (const QnJsonValue *root, const char *path, const char *model_path,
+               QnStudy *study)
+{
+  const char *title = NULL;
+  int run = 0;
+  if (!check_format (root) || !qn_member_string (root, "title", QN_OPTIONAL, &title)
+      || !qn_member_choice (root, "run", QN_REQUIRED, qn_study_run_name,
+                            QN_STUDY_RUN_COUNT, &run))
+    return FALSE;
+  study->title = g_strdup (title);
+  study->run = (QnStudyRun) run;
+  return read_model (root, path, model_path, study) && read_parameters (root, study)
+         && read_plan (root, study) && read_correlation (root, study)
+         && read_outputs (root, study);
+}
+
+gboolean
+qn_study_read (const char *path, const char *model_path, QnStudy *study, GError **error)
+{
+  QnJsonProblem problem = { 0 };
+  qn_study_init (study);
+  /* Errors of GSL come back as values that are checked; it must not end the program. */
+  gsl_set_error_handler_off ();
+  study->name = g_strdup (path);
+  study->text = qn_file_read (path, &study->length, error);
+  if (study->text == NULL) {
+    qn_study_clear (study);
+    return FALSE;
+  }
+  QnReader reader = { .name = study->name,
+                      .text = study->text,
+                      .length = study->length,
+                      .warnings = study->warnings };
+  cJSON *document = qn_json_parse (study->text, study->length, &problem);
+  if (document == NULL) {
+    reader.error = qn_json_problem_to_error (&problem, study->name, study->text);
+  } else {
+    QnJsonValue root = qn_json_value_root (&reader, document);
+    read_document (&root, path, model_path, study);
+  }
+  g_free (problem.path);
+  cJSON_Delete (document);
+  if (reader.error != NULL) {
+    g_propagate_error (error, reader.error);
+    qn_study_clear (study);
+    return FALSE;
+  }
+  g_autoptr (GChecksum) sum = g_checksum_new (G_CHECKSUM_SHA256);
+  g_checksum_update (sum, (const guchar *) study->text, (gssize) study->length);
+  g_checksum_update (sum, (const guchar *) study->project.sha256, -1);
+  study->sha256 = g_strdup (g_checksum_get_string (sum));
+  return TRUE;
+}

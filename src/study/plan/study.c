@@ -1,0 +1,130 @@
+#include "study/plan/study.h"
+
+#include <math.h>
+
+const char *
+qn_study_run_name (int run)
+{
+  static const char *const names[QN_STUDY_RUN_COUNT] = {
+    [QN_STUDY_SOLVE] = "solve",
+    [QN_STUDY_LIMIT] = "limit",
+    [QN_STUDY_MODAL] = "modal",
+  };
+  return names[run];
+}
+
+const char *
+qn_plan_kind_name (int kind)
+{
+  static const char *const names[QN_PLAN_COUNT] = {
+    [QN_PLAN_GRID] = "grid",
+    [QN_PLAN_ONE_AT_A_TIME] = "one-at-a-time",
+    [QN_PLAN_MONTE_CARLO] = "monte-carlo",
+    [QN_PLAN_LATIN_HYPERCUBE] = "latin-hypercube",
+    [QN_PLAN_SOBOL] = "sobol",
+  };
+  return names[kind];
+}
+
+const char *
+qn_study_output_name (int output)
+{
+  static const char *const names[QN_STUDY_OUTPUT_COUNT] = {
+    [QN_STUDY_COLLAPSE_MULTIPLIER] = "collapse_multiplier",
+    [QN_STUDY_ASSOCIATIVE_MULTIPLIER] = "associative_multiplier",
+    [QN_STUDY_FIRST_LIMIT_MULTIPLIER] = "first_limit_multiplier",
+    [QN_STUDY_LOWER_BOUND] = "lower_bound",
+    [QN_STUDY_UPPER_BOUND] = "upper_bound",
+    [QN_STUDY_MECHANISM_KIND] = "mechanism_kind",
+    [QN_STUDY_LAST_MULTIPLIER] = "last_multiplier",
+    [QN_STUDY_LARGEST_DISPLACEMENT] = "largest_displacement",
+    [QN_STUDY_STEPS] = "steps",
+    [QN_STUDY_ITERATIONS] = "iterations",
+    [QN_STUDY_FREQUENCY_1] = "frequency_1",
+    [QN_STUDY_FREQUENCY_2] = "frequency_2",
+    [QN_STUDY_FREQUENCY_3] = "frequency_3",
+    [QN_STUDY_FREQUENCY_4] = "frequency_4",
+    [QN_STUDY_FREQUENCY_5] = "frequency_5",
+    [QN_STUDY_FREQUENCY_6] = "frequency_6",
+  };
+  return names[output];
+}
+
+gsize
+qn_parameter_level_count (const QnParameter *parameter)
+{
+  return parameter->distribution.kind == QN_DISTRIBUTION_DISCRETE
+           ? parameter->distribution.count
+           : parameter->levels;
+}
+
+double
+qn_parameter_level (const QnParameter *parameter, gsize level)
+{
+  const QnDistribution *d = &parameter->distribution;
+  if (d->kind == QN_DISTRIBUTION_DISCRETE)
+    return d->values[level];
+  return qn_distribution_quantile (d, ((double) level + 0.5) / parameter->levels);
+}
+
+/* Beyond the most that a study may have, one more than that. */
+gsize
+qn_study_case_count (const QnStudy *study)
+{
+  gsize count = study->plan == QN_PLAN_GRID, width = study->parameters->len;
+  switch (study->plan) {
+  case QN_PLAN_GRID:
+    for (gsize i = 0; i < width && count <= QN_STUDY_MAX_CASES; i++)
+      count *= qn_parameter_level_count (qn_study_parameter (study, i));
+    break;
+  case QN_PLAN_ONE_AT_A_TIME:
+    count = 1;
+    for (gsize i = 0; i < width; i++)
+      count += qn_parameter_level_count (qn_study_parameter (study, i));
+    break;
+  case QN_PLAN_MONTE_CARLO:
+  case QN_PLAN_LATIN_HYPERCUBE:
+    count = study->count;
+    break;
+  case QN_PLAN_SOBOL:
+    count = study->count * (width + 2);
+    break;
+  case QN_PLAN_COUNT:
+    g_assert_not_reached ();
+  }
+  return MIN (count, QN_STUDY_MAX_CASES + 1);
+}
+
+static void
+clear_parameter (gpointer data)
+{
+  QnParameter *parameter = data;
+  g_free (parameter->name);
+  g_strfreev (parameter->paths);
+  qn_distribution_clear (&parameter->distribution);
+}
+
+void
+qn_study_init (QnStudy *study)
+{
+  *study = (QnStudy){ .seed = 1 };
+  study->parameters = g_array_new (FALSE, TRUE, sizeof (QnParameter));
+  g_array_set_clear_func (study->parameters, clear_parameter);
+  study->outputs = g_array_new (FALSE, FALSE, sizeof (QnStudyOutput));
+  study->warnings = g_ptr_array_new_with_free_func (g_free);
+}
+
+void
+qn_study_clear (QnStudy *study)
+{
+  g_free (study->name);
+  g_free (study->title);
+  g_free (study->text);
+  g_free (study->sha256);
+  g_free (study->correlation);
+  qn_project_clear (&study->project);
+  g_clear_pointer (&study->parameters, g_array_unref);
+  g_clear_pointer (&study->outputs, g_array_unref);
+  g_clear_pointer (&study->warnings, g_ptr_array_unref);
+  *study = (QnStudy){ 0 };
+}

@@ -1,0 +1,118 @@
+/* Studies: a project, what is uncertain in it, and which cases are to be computed.
+ *
+ * The format of the file (*.quoin-study) is described key by key in data/study-format.md. A study
+ * that has been read is sound: the project reads, every path leads to a number of it, and the
+ * plan has as many cases as QN_STUDY_MAX_CASES at most.
+ */
+#ifndef QN_STUDY_STUDY_H
+#define QN_STUDY_STUDY_H
+
+#include "io/project/project.h"
+#include "study/plan/distribution.h"
+
+/* Most cases of a plan, most parameters, and most values of one parameter. */
+#define QN_STUDY_MAX_CASES      1000000
+#define QN_STUDY_MAX_PARAMETERS 100
+#define QN_STUDY_MAX_VALUES     10000
+
+typedef enum {
+  QN_STUDY_SOLVE,
+  QN_STUDY_LIMIT,
+  QN_STUDY_MODAL,
+  QN_STUDY_RUN_COUNT
+} QnStudyRun;
+
+typedef enum {
+  QN_PLAN_GRID,            /* every level of one with every level of all others */
+  QN_PLAN_ONE_AT_A_TIME,   /* the project as it is, then each parameter by itself */
+  QN_PLAN_MONTE_CARLO,     /* independent points */
+  QN_PLAN_LATIN_HYPERCUBE, /* one point in each of `count` layers of every parameter */
+  QN_PLAN_SOBOL,           /* Saltelli's plan on a Sobol sequence, for Sobol indices */
+  QN_PLAN_COUNT
+} QnPlanKind;
+
+/* What is kept of a case. */
+typedef enum {
+  QN_STUDY_COLLAPSE_MULTIPLIER,
+  QN_STUDY_ASSOCIATIVE_MULTIPLIER,
+  QN_STUDY_FIRST_LIMIT_MULTIPLIER,
+  QN_STUDY_LOWER_BOUND,
+  QN_STUDY_UPPER_BOUND,
+  QN_STUDY_MECHANISM_KIND, /* a word */
+  QN_STUDY_LAST_MULTIPLIER,
+  QN_STUDY_LARGEST_DISPLACEMENT, /* m, of any block at the last step */
+  QN_STUDY_STEPS,
+  QN_STUDY_ITERATIONS,
+  QN_STUDY_FREQUENCY_1, /* Hz; the lowest frequencies of a modal run */
+  QN_STUDY_FREQUENCY_2,
+  QN_STUDY_FREQUENCY_3,
+  QN_STUDY_FREQUENCY_4,
+  QN_STUDY_FREQUENCY_5,
+  QN_STUDY_FREQUENCY_6,
+  QN_STUDY_OUTPUT_COUNT
+} QnStudyOutput;
+
+typedef struct QnParameter {
+  char *name;   /* owned */
+  char **paths; /* owned: what is set in the project, all to the same value */
+  QnDistribution distribution;
+  guint levels;   /* of a continuous distribution in plans by levels; 0: not given */
+  gboolean whole; /* values are rounded to whole numbers */
+  double base;    /* the project's own value at the first path; NaN where it has none */
+} QnParameter;
+
+typedef struct QnStudy {
+  char *name;  /* what messages call the file */
+  char *title; /* nullable */
+  char *text;  /* the file's bytes */
+  gsize length;
+  char *sha256; /* of these bytes and those of the project, hexadecimal */
+
+  QnProject project; /* as it is, without any parameter */
+
+  QnStudyRun run;
+  GArray *parameters;  /* of QnParameter */
+  double *correlation; /* of ranks: square matrix of the parameters; NULL: independent */
+  QnPlanKind plan;
+  guint count; /* of random plans: points; sobol: of the base sample */
+  guint seed;
+  GArray *outputs;     /* of QnStudyOutput, each once */
+  GPtrArray *warnings; /* of char *, as those of a project */
+} QnStudy;
+
+const char *qn_study_run_name (int run);
+const char *qn_plan_kind_name (int kind);
+const char *qn_study_output_name (int output);
+
+/* Reads a study file, and the project that it names relative to its own folder; or that at
+ * `model_path`, where this is not NULL. `study` is overwritten without being cleared and holds
+ * nothing on failure. Errors: QN_IO_ERROR. */
+gboolean qn_study_read (const char *path, const char *model_path, QnStudy *study,
+                        GError **error);
+
+/* Without parameters; for those who fill one themselves. */
+void qn_study_init (QnStudy *study);
+
+void qn_study_clear (QnStudy *study);
+
+/* Number of cases of the plan. */
+gsize qn_study_case_count (const QnStudy *study);
+
+/* Levels of a parameter in plans by levels: the values of a list, or quantiles in the middle of
+ * equal shares. */
+gsize qn_parameter_level_count (const QnParameter *parameter);
+double qn_parameter_level (const QnParameter *parameter, gsize level);
+
+static inline const QnParameter *
+qn_study_parameter (const QnStudy *study, gsize index)
+{
+  return &g_array_index (study->parameters, QnParameter, index);
+}
+
+static inline QnStudyOutput
+qn_study_output (const QnStudy *study, gsize index)
+{
+  return g_array_index (study->outputs, QnStudyOutput, index);
+}
+
+#endif

@@ -1,0 +1,136 @@
+#include "study/report/table.h"
+
+#include "io/text/file-writer.h"
+#include "study/cases/folder.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct Reading {
+  QnTable *table;
+  GArray *numbers; /* of double */
+} Reading;
+
+static void
+clear_row (gpointer data)
+{
+  QnRow *row = data;
+  g_free (row->outcome);
+  g_free (row->reason);
+  g_free (row->mechanism);
+}
+
+static gboolean
+take_row (gsize index, const double *values, const QnCaseResult *result, gpointer data)
+{
+  Reading *reading = data;
+  const QnStudy *study = reading->table->study;
+  QnRow row = { .index = index,
+                .failed = result->failed,
+                .outcome = g_strdup (result->outcome),
+                .reason = g_strdup (result->reason),
+                .mechanism = g_strdup (result->mechanism) };
+  g_array_append_val (reading->table->rows, row);
+  g_array_append_vals (reading->numbers, values, study->parameters->len);
+  for (guint i = 0; i < study->outputs->len; i++)
+    g_array_append_val (reading->numbers, result->numbers[qn_study_output (study, i)]);
+  return TRUE;
+}
+
+gboolean
+qn_table_read (QnTable *table, const QnStudy *study, const char *folder, GError **error)
+{
+  g_autofree char *path = qn_folder_dup_database (folder, (QnShard){ 0, 1 });
+  Reading reading = { table, g_array_new (FALSE, FALSE, sizeof (double)) };
+  *table = (QnTable){ .study = study,
+                      .rows = g_array_new (FALSE, FALSE, sizeof (QnRow)),
+                      .parameters = study->parameters->len,
+                      .width = study->parameters->len + study->outputs->len };
+  g_array_set_clear_func (table->rows, clear_row);
+  QnStore *store = qn_store_open (path, study, FALSE, error);
+  gboolean ok = store != NULL && qn_store_read (store, take_row, &reading, error);
+  qn_store_close (store);
+  table->numbers = (double *) (void *) g_array_free (reading.numbers, FALSE);
+  if (!ok)
+    qn_table_clear (table);
+  return ok;
+}
+
+void
+qn_table_clear (QnTable *table)
+{
+  g_clear_pointer (&table->rows, g_array_unref);
+  g_free (table->numbers);
+  *table = (QnTable){ 0 };
+}
+
+const char *
+qn_table_column_name (const QnTable *table, gsize column)
+{
+  return column < table->parameters ? qn_study_parameter (table->study, column)->name
+                                    : qn_study_output_name ((int) qn_study_output (
+                                      table->study, column - table->parameters));
+}
+
+int
+qn_table_find (const QnTable *table, const char *name)
+{
+  for (gsize i = 0; i < table->width; i++)
+    if (strcmp (qn_table_column_name (table, i), name) == 0)
+      return (int) i;
+  return -1;
+}
+
+/* In quotes where the text asks for them. */
+static void
+write_text (QnFileWriter *writer, const char *text)
+{
+  if (text == NULL)
+    return;
+  if (strpbrk (text, ",\"\r\n") == NULL) {
+    qn_file_writer_puts (writer, text);
+    return;
+  }
+  g_auto (GStrv) parts = g_strsplit (text, "\"", -1);
+  g_autofree char *doubled = g_strjoinv ("\"\"", parts);
+  qn_file_writer_printf (writer, "\"%s\"", doubled);
+}
+
+static void
+write_row (QnFileWriter *writer, const QnTable *table, gsize i)
+{
+  const QnRow *row = &g_array_index (table->rows, QnRow, i);
+  qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, row->index + 1);
+  for (gsize k = 0; k < table->width; k++) {
+    double number = qn_table_number (table, i, k);
+    qn_file_writer_puts (writer, ",");
+    if (k >= table->parameters
+        && qn_study_output (table->study, k - table->parameters)
+             == QN_STUDY_MECHANISM_KIND)
+      write_text (writer, row->mechanism);
+    else if (!isnan (number))
+      qn_file_writer_number (writer, number);
+  }
+  qn_file_writer_puts (writer, row->failed ? ",failed," : ",done,");
+  write_text (writer, row->outcome);
+  qn_file_writer_puts (writer, ",");
+  write_text (writer, row->reason);
+  qn_file_writer_puts (writer, "\n");
+}
+
+gboolean
+qn_table_write (const QnTable *table, const char *path, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_puts (writer, "case");
+  for (gsize i = 0; i < table->width; i++) {
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, qn_table_column_name (table, i));
+  }
+  qn_file_writer_puts (writer, ",status,outcome,reason\n");
+  for (gsize i = 0; i < table->rows->len && !qn_file_writer_failed (writer); i++)
+    write_row (writer, table, i);
+  return qn_file_writer_commit (writer, error);
+}

@@ -1,0 +1,334 @@
+/* quoin-cli study: cases on several processes, what remains after a kill, what is refused. */
+#include "cli-run.h"
+
+#include <signal.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* A study of the sliding block, whose file lies beside its project. */
+static char *
+write_study (const char *folder, const char *plan)
+{
+  g_free (cli_write (folder, "block.quoin", cli_sliding_block));
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"block.quoin\",\n"
+    "  \"run\": \"limit\", \"parameters\": [\n"
+    "    { \"name\": \"friction\", \"path\": \"laws[0].friction\", \"levels\": 5,\n"
+    "      \"distribution\": { \"kind\": \"uniform\", \"min\": 0.2, \"max\": 0.4 } } ],\n"
+    "  \"plan\": %s, \"outputs\": [\"collapse_multiplier\", \"mechanism_kind\"] }\n",
+    plan);
+  return cli_write (folder, "block.quoin-study", text);
+}
+
+static char *
+table_of (const char *folder)
+{
+  CliRun run = cli_run ("study", "table", folder, NULL);
+  cli_assert_done (&run);
+  char *table = g_steal_pointer (&run.out);
+  cli_run_clear (&run);
+  return table;
+}
+
+/* Starts a run in the background. */
+static GPid
+start (const char *study, const char *folder, const char *jobs)
+{
+  const char *command[] = { g_getenv ("QUOIN_CLI"),
+                            "study",
+                            "run",
+                            study,
+                            "-o",
+                            folder,
+                            "--jobs",
+                            jobs,
+                            "--quiet",
+                            NULL };
+  GPid child;
+  g_autoptr (GError) error = NULL;
+  g_spawn_async (NULL, (char **) command, NULL, G_SPAWN_DO_NOT_REAP_CHILD, NULL, NULL,
+                 &child, &error);
+  g_assert_no_error (error);
+  return child;
+}
+
+/* Waits until the database holds rows. */
+static void
+wait_for_rows (const char *folder)
+{
+  gboolean found = FALSE;
+  while (!found) {
+    CliRun run = cli_run ("study", "table", folder, NULL);
+    found = strstr (run.out, ",done,") != NULL;
+    cli_run_clear (&run);
+  }
+}
+
+static int
+finish (GPid child)
+{
+  int status;
+  g_assert_cmpint (waitpid (child, &status, 0), ==, child);
+  return WIFEXITED (status) ? WEXITSTATUS (status) : 128 + WTERMSIG (status);
+}
+
+/* One worker or three, or slices gathered: the same table. */
+static void
+test_any_number_of_workers (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study =
+    write_study (folder, "{ \"kind\": \"latin-hypercube\", \"count\": 60, \"seed\": 4 }");
+  g_autofree char *one = g_build_filename (folder, "one", NULL);
+  g_autofree char *three = g_build_filename (folder, "three", NULL);
+  g_autofree char *sliced = g_build_filename (folder, "sliced", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", one, "-j", "1", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "60 of 60 cases"));
+  cli_run_clear (&run);
+  run = cli_run ("study", "run", study, "-o", three, "-j", "3", "--quiet", NULL);
+  cli_assert_done (&run);
+  g_assert_cmpstr (run.out, ==, "");
+  cli_run_clear (&run);
+  static const char *const slices[] = { "2/3", "1/3", "3/3" };
+  for (gsize i = 0; i < G_N_ELEMENTS (slices); i++) {
+    run = cli_run ("study", "run", study, "-o", sliced, "--shard", slices[i], NULL);
+    cli_assert_done (&run);
+    g_assert_nonnull (strstr (run.out, "20 of 20 cases"));
+    cli_run_clear (&run);
+    /* Gathering is safe to repeat, and before all slices are there. */
+    run = cli_run ("study", "gather", sliced, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+  }
+  g_autofree char *first = table_of (one), *second = table_of (three);
+  g_autofree char *third = table_of (sliced);
+  g_assert_cmpstr (first, ==, second);
+  g_assert_cmpstr (first, ==, third);
+  g_assert_true (g_str_has_prefix (
+    first, "case,friction,collapse_multiplier,mechanism_kind,status,outcome,reason\n"));
+  test_scratch_free (folder);
+}
+
+/* Killed in the middle, the same command goes on; interrupted, it says so. */
+static void
+test_goes_on (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study =
+    write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 3000 }");
+  g_autofree char *whole = g_build_filename (folder, "whole", NULL);
+  g_autofree char *parts = g_build_filename (folder, "parts", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", whole, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+
+  GPid child = start (study, parts, "2");
+  wait_for_rows (parts);
+  g_assert_cmpint (kill (child, SIGKILL), ==, 0);
+  g_assert_cmpint (finish (child), ==, 128 + SIGKILL);
+  /* Reading in between does no harm. */
+  g_autofree char *part = table_of (parts);
+  g_assert_nonnull (strstr (part, ",done,"));
+
+  child = start (study, parts, "1");
+  g_usleep (100000);
+  kill (child, SIGINT);
+  int code = finish (child);
+  g_assert_true (code == 130 || code == 0 || code == 128 + SIGINT);
+
+  run = cli_run ("study", "run", study, "-o", parts, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "3000 of 3000 cases"));
+  cli_run_clear (&run);
+  g_autofree char *first = table_of (whole), *second = table_of (parts);
+  g_assert_cmpstr (first, ==, second);
+  test_scratch_free (folder);
+}
+
+/* The first process that the given one has started; 0 where there is none. */
+static GPid
+child_of (GPid parent)
+{
+  g_autofree char *path =
+    g_strdup_printf ("/proc/%d/task/%d/children", (int) parent, (int) parent);
+  g_autofree char *text = NULL;
+  if (!g_file_get_contents (path, &text, NULL, NULL))
+    return 0;
+  return (GPid) g_ascii_strtoll (text, NULL, 10);
+}
+
+/* Whether a process has been started as a worker by now. */
+static gboolean
+is_worker (GPid pid)
+{
+  g_autofree char *path = g_strdup_printf ("/proc/%d/cmdline", (int) pid), *text = NULL;
+  gsize length = 0;
+  if (!g_file_get_contents (path, &text, &length, NULL))
+    return FALSE;
+  for (gsize i = 0; i + 6 < length; i++)
+    if (memcmp (text + i, "worker", 6) == 0)
+      return TRUE;
+  return FALSE;
+}
+
+/* A process that dies takes one case with it, whose row says how; --retry computes it again. */
+static void
+test_worker_dies (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study =
+    write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 3000 }");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  GPid child = start (study, results, "1"), victim;
+  wait_for_rows (results);
+  while ((victim = child_of (child)) == 0 || !is_worker (victim)) {
+    g_assert_cmpint (waitpid (child, NULL, WNOHANG), ==, 0);
+    g_usleep (1000);
+  }
+  g_assert_cmpint (kill (victim, SIGKILL), ==, 0);
+  g_assert_cmpint (finish (child), ==, 0);
+
+  g_autofree char *table = table_of (results);
+  const char *failed = strstr (table, ",failed,");
+  g_assert_nonnull (failed);
+  g_assert_nonnull (strstr (failed, "signal 9"));
+  g_assert_null (strstr (failed + 1, ",failed,"));
+
+  CliRun run = cli_run ("study", "run", study, "-o", results, "--retry", NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *mended = table_of (results);
+  g_assert_null (strstr (mended, ",failed,"));
+  test_scratch_free (folder);
+}
+
+static void
+test_two_at_once (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study =
+    write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 20000 }");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  GPid child = start (study, results, "1");
+  wait_for_rows (results);
+  CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
+  cli_assert_failed (&run, 5, "study.db: another process");
+  kill (child, SIGKILL);
+  finish (child);
+  test_scratch_free (folder);
+}
+
+static void
+test_another_study (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
+  CliRun run = cli_run ("study", "run", study, "-o", results, "--prepare", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "5 cases to compute"));
+  cli_run_clear (&run);
+  g_free (write_study (folder, "{ \"kind\": \"one-at-a-time\" }"));
+  run = cli_run ("study", "run", study, "-o", results, NULL);
+  cli_assert_failed (&run, 3, "another study");
+  test_scratch_free (folder);
+}
+
+static void
+test_bad_folder (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
+  CliRun run = cli_run ("study", "run", study, "-o", "/proc/nowhere", NULL);
+  cli_assert_failed (&run, 5, "/proc/nowhere");
+  run = cli_run ("study", "run", study, "-o", study, NULL);
+  cli_assert_failed (&run, 5, NULL);
+  run = cli_run ("study", "table", folder, NULL);
+  cli_assert_failed (&run, 5, "study.quoin-study");
+  test_scratch_free (folder);
+}
+
+static void
+test_bad_usage (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
+  CliRun run = cli_run ("study", NULL);
+  cli_assert_failed (&run, 2, "action");
+  run = cli_run ("study", "walk", NULL);
+  cli_assert_failed (&run, 2, "walk");
+  run = cli_run ("study", "run", study, NULL);
+  cli_assert_failed (&run, 2, "-o");
+  run = cli_run ("study", "run", study, "-o", "x", "--shard", "4/3", NULL);
+  cli_assert_failed (&run, 2, "--shard");
+  run = cli_run ("study", "run", study, "-o", "x", "--jobs", "-1", NULL);
+  cli_assert_failed (&run, 2, "--jobs");
+  g_autofree char *bad = cli_write (folder, "bad.quoin-study", "{ \"format\": 3 }");
+  run = cli_run ("study", "run", bad, "-o", "x", NULL);
+  cli_assert_failed (&run, 3, "bad.quoin-study:1:13: format: ");
+  test_scratch_free (folder);
+}
+
+/* A kept result is one that the other subcommands read. */
+static void
+test_keep (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", results, "--keep", NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *kept =
+    g_build_filename (results, "results", "case-0000003.json", NULL);
+  g_autofree char *model = g_build_filename (results, "model.quoin", NULL);
+  g_autofree char *picture = g_build_filename (folder, "p.png", NULL);
+  run = cli_run ("render", model, "--result", kept, "--view", "mechanism", "-o", picture,
+                 NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
+/* A full disk, here a limit on the size of files: one error, and what was committed stays. */
+static void
+test_full_disk (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *study =
+    write_study (folder, "{ \"kind\": \"monte-carlo\", \"count\": 3000 }");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  g_autofree char *command =
+    g_strdup_printf ("ulimit -f 100; exec '%s' study run '%s' -o '%s' -j 1",
+                     g_getenv ("QUOIN_CLI"), study, results);
+  const char *shell[] = { "/bin/sh", "-c", command, NULL };
+  CliRun run = { 0 };
+  int status;
+  g_assert_true (g_spawn_sync (NULL, (char **) shell, NULL, G_SPAWN_DEFAULT, NULL, NULL,
+                               &run.out, &run.err, &status, NULL));
+  run.code = WEXITSTATUS (status);
+  cli_assert_failed (&run, 5, "study.db: ");
+  run = cli_run ("study", "run", study, "-o", results, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "3000 of 3000 cases"));
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/study/any-number-of-workers", test_any_number_of_workers);
+  g_test_add_func ("/cli/study/goes-on", test_goes_on);
+  g_test_add_func ("/cli/study/worker-dies", test_worker_dies);
+  g_test_add_func ("/cli/study/two-at-once", test_two_at_once);
+  g_test_add_func ("/cli/study/another-study", test_another_study);
+  g_test_add_func ("/cli/study/bad-folder", test_bad_folder);
+  g_test_add_func ("/cli/study/bad-usage", test_bad_usage);
+  g_test_add_func ("/cli/study/keep", test_keep);
+  g_test_add_func ("/cli/study/full-disk", test_full_disk);
+  return g_test_run ();
+}

@@ -1,0 +1,194 @@
+/* Plans: which points they have, and that they are the same everywhere. */
+#include "core/base/integer.h"
+#include "study/fixture.h"
+#include "study/plan/correlation.h"
+#include "study/plan/sample.h"
+
+#include <gsl/gsl_statistics.h>
+#include <math.h>
+#include <string.h>
+
+static void
+sample_of (QnSample *sample, const char *plan, const char *more)
+{
+  QnStudy study;
+  fixture_study (&study, plan, more);
+  qn_sample_init (sample, &study);
+  qn_study_clear (&study);
+}
+
+static void
+assert_case (const QnSample *sample, gsize index, double friction, double weight)
+{
+  const double *values = qn_sample_case (sample, index);
+  g_assert_cmpfloat_with_epsilon (values[0], friction, 1e-11);
+  g_assert_cmpfloat_with_epsilon (values[1], weight, 1e-6);
+}
+
+static void
+test_grid (void)
+{
+  QnSample sample;
+  sample_of (&sample, "{ \"kind\": \"grid\" }", "");
+  g_assert_cmpuint (sample.count, ==, 9);
+  assert_case (&sample, 0, 0.3, 10000);
+  assert_case (&sample, 1, 0.3, 15000);
+  assert_case (&sample, 3, 0.5, 10000);
+  assert_case (&sample, 8, 0.7, 20000);
+  qn_sample_clear (&sample);
+}
+
+static void
+test_one_at_a_time (void)
+{
+  QnSample sample;
+  sample_of (&sample, "{ \"kind\": \"one-at-a-time\" }", "");
+  g_assert_cmpuint (sample.count, ==, 7);
+  const double friction = qn_sample_case (&sample, 0)[0];
+  const double weight = qn_sample_case (&sample, 0)[1];
+  assert_case (&sample, 1, 0.3, weight);
+  assert_case (&sample, 3, 0.7, weight);
+  assert_case (&sample, 4, friction, 10000);
+  assert_case (&sample, 6, friction, 20000);
+  qn_sample_clear (&sample);
+}
+
+/* Every layer of the interval 0.2 … 0.8 holds one point. */
+static void
+assert_layers (const QnSample *sample)
+{
+  g_autofree guint8 *taken = g_new0 (guint8, sample->count);
+  for (gsize i = 0; i < sample->count; i++) {
+    double u = (qn_sample_case (sample, i)[0] - 0.2) / 0.6;
+    gsize layer = (gsize) qn_to_integer (u * (double) sample->count, 0, G_MAXINT32);
+    g_assert_cmpuint (layer, <, sample->count);
+    g_assert_cmpuint (taken[layer]++, ==, 0);
+  }
+}
+
+static double
+rank_correlation (const QnSample *sample)
+{
+  g_autofree double *work = g_new (double, 2 * sample->count);
+  return gsl_stats_spearman (sample->values, 2, sample->values + 1, 2, sample->count,
+                             work);
+}
+
+static void
+test_layers (void)
+{
+  QnSample sample;
+  sample_of (&sample, "{ \"kind\": \"latin-hypercube\", \"count\": 500, \"seed\": 3 }",
+             "");
+  assert_layers (&sample);
+  g_assert_cmpfloat (fabs (rank_correlation (&sample)), <, 0.15);
+  qn_sample_clear (&sample);
+}
+
+/* Of uniform marginals: the friction's, and the weight's three steps. */
+static void
+test_correlated (void)
+{
+  static const char *const plans[] = { "monte-carlo", "latin-hypercube" };
+  for (gsize i = 0; i < G_N_ELEMENTS (plans); i++) {
+    g_autofree char *plan =
+      g_strdup_printf ("{ \"kind\": \"%s\", \"count\": 4000, \"seed\": 5 }", plans[i]);
+    const double wanted[] = { 1, 0.6, 0.6, 1 };
+    g_autofree double *points = g_new (double, 8000);
+    gsl_rng *random = gsl_rng_alloc (gsl_rng_mt19937);
+    g_autofree double *work = g_new (double, 8000);
+    for (gsize k = 0; k < 8000; k++)
+      points[k] = gsl_rng_uniform_pos (random);
+    if (i == 0)
+      qn_correlation_copula (wanted, 2, points, 4000);
+    else
+      qn_correlation_reorder (wanted, 2, points, 4000, random);
+    g_assert_cmpfloat_with_epsilon (
+      gsl_stats_spearman (points, 2, points + 1, 2, 4000, work), 0.6,
+      i == 0 ? 0.03 : 0.005);
+    gsl_rng_free (random);
+
+    QnSample sample;
+    sample_of (&sample, plan, ", \"correlation\": [[\"friction\", \"weight\", 0.6]]");
+    g_assert_cmpfloat_with_epsilon (rank_correlation (&sample), 0.57, 0.04);
+    if (i == 1)
+      assert_layers (&sample);
+    qn_sample_clear (&sample);
+  }
+}
+
+static void
+test_saltelli (void)
+{
+  QnSample sample;
+  sample_of (&sample, "{ \"kind\": \"sobol\", \"count\": 64, \"seed\": 1 }", "");
+  g_assert_cmpuint (sample.count, ==, 64 * 4);
+  for (gsize i = 0; i < 64; i++) {
+    const double *a = qn_sample_case (&sample, 4 * i), *b = a + 2;
+    g_assert_true (a[4] == b[0] && a[5] == a[1]); /* a with the friction of b */
+    g_assert_true (a[6] == a[0] && a[7] == b[1]);
+  }
+  qn_sample_clear (&sample);
+}
+
+/* The same seed gives these numbers on every machine; another seed gives others. */
+static void
+test_known_numbers (void)
+{
+  static const struct {
+    const char *plan;
+    double friction[3];
+  } known[] = {
+    { "monte-carlo", { 0.450213199062, 0.632194693573, 0.200068628648 } },
+    { "latin-hypercube", { 0.349928038655, 0.361006691941, 0.74270667322 } },
+    { "sobol", { 0.750213199062, 0.332194693573, 0.332194693573 } },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (known); i++) {
+    QnSample sample, other;
+    g_autofree char *plan =
+      g_strdup_printf ("{ \"kind\": \"%s\", \"count\": 8, \"seed\": 1 }", known[i].plan);
+    g_autofree char *next =
+      g_strdup_printf ("{ \"kind\": \"%s\", \"count\": 8, \"seed\": 2 }", known[i].plan);
+    sample_of (&sample, plan, "");
+    sample_of (&other, next, "");
+    for (gsize k = 0; k < 3; k++) {
+      g_assert_cmpfloat (qn_sample_case (&sample, k)[0], ==, known[i].friction[k]);
+    }
+    g_assert_true (
+      memcmp (sample.values, other.values, sample.count * sample.width * sizeof (double))
+      != 0);
+    qn_sample_clear (&sample);
+    qn_sample_clear (&other);
+  }
+}
+
+static void
+test_whole (void)
+{
+  QnStudy study;
+  QnSample sample;
+  fixture_study (&study, "{ \"kind\": \"monte-carlo\", \"count\": 50 }", "");
+  QnParameter *parameter = &g_array_index (study.parameters, QnParameter, 0);
+  parameter->whole = TRUE;
+  parameter->distribution.max = 20.4;
+  qn_sample_init (&sample, &study);
+  for (gsize i = 0; i < sample.count; i++)
+    g_assert_cmpfloat (qn_sample_case (&sample, i)[0], ==,
+                       rint (qn_sample_case (&sample, i)[0]));
+  qn_sample_clear (&sample);
+  qn_study_clear (&study);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/study/sample/grid", test_grid);
+  g_test_add_func ("/study/sample/one-at-a-time", test_one_at_a_time);
+  g_test_add_func ("/study/sample/layers", test_layers);
+  g_test_add_func ("/study/sample/correlated", test_correlated);
+  g_test_add_func ("/study/sample/saltelli", test_saltelli);
+  g_test_add_func ("/study/sample/known-numbers", test_known_numbers);
+  g_test_add_func ("/study/sample/whole", test_whole);
+  return g_test_run ();
+}
