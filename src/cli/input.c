@@ -8,9 +8,13 @@
 static QnExit
 detect_contacts (QnInput *input)
 {
+  const QnModel *model = &input->project.model;
   QnDiag diag = { 0 };
   GError *error = NULL;
-  if (qn_contacts_detect (&input->project.model, &input->contacts, &diag) == QN_OK)
+  if (model->block_count == 0 && model->beam_count == 0)
+    qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks",
+                       0);
+  else if (qn_contacts_detect (model, &input->contacts, &diag) == QN_OK)
     return QN_EXIT_DONE;
   qn_project_set_error (&input->project, &diag, &error);
   return qn_cli_fail (error);

@@ -5,9 +5,9 @@
  *
  * builds one structure and finds its contacts once: what runs under callgrind. */
 #include "bench/scaling-case.h"
+#include "support/instructions.h"
 #include "support/models.h"
 
-#include <glib/gstdio.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
@@ -43,48 +43,30 @@ number_after (const char *text, const char *word)
   return g_ascii_strtod (digits, NULL);
 }
 
-/* Blocks, and instructions within qn_contacts_detect. */
-static void
-count_work (const char *valgrind, const char *kind, int asked, double *blocks,
-            double *instructions)
+/* Blocks, and instructions within qn_contacts_detect; FALSE where none can be counted here. */
+static gboolean
+count_work (const char *kind, int asked, double *blocks, double *instructions)
 {
-  g_autofree char *folder = g_dir_make_tmp ("quoin-work-XXXXXX", NULL);
-  g_autofree char *path = g_build_filename (folder, "callgrind.out", NULL);
-  g_autofree char *out_file = g_strconcat ("--callgrind-out-file=", path, NULL);
   g_autofree char *number = g_strdup_printf ("%d", asked);
-  const char *arguments[] = {
-    valgrind, "--quiet", "--tool=callgrind", "--toggle-collect=qn_contacts_detect",
-    out_file, self,      "--detect",         kind,
-    number,   NULL
-  };
-  g_autofree char *said = NULL, *counted = NULL;
-  g_autoptr (GError) error = NULL;
-  int status;
-  g_spawn_sync (NULL, (char **) arguments, NULL, G_SPAWN_DEFAULT, NULL, NULL, &said, NULL,
-                &status, &error);
-  g_assert_no_error (error);
-  g_spawn_check_wait_status (status, &error);
-  g_assert_no_error (error);
-  g_file_get_contents (path, &counted, NULL, &error);
-  g_assert_no_error (error);
+  const char *const arguments[] = { self, "--detect", kind, number, NULL };
+  g_autofree char *said = NULL;
+  *instructions = count_instructions (arguments, "qn_contacts_detect", &said);
+  if (*instructions == 0)
+    return FALSE;
   *blocks = number_after (said, "blocks");
-  *instructions = number_after (counted, "totals");
-  g_remove (path);
-  g_rmdir (folder);
+  return TRUE;
 }
 
 static void
 test_growth (gconstpointer data)
 {
   const char *kind = data;
-  g_autofree char *valgrind = g_find_program_in_path ("valgrind");
   double blocks[2], instructions[2];
-  if (valgrind == NULL) {
-    g_test_skip ("valgrind is not installed");
+  if (!count_work (kind, 1000, &blocks[0], &instructions[0])) {
+    g_test_skip ("instructions cannot be counted here");
     return;
   }
-  count_work (valgrind, kind, 1000, &blocks[0], &instructions[0]);
-  count_work (valgrind, kind, 25000, &blocks[1], &instructions[1]);
+  count_work (kind, 25000, &blocks[1], &instructions[1]);
   double growth = log (instructions[1] / instructions[0]) / log (blocks[1] / blocks[0]);
   g_test_message ("%s: %.0f and %.0f instructions a block, exponent %.3f", kind,
                   instructions[0] / blocks[0], instructions[1] / blocks[1], growth);

@@ -34,6 +34,7 @@ static const BadInput bad_inputs[] = {
   { "unknown-law", "\"law\": \"joint\"", "\"law\": \"mortar\"", "mortar", 3 },
   { "unknown-kind", "\"coulomb\"", "\"treacle\"", "laws[0].kind", 3 },
   { "unknown-placement", "\"ends\"", "\"middle\"", "contact.pairs.placement", 3 },
+  { "no-blocks", "\"blocks\": [", "\"blocks\": [], \"guides\": [", "blocks", 3 },
   { "two-vertices", "[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]", "[[0, 0], [1, 0]]",
     "blocks[1].vertices", 3 },
   { "zero-area", "[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]", "[[0, 0], [1, 0], [2, 0]]",

@@ -21,4 +21,7 @@ void wait_for_job (QnDocument *document);
 /* Solves by the document's own procedure and returns the run, borrowed. */
 QnRun *solve_example (QnDocument *document);
 
+/* Aborts where the state of a document differs from what its text reads back as. */
+void check_state (QnDocument *document);
+
 #endif

@@ -55,11 +55,14 @@ beam_length (const QnModel *model, size_t index)
 }
 
 /* The upper median of the square roots of the areas: one huge foundation or a crowd of small
- * wedges does not move it. Without blocks that of the lengths of beams. */
+ * wedges does not move it. Without blocks that of the lengths of beams; 0 for an empty model. */
 static QnStatus
 derive_characteristic_length (QnModel *model, QnDiag *diag)
 {
   size_t count = model->block_count > 0 ? model->block_count : model->beam_count;
+  model->characteristic_length = 0;
+  if (count == 0)
+    return QN_OK;
   double *sizes = qn_alloc (count, sizeof *sizes);
   if (sizes == NULL)
     return qn_diag_no_memory (diag);
@@ -80,9 +83,6 @@ qn_model_prepare (QnModel *model, QnDiag *diag)
     status = qn_model_expand_beams (model, diag);
   if (status != QN_OK)
     return status;
-  if (model->block_count == 0 && model->beam_count == 0)
-    return qn_diag_set_field (diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
-                              "blocks", 0);
   if (model->block_count > QN_MAX_BLOCKS)
     return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_BLOCKS, QN_ENTITY_MODEL, QN_NONE,
                               "blocks", (double) model->block_count);

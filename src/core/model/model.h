@@ -329,7 +329,8 @@ QnId qn_model_find_beam (const QnModel *model, const char *name);
 
 /* Expands walls, orients polygons counter-clockwise, computes areas, centroids and weights,
  * and checks every number and reference that can be checked without contacts. The first
- * problem found is reported; the model may only be cleared then. */
+ * problem found is reported; the model may only be cleared then. A model without blocks and beams
+ * is legal; qn_contacts_require_sound() refuses to analyse it. */
 QnStatus qn_model_prepare (QnModel *model, QnDiag *diag);
 
 /* Bodies are what has degrees of freedom: the blocks, then the nodes. A node that rides on a

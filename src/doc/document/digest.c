@@ -14,18 +14,17 @@ masonry_alone (const QnProject *project)
 }
 
 char *
-qn_model_digest_like (const QnProject *project, const char *text)
+qn_model_digest_like (const QnProject *project, const QnProjectText *text)
 {
   QnProject bare = *project;
   bare.extras = masonry_alone (project);
   bare.model.title = NULL;
-  gsize length = 0;
-  g_autofree char *canonical = text != NULL
-                                 ? qn_project_to_text_like (&bare, project, text, &length)
-                                 : qn_project_to_text (&bare, &length);
+  QnProjectText *canonical = qn_project_write (&bare, project, text);
   qn_project_extras_free (bare.extras);
-  return g_compute_checksum_for_data (G_CHECKSUM_SHA256, (const guchar *) canonical,
-                                      length);
+  char *digest = g_compute_checksum_for_data (
+    G_CHECKSUM_SHA256, (const guchar *) canonical->text, canonical->length);
+  qn_project_text_free (canonical);
+  return digest;
 }
 
 char *

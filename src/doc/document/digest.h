@@ -8,7 +8,7 @@
  * figures make a result or a figure stale. Free with g_free(). */
 char *qn_model_digest (const QnProject *project);
 
-/* The same, quicker where the project's text in the canonical layout is at hand. */
-char *qn_model_digest_like (const QnProject *project, const char *text);
+/* The same, quicker where the project's text is at hand. */
+char *qn_model_digest_like (const QnProject *project, const QnProjectText *text);
 
 #endif

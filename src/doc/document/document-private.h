@@ -8,8 +8,8 @@ struct _QnDocument {
   GObject parent_instance;
 
   char *path;
-  char *text; /* the state; see document.h */
-  QnProject project;
+  QnProject project;   /* the state; its digest is computed when it is asked for */
+  QnProjectText *text; /* what it is written as: for the history and for files */
   QnContacts contacts;
   char *fingerprint; /* see below; NULL: to be computed */
   char *file_digest; /* of the file as it was read or written; NULL: not known */

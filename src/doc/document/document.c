@@ -26,19 +26,11 @@ static const char empty_text[] =
   " \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.65, \"cohesion\": 0, \"tension\": 0,"
   " \"dilatancy\": 0 } ],\n"
   "  \"contact\": { \"law\": \"dry joint\", \"tolerance\": 1e-6,"
-  " \"pairs\": { \"placement\": \"ends\", \"offset\": 0 } },\n"
+  " \"pairs\": { \"placement\": \"ends\", \"offset\": 0 } }, \"blocks\": [],\n"
   "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],\n"
   "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },\n"
   "  \"analysis\": { \"procedure\": \"load\", \"geometry\": \"linear\","
   " \"increments\": 100 } }\n";
-
-/* An empty drawing is no valid project. It is read with this block, which is taken away
- * again before anybody sees it. */
-static const char *const placeholder[] = {
-  "blocks=[{\"name\":\"placeholder\",\"vertices\":[[0,0],[1,0],[1,1],[0,1]],"
-  "\"thickness\":1,\"unit_weight\":0}]",
-  NULL
-};
 
 void
 qn_document_emit (QnDocument *self, QnDocumentSignal signal)
@@ -49,38 +41,9 @@ qn_document_emit (QnDocument *self, QnDocumentSignal signal)
 /* ---- state ---- */
 
 static gboolean
-is_empty_drawing (const char *text)
-{
-  return strstr (text, "\"vertices\"") == NULL && strstr (text, "\"courses\"") == NULL
-         && strstr (text, "\"masonry\"") == NULL && strstr (text, "\"beams\"") == NULL;
-}
-
-static gboolean
 parse (const char *text, const char *name, QnProject *project, GError **error)
 {
-  if (!is_empty_drawing (text))
-    return qn_project_parse (text, strlen (text), name, NULL, project, error);
-
-  if (!qn_project_parse (text, strlen (text), name, placeholder, project, error))
-    return FALSE;
-  g_clear_pointer (&project->overrides, g_strfreev);
-  gboolean drop[] = { TRUE };
-  if (!qn_edit_rebuild (&project->model, drop, error)) {
-    qn_project_clear (project);
-    return FALSE;
-  }
-  return TRUE;
-}
-
-/* The same for a text that may differ little from the present one. */
-static gboolean
-parse_next (QnDocument *self, const char *text, const char *name, QnProject *project,
-            GError **error)
-{
-  return (self->text != NULL
-          && qn_project_parse_like (text, strlen (text), name, &self->project, self->text,
-                                    project))
-         || parse (text, name, project, error);
+  return qn_project_parse (text, strlen (text), name, NULL, project, error);
 }
 
 /* Contacts of the model that is to follow the document's present one. */
@@ -96,21 +59,21 @@ detect (QnDocument *self, const QnModel *model, QnContacts *contacts, GError **e
   return FALSE;
 }
 
-/* Takes over `project` (cleared on failure) as the state whose text is `text`. */
+/* Takes over `project` (cleared on failure) as the state, and `text`, what it is written as. */
 static gboolean
-adopt (QnDocument *self, QnProject *project, char *text, GError **error)
+adopt (QnDocument *self, QnProject *project, QnProjectText *text, GError **error)
 {
   QnContacts contacts;
   if (!detect (self, &project->model, &contacts, error)) {
     qn_project_clear (project);
-    g_free (text);
+    qn_project_text_free (text);
     return FALSE;
   }
   QnProject old = self->project;
   QnContacts old_contacts = self->contacts;
   self->project = *project;
   self->contacts = contacts;
-  g_free (self->text);
+  qn_project_text_free (self->text);
   self->text = text;
   g_clear_pointer (&self->fingerprint, g_free);
   qn_selection_follow (self->selection, &old.model, &old_contacts, &self->project.model,
@@ -127,19 +90,22 @@ name_in_messages (QnDocument *self)
   return self->path != NULL ? self->path : _ ("Untitled");
 }
 
-/* Makes `text` (taken over) the state; the history is the caller's business. */
+/* Makes a text of the history (taken over) the state. */
 static gboolean
-restore (QnDocument *self, char *text)
+go_back_to (QnDocument *self, char *text)
 {
   QnProject project;
   g_autoptr (GError) error = NULL;
-  if (!parse_next (self, text, name_in_messages (self), &project, &error)) {
-    /* The text was accepted when it was made. */
+  if (!parse (text, name_in_messages (self), &project, &error)) {
+    /* The text was written from a state. */
     g_critical ("history: %s", error->message);
     g_free (text);
     return FALSE;
   }
-  return adopt (self, &project, text, NULL);
+  QnProjectText *state = g_new0 (QnProjectText, 1);
+  state->text = text;
+  state->length = strlen (text);
+  return adopt (self, &project, state, NULL);
 }
 
 const char *
@@ -171,7 +137,7 @@ qn_document_finalize (GObject *object)
   g_clear_pointer (&self->run, qn_run_unref);
   g_ptr_array_unref (self->runs);
   g_free (self->path);
-  g_free (self->text);
+  qn_project_text_free (self->text);
   g_free (self->fingerprint);
   g_free (self->file_digest);
   G_OBJECT_CLASS (qn_document_parent_class)->finalize (object);
@@ -213,7 +179,7 @@ qn_document_new (void)
   g_autoptr (GError) error = NULL;
   if (!parse (empty_text, _ ("Untitled"), &project, &error))
     g_error ("%s", error->message);
-  adopt (self, &project, qn_project_to_text (&project, NULL), NULL);
+  adopt (self, &project, qn_project_write (&project, NULL, NULL), NULL);
   return self;
 }
 
@@ -224,7 +190,7 @@ static gboolean
 begin (QnDocument *self, QnProject *project, const char *path, GError **error)
 {
   /* The history starts from the canonical text, whatever the file looks like. */
-  if (!adopt (self, project, qn_project_to_text (project, NULL), error))
+  if (!adopt (self, project, qn_project_write (project, NULL, NULL), error))
     return FALSE;
   qn_document_drop_job (self);
   g_clear_error (&self->job_error);
@@ -265,7 +231,7 @@ adopt_history (QnDocument *self, const char *json)
   self->keeps_history = json != NULL;
   if (json == NULL)
     return;
-  QnHistory *history = qn_history_from_json (json, self->text);
+  QnHistory *history = qn_history_from_json (json, self->text->text);
   if (history != NULL) {
     qn_history_free (self->history);
     self->history = history;
@@ -337,8 +303,8 @@ static char *
 dup_file_text (QnDocument *self, GError **error)
 {
   if (!self->keeps_history)
-    return g_strdup (self->text);
-  g_autofree char *json = qn_history_to_json (self->history, self->text);
+    return g_strdup (self->text->text);
+  g_autofree char *json = qn_history_to_json (self->history, self->text->text);
   struct cJSON *extras =
     qn_project_extras_with (&self->project, QN_HISTORY_MEMBER, json, error);
   if (extras == NULL)
@@ -393,7 +359,7 @@ qn_document_get_path (QnDocument *self)
 const char *
 qn_document_get_text (QnDocument *self)
 {
-  return self->text;
+  return self->text->text;
 }
 
 char *
@@ -433,6 +399,8 @@ qn_document_get_contacts (QnDocument *self)
 const QnProject *
 qn_document_get_project (QnDocument *self)
 {
+  if (self->project.sha256 == NULL)
+    self->project.sha256 = digest_file (self->text->text, self->text->length);
   return &self->project;
 }
 
@@ -444,35 +412,22 @@ qn_document_get_selection (QnDocument *self)
 
 /* ---- edits ---- */
 
-/* Reads `text` (taken over) as the next state and makes it a step of the history. */
+/* Makes a draft (cleared on failure) the state and a step of the history. */
 static gboolean
-step_to (QnDocument *self, const char *name, const char *key, char *text, GError **error)
+step_to (QnDocument *self, const char *name, const char *key, QnProject *draft,
+         GError **error)
 {
-  if (strcmp (text, self->text) == 0) {
-    g_free (text);
+  QnProjectText *text = qn_project_write (draft, &self->project, self->text);
+  if (strcmp (text->text, self->text->text) == 0) {
+    qn_project_text_free (text);
+    qn_project_clear (draft);
     return TRUE;
   }
-  QnProject project;
-  if (!parse_next (self, text, name_in_messages (self), &project, error)) {
-    g_free (text);
+  g_autofree char *before = g_strdup (self->text->text);
+  if (!adopt (self, draft, text, error))
     return FALSE;
-  }
-  g_autofree char *before = g_strdup (self->text);
-  if (!adopt (self, &project, text, error))
-    return FALSE;
-  qn_history_record (self->history, name, key, before, self->text);
+  qn_history_record (self->history, name, key, before, self->text->text);
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
-  return TRUE;
-}
-
-/* Files hold free blocks before walls; an edit may have appended some behind. */
-static gboolean
-put_free_blocks_first (QnModel *model, GError **error)
-{
-  for (gsize i = 1; i < model->block_count; i++) {
-    if (model->blocks[i].wall == QN_NONE && model->blocks[i - 1].wall != QN_NONE)
-      return qn_edit_rebuild (model, NULL, error);
-  }
   return TRUE;
 }
 
@@ -480,23 +435,18 @@ gboolean
 qn_document_edit_project (QnDocument *self, const char *name, const char *key,
                           QnProjectEditFunc func, gpointer user_data, GError **error)
 {
-  QnProject draft = self->project;
-  QnDiag diag = { 0 };
-  /* No member has an empty name: this is a plain copy. */
-  draft.extras = qn_project_extras_with (&self->project, "", NULL, error);
-  if (draft.extras == NULL)
+  QnProject draft;
+  if (!qn_project_copy (&self->project, &draft, error))
     return FALSE;
-  if (qn_model_copy (&self->project.model, &draft.model, &diag) != QN_OK) {
-    qn_project_extras_free (draft.extras);
-    return qn_edit_no_memory (error);
+  g_free (draft.name);
+  draft.name = g_strdup (name_in_messages (self));
+  /* Numbers entities as a file that is read. */
+  if (!func (&draft, user_data, error) || !qn_edit_rebuild (&draft.model, NULL, error)
+      || !qn_project_prepare (&draft, error)) {
+    qn_project_clear (&draft);
+    return FALSE;
   }
-  gboolean done =
-    func (&draft, user_data, error) && put_free_blocks_first (&draft.model, error);
-  char *text =
-    done ? qn_project_to_text_like (&draft, &self->project, self->text, NULL) : NULL;
-  qn_model_clear (&draft.model);
-  qn_project_extras_free (draft.extras);
-  return done && step_to (self, name, key, text, error);
+  return step_to (self, name, key, &draft, error);
 }
 
 typedef struct ModelEdit {
@@ -520,24 +470,20 @@ qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFun
 }
 
 gboolean
-qn_document_edit_text (QnDocument *self, const char *name, const char *text,
-                       GError **error)
-{
-  return step_to (self, name, NULL, g_strdup (text), error);
-}
-
-gboolean
 qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
                         const char *member, const char *json, GError **error)
 {
-  struct cJSON *extras = qn_project_extras_with (&self->project, member, json, error);
-  if (extras == NULL)
+  QnProject draft;
+  if (!qn_project_copy (&self->project, &draft, error))
     return FALSE;
-  QnProject draft = self->project;
+  struct cJSON *extras = qn_project_extras_with (&draft, member, json, error);
+  if (extras == NULL) {
+    qn_project_clear (&draft);
+    return FALSE;
+  }
+  qn_project_extras_free (draft.extras);
   draft.extras = extras;
-  char *text = qn_project_to_text_like (&draft, &self->project, self->text, NULL);
-  qn_project_extras_free (extras);
-  return step_to (self, name, key, text, error);
+  return step_to (self, name, key, &draft, error);
 }
 
 char *
@@ -555,33 +501,30 @@ qn_document_get_history (QnDocument *self)
 static gboolean
 walk (QnDocument *self, gboolean back)
 {
-  char *text = back ? qn_history_undo (self->history, self->text)
-                    : qn_history_redo (self->history, self->text);
-  return text != NULL && restore (self, text);
+  char *text = back ? qn_history_undo (self->history, self->text->text)
+                    : qn_history_redo (self->history, self->text->text);
+  gboolean done = text != NULL && go_back_to (self, text);
+  if (done)
+    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return done;
 }
 
 gboolean
 qn_document_undo (QnDocument *self)
 {
-  gboolean done = walk (self, TRUE);
-  if (done)
-    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
-  return done;
+  return walk (self, TRUE);
 }
 
 gboolean
 qn_document_redo (QnDocument *self)
 {
-  gboolean done = walk (self, FALSE);
-  if (done)
-    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
-  return done;
+  return walk (self, FALSE);
 }
 
 void
 qn_document_go_to (QnDocument *self, guint position)
 {
-  g_autofree char *text = g_strdup (self->text);
+  g_autofree char *text = g_strdup (self->text->text);
   while (qn_history_get_position (self->history) != position) {
     gboolean back = qn_history_get_position (self->history) > position;
     char *next = back ? qn_history_undo (self->history, text)
@@ -591,6 +534,6 @@ qn_document_go_to (QnDocument *self, guint position)
     g_free (text);
     text = next;
   }
-  restore (self, g_steal_pointer (&text));
+  go_back_to (self, g_steal_pointer (&text));
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
 }

@@ -1,9 +1,10 @@
 /* A document: one project with its history, its selection and its analyses.
  *
- * The state of a document is the text of its project file. Every edit works on a copy of the
- * model, is written as text and read back through the same door as a file; so an edit that
- * would make an invalid project is refused with the reason and leaves everything as it was,
- * undo needs no code per command, and what is on the screen is what a file would give.
+ * The state of a document is its project with the prepared model, and the model may be empty. Every
+ * edit works on a copy, which is then prepared like a project that was read: an edit that would make
+ * an invalid project is refused with the reason and leaves everything as it was. The project is
+ * written as text after every edit; the history keeps the differences of these texts, so that undo
+ * needs no code per command.
  *
  * Signals, all without arguments:
  *   "changed"       the model is another one: edited, undone, loaded
@@ -60,6 +61,7 @@ void qn_document_set_keeps_history (QnDocument *document, gboolean keeps);
 gboolean qn_document_get_keeps_history (QnDocument *document);
 
 const char *qn_document_get_path (QnDocument *document); /* NULL: never saved */
+/* The project as it would be written, without the history. */
 const char *qn_document_get_text (QnDocument *document);
 char *qn_document_dup_display_name (QnDocument *document);
 gboolean qn_document_is_modified (QnDocument *document);
@@ -93,10 +95,6 @@ typedef gboolean (*QnProjectEditFunc) (QnProject *draft, gpointer user_data,
 gboolean qn_document_edit_project (QnDocument *document, const char *name,
                                    const char *key, QnProjectEditFunc func,
                                    gpointer user_data, GError **error);
-
-/* Replaces everything by the text of another project, as an undoable step. */
-gboolean qn_document_edit_text (QnDocument *document, const char *name, const char *text,
-                                GError **error);
 
 /* Replaces a top-level member that the model does not hold (view, figures, …), as an
  * undoable step; `json` is the new value or NULL to remove it. */

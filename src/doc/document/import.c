@@ -73,18 +73,24 @@ add_blocks (QnModel *model, gpointer data, GError **error)
   return TRUE;
 }
 
+/* What lies behind an empty drawing stays. */
+static gboolean
+replace_model (QnModel *model, gpointer data, GError **error)
+{
+  QnModel copy;
+  if (qn_model_copy (data, &copy, NULL) != QN_OK)
+    return qn_edit_no_memory (error);
+  qn_model_clear (model);
+  *model = copy;
+  return TRUE;
+}
+
 gboolean
 qn_document_import (QnDocument *document, const QnProject *imported, GError **error)
 {
   g_autofree char *base = g_path_get_basename (imported->name);
   g_autofree char *step = g_strdup_printf (_ ("Import %s"), base);
-  if (qn_document_get_model (document)->block_count > 0)
-    return qn_document_edit (document, step, NULL, add_blocks,
-                             (gpointer) &imported->model, error);
-
-  /* What lies behind an empty drawing stays. */
-  QnProject draft = *imported;
-  draft.extras = qn_document_get_project (document)->extras;
-  g_autofree char *text = qn_project_to_text (&draft, NULL);
-  return qn_document_edit_text (document, step, text, error);
+  gboolean drawn = qn_document_get_model (document)->block_count > 0;
+  return qn_document_edit (document, step, NULL, drawn ? add_blocks : replace_model,
+                           (gpointer) &imported->model, error);
 }

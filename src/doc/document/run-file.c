@@ -41,7 +41,7 @@ qn_document_write_result (QnDocument *self, const QnRun *run, const char *path,
   if (qn_document_is_stale (self, run))
     return refuse (error, _ ("The model has changed since this run: solve it again, or "
                              "undo the changes, before its result is kept"));
-  QnProject project = self->project;
+  QnProject project = *qn_document_get_project (self);
   g_auto (GStrv) overrides =
     dup_overrides (&run->model.analysis, &self->project.model.analysis);
   project.model = run->model;
@@ -76,7 +76,7 @@ read_project (QnDocument *self, const QnResultFile *file, QnProject *project,
               GError **error)
 {
   const char *name = self->path != NULL ? self->path : _ ("Untitled");
-  return qn_project_parse (self->text, strlen (self->text), name,
+  return qn_project_parse (self->text->text, self->text->length, name,
                            (const char *const *) file->overrides, project, error);
 }
 
@@ -105,9 +105,10 @@ changes_model (const QnResultFile *file)
 static const char *
 fingerprint_of (QnDocument *self, const QnResultFile *file)
 {
-  gboolean same = g_strcmp0 (file->model_sha256, self->project.sha256) == 0
-                  || (!qn_document_is_modified (self)
-                      && g_strcmp0 (file->model_sha256, self->file_digest) == 0);
+  gboolean same =
+    g_strcmp0 (file->model_sha256, qn_document_get_project (self)->sha256) == 0
+    || (!qn_document_is_modified (self)
+        && g_strcmp0 (file->model_sha256, self->file_digest) == 0);
   return same && !changes_model (file) ? qn_document_get_fingerprint (self)
                                        : file->model_sha256;
 }

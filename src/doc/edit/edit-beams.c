@@ -118,14 +118,14 @@ follow_inner_nodes (const QnModel *from, const QnModel *to, QnBeamRebuild *rebui
 gboolean
 qn_edit_copy_beams (const QnModel *from, QnModel *to,
                     QnId (*follow) (gconstpointer data, QnId block), gconstpointer data,
-                    QnBeamRebuild *rebuild)
+                    QnBeamRebuild *rebuild, QnDiag *diag)
 {
   rebuild->nodes = g_new (QnId, from->node_count + 1);
   rebuild->beams = g_new (QnId, from->beam_count + 1);
   for (gsize i = 0; i < from->node_count; i++)
     rebuild->nodes[i] = QN_NONE;
   if (!copy_sections (from, to) || !copy_nodes (from, to, follow, data, rebuild)
-      || !copy_beams (from, to, rebuild) || qn_model_expand_beams (to, NULL) != QN_OK)
+      || !copy_beams (from, to, rebuild) || qn_model_expand_beams (to, diag) != QN_OK)
     return FALSE;
   follow_inner_nodes (from, to, rebuild);
   return TRUE;

@@ -12,10 +12,11 @@ typedef struct QnBeamRebuild {
 /* Copies sections, nodes and beams into a model that has its blocks already, and cuts the beams.
  * follow: the new number of an old block, or QN_NONE. A node goes with its block, a beam with
  * either of its nodes or where it names none, and a node that stands free with the last of its
- * beams. FALSE where memory runs out. Clear the rebuild in either case. */
+ * beams. FALSE where memory runs out or, with the
+ * reason in `diag`, a beam cannot be cut. Clear the rebuild in either case. */
 gboolean qn_edit_copy_beams (const QnModel *from, QnModel *to,
                              QnId (*follow) (gconstpointer data, QnId block),
-                             gconstpointer data, QnBeamRebuild *rebuild);
+                             gconstpointer data, QnBeamRebuild *rebuild, QnDiag *diag);
 
 void qn_beam_rebuild_clear (QnBeamRebuild *rebuild);
 

@@ -67,15 +67,14 @@ copy_laws (Rebuild *r)
   return TRUE;
 }
 
+/* Blocks that the file lists, or those that parametric masonry was laid of. */
 static gboolean
-copy_free_blocks (Rebuild *r, const gboolean *drop)
+copy_blocks (Rebuild *r, gboolean laid, const gboolean *drop)
 {
   for (gsize i = 0; i < r->from->block_count; i++) {
     const QnBlock *old = &r->from->blocks[i];
-    r->blocks[i] = QN_NONE;
-    if (old->wall != QN_NONE || (drop != NULL && drop[i]))
-      continue;
-    if (r->masonry != NULL && old->masonry != QN_NONE)
+    if (old->wall != QN_NONE || laid != (old->masonry != QN_NONE)
+        || (drop != NULL && drop[i]))
       continue;
     QnBlock *block =
       qn_model_add_block (r->to, old->name, qn_model_block_vertices (r->from, (QnId) i),
@@ -223,18 +222,21 @@ follow_node (const Rebuild *r, QnId node)
   return node == QN_NONE ? QN_NONE : r->beams.nodes[node];
 }
 
+/* Set by set, as files list them. */
 static gboolean
 copy_loads (const Rebuild *r, const QnLoad *loads, gsize count,
             QnLoad *(*add) (QnModel *model))
 {
-  for (gsize i = 0; i < count; i++) {
-    QnLoad load = loads[i];
-    if (!follow_load (r, &load))
-      continue;
-    QnLoad *added = add (r->to);
-    if (added == NULL)
-      return FALSE;
-    *added = load;
+  for (int32_t set = 0; set <= (int32_t) r->from->load_set_count; set++) {
+    for (gsize i = 0; i < count; i++) {
+      QnLoad load = loads[i];
+      if (load.set != set || !follow_load (r, &load))
+        continue;
+      QnLoad *added = add (r->to);
+      if (added == NULL)
+        return FALSE;
+      *added = load;
+    }
   }
   return TRUE;
 }
@@ -291,7 +293,7 @@ copy_stages (const Rebuild *r)
 static gboolean
 lay_masonry (const Rebuild *r, GError **error)
 {
-  for (gsize i = 0; r->masonry != NULL && i < r->masonry->count; i++) {
+  for (gsize i = 0; i < r->masonry->count; i++) {
     gsize first = r->to->block_count;
     QnDiag diag = { 0 };
     if (qn_masonry_expand (&r->masonry->items[i], (QnId) i, r->to, &diag) != QN_OK) {
@@ -325,16 +327,19 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
 
   g_autofree QnId *blocks = g_new (QnId, model->block_count + 1);
   g_autofree QnId *walls = g_new (QnId, model->wall_count + 1);
+  for (gsize i = 0; i < model->block_count; i++)
+    blocks[i] = QN_NONE;
   Rebuild r = { model, &fresh, masonry, blocks, walls, { 0 } };
-  gboolean laid = copy_laws (&r) && copy_free_blocks (&r, drop);
-  if (laid && !lay_masonry (&r, error)) {
+  QnDiag diag = { 0 };
+  gboolean laid = copy_laws (&r) && copy_blocks (&r, FALSE, drop);
+  if (laid && masonry != NULL && !lay_masonry (&r, error)) {
     qn_model_clear (&fresh);
     return FALSE;
   }
   gboolean done =
-    laid && copy_walls (&r)
-    && (fresh.wall_count == 0 || qn_model_expand_walls (&fresh, NULL) == QN_OK)
-    && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams)
+    laid && (masonry != NULL || copy_blocks (&r, TRUE, drop)) && copy_walls (&r)
+    && qn_model_expand_walls (&fresh, &diag) == QN_OK
+    && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams, &diag)
     && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
     && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
     && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r);
@@ -343,9 +348,14 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     fresh.analysis.control_node = follow_node (&r, model->analysis.control_node);
   }
   qn_beam_rebuild_clear (&r.beams);
+  if (!done && diag.status == QN_ERROR_INVALID) {
+    g_autofree char *message = qn_explain_diag (&fresh, &diag);
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  } else if (!done)
+    qn_edit_no_memory (error);
   if (!done) {
     qn_model_clear (&fresh);
-    return qn_edit_no_memory (error);
+    return FALSE;
   }
 
   qn_model_clear (model);

@@ -191,15 +191,16 @@ describe_type (const cJSON *value)
   return cJSON_IsBool (value) ? _ ("true or false") : _ ("null");
 }
 
-/* Whether the value is there and of the type that `wanted` describes. */
+/* Whether the value is there and of the type that `wanted` describes; translated only here, for
+ * looking up a translation takes longer than reading a number. */
 static gboolean
 require_type (const QnJsonValue *place, gboolean matches, const char *wanted)
 {
   if (place->json == NULL)
-    return qn_json_value_fail (place, _ ("required key is missing"));
+    return qn_json_value_fail (place, N_ ("required key is missing"));
   if (!matches)
     /* Translators: "expected a number, found a string". */
-    return qn_json_value_failf (place, _ ("expected %s, found %s"), wanted,
+    return qn_json_value_failf (place, _ ("expected %s, found %s"), _ (wanted),
                                 describe_type (place->json));
   return TRUE;
 }
@@ -207,19 +208,19 @@ require_type (const QnJsonValue *place, gboolean matches, const char *wanted)
 gboolean
 qn_json_value_object (const QnJsonValue *place)
 {
-  return require_type (place, cJSON_IsObject (place->json), _ ("an object"));
+  return require_type (place, cJSON_IsObject (place->json), N_ ("an object"));
 }
 
 gboolean
 qn_json_value_array (const QnJsonValue *place)
 {
-  return require_type (place, cJSON_IsArray (place->json), _ ("an array"));
+  return require_type (place, cJSON_IsArray (place->json), N_ ("an array"));
 }
 
 gboolean
 qn_json_value_number (const QnJsonValue *place, QnRange range, double *number)
 {
-  if (!require_type (place, cJSON_IsNumber (place->json), _ ("a number")))
+  if (!require_type (place, cJSON_IsNumber (place->json), N_ ("a number")))
     return FALSE;
 
   double value = place->json->valuedouble;
@@ -283,7 +284,7 @@ qn_member_bool (const QnJsonValue *object, const char *key, QnNeed need, bool *f
   QnJsonValue member = qn_json_value_member (object, key);
   if (member.json == NULL && need == QN_OPTIONAL)
     return TRUE;
-  if (!require_type (&member, cJSON_IsBool (member.json), _ ("true or false")))
+  if (!require_type (&member, cJSON_IsBool (member.json), N_ ("true or false")))
     return FALSE;
   *flag = cJSON_IsTrue (member.json);
   return TRUE;
@@ -304,7 +305,7 @@ qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
   QnJsonValue member = qn_json_value_member (object, key);
   if (member.json == NULL && need == QN_OPTIONAL)
     return TRUE;
-  if (!require_type (&member, cJSON_IsString (member.json), _ ("a string")))
+  if (!require_type (&member, cJSON_IsString (member.json), N_ ("a string")))
     return FALSE;
   *string = member.json->valuestring;
   return TRUE;

@@ -111,15 +111,6 @@ qn_project_keep_inner (QnProject *project, cJSON *unknown)
   return done;
 }
 
-gboolean
-qn_project_has_inner_blocks (const QnProject *project)
-{
-  for (gsize i = 0; i < project->model.block_count; i++)
-    if (project->model.blocks[i].note != 0)
-      return TRUE;
-  return FALSE;
-}
-
 GHashTable *
 qn_project_index_inner (const QnProject *project)
 {

@@ -23,7 +23,4 @@ GHashTable *qn_project_index_inner (const QnProject *project);
 void qn_json_append_inner (GString *json, GHashTable *inner, const char *owner);
 void qn_json_append_note (GString *json, GHashTable *inner, int32_t note);
 
-/* Whether there are such members in any block. */
-gboolean qn_project_has_inner_blocks (const QnProject *project);
-
 #endif

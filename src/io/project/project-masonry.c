@@ -121,3 +121,32 @@ qn_project_has_masonry (const QnProject *project, QnId index)
       return TRUE;
   return FALSE;
 }
+
+void
+qn_project_drop_detached (QnProject *project)
+{
+  QnModel *model = &project->model;
+  cJSON *list = cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
+  gsize count = (gsize) cJSON_GetArraySize (list), kept = 0, index = 0;
+  g_autofree QnId *numbers = g_new (QnId, count + 1);
+  for (gsize i = 0; i < count; i++)
+    numbers[i] = QN_NONE;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (model->blocks[i].masonry != QN_NONE)
+      numbers[model->blocks[i].masonry] = 0;
+
+  for (cJSON *item = list != NULL ? list->child : NULL, *next; item != NULL;
+       item = next) {
+    next = item->next;
+    if (numbers[index] == QN_NONE)
+      cJSON_Delete (cJSON_DetachItemViaPointer (list, item));
+    else
+      numbers[index] = (QnId) kept++;
+    index++;
+  }
+  for (size_t i = 0; i < model->block_count; i++)
+    if (model->blocks[i].masonry != QN_NONE)
+      model->blocks[i].masonry = numbers[model->blocks[i].masonry];
+  if (kept == 0)
+    cJSON_DeleteItemFromObjectCaseSensitive (project->extras, QN_MASONRY_MEMBER);
+}

@@ -1,4 +1,3 @@
-#include "io/project/block-lines.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
 #include "io/project/project-names.h"
@@ -9,6 +8,7 @@
 
 #include <cjson/cJSON.h>
 #include <math.h>
+#include <string.h>
 
 static void
 put_law (GString *json, const char *key, const QnModel *model, QnId law)
@@ -233,9 +233,49 @@ append_head (GString *json, const QnModel *model)
   }
 }
 
+static gboolean
+same_law (const QnModel *a, QnId law_a, const QnModel *b, QnId law_b)
+{
+  if (law_a == QN_NONE || law_b == QN_NONE)
+    return law_a == law_b;
+  return strcmp (a->laws[law_a].name, b->laws[law_b].name) == 0;
+}
+
+/* Whether two blocks are written alike. What the file says of a block besides is not compared. */
+static gboolean
+same_block (const QnModel *a, QnId id_a, const QnModel *b, QnId id_b)
+{
+  const QnBlock *x = &a->blocks[id_a], *y = &b->blocks[id_b];
+  return strcmp (x->name, y->name) == 0 && x->note == 0 && y->note == 0
+         && x->vertex_count == y->vertex_count && x->thickness == y->thickness
+         && x->density == y->density
+         && (x->density >= 0 || x->unit_weight == y->unit_weight)
+         && memcmp (x->support, y->support, sizeof x->support) == 0
+         && same_law (a, x->law, b, y->law)
+         && memcmp (qn_model_block_vertices (a, id_a), qn_model_block_vertices (b, id_b),
+                    (gsize) x->vertex_count * sizeof (QnVec2))
+              == 0;
+}
+
+/* Copies the text of an equal block. FALSE where there is none. */
+static gboolean
+append_same_block (GString *json, const QnModel *model, QnId id, const QnModel *like,
+                   const QnProjectText *like_text)
+{
+  /* Mostly nothing before it has come or gone. */
+  QnId same = id;
+  if ((gsize) id >= like->block_count
+      || strcmp (like->blocks[id].name, model->blocks[id].name) != 0)
+    same = qn_model_find_block (like, model->blocks[id].name);
+  if (same == QN_NONE || !same_block (model, id, like, same))
+    return FALSE;
+  const gsize *place = like_text->blocks[same];
+  g_string_append_len (json, like_text->text + place[0], (gssize) (place[1] - place[0]));
+  return place[1] > place[0];
+}
+
 static void
-append_structure (GString *json, const QnModel *model, GHashTable *inner,
-                  const QnBlockLines *like)
+append_laws (GString *json, const QnModel *model, GHashTable *inner)
 {
   g_string_append (json, "  \"laws\": [");
   for (size_t i = 0; i < model->law_count; i++) {
@@ -243,22 +283,36 @@ append_structure (GString *json, const QnModel *model, GHashTable *inner,
     append_law (json, &model->laws[i]);
     qn_json_append_note (json, inner, model->laws[i].note);
   }
-  g_string_append (json, " ],\n  \"blocks\": [");
-  gboolean first = TRUE;
-  for (size_t i = 0; i < model->block_count && model->blocks[i].wall == QN_NONE; i++) {
-    if (model->blocks[i].masonry != QN_NONE)
+  g_string_append (json, " ],\n");
+}
+
+/* Blocks of walls and of parametric masonry follow from these. */
+static void
+append_blocks (GString *json, const QnModel *model, GHashTable *inner,
+               const QnProject *like, const QnProjectText *like_text, gsize (*places)[2])
+{
+  gboolean first = TRUE, known = like_text != NULL && like_text->blocks != NULL;
+  g_string_append (json, "  \"blocks\": [");
+  for (size_t i = 0; i < model->block_count; i++) {
+    if (model->blocks[i].wall != QN_NONE || model->blocks[i].masonry != QN_NONE)
       continue;
     g_string_append (json, first ? "\n    " : ",\n    ");
     first = FALSE;
-    if (like != NULL && qn_block_lines_append_same (json, like, model, (QnId) i))
-      continue;
-    append_block (json, model, (QnId) i);
-    qn_json_append_note (json, inner, model->blocks[i].note);
+    places[i][0] = json->len;
+    if (!known || !append_same_block (json, model, (QnId) i, &like->model, like_text)) {
+      append_block (json, model, (QnId) i);
+      qn_json_append_note (json, inner, model->blocks[i].note);
+    }
+    places[i][1] = json->len;
   }
   g_string_append (json, " ],\n");
+}
+
+static void
+append_walls (GString *json, const QnModel *model, GHashTable *inner)
+{
   if (model->wall_count == 0)
     return;
-
   g_string_append (json, "  \"walls\": [");
   for (size_t i = 0; i < model->wall_count; i++) {
     g_string_append (json, i > 0 ? ",\n    " : "\n    ");
@@ -294,14 +348,20 @@ append_masonry (GString *json, const QnProject *project, const cJSON *list)
   g_string_append (json, " ]");
 }
 
-static char *
-write_text (const QnProject *project, const QnBlockLines *like, gsize *length)
+QnProjectText *
+qn_project_write (const QnProject *project, const QnProject *like,
+                  const QnProjectText *like_text)
 {
   const QnModel *model = &project->model;
-  GString *json = g_string_sized_new (like != NULL ? like->length + 4096 : 4096);
+  GString *json =
+    g_string_sized_new (like_text != NULL ? like_text->length + 4096 : 4096);
+  QnProjectText *text = g_new0 (QnProjectText, 1);
+  text->blocks = g_malloc0_n (model->block_count + 1, sizeof *text->blocks);
   append_head (json, model);
   GHashTable *inner = qn_project_index_inner (project);
-  append_structure (json, model, inner, like);
+  append_laws (json, model, inner);
+  append_blocks (json, model, inner, like, like_text, text->blocks);
+  append_walls (json, model, inner);
   qn_project_append_beams (json, model, inner);
   append_contact (json, model, inner);
   qn_json_append_inner (json, inner, "contact");
@@ -329,27 +389,29 @@ write_text (const QnProject *project, const QnBlockLines *like, gsize *length)
       qn_json_append_value (json, extra, 2);
   }
   g_string_append (json, "\n}\n");
-  if (length != NULL)
-    *length = json->len;
-  return g_string_free (json, FALSE);
+  text->length = json->len;
+  text->text = g_string_free (json, FALSE);
+  return text;
+}
+
+void
+qn_project_text_free (QnProjectText *text)
+{
+  if (text == NULL)
+    return;
+  g_free (text->text);
+  g_free (text->blocks);
+  g_free (text);
 }
 
 char *
 qn_project_to_text (const QnProject *project, gsize *length)
 {
-  return write_text (project, NULL, length);
-}
-
-char *
-qn_project_to_text_like (const QnProject *project, const QnProject *like,
-                         const char *like_text, gsize *length)
-{
-  QnBlockLines lines;
-  gboolean found = !qn_project_has_inner_blocks (project)
-                   && qn_block_lines_find (&lines, like, like_text);
-  char *text = write_text (project, found ? &lines : NULL, length);
-  if (found)
-    qn_block_lines_clear (&lines);
+  QnProjectText *written = qn_project_write (project, NULL, NULL);
+  char *text = g_steal_pointer (&written->text);
+  if (length != NULL)
+    *length = written->length;
+  qn_project_text_free (written);
   return text;
 }
 

@@ -2,6 +2,8 @@
 
 #include "io/json/json-path.h"
 #include "io/json/json-value.h"
+#include "io/project/project-extras.h"
+#include "io/project/project-masonry.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 
@@ -31,6 +33,38 @@ qn_project_clear (QnProject *project)
   cJSON_Delete (project->extras);
   g_free (project->text);
   *project = (QnProject){ 0 };
+}
+
+gboolean
+qn_project_copy (const QnProject *project, QnProject *copy, GError **error)
+{
+  *copy = (QnProject){ 0 };
+  /* No member has an empty name: this is a plain copy. */
+  cJSON *extras = qn_project_extras_with (project, "", NULL, error);
+  if (extras == NULL)
+    return FALSE;
+  if (qn_model_copy (&project->model, &copy->model, NULL) != QN_OK) {
+    cJSON_Delete (extras);
+    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
+                         _ ("not enough memory"));
+    return FALSE;
+  }
+  copy->extras = extras;
+  copy->name = g_strdup (project->name);
+  copy->path = g_strdup (project->path);
+  copy->warnings = g_ptr_array_ref (project->warnings);
+  return TRUE;
+}
+
+gboolean
+qn_project_prepare (QnProject *project, GError **error)
+{
+  QnDiag diag;
+  qn_project_drop_detached (project);
+  if (qn_model_prepare (&project->model, &diag) == QN_OK)
+    return TRUE;
+  qn_project_set_error (project, &diag, error);
+  return FALSE;
 }
 
 /* Key path of a block that a wall was expanded into: its entry among the courses. Blocks of a

@@ -54,19 +54,33 @@ gboolean qn_project_save (const QnProject *project, const char *path, GError **e
 /* The same as a string; free with g_free(). */
 char *qn_project_to_text (const QnProject *project, gsize *length);
 
-/* The same for a project that differs little from another one whose text, in the canonical layout,
- * is at hand: lines of blocks that are equal are taken from there. It reads back as the same
- * model. */
-char *qn_project_to_text_like (const QnProject *project, const QnProject *like,
-                               const char *like_text, gsize *length);
+/* A project's text in the canonical layout, with the places of its blocks: the text of a project
+ * that differs little is written from it. */
+typedef struct QnProjectText {
+  char *text;
+  gsize length;
+  gsize (
+    *blocks)[2]; /* start and end of every block of the model, equal for those that are
+                         not listed one by one; NULL when unknown */
+} QnProjectText;
 
-/* Reads a text in the canonical layout that differs in single blocks only, of the same names,
- * from that of a project at hand: the model is what qn_project_parse() gives, in a small part of
- * its time. FALSE where the text must be read as a whole, which also tells what is wrong with
- * it; `project` holds nothing then. */
-gboolean qn_project_parse_like (const char *text, gsize length, const char *name,
-                                const QnProject *like, const char *like_text,
-                                QnProject *project);
+/* Writes a project. Blocks that are equal in `like`, whose text is `like_text`, are copied from
+ * there (both nullable). */
+QnProjectText *qn_project_write (const QnProject *project, const QnProject *like,
+                                 const QnProjectText *like_text);
+void qn_project_text_free (QnProjectText *text);
+
+/* ---- editing ---- */
+
+/* A copy of the model and of the members besides it, without text and digest. It shares the
+ * warnings. `copy` is overwritten without being cleared and holds nothing on failure. */
+gboolean qn_project_copy (const QnProject *project, QnProject *copy, GError **error);
+
+/* Completes a project that was changed: parametric masonry that has no blocks any more is left
+ * out, and the model is prepared. FALSE with an error that names the key and the blocks. */
+gboolean qn_project_prepare (QnProject *project, GError **error);
+
+/* ---- messages ---- */
 
 /* Path of the key that an entity of the model comes from: "blocks[3]", "walls[0].courses[2][1]"
  * for a block of a wall, "loads.live[0]". `index` may be QN_NONE. Free with g_free(). */

@@ -128,6 +128,40 @@ test_refused_edit (void)
   g_assert_false (qn_history_can_undo (qn_document_get_history (document)));
 }
 
+static gboolean
+delete_all (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  g_autofree QnId *ids = g_new (QnId, model->block_count);
+  for (gsize i = 0; i < model->block_count; i++)
+    ids[i] = (QnId) i;
+  return qn_edit_delete_blocks (model, (QnBlockSet){ ids, (guint) model->block_count },
+                                error);
+}
+
+/* A drawing from which everything was deleted is one like any other; the words that a file writes
+ * for blocks may stand in a title. */
+static void
+test_deleted (void)
+{
+  static const char *const names[] = { "01-sliding-block.quoin",
+                                       "ferris-tin-loi/wall3.quoin", "12-facade.quoin" };
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "empty.quoin", NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
+    g_autoptr (QnDocument) document = open_example (names[i]);
+    edit (document, set_title, "\"vertices\" and \"courses\"");
+    g_assert_cmpuint (edit (document, delete_all, NULL)->block_count, ==, 0);
+    g_autoptr (GError) error = NULL;
+    g_assert_true (qn_document_save (document, path, &error));
+    g_assert_true (qn_document_load (document, path, &error));
+    check_state (document);
+    g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, 0);
+  }
+  g_unlink (path);
+  g_rmdir (folder);
+}
+
 static gsize
 resident_bytes (void)
 {
@@ -355,6 +389,7 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/document/empty", test_empty);
   g_test_add_func ("/doc/document/save-and-load", test_save_and_load);
   g_test_add_func ("/doc/document/refused-edit", test_refused_edit);
+  g_test_add_func ("/doc/document/deleted", test_deleted);
   g_test_add_func ("/doc/document/thousand-undos", test_thousand_undos);
   g_test_add_func ("/doc/document/gestures-and-signals", test_gestures_and_signals);
   g_test_add_func ("/doc/document/selection-ends-gesture", test_selection_ends_gesture);

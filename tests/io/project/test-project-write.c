@@ -163,6 +163,65 @@ round_trip_text (const char *text)
   qn_project_clear (&project);
 }
 
+/* A project written from the text of another one gives what is written without: blocks that moved,
+ * came, went, changed places or have members of their own. */
+static void
+test_like (void)
+{
+  static const char before[] =
+    "{ \"format\": \"quoin\", \"version\": 1, \"title\": \"a \\\"blocks\\\": [ title\","
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": 0.6 }, { \"name\": \"wet\", \"kind\": \"elastic\", \"kn\": 1e7,"
+    "    \"ks\": 1e7 } ],"
+    "  \"blocks\": ["
+    "    { \"name\": \"a\", \"vertices\": [[0,0],[3,0],[3,1],[0,1]], \"thickness\": 1,"
+    "      \"density\": 2000, \"support\": [true, true, true], \"colour\": 1 },"
+    "    { \"name\": \"b\", \"vertices\": [[0,1],[1,1],[1,2],[0,2]], \"thickness\": 1,"
+    "      \"unit_weight\": 1e4, \"law\": \"wet\" },"
+    "    { \"name\": \"c\", \"vertices\": [[1,1],[2,1],[2,2],[1,2]], \"thickness\": 1,"
+    "      \"unit_weight\": 1e4 } ],"
+    "  \"walls\": [ { \"name\": \"w\", \"origin\": [0, 2], \"unit\": [1, 1],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4, \"courses\": [[1, 1, 1]] } ],"
+    "  \"contact\": { \"law\": \"dry\" } }";
+  static const char *const changes[][2] = {
+    { "[0,2]]", "[0,1.5]]" },
+    { "\"name\": \"b\"", "\"name\": \"x\"" },
+    { "\"law\": \"wet\"", "\"law\": \"dry\"" },
+    { "\"wet\"", "\"damp\"" },
+    { "\"colour\": 1", "\"colour\": 2" },
+    { "\"density\"", "\"unit_weight\"" },
+    { "\"courses\": [[1, 1, 1]]", "\"courses\": [[1, 1], [1, 1]]" },
+    { "{ \"name\": \"c\", \"vertices\": [[1,1],[2,1],[2,2],[1,2]], \"thickness\": 1,"
+      "      \"unit_weight\": 1e4 }",
+      "{ \"name\": \"e\", \"vertices\": [[2,1],[3,1],[3,2],[2,2]], \"thickness\": 1,"
+      " \"unit_weight\": 1 }, { \"name\": \"c\", \"vertices\": [[1,1],[2,1],[2,2],[1,2]],"
+      " \"thickness\": 1, \"unit_weight\": 1e4 }" },
+  };
+  QnProject old;
+  test_parse (before, &old);
+  QnProjectText *old_text = qn_project_write (&old, NULL, NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (changes); i++) {
+    g_auto (GStrv) parts = g_strsplit (before, changes[i][0], -1);
+    g_assert_cmpuint (g_strv_length (parts), >, 1);
+    g_autofree char *after = g_strjoinv (changes[i][1], parts);
+    QnProject project;
+    test_parse (after, &project);
+    g_autofree char *whole = qn_project_to_text (&project, NULL);
+    QnProjectText *text = qn_project_write (&project, &old, old_text);
+    g_assert_cmpstr (text->text, ==, whole);
+    g_assert_cmpuint (text->length, ==, strlen (whole));
+    for (gsize k = 0; k < project.model.block_count; k++) {
+      gboolean listed = project.model.blocks[k].wall == QN_NONE;
+      g_assert_cmpint (text->blocks[k][1] > text->blocks[k][0], ==, listed);
+      g_assert_true (!listed || text->text[text->blocks[k][0]] == '{');
+    }
+    qn_project_text_free (text);
+    qn_project_clear (&project);
+  }
+  qn_project_text_free (old_text);
+  qn_project_clear (&old);
+}
+
 static void
 test_small (void)
 {
@@ -470,6 +529,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/project-write/small", test_small);
+  g_test_add_func ("/project-write/like", test_like);
   g_test_add_func ("/project-write/everything", test_everything);
   g_test_add_func ("/project-write/examples", test_examples);
   g_test_add_func ("/project-write/digits", test_digits);

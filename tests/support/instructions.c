@@ -1,0 +1,59 @@
+#include "support/instructions.h"
+
+#include <glib/gstdio.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED TRUE
+#else
+#define SANITIZED FALSE
+#endif
+
+static double
+total_of (const char *counted)
+{
+  g_autoptr (GRegex) regex = g_regex_new ("(?m)^totals: *(\\d+)", 0, 0, NULL);
+  g_autoptr (GMatchInfo) match = NULL;
+  g_assert_true (g_regex_match (regex, counted, 0, &match));
+  g_autofree char *digits = g_match_info_fetch (match, 1);
+  return g_ascii_strtod (digits, NULL);
+}
+
+double
+count_instructions (const char *const *arguments, const char *function, char **output)
+{
+  g_autofree char *valgrind = g_find_program_in_path ("valgrind");
+  if (output != NULL)
+    *output = NULL;
+  if (SANITIZED || valgrind == NULL)
+    return 0;
+
+  g_autofree char *folder = g_dir_make_tmp ("quoin-work-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "callgrind.out", NULL);
+  g_autofree char *out_file = g_strconcat ("--callgrind-out-file=", path, NULL);
+  g_autofree char *toggle = g_strconcat ("--toggle-collect=", function, NULL);
+  g_autoptr (GPtrArray) command = g_ptr_array_new ();
+  const char *head[] = { valgrind, "--quiet", "--tool=callgrind", toggle, out_file };
+  for (gsize i = 0; i < G_N_ELEMENTS (head); i++)
+    g_ptr_array_add (command, (gpointer) head[i]);
+  for (; *arguments != NULL; arguments++)
+    g_ptr_array_add (command, (gpointer) *arguments);
+  g_ptr_array_add (command, NULL);
+
+  g_autofree char *said = NULL, *counted = NULL;
+  g_autoptr (GError) error = NULL;
+  int status;
+  /* Filling memory with a pattern is no work of the function's. */
+  g_auto (GStrv) environment = g_environ_unsetenv (g_get_environ (), "MALLOC_PERTURB_");
+  g_spawn_sync (NULL, (char **) command->pdata, environment, G_SPAWN_DEFAULT, NULL, NULL,
+                &said, NULL, &status, &error);
+  g_assert_no_error (error);
+  g_spawn_check_wait_status (status, &error);
+  g_assert_no_error (error);
+  g_file_get_contents (path, &counted, NULL, &error);
+  g_assert_no_error (error);
+  g_remove (path);
+  g_rmdir (folder);
+  if (output != NULL)
+    *output = g_steal_pointer (&said);
+  return total_of (counted);
+}

@@ -1,0 +1,15 @@
+/* Counting the instructions of one function, with callgrind: unlike times they are the same however
+ * busy the machine is. */
+#ifndef TESTS_SUPPORT_INSTRUCTIONS_H
+#define TESTS_SUPPORT_INSTRUCTIONS_H
+
+#include <glib.h>
+
+/* Runs a program with its arguments (NULL-terminated) and counts what it executes within a function
+ * and those that it calls. *output (nullable) is what the program printed; free with g_free(). What
+ * fails, fails the test. 0 where nothing can be counted here: without valgrind, or in a program
+ * built with a sanitizer. */
+double count_instructions (const char *const *arguments, const char *function,
+                           char **output);
+
+#endif
