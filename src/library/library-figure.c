@@ -71,13 +71,13 @@ parse_number (const char *value, double least, double *number)
 static bool
 parse_step (const QuoinFigure *figure, const char *value, int32_t *step)
 {
-  double number;
+  guint64 number;
   *step = QN_STEP_LAST;
   if (strcmp (value, "last") == 0)
     return true;
-  if (figure->result == NULL || !parse_number (value, 0, &number)
-      || number != floor (number) || number >= (double) figure->result->result.step_count
-      || number > G_MAXINT32)
+  if (figure->result == NULL
+      || !g_ascii_string_to_unsigned (value, 10, 0, G_MAXINT32, &number, NULL)
+      || number >= figure->result->result.step_count)
     return false;
   *step = (int32_t) number;
   return true;
