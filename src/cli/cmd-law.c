@@ -291,8 +291,9 @@ const QnSubcommand qn_cmd_law = {
   .arguments = "NAME",
   .summary = N_ ("Show how a constitutive law answers a history of elongations"),
   .help =
-    N_ ("NAME is elastic, no-tension, coulomb, bilinear, elastic-plastic, concrete, "
-        "steel or curve, with typical numbers, or a law of the project that --model "
+    N_ ("NAME is elastic, no-tension, coulomb, mohr-coulomb, bilinear, elastic-plastic, "
+        "concrete, steel or curve, with typical numbers, or a law of the project that "
+        "--model "
         "names. Without --plot the table goes to standard output."),
   .run = run,
 };

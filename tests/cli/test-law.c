@@ -4,10 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const kinds[] = { "elastic",         "no-tension",
-                                     "coulomb",         "bilinear",
-                                     "elastic-plastic", "concrete",
-                                     "steel",           "curve" };
+static const char *const kinds[] = { "elastic",  "no-tension",      "coulomb",
+                                     "bilinear", "elastic-plastic", "concrete",
+                                     "steel",    "curve",           "mohr-coulomb" };
 
 /* Every kind has a picture and a table. */
 static void

@@ -1,6 +1,6 @@
 /* Two independent theories, one number: the load path of HybriDFEM and the linear program of
- * limit analysis on generated walls. With dilatancy = friction they agree; with dilatancy 0 the
- * path never passes the associative optimum. */
+ * limit analysis on generated walls. With dilatancy = friction they agree, whether compression is
+ * limited or not; with dilatancy 0 the path never passes the associative optimum. */
 #include "solve.h"
 
 #include "core/limit/limit.h"
@@ -10,6 +10,9 @@
 #include <math.h>
 
 #define FRICTION 0.65
+
+/* Limit of compression of a pair, N: less than the largest force without it. */
+#define COMPRESSION 9000
 
 /* Walls of each kind. */
 #define COUNT 5
@@ -68,24 +71,28 @@ make_random_bond (QnModel *model, int seed)
 }
 
 static void
-make (QnModel *model, int number, double dilatancy)
+make (QnModel *model, int number, double dilatancy, double compression)
 {
   if (number < COUNT)
     make_opened (model, number + 1);
   else
     make_random_bond (model, number + 1);
-  for (size_t i = 0; i < model->law_count; i++)
+  for (size_t i = 0; i < model->law_count; i++) {
     model->laws[i].dilatancy = dilatancy;
+    model->laws[i].compression = compression;
+    if (compression > 0)
+      model->laws[i].kind = QN_LAW_MOHR_COULOMB;
+  }
 }
 
 static double
-optimum (int number)
+optimum (int number, double compression)
 {
   QnModel model;
   QnContacts contacts;
   QnLimitSolution solution;
 
-  make (&model, number, 0);
+  make (&model, number, 0, compression);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_limit_associative (&model, &contacts, NULL, NULL, &solution, NULL),
@@ -103,15 +110,34 @@ static void
 test_wall (gconstpointer data)
 {
   int number = GPOINTER_TO_INT (data);
-  double bound = optimum (number);
+  double bound = optimum (number, 0);
   QnModel model;
 
-  make (&model, number, FRICTION);
+  make (&model, number, FRICTION, 0);
   double associative = verify_collapse (&model);
-  make (&model, number, 0);
+  make (&model, number, 0, 0);
   double allowed = model.analysis.multiplier_tolerance;
   double path = verify_collapse (&model);
   g_test_message ("wall %d: limit %.8f, path %.6f with dilatancy, %.6f without",
+                  number + 1, bound, associative, path);
+  g_assert_cmpfloat_with_epsilon (associative, bound, 1e-3 * bound);
+  g_assert_cmpfloat (path, <=, bound * (1 + allowed));
+}
+
+static void
+test_crushed (gconstpointer data)
+{
+  int number = GPOINTER_TO_INT (data);
+  double bound = optimum (number, COMPRESSION);
+  QnModel model;
+
+  g_assert_cmpfloat (bound, <, 0.98 * optimum (number, 0));
+  make (&model, number, FRICTION, COMPRESSION);
+  double associative = verify_collapse (&model);
+  make (&model, number, 0, COMPRESSION);
+  double allowed = model.analysis.multiplier_tolerance;
+  double path = verify_collapse (&model);
+  g_test_message ("wall %d, crushed: limit %.8f, path %.6f with dilatancy, %.6f without",
                   number + 1, bound, associative, path);
   g_assert_cmpfloat_with_epsilon (associative, bound, 1e-3 * bound);
   g_assert_cmpfloat (path, <=, bound * (1 + allowed));
@@ -123,7 +149,10 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   for (int number = 0; number < 2 * COUNT; number++) {
     g_autofree char *path = g_strdup_printf ("/verify/limit-agreement/%d", number + 1);
+    g_autofree char *crushed =
+      g_strdup_printf ("/verify/limit-agreement/crushed/%d", number + 1);
     g_test_add_data_func (path, GINT_TO_POINTER (number), test_wall);
+    g_test_add_data_func (crushed, GINT_TO_POINTER (number), test_crushed);
   }
   return g_test_run ();
 }

@@ -51,8 +51,8 @@ bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committ
                        const double q[2], QnPairResponse *response);
 
 /* What is reported of a phase. Of unequal springs one that is open makes the pair open, else one
- * that slips makes it slip, else one that yields makes it yield. Joints never yield: that is
- * for the plastic branches of members' laws. */
+ * that slips makes it slip, else one that yields makes it yield: on the plastic branch of a member's
+ * law, or being crushed. */
 typedef enum {
   QN_PAIR_STICK,
   QN_PAIR_SLIP,

@@ -69,9 +69,9 @@ coulomb_cap (const QnSpring *s, double t_trial, double g, QnSpringResponse *r)
   }
 }
 
-static void
-evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
-          QnSpringResponse *r)
+void
+qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
+                         const double q[2], QnSpringResponse *r)
 {
   double n_trial = s->kn * (q[0] - committed->opening);
   double t_trial = s->ks * (q[1] - committed->slip);
@@ -92,8 +92,8 @@ evaluate (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
   }
 }
 
-static QnStatus
-check (const QnLaw *law, QnId index, QnDiag *diag)
+QnStatus
+qn_law_coulomb_check (const QnLaw *law, QnId index, QnDiag *diag)
 {
   if (law->dilatancy <= law->friction)
     return QN_OK;
@@ -101,8 +101,8 @@ check (const QnLaw *law, QnId index, QnDiag *diag)
                             index, "dilatancy", law->dilatancy);
 }
 
-static void
-resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+void
+qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   double apex = law->friction > 0 ? law->cohesion / law->friction : INFINITY;
   double left = law->cohesion - law->friction * law->tension;
@@ -114,8 +114,8 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
   spring->cap_strength = law->tension < apex ? left * scale.force : 0;
 }
 
-static int
-strength (const QnSpring *s, QnStrengthRow rows[])
+int
+qn_law_coulomb_strength (const QnSpring *s, QnStrengthRow rows[])
 {
   rows[0] = (QnStrengthRow){ .normal = 1, .limit = s->cap, .opening = 1 };
   rows[1] = (QnStrengthRow){
@@ -134,8 +134,8 @@ static const QnLawParameter parameters[] = {
 const QnLawOps qn_law_ops_coulomb = { .name = "coulomb",
                                       .parameters = parameters,
                                       .parameter_count = QN_N_ELEMENTS (parameters),
-                                      .check = check,
-                                      .resolve = resolve,
-                                      .evaluate = evaluate,
-                                      .strength = strength,
+                                      .check = qn_law_coulomb_check,
+                                      .resolve = qn_law_coulomb_resolve,
+                                      .evaluate = qn_law_coulomb_evaluate,
+                                      .strength = qn_law_coulomb_strength,
                                       .plastic = true };

@@ -7,6 +7,7 @@ qn_law_ops (QnLawKind kind)
     [QN_LAW_ELASTIC] = &qn_law_ops_elastic,
     [QN_LAW_NO_TENSION] = &qn_law_ops_no_tension,
     [QN_LAW_COULOMB] = &qn_law_ops_coulomb,
+    [QN_LAW_MOHR_COULOMB] = &qn_law_ops_mohr_coulomb,
     [QN_LAW_BILINEAR] = &qn_law_ops_bilinear,
     [QN_LAW_ELASTIC_PLASTIC] = &qn_law_ops_elastic_plastic,
     [QN_LAW_CONCRETE] = &qn_law_ops_concrete,

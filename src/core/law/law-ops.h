@@ -51,11 +51,19 @@ const QnLawOps *qn_law_ops (QnLawKind kind);
 extern const QnLawOps qn_law_ops_elastic;
 extern const QnLawOps qn_law_ops_no_tension;
 extern const QnLawOps qn_law_ops_coulomb;
+extern const QnLawOps qn_law_ops_mohr_coulomb;
 extern const QnLawOps qn_law_ops_bilinear;
 extern const QnLawOps qn_law_ops_elastic_plastic;
 extern const QnLawOps qn_law_ops_concrete;
 extern const QnLawOps qn_law_ops_steel;
 extern const QnLawOps qn_law_ops_curve;
+
+/* Coulomb's law, part of others; see law-coulomb.c. */
+QnStatus qn_law_coulomb_check (const QnLaw *law, QnId index, QnDiag *diag);
+void qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring);
+void qn_law_coulomb_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
+                              const double q[2], QnSpringResponse *response);
+int qn_law_coulomb_strength (const QnSpring *spring, QnStrengthRow rows[]);
 
 /* Kinematic hardening in the normal direction, elastic shear; see law-bilinear.c. */
 void qn_law_bilinear_evaluate (const QnSpring *spring, const QnSpringMemory *committed,

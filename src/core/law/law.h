@@ -5,7 +5,7 @@
  * the spring remembers from the last committed step, it returns the force and the consistent
  * tangent. Normal components are positive in opening (tension).
  *
- * Three kinds are joints, whose two directions belong together; the others describe the fibres
+ * Four kinds are joints, whose two directions belong together; the others describe the fibres
  * of a continuous member: nonlinear in the normal direction, linear elastic in shear.
  */
 #ifndef QN_CORE_LAW_H
@@ -20,6 +20,7 @@ typedef enum {
   QN_LAW_ELASTIC,         /* linear in both directions, in tension too */
   QN_LAW_NO_TENSION,      /* linear while closed, nothing while open; no slip limit */
   QN_LAW_COULOMB,         /* friction, cohesion, tension cut-off, dilatancy */
+  QN_LAW_MOHR_COULOMB,    /* the same with a limit of compression */
   QN_LAW_BILINEAR,        /* linear kinematic hardening */
   QN_LAW_ELASTIC_PLASTIC, /* the same without hardening */
   QN_LAW_CONCRETE,        /* parabola and rectangle; tension with a fracture energy */
@@ -48,7 +49,8 @@ typedef struct QnLaw {
                           0 stands for 1 */
   double friction;     /* mu >= 0, tangent of the friction angle */
   double cohesion;     /* c >= 0 */
-  double tension;   /* ft >= 0, tension cut-off; the cone's apex c/mu bounds it as well */
+  double tension; /* ft >= 0, tension cut-off; the cone's apex c/mu bounds it as well */
+  double compression; /* fc > 0, limit of compression, at which a joint is crushed */
   double dilatancy; /* psi, 0 <= psi <= mu: plastic opening per slip; mu = associative */
   double yield;     /* > 0, at which the elastic range first ends */
   double hardening; /* 0 <= r < 1, part of kn that remains beyond yield */
@@ -80,7 +82,7 @@ const QnLawParameter *qn_law_parameters (QnLawKind kind, size_t *count);
 double qn_law_get (const QnLaw *law, const QnLawParameter *parameter);
 double *qn_law_at (QnLaw *law, const QnLawParameter *parameter);
 
-/* The name used in project files: "elastic", "no-tension", "coulomb", "bilinear",
+/* The name used in project files: "elastic", "no-tension", "coulomb", "mohr-coulomb", "bilinear",
  * "elastic-plastic", "concrete", "steel", "curve". */
 const char *qn_law_kind_name (QnLawKind kind);
 const char *qn_basis_name (QnBasis basis);

@@ -21,8 +21,9 @@ typedef struct QnSpring {
     cap; /* largest normal force, N: the lower of cut-off and apex of the cone; tensile
                       strength of concrete */
   double
-    cap_strength;   /* shear strength left at the cap, N; 0 where the apex is the cap */
-  double dilatancy; /* psi */
+    cap_strength;     /* shear strength left at the cap, N; 0 where the apex is the cap */
+  double compression; /* N, largest compression of a joint */
+  double dilatancy;   /* psi */
 
   double yield;     /* N, where the elastic range first ends */
   double hardening; /* part of kn that remains beyond */
@@ -59,8 +60,10 @@ typedef enum {
   QN_PHASE_CURVED,         /* on a branch that is no straight line */
   QN_PHASE_SOFTEN,         /* a crack opens, a bar breaks */
   QN_PHASE_CRACKED,        /* a crack closes or reopens, still carrying tension */
-  QN_PHASE_CRUSH,          /* is being crushed */
-  QN_PHASE_BROKEN,         /* carries nothing any more */
+  QN_PHASE_CRUSH,          /* is being crushed; a joint's shear is elastic meanwhile, */
+  QN_PHASE_CRUSH_SLIP_POSITIVE, /* or slips */
+  QN_PHASE_CRUSH_SLIP_NEGATIVE,
+  QN_PHASE_BROKEN,  /* carries nothing any more */
   QN_PHASE_SEGMENT, /* on a segment of a curve: number added, tension before compression */
   QN_PHASE_COUNT = QN_PHASE_SEGMENT + 2 * (QN_MAX_CURVE_POINTS + 1)
 } QnPhase;

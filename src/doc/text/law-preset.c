@@ -21,6 +21,13 @@ static const QnLawPreset presets[QN_LAW_KIND_COUNT] = {
                        .shear = TRUE,
                        .pressed = -1e-3,
                        TURNS (2e-3, -2e-3, 3e-3, 1e-3) },
+  [QN_LAW_MOHR_COULOMB] = { .law = { .kind = QN_LAW_MOHR_COULOMB,
+                                     .basis = QN_BASIS_SURFACE,
+                                     .kn = 1e10,
+                                     .ks = 5e9,
+                                     .friction = 0.65,
+                                     .compression = 5e6 },
+                            TURNS (-1e-3, 2e-4, -1.5e-3, -1e-3) },
   [QN_LAW_BILINEAR] = { .law = { .kind = QN_LAW_BILINEAR,
                                  .basis = QN_BASIS_MATERIAL,
                                  .kn = 30e9,
@@ -75,13 +82,17 @@ qn_law_preset (QnLawKind kind)
 void
 qn_law_change_kind (QnLaw *law, QnLawKind kind)
 {
+  gboolean rubs = kind == QN_LAW_COULOMB || kind == QN_LAW_MOHR_COULOMB;
   law->kind = kind;
-  if (qn_law_check (law, 0, NULL) == QN_OK
-      && !(kind == QN_LAW_COULOMB && law->friction == 0.0))
+  if (qn_law_check (law, 0, NULL) == QN_OK && !(rubs && law->friction == 0.0))
     return;
   const QnLaw *typical = &presets[kind].law;
   char *name = law->name;
-  if (kind == QN_LAW_COULOMB) {
+  if (kind == QN_LAW_MOHR_COULOMB && law->compression <= 0.0)
+    law->compression = typical->compression;
+  if (rubs && qn_law_check (law, 0, NULL) == QN_OK && law->friction > 0.0)
+    return;
+  if (rubs) {
     law->friction = typical->friction;
     law->dilatancy = 0.0;
     if (qn_law_check (law, 0, NULL) == QN_OK)

@@ -43,6 +43,8 @@ characteristic (const QnLaw *law, double pressed)
   switch (law->kind) {
   case QN_LAW_COULOMB:
     return (law->cohesion - law->friction * law->kn * pressed) / law->ks;
+  case QN_LAW_MOHR_COULOMB:
+    return law->compression / law->kn;
   case QN_LAW_BILINEAR:
   case QN_LAW_ELASTIC_PLASTIC:
     return law->yield / law->kn;

@@ -50,10 +50,13 @@ law_excess (const QnLaw *law, double area, double normal, double shear)
   switch (law->kind) {
   case QN_LAW_NO_TENSION:
     return normal;
-  case QN_LAW_COULOMB: {
+  case QN_LAW_COULOMB:
+  case QN_LAW_MOHR_COULOMB: {
     double slip = fabs (shear) - (factor * law->cohesion - law->friction * normal);
     double opening = normal - factor * law->tension; /* f = |t| + mu n - c, n - ft */
-    return MAX (slip, opening);
+    if (law->kind == QN_LAW_COULOMB)
+      return MAX (slip, opening);
+    return MAX (MAX (slip, opening), -normal - factor * law->compression);
   }
   case QN_LAW_BILINEAR:
   case QN_LAW_CURVE:

@@ -31,17 +31,21 @@ fill_strength (QnJointPoint *point, const QnPairSprings *springs)
 {
   const QnSpring *sides[] = { &springs->a, &springs->b };
   int count = springs->equal ? 1 : 2;
+  point->friction = point->cohesion = point->cap = point->compression = INFINITY;
   for (int i = 0; i < count; i++) {
-    const QnSpring *spring = sides[i];
-    if (spring->kind != QN_LAW_COULOMB)
-      continue;
-    if (!point->has_cone || spring->friction < point->friction)
-      point->friction = spring->friction;
-    if (!point->has_cone || spring->cohesion < point->cohesion)
-      point->cohesion = spring->cohesion;
-    if (!point->has_cone || spring->cap < point->cap)
-      point->cap = spring->cap;
-    point->has_cone = true;
+    QnStrengthRow rows[QN_STRENGTH_ROWS];
+    int row_count = qn_spring_strength (sides[i], rows);
+    for (const QnStrengthRow *row = rows; row < rows + row_count; row++) {
+      if (row->shear > 0) {
+        point->friction = fmin (point->friction, row->normal);
+        point->cohesion = fmin (point->cohesion, row->limit);
+        point->has_cone = true;
+      } else if (row->normal > 0) {
+        point->cap = fmin (point->cap, row->limit);
+      } else {
+        point->compression = fmin (point->compression, row->limit);
+      }
+    }
   }
 }
 
@@ -175,19 +179,22 @@ draw_cones (const Drawing *d, Area a, double press, double pull, double shear)
     const QnJointPoint *p = &d->plot->points[i];
     if (!p->has_cone
         || (last != NULL && last->friction == p->friction && last->cohesion == p->cohesion
-            && last->cap == p->cap))
+            && last->cap == p->cap && last->compression == p->compression))
       continue;
     last = p;
     double cap = fmin (isfinite (p->cap) ? p->cap : pull, pull);
     double at_cap = fmax (p->cohesion - p->friction * cap, 0);
-    double at_end = p->cohesion + p->friction * press;
+    double end = fmin (p->compression, press);
+    double at_end = p->cohesion + p->friction * end, left = zero - end * per_n;
     cairo_save (d->cr);
     cairo_rectangle (d->cr, a.x, a.y, a.width, a.height);
     cairo_clip (d->cr);
-    cairo_move_to (d->cr, a.x, middle - at_end * per_t);
+    cairo_move_to (d->cr, left, middle - at_end * per_t);
     cairo_line_to (d->cr, zero + cap * per_n, middle - at_cap * per_t);
     cairo_line_to (d->cr, zero + cap * per_n, middle + at_cap * per_t);
-    cairo_line_to (d->cr, a.x, middle + at_end * per_t);
+    cairo_line_to (d->cr, left, middle + at_end * per_t);
+    if (end < press)
+      cairo_close_path (d->cr);
     qn_set_color (d->cr, d->ink, 0.07);
     cairo_fill_preserve (d->cr);
     qn_set_color (d->cr, d->ink, 0.8);

@@ -14,6 +14,7 @@ typedef struct QnJointPoint {
   QnPairState state;
   bool has_cone;                  /* strength by friction: */
   double friction, cohesion, cap; /* tangent, N, N; the weaker of the two springs */
+  double compression;             /* N, INFINITY where it has no limit */
 } QnJointPoint;
 
 typedef struct QnJointPlot {

@@ -173,6 +173,7 @@ test_strength (void)
       law.friction = g_rand_double_range (random, 0, 1);
       law.dilatancy = law.friction * g_rand_double_range (random, 0, 1);
       law.cohesion = trial % 2 ? g_rand_double_range (random, 0, 1) : 0;
+      law.compression = g_rand_double_range (random, 0.2, 3);
       law.tension = trial % 3 ? g_rand_double_range (random, 0, 1) : 0;
       QnSpring spring = qn_spring_from_law (&law, 1, 1);
       QnSpringMemory memory = { 0 };

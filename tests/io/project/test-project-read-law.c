@@ -22,6 +22,10 @@ static const char *const kinds[QN_LAW_KIND_COUNT] = {
   [QN_LAW_COULOMB] = "{ \"name\": \"joint\", \"kind\": \"coulomb\", \"kn\": 3, \"ks\": "
                      "2, \"friction\": 0.5, "
                      "\"cohesion\": 4, \"tension\": 1, \"dilatancy\": 0.25 }",
+  [QN_LAW_MOHR_COULOMB] =
+    "{ \"name\": \"joint\", \"kind\": \"mohr-coulomb\", \"kn\": 3, \"ks\": 2, "
+    "\"friction\": 0.5, \"compression\": 7, \"cohesion\": 4, \"tension\": 1, "
+    "\"dilatancy\": 0.25 }",
   [QN_LAW_BILINEAR] = "{ \"name\": \"joint\", \"kind\": \"bilinear\", \"kn\": 3e10, "
                       "\"ks\": 1e10, \"yield\": "
                       "2e7, \"hardening\": 0.1 }",
@@ -131,6 +135,12 @@ test_refused (void)
   } cases[] = {
     { QN_LAW_BILINEAR, ", \"hardening\": 0.1", ", \"hardening\": 1",
       "laws[0].hardening: hardening must be less than 1" },
+    { QN_LAW_MOHR_COULOMB, "\"compression\": 7, ", "",
+      "laws[0].compression: required key is missing" },
+    { QN_LAW_MOHR_COULOMB, "\"compression\": 7", "\"compression\": 0",
+      "laws[0].compression: number must be positive" },
+    { QN_LAW_MOHR_COULOMB, "0.25", "0.6",
+      "laws[0].dilatancy: dilatancy exceeds friction" },
     { QN_LAW_BILINEAR, "\"yield\": 2e7, ", "", "laws[0].yield: required key is missing" },
     { QN_LAW_STEEL, "5.4e8", "4e8", "laws[0].strength: strength is below yield" },
     { QN_LAW_CONCRETE, ", \"fracture_energy\": 900", "",

@@ -121,6 +121,19 @@ test_laws_of_sides (ResultFixture *fixture, gconstpointer data)
   run_check (fixture, &check);
   g_assert_cmpfloat_with_epsilon (check.yield_violation * check.contact_scale, 0.5, 1e-9);
 
+  /* Compression per area, of the pair that is pressed most. */
+  double most = 0;
+  for (size_t p = 0; p < fixture->result.pair_count; p++)
+    most = fmax (most, -fixture->result.pairs[p].normal_force);
+  weak->kind = QN_LAW_MOHR_COULOMB;
+  weak->cohesion = 2000;
+  weak->compression = most / 0.5;
+  run_check (fixture, &check);
+  g_assert_cmpfloat (check.yield_violation, ==, 0);
+  weak->compression -= 1;
+  run_check (fixture, &check);
+  g_assert_cmpfloat_with_epsilon (check.yield_violation * check.contact_scale, 0.5, 1e-9);
+
   weak->kind = QN_LAW_NO_TENSION;
   run_check (fixture, &check);
   g_assert_cmpfloat (check.yield_violation, ==, 0);

@@ -1,0 +1,123 @@
+/* Friction with crushing: kn = 2, ks = 1, mu = 0.5, fc = 8, so that numbers can be checked in the
+ * head. */
+#include "support/spring-probe.h"
+
+#include <glib.h>
+#include <math.h>
+
+static const QnLaw joint = { .name = "joint",
+                             .kind = QN_LAW_MOHR_COULOMB,
+                             .kn = 2,
+                             .ks = 1,
+                             .friction = 0.5,
+                             .cohesion = 1,
+                             .compression = 8 };
+
+static Probe
+with_dilatancy (double dilatancy)
+{
+  QnLaw law = joint;
+  law.dilatancy = dilatancy;
+  return probe_of_law (&law);
+}
+
+/* Below the limit of compression the law is Coulomb's to the bit. */
+static void
+test_below (void)
+{
+  QnLaw coulomb = joint;
+  coulomb.kind = QN_LAW_COULOMB;
+  g_autoptr (GRand) random = g_rand_new_with_seed (3);
+  Probe crushing = probe_of_law (&joint), other = probe_of_law (&coulomb);
+
+  for (int i = 0; i < 200; i++) {
+    double n = g_rand_double_range (random, -4, 1);
+    double t = g_rand_double_range (random, -6, 6);
+    QnSpringResponse a = probe_go (&crushing, n, t), b = probe_go (&other, n, t);
+    g_assert_cmpmem (&a, sizeof a, &b, sizeof b);
+  }
+}
+
+/* Crushed by 2, the joint unloads with kn, opens at -2 and is crushed again from there. */
+static void
+test_crush_and_return (void)
+{
+  Probe p = with_dilatancy (0);
+  probe_assert_tangent (&p, -6, 0.5);
+  QnSpringResponse r = probe_go (&p, -6, 0.5);
+  g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH);
+  probe_assert_force (&r, -8, 0.5);
+  g_assert_cmpfloat (r.memory.opening, ==, -2);
+
+  r = probe_go (&p, -4, 0.5);
+  g_assert_cmpint (r.phase, ==, QN_PHASE_STICK);
+  probe_assert_force (&r, -4, 0.5);
+  r = probe_go (&p, -1.5, 0);
+  g_assert_cmpint (r.phase, ==, QN_PHASE_OPEN_STICK);
+  probe_assert_force (&r, 0, 0);
+  r = probe_go (&p, -6, 0);
+  probe_assert_force (&r, -8, 0);
+  g_assert_cmpfloat (r.memory.opening, ==, -2);
+}
+
+/* At the corner both strengths are used up, c + mu fc = 5, and nothing is stiff. */
+static void
+test_corner (void)
+{
+  static const double psis[] = { 0, 0.25, 0.5 };
+  for (size_t i = 0; i < G_N_ELEMENTS (psis); i++) {
+    Probe p = with_dilatancy (psis[i]);
+    probe_assert_tangent (&p, -6, -7);
+    QnSpringResponse r = probe_go (&p, -6, -7);
+    g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH_SLIP_NEGATIVE);
+    probe_assert_force (&r, -8, -5);
+    g_assert_cmpfloat (r.memory.slip, ==, -2);
+    g_assert_cmpfloat (r.memory.opening, ==, -2);
+  }
+}
+
+/* Dilatancy presses a joint that cannot open into crushing: n* = -7, psi g = 0.5 (9 - 5) = 2, and
+ * 2 - (8 - 7) / 2 = 1.5 is crushed away. */
+static void
+test_dilatancy_crushes (void)
+{
+  Probe p = with_dilatancy (0.5);
+  probe_assert_tangent (&p, -3.5, 9);
+  QnSpringResponse r = probe_go (&p, -3.5, 9);
+  g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH_SLIP_POSITIVE);
+  probe_assert_force (&r, -8, 5);
+  g_assert_cmpfloat (r.memory.slip, ==, 4);
+  g_assert_cmpfloat_with_epsilon (r.memory.opening, 2 - 1.5, 1e-12);
+}
+
+/* No jump between the mappings: responses on either side of a boundary agree. */
+static void
+test_continuous (void)
+{
+  g_autoptr (GRand) random = g_rand_new_with_seed (7);
+
+  for (int i = 0; i < 2000; i++) {
+    Probe p = with_dilatancy (i % 3 * 0.25);
+    double n = g_rand_double_range (random, -8, 1);
+    double t = g_rand_double_range (random, -12, 12);
+    QnSpringResponse a = probe_look (&p, n, t);
+    for (int k = 0; k < 2; k++) {
+      QnSpringResponse b =
+        probe_look (&p, n + (k == 0 ? 1e-7 : 0), t + (k == 1 ? 1e-7 : 0));
+      for (int j = 0; j < 2; j++)
+        g_assert_cmpfloat (fabs (a.force[j] - b.force[j]), <=, 4e-7);
+    }
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/law-mohr-coulomb/below", test_below);
+  g_test_add_func ("/law-mohr-coulomb/crush-and-return", test_crush_and_return);
+  g_test_add_func ("/law-mohr-coulomb/corner", test_corner);
+  g_test_add_func ("/law-mohr-coulomb/dilatancy-crushes", test_dilatancy_crushes);
+  g_test_add_func ("/law-mohr-coulomb/continuous", test_continuous);
+  return g_test_run ();
+}
