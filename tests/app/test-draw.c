@@ -1,6 +1,7 @@
 /* Every drawing tool, by pointer and by keys. */
 #include "driver.h"
 
+#include "app/tools/tools.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/masonry/masonry-shape.h"
@@ -370,6 +371,21 @@ test_turn_mirror_array (void)
   driver_discard (window);
 }
 
+static gboolean
+is_action_button (GtkWidget *widget, gconstpointer action)
+{
+  return GTK_IS_BUTTON (widget) && gtk_widget_get_mapped (widget)
+         && g_strcmp0 (gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)), action)
+              == 0;
+}
+
+static gboolean
+is_shown_entry (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_ENTRY (widget) && gtk_widget_get_mapped (widget);
+}
+
 /* Without touching the mouse: a wall between two corners, Enter at each. */
 static void
 test_keyboard (void)
@@ -397,6 +413,30 @@ test_keyboard (void)
     for (int k = 0; k < i; k++)
       g_assert_cmpstr (qn_tools[i]->accel, !=, qn_tools[k]->accel);
   }
+
+  /* They and other shortcuts work after a button has taken the focus, but entries keep theirs. */
+  GtkWidget *root = GTK_WIDGET (window);
+  GtkWidget *save = driver_find_widget (root, is_action_button, "win.save");
+  g_assert_true (gtk_widget_grab_focus (save));
+  driver_key ("r");
+  g_assert_true (qn_canvas_get_tool (qn_window_get_canvas (window))
+                 == &qn_tool_rectangle);
+  g_assert_true (gtk_widget_grab_focus (save));
+  driver_key ("Escape");
+  g_assert_true (qn_canvas_get_tool (qn_window_get_canvas (window)) == &qn_tool_select);
+  g_assert_true (gtk_widget_grab_focus (save));
+  driver_key ("ctrl+a");
+  guint selected = 0;
+  QnSelection *selection = qn_canvas_get_selection (qn_window_get_canvas (window));
+  qn_selection_get_blocks (selection, &selected);
+  g_assert_cmpuint (selected, ==, model_of (window)->block_count);
+  GtkWidget *entry = driver_find_widget (root, is_shown_entry, NULL);
+  g_assert_nonnull (entry);
+  gtk_widget_grab_focus (entry);
+  driver_key ("w");
+  driver_key ("Delete");
+  g_assert_true (qn_canvas_get_tool (qn_window_get_canvas (window)) == &qn_tool_select);
+  g_assert_cmpuint (model_of (window)->block_count, >, 4);
   driver_discard (window);
 }
 

@@ -2,6 +2,7 @@
  * again, comparison sheets, printed pages. */
 #include "driver.h"
 
+#include "app/dialogs/dialogs.h"
 #include "app/window/window-private.h"
 #include "doc/view/figures.h"
 

@@ -1,7 +1,9 @@
 #include "driver.h"
 
 #include "app/canvas/canvas-private.h"
+#include "app/tools/tools.h"
 #include "app/widgets/settings.h"
+#include "app/window/action-table.h"
 #include "doc/long-analysis.h"
 #include "doc/view/figure-export.h"
 
@@ -182,6 +184,78 @@ test_examples (void)
       driver_screenshot (GTK_WIDGET (window), "contacts");
     driver_discard (window);
   }
+}
+
+/* The name of an action without its target. */
+static char *
+dup_plain_name (const char *detailed)
+{
+  g_autofree char *name = NULL;
+  g_autoptr (GVariant) target = NULL;
+  g_assert_true (g_action_parse_detailed_name (detailed, &name, &target, NULL));
+  return g_steal_pointer (&name);
+}
+
+static gsize
+count_shortcuts (GtkWidget *widget)
+{
+  /* What is searched for is a second list of them. */
+  gsize count = GTK_IS_SHORTCUTS_SHORTCUT (widget)
+                && gtk_widget_get_ancestor (widget, GTK_TYPE_SHORTCUTS_GROUP) != NULL;
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    count += count_shortcuts (child);
+  return count;
+}
+
+/* The table names the actions that there are, each key once, and shows in tooltips. */
+static void
+test_actions (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  GActionGroup *groups[] = { G_ACTION_GROUP (driver_application ()),
+                             G_ACTION_GROUP (window) };
+  const char *const prefixes[] = { "app.", "win." };
+  g_autoptr (GHashTable) keys =
+    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  for (gsize i = 0; i < qn_action_row_count; i++) {
+    const QnActionRow *row = &qn_action_rows[i];
+    g_assert_true (row->name != NULL || row->keys != NULL);
+    g_assert_cmpint (row->group != QN_GROUP_NONE, ==, row->label != NULL);
+    if (row->name == NULL)
+      continue;
+    g_autofree char *name = dup_plain_name (row->name);
+    gboolean window_action = g_str_has_prefix (name, "win.");
+    g_assert_true (g_action_group_has_action (groups[window_action], name + 4));
+    g_auto (GStrv) each = g_strsplit (row->keys != NULL ? row->keys : "", " ", -1);
+    for (char **key = each; *key != NULL; key++) {
+      guint keyval = 0;
+      GdkModifierType modifiers = 0;
+      g_assert_true (gtk_accelerator_parse (*key, &keyval, &modifiers));
+      g_assert_true (g_hash_table_add (keys, g_strdup (*key)));
+    }
+  }
+  for (gsize g = 0; g < G_N_ELEMENTS (groups); g++) {
+    g_auto (GStrv) names = g_action_group_list_actions (groups[g]);
+    for (char **name = names; *name != NULL; name++) {
+      g_autofree char *whole = g_strconcat (prefixes[g], *name, NULL);
+      if (qn_action_find (whole) == NULL)
+        g_error ("action %s is not in the table", whole);
+    }
+  }
+  g_autofree char *tooltip = qn_action_dup_tooltip ("Save", "win.save");
+  g_assert_cmpstr (tooltip, ==, "Save (Ctrl+S)");
+  g_autofree char *none = qn_action_dup_tooltip ("Compare", "win.compare");
+  g_assert_cmpstr (none, ==, "Compare");
+  GtkShortcutsWindow *shortcuts =
+    gtk_application_window_get_help_overlay (GTK_APPLICATION_WINDOW (window));
+  gsize rows = 0;
+  for (gsize i = 0; i < qn_action_row_count; i++)
+    rows += qn_action_rows[i].label != NULL;
+  for (int i = 0; qn_tools[i] != NULL; i++)
+    rows++;
+  g_assert_cmpuint (count_shortcuts (GTK_WIDGET (shortcuts)), ==, rows);
+  driver_discard (window);
 }
 
 /* A wall and an opening drawn with the pointer, a block typed, all of it undone. */
@@ -572,6 +646,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/window/startup", test_startup);
   g_test_add_func ("/app/window/uninstalled", test_uninstalled);
   g_test_add_func ("/app/window/examples", test_examples);
+  g_test_add_func ("/app/window/actions", test_actions);
   g_test_add_func ("/app/window/draw", test_draw);
   g_test_add_func ("/app/window/edit", test_edit);
   g_test_add_func ("/app/window/solve", test_solve);

@@ -48,7 +48,7 @@ static const Layer layers[] = {
     { "core/", "stereotomy/", "io/", "render/", "doc/", "study/", "cli/", "config.h" },
     { "glib", "gio/" } },
   { "app",
-    { "widgets", "canvas", "tools", "forms", "views", "window", "dialogs" },
+    { "widgets", "canvas", "tools", "forms", "views", "dialogs", "window" },
     { "core/", "stereotomy/", "io/", "render/", "doc/", "app/", "config.h" },
     { "glib", "gio/", "gmodule.h", "cairo", "gtk/", "gdk/", "gsk/", "graphene",
       "pango" } },

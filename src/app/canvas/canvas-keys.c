@@ -48,48 +48,6 @@ is_number_character (gunichar c)
          || c == '-' || c == ' ' || c == 'x' || c == 'm' || c == 'c';
 }
 
-/* Keys that mean something for the drawing alone, so that entries keep theirs. */
-static const struct {
-  guint keyval;
-  GdkModifierType modifiers;
-  const char *action; /* detailed name */
-} canvas_keys[] = {
-  { GDK_KEY_Delete, 0, "win.delete" },
-  { GDK_KEY_BackSpace, 0, "win.delete" },
-  { GDK_KEY_Left, 0, "win.nudge((-1.0,0.0))" },
-  { GDK_KEY_Right, 0, "win.nudge((1.0,0.0))" },
-  { GDK_KEY_Up, 0, "win.nudge((0.0,1.0))" },
-  { GDK_KEY_Down, 0, "win.nudge((0.0,-1.0))" },
-  { GDK_KEY_space, 0, "win.play" },
-  { GDK_KEY_period, 0, "win.next-step" },
-  { GDK_KEY_comma, 0, "win.previous-step" },
-  { GDK_KEY_c, GDK_CONTROL_MASK, "win.copy" },
-  { GDK_KEY_x, GDK_CONTROL_MASK, "win.cut" },
-  { GDK_KEY_v, GDK_CONTROL_MASK, "win.paste" },
-  { GDK_KEY_a, GDK_CONTROL_MASK, "win.select-all" },
-  { GDK_KEY_j, 0, "win.join" },
-};
-
-static gboolean
-activate_key (QnCanvas *self, guint keyval, GdkModifierType modifiers)
-{
-  GdkModifierType held = modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK | GDK_SHIFT_MASK);
-  for (gsize i = 0; i < G_N_ELEMENTS (canvas_keys); i++) {
-    if (canvas_keys[i].keyval != keyval || canvas_keys[i].modifiers != held)
-      continue;
-    g_autofree char *name = NULL;
-    g_autoptr (GVariant) target = NULL;
-    g_action_parse_detailed_name (canvas_keys[i].action, &name, &target, NULL);
-    return gtk_widget_activate_action_variant (GTK_WIDGET (self), name, target);
-  }
-  for (int i = 0; qn_tools[i] != NULL && held == 0; i++) {
-    if (gdk_keyval_to_unicode (keyval) == (gunichar) qn_tools[i]->accel[0])
-      return gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s",
-                                         qn_tools[i]->name);
-  }
-  return FALSE;
-}
-
 /* ---- the pointer by keys ---- */
 
 /* Grid lines that a press of an arrow key passes: usually, with Control, with Shift. */
@@ -118,7 +76,7 @@ move_cursor (QnCanvas *self, guint keyval, GdkModifierType modifiers)
   default:
     return FALSE;
   }
-  if (self->tool == &qn_tool_select && !self->in_gesture
+  if (self->tool == self->resting && !self->in_gesture
       && !qn_selection_is_empty (qn_canvas_get_selection (self)))
     return FALSE;
   if (!self->keyboard_cursor && !self->pointer_inside)
@@ -162,15 +120,16 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
       g_string_truncate (self->typed, 0);
     else if (self->in_gesture)
       qn_canvas_cancel_gesture (self);
-    else if (self->tool != &qn_tool_select)
-      gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "select");
+    else if (self->tool != self->resting)
+      gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s",
+                                  self->resting->name);
     else
       qn_selection_clear (qn_canvas_get_selection (self));
   } else if (move_cursor (self, keyval, modifiers)
              || click_cursor (self, keyval, modifiers))
     return TRUE;
   else if (!self->in_gesture || control)
-    return activate_key (self, keyval, modifiers);
+    return FALSE;
   else if ((keyval == GDK_KEY_Return || keyval == GDK_KEY_KP_Enter)
            && self->tool->numbers)
     finish_typed (self);

@@ -11,7 +11,7 @@ struct _QnCanvas {
 
   QnViewState *state;
   QnToolSettings *settings; /* the window's */
-  const QnTool *tool;
+  const QnTool *tool, *resting;
 
   QnScene *scene; /* NULL: to be built */
   GError *scene_error;

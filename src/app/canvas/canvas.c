@@ -197,7 +197,6 @@ qn_canvas_init (QnCanvas *self)
   self->typed = g_string_new (NULL);
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
   self->gesture.whole = QN_NONE;
-  self->tool = &qn_tool_select;
   self->gl_layer = qn_gl_layer_new ();
   gtk_widget_set_parent (self->gl_layer, GTK_WIDGET (self));
   self->wants_fit = self->keeps_fit = TRUE;
@@ -217,11 +216,13 @@ on_document_changed (QnCanvas *self)
 }
 
 void
-qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *settings)
+qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *settings,
+                     const QnTool *resting)
 {
   g_return_if_fail (self->state == NULL);
   self->state = g_object_ref (state);
   self->settings = settings;
+  self->tool = self->resting = resting;
   g_signal_connect_swapped (state, "changed", G_CALLBACK (on_state_changed), self);
   QnDocument *document = qn_view_state_get_document (state);
   g_signal_connect_object (document, "changed", G_CALLBACK (on_document_changed), self,
@@ -302,7 +303,7 @@ qn_canvas_set_tool (QnCanvas *self, const QnTool *tool)
     qn_canvas_cancel_gesture (self);
   self->tool = tool;
   gtk_widget_set_cursor_from_name (GTK_WIDGET (self),
-                                   tool == &qn_tool_select ? NULL : "crosshair");
+                                   tool == self->resting ? NULL : "crosshair");
   gtk_widget_queue_draw (GTK_WIDGET (self));
   qn_canvas_emit_status (self);
 }

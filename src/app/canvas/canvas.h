@@ -14,8 +14,10 @@
 #include "doc/view/view-state.h"
 #include "render/scene/pick.h"
 
-/* Connects a canvas made by a template; once. */
-void qn_canvas_set_state (QnCanvas *canvas, QnViewState *state, QnToolSettings *settings);
+/* Connects a canvas made by a template; once, before anything else. `resting` is the tool that it
+ * begins with and that Escape returns to; arrow keys move what is selected with it. */
+void qn_canvas_set_state (QnCanvas *canvas, QnViewState *state, QnToolSettings *settings,
+                          const QnTool *resting);
 
 QnViewState *qn_canvas_get_state (QnCanvas *canvas);
 QnDocument *qn_canvas_get_document (QnCanvas *canvas);

@@ -83,27 +83,6 @@ typedef struct QnTool {
   void (*draw) (QnCanvas *canvas, cairo_t *cr);
 } QnTool;
 
-/* All tools, in the order of the palette; NULL-terminated. */
-extern const QnTool *const qn_tools[];
-const QnTool *qn_tool_find (const char *name);
-
-extern const QnTool qn_tool_select;
-extern const QnTool qn_tool_wall;
-extern const QnTool qn_tool_opening;
-extern const QnTool qn_tool_arch;
-extern const QnTool qn_tool_column;
-extern const QnTool qn_tool_rectangle;
-extern const QnTool qn_tool_polygon;
-extern const QnTool qn_tool_beam;
-extern const QnTool qn_tool_cut;
-extern const QnTool qn_tool_rotate;
-extern const QnTool qn_tool_mirror;
-extern const QnTool qn_tool_joint;
-extern const QnTool qn_tool_support;
-extern const QnTool qn_tool_force;
-extern const QnTool qn_tool_measure;
-extern const QnTool qn_tool_picture;
-
 /* What the tools draw with; shared by all of a window's tools and shown in its panel. */
 typedef struct QnToolSettings {
   QnMasonryStyle masonry;
@@ -115,8 +94,5 @@ typedef struct QnToolSettings {
   char *joint_law;      /* name, given to joints; NULL: none of their own */
   gboolean mirror_copy; /* whether mirroring keeps the original */
 } QnToolSettings;
-
-/* Style of single blocks. */
-QnBlockStyle qn_tool_settings_get_block_style (const QnToolSettings *settings);
 
 #endif

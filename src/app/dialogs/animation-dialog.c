@@ -1,10 +1,10 @@
 /* The animation dialog: what moves, how many pictures of which size; then where to write them, and
  * how far that is. */
-#include "app/window/window-private.h"
+#include "app/dialogs/dialogs.h"
 
 #include "app/forms/form.h"
+#include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
-#include "app/window/window-chooser.h"
 #include "core/base/integer.h"
 #include "doc/view/animation-job.h"
 #include <glib/gi18n.h>
@@ -14,7 +14,9 @@
 enum { FORMAT_GIF, FORMAT_WEBM, FORMAT_PICTURES };
 
 typedef struct Dialog {
-  QnWindow *window;  /* NULL: it has gone */
+  GtkWindow *parent;
+  QnViewState *state;
+  QnTellFunc tell;
   GtkWidget *dialog; /* NULL: it has been closed */
   GtkDropDown *what, *format;
   QnQuantityEntry *width, *height, *frames, *rate, *scale;
@@ -24,6 +26,7 @@ typedef struct Dialog {
   GCancellable *cancellable; /* while it is written */
   gboolean webm;
   char *path;
+  GObject *chooser; /* on the screen, or NULL */
 } Dialog;
 
 static void
@@ -47,6 +50,7 @@ on_dialog_gone (gpointer data, GObject *where)
   Dialog *dialog = data;
   dialog->dialog = NULL;
   g_cancellable_cancel (dialog->cancellable);
+  g_clear_object (&dialog->chooser);
   dialog_unref (dialog);
 }
 
@@ -56,7 +60,7 @@ static QnAnimationSettings
 take_settings (const Dialog *dialog)
 {
   QnAnimationSettings s;
-  qn_animation_settings_init (&s, dialog->window->state);
+  qn_animation_settings_init (&s, dialog->state);
   s.view =
     gtk_drop_down_get_selected (dialog->what) == 0 ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
   s.width =
@@ -84,7 +88,7 @@ format_of (const Dialog *dialog)
 static void
 update (Dialog *dialog)
 {
-  const QnRun *run = qn_document_get_run (dialog->window->document);
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (dialog->state));
   QnAnimationSettings s = take_settings (dialog);
   gboolean mechanism = s.view == QN_VIEW_MECHANISM;
   gboolean there =
@@ -150,7 +154,7 @@ static void
 on_written (GObject *source, GAsyncResult *result, gpointer data)
 {
   Dialog *dialog = data;
-  QnWindow *window = dialog->window;
+  GtkWindow *parent = dialog->parent;
   g_autoptr (GError) error = NULL;
   gboolean done = qn_animation_write_finish (QN_VIEW_STATE (source), result, &error);
   gboolean cancelled = g_cancellable_is_cancelled (dialog->cancellable);
@@ -158,7 +162,7 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
   if (done) {
     g_autofree char *message =
       g_strdup_printf (_ ("Animation written to %s"), dialog->path);
-    qn_window_show_message (window, message);
+    dialog->tell (parent, message, FALSE);
     if (dialog->dialog != NULL)
       gtk_window_destroy (GTK_WINDOW (dialog->dialog));
   } else if (dialog->dialog != NULL) {
@@ -166,8 +170,8 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
     gtk_label_set_text (dialog->facts, cancelled ? _ ("Cancelled; nothing was written.")
                                                  : error->message);
   } else if (!cancelled)
-    qn_window_show_error (window, error->message);
-  g_object_unref (window);
+    dialog->tell (parent, error->message, TRUE);
+  g_object_unref (parent);
   dialog_unref (dialog);
 }
 
@@ -175,17 +179,16 @@ static void
 write_to (Dialog *dialog, const char *path)
 {
   QnAnimationSettings settings = take_settings (dialog);
-  if (qn_document_get_run (dialog->window->document) == NULL)
+  if (qn_document_get_run (qn_view_state_get_document (dialog->state)) == NULL)
     return;
   g_free (dialog->path);
   dialog->path = g_strdup (path);
   dialog->cancellable = g_cancellable_new ();
   show_busy (dialog, TRUE);
   on_tick (0, settings.frames, dialog);
-  g_object_ref (dialog->window);
-  qn_animation_write_async (dialog->window->state, &settings, path, dialog->cancellable,
-                            on_tick, dialog, on_written,
-                            g_atomic_rc_box_acquire (dialog));
+  g_object_ref (dialog->parent);
+  qn_animation_write_async (dialog->state, &settings, path, dialog->cancellable, on_tick,
+                            dialog, on_written, g_atomic_rc_box_acquire (dialog));
 }
 
 /* Numbered pictures go into a folder. */
@@ -211,7 +214,7 @@ on_response (GtkNativeDialog *chooser, int response, Dialog *dialog)
     else
       gtk_label_set_text (dialog->facts, error->message);
   }
-  g_clear_object (&dialog->window->chooser);
+  g_clear_object (&dialog->chooser);
 }
 
 static void
@@ -221,7 +224,7 @@ on_export (Dialog *dialog)
   int format = format_of (dialog);
   gboolean folder = format == FORMAT_PICTURES;
   GtkFileChooserNative *chooser = qn_chooser_begin (
-    GTK_WINDOW (dialog->dialog), &dialog->window->chooser,
+    GTK_WINDOW (dialog->dialog), &dialog->chooser,
     folder ? GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER : GTK_FILE_CHOOSER_ACTION_SAVE,
     folder ? _ ("Folder for the Pictures") : _ ("Export Animation"), _ ("_Export"));
   if (!folder)
@@ -253,7 +256,7 @@ build_form (Dialog *dialog)
   const char *formats[] = { _ ("GIF"), _ ("WebM"), _ ("Numbered pictures (PNG)"), NULL };
   GCallback chosen = G_CALLBACK (on_choice), changed = G_CALLBACK (on_quantity);
   QnAnimationSettings s;
-  qn_animation_settings_init (&s, dialog->window->state);
+  qn_animation_settings_init (&s, dialog->state);
   dialog->webm = qn_animation_check_path ("x.webm", NULL);
   if (!dialog->webm) {
     formats[FORMAT_WEBM] = formats[FORMAT_PICTURES];
@@ -315,12 +318,15 @@ build_foot (Dialog *dialog)
   return foot;
 }
 
-static Dialog *
-open_dialog (QnWindow *self)
+void
+qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
+                          const char *path)
 {
   Dialog *dialog = g_atomic_rc_box_new0 (Dialog);
-  dialog->window = self;
-  dialog->dialog = qn_dialog_new (GTK_WINDOW (self), _ ("Export Animation"), 420, -1);
+  dialog->parent = parent;
+  dialog->state = state;
+  dialog->tell = tell;
+  dialog->dialog = qn_dialog_new (parent, _ ("Export Animation"), 420, -1);
   gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog));
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   build_form (dialog);
@@ -329,19 +335,7 @@ open_dialog (QnWindow *self)
   gtk_window_set_child (GTK_WINDOW (dialog->dialog), box);
   g_object_weak_ref (G_OBJECT (box), on_dialog_gone, dialog);
   show_busy (dialog, FALSE);
-  return dialog;
-}
-
-void
-qn_animation_dialog_show (QnWindow *self)
-{
-  gtk_window_present (GTK_WINDOW (open_dialog (self)->dialog));
-}
-
-void
-qn_animation_export_to (QnWindow *self, const char *path)
-{
-  Dialog *dialog = open_dialog (self);
   gtk_window_present (GTK_WINDOW (dialog->dialog));
-  write_to (dialog, path);
+  if (path != NULL)
+    write_to (dialog, path);
 }

@@ -1,11 +1,11 @@
 /* Compare: two to six runs of the open drawings side by side, at one scale, with linked zoom and
  * phase of motion; the first as an outline over the others on request. */
 #include "app/dialogs/compare-cell.h"
+#include "app/dialogs/dialogs.h"
 #include "app/forms/form.h"
+#include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/settings.h"
-#include "app/window/window-chooser.h"
-#include "app/window/window-private.h"
 #include "render/figure/compare-sheet.h"
 #include <glib/gi18n.h>
 
@@ -13,7 +13,9 @@
 #define ZOOM_FACTOR 1.25
 
 typedef struct Compare {
-  QnWindow *window;
+  GtkWindow *parent;
+  QnDocument *document;
+  QnDocumentsFunc list_others;
   GtkWidget *dialog, *grid, *list, *play, *outline, *hint;
   GtkLabel *message;
   GPtrArray *shown; /* of QnRun, in the order chosen */
@@ -124,16 +126,13 @@ list_runs (Compare *compare)
   GtkWidget *child;
   while ((child = gtk_widget_get_first_child (compare->list)) != NULL)
     gtk_box_remove (GTK_BOX (compare->list), child);
-  GtkApplication *application = gtk_window_get_application (GTK_WINDOW (compare->window));
-  for (int own = 1; own >= 0; own--) {
-    for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next) {
-      if (!QN_IS_WINDOW (l->data) || (l->data == compare->window) != own)
-        continue;
-      QnDocument *document = qn_window_get_document (l->data);
-      const GPtrArray *runs = qn_document_get_runs (document);
-      for (guint i = 0; i < runs->len; i++)
-        add_run (compare, document, g_ptr_array_index (runs, i));
-    }
+  g_autoptr (GPtrArray) documents = compare->list_others (compare->parent);
+  g_ptr_array_insert (documents, 0, compare->document);
+  for (guint k = 0; k < documents->len; k++) {
+    QnDocument *document = g_ptr_array_index (documents, k);
+    const GPtrArray *runs = qn_document_get_runs (document);
+    for (guint i = 0; i < runs->len; i++)
+      add_run (compare, document, g_ptr_array_index (runs, i));
   }
 }
 
@@ -141,7 +140,7 @@ list_runs (Compare *compare)
 static void
 choose_first (Compare *compare)
 {
-  const GPtrArray *runs = qn_document_get_runs (compare->window->document);
+  const GPtrArray *runs = qn_document_get_runs (compare->document);
   guint first = runs->len > MOST_RUNS ? runs->len - MOST_RUNS : 0;
   for (guint i = first; i < runs->len; i++)
     g_ptr_array_add (compare->shown, qn_run_ref (g_ptr_array_index (runs, i)));
@@ -357,20 +356,23 @@ make_content (Compare *compare)
 }
 
 void
-qn_compare_window_show (QnWindow *self)
+qn_compare_window_show (GtkWindow *parent, QnDocument *document,
+                        QnDocumentsFunc list_others)
 {
   Compare *compare = g_new0 (Compare, 1);
-  compare->window = self;
+  compare->parent = parent;
+  compare->document = document;
+  compare->list_others = list_others;
   compare->shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
   compare->view = (QnCompareView){
     .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare
   };
-  compare->dialog = qn_dialog_new (GTK_WINDOW (self), _ ("Compare Runs"), 1000, 720);
+  compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1000, 720);
   gtk_window_set_modal (GTK_WINDOW (compare->dialog), FALSE);
   gtk_window_set_titlebar (GTK_WINDOW (compare->dialog), make_header (compare));
   gtk_window_set_child (GTK_WINDOW (compare->dialog), make_content (compare));
   g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
-  qn_watch (compare->grid, self->document, "runs-changed", G_CALLBACK (on_runs_changed),
+  qn_watch (compare->grid, document, "runs-changed", G_CALLBACK (on_runs_changed),
             compare);
   choose_first (compare);
   list_runs (compare);

@@ -1,10 +1,10 @@
 /* The figure dialog: what is shown, how and how large, with a live preview; then where to write
  * it, or a name under which the project keeps it. */
-#include "app/window/window-private.h"
+#include "app/dialogs/dialogs.h"
 
 #include "app/forms/form.h"
+#include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
-#include "app/window/window-chooser.h"
 #include "doc/view/figure-export.h"
 #include "doc/view/figures.h"
 #include <glib/gi18n.h>
@@ -12,7 +12,11 @@
 enum { UNIT_PX, UNIT_MM };
 
 typedef struct Dialog {
-  QnWindow *window;
+  GtkWindow *parent;
+  QnViewState *state;
+  QnFigureFunc write;
+  QnTellFunc tell;
+  GObject *chooser; /* on the screen, or NULL */
   GtkWidget *dialog, *preview;
   GtkDropDown *view, *diagram, *field, *format, *unit;
   QnQuantityEntry *width, *height, *dpi;
@@ -27,6 +31,7 @@ dialog_free (gpointer data, GObject *where)
 {
   (void) where;
   Dialog *dialog = data;
+  g_clear_object (&dialog->chooser);
   qn_recipe_free (dialog->recipe);
   g_free (dialog);
 }
@@ -85,11 +90,11 @@ take_fields (Dialog *dialog)
 
 /* Where the fields start: what the window shows. */
 static QnRecipe *
-recipe_of_window (QnWindow *window)
+recipe_of_view (QnViewState *state)
 {
-  QnViewOptions shown = qn_view_state_get_options (window->state);
-  g_autofree char *name =
-    qn_document_dup_figure_name (window->document, qn_view_name (shown.view));
+  QnViewOptions shown = qn_view_state_get_options (state);
+  g_autofree char *name = qn_document_dup_figure_name (qn_view_state_get_document (state),
+                                                       qn_view_name (shown.view));
   QnRecipe *recipe = qn_recipe_new (name, shown.view);
   recipe->view = shown;
   recipe->view.titles = true;
@@ -109,8 +114,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   QnPage page;
   g_autoptr (GError) error = NULL;
   if (!qn_output_page (&dialog->recipe->output, &page, &error)
-      || !qn_view_state_get_figure_as (dialog->window->state, dialog->recipe, &figure,
-                                       &error)) {
+      || !qn_view_state_get_figure_as (dialog->state, dialog->recipe, &figure, &error)) {
     gtk_label_set_text (dialog->trouble, error->message);
     return;
   }
@@ -162,50 +166,34 @@ on_unit (GtkDropDown *unit, GParamSpec *pspec, Dialog *dialog)
 
 /* ---- export ---- */
 
-static gboolean
-export_to (QnWindow *self, const char *path, const QnRecipe *recipe)
-{
-  g_autoptr (GError) error = NULL;
-  if (!qn_view_state_export_as (self->state, recipe, path, &error)) {
-    qn_window_show_error (self, error->message);
-    return FALSE;
-  }
-  g_autofree char *message = g_strdup_printf (_ ("Figure written to %s"), path);
-  qn_window_show_message (self, message);
-  qn_window_update_actions (self);
-  return TRUE;
-}
-
 static void
 on_file_chosen (GtkNativeDialog *chooser, int response, Dialog *dialog)
 {
-  QnWindow *self = dialog->window;
+  g_autoptr (GError) error = NULL;
+  g_autofree char *path = NULL;
   if (response == GTK_RESPONSE_ACCEPT) {
-    g_autoptr (GError) error = NULL;
     const char *const *known = typed_endings[gtk_drop_down_get_selected (dialog->format)];
-    g_autofree char *path = qn_dialog_dup_chosen_path (chooser, known, &error);
-    if (path == NULL)
-      qn_window_show_error (self, error->message);
-    else {
-      g_free (self->last_export);
-      self->last_export = g_steal_pointer (&path);
-      g_clear_pointer (&self->last_recipe, qn_recipe_free);
-      self->last_recipe = g_steal_pointer (&dialog->recipe);
-      export_to (self, self->last_export, self->last_recipe);
-    }
-    gtk_window_destroy (GTK_WINDOW (dialog->dialog));
+    path = qn_dialog_dup_chosen_path (chooser, known, &error);
   }
-  g_clear_object (&self->chooser);
+  g_clear_object (&dialog->chooser);
+  if (response != GTK_RESPONSE_ACCEPT)
+    return;
+  if (path != NULL)
+    dialog->write (dialog->parent, path, g_steal_pointer (&dialog->recipe));
+  else
+    dialog->tell (dialog->parent, error->message, TRUE);
+  gtk_window_destroy (GTK_WINDOW (dialog->dialog));
 }
 
 static void
 on_export (Dialog *dialog)
 {
   GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (dialog->dialog), &dialog->window->chooser,
+    qn_chooser_begin (GTK_WINDOW (dialog->dialog), &dialog->chooser,
                       GTK_FILE_CHOOSER_ACTION_SAVE, _ ("Export Figure"), _ ("_Export"));
   take_fields (dialog);
-  g_autofree char *name = qn_document_dup_display_name (dialog->window->document);
+  g_autofree char *name =
+    qn_document_dup_display_name (qn_view_state_get_document (dialog->state));
   g_autofree char *proposed = g_strdup_printf ("%s – %s", name, dialog->recipe->file);
   gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser),
                                      g_strdelimit (proposed, "/", '-'));
@@ -218,10 +206,11 @@ on_store (Dialog *dialog)
 {
   g_autoptr (GError) error = NULL;
   take_fields (dialog);
-  if (qn_document_store_figure (dialog->window->document, dialog->recipe, &error)) {
+  if (qn_document_store_figure (qn_view_state_get_document (dialog->state),
+                                dialog->recipe, &error)) {
     g_autofree char *message =
       g_strdup_printf (_ ("Figure “%s” is kept in the project"), dialog->recipe->name);
-    qn_window_show_message (dialog->window, message);
+    dialog->tell (dialog->parent, message, FALSE);
     gtk_window_destroy (GTK_WINDOW (dialog->dialog));
   } else
     gtk_label_set_text (dialog->trouble, error->message);
@@ -377,12 +366,16 @@ build_preview (Dialog *dialog)
 }
 
 void
-qn_export_dialog_show (QnWindow *self)
+qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write,
+                       QnTellFunc tell)
 {
   Dialog *dialog = g_new0 (Dialog, 1);
-  dialog->window = self;
-  dialog->recipe = recipe_of_window (self);
-  dialog->dialog = qn_dialog_new (GTK_WINDOW (self), _ ("Export Figure"), 960, 620);
+  dialog->parent = parent;
+  dialog->state = state;
+  dialog->write = write;
+  dialog->tell = tell;
+  dialog->recipe = recipe_of_view (state);
+  dialog->dialog = qn_dialog_new (parent, _ ("Export Figure"), 960, 620);
   gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog));
 
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
@@ -398,11 +391,4 @@ qn_export_dialog_show (QnWindow *self)
   g_object_weak_ref (G_OBJECT (box), dialog_free, dialog);
   redraw (dialog);
   gtk_window_present (GTK_WINDOW (dialog->dialog));
-}
-
-void
-qn_export_repeat (QnWindow *self)
-{
-  if (self->last_export != NULL && self->last_recipe != NULL)
-    export_to (self, self->last_export, self->last_recipe);
 }

@@ -1,14 +1,15 @@
 /* The figures of the project: which there are, whether the model has changed since they were
  * stored, and all of them made again. */
+#include "app/dialogs/dialogs.h"
+
 #include "app/forms/form.h"
 #include "app/widgets/dialog.h"
-#include "app/window/window-private.h"
 #include "doc/view/figures.h"
 #include "io/text/io-error.h"
 #include <glib/gi18n.h>
 
 typedef struct Figures {
-  QnWindow *window;
+  QnDocument *document;
   GtkWidget *dialog, *list, *export_all;
   GtkLabel *message;
   gboolean waiting; /* for an analysis, before the figures are made */
@@ -28,7 +29,7 @@ static void make_all (Figures *figures);
 static void
 on_allow_response (GtkDialog *dialog, int response, Figures *figures)
 {
-  QnDocument *document = figures->window->document;
+  QnDocument *document = figures->document;
   const char *name = g_object_get_data (G_OBJECT (dialog), "qn-name");
   g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, NULL);
   gboolean allowed = FALSE;
@@ -65,7 +66,7 @@ ask_to_allow (Figures *figures, const QnRecipe *recipe, const char *what)
 static void
 make_all (Figures *figures)
 {
-  QnDocument *document = figures->window->document;
+  QnDocument *document = figures->document;
   g_autoptr (GError) error = NULL;
   g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, &error);
   guint made = 0;
@@ -87,7 +88,7 @@ make_all (Figures *figures)
 static gboolean
 any_waits (Figures *figures)
 {
-  QnDocument *document = figures->window->document;
+  QnDocument *document = figures->document;
   g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, NULL);
   for (guint i = 0; recipes != NULL && i < recipes->len; i++) {
     if (qn_document_figure_waits (document, g_ptr_array_index (recipes, i)))
@@ -100,7 +101,7 @@ any_waits (Figures *figures)
 static void
 on_export_all (Figures *figures)
 {
-  QnDocument *document = figures->window->document;
+  QnDocument *document = figures->document;
   g_autoptr (GError) error = NULL;
   if (!any_waits (figures)) {
     make_all (figures);
@@ -113,7 +114,7 @@ on_export_all (Figures *figures)
 static void
 on_job_changed (Figures *figures)
 {
-  QnDocument *document = figures->window->document;
+  QnDocument *document = figures->document;
   if (!figures->waiting || qn_document_get_job (document) != NULL)
     return;
   figures->waiting = FALSE;
@@ -133,14 +134,14 @@ on_remove (GtkButton *button, Figures *figures)
 {
   g_autofree char *name = g_strdup (g_object_get_data (G_OBJECT (button), "qn-name"));
   g_autoptr (GError) error = NULL;
-  if (!qn_document_remove_figure (figures->window->document, name, &error))
+  if (!qn_document_remove_figure (figures->document, name, &error))
     tell (figures, error->message);
 }
 
 static GtkWidget *
 make_row (Figures *figures, const QnRecipe *recipe)
 {
-  const QnProject *project = qn_document_get_project (figures->window->document);
+  const QnProject *project = qn_document_get_project (figures->document);
   gboolean stale = qn_recipe_is_stale (recipe, project);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
   GtkWidget *words = gtk_box_new (GTK_ORIENTATION_VERTICAL, 2);
@@ -177,8 +178,7 @@ update (Figures *figures)
   while ((child = gtk_widget_get_first_child (figures->list)) != NULL)
     gtk_list_box_remove (GTK_LIST_BOX (figures->list), child);
   g_autoptr (GError) error = NULL;
-  g_autoptr (GPtrArray) recipes =
-    qn_document_get_figures (figures->window->document, &error);
+  g_autoptr (GPtrArray) recipes = qn_document_get_figures (figures->document, &error);
   guint count = recipes != NULL ? recipes->len : 0;
   for (guint i = 0; i < count; i++)
     gtk_list_box_append (GTK_LIST_BOX (figures->list),
@@ -197,12 +197,11 @@ update (Figures *figures)
 }
 
 void
-qn_figures_window_show (QnWindow *self)
+qn_figures_window_show (GtkWindow *parent, QnDocument *document)
 {
   Figures *figures = g_new0 (Figures, 1);
-  figures->window = self;
-  figures->dialog =
-    qn_dialog_new (GTK_WINDOW (self), _ ("Figures of the Project"), 520, 420);
+  figures->document = document;
+  figures->dialog = qn_dialog_new (parent, _ ("Figures of the Project"), 520, 420);
   gtk_window_set_modal (GTK_WINDOW (figures->dialog), FALSE);
   GtkWidget *header = gtk_header_bar_new ();
   figures->export_all = gtk_button_new_with_mnemonic (_ ("Make _All Again"));
@@ -231,8 +230,8 @@ qn_figures_window_show (QnWindow *self)
   gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), form);
   gtk_window_set_child (GTK_WINDOW (figures->dialog), scroller);
   qn_own (form, figures);
-  qn_watch (form, self->document, "changed", G_CALLBACK (update), figures);
-  qn_watch (form, self->document, "job-changed", G_CALLBACK (on_job_changed), figures);
+  qn_watch (form, document, "changed", G_CALLBACK (update), figures);
+  qn_watch (form, document, "job-changed", G_CALLBACK (on_job_changed), figures);
   update (figures);
   gtk_window_present (GTK_WINDOW (figures->dialog));
 }

@@ -1,6 +1,6 @@
 /* The import dialog: what a drawing of another program becomes, with its unit, its extents and
  * everything that was healed and left out, before any of it is taken over. */
-#include "app/window/window-private.h"
+#include "app/dialogs/dialogs.h"
 
 #include "app/forms/form.h"
 #include "app/widgets/dialog.h"
@@ -16,7 +16,8 @@
 static const char *const units[] = { NULL, "mm", "cm", "dm", "m", "in", "ft" };
 
 typedef struct Dialog {
-  QnWindow *window;
+  GtkWindow *parent;
+  QnImportFunc import;
   GtkWidget *dialog, *preview, *accept;
   char *path;
   GtkDropDown *unit;
@@ -41,7 +42,6 @@ dialog_free (gpointer data, GObject *where)
   (void) where;
   Dialog *dialog = data;
   clear_project (dialog);
-  g_object_unref (dialog->window);
   g_free (dialog->path);
   g_free (dialog);
 }
@@ -152,15 +152,9 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
 static void
 accept (Dialog *dialog)
 {
-  QnWindow *window = dialog->window;
-  g_autoptr (GError) error = NULL;
   if (!dialog->has_project)
     return;
-  qn_window_show_work (window);
-  if (qn_document_import (window->document, &dialog->project, &error))
-    qn_canvas_fit (window->canvas);
-  else
-    qn_window_show_error (window, error->message);
+  dialog->import (dialog->parent, &dialog->project);
   gtk_window_destroy (GTK_WINDOW (dialog->dialog));
 }
 
@@ -245,9 +239,8 @@ build_preview (Dialog *dialog)
 }
 
 static GtkWidget *
-build_header (Dialog *dialog)
+build_header (Dialog *dialog, gboolean adds)
 {
-  gboolean adds = qn_document_get_model (dialog->window->document)->block_count > 0;
   GtkWidget *header = gtk_header_bar_new ();
   gtk_header_bar_set_show_title_buttons (GTK_HEADER_BAR (header), FALSE);
   GtkWidget *cancel = gtk_button_new_with_mnemonic (_ ("_Cancel"));
@@ -263,15 +256,17 @@ build_header (Dialog *dialog)
 }
 
 void
-qn_import_dialog_show (QnWindow *window, const char *path)
+qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
+                       QnImportFunc import)
 {
   Dialog *dialog = g_new0 (Dialog, 1);
-  dialog->window = g_object_ref (window);
+  dialog->parent = parent;
+  dialog->import = import;
   dialog->path = g_strdup (path);
   g_autofree char *base = g_path_get_basename (path);
   g_autofree char *title = g_strdup_printf (_ ("Import %s"), base);
-  dialog->dialog = qn_dialog_new (GTK_WINDOW (window), title, 860, 520);
-  gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog));
+  dialog->dialog = qn_dialog_new (parent, title, 860, 520);
+  gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog, adds));
 
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
   gtk_box_append (GTK_BOX (box), build_preview (dialog));

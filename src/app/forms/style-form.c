@@ -1,6 +1,7 @@
 /* What the current tool draws with; only what concerns it is shown. */
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/tools/tools.h"
 #include "core/base/integer.h"
 #include <glib/gi18n.h>
 

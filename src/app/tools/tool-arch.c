@@ -1,5 +1,6 @@
 /* Arch: first the span, from springing to springing, then the rise. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include "core/base/integer.h"
 #include "doc/edit/edit-masonry.h"

@@ -1,5 +1,6 @@
 /* Beam: from point to point; an end on a block, or on another beam's, holds on to it. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include <glib/gi18n.h>
 

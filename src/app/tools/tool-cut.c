@@ -1,5 +1,6 @@
 /* Cut: a line parts the blocks that it crosses; of the selected ones where some are selected. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include "doc/edit/edit-shape.h"
 #include <glib/gi18n.h>

@@ -1,5 +1,6 @@
 /* Force: drag from a point of a block, or from a node of beams, into the direction of the force. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include "doc/document/edit.h"
 #include <glib/gi18n.h>

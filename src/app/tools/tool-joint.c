@@ -1,5 +1,6 @@
 /* Laws of joints: a click, or a frame, gives contact faces the law that the panel shows. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include "doc/edit/edit-face.h"
 #include <glib/gi18n.h>

@@ -1,5 +1,6 @@
 /* Wall and column: a dragged rectangle becomes parametric masonry. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>

@@ -1,5 +1,6 @@
 /* Measure: the distance between two points. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

@@ -1,5 +1,6 @@
 /* Mirror: draw the line; Control, or the switch in the panel, keeps the original. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include <glib/gi18n.h>
 

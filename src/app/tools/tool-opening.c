@@ -2,6 +2,7 @@
  * click with Shift fills it again. */
 #include "app/canvas/gesture.h"
 #include "app/canvas/handle.h"
+#include "app/tools/tools.h"
 
 #include "doc/edit/edit-masonry.h"
 #include "doc/masonry/masonry-shape.h"

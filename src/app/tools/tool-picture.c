@@ -1,6 +1,7 @@
 /* Picture behind the drawing: drag it, or click two points on it and type how far they are from
  * each other. */
 #include "app/canvas/canvas.h"
+#include "app/tools/tools.h"
 
 #include "doc/edit/picture.h"
 #include <glib/gi18n.h>

@@ -1,5 +1,6 @@
 /* Polygonal block: click the corners, close at the first one or with a double click. */
 #include "app/canvas/canvas.h"
+#include "app/tools/tools.h"
 
 #include "doc/document/edit.h"
 #include <glib/gi18n.h>

@@ -1,5 +1,6 @@
 /* A single rectangular block. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include <glib/gi18n.h>
 

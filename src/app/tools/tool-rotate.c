@@ -1,5 +1,6 @@
 /* Rotate: press at the centre, drag around it; or type the angle. */
 #include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

@@ -2,6 +2,7 @@
  * handle to change it. */
 #include "app/canvas/gesture.h"
 #include "app/canvas/handle.h"
+#include "app/tools/tools.h"
 
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>

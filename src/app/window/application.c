@@ -1,7 +1,8 @@
 #include "app/window/application.h"
 
-#include "app/canvas/tool.h"
+#include "app/dialogs/dialogs.h"
 #include "app/widgets/settings.h"
+#include "app/window/action-table.h"
 #include "app/window/window.h"
 #include "doc/document/recovery.h"
 #include <glib/gi18n.h>
@@ -65,50 +66,6 @@ on_quit (GSimpleAction *action, GVariant *parameter, gpointer application)
   for (GList *l = windows; l != NULL; l = l->next)
     gtk_window_close (GTK_WINDOW (l->data));
   g_list_free (windows);
-}
-
-/* ---- shortcuts ---- */
-
-static const struct {
-  const char *action;
-  const char *accels[3];
-} shortcuts[] = {
-  { "app.new-window", { "<Control>n" } },
-  { "app.quit", { "<Control>q" } },
-  { "app.help", { "F1" } },
-  { "app.preferences", { "<Control>comma" } },
-  { "win.open", { "<Control>o" } },
-  { "win.save", { "<Control>s" } },
-  { "win.save-as", { "<Control><Shift>s" } },
-  { "win.close", { "<Control>w" } },
-  { "win.undo", { "<Control>z" } },
-  { "win.redo", { "<Control><Shift>z", "<Control>y" } },
-  { "win.duplicate", { "<Control>d" } },
-  { "win.run", { "F5" } },
-  { "win.cancel", { "<Shift>F5" } },
-  { "win.export", { "<Control>e" } },
-  { "win.print", { "<Control>p" } },
-  { "win.import", { "<Control>i" } },
-  { "win.repeat-export", { "<Control><Shift>e" } },
-  { "win.fullscreen", { "F11" } },
-  { "win.show-help-overlay", { "<Control>question" } },
-  { "win.zoom-in", { "<Control>plus", "<Control>equal" } },
-  { "win.zoom-out", { "<Control>minus" } },
-  { "win.fit", { "<Control>0" } },
-  { "win.view::model", { "<Control>1" } },
-  { "win.view::contacts", { "<Control>2" } },
-  { "win.view::deformed", { "<Control>3" } },
-  { "win.view::mechanism", { "<Control>4" } },
-  { "win.view::forces", { "<Control>5" } },
-  { "win.view::diagrams", { "<Control>6" } },
-};
-
-static void
-add_shortcuts (GtkApplication *application)
-{
-  for (gsize i = 0; i < G_N_ELEMENTS (shortcuts); i++)
-    gtk_application_set_accels_for_action (application, shortcuts[i].action,
-                                           shortcuts[i].accels);
 }
 
 /* ---- life ---- */
@@ -205,7 +162,7 @@ qn_application_startup (GApplication *application)
   gtk_window_set_default_icon_name ("io.github.quoin.Quoin");
   qn_settings_apply_style ();
   load_css ();
-  add_shortcuts (GTK_APPLICATION (application));
+  qn_action_add_accelerators (GTK_APPLICATION (application));
 }
 
 static void

@@ -10,9 +10,4 @@ G_DECLARE_FINAL_TYPE (QnApplication, qn_application, QN, APPLICATION, GtkApplica
 /* The application, one per process: opens files, one window each. Owned by the caller. */
 QnApplication *qn_application_new (void);
 
-/* application-dialogs.c */
-void qn_preferences_show (GtkWindow *parent);
-void qn_about_show (GtkWindow *parent);
-void qn_help_show (GtkWindow *parent, const char *page);
-
 #endif

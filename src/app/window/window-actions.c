@@ -1,8 +1,11 @@
 #include "app/window/window-private.h"
 
 #include "app/forms/panel.h"
+#include "app/tools/tools.h"
 #include "app/widgets/settings.h"
+#include "app/window/action-table.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 #define ZOOM_FACTOR 1.25
 
@@ -109,34 +112,6 @@ toggle_fullscreen (QnWindow *self, GVariant *parameter)
     gtk_window_fullscreen (GTK_WINDOW (self));
 }
 
-static void
-export_figure (QnWindow *self, GVariant *parameter)
-{
-  (void) parameter;
-  qn_export_dialog_show (self);
-}
-
-static void
-repeat_export (QnWindow *self, GVariant *parameter)
-{
-  (void) parameter;
-  qn_export_repeat (self);
-}
-
-static void
-show_figures (QnWindow *self, GVariant *parameter)
-{
-  (void) parameter;
-  qn_figures_window_show (self);
-}
-
-static void
-compare (QnWindow *self, GVariant *parameter)
-{
-  (void) parameter;
-  qn_compare_window_show (self);
-}
-
 /* ---- actions with a state ---- */
 
 static void
@@ -238,98 +213,99 @@ qn_window_add_actions (QnWindow *self)
     { "previous-step", NULL, previous_step },
     { "show-panel", "s", show_panel },
     { "fullscreen", NULL, toggle_fullscreen },
-    { "export", NULL, export_figure },
-    { "repeat-export", NULL, repeat_export },
-    { "compare", NULL, compare },
-    { "figures", NULL, show_figures },
   };
   qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));
   add_stateful_actions (self);
 }
 
-static void
-set_enabled (QnWindow *self, const char *name, gboolean enabled)
+static QnNeeds
+find_facts (QnWindow *self)
 {
-  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), name);
-  if (action != NULL)
-    g_simple_action_set_enabled (G_SIMPLE_ACTION (action), enabled);
-}
-
-static gboolean
-has_beam_forces (QnWindow *self)
-{
-  const QnRun *run = qn_document_get_run (self->document);
-  return run != NULL && run->result.beam_forces != NULL;
+  QnDocument *document = self->document;
+  QnHistory *history = qn_document_get_history (document);
+  QnSelection *selection = qn_document_get_selection (document);
+  const QnModel *model = qn_document_get_model (document);
+  const QnRun *run = qn_document_get_run (document);
+  QnJob *job = qn_document_get_job (document);
+  gboolean busy = job != NULL && !qn_job_is_live (job);
+  guint blocks = 0, beams = 0;
+  QnId object;
+  int number;
+  qn_selection_get_blocks (selection, &blocks);
+  qn_selection_get_beams (selection, &beams);
+  gboolean opening = qn_selection_get_opening (selection, &object, &number);
+  const struct {
+    gboolean holds;
+    QnNeeds fact;
+  } facts[] = {
+    { !qn_window_is_blank (self), QN_NEEDS_WORK },
+    { model->block_count > 0 || model->beam_count > 0, QN_NEEDS_MODEL },
+    { !busy, QN_NEEDS_IDLE },
+    { busy, QN_NEEDS_JOB },
+    { run != NULL, QN_NEEDS_RUN },
+    { qn_document_get_runs (document)->len > 0, QN_NEEDS_RUNS },
+    { run != NULL && run->result.beam_forces != NULL, QN_NEEDS_BEAM_FORCES },
+    { qn_history_can_undo (history), QN_NEEDS_UNDO },
+    { qn_history_can_redo (history), QN_NEEDS_REDO },
+    { blocks > 0, QN_NEEDS_BLOCKS },
+    { blocks > 1, QN_NEEDS_TWO_BLOCKS },
+    { blocks + beams > 0, QN_NEEDS_PARTS },
+    { blocks + beams > 0 || opening, QN_NEEDS_MOVABLE },
+    { qn_selection_get_face (selection) != QN_NONE, QN_NEEDS_FACE },
+    { self->last_export != NULL, QN_NEEDS_EXPORTED },
+  };
+  QnNeeds all = QN_NEEDS_NOTHING;
+  for (gsize i = 0; i < G_N_ELEMENTS (facts); i++)
+    if (facts[i].holds)
+      all |= facts[i].fact;
+  return all;
 }
 
 void
 qn_window_update_actions (QnWindow *self)
 {
-  QnHistory *history = qn_document_get_history (self->document);
-  guint selected = 0;
-  guint selected_beams = 0;
-  qn_selection_get_blocks (qn_document_get_selection (self->document), &selected);
-  qn_selection_get_beams (qn_document_get_selection (self->document), &selected_beams);
-  gboolean parts = selected > 0 || selected_beams > 0;
-  QnId object;
-  int number;
-  gboolean opening = qn_selection_get_opening (qn_document_get_selection (self->document),
-                                               &object, &number);
-  gboolean face =
-    qn_selection_get_face (qn_document_get_selection (self->document)) != QN_NONE;
-  gboolean work = !qn_window_is_blank (self);
-  gboolean blocks = qn_document_get_model (self->document)->block_count > 0
-                    || qn_document_get_model (self->document)->beam_count > 0;
-  gboolean run = qn_document_get_run (self->document) != NULL;
-  QnJob *job = qn_document_get_job (self->document);
-  gboolean busy = job != NULL && !qn_job_is_live (job);
-  const struct {
-    const char *name;
-    gboolean enabled;
-  } states[] = { { "undo", work && qn_history_can_undo (history) },
-                 { "redo", work && qn_history_can_redo (history) },
-                 { "delete", parts || opening },
-                 { "detach", selected > 0 },
-                 { "mirror", parts },
-                 { "rotate", parts },
-                 { "duplicate", parts },
-                 { "array", parts },
-                 { "nudge", parts || opening },
-                 { "join", selected > 1 },
-                 { "select-faces-like", face },
-                 { "copy", selected > 0 },
-                 { "cut", selected > 0 },
-                 { "select-like", selected > 0 },
-                 { "select-all", blocks },
-                 { "paste", work },
-                 { "save", work },
-                 { "save-as", work },
-                 { "run", work && blocks && !busy },
-                 { "run-limit", work && blocks && !busy },
-                 { "run-all", work && blocks && !busy },
-                 { "run-modes", work && blocks && !busy },
-                 { "run-stability", work && blocks && !busy },
-                 { "cancel", busy },
-                 { "pause", busy },
-                 { "diagram", run && has_beam_forces (self) },
-                 { "play", run },
-                 { "export-result", run },
-                 { "export-drawing", work && blocks },
-                 { "open-result", work && blocks },
-                 { "open-result-path", work && blocks },
-                 { "next-step", run },
-                 { "previous-step", run },
-                 { "export", work && blocks },
-                 { "print", work && blocks },
-                 { "print-path", work && blocks },
-                 { "figures", work },
-                 { "repeat-export", work && self->last_export != NULL },
-                 { "compare", qn_document_get_runs (self->document)->len > 0 } };
-  for (gsize i = 0; i < G_N_ELEMENTS (states); i++)
-    set_enabled (self, states[i].name, states[i].enabled);
-
+  QnNeeds facts = find_facts (self);
+  for (gsize i = 0; i < qn_action_row_count; i++) {
+    const QnActionRow *row = &qn_action_rows[i];
+    if (row->needs == QN_NEEDS_NOTHING)
+      continue;
+    GAction *action =
+      g_action_map_lookup_action (G_ACTION_MAP (self), row->name + strlen ("win."));
+    g_simple_action_set_enabled (G_SIMPLE_ACTION (action), (row->needs & ~facts) == 0);
+  }
   GAction *view = g_action_map_lookup_action (G_ACTION_MAP (self), "view");
   g_simple_action_set_state (
     G_SIMPLE_ACTION (view),
     g_variant_new_string (qn_view_name (qn_view_state_get_view (self->state))));
+}
+
+/* ---- keys without an accelerator, which entries and the drawing's gestures see first ---- */
+
+static gboolean
+on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
+        GdkModifierType modifiers, QnWindow *self)
+{
+  (void) keycode;
+  GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (self));
+  gboolean on_drawing = focus == NULL || focus == GTK_WIDGET (self->canvas);
+  if (qn_window_is_blank (self) || GTK_IS_EDITABLE (focus) || GTK_IS_TEXT_VIEW (focus))
+    return FALSE;
+  if (keyval == GDK_KEY_Escape && !on_drawing)
+    return gtk_event_controller_key_forward (controller, GTK_WIDGET (self->canvas));
+  if (qn_canvas_is_in_gesture (self->canvas)
+      && (modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK)) == 0)
+    return FALSE;
+  g_autofree char *detailed = qn_action_dup_for_key (keyval, modifiers, on_drawing);
+  g_autofree char *name = NULL;
+  g_autoptr (GVariant) target = NULL;
+  return detailed != NULL && g_action_parse_detailed_name (detailed, &name, &target, NULL)
+         && gtk_widget_activate_action_variant (GTK_WIDGET (self), name, target);
+}
+
+void
+qn_window_add_keys (QnWindow *self)
+{
+  GtkEventController *key = gtk_event_controller_key_new ();
+  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
+  gtk_widget_add_controller (GTK_WIDGET (self), key);
 }

@@ -1,10 +1,10 @@
-/* Results and drawings as files besides figures, and results read again; animations have a dialog
- * of their own. */
+/* Figures, results and drawings as files, and results read again. */
 #include "app/window/window-private.h"
 
+#include "app/dialogs/dialogs.h"
 #include "app/widgets/dialog.h"
-#include "app/window/window-chooser.h"
 #include "doc/document/run-file.h"
+#include "doc/view/figure-export.h"
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"
 #include "io/exchange/vtu.h"
@@ -133,12 +133,84 @@ choose_file (QnWindow *self, gsize i)
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
+/* ---- figures and what else has a dialog of its own ---- */
+
+static void
+tell (GtkWindow *window, const char *message, gboolean trouble)
+{
+  if (trouble)
+    qn_window_show_error (QN_WINDOW (window), message);
+  else
+    qn_window_show_message (QN_WINDOW (window), message);
+}
+
+static void
+repeat_export (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  g_autoptr (GError) error = NULL;
+  if (self->last_export == NULL)
+    return;
+  if (!qn_view_state_export_as (self->state, self->last_recipe, self->last_export,
+                                &error)) {
+    qn_window_show_error (self, error->message);
+    return;
+  }
+  g_autofree char *message =
+    g_strdup_printf (_ ("Figure written to %s"), self->last_export);
+  qn_window_show_message (self, message);
+  qn_window_update_actions (self);
+}
+
+static void
+write_figure (GtkWindow *window, const char *path, QnRecipe *recipe)
+{
+  QnWindow *self = QN_WINDOW (window);
+  g_free (self->last_export);
+  self->last_export = g_strdup (path);
+  g_clear_pointer (&self->last_recipe, qn_recipe_free);
+  self->last_recipe = recipe;
+  repeat_export (self, NULL);
+}
+
+static void
+export_figure (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_export_dialog_show (GTK_WINDOW (self), self->state, write_figure, tell);
+}
+
+static void
+show_figures (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_figures_window_show (GTK_WINDOW (self), self->document);
+}
+
+static GPtrArray *
+list_others (GtkWindow *self)
+{
+  GPtrArray *documents = g_ptr_array_new ();
+  GtkApplication *application = gtk_window_get_application (self);
+  for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
+    if (QN_IS_WINDOW (l->data) && l->data != self)
+      g_ptr_array_add (documents, qn_window_get_document (l->data));
+  return documents;
+}
+
+static void
+compare (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_compare_window_show (GTK_WINDOW (self), self->document, list_others);
+}
+
 static void
 export_result (QnWindow *self, GVariant *parameter)
 {
   const char *name = g_variant_get_string (parameter, NULL);
   if (g_str_equal (name, "animation")) {
-    qn_animation_dialog_show (self);
+    qn_animation_dialog_show (GTK_WINDOW (self), self->state, tell, NULL);
     return;
   }
   for (gsize i = 0; i < DRAWING; i++)
@@ -160,7 +232,7 @@ export_path (QnWindow *self, GVariant *parameter)
   const char *name, *path;
   g_variant_get (parameter, "(&s&s)", &name, &path);
   if (g_str_equal (name, "animation") && qn_document_get_run (self->document) != NULL)
-    qn_animation_export_to (self, path);
+    qn_animation_dialog_show (GTK_WINDOW (self), self->state, tell, path);
   for (gsize i = 0; i < G_N_ELEMENTS (exports); i++)
     if (g_str_equal (exports[i].name, name))
       export_to (self, i, path);
@@ -207,6 +279,10 @@ void
 qn_window_add_export_actions (QnWindow *self)
 {
   static const QnWindowAction actions[] = {
+    { "export", NULL, export_figure },
+    { "repeat-export", NULL, repeat_export },
+    { "compare", NULL, compare },
+    { "figures", NULL, show_figures },
     { "export-result", "s", export_result },
     { "export-drawing", NULL, export_drawing },
     { "export-path", "(ss)", export_path },

@@ -1,7 +1,6 @@
 #include "app/window/window-private.h"
 
 #include "app/widgets/dialog.h"
-#include "app/window/window-chooser.h"
 #include "doc/edit/picture.h"
 #include <glib/gi18n.h>
 
@@ -15,6 +14,33 @@ static const QnFileKind projects = { .title = N_ ("Open"),
                                      .action = "win.open-path" };
 
 /* ---- opening ---- */
+
+static void
+on_file_chosen (GtkNativeDialog *chooser, int response, QnWindow *self)
+{
+  const QnFileKind *kind = g_object_get_data (G_OBJECT (chooser), "qn-file-kind");
+  if (response == GTK_RESPONSE_ACCEPT) {
+    g_autoptr (GFile) file = gtk_file_chooser_get_file (GTK_FILE_CHOOSER (chooser));
+    g_autofree char *path = g_file_get_path (file);
+    if (path != NULL)
+      gtk_widget_activate_action (GTK_WIDGET (self), kind->action, "s", path);
+    else
+      qn_window_show_error (self, _ ("Only local files can be opened"));
+  }
+  g_clear_object (&self->chooser);
+}
+
+void
+qn_window_choose_file (QnWindow *self, const QnFileKind *kind)
+{
+  GtkFileChooserNative *chooser =
+    qn_chooser_begin (GTK_WINDOW (self), &self->chooser, GTK_FILE_CHOOSER_ACTION_OPEN,
+                      _ (kind->title), _ (kind->accept));
+  qn_chooser_add_kind (chooser, kind);
+  g_object_set_data (G_OBJECT (chooser), "qn-file-kind", (gpointer) kind);
+  g_signal_connect (chooser, "response", G_CALLBACK (on_file_chosen), self);
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+}
 
 QnWindow *
 qn_window_find_path (GtkApplication *application, const char *path)

@@ -1,6 +1,6 @@
 /* What comes in from outside: drawings of other programs, pictures behind the drawing, and files
  * dropped on the window. */
-#include "app/window/window-chooser.h"
+#include "app/dialogs/dialogs.h"
 #include "app/window/window-private.h"
 
 #include "doc/document/import.h"
@@ -45,6 +45,18 @@ remove_picture (QnWindow *self, GVariant *parameter)
 
 /* ---- files of every kind ---- */
 
+static void
+take_import (GtkWindow *window, const QnProject *project)
+{
+  QnWindow *self = QN_WINDOW (window);
+  g_autoptr (GError) error = NULL;
+  qn_window_show_work (self);
+  if (qn_document_import (self->document, project, &error))
+    qn_canvas_fit (self->canvas);
+  else
+    qn_window_show_error (self, error->message);
+}
+
 void
 qn_window_take_file (QnWindow *self, const char *path)
 {
@@ -53,7 +65,9 @@ qn_window_take_file (QnWindow *self, const char *path)
   else if (qn_import_is_picture (path))
     insert_picture (self, path);
   else if (qn_import_knows_file (path))
-    qn_import_dialog_show (self, path);
+    qn_import_dialog_show (GTK_WINDOW (self), path,
+                           qn_document_get_model (self->document)->block_count > 0,
+                           take_import);
   else
     gtk_widget_activate_action (GTK_WIDGET (self), "win.open-path", "s", path);
 }

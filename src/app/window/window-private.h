@@ -2,6 +2,7 @@
 #ifndef QN_APP_WINDOW_PRIVATE_H
 #define QN_APP_WINDOW_PRIVATE_H
 
+#include "app/widgets/chooser.h"
 #include "app/window/window.h"
 #include "doc/document/recovery.h"
 #include "doc/view/recipe.h"
@@ -50,6 +51,7 @@ struct _QnWindow {
 /* window-actions.c: actions of viewing, tools, panels. */
 void qn_window_add_actions (QnWindow *window);
 void qn_window_update_actions (QnWindow *window);
+void qn_window_add_keys (QnWindow *window);
 
 /* window-edit.c: actions that change the drawing. */
 void qn_window_add_edit_actions (QnWindow *window);
@@ -69,14 +71,14 @@ void qn_window_accept_drops (QnWindow *window);
 /* Opens, imports or lays behind the drawing, by the kind of file. */
 void qn_window_take_file (QnWindow *window, const char *path);
 
-/* import-dialog.c */
-void qn_import_dialog_show (QnWindow *window, const char *path);
+/* Asks for a file of a kind, which must outlive the chooser, and activates its action. */
+void qn_window_choose_file (QnWindow *window, const QnFileKind *kind);
 
 /* window-analysis.c: run, progress, live mode. */
 void qn_window_add_analysis_actions (QnWindow *window);
 void qn_window_connect_analysis (QnWindow *window);
 
-/* window-export.c: tables, and what leads to other exports. */
+/* window-export.c: figures, animations, tables, comparison. */
 void qn_window_add_export_actions (QnWindow *window);
 
 /* A result file of the project: added to the runs and shown. */
@@ -87,23 +89,6 @@ void qn_window_show_work (QnWindow *window);
 
 /* window-print.c */
 void qn_window_add_print_actions (QnWindow *window);
-
-/* figures-window.c */
-void qn_figures_window_show (QnWindow *window);
-
-/* animation-dialog.c */
-void qn_animation_dialog_show (QnWindow *window);
-/* Writes as the dialog would by itself, and shows how far it is. */
-void qn_animation_export_to (QnWindow *window, const char *path);
-
-/* export-dialog.c */
-void qn_export_dialog_show (QnWindow *window);
-void qn_export_repeat (QnWindow *window);
-
-/* compare-window.c */
-void qn_compare_window_show (QnWindow *window);
-/* Writes runs (of QnRun) as one sheet. */
-gboolean qn_compare_export (const GPtrArray *runs, const char *path, GError **error);
 
 /* Adds actions that call func (window) or, with a parameter type, func (window, value). */
 typedef struct QnWindowAction {

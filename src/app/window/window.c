@@ -1,8 +1,10 @@
 #include "app/window/window-private.h"
 
 #include "app/forms/panel.h"
+#include "app/tools/tools.h"
 #include "app/views/start-page.h"
 #include "app/widgets/settings.h"
+#include "app/window/action-table.h"
 #include "doc/document/import.h"
 #include "doc/document/run-file.h"
 #include "doc/text/count-text.h"
@@ -68,15 +70,17 @@ update_history (QnWindow *self)
   QnHistory *history = qn_document_get_history (self->document);
   guint position = qn_history_get_position (history);
   g_autofree char *undo =
-    qn_history_can_undo (history) ? g_strdup_printf (
-      _ ("Undo %s (Ctrl+Z)"), qn_history_get_name (history, position - 1))
-                                  : g_strdup (_ ("Nothing to undo"));
-  g_autofree char *redo = qn_history_can_redo (history)
-                            ? g_strdup_printf (_ ("Redo %s (Shift+Ctrl+Z)"),
-                                               qn_history_get_name (history, position))
-                            : g_strdup (_ ("Nothing to redo"));
-  gtk_widget_set_tooltip_text (GTK_WIDGET (self->undo_button), undo);
-  gtk_widget_set_tooltip_text (GTK_WIDGET (self->redo_button), redo);
+    qn_history_can_undo (history)
+      ? g_strdup_printf (_ ("Undo %s"), qn_history_get_name (history, position - 1))
+      : g_strdup (_ ("Nothing to undo"));
+  g_autofree char *redo =
+    qn_history_can_redo (history)
+      ? g_strdup_printf (_ ("Redo %s"), qn_history_get_name (history, position))
+      : g_strdup (_ ("Nothing to redo"));
+  g_autofree char *undo_tooltip = qn_action_dup_tooltip (undo, "win.undo");
+  g_autofree char *redo_tooltip = qn_action_dup_tooltip (redo, "win.redo");
+  gtk_widget_set_tooltip_text (GTK_WIDGET (self->undo_button), undo_tooltip);
+  gtk_widget_set_tooltip_text (GTK_WIDGET (self->redo_button), redo_tooltip);
   update_title (self);
   qn_window_update_actions (self);
 }
@@ -383,10 +387,11 @@ qn_window_init (QnWindow *self)
 {
   g_type_ensure (QN_TYPE_CANVAS);
   gtk_widget_init_template (GTK_WIDGET (self));
+  qn_action_complete_tooltips (GTK_WIDGET (self));
   self->document = qn_document_new ();
   self->state = qn_view_state_new (self->document);
   self->tool_settings = first_settings;
-  qn_canvas_set_state (self->canvas, self->state, &self->tool_settings);
+  qn_canvas_set_state (self->canvas, self->state, &self->tool_settings, &qn_tool_select);
   qn_window_add_actions (self);
   qn_window_add_edit_actions (self);
   qn_window_add_file_actions (self);
@@ -394,12 +399,15 @@ qn_window_init (QnWindow *self)
   qn_window_add_analysis_actions (self);
   qn_window_add_export_actions (self);
   qn_window_add_print_actions (self);
+  qn_window_add_keys (self);
   build_tools (self);
   build_panels (self);
   connect_document (self);
   qn_window_connect_analysis (self);
   self->recovery = qn_recovery_watch (self->document);
   bind_settings (self);
+  g_autoptr (GtkShortcutsWindow) shortcuts = qn_action_new_shortcuts_window ();
+  gtk_application_window_set_help_overlay (GTK_APPLICATION_WINDOW (self), shortcuts);
 
   qn_window_accept_drops (self);
   update_counts (self);
@@ -411,7 +419,8 @@ qn_window_init (QnWindow *self)
 void
 qn_window_commit_entry (QnWindow *self)
 {
-  gtk_window_set_focus (GTK_WINDOW (self), NULL);
+  if (GTK_IS_EDITABLE (gtk_window_get_focus (GTK_WINDOW (self))))
+    gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
 }
 
 /* Forms act on the canvas, also while they lose focus and rows: they go before it does. */

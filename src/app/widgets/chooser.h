@@ -1,8 +1,8 @@
 /* Choosing files: one modal chooser at a time over a window or one of its dialogs. */
-#ifndef QN_APP_WINDOW_CHOOSER_H
-#define QN_APP_WINDOW_CHOOSER_H
+#ifndef QN_APP_CHOOSER_H
+#define QN_APP_CHOOSER_H
 
-#include "app/window/window.h"
+#include <gtk/gtk.h>
 
 /* Files of one kind that a window opens. Titles and names are marked for translation, not
  * translated yet. */
@@ -13,9 +13,6 @@ typedef struct QnFileKind {
   const char *const *suffixes; /* without their dots, NULL-terminated */
   const char *action;          /* of the window, with the chosen path as its parameter */
 } QnFileKind;
-
-/* Asks for a file of a kind, which must outlive the chooser, and activates its action. */
-void qn_window_choose_file (QnWindow *window, const QnFileKind *kind);
 
 /* Shows such files alone. */
 void qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind);

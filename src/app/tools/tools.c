@@ -1,4 +1,4 @@
-#include "app/canvas/tool.h"
+#include "app/tools/tools.h"
 
 const QnTool *const qn_tools[] = { &qn_tool_select,
                                    &qn_tool_wall,

@@ -1,4 +1,5 @@
-#include "app/window/application.h"
+/* Dialogs of the program: preferences, about, help. */
+#include "app/dialogs/dialogs.h"
 
 #include "app/forms/form.h"
 #include "app/widgets/dialog.h"

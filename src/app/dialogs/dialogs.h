@@ -1,0 +1,46 @@
+/* Dialogs over a window. Each gets what it works on, and functions by which it tells its window
+ * what has come of it; what is passed must live as long as the window. */
+#ifndef QN_APP_DIALOGS_H
+#define QN_APP_DIALOGS_H
+
+#include "doc/view/recipe.h"
+#include "doc/view/view-state.h"
+#include <gtk/gtk.h>
+
+/* Shows a message in the window: `trouble` where something failed. */
+typedef void (*QnTellFunc) (GtkWindow *window, const char *message, gboolean trouble);
+
+/* Of the program. `page` of the help: "tutorial", "reference", "theory", or NULL. */
+void qn_preferences_show (GtkWindow *parent);
+void qn_about_show (GtkWindow *parent);
+void qn_help_show (GtkWindow *parent, const char *page);
+
+/* A figure of what the view state shows. Hands over the path that was chosen and what the figure
+ * is to show, for the window to write it; the recipe is taken over. */
+typedef void (*QnFigureFunc) (GtkWindow *window, const char *path, QnRecipe *recipe);
+void qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write,
+                            QnTellFunc tell);
+
+/* An animation of the current run. With a path it is written there at once, as the dialog would by
+ * itself, and the dialog shows how far it is. */
+void qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
+                               const char *path);
+
+/* The figures that the project keeps. */
+void qn_figures_window_show (GtkWindow *parent, QnDocument *document);
+
+/* What the drawing of another program becomes. Hands over the project for the window to take in;
+ * it remains the dialog's. */
+typedef void (*QnImportFunc) (GtkWindow *window, const QnProject *project);
+void qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
+                            QnImportFunc import);
+
+/* Runs beside each other: those of `document` first, then of the others (borrowed, freed by the
+ * caller) that `list_others` finds whenever the choice is listed anew. */
+typedef GPtrArray *(*QnDocumentsFunc) (GtkWindow *window);
+void qn_compare_window_show (GtkWindow *parent, QnDocument *document,
+                             QnDocumentsFunc list_others);
+/* Writes runs (of QnRun) as one sheet. */
+gboolean qn_compare_export (const GPtrArray *runs, const char *path, GError **error);
+
+#endif

@@ -1,0 +1,31 @@
+/* All tools. */
+#ifndef QN_APP_TOOLS_H
+#define QN_APP_TOOLS_H
+
+#include "app/canvas/tool.h"
+
+/* In the order of the palette; NULL-terminated. */
+extern const QnTool *const qn_tools[];
+const QnTool *qn_tool_find (const char *name);
+
+extern const QnTool qn_tool_select;
+extern const QnTool qn_tool_wall;
+extern const QnTool qn_tool_opening;
+extern const QnTool qn_tool_arch;
+extern const QnTool qn_tool_column;
+extern const QnTool qn_tool_rectangle;
+extern const QnTool qn_tool_polygon;
+extern const QnTool qn_tool_beam;
+extern const QnTool qn_tool_cut;
+extern const QnTool qn_tool_rotate;
+extern const QnTool qn_tool_mirror;
+extern const QnTool qn_tool_joint;
+extern const QnTool qn_tool_support;
+extern const QnTool qn_tool_force;
+extern const QnTool qn_tool_measure;
+extern const QnTool qn_tool_picture;
+
+/* Style of single blocks. */
+QnBlockStyle qn_tool_settings_get_block_style (const QnToolSettings *settings);
+
+#endif
