@@ -210,17 +210,9 @@ qn_recipes_read (const QnProject *project, GPtrArray *warnings, GError **error)
                       .overrides = (const char *const *) project->overrides,
                       .warnings = warnings != NULL ? warnings : unheard };
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
-  QnJsonValue list = { .json = NULL };
-  if (project->extras != NULL)
-    list = qn_json_value_member (&root, "figures");
-  if (list.json == NULL)
-    return g_steal_pointer (&recipes);
-
-  gsize index = 0;
-  gboolean sound = qn_json_value_array (&list);
-  for (const cJSON *value = list.json->child; sound && value != NULL;
-       value = value->next) {
-    QnJsonValue element = qn_json_value_element (&list, index++, value);
+  QnJsonValue list, element = { 0 };
+  gboolean sound = qn_member_array (&root, "figures", QN_OPTIONAL, &list);
+  while (sound && qn_json_value_next (&list, &element)) {
     QnRecipe *recipe = read_recipe (&element, recipes);
     sound = recipe != NULL;
     if (sound)

@@ -34,6 +34,17 @@ qn_json_value_element (const QnJsonValue *array, gsize index, const cJSON *value
   };
 }
 
+gboolean
+qn_json_value_next (const QnJsonValue *array, QnJsonValue *element)
+{
+  const cJSON *json = array->json;
+  if (element->parent == NULL)
+    *element = qn_json_value_element (array, 0, json != NULL ? json->child : NULL);
+  else
+    *element = qn_json_value_element (array, element->index + 1, element->json->next);
+  return element->json != NULL;
+}
+
 static void
 append_path (const QnJsonValue *place, GString *path)
 {
@@ -296,6 +307,14 @@ qn_member_vec2 (const QnJsonValue *object, const char *key, QnNeed need, QnVec2 
   QnJsonValue member = qn_json_value_member (object, key);
   return (member.json == NULL && need == QN_OPTIONAL)
          || qn_json_value_vec2 (&member, vector);
+}
+
+gboolean
+qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
+                 QnJsonValue *array)
+{
+  *array = qn_json_value_member (object, key);
+  return (array->json == NULL && need == QN_OPTIONAL) || qn_json_value_array (array);
 }
 
 gboolean

@@ -49,6 +49,10 @@ QnJsonValue qn_json_value_member (const QnJsonValue *object, const char *key);
 QnJsonValue qn_json_value_element (const QnJsonValue *array, gsize index,
                                    const cJSON *value);
 
+/* Steps to the next element of an array; to the first one where `element` is zeroed. FALSE behind
+ * the last one, and where there is no array. */
+gboolean qn_json_value_next (const QnJsonValue *array, QnJsonValue *element);
+
 /* "wall.quoin:12:7: blocks[3].vertices: message"; with "(set by …)" instead of line and column
  * where an override put the value there. Free with g_free(). */
 char *qn_reader_dup_line (const QnReader *reader, const char *path, const char *message);
@@ -90,6 +94,8 @@ gboolean qn_member_vec2 (const QnJsonValue *object, const char *key, QnNeed need
                          QnVec2 *vector);
 gboolean qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
                            const char **string);
+gboolean qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
+                          QnJsonValue *array);
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                            QnNameFunc name, int count, int *choice);
 

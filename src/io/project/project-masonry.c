@@ -20,23 +20,17 @@ expand_object (QnProject *project, const QnMasonry *masonry, QnId index, QnDiag 
 gboolean
 qn_read_masonry (const QnJsonValue *root, QnProject *project)
 {
-  QnJsonValue list = qn_json_value_root (root->reader, NULL);
-  list.parent = root;
-  list.key = QN_MASONRY_MEMBER;
-  list.json = cJSON_GetObjectItemCaseSensitive (project->extras, QN_MASONRY_MEMBER);
-  if (list.json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (&list))
+  /* Its members have been moved into the extras. */
+  QnJsonValue document = { .reader = root->reader, .json = project->extras };
+  QnJsonValue list, place = { 0 };
+  if (!qn_member_array (&document, QN_MASONRY_MEMBER, QN_OPTIONAL, &list))
     return FALSE;
-
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
-    QnJsonValue place = qn_json_value_element (&list, index, item);
+  while (qn_json_value_next (&list, &place)) {
     QnMasonry masonry;
     if (!qn_read_masonry_object (&place, &project->model, &masonry))
       return FALSE;
     QnDiag diag;
-    QnStatus status = expand_object (project, &masonry, (QnId) index, &diag);
+    QnStatus status = expand_object (project, &masonry, (QnId) place.index, &diag);
     qn_masonry_clear (&masonry);
     if (status != QN_OK) {
       qn_project_set_error (project, &diag, &root->reader->error);
@@ -53,12 +47,8 @@ qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **er
   g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
   QnReader reader = { .name = project->name, .warnings = warnings };
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
-  QnJsonValue place = qn_json_value_member (&root, QN_MASONRY_MEMBER);
-  if (project->extras == NULL || place.json == NULL)
-    return TRUE;
-  gsize index = 0;
-  for (const cJSON *item = place.json->child; item != NULL; item = item->next) {
-    QnJsonValue element = qn_json_value_element (&place, index++, item);
+  QnJsonValue place = qn_json_value_member (&root, QN_MASONRY_MEMBER), element = { 0 };
+  while (qn_json_value_next (&place, &element)) {
     QnMasonry masonry;
     if (!qn_read_masonry_object (&element, &project->model, &masonry)) {
       g_propagate_error (error, reader.error);

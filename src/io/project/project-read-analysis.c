@@ -13,12 +13,13 @@ static gboolean
 read_controlled (const QnJsonValue *control, const QnModel *model, Control *read)
 {
   if (!cJSON_HasObjectItem (control->json, "node"))
-    return qn_read_block_name (control, "block", QN_REQUIRED, model, &read->block);
+    return qn_read_name (control, "block", QN_REQUIRED, model, QN_NAMED_BLOCK,
+                         &read->block);
   if (cJSON_HasObjectItem (control->json, "block")) {
     QnJsonValue block = qn_json_value_member (control, "block");
     return qn_json_value_fail (&block, _ ("block and node exclude each other"));
   }
-  return qn_read_node_name (control, "node", QN_REQUIRED, model, &read->node);
+  return qn_read_name (control, "node", QN_REQUIRED, model, QN_NAMED_NODE, &read->node);
 }
 
 static gboolean
@@ -102,9 +103,8 @@ read_stage_sets (const QnJsonValue *place, const QnModel *model, QnStage *stage)
     return add_set (&sets, model, stage);
   if (!qn_json_value_array (&sets))
     return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = sets.json->child; item != NULL; item = item->next) {
-    QnJsonValue name = qn_json_value_element (&sets, index++, item);
+  QnJsonValue name = { 0 };
+  while (qn_json_value_next (&sets, &name)) {
     if (!add_set (&name, model, stage))
       return FALSE;
   }

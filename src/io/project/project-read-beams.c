@@ -97,7 +97,7 @@ read_seat (const QnJsonValue *place, const QnModel *model, QnNode *node)
   int which = 0;
   node->seat = at ? QN_SEAT_POINT : side ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
   if (!exclude (place, "side", "at")
-      || !qn_read_block_name (place, "block", QN_REQUIRED, model, &node->block)
+      || !qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &node->block)
       || !qn_member_vec2 (place, "at", QN_OPTIONAL, &node->at)
       || !qn_member_choice (place, "side", QN_OPTIONAL, qn_name_of_block_side,
                             QN_BLOCK_SIDE_COUNT, &which))
@@ -140,8 +140,7 @@ read_ends (const QnJsonValue *place, const QnModel *model, QnBeam *beam)
       qn_json_value_element (&nodes, (gsize) end, cJSON_GetArrayItem (nodes.json, end));
     if (!cJSON_IsString (name.json))
       return qn_json_value_fail (&name, _ ("expected the name of a node"));
-    if (!qn_read_name_of (&name, model, qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN,
-                          &beam->nodes[end]))
+    if (!qn_read_name_of (&name, model, QN_NAMED_NODE, &beam->nodes[end]))
       return FALSE;
   }
   hinges = qn_json_value_member (place, "hinges");
@@ -173,7 +172,8 @@ read_beam (const QnJsonValue *place, QnModel *model)
   if (beam == NULL)
     return qn_json_value_no_memory (place);
   if (!read_ends (place, model, beam)
-      || !qn_read_section_name (place, "section", QN_REQUIRED, model, &beam->section)
+      || !qn_read_name (place, "section", QN_REQUIRED, model, QN_NAMED_SECTION,
+                        &beam->section)
       || !qn_member_choice (place, "kind", QN_OPTIONAL, qn_name_of_beam_kind,
                             QN_BEAM_KIND_COUNT, &kind)
       || !qn_member_count (place, "elements", QN_OPTIONAL, QN_MAX_BEAM_ELEMENTS,

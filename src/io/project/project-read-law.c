@@ -46,14 +46,13 @@ warn_of_keys (const QnJsonValue *place, QnLawKind kind)
 static gboolean
 read_points (const QnJsonValue *place, QnLaw *law)
 {
-  QnJsonValue points = qn_json_value_member (place, "points");
-  if (!qn_json_value_array (&points))
+  QnJsonValue points, point = { 0 };
+  if (!qn_member_array (place, "points", QN_REQUIRED, &points))
     return FALSE;
   if (cJSON_GetArraySize (points.json) > QN_MAX_CURVE_POINTS)
     return qn_json_value_fail (&points, _ (qn_problem_text (QN_PROBLEM_CURVE_COUNT)));
 
-  for (const cJSON *item = points.json->child; item != NULL; item = item->next) {
-    QnJsonValue point = qn_json_value_element (&points, (gsize) law->point_count, item);
+  while (qn_json_value_next (&points, &point)) {
     if (!qn_json_value_vec2 (&point, &law->points[law->point_count]))
       return FALSE;
     law->point_count++;
@@ -128,7 +127,7 @@ read_bar (const QnJsonValue *place, QnModel *model)
   QnBar *bar = qn_model_add_bar (model);
   if (bar == NULL)
     return qn_json_value_no_memory (place);
-  return qn_read_law_name (place, "law", QN_REQUIRED, model, &bar->law)
+  return qn_read_name (place, "law", QN_REQUIRED, model, QN_NAMED_LAW, &bar->law)
          && qn_member_number (place, "area", QN_REQUIRED, QN_RANGE_POSITIVE, &bar->area)
          && qn_member_vec2 (place, "start", QN_REQUIRED, &bar->start)
          && qn_member_vec2 (place, "end", QN_REQUIRED, &bar->end);

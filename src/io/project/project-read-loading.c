@@ -8,14 +8,13 @@
 static gboolean
 read_numbers (const QnJsonValue *object, const char *key, double *numbers, int32_t *count)
 {
-  QnJsonValue list = qn_json_value_member (object, key);
-  if (!qn_json_value_array (&list))
+  QnJsonValue list, number = { 0 };
+  if (!qn_member_array (object, key, QN_REQUIRED, &list))
     return FALSE;
   if (cJSON_GetArraySize (list.json) > QN_MAX_EXPLICIT_PAIRS)
     return qn_json_value_fail (&list, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
   *count = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
-    QnJsonValue number = qn_json_value_element (&list, (gsize) *count, item);
+  while (qn_json_value_next (&list, &number)) {
     if (!qn_json_value_number (&number, QN_RANGE_NOT_NEGATIVE, &numbers[*count]))
       return FALSE;
     ++*count;
@@ -83,21 +82,17 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
 static gboolean
 read_face_blocks (const QnJsonValue *face, const QnModel *model, QnId blocks[2])
 {
-  QnJsonValue names = qn_json_value_member (face, "blocks");
-  if (!qn_json_value_array (&names))
+  QnJsonValue names, name = { 0 };
+  if (!qn_member_array (face, "blocks", QN_REQUIRED, &names))
     return FALSE;
   if (cJSON_GetArraySize (names.json) != 2)
     return qn_json_value_fail (&names, _ ("expected the names of two blocks"));
-
-  gsize i = 0;
-  for (const cJSON *name = names.json->child; name != NULL; name = name->next, i++) {
-    QnJsonValue element = qn_json_value_element (&names, i, name);
-    if (!cJSON_IsString (name))
-      return qn_json_value_fail (&element, _ ("expected the name of a block"));
-    blocks[i] = qn_model_find_block (model, name->valuestring);
-    if (blocks[i] == QN_NONE)
-      return qn_json_value_fail (&element,
-                                 _ (qn_problem_text (QN_PROBLEM_BLOCK_UNKNOWN)));
+  while (qn_json_value_next (&names, &name)) {
+    if (!cJSON_IsString (name.json))
+      return qn_json_value_fail (&name, _ ("expected the name of a block"));
+    blocks[name.index] = qn_model_find_block (model, name.json->valuestring);
+    if (blocks[name.index] == QN_NONE)
+      return qn_json_value_fail (&name, _ (qn_problem_text (QN_PROBLEM_BLOCK_UNKNOWN)));
   }
   return TRUE;
 }
@@ -114,7 +109,7 @@ read_face (const QnJsonValue *place, QnModel *model)
   QnPairRule pairs = { .placement = QN_PLACEMENT_ENDS, .count = 2 };
   bool has_pairs = cJSON_HasObjectItem (place->json, "pairs");
   if (!read_face_blocks (place, model, blocks)
-      || !qn_read_law_name (place, "law", QN_OPTIONAL, model, &law)
+      || !qn_read_name (place, "law", QN_OPTIONAL, model, QN_NAMED_LAW, &law)
       || (has_pairs && !read_pair_rule (place, &pairs)))
     return FALSE;
 
@@ -142,26 +137,15 @@ qn_read_contact (const QnJsonValue *root, QnModel *model)
     return FALSE;
   qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
-  if (!qn_read_law_name (&place, "law", touching ? QN_REQUIRED : QN_OPTIONAL, model,
-                         &contact->law)
+  if (!qn_read_name (&place, "law", touching ? QN_REQUIRED : QN_OPTIONAL, model,
+                     QN_NAMED_LAW, &contact->law)
       || !qn_member_number (&place, "tolerance", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &contact->tolerance)
       || (cJSON_HasObjectItem (place.json, "pairs")
           && !read_pair_rule (&place, &contact->pairs)))
     return FALSE;
 
-  QnJsonValue faces = qn_json_value_member (&place, "faces");
-  if (faces.json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (&faces))
-    return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = faces.json->child; item != NULL; item = item->next) {
-    QnJsonValue face = qn_json_value_element (&faces, index++, item);
-    if (!read_face (&face, model))
-      return FALSE;
-  }
-  return TRUE;
+  return qn_read_each (&place, "faces", QN_OPTIONAL, read_face, model);
 }
 
 static gboolean
@@ -174,7 +158,7 @@ read_node_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
   }
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   load->kind = QN_LOAD_NODE;
-  return qn_read_node_name (place, "node", QN_REQUIRED, model, &load->node)
+  return qn_read_name (place, "node", QN_REQUIRED, model, QN_NAMED_NODE, &load->node)
          && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector)
          && qn_member_number (place, "moment", QN_OPTIONAL, QN_RANGE_FINITE,
                               &load->moment);
@@ -185,7 +169,7 @@ read_line_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const keys[] = { "kind", "beam", "value" };
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-  return qn_read_beam_name (place, "beam", QN_REQUIRED, model, &load->beam)
+  return qn_read_name (place, "beam", QN_REQUIRED, model, QN_NAMED_BEAM, &load->beam)
          && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector);
 }
 
@@ -197,7 +181,7 @@ read_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
     return read_node_force (place, model, load);
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   load->has_at = cJSON_HasObjectItem (place->json, "at");
-  return qn_read_block_name (place, "block", QN_REQUIRED, model, &load->block)
+  return qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &load->block)
          && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector)
          && qn_member_number (place, "moment", QN_OPTIONAL, QN_RANGE_FINITE,
                               &load->moment)
@@ -210,7 +194,7 @@ read_settlement (const QnJsonValue *place, const QnModel *model, QnLoad *load)
   static const char *const keys[] = { "kind", "block", "component", "value" };
   int component;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-  if (!qn_read_block_name (place, "block", QN_REQUIRED, model, &load->block)
+  if (!qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &load->block)
       || !qn_member_choice (place, "component", QN_REQUIRED, qn_name_of_dof, QN_DOF_COUNT,
                             &component)
       || !qn_member_number (place, "value", QN_REQUIRED, QN_RANGE_FINITE, &load->value))
@@ -240,16 +224,13 @@ read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 }
 
 static gboolean
-read_load_list (const QnJsonValue *list, int32_t set, QnModel *model,
+read_load_list (const QnJsonValue *loads, const char *key, int32_t set, QnModel *model,
                 QnLoad *(*add) (QnModel *model))
 {
-  if (list->json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (list))
+  QnJsonValue list, place = { 0 };
+  if (!qn_member_array (loads, key, QN_OPTIONAL, &list))
     return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = list->json->child; item != NULL; item = item->next) {
-    QnJsonValue place = qn_json_value_element (list, index++, item);
+  while (qn_json_value_next (&list, &place)) {
     QnLoad *load = add (model);
     if (load == NULL)
       return qn_json_value_no_memory (&place);
@@ -279,7 +260,7 @@ read_load_sets (const QnJsonValue *loads, QnModel *model)
     int32_t set = qn_model_add_load_set (model, item->string);
     if (set == QN_NONE)
       return qn_json_value_no_memory (&list);
-    if (!read_load_list (&list, set, model, qn_model_add_live_load))
+    if (!read_load_list (&sets, item->string, set, model, qn_model_add_live_load))
       return FALSE;
   }
   return TRUE;
@@ -295,9 +276,7 @@ qn_read_loads (const QnJsonValue *root, QnModel *model)
   if (!qn_json_value_object (&loads))
     return FALSE;
   qn_json_value_warn_unknown (&loads, keys, G_N_ELEMENTS (keys));
-  QnJsonValue dead = qn_json_value_member (&loads, "dead"),
-              live = qn_json_value_member (&loads, "live");
-  return read_load_list (&dead, 0, model, qn_model_add_dead_load)
-         && read_load_list (&live, 0, model, qn_model_add_live_load)
+  return read_load_list (&loads, "dead", 0, model, qn_model_add_dead_load)
+         && read_load_list (&loads, "live", 0, model, qn_model_add_live_load)
          && read_load_sets (&loads, model);
 }

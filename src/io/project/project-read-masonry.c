@@ -82,16 +82,13 @@ read_leaves (const QnJsonValue *place, QnMasonry *masonry)
   static const char *const keys[] = {
     "length", "unit", "bond", "closers", "header", "lap"
   };
-  QnJsonValue list = qn_json_value_member (place, "leaves");
+  QnJsonValue list, element = { 0 };
   QnLeaf common = masonry->wall.leaves[0];
-  if (list.json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (&list))
+  if (!qn_member_array (place, "leaves", QN_OPTIONAL, &list))
     return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
-    QnJsonValue element = qn_json_value_element (&list, index, item);
-    QnLeaf *leaf = index == 0 ? &masonry->wall.leaves[0] : qn_masonry_add_leaf (masonry);
+  while (qn_json_value_next (&list, &element)) {
+    QnLeaf *leaf =
+      element.index == 0 ? &masonry->wall.leaves[0] : qn_masonry_add_leaf (masonry);
     if (leaf == NULL)
       return qn_json_value_no_memory (&element);
     *leaf = common;
@@ -99,7 +96,8 @@ read_leaves (const QnJsonValue *place, QnMasonry *masonry)
       return FALSE;
     qn_json_value_warn_unknown (&element, keys, G_N_ELEMENTS (keys));
   }
-  return index > 0 || qn_json_value_fail (&list, _ ("there must be at least one leaf"));
+  return list.json == NULL || list.json->child != NULL
+         || qn_json_value_fail (&list, _ ("there must be at least one leaf"));
 }
 
 static gboolean
@@ -143,14 +141,10 @@ read_opening (const QnJsonValue *place, QnOpening *opening)
 static gboolean
 read_openings (const QnJsonValue *place, QnMasonry *masonry)
 {
-  QnJsonValue list = qn_json_value_member (place, "openings");
-  if (list.json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (&list))
+  QnJsonValue list, element = { 0 };
+  if (!qn_member_array (place, "openings", QN_OPTIONAL, &list))
     return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
-    QnJsonValue element = qn_json_value_element (&list, index++, item);
+  while (qn_json_value_next (&list, &element)) {
     QnOpening *opening = qn_masonry_add_opening (masonry);
     if (opening == NULL)
       return qn_json_value_no_memory (&element);
@@ -163,18 +157,16 @@ read_openings (const QnJsonValue *place, QnMasonry *masonry)
 static gboolean
 read_course_heights (const QnJsonValue *place, QnMasonryWall *wall)
 {
-  QnJsonValue list = qn_json_value_member (place, "course_heights");
-  if (list.json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (&list))
-    return FALSE;
-  gsize count = (gsize) cJSON_GetArraySize (list.json), index = 0;
+  QnJsonValue list, element = { 0 };
+  if (!qn_member_array (place, "course_heights", QN_OPTIONAL, &list) || list.json == NULL)
+    return list.json == NULL;
+  gsize count = (gsize) cJSON_GetArraySize (list.json);
   wall->course_heights = qn_alloc (count, sizeof *wall->course_heights);
   if (wall->course_heights == NULL)
     return qn_json_value_no_memory (&list);
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
-    QnJsonValue element = qn_json_value_element (&list, index, item);
-    if (!qn_json_value_number (&element, QN_RANGE_POSITIVE, &wall->course_heights[index]))
+  while (qn_json_value_next (&list, &element)) {
+    if (!qn_json_value_number (&element, QN_RANGE_POSITIVE,
+                               &wall->course_heights[element.index]))
       return FALSE;
   }
   wall->course_height_count = count;
@@ -184,24 +176,20 @@ read_course_heights (const QnJsonValue *place, QnMasonryWall *wall)
 static gboolean
 read_edges (const QnJsonValue *place, QnMasonryWall *wall)
 {
-  QnJsonValue list = qn_json_value_member (place, "edges");
-  if (list.json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (&list))
-    return FALSE;
+  QnJsonValue list, element = { 0 };
   QnEdge *edges[] = { &wall->left, &wall->right };
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next, index++) {
-    QnJsonValue element = qn_json_value_element (&list, index, item);
+  if (!qn_member_array (place, "edges", QN_OPTIONAL, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &element)) {
     int edge = 0;
     while (edge < QN_EDGE_COUNT
-           && (!cJSON_IsString (item)
-               || g_strcmp0 (item->valuestring, name_of_edge (edge)) != 0))
+           && (!cJSON_IsString (element.json)
+               || g_strcmp0 (element.json->valuestring, name_of_edge (edge)) != 0))
       edge++;
-    if (index >= G_N_ELEMENTS (edges) || edge == QN_EDGE_COUNT)
+    if (element.index >= G_N_ELEMENTS (edges) || edge == QN_EDGE_COUNT)
       return qn_json_value_fail (
         &element, _ ("expected \"straight\" or \"toothed\" for left and right"));
-    *edges[index] = (QnEdge) edge;
+    *edges[element.index] = (QnEdge) edge;
   }
   return TRUE;
 }

@@ -43,22 +43,19 @@ gboolean qn_read_each (const QnJsonValue *root, const char *key, QnNeed need,
                        gboolean (*read) (const QnJsonValue *place, QnModel *model),
                        QnModel *model);
 
-/* Law, block, node, section or beam that a member names; an optional one that is not there leaves
- * *id as it is. */
-gboolean qn_read_law_name (const QnJsonValue *object, const char *key, QnNeed need,
-                           const QnModel *model, QnId *id);
-gboolean qn_read_block_name (const QnJsonValue *object, const char *key, QnNeed need,
-                             const QnModel *model, QnId *id);
-gboolean qn_read_node_name (const QnJsonValue *object, const char *key, QnNeed need,
-                            const QnModel *model, QnId *id);
-gboolean qn_read_section_name (const QnJsonValue *object, const char *key, QnNeed need,
-                               const QnModel *model, QnId *id);
-gboolean qn_read_beam_name (const QnJsonValue *object, const char *key, QnNeed need,
-                            const QnModel *model, QnId *id);
+/* Finds the entity that a value, a string, names. */
+typedef enum {
+  QN_NAMED_LAW,
+  QN_NAMED_BLOCK,
+  QN_NAMED_NODE,
+  QN_NAMED_SECTION,
+  QN_NAMED_BEAM
+} QnNamed;
+gboolean qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named,
+                          QnId *id);
 
-/* Finds an entity by name; fails at the place with what is known as `problem`. */
-gboolean qn_read_name_of (const QnJsonValue *place, const QnModel *model,
-                          QnId (*find) (const QnModel *model, const char *name),
-                          QnProblem problem, QnId *id);
+/* The same for a member; an optional one that is not there leaves *id as it is. */
+gboolean qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
+                       const QnModel *model, QnNamed named, QnId *id);
 
 #endif

@@ -17,84 +17,44 @@ fail_unknown_name (const QnJsonValue *place, QnProblem problem, const char *name
 }
 
 gboolean
-qn_read_name_of (const QnJsonValue *place, const QnModel *model,
-                 QnId (*find) (const QnModel *model, const char *name), QnProblem problem,
-                 QnId *id)
+qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named, QnId *id)
 {
+  static const struct {
+    QnId (*find) (const QnModel *model, const char *name);
+    QnProblem unknown;
+  } kinds[] = {
+    [QN_NAMED_LAW] = { qn_model_find_law, QN_PROBLEM_LAW_UNKNOWN },
+    [QN_NAMED_BLOCK] = { qn_model_find_block, QN_PROBLEM_BLOCK_UNKNOWN },
+    [QN_NAMED_NODE] = { qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN },
+    [QN_NAMED_SECTION] = { qn_model_find_section, QN_PROBLEM_SECTION_UNKNOWN },
+    [QN_NAMED_BEAM] = { qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN },
+  };
   const char *name = place->json->valuestring;
-  *id = find (model, name);
-  return *id != QN_NONE || fail_unknown_name (place, problem, name);
+  *id = kinds[named].find (model, name);
+  return *id != QN_NONE || fail_unknown_name (place, kinds[named].unknown, name);
 }
 
-/* The entity that a member names. */
-static gboolean
-read_name (const QnJsonValue *object, const char *key, QnNeed need, const QnModel *model,
-           QnId (*find) (const QnModel *model, const char *name), QnProblem problem,
-           QnId *id)
+gboolean
+qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
+              const QnModel *model, QnNamed named, QnId *id)
 {
   const char *name = NULL;
   if (!qn_member_string (object, key, need, &name))
     return FALSE;
   QnJsonValue member = qn_json_value_member (object, key);
-  return name == NULL || qn_read_name_of (&member, model, find, problem, id);
-}
-
-gboolean
-qn_read_law_name (const QnJsonValue *object, const char *key, QnNeed need,
-                  const QnModel *model, QnId *id)
-{
-  return read_name (object, key, need, model, qn_model_find_law, QN_PROBLEM_LAW_UNKNOWN,
-                    id);
-}
-
-gboolean
-qn_read_block_name (const QnJsonValue *object, const char *key, QnNeed need,
-                    const QnModel *model, QnId *id)
-{
-  return read_name (object, key, need, model, qn_model_find_block,
-                    QN_PROBLEM_BLOCK_UNKNOWN, id);
-}
-
-gboolean
-qn_read_node_name (const QnJsonValue *object, const char *key, QnNeed need,
-                   const QnModel *model, QnId *id)
-{
-  return read_name (object, key, need, model, qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN,
-                    id);
-}
-
-gboolean
-qn_read_section_name (const QnJsonValue *object, const char *key, QnNeed need,
-                      const QnModel *model, QnId *id)
-{
-  return read_name (object, key, need, model, qn_model_find_section,
-                    QN_PROBLEM_SECTION_UNKNOWN, id);
-}
-
-gboolean
-qn_read_beam_name (const QnJsonValue *object, const char *key, QnNeed need,
-                   const QnModel *model, QnId *id)
-{
-  return read_name (object, key, need, model, qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN,
-                    id);
+  return name == NULL || qn_read_name_of (&member, model, named, id);
 }
 
 gboolean
 qn_read_each (const QnJsonValue *root, const char *key, QnNeed need,
               gboolean (*read) (const QnJsonValue *place, QnModel *model), QnModel *model)
 {
-  QnJsonValue list = qn_json_value_member (root, key);
-  if (list.json == NULL && need == QN_OPTIONAL)
-    return TRUE;
-  if (!qn_json_value_array (&list))
+  QnJsonValue list, element = { 0 };
+  if (!qn_member_array (root, key, need, &list))
     return FALSE;
-
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
-    QnJsonValue place = qn_json_value_element (&list, index++, item);
-    if (!read (&place, model))
+  while (qn_json_value_next (&list, &element))
+    if (!read (&element, model))
       return FALSE;
-  }
   return TRUE;
 }
 
@@ -120,30 +80,26 @@ qn_read_own_law (const QnJsonValue *place, const QnModel *model, QnId *law)
 {
   QnJsonValue material = qn_json_value_member (place, "material");
   if (material.json == NULL)
-    return qn_read_law_name (place, "law", QN_OPTIONAL, model, law);
+    return qn_read_name (place, "law", QN_OPTIONAL, model, QN_NAMED_LAW, law);
   if (cJSON_HasObjectItem (place->json, "law"))
     return qn_json_value_fail (&material, _ ("law and material exclude each other"));
-  return qn_read_law_name (place, "material", QN_REQUIRED, model, law);
+  return qn_read_name (place, "material", QN_REQUIRED, model, QN_NAMED_LAW, law);
 }
 
 gboolean
 qn_read_support (const QnJsonValue *place, bool support[QN_DOF_COUNT])
 {
-  QnJsonValue list = qn_json_value_member (place, "support");
-  if (list.json == NULL)
-    return TRUE;
-  if (!qn_json_value_array (&list))
+  QnJsonValue list, flag = { 0 };
+  if (!qn_member_array (place, "support", QN_OPTIONAL, &list))
     return FALSE;
-  if (cJSON_GetArraySize (list.json) != QN_DOF_COUNT)
+  if (list.json != NULL && cJSON_GetArraySize (list.json) != QN_DOF_COUNT)
     return qn_json_value_fail (&list,
                                _ ("expected three values: ux, uy, rz fixed or not"));
 
-  gsize i = 0;
-  for (const cJSON *flag = list.json->child; flag != NULL; flag = flag->next, i++) {
-    QnJsonValue element = qn_json_value_element (&list, i, flag);
-    if (!cJSON_IsBool (flag))
-      return qn_json_value_fail (&element, _ ("expected true or false"));
-    support[i] = cJSON_IsTrue (flag);
+  while (qn_json_value_next (&list, &flag)) {
+    if (!cJSON_IsBool (flag.json))
+      return qn_json_value_fail (&flag, _ ("expected true or false"));
+    support[flag.index] = cJSON_IsTrue (flag.json);
   }
   return TRUE;
 }
@@ -151,12 +107,10 @@ qn_read_support (const QnJsonValue *place, bool support[QN_DOF_COUNT])
 static gboolean
 read_vertices (const QnJsonValue *place, GArray *vertices)
 {
-  QnJsonValue list = qn_json_value_member (place, "vertices");
-  if (!qn_json_value_array (&list))
+  QnJsonValue list, element = { 0 };
+  if (!qn_member_array (place, "vertices", QN_REQUIRED, &list))
     return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
-    QnJsonValue element = qn_json_value_element (&list, index++, item);
+  while (qn_json_value_next (&list, &element)) {
     QnVec2 vertex;
     if (!qn_json_value_vec2 (&element, &vertex))
       return FALSE;
@@ -212,10 +166,9 @@ read_course (const QnJsonValue *place, QnWall *wall)
   if (!qn_json_value_array (place))
     return FALSE;
   GArray *lengths = g_array_new (FALSE, FALSE, sizeof (double));
+  QnJsonValue element = { 0 };
   gboolean done = TRUE;
-  gsize index = 0;
-  for (const cJSON *item = place->json->child; done && item != NULL; item = item->next) {
-    QnJsonValue element = qn_json_value_element (place, index++, item);
+  while (done && qn_json_value_next (place, &element)) {
     double length = 0;
     done = qn_json_value_number (&element, QN_RANGE_FINITE, &length);
     if (done && length == 0)
@@ -234,12 +187,10 @@ read_course (const QnJsonValue *place, QnWall *wall)
 gboolean
 qn_read_courses (const QnJsonValue *place, QnWall *wall)
 {
-  QnJsonValue list = qn_json_value_member (place, "courses");
-  if (!qn_json_value_array (&list))
+  QnJsonValue list, course = { 0 };
+  if (!qn_member_array (place, "courses", QN_REQUIRED, &list))
     return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
-    QnJsonValue course = qn_json_value_element (&list, index++, item);
+  while (qn_json_value_next (&list, &course)) {
     if (!read_course (&course, wall))
       return FALSE;
   }

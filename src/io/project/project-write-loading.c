@@ -6,23 +6,6 @@
 
 #include <math.h>
 
-void
-qn_json_append_vec2 (GString *json, QnVec2 vector)
-{
-  g_string_append_c (json, '[');
-  qn_json_append_number (json, vector.x);
-  g_string_append (json, ", ");
-  qn_json_append_number (json, vector.y);
-  g_string_append_c (json, ']');
-}
-
-void
-qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector)
-{
-  qn_json_begin_member (json, key);
-  qn_json_append_vec2 (json, vector);
-}
-
 static void
 append_load (GString *json, const QnModel *model, const QnLoad *load)
 {

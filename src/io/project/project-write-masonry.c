@@ -1,4 +1,5 @@
 #include "io/project/project-masonry.h"
+#include "io/project/project-write-parts.h"
 #include "io/text/json-text.h"
 
 /* Sizes whose default is 0. */
@@ -10,22 +11,11 @@ put_size (GString *json, const char *key, double size)
 }
 
 static void
-put_two (GString *json, const char *key, double a, double b)
-{
-  qn_json_begin_member (json, key);
-  g_string_append_c (json, '[');
-  qn_json_append_number (json, a);
-  g_string_append (json, ", ");
-  qn_json_append_number (json, b);
-  g_string_append_c (json, ']');
-}
-
-static void
 put_leaf (GString *json, const QnLeaf *leaf)
 {
   if (leaf->bond != QN_BOND_CUSTOM)
     qn_json_put_number (json, "length", leaf->length);
-  put_two (json, "unit", leaf->unit.x, leaf->unit.y);
+  qn_json_put_vec2 (json, "unit", leaf->unit);
   qn_json_put_string (json, "bond", qn_bond_name (leaf->bond));
   if (leaf->closer != QN_CLOSER_NONE)
     qn_json_put_string (json, "closers", qn_closer_name (leaf->closer));
@@ -41,12 +31,10 @@ put_courses (GString *json, const QnWall *courses)
   g_string_append_c (json, '[');
   int32_t entry = 0;
   for (int32_t course = 0; course < courses->course_count; course++) {
-    g_string_append (json, course > 0 ? ", [" : "[");
-    for (int32_t start = entry; entry < courses->course_ends[course]; entry++) {
-      g_string_append (json, entry > start ? ", " : "");
-      qn_json_append_number (json, courses->lengths[entry]);
-    }
-    g_string_append_c (json, ']');
+    g_string_append (json, course > 0 ? ", " : "");
+    qn_json_append_numbers (json, courses->lengths + entry,
+                            (gsize) (courses->course_ends[course] - entry));
+    entry = courses->course_ends[course];
   }
   g_string_append_c (json, ']');
 }
@@ -57,7 +45,7 @@ append_opening (GString *json, const QnOpening *opening)
   g_string_append_c (json, '{');
   if (opening->name != NULL)
     qn_json_put_string (json, "name", opening->name);
-  put_two (json, "at", opening->at.x, opening->at.y);
+  qn_json_put_vec2 (json, "at", opening->at);
   qn_json_put_number (json, "width", opening->width);
   qn_json_put_number (json, "height", opening->height);
   qn_json_put_string (json, "head", qn_head_name (opening->head));
@@ -75,7 +63,8 @@ append_opening (GString *json, const QnOpening *opening)
   if (opening->span == QN_SPAN_VOUSSOIRS)
     qn_json_put_string (json, "sides", qn_sides_name (opening->sides));
   if (opening->sill_height > 0)
-    put_two (json, "sill", opening->sill_height, opening->sill_bearing);
+    qn_json_put_vec2 (json, "sill",
+                      qn_vec2 (opening->sill_height, opening->sill_bearing));
   g_string_append (json, " }");
 }
 
@@ -96,14 +85,9 @@ put_wall (GString *json, const QnMasonryWall *wall)
     }
     g_string_append_c (json, ']');
   }
-  if (wall->course_height_count > 0) {
-    qn_json_begin_member (json, "course_heights");
-    for (gsize i = 0; i < wall->course_height_count; i++) {
-      g_string_append (json, i > 0 ? ", " : "[");
-      qn_json_append_number (json, wall->course_heights[i]);
-    }
-    g_string_append_c (json, ']');
-  }
+  if (wall->course_height_count > 0)
+    qn_json_put_numbers (json, "course_heights", wall->course_heights,
+                         wall->course_height_count);
   if (listed)
     put_courses (json, &wall->courses);
   if (wall->left != QN_EDGE_STRAIGHT || wall->right != QN_EDGE_STRAIGHT) {
@@ -140,12 +124,14 @@ static void
 put_column (GString *json, const QnColumn *column)
 {
   qn_json_put_number (json, "height", column->height);
-  put_two (json, "width", column->bottom, column->top);
+  qn_json_put_vec2 (json, "width", qn_vec2 (column->bottom, column->top));
   qn_json_put_number (json, "drums", column->drums);
   if (column->plinth_height > 0)
-    put_two (json, "plinth", column->plinth_width, column->plinth_height);
+    qn_json_put_vec2 (json, "plinth",
+                      qn_vec2 (column->plinth_width, column->plinth_height));
   if (column->capital_height > 0)
-    put_two (json, "capital", column->capital_width, column->capital_height);
+    qn_json_put_vec2 (json, "capital",
+                      qn_vec2 (column->capital_width, column->capital_height));
 }
 
 static void
@@ -153,7 +139,7 @@ put_portal (GString *json, const QnPortal *portal)
 {
   qn_json_put_number (json, "bays", portal->bays);
   qn_json_put_number (json, "span", portal->span);
-  put_two (json, "pier", portal->pier_width, portal->pier_height);
+  qn_json_put_vec2 (json, "pier", qn_vec2 (portal->pier_width, portal->pier_height));
   qn_json_put_number (json, "courses", portal->courses);
   if (portal->lintel_height > 0) {
     qn_json_put_number (json, "lintel", portal->lintel_height);
@@ -180,7 +166,8 @@ put_kind (GString *json, const QnMasonry *masonry)
     break;
   case QN_MASONRY_BUTTRESS:
     qn_json_put_number (json, "height", masonry->buttress.height);
-    put_two (json, "width", masonry->buttress.bottom, masonry->buttress.top);
+    qn_json_put_vec2 (json, "width",
+                      qn_vec2 (masonry->buttress.bottom, masonry->buttress.top));
     qn_json_put_number (json, "courses", masonry->buttress.courses);
     qn_json_put_string (json, "side", masonry->buttress.leans_right ? "right" : "left");
     break;
@@ -188,7 +175,8 @@ put_kind (GString *json, const QnMasonry *masonry)
     put_portal (json, &masonry->portal);
     break;
   case QN_MASONRY_RUBBLE:
-    put_two (json, "width", masonry->rubble.width, masonry->rubble.top);
+    qn_json_put_vec2 (json, "width",
+                      qn_vec2 (masonry->rubble.width, masonry->rubble.top));
     qn_json_put_number (json, "height", masonry->rubble.height);
     qn_json_put_number (json, "stone", masonry->rubble.stone);
     qn_json_put_number (json, "irregularity", masonry->rubble.irregularity);
@@ -205,15 +193,11 @@ qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *
   g_string_append_c (json, '{');
   qn_json_put_string (json, "kind", qn_masonry_kind_name (masonry->kind));
   qn_json_put_string (json, "name", masonry->name);
-  put_two (json, "origin", masonry->origin.x, masonry->origin.y);
+  qn_json_put_vec2 (json, "origin", masonry->origin);
   put_size (json, "rotation", masonry->rotation);
   qn_json_put_number (json, "thickness", masonry->thickness);
-  if (masonry->density >= 0)
-    qn_json_put_number (json, "density", masonry->density);
-  else
-    qn_json_put_number (json, "unit_weight", masonry->unit_weight);
-  if (masonry->law != QN_NONE)
-    qn_json_put_string (json, "law", model->laws[masonry->law].name);
+  qn_json_put_weight (json, masonry->unit_weight, masonry->density);
+  qn_json_put_law (json, model, masonry->law);
   put_size (json, "foundation", masonry->foundation);
   put_kind (json, masonry);
   g_string_append (json, " }");

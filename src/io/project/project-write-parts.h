@@ -10,6 +10,15 @@
 void qn_json_append_vec2 (GString *json, QnVec2 vector);
 void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
 
+/* [a, b, …], as a value or as a member. */
+void qn_json_append_numbers (GString *json, const double *numbers, gsize count);
+void qn_json_put_numbers (GString *json, const char *key, const double *numbers,
+                          gsize count);
+
+/* Weight of the material the way it was given, and the name of a law, left out for QN_NONE. */
+void qn_json_put_weight (GString *json, double unit_weight, double density);
+void qn_json_put_law (GString *json, const QnModel *model, QnId law);
+
 /* `support`, left out where nothing is fixed. */
 void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
 

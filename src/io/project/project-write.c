@@ -10,12 +10,56 @@
 #include <math.h>
 #include <string.h>
 
-static void
-put_law (GString *json, const char *key, const QnModel *model, QnId law)
+/* ---- values ---- */
+
+void
+qn_json_append_numbers (GString *json, const double *numbers, gsize count)
+{
+  g_string_append_c (json, '[');
+  for (gsize i = 0; i < count; i++) {
+    g_string_append (json, i > 0 ? ", " : "");
+    qn_json_append_number (json, numbers[i]);
+  }
+  g_string_append_c (json, ']');
+}
+
+void
+qn_json_put_numbers (GString *json, const char *key, const double *numbers, gsize count)
+{
+  qn_json_begin_member (json, key);
+  qn_json_append_numbers (json, numbers, count);
+}
+
+void
+qn_json_append_vec2 (GString *json, QnVec2 vector)
+{
+  qn_json_append_numbers (json, (const double[]){ vector.x, vector.y }, 2);
+}
+
+void
+qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector)
+{
+  qn_json_begin_member (json, key);
+  qn_json_append_vec2 (json, vector);
+}
+
+void
+qn_json_put_law (GString *json, const QnModel *model, QnId law)
 {
   if (law != QN_NONE)
-    qn_json_put_string (json, key, model->laws[law].name);
+    qn_json_put_string (json, "law", model->laws[law].name);
 }
+
+void
+qn_json_put_weight (GString *json, double unit_weight, double density)
+{
+  if (density >= 0)
+    qn_json_put_number (json, "density", density);
+  else
+    qn_json_put_number (json, "unit_weight", unit_weight);
+}
+
+/* ---- structure ---- */
 
 /* Parameters that are left out by default are left out where they have no effect. */
 static void
@@ -47,16 +91,6 @@ append_law (GString *json, const QnLaw *law)
   g_string_append (json, " }");
 }
 
-/* Weight the way it was given. */
-static void
-put_weight (GString *json, double unit_weight, double density)
-{
-  if (density >= 0)
-    qn_json_put_number (json, "density", density);
-  else
-    qn_json_put_number (json, "unit_weight", unit_weight);
-}
-
 void
 qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
 {
@@ -83,9 +117,9 @@ append_block (GString *json, const QnModel *model, QnId id)
   }
   g_string_append (json, block->vertex_count > 0 ? "]" : "[]");
   qn_json_put_number (json, "thickness", block->thickness);
-  put_weight (json, block->unit_weight, block->density);
+  qn_json_put_weight (json, block->unit_weight, block->density);
   qn_json_put_support (json, block->support);
-  put_law (json, "law", model, block->law);
+  qn_json_put_law (json, model, block->law);
   g_string_append (json, " }");
 }
 
@@ -97,30 +131,17 @@ append_wall (GString *json, const QnModel *model, const QnWall *wall)
   qn_json_put_vec2 (json, "origin", wall->origin);
   qn_json_put_vec2 (json, "unit", wall->unit);
   qn_json_put_number (json, "thickness", wall->thickness);
-  put_weight (json, wall->unit_weight, wall->density);
-  put_law (json, "law", model, wall->law);
+  qn_json_put_weight (json, wall->unit_weight, wall->density);
+  qn_json_put_law (json, model, wall->law);
   g_string_append (json, ",\n      \"courses\": [");
   int32_t entry = 0;
   for (int32_t course = 0; course < wall->course_count; course++) {
-    g_string_append (json, course > 0 ? ",\n        [" : "\n        [");
-    for (int32_t start = entry; entry < wall->course_ends[course]; entry++) {
-      g_string_append (json, entry > start ? ", " : "");
-      qn_json_append_number (json, wall->lengths[entry]);
-    }
-    g_string_append_c (json, ']');
+    g_string_append (json, course > 0 ? ",\n        " : "\n        ");
+    qn_json_append_numbers (json, wall->lengths + entry,
+                            (gsize) (wall->course_ends[course] - entry));
+    entry = wall->course_ends[course];
   }
   g_string_append (json, " ] }");
-}
-
-static void
-put_numbers (GString *json, const char *key, const double *numbers, int32_t count)
-{
-  qn_json_begin_member (json, key);
-  for (int32_t i = 0; i < count; i++) {
-    g_string_append (json, i > 0 ? ", " : "[");
-    qn_json_append_number (json, numbers[i]);
-  }
-  g_string_append_c (json, ']');
 }
 
 static void
@@ -138,8 +159,8 @@ put_pair_rule (GString *json, const QnPairRule *rule)
     qn_json_put_number (json, "count", rule->count);
     break;
   case QN_PLACEMENT_EXPLICIT:
-    put_numbers (json, "positions", rule->positions, rule->count);
-    put_numbers (json, "weights", rule->weights, rule->count);
+    qn_json_put_numbers (json, "positions", rule->positions, (gsize) rule->count);
+    qn_json_put_numbers (json, "weights", rule->weights, (gsize) rule->count);
     break;
   case QN_PLACEMENT_COUNT:
     g_assert_not_reached ();
@@ -157,7 +178,7 @@ append_face (GString *json, const QnModel *model, const QnFaceOverride *face)
   g_string_append (json, ", ");
   qn_json_append_string (json, model->blocks[face->block_b].name);
   g_string_append_c (json, ']');
-  put_law (json, "law", model, face->law);
+  qn_json_put_law (json, model, face->law);
   if (face->has_pairs)
     put_pair_rule (json, &face->pairs);
   g_string_append (json, " }");
@@ -167,7 +188,7 @@ static void
 append_contact (GString *json, const QnModel *model, GHashTable *inner)
 {
   g_string_append (json, "  \"contact\": {");
-  put_law (json, "law", model, model->contact.law);
+  qn_json_put_law (json, model, model->contact.law);
   qn_json_put_number (json, "tolerance", model->contact.tolerance);
   put_pair_rule (json, &model->contact.pairs);
   qn_json_append_inner (json, inner, "contact.pairs");
@@ -192,7 +213,7 @@ append_bars (GString *json, const QnModel *model, GHashTable *inner)
   for (size_t i = 0; i < model->bar_count; i++) {
     const QnBar *bar = &model->bars[i];
     g_string_append (json, i > 0 ? ",\n    {" : "\n    {");
-    put_law (json, "law", model, bar->law);
+    qn_json_put_law (json, model, bar->law);
     qn_json_put_number (json, "area", bar->area);
     qn_json_put_vec2 (json, "start", bar->start);
     qn_json_put_vec2 (json, "end", bar->end);
