@@ -111,8 +111,8 @@ static const QnVerifyCase rocking[] = {
   MEASURE (label, model, value, tolerance, QN_VERIFY_FREQUENCY, .number = mode)
 #define HERTZ (2 * G_PI)
 
-/* Timoshenko beam, and a wallet of four bricks whose mortar gaps are not known: its values, of
- * second hand, are reported. */
+/* Timoshenko beam, and a wallet of four bricks whose mortar gaps are not known: its values
+ * are reported, from a secondary source. */
 static const QnVerifyCase vibrations[] = {
   FREQUENCY (N_ ("Beam, mode 1 (rad/s)"), "11-vibrating-beam.quoin", 315.819, 0.01, 1),
   FREQUENCY (N_ ("Beam, mode 2"), "11-vibrating-beam.quoin", 1151.685, 0.01, 2),
@@ -184,14 +184,14 @@ static const QnVerifyGroup groups[] = {
     FALSE },
   { "vibrations",
     N_ ("Frequencies"),
-    N_ ("Timoshenko beam; discrete elements, second hand"),
+    N_ ("Timoshenko beam; discrete elements, secondary source"),
     { NULL },
     vibrations,
     G_N_ELEMENTS (vibrations),
     FALSE },
   { "branches",
     N_ ("Walls with corners rounded by 20 mm, far beyond the peak"),
-    N_ ("LMGC90, second hand"),
+    N_ ("LMGC90, secondary source"),
     { NULL },
     qn_verify_branches,
     QN_VERIFY_BRANCH_CASES,

@@ -5,6 +5,7 @@
 
 #include "app/widgets/settings.h"
 
+#include <glib/gstdio.h>
 #include <libintl.h>
 
 enum { SCREEN_WIDTH = 1280, SCREEN_HEIGHT = 800 };
@@ -115,6 +116,31 @@ test_dialogs (void)
   driver_discard (window);
 }
 
+/* The picture of the README: a wall that was solved, with its mechanism. The title names the folder
+ * of the file, so it is opened in one that is the same everywhere. */
+static void
+test_picture (void)
+{
+  QnWindow *window = driver_open_window (1400, 900);
+  g_autofree char *path = driver_example_path ("ferris-tin-loi/wall3.quoin");
+  g_autofree char *folder = g_build_filename (g_get_tmp_dir (), "walls", NULL);
+  g_autofree char *copy = g_build_filename (folder, "wall3.quoin", NULL);
+  g_autofree char *text = NULL;
+  g_mkdir_with_parents (folder, 0755);
+  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
+  g_assert_true (g_file_set_contents (copy, text, -1, NULL));
+  g_assert_true (qn_window_open_path (window, copy));
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.view::mechanism");
+  driver_activate (window, "win.fit");
+  driver_run (500);
+  driver_screenshot (GTK_WIDGET (window), "window");
+  driver_discard (window);
+  g_remove (copy);
+  g_rmdir (folder);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -136,5 +162,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/look/window", test_window);
   g_test_add_func ("/app/look/masonry", test_masonry);
   g_test_add_func ("/app/look/dialogs", test_dialogs);
+  if (g_str_equal (look, "plain"))
+    g_test_add_func ("/app/look/picture", test_picture);
   return g_test_run ();
 }

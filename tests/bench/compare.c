@@ -121,7 +121,7 @@ note (Comparison *c, char **row, const char *heading, const char *before,
     c->verdict.better++;
 }
 
-/* How far a multiplier of this row may go astray, relative. */
+/* How far a multiplier of this row may differ, relative. */
 static double
 multiplier_margin (const Comparison *c, char **row)
 {

@@ -12,7 +12,7 @@
 
 typedef struct View {
   QnLawPreset what;
-  GArray *samples; /* of QnLawSample; empty where the law runs back */
+  GArray *samples; /* of QnLawSample; empty where the law snaps back */
 } View;
 
 static void

@@ -15,8 +15,8 @@
  * coordinates for edges a millionth of their distance from the origin. */
 #define QN_TOLERANCE_CONVEX 1e-9
 
-/* Gaps between facing sides up to this part of the characteristic block length are reported: a
- * slip of the pen, where a mortar joint would be wider. */
+/* Gaps between facing sides up to this part of the characteristic block length are reported: an
+ * input error, where a mortar joint would be wider. */
 #define QN_NEAR_MISS_GAP 0.01
 
 /* Overlaps up to so many contact tolerances are reported, deeper ones refused. */

@@ -41,7 +41,7 @@ qn_pair_springs_are_plastic (const QnPairSprings *springs)
   return springs->equal && qn_law_is_plastic (springs->a.kind);
 }
 
-/* Whether the pair would run back while one of its springs softens: growing elongation of the
+/* Whether the pair would snap back while one of its springs softens: growing elongation of the
  * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
 bool qn_pair_springs_run_back (const QnPairSprings *springs);
 

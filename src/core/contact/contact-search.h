@@ -103,7 +103,7 @@ QnStatus qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDia
 QnStatus qn_contacts_add_bars (const QnModel *model, QnContacts *contacts, QnId face,
                                bool *used, QnDiag *diag);
 
-/* Refuses different bases on the two sides of a face, and springs that would run back while
+/* Refuses different bases on the two sides of a face, and springs that would snap back while
  * they soften. In pair-springs.c. */
 QnStatus qn_contacts_check_springs (const QnModel *model, const QnContacts *contacts,
                                     QnId face, QnDiag *diag);

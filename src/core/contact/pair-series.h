@@ -6,7 +6,7 @@
  *   gap(qa) = fa(qa) - fb(q - qa) = 0,   (Ta + Tb) dqa = -gap
  *
  * With consistent tangents the iteration converges quadratically near the solution; springs of
- * straight branches are solved exactly once the branches are found. Where it walks in circles
+ * straight branches are solved exactly once the branches are found. Where it does not converge
  * between branches, sweeps take over: the normal gap is closed along the normal elongation alone,
  * then the tangential one, in turns, each within an interval that holds its root. (HybriDFEM,
  * section 2.2; the tangent of the pair is Ta (Ta + Tb)^-1 Tb.)

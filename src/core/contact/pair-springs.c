@@ -80,7 +80,7 @@ qn_contacts_check_springs (const QnModel *model, const QnContacts *contacts, QnI
   if (model->laws[face->law_a].basis != model->laws[face->law_b].basis)
     return refuse (face, QN_PROBLEM_BASES_DIFFER, diag);
   for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-    /* Whether a pair runs back does not depend on its area: the first one and the bars tell. */
+    /* Whether a pair snaps back does not depend on its area: the first one and the bars show it. */
     if ((p > face->first_pair && contacts->pairs[p].bar == QN_NONE)
         || !may_soften (model, contacts, p))
       continue;

@@ -336,7 +336,7 @@ take_step (Increment *increment, double part)
 }
 
 /* Whether the iterate is an equilibrium but for this complementarity and lack of balance.
- * Balance, the dearest question, is asked last. */
+ * Balance, the most expensive one, is asked last. */
 static bool
 is_within (Increment *increment, double complementarity, double out_of_balance)
 {

@@ -8,9 +8,9 @@
  *   z >= 0,  s z = 0              flow only at the strength
  *
  * together with equilibrium. Newton's method on s z = mu instead, with mu taken to zero,
- * approaches the solution along the central path, on which no pair has made up its mind yet.
+ * approaches the solution along the central path, on which the active set is still undecided.
  * It is indifferent to how many pairs change state, where Newton's method on the law itself
- * loses its way, and takes increments of any size; the price is that it starts anew each time.
+ * may diverge, and takes increments of any size; the price is that it starts anew each time.
  * The flow need not be associative: the flexibility of a pair,
  *
  *   H = 1/k + flow diag (z/s) G   (2 x 2, inverted in closed form)
@@ -61,7 +61,7 @@ QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target
  * qn_equilibrium_relax(), and as long as they get no further they grow; a few dozen at
  * most, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
  * moved by eq->runaway and still does (MECHANISM, with the motion of the last central path as
- * eq->velocity, in metres; some pairs are neither here nor there on the way).
+ * eq->velocity, in metres; some pairs are still undecided then).
  *
  * undecided: complementarity, as a part of the displacements, above which nothing is committed
  *            (FAILED), for by about so much pairs have slid that will not slide in the end.

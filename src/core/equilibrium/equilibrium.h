@@ -24,7 +24,7 @@ typedef enum {
 /* All that makes a state: to go on from it, or to come back to it. The responses belong to
  * it because they hold the tangent that led there: pairs that slip right at their strength
  * look stuck when they are evaluated anew, and an iteration that starts from that stiffness
- * goes astray. */
+ * diverges. */
 typedef struct QnEquilibriumState {
   double *u;
   double multiplier;

@@ -35,7 +35,7 @@ typedef struct QnLawOps {
   bool plastic;
 
   /* Steepest descent of the normal force, N/m; nullable for laws that never soften. INFINITY
-   * where a softening branch would run back. */
+   * where a softening branch would snap back. */
   double (*softening) (const QnSpring *spring);
 } QnLawOps;
 

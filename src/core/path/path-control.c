@@ -4,7 +4,7 @@
  * multiplier follows, up or down. What Newton does not solve is taken as a whole along the
  * central path, where there are joints for it. What is left is relaxed with the measure held, which
  * carries the structure to the equilibrium that a testing machine would find at this
- * displacement: near by, where the path has a corner that Newton walks round in circles, or far
+ * displacement: near by, where the path has a corner that Newton does not get round, or far
  * away, where it turns back and the structure jumps. Relaxation comes last because under
  * damping joints slide that would not otherwise: it rests below the path, and Newton fails from
  * there again. Steps that jump are cut until the jump is located, and the equilibrium beyond it
@@ -115,7 +115,7 @@ is_smooth (const PathControl *control)
 }
 
 /* Whether the step that was solved lets the next one grow. A whole step does not tell how many
- * joints changed their minds; in nonlinear geometry the branch hangs on them. */
+ * joints changed state; in nonlinear geometry the branch hangs on them. */
 static bool
 was_easy (const PathControl *control, int32_t iterations)
 {

@@ -193,7 +193,7 @@ passes_limit_check (LoadControl *control, double target, bool easy)
 /* --- One increment ---------------------------------------------------------------------- */
 
 /* Whether failure of Newton's method is enough to look closer: where a limit point is still to
- * be located, and something else than relaxation, which is dear, has or will have an answer
+ * be located, and something else than relaxation, which is expensive, has or will have an answer
  * further up. */
 static bool
 newton_decides (const LoadControl *control, double target)

@@ -104,8 +104,8 @@ probe_sense (QnPath *path, int *sense, QnDiag *diag)
 
 /* --- Without stages --------------------------------------------------------------------- */
 
-/* The live loads in one go. A target that a growing load moves away from is a slip of the
- * pen. */
+/* The live loads in one go. A target that a growing load moves away from is an input
+ * error. */
 static QnStatus
 run_live_loads (QnPath *path, QnDiag *diag)
 {

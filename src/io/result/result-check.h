@@ -1,6 +1,6 @@
 /* Independent check of a result: is the written state an equilibrium that the joints can carry?
  *
- * It knows nothing of the solver. From the result file it takes the contact points, normals,
+ * It uses nothing of the solver. From the result file it takes the contact points, normals,
  * forces, the section forces of beams and the multiplier; from the project file the blocks,
  * nodes, loads and laws. It sums forces and moments on every free degree of freedom and compares
  * every pair's force (n > 0 in tension) with |t| <= c - mu n and n <= ft of the laws on both of

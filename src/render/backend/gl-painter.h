@@ -18,7 +18,7 @@ cairo_surface_t *qn_gl_painter_draw (QnGlPainter *painter, const QnScene *scene,
                                      const QnCamera *camera, bool antialias,
                                      GError **error);
 
-/* How many painters this process has made: contexts are dear. */
+/* How many painters this process has made: contexts are expensive. */
 unsigned qn_gl_painter_count (void);
 
 #endif

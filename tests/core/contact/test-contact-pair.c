@@ -261,7 +261,7 @@ test_quadratic_convergence (void)
 }
 
 /* Straight branches: solved exactly as soon as the branches are right, which takes a few
- * iterations; where Newton walks in circles between them, the sweeps find the way. */
+ * iterations; where Newton goes to and fro between them, the sweeps find the way. */
 static void
 test_straight_branches (void)
 {

@@ -85,7 +85,7 @@ test_breaking_work (void)
   }
 }
 
-/* A long bar with little fracture energy would run back, and says so. */
+/* A long bar with little fracture energy would snap back, and says so. */
 static void
 test_softening (void)
 {
