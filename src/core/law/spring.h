@@ -117,7 +117,7 @@ bool qn_law_is_plastic (QnLawKind kind);
 bool qn_law_softens (QnLawKind kind);
 
 /* Steepest descent of the normal force with growing elongation, N/m; 0 where there is none,
- * INFINITY where the law has too little fracture energy for the spring's length: it would run
+ * INFINITY where the law has too little fracture energy for the spring's length: it would snap
  * back. */
 double qn_spring_softening (const QnSpring *spring);
 
