@@ -2,7 +2,7 @@
 # Runs tests under a sanitizer, each in a build of its own.
 #
 #   tools/sanitize.sh address             quick tests under ASan, UBSan and LeakSanitizer
-#   tools/sanitize.sh faults              what strikes from outside, the same way: minutes
+#   tools/sanitize.sh faults              fault injection, the same way: minutes
 #   tools/sanitize.sh window              the window on a display of its own, the same way: minutes
 #   tools/sanitize.sh thread              tests with threads under TSan
 #   tools/sanitize.sh valgrind            tests of the core under valgrind, uninstrumented

@@ -44,7 +44,7 @@ QnExit qn_input_require_sound (const QnInput *input);
 typedef enum { QN_INPUT_DEAD_LOAD, QN_INPUT_PATH } QnInputState;
 
 /* Tells the user why an analysis failed, and says how the program ends: QN_EXIT_NO_ANSWER where
- * not the input but the state that was found is to blame. */
+ * not the input but the state that was found is the reason. */
 QnExit qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag);
 
 /* Reads a result file and the project with the overrides that the result was computed with;

@@ -73,12 +73,12 @@ main (int argc, char **argv)
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
   textdomain (GETTEXT_PACKAGE);
   g_set_prgname ("quoin-cli");
-  /* A file beyond what the user may write is an error like others, not a reason to die. */
+  /* A file beyond what the user may write is an error like others, not a reason to end the program. */
   signal (SIGXFSZ, SIG_IGN);
 
   QnExit code = dispatch (argc, argv);
 
-  /* What stands in the buffer is lost without notice where nobody looks. */
+  /* Output that is still in the buffer would be lost without an error. */
   if ((fflush (stdout) != 0 || ferror (stdout)) && code == QN_EXIT_DONE) {
     qn_cli_error (_ ("standard output cannot be written"));
     code = QN_EXIT_FILE;

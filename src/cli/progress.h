@@ -15,7 +15,7 @@ typedef struct QnTerminalProgress {
                         equal computations report the same whatever else takes memory */
 } QnTerminalProgress;
 
-/* From now on Ctrl+C is only remembered, a second one ends the program at once. */
+/* From now on Ctrl+C is only recorded, a second one ends the program at once. */
 void qn_interrupt_install (void);
 
 /* Whether Ctrl+C was pressed. */

@@ -1,7 +1,7 @@
 /* Several files that appear together or not at all.
  *
- * They gather in a hidden folder beside their places, ".gather.XXXXXX", and change places with
- * what was there when all of them are complete. What goes wrong until then, or while they do,
+ * They are collected in a hidden folder beside their places, ".gather.XXXXXX", and replace what was
+ * there when all of them are complete. What goes wrong until then, or while they do,
  * leaves the old files as they were; only a kill in the moment of the exchange can leave some new
  * and some old, and a kill before it the hidden folder.
  *

@@ -25,7 +25,7 @@ folder_length (const char *path)
   return slash != NULL ? (size_t) (slash - path) + 1 : 0;
 }
 
-/* Six letters that no other writer is likely to hit on. */
+/* Six letters that no other writer is likely to choose. */
 static void
 make_suffix (char suffix[7], int attempt)
 {

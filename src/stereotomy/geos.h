@@ -1,7 +1,7 @@
-/* GEOS behind one door: a context per computation, rings in and out.
+/* The only access to GEOS: a context per computation, rings in and out.
  *
- * Every failure shows in a NULL result and becomes a QnStatus. What GEOS says of it is listened to
- * for want of memory alone. Private to this layer.
+ * Every failure shows in a NULL result and becomes a QnStatus. The messages of GEOS are used only to
+ * recognise lack of memory. Private to this layer.
  */
 #ifndef QN_STEREOTOMY_GEOS_H
 #define QN_STEREOTOMY_GEOS_H
@@ -13,7 +13,7 @@
 
 typedef struct QnGeos {
   GEOSContextHandle_t handle;
-  bool no_memory; /* something failed for want of it */
+  bool no_memory; /* something failed for lack of it */
 } QnGeos;
 
 /* NULL handle when memory runs out. The struct must stay where it is until it is cleared. */

@@ -218,7 +218,7 @@ qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag 
   if (status == QN_OK)
     status = add_blocks (masonry, &pieces, model, diag);
   qn_pieces_clear (&pieces);
-  /* Trouble with a polygon on the way is trouble with the object. */
+  /* An error in a polygon is an error of the object. */
   if (status != QN_OK && diag != NULL && status != QN_ERROR_NO_MEMORY) {
     diag->entity = QN_ENTITY_MASONRY;
     diag->index = index;

@@ -1,6 +1,6 @@
 /* Rings: polygons that own their vertices, and lists of them.
  *
- * The currency of this layer: what is cut, welded, joined or read from a drawing. A ring's
+ * The common type of this layer: what is cut, welded, joined or read from a drawing. A ring's
  * vertices go around the boundary, the first one not repeated at the end. Coordinates in m.
  * Zeroed structs are empty and may be cleared.
  */

@@ -22,7 +22,7 @@
 #include <string.h>
 
 /* Part of the limit multiplier up to which the path of larger walls is followed: what comes
- * beyond depends on luck more than on shortcuts. */
+ * beyond varies by chance more than by shortcuts. */
 #define ASCENT 0.8
 
 static int largest_path = 800, largest_ascent = 1800;

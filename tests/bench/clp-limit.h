@@ -1,4 +1,4 @@
-/* The linear program of limit analysis solved by Clp: the oracle, and the peer to beat. */
+/* The linear program of limit analysis solved by Clp: the reference, and the solver to compare with. */
 #ifndef QN_TESTS_CLP_LIMIT_H
 #define QN_TESTS_CLP_LIMIT_H
 

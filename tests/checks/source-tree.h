@@ -17,7 +17,7 @@ char *source_tree_read (const char *path);
 /* Its lines; free with g_strfreev(). */
 char **source_tree_lines (const char *path);
 
-/* Adds a line to a list of complaints; a check is content when the list stays empty. */
+/* Adds a line to a list of complaints; a check passes when the list stays empty. */
 void complain (GString *complaints, const char *format, ...) G_GNUC_PRINTF (2, 3);
 
 /* Fails the running test with all complaints, if there are any. Frees the list. */

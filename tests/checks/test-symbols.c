@@ -1,4 +1,4 @@
-/* What the core's object code may refer to: `nm` on the archive knows better than the source
+/* What the core's object code may refer to: `nm` on the archive shows better than the source
  * what is called. No GLib, no output, no environment, no way out of the process, and no data
  * that can change between two calls. */
 #include "source-tree.h"

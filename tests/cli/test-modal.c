@@ -39,7 +39,7 @@ test_refused (void)
   cli_assert_failed (&run, 3, "no mass");
 }
 
-/* A wall whose pairs slip is sound: there is no answer, and no line of the file to blame. */
+/* A wall whose pairs slip is sound: there is no answer, and no line of the file is the reason. */
 static void
 test_slipping (void)
 {

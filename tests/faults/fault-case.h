@@ -1,4 +1,4 @@
-/* Analyses that faults are made to strike: examples of the project, each taking another way
+/* Analyses into which faults are injected: examples of the project, each taking another way
  * through the solver. */
 #ifndef TESTS_FAULTS_FAULT_CASE_H
 #define TESTS_FAULTS_FAULT_CASE_H

@@ -194,7 +194,7 @@ fail_call (Place *place, int number, int code, gboolean named, int *harmless)
   char **environment = g_get_environ ();
   environment =
     g_environ_setenv (environment, "LD_PRELOAD", g_getenv ("QUOIN_FAILING_DISK"), TRUE);
-  /* The address sanitizer wants to be loaded first, which nothing here needs. */
+  /* The address sanitizer has to be loaded first, which nothing here needs. */
   const char *options = g_getenv ("ASAN_OPTIONS");
   g_autofree char *asan =
     g_strconcat (options != NULL ? options : "", ":verify_asan_link_order=0", NULL);

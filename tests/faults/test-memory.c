@@ -1,5 +1,5 @@
 /* Every allocation of an analysis, a reader, a picture fails, alone and with all after it: a
- * refusal for want of memory or the same answer as ever, no crash, and no leak (the sanitizers
+ * refusal for lack of memory or the same answer as ever, no crash, and no leak (the sanitizers
  * look). What counts is our own code with SuiteSparse and cJSON; see failing-memory.h. */
 #include "faults/fault-case.h"
 #include "io/exchange/drawing-import.h"
@@ -15,7 +15,7 @@
 #define MOST_FAILURES 250
 
 /* Does one thing from beginning to end; a digest of what came of it, or NULL where it was
- * refused for want of memory. */
+ * refused for lack of memory. */
 typedef char *(*Program) (gconstpointer data);
 
 static void

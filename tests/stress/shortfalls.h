@@ -1,4 +1,4 @@
-/* Faults that are known and not mended: they are reported, not hidden, and do not fail the
+/* Faults that are known and not corrected: they are reported, not hidden, and do not fail the
  * test. */
 #ifndef QN_TESTS_STRESS_SHORTFALLS_H
 #define QN_TESTS_STRESS_SHORTFALLS_H

@@ -1,4 +1,4 @@
-/* Supports that give way, against closed forms and limit analysis. */
+/* Settling supports, against closed forms and limit analysis. */
 #include "core/limit/limit.h"
 #include "support/models.h"
 #include "support/run.h"

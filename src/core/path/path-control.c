@@ -115,7 +115,7 @@ is_smooth (const PathControl *control)
 }
 
 /* Whether the step that was solved lets the next one grow. A whole step does not tell how many
- * joints changed state; in nonlinear geometry the branch hangs on them. */
+ * joints changed state; in nonlinear geometry the branch depends on them. */
 static bool
 was_easy (const PathControl *control, int32_t iterations)
 {

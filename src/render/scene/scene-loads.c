@@ -8,7 +8,7 @@
 #define WEIGHT_ARROW 0.45
 #define FORCE_ARROW  1.4
 
-/* Length of the arrow of a support that gives way, in block sizes. */
+/* Length of the arrow of a settling support, in block sizes. */
 #define SETTLEMENT_ARROW 1.2
 
 /* Arrows of a load along a beam, less one. */
@@ -130,7 +130,7 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
     ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
 }
 
-/* A support that gives way: an arrow in its direction with how far. Turning has its size told
+/* A settling support: an arrow in its direction with how far. Turning has its size told
  * only. */
 static void
 add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,

@@ -36,7 +36,7 @@ check_against_all_pairs (const QnBox *boxes, size_t count)
   g_free (found);
 }
 
-/* The pairs of a walk of the tree against itself, with the same judge. */
+/* The pairs of a walk of the tree against itself, with the same predicate. */
 static void
 check_pairs (const QnBox *boxes, size_t count, double margin)
 {

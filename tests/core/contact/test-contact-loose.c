@@ -105,7 +105,7 @@ test_overlap_says_it_all (void)
   qn_model_clear (&model);
 }
 
-/* A wedge that lies on a slope by a face and pricks the floor by its tip, which has a face at
+/* A wedge that lies on a slope by a face and touches the floor with its tip, which has a face at
  * that very place only with the slope: two blocks bear there, the floor has no face. */
 static void
 test_one_face_is_not_enough (void)
@@ -186,7 +186,7 @@ test_no_support (void)
   qn_model_clear (&model);
 }
 
-/* A fixed block on its own is worth a word, and no obstacle. */
+/* A fixed block on its own is reported, and does not prevent an analysis. */
 static void
 test_lonely_support (void)
 {

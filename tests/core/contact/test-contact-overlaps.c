@@ -165,8 +165,8 @@ test_thresholds (void)
   }
 }
 
-/* Random convex and concave blocks thrown together: every overlap that a dense sample of points
- * knows of is found, and none is invented. */
+/* Random convex and concave blocks at random places: every overlap that a dense sample of points
+ * knows of is found, and no other is reported. */
 static void
 test_against_sampling (void)
 {
@@ -257,7 +257,7 @@ test_rough_ground (void)
 }
 
 /* Of places that are equally deep it is always the same one that is reported: a block far away,
- * which makes another tree of all boxes, has no say. */
+ * which makes another tree of all boxes, changes nothing. */
 static void
 test_place_of_ties (void)
 {

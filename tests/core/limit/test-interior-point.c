@@ -67,7 +67,7 @@ test_optimum (void)
   qn_interior_point_clear (&ip);
 }
 
-/* Pulled upwards by twice its weight, a block without tension flies: no forces carry it. */
+/* Pulled upwards by twice its weight, a block without tension lifts off: no forces carry it. */
 static void
 test_infeasible (void)
 {

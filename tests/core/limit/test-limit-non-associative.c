@@ -77,7 +77,7 @@ test_associative_law (void)
   qn_limit_interval_clear (&interval);
 }
 
-/* A single block knows no difference. */
+/* For a single block there is no difference. */
 static void
 test_block (void)
 {

@@ -221,7 +221,7 @@ test_unbounded (void)
   load = &model.live_loads[0];
   load->vector = qn_vec2 (0, -1);
   assert_outcome (&model, QN_OUTCOME_UNBOUNDED);
-  /* Lifted instead, it flies at exactly its own weight. */
+  /* Pulled upwards instead, it lifts off at exactly its own weight. */
   test_model_init_stack (&model, 3, 1, 0.5);
   test_model_add_weight_loads (&model, 1);
   model.live_loads[0].vector = qn_vec2 (0, 1);

@@ -161,7 +161,7 @@ multiplications (const QnFrontTree *tree)
   return sum;
 }
 
-/* A large wall is cheaper to eliminate if it is known where its bodies stand; never dearer, also where
+/* A large wall is cheaper to eliminate if it is known where its bodies stand; never more expensive, also where
  * all stand at one place and no cut means anything. */
 static void
 test_dissection (void)

@@ -21,7 +21,7 @@ init_pendulum (QnModel *model)
   test_model_init_block_on_plane (model, WIDTH, HEIGHT);
   model->laws[0].kind = QN_LAW_ELASTIC;
   model->laws[0].kn = 2 * K;
-  model->laws[0].ks = 2e3 * K; /* sliding adds nothing worth speaking of */
+  model->laws[0].ks = 2e3 * K; /* sliding adds a negligible part */
   model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
   QnLoad *load = qn_model_add_live_load (model);
   load->kind = QN_LOAD_FORCE;

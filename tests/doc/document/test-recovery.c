@@ -97,8 +97,7 @@ test_damaged (void)
   g_assert_false (qn_recovery_read (path, &text, &original, NULL));
 }
 
-/* A state folder of our own: GLib's isolated folders are never given back, which the leak check
- * tells. The crashing program of a test inherits it. */
+/* A state folder of our own: GLib's isolated folders are never freed, as the leak check reports. The crashing program of a test inherits it. */
 static char *
 isolate (void)
 {

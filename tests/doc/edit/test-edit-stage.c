@@ -182,7 +182,7 @@ rename_stone (QnModel *model, gpointer data, GError **error)
   return qn_edit_rename_block (model, 1, "rock", error);
 }
 
-/* What no layer knows stays with its load and its block through edits of all kinds. */
+/* Members that no layer uses stay with its load and its block through edits of all kinds. */
 static void
 test_unknown_members (void)
 {
