@@ -1,12 +1,12 @@
 #include "cli/subcommand.h"
 #include "core/base/integer.h"
 
+#include "cli/cmd-study.h"
 #include "cli/message.h"
 #include "cli/progress.h"
 #include "study/cases/gather.h"
 #include "study/cases/run.h"
 #include "study/cases/worker.h"
-#include "study/report/table.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -233,52 +233,10 @@ static const QnSubcommand gather_action = {
   .run = run_gather,
 };
 
-/* The study of a folder and its rows, for what follows from them. */
-static QnExit
-load_table (const char *folder, QnStudy *study, QnTable *table)
-{
-  GError *error = NULL;
-  if (!qn_folder_read_study (folder, study, &error))
-    return qn_cli_fail (error);
-  if (qn_table_read (table, study, folder, &error))
-    return QN_EXIT_DONE;
-  qn_study_clear (study);
-  return qn_cli_fail (error);
-}
-
-static QnExit
-run_table (const QnSubcommand *self, int argc, char **argv)
-{
-  g_autofree char *path = NULL;
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &path,
-      N_ ("Write the table here; standard output by default"), N_ ("TABLE.csv") },
-    G_OPTION_ENTRY_NULL,
-  };
-  QnStudy study;
-  QnTable table;
-  GError *error = NULL;
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return QN_EXIT_USAGE;
-  QnExit code = load_table (argv[1], &study, &table);
-  if (code != QN_EXIT_DONE)
-    return code;
-  if (!qn_table_write (&table, path != NULL ? path : "-", &error))
-    code = qn_cli_fail (error);
-  qn_table_clear (&table);
-  qn_study_clear (&study);
-  return code;
-}
-
-static const QnSubcommand table_action = {
-  .name = "study table",
-  .arguments = "FOLDER",
-  .summary = N_ ("Write the cases of a study as a table (CSV)"),
-  .run = run_table,
-};
-
-static const QnSubcommand *const actions[] = { &run_action, &table_action,
-                                               &gather_action };
+static const QnSubcommand *const actions[] = { &run_action, &gather_action,
+                                               &qn_study_action_table,
+                                               &qn_study_action_summary,
+                                               &qn_study_action_plot };
 
 static void
 print_help (void)

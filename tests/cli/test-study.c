@@ -317,6 +317,52 @@ test_full_disk (void)
   test_scratch_free (folder);
 }
 
+/* Every figure of every plan that has it; again, the same bytes. */
+static void
+test_figures (void)
+{
+  static const char *const kinds[] = { "scatter", "histogram",  "cumulative",
+                                       "tornado", "mechanisms", "surface" };
+  static const char *const plans[] = { "{ \"kind\": \"grid\" }",
+                                       "{ \"kind\": \"one-at-a-time\" }",
+                                       "{ \"kind\": \"latin-hypercube\", \"count\": 40 }",
+                                       "{ \"kind\": \"sobol\", \"count\": 16 }" };
+  char *folder = test_scratch_new ();
+  for (gsize p = 0; p < G_N_ELEMENTS (plans); p++) {
+    g_autofree char *study = write_study (folder, plans[p]);
+    g_autofree char *name = g_strdup_printf ("results-%zu", p);
+    g_autofree char *results = g_build_filename (folder, name, NULL);
+    CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    run = cli_run ("study", "summary", results, NULL);
+    cli_assert_done (&run);
+    g_assert_nonnull (strstr (run.out, "collapse_multiplier"));
+    cli_run_clear (&run);
+    for (gsize k = 0; k < G_N_ELEMENTS (kinds) - 1; k++) {
+      g_autofree char *first = NULL, *second = NULL;
+      for (int again = 0; again < 2; again++) {
+        g_autofree char *path = g_build_filename (folder, "figure.svg", NULL);
+        run = cli_run ("study", "plot", results, "--kind", kinds[k], "-o", path, NULL);
+        cli_assert_done (&run);
+        cli_run_clear (&run);
+        *(again ? &second : &first) = cli_read (path);
+      }
+      g_assert_cmpstr (first, ==, second);
+      g_assert_nonnull (strstr (first, "</svg>"));
+    }
+    /* One parameter has no surface; no output, no figure. */
+    run = cli_run ("study", "plot", results, "-k", "surface", "-o", "x.svg", NULL);
+    cli_assert_failed (&run, 2, "--by");
+    run = cli_run ("study", "plot", results, "-k", "pie", "-o", "x.svg", NULL);
+    cli_assert_failed (&run, 2, "--kind");
+    run = cli_run ("study", "plot", results, "-k", "histogram", "--of", "steps", "-o",
+                   "x.svg", NULL);
+    cli_assert_failed (&run, 2, "--of");
+  }
+  test_scratch_free (folder);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -330,5 +376,6 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/study/bad-usage", test_bad_usage);
   g_test_add_func ("/cli/study/keep", test_keep);
   g_test_add_func ("/cli/study/full-disk", test_full_disk);
+  g_test_add_func ("/cli/study/figures", test_figures);
   return g_test_run ();
 }

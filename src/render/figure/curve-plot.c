@@ -1,8 +1,8 @@
 #include "render/figure/curve-plot.h"
 
-#include "core/base/integer.h"
 #include "render/backend/draw-cairo.h"
 #include "render/figure/figure-furniture.h"
+#include "render/figure/plot-axes.h"
 #include "render/scene/camera.h"
 #include "render/scene/paint.h"
 #include "render/scene/scene.h"
@@ -10,89 +10,13 @@
 
 #include <glib/gi18n-lib.h>
 
-#define TYPE_TICK  7.5
-#define TYPE_LABEL 8.5
-
-/* Axes aim at a tick every so many pt. */
-#define TICK_SPACING_X 62.0
-#define TICK_SPACING_Y 36.0
-
-/* Decades on an axis up to which they are divided. */
-#define MOST_DIVIDED 2.2
-
-typedef struct Axis {
-  double low, high;   /* in displayed units, of a logarithmic axis their decades */
-  double step, first; /* of the ticks */
-  bool log;
-  double start, end; /* px */
-} Axis;
-
 typedef struct Plot {
   const QnCurvePlot *data;
   cairo_t *cr;
   double unit;
   double factor; /* of x, from SI to the unit shown */
-  Axis x, y;
+  QnAxis x, y;
 } Plot;
-
-static double
-axis_place (const Axis *axis, double value)
-{
-  if (axis->log)
-    value = log10 (value);
-  return axis->start
-         + (value - axis->low) / (axis->high - axis->low) * (axis->end - axis->start);
-}
-
-/* A 1-2-5 step that gives about `count` ticks. */
-static double
-nice_step (double range, double count)
-{
-  double raw = range / fmax (count, 1), power = pow (10, floor (log10 (raw)));
-  double digit = raw / power;
-  return (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10) * power;
-}
-
-/* Ticks at multiples of a nice step; an end is rounded to the next tick where it is near, and
- * what passes one by less than can be seen does not ask for another. */
-static void
-set_axis (Axis *axis, double low, double high, double length, double spacing)
-{
-  if (!(high > low))
-    high = low + (low != 0 ? fabs (low) : 1);
-  axis->step = nice_step (high - low, fabs (length) / spacing);
-  double below = floor (low / axis->step + 1e-3) * axis->step;
-  double above = ceil (high / axis->step - 1e-3) * axis->step;
-  axis->low = low - below < 0.35 * axis->step ? below : low - 0.04 * (high - low);
-  axis->high = above - high < 0.35 * axis->step ? above : high + 0.04 * (high - low);
-  axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
-}
-
-/* The tick after v; decades that leave room are divided at 2 and 5. */
-static double
-next_tick (const Axis *axis, double v)
-{
-  double part = v - floor (v + 1e-9);
-  if (!axis->log || axis->step > 1 || axis->high - axis->low > MOST_DIVIDED)
-    return v + axis->step;
-  return floor (v + 1e-9) + (part < 0.2 ? log10 (2) : part < 0.5 ? log10 (5) : 1);
-}
-
-/* Ticks at decades, at most so many that they do not touch; ends at the next ninth of one. */
-static void
-set_log_axis (Axis *axis, double low, double high, double length, double spacing)
-{
-  axis->log = true;
-  axis->low = log10 (low) - 0.08;
-  axis->high = fmax (log10 (high) + 0.08, axis->low + 0.3);
-  axis->step = fmax (1, ceil ((axis->high - axis->low) * spacing / fabs (length)));
-  axis->first = ceil (axis->low / axis->step) * axis->step;
-  if (axis->high - axis->low > MOST_DIVIDED)
-    return;
-  axis->first = floor (axis->low);
-  while (axis->first < axis->low)
-    axis->first = next_tick (axis, axis->first);
-}
 
 /* Whether the point has a place on the axes. */
 static bool
@@ -124,65 +48,6 @@ data_ranges (const QnCurvePlot *data, QnBox *box)
     box->max.y *= 1.04;
 }
 
-static void
-set_ink (const Plot *plot, QnInk ink, double alpha)
-{
-  qn_set_color (plot->cr, qn_ink (ink, plot->data->monochrome), alpha);
-}
-
-/* The digits that tell neighbouring ticks apart; of decades, the power of ten. */
-static char *
-tick_text (const Axis *axis, double value)
-{
-  double step = axis->step;
-  if (axis->log)
-    return qn_label_number ("%.6g", pow (10, value));
-  int digits = (int) qn_to_integer (-floor (log10 (step) + 1e-9), 0, 9);
-  if (fabs (value) < 0.5 * step)
-    value = 0;
-  g_autofree char *format = g_strdup_printf ("%%.%df", digits);
-  return qn_label_number (format, value);
-}
-
-static void
-line (const Plot *plot, double x0, double y0, double x1, double y1)
-{
-  cairo_move_to (plot->cr, x0, y0);
-  cairo_line_to (plot->cr, x1, y1);
-  cairo_stroke (plot->cr);
-}
-
-static void
-draw_ticks (const Plot *plot)
-{
-  double u = plot->unit;
-  QnTextStyle style = { .size = TYPE_TICK * u };
-  QnColor ink = qn_ink (QN_INK_LINE, plot->data->monochrome);
-  for (double v = plot->x.first; v <= plot->x.high + 1e-9 * plot->x.step;
-       v = next_tick (&plot->x, v)) {
-    double x = axis_place (&plot->x, plot->x.log ? pow (10, v) : v);
-    g_autofree char *text = tick_text (&plot->x, v);
-    cairo_set_line_width (plot->cr, 0.4 * u);
-    set_ink (plot, QN_INK_FAINT, 0.35);
-    line (plot, x, plot->y.start, x, plot->y.end);
-    qn_text_draw (plot->cr, &style, text, x, plot->y.start + 4 * u, 0.5, 0, 0, ink);
-  }
-  for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
-       v = next_tick (&plot->y, v)) {
-    double y = axis_place (&plot->y, plot->y.log ? pow (10, v) : v);
-    g_autofree char *text = tick_text (&plot->y, v);
-    cairo_set_line_width (plot->cr, 0.4 * u);
-    set_ink (plot, QN_INK_FAINT, 0.35);
-    line (plot, plot->x.start, y, plot->x.end, y);
-    qn_text_draw (plot->cr, &style, text, plot->x.start - 5 * u, y, 1, 0.5, 0, ink);
-  }
-  set_ink (plot, QN_INK_LINE, 1);
-  cairo_set_line_width (plot->cr, 0.7 * u);
-  cairo_rectangle (plot->cr, plot->x.start, plot->y.end, plot->x.end - plot->x.start,
-                   plot->y.start - plot->y.end);
-  cairo_stroke (plot->cr);
-}
-
 /* Curves and references differ by dashes as well as by colour. */
 static bool
 is_dashed (const QnCurvePlot *data, size_t curve)
@@ -203,15 +68,15 @@ draw_curve (const Plot *plot, size_t index)
   cairo_set_dash (plot->cr, dashes, is_dashed (plot->data, index) ? 2 : 0, 0);
   for (size_t i = 0; i < curve->count; i++)
     if (is_drawn (plot->data, curve->x[i], curve->y[i]))
-      cairo_line_to (plot->cr, axis_place (&plot->x, curve->x[i] * plot->factor),
-                     axis_place (&plot->y, curve->y[i]));
+      cairo_line_to (plot->cr, qn_axis_place (&plot->x, curve->x[i] * plot->factor),
+                     qn_axis_place (&plot->y, curve->y[i]));
   cairo_stroke (plot->cr);
   cairo_restore (plot->cr);
   for (size_t i = 0; i < curve->count && plot->data->points; i++)
     if (is_drawn (plot->data, curve->x[i], curve->y[i]))
       qn_draw_cairo_marker (plot->cr, QN_MARKER_DOT,
-                            axis_place (&plot->x, curve->x[i] * plot->factor),
-                            axis_place (&plot->y, curve->y[i]), 4.5 * u, 0, u, c);
+                            qn_axis_place (&plot->x, curve->x[i] * plot->factor),
+                            qn_axis_place (&plot->y, curve->y[i]), 4.5 * u, 0, u, c);
 
   const struct {
     ptrdiff_t at;
@@ -222,10 +87,10 @@ draw_curve (const Plot *plot, size_t index)
                 { curve->dot, QN_MARKER_DOT, 7.5 } };
   for (size_t k = 0; k < G_N_ELEMENTS (marks); k++)
     if (marks[k].at >= 0 && (size_t) marks[k].at < curve->count)
-      qn_draw_cairo_marker (plot->cr, marks[k].marker,
-                            axis_place (&plot->x, curve->x[marks[k].at] * plot->factor),
-                            axis_place (&plot->y, curve->y[marks[k].at]),
-                            marks[k].size * u, 0, u, c);
+      qn_draw_cairo_marker (
+        plot->cr, marks[k].marker,
+        qn_axis_place (&plot->x, curve->x[marks[k].at] * plot->factor),
+        qn_axis_place (&plot->y, curve->y[marks[k].at]), marks[k].size * u, 0, u, c);
 }
 
 static QnColor
@@ -243,12 +108,14 @@ draw_references (const Plot *plot)
   for (size_t i = 0; i < plot->data->reference_count; i++) {
     double dashes[2] = { (i / 2 % 2 == 0 ? 5 : 1.5) * u, 2.5 * u };
     QnColor c = reference_color (plot->data, i);
-    double y = axis_place (&plot->y, plot->data->references[i].y);
+    double y = qn_axis_place (&plot->y, plot->data->references[i].y);
     cairo_save (plot->cr);
     qn_set_color (plot->cr, c, 1);
     cairo_set_line_width (plot->cr, 0.8 * u);
     cairo_set_dash (plot->cr, dashes, 2, 0);
-    line (plot, plot->x.start, y, plot->x.end, y);
+    cairo_move_to (plot->cr, plot->x.start, y);
+    cairo_line_to (plot->cr, plot->x.end, y);
+    cairo_stroke (plot->cr);
     cairo_restore (plot->cr);
   }
 }
@@ -293,22 +160,6 @@ create_legend (const QnCurvePlot *data)
   return scene;
 }
 
-/* Width of the widest number on the vertical axis, px. */
-static double
-tick_width (const Plot *plot)
-{
-  double widest = 0;
-  for (double v = plot->y.first; v <= plot->y.high + 1e-9 * plot->y.step;
-       v = next_tick (&plot->y, v)) {
-    double width, height;
-    g_autofree char *text = tick_text (&plot->y, v);
-    qn_text_measure (plot->cr, &(QnTextStyle){ .size = TYPE_TICK * plot->unit }, text,
-                     &width, &height);
-    widest = fmax (widest, width);
-  }
-  return widest;
-}
-
 static const char *
 x_unit (const QnCurvePlot *data, double largest, double *factor)
 {
@@ -324,21 +175,16 @@ x_unit (const QnCurvePlot *data, double largest, double *factor)
 }
 
 static void
-draw_axis_labels (const Plot *plot, const char *unit, double x, double bottom)
+draw_names (const Plot *plot, const char *unit, double x, double bottom)
 {
-  double u = plot->unit;
-  QnTextStyle style = { .size = TYPE_LABEL * u };
-  QnColor ink = qn_ink (QN_INK_LINE, plot->data->monochrome);
   const char *name =
     plot->data->x_label != NULL ? plot->data->x_label : _ ("Displacement");
   g_autofree char *label =
     *unit != '\0' ? g_strdup_printf ("%s (%s)", name, unit) : g_strdup (name);
-  qn_text_draw (plot->cr, &style, label, 0.5 * (plot->x.start + plot->x.end), bottom, 0.5,
-                1, 0, ink);
-  qn_text_draw (plot->cr, &style,
-                plot->data->y_label != NULL ? plot->data->y_label
-                                            : _ ("Load multiplier λ"),
-                x, 0.5 * (plot->y.start + plot->y.end), 0.5, 0, G_PI / 2, ink);
+  qn_axes_draw_names (&plot->x, &plot->y, plot->cr, plot->unit, label,
+                      plot->data->y_label != NULL ? plot->data->y_label
+                                                  : _ ("Load multiplier λ"),
+                      x, bottom, plot->data->monochrome);
 }
 
 void
@@ -372,21 +218,22 @@ qn_curve_plot_draw (const QnCurvePlot *data, cairo_t *cr, const QnPage *page, do
   furniture.y = bottom - furniture.height;
   bottom = furniture.y - (furniture.count > 0 ? 6 * u : 0);
 
-  plot.y.start = bottom - (3.1 * TYPE_TICK + 4) * u;
-  plot.y.end = top + 0.6 * TYPE_TICK * u;
-  (data->y_log ? set_log_axis : set_axis) (&plot.y, box.min.y, box.max.y,
-                                           plot.y.start - plot.y.end, TICK_SPACING_Y * u);
-  plot.x.start = x + 1.8 * TYPE_LABEL * u + tick_width (&plot) + 5 * u;
-  plot.x.end = x + width - 2.2 * TYPE_TICK * u;
-  (data->x_log ? set_log_axis : set_axis) (&plot.x, box.min.x * plot.factor,
-                                           box.max.x * plot.factor,
-                                           plot.x.end - plot.x.start, TICK_SPACING_X * u);
+  plot.y.start = bottom - (3.1 * QN_TYPE_TICK + 4) * u;
+  plot.y.end = top + 0.6 * QN_TYPE_TICK * u;
+  (data->y_log ? qn_axis_set_log : qn_axis_set) (
+    &plot.y, box.min.y, box.max.y, plot.y.start - plot.y.end, QN_TICK_SPACING_Y * u);
+  plot.x.start =
+    x + 1.8 * QN_TYPE_LABEL * u + qn_axis_text_width (&plot.y, cr, u) + 5 * u;
+  plot.x.end = x + width - 2.2 * QN_TYPE_TICK * u;
+  (data->x_log ? qn_axis_set_log
+               : qn_axis_set) (&plot.x, box.min.x * plot.factor, box.max.x * plot.factor,
+                               plot.x.end - plot.x.start, QN_TICK_SPACING_X * u);
   if (plot.y.start > plot.y.end && plot.x.end > plot.x.start) {
-    draw_ticks (&plot);
+    qn_axes_draw (&plot.x, &plot.y, cr, u, data->monochrome);
     draw_references (&plot);
     for (size_t i = 0; i < data->curve_count; i++)
       draw_curve (&plot, i);
-    draw_axis_labels (&plot, unit, x, bottom);
+    draw_names (&plot, unit, x, bottom);
   }
   qn_furniture_draw (&furniture, cr, 1, false);
   qn_furniture_clear (&furniture);

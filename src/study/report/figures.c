@@ -1,0 +1,520 @@
+#include "study/report/figures.h"
+
+#include "core/base/integer.h"
+#include "io/text/io-error.h"
+#include "render/figure/compare-sheet.h"
+#include "render/figure/data-plot.h"
+#include "study/report/column.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+/* Bars of a histogram; kinds of mechanism on a sheet. */
+#define MOST_BARS  60
+#define MOST_KINDS 9
+
+/* Steps of a cumulative curve. */
+#define MOST_STEPS 2000
+
+/* Half the height of a bar of a tornado, where one is a row. */
+#define HALF_BAR 0.36
+
+const char *
+qn_study_figure_name (int kind)
+{
+  static const char *const names[QN_STUDY_FIGURE_COUNT] = {
+    [QN_STUDY_FIGURE_SCATTER] = "scatter",
+    [QN_STUDY_FIGURE_HISTOGRAM] = "histogram",
+    [QN_STUDY_FIGURE_CUMULATIVE] = "cumulative",
+    [QN_STUDY_FIGURE_TORNADO] = "tornado",
+    [QN_STUDY_FIGURE_SURFACE] = "surface",
+    [QN_STUDY_FIGURE_MECHANISMS] = "mechanisms",
+  };
+  return names[kind];
+}
+
+/* What one export needs. */
+typedef struct Page {
+  const QnStudyFigure *figure;
+  const QnTable *table;
+  const char *path;
+  const QnOutput *output;
+  const QnMetadata *metadata;
+  GError **error;
+} Page;
+
+static gboolean
+fail (const Page *page, const char *message)
+{
+  g_set_error (page->error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s",
+               page->table->study->name, message);
+  return FALSE;
+}
+
+static gboolean
+export_plot (const Page *page, QnDataPlot plot, const QnMarks *marks, size_t count)
+{
+  plot.title = page->table->study->title;
+  plot.marks = marks;
+  plot.mark_count = count;
+  plot.monochrome = page->figure->monochrome;
+  return qn_data_plot_export (&plot, page->path, page->output, page->metadata,
+                              page->error);
+}
+
+static const char *
+name_of (const Page *page, int column)
+{
+  return qn_table_column_name (page->table, (gsize) column);
+}
+
+static gboolean
+draw_scatter (const Page *page)
+{
+  g_autofree double *x = NULL, *y = NULL;
+  gsize count = qn_table_dup_pairs (page->table, (gsize) page->figure->parameters[0],
+                                    (gsize) page->figure->column, &x, &y);
+  if (count == 0)
+    return fail (page, _ ("no case has this output yet"));
+  QnMarks marks = { .kind = QN_MARKS_POINTS, .x = x, .y = y, .count = count };
+  return export_plot (
+    page,
+    (QnDataPlot){ .x_label = name_of (page, page->figure->parameters[0]),
+                  .y_label = name_of (page, page->figure->column) },
+    &marks, 1);
+}
+
+/* The rule of Freedman and Diaconis for the width of bars. */
+static gsize
+bar_count (const double *sorted, gsize count)
+{
+  double spread = qn_quantile (sorted, count, 0.75) - qn_quantile (sorted, count, 0.25);
+  double range = sorted[count - 1] - sorted[0];
+  double width = 2 * spread / cbrt ((double) count);
+  return (gsize) qn_to_integer (ceil (range / width), 1, MOST_BARS);
+}
+
+static gboolean
+draw_histogram (const Page *page)
+{
+  gsize count;
+  g_autofree double *sorted =
+    qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count);
+  if (count == 0)
+    return fail (page, _ ("no case has this output yet"));
+  gsize bars = bar_count (sorted, count);
+  double low = sorted[0], width = (sorted[count - 1] - low) / (double) bars;
+  if (!(width > 0)) {
+    width = fmax (fabs (low), 1) * 1e-3;
+    low -= 0.5 * width;
+  }
+  g_autofree double *x = g_new (double, bars), *x_end = g_new (double, bars);
+  g_autofree double *y = g_new0 (double, bars), *y_end = g_new0 (double, bars);
+  gsize before = 0;
+  for (gsize i = 0; i < bars; i++) {
+    x[i] = low + width * (double) i;
+    x_end[i] = low + width * (double) (i + 1);
+    gsize upto = i + 1 < bars ? qn_count_up_to (sorted, count, x_end[i]) : count;
+    y_end[i] = (double) (upto - before);
+    before = upto;
+  }
+  QnMarks marks = { .kind = QN_MARKS_RECTANGLES,
+                    .x = x,
+                    .x_end = x_end,
+                    .y = y,
+                    .y_end = y_end,
+                    .count = bars };
+  return export_plot (page,
+                      (QnDataPlot){ .x_label = name_of (page, page->figure->column),
+                                    .y_label = _ ("Cases"),
+                                    .y_from_zero = true },
+                      &marks, 1);
+}
+
+/* Share of the values up to each of them, and its bounds where they are a sample. */
+static gboolean
+draw_cumulative (const Page *page)
+{
+  gsize count;
+  g_autofree double *sorted =
+    qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count);
+  if (count == 0)
+    return fail (page, _ ("no case has this output yet"));
+  /* Of very many values, evenly spaced ones. */
+  gsize every = (count + MOST_STEPS - 1) / MOST_STEPS, steps = 0;
+  g_autofree double *share = g_new (double, count);
+  g_autofree double *low = g_new (double, count), *high = g_new (double, count);
+  for (gsize i = (count - 1) % every; i < count; i += every, steps++) {
+    QnInterval interval = qn_share_interval (i + 1, count);
+    sorted[steps] = sorted[i];
+    share[steps] = (double) (i + 1) / (double) count;
+    low[steps] = interval.low;
+    high[steps] = interval.high;
+  }
+  QnMarks marks[] = {
+    { .kind = QN_MARKS_BAND,
+      .label = _ ("95 % interval"),
+      .x = sorted,
+      .y = low,
+      .y_end = high,
+      .count = steps },
+    { .kind = QN_MARKS_STEPS,
+      .label = _ ("share of the cases"),
+      .x = sorted,
+      .y = share,
+      .count = steps },
+  };
+  gboolean sample = qn_table_is_sample (page->table);
+  const char *name = name_of (page, page->figure->column);
+  return export_plot (page,
+                      (QnDataPlot){ .x_label = name,
+                                    .y_label = g_str_has_suffix (name, "_multiplier")
+                                                 ? _ ("Share that has collapsed")
+                                                 : _ ("Share up to this value"),
+                                    .y_from_zero = true },
+                      sample ? marks : marks + 1, sample ? 2 : 1);
+}
+
+/* Rows of a tornado, the longest on top. */
+typedef struct Bar {
+  const char *name;
+  double from, to;        /* of the bar, */
+  double second;          /* of a second one that begins with it; NaN: none */
+  QnInterval whiskers[2]; /* of both; NaN: none */
+} Bar;
+
+static double
+length_of (const Bar *bar)
+{
+  return fmax (fabs (bar->to - bar->from),
+               isnan (bar->second) ? 0 : fabs (bar->second - bar->from));
+}
+
+static int
+compare_bars (gconstpointer a, gconstpointer b)
+{
+  double x = length_of (a), y = length_of (b);
+  return (x < y) - (x > y);
+}
+
+/* `second` (nullable) names the second bars, `base` (or NaN) is where a line goes through all. */
+static gboolean
+draw_bars (const Page *page, GArray *bars, const char *x_label, const char *first,
+           const char *second, double base)
+{
+  enum {
+    FROM,
+    TO,
+    END,
+    TOP,
+    MIDDLE,
+    BOTTOM,
+    LOW,
+    HIGH,
+    LOW_2,
+    HIGH_2,
+    ROW,
+    ROW_2,
+    COLUMNS
+  };
+  gsize count = bars->len;
+  g_array_sort (bars, compare_bars);
+  g_autofree const char **names = g_new (const char *, count);
+  g_autofree double *numbers = g_new (double, COLUMNS *count);
+  const double *column[COLUMNS];
+  for (int k = 0; k < COLUMNS; k++)
+    column[k] = numbers + (gsize) k * count;
+  for (gsize i = 0; i < count; i++) {
+    const Bar *bar = &g_array_index (bars, Bar, i);
+    double row = (double) i;
+    const double values[COLUMNS] = {
+      bar->from,
+      bar->to,
+      bar->second,
+      row - HALF_BAR,
+      second != NULL ? row : row + HALF_BAR,
+      row + HALF_BAR,
+      bar->whiskers[0].low,
+      bar->whiskers[0].high,
+      bar->whiskers[1].low,
+      bar->whiskers[1].high,
+      row - HALF_BAR / 2,
+      row + HALF_BAR / 2,
+    };
+    names[i] = bar->name;
+    for (gsize k = 0; k < COLUMNS; k++)
+      numbers[k * count + i] = values[k];
+  }
+  const double base_x[] = { base, base }, base_y[] = { -0.5, (double) count - 0.5 };
+  QnMarks marks[4] = {
+    { QN_MARKS_RECTANGLES, first, 0, false, column[FROM], column[TOP], column[TO],
+      column[MIDDLE], NULL, count },
+    { QN_MARKS_RECTANGLES, second, 1, false, column[FROM], column[MIDDLE], column[END],
+      column[BOTTOM], NULL, count },
+    { QN_MARKS_WHISKERS, NULL, 0, false, column[LOW], column[ROW], column[HIGH], NULL,
+      NULL, count },
+    { QN_MARKS_WHISKERS, NULL, 0, false, column[LOW_2], column[ROW_2], column[HIGH_2],
+      NULL, NULL, count },
+  };
+  if (second == NULL)
+    marks[1] = (QnMarks){ QN_MARKS_LINE,
+                          _ ("the project as it is"),
+                          1,
+                          false,
+                          base_x,
+                          base_y,
+                          NULL,
+                          NULL,
+                          NULL,
+                          2 };
+  return export_plot (page,
+                      (QnDataPlot){ .x_label = x_label,
+                                    .y_label = _ ("Parameter"),
+                                    .y_names = names,
+                                    .y_name_count = count,
+                                    .x_from_zero = second != NULL },
+                      marks,
+                      second != NULL ? 4
+                      : isnan (base) ? 1
+                                     : 2);
+}
+
+static gboolean
+draw_sobol (const Page *page, GArray *bars)
+{
+  const QnTable *table = page->table;
+  g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
+  if (!qn_table_sobol (table, (gsize) page->figure->column, indices))
+    return fail (page, _ ("too few cases are known for Sobol indices"));
+  for (gsize k = 0; k < table->parameters; k++) {
+    Bar bar = { .name = qn_table_column_name (table, k),
+                .to = indices[k].first,
+                .second = indices[k].total,
+                .whiskers = { indices[k].of_first, indices[k].of_total } };
+    g_array_append_val (bars, bar);
+  }
+  g_autofree char *label =
+    g_strdup_printf (_ ("Sobol index of %s"), name_of (page, page->figure->column));
+  return draw_bars (page, bars, label, _ ("first order"), _ ("total"), NAN);
+}
+
+static gboolean
+draw_tornado (const Page *page)
+{
+  const QnTable *table = page->table;
+  gsize column = (gsize) page->figure->column;
+  gboolean single = table->study->plan == QN_PLAN_ONE_AT_A_TIME;
+  double base = NAN;
+  g_autoptr (GArray) bars = g_array_new (FALSE, FALSE, sizeof (Bar));
+  if (table->study->plan == QN_PLAN_SOBOL)
+    return draw_sobol (page, bars);
+  for (gsize k = 0; k < table->parameters; k++) {
+    g_autofree double *x = NULL, *y = NULL;
+    double r = 0;
+    QnInterval effect = { 0, 0 };
+    Bar bar = { .name = qn_table_column_name (table, k), .second = NAN };
+    if (!single) {
+      gsize count = qn_table_dup_pairs (table, k, column, &x, &y);
+      r = qn_rank_correlation (x, y, count);
+    }
+    if (single ? !qn_table_effect (table, k, column, &base, &effect) : isnan (r) != 0)
+      continue;
+    bar.from = single ? effect.low : 0;
+    bar.to = single ? effect.high : r;
+    g_array_append_val (bars, bar);
+  }
+  if (bars->len == 0)
+    return fail (page, _ ("no case has this output yet"));
+  g_autofree char *correlation = g_strdup_printf (_ ("Rank correlation with %s"),
+                                                  name_of (page, page->figure->column));
+  return draw_bars (page, bars,
+                    single ? name_of (page, page->figure->column) : correlation, NULL,
+                    NULL, base);
+}
+
+static int
+compare_numbers (gconstpointer a, gconstpointer b)
+{
+  double x = *(const double *) a, y = *(const double *) b;
+  return (x > y) - (x < y);
+}
+
+/* The different values of a column, ascending; of double. */
+static GArray *
+dup_levels (const double *numbers, gsize count)
+{
+  GArray *levels = g_array_new (FALSE, FALSE, sizeof (double));
+  g_array_append_vals (levels, numbers, (guint) count);
+  g_array_sort (levels, compare_numbers);
+  guint kept = 0;
+  for (guint i = 0; i < levels->len; i++) {
+    double value = g_array_index (levels, double, i);
+    if (kept == 0 || value > g_array_index (levels, double, kept - 1))
+      g_array_index (levels, double, kept++) = value;
+  }
+  g_array_set_size (levels, kept);
+  return levels;
+}
+
+/* Where the cell of a level ends: half way to its neighbours. */
+static double
+cell_edge (const GArray *levels, gsize edge)
+{
+  gsize last = levels->len - 1;
+  const double *v = (const double *) (const void *) levels->data;
+  if (last == 0)
+    return v[0] + ((double) edge - 0.5) * fmax (fabs (v[0]), 1) * 0.1;
+  if (edge == 0)
+    return 1.5 * v[0] - 0.5 * v[1];
+  return edge > last ? 1.5 * v[last] - 0.5 * v[last - 1] : 0.5 * (v[edge - 1] + v[edge]);
+}
+
+static gsize
+level_of (const GArray *levels, double value)
+{
+  gsize i = 0;
+  while (i + 1 < levels->len && g_array_index (levels, double, i) < value)
+    i++;
+  return i;
+}
+
+/* A cell for each two levels, with the mean over what else varies. */
+static gboolean
+draw_cells (const Page *page, const QnDataPlot *plot, const double *x, const double *y,
+            const double *z, gsize count)
+{
+  g_autoptr (GArray) across = dup_levels (x, count), up = dup_levels (y, count);
+  gsize cells = (gsize) across->len * up->len, known = 0;
+  g_autofree double *sum = g_new0 (double, cells), *weight = g_new0 (double, cells);
+  g_autofree double *numbers = g_new (double, 5 * cells);
+  for (gsize i = 0; i < count; i++) {
+    gsize cell = level_of (across, x[i]) * up->len + level_of (up, y[i]);
+    sum[cell] += z[i];
+    weight[cell] += 1;
+  }
+  for (gsize i = 0; i < cells; i++) {
+    if (!(weight[i] > 0))
+      continue;
+    numbers[known] = cell_edge (across, i / up->len);
+    numbers[cells + known] = cell_edge (across, i / up->len + 1);
+    numbers[2 * cells + known] = cell_edge (up, i % up->len);
+    numbers[3 * cells + known] = cell_edge (up, i % up->len + 1);
+    numbers[4 * cells + known++] = sum[i] / weight[i];
+  }
+  QnMarks marks = { .kind = QN_MARKS_RECTANGLES,
+                    .x = numbers,
+                    .x_end = numbers + cells,
+                    .y = numbers + 2 * cells,
+                    .y_end = numbers + 3 * cells,
+                    .values = numbers + 4 * cells,
+                    .count = known };
+  return export_plot (page, *plot, &marks, 1);
+}
+
+static gboolean
+draw_surface (const Page *page)
+{
+  const QnTable *table = page->table;
+  const int *parameters = page->figure->parameters;
+  g_autofree double *numbers = g_new (double, 3 * table->rows->len + 1);
+  double *x = numbers, *y = x + table->rows->len, *z = y + table->rows->len;
+  gsize count = 0;
+  for (gsize i = 0; i < table->rows->len; i++) {
+    z[count] = qn_table_number (table, i, (gsize) page->figure->column);
+    x[count] = qn_table_number (table, i, (gsize) parameters[0]);
+    y[count] = qn_table_number (table, i, (gsize) parameters[1]);
+    count += isfinite (z[count]) != 0;
+  }
+  if (count == 0)
+    return fail (page, _ ("no case has this output yet"));
+  QnDataPlot plot = { .x_label = name_of (page, parameters[0]),
+                      .y_label = name_of (page, parameters[1]),
+                      .bar_title = name_of (page, page->figure->column) };
+  if (table->study->plan == QN_PLAN_GRID)
+    return draw_cells (page, &plot, x, y, z, count);
+  QnMarks marks = {
+    .kind = QN_MARKS_POINTS, .x = x, .y = y, .values = z, .count = count
+  };
+  return export_plot (page, plot, &marks, 1);
+}
+
+static char *
+dup_caption (const QnMechanismShare *share, gsize whole)
+{
+  double percent = 100.0 * (double) share->count / (double) whole;
+  if (isnan (share->range.low))
+    return g_strdup_printf (_ ("%s: %zu cases (%.1f %%)"), share->kind, share->count,
+                            percent);
+  return g_strdup_printf (_ ("%s: %zu cases (%.1f %%), λ %.3f … %.3f"), share->kind,
+                          share->count, percent, share->range.low, share->range.high);
+}
+
+/* The typical case of every kind is analysed again: the same numbers give the same mechanism. */
+static gboolean
+draw_mechanisms (const Page *page)
+{
+  const QnTable *table = page->table;
+  QnCaseSolver solver;
+  gsize whole;
+  g_autoptr (GArray) shares = qn_table_dup_mechanisms (table, &whole);
+  guint count = MIN (shares->len, MOST_KINDS);
+  g_autofree QnCaseModel *models = g_new0 (QnCaseModel, count + 1);
+  g_autofree QnFigure *figures = g_new0 (QnFigure, count + 1);
+  g_autoptr (GPtrArray) captions = g_ptr_array_new_with_free_func (g_free);
+  QnCompareSheet sheet = { .figures = figures, .title = table->study->title };
+  if (count == 0)
+    return fail (page,
+                 _ ("no case has a mechanism: is mechanism_kind among the outputs?"));
+  if (!qn_case_solver_init (&solver, table->study, page->error))
+    return FALSE;
+  for (guint i = 0; i < count; i++) {
+    const QnMechanismShare *share = &g_array_index (shares, QnMechanismShare, i);
+    QnCaseResult result;
+    qn_case_solve (&solver, table->numbers + share->row * table->width, NULL, &models[i],
+                   &result);
+    qn_case_result_clear (&result);
+    if (models[i].result.mechanism == NULL)
+      continue;
+    QnFigure *figure = &figures[sheet.count++];
+    qn_figure_init (figure, &models[i].project.model, &models[i].contacts,
+                    &models[i].result, QN_VIEW_MECHANISM);
+    figure->options.monochrome = page->figure->monochrome;
+    g_autofree char *title = g_strdup_printf (
+      _ ("Case %zu"), g_array_index (table->rows, QnRow, share->row).index + 1);
+    g_ptr_array_add (captions, g_steal_pointer (&title));
+    figure->title = g_ptr_array_index (captions, captions->len - 1);
+    g_ptr_array_add (captions, dup_caption (share, whole));
+    figure->caption = g_ptr_array_index (captions, captions->len - 1);
+  }
+  gboolean ok = qn_compare_sheet_export (&sheet, page->path, page->output, page->metadata,
+                                         page->error);
+  for (guint i = 0; i < count; i++)
+    qn_case_model_clear (&models[i]);
+  qn_case_solver_clear (&solver);
+  return ok;
+}
+
+gboolean
+qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
+                        const char *path, const QnOutput *output,
+                        const QnMetadata *metadata, GError **error)
+{
+  const Page page = { figure, table, path, output, metadata, error };
+  switch (figure->kind) {
+  case QN_STUDY_FIGURE_SCATTER:
+    return draw_scatter (&page);
+  case QN_STUDY_FIGURE_HISTOGRAM:
+    return draw_histogram (&page);
+  case QN_STUDY_FIGURE_CUMULATIVE:
+    return draw_cumulative (&page);
+  case QN_STUDY_FIGURE_TORNADO:
+    return draw_tornado (&page);
+  case QN_STUDY_FIGURE_SURFACE:
+    return draw_surface (&page);
+  case QN_STUDY_FIGURE_MECHANISMS:
+    return draw_mechanisms (&page);
+  case QN_STUDY_FIGURE_COUNT:
+    break;
+  }
+  g_assert_not_reached ();
+}

@@ -1,0 +1,35 @@
+/* Figures of a study: PNG, SVG or PDF by the ending of the path. */
+#ifndef QN_STUDY_FIGURES_H
+#define QN_STUDY_FIGURES_H
+
+#include "render/backend/output.h"
+#include "study/report/table.h"
+
+typedef enum {
+  QN_STUDY_FIGURE_SCATTER,   /* an output over a parameter, a point for every case */
+  QN_STUDY_FIGURE_HISTOGRAM, /* of an output */
+  QN_STUDY_FIGURE_CUMULATIVE, /* share of the cases up to a value, with what is sure of it: of a
+                                 multiplier the fragility */
+  QN_STUDY_FIGURE_TORNADO, /* which parameter matters: Sobol indices of a plan "sobol", ranges
+                                 of a plan "one-at-a-time", else rank correlations */
+  QN_STUDY_FIGURE_SURFACE, /* an output over two parameters: cells of a grid, else points */
+  QN_STUDY_FIGURE_MECHANISMS, /* a typical case of every kind of mechanism */
+  QN_STUDY_FIGURE_COUNT
+} QnStudyFigureKind;
+
+typedef struct QnStudyFigure {
+  QnStudyFigureKind kind;
+  int column;        /* of the output (qn_table_find()); MECHANISMS: not used */
+  int parameters[2]; /* columns: one for SCATTER, two for SURFACE */
+  bool monochrome;
+} QnStudyFigure;
+
+/* Spelling on the command line: "scatter", … */
+const char *qn_study_figure_name (int kind);
+
+/* Writes the figure. Errors: QN_IO_ERROR where the table has nothing to show, QN_RENDER_ERROR. */
+gboolean qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
+                                 const char *path, const QnOutput *output,
+                                 const QnMetadata *metadata, GError **error);
+
+#endif

@@ -1,0 +1,180 @@
+#include "study/report/summary.h"
+
+#include "study/report/column.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+static void
+append_outcomes (GString *text, const QnTable *table)
+{
+  gsize failed = 0;
+  const char *const title = table->study->title;
+  g_autoptr (GHashTable) counts = g_hash_table_new (g_str_hash, g_str_equal);
+  for (gsize i = 0; i < table->rows->len; i++) {
+    const QnRow *row = &g_array_index (table->rows, QnRow, i);
+    failed += row->failed;
+    if (row->outcome != NULL)
+      g_hash_table_insert (
+        counts, row->outcome,
+        GUINT_TO_POINTER (GPOINTER_TO_UINT (g_hash_table_lookup (counts, row->outcome))
+                          + 1));
+  }
+  g_string_append_printf (text, "%s\n", title != NULL ? title : table->study->name);
+  g_string_append_printf (text, _ ("%u of %zu cases are computed, %zu failed\n"),
+                          table->rows->len, qn_study_case_count (table->study), failed);
+  g_autoptr (GList) outcomes =
+    g_list_sort (g_hash_table_get_keys (counts), (GCompareFunc) strcmp);
+  for (GList *i = outcomes; i != NULL; i = i->next)
+    g_string_append_printf (text, "  %-22s %u\n", (const char *) i->data,
+                            GPOINTER_TO_UINT (g_hash_table_lookup (counts, i->data)));
+}
+
+static void
+append_interval (GString *text, QnInterval interval)
+{
+  g_string_append_printf (text, " (%.6g … %.6g)\n", interval.low, interval.high);
+}
+
+static void
+append_sample (GString *text, const double *sorted, gsize count)
+{
+  static const double shares[] = { 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99 };
+  QnMoments moments = qn_moments (sorted, count);
+  g_string_append_printf (text, "  %-12s %10.6g", _ ("mean"), moments.mean);
+  append_interval (text, moments.of_mean);
+  g_string_append_printf (text, "  %-12s %10.6g\n", _ ("deviation"), moments.deviation);
+  g_string_append_printf (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
+                          sorted[count - 1]);
+  for (gsize i = 0; i < G_N_ELEMENTS (shares); i++) {
+    g_autofree char *name = g_strdup_printf (_ ("%.0f %% quantile"), 100 * shares[i]);
+    g_string_append_printf (text, "  %-12s %10.6g", name,
+                            qn_quantile (sorted, count, shares[i]));
+    append_interval (text, qn_quantile_interval (sorted, count, shares[i]));
+  }
+}
+
+/* Share of the cases that do not reach a multiplier, at ten round ones. */
+static void
+append_fragility (GString *text, const double *sorted, gsize count)
+{
+  double low = sorted[0], high = sorted[count - 1];
+  double step = pow (10, floor (log10 (fmax (high - low, 1e-300) / 5)));
+  while ((high - low) / step > 12)
+    step *= 2;
+  if (!(high > low))
+    return;
+  g_string_append (text, _ ("  share that has collapsed at a multiplier (fragility)\n"));
+  for (double x = ceil (low / step) * step; x < high + step; x += step) {
+    gsize part = qn_count_up_to (sorted, count, x);
+    QnInterval interval = qn_share_interval (part, count);
+    g_string_append_printf (text, "    %10.6g %8.2f %% (%.2f … %.2f)\n", x,
+                            100.0 * (double) part / (double) count, 100 * interval.low,
+                            100 * interval.high);
+  }
+}
+
+static void
+append_correlations (GString *text, const QnTable *table, gsize column)
+{
+  g_string_append (text, _ ("  rank correlation with\n"));
+  for (gsize k = 0; k < table->parameters; k++) {
+    g_autofree double *x = NULL, *y = NULL;
+    gsize count = qn_table_dup_pairs (table, k, column, &x, &y);
+    double r = qn_rank_correlation (x, y, count);
+    if (!isnan (r))
+      g_string_append_printf (text, "    %-24s %8.3f\n", qn_table_column_name (table, k),
+                              r);
+  }
+}
+
+static void
+append_sobol (GString *text, const QnTable *table, gsize column)
+{
+  g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
+  if (!qn_table_sobol (table, column, indices))
+    return;
+  g_string_append (text, _ ("  Sobol indices: first order, total\n"));
+  for (gsize k = 0; k < table->parameters; k++)
+    g_string_append_printf (text, "    %-24s %8.3f (%.3f … %.3f) %8.3f (%.3f … %.3f)\n",
+                            qn_table_column_name (table, k), indices[k].first,
+                            indices[k].of_first.low, indices[k].of_first.high,
+                            indices[k].total, indices[k].of_total.low,
+                            indices[k].of_total.high);
+}
+
+static void
+append_effects (GString *text, const QnTable *table, gsize column)
+{
+  double base = NAN;
+  QnInterval effect;
+  for (gsize k = 0; k < table->parameters; k++) {
+    if (!qn_table_effect (table, k, column, &base, &effect))
+      continue;
+    if (k == 0)
+      g_string_append_printf (text, _ ("  %.6g as the project is; range by parameter\n"),
+                              base);
+    g_string_append_printf (text, "    %-24s %10.6g … %.6g\n",
+                            qn_table_column_name (table, k), effect.low, effect.high);
+  }
+}
+
+static void
+append_output (GString *text, const QnTable *table, gsize column)
+{
+  gsize count;
+  g_autofree double *sorted = qn_table_dup_sorted (table, column, &count);
+  const char *name = qn_table_column_name (table, column);
+  g_string_append_printf (
+    text, g_dngettext (GETTEXT_PACKAGE, "%s: %zu value\n", "%s: %zu values\n", count),
+    name, count);
+  if (count == 0)
+    return;
+  if (!qn_table_is_sample (table)) {
+    g_string_append_printf (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
+                            sorted[count - 1]);
+    append_effects (text, table, column);
+    return;
+  }
+  append_sample (text, sorted, count);
+  if (g_str_has_suffix (name, "_multiplier"))
+    append_fragility (text, sorted, count);
+  append_correlations (text, table, column);
+  append_sobol (text, table, column);
+}
+
+static void
+append_mechanisms (GString *text, const QnTable *table)
+{
+  gsize whole;
+  g_autoptr (GArray) shares = qn_table_dup_mechanisms (table, &whole);
+  g_string_append_printf (text, "%s\n", qn_study_output_name (QN_STUDY_MECHANISM_KIND));
+  for (guint i = 0; i < shares->len; i++) {
+    const QnMechanismShare *share = &g_array_index (shares, QnMechanismShare, i);
+    g_string_append_printf (text, "  %-22s %6zu  %6.2f %%", share->kind, share->count,
+                            100.0 * (double) share->count / (double) whole);
+    if (!isnan (share->range.low))
+      g_string_append_printf (text, _ ("  multiplier %.6g … %.6g"), share->range.low,
+                              share->range.high);
+    g_string_append_c (text, '\n');
+  }
+}
+
+char *
+qn_summary_dup_text (const QnTable *table)
+{
+  GString *text = g_string_new (NULL);
+  append_outcomes (text, table);
+  for (gsize i = table->parameters; i < table->width; i++) {
+    g_string_append_c (text, '\n');
+    if (qn_study_output (table->study, i - table->parameters) == QN_STUDY_MECHANISM_KIND)
+      append_mechanisms (text, table);
+    else
+      append_output (text, table, i);
+  }
+  if (qn_table_is_sample (table))
+    g_string_append (text, _ ("\nIn brackets: intervals that hold the true value with a "
+                              "probability of 95 %.\n"));
+  return g_string_free (text, FALSE);
+}
