@@ -143,15 +143,19 @@ probe_output (const char *path)
   return QN_EXIT_DONE;
 }
 
-/* A path that no load drives is hardly what was meant. */
-static void
-warn_of_missing_load (const QnProject *project)
+/* A path that no load drives has no answer, unless the dead load alone is asked for. Limit analysis
+ * and stages refuse it themselves. */
+static QnExit
+require_live_load (const QnProject *project)
 {
-  if (project->model.stage_count == 0
-      && project->model.analysis.procedure != QN_PROCEDURE_LIMIT
-      && qn_model_lacks_live_load (&project->model))
-    qn_cli_warning ("%s: loads: %s", project->name,
-                    _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
+  const QnAnalysisSettings *analysis = &project->model.analysis;
+  if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
+      || analysis->max_multiplier == 0 || !qn_model_lacks_live_load (&project->model))
+    return QN_EXIT_DONE;
+  qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or ask for the dead load alone "
+                   "by analysis.max_multiplier=0"),
+                project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
+  return QN_EXIT_INVALID;
 }
 
 static QnExit
@@ -213,6 +217,20 @@ parse_detail (const QnSubcommand *self, Options *options)
   return FALSE;
 }
 
+/* The second of two outputs of one name would take the place of the first. */
+static gboolean
+check_outputs (const QnSubcommand *self, const Options *options)
+{
+  if (options->output == NULL || options->csv == NULL)
+    return TRUE;
+  g_autofree char *output = g_canonicalize_filename (options->output, NULL);
+  g_autofree char *csv = g_canonicalize_filename (options->csv, NULL);
+  if (strcmp (output, csv) != 0)
+    return TRUE;
+  qn_cli_usage_error (self->name, _ ("-o and --csv name the same file"));
+  return FALSE;
+}
+
 static void
 warn_of_findings (const QnInput *input)
 {
@@ -259,7 +277,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   QnExit code = QN_EXIT_USAGE;
 
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)
-      && parse_detail (self, &options)) {
+      && parse_detail (self, &options) && check_outputs (self, &options)) {
     add_override (&options.overrides, override);
     qn_cli_set_own_override (override, self->name);
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
@@ -268,14 +286,14 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)
+    code = require_live_load (&input.project);
+  if (code == QN_EXIT_DONE)
     code = probe_output (options.output);
   if (code == QN_EXIT_DONE)
     code = probe_output (options.csv);
   if (code == QN_EXIT_DONE) {
-    if (!options.quiet) {
+    if (!options.quiet)
       warn_of_findings (&input);
-      warn_of_missing_load (&input.project);
-    }
     code = solve (&options, &input);
   }
 

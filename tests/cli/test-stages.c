@@ -120,11 +120,19 @@ test_reasons (void)
   g_assert_nonnull (strstr (run.out, "The supports have settled as far"));
   cli_run_clear (&run);
 
-  /* Nothing drives a path without live loads: said, not passed over. */
+  /* Nothing drives a path without live loads: refused, unless the dead load alone is wanted. */
   run = cli_run ("solve", block, "--set", "loads.live=[]", NULL);
-  g_assert_cmpint (run.code, ==, 0);
-  g_assert_nonnull (strstr (run.err, "no live load acts on any free block"));
+  cli_assert_failed (&run, 3, "analysis.max_multiplier=0");
+  run = cli_run ("solve", block, "--set", "loads.live=[]", "--set",
+                 "analysis.procedure=arc-length", NULL);
+  cli_assert_failed (&run, 3, "no live load acts on any free block");
+  run = cli_run ("solve", block, "--set", "loads.live=[]", "--set",
+                 "analysis.max_multiplier=0", NULL);
+  cli_assert_done (&run);
   g_assert_nonnull (strstr (run.out, "No live load acts on any free block"));
+  cli_run_clear (&run);
+  run = cli_run ("solve", block, "-o", "a.json", "--csv", "./a.json", NULL);
+  cli_assert_failed (&run, 2, "the same file");
   cli_run_clear (&run);
   run = cli_run ("solve", block, "--set", "analysis.max_multiplier=0.1", NULL);
   cli_assert_done (&run);

@@ -16,6 +16,8 @@
   X (NOT_POSITIVE, "number must be positive") \
   X (NEGATIVE, "number must not be negative") \
   X (TOO_LARGE, "number is too large") \
+  X (TOLERANCE_FINE, "tolerance is below what double precision resolves") \
+  X (TOLERANCE_COARSE, "tolerance does not tell equilibrium from collapse") \
   X (TOO_FEW_VERTICES, "polygon has fewer than three vertices") \
   X (DUPLICATE_VERTEX, "polygon repeats a vertex") \
   X (ZERO_AREA, "polygon has no area") \

@@ -32,6 +32,20 @@
 /* A moment exceeds the plastic one when it does so by this part of it: rounding of a few products. */
 #define QN_TOLERANCE_YIELD 1e-12
 
+/* What the settings of an analysis may ask for. Below, rounding decides; above, a structure that
+ * falls counts as one that rests. */
+#define QN_LEAST_MULTIPLIER_TOLERANCE   1e-12
+#define QN_LARGEST_MULTIPLIER_TOLERANCE 0.1
+#define QN_LEAST_RESIDUAL_TOLERANCE     1e-14
+#define QN_LARGEST_RESIDUAL_TOLERANCE   1e-3
+
+/* Largest stiffness of a law, in its own unit: hundreds of millions of times that of steel. The forces
+ * of a building shorten stiffer joints by less than rounding. */
+#define QN_LARGEST_STIFFNESS 1e20
+
+/* Largest multiple of their weight that blocks are loaded with. */
+#define QN_LARGEST_DIRECTION 1e6
+
 /* Weights of explicitly placed pairs add up to 1 within what nine decimal digits leave. */
 #define QN_TOLERANCE_WEIGHTS 1e-9
 

@@ -1,5 +1,7 @@
 #include "core/law/law.h"
 
+#include "core/base/tolerance.h"
+
 #include "core/law/law-ops.h"
 
 #include <math.h>
@@ -65,6 +67,12 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
   QnStatus status = check_number (law->kn, true, "kn", index, diag);
   if (status == QN_OK)
     status = check_number (law->ks, true, "ks", index, diag);
+  if (status == QN_OK && law->kn > QN_LARGEST_STIFFNESS)
+    status =
+      qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LAW, index, "kn", law->kn);
+  if (status == QN_OK && law->ks > QN_LARGEST_STIFFNESS)
+    status =
+      qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LAW, index, "ks", law->ks);
   if (status == QN_OK)
     status = check_number (law->shear_factor, false, "shear_factor", index, diag);
   for (size_t i = 0; i < ops->parameter_count && status == QN_OK; i++) {

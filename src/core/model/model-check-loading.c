@@ -1,6 +1,8 @@
 /* Rules of loads, settlements, the analysis and its stages. */
 #include "core/model/model-check.h"
 
+#include "core/base/tolerance.h"
+
 static QnStatus
 check_settlement (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
                   QnDiag *diag)
@@ -34,12 +36,23 @@ check_loaded (const QnModel *model, const QnLoad *load, QnEntity entity, QnId in
   return qn_check_block_reference (model, load->block, entity, index, "block", diag);
 }
 
+/* How often its weight acts on a block. */
+static QnStatus
+check_direction (QnVec2 direction, QnEntity entity, QnId index, QnDiag *diag)
+{
+  QnStatus status = qn_check_vector (direction, entity, index, "direction", diag);
+  if (status == QN_OK && !(qn_vec2_length (direction) <= QN_LARGEST_DIRECTION))
+    status = qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index, "direction",
+                                qn_vec2_length (direction));
+  return status;
+}
+
 static QnStatus
 check_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
             QnDiag *diag)
 {
   if (load->kind == QN_LOAD_WEIGHT)
-    return qn_check_vector (load->vector, entity, index, "direction", diag);
+    return check_direction (load->vector, entity, index, diag);
 
   QnStatus status = check_loaded (model, load, entity, index, diag);
   if (status == QN_OK && load->kind == QN_LOAD_SETTLEMENT)
@@ -257,6 +270,20 @@ check_stages (const QnModel *model, QnDiag *diag)
 
 /* ---------------------------------------------------------------------------------------- */
 
+/* A tolerance that double precision resolves, and that still tells equilibrium from none. */
+static QnStatus
+check_tolerance (double value, double least, double largest, const char *field,
+                 QnDiag *diag)
+{
+  QnStatus status =
+    qn_check_number (value, QN_NUMBER_POSITIVE, QN_ENTITY_ANALYSIS, QN_NONE, field, diag);
+  if (status != QN_OK || (value >= least && value <= largest))
+    return status;
+  return qn_diag_set_field (
+    diag, value < least ? QN_PROBLEM_TOLERANCE_FINE : QN_PROBLEM_TOLERANCE_COARSE,
+    QN_ENTITY_ANALYSIS, QN_NONE, field, value);
+}
+
 QnStatus
 qn_model_check_analysis (const QnModel *model, QnDiag *diag)
 {
@@ -265,17 +292,26 @@ qn_model_check_analysis (const QnModel *model, QnDiag *diag)
   QnStatus status = qn_check_number (analysis->increments, QN_NUMBER_POSITIVE, entity,
                                      QN_NONE, "increments", diag);
   /* Infinity is the default and allowed here. */
-  if (status == QN_OK && !(analysis->max_multiplier > 0))
+  if (status == QN_OK && !(analysis->max_multiplier >= 0))
     status = qn_diag_set_field (
       diag,
-      isnan (analysis->max_multiplier) ? QN_PROBLEM_NOT_FINITE : QN_PROBLEM_NOT_POSITIVE,
+      isnan (analysis->max_multiplier) ? QN_PROBLEM_NOT_FINITE : QN_PROBLEM_NEGATIVE,
       entity, QN_NONE, "max_multiplier", analysis->max_multiplier);
   if (status == QN_OK)
-    status = qn_check_number (analysis->multiplier_tolerance, QN_NUMBER_POSITIVE, entity,
-                              QN_NONE, "multiplier_tolerance", diag);
+    status =
+      check_tolerance (analysis->multiplier_tolerance, QN_LEAST_MULTIPLIER_TOLERANCE,
+                       QN_LARGEST_MULTIPLIER_TOLERANCE, "multiplier_tolerance", diag);
   if (status == QN_OK)
-    status = qn_check_number (analysis->residual_tolerance, QN_NUMBER_POSITIVE, entity,
-                              QN_NONE, "residual_tolerance", diag);
+    status = check_tolerance (analysis->residual_tolerance, QN_LEAST_RESIDUAL_TOLERANCE,
+                              QN_LARGEST_RESIDUAL_TOLERANCE, "residual_tolerance", diag);
+  if (status == QN_OK)
+    status = qn_check_number (analysis->max_factorizations, QN_NUMBER_POSITIVE, entity,
+                              QN_NONE, "max_factorizations", diag);
+  if (status == QN_OK && !(analysis->max_seconds > 0))
+    status = qn_diag_set_field (diag,
+                                isnan (analysis->max_seconds) ? QN_PROBLEM_NOT_FINITE
+                                                              : QN_PROBLEM_NOT_POSITIVE,
+                                entity, QN_NONE, "max_seconds", analysis->max_seconds);
   if (status == QN_OK)
     status = check_control (model, diag);
   if (status == QN_OK && model->stage_count == 0)

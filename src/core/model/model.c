@@ -21,6 +21,8 @@ qn_model_init (QnModel *model)
                   .max_multiplier = INFINITY,
                   .multiplier_tolerance = 1e-4,
                   .residual_tolerance = 1e-8,
+                  .max_factorizations = QN_MAX_FACTORIZATIONS,
+                  .max_seconds = INFINITY,
                   .control_block = QN_NONE,
                   .control_node = QN_NONE,
                   .shortcuts = { true, true, true, true, true, true } },

@@ -190,15 +190,21 @@ typedef struct QnShortcuts {
                                assembled anew */
 } QnShortcuts;
 
+/* Factorisations that an analysis may need unless its settings say otherwise: fifteen times what the
+ * longest of the examples needs. */
+#define QN_MAX_FACTORIZATIONS 50000
+
 typedef struct QnAnalysisSettings {
   QnProcedure procedure;
   QnGeometry geometry;
   QnSnapThrough snap;
   QnFlow flow;           /* for QN_PROCEDURE_LIMIT; default associative */
   int32_t increments;    /* >= 1; the first increment of the multiplier is 1/increments */
-  double max_multiplier; /* > 0; INFINITY by default */
+  double max_multiplier; /* >= 0; 0: the dead load alone; INFINITY by default */
   double multiplier_tolerance; /* relative to the multiplier; default 1e-4 */
   double residual_tolerance;   /* relative to the forces in the model; default 1e-8 */
+  int32_t max_factorizations;  /* >= 1; beyond, the analysis ends as not converged */
+  double max_seconds;          /* > 0; likewise; INFINITY by default */
   QnId control_block;          /* or QN_NONE */
   QnId control_node; /* the same for a node that stands free; at most one of both */
   QnDof control_dof;

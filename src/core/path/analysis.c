@@ -1,24 +1,72 @@
 #include "core/path/analysis.h"
 
 #include "core/base/clock.h"
+#include "core/base/tolerance.h"
 #include "core/limit/limit.h"
 #include "core/path/path.h"
+
+#include <math.h>
+
+/* What an analysis may spend, and the caller's own callback behind it. */
+typedef struct {
+  const QnAnalysisSettings *settings;
+  double start;
+  QnProgressFunc progress; /* may be NULL */
+  void *user_data;
+  QnStop spent; /* which budget ended the analysis, or UNKNOWN */
+} Budget;
+
+static bool
+go_on (const QnProgress *progress, void *user_data)
+{
+  Budget *budget = user_data;
+  const QnAnalysisSettings *settings = budget->settings;
+
+  if (progress->factorizations >= settings->max_factorizations)
+    budget->spent = QN_STOP_FACTORIZATIONS;
+  else if (qn_clock_seconds () - budget->start > settings->max_seconds)
+    budget->spent = QN_STOP_TIME;
+  return budget->spent == QN_STOP_UNKNOWN
+         && (budget->progress == NULL || budget->progress (progress, budget->user_data));
+}
+
+/* Whether a path that was to go on to collapse came to the largest multiplier there is. */
+static bool
+is_unbounded (const QnModel *model, const QnResult *result)
+{
+  bool has_end = model->stage_count > 0 ? model->stages[model->stage_count - 1].has_target
+                                        : model->analysis.max_multiplier < QN_UNBOUNDED;
+  return result->outcome == QN_OUTCOME_TARGET_REACHED && !has_end
+         && result->step_count > 0
+         && result->steps[result->step_count - 1].multiplier
+              >= QN_UNBOUNDED * (1 - QN_TOLERANCE_TARGET);
+}
 
 QnStatus
 qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                  QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
-  double start = qn_clock_seconds ();
+  Budget budget = { &model->analysis, qn_clock_seconds (), progress, user_data,
+                    QN_STOP_UNKNOWN };
   QnPath path;
   bool stands;
+  QnStatus status;
 
   *result = (QnResult){ 0 };
-  if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
-    return qn_limit_run (model, contacts, progress, user_data, result, diag);
-
-  QnStatus status =
-    qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
-  if (status == QN_OK)
-    status = qn_path_run (&path, &stands, diag);
-  return qn_path_finish (&path, status, start);
+  if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
+    status = qn_limit_run (model, contacts, go_on, &budget, result, diag);
+  } else {
+    status = qn_path_setup (&path, model, contacts, go_on, &budget, result, diag);
+    if (status == QN_OK)
+      status = qn_path_run (&path, &stands, diag);
+    status = qn_path_finish (&path, status, budget.start);
+  }
+  if (status == QN_OK && result->outcome == QN_OUTCOME_CANCELLED
+      && budget.spent != QN_STOP_UNKNOWN) {
+    result->outcome = QN_OUTCOME_NOT_CONVERGED;
+    result->stop = budget.spent;
+  } else if (status == QN_OK && is_unbounded (model, result)) {
+    result->outcome = QN_OUTCOME_UNBOUNDED;
+  }
+  return status;
 }

@@ -112,6 +112,11 @@ run_live_loads (QnPath *path, QnDiag *diag)
   QnAnalysisSettings *settings = &path->own_settings;
   int sense = 1;
 
+  if (settings->max_multiplier == 0) { /* the dead load alone is asked for */
+    path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+    path->result->stop = QN_STOP_MULTIPLIER;
+    return QN_OK;
+  }
   if (!isfinite (settings->max_multiplier) && path->model->live_load_count > 0
       && !qn_model_sets_have_force (path->model, 1))
     settings->max_multiplier = 1;

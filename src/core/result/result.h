@@ -27,6 +27,8 @@ typedef enum {
   QN_STOP_LIMIT_POINT,    /* peak or jump, and the settings ask to stop there */
   QN_STOP_STEP_TOO_SMALL, /* nothing was found near by with the smallest step */
   QN_STOP_STEPS,          /* more steps than a path may have */
+  QN_STOP_FACTORIZATIONS, /* of any procedure: max_factorizations */
+  QN_STOP_TIME,           /* of any procedure: max_seconds */
   QN_STOP_CANCELLED,
   QN_STOP_COUNT
 } QnStop;

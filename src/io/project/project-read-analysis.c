@@ -184,6 +184,8 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
                                       "flow",
                                       "multiplier_tolerance",
                                       "residual_tolerance",
+                                      "max_factorizations",
+                                      "max_seconds",
                                       "control",
                                       "stages",
                                       "shortcuts" };
@@ -202,12 +204,16 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
   if (!read_choices (&place, settings)
       || !qn_member_count (&place, "increments", QN_OPTIONAL, G_MAXINT32,
                            &settings->increments)
-      || !qn_member_number (&place, "max_multiplier", QN_OPTIONAL, positive,
+      || !qn_member_number (&place, "max_multiplier", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &settings->max_multiplier)
       || !qn_member_number (&place, "multiplier_tolerance", QN_OPTIONAL, positive,
                             &settings->multiplier_tolerance)
       || !qn_member_number (&place, "residual_tolerance", QN_OPTIONAL, positive,
                             &settings->residual_tolerance)
+      || !qn_member_count (&place, "max_factorizations", QN_OPTIONAL, G_MAXINT32,
+                           &settings->max_factorizations)
+      || !qn_member_number (&place, "max_seconds", QN_OPTIONAL, positive,
+                            &settings->max_seconds)
       || !read_control (&place, model, &control)
       || !read_shortcuts (&place, &settings->shortcuts)
       || !qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model))

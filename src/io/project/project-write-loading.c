@@ -179,6 +179,10 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
     qn_json_put_number (json, "multiplier_tolerance", analysis->multiplier_tolerance);
   if (analysis->residual_tolerance != usual->residual_tolerance)
     qn_json_put_number (json, "residual_tolerance", analysis->residual_tolerance);
+  if (analysis->max_factorizations != usual->max_factorizations)
+    qn_json_put_number (json, "max_factorizations", analysis->max_factorizations);
+  if (analysis->max_seconds != usual->max_seconds)
+    qn_json_put_number (json, "max_seconds", analysis->max_seconds);
   if (analysis->snap != usual->snap)
     qn_json_put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
   if (analysis->flow != usual->flow)

@@ -244,6 +244,17 @@ static char *
 explain_failure (const Task *task, const QnResult *result)
 {
   const QnStep *last = last_step (result);
+  double reached = last != NULL ? last->multiplier : 0;
+  if (result->stop == QN_STOP_FACTORIZATIONS)
+    return g_strdup_printf (
+      _ ("Stopped at a load multiplier of %.4g, after as many factorisations as "
+         "max_factorizations allows; what had converged is kept."),
+      reached);
+  if (result->stop == QN_STOP_TIME)
+    return g_strdup_printf (
+      _ ("Stopped at a load multiplier of %.4g, after the time that max_seconds allows; "
+         "what had converged is kept."),
+      reached);
   if (task->procedure == QN_PROCEDURE_LIMIT)
     return g_strdup (_ ("The optimisation of limit analysis did not converge."));
   if (last == NULL)
@@ -295,6 +306,12 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
       _ ("Stopped at the first limit point, load multiplier %.4g."),
       result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
   case QN_OUTCOME_UNBOUNDED:
+    if (task->procedure != QN_PROCEDURE_LIMIT)
+      return g_strdup_printf (
+        _ ("No collapse up to a load multiplier of %.4g: the structure carries any "
+           "multiple of the live load. Check its direction, or bound the strength of the "
+           "joints."),
+        reached);
     return g_strdup (
       _ ("The joints can carry any multiple of the live load: rigid blocks "
          "have no limit here. Check its direction, or bound the strength of "

@@ -71,10 +71,20 @@ SPOIL (force, m->live_loads[1].vector.x = INFINITY)
 SPOIL (moment, m->live_loads[1].moment = NAN)
 SPOIL (at, m->live_loads[1].at.x = NAN)
 SPOIL (increments, m->analysis.increments = 0)
-SPOIL (max_multiplier, m->analysis.max_multiplier = 0)
+SPOIL (max_multiplier, m->analysis.max_multiplier = -1)
 SPOIL (max_multiplier_nan, m->analysis.max_multiplier = NAN)
 SPOIL (multiplier_tolerance, m->analysis.multiplier_tolerance = -1)
 SPOIL (residual_tolerance, m->analysis.residual_tolerance = 0)
+SPOIL (multiplier_fine, m->analysis.multiplier_tolerance = 1e-16)
+SPOIL (multiplier_coarse, m->analysis.multiplier_tolerance = 0.2)
+SPOIL (residual_fine, m->analysis.residual_tolerance = 1e-17)
+SPOIL (residual_coarse, m->analysis.residual_tolerance = 0.1)
+SPOIL (factorizations, m->analysis.max_factorizations = 0)
+SPOIL (seconds, m->analysis.max_seconds = 0)
+SPOIL (seconds_nan, m->analysis.max_seconds = NAN)
+SPOIL (stiffness, m->laws[0].kn = 1e308)
+SPOIL (shear_stiffness, m->laws[0].ks = 1e21)
+SPOIL (direction_large, m->dead_loads[0].vector.y = -1e30)
 SPOIL (control_block, m->analysis.control_block = 3)
 SPOIL (control_target, m->analysis.control_target = 0)
 SPOIL (control_fixed, m->analysis.control_block = 0)
@@ -126,10 +136,20 @@ static const Case cases[] = {
   CASE (moment, NOT_FINITE, LIVE_LOAD, 1, "moment"),
   CASE (at, NOT_FINITE, LIVE_LOAD, 1, "at"),
   CASE (increments, NOT_POSITIVE, ANALYSIS, QN_NONE, "increments"),
-  CASE (max_multiplier, NOT_POSITIVE, ANALYSIS, QN_NONE, "max_multiplier"),
+  CASE (max_multiplier, NEGATIVE, ANALYSIS, QN_NONE, "max_multiplier"),
   CASE (max_multiplier_nan, NOT_FINITE, ANALYSIS, QN_NONE, "max_multiplier"),
   CASE (multiplier_tolerance, NOT_POSITIVE, ANALYSIS, QN_NONE, "multiplier_tolerance"),
   CASE (residual_tolerance, NOT_POSITIVE, ANALYSIS, QN_NONE, "residual_tolerance"),
+  CASE (multiplier_fine, TOLERANCE_FINE, ANALYSIS, QN_NONE, "multiplier_tolerance"),
+  CASE (multiplier_coarse, TOLERANCE_COARSE, ANALYSIS, QN_NONE, "multiplier_tolerance"),
+  CASE (residual_fine, TOLERANCE_FINE, ANALYSIS, QN_NONE, "residual_tolerance"),
+  CASE (residual_coarse, TOLERANCE_COARSE, ANALYSIS, QN_NONE, "residual_tolerance"),
+  CASE (factorizations, NOT_POSITIVE, ANALYSIS, QN_NONE, "max_factorizations"),
+  CASE (seconds, NOT_POSITIVE, ANALYSIS, QN_NONE, "max_seconds"),
+  CASE (seconds_nan, NOT_FINITE, ANALYSIS, QN_NONE, "max_seconds"),
+  CASE (stiffness, TOO_LARGE, LAW, 0, "kn"),
+  CASE (shear_stiffness, TOO_LARGE, LAW, 0, "ks"),
+  CASE (direction_large, TOO_LARGE, DEAD_LOAD, 0, "direction"),
   CASE (control_block, BLOCK_UNKNOWN, ANALYSIS, QN_NONE, "control.block"),
   CASE (control_target, CONTROL_TARGET_ZERO, ANALYSIS, QN_NONE, "control.target"),
   CASE (control_fixed, CONTROL_DOF_FIXED, ANALYSIS, QN_NONE, "control.component"),

@@ -1,0 +1,128 @@
+#include "core/path/analysis.h"
+
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+
+static void
+run (QnModel *model, QnResult *result)
+{
+  QnContacts contacts;
+
+  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
+                   QN_OK);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (model);
+}
+
+static void
+init_block (QnModel *model)
+{
+  test_model_init_block_on_plane (model, 2, 0.5);
+  test_model_add_weight_loads (model, 1);
+}
+
+/* An analysis that needs more than it may spend ends, and keeps what had converged. */
+static void
+test_factorizations (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK,
+                                            QN_PROCEDURE_ARC_LENGTH };
+  for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    QnModel model;
+    QnResult whole, part;
+    test_model_init_wall (&model, 1, 0);
+    model.analysis.procedure = procedures[i];
+    run (&model, &whole);
+    g_assert_cmpint (whole.outcome, !=, QN_OUTCOME_NOT_CONVERGED);
+    g_assert_cmpint (whole.statistics.factorizations, >, 10);
+
+    test_model_init_wall (&model, 1, 0);
+    model.analysis.procedure = procedures[i];
+    model.analysis.max_factorizations = whole.statistics.factorizations / 2;
+    run (&model, &part);
+    g_assert_cmpint (part.outcome, ==, QN_OUTCOME_NOT_CONVERGED);
+    g_assert_cmpint (part.stop, ==, QN_STOP_FACTORIZATIONS);
+    g_assert_cmpint (part.statistics.factorizations, <=,
+                     whole.statistics.factorizations / 2 + 1);
+    g_assert_false (part.has_collapse_multiplier);
+    g_assert_cmpuint (part.step_count, >, 1);
+    g_assert_cmpuint (part.step_count, <, whole.step_count);
+    for (size_t s = 0; s < part.step_count; s++)
+      g_assert_cmpfloat (part.steps[s].multiplier, ==, whole.steps[s].multiplier);
+    qn_result_clear (&whole);
+    qn_result_clear (&part);
+  }
+}
+
+/* No clock is so coarse that an analysis takes no time at all. */
+static void
+test_seconds (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_LIMIT };
+  for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    QnModel model;
+    QnResult result;
+    init_block (&model);
+    model.analysis.procedure = procedures[i];
+    model.analysis.max_seconds = 1e-12;
+    run (&model, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_NOT_CONVERGED);
+    g_assert_cmpint (result.stop, ==, QN_STOP_TIME);
+    qn_result_clear (&result);
+  }
+}
+
+/* A load that presses a block onto its ground has no limit. */
+static void
+test_unbounded (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_LIMIT };
+  for (size_t i = 0; i < G_N_ELEMENTS (procedures); i++) {
+    QnModel model;
+    QnResult result;
+    init_block (&model);
+    model.live_loads[0].vector = qn_vec2 (0, -1);
+    model.analysis.procedure = procedures[i];
+    run (&model, &result);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_UNBOUNDED);
+    g_assert_false (result.has_collapse_multiplier);
+    qn_result_clear (&result);
+  }
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.live_loads[0].vector = qn_vec2 (0, -1);
+  model.analysis.max_multiplier = 7;
+  run (&model, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  qn_result_clear (&result);
+}
+
+static void
+test_dead_load_alone (void)
+{
+  QnModel model;
+  QnResult result;
+  init_block (&model);
+  model.analysis.max_multiplier = 0;
+  run (&model, &result);
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpuint (result.step_count, ==, 1);
+  g_assert_cmpfloat (result.steps[0].multiplier, ==, 0);
+  qn_result_clear (&result);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/analysis/factorizations", test_factorizations);
+  g_test_add_func ("/analysis/seconds", test_seconds);
+  g_test_add_func ("/analysis/unbounded", test_unbounded);
+  g_test_add_func ("/analysis/dead-load-alone", test_dead_load_alone);
+  return g_test_run ();
+}
