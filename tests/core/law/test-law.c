@@ -40,10 +40,10 @@ assert_refused (const QnLaw *law, QnProblem problem, const char *field)
 static void
 test_names (void)
 {
-  static const char *const names[QN_LAW_KIND_COUNT] = { "elastic",         "no-tension",
-                                                        "coulomb",         "bilinear",
-                                                        "elastic-plastic", "concrete",
-                                                        "steel",           "curve" };
+  static const char *const names[QN_LAW_KIND_COUNT] = {
+    "elastic",         "no-tension", "coulomb", "mohr-coulomb", "bilinear",
+    "elastic-plastic", "concrete",   "steel",   "curve"
+  };
   for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++)
     g_assert_cmpstr (qn_law_kind_name ((QnLawKind) kind), ==, names[kind]);
   g_assert_cmpstr (qn_basis_name (QN_BASIS_CONTACT), ==, "contact");
