@@ -1,4 +1,5 @@
-/* Every epsilon of the core, each with its reason. Relative unless a unit is given. */
+/* Tolerances of geometry, laws and solutions, each with its reason. Relative unless a unit is given.
+ * What steers one method alone stands at the beginning of its file. */
 #ifndef QN_CORE_TOLERANCE_H
 #define QN_CORE_TOLERANCE_H
 
