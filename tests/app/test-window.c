@@ -601,6 +601,56 @@ test_large_model (void)
   driver_discard (window);
 }
 
+static gboolean
+is_choice_of_views (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  if (!GTK_IS_DROP_DOWN (widget))
+    return FALSE;
+  GListModel *names = gtk_drop_down_get_model (GTK_DROP_DOWN (widget));
+  return g_list_model_get_n_items (names) == QN_VIEW_COUNT;
+}
+
+static gboolean
+is_refusal (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_LABEL (widget)
+         && strstr (gtk_label_get_text (GTK_LABEL (widget)), "result") != NULL;
+}
+
+/* What cannot be done is refused without harm: an empty clipboard, a panel that is not there. */
+static void
+test_invalid_actions (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  gsize before = model_of (window)->block_count;
+  gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (window)), "");
+  driver_activate (window, "win.paste");
+  driver_run (300);
+  g_assert_cmpuint (model_of (window)->block_count, ==, before);
+  driver_activate (window, "win.show-panel::nonsense");
+  driver_discard (window);
+}
+
+/* A figure that cannot be drawn is told in the dialog. */
+static void
+test_figure_without_result (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  driver_activate (window, "win.export");
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Export Figure");
+  g_assert_nonnull (dialog);
+  GtkWidget *view = driver_find_widget (dialog, is_choice_of_views, NULL);
+  g_assert_nonnull (view);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (view), QN_VIEW_FORCES);
+  driver_run (300);
+  g_assert_nonnull (driver_find_widget (dialog, is_refusal, NULL));
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_discard (window);
+}
+
 static void
 test_appearance (void)
 {
@@ -656,6 +706,8 @@ main (int argc, char **argv)
   g_test_add_func ("/app/window/unsaved", test_unsaved);
   g_test_add_func ("/app/window/bad-file", test_bad_file);
   g_test_add_func ("/app/window/large-model", test_large_model);
+  g_test_add_func ("/app/window/invalid-actions", test_invalid_actions);
+  g_test_add_func ("/app/window/figure-without-result", test_figure_without_result);
   g_test_add_func ("/app/window/appearance", test_appearance);
   return g_test_run ();
 }

@@ -505,8 +505,10 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
   else if (!self->in_gesture)
     draw_message (self, cr, _ ("Choose the wall tool (W) and drag a rectangle"));
 
-  if (self->tool->draw != NULL)
-    self->tool->draw (self, cr);
+  void (*draw_tool) (QnCanvas *, cairo_t *) =
+    self->in_gesture ? self->tool->draw : self->tool->draw_ready;
+  if (draw_tool != NULL)
+    draw_tool (self, cr);
   if (self->keyboard_cursor && self->pointer_inside)
     draw_cursor (self, cr);
   if (self->pointer_inside)

@@ -79,7 +79,9 @@ typedef struct QnTool {
   void (*complete) (QnCanvas *canvas);
   /* Gives up the gesture. */
   void (*cancel) (QnCanvas *canvas);
-  /* Draws the gesture in px of the canvas. */
+  /* Draw, in px of the canvas, what can be taken hold of before a gesture has begun; and the
+   * gesture while it is under way. */
+  void (*draw_ready) (QnCanvas *canvas, cairo_t *cr);
   void (*draw) (QnCanvas *canvas, cairo_t *cr);
 } QnTool;
 

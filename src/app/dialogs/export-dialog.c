@@ -23,6 +23,8 @@ typedef struct Dialog {
   GtkWidget *title, *caption, *name, *transparent;
   GtkWidget *switches[16]; /* as qn_view_switches */
   GtkLabel *trouble;
+  char *refusal; /* why there is no preview; shown when the drawing is over */
+  guint refusal_idle;
   QnRecipe *recipe; /* what the fields say */
 } Dialog;
 
@@ -32,6 +34,8 @@ dialog_free (gpointer data, GObject *where)
   (void) where;
   Dialog *dialog = data;
   g_clear_object (&dialog->chooser);
+  g_clear_handle_id (&dialog->refusal_idle, g_source_remove);
+  g_free (dialog->refusal);
   qn_recipe_free (dialog->recipe);
   g_free (dialog);
 }
@@ -105,17 +109,38 @@ recipe_of_view (QnViewState *state)
 
 /* ---- preview ---- */
 
+static gboolean
+on_refusal_idle (gpointer data)
+{
+  Dialog *dialog = data;
+  dialog->refusal_idle = 0;
+  gtk_label_set_text (dialog->trouble, dialog->refusal);
+  return G_SOURCE_REMOVE;
+}
+
+/* Labels must not change while the window is being drawn. */
+static void
+show_refusal (Dialog *dialog, const char *message)
+{
+  if (g_strcmp0 (dialog->refusal, message) == 0)
+    return;
+  g_free (dialog->refusal);
+  dialog->refusal = g_strdup (message);
+  if (dialog->refusal_idle == 0)
+    dialog->refusal_idle = g_idle_add (on_refusal_idle, dialog);
+}
+
 static void
 draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   (void) area;
-  const Dialog *dialog = data;
+  Dialog *dialog = data;
   QnFigure figure;
   QnPage page;
   g_autoptr (GError) error = NULL;
   if (!qn_output_page (&dialog->recipe->output, &page, &error)
       || !qn_view_state_get_figure_as (dialog->state, dialog->recipe, &figure, &error)) {
-    gtk_label_set_text (dialog->trouble, error->message);
+    show_refusal (dialog, error->message);
     return;
   }
   double scale = MIN (width / page.width, height / page.height);
@@ -128,7 +153,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   cairo_paint (cr);
   QnFrame frame = { 0.0, 0.0, page.width, page.height, 0.0 };
   gboolean drawn = qn_figure_draw (&figure, cr, &page, &frame, NULL, &error);
-  gtk_label_set_text (dialog->trouble, drawn ? "" : error->message);
+  show_refusal (dialog, drawn ? "" : error->message);
 }
 
 static void

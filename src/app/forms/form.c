@@ -228,6 +228,8 @@ qn_form_fill_list (GtkWidget *list, const char *const *lines, int selected,
     gtk_widget_set_tooltip_text (label, lines[i]);
     gtk_list_box_append (box, label);
   }
+  gtk_widget_set_visible (gtk_widget_get_ancestor (list, GTK_TYPE_SCROLLED_WINDOW),
+                          lines[0] != NULL);
   gtk_list_box_select_row (
     box, selected >= 0 ? gtk_list_box_get_row_at_index (box, selected) : NULL);
   g_signal_handlers_unblock_matched (list, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,

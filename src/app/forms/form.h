@@ -57,7 +57,7 @@ QnId qn_form_get_law (GtkDropDown *choice);
  * GtkListBoxRow *, user_data); `name` is for screen readers. */
 GtkWidget *qn_form_add_list (GtkWidget *form, const char *name, GCallback selected,
                              gpointer user_data);
-/* Fills it without calling back; selected < 0: none. */
+/* Fills it without calling back; selected < 0: none. It hides while it has no lines. */
 void qn_form_fill_list (GtkWidget *list, const char *const *lines, int selected,
                         gpointer user_data);
 

@@ -34,63 +34,53 @@ selected_load (const Form *form)
 
 /* ---- changes ---- */
 
+typedef enum {
+  ADD_SET,
+  REMOVE_SET,
+  RENAME_SET,
+  APPEND_LOAD,
+  REPLACE_LOAD,
+  REMOVE_LOAD
+} What;
+
 typedef struct Change {
-  int32_t list;
-  gsize index;
+  What what;
   QnLoad load;
   const char *name;
+  int32_t list;
+  gsize index;
 } Change;
 
 static gboolean
-edit_add_set (QnModel *model, gpointer data, GError **error)
-{
-  (void) data;
-  return qn_edit_add_load_set (model, error);
-}
-
-static gboolean
-edit_remove_set (QnModel *model, gpointer data, GError **error)
-{
-  return qn_edit_delete_load_set (model, ((const Change *) data)->list, error);
-}
-
-static gboolean
-edit_rename_set (QnModel *model, gpointer data, GError **error)
+edit (QnModel *model, gpointer data, GError **error)
 {
   const Change *c = data;
-  return qn_edit_rename_load_set (model, c->list, c->name, error);
-}
-
-static gboolean
-edit_append (QnModel *model, gpointer data, GError **error)
-{
-  const Change *c = data;
-  return qn_edit_append_load (model, c->list, c->load, error);
-}
-
-static gboolean
-edit_replace (QnModel *model, gpointer data, GError **error)
-{
-  const Change *c = data;
-  return qn_edit_replace_load (model, c->list, c->index, c->load, error);
-}
-
-static gboolean
-edit_remove (QnModel *model, gpointer data, GError **error)
-{
-  const Change *c = data;
-  return qn_edit_remove_load (model, c->list, c->index, error);
+  switch (c->what) {
+  case ADD_SET:
+    return qn_edit_add_load_set (model, error);
+  case REMOVE_SET:
+    return qn_edit_delete_load_set (model, c->list, error);
+  case RENAME_SET:
+    return qn_edit_rename_load_set (model, c->list, c->name, error);
+  case APPEND_LOAD:
+    return qn_edit_append_load (model, c->list, c->load, error);
+  case REPLACE_LOAD:
+    return qn_edit_replace_load (model, c->list, c->index, c->load, error);
+  case REMOVE_LOAD:
+    return qn_edit_remove_load (model, c->list, c->index, error);
+  }
+  g_return_val_if_reached (FALSE);
 }
 
 static void update (Form *form);
 static void show_fields (Form *form, const QnLoad *load);
 
 static gboolean
-apply (Form *form, const char *name, QnEditFunc func, Change change)
+apply (Form *form, const char *name, Change change)
 {
   change.list = form->shown;
   change.index = (gsize) MAX (form->selected, 0);
-  gboolean done = qn_canvas_edit (form->canvas, name, NULL, func, &change);
+  gboolean done = qn_canvas_edit (form->canvas, name, NULL, edit, &change);
   if (!done)
     update (form);
   return done;
@@ -99,7 +89,7 @@ apply (Form *form, const char *name, QnEditFunc func, Change change)
 static void
 on_add_set (Form *form)
 {
-  if (apply (form, _ ("Add Set of Loads"), edit_add_set, (Change){ 0 })) {
+  if (apply (form, _ ("Add Set of Loads"), (Change){ .what = ADD_SET })) {
     form->shown = (int32_t) qn_canvas_get_model (form->canvas)->load_set_count;
     update (form);
   }
@@ -109,7 +99,7 @@ static void
 on_remove_set (Form *form)
 {
   if (form->shown > 0)
-    apply (form, _ ("Remove Set of Loads"), edit_remove_set, (Change){ 0 });
+    apply (form, _ ("Remove Set of Loads"), (Change){ .what = REMOVE_SET });
 }
 
 static void
@@ -117,7 +107,7 @@ on_name (GtkEntry *entry, Form *form)
 {
   g_autofree char *name = g_strdup (gtk_editable_get_text (GTK_EDITABLE (entry)));
   if (form->shown > 0)
-    apply (form, _ ("Rename Set of Loads"), edit_rename_set, (Change){ .name = name });
+    apply (form, _ ("Rename Set of Loads"), (Change){ .what = RENAME_SET, .name = name });
 }
 
 static void
@@ -141,7 +131,7 @@ static void
 on_remove (Form *form)
 {
   if (selected_load (form) != NULL)
-    apply (form, _ ("Remove Load"), edit_remove, (Change){ 0 });
+    apply (form, _ ("Remove Load"), (Change){ .what = REMOVE_LOAD });
 }
 
 /* Takes every field into the selected load. */
@@ -152,7 +142,7 @@ on_field (gpointer widget, Form *form)
   const QnLoad *old = selected_load (form);
   if (old == NULL)
     return;
-  Change change = { .load = *old };
+  Change change = { .what = REPLACE_LOAD, .load = *old };
   QnLoad *load = &change.load;
   gboolean weight = load->kind == QN_LOAD_WEIGHT, line = load->kind == QN_LOAD_LINE;
   QnQuantityEntry *x = weight ? form->factor_x : line ? form->line_x : form->x;
@@ -166,7 +156,7 @@ on_field (gpointer widget, Form *form)
       qn_vec2 (qn_quantity_entry_get_value (x), qn_quantity_entry_get_value (y));
   if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE)
     load->moment = qn_quantity_entry_get_value (form->moment);
-  apply (form, _ ("Change Load"), edit_replace, change);
+  apply (form, _ ("Change Load"), change);
 }
 
 static void
@@ -181,7 +171,7 @@ on_component (GtkDropDown *choice, GParamSpec *pspec, Form *form)
 static void
 add (Form *form, QnLoad load)
 {
-  if (!apply (form, _ ("Add Load"), edit_append, (Change){ .load = load }))
+  if (!apply (form, _ ("Add Load"), (Change){ .what = APPEND_LOAD, .load = load }))
     return;
   form->selected =
     (int) qn_model_count_loads (qn_canvas_get_model (form->canvas), form->shown) - 1;
@@ -287,8 +277,6 @@ fill_loads (Form *form, const QnModel *model)
   }
   g_auto (GStrv) strings = g_strv_builder_end (lines);
   qn_form_fill_list (form->loads, (const char *const *) strings, form->selected, form);
-  gtk_widget_set_visible (gtk_widget_get_ancestor (form->loads, GTK_TYPE_SCROLLED_WINDOW),
-                          count > 0);
 }
 
 static void

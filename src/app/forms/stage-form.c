@@ -21,55 +21,43 @@ static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_DISPLA
 
 /* ---- changes ---- */
 
+typedef enum { ADD, REMOVE, MOVE, CHANGE, RENAME } What;
+
 typedef struct Change {
-  gsize stage;
-  int by;
+  What what;
   QnStage settings;
+  int by;
   const char *name;
+  gsize stage;
 } Change;
 
 static gboolean
-edit_add (QnModel *model, gpointer data, GError **error)
-{
-  (void) data;
-  return qn_edit_add_stage (model, error);
-}
-
-static gboolean
-edit_remove (QnModel *model, gpointer data, GError **error)
-{
-  return qn_edit_delete_stage (model, ((const Change *) data)->stage, error);
-}
-
-static gboolean
-edit_move (QnModel *model, gpointer data, GError **error)
+edit (QnModel *model, gpointer data, GError **error)
 {
   const Change *c = data;
-  return qn_edit_move_stage (model, c->stage, c->by, error);
-}
-
-static gboolean
-edit_change (QnModel *model, gpointer data, GError **error)
-{
-  const Change *c = data;
-  return qn_edit_change_stage (model, c->stage, &c->settings, error);
-}
-
-static gboolean
-edit_name (QnModel *model, gpointer data, GError **error)
-{
-  const Change *c = data;
-  return qn_edit_rename_stage (model, c->stage, c->name, error);
+  switch (c->what) {
+  case ADD:
+    return qn_edit_add_stage (model, error);
+  case REMOVE:
+    return qn_edit_delete_stage (model, c->stage, error);
+  case MOVE:
+    return qn_edit_move_stage (model, c->stage, c->by, error);
+  case CHANGE:
+    return qn_edit_change_stage (model, c->stage, &c->settings, error);
+  case RENAME:
+    return qn_edit_rename_stage (model, c->stage, c->name, error);
+  }
+  g_return_val_if_reached (FALSE);
 }
 
 static void update (Form *form);
 static void update_selected (Form *form);
 
 static gboolean
-apply (Form *form, const char *name, QnEditFunc func, Change change)
+apply (Form *form, const char *name, Change change)
 {
   change.stage = (gsize) MAX (form->selected, 0);
-  gboolean done = qn_canvas_edit (form->canvas, name, NULL, func, &change);
+  gboolean done = qn_canvas_edit (form->canvas, name, NULL, edit, &change);
   if (!done)
     update (form);
   return done;
@@ -78,7 +66,7 @@ apply (Form *form, const char *name, QnEditFunc func, Change change)
 static void
 on_add (Form *form)
 {
-  if (apply (form, _ ("Add Stage"), edit_add, (Change){ 0 })) {
+  if (apply (form, _ ("Add Stage"), (Change){ .what = ADD })) {
     form->selected = (int) qn_canvas_get_model (form->canvas)->stage_count - 1;
     update (form);
   }
@@ -88,14 +76,14 @@ static void
 on_remove (Form *form)
 {
   if (form->selected >= 0)
-    apply (form, _ ("Remove Stage"), edit_remove, (Change){ 0 });
+    apply (form, _ ("Remove Stage"), (Change){ .what = REMOVE });
 }
 
 static void
 move (Form *form, int by)
 {
   if (form->selected >= 0
-      && apply (form, _ ("Move Stage"), edit_move, (Change){ .by = by })) {
+      && apply (form, _ ("Move Stage"), (Change){ .what = MOVE, .by = by })) {
     form->selected += by;
     update (form);
   }
@@ -118,7 +106,7 @@ on_name (GtkEntry *entry, Form *form)
 {
   g_autofree char *name = g_strdup (gtk_editable_get_text (GTK_EDITABLE (entry)));
   if (form->selected >= 0)
-    apply (form, _ ("Rename Stage"), edit_name, (Change){ .name = name });
+    apply (form, _ ("Rename Stage"), (Change){ .what = RENAME, .name = name });
 }
 
 static void
@@ -182,7 +170,8 @@ change_stage (Form *form, gboolean take)
 {
   if (form->selected < 0)
     return;
-  Change change = { .settings =
+  Change change = { .what = CHANGE,
+                    .settings =
                       qn_canvas_get_model (form->canvas)->stages[form->selected] };
   QnStage *stage = &change.settings;
   QnStageEnd end = (QnStageEnd) gtk_drop_down_get_selected (form->end);
@@ -208,7 +197,7 @@ change_stage (Form *form, gboolean take)
       qn_quantity_entry_get_value (turn ? form->angle : form->length);
   }
   fill_in (form, stage);
-  apply (form, _ ("Change Stage"), edit_change, change);
+  apply (form, _ ("Change Stage"), change);
 }
 
 static void
@@ -244,8 +233,6 @@ fill_list (Form *form, const QnModel *model)
   }
   g_auto (GStrv) strings = g_strv_builder_end (lines);
   qn_form_fill_list (form->list, (const char *const *) strings, form->selected, form);
-  gtk_widget_set_visible (gtk_widget_get_ancestor (form->list, GTK_TYPE_SCROLLED_WINDOW),
-                          model->stage_count > 0);
   gtk_widget_set_visible (GTK_WIDGET (form->empty), model->stage_count == 0);
 }
 

@@ -124,8 +124,6 @@ numbers (QnCanvas *canvas, const double *values, int count)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
   Arch arch = arch_of_gesture (canvas);
   QnMasonry masonry;
   if (qn_vec2_length (qn_vec2_sub (arch.right, arch.left)) > 0.0

@@ -46,8 +46,7 @@ static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (qn_canvas_is_in_gesture (canvas))
-    qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
+  qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
 }
 
 const QnTool qn_tool_beam = {

@@ -33,8 +33,6 @@ complete (QnCanvas *canvas)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
   QnSelection *selection = qn_canvas_get_selection (canvas);

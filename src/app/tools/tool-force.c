@@ -74,8 +74,6 @@ static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
   QnVec2 a = qn_canvas_to_screen (canvas, gesture->from);
   QnVec2 b = qn_canvas_to_screen (canvas, gesture->to);
   double angle = atan2 (b.y - a.y, b.x - a.x);

@@ -71,8 +71,6 @@ static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
   QnVec2 a = gesture->from, b = gesture->to;
   QnVec2 corners[] = { a, { b.x, a.y }, b, { a.x, b.y } };
   qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));

@@ -41,7 +41,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnMasonry masonry;
-  if (!qn_canvas_is_in_gesture (canvas) || !make_plan (canvas, &masonry))
+  if (!make_plan (canvas, &masonry))
     return;
   QnVec2 from = gesture->from, to = gesture->to;
   if (masonry.kind == QN_MASONRY_WALL) {

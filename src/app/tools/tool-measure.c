@@ -55,8 +55,6 @@ static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
   QnVec2 corner = qn_vec2 (gesture->to.x, gesture->from.y);
   qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
   if (gesture->from.x == gesture->to.x || gesture->from.y == gesture->to.y)

@@ -36,8 +36,6 @@ complete (QnCanvas *canvas)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   qn_gesture_draw_moved (canvas, cr, qn_transform_mirror (gesture->from, gesture->to));
   qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);

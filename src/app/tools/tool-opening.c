@@ -176,13 +176,15 @@ numbers (QnCanvas *canvas, const double *values, int count)
 }
 
 static void
+draw_ready (QnCanvas *canvas, cairo_t *cr)
+{
+  if (has_opening (canvas))
+    qn_handle_draw_all (canvas, cr);
+}
+
+static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  if (!qn_canvas_is_in_gesture (canvas)) {
-    if (has_opening (canvas))
-      qn_handle_draw_all (canvas, cr);
-    return;
-  }
   if (drags_handle (canvas)) {
     qn_handle_draw_drag (canvas, cr);
     return;
@@ -224,5 +226,6 @@ const QnTool qn_tool_opening = {
   .release = release,
   .numbers = numbers,
   .complete = complete,
+  .draw_ready = draw_ready,
   .draw = draw,
 };

@@ -77,8 +77,6 @@ draw_arc (QnCanvas *canvas, cairo_t *cr)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  if (!qn_canvas_is_in_gesture (canvas))
-    return;
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnTransform transform =
     qn_transform_rotation (gesture->from, angle_of_gesture (canvas));

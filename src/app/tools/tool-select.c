@@ -305,7 +305,7 @@ static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas) || !gesture->dragging) {
+  if (!gesture->dragging) {
     qn_handle_draw_all (canvas, cr);
     return;
   }
@@ -344,5 +344,6 @@ const QnTool qn_tool_select = {
   .motion = motion,
   .release = release,
   .numbers = numbers,
+  .draw_ready = qn_handle_draw_all,
   .draw = draw,
 };

@@ -98,8 +98,9 @@ previous_step (QnWindow *self, GVariant *parameter)
 static void
 show_panel (QnWindow *self, GVariant *parameter)
 {
-  gtk_stack_set_visible_child_name (self->side_stack,
-                                    g_variant_get_string (parameter, NULL));
+  const char *name = g_variant_get_string (parameter, NULL);
+  if (gtk_stack_get_child_by_name (self->side_stack, name) != NULL)
+    gtk_stack_set_visible_child_name (self->side_stack, name);
 }
 
 static void

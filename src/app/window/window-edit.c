@@ -373,7 +373,7 @@ static gboolean
 edit_paste (QnModel *model, gpointer data, GError **error)
 {
   g_auto (GStrv) lines = g_strsplit (data, "\n", -1);
-  if (!g_str_equal (lines[0], "quoin-blocks")) {
+  if (g_strcmp0 (lines[0], "quoin-blocks") != 0) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
                          _ ("There are no blocks on the clipboard"));
     return FALSE;
@@ -410,8 +410,9 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
   g_autoptr (QnWindow) self = data;
   g_autofree char *text =
     gdk_clipboard_read_text_finish (GDK_CLIPBOARD (source), result, NULL);
-  qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste,
-                  text != NULL ? text : (char *) "");
+  if (self->canvas != NULL) /* NULL: the window was closed meanwhile */
+    qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste,
+                    text != NULL ? text : (char *) "");
 }
 
 static void
