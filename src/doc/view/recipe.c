@@ -138,17 +138,13 @@ read_view (const QnJsonValue *object, QnViewOptions *view)
 
 /* A name becomes a file name where the recipe has no other: no folders in it. */
 static gboolean
-check_name (const QnJsonValue *object, const char *name, const GPtrArray *known)
+check_name (const QnJsonValue *object, const char *name, GHashTable *known)
 {
   QnJsonValue place = qn_json_value_member (object, "name");
   if (*name == '\0' || strchr (name, G_DIR_SEPARATOR) != NULL || *name == '.')
     return qn_json_value_fail (&place, _ ("must be a name without folders"));
-  for (guint i = 0; i < known->len; i++) {
-    const QnRecipe *other = g_ptr_array_index (known, i);
-    if (strcmp (other->name, name) == 0)
-      return qn_json_value_fail (&place, _ ("name is used twice"));
-  }
-  return TRUE;
+  return g_hash_table_add (known, (gpointer) name)
+         || qn_json_value_fail (&place, _ ("name is used twice"));
 }
 
 static gboolean
@@ -172,8 +168,9 @@ read_file (const QnJsonValue *object, QnRecipe *recipe)
   return FALSE;
 }
 
+/* known: names of the recipes before, borrowed from the tree. */
 static QnRecipe *
-read_recipe (const QnJsonValue *object, const GPtrArray *known)
+read_recipe (const QnJsonValue *object, GHashTable *known)
 {
   const char *name, *title = NULL, *caption = NULL, *result = NULL, *digest = NULL;
   int view = QN_VIEW_MODEL;
@@ -204,6 +201,7 @@ qn_recipes_read (const QnProject *project, GPtrArray *warnings, GError **error)
   g_autoptr (GPtrArray) unheard = g_ptr_array_new_with_free_func (g_free);
   g_autoptr (GPtrArray) recipes =
     g_ptr_array_new_with_free_func ((GDestroyNotify) qn_recipe_free);
+  g_autoptr (GHashTable) known = g_hash_table_new (g_str_hash, g_str_equal);
   QnReader reader = { .name = project->name,
                       .text = project->text,
                       .length = project->text_length,
@@ -213,7 +211,7 @@ qn_recipes_read (const QnProject *project, GPtrArray *warnings, GError **error)
   QnJsonValue list, element = { 0 };
   gboolean sound = qn_member_array (&root, "figures", QN_OPTIONAL, &list);
   while (sound && qn_json_value_next (&list, &element)) {
-    QnRecipe *recipe = read_recipe (&element, recipes);
+    QnRecipe *recipe = read_recipe (&element, known);
     sound = recipe != NULL;
     if (sound)
       g_ptr_array_add (recipes, recipe);

@@ -27,6 +27,14 @@ qn_json_value_member (const QnJsonValue *object, const char *key)
 }
 
 QnJsonValue
+qn_json_value_child (const QnJsonValue *object, const cJSON *member)
+{
+  return (QnJsonValue){
+    .reader = object->reader, .parent = object, .key = member->string, .json = member
+  };
+}
+
+QnJsonValue
 qn_json_value_element (const QnJsonValue *array, gsize index, const cJSON *value)
 {
   return (QnJsonValue){
@@ -181,7 +189,7 @@ qn_json_value_warn_unknown (const QnJsonValue *object, const char *const *keys,
       i++;
     if (i < count)
       continue;
-    QnJsonValue member = qn_json_value_member (object, child->string);
+    QnJsonValue member = qn_json_value_child (object, child);
     qn_json_value_warn (&member, _ ("unknown key"));
     qn_json_value_keep_unknown (object, child);
   }

@@ -42,10 +42,12 @@ typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRan
 /* Name of the value of an enumeration, as the file spells it. */
 typedef const char *(*QnNameFunc) (int value);
 
-/* The document; a member of an object (json NULL where it is not there); an element of an array.
+/* The document; a member of an object (json NULL where it is not there), or one at hand that need
+ * not be searched for; an element of an array.
  * They borrow what they come from, which must outlive them. */
 QnJsonValue qn_json_value_root (QnReader *reader, const cJSON *value);
 QnJsonValue qn_json_value_member (const QnJsonValue *object, const char *key);
+QnJsonValue qn_json_value_child (const QnJsonValue *object, const cJSON *member);
 QnJsonValue qn_json_value_element (const QnJsonValue *array, gsize index,
                                    const cJSON *value);
 

@@ -23,24 +23,40 @@ element_of (const char *path, const char *list, gsize count)
                                                                        : -1;
 }
 
-/* The note of a load that is not dead: the k-th of its set. */
+/* Where the loads of every set begin in the model, which was read set by set. */
+typedef struct LoadStarts {
+  gsize at[QN_MAX_LOAD_SETS + 1];
+} LoadStarts;
+
+static LoadStarts
+find_load_starts (const QnModel *model)
+{
+  LoadStarts starts = { { 0 } };
+  for (gsize i = 0; i < model->live_load_count; i++)
+    starts.at[model->live_loads[i].set + 1]++;
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    starts.at[set + 1] += starts.at[set];
+  return starts;
+}
+
+/* The note of a load that is not dead. */
 static int32_t *
-note_of_live_load (QnModel *model, const char *path)
+note_of_live_load (QnModel *model, const LoadStarts *starts, const char *path)
 {
   for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
     g_autoptr (GString) list = g_string_new (set == 0 ? "loads" : "loads.sets");
     qn_json_path_append_key (list, qn_model_load_set_name (model, set));
-    gssize left = element_of (path, list->str, model->live_load_count);
-    for (gsize i = 0; left >= 0 && i < model->live_load_count; i++)
-      if (model->live_loads[i].set == set && left-- == 0)
-        return &model->live_loads[i].note;
+    gsize first = starts->at[set], count = starts->at[set + 1] - first;
+    gssize index = element_of (path, list->str, count);
+    if (index >= 0)
+      return &model->live_loads[first + (gsize) index].note;
   }
   return NULL;
 }
 
 /* The note of what a path leads to; NULL where it is no entity. */
 static int32_t *
-note_of_path (QnModel *m, const char *path)
+note_of_path (QnModel *m, const LoadStarts *starts, const char *path)
 {
 #define NOTE_OF(list, array, count)                                                      \
   {                                                                                      \
@@ -59,7 +75,7 @@ note_of_path (QnModel *m, const char *path)
   NOTE_OF ("loads.dead", m->dead_loads, m->dead_load_count)
   NOTE_OF ("analysis.stages", m->stages, m->stage_count)
 #undef NOTE_OF
-  return note_of_live_load (m, path);
+  return note_of_live_load (m, starts, path);
 }
 
 static char *
@@ -71,12 +87,13 @@ dup_note_owner (int32_t note)
 /* What the object at a path is called from now on; NULL where it is not kept. An entity that had
  * no note gets one of this number. */
 static char *
-dup_owner_of_path (QnModel *model, const char *path, int32_t number)
+dup_owner_of_path (QnModel *model, const LoadStarts *starts, const char *path,
+                   int32_t number)
 {
   for (gsize i = 0; i < G_N_ELEMENTS (singles); i++)
     if (strcmp (path, singles[i]) == 0)
       return g_strdup (path);
-  int32_t *note = note_of_path (model, path);
+  int32_t *note = note_of_path (model, starts, path);
   if (note == NULL)
     return NULL;
   *note = number;
@@ -89,9 +106,10 @@ qn_project_keep_inner (QnProject *project, cJSON *unknown)
   cJSON *kept = unknown != NULL ? cJSON_CreateObject () : NULL;
   gboolean done = unknown == NULL || kept != NULL;
   int32_t number = 0;
+  const LoadStarts starts = find_load_starts (&project->model);
   while (done && unknown != NULL && unknown->child != NULL) {
     cJSON *members = cJSON_DetachItemViaPointer (unknown, unknown->child);
-    char *owner = dup_owner_of_path (&project->model, members->string, ++number);
+    char *owner = dup_owner_of_path (&project->model, &starts, members->string, ++number);
     if (owner != NULL)
       done = cJSON_AddItemToObject (kept, owner, members);
     if (owner == NULL || !done)

@@ -34,7 +34,7 @@ warn_of_keys (const QnJsonValue *place, QnLawKind kind)
   for (const cJSON *child = place->json->child; child != NULL; child = child->next) {
     if (g_strv_contains (common, child->string) || has_parameter (kind, child->string))
       continue;
-    QnJsonValue member = qn_json_value_member (place, child->string);
+    QnJsonValue member = qn_json_value_child (place, child);
     qn_json_value_warn (&member, is_of_any_kind (child->string)
                                    ? _ ("has no effect for this kind of law")
                                    : _ ("unknown key"));

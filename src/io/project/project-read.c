@@ -79,7 +79,7 @@ keep_extras (const QnJsonValue *root, cJSON *document, QnProject *project)
     if (is_among (child->string, model_keys, G_N_ELEMENTS (model_keys)))
       continue;
     if (!is_among (child->string, upper_keys, G_N_ELEMENTS (upper_keys))) {
-      QnJsonValue place = qn_json_value_member (root, child->string);
+      QnJsonValue place = qn_json_value_child (root, child);
       qn_json_value_warn (&place, _ ("unknown key"));
     }
     if (project->extras == NULL)

@@ -1,8 +1,11 @@
 #include "doc/document/digest.h"
 #include "doc/view/recipe.h"
 #include "io/text/io-error.h"
+#include "support/instructions.h"
 
 #include <glib.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char head[] =
@@ -171,14 +174,62 @@ test_stale (void)
   qn_project_clear (&after);
 }
 
+/* ---- many ---- */
+
+/* Twice as many recipes take twice the work. */
+#define MOST_GROWTH 1.1
+
+#define FEW  250
+#define MANY 4000
+
+/* What runs under callgrind. */
+static int
+read_many (int count)
+{
+  g_autoptr (GString) figures = g_string_new ("[");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (figures, "%s{\"name\": \"f%d\"}", i > 0 ? "," : "", i);
+  g_string_append_c (figures, ']');
+  QnProject project;
+  load (&project, "1", figures->str);
+  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL, NULL);
+  g_assert_cmpuint (recipes->len, ==, count);
+  qn_project_clear (&project);
+  return 0;
+}
+
+static void
+test_growth (gconstpointer self)
+{
+  double work[2];
+  for (int i = 0; i < 2; i++) {
+    const char *const arguments[] = { self, "--read",
+                                      i == 0 ? G_STRINGIFY (FEW) : G_STRINGIFY (MANY),
+                                      NULL };
+    work[i] = count_instructions (arguments, "qn_recipes_read", NULL);
+  }
+  if (work[0] == 0) {
+    g_test_skip ("instructions cannot be counted here");
+    return;
+  }
+  double growth = log (work[1] / work[0]) / log ((double) MANY / FEW);
+  g_test_message ("%.0f instructions each, exponent %.3f", work[1] / MANY, growth);
+  g_assert_cmpfloat (work[0], >, 100 * FEW); /* something was counted */
+  g_assert_cmpfloat (growth, <=, MOST_GROWTH);
+}
+
 int
 main (int argc, char **argv)
 {
+  if (argc == 3 && g_str_equal (argv[1], "--read"))
+    return read_many (atoi (argv[2]));
+  const char *self = argv[0];
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/recipe/reads", test_reads);
   g_test_add_func ("/doc/recipe/none", test_none);
   g_test_add_func ("/doc/recipe/refusals", test_refusals);
   g_test_add_func ("/doc/recipe/round-trip", test_round_trip);
   g_test_add_func ("/doc/recipe/stale", test_stale);
+  g_test_add_data_func ("/doc/recipe/growth", self, test_growth);
   return g_test_run ();
 }
