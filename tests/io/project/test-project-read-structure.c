@@ -29,7 +29,7 @@ test_laws (void)
       "4:15: laws[0].name: expected a string, found a number" },
     { "\"coulomb\"", "\"plastic\"",
       "4:32: laws[0].kind: \"plastic\" is none of elastic, no-tension, coulomb, "
-      "bilinear, elastic-plastic, concrete, steel, curve" },
+      "mohr-coulomb, bilinear, elastic-plastic, concrete, steel, curve" },
     { "\"kind\": \"coulomb\", ", "", "4:5: laws[0].kind: required key is missing" },
     { "\"kn\": 1e7, ", "", "4:5: laws[0].kn: required key is missing" },
     { "\"kn\": 1e7", "\"kn\": 0", "4:49: laws[0].kn: number must be positive" },
