@@ -99,12 +99,12 @@ gboolean qn_edit_delete_law (QnModel *model, QnId law, GError **error);
 
 /* ---- for edits (edit-rebuild.c) ---- */
 
-/* Makes the model anew: free blocks of `drop` (nullable, one flag per block) and walls
+/* Builds the model again: free blocks of `drop` (nullable, one flag per block) and walls
  * without courses are left out, walls are expanded from their courses as they are now, and
  * loads and overrides follow their blocks or go with them. */
 gboolean qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error);
 
-/* The same with the parametric masonry laid anew from this list (NULL: left as it is). */
+/* The same with the parametric masonry laid again from this list (NULL: left as it is). */
 gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
                                   const QnMasonries *masonry, GError **error);
 

@@ -17,7 +17,7 @@ G_DEFINE_QUARK (qn-edit-error-quark, qn_edit_error)
 typedef struct Rebuild {
   const QnModel *from;
   QnModel *to;
-  const QnMasonries *masonry; /* laid anew; NULL: masonry blocks stay as they are */
+  const QnMasonries *masonry; /* laid again; NULL: masonry blocks stay as they are */
   QnId *blocks;               /* of old free blocks */
   QnId *walls;
   QnBeamRebuild beams;
@@ -136,8 +136,8 @@ middle_of_box (const QnModel *model, QnId block, QnVec2 *half)
   return qn_vec2_lerp (low, high, 0.5);
 }
 
-/* A block of masonry laid anew is the one of the same name, or where there is none any more the
- * one that lies where it was. */
+/* A block of masonry that was laid again is the one of the same name or, where there is none any
+ * more, the one that lies where it was. */
 static QnId
 follow_masonry_block (const Rebuild *r, QnId old)
 {

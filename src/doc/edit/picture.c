@@ -138,6 +138,6 @@ qn_document_carry_picture (QnDocument *document, const char *path, GError **erro
   if (g_strcmp0 (present, name) == 0)
     return TRUE;
   g_autofree char *json = qn_underlay_to_json (name, &underlay);
-  return qn_document_edit_extra (document, _ ("Name Picture Anew"), NULL, MEMBER, json,
+  return qn_document_edit_extra (document, _ ("Rename Picture"), NULL, MEMBER, json,
                                  error);
 }

@@ -74,7 +74,7 @@ typedef struct QnFieldInfo {
 } QnFieldInfo;
 
 /* What a field is called and may be (static); whether an object has it; its value, SI. Setting one
- * does not check what else the object is made of: laying it anew does. */
+ * does not check what else the object is made of: laying it again does. */
 const QnFieldInfo *qn_masonry_field_info (QnMasonryField field);
 gboolean qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field);
 double qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field);

@@ -14,7 +14,7 @@
 typedef struct QnRecipe {
   char *name;   /* unique among the project's figures */
   char *file;   /* relative to the project's folder; NAME.png where the recipe has none */
-  char *result; /* result file, relative to the project's folder, or NULL: solve anew */
+  char *result; /* result file, relative to the project's folder, or NULL: solve again */
   char *title, *caption; /* or NULL: as the figure says by itself */
   char *digest; /* qn_model_digest() of the model that the figure was stored with, or
                    NULL */

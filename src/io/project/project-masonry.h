@@ -39,7 +39,7 @@ gboolean qn_project_add_masonry (QnProject *project, const QnMasonry *masonry,
 /* Makes plain blocks of what an object expanded to: the parameters are no longer written. */
 void qn_project_detach_masonry (QnProject *project, QnId index);
 
-/* Leaves out the objects that no block comes from any more; the others are numbered anew. */
+/* Leaves out the objects that no block comes from any more; the others get new numbers. */
 void qn_project_drop_detached (QnProject *project);
 
 /* Whether the file must still say something of object `index`: blocks of it remain. */
