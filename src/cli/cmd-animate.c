@@ -38,7 +38,7 @@ check (const QnSubcommand *self, const Options *options, double *scale)
       return qn_cli_usage_error (self->name, _ ("--scale is a positive number, or auto"));
   }
   if (options->picture.transparent)
-    return qn_cli_usage_error (self->name, _ ("animations have a white ground"));
+    return qn_cli_usage_error (self->name, _ ("animations have a white background"));
   if (!qn_animation_check_path (options->picture.path, &error))
     return qn_cli_fail (error);
   return QN_EXIT_DONE;
@@ -116,7 +116,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "rate", 0, 0, G_OPTION_ARG_DOUBLE, &options.rate, N_ ("Pictures per second (24)"),
       N_ ("N") },
     { "once", 0, 0, G_OPTION_ARG_NONE, &options.once,
-      N_ ("The mechanism once, not forth and back"), NULL },
+      N_ ("Play the mechanism once, not back and forth"), NULL },
     { "no-curve", 0, 0, G_OPTION_ARG_NONE, &options.no_curve,
       N_ ("Without the load–displacement curve"), NULL },
     { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("No progress"), NULL },

@@ -97,8 +97,9 @@ const QnSubcommand qn_cmd_check = {
   .arguments = "MODEL",
   .summary =
     N_ ("List the contact faces and pairs of a project and what is wrong with it"),
-  .help = N_ ("Gaps, overlaps and loose blocks are told with their place. A result is "
-              "checked from its file alone, without solving again: every free block in "
-              "equilibrium, every pair within its strength, both to 1e-6."),
+  .help =
+    N_ ("Gaps, overlaps and loose blocks are reported with their place. A result is "
+        "checked from its file alone, without solving again: every free block in "
+        "equilibrium, every pair within its strength, both to 1e-6."),
   .run = run,
 };

@@ -93,6 +93,6 @@ const QnSubcommand qn_cmd_compare = {
   .help =
     N_ ("A project without a result is solved first. Under each figure stands its "
         "load multiplier and the name of its mechanism; results of the same structure "
-        "that move alike bear the letter of the same group."),
+        "that move alike have the same letter."),
   .run = run,
 };

@@ -115,7 +115,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   Options options = { .scale = 1 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("File to write; its ending decides what"), N_ ("OUT.dxf|pvd|csv") },
+      N_ ("File to write; its ending chooses the format"), N_ ("OUT.dxf|pvd|csv") },
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result of the project, for the deformed shape, steps and tables"),
       N_ ("RESULT.json") },

@@ -77,7 +77,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit,
       N_ ("Unit of the drawing: mm, cm, dm, m, in or ft"), N_ ("UNIT") },
     { "report", 0, 0, G_OPTION_ARG_NONE, &options.report,
-      N_ ("Tell everything that was healed and left out"), NULL },
+      N_ ("List everything that was repaired or left out"), NULL },
     { "layer", 0, 0, G_OPTION_ARG_STRING_ARRAY, &settings->layers,
       N_ ("What a layer holds: block, support, opening or ignored"), N_ ("NAME=ROLE") },
     { "tolerance", 0, 0, G_OPTION_ARG_DOUBLE, &settings->tolerance,
@@ -105,7 +105,7 @@ run (const QnSubcommand *self, int argc, char **argv)
 const QnSubcommand qn_cmd_import = {
   .name = "import",
   .arguments = "FILE -o MODEL.quoin",
-  .summary = N_ ("Make a project of a drawing: DXF, SVG, COMPAS, text of HybriDFEM"),
+  .summary = N_ ("Make a project from a drawing: DXF, SVG, COMPAS, text of HybriDFEM"),
   .help =
     N_ ("Closed outlines become blocks, line work the faces it encloses. Layers named "
         "like SUPPORTS, OPENINGS or TEXT are fixed, cut out or ignored; --layer decides "

@@ -289,7 +289,7 @@ run (const QnSubcommand *self, int argc, char **argv)
 const QnSubcommand qn_cmd_law = {
   .name = "law",
   .arguments = "NAME",
-  .summary = N_ ("Show how a constitutive law answers a history of elongations"),
+  .summary = N_ ("Show how a constitutive law responds to a history of elongations"),
   .help =
     N_ ("NAME is elastic, no-tension, coulomb, mohr-coulomb, bilinear, elastic-plastic, "
         "concrete, steel or curve, with typical numbers, or a law of the project that "

@@ -266,7 +266,8 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
     { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
       N_ ("Write the load–displacement curve here"), N_ ("CURVE.csv") },
     { "detail", 0, 0, G_OPTION_ARG_STRING, &options.detail,
-      N_ ("What the result says of contact pairs: forces (default), pairs: their hinges "
+      N_ ("What the result contains of contact pairs: forces (default), pairs: their "
+          "hinges "
           "and springs too, or steps: forces of all steps, however many"),
       N_ ("forces|pairs|steps") },
     QN_INPUT_SET_ENTRY (&options.overrides),

@@ -121,10 +121,10 @@ const QnSubcommand qn_cmd_stability = {
   .name = "stability",
   .arguments = "MODEL",
   .summary = N_ ("Find the load under which a structure buckles"),
-  .help =
-    N_ ("Follows the live load to the multiplier at which the tangent stiffness turns "
-        "singular, which a path in perfect balance may pass unnoticed: the Euler load of "
-        "a straight column. Set \"geometry\" to \"nonlinear\": without the effect of "
-        "displacements on equilibrium nothing buckles."),
+  .help = N_ (
+    "Follows the live load to the multiplier at which the tangent stiffness turns "
+    "singular, which the path of a perfect structure does not show: the Euler load of "
+    "a straight column. Set \"geometry\" to \"nonlinear\": without the effect of "
+    "displacements on equilibrium nothing buckles."),
   .run = run,
 };

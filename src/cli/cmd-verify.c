@@ -263,9 +263,8 @@ verify (const Options *options, char **names)
   printf ("%s", _ ("* HybriDFEM as published, for comparison.\n"
                    "† Upper bound of the associative limit analysis, computed now.\n"));
   if (tally.uncertain > 0)
-    printf ("%s\n",
-            _ ("‡ How the structure moves on above its multiplier was not settled: "
-               "the mechanism is its last motion."));
+    printf ("%s\n", _ ("‡ How the structure moves above its multiplier was not "
+                       "determined: the mechanism is its last motion."));
   printf (_ ("%u met, %u missed, %u reported only.\n"), tally.met, tally.missed,
           tally.reported);
   return tally.missed > 0 ? QN_EXIT_INTERNAL : QN_EXIT_DONE;

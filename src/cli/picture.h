@@ -41,10 +41,15 @@ typedef struct QnPictureOptions {
       0,                                                                                 \
       G_OPTION_ARG_STRING,                                                               \
       &(options).backend,                                                                \
-      N_ ("What draws: cairo (default) or gl"),                                          \
+      N_ ("Drawing library: cairo (default) or gl"),                                     \
       N_ ("cairo|gl") },                                                                 \
-    { "transparent",          0,   0, G_OPTION_ARG_NONE, &(options).transparent,         \
-      N_ ("No white ground"), NULL },                                                    \
+    { "transparent",                                                                     \
+      0,                                                                                 \
+      0,                                                                                 \
+      G_OPTION_ARG_NONE,                                                                 \
+      &(options).transparent,                                                            \
+      N_ ("No white background"),                                                        \
+      NULL },                                                                            \
   {                                                                                      \
     "monochrome", 0, 0, G_OPTION_ARG_NONE, &(options).monochrome, N_ ("Greys only"),     \
       NULL                                                                               \

@@ -59,7 +59,7 @@ test_refused (void)
     { "18-spreading-arch.quoin", "analysis.procedure=work",
       "work control needs loads: settlements do no work" },
     { "18-spreading-arch.quoin", "analysis.procedure=limit",
-      "limit analysis knows loads, not settlements" },
+      "limit analysis covers loads, not settlements" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *path = example (cases[i].model);
@@ -81,7 +81,7 @@ test_wrong_sign (void)
     "solve", path, "--set", "analysis.procedure=displacement", "--set",
     "analysis.control={\"block\":\"block\",\"component\":\"ux\",\"target\":-0.05}", NULL);
   g_assert_cmpint (run.code, ==, 3);
-  g_assert_nonnull (strstr (run.err, "target lies against the motion"));
+  g_assert_nonnull (strstr (run.err, "target is opposite to the motion"));
   g_assert_nonnull (strstr (run.err, "analysis.control"));
   cli_run_clear (&run);
 }
@@ -117,7 +117,7 @@ test_reasons (void)
   cli_run_clear (&run);
   run = cli_run ("solve", settling, NULL);
   cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "The supports have settled as far"));
+  g_assert_nonnull (strstr (run.out, "The supports have settled to their targets"));
   cli_run_clear (&run);
 
   /* Nothing drives a path without live loads: refused, unless the dead load alone is wanted. */
@@ -136,7 +136,8 @@ test_reasons (void)
   cli_run_clear (&run);
   run = cli_run ("solve", block, "--set", "analysis.max_multiplier=0.1", NULL);
   cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "The load multiplier has reached 0.1"));
+  g_assert_nonnull (
+    strstr (run.out, "The load multiplier has reached its end value of 0.1"));
   cli_run_clear (&run);
 }
 

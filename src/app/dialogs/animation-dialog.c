@@ -275,7 +275,7 @@ build_form (Dialog *dialog)
                                        QN_QUANTITY_NUMBER, 1.0, 60.0, changed, dialog);
   dialog->scale = qn_form_add_quantity (form, _ ("S_cale (0: fitting)"),
                                         QN_QUANTITY_NUMBER, 0.0, 1e9, changed, dialog);
-  dialog->once = add_check (dialog, _ ("_Once, not forth and back"), s.once);
+  dialog->once = add_check (dialog, _ ("_Once, not back and forth"), s.once);
   dialog->curve = add_check (dialog, _ ("With the c_urve"), s.curve);
   dialog->monochrome = add_check (dialog, _ ("_Black and white"), s.monochrome);
   qn_form_set_choice (dialog->what, s.view == QN_VIEW_MECHANISM ? 0 : 1, dialog);

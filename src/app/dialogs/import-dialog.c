@@ -208,7 +208,7 @@ build_form (Dialog *dialog)
   dialog->extents = qn_form_add_text (form);
   gtk_widget_add_css_class (GTK_WIDGET (dialog->extents), "heading");
   dialog->tolerance =
-    qn_form_add_quantity (form, _ ("Close _gaps up to (0: by itself)"),
+    qn_form_add_quantity (form, _ ("Close _gaps up to (0: automatic)"),
                           QN_QUANTITY_LENGTH, 0.0, 10.0, changed, dialog);
   dialog->thickness = qn_form_add_quantity (form, _ ("_Thickness"), QN_QUANTITY_LENGTH,
                                             1e-6, 1e4, changed, dialog);

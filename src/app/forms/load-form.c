@@ -228,7 +228,7 @@ on_add_settlement (Form *form)
          && !block->support[dof % QN_DOF_COUNT])
     dof++;
   if (block == NULL || dof == QN_DOF_UY + QN_DOF_COUNT) {
-    qn_canvas_tell (form->canvas, _ ("Select the fixed block that gives way"));
+    qn_canvas_tell (form->canvas, _ ("Select the fixed block that settles"));
     return;
   }
   double size = qn_magnet_round_distance (

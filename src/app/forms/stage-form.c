@@ -388,7 +388,7 @@ qn_stage_form_new (QnCanvas *canvas)
   form->fields = qn_form_new ();
   form->empty = qn_form_add_text (grid);
   gtk_label_set_text (form->empty,
-                      _ ("The growing loads go up in one go. With stages, loads and "
+                      _ ("The live loads grow together. With stages, loads and "
                          "settlements are applied, held and taken away in turn."));
   gtk_widget_add_css_class (GTK_WIDGET (form->empty), "dim-label");
   form->list = qn_form_add_list (grid, _ ("Stages"), G_CALLBACK (on_stage), form);

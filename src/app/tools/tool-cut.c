@@ -52,7 +52,7 @@ const QnTool qn_tool_cut = {
   .name = "cut",
   .icon = "quoin-cut-symbolic",
   .label = N_ ("Cut Blocks"),
-  .hint = N_ ("Drag a line across blocks: it parts them, or those of them that are "
+  .hint = N_ ("Drag a line across blocks: it cuts them, or those of them that are "
               "selected; Shift holds it straight"),
   .accel = "x",
   QN_GESTURE_LINE,

@@ -37,7 +37,7 @@ static const struct {
       "without choosing a block."),
     QN_PROCEDURE_WORK, QN_FLOW_ASSOCIATIVE },
   { N_ ("Arc length"),
-    N_ ("Load and displacements advance together along the path, round limit points."),
+    N_ ("Load and displacements advance together along the path, past limit points."),
     QN_PROCEDURE_ARC_LENGTH, QN_FLOW_ASSOCIATIVE },
   { N_ ("Limit analysis, associative"),
     N_ ("Rigid blocks, dilatancy = friction: the greatest multiplier that can be carried "
@@ -46,7 +46,7 @@ static const struct {
     QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE },
   { N_ ("Limit analysis, non-associative"),
     N_ ("Rigid blocks with the dilatancy of the laws: multipliers at which forces and "
-        "mechanism fit each other. There may be several."),
+        "mechanism are consistent. There may be several."),
     QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
 };
 

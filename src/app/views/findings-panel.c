@@ -135,7 +135,7 @@ update (Panel *panel)
     "%s.\n%s", content,
     shown == 0
       ? _ ("Nothing to complain of.")
-      : _ ("Each line leads to its place; the triangles in the drawing mark them."));
+      : _ ("Click a line to go to its place; triangles mark the places in the drawing."));
   gtk_label_set_text (panel->summary, text);
 }
 
@@ -156,9 +156,9 @@ qn_findings_panel_new (QnCanvas *canvas)
   g_signal_connect (panel->list, "row-activated", G_CALLBACK (on_row_activated), panel);
   qn_form_add_wide (form, panel->list);
   panel->repair_all = gtk_button_new_with_mnemonic (_ ("_Repair What Repairs Itself"));
-  gtk_widget_set_tooltip_text (
-    panel->repair_all,
-    _ ("Snaps, trims and forgets wherever that is all it takes, in one step"));
+  gtk_widget_set_tooltip_text (panel->repair_all,
+                               _ ("Closes gaps, trims overlaps and removes exceptions "
+                                  "where that is all that is needed, in one step"));
   g_signal_connect_swapped (panel->repair_all, "clicked", G_CALLBACK (on_repair_all),
                             panel);
   qn_form_add_wide (form, panel->repair_all);

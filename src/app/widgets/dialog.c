@@ -31,7 +31,7 @@ qn_dialog_complete_path (const char *path, const char *const *endings, GError **
   g_autofree char *whole = g_strconcat (path, endings[0], NULL);
   if (g_file_test (whole, G_FILE_TEST_EXISTS)) {
     g_set_error (error, G_IO_ERROR, G_IO_ERROR_EXISTS,
-                 _ ("%s is there already: choose it to replace it"), whole);
+                 _ ("%s exists already: choose it to replace it"), whole);
     return NULL;
   }
   return g_steal_pointer (&whole);

@@ -261,7 +261,7 @@ qn_window_may_close (QnWindow *self)
     return TRUE;
   g_autofree char *name = qn_document_dup_display_name (self->document);
   g_autofree char *question = g_strdup_printf (_ ("Save changes to “%s”?"), name);
-  ask (self, question, _ ("What is not saved will be lost."), _ ("_Discard"), _ ("_Save"),
+  ask (self, question, _ ("Unsaved changes will be lost."), _ ("_Discard"), _ ("_Save"),
        on_unsaved_response);
   return FALSE;
 }

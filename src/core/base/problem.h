@@ -39,13 +39,13 @@
   X (CURVE_SIGN, "force of the point acts against its elongation") \
   X (CURVE_TOO_STEEP, "curve rises more steeply than kn") \
   X (BASES_DIFFER, "laws on the two sides of a face have different bases") \
-  X (PAIR_POSITION, "positions must ascend from 0 to 1") \
+  X (PAIR_POSITION, "positions must increase from 0 to 1") \
   X (PAIR_WEIGHTS, "weights must be positive and add up to 1") \
   X (BAR_BASIS, "a bar needs a law by area: basis surface or material") \
   X (BAR_SHORT, "bar has no length") \
   X (BAR_OBLIQUE, "bar must cross contact faces at a right angle") \
   X (BAR_UNUSED, "bar crosses no contact face") \
-  X (LAW_WITHOUT_LIMIT, "limit analysis knows the strengths of joints only, not of this kind of law") \
+  X (LAW_WITHOUT_LIMIT, "limit analysis covers the strengths of joints only, not of this kind of law") \
   X (BLOCK_WITHOUT_MASS, "block has no mass to vibrate with") \
   X (STATE_SLIPS, "pairs slip without dilatancy in this state: no symmetric stiffness") \
   X (LIMIT_WITHOUT_STATE, "limit analysis leaves no state to vibrate about") \
@@ -58,18 +58,18 @@
   X (NODE_UNKNOWN, "no node has this name") \
   X (SECTION_UNKNOWN, "no section has this name") \
   X (BEAM_UNKNOWN, "no beam has this name") \
-  X (NODE_UNUSED, "node stands free and no beam ends at it") \
-  X (NODE_SUPPORTED_BY_BLOCK, "a node that rides on a block has no support of its own") \
+  X (NODE_UNUSED, "free node without a beam") \
+  X (NODE_SUPPORTED_BY_BLOCK, "a node on a block has no support of its own") \
   X (NODE_MOMENT, "moment acts on a node where every beam is hinged") \
   X (POISSON_RATIO, "Poisson's ratio must be above -1 and at most 0.5") \
   X (YIELD_SHAPELESS, "a section yields by its stress if it is a rectangle; give the plastic moment") \
   X (BEAM_SHORT, "beam has no length") \
-  X (BEAM_ON_ONE_BLOCK, "both ends of the beam ride on the same block") \
+  X (BEAM_ON_ONE_BLOCK, "both ends of the beam are on the same block") \
   X (TOO_MANY_NODES, "more nodes than the program handles") \
   X (BEAM_FLOATING, "beam is not connected to any support") \
   X (BEAM_WITHOUT_MASS, "beam has no mass to vibrate with") \
-  X (BEAMS_WITHOUT_LIMIT, "limit analysis knows rigid blocks only, not beams: use another procedure") \
-  X (CONTROL_NODE_RIDES, "controlled node rides on a block: control the block") \
+  X (BEAMS_WITHOUT_LIMIT, "limit analysis covers rigid blocks only, not beams: use another procedure") \
+  X (CONTROL_NODE_RIDES, "controlled node is on a block: control the block") \
   X (NO_BLOCKS, "model has no blocks: draw or generate some first") \
   X (NO_SUPPORT, "model has no supported block") \
   X (BLOCK_FLOATING, "block is not connected to any support") \
@@ -82,10 +82,10 @@
   X (CONTROL_DOF_FIXED, "controlled degree of freedom is fixed") \
   X (CONTROL_TARGET_ZERO, "control target is zero") \
   X (CONTROL_MISSING, "procedure needs a control block and target") \
-  X (CONTROL_WRONG_SIGN, "target lies against the motion under the live load") \
+  X (CONTROL_WRONG_SIGN, "target is opposite to the motion under the live load") \
   X (SETTLEMENT_FREE, "only a supported degree of freedom can settle") \
   X (SETTLEMENT_WORK, "work control needs loads: settlements do no work") \
-  X (SETTLEMENT_LIMIT, "limit analysis knows loads, not settlements") \
+  X (SETTLEMENT_LIMIT, "limit analysis covers loads, not settlements") \
   X (LOAD_SET_UNKNOWN, "no load set has this name") \
   X (LOAD_SET_UNUSED, "no stage drives this load set") \
   X (STAGE_IDLE, "stage drives no load set") \

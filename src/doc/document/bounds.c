@@ -27,10 +27,10 @@ static const struct {
               N_ ("A mechanism proves that no equilibrium exists above, whatever the "
                   "dilatancy.") },
   [LEAST] = { N_ ("Limit analysis with the laws' dilatancy, least value found"),
-              N_ ("Forces and mechanism fit each other here. It is no bound: a path may "
+              N_ ("Forces and mechanism are consistent here. It is no bound: a path may "
                   "end below.") },
   [GREATEST] = { N_ ("Limit analysis with the laws' dilatancy, greatest value found"),
-                 N_ ("Forces and mechanism fit each other here too. Never above the "
+                 N_ ("Forces and mechanism are consistent here too. Never above the "
                      "associative upper bound.") },
 };
 
@@ -107,7 +107,8 @@ qn_bounds_dup_verdict (const GArray *bounds)
   if (share < -ALIKE)
     return g_strdup_printf (
       _ ("The path ends %.1f %% above the upper bound of rigid blocks: the joints of the "
-         "model are not those of limit analysis, or the path was followed too coarsely."),
+         "model are not those of limit analysis, or the increments of the path are too "
+         "large."),
       -100.0 * share);
   if (share <= ALIKE)
     return g_strdup (_ ("The path reaches the bound of limit analysis: no other path can "
@@ -117,8 +118,7 @@ qn_bounds_dup_verdict (const GArray *bounds)
       _ ("The path ends %.1f %% below the associative bound and within the interval of "
          "the laws' own dilatancy."),
       100.0 * share);
-  return g_strdup_printf (
-    _ ("The path ends %.1f %% below the associative bound: what dilatancy below friction "
-       "can cost."),
-    100.0 * share);
+  return g_strdup_printf (_ ("The path ends %.1f %% below the associative bound: an "
+                             "effect of dilatancy below friction."),
+                          100.0 * share);
 }

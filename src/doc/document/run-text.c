@@ -41,7 +41,7 @@ explain_mode (const QnRun *run)
                                   : _ ("the equilibrium under dead load");
   if (!(run->omega > 0))
     return g_strdup_printf (
-      _ ("Mode %u of %u about %s: a rigid motion, which nothing holds back."), run->mode,
+      _ ("Mode %u of %u about %s: a rigid motion without stiffness."), run->mode,
       run->mode_count, about);
   double hertz = hertz_of (run);
   return g_strdup_printf (_ ("Mode %u of %u about %s: %.5g Hz, period %.4g s."),
@@ -54,8 +54,8 @@ explain_stability (const QnRun *run)
   const QnResult *result = &run->result;
   if (result->outcome == QN_OUTCOME_SNAP)
     return g_strdup_printf (
-      _ ("Stability is lost at a load multiplier of %.6g: the structure gives way as the "
-         "mechanism shows, though the path may go on in perfect balance."),
+      _ ("Stability is lost at a load multiplier of %.6g: the structure buckles as the "
+         "mechanism shows, although the path of the perfect structure may continue."),
       result->first_limit_multiplier);
   g_autofree char *reason = qn_explain_outcome (&run->model, result);
   return result->outcome == QN_OUTCOME_TARGET_REACHED

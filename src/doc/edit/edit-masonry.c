@@ -61,7 +61,7 @@ static gboolean
 refuse_object (GError **error)
 {
   g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("There is no such masonry any more"));
+                       _ ("This masonry object does not exist any more"));
   return FALSE;
 }
 

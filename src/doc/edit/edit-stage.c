@@ -22,7 +22,7 @@ qn_edit_add_load_set (QnModel *model, GError **error)
     if (qn_model_find_load_set (model, name) != QN_NONE)
       continue;
     if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
-      return refuse (error, _ ("There are as many sets of loads as there can be"));
+      return refuse (error, _ ("The largest number of load sets is reached"));
     return qn_model_add_load_set (model, name) != QN_NONE || qn_edit_no_memory (error);
   }
 }
@@ -268,7 +268,7 @@ qn_edit_move_stage (QnModel *model, gsize index, int by, GError **error)
 {
   if ((by < 0 && index == 0) || (by > 0 && index + 1 >= model->stage_count)) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is no stage to change places with"));
+                         _ ("There is no stage to swap with"));
     return FALSE;
   }
   gsize other = by < 0 ? index - 1 : index + 1;

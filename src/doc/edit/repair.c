@@ -362,6 +362,6 @@ qn_edit_repair_all (QnModel *model, guint *count, GError **error)
   if (*count > 0)
     return TRUE;
   g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("There is nothing here that repairs itself"));
+                       _ ("There is nothing here that can be repaired automatically"));
   return FALSE;
 }

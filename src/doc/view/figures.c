@@ -161,7 +161,7 @@ qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const c
   g_autofree char *folder = qn_document_dup_folder (document);
   if (folder == NULL && (path == NULL || recipe->result != NULL)) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("Save the project first: its figures go beside it"));
+                         _ ("Save the project first: its figures are written beside it"));
     return FALSE;
   }
   g_autofree char *place =

@@ -22,7 +22,7 @@ parse_list (const char *text, double *values, GError **error)
     if (*words[i] == '\0')
       continue;
     if (count == QN_MAX_EXPLICIT_PAIRS) {
-      refuse (error, _ ("There are too many contact pairs at given places"));
+      refuse (error, _ ("There are too many contact pairs at given positions"));
       return -1;
     }
     if (!qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, words[i], &values[count++],
@@ -38,7 +38,7 @@ check_positions (const double *positions, int count, GError **error)
   for (int i = 0; i < count; i++) {
     if (!(positions[i] >= 0.0 && positions[i] <= 1.0)
         || (i > 0 && !(positions[i] > positions[i - 1])))
-      return refuse (error, _ ("Places of contact pairs must ascend from 0 to 1"));
+      return refuse (error, _ ("Positions of contact pairs must increase from 0 to 1"));
   }
   return TRUE;
 }

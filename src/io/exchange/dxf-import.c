@@ -228,7 +228,7 @@ add_path (Importer *importer, const Entity *entity, const Transform *transform,
     sound = sound && isfinite (path->points[i].x) && isfinite (path->points[i].y);
   }
   if (!sound) {
-    qn_drawing_note (drawing, _ ("curves without sense left out"), entity->source.line,
+    qn_drawing_note (drawing, _ ("invalid curves left out"), entity->source.line,
                      qn_vec2 (NAN, NAN));
     g_free (path->points);
     g_array_set_size (drawing->paths, drawing->paths->len - 1);
@@ -351,7 +351,7 @@ qn_dxf_import (const char *text, gsize length, const char *name, QnDrawing *draw
                  _ ("%s:1: more than %d outlines"), name, MAX_PATHS);
   } else if (!done) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:1: the DXF reader gave up on this file"), name);
+                 _ ("%s:1: the DXF reader failed on this file"), name);
   }
   clear_importer (&importer);
   qn_dxf_scan_clear (&scan);

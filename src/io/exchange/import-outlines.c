@@ -73,7 +73,8 @@ qn_import_sort_paths (QnImportWork *work)
     qn_import_tell (work, FALSE, _ ("outlines closed that end where they began: %zu"),
                     ends);
   if (overruns > 0)
-    qn_import_tell (work, FALSE, _ ("outlines closed that overran their beginning: %zu"),
+    qn_import_tell (work, FALSE,
+                    _ ("outlines closed that ended beyond their beginning: %zu"),
                     overruns);
   if (collinear > 0)
     qn_import_tell (work, FALSE, _ ("repeated and collinear vertices removed: %zu"),

@@ -141,8 +141,9 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
   switch (task->procedure) {
   case QN_PROCEDURE_LOAD:
     if (result->mechanism_uncertain)
-      return _ ("Above the collapse multiplier the structure does not come to rest. How "
-                "it moves on was not settled: the mechanism shown is its last motion.");
+      return _ (
+        "Above the collapse multiplier the structure does not come to rest. How it moves "
+        "further was not determined: the mechanism shown is its last motion.");
     return _ (
       "Above the collapse multiplier the structure moves on along its mechanism and "
       "does not come to rest.");
@@ -165,7 +166,7 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
   if (last != NULL && last->multiplier <= 0)
     return _ ("The path was followed beyond its peak until nothing of the load was "
               "left.");
-  return _ ("The structure moves on and on while the load stays the same.");
+  return _ ("The structure keeps moving under a constant load.");
 }
 
 static char *
@@ -226,12 +227,11 @@ explain_target (const QnModel *model, const Task *task, const QnResult *result)
   if (is_controlled_displacement_reached (model, task, result))
     return explain_controlled (model, task, reached);
   if (!task->has_end && !qn_model_sets_have_force (model, task->sets))
-    return g_strdup (_ ("The supports have settled as far as they were to, without "
-                        "collapse."));
+    return g_strdup (_ ("The supports have settled to their targets without collapse."));
   if (task->has_end)
-    return g_strdup_printf (_ ("The load multiplier has reached %.4g, where it was to "
-                               "end, without collapse."),
-                            reached);
+    return g_strdup_printf (
+      _ ("The load multiplier has reached its end value of %.4g without collapse."),
+      reached);
   return g_strdup_printf (
     _ ("The target was reached at a load multiplier of %.4g without "
        "collapse."),
@@ -258,20 +258,20 @@ explain_failure (const Task *task, const QnResult *result)
   if (task->procedure == QN_PROCEDURE_LIMIT)
     return g_strdup (_ ("The optimisation of limit analysis did not converge."));
   if (last == NULL)
-    return g_strdup (_ ("The iteration did not converge under the dead load: the "
-                        "structure neither rests nor clearly falls. Try a coarser "
-                        "residual tolerance."));
+    return g_strdup (
+      _ ("The iteration did not converge under the dead load: the structure neither "
+         "comes to rest nor clearly falls. Try a coarser "
+         "residual tolerance."));
   if (task->procedure == QN_PROCEDURE_LOAD)
     return g_strdup_printf (
       _ ("Beyond a load multiplier of %.4g neither an equilibrium nor a mechanism was "
          "found. Try more increments or a coarser tolerance."),
       last->multiplier);
   if (result->stop == QN_STOP_STEPS)
-    return g_strdup_printf (
-      _ ("The path was given up at a load multiplier of %.4g, after "
-         "more steps than a path may have. Ask for fewer "
-         "increments or a nearer target."),
-      last->multiplier);
+    return g_strdup_printf (_ ("The path was stopped at a load multiplier of %.4g: it "
+                               "has the largest number of steps. Ask for fewer "
+                               "increments or a nearer target."),
+                            last->multiplier);
   return g_strdup_printf (
     _ ("The path was lost at a load multiplier of %.4g: no equilibrium was found even at "
        "the shortest step. Try more increments, another controlled displacement or a "

@@ -213,7 +213,7 @@ bool
 qn_movie_webm_available (GError **error)
 {
   g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_UNAVAILABLE,
-                       _ ("WebM needs GStreamer, which this build does without"));
+                       _ ("WebM needs GStreamer, which this build does not include"));
   return false;
 }
 

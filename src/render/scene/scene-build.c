@@ -51,7 +51,7 @@ forces_fit (const QnSceneBuilder *b, GError **error)
     g_set_error_literal (
       error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
       b->result->limit.given
-        ? _ ("limit analysis knows contact forces at its last step alone")
+        ? _ ("limit analysis has contact forces at its last step only")
         : _ ("the result has the contact forces of its last step alone; "
              "solve --detail steps keeps all"));
     return false;

@@ -148,7 +148,7 @@ qn_build_diagrams (QnSceneBuilder *b)
   static const char *const names[QN_DIAGRAM_COUNT] = {
     [QN_DIAGRAM_NORMAL] = N_ ("normal force N, tension positive"),
     [QN_DIAGRAM_SHEAR] = N_ ("shear force V"),
-    [QN_DIAGRAM_MOMENT] = N_ ("bending moment M, drawn where it pulls"),
+    [QN_DIAGRAM_MOMENT] = N_ ("bending moment M, drawn on the side in tension"),
   };
   QnBeamDrawing drawing;
   qn_beam_drawing_init (&drawing, b);

@@ -153,6 +153,7 @@ draw_cumulative (const Page *page)
   }
   QnMarks marks[] = {
     { .kind = QN_MARKS_BAND,
+      /* xgettext:no-c-format */
       .label = _ ("95 % interval"),
       .x = sorted,
       .y = low,

@@ -98,7 +98,7 @@ test_report (void)
 {
   static const char *const expected[][3] = {
     { "closed-by-vertex", "end where they began: 24", NULL },
-    { "overrun", "overran their beginning: 47", NULL },
+    { "overrun", "ended beyond their beginning: 47", NULL },
     { "collinear-vertices", "collinear vertices removed: 117", NULL },
     { "lines", "open lines made into faces: 158", "openings cut out: 1" },
     { "clutter", "cross themselves: 1, first at line", "drawn twice: 6" },

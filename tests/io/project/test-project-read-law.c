@@ -199,9 +199,9 @@ test_bars_and_pairs (void)
     { "[0.25, 0.5, 0.25]", "[0.25, 0.5, 0.5]",
       "contact.pairs.weights: weights must be positive and add up to 1" },
     { "[0, 0.5, 1]", "[0, 1, 0.5]",
-      "contact.pairs.positions: positions must ascend from 0 to 1" },
+      "contact.pairs.positions: positions must increase from 0 to 1" },
     { "[0, 0.5, 1]", "[0, 0.5, 1.5]",
-      "contact.pairs.positions: positions must ascend from 0 to 1" },
+      "contact.pairs.positions: positions must increase from 0 to 1" },
     { "\"basis\": \"material\", ", "",
       "bars[0].law: a bar needs a law by area: basis surface or material" },
   };
