@@ -51,7 +51,7 @@ with_valgrind () {
 with_libfuzzer () {
   local seconds=$1 target
   CC=clang CXX=clang++ configure build-fuzz -Dfuzzers=true -Dapp=disabled \
-    -Db_sanitize=address,undefined -Db_lundef=false -Dc_args=-fsanitize=fuzzer-no-link
+    -Db_sanitize=address,undefined -Db_lundef=false "-Dc_args=-fsanitize=fuzzer-no-link,float-cast-overflow,unsigned-shift-base"
   for target in compas dxf hybridfem project result svg text; do
     ninja -C build-fuzz "tests/fuzz/libfuzzer-$target"
     mkdir -p "build-fuzz/new/$target"

@@ -1,13 +1,27 @@
 /* Runs a fuzz target without libFuzzer: every file of the corpus as it is, and a fixed number
  * of changes to it, the same in every run.
  *
- *   fuzz-project FOLDER [CHANGES]      or      fuzz-project FILE
+ *   fuzz-project FOLDER [CHANGES [numbers]]      or      fuzz-project FILE
  */
 #include "fuzz.h"
+#include "numbers.h"
 
 #include <glib.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+/* Room that another number may need. */
+#define LONGEST_NUMBER 40
+
+/* Another number in the place of one that is there. */
+static void
+mutate_number (GByteArray *bytes, GRand *random)
+{
+  guint size = bytes->len;
+  g_byte_array_set_size (bytes, size + LONGEST_NUMBER);
+  gsize changed = fuzz_mutate_number (bytes->data, size, bytes->len, g_rand_int (random));
+  g_byte_array_set_size (bytes, changed > 0 ? (guint) changed : size);
+}
 
 /* One random change to the bytes: another byte, a hole, a piece twice, or an early end. */
 static void
@@ -43,7 +57,7 @@ mutate (GByteArray *bytes, GRand *random)
 }
 
 static void
-run_file (const char *path, int changes)
+run_file (const char *path, int changes, gboolean numbers)
 {
   char *content;
   gsize length;
@@ -57,8 +71,12 @@ run_file (const char *path, int changes)
   for (int i = 0; i < changes; i++) {
     GByteArray *bytes = g_byte_array_new ();
     g_byte_array_append (bytes, (const guint8 *) content, (guint) length);
+    /* Every other time in numbers alone, so that the text stays well-formed. */
     for (int k = g_rand_int_range (random, 1, 4); k > 0; k--)
-      mutate (bytes, random);
+      if (numbers && i % 2 == 0)
+        mutate_number (bytes, random);
+      else
+        mutate (bytes, random);
     LLVMFuzzerTestOneInput (bytes->data, bytes->len);
     g_byte_array_unref (bytes);
   }
@@ -72,11 +90,11 @@ main (int argc, char **argv)
   int changes = argc > 2 ? atoi (argv[2]) : 0;
   GDir *folder = argc > 1 ? g_dir_open (argv[1], 0, NULL) : NULL;
   if (argc < 2) {
-    fprintf (stderr, "usage: %s FILE | FOLDER [CHANGES]\n", argv[0]);
+    fprintf (stderr, "usage: %s FILE | FOLDER [CHANGES [numbers]]\n", argv[0]);
     return 2;
   }
   if (folder == NULL) {
-    run_file (argv[1], changes);
+    run_file (argv[1], changes, FALSE);
     return 0;
   }
 
@@ -84,7 +102,7 @@ main (int argc, char **argv)
   const char *name;
   while ((name = g_dir_read_name (folder)) != NULL) {
     char *path = g_build_filename (argv[1], name, NULL);
-    run_file (path, changes);
+    run_file (path, changes, argc > 3);
     g_free (path);
     files++;
   }
