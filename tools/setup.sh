@@ -21,7 +21,7 @@ packages=(
   libgtk-4-dev
   # checks and tests
   clang-format-14 binutils valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
-  adwaita-icon-theme librsvg2-common
+  adwaita-icon-theme librsvg2-common slurm-wlm munge
   "$@"
 )
 

@@ -2,6 +2,7 @@
 #include "cli/input.h"
 #include "cli/message.h"
 #include "cli/progress.h"
+#include "cli/sensitivity.h"
 #include "cli/subcommand.h"
 #include "core/path/analysis.h"
 #include "io/exchange/table-csv.h"
@@ -17,7 +18,7 @@ typedef struct Options {
   char *output, *csv, *detail;
   QnResultDetail level; /* of `detail` */
   char **overrides;
-  gboolean quiet;
+  gboolean quiet, sensitivity;
 } Options;
 
 /* Names of the blocks that the dead load moves, the first few of them. */
@@ -168,6 +169,11 @@ report (const Options *options, const QnInput *input, const QnResult *result)
     print_summary (&input->project, result);
     print_mechanism (input, result);
   }
+  if (options->sensitivity) {
+    code = qn_sensitivity_print (&input->project, &input->contacts, result);
+    if (code != QN_EXIT_DONE)
+      return code;
+  }
   return judge_outcome (&input->project, result);
 }
 
@@ -272,6 +278,11 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
       N_ ("forces|pairs|steps") },
     QN_INPUT_SET_ENTRY (&options.overrides),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
+    /* Of limit analysis alone. */
+    { override != NULL ? "sensitivity" : NULL, 0, 0, G_OPTION_ARG_NONE,
+      &options.sensitivity,
+      N_ ("Tell how the associative multiplier changes with laws, weights and loads"),
+      NULL },
     G_OPTION_ENTRY_NULL,
   };
   QnInput input;

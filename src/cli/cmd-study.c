@@ -7,6 +7,7 @@
 #include "study/cases/gather.h"
 #include "study/cases/run.h"
 #include "study/cases/worker.h"
+#include "study/cluster/slurm.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -103,7 +104,7 @@ compute (const QnStudy *study, const RunOptions *options,
 }
 
 static QnExit
-run_study (const QnSubcommand *self, const RunOptions *options, const char *path)
+run_study (const QnSubcommand *self, RunOptions *options, const char *path)
 {
   QnStudy study;
   GError *error = NULL;
@@ -116,15 +117,20 @@ run_study (const QnSubcommand *self, const RunOptions *options, const char *path
     .progress = show_progress,
     .data = &display,
   };
-  if (options->folder == NULL)
+  /* The folder of a study stands for the study as well. */
+  gboolean again = options->folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
+  if (options->folder == NULL && !again)
     return qn_cli_usage_error (self->name, _ ("-o is missing"));
   if (options->jobs < 0 || options->jobs > 1024)
     return qn_cli_usage_error (self->name, _ ("--jobs is a number from 1 to 1024"));
   if (!parse_shard (options->shard, &settings.shard))
     return qn_cli_usage_error (self->name,
                                _ ("--shard is k/n, the k-th of n slices, as in 3/10"));
-  if (!qn_study_read (path, NULL, &study, &error))
+  if (!(again ? qn_folder_read_study (path, &study, &error)
+              : qn_study_read (path, NULL, &study, &error)))
     return qn_cli_fail (error);
+  if (again)
+    options->folder = g_strdup (path);
   warn (&study, options->quiet);
   QnExit code = QN_EXIT_DONE;
   if (!options->prepare)
@@ -167,6 +173,69 @@ run_run (const QnSubcommand *self, int argc, char **argv)
   return code;
 }
 
+static QnExit
+submit (const char *folder, const QnSlurmSettings *settings)
+{
+  QnStudy study;
+  QnSubmission submission;
+  GError *error = NULL;
+  if (!qn_folder_read_study (folder, &study, &error))
+    return qn_cli_fail (error);
+  gboolean ok = qn_study_submit (&study, folder, settings, &submission, &error);
+  qn_study_clear (&study);
+  if (!ok)
+    return qn_cli_fail (error);
+  if (submission.script == NULL)
+    printf (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
+            folder, submission.missing, submission.active);
+  else if (submission.job == NULL)
+    fputs (submission.script, stdout);
+  else
+    printf (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
+            submission.missing, submission.tasks, submission.job);
+  qn_submission_clear (&submission);
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+run_submit (const QnSubcommand *self, int argc, char **argv)
+{
+  gboolean slurm = FALSE, dry_run = FALSE;
+  int size = 0;
+  g_autofree char *partition = NULL, *program = NULL;
+  const GOptionEntry entries[] = {
+    { "slurm", 0, 0, G_OPTION_ARG_NONE, &slurm, N_ ("Submit to Slurm"), NULL },
+    { "array-size", 0, 0, G_OPTION_ARG_INT, &size,
+      N_ ("Tasks of the array; as before, or 100"), N_ ("N") },
+    { "partition", 0, 0, G_OPTION_ARG_STRING, &partition, N_ ("Partition of the cluster"),
+      N_ ("NAME") },
+    { "dry-run", 0, 0, G_OPTION_ARG_NONE, &dry_run,
+      N_ ("Print the script and submit nothing"), NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return QN_EXIT_USAGE;
+  if (!slurm)
+    return qn_cli_usage_error (self->name, _ ("--slurm is missing"));
+  if (size < 0 || size > QN_STUDY_MAX_CASES)
+    return qn_cli_usage_error (self->name, _ ("--array-size must be positive"));
+  program = g_file_read_link (SELF, NULL);
+  const QnSlurmSettings settings = { .program = program != NULL ? program : "quoin-cli",
+                                     .array_size = (guint) size,
+                                     .partition = partition,
+                                     .dry_run = dry_run };
+  return submit (argv[1], &settings);
+}
+
+static const QnSubcommand submit_action = {
+  .name = "study submit",
+  .arguments = "FOLDER",
+  .summary = N_ ("Compute the cases that are missing on a cluster"),
+  .help = N_ ("The folder must lie where all nodes see it. Submitted again, tasks that "
+              "failed or were lost are submitted once more, and no others."),
+  .run = run_submit,
+};
+
 /* Started by `run` alone: not in the help. */
 static QnExit
 run_worker (const QnSubcommand *self, int argc, char **argv)
@@ -197,7 +266,7 @@ static const QnSubcommand worker = {
 
 static const QnSubcommand run_action = {
   .name = "study run",
-  .arguments = "STUDY",
+  .arguments = "STUDY|FOLDER",
   .summary = N_ ("Compute the cases of a study that have no result yet"),
   .help = N_ ("Every case is a row of FOLDER/study.db, written as it is computed: after "
               "Ctrl+C or a crash the same command goes on where it stopped. A case that "
@@ -233,7 +302,9 @@ static const QnSubcommand gather_action = {
   .run = run_gather,
 };
 
-static const QnSubcommand *const actions[] = { &run_action, &gather_action,
+static const QnSubcommand *const actions[] = { &run_action,
+                                               &submit_action,
+                                               &gather_action,
                                                &qn_study_action_table,
                                                &qn_study_action_summary,
                                                &qn_study_action_plot };

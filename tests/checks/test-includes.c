@@ -39,7 +39,7 @@ static const Layer layers[] = {
     { "core/", "stereotomy/", "io/", "render/", "doc/", "library/" },
     { "glib", "cjson/" } },
   { "study",
-    { "plan", "cases", "report" },
+    { "plan", "cases", "report", "cluster" },
     { "core/", "stereotomy/", "io/", "render/", "disk/", "study/" },
     { "glib", "gsl/", "sqlite3.h", "poll.h", "sys/file.h", "sys/prctl.h",
       "sys/wait.h" } },

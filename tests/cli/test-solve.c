@@ -57,6 +57,23 @@ test_standard_output (void)
   g_assert_cmpfloat_with_epsilon (number_of (json, "collapse_multiplier"), 0.4, 1e-3);
 }
 
+/* Of the sliding block 1 by friction; of limit analysis with associative flow alone. */
+static void
+test_sensitivity (void)
+{
+  g_autofree char *model = cli_example ("01-sliding-block.quoin");
+  CliRun run = cli_run ("limit", "--sensitivity", model, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "dead load 1: 0.4\n"));
+  g_assert_nonnull (strstr (run.out, "live load 1: -0.4\n"));
+  cli_run_clear (&run);
+  run = cli_run ("limit", "--sensitivity", "--quiet", "--set",
+                 "analysis.flow=non-associative", model, NULL);
+  cli_assert_failed (&run, 2, "associative");
+  run = cli_run ("solve", "--sensitivity", model, NULL);
+  cli_assert_failed (&run, 2, "--sensitivity");
+}
+
 static void
 test_set (void)
 {
@@ -221,6 +238,7 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/limit/sensitivity", test_sensitivity);
   g_test_add_func ("/cli/solve/standard-output", test_standard_output);
   g_test_add_func ("/cli/solve/set", test_set);
   g_test_add_func ("/cli/solve/set-is-repeatable", test_set_is_repeatable);

@@ -351,6 +351,25 @@ qn_store_count (QnStore *store, gsize *rows, gsize *failed, GError **error)
   return TRUE;
 }
 
+gboolean
+qn_store_get_note (QnStore *store, const char *key, char **value, GError **error)
+{
+  char *sql = sqlite3_mprintf ("SELECT value FROM study WHERE key = %Q", key);
+  gboolean ok = ask (store, sql, value, error);
+  sqlite3_free (sql);
+  return ok;
+}
+
+gboolean
+qn_store_set_note (QnStore *store, const char *key, const char *value, GError **error)
+{
+  char *sql =
+    sqlite3_mprintf ("INSERT OR REPLACE INTO study VALUES (%Q, %Q)", key, value);
+  gboolean ok = run (store, sql, error);
+  sqlite3_free (sql);
+  return ok;
+}
+
 void
 qn_store_close (QnStore *store)
 {

@@ -47,6 +47,12 @@ gboolean qn_store_read (QnStore *store, QnStoreRowFunc row, gpointer data,
 /* Rows that are there, and how many of them failed. */
 gboolean qn_store_count (QnStore *store, gsize *rows, gsize *failed, GError **error);
 
+/* A word that the folder keeps beside its rows; NULL where none is kept. Free with g_free(). */
+gboolean qn_store_get_note (QnStore *store, const char *key, char **value,
+                            GError **error);
+gboolean qn_store_set_note (QnStore *store, const char *key, const char *value,
+                            GError **error);
+
 /* What has not been committed is lost. NULL is allowed. */
 void qn_store_close (QnStore *store);
 

@@ -1,0 +1,233 @@
+#include "core/limit/limit-sensitivity.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* What a pair does in the mechanism; elongation rates by which the live load does unit power. */
+typedef struct Rates {
+  double opening, sliding; /* sliding >= 0 */
+} Rates;
+
+static double
+weight_power (const QnModel *model, size_t block, const QnLoad *load, const double *v)
+{
+  const double *row = v + block * QN_DOF_COUNT;
+
+  return model->blocks[block].weight
+         * (load->vector.x * row[QN_DOF_UX] + load->vector.y * row[QN_DOF_UY]);
+}
+
+/* Power of one load on the velocities v. */
+static double
+load_power (const QnModel *model, const QnLoad *load, const double *v)
+{
+  double power = 0.0;
+
+  if (load->kind == QN_LOAD_WEIGHT)
+    for (size_t b = 0; b < model->block_count; b++)
+      power += weight_power (model, b, load, v);
+  if (load->kind == QN_LOAD_FORCE) {
+    const double *row = v + (size_t) load->block * QN_DOF_COUNT;
+    double arm_moment = qn_vec2_cross (qn_model_load_arm (model, load), load->vector);
+    power = load->vector.x * row[QN_DOF_UX] + load->vector.y * row[QN_DOF_UY]
+            + (load->moment + arm_moment) * row[QN_DOF_RZ];
+  }
+  return power;
+}
+
+static Rates
+pair_rates (const QnModel *model, const QnContactFace *face, QnVec2 point,
+            const double *v)
+{
+  double a[QN_DOF_COUNT], b[QN_DOF_COUNT];
+
+  qn_body_velocity_at (v + (size_t) face->a * QN_DOF_COUNT,
+                       qn_vec2_sub (point, model->blocks[face->a].centroid), a);
+  qn_body_velocity_at (v + (size_t) face->b * QN_DOF_COUNT,
+                       qn_vec2_sub (point, model->blocks[face->b].centroid), b);
+  QnVec2 apart = qn_vec2 (b[QN_DOF_UX] - a[QN_DOF_UX], b[QN_DOF_UY] - a[QN_DOF_UY]);
+  return (Rates){ qn_vec2_dot (apart, face->normal),
+                  fabs (qn_vec2_dot (apart, face->tangent)) };
+}
+
+/* How far the forces are from the cone of a law; INFINITY where it has none. */
+static double
+slack_of (const QnLaw *law, double unit, const QnPairResult *force)
+{
+  if (law->kind != QN_LAW_COULOMB)
+    return INFINITY;
+  return law->cohesion * unit - law->friction * force->normal_force
+         - fabs (force->shear_force);
+}
+
+/* The law of the weaker of the two springs. */
+static QnId
+governing_law (const QnModel *model, const QnContacts *contacts, size_t pair, double area,
+               const QnPairResult *force)
+{
+  double slack[2];
+  QnId laws[2];
+
+  for (int side = 0; side < 2; side++) {
+    laws[side] = qn_contacts_pair_law (model, contacts, pair, side);
+    const QnLaw *law = &model->laws[laws[side]];
+    slack[side] = slack_of (law, law->basis == QN_BASIS_CONTACT ? 1.0 : area, force);
+  }
+  return slack[1] < slack[0] ? laws[1] : laws[0];
+}
+
+/* The dual of a Coulomb pair: `cone` of its two shear rows together, `cut` of the tension. Where
+ * the apex of the cone bounds tension, opening is flow of the cone. */
+static void
+add_strength (QnLawSensitivity *out, const QnLaw *law, double unit, Rates rates,
+              double normal_force)
+{
+  bool by_apex = law->cohesion < law->friction * law->tension;
+  double cone = rates.sliding;
+  double cut = fmax (0.0, rates.opening - law->friction * rates.sliding);
+
+  if (by_apex && law->friction > 0.0)
+    cone = fmax (cone, rates.opening / law->friction);
+  out->friction -= cone * normal_force;
+  out->cohesion += cone * unit;
+  if (law->cohesion > law->friction * law->tension)
+    out->tension += cut * unit;
+}
+
+/* Areas grow where both blocks become thicker, or the thinner one does. */
+static bool
+thickens (const QnModel *model, const QnContactFace *face, const bool *grows)
+{
+  const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
+
+  if (a->thickness == b->thickness)
+    return grows[face->a] && grows[face->b];
+  return a->thickness < b->thickness ? grows[face->a] : grows[face->b];
+}
+
+static void
+add_pairs (const QnModel *model, const QnContacts *contacts, const QnResult *result,
+           const double *v, QnLawSensitivity *laws)
+{
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    double area = pair->tributary * face->thickness;
+    QnId id = governing_law (model, contacts, p, area, &result->pairs[p]);
+    const QnLaw *law = &model->laws[id];
+    if (law->kind == QN_LAW_COULOMB)
+      add_strength (&laws[id], law, law->basis == QN_BASIS_CONTACT ? 1.0 : area,
+                    pair_rates (model, face, pair->point, v),
+                    result->pairs[p].normal_force);
+  }
+}
+
+/* What joints dissipate grows with their area: forces times rates. */
+static double
+area_power (const QnModel *model, const QnContacts *contacts, const QnResult *result,
+            const double *v, const bool *grows)
+{
+  double power = 0.0;
+
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    const QnPairResult *force = &result->pairs[p];
+    double area = pair->tributary * face->thickness;
+    QnId id = governing_law (model, contacts, p, area, force);
+    if (pair->bar != QN_NONE || model->laws[id].basis == QN_BASIS_CONTACT
+        || !thickens (model, face, grows))
+      continue;
+    Rates rates = pair_rates (model, face, pair->point, v);
+    power +=
+      force->normal_force * rates.opening + fabs (force->shear_force) * rates.sliding;
+  }
+  return power;
+}
+
+/* Weight and thickness of the blocks that have a law. */
+static void
+add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *result,
+            const double *v, QnId law, bool *grows, QnLawSensitivity *out)
+{
+  double power = 0.0, lambda = result->collapse_multiplier;
+
+  for (size_t b = 0; b < model->block_count; b++) {
+    QnId own =
+      model->blocks[b].law != QN_NONE ? model->blocks[b].law : model->contact.law;
+    grows[b] = own == law;
+    if (!grows[b])
+      continue;
+    for (size_t i = 0; i < model->dead_load_count; i++)
+      if (model->dead_loads[i].kind == QN_LOAD_WEIGHT)
+        power += weight_power (model, b, &model->dead_loads[i], v);
+    for (size_t i = 0; i < model->live_load_count; i++)
+      if (model->live_loads[i].kind == QN_LOAD_WEIGHT && model->live_loads[i].set == 0)
+        power += lambda * weight_power (model, b, &model->live_loads[i], v);
+  }
+  out->weight = -power;
+  out->thickness = -power + area_power (model, contacts, result, v, grows);
+}
+
+/* The mechanism at unit power of the live load; NULL where memory runs out. */
+static double *
+unit_mechanism (const QnModel *model, const QnResult *result)
+{
+  size_t count = model->block_count * QN_DOF_COUNT;
+  double *v = qn_alloc (count, sizeof *v), power = 0.0;
+
+  if (!v)
+    return NULL;
+  for (size_t i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].set == 0)
+      power += load_power (model, &model->live_loads[i], result->mechanism);
+  for (size_t i = 0; i < count; i++)
+    v[i] = result->mechanism[i] / power;
+  return v;
+}
+
+QnStatus
+qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
+                      const QnResult *result, QnLimitSensitivity *out, QnDiag *diag)
+{
+  QN_ASSERT (result->outcome == QN_OUTCOME_COLLAPSE && result->limit.given
+             && result->limit.flow == QN_FLOW_ASSOCIATIVE);
+  double *v = unit_mechanism (model, result);
+  bool *grows = qn_alloc (model->block_count, sizeof *grows);
+
+  *out = (QnLimitSensitivity){
+    .multiplier = result->collapse_multiplier,
+    .laws = qn_alloc (model->law_count, sizeof *out->laws),
+    .dead_loads = qn_alloc (model->dead_load_count, sizeof (double)),
+    .live_loads = qn_alloc (model->live_load_count, sizeof (double)),
+  };
+  if (!v || !grows || !out->laws || !out->dead_loads || !out->live_loads) {
+    free (v);
+    free (grows);
+    qn_limit_sensitivity_clear (out);
+    return qn_diag_no_memory (diag);
+  }
+  add_pairs (model, contacts, result, v, out->laws);
+  for (size_t l = 0; l < model->law_count; l++)
+    add_blocks (model, contacts, result, v, (QnId) l, grows, &out->laws[l]);
+  for (size_t i = 0; i < model->dead_load_count; i++)
+    out->dead_loads[i] = -load_power (model, &model->dead_loads[i], v);
+  for (size_t i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].set == 0)
+      out->live_loads[i] =
+        -result->collapse_multiplier * load_power (model, &model->live_loads[i], v);
+  free (v);
+  free (grows);
+  return QN_OK;
+}
+
+void
+qn_limit_sensitivity_clear (QnLimitSensitivity *sensitivity)
+{
+  free (sensitivity->laws);
+  free (sensitivity->dead_loads);
+  free (sensitivity->live_loads);
+  *sensitivity = (QnLimitSensitivity){ 0 };
+}
