@@ -181,6 +181,7 @@ compare (const StressCase *c, StressFlow flow, const StressRow *row,
       faults |= STRESS_OUTCOME;
     break;
   case QN_OUTCOME_TARGET_REACHED:
+  case QN_OUTCOME_UNBOUNDED:
     if (limit != QN_OUTCOME_UNBOUNDED
         && !(limit == QN_OUTCOME_COLLAPSE && row->upper > path->multiplier))
       faults |= STRESS_OUTCOME;
@@ -189,7 +190,6 @@ compare (const StressCase *c, StressFlow flow, const StressRow *row,
   case QN_OUTCOME_NOT_CONVERGED:
     break;
   case QN_OUTCOME_SNAP:
-  case QN_OUTCOME_UNBOUNDED:
   case QN_OUTCOME_COUNT:
     faults |= STRESS_OUTCOME;
   }
