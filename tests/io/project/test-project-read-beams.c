@@ -152,7 +152,7 @@ static const struct {
   { "{ \"name\": \"ear\"", "{ \"name\": \"top\", \"at\": [9, 9] }, { \"name\": \"ear\"",
     "nodes[2].name", "twice" },
   { "\"block\": \"stone\" }", "\"block\": \"stone\", \"support\": [true, true, true] }",
-    "nodes[1].support", "rides" },
+    "nodes[1].support", "a node on a block has no support" },
   { "\"at\": [3, 0], ", "", "nodes[4].at", "missing" },
   { "\"young\": 1e10", "\"young\": -1", "sections[0].young", "positive" },
   { "\"poisson\": 0.3", "\"poisson\": 0.7", "sections[0].poisson", "0.5" },
@@ -170,7 +170,7 @@ static const struct {
     "\"node\": \"wall\", \"value\": [100, -400], \"moment\": 30", "loads.live[0].moment",
     "hinged" },
   { "\"control\": { \"node\": \"tie.1\"", "\"control\": { \"node\": \"top\"",
-    "analysis.control.node", "rides" },
+    "analysis.control.node", "controlled node is on a block" },
   { "\"control\": { \"node\": \"tie.1\"", "\"control\": { \"node\": \"wall\"",
     "analysis.control.component", "fixed" },
 };
