@@ -15,7 +15,6 @@ sound_law (QnLawKind kind)
                 .ks = 12.5e9,
                 .friction = 0.6,
                 .dilatancy = 0.6,
-                .compression = 30e6,
                 .yield = 20e6,
                 .compression = 30e6,
                 .strength = 30e6,
