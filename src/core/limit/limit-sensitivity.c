@@ -52,11 +52,17 @@ pair_rates (const QnModel *model, const QnContactFace *face, QnVec2 point,
                   fabs (qn_vec2_dot (apart, face->tangent)) };
 }
 
+static bool
+has_cone (const QnLaw *law)
+{
+  return law->kind == QN_LAW_COULOMB || law->kind == QN_LAW_MOHR_COULOMB;
+}
+
 /* How far the forces are from the cone of a law; INFINITY where it has none. */
 static double
 slack_of (const QnLaw *law, double unit, const QnPairResult *force)
 {
-  if (law->kind != QN_LAW_COULOMB)
+  if (!has_cone (law))
     return INFINITY;
   return law->cohesion * unit - law->friction * force->normal_force
          - fabs (force->shear_force);
@@ -78,7 +84,7 @@ governing_law (const QnModel *model, const QnContacts *contacts, size_t pair, do
   return slack[1] < slack[0] ? laws[1] : laws[0];
 }
 
-/* The dual of a Coulomb pair: `cone` of its two shear rows together, `cut` of the tension. Where
+/* The dual of a pair with friction: `cone` of its two shear rows together, `cut` of the tension. Where
  * the apex of the cone bounds tension, opening is flow of the cone. */
 static void
 add_strength (QnLawSensitivity *out, const QnLaw *law, double unit, Rates rates,
@@ -117,7 +123,7 @@ add_pairs (const QnModel *model, const QnContacts *contacts, const QnResult *res
     double area = pair->tributary * face->thickness;
     QnId id = governing_law (model, contacts, p, area, &result->pairs[p]);
     const QnLaw *law = &model->laws[id];
-    if (law->kind == QN_LAW_COULOMB)
+    if (has_cone (law))
       add_strength (&laws[id], law, law->basis == QN_BASIS_CONTACT ? 1.0 : area,
                     pair_rates (model, face, pair->point, v),
                     result->pairs[p].normal_force);
