@@ -112,6 +112,51 @@ test_creeps (void)
   qn_project_clear (&project);
 }
 
+static void
+solve (QnProject *project, QnProcedure procedure, int increments, QnResult *result)
+{
+  QnContacts contacts;
+  project->model.analysis.procedure = procedure;
+  project->model.analysis.increments = increments;
+  g_assert_cmpint (qn_contacts_detect (&project->model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&project->model, &contacts, NULL, NULL, result, NULL),
+                   ==, QN_OK);
+  g_assert_cmpint (result->outcome, ==, QN_OUTCOME_COLLAPSE);
+  qn_contacts_clear (&contacts);
+}
+
+/* Walls on which increments of the load alone jump to equilibria that the structure does not reach
+ * while it moves, up to a third above its collapse. Load control answers with the least, whatever its
+ * increments, and ends with that equilibrium. */
+static void
+test_least_collapse (void)
+{
+  static const guint32 seeds[] = { 9, 21, 26, 29 };
+  static const int increments[] = { 10, 14, 100 };
+
+  for (gsize i = 0; i < G_N_ELEMENTS (seeds); i++) {
+    QnProject project;
+    QnResult by_work;
+    seeded_wall_init (&project, seeds[i], 20, 80);
+    solve (&project, QN_PROCEDURE_WORK, 10, &by_work);
+    for (gsize k = 0; k < G_N_ELEMENTS (increments); k++) {
+      QnResult result;
+      solve (&project, QN_PROCEDURE_LOAD, increments[k], &result);
+      const QnStep *last = &result.steps[result.step_count - 1];
+      g_assert_cmpfloat_with_epsilon (result.collapse_multiplier,
+                                      by_work.collapse_multiplier,
+                                      5e-3 * by_work.collapse_multiplier);
+      g_assert_cmpint (last->event, ==, QN_EVENT_COLLAPSE);
+      g_assert_cmpfloat (last->multiplier, ==, result.collapse_multiplier);
+      g_assert_cmpfloat (result.first_limit_multiplier, <=, result.collapse_multiplier);
+      g_assert_nonnull (result.mechanism);
+      qn_result_clear (&result);
+    }
+    qn_result_clear (&by_work);
+    qn_project_clear (&project);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -120,6 +165,7 @@ main (int argc, char **argv)
   g_test_add_func ("/bench/seeded-walls/sizes", test_sizes);
   g_test_add_func ("/bench/seeded-walls/saved", test_saved);
   g_test_add_func ("/bench/seeded-walls/stands", test_stands);
+  g_test_add_func ("/bench/seeded-walls/least-collapse", test_least_collapse);
   g_test_add_func ("/bench/seeded-walls/creeps", test_creeps);
   return g_test_run ();
 }

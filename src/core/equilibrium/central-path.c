@@ -82,8 +82,8 @@ qn_central_path_has_joints (const QnAssembly *as)
   return false;
 }
 
-static bool
-is_associative (const QnAssembly *as)
+bool
+qn_central_path_is_associative (const QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
     if (as->springs[p].a.dilatancy < as->springs[p].a.friction)
@@ -100,7 +100,7 @@ qn_central_path_new (QnEquilibrium *eq)
   if (path == NULL)
     return NULL;
   path->eq = eq;
-  path->turns_back = !is_associative (as);
+  path->turns_back = !qn_central_path_is_associative (as);
   path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
   path->begun = qn_alloc ((size_t) as->unknown_count, sizeof *path->begun);
   path->near_u = qn_alloc ((size_t) as->unknown_count, sizeof *path->near_u);

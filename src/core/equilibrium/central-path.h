@@ -42,6 +42,9 @@ bool qn_central_path_applies (const QnAssembly *assembly);
  * configuration as Newton's method does; it pays in steps that are not too long. */
 bool qn_central_path_has_joints (const QnAssembly *assembly);
 
+/* Whether all Coulomb joints have dilatancy = friction: then nothing turns back. */
+bool qn_central_path_is_associative (const QnAssembly *assembly);
+
 /* A workspace for `eq`, which must outlive it. NULL when memory runs out. */
 QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool
-state_init (QnEquilibriumState *state, const QnAssembly *as)
+bool
+qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *as)
 {
   state->u = qn_alloc ((size_t) as->unknown_count, sizeof *state->u);
   state->memory = qn_alloc (as->pair_count, sizeof *state->memory);
@@ -15,8 +15,8 @@ state_init (QnEquilibriumState *state, const QnAssembly *as)
          && state->responses;
 }
 
-static void
-state_clear (QnEquilibriumState *state)
+void
+qn_equilibrium_state_clear (QnEquilibriumState *state)
 {
   free (state->u);
   free (state->memory);
@@ -89,7 +89,8 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
     *vectors[i] = qn_alloc ((size_t) as->unknown_count, sizeof (double));
     ok &= *vectors[i] != NULL;
   }
-  if (!ok || !state_init (&eq->committed, as) || !state_init (&eq->anchor, as)) {
+  if (!ok || !qn_equilibrium_state_init (&eq->committed, as)
+      || !qn_equilibrium_state_init (&eq->anchor, as)) {
     qn_equilibrium_clear (eq);
     return qn_diag_no_memory (diag);
   }
@@ -112,8 +113,8 @@ qn_equilibrium_clear (QnEquilibrium *eq)
   free (eq->gaps);
   free (eq->velocity);
   free (eq->factored_phases);
-  state_clear (&eq->committed);
-  state_clear (&eq->anchor);
+  qn_equilibrium_state_clear (&eq->committed);
+  qn_equilibrium_state_clear (&eq->anchor);
   qn_assembly_clear (&eq->assembly);
   *eq = (QnEquilibrium){ 0 };
 }

@@ -162,6 +162,10 @@ double qn_equilibrium_motion (const QnEquilibrium *eq);
 /* The same in elastic displacements. */
 double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
 
+/* Room for a state of this structure. False when memory runs out; to be cleared all the same. */
+bool qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *assembly);
+void qn_equilibrium_state_clear (QnEquilibriumState *state);
+
 /* Copies the current state into `state`, or makes `state` the current one. */
 void qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state);
 void qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state);

@@ -68,7 +68,9 @@ typedef struct {
   bool relaxed; /* or was one of relaxation */
   bool jumped;  /* and moved on by a jump */
   double peak;  /* largest multiplier so far */
-  double last_multiplier; /* before the last accepted step */
+  bool has_highest;
+  QnEquilibriumState highest; /* with the multiplier `peak`, where the path ends there */
+  double last_multiplier;     /* before the last accepted step */
   bool passed_peak;
   bool gone; /* the structure has run away under a multiplier that hardly follows */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
@@ -315,6 +317,10 @@ watch_peak (PathControl *control)
   const QnEquilibrium *eq = &control->path->equilibrium;
   double tolerance = control->path->settings->multiplier_tolerance;
 
+  if (control->path->ends_at_peak && eq->multiplier >= control->peak) {
+    qn_equilibrium_save (eq, &control->highest);
+    control->has_highest = true;
+  }
   control->peak = fmax (control->peak, eq->multiplier);
   control->passed_peak = eq->multiplier < (1 - tolerance) * control->peak;
   if (!control->passed_peak)
@@ -409,14 +415,28 @@ advance (PathControl *control, QnDiag *diag)
   choose_next_step (control, step, easy);
   qn_path_measure_keep_last (&control->measure);
   control->last_multiplier = eq->committed.multiplier;
-  if (!qn_path_accept (path, eq->multiplier,
-                       control->jumped ? QN_EVENT_SNAP : QN_EVENT_NONE))
+  if (path->ends_at_peak && eq->multiplier <= control->peak)
+    qn_equilibrium_commit (eq);
+  else if (!qn_path_accept (path, eq->multiplier,
+                            control->jumped ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return qn_diag_no_memory (diag);
   watch_peak (control);
   check_end (control);
   if (is_smooth (control))
     qn_path_measure_follow (&control->measure);
   return QN_OK;
+}
+
+/* Comes back to the highest multiplier. */
+static void
+go_back_to_peak (PathControl *control)
+{
+  QnEquilibrium *eq = &control->path->equilibrium;
+
+  if (!control->has_highest)
+    return;
+  qn_equilibrium_load (eq, &control->highest);
+  qn_equilibrium_save (eq, &eq->committed);
 }
 
 /* What the path as a whole says of the structure. */
@@ -436,11 +456,13 @@ conclude (PathControl *control, QnDiag *diag)
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = control->peak;
   note_limit_point (control, control->peak);
-  if (result->outcome == QN_OUTCOME_COLLAPSE)
-    result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
   if (result->stop != QN_STOP_FALL)
     for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
       eq->velocity[i] = eq->u[i] - control->measure.last_u[i];
+  if (path->ends_at_peak)
+    go_back_to_peak (control);
+  if (result->outcome == QN_OUTCOME_COLLAPSE)
+    result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
   return qn_path_record_mechanism (path, eq->velocity, diag);
 }
 
@@ -476,8 +498,13 @@ qn_path_motion_control (QnPath *path, QnDiag *diag)
     control.central = qn_central_path_new (&path->equilibrium);
   control.may_jump =
     control.central == NULL || qn_central_path_turns_back (control.central);
-  status =
-    control.central != NULL || !central ? run (&control, diag) : qn_diag_no_memory (diag);
+  bool ready =
+    (control.central != NULL || !central)
+    && (!path->ends_at_peak
+        || qn_equilibrium_state_init (&control.highest, &path->equilibrium.assembly));
+  status = ready ? run (&control, diag) : qn_diag_no_memory (diag);
+  if (path->ends_at_peak)
+    qn_equilibrium_state_clear (&control.highest);
   qn_central_path_free (control.central);
   qn_path_measure_clear (&control.measure);
   return status;

@@ -104,6 +104,18 @@ probe_sense (QnPath *path, int *sense, QnDiag *diag)
 
 /* --- Without stages --------------------------------------------------------------------- */
 
+/* Whether load control may have jumped to an equilibrium above what the structure carries while it
+ * moves. */
+static bool
+needs_check (const QnPath *path)
+{
+  const QnAssembly *as = &path->equilibrium.assembly;
+
+  return path->settings->procedure == QN_PROCEDURE_LOAD
+         && path->result->outcome == QN_OUTCOME_COLLAPSE && qn_central_path_applies (as)
+         && !qn_central_path_is_associative (as);
+}
+
 /* The live loads in one go. A target that a growing load moves away from is an input
  * error. */
 static QnStatus
@@ -128,7 +140,9 @@ run_live_loads (QnPath *path, QnDiag *diag)
   if (sense < 0)
     return qn_diag_set_field (diag, QN_PROBLEM_CONTROL_WRONG_SIGN, QN_ENTITY_ANALYSIS,
                               QN_NONE, "control.target", settings->control_target);
-  return follow (path, diag);
+  QnStatus status = follow (path, diag);
+  return status == QN_OK && needs_check (path) ? qn_path_check_collapse (path, diag)
+                                               : status;
 }
 
 /* --- One stage -------------------------------------------------------------------------- */

@@ -36,6 +36,8 @@ typedef struct QnPath {
   int32_t stage;                      /* number of the stage, from 1; 0: none */
   double origin, scale; /* the sets that are driven stand at origin + scale x the solver's
                            multiplier, which every stage starts from 0; 0 and 1 by default */
+  bool
+    ends_at_peak; /* motion control records rising multipliers alone and ends at the highest */
   QnEquilibrium equilibrium;
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
   double *displacements;      /* scratch, a row for every body; reactions too */
@@ -94,5 +96,9 @@ QnStatus qn_path_load_control (QnPath *path, QnDiag *diag);
 /* Displacement, work or arc-length control, as the settings say, to the control target, down
  * to multiplier zero, or to a plateau. */
 QnStatus qn_path_motion_control (QnPath *path, QnDiag *diag);
+
+/* The check of a collapse that load control has found (path-check.c): *path and its result become
+ * those of work control from the dead load on where these prove a lower collapse multiplier. */
+QnStatus qn_path_check_collapse (QnPath *path, QnDiag *diag);
 
 #endif
