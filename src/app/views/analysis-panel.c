@@ -319,7 +319,7 @@ build_procedure (Panel *panel, GtkWidget *form)
   panel->increments = qn_form_add_quantity (form, _ ("_Increments"), QN_QUANTITY_NUMBER,
                                             1.0, 1e6, quantity, panel);
   panel->max_multiplier = qn_form_add_quantity (
-    form, _ ("_Multiplier up to"), QN_QUANTITY_NUMBER, 1e-12, INFINITY, quantity, panel);
+    form, _ ("_Multiplier up to"), QN_QUANTITY_NUMBER, 0.0, INFINITY, quantity, panel);
   panel->multiplier_tolerance =
     qn_form_add_quantity (form, _ ("_Tolerance of the multiplier"), QN_QUANTITY_NUMBER,
                           1e-12, 0.1, quantity, panel);
