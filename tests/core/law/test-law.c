@@ -16,6 +16,7 @@ sound_law (QnLawKind kind)
                 .friction = 0.6,
                 .dilatancy = 0.6,
                 .yield = 20e6,
+                .compression = 30e6,
                 .strength = 30e6,
                 .ultimate_strain = 0.0035,
                 .crushing_energy = 2e4,
