@@ -5,6 +5,7 @@
 #include "cli/sensitivity.h"
 #include "cli/subcommand.h"
 #include "core/path/analysis.h"
+#include "io/exchange/record.h"
 #include "io/exchange/table-csv.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
@@ -14,11 +15,14 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Part of its length that a joint may slide by without a word. */
+#define FAR_SLIP 0.1
+
 typedef struct Options {
   char *output, *csv, *detail;
   QnResultDetail level; /* of `detail` */
   char **overrides;
-  gboolean quiet, sensitivity;
+  gboolean quiet, allow_outside, sensitivity;
 } Options;
 
 /* Names of the blocks that the dead load moves, the first few of them. */
@@ -44,6 +48,7 @@ judge_outcome (const QnProject *project, const QnResult *result)
   case QN_OUTCOME_TARGET_REACHED:
   case QN_OUTCOME_SNAP:
   case QN_OUTCOME_UNBOUNDED:
+  case QN_OUTCOME_REST:
     return QN_EXIT_DONE;
   case QN_OUTCOME_CANCELLED:
     qn_cli_error (_ ("%s: cancelled"), project->name);
@@ -64,13 +69,36 @@ judge_outcome (const QnProject *project, const QnResult *result)
   g_assert_not_reached ();
 }
 
+/* How far an analysis in time went, and what its numbers are worth. */
+static void
+print_history (const char *title, const QnResult *result)
+{
+  const QnHistory *history = &result->history;
+  double peak = 0;
+  for (gsize i = 0; i < result->block_count; i++)
+    peak = MAX (peak, history->peaks[i]);
+  printf (_ ("%s: followed to %.4g s, largest displacement %.4g m\n"), title,
+          history->end, peak);
+  printf (
+    _ ("%d time steps, %d more given up for shorter ones; error of the energy balance "
+       "%.1e of the input\n"),
+    history->steps, history->rejected, history->energy_error);
+  if (history->largest_slip > FAR_SLIP)
+    printf (
+      _ ("a joint has slid by %.0f %% of its length: contacts stay where they were on "
+         "their blocks, so that forces are less certain from then on\n"),
+      100 * history->largest_slip);
+}
+
 static void
 print_summary (const QnProject *project, const QnResult *result)
 {
   const QnStatistics *spent = &result->statistics;
   const char *title = project->model.title != NULL ? project->model.title : project->name;
 
-  if (result->outcome == QN_OUTCOME_UNBOUNDED)
+  if (result->history.width > 0)
+    print_history (title, result);
+  else if (result->outcome == QN_OUTCOME_UNBOUNDED)
     printf (_ ("%s: the joints carry any multiple of the live load\n"), title);
   else if (result->limit.given)
     qn_cmd_limit_print (title, &result->limit);
@@ -150,8 +178,15 @@ static QnExit
 require_live_load (const QnProject *project)
 {
   const QnAnalysisSettings *analysis = &project->model.analysis;
+  gboolean lacks = qn_model_lacks_live_load (&project->model);
+  if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
+    if (!lacks)
+      qn_cli_warning ("%s: loads.live: %s", project->name,
+                      _ ("has no part in an analysis in time"));
+    return QN_EXIT_DONE;
+  }
   if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
-      || analysis->max_multiplier == 0 || !qn_model_lacks_live_load (&project->model))
+      || analysis->max_multiplier == 0 || !lacks)
     return QN_EXIT_DONE;
   qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or ask for the dead load alone "
                    "by analysis.max_multiplier=0"),
@@ -247,6 +282,22 @@ warn_of_findings (const QnInput *input)
   }
 }
 
+/* Reads the ground motions that the project names, and says what is to be known of them. */
+static QnExit
+read_records (const Options *options, QnInput *input)
+{
+  QnProject *project = &input->project;
+  guint known = project->warnings->len;
+  GError *error = NULL;
+  if (project->model.analysis.procedure != QN_PROCEDURE_DYNAMIC)
+    return QN_EXIT_DONE;
+  if (!qn_project_read_records (project, NULL, options->allow_outside, &error))
+    return qn_cli_fail (error);
+  for (guint i = known; !options->quiet && i < project->warnings->len; i++)
+    qn_cli_warning ("%s", (const char *) g_ptr_array_index (project->warnings, i));
+  return QN_EXIT_DONE;
+}
+
 /* Puts an override before those of the user. */
 static void
 add_override (char ***overrides, const char *override)
@@ -277,6 +328,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
           "and springs too, or steps: forces of all steps, however many"),
       N_ ("forces|pairs|steps") },
     QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     /* Of limit analysis alone. */
     { override != NULL ? "sensitivity" : NULL, 0, 0, G_OPTION_ARG_NONE,
@@ -295,6 +347,8 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
   } else
     memset (&input, 0, sizeof input);
+  if (code == QN_EXIT_DONE)
+    code = read_records (&options, &input);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)

@@ -310,6 +310,7 @@ stress_limit_is_proved (const QnModel *model, const QnContacts *contacts,
   case QN_OUTCOME_SNAP:
   case QN_OUTCOME_CANCELLED:
   case QN_OUTCOME_NOT_CONVERGED:
+  case QN_OUTCOME_REST:
   case QN_OUTCOME_COUNT:
     break;
   }

@@ -190,6 +190,7 @@ compare (const StressCase *c, StressFlow flow, const StressRow *row,
   case QN_OUTCOME_NOT_CONVERGED:
     break;
   case QN_OUTCOME_SNAP:
+  case QN_OUTCOME_REST:
   case QN_OUTCOME_COUNT:
     faults |= STRESS_OUTCOME;
   }

@@ -162,6 +162,21 @@ void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
 /* Whether the tangent last assembled is symmetric. */
 bool qn_assembly_is_symmetric (const QnAssembly *assembly);
 
+/* The mass matrix, written into `mass` with the pattern of K, in kg with rotations scaled like the
+ * unknowns: masses of blocks, diagonal at the centroids; of beams consistent with the shape
+ * functions, where they lie at the last evaluation. Settling supports have none. Refuses blocks
+ * and beams without mass. */
+QnStatus qn_assembly_mass (const QnAssembly *assembly, double *mass, QnDiag *diag);
+
+/* forces (unknowns) += what blocks and beams would need to follow a uniform acceleration of all
+ * bodies, supports included, m/s2. */
+void qn_assembly_add_inertia (const QnAssembly *assembly, QnVec2 acceleration,
+                              double *forces);
+
+/* y = A x for a matrix with the values `ax` in the pattern of K. */
+void qn_assembly_multiply (const QnAssembly *assembly, const double *ax, const double *x,
+                           double *y);
+
 /* What the supports do: the forces (body_count x 3: N, N, N m about the centroid or node where
  * the body has moved to) that the ground exerts on fixed degrees of freedom at the last evaluation
  * with its loads at this multiplier; 0 for free ones. */

@@ -390,14 +390,13 @@ qn_beam_assembly_subtract_forces (const QnBeamAssembly *as, double *residual)
   }
 }
 
-/* k = T' (G' D G + geometric) T - r . F of arms that turn */
+/* k = G' D G */
 static void
-element_tangent (const QnBeamAssembly *as, size_t index, double out[6][6])
+material_tangent (const QnBeamAssembly *as, size_t index, double k[6][6])
 {
   const QnAssembledBeam *beam = &as->beams[index];
-  const QnBeamResponse *response = &as->responses[index];
   const double (*g)[6] = beam->kinematics.gradient;
-  double k[6][6], t[6][6], p[6];
+  const QnBeamResponse *response = &as->responses[index];
 
   for (int j = 0; j < 6; j++) {
     double dg[3];
@@ -409,6 +408,17 @@ element_tangent (const QnBeamAssembly *as, size_t index, double out[6][6])
     for (int i = 0; i < 6; i++)
       k[i][j] = g[0][i] * dg[0] + g[1][i] * dg[1] + g[2][i] * dg[2];
   }
+}
+
+/* k = T' (G' D G + geometric) T - r . F of arms that turn */
+static void
+element_tangent (const QnBeamAssembly *as, size_t index, double out[6][6])
+{
+  const QnAssembledBeam *beam = &as->beams[index];
+  const QnBeamResponse *response = &as->responses[index];
+  double k[6][6], t[6][6], p[6];
+
+  material_tangent (as, index, k);
   if (as->nonlinear)
     qn_beam_kinematics_add_stiffness (&beam->kinematics, response->force, k);
   transform (beam, as->length, t);
@@ -442,6 +452,19 @@ qn_beam_assembly_add_tangent (QnBeamAssembly *as, double *ax)
 }
 
 void
+qn_beam_assembly_add_material_tangent (const QnBeamAssembly *as, double *ax)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    double k[6][6], t[6][6], out[6][6];
+
+    material_tangent (as, b, k);
+    transform (&as->beams[b], as->length, t);
+    transform_matrix (t, k, out);
+    add_matrix (&as->beams[b], out, ax);
+  }
+}
+
+void
 qn_beam_assembly_add_mass (const QnBeamAssembly *as, double *ax)
 {
   for (size_t b = 0; b < as->count; b++) {
@@ -454,6 +477,31 @@ qn_beam_assembly_add_mass (const QnBeamAssembly *as, double *ax)
     transform (&as->beams[b], as->length, t);
     transform_matrix (t, m, out);
     add_matrix (&as->beams[b], out, ax);
+  }
+}
+
+void
+qn_beam_assembly_add_inertia (const QnBeamAssembly *as, QnVec2 acceleration,
+                              double *forces)
+{
+  for (size_t b = 0; b < as->count; b++) {
+    const QnAssembledBeam *beam = &as->beams[b];
+    QnBeamProperties now = beam->properties;
+    double m[6][6];
+
+    now.chord = qn_vec2_scale (now.length, beam->kinematics.axis);
+    qn_beam_mass (&now, m);
+    for (int end = 0; end < 2; end++) {
+      double p[3];
+      for (int i = 0; i < 3; i++)
+        p[i] = (m[3 * end + i][0] + m[3 * end + i][3]) * acceleration.x
+               + (m[3 * end + i][1] + m[3 * end + i][4]) * acceleration.y;
+      p[2] =
+        (p[2] + qn_vec2_cross (beam->turned[end], qn_vec2 (p[0], p[1]))) / as->length;
+      for (int i = 0; i < 3; i++)
+        if (beam->unknowns[3 * end + i] != QN_NONE)
+          forces[beam->unknowns[3 * end + i]] += p[i];
+    }
   }
 }
 

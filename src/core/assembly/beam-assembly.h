@@ -120,6 +120,14 @@ void qn_beam_state_load (const QnBeamState *state, QnBeamAssembly *beams);
 /* Adds the consistent mass of the elements (density is weight over gravity) to ax. */
 void qn_beam_assembly_add_mass (const QnBeamAssembly *beams, double *ax);
 
+/* Adds what the elements need to follow a uniform acceleration of both ends, by the same mass. */
+void qn_beam_assembly_add_inertia (const QnBeamAssembly *beams, QnVec2 acceleration,
+                                   double *forces);
+
+/* Adds to ax the part of the tangent that does not come from forces in turned elements: never
+ * negative, as damping needs it. */
+void qn_beam_assembly_add_material_tangent (const QnBeamAssembly *beams, double *ax);
+
 /* Section forces of every element at the last evaluation under dead + multiplier live load. */
 void qn_beam_assembly_forces (const QnBeamAssembly *beams, double multiplier,
                               QnBeamForces *forces);

@@ -49,6 +49,7 @@
   X (BLOCK_WITHOUT_MASS, "block has no mass to vibrate with") \
   X (STATE_SLIPS, "pairs slip without dilatancy in this state: no symmetric stiffness") \
   X (LIMIT_WITHOUT_STATE, "limit analysis leaves no state to vibrate about") \
+  X (TIME_WITHOUT_STATE, "an analysis in time leaves no equilibrium to start from") \
   X (STABILITY_STAGES, "stability is looked for along the live loads, not along stages") \
   X (STATE_SINGULAR, "stiffness of this state is singular") \
   X (TOO_FEW_UNKNOWNS, "structure has no degree of freedom") \
@@ -95,6 +96,14 @@
   X (STAGE_TWO_ENDS, "stage ends at a multiplier or at a displacement, not at both") \
   X (STAGE_LIMIT, "limit analysis has no stages") \
   X (STAGE_MULTIPLIER, "stages have targets of their own") \
+  X (SIGNAL_EMPTY, "signal needs at least two points") \
+  X (SIGNAL_ORDER, "times of the signal must increase") \
+  X (SIGNAL_TOO_LONG, "signal has more points than the program handles") \
+  X (SIGNAL_WITHOUT_DIRECTION, "ground motion has no direction") \
+  X (RADIUS_RANGE, "spectral radius must lie between 0 and 1") \
+  X (TOO_MANY_TIME_STEPS, "duration has more time steps than the program handles") \
+  X (STAGES_DYNAMIC, "an analysis in time has no stages") \
+  X (INITIAL_FIXED, "a supported degree of freedom cannot start from elsewhere") \
   X (NEAR_MISS_GAP, "gap just wider than the contact tolerance") \
   X (NEAR_MISS_OVERLAP, "overlap within a few contact tolerances") \
   X (POINT_CONTACT, "blocks touch at a point only") \

@@ -37,6 +37,9 @@ typedef enum {
   QN_ENTITY_LIVE_LOAD,
   QN_ENTITY_ANALYSIS,
   QN_ENTITY_STAGE,
+  QN_ENTITY_GROUND_MOTION, /* of analysis.dynamic; sub: a point */
+  QN_ENTITY_INITIAL_MOTION,
+  QN_ENTITY_TRACK,
   QN_ENTITY_MASONRY /* parametric masonry, see stereotomy/masonry.h */
 } QnEntity;
 

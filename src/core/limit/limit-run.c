@@ -142,6 +142,7 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
   case QN_OUTCOME_SNAP:
   case QN_OUTCOME_CANCELLED:
   case QN_OUTCOME_NOT_CONVERGED:
+  case QN_OUTCOME_REST:
   case QN_OUTCOME_COUNT:
     return QN_OK;
   }

@@ -30,42 +30,6 @@ typedef struct {
   double *values, *vectors; /* omega squared; columns of n */
 } Eigen;
 
-/* M = masses of blocks, diagonal, and of beams, consistent. */
-static QnStatus
-fill_masses (Pencil *pencil, QnDiag *diag)
-{
-  const QnAssembly *as = pencil->assembly;
-  const QnModel *model = as->model;
-
-  for (size_t b = 0; b < model->block_count; b++) {
-    const QnBlock *block = &model->blocks[b];
-    double mass = block->weight / model->gravity;
-    double gyration = block->polar_moment / block->area / (as->length * as->length);
-    for (int i = 0; i < QN_DOF_COUNT; i++) {
-      int32_t unknown = as->unknown[QN_DOF_COUNT * b + i];
-      if (unknown == QN_NONE || as->settles[unknown])
-        continue;
-      if (!(mass > 0 && isfinite (mass)))
-        return qn_diag_set_field (diag, QN_PROBLEM_BLOCK_WITHOUT_MASS, QN_ENTITY_BLOCK,
-                                  (QnId) b, NULL, mass);
-      pencil->mass[as->diagonal[unknown]] = i == QN_DOF_RZ ? mass * gyration : mass;
-    }
-  }
-  for (size_t b = 0; b < model->beam_count; b++) {
-    double mass =
-      qn_section_weight (&model->sections[model->beams[b].section]) / model->gravity;
-    if (!(mass > 0 && isfinite (mass)))
-      return qn_diag_set_field (diag, QN_PROBLEM_BEAM_WITHOUT_MASS, QN_ENTITY_BEAM,
-                                (QnId) b, NULL, mass);
-  }
-  qn_beam_assembly_add_mass (&as->beams, pencil->mass);
-  for (int32_t j = 0; j < pencil->n; j++)
-    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
-      if (as->settles[j] || as->settles[as->ai[k]])
-        pencil->mass[k] = 0; /* supports that may settle do not move */
-  return QN_OK;
-}
-
 /* ax = K - sigma M, factorised. */
 static QnStatus
 factorize (Pencil *pencil, double multiplier, QnDiag *diag)
@@ -103,12 +67,7 @@ static void
 multiply (const void *data, const double *x, double *y)
 {
   const Pencil *pencil = data;
-  const QnAssembly *as = pencil->assembly;
-
-  memset (y, 0, (size_t) pencil->n * sizeof *y);
-  for (int32_t j = 0; j < pencil->n; j++)
-    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
-      y[as->ai[k]] += pencil->mass[k] * x[j];
+  qn_assembly_multiply (pencil->assembly, pencil->mass, x, y);
 }
 
 static void
@@ -199,7 +158,7 @@ solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
   if (pencil.mass == NULL || eigen.values == NULL || eigen.vectors == NULL)
     status = qn_diag_no_memory (diag);
   if (status == QN_OK)
-    status = fill_masses (&pencil, diag);
+    status = qn_assembly_mass (pencil.assembly, pencil.mass, diag);
   if (status == QN_OK)
     status = factorize (&pencil, eq->multiplier, diag);
   if (status == QN_OK)
@@ -238,6 +197,9 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
   *result = (QnResult){ 0 };
   if (state == QN_MODAL_LOADED && model->analysis.procedure == QN_PROCEDURE_LIMIT)
     return qn_diag_set_field (diag, QN_PROBLEM_LIMIT_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "procedure", 0);
+  if (state == QN_MODAL_LOADED && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    return qn_diag_set_field (diag, QN_PROBLEM_TIME_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
                               QN_NONE, "procedure", 0);
   QnStatus status =
     qn_path_setup (&path, model, contacts, progress, user_data, result, diag);

@@ -215,6 +215,8 @@ check_stage (const QnModel *model, SetStates *states, QnId index, QnDiag *diag)
 
   if (stage->procedure == QN_PROCEDURE_LIMIT)
     return refuse_stage (diag, QN_PROBLEM_STAGE_LIMIT, index, "procedure");
+  if (stage->procedure == QN_PROCEDURE_DYNAMIC)
+    return refuse_stage (diag, QN_PROBLEM_STAGES_DYNAMIC, index, "procedure");
   QnStatus status = check_stage_sets (model, states, index, &first, diag);
   if (status == QN_OK)
     status = check_procedure (model, stage->procedure, stage->sets, QN_ENTITY_STAGE,
@@ -316,5 +318,7 @@ qn_model_check_analysis (const QnModel *model, QnDiag *diag)
     status = check_control (model, diag);
   if (status == QN_OK && model->stage_count == 0)
     status = check_procedure (model, analysis->procedure, 1, entity, QN_NONE, diag);
+  if (status == QN_OK)
+    status = qn_model_check_dynamic (model, diag);
   return status == QN_OK ? check_stages (model, diag) : status;
 }

@@ -16,6 +16,10 @@ QnStatus qn_model_check_settings (const QnModel *model, QnDiag *diag);
 QnStatus qn_model_check_loads (const QnModel *model, QnDiag *diag);
 QnStatus qn_model_check_analysis (const QnModel *model, QnDiag *diag);
 
+/* Ground motions, initial motions, tracks and the settings of the integration, where the procedure
+ * is dynamic. Records are checked once they have been read: qn_model_check_signal(). */
+QnStatus qn_model_check_dynamic (const QnModel *model, QnDiag *diag);
+
 /* Range that a number must keep. */
 typedef enum { QN_NUMBER_ANY, QN_NUMBER_NOT_NEGATIVE, QN_NUMBER_POSITIVE } QnNumberRange;
 

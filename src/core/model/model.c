@@ -25,6 +25,10 @@ qn_model_init (QnModel *model)
                   .max_seconds = INFINITY,
                   .control_block = QN_NONE,
                   .control_node = QN_NONE,
+                  .dynamic = { .rho = 0.8,
+                               .of = QN_DAMPING_CURRENT,
+                               .tolerance = 1e-5,
+                               .adaptive = true },
                   .shortcuts = { true, true, true, true, true, true } },
   };
 }
@@ -51,6 +55,11 @@ qn_model_clear (QnModel *model)
     free (model->load_sets[i]);
   for (size_t i = 0; i < model->stage_count; i++)
     free (model->stages[i].name);
+  for (size_t i = 0; i < model->ground_count; i++) {
+    free (model->ground[i].record);
+    free (model->ground[i].unit);
+    free (model->ground[i].points);
+  }
 
   for (size_t i = 0; i < model->node_count; i++)
     free (model->nodes[i].name);
@@ -70,6 +79,9 @@ qn_model_clear (QnModel *model)
   free (model->live_loads);
   free (model->load_sets);
   free (model->stages);
+  free (model->ground);
+  free (model->initial);
+  free (model->tracks);
   free (model->nodes);
   free (model->sections);
   free (model->beams);
@@ -112,6 +124,15 @@ duplicate_index (QnNameIndex index, bool *failed)
   return index.slots != NULL ? index : (QnNameIndex){ 0 };
 }
 
+static void
+copy_signal (const QnGroundMotion *from, QnGroundMotion *to, bool *failed)
+{
+  to->record = duplicate_name (from->record, failed);
+  to->unit = duplicate_name (from->unit, failed);
+  to->points = duplicate (from->points, from->point_count, sizeof *to->points, failed);
+  to->point_count = to->point_capacity = to->points != NULL ? from->point_count : 0;
+}
+
 /* Everything but names and what walls own. Counts of arrays that could not be copied are 0, so
  * that the copy may be cleared. */
 static void
@@ -138,6 +159,9 @@ copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
   COPY_ARRAY (elements, element_count, element_capacity);
   COPY_ARRAY (load_sets, load_set_count, load_set_capacity);
   COPY_ARRAY (stages, stage_count, stage_capacity);
+  COPY_ARRAY (ground, ground_count, ground_capacity);
+  COPY_ARRAY (initial, initial_count, initial_capacity);
+  COPY_ARRAY (tracks, track_count, track_capacity);
 #undef COPY_ARRAY
 }
 
@@ -168,6 +192,8 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
     copy->load_sets[i] = duplicate_name (source->load_sets[i], &failed);
   for (size_t i = 0; i < copy->stage_count; i++)
     copy->stages[i].name = duplicate_name (source->stages[i].name, &failed);
+  for (size_t i = 0; i < copy->ground_count; i++)
+    copy_signal (&source->ground[i], &copy->ground[i], &failed);
   for (size_t i = 0; i < copy->wall_count; i++) {
     const QnWall *from = &source->walls[i];
     QnWall *to = &copy->walls[i];
@@ -354,6 +380,72 @@ qn_model_add_stage (QnModel *model, const char *name)
   stage->control_block = stage->control_node = QN_NONE;
   model->stage_count++;
   return stage;
+}
+
+QnGroundMotion *
+qn_model_add_ground_motion (QnModel *model, const char *record)
+{
+  QnGroundMotion *all =
+    make_room (model->ground, model->ground_count, &model->ground_capacity, sizeof *all);
+  if (all == NULL)
+    return NULL;
+  model->ground = all;
+
+  QnGroundMotion *motion = &all[model->ground_count];
+  motion->record = qn_strdup (record);
+  if (motion->record == NULL && record != NULL)
+    return NULL;
+  motion->kind = record != NULL ? QN_SIGNAL_RECORD : QN_SIGNAL_POINTS;
+  motion->scale = 1;
+  model->ground_count++;
+  return motion;
+}
+
+QnGroundMotion *
+qn_model_copy_ground_motion (QnModel *model, const QnGroundMotion *motion)
+{
+  bool failed = false;
+  QnGroundMotion *added = qn_model_add_ground_motion (model, NULL);
+
+  if (added == NULL)
+    return NULL;
+  *added = *motion;
+  copy_signal (motion, added, &failed);
+  return failed ? NULL : added;
+}
+
+bool
+qn_ground_motion_add_point (QnGroundMotion *motion, double time, double acceleration)
+{
+  QnVec2 *points = qn_array_grow (motion->points, &motion->point_capacity,
+                                  motion->point_count + 1, sizeof *points);
+  if (points == NULL)
+    return false;
+  motion->points = points;
+  points[motion->point_count++] = qn_vec2 (time, acceleration);
+  return true;
+}
+
+QnInitialMotion *
+qn_model_add_initial_motion (QnModel *model)
+{
+  QnInitialMotion *all = make_room (model->initial, model->initial_count,
+                                    &model->initial_capacity, sizeof *all);
+  if (all == NULL)
+    return NULL;
+  model->initial = all;
+  return &all[model->initial_count++];
+}
+
+QnTrack *
+qn_model_add_track (QnModel *model)
+{
+  QnTrack *all =
+    make_room (model->tracks, model->track_count, &model->track_capacity, sizeof *all);
+  if (all == NULL)
+    return NULL;
+  model->tracks = all;
+  return &all[model->track_count++];
 }
 
 int32_t

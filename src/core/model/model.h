@@ -12,6 +12,7 @@
 #include "core/base/status.h"
 #include "core/law/law.h"
 #include "core/model/beam.h"
+#include "core/model/ground-motion.h"
 
 /* Most blocks that one model may have; far above what a plane masonry structure needs, far
  * below what would exhaust a machine. */
@@ -157,6 +158,7 @@ typedef enum {
   QN_PROCEDURE_WORK,
   QN_PROCEDURE_ARC_LENGTH,
   QN_PROCEDURE_LIMIT,
+  QN_PROCEDURE_DYNAMIC, /* through time, under ground motion */
   QN_PROCEDURE_COUNT
 } QnProcedure;
 
@@ -208,7 +210,8 @@ typedef struct QnAnalysisSettings {
   QnId control_block;          /* or QN_NONE */
   QnId control_node; /* the same for a node that stands free; at most one of both */
   QnDof control_dof;
-  double control_target; /* m or rad */
+  double control_target;     /* m or rad */
+  QnDynamicSettings dynamic; /* for QN_PROCEDURE_DYNAMIC */
   QnShortcuts shortcuts;
   bool all_forces; /* of the run, not of the project: see QN_RESULT_FORCE_BUDGET */
 } QnAnalysisSettings;
@@ -267,6 +270,12 @@ typedef struct QnModel {
   size_t load_set_count, load_set_capacity;
   QnStage *stages; /* none: the live loads in one go */
   size_t stage_count, stage_capacity;
+  QnGroundMotion *ground; /* this and what follows: for QN_PROCEDURE_DYNAMIC */
+  size_t ground_count, ground_capacity;
+  QnInitialMotion *initial;
+  size_t initial_count, initial_capacity;
+  QnTrack *tracks;
+  size_t track_count, track_capacity;
 
   QnContactSettings contact;
   QnAnalysisSettings analysis;
@@ -300,6 +309,18 @@ QnBar *qn_model_add_bar (QnModel *model);
 QnLoad *qn_model_add_dead_load (QnModel *model);
 QnLoad *qn_model_add_live_load (QnModel *model);
 QnStage *qn_model_add_stage (QnModel *model, const char *name);
+
+/* A new ground motion has scale 1; `record` (nullable) is copied. Points are added one by one;
+ * false when memory runs out. A copy has all of its own. */
+QnGroundMotion *qn_model_add_ground_motion (QnModel *model, const char *record);
+QnGroundMotion *qn_model_copy_ground_motion (QnModel *model,
+                                             const QnGroundMotion *motion);
+bool qn_ground_motion_add_point (QnGroundMotion *motion, double time,
+                                 double acceleration);
+/* Checks the points of one ground motion: two or more, finite, times ascending from 0 or later. */
+QnStatus qn_model_check_signal (const QnModel *model, QnId ground, QnDiag *diag);
+QnInitialMotion *qn_model_add_initial_motion (QnModel *model);
+QnTrack *qn_model_add_track (QnModel *model);
 
 /* Number of the load set with this name, added where there is none; "live" is 0. QN_NONE where
  * memory runs out or QN_MAX_LOAD_SETS are there already. */

@@ -2,6 +2,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/tolerance.h"
+#include "core/dynamics/dynamics.h"
 #include "core/limit/limit.h"
 #include "core/path/path.h"
 
@@ -42,6 +43,24 @@ is_unbounded (const QnModel *model, const QnResult *result)
               >= QN_UNBOUNDED * (1 - QN_TOLERANCE_TARGET);
 }
 
+/* Dead load, then time. */
+static QnStatus
+run_in_time (QnPath *path, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  bool stands;
+  QnStatus status = qn_path_apply_dead_load (path, &stands, diag);
+
+  if (status != QN_OK || !stands)
+    return status;
+  QnResult *result = path->result;
+  status = qn_dynamics_run (&eq->assembly, eq->linsys, eq->u, eq->report, eq->report_data,
+                            result, diag);
+  eq->factored = false;
+  qn_statistics_add (&eq->statistics, &result->statistics);
+  return status;
+}
+
 QnStatus
 qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                  QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
@@ -57,7 +76,9 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
     status = qn_limit_run (model, contacts, go_on, &budget, result, diag);
   } else {
     status = qn_path_setup (&path, model, contacts, go_on, &budget, result, diag);
-    if (status == QN_OK)
+    if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+      status = run_in_time (&path, diag);
+    else if (status == QN_OK)
       status = qn_path_run (&path, &stands, diag);
     status = qn_path_finish (&path, status, budget.start);
   }

@@ -171,6 +171,9 @@ refuse_settings (const QnModel *model, QnDiag *diag)
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT)
     return qn_diag_set_field (diag, QN_PROBLEM_LIMIT_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
                               QN_NONE, "procedure", 0);
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    return qn_diag_set_field (diag, QN_PROBLEM_TIME_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "procedure", 0);
   if (model->stage_count > 0)
     return qn_diag_set_field (diag, QN_PROBLEM_STABILITY_STAGES, QN_ENTITY_ANALYSIS,
                               QN_NONE, "stages", 0);

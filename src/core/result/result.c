@@ -16,6 +16,7 @@ qn_outcome_name (QnOutcome outcome)
     [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = "dead-load-unstable",
     [QN_OUTCOME_CANCELLED] = "cancelled",
     [QN_OUTCOME_NOT_CONVERGED] = "not-converged",
+    [QN_OUTCOME_REST] = "rest",
   };
   return names[outcome];
 }
@@ -69,6 +70,8 @@ qn_result_clear (QnResult *result)
   free (result->reactions);
   free (result->step_forces);
   free (result->step_states);
+  free (result->history.rows);
+  free (result->history.peaks);
   *result = (QnResult){ 0 };
 }
 
@@ -169,6 +172,31 @@ qn_result_add_forces (QnResult *result, bool all)
     forces[2 * (last + p) + 1] = result->pairs[p].shear_force;
     states[last + p] = (uint8_t) result->pairs[p].state;
   }
+  return true;
+}
+
+const char *
+qn_energy_name (QnEnergyKind kind)
+{
+  static const char *const names[QN_ENERGY_KIND_COUNT] = {
+    [QN_ENERGY_INPUT] = "input",     [QN_ENERGY_KINETIC] = "kinetic",
+    [QN_ENERGY_ELASTIC] = "elastic", [QN_ENERGY_FRICTION] = "friction",
+    [QN_ENERGY_DAMPING] = "damping", [QN_ENERGY_NUMERICAL] = "numerical",
+  };
+  return names[kind];
+}
+
+bool
+qn_result_add_history (QnResult *result, const double *row)
+{
+  QnHistory *history = &result->history;
+  double *rows = qn_array_grow (history->rows, &history->capacity,
+                                (history->row_count + 1) * history->width, sizeof *rows);
+  if (rows == NULL)
+    return false;
+  history->rows = rows;
+  memcpy (rows + history->row_count++ * history->width, row,
+          history->width * sizeof *rows);
   return true;
 }
 

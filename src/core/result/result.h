@@ -13,6 +13,7 @@ typedef enum {
   QN_OUTCOME_DEAD_LOAD_UNSTABLE, /* no equilibrium under the dead load */
   QN_OUTCOME_CANCELLED,
   QN_OUTCOME_NOT_CONVERGED,
+  QN_OUTCOME_REST, /* in time: nothing moves any more after the ground has stopped */
   QN_OUTCOME_COUNT
 } QnOutcome;
 
@@ -43,8 +44,50 @@ typedef struct QnStep {
   double residual;    /* out-of-balance relative to the forces in the model */
   QnEvent event; /* SNAP: the first equilibrium after a jump; COLLAPSE: the last one */
   int32_t
-    stage; /* number of the stage it belongs to, from 1; 0: dead load, or no stages */
+    stage;     /* number of the stage it belongs to, from 1; 0: dead load, or no stages */
+  double time; /* s, of an analysis in time; 0 otherwise */
 } QnStep;
+
+/* Energy of an analysis in time, J, in the frame that moves with the ground. At any time
+ *
+ *   INPUT = KINETIC + ELASTIC + FRICTION + DAMPING + NUMERICAL + what the balance is wrong by
+ *
+ * INPUT: what was there at the start, and the work that the ground (on the masses) and the dead
+ * loads have done since. ELASTIC: stored in joints and beams, what the dead load stored there
+ * included. FRICTION: lost by slip, dilatancy and plastic deformation. DAMPING: lost in dashpots.
+ * NUMERICAL: taken by the dissipation of the integration, from its own formula. Nothing is defined
+ * as the rest of the others. */
+typedef enum {
+  QN_ENERGY_INPUT,
+  QN_ENERGY_KINETIC,
+  QN_ENERGY_ELASTIC,
+  QN_ENERGY_FRICTION,
+  QN_ENERGY_DAMPING,
+  QN_ENERGY_NUMERICAL,
+  QN_ENERGY_KIND_COUNT
+} QnEnergyKind;
+
+/* A row of the history: time, acceleration of the ground in x and y, energies, tracks. */
+enum { QN_HISTORY_TIME, QN_HISTORY_GROUND_X, QN_HISTORY_GROUND_Y, QN_HISTORY_ENERGY };
+#define QN_HISTORY_TRACK (QN_HISTORY_ENERGY + QN_ENERGY_KIND_COUNT)
+
+/* What an analysis in time adds: a row for every multiple of its longest step. */
+typedef struct QnHistory {
+  size_t row_count, width; /* width = QN_HISTORY_TRACK + tracks; 0: no analysis in time */
+  double *rows;
+  size_t capacity;
+  double
+    *peaks; /* block_count: largest displacement since the dead load of every block, m */
+  double energy_error;     /* largest error of the balance over the largest input */
+  double largest_residual; /* of all steps, relative to the forces */
+  double
+    largest_slip; /* of a joint, over the length of its face: contacts stay where they
+                              were, so that this must be small */
+  double collapse_time;    /* s; where the outcome is COLLAPSE */
+  double end;              /* s, reached */
+  double shortest_step;    /* s */
+  int32_t steps, rejected; /* taken, and given up for shorter ones */
+} QnHistory;
 
 /* Force of a contact pair on block a of its face is normal_force * normal + shear_force *
  * tangent; the opposite acts on block b. */
@@ -141,6 +184,8 @@ typedef struct QnResult {
   QnId *unstable_blocks; /* DEAD_LOAD_UNSTABLE: blocks that move, most moved first */
   size_t unstable_count;
 
+  QnHistory history;
+
   QnStatistics statistics;
 } QnResult;
 
@@ -169,6 +214,12 @@ bool qn_result_add_reactions (QnResult *result, const double *reactions);
 /* Keeps the forces that stand in `pairs` for the last step added, within the budget unless
  * `all`. False when memory runs out. */
 bool qn_result_add_forces (QnResult *result, bool all);
+
+/* Appends a row to the history, whose width is set. False when memory runs out. */
+bool qn_result_add_history (QnResult *result, const double *row);
+
+/* Result-file spelling: "input", "kinetic", … */
+const char *qn_energy_name (QnEnergyKind kind);
 
 /* Whether the contact forces of a step are known. */
 bool qn_result_has_forces (const QnResult *result, size_t step);

@@ -39,6 +39,8 @@ take (double *values, const QnRun *run)
 {
   const QnResult *result = &run->result;
   const QnAnalysisSettings *settings = &run->model.analysis;
+  if (settings->procedure == QN_PROCEDURE_DYNAMIC)
+    return; /* it has no multiplier */
   if (settings->procedure != QN_PROCEDURE_LIMIT) {
     values[PATH] = result->has_collapse_multiplier ? result->collapse_multiplier : NAN;
     gboolean apart =

@@ -1,5 +1,6 @@
 /* Analyses of a document and the runs that they leave. */
 #include "doc/document/document-private.h"
+#include "io/exchange/record.h"
 
 #include "doc/document/edit.h"
 #include <glib/gi18n.h>
@@ -78,6 +79,8 @@ method_name (const QnAnalysisSettings *analysis)
   case QN_PROCEDURE_LIMIT:
     return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("limit, associative")
                                                  : _ ("limit, non-associative");
+  case QN_PROCEDURE_DYNAMIC:
+    return _ ("in time");
   case QN_PROCEDURE_COUNT:
     break;
   }
@@ -123,12 +126,21 @@ gboolean
 qn_document_analyse (QnDocument *self, GError **error)
 {
   const QnModel *model = &self->project.model;
+  g_autofree char *folder = self->path != NULL ? g_path_get_dirname (self->path) : NULL;
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC
+      && !qn_project_read_records (&self->project, folder, FALSE, error))
+    return FALSE;
   return start (self, make_job (self, model, method_name (&model->analysis), error));
 }
 
 gboolean
 qn_document_analyse_live (QnDocument *self, GError **error)
 {
+  if (self->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                         _ ("An analysis in time does not follow every edit: run it"));
+    return FALSE;
+  }
   return start (self, make_job (self, &self->project.model, NULL, error));
 }
 

@@ -290,6 +290,35 @@ copy_stages (const Rebuild *r)
   return TRUE;
 }
 
+/* Initial motions and tracks of blocks that are gone go with them. */
+static gboolean
+copy_dynamics (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->ground_count; i++) {
+    const QnGroundMotion *motion = &r->from->ground[i];
+    if (qn_model_copy_ground_motion (r->to, motion) == NULL)
+      return FALSE;
+  }
+  for (gsize i = 0; i < r->from->initial_count; i++) {
+    QnInitialMotion motion = r->from->initial[i];
+    motion.block = follow_block (r, motion.block);
+    QnInitialMotion *added =
+      motion.block != QN_NONE ? qn_model_add_initial_motion (r->to) : &motion;
+    if (added == NULL)
+      return FALSE;
+    *added = motion;
+  }
+  for (gsize i = 0; i < r->from->track_count; i++) {
+    QnTrack track = r->from->tracks[i];
+    track.block = follow_block (r, track.block);
+    QnTrack *added = track.block != QN_NONE ? qn_model_add_track (r->to) : &track;
+    if (added == NULL)
+      return FALSE;
+    *added = track;
+  }
+  return TRUE;
+}
+
 static gboolean
 lay_masonry (const Rebuild *r, GError **error)
 {
@@ -342,7 +371,7 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams, &diag)
     && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
     && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
-    && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r);
+    && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r) && copy_dynamics (&r);
   if (done) {
     fresh.analysis.control_block = follow_block (&r, model->analysis.control_block);
     fresh.analysis.control_node = follow_node (&r, model->analysis.control_node);

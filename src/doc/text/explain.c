@@ -35,6 +35,12 @@ entity_word (QnEntity entity)
     return _ ("Analysis");
   case QN_ENTITY_STAGE:
     return _ ("Load stage");
+  case QN_ENTITY_GROUND_MOTION:
+    return _ ("Ground motion");
+  case QN_ENTITY_INITIAL_MOTION:
+    return _ ("Initial motion");
+  case QN_ENTITY_TRACK:
+    return _ ("Tracked displacement");
   case QN_ENTITY_MASONRY:
     return _ ("Masonry");
   case QN_ENTITY_MODEL:
@@ -112,6 +118,8 @@ qn_explain_outcome_label (QnOutcome outcome)
     return _ ("Cancelled");
   case QN_OUTCOME_NOT_CONVERGED:
     return _ ("Not converged");
+  case QN_OUTCOME_REST:
+    return _ ("At rest");
   case QN_OUTCOME_COUNT:
     break;
   }

@@ -143,11 +143,39 @@ write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage)
   write_text (writer, name, "");
 }
 
+static gboolean
+write_history (const char *path, const QnModel *model, const QnHistory *history,
+               GError **error)
+{
+  static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_puts (writer, "time [s],ground x [m/s2],ground y [m/s2]");
+  for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
+    qn_file_writer_printf (writer, ",%s [J]", qn_energy_name (kind));
+  for (size_t i = 0; i < model->track_count; i++) {
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, model->blocks[model->tracks[i].block].name,
+                columns[model->tracks[i].dof]);
+  }
+  for (size_t i = 0; i < history->row_count; i++) {
+    const double *row = history->rows + i * history->width;
+    qn_file_writer_puts (writer, "\n");
+    qn_file_writer_number (writer, row[0]);
+    write_numbers (writer, row + 1, history->width - 1);
+  }
+  qn_file_writer_puts (writer, "\n");
+  return qn_file_writer_commit (writer, error);
+}
+
 gboolean
 qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *result,
                     GError **error)
 {
   static const char *const events[QN_EVENT_COUNT] = { "", "snap", "collapse" };
+  if (result->history.width > 0)
+    return write_history (path, &project->model, &result->history, error);
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;

@@ -7,8 +7,10 @@
 #include <string.h>
 
 /* Objects that there is one of. */
-static const char *const singles[] = { "contact", "contact.pairs", "loads", "analysis",
-                                       "analysis.control" };
+static const char *const singles[] = {
+  "contact",          "contact.pairs",           "loads", "analysis", "analysis.control",
+  "analysis.dynamic", "analysis.dynamic.damping"
+};
 
 /* Index in a path like "blocks[3]" where it leads to an element of that list; -1 otherwise. */
 static gssize
@@ -74,6 +76,9 @@ note_of_path (QnModel *m, const LoadStarts *starts, const char *path)
   NOTE_OF ("contact.faces", m->overrides, m->override_count)
   NOTE_OF ("loads.dead", m->dead_loads, m->dead_load_count)
   NOTE_OF ("analysis.stages", m->stages, m->stage_count)
+  NOTE_OF ("analysis.dynamic.ground", m->ground, m->ground_count)
+  NOTE_OF ("analysis.dynamic.initial", m->initial, m->initial_count)
+  NOTE_OF ("analysis.dynamic.track", m->tracks, m->track_count)
 #undef NOTE_OF
   return note_of_live_load (m, starts, path);
 }

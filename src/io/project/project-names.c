@@ -57,7 +57,7 @@ qn_name_of_procedure (int procedure)
   static const char *const names[QN_PROCEDURE_COUNT] = {
     [QN_PROCEDURE_LOAD] = "load",   [QN_PROCEDURE_DISPLACEMENT] = "displacement",
     [QN_PROCEDURE_WORK] = "work",   [QN_PROCEDURE_ARC_LENGTH] = "arc-length",
-    [QN_PROCEDURE_LIMIT] = "limit",
+    [QN_PROCEDURE_LIMIT] = "limit", [QN_PROCEDURE_DYNAMIC] = "dynamic",
   };
   return names[procedure];
 }
@@ -127,4 +127,16 @@ bool *
 qn_shortcut (QnShortcuts *values, int shortcut)
 {
   return (bool *) ((char *) values + shortcuts[shortcut].offset);
+}
+
+const char *
+qn_name_of_pulse (int kind)
+{
+  return qn_pulse_kind_name ((QnPulseKind) kind);
+}
+
+const char *
+qn_name_of_damping (int of)
+{
+  return qn_damping_stiffness_name ((QnDampingStiffness) of);
 }

@@ -16,6 +16,8 @@ const char *qn_name_of_geometry (int geometry);
 const char *qn_name_of_snap (int snap);
 const char *qn_name_of_flow (int flow);
 const char *qn_name_of_dof (int dof);
+const char *qn_name_of_pulse (int kind);
+const char *qn_name_of_damping (int of);
 
 /* The switches of QnShortcuts by number, and their words. */
 #define QN_SHORTCUT_COUNT 6

@@ -188,7 +188,8 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
                                       "max_seconds",
                                       "control",
                                       "stages",
-                                      "shortcuts" };
+                                      "shortcuts",
+                                      "dynamic" };
   const QnRange positive = QN_RANGE_POSITIVE;
   QnAnalysisSettings *settings = &model->analysis;
   QnJsonValue place = qn_json_value_member (root, "analysis");
@@ -216,7 +217,8 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
                             &settings->max_seconds)
       || !read_control (&place, model, &control)
       || !read_shortcuts (&place, &settings->shortcuts)
-      || !qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model))
+      || !qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model)
+      || !qn_read_dynamic (&place, model))
     return FALSE;
   settings->control_block = control.block;
   settings->control_node = control.node;

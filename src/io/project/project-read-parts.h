@@ -27,6 +27,9 @@ gboolean qn_read_loads (const QnJsonValue *root, QnModel *model);
 /* In project-read-analysis.c; after the loads. */
 gboolean qn_read_analysis (const QnJsonValue *root, QnModel *model);
 
+/* In project-read-dynamic.c: the member of `analysis`. */
+gboolean qn_read_dynamic (const QnJsonValue *analysis, QnModel *model);
+
 /* Parts that walls and parametric masonry have in common. Weight of the material as N/m3 or, times
  * gravity, as kg/m3: exactly one of them. */
 gboolean qn_read_weight (const QnJsonValue *place, const QnModel *model,

@@ -193,6 +193,7 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
   if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE)
     qn_json_append_inner (json, inner, "analysis.control");
   put_stages (json, model, inner);
+  qn_project_append_dynamic (json, model, &usual->dynamic, inner);
   g_string_append (json, " }");
   qn_model_clear (&defaults);
 }

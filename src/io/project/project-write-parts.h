@@ -31,4 +31,8 @@ void qn_project_append_beams (GString *json, const QnModel *model, GHashTable *i
 void qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner);
 void qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inner);
 
+/* In project-write-dynamic.c: analysis.dynamic where it is set; `usual` are its defaults. */
+void qn_project_append_dynamic (GString *json, const QnModel *model,
+                                const QnDynamicSettings *usual, GHashTable *inner);
+
 #endif

@@ -123,6 +123,9 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     [QN_ENTITY_LIVE_LOAD] = "loads.live",
     [QN_ENTITY_ANALYSIS] = "analysis",
     [QN_ENTITY_STAGE] = "analysis.stages",
+    [QN_ENTITY_GROUND_MOTION] = "analysis.dynamic.ground",
+    [QN_ENTITY_INITIAL_MOTION] = "analysis.dynamic.initial",
+    [QN_ENTITY_TRACK] = "analysis.dynamic.track",
     [QN_ENTITY_MASONRY] = "masonry",
   };
   const QnModel *model = &project->model;

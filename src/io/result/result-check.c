@@ -308,6 +308,10 @@ find_obstacle (const QnResultFile *file, const QnModel *model)
 {
   if (file->result.step_count == 0)
     return _ ("the result holds no equilibrium to check");
+  if (file->result.history.width > 0)
+    return _ (
+      "an analysis in time ends in motion, not in an equilibrium: see the error of "
+      "its energy balance");
   if (model->element_count > 0 && file->result.beam_forces == NULL)
     return _ ("the result holds no forces of the beams");
   gboolean by_area = FALSE;

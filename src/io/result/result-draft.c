@@ -147,7 +147,8 @@ gboolean
 qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
 {
   return check_head (stream, draft) && check_counts (stream, draft)
-         && take_arrays (stream, draft);
+         && take_arrays (stream, draft)
+         && qn_result_history_take (&draft->history, stream, &draft->file->result);
 }
 
 void
@@ -161,6 +162,7 @@ qn_result_draft_clear (QnResultDraft *draft)
   free (draft->mechanism.items);
   free (draft->reactions.items);
   qn_result_forces_clear (&draft->forces);
+  qn_history_draft_clear (&draft->history);
   free (draft->node_displacements.items);
   free (draft->node_mechanism.items);
   free (draft->beam_forces);

@@ -6,6 +6,7 @@
 #include "io/json/json-stream.h"
 #include "io/result/result-file.h"
 #include "io/result/result-forces.h"
+#include "io/result/result-history.h"
 
 /* QnResultRows of three numbers, one for each block. */
 typedef struct QnResultRows {
@@ -26,6 +27,7 @@ typedef struct QnResultDraft {
   QnResultNames blocks, overrides, nodes;
   QnResultRows displacements, mechanism, reactions;
   QnStepForces forces;
+  QnHistoryDraft history;
   QnResultRows node_displacements, node_mechanism;
   QnBeamForces *beam_forces;
   size_t beam_force_count, beam_force_capacity, element_count;

@@ -255,6 +255,7 @@ read_step (QnJsonStream *stream, gpointer target)
     { "residual", qn_json_stream_number, offsetof (StepDraft, step.residual), FALSE },
     { "event", read_event, offsetof (StepDraft, step.event), FALSE },
     { "stage", read_stage, offsetof (StepDraft, step.stage), FALSE },
+    { "time", qn_json_stream_number, offsetof (StepDraft, step.time), FALSE },
     { "reactions", read_step_displacements, offsetof (StepDraft, reactions), FALSE },
     { "forces", qn_result_forces_read, offsetof (StepDraft, forces), FALSE },
     { "states", qn_result_states_read, offsetof (StepDraft, forces), FALSE },
@@ -504,6 +505,7 @@ read_document (QnJsonStream *stream, gpointer target)
     { "mechanism", read_mechanism, 0, FALSE },
     { "mechanism_uncertain", read_uncertain, 0, FALSE },
     { "node_mechanism", read_node_mechanism, 0, FALSE },
+    { "history", qn_result_history_read, offsetof (QnResultDraft, history), FALSE },
     { "statistics", read_statistics, 0, FALSE },
   };
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);

@@ -2,6 +2,7 @@
 #include "io/result/result-contact.h"
 #include "io/result/result-file.h"
 #include "io/result/result-forces.h"
+#include "io/result/result-history.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
@@ -221,6 +222,10 @@ write_steps (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_printf (writer, ", \"event\": %s", event_text (step->event));
     if (step->stage > 0)
       qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
+    if (result->history.width > 0) {
+      qn_file_writer_puts (writer, ", \"time\": ");
+      qn_file_writer_number (writer, step->time);
+    }
     write_step_beams (writer, result, i);
     if (result->support_count > 0 && result->reactions != NULL) {
       qn_file_writer_puts (writer, ", \"reactions\": ");
@@ -381,6 +386,8 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
   write_mechanism (writer, &project->model, contacts, result);
+  if (result->history.width > 0)
+    qn_result_history_write (writer, &project->model, result);
   write_statistics (writer, &result->statistics);
   return qn_file_writer_commit (writer, error);
 }

@@ -156,6 +156,7 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
   case QN_PROCEDURE_DISPLACEMENT:
   case QN_PROCEDURE_WORK:
   case QN_PROCEDURE_ARC_LENGTH:
+  case QN_PROCEDURE_DYNAMIC:
   case QN_PROCEDURE_COUNT:
     break;
   }
@@ -292,10 +293,50 @@ explain_unstable (const QnModel *model, const QnResult *result)
   return text;
 }
 
+/* How an analysis in time ended; NULL where it ended under the dead load. */
+static char *
+explain_time (const QnResult *result)
+{
+  const QnHistory *history = &result->history;
+  if (history->width == 0)
+    return NULL;
+  switch (result->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+    return g_strdup_printf (
+      _ ("Overturned at %.4g s: a block has turned by a right angle "
+         "or has fallen out of its contacts."),
+      history->collapse_time);
+  case QN_OUTCOME_TARGET_REACHED:
+    return g_strdup_printf (_ ("Followed to the end of the duration, %.4g s."),
+                            history->end);
+  case QN_OUTCOME_REST:
+    return g_strdup_printf (
+      _ ("At rest at %.4g s: the ground has stopped and nothing moves any more."),
+      history->end);
+  case QN_OUTCOME_CANCELLED:
+    return g_strdup_printf (_ ("Cancelled at %.4g s; what was followed by then is kept."),
+                            history->end);
+  case QN_OUTCOME_NOT_CONVERGED:
+    return g_strdup_printf (
+      _ ("At %.4g s no step converged, however short. Try another spectral radius, some "
+         "damping, or a coarser residual tolerance."),
+      history->end);
+  case QN_OUTCOME_SNAP:
+  case QN_OUTCOME_UNBOUNDED:
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
+  case QN_OUTCOME_COUNT:
+    break;
+  }
+  return NULL;
+}
+
 static char *
 explain (const QnModel *model, const Task *task, const QnResult *result)
 {
   double reached = result->step_count > 0 ? last_step (result)->multiplier : 0;
+  char *in_time = explain_time (result);
+  if (in_time != NULL)
+    return in_time;
   switch (result->outcome) {
   case QN_OUTCOME_COLLAPSE:
     return explain_collapse (model, task, result);
@@ -325,6 +366,7 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
       reached);
   case QN_OUTCOME_NOT_CONVERGED:
     return explain_failure (task, result);
+  case QN_OUTCOME_REST:
   case QN_OUTCOME_COUNT:
     break;
   }

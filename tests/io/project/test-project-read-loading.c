@@ -90,7 +90,7 @@ test_analysis (void)
     { "\"analysis\": { \"procedure\": \"fast\" },",
       "9:30: analysis.procedure: \"fast\" is none of load, displacement, work, "
       "arc-length, "
-      "limit" },
+      "limit, dynamic" },
     { "\"analysis\": { \"increments\": 0 },",
       "9:31: analysis.increments: expected a whole number from 1 to 2147483647" },
     { "\"analysis\": { \"increments\": 1.5 },",

@@ -1,0 +1,384 @@
+#include "core/dynamics/dynamics.h"
+
+#include "core/base/integer.h"
+#include "core/base/memory.h"
+#include "core/dynamics/energy.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The longest step is cut in two at most this often. */
+#define CUTS 12
+
+/* Part of the tolerance below which the next step may be twice as long: the error of a step grows
+ * with the square of its length, or faster. */
+#define MAY_GROW 0.15
+
+/* Speed below which a structure is at rest, in sqrt(g x characteristic length). */
+#define REST_SPEED 1e-5
+
+#define RIGHT_ANGLE 1.57079632679489661923
+
+typedef struct {
+  QnTimeStep step;
+  QnGround ground;
+  const QnModel *model;
+  const QnDynamicSettings *settings;
+  QnResult *result;
+  QnEnergy energy;
+  double tick;          /* s: the longest step cut CUTS times; time is counted in these */
+  int64_t now, end;     /* ticks */
+  int64_t length;       /* of the next step, in ticks: a power of two */
+  int64_t output, kept; /* ticks between steps that are kept, and of the last one kept */
+  double *start;        /* displacements of bodies under dead load */
+  double *displacements; /* scratch, a row for every body */
+  double *distances;     /* scratch, of blocks, m */
+  double *row;           /* scratch, of the history */
+  QnBeamForces *beam_forces;
+  double largest_error, largest_input; /* of the energy balance, J */
+  double rest_speed, rest_time;        /* m/s, s */
+  double still_since;                  /* s; negative: it moves */
+  int32_t iterations_at_step;
+} Run;
+
+static const int64_t longest = (int64_t) 1 << CUTS;
+
+static double
+time_of (const Run *run, int64_t tick)
+{
+  return run->tick * (double) tick;
+}
+
+/* --- Recording --------------------------------------------------------------------------- */
+
+/* The accepted state as a step of the result. */
+static bool
+keep_step (Run *run, QnEvent event)
+{
+  QnAssembly *as = run->step.assembly;
+  QnResult *result = run->result;
+  const QnStatistics *spent = &run->step.statistics;
+  QnStep step = { .iterations = spent->iterations - run->iterations_at_step,
+                  .residual = run->step.relative,
+                  .event = event,
+                  .time = time_of (run, run->now) };
+
+  run->iterations_at_step = spent->iterations;
+  run->kept = run->now;
+  run->step.progress.steps++;
+  qn_assembly_expand (as, run->step.start.u, run->displacements);
+  if (!qn_result_add_step (result, step, run->displacements))
+    return false;
+  qn_beam_assembly_forces (&as->beams, 0, run->beam_forces);
+  if (run->model->element_count > 0
+      && !qn_result_add_beam_forces (result, run->beam_forces))
+    return false;
+  qn_assembly_reactions (as, 0, run->displacements);
+  if (!qn_result_add_reactions (result, run->displacements))
+    return false;
+  qn_assembly_pair_results (as, run->step.start.u, result->pairs);
+  return qn_result_add_forces (result, run->model->analysis.all_forces);
+}
+
+static bool
+keep_row (Run *run)
+{
+  double time = time_of (run, run->now);
+  QnVec2 ground = qn_ground_acceleration (&run->ground, time);
+
+  qn_assembly_expand (run->step.assembly, run->step.start.u, run->displacements);
+  run->row[QN_HISTORY_TIME] = time;
+  run->row[QN_HISTORY_GROUND_X] = ground.x;
+  run->row[QN_HISTORY_GROUND_Y] = ground.y;
+  memcpy (run->row + QN_HISTORY_ENERGY, run->energy.sums, sizeof run->energy.sums);
+  for (size_t i = 0; i < run->model->track_count; i++) {
+    const QnTrack *track = &run->model->tracks[i];
+    run->row[QN_HISTORY_TRACK + i] =
+      run->displacements[QN_DOF_COUNT * track->block + (int) track->dof];
+  }
+  return qn_result_add_history (run->result, run->row);
+}
+
+/* Peaks of displacements, slip, residual and energy error. */
+static void
+note_peaks (Run *run)
+{
+  const QnAssembly *as = run->step.assembly;
+  QnHistory *history = &run->result->history;
+  const QnInstant *now = &run->step.start;
+
+  qn_assembly_expand (as, now->u, run->displacements);
+  for (size_t b = 0; b < run->model->block_count; b++) {
+    const double *d = run->displacements + QN_DOF_COUNT * b,
+                 *d0 = run->start + QN_DOF_COUNT * b;
+    history->peaks[b] = fmax (history->peaks[b], hypot (d[0] - d0[0], d[1] - d0[1]));
+  }
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairMemory *memory = &now->responses[p].memory;
+    double slip = fabs (memory->a.slip + memory->b.slip);
+    double length = as->contacts->faces[as->contacts->pairs[p].face].length;
+    if (now->responses[p].force[0] < 0)
+      history->largest_slip = fmax (history->largest_slip, slip / length);
+  }
+  history->largest_residual = fmax (history->largest_residual, run->step.relative);
+  run->largest_error = fmax (run->largest_error, fabs (qn_energy_error (&run->energy)));
+  run->largest_input =
+    fmax (run->largest_input, fabs (run->energy.sums[QN_ENERGY_INPUT]));
+}
+
+/* --- How it ends ------------------------------------------------------------------------- */
+
+/* How near every block still is to one of those it touched: the least elongation of its pairs, m.
+ * Blocks without pairs, and those that beams hold, are as near as can be. */
+static void
+find_distances (const Run *run, double *distances)
+{
+  const QnAssembly *as = run->step.assembly;
+
+  for (size_t b = 0; b < run->model->block_count; b++)
+    distances[b] = INFINITY;
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
+    const double *q = run->step.start.elongations + 2 * p;
+    double distance = q[0] > 0 ? hypot (q[0], q[1]) : 0;
+    distances[face->a] = fmin (distances[face->a], distance);
+    distances[face->b] = fmin (distances[face->b], distance);
+  }
+  for (size_t i = 0; i < run->model->node_count; i++)
+    if (run->model->nodes[i].block != QN_NONE)
+      distances[run->model->nodes[i].block] = 0;
+}
+
+/* After note_peaks(), which leaves the displacements of bodies. */
+static bool
+has_overturned (const Run *run)
+{
+  find_distances (run, run->distances);
+  for (size_t b = 0; b < run->model->block_count; b++) {
+    double turned = run->displacements[3 * b + QN_DOF_RZ] - run->start[3 * b + QN_DOF_RZ];
+    double distance = isfinite (run->distances[b]) ? run->distances[b] : 0;
+    if (fabs (turned) > RIGHT_ANGLE || distance > sqrt (run->model->blocks[b].area))
+      return true;
+  }
+  return false;
+}
+
+static bool
+is_at_rest (Run *run)
+{
+  double time = time_of (run, run->now), fastest = 0;
+
+  for (int32_t i = 0; i < run->step.assembly->unknown_count; i++)
+    fastest = fmax (fastest, fabs (run->step.start.v[i]));
+  if (fastest > run->rest_speed || time < run->ground.end)
+    run->still_since = -1;
+  else if (run->still_since < 0)
+    run->still_since = time;
+  return run->still_since >= 0 && time - run->still_since >= run->rest_time;
+}
+
+static QnStatus
+keep_mechanism (Run *run, QnDiag *diag)
+{
+  qn_assembly_expand_rates (run->step.assembly, run->step.start.u, run->step.start.v,
+                            run->displacements);
+  return qn_result_set_mechanism (run->result, run->displacements,
+                                  run->model->characteristic_length, diag);
+}
+
+/* --- Through time ------------------------------------------------------------------------ */
+
+static QnVec2
+within_step (const Run *run, QnVec2 mean, QnVec2 change)
+{
+  return qn_vec2_add_scaled (mean, 0.5 - run->step.scheme.alpha_f, change);
+}
+
+/* One step that is accepted, after as many that are not as it takes. FAILED where none is short
+ * enough. */
+static QnStepStatus
+advance (Run *run)
+{
+  const double allowed = run->settings->tolerance * run->model->characteristic_length;
+  QnHistory *history = &run->result->history;
+
+  for (;;) {
+    double from = time_of (run, run->now), h = time_of (run, run->length);
+    QnVec2 mean = qn_ground_mean (&run->ground, from, from + h),
+           change = qn_ground_change (&run->ground, from, from + h);
+    QnStepStatus status =
+      qn_time_step_try (&run->step, h, within_step (run, mean, change));
+    if (status == QN_STEP_CANCELLED || status == QN_STEP_NO_MEMORY)
+      return status;
+    double error = status == QN_STEP_CONVERGED && run->settings->adaptive
+                     ? qn_time_step_error (&run->step, h, change)
+                     : 0;
+    bool shortest = run->length == 1;
+    if (status == QN_STEP_CONVERGED && (error <= allowed || shortest)) {
+      run->energy = qn_energy_after (&run->step, &run->energy, h, mean, change);
+      qn_time_step_accept (&run->step);
+      run->now += run->length;
+      history->steps++;
+      history->shortest_step = history->steps == 1 ? h : fmin (history->shortest_step, h);
+      if (error <= MAY_GROW * allowed && run->length < longest
+          && run->now % (2 * run->length) == 0)
+        run->length *= 2;
+      return status;
+    }
+    if (shortest)
+      return QN_STEP_FAILED;
+    history->rejected++;
+    run->length /= 2;
+  }
+}
+
+static QnStatus
+end_with (Run *run, QnOutcome outcome, QnDiag *diag)
+{
+  QnEvent event = outcome == QN_OUTCOME_COLLAPSE ? QN_EVENT_COLLAPSE : QN_EVENT_NONE;
+
+  run->result->outcome = outcome;
+  if (run->kept != run->now && !keep_step (run, event))
+    return qn_diag_no_memory (diag);
+  if (outcome != QN_OUTCOME_COLLAPSE)
+    return QN_OK;
+  run->result->steps[run->result->step_count - 1].event = event;
+  run->result->history.collapse_time = time_of (run, run->now);
+  return keep_mechanism (run, diag);
+}
+
+static QnStatus
+follow (Run *run, QnDiag *diag)
+{
+  QnStepStatus step =
+    qn_time_step_start (&run->step, qn_ground_acceleration (&run->ground, 0));
+  if (step == QN_STEP_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+
+  run->energy = qn_energy_start (&run->step);
+  run->result->steps[0].time = 0;
+  note_peaks (run);
+  if (!keep_row (run)
+      || (run->model->initial_count > 0 && !keep_step (run, QN_EVENT_NONE)))
+    return qn_diag_no_memory (diag);
+  while (run->now < run->end) {
+    step = advance (run);
+    if (step != QN_STEP_CONVERGED) {
+      qn_time_step_restore (&run->step);
+      if (step == QN_STEP_NO_MEMORY)
+        return qn_diag_no_memory (diag);
+      return end_with (
+        run, step == QN_STEP_CANCELLED ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED,
+        diag);
+    }
+    run->step.progress.multiplier = time_of (run, run->now);
+    note_peaks (run);
+    if (has_overturned (run))
+      return keep_row (run) ? end_with (run, QN_OUTCOME_COLLAPSE, diag)
+                            : qn_diag_no_memory (diag);
+    if (run->now % longest == 0 && !keep_row (run))
+      return qn_diag_no_memory (diag);
+    if (is_at_rest (run))
+      return end_with (run, QN_OUTCOME_REST, diag);
+    if (run->now - run->kept >= run->output && !keep_step (run, QN_EVENT_NONE))
+      return qn_diag_no_memory (diag);
+  }
+  return end_with (run, QN_OUTCOME_TARGET_REACHED, diag);
+}
+
+/* --- Setting up -------------------------------------------------------------------------- */
+
+/* Extent of the structure, m. */
+static double
+extent (const QnModel *model)
+{
+  double low = INFINITY, high = -INFINITY;
+
+  for (size_t i = 0; i < model->vertex_count; i++) {
+    low = fmin (low, model->vertices[i].y);
+    high = fmax (high, model->vertices[i].y);
+  }
+  for (size_t i = 0; i < model->node_count; i++) {
+    low = fmin (low, model->nodes[i].at.y);
+    high = fmax (high, model->nodes[i].at.y);
+  }
+  return fmax (high - low, model->characteristic_length);
+}
+
+static void
+choose_times (Run *run)
+{
+  const QnDynamicSettings *s = run->settings;
+  double steps = fmax (ceil (s->duration / s->time_step - 1e-9), 1);
+  double step = s->duration / steps;
+  double output = s->output_interval > 0 ? s->output_interval : s->duration / 500;
+
+  run->tick = step / (double) longest;
+  run->end = qn_to_integer (steps, 1, QN_MAX_TIME_STEPS) * longest;
+  run->output = qn_to_integer (rint (output / step), 1, QN_MAX_TIME_STEPS) * longest;
+  run->length = longest;
+  run->rest_speed =
+    REST_SPEED * sqrt (run->model->gravity * run->model->characteristic_length);
+  run->rest_time = sqrt (extent (run->model) / run->model->gravity);
+  run->still_since = -1;
+}
+
+static QnStatus
+set_up (Run *run, const double *u0, QnDiag *diag)
+{
+  const QnModel *model = run->model;
+  QnHistory *history = &run->result->history;
+  size_t bodies = qn_model_body_count (model) * QN_DOF_COUNT;
+
+  *history = (QnHistory){ .width = QN_HISTORY_TRACK + model->track_count };
+  history->peaks = qn_alloc (model->block_count, sizeof *history->peaks);
+  run->start = qn_alloc (bodies, sizeof *run->start);
+  run->displacements = qn_alloc (bodies, sizeof *run->displacements);
+  run->distances = qn_alloc (model->block_count, sizeof *run->distances);
+  run->row = qn_alloc (history->width, sizeof *run->row);
+  run->beam_forces = qn_alloc (model->element_count, sizeof *run->beam_forces);
+  if (history->peaks == NULL || run->start == NULL || run->displacements == NULL
+      || run->row == NULL || run->distances == NULL || run->beam_forces == NULL
+      || !qn_ground_init (&run->ground, model))
+    return qn_diag_no_memory (diag);
+  qn_assembly_expand (run->step.assembly, u0, run->start);
+  choose_times (run);
+  return QN_OK;
+}
+
+QnStatus
+qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc report,
+                 void *report_data, QnResult *result, QnDiag *diag)
+{
+  Run run = { .model = as->model,
+              .settings = &as->model->analysis.dynamic,
+              .result = result };
+  QnStatus status = QN_OK;
+
+  for (size_t i = 0; i < as->model->ground_count && status == QN_OK; i++)
+    if (as->model->ground[i].kind == QN_SIGNAL_RECORD)
+      status = qn_model_check_signal (as->model, (QnId) i, diag);
+  if (status == QN_OK)
+    status = qn_time_step_setup (&run.step, as, linsys, u0, diag);
+  if (status != QN_OK)
+    return status;
+  run.step.report = report;
+  run.step.report_data = report_data;
+  status = set_up (&run, u0, diag);
+  if (status == QN_OK)
+    status = follow (&run, diag);
+
+  result->history.end = time_of (&run, run.now);
+  result->history.energy_error =
+    run.largest_input > 0 ? run.largest_error / run.largest_input : 0;
+  memcpy (u0, run.step.start.u, (size_t) as->unknown_count * sizeof *u0);
+  qn_statistics_add (&result->statistics, &run.step.statistics);
+  qn_ground_clear (&run.ground);
+  free (run.start);
+  free (run.displacements);
+  free (run.distances);
+  free (run.row);
+  free (run.beam_forces);
+  qn_time_step_clear (&run.step);
+  return status;
+}

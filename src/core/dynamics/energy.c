@@ -1,0 +1,126 @@
+#include "core/dynamics/energy.h"
+
+static QnPairInstant
+pair_at (const QnInstant *instant, size_t p)
+{
+  return (
+    QnPairInstant){ .q = { instant->elongations[2 * p], instant->elongations[2 * p + 1] },
+                    .response = &instant->responses[p] };
+}
+
+static double
+elastic (const QnTimeStep *step, const QnInstant *instant)
+{
+  double sum = instant->beam_energy;
+
+  for (size_t p = 0; p < step->assembly->pair_count; p++) {
+    QnPairInstant at = pair_at (instant, p);
+    sum += qn_pair_elastic_energy (&step->elasticity[p], &at);
+  }
+  return sum;
+}
+
+/* x' M y */
+static double
+product (const QnTimeStep *step, const double *ax, const double *x, const double *y)
+{
+  qn_assembly_multiply (step->assembly, ax, y, step->product);
+  double sum = 0;
+  for (int32_t i = 0; i < step->assembly->unknown_count; i++)
+    sum += x[i] * step->product[i];
+  return sum;
+}
+
+QnEnergy
+qn_energy_start (const QnTimeStep *step)
+{
+  const QnInstant *start = &step->start;
+  QnEnergy energy = { { 0 } };
+
+  energy.sums[QN_ENERGY_KINETIC] = 0.5 * product (step, step->mass, start->v, start->v);
+  energy.sums[QN_ENERGY_ELASTIC] = elastic (step, start);
+  energy.sums[QN_ENERGY_INPUT] =
+    energy.sums[QN_ENERGY_KINETIC] + energy.sums[QN_ENERGY_ELASTIC];
+  return energy;
+}
+
+/* What slip, plastic hinges and the dashpots of pairs take. */
+static void
+add_losses (const QnTimeStep *step, QnEnergy *energy)
+{
+  const QnAssembly *as = step->assembly;
+  const QnInstant *start = &step->start, *end = &step->end;
+  double friction = 0;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    QnPairInstant before = pair_at (start, p), after = pair_at (end, p);
+    friction +=
+      qn_pair_friction (&step->elasticity[p], &step->forces[p], &before, &after);
+    for (int i = 0; i < 2; i++)
+      energy->sums[QN_ENERGY_DAMPING] +=
+        step->forces[p].dashpot[i] * (after.q[i] - before.q[i]);
+  }
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnBeamResponse *before = &start->beams.responses[b],
+                         *after = &end->beams.responses[b];
+    for (int i = 0; i < 2; i++)
+      friction += 0.5 * (before->force[1 + i] + after->force[1 + i])
+                  * (after->memory.plastic[i] - before->memory.plastic[i]);
+  }
+  energy->sums[QN_ENERGY_FRICTION] += friction;
+}
+
+QnEnergy
+qn_energy_after (const QnTimeStep *step, const QnEnergy *before, double h, QnVec2 mean,
+                 QnVec2 change)
+{
+  const QnAssembly *as = step->assembly;
+  const QnTimeScheme *s = &step->scheme;
+  const QnInstant *start = &step->start, *end = &step->end;
+  double *motion = step->mean_motion, *jump = step->step;
+  double damping = 0, input = 0, numerical = 0;
+  QnEnergy energy = *before;
+
+  /* dashpots on masses and beams */
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    motion[i] = (1 - s->alpha_f) * end->v[i] + s->alpha_f * start->v[i];
+    jump[i] = end->u[i] - start->u[i];
+  }
+  if (step->settings->mass_damping > 0)
+    damping += step->settings->mass_damping * product (step, step->mass, jump, motion);
+  if (step->settings->joint_damping > 0 && as->beams.count > 0)
+    damping +=
+      step->settings->joint_damping * product (step, step->beam_damping, jump, motion);
+  energy.sums[QN_ENERGY_DAMPING] += damping;
+
+  /* D, with [R] = -[residual] + M i [g] */
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    motion[i] = end->a[i] - start->a[i];
+  qn_assembly_multiply (as, step->mass, motion, step->product);
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    double du = end->u[i] - start->u[i], dv = end->v[i] - start->v[i];
+    double ground = step->inertia[0][i] * mean.x + step->inertia[1][i] * mean.y;
+    double r = start->residual[i] - end->residual[i] + step->inertia[0][i] * change.x
+               + step->inertia[1][i] * change.y;
+    input += (0.5 * (start->dead[i] + end->dead[i]) - ground) * du;
+    numerical += (0.5 - s->alpha_f) * du * (r + step->product[i])
+                 + h * (s->beta - 0.5 * s->gamma) * step->product[i] * dv;
+  }
+  energy.sums[QN_ENERGY_INPUT] += input;
+  energy.sums[QN_ENERGY_NUMERICAL] += numerical;
+
+  add_losses (step, &energy);
+  energy.sums[QN_ENERGY_ELASTIC] = elastic (step, end);
+  energy.sums[QN_ENERGY_KINETIC] = 0.5 * product (step, step->mass, end->v, end->v);
+  return energy;
+}
+
+double
+qn_energy_error (const QnEnergy *energy)
+{
+  double rest = energy->sums[QN_ENERGY_INPUT];
+
+  for (int kind = QN_ENERGY_INPUT + 1; kind < QN_ENERGY_KIND_COUNT; kind++)
+    rest -= energy->sums[kind];
+  return rest;
+}

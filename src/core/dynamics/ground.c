@@ -1,0 +1,198 @@
+#include "core/dynamics/ground.h"
+
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+
+#define PI 3.14159265358979323846
+
+/* Part of a pulse's duration that is rounding of times. */
+#define ROUNDING 1e-9
+
+static double *
+integrate (const QnGroundMotion *motion)
+{
+  double *velocity = qn_alloc (motion->point_count, sizeof *velocity);
+
+  for (size_t i = 1; velocity != NULL && i < motion->point_count; i++) {
+    QnVec2 a = motion->points[i - 1], b = motion->points[i];
+    velocity[i] = velocity[i - 1] + 0.5 * (a.y + b.y) * (b.x - a.x);
+  }
+  return velocity;
+}
+
+bool
+qn_ground_init (QnGround *ground, const QnModel *model)
+{
+  bool ok = true;
+
+  *ground = (QnGround){ .model = model };
+  ground->velocities = qn_alloc (model->ground_count, sizeof *ground->velocities);
+  for (size_t i = 0; ground->velocities != NULL && i < model->ground_count; i++) {
+    const QnGroundMotion *motion = &model->ground[i];
+    ground->end = fmax (ground->end, qn_ground_motion_end (motion));
+    if (motion->kind == QN_SIGNAL_PULSE)
+      continue;
+    ground->velocities[i] = integrate (motion);
+    ok &= ground->velocities[i] != NULL;
+  }
+  if (ground->velocities != NULL && ok)
+    return true;
+  qn_ground_clear (ground);
+  return false;
+}
+
+void
+qn_ground_clear (QnGround *ground)
+{
+  for (size_t i = 0; ground->velocities != NULL && i < ground->model->ground_count; i++)
+    free (ground->velocities[i]);
+  free (ground->velocities);
+  *ground = (QnGround){ 0 };
+}
+
+/* --- Pulses ------------------------------------------------------------------------------ */
+
+static double
+pulse_acceleration (const QnPulse *pulse, double time)
+{
+  double a = pulse->amplitude, s = (time - pulse->start) / pulse->duration;
+  double x = PI * (s - 1);
+
+  if (s <= ROUNDING)
+    return 0;
+  switch (pulse->kind) {
+  case QN_PULSE_HALF_SINE:
+    return s > 1 ? 0 : a * sin (PI * s);
+  case QN_PULSE_SINE:
+    return s > 1 ? 0 : a * sin (2 * PI * s);
+  case QN_PULSE_RECTANGLE:
+    return s > 1 + ROUNDING ? 0 : a;
+  case QN_PULSE_RICKER:
+    return s > 2 ? 0 : a * (1 - 2 * x * x) * exp (-x * x);
+  case QN_PULSE_STEP_IMPULSE:
+    return s > 3 + ROUNDING ? 0 : s <= 1 + ROUNDING ? a : -0.5 * a;
+  case QN_PULSE_KIND_COUNT:
+    break;
+  }
+  QN_ASSERT (false);
+  return 0;
+}
+
+/* Integral of the pulse from its start. */
+static double
+pulse_velocity (const QnPulse *pulse, double time)
+{
+  double a = pulse->amplitude * pulse->duration;
+  double s = fmax ((time - pulse->start) / pulse->duration, 0), x;
+
+  switch (pulse->kind) {
+  case QN_PULSE_HALF_SINE:
+    return a / PI * (1 - cos (PI * fmin (s, 1)));
+  case QN_PULSE_SINE:
+    return a / (2 * PI) * (1 - cos (2 * PI * fmin (s, 1)));
+  case QN_PULSE_RECTANGLE:
+    return a * fmin (s, 1);
+  case QN_PULSE_RICKER:
+    x = PI * (fmin (s, 2) - 1);
+    return a / PI * (x * exp (-x * x) + PI * exp (-PI * PI));
+  case QN_PULSE_STEP_IMPULSE:
+    return a * (fmin (s, 1) - 0.5 * (fmin (fmax (s, 1), 3) - 1));
+  case QN_PULSE_KIND_COUNT:
+    break;
+  }
+  QN_ASSERT (false);
+  return 0;
+}
+
+/* --- Points ------------------------------------------------------------------------------ */
+
+/* The last point that is not later than `time`. */
+static size_t
+find_point (const QnGroundMotion *motion, double time)
+{
+  size_t low = 0, high = motion->point_count - 1;
+
+  while (high - low > 1) {
+    size_t middle = low + (high - low) / 2;
+    if (motion->points[middle].x <= time)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+static double
+points_acceleration (const QnGroundMotion *motion, double time)
+{
+  const QnVec2 *points = motion->points;
+
+  if (time <= points[0].x || time > points[motion->point_count - 1].x)
+    return 0;
+  size_t i = find_point (motion, time);
+  double part = (time - points[i].x) / (points[i + 1].x - points[i].x);
+  return points[i].y + part * (points[i + 1].y - points[i].y);
+}
+
+static double
+points_velocity (const QnGroundMotion *motion, const double *velocity, double time)
+{
+  const QnVec2 *points = motion->points;
+  size_t last = motion->point_count - 1;
+
+  if (time <= points[0].x)
+    return 0;
+  if (time >= points[last].x)
+    return velocity[last];
+  size_t i = find_point (motion, time);
+  double since = time - points[i].x;
+  return velocity[i] + 0.5 * since * (points[i].y + points_acceleration (motion, time));
+}
+
+/* --- All together ------------------------------------------------------------------------ */
+
+static double
+acceleration (const QnGroundMotion *motion, double time)
+{
+  return motion->kind == QN_SIGNAL_PULSE ? pulse_acceleration (&motion->pulse, time)
+                                         : points_acceleration (motion, time);
+}
+
+QnVec2
+qn_ground_acceleration (const QnGround *ground, double time)
+{
+  QnVec2 sum = { 0, 0 };
+
+  for (size_t i = 0; i < ground->model->ground_count; i++) {
+    const QnGroundMotion *motion = &ground->model->ground[i];
+    sum = qn_vec2_add_scaled (sum, motion->scale * acceleration (motion, time),
+                              motion->direction);
+  }
+  return sum;
+}
+
+QnVec2
+qn_ground_mean (const QnGround *ground, double start, double end)
+{
+  QnVec2 sum = { 0, 0 };
+
+  for (size_t i = 0; i < ground->model->ground_count; i++) {
+    const QnGroundMotion *motion = &ground->model->ground[i];
+    double change =
+      motion->kind == QN_SIGNAL_PULSE
+        ? pulse_velocity (&motion->pulse, end) - pulse_velocity (&motion->pulse, start)
+        : points_velocity (motion, ground->velocities[i], end)
+            - points_velocity (motion, ground->velocities[i], start);
+    sum =
+      qn_vec2_add_scaled (sum, motion->scale * change / (end - start), motion->direction);
+  }
+  return sum;
+}
+
+QnVec2
+qn_ground_change (const QnGround *ground, double start, double end)
+{
+  return qn_vec2_sub (qn_ground_acceleration (ground, end),
+                      qn_ground_acceleration (ground, start));
+}

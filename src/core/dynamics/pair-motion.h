@@ -1,0 +1,90 @@
+/* What a contact pair does during one step of time.
+ *
+ * With q the elongation, f(q) the force of the pair by its law from the memory of the step's
+ * start, the pair acts on its blocks with
+ *
+ *   F = (1 - af) f1 + af f0 + c + d
+ *
+ * c keeps the energy of joints that open or close within the step. The work of the mean force,
+ * (f0 + f1)/2 . (q1 - q0), counts half the force of the joint along the part of the way where it
+ * stands open and carries none:
+ *
+ *   c_n = -((n0 + n1)/2 - cap) (o1 - o0)/(q1 - q0)        o: how far it stands open
+ *
+ * takes exactly that away; with it the work of the pair is the change of its elastic energy and
+ * what slip dissipates, whatever the step (Armero & Petocz 1998, Computer Methods in Applied
+ * Mechanics and Engineering 158, 269-300, for frictionless contact). The shear force of such a
+ * step acts along the same part of the way, c_t = -(t0 + t1)/2 |o1 - o0|/|q1 - q0|.
+ *
+ * A joint that stays closed and begins to slip within the step does so after the part 1 - s of
+ * the way, s = (slip1 - slip0)/(q_t1 - q_t0), and then with its strength; the mean force would
+ * count the force it had at the start:
+ *
+ *   c_t = s (y - t0)/2        y: the strength at the normal force where slip begins
+ *
+ * Nothing is added where it slips all the way, or not at all. Joints of laws that soften or harden
+ * go without any c.
+ *
+ * d is the dashpot that goes with stiffness, k the elastic one. For damping of the initial
+ * stiffness d = a k q', always. For damping of the current stiffness it goes with the force of the
+ * joint, d = a f', which over a step is
+ *
+ *   d = a (f1 - f0)/h + a k e (q' - (q1 - q0)/h)
+ *
+ * where e, 1 while nothing slips or opens within the step, falls to 0 as more does than the joint
+ * deforms elastically: e = F/(F + k (|slipped| + |opened|)), F = |n0| + |n1|. In a joint that stays
+ * closed and sticks this is a k q'. An open joint has no dashpot; one that slides has that of the
+ * friction which its normal dashpot makes.
+ */
+#ifndef QN_CORE_PAIR_MOTION_H
+#define QN_CORE_PAIR_MOTION_H
+
+#include "core/contact/contact-pair.h"
+#include "core/model/ground-motion.h"
+
+/* What does not change: of both springs of the pair together. */
+typedef struct QnPairElasticity {
+  double k[2];               /* elastic stiffness, normal and tangential, N/m */
+  double cap;                /* largest normal force, N; INFINITY: it does not open */
+  double friction, cohesion; /* strength in shear, -, N; INFINITY: it does not slip */
+  bool conserves; /* its laws are elastic but for opening and slip: c applies */
+} QnPairElasticity;
+
+QnPairElasticity qn_pair_elasticity (const QnPairSprings *springs);
+
+/* Elongation, its rate and the response of a pair at one end of a step. */
+typedef struct QnPairInstant {
+  double q[2], rate[2]; /* m, m/s */
+  const QnPairResponse *response;
+} QnPairInstant;
+
+/* The step as pairs see it. */
+typedef struct QnPairStep {
+  double alpha_f;   /* weight of the start */
+  double rate_gain; /* d rate / dq at the end of the step, 1/s */
+  double length;    /* of the step, s */
+  double damping;   /* a, s */
+  QnDampingStiffness of;
+} QnPairStep;
+
+/* What acts besides the law's own forces, N, and the tangent of the whole over (1 - af),
+ * dF/dq1 / (1 - af), N/m. */
+typedef struct QnPairForces {
+  double correction[2]; /* c */
+  double dashpot[2];    /* d */
+  double tangent[2][2];
+} QnPairForces;
+
+QnPairForces qn_pair_motion (const QnPairElasticity *elasticity, const QnPairStep *step,
+                             const QnPairInstant *start, const QnPairInstant *end);
+
+/* Energy that the pair stores, J. */
+double qn_pair_elastic_energy (const QnPairElasticity *elasticity,
+                               const QnPairInstant *instant);
+
+/* Energy that slip, dilatancy and plastic deformation take from start to end of a step, J, with
+ * the forces that the pair had in it. */
+double qn_pair_friction (const QnPairElasticity *elasticity, const QnPairForces *forces,
+                         const QnPairInstant *start, const QnPairInstant *end);
+
+#endif

@@ -1,0 +1,119 @@
+/* One step in time: the generalised-alpha method with Newton's iteration.
+ *
+ *   M a_(1-am) + C v_(1-af) + P_(1-af) = F_(1-af) - M i g
+ *
+ * x_(1-s) = (1 - s) x1 + s x0, P the forces of joints and beams, F the dead loads, i g the
+ * acceleration of the ground, u, v, a relative to the ground, with Newmark's
+ *
+ *   u1 = u0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1),   v1 = v0 + h ((1 - gamma) a0 + gamma a1)
+ *
+ * and, of the spectral radius rho at infinite frequency (Chung & Hulbert 1993, Journal of Applied
+ * Mechanics 60, 371-375), second order for any rho:
+ *
+ *   am = (2 rho - 1)/(rho + 1)       af = rho/(rho + 1)
+ *   gamma = 1/2 - am + af            beta = (1 - am + af)^2 / 4
+ *
+ * Internal forces are those of the two ends of the step, not of a state between them: joints
+ * remember the end of a step and nothing else, and are committed once for a step accepted.
+ * pair-motion.h says what pairs add. Contact pairs stay fixed to their blocks, in large
+ * displacements too, as in statics.
+ *
+ * Energy. With [x] = x1 - x0, du = [u], and R = P - F + M i g,
+ *
+ *   [v' M v]/2 = -du' (R0 + R1)/2 - D,
+ *   D = (1/2 - af) du' ([R] + M [a]) + h (beta - gamma/2) [a]' M [v]
+ *
+ * follows from the equations above; D is what the method itself takes.
+ */
+#ifndef QN_CORE_TIME_STEP_H
+#define QN_CORE_TIME_STEP_H
+
+#include "core/assembly/assembly.h"
+#include "core/base/progress.h"
+#include "core/dynamics/ground.h"
+#include "core/dynamics/pair-motion.h"
+#include "core/linalg/linsys.h"
+
+typedef struct QnTimeScheme {
+  double alpha_m, alpha_f, beta, gamma;
+} QnTimeScheme;
+
+/* The scheme with a spectral radius, 0 to 1. */
+QnTimeScheme qn_time_scheme (double rho);
+
+/* The structure at one time. */
+typedef struct QnInstant {
+  double *u, *v, *a;         /* unknown_count: m, m/s, m/s2, rotations scaled */
+  double *dead;              /* dead loads as they have turned, N */
+  double *residual;          /* F - P, N */
+  double *elongations;       /* pair_count x 2, m */
+  double *rates;             /* pair_count x 2, m/s */
+  QnPairResponse *responses; /* pair_count */
+  QnBeamState beams;
+  double beam_energy; /* that beams store, J */
+} QnInstant;
+
+typedef enum {
+  QN_STEP_CONVERGED,
+  QN_STEP_FAILED, /* Newton's iteration did not converge: try a shorter step */
+  QN_STEP_CANCELLED,
+  QN_STEP_NO_MEMORY
+} QnStepStatus;
+
+typedef struct QnTimeStep {
+  QnAssembly *assembly; /* borrowed, with the system that factorises its tangent */
+  QnLinsys *linsys;
+  QnTimeScheme scheme;
+  const QnDynamicSettings *settings;
+  double tolerance; /* of the residual, relative to the forces */
+
+  double *mass;         /* M, in the pattern of K */
+  double *beam_damping; /* of beams, over the damping's factor: K, in the pattern of K */
+  double *inertia[2];   /* M i for the ground's acceleration in x, y: unknown_count, kg */
+  QnPairElasticity *elasticity;
+  QnInstant start, end; /* the state that was accepted, and the one tried */
+
+  double *residual, *step; /* of Newton's iteration */
+  double *mean_motion;     /* scratch: an acceleration or a velocity within the step */
+  double *product;         /* scratch */
+  QnPairForces *forces;    /* of all pairs */
+  double *tangents;        /* pair_count x 4 */
+  double *sums;            /* pair_count x 2: forces of pairs over 1 - af */
+  double *factored;        /* the tangents that are factorised, pair_count x 4 */
+  double factored_length;  /* and the length of their step; 0: nothing is */
+  bool stale;              /* in nonlinear geometry: the last iteration was a slow one */
+
+  double relative; /* residual of the last step over its forces */
+  QnStatistics statistics;
+  QnProgress progress;
+  QnProgressFunc report;
+  void *report_data;
+} QnTimeStep;
+
+/* Prepares a step from the state that the assembly was last evaluated and committed at, u0 plus
+ * the initial motion of the model. Refuses what has no mass. `step` is overwritten without being
+ * cleared. */
+QnStatus qn_time_step_setup (QnTimeStep *step, QnAssembly *assembly, QnLinsys *linsys,
+                             const double *u0, QnDiag *diag);
+
+void qn_time_step_clear (QnTimeStep *step);
+
+/* Accelerations at the start, from equilibrium under the ground's acceleration. */
+QnStepStatus qn_time_step_start (QnTimeStep *step, QnVec2 ground);
+
+/* From `start`, h seconds on, to `end`, which is only tried: nothing is committed. ground: the
+ * acceleration within the step, mean + (1/2 - af) change. */
+QnStepStatus qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground);
+
+/* What the step just tried missed by, m: the largest of the local error of its displacements,
+ * |beta - 1/6| h^2 [acceleration], accelerations being those of equilibrium at both ends
+ * (Zienkiewicz & Xie 1991, Earthquake Engineering and Structural Dynamics 20, 871-887). */
+double qn_time_step_error (const QnTimeStep *step, double h, QnVec2 ground_change);
+
+/* Makes `end` the start of the next step and commits what joints and beams remember. */
+void qn_time_step_accept (QnTimeStep *step);
+
+/* Brings the assembly back to `start`. */
+void qn_time_step_restore (QnTimeStep *step);
+
+#endif

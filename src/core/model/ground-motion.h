@@ -1,0 +1,103 @@
+/* What moves a structure in time: accelerations of the ground, initial motion of blocks, and the
+ * settings of the time integration.
+ *
+ * The ground is rigid and does not turn: all supports move alike. Its acceleration is the sum of
+ * all ground motions, each a signal a(t) in m/s2 times its scale and its direction.
+ */
+#ifndef QN_CORE_GROUND_MOTION_H
+#define QN_CORE_GROUND_MOTION_H
+
+#include "core/base/base.h"
+#include "core/base/vec2.h"
+
+/* Most points of one signal, and most steps of `time_step` in one analysis. */
+#define QN_MAX_SIGNAL_POINTS 5000000
+#define QN_MAX_TIME_STEPS    10000000
+
+typedef enum {
+  QN_SIGNAL_POINTS, /* straight lines between points; nothing before and after */
+  QN_SIGNAL_RECORD, /* the same, from a file: the layers above fill in the points */
+  QN_SIGNAL_PULSE
+} QnSignalKind;
+
+/* With s = t - start, amplitude A and duration T:
+ *
+ *   half-sine     A sin(pi s/T)                         0 <= s <= T
+ *   sine          A sin(2 pi s/T)                       0 <= s <= T
+ *   rectangle     A                                     0 <= s <= T
+ *   ricker        A (1 - 2 x^2) exp(-x^2),
+ *                 x = pi (s - T)/T                      0 <= s <= 2 T: T is the main period
+ *   step-impulse  A for 0 <= s <= T, then -A/2          until s = 3 T */
+typedef enum {
+  QN_PULSE_HALF_SINE,
+  QN_PULSE_SINE,
+  QN_PULSE_RECTANGLE,
+  QN_PULSE_RICKER,
+  QN_PULSE_STEP_IMPULSE,
+  QN_PULSE_KIND_COUNT
+} QnPulseKind;
+
+typedef struct QnPulse {
+  QnPulseKind kind;
+  double amplitude; /* m/s2 */
+  double duration;  /* s, > 0 */
+  double start;     /* s, >= 0 */
+} QnPulse;
+
+typedef struct QnGroundMotion {
+  QnSignalKind kind;
+  QnVec2 direction; /* of any length */
+  double scale;     /* default 1 */
+  QnPulse pulse;
+  QnVec2 *points; /* owned: (s, m/s2), times ascending */
+  size_t point_count, point_capacity;
+  char *record; /* owned: name of the file, as the project says it */
+  char *unit; /* owned: unit of its accelerations where the file does not say it; NULL */
+  double time_step; /* of its samples, s, where the file does not say it; 0 */
+  double peak;      /* m/s2 to which the record is scaled before `scale`; 0: as it is */
+  int32_t note;
+} QnGroundMotion;
+
+/* Where a block starts, counted from the equilibrium under dead load. */
+typedef struct QnInitialMotion {
+  QnId block;
+  double displacement[QN_DOF_COUNT]; /* m, m, rad */
+  double velocity[QN_DOF_COUNT];     /* m/s, m/s, rad/s, relative to the ground */
+  int32_t note;
+} QnInitialMotion;
+
+/* A displacement whose history is kept. */
+typedef struct QnTrack {
+  QnId block;
+  QnDof dof;
+  int32_t note;
+} QnTrack;
+
+/* Which stiffness stiffness-proportional damping goes with. */
+typedef enum {
+  QN_DAMPING_CURRENT, /* of what carries: an open or sliding joint is not damped by it */
+  QN_DAMPING_INITIAL, /* of the joints as if they all were closed */
+  QN_DAMPING_STIFFNESS_COUNT
+} QnDampingStiffness;
+
+typedef struct QnDynamicSettings {
+  double duration;      /* s, > 0 */
+  double time_step;     /* s, > 0: the longest step */
+  double rho;           /* spectral radius at infinite frequency, 0 to 1 */
+  double mass_damping;  /* 1/s, >= 0 */
+  double joint_damping; /* s, >= 0: times the stiffness */
+  QnDampingStiffness of;
+  double
+    tolerance; /* most that one step may be wrong by, over the characteristic length */
+  double output_interval; /* s; 0: a five-hundredth of the duration */
+  bool adaptive;          /* false: every step is as long as time_step */
+} QnDynamicSettings;
+
+/* "half-sine", "sine", …; "current", "initial". */
+const char *qn_pulse_kind_name (QnPulseKind kind);
+const char *qn_damping_stiffness_name (QnDampingStiffness of);
+
+/* When a signal is over, s. */
+double qn_ground_motion_end (const QnGroundMotion *motion);
+
+#endif

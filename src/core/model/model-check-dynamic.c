@@ -1,0 +1,154 @@
+/* Rules of an analysis in time. */
+#include "core/model/model-check.h"
+
+static QnStatus
+refuse_point (QnDiag *diag, QnProblem problem, QnId ground, size_t point, double value)
+{
+  qn_diag_set_field (diag, problem, QN_ENTITY_GROUND_MOTION, ground, "points", value);
+  if (diag != NULL)
+    diag->sub = (QnId) point;
+  return QN_ERROR_INVALID;
+}
+
+QnStatus
+qn_model_check_signal (const QnModel *model, QnId ground, QnDiag *diag)
+{
+  const QnGroundMotion *motion = &model->ground[ground];
+
+  if (motion->point_count > QN_MAX_SIGNAL_POINTS)
+    return qn_diag_set_field (diag, QN_PROBLEM_SIGNAL_TOO_LONG, QN_ENTITY_GROUND_MOTION,
+                              ground, "points", (double) motion->point_count);
+  if (motion->point_count < 2)
+    return qn_diag_set_field (diag, QN_PROBLEM_SIGNAL_EMPTY, QN_ENTITY_GROUND_MOTION,
+                              ground, "points", (double) motion->point_count);
+  for (size_t i = 0; i < motion->point_count; i++) {
+    QnVec2 point = motion->points[i];
+    if (!isfinite (point.x) || !isfinite (point.y))
+      return refuse_point (diag, QN_PROBLEM_NOT_FINITE, ground, i, point.x);
+    if (i == 0 ? point.x < 0 : point.x <= motion->points[i - 1].x)
+      return refuse_point (diag, i == 0 ? QN_PROBLEM_NEGATIVE : QN_PROBLEM_SIGNAL_ORDER,
+                           ground, i, point.x);
+  }
+  return QN_OK;
+}
+
+static QnStatus
+check_pulse (const QnPulse *pulse, QnId ground, QnDiag *diag)
+{
+  const QnEntity entity = QN_ENTITY_GROUND_MOTION;
+  QnStatus status = qn_check_number (pulse->amplitude, QN_NUMBER_ANY, entity, ground,
+                                     "pulse.amplitude", diag);
+  if (status == QN_OK)
+    status = qn_check_number (pulse->duration, QN_NUMBER_POSITIVE, entity, ground,
+                              "pulse.duration", diag);
+  return status == QN_OK ? qn_check_number (pulse->start, QN_NUMBER_NOT_NEGATIVE, entity,
+                                            ground, "pulse.start", diag)
+                         : status;
+}
+
+static QnStatus
+check_ground (const QnModel *model, QnId index, QnDiag *diag)
+{
+  const QnGroundMotion *motion = &model->ground[index];
+  const QnEntity entity = QN_ENTITY_GROUND_MOTION;
+  QnStatus status = qn_check_vector (motion->direction, entity, index, "direction", diag);
+
+  if (status == QN_OK && motion->direction.x == 0 && motion->direction.y == 0)
+    status = qn_diag_set_field (diag, QN_PROBLEM_SIGNAL_WITHOUT_DIRECTION, entity, index,
+                                "direction", 0);
+  if (status == QN_OK)
+    status = qn_check_number (motion->scale, QN_NUMBER_ANY, entity, index, "scale", diag);
+  if (status == QN_OK)
+    status =
+      qn_check_number (motion->peak, QN_NUMBER_NOT_NEGATIVE, entity, index, "peak", diag);
+  if (status == QN_OK)
+    status = qn_check_number (motion->time_step, QN_NUMBER_NOT_NEGATIVE, entity, index,
+                              "time_step", diag);
+  if (status != QN_OK)
+    return status;
+  switch (motion->kind) {
+  case QN_SIGNAL_PULSE:
+    return check_pulse (&motion->pulse, index, diag);
+  case QN_SIGNAL_POINTS:
+    return qn_model_check_signal (model, index, diag);
+  case QN_SIGNAL_RECORD:
+    break;
+  }
+  return motion->point_count > 0 ? qn_model_check_signal (model, index, diag) : QN_OK;
+}
+
+static QnStatus
+check_initial (const QnModel *model, QnId index, QnDiag *diag)
+{
+  const QnInitialMotion *motion = &model->initial[index];
+  const QnEntity entity = QN_ENTITY_INITIAL_MOTION;
+  QnStatus status =
+    qn_check_block_reference (model, motion->block, entity, index, "block", diag);
+
+  for (int i = 0; i < QN_DOF_COUNT && status == QN_OK; i++) {
+    status = qn_check_number (motion->displacement[i], QN_NUMBER_ANY, entity, index,
+                              "displacement", diag);
+    if (status == QN_OK)
+      status = qn_check_number (motion->velocity[i], QN_NUMBER_ANY, entity, index,
+                                "velocity", diag);
+    bool moves = motion->displacement[i] != 0 || motion->velocity[i] != 0;
+    if (status == QN_OK && moves && model->blocks[motion->block].support[i])
+      status =
+        qn_diag_set_field (diag, QN_PROBLEM_INITIAL_FIXED, entity, index,
+                           motion->displacement[i] != 0 ? "displacement" : "velocity", 0);
+  }
+  return status;
+}
+
+static QnStatus
+check_integration (const QnDynamicSettings *s, QnDiag *diag)
+{
+  const struct {
+    const char *field;
+    double value;
+    QnNumberRange range;
+  } numbers[] = {
+    { "dynamic.duration", s->duration, QN_NUMBER_POSITIVE },
+    { "dynamic.time_step", s->time_step, QN_NUMBER_POSITIVE },
+    { "dynamic.damping.mass", s->mass_damping, QN_NUMBER_NOT_NEGATIVE },
+    { "dynamic.damping.stiffness", s->joint_damping, QN_NUMBER_NOT_NEGATIVE },
+    { "dynamic.tolerance", s->tolerance, QN_NUMBER_POSITIVE },
+    { "dynamic.output_interval", s->output_interval, QN_NUMBER_NOT_NEGATIVE },
+  };
+  const QnEntity entity = QN_ENTITY_ANALYSIS;
+
+  for (size_t i = 0; i < QN_N_ELEMENTS (numbers); i++) {
+    QnStatus status = qn_check_number (numbers[i].value, numbers[i].range, entity,
+                                       QN_NONE, numbers[i].field, diag);
+    if (status != QN_OK)
+      return status;
+  }
+  if (!(s->rho >= 0 && s->rho <= 1))
+    return qn_diag_set_field (diag, QN_PROBLEM_RADIUS_RANGE, entity, QN_NONE,
+                              "dynamic.rho", s->rho);
+  if (s->duration > QN_MAX_TIME_STEPS * s->time_step)
+    return qn_diag_set_field (diag, QN_PROBLEM_TOO_MANY_TIME_STEPS, entity, QN_NONE,
+                              "dynamic.time_step", s->duration / s->time_step);
+  return QN_OK;
+}
+
+QnStatus
+qn_model_check_dynamic (const QnModel *model, QnDiag *diag)
+{
+  bool runs = model->analysis.procedure == QN_PROCEDURE_DYNAMIC;
+  QnStatus status = QN_OK;
+
+  if (runs && model->stage_count > 0)
+    return qn_diag_set_field (diag, QN_PROBLEM_STAGES_DYNAMIC, QN_ENTITY_ANALYSIS,
+                              QN_NONE, "stages", 0);
+  if (runs)
+    status = check_integration (&model->analysis.dynamic, diag);
+  for (size_t i = 0; i < model->ground_count && status == QN_OK; i++)
+    status = check_ground (model, (QnId) i, diag);
+  for (size_t i = 0; i < model->initial_count && status == QN_OK; i++)
+    status = check_initial (model, (QnId) i, diag);
+  for (size_t i = 0; i < model->track_count && status == QN_OK; i++)
+    status = qn_check_block_reference (model, model->tracks[i].block, QN_ENTITY_TRACK,
+                                       (QnId) i, "block", diag);
+  return status;
+}

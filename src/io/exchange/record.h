@@ -1,0 +1,60 @@
+/* Records of ground motion: accelerations in time, from the files that seismologists publish.
+ *
+ *   CSV         a header line, then time and acceleration separated by commas, semicolons or
+ *               blanks; the header may tell the unit: "time [s], acceleration [m/s2]"
+ *   two columns the same without a header
+ *   AT2         of PEER/NGA: four lines of heading, the fourth with NPTS= and DT=, then
+ *               accelerations in g, any number a line
+ *   ESM/Itaca   ASCII: a heading of "KEY: value" lines with SAMPLING_INTERVAL_S, NDATA and UNITS,
+ *               then one acceleration a line
+ *
+ * The kind is told from the contents. Units are m/s2, cm/s2 (also gal), mm/s2 and g = 9.80665
+ * m/s2. Where a file does not say its unit or its time step, they must be given; where it says one
+ * and another is given, that is an error: nothing is guessed and nothing overruled.
+ */
+#ifndef QN_IO_RECORD_H
+#define QN_IO_RECORD_H
+
+#include "io/project/project.h"
+
+typedef struct QnRecord {
+  QnVec2 *points; /* s, m/s2; free with g_free() */
+  gsize count;
+} QnRecord;
+
+/* Reads a record. unit (nullable) and time_step (0: not given) are those that the file does not say.
+ * `record` is overwritten without being cleared and holds nothing on failure. Errors: QN_IO_ERROR,
+ * with the line where there is one. */
+gboolean qn_record_read (const char *path, const char *unit, double time_step,
+                         QnRecord *record, GError **error);
+
+/* The same from memory; `name` stands for the file in messages. */
+gboolean qn_record_parse (const char *text, gsize length, const char *name,
+                          const char *unit, double time_step, QnRecord *record,
+                          GError **error);
+
+void qn_record_clear (QnRecord *record);
+
+/* What a record amounts to. Without correction of the base line the velocity and the displacement
+ * at the end are what the record drifts by. */
+typedef struct QnRecordFacts {
+  double duration;     /* s */
+  double peak;         /* m/s2 */
+  double velocity;     /* m/s, largest */
+  double displacement; /* m, largest */
+  double end_velocity, end_displacement;
+} QnRecordFacts;
+
+QnRecordFacts qn_record_facts (const QnRecord *record);
+
+/* Writes time and acceleration as CSV that says its unit. */
+gboolean qn_record_write (const char *path, const QnRecord *record, GError **error);
+
+/* Reads the records that the ground motions of a project name, from the folder where the project
+ * lies (NULL: that of its path), and scales them to their peaks. Records that end before the duration does are a warning of the
+ * project: the ground rests from then on. Files outside the project's folder are refused unless
+ * `allow_outside`. */
+gboolean qn_project_read_records (QnProject *project, const char *folder,
+                                  gboolean allow_outside, GError **error);
+
+#endif

@@ -1,0 +1,138 @@
+/* analysis.dynamic in the canonical layout. */
+#include "io/project/project-inner.h"
+#include "io/project/project-names.h"
+#include "io/project/project-write-parts.h"
+#include "io/text/json-text.h"
+
+static void
+put_triple (GString *json, const char *key, const double triple[QN_DOF_COUNT])
+{
+  if (triple[0] == 0 && triple[1] == 0 && triple[2] == 0)
+    return;
+  qn_json_begin_member (json, key);
+  for (int i = 0; i < QN_DOF_COUNT; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    qn_json_append_number (json, triple[i]);
+  }
+  g_string_append_c (json, ']');
+}
+
+static void
+append_ground (GString *json, const QnGroundMotion *motion)
+{
+  g_string_append_c (json, '{');
+  qn_json_put_vec2 (json, "direction", motion->direction);
+  if (motion->scale != 1)
+    qn_json_put_number (json, "scale", motion->scale);
+  switch (motion->kind) {
+  case QN_SIGNAL_RECORD:
+    qn_json_put_string (json, "record", motion->record);
+    if (motion->unit != NULL)
+      qn_json_put_string (json, "unit", motion->unit);
+    if (motion->time_step > 0)
+      qn_json_put_number (json, "time_step", motion->time_step);
+    break;
+  case QN_SIGNAL_POINTS:
+    qn_json_begin_member (json, "points");
+    for (size_t i = 0; i < motion->point_count; i++) {
+      g_string_append (json, i > 0 ? ", " : "[");
+      qn_json_append_vec2 (json, motion->points[i]);
+    }
+    g_string_append (json, motion->point_count > 0 ? "]" : "[]");
+    break;
+  case QN_SIGNAL_PULSE:
+    qn_json_begin_member (json, "pulse");
+    g_string_append_c (json, '{');
+    qn_json_put_string (json, "kind", qn_pulse_kind_name (motion->pulse.kind));
+    qn_json_put_number (json, "amplitude", motion->pulse.amplitude);
+    qn_json_put_number (json, "duration", motion->pulse.duration);
+    if (motion->pulse.start > 0)
+      qn_json_put_number (json, "start", motion->pulse.start);
+    g_string_append (json, " }");
+    break;
+  }
+  if (motion->peak > 0)
+    qn_json_put_number (json, "peak", motion->peak);
+  g_string_append (json, " }");
+}
+
+static void
+put_damping (GString *json, const QnDynamicSettings *s, GHashTable *inner)
+{
+  if (s->mass_damping == 0 && s->joint_damping == 0 && s->of == QN_DAMPING_CURRENT)
+    return;
+  qn_json_begin_member (json, "damping");
+  g_string_append_c (json, '{');
+  qn_json_put_number (json, "mass", s->mass_damping);
+  qn_json_put_number (json, "stiffness", s->joint_damping);
+  qn_json_put_string (json, "of", qn_damping_stiffness_name (s->of));
+  g_string_append (json, " }");
+  qn_json_append_inner (json, inner, "analysis.dynamic.damping");
+}
+
+/* ",\n      \"key\": [" or the comma between two elements. */
+static void
+begin_element (GString *json, const char *key, size_t index)
+{
+  if (index == 0)
+    g_string_append_printf (json, ",\n      \"%s\": [\n        ", key);
+  else
+    g_string_append (json, ",\n        ");
+}
+
+static void
+put_lists (GString *json, const QnModel *model, GHashTable *inner)
+{
+  for (size_t i = 0; i < model->ground_count; i++) {
+    begin_element (json, "ground", i);
+    append_ground (json, &model->ground[i]);
+    qn_json_append_note (json, inner, model->ground[i].note);
+  }
+  g_string_append (json, model->ground_count > 0 ? " ]" : "");
+  for (size_t i = 0; i < model->initial_count; i++) {
+    const QnInitialMotion *motion = &model->initial[i];
+    begin_element (json, "initial", i);
+    g_string_append_c (json, '{');
+    qn_json_put_string (json, "block", model->blocks[motion->block].name);
+    put_triple (json, "displacement", motion->displacement);
+    put_triple (json, "velocity", motion->velocity);
+    g_string_append (json, " }");
+    qn_json_append_note (json, inner, motion->note);
+  }
+  g_string_append (json, model->initial_count > 0 ? " ]" : "");
+  for (size_t i = 0; i < model->track_count; i++) {
+    const QnTrack *track = &model->tracks[i];
+    begin_element (json, "track", i);
+    g_string_append_c (json, '{');
+    qn_json_put_string (json, "block", model->blocks[track->block].name);
+    qn_json_put_string (json, "component", qn_name_of_dof ((int) track->dof));
+    g_string_append (json, " }");
+    qn_json_append_note (json, inner, track->note);
+  }
+  g_string_append (json, model->track_count > 0 ? " ]" : "");
+}
+
+void
+qn_project_append_dynamic (GString *json, const QnModel *model,
+                           const QnDynamicSettings *usual, GHashTable *inner)
+{
+  const QnDynamicSettings *s = &model->analysis.dynamic;
+  if (s->duration <= 0)
+    return;
+  g_string_append (json, ",\n    \"dynamic\": {");
+  qn_json_put_number (json, "duration", s->duration);
+  qn_json_put_number (json, "time_step", s->time_step);
+  qn_json_put_number (json, "rho", s->rho);
+  if (s->tolerance != usual->tolerance)
+    qn_json_put_number (json, "tolerance", s->tolerance);
+  if (!s->adaptive) {
+    qn_json_begin_member (json, "adaptive");
+    g_string_append (json, "false");
+  }
+  if (s->output_interval > 0)
+    qn_json_put_number (json, "output_interval", s->output_interval);
+  put_damping (json, s, inner);
+  put_lists (json, model, inner);
+  g_string_append (json, " }");
+  qn_json_append_inner (json, inner, "analysis.dynamic");
+}

@@ -1,0 +1,246 @@
+#include "io/result/result-history.h"
+
+#include "core/base/memory.h"
+#include "io/project/project-names.h"
+
+#include <glib/gi18n-lib.h>
+#include <string.h>
+
+/* --- Writing ------------------------------------------------------------------------------ */
+
+static void
+write_list (QnFileWriter *writer, const double *first, size_t stride, size_t count)
+{
+  qn_file_writer_puts (writer, "[");
+  for (size_t i = 0; i < count; i++) {
+    qn_file_writer_puts (writer, i > 0 ? ", " : "");
+    qn_file_writer_number (writer, first[i * stride]);
+  }
+  qn_file_writer_puts (writer, "]");
+}
+
+static void
+write_column (QnFileWriter *writer, const QnHistory *history, size_t column)
+{
+  write_list (writer, history->rows + column, history->width, history->row_count);
+}
+
+static void
+write_scalars (QnFileWriter *writer, const QnResult *result)
+{
+  const QnHistory *h = &result->history;
+  const struct {
+    const char *key;
+    double number;
+  } numbers[] = {
+    { "end", h->end },
+    { "energy_error", h->energy_error },
+    { "largest_residual", h->largest_residual },
+    { "largest_slip", h->largest_slip },
+    { "shortest_step", h->shortest_step },
+    { "steps", h->steps },
+    { "rejected", h->rejected },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++) {
+    qn_file_writer_printf (writer, "%s\"%s\": ", i > 0 ? ", " : "\n    ", numbers[i].key);
+    qn_file_writer_number (writer, numbers[i].number);
+  }
+  qn_file_writer_puts (writer, ", \"time_of_collapse\": ");
+  if (result->outcome == QN_OUTCOME_COLLAPSE)
+    qn_file_writer_number (writer, h->collapse_time);
+  else
+    qn_file_writer_puts (writer, "null");
+}
+
+void
+qn_result_history_write (QnFileWriter *writer, const QnModel *model,
+                         const QnResult *result)
+{
+  const QnHistory *h = &result->history;
+  qn_file_writer_puts (writer, "  \"history\": {");
+  write_scalars (writer, result);
+  qn_file_writer_puts (writer, ",\n    \"time\": ");
+  write_column (writer, h, QN_HISTORY_TIME);
+  qn_file_writer_puts (writer, ",\n    \"ground\": { \"x\": ");
+  write_column (writer, h, QN_HISTORY_GROUND_X);
+  qn_file_writer_puts (writer, ", \"y\": ");
+  write_column (writer, h, QN_HISTORY_GROUND_Y);
+  qn_file_writer_puts (writer, " },\n    \"energy\": {");
+  for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++) {
+    qn_file_writer_printf (writer, "%s\n      \"%s\": ", kind > 0 ? "," : "",
+                           qn_energy_name (kind));
+    write_column (writer, h, (size_t) QN_HISTORY_ENERGY + (size_t) kind);
+  }
+  qn_file_writer_puts (writer, " },\n    \"tracks\": [");
+  for (size_t i = 0; i < model->track_count; i++) {
+    const QnTrack *track = &model->tracks[i];
+    qn_file_writer_puts (writer,
+                         i > 0 ? ",\n      { \"block\": " : "\n      { \"block\": ");
+    qn_file_writer_json_string (writer, model->blocks[track->block].name);
+    qn_file_writer_printf (
+      writer, ", \"component\": \"%s\", \"values\": ", qn_name_of_dof ((int) track->dof));
+    write_column (writer, h, QN_HISTORY_TRACK + i);
+    qn_file_writer_puts (writer, " }");
+  }
+  qn_file_writer_puts (writer, "],\n    \"peak\": ");
+  write_list (writer, h->peaks, 1, result->block_count);
+  qn_file_writer_puts (writer, " },\n");
+}
+
+/* --- Reading ------------------------------------------------------------------------------ */
+
+static gboolean
+read_number (QnJsonStream *stream, gpointer target)
+{
+  double number;
+  if (!qn_json_stream_number (stream, &number))
+    return FALSE;
+  g_array_append_val ((GArray *) target, number);
+  return TRUE;
+}
+
+static gboolean
+read_list (QnJsonStream *stream, gpointer target)
+{
+  GArray **list = target;
+  *list = g_array_new (FALSE, FALSE, sizeof (double));
+  return qn_json_stream_array (stream, read_number, *list);
+}
+
+static gboolean
+read_collapse_time (QnJsonStream *stream, gpointer target)
+{
+  return stream->scanner.token == QN_JSON_NULL || qn_json_stream_number (stream, target);
+}
+
+/* Targets of the next three are lists by the columns of the history. */
+#define COLUMN(name, index)                                                              \
+  {                                                                                      \
+    name, read_list, (index) * sizeof (GArray *), TRUE                                   \
+  }
+
+static gboolean
+read_ground (QnJsonStream *stream, gpointer target)
+{
+  static const QnJsonMember members[] = { COLUMN ("x", QN_HISTORY_GROUND_X),
+                                          COLUMN ("y", QN_HISTORY_GROUND_Y) };
+  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
+}
+
+static gboolean
+read_energy (QnJsonStream *stream, gpointer target)
+{
+  QnJsonMember members[QN_ENERGY_KIND_COUNT];
+  for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
+    members[kind] =
+      (QnJsonMember) COLUMN (qn_energy_name (kind), (gsize) (QN_HISTORY_ENERGY + kind));
+  return qn_json_stream_object (stream, members, QN_ENERGY_KIND_COUNT, target);
+}
+
+/* Which block and component is the project's knowledge. */
+static gboolean
+read_track (QnJsonStream *stream, gpointer target)
+{
+  static const QnJsonMember members[] = { { "values", read_list, 0, TRUE } };
+  GArray *values = NULL;
+  gboolean done =
+    qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &values);
+  if (values != NULL)
+    g_ptr_array_add (target, values);
+  return done;
+}
+
+static gboolean
+read_tracks (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_track, *(GPtrArray **) target);
+}
+
+static void
+free_list (gpointer list)
+{
+  if (list != NULL)
+    g_array_unref (list);
+}
+
+/* The whole member. */
+typedef struct Reading {
+  GArray *columns[QN_HISTORY_TRACK];
+  QnHistory history;
+  GPtrArray *tracks;
+  GArray *peaks;
+} Reading;
+
+gboolean
+qn_result_history_read (QnJsonStream *stream, gpointer target)
+{
+#define SCALAR(name, member, read)                                                       \
+  {                                                                                      \
+    name, read, offsetof (Reading, history.member), TRUE                                 \
+  }
+  static const QnJsonMember members[] = {
+    SCALAR ("end", end, qn_json_stream_number),
+    SCALAR ("energy_error", energy_error, qn_json_stream_number),
+    SCALAR ("largest_residual", largest_residual, qn_json_stream_number),
+    SCALAR ("largest_slip", largest_slip, qn_json_stream_number),
+    SCALAR ("shortest_step", shortest_step, qn_json_stream_number),
+    SCALAR ("steps", steps, qn_json_stream_int32),
+    SCALAR ("rejected", rejected, qn_json_stream_int32),
+    SCALAR ("time_of_collapse", collapse_time, read_collapse_time),
+    COLUMN ("time", QN_HISTORY_TIME),
+    { "ground", read_ground, 0, TRUE },
+    { "energy", read_energy, 0, TRUE },
+    { "tracks", read_tracks, offsetof (Reading, tracks), TRUE },
+    { "peak", read_list, offsetof (Reading, peaks), TRUE },
+  };
+#undef SCALAR
+  Reading read = { .tracks = g_ptr_array_new_with_free_func (free_list) };
+  gboolean done = qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read);
+  QnHistoryDraft *draft = target;
+  draft->history = read.history;
+  draft->peaks = read.peaks;
+  draft->columns = read.tracks;
+  for (gint i = 0; i < QN_HISTORY_TRACK; i++)
+    g_ptr_array_insert (draft->columns, i, read.columns[i]);
+  return done;
+}
+
+gboolean
+qn_result_history_take (QnHistoryDraft *draft, QnJsonStream *stream, QnResult *result)
+{
+  if (draft->columns == NULL)
+    return TRUE;
+  const GArray *time = g_ptr_array_index (draft->columns, 0);
+  gsize rows = time->len, width = draft->columns->len;
+  gboolean fits = draft->peaks->len == result->block_count;
+  for (gsize c = 0; c < width; c++)
+    fits = fits && ((GArray *) g_ptr_array_index (draft->columns, c))->len == rows;
+  if (!fits)
+    return qn_json_stream_fail_at (stream, "history",
+                                   _ ("lists of the history differ in length"));
+  QnHistory *history = &result->history;
+  *history = draft->history;
+  history->width = width;
+  history->row_count = rows;
+  history->capacity = rows * width;
+  history->rows = qn_alloc (rows * width, sizeof *history->rows);
+  history->peaks = qn_alloc (result->block_count, sizeof *history->peaks);
+  if (history->rows == NULL || history->peaks == NULL)
+    return qn_json_stream_no_memory (stream);
+  for (gsize c = 0; c < width; c++) {
+    const GArray *column = g_ptr_array_index (draft->columns, c);
+    for (gsize i = 0; i < rows; i++)
+      history->rows[i * width + c] = g_array_index (column, double, i);
+  }
+  if (result->block_count > 0)
+    memcpy (history->peaks, draft->peaks->data,
+            result->block_count * sizeof *history->peaks);
+  return TRUE;
+}
+
+void
+qn_history_draft_clear (QnHistoryDraft *draft)
+{
+  g_clear_pointer (&draft->columns, g_ptr_array_unref);
+  g_clear_pointer (&draft->peaks, g_array_unref);
+}

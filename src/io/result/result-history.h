@@ -1,0 +1,32 @@
+/* What a result file says of an analysis in time: `history`, which data/result-format.md
+ * describes. */
+#ifndef QN_IO_RESULT_HISTORY_H
+#define QN_IO_RESULT_HISTORY_H
+
+#include "core/model/model.h"
+#include "core/result/result.h"
+#include "io/json/json-stream.h"
+#include "io/text/file-writer.h"
+
+/* Adds the member to a document that is being written. */
+void qn_result_history_write (QnFileWriter *writer, const QnModel *model,
+                              const QnResult *result);
+
+/* What has been read of it. */
+typedef struct QnHistoryDraft {
+  QnHistory history;  /* but for its rows */
+  GPtrArray *columns; /* of GArray of double, as in the rows of a history */
+  GArray *peaks;
+} QnHistoryDraft;
+
+/* Reads the member; target is a QnHistoryDraft. */
+gboolean qn_result_history_read (QnJsonStream *stream, gpointer target);
+
+/* Hands it over to the result, whose number of blocks is known. FALSE with the stream's error where
+ * its lists are not of one length. */
+gboolean qn_result_history_take (QnHistoryDraft *draft, QnJsonStream *stream,
+                                 QnResult *result);
+
+void qn_history_draft_clear (QnHistoryDraft *draft);
+
+#endif

@@ -1,0 +1,469 @@
+/* Closed forms of single bodies in time. */
+#include "core/dynamics/dynamics.h"
+#include "core/path/analysis.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+
+#define G 9.81
+
+typedef struct Case {
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+} Case;
+
+static void
+solve (Case *c)
+{
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_model_prepare (&c->model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, &diag), ==, QN_OK);
+  QnStatus status =
+    qn_analysis_run (&c->model, &c->contacts, NULL, NULL, &c->result, &diag);
+  if (status != QN_OK)
+    g_error ("%s", qn_problem_text (diag.problem));
+}
+
+static void
+case_clear (Case *c)
+{
+  qn_result_clear (&c->result);
+  qn_contacts_clear (&c->contacts);
+  qn_model_clear (&c->model);
+}
+
+static void
+init_case (Case *c, double width, double height)
+{
+  *c = (Case){ 0 };
+  test_model_init_block_on_plane (&c->model, width, height);
+  c->model.analysis.procedure = QN_PROCEDURE_DYNAMIC;
+}
+
+static void
+track (Case *c, QnId block, QnDof dof)
+{
+  QnTrack *track = qn_model_add_track (&c->model);
+  track->block = block;
+  track->dof = dof;
+}
+
+static void
+add_weight (Case *c)
+{
+  QnLoad *load = qn_model_add_dead_load (&c->model);
+  load->kind = QN_LOAD_WEIGHT;
+  load->vector = qn_vec2 (0, -1);
+}
+
+static double
+tracked (const Case *c, size_t row, int which)
+{
+  const QnHistory *h = &c->result.history;
+  return h->rows[row * h->width + QN_HISTORY_TRACK + (size_t) which];
+}
+
+/* --- A mass on a spring ------------------------------------------------------------------- */
+
+/* Error of x(t) after `steps` steps over two periods, over the first amplitude. */
+static double
+spring_error (double rho, double ratio, QnDampingStiffness of, int steps, double *energy)
+{
+  Case c;
+  init_case (&c, 1, 1);
+  QnLaw *law = &c.model.laws[0];
+  law->kind = QN_LAW_ELASTIC;
+  law->kn = law->ks = 4e6;
+  double mass = 10000 / G, omega = sqrt (4e6 / mass), period = 2 * G_PI / omega;
+  c.model.analysis.dynamic.duration = 2 * period;
+  c.model.analysis.dynamic.time_step = 2 * period / steps;
+  c.model.analysis.dynamic.adaptive = false;
+  c.model.analysis.dynamic.rho = rho;
+  c.model.analysis.dynamic.joint_damping = 2 * ratio / omega;
+  c.model.analysis.dynamic.of = of;
+  QnInitialMotion *start = qn_model_add_initial_motion (&c.model);
+  start->block = 1;
+  start->displacement[QN_DOF_UY] = 0.001;
+  track (&c, 1, QN_DOF_UY);
+  solve (&c);
+  double damped = omega * sqrt (1 - ratio * ratio), worst = 0;
+  const QnHistory *h = &c.result.history;
+  g_assert_cmpuint (h->row_count, ==, (gsize) steps + 1);
+  for (size_t i = 0; i < h->row_count; i++) {
+    double t = h->rows[i * h->width];
+    double exact = 0.001 * exp (-ratio * omega * t)
+                   * (cos (damped * t) + ratio * omega / damped * sin (damped * t));
+    worst = MAX (worst, fabs (tracked (&c, i, 0) - exact) / 0.001);
+  }
+  *energy = h->energy_error;
+  case_clear (&c);
+  return worst;
+}
+
+static void
+test_spring (void)
+{
+  const double radii[] = { 1, 0.8, 0.5, 0 }, ratios[] = { 0, 0.05 };
+  for (gsize r = 0; r < G_N_ELEMENTS (radii); r++)
+    for (gsize d = 0; d < G_N_ELEMENTS (ratios); d++)
+      for (int of = 0; of < QN_DAMPING_STIFFNESS_COUNT; of++) {
+        double energy;
+        double coarse = spring_error (radii[r], ratios[d], of, 200, &energy);
+        g_assert_cmpfloat (energy, <, 1e-9);
+        double fine = spring_error (radii[r], ratios[d], of, 400, &energy);
+        double order = log2 (coarse / fine);
+        g_test_message ("rho %g, damping %g: error %.2e, %.2e, order %.3f", radii[r],
+                        ratios[d], coarse, fine, order);
+        g_assert_cmpfloat (order, >, 1.95);
+        g_assert_cmpfloat (order, <, 2.05);
+      }
+  double energy;
+  g_assert_cmpfloat (spring_error (0.8, 0.05, QN_DAMPING_CURRENT, 800, &energy), <, 1e-3);
+}
+
+/* --- Newmark's sliding block -------------------------------------------------------------- */
+
+/* A block on the ground under a pulse; its displacement is tracked. */
+static void
+slide (Case *c, QnPulse pulse, double rho, double step, gboolean adaptive)
+{
+  init_case (c, 2, 0.2);
+  c->model.laws[0].friction = 0.3;
+  c->model.laws[0].kn = c->model.laws[0].ks = 1e12;
+  add_weight (c);
+  c->model.analysis.dynamic.duration = 1;
+  c->model.analysis.dynamic.time_step = step;
+  c->model.analysis.dynamic.rho = rho;
+  c->model.analysis.dynamic.adaptive = adaptive;
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c->model, NULL);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->direction = qn_vec2 (-1, 0);
+  motion->pulse = pulse;
+  track (c, 1, QN_DOF_UX);
+  solve (c);
+  g_assert_cmpfloat (c->result.history.energy_error, <, 1e-6);
+}
+
+/* Error of the slip that is left. */
+static double
+slide_error (QnPulse pulse, double rho, double step, gboolean adaptive, double exact)
+{
+  Case c;
+  slide (&c, pulse, rho, step, adaptive);
+  double slip = tracked (&c, c.result.history.row_count - 1, 0);
+  g_test_message ("rho %g, step %g: %.7f m of %.7f m", rho, step, slip, exact);
+  case_clear (&c);
+  return fabs (slip / exact - 1);
+}
+
+static void
+test_slide_rectangle (void)
+{
+  const QnPulse pulse = { QN_PULSE_RECTANGLE, 5, 0.2, 0.05 };
+  const double exact = 0.5 * 5 * 0.2 * 0.2 * (5 / (0.3 * G) - 1);
+  const double radii[] = { 1, 0.8, 0.5 };
+  for (gsize i = 0; i < G_N_ELEMENTS (radii); i++)
+    g_assert_cmpfloat (slide_error (pulse, radii[i], 0.005, TRUE, exact), <, 1e-3);
+  /* Where pulse and steps begin together nothing but the order is left. */
+  double coarse = slide_error (pulse, 0.8, 0.01, FALSE, exact);
+  double fine = slide_error (pulse, 0.8, 0.005, FALSE, exact);
+  g_assert_cmpfloat (log2 (coarse / fine), >, 1.8);
+}
+
+/* Under a sine it slides to and fro; beside its own equation of motion, by small steps. Where it
+ * turns, friction changes sign within a step, which counts to first order: the steps are short. */
+static void
+test_slide_sine (void)
+{
+  const QnPulse pulse = { QN_PULSE_SINE, 6, 0.4, 0.02 };
+  const double h = 1e-6, limit = 0.3 * G;
+  double v = 0, u = 0, farthest = 0, worst = 0;
+  Case c;
+  slide (&c, pulse, 0.8, 0.00025, TRUE);
+  const QnHistory *history = &c.result.history;
+  double t = 0;
+  for (size_t row = 0; row < history->row_count; row++) {
+    for (; t < history->rows[row * history->width] - 0.5 * h; t += h) {
+      double s = (t + 0.5 * h - pulse.start) / pulse.duration;
+      double a = s < 0 || s > 1 ? 0 : pulse.amplitude * sin (2 * G_PI * s), before = v;
+      if (v == 0 && fabs (a) <= limit)
+        continue;
+      v += h * (a - copysign (limit, v != 0 ? v : a));
+      if (before * v < 0)
+        v = 0; /* it has stopped */
+      u += 0.5 * h * (before + v);
+    }
+    farthest = MAX (farthest, fabs (u));
+    worst = MAX (worst, fabs (tracked (&c, row, 0) - u));
+  }
+  g_test_message ("%.2e m of %.4f m", worst, farthest);
+  g_assert_cmpfloat (farthest, >, 0.03);
+  g_assert_cmpfloat (worst / farthest, <, 1e-3);
+  case_clear (&c);
+}
+
+/* --- The rocking block -------------------------------------------------------------------- */
+
+#define WIDTH  0.2
+#define HEIGHT 1.0
+
+/* When a rigid block that is let go at theta comes to stand on its base, s:
+ * 4/3 R theta'' = -g sin(alpha - theta), by Runge and Kutta's method. */
+static double
+quarter_period (double theta)
+{
+  const double h = 1e-5, alpha = atan (WIDTH / HEIGHT);
+  const double factor = -0.75 * G / (0.5 * hypot (WIDTH, HEIGHT));
+  double t = 0, v = 0, before = theta;
+  while (theta > 0) {
+    double k1 = factor * sin (alpha - theta);
+    double k2 = factor * sin (alpha - theta - 0.5 * h * v);
+    double k3 = factor * sin (alpha - theta - 0.5 * h * v - 0.25 * h * h * k1);
+    double k4 = factor * sin (alpha - theta - h * v - 0.5 * h * h * k2);
+    before = theta;
+    theta += h * v + h * h / 6 * (k1 + k2 + k3);
+    v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    t += h;
+  }
+  return t - h * theta / (theta - before);
+}
+
+static void
+init_rocking (Case *c, double theta)
+{
+  init_case (c, WIDTH, HEIGHT);
+  c->model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  c->model.laws[0].kn = c->model.laws[0].ks = 1e9;
+  add_weight (c);
+  track (c, 1, QN_DOF_RZ);
+  if (theta == 0)
+    return;
+  QnInitialMotion *start = qn_model_add_initial_motion (&c->model);
+  start->block = 1; /* about the lower left corner */
+  start->displacement[QN_DOF_RZ] = theta;
+  start->displacement[QN_DOF_UX] =
+    0.5 * (WIDTH * cos (theta) - HEIGHT * sin (theta) - WIDTH);
+  start->displacement[QN_DOF_UY] =
+    0.5 * (WIDTH * sin (theta) + HEIGHT * cos (theta) - HEIGHT);
+}
+
+static void
+test_rock (void)
+{
+  double theta = 0.5 * atan (WIDTH / HEIGHT), exact = quarter_period (theta), found = 0;
+  Case c;
+  init_rocking (&c, theta);
+  c.model.analysis.dynamic.duration = 3;
+  c.model.analysis.dynamic.time_step = 0.002;
+  c.model.analysis.dynamic.joint_damping = 1e-4;
+  solve (&c);
+  const QnHistory *h = &c.result.history;
+  for (size_t i = 1; i < h->row_count && found == 0; i++) {
+    double a = tracked (&c, i - 1, 0), b = tracked (&c, i, 0);
+    if (b <= 0)
+      found = h->rows[(i - 1) * h->width] + 0.002 * a / (a - b);
+  }
+  g_test_message ("impact at %.5f s of %.5f s; energy error %.1e", found, exact,
+                  h->energy_error);
+  g_assert_cmpfloat (fabs (exact - 0.3467), <, 1e-3); /* Housner's, linearised */
+  g_assert_cmpfloat (fabs (found / exact - 1), <, 0.01);
+  g_assert_cmpfloat (h->energy_error, <, 1e-3);
+  g_assert_cmpfloat (h->largest_slip, <, 0.05);
+  case_clear (&c);
+}
+
+/* Let go just beyond its balance it falls; and at once where it hangs over by far. */
+static void
+test_overturn (void)
+{
+  Case c;
+  init_rocking (&c, 1.02 * atan (WIDTH / HEIGHT));
+  c.model.analysis.dynamic.duration = 10;
+  c.model.analysis.dynamic.time_step = 0.01;
+  solve (&c);
+  const QnHistory *h = &c.result.history;
+  g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat (h->collapse_time, >, 0.5);
+  g_assert_cmpfloat (h->collapse_time, <, 3);
+  g_assert_cmpfloat (h->collapse_time, ==, h->end);
+  g_assert_cmpfloat (h->energy_error, <, 1e-3);
+  g_assert_nonnull (c.result.mechanism);
+  g_assert_cmpint (c.result.steps[c.result.step_count - 1].event, ==, QN_EVENT_COLLAPSE);
+  case_clear (&c);
+}
+
+/* --- Beams --------------------------------------------------------------------------------- */
+
+/* A cantilever that is let go vibrates at its lowest frequency, and keeps its energy. */
+static void
+test_beam (void)
+{
+  Case c = { 0 };
+  test_model_init (&c.model);
+  QnSection *section = qn_model_add_section (&c.model, "s");
+  section->young = 1e10;
+  section->poisson = 0.2;
+  section->area = 0.04;
+  section->inertia = 0.04 * 0.04 / 12;
+  section->unit_weight = 20000;
+  const QnId fixed = test_model_add_node (&c.model, "a", 0, 0, "xyr");
+  const QnId end = test_model_add_node (&c.model, "b", 4, 0, "");
+  QnBeam *beam = qn_model_add_beam (&c.model, "beam");
+  beam->kind = QN_BEAM_EULER_BERNOULLI;
+  beam->nodes[0] = fixed;
+  beam->nodes[1] = end;
+  beam->section = 0;
+  beam->element_count = 8;
+  c.model.analysis.procedure = QN_PROCEDURE_DYNAMIC;
+  c.model.analysis.dynamic.duration = 0.2;
+  c.model.analysis.dynamic.time_step = 0.0005;
+  c.model.analysis.dynamic.adaptive = FALSE;
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->direction = qn_vec2 (0, 1);
+  motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, 1, 10, 0 };
+  solve (&c);
+
+  /* Under a constant acceleration it swings about its deflection m g l^4/(8 EI) and comes back. */
+  double mass = 20000 * 0.04 / G, bending = section->young * section->inertia;
+  double omega = 3.516015 / 16 * sqrt (bending / mass);
+  double still = -mass * 256 / (8 * bending), lowest = 0, when = 0;
+  for (size_t i = 0; i < c.result.step_count; i++) {
+    double uy = qn_result_step_displacements (&c.result, i)[3 * end + QN_DOF_UY];
+    if (uy < lowest) {
+      lowest = uy;
+      when = c.result.steps[i].time;
+    }
+  }
+  g_test_message ("lowest %.4g of %.4g m at %.4f of %.4f s", lowest, 2 * still, when,
+                  G_PI / omega);
+  g_assert_cmpfloat (fabs (lowest / (2 * still) - 1), <, 0.05);
+  g_assert_cmpfloat (fabs (when / (G_PI / omega) - 1), <, 0.05);
+  g_assert_cmpfloat (c.result.history.energy_error, <, 1e-9);
+  case_clear (&c);
+}
+
+/* --- What ends it, and what is refused ------------------------------------------------------ */
+
+static bool
+stop_after (const QnProgress *progress, void *user_data)
+{
+  return progress->iterations < *(int *) user_data;
+}
+
+/* A cancelled analysis keeps what it has, which is the beginning of the whole one. */
+static void
+test_cancel (void)
+{
+  Case whole, part;
+  QnDiag diag;
+  int budget = 300;
+  init_rocking (&whole, 0.05);
+  init_rocking (&part, 0.05);
+  whole.model.analysis.dynamic.duration = part.model.analysis.dynamic.duration = 1;
+  whole.model.analysis.dynamic.time_step = part.model.analysis.dynamic.time_step = 0.01;
+  solve (&whole);
+  g_assert_cmpint (qn_model_prepare (&part.model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&part.model, &part.contacts, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&part.model, &part.contacts, stop_after, &budget,
+                                    &part.result, &diag),
+                   ==, QN_OK);
+  g_assert_cmpint (part.result.outcome, ==, QN_OUTCOME_CANCELLED);
+  const QnHistory *a = &whole.result.history, *b = &part.result.history;
+  g_assert_cmpuint (b->row_count, >, 1);
+  g_assert_cmpuint (b->row_count, <, a->row_count);
+  g_assert_cmpmem (a->rows, b->row_count * b->width * sizeof (double), b->rows,
+                   b->row_count * b->width * sizeof (double));
+  case_clear (&whole);
+  case_clear (&part);
+}
+
+static QnProblem
+refusal (Case *c)
+{
+  QnDiag diag = { 0 };
+  QnStatus status = qn_model_prepare (&c->model, &diag);
+  if (status == QN_OK)
+    status = qn_contacts_detect (&c->model, &c->contacts, &diag);
+  if (status == QN_OK)
+    status = qn_analysis_run (&c->model, &c->contacts, NULL, NULL, &c->result, &diag);
+  g_assert_cmpint (status, ==, QN_ERROR_INVALID);
+  case_clear (c);
+  return diag.problem;
+}
+
+static void
+init_refused (Case *c)
+{
+  init_case (c, 1, 1);
+  c->model.analysis.dynamic.duration = 1;
+  c->model.analysis.dynamic.time_step = 0.01;
+}
+
+static void
+test_refuse (void)
+{
+  Case c;
+  init_refused (&c);
+  c.model.blocks[1].unit_weight = 0;
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_BLOCK_WITHOUT_MASS);
+
+  init_refused (&c);
+  c.model.analysis.dynamic.duration = 0;
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_NOT_POSITIVE);
+
+  init_refused (&c);
+  c.model.analysis.dynamic.rho = 1.5;
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_RADIUS_RANGE);
+
+  init_refused (&c);
+  c.model.analysis.dynamic.time_step = 1e-12;
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_TOO_MANY_TIME_STEPS);
+
+  init_refused (&c);
+  qn_model_add_ground_motion (&c.model, NULL)->direction = qn_vec2 (1, 0);
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_SIGNAL_EMPTY);
+
+  init_refused (&c);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion->direction = qn_vec2 (1, 0);
+  qn_ground_motion_add_point (motion, 0, 0);
+  qn_ground_motion_add_point (motion, 1, 1);
+  qn_ground_motion_add_point (motion, 1, 2);
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_SIGNAL_ORDER);
+
+  init_refused (&c);
+  motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion->direction = qn_vec2 (1, 0);
+  qn_ground_motion_add_point (motion, 0, 0);
+  qn_ground_motion_add_point (motion, 1, NAN);
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_NOT_FINITE);
+
+  init_refused (&c);
+  motion = qn_model_add_ground_motion (&c.model, "missing.csv"); /* never read */
+  motion->direction = qn_vec2 (1, 0);
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_SIGNAL_EMPTY);
+
+  init_refused (&c);
+  QnInitialMotion *start = qn_model_add_initial_motion (&c.model);
+  start->block = 0;
+  start->velocity[0] = 1;
+  g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_INITIAL_FIXED);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/dynamics/spring", test_spring);
+  g_test_add_func ("/dynamics/slide-rectangle", test_slide_rectangle);
+  g_test_add_func ("/dynamics/slide-sine", test_slide_sine);
+  g_test_add_func ("/dynamics/rock", test_rock);
+  g_test_add_func ("/dynamics/overturn", test_overturn);
+  g_test_add_func ("/dynamics/beam", test_beam);
+  g_test_add_func ("/dynamics/cancel", test_cancel);
+  g_test_add_func ("/dynamics/refuse", test_refuse);
+  return g_test_run ();
+}
