@@ -61,13 +61,12 @@ read_place (QuoinError *error, const char *place)
 }
 
 void
-quoin_library_take_error (QuoinError **error, const QnProject *project, GError *cause)
+quoin_library_take_error (QuoinError **error, const char *name, GError *cause)
 {
   if (error != NULL) {
     QuoinError *made = g_new0 (QuoinError, 1);
     made->kind = kind_of (cause);
     made->message = g_strdup (cause->message);
-    const char *name = project != NULL ? project->name : NULL;
     if (name != NULL && g_str_has_prefix (cause->message, name)) {
       made->file = g_strdup (name);
       read_place (made, cause->message + strlen (name));
@@ -89,7 +88,7 @@ quoin_library_take_diag (QuoinError **error, const QnProject *project, const QnD
     return;
   }
   qn_project_set_error (project, diag, &cause);
-  quoin_library_take_error (error, project, cause);
+  quoin_library_take_error (error, project->name, cause);
 }
 
 void

@@ -167,8 +167,7 @@ quoin_figure_write (const QuoinFigure *figure, const char *path, QuoinError **er
     if (qn_file_replace (path, content, length, &cause))
       return true;
   }
-  QnProject named = { .name = (char *) path };
-  quoin_library_take_error (error, &named, cause);
+  quoin_library_take_error (error, path, cause);
   return false;
 }
 

@@ -35,22 +35,15 @@ quoin_library_model_take (QnProject *project, QuoinError **error)
   return model;
 }
 
-/* Takes the error of a reader that has left no project. */
-static QuoinModel *
-refuse (const char *name, GError *cause, QuoinError **error)
-{
-  QnProject named = { .name = (char *) name };
-  quoin_library_take_error (error, &named, cause);
-  return NULL;
-}
-
 QuoinModel *
 quoin_model_open (const char *path, const char *const *overrides, QuoinError **error)
 {
   QnProject project;
   GError *cause = NULL;
-  if (!qn_project_load (path, overrides, &project, &cause))
-    return refuse (path, cause, error);
+  if (!qn_project_load (path, overrides, &project, &cause)) {
+    quoin_library_take_error (error, path, cause);
+    return NULL;
+  }
   return quoin_library_model_take (&project, error);
 }
 
@@ -60,8 +53,10 @@ quoin_model_parse (const char *text, size_t length, const char *name,
 {
   QnProject project;
   GError *cause = NULL;
-  if (!qn_project_parse (text, length, name, overrides, &project, &cause))
-    return refuse (name, cause, error);
+  if (!qn_project_parse (text, length, name, overrides, &project, &cause)) {
+    quoin_library_take_error (error, name, cause);
+    return NULL;
+  }
   return quoin_library_model_take (&project, error);
 }
 
@@ -75,8 +70,10 @@ quoin_model_import (const char *path, double unit, double thickness, double unit
   QnImportSettings settings = {
     .unit = unit, .thickness = thickness, .unit_weight = unit_weight, .friction = friction
   };
-  if (!qn_import_file (path, &settings, &project, &report, &cause))
-    return refuse (path, cause, error);
+  if (!qn_import_file (path, &settings, &project, &report, &cause)) {
+    quoin_library_take_error (error, path, cause);
+    return NULL;
+  }
   QuoinModel *model = quoin_library_model_take (&project, error);
   for (guint i = 0; model != NULL && i < report.warnings->len; i++)
     g_ptr_array_insert (model->warnings, (gint) i,
@@ -114,7 +111,7 @@ quoin_model_save (const QuoinModel *model, const char *path, QuoinError **error)
   GError *cause = NULL;
   if (qn_project_save (&model->project, path, &cause))
     return true;
-  refuse (path, cause, error);
+  quoin_library_take_error (error, path, cause);
   return false;
 }
 

@@ -2,7 +2,6 @@
 #ifndef QN_LIBRARY_LIBRARY_PRIVATE_H
 #define QN_LIBRARY_LIBRARY_PRIVATE_H
 
-#include "core/base/progress.h"
 #include "io/project/project.h"
 #include "io/result/result-file.h"
 #include "library/quoin.h"
@@ -24,22 +23,13 @@ struct QuoinResult {
 
 QuoinResult *quoin_library_result_ref (QuoinResult *result);
 
-/* Each sets *error (nullable). The first takes the GError; `model` (nullable) names the file that
- * its message may begin with. */
-void quoin_library_take_error (QuoinError **error, const QnProject *project,
-                               GError *cause);
+/* Each sets *error (nullable). The first takes the GError; `name` (nullable) is the file that its
+ * message may begin with. */
+void quoin_library_take_error (QuoinError **error, const char *name, GError *cause);
 void quoin_library_take_diag (QuoinError **error, const QnProject *project,
                               const QnDiag *diag);
 void quoin_library_set_error (QuoinError **error, QuoinErrorKind kind, const char *format,
                               ...) G_GNUC_PRINTF (3, 4);
-
-/* The caller's callback as the core's. */
-typedef struct QuoinLibraryProgress {
-  QuoinProgressFunc func;
-  void *data;
-} QuoinLibraryProgress;
-
-bool quoin_library_report (const QnProgress *progress, void *data);
 
 /* A model of a project that was read or made, which it takes over; NULL with an error. */
 QuoinModel *quoin_library_model_take (QnProject *project, QuoinError **error);

@@ -11,10 +11,16 @@ struct QuoinModes {
 
 /* --- Running ----------------------------------------------------------------------------- */
 
-bool
-quoin_library_report (const QnProgress *progress, void *data)
+/* The caller's callback as the core's. */
+typedef struct Caller {
+  QuoinProgressFunc func;
+  void *data;
+} Caller;
+
+static bool
+report (const QnProgress *progress, void *data)
 {
-  const QuoinLibraryProgress *caller = data;
+  const Caller *caller = data;
   return caller->func == NULL
          || caller->func (progress->multiplier, progress->steps, progress->iterations,
                           caller->data);
@@ -55,11 +61,11 @@ quoin_solve (QuoinModel *model, QuoinProgressFunc progress, void *data,
 {
   QnDiag diag = { 0 };
   QnResult result;
-  QuoinLibraryProgress caller = { progress, data };
+  Caller caller = { progress, data };
   if (!require_sound (model, error))
     return NULL;
-  if (qn_analysis_run (&model->project.model, &model->contacts, quoin_library_report,
-                       &caller, &result, &diag)
+  if (qn_analysis_run (&model->project.model, &model->contacts, report, &caller, &result,
+                       &diag)
       != QN_OK) {
     quoin_library_take_diag (error, &model->project, &diag);
     return NULL;
@@ -90,11 +96,11 @@ quoin_modal (QuoinModel *model, size_t count, bool loaded, QuoinProgressFunc pro
   QnDiag diag = { 0 };
   QnResult result;
   QuoinModes *modes = g_new0 (QuoinModes, 1);
-  QuoinLibraryProgress caller = { progress, data };
+  Caller caller = { progress, data };
   if (require_sound (model, error)) {
     if (qn_modal_run (&model->project.model, &model->contacts,
-                      loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, count,
-                      quoin_library_report, &caller, &modes->modes, &result, &diag)
+                      loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, count, report,
+                      &caller, &modes->modes, &result, &diag)
         == QN_OK) {
       qn_result_clear (&result);
       return modes;
@@ -146,9 +152,8 @@ quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
   QnResultFile file;
   GError *cause = NULL;
   gboolean same;
-  QnProject named = { .name = (char *) path };
   if (!qn_result_file_read (path, &file, &cause)) {
-    quoin_library_take_error (error, &named, cause);
+    quoin_library_take_error (error, path, cause);
     return NULL;
   }
   QuoinResult *result = NULL;
@@ -157,7 +162,7 @@ quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
     result = make_result (model, &file.result);
     file.result = (QnResult){ 0 };
   } else
-    quoin_library_take_error (error, &named, cause);
+    quoin_library_take_error (error, path, cause);
   qn_result_file_clear (&file);
   return result;
 }
@@ -166,11 +171,10 @@ bool
 quoin_result_write (const QuoinResult *result, const char *path, QuoinError **error)
 {
   GError *cause = NULL;
-  QnProject named = { .name = (char *) path };
   if (qn_result_file_write (path, &result->model->project, &result->model->contacts,
                             &result->result, &cause))
     return true;
-  quoin_library_take_error (error, &named, cause);
+  quoin_library_take_error (error, path, cause);
   return false;
 }
 
