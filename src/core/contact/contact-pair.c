@@ -21,7 +21,7 @@ qn_pair_springs (QnSpring a, QnSpring b)
 }
 
 bool
-qn_pair_springs_run_back (const QnPairSprings *springs)
+qn_pair_springs_snap_back (const QnPairSprings *springs)
 {
   double a = qn_spring_softening (&springs->a), b = qn_spring_softening (&springs->b);
 

@@ -43,7 +43,7 @@ qn_pair_springs_are_plastic (const QnPairSprings *springs)
 
 /* Whether the pair would snap back while one of its springs softens: growing elongation of the
  * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
-bool qn_pair_springs_run_back (const QnPairSprings *springs);
+bool qn_pair_springs_snap_back (const QnPairSprings *springs);
 
 /* Force and consistent tangent of the pair at elongation q. Returns false where the internal
  * iteration did not converge; the response is then not to be used. */

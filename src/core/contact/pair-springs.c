@@ -85,7 +85,7 @@ qn_contacts_check_springs (const QnModel *model, const QnContacts *contacts, QnI
         || !may_soften (model, contacts, p))
       continue;
     QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) p);
-    if (qn_pair_springs_run_back (&springs))
+    if (qn_pair_springs_snap_back (&springs))
       return refuse (face, QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL, diag);
   }
   return QN_OK;

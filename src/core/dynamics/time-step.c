@@ -392,7 +392,7 @@ solve_direction (QnTimeStep *step, double h)
       mass * step->mass[k] + step->settings->joint_damping * gain * step->beam_damping[k];
   double assembled = qn_clock_seconds ();
   QnFactorStatus status =
-    qn_linsys_factor_and_solve (step->linsys, as->ax, QN_LINSYS_AGAIN, step->step);
+    qn_linsys_factor_and_solve (step->linsys, as->ax, QN_LINSYS_REPEATED, step->step);
   memcpy (step->factored, step->tangents, 4 * as->pair_count * sizeof *step->factored);
   step->factored_length = status == QN_FACTOR_OK ? h : 0;
   step->statistics.factorizations += qn_linsys_work (step->linsys) > 0;

@@ -40,11 +40,11 @@ sort_strengths (const QnSpring *spring)
 bool
 qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
 {
-  size_t count = (as->pair_count + QN_CENTRAL_EIGHT - 1) / QN_CENTRAL_EIGHT;
-  size_t padded = count * QN_CENTRAL_EIGHT;
+  size_t count = (as->pair_count + QN_CENTRAL_WIDTH - 1) / QN_CENTRAL_WIDTH;
+  size_t padded = count * QN_CENTRAL_WIDTH;
 
   *pairs = (QnCentralPairs){ .assembly = as,
-                             .loops = qn_central_loops (QN_CENTRAL_EIGHT),
+                             .loops = qn_central_loops (QN_CENTRAL_WIDTH),
                              .count = count };
   pairs->force = as->force_scale > 0 ? as->force_scale : 1;
   pairs->length = pairs->force / as->stiffness;
@@ -57,21 +57,21 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
       pairs->others = true;
     }
   }
-  pairs->eights = qn_alloc_lines (count, sizeof *pairs->eights);
+  pairs->packs = qn_alloc_lines (count, sizeof *pairs->packs);
   pairs->steps = qn_alloc_lines (count, sizeof *pairs->steps);
   pairs->kept = qn_alloc_lines (count, sizeof *pairs->kept);
   pairs->near = qn_alloc_lines (count, sizeof *pairs->near);
   pairs->rates = qn_alloc (2 * padded, sizeof *pairs->rates);
   pairs->forces = qn_alloc_lines (2 * padded, sizeof *pairs->forces);
   pairs->tangents = qn_alloc_lines (4 * padded, sizeof *pairs->tangents);
-  return pairs->eights && pairs->steps && pairs->kept && pairs->near && pairs->rates
+  return pairs->packs && pairs->steps && pairs->kept && pairs->near && pairs->rates
          && pairs->forces && pairs->tangents;
 }
 
 void
 qn_central_pairs_clear (QnCentralPairs *pairs)
 {
-  free (pairs->eights);
+  free (pairs->packs);
   free (pairs->steps);
   free (pairs->kept);
   free (pairs->near);
@@ -96,8 +96,8 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
   const QnAssembly *as = pairs->assembly;
   const QnSpring *spring = &as->springs[p].a;
   const QnSpringMemory *memory = &as->committed[p].a;
-  QnCentralEight *e = &pairs->eights[p / QN_CENTRAL_EIGHT];
-  size_t i = p % QN_CENTRAL_EIGHT;
+  QnCentralPack *e = &pairs->packs[p / QN_CENTRAL_WIDTH];
+  size_t i = p % QN_CENTRAL_WIDTH;
   double stiffness = pairs->force / pairs->length;
   double y[2] = { as->responses[p].force[0] / pairs->force,
                   as->responses[p].force[1] / pairs->force };
@@ -141,11 +141,11 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
 void
 qn_central_pairs_start (QnCentralPairs *pairs, double size)
 {
-  memset (pairs->eights, 0, pairs->count * sizeof *pairs->eights);
+  memset (pairs->packs, 0, pairs->count * sizeof *pairs->packs);
   for (size_t k = 0; k < pairs->count; k++)
     for (int row = 0; row < QN_CENTRAL_ROWS; row++)
-      for (int i = 0; i < QN_CENTRAL_EIGHT; i++)
-        pairs->eights[k].now.s[row][i] = 1;
+      for (int i = 0; i < QN_CENTRAL_WIDTH; i++)
+        pairs->packs[k].now.s[row][i] = 1;
   for (size_t p = 0; p < pairs->assembly->pair_count; p++)
     if (qn_pair_springs_are_plastic (&pairs->assembly->springs[p]))
       start_pair (pairs, p, size);
@@ -158,9 +158,9 @@ evaluate_others (QnCentralPairs *pairs)
   QnAssembly *as = pairs->assembly;
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    QnCentralEight *e = &pairs->eights[p / QN_CENTRAL_EIGHT];
+    QnCentralPack *e = &pairs->packs[p / QN_CENTRAL_WIDTH];
     QnPairResponse *response = &as->responses[p];
-    size_t lane = p % QN_CENTRAL_EIGHT;
+    size_t lane = p % QN_CENTRAL_WIDTH;
     if (qn_pair_springs_are_plastic (&as->springs[p]))
       continue;
     if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
@@ -181,7 +181,7 @@ qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals)
 {
   if (pairs->others && !evaluate_others (pairs))
     return false;
-  *residuals = pairs->loops->prepare (pairs->eights, pairs->count,
+  *residuals = pairs->loops->prepare (pairs->packs, pairs->count,
                                       pairs->assembly->elongations, 1 / pairs->length);
   return true;
 }
@@ -198,61 +198,61 @@ qn_central_pairs_exchange_steps (QnCentralPairs *pairs)
 void
 qn_central_pairs_get_forces (QnCentralPairs *pairs)
 {
-  pairs->loops->forces (pairs->eights, pairs->count, pairs->force, pairs->forces);
+  pairs->loops->forces (pairs->packs, pairs->count, pairs->force, pairs->forces);
 }
 
 void
 qn_central_pairs_aim (QnCentralPairs *pairs, const QnCentralAim *aim)
 {
-  pairs->loops->aim (pairs->eights, pairs->steps, pairs->count, aim, pairs->force,
+  pairs->loops->aim (pairs->packs, pairs->steps, pairs->count, aim, pairs->force,
                      pairs->forces);
-  if (aim->wish == QN_CENTRAL_CENTRE)
+  if (aim->target == QN_CENTRAL_CENTRE)
     qn_central_pairs_exchange_steps (pairs);
 }
 
 void
 qn_central_pairs_get_tangents (QnCentralPairs *pairs)
 {
-  pairs->loops->tangents (pairs->eights, pairs->count, pairs->force / pairs->length,
+  pairs->loops->tangents (pairs->packs, pairs->count, pairs->force / pairs->length,
                           pairs->tangents);
 }
 
-QnCentralReach
+QnCentralForecast
 qn_central_pairs_complete (QnCentralPairs *pairs, const double *step)
 {
   qn_assembly_elongation_rates (pairs->assembly, step, pairs->rates);
-  return pairs->loops->complete (pairs->eights, pairs->count, pairs->rates,
+  return pairs->loops->complete (pairs->packs, pairs->count, pairs->rates,
                                  1 / pairs->length, pairs->steps);
 }
 
 void
 qn_central_pairs_go (QnCentralPairs *pairs, double part)
 {
-  pairs->loops->go (pairs->eights, pairs->steps, pairs->count, part);
+  pairs->loops->go (pairs->packs, pairs->steps, pairs->count, part);
 }
 
 void
 qn_central_pairs_keep (QnCentralPairs *pairs)
 {
   for (size_t k = 0; k < pairs->count; k++)
-    pairs->near[k] = pairs->eights[k].now;
+    pairs->near[k] = pairs->packs[k].now;
 }
 
 void
 qn_central_pairs_come_back (QnCentralPairs *pairs)
 {
   for (size_t k = 0; k < pairs->count; k++)
-    pairs->eights[k].now = pairs->near[k];
+    pairs->packs[k].now = pairs->near[k];
 }
 
 static void
 take_flow_of_pair (QnCentralPairs *pairs, size_t p)
 {
   QnAssembly *as = pairs->assembly;
-  const QnCentralEight *e = &pairs->eights[p / QN_CENTRAL_EIGHT];
+  const QnCentralPack *e = &pairs->packs[p / QN_CENTRAL_WIDTH];
   QnPairResponse *response = &as->responses[p];
-  size_t i = p % QN_CENTRAL_EIGHT;
-  const QnEight *z = e->now.z;
+  size_t i = p % QN_CENTRAL_WIDTH;
+  const QnPackVector *z = e->now.z;
   const double flow[2] = { z[0][i] - z[3][i] + e->dilatancy[i] * (z[1][i] + z[2][i]),
                            z[1][i] - z[2][i] };
   double y[2], q[2];

@@ -1,9 +1,9 @@
-/* All contact pairs of a central path: see central-path.h. Their arithmetic is central-eight.h's. */
+/* All contact pairs of a central path: see central-path.h. Their arithmetic is central-pack.h's. */
 #ifndef QN_CORE_CENTRAL_PAIRS_H
 #define QN_CORE_CENTRAL_PAIRS_H
 
 #include "core/assembly/assembly.h"
-#include "core/equilibrium/central-eight.h"
+#include "core/equilibrium/central-pack.h"
 
 typedef struct QnCentralPairs {
   QnAssembly *assembly; /* borrowed */
@@ -12,8 +12,8 @@ typedef struct QnCentralPairs {
   bool others;          /* there are pairs of other laws */
   const QnCentralLoops *loops;
   size_t
-    count; /* of eights; what is missing in the last one is like pairs of other laws */
-  QnCentralEight *eights;
+    count; /* of packs; what is missing in the last one is like pairs of other laws */
+  QnCentralPack *packs;
   QnCentralState *steps; /* the direction, */
   QnCentralState *kept;  /* and that found so far, while a better one is sought */
   QnCentralState *near;  /* a state that was kept */
@@ -44,7 +44,7 @@ void qn_central_pairs_aim (QnCentralPairs *pairs, const QnCentralAim *aim);
 void qn_central_pairs_get_tangents (QnCentralPairs *pairs);
 
 /* The direction that belongs to a step of the unknowns. */
-QnCentralReach qn_central_pairs_complete (QnCentralPairs *pairs, const double *step);
+QnCentralForecast qn_central_pairs_complete (QnCentralPairs *pairs, const double *step);
 
 /* Exchanges the direction for the one that was kept. */
 void qn_central_pairs_exchange_steps (QnCentralPairs *pairs);

@@ -141,7 +141,7 @@ typedef struct {
   double elongation; /* the largest, at least 1 */
   double target_gap; /* what the target lacks */
   double multiplier_step;
-  QnCentralReach reach;             /* of the direction */
+  QnCentralForecast reach;          /* of the direction */
   double complementarity;           /* asked for */
   double watched_gap;               /* when it had last halved, */
   int watched_since;                /* and that iteration */
@@ -262,7 +262,7 @@ find_predictor (Increment *increment)
   bool bordered = increment->target->direction != NULL;
 
   qn_central_pairs_aim (&path->pairs,
-                        &(QnCentralAim){ .wish = QN_CENTRAL_NOTHING, .part = 1 });
+                        &(QnCentralAim){ .target = QN_CENTRAL_NOTHING, .part = 1 });
   balance (path, eq->step);
   if (bordered)
     memcpy (eq->live_step, eq->assembly.live,
@@ -287,7 +287,7 @@ way_to_boundary (const Increment *increment)
 static double
 mean_by_predictor (const Increment *increment)
 {
-  const QnCentralReach *reach = &increment->reach;
+  const QnCentralForecast *reach = &increment->reach;
   double part = way_to_boundary (increment), products = increment->residuals.products;
   double left = (products + part * (reach->first + part * reach->second)) / products;
 
@@ -306,7 +306,7 @@ centre (Increment *increment, double mean, double part, double step)
     double longer = fmin (1, 1.3 * step + 0.1),
            multiplier_step = increment->multiplier_step;
     memcpy (path->kept_step, eq->step, step_bytes);
-    find_direction (increment, &(QnCentralAim){ .wish = QN_CENTRAL_CENTRE,
+    find_direction (increment, &(QnCentralAim){ .target = QN_CENTRAL_CENTRE,
                                                 .part = part,
                                                 .mean = mean,
                                                 .length = longer,
@@ -489,7 +489,7 @@ improve (Increment *increment)
   }
   find_direction (
     increment,
-    &(QnCentralAim){ .wish = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });
+    &(QnCentralAim){ .target = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });
   double step = centre (increment, mean, part, way_to_boundary (increment));
   take_step (increment, fmin (1, TO_BOUNDARY * step));
   increment->short_steps = step < SHORT ? increment->short_steps + 1 : 0;

@@ -126,7 +126,7 @@ apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
   qn_assembly_tangent (as, eq->multiplier, viscosity);
   double assembled = qn_clock_seconds ();
   QnFactorStatus status =
-    qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_AGAIN, b);
+    qn_linsys_factor_and_solve (eq->linsys, as->ax, QN_LINSYS_REPEATED, b);
   eq->statistics.assembly_seconds += assembled - start;
   eq->statistics.factor_seconds += qn_clock_seconds () - assembled;
   qn_equilibrium_count_factorization (eq);

@@ -190,7 +190,7 @@ proves_singular (const Trial *trial)
 }
 
 void
-qn_linsys_eliminate_everything (QnLinsys *system, bool always)
+qn_linsys_always_factor_whole (QnLinsys *system, bool always)
 {
   system->whole = always;
 }
@@ -251,7 +251,7 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse re
 QnFactorStatus
 qn_linsys_factor (QnLinsys *system, const double *ax)
 {
-  return qn_linsys_factor_and_solve (system, ax, QN_LINSYS_AGAIN, NULL);
+  return qn_linsys_factor_and_solve (system, ax, QN_LINSYS_REPEATED, NULL);
 }
 
 void

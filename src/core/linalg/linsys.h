@@ -29,8 +29,8 @@ void qn_linsys_free (QnLinsys *system);
 
 /* Whether the next matrix will be like this one. */
 typedef enum {
-  QN_LINSYS_AGAIN, /* what does not change is kept for it */
-  QN_LINSYS_ONCE   /* all values will be new: nothing is kept, which is faster */
+  QN_LINSYS_REPEATED, /* what does not change is kept for it */
+  QN_LINSYS_ONCE      /* all values will be new: nothing is kept, which is faster */
 } QnLinsysReuse;
 
 /* Factorises the matrix with the values ax. */
@@ -43,7 +43,7 @@ QnFactorStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
 
 /* Whether the next factorisations start from nothing, for comparison: otherwise only what new
  * values reach is eliminated anew. The factors are the same to the bit. */
-void qn_linsys_eliminate_everything (QnLinsys *system, bool always);
+void qn_linsys_always_factor_whole (QnLinsys *system, bool always);
 
 /* What part of the work of a whole factorisation the last one took. */
 double qn_linsys_work (const QnLinsys *system);

@@ -300,7 +300,7 @@ test_one_crack (void)
     enum { STEPS = 4000 };
     QnPairMemory memory = { 0 };
     double far = 2 * concrete.fracture_energy / concrete.tension, work = 0, before = 0;
-    g_assert_false (qn_pair_springs_run_back (&pairs[i]));
+    g_assert_false (qn_pair_springs_snap_back (&pairs[i]));
     for (int k = 1; k <= STEPS; k++) {
       QnPairResponse r = look (&pairs[i], &memory, 1.000001 * far * k / STEPS, 0);
       work += 0.5 * (before + r.force[0]) * far / STEPS;
@@ -314,21 +314,21 @@ test_one_crack (void)
 
 /* Too little fracture energy for the length: by itself, or with what the other side gives back. */
 static void
-test_run_back (void)
+test_snap_back (void)
 {
   QnLaw brittle = concrete, soft = lead;
   brittle.fracture_energy =
     0.2 * 0.2 / 3; /* crack carries nothing at twice ft (1/k + 1/k) */
   QnPairSprings springs = pair_of (&brittle, &brittle);
-  g_assert_false (qn_pair_springs_run_back (&springs));
+  g_assert_false (qn_pair_springs_snap_back (&springs));
   soft.kn = 0.5;
   springs = pair_of (&brittle, &soft);
-  g_assert_true (qn_pair_springs_run_back (&springs));
+  g_assert_true (qn_pair_springs_snap_back (&springs));
   springs = pair_of (&soft, &brittle);
-  g_assert_true (qn_pair_springs_run_back (&springs));
+  g_assert_true (qn_pair_springs_snap_back (&springs));
   brittle.fracture_energy /= 5;
   springs = pair_of (&brittle, &brittle);
-  g_assert_true (qn_pair_springs_run_back (&springs));
+  g_assert_true (qn_pair_springs_snap_back (&springs));
 }
 
 int
@@ -345,6 +345,6 @@ main (int argc, char **argv)
   g_test_add_func ("/contact-pair/quadratic-convergence", test_quadratic_convergence);
   g_test_add_func ("/contact-pair/straight-branches", test_straight_branches);
   g_test_add_func ("/contact-pair/one-crack", test_one_crack);
-  g_test_add_func ("/contact-pair/run-back", test_run_back);
+  g_test_add_func ("/contact-pair/snap-back", test_snap_back);
   return g_test_run ();
 }

@@ -127,7 +127,7 @@ test_at_once (void)
     dense_random (&d, random);
     for (int i = 0; i < N && k % 2 == 0; i++)
       d.b[i] += 9 * d.x[i], d.ax[i * N + i] += 9;
-    QnLinsysReuse reuse = k % 4 < 2 ? QN_LINSYS_ONCE : QN_LINSYS_AGAIN;
+    QnLinsysReuse reuse = k % 4 < 2 ? QN_LINSYS_ONCE : QN_LINSYS_REPEATED;
     g_assert_cmpint (qn_linsys_factor_and_solve (system, d.ax, reuse, zeros), ==,
                      QN_FACTOR_OK);
     for (int again = 0; again < 2; again++) { /* the second time the factors are there */
@@ -188,8 +188,8 @@ test_free_unknown (void)
          again++) { /* the same matrix is as singular as before */
       double b[N];
       memcpy (b, d.b, sizeof b);
-      g_assert_cmpint (qn_linsys_factor_and_solve (system, d.ax, QN_LINSYS_AGAIN, b), ==,
-                       QN_FACTOR_SINGULAR);
+      g_assert_cmpint (qn_linsys_factor_and_solve (system, d.ax, QN_LINSYS_REPEATED, b),
+                       ==, QN_FACTOR_SINGULAR);
     }
   }
   qn_linsys_free (system);

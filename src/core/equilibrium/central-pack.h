@@ -3,45 +3,45 @@
  * Every quantity of eight pairs stands side by side. The loops work on as many of them at a time as
  * the processor has room for, in the same order everywhere: results are equal to the bit.
  */
-#ifndef QN_CORE_CENTRAL_EIGHT_H
-#define QN_CORE_CENTRAL_EIGHT_H
+#ifndef QN_CORE_CENTRAL_PACK_H
+#define QN_CORE_CENTRAL_PACK_H
 
 #include "core/base/base.h"
 
 /* Strengths of a pair: limit of tension; friction against positive and negative shear; limit of
  * compression. */
-enum { QN_CENTRAL_ROWS = 4, QN_CENTRAL_EIGHT = 8 };
+enum { QN_CENTRAL_ROWS = 4, QN_CENTRAL_WIDTH = 8 };
 
-typedef double QnEight[QN_CENTRAL_EIGHT];
-typedef int64_t QnEightMask[QN_CENTRAL_EIGHT];
+typedef double QnPackVector[QN_CENTRAL_WIDTH];
+typedef int64_t QnPackMask[QN_CENTRAL_WIDTH];
 
 /* Forces, strengths left and flows; or a direction of all three. */
 typedef struct QnCentralState {
-  QnEight y[2], s[QN_CENTRAL_ROWS], z[QN_CENTRAL_ROWS];
+  QnPackVector y[2], s[QN_CENTRAL_ROWS], z[QN_CENTRAL_ROWS];
 } QnCentralState;
 
 /* In units of the path: forces F, the largest load of a block; elongations F over the mean
  * stiffness. Strengths that a pair lacks have s = 1 and z = 0, and stay so. */
-typedef struct QnCentralEight {
+typedef struct QnCentralPack {
   /* All ones where the pair has that strength. Without a limit of tension it has none of them: only
    * y and its tangent count. */
-  QnEightMask has_tension, has_shear, has_compression;
-  QnEight friction, dilatancy;
-  QnEight tension, cohesion, compression; /* h, by rows; cohesion twice */
-  QnEight flexibility[2];
-  QnEight plastic[2]; /* q_p */
+  QnPackMask has_tension, has_shear, has_compression;
+  QnPackVector friction, dilatancy;
+  QnPackVector tension, cohesion, compression; /* h, by rows; cohesion twice */
+  QnPackVector flexibility[2];
+  QnPackVector plastic[2]; /* q_p */
 
   QnCentralState now;
-  QnEight inverse[4]; /* of H, by rows: the tangent */
+  QnPackVector inverse[4]; /* of H, by rows: the tangent */
 
-  QnEight inverse_s[QN_CENTRAL_ROWS], inverse_z[QN_CENTRAL_ROWS];
+  QnPackVector inverse_s[QN_CENTRAL_ROWS], inverse_z[QN_CENTRAL_ROWS];
 
-  QnEight strain[2];                 /* residuals: q - q_p - flow z - y / k */
-  QnEight strength[QN_CENTRAL_ROWS]; /* h - G y - s */
-  QnEight product[QN_CENTRAL_ROWS];  /* what s z is to become */
-  QnEight gain[QN_CENTRAL_ROWS];     /* what of the strength the direction is to find */
-  QnEight free_strain[2];            /* what of the strain is left for the forces then */
-} QnCentralEight;
+  QnPackVector strain[2];                 /* residuals: q - q_p - flow z - y / k */
+  QnPackVector strength[QN_CENTRAL_ROWS]; /* h - G y - s */
+  QnPackVector product[QN_CENTRAL_ROWS];  /* what s z is to become */
+  QnPackVector gain[QN_CENTRAL_ROWS]; /* what of the strength the direction is to find */
+  QnPackVector free_strain[2];        /* what of the strain is left for the forces then */
+} QnCentralPack;
 
 /* The largest of all pairs, in units of the path, and a sum. */
 typedef struct QnCentralResiduals {
@@ -53,19 +53,19 @@ typedef struct QnCentralResiduals {
 
 /* What a direction leads to: s or z of some pair vanishes after one over `boundary` of it, and the
  * sum of s z after a part p of it is products + p first + p^2 second. */
-typedef struct QnCentralReach {
+typedef struct QnCentralForecast {
   double boundary, first, second;
-} QnCentralReach;
+} QnCentralForecast;
 
 /* What products are asked for. */
 typedef enum {
   QN_CENTRAL_NOTHING,      /* zero */
   QN_CENTRAL_SECOND_ORDER, /* the mean, less what the last direction misses it by */
   QN_CENTRAL_CENTRE /* that the next step's be within `spread` times the mean either way */
-} QnCentralWish;
+} QnCentralTarget;
 
 typedef struct QnCentralAim {
-  QnCentralWish wish;
+  QnCentralTarget target;
   double part; /* of the residuals that is to vanish */
   double mean;
   double length, spread; /* of CENTRE */
@@ -75,30 +75,30 @@ typedef struct QnCentralAim {
  * pairs are numbers (normal, tangential) one pair after the other, tangents 2 x 2 by rows. */
 typedef struct QnCentralLoops {
   /* Residuals and tangent at elongations in m; `shrink`: the unit of the path over m. */
-  QnCentralResiduals (*prepare) (QnCentralEight *eights, size_t count,
+  QnCentralResiduals (*prepare) (QnCentralPack *packs, size_t count,
                                  const double *elongations, double shrink);
 
   /* Sets the products, from the last direction and the last products where need be, and gives the
    * forces that the pairs would exert if no block moved, times `force`. */
-  void (*aim) (QnCentralEight *eights, const QnCentralState *steps, size_t count,
+  void (*aim) (QnCentralPack *packs, const QnCentralState *steps, size_t count,
                const QnCentralAim *aim, double force, double *forces);
 
   /* The forces as they are, times `force`. */
-  void (*forces) (const QnCentralEight *eights, size_t count, double force,
-                  double *forces);
+  void (*forces) (const QnCentralPack *packs, size_t count, double force, double *forces);
 
   /* The tangents, times `stiffness`. */
-  void (*tangents) (const QnCentralEight *eights, size_t count, double stiffness,
+  void (*tangents) (const QnCentralPack *packs, size_t count, double stiffness,
                     double *tangents);
 
   /* The whole direction under rates of elongation,
    *
    *   dy = H \ (rate + what of the strain is left for the forces)  */
-  QnCentralReach (*complete) (const QnCentralEight *eights, size_t count,
-                              const double *rates, double shrink, QnCentralState *steps);
+  QnCentralForecast (*complete) (const QnCentralPack *packs, size_t count,
+                                 const double *rates, double shrink,
+                                 QnCentralState *steps);
 
   /* Goes a part of the direction. */
-  void (*go) (QnCentralEight *eights, const QnCentralState *steps, size_t count,
+  void (*go) (QnCentralPack *packs, const QnCentralState *steps, size_t count,
               double part);
 } QnCentralLoops;
 

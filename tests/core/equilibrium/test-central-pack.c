@@ -1,4 +1,4 @@
-#include "core/equilibrium/central-eight.h"
+#include "core/equilibrium/central-pack.h"
 
 #include <glib.h>
 #include <math.h>
@@ -7,19 +7,19 @@
 /* Of the residuals, to be taken off by the last direction. */
 #define PART 0.9
 
-/* Pairs of all kinds, in as many eights as leave room for every mixture. */
-enum { COUNT = 20, PAIRS = QN_CENTRAL_EIGHT * COUNT };
+/* Pairs of all kinds, in as many packs as leave room for every mixture. */
+enum { COUNT = 20, PAIRS = QN_CENTRAL_WIDTH * COUNT };
 
 typedef struct {
-  QnCentralEight eights[COUNT];
+  QnCentralPack packs[COUNT];
   QnCentralState steps[COUNT];
   double elongations[2 * PAIRS], rates[2 * PAIRS], forces[2 * PAIRS], tangents[4 * PAIRS];
   QnCentralResiduals residuals;
-  QnCentralReach reach;
+  QnCentralForecast reach;
 } Case;
 
 static void
-fill_pair (QnCentralEight *e, int i, GRand *random)
+fill_pair (QnCentralPack *e, int i, GRand *random)
 {
   /* Another law; a limit of tension alone; friction too; cohesion too; compression too. */
   int kind = g_rand_int_range (random, 0, 6);
@@ -62,7 +62,7 @@ case_init (Case *c)
 
   memset (c, 0, sizeof *c);
   for (int p = 0; p < PAIRS; p++)
-    fill_pair (&c->eights[p / QN_CENTRAL_EIGHT], p % QN_CENTRAL_EIGHT, random);
+    fill_pair (&c->packs[p / QN_CENTRAL_WIDTH], p % QN_CENTRAL_WIDTH, random);
   for (int k = 0; k < 2 * PAIRS; k++) {
     c->elongations[k] = g_rand_double_range (random, -1, 1);
     c->rates[k] = g_rand_double_range (random, -1, 1);
@@ -75,16 +75,20 @@ static void
 run (Case *c, const QnCentralLoops *loops)
 {
   const QnCentralAim aims[] = {
-    { .wish = QN_CENTRAL_NOTHING, .part = 1 },
-    { .wish = QN_CENTRAL_SECOND_ORDER, .part = PART, .mean = 0.1 },
-    { .wish = QN_CENTRAL_CENTRE, .part = PART, .mean = 0.1, .length = 0.7, .spread = 10 },
+    { .target = QN_CENTRAL_NOTHING, .part = 1 },
+    { .target = QN_CENTRAL_SECOND_ORDER, .part = PART, .mean = 0.1 },
+    { .target = QN_CENTRAL_CENTRE,
+      .part = PART,
+      .mean = 0.1,
+      .length = 0.7,
+      .spread = 10 },
   };
 
-  c->residuals = loops->prepare (c->eights, COUNT, c->elongations, 0.5);
-  loops->tangents (c->eights, COUNT, 3, c->tangents);
+  c->residuals = loops->prepare (c->packs, COUNT, c->elongations, 0.5);
+  loops->tangents (c->packs, COUNT, 3, c->tangents);
   for (size_t k = 0; k < G_N_ELEMENTS (aims); k++) {
-    loops->aim (c->eights, c->steps, COUNT, &aims[k], 2, c->forces);
-    c->reach = loops->complete (c->eights, COUNT, c->rates, 0.5, c->steps);
+    loops->aim (c->packs, c->steps, COUNT, &aims[k], 2, c->forces);
+    c->reach = loops->complete (c->packs, COUNT, c->rates, 0.5, c->steps);
   }
 }
 
@@ -100,10 +104,10 @@ test_processors (void)
     run (&one, qn_central_loops (2));
     run (&other, qn_central_loops (widths[w]));
     g_assert_cmpmem (&one, sizeof one, &other, sizeof other);
-    qn_central_loops (2)->go (one.eights, one.steps, COUNT, 0.5);
-    qn_central_loops (widths[w])->go (other.eights, other.steps, COUNT, 0.5);
-    qn_central_loops (2)->forces (one.eights, COUNT, 2, one.forces);
-    qn_central_loops (widths[w])->forces (other.eights, COUNT, 2, other.forces);
+    qn_central_loops (2)->go (one.packs, one.steps, COUNT, 0.5);
+    qn_central_loops (widths[w])->go (other.packs, other.steps, COUNT, 0.5);
+    qn_central_loops (2)->forces (one.packs, COUNT, 2, one.forces);
+    qn_central_loops (widths[w])->forces (other.packs, COUNT, 2, other.forces);
     g_assert_cmpmem (&one, sizeof one, &other, sizeof other);
   }
 }
@@ -115,9 +119,9 @@ test_processors (void)
 static void
 check_direction (const Case *c, int p)
 {
-  const QnCentralEight *e = &c->eights[p / QN_CENTRAL_EIGHT];
-  const QnCentralState *d = &c->steps[p / QN_CENTRAL_EIGHT];
-  int i = p % QN_CENTRAL_EIGHT;
+  const QnCentralPack *e = &c->packs[p / QN_CENTRAL_WIDTH];
+  const QnCentralState *d = &c->steps[p / QN_CENTRAL_WIDTH];
+  int i = p % QN_CENTRAL_WIDTH;
   const bool has[] = { true, e->has_shear[i], e->has_shear[i], e->has_compression[i] };
   double mu = e->friction[i], psi = e->dilatancy[i];
   const double y[2] = { e->now.y[0][i], e->now.y[1][i] };
@@ -159,11 +163,11 @@ test_direction (void)
   double products = 0, after = 0;
 
   case_init (&c);
-  run (&c, qn_central_loops (QN_CENTRAL_EIGHT));
+  run (&c, qn_central_loops (QN_CENTRAL_WIDTH));
   for (int p = 0; p < PAIRS; p++) {
-    const QnCentralEight *e = &c.eights[p / QN_CENTRAL_EIGHT];
-    const QnCentralState *d = &c.steps[p / QN_CENTRAL_EIGHT];
-    int i = p % QN_CENTRAL_EIGHT;
+    const QnCentralPack *e = &c.packs[p / QN_CENTRAL_WIDTH];
+    const QnCentralState *d = &c.steps[p / QN_CENTRAL_WIDTH];
+    int i = p % QN_CENTRAL_WIDTH;
     for (int k = 0; k < 4; k++)
       g_assert_cmpfloat (c.tangents[4 * p + k], ==, 3 * e->inverse[k][i]);
     if (e->has_tension[i])
@@ -187,7 +191,7 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/central-eight/processors", test_processors);
-  g_test_add_func ("/central-eight/direction", test_direction);
+  g_test_add_func ("/central-pack/processors", test_processors);
+  g_test_add_func ("/central-pack/direction", test_direction);
   return g_test_run ();
 }

@@ -1,4 +1,4 @@
-#include "core/equilibrium/central-eight-loops.h"
+#include "core/equilibrium/central-pack-loops.h"
 
 #include "core/linalg/vector-loops.h"
 
@@ -59,7 +59,7 @@ largest (Vector a)
 }
 
 PART double
-sum (const QnEight a)
+sum (const QnPackVector a)
 {
   return ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7]));
 }
@@ -91,7 +91,7 @@ typedef struct {
 } Kind;
 
 PART Kind
-kind (const QnCentralEight *e, int at)
+kind (const QnCentralPack *e, int at)
 {
   Mask shears = take_mask (e->has_shear + at);
 
@@ -122,7 +122,7 @@ apply_flow (const Kind *kind, const Vector z[QN_CENTRAL_ROWS], Vector out[2])
 /* H = 1/k + flow diag (ratio) G, ratio = z / s, inverted; its determinant without the terms that
  * cancel: sum^2 - difference^2 = 4 ratio ratio. */
 PART void
-invert_flexibility (QnCentralEight *e, int at, const Kind *kind,
+invert_flexibility (QnCentralPack *e, int at, const Kind *kind,
                     const Vector ratio[QN_CENTRAL_ROWS])
 {
   Mask plastic = kind->row[0], shears = kind->row[1];
@@ -145,13 +145,13 @@ invert_flexibility (QnCentralEight *e, int at, const Kind *kind,
 }
 
 static QnCentralResiduals
-prepare (QnCentralEight *eights, size_t count, const double *elongations, double shrink)
+prepare (QnCentralPack *packs, size_t count, const double *elongations, double shrink)
 {
   Vector strain = { 0 }, strength = { 0 }, elongation = { 0 }, force = { 0 };
-  QnEight products = { 0 };
+  QnPackVector products = { 0 };
 
-  for (QnCentralEight *e = eights; e < eights + count; e++)
-    for (int at = 0; at < QN_CENTRAL_EIGHT; at += LANES, elongations += 2 * LANES) {
+  for (QnCentralPack *e = packs; e < packs + count; e++)
+    for (int at = 0; at < QN_CENTRAL_WIDTH; at += LANES, elongations += 2 * LANES) {
       Kind k = kind (e, at);
       Vector q[2], y[2], z[QN_CENTRAL_ROWS], flow[2], used[QN_CENTRAL_ROWS],
         ratio[QN_CENTRAL_ROWS], product = take (products + at);
@@ -198,7 +198,7 @@ prepare (QnCentralEight *eights, size_t count, const double *elongations, double
 
 /* dy = H \ strain */
 PART void
-apply_tangent (const QnCentralEight *e, int at, const Vector strain[2], Vector dy[2])
+apply_tangent (const QnCentralPack *e, int at, const Vector strain[2], Vector dy[2])
 {
   QN_UNROLL
   for (int i = 0; i < 2; i++)
@@ -208,14 +208,14 @@ apply_tangent (const QnCentralEight *e, int at, const Vector strain[2], Vector d
 
 /* What s z is to become in one row. */
 PART Vector
-wished_product (const QnCentralEight *e, int at, const QnCentralState *step,
-                const QnCentralAim *aim, QnCentralWish wish, int row)
+target_product (const QnCentralPack *e, int at, const QnCentralState *step,
+                const QnCentralAim *aim, QnCentralTarget target, int row)
 {
-  if (wish == QN_CENTRAL_NOTHING)
+  if (target == QN_CENTRAL_NOTHING)
     return (Vector){ 0 };
 
   Vector ds = take (step->s[row] + at), dz = take (step->z[row] + at);
-  if (wish == QN_CENTRAL_SECOND_ORDER)
+  if (target == QN_CENTRAL_SECOND_ORDER)
     return aim->mean - ds * dz;
 
   Vector least = aim->mean / aim->spread + (Vector){ 0 },
@@ -229,17 +229,17 @@ wished_product (const QnCentralEight *e, int at, const QnCentralState *step,
 
 /* dz = (product - s z - z ds) / s,  ds = gain - G dy: what of it does not depend on dy is free. */
 PART void
-aim_all (QnCentralEight *eights, const QnCentralState *steps, size_t count,
-         const QnCentralAim *aim, QnCentralWish wish, double force, double *forces)
+aim_all (QnCentralPack *packs, const QnCentralState *steps, size_t count,
+         const QnCentralAim *aim, QnCentralTarget target, double force, double *forces)
 {
-  for (QnCentralEight *e = eights; e < eights + count; e++, steps++)
-    for (int at = 0; at < QN_CENTRAL_EIGHT; at += LANES, forces += 2 * LANES) {
+  for (QnCentralPack *e = packs; e < packs + count; e++, steps++)
+    for (int at = 0; at < QN_CENTRAL_WIDTH; at += LANES, forces += 2 * LANES) {
       Kind k = kind (e, at);
       Vector free_flow[QN_CENTRAL_ROWS], flow[2], free_strain[2], dy[2], found[2];
       QN_UNROLL
       for (int i = 0; i < QN_CENTRAL_ROWS; i++) {
         Vector z = take (e->now.z[i] + at);
-        Vector product = only (k.row[i], wished_product (e, at, steps, aim, wish, i));
+        Vector product = only (k.row[i], target_product (e, at, steps, aim, target, i));
         Vector gain = aim->part * take (e->strength[i] + at);
         put (e->product[i] + at, product);
         put (e->gain[i] + at, gain);
@@ -260,30 +260,30 @@ aim_all (QnCentralEight *eights, const QnCentralState *steps, size_t count,
 }
 
 static void
-aim (QnCentralEight *eights, const QnCentralState *steps, size_t count,
+aim (QnCentralPack *packs, const QnCentralState *steps, size_t count,
      const QnCentralAim *aim, double force, double *forces)
 {
-  if (aim->wish == QN_CENTRAL_NOTHING)
-    aim_all (eights, steps, count, aim, QN_CENTRAL_NOTHING, force, forces);
-  else if (aim->wish == QN_CENTRAL_SECOND_ORDER)
-    aim_all (eights, steps, count, aim, QN_CENTRAL_SECOND_ORDER, force, forces);
+  if (aim->target == QN_CENTRAL_NOTHING)
+    aim_all (packs, steps, count, aim, QN_CENTRAL_NOTHING, force, forces);
+  else if (aim->target == QN_CENTRAL_SECOND_ORDER)
+    aim_all (packs, steps, count, aim, QN_CENTRAL_SECOND_ORDER, force, forces);
   else
-    aim_all (eights, steps, count, aim, QN_CENTRAL_CENTRE, force, forces);
+    aim_all (packs, steps, count, aim, QN_CENTRAL_CENTRE, force, forces);
 }
 
 static void
-forces (const QnCentralEight *eights, size_t count, double force, double *out)
+forces (const QnCentralPack *packs, size_t count, double force, double *out)
 {
-  for (const QnCentralEight *e = eights; e < eights + count; e++)
-    for (int at = 0; at < QN_CENTRAL_EIGHT; at += LANES, out += 2 * LANES)
+  for (const QnCentralPack *e = packs; e < packs + count; e++)
+    for (int at = 0; at < QN_CENTRAL_WIDTH; at += LANES, out += 2 * LANES)
       put_pairs (force * take (e->now.y[0] + at), force * take (e->now.y[1] + at), out);
 }
 
 static void
-tangents (const QnCentralEight *eights, size_t count, double stiffness, double *out)
+tangents (const QnCentralPack *packs, size_t count, double stiffness, double *out)
 {
-  for (const QnCentralEight *e = eights; e < eights + count; e++)
-    for (int at = 0; at < QN_CENTRAL_EIGHT; at += LANES, out += 4 * LANES) {
+  for (const QnCentralPack *e = packs; e < packs + count; e++)
+    for (int at = 0; at < QN_CENTRAL_WIDTH; at += LANES, out += 4 * LANES) {
       double rows[2][2 * LANES];
       QN_UNROLL
       for (int i = 0; i < 2; i++)
@@ -298,15 +298,15 @@ tangents (const QnCentralEight *eights, size_t count, double stiffness, double *
     }
 }
 
-static QnCentralReach
-complete (const QnCentralEight *eights, size_t count, const double *rates, double shrink,
+static QnCentralForecast
+complete (const QnCentralPack *packs, size_t count, const double *rates, double shrink,
           QnCentralState *steps)
 {
   Vector fastest = { 0 };
-  QnEight first = { 0 }, second = { 0 };
+  QnPackVector first = { 0 }, second = { 0 };
 
-  for (const QnCentralEight *e = eights; e < eights + count; e++, steps++)
-    for (int at = 0; at < QN_CENTRAL_EIGHT; at += LANES, rates += 2 * LANES) {
+  for (const QnCentralPack *e = packs; e < packs + count; e++, steps++)
+    for (int at = 0; at < QN_CENTRAL_WIDTH; at += LANES, rates += 2 * LANES) {
       Kind k = kind (e, at);
       Vector rate[2], used[QN_CENTRAL_ROWS], dy[2], once = take (first + at),
                                                     twice = take (second + at);
@@ -334,7 +334,7 @@ complete (const QnCentralEight *eights, size_t count, const double *rates, doubl
       put (first + at, once);
       put (second + at, twice);
     }
-  return (QnCentralReach){ largest (fastest), sum (first), sum (second) };
+  return (QnCentralForecast){ largest (fastest), sum (first), sum (second) };
 }
 
 /* now (count) += part * step */
@@ -346,10 +346,10 @@ advance (double *now, const double *step, size_t count, double part)
 }
 
 static void
-go (QnCentralEight *eights, const QnCentralState *steps, size_t count, double part)
+go (QnCentralPack *packs, const QnCentralState *steps, size_t count, double part)
 {
   for (size_t k = 0; k < count; k++)
-    advance ((double *) &eights[k].now, (const double *) &steps[k],
+    advance ((double *) &packs[k].now, (const double *) &steps[k],
              sizeof *steps / sizeof (double), part);
 }
 

@@ -1,4 +1,4 @@
-#include "core/equilibrium/central-eight-loops.h"
+#include "core/equilibrium/central-pack-loops.h"
 
 #include "core/linalg/vectors.h"
 
