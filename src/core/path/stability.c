@@ -1,7 +1,7 @@
 #include "core/path/stability.h"
 
-#include "core/assembly/inertia.h"
 #include "core/base/clock.h"
+#include "core/linalg/inertia.h"
 #include "core/path/path.h"
 
 #include <string.h>
@@ -30,17 +30,17 @@ check_state (Search *search, bool *stable, QnDiag *diag)
 {
   QnEquilibrium *eq = &search->path.equilibrium;
   QnAssembly *as = &eq->assembly;
-  int32_t negative;
+  QnInertiaCount count;
 
   qn_assembly_tangent_held (as, eq->multiplier);
   if (!qn_assembly_is_symmetric (as))
     return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
-  if (!qn_inertia_count (search->inertia, as->ax, &negative))
+  if (!qn_inertia_count (search->inertia, as->ax, &count))
     return qn_diag_no_memory (diag);
   eq->statistics.factorizations++;
   eq->statistics.factorization_work++;
-  *stable = negative == 0;
+  *stable = count.negative + count.zero == 0;
   return QN_OK;
 }
 
