@@ -1,7 +1,8 @@
 /* Contact faces: where a side of one block faces a side of another on a common line. */
+#include "core/contact/contact-faces.h"
+
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
-#include "core/contact/contact-walk.h"
 
 #include <stdlib.h>
 

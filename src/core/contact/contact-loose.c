@@ -1,7 +1,8 @@
 /* Blocks that hang together badly: touching at a point, touching nothing, held by nothing. */
+#include "core/contact/contact-loose.h"
+
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
-#include "core/contact/contact-search.h"
 
 #include <stdlib.h>
 

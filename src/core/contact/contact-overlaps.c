@@ -1,7 +1,8 @@
 /* Blocks that overlap, how deeply and where. */
+#include "core/contact/contact-overlaps.h"
+
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
-#include "core/contact/contact-walk.h"
 
 #include <stdlib.h>
 

@@ -44,68 +44,52 @@ QnStatus qn_contact_search_init (QnContactSearch *search, const QnModel *model,
 
 void qn_contact_search_clear (QnContactSearch *search);
 
-/* A place where a corner of one block lies on the boundary of another one. */
-typedef struct QnTouch {
-  QnId a, b; /* a < b */
-  QnVec2 at;
-} QnTouch;
+/* Walking along the sides of one block that meet a box. Blocks of few sides are looked through;
+ * the others, a ground of thousands of vertices, are asked through the tree. */
+typedef struct QnSideWalk {
+  const QnContactSearch *search;
+  QnBox box;
+  size_t next, end; /* sides still to be looked at */
+  bool by_tree;
+  QnBoxQuery query;
+} QnSideWalk;
 
-typedef struct QnTouches {
-  QnTouch *items; /* owned; sorted by (a, b) */
-  size_t count, capacity;
-} QnTouches;
+static inline size_t
+qn_side_count (const QnContactSearch *search, QnId block)
+{
+  return search->sides.first[block + 1] - search->sides.first[block];
+}
 
-/* Room that a search of pairs of blocks needs again and again. */
-typedef struct QnContactMatches {
-  struct QnContactMatch *items;
-  size_t count, capacity;
-} QnContactMatches;
+static inline void
+qn_side_walk_start (QnSideWalk *walk, const QnContactSearch *search, QnId block,
+                    QnBox box)
+{
+  walk->search = search;
+  walk->box = box;
+  walk->next = search->sides.first[block];
+  walk->end = search->sides.first[block + 1];
+  walk->by_tree = walk->end - walk->next > QN_FEW_SIDES;
+  if (walk->by_tree)
+    walk->query = qn_box_tree_query (&search->side_tree, box);
+}
 
-typedef struct QnContactCuts {
-  double *items;
-  size_t count, capacity;
-} QnContactCuts;
-
-/* Appends the faces (without pairs) of blocks a < b in their final order, their gaps, and the
- * touches that lie on no common face of the two. False when memory runs out. In
- * contact-faces.c. */
-bool qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b,
-                            QnContactMatches *matches, QnContacts *contacts,
-                            QnTouches *touches);
-
-/* Appends a finding if blocks a < b overlap; false when memory runs out. In
- * contact-overlaps.c. */
-bool qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
-                               QnContactCuts *cuts, QnFindings *findings);
-
-/* Appends findings for blocks that touch at a point only; overlaps must be found before. */
-QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
-                                   const QnTouches *touches, QnDiag *diag);
-
-/* All that pairs of blocks have to do with each other. Findings come kind by kind
- * (gaps, overlaps, points), each kind sorted by blocks. */
-QnStatus qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts,
-                                QnDiag *diag);
-
-/* Gives every face its laws and pairs, by the model's rules and exceptions. */
-QnStatus qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts,
-                                  QnDiag *diag);
-
-/* Appends findings for blocks that touch nothing or hang on nothing. */
-QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
-                                   QnDiag *diag);
-
-/* These two, which the search of pairs leaves to be done; `contacts` is cleared on failure. */
-QnStatus qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag);
-
-/* Adds the pairs of the bars that cross a face, behind the face's own, and marks the bars
- * (model->bar_count flags). In contact-bars.c. */
-QnStatus qn_contacts_add_bars (const QnModel *model, QnContacts *contacts, QnId face,
-                               bool *used, QnDiag *diag);
-
-/* Refuses different bases on the two sides of a face, and springs that would snap back while
- * they soften. In pair-springs.c. */
-QnStatus qn_contacts_check_springs (const QnModel *model, const QnContacts *contacts,
-                                    QnId face, QnDiag *diag);
+/* The next side, or NULL. */
+static inline const QnSide *
+qn_side_walk_next (QnSideWalk *walk)
+{
+  const QnSide *sides = walk->search->sides.items;
+  QnId item;
+  while (walk->by_tree && (item = qn_box_query_next (&walk->query)) != QN_NONE) {
+    size_t i = (size_t) walk->search->tree_sides[item];
+    if (i >= walk->next && i < walk->end)
+      return &sides[i];
+  }
+  while (!walk->by_tree && walk->next < walk->end) {
+    const QnSide *side = &sides[walk->next++];
+    if (qn_box_meets (qn_side_box (side), walk->box))
+      return side;
+  }
+  return NULL;
+}
 
 #endif

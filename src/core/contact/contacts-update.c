@@ -2,7 +2,7 @@
  * what lies near both of them. So the pairs of blocks near a change are searched in a part of
  * the model that holds their neighbours as well, and all other pairs are taken over. */
 #include "core/base/memory.h"
-#include "core/contact/contact-search.h"
+#include "core/contact/contact-neighbours.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,10 @@
 #include "core/contact/contacts.h"
 
-#include "core/contact/contact-search.h"
+#include "core/contact/contact-loose.h"
+#include "core/contact/contact-neighbours.h"
+#include "core/contact/pair-placement.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 QnStatus
@@ -75,6 +78,51 @@ qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts, QnD
     return QN_ERROR_INVALID;
   }
   return QN_OK;
+}
+
+QnId
+qn_contacts_pair_law (const QnModel *model, const QnContacts *contacts, size_t pair,
+                      int side)
+{
+  const QnContactPair *p = &contacts->pairs[pair];
+  const QnContactFace *face = &contacts->faces[p->face];
+
+  if (p->bar != QN_NONE)
+    return model->bars[p->bar].law;
+  return side == 0 ? face->law_a : face->law_b;
+}
+
+/* Extent of a block along a direction, m. */
+static double
+block_extent (const QnModel *model, QnId block, QnVec2 direction)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  double low = 0, high = 0;
+
+  for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
+    double s = qn_vec2_dot (qn_vec2_sub (v[i], v[0]), direction);
+    low = fmin (low, s);
+    high = fmax (high, s);
+  }
+  return high - low;
+}
+
+QnPairSprings
+qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts, size_t pair)
+{
+  const QnContactPair *p = &contacts->pairs[pair];
+  const QnContactFace *face = &contacts->faces[p->face];
+  const QnId blocks[2] = { face->a, face->b };
+  double area = p->tributary * face->thickness;
+  QnSpring springs[2];
+
+  for (int side = 0; side < 2; side++) {
+    const QnLaw *law = &model->laws[qn_contacts_pair_law (model, contacts, pair, side)];
+    /* The side of a block reaches to its middle; the other half belongs to the far side. */
+    double length = 0.5 * block_extent (model, blocks[side], face->normal);
+    springs[side] = qn_spring_from_law (law, area, length);
+  }
+  return qn_pair_springs (springs[0], springs[1]);
 }
 
 void

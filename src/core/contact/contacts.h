@@ -58,6 +58,10 @@ QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag 
 QnStatus qn_contacts_update (const QnModel *old_model, const QnContacts *old,
                              const QnModel *model, QnContacts *contacts, QnDiag *diag);
 
+/* The last steps of detection, once the faces are known: pairs, loose blocks. `contacts` is cleared
+ * on failure. */
+QnStatus qn_contacts_complete (const QnModel *model, QnContacts *contacts, QnDiag *diag);
+
 /* Refuses what cannot be analysed: no blocks, overlapping blocks, no support, floating blocks. */
 QnStatus qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts,
                                     QnDiag *diag);

@@ -1,6 +1,7 @@
-/* Laws and contact pairs of the faces, by the model's rules and its exceptions. */
+#include "core/contact/pair-placement.h"
+
 #include "core/base/memory.h"
-#include "core/contact/contact-search.h"
+#include "core/base/tolerance.h"
 #include "core/contact/pair-abscissae.h"
 
 #include <stdlib.h>
@@ -134,6 +135,108 @@ report_unused_bars (const QnModel *model, const bool *used, QnDiag *diag)
   return QN_OK;
 }
 
+/* Where the bar crosses the line of the face, as parts of the bar and of the face. */
+static bool
+crossing (const QnBar *bar, const QnContactFace *face, double *on_bar, double *on_face)
+{
+  QnVec2 along = qn_vec2_sub (bar->end, bar->start);
+  QnVec2 to = qn_vec2_sub (face->start, bar->start);
+  double climb = qn_vec2_dot (along, face->normal);
+
+  if (climb == 0)
+    return false;
+  *on_bar = qn_vec2_dot (to, face->normal) / climb;
+  QnVec2 met = qn_vec2_add_scaled (bar->start, *on_bar, along);
+  *on_face = qn_vec2_dot (qn_vec2_sub (met, face->start), face->tangent) / face->length;
+  return *on_bar > 0 && *on_bar < 1 && *on_face >= 0 && *on_face <= 1;
+}
+
+static bool
+is_oblique (const QnBar *bar, const QnContactFace *face)
+{
+  QnVec2 along = qn_vec2_sub (bar->end, bar->start);
+  return fabs (qn_vec2_dot (along, face->tangent))
+         > QN_TOLERANCE_OBLIQUE_BAR * qn_vec2_length (along);
+}
+
+/* Adds the pairs of the bars that cross a face, and marks the bars. */
+static QnStatus
+add_bars (const QnModel *model, QnContacts *contacts, QnId index, bool *used,
+          QnDiag *diag)
+{
+  QnContactFace *face = &contacts->faces[index];
+
+  for (size_t i = 0; i < model->bar_count; i++) {
+    const QnBar *bar = &model->bars[i];
+    double on_bar, on_face;
+    if (!crossing (bar, face, &on_bar, &on_face))
+      continue;
+    if (is_oblique (bar, face))
+      return qn_diag_set_field (diag, QN_PROBLEM_BAR_OBLIQUE, QN_ENTITY_BAR, (QnId) i,
+                                NULL, 0);
+    QnContactPair *pairs = contacts->pair_count + 1 > INT32_MAX
+                             ? NULL
+                             : qn_array_grow (contacts->pairs, &contacts->pair_capacity,
+                                              contacts->pair_count + 1, sizeof *pairs);
+    if (pairs == NULL)
+      return qn_diag_no_memory (diag);
+    contacts->pairs = pairs;
+    pairs[contacts->pair_count++] = (QnContactPair){
+      .face = index,
+      .point = qn_vec2_lerp (face->start, face->end, on_face),
+      .abscissa = on_face * face->length,
+      .tributary = bar->area / face->thickness,
+      .bar = (QnId) i,
+    };
+    face->pair_count++;
+    used[i] = true;
+  }
+  return QN_OK;
+}
+
+static QnStatus
+refuse (const QnContactFace *face, QnProblem problem, QnDiag *diag)
+{
+  qn_diag_set_field (diag, problem, QN_ENTITY_BLOCK, face->a, NULL, face->length);
+  if (diag != NULL) {
+    diag->other = face->b;
+    diag->at = qn_vec2_lerp (face->start, face->end, 0.5);
+  }
+  return QN_ERROR_INVALID;
+}
+
+/* Whether the springs on either side of a pair may soften, as far as the kinds of law tell. */
+static bool
+may_soften (const QnModel *model, const QnContacts *contacts, QnId pair)
+{
+  for (int side = 0; side < 2; side++) {
+    QnId law = qn_contacts_pair_law (model, contacts, (size_t) pair, side);
+    if (qn_law_softens (model->laws[law].kind))
+      return true;
+  }
+  return false;
+}
+
+/* Refuses different bases on the two sides of a face, and springs that would snap back. */
+static QnStatus
+check_springs (const QnModel *model, const QnContacts *contacts, QnId index, QnDiag *diag)
+{
+  const QnContactFace *face = &contacts->faces[index];
+
+  if (model->laws[face->law_a].basis != model->laws[face->law_b].basis)
+    return refuse (face, QN_PROBLEM_BASES_DIFFER, diag);
+  for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
+    /* Whether a pair snaps back does not depend on its area: the first one and the bars show it. */
+    if ((p > face->first_pair && contacts->pairs[p].bar == QN_NONE)
+        || !may_soften (model, contacts, p))
+      continue;
+    QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) p);
+    if (qn_pair_springs_snap_back (&springs))
+      return refuse (face, QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL, diag);
+  }
+  return QN_OK;
+}
+
 /* Everything about the pairs of one face. */
 static QnStatus
 furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
@@ -147,9 +250,8 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   QnStatus status = place_pairs (
     contacts, index, own_pairs ? &exception->pairs : &model->contact.pairs, diag);
   if (status == QN_OK)
-    status = qn_contacts_add_bars (model, contacts, (QnId) index, used_bars, diag);
-  return status == QN_OK ? qn_contacts_check_springs (model, contacts, (QnId) index, diag)
-                         : status;
+    status = add_bars (model, contacts, (QnId) index, used_bars, diag);
+  return status == QN_OK ? check_springs (model, contacts, (QnId) index, diag) : status;
 }
 
 /* Room for the pairs of all faces by the general rule and of one face per exception. */

@@ -1,0 +1,15 @@
+/* Blocks that touch at a point only, touch nothing, or are not held by any support. */
+#ifndef QN_CORE_CONTACT_LOOSE_H
+#define QN_CORE_CONTACT_LOOSE_H
+
+#include "core/contact/contact-faces.h"
+
+/* Appends findings for blocks that touch at a point only; overlaps must be found before. */
+QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
+                                   const QnTouches *touches, QnDiag *diag);
+
+/* Appends findings for blocks that touch nothing or hang on nothing. */
+QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
+                                   QnDiag *diag);
+
+#endif

@@ -1,0 +1,16 @@
+/* Blocks that overlap, and how deep. */
+#ifndef QN_CORE_CONTACT_OVERLAPS_H
+#define QN_CORE_CONTACT_OVERLAPS_H
+
+#include "core/contact/contact-search.h"
+
+typedef struct QnContactCuts {
+  double *items;
+  size_t count, capacity;
+} QnContactCuts;
+
+/* Appends a finding if blocks a < b overlap; false when memory runs out. */
+bool qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
+                               QnContactCuts *cuts, QnFindings *findings);
+
+#endif
