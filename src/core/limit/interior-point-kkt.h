@@ -20,7 +20,29 @@
 #ifndef QN_CORE_INTERIOR_POINT_KKT_H
 #define QN_CORE_INTERIOR_POINT_KKT_H
 
-#include "core/limit/interior-point-schur.h"
+#include "core/limit/interior-point.h"
+#include "core/linalg/block-lu.h"
+
+/* The one matrix that is factorised,
+ *
+ *     M = B H^-1 B' + r I
+ *
+ * with H^-1 given cell by cell. It is symmetric and positive definite, its sparsity is that of the
+ * graph of bodies and does not change: the order of elimination is chosen once, every later
+ * factorisation is numeric only. It is done in dense fronts (block-lu.h), twice the arithmetic of
+ * Cholesky's, of which the processor does far more at a time than of the sparse one's.
+ */
+typedef struct QnIpSchur {
+  const QnIpProblem *problem; /* borrowed */
+  int32_t *columns, *rows;    /* pattern of M, both halves */
+  double *values;
+  QnBlockLu *lu;
+  double *right, *solution; /* row_count */
+  int32_t *slots;           /* group_count x 36: place of each entry in values, or -1 */
+  int32_t *diagonal;        /* row_count: place of the diagonal entry */
+  int32_t factorizations;
+  double seconds; /* spent in factorising and solving */
+} QnIpSchur;
 
 typedef struct QnIpKkt {
   const QnIpProblem *problem; /* borrowed */

@@ -1,7 +1,8 @@
 #include "core/limit/interior-point.h"
 
 #include "core/base/memory.h"
-#include "core/limit/interior-point-internal.h"
+#include "core/limit/interior-point-apply.h"
+#include "core/limit/interior-point-kkt.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,6 +24,382 @@
 
 /* Solves spent on restoring equilibrium: the second removes the rounding of the first. */
 #define PROJECTION_ROUNDS 2
+
+/* A point or a direction of the homogeneous space. */
+typedef struct QnIpVector {
+  double *y, *v, *s, *z;
+  double lambda, tau, kappa;
+} QnIpVector;
+
+struct QnInteriorPointWork {
+  const QnIpProblem *problem; /* borrowed */
+  QnIpSettings settings;
+  QnIpKkt kkt;
+  double *w;                /* z / s */
+  double *ry, *rv, *rz;     /* residuals of the iterate, minus the left-hand sides */
+  double r_lambda, r_tau;   /* the two scalar ones */
+  double *gy;               /* gradient of the objective in y, cell_count x 2 */
+  double curvature;         /* y'Qy */
+  QnIpKktVector tau_column; /* solution for the border column of tau */
+  QnIpKktRight right;       /* right-hand side being built */
+  double *products;         /* right-hand side of s dz + z ds */
+  double product_tau;       /* … and of tau dkappa + kappa dtau */
+  QnIpVector step, trial, best;
+  double best_merit;
+  int32_t since_best;
+};
+
+/* A certificate holds where its equations hold to this, relative to what it proves. */
+#define CERTIFICATE_TOLERANCE 1e-8
+
+/* Residuals of the iterate. */
+static void
+residuals (QnInteriorPoint *ip)
+{
+  QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  double load_power = 0.0, primal, dual;
+
+  work->curvature = qn_ip_quadratic_term (p, ip->y);
+  for (int32_t c = 0; c < p->cell_count; c++)
+    for (int k = 0; k < 2; k++)
+      work->ry[2 * c + k] =
+        -p->cells[c].quadratic[k] * ip->y[2 * c + k] - p->cells[c].linear[k] * ip->tau;
+  qn_ip_add_rates (p, ip->v, -1.0, work->ry);
+  qn_ip_add_bounds_transposed (p, ip->z, -1.0, work->ry);
+  for (int32_t c = 0; c < p->cell_count; c++)
+    if (p->cells[c].no_shear)
+      work->ry[2 * c + 1] = 0.0;
+
+  qn_interior_point_balance (p, ip->y, ip->lambda, ip->tau, work->rv);
+  for (int32_t r = 0; r < p->row_count; r++)
+    work->rv[r] = -work->rv[r];
+
+  qn_ip_apply_bounds (p, ip->y, work->rz);
+  for (int32_t i = 0; i < p->bound_count; i++)
+    work->rz[i] = p->bounds[i].limit * ip->tau - ip->s[i] - work->rz[i];
+
+  if (p->load)
+    load_power = qn_ip_dot (p->load, ip->v, p->row_count);
+  work->r_lambda = p->load ? p->load_gain * ip->tau - load_power : 0.0;
+  primal =
+    work->curvature / ip->tau + qn_ip_linear_term (p, ip->y) - p->load_gain * ip->lambda;
+  dual = qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
+  work->r_tau = dual - primal - ip->kappa;
+}
+
+/* Size of the largest strength multiplier or linear term: what the dual residual of a problem
+ * is compared with. */
+static double
+dual_scale (const QnInteriorPoint *ip)
+{
+  const QnIpProblem *p = ip->work->problem;
+  double scale = p->load && p->load_gain != 0.0 ? 0.0 : 1.0;
+
+  for (int32_t c = 0; c < p->cell_count; c++)
+    scale =
+      fmax (scale, fmax (fabs (p->cells[c].linear[0]), fabs (p->cells[c].linear[1])));
+  return fmax (scale, qn_ip_largest (ip->v, p->row_count) / ip->tau);
+}
+
+/* ip->measures from the residuals. */
+static void
+take_measures (QnInteriorPoint *ip)
+{
+  const QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  double primal_scale = 1.0 + qn_ip_largest (p->constant, p->row_count);
+  double primal, dual, balance, slacks, rates;
+
+  if (p->load)
+    primal_scale = fmax (primal_scale, 1.0 + qn_ip_largest (p->load, p->row_count));
+  balance = qn_ip_largest (work->rv, p->row_count);
+  slacks = qn_ip_largest (work->rz, p->bound_count);
+  rates = qn_ip_largest (work->ry, 2 * p->cell_count);
+  primal = 0.5 * work->curvature / ip->tau + qn_ip_linear_term (p, ip->y)
+           - p->load_gain * ip->lambda;
+  dual = -0.5 * work->curvature / ip->tau + qn_ip_dot (p->constant, ip->v, p->row_count)
+         - qn_ip_limit_term (p, ip->z);
+  ip->measures = (QnIpMeasures){
+    .primal_residual = fmax (balance, slacks) / (ip->tau * primal_scale),
+    .dual_residual =
+      fmax (rates, fabs (work->r_lambda)) / (ip->tau * (dual_scale (ip) + 1e-300)),
+    .gap = fabs (primal - dual) / (ip->tau + fmin (fabs (primal), fabs (dual))),
+  };
+}
+
+/* No forces keep equilibrium under any multiplier: the dead load does more power along v than
+ * the joints can dissipate, and the live load none. */
+/* Whether v and z prove that no forces keep equilibrium under any multiplier. */
+static bool
+proves_infeasible (const QnInteriorPoint *ip)
+{
+  QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  double proof =
+    qn_ip_dot (p->constant, ip->v, p->row_count) - qn_ip_limit_term (p, ip->z);
+  double *rates = work->right.y;
+
+  if (proof <= 0.0)
+    return false;
+  if (p->load
+      && fabs (qn_ip_dot (p->load, ip->v, p->row_count)) > CERTIFICATE_TOLERANCE * proof)
+    return false;
+  memset (rates, 0, 2 * (size_t) p->cell_count * sizeof (double));
+  qn_ip_add_rates (p, ip->v, 1.0, rates);
+  qn_ip_add_bounds_transposed (p, ip->z, 1.0, rates);
+  return qn_ip_largest (rates, 2 * p->cell_count) <= CERTIFICATE_TOLERANCE * proof;
+}
+
+/* Forces that balance the live load alone, within the joints' recession cones. */
+/* Whether y and lambda prove that the multiplier has no bound. */
+static bool
+proves_unbounded (const QnInteriorPoint *ip)
+{
+  QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  double proof = p->load_gain * ip->lambda - qn_ip_linear_term (p, ip->y);
+  double *balance = work->right.v, worst = 0.0;
+
+  if (proof <= 0.0)
+    return false;
+  qn_interior_point_balance (p, ip->y, ip->lambda, 0.0, balance);
+  for (int32_t i = 0; i < p->bound_count; i++) /* Gy = -s + (h tau - rz), s >= 0 */
+    worst = fmax (worst, p->bounds[i].limit * ip->tau - work->rz[i]);
+  for (int32_t c = 0; c < p->cell_count; c++)
+    for (int k = 0; k < 2; k++)
+      worst = fmax (worst, fabs (p->cells[c].quadratic[k] * ip->y[2 * c + k]));
+  return fmax (worst, qn_ip_largest (balance, p->row_count))
+         <= CERTIFICATE_TOLERANCE * proof;
+}
+
+/* Share of the way to the boundary that a step takes. Going nearer, up to 0.995, saves an
+ * iteration at the end and costs more of them before: measured on walls of 500 to 5,000
+ * blocks, as was the exponent of the centring. */
+#define STEP_SHARE 0.9
+
+/* The mean product aimed at is that of the iterate times (1 - the predictor's length) to the
+ * power of this. */
+#define CENTRING_EXPONENT 4.0
+
+/* Gondzio's correctors aim at a step longer by this much, with products s z between these
+ * multiples of the target; one that gains less than this is the last. */
+#define CORRECTOR_ADVANCE 0.3
+#define CORRECTOR_LOW     0.1
+#define CORRECTOR_HIGH    10.0
+#define CORRECTOR_GAIN    0.01
+
+/* Factorises and solves for the border column, which does not depend on the direction's
+ * right-hand side. */
+static QnStatus
+prepare (QnInteriorPoint *ip, bool *ok, QnDiag *diag)
+{
+  QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  QnStatus status;
+
+  for (int32_t i = 0; i < p->bound_count; i++)
+    work->w[i] = ip->z[i] / ip->s[i];
+  status = qn_ip_kkt_factorize (&work->kkt, work->w, ok, diag);
+  if (status || !*ok)
+    return status;
+
+  for (int32_t c = 0; c < p->cell_count; c++)
+    for (int k = 0; k < 2; k++) {
+      double q = p->cells[c].linear[k], qy = p->cells[c].quadratic[k] * ip->y[2 * c + k];
+      work->gy[2 * c + k] = 2.0 * qy / ip->tau + q;
+      work->right.y[2 * c + k] = -q;
+    }
+  for (int32_t i = 0; i < p->bound_count; i++)
+    work->products[i] = work->w[i] * p->bounds[i].limit;
+  qn_ip_add_bounds_transposed (p, work->products, 1.0, work->right.y);
+  for (int32_t r = 0; r < p->row_count; r++)
+    work->right.v[r] = -p->constant[r];
+  work->right.lambda = p->load_gain;
+  return qn_ip_kkt_solve (&work->kkt, &work->right, &work->tau_column, diag);
+}
+
+/* dtau from the gap row,
+ *
+ *   gy'dy - gain dlambda - d'dv + h'dz - (kappa/tau + y'Qy/tau^2) dtau
+ *     = share r_tau - product_tau/tau
+ *
+ * where dy = `base` + tau_column dtau and so on; base->z holds what does not depend on dtau and
+ * dy in dz, so that dz = base->z + w (G dy - h dtau). */
+static double
+solve_tau (const QnInteriorPoint *ip, double share, const QnIpVector *base)
+{
+  const QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  const QnIpKktVector *column = &work->tau_column;
+  int32_t cells = 2 * p->cell_count, rows = p->row_count;
+  double pivot = qn_ip_dot (work->gy, column->y, cells) - p->load_gain * column->lambda
+                 - qn_ip_dot (p->constant, column->v, rows) - ip->kappa / ip->tau
+                 - work->curvature / (ip->tau * ip->tau);
+  double right = share * work->r_tau - work->product_tau / ip->tau
+                 - qn_ip_dot (work->gy, base->y, cells) + p->load_gain * base->lambda
+                 + qn_ip_dot (p->constant, base->v, rows);
+
+  for (int32_t i = 0; i < p->bound_count; i++) {
+    double h = p->bounds[i].limit;
+    pivot += h * work->w[i] * (column->g[i] - h);
+    right -= h * (base->z[i] + work->w[i] * base->s[i]);
+  }
+  return right / pivot;
+}
+
+/* Newton direction for `share` of the residuals and the products in work->products:
+ *
+ *   H dy + B'dv = share ry - G'(products/s - w share rz) + (G'(w h) - q) dtau
+ *   B dy + f dlambda = share rv - d dtau
+ *   f'dv        = share r_lambda + gain dtau
+ *   ds = share rz - G dy + h dtau,   dz = (products - z ds) / s
+ */
+static QnStatus
+solve_direction (QnInteriorPoint *ip, double share, QnIpVector *out, QnDiag *diag)
+{
+  QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  QnIpKktVector solution = { out->y, out->s, out->v, 0.0 };
+  QnStatus status;
+
+  for (int32_t i = 0; i < p->bound_count; i++)
+    out->z[i] = work->products[i] / ip->s[i] - work->w[i] * share * work->rz[i];
+  for (int32_t i = 0; i < 2 * p->cell_count; i++)
+    work->right.y[i] = share * work->ry[i];
+  qn_ip_add_bounds_transposed (p, out->z, -1.0, work->right.y);
+  for (int32_t r = 0; r < p->row_count; r++)
+    work->right.v[r] = share * work->rv[r];
+  work->right.lambda = share * work->r_lambda;
+  status = qn_ip_kkt_solve (&work->kkt, &work->right, &solution, diag);
+  if (status)
+    return status;
+
+  out->lambda = solution.lambda;
+  out->tau = solve_tau (ip, share, out);
+  out->lambda += out->tau * work->tau_column.lambda;
+  for (int32_t i = 0; i < 2 * p->cell_count; i++)
+    out->y[i] += out->tau * work->tau_column.y[i];
+  for (int32_t r = 0; r < p->row_count; r++)
+    out->v[r] += out->tau * work->tau_column.v[r];
+  for (int32_t i = 0; i < p->bound_count; i++) {
+    double change = out->s[i] + out->tau * work->tau_column.g[i]; /* G dy */
+    out->s[i] = share * work->rz[i] - change + p->bounds[i].limit * out->tau;
+    out->z[i] = (work->products[i] - ip->z[i] * out->s[i]) / ip->s[i];
+  }
+  out->kappa = (work->product_tau - ip->kappa * out->tau) / ip->tau;
+  return QN_OK;
+}
+
+/* Longest step, at most 1, that keeps s, z, tau and kappa non-negative. */
+static double
+longest_step (const QnInteriorPoint *ip, const QnIpVector *step)
+{
+  double length = 1.0;
+
+  if (step->tau < 0.0)
+    length = fmin (length, -ip->tau / step->tau);
+  if (step->kappa < 0.0)
+    length = fmin (length, -ip->kappa / step->kappa);
+  for (int32_t i = 0; i < ip->work->problem->bound_count; i++) {
+    if (step->s[i] < 0.0)
+      length = fmin (length, -ip->s[i] / step->s[i]);
+    if (step->z[i] < 0.0)
+      length = fmin (length, -ip->z[i] / step->z[i]);
+  }
+  return length;
+}
+
+/* What has to be added to a product that would leave [low, high] of the target. */
+static double
+centre (double product, double target)
+{
+  double low = CORRECTOR_LOW * target, high = CORRECTOR_HIGH * target;
+
+  if (product < low)
+    return low - product;
+  return product > high ? fmax (high - product, -high) : 0.0;
+}
+
+/* Gondzio's centrality corrector: one more solve that draws outlying products back and so
+ * allows a longer step. Returns whether the longer step was found; work->step is the better
+ * of the two then. */
+static QnStatus
+correct_centrality (QnInteriorPoint *ip, double target, double share, double *length,
+                    bool *gained, QnDiag *diag)
+{
+  QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  QnIpVector *step = &work->step, *trial = &work->trial, swap;
+  double aim = fmin (1.0, *length + CORRECTOR_ADVANCE), reached;
+  QnStatus status;
+
+  /* work->products still holds the right-hand side of `step`. */
+  for (int32_t i = 0; i < p->bound_count; i++)
+    work->products[i] +=
+      centre ((ip->s[i] + aim * step->s[i]) * (ip->z[i] + aim * step->z[i]), target);
+  work->product_tau +=
+    centre ((ip->tau + aim * step->tau) * (ip->kappa + aim * step->kappa), target);
+  status = solve_direction (ip, share, trial, diag);
+  if (status)
+    return status;
+  reached = longest_step (ip, trial);
+  *gained = reached > *length;
+  if (!*gained)
+    return QN_OK;
+  swap = *step;
+  *step = *trial;
+  *trial = swap;
+  *gained = reached >= *length + CORRECTOR_GAIN;
+  *length = reached;
+  return QN_OK;
+}
+
+/* Predictor, corrector and centrality correctors from the present iterate: the direction is
+ * left in work->step, the step length in *length. *ok is false where the linear system could
+ * not be factorised. */
+static QnStatus
+newton_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
+{
+  QnInteriorPointWork *work = ip->work;
+  const QnIpProblem *p = work->problem;
+  QnIpVector *step = &work->step;
+  double mean = (qn_ip_dot (ip->s, ip->z, p->bound_count) + ip->tau * ip->kappa)
+                / (p->bound_count + 1.0);
+  double centring, target, share;
+  QnStatus status = prepare (ip, ok, diag);
+
+  if (status || !*ok)
+    return status;
+  for (int32_t i = 0; i < p->bound_count; i++)
+    work->products[i] = -ip->s[i] * ip->z[i];
+  work->product_tau = -ip->tau * ip->kappa;
+  status = solve_direction (ip, 1.0, step, diag);
+  if (status)
+    return status;
+
+  *length = longest_step (ip, step);
+  centring = pow (1.0 - *length, CENTRING_EXPONENT);
+  target = centring * mean;
+  share = 1.0 - centring;
+  for (int32_t i = 0; i < p->bound_count; i++)
+    work->products[i] = target - ip->s[i] * ip->z[i] - step->s[i] * step->z[i];
+  work->product_tau = target - ip->tau * ip->kappa - step->tau * step->kappa;
+  status = solve_direction (ip, share, step, diag);
+  if (status)
+    return status;
+  *length = longest_step (ip, step);
+  for (int32_t k = 0; k < work->settings.correctors && *length < 0.95; k++) {
+    bool gained;
+    status = correct_centrality (ip, target, share, length, &gained, diag);
+    if (status)
+      return status;
+    if (!gained)
+      break;
+  }
+  *length = fmin (1.0, STEP_SHARE * *length);
+  return QN_OK;
+}
 
 QnIpSettings
 qn_interior_point_defaults (void)
@@ -256,7 +633,7 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
   ip->tau = 1.0;
   ip->kappa =
     p->bound_count > 0 ? qn_ip_dot (ip->s, ip->z, p->bound_count) / p->bound_count : 1.0;
-  qn_ip_residuals (ip);
+  residuals (ip);
   return QN_OK;
 }
 
@@ -293,9 +670,9 @@ judge (QnInteriorPoint *ip)
     return;
   }
   if (ip->tau < ip->kappa || merit > 1e3) {
-    if (qn_ip_proves_infeasible (ip))
+    if (proves_infeasible (ip))
       ip->state = QN_IP_INFEASIBLE;
-    else if (qn_ip_proves_unbounded (ip))
+    else if (proves_unbounded (ip))
       ip->state = QN_IP_UNBOUNDED;
     if (ip->state != QN_IP_RUNNING)
       return;
@@ -318,7 +695,7 @@ find_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
   QnIpKkt *kkt = &ip->work->kkt;
 
   for (;;) {
-    QnStatus status = qn_ip_direction (ip, length, ok, diag);
+    QnStatus status = newton_direction (ip, length, ok, diag);
     if (status)
       return status;
     *ok = *ok && isfinite (*length) && kkt->error < WORST_SOLUTION;
@@ -334,8 +711,8 @@ give_up (QnInteriorPoint *ip)
 {
   if (isfinite (ip->work->best_merit)) {
     restore_iterate (ip, &ip->work->best);
-    qn_ip_residuals (ip);
-    qn_ip_measure (ip);
+    residuals (ip);
+    take_measures (ip);
   }
   ip->state = QN_IP_STALLED;
 }
@@ -344,7 +721,7 @@ QnStatus
 qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
 {
   QnInteriorPointWork *work = ip->work;
-  double length;
+  double length = 0;
   bool ok;
   QnStatus status;
 
@@ -360,8 +737,8 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
   }
   take_step (ip, length);
   ip->iterations++;
-  qn_ip_residuals (ip);
-  qn_ip_measure (ip);
+  residuals (ip);
+  take_measures (ip);
   judge (ip);
   if (ip->state == QN_IP_RUNNING
       && (ip->iterations >= work->settings.max_iterations || length < 1e-10))
@@ -369,16 +746,6 @@ qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag)
   if (ip->state == QN_IP_STALLED)
     give_up (ip);
   return QN_OK;
-}
-
-QnStatus
-qn_interior_point_solve (QnInteriorPoint *ip, QnDiag *diag)
-{
-  QnStatus status = qn_interior_point_start (ip, diag);
-
-  while (!status && ip->state == QN_IP_RUNNING)
-    status = qn_interior_point_iterate (ip, diag);
-  return status;
 }
 
 /* Adds to y (and to *lambda where that is bordered) what is missing for equilibrium. */

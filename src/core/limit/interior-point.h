@@ -130,9 +130,6 @@ QnStatus qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag);
 /* One iteration; afterwards ip->state says whether to go on. */
 QnStatus qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag);
 
-/* Start and iterate to the end. */
-QnStatus qn_interior_point_solve (QnInteriorPoint *ip, QnDiag *diag);
-
 /* Forces in equilibrium nearest to y (cell_count x 2, in and out, not homogeneous) in the metric
  * of the present iterate's barrier: a by-product of the last factorisation, at the price of a
  * few solves.
