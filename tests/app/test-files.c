@@ -181,6 +181,16 @@ test_recovery (void)
   driver_discard (recovered);
 }
 
+static gboolean
+is_card_of (GtkWidget *widget, gconstpointer path)
+{
+  GVariant *target = GTK_IS_BUTTON (widget)
+                       ? gtk_actionable_get_action_target_value (GTK_ACTIONABLE (widget))
+                       : NULL;
+  return target != NULL && g_variant_is_of_type (target, G_VARIANT_TYPE_STRING)
+         && g_str_equal (g_variant_get_string (target, NULL), path);
+}
+
 /* Several files in several windows; a file opens where nothing is yet. */
 static void
 test_windows (void)
@@ -206,6 +216,43 @@ test_windows (void)
   g_assert_cmpstr (qn_document_get_path (qn_window_get_document (first)), ==, a);
   driver_discard (second);
   driver_discard (first);
+}
+
+/* An example of the start page is a drawing of its own: saving asks for a place and leaves the
+ * example as it was. */
+static void
+test_example (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *example = driver_example_path ("43-shaken-wall.quoin");
+  g_autofree char *before = NULL, *after = NULL;
+  g_assert_true (g_file_get_contents (example, &before, NULL, NULL));
+  GtkWidget *card = driver_find_widget (GTK_WIDGET (window), is_card_of, example);
+  g_assert_nonnull (card);
+  g_signal_emit_by_name (card, "clicked");
+  driver_run (200);
+  g_assert_false (qn_window_is_blank (window));
+  g_assert_null (qn_document_get_path (document));
+  g_assert_false (qn_document_is_modified (document));
+  g_assert_cmpuint (model_of (window)->ground_count, ==, 1);
+
+  driver_activate (window, "win.save");
+  driver_run (300);
+  g_assert_nonnull (window->chooser);
+  g_clear_object (&window->chooser);
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "mine.quoin", NULL);
+  g_autofree char *record = g_build_filename (folder, "43-synthetic-record.csv", NULL);
+  driver_activate_target (window, "win.save-path", g_variant_new_string (path));
+  g_assert_cmpstr (qn_document_get_path (document), ==, path);
+  g_assert_true (g_file_test (record, G_FILE_TEST_EXISTS));
+  g_assert_true (g_file_get_contents (example, &after, NULL, NULL));
+  g_assert_cmpstr (before, ==, after);
+  driver_discard (window);
+  g_unlink (record);
+  g_unlink (path);
+  g_rmdir (folder);
 }
 
 /* A file that is open is shown where it is, not opened twice. */
@@ -386,6 +433,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/files/recovery", test_recovery);
   g_test_add_func ("/app/files/windows", test_windows);
   g_test_add_func ("/app/files/open-again", test_open_again);
+  g_test_add_func ("/app/files/example", test_example);
   g_test_add_func ("/app/files/changed-elsewhere", test_changed_elsewhere);
   g_test_add_func ("/app/files/choosers", test_choosers);
   g_test_add_func ("/app/files/save-fails", test_save_fails);

@@ -118,7 +118,7 @@ add_example (GtkWidget *flow, const char *path)
   gtk_box_append (GTK_BOX (box), gtk_label_new (label));
   gtk_button_set_child (GTK_BUTTON (button), box);
   gtk_widget_add_css_class (button, "flat");
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-path");
+  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-example");
   gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
   gtk_flow_box_insert (GTK_FLOW_BOX (flow), button, -1);
   GtkWidget *cell = gtk_widget_get_parent (button);

@@ -17,6 +17,7 @@ const QnActionRow qn_action_rows[] = {
     .group = QN_GROUP_FILES,
     .label = N_ ("Open") },
   { .name = "win.open-path" },
+  { .name = "win.open-example" },
   { .name = "win.save",
     .needs = QN_NEEDS_WORK,
     .keys = "<Control>s",

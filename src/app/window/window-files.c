@@ -1,7 +1,7 @@
 #include "app/window/window-private.h"
 
 #include "app/widgets/dialog.h"
-#include "doc/edit/picture.h"
+#include "doc/view/carry-files.h"
 #include <glib/gi18n.h>
 
 static void save_as (QnWindow *self, GVariant *parameter);
@@ -74,6 +74,18 @@ open_path (QnWindow *self, GVariant *parameter)
   qn_window_open_path (target, path);
 }
 
+/* An example opens as a drawing of its own, which is saved elsewhere. */
+static void
+open_example (QnWindow *self, GVariant *parameter)
+{
+  QnWindow *target = self;
+  if (!qn_window_is_blank (self)) {
+    target = qn_window_new (gtk_window_get_application (GTK_WINDOW (self)));
+    gtk_window_present (GTK_WINDOW (target));
+  }
+  qn_window_open_copy (target, g_variant_get_string (parameter, NULL));
+}
+
 static void
 open_dialog (QnWindow *self, GVariant *parameter)
 {
@@ -115,7 +127,7 @@ static gboolean
 save_to (QnWindow *self, const char *path)
 {
   g_autoptr (GError) error = NULL;
-  if (qn_document_carry_picture (self->document, path, &error)
+  if (qn_document_carry_files (self->document, path, &error)
       && qn_document_save (self->document, path, &error)) {
     qn_window_remember_recent (path);
     return TRUE;
@@ -308,11 +320,9 @@ qn_window_add_file_actions (QnWindow *self)
 {
   add_keep_history (self);
   static const QnWindowAction actions[] = {
-    { "open", NULL, open_dialog },
-    { "open-path", "s", open_path },
-    { "save", NULL, save },
-    { "save-as", NULL, save_as },
-    { "save-path", "s", save_to_path },
+    { "open", NULL, open_dialog },         { "open-path", "s", open_path },
+    { "open-example", "s", open_example }, { "save", NULL, save },
+    { "save-as", NULL, save_as },          { "save-path", "s", save_to_path },
     { "close", NULL, close_window },
   };
   qn_window_add_action_table (self, actions, G_N_ELEMENTS (actions));

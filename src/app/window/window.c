@@ -240,6 +240,20 @@ show_warnings (QnWindow *self)
     qn_window_show_error (self, g_ptr_array_index (warnings, 0));
 }
 
+static gboolean
+show_loaded (QnWindow *self, const GError *error)
+{
+  qn_window_show_work (self);
+  if (error != NULL) {
+    qn_window_show_error (self, error->message);
+    return FALSE;
+  }
+  qn_view_state_set_view (self->state, QN_VIEW_MODEL);
+  qn_canvas_fit (self->canvas);
+  show_warnings (self);
+  return TRUE;
+}
+
 gboolean
 qn_window_open_path (QnWindow *self, const char *path)
 {
@@ -250,17 +264,19 @@ qn_window_open_path (QnWindow *self, const char *path)
     qn_window_take_file (self, absolute);
     return TRUE;
   }
-  if (!qn_document_load (self->document, absolute, &error)) {
-    qn_window_show_work (self);
-    qn_window_show_error (self, error->message);
+  qn_document_load (self->document, absolute, &error);
+  if (!show_loaded (self, error))
     return FALSE;
-  }
   qn_window_remember_recent (absolute);
-  qn_window_show_work (self);
-  qn_view_state_set_view (self->state, QN_VIEW_MODEL);
-  qn_canvas_fit (self->canvas);
-  show_warnings (self);
   return TRUE;
+}
+
+gboolean
+qn_window_open_copy (QnWindow *self, const char *path)
+{
+  g_autoptr (GError) error = NULL;
+  qn_document_load_copy (self->document, path, &error);
+  return show_loaded (self, error);
 }
 
 gboolean

@@ -26,6 +26,9 @@ QnWindow *qn_window_find_path (GtkApplication *application, const char *path);
  * cannot be read, and returns FALSE. */
 gboolean qn_window_open_path (QnWindow *window, const char *path);
 
+/* Opens an example: a drawing of its own, to be saved elsewhere. */
+gboolean qn_window_open_copy (QnWindow *window, const char *path);
+
 /* Takes over a recovered text. */
 gboolean qn_window_open_recovered (QnWindow *window, const char *recovery_path);
 

@@ -8,6 +8,7 @@ struct _QnDocument {
   GObject parent_instance;
 
   char *path;
+  char *folder;        /* that relative paths start from; NULL: nowhere */
   QnProject project;   /* the state; its digest is computed when it is asked for */
   QnProjectText *text; /* what it is written as: for the history and for files */
   QnContacts contacts;

@@ -126,9 +126,8 @@ gboolean
 qn_document_analyse (QnDocument *self, GError **error)
 {
   const QnModel *model = &self->project.model;
-  g_autofree char *folder = self->path != NULL ? g_path_get_dirname (self->path) : NULL;
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC
-      && !qn_project_read_records (&self->project, folder, FALSE, error))
+      && !qn_project_read_records (&self->project, self->folder, FALSE, error))
     return FALSE;
   return start (self, make_job (self, model, method_name (&model->analysis), error));
 }

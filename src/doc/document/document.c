@@ -137,6 +137,7 @@ qn_document_finalize (GObject *object)
   g_clear_pointer (&self->run, qn_run_unref);
   g_ptr_array_unref (self->runs);
   g_free (self->path);
+  g_free (self->folder);
   qn_project_text_free (self->text);
   g_free (self->fingerprint);
   g_free (self->file_digest);
@@ -185,6 +186,15 @@ qn_document_new (void)
 
 /* ---- the file ---- */
 
+static void
+take_path (QnDocument *self, const char *path)
+{
+  g_free (self->path);
+  g_free (self->folder);
+  self->path = g_strdup (path);
+  self->folder = path != NULL ? g_path_get_dirname (path) : NULL;
+}
+
 /* Starts afresh from a project that was read; `project` is taken over. */
 static gboolean
 begin (QnDocument *self, QnProject *project, const char *path, GError **error)
@@ -198,8 +208,7 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
   g_clear_pointer (&self->run, qn_run_unref);
   g_ptr_array_set_size (self->runs, 0);
   self->run_number = 0;
-  g_free (self->path);
-  self->path = g_strdup (path);
+  take_path (self, path);
   self->never_saved = path == NULL;
   self->keeps_history = FALSE;
   g_clear_pointer (&self->file_digest, g_free);
@@ -278,6 +287,17 @@ qn_document_load (QnDocument *self, const char *path, GError **error)
 }
 
 gboolean
+qn_document_load_copy (QnDocument *self, const char *path, GError **error)
+{
+  if (!qn_document_load (self, path, error))
+    return FALSE;
+  g_clear_pointer (&self->path, g_free);
+  g_clear_pointer (&self->file_digest, g_free);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
+  return TRUE;
+}
+
+gboolean
 qn_document_load_recovered (QnDocument *self, const char *text, const char *path,
                             GError **error)
 {
@@ -342,8 +362,7 @@ qn_document_save (QnDocument *self, const char *path, GError **error)
   g_free (self->file_digest);
   self->file_digest = digest_file (text, strlen (text));
   if (g_strcmp0 (path, self->path) != 0) {
-    g_free (self->path);
-    self->path = g_strdup (path);
+    take_path (self, path);
     qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
   }
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
@@ -354,6 +373,12 @@ const char *
 qn_document_get_path (QnDocument *self)
 {
   return self->path;
+}
+
+const char *
+qn_document_get_folder (QnDocument *self)
+{
+  return self->folder;
 }
 
 const char *

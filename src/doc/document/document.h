@@ -39,6 +39,11 @@ QnDocument *qn_document_new (void);
 /* Replaces everything by the content of a project file. On failure nothing changes. */
 gboolean qn_document_load (QnDocument *document, const char *path, GError **error);
 
+/* The same for a file that stays as it is, an example: the document gets no path and counts as
+ * saved, so that nothing is asked before it is edited. Relative paths start from the file's folder
+ * until it is saved elsewhere. */
+gboolean qn_document_load_copy (QnDocument *document, const char *path, GError **error);
+
 /* Replaces everything by a project in memory, not yet in a file and counted as unsaved. */
 gboolean qn_document_load_text (QnDocument *document, const char *text, const char *name,
                                 GError **error);
@@ -61,6 +66,8 @@ void qn_document_set_keeps_history (QnDocument *document, gboolean keeps);
 gboolean qn_document_get_keeps_history (QnDocument *document);
 
 const char *qn_document_get_path (QnDocument *document); /* NULL: never saved */
+/* Folder that relative paths start from, or NULL for a document that came from no file. */
+const char *qn_document_get_folder (QnDocument *document);
 /* The project as it would be written, without the history. */
 const char *qn_document_get_text (QnDocument *document);
 char *qn_document_dup_display_name (QnDocument *document);

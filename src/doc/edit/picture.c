@@ -7,13 +7,6 @@
 
 #define MEMBER "underlay"
 
-char *
-qn_document_dup_folder (QnDocument *document)
-{
-  const char *path = qn_document_get_path (document);
-  return path != NULL ? g_path_get_dirname (path) : NULL;
-}
-
 /* Files allowed in this session, by their whole paths. */
 static GHashTable *
 allowed_files (QnDocument *document)
@@ -31,7 +24,7 @@ allowed_files (QnDocument *document)
 char *
 qn_document_dup_file (QnDocument *document, const char *file, GError **error)
 {
-  g_autofree char *folder = qn_document_dup_folder (document);
+  const char *folder = qn_document_get_folder (document);
   g_autofree char *whole = g_canonicalize_filename (file, folder);
   gboolean allowed = g_hash_table_contains (allowed_files (document), whole);
   return qn_file_inside (folder, file, allowed, error);
@@ -40,7 +33,7 @@ qn_document_dup_file (QnDocument *document, const char *file, GError **error)
 void
 qn_document_allow_file (QnDocument *document, const char *file)
 {
-  g_autofree char *folder = qn_document_dup_folder (document);
+  const char *folder = qn_document_get_folder (document);
   g_hash_table_add (allowed_files (document), g_canonicalize_filename (file, folder));
 }
 
@@ -48,7 +41,7 @@ void
 qn_document_allow_picture (QnDocument *document)
 {
   QnUnderlay underlay;
-  g_autofree char *folder = qn_document_dup_folder (document);
+  const char *folder = qn_document_get_folder (document);
   g_autofree char *path = NULL;
   if (qn_underlay_locate (qn_document_get_project (document), folder, &path, &underlay,
                           NULL)
@@ -82,7 +75,7 @@ qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
   QnUnderlay underlay = { .origin = box.min,
                           .width = MAX (box.max.x - box.min.x, 1e-3),
                           .opacity = 0.6 };
-  g_autofree char *folder = qn_document_dup_folder (document);
+  const char *folder = qn_document_get_folder (document);
   g_autofree char *name = qn_underlay_dup_name (path, folder);
   g_autofree char *json = qn_underlay_to_json (name, &underlay);
   return qn_document_edit_extra (document, _ ("Lay Picture Behind"), NULL, MEMBER, json,
@@ -124,12 +117,11 @@ qn_document_remove_picture (QnDocument *document, GError **error)
 gboolean
 qn_document_carry_picture (QnDocument *document, const char *path, GError **error)
 {
-  g_autofree char *old_folder = qn_document_dup_folder (document);
   g_autofree char *new_folder = g_path_get_dirname (path);
   QnUnderlay underlay;
   g_autofree char *image = NULL;
-  if (!qn_underlay_locate (qn_document_get_project (document), old_folder, &image,
-                           &underlay, error))
+  if (!qn_underlay_locate (qn_document_get_project (document),
+                           qn_document_get_folder (document), &image, &underlay, error))
     return FALSE;
   if (image == NULL)
     return TRUE;

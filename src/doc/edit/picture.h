@@ -26,10 +26,6 @@ gboolean qn_document_remove_picture (QnDocument *document, GError **error);
 gboolean qn_document_carry_picture (QnDocument *document, const char *path,
                                     GError **error);
 
-/* Folder that the document's relative paths start from, or NULL for one that was never saved.
- * The caller frees it. */
-char *qn_document_dup_folder (QnDocument *document);
-
 /* Path of a file that the project names, which the caller frees. NULL with QN_IO_ERROR_OUTSIDE where
  * it lies outside the project's folder and the user has not allowed it in this session. */
 char *qn_document_dup_file (QnDocument *document, const char *file, GError **error);

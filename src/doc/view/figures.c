@@ -120,7 +120,8 @@ draw (QnDocument *document, const QnRecipe *recipe, const QnResult *result,
   QnFigure figure;
   QnMetadata metadata;
   QnUnderlay underlay;
-  g_autofree char *folder = qn_document_dup_folder (document), *image = NULL;
+  const char *folder = qn_document_get_folder (document);
+  g_autofree char *image = NULL;
   const QnProject *project = qn_document_get_project (document);
   if (!qn_underlay_locate (project, folder, &image, &underlay, error))
     return FALSE;
@@ -158,8 +159,9 @@ gboolean
 qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const char *path,
                            GError **error)
 {
-  g_autofree char *folder = qn_document_dup_folder (document);
-  if (folder == NULL && (path == NULL || recipe->result != NULL)) {
+
+  if ((path == NULL && qn_document_get_path (document) == NULL)
+      || (recipe->result != NULL && qn_document_get_folder (document) == NULL)) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
                          _ ("Save the project first: its figures are written beside it"));
     return FALSE;

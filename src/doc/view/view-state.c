@@ -58,7 +58,7 @@ emit_changed (QnViewState *self)
 static void
 update_underlay (QnViewState *self)
 {
-  g_autofree char *folder = qn_document_dup_folder (self->document);
+  const char *folder = qn_document_get_folder (self->document);
   g_autofree char *path = NULL;
   QnUnderlay underlay;
   g_clear_error (&self->image_error);
