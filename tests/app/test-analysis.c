@@ -5,7 +5,7 @@
 #include "app/canvas/canvas-private.h"
 #include "app/widgets/settings.h"
 #include "doc/document/bounds.h"
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 
 #include <math.h>
 #include <string.h>

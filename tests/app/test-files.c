@@ -5,8 +5,8 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/settings.h"
 #include "app/window/window-private.h"
+#include "doc/document/picture.h"
 #include "doc/document/recovery.h"
-#include "doc/edit/picture.h"
 
 #include <glib/gstdio.h>
 #include <string.h>

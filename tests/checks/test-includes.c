@@ -31,7 +31,7 @@ static const Layer layers[] = {
     { "glib", "gio/", "gmodule.h", "cairo", "pango/", "gdk-pixbuf/", "GL/", "EGL/",
       "png.h", "gif_lib.h", "gst/" } },
   { "doc",
-    { "text", "document", "edit", "masonry", "view" },
+    { "text", "edit", "masonry", "document", "view" },
     { "core/", "stereotomy/", "io/", "render/", "doc/" },
     { "glib", "gio/", "gmodule.h", "cairo", "pthread.h" } },
   { "library",

@@ -411,7 +411,7 @@ qn_canvas_dup_selected (QnCanvas *self)
 QnPartSet
 qn_canvas_dup_parts (QnCanvas *self)
 {
-  return qn_part_set_of_selection (qn_canvas_get_selection (self));
+  return qn_selection_dup_parts (qn_canvas_get_selection (self));
 }
 
 gboolean

@@ -8,7 +8,7 @@
 #ifndef QN_APP_TOOL_H
 #define QN_APP_TOOL_H
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include "doc/masonry/masonry-plan.h"
 #include "doc/text/units.h"
 #include "doc/view/magnet.h"

@@ -2,7 +2,7 @@
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include <glib/gi18n.h>
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #include "app/canvas/canvas.h"
 #include "app/tools/tools.h"
 
-#include "doc/edit/picture.h"
+#include "doc/document/picture.h"
 #include <glib/gi18n.h>
 
 #define MARK_PX 7.0

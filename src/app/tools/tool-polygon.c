@@ -2,7 +2,7 @@
 #include "app/canvas/canvas.h"
 #include "app/tools/tools.h"
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include <glib/gi18n.h>
 
 /* px: a click this near to the first corner closes the polygon. */

@@ -2,7 +2,7 @@
 #include "doc/document/document-private.h"
 #include "io/exchange/record.h"
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include <glib/gi18n.h>
 
 void

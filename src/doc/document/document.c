@@ -1,7 +1,7 @@
 #include "doc/document/document-private.h"
 
 #include "doc/document/digest.h"
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include "doc/text/explain.h"
 #include "io/project/project-extras.h"
 #include "io/text/file-read.h"

@@ -1,6 +1,6 @@
 #include "doc/document/import.h"
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include <glib/gi18n.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 
 #include "doc/document/digest.h"
 #include "doc/document/document-private.h"
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include "doc/text/explain.h"
 #include "io/project/project-names.h"
 #include "io/result/result-file.h"

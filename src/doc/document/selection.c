@@ -442,3 +442,14 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
   }
   replace (self, blocks, beams, faces, self->object, self->opening);
 }
+
+QnPartSet
+qn_selection_dup_parts (QnSelection *selection)
+{
+  QnPartSet set = { 0 };
+  const QnId *blocks = qn_selection_get_blocks (selection, &set.blocks.count);
+  const QnId *beams = qn_selection_get_beams (selection, &set.beams.count);
+  set.blocks.ids = g_memdup2 (blocks, set.blocks.count * sizeof *blocks);
+  set.beams.ids = g_memdup2 (beams, set.beams.count * sizeof *beams);
+  return set;
+}

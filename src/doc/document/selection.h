@@ -7,6 +7,7 @@
 #define QN_DOC_SELECTION_H
 
 #include "core/contact/contacts.h"
+#include "doc/edit/edit-frame.h"
 #include <glib-object.h>
 
 #define QN_TYPE_SELECTION (qn_selection_get_type ())
@@ -69,6 +70,10 @@ typedef enum {
 } QnFaceLikeness;
 void qn_selection_select_faces_like (QnSelection *selection, const QnContacts *contacts,
                                      QnId face, QnFaceLikeness likeness);
+
+/* The selected blocks and beams, copied, because the selection may change under an edit. Clear
+ * it with qn_part_set_clear(). */
+QnPartSet qn_selection_dup_parts (QnSelection *selection);
 
 /* Follows the blocks and beams of `before` to those of the same names in `after`, and faces to
  * those between them. */

@@ -2,7 +2,7 @@
 #ifndef QN_DOC_EDIT_BEAMS_H
 #define QN_DOC_EDIT_BEAMS_H
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 
 /* Where nodes and beams of the old model went; QN_NONE: they are gone. */
 typedef struct QnBeamRebuild {

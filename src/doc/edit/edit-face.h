@@ -6,7 +6,7 @@
 #define QN_DOC_EDIT_FACE_H
 
 #include "core/contact/contacts.h"
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 
 /* A set of faces by their blocks. */
 typedef struct QnFaceSet {

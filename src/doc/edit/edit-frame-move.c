@@ -3,17 +3,6 @@
 
 #include "doc/edit/edit-masonry.h"
 
-QnPartSet
-qn_part_set_of_selection (QnSelection *selection)
-{
-  QnPartSet set = { 0 };
-  const QnId *blocks = qn_selection_get_blocks (selection, &set.blocks.count);
-  const QnId *beams = qn_selection_get_beams (selection, &set.beams.count);
-  set.blocks.ids = g_memdup2 (blocks, set.blocks.count * sizeof *blocks);
-  set.beams.ids = g_memdup2 (beams, set.beams.count * sizeof *beams);
-  return set;
-}
-
 void
 qn_part_set_clear (QnPartSet *set)
 {

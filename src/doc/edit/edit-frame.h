@@ -6,8 +6,7 @@
 #ifndef QN_DOC_EDIT_FRAME_H
 #define QN_DOC_EDIT_FRAME_H
 
-#include "doc/document/edit.h"
-#include "doc/document/selection.h"
+#include "doc/edit/edit.h"
 #include "io/project/project.h"
 
 /* Beams, by number. */
@@ -22,8 +21,6 @@ typedef struct QnPartSet {
   QnBeamSet beams;
 } QnPartSet;
 
-/* What is selected, copied, because the selection may change under an edit. Clear it. */
-QnPartSet qn_part_set_of_selection (QnSelection *selection);
 void qn_part_set_clear (QnPartSet *set);
 
 /* What a new beam is made of. */

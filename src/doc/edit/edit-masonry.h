@@ -8,7 +8,7 @@
 #ifndef QN_DOC_EDIT_MASONRY_H
 #define QN_DOC_EDIT_MASONRY_H
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include "io/project/project.h"
 
 /* Adds an object, whose content is taken over. Without a name it gets a free one. */

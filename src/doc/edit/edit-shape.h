@@ -6,7 +6,7 @@
 #ifndef QN_DOC_EDIT_SHAPE_H
 #define QN_DOC_EDIT_SHAPE_H
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include "stereotomy/ring.h"
 
 /* Whether the segment passes through the inside of a block. */

@@ -7,7 +7,7 @@
 #ifndef QN_DOC_EDIT_STAGE_H
 #define QN_DOC_EDIT_STAGE_H
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 
 #define QN_DEAD_LOADS (-1)
 

@@ -7,7 +7,7 @@
 #define QN_DOC_REPAIR_H
 
 #include "core/contact/contacts.h"
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 
 typedef enum {
   QN_REPAIR_SNAP,    /* corners of one block go to the other */

@@ -1,9 +1,9 @@
 #include "doc/view/figures.h"
 
 #include "doc/document/digest.h"
-#include "doc/document/edit.h"
+#include "doc/document/picture.h"
 #include "doc/document/underlay.h"
-#include "doc/edit/picture.h"
+#include "doc/edit/edit.h"
 #include "doc/view/figure-export.h"
 #include "io/result/result-file.h"
 #include <glib/gi18n.h>

@@ -1,6 +1,6 @@
 #include "doc/view/pair-text.h"
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include "doc/text/units.h"
 #include <glib/gi18n.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "doc/view/view-state.h"
 
-#include "doc/edit/picture.h"
+#include "doc/document/picture.h"
 #include "render/scene/photo.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 
 #include "doc/fixture.h"
 #include "doc/long-analysis.h"

@@ -1,5 +1,5 @@
 /* Beams in the drawing: they follow their blocks, go with them, and come back. */
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 
 #include "doc/fixture.h"
 

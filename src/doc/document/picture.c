@@ -1,6 +1,6 @@
-#include "doc/edit/picture.h"
+#include "doc/document/picture.h"
 
-#include "doc/document/edit.h"
+#include "doc/edit/edit.h"
 #include "io/text/file-inside.h"
 #include "render/scene/photo.h"
 #include <glib/gi18n.h>
