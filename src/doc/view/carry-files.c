@@ -1,7 +1,7 @@
 #include "doc/view/carry-files.h"
 
+#include "doc/document/picture.h"
 #include "doc/document/underlay.h"
-#include "doc/edit/picture.h"
 #include "doc/view/figures.h"
 #include "doc/view/recipe.h"
 #include "io/text/file-inside.h"
