@@ -14,6 +14,7 @@ typedef struct Options {
   QnPictureOptions picture;
   char *title;
   double until; /* m or rad, or 0 */
+  gboolean whole;
   char **references;
   GArray *lines; /* of QnReferenceLine, of `references` */
 } Options;
@@ -32,29 +33,15 @@ choose_dof (const QnModel *model, const QnResult *result, QnId block)
   return ABS (u[QN_DOF_UX]) >= ABS (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
 }
 
-/* Ends the curve where it first leaves -until .. until. */
-static void
-cut_curve (QnCurve *curve, double until)
+static gboolean
+is_table (const char *path)
 {
-  size_t i = 0;
-  while (i < curve->count && fabs (curve->x[i]) <= until)
-    i++;
-  if (until <= 0 || i == 0 || i == curve->count)
-    return;
-
-  double edge = copysign (until, curve->x[i]);
-  double share = (edge - curve->x[i - 1]) / (curve->x[i] - curve->x[i - 1]);
-  curve->y[i] = curve->y[i - 1] + share * (curve->y[i] - curve->y[i - 1]);
-  curve->x[i] = edge;
-  curve->count = i + 1;
-  if (curve->limit_point >= (ptrdiff_t) i)
-    curve->limit_point = -1;
-  if (curve->collapse_point >= (ptrdiff_t) i)
-    curve->collapse_point = -1;
+  g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
+  return lower != NULL && g_str_has_suffix (lower, ".csv");
 }
 
 static QnExit
-take_curve (QnCurve *curve, const QnSheetItem *item, double until)
+take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
 {
   const QnModel *model = &item->input.project.model;
   const QnResult *result = &item->file.result;
@@ -68,7 +55,10 @@ take_curve (QnCurve *curve, const QnSheetItem *item, double until)
     qn_cli_error (_ ("not enough memory"));
     return QN_EXIT_INTERNAL;
   }
-  cut_curve (curve, until);
+  if (options->until > 0)
+    qn_curve_cut (curve, options->until);
+  else if (!options->whole && !is_table (options->picture.path))
+    qn_curve_cut_runaway (curve);
   return QN_EXIT_DONE;
 }
 
@@ -109,13 +99,6 @@ parse_references (const QnSubcommand *self, Options *options)
   return QN_EXIT_DONE;
 }
 
-static gboolean
-is_table (const char *path)
-{
-  g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
-  return lower != NULL && g_str_has_suffix (lower, ".csv");
-}
-
 static gboolean export(const Options *options, const QnOutput *output,
                        const QnCurve *curves, gsize count, const QnProject *project,
                        GError **error)
@@ -145,7 +128,7 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
   g_autoptr (GPtrArray) labels = g_ptr_array_new_with_free_func (g_free);
   QnExit code = QN_EXIT_DONE;
   for (gsize i = 0; i < count && code == QN_EXIT_DONE; i++)
-    code = take_curve (&curves[i], &items[i], options->until);
+    code = take_curve (&curves[i], &items[i], options);
 
   label_curves (curves, items, arguments, count, labels);
 
@@ -168,6 +151,8 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("TEXT") },
     { "until", 0, 0, G_OPTION_ARG_DOUBLE, &options.until,
       N_ ("End the curves at this displacement, m or rad"), N_ ("LIMIT") },
+    { "whole", 0, 0, G_OPTION_ARG_NONE, &options.whole,
+      N_ ("Draw the last motion to its end, too, however far it runs"), NULL },
     { "reference", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.references,
       N_ ("Draw a line at this multiplier, for a known value; may be given again"),
       N_ ("VALUE[=TEXT]") },

@@ -47,6 +47,10 @@ parse_scale (const char *text, double *scale)
     *scale = QN_SCALE_AUTO;
     return TRUE;
   }
+  if (strcmp (text, "true") == 0) {
+    *scale = 1;
+    return TRUE;
+  }
   *scale = g_ascii_strtod (text, &end);
   return end != text && *end == '\0' && isfinite (*scale) && *scale > 0;
 }
@@ -86,7 +90,8 @@ parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *vie
   if (!parse_step (options->step, &view->step))
     return refuse (self, _ ("a step is a number from 0, or last"), options->step);
   if (!parse_scale (options->scale, &view->scale))
-    return refuse (self, _ ("a scale is a positive number, or auto"), options->scale);
+    return refuse (self, _ ("a scale is a positive number, auto or true"),
+                   options->scale);
   if (options->result == NULL && kind != QN_VIEW_MODEL && kind != QN_VIEW_CONTACTS)
     return refuse (self, _ ("this view needs --result"), options->view);
   if (options->onion != NULL && kind != QN_VIEW_DEFORMED && kind != QN_VIEW_MECHANISM)
@@ -167,8 +172,9 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Result that is shown"), N_ ("RESULT.json") },
     { "step", 0, 0, G_OPTION_ARG_STRING, &options.step, N_ ("Step of the result, from 0"),
       N_ ("N|last") },
-    { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale, N_ ("Factor on displacements"),
-      N_ ("F|auto") },
+    { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale,
+      N_ ("Factor on displacements; auto: one for all steps; true: 1"),
+      N_ ("F|auto|true") },
     { "diagram", 0, 0, G_OPTION_ARG_STRING, &options.diagram,
       N_ ("with --view diagrams: section force of the beams, N, V or M (M)"), "N|V|M" },
     { "field", 0, 0, G_OPTION_ARG_STRING, &options.field,

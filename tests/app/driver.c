@@ -133,18 +133,32 @@ xdotool (const char *const *arguments)
 }
 
 void
-driver_point (QnWindow *window, double x, double y)
+driver_point_at (GtkWidget *widget, double x, double y)
 {
-  QnCanvas *canvas = qn_window_get_canvas (window);
-  QnVec2 s = qn_canvas_to_screen (canvas, qn_vec2 (x, y));
+  GtkNative *native = gtk_widget_get_native (widget);
   double left, top, offset_x, offset_y;
-  g_assert_true (gtk_widget_translate_coordinates (
-    GTK_WIDGET (canvas), GTK_WIDGET (window), s.x, s.y, &left, &top));
-  gtk_native_get_surface_transform (GTK_NATIVE (window), &offset_x, &offset_y);
+  g_assert_true (
+    gtk_widget_translate_coordinates (widget, GTK_WIDGET (native), x, y, &left, &top));
+  gtk_native_get_surface_transform (native, &offset_x, &offset_y);
   g_autofree char *px = g_strdup_printf ("%.0f", left + offset_x);
   g_autofree char *py = g_strdup_printf ("%.0f", top + offset_y);
   const char *const arguments[] = { "mousemove", px, py, NULL };
   xdotool (arguments);
+}
+
+void
+driver_press_button (const char *number)
+{
+  const char *const arguments[] = { "click", number, NULL };
+  xdotool (arguments);
+}
+
+void
+driver_point (QnWindow *window, double x, double y)
+{
+  QnCanvas *canvas = qn_window_get_canvas (window);
+  QnVec2 s = qn_canvas_to_screen (canvas, qn_vec2 (x, y));
+  driver_point_at (GTK_WIDGET (canvas), s.x, s.y);
 }
 
 static void

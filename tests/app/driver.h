@@ -30,6 +30,9 @@ void driver_wait_for_job (QnWindow *window);
 void driver_point (QnWindow *window, double x, double y);
 void driver_drag (QnWindow *window, double x0, double y0, double x1, double y1);
 void driver_click (QnWindow *window, double x, double y);
+/* Pointer at a place of a widget, px, and any button of it, 4 and 5 for the wheel. */
+void driver_point_at (GtkWidget *widget, double x, double y);
+void driver_press_button (const char *number);
 /* Keys as xdotool spells them. */
 void driver_key (const char *key);
 void driver_type (const char *text);

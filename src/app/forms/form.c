@@ -1,5 +1,7 @@
 #include "app/forms/form.h"
 
+#include "app/widgets/choice-list.h"
+
 #define ROW_SPACING    6
 #define COLUMN_SPACING 12
 #define MARGIN         12
@@ -261,13 +263,7 @@ void
 qn_form_fill_choice (GtkDropDown *choice, const char *const *strings, guint selected,
                      gpointer user_data)
 {
-  g_autoptr (GtkStringList) list = gtk_string_list_new (strings);
-  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                   user_data);
-  gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
-  gtk_drop_down_set_selected (choice, selected);
-  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     user_data);
+  qn_choice_list_fill (choice, strings, selected, user_data);
 }
 
 void

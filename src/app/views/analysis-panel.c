@@ -195,16 +195,12 @@ procedure_row (const QnAnalysisSettings *analysis)
 static void
 fill_blocks (Panel *panel, const QnModel *model)
 {
-  g_autoptr (GtkStringList) names = gtk_string_list_new (NULL);
-  gtk_string_list_append (names, _ ("None"));
+  g_autofree const char **names = g_new0 (const char *, model->block_count + 2);
+  names[0] = _ ("None");
   for (gsize i = 0; i < model->block_count; i++)
-    gtk_string_list_append (names, model->blocks[i].name);
-  GtkDropDown *choice = panel->control_block;
-  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, panel);
-  gtk_drop_down_set_model (choice, G_LIST_MODEL (names));
-  gtk_drop_down_set_selected (choice, (guint) (model->analysis.control_block + 1));
-  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     panel);
+    names[i + 1] = model->blocks[i].name;
+  qn_form_fill_choice (panel->control_block, names,
+                       (guint) (model->analysis.control_block + 1), panel);
 }
 
 /* Without positions yet those of the ends stand there to start from. */

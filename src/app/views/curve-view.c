@@ -1,9 +1,12 @@
 #include "app/views/curve-view.h"
 
 #include "app/widgets/settings.h"
+#include "doc/document/run-text.h"
 #include "doc/view/magnet.h"
 #include "io/exchange/table-csv.h"
 #include "render/figure/curve-plot.h"
+#include "render/scene/camera.h"
+#include "render/scene/color.h"
 
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
@@ -15,15 +18,30 @@
 #define TICK_PX       52.0 /* least distance of ticks */
 #define LEAST_HEIGHT  190
 
+/* Runs drawn over each other, the current one included. */
+#define MOST_CURVES 6
+
+#define ZOOM_STEP 1.25
+
+typedef struct Series {
+  QnRun *run; /* NULL while an analysis runs */
+  QnCurve curve;
+} Series;
+
 struct _QnCurveView {
   GtkWidget parent_instance;
   QnViewState *state;
 
-  QnCurve curve; /* of the current run, or live */
+  Series series[MOST_CURVES]; /* the current run first */
+  int series_count;
   gboolean live; /* abscissa is the number of the step */
   QnId block;
   QnDof dof;
-  double x_min, x_max, y_max;
+  QnBox range;     /* what is in view: displacement, multiplier */
+  gboolean chosen; /* by the user */
+  QnBox pan_from;  /* the range when panning began */
+  QnVec2 pointer;  /* px; outside where nothing is told */
+  gboolean inside;
 };
 
 G_DEFINE_FINAL_TYPE (QnCurveView, qn_curve_view, GTK_TYPE_WIDGET)
@@ -31,33 +49,53 @@ G_DEFINE_FINAL_TYPE (QnCurveView, qn_curve_view, GTK_TYPE_WIDGET)
 /* ---- what is shown ---- */
 
 static void
+clear_series (QnCurveView *self)
+{
+  for (int i = 0; i < self->series_count; i++) {
+    qn_curve_clear (&self->series[i].curve);
+    g_clear_pointer (&self->series[i].run, qn_run_unref);
+  }
+  self->series_count = 0;
+}
+
+static void
 take_live_curve (QnCurveView *self, QnJob *job)
 {
   gsize count = 0;
   const double *multipliers = qn_job_get_multipliers (job, &count);
+  QnCurve *curve = &self->series[0].curve;
   self->live = TRUE;
-  self->curve.count = count;
-  self->curve.x = calloc (count + 1, sizeof (double));
-  self->curve.y = calloc (count + 1, sizeof (double));
+  self->series_count = 1;
+  *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
+  curve->count = count;
+  curve->x = g_new (double, count + 1);
+  curve->y = g_new (double, count + 1);
   for (gsize i = 0; i < count; i++) {
-    self->curve.x[i] = (double) i;
-    self->curve.y[i] = multipliers[i];
+    curve->x[i] = (double) i;
+    curve->y[i] = multipliers[i];
   }
 }
 
+/* Up to the peak and a little more; a motion that runs away leaves the picture. */
 static void
-update_range (QnCurveView *self)
+fit (QnCurveView *self)
 {
-  self->x_min = 0.0;
-  self->x_max = self->y_max = 0.0;
-  for (gsize i = 0; i < self->curve.count; i++) {
-    self->x_min = MIN (self->x_min, self->curve.x[i]);
-    self->x_max = MAX (self->x_max, self->curve.x[i]);
-    self->y_max = MAX (self->y_max, self->curve.y[i]);
+  QnBox box = { { 0.0, 0.0 }, { 0.0, 0.0 } };
+  self->chosen = FALSE;
+  for (int k = 0; k < self->series_count; k++) {
+    const QnCurve *curve = &self->series[k].curve;
+    double end = 0.0;
+    gboolean cut = !self->live && qn_curve_get_end (curve, &end);
+    for (gsize i = 0; i < curve->count; i++) {
+      double x = curve->x[i], first = curve->x[0];
+      gboolean beyond = cut && fabs (x - first) > fabs (end - first);
+      qn_box_add_point (&box, qn_vec2 (beyond ? end : x, curve->y[i]));
+    }
   }
-  if (self->x_max <= self->x_min)
-    self->x_max = self->x_min + 1.0;
-  self->y_max = self->y_max > 0.0 ? 1.06 * self->y_max : 1.0;
+  if (box.max.x <= box.min.x)
+    box.max.x = box.min.x + 1.0;
+  box.max.y = box.max.y > 0.0 ? box.max.y + 0.06 * (box.max.y - box.min.y) : 1.0;
+  self->range = box;
 }
 
 static void
@@ -83,25 +121,51 @@ controlled_body (const QnModel *model)
   return body != SIZE_MAX ? (QnId) body : QN_NONE;
 }
 
+/* The displacement of that block; of QN_NONE the one that moves most, which is told. */
+static void
+take_run (QnCurveView *self, QnRun *run, QnId block, QnDof dof)
+{
+  Series *series = &self->series[self->series_count];
+  if (!qn_run_has_curve (run) || run->result.step_count == 0
+      || !qn_curve_from_result (&series->curve, &run->result, block, dof, &self->block,
+                                &self->dof))
+    return;
+  series->run = qn_run_ref (run);
+  self->series_count++;
+}
+
+/* The current run, and over it those of the same blocks. */
+static void
+take_runs (QnCurveView *self, QnDocument *document)
+{
+  QnRun *run = qn_document_get_run (document);
+  if (run == NULL)
+    return;
+  take_run (self, run, controlled_body (&run->model), run->model.analysis.control_dof);
+  const GPtrArray *runs = qn_document_get_runs (document);
+  for (guint i = runs->len;
+       i-- > 0 && self->series_count > 0 && self->series_count < MOST_CURVES;) {
+    QnRun *other = g_ptr_array_index (runs, i);
+    if (other != run && other->model.block_count == run->model.block_count
+        && other->model.node_count == run->model.node_count)
+      take_run (self, other, self->block, self->dof);
+  }
+}
+
 static void
 update (QnCurveView *self)
 {
   QnDocument *document = qn_view_state_get_document (self->state);
   QnJob *job = qn_document_get_job (document);
-  const QnRun *run = qn_document_get_run (document);
-  qn_curve_clear (&self->curve);
-  self->curve = (QnCurve){ 0 };
+  clear_series (self);
   self->live = FALSE;
   self->block = QN_NONE;
   if (job != NULL)
     take_live_curve (self, job);
-  else if (run != NULL && run->result.step_count > 0
-           && !qn_curve_from_result (
-             &self->curve, &run->result, controlled_body (&run->model),
-             run->model.analysis.control_dof, &self->block, &self->dof))
-    self->curve = (QnCurve){ 0 };
-  update_range (self);
-  update_description (self, run);
+  else
+    take_runs (self, document);
+  fit (self);
+  update_description (self, qn_document_get_run (document));
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
@@ -122,26 +186,53 @@ plot_height (QnCurveView *self)
 static QnVec2
 to_screen (QnCurveView *self, double x, double y)
 {
-  double u = (x - self->x_min) / (self->x_max - self->x_min), v = y / self->y_max;
+  const QnBox *r = &self->range;
+  double u = (x - r->min.x) / (r->max.x - r->min.x);
+  double v = (y - r->min.y) / (r->max.y - r->min.y);
   return qn_vec2 (MARGIN_LEFT + u * plot_width (self),
                   MARGIN_TOP + (1.0 - v) * plot_height (self));
 }
 
-/* The step whose point is nearest. */
-static int
-step_at (QnCurveView *self, QnVec2 at)
+/* Within the frame: points outside of the range stand at its edge. */
+static QnVec2
+to_frame (QnCurveView *self, const QnCurve *curve, gsize i)
 {
-  int best = QN_STEP_LAST;
-  double least = INFINITY;
-  for (gsize i = 0; i < self->curve.count; i++) {
-    QnVec2 p = to_screen (self, self->curve.x[i], self->curve.y[i]);
-    double distance = qn_vec2_length (qn_vec2_sub (p, at));
-    if (distance < least) {
-      least = distance;
+  QnVec2 p = to_screen (self, curve->x[i], curve->y[i]);
+  return qn_vec2 (CLAMP (p.x, MARGIN_LEFT, MARGIN_LEFT + plot_width (self)),
+                  CLAMP (p.y, MARGIN_TOP, MARGIN_TOP + plot_height (self)));
+}
+
+/* The point of a curve that is nearest, and how far it is, px; -1: it has none. */
+static int
+nearest_point (QnCurveView *self, const QnCurve *curve, QnVec2 at, double *distance)
+{
+  int best = -1;
+  *distance = INFINITY;
+  for (gsize i = 0; i < curve->count; i++) {
+    double d = qn_vec2_length (qn_vec2_sub (to_frame (self, curve, i), at));
+    if (d < *distance) {
+      *distance = d;
       best = (int) i;
     }
   }
   return best;
+}
+
+/* Shows `share` of the range, keeping the place under `at`; 1 / share is the magnification. */
+static void
+zoom (QnCurveView *self, double share, QnVec2 at)
+{
+  QnBox *r = &self->range;
+  double u = (at.x - MARGIN_LEFT) / plot_width (self);
+  double v = 1.0 - (at.y - MARGIN_TOP) / plot_height (self);
+  double width = r->max.x - r->min.x, height = r->max.y - r->min.y;
+  if (self->series_count == 0 || !(width * share > 1e-12) || width * share > 1e6)
+    return;
+  r->min.x += u * width * (1.0 - share);
+  r->min.y += v * height * (1.0 - share);
+  r->max = qn_vec2 (r->min.x + width * share, r->min.y + height * share);
+  self->chosen = TRUE;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
 /* ---- drawing ---- */
@@ -165,15 +256,24 @@ draw_text (QnCurveView *self, cairo_t *cr, const char *text, double x, double y,
   cairo_restore (cr);
 }
 
+static QnQuantity
+abscissa (QnCurveView *self)
+{
+  return self->live               ? QN_QUANTITY_NUMBER
+         : self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE
+                                  : QN_QUANTITY_LENGTH;
+}
+
 static void
 draw_y_ticks (QnCurveView *self, cairo_t *cr)
 {
+  const QnBox *r = &self->range;
   double step =
-    qn_magnet_round_distance (self->y_max * TICK_PX * 0.6 / plot_height (self));
-  for (int i = 0; i * step <= self->y_max; i++) {
-    QnVec2 p = to_screen (self, self->x_min, i * step);
+    qn_magnet_round_distance ((r->max.y - r->min.y) * TICK_PX * 0.6 / plot_height (self));
+  for (double i = ceil (r->min.y / step); i * step <= r->max.y; i++) {
+    QnVec2 p = to_screen (self, r->min.x, i * step);
     g_autofree char *text =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, i * step, 4);
+      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, i == 0.0 ? 0.0 : i * step, 4);
     cairo_move_to (cr, p.x, floor (p.y) + 0.5);
     cairo_rel_line_to (cr, plot_width (self), 0.0);
     draw_text (self, cr, text, p.x - 5.0, p.y, 1.0, FALSE);
@@ -184,15 +284,13 @@ static void
 draw_x_ticks (QnCurveView *self, cairo_t *cr)
 {
   QnUnits units = qn_settings_get_units ();
-  QnQuantity quantity = self->live               ? QN_QUANTITY_NUMBER
-                        : self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE
-                                                 : QN_QUANTITY_LENGTH;
+  QnQuantity quantity = abscissa (self);
   double factor = qn_units_factor (units, quantity);
-  double span = (self->x_max - self->x_min) / factor;
+  const QnBox *r = &self->range;
+  double span = (r->max.x - r->min.x) / factor;
   double step = qn_magnet_round_distance (span * TICK_PX / plot_width (self));
-  for (double i = ceil (self->x_min / factor / step); i * step * factor <= self->x_max;
-       i++) {
-    QnVec2 p = to_screen (self, i * step * factor, 0.0);
+  for (double i = ceil (r->min.x / factor / step); i * step * factor <= r->max.x; i++) {
+    QnVec2 p = to_screen (self, i * step * factor, r->min.y);
     g_autofree char *text =
       qn_units_format (units, quantity, i == 0.0 ? 0.0 : i * step * factor, 4);
     cairo_move_to (cr, floor (p.x) + 0.5, p.y);
@@ -211,10 +309,10 @@ draw_x_label (QnCurveView *self, cairo_t *cr)
     draw_text (self, cr, _ ("Step"), x, y, 0.5, FALSE);
     return;
   }
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (self->state));
-  if (run == NULL || self->block == QN_NONE)
+  if (self->series_count == 0 || self->block == QN_NONE)
     return;
-  QnQuantity quantity = self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
+  const QnRun *run = self->series[0].run;
+  QnQuantity quantity = abscissa (self);
   g_autofree char *text = g_strdup_printf (
     "%s, %s (%s)", components[self->dof], qn_result_body_name (&run->model, self->block),
     qn_units_symbol (qn_settings_get_units (), quantity));
@@ -222,32 +320,26 @@ draw_x_label (QnCurveView *self, cairo_t *cr)
 }
 
 static void
-draw_points (QnCurveView *self, cairo_t *cr, const GdkRGBA *ink)
+set_series_color (cairo_t *cr, int series)
 {
-  for (gsize i = 0; i < self->curve.count; i++) {
-    QnVec2 p = to_screen (self, self->curve.x[i], self->curve.y[i]);
-    cairo_line_to (cr, p.x, p.y);
-  }
-  cairo_set_source_rgb (cr, 0.1, 0.4, 0.85);
-  cairo_set_line_width (cr, 2.0);
-  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
-  cairo_stroke (cr);
-  gdk_cairo_set_source_rgba (cr, ink);
-  cairo_set_line_width (cr, 1.5);
-  if (self->curve.collapse_point >= 0 && !self->live
-      && (gsize) self->curve.collapse_point < self->curve.count) {
-    QnVec2 p = to_screen (self, self->curve.x[self->curve.collapse_point],
-                          self->curve.y[self->curve.collapse_point]);
+  QnColor c = qn_series_color (series, false);
+  cairo_set_source_rgb (cr, c.r / 255.0, c.g / 255.0, c.b / 255.0);
+}
+
+/* A cross for collapse, a diamond for the first limit point. */
+static void
+draw_marks (QnCurveView *self, cairo_t *cr, const QnCurve *curve)
+{
+  if (curve->collapse_point >= 0 && (gsize) curve->collapse_point < curve->count) {
+    QnVec2 p = to_frame (self, curve, (gsize) curve->collapse_point);
     cairo_move_to (cr, p.x - 5.0, p.y - 5.0);
     cairo_line_to (cr, p.x + 5.0, p.y + 5.0);
     cairo_move_to (cr, p.x - 5.0, p.y + 5.0);
     cairo_line_to (cr, p.x + 5.0, p.y - 5.0);
     cairo_stroke (cr);
   }
-  if (self->curve.limit_point >= 0 && !self->live
-      && (gsize) self->curve.limit_point < self->curve.count) {
-    QnVec2 p = to_screen (self, self->curve.x[self->curve.limit_point],
-                          self->curve.y[self->curve.limit_point]);
+  if (curve->limit_point >= 0 && (gsize) curve->limit_point < curve->count) {
+    QnVec2 p = to_frame (self, curve, (gsize) curve->limit_point);
     cairo_move_to (cr, p.x, p.y - 6.0);
     cairo_line_to (cr, p.x + 5.0, p.y);
     cairo_line_to (cr, p.x, p.y + 6.0);
@@ -257,16 +349,62 @@ draw_points (QnCurveView *self, cairo_t *cr, const GdkRGBA *ink)
   }
 }
 
+/* Where the last motion leaves the picture: an arrow, and how far it goes. */
+static void
+draw_runaway (QnCurveView *self, cairo_t *cr, const QnCurve *curve)
+{
+  double end = 0.0;
+  if (self->chosen || self->live || !qn_curve_get_end (curve, &end))
+    return;
+  QnVec2 p = to_frame (self, curve, curve->count - 1);
+  double way = end < curve->x[0] ? -1.0 : 1.0;
+  g_autofree char *far = qn_units_format_full (qn_settings_get_units (), abscissa (self),
+                                               curve->x[curve->count - 1], 3);
+  g_autofree char *text = g_strdup_printf (_ ("moves on to %s"), far);
+  cairo_move_to (cr, p.x + 9.0 * way, p.y);
+  cairo_rel_line_to (cr, -9.0 * way, -4.0);
+  cairo_rel_line_to (cr, 0.0, 8.0);
+  cairo_close_path (cr);
+  cairo_fill (cr);
+  draw_text (self, cr, text, p.x, p.y + 14.0, way > 0.0 ? 1.0 : 0.0, FALSE);
+}
+
+static void
+draw_series (QnCurveView *self, cairo_t *cr, int index, const GdkRGBA *ink)
+{
+  const QnCurve *curve = &self->series[index].curve;
+  cairo_save (cr);
+  cairo_rectangle (cr, MARGIN_LEFT, MARGIN_TOP - 1.0, plot_width (self),
+                   plot_height (self) + 2.0);
+  cairo_clip (cr);
+  for (gsize i = 0; i < curve->count; i++) {
+    QnVec2 p = to_screen (self, curve->x[i], curve->y[i]);
+    cairo_line_to (cr, CLAMP (p.x, -1e5, 1e5), CLAMP (p.y, -1e5, 1e5));
+  }
+  set_series_color (cr, index);
+  cairo_set_line_width (cr, index == 0 ? 2.0 : 1.2);
+  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
+  cairo_stroke (cr);
+  cairo_restore (cr);
+  if (self->live || index > 0)
+    return;
+  gdk_cairo_set_source_rgba (cr, ink);
+  cairo_set_line_width (cr, 1.5);
+  draw_marks (self, cr, curve);
+  draw_runaway (self, cr, curve);
+}
+
 static void
 draw_cursor (QnCurveView *self, cairo_t *cr)
 {
   int step = qn_view_state_get_step (self->state);
-  if (self->live || self->curve.count == 0)
+  if (self->live || self->series_count == 0)
     return;
-  gsize i = step == QN_STEP_LAST ? self->curve.count - 1 : (gsize) step;
-  if (i >= self->curve.count)
+  const QnCurve *curve = &self->series[0].curve;
+  gsize i = step == QN_STEP_LAST ? curve->count - 1 : (gsize) step;
+  if (i >= curve->count)
     return;
-  QnVec2 p = to_screen (self, self->curve.x[i], self->curve.y[i]);
+  QnVec2 p = to_frame (self, curve, i);
   cairo_set_source_rgb (cr, 0.9, 0.35, 0.0);
   cairo_set_line_width (cr, 1.0);
   cairo_move_to (cr, floor (p.x) + 0.5, MARGIN_TOP);
@@ -274,6 +412,70 @@ draw_cursor (QnCurveView *self, cairo_t *cr)
   cairo_stroke (cr);
   cairo_arc (cr, p.x, p.y, 5.0, 0.0, 2.0 * G_PI);
   cairo_fill (cr);
+}
+
+void
+qn_curve_view_get_range (QnCurveView *self, QnVec2 *low, QnVec2 *high)
+{
+  *low = self->range.min;
+  *high = self->range.max;
+}
+
+char *
+qn_curve_view_dup_values (QnCurveView *self, double x, double y)
+{
+  double least = INFINITY, distance;
+  int series = -1, point = -1;
+  for (int k = 0; k < self->series_count; k++) {
+    int i = nearest_point (self, &self->series[k].curve, qn_vec2 (x, y), &distance);
+    if (i >= 0 && distance < least) {
+      least = distance;
+      series = k;
+      point = i;
+    }
+  }
+  if (series < 0)
+    return NULL;
+  const Series *s = &self->series[series];
+  g_autofree char *value = qn_units_format_full (qn_settings_get_units (),
+                                                 abscissa (self), s->curve.x[point], 4);
+  if (self->live)
+    return g_strdup_printf (_ ("Step %d: multiplier %.4f"), point, s->curve.y[point]);
+  g_autofree char *own =
+    g_strdup_printf (_ ("Step %d: %s, multiplier %.4f"), point, value, s->curve.y[point]);
+  if (self->series_count == 1)
+    return g_steal_pointer (&own);
+  g_autofree char *title = qn_run_dup_title (s->run);
+  return g_strdup_printf ("%s\n%s", title, own);
+}
+
+/* Values of the point nearest to the pointer, in a corner where they cover no curve that rises. */
+static void
+draw_values (QnCurveView *self, cairo_t *cr, const GdkRGBA *ink)
+{
+  g_autofree char *text =
+    self->inside ? qn_curve_view_dup_values (self, self->pointer.x, self->pointer.y)
+                 : NULL;
+  if (text == NULL)
+    return;
+  g_autoptr (PangoLayout) layout =
+    gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
+  g_autofree char *small = g_markup_printf_escaped ("<small>%s</small>", text);
+  pango_layout_set_markup (layout, small, -1);
+  pango_layout_set_width (layout, (int) plot_width (self) * PANGO_SCALE);
+  int width, height;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  double x = MARGIN_LEFT + plot_width (self) - width - 4.0;
+  double y = MARGIN_TOP + plot_height (self) - height - 4.0;
+  GdkRGBA paper = *ink;
+  paper.red = paper.green = paper.blue = ink->red > 0.5f ? 0.15f : 1.0f;
+  paper.alpha = 0.85f;
+  gdk_cairo_set_source_rgba (cr, &paper);
+  cairo_rectangle (cr, x - 3.0, y - 2.0, width + 6.0, height + 4.0);
+  cairo_fill (cr);
+  gdk_cairo_set_source_rgba (cr, ink);
+  cairo_move_to (cr, x, y);
+  pango_cairo_show_layout (cr, layout);
 }
 
 static void
@@ -292,8 +494,10 @@ draw (QnCurveView *self, cairo_t *cr)
              0.5, TRUE);
   gdk_cairo_set_source_rgba (cr, &faint);
   cairo_stroke (cr);
-  draw_points (self, cr, &ink);
+  for (int i = self->series_count; i-- > 0;)
+    draw_series (self, cr, i, &ink);
   draw_cursor (self, cr);
+  draw_values (self, cr, &ink);
 }
 
 static void
@@ -318,8 +522,11 @@ qn_curve_view_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
 static void
 go_to (QnCurveView *self, double x, double y)
 {
-  int step = step_at (self, qn_vec2 (x, y));
-  if (self->live || step == QN_STEP_LAST)
+  double distance;
+  int step = self->series_count > 0 && !self->live
+               ? nearest_point (self, &self->series[0].curve, qn_vec2 (x, y), &distance)
+               : -1;
+  if (step < 0)
     return;
   if (!qn_view_needs_result (qn_view_state_get_view (self->state))
       || qn_view_state_get_view (self->state) == QN_VIEW_MECHANISM)
@@ -343,6 +550,70 @@ on_drag_update (GtkGestureDrag *gesture, double dx, double dy, QnCurveView *self
     go_to (self, x + dx, y + dy);
 }
 
+static void
+on_click (GtkGestureClick *gesture, int presses, double x, double y, QnCurveView *self)
+{
+  (void) gesture;
+  (void) x;
+  (void) y;
+  if (presses != 2)
+    return;
+  fit (self);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
+static void
+on_pan_begin (GtkGestureDrag *gesture, double x, double y, QnCurveView *self)
+{
+  (void) gesture;
+  (void) x;
+  (void) y;
+  self->pan_from = self->range;
+}
+
+static void
+on_pan_update (GtkGestureDrag *gesture, double dx, double dy, QnCurveView *self)
+{
+  (void) gesture;
+  const QnBox *from = &self->pan_from;
+  QnVec2 moved = qn_vec2 (-dx / plot_width (self) * (from->max.x - from->min.x),
+                          dy / plot_height (self) * (from->max.y - from->min.y));
+  self->range.min = qn_vec2_add (from->min, moved);
+  self->range.max = qn_vec2_add (from->max, moved);
+  self->chosen = TRUE;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
+static void
+on_motion (GtkEventControllerMotion *controller, double x, double y, QnCurveView *self)
+{
+  (void) controller;
+  self->pointer = qn_vec2 (x, y);
+  self->inside = TRUE;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
+static void
+on_leave (GtkEventControllerMotion *controller, QnCurveView *self)
+{
+  (void) controller;
+  self->inside = FALSE;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
+/* With Ctrl, or once the curve has been clicked: else the panel scrolls past it. */
+static gboolean
+on_scroll (GtkEventControllerScroll *controller, double dx, double dy, QnCurveView *self)
+{
+  (void) dx;
+  GdkModifierType held =
+    gtk_event_controller_get_current_event_state (GTK_EVENT_CONTROLLER (controller));
+  if ((held & GDK_CONTROL_MASK) == 0 && !gtk_widget_has_focus (GTK_WIDGET (self)))
+    return FALSE;
+  zoom (self, pow (ZOOM_STEP, dy), self->pointer);
+  return TRUE;
+}
+
 static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnCurveView *self)
@@ -354,7 +625,14 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
     gtk_widget_activate_action (GTK_WIDGET (self), "win.previous-step", NULL);
   else if (keyval == GDK_KEY_Right)
     gtk_widget_activate_action (GTK_WIDGET (self), "win.next-step", NULL);
-  else
+  else if (keyval == GDK_KEY_plus || keyval == GDK_KEY_KP_Add)
+    zoom (self, 1.0 / ZOOM_STEP, to_screen (self, 0.0, 0.0));
+  else if (keyval == GDK_KEY_minus || keyval == GDK_KEY_KP_Subtract)
+    zoom (self, ZOOM_STEP, to_screen (self, 0.0, 0.0));
+  else if (keyval == GDK_KEY_0 || keyval == GDK_KEY_KP_0) {
+    fit (self);
+    gtk_widget_queue_draw (GTK_WIDGET (self));
+  } else
     return FALSE;
   return TRUE;
 }
@@ -374,7 +652,7 @@ static void
 qn_curve_view_finalize (GObject *object)
 {
   QnCurveView *self = QN_CURVE_VIEW (object);
-  qn_curve_clear (&self->curve);
+  clear_series (self);
   g_clear_object (&self->state);
   G_OBJECT_CLASS (qn_curve_view_parent_class)->finalize (object);
 }
@@ -401,6 +679,23 @@ qn_curve_view_init (QnCurveView *self)
   g_signal_connect (drag, "drag-begin", G_CALLBACK (on_drag_begin), self);
   g_signal_connect (drag, "drag-update", G_CALLBACK (on_drag_update), self);
   gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (drag));
+  GtkGesture *click = gtk_gesture_click_new ();
+  g_signal_connect (click, "pressed", G_CALLBACK (on_click), self);
+  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (click));
+  GtkGesture *pan = gtk_gesture_drag_new ();
+  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (pan), GDK_BUTTON_MIDDLE);
+  g_signal_connect (pan, "drag-begin", G_CALLBACK (on_pan_begin), self);
+  g_signal_connect (pan, "drag-update", G_CALLBACK (on_pan_update), self);
+  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (pan));
+  GtkEventController *motion = gtk_event_controller_motion_new ();
+  g_signal_connect (motion, "enter", G_CALLBACK (on_motion), self);
+  g_signal_connect (motion, "motion", G_CALLBACK (on_motion), self);
+  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), self);
+  gtk_widget_add_controller (widget, motion);
+  GtkEventController *scroll =
+    gtk_event_controller_scroll_new (GTK_EVENT_CONTROLLER_SCROLL_VERTICAL);
+  g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), self);
+  gtk_widget_add_controller (widget, scroll);
   GtkEventController *key = gtk_event_controller_key_new ();
   g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
   gtk_widget_add_controller (widget, key);

@@ -9,7 +9,7 @@
 
 typedef struct Bar {
   QnViewState *state;
-  GtkWidget *box, *play, *slider, *loop, *speed, *step_label;
+  GtkWidget *box, *play, *slider, *loop, *speed, *step_label, *factor, *truly;
   QnQuantityEntry *scale;
   guint tick;
   gint64 last_time;
@@ -125,6 +125,26 @@ on_scale (QnQuantityEntry *entry, Bar *bar)
 }
 
 static void
+on_true_scale (GtkToggleButton *button, Bar *bar)
+{
+  qn_view_state_set_scale (bar->state,
+                           gtk_toggle_button_get_active (button) ? 1.0 : QN_SCALE_AUTO);
+}
+
+/* The factor drawn with, chosen or not. A mechanism has no size of its own. */
+static void
+update_scale (Bar *bar)
+{
+  double shown = qn_view_state_get_shown_scale (bar->state);
+  gboolean deforms = qn_view_state_get_view (bar->state) == QN_VIEW_DEFORMED;
+  qn_quantity_entry_set_value (bar->scale, shown);
+  gtk_widget_set_visible (bar->factor, deforms);
+  g_signal_handlers_block_by_func (bar->truly, on_true_scale, bar);
+  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->truly), shown == 1.0);
+  g_signal_handlers_unblock_by_func (bar->truly, on_true_scale, bar);
+}
+
+static void
 update_label (Bar *bar, const QnRun *run)
 {
   g_autofree char *text = NULL;
@@ -178,7 +198,7 @@ update (Bar *bar)
   gtk_range_set_range (GTK_RANGE (bar->slider), 0.0, MAX (1, last));
   gtk_range_set_value (GTK_RANGE (bar->slider), value);
   g_signal_handlers_unblock_by_func (bar->slider, on_slider, bar);
-  qn_quantity_entry_set_value (bar->scale, qn_view_state_get_scale (bar->state));
+  update_scale (bar);
   update_label (bar, run);
 }
 
@@ -219,12 +239,27 @@ build (Bar *bar)
   bar->scale = QN_QUANTITY_ENTRY (qn_quantity_entry_new (QN_QUANTITY_NUMBER, 0.0, 1e9));
   gtk_editable_set_width_chars (GTK_EDITABLE (bar->scale), 6);
   g_signal_connect (bar->scale, "committed", G_CALLBACK (on_scale), bar);
-  GtkWidget *label = gtk_label_new (_ ("Scale (0: fitting)"));
+  gtk_widget_set_tooltip_text (
+    GTK_WIDGET (bar->scale),
+    _ ("Displacements are drawn so many times larger; 0: as much as fits all steps"));
+  GtkWidget *label = gtk_label_new (_ ("Displacements ×"));
   gtk_accessible_update_relation (GTK_ACCESSIBLE (bar->scale),
                                   GTK_ACCESSIBLE_RELATION_LABELLED_BY, label, NULL, -1);
 
-  GtkWidget *parts[] = { bar->play,  bar->slider, bar->step_label,        bar->loop,
-                         bar->speed, label,       GTK_WIDGET (bar->scale) };
+  bar->truly = gtk_toggle_button_new_with_label ("1∶1");
+  gtk_widget_set_tooltip_text (bar->truly, _ ("Displacements in true scale"));
+  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->truly),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Displacements in true scale"), -1);
+  gtk_widget_add_css_class (bar->truly, "flat");
+  g_signal_connect (bar->truly, "toggled", G_CALLBACK (on_true_scale), bar);
+
+  bar->factor = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  GtkWidget *factors[] = { label, GTK_WIDGET (bar->scale), bar->truly };
+  for (gsize i = 0; i < G_N_ELEMENTS (factors); i++)
+    gtk_box_append (GTK_BOX (bar->factor), factors[i]);
+  GtkWidget *parts[] = { bar->play, bar->slider, bar->step_label,
+                         bar->loop, bar->speed,  bar->factor };
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
     gtk_box_append (GTK_BOX (bar->box), parts[i]);
 }

@@ -81,39 +81,27 @@ dup_run_title (Panel *panel, const QnRun *run)
 }
 
 static void
-set_choice (Panel *panel, GtkDropDown *choice, GtkStringList *names, guint selected)
-{
-  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL, panel);
-  gtk_drop_down_set_model (choice, G_LIST_MODEL (names));
-  gtk_drop_down_set_selected (choice, selected);
-  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     panel);
-}
-
-static void
 update_runs (Panel *panel)
 {
   const GPtrArray *runs = qn_document_get_runs (document_of (panel));
-  g_autoptr (GtkStringList) names = gtk_string_list_new (NULL);
-  g_autoptr (GtkStringList) others = gtk_string_list_new (NULL);
+  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
   guint selected = GTK_INVALID_LIST_POSITION, onion = 0;
-  gtk_string_list_append (others, _ ("None"));
+  g_ptr_array_add (names, g_strdup (_ ("None")));
   for (guint i = 0; i < runs->len; i++) {
     const QnRun *run = g_ptr_array_index (runs, i);
-    g_autofree char *name = dup_run_title (panel, run);
-    gtk_string_list_append (names, name);
-    gtk_string_list_append (others, name);
+    g_ptr_array_add (names, dup_run_title (panel, run));
     if (run == run_of (panel))
       selected = i;
     if (run == qn_view_state_get_onion (panel->state))
       onion = i + 1;
   }
-  set_choice (panel, panel->runs, names, selected);
+  g_ptr_array_add (names, NULL);
+  const char *const *all = (const char *const *) names->pdata;
+  qn_form_fill_choice (panel->runs, all + 1, selected, panel);
   /* There may not be room for all of it. */
-  gtk_widget_set_tooltip_text (
-    GTK_WIDGET (panel->runs),
-    selected < runs->len ? gtk_string_list_get_string (names, selected) : NULL);
-  set_choice (panel, panel->onion, others, onion);
+  gtk_widget_set_tooltip_text (GTK_WIDGET (panel->runs),
+                               selected < runs->len ? all[selected + 1] : NULL);
+  qn_form_fill_choice (panel->onion, all, onion, panel);
   qn_form_set_row_visible (GTK_WIDGET (panel->onion), runs->len > 1);
 }
 

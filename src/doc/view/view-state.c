@@ -1,6 +1,7 @@
 #include "doc/view/view-state.h"
 
 #include "doc/document/picture.h"
+#include "render/scene/motion.h"
 #include "render/scene/photo.h"
 
 #include <string.h>
@@ -12,6 +13,8 @@ struct _QnViewState {
   char *image_path;      /* of that image, or of the one that could not be read */
   GError *image_error;
   QnRun *onion;
+  double mechanism_scale; /* a mechanism has no size, and a factor of its own */
+  double fitting_scale;   /* of the current run; 0: not asked for yet */
 };
 
 G_DEFINE_FINAL_TYPE (QnViewState, qn_view_state, G_TYPE_OBJECT)
@@ -114,6 +117,7 @@ on_runs_changed (QnDocument *document, QnViewState *self)
 {
   self->options.step = QN_STEP_LAST;
   self->options.phase = 1.0;
+  self->fitting_scale = 0.0;
   const QnRun *run = qn_document_get_run (document);
   if (self->onion != NULL && (run == NULL || !same_structure (self->onion, run)))
     g_clear_pointer (&self->onion, qn_run_unref);
@@ -149,6 +153,7 @@ qn_view_state_get_options (QnViewState *self)
   QnViewOptions options = self->options;
   const QnRun *run = qn_document_get_run (self->document);
   options.step = qn_view_state_get_step (self);
+  options.scale = qn_view_state_get_scale (self);
   /* Joints of a mode bend; they neither slide nor open. */
   if (run != NULL && run->kind != QN_RUN_ANALYSIS && options.view == QN_VIEW_MECHANISM)
     options.symbols = false;
@@ -196,16 +201,31 @@ qn_view_state_set_step (QnViewState *self, int step)
 void
 qn_view_state_set_scale (QnViewState *self, double scale)
 {
-  if (self->options.scale == scale)
+  double *own = self->options.view == QN_VIEW_MECHANISM ? &self->mechanism_scale
+                                                        : &self->options.scale;
+  if (*own == scale)
     return;
-  self->options.scale = scale;
+  *own = scale;
   emit_changed (self);
 }
 
 double
 qn_view_state_get_scale (QnViewState *self)
 {
-  return self->options.scale;
+  return self->options.view == QN_VIEW_MECHANISM ? self->mechanism_scale
+                                                 : self->options.scale;
+}
+
+double
+qn_view_state_get_shown_scale (QnViewState *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  if (self->options.scale > 0.0)
+    return self->options.scale;
+  if (self->fitting_scale == 0.0)
+    self->fitting_scale =
+      run != NULL ? qn_motion_result_scale (&run->model, &run->result) : 1.0;
+  return self->fitting_scale;
 }
 
 void

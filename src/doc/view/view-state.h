@@ -27,9 +27,14 @@ void qn_view_state_set_view (QnViewState *state, QnView view);
 int qn_view_state_get_step (QnViewState *state);
 void qn_view_state_set_step (QnViewState *state, int step);
 
-/* Displacement scale, QN_SCALE_AUTO for one that fits. */
+/* Factor on displacements, QN_SCALE_AUTO for one that fits. The mechanism, whose size means nothing,
+ * has one of its own, set and told while it is shown. */
 void qn_view_state_set_scale (QnViewState *state, double scale);
 double qn_view_state_get_scale (QnViewState *state);
+
+/* The factor that the deformed view draws with: the one that is set, or the one that fits all steps
+ * of the current run; 1 without a run. */
+double qn_view_state_get_shown_scale (QnViewState *state);
 
 /* Share of the motion shown, 0 to 1. */
 void qn_view_state_set_phase (QnViewState *state, double phase);

@@ -84,6 +84,80 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof 
   return true;
 }
 
+/* Share of the peak from which on a multiplier counts as the peak. */
+#define AT_PEAK 0.995
+
+/* A motion runs away where it comes to more than so many times the displacement at the peak, and
+ * is drawn up to this many times. */
+#define RUNAWAY 4.0
+#define BEYOND  1.6
+
+bool
+qn_curve_get_end (const QnCurve *curve, double *end)
+{
+  double peak = 0, at_peak = 0, farthest = 0;
+  size_t first = 0;
+  for (size_t i = 0; i < curve->count; i++)
+    peak = fmax (peak, curve->y[i]);
+  while (first < curve->count && !(curve->y[first] >= AT_PEAK * peak))
+    first++;
+  if (!(peak > 0))
+    return false;
+  for (size_t i = 0; i < curve->count; i++) {
+    if (i > first && curve->y[i] < AT_PEAK * peak)
+      return false;
+    if (i <= first)
+      at_peak = fmax (at_peak, fabs (curve->x[i] - curve->x[0]));
+    else if (fabs (curve->x[i] - curve->x[0]) > fabs (farthest))
+      farthest = curve->x[i] - curve->x[0];
+  }
+  *end = curve->x[0] + copysign (BEYOND * at_peak, farthest);
+  return at_peak > 0 && fabs (farthest) > RUNAWAY * at_peak;
+}
+
+/* Moves the first point beyond x = edge back onto it, and ends the curve there. */
+static void
+cut_at (QnCurve *curve, size_t beyond, double edge)
+{
+  double share =
+    (edge - curve->x[beyond - 1]) / (curve->x[beyond] - curve->x[beyond - 1]);
+  curve->y[beyond] =
+    curve->y[beyond - 1] + share * (curve->y[beyond] - curve->y[beyond - 1]);
+  curve->x[beyond] = edge;
+  curve->count = beyond + 1;
+}
+
+void
+qn_curve_cut (QnCurve *curve, double until)
+{
+  size_t i = 0;
+  while (i < curve->count && fabs (curve->x[i]) <= until)
+    i++;
+  if (until <= 0 || i == 0 || i == curve->count)
+    return;
+  cut_at (curve, i, copysign (until, curve->x[i]));
+  if (curve->limit_point >= (ptrdiff_t) i)
+    curve->limit_point = -1;
+  if (curve->collapse_point >= (ptrdiff_t) i)
+    curve->collapse_point = -1;
+}
+
+void
+qn_curve_cut_runaway (QnCurve *curve)
+{
+  double end = 0;
+  if (!qn_curve_get_end (curve, &end))
+    return;
+  size_t i = 1;
+  while (fabs (curve->x[i] - curve->x[0]) <= fabs (end - curve->x[0]))
+    i++;
+  cut_at (curve, i, end);
+  ptrdiff_t *marks[] = { &curve->limit_point, &curve->collapse_point, &curve->dot };
+  for (size_t k = 0; k < G_N_ELEMENTS (marks); k++)
+    *marks[k] = MIN (*marks[k], (ptrdiff_t) i);
+  curve->runs_on = true;
+}
+
 void
 qn_curve_clear (QnCurve *curve)
 {

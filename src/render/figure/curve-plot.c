@@ -78,6 +78,15 @@ draw_curve (const Plot *plot, size_t index)
                             qn_axis_place (&plot->x, curve->x[i] * plot->factor),
                             qn_axis_place (&plot->y, curve->y[i]), 4.5 * u, 0, u, c);
 
+  if (curve->runs_on && curve->count > 1) {
+    const double *end = curve->x + curve->count - 1;
+    double angle = end[0] < end[-1] ? G_PI : 0;
+    qn_draw_cairo_marker (
+      plot->cr, QN_MARKER_ARROW_HEAD,
+      qn_axis_place (&plot->x, end[0] * plot->factor) + (angle > 0 ? -7 : 7) * u,
+      qn_axis_place (&plot->y, curve->y[curve->count - 1]), 7 * u, angle, u, c);
+  }
+
   const struct {
     ptrdiff_t at;
     QnMarker marker;
@@ -127,11 +136,12 @@ create_legend (const QnCurvePlot *data)
   QnScene *scene = qn_scene_new ();
   scene->monochrome = data->monochrome;
   QnColor ink = qn_ink (QN_INK_LINE, data->monochrome);
-  bool limit = false, collapse = false;
+  bool limit = false, collapse = false, runs_on = false;
   for (size_t i = 0; i < data->curve_count; i++) {
     const QnCurve *curve = &data->curves[i];
     limit |= curve->limit_point >= 0;
     collapse |= curve->collapse_point >= 0;
+    runs_on |= curve->runs_on;
     if (curve->label != NULL)
       qn_scene_legend (scene, QN_COMMAND_STROKE,
                        qn_series_color ((int) i, data->monochrome), "%s", curve->label)
@@ -156,6 +166,12 @@ create_legend (const QnCurvePlot *data)
       qn_scene_legend (scene, QN_COMMAND_MARKER, ink, "%s", _ ("collapse"));
     entry->marker = QN_MARKER_CROSS;
     entry->size = 6.5f;
+  }
+  if (runs_on) {
+    QnLegendEntry *entry =
+      qn_scene_legend (scene, QN_COMMAND_MARKER, ink, "%s", _ ("moves on and on"));
+    entry->marker = QN_MARKER_ARROW_HEAD;
+    entry->size = 1;
   }
   return scene;
 }

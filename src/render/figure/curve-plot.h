@@ -16,6 +16,7 @@ typedef struct QnCurve {
   ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
   ptrdiff_t collapse_point; /* index of the point marked as collapse, or -1 */
   ptrdiff_t dot;            /* index of the moving dot of an animation, or -1 */
+  bool runs_on;             /* cut at its last point: the motion goes on beyond */
 } QnCurve;
 
 /* A horizontal line with a label, for a published value. */
@@ -44,6 +45,17 @@ typedef struct QnCurvePlot {
  * which *block_used and *dof_used (nullable) tell. False when memory runs out. */
 bool qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof dof,
                            QnId *block_used, QnDof *dof_used);
+
+/* Where a curve has nothing more to tell: from near its peak on the multiplier stays as it is to
+ * the end, while the displacement grows to many times what it was. Gives a displacement a little
+ * beyond the peak; false where the whole curve matters, as where it descends from its peak. */
+bool qn_curve_get_end (const QnCurve *curve, double *end);
+
+/* Ends the curve where it first leaves -until .. until; marks beyond are left out. */
+void qn_curve_cut (QnCurve *curve, double until);
+
+/* Ends the curve at the end above and marks it as running on; marks beyond move there. */
+void qn_curve_cut_runaway (QnCurve *curve);
 
 void qn_curve_clear (QnCurve *curve);
 

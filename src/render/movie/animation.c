@@ -161,6 +161,7 @@ player_init (Player *player, const QnAnimation *animation, const QnPage *page,
     }
     qn_curve_from_result (&player->curve, result, QN_NONE, QN_DOF_UX, NULL, NULL);
     player->steps = choose_steps (&player->curve, animation->frames);
+    qn_curve_cut_runaway (&player->curve);
   }
   player->reference = build_reference (player, error);
   if (player->reference == NULL)
@@ -196,7 +197,8 @@ draw_frame (Player *player, cairo_t *cr, int k, GError **error)
                               error))
     return false;
   if (player->plot.width > 0) {
-    player->curve.dot = player->steps[k];
+    player->curve.dot =
+      MIN ((ptrdiff_t) player->steps[k], (ptrdiff_t) player->curve.count - 1);
     QnCurvePlot plot = { .curves = &player->curve,
                          .curve_count = 1,
                          .monochrome = player->figure.options.monochrome };

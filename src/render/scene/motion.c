@@ -81,6 +81,39 @@ qn_motion_auto_scale (const QnMotion *motion)
   return floor (scale / power) * power;
 }
 
+size_t
+qn_motion_farthest_step (const QnModel *model, const QnResult *result)
+{
+  size_t rows = qn_result_body_count (result), farthest = 0;
+  double largest = -1;
+  for (size_t s = 0; s < result->step_count; s++) {
+    const double *u = qn_result_step_displacements (result, s);
+    double moved = 0;
+    for (size_t r = 0; r < rows; r++, u += QN_DOF_COUNT)
+      moved = fmax (moved, hypot (u[QN_DOF_UX], u[QN_DOF_UY])
+                             + model->characteristic_length * fabs (u[QN_DOF_RZ]));
+    /* The last of those alike: the end of a run is what is looked at first. */
+    if (moved >= largest) {
+      largest = moved;
+      farthest = s;
+    }
+  }
+  return farthest;
+}
+
+double
+qn_motion_result_scale (const QnModel *model, const QnResult *result)
+{
+  if (result->step_count == 0)
+    return 1;
+  size_t step = qn_motion_farthest_step (model, result);
+  const QnMotion motion = { .model = model,
+                            .displacements = qn_result_step_displacements (result, step),
+                            .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
+                            .scale = 1 };
+  return qn_motion_auto_scale (&motion);
+}
+
 QnJoint
 qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
 {

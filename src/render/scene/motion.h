@@ -24,6 +24,13 @@ QnVec2 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double sca
  * two digits. */
 double qn_motion_auto_scale (const QnMotion *motion);
 
+/* The step of a result (of at least one) whose blocks and nodes have moved farthest: a factor that
+ * fits it fits all steps, so that they can be compared. */
+size_t qn_motion_farthest_step (const QnModel *model, const QnResult *result);
+
+/* The factor that the deformed view of a result chooses for all its steps. */
+double qn_motion_result_scale (const QnModel *model, const QnResult *result);
+
 /* Largest length of a displacement over the vertices of one block and of all, m, not scaled. */
 double qn_motion_of_block (const QnMotion *motion, QnId block);
 double qn_motion_largest (const QnMotion *motion);

@@ -1,6 +1,7 @@
 /* Chooses, checks and runs the builders of one view. */
 #include "render/scene/render-error.h"
 #include "render/scene/scene-builder.h"
+#include "render/scene/text.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -144,7 +145,9 @@ choose_motion (QnSceneBuilder *b)
   }
   double scale = options->scale;
   if (!(scale > 0))
-    scale = qn_motion_auto_scale (&b->motion);
+    scale = options->view == QN_VIEW_DEFORMED
+              ? qn_motion_result_scale (b->model, b->result)
+              : qn_motion_auto_scale (&b->motion);
   b->scene->scale = scale;
   b->motion.scale = scale * options->phase;
 }
@@ -181,6 +184,19 @@ find_joints (QnSceneBuilder *b, GError **error)
   return b->joints != NULL;
 }
 
+/* A picture without its caption says in the legend by how much displacements are enlarged. */
+static void
+tell_scale (QnSceneBuilder *b)
+{
+  g_autofree char *number = qn_label_number ("%g", b->scene->scale);
+  if (b->scene->scale == 1)
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
+                     _ ("displacements in true scale"));
+  else
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE),
+                     _ ("displacements × %s"), number);
+}
+
 static void
 build_view (QnSceneBuilder *b)
 {
@@ -188,6 +204,8 @@ build_view (QnSceneBuilder *b)
   bool moving = b->motion.displacements != NULL && options->view != QN_VIEW_FORCES;
 
   qn_build_underlay (b);
+  if (options->view == QN_VIEW_DEFORMED && !options->titles)
+    tell_scale (b);
   if (moving && options->ghost)
     qn_build_ghost (b);
   g_autofree QnColor *fills = qn_build_field (b);

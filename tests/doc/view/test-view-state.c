@@ -63,7 +63,17 @@ test_steps (void)
   int count = (int) run->result.step_count;
   g_assert_cmpint (count, >, 3);
   qn_view_state_set_view (state, QN_VIEW_DEFORMED);
+  double fitting = qn_view_state_get_shown_scale (state);
+  g_assert_cmpfloat (fitting, >, 1.0);
   qn_view_state_set_step (state, 2);
+  g_assert_cmpfloat (qn_view_state_get_shown_scale (state), ==, fitting);
+  qn_view_state_set_scale (state, 1.0);
+  g_assert_cmpfloat (qn_view_state_get_shown_scale (state), ==, 1.0);
+  /* The true scale of displacements is none of a mechanism. */
+  qn_view_state_set_view (state, QN_VIEW_MECHANISM);
+  g_assert_cmpfloat (qn_view_state_get_options (state).scale, ==, QN_SCALE_AUTO);
+  qn_view_state_set_view (state, QN_VIEW_DEFORMED);
+  g_assert_cmpfloat (qn_view_state_get_options (state).scale, ==, 1.0);
   g_assert_cmpint (qn_view_state_get_step (state), ==, 2);
   g_assert_cmpint (qn_view_state_get_options (state).step, ==, 2);
   qn_view_state_set_step (state, count + 5);

@@ -152,6 +152,45 @@ test_decades (void)
   g_assert_cmpfloat (share[0], <, 0.7 * share[1]);
 }
 
+/* A curve that stays at its peak while the motion runs away is cut a little beyond the peak; one
+ * that descends is not, nor one whose motion stays within reach. */
+static void
+test_runaway (void)
+{
+  const struct {
+    double x[5], y[5];
+    bool cut;
+    double end;
+  } cases[] = {
+    { { 0, 1, 2, 30, 90 }, { 0, 0.5, 1, 1, 1 }, true, 3.2 },
+    { { 0, -1, -2, -30, -90 }, { 0, 0.5, 1, 1, 1 }, true, -3.2 },
+    { { 0.5, 1, 2, 30, 90 }, { 0, 0.5, 0.998, 1, 1 }, true, 2.9 },
+    { { 0, 1, 2, 30, 90 }, { 0, 0.5, 1, 0.7, 0.1 }, false, 0 },
+    { { 0, 1, 2, 3, 4 }, { 0, 0.5, 1, 1, 1 }, false, 0 },
+    { { 0, 1, 2, 3, 90 }, { 0, 0.25, 0.5, 0.75, 1 }, false, 0 },
+    { { 0, 0, 0, 0, 90 }, { 0, 0.25, 0.5, 1, 1 }, false, 0 },
+    { { 0, 1, 2, 3, 4 }, { 0, 0, 0, 0, 0 }, false, 0 },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnCurve curve = { .count = 5, .limit_point = 2, .collapse_point = 4, .dot = -1 };
+    curve.x = g_memdup2 (cases[i].x, sizeof cases[i].x);
+    curve.y = g_memdup2 (cases[i].y, sizeof cases[i].y);
+    double end = 0;
+    g_assert_true (qn_curve_get_end (&curve, &end) == cases[i].cut);
+    qn_curve_cut_runaway (&curve);
+    g_assert_true (curve.runs_on == cases[i].cut);
+    if (cases[i].cut) {
+      g_assert_cmpfloat_with_epsilon (end, cases[i].end, 1e-12);
+      g_assert_cmpuint (curve.count, ==, 4);
+      g_assert_cmpfloat (curve.x[3], ==, end);
+      g_assert_cmpint (curve.limit_point, ==, 2);
+      g_assert_cmpint (curve.collapse_point, ==, 3);
+    } else
+      g_assert_cmpuint (curve.count, ==, 5);
+    qn_curve_clear (&curve);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -159,6 +198,7 @@ main (int argc, char **argv)
   g_test_add_func ("/render/curve-plot/result", test_curve_of_result);
   g_test_add_func ("/render/curve-plot/limit-of-descending-curve",
                    test_limit_of_descending_curve);
+  g_test_add_func ("/render/curve-plot/runaway", test_runaway);
   g_test_add_func ("/render/curve-plot/odd-data", test_odd_data);
   g_test_add_func ("/render/curve-plot/decades", test_decades);
   return g_test_run ();

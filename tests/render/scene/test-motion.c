@@ -1,5 +1,6 @@
 #include "render/fixture.h"
 #include "render/scene/motion.h"
+#include "render/scene/scene.h"
 
 #include <glib.h>
 
@@ -129,6 +130,62 @@ test_auto_scale (void)
   fixture_clear (&f);
 }
 
+/* All steps of a result are drawn with one factor, that of the step that went farthest. */
+static void
+test_one_scale_for_all_steps (void)
+{
+  Fixture f;
+  fixture_init_wall (&f, 5, 11);
+  QnViewOptions options;
+  qn_view_options_init (&options, QN_VIEW_DEFORMED);
+  double chosen = qn_motion_result_scale (&f.model, &f.result);
+  for (int step = 0; step < (int) f.result.step_count; step++) {
+    options.step = step;
+    g_autoptr (QnScene) scene =
+      qn_scene_build (&f.model, &f.contacts, &f.result, &options, NULL);
+    g_assert_cmpfloat (scene->scale, ==, chosen);
+  }
+  size_t rows = qn_result_body_count (&f.result) * QN_DOF_COUNT;
+  double *second = f.result.displacements + rows;
+  for (size_t i = 0; i < rows; i++)
+    second[i] = 4 * f.result.displacements[3 * rows + i];
+  g_assert_cmpuint (qn_motion_farthest_step (&f.model, &f.result), ==, 1);
+  double wider = qn_motion_result_scale (&f.model, &f.result);
+  g_assert_cmpfloat (wider, <, 0.3 * chosen);
+  fixture_clear (&f);
+}
+
+/* Where no caption tells the factor, the legend does. */
+static void
+test_scale_in_legend (void)
+{
+  Fixture f;
+  fixture_init_wall (&f, 5, 11);
+  QnViewOptions options;
+  qn_view_options_init (&options, QN_VIEW_DEFORMED);
+  const struct {
+    double scale;
+    bool titles;
+    const char *text;
+  } cases[] = { { 25, false, "displacements × 25" },
+                { 1, false, "displacements in true scale" },
+                { 25, true, NULL } };
+  for (gsize c = 0; c < G_N_ELEMENTS (cases); c++) {
+    options.scale = cases[c].scale;
+    options.titles = cases[c].titles;
+    g_autoptr (QnScene) scene =
+      qn_scene_build (&f.model, &f.contacts, &f.result, &options, NULL);
+    const char *told = NULL;
+    for (guint i = 0; i < scene->legend->len; i++) {
+      const QnLegendEntry *entry = &g_array_index (scene->legend, QnLegendEntry, i);
+      if (g_str_has_prefix (entry->text, "displacements"))
+        told = entry->text;
+    }
+    g_assert_cmpstr (told, ==, cases[c].text);
+  }
+  fixture_clear (&f);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -139,6 +196,8 @@ main (int argc, char **argv)
   g_test_add_func ("/render/motion/sliding", test_sliding_block);
   g_test_add_func ("/render/motion/mechanism", test_mechanism_joints);
   g_test_add_func ("/render/motion/auto-scale", test_auto_scale);
+  g_test_add_func ("/render/motion/one-scale", test_one_scale_for_all_steps);
+  g_test_add_func ("/render/motion/scale-in-legend", test_scale_in_legend);
   g_test_add_func ("/render/motion/small", test_small_motion_is_not_shown);
   return g_test_run ();
 }

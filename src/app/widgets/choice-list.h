@@ -1,0 +1,13 @@
+/* The list of a drop-down. */
+#ifndef QN_APP_CHOICE_LIST_H
+#define QN_APP_CHOICE_LIST_H
+
+#include <gtk/gtk.h>
+
+/* Fills a drop-down anew and selects a row, without telling those handlers that were connected with
+ * `user_data`. The drop-down keeps its model: a handler of its own "notify::selected" may call
+ * this, where another model would free what GTK is still working on. */
+void qn_choice_list_fill (GtkDropDown *choice, const char *const *strings, guint selected,
+                          gpointer user_data);
+
+#endif

@@ -1,0 +1,140 @@
+/* What the window says about results: the curve under the pointer, the factor on displacements, the
+ * list of runs. */
+#include "driver.h"
+
+#include "app/views/curve-view.h"
+
+#include <math.h>
+#include <string.h>
+
+static gboolean
+is_curve (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return QN_IS_CURVE_VIEW (widget);
+}
+
+static QnCurveView *
+curve_of (QnWindow *window)
+{
+  GtkWidget *found = driver_find_widget (GTK_WIDGET (window), is_curve, NULL);
+  g_assert_nonnull (found);
+  return QN_CURVE_VIEW (found);
+}
+
+static double
+width_of_range (QnCurveView *curve)
+{
+  QnVec2 low, high;
+  qn_curve_view_get_range (curve, &low, &high);
+  return high.x - low.x;
+}
+
+static void
+solve (QnWindow *window, const char *action)
+{
+  driver_activate (window, action);
+  driver_wait_for_job (window);
+}
+
+/* The axis ends a little beyond the peak although the last motion goes ten times as far; the wheel
+ * zooms about the pointer, a double click fits again. */
+static void
+test_curve (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  solve (window, "win.run");
+  QnCurveView *curve = curve_of (window);
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  double farthest = 0.0;
+  const double *last =
+    qn_result_step_displacements (&run->result, run->result.step_count - 1);
+  for (gsize i = 0; i < 3 * run->result.block_count; i++)
+    farthest = i % 3 < 2 ? fmax (farthest, fabs (last[i])) : farthest;
+  double fitting = width_of_range (curve);
+  g_assert_cmpfloat (fitting, <, 0.3 * farthest);
+
+  GtkWidget *widget = GTK_WIDGET (curve);
+  double x = 0.5 * gtk_widget_get_width (widget);
+  double y = 0.4 * gtk_widget_get_height (widget);
+  driver_point_at (widget, x, y);
+  g_autofree char *told = qn_curve_view_dup_values (curve, x, y);
+  driver_screenshot (GTK_WIDGET (window), "curve");
+  g_test_message ("%s", told);
+  g_assert_nonnull (strstr (told, "m, multiplier 0."));
+  driver_press_button ("4"); /* without Ctrl and focus the panel scrolls */
+  g_assert_cmpfloat (width_of_range (curve), ==, fitting);
+  driver_press_button ("1");
+  driver_press_button ("4");
+  g_assert_cmpfloat_with_epsilon (width_of_range (curve), fitting / 1.25, 1e-9);
+  /* The click has taken the drawing along. */
+  g_assert_cmpint (qn_view_state_get_step (qn_window_get_view_state (window)), !=,
+                   QN_STEP_LAST);
+  driver_key ("0");
+  g_assert_cmpfloat_with_epsilon (width_of_range (curve), fitting, 1e-12);
+  driver_discard (window);
+}
+
+/* The factor is the same at every step, is told, and has a switch to the true scale. */
+static void
+test_factor (void)
+{
+  QnWindow *window = driver_open_example ("19-settling-wall.quoin");
+  solve (window, "win.run");
+  QnViewState *state = qn_window_get_view_state (window);
+  qn_view_state_set_view (state, QN_VIEW_DEFORMED);
+  double fitting = qn_view_state_get_shown_scale (state);
+  g_assert_cmpfloat (fitting, >, 1.0);
+  driver_screenshot (GTK_WIDGET (window), "factor");
+  qn_view_state_set_step (state, 4);
+  g_assert_cmpfloat (qn_view_state_get_shown_scale (state), ==, fitting);
+  driver_press (GTK_WIDGET (window), "1∶1");
+  g_assert_cmpfloat (qn_view_state_get_shown_scale (state), ==, 1.0);
+  driver_screenshot (GTK_WIDGET (window), "true-scale");
+  driver_press (GTK_WIDGET (window), "1∶1");
+  g_assert_cmpfloat (qn_view_state_get_shown_scale (state), ==, fitting);
+  driver_discard (window);
+}
+
+static gboolean
+lists_runs (GtkWidget *widget, gconstpointer window)
+{
+  if (!GTK_IS_DROP_DOWN (widget))
+    return FALSE;
+  GListModel *model = gtk_drop_down_get_model (GTK_DROP_DOWN (widget));
+  const GPtrArray *runs =
+    qn_document_get_runs (qn_window_get_document ((QnWindow *) window));
+  return model != NULL && g_list_model_get_n_items (model) == runs->len
+         && g_str_has_prefix (gtk_string_list_get_string (GTK_STRING_LIST (model), 0),
+                              ((QnRun *) runs->pdata[0])->name);
+}
+
+/* A run that is chosen from the list renews the list while GTK is still working on the choice. */
+static void
+test_runs (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  solve (window, "win.run");
+  solve (window, "win.run-limit::associative");
+  GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), lists_runs, window);
+  g_assert_nonnull (choice);
+  const GPtrArray *runs = qn_document_get_runs (document);
+  for (guint i = 0; i < runs->len; i++) {
+    gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), i);
+    driver_run (50);
+    g_assert_true (qn_document_get_run (document) == runs->pdata[i]);
+  }
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/results/curve", test_curve);
+  g_test_add_func ("/app/results/factor", test_factor);
+  g_test_add_func ("/app/results/runs", test_runs);
+  return g_test_run ();
+}
