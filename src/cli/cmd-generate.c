@@ -125,23 +125,27 @@ generate (const QnSubcommand *self, const Options *options, const Kind *kind,
   return code;
 }
 
+/* Whether an argument that begins with -- is an option of the subcommand itself. */
+static gboolean
+is_option (const char *argument, const GOptionEntry *entries)
+{
+  g_autofree char *name = g_strndup (argument + 2, strcspn (argument + 2, "="));
+  for (; entries->long_name != NULL; entries++)
+    if (strcmp (name, entries->long_name) == 0)
+      return TRUE;
+  return name[0] == '\0' || strcmp (name, "help") == 0 || strcmp (name, "help-all") == 0
+         || strcmp (argument, QN_DESCRIBE) == 0;
+}
+
 /* "--length 6", "--length=6" and "length=6" say the same. Options of the subcommand itself stay
  * what they are. */
 static GPtrArray *
-join_keys (int argc, char **argv)
+join_keys (int argc, char **argv, const GOptionEntry *entries)
 {
-  static const char *const own[] = { "--output", "--title", "--friction",
-                                     "--plain",  "--help",  "--help-all" };
   GPtrArray *joined = g_ptr_array_new_with_free_func (g_free);
   for (int i = 0; i < argc; i++) {
     const char *argument = argv[i];
-    gboolean mine = !g_str_has_prefix (argument, "--") || argument[2] == '\0';
-    for (gsize k = 0; k < G_N_ELEMENTS (own); k++) {
-      gsize length = strlen (own[k]);
-      mine = mine
-             || (strncmp (argument, own[k], length) == 0
-                 && (argument[length] == '\0' || argument[length] == '='));
-    }
+    gboolean mine = !g_str_has_prefix (argument, "--") || is_option (argument, entries);
     if (mine)
       g_ptr_array_add (joined, g_strdup (argument));
     else if (strchr (argument, '=') != NULL || i + 1 == argc)
@@ -168,7 +172,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Write plain blocks instead of parameters"), NULL },
     G_OPTION_ENTRY_NULL,
   };
-  GPtrArray *joined = join_keys (argc, argv);
+  GPtrArray *joined = join_keys (argc, argv, entries);
   /* The parser reorders the vector; the strings stay owned by `joined`. */
   g_autofree char **arguments = g_memdup2 (joined->pdata, joined->len * sizeof (char *));
   char **rest = arguments;

@@ -328,6 +328,13 @@ run (const QnSubcommand *self, int argc, char **argv)
     print_help ();
     return QN_EXIT_DONE;
   }
+  if (strcmp (argv[1], QN_DESCRIBE) == 0) {
+    const GOptionEntry none[] = { G_OPTION_ENTRY_NULL };
+    qn_subcommand_parse (self, none, 0, 0, &argc, &argv);
+    for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
+      actions[i]->run (actions[i], argc, argv);
+    return QN_EXIT_DONE;
+  }
   if (strcmp (argv[1], "worker") == 0)
     return worker.run (&worker, argc - 1, argv + 1);
   for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)

@@ -39,6 +39,17 @@ find_subcommand (const char *name)
   return NULL;
 }
 
+/* What data/commands.py reads. */
+static QnExit
+describe (void)
+{
+  for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++) {
+    char *argv[] = { (char *) subcommands[i]->name, (char *) QN_DESCRIBE, NULL };
+    subcommands[i]->run (subcommands[i], 2, argv);
+  }
+  return QN_EXIT_DONE;
+}
+
 static QnExit
 dispatch (int argc, char **argv)
 {
@@ -53,6 +64,9 @@ dispatch (int argc, char **argv)
     printf ("quoin %s\n", QN_VERSION);
     return QN_EXIT_DONE;
   }
+
+  if (strcmp (argv[1], QN_DESCRIBE) == 0)
+    return describe ();
 
   const QnSubcommand *subcommand = find_subcommand (argv[1]);
   if (subcommand == NULL) {

@@ -40,10 +40,14 @@ extern const QnSubcommand qn_cmd_stability;
 extern const QnSubcommand qn_cmd_study;
 extern const QnSubcommand qn_cmd_verify;
 
+/* Asked for by this word alone, a subcommand describes itself instead: see qn_subcommand_parse(). */
+#define QN_DESCRIBE "--describe"
+
 /* Parses options in the usual way: options and arguments in any order, "--" ends the options,
  * --help prints the help of the subcommand and ends the program. What is no option stays in
  * argv[1 .. argc). An unknown option or a number of arguments outside least .. most is told
- * to the user; the subcommand returns QN_EXIT_USAGE then. */
+ * to the user; the subcommand returns QN_EXIT_USAGE then. QN_DESCRIBE prints the subcommand and its
+ * options as lines with tabs, of which the build makes manual pages and completions. */
 gboolean qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries,
                               int least, int most, int *argc, char ***argv);
 

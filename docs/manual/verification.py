@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+"""The tables of docs/manual/verification.md.
+
+    verification.py QUOIN-CLI PAGE            computes them and writes them into the page
+    verification.py QUOIN-CLI PAGE --check    compares them with what the program computes now
+
+A value on the page must be what is computed to a tenth of what the case allows: solvers that
+improve may change the digits behind. Cases that allow anything are held to a tenth of a percent.
+"""
+
+import re
+import subprocess
+import sys
+
+ROW = re.compile(r"(.+?) +(\d+) +(\d+) +(\S+) +(\S+) +(\S+) +([+-]\S+) +(\S+)")
+START, END = "<!-- tables -->", "<!-- end -->"
+
+
+def compute(program):
+    """[(title, source, [row, ...])] as `quoin-cli verify` prints them; a row is a list of strings."""
+    text = subprocess.run([program, "verify", "-q"], capture_output=True, text=True, check=True).stdout
+    groups = []
+    for line in text.splitlines():
+        if line.startswith(" " * 23):
+            title, _, source = before.rpartition(" (")
+            groups.append((title, source[:-1], []))
+        row = ROW.match(line)
+        if row:
+            name, blocks, faces, reference, _, found, error, allowed = row.groups()
+            groups[-1][2].append([name.rstrip("‡"), blocks, faces, reference, found, error, allowed])
+        before = line
+    return groups
+
+
+def page_tables(groups):
+    out = []
+    for title, source, rows in groups:
+        out += ["", f"## {title}", "", f"Reference: {source}.", "",
+                "| case | blocks | faces | reference | Quoin | error % | allowed % |",
+                "| --- | --- | --- | --- | --- | --- | --- |"]
+        out += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join(out) + "\n\n"
+
+
+def read_rows(text):
+    rows = []
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if line.startswith("## "):
+            title = line[3:]
+        elif line.startswith("|") and cells[0] not in ("case", "---"):
+            rows.append([title] + cells)
+    return rows
+
+
+def differences(page, now):
+    if [row[:5] for row in page] != [row[:5] for row in now]:
+        yield "the cases are not those of the program"
+        return
+    for old, new in zip(page, now):
+        allowed = float(new[7]) / 1000 if new[7] != "none" else 1e-3
+        scale = max(abs(float(new[4])), 1e-6)
+        if abs(float(old[5]) - float(new[5])) > max(allowed * scale, 2e-6):
+            yield f"{new[0]}, {new[1]}: the page says {old[5]}, the program {new[5]}"
+
+
+def main():
+    program, path, *check = sys.argv[1:]
+    with open(path, encoding="utf-8") as file:
+        before, _, rest = file.read().partition(START)
+    old, _, after = rest.partition(END)
+    tables = page_tables(compute(program))
+    if not check:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(before + START + "\n" + tables + END + after)
+        return
+    page, now = read_rows(old), read_rows(tables)
+    assert len(now) > 50
+    # A changed digit shows that the comparison can fail.
+    changed = [row[:] for row in page]
+    changed[0][5] = str(float(changed[0][5]) * 1.1)
+    assert list(differences(changed, page))
+    found = list(differences(page, now))
+    print("\n".join(found))
+    sys.exit(1 if found else 0)
+
+
+main()
