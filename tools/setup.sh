@@ -19,9 +19,11 @@ packages=(
   libgsl-dev libsqlite3-dev
   # the window
   libgtk-4-dev
+  # the manual
+  yelp-tools yelp-xsl python3-markdown-it
   # checks and tests
   clang-format-14 binutils valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
-  adwaita-icon-theme librsvg2-common slurm-wlm munge
+  adwaita-icon-theme librsvg2-common slurm-wlm munge fish zsh abigail-tools
   "$@"
 )
 

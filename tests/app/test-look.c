@@ -116,29 +116,109 @@ test_dialogs (void)
   driver_discard (window);
 }
 
-/* The picture of the README: a wall that was solved, with its mechanism. The title names the folder
- * of the file, so it is opened in one that is the same everywhere. */
-static void
-test_picture (void)
+/* A window with an example in a folder that is the same everywhere, since the title names it. */
+static QnWindow *
+open_copy (const char *example, int width, int height)
 {
-  QnWindow *window = driver_open_window (1400, 900);
-  g_autofree char *path = driver_example_path ("ferris-tin-loi/wall3.quoin");
+  QnWindow *window = driver_open_window (width, height);
+  g_autofree char *path = driver_example_path (example);
+  g_autofree char *name = g_path_get_basename (path);
   g_autofree char *folder = g_build_filename (g_get_tmp_dir (), "walls", NULL);
-  g_autofree char *copy = g_build_filename (folder, "wall3.quoin", NULL);
+  g_autofree char *copy = g_build_filename (folder, name, NULL);
   g_autofree char *text = NULL;
   g_mkdir_with_parents (folder, 0755);
   g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
   g_assert_true (g_file_set_contents (copy, text, -1, NULL));
   g_assert_true (qn_window_open_path (window, copy));
+  driver_run (300);
+  return window;
+}
+
+static void
+discard_copy (QnWindow *window)
+{
+  const char *path = qn_document_get_path (qn_window_get_document (window));
+  g_autofree char *copy = g_strdup (path);
+  g_autofree char *folder = g_path_get_dirname (copy);
+  driver_discard (window);
+  g_remove (copy);
+  g_rmdir (folder);
+}
+
+static void
+solve_and_show_mechanism (QnWindow *window)
+{
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   driver_activate (window, "win.view::mechanism");
   driver_activate (window, "win.fit");
   driver_run (500);
+}
+
+/* The picture of the README: a wall that was solved, with its mechanism. */
+static void
+test_picture (void)
+{
+  QnWindow *window = open_copy ("ferris-tin-loi/wall3.quoin", 1400, 900);
+  solve_and_show_mechanism (window);
   driver_screenshot (GTK_WIDGET (window), "window");
-  driver_discard (window);
-  g_remove (copy);
-  g_rmdir (folder);
+  discard_copy (window);
+}
+
+/* Pictures of the manual, which docs/window.sh takes. */
+static void
+manual_picture (GtkWidget *window, const char *name)
+{
+  driver_run (300);
+  g_autofree char *full = g_strdup_printf ("manual-%s-%s", look, name);
+  driver_screenshot (window, full);
+}
+
+static void
+manual_dialog (const char *name)
+{
+  driver_run (300);
+  GtkWidget *dialog = find_other ();
+  g_assert_nonnull (dialog);
+  manual_picture (dialog, name);
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_run (50);
+}
+
+static void
+test_manual_results (void)
+{
+  QnWindow *window = open_copy ("ferris-tin-loi/wall3.quoin", 1100, 720);
+  driver_activate (window, "win.view::contacts");
+  qn_selection_set_face (qn_document_get_selection (qn_window_get_document (window)), 40);
+  driver_activate (window, "win.show-panel::properties");
+  manual_picture (GTK_WIDGET (window), "contacts");
+  driver_activate (window, "win.show-panel::analysis");
+  driver_activate (window, "win.view::model");
+  manual_picture (GTK_WIDGET (window), "analysis");
+  solve_and_show_mechanism (window);
+  manual_picture (GTK_WIDGET (window), "result");
+  driver_activate (window, "win.export");
+  manual_dialog ("export");
+  driver_activate (window, "win.run-limit::associative");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.compare");
+  manual_dialog ("compare");
+  discard_copy (window);
+}
+
+static void
+test_manual_drawing (void)
+{
+  QnWindow *window = open_copy ("12-facade.quoin", 1100, 720);
+  qn_selection_set_opening (qn_document_get_selection (qn_window_get_document (window)),
+                            0, 0);
+  driver_activate (window, "win.show-panel::properties");
+  manual_picture (GTK_WIDGET (window), "opening");
+  g_autofree char *drawing = driver_example_path ("dxf/wall-clutter.dxf");
+  driver_activate_target (window, "win.take-path", g_variant_new_string (drawing));
+  manual_dialog ("import");
+  discard_copy (window);
 }
 
 int
@@ -164,5 +244,9 @@ main (int argc, char **argv)
   g_test_add_func ("/app/look/dialogs", test_dialogs);
   if (g_str_equal (look, "plain"))
     g_test_add_func ("/app/look/picture", test_picture);
+  if (g_str_equal (look, "plain") || g_str_equal (look, "fr")) {
+    g_test_add_func ("/app/look/manual-results", test_manual_results);
+    g_test_add_func ("/app/look/manual-drawing", test_manual_drawing);
+  }
   return g_test_run ();
 }
