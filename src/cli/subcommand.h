@@ -23,6 +23,7 @@ struct QnSubcommand {
   QnExit (*run) (const QnSubcommand *self, int argc, char **argv);
 };
 
+extern const QnSubcommand qn_cmd_capacity;
 extern const QnSubcommand qn_cmd_check;
 extern const QnSubcommand qn_cmd_solve;
 extern const QnSubcommand qn_cmd_limit;

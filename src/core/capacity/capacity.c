@@ -1,0 +1,222 @@
+#include "core/capacity/capacity.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define PI 3.14159265358979323846
+
+/* Part of the largest motion from which on a block takes part. */
+#define PART_OF_MOTION 0.1
+
+/* Part of the peak where a path has fallen so far that the structure counts as collapsed. */
+#define FALLEN 0.8
+
+static QnStatus
+check_loads (const QnModel *model, QnDiag *diag)
+{
+  for (size_t i = 0; i < model->live_load_count; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    if (load->set == 0 && (load->kind != QN_LOAD_WEIGHT || load->vector.y != 0))
+      return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_LOADS,
+                          QN_ENTITY_LIVE_LOAD, (QnId) i, QN_NONE);
+  }
+  if (model->live_load_count == 0)
+    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_NO_LIVE_LOAD, QN_ENTITY_MODEL,
+                        QN_NONE, QN_NONE);
+  if (model->beam_count > 0)
+    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_BEAMS, QN_ENTITY_BEAM,
+                        0, QN_NONE);
+  return QN_OK;
+}
+
+static double
+motion (const QnResult *result, size_t from, size_t to, size_t block)
+{
+  size_t at = QN_DOF_COUNT * block + QN_DOF_UX;
+
+  return qn_result_step_displacements (result, to)[at]
+         - qn_result_step_displacements (result, from)[at];
+}
+
+/* Steps that the mechanism is the motion between. */
+static void
+find_mechanism (const QnResult *result, size_t peak, size_t *from, size_t *to)
+{
+  double top = result->steps[peak].multiplier;
+  size_t last = result->step_count - 1;
+
+  *from = peak == last ? 0 : peak;
+  *to = *from;
+  while (*to < last && (*to == *from || result->steps[*to].multiplier > FALLEN * top))
+    ++*to;
+}
+
+/* M*, e* and the ratio of displacements. False where nothing moves along the load. */
+static bool
+find_masses (QnCapacity *c, const QnModel *model, const QnResult *result, size_t from,
+             size_t to, double direction)
+{
+  double largest = 0, sum = 0, first = 0, second = 0;
+
+  for (size_t b = 0; b < model->block_count; b++)
+    largest = fmax (largest, fabs (motion (result, from, to, b)));
+  for (size_t b = 0; b < model->block_count; b++) {
+    double delta = motion (result, from, to, b), weight = model->blocks[b].weight;
+    if (largest == 0 || fabs (delta) < PART_OF_MOTION * largest)
+      continue;
+    c->participating++;
+    sum += weight;
+    first += weight * delta;
+    second += weight * delta * delta;
+  }
+  double control = motion (result, from, to, (size_t) c->block);
+  if (!(first * direction > 0) || control == 0)
+    return false;
+  c->moving_mass = sum / model->gravity;
+  c->mass = first * first / (model->gravity * second);
+  c->share = c->mass / c->moving_mass;
+  c->ratio = second / (control * first);
+  return c->ratio > 0;
+}
+
+/* Ends the curve where the multiplier comes back to 0. */
+static void
+add_points (QnCapacity *c, const QnResult *result, size_t peak, double direction,
+            double acceleration)
+{
+  for (size_t i = 0; i < result->step_count && !c->reaches_zero; i++) {
+    double control = copysign (1, direction) * motion (result, 0, i, (size_t) c->block);
+    double multiplier = result->steps[i].multiplier;
+    if (i > peak && multiplier <= 0) {
+      const QnCapacityPoint *before = &c->points[c->count - 1];
+      double part = before->multiplier / (before->multiplier - multiplier);
+      control = before->control + part * (control - before->control);
+      multiplier = 0;
+      c->reaches_zero = true;
+    }
+    c->points[c->count++] =
+      (QnCapacityPoint){ .multiplier = multiplier,
+                         .control = control,
+                         .displacement = control * c->ratio,
+                         .acceleration = multiplier * acceleration };
+  }
+  c->end = c->points[c->count - 1].displacement;
+}
+
+QnStatus
+qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
+                  QnId control, QnDiag *diag)
+{
+  double direction = 0;
+  size_t peak = 0, from, to;
+
+  *c = (QnCapacity){ .block = control };
+  QnStatus status = check_loads (model, diag);
+  if (status != QN_OK)
+    return status;
+  for (size_t i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].set == 0)
+      direction += model->live_loads[i].vector.x;
+  for (size_t i = 0; i < result->step_count; i++)
+    if (result->steps[i].multiplier > result->steps[peak].multiplier)
+      peak = i;
+  if (peak > 0)
+    find_mechanism (result, peak, &from, &to);
+  if (peak == 0 || !find_masses (c, model, result, from, to, direction))
+    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_MOTION,
+                        QN_ENTITY_BLOCK, control, QN_NONE);
+  c->points = qn_alloc (result->step_count, sizeof *c->points);
+  if (c->points == NULL)
+    return qn_diag_no_memory (diag);
+  c->peak = peak;
+  add_points (c, result, peak, direction, fabs (direction) * model->gravity / c->share);
+  return QN_OK;
+}
+
+void
+qn_capacity_clear (QnCapacity *c)
+{
+  free (c->points);
+  *c = (QnCapacity){ 0 };
+}
+
+double
+qn_capacity_acceleration (const QnCapacity *c, double displacement)
+{
+  size_t i = 1;
+
+  while (i + 1 < c->count && c->points[i].displacement < displacement)
+    i++;
+  const QnCapacityPoint *a = &c->points[i - 1], *b = &c->points[i];
+  double length = b->displacement - a->displacement;
+  double part = length > 0 ? (displacement - a->displacement) / length : 1;
+  return a->acceleration + part * (b->acceleration - a->acceleration);
+}
+
+QnCapacityState
+qn_capacity_check_ntc (const QnCapacity *c, const QnSpectrum *spectrum, double confidence,
+                       QnNtcState which)
+{
+  static const double parts[QN_NTC_STATE_COUNT] = { 0.4, 0.6 },
+                      factors[QN_NTC_STATE_COUNT] = { 1.68, 1.56 };
+  QnCapacityState state = { .capacity = parts[which] * c->end };
+
+  state.acceleration = qn_capacity_acceleration (c, state.capacity) / confidence;
+  state.period = factors[which] * PI * sqrt (state.capacity / state.acceleration);
+  state.demand = qn_spectrum_displacement (spectrum, state.period);
+  state.ratio = state.capacity / state.demand;
+  return state;
+}
+
+QnEnDemand
+qn_capacity_en_demand (const QnCapacity *c, const QnSpectrum *spectrum)
+{
+  const QnCapacityPoint *peak = &c->points[c->peak];
+  QnEnDemand d = { .yield_acceleration = peak->acceleration,
+                   .mechanism = peak->displacement };
+
+  for (size_t i = 1; i <= c->peak; i++)
+    d.energy += 0.5 * (c->points[i].acceleration + c->points[i - 1].acceleration)
+                * (c->points[i].displacement - c->points[i - 1].displacement);
+  d.yield = fmax (2 * (d.mechanism - d.energy / d.yield_acceleration), 0);
+  d.period = 2 * PI * sqrt (d.yield / d.yield_acceleration);
+  double acceleration = qn_spectrum_acceleration (spectrum, d.period);
+  double corner = qn_spectrum_corner (spectrum);
+  d.elastic = qn_spectrum_displacement (spectrum, d.period);
+  d.q = acceleration / d.yield_acceleration;
+  d.target = d.elastic;
+  if (d.period < corner && d.q > 1 && d.period > 0)
+    d.target = fmax (d.elastic / d.q * (1 + (d.q - 1) * corner / d.period), d.elastic);
+  return d;
+}
+
+/* d* where the multiplier has fallen to FALLEN of its peak. */
+static double
+near_collapse (const QnCapacity *c)
+{
+  double level = FALLEN * c->points[c->peak].acceleration;
+
+  for (size_t i = c->peak + 1; i < c->count; i++) {
+    const QnCapacityPoint *a = &c->points[i - 1], *b = &c->points[i];
+    if (b->acceleration <= level)
+      return a->displacement
+             + (a->acceleration - level) / (a->acceleration - b->acceleration)
+                 * (b->displacement - a->displacement);
+  }
+  return c->end;
+}
+
+QnCapacityState
+qn_capacity_check_en (const QnCapacity *c, const QnEnDemand *demand, QnEnState which)
+{
+  double part = which == QN_EN_SD ? 0.75 : 1;
+  QnCapacityState state = { .capacity = part * near_collapse (c),
+                            .period = demand->period,
+                            .demand = demand->target };
+
+  state.acceleration = qn_capacity_acceleration (c, state.capacity);
+  state.ratio = state.capacity / state.demand;
+  return state;
+}

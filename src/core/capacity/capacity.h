@@ -1,0 +1,106 @@
+/* Capacity curves: a path in large displacements as that of a single mass, and what earthquake
+ * codes make of it.
+ *
+ * The live load is weight times a horizontal direction, so that multiplier and acceleration go
+ * together. delta_i is the horizontal motion of block i in the mechanism: from the peak of the path
+ * to where the multiplier has fallen to four fifths of it, or to the end of the path; since the
+ * dead load where the path ends at its peak. Blocks that move by less than a tenth of the one
+ * that moves most do not take part. With P_i the weights of those that do, V the horizontal live
+ * load on them at multiplier 1, d_k the displacement of the control block since the dead load:
+ *
+ *   M* = (sum P_i delta_i)^2 / (g sum P_i delta_i^2)        e* = g M* / sum P_i
+ *   d* = d_k sum P_i delta_i^2 / (delta_k sum P_i delta_i)
+ *   a* = multiplier V / M*
+ *
+ * the same transformation in Circolare 7/2019, C8.7.1.2, and in annex B of EN 1998-1, where
+ * Gamma = delta_k sum P_i delta_i / sum P_i delta_i^2 and M* = m* Gamma.
+ * docs/method/capacity.md explains all of it, with an example by hand.
+ */
+#ifndef QN_CORE_CAPACITY_H
+#define QN_CORE_CAPACITY_H
+
+#include "core/capacity/spectrum.h"
+#include "core/result/result.h"
+
+typedef struct QnCapacityPoint {
+  double multiplier;
+  double control;      /* d_k, m, positive along the motion */
+  double displacement; /* d*, m */
+  double acceleration; /* a*, m/s2 */
+} QnCapacityPoint;
+
+typedef struct QnCapacity {
+  QnId block; /* of control */
+  size_t participating;
+  double moving_mass;      /* of the blocks that take part, kg */
+  double mass;             /* M*, kg */
+  double share;            /* e* */
+  double ratio;            /* d* over d_k */
+  QnCapacityPoint *points; /* owned; from the dead load to multiplier 0 or the end of the
+                              path */
+  size_t count, peak;      /* peak: the point of the largest multiplier */
+  bool reaches_zero;       /* whether the multiplier comes back to 0 */
+  double end;              /* d* of the last point, m: d0* where it does */
+} QnCapacity;
+
+/* From a result of displacement control. Refuses live loads that are no horizontal weights, beams,
+ * and a control block that does not move. `capacity` is overwritten without being cleared and
+ * empty on failure. */
+QnStatus qn_capacity_init (QnCapacity *capacity, const QnModel *model,
+                           const QnResult *result, QnId control, QnDiag *diag);
+
+void qn_capacity_clear (QnCapacity *capacity);
+
+/* a* on the curve at a displacement, m/s2. */
+double qn_capacity_acceleration (const QnCapacity *capacity, double displacement);
+
+/* Capacity, demand and their ratio at one limit state; displacements are those of the single
+ * mass. */
+typedef struct QnCapacityState {
+  double capacity;     /* m */
+  double acceleration; /* a* there, m/s2 */
+  double period;       /* that the demand is taken at, s */
+  double demand;       /* m */
+  double ratio;        /* capacity over demand */
+} QnCapacityState;
+
+/* Circolare 7/2019 to NTC 2018, C8.7.1.2, mechanisms at the level of the ground:
+ *
+ *   SLV   d = 0.4 d0*   T = 1.68 pi sqrt(d/a)
+ *   SLC   d = 0.6 d0*   T = 1.56 pi sqrt(d/a)        a = a*(d)/FC
+ *
+ * FC >= 1: confidence factor; demand S_De(T). Where the path ends before multiplier 0 its end stands for d0*. */
+typedef enum { QN_NTC_SLV, QN_NTC_SLC, QN_NTC_STATE_COUNT } QnNtcState;
+
+QnCapacityState qn_capacity_check_ntc (const QnCapacity *capacity,
+                                       const QnSpectrum *spectrum, double confidence,
+                                       QnNtcState state);
+
+/* EN 1998-3:2005, C.3, with the demand of EN 1998-1, annex B:
+ *
+ *   NC   d where the multiplier has fallen to four fifths of its peak, or at the end of the path
+ *   SD   three quarters of that
+ *
+ *   a_y = a* at the peak, d_m = d* there, E the area under the curve up to it
+ *   d_y = 2 (d_m - E/a_y)     T = 2 pi sqrt(d_y/a_y)     d_et = S_e(T) (T/2 pi)^2
+ *   d_t = d_et                                           T >= TC or a_y >= S_e(T)
+ *         d_et/q (1 + (q - 1) TC/T) >= d_et, q = S_e/a_y  otherwise */
+typedef enum { QN_EN_SD, QN_EN_NC, QN_EN_STATE_COUNT } QnEnState;
+
+typedef struct QnEnDemand {
+  double yield_acceleration; /* a_y, m/s2 */
+  double mechanism;          /* d_m, m */
+  double energy;             /* E, m2/s2 */
+  double yield;              /* d_y, m */
+  double period;             /* T, s */
+  double elastic;            /* d_et, m */
+  double q;
+  double target; /* d_t, m */
+} QnEnDemand;
+
+QnEnDemand qn_capacity_en_demand (const QnCapacity *capacity, const QnSpectrum *spectrum);
+
+QnCapacityState qn_capacity_check_en (const QnCapacity *capacity,
+                                      const QnEnDemand *demand, QnEnState state);
+
+#endif

@@ -1,0 +1,104 @@
+/* quoin-cli capacity: numbers, files, and what is refused. */
+#include "cli-run.h"
+
+#include <string.h>
+
+static const char block[] =
+  "{ \"format\": \"quoin\", \"version\": 1,\n"
+  "  \"laws\": [ { \"name\": \"j\", \"kind\": \"coulomb\", \"basis\": \"contact\", "
+  "\"kn\": 1e10,\n"
+  "    \"ks\": 1e10, \"friction\": 0.7 } ],\n"
+  "  \"blocks\": [ { \"name\": \"ground\", \"vertices\": [[-1, -0.2], [1, -0.2], [1, 0], "
+  "[-1, 0]],\n"
+  "    \"thickness\": 1, \"density\": 2000, \"support\": [true, true, true] },\n"
+  "    { \"name\": \"block\", \"vertices\": [[-0.3, 0], [0.3, 0], [0.3, 3], [-0.3, 3]],\n"
+  "    \"thickness\": 1, \"density\": 2000 } ],\n"
+  "  \"contact\": { \"law\": \"j\" },\n"
+  "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],\n"
+  "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },\n"
+  "  \"analysis\": { \"procedure\": \"load\" } }\n";
+
+static double
+number_after (const char *text, const char *key)
+{
+  const char *at = strstr (text, key);
+  g_assert_nonnull (at);
+  return g_ascii_strtod (at + strlen (key), NULL);
+}
+
+/* The example by hand of docs/method/capacity.md, solved. */
+static void
+test_block (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  g_autofree char *json = g_build_filename (folder, "c.json", NULL);
+  g_autofree char *csv = g_build_filename (folder, "c.csv", NULL);
+  g_autofree char *svg = g_build_filename (folder, "c.svg", NULL);
+  CliRun run = cli_run ("capacity", model, "--spectrum", "type1", "--ag", "2.4525",
+                        "--soil", "C", "--json", json, "--csv", csv, "-o", svg, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "SLV"));
+  cli_run_clear (&run);
+  g_autofree char *text = cli_read (json), *table = cli_read (csv),
+                  *picture = cli_read (svg);
+  const char *slv = strstr (text, "\"SLV\"");
+  g_assert_nonnull (slv);
+  g_assert_cmpfloat_with_epsilon (number_after (slv, "\"capacity\": "), 0.12, 1e-4);
+  g_assert_cmpfloat_with_epsilon (number_after (slv, "\"period\": "), 1.6958, 1e-3);
+  g_assert_cmpfloat_with_epsilon (number_after (slv, "\"demand\": "), 0.18172, 1e-4);
+  g_assert_cmpfloat_with_epsilon (number_after (slv, "\"ratio\": "), 0.660, 1e-3);
+  g_assert_nonnull (strstr (text, "\"reaches_zero\": true"));
+  g_assert_true (g_str_has_prefix (table, "load multiplier,control displacement [m],"));
+  g_assert_nonnull (strstr (picture, "<svg"));
+
+  /* The same spectrum as points gives the same at its points. */
+  g_autofree char *points =
+    cli_write (folder, "s.csv",
+               "period [s],acceleration [m/s2]\n0.2,7.0509375\n0.6,7.0509375\n"
+               "1.69577,2.494772\n2,2.11528\n4,0.52882\n");
+  run = cli_run ("capacity", model, "--spectrum", points, "--json", "-", NULL);
+  cli_assert_done (&run);
+  slv = strstr (run.out, "\"SLV\"");
+  g_assert_cmpfloat_with_epsilon (number_after (slv, "\"demand\": "), 0.18172, 1e-4);
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
+static void
+test_refused (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  g_autofree char *zero = cli_write (folder, "z.csv", "T [s],S [g]\n0.1,1\n0.2,0\n");
+  CliRun run = cli_run ("capacity", model, "--spectrum", "type1", "--soil", "A", NULL);
+  cli_assert_failed (&run, 2, "--ag");
+  run = cli_run ("capacity", model, "--spectrum", "type1", "--ag", "0.2 g", "--soil", "A",
+                 NULL);
+  cli_assert_failed (&run, 2, "--ag");
+  run =
+    cli_run ("capacity", model, "--spectrum", "type1", "--ag", "1", "--soil", "F", NULL);
+  cli_assert_failed (&run, 2, "--soil");
+  run = cli_run ("capacity", model, "--ag", "1", NULL);
+  cli_assert_failed (&run, 2, "--spectrum is missing");
+  run = cli_run ("capacity", model, "--confidence", "0.9", NULL);
+  cli_assert_failed (&run, 2, "--confidence");
+  run = cli_run ("capacity", model, "--control", "nobody", NULL);
+  cli_assert_failed (&run, 3, "nobody");
+  run = cli_run ("capacity", model, "--spectrum", zero, NULL);
+  cli_assert_failed (&run, 3, "must be positive");
+  run = cli_run ("capacity", model, "--spectrum", "nowhere.csv", NULL);
+  cli_assert_failed (&run, 5, "nowhere.csv");
+  run = cli_run ("capacity", model, "--set", "loads.live[0].direction=[1,1]", NULL);
+  cli_assert_failed (&run, 3, "horizontal weights");
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/capacity/block", test_block);
+  g_test_add_func ("/capacity/refused", test_refused);
+  return g_test_run ();
+}

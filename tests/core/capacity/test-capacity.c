@@ -1,0 +1,167 @@
+/* The examples by hand of docs/method/capacity.md. */
+#include "core/capacity/capacity.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+
+#define G 9.81
+
+static void
+check_close (double value, double expected, double tolerance)
+{
+  g_test_message ("%.6g, by hand %.6g", value, expected);
+  g_assert_cmpfloat (fabs (value / expected - 1), <, tolerance);
+}
+
+/* A result with these multipliers and horizontal displacements: count rows of the blocks' ux. */
+static void
+init_result (QnResult *result, const QnModel *model, const double *multipliers,
+             const double *ux, size_t count)
+{
+  g_autofree double *row = g_new0 (double, QN_DOF_COUNT * model->block_count);
+  g_assert_cmpint (qn_result_init (result, model->block_count, 0, NULL), ==, QN_OK);
+  for (size_t i = 0; i < count; i++) {
+    for (size_t b = 0; b < model->block_count; b++)
+      row[QN_DOF_COUNT * b] = ux[i * model->block_count + b];
+    QnStep step = { .multiplier = multipliers[i] };
+    g_assert_true (qn_result_add_step (result, step, row));
+  }
+}
+
+/* A rigid block of 0.6 x 3 m that turns about its corner: lambda = tan(alpha - theta), its centroid
+ * moves by R (sin alpha - sin(alpha - theta)). */
+static void
+test_rigid_block (void)
+{
+  enum { COUNT = 401 };
+  QnModel model;
+  QnResult result;
+  QnCapacity capacity;
+  double multipliers[COUNT + 1] = { 0 }, ux[2 * (COUNT + 1)] = { 0 };
+  const double alpha = atan (0.2), radius = 0.5 * hypot (0.6, 3);
+  test_model_init_block_on_plane (&model, 0.6, 3);
+  test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  for (int i = 0; i < COUNT;
+       i++) { /* the first step is the dead load, then it stands at its peak */
+    double theta = alpha * 1.02 * i / (COUNT - 1);
+    multipliers[i + 1] = tan (alpha - theta);
+    ux[2 * i + 3] = radius * (sin (alpha) - sin (alpha - theta));
+  }
+  init_result (&result, &model, multipliers, ux, COUNT + 1);
+  g_assert_cmpint (qn_capacity_init (&capacity, &model, &result, 1, NULL), ==, QN_OK);
+  g_assert_cmpuint (capacity.participating, ==, 1);
+  check_close (capacity.share, 1, 1e-12);
+  check_close (capacity.mass, 0.6 * 3 * 10000 / G, 1e-6);
+  check_close (capacity.points[capacity.peak].acceleration, 0.2 * G, 1e-6);
+  g_assert_true (capacity.reaches_zero);
+  check_close (capacity.end, 0.3, 1e-4);
+
+  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 0.25 * G, QN_SOIL_C, 0.05, NULL, 0 };
+  QnCapacityState slv = qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV);
+  check_close (slv.capacity, 0.12, 1e-4);
+  check_close (slv.acceleration, 1.16242, 1e-4);
+  check_close (slv.period, 1.69577, 1e-4);
+  check_close (slv.demand, 0.181719, 1e-4);
+  check_close (slv.ratio, 0.66036, 2e-4);
+  QnCapacityState slc = qn_capacity_check_ntc (&capacity, &spectrum, 1.2, QN_NTC_SLC);
+  check_close (slc.capacity, 0.18, 1e-4);
+  check_close (slc.acceleration, 0.772045 / 1.2, 2e-4);
+  check_close (slc.period, 1.56 * G_PI * sqrt (0.18 * 1.2 / 0.772045), 2e-4);
+  qn_capacity_clear (&capacity);
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+}
+
+/* Two equal blocks, the upper one moving twice as far as the lower: e* = 9/10, d* = 5/3 of the lower
+ * block's; a multiplier that rises to 0.3 at 0.01 m and falls to zero at 0.16 m. */
+static void
+test_two_blocks (void)
+{
+  const double multipliers[] = { 0, 0.3, 0 };
+  const double ux[] = { 0, 0, 0, 0, 0.01, 0.02, 0, 0.16, 0.32 };
+  QnModel model;
+  QnResult result;
+  QnCapacity capacity;
+  test_model_init_stack (&model, 2, 0.5, 1);
+  test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  init_result (&result, &model, multipliers, ux, 3);
+  g_assert_cmpint (qn_capacity_init (&capacity, &model, &result, 1, NULL), ==, QN_OK);
+  check_close (capacity.share, 0.9, 1e-9);
+  check_close (capacity.ratio, 5.0 / 3, 1e-9);
+  check_close (capacity.end, 0.16 * 5 / 3, 1e-9);
+  check_close (capacity.points[1].acceleration, 0.3 * G / 0.9, 1e-9);
+
+  /* EN: a_y = 3.27, d_m = 1/60; E = a_y d_m/2, so d_y = d_m and T = 2 pi sqrt(d_y/a_y) = 0.44858 s,
+   * less than TC; with ag = 5 m/s2 on soil B S_e = 15 m/s2, q = 4.5872, d_et = 0.076453 m and
+   * d_t = d_et/q (1 + (q - 1) 0.5/T) = 0.083306 m. The multiplier is at four fifths of its peak
+   * at a fifth of the way down: 1/60 + 0.2 (0.266667 - 1/60) = 0.0666667 m. */
+  const QnSpectrum spectrum = { QN_SPECTRUM_EN_1, 5, QN_SOIL_B, 0.05, NULL, 0 };
+  QnEnDemand demand = qn_capacity_en_demand (&capacity, &spectrum);
+  check_close (demand.yield_acceleration, 3.27, 1e-6);
+  check_close (demand.energy, 3.27 / 120, 1e-6);
+  check_close (demand.yield, 1.0 / 60, 1e-6);
+  check_close (demand.period, 0.44858, 1e-4);
+  check_close (demand.q, 4.58716, 1e-5);
+  check_close (demand.elastic, 0.0764526, 1e-4);
+  check_close (demand.target, 0.083306, 1e-4);
+  QnCapacityState nc = qn_capacity_check_en (&capacity, &demand, QN_EN_NC);
+  QnCapacityState sd = qn_capacity_check_en (&capacity, &demand, QN_EN_SD);
+  check_close (nc.capacity, 1.0 / 15, 1e-9);
+  check_close (nc.ratio, 0.80026, 1e-4);
+  check_close (sd.capacity, 0.05, 1e-9);
+  qn_capacity_clear (&capacity);
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+}
+
+static QnProblem
+refusal (QnModel *model, const double *multipliers, const double *ux, QnId control)
+{
+  QnResult result;
+  QnCapacity capacity;
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
+  init_result (&result, model, multipliers, ux, 2);
+  g_assert_cmpint (qn_capacity_init (&capacity, model, &result, control, &diag), ==,
+                   QN_ERROR_INVALID);
+  g_assert_null (capacity.points);
+  qn_result_clear (&result);
+  qn_model_clear (model);
+  return diag.problem;
+}
+
+static void
+test_refuse (void)
+{
+  const double multipliers[] = { 0, 1 }, along[] = { 0, 0, 0, 1 },
+               against[] = { 0, 0, 0, -1 };
+  QnModel model;
+  test_model_init_block_on_plane (&model, 1, 1);
+  g_assert_cmpint (refusal (&model, multipliers, along, 1), ==, QN_PROBLEM_NO_LIVE_LOAD);
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  model.live_loads[0].vector.y = 0.1;
+  g_assert_cmpint (refusal (&model, multipliers, along, 1), ==,
+                   QN_PROBLEM_CAPACITY_LOADS);
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (refusal (&model, multipliers, against, 1), ==,
+                   QN_PROBLEM_CAPACITY_MOTION);
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (refusal (&model, multipliers, along, 0), ==,
+                   QN_PROBLEM_CAPACITY_MOTION);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/capacity/rigid-block", test_rigid_block);
+  g_test_add_func ("/capacity/two-blocks", test_two_blocks);
+  g_test_add_func ("/capacity/refuse", test_refuse);
+  return g_test_run ();
+}

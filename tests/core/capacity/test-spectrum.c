@@ -1,0 +1,68 @@
+/* Spectra beside values computed by hand from the tables of EN 1998-1. */
+#include "core/capacity/spectrum.h"
+
+#include <glib.h>
+#include <math.h>
+
+static void
+check_close (double value, double expected)
+{
+  g_assert_cmpfloat (fabs (value / expected - 1), <, 1e-5);
+}
+
+static void
+test_type_1 (void)
+{
+  /* soil C: S 1.15, TB 0.2, TC 0.6, TD 2, TE 6; ag 2 m/s2, so ag S = 2.3 */
+  const QnSpectrum s = { QN_SPECTRUM_EN_1, 2, QN_SOIL_C, 0.05, NULL, 0 };
+  check_close (qn_spectrum_acceleration (&s, 0), 2.3);
+  check_close (qn_spectrum_acceleration (&s, 0.1), 2.3 * 1.75);
+  check_close (qn_spectrum_acceleration (&s, 0.2), 5.75);
+  check_close (qn_spectrum_acceleration (&s, 0.6), 5.75);
+  check_close (qn_spectrum_acceleration (&s, 1.2), 2.875);
+  check_close (qn_spectrum_acceleration (&s, 4), 5.75 * 0.6 * 2 / 16);
+  /* the displacement is constant from TD to TE: 0.025 ag S TC TD 2.5 */
+  check_close (qn_spectrum_displacement (&s, 5),
+               0.025 * 2.3 * 1.2 * 2.5 * 40 / (4 * G_PI * G_PI));
+  /* half way from TE to TF, and beyond, annex A */
+  check_close (qn_spectrum_displacement (&s, 8), 0.025 * 2.3 * 1.2 * 1.75);
+  check_close (qn_spectrum_displacement (&s, 10), 0.025 * 2.3 * 1.2);
+  check_close (qn_spectrum_displacement (&s, 20), 0.025 * 2.3 * 1.2);
+  check_close (qn_spectrum_corner (&s), 0.6);
+}
+
+static void
+test_type_2 (void)
+{
+  /* soil D: S 1.8, TB 0.1, TC 0.3, TD 1.2; damping 0.1: eta = sqrt(10/15) */
+  const QnSpectrum s = { QN_SPECTRUM_EN_2, 1, QN_SOIL_D, 0.1, NULL, 0 };
+  check_close (qn_spectrum_acceleration (&s, 0.2), 1.8 * 2.5 * 0.8164966);
+  check_close (qn_spectrum_acceleration (&s, 2.4),
+               1.8 * 2.5 * 0.8164966 * 0.3 * 1.2 / 5.76);
+  /* eta is never less than 0.55 */
+  const QnSpectrum damped = { QN_SPECTRUM_EN_2, 1, QN_SOIL_A, 0.5, NULL, 0 };
+  check_close (qn_spectrum_acceleration (&damped, 0.2), 2.5 * 0.55);
+}
+
+static void
+test_points (void)
+{
+  const QnVec2 points[] = { { 0.1, 2 }, { 0.5, 5 }, { 1, 2.5 }, { 2, 1.25 } };
+  const QnSpectrum s = { .kind = QN_SPECTRUM_POINTS, .points = points, .point_count = 4 };
+  check_close (qn_spectrum_acceleration (&s, 0), 2);
+  check_close (qn_spectrum_acceleration (&s, 0.3), 3.5);
+  check_close (qn_spectrum_acceleration (&s, 1), 2.5);
+  check_close (qn_spectrum_acceleration (&s, 4), 1.25 / 4);
+  check_close (qn_spectrum_displacement (&s, 4), qn_spectrum_displacement (&s, 2));
+  check_close (qn_spectrum_corner (&s), 0.5);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/spectrum/type-1", test_type_1);
+  g_test_add_func ("/spectrum/type-2", test_type_2);
+  g_test_add_func ("/spectrum/points", test_points);
+  return g_test_run ();
+}
