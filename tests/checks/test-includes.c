@@ -7,7 +7,7 @@
  * the subfolders of a layer: each may include itself and those named before it. */
 typedef struct Layer {
   const char *folder;
-  const char *rooms[12];
+  const char *rooms[16];
   const char *own[8];      /* folders of ours that it may include */
   const char *foreign[12]; /* system headers it may include beside the C library's */
 } Layer;
