@@ -78,7 +78,7 @@ write_beams (QnFileWriter *out, const QnModel *model)
     qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
     qn_file_writer_json_string (out, beam->name);
     qn_file_writer_printf (out, ", \"kind\": \"%s\", \"nodes\": [%d, %d], \"section\": ",
-                           qn_beam_kind_name (beam->kind), beam->nodes[0],
+                           qn_beam_kind_names[beam->kind], beam->nodes[0],
                            beam->nodes[1]);
     qn_file_writer_json_string (out, section->name);
     qn_file_writer_printf (out, ", \"elements\": %d", beam->element_count);

@@ -121,7 +121,7 @@ print_beams (const QnModel *model)
 {
   for (size_t i = 0; i < model->beam_count; i++) {
     const QnBeam *beam = &model->beams[i];
-    printf (_ ("beam %s (%s): "), beam->name, qn_beam_kind_name (beam->kind));
+    printf (_ ("beam %s (%s): "), beam->name, qn_beam_kind_names[beam->kind]);
     for (int end = 0; end < 2; end++) {
       const QnNode *node = &model->nodes[beam->nodes[end]];
       printf (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),

@@ -139,7 +139,7 @@ make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
       continue;
     }
     printf (
-      "%s\t%s\t%s\t%s\n", recipe->name, qn_view_name (recipe->view.view), recipe->file,
+      "%s\t%s\t%s\t%s\n", recipe->name, qn_view_names[recipe->view.view], recipe->file,
       qn_recipe_is_stale (recipe, &shop->solved.input.project) ? _ ("the model changed")
                                                                : _ ("current"));
   }

@@ -58,7 +58,7 @@ apply_setting (const QnSubcommand *self, QnLaw *law, const char *setting)
     message = g_strdup_printf (_ ("“%s” is not KEY=VALUE"), setting);
   } else if (strcmp (parts[0], "basis") == 0) {
     for (int basis = 0; basis < QN_BASIS_COUNT; basis++)
-      if (strcmp (parts[1], qn_basis_name ((QnBasis) basis)) == 0) {
+      if (strcmp (parts[1], qn_basis_names[basis]) == 0) {
         law->basis = (QnBasis) basis;
         return TRUE;
       }
@@ -116,7 +116,7 @@ static QnExit
 take_preset (const QnSubcommand *self, const char *name, QnLawPreset *what)
 {
   for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++)
-    if (strcmp (name, qn_law_kind_name ((QnLawKind) kind)) == 0) {
+    if (strcmp (name, qn_law_kind_names[kind]) == 0) {
       *what = *qn_law_preset ((QnLawKind) kind);
       return QN_EXIT_DONE;
     }

@@ -88,7 +88,7 @@ static gboolean
 find_kind (const char *name, QnStudyFigureKind *kind)
 {
   for (int i = 0; i < QN_STUDY_FIGURE_COUNT; i++)
-    if (g_strcmp0 (name, qn_study_figure_name (i)) == 0) {
+    if (g_strcmp0 (name, qn_study_figure_names[i]) == 0) {
       *kind = (QnStudyFigureKind) i;
       return TRUE;
     }

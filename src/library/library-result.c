@@ -208,7 +208,7 @@ quoin_result_get_model (const QuoinResult *result)
 const char *
 quoin_result_get_outcome (const QuoinResult *result)
 {
-  return qn_outcome_name (result->result.outcome);
+  return qn_outcome_names[result->result.outcome];
 }
 
 double
@@ -282,7 +282,7 @@ quoin_result_get_forces (const QuoinResult *result)
 const char *
 quoin_result_get_pair_state (const QuoinResult *result, size_t pair)
 {
-  return qn_pair_state_name (result->result.pairs[pair].state);
+  return qn_pair_state_names[result->result.pairs[pair].state];
 }
 
 int32_t

@@ -227,69 +227,12 @@ qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag 
 }
 
 /* clang-format off */
-static const char *const kind_names[] = { "wall", "arch", "column", "buttress", "portal", "rubble" };
-static const char *const bond_names[] = { "running", "stack", "header", "english", "flemish", "custom" };
-static const char *const closer_names[] = { "none", "queen", "three-quarter" };
-static const char *const edge_names[] = { "straight", "toothed" };
-static const char *const head_names[] = { "flat", "segmental", "semicircular" };
-static const char *const span_names[] = { "none", "lintel", "flat-arch", "voussoirs" };
-static const char *const sides_names[] = { "curved", "straight" };
-static const char *const shape_names[] = { "circular", "pointed", "elliptic" };
+const char *const qn_masonry_kind_names[QN_MASONRY_KIND_COUNT] = { "wall", "arch", "column", "buttress", "portal", "rubble" };
+const char *const qn_bond_names[QN_BOND_COUNT] = { "running", "stack", "header", "english", "flemish", "custom" };
+const char *const qn_closer_names[QN_CLOSER_COUNT] = { "none", "queen", "three-quarter" };
+const char *const qn_edge_names[QN_EDGE_COUNT] = { "straight", "toothed" };
+const char *const qn_head_names[QN_HEAD_COUNT] = { "flat", "segmental", "semicircular" };
+const char *const qn_span_names[QN_SPAN_COUNT] = { "none", "lintel", "flat-arch", "voussoirs" };
+const char *const qn_sides_names[QN_SIDES_COUNT] = { "curved", "straight" };
+const char *const qn_arch_shape_names[QN_ARCH_SHAPE_COUNT] = { "circular", "pointed", "elliptic" };
 /* clang-format on */
-
-_Static_assert(QN_N_ELEMENTS (kind_names) == QN_MASONRY_KIND_COUNT, "names of kinds");
-_Static_assert(QN_N_ELEMENTS (bond_names) == QN_BOND_COUNT, "names of bonds");
-_Static_assert(QN_N_ELEMENTS (closer_names) == QN_CLOSER_COUNT, "names of closers");
-_Static_assert(QN_N_ELEMENTS (edge_names) == QN_EDGE_COUNT, "names of edges");
-_Static_assert(QN_N_ELEMENTS (head_names) == QN_HEAD_COUNT, "names of heads");
-_Static_assert(QN_N_ELEMENTS (span_names) == QN_SPAN_COUNT, "names of spans");
-_Static_assert(QN_N_ELEMENTS (sides_names) == QN_SIDES_COUNT, "names of sides");
-_Static_assert(QN_N_ELEMENTS (shape_names) == QN_ARCH_SHAPE_COUNT, "names of shapes");
-
-const char *
-qn_masonry_kind_name (QnMasonryKind kind)
-{
-  return kind_names[kind];
-}
-
-const char *
-qn_bond_name (QnBond bond)
-{
-  return bond_names[bond];
-}
-
-const char *
-qn_closer_name (QnCloser closer)
-{
-  return closer_names[closer];
-}
-
-const char *
-qn_edge_name (QnEdge edge)
-{
-  return edge_names[edge];
-}
-
-const char *
-qn_head_name (QnHead head)
-{
-  return head_names[head];
-}
-
-const char *
-qn_span_name (QnSpan span)
-{
-  return span_names[span];
-}
-
-const char *
-qn_sides_name (QnSides sides)
-{
-  return sides_names[sides];
-}
-
-const char *
-qn_arch_shape_name (QnArchShape shape)
-{
-  return shape_names[shape];
-}

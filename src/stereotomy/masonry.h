@@ -230,13 +230,13 @@ QnStatus qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model
                             QnDiag *diag);
 
 /* The spelling in project files. */
-const char *qn_masonry_kind_name (QnMasonryKind kind);
-const char *qn_bond_name (QnBond bond);
-const char *qn_closer_name (QnCloser closer);
-const char *qn_edge_name (QnEdge edge);
-const char *qn_head_name (QnHead head);
-const char *qn_span_name (QnSpan span);
-const char *qn_sides_name (QnSides sides);
-const char *qn_arch_shape_name (QnArchShape shape);
+extern const char *const qn_masonry_kind_names[QN_MASONRY_KIND_COUNT];
+extern const char *const qn_bond_names[QN_BOND_COUNT];
+extern const char *const qn_closer_names[QN_CLOSER_COUNT];
+extern const char *const qn_edge_names[QN_EDGE_COUNT];
+extern const char *const qn_head_names[QN_HEAD_COUNT];
+extern const char *const qn_span_names[QN_SPAN_COUNT];
+extern const char *const qn_sides_names[QN_SIDES_COUNT];
+extern const char *const qn_arch_shape_names[QN_ARCH_SHAPE_COUNT];
 
 #endif

@@ -56,7 +56,7 @@ run (FILE *csv, int number, double kn, double ratio, double offset, double refer
                    QN_OK);
   double seconds = bench_cpu_seconds () - start;
   bench_csv_row (csv, "%d,%g,%g,%g,%s,%.6f,%.3f,%+.3f,%.4f,%.3f,%d", number, kn, ratio,
-                 1e3 * offset, qn_outcome_name (result.outcome),
+                 1e3 * offset, qn_outcome_names[result.outcome],
                  result.collapse_multiplier, reference,
                  100 * (result.collapse_multiplier / reference - 1), seconds,
                  seconds / bench_kernel_seconds (), result.statistics.factorizations);

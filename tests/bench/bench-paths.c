@@ -92,9 +92,9 @@ report (FILE *csv, guint32 seed, const QnModel *model, size_t faces, const Bound
   bench_csv_row (
     csv, "%u,%s,%zu,%zu,%.2f,%s,%.6f,%d,%.3f,%.2f,%.6f,%.4f,%s,%s,%zu,%d,%.3f,%.1f,%.2f",
     seed, family, model->block_count, faces, model->laws[0].friction,
-    qn_outcome_name (bound->outcome), bound->multiplier, bound->factorizations,
+    qn_outcome_names[bound->outcome], bound->multiplier, bound->factorizations,
     bound->seconds, bound->seconds / bench_kernel_seconds (), highest,
-    highest / bound->multiplier, first_limit, qn_outcome_name (result->outcome),
+    highest / bound->multiplier, first_limit, qn_outcome_names[result->outcome],
     result->step_count, result->statistics.factorizations, seconds,
     seconds / bench_kernel_seconds (), ratio);
   chart_add (&chart, family, (double) model->block_count, seconds);

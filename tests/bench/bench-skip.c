@@ -89,7 +89,7 @@ compare_shortcuts (FILE *csv, const char *name, QnModel *model,
       with = found;
     const QnStatistics *effort = &found.result.statistics;
     bench_csv_row (csv, "%s,%s,%s,%.6f,%d,%d,%.1f,%.4f,%.1f,%.2f", name, variants[i].name,
-                   qn_outcome_name (found.result.outcome), multiplier (&found.result),
+                   qn_outcome_names[found.result.outcome], multiplier (&found.result),
                    effort->iterations, effort->factorizations, effort->factorization_work,
                    found.seconds, found.seconds / bench_kernel_seconds (),
                    found.seconds / with.seconds);

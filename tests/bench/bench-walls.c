@@ -118,7 +118,7 @@ run (FILE *csv, int number, double dilatancy, const Setting *setting)
   bench_csv_row (csv, "%d,%g,%s,%d,%g,%s,%s,%.6f,%.6f,%+.4f,%.4f,%.3f,%d,%d", number,
                  dilatancy, procedures[setting->procedure], setting->increments,
                  setting->tolerance, setting->snap == QN_SNAP_THROUGH_STOP ? "off" : "on",
-                 qn_outcome_name (result.outcome), value, reference, error, seconds,
+                 qn_outcome_names[result.outcome], value, reference, error, seconds,
                  seconds / bench_kernel_seconds (), result.statistics.iterations,
                  result.statistics.factorizations);
   draw (number, dilatancy, setting, seconds, fabs (error));

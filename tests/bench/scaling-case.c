@@ -111,7 +111,7 @@ scaling_case_limit (ScalingCase *c, const ScalingLimits *limits)
                                          &solution, NULL),
                    ==, QN_OK);
   finish (&c->limit, start);
-  c->limit.outcome = qn_outcome_name (solution.outcome);
+  c->limit.outcome = qn_outcome_names[solution.outcome];
   c->limit.factorizations = solution.effort.factorizations;
   c->limit.done = solution.outcome == QN_OUTCOME_COLLAPSE;
   c->limit.multiplier = c->limit.done ? solution.lower_bound : NAN;
@@ -131,7 +131,7 @@ scaling_case_path (ScalingCase *c, const ScalingLimits *limits)
     qn_analysis_run (&c->model, &c->contacts, bench_within_time, &end, &result, NULL), ==,
     QN_OK);
   finish (&c->path, start);
-  c->path.outcome = qn_outcome_name (result.outcome);
+  c->path.outcome = qn_outcome_names[result.outcome];
   c->path.factorizations = result.statistics.factorizations;
   c->path.done = result.outcome == QN_OUTCOME_COLLAPSE;
   c->path.multiplier = result.has_collapse_multiplier ? result.collapse_multiplier

@@ -80,7 +80,7 @@ test_stands (void)
       qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL), ==,
       QN_OK);
     if (solution.outcome != QN_OUTCOME_COLLAPSE || !(solution.lower_bound > 0.005))
-      g_error ("seed %u: %s at %g", seed, qn_outcome_name (solution.outcome),
+      g_error ("seed %u: %s at %g", seed, qn_outcome_names[solution.outcome],
                solution.lower_bound);
     qn_limit_solution_clear (&solution);
     qn_contacts_clear (&contacts);

@@ -33,7 +33,7 @@ print_solve (const char *name, const StressSolve *solve)
   g_autofree char *faults = stress_dup_faults (solve->faults);
   printf ("#   %s: %s, %.8g, %d steps, %d iterations, %d factorisations, %.2f s; off by "
           "%.1e, %.1e, %s %.1e, %.1e, %.1e%s%s\n",
-          name, qn_outcome_name (solve->outcome), solve->multiplier, solve->steps,
+          name, qn_outcome_names[solve->outcome], solve->multiplier, solve->steps,
           solve->iterations, solve->factorizations, solve->seconds,
           solve->check.out_of_balance, solve->check.excess,
           solve->check.uncertain ? "last motion" : "mechanism", solve->check.misfit,
@@ -52,7 +52,7 @@ print_figures (const StressEntry *entry)
     printf ("#   refused: %s\n", qn_problem_text (row->problem));
   if (row->limit.solved)
     printf ("#   limit analysis: %s, %.10g to %.10g, %d iterations, %.2f s\n",
-            qn_outcome_name (row->limit.outcome), row->lower, row->upper,
+            qn_outcome_names[row->limit.outcome], row->lower, row->upper,
             row->limit.iterations, row->limit.seconds);
   print_solve ("dilatancy = friction", &row->paths[STRESS_ASSOCIATIVE]);
   print_solve ("dilatancy 0", &row->paths[STRESS_SLIDING]);

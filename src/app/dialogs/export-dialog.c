@@ -98,7 +98,7 @@ recipe_of_view (QnViewState *state)
 {
   QnViewOptions shown = qn_view_state_get_options (state);
   g_autofree char *name = qn_document_dup_figure_name (qn_view_state_get_document (state),
-                                                       qn_view_name (shown.view));
+                                                       qn_view_names[shown.view]);
   QnRecipe *recipe = qn_recipe_new (name, shown.view);
   recipe->view = shown;
   recipe->view.titles = true;

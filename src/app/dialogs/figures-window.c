@@ -149,7 +149,7 @@ make_row (Figures *figures, const QnRecipe *recipe)
   gtk_label_set_xalign (GTK_LABEL (name), 0.0f);
   gtk_widget_add_css_class (name, "heading");
   g_autofree char *text =
-    g_strdup_printf ("%s → %s%s%s", qn_view_name (recipe->view.view), recipe->file,
+    g_strdup_printf ("%s → %s%s%s", qn_view_names[recipe->view.view], recipe->file,
                      stale ? " · " : "", stale ? _ ("the model has changed since") : "");
   GtkWidget *what = gtk_label_new (text);
   gtk_label_set_xalign (GTK_LABEL (what), 0.0f);

@@ -277,7 +277,7 @@ qn_window_update_actions (QnWindow *self)
   GAction *view = g_action_map_lookup_action (G_ACTION_MAP (self), "view");
   g_simple_action_set_state (
     G_SIMPLE_ACTION (view),
-    g_variant_new_string (qn_view_name (qn_view_state_get_view (self->state))));
+    g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
 }
 
 /* ---- keys without an accelerator, which entries and the drawing's gestures see first ---- */

@@ -63,9 +63,6 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (hardening, false, false),
 };
 
-const QnLawOps qn_law_ops_bilinear = { .name = "bilinear",
-                                       .parameters = parameters,
-                                       .parameter_count = QN_N_ELEMENTS (parameters),
-                                       .check = check,
+const QnLawOps qn_law_ops_bilinear = { QN_LAW_PARAMETERS (parameters), .check = check,
                                        .resolve = resolve,
                                        .evaluate = qn_law_bilinear_evaluate };

@@ -181,10 +181,6 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (fracture_energy, false, true),
 };
 
-const QnLawOps qn_law_ops_concrete = { .name = "concrete",
-                                       .parameters = parameters,
-                                       .parameter_count = QN_N_ELEMENTS (parameters),
-                                       .check = check,
-                                       .resolve = resolve,
-                                       .evaluate = evaluate,
+const QnLawOps qn_law_ops_concrete = { QN_LAW_PARAMETERS (parameters), .check = check,
+                                       .resolve = resolve, .evaluate = evaluate,
                                        .softening = softening };

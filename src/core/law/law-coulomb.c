@@ -131,11 +131,8 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (dilatancy, false, false),
 };
 
-const QnLawOps qn_law_ops_coulomb = { .name = "coulomb",
-                                      .parameters = parameters,
-                                      .parameter_count = QN_N_ELEMENTS (parameters),
-                                      .check = qn_law_coulomb_check,
-                                      .resolve = qn_law_coulomb_resolve,
-                                      .evaluate = qn_law_coulomb_evaluate,
-                                      .strength = qn_law_coulomb_strength,
-                                      .plastic = true };
+const QnLawOps qn_law_ops_coulomb = {
+  QN_LAW_PARAMETERS (parameters),      .check = qn_law_coulomb_check,
+  .resolve = qn_law_coulomb_resolve,   .evaluate = qn_law_coulomb_evaluate,
+  .strength = qn_law_coulomb_strength, .plastic = true
+};

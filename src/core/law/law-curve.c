@@ -275,10 +275,6 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (crushing_energy, false, true),
 };
 
-const QnLawOps qn_law_ops_curve = { .name = "curve",
-                                    .parameters = parameters,
-                                    .parameter_count = QN_N_ELEMENTS (parameters),
-                                    .check = check,
-                                    .resolve = resolve,
-                                    .evaluate = evaluate,
+const QnLawOps qn_law_ops_curve = { QN_LAW_PARAMETERS (parameters), .check = check,
+                                    .resolve = resolve, .evaluate = evaluate,
                                     .softening = softening };

@@ -14,8 +14,7 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (yield, true, true),
 };
 
-const QnLawOps qn_law_ops_elastic_plastic = { .name = "elastic-plastic",
-                                              .parameters = parameters,
+const QnLawOps qn_law_ops_elastic_plastic = { .parameters = parameters,
                                               .parameter_count =
                                                 QN_N_ELEMENTS (parameters),
                                               .resolve = resolve,

@@ -21,6 +21,4 @@ strength (const QnSpring *spring, QnStrengthRow rows[])
   return 0;
 }
 
-const QnLawOps qn_law_ops_elastic = { .name = "elastic",
-                                      .evaluate = evaluate,
-                                      .strength = strength };
+const QnLawOps qn_law_ops_elastic = { .evaluate = evaluate, .strength = strength };

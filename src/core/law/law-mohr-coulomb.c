@@ -71,11 +71,7 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (dilatancy, false, false),
 };
 
-const QnLawOps qn_law_ops_mohr_coulomb = { .name = "mohr-coulomb",
-                                           .parameters = parameters,
-                                           .parameter_count = QN_N_ELEMENTS (parameters),
-                                           .check = qn_law_coulomb_check,
-                                           .resolve = resolve,
-                                           .evaluate = evaluate,
-                                           .strength = strength,
-                                           .plastic = true };
+const QnLawOps qn_law_ops_mohr_coulomb = {
+  QN_LAW_PARAMETERS (parameters), .check = qn_law_coulomb_check, .resolve = resolve,
+  .evaluate = evaluate,           .strength = strength,          .plastic = true
+};

@@ -30,6 +30,4 @@ strength (const QnSpring *spring, QnStrengthRow rows[])
   return 1;
 }
 
-const QnLawOps qn_law_ops_no_tension = { .name = "no-tension",
-                                         .evaluate = evaluate,
-                                         .strength = strength };
+const QnLawOps qn_law_ops_no_tension = { .evaluate = evaluate, .strength = strength };

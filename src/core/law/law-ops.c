@@ -1,5 +1,13 @@
 #include "core/law/law-ops.h"
 
+const char *const qn_law_kind_names[QN_LAW_KIND_COUNT] = {
+  [QN_LAW_ELASTIC] = "elastic",   [QN_LAW_NO_TENSION] = "no-tension",
+  [QN_LAW_COULOMB] = "coulomb",   [QN_LAW_MOHR_COULOMB] = "mohr-coulomb",
+  [QN_LAW_BILINEAR] = "bilinear", [QN_LAW_ELASTIC_PLASTIC] = "elastic-plastic",
+  [QN_LAW_CONCRETE] = "concrete", [QN_LAW_STEEL] = "steel",
+  [QN_LAW_CURVE] = "curve",
+};
+
 const QnLawOps *
 qn_law_ops (QnLawKind kind)
 {

@@ -1,5 +1,5 @@
-/* What a constitutive law is made of; private to laws and springs. One file and one row of the
- * table in law-ops.c per law. */
+/* What a constitutive law is made of; private to laws and springs. One file and one row of
+ * each of the two tables in law-ops.c per law. */
 #ifndef QN_CORE_LAW_OPS_H
 #define QN_CORE_LAW_OPS_H
 
@@ -12,7 +12,6 @@ typedef struct QnLawScale {
 } QnLawScale;
 
 typedef struct QnLawOps {
-  const char *name; /* as in project files */
   const QnLawParameter *parameters;
   size_t parameter_count;
 
@@ -38,6 +37,9 @@ typedef struct QnLawOps {
    * where a softening branch would snap back. */
   double (*softening) (const QnSpring *spring);
 } QnLawOps;
+
+#define QN_LAW_PARAMETERS(table)                                                         \
+  .parameters = table, .parameter_count = QN_N_ELEMENTS (table)
 
 #define QN_LAW_PARAMETER(member, is_required, is_positive)                               \
   {                                                                                      \

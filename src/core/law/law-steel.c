@@ -108,10 +108,6 @@ static const QnLawParameter parameters[] = {
   QN_LAW_PARAMETER (fracture_energy, false, false),
 };
 
-const QnLawOps qn_law_ops_steel = { .name = "steel",
-                                    .parameters = parameters,
-                                    .parameter_count = QN_N_ELEMENTS (parameters),
-                                    .check = check,
-                                    .resolve = resolve,
-                                    .evaluate = evaluate,
+const QnLawOps qn_law_ops_steel = { QN_LAW_PARAMETERS (parameters), .check = check,
+                                    .resolve = resolve, .evaluate = evaluate,
                                     .softening = softening };

@@ -7,22 +7,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-const char *
-qn_law_kind_name (QnLawKind kind)
-{
-  return qn_law_ops (kind)->name;
-}
-
-const char *
-qn_basis_name (QnBasis basis)
-{
-  static const char *const names[QN_BASIS_COUNT] = {
-    [QN_BASIS_CONTACT] = "contact",
-    [QN_BASIS_SURFACE] = "surface",
-    [QN_BASIS_MATERIAL] = "material",
-  };
-  return names[basis];
-}
+const char *const qn_basis_names[QN_BASIS_COUNT] = {
+  [QN_BASIS_CONTACT] = "contact",
+  [QN_BASIS_SURFACE] = "surface",
+  [QN_BASIS_MATERIAL] = "material",
+};
 
 const QnLawParameter *
 qn_law_parameters (QnLawKind kind, size_t *count)

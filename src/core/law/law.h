@@ -84,8 +84,8 @@ double *qn_law_at (QnLaw *law, const QnLawParameter *parameter);
 
 /* The name used in project files: "elastic", "no-tension", "coulomb", "mohr-coulomb", "bilinear",
  * "elastic-plastic", "concrete", "steel", "curve". */
-const char *qn_law_kind_name (QnLawKind kind);
-const char *qn_basis_name (QnBasis basis);
+extern const char *const qn_law_kind_names[QN_LAW_KIND_COUNT];
+extern const char *const qn_basis_names[QN_BASIS_COUNT];
 
 /* Checks the parameters of one law; `index` is for the diagnostic. */
 QnStatus qn_law_check (const QnLaw *law, QnId index, QnDiag *diag);

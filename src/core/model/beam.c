@@ -2,27 +2,17 @@
 
 #include <math.h>
 
-const char *
-qn_beam_kind_name (QnBeamKind kind)
-{
-  static const char *const names[QN_BEAM_KIND_COUNT] = {
-    [QN_BEAM_TIMOSHENKO] = "timoshenko",
-    [QN_BEAM_EULER_BERNOULLI] = "euler-bernoulli",
-  };
-  return names[kind];
-}
+const char *const qn_beam_kind_names[QN_BEAM_KIND_COUNT] = {
+  [QN_BEAM_TIMOSHENKO] = "timoshenko",
+  [QN_BEAM_EULER_BERNOULLI] = "euler-bernoulli",
+};
 
-const char *
-qn_block_side_name (QnBlockSide side)
-{
-  static const char *const names[QN_BLOCK_SIDE_COUNT] = {
-    [QN_BLOCK_SIDE_LEFT] = "left",
-    [QN_BLOCK_SIDE_RIGHT] = "right",
-    [QN_BLOCK_SIDE_BOTTOM] = "bottom",
-    [QN_BLOCK_SIDE_TOP] = "top",
-  };
-  return names[side];
-}
+const char *const qn_block_side_names[QN_BLOCK_SIDE_COUNT] = {
+  [QN_BLOCK_SIDE_LEFT] = "left",
+  [QN_BLOCK_SIDE_RIGHT] = "right",
+  [QN_BLOCK_SIDE_BOTTOM] = "bottom",
+  [QN_BLOCK_SIDE_TOP] = "top",
+};
 
 double
 qn_section_shear_modulus (const QnSection *section)

@@ -107,8 +107,8 @@ typedef struct QnBeamPoint {
 QnBeamPoint qn_beam_forces_at (const QnBeamForces *forces, double length, double s);
 
 /* Spelling in project files: "timoshenko", "euler-bernoulli"; "left", "right", … */
-const char *qn_beam_kind_name (QnBeamKind kind);
-const char *qn_block_side_name (QnBlockSide side);
+extern const char *const qn_beam_kind_names[QN_BEAM_KIND_COUNT];
+extern const char *const qn_block_side_names[QN_BLOCK_SIDE_COUNT];
 
 /* What follows from what is given: G, k A, Mp (INFINITY: never yields), weight per length. */
 double qn_section_shear_modulus (const QnSection *section);

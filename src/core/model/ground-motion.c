@@ -1,21 +1,15 @@
 #include "core/model/ground-motion.h"
 
-const char *
-qn_pulse_kind_name (QnPulseKind kind)
-{
-  static const char *const names[QN_PULSE_KIND_COUNT] = {
-    [QN_PULSE_HALF_SINE] = "half-sine",       [QN_PULSE_SINE] = "sine",
-    [QN_PULSE_RECTANGLE] = "rectangle",       [QN_PULSE_RICKER] = "ricker",
-    [QN_PULSE_STEP_IMPULSE] = "step-impulse",
-  };
-  return names[kind];
-}
+const char *const qn_pulse_kind_names[QN_PULSE_KIND_COUNT] = {
+  [QN_PULSE_HALF_SINE] = "half-sine",       [QN_PULSE_SINE] = "sine",
+  [QN_PULSE_RECTANGLE] = "rectangle",       [QN_PULSE_RICKER] = "ricker",
+  [QN_PULSE_STEP_IMPULSE] = "step-impulse",
+};
 
-const char *
-qn_damping_stiffness_name (QnDampingStiffness of)
-{
-  return of == QN_DAMPING_CURRENT ? "current" : "initial";
-}
+const char *const qn_damping_stiffness_names[QN_DAMPING_STIFFNESS_COUNT] = {
+  [QN_DAMPING_INITIAL] = "initial",
+  [QN_DAMPING_CURRENT] = "current",
+};
 
 double
 qn_ground_motion_end (const QnGroundMotion *motion)

@@ -94,8 +94,8 @@ typedef struct QnDynamicSettings {
 } QnDynamicSettings;
 
 /* "half-sine", "sine", …; "current", "initial". */
-const char *qn_pulse_kind_name (QnPulseKind kind);
-const char *qn_damping_stiffness_name (QnDampingStiffness of);
+extern const char *const qn_pulse_kind_names[QN_PULSE_KIND_COUNT];
+extern const char *const qn_damping_stiffness_names[QN_DAMPING_STIFFNESS_COUNT];
 
 /* When a signal is over, s. */
 double qn_ground_motion_end (const QnGroundMotion *motion);

@@ -16,21 +16,16 @@
 /* A folding chain needs this many hinges: three make a statically determined arch. */
 #define CHAIN_HINGES 4
 
-const char *
-qn_mechanism_kind_name (QnMechanismKind kind)
-{
-  static const char *const names[QN_MECHANISM_KIND_COUNT] = {
-    [QN_MECHANISM_KIND_NONE] = "none",
-    [QN_MECHANISM_KIND_OVERTURNING] = "overturning",
-    [QN_MECHANISM_KIND_ROCKING] = "rocking",
-    [QN_MECHANISM_KIND_SLIDING] = "sliding",
-    [QN_MECHANISM_KIND_STEPPED] = "stepped",
-    [QN_MECHANISM_KIND_ARCH] = "arch",
-    [QN_MECHANISM_KIND_FALLING] = "falling",
-    [QN_MECHANISM_KIND_MIXED] = "mixed",
-  };
-  return names[kind];
-}
+const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT] = {
+  [QN_MECHANISM_KIND_NONE] = "none",
+  [QN_MECHANISM_KIND_OVERTURNING] = "overturning",
+  [QN_MECHANISM_KIND_ROCKING] = "rocking",
+  [QN_MECHANISM_KIND_SLIDING] = "sliding",
+  [QN_MECHANISM_KIND_STEPPED] = "stepped",
+  [QN_MECHANISM_KIND_ARCH] = "arch",
+  [QN_MECHANISM_KIND_FALLING] = "falling",
+  [QN_MECHANISM_KIND_MIXED] = "mixed",
+};
 
 static bool
 is_hinge (const QnJointMotion *joint)

@@ -12,16 +12,11 @@
  * than this part of their motion. */
 #define ROTATION_SHARE 0.05
 
-const char *
-qn_joint_kind_name (QnJointKind kind)
-{
-  static const char *const names[QN_JOINT_KIND_COUNT] = {
-    [QN_JOINT_CLOSED] = "closed",       [QN_JOINT_HINGE_START] = "hinge-start",
-    [QN_JOINT_HINGE_END] = "hinge-end", [QN_JOINT_SLIDING] = "sliding",
-    [QN_JOINT_OPENING] = "opening",
-  };
-  return names[kind];
-}
+const char *const qn_joint_kind_names[QN_JOINT_KIND_COUNT] = {
+  [QN_JOINT_CLOSED] = "closed",       [QN_JOINT_HINGE_START] = "hinge-start",
+  [QN_JOINT_HINGE_END] = "hinge-end", [QN_JOINT_SLIDING] = "sliding",
+  [QN_JOINT_OPENING] = "opening",
+};
 
 /* Velocity of the point p of a block. */
 static QnVec2

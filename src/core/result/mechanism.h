@@ -67,8 +67,8 @@ typedef struct QnMechanism {
 } QnMechanism;
 
 /* Result-file spelling: "closed", "hinge-start", …; "overturning", "rocking", … */
-const char *qn_joint_kind_name (QnJointKind kind);
-const char *qn_mechanism_kind_name (QnMechanismKind kind);
+extern const char *const qn_joint_kind_names[QN_JOINT_KIND_COUNT];
+extern const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT];
 
 /* Analyses a field: velocities, block_count x 3. `mechanism` is overwritten without being
  * cleared. */

@@ -5,33 +5,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *
-qn_outcome_name (QnOutcome outcome)
-{
-  static const char *const names[QN_OUTCOME_COUNT] = {
-    [QN_OUTCOME_COLLAPSE] = "collapse",
-    [QN_OUTCOME_TARGET_REACHED] = "target-reached",
-    [QN_OUTCOME_SNAP] = "snap",
-    [QN_OUTCOME_UNBOUNDED] = "unbounded",
-    [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = "dead-load-unstable",
-    [QN_OUTCOME_CANCELLED] = "cancelled",
-    [QN_OUTCOME_NOT_CONVERGED] = "not-converged",
-    [QN_OUTCOME_REST] = "rest",
-  };
-  return names[outcome];
-}
+const char *const qn_outcome_names[QN_OUTCOME_COUNT] = {
+  [QN_OUTCOME_COLLAPSE] = "collapse",
+  [QN_OUTCOME_TARGET_REACHED] = "target-reached",
+  [QN_OUTCOME_SNAP] = "snap",
+  [QN_OUTCOME_UNBOUNDED] = "unbounded",
+  [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = "dead-load-unstable",
+  [QN_OUTCOME_CANCELLED] = "cancelled",
+  [QN_OUTCOME_NOT_CONVERGED] = "not-converged",
+  [QN_OUTCOME_REST] = "rest",
+};
 
-const char *
-qn_pair_state_name (QnPairState state)
-{
-  static const char *const names[QN_PAIR_STATE_COUNT] = {
-    [QN_PAIR_STICK] = "stick",
-    [QN_PAIR_SLIP] = "slip",
-    [QN_PAIR_OPEN] = "open",
-    [QN_PAIR_YIELD] = "yield",
-  };
-  return names[state];
-}
+const char *const qn_pair_state_names[QN_PAIR_STATE_COUNT] = {
+  [QN_PAIR_STICK] = "stick",
+  [QN_PAIR_SLIP] = "slip",
+  [QN_PAIR_OPEN] = "open",
+  [QN_PAIR_YIELD] = "yield",
+};
 
 void
 qn_statistics_add (QnStatistics *total, const QnStatistics *part)
@@ -175,16 +165,11 @@ qn_result_add_forces (QnResult *result, bool all)
   return true;
 }
 
-const char *
-qn_energy_name (QnEnergyKind kind)
-{
-  static const char *const names[QN_ENERGY_KIND_COUNT] = {
-    [QN_ENERGY_INPUT] = "input",     [QN_ENERGY_KINETIC] = "kinetic",
-    [QN_ENERGY_ELASTIC] = "elastic", [QN_ENERGY_FRICTION] = "friction",
-    [QN_ENERGY_DAMPING] = "damping", [QN_ENERGY_NUMERICAL] = "numerical",
-  };
-  return names[kind];
-}
+const char *const qn_energy_names[QN_ENERGY_KIND_COUNT] = {
+  [QN_ENERGY_INPUT] = "input",     [QN_ENERGY_KINETIC] = "kinetic",
+  [QN_ENERGY_ELASTIC] = "elastic", [QN_ENERGY_FRICTION] = "friction",
+  [QN_ENERGY_DAMPING] = "damping", [QN_ENERGY_NUMERICAL] = "numerical",
+};
 
 bool
 qn_result_add_history (QnResult *result, const double *row)

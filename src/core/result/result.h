@@ -190,8 +190,8 @@ typedef struct QnResult {
 } QnResult;
 
 /* Result-file spelling: "collapse", "target-reached", … and "stick", "slip", "open", "yield". */
-const char *qn_outcome_name (QnOutcome outcome);
-const char *qn_pair_state_name (QnPairState state);
+extern const char *const qn_outcome_names[QN_OUTCOME_COUNT];
+extern const char *const qn_pair_state_names[QN_PAIR_STATE_COUNT];
 
 /* An empty result for a model with this many blocks and pairs; where it has beams, node_count and
  * element_count are to be set before the first step. */
@@ -219,7 +219,7 @@ bool qn_result_add_forces (QnResult *result, bool all);
 bool qn_result_add_history (QnResult *result, const double *row);
 
 /* Result-file spelling: "input", "kinetic", … */
-const char *qn_energy_name (QnEnergyKind kind);
+extern const char *const qn_energy_names[QN_ENERGY_KIND_COUNT];
 
 /* Whether the contact forces of a step are known. */
 bool qn_result_has_forces (const QnResult *result, size_t step);

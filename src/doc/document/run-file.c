@@ -25,9 +25,8 @@ dup_overrides (const QnAnalysisSettings *own, const QnAnalysisSettings *projects
   if (own->procedure == projects->procedure && own->flow == projects->flow)
     return NULL;
   char *overrides[] = {
-    g_strdup_printf ("analysis.procedure=%s",
-                     qn_name_of_procedure ((int) own->procedure)),
-    g_strdup_printf ("analysis.flow=%s", qn_name_of_flow ((int) own->flow)), NULL
+    g_strdup_printf ("analysis.procedure=%s", qn_procedure_names[own->procedure]),
+    g_strdup_printf ("analysis.flow=%s", qn_flow_names[own->flow]), NULL
   };
   return g_memdup2 (overrides, sizeof overrides);
 }

@@ -104,7 +104,7 @@ is_name_taken (const QnModel *model, const QnMasonries *list, const char *name)
 static char *
 dup_free_object_name (const QnModel *model, const QnMasonries *list, QnMasonryKind kind)
 {
-  const char *word = kind == QN_MASONRY_WALL ? "w" : qn_masonry_kind_name (kind);
+  const char *word = kind == QN_MASONRY_WALL ? "w" : qn_masonry_kind_names[kind];
   for (gsize number = 1;; number++) {
     g_autofree char *name = g_strdup_printf ("%s%" G_GSIZE_FORMAT, word, number);
     if (!is_name_taken (model, list, name))

@@ -45,29 +45,10 @@ qn_recipe_free (QnRecipe *recipe)
 
 /* ---- reading --------------------------------------------------------------------------- */
 
-static const char *
-view_name (int view)
-{
-  return qn_view_name ((QnView) view);
-}
-
-static const char *
-field_name (int field)
-{
-  return qn_field_name ((QnField) field);
-}
-
-static const char *
-diagram_name (int diagram)
-{
-  return qn_diagram_name ((QnDiagram) diagram);
-}
-
-static const char *
-backend_name (int backend)
-{
-  return backend == QN_BACKEND_GL ? "gl" : "cairo";
-}
+/* By QnBackend. */
+static const char *const backend_names[] = {
+  [QN_BACKEND_CAIRO] = "cairo", [QN_BACKEND_GL] = "gl"
+};
 
 /* A member that is a number or one word with a meaning of its own ("last", "auto"). */
 static gboolean
@@ -97,7 +78,7 @@ read_output (const QnJsonValue *object, QnOutput *output)
   if (!qn_member_string (object, "size", QN_OPTIONAL, &size)
       || !qn_member_number (object, "dpi", QN_OPTIONAL, QN_RANGE_POSITIVE, &output->dpi)
       || !qn_member_bool (object, "transparent", QN_OPTIONAL, &output->transparent)
-      || !qn_member_choice (object, "backend", QN_OPTIONAL, backend_name, 2, &backend))
+      || !qn_member_choice (object, "backend", QN_OPTIONAL, backend_names, 2, &backend))
     return FALSE;
   output->backend = (QnBackend) backend;
   if ((size != NULL && !qn_output_parse_size (output, size, &error))
@@ -115,8 +96,9 @@ read_view (const QnJsonValue *object, QnViewOptions *view)
 {
   int field = QN_FIELD_NONE, diagram = QN_DIAGRAM_MOMENT;
   double step = QN_STEP_LAST, scale = QN_SCALE_AUTO;
-  if (!qn_member_choice (object, "field", QN_OPTIONAL, field_name, QN_FIELD_COUNT, &field)
-      || !qn_member_choice (object, "diagram", QN_OPTIONAL, diagram_name,
+  if (!qn_member_choice (object, "field", QN_OPTIONAL, qn_field_names, QN_FIELD_COUNT,
+                         &field)
+      || !qn_member_choice (object, "diagram", QN_OPTIONAL, qn_diagram_names,
                             QN_DIAGRAM_COUNT, &diagram)
       || !read_number_or (object, "step", "last", &step)
       || !read_number_or (object, "scale", "auto", &scale))
@@ -177,7 +159,8 @@ read_recipe (const QnJsonValue *object, GHashTable *known)
   if (!qn_json_value_object (object)
       || !qn_member_string (object, "name", QN_REQUIRED, &name)
       || !check_name (object, name, known)
-      || !qn_member_choice (object, "view", QN_OPTIONAL, view_name, QN_VIEW_COUNT, &view))
+      || !qn_member_choice (object, "view", QN_OPTIONAL, qn_view_names, QN_VIEW_COUNT,
+                            &view))
     return NULL;
   g_autoptr (QnRecipe) recipe = qn_recipe_new (name, (QnView) view);
   if (!read_file (object, recipe) || !read_view (object, &recipe->view)
@@ -275,16 +258,16 @@ append_recipe (GString *json, const QnRecipe *recipe)
   QnViewOptions view = recipe->view;
   g_string_append_c (json, '{');
   append_text (json, "name", recipe->name);
-  append_text (json, "view", qn_view_name (view.view));
+  append_text (json, "view", qn_view_names[view.view]);
   if (strcmp (recipe->file, plain->file) != 0)
     append_text (json, "file", recipe->file);
   append_text (json, "result", recipe->result);
   append_text (json, "title", recipe->title);
   append_text (json, "caption", recipe->caption);
   if (view.field != QN_FIELD_NONE)
-    append_text (json, "field", qn_field_name (view.field));
+    append_text (json, "field", qn_field_names[view.field]);
   if (view.view == QN_VIEW_DIAGRAMS)
-    append_text (json, "diagram", qn_diagram_name (view.diagram));
+    append_text (json, "diagram", qn_diagram_names[view.diagram]);
   if (view.step != QN_STEP_LAST)
     append_number (json, "step", view.step);
   if (view.scale > 0)

@@ -153,7 +153,7 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
     return FALSE;
   qn_file_writer_puts (writer, "time [s],ground x [m/s2],ground y [m/s2]");
   for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
-    qn_file_writer_printf (writer, ",%s [J]", qn_energy_name (kind));
+    qn_file_writer_printf (writer, ",%s [J]", qn_energy_names[kind]);
   for (size_t i = 0; i < model->track_count; i++) {
     qn_file_writer_puts (writer, ",");
     write_text (writer, model->blocks[model->tracks[i].block].name,
@@ -255,7 +255,7 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
       point.x, point.y, normal.x, normal.y, forces->normal_force, forces->shear_force
     };
     write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
-    qn_file_writer_printf (writer, ",%s\n", qn_pair_state_name (forces->state));
+    qn_file_writer_printf (writer, ",%s\n", qn_pair_state_names[forces->state]);
   }
   return qn_file_writer_commit (writer, error);
 }

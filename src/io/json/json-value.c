@@ -339,14 +339,15 @@ qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
 }
 
 static gboolean
-fail_choice (const QnJsonValue *member, const char *given, QnNameFunc name, int count)
+fail_choice (const QnJsonValue *member, const char *given, const char *const *names,
+             int count)
 {
   GString *message = g_string_new (NULL);
   qn_json_append_string (message, given);
   /* Translators: followed by a list of words. */
   g_string_append (message, _ (" is none of "));
   for (int i = 0; i < count; i++)
-    g_string_append_printf (message, "%s%s", i > 0 ? ", " : "", name (i));
+    g_string_append_printf (message, "%s%s", i > 0 ? ", " : "", names[i]);
   qn_json_value_fail (member, message->str);
   g_string_free (message, TRUE);
   return FALSE;
@@ -354,7 +355,7 @@ fail_choice (const QnJsonValue *member, const char *given, QnNameFunc name, int 
 
 gboolean
 qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
-                  QnNameFunc name, int count, int *choice)
+                  const char *const *names, int count, int *choice)
 {
   const char *given = NULL;
   if (!qn_member_string (object, key, need, &given))
@@ -362,11 +363,11 @@ qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
   if (given == NULL)
     return TRUE;
   for (int i = 0; i < count; i++) {
-    if (strcmp (given, name (i)) == 0) {
+    if (strcmp (given, names[i]) == 0) {
       *choice = i;
       return TRUE;
     }
   }
   QnJsonValue member = qn_json_value_member (object, key);
-  return fail_choice (&member, given, name, count);
+  return fail_choice (&member, given, names, count);
 }

@@ -40,7 +40,6 @@ typedef enum { QN_OPTIONAL, QN_REQUIRED } QnNeed;
 typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRange;
 
 /* Name of the value of an enumeration, as the file spells it. */
-typedef const char *(*QnNameFunc) (int value);
 
 /* The document; a member of an object (json NULL where it is not there), or one at hand that need
  * not be searched for; an element of an array.
@@ -99,6 +98,6 @@ gboolean qn_member_string (const QnJsonValue *object, const char *key, QnNeed ne
 gboolean qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
                           QnJsonValue *array);
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
-                           QnNameFunc name, int count, int *choice);
+                           const char *const *names, int count, int *choice);
 
 #endif

@@ -31,7 +31,7 @@ read_control (const QnJsonValue *owner, const QnModel *model, Control *read)
     return TRUE;
   int component;
   if (!qn_json_value_object (&control) || !read_controlled (&control, model, read)
-      || !qn_member_choice (&control, "component", QN_REQUIRED, qn_name_of_dof,
+      || !qn_member_choice (&control, "component", QN_REQUIRED, qn_dof_names,
                             QN_DOF_COUNT, &component)
       || !qn_member_number (&control, "target", QN_REQUIRED, QN_RANGE_FINITE,
                             &read->target))
@@ -64,13 +64,13 @@ read_choices (const QnJsonValue *place, QnAnalysisSettings *settings)
 {
   int procedure = (int) settings->procedure, geometry = (int) settings->geometry;
   int snap = (int) settings->snap, flow = (int) settings->flow;
-  if (!qn_member_choice (place, "procedure", QN_OPTIONAL, qn_name_of_procedure,
+  if (!qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
                          QN_PROCEDURE_COUNT, &procedure)
-      || !qn_member_choice (place, "geometry", QN_OPTIONAL, qn_name_of_geometry,
+      || !qn_member_choice (place, "geometry", QN_OPTIONAL, qn_geometry_names,
                             QN_GEOMETRY_COUNT, &geometry)
-      || !qn_member_choice (place, "snap", QN_OPTIONAL, qn_name_of_snap,
+      || !qn_member_choice (place, "snap", QN_OPTIONAL, qn_snap_names,
                             QN_SNAP_THROUGH_COUNT, &snap)
-      || !qn_member_choice (place, "flow", QN_OPTIONAL, qn_name_of_flow, QN_FLOW_COUNT,
+      || !qn_member_choice (place, "flow", QN_OPTIONAL, qn_flow_names, QN_FLOW_COUNT,
                             &flow))
     return FALSE;
   settings->procedure = (QnProcedure) procedure;
@@ -129,7 +129,7 @@ read_stage (const QnJsonValue *place, QnModel *model)
     return qn_json_value_no_memory (place);
   stage->has_target = cJSON_HasObjectItem (place->json, "target");
   if (!read_stage_sets (place, model, stage)
-      || !qn_member_choice (place, "procedure", QN_OPTIONAL, qn_name_of_procedure,
+      || !qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
                             QN_PROCEDURE_COUNT, &procedure)
       || !qn_member_number (place, "target", QN_OPTIONAL, QN_RANGE_FINITE, &stage->target)
       || !qn_member_count (place, "increments", QN_OPTIONAL, G_MAXINT32,

@@ -99,7 +99,7 @@ read_seat (const QnJsonValue *place, const QnModel *model, QnNode *node)
   if (!exclude (place, "side", "at")
       || !qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &node->block)
       || !qn_member_vec2 (place, "at", QN_OPTIONAL, &node->at)
-      || !qn_member_choice (place, "side", QN_OPTIONAL, qn_name_of_block_side,
+      || !qn_member_choice (place, "side", QN_OPTIONAL, qn_block_side_names,
                             QN_BLOCK_SIDE_COUNT, &which))
     return FALSE;
   node->side = (QnBlockSide) which;
@@ -174,7 +174,7 @@ read_beam (const QnJsonValue *place, QnModel *model)
   if (!read_ends (place, model, beam)
       || !qn_read_name (place, "section", QN_REQUIRED, model, QN_NAMED_SECTION,
                         &beam->section)
-      || !qn_member_choice (place, "kind", QN_OPTIONAL, qn_name_of_beam_kind,
+      || !qn_member_choice (place, "kind", QN_OPTIONAL, qn_beam_kind_names,
                             QN_BEAM_KIND_COUNT, &kind)
       || !qn_member_count (place, "elements", QN_OPTIONAL, QN_MAX_BEAM_ELEMENTS,
                            &beam->element_count))

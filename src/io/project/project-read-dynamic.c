@@ -39,7 +39,7 @@ read_pulse (const QnJsonValue *place, QnPulse *pulse)
   static const char *const keys[] = { "kind", "amplitude", "duration", "start" };
   int kind;
   if (!qn_json_value_object (place)
-      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_pulse,
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_pulse_kind_names,
                             QN_PULSE_KIND_COUNT, &kind)
       || !qn_member_number (place, "amplitude", QN_REQUIRED, QN_RANGE_FINITE,
                             &pulse->amplitude)
@@ -145,7 +145,7 @@ read_track (const QnJsonValue *place, QnModel *model)
     return qn_json_value_no_memory (place);
   if (!qn_json_value_object (place)
       || !qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &track->block)
-      || !qn_member_choice (place, "component", QN_REQUIRED, qn_name_of_dof, QN_DOF_COUNT,
+      || !qn_member_choice (place, "component", QN_REQUIRED, qn_dof_names, QN_DOF_COUNT,
                             &component))
     return FALSE;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
@@ -166,7 +166,7 @@ read_damping (const QnJsonValue *owner, QnDynamicSettings *settings)
                             &settings->mass_damping)
       || !qn_member_number (&place, "stiffness", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &settings->joint_damping)
-      || !qn_member_choice (&place, "of", QN_OPTIONAL, qn_name_of_damping,
+      || !qn_member_choice (&place, "of", QN_OPTIONAL, qn_damping_stiffness_names,
                             QN_DAMPING_STIFFNESS_COUNT, &of))
     return FALSE;
   settings->of = (QnDampingStiffness) of;

@@ -83,9 +83,9 @@ read_law (const QnJsonValue *place, QnModel *model)
   int kind, basis = QN_BASIS_CONTACT;
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_REQUIRED, &name)
-      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_law_kind,
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_law_kind_names,
                             QN_LAW_KIND_COUNT, &kind)
-      || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_name_of_basis, QN_BASIS_COUNT,
+      || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_basis_names, QN_BASIS_COUNT,
                             &basis))
     return FALSE;
   warn_of_keys (place, (QnLawKind) kind);

@@ -59,7 +59,7 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
   QnJsonValue place = qn_json_value_member (object, "pairs");
   int placement = (int) rule->placement;
   if (!qn_json_value_object (&place)
-      || !qn_member_choice (&place, "placement", QN_OPTIONAL, qn_name_of_placement,
+      || !qn_member_choice (&place, "placement", QN_OPTIONAL, qn_placement_names,
                             QN_PLACEMENT_COUNT, &placement))
     return FALSE;
   qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
@@ -195,7 +195,7 @@ read_settlement (const QnJsonValue *place, const QnModel *model, QnLoad *load)
   int component;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   if (!qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &load->block)
-      || !qn_member_choice (place, "component", QN_REQUIRED, qn_name_of_dof, QN_DOF_COUNT,
+      || !qn_member_choice (place, "component", QN_REQUIRED, qn_dof_names, QN_DOF_COUNT,
                             &component)
       || !qn_member_number (place, "value", QN_REQUIRED, QN_RANGE_FINITE, &load->value))
     return FALSE;
@@ -209,8 +209,8 @@ read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
   static const char *const weight_keys[] = { "kind", "direction" };
   int kind;
   if (!qn_json_value_object (place)
-      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_name_of_load_kind,
-                            QN_LOAD_NODE, &kind))
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_load_kind_names, QN_LOAD_NODE,
+                            &kind))
     return FALSE;
   load->kind = (QnLoadKind) kind;
   if (load->kind == QN_LOAD_FORCE)

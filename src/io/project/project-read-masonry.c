@@ -8,26 +8,7 @@
 
 #define MAX_COUNT 200000
 
-/* Names of the enumerations in the form that qn_member_choice() asks for. */
-#define NAME_FUNC(function, type)                                                        \
-  static const char *name_of_##function (int value)                                      \
-  {                                                                                      \
-    return qn_##function##_name ((type) value);                                          \
-  }
-NAME_FUNC (masonry_kind, QnMasonryKind)
-NAME_FUNC (bond, QnBond)
-NAME_FUNC (closer, QnCloser)
-NAME_FUNC (edge, QnEdge)
-NAME_FUNC (head, QnHead)
-NAME_FUNC (span, QnSpan)
-NAME_FUNC (sides, QnSides)
-NAME_FUNC (arch_shape, QnArchShape)
-
-static const char *
-name_of_side (int value)
-{
-  return value == 0 ? "left" : "right";
-}
+static const char *const side_names[] = { "left", "right" };
 
 /* A choice into an enumeration of any type; an absent one changes nothing. */
 #define MEMBER_CHOICE(place, key, name, count, target)                                   \
@@ -63,13 +44,13 @@ static gboolean
 read_leaf (const QnJsonValue *place, QnLeaf *leaf, gboolean listed)
 {
   int choice;
-  if (!(MEMBER_CHOICE (place, "bond", name_of_bond, QN_BOND_COUNT, leaf->bond)))
+  if (!(MEMBER_CHOICE (place, "bond", qn_bond_names, QN_BOND_COUNT, leaf->bond)))
     return FALSE;
   QnNeed need = listed || leaf->length > 0 ? QN_OPTIONAL : QN_REQUIRED;
   QnNeed unit = leaf->unit.x > 0 ? QN_OPTIONAL : QN_REQUIRED;
   return read_length (place, "length", need, &leaf->length)
          && qn_member_vec2 (place, "unit", unit, &leaf->unit)
-         && (MEMBER_CHOICE (place, "closers", name_of_closer, QN_CLOSER_COUNT,
+         && (MEMBER_CHOICE (place, "closers", qn_closer_names, QN_CLOSER_COUNT,
                             leaf->closer))
          && read_size (place, "header", &leaf->header)
          && read_size (place, "lap", &leaf->lap);
@@ -118,9 +99,10 @@ read_opening (const QnJsonValue *place, QnOpening *opening)
   if (!qn_member_vec2 (place, "at", QN_REQUIRED, &opening->at)
       || !read_length (place, "width", QN_REQUIRED, &opening->width)
       || !read_length (place, "height", QN_REQUIRED, &opening->height)
-      || !(MEMBER_CHOICE (place, "head", name_of_head, QN_HEAD_COUNT, opening->head))
-      || !(MEMBER_CHOICE (place, "span", name_of_span, QN_SPAN_COUNT, opening->span))
-      || !(MEMBER_CHOICE (place, "sides", name_of_sides, QN_SIDES_COUNT, opening->sides)))
+      || !(MEMBER_CHOICE (place, "head", qn_head_names, QN_HEAD_COUNT, opening->head))
+      || !(MEMBER_CHOICE (place, "span", qn_span_names, QN_SPAN_COUNT, opening->span))
+      || !(
+        MEMBER_CHOICE (place, "sides", qn_sides_names, QN_SIDES_COUNT, opening->sides)))
     return FALSE;
   gboolean pieces =
     opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
@@ -184,7 +166,7 @@ read_edges (const QnJsonValue *place, QnMasonryWall *wall)
     int edge = 0;
     while (edge < QN_EDGE_COUNT
            && (!cJSON_IsString (element.json)
-               || g_strcmp0 (element.json->valuestring, name_of_edge (edge)) != 0))
+               || g_strcmp0 (element.json->valuestring, qn_edge_names[edge]) != 0))
       edge++;
     if (element.index >= G_N_ELEMENTS (edges) || edge == QN_EDGE_COUNT)
       return qn_json_value_fail (
@@ -226,9 +208,9 @@ static gboolean
 read_arch (const QnJsonValue *place, QnNeed span, QnArch *arch)
 {
   int choice;
-  return (MEMBER_CHOICE (place, "shape", name_of_arch_shape, QN_ARCH_SHAPE_COUNT,
+  return (MEMBER_CHOICE (place, "shape", qn_arch_shape_names, QN_ARCH_SHAPE_COUNT,
                          arch->shape))
-         && (MEMBER_CHOICE (place, "sides", name_of_sides, QN_SIDES_COUNT, arch->sides))
+         && (MEMBER_CHOICE (place, "sides", qn_sides_names, QN_SIDES_COUNT, arch->sides))
          && read_length (place, "span", span, &arch->span)
          && read_length (place, "rise", QN_REQUIRED, &arch->rise)
          && read_length (place, "ring", QN_REQUIRED, &arch->ring)
@@ -252,7 +234,7 @@ static gboolean
 read_buttress (const QnJsonValue *place, QnButtress *buttress)
 {
   int choice = 0;
-  if (!qn_member_choice (place, "side", QN_REQUIRED, name_of_side, 2, &choice))
+  if (!qn_member_choice (place, "side", QN_REQUIRED, side_names, 2, &choice))
     return FALSE;
   buttress->leans_right = choice == 1;
   return read_length (place, "height", QN_REQUIRED, &buttress->height)
@@ -365,7 +347,7 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
   int kind;
   *masonry = (QnMasonry){ 0 };
   if (!qn_json_value_object (place)
-      || !qn_member_choice (place, "kind", QN_REQUIRED, name_of_masonry_kind,
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_masonry_kind_names,
                             QN_MASONRY_KIND_COUNT, &kind)
       || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;

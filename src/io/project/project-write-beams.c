@@ -42,7 +42,7 @@ append_node (GString *json, const QnModel *model, const QnNode *node)
   if (node->seat != QN_SEAT_FREE)
     qn_json_put_string (json, "block", model->blocks[node->block].name);
   if (node->seat == QN_SEAT_SIDE)
-    qn_json_put_string (json, "side", qn_name_of_block_side ((int) node->side));
+    qn_json_put_string (json, "side", qn_block_side_names[node->side]);
   if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT)
     qn_json_put_vec2 (json, "at", node->at);
   qn_json_put_support (json, node->support);
@@ -55,7 +55,7 @@ append_beam (GString *json, const QnModel *model, const QnBeam *beam)
   g_string_append_c (json, '{');
   qn_json_put_string (json, "name", beam->name);
   if (beam->kind != QN_BEAM_TIMOSHENKO)
-    qn_json_put_string (json, "kind", qn_name_of_beam_kind ((int) beam->kind));
+    qn_json_put_string (json, "kind", qn_beam_kind_names[beam->kind]);
   qn_json_begin_member (json, "nodes");
   for (int end = 0; end < 2; end++) {
     g_string_append (json, end == 0 ? "[" : ", ");

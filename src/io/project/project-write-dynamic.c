@@ -43,7 +43,7 @@ append_ground (GString *json, const QnGroundMotion *motion)
   case QN_SIGNAL_PULSE:
     qn_json_begin_member (json, "pulse");
     g_string_append_c (json, '{');
-    qn_json_put_string (json, "kind", qn_pulse_kind_name (motion->pulse.kind));
+    qn_json_put_string (json, "kind", qn_pulse_kind_names[motion->pulse.kind]);
     qn_json_put_number (json, "amplitude", motion->pulse.amplitude);
     qn_json_put_number (json, "duration", motion->pulse.duration);
     if (motion->pulse.start > 0)
@@ -65,7 +65,7 @@ put_damping (GString *json, const QnDynamicSettings *s, GHashTable *inner)
   g_string_append_c (json, '{');
   qn_json_put_number (json, "mass", s->mass_damping);
   qn_json_put_number (json, "stiffness", s->joint_damping);
-  qn_json_put_string (json, "of", qn_damping_stiffness_name (s->of));
+  qn_json_put_string (json, "of", qn_damping_stiffness_names[s->of]);
   g_string_append (json, " }");
   qn_json_append_inner (json, inner, "analysis.dynamic.damping");
 }
@@ -105,7 +105,7 @@ put_lists (GString *json, const QnModel *model, GHashTable *inner)
     begin_element (json, "track", i);
     g_string_append_c (json, '{');
     qn_json_put_string (json, "block", model->blocks[track->block].name);
-    qn_json_put_string (json, "component", qn_name_of_dof ((int) track->dof));
+    qn_json_put_string (json, "component", qn_dof_names[track->dof]);
     g_string_append (json, " }");
     qn_json_append_note (json, inner, track->note);
   }

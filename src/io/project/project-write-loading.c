@@ -10,7 +10,7 @@ static void
 append_load (GString *json, const QnModel *model, const QnLoad *load)
 {
   g_string_append_c (json, '{');
-  qn_json_put_string (json, "kind", qn_name_of_load_kind ((int) load->kind));
+  qn_json_put_string (json, "kind", qn_load_kind_names[load->kind]);
   switch (load->kind) {
   case QN_LOAD_WEIGHT:
     qn_json_put_vec2 (json, "direction", load->vector);
@@ -25,7 +25,7 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
     break;
   case QN_LOAD_SETTLEMENT:
     qn_json_put_string (json, "block", model->blocks[load->block].name);
-    qn_json_put_string (json, "component", qn_name_of_dof ((int) load->dof));
+    qn_json_put_string (json, "component", qn_dof_names[load->dof]);
     qn_json_put_number (json, "value", load->value);
     break;
   case QN_LOAD_LINE:
@@ -94,7 +94,7 @@ put_control (GString *json, const QnModel *model, QnId block, QnId node, QnDof d
     qn_json_put_string (json, "node", model->nodes[node].name);
   else
     qn_json_put_string (json, "block", model->blocks[block].name);
-  qn_json_put_string (json, "component", qn_name_of_dof ((int) dof));
+  qn_json_put_string (json, "component", qn_dof_names[dof]);
   qn_json_put_number (json, "target", target);
   g_string_append (json, " }");
 }
@@ -136,7 +136,7 @@ append_stage (GString *json, const QnModel *model, const QnStage *stage)
     any = TRUE;
   }
   g_string_append (json, any ? "]" : "[]");
-  qn_json_put_string (json, "procedure", qn_name_of_procedure ((int) stage->procedure));
+  qn_json_put_string (json, "procedure", qn_procedure_names[stage->procedure]);
   if (stage->has_target)
     qn_json_put_number (json, "target", stage->target);
   if (stage->increments > 0)
@@ -169,9 +169,8 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
   const QnAnalysisSettings *usual = &defaults.analysis, *analysis = &model->analysis;
 
   g_string_append (json, "  \"analysis\": {");
-  qn_json_put_string (json, "procedure",
-                      qn_name_of_procedure ((int) analysis->procedure));
-  qn_json_put_string (json, "geometry", qn_name_of_geometry ((int) analysis->geometry));
+  qn_json_put_string (json, "procedure", qn_procedure_names[analysis->procedure]);
+  qn_json_put_string (json, "geometry", qn_geometry_names[analysis->geometry]);
   qn_json_put_number (json, "increments", analysis->increments);
   if (isfinite (analysis->max_multiplier))
     qn_json_put_number (json, "max_multiplier", analysis->max_multiplier);
@@ -184,9 +183,9 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
   if (analysis->max_seconds != usual->max_seconds)
     qn_json_put_number (json, "max_seconds", analysis->max_seconds);
   if (analysis->snap != usual->snap)
-    qn_json_put_string (json, "snap", qn_name_of_snap ((int) analysis->snap));
+    qn_json_put_string (json, "snap", qn_snap_names[analysis->snap]);
   if (analysis->flow != usual->flow)
-    qn_json_put_string (json, "flow", qn_name_of_flow ((int) analysis->flow));
+    qn_json_put_string (json, "flow", qn_flow_names[analysis->flow]);
   put_control (json, model, analysis->control_block, analysis->control_node,
                analysis->control_dof, analysis->control_target);
   put_shortcuts (json, &analysis->shortcuts);

@@ -16,9 +16,9 @@ put_leaf (GString *json, const QnLeaf *leaf)
   if (leaf->bond != QN_BOND_CUSTOM)
     qn_json_put_number (json, "length", leaf->length);
   qn_json_put_vec2 (json, "unit", leaf->unit);
-  qn_json_put_string (json, "bond", qn_bond_name (leaf->bond));
+  qn_json_put_string (json, "bond", qn_bond_names[leaf->bond]);
   if (leaf->closer != QN_CLOSER_NONE)
-    qn_json_put_string (json, "closers", qn_closer_name (leaf->closer));
+    qn_json_put_string (json, "closers", qn_closer_names[leaf->closer]);
   put_size (json, "header", leaf->header);
   if (leaf->lap != 0.5)
     qn_json_put_number (json, "lap", leaf->lap);
@@ -48,10 +48,10 @@ append_opening (GString *json, const QnOpening *opening)
   qn_json_put_vec2 (json, "at", opening->at);
   qn_json_put_number (json, "width", opening->width);
   qn_json_put_number (json, "height", opening->height);
-  qn_json_put_string (json, "head", qn_head_name (opening->head));
+  qn_json_put_string (json, "head", qn_head_names[opening->head]);
   if (opening->head == QN_HEAD_SEGMENTAL)
     qn_json_put_number (json, "rise", opening->rise);
-  qn_json_put_string (json, "span", qn_span_name (opening->span));
+  qn_json_put_string (json, "span", qn_span_names[opening->span]);
   if (opening->span != QN_SPAN_NONE)
     qn_json_put_number (json, "depth", opening->depth);
   if (opening->span == QN_SPAN_LINTEL)
@@ -61,7 +61,7 @@ append_opening (GString *json, const QnOpening *opening)
   if (opening->span == QN_SPAN_FLAT_ARCH)
     put_size (json, "skew", opening->skew);
   if (opening->span == QN_SPAN_VOUSSOIRS)
-    qn_json_put_string (json, "sides", qn_sides_name (opening->sides));
+    qn_json_put_string (json, "sides", qn_sides_names[opening->sides]);
   if (opening->sill_height > 0)
     qn_json_put_vec2 (json, "sill",
                       qn_vec2 (opening->sill_height, opening->sill_bearing));
@@ -92,8 +92,8 @@ put_wall (GString *json, const QnMasonryWall *wall)
     put_courses (json, &wall->courses);
   if (wall->left != QN_EDGE_STRAIGHT || wall->right != QN_EDGE_STRAIGHT) {
     qn_json_begin_member (json, "edges");
-    g_string_append_printf (json, "[\"%s\", \"%s\"]", qn_edge_name (wall->left),
-                            qn_edge_name (wall->right));
+    g_string_append_printf (json, "[\"%s\", \"%s\"]", qn_edge_names[wall->left],
+                            qn_edge_names[wall->right]);
   }
   qn_json_put_number (json, "minimum_piece", wall->minimum_piece);
   if (wall->opening_count == 0)
@@ -109,13 +109,13 @@ put_wall (GString *json, const QnMasonryWall *wall)
 static void
 put_arch (GString *json, const QnArch *arch, gboolean with_span)
 {
-  qn_json_put_string (json, "shape", qn_arch_shape_name (arch->shape));
+  qn_json_put_string (json, "shape", qn_arch_shape_names[arch->shape]);
   if (with_span)
     qn_json_put_number (json, "span", arch->span);
   qn_json_put_number (json, "rise", arch->rise);
   qn_json_put_number (json, "ring", arch->ring);
   qn_json_put_number (json, "voussoirs", arch->voussoirs);
-  qn_json_put_string (json, "sides", qn_sides_name (arch->sides));
+  qn_json_put_string (json, "sides", qn_sides_names[arch->sides]);
   if (with_span)
     put_size (json, "springer", arch->springer);
 }
@@ -191,7 +191,7 @@ void
 qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *model)
 {
   g_string_append_c (json, '{');
-  qn_json_put_string (json, "kind", qn_masonry_kind_name (masonry->kind));
+  qn_json_put_string (json, "kind", qn_masonry_kind_names[masonry->kind]);
   qn_json_put_string (json, "name", masonry->name);
   qn_json_put_vec2 (json, "origin", masonry->origin);
   put_size (json, "rotation", masonry->rotation);

@@ -69,8 +69,8 @@ append_law (GString *json, const QnLaw *law)
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   g_string_append_c (json, '{');
   qn_json_put_string (json, "name", law->name);
-  qn_json_put_string (json, "kind", qn_name_of_law_kind ((int) law->kind));
-  qn_json_put_string (json, "basis", qn_name_of_basis ((int) law->basis));
+  qn_json_put_string (json, "kind", qn_law_kind_names[law->kind]);
+  qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
   qn_json_put_number (json, "kn", law->kn);
   qn_json_put_number (json, "ks", law->ks);
   if (law->shear_factor > 0)
@@ -149,7 +149,7 @@ put_pair_rule (GString *json, const QnPairRule *rule)
 {
   qn_json_begin_member (json, "pairs");
   g_string_append_c (json, '{');
-  qn_json_put_string (json, "placement", qn_name_of_placement ((int) rule->placement));
+  qn_json_put_string (json, "placement", qn_placement_names[rule->placement]);
   switch (rule->placement) {
   case QN_PLACEMENT_ENDS:
     qn_json_put_number (json, "offset", rule->offset);

@@ -19,7 +19,7 @@ check_head (QnJsonStream *stream, QnResultDraft *draft)
     return qn_json_stream_fail_at (
       stream, "version", _ ("this program reads another version of the format"));
   for (int outcome = 0; outcome < QN_OUTCOME_COUNT; outcome++) {
-    if (strcmp (draft->outcome, qn_outcome_name ((QnOutcome) outcome)) == 0) {
+    if (strcmp (draft->outcome, qn_outcome_names[outcome]) == 0) {
       result->outcome = (QnOutcome) outcome;
       return TRUE;
     }

@@ -68,7 +68,7 @@ qn_result_history_write (QnFileWriter *writer, const QnModel *model,
   qn_file_writer_puts (writer, " },\n    \"energy\": {");
   for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++) {
     qn_file_writer_printf (writer, "%s\n      \"%s\": ", kind > 0 ? "," : "",
-                           qn_energy_name (kind));
+                           qn_energy_names[kind]);
     write_column (writer, h, (size_t) QN_HISTORY_ENERGY + (size_t) kind);
   }
   qn_file_writer_puts (writer, " },\n    \"tracks\": [");
@@ -78,7 +78,7 @@ qn_result_history_write (QnFileWriter *writer, const QnModel *model,
                          i > 0 ? ",\n      { \"block\": " : "\n      { \"block\": ");
     qn_file_writer_json_string (writer, model->blocks[track->block].name);
     qn_file_writer_printf (
-      writer, ", \"component\": \"%s\", \"values\": ", qn_name_of_dof ((int) track->dof));
+      writer, ", \"component\": \"%s\", \"values\": ", qn_dof_names[track->dof]);
     write_column (writer, h, QN_HISTORY_TRACK + i);
     qn_file_writer_puts (writer, " }");
   }
@@ -133,7 +133,7 @@ read_energy (QnJsonStream *stream, gpointer target)
   QnJsonMember members[QN_ENERGY_KIND_COUNT];
   for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
     members[kind] =
-      (QnJsonMember) COLUMN (qn_energy_name (kind), (gsize) (QN_HISTORY_ENERGY + kind));
+      (QnJsonMember) COLUMN (qn_energy_names[kind], (gsize) (QN_HISTORY_ENERGY + kind));
   return qn_json_stream_object (stream, members, QN_ENERGY_KIND_COUNT, target);
 }
 

@@ -125,7 +125,7 @@ read_flow (QnJsonStream *stream, gpointer target)
 {
   for (int flow = 0; flow < QN_FLOW_COUNT; flow++)
     if (stream->scanner.token == QN_JSON_STRING
-        && qn_json_string_is (&stream->scanner, qn_name_of_flow (flow))) {
+        && qn_json_string_is (&stream->scanner, qn_flow_names[flow])) {
       limit_figures (target)->flow = (QnFlow) flow;
       return TRUE;
     }
@@ -308,8 +308,7 @@ read_state (QnJsonStream *stream, gpointer target)
 {
   if (stream->scanner.token == QN_JSON_STRING) {
     for (int state = 0; state < QN_PAIR_STATE_COUNT; state++) {
-      if (qn_json_string_is (&stream->scanner,
-                             qn_pair_state_name ((QnPairState) state))) {
+      if (qn_json_string_is (&stream->scanner, qn_pair_state_names[state])) {
         *(QnPairState *) target = (QnPairState) state;
         return TRUE;
       }

@@ -48,8 +48,7 @@ write_limit (QnFileWriter *writer, const QnLimitFigures *limit)
     return;
   write_optional (writer, "lower_bound", TRUE, limit->lower_bound);
   write_optional (writer, "upper_bound", TRUE, limit->upper_bound);
-  qn_file_writer_printf (writer, "  \"flow\": \"%s\",\n",
-                         qn_name_of_flow ((int) limit->flow));
+  qn_file_writer_printf (writer, "  \"flow\": \"%s\",\n", qn_flow_names[limit->flow]);
   if (!limit->has_associative_bound)
     return;
   write_optional (writer, "associative_bound", TRUE, limit->associative_bound);
@@ -81,7 +80,7 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   }
 
   qn_file_writer_printf (writer, "  \"outcome\": \"%s\",\n",
-                         qn_outcome_name (result->outcome));
+                         qn_outcome_names[result->outcome]);
   write_optional (writer, "collapse_multiplier", result->has_collapse_multiplier,
                   result->collapse_multiplier);
   write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
@@ -287,7 +286,7 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   if (pair->bar != QN_NONE)
     qn_file_writer_printf (writer, ", \"bar\": %d", pair->bar);
   qn_file_writer_printf (writer, ", \"state\": \"%s\", \"normal_force\": ",
-                         qn_pair_state_name (forces->state));
+                         qn_pair_state_names[forces->state]);
   qn_file_writer_number (writer, forces->normal_force);
   qn_file_writer_puts (writer, ", \"shear_force\": ");
   qn_file_writer_number (writer, forces->shear_force);

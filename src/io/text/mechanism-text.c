@@ -235,7 +235,7 @@ write_joint (QnFileWriter *writer, const QnContacts *contacts, QnId face,
   qn_joint_corners (contacts, face, &start, &end);
   qn_file_writer_printf (writer,
                          "%s\n      { \"face\": %d, \"kind\": \"%s\", \"slides\": %s",
-                         first ? "" : ",", face, qn_joint_kind_name (joint->kind),
+                         first ? "" : ",", face, qn_joint_kind_names[joint->kind],
                          joint->slides ? "true" : "false");
   if (joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END) {
     qn_file_writer_puts (writer, ", \"hinge\": ");
@@ -256,7 +256,7 @@ qn_mechanism_write (QnFileWriter *writer, const QnContacts *contacts,
 {
   gboolean first = TRUE;
   qn_file_writer_printf (writer, "{\n    \"kind\": \"%s\",\n    \"bodies\": [",
-                         qn_mechanism_kind_name (mechanism->kind));
+                         qn_mechanism_kind_names[mechanism->kind]);
   for (size_t i = 0; i < mechanism->body_count; i++)
     write_body (writer, mechanism, (QnId) i);
   qn_file_writer_puts (writer, "],\n    \"joints\": [");

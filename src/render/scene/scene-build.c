@@ -87,7 +87,7 @@ check (QnSceneBuilder *b, GError **error)
   bool wants_result = needs_result (options) || options->field != QN_FIELD_NONE;
   if (wants_result && b->result == NULL) {
     g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("the view \"%s\" needs a result"), qn_view_name (options->view));
+                 _ ("the view \"%s\" needs a result"), qn_view_names[options->view]);
     return false;
   }
   bool wants_contacts = options->view == QN_VIEW_CONTACTS
@@ -95,7 +95,7 @@ check (QnSceneBuilder *b, GError **error)
                         || options->field == QN_FIELD_SLIDING;
   if (wants_contacts && b->contacts == NULL) {
     g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("the view \"%s\" needs contacts"), qn_view_name (options->view));
+                 _ ("the view \"%s\" needs contacts"), qn_view_names[options->view]);
     return false;
   }
   if (!isfinite (options->scale) || options->scale < 0 || !isfinite (options->phase)) {

@@ -2,19 +2,19 @@
 
 #include <string.h>
 
-static const char *const view_names[QN_VIEW_COUNT] = {
+const char *const qn_view_names[QN_VIEW_COUNT] = {
   [QN_VIEW_MODEL] = "model",       [QN_VIEW_CONTACTS] = "contacts",
   [QN_VIEW_DEFORMED] = "deformed", [QN_VIEW_MECHANISM] = "mechanism",
   [QN_VIEW_FORCES] = "forces",     [QN_VIEW_DIAGRAMS] = "diagrams",
 };
 
-static const char *const diagram_names[QN_DIAGRAM_COUNT] = {
+const char *const qn_diagram_names[QN_DIAGRAM_COUNT] = {
   [QN_DIAGRAM_MOMENT] = "M",
   [QN_DIAGRAM_SHEAR] = "V",
   [QN_DIAGRAM_NORMAL] = "N",
 };
 
-static const char *const field_names[QN_FIELD_COUNT] = {
+const char *const qn_field_names[QN_FIELD_COUNT] = {
   [QN_FIELD_NONE] = "none",
   [QN_FIELD_DISPLACEMENT] = "displacement",
   [QN_FIELD_DISPLACEMENT_X] = "displacement-x",
@@ -55,31 +55,19 @@ find_name (const char *const *names, int count, const char *name)
 bool
 qn_view_parse (const char *name, QnView *view)
 {
-  int i = find_name (view_names, QN_VIEW_COUNT, name);
+  int i = find_name (qn_view_names, QN_VIEW_COUNT, name);
   if (i >= 0)
     *view = (QnView) i;
   return i >= 0;
 }
 
-const char *
-qn_view_name (QnView view)
-{
-  return view_names[view];
-}
-
 bool
 qn_field_parse (const char *name, QnField *field)
 {
-  int i = find_name (field_names, QN_FIELD_COUNT, name);
+  int i = find_name (qn_field_names, QN_FIELD_COUNT, name);
   if (i >= 0)
     *field = (QnField) i;
   return i >= 0;
-}
-
-const char *
-qn_field_name (QnField field)
-{
-  return field_names[field];
 }
 
 const char *const qn_view_switches[] = {
@@ -100,15 +88,9 @@ qn_view_switch (QnViewOptions *options, const char *name)
 bool
 qn_diagram_parse (const char *name, QnDiagram *diagram)
 {
-  int i = find_name (diagram_names, QN_DIAGRAM_COUNT, name);
+  int i = find_name (qn_diagram_names, QN_DIAGRAM_COUNT, name);
   if (i < 0)
     return false;
   *diagram = (QnDiagram) i;
   return true;
-}
-
-const char *
-qn_diagram_name (QnDiagram diagram)
-{
-  return diagram_names[diagram];
 }

@@ -83,14 +83,14 @@ bool *qn_view_switch (QnViewOptions *options, const char *name);
 
 /* "model", "contacts", … as in --view and figure recipes; false when unknown. */
 bool qn_view_parse (const char *name, QnView *view);
-const char *qn_view_name (QnView view);
+extern const char *const qn_view_names[QN_VIEW_COUNT];
 
 /* "none", "displacement", "displacement-x", …, "sliding". */
 bool qn_field_parse (const char *name, QnField *field);
-const char *qn_field_name (QnField field);
+extern const char *const qn_field_names[QN_FIELD_COUNT];
 
 /* "M", "V", "N". */
 bool qn_diagram_parse (const char *name, QnDiagram *diagram);
-const char *qn_diagram_name (QnDiagram diagram);
+extern const char *const qn_diagram_names[QN_DIAGRAM_COUNT];
 
 #endif

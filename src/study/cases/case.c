@@ -178,7 +178,7 @@ dup_mechanism_kind (const QnCaseModel *model)
                             model->result.mechanism, NULL)
            != QN_OK)
     return NULL;
-  char *kind = g_strdup (qn_mechanism_kind_name (mechanism.kind));
+  char *kind = g_strdup (qn_mechanism_kind_names[mechanism.kind]);
   qn_mechanism_clear (&mechanism);
   return kind;
 }
@@ -204,7 +204,7 @@ static void
 take_outputs (const QnStudy *study, const QnCaseModel *model, QnCaseResult *result)
 {
   result->failed = FALSE;
-  result->outcome = g_strdup (qn_outcome_name (model->result.outcome));
+  result->outcome = g_strdup (qn_outcome_names[model->result.outcome]);
   for (guint i = 0; i < study->outputs->len; i++) {
     QnStudyOutput output = qn_study_output (study, i);
     if (output == QN_STUDY_MECHANISM_KIND)

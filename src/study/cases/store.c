@@ -65,7 +65,7 @@ append_columns (GString *sql, const QnStudy *study, gboolean types)
     append_column (sql, qn_study_parameter (study, i)->name, types ? "REAL" : "");
   for (guint i = 0; i < study->outputs->len; i++) {
     QnStudyOutput output = qn_study_output (study, i);
-    append_column (sql, qn_study_output_name (output),
+    append_column (sql, qn_study_output_names[output],
                    !types                              ? ""
                    : output == QN_STUDY_MECHANISM_KIND ? "TEXT"
                                                        : "REAL");
@@ -85,7 +85,7 @@ create_tables (QnStore *store, GError **error)
     "INSERT INTO study VALUES ('format', '%d'), ('sha256', %Q), ('title', %Q), "
     "('run', %Q), ('plan', %Q), ('cases', '%lld');",
     FORMAT_VERSION, store->study->sha256, store->study->title,
-    qn_study_run_name (store->study->run), qn_plan_kind_name (store->study->plan),
+    qn_study_run_names[store->study->run], qn_plan_kind_names[store->study->plan],
     (long long) qn_study_case_count (store->study));
   g_string_printf (sql,
                    "BEGIN IMMEDIATE; PRAGMA application_id = %d; "

@@ -6,16 +6,11 @@
 /* Least probability between min and max. */
 #define LEAST_PROBABILITY 1e-12
 
-const char *
-qn_distribution_kind_name (int kind)
-{
-  static const char *const names[QN_DISTRIBUTION_COUNT] = {
-    [QN_DISTRIBUTION_NORMAL] = "normal",   [QN_DISTRIBUTION_LOGNORMAL] = "lognormal",
-    [QN_DISTRIBUTION_UNIFORM] = "uniform", [QN_DISTRIBUTION_TRIANGULAR] = "triangular",
-    [QN_DISTRIBUTION_WEIBULL] = "weibull", [QN_DISTRIBUTION_DISCRETE] = "discrete",
-  };
-  return names[kind];
-}
+const char *const qn_distribution_kind_names[QN_DISTRIBUTION_COUNT] = {
+  [QN_DISTRIBUTION_NORMAL] = "normal",   [QN_DISTRIBUTION_LOGNORMAL] = "lognormal",
+  [QN_DISTRIBUTION_UNIFORM] = "uniform", [QN_DISTRIBUTION_TRIANGULAR] = "triangular",
+  [QN_DISTRIBUTION_WEIBULL] = "weibull", [QN_DISTRIBUTION_DISCRETE] = "discrete",
+};
 
 /* Probability of less than x, or of more where `upper`: each is exact in its own tail. */
 static double

@@ -31,7 +31,7 @@ typedef struct QnDistribution {
 } QnDistribution;
 
 /* Spelling in study files: "normal", … */
-const char *qn_distribution_kind_name (int kind);
+extern const char *const qn_distribution_kind_names[QN_DISTRIBUTION_COUNT];
 
 /* The value that the share u (0 < u < 1) of all values does not exceed. */
 double qn_distribution_quantile (const QnDistribution *distribution, double u);

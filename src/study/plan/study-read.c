@@ -154,7 +154,7 @@ read_distribution (const QnJsonValue *place, QnDistribution *d)
   int kind = 0;
   gsize count = 0;
   if (!qn_json_value_object (place)
-      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_distribution_kind_name,
+      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_distribution_kind_names,
                             QN_DISTRIBUTION_COUNT, &kind))
     return FALSE;
   while (keys[kind][count] != NULL)
@@ -286,7 +286,7 @@ check_name (const QnJsonValue *place, const char *name, const QnStudy *study)
   for (gsize i = 0; i < G_N_ELEMENTS (taken); i++)
     used |= g_ascii_strcasecmp (name, taken[i]) == 0;
   for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
-    used |= g_ascii_strcasecmp (name, qn_study_output_name (i)) == 0;
+    used |= g_ascii_strcasecmp (name, qn_study_output_names[i]) == 0;
   for (guint i = 0; i + 1 < study->parameters->len; i++)
     used |= g_ascii_strcasecmp (name, qn_study_parameter (study, i)->name) == 0;
   QnJsonValue member = qn_json_value_member (place, "name");
@@ -414,7 +414,7 @@ read_correlation (const QnJsonValue *root, QnStudy *study)
     return FALSE;
   if (study->plan != QN_PLAN_MONTE_CARLO && study->plan != QN_PLAN_LATIN_HYPERCUBE)
     return qn_json_value_failf (&list, _ ("a plan \"%s\" has independent parameters"),
-                                qn_plan_kind_name (study->plan));
+                                qn_plan_kind_names[study->plan]);
   study->correlation = g_new0 (double, width *width);
   for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
     QnJsonValue element = qn_json_value_element (&list, index++, item);
@@ -444,7 +444,7 @@ check_levels (const QnJsonValue *root, const QnStudy *study)
     if (qn_parameter_level_count (parameter) == 0)
       return qn_json_value_failf (&element,
                                   _ ("a distribution in a plan \"%s\" needs \"levels\""),
-                                  qn_plan_kind_name (study->plan));
+                                  qn_plan_kind_names[study->plan]);
     if (study->plan == QN_PLAN_ONE_AT_A_TIME && isnan (parameter->base))
       return qn_json_value_failf (
         &element,
@@ -464,7 +464,7 @@ read_plan (const QnJsonValue *root, QnStudy *study)
   int32_t count = 0;
   double seed = study->seed;
   if (!qn_json_value_object (&plan)
-      || !qn_member_choice (&plan, "kind", QN_REQUIRED, qn_plan_kind_name, QN_PLAN_COUNT,
+      || !qn_member_choice (&plan, "kind", QN_REQUIRED, qn_plan_kind_names, QN_PLAN_COUNT,
                             &kind))
     return FALSE;
   qn_json_value_warn_unknown (&plan, keys, G_N_ELEMENTS (keys));
@@ -509,11 +509,11 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
     int output = 0;
     while (output < QN_STUDY_OUTPUT_COUNT
            && (!cJSON_IsString (item)
-               || strcmp (item->valuestring, qn_study_output_name (output)) != 0))
+               || strcmp (item->valuestring, qn_study_output_names[output]) != 0))
       output++;
     if (output == QN_STUDY_OUTPUT_COUNT || !gives (study->run, output))
       return qn_json_value_failf (&element, _ ("a run \"%s\" has no such output"),
-                                  qn_study_run_name (study->run));
+                                  qn_study_run_names[study->run]);
     for (guint i = 0; i < study->outputs->len; i++)
       if ((int) qn_study_output (study, i) == output)
         return qn_json_value_fail (&element, _ ("this output is given twice"));
@@ -546,7 +546,7 @@ read_document (const QnJsonValue *root, const char *path, const char *model_path
   const char *title = NULL;
   int run = 0;
   if (!check_format (root) || !qn_member_string (root, "title", QN_OPTIONAL, &title)
-      || !qn_member_choice (root, "run", QN_REQUIRED, qn_study_run_name,
+      || !qn_member_choice (root, "run", QN_REQUIRED, qn_study_run_names,
                             QN_STUDY_RUN_COUNT, &run))
     return FALSE;
   study->title = g_strdup (title);

@@ -2,53 +2,38 @@
 
 #include <math.h>
 
-const char *
-qn_study_run_name (int run)
-{
-  static const char *const names[QN_STUDY_RUN_COUNT] = {
-    [QN_STUDY_SOLVE] = "solve",
-    [QN_STUDY_LIMIT] = "limit",
-    [QN_STUDY_MODAL] = "modal",
-  };
-  return names[run];
-}
+const char *const qn_study_run_names[QN_STUDY_RUN_COUNT] = {
+  [QN_STUDY_SOLVE] = "solve",
+  [QN_STUDY_LIMIT] = "limit",
+  [QN_STUDY_MODAL] = "modal",
+};
 
-const char *
-qn_plan_kind_name (int kind)
-{
-  static const char *const names[QN_PLAN_COUNT] = {
-    [QN_PLAN_GRID] = "grid",
-    [QN_PLAN_ONE_AT_A_TIME] = "one-at-a-time",
-    [QN_PLAN_MONTE_CARLO] = "monte-carlo",
-    [QN_PLAN_LATIN_HYPERCUBE] = "latin-hypercube",
-    [QN_PLAN_SOBOL] = "sobol",
-  };
-  return names[kind];
-}
+const char *const qn_plan_kind_names[QN_PLAN_COUNT] = {
+  [QN_PLAN_GRID] = "grid",
+  [QN_PLAN_ONE_AT_A_TIME] = "one-at-a-time",
+  [QN_PLAN_MONTE_CARLO] = "monte-carlo",
+  [QN_PLAN_LATIN_HYPERCUBE] = "latin-hypercube",
+  [QN_PLAN_SOBOL] = "sobol",
+};
 
-const char *
-qn_study_output_name (int output)
-{
-  static const char *const names[QN_STUDY_OUTPUT_COUNT] = {
-    [QN_STUDY_COLLAPSE_MULTIPLIER] = "collapse_multiplier",
-    [QN_STUDY_ASSOCIATIVE_MULTIPLIER] = "associative_multiplier",
-    [QN_STUDY_FIRST_LIMIT_MULTIPLIER] = "first_limit_multiplier",
-    [QN_STUDY_LOWER_BOUND] = "lower_bound",
-    [QN_STUDY_UPPER_BOUND] = "upper_bound",
-    [QN_STUDY_MECHANISM_KIND] = "mechanism_kind",
-    [QN_STUDY_LAST_MULTIPLIER] = "last_multiplier",
-    [QN_STUDY_LARGEST_DISPLACEMENT] = "largest_displacement",
-    [QN_STUDY_STEPS] = "steps",
-    [QN_STUDY_ITERATIONS] = "iterations",
-    [QN_STUDY_FREQUENCY_1] = "frequency_1",
-    [QN_STUDY_FREQUENCY_2] = "frequency_2",
-    [QN_STUDY_FREQUENCY_3] = "frequency_3",
-    [QN_STUDY_FREQUENCY_4] = "frequency_4",
-    [QN_STUDY_FREQUENCY_5] = "frequency_5",
-    [QN_STUDY_FREQUENCY_6] = "frequency_6",
-  };
-  return names[output];
-}
+const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
+  [QN_STUDY_COLLAPSE_MULTIPLIER] = "collapse_multiplier",
+  [QN_STUDY_ASSOCIATIVE_MULTIPLIER] = "associative_multiplier",
+  [QN_STUDY_FIRST_LIMIT_MULTIPLIER] = "first_limit_multiplier",
+  [QN_STUDY_LOWER_BOUND] = "lower_bound",
+  [QN_STUDY_UPPER_BOUND] = "upper_bound",
+  [QN_STUDY_MECHANISM_KIND] = "mechanism_kind",
+  [QN_STUDY_LAST_MULTIPLIER] = "last_multiplier",
+  [QN_STUDY_LARGEST_DISPLACEMENT] = "largest_displacement",
+  [QN_STUDY_STEPS] = "steps",
+  [QN_STUDY_ITERATIONS] = "iterations",
+  [QN_STUDY_FREQUENCY_1] = "frequency_1",
+  [QN_STUDY_FREQUENCY_2] = "frequency_2",
+  [QN_STUDY_FREQUENCY_3] = "frequency_3",
+  [QN_STUDY_FREQUENCY_4] = "frequency_4",
+  [QN_STUDY_FREQUENCY_5] = "frequency_5",
+  [QN_STUDY_FREQUENCY_6] = "frequency_6",
+};
 
 gsize
 qn_parameter_level_count (const QnParameter *parameter)

@@ -80,9 +80,9 @@ typedef struct QnStudy {
   GPtrArray *warnings; /* of char *, as those of a project */
 } QnStudy;
 
-const char *qn_study_run_name (int run);
-const char *qn_plan_kind_name (int kind);
-const char *qn_study_output_name (int output);
+extern const char *const qn_study_run_names[QN_STUDY_RUN_COUNT];
+extern const char *const qn_plan_kind_names[QN_PLAN_COUNT];
+extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
 
 /* Reads a study file, and the project that it names relative to its own folder; or that at
  * `model_path`, where this is not NULL. `study` is overwritten without being cleared and holds

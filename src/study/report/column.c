@@ -148,7 +148,7 @@ qn_table_dup_mechanisms (const QnTable *table, gsize *whole)
 {
   GArray *shares = g_array_new (FALSE, FALSE, sizeof (QnMechanismShare));
   g_autoptr (GHashTable) seen = g_hash_table_new (g_str_hash, g_str_equal);
-  int column = qn_table_find (table, qn_study_output_name (QN_STUDY_COLLAPSE_MULTIPLIER));
+  int column = qn_table_find (table, qn_study_output_names[QN_STUDY_COLLAPSE_MULTIPLIER]);
   *whole = 0;
   for (gsize i = 0; i < table->rows->len; i++) {
     char *kind = g_array_index (table->rows, QnRow, i).mechanism;

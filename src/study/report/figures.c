@@ -19,19 +19,14 @@
 /* Half the height of a bar of a tornado, where one is a row. */
 #define HALF_BAR 0.36
 
-const char *
-qn_study_figure_name (int kind)
-{
-  static const char *const names[QN_STUDY_FIGURE_COUNT] = {
-    [QN_STUDY_FIGURE_SCATTER] = "scatter",
-    [QN_STUDY_FIGURE_HISTOGRAM] = "histogram",
-    [QN_STUDY_FIGURE_CUMULATIVE] = "cumulative",
-    [QN_STUDY_FIGURE_TORNADO] = "tornado",
-    [QN_STUDY_FIGURE_SURFACE] = "surface",
-    [QN_STUDY_FIGURE_MECHANISMS] = "mechanisms",
-  };
-  return names[kind];
-}
+const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT] = {
+  [QN_STUDY_FIGURE_SCATTER] = "scatter",
+  [QN_STUDY_FIGURE_HISTOGRAM] = "histogram",
+  [QN_STUDY_FIGURE_CUMULATIVE] = "cumulative",
+  [QN_STUDY_FIGURE_TORNADO] = "tornado",
+  [QN_STUDY_FIGURE_SURFACE] = "surface",
+  [QN_STUDY_FIGURE_MECHANISMS] = "mechanisms",
+};
 
 /* What one export needs. */
 typedef struct Page {

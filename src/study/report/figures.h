@@ -25,7 +25,7 @@ typedef struct QnStudyFigure {
 } QnStudyFigure;
 
 /* Spelling on the command line: "scatter", … */
-const char *qn_study_figure_name (int kind);
+extern const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT];
 
 /* Writes the figure. Errors: QN_IO_ERROR where the table has nothing to show, QN_RENDER_ERROR. */
 gboolean qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,

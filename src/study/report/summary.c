@@ -149,7 +149,7 @@ append_mechanisms (GString *text, const QnTable *table)
 {
   gsize whole;
   g_autoptr (GArray) shares = qn_table_dup_mechanisms (table, &whole);
-  g_string_append_printf (text, "%s\n", qn_study_output_name (QN_STUDY_MECHANISM_KIND));
+  g_string_append_printf (text, "%s\n", qn_study_output_names[QN_STUDY_MECHANISM_KIND]);
   for (guint i = 0; i < shares->len; i++) {
     const QnMechanismShare *share = &g_array_index (shares, QnMechanismShare, i);
     g_string_append_printf (text, "  %-22s %6zu  %6.2f %%", share->kind, share->count,

@@ -68,8 +68,8 @@ const char *
 qn_table_column_name (const QnTable *table, gsize column)
 {
   return column < table->parameters ? qn_study_parameter (table->study, column)->name
-                                    : qn_study_output_name ((int) qn_study_output (
-                                      table->study, column - table->parameters));
+                                    : qn_study_output_names[(int) qn_study_output (
+                                      table->study, column - table->parameters)];
 }
 
 int

@@ -46,10 +46,10 @@ test_names (void)
     "elastic-plastic", "concrete",   "steel",   "curve"
   };
   for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++)
-    g_assert_cmpstr (qn_law_kind_name ((QnLawKind) kind), ==, names[kind]);
-  g_assert_cmpstr (qn_basis_name (QN_BASIS_CONTACT), ==, "contact");
-  g_assert_cmpstr (qn_basis_name (QN_BASIS_SURFACE), ==, "surface");
-  g_assert_cmpstr (qn_basis_name (QN_BASIS_MATERIAL), ==, "material");
+    g_assert_cmpstr (qn_law_kind_names[kind], ==, names[kind]);
+  g_assert_cmpstr (qn_basis_names[QN_BASIS_CONTACT], ==, "contact");
+  g_assert_cmpstr (qn_basis_names[QN_BASIS_SURFACE], ==, "surface");
+  g_assert_cmpstr (qn_basis_names[QN_BASIS_MATERIAL], ==, "material");
 }
 
 static void

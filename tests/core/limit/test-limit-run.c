@@ -107,7 +107,7 @@ test_unbounded (void)
   QnResult result = run (&model);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_UNBOUNDED);
   g_assert_false (result.has_collapse_multiplier);
-  g_assert_cmpstr (qn_outcome_name (result.outcome), ==, "unbounded");
+  g_assert_cmpstr (qn_outcome_names[result.outcome], ==, "unbounded");
   qn_result_clear (&result);
 }
 

@@ -80,9 +80,8 @@ test_names (void)
 {
   for (int i = 0; i < QN_OUTCOME_COUNT; i++)
     for (int j = 0; j < i; j++)
-      g_assert_cmpstr (qn_outcome_name ((QnOutcome) i), !=,
-                       qn_outcome_name ((QnOutcome) j));
-  g_assert_cmpstr (qn_pair_state_name (QN_PAIR_OPEN), ==, "open");
+      g_assert_cmpstr (qn_outcome_names[i], !=, qn_outcome_names[j]);
+  g_assert_cmpstr (qn_pair_state_names[QN_PAIR_OPEN], ==, "open");
 }
 
 int

@@ -135,7 +135,7 @@ test_round_trip (void)
   g_autoptr (GPtrArray) recipes =
     g_ptr_array_new_with_free_func ((GDestroyNotify) qn_recipe_free);
   for (int view = 0; view < QN_VIEW_COUNT; view++) {
-    QnRecipe *recipe = qn_recipe_new (qn_view_name ((QnView) view), (QnView) view);
+    QnRecipe *recipe = qn_recipe_new (qn_view_names[view], (QnView) view);
     recipe->title = g_strdup ("\"quoted\" ä");
     recipe->view.names = view % 2 == 0;
     recipe->view.ghost = view % 2 != 0;

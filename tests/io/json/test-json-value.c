@@ -43,12 +43,7 @@ expect_error (Fixture *fixture, const char *message)
   g_clear_error (&fixture->reader.error);
 }
 
-static const char *
-name_of (int value)
-{
-  static const char *const names[] = { "one", "two" };
-  return names[value];
-}
+static const char *const names[] = { "one", "two" };
 
 static void
 test_values (Fixture *fixture, gconstpointer data)
@@ -69,7 +64,7 @@ test_values (Fixture *fixture, gconstpointer data)
   g_assert_true (flag);
   g_assert_true (qn_member_string (root, "s", QN_REQUIRED, &string));
   g_assert_cmpstr (string, ==, "two");
-  g_assert_true (qn_member_choice (root, "s", QN_REQUIRED, name_of, 2, &choice));
+  g_assert_true (qn_member_choice (root, "s", QN_REQUIRED, names, 2, &choice));
   g_assert_cmpint (choice, ==, 1);
   g_assert_true (qn_member_vec2 (root, "v", QN_REQUIRED, &vector));
   g_assert_cmpfloat (vector.y, ==, 2);
@@ -86,7 +81,7 @@ test_optional (Fixture *fixture, gconstpointer data)
     qn_member_number (&fixture->root, "none", QN_OPTIONAL, QN_RANGE_POSITIVE, &number));
   g_assert_cmpfloat (number, ==, 7);
   g_assert_true (
-    qn_member_choice (&fixture->root, "none", QN_OPTIONAL, name_of, 2, &choice));
+    qn_member_choice (&fixture->root, "none", QN_OPTIONAL, names, 2, &choice));
   g_assert_cmpint (choice, ==, 1);
   g_assert_false (
     qn_member_number (&fixture->root, "none", QN_REQUIRED, QN_RANGE_POSITIVE, &number));
@@ -115,7 +110,7 @@ test_errors (Fixture *fixture, gconstpointer data)
   expect_error (fixture, "f:1:27: h: expected a whole number from 1 to 9");
   g_assert_false (qn_member_count (root, "c", QN_REQUIRED, 2, &count));
   g_clear_error (&fixture->reader.error);
-  g_assert_false (qn_member_choice (root, "s", QN_REQUIRED, name_of, 1, &choice));
+  g_assert_false (qn_member_choice (root, "s", QN_REQUIRED, names, 1, &choice));
   expect_error (fixture, "f:1:37: s: \"two\" is none of one");
   g_assert_false (qn_member_vec2 (root, "w", QN_REQUIRED, &vector));
   expect_error (fixture, "f:2:21: w: expected two numbers");

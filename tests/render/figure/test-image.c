@@ -66,7 +66,7 @@ test_golden (void)
   for (int view = 0; view < QN_VIEW_DIAGRAMS; view++) {
     g_autoptr (QnScene) scene = build (&f, (QnView) view);
     QnCamera camera = fit (scene, WIDTH, HEIGHT);
-    g_autofree char *name = g_strdup_printf ("cairo-%s", qn_view_name ((QnView) view));
+    g_autofree char *name = g_strdup_printf ("cairo-%s", qn_view_names[view]);
     cairo_surface_t *image = draw (scene, &camera, false);
     image_assert_golden (name, image, IMAGE_EXACT);
     cairo_surface_destroy (image);
@@ -113,9 +113,8 @@ compare_with_gl (QnOffscreen *offscreen, const Fixture *f, bool antialias)
     cairo_set_source_surface (cr, drawn, 0, 0);
     cairo_paint (cr);
     cairo_destroy (cr);
-    g_autofree char *name =
-      g_strdup_printf ("%s-%s-%s", offscreen->name, qn_view_name ((QnView) view),
-                       antialias ? "smooth" : "hard");
+    g_autofree char *name = g_strdup_printf (
+      "%s-%s-%s", offscreen->name, qn_view_names[view], antialias ? "smooth" : "hard");
     image_assert_equal (name, out, reference, tolerance);
     cairo_surface_destroy (out);
     cairo_surface_destroy (drawn);
