@@ -117,11 +117,13 @@ load_page (const char *name)
 }
 
 static GtkWidget *
-make_page (const char *name)
+make_page (const char *name, const char *title)
 {
   g_autoptr (GBytes) bytes = load_page (name);
   GtkWidget *view = gtk_text_view_new ();
   GtkTextBuffer *buffer = gtk_text_view_get_buffer (GTK_TEXT_VIEW (view));
+  gtk_accessible_update_property (GTK_ACCESSIBLE (view), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  title, -1);
   gtk_text_buffer_create_tag (buffer, "h1", "scale", 1.6, "weight", PANGO_WEIGHT_BOLD,
                               NULL);
   gtk_text_buffer_create_tag (buffer, "h2", "scale", 1.2, "weight", PANGO_WEIGHT_BOLD,
@@ -163,7 +165,8 @@ qn_help_show (GtkWindow *parent, const char *page)
 {
   GtkWidget *stack = gtk_stack_new ();
   for (gsize i = 0; i < G_N_ELEMENTS (pages); i++)
-    gtk_stack_add_titled (GTK_STACK (stack), make_page (pages[i].name), pages[i].name,
+    gtk_stack_add_titled (GTK_STACK (stack),
+                          make_page (pages[i].name, _ (pages[i].title)), pages[i].name,
                           _ (pages[i].title));
   if (page != NULL)
     gtk_stack_set_visible_child_name (GTK_STACK (stack), page);

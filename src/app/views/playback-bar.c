@@ -207,6 +207,8 @@ build (Bar *bar)
 {
   bar->play = gtk_button_new_from_icon_name ("media-playback-start-symbolic");
   gtk_widget_set_tooltip_text (bar->play, _ ("Play (Space)"));
+  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->play),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Play or pause"), -1);
   gtk_widget_add_css_class (bar->play, "flat");
   g_signal_connect_swapped (bar->play, "clicked", G_CALLBACK (toggle), bar);
 
@@ -228,6 +230,8 @@ build (Bar *bar)
   bar->loop = gtk_toggle_button_new ();
   gtk_button_set_icon_name (GTK_BUTTON (bar->loop), "media-playlist-repeat-symbolic");
   gtk_widget_set_tooltip_text (bar->loop, _ ("Loop"));
+  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->loop),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Loop"), -1);
   gtk_widget_add_css_class (bar->loop, "flat");
   gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->loop), TRUE);
 
@@ -235,6 +239,8 @@ build (Bar *bar)
   bar->speed = gtk_drop_down_new_from_strings (names);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (bar->speed), NORMAL_SPEED);
   gtk_widget_set_tooltip_text (bar->speed, _ ("Speed"));
+  gtk_accessible_update_property (GTK_ACCESSIBLE (bar->speed),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Speed"), -1);
 
   bar->scale = QN_QUANTITY_ENTRY (qn_quantity_entry_new (QN_QUANTITY_NUMBER, 0.0, 1e9));
   gtk_editable_set_width_chars (GTK_EDITABLE (bar->scale), 6);

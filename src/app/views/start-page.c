@@ -118,6 +118,7 @@ add_example (GtkWidget *flow, const char *path)
   gtk_box_append (GTK_BOX (box), gtk_label_new (label));
   gtk_button_set_child (GTK_BUTTON (button), box);
   gtk_widget_add_css_class (button, "flat");
+  gtk_widget_set_tooltip_text (button, _ ("Open a copy of this example"));
   gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-example");
   gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
   gtk_flow_box_insert (GTK_FLOW_BOX (flow), button, -1);

@@ -11,7 +11,8 @@ struct _QnQuantityEntry {
   GtkEntry parent_instance;
   QnQuantity quantity;
   double least, most;
-  double value;
+  double value, previous; /* SI; before the last one was entered */
+  gboolean troubled;
   gulong settings_handler;
 };
 
@@ -20,10 +21,38 @@ G_DEFINE_FINAL_TYPE (QnQuantityEntry, qn_quantity_entry, GTK_TYPE_ENTRY)
 enum { SIGNAL_COMMITTED, SIGNAL_COUNT };
 static guint signals[SIGNAL_COUNT];
 
+enum { PROPERTY_QUANTITY = 1, PROPERTY_LEAST, PROPERTY_MOST };
+
+/* Quantities as .ui files name them. */
+static GType
+quantity_type (void)
+{
+  static const GEnumValue values[] = {
+    { QN_QUANTITY_NUMBER, "QN_QUANTITY_NUMBER", "number" },
+    { QN_QUANTITY_LENGTH, "QN_QUANTITY_LENGTH", "length" },
+    { QN_QUANTITY_ANGLE, "QN_QUANTITY_ANGLE", "angle" },
+    { QN_QUANTITY_FORCE, "QN_QUANTITY_FORCE", "force" },
+    { QN_QUANTITY_MOMENT, "QN_QUANTITY_MOMENT", "moment" },
+    { QN_QUANTITY_STRESS, "QN_QUANTITY_STRESS", "stress" },
+    { QN_QUANTITY_STIFFNESS, "QN_QUANTITY_STIFFNESS", "stiffness" },
+    { QN_QUANTITY_SURFACE_STIFFNESS, "QN_QUANTITY_SURFACE_STIFFNESS",
+      "surface-stiffness" },
+    { QN_QUANTITY_UNIT_WEIGHT, "QN_QUANTITY_UNIT_WEIGHT", "unit-weight" },
+    { QN_QUANTITY_DENSITY, "QN_QUANTITY_DENSITY", "density" },
+    { QN_QUANTITY_TIME, "QN_QUANTITY_TIME", "time" },
+    { 0, NULL, NULL }
+  };
+  static GType type;
+  if (type == 0)
+    type = g_enum_register_static ("QnQuantity", values);
+  return type;
+}
+
 static void
 set_trouble (QnQuantityEntry *self, const char *message)
 {
   GtkWidget *widget = GTK_WIDGET (self);
+  self->troubled = message != NULL;
   gtk_widget_set_tooltip_text (widget, message);
   if (message != NULL)
     gtk_widget_add_css_class (widget, "error");
@@ -69,6 +98,7 @@ commit (QnQuantityEntry *self)
     set_trouble (self, message);
     return;
   }
+  self->previous = self->value;
   self->value = value;
   show_value (self);
   g_signal_emit (self, signals[SIGNAL_COMMITTED], 0);
@@ -95,6 +125,21 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
 }
 
 static void
+qn_quantity_entry_set_property (GObject *object, guint id, const GValue *value,
+                                GParamSpec *pspec)
+{
+  QnQuantityEntry *self = QN_QUANTITY_ENTRY (object);
+  if (id == PROPERTY_QUANTITY)
+    qn_quantity_entry_set_quantity (self, (QnQuantity) g_value_get_enum (value));
+  else if (id == PROPERTY_LEAST)
+    self->least = g_value_get_double (value);
+  else if (id == PROPERTY_MOST)
+    self->most = g_value_get_double (value);
+  else
+    G_OBJECT_WARN_INVALID_PROPERTY_ID (object, id, pspec);
+}
+
+static void
 qn_quantity_entry_dispose (GObject *object)
 {
   QnQuantityEntry *self = QN_QUANTITY_ENTRY (object);
@@ -105,7 +150,21 @@ qn_quantity_entry_dispose (GObject *object)
 static void
 qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
 {
-  G_OBJECT_CLASS (klass)->dispose = qn_quantity_entry_dispose;
+  GObjectClass *object_class = G_OBJECT_CLASS (klass);
+  object_class->dispose = qn_quantity_entry_dispose;
+  object_class->set_property = qn_quantity_entry_set_property;
+  g_object_class_install_property (
+    object_class, PROPERTY_QUANTITY,
+    g_param_spec_enum ("quantity", NULL, NULL, quantity_type (), QN_QUANTITY_NUMBER,
+                       G_PARAM_WRITABLE));
+  g_object_class_install_property (object_class, PROPERTY_LEAST,
+                                   g_param_spec_double ("least", NULL, NULL, -INFINITY,
+                                                        INFINITY, -INFINITY,
+                                                        G_PARAM_WRITABLE));
+  g_object_class_install_property (object_class, PROPERTY_MOST,
+                                   g_param_spec_double ("most", NULL, NULL, -INFINITY,
+                                                        INFINITY, INFINITY,
+                                                        G_PARAM_WRITABLE));
   signals[SIGNAL_COMMITTED] =
     g_signal_new ("committed", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
                   NULL, G_TYPE_NONE, 0);
@@ -114,6 +173,8 @@ qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
 static void
 qn_quantity_entry_init (QnQuantityEntry *self)
 {
+  self->least = -INFINITY;
+  self->most = INFINITY;
   gtk_editable_set_width_chars (GTK_EDITABLE (self), WIDTH_CHARS);
   gtk_editable_set_max_width_chars (GTK_EDITABLE (self), WIDTH_CHARS);
   gtk_editable_set_alignment (GTK_EDITABLE (self), 1.0f);
@@ -129,17 +190,30 @@ qn_quantity_entry_init (QnQuantityEntry *self)
   gtk_widget_add_controller (GTK_WIDGET (self), key);
   self->settings_handler = g_signal_connect_swapped (qn_settings_get (), "changed",
                                                      G_CALLBACK (show_value), self);
+  show_value (self);
 }
 
 GtkWidget *
 qn_quantity_entry_new (QnQuantity quantity, double least, double most)
 {
-  QnQuantityEntry *self = g_object_new (QN_TYPE_QUANTITY_ENTRY, NULL);
+  return g_object_new (QN_TYPE_QUANTITY_ENTRY, "quantity", quantity, "least", least,
+                       "most", most, NULL);
+}
+
+void
+qn_quantity_entry_set_quantity (QnQuantityEntry *self, QnQuantity quantity)
+{
+  if (self->quantity == quantity)
+    return;
   self->quantity = quantity;
-  self->least = least;
-  self->most = most;
   show_value (self);
-  return GTK_WIDGET (self);
+}
+
+void
+qn_quantity_entry_refuse (QnQuantityEntry *self, const char *message)
+{
+  self->value = self->previous;
+  set_trouble (self, message);
 }
 
 double
@@ -151,7 +225,7 @@ qn_quantity_entry_get_value (QnQuantityEntry *self)
 void
 qn_quantity_entry_set_value (QnQuantityEntry *self, double value)
 {
-  if (self->value == value)
+  if (self->value == value && !self->troubled)
     return;
   self->value = value;
   show_value (self);

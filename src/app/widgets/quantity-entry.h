@@ -1,7 +1,8 @@
 /* An entry for a quantity: shows its unit, accepts any other, and says what is wrong.
  *
  * Emits "committed" when the user has entered a new, valid value (Enter, or leaving the
- * field). What cannot be read, or lies outside of the limits, is marked and not committed. */
+ * field). What cannot be read, or lies outside of the limits, is marked and not committed.
+ * Properties of .ui files: "quantity" (length, stress, …), "least", "most". */
 #ifndef QN_APP_QUANTITY_ENTRY_H
 #define QN_APP_QUANTITY_ENTRY_H
 
@@ -13,6 +14,12 @@ G_DECLARE_FINAL_TYPE (QnQuantityEntry, qn_quantity_entry, QN, QUANTITY_ENTRY, Gt
 
 /* Values outside of least .. most are refused. */
 GtkWidget *qn_quantity_entry_new (QnQuantity quantity, double least, double most);
+
+/* What its number is, where that depends on something else. */
+void qn_quantity_entry_set_quantity (QnQuantityEntry *entry, QnQuantity quantity);
+
+/* The value that was committed last is not taken: what was typed stays, with the reason. */
+void qn_quantity_entry_refuse (QnQuantityEntry *entry, const char *message);
 
 double qn_quantity_entry_get_value (QnQuantityEntry *entry); /* SI */
 void qn_quantity_entry_set_value (QnQuantityEntry *entry, double value);

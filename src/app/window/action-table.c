@@ -286,6 +286,9 @@ qn_action_complete_tooltips (GtkWidget *widget)
   const char *name = GTK_IS_ACTIONABLE (widget)
                        ? gtk_actionable_get_action_name (GTK_ACTIONABLE (widget))
                        : NULL;
+  if (text != NULL && (GTK_IS_BUTTON (widget) || GTK_IS_MENU_BUTTON (widget)))
+    gtk_accessible_update_property (GTK_ACCESSIBLE (widget),
+                                    GTK_ACCESSIBLE_PROPERTY_LABEL, text, -1);
   if (text != NULL && name != NULL) {
     GVariant *target = gtk_actionable_get_action_target_value (GTK_ACTIONABLE (widget));
     g_autofree char *detailed = g_action_print_detailed_name (name, target);

@@ -1,0 +1,414 @@
+#include "app/forms/bound-form.h"
+
+#include "app/widgets/quantity-entry.h"
+#include "app/widgets/row.h"
+#include "core/base/integer.h"
+#include <glib/gi18n.h>
+#include <string.h>
+
+/* Characters of a choice that are shown in any case. */
+#define CHOICE_CHARS 16
+
+/* ---- values ---- */
+
+int
+qn_value_int (const QnValue *value)
+{
+  return (int) qn_to_integer (value->number, 0, G_MAXINT32);
+}
+
+void
+qn_value_set_laws (QnValue *value, const QnModel *model, const char *first, QnId law)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  if (first != NULL)
+    g_strv_builder_add (names, first);
+  for (gsize i = 0; i < model->law_count; i++)
+    g_strv_builder_add (names, model->laws[i].name);
+  value->rows = g_strv_builder_end (names);
+  value->number = law == QN_NONE ? 0 : law + (first != NULL ? 1 : 0);
+}
+
+QnId
+qn_value_get_law (const QnValue *value)
+{
+  return value->number > 0.0 ? (QnId) value->number - 1 : QN_NONE;
+}
+
+static void
+value_clear (QnValue *value)
+{
+  g_free (value->text);
+  g_strfreev (value->rows);
+}
+
+/* ---- showing ---- */
+
+static void
+on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer shortened)
+{
+  (void) factory;
+  GtkWidget *label = gtk_label_new (NULL);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  if (shortened != NULL) {
+    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    gtk_label_set_width_chars (GTK_LABEL (label), CHOICE_CHARS);
+  }
+  gtk_list_item_set_child (item, label);
+}
+
+static void
+on_bind_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
+{
+  (void) factory;
+  (void) data;
+  GtkStringObject *row = gtk_list_item_get_item (item);
+  gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)),
+                      gtk_string_object_get_string (row));
+}
+
+static GtkListItemFactory *
+make_choice_factory (gboolean shortened)
+{
+  GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
+  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_choice),
+                    GINT_TO_POINTER (shortened));
+  g_signal_connect (factory, "bind", G_CALLBACK (on_bind_choice), NULL);
+  return factory;
+}
+
+/* Long names are cut short in the button, not in the list. */
+static void
+prepare_choice (GtkDropDown *choice)
+{
+  g_autoptr (GtkListItemFactory) button = make_choice_factory (TRUE);
+  g_autoptr (GtkListItemFactory) list = make_choice_factory (FALSE);
+  gtk_drop_down_set_factory (choice, button);
+  gtk_drop_down_set_list_factory (choice, list);
+}
+
+static gboolean
+has_rows (GListModel *model, char **rows)
+{
+  guint count = model != NULL ? g_list_model_get_n_items (model) : 0;
+  if (count != g_strv_length (rows))
+    return FALSE;
+  for (guint i = 0; i < count; i++)
+    if (!g_str_equal (gtk_string_list_get_string (GTK_STRING_LIST (model), i), rows[i]))
+      return FALSE;
+  return TRUE;
+}
+
+static void
+show_choice (GtkDropDown *choice, const QnValue *value)
+{
+  if (value->rows != NULL && !has_rows (gtk_drop_down_get_model (choice), value->rows)) {
+    g_autoptr (GtkStringList) list =
+      gtk_string_list_new ((const char *const *) value->rows);
+    gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
+  }
+  guint row = value->number < 0.0 ? GTK_INVALID_LIST_POSITION : (guint) value->number;
+  gtk_drop_down_set_selected (choice, row);
+}
+
+static void
+show_list (GtkListBox *list, const QnValue *value)
+{
+  GtkWidget *child = gtk_widget_get_first_child (GTK_WIDGET (list));
+  for (char **row = value->rows; row != NULL && *row != NULL; row++) {
+    if (child == NULL) {
+      GtkWidget *label = gtk_label_new (NULL);
+      gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+      gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+      gtk_list_box_append (list, label);
+      child = gtk_widget_get_last_child (GTK_WIDGET (list));
+    }
+    GtkWidget *label = gtk_list_box_row_get_child (GTK_LIST_BOX_ROW (child));
+    gtk_label_set_text (GTK_LABEL (label), *row);
+    gtk_widget_set_tooltip_text (label, *row);
+    child = gtk_widget_get_next_sibling (child);
+  }
+  while (child != NULL) {
+    GtkWidget *next = gtk_widget_get_next_sibling (child);
+    gtk_list_box_remove (list, child);
+    child = next;
+  }
+  gtk_list_box_select_row (list, value->number < 0.0 ? NULL
+                                                     : gtk_list_box_get_row_at_index (
+                                                       list, (int) value->number));
+  GtkWidget *scroller =
+    gtk_widget_get_ancestor (GTK_WIDGET (list), GTK_TYPE_SCROLLED_WINDOW);
+  if (scroller != NULL && gtk_widget_has_css_class (scroller, "frame"))
+    gtk_widget_set_visible (scroller, value->rows != NULL && value->rows[0] != NULL);
+}
+
+static void
+show_text (GtkEditable *entry, const char *text)
+{
+  if (!g_str_equal (gtk_editable_get_text (entry), text))
+    gtk_editable_set_text (entry, text);
+}
+
+static void
+show_value (GtkWidget *widget, const QnValue *value)
+{
+  gboolean on = value->number != 0.0;
+  if (QN_IS_QUANTITY_ENTRY (widget))
+    qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (widget), value->number);
+  else if (GTK_IS_DROP_DOWN (widget))
+    show_choice (GTK_DROP_DOWN (widget), value);
+  else if (GTK_IS_LIST_BOX (widget))
+    show_list (GTK_LIST_BOX (widget), value);
+  else if (GTK_IS_CHECK_BUTTON (widget)) {
+    gtk_check_button_set_active (GTK_CHECK_BUTTON (widget), on && !value->mixed);
+    gtk_check_button_set_inconsistent (GTK_CHECK_BUTTON (widget), value->mixed);
+    if (value->text != NULL)
+      gtk_check_button_set_label (GTK_CHECK_BUTTON (widget), value->text);
+  } else if (GTK_IS_SWITCH (widget))
+    gtk_switch_set_active (GTK_SWITCH (widget), on);
+  else if (GTK_IS_RANGE (widget))
+    gtk_range_set_value (GTK_RANGE (widget), value->number);
+  else if (GTK_IS_LABEL (widget))
+    gtk_label_set_text (GTK_LABEL (widget), value->text != NULL ? value->text : "");
+  else if (GTK_IS_EDITABLE (widget)) {
+    show_text (GTK_EDITABLE (widget), value->text != NULL ? value->text : "");
+    gtk_widget_remove_css_class (widget, "error");
+  }
+  gtk_widget_set_sensitive (widget, !value->disabled);
+}
+
+GtkWidget *
+qn_bound_form_show (gpointer data)
+{
+  QnBoundForm *form = data;
+  if (form->showing)
+    return form->root;
+  form->showing = TRUE;
+  gboolean there = form->kind->look == NULL || form->kind->look (form);
+  if (!GTK_IS_WINDOW (form->root))
+    gtk_widget_set_visible (form->root, there);
+  for (guint field = 0; there && form->widgets[field] != NULL; field++) {
+    QnValue value = { 0 };
+    gboolean shown = form->kind->show (form, field, &value);
+    gtk_widget_set_visible (form->widgets[field], shown);
+    if (shown)
+      show_value (form->widgets[field], &value);
+    value_clear (&value);
+  }
+  form->showing = FALSE;
+  return form->root;
+}
+
+/* ---- taking ---- */
+
+static QnValue
+take_value (GtkWidget *widget)
+{
+  QnValue value = { 0 };
+  if (QN_IS_QUANTITY_ENTRY (widget))
+    value.number = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (widget));
+  else if (GTK_IS_DROP_DOWN (widget)) {
+    guint row = gtk_drop_down_get_selected (GTK_DROP_DOWN (widget));
+    value.number = row == GTK_INVALID_LIST_POSITION ? -1.0 : row;
+  } else if (GTK_IS_LIST_BOX (widget)) {
+    GtkListBoxRow *row = gtk_list_box_get_selected_row (GTK_LIST_BOX (widget));
+    value.number = row != NULL ? gtk_list_box_row_get_index (row) : -1;
+  } else if (GTK_IS_CHECK_BUTTON (widget))
+    value.number = gtk_check_button_get_active (GTK_CHECK_BUTTON (widget));
+  else if (GTK_IS_SWITCH (widget))
+    value.number = gtk_switch_get_active (GTK_SWITCH (widget));
+  else if (GTK_IS_RANGE (widget))
+    value.number = gtk_range_get_value (GTK_RANGE (widget));
+  else if (GTK_IS_EDITABLE (widget))
+    value.text = g_strdup (gtk_editable_get_text (GTK_EDITABLE (widget)));
+  return value;
+}
+
+double
+qn_bound_form_get_number (gpointer data, guint field)
+{
+  const QnBoundForm *form = data;
+  return take_value (form->widgets[field]).number;
+}
+
+typedef struct Entered {
+  QnBoundForm *form;
+  guint field;
+  QnValue value;
+} Entered;
+
+static gboolean
+edit (QnProject *draft, gpointer data, GError **error)
+{
+  const Entered *entered = data;
+  return entered->form->kind->take (entered->form, draft, entered->field, &entered->value,
+                                    error);
+}
+
+/* What was typed stays, with the reason beside it; what was chosen is as before. */
+static void
+refuse (QnBoundForm *form, GtkWidget *widget, const GError *error)
+{
+  if (QN_IS_QUANTITY_ENTRY (widget) && error != NULL)
+    qn_quantity_entry_refuse (QN_QUANTITY_ENTRY (widget), error->message);
+  else if (GTK_IS_ENTRY (widget) && error != NULL) {
+    gtk_widget_add_css_class (widget, "error");
+    gtk_widget_set_tooltip_text (widget, error->message);
+  } else
+    qn_bound_form_show (form);
+  if (error != NULL && form->canvas != NULL)
+    qn_canvas_tell (form->canvas, error->message);
+}
+
+/* "Change %s" of the row "_Width". */
+static char *
+dup_step (const char *step, GtkWidget *widget)
+{
+  const char *gap = strstr (step, "%s");
+  GtkWidget *row = gap != NULL ? gtk_widget_get_ancestor (widget, QN_TYPE_ROW) : NULL;
+  if (row == NULL)
+    return g_strdup (step);
+  g_autofree char *label = qn_row_dup_name (QN_ROW (row));
+  return g_strdup_printf ("%.*s%s%s", (int) (gap - step), step, label, gap + 2);
+}
+
+static void
+on_entered (GtkWidget *widget, QnBoundForm *form)
+{
+  if (form->showing || gtk_widget_in_destruction (form->root))
+    return;
+  g_autoptr (GError) error = NULL;
+  Entered entered = { .form = form, .value = take_value (widget) };
+  while (form->widgets[entered.field] != widget)
+    entered.field++;
+  const QnFormKind *kind = form->kind;
+  gboolean is_row = entered.field >= kind->field_count;
+  const char *name = is_row ? kind->row_step (entered.field - kind->field_count)
+                            : kind->fields[entered.field].step;
+  const char *key = is_row ? NULL : kind->fields[entered.field].key;
+  gboolean done;
+  if (name != NULL) {
+    g_autofree char *step = dup_step (is_row ? name : _ (name), widget);
+    done = qn_document_edit_project (qn_canvas_get_document (form->canvas), step, key,
+                                     edit, &entered, &error);
+  } else
+    done = kind->take (form, NULL, entered.field, &entered.value, &error);
+  if (done)
+    qn_bound_form_show (form);
+  else
+    refuse (form, widget, error);
+  value_clear (&entered.value);
+}
+
+static void
+on_notify (GtkWidget *widget, GParamSpec *pspec, QnBoundForm *form)
+{
+  (void) pspec;
+  on_entered (widget, form);
+}
+
+static void
+on_row_selected (GtkWidget *widget, GtkListBoxRow *row, QnBoundForm *form)
+{
+  (void) row;
+  on_entered (widget, form);
+}
+
+static void
+connect (QnBoundForm *form, GtkWidget *widget)
+{
+  static const struct {
+    GType (*type) (void);
+    const char *signal;
+    GCallback callback;
+  } signals[] = {
+    { qn_quantity_entry_get_type, "committed", G_CALLBACK (on_entered) },
+    { gtk_drop_down_get_type, "notify::selected", G_CALLBACK (on_notify) },
+    { gtk_list_box_get_type, "row-selected", G_CALLBACK (on_row_selected) },
+    { gtk_check_button_get_type, "toggled", G_CALLBACK (on_entered) },
+    { gtk_switch_get_type, "notify::active", G_CALLBACK (on_notify) },
+    { gtk_range_get_type, "value-changed", G_CALLBACK (on_entered) },
+    { gtk_entry_get_type, "activate", G_CALLBACK (on_entered) },
+    { gtk_button_get_type, "clicked", G_CALLBACK (on_entered) },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
+    if (g_type_is_a (G_OBJECT_TYPE (widget), signals[i].type ())) {
+      g_signal_connect (widget, signals[i].signal, signals[i].callback, form);
+      return;
+    }
+}
+
+/* ---- life ---- */
+
+static void
+on_gone (gpointer data, GObject *root)
+{
+  QnBoundForm *form = data;
+  (void) root;
+  g_free (form->widgets);
+  g_free (form);
+}
+
+/* The fields of all rows below a widget are equally wide. */
+static void
+align_rows (GtkWidget *widget, GtkSizeGroup *group)
+{
+  if (QN_IS_ROW (widget))
+    gtk_size_group_add_widget (group, qn_row_get_field (QN_ROW (widget)));
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    align_rows (child, group);
+}
+
+static void
+follow (QnBoundForm *form, gpointer object, const char *signal)
+{
+  GClosure *closure = g_cclosure_new_swap (G_CALLBACK (qn_bound_form_show), form, NULL);
+  g_object_watch_closure (G_OBJECT (form->root), closure);
+  g_signal_connect_closure (object, signal, closure, FALSE);
+}
+
+gpointer
+qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
+{
+  g_autofree char *path = g_strdup_printf ("/io/github/quoin/Quoin/%s.ui", kind->name);
+  g_type_ensure (QN_TYPE_ROW);
+  g_type_ensure (QN_TYPE_QUANTITY_ENTRY);
+  g_autoptr (GtkBuilder) builder = gtk_builder_new_from_resource (path);
+  QnBoundForm *form = g_malloc0 (kind->size);
+  form->kind = kind;
+  form->canvas = canvas;
+  form->root = GTK_WIDGET (gtk_builder_get_object (builder, "form"));
+  form->widgets = g_new0 (GtkWidget *, kind->field_count + kind->row_count + 1);
+  for (guint i = 0; i < kind->field_count; i++) {
+    GtkWidget *widget = GTK_WIDGET (gtk_builder_get_object (builder, kind->fields[i].id));
+    form->widgets[i] = widget;
+    if (GTK_IS_DROP_DOWN (widget))
+      prepare_choice (GTK_DROP_DOWN (widget));
+    connect (form, widget);
+  }
+  for (guint i = 0; i < kind->row_count; i++) {
+    const QnFieldInfo *info = kind->row_info (i);
+    GtkWidget *entry = qn_quantity_entry_new (info->quantity, info->least, info->most);
+    gtk_box_append (GTK_BOX (gtk_builder_get_object (builder, "rows")),
+                    qn_row_new (_ (info->label), entry));
+    form->widgets[kind->field_count + i] = entry;
+    connect (form, entry);
+  }
+  g_autoptr (GtkSizeGroup) group = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
+  align_rows (form->root, group);
+  g_object_weak_ref (G_OBJECT (form->root), on_gone, form);
+  /* A window is kept by GTK, anything else by the parent that it gets. */
+  if (!GTK_IS_WINDOW (form->root))
+    g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
+  if (canvas != NULL) {
+    follow (form, qn_canvas_get_document (canvas), "changed");
+    if ((kind->follows & QN_FOLLOW_SELECTION) != 0)
+      follow (form, qn_canvas_get_selection (canvas), "changed");
+    if ((kind->follows & QN_FOLLOW_RUNS) != 0)
+      follow (form, qn_canvas_get_document (canvas), "runs-changed");
+    if ((kind->follows & QN_FOLLOW_VIEW) != 0)
+      follow (form, qn_canvas_get_state (canvas), "changed");
+  }
+  return form;
+}

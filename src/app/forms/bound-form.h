@@ -1,0 +1,102 @@
+/* Forms made of a file ui/<name>.ui, with fields that are bound to values.
+ *
+ * The .ui file has the widgets with labels, limits and tooltips. A form lists the ids of those that
+ * show or take something, says what each shows, and does with a new value what is to be done. The
+ * rest is the same for all forms: they follow the document and the selection; a new value becomes
+ * one step of the history; where it is refused the field says why.
+ *
+ * How widgets show a value: QnQuantityEntry its number; GtkDropDown, GtkListBox the row; check
+ * buttons, switches, toggle buttons whether they are on; scales and spin buttons their number;
+ * entries and labels the text. Plain buttons and lists call with no value but the row. */
+#ifndef QN_APP_BOUND_FORM_H
+#define QN_APP_BOUND_FORM_H
+
+#include "app/canvas/canvas.h"
+#include "doc/masonry/masonry-field.h"
+
+/* What a field shows, or what the user has entered. Zeroed to begin with. */
+typedef struct QnValue {
+  double number;  /* in SI; row of a choice or a list, -1 for none; 1 for on */
+  char *text;     /* owned */
+  char **rows;    /* of a choice or a list, anew; owned; NULL: as they are in the file */
+  gboolean mixed; /* a check that is on for some of what is selected */
+  gboolean disabled; /* shown, but not to be used now */
+} QnValue;
+
+/* The number as a whole one, of 0 or more; as a row, and whether it is on. */
+int qn_value_int (const QnValue *value);
+
+/* Names of laws as rows, with `first` (nullable) before them for none, and the row of `law`; the law
+ * of such a row. */
+void qn_value_set_laws (QnValue *value, const QnModel *model, const char *first,
+                        QnId law);
+QnId qn_value_get_law (const QnValue *value);
+
+typedef struct QnFormField {
+  const char *id; /* in the .ui file */
+  /* Name of the undo step, to be translated; "%s" in it stands for the label of the row. NULL: a new
+   * value is the form's own and changes no document. */
+  const char *step;
+  const char *key; /* steps of the same key merge while a gesture lasts, or NULL */
+} QnFormField;
+
+typedef struct QnBoundForm QnBoundForm;
+
+typedef enum {
+  QN_FOLLOW_SELECTION = 1 << 0,
+  QN_FOLLOW_RUNS = 1 << 1,
+  QN_FOLLOW_VIEW = 1 << 2 /* what the view state shows, such as the step */
+} QnFollow;
+
+typedef struct QnFormKind {
+  const char *name; /* of the file */
+  gsize size;       /* of the struct that begins with a QnBoundForm */
+  const QnFormField *fields;
+  guint field_count;
+  /* Numbers behind these fields, each with a row in the box "rows" of the file: how many, what they
+   * are, and the names of their steps, translated. */
+  guint row_count;
+  const QnFieldInfo *(*row_info) (guint row);
+  const char *(*row_step) (guint row);
+  QnFollow follows; /* besides the model */
+  /* Looks at what the form is about; FALSE: nothing, the form hides. NULL: always shown. */
+  gboolean (*look) (gpointer form);
+  /* What a field shows; FALSE: its row hides. */
+  gboolean (*show) (gpointer form, guint field, QnValue *value);
+  /* Takes a new value into `draft`, or, for fields without a step, into the form (draft: NULL). FALSE
+   * with an error refuses it; without one it is silently as before. */
+  gboolean (*take) (gpointer form, QnProject *draft, guint field, const QnValue *value,
+                    GError **error);
+} QnFormKind;
+
+/* One with the functions `look`, `show`, `take` and the array `fields` of its source; and with
+ * `row_info` and `row_step` as well. */
+#define QN_FORM_KIND(file, type, flags)                                                  \
+  QN_FORM_KIND_WITH (file, type, flags, 0, NULL, NULL)
+#define QN_FORM_KIND_WITH_ROWS(file, type, flags, count)                                 \
+  QN_FORM_KIND_WITH (file, type, flags, count, row_info, row_step)
+#define QN_FORM_KIND_WITH(file, type, flags, count, info, step)                          \
+  {                                                                                      \
+    file, sizeof (type), fields, G_N_ELEMENTS (fields), count, info, step, flags, look,  \
+      show, take                                                                         \
+  }
+
+struct QnBoundForm {
+  const QnFormKind *kind;
+  QnCanvas *canvas; /* NULL in dialogs */
+  GtkWidget *root;  /* "form" of the .ui file */
+  GtkWidget **widgets;
+  gboolean showing; /* values are being shown: nobody has entered them */
+};
+
+/* A form of that kind; its struct lives as long as its root. `canvas` is NULL for dialogs, whose
+ * fields have no steps. Shows nothing before qn_bound_form_show(). */
+gpointer qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas);
+
+/* Makes all fields show their values. Returns the root. */
+GtkWidget *qn_bound_form_show (gpointer form);
+
+/* As entered by the user: the number of a field, or its text. */
+double qn_bound_form_get_number (gpointer form, guint field);
+
+#endif

@@ -1,0 +1,18 @@
+/* A row of a form: a label with a mnemonic, and the field that it names, also for screen readers.
+ * Shown exactly while its field is. Properties: "label", "field". */
+#ifndef QN_APP_ROW_H
+#define QN_APP_ROW_H
+
+#include <gtk/gtk.h>
+
+#define QN_TYPE_ROW (qn_row_get_type ())
+G_DECLARE_FINAL_TYPE (QnRow, qn_row, QN, ROW, GtkBox)
+
+GtkWidget *qn_row_new (const char *label, GtkWidget *field);
+
+GtkWidget *qn_row_get_field (QnRow *row);
+
+/* Its label without the mark of the mnemonic; the caller frees it. */
+char *qn_row_dup_name (QnRow *row);
+
+#endif

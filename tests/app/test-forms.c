@@ -1,0 +1,233 @@
+/* The forms and dialogs one after the other: whatever a user can press or fill in has a name for
+ * screen readers, and an icon says besides what it does. Pictures of all are kept for the eye. */
+#include "driver.h"
+
+#include "app/widgets/quantity-entry.h"
+
+/* What GTK makes of its own inside of other widgets, which those name. */
+static gboolean
+is_inside (GtkWidget *widget)
+{
+  GtkWidget *parent = gtk_widget_get_parent (widget);
+  return parent != NULL
+         && (GTK_IS_DROP_DOWN (parent) || GTK_IS_MENU_BUTTON (parent)
+             || GTK_IS_WINDOW_CONTROLS (parent) || GTK_IS_SPIN_BUTTON (parent)
+             || GTK_IS_SWITCH (parent) || GTK_IS_STACK_SWITCHER (parent)
+             || GTK_IS_POPOVER (gtk_widget_get_ancestor (widget, GTK_TYPE_POPOVER))
+             || g_str_has_prefix (G_OBJECT_TYPE_NAME (parent), "GtkColumnView")
+             || GTK_IS_COLUMN_VIEW (
+               gtk_widget_get_ancestor (widget, GTK_TYPE_COLUMN_VIEW))
+             || gtk_widget_get_ancestor (widget, GTK_TYPE_INFO_BAR) != NULL);
+}
+
+static gboolean
+is_label_with_text (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_LABEL (widget) && *gtk_label_get_text (GTK_LABEL (widget)) != '\0';
+}
+
+static gboolean
+is_icon (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_IMAGE (widget) || GTK_IS_PICTURE (widget);
+}
+
+static gboolean
+has_name (GtkWidget *widget)
+{
+  GtkAccessible *accessible = GTK_ACCESSIBLE (widget);
+  return gtk_test_accessible_has_property (accessible, GTK_ACCESSIBLE_PROPERTY_LABEL)
+         || gtk_test_accessible_has_relation (accessible,
+                                              GTK_ACCESSIBLE_RELATION_LABELLED_BY);
+}
+
+static gboolean
+has_description (GtkWidget *widget)
+{
+  return gtk_widget_get_tooltip_text (widget) != NULL
+         || gtk_test_accessible_has_property (GTK_ACCESSIBLE (widget),
+                                              GTK_ACCESSIBLE_PROPERTY_DESCRIPTION);
+}
+
+static void
+complain (GtkWidget *widget, const char *what, const char *lacks)
+{
+  GString *path = g_string_new (NULL);
+  for (GtkWidget *w = widget; w != NULL; w = gtk_widget_get_parent (w))
+    g_string_append_printf (path, "%s%s", path->len > 0 ? " in " : "",
+                            G_OBJECT_TYPE_NAME (w));
+  const char *action = GTK_IS_ACTIONABLE (widget)
+                         ? gtk_actionable_get_action_name (GTK_ACTIONABLE (widget))
+                         : NULL;
+  const char *tooltip = gtk_widget_get_tooltip_text (widget);
+  g_test_message ("%s: no %s: %s, action %s, tooltip %s", what, lacks, path->str,
+                  action != NULL ? action : "none", tooltip != NULL ? tooltip : "none");
+  g_string_free (path, TRUE);
+  g_test_fail ();
+}
+
+static void
+walk (GtkWidget *widget, const char *what)
+{
+  gboolean button = GTK_IS_BUTTON (widget) || GTK_IS_MENU_BUTTON (widget);
+  gboolean field = GTK_IS_ENTRY (widget) || GTK_IS_DROP_DOWN (widget)
+                   || GTK_IS_SWITCH (widget) || GTK_IS_SCALE (widget)
+                   || GTK_IS_SPIN_BUTTON (widget) || GTK_IS_LIST_BOX (widget)
+                   || GTK_IS_DRAWING_AREA (widget) || GTK_IS_TEXT_VIEW (widget)
+                   || GTK_IS_COLUMN_VIEW (widget) || QN_IS_CANVAS (widget);
+  if ((button || field) && !is_inside (widget)) {
+    gboolean text =
+      button && driver_find_widget (widget, is_label_with_text, NULL) != NULL;
+    gboolean icon = button && driver_find_widget (widget, is_icon, NULL) != NULL;
+    /* GTK says of an icon that it names its button, and nothing of the icon. */
+    gboolean named = icon ? gtk_test_accessible_has_property (
+                       GTK_ACCESSIBLE (widget), GTK_ACCESSIBLE_PROPERTY_LABEL)
+                          : has_name (widget);
+    if (!text && !named)
+      complain (widget, what, "name");
+    if (button && icon && !has_description (widget))
+      complain (widget, what, "description");
+  }
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    walk (child, what);
+}
+
+/* Panels do not scroll away what the picture is about. */
+static void
+expand_all (GtkWidget *widget)
+{
+  if (GTK_IS_EXPANDER (widget))
+    gtk_expander_set_expanded (GTK_EXPANDER (widget), TRUE);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    expand_all (child);
+}
+
+static void
+look_at (GtkWidget *root, const char *what)
+{
+  driver_run (200);
+  g_autofree char *name = g_strdup_printf ("form-%s", what);
+  driver_screenshot (root, name);
+  walk (root, what);
+}
+
+typedef struct State {
+  const char *name, *example, *panel;
+  const char *tool; /* or NULL */
+  int block, beam, face, opening;
+  const char *run; /* an action before, or NULL */
+} State;
+
+static const State states[] = {
+  { "start", NULL, NULL, NULL, -1, -1, -1, -1, NULL },
+  { "block", "05-stack.quoin", "properties", NULL, 1, -1, -1, -1, NULL },
+  { "wall", "ferris-tin-loi/wall1.quoin", "properties", NULL, 3, -1, -1, -1, NULL },
+  { "masonry", "12-facade.quoin", "properties", NULL, 12, -1, -1, -1, NULL },
+  { "arch", "14-pointed-arch.quoin", "properties", NULL, 5, -1, -1, -1, NULL },
+  { "rubble", "15-rubble-pier.quoin", "properties", NULL, 5, -1, -1, -1, NULL },
+  { "opening", "12-facade.quoin", "properties", NULL, -1, -1, -1, 0, NULL },
+  { "beam", "36-mast-on-block.quoin", "properties", NULL, -1, 0, -1, -1, "win.run" },
+  { "face", "02-overturning-block.quoin", "properties", NULL, -1, -1, 0, -1, "win.run" },
+  { "style-wall", "05-stack.quoin", "properties", "wall", -1, -1, -1, -1, NULL },
+  { "style-opening", "05-stack.quoin", "properties", "opening", -1, -1, -1, -1, NULL },
+  { "style-arch", "05-stack.quoin", "properties", "arch", -1, -1, -1, -1, NULL },
+  { "style-column", "05-stack.quoin", "properties", "column", -1, -1, -1, -1, NULL },
+  { "style-beam", "05-stack.quoin", "properties", "beam", -1, -1, -1, -1, NULL },
+  { "style-force", "05-stack.quoin", "properties", "force", -1, -1, -1, -1, NULL },
+  { "style-joint", "05-stack.quoin", "properties", "joint", -1, -1, -1, -1, NULL },
+  { "style-mirror", "05-stack.quoin", "properties", "mirror", -1, -1, -1, -1, NULL },
+  { "analysis", "16-load-stages.quoin", "analysis", NULL, -1, -1, -1, -1, NULL },
+  { "law-curve", "17-unloading.quoin", "analysis", NULL, -1, -1, -1, -1, NULL },
+  { "result", "02-overturning-block.quoin", "result", NULL, -1, -1, -1, -1, "win.run" },
+  { "findings", "05-stack.quoin", "findings", NULL, -1, -1, -1, -1, NULL },
+};
+
+static void
+test_state (gconstpointer data)
+{
+  const State *state = data;
+  QnWindow *window = driver_open_window (1280, 1900);
+  QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
+  if (state->example != NULL) {
+    g_autofree char *path = driver_example_path (state->example);
+    g_assert_true (qn_window_open_path (window, path));
+    driver_activate_target (window, "win.show-panel",
+                            g_variant_new_string (state->panel));
+  }
+  if (state->run != NULL) {
+    driver_activate (window, state->run);
+    driver_wait_for_job (window);
+    driver_activate_target (window, "win.show-panel",
+                            g_variant_new_string (state->panel));
+  }
+  if (state->tool != NULL)
+    driver_activate_target (window, "win.tool", g_variant_new_string (state->tool));
+  if (state->block >= 0) {
+    const QnId id = state->block;
+    qn_selection_set_blocks (selection, &id, 1);
+  }
+  if (state->beam >= 0) {
+    const QnId id = state->beam;
+    qn_selection_set_beams (selection, &id, 1);
+  }
+  if (state->face >= 0)
+    qn_selection_set_face (selection, state->face);
+  if (state->opening >= 0)
+    qn_selection_set_opening (selection, 0, state->opening);
+  expand_all (GTK_WIDGET (window));
+  look_at (GTK_WIDGET (window), state->name);
+  driver_discard (window);
+}
+
+static void
+look_at_dialog (const char *what, const char *title)
+{
+  driver_run (200);
+  GtkWidget *dialog = driver_find_dialog (title);
+  g_assert_nonnull (dialog);
+  look_at (dialog, what);
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_run (50);
+}
+
+static void
+test_dialogs (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  GActionGroup *program = G_ACTION_GROUP (driver_application ());
+  driver_activate (window, "win.export");
+  look_at_dialog ("export", "Export Figure");
+  driver_activate (window, "win.figures");
+  look_at_dialog ("figures", "Figures");
+  g_autofree char *drawing = driver_example_path ("dxf/wall-clutter.dxf");
+  driver_activate_target (window, "win.take-path", g_variant_new_string (drawing));
+  look_at_dialog ("import", "Import");
+  g_action_group_activate_action (program, "preferences", NULL);
+  look_at_dialog ("preferences", "Preferences");
+  g_action_group_activate_action (program, "help", NULL);
+  look_at_dialog ("help", "Help");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.compare");
+  look_at_dialog ("compare", "Compare");
+  driver_activate (window, "win.export-result::animation");
+  look_at_dialog ("animation", "Export Animation");
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  for (gsize i = 0; i < G_N_ELEMENTS (states); i++) {
+    g_autofree char *path = g_strdup_printf ("/app/forms/%s", states[i].name);
+    g_test_add_data_func (path, &states[i], test_state);
+  }
+  g_test_add_func ("/app/forms/dialogs", test_dialogs);
+  return g_test_run ();
+}
