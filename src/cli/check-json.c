@@ -140,11 +140,11 @@ static void
 write_findings (QnFileWriter *out, const QnInput *input)
 {
   const QnFindings *findings = &input->contacts.findings;
+  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&input->project, findings);
   qn_file_writer_puts (out, "  \"findings\": [");
   for (size_t i = 0; i < findings->count; i++) {
     const QnFinding *finding = &findings->items[i];
     g_autofree char *name = dup_problem_name (finding->problem);
-    g_autofree char *text = qn_project_dup_finding_text (&input->project, finding);
     qn_file_writer_printf (out, "%s\n    { \"problem\": \"%s\", \"blocks\": [",
                            i > 0 ? "," : "", name);
     if (finding->block_a != QN_NONE)
@@ -154,7 +154,7 @@ write_findings (QnFileWriter *out, const QnInput *input)
     write_point (out, "], \"at\": [", finding->at);
     write_number (out, ", \"value\": ", finding->value);
     qn_file_writer_puts (out, ", \"text\": ");
-    qn_file_writer_json_string (out, text);
+    qn_file_writer_json_string (out, g_ptr_array_index (texts, (guint) i));
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "\n  ],\n  \"warnings\": [");

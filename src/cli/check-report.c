@@ -91,11 +91,9 @@ print_findings (const QnInput *input)
   printf (_ ("warnings: %zu\n"), findings->count + warnings->len);
   for (guint i = 0; i < warnings->len; i++)
     printf ("  %s\n", (char *) g_ptr_array_index (warnings, i));
-  for (size_t i = 0; i < findings->count; i++) {
-    g_autofree char *text =
-      qn_project_dup_finding_text (&input->project, &findings->items[i]);
-    printf ("  %s\n", text);
-  }
+  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&input->project, findings);
+  for (guint i = 0; i < texts->len; i++)
+    printf ("  %s\n", (const char *) g_ptr_array_index (texts, i));
 }
 
 static void

@@ -275,11 +275,10 @@ check_outputs (const QnSubcommand *self, const Options *options)
 static void
 warn_of_findings (const QnInput *input)
 {
-  for (size_t i = 0; i < input->contacts.findings.count; i++) {
-    g_autofree char *text =
-      qn_project_dup_finding_text (&input->project, &input->contacts.findings.items[i]);
-    qn_cli_warning ("%s", text);
-  }
+  g_autoptr (GPtrArray) texts =
+    qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
+  for (guint i = 0; i < texts->len; i++)
+    qn_cli_warning ("%s", (const char *) g_ptr_array_index (texts, i));
 }
 
 /* Reads the ground motions that the project names, and says what is to be known of them. */

@@ -28,10 +28,9 @@ quoin_library_model_take (QnProject *project, QuoinError **error)
   for (guint i = 0; i < model->project.warnings->len; i++)
     g_ptr_array_add (model->warnings,
                      g_strdup (g_ptr_array_index (model->project.warnings, i)));
-  for (size_t i = 0; i < model->contacts.findings.count; i++)
-    g_ptr_array_add (
-      model->warnings,
-      qn_project_dup_finding_text (&model->project, &model->contacts.findings.items[i]));
+  g_ptr_array_extend_and_steal (
+    model->warnings,
+    qn_project_dup_finding_texts (&model->project, &model->contacts.findings));
   return model;
 }
 

@@ -212,6 +212,44 @@ close_gaps (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
+static bool
+crosses (QnSegment s, QnSegment t)
+{
+  QnVec2 d = qn_vec2_sub (s.b, s.a), e = qn_vec2_sub (t.b, t.a);
+  double a = qn_vec2_cross (d, qn_vec2_sub (t.a, s.a));
+  double b = qn_vec2_cross (d, qn_vec2_sub (t.b, s.a));
+  double c = qn_vec2_cross (e, qn_vec2_sub (s.a, t.a));
+  double f = qn_vec2_cross (e, qn_vec2_sub (s.b, t.a));
+  return ((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && f < 0) || (c < 0 && f > 0));
+}
+
+/* Refuses a soup whose lines cross too often. */
+static QnStatus
+check_crossings (const QnSegments *segments, QnDiag *diag)
+{
+  QnBox *boxes = qn_alloc (segments->count, sizeof *boxes);
+  QnBoxTree tree = { 0 };
+  size_t crossings = 0, meetings = 0;
+  for (size_t i = 0; boxes != NULL && i < segments->count; i++)
+    boxes[i] = qn_box_of_segment (segments->items[i].a, segments->items[i].b);
+  bool done = boxes != NULL && qn_box_tree_init (&tree, boxes, segments->count);
+  bool most = false;
+  for (size_t i = 0; done && !most && i < segments->count; i++) {
+    QnBoxQuery query = qn_box_tree_query (&tree, boxes[i]);
+    for (QnId k; !most && (k = qn_box_query_next (&query)) != QN_NONE;) {
+      meetings++;
+      crossings += (size_t) k > i && crosses (segments->items[i], segments->items[k]);
+      most = crossings > QN_MOST_CROSSINGS || meetings > QN_MOST_LINE_MEETINGS;
+    }
+  }
+  qn_box_tree_clear (&tree);
+  free (boxes);
+  if (most)
+    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_CROSSINGS,
+                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  return done ? QN_OK : qn_diag_no_memory (diag);
+}
+
 static GEOSGeometry *
 line_geometry (QnGeos *geos, QnSegment segment)
 {
@@ -304,7 +342,9 @@ qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
   drop_needless (segments);
   if (status != QN_OK || segments->count == 0)
     return status;
-  status = close_gaps (segments, tolerance, healing, diag);
+  status = check_crossings (segments, diag);
+  if (status == QN_OK)
+    status = close_gaps (segments, tolerance, healing, diag);
   drop_needless (segments);
   QnRings found = { 0 };
   if (status == QN_OK)

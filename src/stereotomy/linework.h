@@ -17,11 +17,17 @@ typedef struct QnSegments {
 bool qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b);
 void qn_segments_clear (QnSegments *segments);
 
+/* Crossings of lines that are divided at, and pairs of lines whose boxes meet that are looked at: every
+ * crossing is a corner of four faces, so that a soup of n lines may have n^2 of them. */
+#define QN_MOST_CROSSINGS     100000
+#define QN_MOST_LINE_MEETINGS 20000000
+
 /* Faces enclosed by the segments, appended to `faces` in a fixed order, counter-clockwise, without
  * collinear vertices. Ends within the tolerance of each other are welded (qn_weld_vertices());
  * an end that stops short of another segment by no more is prolonged to meet it; what
  * overruns or dangles is dropped. Segments may cross, overlap and repeat. A face around other
- * faces is left out and counted in `holes` (nullable). Changes the segments. */
+ * faces is left out and counted in `holes` (nullable). Refuses TOO_MANY_CROSSINGS. Changes the
+ * segments. */
 QnStatus qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
                                  size_t *holes, QnHealing *healing, QnDiag *diag);
 

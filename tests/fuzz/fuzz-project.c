@@ -34,8 +34,8 @@ check_contacts (const QnProject *project)
   QnContacts contacts = { 0 };
   QnDiag diag;
   QnStatus status = qn_contacts_detect (&project->model, &contacts, &diag);
-  for (size_t i = 0; status == QN_OK && i < contacts.findings.count && i < 10; i++)
-    g_free (qn_project_dup_finding_text (project, &contacts.findings.items[i]));
+  if (status == QN_OK)
+    g_ptr_array_unref (qn_project_dup_finding_texts (project, &contacts.findings));
   if (status == QN_OK)
     status = qn_contacts_require_sound (&project->model, &contacts, &diag);
   if (status != QN_OK) {

@@ -5,21 +5,22 @@
  */
 #include "fuzz.h"
 #include "numbers.h"
+#include "pieces.h"
 
 #include <glib.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Room that another number may need. */
-#define LONGEST_NUMBER 40
-
-/* Another number in the place of one that is there. */
+/* Another number in the place of one that is there, or a piece of the text moved. */
 static void
-mutate_number (GByteArray *bytes, GRand *random)
+mutate_text (GByteArray *bytes, GRand *random, gboolean numbers)
 {
   guint size = bytes->len;
-  g_byte_array_set_size (bytes, size + LONGEST_NUMBER);
-  gsize changed = fuzz_mutate_number (bytes->data, size, bytes->len, g_rand_int (random));
+  guint seed = g_rand_int (random);
+  g_byte_array_set_size (bytes, 2 * size + 40); /* room for a number and any piece */
+  gsize changed =
+    numbers ? fuzz_mutate_number (bytes->data, size, bytes->len, seed)
+            : fuzz_splice_piece (bytes->data, size, bytes->len, bytes->data, size, seed);
   g_byte_array_set_size (bytes, changed > 0 ? (guint) changed : size);
 }
 
@@ -71,10 +72,12 @@ run_file (const char *path, int changes, gboolean numbers)
   for (int i = 0; i < changes; i++) {
     GByteArray *bytes = g_byte_array_new ();
     g_byte_array_append (bytes, (const guint8 *) content, (guint) length);
-    /* Every other time in numbers alone, so that the text stays well-formed. */
+    /* Two times of three in numbers or pieces alone, so that text often stays well-formed. */
     for (int k = g_rand_int_range (random, 1, 4); k > 0; k--)
-      if (numbers && i % 2 == 0)
-        mutate_number (bytes, random);
+      if (i % 3 == 0 && numbers)
+        mutate_text (bytes, random, TRUE);
+      else if (i % 3 == 1)
+        mutate_text (bytes, random, FALSE);
       else
         mutate (bytes, random);
     LLVMFuzzerTestOneInput (bytes->data, bytes->len);

@@ -1,6 +1,7 @@
 #include "support/instructions.h"
 
 #include <glib/gstdio.h>
+#include <sys/wait.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SANITIZED TRUE
@@ -18,19 +19,19 @@ total_of (const char *counted)
   return g_ascii_strtod (digits, NULL);
 }
 
-double
-count_instructions (const char *const *arguments, const char *function, char **output)
+/* `function` NULL: the whole program. */
+static double
+count (const char *const *arguments, const char *function, char **output, int *status)
 {
   g_autofree char *valgrind = g_find_program_in_path ("valgrind");
-  if (output != NULL)
-    *output = NULL;
   if (SANITIZED || valgrind == NULL)
     return 0;
 
   g_autofree char *folder = g_dir_make_tmp ("quoin-work-XXXXXX", NULL);
   g_autofree char *path = g_build_filename (folder, "callgrind.out", NULL);
   g_autofree char *out_file = g_strconcat ("--callgrind-out-file=", path, NULL);
-  g_autofree char *toggle = g_strconcat ("--toggle-collect=", function, NULL);
+  g_autofree char *toggle =
+    g_strconcat ("--toggle-collect=", function != NULL ? function : "main", NULL);
   g_autoptr (GPtrArray) command = g_ptr_array_new ();
   const char *head[] = { valgrind, "--quiet", "--tool=callgrind", toggle, out_file };
   for (gsize i = 0; i < G_N_ELEMENTS (head); i++)
@@ -39,21 +40,39 @@ count_instructions (const char *const *arguments, const char *function, char **o
     g_ptr_array_add (command, (gpointer) *arguments);
   g_ptr_array_add (command, NULL);
 
-  g_autofree char *said = NULL, *counted = NULL;
+  g_autofree char *counted = NULL;
   g_autoptr (GError) error = NULL;
-  int status;
   /* Filling memory with a pattern is no work of the function's. */
   g_auto (GStrv) environment = g_environ_unsetenv (g_get_environ (), "MALLOC_PERTURB_");
-  g_spawn_sync (NULL, (char **) command->pdata, environment, G_SPAWN_DEFAULT, NULL, NULL,
-                &said, NULL, &status, &error);
-  g_assert_no_error (error);
-  g_spawn_check_wait_status (status, &error);
+  g_spawn_sync (NULL, (char **) command->pdata, environment, G_SPAWN_STDERR_TO_DEV_NULL,
+                NULL, NULL, output, NULL, status, &error);
   g_assert_no_error (error);
   g_file_get_contents (path, &counted, NULL, &error);
   g_assert_no_error (error);
   g_remove (path);
   g_rmdir (folder);
+  return total_of (counted);
+}
+
+double
+count_instructions (const char *const *arguments, const char *function, char **output)
+{
+  g_autofree char *said = NULL;
+  int status = 0;
+  double instructions = count (arguments, function, &said, &status);
+  g_assert_true (g_spawn_check_wait_status (status, NULL));
   if (output != NULL)
     *output = g_steal_pointer (&said);
-  return total_of (counted);
+  return instructions;
+}
+
+double
+count_program (const char *const *arguments, int *code)
+{
+  g_autofree char *said = NULL;
+  int status = 0;
+  double instructions = count (arguments, NULL, &said, &status);
+  g_assert_true (WIFEXITED (status));
+  *code = WEXITSTATUS (status);
+  return instructions;
 }

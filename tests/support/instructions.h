@@ -12,4 +12,7 @@
 double count_instructions (const char *const *arguments, const char *function,
                            char **output);
 
+/* The same of a whole program, whatever exit code it ends with. */
+double count_program (const char *const *arguments, int *code);
+
 #endif

@@ -204,6 +204,7 @@ add_pair (QnBoxPairs *pairs, QnId a, QnId b)
 typedef struct {
   const QnBoxTree *tree;
   double margin;
+  size_t most;
   QnBoxPairs *pairs;
 } Join;
 
@@ -232,7 +233,7 @@ join_nodes (const Join *how, int32_t level, Children u, Children v, QnBox around
     if (!qn_box_meets (box, around_v))
       continue;
     size_t j = u.begin != v.begin ? v.begin : level == 0 ? i + 1 : i;
-    for (; j < v.end; j++) {
+    for (; j < v.end && how->pairs->count < how->most; j++) {
       if (!qn_box_meets (box, boxes[j]))
         continue;
       bool done = level == 0 ? add_pair (how->pairs, tree->items[i], tree->items[j])
@@ -246,14 +247,14 @@ join_nodes (const Join *how, int32_t level, Children u, Children v, QnBox around
 }
 
 bool
-qn_box_tree_pairs (const QnBoxTree *tree, double margin, QnBoxPairs *pairs)
+qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most, QnBoxPairs *pairs)
 {
   static const QnBox everywhere = { { -INFINITY, -INFINITY }, { INFINITY, INFINITY } };
   if (tree->level_count == 0)
     return true;
   int32_t top = tree->level_count - 1;
   Children all = { 0, tree->level_sizes[top] };
-  Join how = { tree, margin, pairs };
+  Join how = { tree, margin, most, pairs };
   return join_nodes (&how, top, all, all, everywhere);
 }
 

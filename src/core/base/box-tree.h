@@ -56,8 +56,10 @@ typedef struct QnBoxPairs {
 
 /* Appends all pairs of items whose boxes meet once one of the two is grown by `margin` (m), each
  * pair once, in an order that depends on the boxes alone. The tree is walked against itself, which
- * takes O(n + k) for well-separated boxes. False when memory runs out. */
-bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, QnBoxPairs *pairs);
+ * takes O(n + k) for well-separated boxes. Ends once `pairs` holds `most`. False when memory runs
+ * out. */
+bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most,
+                        QnBoxPairs *pairs);
 
 void qn_box_pairs_clear (QnBoxPairs *pairs);
 

@@ -23,6 +23,9 @@
   X (ZERO_AREA, "polygon has no area") \
   X (SELF_CROSSING, "polygon crosses itself") \
   X (BLOCKS_OVERLAP, "blocks overlap") \
+  X (TOO_MANY_OVERLAPS, "more pairs of blocks overlap than the program lists") \
+  X (TOO_MANY_CROSSINGS, "lines cross each other more often than the program divides them") \
+  X (TOO_MANY_NEIGHBOURS, "more pairs of blocks lie near each other than the program searches") \
   X (NAME_MISSING, "name is empty") \
   X (NAME_TAKEN, "name is used twice") \
   X (LAW_UNKNOWN, "no law has this name") \

@@ -77,15 +77,20 @@ list_pairs (Neighbours *neighbours, size_t block_count, const QnBoxPairs *pairs)
 }
 
 /* `neighbours` is cleared by the caller, whether it has been filled or not. */
-static bool
-find_neighbours (const QnContactSearch *search, Neighbours *neighbours)
+static QnStatus
+find_neighbours (const QnContactSearch *search, Neighbours *neighbours, QnDiag *diag)
 {
+  size_t blocks = search->model->block_count, most = QN_MOST_NEIGHBOURS (blocks);
   QnBoxPairs pairs = { 0 };
   bool done =
-    qn_box_tree_pairs (&search->block_tree, 2 * search->lengths.gap_limit, &pairs)
-    && list_pairs (neighbours, search->model->block_count, &pairs);
+    qn_box_tree_pairs (&search->block_tree, 2 * search->lengths.gap_limit, most, &pairs);
+  bool crowded = done && pairs.count == most;
+  done = done && !crowded && list_pairs (neighbours, blocks, &pairs);
   qn_box_pairs_clear (&pairs);
-  return done;
+  if (crowded)
+    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_NEIGHBOURS,
+                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
 /* What a search has found besides the contacts, and room that it needs again and again. */
@@ -94,6 +99,7 @@ typedef struct {
   QnFindings overlaps;
   QnContactMatches matches;
   QnContactCuts cuts;
+  size_t deep_overlaps;
 } PairSearch;
 
 static void
@@ -129,27 +135,48 @@ trim_faces (QnContacts *contacts)
   return true;
 }
 
+/* Appends the faces and gaps of two blocks, and notes their touches and overlaps. */
 static bool
-search_pairs (const QnContactSearch *search, const Neighbours *neighbours,
-              PairSearch *pairs, QnContacts *contacts)
+search_pair (const QnContactSearch *search, QnId a, QnId b, PairSearch *pairs,
+             QnContacts *contacts)
 {
-  if (!reserve_faces (search, contacts))
+  size_t earlier = pairs->overlaps.count;
+  if (!qn_contact_match_pair (search, a, b, &pairs->matches, contacts, &pairs->touches)
+      || !qn_contact_check_overlap (search, a, b, &pairs->cuts, &pairs->overlaps))
     return false;
-  for (size_t i = 0; i < search->model->block_count; i++) {
-    for (size_t k = neighbours->first[i]; k < neighbours->first[i + 1]; k++) {
-      QnId a = (QnId) i, b = neighbours->items[k];
-      if (!qn_contact_match_pair (search, a, b, &pairs->matches, contacts,
-                                  &pairs->touches)
-          || !qn_contact_check_overlap (search, a, b, &pairs->cuts, &pairs->overlaps))
-        return false;
-    }
-  }
-  if (!trim_faces (contacts))
-    return false;
-  for (size_t i = 0; i < pairs->overlaps.count; i++)
-    if (!qn_findings_add (&contacts->findings, pairs->overlaps.items[i]))
-      return false;
+  pairs->deep_overlaps +=
+    pairs->overlaps.count > earlier
+    && pairs->overlaps.items[earlier].problem == QN_PROBLEM_BLOCKS_OVERLAP;
   return true;
+}
+
+/* Names the first of them. */
+static QnStatus
+refuse_overlaps (const QnFinding *first, QnDiag *diag)
+{
+  qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_OVERLAPS, QN_ENTITY_BLOCK,
+               first->block_a, QN_NONE);
+  if (diag != NULL)
+    diag->other = first->block_b;
+  return QN_ERROR_INVALID;
+}
+
+static QnStatus
+search_pairs (const QnContactSearch *search, const Neighbours *neighbours,
+              PairSearch *pairs, QnContacts *contacts, QnDiag *diag)
+{
+  size_t blocks = search->model->block_count;
+  bool done = reserve_faces (search, contacts);
+  for (size_t a = 0; done && a < blocks; a++) {
+    for (size_t k = neighbours->first[a]; done && k < neighbours->first[a + 1]; k++)
+      done = search_pair (search, (QnId) a, neighbours->items[k], pairs, contacts);
+    if (pairs->deep_overlaps > QN_MOST_OVERLAPS (blocks))
+      return refuse_overlaps (&pairs->overlaps.items[0], diag);
+  }
+  done = done && trim_faces (contacts);
+  for (size_t i = 0; done && i < pairs->overlaps.count; i++)
+    done = qn_findings_add (&contacts->findings, pairs->overlaps.items[i]);
+  return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
 QnStatus
@@ -157,12 +184,12 @@ qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts, QnDi
 {
   Neighbours neighbours = { 0 };
   PairSearch pairs = { 0 };
-  bool done = find_neighbours (search, &neighbours)
-              && search_pairs (search, &neighbours, &pairs, contacts);
+  QnStatus status = find_neighbours (search, &neighbours, diag);
+  if (status == QN_OK)
+    status = search_pairs (search, &neighbours, &pairs, contacts, diag);
   neighbours_clear (&neighbours);
-  QnStatus status = done
-                      ? qn_contact_search_points (search, contacts, &pairs.touches, diag)
-                      : qn_diag_no_memory (diag);
+  if (status == QN_OK)
+    status = qn_contact_search_points (search, contacts, &pairs.touches, diag);
   pair_search_clear (&pairs);
   return status;
 }

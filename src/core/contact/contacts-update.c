@@ -310,7 +310,7 @@ update_pairs (Update *update, size_t changes, const QnContacts *old, QnContacts 
     done =
       merge_findings (update, kind, &old->findings, &found.findings, &contacts->findings);
   qn_contacts_clear (&found);
-  return done ? QN_OK : qn_diag_no_memory (diag);
+  return done || status != QN_OK ? status : qn_diag_no_memory (diag);
 }
 
 static bool

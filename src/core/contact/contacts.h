@@ -46,7 +46,9 @@ typedef struct QnContacts {
 } QnContacts;
 
 /* Finds all faces and pairs of a prepared model in O(n log n) time. Overlaps deeper than the
- * tolerance and floating blocks are findings here, refused by qn_contacts_require_sound().
+ * tolerance and floating blocks are findings here, refused by qn_contacts_require_sound(); the
+ * search itself refuses more overlaps or neighbours than any structure has (QN_MOST_OVERLAPS,
+ * QN_MOST_NEIGHBOURS), since it would take quadratic time.
  * `contacts` is overwritten without being cleared. */
 QnStatus qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag);
 

@@ -12,4 +12,12 @@ gsize qn_json_locate (const char *text, gsize length, const char *path);
 /* Line and column of a byte offset, both from 1; the column counts characters. */
 void qn_json_position (const char *text, gsize offset, gsize *line, gsize *column);
 
+typedef struct QnJsonPlace {
+  gsize line, column;
+} QnJsonPlace;
+
+/* Places of all elements of the array that a path leads to, found in one pass: an array of
+ * QnJsonPlace, empty where there is no array. Free with g_array_unref(). */
+GArray *qn_json_locate_elements (const char *text, gsize length, const char *path);
+
 #endif

@@ -90,14 +90,23 @@ find_override (const QnReader *reader, const char *path)
 char *
 qn_reader_dup_line (const QnReader *reader, const char *path, const char *message)
 {
+  QnJsonPlace place;
+  if (reader->text == NULL)
+    return qn_reader_dup_line_at (reader, path, NULL, message);
+  qn_json_position (reader->text, qn_json_locate (reader->text, reader->length, path),
+                    &place.line, &place.column);
+  return qn_reader_dup_line_at (reader, path, &place, message);
+}
+
+char *
+qn_reader_dup_line_at (const QnReader *reader, const char *path, const QnJsonPlace *place,
+                       const char *message)
+{
   GString *line = g_string_new (reader->name);
   const char *override = find_override (reader, path);
-  if (override == NULL && reader->text != NULL) {
-    gsize row, column;
-    qn_json_position (reader->text, qn_json_locate (reader->text, reader->length, path),
-                      &row, &column);
-    g_string_append_printf (line, ":%" G_GSIZE_FORMAT ":%" G_GSIZE_FORMAT, row, column);
-  }
+  if (override == NULL && place != NULL)
+    g_string_append_printf (line, ":%" G_GSIZE_FORMAT ":%" G_GSIZE_FORMAT, place->line,
+                            place->column);
   if (path[0] != '\0')
     g_string_append_printf (line, ": %s", path);
   g_string_append_printf (line, ": %s", message);

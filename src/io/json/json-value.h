@@ -8,6 +8,7 @@
 #define QN_IO_JSON_VALUE_H
 
 #include "core/base/status.h"
+#include "io/json/json-locate.h"
 
 #include <cjson/cJSON.h>
 #include <glib.h>
@@ -57,6 +58,10 @@ gboolean qn_json_value_next (const QnJsonValue *array, QnJsonValue *element);
 /* "wall.quoin:12:7: blocks[3].vertices: message"; with "(set by …)" instead of line and column
  * where an override put the value there. Free with g_free(). */
 char *qn_reader_dup_line (const QnReader *reader, const char *path, const char *message);
+
+/* The same where the place in the text is known already. */
+char *qn_reader_dup_line_at (const QnReader *reader, const char *path,
+                             const QnJsonPlace *place, const char *message);
 
 /* Records the error of a place; returns FALSE. The first form takes ownership of nothing, the
  * second formats. */

@@ -1,5 +1,6 @@
 #include "io/project/project.h"
 
+#include "io/json/json-locate.h"
 #include "io/json/json-path.h"
 #include "io/json/json-value.h"
 #include "io/project/project-extras.h"
@@ -10,8 +11,8 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-/* Findings come by the thousand and each look for its line reads the text from the start: in
- * longer texts than this they are told without. */
+/* Findings come by the thousand, and each look for a place that is not listed reads the text from the
+ * start: in longer texts than this such findings are told without. */
 #define LARGE_TEXT 1000000
 
 void
@@ -241,8 +242,9 @@ qn_project_set_key_error (const QnProject *project, const char *path, const char
   g_free (line);
 }
 
-char *
-qn_project_dup_finding_text (const QnProject *project, const QnFinding *finding)
+/* What a finding says, without its place. */
+static char *
+dup_finding_message (const QnProject *project, const QnFinding *finding)
 {
   GString *message = g_string_new (_ (qn_problem_text (finding->problem)));
   append_block_names (message, &project->model, finding->block_a, finding->block_b);
@@ -251,15 +253,36 @@ qn_project_dup_finding_text (const QnProject *project, const QnFinding *finding)
                             finding->at.y);
   if (finding->value != 0)
     g_string_append_printf (message, ": %.3g m", finding->value);
+  return g_string_free (message, FALSE);
+}
 
+GPtrArray *
+qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findings)
+{
+  GPtrArray *lines = g_ptr_array_new_with_free_func (g_free);
   QnReader reader = reader_of (project);
+  if (findings->count == 0)
+    return lines;
+  g_autoptr (GArray) blocks = qn_json_locate_elements (
+    reader.text != NULL ? reader.text : "", reader.length, "blocks");
+  /* Of what is not listed block by block every place is looked for from the start. */
+  QnReader brief = reader;
   if (reader.length > LARGE_TEXT)
-    reader.text = NULL;
-  gboolean beam = finding->problem == QN_PROBLEM_BEAM_FLOATING;
-  char *path = qn_project_dup_key_path (project, beam ? QN_ENTITY_BEAM : QN_ENTITY_BLOCK,
-                                        beam ? finding->beam : finding->block_a);
-  char *line = qn_reader_dup_line (&reader, path, message->str);
-  g_free (path);
-  g_string_free (message, TRUE);
-  return line;
+    brief.text = NULL;
+  for (size_t i = 0; i < findings->count; i++) {
+    const QnFinding *finding = &findings->items[i];
+    gboolean beam = finding->problem == QN_PROBLEM_BEAM_FLOATING;
+    g_autofree char *message = dup_finding_message (project, finding);
+    g_autofree char *path =
+      qn_project_dup_key_path (project, beam ? QN_ENTITY_BEAM : QN_ENTITY_BLOCK,
+                               beam ? finding->beam : finding->block_a);
+    gboolean listed =
+      g_str_has_prefix (path, "blocks[") && (guint) finding->block_a < blocks->len;
+    g_ptr_array_add (
+      lines, listed ? qn_reader_dup_line_at (
+               &reader, path,
+               &g_array_index (blocks, QnJsonPlace, (guint) finding->block_a), message)
+                    : qn_reader_dup_line (&brief, path, message));
+  }
+  return lines;
 }

@@ -95,8 +95,9 @@ void qn_project_set_error (const QnProject *project, const QnDiag *diag, GError 
 void qn_project_set_key_error (const QnProject *project, const char *path,
                                const char *message, GError **error);
 
-/* A finding of contact detection as one line in the same form as an error message; free with
- * g_free(). */
-char *qn_project_dup_finding_text (const QnProject *project, const QnFinding *finding);
+/* The findings of contact detection, each as one line in the same form as an error message: an array
+ * of char *, free with g_ptr_array_unref(). */
+GPtrArray *qn_project_dup_finding_texts (const QnProject *project,
+                                         const QnFindings *findings);
 
 #endif

@@ -5,6 +5,7 @@
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* Where a path leads when all symbolic links are followed; of a file that does not exist yet, what
  * its folder's path leads to with the name behind. NULL where that cannot be told: a link to
@@ -41,6 +42,15 @@ is_inside (const char *folder, const char *path)
   return inside;
 }
 
+/* A pipe or a device: to open one may take for ever. */
+static gboolean
+is_stream (const char *path)
+{
+  struct stat status;
+  return stat (path, &status) == 0 && !S_ISREG (status.st_mode)
+         && !S_ISDIR (status.st_mode);
+}
+
 char *
 qn_file_inside (const char *folder, const char *file, gboolean allow_outside,
                 GError **error)
@@ -48,12 +58,15 @@ qn_file_inside (const char *folder, const char *file, gboolean allow_outside,
   g_autofree char *path = folder == NULL || g_path_is_absolute (file)
                             ? g_strdup (file)
                             : g_build_filename (folder, file, NULL);
-  if (allow_outside || (folder != NULL && is_inside (folder, path)))
+  gboolean inside = folder != NULL && is_inside (folder, path);
+  if (allow_outside || (inside && !is_stream (path)))
     return g_steal_pointer (&path);
   g_autofree char *shown = g_filename_display_name (file);
   g_autofree char *line = g_strescape (shown, "\"");
   g_set_error (
-    error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE,
-    _ ("%s: the project names this file, which is outside the project's folder"), line);
+    error, QN_IO_ERROR, inside ? QN_IO_ERROR_FILE : QN_IO_ERROR_OUTSIDE,
+    inside ? _ ("%s: the project names this, which is a pipe or a device and no file")
+           : _ ("%s: the project names this file, which is outside the project's folder"),
+    line);
   return NULL;
 }

@@ -20,16 +20,17 @@ read_all (int descriptor, GByteArray *bytes)
     return EISDIR;
 
   /* A regular file is read in one piece, anything else in pieces of this size. */
-  gsize piece = 1 << 16;
+  gsize piece = 1 << 16, most = QN_STREAM_READ_LIMIT;
   if (S_ISREG (status.st_mode) && status.st_size > 0) {
-    if ((guint64) status.st_size > QN_FILE_READ_LIMIT - 2)
+    most = QN_FILE_READ_LIMIT - 2;
+    if ((guint64) status.st_size > most)
       return EFBIG;
     piece = (gsize) status.st_size + 1;
   }
 
   for (;;) {
     gsize used = bytes->len;
-    if (used + piece > QN_FILE_READ_LIMIT - 2)
+    if (used + piece > most)
       return EFBIG;
     g_byte_array_set_size (bytes, (guint) (used + piece));
     gssize count = read (descriptor, bytes->data + used, piece);

@@ -4,8 +4,10 @@
 
 #include <glib.h>
 
-/* Largest file that is read, so that an endless device cannot exhaust the machine. */
-#define QN_FILE_READ_LIMIT ((gsize) 2 << 30)
+/* Largest file that is read; and how much is read of what has no size, a pipe or a device that may
+ * never end. */
+#define QN_FILE_READ_LIMIT   ((gsize) 2 << 30)
+#define QN_STREAM_READ_LIMIT ((gsize) 128 << 20)
 
 /* The bytes of a file (or of a pipe; "-" is standard input), with a NUL byte behind them that
  * `length` does not count. Free with g_free(). NULL with an error in the domain QN_IO_ERROR,

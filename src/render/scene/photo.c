@@ -21,6 +21,14 @@ cairo_surface_t *
 qn_photo_load (const char *path, GError **error)
 {
   g_autoptr (GError) cause = NULL;
+  int across, up;
+  if (gdk_pixbuf_get_file_info (path, &across, &up) != NULL
+      && (gint64) across * up > QN_PHOTO_MOST_PIXELS) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
+                 _ ("%s: the picture has %d x %d pixels, more than %d million in all"),
+                 path, across, up, QN_PHOTO_MOST_PIXELS / 1000000);
+    return NULL;
+  }
   g_autoptr (GdkPixbuf) raw = gdk_pixbuf_new_from_file (path, &cause);
   if (raw == NULL) {
     g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
@@ -28,6 +36,7 @@ qn_photo_load (const char *path, GError **error)
     return NULL;
   }
   g_autoptr (GdkPixbuf) photo = gdk_pixbuf_apply_embedded_orientation (raw);
+  g_clear_object (&raw);
   int width = gdk_pixbuf_get_width (photo), height = gdk_pixbuf_get_height (photo);
   cairo_surface_t *image =
     cairo_image_surface_create (CAIRO_FORMAT_ARGB32, width, height);

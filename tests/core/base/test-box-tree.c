@@ -44,7 +44,7 @@ check_pairs (const QnBox *boxes, size_t count, double margin)
   QnBoxPairs pairs = { 0 };
   g_autofree gboolean *met = g_new0 (gboolean, count * count);
   g_assert_true (qn_box_tree_init (&tree, boxes, count));
-  g_assert_true (qn_box_tree_pairs (&tree, margin, &pairs));
+  g_assert_true (qn_box_tree_pairs (&tree, margin, SIZE_MAX, &pairs));
   for (size_t i = 0; i < pairs.count; i++) {
     size_t a = (size_t) pairs.items[i][0], b = (size_t) pairs.items[i][1];
     g_assert_cmpuint (a, !=, b);
@@ -100,7 +100,7 @@ test_empty (void)
   QnBoxQuery query = qn_box_tree_query (&tree, (QnBox){ { 0, 0 }, { 1, 1 } });
   g_assert_cmpint (qn_box_query_next (&query), ==, QN_NONE);
   QnBoxPairs pairs = { 0 };
-  g_assert_true (qn_box_tree_pairs (&tree, 1, &pairs));
+  g_assert_true (qn_box_tree_pairs (&tree, 1, SIZE_MAX, &pairs));
   g_assert_cmpuint (pairs.count, ==, 0);
   qn_box_tree_clear (&tree);
 }

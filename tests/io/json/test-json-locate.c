@@ -57,6 +57,28 @@ test_position (void)
   g_assert_cmpuint (column, ==, 31);
 }
 
+/* All elements at once are where each is by itself. */
+static void
+test_elements (void)
+{
+  static const char list[] =
+    "{ \"x\": 0,\n \"l\": [ 1,\n\n  { \"ü\": [] }, \"ü\", [2,\n3], 4 ] }";
+  g_autoptr (GArray) places = qn_json_locate_elements (list, strlen (list), "l");
+  g_assert_cmpuint (places->len, ==, 5);
+  for (guint i = 0; i < places->len; i++) {
+    g_autofree char *path = g_strdup_printf ("l[%u]", i);
+    QnJsonPlace place;
+    qn_json_position (list, qn_json_locate (list, strlen (list), path), &place.line,
+                      &place.column);
+    g_assert_cmpuint (g_array_index (places, QnJsonPlace, i).line, ==, place.line);
+    g_assert_cmpuint (g_array_index (places, QnJsonPlace, i).column, ==, place.column);
+  }
+  g_autoptr (GArray) none = qn_json_locate_elements (list, strlen (list), "x");
+  g_assert_cmpuint (none->len, ==, 0);
+  g_autoptr (GArray) missing = qn_json_locate_elements (list, strlen (list), "y");
+  g_assert_cmpuint (missing->len, ==, 0);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -64,5 +86,6 @@ main (int argc, char **argv)
   g_test_add_func ("/json-locate/locate", test_locate);
   g_test_add_func ("/json-locate/missing", test_missing);
   g_test_add_func ("/json-locate/position", test_position);
+  g_test_add_func ("/json-locate/elements", test_elements);
   return g_test_run ();
 }

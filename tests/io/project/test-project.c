@@ -98,21 +98,20 @@ test_findings (void)
 {
   QnProject project;
   test_parse (walls, &project);
-  QnFinding gap = { QN_PROBLEM_NEAR_MISS_GAP, 1, 2, { 1, 0.5 }, 2e-6, QN_NONE };
-  char *text = qn_project_dup_finding_text (&project, &gap);
+  QnFinding items[] = {
+    { QN_PROBLEM_NEAR_MISS_GAP, 1, 2, { 1, 0.5 }, 2e-6, QN_NONE },
+    { QN_PROBLEM_BLOCK_WITHOUT_CONTACT, 0, QN_NONE, { 0, 0 }, 0, QN_NONE },
+  };
+  const QnFindings findings = { items, G_N_ELEMENTS (items), G_N_ELEMENTS (items) };
+  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&project, &findings);
+  g_assert_cmpuint (texts->len, ==, G_N_ELEMENTS (items));
   g_assert_cmpstr (
-    text, ==,
+    g_ptr_array_index (texts, 0), ==,
     "wall.quoin:7:20: walls[0].courses[0][0]: gap just wider than the contact "
     "tolerance (blocks \"v.1.1\" and \"v.1.2\") at (1, 0.5) m: 2e-06 m");
-  g_free (text);
-  QnFinding alone = {
-    QN_PROBLEM_BLOCK_WITHOUT_CONTACT, 0, QN_NONE, { 0, 0 }, 0, QN_NONE
-  };
-  text = qn_project_dup_finding_text (&project, &alone);
   g_assert_cmpstr (
-    text, ==,
+    g_ptr_array_index (texts, 1), ==,
     "wall.quoin:3:15: blocks[0]: block touches no other block (block \"base\")");
-  g_free (text);
   qn_project_clear (&project);
 }
 

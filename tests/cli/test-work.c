@@ -1,0 +1,333 @@
+/* Files that ask for much more work or memory than their size lets expect: each is refused, or takes
+ * work in proportion to its size. Work is counted in instructions, which are the same however busy
+ * the machine is, and memory is limited for the program. */
+#include "cli/cli-run.h"
+#include "support/instructions.h"
+
+#include <glib/gstdio.h>
+#include <math.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* What every input of the table has to do with: 500 MB, and so many instructions as a core of 2 GHz
+ * executes in 2 s. */
+#define MOST_MEMORY       ((rlim_t) 500 << 20)
+#define MOST_INSTRUCTIONS 4e9
+
+/* Growth of the work with the size of files that are accepted. */
+#define MOST_GROWTH 1.1
+
+static char *folder;
+
+/* --- Makers of files: their paths, to be freed with g_free() ---------------------------------- */
+
+#define PROJECT_HEAD                                                                     \
+  "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"j\", \"kind\": "   \
+  "\"coulomb\", \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.6 } ], \"contact\": { "        \
+  "\"law\": \"j\" }, \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": "   \
+  "[0, -1] } ] }, \"blocks\": [ "
+
+static void
+add_block (GString *text, int index, double x, double y, double tilt)
+{
+  g_string_append_printf (
+    text,
+    "%s{ \"name\": \"b%d\", \"thickness\": 1, \"unit_weight\": 1, \"vertices\": "
+    "[[%.9g, %.9g], [%.9g, %.9g], [%.9g, %.9g], [%.9g, %.9g]], \"support\": [%s] }",
+    index > 0 ? ",\n" : "", index, x, y, x + 1, y + tilt, x + 1, y + tilt + 1, x, y + 1,
+    index == 0 ? "true, true, true" : "false, false, false");
+}
+
+static char *
+make_same_blocks (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  for (int i = 0; i < count; i++)
+    add_block (text, i, 0, 0, 0);
+  g_string_append (text, " ] }");
+  return cli_write (folder, "same.quoin", text->str);
+}
+
+/* Slabs at an angle one above the other: all boxes meet, no blocks overlap. */
+static char *
+make_slabs (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  for (int i = 0; i < count; i++)
+    add_block (text, i, 0, i, 1e5);
+  g_string_append (text, " ] }");
+  return cli_write (folder, "slabs.quoin", text->str);
+}
+
+/* Stones too far apart to touch: each is told of with its line. */
+static char *
+make_apart (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  for (int i = 0; i < count; i++)
+    add_block (text, i, 2 * (i % 100), 2 * (i / 100), 0);
+  g_string_append (text, " ] }");
+  return cli_write (folder, "apart.quoin", text->str);
+}
+
+static char *
+make_unknown_keys (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, 0, 0, 0);
+  g_string_append (text, " ]");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (text, ",\n\"k%d\": 1", i);
+  g_string_append (text, " }");
+  return cli_write (folder, "keys.quoin", text->str);
+}
+
+static char *
+make_recipes (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, 0, 0, 0);
+  g_string_append (text, " ], \"figures\": [ ");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (text, "%s{ \"file\": \"f%d.png\", \"view\": \"model\" }",
+                            i > 0 ? "," : "", i);
+  g_string_append (text, " ] }");
+  return cli_write (folder, "recipes.quoin", text->str);
+}
+
+static char *
+make_lines (int count)
+{
+  g_autoptr (GString) text = g_string_new ("0\nSECTION\n2\nENTITIES\n");
+  g_autoptr (GRand) random = g_rand_new_with_seed (1);
+  for (int i = 0; i < count; i++) {
+    double end[4];
+    for (int k = 0; k < 4; k++)
+      end[k] = g_rand_double_range (random, 0, 10);
+    g_string_append_printf (text,
+                            "0\nLINE\n8\n0\n10\n%.9g\n20\n%.9g\n11\n%.9g\n21\n%.9g\n",
+                            end[0], end[1], end[2], end[3]);
+  }
+  g_string_append (text, "0\nENDSEC\n0\nEOF\n");
+  return cli_write (folder, "lines.dxf", text->str);
+}
+
+/* A project with the beginning of a PNG file behind it that announces so many pixels each way. */
+static char *
+make_picture (int pixels)
+{
+  static const guint8 head[] = {
+    0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13
+  };
+  guint32 crc = 0xffffffff;
+  g_autoptr (GByteArray) bytes = g_byte_array_new ();
+  guint8 header[17] = { 'I', 'H', 'D', 'R', [12] = 8 };
+  for (int k = 0; k < 4; k++)
+    header[4 + k] = header[8 + k] = (guint8) (pixels >> (24 - 8 * k));
+  for (gsize i = 0; i < sizeof header; i++) { /* ISO 3309 */
+    crc ^= header[i];
+    for (int bit = 0; bit < 8; bit++)
+      crc = crc >> 1 ^ (crc & 1 ? 0xedb88320 : 0);
+  }
+  guint32 sum = GUINT32_TO_BE (~crc);
+  g_byte_array_append (bytes, head, sizeof head);
+  g_byte_array_append (bytes, header, sizeof header);
+  g_byte_array_append (bytes, (guint8 *) &sum, sizeof sum);
+  g_byte_array_append (bytes, (const guint8 *) "\0\0\1\0IDAT\x78\x9c", 10);
+  g_autofree char *picture = g_build_filename (folder, "large.png", NULL);
+  g_assert_true (g_file_set_contents (picture, (char *) bytes->data, bytes->len, NULL));
+
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, 0, 0, 0);
+  g_string_append (text,
+                   " ], \"underlay\": { \"image\": \"large.png\", \"width\": 1 } }");
+  return cli_write (folder, "picture.quoin", text->str);
+}
+
+/* A project whose picture is a pipe that nobody writes to. */
+static char *
+make_pipe (int count)
+{
+  (void) count;
+  g_autofree char *pipe = g_build_filename (folder, "pipe.png", NULL);
+  g_assert_cmpint (mkfifo (pipe, 0600), ==, 0);
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, 0, 0, 0);
+  g_string_append (text, " ], \"underlay\": { \"image\": \"pipe.png\", \"width\": 1 } }");
+  return cli_write (folder, "pipe.quoin", text->str);
+}
+
+static char *
+make_endless (int count)
+{
+  (void) count;
+  return g_strdup ("/dev/zero");
+}
+
+/* More than is read, though it takes no room on the disk. */
+static char *
+make_sparse (int count)
+{
+  char *path = cli_write (folder, "sparse.quoin", "{");
+  g_assert_cmpint (truncate (path, (off_t) count << 20), ==, 0);
+  return path;
+}
+
+/* --- The table ------------------------------------------------------------------------------ */
+
+typedef struct Input {
+  const char *name;
+  char *(*make) (int count);
+  int count;
+  const char *command;
+  int code;
+  const char *part; /* of what is said on standard error; nullable */
+} Input;
+
+static const Input inputs[] = {
+  { "1,000 identical blocks", make_same_blocks, 1000, "check", 3, "blocks overlap" },
+  { "10,000 identical blocks", make_same_blocks, 10000, "check", 3, "lie near" },
+  { "3,000 parallel slabs", make_slabs, 3000, "check", 3, "lie near" },
+  { "3,000 random lines", make_lines, 3000, "import", 3, "cross each other" },
+  { "20,000 random lines", make_lines, 20000, "import", 3, "cross each other" },
+  { "picture of 30,000 x 30,000", make_picture, 30000, "render", 5, "30000 x 30000" },
+  { "picture in a pipe", make_pipe, 1, "render", 5, "pipe" },
+  { "zeros without end", make_endless, 1, "check", 5, "too large" },
+  { "zeros without end as a drawing", make_endless, 1, "import", 5, NULL },
+  { "4 GB of nothing", make_sparse, 4096, "check", 5, "too large" },
+};
+
+/* Accepted, in proportion to the size. */
+static const Input growing[] = {
+  { "stones apart", make_apart, 2000, "check", 3, NULL },
+  { "unknown keys", make_unknown_keys, 8000, "check", 0, NULL },
+  { "recipes", make_recipes, 8000, "check", 0, NULL },
+};
+
+typedef struct Command {
+  const char *arguments[8];
+  char *path, *output;
+} Command;
+
+static Command
+command_of (const Input *input, int count)
+{
+  Command c = { .path = input->make (count),
+                .output = g_build_filename (folder, "output", NULL) };
+  gboolean import = g_str_equal (input->command, "import");
+  gboolean render = g_str_equal (input->command, "render");
+  g_autofree char *png = g_strconcat (c.output, render ? ".png" : ".quoin", NULL);
+  g_free (c.output);
+  c.output = g_steal_pointer (&png);
+  const char *const arguments[] = { g_getenv ("QUOIN_CLI"), input->command, c.path,
+                                    NULL };
+  memcpy (c.arguments, arguments, sizeof arguments);
+  if (import || render) {
+    c.arguments[3] = "-o";
+    c.arguments[4] = c.output;
+  }
+  if (render) {
+    c.arguments[5] = "--view";
+    c.arguments[6] = "model";
+  }
+  return c;
+}
+
+static void
+command_clear (Command *c)
+{
+  if (g_str_has_prefix (c->path, folder))
+    g_remove (c->path);
+  g_remove (c->output);
+  g_free (c->path);
+  g_free (c->output);
+}
+
+static void
+limit_memory (gpointer data)
+{
+  (void) data;
+  const struct rlimit limit = { MOST_MEMORY, MOST_MEMORY };
+  setrlimit (RLIMIT_DATA, &limit);
+}
+
+static void
+test_memory (gconstpointer data)
+{
+  const Input *input = data;
+  Command c = command_of (input, input->count);
+  g_autofree char *said = NULL;
+  int status;
+  g_assert_true (g_spawn_sync (NULL, (char **) c.arguments, NULL,
+                               G_SPAWN_STDOUT_TO_DEV_NULL, limit_memory, NULL, NULL,
+                               &said, &status, NULL));
+  g_test_message ("%s", said);
+  g_assert_true (WIFEXITED (status));
+  g_assert_cmpint (WEXITSTATUS (status), ==, input->code);
+  if (input->part != NULL)
+    g_assert_nonnull (strstr (said, input->part));
+  command_clear (&c);
+}
+
+static void
+test_work (gconstpointer data)
+{
+  const Input *input = data;
+  Command c = command_of (input, input->count);
+  int code = -1;
+  double instructions = count_program (c.arguments, &code);
+  command_clear (&c);
+  if (code < 0) {
+    g_test_skip ("instructions cannot be counted here");
+    return;
+  }
+  g_test_message ("%s: %.3g instructions", input->name, instructions);
+  g_assert_cmpint (code, ==, input->code);
+  g_assert_cmpfloat (instructions, >, 1e6); /* something was counted */
+  g_assert_cmpfloat (instructions, <, MOST_INSTRUCTIONS);
+}
+
+static void
+test_growth (gconstpointer data)
+{
+  const Input *input = data;
+  double instructions[2];
+  for (int i = 0; i < 2; i++) {
+    Command c = command_of (input, (i + 1) * (i + 1) * input->count);
+    int code = -1;
+    instructions[i] = count_program (c.arguments, &code);
+    command_clear (&c);
+    if (code < 0) {
+      g_test_skip ("instructions cannot be counted here");
+      return;
+    }
+    g_assert_cmpint (code, ==, input->code);
+  }
+  double growth = log (instructions[1] / instructions[0]) / log (4);
+  g_test_message ("%s: %.3g and %.3g instructions, exponent %.2f", input->name,
+                  instructions[0], instructions[1], growth);
+  g_assert_cmpfloat (instructions[1], <, MOST_INSTRUCTIONS);
+  g_assert_cmpfloat (growth, <=, MOST_GROWTH);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  folder = test_scratch_new ();
+  for (gsize i = 0; i < G_N_ELEMENTS (inputs); i++) {
+    g_autofree char *memory = g_strconcat ("/cli/work/memory/", inputs[i].name, NULL);
+    g_autofree char *work = g_strconcat ("/cli/work/instructions/", inputs[i].name, NULL);
+    g_test_add_data_func (memory, &inputs[i], test_memory);
+    g_test_add_data_func (work, &inputs[i], test_work);
+  }
+  for (gsize i = 0; i < G_N_ELEMENTS (growing); i++) {
+    g_autofree char *path = g_strconcat ("/cli/work/growth/", growing[i].name, NULL);
+    g_test_add_data_func (path, &growing[i], test_growth);
+  }
+  int failed = g_test_run ();
+  test_scratch_free (folder);
+  return failed;
+}
