@@ -1,5 +1,6 @@
 #include "study/plan/distribution.h"
 
+#include <float.h>
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
@@ -106,7 +107,9 @@ qn_distribution_is_possible (const QnDistribution *d)
 {
   if (d->kind == QN_DISTRIBUTION_DISCRETE)
     return d->count > 0;
-  if (!(d->min < d->max))
+  /* All values lie between these two. */
+  if (!(d->min < d->max) || !isfinite (qn_distribution_quantile (d, DBL_EPSILON / 2))
+      || !isfinite (qn_distribution_quantile (d, 1 - DBL_EPSILON / 2)))
     return FALSE;
   if (d->kind == QN_DISTRIBUTION_UNIFORM || d->kind == QN_DISTRIBUTION_TRIANGULAR)
     return TRUE;

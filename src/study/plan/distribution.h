@@ -36,7 +36,7 @@ extern const char *const qn_distribution_kind_names[QN_DISTRIBUTION_COUNT];
 /* The value that the share u (0 < u < 1) of all values does not exceed. */
 double qn_distribution_quantile (const QnDistribution *distribution, double u);
 
-/* Whether min .. max holds any probability that can be told from none. */
+/* Whether min .. max holds any probability that can be told from none, and finite values only. */
 gboolean qn_distribution_is_possible (const QnDistribution *distribution);
 
 /* The logarithm's mean and deviation of a lognormal variable with this mean (> 0) and deviation. */

@@ -77,7 +77,7 @@ read_values (const QnJsonValue *list, const QnJsonValue *weights, QnDistribution
       return FALSE;
     for (guint i = 0; i < shares->len; i++)
       sum += g_array_index (shares, double, i);
-    if (shares->len != values->len || !(sum > 0))
+    if (shares->len != values->len || !(sum > 0) || !isfinite (sum))
       return qn_json_value_fail (weights,
                                  _ ("expected one weight for every value, at least "
                                     "one above 0"));
@@ -96,8 +96,8 @@ read_range (const QnJsonValue *list, QnDistribution *d)
   if (!read_numbers (list, QN_RANGE_FINITE, ends))
     return FALSE;
   const double *end = (double *) (void *) ends->data;
-  if (ends->len != 3 || !(end[0] < end[1]) || end[2] < 2 || end[2] != floor (end[2])
-      || end[2] > QN_STUDY_MAX_VALUES)
+  if (ends->len != 3 || !(end[0] < end[1]) || !isfinite (end[1] - end[0]) || end[2] < 2
+      || end[2] != floor (end[2]) || end[2] > QN_STUDY_MAX_VALUES)
     return qn_json_value_fail (list,
                                _ ("expected [least, greatest, number of values], at "
                                   "least 2 values"));

@@ -76,6 +76,23 @@ test_weibull (void)
   assert_near (qn_distribution_quantile (&d, 1 - exp (-1)), 5);
 }
 
+/* Numbers that a double cannot hold are none that a distribution may give. */
+static void
+test_overflow (void)
+{
+  QnDistribution uniform = { .kind = QN_DISTRIBUTION_UNIFORM,
+                             .min = -1e308,
+                             .max = 1e308 };
+  g_assert_false (qn_distribution_is_possible (&uniform));
+  uniform.max = 0;
+  g_assert_true (qn_distribution_is_possible (&uniform));
+  QnDistribution lognormal = { .min = -INFINITY, .max = INFINITY };
+  qn_distribution_set_lognormal (&lognormal, 1e-300, 0.1);
+  g_assert_false (qn_distribution_is_possible (&lognormal));
+  lognormal.max = 1e300;
+  g_assert_true (qn_distribution_is_possible (&lognormal));
+}
+
 /* What is cut off is gone, and the shares of the rest keep their proportions; far out in either tail
  * too, where differences of probabilities near 1 would be nothing. */
 static void
@@ -122,6 +139,7 @@ main (int argc, char **argv)
   g_test_add_func ("/study/distribution/lognormal", test_lognormal);
   g_test_add_func ("/study/distribution/bounded", test_bounded);
   g_test_add_func ("/study/distribution/weibull", test_weibull);
+  g_test_add_func ("/study/distribution/overflow", test_overflow);
   g_test_add_func ("/study/distribution/truncation", test_truncation);
   g_test_add_func ("/study/distribution/discrete", test_discrete);
   return g_test_run ();
