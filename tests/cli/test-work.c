@@ -4,6 +4,7 @@
 #include "cli/cli-run.h"
 #include "support/instructions.h"
 
+#include <errno.h>
 #include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
@@ -152,7 +153,7 @@ make_pipe (int count)
 {
   (void) count;
   g_autofree char *pipe = g_build_filename (folder, "pipe.png", NULL);
-  g_assert_cmpint (mkfifo (pipe, 0600), ==, 0);
+  g_assert_true (mkfifo (pipe, 0600) == 0 || errno == EEXIST);
   g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
   add_block (text, 0, 0, 0, 0);
   g_string_append (text, " ], \"underlay\": { \"image\": \"pipe.png\", \"width\": 1 } }");
