@@ -28,30 +28,6 @@ test_help_of_each (void)
   }
 }
 
-/* The manual page knows every subcommand that --help lists. */
-static void
-test_manual (void)
-{
-  g_autofree char *examples = cli_example ("");
-  g_autofree char *path =
-    g_build_filename (examples, "..", "data", "man", "quoin-cli.1", NULL);
-  g_autofree char *manual = cli_read (path);
-  CliRun run = cli_run ("--help", NULL);
-  cli_assert_done (&run);
-  const char *list = strstr (run.out, "Subcommands:\n");
-  g_assert_nonnull (list);
-  g_auto (GStrv) lines = g_strsplit (list, "\n", -1);
-  guint count = 0;
-  for (char **line = lines + 1; g_str_has_prefix (*line, "  "); line++, count++) {
-    g_auto (GStrv) words = g_strsplit (g_strchug (*line), " ", 2);
-    g_autofree char *entry = g_strdup_printf (".TP\n.B %s\n", words[0]);
-    if (strstr (manual, entry) == NULL)
-      g_test_fail_printf ("the manual page lacks %s", words[0]);
-  }
-  g_assert_cmpuint (count, >, 10);
-  cli_run_clear (&run);
-}
-
 static void
 test_version (void)
 {
@@ -144,7 +120,6 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/contract/help", test_help);
   g_test_add_func ("/cli/contract/help-of-each", test_help_of_each);
-  g_test_add_func ("/cli/contract/manual", test_manual);
   g_test_add_func ("/cli/contract/version", test_version);
   g_test_add_func ("/cli/contract/usage", test_usage);
   g_test_add_func ("/cli/contract/render-usage", test_render_usage);
