@@ -1,5 +1,6 @@
 #include "app/forms/bound-form.h"
 
+#include "app/widgets/choice-list.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
 #include "core/base/integer.h"
@@ -33,6 +34,16 @@ QnId
 qn_value_get_law (const QnValue *value)
 {
   return value->number > 0.0 ? (QnId) value->number - 1 : QN_NONE;
+}
+
+void
+qn_value_set_sections (QnValue *value, const QnModel *model, QnId section)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  for (gsize i = 0; i < model->section_count; i++)
+    g_strv_builder_add (names, model->sections[i].name);
+  value->rows = g_strv_builder_end (names);
+  value->number = section != QN_NONE ? section : 0;
 }
 
 static void
@@ -85,30 +96,20 @@ prepare_choice (GtkDropDown *choice)
   g_autoptr (GtkListItemFactory) list = make_choice_factory (FALSE);
   gtk_drop_down_set_factory (choice, button);
   gtk_drop_down_set_list_factory (choice, list);
-}
-
-static gboolean
-has_rows (GListModel *model, char **rows)
-{
-  guint count = model != NULL ? g_list_model_get_n_items (model) : 0;
-  if (count != g_strv_length (rows))
-    return FALSE;
-  for (guint i = 0; i < count; i++)
-    if (!g_str_equal (gtk_string_list_get_string (GTK_STRING_LIST (model), i), rows[i]))
-      return FALSE;
-  return TRUE;
+  if (gtk_drop_down_get_model (choice) == NULL) {
+    g_autoptr (GtkStringList) rows = gtk_string_list_new (NULL);
+    gtk_drop_down_set_model (choice, G_LIST_MODEL (rows));
+  }
 }
 
 static void
-show_choice (GtkDropDown *choice, const QnValue *value)
+show_choice (QnBoundForm *form, GtkDropDown *choice, const QnValue *value)
 {
-  if (value->rows != NULL && !has_rows (gtk_drop_down_get_model (choice), value->rows)) {
-    g_autoptr (GtkStringList) list =
-      gtk_string_list_new ((const char *const *) value->rows);
-    gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
-  }
   guint row = value->number < 0.0 ? GTK_INVALID_LIST_POSITION : (guint) value->number;
-  gtk_drop_down_set_selected (choice, row);
+  if (value->rows != NULL)
+    qn_choice_list_fill (choice, (const char *const *) value->rows, row, form);
+  else
+    gtk_drop_down_set_selected (choice, row);
 }
 
 static void
@@ -142,6 +143,48 @@ show_list (GtkListBox *list, const QnValue *value)
     gtk_widget_set_visible (scroller, value->rows != NULL && value->rows[0] != NULL);
 }
 
+static void on_entered (GtkWidget *widget, QnBoundForm *form);
+
+static void
+on_check (GtkWidget *check, QnBoundForm *form)
+{
+  on_entered (gtk_widget_get_parent (check), form);
+}
+
+/* Checks that are there stay: one of them may be telling of its change. */
+static void
+show_checks (QnBoundForm *form, GtkBox *box, const QnValue *value)
+{
+  GtkWidget *check = gtk_widget_get_first_child (GTK_WIDGET (box));
+  for (guint i = 0; value->rows[i] != NULL; i++) {
+    if (check == NULL) {
+      check = gtk_check_button_new ();
+      g_signal_connect (check, "toggled", G_CALLBACK (on_check), form);
+      gtk_box_append (box, check);
+    }
+    gtk_check_button_set_label (GTK_CHECK_BUTTON (check), value->rows[i]);
+    gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
+                                 (guint32) value->number >> i & 1);
+    check = gtk_widget_get_next_sibling (check);
+  }
+  while (check != NULL) {
+    GtkWidget *next = gtk_widget_get_next_sibling (check);
+    gtk_box_remove (box, check);
+    check = next;
+  }
+}
+
+static guint32
+take_checks (GtkWidget *box)
+{
+  guint32 bits = 0, bit = 1;
+  for (GtkWidget *check = gtk_widget_get_first_child (box); check != NULL;
+       check = gtk_widget_get_next_sibling (check), bit <<= 1)
+    if (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)))
+      bits |= bit;
+  return bits;
+}
+
 static void
 show_text (GtkEditable *entry, const char *text)
 {
@@ -150,13 +193,13 @@ show_text (GtkEditable *entry, const char *text)
 }
 
 static void
-show_value (GtkWidget *widget, const QnValue *value)
+show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
 {
   gboolean on = value->number != 0.0;
   if (QN_IS_QUANTITY_ENTRY (widget))
     qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (widget), value->number);
   else if (GTK_IS_DROP_DOWN (widget))
-    show_choice (GTK_DROP_DOWN (widget), value);
+    show_choice (form, GTK_DROP_DOWN (widget), value);
   else if (GTK_IS_LIST_BOX (widget))
     show_list (GTK_LIST_BOX (widget), value);
   else if (GTK_IS_CHECK_BUTTON (widget)) {
@@ -168,6 +211,8 @@ show_value (GtkWidget *widget, const QnValue *value)
     gtk_switch_set_active (GTK_SWITCH (widget), on);
   else if (GTK_IS_RANGE (widget))
     gtk_range_set_value (GTK_RANGE (widget), value->number);
+  else if (GTK_IS_BOX (widget) && value->rows != NULL)
+    show_checks (form, GTK_BOX (widget), value);
   else if (GTK_IS_LABEL (widget))
     gtk_label_set_text (GTK_LABEL (widget), value->text != NULL ? value->text : "");
   else if (GTK_IS_EDITABLE (widget)) {
@@ -192,7 +237,7 @@ qn_bound_form_show (gpointer data)
     gboolean shown = form->kind->show (form, field, &value);
     gtk_widget_set_visible (form->widgets[field], shown);
     if (shown)
-      show_value (form->widgets[field], &value);
+      show_value (form, form->widgets[field], &value);
     value_clear (&value);
   }
   form->showing = FALSE;
@@ -219,6 +264,8 @@ take_value (GtkWidget *widget)
     value.number = gtk_switch_get_active (GTK_SWITCH (widget));
   else if (GTK_IS_RANGE (widget))
     value.number = gtk_range_get_value (GTK_RANGE (widget));
+  else if (GTK_IS_BOX (widget))
+    value.number = take_checks (widget);
   else if (GTK_IS_EDITABLE (widget))
     value.text = g_strdup (gtk_editable_get_text (GTK_EDITABLE (widget)));
   return value;
@@ -229,6 +276,13 @@ qn_bound_form_get_number (gpointer data, guint field)
 {
   const QnBoundForm *form = data;
   return take_value (form->widgets[field]).number;
+}
+
+char *
+qn_bound_form_dup_text (gpointer data, guint field)
+{
+  const QnBoundForm *form = data;
+  return take_value (form->widgets[field]).text;
 }
 
 typedef struct Entered {
@@ -275,7 +329,8 @@ dup_step (const char *step, GtkWidget *widget)
 static void
 on_entered (GtkWidget *widget, QnBoundForm *form)
 {
-  if (form->showing || gtk_widget_in_destruction (form->root))
+  /* Lists that are being taken apart say that nothing is selected any more. */
+  if (form->showing || gtk_widget_get_root (widget) == NULL)
     return;
   g_autoptr (GError) error = NULL;
   Entered entered = { .form = form, .value = take_value (widget) };
@@ -360,10 +415,21 @@ align_rows (GtkWidget *widget, GtkSizeGroup *group)
     align_rows (child, group);
 }
 
+/* Of the status of the canvas only the tool concerns forms. */
 static void
-follow (QnBoundForm *form, gpointer object, const char *signal)
+on_status (QnBoundForm *form)
 {
-  GClosure *closure = g_cclosure_new_swap (G_CALLBACK (qn_bound_form_show), form, NULL);
+  const QnTool *tool = qn_canvas_get_tool (form->canvas);
+  if (tool == form->tool)
+    return;
+  form->tool = tool;
+  qn_bound_form_show (form);
+}
+
+static void
+follow (QnBoundForm *form, gpointer object, const char *signal, GCallback callback)
+{
+  GClosure *closure = g_cclosure_new_swap (callback, form, NULL);
   g_object_watch_closure (G_OBJECT (form->root), closure);
   g_signal_connect_closure (object, signal, closure, FALSE);
 }
@@ -401,14 +467,21 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   /* A window is kept by GTK, anything else by the parent that it gets. */
   if (!GTK_IS_WINDOW (form->root))
     g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
-  if (canvas != NULL) {
-    follow (form, qn_canvas_get_document (canvas), "changed");
-    if ((kind->follows & QN_FOLLOW_SELECTION) != 0)
-      follow (form, qn_canvas_get_selection (canvas), "changed");
-    if ((kind->follows & QN_FOLLOW_RUNS) != 0)
-      follow (form, qn_canvas_get_document (canvas), "runs-changed");
-    if ((kind->follows & QN_FOLLOW_VIEW) != 0)
-      follow (form, qn_canvas_get_state (canvas), "changed");
-  }
+  if (canvas == NULL)
+    return form;
+  const struct {
+    QnFollow what;
+    gpointer object;
+    const char *signal;
+  } signals[] = { { QN_FOLLOW_SELECTION, qn_canvas_get_selection (canvas), "changed" },
+                  { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "runs-changed" },
+                  { QN_FOLLOW_VIEW, qn_canvas_get_state (canvas), "changed" } };
+  GCallback callback = G_CALLBACK (qn_bound_form_show);
+  follow (form, qn_canvas_get_document (canvas), "changed", callback);
+  for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
+    if ((kind->follows & signals[i].what) != 0)
+      follow (form, signals[i].object, signals[i].signal, callback);
+  if ((kind->follows & QN_FOLLOW_TOOL) != 0)
+    follow (form, canvas, "status", G_CALLBACK (on_status));
   return form;
 }

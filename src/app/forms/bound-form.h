@@ -7,7 +7,8 @@
  *
  * How widgets show a value: QnQuantityEntry its number; GtkDropDown, GtkListBox the row; check
  * buttons, switches, toggle buttons whether they are on; scales and spin buttons their number;
- * entries and labels the text. Plain buttons and lists call with no value but the row. */
+ * entries and labels the text; a vertical box has a check for each row, and a bit of the number
+ * says whether it is on. Plain buttons and lists call with no value but the row. */
 #ifndef QN_APP_BOUND_FORM_H
 #define QN_APP_BOUND_FORM_H
 
@@ -32,6 +33,9 @@ void qn_value_set_laws (QnValue *value, const QnModel *model, const char *first,
                         QnId law);
 QnId qn_value_get_law (const QnValue *value);
 
+/* Names of sections likewise, without a row for none. */
+void qn_value_set_sections (QnValue *value, const QnModel *model, QnId section);
+
 typedef struct QnFormField {
   const char *id; /* in the .ui file */
   /* Name of the undo step, to be translated; "%s" in it stands for the label of the row. NULL: a new
@@ -45,7 +49,8 @@ typedef struct QnBoundForm QnBoundForm;
 typedef enum {
   QN_FOLLOW_SELECTION = 1 << 0,
   QN_FOLLOW_RUNS = 1 << 1,
-  QN_FOLLOW_VIEW = 1 << 2 /* what the view state shows, such as the step */
+  QN_FOLLOW_VIEW = 1 << 2, /* what the view state shows, such as the step */
+  QN_FOLLOW_TOOL = 1 << 3
 } QnFollow;
 
 typedef struct QnFormKind {
@@ -86,7 +91,8 @@ struct QnBoundForm {
   QnCanvas *canvas; /* NULL in dialogs */
   GtkWidget *root;  /* "form" of the .ui file */
   GtkWidget **widgets;
-  gboolean showing; /* values are being shown: nobody has entered them */
+  const QnTool *tool; /* that was shown last */
+  gboolean showing;   /* values are being shown: nobody has entered them */
 };
 
 /* A form of that kind; its struct lives as long as its root. `canvas` is NULL for dialogs, whose
@@ -98,5 +104,6 @@ GtkWidget *qn_bound_form_show (gpointer form);
 
 /* As entered by the user: the number of a field, or its text. */
 double qn_bound_form_get_number (gpointer form, guint field);
+char *qn_bound_form_dup_text (gpointer form, guint field); /* the caller frees it */
 
 #endif

@@ -5,7 +5,6 @@
 #include <glib/gi18n.h>
 #include <stdlib.h>
 
-#define LEAST_HEIGHT 230
 #define PX_PER_POINT (96.0 / 72.0)
 
 typedef struct View {
@@ -47,18 +46,13 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   qn_joint_plot_draw (&plot, cr, width, height, PX_PER_POINT);
 }
 
-GtkWidget *
-qn_joint_view_new (void)
+void
+qn_joint_view_init (GtkWidget *area)
 {
-  GtkWidget *area = gtk_drawing_area_new ();
   View *view = g_new0 (View, 1);
-  gtk_widget_set_size_request (area, -1, LEAST_HEIGHT);
   g_object_set_data (G_OBJECT (area), "qn-view", view);
   g_object_weak_ref (G_OBJECT (area), on_gone, view);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, view, NULL);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (area), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Forces in the joint"), -1);
-  return area;
 }
 
 /* The plot in words. */

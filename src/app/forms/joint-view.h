@@ -7,7 +7,8 @@
 
 #include "render/figure/joint-plot.h"
 
-GtkWidget *qn_joint_view_new (void);
+/* Makes a GtkDrawingArea one. */
+void qn_joint_view_init (GtkWidget *area);
 
 /* Takes over the points of the plot. */
 void qn_joint_view_set_plot (GtkWidget *view, const QnJointPlot *plot);

@@ -4,7 +4,6 @@
 #include "render/figure/curve-plot.h"
 #include <glib/gi18n.h>
 
-#define HEIGHT       200
 #define PX_PER_POINT (96.0 / 72.0)
 
 /* m: of the block's side, where a law speaks of strains. */
@@ -66,19 +65,14 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
     draw_plot (view, cr, width, height);
 }
 
-GtkWidget *
-qn_law_view_new (void)
+void
+qn_law_view_init (GtkWidget *area)
 {
-  GtkWidget *area = gtk_drawing_area_new ();
   View *view = g_new0 (View, 1);
   view->samples = g_array_new (FALSE, FALSE, sizeof (QnLawSample));
-  gtk_widget_set_size_request (area, -1, HEIGHT);
   g_object_set_data (G_OBJECT (area), "qn-view", view);
   g_object_weak_ref (G_OBJECT (area), on_gone, view);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, view, NULL);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (area), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Response of the law"), -1);
-  return area;
 }
 
 void

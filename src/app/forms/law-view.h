@@ -5,7 +5,8 @@
 #include "core/law/law.h"
 #include <gtk/gtk.h>
 
-GtkWidget *qn_law_view_new (void);
+/* Makes a GtkDrawingArea one. */
+void qn_law_view_init (GtkWidget *area);
 
 /* Takes a copy. */
 void qn_law_view_set_law (GtkWidget *view, const QnLaw *law);

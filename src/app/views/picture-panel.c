@@ -1,125 +1,81 @@
 /* The picture behind the drawing: opacity, size, place and angle; only there when it is. */
-#include "app/forms/form.h"
+#include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "doc/document/picture.h"
 #include "io/text/io-error.h"
 #include <glib/gi18n.h>
 
-typedef struct Panel {
-  QnCanvas *canvas;
-  GtkWidget *form;
-  GtkLabel *trouble;
-  GtkWidget *opacity, *allow;
-  QnQuantityEntry *width, *x, *y, *angle;
-} Panel;
+enum { TROUBLE, ALLOW, OPACITY, WIDTH, X, Y, ANGLE };
 
-static void
-place (Panel *panel, const char *name, const char *key, const QnUnderlay *underlay)
+/* The picture is no part of the model: its steps are made here. */
+static const QnFormField fields[] = {
+  [TROUBLE] = { .id = "trouble" },
+  [ALLOW] = { .id = "allow" },
+  [OPACITY] = { .id = "opacity" },
+  [WIDTH] = { .id = "width" },
+  [X] = { .id = "x" },
+  [Y] = { .id = "y" },
+  [ANGLE] = { .id = "angle" },
+};
+
+static double *
+number_of (QnUnderlay *underlay, guint field)
 {
-  g_autoptr (GError) error = NULL;
-  if (!qn_document_place_picture (qn_canvas_get_document (panel->canvas), name, key,
-                                  underlay, &error))
-    g_signal_emit_by_name (panel->canvas, "failed", error->message);
+  double *const all[] = { [OPACITY] = &underlay->opacity,
+                          [WIDTH] = &underlay->width,
+                          [X] = &underlay->origin.x,
+                          [Y] = &underlay->origin.y,
+                          [ANGLE] = &underlay->angle };
+  return all[field];
 }
 
-static QnUnderlay
-present (const Panel *panel)
+static gboolean
+look (gpointer data)
 {
-  return *qn_view_state_get_underlay (qn_canvas_get_state (panel->canvas));
+  QnViewState *state = qn_canvas_get_state (((QnBoundForm *) data)->canvas);
+  return qn_view_state_get_underlay (state)->image != NULL
+         || qn_view_state_get_underlay_error (state) != NULL;
 }
 
-static void
-on_quantity (QnQuantityEntry *entry, Panel *panel)
+static gboolean
+show (gpointer data, guint field, QnValue *value)
 {
-  (void) entry;
-  QnUnderlay underlay = present (panel);
-  underlay.width = qn_quantity_entry_get_value (panel->width);
-  underlay.origin = qn_vec2 (qn_quantity_entry_get_value (panel->x),
-                             qn_quantity_entry_get_value (panel->y));
-  underlay.angle = qn_quantity_entry_get_value (panel->angle);
-  place (panel, _ ("Place Picture"), NULL, &underlay);
-}
-
-static void
-on_opacity (GtkRange *range, Panel *panel)
-{
-  QnUnderlay underlay = present (panel);
-  underlay.opacity = gtk_range_get_value (range);
-  place (panel, _ ("Fade Picture"), "picture-opacity", &underlay);
-}
-
-static void
-update (Panel *panel)
-{
-  QnViewState *state = qn_canvas_get_state (panel->canvas);
-  const QnUnderlay *underlay = qn_view_state_get_underlay (state);
+  QnViewState *state = qn_canvas_get_state (((QnBoundForm *) data)->canvas);
   const GError *error = qn_view_state_get_underlay_error (state);
-  gtk_widget_set_visible (panel->form, underlay->image != NULL || error != NULL);
-  gtk_label_set_text (panel->trouble, error != NULL ? error->message : "");
-  gtk_widget_set_visible (GTK_WIDGET (panel->trouble), error != NULL);
-  gtk_widget_set_visible (panel->allow,
-                          g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE));
-  g_signal_handlers_block_by_func (panel->opacity, on_opacity, panel);
-  gtk_range_set_value (GTK_RANGE (panel->opacity), underlay->opacity);
-  g_signal_handlers_unblock_by_func (panel->opacity, on_opacity, panel);
-  qn_quantity_entry_set_value (panel->width, underlay->width);
-  qn_quantity_entry_set_value (panel->x, underlay->origin.x);
-  qn_quantity_entry_set_value (panel->y, underlay->origin.y);
-  qn_quantity_entry_set_value (panel->angle, underlay->angle);
+  QnUnderlay underlay = *qn_view_state_get_underlay (state);
+  if (field == ALLOW)
+    return g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE);
+  if (field == TROUBLE) {
+    value->text = g_strdup (error != NULL ? error->message : "");
+    return error != NULL;
+  }
+  value->number = *number_of (&underlay, field);
+  return TRUE;
 }
 
-static void
-on_allow (Panel *panel)
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  QnViewState *state = qn_canvas_get_state (panel->canvas);
-  qn_document_allow_picture (qn_canvas_get_document (panel->canvas));
-  qn_view_state_refresh_underlay (state);
-}
-
-static GtkWidget *
-make_button (const char *label, const char *action, const char *target)
-{
-  GtkWidget *button = gtk_button_new_with_mnemonic (label);
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), action);
-  if (target != NULL)
-    gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", target);
-  gtk_widget_set_hexpand (button, TRUE);
-  return button;
+  QnCanvas *canvas = ((QnBoundForm *) data)->canvas;
+  QnDocument *document = qn_canvas_get_document (canvas);
+  QnUnderlay underlay = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
+  gboolean fade = field == OPACITY;
+  (void) draft;
+  if (field == ALLOW) {
+    qn_document_allow_picture (document);
+    qn_view_state_refresh_underlay (qn_canvas_get_state (canvas));
+    return TRUE;
+  }
+  *number_of (&underlay, field) = value->number;
+  return qn_document_place_picture (document,
+                                    fade ? _ ("Fade Picture") : _ ("Place Picture"),
+                                    fade ? "picture-opacity" : NULL, &underlay, error);
 }
 
 GtkWidget *
 qn_picture_panel_new (QnCanvas *canvas)
 {
-  Panel *panel = g_new0 (Panel, 1);
-  GtkWidget *form = qn_form_new ();
-  GCallback quantity = G_CALLBACK (on_quantity);
-  panel->canvas = canvas;
-  panel->form = form;
-  qn_form_add_heading (form, _ ("Picture behind the Drawing"));
-  panel->trouble = qn_form_add_text (form);
-  panel->allow = gtk_button_new_with_mnemonic (_ ("_Show It All the Same"));
-  g_signal_connect_swapped (panel->allow, "clicked", G_CALLBACK (on_allow), panel);
-  qn_form_add_wide (form, panel->allow);
-  panel->opacity = gtk_scale_new_with_range (GTK_ORIENTATION_HORIZONTAL, 0.0, 1.0, 0.05);
-  gtk_widget_set_hexpand (panel->opacity, TRUE);
-  g_signal_connect (panel->opacity, "value-changed", G_CALLBACK (on_opacity), panel);
-  qn_form_add_row (form, _ ("O_pacity"), panel->opacity);
-  panel->width = qn_form_add_quantity (form, _ ("Wi_dth"), QN_QUANTITY_LENGTH, 1e-6, 1e6,
-                                       quantity, panel);
-  panel->x = qn_form_add_quantity (form, _ ("Left edge"), QN_QUANTITY_LENGTH, -1e6, 1e6,
-                                   quantity, panel);
-  panel->y = qn_form_add_quantity (form, _ ("Lower edge"), QN_QUANTITY_LENGTH, -1e6, 1e6,
-                                   quantity, panel);
-  panel->angle = qn_form_add_quantity (form, _ ("An_gle"), QN_QUANTITY_ANGLE, -10.0, 10.0,
-                                       quantity, panel);
-  GtkWidget *buttons = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
-  gtk_box_append (GTK_BOX (buttons),
-                  make_button (_ ("_Move and Scale"), "win.tool", "picture"));
-  gtk_box_append (GTK_BOX (buttons),
-                  make_button (_ ("_Remove"), "win.remove-picture", NULL));
-  qn_form_add_wide (form, buttons);
-  qn_own (form, panel);
-  qn_watch (form, qn_canvas_get_state (canvas), "changed", G_CALLBACK (update), panel);
-  update (panel);
-  return form;
+  static const QnFormKind kind =
+    QN_FORM_KIND ("picture-panel", QnBoundForm, QN_FOLLOW_VIEW);
+  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
 }

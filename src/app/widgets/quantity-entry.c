@@ -139,6 +139,14 @@ qn_quantity_entry_set_property (GObject *object, guint id, const GValue *value,
     G_OBJECT_WARN_INVALID_PROPERTY_ID (object, id, pspec);
 }
 
+/* Not before: GTK empties an entry that is being made. */
+static void
+qn_quantity_entry_constructed (GObject *object)
+{
+  G_OBJECT_CLASS (qn_quantity_entry_parent_class)->constructed (object);
+  show_value (QN_QUANTITY_ENTRY (object));
+}
+
 static void
 qn_quantity_entry_dispose (GObject *object)
 {
@@ -151,6 +159,7 @@ static void
 qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
 {
   GObjectClass *object_class = G_OBJECT_CLASS (klass);
+  object_class->constructed = qn_quantity_entry_constructed;
   object_class->dispose = qn_quantity_entry_dispose;
   object_class->set_property = qn_quantity_entry_set_property;
   g_object_class_install_property (
@@ -190,7 +199,6 @@ qn_quantity_entry_init (QnQuantityEntry *self)
   gtk_widget_add_controller (GTK_WIDGET (self), key);
   self->settings_handler = g_signal_connect_swapped (qn_settings_get (), "changed",
                                                      G_CALLBACK (show_value), self);
-  show_value (self);
 }
 
 GtkWidget *
