@@ -2,42 +2,82 @@
  * it, or a name under which the project keeps it. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/form.h"
+#include "app/forms/bound-form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
 #include "doc/view/figure-export.h"
 #include "doc/view/figures.h"
 #include <glib/gi18n.h>
 
-enum { UNIT_PX, UNIT_MM };
-
 typedef struct Dialog {
+  QnBoundForm base;
   GtkWindow *parent;
   QnViewState *state;
   QnFigureFunc write;
   QnTellFunc tell;
   GObject *chooser; /* on the screen, or NULL */
-  GtkWidget *dialog, *preview;
-  GtkDropDown *view, *diagram, *field, *format, *unit;
-  QnQuantityEntry *width, *height, *dpi;
-  GtkWidget *title, *caption, *name, *transparent;
-  GtkWidget *switches[16]; /* as qn_view_switches */
-  GtkLabel *trouble;
-  char *refusal; /* why there is no preview; shown when the drawing is over */
+  guint format;     /* row */
+  double dpi;       /* of sizes in mm */
+  char *refusal;    /* why there is no preview; shown when the drawing is over */
   guint refusal_idle;
   QnRecipe *recipe; /* what the fields say */
 } Dialog;
 
+enum {
+  VIEW,
+  DIAGRAM,
+  COLOURS,
+  TITLE,
+  CAPTION,
+  SWITCH, /* as qn_view_switches */
+  TRANSPARENT = SWITCH + 8,
+  FORMAT,
+  UNIT,
+  WIDTH,
+  HEIGHT,
+  DPI,
+  NAME,
+  TROUBLE,
+  PREVIEW,
+  EXPORT,
+  STORE
+};
+
+static const QnFormField fields[] = {
+  [VIEW] = { .id = "view" },
+  [DIAGRAM] = { .id = "diagram" },
+  [COLOURS] = { .id = "field" },
+  [TITLE] = { .id = "title" },
+  [CAPTION] = { .id = "caption" },
+  [SWITCH] = { .id = "ghost" },
+  [SWITCH + 1] = { .id = "symbols" },
+  [SWITCH + 2] = { .id = "loads" },
+  [SWITCH + 3] = { .id = "dimensions" },
+  [SWITCH + 4] = { .id = "names" },
+  [SWITCH + 5] = { .id = "legend" },
+  [SWITCH + 6] = { .id = "titles" },
+  [SWITCH + 7] = { .id = "monochrome" },
+  [TRANSPARENT] = { .id = "transparent" },
+  [FORMAT] = { .id = "format" },
+  [UNIT] = { .id = "unit" },
+  [WIDTH] = { .id = "width" },
+  [HEIGHT] = { .id = "height" },
+  [DPI] = { .id = "dpi" },
+  [NAME] = { .id = "name" },
+  [TROUBLE] = { .id = "trouble" },
+  [PREVIEW] = { .id = "preview" },
+  [EXPORT] = { .id = "export" },
+  [STORE] = { .id = "store" },
+};
+
 static void
-dialog_free (gpointer data, GObject *where)
+clear (gpointer data)
 {
-  (void) where;
   Dialog *dialog = data;
   g_clear_object (&dialog->chooser);
   g_clear_handle_id (&dialog->refusal_idle, g_source_remove);
   g_free (dialog->refusal);
   qn_recipe_free (dialog->recipe);
-  g_free (dialog);
 }
 
 /* ---- the recipe ---- */
@@ -50,46 +90,27 @@ static const char *const typed_endings[][4] = { { ".png", ".svg", ".pdf" },
                                                 { ".pdf", ".png", ".svg" } };
 
 static void
-take_text (char **text, GtkWidget *entry)
+take_text (char **text, gpointer dialog, guint field)
 {
-  const char *typed = gtk_editable_get_text (GTK_EDITABLE (entry));
+  char *typed = qn_bound_form_dup_text (dialog, field);
   g_free (*text);
-  *text = *typed != '\0' ? g_strdup (typed) : NULL;
+  *text = *typed != '\0' ? typed : NULL;
+  if (*text == NULL)
+    g_free (typed);
 }
 
+/* Entries count as they are, whether they have been left or not. */
 static void
-take_output (const Dialog *dialog, QnOutput *output)
-{
-  qn_output_init (output);
-  output->width = qn_quantity_entry_get_value (dialog->width);
-  output->height = qn_quantity_entry_get_value (dialog->height);
-  output->millimetres = gtk_drop_down_get_selected (dialog->unit) == UNIT_MM;
-  output->dpi = output->millimetres ? qn_quantity_entry_get_value (dialog->dpi) : 0.0;
-  output->transparent =
-    gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->transparent));
-}
-
-static void
-take_fields (Dialog *dialog)
+take_entries (Dialog *dialog)
 {
   QnRecipe *recipe = dialog->recipe;
-  recipe->view.view = (QnView) gtk_drop_down_get_selected (dialog->view);
-  recipe->view.diagram = (QnDiagram) gtk_drop_down_get_selected (dialog->diagram);
-  qn_form_set_row_visible (GTK_WIDGET (dialog->diagram),
-                           recipe->view.view == QN_VIEW_DIAGRAMS);
-  recipe->view.field = (QnField) gtk_drop_down_get_selected (dialog->field);
-  for (gsize i = 0; qn_view_switches[i] != NULL; i++)
-    *qn_view_switch (&recipe->view, qn_view_switches[i]) =
-      gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->switches[i]));
-  take_text (&recipe->title, dialog->title);
-  take_text (&recipe->caption, dialog->caption);
-  take_output (dialog, &recipe->output);
-  const char *name = gtk_editable_get_text (GTK_EDITABLE (dialog->name));
+  g_autofree char *name = qn_bound_form_dup_text (dialog, NAME);
+  take_text (&recipe->title, dialog, TITLE);
+  take_text (&recipe->caption, dialog, CAPTION);
   g_free (recipe->name);
   g_free (recipe->file);
-  recipe->name = g_strdup (name);
-  recipe->file =
-    g_strdup_printf ("%s.%s", name, endings[gtk_drop_down_get_selected (dialog->format)]);
+  recipe->file = g_strdup_printf ("%s.%s", name, endings[dialog->format]);
+  recipe->name = g_steal_pointer (&name);
 }
 
 /* Where the fields start: what the window shows. */
@@ -114,7 +135,7 @@ on_refusal_idle (gpointer data)
 {
   Dialog *dialog = data;
   dialog->refusal_idle = 0;
-  gtk_label_set_text (dialog->trouble, dialog->refusal);
+  gtk_label_set_text (GTK_LABEL (dialog->base.widgets[TROUBLE]), dialog->refusal);
   return G_SOURCE_REMOVE;
 }
 
@@ -157,36 +178,10 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
 }
 
 static void
-redraw (Dialog *dialog)
+on_typed (Dialog *dialog)
 {
-  take_fields (dialog);
-  qn_form_set_row_visible (GTK_WIDGET (dialog->dpi), dialog->recipe->output.millimetres);
-  gtk_widget_queue_draw (dialog->preview);
-}
-
-static void
-on_quantity (QnQuantityEntry *entry, Dialog *dialog)
-{
-  (void) entry;
-  redraw (dialog);
-}
-
-static void
-on_choice (GtkDropDown *choice, GParamSpec *pspec, Dialog *dialog)
-{
-  (void) choice;
-  (void) pspec;
-  redraw (dialog);
-}
-
-static void
-on_unit (GtkDropDown *unit, GParamSpec *pspec, Dialog *dialog)
-{
-  (void) pspec;
-  gboolean mm = gtk_drop_down_get_selected (unit) == UNIT_MM;
-  qn_quantity_entry_set_value (dialog->width, mm ? 160.0 : 1600.0);
-  qn_quantity_entry_set_value (dialog->height, mm ? 120.0 : 1200.0);
-  redraw (dialog);
+  take_entries (dialog);
+  gtk_widget_queue_draw (dialog->base.widgets[PREVIEW]);
 }
 
 /* ---- export ---- */
@@ -197,7 +192,7 @@ on_file_chosen (GtkNativeDialog *chooser, int response, Dialog *dialog)
   g_autoptr (GError) error = NULL;
   g_autofree char *path = NULL;
   if (response == GTK_RESPONSE_ACCEPT) {
-    const char *const *known = typed_endings[gtk_drop_down_get_selected (dialog->format)];
+    const char *const *known = typed_endings[dialog->format];
     path = qn_dialog_dup_chosen_path (chooser, known, &error);
   }
   g_clear_object (&dialog->chooser);
@@ -207,16 +202,16 @@ on_file_chosen (GtkNativeDialog *chooser, int response, Dialog *dialog)
     dialog->write (dialog->parent, path, g_steal_pointer (&dialog->recipe));
   else
     dialog->tell (dialog->parent, error->message, TRUE);
-  gtk_window_destroy (GTK_WINDOW (dialog->dialog));
+  gtk_window_destroy (GTK_WINDOW (dialog->base.root));
 }
 
 static void
 on_export (Dialog *dialog)
 {
   GtkFileChooserNative *chooser =
-    qn_chooser_begin (GTK_WINDOW (dialog->dialog), &dialog->chooser,
+    qn_chooser_begin (GTK_WINDOW (dialog->base.root), &dialog->chooser,
                       GTK_FILE_CHOOSER_ACTION_SAVE, _ ("Export Figure"), _ ("_Export"));
-  take_fields (dialog);
+  take_entries (dialog);
   g_autofree char *name =
     qn_document_dup_display_name (qn_view_state_get_document (dialog->state));
   g_autofree char *proposed = g_strdup_printf ("%s – %s", name, dialog->recipe->file);
@@ -230,190 +225,162 @@ static void
 on_store (Dialog *dialog)
 {
   g_autoptr (GError) error = NULL;
-  take_fields (dialog);
+  take_entries (dialog);
   if (qn_document_store_figure (qn_view_state_get_document (dialog->state),
                                 dialog->recipe, &error)) {
     g_autofree char *message =
       g_strdup_printf (_ ("Figure “%s” is kept in the project"), dialog->recipe->name);
     dialog->tell (dialog->parent, message, FALSE);
-    gtk_window_destroy (GTK_WINDOW (dialog->dialog));
+    gtk_window_destroy (GTK_WINDOW (dialog->base.root));
   } else
-    gtk_label_set_text (dialog->trouble, error->message);
+    gtk_label_set_text (GTK_LABEL (dialog->base.widgets[TROUBLE]), error->message);
 }
 
-/* ---- building ---- */
+/* ---- fields ---- */
 
-static GtkWidget *
-add_entry (Dialog *dialog, GtkWidget *form, const char *label, const char *placeholder)
+static gboolean
+look (gpointer dialog)
 {
-  GtkWidget *entry = gtk_entry_new ();
-  gtk_entry_set_placeholder_text (GTK_ENTRY (entry), placeholder);
-  g_signal_connect_swapped (entry, "changed", G_CALLBACK (redraw), dialog);
-  qn_form_add_row (form, label, entry);
-  return entry;
+  (void) dialog;
+  return TRUE;
 }
 
-static void
-add_content (Dialog *dialog, GtkWidget *form)
+static gboolean
+show (gpointer data, guint field, QnValue *value)
 {
-  const char *const views[] = { _ ("Model"),
-                                _ ("Contacts"),
-                                _ ("Deformed"),
-                                _ ("Mechanism"),
-                                _ ("Forces"),
-                                _ ("Diagrams"),
-                                NULL };
-  const char *const diagrams[] = { _ ("Bending moments"), _ ("Shear forces"),
-                                   _ ("Normal forces"), NULL };
-  const char *const fields[] = {
-    C_ ("colours", "None"),       _ ("Displacement"),      _ ("Displacement, horizontal"),
-    _ ("Displacement, vertical"), _ ("Rotation"),          _ ("Stress"),
-    _ ("Opening of joints"),      _ ("Sliding of joints"), NULL
-  };
-  GCallback chosen = G_CALLBACK (on_choice);
-  dialog->view = qn_form_add_choice (form, _ ("_View"), views, chosen, dialog);
-  qn_form_set_choice (dialog->view, (guint) dialog->recipe->view.view, dialog);
-  dialog->diagram = qn_form_add_choice (form, _ ("D_iagram"), diagrams, chosen, dialog);
-  qn_form_set_choice (dialog->diagram, (guint) dialog->recipe->view.diagram, dialog);
-  dialog->field = qn_form_add_choice (form, _ ("_Colours"), fields, chosen, dialog);
-  qn_form_set_choice (dialog->field, (guint) dialog->recipe->view.field, dialog);
-  dialog->title = add_entry (dialog, form, _ ("T_itle"), _ ("as the project"));
-  dialog->caption = add_entry (dialog, form, _ ("Ca_ption"), _ ("by itself"));
-}
-
-static GtkWidget *
-make_check (Dialog *dialog, const char *label, gboolean active)
-{
-  GtkWidget *check = gtk_check_button_new_with_mnemonic (label);
-  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
-  g_signal_connect_swapped (check, "toggled", G_CALLBACK (redraw), dialog);
-  return check;
-}
-
-/* Words for the switches, in two columns. */
-static void
-add_switches (Dialog *dialog, GtkWidget *form)
-{
-  static const char *const words[][2] = {
-    { "ghost", N_ ("_Undeformed ghost") },
-    { "symbols", N_ ("Joint s_ymbols") },
-    { "loads", N_ ("_Loads") },
-    { "dimensions", N_ ("_Dimensions") },
-    { "names", N_ ("Block _names") },
-    { "legend", N_ ("Le_gend") },
-    { "titles", N_ ("Title and multiplier") },
-    { "monochrome", N_ ("_Black and white") },
-  };
-  GtkWidget *grid = gtk_grid_new ();
-  gtk_grid_set_column_spacing (GTK_GRID (grid), 12);
-  int shown = 0;
-  for (gsize i = 0; qn_view_switches[i] != NULL; i++) {
-    const char *label = qn_view_switches[i];
-    for (gsize k = 0; k < G_N_ELEMENTS (words); k++)
-      if (g_str_equal (words[k][0], qn_view_switches[i]))
-        label = _ (words[k][1]);
-    dialog->switches[i] = make_check (
-      dialog, label, *qn_view_switch (&dialog->recipe->view, qn_view_switches[i]));
-    gtk_grid_attach (GTK_GRID (grid), dialog->switches[i], shown % 2, shown / 2, 1, 1);
-    shown++;
+  const Dialog *dialog = data;
+  QnRecipe *recipe = dialog->recipe;
+  const QnOutput *output = &recipe->output;
+  switch (field) {
+  case VIEW:
+    value->number = recipe->view.view;
+    return TRUE;
+  case DIAGRAM:
+    value->number = recipe->view.diagram;
+    return recipe->view.view == QN_VIEW_DIAGRAMS;
+  case COLOURS:
+    value->number = recipe->view.field;
+    return TRUE;
+  case TITLE:
+    value->text = g_strdup (recipe->title);
+    return TRUE;
+  case CAPTION:
+    value->text = g_strdup (recipe->caption);
+    return TRUE;
+  case NAME:
+    value->text = g_strdup (recipe->name);
+    return TRUE;
+  case TRANSPARENT:
+    value->number = output->transparent;
+    return TRUE;
+  case FORMAT:
+    value->number = dialog->format;
+    return TRUE;
+  case UNIT:
+    value->number = output->millimetres;
+    return TRUE;
+  case WIDTH:
+    value->number = output->width;
+    return TRUE;
+  case HEIGHT:
+    value->number = output->height;
+    return TRUE;
+  case DPI:
+    value->number = dialog->dpi;
+    return output->millimetres;
+  case TROUBLE:
+    value->text = g_strdup (dialog->refusal);
+    return TRUE;
+  case PREVIEW:
+    gtk_widget_queue_draw (dialog->base.widgets[PREVIEW]);
+    return TRUE;
+  case EXPORT:
+  case STORE:
+    return TRUE;
+  default:
+    value->number = *qn_view_switch (&recipe->view, fields[field].id);
+    return TRUE;
   }
-  dialog->transparent = make_check (dialog, _ ("_Transparent ground"), FALSE);
-  gtk_grid_attach (GTK_GRID (grid), dialog->transparent, shown % 2, shown / 2, 1, 1);
-  qn_form_add_wide (form, grid);
 }
 
-static void
-add_size (Dialog *dialog, GtkWidget *form)
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  const char *const units[] = { _ ("Pixels"), _ ("Millimetres"), NULL };
-  const char *const formats[] = { "PNG", "SVG", "PDF", NULL };
-  GCallback changed = G_CALLBACK (on_quantity);
-  dialog->format =
-    qn_form_add_choice (form, _ ("_Format"), formats, G_CALLBACK (on_choice), dialog);
-  dialog->unit =
-    qn_form_add_choice (form, _ ("_Size in"), units, G_CALLBACK (on_unit), dialog);
-  dialog->width = qn_form_add_quantity (form, _ ("_Width"), QN_QUANTITY_NUMBER, 1.0,
-                                        32000.0, changed, dialog);
-  dialog->height = qn_form_add_quantity (form, _ ("_Height"), QN_QUANTITY_NUMBER, 1.0,
-                                         32000.0, changed, dialog);
-  dialog->dpi = qn_form_add_quantity (form, _ ("D_ots per inch"), QN_QUANTITY_NUMBER,
-                                      10.0, 2400.0, changed, dialog);
-  qn_quantity_entry_set_value (dialog->width, dialog->recipe->output.width);
-  qn_quantity_entry_set_value (dialog->height, dialog->recipe->output.height);
-  qn_quantity_entry_set_value (dialog->dpi, 300.0);
-}
-
-static GtkWidget *
-build_form (Dialog *dialog)
-{
-  GtkWidget *form = qn_form_new ();
-  add_content (dialog, form);
-  add_switches (dialog, form);
-  add_size (dialog, form);
-  dialog->name = gtk_entry_new ();
-  gtk_editable_set_text (GTK_EDITABLE (dialog->name), dialog->recipe->name);
-  qn_form_add_row (form, _ ("Na_me in the project"), dialog->name);
-  dialog->trouble = qn_form_add_text (form);
-  return form;
-}
-
-static GtkWidget *
-build_header (Dialog *dialog)
-{
-  GtkWidget *header = gtk_header_bar_new ();
-  GtkWidget *store = gtk_button_new_with_mnemonic (_ ("_Keep in Project"));
-  gtk_widget_set_tooltip_text (
-    store, _ ("Keeps what the figure shows, so that it can be made again after changes"));
-  g_signal_connect_swapped (store, "clicked", G_CALLBACK (on_store), dialog);
-  GtkWidget *export = gtk_button_new_with_mnemonic (_ ("_Export…"));
-  gtk_widget_add_css_class (export, "suggested-action");
-  g_signal_connect_swapped (export, "clicked", G_CALLBACK (on_export), dialog);
-  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), export);
-  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), store);
-  return header;
-}
-
-static GtkWidget *
-build_preview (Dialog *dialog)
-{
-  dialog->preview = gtk_drawing_area_new ();
-  gtk_widget_set_size_request (dialog->preview, 420, 320);
-  gtk_widget_set_hexpand (dialog->preview, TRUE);
-  gtk_widget_set_vexpand (dialog->preview, TRUE);
-  gtk_widget_set_margin_start (dialog->preview, 12);
-  gtk_widget_set_margin_top (dialog->preview, 12);
-  gtk_widget_set_margin_bottom (dialog->preview, 12);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (dialog->preview),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Preview"), -1);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (dialog->preview), draw_preview,
-                                  dialog, NULL);
-  return dialog->preview;
+  Dialog *dialog = data;
+  QnRecipe *recipe = dialog->recipe;
+  QnOutput *output = &recipe->output;
+  gboolean on = value->number != 0.0;
+  (void) draft;
+  (void) error;
+  switch (field) {
+  case VIEW:
+    recipe->view.view = (QnView) value->number;
+    break;
+  case DIAGRAM:
+    recipe->view.diagram = (QnDiagram) value->number;
+    break;
+  case COLOURS:
+    recipe->view.field = (QnField) value->number;
+    break;
+  case TRANSPARENT:
+    output->transparent = on;
+    break;
+  case FORMAT:
+    dialog->format = (guint) value->number;
+    break;
+  case UNIT:
+    output->millimetres = on;
+    output->width = on ? 160.0 : 1600.0;
+    output->height = on ? 120.0 : 1200.0;
+    break;
+  case WIDTH:
+    output->width = value->number;
+    break;
+  case HEIGHT:
+    output->height = value->number;
+    break;
+  case DPI:
+    dialog->dpi = value->number;
+    break;
+  case EXPORT:
+    on_export (dialog);
+    return TRUE;
+  case STORE:
+    on_store (dialog);
+    return TRUE;
+  case TITLE:
+  case CAPTION:
+  case NAME:
+    break;
+  default:
+    *qn_view_switch (&recipe->view, fields[field].id) = on;
+    break;
+  }
+  output->dpi = output->millimetres ? dialog->dpi : 0.0;
+  take_entries (dialog);
+  return TRUE;
 }
 
 void
 qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write,
                        QnTellFunc tell)
 {
-  Dialog *dialog = g_new0 (Dialog, 1);
+  static const QnFormKind kind = QN_FORM_KIND ("export-dialog", Dialog, 0);
+  Dialog *dialog = qn_bound_form_new (&kind, NULL);
+  GtkWidget **widgets = dialog->base.widgets;
+  dialog->base.clear = clear;
   dialog->parent = parent;
   dialog->state = state;
   dialog->write = write;
   dialog->tell = tell;
+  dialog->dpi = 300.0;
   dialog->recipe = recipe_of_view (state);
-  dialog->dialog = qn_dialog_new (parent, _ ("Export Figure"), 960, 620);
-  gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog));
-
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
-  gtk_box_append (GTK_BOX (box), build_preview (dialog));
-  GtkWidget *form = build_form (dialog);
-  gtk_widget_set_hexpand (form, FALSE);
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
-                                  GTK_POLICY_AUTOMATIC);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), form);
-  gtk_box_append (GTK_BOX (box), scroller);
-  gtk_window_set_child (GTK_WINDOW (dialog->dialog), box);
-  g_object_weak_ref (G_OBJECT (box), dialog_free, dialog);
-  redraw (dialog);
-  gtk_window_present (GTK_WINDOW (dialog->dialog));
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (widgets[PREVIEW]), draw_preview,
+                                  dialog, NULL);
+  gtk_window_set_transient_for (GTK_WINDOW (dialog->base.root), parent);
+  qn_bound_form_show (dialog);
+  take_entries (dialog);
+  for (guint field = TITLE; field <= CAPTION; field++)
+    g_signal_connect_swapped (widgets[field], "changed", G_CALLBACK (on_typed), dialog);
+  gtk_window_present (GTK_WINDOW (dialog->base.root));
 }

@@ -2,8 +2,7 @@
  * everything that was healed and left out, before any of it is taken over. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/form.h"
-#include "app/widgets/dialog.h"
+#include "app/forms/bound-form.h"
 #include "app/widgets/settings.h"
 #include "doc/document/import.h"
 #include "io/exchange/drawing-import.h"
@@ -16,17 +15,41 @@
 static const char *const units[] = { NULL, "mm", "cm", "dm", "m", "in", "ft" };
 
 typedef struct Dialog {
+  QnBoundForm base;
   GtkWindow *parent;
   QnImportFunc import;
-  GtkWidget *dialog, *preview, *accept;
   char *path;
-  GtkDropDown *unit;
-  QnQuantityEntry *tolerance, *thickness, *unit_weight, *friction;
-  GtkLabel *extents;
-  GtkTextBuffer *report;
+  guint unit; /* row */
+  QnImportSettings settings;
   QnProject project;
   gboolean has_project;
 } Dialog;
+
+enum {
+  UNIT,
+  EXTENTS,
+  TOLERANCE,
+  THICKNESS,
+  UNIT_WEIGHT,
+  FRICTION,
+  REPORT,
+  PREVIEW,
+  CANCEL,
+  ACCEPT
+};
+
+static const QnFormField fields[] = {
+  [UNIT] = { .id = "unit" },
+  [EXTENTS] = { .id = "extents" },
+  [TOLERANCE] = { .id = "tolerance" },
+  [THICKNESS] = { .id = "thickness" },
+  [UNIT_WEIGHT] = { .id = "unit_weight" },
+  [FRICTION] = { .id = "friction" },
+  [REPORT] = { .id = "report" },
+  [PREVIEW] = { .id = "preview" },
+  [CANCEL] = { .id = "cancel" },
+  [ACCEPT] = { .id = "accept" },
+};
 
 static void
 clear_project (Dialog *dialog)
@@ -37,13 +60,11 @@ clear_project (Dialog *dialog)
 }
 
 static void
-dialog_free (gpointer data, GObject *where)
+clear (gpointer data)
 {
-  (void) where;
   Dialog *dialog = data;
   clear_project (dialog);
   g_free (dialog->path);
-  g_free (dialog);
 }
 
 /* ---- what it would become ---- */
@@ -61,51 +82,30 @@ extents_of (const QnModel *model)
   return box;
 }
 
-static void
-show_extents (Dialog *dialog)
+static char *
+dup_extents (const QnModel *model)
 {
-  if (!dialog->has_project) {
-    gtk_label_set_text (dialog->extents, "");
-    return;
-  }
-  QnBox box = extents_of (&dialog->project.model);
+  QnBox box = extents_of (model);
   QnUnits shown = qn_settings_get_units ();
   g_autofree char *width =
     qn_units_format_full (shown, QN_QUANTITY_LENGTH, box.max.x - box.min.x, 4);
   g_autofree char *height =
     qn_units_format_full (shown, QN_QUANTITY_LENGTH, box.max.y - box.min.y, 4);
-  gsize count = dialog->project.model.block_count;
-  g_autofree char *text =
-    g_strdup_printf (ngettext ("%zu block, %s wide and %s high",
-                               "%zu blocks, %s wide and %s high", (gulong) count),
-                     count, width, height);
-  gtk_label_set_text (dialog->extents, text);
-}
-
-static QnImportSettings
-settings_of (const Dialog *dialog)
-{
-  QnImportSettings settings = QN_IMPORT_DEFAULTS;
-  guint row = gtk_drop_down_get_selected (dialog->unit);
-  if (row > 0 && row < G_N_ELEMENTS (units))
-    settings.unit = qn_import_unit (units[row]);
-  settings.tolerance = qn_quantity_entry_get_value (dialog->tolerance);
-  settings.thickness = qn_quantity_entry_get_value (dialog->thickness);
-  settings.unit_weight = qn_quantity_entry_get_value (dialog->unit_weight);
-  settings.friction = qn_quantity_entry_get_value (dialog->friction);
-  return settings;
+  gsize count = model->block_count;
+  return g_strdup_printf (ngettext ("%zu block, %s wide and %s high",
+                                    "%zu blocks, %s wide and %s high", (gulong) count),
+                          count, width, height);
 }
 
 static void
 try_import (Dialog *dialog)
 {
-  QnImportSettings settings = settings_of (dialog);
   QnImportReport report = { 0 };
   g_autoptr (GError) error = NULL;
   GString *text = g_string_new (NULL);
   clear_project (dialog);
   dialog->has_project =
-    qn_import_file (dialog->path, &settings, &dialog->project, &report, &error);
+    qn_import_file (dialog->path, &dialog->settings, &dialog->project, &report, &error);
   if (!dialog->has_project)
     g_string_append (text, error->message);
   for (guint i = 0; dialog->has_project && i < report.warnings->len; i++)
@@ -117,11 +117,11 @@ try_import (Dialog *dialog)
   }
   if (dialog->has_project)
     qn_import_report_clear (&report);
-  gtk_text_buffer_set_text (dialog->report, text->str, -1);
+  gtk_text_buffer_set_text (
+    gtk_text_view_get_buffer (GTK_TEXT_VIEW (dialog->base.widgets[REPORT])), text->str,
+    -1);
   g_string_free (text, TRUE);
-  show_extents (dialog);
-  gtk_widget_set_sensitive (dialog->accept, dialog->has_project);
-  gtk_widget_queue_draw (dialog->preview);
+  gtk_widget_queue_draw (dialog->base.widgets[PREVIEW]);
 }
 
 static void
@@ -147,135 +147,87 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   qn_scene_free (scene);
 }
 
-/* ---- answers ---- */
+/* ---- fields ---- */
 
-static void
-accept (Dialog *dialog)
+static double *
+number_of (Dialog *dialog, guint field)
 {
-  if (!dialog->has_project)
-    return;
-  dialog->import (dialog->parent, &dialog->project);
-  gtk_window_destroy (GTK_WINDOW (dialog->dialog));
+  double *const all[] = { [TOLERANCE] = &dialog->settings.tolerance,
+                          [THICKNESS] = &dialog->settings.thickness,
+                          [UNIT_WEIGHT] = &dialog->settings.unit_weight,
+                          [FRICTION] = &dialog->settings.friction };
+  return field <= FRICTION ? all[field] : NULL;
 }
 
-static void
-on_choice (GtkDropDown *choice, GParamSpec *pspec, Dialog *dialog)
+static gboolean
+look (gpointer dialog)
 {
-  (void) choice;
-  (void) pspec;
+  (void) dialog;
+  return TRUE;
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  Dialog *dialog = data;
+  const double *number = number_of (dialog, field);
+  if (number != NULL)
+    value->number = *number;
+  else if (field == UNIT)
+    value->number = dialog->unit;
+  else if (field == EXTENTS && dialog->has_project)
+    value->text = dup_extents (&dialog->project.model);
+  else if (field == ACCEPT)
+    value->disabled = !dialog->has_project;
+  return TRUE;
+}
+
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  Dialog *dialog = data;
+  double *number = number_of (dialog, field);
+  (void) draft;
+  (void) error;
+  if (field == ACCEPT && dialog->has_project)
+    dialog->import (dialog->parent, &dialog->project);
+  if (field == ACCEPT || field == CANCEL) {
+    gtk_window_destroy (GTK_WINDOW (dialog->base.root));
+    return TRUE;
+  }
+  if (number != NULL)
+    *number = value->number;
+  else {
+    dialog->unit = (guint) value->number;
+    dialog->settings.unit =
+      dialog->unit > 0 ? qn_import_unit (units[dialog->unit]) : QN_IMPORT_DEFAULTS.unit;
+  }
   try_import (dialog);
-}
-
-static void
-on_quantity (QnQuantityEntry *entry, Dialog *dialog)
-{
-  (void) entry;
-  try_import (dialog);
-}
-
-/* ---- building ---- */
-
-static GtkWidget *
-build_report (Dialog *dialog)
-{
-  GtkWidget *view = gtk_text_view_new ();
-  gtk_text_view_set_editable (GTK_TEXT_VIEW (view), FALSE);
-  gtk_text_view_set_cursor_visible (GTK_TEXT_VIEW (view), FALSE);
-  gtk_text_view_set_wrap_mode (GTK_TEXT_VIEW (view), GTK_WRAP_WORD_CHAR);
-  gtk_text_view_set_left_margin (GTK_TEXT_VIEW (view), 6);
-  gtk_text_view_set_top_margin (GTK_TEXT_VIEW (view), 6);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (view), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("What was healed and left out"), -1);
-  dialog->report = gtk_text_view_get_buffer (GTK_TEXT_VIEW (view));
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_min_content_height (GTK_SCROLLED_WINDOW (scroller), 130);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), view);
-  gtk_widget_add_css_class (scroller, "frame");
-  gtk_widget_set_vexpand (scroller, TRUE);
-  return scroller;
-}
-
-static GtkWidget *
-build_form (Dialog *dialog)
-{
-  const char *const names[] = { _ ("As the file says"), "mm",       "cm", "dm", "m",
-                                _ ("inches"),           _ ("feet"), NULL };
-  const QnImportSettings defaults = QN_IMPORT_DEFAULTS;
-  GCallback changed = G_CALLBACK (on_quantity);
-  GtkWidget *form = qn_form_new ();
-  dialog->unit =
-    qn_form_add_choice (form, _ ("Drawing _unit"), names, G_CALLBACK (on_choice), dialog);
-  dialog->extents = qn_form_add_text (form);
-  gtk_widget_add_css_class (GTK_WIDGET (dialog->extents), "heading");
-  dialog->tolerance =
-    qn_form_add_quantity (form, _ ("Close _gaps up to (0: automatic)"),
-                          QN_QUANTITY_LENGTH, 0.0, 10.0, changed, dialog);
-  dialog->thickness = qn_form_add_quantity (form, _ ("_Thickness"), QN_QUANTITY_LENGTH,
-                                            1e-6, 1e4, changed, dialog);
-  dialog->unit_weight = qn_form_add_quantity (
-    form, _ ("Unit _weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9, changed, dialog);
-  dialog->friction = qn_form_add_quantity (form, _ ("_Friction"), QN_QUANTITY_NUMBER, 0.0,
-                                           1e3, changed, dialog);
-  qn_quantity_entry_set_value (dialog->tolerance, defaults.tolerance);
-  qn_quantity_entry_set_value (dialog->thickness, defaults.thickness);
-  qn_quantity_entry_set_value (dialog->unit_weight, defaults.unit_weight);
-  qn_quantity_entry_set_value (dialog->friction, defaults.friction);
-  qn_form_add_wide (form, build_report (dialog));
-  return form;
-}
-
-static GtkWidget *
-build_preview (Dialog *dialog)
-{
-  dialog->preview = gtk_drawing_area_new ();
-  gtk_widget_set_size_request (dialog->preview, 380, 320);
-  gtk_widget_set_hexpand (dialog->preview, TRUE);
-  gtk_widget_set_vexpand (dialog->preview, TRUE);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (dialog->preview),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Preview"), -1);
-  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (dialog->preview), draw_preview,
-                                  dialog, NULL);
-  return dialog->preview;
-}
-
-static GtkWidget *
-build_header (Dialog *dialog, gboolean adds)
-{
-  GtkWidget *header = gtk_header_bar_new ();
-  gtk_header_bar_set_show_title_buttons (GTK_HEADER_BAR (header), FALSE);
-  GtkWidget *cancel = gtk_button_new_with_mnemonic (_ ("_Cancel"));
-  g_signal_connect_swapped (cancel, "clicked", G_CALLBACK (gtk_window_destroy),
-                            dialog->dialog);
-  gtk_header_bar_pack_start (GTK_HEADER_BAR (header), cancel);
-  dialog->accept =
-    gtk_button_new_with_mnemonic (adds ? _ ("_Add to Drawing") : _ ("_Import"));
-  gtk_widget_add_css_class (dialog->accept, "suggested-action");
-  g_signal_connect_swapped (dialog->accept, "clicked", G_CALLBACK (accept), dialog);
-  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), dialog->accept);
-  return header;
+  return TRUE;
 }
 
 void
 qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                        QnImportFunc import)
 {
-  Dialog *dialog = g_new0 (Dialog, 1);
+  static const QnFormKind kind = QN_FORM_KIND ("import-dialog", Dialog, 0);
+  Dialog *dialog = qn_bound_form_new (&kind, NULL);
+  GtkWindow *window = GTK_WINDOW (dialog->base.root);
+  g_autofree char *base = g_path_get_basename (path);
+  g_autofree char *title = g_strdup_printf (_ ("Import %s"), base);
+  dialog->base.clear = clear;
   dialog->parent = parent;
   dialog->import = import;
   dialog->path = g_strdup (path);
-  g_autofree char *base = g_path_get_basename (path);
-  g_autofree char *title = g_strdup_printf (_ ("Import %s"), base);
-  dialog->dialog = qn_dialog_new (parent, title, 860, 520);
-  gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog, adds));
-
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
-  gtk_box_append (GTK_BOX (box), build_preview (dialog));
-  GtkWidget *form = build_form (dialog);
-  gtk_widget_set_size_request (form, 380, -1);
-  gtk_widget_set_hexpand (form, FALSE);
-  gtk_box_append (GTK_BOX (box), form);
-  gtk_window_set_child (GTK_WINDOW (dialog->dialog), box);
-  g_object_weak_ref (G_OBJECT (box), dialog_free, dialog);
+  dialog->settings = QN_IMPORT_DEFAULTS;
+  if (adds)
+    gtk_button_set_label (GTK_BUTTON (dialog->base.widgets[ACCEPT]),
+                          _ ("_Add to Drawing"));
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (dialog->base.widgets[PREVIEW]),
+                                  draw_preview, dialog, NULL);
+  gtk_window_set_title (window, title);
+  gtk_window_set_transient_for (window, parent);
   try_import (dialog);
-  gtk_window_present (GTK_WINDOW (dialog->dialog));
+  qn_bound_form_show (dialog);
+  gtk_window_present (window);
 }

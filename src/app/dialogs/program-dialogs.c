@@ -1,7 +1,7 @@
 /* Dialogs of the program: preferences, about, help. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/form.h"
+#include "app/forms/bound-form.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/settings.h"
 #include <glib/gi18n.h>
@@ -9,72 +9,63 @@
 
 /* ---- preferences ---- */
 
-static void
-on_enum_choice (GtkDropDown *choice, GParamSpec *pspec, const char *key)
+/* Ids are the keys of the settings. */
+static const QnFormField fields[] = {
+  { .id = "style" },       { .id = "reduced-motion" }, { .id = "animation-period" },
+  { .id = "length-unit" }, { .id = "force-unit" },     { .id = "stress-unit" },
+  { .id = "snap" },        { .id = "grid" },           { .id = "engine" },
+  { .id = "live" },        { .id = "live-limit" },
+};
+
+static gboolean
+look (gpointer form)
 {
-  (void) pspec;
-  g_settings_set_enum (qn_settings_get (), key,
-                       (int) gtk_drop_down_get_selected (choice));
+  (void) form;
+  return TRUE;
 }
 
-static void
-add_enum (GtkWidget *form, const char *label, const char *key, const char *const *choices)
+static gboolean
+show (gpointer form, guint field, QnValue *value)
 {
-  GtkDropDown *choice = qn_form_add_choice (form, label, choices,
-                                            G_CALLBACK (on_enum_choice), (gpointer) key);
-  qn_form_set_choice (choice, (guint) g_settings_get_enum (qn_settings_get (), key),
-                      (gpointer) key);
+  GSettings *settings = qn_settings_get ();
+  const char *key = fields[field].id;
+  g_autoptr (GVariant) kept = g_settings_get_value (settings, key);
+  (void) form;
+  if (g_variant_is_of_type (kept, G_VARIANT_TYPE_STRING))
+    value->number = g_settings_get_enum (settings, key);
+  else if (g_variant_is_of_type (kept, G_VARIANT_TYPE_BOOLEAN))
+    value->number = g_variant_get_boolean (kept);
+  else if (g_variant_is_of_type (kept, G_VARIANT_TYPE_INT32))
+    value->number = g_variant_get_int32 (kept);
+  else
+    value->number = g_variant_get_double (kept);
+  return TRUE;
 }
 
-static void
-add_switch (GtkWidget *form, const char *label, const char *key)
+static gboolean
+take (gpointer form, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  GtkWidget *field = gtk_switch_new ();
-  gtk_widget_set_valign (field, GTK_ALIGN_CENTER);
-  g_settings_bind (qn_settings_get (), key, field, "active", G_SETTINGS_BIND_DEFAULT);
-  qn_form_add_row (form, label, field);
-  gtk_widget_set_halign (field, GTK_ALIGN_END);
-}
-
-static void
-add_spin (GtkWidget *form, const char *label, const char *key, double least, double most,
-          double step, guint digits)
-{
-  GtkWidget *field = gtk_spin_button_new_with_range (least, most, step);
-  gtk_spin_button_set_digits (GTK_SPIN_BUTTON (field), digits);
-  g_settings_bind (qn_settings_get (), key, field, "value", G_SETTINGS_BIND_DEFAULT);
-  qn_form_add_row (form, label, field);
+  GSettings *settings = qn_settings_get ();
+  const char *key = fields[field].id;
+  g_autoptr (GVariant) kept = g_settings_get_value (settings, key);
+  (void) form;
+  (void) draft;
+  (void) error;
+  if (g_variant_is_of_type (kept, G_VARIANT_TYPE_STRING))
+    return g_settings_set_enum (settings, key, (int) value->number);
+  if (g_variant_is_of_type (kept, G_VARIANT_TYPE_BOOLEAN))
+    return g_settings_set_boolean (settings, key, value->number != 0.0);
+  if (g_variant_is_of_type (kept, G_VARIANT_TYPE_INT32))
+    return g_settings_set_int (settings, key, (int) value->number);
+  return g_settings_set_double (settings, key, value->number);
 }
 
 void
 qn_preferences_show (GtkWindow *parent)
 {
-  const char *const styles[] = { _ ("As the desktop"), _ ("Light"), _ ("Dark"), NULL };
-  const char *const lengths[] = { "m", "cm", "mm", NULL };
-  const char *const forces[] = { "N", "kN", NULL };
-  const char *const stresses[] = { "Pa", "kPa", "MPa", NULL };
-  const char *const engines[] = { _ ("Automatic"), "Cairo", "OpenGL", NULL };
-  GtkWidget *form = qn_form_new ();
-  qn_form_add_heading (form, _ ("Appearance"));
-  add_enum (form, _ ("_Style"), "style", styles);
-  add_switch (form, _ ("_Reduced motion"), "reduced-motion");
-  add_spin (form, _ ("Seconds from rest to the _largest motion"), "animation-period", 0.5,
-            20.0, 0.5, 1);
-  qn_form_add_heading (form, _ ("Units"));
-  add_enum (form, _ ("L_ength"), "length-unit", lengths);
-  add_enum (form, _ ("_Force"), "force-unit", forces);
-  add_enum (form, _ ("St_ress"), "stress-unit", stresses);
-  qn_form_add_heading (form, _ ("Drawing"));
-  add_switch (form, _ ("S_nap to corners, edges, courses and grid"), "snap");
-  add_switch (form, _ ("Show the _grid"), "grid");
-  add_enum (form, _ ("Structures are _drawn by"), "engine", engines);
-  qn_form_add_heading (form, _ ("Analysis"));
-  add_switch (form, _ ("Solve again after each _edit"), "live");
-  add_spin (form, _ ("…for models up to this many _blocks"), "live-limit", 1.0, 5000.0,
-            10.0, 0);
-
-  GtkWidget *window = qn_dialog_new (parent, _ ("Preferences"), 460, -1);
-  gtk_window_set_child (GTK_WINDOW (window), form);
+  static const QnFormKind kind = QN_FORM_KIND ("preferences", QnBoundForm, 0);
+  GtkWidget *window = qn_bound_form_show (qn_bound_form_new (&kind, NULL));
+  gtk_window_set_transient_for (GTK_WINDOW (window), parent);
   gtk_window_present (GTK_WINDOW (window));
 }
 

@@ -209,6 +209,8 @@ show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
       gtk_check_button_set_label (GTK_CHECK_BUTTON (widget), value->text);
   } else if (GTK_IS_SWITCH (widget))
     gtk_switch_set_active (GTK_SWITCH (widget), on);
+  else if (GTK_IS_SPIN_BUTTON (widget))
+    gtk_spin_button_set_value (GTK_SPIN_BUTTON (widget), value->number);
   else if (GTK_IS_RANGE (widget))
     gtk_range_set_value (GTK_RANGE (widget), value->number);
   else if (GTK_IS_BOX (widget) && value->rows != NULL)
@@ -262,6 +264,8 @@ take_value (GtkWidget *widget)
     value.number = gtk_check_button_get_active (GTK_CHECK_BUTTON (widget));
   else if (GTK_IS_SWITCH (widget))
     value.number = gtk_switch_get_active (GTK_SWITCH (widget));
+  else if (GTK_IS_SPIN_BUTTON (widget))
+    value.number = gtk_spin_button_get_value (GTK_SPIN_BUTTON (widget));
   else if (GTK_IS_RANGE (widget))
     value.number = gtk_range_get_value (GTK_RANGE (widget));
   else if (GTK_IS_BOX (widget))
@@ -342,16 +346,20 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
                             : kind->fields[entered.field].step;
   const char *key = is_row ? NULL : kind->fields[entered.field].key;
   gboolean done;
+  /* A button may close its dialog, and the form is gone with it. */
+  GtkWidget *root = NULL;
+  g_set_weak_pointer (&root, form->root);
   if (name != NULL) {
     g_autofree char *step = dup_step (is_row ? name : _ (name), widget);
     done = qn_document_edit_project (qn_canvas_get_document (form->canvas), step, key,
                                      edit, &entered, &error);
   } else
     done = kind->take (form, NULL, entered.field, &entered.value, &error);
-  if (done)
+  if (root != NULL && done)
     qn_bound_form_show (form);
-  else
+  else if (root != NULL)
     refuse (form, widget, error);
+  g_clear_weak_pointer (&root);
   value_clear (&entered.value);
 }
 
@@ -382,6 +390,7 @@ connect (QnBoundForm *form, GtkWidget *widget)
     { gtk_list_box_get_type, "row-selected", G_CALLBACK (on_row_selected) },
     { gtk_check_button_get_type, "toggled", G_CALLBACK (on_entered) },
     { gtk_switch_get_type, "notify::active", G_CALLBACK (on_notify) },
+    { gtk_spin_button_get_type, "value-changed", G_CALLBACK (on_entered) },
     { gtk_range_get_type, "value-changed", G_CALLBACK (on_entered) },
     { gtk_entry_get_type, "activate", G_CALLBACK (on_entered) },
     { gtk_button_get_type, "clicked", G_CALLBACK (on_entered) },
@@ -400,15 +409,18 @@ on_gone (gpointer data, GObject *root)
 {
   QnBoundForm *form = data;
   (void) root;
+  if (form->clear != NULL)
+    form->clear (form);
   g_free (form->widgets);
   g_free (form);
 }
 
-/* The fields of all rows below a widget are equally wide. */
+/* The fields of all rows below a widget are equally wide, but for those that do not fill theirs. */
 static void
 align_rows (GtkWidget *widget, GtkSizeGroup *group)
 {
-  if (QN_IS_ROW (widget))
+  if (QN_IS_ROW (widget)
+      && gtk_widget_get_halign (qn_row_get_field (QN_ROW (widget))) == GTK_ALIGN_FILL)
     gtk_size_group_add_widget (group, qn_row_get_field (QN_ROW (widget)));
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child))

@@ -91,8 +91,9 @@ struct QnBoundForm {
   QnCanvas *canvas; /* NULL in dialogs */
   GtkWidget *root;  /* "form" of the .ui file */
   GtkWidget **widgets;
-  const QnTool *tool; /* that was shown last */
-  gboolean showing;   /* values are being shown: nobody has entered them */
+  void (*clear) (gpointer form); /* NULL, or frees what the struct holds */
+  const QnTool *tool;            /* that was shown last */
+  gboolean showing;              /* values are being shown: nobody has entered them */
 };
 
 /* A form of that kind; its struct lives as long as its root. `canvas` is NULL for dialogs, whose

@@ -11,6 +11,7 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   gtk_window_set_modal (GTK_WINDOW (dialog), TRUE);
   gtk_window_set_destroy_with_parent (GTK_WINDOW (dialog), TRUE);
   gtk_window_set_default_size (GTK_WINDOW (dialog), width, height);
+  gtk_window_set_titlebar (GTK_WINDOW (dialog), gtk_header_bar_new ());
 
   GtkEventController *keys = gtk_shortcut_controller_new ();
   gtk_shortcut_controller_add_shortcut (
