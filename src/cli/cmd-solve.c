@@ -258,20 +258,6 @@ parse_detail (const QnSubcommand *self, Options *options)
   return FALSE;
 }
 
-/* The second of two outputs of one name would take the place of the first. */
-static gboolean
-check_outputs (const QnSubcommand *self, const Options *options)
-{
-  if (options->output == NULL || options->csv == NULL)
-    return TRUE;
-  g_autofree char *output = g_canonicalize_filename (options->output, NULL);
-  g_autofree char *csv = g_canonicalize_filename (options->csv, NULL);
-  if (strcmp (output, csv) != 0)
-    return TRUE;
-  qn_cli_usage_error (self->name, _ ("-o and --csv name the same file"));
-  return FALSE;
-}
-
 static void
 warn_of_findings (const QnInput *input)
 {
@@ -340,7 +326,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   QnExit code = QN_EXIT_USAGE;
 
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)
-      && parse_detail (self, &options) && check_outputs (self, &options)) {
+      && parse_detail (self, &options)) {
     add_override (&options.overrides, override);
     qn_cli_set_own_override (override, self->name);
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);

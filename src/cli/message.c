@@ -1,5 +1,6 @@
 #include "cli/message.h"
 
+#include "cli/shown-text.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 #include "render/backend/output.h"
@@ -7,14 +8,17 @@
 #include <gio/gio.h>
 #include <glib/gi18n.h>
 #include <stdio.h>
+#include <string.h>
 
 G_GNUC_PRINTF (2, 0)
 static void
 print_line (const char *kind, const char *format, va_list arguments)
 {
   g_autofree char *text = g_strdup_vprintf (format, arguments);
+  g_autoptr (GString) shown = g_string_new (NULL);
   g_strdelimit (text, "\r\n", ' ');
-  fprintf (stderr, "quoin-cli: %s%s\n", kind, text);
+  qn_shown_text_append (shown, text, strlen (text));
+  fprintf (stderr, "quoin-cli: %s%s\n", kind, shown->str);
 }
 
 void

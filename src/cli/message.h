@@ -6,8 +6,8 @@
 
 #include <glib.h>
 
-/* Line breaks inside the message become spaces: a message stays one line whatever names and
- * paths it quotes. */
+/* Line breaks inside the message become spaces, and control characters are shown as \u001b: a message
+ * stays one line whatever names and paths it quotes. */
 void qn_cli_error (const char *format, ...) G_GNUC_PRINTF (1, 2);
 void qn_cli_warning (const char *format, ...) G_GNUC_PRINTF (1, 2);
 

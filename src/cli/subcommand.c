@@ -3,8 +3,10 @@
 #include "cli/message.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static const char *
 kind_of (const GOptionEntry *entry)
@@ -39,6 +41,59 @@ check_count (const QnSubcommand *self, int count, int least, int most)
   return FALSE;
 }
 
+static gboolean
+check_numbers (const QnSubcommand *self, const GOptionEntry *entries)
+{
+  for (; entries->long_name != NULL; entries++)
+    if (entries->arg == G_OPTION_ARG_DOUBLE
+        && !isfinite (*(double *) entries->arg_data)) {
+      g_autofree char *message =
+        g_strdup_printf (_ ("--%s must be a finite number"), entries->long_name);
+      qn_cli_usage_error (self->name, message);
+      return FALSE;
+    }
+  return TRUE;
+}
+
+/* Whether two paths lead to one file, there or not. */
+static gboolean
+is_same_file (const char *path, const char *other)
+{
+  struct stat a, b;
+  if (strcmp (path, "-") == 0 || strcmp (other, "-") == 0)
+    return FALSE;
+  if (stat (path, &a) == 0 && stat (other, &b) == 0)
+    return a.st_dev == b.st_dev && a.st_ino == b.st_ino && S_ISREG (a.st_mode);
+  g_autofree char *left = g_canonicalize_filename (path, NULL);
+  g_autofree char *right = g_canonicalize_filename (other, NULL);
+  return strcmp (left, right) == 0;
+}
+
+/* Files that are named by options: no two of them may be the same, nor the same as an argument. Whatever
+ * is written last would take the place of the others, the user's own project among them. */
+static gboolean
+check_files (const QnSubcommand *self, const GOptionEntry *entries, int count,
+             char **arguments)
+{
+  g_autoptr (GPtrArray) files = g_ptr_array_new ();
+  for (; entries->long_name != NULL; entries++)
+    if (entries->arg == G_OPTION_ARG_FILENAME && *(char **) entries->arg_data != NULL)
+      g_ptr_array_add (files, *(char **) entries->arg_data);
+  guint options = files->len;
+  for (int i = 1; i < count; i++)
+    g_ptr_array_add (files, arguments[i]);
+  for (guint i = 0; i < options; i++)
+    for (guint k = i + 1; k < files->len; k++)
+      if (is_same_file (files->pdata[i], files->pdata[k])) {
+        g_autofree char *message =
+          g_strdup_printf (_ ("%s: another file of this command is the same file"),
+                           (char *) files->pdata[i]);
+        qn_cli_usage_error (self->name, message);
+        return FALSE;
+      }
+  return TRUE;
+}
+
 gboolean
 qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int least,
                      int most, int *argc, char ***argv)
@@ -68,5 +123,6 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
     (*argv)++;
     (*argc)--;
   }
-  return check_count (self, *argc - 1, least, most);
+  return check_count (self, *argc - 1, least, most) && check_numbers (self, entries)
+         && check_files (self, entries, *argc, *argv);
 }

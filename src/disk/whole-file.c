@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -16,6 +17,9 @@
 #define LONGEST_BASE 200
 
 #define MOST_NAMES 100
+
+/* Links one behind the other, as the system follows them. */
+#define MOST_LINKS 40
 
 /* Length of the folder's part of a path, its last slash counted; 0 where it has none. */
 static size_t
@@ -116,6 +120,44 @@ open_beside (QnWholeFile *file, const struct stat *existing)
   return trouble;
 }
 
+/* The path that a link leads to, from the folder that it lies in; NULL with an errno. */
+static char *
+read_link (const char *path)
+{
+  char to[PATH_MAX];
+  ssize_t length = readlink (path, to, sizeof to);
+  size_t folder = length > 0 && to[0] != '/' ? folder_length (path) : 0;
+  if (length <= 0 || (size_t) length + folder >= sizeof to) {
+    errno = length < 0 ? errno : ENAMETOOLONG;
+    return NULL;
+  }
+  char *whole = malloc (folder + (size_t) length + 1);
+  if (whole != NULL) {
+    memcpy (whole, path, folder);
+    memcpy (whole + folder, to, (size_t) length);
+    whole[folder + (size_t) length] = '\0';
+  }
+  return whole;
+}
+
+/* Where a file that is not there yet is to be: where links that lead to nothing point. NULL with an
+ * errno. */
+static char *
+follow_links (const char *path)
+{
+  char *at = strdup (path);
+  struct stat status;
+  for (int links = 0; at != NULL && lstat (at, &status) == 0 && S_ISLNK (status.st_mode);
+       links++) {
+    char *next = links < MOST_LINKS ? read_link (at) : NULL;
+    if (links == MOST_LINKS)
+      errno = ELOOP;
+    free (at);
+    at = next;
+  }
+  return at;
+}
+
 static int
 open_target (QnWholeFile *file, const char *path)
 {
@@ -131,7 +173,7 @@ open_target (QnWholeFile *file, const char *path)
   /* Renaming over a write-protected file would succeed, but is not what was asked for. */
   if (exists && access (path, W_OK) != 0)
     return errno;
-  file->target = exists ? realpath (path, NULL) : strdup (path);
+  file->target = exists ? realpath (path, NULL) : follow_links (path);
   if (file->target == NULL)
     return errno;
   return open_beside (file, exists ? &status : NULL);

@@ -7,8 +7,8 @@
  * target is exchanged, the bytes bear the name ".TARGET.XXXXXX" beside it.
  *
  * Three targets are written directly, because replacing them would be wrong: "-" (standard
- * output), devices and pipes. The target of a symbolic link is replaced, not the link; the mode
- * of an existing file is carried over.
+ * output), devices and pipes. The target of a symbolic link is replaced or, where there is none
+ * yet, made, not the link; the mode of an existing file is carried over.
  *
  * All functions return 0 or the errno of what failed.
  */

@@ -114,6 +114,65 @@ test_full_standard_output (void)
   g_assert_error (error, G_SPAWN_EXIT_ERROR, 5);
 }
 
+/* An escape sequence in a name reaches no terminal, and no picture's metadata. */
+static void
+test_escapes (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *text = cli_replace (cli_sliding_block, "Sliding block",
+                                       "A\\u001b]0;x\\u0007\\u009b31m\\u202e&");
+  g_autofree char *model = cli_write (folder, "m.quoin", text);
+  g_autofree char *picture = g_build_filename (folder, "m.svg", NULL);
+  CliRun run = cli_run ("check", model, NULL);
+  cli_assert_done (&run);
+  g_assert_true (g_str_has_prefix (run.out, "A\\u001b]0;x\\u0007\\u009b31m\\u202e&\n"));
+  cli_run_clear (&run);
+  run = cli_run ("check", "a\033[31m\nb", NULL);
+  cli_assert_failed (&run, 5, "a\\u001b[31m b");
+
+  run = cli_run ("render", model, "-o", picture, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *svg = cli_read (picture);
+  GMarkupParser nothing = { 0 };
+  g_autoptr (GMarkupParseContext) context =
+    g_markup_parse_context_new (&nothing, 0, NULL, NULL);
+  g_assert_true (g_markup_parse_context_parse (context, svg, -1, NULL));
+  g_assert_null (strstr (svg, "&#x"));
+  g_assert_null (strstr (svg, "\033"));
+  g_assert_nonnull (strstr (svg, "<title>A\357\277\275]0;x"));
+  test_scratch_free (folder);
+}
+
+/* No command writes over a file that it reads, or over its own other output. */
+static void
+test_same_file (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "m.quoin", cli_sliding_block);
+  g_autofree char *other = g_build_filename (folder, ".", "m.quoin", NULL);
+  static const char *const commands[] = { "solve", "limit", "modal", "import" };
+  for (gsize i = 0; i < G_N_ELEMENTS (commands); i++) {
+    CliRun run = cli_run (commands[i], model, "-o", other, NULL);
+    cli_assert_failed (&run, 2, "the same file");
+    test_scratch_expect (model, cli_sliding_block);
+  }
+  test_scratch_free (folder);
+}
+
+/* Options that are no numbers. */
+static void
+test_numbers (void)
+{
+  CliRun run = cli_run ("curve", "m.quoin", "--until", "nan", "-o", "c.png", NULL);
+  cli_assert_failed (&run, 2, "--until must be a finite number");
+  run = cli_run ("law", "m.quoin", "--length", "inf", NULL);
+  cli_assert_failed (&run, 2, "--length must be a finite number");
+  run = cli_run ("render", "m.quoin", "--size", "9mmx9mm", "--dpi", "nan", "-o", "a.png",
+                 NULL);
+  cli_assert_failed (&run, 2, "--dpi must be positive");
+}
+
 int
 main (int argc, char **argv)
 {
@@ -125,5 +184,8 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/contract/render-usage", test_render_usage);
   g_test_add_func ("/cli/contract/missing-file", test_missing_file);
   g_test_add_func ("/cli/contract/full-standard-output", test_full_standard_output);
+  g_test_add_func ("/cli/contract/escapes", test_escapes);
+  g_test_add_func ("/cli/contract/same-file", test_same_file);
+  g_test_add_func ("/cli/contract/numbers", test_numbers);
   return g_test_run ();
 }

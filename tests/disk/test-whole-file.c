@@ -78,6 +78,36 @@ test_made_meanwhile (Fixture *fixture, gconstpointer data)
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
 }
 
+/* A link to a file that is not there yet gets it where the link leads, as with a redirection; where it
+ * leads to no folder, or to itself, nothing is written. */
+static void
+test_link_to_nothing (Fixture *fixture, gconstpointer data)
+{
+  (void) data;
+  static const struct {
+    const char *to;
+    int trouble;
+  } cases[] = {
+    { "sub/new", 0 }, { "chain", 0 }, { "none/new", ENOENT }, { "link", ELOOP }
+  };
+  g_autofree char *sub = g_build_filename (fixture->folder, "sub", NULL);
+  g_autofree char *chain = g_build_filename (fixture->folder, "chain", NULL);
+  g_autofree char *link = g_build_filename (fixture->folder, "link", NULL);
+  g_autofree char *new = g_build_filename (sub, "new", NULL);
+  g_assert_cmpint (g_mkdir (sub, 0700), ==, 0);
+  g_assert_cmpint (symlink (new, chain), ==, 0);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_assert_cmpint (symlink (cases[i].to, link), ==, 0);
+    g_assert_cmpint (qn_whole_file_replace (link, "new", 3), ==, cases[i].trouble);
+    g_assert_true (g_file_test (link, G_FILE_TEST_IS_SYMLINK));
+    g_assert_cmpint (g_file_test (new, G_FILE_TEST_EXISTS), ==, cases[i].trouble == 0);
+    g_remove (link);
+    g_remove (new);
+  }
+  g_remove (chain);
+  g_rmdir (sub);
+}
+
 static void
 test_link (Fixture *fixture, gconstpointer data)
 {
@@ -150,6 +180,7 @@ main (int argc, char **argv)
     { "/disk/whole-file/discard", test_discard },
     { "/disk/whole-file/made-meanwhile", test_made_meanwhile },
     { "/disk/whole-file/link", test_link },
+    { "/disk/whole-file/link-to-nothing", test_link_to_nothing },
     { "/disk/whole-file/refused", test_refused },
     { "/disk/whole-file/kill", test_kill },
   };

@@ -14,7 +14,10 @@ qn_json_append_string (GString *json, const char *text)
   for (const char *c = text; *c != '\0'; c++) {
     if (*c == '"' || *c == '\\')
       g_string_append_c (json, '\\');
-    if ((guchar) *c >= 0x20)
+    if ((guchar) c[0] == 0xc2 && (guchar) c[1] >= 0x80 && (guchar) c[1] < 0xa0)
+      g_string_append_printf (json, "\\u%04x",
+                              (guint) (guchar) * ++c); /* U+0080 … U+009F */
+    else if ((guchar) *c >= 0x20 && *c != 0x7f)
       g_string_append_c (json, *c);
     else if (*c == '\n')
       g_string_append (json, "\\n");

@@ -253,6 +253,20 @@ renumber_surfaces (GString *svg)
   g_string_assign (svg, out->str);
 }
 
+/* Text as XML: what no XML document may hold, not even as a reference, becomes U+FFFD. */
+static char *
+dup_xml_text (const char *text)
+{
+  g_autoptr (GString) allowed = g_string_new (NULL);
+  for (const char *c = text; *c != '\0'; c = g_utf8_next_char (c)) {
+    gunichar character = g_utf8_get_char (c);
+    gboolean control = g_unichar_iscntrl (character) && strchr ("\n\t", *c) == NULL;
+    g_string_append_unichar (allowed,
+                             control || (character | 1) == 0xffff ? 0xfffd : character);
+  }
+  return g_markup_escape_text (allowed->str, -1);
+}
+
 /* Adds <title> and <metadata> as first children of the root. */
 static void
 describe_svg (GString *svg, const QnMetadata *metadata)
@@ -261,12 +275,12 @@ describe_svg (GString *svg, const QnMetadata *metadata)
   size_t count = describe (metadata, texts);
   g_autoptr (GString) head = g_string_new (NULL);
   if (metadata->title != NULL) {
-    g_autofree char *title = g_markup_escape_text (metadata->title, -1);
+    g_autofree char *title = dup_xml_text (metadata->title);
     g_string_append_printf (head, "<title>%s</title>\n", title);
   }
   g_string_append (head, "<metadata>\n");
   for (size_t i = 0; i < count; i++) {
-    g_autofree char *text = g_markup_escape_text (texts[i].text, -1);
+    g_autofree char *text = dup_xml_text (texts[i].text);
     g_string_append_printf (head, "%s: %s\n", texts[i].key, text);
     g_free (texts[i].text);
   }

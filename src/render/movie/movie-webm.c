@@ -15,6 +15,9 @@
 #define WAITING_FRAMES 4
 #define POLL_INTERVAL  (5 * GST_MSECOND)
 
+/* Of smaller pictures the encoder makes no stream. */
+#define LEAST_SIDE 16
+
 struct QnMovie {
   char *path;
   QnWholeFile file;
@@ -110,6 +113,12 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
 {
   (void) samples;
   (void) sample_count;
+  if (page->width < LEAST_SIDE || page->height < LEAST_SIDE) {
+    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                 _ ("%s: pictures of a WebM file have at least %d pixels each way"), path,
+                 LEAST_SIDE);
+    return NULL;
+  }
   QnMovie *movie = g_new0 (QnMovie, 1);
   movie->path = g_strdup (path);
   movie->width = (int) qn_to_integer (page->width, 1, G_MAXINT16);
