@@ -13,7 +13,7 @@ typedef struct Options {
   char *output, *csv;
   char **overrides;
   int count, mode;
-  gboolean loaded, quiet;
+  gboolean loaded, quiet, no_timings;
 } Options;
 
 static void
@@ -107,6 +107,8 @@ solve (const Options *options, const QnInput *input)
   if (status != QN_OK)
     return qn_input_fail (input, options->loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD,
                           &diag);
+  if (options->no_timings)
+    qn_statistics_clear_timings (&result.statistics);
   if (result.outcome == QN_OUTCOME_CANCELLED) {
     qn_cli_error (_ ("%s: cancelled"), input->project.name);
     code = QN_EXIT_CANCELLED;
@@ -145,6 +147,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "mode", 0, 0, G_OPTION_ARG_INT, &options.mode,
       N_ ("Number of the mode, from 1 (1)"), N_ ("K") },
     QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };

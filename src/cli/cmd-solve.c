@@ -22,7 +22,7 @@ typedef struct Options {
   char *output, *csv, *detail;
   QnResultDetail level; /* of `detail` */
   char **overrides;
-  gboolean quiet, allow_outside, sensitivity;
+  gboolean quiet, allow_outside, sensitivity, no_timings;
 } Options;
 
 /* Names of the blocks that the dead load moves, the first few of them. */
@@ -237,6 +237,8 @@ solve (const Options *options, QnInput *input)
     return qn_cli_fail (error);
   }
   result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
+  if (options->no_timings)
+    qn_statistics_clear_timings (&result.statistics);
   QnExit code = report (options, input, &result);
   qn_result_clear (&result);
   return code;
@@ -314,6 +316,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
       N_ ("forces|pairs|steps") },
     QN_INPUT_SET_ENTRY (&options.overrides),
     QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     /* Of limit analysis alone. */
     { override != NULL ? "sensitivity" : NULL, 0, 0, G_OPTION_ARG_NONE,

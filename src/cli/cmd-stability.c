@@ -13,7 +13,7 @@
 typedef struct Options {
   char *output;
   char **overrides;
-  gboolean quiet;
+  gboolean quiet, no_timings;
 } Options;
 
 static void
@@ -62,6 +62,8 @@ solve (const Options *options, const QnInput *input)
   qn_terminal_progress_done (&progress);
   if (status != QN_OK)
     return qn_input_fail (input, QN_INPUT_PATH, &diag);
+  if (options->no_timings)
+    qn_statistics_clear_timings (&result.statistics);
   if (!options->quiet && g_strcmp0 (options->output, "-") != 0)
     print_summary (&input->project, &result);
   QnExit code = exit_code (&input->project, &result);
@@ -96,6 +98,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Write a result here whose mechanism is the buckling mode"),
       N_ ("RESULT.json") },
     QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };

@@ -22,6 +22,11 @@
   }
 
 /* The option --quiet. */
+#define QN_INPUT_TIMINGS_ENTRY(variable)                                                 \
+  {                                                                                      \
+    "no-timings", 0, 0, G_OPTION_ARG_NONE, (variable),                                   \
+      N_ ("Leave times and memory out of the result: two runs give equal bytes"), NULL   \
+  }
 #define QN_INPUT_QUIET_ENTRY(variable)                                                   \
   {                                                                                      \
     "quiet", 'q', 0, G_OPTION_ARG_NONE, (variable), N_ ("Print errors only"), NULL       \

@@ -160,6 +160,29 @@ test_same_file (void)
   test_scratch_free (folder);
 }
 
+/* Without times two runs give the same file. */
+static void
+test_no_timings (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "m.quoin", cli_sliding_block);
+  g_autofree char *text[2];
+  for (int i = 0; i < 2; i++) {
+    g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+    CliRun run = cli_run ("solve", model, "--no-timings", "-o", result, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    text[i] = cli_read (result);
+    g_assert_null (strstr (text[i], "seconds"));
+    g_assert_nonnull (strstr (text[i], "\"factorizations\""));
+    run = cli_run ("check", model, "--result", result, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+  }
+  g_assert_cmpstr (text[0], ==, text[1]);
+  test_scratch_free (folder);
+}
+
 /* Options that are no numbers. */
 static void
 test_numbers (void)
@@ -187,5 +210,6 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/contract/escapes", test_escapes);
   g_test_add_func ("/cli/contract/same-file", test_same_file);
   g_test_add_func ("/cli/contract/numbers", test_numbers);
+  g_test_add_func ("/cli/contract/no-timings", test_no_timings);
   return g_test_run ();
 }

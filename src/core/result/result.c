@@ -37,6 +37,14 @@ qn_statistics_add (QnStatistics *total, const QnStatistics *part)
     total->peak_memory_bytes = part->peak_memory_bytes;
 }
 
+void
+qn_statistics_clear_timings (QnStatistics *statistics)
+{
+  statistics->seconds = statistics->factor_seconds = 0;
+  statistics->assembly_seconds = statistics->law_seconds = 0;
+  statistics->peak_memory_bytes = 0;
+}
+
 QnStatus
 qn_result_init (QnResult *result, size_t block_count, size_t pair_count, QnDiag *diag)
 {

@@ -117,6 +117,9 @@ typedef struct QnStatistics {
 /* Adds what another part of an analysis took; peak memory is the larger of the two. */
 void qn_statistics_add (QnStatistics *total, const QnStatistics *part);
 
+/* Forgets what differs from run to run, the times and the memory: 0 stands for not measured. */
+void qn_statistics_clear_timings (QnStatistics *statistics);
+
 /* Most fixed points of the non-associative limit analysis that a result keeps. */
 #define QN_RESULT_FIXED_POINTS 8
 

@@ -505,6 +505,7 @@ read_document (QnJsonStream *stream, gpointer target)
     { "mechanism_uncertain", read_uncertain, 0, FALSE },
     { "node_mechanism", read_node_mechanism, 0, FALSE },
     { "history", qn_result_history_read, offsetof (QnResultDraft, history), FALSE },
+    { "timings", read_statistics, 0, FALSE },
     { "statistics", read_statistics, 0, FALSE },
   };
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);

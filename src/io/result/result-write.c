@@ -309,27 +309,37 @@ write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *co
   qn_file_writer_puts (writer, "],\n");
 }
 
+/* Counts are the same in every run. Times and memory are not: they stand in a member of their own
+ * too, and are left out where they have not been measured. */
 static void
 write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
 {
   const struct {
     const char *key;
     double number;
-  } numbers[] = {
-    { "seconds", statistics->seconds },
-    { "factor_seconds", statistics->factor_seconds },
-    { "assembly_seconds", statistics->assembly_seconds },
-    { "law_seconds", statistics->law_seconds },
-    { "iterations", statistics->iterations },
-    { "factorizations", statistics->factorizations },
-    { "peak_memory_bytes", (double) statistics->peak_memory_bytes },
+    gboolean varies;
+  } figures[] = {
+    { "seconds", statistics->seconds, TRUE },
+    { "factor_seconds", statistics->factor_seconds, TRUE },
+    { "assembly_seconds", statistics->assembly_seconds, TRUE },
+    { "law_seconds", statistics->law_seconds, TRUE },
+    { "iterations", statistics->iterations, FALSE },
+    { "factorizations", statistics->factorizations, FALSE },
+    { "peak_memory_bytes", (double) statistics->peak_memory_bytes, TRUE },
   };
-  qn_file_writer_puts (writer, "  \"statistics\": {");
-  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++) {
-    qn_file_writer_printf (writer, "%s \"%s\": ", i > 0 ? "," : "", numbers[i].key);
-    qn_file_writer_number (writer, numbers[i].number);
+  gboolean timed = statistics->seconds > 0;
+  for (int all = timed ? 0 : 1; all < 2; all++) {
+    const char *separator = "";
+    qn_file_writer_puts (writer, all ? "  \"statistics\": {" : "  \"timings\": {");
+    for (gsize i = 0; i < G_N_ELEMENTS (figures); i++) {
+      if (figures[i].varies ? !timed : !all)
+        continue;
+      qn_file_writer_printf (writer, "%s \"%s\": ", separator, figures[i].key);
+      qn_file_writer_number (writer, figures[i].number);
+      separator = ",";
+    }
+    qn_file_writer_puts (writer, all ? " }\n}\n" : " },\n");
   }
-  qn_file_writer_puts (writer, " }\n}\n");
 }
 
 /* The velocity field and, for readers who do not want to work them out, its facts. These are

@@ -100,7 +100,7 @@ static const Case cases[] = {
   { "\"mechanism\": [[0, 0, 0], ", "\"mechanism\": [",
     "r.json:17:16: mechanism: there are not as many velocities as blocks" },
   { "\"seconds\": 0.012", "\"seconds\": true",
-    "r.json:25:30: statistics.seconds: expected a number" },
+    "r.json:25:27: timings.seconds: expected a number" },
 };
 
 static void

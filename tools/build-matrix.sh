@@ -1,0 +1,190 @@
+#!/bin/bash
+# Builds Quoin in the ways that packagers and users do, shows that it works, and says how long each
+# took.
+#
+#   tools/build-matrix.sh            the cells that continuous integration runs
+#   tools/build-matrix.sh all        all cells, with the quick tests where a cell has tests
+#   tools/build-matrix.sh CELL...    these
+#
+#   in every run  clang-release    clang, optimised, warnings are errors
+#                 gcc-debug        gcc without optimisation
+#                 options          gcc, optimised; each optional dependency absent in turn, all of them,
+#                                  and without the window
+#                 clang-sanitize   clang's address and undefined-behaviour sanitizers, with conversions
+#                                  and shifts: readers over the fuzzing corpus, linear algebra, examples
+#                 dist             the release archive, built without the window, installed into a
+#                                  folder and run from there
+#   on request    gcc-release, gcc-debugoptimized, clang-debug, clang-debugoptimized
+#
+# A cell builds the programs and runs the tests named below; gcc-debugoptimized with every test is what
+# tools/test.sh itself builds.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+exec </dev/null
+root=$PWD
+export ASAN_OPTIONS=detect_leaks=1:abort_on_error=1
+export LSAN_OPTIONS="suppressions=$PWD/tests/sanitize/leaks.supp:print_suppressions=0"
+export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
+
+in_ci=(clang-release gcc-debug options clang-sanitize dist)
+others=(gcc-release gcc-debugoptimized clang-debug clang-debugoptimized)
+programs=(src/cli/quoin-cli src/library/libquoin.so.0.1.0)
+tests=(newton limit-run front-tree contacts io-project-read io-result-write contract)
+whole=no # all quick tests
+
+# configure FOLDER COMPILER OPTION...
+configure () {
+  local folder=$1 cpp=g++
+  [ "$2" != clang ] || cpp=clang++
+  [ -f "$folder/build.ninja" ] || CC=$2 CXX=$cpp meson setup "$folder" -Dwerror=true "${@:3}" \
+    >"$folder.log" || { tail -n 5 "$folder.log"; return 1; }
+}
+
+# run_tests FOLDER TEST...: builds and runs these, or all quick ones.
+run_tests () {
+  local folder=$1
+  shift
+  if [ "$whole" = yes ]; then
+    ninja -C "$folder" --quiet
+    meson test -C "$folder" --no-rebuild --no-suite slow --no-suite app --timeout-multiplier 6 \
+      --quiet --print-errorlogs
+    return
+  fi
+  # The programs of tests by their names: meson knows which is which.
+  local needed
+  mapfile -t needed < <(meson introspect "$folder" --tests | python3 -c '
+import json, os, sys
+folder = os.path.realpath(sys.argv[1])
+found = [t for t in json.load(sys.stdin) if t["name"] in sys.argv[2:]]
+missing = set(sys.argv[2:]) - {t["name"] for t in found}
+if missing: sys.exit("no such tests: " + " ".join(sorted(missing)))
+print("\n".join(os.path.relpath(t["cmd"][0], folder) for t in found))' "$folder" "$@")
+  [ ${#needed[@]} -gt 0 ]
+  ninja -C "$folder" --quiet "${needed[@]}"
+  meson test -C "$folder" --no-rebuild --timeout-multiplier 6 --quiet --print-errorlogs "$@"
+}
+
+# smoke CLI: what every build must be able to do.
+smoke () {
+  local folder
+  folder=$(mktemp -d)
+  "$1" --version
+  "$1" solve "$root/examples/02-overturning-block.quoin" --quiet -o "$folder/result.json" >/dev/null
+  "$1" check "$root/examples/02-overturning-block.quoin" --result "$folder/result.json" >/dev/null
+  "$1" render "$root/examples/02-overturning-block.quoin" --result "$folder/result.json" \
+    --view mechanism -o "$folder/picture.png"
+  "$1" animate "$root/examples/02-overturning-block.quoin" --result "$folder/result.json" \
+    -o "$folder/motion.gif"
+  "$1" import "$root/examples/dxf/wall-clean.dxf" -o "$folder/wall.quoin" >/dev/null
+  rm -rf "$folder"
+}
+
+# compile COMPILER BUILDTYPE: the programs with the window, and tests.
+compile () {
+  local folder=build-matrix/$1-$2
+  configure "$folder" "$1" "--buildtype=$2"
+  ninja -C "$folder" --quiet "${programs[@]}" src/app/quoin
+  smoke "$folder/src/cli/quoin-cli"
+  run_tests "$folder" "${tests[@]}"
+}
+
+# One folder, configured anew for each: only what an option changes is compiled again.
+options () {
+  local folder=build-matrix/options all=() window=src/app/quoin option
+  configure "$folder" gcc --buildtype=release
+  for option in gstreamer osmesa egl python; do
+    all+=("-D$option=disabled")
+    meson configure "$folder" "-D$option=disabled"
+    echo "without $option"
+    ninja -C "$folder" --quiet "${programs[@]}" "$window"
+    smoke "$folder/src/cli/quoin-cli"
+    meson configure "$folder" "-D$option=auto"
+  done
+  meson configure "$folder" "${all[@]}"
+  echo "without any of them"
+  ninja -C "$folder" --quiet "${programs[@]}" "$window"
+  smoke "$folder/src/cli/quoin-cli"
+  meson configure "$folder" -Dapp=disabled
+  echo "without the window either"
+  ninja -C "$folder" --quiet "${programs[@]}"
+  smoke "$folder/src/cli/quoin-cli"
+  run_tests "$folder" "${tests[@]}"
+}
+
+sanitize () {
+  local folder=build-matrix/clang-sanitize example
+  configure "$folder" clang -Dapp=disabled -Dpython=disabled -Db_sanitize=address,undefined \
+    -Db_lundef=false "-Dc_args=-fsanitize=float-cast-overflow,unsigned-shift-base"
+  ninja -C "$folder" --quiet src/cli/quoin-cli
+  smoke "$folder/src/cli/quoin-cli"
+  for example in 05-stack 06-arch 10-soft-on-stiff 32-frame-beams 41-column-impulse; do
+    "$folder/src/cli/quoin-cli" solve "examples/$example.quoin" --quiet \
+      -o "$folder/$example.json" >/dev/null
+    "$folder/src/cli/quoin-cli" render "examples/$example.quoin" --result "$folder/$example.json" \
+      --view forces --field stress -o "$folder/$example.png"
+  done
+  run_tests "$folder" newton front-tree box-tree polygon contacts fuzz-{compas,dxf,hybridfem} \
+    fuzz-{project,record,result,study,svg,text}
+}
+
+# From the last commit, in a folder that knows nothing of this tree.
+dist () {
+  local folder=build-matrix/dist unpacked=build-matrix/unpacked
+  rm -rf "$folder" "$unpacked" build-matrix/root
+  configure "$folder" gcc -Dapp=disabled -Dpython=disabled
+  meson dist -C "$folder" --no-tests --allow-dirty >"$folder.log" 2>&1 \
+    || { tail -n 5 "$folder.log"; return 1; }
+  mkdir -p "$unpacked"
+  tar -xf "$folder"/meson-dist/*.tar.xz -C "$unpacked" --strip-components=1
+  configure "$unpacked/build" gcc --buildtype=release --prefix=/usr -Dapp=disabled
+  ninja -C "$unpacked/build" --quiet
+  DESTDIR=$root/build-matrix/root meson install -C "$unpacked/build" --no-rebuild --quiet
+  smoke "$root/build-matrix/root/usr/bin/quoin-cli"
+  if find build-matrix/root -name '*quoin.Quoin*' | grep .; then
+    echo "files of the window are installed without it"
+    return 1
+  fi
+}
+
+cell () {
+  case $1 in
+    options) options ;;
+    clang-sanitize) sanitize ;;
+    dist) dist ;;
+    *) compile "${1%-*}" "${1#*-}" ;;
+  esac
+}
+
+# A cell by itself, in a shell of its own: the first error ends it and no more.
+if [ "${1:-}" = --cell ]; then
+  [ "${3:-}" != whole ] || whole=yes
+  cell "$2"
+  exit
+fi
+
+cells=("$@")
+[ $# -gt 0 ] || cells=("${in_ci[@]}")
+if [ "${1:-}" = all ]; then
+  cells=("${in_ci[@]}" "${others[@]}")
+  whole=whole
+fi
+for one in "${cells[@]}"; do
+  case " ${in_ci[*]} ${others[*]} " in
+    *" $one "*) ;;
+    *) sed -n '2,/^set/s/^# \{0,1\}//p' "$0" && exit 2 ;;
+  esac
+done
+
+mkdir -p build-matrix
+failed=0
+table=()
+for one in "${cells[@]}"; do
+  echo "-- $one"
+  SECONDS=0
+  word=good
+  "$0" --cell "$one" "$whole" || { word=FAILED; failed=1; }
+  table+=("$(printf '%-22s %-6s %4d s' "$one" "$word" "$SECONDS")")
+done
+echo "-- matrix"
+printf '%s\n' "${table[@]}"
+exit "$failed"
