@@ -2,6 +2,7 @@
  * list of runs. */
 #include "driver.h"
 
+#include "app/views/bounds-bar.h"
 #include "app/views/curve-view.h"
 
 #include <math.h>
@@ -128,6 +129,43 @@ test_runs (void)
   driver_discard (window);
 }
 
+static gboolean
+is_bar (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return QN_IS_BOUNDS_BAR (widget);
+}
+
+/* One number, and every value found as a mark that tells how. */
+static void
+test_answer (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  solve (window, "win.run");
+  GtkWidget *bar = driver_find_widget (GTK_WIDGET (window), is_bar, NULL);
+  g_assert_nonnull (bar);
+  g_assert_false (gtk_widget_get_visible (bar)); /* one value is no line */
+  solve (window, "win.run-limit::associative");
+  solve (window, "win.run-limit::non-associative");
+  g_assert_true (gtk_widget_get_visible (bar));
+  driver_run (100);
+  g_autoptr (GArray) bounds = qn_bounds_collect (document);
+  g_assert_cmpuint (bounds->len, ==, 5);
+  for (guint i = 0; i < bounds->len; i++) {
+    const QnBound *bound = &g_array_index (bounds, QnBound, i);
+    double x = qn_bounds_bar_place (QN_BOUNDS_BAR (bar), bound->value);
+    g_assert_cmpfloat (x, >=, 0.0);
+    g_assert_cmpfloat (x, <=, gtk_widget_get_width (bar));
+    g_autofree char *told = qn_bounds_bar_dup_told (QN_BOUNDS_BAR (bar), x);
+    g_assert_nonnull (strstr (told, bound->label));
+    g_assert_nonnull (strstr (told, bound->guarantee));
+  }
+  driver_point_at (bar, 0.5 * gtk_widget_get_width (bar), 14.0);
+  driver_screenshot (GTK_WIDGET (window), "answer");
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -136,5 +174,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/results/curve", test_curve);
   g_test_add_func ("/app/results/factor", test_factor);
   g_test_add_func ("/app/results/runs", test_runs);
+  g_test_add_func ("/app/results/answer", test_answer);
   return g_test_run ();
 }

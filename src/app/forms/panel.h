@@ -46,8 +46,8 @@ GtkWidget *qn_step_table_new (QnViewState *state);
 GtkWidget *qn_contact_table_new (QnCanvas *canvas);
 GtkWidget *qn_beam_table_new (QnCanvas *canvas);
 
-/* HybriDFEM and limit analysis side by side, with what each number guarantees. */
-GtkWidget *qn_bounds_table_new (QnDocument *document);
+/* The answer of the current run beside everything else that was found for the same model. */
+GtkWidget *qn_answer_card_new (QnDocument *document);
 
 /* What contact detection has to tell, with buttons that show the place. */
 GtkWidget *qn_findings_panel_new (QnCanvas *canvas);

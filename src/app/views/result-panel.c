@@ -2,7 +2,6 @@
 #include "app/forms/panel.h"
 #include "app/views/curve-view.h"
 #include "doc/document/run-text.h"
-#include "doc/text/count-text.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n.h>
@@ -10,8 +9,7 @@
 typedef struct Panel {
   QnCanvas *canvas;
   QnViewState *state;
-  GtkWidget *empty, *content, *stale, *curve, *bounds;
-  GtkLabel *outcome, *mechanism, *facts;
+  GtkWidget *empty, *content, *curve;
   GtkDropDown *runs;
   GtkDropDown *onion, *stage;
 } Panel;
@@ -26,30 +24,6 @@ static const QnRun *
 run_of (const Panel *panel)
 {
   return qn_document_get_run (document_of (panel));
-}
-
-/* ---- words ---- */
-
-static void
-update_words (Panel *panel, const QnRun *run)
-{
-  g_autofree char *outcome = qn_run_dup_explanation (run);
-  gtk_label_set_text (panel->outcome, outcome);
-  gtk_widget_set_visible (panel->stale, qn_document_is_stale (document_of (panel), run));
-
-  g_autofree char *words = qn_run_dup_mechanism (run);
-  gtk_label_set_text (panel->mechanism, words != NULL ? words : "");
-  gtk_widget_set_visible (GTK_WIDGET (panel->mechanism), words != NULL);
-
-  const QnStatistics *s = &run->result.statistics;
-  const QnCount counts[] = {
-    { QN_COUNTED_STEPS, run->result.step_count },
-    { QN_COUNTED_ITERATIONS, (gsize) s->iterations },
-    { QN_COUNTED_FACTORISATIONS, (gsize) s->factorizations },
-  };
-  g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
-  g_autofree char *facts = g_strdup_printf (_ ("%s, %.2f s"), work, s->seconds);
-  gtk_label_set_text (panel->facts, facts);
 }
 
 static void
@@ -162,16 +136,6 @@ update_stages (Panel *panel, const QnRun *run)
 }
 
 static void
-update_on_change (Panel *panel)
-{
-  const QnRun *run = run_of (panel);
-  if (run != NULL)
-    gtk_widget_set_visible (panel->stale,
-                            qn_document_is_stale (document_of (panel), run));
-  update_runs (panel);
-}
-
-static void
 update (Panel *panel)
 {
   const QnRun *run = run_of (panel);
@@ -183,11 +147,7 @@ update (Panel *panel)
   gtk_widget_set_visible (panel->curve,
                           busy || run == NULL
                             || (qn_run_has_curve (run) && run->result.step_count > 0));
-  gtk_widget_set_visible (panel->bounds,
-                          busy || run == NULL || run->kind == QN_RUN_ANALYSIS);
   update_stages (panel, run);
-  if (run != NULL)
-    update_words (panel, run);
 }
 
 static GtkWidget *
@@ -195,26 +155,16 @@ build_content (Panel *panel)
 {
   const char *const none[] = { NULL };
   GtkWidget *form = qn_form_new ();
-  panel->stale = gtk_label_new (_ ("Outdated: the model has changed since this run."));
-  gtk_widget_add_css_class (panel->stale, "stale");
-  gtk_label_set_wrap (GTK_LABEL (panel->stale), TRUE);
-  qn_form_add_wide (form, panel->stale);
-  panel->outcome = qn_form_add_text (form);
-  gtk_widget_add_css_class (GTK_WIDGET (panel->outcome), "outcome");
-  panel->mechanism = qn_form_add_text (form);
+  qn_form_add_wide (form, qn_answer_card_new (document_of (panel)));
   panel->curve = qn_curve_view_new (panel->state);
   qn_form_add_wide (form, panel->curve);
   panel->runs =
     qn_form_add_choice (form, _ ("_Run"), none, G_CALLBACK (on_run_chosen), panel);
   panel->stage = qn_form_add_choice (form, _ ("End of _stage"), none,
                                      G_CALLBACK (on_stage_chosen), panel);
-  panel->facts = qn_form_add_text (form);
-  gtk_widget_add_css_class (GTK_WIDGET (panel->facts), "dim-label");
   gtk_widget_set_hexpand (GTK_WIDGET (panel->runs), TRUE);
   panel->onion = qn_form_add_choice (form, _ ("Out_line of"), none,
                                      G_CALLBACK (on_onion_chosen), panel);
-  panel->bounds = qn_bounds_table_new (document_of (panel));
-  qn_form_add_wide (form, panel->bounds);
   qn_form_add_wide (form, qn_step_table_new (panel->state));
   qn_form_add_wide (form, qn_contact_table_new (panel->canvas));
   qn_form_add_wide (form, qn_beam_table_new (panel->canvas));
@@ -240,7 +190,7 @@ qn_result_panel_new (QnCanvas *canvas)
   QnDocument *document = document_of (panel);
   qn_watch (box, document, "runs-changed", G_CALLBACK (update), panel);
   qn_watch (box, document, "job-changed", G_CALLBACK (update), panel);
-  qn_watch (box, document, "changed", G_CALLBACK (update_on_change), panel);
+  qn_watch (box, document, "changed", G_CALLBACK (update_runs), panel);
   qn_watch (box, panel->state, "changed", G_CALLBACK (follow_stage), panel);
   update (panel);
   return box;

@@ -49,21 +49,51 @@ same_line (const QnContactFace *a, const QnContactFace *b, double length)
          && fabs (qn_vec2_dot (between, a->normal)) < SAME_LEVEL * length;
 }
 
-/* Whether the beds that move lie on more than one line. */
+/* The block that stands on the other one of a bed. */
+static QnId
+upper_block (const QnContactFace *face)
+{
+  return face->normal.y > 0.0 ? face->b : face->a;
+}
+
 static bool
-is_stepped (const QnMechanism *m, const QnModel *model, const QnContacts *contacts)
+touches (const QnMechanism *m, const QnContactFace *face, QnId body)
+{
+  return m->body_of_block[face->a] == body || m->body_of_block[face->b] == body;
+}
+
+/* Whether a body leaves what is beneath it along a staircase: beds of its foot that move lie on more
+ * than one line, and a head joint of it opens between them. Courses that slide over each other have
+ * beds on many lines, but no head joint that opens. */
+static bool
+leaves_steps (const QnMechanism *m, const QnModel *model, const QnContacts *contacts,
+              QnId body)
 {
   const QnContactFace *first = NULL;
+  bool treads = false, risers = false;
 
   for (size_t f = 0; f < m->joint_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
-    if (m->joints[f].kind == QN_JOINT_CLOSED || !is_bed (face))
+    const QnJointMotion *joint = &m->joints[f];
+    if (joint->kind == QN_JOINT_CLOSED || !touches (m, face, body)
+        || m->body_of_block[face->a] == m->body_of_block[face->b])
       continue;
-    if (first && !same_line (first, face, model->characteristic_length))
-      return true;
-    if (!first)
-      first = face;
+    if (!is_bed (face))
+      risers |= joint->kind != QN_JOINT_SLIDING;
+    else if (m->body_of_block[upper_block (face)] == body) {
+      treads |= first && !same_line (first, face, model->characteristic_length);
+      first = first ? first : face;
+    }
   }
+  return treads && risers;
+}
+
+static bool
+is_stepped (const QnMechanism *m, const QnModel *model, const QnContacts *contacts)
+{
+  for (size_t i = 0; i < m->body_count; i++)
+    if (leaves_steps (m, model, contacts, (QnId) i))
+      return true;
   return false;
 }
 

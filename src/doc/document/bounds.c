@@ -6,32 +6,41 @@
 /* Relative distance below which two multipliers are called equal. */
 #define ALIKE 0.01
 
-enum { PATH, FIRST_LIMIT, LOWER, UPPER, LEAST, GREATEST, KINDS };
+/* Relative distance up to which a path and limit analysis tell multipliers apart. */
+#define RESOLVED 1e-4
 
 static const struct {
   const char *label, *guarantee;
-} words[KINDS] = {
-  [PATH] = { N_ ("HybriDFEM, last equilibrium of the path"),
-             N_ ("Equilibria were followed up to here; beyond it the blocks keep "
-                 "accelerating. With dilatancy below friction the answer is not unique: "
-                 "another path may end elsewhere.") },
-  [FIRST_LIMIT] = { N_ ("HybriDFEM, first limit point"),
-                    N_ ("Here the path first loses stability: a real wall would jump to "
-                        "another equilibrium, or fall.") },
-  [LOWER] = { N_ ("Limit analysis, lower bound (static)"),
-              N_ (
-                "Forces within the strength of every joint balance the load up to here. "
-                "With dilatancy = friction the structure stands; with less it may have "
-                "failed before.") },
-  [UPPER] = { N_ ("Limit analysis, upper bound (kinematic)"),
-              N_ ("A mechanism proves that no equilibrium exists above, whatever the "
-                  "dilatancy.") },
-  [LEAST] = { N_ ("Limit analysis with the laws' dilatancy, least value found"),
-              N_ ("Forces and mechanism are consistent here. It is no bound: a path may "
-                  "end below.") },
-  [GREATEST] = { N_ ("Limit analysis with the laws' dilatancy, greatest value found"),
-                 N_ ("Forces and mechanism are consistent here too. Never above the "
-                     "associative upper bound.") },
+} words[QN_BOUND_KIND_COUNT] = {
+  [QN_BOUND_PATH] = { N_ ("HybriDFEM, last equilibrium of the path"),
+                      N_ (
+                        "Equilibria were followed up to here; beyond it the blocks keep "
+                        "accelerating. With dilatancy below friction the answer is not "
+                        "unique: "
+                        "another path may end elsewhere.") },
+  [QN_BOUND_FIRST_LIMIT] = { N_ ("HybriDFEM, first limit point"),
+                             N_ ("Here the path first loses stability: a real wall would "
+                                 "jump to "
+                                 "another equilibrium, or fall.") },
+  [QN_BOUND_LOWER] = { N_ ("Limit analysis, lower bound (static)"),
+                       N_ ("Forces within the strength of every joint balance the load "
+                           "up to here. "
+                           "With dilatancy = friction the structure stands; with less it "
+                           "may have "
+                           "failed before.") },
+  [QN_BOUND_UPPER] = { N_ ("Limit analysis, upper bound (kinematic)"),
+                       N_ ("A mechanism proves that no equilibrium exists above, "
+                           "whatever the "
+                           "dilatancy.") },
+  [QN_BOUND_LEAST] = { N_ ("Limit analysis with the laws' dilatancy, least value found"),
+                       N_ ("Forces and mechanism are consistent here. It is no bound: a "
+                           "path may "
+                           "end below.") },
+  [QN_BOUND_GREATEST] = { N_ ("Limit analysis with the laws' dilatancy, greatest value "
+                              "found"),
+                          N_ ("Forces and mechanism are consistent here too. Never above "
+                              "the "
+                              "associative upper bound.") },
 };
 
 static void
@@ -42,25 +51,26 @@ take (double *values, const QnRun *run)
   if (settings->procedure == QN_PROCEDURE_DYNAMIC)
     return; /* it has no multiplier */
   if (settings->procedure != QN_PROCEDURE_LIMIT) {
-    values[PATH] = result->has_collapse_multiplier ? result->collapse_multiplier : NAN;
+    values[QN_BOUND_PATH] =
+      result->has_collapse_multiplier ? result->collapse_multiplier : NAN;
     gboolean apart =
       result->has_first_limit_multiplier && result->has_collapse_multiplier
       && fabs (result->first_limit_multiplier - result->collapse_multiplier)
            > 1e-3 * fabs (result->collapse_multiplier);
-    values[FIRST_LIMIT] = apart ? result->first_limit_multiplier : NAN;
+    values[QN_BOUND_FIRST_LIMIT] = apart ? result->first_limit_multiplier : NAN;
   } else if (settings->flow == QN_FLOW_ASSOCIATIVE) {
-    values[LOWER] = values[UPPER] = NAN;
+    values[QN_BOUND_LOWER] = values[QN_BOUND_UPPER] = NAN;
     if (result->outcome == QN_OUTCOME_UNBOUNDED)
-      values[LOWER] = INFINITY;
+      values[QN_BOUND_LOWER] = INFINITY;
     else if (result->limit.given) {
-      values[LOWER] = result->limit.lower_bound;
-      values[UPPER] = result->limit.upper_bound;
+      values[QN_BOUND_LOWER] = result->limit.lower_bound;
+      values[QN_BOUND_UPPER] = result->limit.upper_bound;
     }
   } else {
-    values[LEAST] = values[GREATEST] = NAN;
+    values[QN_BOUND_LEAST] = values[QN_BOUND_GREATEST] = NAN;
     if (result->limit.given) {
-      values[LEAST] = result->limit.lower_bound;
-      values[GREATEST] = result->limit.upper_bound;
+      values[QN_BOUND_LEAST] = result->limit.lower_bound;
+      values[QN_BOUND_GREATEST] = result->limit.upper_bound;
     }
   }
 }
@@ -68,8 +78,8 @@ take (double *values, const QnRun *run)
 GArray *
 qn_bounds_collect (QnDocument *document)
 {
-  double values[KINDS];
-  for (int i = 0; i < KINDS; i++)
+  double values[QN_BOUND_KIND_COUNT];
+  for (int i = 0; i < QN_BOUND_KIND_COUNT; i++)
     values[i] = NAN;
   const GPtrArray *runs = qn_document_get_runs (document);
   for (guint i = 0; i < runs->len; i++) {
@@ -78,31 +88,49 @@ qn_bounds_collect (QnDocument *document)
       take (values, run);
   }
   GArray *bounds = g_array_new (FALSE, FALSE, sizeof (QnBound));
-  for (int i = 0; i < KINDS; i++) {
+  for (int i = 0; i < QN_BOUND_KIND_COUNT; i++) {
     if (isnan (values[i]))
       continue;
-    QnBound bound = { _ (words[i].label), values[i], _ (words[i].guarantee) };
+    QnBound bound = { (QnBoundKind) i, _ (words[i].label), values[i],
+                      _ (words[i].guarantee) };
     g_array_append_val (bounds, bound);
   }
   return bounds;
 }
 
-static double
-find (const GArray *bounds, int kind)
+double
+qn_bounds_find (const GArray *bounds, QnBoundKind kind)
 {
   for (guint i = 0; i < bounds->len; i++) {
     const QnBound *bound = &g_array_index (bounds, QnBound, i);
-    if (g_str_equal (bound->label, _ (words[kind].label)))
+    if (bound->kind == kind)
       return bound->value;
   }
   return NAN;
 }
 
+/* Where the path ends beside what limit analysis finds with the laws' own dilatancy. */
+static char *
+place_in_interval (double path, double least, double greatest)
+{
+  if (path < least * (1.0 - RESOLVED))
+    return g_strdup_printf (_ ("It is %.1f %% below the least value found with the laws' "
+                               "own dilatancy."),
+                            100.0 * (least - path) / fabs (least));
+  if (path > greatest * (1.0 + RESOLVED))
+    return g_strdup_printf (_ ("It is %.1f %% above the greatest value found with the "
+                               "laws' own dilatancy."),
+                            100.0 * (path - greatest) / fabs (greatest));
+  return g_strdup (_ ("It lies within the interval of the laws' own dilatancy."));
+}
+
 char *
 qn_bounds_dup_verdict (const GArray *bounds)
 {
-  double path = find (bounds, PATH), upper = find (bounds, UPPER);
-  double least = find (bounds, LEAST), greatest = find (bounds, GREATEST);
+  double path = qn_bounds_find (bounds, QN_BOUND_PATH);
+  double upper = qn_bounds_find (bounds, QN_BOUND_UPPER);
+  double least = qn_bounds_find (bounds, QN_BOUND_LEAST);
+  double greatest = qn_bounds_find (bounds, QN_BOUND_GREATEST);
   if (isnan (path) || isnan (upper))
     return NULL;
   double share = (upper - path) / fabs (upper);
@@ -115,11 +143,11 @@ qn_bounds_dup_verdict (const GArray *bounds)
   if (share <= ALIKE)
     return g_strdup (_ ("The path reaches the bound of limit analysis: no other path can "
                         "carry more."));
-  if (!isnan (least) && path >= least * (1.0 - ALIKE) && path <= greatest * (1.0 + ALIKE))
-    return g_strdup_printf (
-      _ ("The path ends %.1f %% below the associative bound and within the interval of "
-         "the laws' own dilatancy."),
-      100.0 * share);
+  if (!isnan (least)) {
+    g_autofree char *place = place_in_interval (path, least, greatest);
+    return g_strdup_printf (_ ("The path ends %.1f %% below the associative bound. %s"),
+                            100.0 * share, place);
+  }
   return g_strdup_printf (_ ("The path ends %.1f %% below the associative bound: an "
                              "effect of dilatancy below friction."),
                           100.0 * share);

@@ -1,7 +1,9 @@
 #include "doc/document/run-text.h"
 
 #include "doc/text/explain.h"
+#include "io/text/mechanism-text.h"
 #include <glib/gi18n.h>
+#include <math.h>
 
 static double
 hertz_of (const QnRun *run)
@@ -79,6 +81,55 @@ qn_run_dup_mechanism (const QnRun *run)
   return run->kind == QN_RUN_ANALYSIS
            ? qn_explain_mechanism (&run->model, &run->contacts, &run->result)
            : NULL;
+}
+
+char *
+qn_run_dup_mechanism_sentence (const QnRun *run)
+{
+  QnMechanism mechanism;
+  if (run->kind != QN_RUN_ANALYSIS || run->result.mechanism == NULL
+      || qn_mechanism_init (&mechanism, &run->model, &run->contacts,
+                            run->result.mechanism, NULL)
+           != QN_OK)
+    return NULL;
+  char *sentence = qn_mechanism_dup_sentence (&mechanism);
+  qn_mechanism_clear (&mechanism);
+  return sentence;
+}
+
+/* How far anything moves from the step before to this one, m. */
+static double
+distance_of_step (const QnResult *result, gsize step)
+{
+  double farthest = 0.0;
+  if (step == 0)
+    return farthest;
+  const double *from = qn_result_step_displacements (result, step - 1);
+  const double *to = qn_result_step_displacements (result, step);
+  for (gsize r = 0; r < QN_DOF_COUNT * qn_result_body_count (result); r += QN_DOF_COUNT)
+    farthest = fmax (farthest, hypot (to[r + QN_DOF_UX] - from[r + QN_DOF_UX],
+                                      to[r + QN_DOF_UY] - from[r + QN_DOF_UY]));
+  return farthest;
+}
+
+GPtrArray *
+qn_run_dup_events (const QnRun *run, QnUnits units)
+{
+  const QnResult *result = &run->result;
+  GPtrArray *events = g_ptr_array_new_with_free_func (g_free);
+  for (gsize s = 0; s < result->step_count; s++) {
+    const QnStep *step = &result->steps[s];
+    g_autofree char *size =
+      qn_units_format_full (units, QN_QUANTITY_LENGTH, distance_of_step (result, s), 3);
+    if (step->event == QN_EVENT_SNAP)
+      g_ptr_array_add (events,
+                       g_strdup_printf (_ ("Step %u, multiplier %.4f: a jump by %s"),
+                                        (guint) s, step->multiplier, size));
+    else if (step->event == QN_EVENT_COLLAPSE)
+      g_ptr_array_add (events, g_strdup_printf (_ ("Step %u, multiplier %.4f: collapse"),
+                                                (guint) s, step->multiplier));
+  }
+  return events;
 }
 
 gboolean

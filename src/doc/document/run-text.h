@@ -3,6 +3,7 @@
 #define QN_DOC_RUN_TEXT_H
 
 #include "doc/document/run.h"
+#include "doc/text/units.h"
 
 /* "Run 1, load control: 0.3558", "Run 2, modes: mode 1, 12.3 Hz". The caller frees it. */
 char *qn_run_dup_title (const QnRun *run);
@@ -13,6 +14,13 @@ char *qn_run_dup_explanation (const QnRun *run);
 /* The mechanism in words, NULL where there is none, and of modes and buckling, in which nothing
  * slides or opens. The caller frees it. */
 char *qn_run_dup_mechanism (const QnRun *run);
+
+/* The same in one sentence. */
+char *qn_run_dup_mechanism_sentence (const QnRun *run);
+
+/* What happened along the path, a line (char *) each with its step, multiplier and size: jumps by
+ * how far they go, collapse. Free with g_ptr_array_unref(). */
+GPtrArray *qn_run_dup_events (const QnRun *run, QnUnits units);
 
 /* Whether it followed a path that has a curve. */
 gboolean qn_run_has_curve (const QnRun *run);

@@ -149,6 +149,15 @@ dup_joints (const QnMechanism *mechanism)
 }
 
 char *
+qn_mechanism_dup_sentence (const QnMechanism *mechanism)
+{
+  g_autofree char *title = qn_mechanism_dup_title (mechanism);
+  g_autofree char *joints = dup_joints (mechanism);
+  return joints[0] != '\0' ? g_strdup_printf (_ ("%s: %s."), title, joints)
+                           : g_strdup_printf ("%s.", title);
+}
+
+char *
 qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism)
 {
   g_autofree char *title = qn_mechanism_dup_title (mechanism);

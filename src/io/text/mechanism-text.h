@@ -10,6 +10,9 @@
  * with g_free(). */
 char *qn_mechanism_dup_title (const QnMechanism *mechanism);
 
+/* One sentence: what it is called, and how many joints hinge, slide and open. The caller frees. */
+char *qn_mechanism_dup_sentence (const QnMechanism *mechanism);
+
 /* Whole sentences: what the mechanism is called, what the largest bodies do and about which
  * points, how many joints hinge, slide and open. Free with g_free(). */
 char *qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism);

@@ -216,6 +216,178 @@ test_names (void)
   }
 }
 
+/* ---- drawn cases ---- */
+
+/* How the blocks of a letter move: turning about a point, or where it does not turn, straight on.
+ * Lengths in columns and rows of the drawing, from its lower left corner above the ground. */
+typedef struct Motion {
+  char letter;
+  double vx, vy, turn, x, y;
+} Motion;
+
+/* Rows from the top; | stands between blocks, a letter fills a column of a block, '.' is a block at
+ * rest, a blank no block. The ground lies beneath the lowest row. */
+typedef struct Drawing {
+  const char *rows[7];
+  Motion motions[4];
+  QnMechanismKind kind;
+} Drawing;
+
+#define CLOCKWISE(letter, x, y)                                                          \
+  {                                                                                      \
+    letter, 0, 0, -1, x, y                                                               \
+  }
+#define ANTICLOCKWISE(letter, x, y)                                                      \
+  {                                                                                      \
+    letter, 0, 0, 1, x, y                                                                \
+  }
+#define TO(letter, vx, vy)                                                               \
+  {                                                                                      \
+    letter, vx, vy, 0, 0, 0                                                              \
+  }
+
+static const Drawing drawings[] = {
+  /* Single blocks and stacks. */
+  { { "|A|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  { { "|A|" }, { TO ('A', -1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  { { "|A|" }, { CLOCKWISE ('A', 1, 0) }, QN_MECHANISM_KIND_OVERTURNING },
+  { { "|A|" }, { ANTICLOCKWISE ('A', 0, 0) }, QN_MECHANISM_KIND_OVERTURNING },
+  { { "|A|" }, { TO ('A', 0, 1) }, QN_MECHANISM_KIND_FALLING },
+  { { "|A|", "|A|", "|A|" }, { CLOCKWISE ('A', 1, 0) }, QN_MECHANISM_KIND_OVERTURNING },
+  { { "|A|", "|A|", "|.|" }, { CLOCKWISE ('A', 1, 1) }, QN_MECHANISM_KIND_OVERTURNING },
+  { { "|A|", "|.|", "|.|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  { { "|A|", "|B|" }, { TO ('A', 2, 0), TO ('B', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  /* Two drums that turn over each other make no crack in steps. */
+  { { "|A|", "|B|" },
+    { { 'A', 0, 0, -3, 1, 0.5 }, CLOCKWISE ('B', 1, 0) },
+    QN_MECHANISM_KIND_ROCKING },
+  { { "|A|", "|B|", "|B|", "|B|" },
+    { TO ('A', 1, 0), CLOCKWISE ('B', 1, 0) },
+    QN_MECHANISM_KIND_MIXED },
+  { { "|A|", "|A|", "|B|" },
+    { CLOCKWISE ('A', 1, 1), TO ('B', 1, 0) },
+    QN_MECHANISM_KIND_MIXED },
+  /* Courses of a wall that slide. */
+  { { "|AA|AA|AA|", "|.|..|..|.|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  { { "|AA|AA|AA|", "|A|AA|AA|A|", "|..|..|..|" },
+    { TO ('A', 1, 0) },
+    QN_MECHANISM_KIND_SLIDING },
+  { { "|AA|AA|AA|", "|B|BB|BB|B|", "|..|..|..|" },
+    { TO ('A', 2, 0), TO ('B', 1, 0) },
+    QN_MECHANISM_KIND_SLIDING },
+  { { "|AA|AA|AA|", "|B|BB|BB|B|", "|CC|CC|CC|", "|.|..|..|.|" },
+    { TO ('A', 3, 0), TO ('B', 2, 0), TO ('C', 1, 0) },
+    QN_MECHANISM_KIND_SLIDING },
+  { { "|AA|AA|AA|", "|.|..|..|.|", "|..|..|..|" },
+    { TO ('A', -1, 0) },
+    QN_MECHANISM_KIND_SLIDING },
+  /* A part of one course: a head joint opens behind it, but there are no steps. */
+  { { "|..|AA|AA|", "|.|..|..|.|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  { { "|AA|AA|..|", "|.|..|..|.|" }, { TO ('A', -1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  /* Parts that leave the wall along steps, sliding or turning. */
+  { { "|..|AA|AA|", "|.|..|AA|A|", "|..|..|..|" },
+    { TO ('A', 1, 0) },
+    QN_MECHANISM_KIND_STEPPED },
+  { { "|AA|AA|..|", "|A|AA|..|.|", "|..|..|..|" },
+    { TO ('A', -1, 0) },
+    QN_MECHANISM_KIND_STEPPED },
+  { { "|.|AA|AA|A|", "|..|AA|AA|", "|.|..|AA|A|", "|..|..|AA|", "|.|..|..|A|" },
+    { CLOCKWISE ('A', 6, 0) },
+    QN_MECHANISM_KIND_STEPPED },
+  { { "|A|AA|AA|.|", "|AA|AA|..|", "|A|AA|..|.|", "|AA|..|..|", "|A|..|..|.|" },
+    { ANTICLOCKWISE ('A', 0, 0) },
+    QN_MECHANISM_KIND_STEPPED },
+  { { "|.|AA|AA|A|", "|..|AA|AA|", "|.|..|AA|A|" },
+    { TO ('A', 1, 0) },
+    QN_MECHANISM_KIND_STEPPED },
+  /* A wall that turns as one, and a part of it above a bed. */
+  { { "|AA|AA|AA|", "|A|AA|AA|A|", "|AA|AA|AA|" },
+    { CLOCKWISE ('A', 6, 0) },
+    QN_MECHANISM_KIND_OVERTURNING },
+  { { "|AA|AA|AA|", "|A|AA|AA|A|", "|..|..|..|" },
+    { CLOCKWISE ('A', 6, 1) },
+    QN_MECHANISM_KIND_OVERTURNING },
+  /* Two piers beside each other, with and without a beam on them. */
+  { { "|A| |B|", "|A| |B|", "|A| |B|" },
+    { CLOCKWISE ('A', 1, 0), CLOCKWISE ('B', 3, 0) },
+    QN_MECHANISM_KIND_ROCKING },
+  { { "|A|   |B|", "|A|   |B|" },
+    { ANTICLOCKWISE ('A', 0, 0), ANTICLOCKWISE ('B', 4, 0) },
+    QN_MECHANISM_KIND_ROCKING },
+  { { "|CCC|", "|A| |B|", "|A| |B|", "|A| |B|" },
+    { CLOCKWISE ('A', 1, 0), CLOCKWISE ('B', 3, 0), TO ('C', 3, 0) },
+    QN_MECHANISM_KIND_ROCKING },
+  /* A stone that drops out of a wall, and nothing at all. */
+  { { "|..|..|", "|..|AA|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_SLIDING },
+  { { "|..|..|", "|.|..|.|" }, { TO ('A', 1, 0) }, QN_MECHANISM_KIND_NONE },
+};
+
+G_STATIC_ASSERT (G_N_ELEMENTS (drawings) >= 30);
+
+/* Adds the blocks of a row, and notes their letters. A blank is as wide as a block's column. */
+static void
+draw_row (QnModel *model, const char *row, double y, GString *letters)
+{
+  double x = 0;
+  const char *c = row;
+  while (*c != '\0') {
+    const char *first = c;
+    while (*c == *first && *c != '|')
+      c++;
+    if (c > first) {
+      if (*first != ' ') {
+        char *name = g_strdup_printf ("b%u", (guint) letters->len);
+        test_model_add_rectangle (model, name, x, y, (double) (c - first), 1);
+        g_string_append_c (letters, *first);
+        g_free (name);
+      }
+      x += (double) (c - first);
+    } else
+      c++;
+  }
+}
+
+static void
+test_drawn (void)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (drawings); i++) {
+    const Drawing *drawing = &drawings[i];
+    GString *letters = g_string_new ("#");
+    int rows = 0;
+    Case c;
+
+    while (drawing->rows[rows] != NULL)
+      rows++;
+    test_model_init (&c.model);
+    test_model_add_base (&c.model, -1, -1, 9, 1);
+    for (int r = 0; r < rows; r++)
+      draw_row (&c.model, drawing->rows[r], rows - 1 - r, letters);
+    g_assert_cmpint (qn_model_prepare (&c.model, NULL), ==, QN_OK);
+    double *velocities = g_new0 (double, QN_DOF_COUNT *c.model.block_count);
+    for (size_t b = 0; b < c.model.block_count; b++)
+      for (gsize k = 0; k < G_N_ELEMENTS (drawing->motions); k++) {
+        const Motion *m = &drawing->motions[k];
+        QnVec2 arm = qn_vec2_sub (c.model.blocks[b].centroid, qn_vec2 (m->x, m->y));
+        if (m->letter != letters->str[b])
+          continue;
+        velocities[3 * b] = m->vx - m->turn * arm.y;
+        velocities[3 * b + 1] = m->vy + m->turn * arm.x;
+        velocities[3 * b + 2] = m->turn;
+      }
+    g_assert_cmpint (qn_contacts_detect (&c.model, &c.contacts, NULL), ==, QN_OK);
+    g_assert_cmpint (
+      qn_mechanism_init (&c.mechanism, &c.model, &c.contacts, velocities, NULL), ==,
+      QN_OK);
+    if (c.mechanism.kind != drawing->kind)
+      g_test_message ("drawing %u, %s", (guint) i, drawing->rows[0]);
+    g_assert_cmpstr (qn_mechanism_kind_names[c.mechanism.kind], ==,
+                     qn_mechanism_kind_names[drawing->kind]);
+    g_free (velocities);
+    g_string_free (letters, TRUE);
+    case_clear (&c);
+  }
+}
+
 static void
 test_spelling (void)
 {
@@ -237,6 +409,7 @@ main (int argc, char **argv)
   g_test_add_func ("/mechanism/bodies", test_bodies);
   g_test_add_func ("/mechanism/scale", test_scale);
   g_test_add_func ("/mechanism/names", test_names);
+  g_test_add_func ("/mechanism/drawn", test_drawn);
   g_test_add_func ("/mechanism/spelling", test_spelling);
   return g_test_run ();
 }

@@ -1,5 +1,6 @@
 #include "doc/document/bounds.h"
 
+#include "doc/document/run-text.h"
 #include "doc/fixture.h"
 
 #include <math.h>
@@ -72,11 +73,70 @@ test_agreement (void)
   g_assert_nonnull (strstr (verdict, "reaches the bound"));
 }
 
+/* "Within the interval" is said of what lies in it, and of nothing else. */
+static void
+test_interval (void)
+{
+  const struct {
+    double path, least, greatest;
+    const char *said;
+  } cases[] = {
+    { 0.300, 0.300, 0.350, "within the interval" },
+    { 0.320, 0.300, 0.350, "within the interval" },
+    { 0.350, 0.300, 0.350, "within the interval" },
+    { 0.29999, 0.300, 0.350, "within the interval" },
+    { 0.298, 0.300, 0.350, "0.7 % below the least value" },
+    { 0.200, 0.300, 0.350, "33.3 % below the least value" },
+    { 0.352, 0.300, 0.350, "0.6 % above the greatest value" },
+    { 0.300, NAN, NAN, "an effect of dilatancy" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    const QnBound all[] = { { QN_BOUND_PATH, "path", cases[i].path, "" },
+                            { QN_BOUND_UPPER, "upper", 0.4, "" },
+                            { QN_BOUND_LEAST, "least", cases[i].least, "" },
+                            { QN_BOUND_GREATEST, "greatest", cases[i].greatest, "" } };
+    g_autoptr (GArray) bounds = g_array_new (FALSE, FALSE, sizeof (QnBound));
+    g_array_append_vals (bounds, all, isnan (cases[i].least) ? 2 : 4);
+    g_autofree char *verdict = qn_bounds_dup_verdict (bounds);
+    g_assert_nonnull (strstr (verdict, cases[i].said));
+    g_assert_true (strstr (cases[i].said, "within") != NULL
+                   || strstr (verdict, "within") == NULL);
+  }
+}
+
+/* Events of a path with their size, and the mechanism in one sentence. */
+static void
+test_events (void)
+{
+  g_autoptr (QnDocument) document = open_example ("06-arch.quoin");
+  analyse (document, QN_PROCEDURE_LOAD, QN_FLOW_ASSOCIATIVE);
+  const QnRun *run = qn_document_get_run (document);
+  g_autoptr (GPtrArray) events = qn_run_dup_events (run, QN_UNITS_SI);
+  g_assert_cmpuint (events->len, ==, 1);
+  g_assert_nonnull (strstr (events->pdata[0], "multiplier 0.2864: collapse"));
+  g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
+  g_assert_cmpstr (sentence, ==, "Folding like an arch: 4 joints hinge.");
+  /* A jump is told by how far it goes. */
+  QnResult *result = (QnResult *) &run->result;
+  result->steps[2].event = QN_EVENT_SNAP;
+  size_t row = QN_DOF_COUNT * qn_result_body_count (result);
+  for (size_t i = 0; i < row; i++)
+    result->displacements[2 * row + i] = result->displacements[row + i];
+  result->displacements[2 * row + 3] += 0.003;
+  result->displacements[2 * row + 4] += 0.004;
+  g_autoptr (GPtrArray) two = qn_run_dup_events (run, QN_UNITS_SI);
+  g_assert_cmpuint (two->len, ==, 2);
+  g_assert_nonnull (strstr (two->pdata[0], "Step 2"));
+  g_assert_nonnull (strstr (two->pdata[0], "a jump by 0.005"));
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/bounds/wall", test_wall);
   g_test_add_func ("/doc/bounds/agreement", test_agreement);
+  g_test_add_func ("/doc/bounds/interval", test_interval);
+  g_test_add_func ("/doc/bounds/events", test_events);
   return g_test_run ();
 }

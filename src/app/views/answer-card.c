@@ -1,0 +1,166 @@
+/* The answer of the current run: its multiplier, every value found for the model on one line, the
+ * mechanism in a sentence; what happened on the path and how values were found behind expanders. */
+#include "app/forms/form.h"
+#include "app/forms/panel.h"
+#include "app/views/bounds-bar.h"
+#include "app/widgets/settings.h"
+#include "doc/document/run-text.h"
+#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+#include <math.h>
+
+typedef struct Card {
+  QnDocument *document;
+  GtkWidget *box, *stale, *bar, *events, *found;
+  GtkLabel *number, *outcome, *verdict, *mechanism, *explanation, *happened, *values;
+} Card;
+
+static GtkLabel *
+add_text (GtkWidget *box, const char *css_class)
+{
+  GtkWidget *label = gtk_label_new (NULL);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
+  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_selectable (GTK_LABEL (label), TRUE);
+  gtk_label_set_max_width_chars (GTK_LABEL (label), 30);
+  gtk_widget_set_hexpand (label, TRUE);
+  if (css_class != NULL)
+    gtk_widget_add_css_class (label, css_class);
+  gtk_box_append (GTK_BOX (box), label);
+  return GTK_LABEL (label);
+}
+
+static void
+set_text (GtkLabel *label, const char *text)
+{
+  gtk_label_set_text (label, text != NULL ? text : "");
+  gtk_widget_set_visible (GTK_WIDGET (label), text != NULL && text[0] != '\0');
+}
+
+/* The multiplier as large as it is important; a run without one says how it ended instead. */
+static void
+update_number (Card *card, const QnRun *run)
+{
+  const QnResult *result = &run->result;
+  const char *outcome = qn_explain_outcome_label (result->outcome);
+  gboolean given = run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier;
+  g_autofree char *number =
+    given ? g_strdup_printf ("%.4f", result->collapse_multiplier) : g_strdup (outcome);
+  set_text (card->number, number);
+  set_text (card->outcome, given ? _ ("Load multiplier at collapse") : NULL);
+}
+
+static void
+update_values (Card *card, const QnRun *run, GArray *bounds)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (guint i = 0; i < bounds->len; i++) {
+    const QnBound *bound = &g_array_index (bounds, QnBound, i);
+    if (isinf (bound->value))
+      g_string_append_printf (text, "%s: ∞. %s\n\n", bound->label, bound->guarantee);
+    else
+      g_string_append_printf (text, "%s: %.4f. %s\n\n", bound->label, bound->value,
+                              bound->guarantee);
+  }
+  const QnStatistics *s = &run->result.statistics;
+  const QnCount counts[] = {
+    { QN_COUNTED_STEPS, run->result.step_count },
+    { QN_COUNTED_ITERATIONS, (gsize) s->iterations },
+    { QN_COUNTED_FACTORISATIONS, (gsize) s->factorizations },
+  };
+  g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
+  g_string_append_printf (text, _ ("%s, %.2f s"), work, s->seconds);
+  set_text (card->values, text->str);
+}
+
+static void
+update_events (Card *card, const QnRun *run)
+{
+  g_autoptr (GPtrArray) events = qn_run_dup_events (run, qn_settings_get_units ());
+  gtk_widget_set_visible (card->events, events->len > 0);
+  g_autofree char *title = g_strdup_printf (
+    ngettext ("%u _event on the path", "%u _events on the path", (gulong) events->len),
+    events->len);
+  gtk_expander_set_label (GTK_EXPANDER (card->events), title);
+  g_ptr_array_add (events, NULL);
+  g_autofree char *lines = g_strjoinv ("\n", (char **) events->pdata);
+  set_text (card->happened, lines);
+}
+
+static void
+update (Card *card)
+{
+  const QnRun *run = qn_document_get_run (card->document);
+  gtk_widget_set_visible (card->box, run != NULL);
+  if (run == NULL)
+    return;
+  gtk_widget_set_visible (card->stale, qn_document_is_stale (card->document, run));
+  update_number (card, run);
+  g_autoptr (GArray) bounds = qn_bounds_collect (card->document);
+  if (run->kind != QN_RUN_ANALYSIS)
+    g_array_set_size (bounds, 0);
+  qn_bounds_bar_set (QN_BOUNDS_BAR (card->bar), bounds);
+  g_autofree char *verdict = qn_bounds_dup_verdict (bounds);
+  set_text (card->verdict, verdict);
+  g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
+  set_text (card->mechanism, sentence);
+  g_autofree char *whole = qn_run_dup_mechanism (run);
+  g_autofree char *outcome = qn_run_dup_explanation (run);
+  g_autofree char *explanation =
+    whole != NULL ? g_strdup_printf ("%s\n\n%s", outcome, whole) : g_strdup (outcome);
+  gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;
+  /* Where there is no number, the words are the answer. */
+  if (!given)
+    set_text (card->outcome, outcome);
+  set_text (card->explanation, given ? explanation : whole);
+  update_values (card, run, bounds);
+  update_events (card, run);
+}
+
+static GtkWidget *
+add_expander (GtkWidget *box, const char *label, GtkLabel **text)
+{
+  GtkWidget *expander = gtk_expander_new_with_mnemonic (label);
+  GtkWidget *inner = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
+  gtk_widget_set_margin_start (inner, 12);
+  *text = add_text (inner, "guarantee");
+  gtk_expander_set_child (GTK_EXPANDER (expander), inner);
+  gtk_box_append (GTK_BOX (box), expander);
+  return expander;
+}
+
+GtkWidget *
+qn_answer_card_new (QnDocument *document)
+{
+  Card *card = g_new0 (Card, 1);
+  card->document = document;
+  GtkWidget *box = card->box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 4);
+  gtk_widget_add_css_class (box, "answer");
+  card->stale = gtk_label_new (_ ("Outdated: the model has changed since this run."));
+  gtk_widget_add_css_class (card->stale, "stale");
+  gtk_label_set_wrap (GTK_LABEL (card->stale), TRUE);
+  gtk_box_append (GTK_BOX (box), card->stale);
+  card->number = add_text (box, "title-2");
+  card->outcome = add_text (box, NULL);
+  card->bar = qn_bounds_bar_new ();
+  gtk_box_append (GTK_BOX (box), card->bar);
+  card->verdict = add_text (box, "guarantee");
+  card->mechanism = add_text (box, NULL);
+  card->events = add_expander (box, "", &card->happened);
+  gtk_expander_set_use_underline (GTK_EXPANDER (card->events), TRUE);
+  card->found = add_expander (box, _ ("_How it was found"), &card->explanation);
+  card->values =
+    add_text (gtk_expander_get_child (GTK_EXPANDER (card->found)), "guarantee");
+  GtkWidget *button = gtk_button_new_with_mnemonic (_ ("Solve by _All Methods"));
+  gtk_widget_set_tooltip_text (
+    button, _ ("HybriDFEM, then limit analysis with both flow rules, of the same model"));
+  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.run-all");
+  gtk_box_append (GTK_BOX (box), button);
+  qn_own (box, card);
+  qn_watch (box, document, "runs-changed", G_CALLBACK (update), card);
+  qn_watch (box, document, "changed", G_CALLBACK (update), card);
+  qn_watch (box, qn_settings_get (), "changed", G_CALLBACK (update), card);
+  update (card);
+  return box;
+}
