@@ -1,5 +1,6 @@
 /* The machine form of a check; data/check-format.md describes it key by key. */
 #include "cli/check-report.h"
+#include "io/text/fault-text.h"
 #include "io/text/file-writer.h"
 
 #include <math.h>
@@ -168,12 +169,8 @@ write_findings (QnFileWriter *out, const QnInput *input)
 }
 
 static void
-write_result (QnFileWriter *out, const QnCheckReport *report)
+write_equilibrium (QnFileWriter *out, const QnResultCheck *check)
 {
-  const QnResultCheck *check = report->check;
-  qn_file_writer_puts (out, ",\n  \"result\": { \"file\": ");
-  qn_file_writer_json_string (out, report->result_name);
-  write_flag (out, ", \"passes\": ", qn_check_report_passes (check));
   write_number (out, ", \"multiplier\": ", check->multiplier);
   write_number (out, ",\n    \"out_of_balance\": ", check->out_of_balance);
   qn_file_writer_printf (out, ", \"unbalanced_block\": %d", check->unbalanced_block);
@@ -183,6 +180,36 @@ write_result (QnFileWriter *out, const QnCheckReport *report)
   write_number (out, ",\n    \"yield_violation\": ", check->yield_violation);
   qn_file_writer_printf (out, ", \"violating_pair\": %d", check->violating_pair);
   write_number (out, ", \"contact_scale\": ", check->contact_scale);
+}
+
+static void
+write_faults (QnFileWriter *out, const QnCheckReport *report)
+{
+  const QnResultFaults *faults = report->faults;
+  write_flag (out, ",\n    \"balance_checked\": ", !faults->in_time);
+  write_flag (out, ", \"forces_checked\": ", !faults->forces_unknown);
+  qn_file_writer_puts (out, ", \"faults\": [");
+  for (int i = 0; i < faults->count; i++) {
+    const QnFault *fault = &faults->items[i];
+    g_autofree char *text =
+      qn_fault_dup_text (&report->input->project.model, &report->input->contacts, fault);
+    qn_file_writer_printf (out, "%s\n      { \"claim\": \"%s\", \"step\": %d, \"text\": ",
+                           i > 0 ? "," : "", qn_claim_name (fault->claim), fault->step);
+    qn_file_writer_json_string (out, text);
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, "]");
+}
+
+static void
+write_result (QnFileWriter *out, const QnCheckReport *report)
+{
+  qn_file_writer_puts (out, ",\n  \"result\": { \"file\": ");
+  qn_file_writer_json_string (out, report->result_name);
+  write_flag (out, ", \"passes\": ", qn_check_report_passes (report));
+  if (report->check != NULL)
+    write_equilibrium (out, report->check);
+  write_faults (out, report);
   qn_file_writer_puts (out, " }");
 }
 
@@ -204,7 +231,7 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
   write_beams (out, &input->project.model);
   write_faces (out, &input->contacts);
   write_findings (out, input);
-  if (report->check != NULL)
+  if (report->faults != NULL)
     write_result (out, report);
   qn_file_writer_puts (out, "\n}\n");
   return qn_file_writer_commit (out, error);

@@ -1,14 +1,21 @@
 #include "cli/check-report.h"
 
+#include "io/text/fault-text.h"
+
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdio.h>
 
 gboolean
-qn_check_report_passes (const QnResultCheck *check)
+qn_check_report_passes (const QnCheckReport *report)
 {
-  return check->out_of_balance <= QN_CHECK_TOLERANCE
-         && check->yield_violation <= QN_CHECK_TOLERANCE;
+  const QnResultCheck *check = report->check;
+  double asked = 10 * report->input->project.model.analysis.residual_tolerance;
+  double tolerance = MAX (QN_CHECK_TOLERANCE, asked);
+  if (report->faults->count > 0)
+    return FALSE;
+  return check == NULL
+         || (check->out_of_balance <= tolerance && check->yield_violation <= tolerance);
 }
 
 static gboolean
@@ -146,12 +153,28 @@ block_name (const QnModel *model, QnId block)
 }
 
 static void
-print_result (const QnCheckReport *report)
+print_faults (const QnCheckReport *report)
+{
+  const QnResultFaults *faults = report->faults;
+  for (int i = 0; i < faults->count; i++) {
+    g_autofree char *text = qn_fault_dup_text (
+      &report->input->project.model, &report->input->contacts, &faults->items[i]);
+    printf (_ ("  not true: %s\n"), text);
+  }
+  if (faults->forces_unknown)
+    printf (
+      _ ("  not checked: forces of the steps before the last, which the result does "
+         "not hold\n"));
+  if (faults->in_time)
+    printf (
+      _ ("  not checked: the balance in motion, to which inertia and damping belong\n"));
+}
+
+static void
+print_equilibrium (const QnCheckReport *report)
 {
   const QnModel *model = &report->input->project.model;
   const QnResultCheck *check = report->check;
-  printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
-          check->multiplier, qn_check_report_passes (check) ? _ ("passes") : _ ("fails"));
   if (check->unbalanced_node != QN_NONE)
     printf (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
             check->force_scale, model->nodes[check->unbalanced_node].name);
@@ -169,13 +192,27 @@ print_result (const QnCheckReport *report)
   printf ("\n");
 }
 
+static void
+print_result (const QnCheckReport *report)
+{
+  const char *verdict = qn_check_report_passes (report) ? _ ("passes") : _ ("fails");
+  if (report->check != NULL) {
+    printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
+            report->check->multiplier, verdict);
+    print_equilibrium (report);
+  } else {
+    printf (_ ("result %s: %s\n"), report->result_name, verdict);
+  }
+  print_faults (report);
+}
+
 void
 qn_check_report_print (const QnCheckReport *report)
 {
   const QnInput *input = report->input;
   print_counts (&input->project, &input->contacts);
   print_findings (input);
-  if (report->check != NULL)
+  if (report->faults != NULL)
     print_result (report);
   print_faces (&input->project.model, &input->contacts);
   print_beams (&input->project.model);

@@ -15,7 +15,7 @@ typedef struct Layer {
 static const Layer layers[] = {
   { "core",
     { "base", "law", "model", "contact", "linalg", "result", "assembly", "equilibrium",
-      "limit", "dynamics", "path", "modal", "capacity" },
+      "limit", "dynamics", "check", "path", "modal", "capacity" },
     { "core/" },
     { "klu.h", "cholmod.h", "amd.h", "camd.h", "colamd.h", "SuiteSparse_config.h" } },
   { "disk", { NULL }, { "disk/" }, { NULL } },

@@ -434,6 +434,7 @@ qn_assembly_commit (QnAssembly *as)
   for (size_t p = 0; p < as->pair_count; p++)
     as->committed[p] = as->responses[p].memory;
   qn_beam_assembly_commit (&as->beams);
+  as->commits++;
 }
 
 static void

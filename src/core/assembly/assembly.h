@@ -76,6 +76,7 @@ typedef struct QnAssembly {
   QnPairResponse *responses; /* of the last evaluation, or of the state taken back */
 
   QnBeamAssembly beams;
+  int64_t commits; /* how often a state has been accepted */
 
   double *dead,
     *live; /* loads on the unknowns, N; in nonlinear geometry of the last evaluation */

@@ -72,11 +72,13 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
                   .iterations = eq->statistics.iterations - path->iterations_at_step,
                   .residual = eq->out_of_balance,
                   .event = event,
-                  .stage = path->stage };
+                  .stage = path->stage,
+                  .relaxed = eq->assembly.commits != path->commits_at_step };
 
   eq->multiplier = multiplier;
   qn_equilibrium_commit (eq);
   path->iterations_at_step = eq->statistics.iterations;
+  path->commits_at_step = eq->assembly.commits;
   eq->progress.multiplier = step.multiplier;
   eq->progress.steps++;
   qn_assembly_expand (&eq->assembly, eq->u, path->displacements);

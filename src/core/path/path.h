@@ -42,7 +42,8 @@ typedef struct QnPath {
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
   double *displacements;      /* scratch, a row for every body; reactions too */
   QnBeamForces *beam_forces;  /* scratch, by element */
-  int32_t iterations_at_step; /* statistics when the last step was recorded */
+  int32_t iterations_at_step; /* statistics when the last step was recorded, */
+  int64_t commits_at_step;    /* and commits of the assembly */
 } QnPath;
 
 /* Prepares the workspace and initialises *result. */

@@ -46,6 +46,8 @@ typedef struct QnStep {
   int32_t
     stage;     /* number of the stage it belongs to, from 1; 0: dead load, or no stages */
   double time; /* s, of an analysis in time; 0 otherwise */
+  bool relaxed; /* a motion came to rest here, in the course of which joints have slid: no
+                   single answer of their laws leads from the last step to this one */
 } QnStep;
 
 /* Energy of an analysis in time, J, in the frame that moves with the ground. At any time

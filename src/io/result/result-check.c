@@ -283,6 +283,9 @@ find_worst_block (const QnModel *model, const double *balance, QnResultCheck *ch
     }
   }
   find_worst_node (model, balance, &worst, check);
+  /* Rounding is that of the largest force. */
+  check->force_scale =
+    MAX (check->force_scale, MAX (check->contact_scale, check->beam_scale));
   if (check->element_out_of_balance > worst) {
     worst = check->element_out_of_balance;
     check->unbalanced_block = check->unbalanced_node = QN_NONE;

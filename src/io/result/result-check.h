@@ -22,7 +22,8 @@ typedef struct QnResultCheck {
   double element_out_of_balance; /* N: the largest of these */
   double beam_scale;             /* N: largest end force of an element */
   double
-    force_scale; /* N: largest weight of a free block; largest load where they are weightless */
+    force_scale; /* N: largest weight of a free block, or load where they are weightless, or
+                        force of a contact or beam */
 
   double yield_violation; /* largest over the pairs, over `contact_scale` */
   QnId violating_pair;    /* where, or QN_NONE */

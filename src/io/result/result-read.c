@@ -92,13 +92,20 @@ read_first_limit (QnJsonStream *stream, gpointer target)
   return done;
 }
 
+/* Only written where it is true. */
+static gboolean
+read_true (QnJsonStream *stream, gpointer target)
+{
+  *(bool *) target = stream->scanner.token == QN_JSON_TRUE;
+  return *(bool *) target || stream->scanner.token == QN_JSON_FALSE
+         || qn_json_stream_fail (stream, _ ("expected true or false"));
+}
+
 static gboolean
 read_uncertain (QnJsonStream *stream, gpointer target)
 {
   QnResult *result = &((QnResultDraft *) target)->file->result;
-  result->mechanism_uncertain = stream->scanner.token == QN_JSON_TRUE;
-  return result->mechanism_uncertain || stream->scanner.token == QN_JSON_FALSE
-         || qn_json_stream_fail (stream, _ ("expected true or false"));
+  return read_true (stream, &result->mechanism_uncertain);
 }
 
 static QnLimitFigures *
@@ -255,6 +262,7 @@ read_step (QnJsonStream *stream, gpointer target)
     { "residual", qn_json_stream_number, offsetof (StepDraft, step.residual), FALSE },
     { "event", read_event, offsetof (StepDraft, step.event), FALSE },
     { "stage", read_stage, offsetof (StepDraft, step.stage), FALSE },
+    { "relaxed", read_true, offsetof (StepDraft, step.relaxed), FALSE },
     { "time", qn_json_stream_number, offsetof (StepDraft, step.time), FALSE },
     { "reactions", read_step_displacements, offsetof (StepDraft, reactions), FALSE },
     { "forces", qn_result_forces_read, offsetof (StepDraft, forces), FALSE },

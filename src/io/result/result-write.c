@@ -219,6 +219,8 @@ write_steps (QnFileWriter *writer, const QnResult *result)
                            ", \"iterations\": %d, \"residual\": ", step->iterations);
     qn_file_writer_number (writer, step->residual);
     qn_file_writer_printf (writer, ", \"event\": %s", event_text (step->event));
+    if (step->relaxed)
+      qn_file_writer_puts (writer, ", \"relaxed\": true");
     if (step->stage > 0)
       qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
     if (result->history.width > 0) {

@@ -1,0 +1,190 @@
+/* The bounds of limit analysis.
+ *
+ *   lower   the multiplier of the forces in the result, whose balance and strength are those of the
+ *           last step
+ *   upper   of the mechanism: what the joints dissipate at most on its rates, less the power of the
+ *           dead load, where the live load has unit power
+ *
+ * A joint dissipates at most the largest f . r that any force within its strength has on the rate r: at
+ * a corner of the strength, or without limit where r turns away from what it can carry.
+ */
+#include "core/check/check-parts.h"
+#include "core/limit/limit.h"
+
+#include <math.h>
+
+/* Bounds agree to this, relative to 1 + multiplier. */
+#define AGREE 1e-5
+
+/* A rate turns away from what a joint carries where it does so by more than this part of the largest
+ * velocity: rounding of a linear program. */
+#define AWAY 1e-6
+
+enum { MOST_SIDES = 4 * QN_STRENGTH_ROWS };
+
+/* A side of a strength: a . f <= b. */
+typedef struct {
+  double a[2], b;
+} Side;
+
+static int
+list_sides (const QnPairSprings *springs, Side sides[MOST_SIDES])
+{
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (&springs->a, rows), sides_count = 0;
+
+  count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
+  for (int i = 0; i < count; i++) {
+    sides[sides_count++] = (Side){ { rows[i].normal, rows[i].shear }, rows[i].limit };
+    if (rows[i].shear > 0)
+      sides[sides_count++] = (Side){ { rows[i].normal, -rows[i].shear }, rows[i].limit };
+  }
+  return sides_count;
+}
+
+static bool
+carries (const Side *sides, int count, const double f[2], double little)
+{
+  for (int i = 0; i < count; i++)
+    if (sides[i].a[0] * f[0] + sides[i].a[1] * f[1] > sides[i].b + little)
+      return false;
+  return true;
+}
+
+/* Largest f . r of a joint; *away: how far r turns away from all that it can carry. */
+static double
+dissipation (const QnPairSprings *springs, const double r[2], double little, double *away)
+{
+  Side sides[MOST_SIDES];
+  int count = list_sides (springs, sides);
+  double most = -INFINITY;
+
+  *away = 0;
+  for (int i = 0; i < count; i++) {
+    /* Along the side for ever: a direction in which nothing limits the force. */
+    for (int sign = -1; sign <= 1; sign += 2) {
+      double d[2] = { sign * sides[i].a[1], -sign * sides[i].a[0] };
+      bool unlimited = true;
+      for (int j = 0; j < count && unlimited; j++)
+        unlimited = sides[j].a[0] * d[0] + sides[j].a[1] * d[1] <= 1e-12;
+      if (unlimited)
+        *away = fmax (*away, (d[0] * r[0] + d[1] * r[1]) / hypot (d[0], d[1]));
+    }
+    for (int j = 0; j < i; j++) {
+      double cross = sides[i].a[0] * sides[j].a[1] - sides[i].a[1] * sides[j].a[0];
+      if (fabs (cross) < 1e-12)
+        continue;
+      double f[2] = { (sides[i].b * sides[j].a[1] - sides[j].b * sides[i].a[1]) / cross,
+                      (sides[i].a[0] * sides[j].b - sides[j].a[0] * sides[i].b) / cross };
+      if (carries (sides, count, f, little))
+        most = fmax (most, f[0] * r[0] + f[1] * r[1]);
+    }
+  }
+  return isfinite (most) ? most : 0;
+}
+
+static double
+power_of (const QnAssembly *as, const double *loads, const double *v)
+{
+  double power = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    power += loads[i] * v[i];
+  return power;
+}
+
+/* The kinematic multiplier of the mechanism; NAN where it is none of associative flow. */
+static double
+kinematic_multiplier (QnCheck *check)
+{
+  QnAssembly *as = &check->assembly;
+  const double none[QN_MAX_LOAD_SETS] = { 0 }, live[QN_MAX_LOAD_SETS] = { 1 };
+  double *rates = check->forces, dissipated = 0, largest = 0;
+
+  qn_assembly_set_loads (as, none, live);
+  qn_check_gather (as, check->result->mechanism, check->velocity);
+  qn_assembly_elongation_rates (as, check->velocity, rates);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    largest = fmax (largest, fabs (check->velocity[i]));
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairResult *pair = &check->result->pairs[p];
+    double away;
+    dissipated += dissipation (&as->springs[p], rates + 2 * p,
+                               QN_CHECK_STATE * 1e-6 * check->scale, &away);
+    if (away > AWAY * largest)
+      return NAN;
+    dissipated += away * hypot (pair->normal_force, pair->shear_force);
+  }
+  double unit = power_of (as, as->live, check->velocity);
+  return unit > 0 ? (dissipated - power_of (as, as->dead, check->velocity)) / unit : NAN;
+}
+
+static bool
+agree (double stated, double found)
+{
+  return qn_check_agrees (stated, found, AGREE * (1 + fabs (found)));
+}
+
+static void
+check_fixed_points (QnCheck *check, const QnLimitFigures *limit)
+{
+  double least = INFINITY, greatest = -INFINITY;
+
+  for (int32_t i = 0; i < limit->fixed_point_count; i++) {
+    least = fmin (least, limit->fixed_points[i]);
+    greatest = fmax (greatest, limit->fixed_points[i]);
+  }
+  if (limit->fixed_point_count > 0
+      && (!agree (limit->lower_bound, least) || !agree (limit->upper_bound, greatest)))
+    qn_check_tell (check, QN_CLAIM_INTERVAL, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
+                   agree (limit->lower_bound, least) ? limit->upper_bound
+                                                     : limit->lower_bound,
+                   agree (limit->lower_bound, least) ? greatest : least);
+  if (limit->has_associative_bound
+      && !(limit->upper_bound <= limit->associative_bound * (1 + AGREE) + AGREE))
+    qn_check_tell (check, QN_CLAIM_INTERVAL, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
+                   limit->upper_bound, limit->associative_bound);
+}
+
+/* Of no mechanism in the result: the linear program is solved again. */
+static QnStatus
+check_associative (QnCheck *check, double stated, QnDiag *diag)
+{
+  QnLimitSolution solution;
+  QnStatus status =
+    qn_limit_associative (check->model, check->contacts, NULL, NULL, &solution, diag);
+
+  if (status != QN_OK)
+    return status;
+  if (solution.outcome != QN_OUTCOME_COLLAPSE || !agree (stated, solution.upper_bound))
+    qn_check_tell (check, QN_CLAIM_UPPER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
+                   solution.upper_bound);
+  qn_limit_solution_clear (&solution);
+  return QN_OK;
+}
+
+QnStatus
+qn_check_bounds (QnCheck *check, QnDiag *diag)
+{
+  const QnLimitFigures *limit = &check->result->limit;
+  const QnResult *result = check->result;
+
+  if (!limit->given || result->step_count == 0)
+    return QN_OK;
+  double carried = result->steps[result->step_count - 1].multiplier;
+  if (!agree (limit->lower_bound, carried)
+      || !agree (limit->lower_bound, result->collapse_multiplier))
+    qn_check_tell (check, QN_CLAIM_LOWER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
+                   limit->lower_bound, carried);
+  if (limit->flow == QN_FLOW_NON_ASSOCIATIVE) {
+    check_fixed_points (check, limit);
+    return limit->has_associative_bound
+             ? check_associative (check, limit->associative_bound, diag)
+             : QN_OK;
+  }
+  double found = result->mechanism != NULL ? kinematic_multiplier (check) : NAN;
+  if (!agree (limit->upper_bound, found))
+    qn_check_tell (check, QN_CLAIM_UPPER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
+                   limit->upper_bound, found);
+  return QN_OK;
+}

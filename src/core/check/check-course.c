@@ -1,0 +1,234 @@
+/* The course of an analysis: steps in order, events, and an outcome that is that of the last step. */
+#include "core/check/check-parts.h"
+
+#include <math.h>
+
+/* Multipliers that stand in a result twice are written alike. */
+#define SAME 1e-9
+
+static bool
+same_multiplier (double a, double b)
+{
+  return qn_check_agrees (a, b, SAME * (1 + fabs (b)));
+}
+
+static void
+check_numbers (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  size_t bodies = qn_result_body_count (r) * QN_DOF_COUNT;
+  bool finite =
+    !(r->has_collapse_multiplier && !isfinite (r->collapse_multiplier))
+    && !(r->has_first_limit_multiplier && !isfinite (r->first_limit_multiplier));
+
+  for (size_t i = 0; i < r->step_count; i++)
+    finite = finite && isfinite (r->steps[i].multiplier) && isfinite (r->steps[i].time)
+             && isfinite (r->steps[i].residual);
+  for (size_t i = 0; i < r->step_count * bodies; i++)
+    finite = finite && isfinite (r->displacements[i]);
+  for (size_t p = 0; r->step_count > 0 && p < r->pair_count; p++)
+    finite =
+      finite && isfinite (r->pairs[p].normal_force) && isfinite (r->pairs[p].shear_force);
+  for (size_t i = 0; r->mechanism != NULL && i < bodies; i++)
+    finite = finite && isfinite (r->mechanism[i]);
+  for (size_t i = 0; i < r->history.row_count * r->history.width; i++)
+    finite = finite && isfinite (r->history.rows[i]);
+  if (!finite)
+    qn_check_tell (check, QN_CLAIM_NUMBERS, QN_NONE, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+}
+
+/* The dead load first, stages one after the other, times growing; in time no multiplier. */
+static void
+check_order (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  bool in_time = r->history.width > 0;
+  int32_t stages = (int32_t) check->model->stage_count;
+
+  for (size_t i = 0; i < r->step_count; i++) {
+    const QnStep *step = &r->steps[i];
+    bool follows = i == 0 || in_time || stages == 0
+                   || (step->stage >= r->steps[i - 1].stage && step->stage >= 1);
+    bool in_order = step->stage <= stages && follows;
+    if (i == 0 || in_time)
+      in_order = in_order && step->multiplier == 0;
+    if (in_time && i > 1)
+      in_order = in_order && step->time > r->steps[i - 1].time;
+    if (!in_order)
+      qn_check_tell (check, QN_CLAIM_STEPS, (QnId) i, QN_ENTITY_MODEL, QN_NONE,
+                     in_time ? step->time : step->multiplier, NAN);
+    if (!(step->residual <= fmax (check->tolerance, QN_CHECK_FORCES)))
+      qn_check_tell (check, QN_CLAIM_STEPS, (QnId) i, QN_ENTITY_MODEL, QN_NONE,
+                     step->residual, check->tolerance);
+  }
+}
+
+/* Collapse is the last step of all, and only where that is the outcome. */
+static void
+check_events (QnCheck *check)
+{
+  const QnResult *r = check->result;
+
+  for (size_t i = 0; i < r->step_count; i++) {
+    bool is_last = i + 1 == r->step_count;
+    bool collapses = r->steps[i].event == QN_EVENT_COLLAPSE;
+    bool should = is_last && r->outcome == QN_OUTCOME_COLLAPSE;
+    /* Motion that is driven may go on beyond its collapse multiplier. */
+    if (collapses != should)
+      qn_check_tell (check, QN_CLAIM_EVENTS, (QnId) i, QN_ENTITY_MODEL, QN_NONE, NAN,
+                     NAN);
+    if (i == 0 && r->steps[i].event == QN_EVENT_SNAP && r->step_count > 1)
+      qn_check_tell (check, QN_CLAIM_EVENTS, 0, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+  }
+}
+
+/* Of the steps of the last stage: the highest multiplier, counted in the sense in which it grows. */
+static double
+find_peak (const QnCheck *check, double *sense)
+{
+  const QnResult *r = check->result;
+  int32_t stage = r->steps[r->step_count - 1].stage;
+  double first = NAN, peak = NAN;
+
+  *sense = 1;
+  for (size_t i = 0; i < r->step_count; i++) {
+    double at = r->steps[i].multiplier;
+    if (r->steps[i].stage != stage)
+      continue;
+    if (isnan (first)) {
+      double before[QN_MAX_LOAD_SETS] = { 0 };
+      uint32_t sets = stage > 0 ? check->model->stages[stage - 1].sets : 1;
+      if (stage > 0 && i > 0)
+        qn_result_load_factors (check->model, r, i - 1, before);
+      int set = 0;
+      while (set < QN_MAX_LOAD_SETS - 1 && (sets >> set & 1) == 0)
+        set++;
+      first = before[set];
+      *sense = at < first ? -1 : 1;
+      peak = at;
+    }
+    if (*sense * at > *sense * peak)
+      peak = at;
+  }
+  return peak;
+}
+
+static void
+check_collapse (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  double sense, peak;
+
+  if (r->outcome == QN_OUTCOME_COLLAPSE && !r->has_collapse_multiplier
+      && r->history.width == 0)
+    qn_check_tell (check, QN_CLAIM_COLLAPSE, QN_NONE, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+  if (!r->has_collapse_multiplier || r->step_count == 0)
+    return;
+  peak = find_peak (check, &sense);
+  if (!same_multiplier (r->collapse_multiplier, peak))
+    qn_check_tell (check, QN_CLAIM_COLLAPSE, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
+                   r->collapse_multiplier, peak);
+}
+
+/* Before the first jump, where load is what drives; otherwise among the steps. */
+static void
+check_first_limit (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  double low = INFINITY, high = -INFINITY, stated = r->first_limit_multiplier;
+
+  if (!r->has_first_limit_multiplier || r->step_count == 0
+      || check->model->stage_count > 0)
+    return;
+  for (size_t i = 0; i < r->step_count; i++) {
+    low = fmin (low, r->steps[i].multiplier);
+    high = fmax (high, r->steps[i].multiplier);
+  }
+  for (size_t i = 1;
+       i < r->step_count && check->model->analysis.procedure == QN_PROCEDURE_LOAD; i++)
+    if (r->steps[i].event == QN_EVENT_SNAP && r->outcome != QN_OUTCOME_SNAP) {
+      low = r->steps[i - 1].multiplier;
+      high = r->steps[i].multiplier;
+      break;
+    }
+  /* The next stable state was not reached where the analysis stops there. */
+  if (r->outcome == QN_OUTCOME_SNAP)
+    high = INFINITY;
+  if (!(stated >= low - SAME * (1 + fabs (low))
+        && stated <= high + SAME * (1 + fabs (high))))
+    qn_check_tell (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
+                   stated < low ? low : high);
+}
+
+/* Where a prescribed displacement, or the largest multiplier, was to be reached. */
+static bool
+reached_target (const QnCheck *check)
+{
+  const QnResult *r = check->result;
+  const QnModel *model = check->model;
+  const QnStep *last = &r->steps[r->step_count - 1];
+  const QnAnalysisSettings *settings = &model->analysis;
+
+  if (model->stage_count > 0)
+    return last->stage == (int32_t) model->stage_count || last->stage == 0;
+  if (settings->procedure != QN_PROCEDURE_LOAD || settings->max_multiplier == 0)
+    return true;
+  double end = settings->max_multiplier;
+  if (!isfinite (end)) /* settlements alone go as far as they are told */
+    end = qn_model_sets_have_force (model, 1) ? INFINITY : 1;
+  return last->multiplier >= end * (1 - SAME) || last->multiplier >= 1e9 * (1 - SAME);
+}
+
+static void
+check_outcome (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  bool in_time = r->history.width > 0, is_true = true;
+  const QnStep *last = r->step_count > 0 ? &r->steps[r->step_count - 1] : NULL;
+
+  switch (r->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+    is_true = last != NULL && r->mechanism != NULL;
+    break;
+  case QN_OUTCOME_TARGET_REACHED:
+    if (in_time)
+      is_true = last != NULL
+                && qn_check_agrees (last->time, check->model->analysis.dynamic.duration,
+                                    1e-6 * check->model->analysis.dynamic.duration);
+    else
+      is_true = last != NULL && reached_target (check);
+    break;
+  case QN_OUTCOME_SNAP:
+    is_true =
+      last != NULL && last->event == QN_EVENT_SNAP && r->has_first_limit_multiplier;
+    break;
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
+    is_true = r->step_count == 0 && r->unstable_count > 0 && !r->has_collapse_multiplier;
+    break;
+  case QN_OUTCOME_UNBOUNDED:
+    is_true = !r->has_collapse_multiplier && r->mechanism == NULL;
+    break;
+  case QN_OUTCOME_REST:
+    is_true = in_time && last != NULL;
+    break;
+  case QN_OUTCOME_CANCELLED:
+  case QN_OUTCOME_NOT_CONVERGED:
+    break;
+  case QN_OUTCOME_COUNT:
+    is_true = false;
+    break;
+  }
+  if (!is_true)
+    qn_check_tell (check, QN_CLAIM_OUTCOME, QN_NONE, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+}
+
+void
+qn_check_course (QnCheck *check)
+{
+  check_numbers (check);
+  check_order (check);
+  check_events (check);
+  check_outcome (check);
+  check_collapse (check);
+  check_first_limit (check);
+}

@@ -1,0 +1,167 @@
+/* The mechanism at the last step: do joints move as their strengths and their flow let them? */
+#include "core/check/check-parts.h"
+
+#include <math.h>
+
+/* A rate is none within this part of the largest velocity: elastic joints give a little while a
+ * structure begins to move. */
+#define RATE 0.02
+
+/* Rates at which a pair may part and slide when it has this force. */
+typedef struct {
+  bool opens, closes,
+    slides;         /* a strength of this kind is reached, or there is no force */
+  double dilatancy; /* least opening per slip */
+} Freedom;
+
+static Freedom
+find_freedom (const QnPairSprings *springs, const double force[2], bool associative,
+              double little)
+{
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  Freedom freedom = { .dilatancy = INFINITY };
+  int count = qn_spring_strength (&springs->a, rows);
+
+  count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
+  for (int i = 0; i < count; i++) {
+    double slack =
+      rows[i].limit - rows[i].normal * force[0] - rows[i].shear * fabs (force[1]);
+    if (slack > little)
+      continue;
+    if (rows[i].shear > 0) {
+      freedom.slides = true;
+      freedom.dilatancy =
+        fmin (freedom.dilatancy, associative ? rows[i].normal : rows[i].opening);
+    } else if (rows[i].opening > 0) {
+      freedom.opens = true;
+    } else {
+      freedom.closes = true;
+    }
+  }
+  return freedom;
+}
+
+/* Largest velocity of a point of a body: what rates are measured by. */
+static double
+largest_velocity (const QnCheck *check)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < check->assembly.unknown_count; i++)
+    largest = fmax (largest, fabs (check->velocity[i]));
+  return largest;
+}
+
+static void
+check_joint (QnCheck *check, size_t p, const double rate[2], double none)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnPairResult *pair = &check->result->pairs[p];
+  const double force[2] = { pair->normal_force, pair->shear_force };
+  const QnPairSprings *springs = &as->springs[p];
+  QnStrengthRow rows[QN_STRENGTH_ROWS];
+  double little = 1e-2 * check->scale;
+
+  /* What yields otherwise moves otherwise. */
+  if (qn_spring_strength (&springs->a, rows) == 0
+      || qn_spring_strength (&springs->b, rows) == 0)
+    return;
+  Freedom freedom = find_freedom (springs, force,
+                                  check->result->limit.given
+                                    && check->result->limit.flow == QN_FLOW_ASSOCIATIVE,
+                                  little);
+  bool free_shear =
+    springs->a.kind == QN_LAW_NO_TENSION || springs->b.kind == QN_LAW_NO_TENSION;
+  bool loose = hypot (force[0], force[1]) <= little;
+  QnId step = (QnId) check->result->step_count - 1;
+  double least = 0;
+
+  if (freedom.slides && !freedom.opens)
+    least = freedom.dilatancy * fabs (rate[1]);
+  if (!(rate[0] >= least - none) && !freedom.closes) {
+    bool parts = qn_assembly_gap (as, p) > 0; /* it may close again */
+    if (!parts)
+      qn_check_tell (check, QN_CLAIM_OVERLAP, step, QN_ENTITY_CONTACT, (QnId) p, rate[0],
+                     least);
+  }
+  bool opens = rate[0] > least + none, slides = fabs (rate[1]) > none;
+  if ((opens && !freedom.opens && !loose)
+      || (slides && !freedom.slides && !free_shear && !loose)
+      || (slides && freedom.slides && !loose && rate[1] * force[1] < 0))
+    qn_check_tell (check, QN_CLAIM_FLOW, step, QN_ENTITY_CONTACT, (QnId) p,
+                   opens ? rate[0] : rate[1], 0);
+}
+
+/* Power of the loads that the last stage drives, in the sense in which they grow. */
+static void
+check_work (QnCheck *check)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnResult *result = check->result;
+  double factors[QN_MAX_LOAD_SETS] = { 0 }, none[QN_MAX_LOAD_SETS] = { 0 };
+  double before[QN_MAX_LOAD_SETS] = { 0 }, power = 0, largest = 0;
+  size_t first = result->step_count - 1;
+  int32_t stage = result->steps[first].stage;
+  uint32_t sets = stage > 0 ? check->model->stages[stage - 1].sets : 1;
+
+  if (!qn_model_sets_have_force (check->model, sets))
+    return;
+  while (first > 0 && result->steps[first - 1].stage == stage)
+    first--;
+  if (first > 0 && stage > 0)
+    qn_result_load_factors (check->model, result, first - 1, before);
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    if ((sets >> set & 1) != 0)
+      factors[set] = result->collapse_multiplier >= before[set] ? 1 : -1;
+  qn_assembly_set_loads (&check->assembly, none, factors);
+  qn_assembly_update_kinematics (&check->assembly, check->u);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    if (!as->settles[i]) {
+      power += as->live[i] * check->velocity[i];
+      largest += fabs (as->live[i] * check->velocity[i]);
+    }
+  if (!(power >= -QN_CHECK_STATE * largest))
+    qn_check_tell (check, QN_CLAIM_WORK, (QnId) result->step_count - 1, QN_ENTITY_MODEL,
+                   QN_NONE, power, 0);
+}
+
+/* Supports stand, and nodes move with the blocks that they ride on. */
+static void
+check_bodies (QnCheck *check)
+{
+  const QnAssembly *as = &check->assembly;
+  const double *stated = check->result->mechanism;
+  size_t blocks = check->model->block_count;
+
+  qn_assembly_expand_rates (as, check->u, check->velocity, check->rows);
+  for (size_t i = 0; i < qn_model_body_count (check->model) * QN_DOF_COUNT; i++)
+    if (!qn_check_agrees (stated[i], check->rows[i], 1e-6)) {
+      size_t body = i / QN_DOF_COUNT;
+      bool node = body >= blocks;
+      qn_check_tell (check, QN_CLAIM_FLOW, QN_NONE,
+                     node ? QN_ENTITY_NODE : QN_ENTITY_BLOCK,
+                     (QnId) (node ? body - blocks : body), stated[i], check->rows[i]);
+    }
+}
+
+void
+qn_check_mechanism (QnCheck *check)
+{
+  const QnResult *result = check->result;
+  const QnAssembly *as = &check->assembly;
+
+  if (result->mechanism == NULL || result->step_count == 0)
+    return;
+  qn_check_gather (as, result->mechanism, check->velocity);
+  check_bodies (check);
+  if (result->outcome != QN_OUTCOME_COLLAPSE || result->history.width > 0)
+    return;
+  check_work (check);
+  if (result->mechanism_uncertain)
+    return;
+  double *rates = check->forces;
+  double none = RATE * largest_velocity (check);
+  qn_assembly_elongation_rates (as, check->velocity, rates);
+  for (size_t p = 0; p < as->pair_count; p++)
+    check_joint (check, p, rates + 2 * p, none);
+}

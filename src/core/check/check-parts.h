@@ -1,0 +1,64 @@
+/* What the parts of the check of a result share; private to this room. */
+#ifndef QN_CORE_CHECK_PARTS_H
+#define QN_CORE_CHECK_PARTS_H
+
+#include "core/assembly/assembly.h"
+#include "core/check/result-check.h"
+
+/* Bodies are in balance and joints within their strength to this part of the largest force, or to
+ * ten times the residual that the project asks for. */
+#define QN_CHECK_TOLERANCE 1e-6
+
+/* Forces are those of the displacements to this part of the largest: an increment along the central
+ * path leaves a little force in joints that open. */
+#define QN_CHECK_FORCES 1e-5
+
+/* Rounding of displacements, relative to the largest. */
+#define QN_CHECK_EXACT 1e-11
+
+/* A force is none, or a strength is reached, within this part of the largest force. */
+#define QN_CHECK_STATE 1e-4
+
+typedef struct QnCheck {
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result;
+  QnResultFaults *faults;
+  QnAssembly assembly;
+  double tolerance;          /* of forces, relative to `scale` */
+  double scale;              /* N: largest force of the step */
+  double largest;            /* m: largest displacement of the step */
+  double *u, *residual;      /* unknowns */
+  double *rows;              /* scratch, a row for every body */
+  double *forces;            /* scratch, 2 per pair */
+  QnBeamForces *beam_forces; /* scratch, by element */
+  double *velocity;          /* scratch, unknowns */
+} QnCheck;
+
+/* Notes a claim that is not true, unless one of its kind has been found before. */
+void qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, QnId index,
+                    double stated, double found);
+
+/* False for what is no number, too. */
+bool qn_check_agrees (double stated, double found, double tolerance);
+
+/* Unknowns from a row of displacements or velocities for every body. */
+void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);
+
+/* Order of the steps, events, the outcome and its multipliers (check-course.c). */
+void qn_check_course (QnCheck *check);
+
+/* The mechanism at the last step (check-mechanism.c). */
+void qn_check_mechanism (QnCheck *check);
+
+/* The bounds of limit analysis (check-bounds.c). */
+QnStatus qn_check_bounds (QnCheck *check, QnDiag *diag);
+
+/* What an analysis in time keeps (check-history.c). */
+void qn_check_history (QnCheck *check);
+
+/* Whether a force is within `little` of one of the strengths of a pair. */
+bool qn_check_near_strength (const QnPairSprings *springs, const double force[2],
+                             double little);
+
+#endif

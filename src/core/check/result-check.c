@@ -1,0 +1,496 @@
+#include "core/check/result-check.h"
+
+#include "core/assembly/assembly.h"
+#include "core/base/memory.h"
+#include "core/check/check-parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void
+qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, QnId index,
+               double stated, double found)
+{
+  QnResultFaults *faults = check->faults;
+
+  for (int i = 0; i < faults->count; i++)
+    if (faults->items[i].claim == claim)
+      return;
+  faults->items[faults->count++] = (QnFault){ claim, step, entity, index, stated, found };
+}
+
+/* Written to disagree with what is no number. */
+bool
+qn_check_agrees (double stated, double found, double tolerance)
+{
+  return fabs (stated - found) <= tolerance;
+}
+
+/* --- Displacements ------------------------------------------------------------------------ */
+
+void
+qn_check_gather (const QnAssembly *as, const double *rows, double *u)
+{
+  for (size_t i = 0; i < qn_model_body_count (as->model) * QN_DOF_COUNT; i++)
+    if (as->unknown[i] != QN_NONE)
+      u[as->unknown[i]] = i % QN_DOF_COUNT == QN_DOF_RZ ? rows[i] * as->length : rows[i];
+}
+
+/* What no unknown tells: supports, nodes on blocks. */
+static void
+check_displacements (QnCheck *check, size_t step, const double *rows)
+{
+  const QnAssembly *as = &check->assembly;
+  size_t count = qn_model_body_count (check->model) * QN_DOF_COUNT;
+  double largest = 0;
+
+  qn_assembly_expand (as, check->u, check->rows);
+  for (size_t i = 0; i < count; i++)
+    largest = fmax (largest, fabs (check->rows[i]));
+  for (size_t i = 0; i < count; i++)
+    if (!qn_check_agrees (rows[i], check->rows[i], QN_CHECK_EXACT * largest)) {
+      size_t body = i / QN_DOF_COUNT, blocks = check->model->block_count;
+      bool node = body >= blocks;
+      qn_check_tell (check, QN_CLAIM_DISPLACEMENTS, (QnId) step,
+                     node ? QN_ENTITY_NODE : QN_ENTITY_BLOCK,
+                     (QnId) (node ? body - blocks : body), rows[i], check->rows[i]);
+    }
+}
+
+static void
+check_settlements (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  double largest = 0;
+
+  for (size_t s = 0; s < as->settling_count; s++)
+    largest = fmax (largest, fabs (as->dead[as->settling[s].unknown] / as->stiffness));
+  for (size_t s = 0; s < as->settling_count; s++) {
+    double told = as->dead[as->settling[s].unknown] / as->stiffness;
+    if (!qn_check_agrees (as->settling[s].u, told, check->tolerance * largest))
+      qn_check_tell (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, QN_ENTITY_BLOCK,
+                     as->settling[s].block, as->settling[s].u, told);
+  }
+}
+
+/* --- Forces ------------------------------------------------------------------------------- */
+
+/* Force of a pair as the result states it at a step, at the last one in all digits; false where it
+ * does not. */
+static bool
+stated_force (const QnResult *result, size_t step, size_t pair, double force[2],
+              QnPairState *state)
+{
+  bool is_last = step + 1 == result->step_count;
+
+  if (!is_last && !qn_result_has_forces (result, step))
+    return false;
+  QnPairResult at =
+    is_last ? result->pairs[pair] : qn_result_pair_at (result, step, pair);
+  force[0] = at.normal_force;
+  force[1] = at.shear_force;
+  *state = at.state;
+  return true;
+}
+
+static bool
+same_force (const double *a, const double *b, double tolerance)
+{
+  return qn_check_agrees (a[0], b[0], tolerance)
+         && qn_check_agrees (a[1], b[1], tolerance);
+}
+
+/* The last step's forces stand in a result twice. */
+static void
+check_copies (QnCheck *check)
+{
+  const QnResult *r = check->result;
+
+  for (size_t p = 0; p < r->pair_count && r->step_forces != NULL && r->step_count > 0;
+       p++) {
+    size_t at = (r->step_count - 1) * r->pair_count + p;
+    const double force[2] = { r->pairs[p].normal_force, r->pairs[p].shear_force };
+    if (!same_force (r->step_forces + 2 * at, force, check->tolerance * check->scale)
+        || r->step_states[at] != r->pairs[p].state)
+      qn_check_tell (check, QN_CLAIM_FORCES, (QnId) r->step_count - 1, QN_ENTITY_CONTACT,
+                     (QnId) p, r->step_forces[2 * at], force[0]);
+  }
+}
+
+/* The slip, and with dilatancy the opening, that leaves a joint with this force at elongation q.
+ * False for what is not elastic and perfectly plastic. */
+static bool
+take_slip (const QnPairSprings *springs, const QnPairMemory *before, const double q[2],
+           const double force[2], QnPairMemory *memory)
+{
+  const QnSpring *s = &springs->a;
+  bool closed = force[0] < 0;
+
+  *memory = *before;
+  if (!springs->equal)
+    return false;
+  memory->a.slip = q[1] - force[1] / s->ks;
+  if (s->kind == QN_LAW_NO_TENSION)
+    return closed;
+  if (!qn_law_is_plastic (s->kind))
+    return false;
+  if (force[0] < s->cap && (s->dilatancy > 0 || s->kind == QN_LAW_MOHR_COULOMB))
+    memory->a.opening = q[0] - force[0] / s->kn;
+  return s->kind == QN_LAW_MOHR_COULOMB || memory->a.opening >= -QN_CHECK_EXACT;
+}
+
+static double
+force_tolerance (const QnCheck *check, const QnPairSprings *springs, const double *q)
+{
+  /* Elongations are differences of displacements, as exact as those. */
+  double stiffness = fmax (springs->a.kn, springs->a.ks);
+  double rounding = QN_CHECK_EXACT * stiffness * (check->largest + hypot (q[0], q[1]));
+
+  return QN_CHECK_FORCES * check->scale + rounding;
+}
+
+/* Compares the forces of a step with what the laws answer, and leaves the answers evaluated. */
+static void
+check_forces (QnCheck *check, size_t step)
+{
+  QnAssembly *as = &check->assembly;
+  const QnStep *told = &check->result->steps[step];
+  bool jumped = false, free_to_slide = told->relaxed || check->result->history.width > 0;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const double *q = as->elongations + 2 * p;
+    const QnPairSprings *springs = &as->springs[p];
+    QnPairMemory memory;
+    QnPairState state;
+    double force[2], tolerance = force_tolerance (check, springs, q);
+    if (!stated_force (check->result, step, p, force, &state))
+      return;
+    QnPairResponse *response = &as->responses[p];
+    if (!same_force (response->force, force, tolerance)) {
+      QnPairResponse replayed = *response;
+      bool explained = free_to_slide
+                       && take_slip (springs, &as->committed[p], q, force, &memory)
+                       && qn_pair_evaluate (springs, &memory, q, response)
+                       && same_force (response->force, force, tolerance);
+      int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;
+      if (!explained)
+        qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_CONTACT, (QnId) p,
+                       force[worse], replayed.force[worse]);
+      jumped = jumped || explained;
+    }
+    /* What follows is checked with the forces as they are stated. */
+    memcpy (response->force, force, sizeof force);
+  }
+  check->faults->jumps += jumped;
+}
+
+/* Largest force at a step, in the loads or in joints and beams. */
+static double
+find_scale (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnBeamForces *beams = qn_result_step_beam_forces (check->result, step);
+  double scale = as->force_scale, force[2];
+  QnPairState state;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    if (!as->settles[i])
+      scale = fmax (scale, fabs (as->dead[i]));
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (stated_force (check->result, step, p, force, &state))
+      scale = fmax (scale, hypot (force[0], force[1]));
+  for (size_t e = 0; beams != NULL && e < check->model->element_count; e++)
+    for (int end = 0; end < 2; end++)
+      scale = fmax (scale, hypot (beams[e].normal[end], beams[e].shear[end]));
+  return scale;
+}
+
+static void
+check_strength (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+    QnPairState state;
+    double force[2], excess = 0;
+    if (!stated_force (check->result, step, p, force, &state))
+      return;
+    int count = qn_spring_strength (&springs->a, rows);
+    count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
+    for (int i = 0; i < count; i++)
+      excess = fmax (excess, rows[i].normal * force[0] + rows[i].shear * fabs (force[1])
+                               - rows[i].limit);
+    if (!(excess <= check->tolerance * check->scale))
+      qn_check_tell (check, QN_CLAIM_STRENGTH, (QnId) step, QN_ENTITY_CONTACT, (QnId) p,
+                     excess, 0);
+  }
+}
+
+/* A state of forces alone, where displacements or what came before do not tell it. A pair without any
+ * force is open; a very little one may be what an iteration has left. */
+static bool
+state_suits_force (const QnCheck *check, const QnPairSprings *springs,
+                   const double force[2], QnPairState state)
+{
+  double size = hypot (force[0], force[1]), little = QN_CHECK_STATE * check->scale;
+
+  if (size == 0) /* where the strength of a dry joint ends it slips as well */
+    return state == QN_PAIR_OPEN
+           || (state == QN_PAIR_SLIP && qn_check_near_strength (springs, force, little));
+  if (size <= QN_CHECK_FORCES * check->scale || state == QN_PAIR_STICK)
+    return true;
+  return state != QN_PAIR_OPEN && qn_check_near_strength (springs, force, little);
+}
+
+/* Whether a pair comes to a state at the elongation of a step, or as near to it as forces agree. */
+static bool
+comes_to_state (const QnCheck *check, size_t p, QnPairState state)
+{
+  double little = QN_CHECK_STATE * check->scale;
+  const QnAssembly *as = &check->assembly;
+  const QnPairSprings *springs = &as->springs[p];
+  const double *q = as->elongations + 2 * p;
+
+  if (qn_pair_state (springs, as->responses[p].phase) == state)
+    return true;
+  for (int i = 0; i < 4; i++) {
+    double away = i % 2 == 0 ? little : -little;
+    double near[2] = { q[0], q[1] };
+    QnPairResponse response;
+    near[i / 2] += away / (i / 2 == 0 ? springs->a.kn : springs->a.ks);
+    if (qn_pair_evaluate (springs, &as->committed[p], near, &response)
+        && qn_pair_state (springs, response.phase) == state)
+      return true;
+  }
+  return false;
+}
+
+static void
+check_states (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnResult *result = check->result;
+  bool by_force =
+    result->limit.given || result->history.width > 0 || result->steps[step].relaxed;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    QnPairState state;
+    double force[2];
+    if (!stated_force (result, step, p, force, &state))
+      return;
+    double size = hypot (force[0], force[1]);
+    bool by_little = size <= QN_CHECK_FORCES * check->scale;
+    if (!comes_to_state (check, p, state)
+        && !((by_force || by_little) && state_suits_force (check, springs, force, state)))
+      qn_check_tell (check, QN_CLAIM_STATES, (QnId) step, QN_ENTITY_CONTACT, (QnId) p,
+                     state, qn_pair_state (springs, as->responses[p].phase));
+  }
+}
+
+/* --- Balance ------------------------------------------------------------------------------ */
+
+/* Which body an unknown belongs to. */
+static size_t
+body_of (const QnAssembly *as, int32_t unknown)
+{
+  size_t i = 0;
+
+  while (as->unknown[i] != unknown)
+    i++;
+  return i / QN_DOF_COUNT;
+}
+
+static void
+check_balance (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  size_t pairs = as->pair_count, blocks = check->model->block_count;
+  QnPairState state;
+  int32_t worst = QN_NONE;
+  double largest = check->tolerance * check->scale;
+
+  for (size_t p = 0; p < pairs; p++)
+    if (!stated_force (check->result, step, p, check->forces + 2 * p, &state))
+      memcpy (check->forces + 2 * p, as->responses[p].force, 2 * sizeof (double));
+  qn_assembly_residual_of (as, 0, check->forces, 2, check->residual);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    if (!as->settles[i] && !(fabs (check->residual[i]) <= largest)) {
+      largest = fabs (check->residual[i]);
+      worst = i;
+    }
+  if (worst == QN_NONE)
+    return;
+  size_t body = body_of (as, worst);
+  bool node = body >= blocks;
+  qn_check_tell (check, QN_CLAIM_BALANCE, (QnId) step,
+                 node ? QN_ENTITY_NODE : QN_ENTITY_BLOCK,
+                 (QnId) (node ? body - blocks : body), largest, 0);
+}
+
+static void
+check_reactions (QnCheck *check, size_t step)
+{
+  QnAssembly *as = &check->assembly;
+  const QnResult *result = check->result;
+  const double *stated = qn_result_step_reactions (result, step);
+
+  if (result->reactions == NULL || result->limit.given)
+    return;
+  qn_assembly_reactions (as, 0, check->rows);
+  double tolerance = QN_CHECK_FORCES * check->scale;
+  for (size_t s = 0; s < result->support_count; s++)
+    for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
+      double found = check->rows[(size_t) result->supports[s] * QN_DOF_COUNT + dof];
+      double unit = dof == QN_DOF_RZ ? as->length : 1;
+      if (!qn_check_agrees (stated[s * QN_DOF_COUNT + dof], found,
+                            unit * tolerance + check->tolerance * fabs (found)))
+        qn_check_tell (check, QN_CLAIM_REACTIONS, (QnId) step, QN_ENTITY_BLOCK,
+                       result->supports[s], stated[s * QN_DOF_COUNT + dof], found);
+    }
+}
+
+static void
+check_beam_forces (QnCheck *check, size_t step)
+{
+  const QnBeamForces *stated = qn_result_step_beam_forces (check->result, step);
+  double tolerance = QN_CHECK_FORCES * check->scale;
+
+  if (stated == NULL)
+    return;
+  qn_beam_assembly_forces (&check->assembly.beams, 0, check->beam_forces);
+  for (size_t e = 0; e < check->model->element_count; e++)
+    for (int end = 0; end < 2; end++) {
+      const QnBeamForces *found = &check->beam_forces[e];
+      const double pairs[3][2] = { { stated[e].normal[end], found->normal[end] },
+                                   { stated[e].shear[end], found->shear[end] },
+                                   { stated[e].moment[end], found->moment[end] } };
+      for (int i = 0; i < 3; i++)
+        if (!qn_check_agrees (pairs[i][0], pairs[i][1],
+                              tolerance * (i == 2 ? check->assembly.length : 1)
+                                + check->tolerance * fabs (pairs[i][1])))
+          qn_check_tell (check, QN_CLAIM_BEAM_FORCES, (QnId) step, QN_ENTITY_BEAM,
+                         check->model->elements[e].beam, pairs[i][0], pairs[i][1]);
+    }
+}
+
+/* --- Step by step ------------------------------------------------------------------------- */
+
+/* Largest displacement at a step, rotations times the size of the structure's blocks. */
+static double
+largest_displacement (const QnCheck *check)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < check->assembly.unknown_count; i++)
+    largest = fmax (largest, fabs (check->u[i]));
+  return largest;
+}
+
+static void
+check_step (QnCheck *check, size_t step)
+{
+  QnAssembly *as = &check->assembly;
+  const QnResult *result = check->result;
+  const double nothing[QN_MAX_LOAD_SETS] = { 0 };
+  const double *rows = qn_result_step_displacements (result, step);
+  bool in_time = result->history.width > 0;
+  double factors[QN_MAX_LOAD_SETS];
+
+  qn_result_load_factors (check->model, result, step, factors);
+  qn_assembly_set_loads (as, factors, nothing);
+  qn_check_gather (as, rows, check->u);
+  check->largest = largest_displacement (check);
+  if (!qn_assembly_evaluate (as, check->u))
+    qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_MODEL, QN_NONE, NAN,
+                   NAN);
+  check->scale = find_scale (check, step);
+  check_displacements (check, step, rows);
+  if (!result->limit.given) {
+    check_settlements (check, step);
+    check_forces (check, step);
+    check_beam_forces (check, step);
+  }
+  check_strength (check, step);
+  check_states (check, step);
+  /* Rigid blocks have no forces but at collapse. */
+  if (!(in_time && step > 0) && !(result->limit.given && step + 1 < result->step_count))
+    check_balance (check, step);
+  check_reactions (check, step);
+  qn_assembly_commit (as);
+}
+
+static bool
+init (QnCheck *check, QnDiag *diag)
+{
+  const QnModel *model = check->model;
+  size_t bodies = qn_model_body_count (model);
+
+  if (qn_assembly_setup (&check->assembly, model, check->contacts, diag) != QN_OK)
+    return false;
+  size_t unknowns = (size_t) check->assembly.unknown_count;
+  check->u = qn_alloc (unknowns, sizeof *check->u);
+  check->residual = qn_alloc (unknowns, sizeof *check->residual);
+  check->rows = qn_alloc (bodies * QN_DOF_COUNT, sizeof *check->rows);
+  check->forces = qn_alloc (2 * check->contacts->pair_count, sizeof *check->forces);
+  check->beam_forces = qn_alloc (model->element_count, sizeof *check->beam_forces);
+  check->velocity = qn_alloc (unknowns, sizeof *check->velocity);
+  return check->velocity && check->u && check->residual && check->rows && check->forces
+         && check->beam_forces;
+}
+
+QnStatus
+qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
+                       const QnResult *result, QnResultFaults *faults, QnDiag *diag)
+{
+  QnCheck check = { .model = model,
+                    .contacts = contacts,
+                    .result = result,
+                    .faults = faults,
+                    .tolerance = fmax (QN_CHECK_TOLERANCE,
+                                       10 * model->analysis.residual_tolerance) };
+  QnStatus status = QN_OK;
+
+  *faults =
+    (QnResultFaults){ .in_time = result->history.width > 0,
+
+                      .forces_unknown = result->step_count > 1 && result->pair_count > 0
+                                        && !qn_result_has_forces (result, 0) };
+  if (!init (&check, diag))
+    status = qn_diag_no_memory (diag);
+  for (size_t i = 0; status == QN_OK && i < result->step_count; i++)
+    check_step (&check, i);
+  if (status == QN_OK) {
+    check_copies (&check);
+    qn_check_course (&check);
+    qn_check_mechanism (&check);
+    qn_check_history (&check);
+    status = qn_check_bounds (&check, diag);
+  }
+  qn_assembly_clear (&check.assembly);
+  free (check.u);
+  free (check.residual);
+  free (check.rows);
+  free (check.forces);
+  free (check.beam_forces);
+  free (check.velocity);
+  return status;
+}
+
+bool
+qn_check_near_strength (const QnPairSprings *springs, const double force[2],
+                        double little)
+{
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (&springs->a, rows);
+
+  count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
+  for (int i = 0; i < count; i++)
+    if (fabs (rows[i].normal * force[0] + rows[i].shear * fabs (force[1]) - rows[i].limit)
+        <= little)
+      return true;
+  return false;
+}

@@ -1,0 +1,79 @@
+/* Is what a result says true?
+ *
+ * A result says more than its multiplier: displacements, forces and states of joints at every step,
+ * events, reactions, an outcome, a mechanism, bounds. Each is recomputed from the model and from the
+ * displacements, by the laws alone and without solving anything, and compared:
+ *
+ *   numbers        all are finite
+ *   steps          the first is the dead load; stages, events and times come in order
+ *   displacements  supports stay, or settle as they are told to; nodes on blocks ride with them
+ *   forces         of every pair and beam, as the laws answer the displacements. What a law remembers
+ *                  is replayed from step to step. Where a structure has jumped, joints have slid on a
+ *                  way that no result tells: there the slip that explains the shear forces is taken,
+ *                  and the normal forces, the strengths and the balance remain to be met
+ *   strength       no joint carries more than its law allows, and its state is that of its forces
+ *   balance        of every free body, with the loads at the step's multipliers; not in time, where
+ *                  inertia and damping belong to it and the result does not keep velocities
+ *   reactions      as forces and loads leave them
+ *   outcome        what the steps say, and the multipliers of collapse and first limit point
+ *   mechanism      joints do not overlap; they slide and open where their strength is reached, in the
+ *                  sense of their forces and with their dilatancy; the live load does work on it
+ *   bounds         of limit analysis: forces in the result prove the lower one, the mechanism the
+ *                  upper one; all are in order
+ *   history        energies add up to within the error that is told; peaks and tracks are those of the
+ *                  steps
+ */
+#ifndef QN_CORE_RESULT_CHECK_H
+#define QN_CORE_RESULT_CHECK_H
+
+#include "core/result/result.h"
+
+typedef enum {
+  QN_CLAIM_NUMBERS,
+  QN_CLAIM_STEPS,
+  QN_CLAIM_DISPLACEMENTS,
+  QN_CLAIM_FORCES,
+  QN_CLAIM_BEAM_FORCES,
+  QN_CLAIM_STRENGTH,
+  QN_CLAIM_STATES,
+  QN_CLAIM_BALANCE,
+  QN_CLAIM_REACTIONS,
+  QN_CLAIM_EVENTS,
+  QN_CLAIM_OUTCOME,
+  QN_CLAIM_COLLAPSE,
+  QN_CLAIM_FIRST_LIMIT,
+  QN_CLAIM_OVERLAP, /* of the mechanism, as the next two */
+  QN_CLAIM_FLOW,
+  QN_CLAIM_WORK,
+  QN_CLAIM_LOWER_BOUND,
+  QN_CLAIM_UPPER_BOUND,
+  QN_CLAIM_INTERVAL,
+  QN_CLAIM_HISTORY,
+  QN_CLAIM_COUNT
+} QnClaim;
+
+/* A claim that is not true, at the place where that shows first. */
+typedef struct QnFault {
+  QnClaim claim;
+  QnId step;            /* or QN_NONE */
+  QnEntity entity;      /* what `index` counts: QN_ENTITY_BLOCK, … */
+  QnId index;           /* or QN_NONE */
+  double stated, found; /* in the unit of the claim; NAN where it has no number */
+} QnFault;
+
+typedef struct QnResultFaults {
+  QnFault items[QN_CLAIM_COUNT]; /* at most one of every claim */
+  int count;
+  bool
+    forces_unknown; /* forces of the steps before the last were not kept: not compared */
+  bool in_time;     /* the balance is that of a motion and was not checked */
+  int32_t jumps;    /* steps at which slip was taken from the forces */
+} QnResultFaults;
+
+/* Compares everything that a result of `model` says. The model is prepared, its contacts are those
+ * of the analysis. Fails when memory runs out alone. */
+QnStatus qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
+                                const QnResult *result, QnResultFaults *faults,
+                                QnDiag *diag);
+
+#endif

@@ -1,0 +1,20 @@
+/* Is everything true that a result file says?
+ *
+ * What stands in the file alone, where contacts are and which project it was computed from, is compared
+ * here; the rest is core/check/result-check.h. result-check.h, which uses nothing of the solver at all,
+ * adds the balance of the last step from the points and directions in the file.
+ */
+#ifndef QN_IO_RESULT_CLAIMS_H
+#define QN_IO_RESULT_CLAIMS_H
+
+#include "core/check/result-check.h"
+#include "io/result/result-file.h"
+
+/* Refuses a file that was computed from another project than this, or whose contacts are not where
+ * those of the project are; finds what else is not true. The project was loaded with the file's
+ * overrides, `name` is the result file's. */
+gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
+                                     const QnProject *project, const QnContacts *contacts,
+                                     QnResultFaults *faults, GError **error);
+
+#endif

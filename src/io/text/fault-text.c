@@ -1,0 +1,101 @@
+#include "io/text/fault-text.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+static const struct {
+  const char *name, *sentence;
+  const char *unit; /* of both numbers; NULL: they say nothing to a reader */
+} claims[QN_CLAIM_COUNT] = {
+  [QN_CLAIM_NUMBERS] = { "numbers", N_ ("a number is not finite"), NULL },
+  [QN_CLAIM_STEPS] = { "steps",
+                       N_ ("the steps are not in order, or one is out of balance"), "" },
+  [QN_CLAIM_DISPLACEMENTS] = { "displacements",
+                               N_ ("a support, or what rides on a block, is displaced"),
+                               "m" },
+  [QN_CLAIM_FORCES] = { "forces",
+                        N_ ("the force is not the one that the displacements cause"),
+                        "N" },
+  [QN_CLAIM_BEAM_FORCES] = { "beam-forces",
+                             N_ (
+                               "the section force is not the one that the displacements "
+                               "cause"),
+                             "N" },
+  [QN_CLAIM_STRENGTH] = { "strength", N_ ("the force is above the strength of the joint"),
+                          "N" },
+  [QN_CLAIM_STATES] = { "states", N_ ("the state of the joint is not that of its force"),
+                        NULL },
+  [QN_CLAIM_BALANCE] = { "balance", N_ ("forces and loads are out of balance"), "N" },
+  [QN_CLAIM_REACTIONS] = { "reactions",
+                           N_ ("the reaction is not what forces and loads leave"), "N" },
+  [QN_CLAIM_EVENTS] = { "events", N_ ("the event does not belong to this step"), NULL },
+  [QN_CLAIM_OUTCOME] = { "outcome", N_ ("the outcome is not that of the steps"), NULL },
+  [QN_CLAIM_COLLAPSE] = { "collapse-multiplier",
+                          N_ ("the collapse multiplier is not the highest of the steps"),
+                          "" },
+  [QN_CLAIM_FIRST_LIMIT] = { "first-limit-multiplier",
+                             N_ ("no step has the multiplier of the first limit point"),
+                             "" },
+  [QN_CLAIM_OVERLAP] = { "mechanism-overlap",
+                         N_ ("blocks move into each other in the mechanism"), "m" },
+  [QN_CLAIM_FLOW] = { "mechanism-flow",
+                      N_ ("the mechanism moves where the joints cannot yield"), "m" },
+  [QN_CLAIM_WORK] = { "mechanism-work",
+                      N_ ("the live load does no work on the mechanism"), "J" },
+  [QN_CLAIM_LOWER_BOUND] = { "lower-bound",
+                             N_ ("the lower bound is not the multiplier that the forces "
+                                 "carry"),
+                             "" },
+  [QN_CLAIM_UPPER_BOUND] = { "upper-bound",
+                             N_ ("the upper bound is not that of the mechanism"), "" },
+  [QN_CLAIM_INTERVAL] = { "interval", N_ ("the interval is not that of its members"),
+                          "" },
+  [QN_CLAIM_HISTORY] = { "history", N_ ("the history is not that of the steps"), "" },
+};
+
+const char *
+qn_claim_name (QnClaim claim)
+{
+  return claims[claim].name;
+}
+
+/* " between “a” and “b”" */
+static char *
+dup_place (const QnModel *model, const QnContacts *contacts, const QnFault *fault)
+{
+  if (fault->index == QN_NONE)
+    return NULL;
+  if (fault->entity == QN_ENTITY_CONTACT) {
+    const QnContactFace *face = &contacts->faces[contacts->pairs[fault->index].face];
+    return g_strdup_printf (_ ("pair %d between “%s” and “%s”"), fault->index,
+                            model->blocks[face->a].name, model->blocks[face->b].name);
+  }
+  if (fault->entity == QN_ENTITY_BLOCK)
+    return g_strdup_printf (_ ("block “%s”"), model->blocks[fault->index].name);
+  if (fault->entity == QN_ENTITY_NODE)
+    return g_strdup_printf (_ ("node “%s”"), model->nodes[fault->index].name);
+  if (fault->entity == QN_ENTITY_BEAM)
+    return g_strdup_printf (_ ("beam “%s”"), model->beams[fault->index].name);
+  return g_strdup_printf (_ ("number %d"), fault->index);
+}
+
+char *
+qn_fault_dup_text (const QnModel *model, const QnContacts *contacts, const QnFault *fault)
+{
+  GString *text = g_string_new (NULL);
+  g_autofree char *place = dup_place (model, contacts, fault);
+  const char *unit = claims[fault->claim].unit;
+
+  if (fault->step != QN_NONE)
+    g_string_append_printf (text, _ ("step %d: "), fault->step);
+  if (place != NULL)
+    g_string_append_printf (text, _ ("%s: "), place);
+  g_string_append (text, _ (claims[fault->claim].sentence));
+  if (unit != NULL && !isnan (fault->stated)) {
+    g_string_append_printf (text, _ (": %.8g"), fault->stated);
+    if (!isnan (fault->found) && fault->found != 0)
+      g_string_append_printf (text, _ (" instead of %.8g"), fault->found);
+    g_string_append_printf (text, unit[0] != '\0' ? " %s" : "%s", unit);
+  }
+  return g_string_free (text, FALSE);
+}

@@ -1,0 +1,14 @@
+/* What is not true in a result, in words, translated. */
+#ifndef QN_IO_FAULT_TEXT_H
+#define QN_IO_FAULT_TEXT_H
+
+#include "core/check/result-check.h"
+
+/* A sentence with the claim, its place and both numbers; free with g_free(). */
+char *qn_fault_dup_text (const QnModel *model, const QnContacts *contacts,
+                         const QnFault *fault);
+
+/* "forces", "balance", … as programs read it. */
+const char *qn_claim_name (QnClaim claim);
+
+#endif

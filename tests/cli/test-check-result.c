@@ -1,0 +1,246 @@
+/* quoin-cli check --result: every result of the program passes, and none of these changed ones. */
+#include "cli-run.h"
+
+#include <cJSON.h>
+#include <math.h>
+#include <string.h>
+
+/* A result: what it is of, and how it is computed. */
+typedef enum {
+  SLIDING,
+  ARCH,
+  WALL,
+  STAGES,
+  SETTLING,
+  FRAME,
+  ROCKING,
+  LIMIT,
+  RESULT_COUNT
+} Source;
+
+static const struct {
+  const char *example, *command, *set;
+} sources[RESULT_COUNT] = {
+  [SLIDING] = { "01-sliding-block.quoin", "solve", NULL },
+  [ARCH] = { "06-arch.quoin", "solve", NULL },
+  [WALL] = { "ferris-tin-loi/wall3.quoin", "solve", NULL },
+  [STAGES] = { "16-load-stages.quoin", "solve", NULL },
+  [SETTLING] = { "18-spreading-arch.quoin", "solve", NULL },
+  [FRAME] = { "32-frame-beams.quoin", "solve", NULL },
+  [ROCKING] = { "40-rocking-in-time.quoin", "solve", NULL },
+  [LIMIT] = { "ferris-tin-loi/wall1.quoin", "limit", NULL },
+};
+
+typedef enum { ADD, TIMES, TEXT } Change;
+
+/* A false statement: a number or a text of the result changed, and what the message must name. Indices
+ * of lists may be negative: from the end. */
+typedef struct {
+  const char *name;
+  Source source;
+  const char *path;
+  Change change;
+  double number;
+  const char *text, *message;
+} Forgery;
+
+static const Forgery forgeries[] = {
+  { "hash", SLIDING, "model_sha256", TEXT, 0, "0123", "computed from another project" },
+  { "block moved", SLIDING, "steps/2/displacements/1/0", ADD, 1e-5, NULL, "step 2" },
+  { "block lifted", SLIDING, "steps/1/displacements/1/1", ADD, 1e-5, NULL,
+    "the force is not the one" },
+  { "block turned", ARCH, "steps/3/displacements/8/2", ADD, 1e-6, NULL, "step 3" },
+  { "support moved", ARCH, "steps/4/displacements/0/0", ADD, 1e-3, NULL, "a support" },
+  { "all moved twice as far", SLIDING, "steps/-1/displacements/1/0", TIMES, 2, NULL,
+    "the state of the joint" },
+  { "force of the last step", ARCH, "contacts/5/normal_force", ADD, -20, NULL,
+    "the force is not the one" },
+  { "force of another step", ARCH, "steps/4/forces/10", TIMES, 1.01, NULL, "step 4" },
+  { "shear of another step", WALL, "steps/7/forces/33", ADD, 40, NULL, "step 7" },
+  { "shear after a jump", WALL, "steps/14/forces/33", ADD, 40, NULL, "step 14" },
+  { "state of the last step", ARCH, "contacts/6/state", TEXT, 0, "open", "the state" },
+  { "state of another step", WALL, "steps/5/states", TEXT, 0, NULL, "the state" },
+  { "multiplier of a step", SLIDING, "steps/3/multiplier", ADD, 0.01, NULL,
+    "out of balance" },
+  { "multiplier of a wall's step", WALL, "steps/9/multiplier", TIMES, 1.001, NULL,
+    "out of balance" },
+  { "first step under load", SLIDING, "steps/0/multiplier", ADD, 0.1, NULL, "step 0" },
+  { "residual", ARCH, "steps/3/residual", ADD, 0.1, NULL, "step 3" },
+  { "collapse multiplier", SLIDING, "collapse_multiplier", TIMES, 1.05, NULL,
+    "collapse multiplier" },
+  { "collapse too low", WALL, "collapse_multiplier", TIMES, 0.9, NULL,
+    "collapse multiplier" },
+  { "first limit point", WALL, "first_limit_multiplier", ADD, 0.05, NULL, "first limit" },
+  { "outcome", SLIDING, "outcome", TEXT, 0, "target-reached", "event" },
+  { "outcome of settlement", SETTLING, "outcome", TEXT, 0, "collapse", "event" },
+  { "event", ARCH, "steps/5/event", TEXT, 0, "collapse", "event" },
+  { "mechanism overlaps", SLIDING, "mechanism/1/1", ADD, -0.5, NULL,
+    "move into each other" },
+  { "mechanism lifts", SLIDING, "mechanism/1/1", ADD, 0.5, NULL, "cannot yield" },
+  { "mechanism backwards", SLIDING, "mechanism/1/0", TIMES, -1, NULL, "work" },
+  { "mechanism of an arch", ARCH, "mechanism/9/2", ADD, 0.3, NULL, "mechanism" },
+  { "mechanism of a wall", WALL, "mechanism/20/0", ADD, 0.3, NULL, "mechanism" },
+  { "support in the mechanism", ARCH, "mechanism/0/0", ADD, 0.3, NULL, "cannot yield" },
+  { "reaction", SLIDING, "steps/-1/reactions/0/0", ADD, 50, NULL, "reaction" },
+  { "reaction of a settling support", SETTLING, "steps/6/reactions/0/1", TIMES, 1.01,
+    NULL, "reaction" },
+  { "settlement", SETTLING, "steps/8/displacements/1/0", ADD, 1e-3, NULL, "step 8" },
+  { "stage of a step", STAGES, "steps/-1/stage", ADD, -1, NULL, "step" },
+  { "load of an early stage", STAGES, "steps/2/multiplier", TIMES, 1.01, NULL,
+    "out of balance" },
+  { "moment of a beam", FRAME, "steps/5/beam_forces/1/2", ADD, 100, NULL,
+    "section force" },
+  { "node moved", FRAME, "steps/5/node_displacements/1/0", ADD, 1e-4, NULL,
+    "section force" },
+  { "node turned at collapse", FRAME, "steps/-1/node_displacements/2/2", ADD, 1e-4, NULL,
+    "section force" },
+  { "time", ROCKING, "steps/5/time", ADD, -1, NULL, "step 5" },
+  { "block moved in time", ROCKING, "steps/40/displacements/1/1", ADD, 1e-6, NULL,
+    "step 40" },
+  { "energy", ROCKING, "history/energy/kinetic/30", ADD, 50, NULL, "history" },
+  { "peak", ROCKING, "history/peak/1", TIMES, 0.5, NULL, "history" },
+  { "ground", ROCKING, "history/ground/x/10", ADD, 1, NULL, "history" },
+  { "lower bound", LIMIT, "lower_bound", TIMES, 1.02, NULL, "lower bound" },
+  { "upper bound", LIMIT, "upper_bound", TIMES, 1.02, NULL, "upper bound" },
+  { "upper bound too low", LIMIT, "upper_bound", TIMES, 0.98, NULL, "upper bound" },
+  { "forces of limit analysis", LIMIT, "contacts/20/normal_force", TIMES, 1.02, NULL,
+    "out of balance" },
+  { "mechanism of limit analysis", LIMIT, "mechanism/12/0", ADD, 0.2, NULL, "mechanism" },
+  { "place of a contact", ARCH, "contacts/3/point/0", ADD, 0.01, NULL, "contacts[3]" },
+  { "direction of a contact", ARCH, "contacts/3/normal/0", ADD, 0.01, NULL,
+    "contacts[3]" },
+};
+
+static char *folder;
+static char *results[RESULT_COUNT]; /* their texts */
+
+static char *
+solve (Source source)
+{
+  g_autofree char *model = cli_example (sources[source].example);
+  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
+  const char *set = sources[source].set;
+  CliRun run = cli_run (sources[source].command, model, "-q", "-o", path,
+                        set != NULL ? "--set" : NULL, set, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("check", model, "--result", path, NULL);
+  g_test_message ("%s%s", sources[source].example, run.err);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "passes"));
+  cli_run_clear (&run);
+  return cli_read (path);
+}
+
+static cJSON *
+find (cJSON *root, const char *path)
+{
+  g_auto (GStrv) keys = g_strsplit (path, "/", -1);
+  cJSON *at = root;
+  for (int i = 0; keys[i] != NULL; i++) {
+    int index = (int) g_ascii_strtoll (keys[i], NULL, 10);
+    at = !cJSON_IsArray (at)
+           ? cJSON_GetObjectItem (at, keys[i])
+           : cJSON_GetArrayItem (at, index < 0 ? cJSON_GetArraySize (at) + index : index);
+    g_assert_nonnull (at);
+  }
+  return at;
+}
+
+/* Open where it stuck, and the other way about, by letters. */
+static void
+turn_states (char *states)
+{
+  for (char *at = states; *at != '\0'; at++)
+    *at = *at == 'k' ? 'o' : 'k';
+}
+
+static char *
+dup_forged (const Forgery *forgery)
+{
+  cJSON *root = cJSON_Parse (results[forgery->source]);
+  cJSON *item = find (root, forgery->path);
+  if (forgery->change == ADD)
+    cJSON_SetNumberValue (item, item->valuedouble + forgery->number);
+  else if (forgery->change == TIMES)
+    cJSON_SetNumberValue (item, item->valuedouble * forgery->number);
+  else if (forgery->text == NULL)
+    turn_states (item->valuestring);
+  else if (cJSON_IsNull (item)) {
+    item->type = cJSON_String;
+    item->valuestring = strdup (forgery->text);
+  } else
+    cJSON_SetValuestring (item, forgery->text);
+  char *text = cJSON_PrintUnformatted (root);
+  cJSON_Delete (root);
+  return text;
+}
+
+static void
+test_forgery (gconstpointer data)
+{
+  const Forgery *forgery = data;
+  g_autofree char *model = cli_example (sources[forgery->source].example);
+  if (results[forgery->source] == NULL)
+    results[forgery->source] = solve (forgery->source);
+  char *forged = dup_forged (forgery);
+  g_autofree char *path = cli_write (folder, "forged.json", forged);
+  CliRun run = cli_run ("check", model, "--result", path, NULL);
+  g_test_message ("%s", run.err);
+  cli_assert_failed (&run, 3, forgery->message);
+  free (forged);
+}
+
+/* A project with another friction, whatever else it has in common. */
+static void
+test_other_project (void)
+{
+  g_autofree char *model = cli_example (sources[SLIDING].example);
+  g_autofree char *text = cli_read (model);
+  g_autofree char *rough = cli_replace (text, "\"friction\": 0.4", "\"friction\": 0.5");
+  g_autofree char *other = cli_write (folder, "rough.quoin", rough);
+  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("check", other, "--result", path, NULL);
+  cli_assert_failed (&run, 3, "computed from another project than");
+}
+
+/* What is false is told in a form that programs read, too. */
+static void
+test_json (void)
+{
+  g_autofree char *model = cli_example (sources[SLIDING].example);
+  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *text = cli_read (path);
+  g_autofree char *forged =
+    cli_replace (text, "\"collapse_multiplier\": ", "\"collapse_multiplier\": 1");
+  g_autofree char *wrong = cli_write (folder, "wrong.json", forged);
+  run = cli_run ("check", model, "--json", "--result", wrong, NULL);
+  g_assert_cmpint (run.code, ==, 3);
+  g_assert_nonnull (strstr (run.out, "\"passes\": false"));
+  g_assert_nonnull (strstr (run.out, "\"claim\": \"collapse-multiplier\""));
+  cli_run_clear (&run);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  folder = test_scratch_new ();
+  for (gsize i = 0; i < G_N_ELEMENTS (forgeries); i++) {
+    g_autofree char *path = g_strdup_printf ("/cli/check-result/%s", forgeries[i].name);
+    g_test_add_data_func (path, &forgeries[i], test_forgery);
+  }
+  g_test_add_func ("/cli/check-result/other project", test_other_project);
+  g_test_add_func ("/cli/check-result/json", test_json);
+  int code = g_test_run ();
+  for (int i = 0; i < RESULT_COUNT; i++)
+    g_free (results[i]);
+  test_scratch_free (folder);
+  return code;
+}
