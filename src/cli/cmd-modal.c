@@ -4,6 +4,7 @@
 #include "cli/subcommand.h"
 #include "core/modal/modal.h"
 #include "io/text/file-writer.h"
+#include "io/text/outcome-text.h"
 
 #include <glib/gi18n.h>
 #include <stdio.h>
@@ -112,6 +113,10 @@ solve (const Options *options, const QnInput *input)
   if (result.outcome == QN_OUTCOME_CANCELLED) {
     qn_cli_error (_ ("%s: cancelled"), input->project.name);
     code = QN_EXIT_CANCELLED;
+  } else if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME) {
+    g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
+    qn_cli_error ("%s: %s", input->project.name, reason);
+    code = QN_EXIT_NO_ANSWER;
   } else if (modes.count == 0) {
     qn_cli_error (_ ("%s: there is no equilibrium to vibrate about"),
                   input->project.name);

@@ -54,11 +54,8 @@ state_problem (QnInputState state, const QnDiag *diag)
 {
   if (diag->problem == QN_PROBLEM_STATE_SLIPS && state == QN_INPUT_DEAD_LOAD)
     return _ ("pairs slip without dilatancy under the dead load: no symmetric stiffness");
-  if (diag->problem == QN_PROBLEM_STATE_SLIPS
-      || diag->problem == QN_PROBLEM_STATE_SINGULAR
-      || diag->problem == QN_PROBLEM_MODES_NOT_FOUND)
-    return _ (qn_problem_text (diag->problem));
-  return NULL;
+  return qn_problem_is_of_state (diag->problem) ? _ (qn_problem_text (diag->problem))
+                                                : NULL;
 }
 
 QnExit

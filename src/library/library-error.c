@@ -80,9 +80,7 @@ void
 quoin_library_take_diag (QuoinError **error, const QnProject *project, const QnDiag *diag)
 {
   GError *cause = NULL;
-  if (diag->problem == QN_PROBLEM_STATE_SLIPS
-      || diag->problem == QN_PROBLEM_STATE_SINGULAR
-      || diag->problem == QN_PROBLEM_MODES_NOT_FOUND) {
+  if (qn_problem_is_of_state (diag->problem)) {
     quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER, "%s: %s", project->name,
                              qn_problem_text (diag->problem));
     return;

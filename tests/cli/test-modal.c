@@ -54,6 +54,22 @@ test_slipping (void)
   cli_assert_failed (&run, 4, "wall3.quoin: pairs slip");
 }
 
+/* What an analysis may spend holds for these as well. */
+static void
+test_budget (void)
+{
+  g_autofree char *beam = cli_example ("11-vibrating-beam.quoin");
+  g_autofree char *column = cli_example ("20-column-free.quoin");
+  const char *budgets[] = { "analysis.max_factorizations=1",
+                            "analysis.max_seconds=1e-9" };
+  for (int i = 0; i < 2; i++) {
+    CliRun run = cli_run ("stability", column, "-q", "--set", budgets[i], NULL);
+    cli_assert_failed (&run, 4, "20-column-free.quoin");
+    run = cli_run ("modal", beam, "-q", "--set", budgets[i], NULL);
+    cli_assert_failed (&run, 4, "11-vibrating-beam.quoin");
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -61,5 +77,6 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/modal/table", test_table);
   g_test_add_func ("/cli/modal/refused", test_refused);
   g_test_add_func ("/cli/modal/slipping", test_slipping);
+  g_test_add_func ("/cli/modal/budget", test_budget);
   return g_test_run ();
 }

@@ -11,6 +11,13 @@ qn_problem_text (QnProblem problem)
   return texts[problem];
 }
 
+bool
+qn_problem_is_of_state (QnProblem problem)
+{
+  return problem == QN_PROBLEM_STATE_SLIPS || problem == QN_PROBLEM_STATE_SINGULAR
+         || problem == QN_PROBLEM_MODES_NOT_FOUND;
+}
+
 QnStatus
 qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
              QnId index, QnId sub)

@@ -59,6 +59,10 @@ typedef struct QnDiag {
   double value; /* the offending number, in its own unit; 0 where there is none */
 } QnDiag;
 
+/* Whether a problem lies in the state that an analysis has reached, and not in the input: then there is
+ * no answer, and nothing to correct at a place of a file. */
+bool qn_problem_is_of_state (QnProblem problem);
+
 /* Fills *diag (nullable) with a problem of an entity and returns `status`. */
 QnStatus qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
                       QnId index, QnId sub);

@@ -1,8 +1,8 @@
 #include "core/modal/modal.h"
 
-#include "core/base/clock.h"
 #include "core/base/memory.h"
 #include "core/linalg/lanczos.h"
+#include "core/path/budget.h"
 #include "core/path/path.h"
 
 #include <math.h>
@@ -189,7 +189,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
               size_t wanted, QnProgressFunc progress, void *user_data, QnModes *modes,
               QnResult *result, QnDiag *diag)
 {
-  double start = qn_clock_seconds ();
+  QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
   QnPath path;
   bool reached = false;
 
@@ -202,7 +202,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
     return qn_diag_set_field (diag, QN_PROBLEM_TIME_WITHOUT_STATE, QN_ENTITY_ANALYSIS,
                               QN_NONE, "procedure", 0);
   QnStatus status =
-    qn_path_setup (&path, model, contacts, progress, user_data, result, diag);
+    qn_path_setup (&path, model, contacts, qn_budget_go_on, &budget, result, diag);
   if (status == QN_OK)
     status = reach_state (&path, state, &reached, diag);
   if (status == QN_OK && reached && !path.equilibrium.cancelled)
@@ -211,7 +211,10 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
     result->outcome = QN_OUTCOME_CANCELLED;
   if (status != QN_OK)
     qn_modes_clear (modes);
-  return qn_path_finish (&path, status, start);
+  status = qn_path_finish (&path, status, budget.start);
+  if (status == QN_OK)
+    qn_budget_conclude (&budget, result);
+  return status;
 }
 
 void

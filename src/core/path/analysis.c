@@ -1,35 +1,12 @@
 #include "core/path/analysis.h"
 
-#include "core/base/clock.h"
 #include "core/base/tolerance.h"
 #include "core/dynamics/dynamics.h"
 #include "core/limit/limit.h"
+#include "core/path/budget.h"
 #include "core/path/path.h"
 
 #include <math.h>
-
-/* What an analysis may spend, and the caller's own callback behind it. */
-typedef struct {
-  const QnAnalysisSettings *settings;
-  double start;
-  QnProgressFunc progress; /* may be NULL */
-  void *user_data;
-  QnStop spent; /* which budget ended the analysis, or UNKNOWN */
-} Budget;
-
-static bool
-go_on (const QnProgress *progress, void *user_data)
-{
-  Budget *budget = user_data;
-  const QnAnalysisSettings *settings = budget->settings;
-
-  if (progress->factorizations >= settings->max_factorizations)
-    budget->spent = QN_STOP_FACTORIZATIONS;
-  else if (qn_clock_seconds () - budget->start > settings->max_seconds)
-    budget->spent = QN_STOP_TIME;
-  return budget->spent == QN_STOP_UNKNOWN
-         && (budget->progress == NULL || budget->progress (progress, budget->user_data));
-}
 
 /* Whether a path that was to go on to collapse came to the largest multiplier there is. */
 static bool
@@ -65,29 +42,26 @@ QnStatus
 qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                  QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
-  Budget budget = { &model->analysis, qn_clock_seconds (), progress, user_data,
-                    QN_STOP_UNKNOWN };
+  QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
   QnPath path;
   bool stands;
   QnStatus status;
 
   *result = (QnResult){ 0 };
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
-    status = qn_limit_run (model, contacts, go_on, &budget, result, diag);
+    status = qn_limit_run (model, contacts, qn_budget_go_on, &budget, result, diag);
   } else {
-    status = qn_path_setup (&path, model, contacts, go_on, &budget, result, diag);
+    status =
+      qn_path_setup (&path, model, contacts, qn_budget_go_on, &budget, result, diag);
     if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
       status = run_in_time (&path, diag);
     else if (status == QN_OK)
       status = qn_path_run (&path, &stands, diag);
     status = qn_path_finish (&path, status, budget.start);
   }
-  if (status == QN_OK && result->outcome == QN_OUTCOME_CANCELLED
-      && budget.spent != QN_STOP_UNKNOWN) {
-    result->outcome = QN_OUTCOME_NOT_CONVERGED;
-    result->stop = budget.spent;
-  } else if (status == QN_OK && is_unbounded (model, result)) {
+  if (status == QN_OK && is_unbounded (model, result))
     result->outcome = QN_OUTCOME_UNBOUNDED;
-  }
+  if (status == QN_OK)
+    qn_budget_conclude (&budget, result);
   return status;
 }

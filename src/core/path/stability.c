@@ -1,7 +1,7 @@
 #include "core/path/stability.h"
 
-#include "core/base/clock.h"
 #include "core/linalg/inertia.h"
+#include "core/path/budget.h"
 #include "core/path/path.h"
 
 #include <string.h>
@@ -185,7 +185,7 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
                   QnProgressFunc progress, void *user_data, QnResult *result,
                   QnDiag *diag)
 {
-  double start = qn_clock_seconds ();
+  QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
   Search search = { .unstable = INFINITY };
 
   *result = (QnResult){ 0 };
@@ -193,7 +193,7 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
   if (status != QN_OK)
     return status;
   status =
-    qn_path_setup (&search.path, model, contacts, progress, user_data, result, diag);
+    qn_path_setup (&search.path, model, contacts, qn_budget_go_on, &budget, result, diag);
   const QnAssembly *as = &search.path.equilibrium.assembly;
   if (status == QN_OK) {
     search.inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
@@ -203,5 +203,8 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
   if (status == QN_OK)
     qn_equilibrium_restore (&search.path.equilibrium);
   qn_inertia_free (search.inertia);
-  return qn_path_finish (&search.path, status, start);
+  status = qn_path_finish (&search.path, status, budget.start);
+  if (status == QN_OK)
+    qn_budget_conclude (&budget, result);
+  return status;
 }

@@ -1,0 +1,30 @@
+/* What an analysis may spend: factorisations and seconds, as its settings say.
+ *
+ * A budget stands between an analysis and the progress function of its caller, and cancels when it is
+ * spent. That is no wish of the user's: the outcome is NOT_CONVERGED then, with what was reached.
+ */
+#ifndef QN_CORE_BUDGET_H
+#define QN_CORE_BUDGET_H
+
+#include "core/base/progress.h"
+#include "core/result/result.h"
+
+typedef struct QnBudget {
+  const QnAnalysisSettings *settings;
+  double start;            /* s, qn_clock_seconds() */
+  QnProgressFunc progress; /* the caller's; may be NULL */
+  void *user_data;
+  QnStop spent; /* which budget ended the analysis, or UNKNOWN */
+} QnBudget;
+
+/* Time counts from now on. */
+QnBudget qn_budget_start (const QnAnalysisSettings *settings, QnProgressFunc progress,
+                          void *user_data);
+
+/* A QnProgressFunc whose user data is the budget. */
+bool qn_budget_go_on (const QnProgress *progress, void *budget);
+
+/* Gives a result that a spent budget has cancelled its outcome. */
+void qn_budget_conclude (const QnBudget *budget, QnResult *result);
+
+#endif
