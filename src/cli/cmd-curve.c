@@ -106,7 +106,6 @@ static gboolean export(const Options *options, const QnOutput *output,
   QnMetadata metadata;
   QnCurvePlot plot = {
     .title = options->title,
-    .x_label = _ ("Displacement"),
     .curves = curves,
     .curve_count = count,
     .references = (const QnReferenceLine *) (void *) options->lines->data,

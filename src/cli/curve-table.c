@@ -32,7 +32,10 @@ qn_curve_table_write (const char *path, const QnCurve *curves, gsize count,
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
-  qn_file_writer_puts (writer, "run,step,displacement [m or rad],multiplier [-],mark\n");
+  qn_file_writer_puts (writer,
+                       count > 0 && curves[0].in_time
+                         ? "run,step,time [s],displacement [m or rad],mark\n"
+                         : "run,step,displacement [m or rad],multiplier [-],mark\n");
   for (gsize c = 0; c < count; c++)
     for (gsize i = 0; i < curves[c].count; i++)
       write_point (writer, &curves[c], i);

@@ -76,6 +76,13 @@ take_live_curve (QnCurveView *self, QnJob *job)
   }
 }
 
+/* Whether displacements are shown over the time instead of multipliers over displacements. */
+static gboolean
+is_in_time (QnCurveView *self)
+{
+  return !self->live && self->series_count > 0 && self->series[0].curve.in_time;
+}
+
 /* Up to the peak and a little more; a motion that runs away leaves the picture. */
 static void
 fit (QnCurveView *self)
@@ -94,7 +101,10 @@ fit (QnCurveView *self)
   }
   if (box.max.x <= box.min.x)
     box.max.x = box.min.x + 1.0;
-  box.max.y = box.max.y > 0.0 ? box.max.y + 0.06 * (box.max.y - box.min.y) : 1.0;
+  if (is_in_time (self) && box.max.y > box.min.y)
+    box.max.y += 0.06 * (box.max.y - box.min.y);
+  else
+    box.max.y = box.max.y > 0.0 ? box.max.y + 0.06 * (box.max.y - box.min.y) : 1.0;
   self->range = box;
 }
 
@@ -102,7 +112,11 @@ static void
 update_description (QnCurveView *self, const QnRun *run)
 {
   g_autofree char *text = NULL;
-  if (run != NULL && run->result.step_count > 0)
+  if (run != NULL && run->result.step_count > 0 && run->result.history.width > 0)
+    text = g_strdup_printf (
+      _ ("History of %u steps over %.4g s; the arrow keys go from step to step"),
+      (guint) run->result.step_count, run->result.steps[run->result.step_count - 1].time);
+  else if (run != NULL && run->result.step_count > 0)
     text = g_strdup_printf (_ ("Curve of %u steps up to a load multiplier of %.4g; the "
                                "arrow keys go from step to step"),
                             (guint) run->result.step_count,
@@ -146,7 +160,9 @@ take_runs (QnCurveView *self, QnDocument *document)
   for (guint i = runs->len;
        i-- > 0 && self->series_count > 0 && self->series_count < MOST_CURVES;) {
     QnRun *other = g_ptr_array_index (runs, i);
-    if (other != run && other->model.block_count == run->model.block_count
+    if (other != run
+        && (other->result.history.width > 0) == (run->result.history.width > 0)
+        && other->model.block_count == run->model.block_count
         && other->model.node_count == run->model.node_count)
       take_run (self, other, self->block, self->dof);
   }
@@ -257,23 +273,39 @@ draw_text (QnCurveView *self, cairo_t *cr, const char *text, double x, double y,
 }
 
 static QnQuantity
+displacement (QnCurveView *self)
+{
+  return self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH;
+}
+
+static QnQuantity
 abscissa (QnCurveView *self)
 {
-  return self->live               ? QN_QUANTITY_NUMBER
-         : self->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE
-                                  : QN_QUANTITY_LENGTH;
+  return self->live          ? QN_QUANTITY_NUMBER
+         : is_in_time (self) ? QN_QUANTITY_TIME
+                             : displacement (self);
+}
+
+static QnQuantity
+ordinate (QnCurveView *self)
+{
+  return is_in_time (self) ? displacement (self) : QN_QUANTITY_NUMBER;
 }
 
 static void
 draw_y_ticks (QnCurveView *self, cairo_t *cr)
 {
   const QnBox *r = &self->range;
-  double step =
-    qn_magnet_round_distance ((r->max.y - r->min.y) * TICK_PX * 0.6 / plot_height (self));
+  QnUnits units = qn_settings_get_units ();
+  QnQuantity quantity = ordinate (self);
+  double factor = qn_units_factor (units, quantity);
+  double step = factor
+                * qn_magnet_round_distance ((r->max.y - r->min.y) / factor * TICK_PX * 0.6
+                                            / plot_height (self));
   for (double i = ceil (r->min.y / step); i * step <= r->max.y; i++) {
     QnVec2 p = to_screen (self, r->min.x, i * step);
     g_autofree char *text =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, i == 0.0 ? 0.0 : i * step, 4);
+      qn_units_format (units, quantity, i == 0.0 ? 0.0 : i * step, 4);
     cairo_move_to (cr, p.x, floor (p.y) + 0.5);
     cairo_rel_line_to (cr, plot_width (self), 0.0);
     draw_text (self, cr, text, p.x - 5.0, p.y, 1.0, FALSE);
@@ -299,24 +331,43 @@ draw_x_ticks (QnCurveView *self, cairo_t *cr)
   }
 }
 
+/* "ux, block (mm)"; NULL where no block is followed. */
+static char *
+dup_displacement_label (QnCurveView *self)
+{
+  static const char *const components[] = { "ux", "uy", "rz" };
+  if (self->series_count == 0 || self->block == QN_NONE)
+    return NULL;
+  const QnRun *run = self->series[0].run;
+  return g_strdup_printf (
+    "%s, %s (%s)", components[self->dof], qn_result_body_name (&run->model, self->block),
+    qn_units_symbol (qn_settings_get_units (), displacement (self)));
+}
+
 static void
 draw_x_label (QnCurveView *self, cairo_t *cr)
 {
-  static const char *const components[] = { "ux", "uy", "rz" };
   double x = MARGIN_LEFT + 0.5 * plot_width (self);
   double y = gtk_widget_get_height (GTK_WIDGET (self)) - 7.0;
   if (self->live) {
     draw_text (self, cr, _ ("Step"), x, y, 0.5, FALSE);
     return;
   }
-  if (self->series_count == 0 || self->block == QN_NONE)
+  if (is_in_time (self)) {
+    draw_text (self, cr, _ ("Time (s)"), x, y, 0.5, FALSE);
     return;
-  const QnRun *run = self->series[0].run;
-  QnQuantity quantity = abscissa (self);
-  g_autofree char *text = g_strdup_printf (
-    "%s, %s (%s)", components[self->dof], qn_result_body_name (&run->model, self->block),
-    qn_units_symbol (qn_settings_get_units (), quantity));
-  draw_text (self, cr, text, x, y, 0.5, FALSE);
+  }
+  g_autofree char *text = dup_displacement_label (self);
+  if (text != NULL)
+    draw_text (self, cr, text, x, y, 0.5, FALSE);
+}
+
+static void
+draw_y_label (QnCurveView *self, cairo_t *cr)
+{
+  g_autofree char *text = is_in_time (self) ? dup_displacement_label (self) : NULL;
+  draw_text (self, cr, text != NULL ? text : _ ("Load multiplier"), 2.0,
+             MARGIN_TOP + 0.5 * plot_height (self), 0.5, TRUE);
 }
 
 static void
@@ -441,8 +492,12 @@ qn_curve_view_dup_values (QnCurveView *self, double x, double y)
                                                  abscissa (self), s->curve.x[point], 4);
   if (self->live)
     return g_strdup_printf (_ ("Step %d: multiplier %.4f"), point, s->curve.y[point]);
-  g_autofree char *own =
-    g_strdup_printf (_ ("Step %d: %s, multiplier %.4f"), point, value, s->curve.y[point]);
+  g_autofree char *moved = qn_units_format_full (qn_settings_get_units (),
+                                                 ordinate (self), s->curve.y[point], 4);
+  g_autofree char *own = s->curve.in_time
+                           ? g_strdup_printf ("%s: %s", value, moved)
+                           : g_strdup_printf (_ ("Step %d: %s, multiplier %.4f"), point,
+                                              value, s->curve.y[point]);
   if (self->series_count == 1)
     return g_steal_pointer (&own);
   g_autofree char *title = qn_run_dup_title (s->run);
@@ -490,8 +545,7 @@ draw (QnCurveView *self, cairo_t *cr)
   draw_y_ticks (self, cr);
   draw_x_ticks (self, cr);
   draw_x_label (self, cr);
-  draw_text (self, cr, _ ("Load multiplier"), 2.0, MARGIN_TOP + 0.5 * plot_height (self),
-             0.5, TRUE);
+  draw_y_label (self, cr);
   gdk_cairo_set_source_rgba (cr, &faint);
   cairo_stroke (cr);
   for (int i = self->series_count; i-- > 0;)

@@ -157,7 +157,10 @@ update_label (Bar *bar, const QnRun *run)
     int step = qn_view_state_get_step (bar->state);
     int shown = step == QN_STEP_LAST ? last_step (bar) : step;
     const QnStep *at = &run->result.steps[shown];
-    if (at->stage > 0 && (gsize) at->stage <= run->model.stage_count) {
+    if (run->result.history.width > 0)
+      text = g_strdup_printf (_ ("%.3f s of %.3f s"), at->time,
+                              run->result.steps[last_step (bar)].time);
+    else if (at->stage > 0 && (gsize) at->stage <= run->model.stage_count) {
       g_autofree char *stage = qn_stage_dup_name (&run->model, at->stage);
       text = g_strdup_printf (_ ("Step %d of %d, “%s” %.4f"), shown, last_step (bar),
                               stage, at->multiplier);

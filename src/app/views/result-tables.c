@@ -118,7 +118,9 @@ cell_multiplier (const Table *table, const QnRun *run, guint row)
 {
   (void) table;
   return row < run->result.step_count
-           ? g_strdup_printf ("%.5f", run->result.steps[row].multiplier)
+           ? run->result.history.width > 0
+               ? g_strdup_printf ("%.4f s", run->result.steps[row].time)
+               : g_strdup_printf ("%.5f", run->result.steps[row].multiplier)
            : g_strdup ("");
 }
 
@@ -366,7 +368,7 @@ qn_step_table_new (QnViewState *state)
   g_autofree char *displacement = dup_title (_ ("Largest motion"), QN_QUANTITY_LENGTH);
   add_column (view, _ ("Step"), table, cell_step);
   table->stage = add_column (view, _ ("Stage"), table, cell_stage);
-  add_column (view, _ ("Multiplier"), table, cell_multiplier);
+  add_column (view, _ ("Multiplier or time"), table, cell_multiplier);
   add_column (view, displacement, table, cell_displacement);
   add_column (view, _ ("Iterations"), table, cell_iterations);
   add_column (view, _ ("Event"), table, cell_event);

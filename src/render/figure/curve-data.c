@@ -55,7 +55,10 @@ bool
 qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof dof,
                       QnId *block_used, QnDof *dof_used)
 {
-  *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
+  *curve = (QnCurve){ .limit_point = -1,
+                      .collapse_point = -1,
+                      .dot = -1,
+                      .in_time = result->history.width > 0 };
   if (result->step_count > 0 && qn_result_body_count (result) > 0
       && (block == QN_NONE || (size_t) block >= qn_result_body_count (result)))
     find_busiest (result, &block, &dof);
@@ -73,9 +76,10 @@ qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof 
   }
   curve->count = count;
   for (size_t s = 0; s < count; s++) {
-    const double *u = qn_result_step_displacements (result, s);
-    curve->x[s] = u[(size_t) block * QN_DOF_COUNT + dof];
-    curve->y[s] = result->steps[s].multiplier;
+    double u =
+      qn_result_step_displacements (result, s)[(size_t) block * QN_DOF_COUNT + dof];
+    curve->x[s] = curve->in_time ? result->steps[s].time : u;
+    curve->y[s] = curve->in_time ? u : result->steps[s].multiplier;
   }
   if (count > 0) {
     curve->limit_point = find_limit_point (result);
@@ -97,6 +101,8 @@ qn_curve_get_end (const QnCurve *curve, double *end)
 {
   double peak = 0, at_peak = 0, farthest = 0;
   size_t first = 0;
+  if (curve->in_time)
+    return false;
   for (size_t i = 0; i < curve->count; i++)
     peak = fmax (peak, curve->y[i]);
   while (first < curve->count && !(curve->y[first] >= AT_PEAK * peak))

@@ -176,12 +176,18 @@ create_legend (const QnCurvePlot *data)
   return scene;
 }
 
+static bool
+is_in_time (const QnCurvePlot *data)
+{
+  return data->curve_count > 0 && data->curves[0].in_time;
+}
+
 static const char *
 x_unit (const QnCurvePlot *data, double largest, double *factor)
 {
-  if (data->x_unit != NULL) {
+  if (data->x_unit != NULL || is_in_time (data)) {
     *factor = 1;
-    return data->x_unit;
+    return data->x_unit != NULL ? data->x_unit : "s";
   }
   bool small = largest < (data->rotation ? 0.1 : 1.0);
   *factor = small ? 1000 : 1;
@@ -193,13 +199,16 @@ x_unit (const QnCurvePlot *data, double largest, double *factor)
 static void
 draw_names (const Plot *plot, const char *unit, double x, double bottom)
 {
-  const char *name =
-    plot->data->x_label != NULL ? plot->data->x_label : _ ("Displacement");
+  const char *name = plot->data->x_label != NULL ? plot->data->x_label
+                     : is_in_time (plot->data)   ? _ ("Time")
+                                                 : _ ("Displacement");
   g_autofree char *label =
     *unit != '\0' ? g_strdup_printf ("%s (%s)", name, unit) : g_strdup (name);
   qn_axes_draw_names (&plot->x, &plot->y, plot->cr, plot->unit, label,
                       plot->data->y_label != NULL ? plot->data->y_label
-                                                  : _ ("Load multiplier λ"),
+                      : !is_in_time (plot->data)  ? _ ("Load multiplier λ")
+                      : plot->data->rotation      ? _ ("Rotation (rad)")
+                                                  : _ ("Displacement (m)"),
                       x, bottom, plot->data->monochrome);
 }
 

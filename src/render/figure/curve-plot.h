@@ -12,6 +12,7 @@ typedef struct QnCurve {
   const char *label; /* in the legend; borrowed, may be NULL where there is one curve */
   double *x;         /* displacement in SI (m or rad), `count` values; owned */
   double *y;         /* multiplier; owned */
+  bool in_time;      /* of an analysis in time: x is the time, s, y the displacement */
   size_t count;
   ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
   ptrdiff_t collapse_point; /* index of the point marked as collapse, or -1 */
@@ -28,8 +29,10 @@ typedef struct QnReferenceLine {
 typedef struct QnCurvePlot {
   const char *title;   /* or NULL */
   const char *x_label; /* without unit, or NULL: "Displacement" */
-  const char *x_unit;  /* unit of x as it is, "" for none; NULL: x is in m or rad */
-  const char *y_label; /* or NULL: "Load multiplier" */
+  const char
+    *x_unit; /* unit of x as it is, "" for none; NULL: x is in m or rad, or s where
+                          the first curve is in time */
+  const char *y_label; /* or NULL: "Load multiplier", or the displacement in time */
   bool rotation;       /* x is in rad instead of m */
   bool x_log, y_log;   /* decades: values that are not positive are left out */
   bool points;         /* every point of the curves is marked */
@@ -42,7 +45,8 @@ typedef struct QnCurvePlot {
 
 /* The curve of one component of one block's displacement over the steps of a result. With
  * block = QN_NONE: the block that moves most at the last step, by its larger component,
- * which *block_used and *dof_used (nullable) tell. False when memory runs out. */
+ * which *block_used and *dof_used (nullable) tell. Of an analysis in time its history. False when
+ * memory runs out. */
 bool qn_curve_from_result (QnCurve *curve, const QnResult *result, QnId block, QnDof dof,
                            QnId *block_used, QnDof *dof_used);
 

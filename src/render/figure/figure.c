@@ -38,7 +38,7 @@ double
 qn_figure_multiplier (const QnFigure *figure)
 {
   const QnResult *result = figure->result;
-  if (!shows_result (figure))
+  if (!shows_result (figure) || result->history.width > 0)
     return (double) NAN;
   if (figure->options.view == QN_VIEW_MECHANISM && result->has_collapse_multiplier)
     return result->collapse_multiplier;
@@ -54,6 +54,21 @@ append_part (GString *text, const char *part)
   if (text->len > 0)
     g_string_append (text, " · ");
   g_string_append (text, part);
+}
+
+/* When the step shown of an analysis in time was, and whether it overturned then. */
+static void
+append_time (GString *text, const QnFigure *figure)
+{
+  const QnResult *result = figure->result;
+  if (result->step_count == 0)
+    return;
+  const QnStep *step = &result->steps[shown_step (figure)];
+  g_autofree char *number = qn_label_number ("%.3f", step->time);
+  g_autofree char *part = g_strdup_printf (_ ("t = %s s"), number);
+  append_part (text, part);
+  if (step->event == QN_EVENT_COLLAPSE)
+    append_part (text, _ ("overturned"));
 }
 
 static void
@@ -105,7 +120,10 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
       append_part (text, beams);
     return g_strdup (text->str);
   }
-  append_multiplier (text, figure, brief);
+  if (figure->result->history.width > 0)
+    append_time (text, figure);
+  else
+    append_multiplier (text, figure, brief);
   append_mechanism (text, figure, scene);
   if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
     g_autofree char *number = qn_label_number ("%g", scene->scale);

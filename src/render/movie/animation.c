@@ -54,7 +54,8 @@ choose_steps (const QnCurve *curve, int frames)
   }
   for (size_t i = 1; i < n; i++) {
     double dx = width > 0 ? (curve->x[i] - curve->x[i - 1]) / width : 0;
-    double dy = height > 0 ? (curve->y[i] - curve->y[i - 1]) / height : 0;
+    double dy =
+      height > 0 && !curve->in_time ? (curve->y[i] - curve->y[i - 1]) / height : 0;
     along[i] = along[i - 1] + hypot (dx, dy);
   }
   int32_t *steps = g_new0 (int32_t, frames);

@@ -34,6 +34,31 @@ test_curve_of_result (void)
   fixture_clear (&f);
 }
 
+/* Of an analysis in time the displacement over the time; it is shown to its end. */
+static void
+test_history (void)
+{
+  Fixture f;
+  QnCurve curve;
+  double end;
+  fixture_init_wall (&f, 4, 4);
+  f.result.history.width = QN_HISTORY_TRACK;
+  for (size_t s = 0; s < f.result.step_count; s++) {
+    f.result.steps[s].time = 0.5 * (double) s;
+    f.result.steps[s].multiplier = 0;
+  }
+  g_assert_true (qn_curve_from_result (&curve, &f.result, 3, QN_DOF_UX, NULL, NULL));
+  g_assert_true (curve.in_time);
+  for (size_t s = 0; s < curve.count; s++) {
+    g_assert_cmpfloat (curve.x[s], ==, 0.5 * (double) s);
+    g_assert_cmpfloat (curve.y[s], ==,
+                       qn_result_step_displacements (&f.result, s)[3 * 3 + QN_DOF_UX]);
+  }
+  g_assert_false (qn_curve_get_end (&curve, &end));
+  qn_curve_clear (&curve);
+  fixture_clear (&f);
+}
+
 /* The peak is marked where the path passes it, though the path ends below. */
 static void
 test_limit_of_descending_curve (void)
