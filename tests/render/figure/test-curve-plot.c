@@ -226,5 +226,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/curve-plot/runaway", test_runaway);
   g_test_add_func ("/render/curve-plot/odd-data", test_odd_data);
   g_test_add_func ("/render/curve-plot/decades", test_decades);
+  g_test_add_func ("/render/curve-plot/history", test_history);
   return g_test_run ();
 }

@@ -132,6 +132,31 @@ test_uncertain (void)
   fixture_clear (&f);
 }
 
+/* An analysis in time is told by its time, not by a multiplier that it does not have. */
+static void
+test_time (void)
+{
+  Fixture f;
+  QnFigure figure;
+  fixture_init_wall (&f, 4, 4);
+  f.result.history.width = QN_HISTORY_TRACK;
+  for (size_t s = 0; s < f.result.step_count; s++)
+    f.result.steps[s].time = 0.25 * (double) s;
+  qn_figure_init (&figure, &f.model, &f.contacts, &f.result, QN_VIEW_DEFORMED);
+  figure.options.step = 1;
+  g_autoptr (QnScene) scene =
+    qn_scene_build (&f.model, &f.contacts, &f.result, &figure.options, NULL);
+  g_autofree char *caption = qn_figure_dup_caption (&figure, scene, false);
+  g_assert_nonnull (strstr (caption, "t = 0.250 s"));
+  g_assert_null (strstr (caption, "multiplier"));
+  g_assert_null (strstr (caption, "overturned"));
+  g_assert_true (isnan (qn_figure_multiplier (&figure)));
+  f.result.steps[1].event = QN_EVENT_COLLAPSE;
+  g_autofree char *last = qn_figure_dup_caption (&figure, scene, true);
+  g_assert_nonnull (strstr (last, "overturned"));
+  fixture_clear (&f);
+}
+
 static void
 test_failed_export_leaves_nothing (void)
 {
@@ -184,5 +209,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/figure/uncertain", test_uncertain);
   g_test_add_func ("/render/figure/failed-export", test_failed_export_leaves_nothing);
   g_test_add_func ("/render/figure/label-numbers", test_label_numbers);
+  g_test_add_func ("/render/figure/time", test_time);
   return g_test_run ();
 }
