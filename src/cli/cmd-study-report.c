@@ -100,7 +100,7 @@ static int
 default_output (const QnTable *table)
 {
   for (gsize i = table->parameters; i < table->width; i++)
-    if (qn_study_output (table->study, i - table->parameters) != QN_STUDY_MECHANISM_KIND)
+    if (qn_study_output_is_number (qn_study_output (table->study, i - table->parameters)))
       return (int) i;
   return -1;
 }
@@ -111,21 +111,22 @@ find_columns (const QnSubcommand *self, const PlotOptions *options, const QnTabl
               QnStudyFigure *figure)
 {
   guint given = options->by != NULL ? g_strv_length (options->by) : 0;
-  guint wanted = figure->kind == QN_STUDY_FIGURE_SURFACE   ? 2
-                 : figure->kind == QN_STUDY_FIGURE_SCATTER ? 1
-                                                           : 0;
+  gboolean one =
+    figure->kind == QN_STUDY_FIGURE_SCATTER || figure->kind == QN_STUDY_FIGURE_ENVELOPE;
+  guint wanted = figure->kind == QN_STUDY_FIGURE_SURFACE ? 2 : one;
   figure->column =
     options->of != NULL ? qn_table_find (table, options->of) : default_output (table);
   if (figure->kind == QN_STUDY_FIGURE_MECHANISMS)
     return QN_EXIT_DONE;
   if (figure->column < (int) table->parameters
-      || qn_study_output (table->study, (gsize) figure->column - table->parameters)
-           == QN_STUDY_MECHANISM_KIND)
+      || !qn_study_output_is_number (
+        qn_study_output (table->study, (gsize) figure->column - table->parameters)))
     return qn_cli_usage_error (self->name,
                                _ ("--of names an output of the study that is a number"));
   if (given > wanted || table->parameters < wanted)
     return qn_cli_usage_error (
-      self->name, _ ("--by names the parameter of a scatter, or the two of a surface"));
+      self->name, _ ("--by names the parameter of a scatter or an envelope, or the two "
+                     "of a surface"));
   for (guint i = 0; i < wanted; i++) {
     figure->parameters[i] = i < given ? qn_table_find (table, options->by[i]) : (int) i;
     if (figure->parameters[i] < 0 || figure->parameters[i] >= (int) table->parameters)
@@ -149,7 +150,8 @@ plot (const QnSubcommand *self, const PlotOptions *options, const char *folder)
   qn_output_init (&output);
   if (!find_kind (options->kind, &figure.kind))
     return qn_cli_usage_error (self->name, _ ("--kind is scatter, histogram, cumulative, "
-                                              "tornado, surface or mechanisms"));
+                                              "tornado, surface, envelope or "
+                                              "mechanisms"));
   QnExit code = qn_picture_output (self, &options->picture, &output);
   if (code == QN_EXIT_DONE)
     code = load_table (folder, &study, &table);
@@ -172,7 +174,7 @@ run_plot (const QnSubcommand *self, int argc, char **argv)
   PlotOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "kind", 'k', 0, G_OPTION_ARG_STRING, &options.kind,
-      N_ ("scatter, histogram, cumulative, tornado, surface or mechanisms"),
+      N_ ("scatter, histogram, cumulative, tornado, surface, envelope or mechanisms"),
       N_ ("KIND") },
     { "of", 0, 0, G_OPTION_ARG_STRING, &options.of,
       N_ ("The output; the first one by default"), N_ ("NAME") },
@@ -197,7 +199,8 @@ const QnSubcommand qn_study_action_plot = {
   .summary = N_ ("Draw the cases of a study: PNG, SVG or PDF"),
   .help =
     N_ ("A tornado shows Sobol indices of a plan \"sobol\", ranges of a plan "
-        "\"one-at-a-time\", else rank correlations. Mechanisms shows a typical case "
-        "of every kind."),
+        "\"one-at-a-time\", else rank correlations. An envelope has the least value "
+        "over a parameter, as of a moving load by its place. Mechanisms shows a "
+        "typical case of every shape or kind."),
   .run = run_plot,
 };

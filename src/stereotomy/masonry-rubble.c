@@ -5,6 +5,7 @@
 #include "core/base/polygon.h"
 #include "stereotomy/geos.h"
 #include "stereotomy/masonry-parts.h"
+#include "stereotomy/noise.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
 
@@ -25,20 +26,11 @@ typedef struct Site {
   int32_t row, column;
 } Site;
 
-/* splitmix64 (Steele, Lea & Flood, "Fast splittable pseudorandom number generators", 2014): a
- * number in [-1, 1) for each stone and direction, whatever the size of the wall. */
+/* A number in [-1, 1) for each stone and direction, whatever the size of the wall. */
 static double
 noise (const QnRubble *rubble, int32_t row, int32_t column, uint32_t direction)
 {
-  uint64_t z = ((uint64_t) rubble->seed << 32) ^ ((uint64_t) (uint32_t) row << 17)
-               ^ ((uint64_t) (uint32_t) column << 1) ^ direction;
-  for (int i = 0; i < 2; i++) {
-    z += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-  }
-  return (double) (z >> 11) * 0x1p-52 - 1;
+  return qn_noise (rubble->seed, (uint32_t) row, (uint32_t) column, direction);
 }
 
 static QnStatus

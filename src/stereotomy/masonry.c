@@ -1,6 +1,7 @@
 #include "stereotomy/masonry.h"
 #include "core/base/memory.h"
 #include "stereotomy/masonry-parts.h"
+#include "stereotomy/perturbation.h"
 #include "stereotomy/polygon-ops.h"
 
 #include <stdlib.h>
@@ -16,6 +17,7 @@ qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name, QnDia
                           .thickness = 1,
                           .density = -1,
                           .law = QN_NONE,
+                          .perturbation_seed = 1,
                           .wall.minimum_piece = DEFAULT_MINIMUM_PIECE };
   if ((name != NULL && masonry->name == NULL) || qn_masonry_add_leaf (masonry) == NULL) {
     qn_masonry_clear (masonry);
@@ -147,6 +149,10 @@ check_common (const QnMasonry *masonry, QnDiag *diag)
   QnStatus status = qn_masonry_require_positive (masonry->thickness, "thickness", diag);
   if (status == QN_OK)
     status = qn_masonry_require_not_negative (masonry->foundation, "foundation", diag);
+  if (status == QN_OK
+      && !(masonry->perturbation >= 0 && masonry->perturbation <= QN_MAX_PERTURBATION))
+    status = qn_masonry_problem (diag, QN_PROBLEM_PERTURBATION, "perturbation",
+                                 masonry->perturbation);
   return status;
 }
 
@@ -211,6 +217,9 @@ qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag 
   QnStatus status = check_common (masonry, diag);
   if (status == QN_OK)
     status = lay (masonry, &pieces, diag);
+  if (status == QN_OK && masonry->perturbation > 0)
+    status = qn_pieces_perturb (masonry->perturbation, masonry->perturbation_seed,
+                                &pieces, diag);
   if (status == QN_OK && model->block_count + pieces.count > QN_MAX_BLOCKS)
     status = qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, NULL, 0);
   if (status == QN_OK && pieces.count == 0)

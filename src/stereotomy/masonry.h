@@ -194,6 +194,10 @@ typedef struct QnMasonry {
   double density;
   QnId law;
   double foundation; /* m: depth of fixed blocks below; 0: none */
+  double
+    perturbation; /* how far corners are moved at random, 0 … QN_MAX_PERTURBATION; see
+                          perturbation.h */
+  uint32_t perturbation_seed;
 
   /* The one that belongs to `kind`. */
   QnMasonryWall wall;

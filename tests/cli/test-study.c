@@ -16,7 +16,8 @@ write_study (const char *folder, const char *plan)
     "  \"run\": \"limit\", \"parameters\": [\n"
     "    { \"name\": \"friction\", \"path\": \"laws[0].friction\", \"levels\": 5,\n"
     "      \"distribution\": { \"kind\": \"uniform\", \"min\": 0.2, \"max\": 0.4 } } ],\n"
-    "  \"plan\": %s, \"outputs\": [\"collapse_multiplier\", \"mechanism_kind\"] }\n",
+    "  \"plan\": %s, \"outputs\": [\"collapse_multiplier\", \"mechanism_kind\",\n"
+    "  \"mechanism_shape\"] }\n",
     plan);
   return cli_write (folder, "block.quoin-study", text);
 }
@@ -106,8 +107,9 @@ test_any_number_of_workers (void)
   g_autofree char *third = table_of (sliced);
   g_assert_cmpstr (first, ==, second);
   g_assert_cmpstr (first, ==, third);
-  g_assert_true (g_str_has_prefix (
-    first, "case,friction,collapse_multiplier,mechanism_kind,status,outcome,reason\n"));
+  g_assert_true (
+    g_str_has_prefix (first, "case,friction,collapse_multiplier,mechanism_kind,mechanism_"
+                             "shape,status,outcome,reason\n"));
   test_scratch_free (folder);
 }
 
@@ -317,12 +319,79 @@ test_full_disk (void)
   test_scratch_free (folder);
 }
 
+/* A case that takes longer than it may is a row that says so, and the others go on. */
+static void
+test_time_limit (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s/%s\",\n"
+    "  \"run\": \"dynamic\", \"limits\": { \"seconds\": 2 }, \"parameters\": [\n"
+    "    { \"name\": \"amplitude\", \"values\": [0.01],\n"
+    "      \"path\": \"analysis.dynamic.ground[0].pulse.amplitude\" },\n"
+    "    { \"name\": \"duration\", \"path\": [\"analysis.dynamic.duration\",\n"
+    "      \"analysis.dynamic.ground[0].pulse.duration\"],\n"
+    "      \"values\": [0.004, 20000, 0.006] } ],\n"
+    "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapsed\"] }\n",
+    g_getenv ("QUOIN_EXAMPLES"), "42-arch-pulse.quoin");
+  g_autofree char *study = cli_write (folder, "long.quoin-study", text);
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", results, "-j", "1", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "3 of 3 cases, 1 of those computed now failed"));
+  cli_run_clear (&run);
+  g_autofree char *table = table_of (results);
+  g_assert_nonnull (strstr (table, "\n1,0.01,0.004,0,done,"));
+  g_assert_nonnull (strstr (
+    table, "\n2,0.01,20000,,failed,,the case took longer than 2 s (limits.seconds)\n"));
+  g_assert_nonnull (strstr (table, "\n3,0.01,0.006,0,done,"));
+  test_scratch_free (folder);
+}
+
+/* A record of ground motion goes with the folder, and belongs to the study. */
+static void
+test_record (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *source =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "43-shaken-wall.quoin", NULL);
+  g_autofree char *record_source =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "43-synthetic-record.csv", NULL);
+  g_autofree char *project = cli_read (source), *record = cli_read (record_source);
+  g_free (cli_write (folder, "wall.quoin", project));
+  g_autofree char *record_path = cli_write (folder, "43-synthetic-record.csv", record);
+  g_autofree char *study = cli_write (
+    folder, "s.quoin-study",
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"wall.quoin\",\n"
+    "  \"run\": \"dynamic\", \"parameters\": [ { \"name\": \"scale\",\n"
+    "    \"path\": \"analysis.dynamic.ground[0].scale\", \"values\": [0.1] },\n"
+    "    { \"name\": \"duration\", \"path\": \"analysis.dynamic.duration\",\n"
+    "      \"values\": [0.02] } ],\n"
+    "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"peak_displacement\"] }\n");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", results, "--prepare", NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *other = g_strconcat (record, "11,0\n", NULL);
+  g_assert_true (g_file_set_contents (record_path, other, -1, NULL));
+  run = cli_run ("study", "run", study, "-o", results, NULL);
+  cli_assert_failed (&run, 3, "another study");
+  g_assert_cmpint (unlink (record_path), ==, 0);
+  run = cli_run ("study", "run", results, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "1 of 1 cases;"));
+  cli_run_clear (&run);
+  run = cli_run ("study", "run", study, "-o", results, NULL);
+  cli_assert_failed (&run, 5, "43-synthetic-record.csv");
+  test_scratch_free (folder);
+}
+
 /* Every figure of every plan that has it; again, the same bytes. */
 static void
 test_figures (void)
 {
-  static const char *const kinds[] = { "scatter", "histogram",  "cumulative",
-                                       "tornado", "mechanisms", "surface" };
+  static const char *const kinds[] = { "scatter",  "histogram",  "cumulative", "tornado",
+                                       "envelope", "mechanisms", "surface" };
   static const char *const plans[] = { "{ \"kind\": \"grid\" }",
                                        "{ \"kind\": \"one-at-a-time\" }",
                                        "{ \"kind\": \"latin-hypercube\", \"count\": 40 }",
@@ -376,6 +445,8 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/study/bad-usage", test_bad_usage);
   g_test_add_func ("/cli/study/keep", test_keep);
   g_test_add_func ("/cli/study/full-disk", test_full_disk);
+  g_test_add_func ("/cli/study/time-limit", test_time_limit);
+  g_test_add_func ("/cli/study/record", test_record);
   g_test_add_func ("/cli/study/figures", test_figures);
   return g_test_run ();
 }

@@ -119,6 +119,7 @@
   X (GEOMETRY_HOLE, "polygon would surround a hole") \
   X (GEOMETRY_SEVERAL, "polygons do not form one piece") \
   X (FRACTION, "number must lie between 0 and 1") \
+  X (PERTURBATION, "perturbation must lie between 0 and 0.4") \
   X (HEADER_TOO_LONG, "header must be shorter than the unit") \
   X (LEAVES_LISTED, "listed courses make a wall of a single leaf") \
   X (OPENING_SPAN, "this kind of span does not fit the head of the opening") \

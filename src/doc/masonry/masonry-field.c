@@ -92,6 +92,10 @@ static const Field fields[QN_MASONRY_FIELD_COUNT] = {
   [QN_MASONRY_UNIT_WEIGHT] = { { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9, FALSE }, ALL, TYPE_NUMBER,
                              FALSE, G_STRUCT_OFFSET (QnMasonry, unit_weight) },
   [QN_MASONRY_FOUNDATION] = EXTRA (N_ ("Fixed base, depth"), ALL, foundation),
+  [QN_MASONRY_PERTURBATION] = { { N_ ("Irregular joints, 0 to 0.4"), QN_QUANTITY_NUMBER, 0.0, 0.4, FALSE }, ALL,
+                              TYPE_NUMBER, FALSE, G_STRUCT_OFFSET (QnMasonry, perturbation) },
+  [QN_MASONRY_PERTURBATION_SEED] = { { N_ ("Seed of the joints"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE }, ALL,
+                                   TYPE_SEED, FALSE, G_STRUCT_OFFSET (QnMasonry, perturbation_seed) },
 };
 /* clang-format on */
 

@@ -268,29 +268,35 @@ read_portal (const QnJsonValue *place, QnPortal *portal)
 }
 
 static gboolean
-read_rubble (const QnJsonValue *place, QnRubble *rubble)
+read_seed (const QnJsonValue *place, const char *key, uint32_t *seed)
 {
-  double seed = 1;
-  rubble->irregularity = 0.7;
-  if (!read_two (place, "width", QN_REQUIRED, &rubble->width, &rubble->top)
-      || !read_length (place, "height", QN_REQUIRED, &rubble->height)
-      || !read_length (place, "stone", QN_REQUIRED, &rubble->stone)
-      || !read_size (place, "irregularity", &rubble->irregularity)
-      || !read_size (place, "seed", &seed))
+  double number = 1;
+  if (!read_size (place, key, &number))
     return FALSE;
-  if (seed > G_MAXUINT32 || seed != floor (seed)) {
-    QnJsonValue member = qn_json_value_member (place, "seed");
+  if (number > G_MAXUINT32 || number != floor (number)) {
+    QnJsonValue member = qn_json_value_member (place, key);
     return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
   }
-  rubble->seed = (uint32_t) qn_to_integer (seed, 0, G_MAXUINT32);
+  *seed = (uint32_t) qn_to_integer (number, 0, G_MAXUINT32);
   return TRUE;
 }
 
+static gboolean
+read_rubble (const QnJsonValue *place, QnRubble *rubble)
+{
+  rubble->irregularity = 0.7;
+  return read_two (place, "width", QN_REQUIRED, &rubble->width, &rubble->top)
+         && read_length (place, "height", QN_REQUIRED, &rubble->height)
+         && read_length (place, "stone", QN_REQUIRED, &rubble->stone)
+         && read_size (place, "irregularity", &rubble->irregularity)
+         && read_seed (place, "seed", &rubble->seed);
+}
+
 /* Keys of every kind behind those that all have. */
-static const char *const common_keys[] = { "kind",     "name",       "origin",
-                                           "rotation", "thickness",  "unit_weight",
-                                           "density",  "foundation", "law",
-                                           "material" };
+static const char *const common_keys[] = {
+  "kind",    "name",       "origin", "rotation", "thickness",    "unit_weight",
+  "density", "foundation", "law",    "material", "perturbation", "perturbation_seed"
+};
 static const char *const kind_keys[QN_MASONRY_KIND_COUNT][16] = {
   [QN_MASONRY_WALL] = { "length", "height", "unit", "bond", "closers", "header", "lap",
                         "course_heights", "courses", "edges", "minimum_piece", "leaves",
@@ -361,6 +367,8 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
       && qn_read_weight (place, model, &masonry->unit_weight, &masonry->density)
       && qn_read_own_law (place, model, &masonry->law)
       && read_size (place, "foundation", &masonry->foundation)
+      && read_size (place, "perturbation", &masonry->perturbation)
+      && read_seed (place, "perturbation_seed", &masonry->perturbation_seed)
       && read_kind (place, masonry))
     return TRUE;
   qn_masonry_clear (masonry);

@@ -199,6 +199,10 @@ qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *
   qn_json_put_weight (json, masonry->unit_weight, masonry->density);
   qn_json_put_law (json, model, masonry->law);
   put_size (json, "foundation", masonry->foundation);
+  if (masonry->perturbation > 0) {
+    qn_json_put_number (json, "perturbation", masonry->perturbation);
+    qn_json_put_number (json, "perturbation_seed", masonry->perturbation_seed);
+  }
   put_kind (json, masonry);
   g_string_append (json, " }");
 }

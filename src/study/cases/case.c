@@ -5,9 +5,12 @@
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/result/mechanism.h"
+#include "io/exchange/record.h"
 #include "io/result/result-file.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
+#include "study/cases/moving-load.h"
+#include "study/cases/shape.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -43,6 +46,7 @@ qn_case_result_clear (QnCaseResult *result)
   g_free (result->outcome);
   g_free (result->reason);
   g_free (result->mechanism);
+  g_free (result->shape);
   *result = (QnCaseResult){ 0 };
 }
 
@@ -54,21 +58,58 @@ qn_case_result_fail (QnCaseResult *result, const char *reason)
     result->numbers[i] = NAN;
 }
 
-/* "path=value" for every path of every parameter, NULL-terminated. */
+/* "path=value" for every path of every parameter, NULL-terminated. Moving loads find their
+ * blocks in `model` (nullable: they stay where the project has them). */
 static char **
-dup_overrides (const QnStudy *study, const double *values)
+dup_overrides (const QnStudy *study, const double *values, const QnModel *model)
 {
   GPtrArray *overrides = g_ptr_array_new ();
   char number[QN_NUMBER_TEXT_SIZE];
-  if (study->run == QN_STUDY_LIMIT)
-    g_ptr_array_add (overrides, g_strdup ("analysis.procedure=\"limit\""));
+  if (qn_study_run_override (study->run) != NULL)
+    g_ptr_array_add (overrides, g_strdup (qn_study_run_override (study->run)));
+  if (study->factorizations > 0)
+    g_ptr_array_add (overrides, g_strdup_printf ("analysis.max_factorizations=%d",
+                                                 study->factorizations));
   for (guint i = 0; i < study->parameters->len; i++) {
+    const QnParameter *parameter = qn_study_parameter (study, i);
+    if (parameter->line != NULL) {
+      if (model != NULL)
+        qn_moving_load_add_overrides (overrides, parameter, values[i], model);
+      continue;
+    }
     qn_number_text (values[i], number);
-    for (char **path = qn_study_parameter (study, i)->paths; *path != NULL; path++)
+    for (char **path = parameter->paths; *path != NULL; path++)
       g_ptr_array_add (overrides, g_strconcat (*path, "=", number, NULL));
   }
   g_ptr_array_add (overrides, NULL);
   return (char **) g_ptr_array_free (overrides, FALSE);
+}
+
+static gboolean
+has_moving_load (const QnStudy *study)
+{
+  for (guint i = 0; i < study->parameters->len; i++)
+    if (qn_study_parameter (study, i)->line != NULL)
+      return TRUE;
+  return FALSE;
+}
+
+/* The project with the values of a case. Where a load moves it is read twice: which block the load
+ * stands on depends on the other parameters. */
+static gboolean
+parse (const QnStudy *study, const double *values, QnProject *project, GError **error)
+{
+  const QnProject *base = &study->project;
+  g_auto (GStrv) overrides = dup_overrides (study, values, NULL);
+  if (!qn_project_parse (base->text, base->text_length, base->name,
+                         (const char *const *) overrides, project, error))
+    return FALSE;
+  if (!has_moving_load (study))
+    return TRUE;
+  g_auto (GStrv) moved = dup_overrides (study, values, &project->model);
+  qn_project_clear (project);
+  return qn_project_parse (base->text, base->text_length, base->name,
+                           (const char *const *) moved, project, error);
 }
 
 /* Reads the case and finds its contacts. */
@@ -77,10 +118,11 @@ prepare (const QnCaseSolver *solver, const double *values, QnCaseModel *model,
          GError **error)
 {
   const QnProject *base = &solver->study->project;
-  g_auto (GStrv) overrides = dup_overrides (solver->study, values);
   QnDiag diag = { 0 };
-  if (!qn_project_parse (base->text, base->text_length, base->name,
-                         (const char *const *) overrides, &model->project, error))
+  if (!parse (solver->study, values, &model->project, error)
+      || (solver->study->run == QN_STUDY_DYNAMIC
+          && !qn_project_read_records (&model->project, solver->study->folder, FALSE,
+                                       error)))
     return FALSE;
   if (qn_contacts_update (&base->model, &solver->contacts, &model->project.model,
                           &model->contacts, &diag)
@@ -132,6 +174,27 @@ known (gboolean is_known, double value)
 }
 
 static double
+peak_displacement (const QnResult *result)
+{
+  double largest = 0;
+  if (result->history.peaks == NULL)
+    return NAN;
+  for (size_t b = 0; b < result->block_count; b++)
+    largest = fmax (largest, result->history.peaks[b]);
+  return largest;
+}
+
+static double
+last_energy (const QnResult *result, QnEnergyKind kind)
+{
+  const QnHistory *history = &result->history;
+  if (history->row_count == 0)
+    return NAN;
+  return history
+    ->rows[(history->row_count - 1) * history->width + QN_HISTORY_ENERGY + kind];
+}
+
+static double
 number_of (const QnCaseModel *model, QnStudyOutput output)
 {
   const QnResult *result = &model->result;
@@ -156,7 +219,20 @@ number_of (const QnCaseModel *model, QnStudyOutput output)
     return (double) result->step_count;
   case QN_STUDY_ITERATIONS:
     return result->statistics.iterations;
+  case QN_STUDY_COLLAPSED:
+    return result->outcome == QN_OUTCOME_COLLAPSE;
+  case QN_STUDY_TIME_OF_COLLAPSE:
+    return known (result->outcome == QN_OUTCOME_COLLAPSE, result->history.collapse_time);
+  case QN_STUDY_PEAK_DISPLACEMENT:
+    return peak_displacement (result);
+  case QN_STUDY_FRICTION_ENERGY:
+    return last_energy (result, QN_ENERGY_FRICTION);
+  case QN_STUDY_LARGEST_SLIP:
+    return known (result->history.width > 0, result->history.largest_slip);
+  case QN_STUDY_ENERGY_ERROR:
+    return known (result->history.width > 0, result->history.energy_error);
   case QN_STUDY_MECHANISM_KIND:
+  case QN_STUDY_MECHANISM_SHAPE:
   case QN_STUDY_FREQUENCY_1:
   case QN_STUDY_FREQUENCY_2:
   case QN_STUDY_FREQUENCY_3:
@@ -209,6 +285,10 @@ take_outputs (const QnStudy *study, const QnCaseModel *model, QnCaseResult *resu
     QnStudyOutput output = qn_study_output (study, i);
     if (output == QN_STUDY_MECHANISM_KIND)
       result->mechanism = dup_mechanism_kind (model);
+    else if (output == QN_STUDY_MECHANISM_SHAPE)
+      result->shape = model->result.mechanism != NULL
+                        ? qn_shape_dup (&model->project.model, model->result.mechanism)
+                        : NULL;
     else if (output < QN_STUDY_FREQUENCY_1)
       result->numbers[output] = number_of (model, output);
   }
@@ -233,6 +313,13 @@ qn_case_solve (const QnCaseSolver *solver, const double *values, const char *kee
     else
       take_outputs (study, current, result);
   }
+  /* What an analysis that was not let to its end says is no answer. */
+  QnStop stop = current->result.stop;
+  if (error == NULL && (stop == QN_STOP_FACTORIZATIONS || stop == QN_STOP_TIME))
+    g_set_error_literal (&error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                         stop == QN_STOP_TIME
+                           ? _ ("the analysis took longer than max_seconds allows")
+                           : _ ("the analysis needed more factorizations than it may"));
   if (error == NULL && keep != NULL)
     qn_result_file_write (keep, &current->project, &current->contacts, &current->result,
                           &error);

@@ -15,6 +15,7 @@ typedef struct QnCaseResult {
   double seconds;
   double numbers[QN_STUDY_OUTPUT_COUNT]; /* NaN: the case has none */
   char *mechanism;                       /* kind of mechanism, nullable. Owned */
+  char *shape;                           /* of the mechanism (shape.h), nullable. Owned */
 } QnCaseResult;
 
 /* What the cases of a study share: blocks that no parameter moves keep the contacts that were found

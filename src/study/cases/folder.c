@@ -52,6 +52,31 @@ put_copy (const char *folder, const char *name, const char *bytes, gsize length,
   return FALSE;
 }
 
+/* Copies of the records that the project names, under the same names. */
+static gboolean
+put_records (const char *folder, const QnStudy *study, GError **error)
+{
+  for (gsize i = 0; i < qn_study_record_count (study); i++) {
+    const QnGroundMotion *motion = &study->project.model.ground[i];
+    gsize length;
+    if (motion->kind != QN_SIGNAL_RECORD || g_path_is_absolute (motion->record))
+      continue;
+    g_autofree char *from = g_build_filename (study->folder, motion->record, NULL);
+    g_autofree char *to = g_build_filename (folder, motion->record, NULL);
+    g_autofree char *parent = g_path_get_dirname (to);
+    g_autofree char *bytes = qn_file_read (from, &length, error);
+    if (bytes == NULL)
+      return FALSE;
+    if (g_mkdir_with_parents (parent, 0777) != 0) {
+      qn_io_error_set_errno (error, parent, _ ("cannot be written"), errno);
+      return FALSE;
+    }
+    if (!put_copy (folder, motion->record, bytes, length, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
 gboolean
 qn_folder_prepare (const char *folder, const QnStudy *study, GError **error)
 {
@@ -61,7 +86,8 @@ qn_folder_prepare (const char *folder, const QnStudy *study, GError **error)
   }
   return put_copy (folder, MODEL_NAME, study->project.text, study->project.text_length,
                    error)
-         && put_copy (folder, STUDY_NAME, study->text, study->length, error);
+         && put_copy (folder, STUDY_NAME, study->text, study->length, error)
+         && put_records (folder, study, error);
 }
 
 gboolean

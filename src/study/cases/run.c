@@ -20,6 +20,7 @@
 #define INTERVAL_MS 500
 
 typedef struct Run {
+  const QnStudy *study;
   const QnStudyRunSettings *settings;
   const char *folder;
   QnSample sample;
@@ -83,16 +84,17 @@ feed (Run *run, QnWorker *worker, GError **error)
   return TRUE;
 }
 
-/* A worker has ended: the case that it had begun failed, the others go back. */
+/* A worker has ended, or is ended for a reason (nullable): the case that it had begun failed, the
+ * others go back. */
 static gboolean
-bury (Run *run, QnWorker *worker, GError **error)
+bury (Run *run, QnWorker *worker, const char *reason, GError **error)
 {
   gboolean ready = worker->ready;
   guint queued = worker->queued;
   gsize queue[QN_WORKER_AHEAD] = { 0 };
   for (guint i = 0; i < queued; i++)
     queue[i] = worker->queue[i];
-  g_autofree char *how = qn_worker_end (worker, FALSE);
+  g_autofree char *how = qn_worker_end (worker, reason != NULL);
   if (!ready) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE, "%s: %s", run->settings->program,
                  how != NULL ? how : _ ("cannot be started"));
@@ -103,8 +105,10 @@ bury (Run *run, QnWorker *worker, GError **error)
   if (queued == 0)
     return TRUE;
   QnCaseResult result;
-  qn_case_result_fail (&result,
-                       how != NULL ? how : _ ("the process of the case ended early"));
+  qn_case_result_fail (&result, reason != NULL ? reason
+                                : how != NULL
+                                  ? how
+                                  : _ ("the process of the case ended early"));
   gboolean ok = keep_row (run, queue[0], &result, error);
   qn_case_result_clear (&result);
   return ok;
@@ -120,7 +124,20 @@ hear (Run *run, QnWorker *worker, GError **error)
     ok = keep_row (run, index, &result, error);
     qn_case_result_clear (&result);
   }
-  return ok && (more || bury (run, worker, error));
+  return ok && (more || bury (run, worker, NULL, error));
+}
+
+/* Ends a worker whose case takes longer than one may. */
+static gboolean
+check_time (Run *run, QnWorker *worker, GError **error)
+{
+  double allowed = run->study->seconds;
+  if (worker->queued == 0 || !worker->ready
+      || qn_clock_seconds () - worker->begun < allowed)
+    return TRUE;
+  g_autofree char *reason =
+    g_strdup_printf (_ ("the case took longer than %g s (limits.seconds)"), allowed);
+  return bury (run, worker, reason, error);
 }
 
 static gboolean
@@ -161,7 +178,8 @@ wait_for_workers (Run *run, gboolean *busy, GError **error)
     return FALSE;
   }
   for (guint i = 0; i < jobs; i++)
-    if (polls[i].revents != 0 && !hear (run, &run->workers[i], error))
+    if ((polls[i].revents != 0 && !hear (run, &run->workers[i], error))
+        || !check_time (run, &run->workers[i], error))
       return FALSE;
   return TRUE;
 }
@@ -217,7 +235,9 @@ qn_study_run (const QnStudy *study, const char *folder,
               const QnStudyRunSettings *settings, QnStudyProgress *progress,
               gboolean *cancelled, GError **error)
 {
-  Run run = { .settings = settings, .folder = folder, .begun = qn_clock_seconds () };
+  Run run = {
+    .study = study, .settings = settings, .folder = folder, .begun = qn_clock_seconds ()
+  };
   if (!qn_folder_prepare (folder, study, error))
     return FALSE;
   g_autofree char *database = qn_folder_dup_database (folder, settings->shard);

@@ -66,9 +66,9 @@ append_columns (GString *sql, const QnStudy *study, gboolean types)
   for (guint i = 0; i < study->outputs->len; i++) {
     QnStudyOutput output = qn_study_output (study, i);
     append_column (sql, qn_study_output_names[output],
-                   !types                              ? ""
-                   : output == QN_STUDY_MECHANISM_KIND ? "TEXT"
-                                                       : "REAL");
+                   !types                               ? ""
+                   : qn_study_output_is_number (output) ? "REAL"
+                                                        : "TEXT");
   }
   for (gsize i = 0; i < G_N_ELEMENTS (tail_columns); i++)
     append_column (sql, tail_columns[i],
@@ -244,6 +244,8 @@ qn_store_add (QnStore *store, gsize index, const double *values,
     QnStudyOutput output = qn_study_output (study, i);
     if (output == QN_STUDY_MECHANISM_KIND)
       bind_text (store->add, &column, result->mechanism);
+    else if (output == QN_STUDY_MECHANISM_SHAPE)
+      bind_text (store->add, &column, result->shape);
     else
       bind_number (store->add, &column, result->numbers[output]);
   }
@@ -310,6 +312,8 @@ take_row (const QnStudy *study, sqlite3_stmt *statement, double *values,
     QnStudyOutput output = qn_study_output (study, i);
     if (output == QN_STUDY_MECHANISM_KIND)
       result->mechanism = (char *) sqlite3_column_text (statement, column);
+    else if (output == QN_STUDY_MECHANISM_SHAPE)
+      result->shape = (char *) sqlite3_column_text (statement, column);
     else if (sqlite3_column_type (statement, column) != SQLITE_NULL)
       result->numbers[output] = sqlite3_column_double (statement, column);
   }

@@ -1,5 +1,6 @@
 #include "study/cases/worker.h"
 
+#include "core/base/clock.h"
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
 #include "study/cases/folder.h"
@@ -41,6 +42,7 @@ print_result (FILE *output, gsize number, const QnCaseResult *result)
   print_text (output, result->outcome);
   print_text (output, result->reason);
   print_text (output, result->mechanism);
+  print_text (output, result->shape);
   for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
     print_number (output, result->numbers[i]);
   fputc ('\n', output);
@@ -63,7 +65,7 @@ text_of (const char *field)
 static gboolean
 parse_result (const char *line, gsize *number, QnCaseResult *result)
 {
-  enum { NUMBER, STATUS, SECONDS, OUTCOME, REASON, MECHANISM, OUTPUTS };
+  enum { NUMBER, STATUS, SECONDS, OUTCOME, REASON, MECHANISM, SHAPE, OUTPUTS };
   g_auto (GStrv) fields = g_strsplit (line, "\t", -1);
   if (g_strv_length (fields) != OUTPUTS + QN_STUDY_OUTPUT_COUNT)
     return FALSE;
@@ -72,7 +74,8 @@ parse_result (const char *line, gsize *number, QnCaseResult *result)
                             .seconds = number_of (fields[SECONDS]),
                             .outcome = text_of (fields[OUTCOME]),
                             .reason = text_of (fields[REASON]),
-                            .mechanism = text_of (fields[MECHANISM]) };
+                            .mechanism = text_of (fields[MECHANISM]),
+                            .shape = text_of (fields[SHAPE]) };
   for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
     result->numbers[i] = number_of (fields[OUTPUTS + i]);
   return TRUE;
@@ -167,6 +170,8 @@ qn_worker_give (QnWorker *worker, gsize index, const double *values, gsize width
   for (gsize i = 0; i < width; i++)
     g_string_append_printf (line, "\t%s", qn_number_text (values[i], number));
   g_string_append_c (line, '\n');
+  if (worker->queued == 0 && worker->ready)
+    worker->begun = qn_clock_seconds ();
   worker->queue[worker->queued++] = index;
   for (gsize sent = 0; sent < line->len;) {
     ssize_t count = write (worker->input, line->str + sent, line->len - sent);
@@ -210,10 +215,12 @@ qn_worker_answer (QnWorker *worker, gsize *index, QnCaseResult *result)
       return FALSE;
     if (strcmp (line, "ready") == 0) {
       worker->ready = TRUE;
+      worker->begun = qn_clock_seconds ();
     } else if (worker->queued > 0 && parse_result (line, &number, result)) {
       *index = worker->queue[0];
       g_return_val_if_fail (number == *index + 1, FALSE);
       worker->queued--;
+      worker->begun = qn_clock_seconds ();
       memmove (worker->queue, worker->queue + 1, worker->queued * sizeof *worker->queue);
       return TRUE;
     }

@@ -27,6 +27,7 @@ typedef struct QnWorker {
   gsize
     queue[QN_WORKER_AHEAD]; /* places of the cases that it has, the present one first */
   guint queued;
+  double begun; /* the present case, where the worker is ready; qn_clock_seconds() */
 } QnWorker;
 
 /* Starts `program` with the arguments of a worker. Errors: QN_IO_ERROR. */

@@ -1,4 +1,5 @@
 #include "core/base/integer.h"
+#include "io/exchange/record.h"
 #include "io/json/json-parse.h"
 #include "io/json/json-path.h"
 #include "io/json/json-value.h"
@@ -21,9 +22,9 @@
 static gboolean
 check_format (const QnJsonValue *root)
 {
-  static const char *const keys[] = { "format", "version", "title",
-                                      "model",  "run",     "parameters",
-                                      "plan",   "outputs", "correlation" };
+  static const char *const keys[] = { "format",      "version",    "title", "model",
+                                      "run",         "parameters", "plan",  "outputs",
+                                      "correlation", "limits" };
   const char *format;
   double version;
   if (!qn_json_value_object (root)
@@ -258,12 +259,13 @@ read_paths (const QnJsonValue *parameter, const QnStudy *study, const cJSON *doc
   for (; item != NULL; item = item != place.json ? item->next : NULL) {
     QnJsonValue element =
       item != place.json ? qn_json_value_element (&place, index, item) : place;
-    double base;
+    double base = NAN;
     if (!cJSON_IsString (item))
       return qn_json_value_fail (&element,
                                  _ ("expected a path into the project, or an array "
                                     "of them"));
-    if (!check_path (&element, item->valuestring, study, document, target, &base))
+    if (target->line == NULL
+        && !check_path (&element, item->valuestring, study, document, target, &base))
       return FALSE;
     if (index++ == 0)
       target->base = base;
@@ -299,12 +301,75 @@ check_name (const QnJsonValue *place, const char *name, const QnStudy *study)
                                             "another column of the table"));
 }
 
+/* Corners of the way of a moving load, and at how many places of it the load stands. */
+static gboolean
+read_line (const QnJsonValue *place, QnParameter *parameter)
+{
+  QnJsonValue list = qn_json_value_member (place, "along"), corner = { 0 };
+  int32_t steps = 0;
+  double length = 0;
+  if (!qn_json_value_array (&list)
+      || !qn_member_count (place, "steps", QN_REQUIRED, QN_STUDY_MAX_VALUES, &steps))
+    return FALSE;
+  parameter->line = g_new (QnVec2, cJSON_GetArraySize (list.json) + 1);
+  while (qn_json_value_next (&list, &corner)) {
+    QnVec2 *point = &parameter->line[parameter->line_count++];
+    if (!qn_json_value_vec2 (&corner, point))
+      return FALSE;
+    if (parameter->line_count > 1)
+      length += qn_vec2_length (qn_vec2_sub (*point, point[-1]));
+  }
+  if (!(length > 0) || steps < 2)
+    return qn_json_value_fail (
+      &list, _ ("expected two points at least that are apart, and at least 2 steps"));
+  g_autofree double *values = g_new (double, steps);
+  for (int32_t i = 0; i < steps; i++)
+    values[i] = length * i / (steps - 1);
+  qn_distribution_set_values (&parameter->distribution, values, NULL, (gsize) steps);
+  return TRUE;
+}
+
+/* Whether every path leads to a force on a block, and how far each is behind the first. */
+static gboolean
+check_axles (const QnJsonValue *place, const QnStudy *study, QnParameter *parameter)
+{
+  guint count = g_strv_length (parameter->paths);
+  QnJsonValue member = qn_json_value_member (place, "path");
+  QnJsonValue offsets = qn_json_value_member (place, "offsets");
+  g_autoptr (GArray) numbers = g_array_new (FALSE, FALSE, sizeof (double));
+  parameter->offsets = g_new0 (double, count);
+  for (guint i = 0; i < count; i++) {
+    g_autofree char *override = g_strconcat (parameter->paths[i], ".at=[0, 0]", NULL);
+    const char *const overrides[] = { override, NULL };
+    const QnProject *project = &study->project;
+    QnProject probe;
+    gboolean force = strstr (parameter->paths[i], "loads.") == parameter->paths[i]
+                     && qn_project_parse (project->text, project->text_length,
+                                          project->name, overrides, &probe, NULL);
+    gboolean known = force && probe.warnings->len <= project->warnings->len;
+    if (force)
+      qn_project_clear (&probe);
+    if (!known)
+      return qn_json_value_failf (&member, _ ("%s: no force on a block stands at %s"),
+                                  project->name, parameter->paths[i]);
+  }
+  if (offsets.json == NULL)
+    return TRUE;
+  if (!read_numbers (&offsets, QN_RANGE_NOT_NEGATIVE, numbers))
+    return FALSE;
+  if (numbers->len != count)
+    return qn_json_value_fail (&offsets, _ ("expected one offset for every path"));
+  memcpy (parameter->offsets, numbers->data, count * sizeof (double));
+  return TRUE;
+}
+
 static gboolean
 read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
 {
   static const char *const keys[] = { "name",  "path",   "distribution", "values",
-                                      "range", "levels", "whole" };
-  static const char *const kinds[] = { "distribution", "values", "range" };
+                                      "range", "levels", "whole",        "along",
+                                      "steps", "offsets" };
+  static const char *const kinds[] = { "distribution", "values", "range", "along" };
   const char *name = NULL;
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_REQUIRED, &name))
@@ -326,19 +391,21 @@ read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
   }
   if (count != 1)
     return qn_json_value_fail (
-      place, _ ("expected one of \"distribution\", \"values\", \"range\""));
+      place, _ ("expected one of \"distribution\", \"values\", \"range\", \"along\""));
   int32_t levels = 0;
   bool whole = false;
   QnDistribution *d = &parameter->distribution;
   if (!(given[0].json != NULL   ? read_distribution (&given[0], d)
         : given[1].json != NULL ? read_values (&given[1], NULL, d)
-                                : read_range (&given[2], d))
+        : given[2].json != NULL ? read_range (&given[2], d)
+                                : read_line (place, parameter))
       || !qn_member_count (place, "levels", QN_OPTIONAL, QN_STUDY_MAX_VALUES, &levels)
       || !qn_member_bool (place, "whole", QN_OPTIONAL, &whole))
     return FALSE;
   parameter->levels = (guint) levels;
   parameter->whole = whole;
-  return read_paths (place, study, document, parameter);
+  return read_paths (place, study, document, parameter)
+         && (parameter->line == NULL || check_axles (place, study, parameter));
 }
 
 static gboolean
@@ -494,7 +561,13 @@ static gboolean
 gives (QnStudyRun run, int output)
 {
   gboolean modal = output >= QN_STUDY_FREQUENCY_1 && output <= QN_STUDY_FREQUENCY_6;
-  return modal == (run == QN_STUDY_MODAL);
+  gboolean timed = output >= QN_STUDY_COLLAPSED && output <= QN_STUDY_ENERGY_ERROR;
+  gboolean neutral =
+    output == QN_STUDY_MECHANISM_KIND || output == QN_STUDY_MECHANISM_SHAPE
+    || output == QN_STUDY_LARGEST_DISPLACEMENT || output == QN_STUDY_ITERATIONS;
+  if (run == QN_STUDY_MODAL)
+    return modal;
+  return !modal && (neutral || timed == (run == QN_STUDY_DYNAMIC));
 }
 
 static gboolean
@@ -525,6 +598,50 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
 }
 
 static gboolean
+read_limits (const QnJsonValue *root, QnStudy *study)
+{
+  static const char *const keys[] = { "seconds", "factorizations" };
+  QnJsonValue limits = qn_json_value_member (root, "limits");
+  int32_t factorizations = 0;
+  if (limits.json == NULL)
+    return TRUE;
+  if (!qn_json_value_object (&limits)
+      || !qn_member_number (&limits, "seconds", QN_OPTIONAL, QN_RANGE_POSITIVE,
+                            &study->seconds)
+      || !qn_member_count (&limits, "factorizations", QN_OPTIONAL, G_MAXINT32,
+                           &factorizations))
+    return FALSE;
+  qn_json_value_warn_unknown (&limits, keys, G_N_ELEMENTS (keys));
+  study->factorizations = factorizations;
+  return TRUE;
+}
+
+/* Whether the project says what the run needs: without this every case would fail. */
+static gboolean
+check_run (const QnJsonValue *root, QnStudy *study)
+{
+  const QnProject *project = &study->project;
+  const char *const overrides[] = { qn_study_run_override (study->run), NULL };
+  QnProject probe;
+  GError *error = NULL;
+  if (overrides[0] == NULL)
+    return TRUE;
+  gboolean ok = qn_project_parse (project->text, project->text_length, project->name,
+                                  overrides, &probe, &error);
+  if (ok) {
+    ok = qn_project_read_records (&probe, study->folder, FALSE, &error);
+    qn_project_clear (&probe);
+  }
+  if (!ok) {
+    QnJsonValue run = qn_json_value_member (root, "run");
+    qn_json_value_fail (&run, error->message);
+    run.reader->error->code = error->code;
+    g_error_free (error);
+  }
+  return ok;
+}
+
+static gboolean
 read_model (const QnJsonValue *root, const char *path, const char *model_path,
             QnStudy *study)
 {
@@ -535,6 +652,7 @@ read_model (const QnJsonValue *root, const char *path, const char *model_path,
   g_autofree char *beside = g_path_is_absolute (model) || strcmp (folder, ".") == 0
                               ? g_strdup (model)
                               : g_build_filename (folder, model, NULL);
+  study->folder = g_path_get_dirname (model_path != NULL ? model_path : beside);
   return qn_project_load (model_path != NULL ? model_path : beside, NULL, &study->project,
                           &root->reader->error);
 }
@@ -551,9 +669,29 @@ read_document (const QnJsonValue *root, const char *path, const char *model_path
     return FALSE;
   study->title = g_strdup (title);
   study->run = (QnStudyRun) run;
-  return read_model (root, path, model_path, study) && read_parameters (root, study)
-         && read_plan (root, study) && read_correlation (root, study)
-         && read_outputs (root, study);
+  return read_model (root, path, model_path, study) && check_run (root, study)
+         && read_parameters (root, study) && read_plan (root, study)
+         && read_correlation (root, study) && read_outputs (root, study)
+         && read_limits (root, study);
+}
+
+/* What the ground does belongs to a study in time. */
+static gboolean
+add_records (GChecksum *sum, const QnStudy *study, GError **error)
+{
+  for (gsize i = 0; i < qn_study_record_count (study); i++) {
+    gsize length;
+    g_autofree char *path =
+      g_build_filename (study->folder, study->project.model.ground[i].record, NULL);
+    g_autofree char *bytes = NULL;
+    if (study->project.model.ground[i].kind != QN_SIGNAL_RECORD)
+      continue;
+    bytes = qn_file_read (path, &length, error);
+    if (bytes == NULL)
+      return FALSE;
+    g_checksum_update (sum, (const guchar *) bytes, (gssize) length);
+  }
+  return TRUE;
 }
 
 gboolean
@@ -590,6 +728,10 @@ qn_study_read (const char *path, const char *model_path, QnStudy *study, GError 
   g_autoptr (GChecksum) sum = g_checksum_new (G_CHECKSUM_SHA256);
   g_checksum_update (sum, (const guchar *) study->text, (gssize) study->length);
   g_checksum_update (sum, (const guchar *) study->project.sha256, -1);
+  if (!add_records (sum, study, error)) {
+    qn_study_clear (study);
+    return FALSE;
+  }
   study->sha256 = g_strdup (g_checksum_get_string (sum));
   return TRUE;
 }

@@ -6,7 +6,16 @@ const char *const qn_study_run_names[QN_STUDY_RUN_COUNT] = {
   [QN_STUDY_SOLVE] = "solve",
   [QN_STUDY_LIMIT] = "limit",
   [QN_STUDY_MODAL] = "modal",
+  [QN_STUDY_DYNAMIC] = "dynamic",
 };
+
+const char *
+qn_study_run_override (QnStudyRun run)
+{
+  return run == QN_STUDY_LIMIT     ? "analysis.procedure=\"limit\""
+         : run == QN_STUDY_DYNAMIC ? "analysis.procedure=\"dynamic\""
+                                   : NULL;
+}
 
 const char *const qn_plan_kind_names[QN_PLAN_COUNT] = {
   [QN_PLAN_GRID] = "grid",
@@ -23,10 +32,17 @@ const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
   [QN_STUDY_LOWER_BOUND] = "lower_bound",
   [QN_STUDY_UPPER_BOUND] = "upper_bound",
   [QN_STUDY_MECHANISM_KIND] = "mechanism_kind",
+  [QN_STUDY_MECHANISM_SHAPE] = "mechanism_shape",
   [QN_STUDY_LAST_MULTIPLIER] = "last_multiplier",
   [QN_STUDY_LARGEST_DISPLACEMENT] = "largest_displacement",
   [QN_STUDY_STEPS] = "steps",
   [QN_STUDY_ITERATIONS] = "iterations",
+  [QN_STUDY_COLLAPSED] = "collapsed",
+  [QN_STUDY_TIME_OF_COLLAPSE] = "time_of_collapse",
+  [QN_STUDY_PEAK_DISPLACEMENT] = "peak_displacement",
+  [QN_STUDY_FRICTION_ENERGY] = "friction_energy",
+  [QN_STUDY_LARGEST_SLIP] = "largest_slip",
+  [QN_STUDY_ENERGY_ERROR] = "energy_error",
   [QN_STUDY_FREQUENCY_1] = "frequency_1",
   [QN_STUDY_FREQUENCY_2] = "frequency_2",
   [QN_STUDY_FREQUENCY_3] = "frequency_3",
@@ -34,6 +50,18 @@ const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
   [QN_STUDY_FREQUENCY_5] = "frequency_5",
   [QN_STUDY_FREQUENCY_6] = "frequency_6",
 };
+
+gsize
+qn_study_record_count (const QnStudy *study)
+{
+  return study->run == QN_STUDY_DYNAMIC ? study->project.model.ground_count : 0;
+}
+
+gboolean
+qn_study_output_is_number (QnStudyOutput output)
+{
+  return output != QN_STUDY_MECHANISM_KIND && output != QN_STUDY_MECHANISM_SHAPE;
+}
 
 gsize
 qn_parameter_level_count (const QnParameter *parameter)
@@ -86,13 +114,15 @@ clear_parameter (gpointer data)
   QnParameter *parameter = data;
   g_free (parameter->name);
   g_strfreev (parameter->paths);
+  g_free (parameter->line);
+  g_free (parameter->offsets);
   qn_distribution_clear (&parameter->distribution);
 }
 
 void
 qn_study_init (QnStudy *study)
 {
-  *study = (QnStudy){ .seed = 1 };
+  *study = (QnStudy){ .seed = 1, .seconds = QN_STUDY_SECONDS };
   study->parameters = g_array_new (FALSE, TRUE, sizeof (QnParameter));
   g_array_set_clear_func (study->parameters, clear_parameter);
   study->outputs = g_array_new (FALSE, FALSE, sizeof (QnStudyOutput));
@@ -106,6 +136,7 @@ qn_study_clear (QnStudy *study)
   g_free (study->title);
   g_free (study->text);
   g_free (study->sha256);
+  g_free (study->folder);
   g_free (study->correlation);
   qn_project_clear (&study->project);
   g_clear_pointer (&study->parameters, g_array_unref);

@@ -15,10 +15,14 @@
 #define QN_STUDY_MAX_PARAMETERS 100
 #define QN_STUDY_MAX_VALUES     10000
 
+/* s that a case may take where the study says nothing. */
+#define QN_STUDY_SECONDS 3600
+
 typedef enum {
   QN_STUDY_SOLVE,
   QN_STUDY_LIMIT,
   QN_STUDY_MODAL,
+  QN_STUDY_DYNAMIC,
   QN_STUDY_RUN_COUNT
 } QnStudyRun;
 
@@ -39,11 +43,19 @@ typedef enum {
   QN_STUDY_LOWER_BOUND,
   QN_STUDY_UPPER_BOUND,
   QN_STUDY_MECHANISM_KIND, /* a word */
+  QN_STUDY_MECHANISM_SHAPE, /* in the database as shape.h has it, in tables the number of the
+                               group of cases that move alike */
   QN_STUDY_LAST_MULTIPLIER,
   QN_STUDY_LARGEST_DISPLACEMENT, /* m, of any block at the last step */
   QN_STUDY_STEPS,
   QN_STUDY_ITERATIONS,
-  QN_STUDY_FREQUENCY_1, /* Hz; the lowest frequencies of a modal run */
+  QN_STUDY_COLLAPSED,         /* what follows is of a dynamic run: 1 or 0 */
+  QN_STUDY_TIME_OF_COLLAPSE,  /* s */
+  QN_STUDY_PEAK_DISPLACEMENT, /* m, of any block at any time, from the dead load on */
+  QN_STUDY_FRICTION_ENERGY,   /* J, lost by slip */
+  QN_STUDY_LARGEST_SLIP,      /* of a joint, over the length of its face */
+  QN_STUDY_ENERGY_ERROR,      /* of the balance, over the largest input */
+  QN_STUDY_FREQUENCY_1,       /* Hz; the lowest frequencies of a modal run */
   QN_STUDY_FREQUENCY_2,
   QN_STUDY_FREQUENCY_3,
   QN_STUDY_FREQUENCY_4,
@@ -52,9 +64,15 @@ typedef enum {
   QN_STUDY_OUTPUT_COUNT
 } QnStudyOutput;
 
+/* A parameter with a `line` is the way of a moving load along it, m from its start: every path leads
+ * to a force, which goes to the block that is nearest there. The axles of a vehicle follow each
+ * other at their offsets; those that are not on the line carry nothing. */
 typedef struct QnParameter {
   char *name;   /* owned */
   char **paths; /* owned: what is set in the project, all to the same value */
+  QnVec2 *line; /* owned; NULL: a plain number */
+  guint line_count;
+  double *offsets; /* owned, of a line: how far each path is behind the first, m */
   QnDistribution distribution;
   guint levels;   /* of a continuous distribution in plans by levels; 0: not given */
   gboolean whole; /* values are rounded to whole numbers */
@@ -66,9 +84,10 @@ typedef struct QnStudy {
   char *title; /* nullable */
   char *text;  /* the file's bytes */
   gsize length;
-  char *sha256; /* of these bytes and those of the project, hexadecimal */
+  char *sha256; /* of these bytes, those of the project and of its records, hexadecimal */
 
   QnProject project; /* as it is, without any parameter */
+  char *folder;      /* where it lies, with the records of ground motions that it names */
 
   QnStudyRun run;
   GArray *parameters;  /* of QnParameter */
@@ -77,12 +96,20 @@ typedef struct QnStudy {
   guint count; /* of random plans: points; sobol: of the base sample */
   guint seed;
   GArray *outputs;     /* of QnStudyOutput, each once */
+  double seconds;      /* that a case may take */
+  int factorizations;  /* likewise; 0: as the project says */
   GPtrArray *warnings; /* of char *, as those of a project */
 } QnStudy;
 
 extern const char *const qn_study_run_names[QN_STUDY_RUN_COUNT];
 extern const char *const qn_plan_kind_names[QN_PLAN_COUNT];
 extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
+
+/* What a kind of run overrides in the project; NULL: nothing. */
+const char *qn_study_run_override (QnStudyRun run);
+
+/* Whether an output is a number with a distribution: not those of mechanisms. */
+gboolean qn_study_output_is_number (QnStudyOutput output);
 
 /* Reads a study file, and the project that it names relative to its own folder; or that at
  * `model_path`, where this is not NULL. `study` is overwritten without being cleared and holds
@@ -94,6 +121,9 @@ gboolean qn_study_read (const char *path, const char *model_path, QnStudy *study
 void qn_study_init (QnStudy *study);
 
 void qn_study_clear (QnStudy *study);
+
+/* Ground motions of the project that its cases may read records for: those of a run in time. */
+gsize qn_study_record_count (const QnStudy *study);
 
 /* Number of cases of the plan. */
 gsize qn_study_case_count (const QnStudy *study);

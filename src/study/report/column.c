@@ -1,5 +1,6 @@
 #include "study/report/column.h"
 
+#include <glib/gi18n-lib.h>
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <string.h>
@@ -116,17 +117,28 @@ compare_shares (gconstpointer a, gconstpointer b)
   const QnMechanismShare *x = a, *y = b;
   if (x->count != y->count)
     return x->count < y->count ? 1 : -1;
-  return strcmp (x->kind, y->kind);
+  if (x->shape != y->shape)
+    return x->shape < y->shape ? -1 : 1;
+  return g_strcmp0 (x->kind, y->kind);
 }
 
-/* The cases of one kind, by their multiplier. */
+static const QnRow *
+row_of (const QnTable *table, gsize i)
+{
+  return &g_array_index (table->rows, QnRow, i);
+}
+
+/* The cases that have the mechanism of `like`, by their multiplier. */
 static QnMechanismShare
-describe_kind (const QnTable *table, const char *kind, int column)
+describe_group (const QnTable *table, const QnRow *like, int column)
 {
   g_autoptr (GArray) cases = g_array_new (FALSE, FALSE, sizeof (Case));
   gsize known = 0;
   for (gsize i = 0; i < table->rows->len; i++) {
-    if (g_strcmp0 (g_array_index (table->rows, QnRow, i).mechanism, kind) != 0)
+    const QnRow *row = row_of (table, i);
+    if (like->shape > 0
+          ? row->shape != like->shape
+          : row->shape > 0 || g_strcmp0 (row->mechanism, like->mechanism) != 0)
       continue;
     Case one = { column >= 0 ? qn_table_number (table, i, (gsize) column) : NAN, i };
     known += !isnan (one.multiplier);
@@ -134,30 +146,44 @@ describe_kind (const QnTable *table, const char *kind, int column)
   }
   g_array_sort (cases, compare_cases);
   const Case *first = (const Case *) (void *) cases->data;
+  gsize typical = first[known > 0 ? known / 2 : cases->len / 2].row;
   return (QnMechanismShare){
-    .kind = kind,
+    .shape = like->shape,
+    .kind = row_of (table, typical)->mechanism,
     .count = cases->len,
     .range = { known > 0 ? first[0].multiplier : NAN,
                known > 0 ? first[known - 1].multiplier : NAN },
-    .row = first[known > 0 ? known / 2 : cases->len / 2].row,
+    .row = typical,
   };
+}
+
+char *
+qn_mechanism_share_dup_name (const QnMechanismShare *share)
+{
+  if (share->shape == 0)
+    return g_strdup (share->kind);
+  if (share->kind == NULL)
+    return g_strdup_printf (_ ("shape %u"), share->shape);
+  return g_strdup_printf (_ ("shape %u, %s"), share->shape, share->kind);
 }
 
 GArray *
 qn_table_dup_mechanisms (const QnTable *table, gsize *whole)
 {
   GArray *shares = g_array_new (FALSE, FALSE, sizeof (QnMechanismShare));
-  g_autoptr (GHashTable) seen = g_hash_table_new (g_str_hash, g_str_equal);
+  g_autoptr (GHashTable) kinds = g_hash_table_new (g_str_hash, g_str_equal);
+  g_autoptr (GHashTable) shapes = g_hash_table_new (NULL, NULL);
   int column = qn_table_find (table, qn_study_output_names[QN_STUDY_COLLAPSE_MULTIPLIER]);
   *whole = 0;
   for (gsize i = 0; i < table->rows->len; i++) {
-    char *kind = g_array_index (table->rows, QnRow, i).mechanism;
-    if (kind == NULL)
+    const QnRow *row = row_of (table, i);
+    if (row->mechanism == NULL && row->shape == 0)
       continue;
     (*whole)++;
-    if (!g_hash_table_add (seen, kind))
+    if (!(row->shape > 0 ? g_hash_table_add (shapes, GUINT_TO_POINTER (row->shape))
+                         : g_hash_table_add (kinds, row->mechanism)))
       continue;
-    QnMechanismShare share = describe_kind (table, kind, column);
+    QnMechanismShare share = describe_group (table, row, column);
     g_array_append_val (shares, share);
   }
   g_array_sort (shares, compare_shares);

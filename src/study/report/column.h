@@ -26,13 +26,19 @@ gboolean qn_table_sobol (const QnTable *table, gsize column, QnSobolIndex *indic
 gboolean qn_table_effect (const QnTable *table, gsize parameter, gsize column,
                           double *base, QnInterval *effect);
 
-/* A kind of mechanism and how often it occurs. */
+/* Mechanisms of one shape, or of one kind where shapes are not kept, and how often they occur. */
 typedef struct QnMechanismShare {
-  const char *kind; /* borrowed from the table */
+  guint shape; /* 0: not known */
+  const char
+    *kind; /* of all of them, or of the typical case; NULL: not known. Borrowed from the
+                       table */
   gsize count;
   QnInterval range; /* of the collapse multiplier, NaN where it is not known */
   gsize row;        /* a typical case: the middle one by multiplier */
 } QnMechanismShare;
+
+/* "overturning", "shape 2, overturning"; translated. Free with g_free(). */
+char *qn_mechanism_share_dup_name (const QnMechanismShare *share);
 
 /* Most frequent first, of QnMechanismShare; *whole counts the cases that have one. Free with
  * g_array_unref(). */

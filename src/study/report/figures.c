@@ -2,6 +2,7 @@
 
 #include "core/base/integer.h"
 #include "io/text/io-error.h"
+#include "io/text/number-text.h"
 #include "render/figure/compare-sheet.h"
 #include "render/figure/data-plot.h"
 #include "study/report/column.h"
@@ -11,7 +12,7 @@
 
 /* Bars of a histogram; kinds of mechanism on a sheet. */
 #define MOST_BARS  60
-#define MOST_KINDS 9
+#define MOST_KINDS 16
 
 /* Steps of a cumulative curve. */
 #define MOST_STEPS 2000
@@ -20,11 +21,9 @@
 #define HALF_BAR 0.36
 
 const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT] = {
-  [QN_STUDY_FIGURE_SCATTER] = "scatter",
-  [QN_STUDY_FIGURE_HISTOGRAM] = "histogram",
-  [QN_STUDY_FIGURE_CUMULATIVE] = "cumulative",
-  [QN_STUDY_FIGURE_TORNADO] = "tornado",
-  [QN_STUDY_FIGURE_SURFACE] = "surface",
+  [QN_STUDY_FIGURE_SCATTER] = "scatter",       [QN_STUDY_FIGURE_HISTOGRAM] = "histogram",
+  [QN_STUDY_FIGURE_CUMULATIVE] = "cumulative", [QN_STUDY_FIGURE_TORNADO] = "tornado",
+  [QN_STUDY_FIGURE_SURFACE] = "surface",       [QN_STUDY_FIGURE_ENVELOPE] = "envelope",
   [QN_STUDY_FIGURE_MECHANISMS] = "mechanisms",
 };
 
@@ -434,14 +433,73 @@ draw_surface (const Page *page)
   return export_plot (page, plot, &marks, 1);
 }
 
+/* Least and greatest value at every level of a parameter, and where the least of all is. */
+static gboolean
+draw_envelope (const Page *page)
+{
+  g_autofree double *x = NULL, *y = NULL;
+  gsize count = qn_table_dup_pairs (page->table, (gsize) page->figure->parameters[0],
+                                    (gsize) page->figure->column, &x, &y);
+  if (count == 0)
+    return fail (page, _ ("no case has this output yet"));
+  g_autoptr (GArray) levels = dup_levels (x, count);
+  g_autofree double *low = g_new (double, levels->len),
+                    *high = g_new (double, levels->len);
+  gsize least = 0;
+  gboolean wide = FALSE;
+  for (guint i = 0; i < levels->len; i++) {
+    low[i] = INFINITY;
+    high[i] = -INFINITY;
+  }
+  for (gsize i = 0; i < count; i++) {
+    gsize level = level_of (levels, x[i]);
+    low[level] = fmin (low[level], y[i]);
+    high[level] = fmax (high[level], y[i]);
+  }
+  const double *at = (const double *) (void *) levels->data;
+  for (gsize i = 0; i < levels->len; i++) {
+    least = low[i] < low[least] ? i : least;
+    wide |= high[i] > low[i];
+  }
+  char number[QN_NUMBER_TEXT_SIZE], place[QN_NUMBER_TEXT_SIZE];
+  g_ascii_formatd (number, sizeof number, "%.5g", low[least]);
+  g_ascii_formatd (place, sizeof place, "%.4g", at[least]);
+  g_autofree char *label = g_strdup_printf (_ ("least: %s at %s"), number, place);
+  const QnMarks marks[] = {
+    { .kind = QN_MARKS_LINE,
+      .label = wide ? _ ("least value") : NULL,
+      .x = at,
+      .y = low,
+      .count = levels->len },
+    { .kind = QN_MARKS_POINTS,
+      .label = label,
+      .series = 1,
+      .x = at + least,
+      .y = low + least,
+      .count = 1 },
+    { .kind = QN_MARKS_LINE,
+      .label = _ ("greatest value"),
+      .series = 2,
+      .x = at,
+      .y = high,
+      .count = levels->len },
+  };
+  return export_plot (
+    page,
+    (QnDataPlot){ .x_label = name_of (page, page->figure->parameters[0]),
+                  .y_label = name_of (page, page->figure->column),
+                  .y_from_zero = true },
+    marks, wide ? 3 : 2);
+}
+
 static char *
 dup_caption (const QnMechanismShare *share, gsize whole)
 {
   double percent = 100.0 * (double) share->count / (double) whole;
+  g_autofree char *name = qn_mechanism_share_dup_name (share);
   if (isnan (share->range.low))
-    return g_strdup_printf (_ ("%s: %zu cases (%.1f %%)"), share->kind, share->count,
-                            percent);
-  return g_strdup_printf (_ ("%s: %zu cases (%.1f %%), λ %.3f … %.3f"), share->kind,
+    return g_strdup_printf (_ ("%s: %zu cases (%.1f %%)"), name, share->count, percent);
+  return g_strdup_printf (_ ("%s: %zu cases (%.1f %%), λ %.3f … %.3f"), name,
                           share->count, percent, share->range.low, share->range.high);
 }
 
@@ -460,7 +518,7 @@ draw_mechanisms (const Page *page)
   QnCompareSheet sheet = { .figures = figures, .title = table->study->title };
   if (count == 0)
     return fail (page,
-                 _ ("no case has a mechanism: is mechanism_kind among the outputs?"));
+                 _ ("no case has a mechanism: is mechanism_shape among the outputs?"));
   if (!qn_case_solver_init (&solver, table->study, page->error))
     return FALSE;
   for (guint i = 0; i < count; i++) {
@@ -507,6 +565,8 @@ qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
     return draw_tornado (&page);
   case QN_STUDY_FIGURE_SURFACE:
     return draw_surface (&page);
+  case QN_STUDY_FIGURE_ENVELOPE:
+    return draw_envelope (&page);
   case QN_STUDY_FIGURE_MECHANISMS:
     return draw_mechanisms (&page);
   case QN_STUDY_FIGURE_COUNT:

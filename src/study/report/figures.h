@@ -13,14 +13,16 @@ typedef enum {
   QN_STUDY_FIGURE_TORNADO, /* which parameter matters: Sobol indices of a plan "sobol", ranges
                                  of a plan "one-at-a-time", else rank correlations */
   QN_STUDY_FIGURE_SURFACE, /* an output over two parameters: cells of a grid, else points */
-  QN_STUDY_FIGURE_MECHANISMS, /* a typical case of every kind of mechanism */
+  QN_STUDY_FIGURE_ENVELOPE, /* least and greatest value of an output over a parameter: of a
+                               moving load by its place */
+  QN_STUDY_FIGURE_MECHANISMS, /* a typical case of every shape or kind of mechanism */
   QN_STUDY_FIGURE_COUNT
 } QnStudyFigureKind;
 
 typedef struct QnStudyFigure {
   QnStudyFigureKind kind;
   int column;        /* of the output (qn_table_find()); MECHANISMS: not used */
-  int parameters[2]; /* columns: one for SCATTER, two for SURFACE */
+  int parameters[2]; /* columns: one for SCATTER and ENVELOPE, two for SURFACE */
   bool monochrome;
 } QnStudyFigure;
 

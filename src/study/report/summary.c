@@ -149,10 +149,11 @@ append_mechanisms (GString *text, const QnTable *table)
 {
   gsize whole;
   g_autoptr (GArray) shares = qn_table_dup_mechanisms (table, &whole);
-  g_string_append_printf (text, "%s\n", qn_study_output_names[QN_STUDY_MECHANISM_KIND]);
+  g_string_append_printf (text, "%s\n", _ ("Mechanisms"));
   for (guint i = 0; i < shares->len; i++) {
     const QnMechanismShare *share = &g_array_index (shares, QnMechanismShare, i);
-    g_string_append_printf (text, "  %-22s %6zu  %6.2f %%", share->kind, share->count,
+    g_autofree char *name = qn_mechanism_share_dup_name (share);
+    g_string_append_printf (text, "  %-22s %6zu  %6.2f %%", name, share->count,
                             100.0 * (double) share->count / (double) whole);
     if (!isnan (share->range.low))
       g_string_append_printf (text, _ ("  multiplier %.6g … %.6g"), share->range.low,
@@ -166,12 +167,17 @@ qn_summary_dup_text (const QnTable *table)
 {
   GString *text = g_string_new (NULL);
   append_outcomes (text, table);
+  gboolean mechanisms = FALSE;
   for (gsize i = table->parameters; i < table->width; i++) {
-    g_string_append_c (text, '\n');
-    if (qn_study_output (table->study, i - table->parameters) == QN_STUDY_MECHANISM_KIND)
-      append_mechanisms (text, table);
-    else
+    if (qn_study_output_is_number (
+          qn_study_output (table->study, i - table->parameters))) {
+      g_string_append_c (text, '\n');
       append_output (text, table, i);
+    } else if (!mechanisms) {
+      g_string_append_c (text, '\n');
+      append_mechanisms (text, table);
+      mechanisms = TRUE;
+    }
   }
   if (qn_table_is_sample (table))
     g_string_append (text, _ ("\nIn brackets: intervals that hold the true value with a "

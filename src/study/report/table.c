@@ -2,13 +2,16 @@
 
 #include "io/text/file-writer.h"
 #include "study/cases/folder.h"
+#include "study/cases/shape.h"
 
 #include <math.h>
 #include <string.h>
 
 typedef struct Reading {
   QnTable *table;
-  GArray *numbers; /* of double */
+  GArray *numbers;   /* of double */
+  GPtrArray *shapes; /* the first of every group, owned */
+  GArray *sizes;     /* of gsize: cases of every group */
 } Reading;
 
 static void
@@ -20,6 +23,56 @@ clear_row (gpointer data)
   g_free (row->mechanism);
 }
 
+/* The group of a shape, from 1; a new one where it is like none. */
+static guint
+group_of (Reading *reading, const char *shape)
+{
+  const gsize one = 1;
+  if (shape == NULL)
+    return 0;
+  for (guint i = 0; i < reading->shapes->len; i++)
+    if (qn_shape_cosine (shape, g_ptr_array_index (reading->shapes, i))
+        >= QN_SHAPE_ALIKE) {
+      g_array_index (reading->sizes, gsize, i)++;
+      return i + 1;
+    }
+  g_ptr_array_add (reading->shapes, g_strdup (shape));
+  g_array_append_val (reading->sizes, one);
+  return reading->shapes->len;
+}
+
+static int
+compare_sizes (gconstpointer a, gconstpointer b, gpointer data)
+{
+  const gsize *sizes = data;
+  guint x = *(const guint *) a, y = *(const guint *) b;
+  if (sizes[x] != sizes[y])
+    return sizes[x] < sizes[y] ? 1 : -1;
+  return (x > y) - (x < y);
+}
+
+/* Numbers the groups anew, the most frequent first, and puts the numbers into their column. */
+static void
+order_groups (Reading *reading)
+{
+  QnTable *table = reading->table;
+  int column = qn_table_find (table, qn_study_output_names[QN_STUDY_MECHANISM_SHAPE]);
+  guint count = reading->shapes->len;
+  g_autofree guint *order = g_new (guint, count + 1), *number = g_new (guint, count + 1);
+  for (guint i = 0; i < count; i++)
+    order[i] = i;
+  g_qsort_with_data (order, (int) count, sizeof *order, compare_sizes,
+                     reading->sizes->data);
+  number[0] = 0;
+  for (guint i = 0; i < count; i++)
+    number[order[i] + 1] = i + 1;
+  for (guint i = 0; column >= 0 && i < table->rows->len; i++) {
+    QnRow *row = &g_array_index (table->rows, QnRow, i);
+    row->shape = number[row->shape];
+    table->numbers[i * table->width + (gsize) column] = row->shape > 0 ? row->shape : NAN;
+  }
+}
+
 static gboolean
 take_row (gsize index, const double *values, const QnCaseResult *result, gpointer data)
 {
@@ -29,7 +82,8 @@ take_row (gsize index, const double *values, const QnCaseResult *result, gpointe
                 .failed = result->failed,
                 .outcome = g_strdup (result->outcome),
                 .reason = g_strdup (result->reason),
-                .mechanism = g_strdup (result->mechanism) };
+                .mechanism = g_strdup (result->mechanism),
+                .shape = group_of (reading, result->shape) };
   g_array_append_val (reading->table->rows, row);
   g_array_append_vals (reading->numbers, values, study->parameters->len);
   for (guint i = 0; i < study->outputs->len; i++)
@@ -41,7 +95,9 @@ gboolean
 qn_table_read (QnTable *table, const QnStudy *study, const char *folder, GError **error)
 {
   g_autofree char *path = qn_folder_dup_database (folder, (QnShard){ 0, 1 });
-  Reading reading = { table, g_array_new (FALSE, FALSE, sizeof (double)) };
+  Reading reading = { table, g_array_new (FALSE, FALSE, sizeof (double)),
+                      g_ptr_array_new_with_free_func (g_free),
+                      g_array_new (FALSE, FALSE, sizeof (gsize)) };
   *table = (QnTable){ .study = study,
                       .rows = g_array_new (FALSE, FALSE, sizeof (QnRow)),
                       .parameters = study->parameters->len,
@@ -51,8 +107,12 @@ qn_table_read (QnTable *table, const QnStudy *study, const char *folder, GError 
   gboolean ok = store != NULL && qn_store_read (store, take_row, &reading, error);
   qn_store_close (store);
   table->numbers = (double *) (void *) g_array_free (reading.numbers, FALSE);
-  if (!ok)
+  if (ok)
+    order_groups (&reading);
+  else
     qn_table_clear (table);
+  g_ptr_array_unref (reading.shapes);
+  g_array_unref (reading.sizes);
   return ok;
 }
 

@@ -9,6 +9,8 @@ typedef struct QnRow {
   gsize index; /* place of the case, from 0 */
   gboolean failed;
   char *outcome, *reason, *mechanism; /* nullable, owned */
+  guint
+    shape; /* group of cases that move alike, from 1, the most frequent first; 0: not known */
 } QnRow;
 
 /* Rows by ascending case; columns of numbers, of the parameters first, then of the outputs. Where

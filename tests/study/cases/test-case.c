@@ -49,50 +49,149 @@ test_failed (void)
   qn_study_clear (&study);
 }
 
-/* The width of an opening moves blocks: what the case finds is what the project says afresh. */
+/* Keys that move blocks: what the case finds, from the contacts of the project as it is, equals what
+ * the project says afresh. */
+static const struct {
+  const char *name, *model, *path;
+  double values[2];
+} geometries[] = {
+  { "opening-width", "12-facade.quoin", "masonry[0].openings[0].width", { 0.8, 1.0 } },
+  { "thickness", "14-pointed-arch.quoin", "masonry[2].ring", { 0.42, 0.5 } },
+  { "brick-size", "12-facade.quoin", "masonry[0].unit[0]", { 0.4, 0.55 } },
+  { "random-bond", "15-rubble-pier.quoin", "masonry[0].seed", { 8, 9 } },
+  { "perturbation", "12-facade.quoin", "masonry[0].perturbation", { 0.1, 0.3 } },
+  { "perturbed-arch", "14-pointed-arch.quoin", "masonry[2].perturbation", { 0.1, 0.3 } },
+};
+
 static void
-test_geometry (void)
+check_case (const QnCaseSolver *solver, const char *model, const char *path, double value,
+            double *multiplier)
 {
+  char number[QN_NUMBER_TEXT_SIZE];
+  g_autofree char *override =
+    g_strconcat (path, "=", qn_number_text (value, number), NULL);
+  const char *overrides[] = { override, NULL };
+  QnCaseResult result;
+  QnProject project;
+  QnContacts contacts;
+  QnLimitSolution solution;
+  qn_case_solve (solver, &value, NULL, NULL, &result);
+  if (result.failed)
+    g_error ("%s", result.reason);
+  g_assert_true (qn_project_load (model, overrides, &project, NULL));
+  g_assert_true (qn_contacts_detect (&project.model, &contacts, NULL) == QN_OK);
+  g_assert_true (
+    qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL)
+    == QN_OK);
+  g_assert_cmpfloat (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER], ==,
+                     solution.lower_bound);
+  *multiplier = solution.lower_bound;
+  qn_limit_solution_clear (&solution);
+  qn_contacts_clear (&contacts);
+  qn_project_clear (&project);
+  qn_case_result_clear (&result);
+}
+
+static void
+test_geometry (gconstpointer data)
+{
+  gsize i = GPOINTER_TO_SIZE (data);
   g_autoptr (GError) error = NULL;
   g_autofree char *model =
-    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "12-facade.quoin", NULL);
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), geometries[i].model, NULL);
   g_autofree char *text = g_strdup_printf (
     "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s\", \"run\": "
-    "\"limit\", "
-    "\"parameters\": [ { \"name\": \"width\", \"path\": "
-    "\"masonry[0].openings[0].width\", \"values\": [0.8, 1.0] } ], "
+    "\"limit\", \"parameters\": [ { \"name\": \"x\", \"path\": \"%s\", "
+    "\"values\": [%g, %g] } ], "
     "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }",
-    model);
+    model, geometries[i].path, geometries[i].values[0], geometries[i].values[1]);
   char *folder = test_scratch_new ();
+  double multipliers[2];
   QnStudy study;
+  QnCaseSolver solver;
   fixture_read (folder, text, &study, &error);
   g_assert_no_error (error);
-  QnCaseSolver solver;
   g_assert_true (qn_case_solver_init (&solver, &study, NULL));
+  for (gsize k = 0; k < 2; k++)
+    check_case (&solver, model, geometries[i].path, geometries[i].values[k],
+                &multipliers[k]);
+  g_assert_cmpfloat (multipliers[0], !=, multipliers[1]);
+  qn_case_solver_clear (&solver);
+  qn_study_clear (&study);
+  test_scratch_free (folder);
+}
+
+/* A case in time: what it gives is what the result says. */
+static void
+test_dynamic (void)
+{
+  g_autoptr (GError) error = NULL;
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s/%s\", \"run\": "
+    "\"dynamic\", \"parameters\": [ { \"name\": \"scale\", \"path\": "
+    "\"analysis.dynamic.ground[0].scale\", \"values\": [1] } ], "
+    "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapsed\", "
+    "\"time_of_collapse\", \"peak_displacement\", \"friction_energy\", "
+    "\"energy_error\", \"largest_slip\", \"mechanism_shape\"] }",
+    g_getenv ("QUOIN_EXAMPLES"), "42-arch-pulse.quoin");
+  char *folder = test_scratch_new ();
+  QnStudy study;
+  QnCaseSolver solver;
+  fixture_read (folder, text, &study, &error);
+  g_assert_no_error (error);
+  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
+  const double scales[] = { 0.1, 4 };
   for (gsize i = 0; i < 2; i++) {
-    double value = qn_parameter_level (qn_study_parameter (&study, 0), i);
-    char number[QN_NUMBER_TEXT_SIZE];
-    g_autofree char *override =
-      g_strconcat ("masonry[0].openings[0].width=", qn_number_text (value, number), NULL);
-    const char *overrides[] = { override, NULL };
     QnCaseResult result;
-    QnProject project;
-    QnContacts contacts;
-    QnLimitSolution solution;
-    qn_case_solve (&solver, &value, NULL, NULL, &result);
-    g_assert_false (result.failed);
-    g_assert_true (qn_project_load (model, overrides, &project, NULL));
-    g_assert_true (qn_contacts_detect (&project.model, &contacts, NULL) == QN_OK);
-    g_assert_true (
-      qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL)
-      == QN_OK);
-    g_assert_cmpfloat (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER], ==,
-                       solution.lower_bound);
-    qn_limit_solution_clear (&solution);
-    qn_contacts_clear (&contacts);
-    qn_project_clear (&project);
+    QnCaseModel model;
+    qn_case_solve (&solver, &scales[i], NULL, &model, &result);
+    if (result.failed)
+      g_error ("%s", result.reason);
+    const QnHistory *history = &model.result.history;
+    double largest = 0;
+    for (size_t b = 0; b < model.result.block_count; b++)
+      largest = fmax (largest, history->peaks[b]);
+    g_assert_cmpfloat (result.numbers[QN_STUDY_COLLAPSED], ==, i);
+    g_assert_cmpfloat (result.numbers[QN_STUDY_PEAK_DISPLACEMENT], ==, largest);
+    g_assert_cmpfloat (result.numbers[QN_STUDY_LARGEST_SLIP], ==, history->largest_slip);
+    g_assert_cmpfloat (result.numbers[QN_STUDY_ENERGY_ERROR], ==, history->energy_error);
+    g_assert_cmpfloat (result.numbers[QN_STUDY_FRICTION_ENERGY], >=, 0);
+    g_assert_true (isnan (result.numbers[QN_STUDY_TIME_OF_COLLAPSE]) == (i == 0));
+    g_assert_true ((result.shape != NULL) == (i == 1));
+    if (i == 1)
+      g_assert_cmpfloat (result.numbers[QN_STUDY_TIME_OF_COLLAPSE], ==,
+                         history->collapse_time);
     qn_case_result_clear (&result);
+    qn_case_model_clear (&model);
   }
+  qn_case_solver_clear (&solver);
+  qn_study_clear (&study);
+  test_scratch_free (folder);
+}
+
+/* An analysis that may not take as much work as it needs has failed, and says so. */
+static void
+test_work (void)
+{
+  g_autoptr (GError) error = NULL;
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s/%s\", \"run\": "
+    "\"solve\", \"parameters\": [ { \"name\": \"f\", \"path\": "
+    "\"laws[0].friction\", \"values\": [0.6] } ], \"limits\": { \"factorizations\": 3 },"
+    "\"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }",
+    g_getenv ("QUOIN_EXAMPLES"), "06-arch.quoin");
+  char *folder = test_scratch_new ();
+  QnStudy study;
+  QnCaseSolver solver;
+  QnCaseResult result;
+  const double friction = 0.6;
+  fixture_read (folder, text, &study, &error);
+  g_assert_no_error (error);
+  g_assert_true (qn_case_solver_init (&solver, &study, NULL));
+  qn_case_solve (&solver, &friction, NULL, NULL, &result);
+  g_assert_true (result.failed);
+  g_assert_nonnull (strstr (result.reason, "factorizations"));
+  qn_case_result_clear (&result);
   qn_case_solver_clear (&solver);
   qn_study_clear (&study);
   test_scratch_free (folder);
@@ -104,6 +203,12 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/case/outputs", test_outputs);
   g_test_add_func ("/study/case/failed", test_failed);
-  g_test_add_func ("/study/case/geometry", test_geometry);
+  for (gsize i = 0; i < G_N_ELEMENTS (geometries); i++) {
+    g_autofree char *path =
+      g_strconcat ("/study/case/geometry/", geometries[i].name, NULL);
+    g_test_add_data_func (path, GSIZE_TO_POINTER (i), test_geometry);
+  }
+  g_test_add_func ("/study/case/dynamic", test_dynamic);
+  g_test_add_func ("/study/case/work", test_work);
   return g_test_run ();
 }

@@ -63,7 +63,8 @@ test_bad_input (void)
   expect_error ("quoin-study\",", "quoin\",",
                 "s.quoin-study:1:13: format: ", "not a study");
   expect_error ("\"version\": 1", "\"version\": 2", ":1:39: version: ", "version 1");
-  expect_error ("\"limit\"", "\"guess\"", "run: ", "solve, limit, modal");
+  expect_error ("\"limit\"", "\"guess\"", "run: ", "solve, limit, modal, dynamic");
+  expect_error ("\"limit\"", "\"dynamic\"", ":2:", "duration");
   expect_error ("laws[0].friction", "laws[3].friction",
                 ":4:35: parameters[0].path: ", "no such place");
   expect_error ("laws[0].friction", "laws[0].frictoin",
@@ -98,6 +99,12 @@ test_bad_input (void)
   expect_error ("\"count\": 10", "\"count\": 10, \"seed\": -1", "plan.seed: ", "");
   expect_error ("monte-carlo\", \"count\": 10", "sobol\", \"count\": 900000",
                 "plan: ", "more than 1000000 cases");
+  expect_error ("\"correlation\": []", "\"limits\": { \"seconds\": 0 }",
+                "limits.seconds: ", "positive");
+  expect_error ("\"correlation\": []", "\"limits\": { \"factorizations\": 0.5 }",
+                "limits.factorizations: ", "");
+  expect_error ("\"mechanism_kind\"", "\"time_of_collapse\"",
+                "outputs[1]: ", "no such output");
   expect_error ("\"levels\": 3", "\"levels\": 0", "parameters[0].levels: ", "");
   expect_error ("\"mechanism_kind\"", "\"frequency_1\"",
                 "outputs[1]: ", "no such output");
