@@ -1,5 +1,6 @@
 #include "study/cases/shape.h"
 
+#include "core/base/integer.h"
 #include "core/base/polygon.h"
 #include "study/cases/moving-load.h"
 
@@ -11,6 +12,12 @@ static const char digits[] =
 
 /* Digits for -LEVELS … LEVELS. */
 #define LEVELS 31
+
+static char
+digit_of (double part)
+{
+  return digits[LEVELS + qn_to_integer (rint (LEVELS * part), -LEVELS, LEVELS)];
+}
 
 char *
 qn_shape_dup (const QnModel *model, const double *velocities)
@@ -47,8 +54,8 @@ qn_shape_dup (const QnModel *model, const double *velocities)
     return NULL;
   char *shape = g_malloc (QN_SHAPE_LENGTH + 1);
   for (int i = 0; i < QN_SHAPE_POINTS * QN_SHAPE_POINTS; i++) {
-    shape[2 * i] = digits[LEVELS + (int) lrint (LEVELS * speeds[i].x / largest)];
-    shape[2 * i + 1] = digits[LEVELS + (int) lrint (LEVELS * speeds[i].y / largest)];
+    shape[2 * i] = digit_of (speeds[i].x / largest);
+    shape[2 * i + 1] = digit_of (speeds[i].y / largest);
   }
   shape[QN_SHAPE_LENGTH] = '\0';
   return shape;
