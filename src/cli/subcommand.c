@@ -69,28 +69,37 @@ is_same_file (const char *path, const char *other)
   return strcmp (left, right) == 0;
 }
 
-/* Files that are named by options: no two of them may be the same, nor the same as an argument. Whatever
- * is written last would take the place of the others, the user's own project among them. */
+static gboolean
+is_output (const GOptionEntry *entry)
+{
+  static const char *const names[] = { "output", "csv", "json", "plot", "keep", NULL };
+  return entry->arg == G_OPTION_ARG_FILENAME && *(char **) entry->arg_data != NULL
+         && g_strv_contains (names, entry->long_name);
+}
+
+/* No output may be a file that is read or another output: it would take that one's place, perhaps that
+ * of the user's own project. */
 static gboolean
 check_files (const QnSubcommand *self, const GOptionEntry *entries, int count,
              char **arguments)
 {
   g_autoptr (GPtrArray) files = g_ptr_array_new ();
-  for (; entries->long_name != NULL; entries++)
-    if (entries->arg == G_OPTION_ARG_FILENAME && *(char **) entries->arg_data != NULL)
-      g_ptr_array_add (files, *(char **) entries->arg_data);
-  guint options = files->len;
+  for (const GOptionEntry *e = entries; e->long_name != NULL; e++)
+    if (e->arg == G_OPTION_ARG_FILENAME && *(char **) e->arg_data != NULL
+        && !g_ptr_array_find (files, *(char **) e->arg_data, NULL)) /* two names of one */
+      g_ptr_array_add (files, *(char **) e->arg_data);
   for (int i = 1; i < count; i++)
     g_ptr_array_add (files, arguments[i]);
-  for (guint i = 0; i < options; i++)
-    for (guint k = i + 1; k < files->len; k++)
-      if (is_same_file (files->pdata[i], files->pdata[k])) {
-        g_autofree char *message =
-          g_strdup_printf (_ ("%s: another file of this command is the same file"),
-                           (char *) files->pdata[i]);
-        qn_cli_usage_error (self->name, message);
-        return FALSE;
-      }
+  for (; entries->long_name != NULL; entries++)
+    for (guint i = 0; is_output (entries) && i < files->len; i++) {
+      const char *output = *(char **) entries->arg_data;
+      if (files->pdata[i] == output || !is_same_file (output, files->pdata[i]))
+        continue;
+      g_autofree char *message =
+        g_strdup_printf (_ ("%s: another file of this command is the same file"), output);
+      qn_cli_usage_error (self->name, message);
+      return FALSE;
+    }
   return TRUE;
 }
 

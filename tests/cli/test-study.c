@@ -246,7 +246,7 @@ test_bad_folder (void)
   CliRun run = cli_run ("study", "run", study, "-o", "/proc/nowhere", NULL);
   cli_assert_failed (&run, 5, "/proc/nowhere");
   run = cli_run ("study", "run", study, "-o", study, NULL);
-  cli_assert_failed (&run, 5, NULL);
+  cli_assert_failed (&run, 2, "the same file");
   run = cli_run ("study", "table", folder, NULL);
   cli_assert_failed (&run, 5, "study.quoin-study");
   test_scratch_free (folder);
