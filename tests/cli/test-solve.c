@@ -200,8 +200,23 @@ test_limit_of_beams (void)
   cli_assert_failed (&run, 3, "(set by \"analysis.procedure=limit\")");
 }
 
-/* Ctrl+C soon after the start of a large analysis: the code is 130 and a file that was written
- * is a whole one. */
+/* Waits until a process catches SIGINT, whatever that takes on a busy machine. */
+static void
+wait_for_handler (GPid pid)
+{
+  g_autofree char *path = g_strdup_printf ("/proc/%d/status", (int) pid);
+  guint64 caught = 0;
+  while ((caught >> (SIGINT - 1)) % 2 == 0) {
+    g_autofree char *status = NULL;
+    g_assert_true (g_file_get_contents (path, &status, NULL, NULL));
+    const char *mask = strstr (status, "SigCgt:");
+    g_assert_nonnull (mask); /* a process that has ended has none */
+    caught = g_ascii_strtoull (mask + strlen ("SigCgt:\t"), NULL, 16);
+    g_usleep (1000);
+  }
+}
+
+/* Ctrl+C during a large analysis: the code is 130 and a file that was written is a whole one. */
 static void
 test_interrupt (void)
 {
@@ -221,7 +236,7 @@ test_interrupt (void)
                  G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_STDERR_TO_DEV_NULL, NULL, NULL, &pid,
                  &error);
   g_assert_no_error (error);
-  g_usleep (300000);
+  wait_for_handler (pid);
   kill (pid, SIGINT);
   g_assert_cmpint (waitpid (pid, &status, 0), ==, pid);
   g_assert_true (WIFEXITED (status));
