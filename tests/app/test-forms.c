@@ -219,6 +219,67 @@ test_dialogs (void)
   driver_discard (window);
 }
 
+static gboolean
+is_called (GtkWidget *widget, gconstpointer id)
+{
+  return GTK_IS_BUILDABLE (widget)
+         && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
+}
+
+/* A usual joint is one step; one that a law cannot take is refused and the choice is as before. */
+static void
+test_joint (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *joint = driver_find_widget (GTK_WIDGET (window), is_called, "joint");
+  GtkWidget *basis = driver_find_widget (GTK_WIDGET (window), is_called, "basis");
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpint (model->laws[0].basis, ==, QN_BASIS_CONTACT);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 2);
+  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (joint)), ==, 0);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (basis), QN_BASIS_SURFACE);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 2);
+  model = qn_document_get_model (document);
+  g_assert_cmpfloat (model->laws[0].cohesion, ==, 1e5);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 2);
+  driver_activate (window, "win.undo");
+  driver_activate (window, "win.undo");
+  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  driver_discard (window);
+}
+
+/* What is refused stays in its field, marked, with the reason, until another is taken. */
+static void
+test_refusal (void)
+{
+  QnWindow *window = driver_open_example ("05-stack.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  const QnId top = 1;
+  qn_selection_set_blocks (qn_document_get_selection (document), &top, 1);
+  driver_run (100);
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  const QnModel *model = qn_document_get_model (document);
+  GtkWidget *name = driver_find_widget (GTK_WIDGET (window), is_called, "name");
+  gtk_editable_set_text (GTK_EDITABLE (name), model->blocks[0].name);
+  g_signal_emit_by_name (name, "activate");
+  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_true (gtk_widget_has_css_class (name, "error"));
+  g_assert_nonnull (gtk_widget_get_tooltip_text (name));
+  g_assert_cmpstr (gtk_editable_get_text (GTK_EDITABLE (name)), ==,
+                   model->blocks[0].name);
+  gtk_editable_set_text (GTK_EDITABLE (name), "another");
+  g_signal_emit_by_name (name, "activate");
+  g_assert_cmpstr (qn_document_get_model (document)->blocks[1].name, ==, "another");
+  qn_selection_set_blocks (qn_document_get_selection (document), &top, 1);
+  g_assert_false (gtk_widget_has_css_class (name, "error"));
+  g_assert_null (gtk_widget_get_tooltip_text (name));
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -229,5 +290,7 @@ main (int argc, char **argv)
     g_test_add_data_func (path, &states[i], test_state);
   }
   g_test_add_func ("/app/forms/dialogs", test_dialogs);
+  g_test_add_func ("/app/forms/joint", test_joint);
+  g_test_add_func ("/app/forms/refusal", test_refusal);
   return g_test_run ();
 }

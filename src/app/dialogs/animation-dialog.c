@@ -2,32 +2,60 @@
  * how far that is. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/form.h"
+#include "app/forms/bound-form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
-#include "core/base/integer.h"
 #include "doc/view/animation-job.h"
 #include <glib/gi18n.h>
 
-#define LARGEST_SIDE 8000.0 /* px */
-
 enum { FORMAT_GIF, FORMAT_WEBM, FORMAT_PICTURES };
 
+/* What a running export needs; it may outlive the form. */
 typedef struct Dialog {
   GtkWindow *parent;
   QnViewState *state;
   QnTellFunc tell;
-  GtkWidget *dialog; /* NULL: it has been closed */
-  GtkDropDown *what, *format;
-  QnQuantityEntry *width, *height, *frames, *rate, *scale;
-  GtkWidget *once, *curve, *monochrome, *export, *cancel, *form;
-  GtkLabel *facts;
-  GtkProgressBar *progress;
+  QnBoundForm *form; /* NULL: it has been closed */
+  QnAnimationSettings settings;
+  int format;
   GCancellable *cancellable; /* while it is written */
-  gboolean webm;
-  char *path;
-  GObject *chooser; /* on the screen, or NULL */
+  char *path, *message;      /* message: NULL for the facts */
+  GObject *chooser;          /* on the screen, or NULL */
 } Dialog;
+
+typedef struct Form {
+  QnBoundForm base;
+  Dialog *dialog;
+} Form;
+
+enum {
+  WHAT,
+  FORMAT,
+  WIDTH,
+  HEIGHT,
+  FRAMES,
+  RATE,
+  SCALE,
+  ONCE,
+  CURVE,
+  MONOCHROME,
+  FIELDS,
+  FACTS,
+  PROGRESS,
+  EXPORT,
+  CANCEL
+};
+
+static const QnFormField fields[] = {
+  [WHAT] = { .id = "what" },         [FORMAT] = { .id = "format" },
+  [WIDTH] = { .id = "width" },       [HEIGHT] = { .id = "height" },
+  [FRAMES] = { .id = "frames" },     [RATE] = { .id = "rate" },
+  [SCALE] = { .id = "scale" },       [ONCE] = { .id = "once" },
+  [CURVE] = { .id = "curve" },       [MONOCHROME] = { .id = "monochrome" },
+  [FIELDS] = { .id = "fields" },     [FACTS] = { .id = "facts" },
+  [PROGRESS] = { .id = "progress" }, [EXPORT] = { .id = "export" },
+  [CANCEL] = { .id = "cancel" },
+};
 
 static void
 dialog_clear (gpointer data)
@@ -35,6 +63,7 @@ dialog_clear (gpointer data)
   Dialog *dialog = data;
   g_clear_object (&dialog->cancellable);
   g_free (dialog->path);
+  g_free (dialog->message);
 }
 
 static void
@@ -44,110 +73,36 @@ dialog_unref (Dialog *dialog)
 }
 
 static void
-on_dialog_gone (gpointer data, GObject *where)
+clear (gpointer form)
 {
-  (void) where;
-  Dialog *dialog = data;
-  dialog->dialog = NULL;
+  Dialog *dialog = ((Form *) form)->dialog;
+  dialog->form = NULL;
   g_cancellable_cancel (dialog->cancellable);
   g_clear_object (&dialog->chooser);
   dialog_unref (dialog);
 }
 
-/* ---- settings ---- */
-
-static QnAnimationSettings
-take_settings (const Dialog *dialog)
-{
-  QnAnimationSettings s;
-  qn_animation_settings_init (&s, dialog->state);
-  s.view =
-    gtk_drop_down_get_selected (dialog->what) == 0 ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
-  s.width =
-    (int) qn_to_integer (qn_quantity_entry_get_value (dialog->width), 0, G_MAXINT32);
-  s.height =
-    (int) qn_to_integer (qn_quantity_entry_get_value (dialog->height), 0, G_MAXINT32);
-  s.frames =
-    (int) qn_to_integer (qn_quantity_entry_get_value (dialog->frames), 0, G_MAXINT32);
-  s.rate = qn_quantity_entry_get_value (dialog->rate);
-  s.scale = qn_quantity_entry_get_value (dialog->scale);
-  s.once = gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->once));
-  s.curve = gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->curve));
-  s.monochrome = gtk_check_button_get_active (GTK_CHECK_BUTTON (dialog->monochrome));
-  return s;
-}
-
-static int
-format_of (const Dialog *dialog)
-{
-  int row = (int) gtk_drop_down_get_selected (dialog->format);
-  return !dialog->webm && row >= FORMAT_WEBM ? row + 1 : row;
-}
-
-/* What can be said before anything is drawn, and which rows concern what moves. */
+/* What there is to say besides the facts; NULL for nothing. */
 static void
-update (Dialog *dialog)
+say (Dialog *dialog, const char *message)
 {
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (dialog->state));
-  QnAnimationSettings s = take_settings (dialog);
-  gboolean mechanism = s.view == QN_VIEW_MECHANISM;
-  gboolean there =
-    run != NULL
-    && (mechanism ? run->result.mechanism != NULL : run->result.step_count > 0);
-  gtk_widget_set_visible (dialog->once, mechanism);
-  gtk_widget_set_visible (dialog->curve, !mechanism);
-  gtk_widget_set_sensitive (dialog->export, there && dialog->cancellable == NULL);
-  g_autofree char *facts =
-    !there ? g_strdup (mechanism ? _ ("This run has no mechanism.")
-                                 : _ ("This run has no steps."))
-           : g_strdup_printf (_ ("%d pictures of %d × %d px, %.1f s"), s.frames, s.width,
-                              s.height, s.frames / s.rate);
-  gtk_label_set_text (dialog->facts, facts);
-}
-
-static void
-on_quantity (QnQuantityEntry *entry, Dialog *dialog)
-{
-  (void) entry;
-  update (dialog);
-}
-
-static void
-on_choice (GtkDropDown *choice, GParamSpec *pspec, Dialog *dialog)
-{
-  (void) choice;
-  (void) pspec;
-  update (dialog);
-}
-
-static void
-on_check (GtkCheckButton *check, Dialog *dialog)
-{
-  (void) check;
-  update (dialog);
+  g_free (dialog->message);
+  dialog->message = g_strdup (message);
+  qn_bound_form_show (dialog->form);
 }
 
 /* ---- writing ---- */
 
 static void
-show_busy (Dialog *dialog, gboolean busy)
-{
-  gtk_widget_set_sensitive (dialog->form, !busy);
-  gtk_widget_set_visible (GTK_WIDGET (dialog->progress), busy);
-  gtk_widget_set_visible (dialog->cancel, busy);
-  gtk_widget_set_visible (dialog->export, !busy);
-  update (dialog);
-}
-
-static void
 on_tick (int done, int total, gpointer data)
 {
   Dialog *dialog = data;
-  if (dialog->dialog == NULL)
+  if (dialog->form == NULL)
     return;
+  GtkProgressBar *bar = GTK_PROGRESS_BAR (dialog->form->widgets[PROGRESS]);
   g_autofree char *text = g_strdup_printf (_ ("Picture %d of %d"), done, total);
-  gtk_progress_bar_set_fraction (dialog->progress, (double) done / total);
-  gtk_progress_bar_set_text (dialog->progress, text);
+  gtk_progress_bar_set_fraction (bar, (double) done / total);
+  gtk_progress_bar_set_text (bar, text);
 }
 
 static void
@@ -163,13 +118,11 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
     g_autofree char *message =
       g_strdup_printf (_ ("Animation written to %s"), dialog->path);
     dialog->tell (parent, message, FALSE);
-    if (dialog->dialog != NULL)
-      gtk_window_destroy (GTK_WINDOW (dialog->dialog));
-  } else if (dialog->dialog != NULL) {
-    show_busy (dialog, FALSE);
-    gtk_label_set_text (dialog->facts, cancelled ? _ ("Cancelled; nothing was written.")
-                                                 : error->message);
-  } else if (!cancelled)
+    if (dialog->form != NULL)
+      gtk_window_destroy (GTK_WINDOW (dialog->form->root));
+  } else if (dialog->form != NULL)
+    say (dialog, cancelled ? _ ("Cancelled; nothing was written.") : error->message);
+  else if (!cancelled)
     dialog->tell (parent, error->message, TRUE);
   g_object_unref (parent);
   dialog_unref (dialog);
@@ -178,17 +131,17 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
 static void
 write_to (Dialog *dialog, const char *path)
 {
-  QnAnimationSettings settings = take_settings (dialog);
   if (qn_document_get_run (qn_view_state_get_document (dialog->state)) == NULL)
     return;
   g_free (dialog->path);
   dialog->path = g_strdup (path);
   dialog->cancellable = g_cancellable_new ();
-  show_busy (dialog, TRUE);
-  on_tick (0, settings.frames, dialog);
+  say (dialog, NULL);
+  on_tick (0, dialog->settings.frames, dialog);
   g_object_ref (dialog->parent);
-  qn_animation_write_async (dialog->state, &settings, path, dialog->cancellable, on_tick,
-                            dialog, on_written, g_atomic_rc_box_acquire (dialog));
+  qn_animation_write_async (dialog->state, &dialog->settings, path, dialog->cancellable,
+                            on_tick, dialog, on_written,
+                            g_atomic_rc_box_acquire (dialog));
 }
 
 /* Numbered pictures go into a folder. */
@@ -196,8 +149,8 @@ static char *
 dup_chosen_path (Dialog *dialog, GtkNativeDialog *chooser, GError **error)
 {
   static const char *const endings[][3] = { { ".gif", ".webm" }, { ".webm", ".gif" } };
-  if (format_of (dialog) != FORMAT_PICTURES)
-    return qn_dialog_dup_chosen_path (chooser, endings[format_of (dialog)], error);
+  if (dialog->format != FORMAT_PICTURES)
+    return qn_dialog_dup_chosen_path (chooser, endings[dialog->format], error);
   const char *const any[] = { "", NULL };
   g_autofree char *folder = qn_dialog_dup_chosen_path (chooser, any, error);
   return folder != NULL ? g_strconcat (folder, G_DIR_SEPARATOR_S, NULL) : NULL;
@@ -206,13 +159,13 @@ dup_chosen_path (Dialog *dialog, GtkNativeDialog *chooser, GError **error)
 static void
 on_response (GtkNativeDialog *chooser, int response, Dialog *dialog)
 {
-  if (response == GTK_RESPONSE_ACCEPT && dialog->dialog != NULL) {
+  if (response == GTK_RESPONSE_ACCEPT && dialog->form != NULL) {
     g_autoptr (GError) error = NULL;
     g_autofree char *path = dup_chosen_path (dialog, chooser, &error);
     if (path != NULL)
       write_to (dialog, path);
     else
-      gtk_label_set_text (dialog->facts, error->message);
+      say (dialog, error->message);
   }
   g_clear_object (&dialog->chooser);
 }
@@ -221,121 +174,168 @@ static void
 on_export (Dialog *dialog)
 {
   static const char *const names[] = { N_ ("collapse.gif"), N_ ("collapse.webm") };
-  int format = format_of (dialog);
-  gboolean folder = format == FORMAT_PICTURES;
+  gboolean folder = dialog->format == FORMAT_PICTURES;
   GtkFileChooserNative *chooser = qn_chooser_begin (
-    GTK_WINDOW (dialog->dialog), &dialog->chooser,
+    GTK_WINDOW (dialog->form->root), &dialog->chooser,
     folder ? GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER : GTK_FILE_CHOOSER_ACTION_SAVE,
     folder ? _ ("Folder for the Pictures") : _ ("Export Animation"), _ ("_Export"));
   if (!folder)
-    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), _ (names[format]));
+    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser),
+                                       _ (names[dialog->format]));
   g_signal_connect_data (chooser, "response", G_CALLBACK (on_response),
                          g_atomic_rc_box_acquire (dialog),
                          (GClosureNotify) (gpointer) dialog_unref, 0);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
 }
 
-static void
-on_cancel (Dialog *dialog)
+/* ---- fields ---- */
+
+static gboolean
+look (gpointer form)
 {
-  g_cancellable_cancel (dialog->cancellable);
+  (void) form;
+  return TRUE;
 }
 
-/* ---- building ---- */
-
-static GtkWidget *
-add_check (Dialog *dialog, const char *label, gboolean active)
+/* WebM is offered where it can be written. */
+static gboolean
+has_webm (void)
 {
-  return qn_form_add_check (dialog->form, label, active, G_CALLBACK (on_check), dialog);
+  return qn_animation_check_path ("x.webm", NULL);
 }
 
-static void
-build_form (Dialog *dialog)
+/* Whether the current run has what is to move. */
+static gboolean
+is_there (const Dialog *dialog)
 {
-  const char *const whats[] = { _ ("Mechanism"), _ ("Path, step by step"), NULL };
-  const char *formats[] = { _ ("GIF"), _ ("WebM"), _ ("Numbered pictures (PNG)"), NULL };
-  GCallback chosen = G_CALLBACK (on_choice), changed = G_CALLBACK (on_quantity);
-  QnAnimationSettings s;
-  qn_animation_settings_init (&s, dialog->state);
-  dialog->webm = qn_animation_check_path ("x.webm", NULL);
-  if (!dialog->webm) {
-    formats[FORMAT_WEBM] = formats[FORMAT_PICTURES];
-    formats[FORMAT_PICTURES] = NULL;
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (dialog->state));
+  if (run == NULL)
+    return FALSE;
+  return dialog->settings.view == QN_VIEW_MECHANISM ? run->result.mechanism != NULL
+                                                    : run->result.step_count > 0;
+}
+
+static char *
+dup_facts (const Dialog *dialog)
+{
+  const QnAnimationSettings *s = &dialog->settings;
+  if (dialog->message != NULL)
+    return g_strdup (dialog->message);
+  if (!is_there (dialog))
+    return g_strdup (s->view == QN_VIEW_MECHANISM ? _ ("This run has no mechanism.")
+                                                  : _ ("This run has no steps."));
+  return g_strdup_printf (_ ("%d pictures of %d × %d px, %.1f s"), s->frames, s->width,
+                          s->height, s->frames / s->rate);
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  const Dialog *dialog = ((Form *) data)->dialog;
+  const QnAnimationSettings *s = &dialog->settings;
+  const char *const formats[] = { _ ("GIF"), _ ("Numbered pictures (PNG)"), NULL };
+  const char *const with_webm[] = { _ ("GIF"), _ ("WebM"), _ ("Numbered pictures (PNG)"),
+                                    NULL };
+  gboolean mechanism = s->view == QN_VIEW_MECHANISM;
+  gboolean busy = dialog->cancellable != NULL;
+  switch (field) {
+  case WHAT:
+    value->number = mechanism ? 0 : 1;
+    return TRUE;
+  case FORMAT:
+    value->rows = g_strdupv ((char **) (has_webm () ? with_webm : formats));
+    value->number = has_webm () ? dialog->format : dialog->format / 2;
+    return TRUE;
+  case WIDTH:
+    value->number = s->width;
+    return TRUE;
+  case HEIGHT:
+    value->number = s->height;
+    return TRUE;
+  case FRAMES:
+    value->number = s->frames;
+    return TRUE;
+  case RATE:
+    value->number = s->rate;
+    return TRUE;
+  case SCALE:
+    value->number = s->scale;
+    return TRUE;
+  case ONCE:
+    value->number = s->once;
+    return mechanism;
+  case CURVE:
+    value->number = s->curve;
+    return !mechanism;
+  case MONOCHROME:
+    value->number = s->monochrome;
+    return TRUE;
+  case FIELDS:
+    value->disabled = busy;
+    return TRUE;
+  case FACTS:
+    value->text = dup_facts (dialog);
+    return TRUE;
+  case EXPORT:
+    value->disabled = !is_there (dialog);
+    return !busy;
+  default:
+    return busy;
   }
-  GtkWidget *form = dialog->form = qn_form_new ();
-  dialog->what = qn_form_add_choice (form, _ ("_Moves"), whats, chosen, dialog);
-  dialog->format = qn_form_add_choice (form, _ ("_Format"), formats, chosen, dialog);
-  dialog->width = qn_form_add_quantity (form, _ ("_Width (px)"), QN_QUANTITY_NUMBER, 16.0,
-                                        LARGEST_SIDE, changed, dialog);
-  dialog->height = qn_form_add_quantity (form, _ ("_Height (px)"), QN_QUANTITY_NUMBER,
-                                         16.0, LARGEST_SIDE, changed, dialog);
-  dialog->frames = qn_form_add_quantity (form, _ ("_Pictures"), QN_QUANTITY_NUMBER, 2.0,
-                                         QN_MAX_FRAMES, changed, dialog);
-  dialog->rate = qn_form_add_quantity (form, _ ("Pictures per _second"),
-                                       QN_QUANTITY_NUMBER, 1.0, 60.0, changed, dialog);
-  dialog->scale = qn_form_add_quantity (form, _ ("S_cale (0: fitting)"),
-                                        QN_QUANTITY_NUMBER, 0.0, 1e9, changed, dialog);
-  dialog->once = add_check (dialog, _ ("_Once, not back and forth"), s.once);
-  dialog->curve = add_check (dialog, _ ("With the c_urve"), s.curve);
-  dialog->monochrome = add_check (dialog, _ ("_Black and white"), s.monochrome);
-  qn_form_set_choice (dialog->what, s.view == QN_VIEW_MECHANISM ? 0 : 1, dialog);
-  qn_quantity_entry_set_value (dialog->width, s.width);
-  qn_quantity_entry_set_value (dialog->height, s.height);
-  qn_quantity_entry_set_value (dialog->frames, s.frames);
-  qn_quantity_entry_set_value (dialog->rate, s.rate);
-  qn_quantity_entry_set_value (dialog->scale, s.scale);
 }
 
-static GtkWidget *
-build_header (Dialog *dialog)
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  GtkWidget *header = gtk_header_bar_new ();
-  dialog->export = gtk_button_new_with_mnemonic (_ ("_Export…"));
-  gtk_widget_add_css_class (dialog->export, "suggested-action");
-  g_signal_connect_swapped (dialog->export, "clicked", G_CALLBACK (on_export), dialog);
-  dialog->cancel = gtk_button_new_with_mnemonic (_ ("_Cancel"));
-  gtk_widget_add_css_class (dialog->cancel, "destructive-action");
-  g_signal_connect_swapped (dialog->cancel, "clicked", G_CALLBACK (on_cancel), dialog);
-  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), dialog->export);
-  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), dialog->cancel);
-  return header;
-}
-
-/* Facts and progress below the form. */
-static GtkWidget *
-build_foot (Dialog *dialog)
-{
-  GtkWidget *foot = qn_form_new ();
-  dialog->facts = qn_form_add_text (foot);
-  /* Otherwise room is kept for it in a column of single letters. */
-  gtk_label_set_width_chars (dialog->facts, 30);
-  dialog->progress = GTK_PROGRESS_BAR (gtk_progress_bar_new ());
-  gtk_progress_bar_set_show_text (dialog->progress, TRUE);
-  gtk_widget_set_hexpand (GTK_WIDGET (dialog->progress), TRUE);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (dialog->progress),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Progress"), -1);
-  qn_form_add_wide (foot, GTK_WIDGET (dialog->progress));
-  return foot;
+  Dialog *dialog = ((Form *) data)->dialog;
+  QnAnimationSettings *s = &dialog->settings;
+  gboolean on = value->number != 0.0;
+  (void) draft;
+  (void) error;
+  if (field == CANCEL)
+    g_cancellable_cancel (dialog->cancellable);
+  else if (field == EXPORT)
+    on_export (dialog);
+  else if (field == WHAT)
+    s->view = on ? QN_VIEW_DEFORMED : QN_VIEW_MECHANISM;
+  else if (field == FORMAT)
+    dialog->format = (int) value->number * (has_webm () ? 1 : 2);
+  else if (field == WIDTH)
+    s->width = qn_value_int (value);
+  else if (field == HEIGHT)
+    s->height = qn_value_int (value);
+  else if (field == FRAMES)
+    s->frames = qn_value_int (value);
+  else if (field == RATE)
+    s->rate = value->number;
+  else if (field == SCALE)
+    s->scale = value->number;
+  else if (field == ONCE)
+    s->once = on;
+  else if (field == CURVE)
+    s->curve = on;
+  else
+    s->monochrome = on;
+  g_clear_pointer (&dialog->message, g_free);
+  return TRUE;
 }
 
 void
 qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                           const char *path)
 {
-  Dialog *dialog = g_atomic_rc_box_new0 (Dialog);
+  static const QnFormKind kind = QN_FORM_KIND ("animation-dialog", Form, 0);
+  Form *form = qn_bound_form_new (&kind, NULL);
+  Dialog *dialog = form->dialog = g_atomic_rc_box_new0 (Dialog);
+  form->base.clear = clear;
+  dialog->form = &form->base;
   dialog->parent = parent;
   dialog->state = state;
   dialog->tell = tell;
-  dialog->dialog = qn_dialog_new (parent, _ ("Export Animation"), 420, -1);
-  gtk_window_set_titlebar (GTK_WINDOW (dialog->dialog), build_header (dialog));
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
-  build_form (dialog);
-  gtk_box_append (GTK_BOX (box), dialog->form);
-  gtk_box_append (GTK_BOX (box), build_foot (dialog));
-  gtk_window_set_child (GTK_WINDOW (dialog->dialog), box);
-  g_object_weak_ref (G_OBJECT (box), on_dialog_gone, dialog);
-  show_busy (dialog, FALSE);
-  gtk_window_present (GTK_WINDOW (dialog->dialog));
+  qn_animation_settings_init (&dialog->settings, state);
+  gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
+  qn_bound_form_show (form);
+  gtk_window_present (GTK_WINDOW (form->base.root));
   if (path != NULL)
     write_to (dialog, path);
 }

@@ -10,6 +10,9 @@
 /* Characters of a choice that are shown in any case. */
 #define CHOICE_CHARS 16
 
+/* What an entry tells by itself, while it shows a refusal. */
+#define TOOLTIP "qn-tooltip"
+
 /* ---- values ---- */
 
 int
@@ -219,6 +222,9 @@ show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
     gtk_label_set_text (GTK_LABEL (widget), value->text != NULL ? value->text : "");
   else if (GTK_IS_EDITABLE (widget)) {
     show_text (GTK_EDITABLE (widget), value->text != NULL ? value->text : "");
+    if (gtk_widget_has_css_class (widget, "error"))
+      gtk_widget_set_tooltip_text (widget,
+                                   g_object_get_data (G_OBJECT (widget), TOOLTIP));
     gtk_widget_remove_css_class (widget, "error");
   }
   gtk_widget_set_sensitive (widget, !value->disabled);
@@ -310,6 +316,9 @@ refuse (QnBoundForm *form, GtkWidget *widget, const GError *error)
   if (QN_IS_QUANTITY_ENTRY (widget) && error != NULL)
     qn_quantity_entry_refuse (QN_QUANTITY_ENTRY (widget), error->message);
   else if (GTK_IS_ENTRY (widget) && error != NULL) {
+    if (!gtk_widget_has_css_class (widget, "error"))
+      g_object_set_data_full (G_OBJECT (widget), TOOLTIP,
+                              g_strdup (gtk_widget_get_tooltip_text (widget)), g_free);
     gtk_widget_add_css_class (widget, "error");
     gtk_widget_set_tooltip_text (widget, error->message);
   } else

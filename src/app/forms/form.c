@@ -9,9 +9,6 @@
 /* Characters of a choice that are shown in any case. */
 #define CHOICE_CHARS 16
 
-/* px: lists that are higher scroll. */
-#define MOST_LIST_HEIGHT 160
-
 #define ROW_LABEL "qn-row-label"
 
 GtkWidget *
@@ -52,8 +49,9 @@ qn_form_add_heading (GtkWidget *form, const char *text)
   return label;
 }
 
-void
-qn_form_add_row (GtkWidget *form, const char *text, GtkWidget *field)
+/* A row; the label gets the mnemonic in its text and names the field for screen readers. */
+static void
+add_row (GtkWidget *form, const char *text, GtkWidget *field)
 {
   GtkWidget *label = gtk_label_new_with_mnemonic (text);
   gtk_label_set_mnemonic_widget (GTK_LABEL (label), field);
@@ -67,16 +65,6 @@ qn_form_add_row (GtkWidget *form, const char *text, GtkWidget *field)
   int row = next_row (form);
   gtk_grid_attach (GTK_GRID (form), label, 0, row, 1, 1);
   gtk_grid_attach (GTK_GRID (form), field, 1, row, 1, 1);
-}
-
-QnQuantityEntry *
-qn_form_add_quantity (GtkWidget *form, const char *label, QnQuantity quantity,
-                      double least, double most, GCallback committed, gpointer user_data)
-{
-  GtkWidget *entry = qn_quantity_entry_new (quantity, least, most);
-  g_signal_connect (entry, "committed", committed, user_data);
-  qn_form_add_row (form, label, entry);
-  return QN_QUANTITY_ENTRY (entry);
 }
 
 /* ---- choices: long names are cut short in the button, not in the list ---- */
@@ -124,19 +112,8 @@ qn_form_add_choice (GtkWidget *form, const char *label, const char *const *choic
   gtk_drop_down_set_factory (GTK_DROP_DOWN (choice), button);
   gtk_drop_down_set_list_factory (GTK_DROP_DOWN (choice), list);
   g_signal_connect (choice, "notify::selected", selected, user_data);
-  qn_form_add_row (form, label, choice);
+  add_row (form, label, choice);
   return GTK_DROP_DOWN (choice);
-}
-
-GtkWidget *
-qn_form_add_entry (GtkWidget *form, const char *label, int width_chars,
-                   GCallback activate, gpointer user_data)
-{
-  GtkWidget *entry = gtk_entry_new ();
-  gtk_editable_set_width_chars (GTK_EDITABLE (entry), width_chars);
-  g_signal_connect (entry, "activate", activate, user_data);
-  qn_form_add_row (form, label, entry);
-  return entry;
 }
 
 GtkLabel *
@@ -171,120 +148,11 @@ qn_form_set_choice (GtkDropDown *choice, guint selected, gpointer user_data)
                                      user_data);
 }
 
-GtkWidget *
-qn_form_add_check (GtkWidget *form, const char *label, gboolean active, GCallback toggled,
-                   gpointer user_data)
-{
-  GtkWidget *check = gtk_check_button_new_with_mnemonic (label);
-  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
-  g_signal_connect (check, "toggled", toggled, user_data);
-  qn_form_add_wide (form, check);
-  return check;
-}
-
-void
-qn_form_set_check (GtkWidget *check, gboolean active, gpointer user_data)
-{
-  g_signal_handlers_block_matched (check, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                   user_data);
-  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), active);
-  g_signal_handlers_unblock_matched (check, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     user_data);
-}
-
-GtkWidget *
-qn_form_add_list (GtkWidget *form, const char *name, GCallback selected,
-                  gpointer user_data)
-{
-  GtkWidget *list = gtk_list_box_new ();
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_accessible_update_property (GTK_ACCESSIBLE (list), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  name, -1);
-  g_signal_connect (list, "row-selected", selected, user_data);
-  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
-                                  GTK_POLICY_AUTOMATIC);
-  gtk_scrolled_window_set_max_content_height (GTK_SCROLLED_WINDOW (scroller),
-                                              MOST_LIST_HEIGHT);
-  gtk_scrolled_window_set_propagate_natural_height (GTK_SCROLLED_WINDOW (scroller), TRUE);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), list);
-  gtk_widget_add_css_class (scroller, "frame");
-  gtk_widget_set_hexpand (scroller, TRUE);
-  qn_form_add_wide (form, scroller);
-  return list;
-}
-
-void
-qn_form_fill_list (GtkWidget *list, const char *const *lines, int selected,
-                   gpointer user_data)
-{
-  GtkListBox *box = GTK_LIST_BOX (list);
-  g_signal_handlers_block_matched (list, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                   user_data);
-  GtkWidget *child;
-  while ((child = gtk_widget_get_first_child (list)) != NULL)
-    gtk_list_box_remove (box, child);
-  for (int i = 0; lines[i] != NULL; i++) {
-    GtkWidget *label = gtk_label_new (lines[i]);
-    gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
-    gtk_widget_set_tooltip_text (label, lines[i]);
-    gtk_list_box_append (box, label);
-  }
-  gtk_widget_set_visible (gtk_widget_get_ancestor (list, GTK_TYPE_SCROLLED_WINDOW),
-                          lines[0] != NULL);
-  gtk_list_box_select_row (
-    box, selected >= 0 ? gtk_list_box_get_row_at_index (box, selected) : NULL);
-  g_signal_handlers_unblock_matched (list, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     user_data);
-}
-
-GtkWidget *
-qn_form_add_buttons (GtkWidget *form)
-{
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
-  gtk_box_set_homogeneous (GTK_BOX (box), TRUE);
-  gtk_widget_set_hexpand (box, TRUE);
-  qn_form_add_wide (form, box);
-  return box;
-}
-
-GtkWidget *
-qn_form_add_button (GtkWidget *buttons, const char *label, const char *tooltip,
-                    GCallback clicked, gpointer user_data)
-{
-  GtkWidget *button = gtk_button_new_with_mnemonic (label);
-  gtk_widget_set_tooltip_text (button, tooltip);
-  g_signal_connect_swapped (button, "clicked", clicked, user_data);
-  gtk_box_append (GTK_BOX (buttons), button);
-  return button;
-}
-
 void
 qn_form_fill_choice (GtkDropDown *choice, const char *const *strings, guint selected,
                      gpointer user_data)
 {
   qn_choice_list_fill (choice, strings, selected, user_data);
-}
-
-void
-qn_form_fill_laws (GtkDropDown *choice, const QnModel *model, const char *first, QnId law,
-                   gpointer user_data)
-{
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, first);
-  for (gsize i = 0; i < model->law_count; i++)
-    g_strv_builder_add (names, model->laws[i].name);
-  g_auto (GStrv) strings = g_strv_builder_end (names);
-  qn_form_fill_choice (choice, (const char *const *) strings,
-                       law == QN_NONE ? 0 : (guint) law + 1, user_data);
-}
-
-QnId
-qn_form_get_law (GtkDropDown *choice)
-{
-  guint selected = gtk_drop_down_get_selected (choice);
-  return selected == 0 || selected == GTK_INVALID_LIST_POSITION ? QN_NONE
-                                                                : (QnId) selected - 1;
 }
 
 void
@@ -307,12 +175,4 @@ void
 qn_own (GtkWidget *owner, gpointer data)
 {
   g_object_weak_ref (G_OBJECT (owner), on_owner_gone, data);
-}
-
-void
-qn_form_follow_canvas (GtkWidget *form, QnCanvas *canvas, GCallback update, gpointer data)
-{
-  qn_own (form, data);
-  qn_watch (form, qn_canvas_get_document (canvas), "changed", update, data);
-  qn_watch (form, qn_canvas_get_selection (canvas), "changed", update, data);
 }

@@ -50,11 +50,12 @@ typedef struct Form {
   QnId shown; /* law that the fields are about */
 } Form;
 
-enum { LAW, NAME, KIND, BASIS, POINTS, VIEW, ADD, REMOVE, FIRST_NUMBER };
+enum { LAW, NAME, JOINT, KIND, BASIS, POINTS, VIEW, ADD, REMOVE, FIRST_NUMBER };
 
 static const QnFormField fields[] = {
   [LAW] = { .id = "law" },
   [NAME] = { .id = "name", .step = N_ ("Rename Law") },
+  [JOINT] = { .id = "joint", .step = N_ ("Take Joint") },
   [KIND] = { .id = "kind", .step = N_ ("Change Law") },
   [BASIS] = { .id = "basis", .step = N_ ("Change Law") },
   [POINTS] = { .id = "points", .step = N_ ("Change Law") },
@@ -127,6 +128,7 @@ show (gpointer data, guint field, QnValue *value)
   case VIEW:
     qn_law_view_set_law (form->base.widgets[VIEW], &law);
     return TRUE;
+  case JOINT: /* the first row asks for a choice */
   case ADD:
   case REMOVE:
     return TRUE;
@@ -181,6 +183,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case NAME:
     return rename_law (law, value->text, error);
+  case JOINT:
+    if (value->number < 1.0)
+      return FALSE;
+    if (qn_law_make_joint (law, (QnJointPreset) value->number - 1))
+      return TRUE;
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                         _ ("The cohesion of this joint is a stress: choose the basis "
+                            "“Surface” or “Material” first"));
+    return FALSE;
   case KIND:
     qn_law_change_kind (law, (QnLawKind) value->number);
     return TRUE;

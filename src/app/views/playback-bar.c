@@ -1,5 +1,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
 #include "core/base/integer.h"
 #include "doc/view/load-text.h"
