@@ -10,6 +10,6 @@ for picture in "$build"/screenshots/manual-*.png; do
   name=${picture##*/manual-}
   case $name in
   plain-*) cp "$picture" "docs/manual/figures/${name#plain-}" ;;
-  fr-*) cp "$picture" "docs/manual/figures/fr/${name#fr-}" ;;
+  fr-*) cp "$picture" "docs/manual/fr/figures/${name#fr-}" ;;
   esac
 done

@@ -46,10 +46,9 @@ class Page:
 
     def __init__(self, manual, path, given=None):
         self.manual = manual
-        self.path = path
+        self.path = manual.localised(path) if given is None else path
         self.id = page_id(path) if given is None else given
-        with open(os.path.join(manual.root, manual.localised(path)) if given is None else path,
-                  encoding="utf-8") as file:
+        with open(os.path.join(manual.root, self.path), encoding="utf-8") as file:
             self.tokens = manual.parser.parse(file.read())
         self.title = plain(self.tokens[1])
         self.guide = None
@@ -60,7 +59,7 @@ class Page:
         if "://" in link:
             return f"href={quoteattr(link)}"
         name, _, place = link.partition("#")
-        path = os.path.normpath(os.path.join(os.path.dirname(self.path), name)) if name else self.path
+        path = self.manual.common(os.path.join(os.path.dirname(self.path), name))
         page = self if not name else self.manual.pages.get(path)
         if page is None:
             return f"href={quoteattr(HOME + path)}"
@@ -160,8 +159,12 @@ class Manual:
         self.parser = MarkdownIt("commonmark").enable("table")
         self.pages, self.sections = {}, []
         self.index = Page(self, "docs/manual/README.md")
-        self.pages[self.index.path] = self.index
+        self.pages["docs/manual/README.md"] = self.index
         self.read_index(made)
+
+    def common(self, path):
+        """The path of a page, whatever the language of the one that links to it."""
+        return os.path.normpath(path).replace(f"docs/manual/{self.language}/", "docs/manual/")
 
     def localised(self, path):
         folder, name = os.path.split(path)
@@ -169,11 +172,11 @@ class Manual:
         return own if os.path.exists(os.path.join(self.root, own)) else path
 
     def picture(self, path):
-        """Copies a picture beside the pages; that of the language where there is one."""
+        """Copies a picture beside the pages."""
         name = path.replace("/", "-")
         folder = os.path.join(self.out, "figures")
         os.makedirs(folder, exist_ok=True)
-        shutil.copy(os.path.join(self.root, self.localised(path)), os.path.join(folder, name))
+        shutil.copy(os.path.join(self.root, path), os.path.join(folder, name))
         return "figures/" + name
 
     def read_index(self, made):
@@ -185,7 +188,7 @@ class Manual:
                 continue
             inline = tokens[i + 2]
             link = inline.children[0].attrGet("href")
-            path = os.path.normpath(os.path.join("docs/manual", link))
+            path = self.common(os.path.join(os.path.dirname(self.index.path), link))
             given = made.get(os.path.basename(link).removesuffix(".md"))
             page = (Page(self, path) if given is None
                     else Page(self, given, os.path.basename(link).removesuffix(".md")))

@@ -5,6 +5,7 @@
 #include "app/forms/bound-form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
+#include "app/widgets/help.h"
 #include "doc/view/animation-job.h"
 #include <glib/gi18n.h>
 
@@ -334,6 +335,7 @@ qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell
   dialog->tell = tell;
   qn_animation_settings_init (&dialog->settings, state);
   gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
+  qn_help_set_page (form->base.root, "export");
   qn_bound_form_show (form);
   gtk_window_present (GTK_WINDOW (form->base.root));
   if (path != NULL)

@@ -5,6 +5,7 @@
 #include "app/forms/form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
+#include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include "render/figure/compare-sheet.h"
 #include <glib/gi18n.h>
@@ -368,6 +369,7 @@ qn_compare_window_show (GtkWindow *parent, QnDocument *document,
     .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare
   };
   compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1000, 720);
+  qn_help_set_page (compare->dialog, "results");
   gtk_window_set_modal (GTK_WINDOW (compare->dialog), FALSE);
   gtk_window_set_titlebar (GTK_WINDOW (compare->dialog), make_header (compare));
   gtk_window_set_child (GTK_WINDOW (compare->dialog), make_content (compare));

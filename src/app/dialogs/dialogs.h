@@ -10,10 +10,9 @@
 /* Shows a message in the window: `trouble` where something failed. */
 typedef void (*QnTellFunc) (GtkWindow *window, const char *message, gboolean trouble);
 
-/* Of the program. `page` of the help: "tutorial", "reference", "theory", or NULL. */
+/* Of the program. */
 void qn_preferences_show (GtkWindow *parent);
 void qn_about_show (GtkWindow *parent);
-void qn_help_show (GtkWindow *parent, const char *page);
 
 /* A figure of what the view state shows. Hands over the path that was chosen and what the figure
  * is to show, for the window to write it; the recipe is taken over. */

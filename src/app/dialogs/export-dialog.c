@@ -5,6 +5,7 @@
 #include "app/forms/bound-form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
+#include "app/widgets/help.h"
 #include "doc/view/figure-export.h"
 #include "doc/view/figures.h"
 #include <glib/gi18n.h>
@@ -378,6 +379,7 @@ qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (widgets[PREVIEW]), draw_preview,
                                   dialog, NULL);
   gtk_window_set_transient_for (GTK_WINDOW (dialog->base.root), parent);
+  qn_help_set_page (dialog->base.root, "export");
   qn_bound_form_show (dialog);
   take_entries (dialog);
   for (guint field = TITLE; field <= CAPTION; field++)

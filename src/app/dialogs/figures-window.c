@@ -4,6 +4,7 @@
 
 #include "app/forms/form.h"
 #include "app/widgets/dialog.h"
+#include "app/widgets/help.h"
 #include "doc/view/figures.h"
 #include "io/text/io-error.h"
 #include <glib/gi18n.h>
@@ -202,6 +203,7 @@ qn_figures_window_show (GtkWindow *parent, QnDocument *document)
   Figures *figures = g_new0 (Figures, 1);
   figures->document = document;
   figures->dialog = qn_dialog_new (parent, _ ("Figures of the Project"), 520, 420);
+  qn_help_set_page (figures->dialog, "export");
   gtk_window_set_modal (GTK_WINDOW (figures->dialog), FALSE);
   GtkWidget *header = gtk_header_bar_new ();
   figures->export_all = gtk_button_new_with_mnemonic (_ ("Make _All Again"));

@@ -3,6 +3,7 @@
 #include "app/dialogs/dialogs.h"
 
 #include "app/forms/bound-form.h"
+#include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include "doc/document/import.h"
 #include "io/exchange/drawing-import.h"
@@ -227,6 +228,7 @@ qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                                   draw_preview, dialog, NULL);
   gtk_window_set_title (window, title);
   gtk_window_set_transient_for (window, parent);
+  qn_help_set_page (dialog->base.root, "import");
   try_import (dialog);
   qn_bound_form_show (dialog);
   gtk_window_present (window);

@@ -1,6 +1,7 @@
 #include "app/window/application.h"
 
 #include "app/dialogs/dialogs.h"
+#include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include "app/window/action-table.h"
 #include "app/window/window.h"
@@ -52,7 +53,9 @@ on_help (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
   (void) action;
   (void) parameter;
-  qn_help_show (active_window (application), NULL);
+  GtkWindow *window = active_window (application);
+  qn_help_show (
+    window, QN_IS_WINDOW (window) ? qn_window_get_help_page (QN_WINDOW (window)) : NULL);
 }
 
 /* Closes the windows one by one, so that each can ask about its changes. */

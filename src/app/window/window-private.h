@@ -53,6 +53,9 @@ void qn_window_add_actions (QnWindow *window);
 void qn_window_update_actions (QnWindow *window);
 void qn_window_add_keys (QnWindow *window);
 
+/* window-help.c: pages of the manual. */
+void qn_window_add_help_pages (QnWindow *window);
+
 /* window-edit.c: actions that change the drawing. */
 void qn_window_add_edit_actions (QnWindow *window);
 

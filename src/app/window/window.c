@@ -418,6 +418,7 @@ qn_window_init (QnWindow *self)
   qn_window_add_keys (self);
   build_tools (self);
   build_panels (self);
+  qn_window_add_help_pages (self);
   connect_document (self);
   qn_window_connect_analysis (self);
   self->recovery = qn_recovery_watch (self->document);

@@ -16,6 +16,9 @@ QnDocument *qn_window_get_document (QnWindow *window);
 QnViewState *qn_window_get_view_state (QnWindow *window);
 QnCanvas *qn_window_get_canvas (QnWindow *window);
 
+/* The page of the manual about what has the focus: a tool, the selection, a panel. */
+const char *qn_window_get_help_page (QnWindow *window);
+
 /* Whether it still shows the start page: a file may be opened into it. */
 gboolean qn_window_is_blank (QnWindow *window);
 

@@ -1,0 +1,244 @@
+#include "app/widgets/help.h"
+
+#include "app/widgets/dialog.h"
+#include <glib/gi18n.h>
+#include <string.h>
+
+#define RESOURCES "/io/github/quoin/Quoin/help/"
+#define PAGE_KEY  "quoin-help-page"
+
+/* In the order of the manual's own list, docs/manual/README.md. */
+static const char *const pages[] = {
+  "first-wall",
+  "openings",
+  "drawing",
+  "import",
+  "joints",
+  "contacts",
+  "loads",
+  "frames",
+  "multipliers",
+  "procedures",
+  "large-displacements",
+  "earthquakes",
+  "uncertainty",
+  "results",
+  "export",
+  "command-line",
+  "limits",
+};
+
+void
+qn_help_set_page (GtkWidget *widget, const char *page)
+{
+  g_object_set_data (G_OBJECT (widget), PAGE_KEY, (gpointer) page);
+}
+
+const char *
+qn_help_find_page (GtkWidget *widget)
+{
+  for (; widget != NULL; widget = gtk_widget_get_parent (widget)) {
+    const char *page = g_object_get_data (G_OBJECT (widget), PAGE_KEY);
+    if (page != NULL)
+      return page;
+  }
+  return NULL;
+}
+
+static gboolean
+on_key (GtkWidget *window, GVariant *arguments, gpointer data)
+{
+  (void) arguments;
+  (void) data;
+  qn_help_show (GTK_WINDOW (window), qn_help_find_page (window));
+  return TRUE;
+}
+
+void
+qn_help_add_key (GtkWidget *window)
+{
+  GtkEventController *keys = gtk_shortcut_controller_new ();
+  gtk_shortcut_controller_add_shortcut (
+    GTK_SHORTCUT_CONTROLLER (keys),
+    gtk_shortcut_new (gtk_keyval_trigger_new (GDK_KEY_F1, 0),
+                      gtk_callback_action_new (on_key, NULL, NULL)));
+  gtk_widget_add_controller (window, keys);
+}
+
+/* ---- the pages in a window: Markdown as the manual uses it ---- */
+
+static char *
+dup_page_text (const char *name)
+{
+  const char *const *languages = g_get_language_names ();
+  g_autoptr (GBytes) bytes = NULL;
+  for (int i = 0; languages[i] != NULL && bytes == NULL; i++) {
+    g_autofree char *path = g_strdup_printf (RESOURCES "%s/%s.md", languages[i], name);
+    bytes = g_resources_lookup_data (path, 0, NULL);
+  }
+  g_autofree char *path = g_strdup_printf (RESOURCES "%s.md", name);
+  if (bytes == NULL)
+    bytes = g_resources_lookup_data (path, 0, NULL);
+  gsize size = 0;
+  const char *text = bytes != NULL ? g_bytes_get_data (bytes, &size) : "";
+  return g_strndup (text, size);
+}
+
+/* Text without the marks of links, emphasis and code. */
+static char *
+dup_plain (const char *text)
+{
+  static const char *const marks[][2] = {
+    { "!?\\[([^\\]]*)\\]\\([^)]*\\)", "\\1" },
+    { "(?<![\\w`*])\\*{1,2}([^*`]+)\\*{1,2}", "\\1" },
+    { "`", "" },
+  };
+  char *plain = g_strdup (text);
+  for (gsize i = 0; i < G_N_ELEMENTS (marks); i++) {
+    g_autoptr (GRegex) regex = g_regex_new (marks[i][0], 0, 0, NULL);
+    char *next = g_regex_replace (regex, plain, -1, 0, marks[i][1], 0, NULL);
+    g_free (plain);
+    plain = next;
+  }
+  return plain;
+}
+
+static void
+insert (GtkTextBuffer *buffer, const char *text, const char *tag)
+{
+  GtkTextIter end;
+  gtk_text_buffer_get_end_iter (buffer, &end);
+  if (tag == NULL)
+    gtk_text_buffer_insert (buffer, &end, text, -1);
+  else
+    gtk_text_buffer_insert_with_tags_by_name (buffer, &end, text, -1, tag, NULL);
+}
+
+/* A row of a table: its cells one after the other. */
+static void
+insert_row (GtkTextBuffer *buffer, const char *line)
+{
+  g_autofree char *inner =
+    g_strndup (line + 1, strlen (line) > 2 ? strlen (line) - 2 : 0);
+  g_auto (GStrv) cells = g_strsplit (inner, " | ", -1);
+  for (int i = 0; cells[i] != NULL; i++) {
+    g_autofree char *cell = dup_plain (g_strstrip (cells[i]));
+    insert (buffer, i > 0 ? " · " : "", NULL);
+    insert (buffer, cell, i == 0 ? "bold" : NULL);
+  }
+  insert (buffer, "\n", NULL);
+}
+
+/* Lines of a paragraph belong together; an empty line, or a line of another kind, ends it. */
+static void
+fill_page (GtkTextBuffer *buffer, const char *text)
+{
+  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+  gboolean code = FALSE;
+  for (int i = 0; lines[i] != NULL; i++) {
+    const char *line = lines[i];
+    if (g_str_has_prefix (line, "```")) {
+      code = !code;
+    } else if (code || g_str_has_prefix (line, "    ")) {
+      insert (buffer, line, "code");
+      insert (buffer, "\n", NULL);
+    } else if (line[0] == '#') {
+      insert (buffer, strchr (line, ' ') + 1, line[1] == '#' ? "h2" : "h1");
+      insert (buffer, "\n", NULL);
+    } else if (line[0] == '|') {
+      if (!g_str_has_prefix (line, "| ---"))
+        insert_row (buffer, line);
+    } else if (line[0] != '!' && line[0] != '<') {
+      gboolean item = g_str_has_prefix (line, "- ");
+      const char *next = lines[i + 1] != NULL ? lines[i + 1] : "";
+      g_autofree char *plain = dup_plain (item ? line + 2 : line);
+      insert (buffer, item ? "• " : "", NULL);
+      insert (buffer, plain, NULL);
+      gboolean goes_on =
+        plain[0] != '\0' && next[0] != '\0'
+        && !g_regex_match_simple ("^(- |[0-9]+\\. |\\||#|!|```)", next, 0, 0);
+      insert (buffer, goes_on ? " " : "\n", NULL);
+    }
+  }
+}
+
+static GtkWidget *
+make_page (const char *text, const char *title)
+{
+  GtkWidget *view = gtk_text_view_new ();
+  gtk_accessible_update_property (GTK_ACCESSIBLE (view), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  title, -1);
+  GtkTextBuffer *buffer = gtk_text_view_get_buffer (GTK_TEXT_VIEW (view));
+  gtk_text_buffer_create_tag (buffer, "h1", "scale", 1.6, "weight", PANGO_WEIGHT_BOLD,
+                              NULL);
+  gtk_text_buffer_create_tag (buffer, "h2", "scale", 1.2, "weight", PANGO_WEIGHT_BOLD,
+                              NULL);
+  gtk_text_buffer_create_tag (buffer, "bold", "weight", PANGO_WEIGHT_BOLD, NULL);
+  gtk_text_buffer_create_tag (buffer, "code", "family", "monospace", "scale", 0.9, NULL);
+  fill_page (buffer, text);
+  gtk_text_view_set_editable (GTK_TEXT_VIEW (view), FALSE);
+  gtk_text_view_set_cursor_visible (GTK_TEXT_VIEW (view), FALSE);
+  gtk_text_view_set_wrap_mode (GTK_TEXT_VIEW (view), GTK_WRAP_WORD_CHAR);
+  gtk_text_view_set_left_margin (GTK_TEXT_VIEW (view), 24);
+  gtk_text_view_set_right_margin (GTK_TEXT_VIEW (view), 24);
+  gtk_text_view_set_top_margin (GTK_TEXT_VIEW (view), 18);
+  gtk_text_view_set_bottom_margin (GTK_TEXT_VIEW (view), 18);
+  gtk_text_view_set_pixels_inside_wrap (GTK_TEXT_VIEW (view), 3);
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), view);
+  gtk_widget_set_hexpand (scroller, TRUE);
+  return scroller;
+}
+
+static void
+show_window (GtkWindow *parent, const char *page)
+{
+  GtkWidget *stack = gtk_stack_new ();
+  for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
+    g_autofree char *text = dup_page_text (pages[i]);
+    g_autofree char *title = g_strndup (text + 2, strcspn (text + 2, "\n"));
+    gtk_stack_add_titled (GTK_STACK (stack), make_page (text, title), pages[i], title);
+  }
+  if (page != NULL)
+    gtk_stack_set_visible_child_name (GTK_STACK (stack), page);
+  GtkWidget *sidebar = gtk_stack_sidebar_new ();
+  gtk_stack_sidebar_set_stack (GTK_STACK_SIDEBAR (sidebar), GTK_STACK (stack));
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
+  gtk_box_append (GTK_BOX (box), sidebar);
+  gtk_box_append (GTK_BOX (box), stack);
+
+  /* One works while reading. */
+  GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 900, 720);
+  gtk_window_set_modal (GTK_WINDOW (window), FALSE);
+  gtk_window_set_child (GTK_WINDOW (window), box);
+  qn_help_set_page (window, page);
+  gtk_window_present (GTK_WINDOW (window));
+}
+
+/* ---- Yelp ---- */
+
+static gboolean
+is_installed (void)
+{
+  g_autoptr (GAppInfo) viewer = g_app_info_get_default_for_uri_scheme ("help");
+  const char *const *folders = g_get_system_data_dirs ();
+  for (int i = 0; viewer != NULL && folders[i] != NULL; i++) {
+    g_autofree char *index =
+      g_build_filename (folders[i], "help", "C", "quoin", "index.page", NULL);
+    if (g_file_test (index, G_FILE_TEST_EXISTS))
+      return TRUE;
+  }
+  return FALSE;
+}
+
+void
+qn_help_show (GtkWindow *parent, const char *page)
+{
+  if (!is_installed ()) {
+    show_window (parent, page);
+    return;
+  }
+  g_autofree char *uri =
+    page != NULL ? g_strconcat ("help:quoin/", page, NULL) : g_strdup ("help:quoin");
+  gtk_show_uri (parent, uri, GDK_CURRENT_TIME);
+}
