@@ -1,8 +1,36 @@
 #!/bin/bash
-# Installs the Debian packages that building, testing and running Quoin needs, and any others that
-# are named, where one is missing. Written for Debian 12; run by tools/run.sh, tools/test.sh and
-# tools/bench.sh.
+# Installs the packages that building, testing and running Quoin needs, and any others that are named,
+# where one is missing, on Debian 12, Ubuntu 24.04 and later ones. On Fedora and Arch it names the
+# packages. Run by tools/run.sh, tools/test.sh and tools/bench.sh.
 set -euo pipefail
+
+# What to install where there is no apt: building, the window, the manual; tests need more.
+fedora=(
+  gcc gcc-c++ pkgconf-pkg-config meson ninja-build gettext glib2-devel cjson-devel suitesparse-devel
+  lapack-devel geos-devel dxflib-devel cairo-devel pango-devel libpng-devel giflib-devel
+  gdk-pixbuf2-devel dejavu-sans-fonts mesa-libEGL-devel mesa-dri-drivers gstreamer1-devel
+  gstreamer1-plugins-base-devel gstreamer1-plugins-good gsl-devel sqlite-devel gtk4-devel
+  python3-cffi python3-numpy python3-markdown-it-py yelp-tools yelp-xsl desktop-file-utils appstream
+)
+arch=(
+  base-devel meson gettext glib2-devel cjson suitesparse lapack geos cairo pango libpng giflib
+  gdk-pixbuf2 ttf-dejavu mesa gst-plugins-base gst-plugins-good gsl sqlite gtk4 python-cffi
+  python-numpy python-markdown-it-py yelp-tools yelp-xsl desktop-file-utils appstream
+)
+if ! command -v apt-get >/dev/null; then
+  id=$(. /etc/os-release 2>/dev/null && echo "${ID-} ${ID_LIKE-}")
+  case " $id " in
+  *" fedora "*) echo "setup: install by hand: sudo dnf install ${fedora[*]} $*" >&2 ;;
+  *" arch "*) echo "setup: install by hand: sudo pacman -S --needed ${arch[*]} $*" \
+    "(and dxflib from the AUR)" >&2 ;;
+  *) echo "setup: this is neither Debian nor Ubuntu; README.md of src/ lists what is needed" >&2 ;;
+  esac
+  exit 1
+fi
+
+# The format is that of version 14; without it the test of the format is left out.
+format=clang-format-14
+apt-cache show "$format" >/dev/null 2>&1 || format=binutils
 
 packages=(
   # building
@@ -22,7 +50,7 @@ packages=(
   # the manual
   yelp-tools yelp-xsl python3-markdown-it
   # checks and tests
-  clang-format-14 binutils valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
+  "$format" binutils valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
   adwaita-icon-theme librsvg2-common slurm-wlm munge fish zsh abigail-tools
   "$@"
 )

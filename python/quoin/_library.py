@@ -21,7 +21,9 @@ def _load():
     folder = pathlib.Path(__file__).parent
     header = os.environ.get("QUOIN_HEADER", folder / "quoin.h")
     ffi.cdef(_declarations(pathlib.Path(header).read_text(encoding="utf-8")))
-    library = os.environ.get("QUOIN_LIBRARY", "libquoin.so.0")
+    # A wheel has the library beside this file, a package of a distribution where libraries are.
+    own = folder / "libquoin.so"
+    library = os.environ.get("QUOIN_LIBRARY", own if own.exists() else "libquoin.so.0")
     try:
         return ffi.dlopen(str(library))
     except OSError as error:
