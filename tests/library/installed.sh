@@ -13,7 +13,8 @@ pc=$(find "$work" -name quoin.pc)
 [ -n "$pc" ]
 
 # The place of installation comes before the prefix that the file names.
-export PKG_CONFIG_PATH="$(dirname "$pc")" PKG_CONFIG_SYSROOT_DIR="$work"
+PKG_CONFIG_PATH=$(dirname "$pc")
+export PKG_CONFIG_PATH PKG_CONFIG_SYSROOT_DIR="$work"
 [ "$(pkg-config --modversion quoin)" = "$(sed -n 's/^Version: //p' "$pc")" ]
 pkg-config --exists 'quoin >= 0.1'
 ! pkg-config --exists 'quoin >= 100'

@@ -31,7 +31,7 @@ while read -r command; do
   grep -q "^## $command\$" "$page"
   for option in $shown; do
     grep -q -- "-l ${option#--} \|-l ${option#--}\$" "$fish"
-    grep -q -- "'\*\?$option[=[]" "$zsh"
+    grep -q -- "'\*\?${option}[=[]" "$zsh"
   done
 done < <(grep -v '^study$' <<<"$names"; sed 's/^/study /' <<<"$actions")
 

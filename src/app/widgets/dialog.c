@@ -1,6 +1,5 @@
 #include "app/widgets/dialog.h"
 
-#include "app/widgets/help.h"
 #include <glib/gi18n.h>
 
 GtkWidget *
@@ -20,7 +19,6 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
     gtk_shortcut_new (gtk_keyval_trigger_new (GDK_KEY_Escape, 0),
                       gtk_named_action_new ("window.close")));
   gtk_widget_add_controller (dialog, keys);
-  qn_help_add_key (dialog);
   return dialog;
 }
 

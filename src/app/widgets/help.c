@@ -28,12 +28,6 @@ static const char *const pages[] = {
   "limits",
 };
 
-void
-qn_help_set_page (GtkWidget *widget, const char *page)
-{
-  g_object_set_data (G_OBJECT (widget), PAGE_KEY, (gpointer) page);
-}
-
 const char *
 qn_help_find_page (GtkWidget *widget)
 {
@@ -55,14 +49,18 @@ on_key (GtkWidget *window, GVariant *arguments, gpointer data)
 }
 
 void
-qn_help_add_key (GtkWidget *window)
+qn_help_set_page (GtkWidget *widget, const char *page)
 {
+  gboolean has_key = g_object_get_data (G_OBJECT (widget), PAGE_KEY) != NULL;
+  g_object_set_data (G_OBJECT (widget), PAGE_KEY, (gpointer) page);
+  if (has_key || page == NULL || !GTK_IS_WINDOW (widget))
+    return;
   GtkEventController *keys = gtk_shortcut_controller_new ();
   gtk_shortcut_controller_add_shortcut (
     GTK_SHORTCUT_CONTROLLER (keys),
     gtk_shortcut_new (gtk_keyval_trigger_new (GDK_KEY_F1, 0),
                       gtk_callback_action_new (on_key, NULL, NULL)));
-  gtk_widget_add_controller (window, keys);
+  gtk_widget_add_controller (widget, keys);
 }
 
 /* ---- the pages in a window: Markdown as the manual uses it ---- */

@@ -6,14 +6,11 @@
 #include <gtk/gtk.h>
 
 /* Names the page of the manual (docs/manual, without .md) that is about a widget and all that it
- * contains. `page` is not copied. */
+ * contains; in a dialog F1 shows it. `page` is not copied. */
 void qn_help_set_page (GtkWidget *widget, const char *page);
 
 /* The page of the widget or of the nearest one around it, or NULL. */
 const char *qn_help_find_page (GtkWidget *widget);
-
-/* F1 in this window shows its page. Main windows have it as an action of the program. */
-void qn_help_add_key (GtkWidget *window);
 
 /* Shows a page; NULL is the first one. */
 void qn_help_show (GtkWindow *parent, const char *page);
