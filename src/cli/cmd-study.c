@@ -15,25 +15,30 @@
 #include <string.h>
 #include <unistd.h>
 
-/* This program, to be started again as a worker. */
-#define SELF "/proc/self/exe"
-
 typedef struct RunOptions {
   char *folder, *shard;
   int jobs;
   gboolean keep, retry, prepare, quiet;
 } RunOptions;
 
-typedef struct Display {
-  gboolean shown;
-  gint64 last_time; /* us */
-} Display;
+void
+qn_study_display_init (QnStudyDisplay *display, gboolean quiet)
+{
+  *display = (QnStudyDisplay){ .shown = !quiet && isatty (STDERR_FILENO) };
+}
 
-static gboolean
-show_progress (const QnStudyProgress *progress, gpointer data)
+void
+qn_study_display_done (QnStudyDisplay *display)
+{
+  if (display->shown && display->last_time > 0)
+    fprintf (stderr, "\r\033[K");
+}
+
+gboolean
+qn_study_display_update (const QnStudyProgress *progress, gpointer data)
 {
   enum { INTERVAL = 200000 };
-  Display *display = data;
+  QnStudyDisplay *display = data;
   gint64 now = g_get_monotonic_time ();
   if (display->shown && now - display->last_time >= INTERVAL) {
     display->last_time = now;
@@ -82,12 +87,11 @@ compute (const QnStudy *study, const RunOptions *options,
   QnStudyProgress progress;
   gboolean cancelled;
   GError *error = NULL;
-  Display *display = settings->data;
+  QnStudyDisplay *display = settings->data;
   qn_interrupt_install ();
   gboolean ok =
     qn_study_run (study, options->folder, settings, &progress, &cancelled, &error);
-  if (display->shown && display->last_time > 0)
-    fprintf (stderr, "\r\033[K");
+  qn_study_display_done (display);
   if (!ok)
     return qn_cli_fail (error);
   if (!options->quiet) {
@@ -108,15 +112,16 @@ run_study (const QnSubcommand *self, RunOptions *options, const char *path)
 {
   QnStudy study;
   GError *error = NULL;
-  Display display = { .shown = !options->quiet && isatty (STDERR_FILENO) };
+  QnStudyDisplay display;
   QnStudyRunSettings settings = {
-    .program = SELF,
+    .program = QN_STUDY_PROGRAM,
     .jobs = options->jobs > 0 ? (guint) options->jobs : g_get_num_processors (),
     .keep = options->keep,
     .retry = options->retry,
-    .progress = show_progress,
+    .progress = qn_study_display_update,
     .data = &display,
   };
+  qn_study_display_init (&display, options->quiet);
   /* The folder of a study stands for the study as well. */
   gboolean again = options->folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
   if (options->folder == NULL && !again)
@@ -219,7 +224,7 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
     return qn_cli_usage_error (self->name, _ ("--slurm is missing"));
   if (size < 0 || size > QN_STUDY_MAX_CASES)
     return qn_cli_usage_error (self->name, _ ("--array-size must be positive"));
-  program = g_file_read_link (SELF, NULL);
+  program = g_file_read_link (QN_STUDY_PROGRAM, NULL);
   const QnSlurmSettings settings = { .program = program != NULL ? program : "quoin-cli",
                                      .array_size = (guint) size,
                                      .partition = partition,

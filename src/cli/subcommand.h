@@ -34,6 +34,7 @@ extern const QnSubcommand qn_cmd_curve;
 extern const QnSubcommand qn_cmd_figures;
 extern const QnSubcommand qn_cmd_generate;
 extern const QnSubcommand qn_cmd_law;
+extern const QnSubcommand qn_cmd_ida;
 extern const QnSubcommand qn_cmd_import;
 extern const QnSubcommand qn_cmd_export;
 extern const QnSubcommand qn_cmd_modal;

@@ -1,0 +1,121 @@
+/* quoin-cli ida: curves, going on after an interruption, and what is refused. */
+#include "cli-run.h"
+
+#include <string.h>
+
+/* A block that a pulse of 0.5 s overturns from a certain amplitude on. */
+static const char block[] =
+  "{ \"format\": \"quoin\", \"version\": 1,\n"
+  "  \"laws\": [ { \"name\": \"j\", \"kind\": \"coulomb\", \"basis\": \"contact\", "
+  "\"kn\": 1e8,\n"
+  "    \"ks\": 1e8, \"friction\": 0.7 } ],\n"
+  "  \"blocks\": [ { \"name\": \"ground\", \"vertices\": [[-1, -0.2], [1, -0.2], [1, 0], "
+  "[-1, 0]],\n"
+  "    \"thickness\": 1, \"density\": 2000, \"support\": [true, true, true] },\n"
+  "    { \"name\": \"block\", \"vertices\": [[-0.1, 0], [0.1, 0], [0.1, 1], [-0.1, 1]],\n"
+  "    \"thickness\": 1, \"density\": 2000 } ],\n"
+  "  \"contact\": { \"law\": \"j\" },\n"
+  "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ], "
+  "\"live\": [] },\n"
+  "  \"analysis\": { \"procedure\": \"dynamic\", \"geometry\": \"nonlinear\",\n"
+  "    \"dynamic\": { \"duration\": 4, \"time_step\": 0.005,\n"
+  "      \"damping\": { \"stiffness\": 1e-4 } } } }\n";
+
+static const char pulse[] = "time [s],acceleration [m/s2]\n0,0\n0.25,1\n0.5,0\n";
+
+static void
+test_curves (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  g_autofree char *record = cli_write (folder, "pulse.csv", pulse);
+  g_autofree char *bare = cli_write (folder, "bare.txt", "0 0\n0.1 0.05\n0.2 0\n");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  g_autofree char *csv = g_build_filename (folder, "curves.csv", NULL);
+  g_autofree char *svg = g_build_filename (folder, "curves.svg", NULL);
+  CliRun run = cli_run ("ida", model, "--record", record, "--scale", "1:6:1", "-o",
+                        results, "--csv", csv, "--picture", svg, "--jobs", "2", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "pulse.csv: overturns first at"));
+  cli_run_clear (&run);
+  g_autofree char *table = cli_read (csv), *picture = cli_read (svg);
+  g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
+  g_assert_cmpuint (g_strv_length (lines), ==, 1 + 6 + 1);
+  double before = -1;
+  gboolean fell = FALSE;
+  for (int i = 1; i <= 6; i++) {
+    g_auto (GStrv) fields = g_strsplit (lines[i], ",", -1);
+    double peak = g_ascii_strtod (fields[3], NULL);
+    g_assert_cmpstr (fields[0], ==, "\"pulse.csv\"");
+    g_assert_cmpfloat (g_ascii_strtod (fields[1], NULL), ==, i);
+    g_assert_cmpfloat (g_ascii_strtod (fields[2], NULL), ==, i); /* the peak is 1 m/s2 */
+    gboolean falls = strcmp (fields[4], "1") == 0;
+    if (!fell)
+      g_assert_cmpfloat (peak, >, before);
+    before = peak;
+    fell |= falls;
+    if (i == 1) /* 0.1 g: it does not even rock */
+      g_assert_false (falls);
+    g_assert_true (falls == (*fields[5] != '\0'));
+  }
+  g_assert_true (fell);
+  g_assert_nonnull (strstr (picture, "<svg"));
+
+  /* What is there is not computed again, and what is missing is. */
+  g_autofree char *database = g_build_filename (results, "record-1", "study.db", NULL);
+  g_autofree char *first = cli_read (csv);
+  run = cli_run ("ida", model, "--record", record, "--scale", "1:6:1", "-o", results,
+                 "--csv", csv, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *second = cli_read (csv);
+  g_assert_cmpstr (first, ==, second);
+  g_assert_true (g_file_test (database, G_FILE_TEST_EXISTS));
+  run =
+    cli_run ("ida", model, "--record", record, "--scale", "1:6:0.5", "-o", results, NULL);
+  cli_assert_failed (&run, 3, "another study");
+
+  g_autofree char *other = g_build_filename (folder, "other", NULL);
+  run = cli_run ("ida", model, "--record", bare, "--scale", "1:2:1", "-o", other, NULL);
+  cli_assert_failed (&run, 3, "does not say the unit");
+  run = cli_run ("ida", model, "--record", bare, "--unit", "g", "--scale", "1:2:1", "-o",
+                 other, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "bare.txt: does not overturn"));
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
+static void
+test_refused (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  g_autofree char *record = cli_write (folder, "pulse.csv", pulse);
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  static const char *const scales[] = { "1:2",   "0:1:0.1", "1:2:-1",
+                                        "2:1:1", "1:2:1:1", "a:b:c" };
+  CliRun run = cli_run ("ida", model, "--scale", "1:2:1", "-o", results, NULL);
+  cli_assert_failed (&run, 2, "--record is missing");
+  run = cli_run ("ida", model, "--record", record, "--scale", "1:2:1", NULL);
+  cli_assert_failed (&run, 2, "-o is missing");
+  for (gsize i = 0; i < G_N_ELEMENTS (scales); i++) {
+    run = cli_run ("ida", model, "--record", record, "--scale", scales[i], "-o", results,
+                   NULL);
+    cli_assert_failed (&run, 2, "--scale is");
+  }
+  run = cli_run ("ida", model, "--record", "nowhere.csv", "--scale", "1:2:1", "-o",
+                 results, NULL);
+  cli_assert_failed (&run, 5, "nowhere.csv");
+  g_assert_false (g_file_test (results, G_FILE_TEST_IS_REGULAR));
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/ida/curves", test_curves);
+  g_test_add_func ("/ida/refused", test_refused);
+  return g_test_run ();
+}
