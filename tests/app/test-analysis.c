@@ -150,7 +150,7 @@ test_procedures (void)
   double first = 0.0;
   guint count =
     g_list_model_get_n_items (gtk_drop_down_get_model (GTK_DROP_DOWN (choice)));
-  g_assert_cmpuint (count, ==, 6);
+  g_assert_cmpuint (count, ==, 7);
   for (guint i = 0; i < count; i++) {
     gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), i);
     driver_run (50);
@@ -162,6 +162,11 @@ test_procedures (void)
     const QnRun *run = qn_document_get_run (document);
     g_assert_nonnull (run);
     g_assert_cmpuint (qn_document_get_runs (document)->len, ==, i + 1);
+    if (run->model.analysis.procedure == QN_PROCEDURE_DYNAMIC) {
+      g_assert_cmpuint (run->result.history.row_count, >, 1);
+      driver_screenshot (GTK_WIDGET (window), "in-time");
+      continue;
+    }
     double largest =
       run->result.has_collapse_multiplier ? run->result.collapse_multiplier : 0.0;
     for (gsize k = 0; k < run->result.step_count; k++)
@@ -171,6 +176,46 @@ test_procedures (void)
     g_assert_cmpfloat_with_epsilon (largest, first, 0.02 * first);
     driver_activate (window, "win.show-panel::analysis");
   }
+  driver_discard (window);
+}
+
+static gboolean
+has_label (GtkWidget *widget, gconstpointer text)
+{
+  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
+         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
+}
+
+/* An analysis in time is shown with its settings and its ground motion, which can be undone; its
+ * result is told by time. */
+static void
+test_in_time (void)
+{
+  QnWindow *window = driver_open_example ("41-column-impulse.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), is_procedure_choice,
+                                          "Load control (HybriDFEM)");
+  g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, 6);
+  driver_run (100);
+  driver_screenshot (GTK_WIDGET (window), "ground-motion");
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, "step impulse"));
+  driver_press (GTK_WIDGET (window), "+ Pulse");
+  g_assert_cmpuint (model_of (window)->ground_count, ==, 2);
+  driver_press (GTK_WIDGET (window), "Remove");
+  g_assert_cmpuint (model_of (window)->ground_count, ==, 1);
+  g_assert_cmpint (model_of (window)->ground[0].pulse.kind, ==, QN_PULSE_STEP_IMPULSE);
+  driver_activate (window, "win.undo");
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->ground_count, ==, 1);
+
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_run (100);
+  const QnRun *run = qn_document_get_run (document);
+  g_assert_cmpuint (run->result.history.row_count, >, 100);
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, " s of "));
+  driver_screenshot (GTK_WIDGET (window), "history");
   driver_discard (window);
 }
 
@@ -259,6 +304,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/analysis/failures", test_failures);
   g_test_add_func ("/app/analysis/dead-load", test_dead_load);
   g_test_add_func ("/app/analysis/procedures", test_procedures);
+  g_test_add_func ("/app/analysis/in-time", test_in_time);
   g_test_add_func ("/app/analysis/bounds", test_bounds);
   g_test_add_func ("/app/analysis/modes-and-stability", test_modes_and_stability);
   return g_test_run ();

@@ -35,6 +35,10 @@ GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
 GtkWidget *qn_load_form_new (QnCanvas *canvas);
 GtkWidget *qn_stage_form_new (QnCanvas *canvas);
 
+/* Settings and ground motions of an analysis in time; part of the analysis panel, hidden where the
+ * analysis is another. */
+GtkWidget *qn_dynamic_form_new (QnCanvas *canvas);
+
 /* The law of the contacts; part of the analysis panel. */
 GtkWidget *qn_law_form_new (QnCanvas *canvas);
 

@@ -1,5 +1,6 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
+#include "doc/edit/edit-dynamic.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -24,6 +25,7 @@ enum {
   POSITIONS,
   WEIGHTS,
   TOLERANCE,
+  DYNAMIC_BOX,
   LOADS_BOX,
   STAGES_BOX,
   LAWS_BOX
@@ -53,6 +55,7 @@ static const QnFormField fields[] = {
   [POSITIONS] = { .id = "positions", .step = N_ ("Change Analysis") },
   [WEIGHTS] = { .id = "weights", .step = N_ ("Change Analysis") },
   [TOLERANCE] = { .id = "tolerance", .step = N_ ("Change Analysis") },
+  [DYNAMIC_BOX] = { .id = "dynamic_box" },
   [LOADS_BOX] = { .id = "loads_box" },
   [STAGES_BOX] = { .id = "stages_box" },
   [LAWS_BOX] = { .id = "laws_box" },
@@ -89,6 +92,10 @@ static const struct {
     N_ ("Rigid blocks with the dilatancy of the laws: multipliers at which forces and "
         "mechanism are consistent. There may be several."),
     QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
+  { N_ ("In time (earthquakes)"),
+    N_ ("Under the constant loads the ground moves, step by step in time; growing loads "
+        "have no part in it."),
+    QN_PROCEDURE_DYNAMIC, QN_FLOW_ASSOCIATIVE },
 };
 
 static gboolean
@@ -186,7 +193,8 @@ show (gpointer data, guint field, QnValue *value)
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
   QnAnalysisSettings a = model->analysis;
-  gboolean path = a.procedure != QN_PROCEDURE_LIMIT, staged = model->stage_count > 0;
+  gboolean timed = a.procedure == QN_PROCEDURE_DYNAMIC, staged = model->stage_count > 0;
+  gboolean path = a.procedure != QN_PROCEDURE_LIMIT && !timed;
   gboolean controlled =
     a.procedure == QN_PROCEDURE_DISPLACEMENT || (path && a.control_block != QN_NONE);
   const double *number = number_of (&a, field);
@@ -207,7 +215,7 @@ show (gpointer data, guint field, QnValue *value)
     return staged;
   case GEOMETRY:
     value->number = a.geometry == QN_GEOMETRY_NONLINEAR;
-    return path;
+    return path || timed;
   case SNAP:
     value->number = a.snap == QN_SNAP_THROUGH_STOP;
     return path;
@@ -217,8 +225,9 @@ show (gpointer data, guint field, QnValue *value)
   case MAX_MULTIPLIER:
     return path && !staged;
   case MULTIPLIER_TOLERANCE:
-  case RESIDUAL_TOLERANCE:
     return path;
+  case RESIDUAL_TOLERANCE:
+    return path || timed;
   case CONTROL_BLOCK:
     value->rows = dup_blocks (model);
     value->number = a.control_block + 1;
@@ -321,6 +330,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     *number = value->number;
   switch (field) {
   case PROCEDURE:
+    if (procedures[row].procedure == QN_PROCEDURE_DYNAMIC)
+      return qn_edit_choose_dynamic (model, error);
     a->procedure = procedures[row].procedure;
     if (a->procedure == QN_PROCEDURE_LIMIT)
       a->flow = procedures[row].flow;
@@ -356,6 +367,7 @@ qn_analysis_panel_new (QnCanvas *canvas)
 {
   static const QnFormKind kind = QN_FORM_KIND ("analysis-panel", QnBoundForm, 0);
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
+  gtk_box_append (GTK_BOX (form->widgets[DYNAMIC_BOX]), qn_dynamic_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LOADS_BOX]), qn_load_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[STAGES_BOX]), qn_stage_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_law_form_new (canvas));

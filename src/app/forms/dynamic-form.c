@@ -1,0 +1,253 @@
+/* The analysis in time: its settings, and the list of ground motions. */
+#include "app/forms/bound-form.h"
+#include "app/forms/panel.h"
+#include "app/widgets/chooser.h"
+#include "doc/edit/edit-dynamic.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+typedef struct Form {
+  QnBoundForm base;
+  int selected; /* ground motion, or -1 */
+  GObject *chooser;
+} Form;
+
+enum {
+  DURATION,
+  TIME_STEP,
+  RHO,
+  MASS_DAMPING,
+  JOINT_DAMPING,
+  OF,
+  MOTIONS,
+  KIND,
+  AMPLITUDE,
+  LENGTH,
+  START,
+  SCALE,
+  X,
+  Y,
+  ADD,
+  IMPORT,
+  REMOVE
+};
+
+static const QnFormField fields[] = {
+  [DURATION] = { .id = "duration", .step = N_ ("Change Analysis") },
+  [TIME_STEP] = { .id = "time_step", .step = N_ ("Change Analysis") },
+  [RHO] = { .id = "rho", .step = N_ ("Change Analysis") },
+  [MASS_DAMPING] = { .id = "mass_damping", .step = N_ ("Change Analysis") },
+  [JOINT_DAMPING] = { .id = "joint_damping", .step = N_ ("Change Analysis") },
+  [OF] = { .id = "of", .step = N_ ("Change Analysis") },
+  [MOTIONS] = { .id = "motions" },
+  [KIND] = { .id = "kind", .step = N_ ("Change Ground Motion") },
+  [AMPLITUDE] = { .id = "amplitude", .step = N_ ("Change Ground Motion") },
+  [LENGTH] = { .id = "length", .step = N_ ("Change Ground Motion") },
+  [START] = { .id = "start", .step = N_ ("Change Ground Motion") },
+  [SCALE] = { .id = "scale", .step = N_ ("Change Ground Motion") },
+  [X] = { .id = "x", .step = N_ ("Change Ground Motion") },
+  [Y] = { .id = "y", .step = N_ ("Change Ground Motion") },
+  [ADD] = { .id = "add", .step = N_ ("Add Ground Motion") },
+  [IMPORT] = { .id = "import" },
+  [REMOVE] = { .id = "remove", .step = N_ ("Remove Ground Motion") },
+};
+
+static gboolean
+look (gpointer data)
+{
+  Form *form = data;
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  form->selected = MIN (form->selected, (int) model->ground_count - 1);
+  return model->analysis.procedure == QN_PROCEDURE_DYNAMIC && model->stage_count == 0;
+}
+
+/* The number behind a field; NULL where it has none. */
+static double *
+number_of (QnModel *model, int selected, guint field)
+{
+  QnDynamicSettings *d = &model->analysis.dynamic;
+  QnGroundMotion *m = selected >= 0 ? &model->ground[selected] : NULL;
+  double *const all[] = {
+    [DURATION] = &d->duration,
+    [TIME_STEP] = &d->time_step,
+    [RHO] = &d->rho,
+    [MASS_DAMPING] = &d->mass_damping,
+    [JOINT_DAMPING] = &d->joint_damping,
+    [AMPLITUDE] = m != NULL ? &m->pulse.amplitude : NULL,
+    [LENGTH] = m != NULL ? &m->pulse.duration : NULL,
+    [START] = m != NULL ? &m->pulse.start : NULL,
+    [SCALE] = m != NULL ? &m->scale : NULL,
+    [X] = m != NULL ? &m->direction.x : NULL,
+    [Y] = m != NULL ? &m->direction.y : NULL,
+  };
+  return field < G_N_ELEMENTS (all) ? all[field] : NULL;
+}
+
+static char **
+dup_motions (const QnModel *model)
+{
+  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
+  for (gsize i = 0; i < model->ground_count; i++) {
+    g_autofree char *line = qn_ground_motion_dup_text (&model->ground[i]);
+    g_strv_builder_add (lines, line);
+  }
+  return g_strv_builder_end (lines);
+}
+
+static char **
+dup_pulses (void)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  for (int i = 0; i < QN_PULSE_KIND_COUNT; i++)
+    g_strv_builder_add (names, qn_pulse_kind_text ((QnPulseKind) i));
+  return g_strv_builder_end (names);
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  const Form *form = data;
+  QnModel model = *qn_canvas_get_model (form->base.canvas);
+  const QnGroundMotion *motion =
+    form->selected >= 0 ? &model.ground[form->selected] : NULL;
+  gboolean pulse = motion != NULL && motion->kind == QN_SIGNAL_PULSE;
+  const double *number = number_of (&model, form->selected, field);
+  if (number != NULL)
+    value->number = *number;
+  switch (field) {
+  case OF:
+    value->number = model.analysis.dynamic.of;
+    return TRUE;
+  case MOTIONS:
+    value->rows = dup_motions (&model);
+    value->number = form->selected;
+    return TRUE;
+  case KIND:
+    value->rows = dup_pulses ();
+    value->number = pulse ? motion->pulse.kind : 0;
+    return pulse;
+  case AMPLITUDE:
+  case LENGTH:
+  case START:
+    return pulse;
+  case SCALE:
+  case X:
+  case Y:
+    return motion != NULL;
+  case REMOVE:
+    value->disabled = motion == NULL;
+    return TRUE;
+  default:
+    return TRUE;
+  }
+}
+
+/* ---- records ---- */
+
+static gboolean
+add_record (QnModel *model, gpointer path, GError **error)
+{
+  return qn_edit_add_record (model, path, error);
+}
+
+static void
+import_file (Form *form, GFile *file)
+{
+  g_autofree char *path = g_file_get_path (file);
+  if (path == NULL)
+    qn_canvas_tell (form->base.canvas, _ ("Only files of this computer can be read"));
+  else if (qn_canvas_edit (form->base.canvas, _ ("Import Ground Motion"), NULL,
+                           add_record, path)) {
+    form->selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
+    qn_bound_form_show (form);
+  }
+}
+
+static void
+on_chosen (GtkNativeDialog *dialog, int response, Form *form)
+{
+  g_autoptr (GFile) file = response == GTK_RESPONSE_ACCEPT
+                             ? gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog))
+                             : NULL;
+  if (file != NULL)
+    import_file (form, file);
+  g_clear_object (&form->chooser);
+}
+
+static void
+choose_file (Form *form)
+{
+  GtkFileChooserNative *chooser = qn_chooser_begin (
+    GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
+    GTK_FILE_CHOOSER_ACTION_OPEN, _ ("Import Ground Motion"), _ ("_Import"));
+  g_signal_connect (chooser, "response", G_CALLBACK (on_chosen), form);
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+}
+
+static gboolean
+on_drop (GtkDropTarget *target, const GValue *value, double x, double y, Form *form)
+{
+  (void) target;
+  (void) x;
+  (void) y;
+  GSList *files = g_value_get_boxed (value);
+  for (; files != NULL; files = files->next)
+    import_file (form, files->data);
+  return TRUE;
+}
+
+/* ---- changes ---- */
+
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  Form *form = data;
+  double *number =
+    draft != NULL ? number_of (&draft->model, form->selected, field) : NULL;
+  if (number != NULL)
+    *number = value->number;
+  switch (field) {
+  case OF:
+    draft->model.analysis.dynamic.of = (QnDampingStiffness) value->number;
+    return TRUE;
+  case MOTIONS:
+    form->selected = (int) value->number;
+    return TRUE;
+  case KIND:
+    draft->model.ground[form->selected].pulse.kind = (QnPulseKind) value->number;
+    return TRUE;
+  case ADD:
+    if (!qn_edit_add_pulse (&draft->model, error))
+      return FALSE;
+    form->selected = (int) draft->model.ground_count - 1;
+    return TRUE;
+  case IMPORT:
+    choose_file (form);
+    return TRUE;
+  case REMOVE:
+    return qn_edit_remove_ground_motion (&draft->model, (gsize) form->selected, error);
+  default:
+    return TRUE;
+  }
+}
+
+static void
+on_destroy (GtkWidget *root, Form *form)
+{
+  (void) root;
+  g_clear_object (&form->chooser);
+}
+
+GtkWidget *
+qn_dynamic_form_new (QnCanvas *canvas)
+{
+  static const QnFormKind kind = QN_FORM_KIND ("dynamic-form", Form, 0);
+  Form *form = qn_bound_form_new (&kind, canvas);
+  GtkDropTarget *target = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
+  form->selected = 0;
+  g_signal_connect (target, "drop", G_CALLBACK (on_drop), form);
+  g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
+  gtk_widget_add_controller (form->base.root, GTK_EVENT_CONTROLLER (target));
+  return qn_bound_form_show (form);
+}
