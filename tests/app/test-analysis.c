@@ -202,7 +202,7 @@ test_in_time (void)
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), has_label, "step impulse"));
   driver_press (GTK_WIDGET (window), "+ Pulse");
   g_assert_cmpuint (model_of (window)->ground_count, ==, 2);
-  driver_press (GTK_WIDGET (window), "Remove");
+  driver_press (GTK_WIDGET (window), "Remove Motion");
   g_assert_cmpuint (model_of (window)->ground_count, ==, 1);
   g_assert_cmpint (model_of (window)->ground[0].pulse.kind, ==, QN_PULSE_STEP_IMPULSE);
   driver_activate (window, "win.undo");
