@@ -1,13 +1,14 @@
 /* Preloaded into a program, makes its K-th call that changes a regular file or a folder fail:
  * opening to write, write, fsync, close, link, rename, making a folder.
  *
- *   QUOIN_DISK_FAULT=K:ERRNO   which call, from 1, and with what
+ *   QUOIN_DISK_FAULT=K:ERRNO   which call, from 1, and with what; 0: the program is killed instead
  *   QUOIN_DISK_MARK=PATH       made when it has failed; PATH itself is left in peace
  *   QUOIN_DISK_NAMED=1         there are no files without a name, as on some file systems
  */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,6 +35,8 @@ strikes (void)
   if (mark != NULL)
     syscall (SYS_close,
              (int) syscall (SYS_openat, AT_FDCWD, mark, O_CREAT | O_WRONLY, 0600));
+  if (code == 0)
+    kill (getpid (), SIGKILL);
   errno = code;
   return true;
 }

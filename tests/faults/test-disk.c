@@ -1,6 +1,7 @@
 /* A disk that fails at every call that changes it, one after the other, and one that is full:
  * quoin-cli says so in one line and exit code 5, the old file is as it was, and nothing is left
- * beside it. */
+ * beside it. And a kill at each of these calls: what bears a name is the old file or the new one,
+ * whole, and the next run writes all of it. */
 #include "cli/cli-run.h"
 
 #include <errno.h>
@@ -24,7 +25,8 @@ static const Writing writings[] = {
     "out.quoin",
     { "generate", "wall", "length=2", "height=1", "-o", "OUTPUT" } },
   { "import", "out.quoin", { "import", "DRAWING", "-o", "OUTPUT" } },
-  { "result", "out.json", { "solve", "MODEL", "-q", "-o", "OUTPUT" } },
+  { "result", "out.json", { "solve", "MODEL", "-q", "--no-timings", "-o", "OUTPUT" } },
+  { "figures", "out/", { "figures", "FIGURES", "-o", "OUTPUT" } },
   { "curve-csv", "out.csv", { "solve", "MODEL", "-q", "--csv", "OUTPUT" } },
   { "contacts-csv",
     "out.csv",
@@ -70,6 +72,8 @@ fill_in (const Place *place, const char *argument)
     return g_strdup (place->result);
   if (strcmp (argument, "MODEL") == 0)
     return cli_example ("05-stack.quoin");
+  if (strcmp (argument, "FIGURES") == 0)
+    return g_build_filename (place->inputs, "figures.quoin", NULL);
   if (strcmp (argument, "BEAM") == 0)
     return cli_example ("37-beam-vibrating.quoin");
   if (strcmp (argument, "DRAWING") == 0)
@@ -93,6 +97,29 @@ command_of (const Place *place)
   return g_strv_builder_end (builder);
 }
 
+/* A project with two pictures of its own, under the names of an animation's. */
+static void
+write_figures (const Place *place)
+{
+  static const char recipes[] =
+    "{ \"figures\": [ { \"name\": \"a\", \"view\": \"model\", \"size\": \"200x150\", "
+    "\"file\": \"frame-0001.png\" }, { \"name\": \"b\", \"view\": \"contacts\", "
+    "\"size\": \"200x150\", \"file\": \"b.svg\" } ],";
+  g_autofree char *example = cli_example ("05-stack.quoin");
+  g_autofree char *text = cli_read (example);
+  g_autofree char *changed = cli_replace (text, "{", recipes);
+  g_free (cli_write (place->inputs, "figures.quoin", changed));
+}
+
+/* The output folder with the old file alone. */
+static void
+put_old (const Place *place)
+{
+  if (g_str_has_suffix (place->writing->output, "/"))
+    g_mkdir (place->output, 0777);
+  g_assert_true (g_file_set_contents (place->old, OLD, -1, NULL));
+}
+
 static void
 place_init (Place *place, const Writing *writing)
 {
@@ -109,11 +136,11 @@ place_init (Place *place, const Writing *writing)
   place->output = g_build_filename (place->folder, writing->output, NULL);
   place->old = g_strdup (place->output);
   if (g_str_has_suffix (writing->output, "/")) {
-    g_assert_cmpint (g_mkdir (place->output, 0777), ==, 0);
     g_free (place->old);
     place->old = g_build_filename (place->output, "frame-0001.png", NULL);
   }
-  g_assert_true (g_file_set_contents (place->old, OLD, -1, NULL));
+  put_old (place);
+  write_figures (place);
 }
 
 static void
@@ -186,9 +213,9 @@ check_written (const Place *place)
   g_assert_true (g_file_set_contents (place->old, OLD, -1, NULL));
 }
 
-/* Whether call `number` was made, and failed. */
-static gboolean
-fail_call (Place *place, int number, int code, gboolean named, int *harmless)
+/* The environment in which call `number` fails. */
+static char **
+dup_environment (const Place *place, int number, int code, gboolean named)
 {
   g_autofree char *fault = g_strdup_printf ("%d:%d", number, code);
   char **environment = g_get_environ ();
@@ -203,8 +230,15 @@ fail_call (Place *place, int number, int code, gboolean named, int *harmless)
   environment = g_environ_setenv (environment, "QUOIN_DISK_MARK", place->mark, TRUE);
   if (named)
     environment = g_environ_setenv (environment, "QUOIN_DISK_NAMED", "1", TRUE);
+  return environment;
+}
+
+/* Whether call `number` was made, and failed. */
+static gboolean
+fail_call (Place *place, int number, int code, gboolean named, int *harmless)
+{
+  g_auto (GStrv) environment = dup_environment (place, number, code, named);
   CliRun run = run_in (place, environment, 0);
-  g_strfreev (environment);
 
   gboolean failed = g_remove (place->mark) == 0;
   g_test_message ("call %d: %s, exit code %d, %s", number, failed ? "failed" : "not made",
@@ -251,6 +285,104 @@ test_every_call_named (gconstpointer data)
   fail_every_call (data, EIO, TRUE);
 }
 
+/* What stands under a name in a folder and those below it: contents by path. Hidden files and folders
+ * are none. */
+static void
+collect (const char *folder, GHashTable *files)
+{
+  const char *name;
+  GDir *dir = g_dir_open (folder, 0, NULL);
+  g_assert_nonnull (dir);
+  while ((name = g_dir_read_name (dir)) != NULL) {
+    char *path = g_build_filename (folder, name, NULL), *content;
+    gsize length;
+    if (name[0] == '.') {
+      g_free (path);
+    } else if (g_file_test (path, G_FILE_TEST_IS_DIR)) {
+      collect (path, files);
+      g_free (path);
+    } else {
+      g_assert_true (g_file_get_contents (path, &content, &length, NULL));
+      g_hash_table_insert (files, path, g_bytes_new_take (content, length));
+    }
+  }
+  g_dir_close (dir);
+}
+
+static GHashTable *
+files_of (const Place *place)
+{
+  GHashTable *files = g_hash_table_new_full (g_str_hash, g_str_equal, g_free,
+                                             (GDestroyNotify) g_bytes_unref);
+  collect (place->folder, files);
+  return files;
+}
+
+/* Every file is the old one or that of an undisturbed run. */
+static void
+check_whole (const Place *place, GHashTable *expected)
+{
+  g_autoptr (GHashTable) files = files_of (place);
+  g_autoptr (GBytes) old = g_bytes_new_static (OLD, strlen (OLD));
+  GHashTableIter iter;
+  gpointer path, content;
+  g_assert_true (g_hash_table_contains (files, place->old));
+  g_hash_table_iter_init (&iter, files);
+  while (g_hash_table_iter_next (&iter, &path, &content)) {
+    GBytes *whole = g_hash_table_lookup (expected, path);
+    if (strcmp (path, place->old) == 0 && g_bytes_equal (content, old))
+      continue;
+    g_test_message ("%s", (char *) path);
+    g_assert_nonnull (whole);
+    /* A WebM file has random numbers of its own in it. */
+    g_assert_cmpuint (g_bytes_get_size (content), ==, g_bytes_get_size (whole));
+    g_assert_true (g_str_has_suffix (path, ".webm") || g_bytes_equal (content, whole));
+  }
+}
+
+/* Killed at every call that changes the disk, then run again undisturbed. */
+static void
+kill_every_call (const Writing *writing, gboolean named)
+{
+  Place place;
+  int number = 1, code;
+  place_init (&place, writing);
+  CliRun run = run_in (&place, NULL, 0);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autoptr (GHashTable) expected = files_of (&place);
+  do {
+    test_scratch_empty (place.folder);
+    put_old (&place);
+    g_auto (GStrv) environment = dup_environment (&place, number, 0, named);
+    run = run_in (&place, environment, 0);
+    code = run.code;
+    cli_run_clear (&run);
+    g_remove (place.mark);
+    check_whole (&place, expected);
+    number++;
+  } while (code == 128 + SIGKILL);
+  g_assert_cmpint (code, ==, 0);
+  g_test_message ("killed at %d calls", number - 2);
+  g_assert_cmpint (number, >=, 5);
+
+  g_autoptr (GHashTable) files = files_of (&place);
+  g_assert_cmpuint (g_hash_table_size (files), ==, g_hash_table_size (expected));
+  place_clear (&place);
+}
+
+static void
+test_kill (gconstpointer data)
+{
+  kill_every_call (data, FALSE);
+}
+
+static void
+test_kill_named (gconstpointer data)
+{
+  kill_every_call (data, TRUE);
+}
+
 /* No file may be larger than a few bytes: the system sends a signal that ends programs. */
 static void
 test_no_room (gconstpointer data)
@@ -289,11 +421,17 @@ main (int argc, char **argv)
       GTestDataFunc function;
     } faults[] = { { "every-call", test_every_call },
                    { "every-call-named", test_every_call_named },
+                   { "kill", test_kill },
+                   { "kill-named", test_kill_named },
                    { "no-room", test_no_room } };
     for (size_t k = 0; k < G_N_ELEMENTS (faults); k++) {
       /* One file and several: names do not depend on what is in them. */
-      if (faults[k].function == test_every_call_named && i > 0
-          && strcmp (writings[i].name, "frames") != 0)
+      gboolean for_names = faults[k].function == test_every_call_named
+                           || faults[k].function == test_kill_named;
+      if (for_names && i > 0 && strcmp (writings[i].name, "frames") != 0)
+        continue;
+      /* Every figure is a file by itself: those before the one that fails are there. */
+      if (strcmp (writings[i].name, "figures") == 0 && faults[k].function != test_kill)
         continue;
       g_autofree char *path =
         g_strdup_printf ("/faults/disk/%s/%s", writings[i].name, faults[k].name);

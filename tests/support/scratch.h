@@ -7,7 +7,8 @@
 /* A new empty folder; what must not fail fails the test. */
 char *test_scratch_new (void);
 
-/* Removes it with all that is in it, and frees the path. */
+/* Removes all that is in a folder; and the folder too, and frees the path. */
+void test_scratch_empty (const char *folder);
 void test_scratch_free (char *folder);
 
 /* Number of entries in a folder. */
