@@ -8,7 +8,7 @@
 #
 #   in every run  clang-release    clang, optimised, warnings are errors
 #                 gcc-debug        gcc without optimisation
-#                 options          gcc, optimised; each optional dependency absent in turn, all of them,
+#                 options          gcc; each optional dependency absent in turn, all of them,
 #                                  and without the window
 #                 clang-sanitize   clang's address and undefined-behaviour sanitizers, with conversions
 #                                  and shifts: readers over the fuzzing corpus, linear algebra, examples
@@ -91,7 +91,7 @@ compile () {
 # One folder, configured anew for each: only what an option changes is compiled again.
 options () {
   local folder=build-matrix/options all=() window=src/app/quoin option
-  configure "$folder" gcc --buildtype=release
+  configure "$folder" gcc
   for option in gstreamer osmesa egl python; do
     all+=("-D$option=disabled")
     meson configure "$folder" "-D$option=disabled"
@@ -136,7 +136,7 @@ dist () {
     || { tail -n 5 "$folder.log"; return 1; }
   mkdir -p "$unpacked"
   tar -xf "$folder"/meson-dist/*.tar.xz -C "$unpacked" --strip-components=1
-  configure "$unpacked/build" gcc --buildtype=release --prefix=/usr -Dapp=disabled
+  configure "$unpacked/build" gcc --prefix=/usr -Dapp=disabled
   ninja -C "$unpacked/build" --quiet
   DESTDIR=$root/build-matrix/root meson install -C "$unpacked/build" --no-rebuild --quiet
   smoke "$root/build-matrix/root/usr/bin/quoin-cli"

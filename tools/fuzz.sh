@@ -8,7 +8,7 @@
 # Inputs found stay in build-fuzz/found/TARGET, reduced to the fewest that cover the same; the next run
 # begins with them. Reproducers of errors are build-fuzz/errors/TARGET-*: an input that shows an error
 # belongs into tests/fuzz/corpus/TARGET once the error is corrected. Exits non-zero where one was found.
-# Needs clang, llvm and libclang-rt-dev. docs/fuzzing.md tells what campaigns have found.
+# Needs clang, llvm and libclang-rt-dev. docs/faults.md tells what campaigns have found.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null

@@ -6,9 +6,8 @@
 #   tools/sanitize.sh window              the window on a display of its own, the same way: minutes
 #   tools/sanitize.sh thread              tests with threads under TSan
 #   tools/sanitize.sh valgrind            tests of the core under valgrind, uninstrumented
-#   tools/sanitize.sh fuzz [SECONDS]      every fuzz target for so long (60), with libFuzzer
 #
-# What tools/test.sh runs of it: address, window, thread, valgrind. docs/faults.md tells more.
+# What tools/test.sh runs of it: address, window, thread, valgrind. docs/faults.md tells more; tools/fuzz.sh looks for new inputs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
@@ -48,28 +47,12 @@ with_valgrind () {
     weld polygon-ops io-json-parse whole-file
 }
 
-with_libfuzzer () {
-  local seconds=$1 target
-  CC=clang CXX=clang++ configure build-fuzz -Dfuzzers=true -Dapp=disabled \
-    -Db_sanitize=address,undefined -Db_lundef=false "-Dc_args=-fsanitize=fuzzer-no-link,float-cast-overflow,unsigned-shift-base"
-  for target in compas dxf hybridfem project result svg text; do
-    ninja -C build-fuzz "tests/fuzz/libfuzzer-$target"
-    mkdir -p "build-fuzz/new/$target"
-    local options=(-max_total_time="$seconds" -timeout=20 -print_final_stats=1
-      -artifact_prefix="build-fuzz/new/$target-")
-    [ ! -f "tests/fuzz/$target.dict" ] || options+=("-dict=tests/fuzz/$target.dict")
-    "build-fuzz/tests/fuzz/libfuzzer-$target" "${options[@]}" "build-fuzz/new/$target" \
-      "tests/fuzz/corpus/$target"
-  done
-}
-
 case ${1:-} in
   address) with_asan --no-suite slow ;;
   faults) with_asan --suite faults --suite fuzz ;;
   window) with_asan --suite app ;;
   thread) with_tsan ;;
   valgrind) with_valgrind ;;
-  fuzz) with_libfuzzer "${2:-60}" ;;
   *)
     sed -n '2,/^set/s/^# \{0,1\}//p' "$0"
     exit 2

@@ -116,6 +116,10 @@ check () {
   name_failures "$folder"
 }
 
+# What a test leaves in the temporary folder is found at the end.
+TMPDIR=$(mktemp -d)
+export TMPDIR
+
 echo "== tests"
 check build-test -- --timeout-multiplier 3
 
@@ -139,6 +143,13 @@ targets=
 echo "== the core under valgrind"
 check build-test -- --setup valgrind newton lanczos stability interior-point path-stages \
   central-path weld polygon-ops io-json-parse whole-file
+
+for left in "$TMPDIR"/quoin*; do
+  [ -e "$left" ] || continue
+  failures+=("a test left a folder behind: $left")
+  failed=$((failed + 1))
+done
+rm -rf "$TMPDIR"
 
 if [ ${#failures[@]} -gt 0 ]; then
   echo "== failed"

@@ -435,7 +435,7 @@ add_groups (double *target, int32_t rows, const double *matrix, int32_t height,
 {
   ptrdiff_t step = direction * (ptrdiff_t) height;
 
-  if (direction < 0) {
+  if (direction < 0 && columns > 0) { /* of no column there is no last one */
     matrix += (size_t) (columns - 1) * (size_t) height;
     factors += columns - 1;
   }

@@ -2,6 +2,7 @@
 
 #include "doc/view/view-state.h"
 #include "fixture.h"
+#include "support/scratch.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -47,8 +48,8 @@ expect_text (const char *folder, const char *name, const char *expected)
 static void
 rig_init (Rig *rig)
 {
-  rig->from = g_dir_make_tmp ("quoin-XXXXXX", NULL);
-  rig->to = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  rig->from = test_scratch_new ();
+  rig->to = test_scratch_new ();
   rig->model = g_build_filename (rig->from, "shaken.quoin", NULL);
   rig->copy = g_build_filename (rig->to, "mine.quoin", NULL);
   write_text (rig->from, "shaken.quoin", project);
@@ -62,16 +63,8 @@ rig_init (Rig *rig)
 static void
 rig_clear (Rig *rig)
 {
-  const char *const folders[] = { rig->from, rig->to };
-  const char *const names[] = { "shaken.quoin",    "mine.quoin", "photo.png",
-                                "data/ground.csv", "data",       "" };
-  for (gsize i = 0; i < G_N_ELEMENTS (folders); i++)
-    for (gsize k = 0; k < G_N_ELEMENTS (names); k++) {
-      g_autofree char *path = g_build_filename (folders[i], names[k], NULL);
-      g_remove (path);
-    }
-  g_free (rig->from);
-  g_free (rig->to);
+  test_scratch_free (rig->from);
+  test_scratch_free (rig->to);
   g_free (rig->model);
   g_free (rig->copy);
 }
