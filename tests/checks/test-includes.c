@@ -49,7 +49,7 @@ static const Layer layers[] = {
     { "glib", "gio/" } },
   { "app",
     { "widgets", "canvas", "tools", "forms", "views", "dialogs", "window" },
-    { "core/", "stereotomy/", "io/", "render/", "doc/", "app/", "config.h" },
+    { "core/", "stereotomy/", "io/", "render/", "doc/", "study/", "app/", "config.h" },
     { "glib", "gio/", "gmodule.h", "cairo", "gtk/", "gdk/", "gsk/", "graphene",
       "pango" } },
 };

@@ -72,6 +72,8 @@ show (gpointer data, guint field, QnValue *value)
   gboolean masonry = TRUE;
   for (guint i = 0; i < set.count; i++)
     masonry = masonry && model->blocks[set.ids[i]].masonry != QN_NONE;
+  gboolean free_block =
+    set.count == 1 && block->wall == QN_NONE && block->masonry == QN_NONE;
   switch (field) {
   case TITLE:
     value->text =
@@ -81,12 +83,16 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case NAME:
     value->text = g_strdup (block->name);
-    return set.count == 1 && block->wall == QN_NONE && block->masonry == QN_NONE;
+    return free_block;
   case THICKNESS:
     value->number = block->thickness;
+    if (free_block)
+      value->path = g_strdup_printf ("blocks[%d].thickness", set.ids[0]);
     return !masonry;
   case WEIGHT:
     value->number = block->unit_weight;
+    if (free_block && block->density < 0)
+      value->path = g_strdup_printf ("blocks[%d].unit_weight", set.ids[0]);
     return !masonry;
   case LAW:
     qn_value_set_laws (value, model, _ ("As all contacts"), block->law);

@@ -53,6 +53,7 @@ static void
 value_clear (QnValue *value)
 {
   g_free (value->text);
+  g_free (value->path);
   g_strfreev (value->rows);
 }
 
@@ -199,9 +200,10 @@ static void
 show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
 {
   gboolean on = value->number != 0.0;
-  if (QN_IS_QUANTITY_ENTRY (widget))
+  if (QN_IS_QUANTITY_ENTRY (widget)) {
     qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (widget), value->number);
-  else if (GTK_IS_DROP_DOWN (widget))
+    qn_quantity_entry_set_path (QN_QUANTITY_ENTRY (widget), value->path);
+  } else if (GTK_IS_DROP_DOWN (widget))
     show_choice (form, GTK_DROP_DOWN (widget), value);
   else if (GTK_IS_LIST_BOX (widget))
     show_list (GTK_LIST_BOX (widget), value);

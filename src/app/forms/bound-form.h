@@ -19,6 +19,7 @@
 typedef struct QnValue {
   double number;  /* in SI; row of a choice or a list, -1 for none; 1 for on */
   char *text;     /* owned */
+  char *path;     /* of a number in the project, which a study may vary; owned */
   char **rows;    /* of a choice or a list, anew; owned; NULL: as they are in the file */
   gboolean mixed; /* a check that is on for some of what is selected */
   gboolean disabled; /* shown, but not to be used now */

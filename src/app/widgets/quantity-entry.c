@@ -12,6 +12,7 @@ struct _QnQuantityEntry {
   QnQuantity quantity;
   double least, most;
   double value, previous; /* SI; before the last one was entered */
+  char *path;             /* in the project, or NULL */
   gboolean troubled;
   gulong settings_handler;
 };
@@ -63,6 +64,20 @@ set_trouble (QnQuantityEntry *self, const char *message)
     message != NULL ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE, -1);
 }
 
+/* The context menu, which Shift+F10 opens as well. */
+static void
+offer_to_vary (QnQuantityEntry *self)
+{
+  g_autoptr (GMenu) menu = g_menu_new ();
+  if (self->path != NULL) {
+    g_autoptr (GMenuItem) item = g_menu_item_new (_ ("_Vary This…"), NULL);
+    g_menu_item_set_action_and_target (item, "win.vary", "(sd)", self->path, self->value);
+    g_menu_append_item (menu, item);
+  }
+  gtk_entry_set_extra_menu (GTK_ENTRY (self),
+                            self->path != NULL ? G_MENU_MODEL (menu) : NULL);
+}
+
 static void
 show_value (QnQuantityEntry *self)
 {
@@ -100,6 +115,7 @@ commit (QnQuantityEntry *self)
   }
   self->previous = self->value;
   self->value = value;
+  offer_to_vary (self);
   show_value (self);
   g_signal_emit (self, signals[SIGNAL_COMMITTED], 0);
 }
@@ -152,6 +168,7 @@ qn_quantity_entry_dispose (GObject *object)
 {
   QnQuantityEntry *self = QN_QUANTITY_ENTRY (object);
   g_clear_signal_handler (&self->settings_handler, qn_settings_get ());
+  g_clear_pointer (&self->path, g_free);
   G_OBJECT_CLASS (qn_quantity_entry_parent_class)->dispose (object);
 }
 
@@ -231,10 +248,21 @@ qn_quantity_entry_get_value (QnQuantityEntry *self)
 }
 
 void
+qn_quantity_entry_set_path (QnQuantityEntry *self, const char *path)
+{
+  if (g_strcmp0 (self->path, path) == 0)
+    return;
+  g_free (self->path);
+  self->path = g_strdup (path);
+  offer_to_vary (self);
+}
+
+void
 qn_quantity_entry_set_value (QnQuantityEntry *self, double value)
 {
   if (self->value == value && !self->troubled)
     return;
   self->value = value;
+  offer_to_vary (self);
   show_value (self);
 }

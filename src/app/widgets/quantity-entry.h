@@ -21,6 +21,10 @@ void qn_quantity_entry_set_quantity (QnQuantityEntry *entry, QnQuantity quantity
 /* The value that was committed last is not taken: what was typed stays, with the reason. */
 void qn_quantity_entry_refuse (QnQuantityEntry *entry, const char *message);
 
+/* Where the number stands in the project (laws[0].friction), or NULL: its context menu offers to vary
+ * it in a study. */
+void qn_quantity_entry_set_path (QnQuantityEntry *entry, const char *path);
+
 double qn_quantity_entry_get_value (QnQuantityEntry *entry); /* SI */
 void qn_quantity_entry_set_value (QnQuantityEntry *entry, double value);
 

@@ -90,6 +90,11 @@ void qn_window_open_result (QnWindow *window, const char *path);
 /* Shows the drawing instead of the start page. */
 void qn_window_show_work (QnWindow *window);
 
+/* window-study.c: the study of the project. */
+void qn_window_add_study_actions (QnWindow *window);
+/* Opens the project that a study file names, and shows the study. */
+gboolean qn_window_open_study (QnWindow *window, const char *path);
+
 /* window-print.c */
 void qn_window_add_print_actions (QnWindow *window);
 

@@ -264,6 +264,8 @@ qn_window_open_path (QnWindow *self, const char *path)
     qn_window_take_file (self, absolute);
     return TRUE;
   }
+  if (g_str_has_suffix (path, ".quoin-study"))
+    return qn_window_open_study (self, absolute);
   qn_document_load (self->document, absolute, &error);
   if (!show_loaded (self, error))
     return FALSE;
@@ -415,6 +417,7 @@ qn_window_init (QnWindow *self)
   qn_window_add_analysis_actions (self);
   qn_window_add_export_actions (self);
   qn_window_add_print_actions (self);
+  qn_window_add_study_actions (self);
   qn_window_add_keys (self);
   build_tools (self);
   build_panels (self);

@@ -228,6 +228,13 @@ qn_document_set_run (QnDocument *self, QnRun *run)
 }
 
 void
+qn_document_add_run (QnDocument *self, QnRun *run)
+{
+  g_ptr_array_add (self->runs, qn_run_ref (run));
+  qn_document_set_run (self, run);
+}
+
+void
 qn_document_remove_run (QnDocument *self, QnRun *run)
 {
   g_autoptr (QnRun) kept = qn_run_ref (run);

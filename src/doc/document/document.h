@@ -153,6 +153,8 @@ const QnDiag *qn_document_get_job_diag (QnDocument *document);
 const GPtrArray *qn_document_get_runs (QnDocument *document);
 QnRun *qn_document_get_run (QnDocument *document); /* the current one, or NULL */
 void qn_document_set_run (QnDocument *document, QnRun *run);
+/* Adds a run that was made elsewhere, and makes it the current one. */
+void qn_document_add_run (QnDocument *document, QnRun *run);
 void qn_document_remove_run (QnDocument *document, QnRun *run);
 
 /* Whether the model has changed since the run's. */

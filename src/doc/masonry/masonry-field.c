@@ -19,82 +19,82 @@ typedef struct Field {
 } Field;
 
 #define ALL (-1)
-#define SIZE(text, kind, member)                                                         \
+#define SIZE(text, key, kind, member)                                                    \
   {                                                                                      \
-    { text, QN_QUANTITY_LENGTH, SMALL, LARGEST, FALSE }, kind, TYPE_NUMBER, FALSE,       \
+    { text, QN_QUANTITY_LENGTH, SMALL, LARGEST, FALSE, key }, kind, TYPE_NUMBER, FALSE,  \
       G_STRUCT_OFFSET (QnMasonry, member)                                                \
   }
-#define EXTRA(text, kind, member)                                                        \
+#define EXTRA(text, key, kind, member)                                                   \
   {                                                                                      \
-    { text, QN_QUANTITY_LENGTH, 0.0, LARGEST, FALSE }, kind, TYPE_NUMBER, FALSE,         \
+    { text, QN_QUANTITY_LENGTH, 0.0, LARGEST, FALSE, key }, kind, TYPE_NUMBER, FALSE,    \
       G_STRUCT_OFFSET (QnMasonry, member)                                                \
   }
-#define PLACE(text, member)                                                              \
+#define PLACE(text, key, member)                                                         \
   {                                                                                      \
-    { text, QN_QUANTITY_LENGTH, -LARGEST, LARGEST, FALSE }, ALL, TYPE_NUMBER, FALSE,     \
+    { text, QN_QUANTITY_LENGTH, -LARGEST, LARGEST, FALSE, key }, ALL, TYPE_NUMBER,       \
+      FALSE, G_STRUCT_OFFSET (QnMasonry, member)                                         \
+  }
+#define NUMBER(text, key, kind, member, least)                                           \
+  {                                                                                      \
+    { text, QN_QUANTITY_NUMBER, least, 10000.0, TRUE, key }, kind, TYPE_COUNT, FALSE,    \
       G_STRUCT_OFFSET (QnMasonry, member)                                                \
   }
-#define NUMBER(text, kind, member, least)                                                \
+#define LEAF(text, key, quantity, least, most, member)                                   \
   {                                                                                      \
-    { text, QN_QUANTITY_NUMBER, least, 10000.0, TRUE }, kind, TYPE_COUNT, FALSE,         \
-      G_STRUCT_OFFSET (QnMasonry, member)                                                \
-  }
-#define LEAF(text, quantity, least, most, member)                                        \
-  {                                                                                      \
-    { text, quantity, least, most, FALSE }, QN_MASONRY_WALL, TYPE_NUMBER, TRUE,          \
+    { text, quantity, least, most, FALSE, key }, QN_MASONRY_WALL, TYPE_NUMBER, TRUE,     \
       G_STRUCT_OFFSET (QnLeaf, member)                                                   \
   }
 
 /* clang-format off */
 static const Field fields[QN_MASONRY_FIELD_COUNT] = {
-  [QN_MASONRY_ORIGIN_X] = PLACE (N_ ("Left edge"), origin.x),
-  [QN_MASONRY_ORIGIN_Y] = PLACE (N_ ("Lower edge"), origin.y),
-  [QN_MASONRY_ROTATION] = { { N_ ("Turned by"), QN_QUANTITY_ANGLE, -10.0, 10.0, FALSE }, ALL, TYPE_NUMBER,
+  [QN_MASONRY_ORIGIN_X] = PLACE (N_ ("Left edge"), "origin[0]", origin.x),
+  [QN_MASONRY_ORIGIN_Y] = PLACE (N_ ("Lower edge"), "origin[1]", origin.y),
+  [QN_MASONRY_ROTATION] = { { N_ ("Turned by"), QN_QUANTITY_ANGLE, -10.0, 10.0, FALSE, "rotation" }, ALL, TYPE_NUMBER,
                           FALSE, G_STRUCT_OFFSET (QnMasonry, rotation) },
-  [QN_MASONRY_LENGTH] = LEAF (N_ ("Length"), QN_QUANTITY_LENGTH, SMALL, LARGEST, length),
-  [QN_MASONRY_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_WALL, wall.height),
-  [QN_MASONRY_UNIT_X] = LEAF (N_ ("Block length"), QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.x),
-  [QN_MASONRY_UNIT_Y] = LEAF (N_ ("Course height"), QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.y),
-  [QN_MASONRY_LAP] = LEAF (N_ ("Overlap, part of a block"), QN_QUANTITY_NUMBER, 0.0, 0.999, lap),
-  [QN_MASONRY_HEADER] = LEAF (N_ ("Header length (0: half)"), QN_QUANTITY_LENGTH, 0.0, LARGEST, header),
-  [QN_MASONRY_ARCH_SPAN] = SIZE (N_ ("Span"), QN_MASONRY_ARCH, arch.span),
-  [QN_MASONRY_ARCH_RISE] = SIZE (N_ ("Rise"), QN_MASONRY_ARCH, arch.rise),
-  [QN_MASONRY_ARCH_RING] = SIZE (N_ ("Ring thickness"), QN_MASONRY_ARCH, arch.ring),
-  [QN_MASONRY_ARCH_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), QN_MASONRY_ARCH, arch.voussoirs, 2.0),
-  [QN_MASONRY_ARCH_SPRINGER] = EXTRA (N_ ("Springer height"), QN_MASONRY_ARCH, arch.springer),
-  [QN_MASONRY_COLUMN_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_COLUMN, column.height),
-  [QN_MASONRY_COLUMN_BOTTOM] = SIZE (N_ ("Width at the foot"), QN_MASONRY_COLUMN, column.bottom),
-  [QN_MASONRY_COLUMN_TOP] = SIZE (N_ ("Width at the top"), QN_MASONRY_COLUMN, column.top),
-  [QN_MASONRY_COLUMN_DRUMS] = NUMBER (N_ ("Drums"), QN_MASONRY_COLUMN, column.drums, 1.0),
-  [QN_MASONRY_PLINTH_WIDTH] = EXTRA (N_ ("Plinth width"), QN_MASONRY_COLUMN, column.plinth_width),
-  [QN_MASONRY_PLINTH_HEIGHT] = EXTRA (N_ ("Plinth height"), QN_MASONRY_COLUMN, column.plinth_height),
-  [QN_MASONRY_CAPITAL_WIDTH] = EXTRA (N_ ("Capital width"), QN_MASONRY_COLUMN, column.capital_width),
-  [QN_MASONRY_CAPITAL_HEIGHT] = EXTRA (N_ ("Capital height"), QN_MASONRY_COLUMN, column.capital_height),
-  [QN_MASONRY_BUTTRESS_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_BUTTRESS, buttress.height),
-  [QN_MASONRY_BUTTRESS_BOTTOM] = SIZE (N_ ("Width at the foot"), QN_MASONRY_BUTTRESS, buttress.bottom),
-  [QN_MASONRY_BUTTRESS_TOP] = SIZE (N_ ("Width at the top"), QN_MASONRY_BUTTRESS, buttress.top),
-  [QN_MASONRY_BUTTRESS_COURSES] = NUMBER (N_ ("Courses"), QN_MASONRY_BUTTRESS, buttress.courses, 1.0),
-  [QN_MASONRY_PORTAL_BAYS] = NUMBER (N_ ("Bays"), QN_MASONRY_PORTAL, portal.bays, 1.0),
-  [QN_MASONRY_PORTAL_SPAN] = SIZE (N_ ("Span"), QN_MASONRY_PORTAL, portal.span),
-  [QN_MASONRY_PORTAL_PIER_WIDTH] = SIZE (N_ ("Pier width"), QN_MASONRY_PORTAL, portal.pier_width),
-  [QN_MASONRY_PORTAL_PIER_HEIGHT] = SIZE (N_ ("Pier height"), QN_MASONRY_PORTAL, portal.pier_height),
-  [QN_MASONRY_PORTAL_COURSES] = NUMBER (N_ ("Courses per pier"), QN_MASONRY_PORTAL, portal.courses, 1.0),
-  [QN_MASONRY_RUBBLE_WIDTH] = SIZE (N_ ("Width at the foot"), QN_MASONRY_RUBBLE, rubble.width),
-  [QN_MASONRY_RUBBLE_TOP] = SIZE (N_ ("Width at the top"), QN_MASONRY_RUBBLE, rubble.top),
-  [QN_MASONRY_RUBBLE_HEIGHT] = SIZE (N_ ("Height"), QN_MASONRY_RUBBLE, rubble.height),
-  [QN_MASONRY_RUBBLE_STONE] = SIZE (N_ ("Size of stones"), QN_MASONRY_RUBBLE, rubble.stone),
-  [QN_MASONRY_RUBBLE_IRREGULARITY] = { { N_ ("Irregularity, 0 to 1"), QN_QUANTITY_NUMBER, 0.0, 1.0, FALSE },
+  [QN_MASONRY_LENGTH] = LEAF (N_ ("Length"), "length", QN_QUANTITY_LENGTH, SMALL, LARGEST, length),
+  [QN_MASONRY_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_WALL, wall.height),
+  [QN_MASONRY_UNIT_X] = LEAF (N_ ("Block length"), "unit[0]", QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.x),
+  [QN_MASONRY_UNIT_Y] = LEAF (N_ ("Course height"), "unit[1]", QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.y),
+  [QN_MASONRY_LAP] = LEAF (N_ ("Overlap, part of a block"), "lap", QN_QUANTITY_NUMBER, 0.0, 0.999, lap),
+  [QN_MASONRY_HEADER] = LEAF (N_ ("Header length (0: half)"), "header", QN_QUANTITY_LENGTH, 0.0, LARGEST, header),
+  [QN_MASONRY_ARCH_SPAN] = SIZE (N_ ("Span"), "span", QN_MASONRY_ARCH, arch.span),
+  [QN_MASONRY_ARCH_RISE] = SIZE (N_ ("Rise"), "rise", QN_MASONRY_ARCH, arch.rise),
+  [QN_MASONRY_ARCH_RING] = SIZE (N_ ("Ring thickness"), "ring", QN_MASONRY_ARCH, arch.ring),
+  [QN_MASONRY_ARCH_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), "voussoirs", QN_MASONRY_ARCH, arch.voussoirs, 2.0),
+  [QN_MASONRY_ARCH_SPRINGER] = EXTRA (N_ ("Springer height"), "springer", QN_MASONRY_ARCH, arch.springer),
+  [QN_MASONRY_COLUMN_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_COLUMN, column.height),
+  [QN_MASONRY_COLUMN_BOTTOM] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_COLUMN, column.bottom),
+  [QN_MASONRY_COLUMN_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_COLUMN, column.top),
+  [QN_MASONRY_COLUMN_DRUMS] = NUMBER (N_ ("Drums"), "drums", QN_MASONRY_COLUMN, column.drums, 1.0),
+  [QN_MASONRY_PLINTH_WIDTH] = EXTRA (N_ ("Plinth width"), "plinth[0]", QN_MASONRY_COLUMN, column.plinth_width),
+  [QN_MASONRY_PLINTH_HEIGHT] = EXTRA (N_ ("Plinth height"), "plinth[1]", QN_MASONRY_COLUMN, column.plinth_height),
+  [QN_MASONRY_CAPITAL_WIDTH] = EXTRA (N_ ("Capital width"), "capital[0]", QN_MASONRY_COLUMN, column.capital_width),
+  [QN_MASONRY_CAPITAL_HEIGHT] = EXTRA (N_ ("Capital height"), "capital[1]", QN_MASONRY_COLUMN, column.capital_height),
+  [QN_MASONRY_BUTTRESS_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_BUTTRESS, buttress.height),
+  [QN_MASONRY_BUTTRESS_BOTTOM] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_BUTTRESS, buttress.bottom),
+  [QN_MASONRY_BUTTRESS_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_BUTTRESS, buttress.top),
+  [QN_MASONRY_BUTTRESS_COURSES] = NUMBER (N_ ("Courses"), "courses", QN_MASONRY_BUTTRESS, buttress.courses, 1.0),
+  [QN_MASONRY_PORTAL_BAYS] = NUMBER (N_ ("Bays"), "bays", QN_MASONRY_PORTAL, portal.bays, 1.0),
+  [QN_MASONRY_PORTAL_SPAN] = SIZE (N_ ("Span"), "span", QN_MASONRY_PORTAL, portal.span),
+  [QN_MASONRY_PORTAL_PIER_WIDTH] = SIZE (N_ ("Pier width"), "pier[0]", QN_MASONRY_PORTAL, portal.pier_width),
+  [QN_MASONRY_PORTAL_PIER_HEIGHT] = SIZE (N_ ("Pier height"), "pier[1]", QN_MASONRY_PORTAL, portal.pier_height),
+  [QN_MASONRY_PORTAL_COURSES] = NUMBER (N_ ("Courses per pier"), "courses", QN_MASONRY_PORTAL, portal.courses, 1.0),
+  [QN_MASONRY_RUBBLE_WIDTH] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_RUBBLE, rubble.width),
+  [QN_MASONRY_RUBBLE_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_RUBBLE, rubble.top),
+  [QN_MASONRY_RUBBLE_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_RUBBLE, rubble.height),
+  [QN_MASONRY_RUBBLE_STONE] = SIZE (N_ ("Size of stones"), "stone", QN_MASONRY_RUBBLE, rubble.stone),
+  [QN_MASONRY_RUBBLE_IRREGULARITY] = { { N_ ("Irregularity, 0 to 1"), QN_QUANTITY_NUMBER, 0.0, 1.0, FALSE, "irregularity" },
                                      QN_MASONRY_RUBBLE, TYPE_NUMBER, FALSE,
                                      G_STRUCT_OFFSET (QnMasonry, rubble.irregularity) },
-  [QN_MASONRY_RUBBLE_SEED] = { { N_ ("Seed"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE }, QN_MASONRY_RUBBLE,
+  [QN_MASONRY_RUBBLE_SEED] = { { N_ ("Seed"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE, "seed" }, QN_MASONRY_RUBBLE,
                              TYPE_SEED, FALSE, G_STRUCT_OFFSET (QnMasonry, rubble.seed) },
-  [QN_MASONRY_THICKNESS] = SIZE (N_ ("Thickness"), ALL, thickness),
-  [QN_MASONRY_UNIT_WEIGHT] = { { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9, FALSE }, ALL, TYPE_NUMBER,
+  [QN_MASONRY_THICKNESS] = SIZE (N_ ("Thickness"), "thickness", ALL, thickness),
+  [QN_MASONRY_UNIT_WEIGHT] = { { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9, FALSE, "unit_weight" }, ALL, TYPE_NUMBER,
                              FALSE, G_STRUCT_OFFSET (QnMasonry, unit_weight) },
-  [QN_MASONRY_FOUNDATION] = EXTRA (N_ ("Fixed base, depth"), ALL, foundation),
-  [QN_MASONRY_PERTURBATION] = { { N_ ("Irregular joints, 0 to 0.4"), QN_QUANTITY_NUMBER, 0.0, 0.4, FALSE }, ALL,
+  [QN_MASONRY_FOUNDATION] = EXTRA (N_ ("Fixed base, depth"), "foundation", ALL, foundation),
+  [QN_MASONRY_PERTURBATION] = { { N_ ("Irregular joints, 0 to 0.4"), QN_QUANTITY_NUMBER, 0.0, 0.4, FALSE, "perturbation" }, ALL,
                               TYPE_NUMBER, FALSE, G_STRUCT_OFFSET (QnMasonry, perturbation) },
-  [QN_MASONRY_PERTURBATION_SEED] = { { N_ ("Seed of the joints"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE }, ALL,
+  [QN_MASONRY_PERTURBATION_SEED] = { { N_ ("Seed of the joints"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE, "perturbation_seed" }, ALL,
                                    TYPE_SEED, FALSE, G_STRUCT_OFFSET (QnMasonry, perturbation_seed) },
 };
 /* clang-format on */
@@ -187,20 +187,27 @@ qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
 /* ---- openings ---- */
 
 static const QnFieldInfo opening_infos[QN_OPENING_FIELD_COUNT] = {
-  [QN_OPENING_LEFT] = { N_ ("From the left"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST, 0 },
-  [QN_OPENING_BOTTOM] = { N_ ("From the foot"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST,
-                          0 },
-  [QN_OPENING_WIDTH] = { N_ ("Width"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0 },
-  [QN_OPENING_HEIGHT] = { N_ ("Height"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0 },
-  [QN_OPENING_RISE] = { N_ ("Rise of the head"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0 },
+  [QN_OPENING_LEFT] = { N_ ("From the left"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST, 0,
+                        "at[0]" },
+  [QN_OPENING_BOTTOM] = { N_ ("From the foot"), QN_QUANTITY_LENGTH, -LARGEST, LARGEST, 0,
+                          "at[1]" },
+  [QN_OPENING_WIDTH] = { N_ ("Width"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0, "width" },
+  [QN_OPENING_HEIGHT] = { N_ ("Height"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0,
+                          "height" },
+  [QN_OPENING_RISE] = { N_ ("Rise of the head"), QN_QUANTITY_LENGTH, SMALL, LARGEST, 0,
+                        "rise" },
   [QN_OPENING_DEPTH] = { N_ ("Depth of what spans it"), QN_QUANTITY_LENGTH, SMALL,
-                         LARGEST, 0 },
-  [QN_OPENING_BEARING] = { N_ ("Bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0 },
-  [QN_OPENING_VOUSSOIRS] = { N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, TRUE },
-  [QN_OPENING_SKEW] = { N_ ("Lean of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, 0 },
-  [QN_OPENING_SILL_HEIGHT] = { N_ ("Sill height"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0 },
-  [QN_OPENING_SILL_BEARING] = { N_ ("Sill bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST,
-                                0 },
+                         LARGEST, 0, "depth" },
+  [QN_OPENING_BEARING] = { N_ ("Bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0,
+                           "bearing" },
+  [QN_OPENING_VOUSSOIRS] = { N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, TRUE,
+                             "voussoirs" },
+  [QN_OPENING_SKEW] = { N_ ("Lean of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, 0,
+                        "skew" },
+  [QN_OPENING_SILL_HEIGHT] = { N_ ("Sill height"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0,
+                               "sill[0]" },
+  [QN_OPENING_SILL_BEARING] = { N_ ("Sill bearing"), QN_QUANTITY_LENGTH, 0.0, LARGEST, 0,
+                                "sill[1]" },
 };
 
 const QnFieldInfo *

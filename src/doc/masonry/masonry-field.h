@@ -72,7 +72,8 @@ typedef struct QnFieldInfo {
   const char *label; /* to be translated */
   QnQuantity quantity;
   double least, most;
-  gboolean whole; /* a whole number */
+  gboolean whole;  /* a whole number */
+  const char *key; /* in a project file, within the object */
 } QnFieldInfo;
 
 /* What a field is called and may be (static); whether an object has it; its value, SI. Setting one

@@ -253,17 +253,14 @@ lay_out (Plot *plot, double x, double top, double right, double bottom,
                QN_TICK_SPACING_X * u);
 }
 
-static bool
-draw_page (cairo_t *cr, const QnPage *page, void *user_data, GError **error)
+void
+qn_data_plot_draw (const QnDataPlot *data, cairo_t *cr, double page_width,
+                   double page_height, double u, QnPlotPlace *place)
 {
-  const QnDataPlot *data = user_data;
-  double u = page->unit, margin = fmin (10 * u, 0.1 * fmin (page->width, page->height));
-  double width = page->width - 2 * margin, top = margin, bottom = page->height - margin;
+  double margin = fmin (10 * u, 0.1 * fmin (page_width, page_height));
+  double width = page_width - 2 * margin, top = margin, bottom = page_height - margin;
   double x_range[2], y_range[2], values[2];
   Plot plot = { .data = data, .cr = cr, .unit = u };
-  (void) error;
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   find_ranges (data, x_range, y_range, values);
   plot.bar = (QnColorBar){
     .shown = data->bar_title != NULL, .min = values[0], .max = values[1], .factor = 1
@@ -295,6 +292,20 @@ draw_page (cairo_t *cr, const QnPage *page, void *user_data, GError **error)
   }
   qn_furniture_draw (&furniture, cr, 1, false);
   qn_furniture_clear (&furniture);
+  if (place != NULL)
+    *place = (QnPlotPlace){ .x_zero = px (&plot, 0),
+                            .x_scale = px (&plot, 1) - px (&plot, 0),
+                            .y_zero = py (&plot, 0),
+                            .y_scale = py (&plot, 1) - py (&plot, 0) };
+}
+
+static bool
+draw_page (cairo_t *cr, const QnPage *page, void *user_data, GError **error)
+{
+  (void) error;
+  cairo_set_antialias (cr,
+                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
+  qn_data_plot_draw (user_data, cr, page->width, page->height, page->unit, NULL);
   return true;
 }
 

@@ -38,6 +38,15 @@ typedef struct QnDataPlot {
   bool monochrome;
 } QnDataPlot;
 
+/* Where the values of a drawn plot lie, px: x_zero + x_scale * x, and so for y. */
+typedef struct QnPlotPlace {
+  double x_zero, x_scale, y_zero, y_scale;
+} QnPlotPlace;
+
+/* Draws the plot on a surface of this size, px, a point being `unit` px. `place` may be NULL. */
+void qn_data_plot_draw (const QnDataPlot *plot, cairo_t *cr, double width, double height,
+                        double unit, QnPlotPlace *place);
+
 /* Writes the plot as qn_page_export() does. */
 bool qn_data_plot_export (const QnDataPlot *plot, const char *path,
                           const QnOutput *output, const QnMetadata *metadata,

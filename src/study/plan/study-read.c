@@ -556,20 +556,6 @@ read_plan (const QnJsonValue *root, QnStudy *study)
                                  QN_STUDY_MAX_CASES);
 }
 
-/* Whether a kind of run knows an output. */
-static gboolean
-gives (QnStudyRun run, int output)
-{
-  gboolean modal = output >= QN_STUDY_FREQUENCY_1 && output <= QN_STUDY_FREQUENCY_6;
-  gboolean timed = output >= QN_STUDY_COLLAPSED && output <= QN_STUDY_ENERGY_ERROR;
-  gboolean neutral =
-    output == QN_STUDY_MECHANISM_KIND || output == QN_STUDY_MECHANISM_SHAPE
-    || output == QN_STUDY_LARGEST_DISPLACEMENT || output == QN_STUDY_ITERATIONS;
-  if (run == QN_STUDY_MODAL)
-    return modal;
-  return !modal && (neutral || timed == (run == QN_STUDY_DYNAMIC));
-}
-
 static gboolean
 read_outputs (const QnJsonValue *root, QnStudy *study)
 {
@@ -584,7 +570,8 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
            && (!cJSON_IsString (item)
                || strcmp (item->valuestring, qn_study_output_names[output]) != 0))
       output++;
-    if (output == QN_STUDY_OUTPUT_COUNT || !gives (study->run, output))
+    if (output == QN_STUDY_OUTPUT_COUNT
+        || !qn_study_run_gives (study->run, (QnStudyOutput) output))
       return qn_json_value_failf (&element, _ ("a run \"%s\" has no such output"),
                                   qn_study_run_names[study->run]);
     for (guint i = 0; i < study->outputs->len; i++)

@@ -51,6 +51,19 @@ const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
   [QN_STUDY_FREQUENCY_6] = "frequency_6",
 };
 
+gboolean
+qn_study_run_gives (QnStudyRun run, QnStudyOutput output)
+{
+  gboolean modal = output >= QN_STUDY_FREQUENCY_1 && output <= QN_STUDY_FREQUENCY_6;
+  gboolean timed = output >= QN_STUDY_COLLAPSED && output <= QN_STUDY_ENERGY_ERROR;
+  gboolean neutral =
+    output == QN_STUDY_MECHANISM_KIND || output == QN_STUDY_MECHANISM_SHAPE
+    || output == QN_STUDY_LARGEST_DISPLACEMENT || output == QN_STUDY_ITERATIONS;
+  if (run == QN_STUDY_MODAL)
+    return modal;
+  return !modal && (neutral || timed == (run == QN_STUDY_DYNAMIC));
+}
+
 gsize
 qn_study_record_count (const QnStudy *study)
 {

@@ -108,6 +108,9 @@ extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
 /* What a kind of run overrides in the project; NULL: nothing. */
 const char *qn_study_run_override (QnStudyRun run);
 
+/* Whether a kind of run knows an output. */
+gboolean qn_study_run_gives (QnStudyRun run, QnStudyOutput output);
+
 /* Whether an output is a number with a distribution: not those of mechanisms. */
 gboolean qn_study_output_is_number (QnStudyOutput output);
 

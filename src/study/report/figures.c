@@ -27,8 +27,11 @@ const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT] = {
   [QN_STUDY_FIGURE_MECHANISMS] = "mechanisms",
 };
 
-/* What one export needs. */
+/* What one export needs; with `cr` the figure is drawn there instead. */
 typedef struct Page {
+  cairo_t *cr;
+  double width, height, unit; /* px */
+  QnPlotPlace *place;
   const QnStudyFigure *figure;
   const QnTable *table;
   const char *path;
@@ -52,6 +55,11 @@ export_plot (const Page *page, QnDataPlot plot, const QnMarks *marks, size_t cou
   plot.marks = marks;
   plot.mark_count = count;
   plot.monochrome = page->figure->monochrome;
+  if (page->cr != NULL) {
+    qn_data_plot_draw (&plot, page->cr, page->width, page->height, page->unit,
+                       page->place);
+    return TRUE;
+  }
   return qn_data_plot_export (&plot, page->path, page->output, page->metadata,
                               page->error);
 }
@@ -548,29 +556,57 @@ draw_mechanisms (const Page *page)
   return ok;
 }
 
+static gboolean
+draw (const Page *page)
+{
+  switch (page->figure->kind) {
+  case QN_STUDY_FIGURE_SCATTER:
+    return draw_scatter (page);
+  case QN_STUDY_FIGURE_HISTOGRAM:
+    return draw_histogram (page);
+  case QN_STUDY_FIGURE_CUMULATIVE:
+    return draw_cumulative (page);
+  case QN_STUDY_FIGURE_TORNADO:
+    return draw_tornado (page);
+  case QN_STUDY_FIGURE_SURFACE:
+    return draw_surface (page);
+  case QN_STUDY_FIGURE_ENVELOPE:
+    return draw_envelope (page);
+  case QN_STUDY_FIGURE_MECHANISMS:
+    return draw_mechanisms (page);
+  case QN_STUDY_FIGURE_COUNT:
+    break;
+  }
+  g_assert_not_reached ();
+}
+
 gboolean
 qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
                         const char *path, const QnOutput *output,
                         const QnMetadata *metadata, GError **error)
 {
-  const Page page = { figure, table, path, output, metadata, error };
-  switch (figure->kind) {
-  case QN_STUDY_FIGURE_SCATTER:
-    return draw_scatter (&page);
-  case QN_STUDY_FIGURE_HISTOGRAM:
-    return draw_histogram (&page);
-  case QN_STUDY_FIGURE_CUMULATIVE:
-    return draw_cumulative (&page);
-  case QN_STUDY_FIGURE_TORNADO:
-    return draw_tornado (&page);
-  case QN_STUDY_FIGURE_SURFACE:
-    return draw_surface (&page);
-  case QN_STUDY_FIGURE_ENVELOPE:
-    return draw_envelope (&page);
-  case QN_STUDY_FIGURE_MECHANISMS:
-    return draw_mechanisms (&page);
-  case QN_STUDY_FIGURE_COUNT:
-    break;
-  }
-  g_assert_not_reached ();
+  const Page page = { .figure = figure,
+                      .table = table,
+                      .path = path,
+                      .output = output,
+                      .metadata = metadata,
+                      .error = error };
+  return draw (&page);
+}
+
+gboolean
+qn_study_figure_draw (const QnStudyFigure *figure, const QnTable *table, cairo_t *cr,
+                      double width, double height, double unit, QnPlotPlace *place,
+                      GError **error)
+{
+  const Page page = { .cr = cr,
+                      .width = width,
+                      .height = height,
+                      .unit = unit,
+                      .place = place,
+                      .figure = figure,
+                      .table = table,
+                      .error = error };
+  g_return_val_if_fail (figure->kind != QN_STUDY_FIGURE_MECHANISMS, FALSE);
+  return draw (&page);
 }

@@ -2,7 +2,7 @@
 #ifndef QN_STUDY_FIGURES_H
 #define QN_STUDY_FIGURES_H
 
-#include "render/backend/output.h"
+#include "render/figure/data-plot.h"
 #include "study/report/table.h"
 
 typedef enum {
@@ -28,6 +28,12 @@ typedef struct QnStudyFigure {
 
 /* Spelling on the command line: "scatter", … */
 extern const char *const qn_study_figure_names[QN_STUDY_FIGURE_COUNT];
+
+/* Draws a figure of one plot (not MECHANISMS) on a surface of this size, px, a point being `unit` px;
+ * `place` says where its values lie. Errors as below. */
+gboolean qn_study_figure_draw (const QnStudyFigure *figure, const QnTable *table,
+                               cairo_t *cr, double width, double height, double unit,
+                               QnPlotPlace *place, GError **error);
 
 /* Writes the figure. Errors: QN_IO_ERROR where the table has nothing to show, QN_RENDER_ERROR. */
 gboolean qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,

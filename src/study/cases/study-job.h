@@ -1,0 +1,30 @@
+/* A study that is computed in the background: a thread that runs it, looked at now and then. */
+#ifndef QN_STUDY_JOB_H
+#define QN_STUDY_JOB_H
+
+#include "study/cases/run.h"
+
+typedef struct QnStudyJob QnStudyJob;
+
+typedef enum {
+  QN_STUDY_JOB_RUNS,
+  QN_STUDY_JOB_DONE,
+  QN_STUDY_JOB_FAILED
+} QnStudyJobState;
+
+/* Starts computing what is missing in the folder, on `jobs` processes of `program`. The study is
+ * read from its file; errors come from there. */
+QnStudyJob *qn_study_job_start (const char *study_path, const char *folder,
+                                const char *program, guint jobs, GError **error);
+
+/* How far it is. FAILED: *error (nullable) says why. */
+QnStudyJobState qn_study_job_look (QnStudyJob *job, QnStudyProgress *progress,
+                                   GError **error);
+
+/* Asks it to end soon; what has been computed is kept. */
+void qn_study_job_cancel (QnStudyJob *job);
+
+/* Cancels, waits for the end, and frees. */
+void qn_study_job_free (QnStudyJob *job);
+
+#endif

@@ -1,0 +1,257 @@
+/* Studies in the window: a number is made to vary by its context menu, the study runs beside the
+ * project, a case opens in the drawing, tables and figures are written, a load moves along a line
+ * that is drawn. */
+#include "driver.h"
+
+#include "app/dialogs/study-window.h"
+#include "app/widgets/quantity-entry.h"
+#include "study/plan/study.h"
+#include "support/scratch.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+/* A copy of an example that may be written to, in a window. */
+static QnWindow *
+open_copy (const char *folder, const char *example)
+{
+  g_autofree char *source = driver_example_path (example);
+  g_autofree char *text = NULL;
+  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
+  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  QnWindow *window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, path));
+  driver_run (200);
+  return window;
+}
+
+static gboolean
+shows (GtkWidget *widget, gconstpointer data)
+{
+  return QN_IS_QUANTITY_ENTRY (widget) && gtk_widget_get_mapped (widget)
+         && g_str_has_prefix (gtk_editable_get_text (GTK_EDITABLE (widget)), data);
+}
+
+static gboolean
+is_drop_down (GtkWidget *widget, gconstpointer data)
+{
+  if (!GTK_IS_DROP_DOWN (widget))
+    return FALSE;
+  GListModel *rows = gtk_drop_down_get_model (GTK_DROP_DOWN (widget));
+  return GTK_IS_STRING_LIST (rows) && g_list_model_get_n_items (rows) > 0
+         && g_str_equal (gtk_string_list_get_string (GTK_STRING_LIST (rows), 0), data);
+}
+
+static gboolean
+is_area (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_DRAWING_AREA (widget);
+}
+
+static gboolean
+is_progress (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_PROGRESS_BAR (widget);
+}
+
+static gboolean
+is_idle (gpointer dialog)
+{
+  return !gtk_widget_get_visible (driver_find_widget (dialog, is_progress, NULL));
+}
+
+static gboolean
+shows_case (gpointer window)
+{
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  return run != NULL && g_str_has_prefix (run->name, "Case ");
+}
+
+static gboolean
+has_study (gpointer data)
+{
+  (void) data;
+  return driver_find_dialog ("Study") != NULL;
+}
+
+static gsize
+count_lines (const char *path)
+{
+  g_autofree char *text = NULL;
+  gsize lines = 0;
+  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
+  for (const char *c = text; *c != '\0'; c++)
+    lines += *c == '\n';
+  return lines;
+}
+
+static void
+export_to (GtkWidget *dialog, const char *what, const char *path)
+{
+  gtk_widget_activate_action (dialog, "study.export-path", "(ss)", what, path);
+}
+
+/* The friction of a wall, from its context menu to a case in the drawing. */
+static void
+test_vary (void)
+{
+  char *folder = test_scratch_new ();
+  QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
+  driver_activate (window, "win.show-panel::analysis");
+  driver_run (200);
+  GtkWidget *friction = driver_find_widget (GTK_WIDGET (window), shows, "0.65");
+  g_assert_nonnull (friction);
+  gtk_widget_grab_focus (friction);
+  driver_run (100);
+  driver_key ("shift+F10");
+  driver_run (300);
+  driver_screenshot (GTK_WIDGET (window), "study-vary");
+  driver_key ("Up");
+  driver_key ("Return");
+  driver_wait (has_study, NULL);
+  GtkWidget *dialog = driver_find_dialog ("Study: wall.quoin-study");
+  g_assert_nonnull (dialog);
+  driver_run (300);
+
+  /* Twice is once. */
+  gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
+                              0.65);
+  driver_run (100);
+  gtk_window_present (GTK_WINDOW (dialog));
+  driver_run (200);
+  driver_key ("F5");
+  driver_run (300);
+  driver_wait (is_idle, dialog);
+  driver_run (300);
+  driver_screenshot (dialog, "study-cumulative");
+
+  QnStudy study;
+  g_autoptr (GError) error = NULL;
+  g_autofree char *path = g_build_filename (folder, "wall.quoin-study", NULL);
+  g_assert_true (qn_study_read (path, NULL, &study, &error));
+  g_assert_no_error (error);
+  g_assert_cmpuint (study.parameters->len, ==, 1);
+  g_assert_cmpstr (qn_study_parameter (&study, 0)->paths[0], ==, "laws[0].friction");
+  qn_study_clear (&study);
+
+  gtk_drop_down_set_selected (
+    GTK_DROP_DOWN (driver_find_widget (dialog, is_drop_down, "Cumulative curve")), 1);
+  gtk_widget_grab_focus (driver_find_widget (dialog, is_area, NULL));
+  driver_run (200);
+  driver_key ("Right");
+  driver_key ("Right");
+  driver_run (200);
+  driver_screenshot (dialog, "study-scatter");
+  driver_key ("Return");
+  driver_wait (shows_case, window);
+  driver_run (200);
+  driver_screenshot (GTK_WIDGET (window), "study-case");
+  g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
+                   QN_VIEW_MECHANISM);
+
+  g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
+  g_autofree char *figure = g_build_filename (folder, "f.svg", NULL);
+  g_autofree char *sheet = g_build_filename (folder, "m.png", NULL);
+  export_to (dialog, "table", table);
+  export_to (dialog, "figure", figure);
+  export_to (dialog, "mechanisms", sheet);
+  g_assert_cmpuint (count_lines (table), ==, 201);
+  g_assert_true (g_file_test (figure, G_FILE_TEST_EXISTS));
+  g_assert_true (g_file_test (sheet, G_FILE_TEST_EXISTS));
+  driver_discard (window);
+
+  /* Opened again by its own file, results are there at once. */
+  window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, path));
+  driver_wait (has_study, NULL);
+  dialog = driver_find_dialog ("Study");
+  g_autofree char *again = g_build_filename (folder, "again.csv", NULL);
+  export_to (dialog, "table", again);
+  g_assert_cmpuint (count_lines (again), ==, 201);
+  driver_discard (window);
+  test_scratch_free (folder);
+}
+
+/* Values by the keyboard, undo, cancel, and what is wrong is said. */
+static void
+test_edit (void)
+{
+  char *folder = test_scratch_new ();
+  QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
+  gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
+                              0.65);
+  driver_wait (has_study, NULL);
+  GtkWidget *dialog = driver_find_dialog ("Study");
+  driver_run (200);
+  GtkWidget *least = driver_find_widget (dialog, shows, "0.585");
+  g_assert_nonnull (least);
+  gtk_widget_grab_focus (least);
+  driver_key ("ctrl+a");
+  driver_type ("0.4");
+  driver_key ("Return");
+  driver_run (200);
+  g_assert_nonnull (driver_find_widget (dialog, shows, "0.4"));
+  gtk_widget_activate_action (dialog, "study.undo", NULL);
+  driver_run (200);
+  g_assert_nonnull (driver_find_widget (dialog, shows, "0.585"));
+  gtk_widget_activate_action (dialog, "study.redo", NULL);
+  driver_run (200);
+  g_assert_nonnull (driver_find_widget (dialog, shows, "0.4"));
+
+  /* Cancelled, what there is remains; the same study goes on. */
+  gtk_widget_activate_action (dialog, "study.run", NULL);
+  driver_run (50);
+  gtk_widget_activate_action (dialog, "study.cancel", NULL);
+  driver_wait (is_idle, dialog);
+  gtk_widget_activate_action (dialog, "study.run", NULL);
+  driver_run (50);
+  driver_wait (is_idle, dialog);
+  g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
+  export_to (dialog, "table", table);
+  g_assert_cmpuint (count_lines (table), ==, 201);
+  driver_discard (window);
+  test_scratch_free (folder);
+}
+
+/* A path drawn over an arch: the force goes along it. */
+static void
+test_moving_load (void)
+{
+  static const double corners[][2] = {
+    { 0, 0.6 }, { 2.2, 2.8 }, { 5.8, 2.8 }, { 8, 0.6 }
+  };
+  char *folder = test_scratch_new ();
+  QnWindow *window = open_copy (folder, "studies/arch-bridge.quoin");
+  driver_activate (window, "win.tool::path");
+  for (gsize i = 0; i < G_N_ELEMENTS (corners); i++)
+    driver_click (window, corners[i][0], corners[i][1]);
+  driver_screenshot (GTK_WIDGET (window), "study-path");
+  driver_key ("Return");
+  driver_wait (has_study, NULL);
+  GtkWidget *dialog = driver_find_dialog ("Study");
+  driver_run (200);
+  gtk_widget_activate_action (dialog, "study.run", NULL);
+  driver_run (300);
+  driver_wait (is_idle, dialog);
+  driver_run (300);
+  driver_screenshot (dialog, "study-envelope");
+  g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
+  export_to (dialog, "table", table);
+  g_assert_cmpuint (count_lines (table), ==, 42);
+  driver_discard (window);
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/study/vary", test_vary);
+  g_test_add_func ("/app/study/edit", test_edit);
+  g_test_add_func ("/app/study/moving-load", test_moving_load);
+  return g_test_run ();
+}

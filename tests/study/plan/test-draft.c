@@ -1,0 +1,95 @@
+/* Study files that are being written: edits, undo, what stays as it was. */
+#include "study/plan/draft.h"
+
+#include "study/fixture.h"
+
+#include <string.h>
+
+static void
+test_new (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "s.quoin-study", NULL);
+  g_autofree char *model =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
+  g_autoptr (GError) error = NULL;
+  QnDraft *draft = qn_draft_new (path, model);
+  QnStudy study;
+  int count;
+  g_assert_true (qn_draft_vary (draft, "laws[0].friction", 0.5));
+  g_assert_false (qn_draft_vary (draft, "laws[0].friction", 0.5));
+  g_assert_true (qn_draft_vary (draft, "laws[0].kn", 1e7));
+  qn_draft_set_values (draft, 1, QN_DRAFT_LOGNORMAL, 1e7, 2e6, 0);
+  qn_draft_set_plan (draft, QN_PLAN_GRID, 0);
+  g_assert_true (qn_draft_save (draft, &error));
+  g_assert_no_error (error);
+  g_assert_true (qn_study_read (path, NULL, &study, &error));
+  g_assert_no_error (error);
+  g_assert_cmpuint (qn_study_case_count (&study), ==, 25); /* levels came by themselves */
+  qn_study_clear (&study);
+
+  QnDraftParameter kn = qn_draft_parameter (draft, 1);
+  g_assert_cmpstr (kn.path, ==, "laws[0].kn");
+  g_assert_cmpint (kn.kind, ==, QN_DRAFT_LOGNORMAL);
+  g_assert_true (kn.first == 1e7 && kn.second == 2e6);
+  g_free (kn.path);
+  qn_draft_undo (draft);
+  g_assert_cmpint (qn_draft_get_plan (draft, &count), ==, QN_PLAN_LATIN_HYPERCUBE);
+  g_assert_cmpint (count, ==, 200);
+  qn_draft_undo (draft);
+  qn_draft_undo (draft);
+  g_assert_cmpuint (qn_draft_count (draft), ==, 1);
+  qn_draft_redo (draft);
+  g_assert_cmpuint (qn_draft_count (draft), ==, 2);
+  qn_draft_remove (draft, 0);
+  g_assert_false (qn_draft_can_redo (draft));
+  g_assert_cmpuint (qn_draft_count (draft), ==, 1);
+  qn_draft_free (draft);
+  test_scratch_free (folder);
+}
+
+/* What a form does not know stays in the file. */
+static void
+test_load (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "s.quoin-study", NULL);
+  g_autofree char *text =
+    fixture_study_text ("{ \"kind\": \"latin-hypercube\", \"count\": 50 }",
+                        ", \"correlation\": [[\"friction\", \"weight\", 0.2]], "
+                        "\"limits\": { \"seconds\": 9 }");
+  g_autoptr (GError) error = NULL;
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  QnDraft *draft = qn_draft_load (path, &error);
+  g_assert_no_error (error);
+  QnDraftParameter weight = qn_draft_parameter (draft, 1);
+  g_assert_cmpint (weight.kind, ==, QN_DRAFT_RANGE);
+  g_assert_cmpint (weight.levels, ==, 3);
+  g_free (weight.path);
+  qn_draft_set_output (draft, QN_STUDY_MECHANISM_SHAPE, TRUE);
+  qn_draft_set_output (draft, QN_STUDY_MECHANISM_KIND, FALSE);
+  g_assert_true (qn_draft_save (draft, &error));
+  QnStudy study;
+  g_assert_true (qn_study_read (path, NULL, &study, &error));
+  g_assert_no_error (error);
+  g_assert_nonnull (study.correlation);
+  g_assert_cmpfloat (study.seconds, ==, 9);
+  g_assert_cmpuint (study.outputs->len, ==, 2);
+  g_assert_cmpint (qn_study_output (&study, 1), ==, QN_STUDY_MECHANISM_SHAPE);
+  qn_study_clear (&study);
+  qn_draft_free (draft);
+
+  g_assert_true (g_file_set_contents (path, "[1", -1, NULL));
+  g_assert_null (qn_draft_load (path, &error));
+  g_assert_nonnull (strstr (error->message, "s.quoin-study:1:"));
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/study/draft/new", test_new);
+  g_test_add_func ("/study/draft/load", test_load);
+  return g_test_run ();
+}
