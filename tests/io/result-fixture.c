@@ -1,5 +1,6 @@
 #include "result-fixture.h"
 
+#include "core/base/memory.h"
 #include "io/result/result-file.h"
 #include "project-text.h"
 #include "support/scratch.h"
@@ -30,8 +31,16 @@ result_fixture_set_up (ResultFixture *fixture, gconstpointer data)
   result->outcome = QN_OUTCOME_COLLAPSE;
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = 0.2;
-  result->has_first_limit_multiplier = true;
-  result->first_limit_multiplier = 0.1;
+  QnId *moving = qn_alloc (1, sizeof *moving);
+  g_assert_nonnull (moving);
+  moving[0] = 1;
+  g_assert_true (qn_result_add_event (result, (QnPathEvent){ .kind = QN_EVENT_KIND_SNAP,
+                                                             .multiplier = 0.1,
+                                                             .displacement_before = 1e-6,
+                                                             .displacement_after = 2e-6,
+                                                             .energy = 0.5,
+                                                             .blocks = moving,
+                                                             .block_count = 1 }));
   result->statistics = (QnStatistics){ .seconds = 0.012,
                                        .iterations = 420,
                                        .factorizations = 400,

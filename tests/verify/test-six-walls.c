@@ -82,27 +82,23 @@ test_effort (gconstpointer data)
   verify_clear (&solved);
 }
 
-/* Wall 3 loses stability at 0.2604 and has equilibria up to 0.3558. */
+/* Wall 3 loses stability at 0.2604 as mathematics, and nothing is seen of it: 0.2 micrometres of 153 at a
+ * stiffness of 1e9. It is no snap, at any stiffness. */
 static void
-test_first_limit_of_wall_3 (void)
+test_no_snap_of_wall_3 (void)
 {
-  QnModel model;
-  Solved solved;
-  make_wall (&model, 3, 0, 1e7, 100, 1);
-  verify_solve (&solved, &model);
-  g_assert_true (solved.result.has_first_limit_multiplier);
-  g_assert_cmpfloat_with_epsilon (solved.result.first_limit_multiplier, 0.2604, 0.0015);
-  g_assert_cmpfloat_with_epsilon (solved.result.collapse_multiplier, 0.3558, 0.001);
-  verify_clear (&solved);
-
-  make_wall (&model, 3, 0, 1e7, 100, 1);
-  model.analysis.snap = QN_SNAP_THROUGH_STOP;
-  verify_solve (&solved, &model);
-  g_assert_cmpint (solved.result.outcome, ==, QN_OUTCOME_SNAP);
-  g_assert_cmpfloat_with_epsilon (solved.result.first_limit_multiplier, 0.2604, 0.0015);
-  const QnStep *last = &solved.result.steps[solved.result.step_count - 1];
-  g_assert_cmpfloat_with_epsilon (last->multiplier, 0.2604, 0.0015);
-  verify_clear (&solved);
+  static const double stiffness[] = { 1e5, 1e7, 1e9 };
+  for (size_t i = 0; i < G_N_ELEMENTS (stiffness); i++) {
+    QnModel model;
+    Solved solved;
+    make_wall (&model, 3, 0, stiffness[i], 100, 1);
+    model.analysis.snap = QN_SNAP_THROUGH_STOP;
+    verify_solve (&solved, &model);
+    g_assert_cmpint (solved.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_false (solved.result.has_first_limit_multiplier);
+    g_assert_cmpfloat_with_epsilon (solved.result.collapse_multiplier, 0.3558, 0.001);
+    verify_clear (&solved);
+  }
 }
 
 int
@@ -118,6 +114,6 @@ main (int argc, char **argv)
     g_test_add_data_func (associative, GINT_TO_POINTER (number), test_associative);
     g_test_add_data_func (effort, GINT_TO_POINTER (number), test_effort);
   }
-  g_test_add_func ("/verify/walls/3/first-limit", test_first_limit_of_wall_3);
+  g_test_add_func ("/verify/walls/3/no-snap", test_no_snap_of_wall_3);
   return g_test_run ();
 }

@@ -11,6 +11,9 @@
 /* Decrease of the residual asked for, as a fraction of what a linear system would give. */
 #define SUFFICIENT_DECREASE 1e-4
 
+/* What is left out of balance, as a part of the tolerance, that one more iteration is not worth. */
+#define FINER 1e-3
+
 /* Viscosity that is always in the factorised tangent, not in the residual, when a target other
  * than the multiplier is sought. */
 #define TRACE 1e-9
@@ -102,22 +105,31 @@ evaluate (Newton *newton, const double *u, double multiplier)
     newton->norm = INFINITY;
 }
 
-/* b = K \ b. Factorises the tangent unless it is the one that is factorised already: the tangent
- * depends on the phases of the pairs and the viscosity only, as long as geometry is linear. */
+/* Whether the tangent is factorised already: it depends on the phases of the pairs and the viscosity
+ * only, as long as geometry is linear. */
+static bool
+is_factored (const QnEquilibrium *eq, double viscosity)
+{
+  const QnAssembly *as = &eq->assembly;
+  bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear
+              && !qn_beam_assembly_has_changed (&as->beams);
+
+  for (size_t p = 0; p < as->pair_count && same; p++)
+    same = !as->responses[p].varies && eq->factored_phases[p] == as->responses[p].phase;
+  return same;
+}
+
+/* b = K \ b. Factorises the tangent unless it is the one that is factorised already. */
 static QnFactorStatus
 apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
 {
   QnAssembly *as = &eq->assembly;
-  bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear
-              && !qn_beam_assembly_has_changed (&as->beams);
+  bool same = is_factored (eq, viscosity) && as->model->analysis.shortcuts.same_tangent;
 
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const QnPairResponse *response = &as->responses[p];
-    same = same && !response->varies && eq->factored_phases[p] == response->phase;
-    eq->factored_phases[p] = response->phase;
-  }
+  for (size_t p = 0; p < as->pair_count; p++)
+    eq->factored_phases[p] = as->responses[p].phase;
   double start = qn_clock_seconds ();
-  if (same && as->model->analysis.shortcuts.same_tangent) {
+  if (same) {
     qn_linsys_solve (eq->linsys, b);
     eq->statistics.factor_seconds += qn_clock_seconds () - start;
     return QN_FACTOR_OK;
@@ -173,6 +185,15 @@ qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target, double 
   return multiplier_step;
 }
 
+/* A full mechanism has a singular tangent, yet a target holds it: a trace of damping lets the bordered
+ * system be solved in two halves. */
+static double
+viscosity_of_tangent (const Newton *newton)
+{
+  return newton->target->direction != NULL ? fmax (newton->viscosity, TRACE)
+                                           : newton->viscosity;
+}
+
 /* The Newton direction: eq->step and multiplier_step. */
 static QnFactorStatus
 solve_direction (Newton *newton)
@@ -181,10 +202,7 @@ solve_direction (Newton *newton)
   const QnTarget *target = newton->target;
   int32_t n = eq->assembly.unknown_count;
   size_t bytes = (size_t) n * sizeof (double);
-  /* A full mechanism has a singular tangent, yet the target holds it: a trace of damping lets the
-   * bordered system be solved in two halves. */
-  double viscosity =
-    target->direction != NULL ? fmax (newton->viscosity, TRACE) : newton->viscosity;
+  double viscosity = viscosity_of_tangent (newton);
 
   memcpy (eq->step, eq->residual, bytes);
   QnFactorStatus status = apply_inverse (eq, viscosity, eq->step);
@@ -227,6 +245,20 @@ line_search (Newton *newton, double norm)
   return false;
 }
 
+/* One more iteration of a solution that has converged, where it costs no factorisation: on a plateau the
+ * multiplier then has all its digits, not only those of the tolerance. */
+static void
+refine (Newton *newton)
+{
+  QnEquilibrium *eq = newton->eq;
+
+  if (newton->target->direction == NULL || newton->relative <= FINER * eq->tolerance
+      || !is_factored (eq, viscosity_of_tangent (newton)))
+    return;
+  if (solve_direction (newton) != QN_FACTOR_OK || !line_search (newton, newton->norm))
+    evaluate (newton, eq->u, eq->multiplier);
+}
+
 QnSolveStatus
 qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosity,
                        int budget)
@@ -237,8 +269,10 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
     eq->multiplier = target->multiplier;
   measure (&newton, eq->u, eq->multiplier);
   for (int iteration = 0;; iteration++) {
-    if (newton.relative <= eq->tolerance)
+    if (newton.relative <= eq->tolerance) {
+      refine (&newton);
       return QN_SOLVE_CONVERGED;
+    }
     if (iteration == budget || !isfinite (newton.norm))
       return QN_SOLVE_FAILED;
     if (!qn_equilibrium_go_on (eq))

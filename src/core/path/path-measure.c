@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Elastic displacements in the first step, at most: next to collapse the tangent knows no end. */
+#define FARTHEST_FIRST 1e3
+
 static double
 dot (const double *a, const double *b, int32_t n)
 {
@@ -46,32 +49,64 @@ take_load_direction (QnPathMeasure *measure, double *rate_length)
     measure->direction[i] = as->live[i] / length;
 }
 
-/* The first step moves the structure as far as the first increment of load control would. */
+/* Work or arc length, with a first step that moves the structure as far as an increment of the
+ * multiplier would. */
 static QnStatus
-choose (QnPathMeasure *measure, QnDiag *diag)
+take_motion (QnPathMeasure *measure, double increment, QnDiag *diag)
 {
   QnEquilibrium *eq = &measure->path->equilibrium;
-  const QnAnalysisSettings *settings = measure->path->settings;
   int32_t n = eq->assembly.unknown_count;
   double rate_length = 0;
-
-  if (measure->procedure == QN_PROCEDURE_DISPLACEMENT) {
-    measure->direction[measure->unknown] = 1;
-    measure->first = (measure->end - measure->start) / settings->increments;
-    return QN_OK;
-  }
 
   if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
     return qn_diag_no_memory (diag);
   if (rate_length == 0)
     take_load_direction (measure, &rate_length);
-  measure->first = rate_length / settings->increments;
+  double far =
+    increment * rate_length
+    * qn_assembly_elastic_displacements (&eq->assembly, measure->direction, NULL);
+  if (far > FARTHEST_FIRST)
+    increment *= FARTHEST_FIRST / far;
+  measure->first = rate_length * increment;
   if (measure->procedure == QN_PROCEDURE_WORK) {
     double along = dot (measure->direction, eq->assembly.live_at_rest, n);
     memcpy (measure->direction, eq->assembly.live_at_rest, (size_t) n * sizeof (double));
     measure->first *= fabs (along);
   }
   return QN_OK;
+}
+
+static QnStatus
+choose (QnPathMeasure *measure, QnDiag *diag)
+{
+  double increment = 1.0 / measure->path->settings->increments;
+
+  switch (measure->procedure) {
+  case QN_PROCEDURE_LOAD:
+    measure->first = increment;
+    return QN_OK;
+  case QN_PROCEDURE_DISPLACEMENT:
+    measure->direction[measure->unknown] = 1;
+    measure->first = (measure->end - measure->start) * increment;
+    return QN_OK;
+  case QN_PROCEDURE_WORK:
+  case QN_PROCEDURE_ARC_LENGTH:
+  case QN_PROCEDURE_LIMIT:
+  case QN_PROCEDURE_DYNAMIC:
+  case QN_PROCEDURE_COUNT:
+    break;
+  }
+  return take_motion (measure, increment, diag);
+}
+
+QnStatus
+qn_path_measure_take_work (QnPathMeasure *measure, double increment, double *step,
+                           QnDiag *diag)
+{
+  measure->procedure = QN_PROCEDURE_WORK;
+  QnStatus status = take_motion (measure, increment, diag);
+  *step = measure->first;
+  return status;
 }
 
 QnStatus
@@ -94,7 +129,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
     qn_path_measure_clear (measure);
     return qn_diag_no_memory (diag);
   }
-  if (body != SIZE_MAX) {
+  if (body != SIZE_MAX && settings->procedure != QN_PROCEDURE_LOAD) {
     bool turns = settings->control_dof == QN_DOF_RZ;
     measure->unknown = as->unknown[QN_DOF_COUNT * body + (size_t) settings->control_dof];
     measure->end = settings->control_target * (turns ? as->length : 1);

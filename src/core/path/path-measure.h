@@ -1,7 +1,6 @@
-/* The measure of motion that a step of displacement, work or arc-length control prescribes: a
- * linear combination of displacements (see QnTarget), for one displacement its unit vector,
- * for work the live load, for arc length the direction of the path (Riks 1979, Crisfield 1981,
- * linearised).
+/* The measure that a step prescribes: the multiplier, or a linear combination of displacements (see
+ * QnTarget), for one displacement its unit vector, for work the live load, for arc length the
+ * direction of the path (Riks 1979, Crisfield 1981, linearised).
  */
 #ifndef QN_CORE_PATH_MEASURE_H
 #define QN_CORE_PATH_MEASURE_H
@@ -26,6 +25,11 @@ typedef struct QnPathMeasure {
 QnStatus qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag);
 
 void qn_path_measure_clear (QnPathMeasure *measure);
+
+/* From now on the work of the live load is prescribed instead of the multiplier. *step: the work that
+ * belongs to an increment of the multiplier by the tangent of the committed state. */
+QnStatus qn_path_measure_take_work (QnPathMeasure *measure, double increment,
+                                    double *step, QnDiag *diag);
 
 /* To be called with a new equilibrium just before it is accepted: remembers the one that it
  * starts from. */

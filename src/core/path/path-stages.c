@@ -17,14 +17,6 @@
  * way the load drives it. */
 #define CLEAR_RATE 1e-3
 
-static QnStatus
-follow (QnPath *path, QnDiag *diag)
-{
-  return path->settings->procedure == QN_PROCEDURE_LOAD
-           ? qn_path_load_control (path, diag)
-           : qn_path_motion_control (path, diag);
-}
-
 /* --- The sense of a controlled displacement ---------------------------------------------- */
 
 static int32_t
@@ -104,18 +96,6 @@ probe_sense (QnPath *path, int *sense, QnDiag *diag)
 
 /* --- Without stages --------------------------------------------------------------------- */
 
-/* Whether load control may have jumped to an equilibrium above what the structure carries while it
- * moves. */
-static bool
-needs_check (const QnPath *path)
-{
-  const QnAssembly *as = &path->equilibrium.assembly;
-
-  return path->settings->procedure == QN_PROCEDURE_LOAD
-         && path->result->outcome == QN_OUTCOME_COLLAPSE && qn_central_path_applies (as)
-         && !qn_central_path_is_associative (as);
-}
-
 /* The live loads in one go. A target that a growing load moves away from is an input
  * error. */
 static QnStatus
@@ -140,9 +120,7 @@ run_live_loads (QnPath *path, QnDiag *diag)
   if (sense < 0)
     return qn_diag_set_field (diag, QN_PROBLEM_CONTROL_WRONG_SIGN, QN_ENTITY_ANALYSIS,
                               QN_NONE, "control.target", settings->control_target);
-  QnStatus status = follow (path, diag);
-  return status == QN_OK && needs_check (path) ? qn_path_check_collapse (path, diag)
-                                               : status;
+  return qn_path_trace (path, diag);
 }
 
 /* --- One stage -------------------------------------------------------------------------- */
@@ -184,7 +162,8 @@ reset_result (QnResult *result)
 {
   result->outcome = QN_OUTCOME_NOT_CONVERGED;
   result->stop = QN_STOP_UNKNOWN;
-  result->has_collapse_multiplier = result->has_first_limit_multiplier = false;
+  result->has_collapse_multiplier = false;
+  qn_result_clear_events (result);
   free (result->mechanism);
   result->mechanism = NULL;
 }
@@ -231,8 +210,6 @@ end_stage (QnPath *path, const QnStage *stage, double *at)
   double reached = path->equilibrium.committed.multiplier;
 
   result->collapse_multiplier = path->origin + path->scale * result->collapse_multiplier;
-  result->first_limit_multiplier =
-    path->origin + path->scale * result->first_limit_multiplier;
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
     if ((stage->sets >> set & 1) != 0)
       at[set] = path->origin + path->scale * reached;
@@ -252,7 +229,7 @@ run_stages (QnPath *path, QnDiag *diag)
     if (status == QN_OK && idle)
       path->result->outcome = QN_OUTCOME_TARGET_REACHED;
     else if (status == QN_OK)
-      status = follow (path, diag);
+      status = qn_path_trace (path, diag);
     if (status != QN_OK)
       return status;
     end_stage (path, stage, at);

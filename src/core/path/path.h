@@ -36,8 +36,6 @@ typedef struct QnPath {
   int32_t stage;                      /* number of the stage, from 1; 0: none */
   double origin, scale; /* the sets that are driven stand at origin + scale x the solver's
                            multiplier, which every stage starts from 0; 0 and 1 by default */
-  bool
-    ends_at_peak; /* motion control records rising multipliers alone and ends at the highest */
   QnEquilibrium equilibrium;
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
   double *displacements;      /* scratch, a row for every body; reactions too */
@@ -73,33 +71,8 @@ bool qn_path_accept (QnPath *path, double multiplier, QnEvent event);
 /* Records the velocity that the last relaxation ended with as the collapse mechanism. */
 QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag);
 
-/* How the approach to collapse ended. */
-typedef enum {
-  QN_APPROACH_SETTLED, /* the last step of the result is collapse */
-  QN_APPROACH_LOST,    /* no solution; the steps until then stand */
-  QN_APPROACH_BEYOND,  /* the same, for the next one would have been beyond the end */
-  QN_APPROACH_CANCELLED
-} QnApproach;
-
-/* From the last step to collapse, by growing motion under a multiplier that follows; steps
- * that raise the multiplier are recorded, none beyond `end`.
- *
- * start: unknowns where the live load began to act
- *
- * SETTLED leaves the motion of the last step, in metres, in the equilibrium's velocity. */
-QnStatus qn_path_approach_collapse (QnPath *path, QnCentralPath *central,
-                                    const double *start, double end, QnApproach *outcome,
-                                    QnDiag *diag);
-
-/* Load control: increments of the multiplier up to collapse or the largest multiplier. */
-QnStatus qn_path_load_control (QnPath *path, QnDiag *diag);
-
-/* Displacement, work or arc-length control, as the settings say, to the control target, down
- * to multiplier zero, or to a plateau. */
-QnStatus qn_path_motion_control (QnPath *path, QnDiag *diag);
-
-/* The check of a collapse that load control has found (path-check.c): *path and its result become
- * those of work control from the dead load on where these prove a lower collapse multiplier. */
-QnStatus qn_path_check_collapse (QnPath *path, QnDiag *diag);
+/* Follows the path from the committed state under the driven loads, by the procedure of the settings
+ * (path-trace.c): to the largest multiplier, the control target, a plateau, or collapse. */
+QnStatus qn_path_trace (QnPath *path, QnDiag *diag);
 
 #endif

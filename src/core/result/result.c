@@ -58,6 +58,7 @@ qn_result_init (QnResult *result, size_t block_count, size_t pair_count, QnDiag 
 void
 qn_result_clear (QnResult *result)
 {
+  qn_result_clear_events (result);
   free (result->steps);
   free (result->displacements);
   free (result->beam_forces);
@@ -92,6 +93,51 @@ qn_result_add_step (QnResult *result, QnStep step, const double *displacements)
   memcpy (all + result->step_count * row, displacements, row * sizeof *all);
   steps[result->step_count++] = step;
   return true;
+}
+
+const char *
+qn_event_kind_name (QnEventKind kind)
+{
+  static const char *const names[QN_EVENT_KIND_COUNT] = {
+    [QN_EVENT_KIND_LOCAL] = "local",
+    [QN_EVENT_KIND_SNAP] = "snap",
+    [QN_EVENT_KIND_COLLAPSE] = "collapse",
+  };
+  return names[kind];
+}
+
+bool
+qn_result_add_event (QnResult *result, QnPathEvent event)
+{
+  QnPathEvent *events = qn_array_grow (result->events, &result->event_capacity,
+                                       result->event_count + 1, sizeof *events);
+  if (events == NULL) {
+    free (event.blocks);
+    return false;
+  }
+  result->events = events;
+  events[result->event_count++] = event;
+  if (event.kind == QN_EVENT_KIND_SNAP && !result->has_first_limit_multiplier)
+    qn_result_set_first_limit (result, event.multiplier);
+  return true;
+}
+
+void
+qn_result_set_first_limit (QnResult *result, double multiplier)
+{
+  result->has_first_limit_multiplier = true;
+  result->first_limit_multiplier = multiplier;
+}
+
+void
+qn_result_clear_events (QnResult *result)
+{
+  for (size_t i = 0; i < result->event_count; i++)
+    free (result->events[i].blocks);
+  free (result->events);
+  result->events = NULL;
+  result->event_count = result->event_capacity = 0;
+  result->has_first_limit_multiplier = false;
 }
 
 static bool

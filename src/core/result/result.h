@@ -36,6 +36,26 @@ typedef enum {
 
 typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT } QnEvent;
 
+/* What happens on a path under a load that keeps growing. */
+typedef enum {
+  QN_EVENT_KIND_LOCAL, /* a jump of less than 5 % of the displacement: a joint or two settle */
+  QN_EVENT_KIND_SNAP,     /* a larger one: a real structure would jump there */
+  QN_EVENT_KIND_COLLAPSE, /* the path does not climb above this multiplier again */
+  QN_EVENT_KIND_COUNT
+} QnEventKind;
+
+typedef struct QnPathEvent {
+  QnEventKind kind;
+  int32_t stage; /* as of QnStep */
+  double multiplier;
+  double displacement_before,
+    displacement_after; /* largest since the dead load, m; of COLLAPSE
+                              the latter is how far the motion was followed */
+  double energy;        /* set free, J */
+  QnId *blocks;         /* that take part, ascending */
+  size_t block_count;
+} QnPathEvent;
+
 /* One converged equilibrium. The first step is the dead load alone, multiplier 0. The
  * multiplier is that of the load sets which the stage drives. */
 typedef struct QnStep {
@@ -150,7 +170,11 @@ typedef struct QnResult {
   bool has_collapse_multiplier;
   double collapse_multiplier; /* largest multiplier with an equilibrium */
   bool has_first_limit_multiplier;
-  double first_limit_multiplier; /* where the path first loses stability */
+  double
+    first_limit_multiplier; /* of the first snap, or where `stability` finds the limit */
+
+  QnPathEvent *events; /* by multiplier, within a stage */
+  size_t event_count, event_capacity;
 
   QnLimitFigures limit;
 
@@ -207,6 +231,18 @@ void qn_result_clear (QnResult *result);
 
 /* Appends a step; displacements: a row for every block and node. False when memory runs out. */
 bool qn_result_add_step (QnResult *result, QnStep step, const double *displacements);
+
+/* Appends an event, whose blocks become the result's, even where memory runs out (false). The first
+ * snap sets first_limit_multiplier. */
+bool qn_result_add_event (QnResult *result, QnPathEvent event);
+
+void qn_result_set_first_limit (QnResult *result, double multiplier);
+
+/* Result-file spelling: "local", "snap", "collapse". */
+const char *qn_event_kind_name (QnEventKind kind);
+
+/* Drops all events, and first_limit_multiplier. */
+void qn_result_clear_events (QnResult *result);
 
 /* Section forces by element of the step that was added last. False when memory runs out. */
 bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);

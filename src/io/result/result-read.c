@@ -439,6 +439,81 @@ read_supports (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
+read_event_kind (QnJsonStream *stream, gpointer target)
+{
+  QnEventKind *kind = target;
+  if (stream->scanner.token == QN_JSON_STRING)
+    for (int i = 0; i < QN_EVENT_KIND_COUNT; i++)
+      if (qn_json_string_is (&stream->scanner, qn_event_kind_name ((QnEventKind) i))) {
+        *kind = (QnEventKind) i;
+        return TRUE;
+      }
+  return qn_json_stream_fail (stream, _ ("expected \"local\", \"snap\" or \"collapse\""));
+}
+
+/* An event with room for its blocks. */
+typedef struct EventDraft {
+  QnPathEvent event;
+  size_t capacity;
+} EventDraft;
+
+static gboolean
+read_event_block (QnJsonStream *stream, gpointer target)
+{
+  EventDraft *draft = target;
+  QnPathEvent *event = &draft->event;
+  if (!grow (stream, &event->blocks, event->block_count, &draft->capacity,
+             sizeof *event->blocks)
+      || !qn_json_stream_int32 (stream, &event->blocks[event->block_count]))
+    return FALSE;
+  if (event->blocks[event->block_count++] < 0)
+    return qn_json_stream_fail (stream, _ ("there is no such block"));
+  return TRUE;
+}
+
+static gboolean
+read_event_blocks (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_event_block, target);
+}
+
+static gboolean
+read_path_event (QnJsonStream *stream, gpointer target)
+{
+  static const QnJsonMember members[] = {
+    { "multiplier", qn_json_stream_number, offsetof (EventDraft, event.multiplier),
+      TRUE },
+    { "kind", read_event_kind, offsetof (EventDraft, event.kind), TRUE },
+    { "stage", read_stage, offsetof (EventDraft, event.stage), FALSE },
+    { "displacement_before", qn_json_stream_number,
+      offsetof (EventDraft, event.displacement_before), TRUE },
+    { "displacement_after", qn_json_stream_number,
+      offsetof (EventDraft, event.displacement_after), TRUE },
+    { "energy", qn_json_stream_number, offsetof (EventDraft, event.energy), TRUE },
+    { "blocks", read_event_blocks, 0, TRUE },
+  };
+  QnResult *result = &((QnResultDraft *) target)->file->result;
+  EventDraft draft = { 0 };
+  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &draft)) {
+    free (draft.event.blocks);
+    return FALSE;
+  }
+  /* What the file says of the first limit point stands. */
+  bool given = result->has_first_limit_multiplier;
+  double first_limit = result->first_limit_multiplier;
+  bool added = qn_result_add_event (result, draft.event);
+  result->has_first_limit_multiplier = given;
+  result->first_limit_multiplier = first_limit;
+  return added || qn_json_stream_no_memory (stream);
+}
+
+static gboolean
+read_events (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_path_event, target);
+}
+
+static gboolean
 read_end_stage (QnJsonStream *stream, gpointer target)
 {
   return read_stage (stream, &((QnResultDraft *) target)->file->result.stage);
@@ -496,6 +571,7 @@ read_document (QnJsonStream *stream, gpointer target)
     { "outcome", qn_json_stream_string, offsetof (QnResultDraft, outcome), TRUE },
     { "collapse_multiplier", read_collapse, 0, FALSE },
     { "first_limit_multiplier", read_first_limit, 0, FALSE },
+    { "events", read_events, 0, FALSE },
     { "lower_bound", read_lower_bound, 0, FALSE },
     { "upper_bound", read_upper_bound, 0, FALSE },
     { "flow", read_flow, 0, FALSE },

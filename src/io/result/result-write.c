@@ -60,6 +60,35 @@ write_limit (QnFileWriter *writer, const QnLimitFigures *limit)
   qn_file_writer_puts (writer, "],\n");
 }
 
+/* What happened on a path; an analysis of another kind has no events. */
+static void
+write_events (QnFileWriter *writer, const QnResult *result)
+{
+  if (result->limit.given || result->history.width > 0)
+    return;
+  qn_file_writer_puts (writer, "  \"events\": [");
+  for (size_t i = 0; i < result->event_count; i++) {
+    const QnPathEvent *event = &result->events[i];
+    qn_file_writer_printf (writer, "%s\n    { \"multiplier\": ", i > 0 ? "," : "");
+    qn_file_writer_number (writer, event->multiplier);
+    qn_file_writer_printf (writer, ", \"kind\": \"%s\"",
+                           qn_event_kind_name (event->kind));
+    if (event->stage > 0)
+      qn_file_writer_printf (writer, ", \"stage\": %d", event->stage - 1);
+    qn_file_writer_puts (writer, ", \"displacement_before\": ");
+    qn_file_writer_number (writer, event->displacement_before);
+    qn_file_writer_puts (writer, ", \"displacement_after\": ");
+    qn_file_writer_number (writer, event->displacement_after);
+    qn_file_writer_puts (writer, ", \"energy\": ");
+    qn_file_writer_number (writer, event->energy);
+    qn_file_writer_puts (writer, ", \"blocks\": [");
+    for (size_t b = 0; b < event->block_count; b++)
+      qn_file_writer_printf (writer, "%s%d", b > 0 ? ", " : "", event->blocks[b]);
+    qn_file_writer_puts (writer, "] }");
+  }
+  qn_file_writer_puts (writer, "],\n");
+}
+
 static void
 write_head (QnFileWriter *writer, const QnProject *project, const QnResult *result)
 {
@@ -85,6 +114,7 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
                   result->collapse_multiplier);
   write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
                   result->first_limit_multiplier);
+  write_events (writer, result);
   write_limit (writer, &result->limit);
   char *reason = qn_outcome_dup_reason (&project->model, result);
   qn_file_writer_puts (writer, "  \"reason\": ");

@@ -28,6 +28,13 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
   g_assert_true (read->has_collapse_multiplier && read->has_first_limit_multiplier);
   g_assert_cmpfloat (read->collapse_multiplier, ==, 0.2);
   g_assert_cmpfloat (read->first_limit_multiplier, ==, 0.1);
+  g_assert_cmpuint (read->event_count, ==, 1);
+  g_assert_cmpint (read->events[0].kind, ==, QN_EVENT_KIND_SNAP);
+  g_assert_cmpfloat (read->events[0].multiplier, ==, 0.1);
+  g_assert_cmpfloat (read->events[0].displacement_after, ==, 2e-6);
+  g_assert_cmpfloat (read->events[0].energy, ==, 0.5);
+  g_assert_cmpuint (read->events[0].block_count, ==, 1);
+  g_assert_cmpint (read->events[0].blocks[0], ==, 1);
   g_assert_cmpuint (read->block_count, ==, 2);
   g_assert_cmpuint (read->step_count, ==, 2);
   g_assert_cmpmem (read->displacements, 12 * sizeof (double), written->displacements,
@@ -67,40 +74,40 @@ static const Case cases[] = {
   { "\"collapse_multiplier\": 0.2", "\"collapse_multiplier\": \"0.2\"",
     "r.json:7:26: collapse_multiplier: expected a number" },
   { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\"]",
-    "r.json:12:41: steps[0].displacements: there are not as many displacements as "
+    "r.json:14:41: steps[0].displacements: there are not as many displacements as "
     "blocks" },
   { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\", 3]",
-    "r.json:10:22: blocks[1]: expected a string" },
+    "r.json:12:22: blocks[1]: expected a string" },
   { "\"multiplier\": 0.2", "\"multiplier\": 1e999",
-    "r.json:13:21: steps[1].multiplier: number is not finite" },
+    "r.json:15:21: steps[1].multiplier: number is not finite" },
   { "\"multiplier\": 0.2, ", "",
-    "r.json:13:5: steps[1].multiplier: required key is missing" },
+    "r.json:15:5: steps[1].multiplier: required key is missing" },
   { "[1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6]",
-    "r.json:13:67: steps[1].displacements[1]: expected a number" },
+    "r.json:15:67: steps[1].displacements[1]: expected a number" },
   { "[1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6, 3e-9, 1]",
-    "r.json:13:75: steps[1].displacements[1]: array has too many elements" },
+    "r.json:15:75: steps[1].displacements[1]: array has too many elements" },
   { "[0, 0, 0], [1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6, 3e-9]",
-    "r.json:13:122: steps[1]: step has displacements of another number of blocks than "
+    "r.json:15:122: steps[1]: step has displacements of another number of blocks than "
     "the "
     "first" },
   { "\"event\": \"collapse\"", "\"event\": \"boom\"",
-    "r.json:13:122: steps[1].event: expected null, \"snap\" or \"collapse\"" },
+    "r.json:15:122: steps[1].event: expected null, \"snap\" or \"collapse\"" },
   { "\"iterations\": 4", "\"iterations\": 4.5",
-    "r.json:13:91: steps[1].iterations: expected a whole number that is not negative" },
+    "r.json:15:91: steps[1].iterations: expected a whole number that is not negative" },
   { "\"blocks\": [0, 1]", "\"blocks\": [0, 2]",
-    "r.json:15:28: contacts[0].blocks: there are no such two blocks" },
+    "r.json:17:28: contacts[0].blocks: there are no such two blocks" },
   { "\"blocks\": [0, 1]", "\"blocks\": [1, 1]",
-    "r.json:15:28: contacts[0].blocks: there are no such two blocks" },
+    "r.json:17:28: contacts[0].blocks: there are no such two blocks" },
   { "\"blocks\": [0, 1]", "\"blocks\": [0, -1]",
-    "r.json:15:34: contacts[0].blocks: blocks are given by their numbers from 0" },
+    "r.json:17:34: contacts[0].blocks: blocks are given by their numbers from 0" },
   { "\"normal\": [0, 1]", "\"normal\": [0, 2]",
-    "r.json:15:70: contacts[0].normal: normal is not of length 1" },
+    "r.json:17:70: contacts[0].normal: normal is not of length 1" },
   { "\"state\": \"stick\"", "\"state\": \"glue\"",
-    "r.json:15:95: contacts[0].state: this is no state of a contact pair" },
+    "r.json:17:95: contacts[0].state: this is no state of a contact pair" },
   { "\"mechanism\": [[0, 0, 0], ", "\"mechanism\": [",
-    "r.json:17:16: mechanism: there are not as many velocities as blocks" },
+    "r.json:19:16: mechanism: there are not as many velocities as blocks" },
   { "\"seconds\": 0.012", "\"seconds\": true",
-    "r.json:25:27: timings.seconds: expected a number" },
+    "r.json:27:27: timings.seconds: expected a number" },
 };
 
 static void

@@ -1,0 +1,151 @@
+/* Where the trace ends. */
+#include "core/base/tolerance.h"
+#include "core/path/path-trace.h"
+
+static const QnPathTuning *const tuning = &qn_path_tuning;
+
+/* Whether the path may end on a plateau: in linear geometry motion knows no end. */
+static bool
+may_end_on_plateau (const QnPathTrace *trace)
+{
+  return qn_path_trace_is_linear (trace)
+         && trace->measure.procedure != QN_PROCEDURE_DISPLACEMENT;
+}
+
+/* What the multiplier has still to gain if it goes like collapse - constant / motion, as a part
+ * of itself: near collapse less and less, all of it while the structure is elastic. */
+static double
+left_to_gain (const QnPathTrace *trace, double motion)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  double before =
+    qn_assembly_elastic_displacements (&eq->assembly, trace->measure.last_u, NULL);
+  double gain = eq->multiplier / trace->last_multiplier - 1;
+
+  return fabs (gain * before / (motion - before));
+}
+
+/* Whether the structure has run away under a multiplier that hardly follows. */
+static bool
+is_gone (const QnPathTrace *trace, double motion)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  double tolerance = trace->path->settings->multiplier_tolerance;
+  double left = left_to_gain (trace, motion);
+
+  return motion > eq->runaway && left <= tuning->nearly_settled
+         && (trace->may_jump || motion > QN_FARTHEST
+             || left <= tuning->settled * tolerance);
+}
+
+/* Whether a joint that stands open closes before the structure has run away, if the motion goes on as
+ * in the last step. */
+static bool
+will_close (QnPathTrace *trace, double motion)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  QnAssembly *as = &eq->assembly;
+  double step = qn_assembly_elastic_displacements (as, eq->u, trace->measure.last_u);
+
+  qn_assembly_update_kinematics (as, trace->measure.last_u);
+  qn_equilibrium_note_gaps (eq);
+  qn_assembly_update_kinematics (as, eq->u);
+  return qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
+}
+
+/* Whether the multiplier has held still, or under load control has not climbed, while the motion grew
+ * many times; or the structure has run away. */
+static bool
+is_plateau (QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  double tolerance = trace->may_jump ? tuning->plateau_tolerance
+                                     : trace->path->settings->multiplier_tolerance;
+  double motion = qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL);
+  double level = trace->load_control ? trace->events.highest : eq->multiplier;
+
+  if (!may_end_on_plateau (trace))
+    return false;
+  if (is_gone (trace, motion))
+    return true;
+  if (fabs (level - trace->plateau_multiplier) > tolerance * fabs (level)) {
+    trace->plateau_multiplier = level;
+    trace->plateau_motion = motion;
+    return false;
+  }
+  return motion > tuning->plateau_growth * trace->plateau_motion
+         && fabs (trace->pace - trace->last_pace) <= tuning->steady * trace->pace
+         && !will_close (trace, motion);
+}
+
+/* Whether a structure in nonlinear geometry that is below its highest multiplier has collapsed. */
+static bool
+has_collapsed (const QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnPathEvents *events = &trace->events;
+  double moved = events->displacement - events->highest_displacement;
+
+  return trace->load_control && !qn_path_trace_is_linear (trace) && events->below
+         && (moved > tuning->collapsed_motion * eq->assembly.length
+             || eq->multiplier <= tuning->collapsed_part * events->highest);
+}
+
+void
+qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop)
+{
+  trace->path->result->outcome = outcome;
+  trace->stop = stop;
+}
+
+void
+qn_path_end_check (QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnPathEvents *events = &trace->events;
+  /* In linear geometry load control goes on below zero: what moves then is the mechanism. */
+  bool falls = trace->measure.unknown == QN_NONE && events->below
+               && !(trace->load_control && qn_path_trace_is_linear (trace));
+
+  if (events->below && trace->path->settings->snap == QN_SNAP_THROUGH_STOP
+      && (!trace->load_control || qn_path_events_has_snapped (events)))
+    qn_path_end_finish (trace, QN_OUTCOME_SNAP, QN_STOP_LIMIT_POINT);
+  else if (eq->multiplier >= (1 - QN_TOLERANCE_TARGET) * trace->end)
+    qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_MULTIPLIER);
+  else if (qn_path_measure_is_at_end (&trace->measure))
+    qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
+  else if (falls && eq->multiplier <= 0)
+    qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_ZERO);
+  else if (has_collapsed (trace))
+    qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_FALL);
+  else if (is_plateau (trace))
+    qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
+}
+
+void
+qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  double motion =
+    qn_assembly_elastic_displacements (&eq->assembly, eq->committed.u, NULL);
+
+  qn_equilibrium_restore (eq);
+  switch (status) {
+  case QN_SOLVE_CONVERGED:
+    qn_path_end_finish (trace, QN_OUTCOME_SNAP, QN_STOP_LIMIT_POINT);
+    break;
+  case QN_SOLVE_MECHANISM:
+    qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_FALL);
+    break;
+  case QN_SOLVE_CANCELLED:
+    qn_path_end_finish (trace, QN_OUTCOME_CANCELLED, QN_STOP_CANCELLED);
+    break;
+  case QN_SOLVE_FAILED:
+  case QN_SOLVE_NO_MEMORY:
+    if (may_end_on_plateau (trace) && motion > eq->runaway)
+      qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
+    else
+      qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEP_TOO_SMALL);
+    break;
+  }
+}

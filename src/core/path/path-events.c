@@ -1,0 +1,184 @@
+#include "core/path/path-events.h"
+
+#include "core/base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A multiplier that is less by this part than the highest one so far has turned down. */
+#define DIP 1e-4
+
+/* A jump as a part of the displacement that it ends with: from here on a snap, */
+#define SNAP 0.05
+
+/* and below this part none that is told: less than what a drawing shows. */
+#define LEAST 0.005
+
+/* Loads of so many times what equilibrium may lack are felt. */
+#define FELT 100
+
+/* Blocks that move by this part of the largest motion take part in an event. */
+#define TAKES_PART 0.1
+
+bool
+qn_path_events_init (QnPathEvents *events, QnPath *path, double unit)
+{
+  const QnEquilibrium *eq = &path->equilibrium;
+  size_t n = (size_t) eq->assembly.unknown_count;
+
+  *events =
+    (QnPathEvents){ .path = path,
+                    .rest = qn_alloc (n, sizeof *events->rest),
+                    .highest_u = qn_alloc (n, sizeof *events->highest_u),
+                    .least = eq->committed.multiplier + FELT * eq->tolerance * unit,
+                    .highest = eq->committed.multiplier };
+  if (events->rest == NULL || events->highest_u == NULL)
+    return false;
+  memcpy (events->rest, eq->committed.u, n * sizeof *events->rest);
+  memcpy (events->highest_u, eq->committed.u, n * sizeof *events->highest_u);
+  return true;
+}
+
+void
+qn_path_events_clear (QnPathEvents *events)
+{
+  free (events->rest);
+  free (events->highest_u);
+  *events = (QnPathEvents){ 0 };
+}
+
+/* How far a body has moved, rotations aside, m. */
+static double
+shift (const QnAssembly *as, size_t body, const double *from, const double *to)
+{
+  double d[2] = { 0, 0 };
+
+  for (size_t i = 0; i < 2; i++) {
+    int32_t unknown = as->unknown[QN_DOF_COUNT * body + i];
+    if (unknown != QN_NONE)
+      d[i] = to[unknown] - from[unknown];
+  }
+  return hypot (d[0], d[1]);
+}
+
+static double
+largest_shift (const QnPath *path, const double *from, const double *to)
+{
+  size_t count = qn_model_body_count (path->model);
+  double largest = 0;
+
+  for (size_t body = 0; body < count; body++)
+    largest = fmax (largest, shift (&path->equilibrium.assembly, body, from, to));
+  return largest;
+}
+
+/* Energy set free on the way from the committed state to the current one at a multiplier held. */
+static double
+energy_of_step (const QnEquilibrium *eq, double held)
+{
+  const QnAssembly *as = &eq->assembly;
+  double work = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    work += as->live[i] * (eq->u[i] - eq->committed.u[i]);
+  return (held - 0.5 * (eq->committed.multiplier + eq->multiplier)) * work;
+}
+
+static bool
+add (QnPathEvents *events, QnEventKind kind, double multiplier, double before,
+     double after)
+{
+  QnPath *path = events->path;
+  const QnEquilibrium *eq = &path->equilibrium;
+  size_t count = path->model->block_count;
+  QnId *blocks = qn_alloc (count, sizeof *blocks);
+  double least = TAKES_PART * largest_shift (path, events->highest_u, eq->u);
+  QnPathEvent event = { .kind = kind,
+                        .stage = path->stage,
+                        .multiplier = path->origin + path->scale * multiplier,
+                        .displacement_before = before,
+                        .displacement_after = after,
+                        .energy = fmax (0, path->scale * events->energy),
+                        .blocks = blocks };
+
+  if (blocks == NULL)
+    return false;
+  for (size_t b = 0; b < count; b++) {
+    double moved = shift (&eq->assembly, b, events->highest_u, eq->u);
+    if (moved > 0 && moved >= least)
+      blocks[event.block_count++] = (QnId) b;
+  }
+  return qn_result_add_event (path->result, event);
+}
+
+/* Size of the jump from the one displacement to the other. */
+static double
+jump_size (double before, double after)
+{
+  return after > 0 ? (after - before) / after : 0;
+}
+
+/* Takes the current state, with this displacement, as the highest. */
+static void
+take_highest (QnPathEvents *events, double displacement)
+{
+  const QnEquilibrium *eq = &events->path->equilibrium;
+
+  events->highest = eq->multiplier;
+  events->highest_displacement = displacement;
+  events->energy = 0;
+  events->below = false;
+  memcpy (events->highest_u, eq->u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
+}
+
+bool
+qn_path_events_climbs (const QnPathEvents *events)
+{
+  const QnEquilibrium *eq = &events->path->equilibrium;
+
+  return eq->multiplier - events->highest > eq->tolerance * fabs (events->highest);
+}
+
+bool
+qn_path_events_observe (QnPathEvents *events, bool jumped, bool *snap)
+{
+  const QnEquilibrium *eq = &events->path->equilibrium;
+  double before = events->highest_displacement, last = events->displacement;
+  double now = largest_shift (events->path, events->rest, eq->u);
+  double from = eq->committed.multiplier, to = eq->multiplier;
+
+  *snap = false;
+  events->displacement = now;
+  events->energy += energy_of_step (eq, events->highest);
+  if (!qn_path_events_climbs (events)) {
+    events->below = events->below || to < (1 - DIP) * events->highest;
+    return true;
+  }
+  if ((events->below || jumped) && events->highest > events->least) {
+    /* The highest multiplier is reached again somewhere on this step. */
+    double part = from < events->highest ? (events->highest - from) / (to - from) : 0;
+    double after = jumped ? now : last + part * (now - last);
+    double size = jump_size (before, after);
+    *snap = size >= SNAP;
+    if (size >= LEAST
+        && !add (events, *snap ? QN_EVENT_KIND_SNAP : QN_EVENT_KIND_LOCAL,
+                 events->highest, before, after))
+      return false;
+  }
+  take_highest (events, now);
+  return true;
+}
+
+bool
+qn_path_events_has_snapped (const QnPathEvents *events)
+{
+  return events->below
+         && jump_size (events->highest_displacement, events->displacement) >= SNAP;
+}
+
+bool
+qn_path_events_collapse (QnPathEvents *events)
+{
+  return add (events, QN_EVENT_KIND_COLLAPSE, events->highest,
+              events->highest_displacement, events->displacement);
+}

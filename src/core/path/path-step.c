@@ -1,0 +1,223 @@
+/* One step of the trace.
+ *
+ * Every step climbs the same ladder. Newton's method; then the central path, which takes the step as
+ * a whole, where there are joints for it; then a shorter step. What is left is a jump with the
+ * measure held: the structure moves until it rests, along central paths in linear geometry, by
+ * viscous relaxation where these lead nowhere. Relaxation comes last because under damping joints
+ * slide that would not otherwise: it rests below the path, and Newton's method fails from there again.
+ */
+#include "core/base/tolerance.h"
+#include "core/path/path-trace.h"
+
+static const QnPathTuning *const tuning = &qn_path_tuning;
+
+static QnTarget
+target_of (const QnPathTrace *trace, double step)
+{
+  return (QnTarget){ .direction = trace->measure.direction, .advance = step };
+}
+
+/* An equilibrium that the structure would leave at once is none. */
+static QnSolveStatus
+refuse_unstable (const QnPathTrace *trace, QnSolveStatus status)
+{
+  bool unstable = trace->path->equilibrium.orientation * trace->orientation < 0;
+
+  return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
+}
+
+/* By Newton's method, or else along the central path. Stability counts where the branch that is
+ * lost leads elsewhere: in linear geometry what the central path finds goes on to the same plateau,
+ * and what relaxation would find instead may not. */
+static QnSolveStatus
+solve_statically (QnPathTrace *trace, const QnTarget *target)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  QnSolveStatus status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
+
+  trace->means = QN_FOUND_BY_NEWTON;
+  status = refuse_unstable (trace, status);
+  if (status != QN_SOLVE_FAILED || trace->central == NULL)
+    return status;
+  trace->means = QN_FOUND_BY_CENTRAL_PATH;
+  eq->orientation =
+    trace->orientation; /* should Newton's method find nothing left to do */
+  status = qn_central_path_solve (trace->central, target, QN_CENTRAL_BUDGET);
+  return qn_path_trace_is_linear (trace) ? status : refuse_unstable (trace, status);
+}
+
+/* Lets the structure move until it rests with the measure held: along central paths, or by viscous
+ * relaxation where these lead nowhere. */
+static QnSolveStatus
+jump (QnPathTrace *trace, const QnTarget *target)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  QnSolveStatus status = QN_SOLVE_FAILED;
+
+  trace->means = QN_FOUND_BY_RELAXATION;
+  if (trace->central != NULL)
+    status =
+      qn_central_path_relax (trace->central, target, INFINITY, tuning->jump_budget);
+  if (status != QN_SOLVE_FAILED)
+    return status;
+  qn_equilibrium_restore (eq);
+  return qn_equilibrium_relax (eq, target, QN_RELAX_BUDGET);
+}
+
+/* Whether a step that was solved went much farther than the steps before it, and not much less far
+ * than a longer one did (`before`; 0: unknown): that is a jump. */
+static bool
+is_jump (const QnPathTrace *trace, double step, double before)
+{
+  double moved = qn_equilibrium_motion (&trace->path->equilibrium);
+
+  return trace->pace > 0 && moved > tuning->jump * trace->pace * fabs (step)
+         && moved > tuning->jump_stays * before;
+}
+
+/* In linear geometry. Tries the step, a part of it, and a part of that. A central path that turns back
+ * where all but a few pairs are decided may do so however short the step is: then what has slid is
+ * committed, and it goes on from there. If nothing is found near by, the structure jumps. */
+static QnSolveStatus
+solve_linear (QnPathTrace *trace, double *step)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  bool relaxed = trace->means == QN_FOUND_BY_RELAXATION;
+  double before = 0; /* motion in the step before it was cut; 0: unknown */
+  QnSolveStatus status;
+  QnTarget target;
+
+  for (int cut = 0;; cut++) {
+    target = target_of (trace, *step);
+    status = solve_statically (trace, &target);
+    if (status == QN_SOLVE_FAILED && trace->central != NULL
+        && (relaxed || cut == tuning->most_cuts)) {
+      trace->means = QN_FOUND_BY_RELAXATION;
+      status = qn_central_path_relax (trace->central, &target, tuning->undecided,
+                                      QN_CENTRAL_BUDGET);
+    }
+    trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, before);
+    if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
+        || (status == QN_SOLVE_CONVERGED && (!trace->jumped || cut == tuning->most_cuts)))
+      return status;
+    before = trace->jumped ? qn_equilibrium_motion (eq) : 0;
+    qn_equilibrium_restore (eq);
+    if (cut == tuning->most_cuts)
+      break;
+    *step *= tuning->cut;
+  }
+  status = jump (trace, &target);
+  trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, 0);
+  return status;
+}
+
+/* In nonlinear geometry, where branches lie close to each other: cut until it is solved without a jump
+ * or is the smallest one. Static solutions come first, and are cheap, unless relaxation was needed
+ * just before: then their first failure is enough. */
+static QnSolveStatus
+solve_nonlinear (QnPathTrace *trace, double *step)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  double least_for_newton = trace->means == QN_FOUND_BY_RELAXATION
+                              ? INFINITY
+                              : tuning->newton_step * trace->largest;
+  double before = 0;
+  bool relaxes = false;
+
+  for (;;) {
+    const QnTarget target = target_of (trace, *step);
+    bool smallest = fabs (*step) <= tuning->smallest_step * trace->largest;
+    QnSolveStatus status =
+      relaxes ? qn_equilibrium_relax (
+        eq, &target, smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT)
+              : solve_statically (trace, &target);
+    bool solved = status == QN_SOLVE_CONVERGED;
+
+    if (relaxes)
+      trace->means = QN_FOUND_BY_RELAXATION;
+    trace->jumped = solved && is_jump (trace, *step, before);
+    if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
+        || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
+      return status;
+    before = solved ? qn_equilibrium_motion (eq) : 0;
+    qn_equilibrium_restore (eq);
+    if (relaxes || fabs (*step) * tuning->cut >= least_for_newton)
+      *step *= tuning->cut;
+    else
+      relaxes = true;
+  }
+}
+
+QnSolveStatus
+qn_path_step_solve (QnPathTrace *trace, double *step)
+{
+  return qn_path_trace_is_linear (trace) ? solve_linear (trace, step)
+                                         : solve_nonlinear (trace, step);
+}
+
+QnSolveStatus
+qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnTarget goal = qn_target_multiplier (target);
+  double increment = target - eq->committed.multiplier;
+  int32_t before = eq->statistics.iterations;
+  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET);
+
+  trace->means = QN_FOUND_BY_NEWTON;
+  trace->jumped = false;
+  *easy = status == QN_SOLVE_CONVERGED
+          && eq->statistics.iterations - before <= tuning->easy
+          && !is_jump (trace, increment, 0);
+  return status;
+}
+
+bool
+qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
+{
+  /* A step along the central path does not tell how many joints changed state; in nonlinear geometry
+   * the branch depends on them. */
+  return trace->means == QN_FOUND_BY_RELAXATION || iterations <= tuning->easy
+         || (trace->means == QN_FOUND_BY_CENTRAL_PATH && qn_path_trace_is_linear (trace));
+}
+
+/* What part of the step leads to the end of the path, which is *end then: the largest multiplier,
+ * or multiplier zero beyond the peak where there is no controlled displacement; or that
+ * displacement where another measure is prescribed. Infinite where the step passes none. */
+static double
+share_to_end (const QnPathTrace *trace, QnTarget *end)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnPathMeasure *measure = &trace->measure;
+  double before = eq->committed.multiplier, share = INFINITY;
+  bool falls = measure->unknown == QN_NONE && trace->events.below && !trace->load_control;
+
+  *end = qn_target_multiplier (eq->multiplier > 0 ? trace->end : 0);
+  if (eq->multiplier > trace->end || (falls && eq->multiplier < 0))
+    share = (end->multiplier - before) / (eq->multiplier - before);
+  if (measure->procedure != QN_PROCEDURE_DISPLACEMENT
+      && qn_path_measure_is_at_end (measure)) {
+    double start = eq->committed.u[measure->unknown];
+    double way = (measure->end - start) / (eq->u[measure->unknown] - start);
+    if (way < share)
+      *end = (QnTarget){ .direction = measure->unit, .advance = measure->end - start };
+    share = fmin (way, share);
+  }
+  return share;
+}
+
+QnSolveStatus
+qn_path_step_land (QnPathTrace *trace, double *share)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  QnTarget end;
+
+  *share = share_to_end (trace, &end);
+  if (!(*share < 1))
+    return QN_SOLVE_CONVERGED;
+  qn_equilibrium_save (eq, &eq->anchor);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &end, 0, QN_NEWTON_BUDGET);
+  if (status == QN_SOLVE_FAILED)
+    qn_equilibrium_load (eq, &eq->anchor);
+  return status;
+}

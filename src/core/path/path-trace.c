@@ -1,0 +1,445 @@
+/* One trace of the path of equilibria, for every procedure.
+ *
+ * A step prescribes how far one measure advances: the multiplier, a displacement, the work of the
+ * live load, or the length of the path. Load control prescribes the multiplier as long as Newton's
+ * method gets through easily. From then on it prescribes the work of the live load, as a jack does
+ * that advances slowly: where the path turns down, a structure under a load that keeps growing
+ * would leave it there, and would meet it again where it climbs above that multiplier. Load control
+ * reports these equilibria alone, the jumps between them as events, and the multiplier that the path
+ * does not climb above again as the collapse multiplier. So a jump ends on the path itself, not
+ * wherever an iteration happens to find an equilibrium, and sizes of steps hardly matter.
+ */
+#include "core/path/path-trace.h"
+#include "core/base/tolerance.h"
+
+const QnPathTuning qn_path_tuning = {
+  .easy = 6,
+  .growth = 1.5,
+  .growth_no_jumps = 4,
+  .start = 0.02,
+  .least_start = 1.0 / 256,
+  .largest_step = 4,
+  .largest_motion = 0.05,
+  .cut = 0.25,
+  .most_cuts = 2,
+  .smallest_step = 1.0 / 1024,
+  .restart_step = 1.0 / 64,
+  .newton_step = 1.0 / 16,
+  .most_of_step = 0.9,
+  .jump = 3,
+  .jump_stays = 0.5,
+  .undecided = 1e-4,
+  .jump_budget = 80,
+  .patience = 1000,
+  .long_growth = 10,
+  .least_growth = 1.5,
+  .plateau_tolerance = 1e-4,
+  .plateau_growth = 10,
+  .steady = 1e-2,
+  .nearly_settled = 5e-3,
+  .settled = 0.1,
+  .collapsed_motion = 0.1,
+  .collapsed_part = 0.5,
+  .most_steps = 100000,
+};
+
+static const QnPathTuning *const tuning = &qn_path_tuning;
+
+/* --- Sizes of steps ---------------------------------------------------------------------- */
+
+static double
+growth (const QnPathTrace *trace)
+{
+  return trace->may_jump || !trace->load_control ? tuning->growth
+                                                 : tuning->growth_no_jumps;
+}
+
+/* Largest step that may come next: displacement control keeps to the increments that were
+ * asked for; the other measures have no natural end and grow with the motion, in nonlinear
+ * geometry until blocks move or turn by a part of themselves. */
+static double
+largest_next_step (const QnPathTrace *trace)
+{
+  if (trace->measure.procedure == QN_PROCEDURE_DISPLACEMENT)
+    return tuning->largest_step * fabs (trace->measure.first);
+  if (!qn_path_trace_is_linear (trace) && trace->pace > 0)
+    return tuning->largest_motion * trace->path->equilibrium.assembly.length
+           / trace->pace;
+  return INFINITY;
+}
+
+static void
+choose_next_step (QnPathTrace *trace, double step, bool easy)
+{
+  trace->last_pace = trace->pace;
+  if (!trace->jumped)
+    trace->pace = qn_equilibrium_motion (&trace->path->equilibrium) / fabs (step);
+  trace->largest = fmax (trace->largest, fabs (step));
+  trace->step = fmax (fabs (easy ? growth (trace) * step : step),
+                      tuning->restart_step * trace->largest);
+  trace->step =
+    copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
+}
+
+/* The next increment of load control: to trace->start, and from there on always the same. */
+static void
+choose_next_increment (QnPathTrace *trace, double increment)
+{
+  double from = trace->path->equilibrium.committed.multiplier, to = from + increment;
+
+  choose_next_step (trace, increment, true);
+  if (to < trace->start)
+    trace->step = trace->start - to;
+  else if (from < trace->start)
+    trace->step = growth (trace) * trace->start;
+}
+
+/* A first increment that fails is cut, to parts of trace->start. False where it is short enough. */
+static bool
+cut_first_increment (QnPathTrace *trace)
+{
+  double part = tuning->cut * trace->start;
+
+  if (trace->path->equilibrium.committed.multiplier > 0
+      || trace->step <= tuning->least_start * trace->start)
+    return false;
+  while (part >= trace->step)
+    part *= tuning->cut;
+  trace->step = part;
+  return true;
+}
+
+/* From now on the work of the live load is prescribed: first as much as the last increment of the
+ * multiplier has done. */
+static QnStatus
+take_work (QnPathTrace *trace, QnDiag *diag)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  double work = 0;
+
+  QnStatus status =
+    qn_path_measure_take_work (&trace->measure, trace->step, &trace->step, diag);
+  if (status == QN_OK && eq->committed.multiplier > 0) {
+    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+      work +=
+        trace->measure.direction[i] * (eq->committed.u[i] - trace->measure.last_u[i]);
+    trace->step = fabs (work);
+  }
+  trace->largest = trace->step;
+  trace->pace = 0;
+  return status;
+}
+
+/* --- One step ---------------------------------------------------------------------------- */
+
+/* Accepts the current state. Load control records the equilibria that it meets, which lie above all
+ * multipliers before. */
+static bool
+accept (QnPathTrace *trace)
+{
+  QnPath *path = trace->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  double multiplier = eq->multiplier;
+  bool snap = false;
+
+  qn_path_measure_keep_last (&trace->measure);
+  trace->last_multiplier = eq->committed.multiplier;
+  bool climbs = qn_path_events_climbs (&trace->events);
+  if (!qn_path_events_observe (&trace->events, trace->jumped, &snap))
+    return false;
+  if (trace->load_control && !climbs) {
+    qn_equilibrium_commit (eq);
+    return true;
+  }
+  snap = trace->load_control ? snap : trace->jumped;
+  if (!qn_path_accept (path, multiplier, snap ? QN_EVENT_SNAP : QN_EVENT_NONE))
+    return false;
+  if (trace->load_control)
+    qn_equilibrium_save (eq, &trace->highest);
+  return true;
+}
+
+/* One increment of the multiplier. Where Newton's method does not get through easily, the work of the
+ * live load is prescribed from here on. */
+static QnStatus
+advance_by_load (QnPathTrace *trace, QnDiag *diag)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  double from = eq->committed.multiplier;
+  double target = fmin (from + trace->step, trace->end);
+  bool easy;
+  QnSolveStatus status = qn_path_step_solve_load (trace, target, &easy);
+
+  if (status == QN_SOLVE_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  if (status == QN_SOLVE_CANCELLED) {
+    qn_path_end_give_up (trace, status);
+    return QN_OK;
+  }
+  if (!easy) {
+    qn_equilibrium_restore (eq);
+    return cut_first_increment (trace) ? QN_OK : take_work (trace, diag);
+  }
+  choose_next_increment (trace, target - from);
+  if (!accept (trace))
+    return qn_diag_no_memory (diag);
+  qn_path_end_check (trace);
+  return QN_OK;
+}
+
+/* Whether the path is followed in long steps: under load control, where nobody asks for what lies
+ * between. */
+static bool
+goes_far (const QnPathTrace *trace)
+{
+  return trace->load_control && trace->central != NULL && qn_path_trace_is_linear (trace)
+         && trace->measure.procedure == QN_PROCEDURE_WORK
+         && (trace->step == 0
+             || (trace->may_jump
+                 && trace->path->equilibrium.statistics.factorizations
+                      > tuning->patience));
+}
+
+/* Work that the live load has done since it began to act. */
+static double
+work_so_far (const QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  double work = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    work += trace->measure.direction[i] * (eq->committed.u[i] - trace->events.rest[i]);
+  return work;
+}
+
+/* A structure that settles in one place after the other is not followed to each of them: the work
+ * grows many times at once. Steps that lower the multiplier have lost the path, and are shortened. The
+ * multiplier is proved all the same; how the structure moves on may not be settled. */
+static QnStatus
+advance_far (QnPathTrace *trace, QnDiag *diag)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnTarget target = { .direction = trace->measure.direction,
+                            .advance = (trace->long_growth - 1) * work_so_far (trace) };
+  const QnTarget end = qn_target_multiplier (trace->end);
+  QnSolveStatus status = QN_SOLVE_FAILED;
+
+  if (target.advance > 0)
+    status = qn_central_path_relax (trace->central, &target, tuning->undecided,
+                                    tuning->jump_budget);
+  if (status == QN_SOLVE_CONVERGED && eq->multiplier > trace->end)
+    status = qn_central_path_solve (trace->central, &end, QN_CENTRAL_BUDGET);
+  switch (status) {
+  case QN_SOLVE_NO_MEMORY:
+    return qn_diag_no_memory (diag);
+  case QN_SOLVE_CANCELLED:
+    qn_path_end_give_up (trace, status);
+    return QN_OK;
+  case QN_SOLVE_CONVERGED:
+    if (eq->multiplier > eq->committed.multiplier || !trace->may_jump)
+      break;
+    /* fall through */
+  case QN_SOLVE_FAILED:
+  case QN_SOLVE_MECHANISM:
+    qn_equilibrium_restore (eq);
+    trace->long_growth = sqrt (trace->long_growth);
+    if (trace->long_growth < tuning->least_growth) {
+      qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
+      trace->path->result->mechanism_uncertain = true;
+    }
+    return QN_OK;
+  }
+  trace->long_growth =
+    fmin (trace->long_growth * trace->long_growth, tuning->long_growth);
+  trace->means = QN_FOUND_BY_CENTRAL_PATH;
+  trace->jumped = false;
+  if (!accept (trace))
+    return qn_diag_no_memory (diag);
+  qn_path_end_check (trace);
+  return QN_OK;
+}
+
+/* Solves the step, *step on entry, and ends it at the end of the path where it passes that. *again: it is to be
+ * tried once more, shorter. */
+static QnSolveStatus
+solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  int32_t before = eq->statistics.iterations;
+  double share;
+  QnSolveStatus status = qn_path_step_solve (trace, step);
+
+  *easy = qn_path_step_was_easy (trace, eq->statistics.iterations - before);
+  *again = false;
+  if (status != QN_SOLVE_CONVERGED)
+    return status;
+  status = qn_path_step_land (trace, &share);
+  if (status != QN_SOLVE_FAILED)
+    return status;
+  *again = fabs (*step) > tuning->smallest_step * trace->largest;
+  if (*again) {
+    trace->step = *step * fmin (share, tuning->most_of_step);
+    qn_equilibrium_restore (eq);
+  }
+  return QN_SOLVE_CONVERGED;
+}
+
+/* One step of another measure than the multiplier. */
+static QnStatus
+advance (QnPathTrace *trace, QnDiag *diag)
+{
+  QnPath *path = trace->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  double step = trace->step, share = qn_path_measure_share_to_end (&trace->measure, step);
+  bool easy, again, linear = qn_path_trace_is_linear (trace);
+  bool stops = path->settings->snap == QN_SNAP_THROUGH_STOP && !trace->load_control;
+
+  if (share < 1 + QN_TOLERANCE_TARGET)
+    step *= share;
+  QnSolveStatus status = solve_to_end (trace, &step, &easy, &again);
+  if (status == QN_SOLVE_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  if (again)
+    return QN_OK;
+  if (status == QN_SOLVE_MECHANISM
+      && fabs (step) > tuning->smallest_step * trace->largest) {
+    /* A long step may drive the structure farther than it falls. */
+    trace->step = tuning->cut * step;
+    qn_equilibrium_restore (eq);
+    return QN_OK;
+  }
+  if (status == QN_SOLVE_FAILED) {
+    trace->step = 0; /* no short step leads on, perhaps a long one */
+    if (goes_far (trace)) {
+      qn_equilibrium_restore (eq);
+      return QN_OK;
+    }
+  }
+  if (status != QN_SOLVE_CONVERGED || (trace->jumped && stops)) {
+    qn_path_end_give_up (trace, status);
+    return QN_OK;
+  }
+
+  bool smooth = trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped
+                && (trace->means == QN_FOUND_BY_NEWTON || linear);
+  if (trace->orientation == 0)
+    trace->orientation = eq->orientation;
+  choose_next_step (trace, step, easy);
+  if (!accept (trace))
+    return qn_diag_no_memory (diag);
+  qn_path_end_check (trace);
+  if (smooth)
+    qn_path_measure_follow (&trace->measure);
+  return QN_OK;
+}
+
+/* --- The whole path --------------------------------------------------------------------- */
+
+/* What the path as a whole says of the structure. */
+static QnStatus
+conclude (QnPathTrace *trace, QnDiag *diag)
+{
+  QnPath *path = trace->path;
+  QnEquilibrium *eq = &path->equilibrium;
+  QnResult *result = path->result;
+  double *velocity = eq->velocity;
+
+  /* The motion beyond the highest multiplier, or that of the last step. */
+  if (trace->stop != QN_STOP_FALL || trace->events.below)
+    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+      velocity[i] = eq->committed.u[i] - trace->measure.last_u[i];
+  bool collapses = result->outcome == QN_OUTCOME_COLLAPSE
+                   || (result->outcome != QN_OUTCOME_NOT_CONVERGED
+                       && result->outcome != QN_OUTCOME_CANCELLED && trace->events.below
+                       && !trace->load_control);
+  if (collapses && !qn_path_events_collapse (&trace->events))
+    return qn_diag_no_memory (diag);
+  if (result->outcome == QN_OUTCOME_SNAP)
+    qn_result_set_first_limit (result,
+                               path->origin + path->scale * trace->events.highest);
+  if (trace->load_control) {
+    qn_equilibrium_load (eq, &trace->highest);
+    qn_equilibrium_save (eq, &eq->committed);
+  } else {
+    result->stop = trace->stop;
+  }
+  if (result->outcome == QN_OUTCOME_SNAP)
+    result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
+  if (result->outcome == QN_OUTCOME_COLLAPSE)
+    result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
+  if (!collapses)
+    return QN_OK;
+  result->has_collapse_multiplier = true;
+  result->collapse_multiplier = trace->events.highest;
+  return qn_path_record_mechanism (path, velocity, diag);
+}
+
+static QnStatus
+run (QnPathTrace *trace, QnDiag *diag)
+{
+  QnStatus status = QN_OK;
+
+  trace->step = trace->measure.first;
+  trace->largest = fabs (trace->step);
+  if (trace->step == 0)
+    qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
+  for (int step = 0;
+       status == QN_OK && trace->stop == QN_STOP_UNKNOWN && step < tuning->most_steps;
+       step++)
+    status = trace->measure.procedure == QN_PROCEDURE_LOAD ? advance_by_load (trace, diag)
+             : goes_far (trace)                            ? advance_far (trace, diag)
+                                                           : advance (trace, diag);
+  if (status == QN_OK && trace->stop == QN_STOP_UNKNOWN)
+    qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEPS);
+  return status == QN_OK ? conclude (trace, diag) : status;
+}
+
+static double
+largest_entry (const double *loads, int32_t count)
+{
+  double largest = 0;
+
+  for (int32_t i = 0; i < count; i++)
+    largest = fmax (largest, fabs (loads[i]));
+  return largest;
+}
+
+QnStatus
+qn_path_trace (QnPath *path, QnDiag *diag)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  double dead = largest_entry (as->dead, as->unknown_count);
+  double live = largest_entry (as->live, as->unknown_count);
+  QnPathTrace trace = { .path = path,
+                        .long_growth = tuning->long_growth,
+                        .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
+                        .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };
+  bool has_joints = qn_central_path_has_joints (as);
+
+  if (trace.load_control && live == 0) { /* the single equilibrium that it begins with */
+    path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+    return QN_OK;
+  }
+  QnStatus status = qn_path_measure_setup (&trace.measure, path, diag);
+  if (status != QN_OK)
+    return status;
+  if (has_joints)
+    trace.central = qn_central_path_new (eq);
+  bool ready = (trace.central != NULL || !has_joints)
+               && qn_path_events_init (&trace.events, path, live > 0 ? dead / live : 0)
+               && (!trace.load_control || qn_equilibrium_state_init (&trace.highest, as));
+  trace.may_jump = trace.central == NULL || qn_central_path_turns_back (trace.central);
+  if (ready && trace.load_control)
+    qn_equilibrium_save (eq, &trace.highest);
+  if (ready && trace.load_control && has_joints && dead > 0) {
+    trace.start = tuning->start * dead / live;
+    trace.measure.first = fmin (trace.measure.first, trace.start);
+  }
+  status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
+  qn_path_events_clear (&trace.events);
+  qn_central_path_free (trace.central);
+  qn_equilibrium_state_clear (&trace.highest);
+  qn_path_measure_clear (&trace.measure);
+  return status;
+}

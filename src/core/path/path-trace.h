@@ -1,0 +1,145 @@
+/* One trace of the path of equilibria, for every procedure: what its parts share.
+ *
+ * path-trace.c drives and concludes, path-step.c solves one step, path-end.c tells where the path ends.
+ */
+#ifndef QN_CORE_PATH_TRACE_H
+#define QN_CORE_PATH_TRACE_H
+
+#include "core/path/path-events.h"
+#include "core/path/path-measure.h"
+
+/* The numbers of the method. docs/experiments/load-path.md has what other values do. */
+typedef struct QnPathTuning {
+  /* A step that Newton's method solves within so many iterations lets the next one grow; by less where
+   * friction may make the path turn, for slip that a long step finds is not that of the path. */
+  int easy;
+  double growth, growth_no_jumps;
+
+  /* Load control: the multiplier at which the second step ends, as a part of that at which the largest
+   * live load on a block equals the largest dead load. From there on steps are the same whatever
+   * `increments` says. A first step that fails is cut down to least_start of it. */
+  double start, least_start;
+
+  /* Largest step of displacement control, as a multiple of the first, for `increments` is what the user
+   * wants to see; in nonlinear geometry the largest motion in a step of other measures, as a part of
+   * the characteristic length (or of a radian), for contacts stay where they were on their blocks. */
+  double largest_step, largest_motion;
+
+  /* To what part a step is cut that fails or jumps, and how often in linear geometry before the
+   * structure is let move; in nonlinear geometry down to which part of the largest one so far; and with
+   * which part of it the path goes on afterwards. */
+  double cut;
+  int most_cuts;
+  double smallest_step, restart_step;
+
+  /* Nonlinear geometry: smallest step, as a part of the largest, that Newton's method is worth:
+   * relaxation takes a longer one for the same effort. */
+  double newton_step;
+
+  /* A step that cannot be ended right at the end of the path is shortened at least to this part. */
+  double most_of_step;
+
+  /* Motion so many times as far as the step before would have it may be a jump; it is one if that part
+   * of it is left in a step that is cut. */
+  double jump, jump_stays;
+
+  /* What may slide too early where a central path turns back, as a part of the motion: more, and
+   * relaxation finds equilibria above the mechanism that moves on for good. */
+  double undecided;
+
+  /* Factorisations of one central path of a jump. */
+  int jump_budget;
+
+  /* Load control: from so many factorisations on a structure that settles in one place after the other
+   * is no longer followed to each of them: the work grows by long_growth at once, by its square root where
+   * that leads nowhere, and so on; less than least_growth gains nothing. */
+  int patience;
+  double long_growth, least_growth;
+
+  /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
+   * so many times is a plateau: collapse, in linear geometry. Without associativity a multiplier is not
+   * sharper than that; with it the tolerance of the settings counts. */
+  double plateau_tolerance, plateau_growth;
+
+  /* The motion on a plateau is steady if its pace changes by no more than this part in a step. */
+  double steady;
+
+  /* Motion beyond eq->runaway is collapse if no more than this part of the multiplier is left to gain
+   * (nearly_settled; where nothing can jump, settled, in tolerances of the settings). */
+  double nearly_settled, settled;
+
+  /* In nonlinear geometry a structure under load control has collapsed where it has moved by this part
+   * of the characteristic length since its highest multiplier, or carries no more than this part of it. */
+  double collapsed_motion, collapsed_part;
+
+  int most_steps; /* of a path that nothing else ends */
+} QnPathTuning;
+
+extern const QnPathTuning qn_path_tuning;
+
+/* How the last state was found. */
+typedef enum {
+  QN_FOUND_BY_NEWTON,
+  QN_FOUND_BY_CENTRAL_PATH,
+  QN_FOUND_BY_RELAXATION
+} QnFoundBy;
+
+typedef struct QnPathTrace {
+  QnPath *path;
+  QnPathMeasure measure;
+  QnPathEvents events;
+  QnCentralPath *central; /* NULL where it does not apply */
+  bool load_control;
+  bool may_jump;  /* some joint is not associative, or not known to be */
+  bool jumped;    /* the last step moved on by a jump */
+  double end;     /* largest multiplier */
+  double start;   /* of load control: tuning.start as a multiplier; 0 without dead load */
+  double step;    /* to try next */
+  double largest; /* step so far */
+  double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
+  double last_pace; /* and in the one before */
+  int orientation;  /* of the path where it began; 0: unknown */
+  QnFoundBy means;
+  double long_growth;                        /* of the work in the next long step */
+  double last_multiplier;                    /* before the last accepted step */
+  double plateau_multiplier, plateau_motion; /* where the present plateau began */
+  QnStop stop;                               /* UNKNOWN while the path goes on */
+  QnEquilibriumState highest; /* of load control: the state with the highest multiplier */
+} QnPathTrace;
+
+static inline bool
+qn_path_trace_is_linear (const QnPathTrace *trace)
+{
+  return !trace->path->equilibrium.assembly.nonlinear;
+}
+
+/* --- One step (path-step.c) -------------------------------------------------------------- */
+
+/* Solves the next step of a measure of motion, *step on entry, and leaves the outcome as the current state:
+ * CONVERGED, with trace->means and trace->jumped; MECHANISM where the structure falls with the measure
+ * held; FAILED; CANCELLED or NO_MEMORY. On return *step is the size that was tried last. */
+QnSolveStatus qn_path_step_solve (QnPathTrace *trace, double *step);
+
+/* The same for one of load control, to the multiplier `target`, by Newton's method alone. *easy: the next
+ * one may grow. */
+QnSolveStatus qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy);
+
+/* Whether the step just solved, which took so many iterations, lets the next one grow. */
+bool qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations);
+
+/* A step that passes the end of the path is solved once more, to end right there. FAILED where that
+ * takes a shorter step, *share of this one; the state is then the one that was given. */
+QnSolveStatus qn_path_step_land (QnPathTrace *trace, double *share);
+
+/* --- Where the path ends (path-end.c) ----------------------------------------------------- */
+
+/* Sets outcome and trace->stop where the path has arrived where it was meant to go, or has nowhere to
+ * go: to be called after a step was accepted. */
+void qn_path_end_check (QnPathTrace *trace);
+
+/* The same where the next step was not solved, or jumps where the path is to stop at jumps. */
+void qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
+
+void qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop);
+
+#endif
