@@ -51,6 +51,7 @@ packages=(
   yelp-tools yelp-xsl python3-markdown-it
   # checks and tests
   "$format" binutils valgrind locales-all desktop-file-utils appstream xvfb xauth xdotool
+  poppler-utils
   adwaita-icon-theme librsvg2-common slurm-wlm munge fish zsh abigail-tools
   "$@"
 )

@@ -37,6 +37,7 @@ extern const QnSubcommand qn_cmd_law;
 extern const QnSubcommand qn_cmd_ida;
 extern const QnSubcommand qn_cmd_import;
 extern const QnSubcommand qn_cmd_export;
+extern const QnSubcommand qn_cmd_report;
 extern const QnSubcommand qn_cmd_modal;
 extern const QnSubcommand qn_cmd_stability;
 extern const QnSubcommand qn_cmd_study;

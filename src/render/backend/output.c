@@ -196,8 +196,8 @@ append_output (void *closure, const unsigned char *data, unsigned int length)
   return CAIRO_STATUS_SUCCESS;
 }
 
-static void
-describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata)
+void
+qn_output_describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata)
 {
   QnPngText texts[5];
   size_t count = describe (metadata, texts);
@@ -303,7 +303,7 @@ encode_vector (QnFormat format, const QnOutput *output, const QnPage *page,
     pdf ? cairo_pdf_surface_create_for_stream (append_output, bytes, width, height)
         : cairo_svg_surface_create_for_stream (append_output, bytes, width, height);
   if (pdf)
-    describe_pdf (surface, metadata);
+    qn_output_describe_pdf (surface, metadata);
   cairo_t *cr = cairo_create (surface);
   cairo_scale (cr, points, points);
   bool done = draw_page (cr, page, draw, data, error);

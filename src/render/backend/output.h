@@ -74,6 +74,9 @@ GBytes *qn_page_encode (QnFormat format, const QnOutput *output,
                         const QnMetadata *metadata, QnPageFunc draw, void *data,
                         GError **error);
 
+/* Puts the metadata into a PDF, which bears no date: equal input gives equal bytes. */
+void qn_output_describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata);
+
 /* Replaces the file by these bytes as a whole. Devices and pipes are written to directly. */
 bool qn_file_replace (const char *path, const void *data, size_t length, GError **error);
 

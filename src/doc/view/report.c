@@ -1,0 +1,517 @@
+#include "doc/view/report.h"
+
+#include "doc/text/count-text.h"
+#include "doc/text/explain.h"
+#include "doc/view/load-text.h"
+#include "io/exchange/table-csv.h"
+#include "io/project/project-names.h"
+#include "render/figure/curve-plot.h"
+#include "render/scene/camera.h"
+#include "render/scene/text.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* Rows of a table of joints; the others are counted. */
+#define MOST_ROWS 120
+
+const char *const qn_report_section_names[] = {
+  "title",   "model",       "materials",  "loads", "findings", "contacts",
+  "results", "certificate", "comparison", "files", NULL,
+};
+
+/* A table that grows by cells. */
+static void
+add_cell (GPtrArray *cells, char *text)
+{
+  g_ptr_array_add (cells, text);
+}
+
+static void
+add_number (GPtrArray *cells, const char *format, double value)
+{
+  add_cell (cells, isfinite (value) ? qn_label_number (format, value) : g_strdup ("–"));
+}
+
+static void
+write_table (QnPages *pages, GPtrArray *cells, size_t columns)
+{
+  qn_pages_table (pages, (const char *const *) cells->pdata, cells->len / columns,
+                  columns);
+}
+
+static const char *
+title_of (const QnProject *project)
+{
+  return project->model.title != NULL && *project->model.title != '\0'
+           ? project->model.title
+           : project->name;
+}
+
+static char *
+dup_quantity (const QnReport *report, QnQuantity quantity, double value)
+{
+  return qn_units_format_full (report->units, quantity, value, 5);
+}
+
+/* Box around the blocks and the weight of those that are free. */
+static void
+measure (const QnModel *model, QnVec2 *size, double *weight)
+{
+  QnBox box = QN_BOX_EMPTY;
+  *weight = 0;
+  for (size_t i = 0; i < model->vertex_count; i++)
+    qn_box_add_point (&box, model->vertices[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
+  for (size_t b = 0; b < model->block_count; b++)
+    *weight += model->blocks[b].support[QN_DOF_UY] ? 0 : model->blocks[b].weight;
+  *size = box.min.x <= box.max.x ? qn_vec2_sub (box.max, box.min) : qn_vec2 (0, 0);
+}
+
+/* ---- sections of the project ---- */
+
+static void
+write_title (QnPages *pages, const QnReport *report)
+{
+  qn_pages_title (pages, title_of (report->project));
+  g_autofree char *name = g_path_get_basename (report->project->name);
+  g_autofree char *by = g_strdup_printf (_ ("%s, made by %s"), name, report->generator);
+  qn_pages_paragraph (pages, by);
+  for (size_t i = 0; i < report->run_count; i++) {
+    const QnReportRun *run = &report->runs[i];
+    g_autofree char *text = qn_explain_outcome (&run->project->model, &run->file->result);
+    g_autofree char *line = g_strdup_printf ("%s: %s", run->name, text);
+    qn_pages_paragraph (pages, line);
+  }
+  qn_pages_break (pages);
+}
+
+static bool
+write_model (QnPages *pages, const QnReport *report, GError **error)
+{
+  const QnModel *model = &report->project->model;
+  QnFigure figure;
+  QnVec2 size;
+  double weight;
+  qn_pages_heading (pages, _ ("Model"));
+  measure (model, &size, &weight);
+  const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
+                             { QN_COUNTED_FACES, report->contacts->face_count },
+                             { QN_COUNTED_PAIRS, report->contacts->pair_count },
+                             { QN_COUNTED_BEAMS, model->beam_count } };
+  g_autofree char *number = qn_counts_dup_text (
+    counts, G_N_ELEMENTS (counts) - (model->beam_count > 0 ? 0 : 1), ", ");
+  g_autofree char *width = dup_quantity (report, QN_QUANTITY_LENGTH, size.x);
+  g_autofree char *height = dup_quantity (report, QN_QUANTITY_LENGTH, size.y);
+  g_autofree char *force = dup_quantity (report, QN_QUANTITY_FORCE, weight);
+  g_autofree char *text = g_strdup_printf (
+    _ ("%s; %s wide, %s high; free blocks weigh %s."), number, width, height, force);
+  qn_pages_paragraph (pages, text);
+  qn_figure_init (&figure, model, report->contacts, NULL, QN_VIEW_MODEL);
+  figure.options.dimensions = figure.options.loads = true;
+  figure.title = "";
+  figure.caption = "";
+  return qn_pages_figure (pages, &figure, 0.55, error);
+}
+
+static char *
+dup_law_numbers (const QnLaw *law)
+{
+  size_t count;
+  const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+  g_autoptr (GString) text = g_string_new (NULL);
+  g_autofree char *kn = qn_label_number ("%.6g", law->kn);
+  g_autofree char *ks = qn_label_number ("%.6g", law->ks);
+  g_string_append_printf (text, "kn = %s, ks = %s", kn, ks);
+  for (size_t i = 0; i < count; i++) {
+    double value = qn_law_get (law, &parameters[i]);
+    if (!isfinite (value))
+      continue;
+    g_autofree char *number = qn_label_number ("%.6g", value);
+    g_string_append_printf (text, ", %s = %s", parameters[i].key, number);
+  }
+  return g_strdup (text->str);
+}
+
+static gboolean
+same_stuff (const QnBlock *a, const QnBlock *b)
+{
+  return a->thickness == b->thickness && a->unit_weight == b->unit_weight
+         && a->law == b->law;
+}
+
+static void
+write_materials (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  g_autoptr (GPtrArray) laws = g_ptr_array_new_with_free_func (g_free);
+  g_autoptr (GPtrArray) blocks = g_ptr_array_new_with_free_func (g_free);
+  qn_pages_heading (pages, _ ("Materials"));
+  const char *const head[] = { _ ("Law"), _ ("Kind"), _ ("Given per"),
+                               _ ("Numbers, in SI units") };
+  for (gsize i = 0; i < G_N_ELEMENTS (head); i++)
+    add_cell (laws, g_strdup (head[i]));
+  for (size_t i = 0; i < model->law_count; i++) {
+    const QnLaw *law = &model->laws[i];
+    add_cell (laws, g_strdup (law->name));
+    add_cell (laws, g_strdup (qn_law_kind_names[law->kind]));
+    add_cell (laws, g_strdup (qn_basis_names[law->basis]));
+    add_cell (laws, dup_law_numbers (law));
+  }
+  write_table (pages, laws, G_N_ELEMENTS (head));
+
+  const char *const block_head[] = { _ ("Blocks"), _ ("Thickness (m)"),
+                                     _ ("Unit weight (N/m3)"), _ ("Law") };
+  for (gsize i = 0; i < G_N_ELEMENTS (block_head); i++)
+    add_cell (blocks, g_strdup (block_head[i]));
+  for (size_t b = 0; b < model->block_count; b++) {
+    size_t alike = 0;
+    gboolean told = FALSE;
+    for (size_t k = 0; k < model->block_count && !told; k++) {
+      gboolean same = same_stuff (&model->blocks[k], &model->blocks[b]);
+      told = same && k < b;
+      alike += same;
+    }
+    if (told)
+      continue;
+    const QnBlock *block = &model->blocks[b];
+    add_cell (blocks, g_strdup_printf ("%zu", alike));
+    add_number (blocks, "%.5g", block->thickness);
+    add_number (blocks, "%.6g", block->unit_weight);
+    add_cell (blocks, g_strdup (block->law != QN_NONE ? model->laws[block->law].name
+                                                      : _ ("that of the contacts")));
+  }
+  if (model->block_count > 0)
+    write_table (pages, blocks, G_N_ELEMENTS (block_head));
+}
+
+static void
+write_loads (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  qn_pages_heading (pages, _ ("Loads and Analysis"));
+  for (size_t i = 0; i < model->dead_load_count; i++) {
+    g_autofree char *text =
+      qn_load_dup_text (model, &model->dead_loads[i], report->units);
+    g_autofree char *line = g_strdup_printf (_ ("Dead load: %s"), text);
+    qn_pages_paragraph (pages, line);
+  }
+  for (size_t i = 0; i < model->live_load_count; i++) {
+    g_autofree char *text =
+      qn_load_dup_text (model, &model->live_loads[i], report->units);
+    g_autofree char *line =
+      g_strdup_printf (_ ("Live load, set %d: %s"), model->live_loads[i].set + 1, text);
+    qn_pages_paragraph (pages, line);
+  }
+  for (size_t i = 0; i < model->stage_count; i++) {
+    g_autofree char *text = qn_stage_dup_text (model, i, report->units);
+    g_autofree char *line = g_strdup_printf (_ ("Stage %zu: %s"), i + 1, text);
+    qn_pages_paragraph (pages, line);
+  }
+  g_autofree char *analysis = g_strdup_printf (
+    _ ("Procedure: %s, in %s geometry."), qn_procedure_names[model->analysis.procedure],
+    model->analysis.geometry == QN_GEOMETRY_LINEAR ? _ ("linear") : _ ("nonlinear"));
+  qn_pages_paragraph (pages, analysis);
+}
+
+static void
+write_findings (QnPages *pages, const QnReport *report)
+{
+  const QnFindings *findings = &report->contacts->findings;
+  qn_pages_heading (pages, _ ("Findings"));
+  if (findings->count == 0)
+    qn_pages_paragraph (pages, _ ("Contact detection has found nothing unusual."));
+  for (size_t i = 0; i < findings->count && i < MOST_ROWS; i++) {
+    g_autofree char *text =
+      qn_explain_finding (&report->project->model, &findings->items[i]);
+    qn_pages_paragraph (pages, text);
+  }
+  if (findings->count > MOST_ROWS) {
+    g_autofree char *more =
+      g_strdup_printf (_ ("and %zu more"), findings->count - MOST_ROWS);
+    qn_pages_paragraph (pages, more);
+  }
+}
+
+/* ---- joints ---- */
+
+/* Sums over the pairs of a face: forces, and the distance of their resultant from its middle. */
+static void
+sum_face (const QnContacts *contacts, const QnContactFace *face, const QnResult *result,
+          double *normal, double *shear, double *eccentricity)
+{
+  double moment = 0;
+  *normal = *shear = 0;
+  for (int32_t i = 0; i < face->pair_count; i++) {
+    QnId pair = face->first_pair + i;
+    const QnPairResult *force = &result->pairs[pair];
+    *normal += force->normal_force;
+    *shear += force->shear_force;
+    moment += force->normal_force * (contacts->pairs[pair].abscissa - 0.5 * face->length);
+  }
+  *eccentricity = *normal != 0 ? moment / *normal : (double) NAN;
+}
+
+static void
+write_joints (QnPages *pages, const QnReport *report, const QnModel *model,
+              const QnContacts *contacts, const QnResult *result)
+{
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  gboolean forces =
+    result != NULL && result->pairs != NULL && result->pair_count == contacts->pair_count;
+  size_t columns = forces ? 6 : 3;
+  const char *const force = qn_units_symbol (report->units, QN_QUANTITY_FORCE);
+  const char *const length = qn_units_symbol (report->units, QN_QUANTITY_LENGTH);
+  add_cell (cells, g_strdup (_ ("Joint")));
+  add_cell (cells, g_strdup (_ ("Between")));
+  add_cell (cells, g_strdup_printf (_ ("Length (%s)"), length));
+  if (forces) {
+    add_cell (cells, g_strdup_printf ("N (%s)", force));
+    add_cell (cells, g_strdup_printf ("T (%s)", force));
+    add_cell (cells, g_strdup_printf (_ ("Eccentricity (%s)"), length));
+  }
+  double per_force = qn_units_factor (report->units, QN_QUANTITY_FORCE);
+  double per_length = qn_units_factor (report->units, QN_QUANTITY_LENGTH);
+  for (size_t f = 0; f < contacts->face_count && f < MOST_ROWS; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    double normal, shear, eccentricity;
+    add_cell (cells, g_strdup_printf ("%zu", f));
+    add_cell (cells, g_strdup_printf ("%s – %s", model->blocks[face->a].name,
+                                      model->blocks[face->b].name));
+    add_number (cells, "%.5g", face->length / per_length);
+    if (!forces)
+      continue;
+    sum_face (contacts, face, result, &normal, &shear, &eccentricity);
+    add_number (cells, "%.5g", normal / per_force);
+    add_number (cells, "%.5g", shear / per_force);
+    add_number (cells, "%.4g", eccentricity / per_length);
+  }
+  write_table (pages, cells, columns);
+  if (contacts->face_count > MOST_ROWS) {
+    g_autofree char *more =
+      g_strdup_printf (_ ("and %zu more"), contacts->face_count - MOST_ROWS);
+    qn_pages_paragraph (pages, more);
+  }
+}
+
+static bool
+write_contacts (QnPages *pages, const QnReport *report, GError **error)
+{
+  QnFigure figure;
+  qn_pages_heading (pages, _ ("Contacts"));
+  qn_figure_init (&figure, &report->project->model, report->contacts, NULL,
+                  QN_VIEW_CONTACTS);
+  figure.title = "";
+  figure.caption = "";
+  if (!qn_pages_figure (pages, &figure, 0.45, error))
+    return false;
+  write_joints (pages, report, &report->project->model, report->contacts, NULL);
+  return true;
+}
+
+/* ---- results ---- */
+
+static bool
+take_curve (const QnReportRun *run, QnCurve *curve)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  QnId block = qn_result_curve_block (model, result);
+  if (block == QN_NONE || result->step_count < 2 || result->limit.given)
+    return false;
+  const double *u = qn_result_step_displacements (result, result->step_count - 1)
+                    + (size_t) block * QN_DOF_COUNT;
+  QnDof dof = fabs (u[QN_DOF_UX]) >= fabs (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
+  if (qn_model_controlled_body (model, model->analysis.control_block,
+                                model->analysis.control_node)
+      == (size_t) block)
+    dof = model->analysis.control_dof;
+  if (!qn_curve_from_result (curve, result, block, dof, NULL, NULL))
+    return false;
+  curve->label = run->name;
+  qn_curve_cut_runaway (curve);
+  return true;
+}
+
+static bool
+write_figure (QnPages *pages, const QnReportRun *run, QnView view, const char *title,
+              GError **error)
+{
+  QnFigure figure;
+  qn_figure_init (&figure, &run->project->model, run->contacts, &run->file->result, view);
+  figure.title = title;
+  return qn_pages_figure (pages, &figure, 0.42, error);
+}
+
+static bool
+write_result (QnPages *pages, const QnReport *report, const QnReportRun *run,
+              GError **error)
+{
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  QnCurve curve;
+  qn_pages_break (pages);
+  g_autofree char *title = g_strdup_printf (_ ("Result: %s"), run->name);
+  qn_pages_heading (pages, title);
+  g_autofree char *overrides =
+    run->file->overrides != NULL ? g_strjoinv (", ", run->file->overrides) : NULL;
+  if (overrides != NULL) {
+    g_autofree char *line = g_strdup_printf (_ ("Computed with %s."), overrides);
+    qn_pages_paragraph (pages, line);
+  }
+  g_autofree char *outcome = qn_explain_outcome (model, result);
+  qn_pages_paragraph (pages, outcome);
+  g_autofree char *words = qn_explain_mechanism (model, run->contacts, result);
+  if (words != NULL)
+    qn_pages_paragraph (pages, words);
+  if (result->mechanism != NULL
+      && !write_figure (pages, run, QN_VIEW_MECHANISM, _ ("Mechanism"), error))
+    return false;
+  if (result->mechanism == NULL && result->step_count > 0
+      && !write_figure (pages, run, QN_VIEW_DEFORMED, _ ("Displacements"), error))
+    return false;
+  if (take_curve (run, &curve)) {
+    const QnCurvePlot plot = { .title = _ ("Load–displacement curve"),
+                               .curves = &curve,
+                               .curve_count = 1 };
+    qn_pages_curve (pages, &plot, 0.4);
+    qn_curve_clear (&curve);
+  }
+  if (result->pairs != NULL && result->step_count > 0
+      && result->pair_count == run->contacts->pair_count) {
+    if (!write_figure (pages, run, QN_VIEW_FORCES, _ ("Contact forces"), error))
+      return false;
+    write_joints (pages, report, model, run->contacts, result);
+  }
+  return true;
+}
+
+static void
+write_certificate (QnPages *pages, const QnReport *report)
+{
+  qn_pages_heading (pages, _ ("Independent Check"));
+  qn_pages_paragraph (
+    pages, _ ("Of the forces in the files alone, without the solver: every free block in "
+              "equilibrium, every joint within its strength."));
+  for (size_t i = 0; i < report->run_count; i++) {
+    const QnReportRun *run = &report->runs[i];
+    g_autofree char *text =
+      run->check == NULL
+        ? g_strdup_printf (_ ("%s: not checked: %s"), run->name, run->unchecked)
+        : g_strdup_printf (
+          run->passes ? _ ("%s: passed at a load multiplier of %.6g; out of balance by "
+                           "%.1e of the largest force, strength exceeded by %.1e of "
+                           "the largest contact force.")
+                      : _ ("%s: failed at a load multiplier of %.6g; out of balance by "
+                           "%.1e of the largest force, strength exceeded by %.1e of "
+                           "the largest contact force."),
+          run->name, run->check->multiplier, run->check->out_of_balance,
+          run->check->yield_violation);
+    qn_pages_paragraph (pages, text);
+  }
+}
+
+static void
+write_comparison (QnPages *pages, const QnReport *report)
+{
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  g_autofree QnCurve *curves = g_new0 (QnCurve, report->run_count);
+  size_t count = 0;
+  const char *const head[] = { _ ("Result"),      _ ("Outcome"),     _ ("Multiplier"),
+                               _ ("First limit"), _ ("Lower bound"), _ ("Upper bound") };
+  qn_pages_heading (pages, _ ("Comparison"));
+  for (gsize i = 0; i < G_N_ELEMENTS (head); i++)
+    add_cell (cells, g_strdup (head[i]));
+  for (size_t i = 0; i < report->run_count; i++) {
+    const QnResult *r = &report->runs[i].file->result;
+    add_cell (cells, g_strdup (report->runs[i].name));
+    add_cell (cells, g_strdup (qn_explain_outcome_label (r->outcome)));
+    add_number (cells, "%.6g",
+                r->has_collapse_multiplier ? r->collapse_multiplier : (double) NAN);
+    add_number (cells, "%.6g",
+                r->has_first_limit_multiplier ? r->first_limit_multiplier : (double) NAN);
+    add_number (cells, "%.6g", r->limit.given ? r->limit.lower_bound : (double) NAN);
+    add_number (cells, "%.6g", r->limit.given ? r->limit.upper_bound : (double) NAN);
+    count += take_curve (&report->runs[i], &curves[count]);
+  }
+  write_table (pages, cells, G_N_ELEMENTS (head));
+  const QnCurvePlot plot = { .title = _ ("Load–displacement curves"),
+                             .curves = curves,
+                             .curve_count = count };
+  if (count > 1)
+    qn_pages_curve (pages, &plot, 0.45);
+  for (size_t i = 0; i < count; i++)
+    qn_curve_clear (&curves[i]);
+}
+
+static void
+write_files (QnPages *pages, const QnReport *report)
+{
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  g_autofree char *project = g_path_get_basename (report->project->name);
+  qn_pages_heading (pages, _ ("Files and Versions"));
+  add_cell (cells, g_strdup (_ ("File")));
+  add_cell (cells, g_strdup (_ ("Made by")));
+  add_cell (cells, g_strdup (_ ("SHA-256 of the project")));
+  add_cell (cells, g_steal_pointer (&project));
+  add_cell (cells, g_strdup ("–"));
+  add_cell (cells,
+            g_strdup (report->project->sha256 != NULL ? report->project->sha256 : "–"));
+  for (size_t i = 0; i < report->run_count; i++) {
+    const QnResultFile *file = report->runs[i].file;
+    add_cell (cells, g_strdup (report->runs[i].name));
+    add_cell (cells, g_strdup (file->generator != NULL ? file->generator : "–"));
+    add_cell (cells, g_strdup (file->model_sha256 != NULL ? file->model_sha256 : "–"));
+  }
+  write_table (pages, cells, 3);
+  g_autofree char *made =
+    g_strdup_printf (_ ("This report was made by %s."), report->generator);
+  qn_pages_paragraph (pages, made);
+}
+
+static bool
+write_all (QnPages *pages, const QnReport *report, GError **error)
+{
+  const bool *wanted = report->sections;
+  if (wanted[QN_REPORT_TITLE])
+    write_title (pages, report);
+  if (wanted[QN_REPORT_MODEL] && !write_model (pages, report, error))
+    return false;
+  if (wanted[QN_REPORT_MATERIALS])
+    write_materials (pages, report);
+  if (wanted[QN_REPORT_LOADS])
+    write_loads (pages, report);
+  if (wanted[QN_REPORT_FINDINGS])
+    write_findings (pages, report);
+  if (wanted[QN_REPORT_CONTACTS] && !write_contacts (pages, report, error))
+    return false;
+  for (size_t i = 0; wanted[QN_REPORT_RESULTS] && i < report->run_count; i++)
+    if (!write_result (pages, report, &report->runs[i], error))
+      return false;
+  if (wanted[QN_REPORT_CERTIFICATE] && report->run_count > 0)
+    write_certificate (pages, report);
+  if (wanted[QN_REPORT_COMPARISON] && report->run_count > 1)
+    write_comparison (pages, report);
+  if (wanted[QN_REPORT_FILES])
+    write_files (pages, report);
+  return true;
+}
+
+GBytes *
+qn_report_encode (const QnReport *report, GError **error)
+{
+  QnMetadata metadata;
+  g_autofree char *name = g_path_get_basename (report->project->name);
+  qn_metadata_init (&metadata);
+  metadata.title = title_of (report->project);
+  metadata.generator = report->generator;
+  metadata.model = name;
+  metadata.model_sha256 = report->project->sha256;
+  g_autofree char *footer =
+    g_strdup_printf ("%s · %s", title_of (report->project), report->generator);
+  QnPages *pages = qn_pages_new (report->paper, footer, &metadata);
+  bool done = write_all (pages, report, error);
+  g_autoptr (GBytes) bytes = qn_pages_finish (pages, done ? error : NULL);
+  return done ? g_steal_pointer (&bytes) : NULL;
+}

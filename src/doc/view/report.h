@@ -1,0 +1,54 @@
+/* A report on a project and what was computed of it: one PDF with model, materials, loads, findings,
+ * contacts, every result with its curve and mechanism, the independent check, a comparison, and the
+ * files it was made of. */
+#ifndef QN_DOC_REPORT_H
+#define QN_DOC_REPORT_H
+
+#include "doc/text/units.h"
+#include "io/project/project.h"
+#include "io/result/result-check.h"
+#include "render/figure/pages.h"
+
+typedef enum {
+  QN_REPORT_TITLE,
+  QN_REPORT_MODEL,
+  QN_REPORT_MATERIALS,
+  QN_REPORT_LOADS,
+  QN_REPORT_FINDINGS,
+  QN_REPORT_CONTACTS,
+  QN_REPORT_RESULTS,
+  QN_REPORT_CERTIFICATE,
+  QN_REPORT_COMPARISON,
+  QN_REPORT_FILES,
+  QN_REPORT_SECTION_COUNT
+} QnReportSection;
+
+/* "title", "model", "materials", …; NULL-terminated, in the order above. */
+extern const char *const qn_report_section_names[];
+
+/* One result with the project as it was computed, overrides included; all borrowed. */
+typedef struct QnReportRun {
+  const char *name; /* of the result file */
+  const QnProject *project;
+  const QnContacts *contacts;
+  const QnResultFile *file;
+  const QnResultCheck *check; /* NULL: not checked, for the reason in `unchecked` */
+  const char *unchecked;
+  bool passes; /* the check */
+} QnReportRun;
+
+typedef struct QnReport {
+  const QnProject *project;
+  const QnContacts *contacts;
+  const QnReportRun *runs;
+  size_t run_count;
+  bool sections[QN_REPORT_SECTION_COUNT];
+  QnPaper paper;
+  QnUnits units;
+  const char *generator; /* "quoin 0.1.0" */
+} QnReport;
+
+/* The PDF, or NULL with an error. */
+GBytes *qn_report_encode (const QnReport *report, GError **error);
+
+#endif

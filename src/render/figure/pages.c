@@ -1,0 +1,325 @@
+#include "render/figure/pages.h"
+
+#include <cairo-pdf.h>
+#include <pango/pangocairo.h>
+
+/* pt */
+#define MARGIN       54.0
+#define FOOT         30.0
+#define SIZE_TITLE   20.0
+#define SIZE_HEADING 13.0
+#define SIZE_TEXT    9.5
+#define SIZE_TABLE   8.0
+#define SIZE_FOOT    7.5
+#define CELL_GAP     8.0
+#define ROW_GAP      3.0
+
+static const struct {
+  const char *name;
+  double width, height;
+} papers[QN_PAPER_COUNT] = {
+  [QN_PAPER_A4] = { "a4", 595.276, 841.89 },
+  [QN_PAPER_LETTER] = { "letter", 612, 792 },
+};
+
+struct QnPages {
+  QnPaper paper;
+  char *footer;
+  GByteArray *bytes;
+  cairo_surface_t *surface;
+  cairo_t *cr;
+  double y; /* where the next line begins, pt */
+  int number;
+};
+
+bool
+qn_paper_parse (const char *name, QnPaper *paper)
+{
+  for (int i = 0; i < QN_PAPER_COUNT; i++)
+    if (g_ascii_strcasecmp (name, papers[i].name) == 0) {
+      *paper = (QnPaper) i;
+      return true;
+    }
+  return false;
+}
+
+static cairo_status_t
+append (void *closure, const unsigned char *data, unsigned int length)
+{
+  g_byte_array_append (closure, data, length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+QnPages *
+qn_pages_new (QnPaper paper, const char *footer, const QnMetadata *metadata)
+{
+  QnPages *pages = g_new0 (QnPages, 1);
+  pages->paper = paper;
+  pages->footer = g_strdup (footer);
+  pages->bytes = g_byte_array_new ();
+  pages->surface = cairo_pdf_surface_create_for_stream (
+    append, pages->bytes, papers[paper].width, papers[paper].height);
+  qn_output_describe_pdf (pages->surface, metadata);
+  pages->cr = cairo_create (pages->surface);
+  pages->y = MARGIN;
+  pages->number = 1;
+  return pages;
+}
+
+int
+qn_pages_count (const QnPages *pages)
+{
+  return pages->number;
+}
+
+static double
+text_width (const QnPages *pages)
+{
+  return papers[pages->paper].width - 2 * MARGIN;
+}
+
+static double
+bottom (const QnPages *pages)
+{
+  return papers[pages->paper].height - MARGIN - FOOT;
+}
+
+static PangoLayout *
+new_layout (const QnPages *pages, const char *text, double size, bool bold, double width)
+{
+  PangoLayout *layout = pango_cairo_create_layout (pages->cr);
+  PangoFontDescription *font = pango_font_description_from_string ("Sans");
+  pango_font_description_set_absolute_size (font, size * PANGO_SCALE);
+  pango_font_description_set_weight (font,
+                                     bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+  pango_layout_set_font_description (layout, font);
+  pango_font_description_free (font);
+  if (width > 0)
+    pango_layout_set_width (layout, (int) (width * PANGO_SCALE));
+  pango_layout_set_wrap (layout, PANGO_WRAP_WORD_CHAR);
+  pango_layout_set_text (layout, text, -1);
+  return layout;
+}
+
+static void
+draw_footer (QnPages *pages)
+{
+  double width = text_width (pages), y = bottom (pages) + FOOT;
+  g_autofree char *number = g_strdup_printf ("%d", pages->number);
+  g_autoptr (PangoLayout) left =
+    new_layout (pages, pages->footer, SIZE_FOOT, false, width - 40);
+  g_autoptr (PangoLayout) right = new_layout (pages, number, SIZE_FOOT, false, width);
+  pango_layout_set_ellipsize (left, PANGO_ELLIPSIZE_END);
+  pango_layout_set_alignment (right, PANGO_ALIGN_RIGHT);
+  cairo_set_source_rgb (pages->cr, 0.35, 0.35, 0.35);
+  cairo_move_to (pages->cr, MARGIN, y);
+  pango_cairo_show_layout (pages->cr, left);
+  cairo_move_to (pages->cr, MARGIN, y);
+  pango_cairo_show_layout (pages->cr, right);
+}
+
+static void
+next_page (QnPages *pages)
+{
+  draw_footer (pages);
+  cairo_show_page (pages->cr);
+  pages->number++;
+  pages->y = MARGIN;
+}
+
+void
+qn_pages_break (QnPages *pages)
+{
+  if (pages->y > MARGIN)
+    next_page (pages);
+}
+
+static void
+need (QnPages *pages, double height)
+{
+  if (pages->y > MARGIN && pages->y + height > bottom (pages))
+    next_page (pages);
+}
+
+/* Line by line, so that long texts go on on the next page. */
+static void
+flow (QnPages *pages, PangoLayout *layout)
+{
+  PangoLayoutIter *iter = pango_layout_get_iter (layout);
+  do {
+    PangoRectangle extents;
+    pango_layout_iter_get_line_extents (iter, NULL, &extents);
+    double height = (double) extents.height / PANGO_SCALE;
+    double base =
+      (double) (pango_layout_iter_get_baseline (iter) - extents.y) / PANGO_SCALE;
+    need (pages, height);
+    cairo_set_source_rgb (pages->cr, 0, 0, 0);
+    cairo_move_to (pages->cr, MARGIN + (double) extents.x / PANGO_SCALE, pages->y + base);
+    pango_cairo_show_layout_line (pages->cr, pango_layout_iter_get_line_readonly (iter));
+    pages->y += height;
+  } while (pango_layout_iter_next_line (iter));
+  pango_layout_iter_free (iter);
+}
+
+static void
+write_text (QnPages *pages, const char *text, double size, bool bold, double keep,
+            double gap)
+{
+  g_autoptr (PangoLayout) layout =
+    new_layout (pages, text, size, bold, text_width (pages));
+  need (pages, keep);
+  flow (pages, layout);
+  pages->y += gap;
+}
+
+void
+qn_pages_title (QnPages *pages, const char *text)
+{
+  write_text (pages, text, SIZE_TITLE, true, 100, 10);
+}
+
+void
+qn_pages_heading (QnPages *pages, const char *text)
+{
+  if (pages->y > MARGIN)
+    pages->y += 10;
+  write_text (pages, text, SIZE_HEADING, true, 80, 5);
+}
+
+void
+qn_pages_paragraph (QnPages *pages, const char *text)
+{
+  write_text (pages, text, SIZE_TEXT, false, 0, 6);
+}
+
+/* Columns as wide as their widest cell, narrowed alike where all are too wide for the page. */
+static void
+measure_columns (const QnPages *pages, const char *const *cells, size_t rows,
+                 size_t columns, double *widths)
+{
+  double sum = 0, room = text_width (pages) - CELL_GAP * (double) (columns - 1);
+  for (size_t c = 0; c < columns; c++) {
+    widths[c] = 0;
+    for (size_t r = 0; r < rows; r++) {
+      int width;
+      g_autoptr (PangoLayout) layout =
+        new_layout (pages, cells[r * columns + c], SIZE_TABLE, r == 0, 0);
+      pango_layout_get_pixel_size (layout, &width, NULL);
+      widths[c] = MAX (widths[c], width + 1.0);
+    }
+    sum += widths[c];
+  }
+  for (size_t c = 0; c < columns && sum > room; c++)
+    widths[c] *= room / sum;
+}
+
+/* The height of a row, pt; drawn at the pages' y where asked for. */
+static double
+lay_row (QnPages *pages, const char *const *cells, size_t columns, const double *widths,
+         bool bold, bool draw)
+{
+  double tallest = 0, x = MARGIN;
+  for (size_t c = 0; c < columns; c++) {
+    int height;
+    g_autoptr (PangoLayout) layout =
+      new_layout (pages, cells[c], SIZE_TABLE, bold, widths[c]);
+    pango_layout_get_pixel_size (layout, NULL, &height);
+    tallest = MAX (tallest, height + ROW_GAP);
+    if (draw) {
+      cairo_set_source_rgb (pages->cr, 0, 0, 0);
+      cairo_move_to (pages->cr, x, pages->y);
+      pango_cairo_show_layout (pages->cr, layout);
+    }
+    x += widths[c] + CELL_GAP;
+  }
+  return tallest;
+}
+
+static void
+draw_head (QnPages *pages, const char *const *cells, size_t columns, const double *widths)
+{
+  pages->y += lay_row (pages, cells, columns, widths, true, true);
+  cairo_set_source_rgb (pages->cr, 0, 0, 0);
+  cairo_set_line_width (pages->cr, 0.6);
+  cairo_move_to (pages->cr, MARGIN, pages->y - 0.5 * ROW_GAP);
+  cairo_rel_line_to (pages->cr, text_width (pages), 0);
+  cairo_stroke (pages->cr);
+}
+
+void
+qn_pages_table (QnPages *pages, const char *const *cells, size_t rows, size_t columns)
+{
+  g_autofree double *widths = g_new (double, columns);
+  measure_columns (pages, cells, rows, columns, widths);
+  need (pages, 40);
+  draw_head (pages, cells, columns, widths);
+  for (size_t r = 1; r < rows; r++) {
+    const char *const *row = cells + r * columns;
+    double height = lay_row (pages, row, columns, widths, false, false);
+    if (pages->y + height > bottom (pages)) {
+      next_page (pages);
+      draw_head (pages, cells, columns, widths);
+    }
+    lay_row (pages, row, columns, widths, false, true);
+    pages->y += height;
+  }
+  pages->y += 8;
+}
+
+static QnPage
+page_of (const QnPages *pages)
+{
+  return (QnPage){ .width = papers[pages->paper].width,
+                   .height = papers[pages->paper].height,
+                   .unit = 1,
+                   .antialias = true };
+}
+
+bool
+qn_pages_figure (QnPages *pages, const QnFigure *figure, double share, GError **error)
+{
+  double height = share * (bottom (pages) - MARGIN);
+  QnPage page = page_of (pages);
+  need (pages, height);
+  QnFrame frame = {
+    .x = MARGIN, .y = pages->y, .width = text_width (pages), .height = height
+  };
+  cairo_save (pages->cr);
+  bool done = qn_figure_draw (figure, pages->cr, &page, &frame, NULL, error);
+  cairo_restore (pages->cr);
+  pages->y += height + 8;
+  return done;
+}
+
+void
+qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share)
+{
+  double height = share * (bottom (pages) - MARGIN);
+  QnPage page = page_of (pages);
+  need (pages, height);
+  cairo_save (pages->cr);
+  qn_curve_plot_draw (plot, pages->cr, &page, MARGIN, pages->y, text_width (pages),
+                      height);
+  cairo_restore (pages->cr);
+  pages->y += height + 8;
+}
+
+GBytes *
+qn_pages_finish (QnPages *pages, GError **error)
+{
+  draw_footer (pages);
+  cairo_show_page (pages->cr);
+  cairo_destroy (pages->cr);
+  cairo_surface_finish (pages->surface);
+  cairo_status_t status = cairo_surface_status (pages->surface);
+  cairo_surface_destroy (pages->surface);
+  GBytes *bytes = g_byte_array_free_to_bytes (pages->bytes);
+  g_free (pages->footer);
+  g_free (pages);
+  if (status == CAIRO_STATUS_SUCCESS)
+    return bytes;
+  g_bytes_unref (bytes);
+  g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                       cairo_status_to_string (status));
+  return NULL;
+}

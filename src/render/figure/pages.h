@@ -1,0 +1,46 @@
+/* A document of pages: headings, paragraphs, tables, figures and curves, one below the other, as a
+ * PDF whose text can be selected. What does not fit any more begins the next page. Equal input gives
+ * equal bytes. */
+#ifndef QN_RENDER_PAGES_H
+#define QN_RENDER_PAGES_H
+
+#include "render/figure/curve-plot.h"
+#include "render/figure/figure.h"
+
+typedef enum { QN_PAPER_A4, QN_PAPER_LETTER, QN_PAPER_COUNT } QnPaper;
+
+/* "a4", "letter" in any case; false when unknown. */
+bool qn_paper_parse (const char *name, QnPaper *paper);
+
+typedef struct QnPages QnPages;
+
+/* An empty document; `footer` (copied) stands beneath every page with its number. */
+QnPages *qn_pages_new (QnPaper paper, const char *footer, const QnMetadata *metadata);
+
+/* Begins a new page, unless nothing stands on this one. */
+void qn_pages_break (QnPages *pages);
+
+/* A title is larger than a heading; a heading stays with what follows it. */
+void qn_pages_title (QnPages *pages, const char *text);
+void qn_pages_heading (QnPages *pages, const char *text);
+
+/* Wraps, over pages where it must; newlines begin new lines. */
+void qn_pages_paragraph (QnPages *pages, const char *text);
+
+/* `cells`: rows x columns, the first row being the head, repeated on every page. */
+void qn_pages_table (QnPages *pages, const char *const *cells, size_t rows,
+                     size_t columns);
+
+/* A figure and a plot over the width of the page, with this share of the page's height. False with
+ * an error where the figure cannot be drawn. */
+bool qn_pages_figure (QnPages *pages, const QnFigure *figure, double share,
+                      GError **error);
+void qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share);
+
+/* Number of pages so far. */
+int qn_pages_count (const QnPages *pages);
+
+/* Frees the document; its PDF, or NULL with an error. */
+GBytes *qn_pages_finish (QnPages *pages, GError **error);
+
+#endif

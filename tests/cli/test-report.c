@@ -1,0 +1,140 @@
+/* quoin-cli report: pages, text that can be selected, sections, and what is refused. */
+#include "cli-run.h"
+
+#include <string.h>
+
+/* The text of a PDF by pdftotext; NULL where that is not installed. */
+static char *
+dup_text (const char *path)
+{
+  g_autofree char *program = g_find_program_in_path ("pdftotext");
+  if (program == NULL)
+    return NULL;
+  const char *argv[] = { program, "-layout", path, "-", NULL };
+  char *text = NULL;
+  g_assert_true (
+    g_spawn_sync (NULL, (char **) argv, NULL, 0, NULL, NULL, &text, NULL, NULL, NULL));
+  return text;
+}
+
+static char *
+report (const char *folder, const char *name, const char *option, const char *value)
+{
+  g_autofree char *model = cli_example ("06-arch.quoin");
+  char *path = g_build_filename (folder, name, NULL);
+  CliRun run = cli_run ("report", model, "-o", path, option, value, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *bytes = cli_read (path);
+  g_assert_true (g_str_has_prefix (bytes, "%PDF-"));
+  return path;
+}
+
+/* All sections of a project that is solved first; the same bytes each time. */
+static void
+test_whole (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *one = report (folder, "one.pdf", NULL, NULL);
+  g_autofree char *two = report (folder, "two.pdf", NULL, NULL);
+  g_autofree char *a = NULL, *b = NULL;
+  gsize length_a, length_b;
+  g_assert_true (g_file_get_contents (one, &a, &length_a, NULL));
+  g_assert_true (g_file_get_contents (two, &b, &length_b, NULL));
+  g_assert_cmpmem (a, length_a, b, length_b);
+  g_autofree char *text = dup_text (one);
+  if (text == NULL)
+    g_test_skip ("pdftotext is not installed");
+  else {
+    static const char *const parts[] = {
+      "Semicircular arch",
+      "Materials",
+      "Loads and Analysis",
+      "Findings",
+      "Contacts",
+      "Collapse at a load multiplier of 0.2864",
+      "Folding like an arch",
+      "Mechanism",
+      "Independent Check",
+      "Analysis of the project: passed",
+      "Files and Versions",
+      "voussoir 2",
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
+      g_assert_nonnull (strstr (text, parts[i]));
+  }
+  test_scratch_free (folder);
+}
+
+/* Chosen sections and paper. */
+static void
+test_sections (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *path = report (folder, "part.pdf", "--sections", "title,materials");
+  g_autofree char *letter = report (folder, "letter.pdf", "--paper", "Letter");
+  g_autofree char *text = dup_text (path);
+  if (text == NULL)
+    g_test_skip ("pdftotext is not installed");
+  else {
+    g_assert_nonnull (strstr (text, "Materials"));
+    g_assert_null (strstr (text, "Independent Check"));
+  }
+  test_scratch_free (folder);
+}
+
+/* Several results of one project are compared. */
+static void
+test_results (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("06-arch.quoin");
+  g_autofree char *path = g_build_filename (folder, "path.json", NULL);
+  g_autofree char *limit = g_build_filename (folder, "limit.json", NULL);
+  g_autofree char *pdf = g_build_filename (folder, "both.pdf", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("limit", model, "-q", "-o", limit, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("report", model, "-r", path, "-r", limit, "-o", pdf, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *text = dup_text (pdf);
+  if (text == NULL)
+    g_test_skip ("pdftotext is not installed");
+  else {
+    g_assert_nonnull (strstr (text, "Comparison"));
+    g_assert_nonnull (strstr (text, "path.json: passed"));
+    g_assert_nonnull (strstr (text, "limit.json: passed"));
+  }
+  test_scratch_free (folder);
+}
+
+static void
+test_refused (void)
+{
+  g_autofree char *model = cli_example ("06-arch.quoin");
+  CliRun run = cli_run ("report", model, NULL);
+  cli_assert_failed (&run, 2, "--output");
+  run = cli_run ("report", model, "-o", "x.pdf", "--paper", "a3", NULL);
+  cli_assert_failed (&run, 2, "a3");
+  run = cli_run ("report", model, "-o", "x.pdf", "--sections", "title,poem", NULL);
+  cli_assert_failed (&run, 2, "poem");
+  run = cli_run ("report", "nowhere.quoin", "-o", "x.pdf", NULL);
+  cli_assert_failed (&run, 5, "nowhere.quoin");
+  run = cli_run ("report", model, "-o", "/nowhere/x.pdf", NULL);
+  cli_assert_failed (&run, 5, NULL);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/report/whole", test_whole);
+  g_test_add_func ("/cli/report/sections", test_sections);
+  g_test_add_func ("/cli/report/results", test_results);
+  g_test_add_func ("/cli/report/refused", test_refused);
+  return g_test_run ();
+}
