@@ -222,7 +222,7 @@ test_dialogs (void)
 static gboolean
 is_called (GtkWidget *widget, gconstpointer id)
 {
-  return GTK_IS_BUILDABLE (widget)
+  return GTK_IS_BUILDABLE (widget) && !GTK_IS_LABEL (widget)
          && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
 }
 
@@ -248,6 +248,41 @@ test_joint (void)
   g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 2);
   driver_activate (window, "win.undo");
   driver_activate (window, "win.undo");
+  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  driver_discard (window);
+}
+
+static void
+enter (GtkWidget *root, const char *id, const char *text)
+{
+  GtkWidget *entry = driver_find_widget (root, is_called, id);
+  g_assert_nonnull (entry);
+  gtk_editable_set_text (GTK_EDITABLE (entry), text);
+  g_signal_emit_by_name (entry, "activate");
+}
+
+/* Title and gravity, which makes weights of densities, are steps; an empty title is none. */
+static void
+test_project (void)
+{
+  QnWindow *window = driver_open_example ("25-four-bricks.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  double weight = qn_document_get_model (document)->blocks[1].weight;
+  double gravity = qn_document_get_model (document)->gravity;
+  driver_activate (window, "win.show-panel::analysis");
+  enter (GTK_WIDGET (window), "title", "A stack on the Moon");
+  enter (GTK_WIDGET (window), "gravity", "1.62");
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpstr (model->title, ==, "A stack on the Moon");
+  g_assert_cmpfloat (model->gravity, ==, 1.62);
+  g_assert_cmpfloat_with_epsilon (model->blocks[1].weight, weight * 1.62 / gravity,
+                                  1e-9 * weight);
+  enter (GTK_WIDGET (window), "title", "");
+  g_assert_null (qn_document_get_model (document)->title);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 3);
+  for (int i = 0; i < 3; i++)
+    driver_activate (window, "win.undo");
   g_assert_cmpstr (qn_document_get_text (document), ==, before);
   driver_discard (window);
 }
@@ -291,6 +326,7 @@ main (int argc, char **argv)
   }
   g_test_add_func ("/app/forms/dialogs", test_dialogs);
   g_test_add_func ("/app/forms/joint", test_joint);
+  g_test_add_func ("/app/forms/project", test_project);
   g_test_add_func ("/app/forms/refusal", test_refusal);
   return g_test_run ();
 }

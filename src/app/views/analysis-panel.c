@@ -4,8 +4,12 @@
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum {
+  TITLE,
+  GRAVITY,
   PROCEDURE,
   EXPLANATION,
   STAGES,
@@ -32,6 +36,8 @@ enum {
 };
 
 static const QnFormField fields[] = {
+  [TITLE] = { .id = "title", .step = N_ ("Change Title") },
+  [GRAVITY] = { .id = "gravity", .step = N_ ("Change Gravity") },
   [PROCEDURE] = { .id = "procedure", .step = N_ ("Change Analysis") },
   [EXPLANATION] = { .id = "explanation" },
   [STAGES] = { .id = "stages" },
@@ -187,6 +193,22 @@ number_of (QnAnalysisSettings *a, guint field)
   return field < LOAD ? all[field] : NULL;
 }
 
+/* Gravity makes weights of densities; weights that are given as such stay. */
+static gboolean
+has_density (const QnModel *model)
+{
+  for (gsize i = 0; i < model->block_count; i++)
+    if (model->blocks[i].density >= 0.0)
+      return TRUE;
+  for (gsize i = 0; i < model->wall_count; i++)
+    if (model->walls[i].density >= 0.0)
+      return TRUE;
+  for (gsize i = 0; i < model->section_count; i++)
+    if (model->sections[i].density >= 0.0)
+      return TRUE;
+  return FALSE;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -202,6 +224,12 @@ show (gpointer data, guint field, QnValue *value)
   if (number != NULL)
     value->number = *number;
   switch (field) {
+  case TITLE:
+    value->text = g_strdup (model->title);
+    return TRUE;
+  case GRAVITY:
+    value->number = model->gravity;
+    return has_density (model);
   case PROCEDURE:
     value->rows = dup_procedures ();
     value->number = procedure_row (&a);
@@ -315,6 +343,18 @@ take_load (gpointer form, QnModel *model, guint field, GError **error)
     error);
 }
 
+/* An empty title is none. */
+static gboolean
+take_title (QnModel *model, const char *text, GError **error)
+{
+  char *title = *text != '\0' ? strdup (text) : NULL;
+  if (title == NULL && *text != '\0')
+    return qn_edit_no_memory (error);
+  free (model->title);
+  model->title = title;
+  return TRUE;
+}
+
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
@@ -322,6 +362,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnAnalysisSettings *a = &model->analysis;
   double *number = number_of (a, field);
   guint row = (guint) MAX (value->number, 0.0);
+  if (field == TITLE)
+    return take_title (model, value->text, error);
   if (field >= PLACEMENT)
     return take_contact (data, model, field, value, error);
   if (field >= LOAD)
@@ -329,6 +371,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   if (number != NULL)
     *number = value->number;
   switch (field) {
+  case GRAVITY:
+    model->gravity = value->number;
+    break;
   case PROCEDURE:
     if (procedures[row].procedure == QN_PROCEDURE_DYNAMIC)
       return qn_edit_choose_dynamic (model, error);
