@@ -7,9 +7,6 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-/* Characters of a choice that are shown in any case. */
-#define CHOICE_CHARS 16
-
 /* What an entry tells by itself, while it shows a refusal. */
 #define TOOLTIP "qn-tooltip"
 
@@ -58,53 +55,6 @@ value_clear (QnValue *value)
 }
 
 /* ---- showing ---- */
-
-static void
-on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer shortened)
-{
-  (void) factory;
-  GtkWidget *label = gtk_label_new (NULL);
-  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  if (shortened != NULL) {
-    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
-    gtk_label_set_width_chars (GTK_LABEL (label), CHOICE_CHARS);
-  }
-  gtk_list_item_set_child (item, label);
-}
-
-static void
-on_bind_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
-{
-  (void) factory;
-  (void) data;
-  GtkStringObject *row = gtk_list_item_get_item (item);
-  gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)),
-                      gtk_string_object_get_string (row));
-}
-
-static GtkListItemFactory *
-make_choice_factory (gboolean shortened)
-{
-  GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
-  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_choice),
-                    GINT_TO_POINTER (shortened));
-  g_signal_connect (factory, "bind", G_CALLBACK (on_bind_choice), NULL);
-  return factory;
-}
-
-/* Long names are cut short in the button, not in the list. */
-static void
-prepare_choice (GtkDropDown *choice)
-{
-  g_autoptr (GtkListItemFactory) button = make_choice_factory (TRUE);
-  g_autoptr (GtkListItemFactory) list = make_choice_factory (FALSE);
-  gtk_drop_down_set_factory (choice, button);
-  gtk_drop_down_set_list_factory (choice, list);
-  if (gtk_drop_down_get_model (choice) == NULL) {
-    g_autoptr (GtkStringList) rows = gtk_string_list_new (NULL);
-    gtk_drop_down_set_model (choice, G_LIST_MODEL (rows));
-  }
-}
 
 static void
 show_choice (QnBoundForm *form, GtkDropDown *choice, const QnValue *value)
@@ -473,7 +423,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
     GtkWidget *widget = GTK_WIDGET (gtk_builder_get_object (builder, kind->fields[i].id));
     form->widgets[i] = widget;
     if (GTK_IS_DROP_DOWN (widget))
-      prepare_choice (GTK_DROP_DOWN (widget));
+      qn_choice_list_prepare (GTK_DROP_DOWN (widget));
     connect (form, widget);
   }
   for (guint i = 0; i < kind->row_count; i++) {

@@ -6,9 +6,6 @@
 #define COLUMN_SPACING 12
 #define MARGIN         12
 
-/* Characters of a choice that are shown in any case. */
-#define CHOICE_CHARS 16
-
 #define ROW_LABEL "qn-row-label"
 
 GtkWidget *
@@ -67,50 +64,12 @@ add_row (GtkWidget *form, const char *text, GtkWidget *field)
   gtk_grid_attach (GTK_GRID (form), field, 1, row, 1, 1);
 }
 
-/* ---- choices: long names are cut short in the button, not in the list ---- */
-
-static void
-on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer shortened)
-{
-  (void) factory;
-  GtkWidget *label = gtk_label_new (NULL);
-  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  if (shortened != NULL) {
-    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
-    gtk_label_set_width_chars (GTK_LABEL (label), CHOICE_CHARS);
-  }
-  gtk_list_item_set_child (item, label);
-}
-
-static void
-on_bind_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
-{
-  (void) factory;
-  (void) data;
-  GtkStringObject *row = gtk_list_item_get_item (item);
-  gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)),
-                      gtk_string_object_get_string (row));
-}
-
-static GtkListItemFactory *
-make_choice_factory (gboolean shortened)
-{
-  GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
-  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_choice),
-                    GINT_TO_POINTER (shortened));
-  g_signal_connect (factory, "bind", G_CALLBACK (on_bind_choice), NULL);
-  return factory;
-}
-
 GtkDropDown *
 qn_form_add_choice (GtkWidget *form, const char *label, const char *const *choices,
                     GCallback selected, gpointer user_data)
 {
   GtkWidget *choice = gtk_drop_down_new_from_strings (choices);
-  g_autoptr (GtkListItemFactory) button = make_choice_factory (TRUE);
-  g_autoptr (GtkListItemFactory) list = make_choice_factory (FALSE);
-  gtk_drop_down_set_factory (GTK_DROP_DOWN (choice), button);
-  gtk_drop_down_set_list_factory (GTK_DROP_DOWN (choice), list);
+  qn_choice_list_prepare (GTK_DROP_DOWN (choice));
   g_signal_connect (choice, "notify::selected", selected, user_data);
   add_row (form, label, choice);
   return GTK_DROP_DOWN (choice);
