@@ -83,7 +83,7 @@ coverage () {
   llvm-profdata merge -sparse build-coverage/*.profraw -o build-coverage/all.profdata
   llvm-cov report -instr-profile=build-coverage/all.profdata "${objects[@]:1}" \
     -show-branch-summary=false -show-region-summary=false -show-functions=false \
-    src/io/json src/io/project src/io/result src/io/exchange src/study/plan \
+    -ignore-filename-regex='^/usr/|/tests/|/src/(core|stereotomy|disk|render|doc|io/text)/' \
     | tee build-coverage/report.txt
   echo "Line by line: llvm-cov show -instr-profile=build-coverage/all.profdata" \
     "build-coverage/tests/fuzz/libfuzzer-TARGET FILE"
