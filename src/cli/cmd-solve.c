@@ -227,6 +227,11 @@ solve (const Options *options, QnInput *input)
     qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
                      &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
+  if (status == QN_OK) {
+    status = qn_analysis_prove (&input->project.model, &input->contacts, &result, &diag);
+    if (status != QN_OK)
+      qn_result_clear (&result);
+  }
 
   if (status == QN_ERROR_CANCELLED) {
     qn_cli_error (_ ("%s: cancelled"), input->project.name);

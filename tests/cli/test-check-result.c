@@ -15,6 +15,7 @@ typedef enum {
   FRAME,
   ROCKING,
   LIMIT,
+  FIXED_POINTS,
   RESULT_COUNT
 } Source;
 
@@ -28,6 +29,8 @@ static const struct {
   [SETTLING] = { "18-spreading-arch.quoin", "solve", NULL },
   [FRAME] = { "32-frame-beams.quoin", "solve", NULL },
   [ROCKING] = { "40-rocking-in-time.quoin", "solve", NULL },
+  [FIXED_POINTS] = { "ferris-tin-loi/wall4.quoin", "limit",
+                     "analysis.flow=\"non-associative\"" },
   [LIMIT] = { "ferris-tin-loi/wall1.quoin", "limit", NULL },
 };
 
@@ -51,13 +54,13 @@ static const Forgery forgeries[] = {
     "the force is not the one" },
   { "block turned", ARCH, "steps/3/displacements/8/2", ADD, 1e-6, NULL, "step 3" },
   { "support moved", ARCH, "steps/4/displacements/0/0", ADD, 1e-3, NULL, "a support" },
-  { "all moved twice as far", SLIDING, "steps/-1/displacements/1/0", TIMES, 2, NULL,
-    "the state of the joint" },
+  { "all moved twice as far", SLIDING, "steps/3/displacements/1/0", TIMES, 2, NULL,
+    "the force is not the one" },
   { "force of the last step", ARCH, "contacts/5/normal_force", ADD, -20, NULL,
     "the force is not the one" },
   { "force of another step", ARCH, "steps/4/forces/10", TIMES, 1.01, NULL, "step 4" },
   { "shear of another step", WALL, "steps/7/forces/33", ADD, 40, NULL, "step 7" },
-  { "shear after a jump", WALL, "steps/14/forces/33", ADD, 40, NULL, "step 14" },
+  { "shear near collapse", WALL, "steps/10/forces/33", ADD, 40, NULL, "step 10" },
   { "state of the last step", ARCH, "contacts/6/state", TEXT, 0, "open", "the state" },
   { "state of another step", WALL, "steps/5/states", TEXT, 0, NULL, "the state" },
   { "multiplier of a step", SLIDING, "steps/3/multiplier", ADD, 0.01, NULL,
@@ -70,7 +73,7 @@ static const Forgery forgeries[] = {
     "collapse multiplier" },
   { "collapse too low", WALL, "collapse_multiplier", TIMES, 0.9, NULL,
     "collapse multiplier" },
-  { "first limit point", WALL, "first_limit_multiplier", ADD, 0.05, NULL, "first limit" },
+  { "first limit point", WALL, "first_limit_multiplier", ADD, 0.5, NULL, "first limit" },
   { "outcome", SLIDING, "outcome", TEXT, 0, "target-reached", "event" },
   { "outcome of settlement", SETTLING, "outcome", TEXT, 0, "collapse", "event" },
   { "event", ARCH, "steps/5/event", TEXT, 0, "collapse", "event" },
@@ -106,6 +109,9 @@ static const Forgery forgeries[] = {
   { "forces of limit analysis", LIMIT, "contacts/20/normal_force", TIMES, 1.02, NULL,
     "out of balance" },
   { "mechanism of limit analysis", LIMIT, "mechanism/12/0", ADD, 0.2, NULL, "mechanism" },
+  { "greatest fixed point", FIXED_POINTS, "upper_bound", TIMES, 1.05, NULL, "interval" },
+  { "associative bound", FIXED_POINTS, "associative_bound", TIMES, 1.05, NULL,
+    "upper bound" },
   { "place of a contact", ARCH, "contacts/3/point/0", ADD, 0.01, NULL, "contacts[3]" },
   { "direction of a contact", ARCH, "contacts/3/normal/0", ADD, 0.01, NULL,
     "contacts[3]" },
@@ -160,7 +166,10 @@ dup_forged (const Forgery *forgery)
 {
   cJSON *root = cJSON_Parse (results[forgery->source]);
   cJSON *item = find (root, forgery->path);
-  if (forgery->change == ADD)
+  if (forgery->change == ADD && cJSON_IsNull (item)) {
+    item->type = cJSON_Number;
+    cJSON_SetNumberValue (item, forgery->number);
+  } else if (forgery->change == ADD)
     cJSON_SetNumberValue (item, item->valuedouble + forgery->number);
   else if (forgery->change == TIMES)
     cJSON_SetNumberValue (item, item->valuedouble * forgery->number);

@@ -130,34 +130,40 @@ check_collapse (QnCheck *check)
                    r->collapse_multiplier, peak);
 }
 
-/* Before the first jump, where load is what drives; otherwise among the steps. */
+static bool
+lies_between (double stated, double low, double high)
+{
+  return stated >= low - SAME * (1 + fabs (low))
+         && stated <= high + SAME * (1 + fabs (high));
+}
+
+/* At a jump, where load is what drives; otherwise among the steps. */
 static void
 check_first_limit (QnCheck *check)
 {
   const QnResult *r = check->result;
   double low = INFINITY, high = -INFINITY, stated = r->first_limit_multiplier;
+  bool jumps = false, at_jump = false;
 
   if (!r->has_first_limit_multiplier || r->step_count == 0
       || check->model->stage_count > 0)
     return;
   for (size_t i = 0; i < r->step_count; i++) {
-    low = fmin (low, r->steps[i].multiplier);
-    high = fmax (high, r->steps[i].multiplier);
+    double at = r->steps[i].multiplier;
+    low = fmin (low, at);
+    high = fmax (high, at);
+    if (i == 0 || r->steps[i].event != QN_EVENT_SNAP)
+      continue;
+    jumps = true;
+    at_jump = at_jump || lies_between (stated, r->steps[i - 1].multiplier, at);
   }
-  for (size_t i = 1;
-       i < r->step_count && check->model->analysis.procedure == QN_PROCEDURE_LOAD; i++)
-    if (r->steps[i].event == QN_EVENT_SNAP && r->outcome != QN_OUTCOME_SNAP) {
-      low = r->steps[i - 1].multiplier;
-      high = r->steps[i].multiplier;
-      break;
-    }
+  bool by_load = check->model->analysis.procedure == QN_PROCEDURE_LOAD;
   /* The next stable state was not reached where the analysis stops there. */
-  if (r->outcome == QN_OUTCOME_SNAP)
-    high = INFINITY;
-  if (!(stated >= low - SAME * (1 + fabs (low))
-        && stated <= high + SAME * (1 + fabs (high))))
+  bool stops = r->outcome == QN_OUTCOME_SNAP;
+  if (!lies_between (stated, low, stops ? INFINITY : high)
+      || (jumps && by_load && !stops && !at_jump))
     qn_check_tell (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
-                   stated < low ? low : high);
+                   high);
 }
 
 /* Where a prescribed displacement, or the largest multiplier, was to be reached. */
@@ -171,7 +177,8 @@ reached_target (const QnCheck *check)
 
   if (model->stage_count > 0)
     return last->stage == (int32_t) model->stage_count || last->stage == 0;
-  if (settings->procedure != QN_PROCEDURE_LOAD || settings->max_multiplier == 0)
+  if (settings->procedure != QN_PROCEDURE_LOAD || settings->max_multiplier == 0
+      || model->live_load_count == 0)
     return true;
   double end = settings->max_multiplier;
   if (!isfinite (end)) /* settlements alone go as far as they are told */
@@ -199,18 +206,15 @@ check_outcome (QnCheck *check)
       is_true = last != NULL && reached_target (check);
     break;
   case QN_OUTCOME_SNAP:
-    is_true =
-      last != NULL && last->event == QN_EVENT_SNAP && r->has_first_limit_multiplier;
+    is_true = last != NULL && r->has_first_limit_multiplier;
     break;
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     is_true = r->step_count == 0 && r->unstable_count > 0 && !r->has_collapse_multiplier;
     break;
-  case QN_OUTCOME_UNBOUNDED:
-    is_true = !r->has_collapse_multiplier && r->mechanism == NULL;
-    break;
   case QN_OUTCOME_REST:
     is_true = in_time && last != NULL;
     break;
+  case QN_OUTCOME_UNBOUNDED:
   case QN_OUTCOME_CANCELLED:
   case QN_OUTCOME_NOT_CONVERGED:
     break;

@@ -118,26 +118,41 @@ check_copies (QnCheck *check)
   }
 }
 
-/* The slip, and with dilatancy the opening, that leaves a joint with this force at elongation q.
- * False for what is not elastic and perfectly plastic. */
+/* The slip, and with dilatancy the opening, that leaves a joint with this force at elongation q. Of two
+ * springs all that is new counts as the first one's: which of them slid makes no difference to both
+ * together. False for what is not elastic and perfectly plastic. */
 static bool
-take_slip (const QnPairSprings *springs, const QnPairMemory *before, const double q[2],
-           const double force[2], QnPairMemory *memory)
+take_slip (const QnCheck *check, const QnPairSprings *springs, const QnPairMemory *before,
+           const double q[2], const double force[2], QnPairMemory *memory)
 {
-  const QnSpring *s = &springs->a;
+  const QnSpring *s = &springs->a, *other = springs->equal ? NULL : &springs->b;
   bool closed = force[0] < 0;
+  double stuck[2] = { 0, 0 }; /* elongation of the other spring */
 
   *memory = *before;
-  if (!springs->equal)
+  if (other != NULL && !(qn_law_is_plastic (s->kind) && qn_law_is_plastic (other->kind)))
     return false;
-  memory->a.slip = q[1] - force[1] / s->ks;
+  if (other != NULL) {
+    stuck[0] = before->b.opening + force[0] / other->kn;
+    stuck[1] = before->b.slip + force[1] / other->ks;
+  }
+  memory->a.slip = q[1] - stuck[1] - force[1] / s->ks;
   if (s->kind == QN_LAW_NO_TENSION)
     return closed;
   if (!qn_law_is_plastic (s->kind))
     return false;
-  if (force[0] < s->cap && (s->dilatancy > 0 || s->kind == QN_LAW_MOHR_COULOMB))
-    memory->a.opening = q[0] - force[0] / s->kn;
-  return s->kind == QN_LAW_MOHR_COULOMB || memory->a.opening >= -QN_CHECK_EXACT;
+  bool dilates = s->dilatancy > 0 || (other != NULL && other->dilatancy > 0);
+  bool crushes = s->kind == QN_LAW_MOHR_COULOMB
+                 || (other != NULL && other->kind == QN_LAW_MOHR_COULOMB);
+  if (force[0] < s->cap && (dilates || crushes))
+    memory->a.opening = q[0] - stuck[0] - force[0] / s->kn;
+  for (int i = 0; i < 2; i++) {
+    memory->qa[i] = q[i] - stuck[i];
+    memory->qb[i] = stuck[i];
+  }
+  return crushes
+         || memory->a.opening + memory->b.opening
+              >= -QN_CHECK_EXACT * (1 + check->largest);
 }
 
 static double
@@ -170,7 +185,7 @@ check_forces (QnCheck *check, size_t step)
     if (!same_force (response->force, force, tolerance)) {
       QnPairResponse replayed = *response;
       bool explained = free_to_slide
-                       && take_slip (springs, &as->committed[p], q, force, &memory)
+                       && take_slip (check, springs, &as->committed[p], q, force, &memory)
                        && qn_pair_evaluate (springs, &memory, q, response)
                        && same_force (response->force, force, tolerance);
       int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;

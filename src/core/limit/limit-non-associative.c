@@ -7,13 +7,19 @@
 
 /* A sequence has settled when two successive programs agree to this, relative to the
  * multiplier, the shear lines have come this near to the flow rule, and no pair's shear exceeds
- * its true strength by more than this part of the largest force. */
-#define SETTLED         1e-4
+ * its true strength by more than this part of the largest force: a tenth of what the check of a
+ * result lets pass. */
+#define SETTLED         1e-6
 #define LEAST_REMAINING 1e-3
-#define ADMISSIBLE      1e-3
+#define ADMISSIBLE      1e-7
 
-/* Programs after which a sequence counts as not settled. */
-#define MOST_PROGRAMS 30
+/* Programs after which a sequence counts as not settled: the excess falls by a quarter a program. */
+#define MOST_PROGRAMS 70
+
+/* Where the excess does not fall the anchors swing, and so much less of the new compressions is mixed
+ * into them, but no less than this. */
+#define CALMER    0.7
+#define LEAST_MIX 0.15
 
 /* Accuracy of one program of a sequence. */
 #define PROGRAM_TOLERANCE 1e-8
@@ -116,7 +122,7 @@ static QnStatus
 follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
         QnLimitSolution *last, bool *cancelled, QnDiag *diag)
 {
-  double remaining = schedule->turn;
+  double remaining = schedule->turn, mix = schedule->mix, before = INFINITY;
   QnStatus status = QN_OK;
 
   *point = (QnLimitFixedPoint){ .multiplier = NAN };
@@ -139,7 +145,10 @@ follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
       qn_limit_solution_clear (&solution);
       break;
     }
-    excess = move_anchors (seq, solution.forces, schedule->mix);
+    excess = move_anchors (seq, solution.forces, mix);
+    if (remaining <= LEAST_REMAINING && excess > before)
+      mix = fmax (LEAST_MIX, CALMER * mix);
+    before = excess;
     point->settled = remaining <= LEAST_REMAINING && excess <= ADMISSIBLE
                      && fabs (solution.lower_bound - point->multiplier)
                           <= SETTLED * fabs (point->multiplier);

@@ -164,12 +164,12 @@ run_non_associative (const QnModel *model, const QnContacts *contacts,
   if (status)
     return status;
   status = keep_solution (result, model, contacts, &interval.solution, diag);
+  QnLimitFigures *figures = &result->limit;
+  figures->has_associative_bound = interval.associative > 0;
+  figures->associative_bound = interval.associative;
   if (interval.solution.outcome == QN_OUTCOME_COLLAPSE) {
-    QnLimitFigures *figures = &result->limit;
     figures->lower_bound = interval.lowest;
     figures->upper_bound = interval.highest;
-    figures->has_associative_bound = true;
-    figures->associative_bound = interval.associative;
     for (int32_t i = 0; i < interval.count; i++)
       figures->fixed_points[figures->fixed_point_count++] = interval.points[i].multiplier;
   }

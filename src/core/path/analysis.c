@@ -1,12 +1,14 @@
 #include "core/path/analysis.h"
 
 #include "core/base/tolerance.h"
+#include "core/check/result-check.h"
 #include "core/dynamics/dynamics.h"
 #include "core/limit/limit.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* Whether a path that was to go on to collapse came to the largest multiplier there is. */
 static bool
@@ -39,6 +41,40 @@ run_in_time (QnPath *path, QnDiag *diag)
 }
 
 QnStatus
+qn_analysis_prove (const QnModel *model, const QnContacts *contacts, QnResult *result,
+                   QnDiag *diag)
+{
+  QnResultFaults faults;
+  bool stands = true;
+
+  if (result->outcome == QN_OUTCOME_CANCELLED
+      || result->outcome == QN_OUTCOME_NOT_CONVERGED)
+    return QN_OK;
+  QnStatus status = qn_result_find_faults (model, contacts, result, &faults, diag);
+
+  for (int i = 0; status == QN_OK && i < faults.count; i++) {
+    QnClaim claim = faults.items[i].claim;
+    if (claim == QN_CLAIM_FIRST_LIMIT)
+      result->has_first_limit_multiplier = false;
+    else if (claim == QN_CLAIM_OVERLAP || claim == QN_CLAIM_FLOW)
+      result->mechanism_uncertain = true;
+    else
+      stands = false;
+  }
+  if (status != QN_OK || stands)
+    return status;
+  result->outcome = QN_OUTCOME_NOT_CONVERGED;
+  result->stop = QN_STOP_CHECK;
+  result->has_collapse_multiplier = result->has_first_limit_multiplier = false;
+  result->mechanism_uncertain = false;
+  free (result->mechanism);
+  result->mechanism = NULL;
+  if (result->step_count > 0)
+    result->steps[result->step_count - 1].event = QN_EVENT_NONE;
+  return QN_OK;
+}
+
+QnStatus
 qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                  QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
@@ -50,6 +86,9 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
   *result = (QnResult){ 0 };
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
     status = qn_limit_run (model, contacts, qn_budget_go_on, &budget, result, diag);
+    if (status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED)
+      status =
+        qn_path_add_fixed_point (model, contacts, qn_budget_go_on, &budget, result, diag);
   } else {
     status =
       qn_path_setup (&path, model, contacts, qn_budget_go_on, &budget, result, diag);
@@ -63,5 +102,7 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
     result->outcome = QN_OUTCOME_UNBOUNDED;
   if (status == QN_OK)
     qn_budget_conclude (&budget, result);
+  if (status != QN_OK)
+    qn_result_clear (result);
   return status;
 }

@@ -14,4 +14,11 @@ QnStatus qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                           QnProgressFunc progress, void *user_data, QnResult *result,
                           QnDiag *diag);
 
+/* Compares what a result says with the model, before anybody reads it (core/check). What is not true of
+ * its mechanism or of its first limit point is taken back: the mechanism is uncertain then, the limit
+ * point not known. Where anything else is not true nothing is concluded from it: the outcome becomes
+ * NOT_CONVERGED, with QN_STOP_CHECK. Fails when memory runs out alone. */
+QnStatus qn_analysis_prove (const QnModel *model, const QnContacts *contacts,
+                            QnResult *result, QnDiag *diag);
+
 #endif

@@ -247,6 +247,8 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
   QnEquilibrium *eq = &path->equilibrium;
   QnSolveStatus solve = find_rest (eq);
 
+  if (solve == QN_SOLVE_CONVERGED)
+    solve = qn_path_judge_rest (path);
   *stands = solve == QN_SOLVE_CONVERGED;
 
   switch (solve) {

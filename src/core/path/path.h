@@ -60,6 +60,10 @@ QnStatus qn_path_finish (QnPath *path, QnStatus status, double start);
  * blocks that move where it is certain, are in the result then. */
 QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
 
+/* Whether the equilibrium under dead load, which the solver is at, is stable (path-rest.c): CONVERGED,
+ * or MECHANISM with the motion in the equilibrium's velocity. */
+QnSolveStatus qn_path_judge_rest (QnPath *path);
+
 /* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
  * (path-stages.c). *stands is false where there is no equilibrium under dead load. */
 QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
@@ -74,5 +78,12 @@ QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag 
 /* Follows the path from the committed state under the driven loads, by the procedure of the settings
  * (path-trace.c): to the largest multiplier, the control target, a plateau, or collapse. */
 QnStatus qn_path_trace (QnPath *path, QnDiag *diag);
+
+/* Adds the collapse of load control in linear geometry to the fixed points of a non-associative limit
+ * analysis whose associative bound is known; where it is the least, its forces and its mechanism
+ * become those of the result (path-limit.c). */
+QnStatus qn_path_add_fixed_point (const QnModel *model, const QnContacts *contacts,
+                                  QnProgressFunc report, void *report_data,
+                                  QnResult *result, QnDiag *diag);
 
 #endif

@@ -30,6 +30,7 @@ typedef enum {
   QN_STOP_STEPS,          /* more steps than a path may have */
   QN_STOP_FACTORIZATIONS, /* of any procedure: max_factorizations */
   QN_STOP_TIME,           /* of any procedure: max_seconds */
+  QN_STOP_CHECK,          /* of any procedure: the result is not true (core/check) */
   QN_STOP_CANCELLED,
   QN_STOP_COUNT
 } QnStop;

@@ -246,6 +246,10 @@ explain_failure (const Task *task, const QnResult *result)
 {
   const QnStep *last = last_step (result);
   double reached = last != NULL ? last->multiplier : 0;
+  if (result->stop == QN_STOP_CHECK)
+    return g_strdup (_ ("The result does not pass the check of its own numbers, so that "
+                        "nothing is concluded from it: `quoin-cli check --result` tells "
+                        "which of them are not true."));
   if (result->stop == QN_STOP_FACTORIZATIONS)
     return g_strdup_printf (
       _ ("Stopped at a load multiplier of %.4g, after as many factorisations as "

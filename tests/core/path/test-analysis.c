@@ -116,6 +116,34 @@ test_dead_load_alone (void)
   qn_result_clear (&result);
 }
 
+/* A result that has been tampered with is no collapse any more. */
+static void
+test_prove (void)
+{
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  for (int forged = 0; forged < 2; forged++) {
+    g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                     QN_OK);
+    if (forged)
+      result.displacements[result.block_count * QN_DOF_COUNT + 4] += 1e-3;
+    g_assert_cmpint (qn_analysis_prove (&model, &contacts, &result, NULL), ==, QN_OK);
+    g_assert_cmpint (result.outcome, ==,
+                     forged ? QN_OUTCOME_NOT_CONVERGED : QN_OUTCOME_COLLAPSE);
+    g_assert_true (result.has_collapse_multiplier == !forged);
+    g_assert_true ((result.mechanism == NULL) == forged);
+    g_assert_cmpint (result.stop, ==, forged ? QN_STOP_CHECK : QN_STOP_UNKNOWN);
+    qn_result_clear (&result);
+  }
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -124,5 +152,6 @@ main (int argc, char **argv)
   g_test_add_func ("/analysis/seconds", test_seconds);
   g_test_add_func ("/analysis/unbounded", test_unbounded);
   g_test_add_func ("/analysis/dead-load-alone", test_dead_load_alone);
+  g_test_add_func ("/analysis/prove", test_prove);
   return g_test_run ();
 }
