@@ -326,7 +326,8 @@ test_time_limit (void)
   char *folder = test_scratch_new ();
   g_autofree char *text = g_strdup_printf (
     "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s/%s\",\n"
-    "  \"run\": \"dynamic\", \"limits\": { \"seconds\": 2 }, \"parameters\": [\n"
+    "  \"run\": \"dynamic\", \"limits\": { \"seconds\": 2, \"factorizations\": "
+    "1000000000 }, \"parameters\": [\n"
     "    { \"name\": \"amplitude\", \"values\": [0.01],\n"
     "      \"path\": \"analysis.dynamic.ground[0].pulse.amplitude\" },\n"
     "    { \"name\": \"duration\", \"path\": [\"analysis.dynamic.duration\",\n"

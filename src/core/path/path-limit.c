@@ -63,6 +63,17 @@ keep_point (QnResult *result, QnResult *found, const QnModel *model, QnDiag *dia
   return least ? take_solution (result, found, model, diag) : QN_OK;
 }
 
+/* Who cancels has no answer: the least fixed point is not known then. */
+static void
+withdraw (QnResult *result)
+{
+  result->outcome = QN_OUTCOME_CANCELLED;
+  result->has_collapse_multiplier = false;
+  result->step_count = 0;
+  free (result->mechanism);
+  result->mechanism = NULL;
+}
+
 QnStatus
 qn_path_add_fixed_point (const QnModel *model, const QnContacts *contacts,
                          QnProgressFunc report, void *report_data, QnResult *result,
@@ -92,7 +103,7 @@ qn_path_add_fixed_point (const QnModel *model, const QnContacts *contacts,
     if (found.outcome == QN_OUTCOME_COLLAPSE)
       status = keep_point (result, &found, model, diag);
     else if (found.outcome == QN_OUTCOME_CANCELLED)
-      result->outcome = QN_OUTCOME_CANCELLED;
+      withdraw (result);
   }
   qn_result_clear (&found);
   return status;
