@@ -55,7 +55,8 @@ judge_outcome (const QnProject *project, const QnResult *result)
     return QN_EXIT_CANCELLED;
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
     g_autofree char *names = dup_unstable_names (&project->model, result);
-    qn_cli_error (_ ("%s: no equilibrium under the dead load: %s"), project->name, names);
+    qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"), project->name,
+                  names);
     return QN_EXIT_NO_ANSWER;
   }
   case QN_OUTCOME_NOT_CONVERGED: {

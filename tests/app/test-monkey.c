@@ -198,6 +198,16 @@ make_parameter (Monkey *monkey, const GVariantType *type)
   if (g_variant_type_equal (type, G_VARIANT_TYPE ("(iddd)")))
     return g_variant_new ("(iddd)", g_test_rand_int_range (-1, 4), number, number,
                           g_test_rand_bit () ? 0.0 : number);
+  if (g_variant_type_equal (type, G_VARIANT_TYPE ("(sd)"))) {
+    static const char *const numbers[] = { "laws[0].friction", "laws[0].kn", "nonsense" };
+    return g_variant_new ("(sd)", ONE_OF (numbers), number);
+  }
+  if (g_variant_type_equal (type, G_VARIANT_TYPE ("ad"))) {
+    const double way[] = { number, 1.0, -number, 1.0 };
+    return g_variant_new_fixed_array (G_VARIANT_TYPE_DOUBLE, way, G_N_ELEMENTS (way),
+                                      sizeof *way);
+  }
+  g_assert_true (g_variant_type_equal (type, G_VARIANT_TYPE ("(ss)")));
   g_autofree char *path = g_build_filename (monkey->folder, "out.csv", NULL);
   return g_variant_new ("(ss)", ONE_OF (words), path);
 }

@@ -43,7 +43,7 @@ solve (QnWindow *window, const char *action)
 static void
 test_curve (void)
 {
-  QnWindow *window = driver_open_example ("06-arch.quoin");
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall6.quoin");
   solve (window, "win.run");
   QnCurveView *curve = curve_of (window);
   const QnRun *run = qn_document_get_run (qn_window_get_document (window));

@@ -270,7 +270,8 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
   measure (&newton, eq->u, eq->multiplier);
   for (int iteration = 0;; iteration++) {
     if (newton.relative <= eq->tolerance) {
-      refine (&newton);
+      if (iteration > 0) /* forces that were given are not those of the laws alone */
+        refine (&newton);
       return QN_SOLVE_CONVERGED;
     }
     if (iteration == budget || !isfinite (newton.norm))

@@ -288,11 +288,11 @@ static char *
 explain_unstable (const QnModel *model, const QnResult *result)
 {
   char *names = unstable_names (model, result);
-  char *text =
-    g_strdup_printf (_ ("There is no equilibrium under the dead load alone. What "
-                        "moves: %s. Support these blocks, close the gaps next to "
-                        "them, or give their joints more friction."),
-                     names);
+  char *text = g_strdup_printf (
+    _ ("No stable equilibrium was found under the dead load "
+       "alone. What moves: %s. Support these blocks, close the gaps next to "
+       "them, or give their joints more friction."),
+    names);
   g_free (names);
   return text;
 }
