@@ -413,8 +413,15 @@ finish (Increment *increment)
 static QnSolveStatus
 adopt (Increment *increment)
 {
+  QnEquilibrium *eq = increment->path->eq;
+
   qn_central_pairs_take_flow (&increment->path->pairs);
-  return qn_equilibrium_newton (increment->path->eq, increment->target, 0, 0);
+  QnSolveStatus status = qn_equilibrium_newton (eq, increment->target, 0, 0);
+  if (status != QN_SOLVE_CONVERGED || eq->out_of_balance <= eq->tolerance)
+    return status;
+  /* The laws by themselves do not find these forces again. */
+  qn_central_pairs_take_flow (&increment->path->pairs);
+  return qn_equilibrium_newton (eq, increment->target, 0, QN_MEASURE_ONLY);
 }
 
 /* The best iterate, if there is one that may stand. */

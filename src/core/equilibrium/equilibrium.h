@@ -103,7 +103,9 @@ void qn_equilibrium_clear (QnEquilibrium *eq);
  *
  *   R(u, lambda) - viscosity C (u - anchor.u) = 0
  *
- * and the target, with at most `budget` iterations. Viscosity 0 gives static equilibrium. */
+ * and the target, with at most `budget` iterations, and one more where that is cheap. With
+ * QN_MEASURE_ONLY it judges the state and forces as they are. Viscosity 0 gives static equilibrium. */
+#define QN_MEASURE_ONLY (-1)
 QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
                                      double viscosity, int budget);
 

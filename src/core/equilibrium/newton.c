@@ -270,11 +270,11 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
   measure (&newton, eq->u, eq->multiplier);
   for (int iteration = 0;; iteration++) {
     if (newton.relative <= eq->tolerance) {
-      if (iteration > 0) /* forces that were given are not those of the laws alone */
+      if (budget != QN_MEASURE_ONLY)
         refine (&newton);
       return QN_SOLVE_CONVERGED;
     }
-    if (iteration == budget || !isfinite (newton.norm))
+    if (iteration >= budget || !isfinite (newton.norm))
       return QN_SOLVE_FAILED;
     if (!qn_equilibrium_go_on (eq))
       return QN_SOLVE_CANCELLED;
