@@ -121,7 +121,7 @@ TMPDIR=$(mktemp -d)
 export TMPDIR
 
 echo "== tests"
-check build-test -- --timeout-multiplier 3
+check build-test -- --timeout-multiplier 3 --no-suite monkey
 
 echo "== tests under sanitizers"
 export ASAN_OPTIONS=detect_leaks=1:abort_on_error=1
