@@ -238,6 +238,15 @@ test_animation (void)
   driver_run (1500);
   g_assert_false (g_file_test (gif, G_FILE_TEST_EXISTS));
   driver_discard (window);
+
+  g_autoptr (GDir) files = g_dir_open (pictures, 0, NULL);
+  const char *name;
+  while (files != NULL && (name = g_dir_read_name (files)) != NULL) {
+    g_autofree char *path = g_build_filename (pictures, name, NULL);
+    g_unlink (path);
+  }
+  g_rmdir (pictures);
+  g_assert_cmpint (g_rmdir (folder), ==, 0);
 }
 
 static void
