@@ -1,7 +1,7 @@
 /* quoin-cli: Quoin without a display. */
-#include "cli/message.h"
-#include "cli/shown-text.h"
-#include "cli/subcommand.h"
+#include "cli/base/message.h"
+#include "cli/base/shown-text.h"
+#include "cli/base/subcommand.h"
 
 #include <glib/gi18n.h>
 #include <locale.h>

@@ -9,7 +9,7 @@ export LC_ALL=C.UTF-8
 
 names=$("$program" --help | sed -n 's/^  \([a-z]\+\) .*/\1/p')
 [ "$(sort <<<"$names")" = "$(tr ' ' '\n' <<<"$documented" | sort)" ] \
-  || { echo "src/cli/subcommand.h lists other subcommands than main.c"; exit 1; }
+  || { echo "src/cli/base/subcommand.h lists other subcommands than main.c"; exit 1; }
 
 # Options as --help shows them, for a subcommand or an action of one.
 options() {

@@ -1,0 +1,52 @@
+#include "cli/analysis/cmd-solve.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+
+static void
+print_interval (const char *title, const QnLimitFigures *figures)
+{
+  printf (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found)\n"),
+          title, figures->lower_bound, figures->upper_bound, figures->fixed_point_count);
+  printf (_ ("no equilibrium above %.5f, the associative bound\n"),
+          figures->associative_bound);
+}
+
+void
+qn_cmd_limit_print (const char *title, const QnLimitFigures *figures)
+{
+  switch (figures->flow) {
+  case QN_FLOW_ASSOCIATIVE:
+    printf (_ ("%s: limit multiplier between %.8f (forces) and %.8f (mechanism)\n"),
+            title, figures->lower_bound, figures->upper_bound);
+    return;
+  case QN_FLOW_NON_ASSOCIATIVE:
+    print_interval (title, figures);
+    return;
+  case QN_FLOW_COUNT:
+    break;
+  }
+  g_assert_not_reached ();
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  return qn_cmd_solve_run (self, "analysis.procedure=\"limit\"", argc, argv);
+}
+
+const QnSubcommand qn_cmd_limit = {
+  .name = "limit",
+  .arguments = "MODEL",
+  .summary = N_ ("Find the limit multiplier of rigid blocks directly"),
+  .help = N_ (
+    "With associative flow (dilatancy = friction) the multiplier is exact for rigid "
+    "blocks: "
+    "equilibrium exists up to the lower bound and none above the upper one. With --set "
+    "analysis.flow=non-associative the joints dilate as their laws say; several "
+    "multipliers "
+    "can then have a mechanism, and the interval of those found is given. The interval "
+    "is "
+    "no bound; the associative value bounds every other from above."),
+  .run = run,
+};

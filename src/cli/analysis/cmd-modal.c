@@ -1,0 +1,188 @@
+#include "cli/base/input.h"
+#include "cli/base/message.h"
+#include "cli/base/progress.h"
+#include "cli/base/subcommand.h"
+#include "core/modal/modal.h"
+#include "io/text/file-writer.h"
+#include "io/text/outcome-text.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Options {
+  char *output, *csv;
+  char **overrides;
+  int count, mode;
+  gboolean loaded, quiet, no_timings;
+} Options;
+
+static void
+print_table (const QnModes *modes)
+{
+  printf ("%6s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
+          _ ("frequency [Hz]"), _ ("period [s]"));
+  for (size_t i = 0; i < modes->count; i++) {
+    double hertz = modes->omega[i] / (2 * G_PI);
+    printf ("%6zu  %14.6f  %14.6f  ", i + 1, modes->omega[i], hertz);
+    if (hertz > 0)
+      printf ("%14.6g\n", 1 / hertz);
+    else
+      printf ("%14s\n", _ ("rigid motion"));
+  }
+}
+
+static QnExit
+write_csv (const Options *options, const QnModel *model, const QnModes *modes)
+{
+  GError *error = NULL;
+  QnFileWriter *writer = qn_file_writer_open (options->csv, &error);
+  if (writer == NULL)
+    return qn_cli_fail (error);
+  qn_file_writer_puts (writer,
+                       "mode,omega [rad/s],frequency [Hz],block number,x [m],y [m],"
+                       "ux [m],uy [m],rz [rad]\n");
+  for (size_t i = 0; i < modes->count; i++)
+    for (size_t b = 0; b < modes->block_count; b++) {
+      const double *shape =
+        modes->shapes + (i * (modes->block_count + modes->node_count) + b) * QN_DOF_COUNT;
+      const double row[] = { modes->omega[i],
+                             modes->omega[i] / (2 * G_PI),
+                             (double) b,
+                             model->blocks[b].centroid.x,
+                             model->blocks[b].centroid.y,
+                             shape[QN_DOF_UX],
+                             shape[QN_DOF_UY],
+                             shape[QN_DOF_RZ] };
+      qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, i + 1);
+      for (gsize k = 0; k < G_N_ELEMENTS (row); k++) {
+        qn_file_writer_puts (writer, ",");
+        qn_file_writer_number (writer, row[k]);
+      }
+      qn_file_writer_puts (writer, "\n");
+    }
+  return qn_file_writer_commit (writer, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
+}
+
+/* A result whose mechanism is one of the modes, for pictures and animations. */
+static QnExit
+write_result (const Options *options, const QnInput *input, const QnModes *modes,
+              QnResult *result)
+{
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+  size_t row = (modes->block_count + modes->node_count) * QN_DOF_COUNT;
+  if ((size_t) options->mode > modes->count) {
+    qn_cli_error (_ ("there is no mode %d: only %zu were found"), options->mode,
+                  modes->count);
+    return QN_EXIT_INVALID;
+  }
+  if (qn_result_set_mechanism (result, modes->shapes + (size_t) (options->mode - 1) * row,
+                               input->project.model.characteristic_length, &diag)
+      != QN_OK) {
+    qn_cli_error (_ ("not enough memory"));
+    return QN_EXIT_INTERNAL;
+  }
+  return qn_result_file_write (options->output, &input->project, &input->contacts, result,
+                               &error)
+           ? QN_EXIT_DONE
+           : qn_cli_fail (error);
+}
+
+static QnExit
+solve (const Options *options, const QnInput *input)
+{
+  QnTerminalProgress progress;
+  QnModes modes;
+  QnResult result;
+  QnDiag diag = { 0 };
+  QnExit code = QN_EXIT_DONE;
+
+  qn_interrupt_install ();
+  qn_terminal_progress_init (&progress, options->quiet);
+  QnStatus status = qn_modal_run (&input->project.model, &input->contacts,
+                                  options->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
+                                  (size_t) options->count, qn_terminal_progress_update,
+                                  &progress, &modes, &result, &diag);
+  qn_terminal_progress_done (&progress);
+  if (status != QN_OK)
+    return qn_input_fail (input, options->loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD,
+                          &diag);
+  if (options->no_timings)
+    qn_statistics_clear_timings (&result.statistics);
+  if (result.outcome == QN_OUTCOME_CANCELLED) {
+    qn_cli_error (_ ("%s: cancelled"), input->project.name);
+    code = QN_EXIT_CANCELLED;
+  } else if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME) {
+    g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
+    qn_cli_error ("%s: %s", input->project.name, reason);
+    code = QN_EXIT_NO_ANSWER;
+  } else if (modes.count == 0) {
+    qn_cli_error (_ ("%s: there is no equilibrium to vibrate about"),
+                  input->project.name);
+    code = QN_EXIT_NO_ANSWER;
+  } else if (!options->quiet && g_strcmp0 (options->output, "-") != 0
+             && g_strcmp0 (options->csv, "-") != 0) {
+    print_table (&modes);
+  }
+  if (code == QN_EXIT_DONE && options->csv != NULL)
+    code = write_csv (options, &input->project.model, &modes);
+  if (code == QN_EXIT_DONE && options->output != NULL)
+    code = write_result (options, input, &modes, &result);
+  qn_modes_clear (&modes);
+  qn_result_clear (&result);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { .count = 10, .mode = 1 };
+  const GOptionEntry entries[] = {
+    { "count", 'n', 0, G_OPTION_ARG_INT, &options.count, N_ ("How many modes (10)"),
+      N_ ("N") },
+    { "loaded", 0, 0, G_OPTION_ARG_NONE, &options.loaded,
+      N_ ("About the last equilibrium of the analysis instead of the dead load's"),
+      NULL },
+    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
+      N_ ("Write frequencies and shapes here; - is standard output"), N_ ("OUT.csv") },
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
+      N_ ("Write a result here whose mechanism is the mode of --mode"),
+      N_ ("RESULT.json") },
+    { "mode", 0, 0, G_OPTION_ARG_INT, &options.mode,
+      N_ ("Number of the mode, from 1 (1)"), N_ ("K") },
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
+    QN_INPUT_QUIET_ENTRY (&options.quiet),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnInput input;
+  QnExit code = QN_EXIT_USAGE;
+
+  memset (&input, 0, sizeof input);
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
+    if (options.count < 1 || options.mode < 1)
+      qn_cli_usage_error (self->name, _ ("--count and --mode count from 1"));
+    else
+      code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+  }
+  if (code == QN_EXIT_DONE)
+    code = solve (&options, &input);
+  qn_input_clear (&input);
+  g_free (options.output);
+  g_free (options.csv);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+const QnSubcommand qn_cmd_modal = {
+  .name = "modal",
+  .arguments = "MODEL",
+  .summary = N_ ("Frequencies and modes of small vibrations"),
+  .help =
+    N_ ("Blocks vibrate with their mass, weight over gravity, on the tangent stiffness "
+        "of their joints. A result written with --output can be drawn and animated "
+        "like a mechanism. Structures without supports have rigid motions of "
+        "frequency zero."),
+  .run = run,
+};

@@ -1,0 +1,383 @@
+#include "cli/analysis/cmd-solve.h"
+#include "cli/analysis/sensitivity.h"
+#include "cli/base/input.h"
+#include "cli/base/message.h"
+#include "cli/base/progress.h"
+#include "cli/base/subcommand.h"
+#include "core/path/analysis.h"
+#include "io/exchange/record.h"
+#include "io/exchange/table-csv.h"
+#include "io/text/file-writer.h"
+#include "io/text/mechanism-text.h"
+#include "io/text/outcome-text.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Part of its length that a joint may slide by without a word. */
+#define FAR_SLIP 0.1
+
+typedef struct Options {
+  char *output, *csv, *detail;
+  QnResultDetail level; /* of `detail` */
+  char **overrides;
+  gboolean quiet, allow_outside, sensitivity, no_timings;
+} Options;
+
+/* Names of the blocks that the dead load moves, the first few of them. */
+static char *
+dup_unstable_names (const QnModel *model, const QnResult *result)
+{
+  enum { SHOWN = 5 };
+  GString *names = g_string_new (NULL);
+  for (size_t i = 0; i < result->unstable_count && i < SHOWN; i++)
+    g_string_append_printf (names, "%s%s", i > 0 ? ", " : "",
+                            model->blocks[result->unstable_blocks[i]].name);
+  if (result->unstable_count > SHOWN)
+    g_string_append_printf (names, _ (" and %zu more"), result->unstable_count - SHOWN);
+  return g_string_free (names, FALSE);
+}
+
+/* Tells how the analysis ended where that is no success, and gives the exit code. */
+static QnExit
+judge_outcome (const QnProject *project, const QnResult *result)
+{
+  switch (result->outcome) {
+  case QN_OUTCOME_COLLAPSE:
+  case QN_OUTCOME_TARGET_REACHED:
+  case QN_OUTCOME_SNAP:
+  case QN_OUTCOME_UNBOUNDED:
+  case QN_OUTCOME_REST:
+    return QN_EXIT_DONE;
+  case QN_OUTCOME_CANCELLED:
+    qn_cli_error (_ ("%s: cancelled"), project->name);
+    return QN_EXIT_CANCELLED;
+  case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
+    g_autofree char *names = dup_unstable_names (&project->model, result);
+    qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"), project->name,
+                  names);
+    return QN_EXIT_NO_ANSWER;
+  }
+  case QN_OUTCOME_NOT_CONVERGED: {
+    g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
+    qn_cli_error (_ ("%s: the analysis did not converge: %s"), project->name, reason);
+    return QN_EXIT_NO_ANSWER;
+  }
+  case QN_OUTCOME_COUNT:
+    break;
+  }
+  g_assert_not_reached ();
+}
+
+/* How far an analysis in time went, and what its numbers are worth. */
+static void
+print_history (const char *title, const QnResult *result)
+{
+  const QnHistory *history = &result->history;
+  double peak = 0;
+  for (gsize i = 0; i < result->block_count; i++)
+    peak = MAX (peak, history->peaks[i]);
+  printf (_ ("%s: followed to %.4g s, largest displacement %.4g m\n"), title,
+          history->end, peak);
+  printf (
+    _ ("%d time steps, %d more given up for shorter ones; error of the energy balance "
+       "%.1e of the input\n"),
+    history->steps, history->rejected, history->energy_error);
+  if (history->largest_slip > FAR_SLIP)
+    printf (
+      _ ("a joint has slid by %.0f %% of its length: contacts stay where they were on "
+         "their blocks, so that forces are less certain from then on\n"),
+      100 * history->largest_slip);
+}
+
+static void
+print_summary (const QnProject *project, const QnResult *result)
+{
+  const QnStatistics *spent = &result->statistics;
+  const char *title = project->model.title != NULL ? project->model.title : project->name;
+
+  if (result->history.width > 0)
+    print_history (title, result);
+  else if (result->outcome == QN_OUTCOME_UNBOUNDED)
+    printf (_ ("%s: the joints carry any multiple of the live load\n"), title);
+  else if (result->limit.given)
+    qn_cmd_limit_print (title, &result->limit);
+  else if (result->outcome == QN_OUTCOME_COLLAPSE)
+    printf (_ ("%s: collapse at load multiplier %.5f\n"), title,
+            result->collapse_multiplier);
+  else if (result->outcome == QN_OUTCOME_SNAP)
+    printf (_ ("%s: stopped at the first limit point, load multiplier %.5f\n"), title,
+            result->first_limit_multiplier);
+  else if (result->step_count > 0)
+    printf (_ ("%s: last equilibrium at load multiplier %.5f\n"), title,
+            result->steps[result->step_count - 1].multiplier);
+  if (result->outcome == QN_OUTCOME_COLLAPSE && result->has_first_limit_multiplier
+      && result->first_limit_multiplier < result->collapse_multiplier)
+    printf (_ ("first limit point at %.5f: a real structure would jump there\n"),
+            result->first_limit_multiplier);
+  g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
+  printf ("%s\n", reason);
+  printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
+             "assembly %.0f %%, laws %.0f %%)\n"),
+          result->step_count, spent->iterations, spent->factorizations, spent->seconds,
+          100 * spent->factor_seconds / MAX (spent->seconds, 1e-9),
+          100 * spent->assembly_seconds / MAX (spent->seconds, 1e-9),
+          100 * spent->law_seconds / MAX (spent->seconds, 1e-9));
+}
+
+static gboolean
+is_stdout (const char *path)
+{
+  return g_strcmp0 (path, "-") == 0;
+}
+
+static void
+print_mechanism (const QnInput *input, const QnResult *result)
+{
+  g_autofree char *text =
+    qn_collapse_dup_text (&input->project.model, &input->contacts, result);
+  if (text != NULL)
+    printf ("%s\n", text);
+}
+
+static QnExit
+write_outputs (const Options *options, const QnInput *input, const QnResult *result)
+{
+  GError *error = NULL;
+  if (options->output != NULL
+      && !qn_result_file_write_detailed (options->output, &input->project,
+                                         &input->contacts, result, options->level,
+                                         &error))
+    return qn_cli_fail (error);
+  if (options->csv != NULL
+      && !qn_curve_csv_write (options->csv, &input->project, result, &error))
+    return qn_cli_fail (error);
+  return QN_EXIT_DONE;
+}
+
+/* Finds out before a long analysis whether a file can be written where it shall be. Devices
+ * and pipes are not touched. */
+static QnExit
+probe_output (const char *path)
+{
+  GError *error = NULL;
+  if (path == NULL || is_stdout (path)
+      || (g_file_test (path, G_FILE_TEST_EXISTS)
+          && !g_file_test (path, G_FILE_TEST_IS_REGULAR | G_FILE_TEST_IS_DIR)))
+    return QN_EXIT_DONE;
+  QnFileWriter *writer = qn_file_writer_open (path, &error);
+  if (writer == NULL)
+    return qn_cli_fail (error);
+  qn_file_writer_discard (writer);
+  return QN_EXIT_DONE;
+}
+
+/* A path that no load drives has no answer, unless the dead load alone is asked for. Limit analysis
+ * and stages refuse it themselves. */
+static QnExit
+require_live_load (const QnProject *project)
+{
+  const QnAnalysisSettings *analysis = &project->model.analysis;
+  gboolean lacks = qn_model_lacks_live_load (&project->model);
+  if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
+    if (!lacks)
+      qn_cli_warning ("%s: loads.live: %s", project->name,
+                      _ ("has no part in an analysis in time"));
+    return QN_EXIT_DONE;
+  }
+  if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
+      || analysis->max_multiplier == 0 || !lacks)
+    return QN_EXIT_DONE;
+  qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or ask for the dead load alone "
+                   "by analysis.max_multiplier=0"),
+                project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
+  return QN_EXIT_INVALID;
+}
+
+static QnExit
+report (const Options *options, const QnInput *input, const QnResult *result)
+{
+  QnExit code = write_outputs (options, input, result);
+  if (code != QN_EXIT_DONE)
+    return code;
+  if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv)) {
+    print_summary (&input->project, result);
+    print_mechanism (input, result);
+  }
+  if (options->sensitivity) {
+    code = qn_sensitivity_print (&input->project, &input->contacts, result);
+    if (code != QN_EXIT_DONE)
+      return code;
+  }
+  return judge_outcome (&input->project, result);
+}
+
+static QnExit
+solve (const Options *options, QnInput *input)
+{
+  QnTerminalProgress progress;
+  QnDiag diag = { 0 };
+  QnResult result = { 0 };
+  GError *error = NULL;
+
+  input->project.model.analysis.all_forces = options->level == QN_DETAIL_STEPS;
+  qn_interrupt_install ();
+  qn_terminal_progress_init (&progress, options->quiet);
+  QnStatus status =
+    qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
+                     &progress, &result, &diag);
+  qn_terminal_progress_done (&progress);
+  if (status == QN_OK) {
+    status = qn_analysis_prove (&input->project.model, &input->contacts, &result, &diag);
+    if (status != QN_OK)
+      qn_result_clear (&result);
+  }
+
+  if (status == QN_ERROR_CANCELLED) {
+    qn_cli_error (_ ("%s: cancelled"), input->project.name);
+    return QN_EXIT_CANCELLED;
+  }
+  if (status != QN_OK) {
+    qn_project_set_error (&input->project, &diag, &error);
+    return qn_cli_fail (error);
+  }
+  result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
+  if (options->no_timings)
+    qn_statistics_clear_timings (&result.statistics);
+  QnExit code = report (options, input, &result);
+  qn_result_clear (&result);
+  return code;
+}
+
+static gboolean
+parse_detail (const QnSubcommand *self, Options *options)
+{
+  options->level = QN_DETAIL_FORCES;
+  if (options->detail == NULL || strcmp (options->detail, "forces") == 0)
+    return TRUE;
+  options->level = QN_DETAIL_PAIRS;
+  if (strcmp (options->detail, "pairs") == 0)
+    return TRUE;
+  options->level = QN_DETAIL_STEPS;
+  if (strcmp (options->detail, "steps") == 0)
+    return TRUE;
+  qn_cli_usage_error (self->name, _ ("--detail is forces, pairs or steps"));
+  return FALSE;
+}
+
+static void
+warn_of_findings (const QnInput *input)
+{
+  g_autoptr (GPtrArray) texts =
+    qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
+  for (guint i = 0; i < texts->len; i++)
+    qn_cli_warning ("%s", (const char *) g_ptr_array_index (texts, i));
+}
+
+/* Reads the ground motions that the project names, and says what is to be known of them. */
+static QnExit
+read_records (const Options *options, QnInput *input)
+{
+  QnProject *project = &input->project;
+  guint known = project->warnings->len;
+  GError *error = NULL;
+  if (project->model.analysis.procedure != QN_PROCEDURE_DYNAMIC)
+    return QN_EXIT_DONE;
+  if (!qn_project_read_records (project, NULL, options->allow_outside, &error))
+    return qn_cli_fail (error);
+  for (guint i = known; !options->quiet && i < project->warnings->len; i++)
+    qn_cli_warning ("%s", (const char *) g_ptr_array_index (project->warnings, i));
+  return QN_EXIT_DONE;
+}
+
+/* Puts an override before those of the user. */
+static void
+add_override (char ***overrides, const char *override)
+{
+  g_autoptr (GPtrArray) all = g_ptr_array_new ();
+  if (override == NULL)
+    return;
+  g_ptr_array_add (all, g_strdup (override));
+  for (gsize i = 0; *overrides != NULL && (*overrides)[i] != NULL; i++)
+    g_ptr_array_add (all, g_strdup ((*overrides)[i]));
+  g_ptr_array_add (all, NULL);
+  g_strfreev (*overrides);
+  *overrides = (char **) g_ptr_array_steal (all, NULL);
+}
+
+QnExit
+qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
+      N_ ("Write the result file here; - is standard output"), N_ ("RESULT.json") },
+    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
+      N_ ("Write the load–displacement curve here"), N_ ("CURVE.csv") },
+    { "detail", 0, 0, G_OPTION_ARG_STRING, &options.detail,
+      N_ ("What the result contains of contact pairs: forces (default), pairs: their "
+          "hinges "
+          "and springs too, or steps: forces of all steps, however many"),
+      N_ ("forces|pairs|steps") },
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
+    QN_INPUT_QUIET_ENTRY (&options.quiet),
+    /* Of limit analysis alone. */
+    { override != NULL ? "sensitivity" : NULL, 0, 0, G_OPTION_ARG_NONE,
+      &options.sensitivity,
+      N_ ("Tell how the associative multiplier changes with laws, weights and loads"),
+      NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnInput input;
+  QnExit code = QN_EXIT_USAGE;
+
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)
+      && parse_detail (self, &options)) {
+    add_override (&options.overrides, override);
+    qn_cli_set_own_override (override, self->name);
+    code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+  } else
+    memset (&input, 0, sizeof input);
+  if (code == QN_EXIT_DONE)
+    code = read_records (&options, &input);
+  if (code == QN_EXIT_DONE)
+    code = qn_input_require_sound (&input);
+  if (code == QN_EXIT_DONE)
+    code = require_live_load (&input.project);
+  if (code == QN_EXIT_DONE)
+    code = probe_output (options.output);
+  if (code == QN_EXIT_DONE)
+    code = probe_output (options.csv);
+  if (code == QN_EXIT_DONE) {
+    if (!options.quiet)
+      warn_of_findings (&input);
+    code = solve (&options, &input);
+  }
+
+  qn_input_clear (&input);
+  g_free (options.output);
+  g_free (options.csv);
+  g_free (options.detail);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  return qn_cmd_solve_run (self, NULL, argc, argv);
+}
+
+const QnSubcommand qn_cmd_solve = {
+  .name = "solve",
+  .arguments = "MODEL",
+  .summary = N_ ("Follow the load path of a project until it collapses"),
+  .help =
+    N_ ("The dead load is applied first; the multiplier of the live load then grows "
+        "until no equilibrium is left, or as the project's \"analysis\" says. Ctrl+C "
+        "ends the analysis and keeps what has converged."),
+  .run = run,
+};

@@ -1,0 +1,16 @@
+/* What "solve" and "limit" share: a project in, an analysis, a result out. */
+#ifndef QN_CLI_CMD_SOLVE_H
+#define QN_CLI_CMD_SOLVE_H
+
+#include "cli/base/subcommand.h"
+#include "core/result/result.h"
+
+/* Runs the subcommand "solve" under the name, usage and help of `self`. `override` (nullable),
+ * PATH=VALUE, comes before the user's own. */
+QnExit qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc,
+                         char **argv);
+
+/* Prints what limit analysis found about the model with this title. */
+void qn_cmd_limit_print (const char *title, const QnLimitFigures *figures);
+
+#endif

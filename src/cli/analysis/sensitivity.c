@@ -1,0 +1,50 @@
+#include "cli/analysis/sensitivity.h"
+
+#include "cli/base/message.h"
+#include "core/limit/limit-sensitivity.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+
+static void
+print_table (const QnModel *model, const QnLimitSensitivity *s)
+{
+  printf (_ ("Change of the associative multiplier %.6f, of this mechanism:\n"),
+          s->multiplier);
+  printf ("%-24s %12s %12s %12s %12s %12s\n", _ ("law"), _ ("friction"), _ ("cohesion"),
+          _ ("tension"), _ ("weight"), _ ("thickness"));
+  for (size_t i = 0; i < model->law_count; i++)
+    printf ("%-24s %12.6g %12.6g %12.6g %12.6g %12.6g\n", model->laws[i].name,
+            s->laws[i].friction, s->laws[i].cohesion, s->laws[i].tension,
+            s->laws[i].weight, s->laws[i].thickness);
+  for (size_t i = 0; i < model->dead_load_count; i++)
+    printf (_ ("dead load %zu: %.6g\n"), i + 1, s->dead_loads[i]);
+  for (size_t i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].set == 0)
+      printf (_ ("live load %zu: %.6g\n"), i + 1, s->live_loads[i]);
+  printf (
+    _ ("Friction per 1, cohesion and tension per N or Pa as the law has them; weight, "
+       "thickness and loads per factor: of 1 %% more, a hundredth.\n"));
+}
+
+QnExit
+qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
+                      const QnResult *result)
+{
+  QnLimitSensitivity sensitivity;
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+  if (result->limit.flow != QN_FLOW_ASSOCIATIVE)
+    return qn_cli_usage_error ("limit",
+                               _ ("--sensitivity is that of associative flow alone"));
+  if (result->outcome != QN_OUTCOME_COLLAPSE)
+    return QN_EXIT_DONE;
+  if (qn_limit_sensitivity (&project->model, contacts, result, &sensitivity, &diag)
+      != QN_OK) {
+    qn_project_set_error (project, &diag, &error);
+    return qn_cli_fail (error);
+  }
+  print_table (&project->model, &sensitivity);
+  qn_limit_sensitivity_clear (&sensitivity);
+  return QN_EXIT_DONE;
+}

@@ -1,0 +1,123 @@
+#include "cli/base/input.h"
+
+#include "cli/base/message.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+static QnExit
+detect_contacts (QnInput *input)
+{
+  const QnModel *model = &input->project.model;
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+  if (model->block_count == 0 && model->beam_count == 0)
+    qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks",
+                       0);
+  else if (qn_contacts_detect (model, &input->contacts, &diag) == QN_OK)
+    return QN_EXIT_DONE;
+  qn_project_set_error (&input->project, &diag, &error);
+  return qn_cli_fail (error);
+}
+
+QnExit
+qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quiet)
+{
+  GError *error = NULL;
+  memset (input, 0, sizeof *input);
+  if (!qn_project_load (path, (const char *const *) overrides, &input->project, &error))
+    return qn_cli_fail (error);
+
+  for (guint i = 0; !quiet && i < input->project.warnings->len; i++)
+    qn_cli_warning ("%s", (char *) g_ptr_array_index (input->project.warnings, i));
+
+  QnExit code = detect_contacts (input);
+  if (code != QN_EXIT_DONE)
+    qn_input_clear (input);
+  return code;
+}
+
+QnExit
+qn_input_require_sound (const QnInput *input)
+{
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+  if (qn_contacts_require_sound (&input->project.model, &input->contacts, &diag) == QN_OK)
+    return QN_EXIT_DONE;
+  qn_project_set_error (&input->project, &diag, &error);
+  return qn_cli_fail (error);
+}
+
+/* The sentence of a problem that lies in the state, translated; NULL for one of the input. */
+static const char *
+state_problem (QnInputState state, const QnDiag *diag)
+{
+  if (diag->problem == QN_PROBLEM_STATE_SLIPS && state == QN_INPUT_DEAD_LOAD)
+    return _ ("pairs slip without dilatancy under the dead load: no symmetric stiffness");
+  return qn_problem_is_of_state (diag->problem) ? _ (qn_problem_text (diag->problem))
+                                                : NULL;
+}
+
+QnExit
+qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
+{
+  GError *error = NULL;
+  const char *problem =
+    diag->status != QN_ERROR_NO_MEMORY ? state_problem (state, diag) : NULL;
+  if (problem != NULL) {
+    qn_cli_error ("%s: %s", input->project.name, problem);
+    return QN_EXIT_NO_ANSWER;
+  }
+  qn_project_set_error (&input->project, diag, &error);
+  return qn_cli_fail (error);
+}
+
+/* Both lists, one after the other; NULL where both are. The strings are borrowed. */
+static char **
+join_overrides (char **first, char **second)
+{
+  if (first == NULL && second == NULL)
+    return NULL;
+  GPtrArray *joined = g_ptr_array_new ();
+  for (; first != NULL && *first != NULL; first++)
+    g_ptr_array_add (joined, *first);
+  for (; second != NULL && *second != NULL; second++)
+    g_ptr_array_add (joined, *second);
+  g_ptr_array_add (joined, NULL);
+  return (char **) g_ptr_array_free (joined, FALSE);
+}
+
+QnExit
+qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
+                           const char *result_path, char **overrides, gboolean quiet)
+{
+  GError *error = NULL;
+  memset (input, 0, sizeof *input);
+  if (!qn_result_file_read (result_path, file, &error))
+    return qn_cli_fail (error);
+
+  g_autofree char **joined = join_overrides (file->overrides, overrides);
+  QnExit code = qn_input_load (input, path, joined, quiet);
+  if (code != QN_EXIT_DONE) {
+    qn_result_file_clear (file);
+    return code;
+  }
+
+  gboolean same_bytes = TRUE;
+  if (!qn_result_file_match (file, result_path, &input->project, &input->contacts,
+                             &same_bytes, &error)) {
+    qn_input_clear (input);
+    qn_result_file_clear (file);
+    return qn_cli_fail (error);
+  }
+  if (!same_bytes && !quiet)
+    qn_cli_warning (_ ("%s has changed since %s was computed"), path, result_path);
+  return QN_EXIT_DONE;
+}
+
+void
+qn_input_clear (QnInput *input)
+{
+  qn_contacts_clear (&input->contacts);
+  qn_project_clear (&input->project);
+}

@@ -1,0 +1,63 @@
+/* A project with its contacts, as every subcommand that reads a MODEL needs it. */
+#ifndef QN_CLI_INPUT_H
+#define QN_CLI_INPUT_H
+
+#include "cli/base/exit-code.h"
+#include "io/project/project.h"
+#include "io/result/result-file.h"
+
+/* Value of the option --set, which may be given many times. */
+#define QN_INPUT_SET_ENTRY(variable)                                                     \
+  {                                                                                      \
+    "set", 0, 0, G_OPTION_ARG_STRING_ARRAY, (variable),                                  \
+      N_ ("Override any key of the project file, e.g. analysis.increments=37"),          \
+      N_ ("PATH=VALUE")                                                                  \
+  }
+
+/* The option --allow-outside. */
+#define QN_INPUT_OUTSIDE_ENTRY(variable)                                                 \
+  {                                                                                      \
+    "allow-outside", 0, 0, G_OPTION_ARG_NONE, (variable),                                \
+      N_ ("Use files that the project names outside its folder"), NULL                   \
+  }
+
+/* The option --quiet. */
+#define QN_INPUT_TIMINGS_ENTRY(variable)                                                 \
+  {                                                                                      \
+    "no-timings", 0, 0, G_OPTION_ARG_NONE, (variable),                                   \
+      N_ ("Leave times and memory out of the result: two runs give equal bytes"), NULL   \
+  }
+#define QN_INPUT_QUIET_ENTRY(variable)                                                   \
+  {                                                                                      \
+    "quiet", 'q', 0, G_OPTION_ARG_NONE, (variable), N_ ("Print errors only"), NULL       \
+  }
+
+typedef struct QnInput {
+  QnProject project;
+  QnContacts contacts;
+} QnInput;
+
+/* Reads the project and detects its contacts. Warnings about the file go to standard error
+ * unless `quiet`. On failure the user has been told, *input is empty and the exit code is
+ * returned; QN_EXIT_DONE otherwise. */
+QnExit qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quiet);
+
+/* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user. */
+QnExit qn_input_require_sound (const QnInput *input);
+
+/* What an analysis was about. */
+typedef enum { QN_INPUT_DEAD_LOAD, QN_INPUT_PATH } QnInputState;
+
+/* Tells the user why an analysis failed, and says how the program ends: QN_EXIT_NO_ANSWER where
+ * not the input but the state that was found is the reason. */
+QnExit qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag);
+
+/* Reads a result file and the project with the overrides that the result was computed with;
+ * `overrides` (nullable) come after those. Refuses a result that is not of this project. */
+QnExit qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
+                                  const char *result_path, char **overrides,
+                                  gboolean quiet);
+
+void qn_input_clear (QnInput *input);
+
+#endif

@@ -1,0 +1,123 @@
+#include "cli/base/message.h"
+
+#include "cli/base/shown-text.h"
+#include "io/text/io-error.h"
+#include "io/text/json-text.h"
+#include "render/backend/output.h"
+
+#include <gio/gio.h>
+#include <glib/gi18n.h>
+#include <stdio.h>
+#include <string.h>
+
+G_GNUC_PRINTF (2, 0)
+static void
+print_line (const char *kind, const char *format, va_list arguments)
+{
+  g_autofree char *text = g_strdup_vprintf (format, arguments);
+  g_autoptr (GString) shown = g_string_new (NULL);
+  g_strdelimit (text, "\r\n", ' ');
+  qn_shown_text_append (shown, text, strlen (text));
+  fprintf (stderr, "quoin-cli: %s%s\n", kind, shown->str);
+}
+
+void
+qn_cli_error (const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  print_line ("", format, arguments);
+  va_end (arguments);
+}
+
+void
+qn_cli_warning (const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  print_line (_ ("warning: "), format, arguments);
+  va_end (arguments);
+}
+
+QnExit
+qn_cli_usage_error (const char *subcommand, const char *message)
+{
+  if (subcommand != NULL)
+    qn_cli_error (_ ("%s: %s (see quoin-cli %s --help)"), subcommand, message,
+                  subcommand);
+  else
+    qn_cli_error (_ ("%s (see quoin-cli --help)"), message);
+  return QN_EXIT_USAGE;
+}
+
+static QnExit
+io_exit_code (QnIoError code)
+{
+  switch (code) {
+  case QN_IO_ERROR_INVALID:
+    return QN_EXIT_INVALID;
+  case QN_IO_ERROR_FILE:
+  case QN_IO_ERROR_OUTSIDE:
+    return QN_EXIT_FILE;
+  case QN_IO_ERROR_OVERRIDE:
+    return QN_EXIT_USAGE;
+  case QN_IO_ERROR_NO_MEMORY:
+    return QN_EXIT_INTERNAL;
+  }
+  return QN_EXIT_INTERNAL;
+}
+
+static QnExit
+render_exit_code (QnRenderError code)
+{
+  switch (code) {
+  case QN_RENDER_ERROR_USAGE:
+    return QN_EXIT_USAGE;
+  case QN_RENDER_ERROR_FILE:
+    return QN_EXIT_FILE;
+  case QN_RENDER_ERROR_CANCELLED:
+    return QN_EXIT_CANCELLED;
+  case QN_RENDER_ERROR_UNAVAILABLE:
+  case QN_RENDER_ERROR_FAILED:
+    return QN_EXIT_INTERNAL;
+  }
+  return QN_EXIT_INTERNAL;
+}
+
+/* The exit code that belongs to an error of the layers below. */
+static QnExit
+exit_code_of (const GError *error)
+{
+  if (error->domain == QN_IO_ERROR)
+    return io_exit_code ((QnIoError) error->code);
+  if (error->domain == QN_RENDER_ERROR)
+    return render_exit_code ((QnRenderError) error->code);
+  if (error->domain == G_FILE_ERROR || error->domain == G_IO_ERROR)
+    return QN_EXIT_FILE;
+  return QN_EXIT_INTERNAL;
+}
+
+static const char *own_override, *own_subcommand;
+
+void
+qn_cli_set_own_override (const char *override, const char *subcommand)
+{
+  own_override = override;
+  own_subcommand = subcommand;
+}
+
+QnExit
+qn_cli_fail (GError *error)
+{
+  QnExit code = exit_code_of (error);
+  g_autoptr (GString) message = g_string_new (error->message);
+  if (own_override != NULL) {
+    g_autoptr (GString) quoted = g_string_new (NULL);
+    g_autofree char *command = g_strconcat ("quoin-cli ", own_subcommand, NULL);
+    qn_json_append_string (quoted, own_override);
+    g_string_replace (message, quoted->str, command, 0);
+  }
+  qn_cli_error ("%s", message->str);
+  g_error_free (error);
+  return code;
+}

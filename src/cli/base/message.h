@@ -1,0 +1,25 @@
+/* What quoin-cli says on standard error: one line per message, "quoin-cli: " in front. */
+#ifndef QN_CLI_MESSAGE_H
+#define QN_CLI_MESSAGE_H
+
+#include "cli/base/exit-code.h"
+
+#include <glib.h>
+
+/* Line breaks inside the message become spaces, and control characters are shown as \u001b: a message
+ * stays one line whatever names and paths it quotes. */
+void qn_cli_error (const char *format, ...) G_GNUC_PRINTF (1, 2);
+void qn_cli_warning (const char *format, ...) G_GNUC_PRINTF (1, 2);
+
+/* Wrong usage: the message and where help is to be found. `subcommand` may be NULL. Returns how the
+ * program ends, QN_EXIT_USAGE. */
+QnExit qn_cli_usage_error (const char *subcommand, const char *message);
+
+/* An override that a subcommand puts before those of the user: where an error names it as what set a
+ * value, the subcommand is named instead. Both are borrowed for good. */
+void qn_cli_set_own_override (const char *override, const char *subcommand);
+
+/* Prints the error, frees it and says how the program ends. */
+QnExit qn_cli_fail (GError *error);
+
+#endif

@@ -1,0 +1,83 @@
+#include "cli/base/progress.h"
+
+#include <glib/gi18n.h>
+#include <malloc.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t interrupted;
+
+static void
+on_interrupt (int signal_number)
+{
+  (void) signal_number;
+  interrupted = 1;
+}
+
+void
+qn_interrupt_install (void)
+{
+  struct sigaction action;
+  memset (&action, 0, sizeof action);
+  action.sa_handler = on_interrupt;
+  action.sa_flags = (int) SA_RESETHAND; /* the second one takes its usual course */
+  sigaction (SIGINT, &action, NULL);
+}
+
+gboolean
+qn_interrupt_seen (void)
+{
+  return interrupted != 0;
+}
+
+static gsize
+heap_in_use (void)
+{
+  struct mallinfo2 info = mallinfo2 ();
+  return info.uordblks + info.hblkhd;
+}
+
+static void
+measure_memory (QnTerminalProgress *progress)
+{
+  enum { STEP = 1 << 20 };
+  gsize now = heap_in_use ();
+  gsize grown = now > progress->idle_heap ? now - progress->idle_heap : 0;
+  progress->peak_memory = MAX (progress->peak_memory, (grown + STEP - 1) / STEP * STEP);
+}
+
+void
+qn_terminal_progress_init (QnTerminalProgress *progress, gboolean quiet)
+{
+  progress->shown = !quiet && isatty (STDERR_FILENO);
+  progress->last_time = 0;
+  progress->idle_heap = heap_in_use ();
+  progress->peak_memory = 0;
+}
+
+bool
+qn_terminal_progress_update (const QnProgress *progress, void *user_data)
+{
+  enum { INTERVAL = 100000 }; /* us; faster than the eye needs is only noise */
+  QnTerminalProgress *self = user_data;
+  measure_memory (self);
+  gint64 now = self->shown ? g_get_monotonic_time () : 0;
+
+  if (self->shown && now - self->last_time >= INTERVAL) {
+    self->last_time = now;
+    fprintf (stderr, "\r\033[K");
+    fprintf (stderr, _ ("multiplier %.5f, %d steps, %d iterations"), progress->multiplier,
+             progress->steps, progress->iterations);
+    fflush (stderr);
+  }
+  return !qn_interrupt_seen ();
+}
+
+void
+qn_terminal_progress_done (QnTerminalProgress *progress)
+{
+  if (progress->shown && progress->last_time > 0)
+    fprintf (stderr, "\r\033[K");
+}

@@ -1,0 +1,137 @@
+#include "cli/base/subcommand.h"
+
+#include "cli/base/message.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const char *
+kind_of (const GOptionEntry *entry)
+{
+  if (entry->arg == G_OPTION_ARG_NONE)
+    return "flag";
+  return entry->arg == G_OPTION_ARG_FILENAME ? "file" : "text";
+}
+
+/* One line for the subcommand, one for each option, fields parted by tabs; in English, since manual
+ * pages and completions are made from it. */
+static void
+describe (const QnSubcommand *self, const GOptionEntry *entries)
+{
+  printf ("subcommand\t%s\t%s\t%s\t%s\n", self->name, self->arguments, self->summary,
+          self->help != NULL ? self->help : "");
+  for (; entries->long_name != NULL; entries++)
+    printf ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", entries->long_name,
+            entries->short_name != 0 ? entries->short_name : '-', kind_of (entries),
+            entries->arg == G_OPTION_ARG_STRING_ARRAY ? "many" : "once",
+            entries->arg_description != NULL ? entries->arg_description : "",
+            entries->description);
+}
+
+static gboolean
+check_count (const QnSubcommand *self, int count, int least, int most)
+{
+  if (count >= least && count <= most)
+    return TRUE;
+  qn_cli_usage_error (self->name, count < least ? _ ("an argument is missing")
+                                                : _ ("too many arguments"));
+  return FALSE;
+}
+
+static gboolean
+check_numbers (const QnSubcommand *self, const GOptionEntry *entries)
+{
+  for (; entries->long_name != NULL; entries++)
+    if (entries->arg == G_OPTION_ARG_DOUBLE
+        && !isfinite (*(double *) entries->arg_data)) {
+      g_autofree char *message =
+        g_strdup_printf (_ ("--%s must be a finite number"), entries->long_name);
+      qn_cli_usage_error (self->name, message);
+      return FALSE;
+    }
+  return TRUE;
+}
+
+/* Whether two paths lead to one file, there or not. */
+static gboolean
+is_same_file (const char *path, const char *other)
+{
+  struct stat a, b;
+  if (strcmp (path, "-") == 0 || strcmp (other, "-") == 0)
+    return FALSE;
+  if (stat (path, &a) == 0 && stat (other, &b) == 0)
+    return a.st_dev == b.st_dev && a.st_ino == b.st_ino && S_ISREG (a.st_mode);
+  g_autofree char *left = g_canonicalize_filename (path, NULL);
+  g_autofree char *right = g_canonicalize_filename (other, NULL);
+  return strcmp (left, right) == 0;
+}
+
+static gboolean
+is_output (const GOptionEntry *entry)
+{
+  static const char *const names[] = { "output", "csv", "json", "plot", "keep", NULL };
+  return entry->arg == G_OPTION_ARG_FILENAME && *(char **) entry->arg_data != NULL
+         && g_strv_contains (names, entry->long_name);
+}
+
+/* No output may be a file that is read or another output: it would take that one's place, perhaps that
+ * of the user's own project. */
+static gboolean
+check_files (const QnSubcommand *self, const GOptionEntry *entries, int count,
+             char **arguments)
+{
+  g_autoptr (GPtrArray) files = g_ptr_array_new ();
+  for (const GOptionEntry *e = entries; e->long_name != NULL; e++)
+    if (e->arg == G_OPTION_ARG_FILENAME && *(char **) e->arg_data != NULL
+        && !g_ptr_array_find (files, *(char **) e->arg_data, NULL)) /* two names of one */
+      g_ptr_array_add (files, *(char **) e->arg_data);
+  for (int i = 1; i < count; i++)
+    g_ptr_array_add (files, arguments[i]);
+  for (; entries->long_name != NULL; entries++)
+    for (guint i = 0; is_output (entries) && i < files->len; i++) {
+      const char *output = *(char **) entries->arg_data;
+      if (files->pdata[i] == output || !is_same_file (output, files->pdata[i]))
+        continue;
+      g_autofree char *message =
+        g_strdup_printf (_ ("%s: another file of this command is the same file"), output);
+      qn_cli_usage_error (self->name, message);
+      return FALSE;
+    }
+  return TRUE;
+}
+
+gboolean
+qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int least,
+                     int most, int *argc, char ***argv)
+{
+  g_autoptr (GOptionContext) context = g_option_context_new (self->arguments);
+  g_autoptr (GError) error = NULL;
+  g_autofree char *name = g_strconcat ("quoin-cli ", self->name, NULL);
+
+  if (*argc == 2 && strcmp ((*argv)[1], QN_DESCRIBE) == 0) {
+    describe (self, entries);
+    return FALSE;
+  }
+  g_set_prgname (name);
+  g_option_context_set_translation_domain (context, GETTEXT_PACKAGE);
+  g_option_context_add_main_entries (context, entries, GETTEXT_PACKAGE);
+  g_option_context_set_summary (context, _ (self->summary));
+  if (self->help != NULL)
+    g_option_context_set_description (context, _ (self->help));
+
+  gboolean parsed = g_option_context_parse (context, argc, argv, &error);
+  g_set_prgname ("quoin-cli");
+  if (!parsed) {
+    qn_cli_usage_error (self->name, error->message);
+    return FALSE;
+  }
+  if (*argc > 1 && g_strcmp0 ((*argv)[1], "--") == 0) {
+    (*argv)++;
+    (*argc)--;
+  }
+  return check_count (self, *argc - 1, least, most) && check_numbers (self, entries)
+         && check_files (self, entries, *argc, *argv);
+}

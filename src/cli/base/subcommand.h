@@ -1,0 +1,57 @@
+/* Subcommands of quoin-cli.
+ *
+ * Each lives in a file cmd-NAME.c that defines one QnSubcommand; the table in main.c lists
+ * them in the order of the overall help. A new one needs these three: its file, a line below
+ * and a line in the table.
+ */
+#ifndef QN_CLI_SUBCOMMAND_H
+#define QN_CLI_SUBCOMMAND_H
+
+#include "cli/base/exit-code.h"
+
+#include <glib.h>
+
+typedef struct QnSubcommand QnSubcommand;
+
+struct QnSubcommand {
+  const char *name;
+  const char *arguments; /* what stands behind the name in the usage line: "MODEL" */
+  const char *summary;   /* one line, no full stop; translatable (N_) */
+  const char *help;      /* what --help says below the options; translatable, or NULL */
+
+  /* argv[0] is the subcommand's own name; argv is NULL-terminated and may be modified. */
+  QnExit (*run) (const QnSubcommand *self, int argc, char **argv);
+};
+
+extern const QnSubcommand qn_cmd_capacity;
+extern const QnSubcommand qn_cmd_check;
+extern const QnSubcommand qn_cmd_solve;
+extern const QnSubcommand qn_cmd_limit;
+extern const QnSubcommand qn_cmd_render;
+extern const QnSubcommand qn_cmd_animate;
+extern const QnSubcommand qn_cmd_compare;
+extern const QnSubcommand qn_cmd_curve;
+extern const QnSubcommand qn_cmd_figures;
+extern const QnSubcommand qn_cmd_generate;
+extern const QnSubcommand qn_cmd_law;
+extern const QnSubcommand qn_cmd_ida;
+extern const QnSubcommand qn_cmd_import;
+extern const QnSubcommand qn_cmd_export;
+extern const QnSubcommand qn_cmd_report;
+extern const QnSubcommand qn_cmd_modal;
+extern const QnSubcommand qn_cmd_stability;
+extern const QnSubcommand qn_cmd_study;
+extern const QnSubcommand qn_cmd_verify;
+
+/* Asked for by this word alone, a subcommand describes itself instead: see qn_subcommand_parse(). */
+#define QN_DESCRIBE "--describe"
+
+/* Parses options in the usual way: options and arguments in any order, "--" ends the options,
+ * --help prints the help of the subcommand and ends the program. What is no option stays in
+ * argv[1 .. argc). An unknown option or a number of arguments outside least .. most is told
+ * to the user; the subcommand returns QN_EXIT_USAGE then. QN_DESCRIBE prints the subcommand and its
+ * options as lines with tabs, of which the build makes manual pages and completions. */
+gboolean qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries,
+                              int least, int most, int *argc, char ***argv);
+
+#endif

@@ -1,0 +1,156 @@
+#include "cli/base/input.h"
+#include "cli/base/message.h"
+#include "cli/base/picture.h"
+#include "cli/base/progress.h"
+#include "cli/base/subcommand.h"
+#include "render/movie/animation.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef struct Options {
+  QnPictureOptions picture;
+  char *result, *view, *scale;
+  int frames;
+  double rate;
+  gboolean once, no_curve, quiet;
+  char **overrides;
+} Options;
+
+/* What can be judged before any file is read. */
+static QnExit
+check (const QnSubcommand *self, const Options *options, double *scale)
+{
+  char *end = NULL;
+  GError *error = NULL;
+  if (options->result == NULL)
+    return qn_cli_usage_error (self->name, _ ("--result is missing"));
+  if (options->view != NULL && strcmp (options->view, "mechanism") != 0
+      && strcmp (options->view, "deformed") != 0)
+    return qn_cli_usage_error (self->name, _ ("--view is mechanism or deformed"));
+  *scale = QN_SCALE_AUTO;
+  if (options->scale != NULL && strcmp (options->scale, "auto") != 0) {
+    *scale = g_ascii_strtod (options->scale, &end);
+    if (end == options->scale || *end != '\0' || !isfinite (*scale) || *scale <= 0)
+      return qn_cli_usage_error (self->name, _ ("--scale is a positive number, or auto"));
+  }
+  if (options->picture.transparent)
+    return qn_cli_usage_error (self->name, _ ("animations have a white background"));
+  if (!qn_animation_check_path (options->picture.path, &error))
+    return qn_cli_fail (error);
+  return QN_EXIT_DONE;
+}
+
+static bool
+on_frame (int done, int total, void *user_data)
+{
+  const gboolean *shown = user_data;
+  if (*shown) {
+    fprintf (stderr, "\r\033[K");
+    if (done < total)
+      fprintf (stderr, _ ("frame %d of %d"), done, total);
+    fflush (stderr);
+  }
+  return !qn_interrupt_seen ();
+}
+
+static void
+fill (QnAnimation *animation, const Options *options, double scale, gboolean *shown)
+{
+  animation->figure.options.monochrome = options->picture.monochrome;
+  animation->figure.options.scale = scale;
+  animation->once = options->once;
+  animation->curve = !options->no_curve;
+  animation->frames = options->frames;
+  animation->rate = options->rate;
+  animation->progress = on_frame;
+  animation->user_data = shown;
+}
+
+static QnExit
+animate (const Options *options, const QnOutput *output, double scale, const char *path)
+{
+  QnInput input;
+  QnResultFile file;
+  QnExit code = qn_input_load_with_result (&input, &file, path, options->result,
+                                           options->overrides, FALSE);
+  if (code != QN_EXIT_DONE)
+    return code;
+
+  QnView view = file.result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
+  if (options->view != NULL)
+    qn_view_parse (options->view, &view);
+  gboolean shown = !options->quiet && isatty (STDERR_FILENO);
+  QnAnimation animation;
+  QnMetadata metadata;
+  GError *error = NULL;
+  qn_animation_init (&animation, &input.project.model, &input.contacts, &file.result,
+                     view);
+  fill (&animation, options, scale, &shown);
+  qn_picture_metadata (&input.project, &metadata);
+  qn_interrupt_install ();
+  if (!qn_animation_export (&animation, options->picture.path, output, &metadata, &error))
+    code = qn_cli_fail (error);
+  qn_result_file_clear (&file);
+  qn_input_clear (&input);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { .frames = 48, .rate = 24 };
+  const GOptionEntry entries[] = {
+    { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
+      N_ ("Result that is shown"), N_ ("RESULT.json") },
+    { "view", 0, 0, G_OPTION_ARG_STRING, &options.view,
+      N_ ("The mechanism, or the path of equilibria with its curve"),
+      "mechanism|deformed" },
+    { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale, N_ ("Factor on displacements"),
+      N_ ("F|auto") },
+    { "frames", 0, 0, G_OPTION_ARG_INT, &options.frames, N_ ("Number of pictures (48)"),
+      N_ ("N") },
+    { "rate", 0, 0, G_OPTION_ARG_DOUBLE, &options.rate, N_ ("Pictures per second (24)"),
+      N_ ("N") },
+    { "once", 0, 0, G_OPTION_ARG_NONE, &options.once,
+      N_ ("Play the mechanism once, not back and forth"), NULL },
+    { "no-curve", 0, 0, G_OPTION_ARG_NONE, &options.no_curve,
+      N_ ("Without the load–displacement curve"), NULL },
+    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("No progress"), NULL },
+    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.gif|webm|FOLDER/")),
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnOutput output;
+  double scale = 0;
+  QnExit code = QN_EXIT_USAGE;
+
+  qn_output_init (&output);
+  output.width = 960;
+  output.height = 720;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = qn_picture_page (self, &options.picture, &output);
+  if (code == QN_EXIT_DONE)
+    code = check (self, &options, &scale);
+  if (code == QN_EXIT_DONE)
+    code = animate (&options, &output, scale, argv[1]);
+
+  qn_picture_options_clear (&options.picture);
+  g_free (options.result);
+  g_free (options.view);
+  g_free (options.scale);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+const QnSubcommand qn_cmd_animate = {
+  .name = "animate",
+  .arguments = "MODEL",
+  .summary = N_ ("Move a mechanism or a load path: GIF, WebM or numbered pictures"),
+  .help = N_ ("The ending of the output chooses the format; a name that ends in / is a "
+              "folder for pictures frame-0001.png and so on."),
+  .run = run,
+};

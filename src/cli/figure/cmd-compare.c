@@ -1,0 +1,98 @@
+#include "cli/base/message.h"
+#include "cli/base/picture.h"
+#include "cli/base/subcommand.h"
+#include "cli/figure/sheet-input.h"
+#include "render/figure/compare-sheet.h"
+
+#include <glib/gi18n.h>
+
+/* Where --columns is not given. */
+#define CHOSEN_BY_FORMAT G_MININT
+
+typedef struct Options {
+  QnPictureOptions picture;
+  char *title;
+  int columns;
+} Options;
+
+/* A mechanism where the result has one, else the deformed state, else the model alone. */
+static QnView
+choose_view (const QnResult *result)
+{
+  if (result->mechanism != NULL)
+    return QN_VIEW_MECHANISM;
+  return result->step_count > 0 ? QN_VIEW_DEFORMED : QN_VIEW_MODEL;
+}
+
+static QnExit
+draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
+      gsize count)
+{
+  g_autofree QnFigure *figures = g_new0 (QnFigure, count);
+  for (gsize i = 0; i < count; i++) {
+    const QnSheetItem *item = &items[i];
+    qn_figure_init (&figures[i], &item->input.project.model, &item->input.contacts,
+                    &item->file.result, choose_view (&item->file.result));
+    figures[i].options.monochrome = options->picture.monochrome;
+    figures[i].title = qn_sheet_item_title (item);
+  }
+
+  QnMetadata metadata;
+  GError *error = NULL;
+  QnCompareSheet sheet = { .figures = figures,
+                           .count = count,
+                           .columns = MAX (options->columns, 0),
+                           .title = options->title };
+  qn_picture_metadata (NULL, &metadata);
+  metadata.title = options->title;
+  if (!qn_compare_sheet_export (&sheet, options->picture.path, output, &metadata, &error))
+    return qn_cli_fail (error);
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { .columns = CHOSEN_BY_FORMAT };
+  const GOptionEntry entries[] = {
+    { "columns", 0, 0, G_OPTION_ARG_INT, &options.columns,
+      N_ ("Figures in a row; chosen by the format otherwise"), N_ ("N") },
+    { "title", 0, 0, G_OPTION_ARG_STRING, &options.title, N_ ("Title of the sheet"),
+      N_ ("TEXT") },
+    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnOutput output;
+  QnSheetItem *items = NULL;
+  QnExit code = QN_EXIT_USAGE;
+
+  qn_output_init (&output);
+  if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
+    if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
+      qn_cli_usage_error (self->name, _ ("--columns must be positive"));
+    else
+      code = qn_picture_output (self, &options.picture, &output);
+  }
+  gsize count = (gsize) MAX (argc - 1, 0);
+  if (code == QN_EXIT_DONE)
+    code = qn_sheet_items_load (argv + 1, count, &items);
+  if (code == QN_EXIT_DONE)
+    code = draw (&options, &output, items, count);
+
+  if (items != NULL)
+    qn_sheet_items_free (items, count);
+  qn_picture_options_clear (&options.picture);
+  g_free (options.title);
+  return code;
+}
+
+const QnSubcommand qn_cmd_compare = {
+  .name = "compare",
+  .arguments = "MODEL[=RESULT]…",
+  .summary = N_ ("Put several mechanisms on one sheet, at one scale"),
+  .help =
+    N_ ("A project without a result is solved first. Under each figure stands its "
+        "load multiplier and the name of its mechanism; results of the same structure "
+        "that move alike have the same letter."),
+  .run = run,
+};

@@ -1,0 +1,201 @@
+#include "cli/base/message.h"
+#include "cli/base/picture.h"
+#include "cli/base/subcommand.h"
+#include "cli/figure/curve-table.h"
+#include "cli/figure/sheet-input.h"
+#include "io/exchange/table-csv.h"
+#include "render/figure/curve-plot.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+typedef struct Options {
+  QnPictureOptions picture;
+  char *title;
+  double until; /* m or rad, or 0 */
+  gboolean whole;
+  char **references;
+  GArray *lines; /* of QnReferenceLine, of `references` */
+} Options;
+
+/* Component of the block's displacement that a curve shows: the controlled one, else the
+ * larger at the last step. */
+static QnDof
+choose_dof (const QnModel *model, const QnResult *result, QnId block)
+{
+  if (qn_model_controlled_body (model, model->analysis.control_block,
+                                model->analysis.control_node)
+      == (size_t) block)
+    return model->analysis.control_dof;
+  const double *u = qn_result_step_displacements (result, result->step_count - 1)
+                    + (size_t) block * QN_DOF_COUNT;
+  return ABS (u[QN_DOF_UX]) >= ABS (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
+}
+
+static gboolean
+is_table (const char *path)
+{
+  g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
+  return lower != NULL && g_str_has_suffix (lower, ".csv");
+}
+
+static QnExit
+take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
+{
+  const QnModel *model = &item->input.project.model;
+  const QnResult *result = &item->file.result;
+  QnId block = qn_result_curve_block (model, result);
+  if (block == QN_NONE) {
+    qn_cli_error (_ ("%s: no step to show"), item->input.project.name);
+    return QN_EXIT_INVALID;
+  }
+  if (!qn_curve_from_result (curve, result, block, choose_dof (model, result, block),
+                             NULL, NULL)) {
+    qn_cli_error (_ ("not enough memory"));
+    return QN_EXIT_INTERNAL;
+  }
+  if (options->until > 0)
+    qn_curve_cut (curve, options->until);
+  else if (!options->whole && !is_table (options->picture.path))
+    qn_curve_cut_runaway (curve);
+  return QN_EXIT_DONE;
+}
+
+/* Runs of one project are told apart by the names of their results. */
+static void
+label_curves (QnCurve *curves, const QnSheetItem *items, char **arguments, gsize count,
+              GPtrArray *labels)
+{
+  for (gsize i = 0; i < count; i++) {
+    const char *title = qn_sheet_item_title (&items[i]);
+    gsize alike = 0;
+    for (gsize k = 0; k < count; k++)
+      alike += strcmp (title, qn_sheet_item_title (&items[k])) == 0;
+    const char *equals = strrchr (arguments[i], '=');
+    g_autofree char *file =
+      g_path_get_basename (equals != NULL ? equals + 1 : arguments[i]);
+    curves[i].label =
+      alike > 1 ? g_strdup_printf ("%s (%s)", title, file) : g_strdup (title);
+    g_ptr_array_add (labels, (gpointer) curves[i].label);
+  }
+}
+
+/* "0.36" or "0.36=Ferris and Tin-Loi". */
+static QnExit
+parse_references (const QnSubcommand *self, Options *options)
+{
+  for (char **text = options->references; text != NULL && *text != NULL; text++) {
+    char *end = NULL;
+    QnReferenceLine line = { .y = g_ascii_strtod (*text, &end) };
+    if (end == *text || (*end != '\0' && *end != '=') || !isfinite (line.y)) {
+      g_autofree char *message =
+        g_strdup_printf (_ ("%s: a reference is a number, or a number=text"), *text);
+      return qn_cli_usage_error (self->name, message);
+    }
+    line.label = *end == '=' ? end + 1 : _ ("reference");
+    g_array_append_val (options->lines, line);
+  }
+  return QN_EXIT_DONE;
+}
+
+static gboolean export(const Options *options, const QnOutput *output,
+                       const QnCurve *curves, gsize count, const QnProject *project,
+                       GError **error)
+{
+  QnMetadata metadata;
+  QnCurvePlot plot = {
+    .title = options->title,
+    .curves = curves,
+    .curve_count = count,
+    .references = (const QnReferenceLine *) (void *) options->lines->data,
+    .reference_count = options->lines->len,
+    .monochrome = options->picture.monochrome,
+  };
+  if (is_table (options->picture.path))
+    return qn_curve_table_write (options->picture.path, curves, count, error);
+  qn_picture_metadata (project, &metadata);
+  metadata.title = options->title;
+  return qn_curve_export (&plot, options->picture.path, output, &metadata, error);
+}
+
+static QnExit
+draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
+      char **arguments, gsize count)
+{
+  g_autofree QnCurve *curves = g_new0 (QnCurve, count);
+  g_autoptr (GPtrArray) labels = g_ptr_array_new_with_free_func (g_free);
+  QnExit code = QN_EXIT_DONE;
+  for (gsize i = 0; i < count && code == QN_EXIT_DONE; i++)
+    code = take_curve (&curves[i], &items[i], options);
+
+  label_curves (curves, items, arguments, count, labels);
+
+  GError *error = NULL;
+  if (code == QN_EXIT_DONE
+      && !export(options, output, curves, count,
+                 count == 1 ? &items[0].input.project : NULL, &error))
+    code = qn_cli_fail (error);
+  for (gsize i = 0; i < count; i++)
+    qn_curve_clear (&curves[i]);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "title", 0, 0, G_OPTION_ARG_STRING, &options.title, N_ ("Title of the plot"),
+      N_ ("TEXT") },
+    { "until", 0, 0, G_OPTION_ARG_DOUBLE, &options.until,
+      N_ ("End the curves at this displacement, m or rad"), N_ ("LIMIT") },
+    { "whole", 0, 0, G_OPTION_ARG_NONE, &options.whole,
+      N_ ("Draw the last motion to its end, too, however far it runs"), NULL },
+    { "reference", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.references,
+      N_ ("Draw a line at this multiplier, for a known value; may be given again"),
+      N_ ("VALUE[=TEXT]") },
+    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf|csv")),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnOutput output;
+  QnSheetItem *items = NULL;
+  QnExit code = QN_EXIT_USAGE;
+
+  qn_output_init (&output);
+  if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
+    if (options.until < 0)
+      qn_cli_usage_error (self->name, _ ("--until must be positive"));
+    else if (is_table (options.picture.path))
+      code = qn_picture_page (self, &options.picture, &output);
+    else
+      code = qn_picture_output (self, &options.picture, &output);
+  }
+  options.lines = g_array_new (FALSE, FALSE, sizeof (QnReferenceLine));
+  if (code == QN_EXIT_DONE)
+    code = parse_references (self, &options);
+  gsize count = (gsize) MAX (argc - 1, 0);
+  if (code == QN_EXIT_DONE)
+    code = qn_sheet_items_load (argv + 1, count, &items);
+  if (code == QN_EXIT_DONE)
+    code = draw (&options, &output, items, argv + 1, count);
+
+  if (items != NULL)
+    qn_sheet_items_free (items, count);
+  qn_picture_options_clear (&options.picture);
+  g_array_unref (options.lines);
+  g_strfreev (options.references);
+  g_free (options.title);
+  return code;
+}
+
+const QnSubcommand qn_cmd_curve = {
+  .name = "curve",
+  .arguments = "MODEL[=RESULT]…",
+  .summary = N_ ("Plot load–displacement curves, several in one picture"),
+  .help = N_ (
+    "A project without a result is solved first. Each curve shows the block that "
+    "the project controls, or else the one that moves furthest. The ending .csv gives "
+    "a table."),
+  .run = run,
+};

@@ -1,0 +1,228 @@
+#include "cli/base/input.h"
+#include "cli/base/message.h"
+#include "cli/base/picture.h"
+#include "cli/base/subcommand.h"
+#include "doc/document/underlay.h"
+#include "render/figure/figure.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+typedef struct Options {
+  QnPictureOptions picture;
+  char *result, *onion, *view, *step, *scale, *field, *diagram;
+  char **show, **hide;
+  char **overrides;
+  gboolean allow_outside;
+} Options;
+
+/* `text` is what stands on the command line. */
+static QnExit
+refuse (const QnSubcommand *self, const char *reason, const char *text)
+{
+  g_autofree char *message = g_strdup_printf ("%s: %s", text, reason);
+  return qn_cli_usage_error (self->name, message);
+}
+
+static gboolean
+parse_step (const char *text, int32_t *step)
+{
+  guint64 number;
+  if (text == NULL || strcmp (text, "last") == 0) {
+    *step = QN_STEP_LAST;
+    return TRUE;
+  }
+  if (!g_ascii_string_to_unsigned (text, 10, 0, G_MAXINT32, &number, NULL))
+    return FALSE;
+  *step = (int32_t) number;
+  return TRUE;
+}
+
+static gboolean
+parse_scale (const char *text, double *scale)
+{
+  char *end = NULL;
+  if (text == NULL || strcmp (text, "auto") == 0) {
+    *scale = QN_SCALE_AUTO;
+    return TRUE;
+  }
+  if (strcmp (text, "true") == 0) {
+    *scale = 1;
+    return TRUE;
+  }
+  *scale = g_ascii_strtod (text, &end);
+  return end != text && *end == '\0' && isfinite (*scale) && *scale > 0;
+}
+
+/* Sets the switches that a --show or --hide names, several with commas between them. */
+static QnExit
+parse_switches (const QnSubcommand *self, char **lists, bool on, QnViewOptions *view)
+{
+  for (char **list = lists; list != NULL && *list != NULL; list++) {
+    g_auto (GStrv) names = g_strsplit (*list, ",", -1);
+    for (char **name = names; *name != NULL; name++) {
+      bool *flag = qn_view_switch (view, *name);
+      if (flag == NULL) {
+        g_autofree char *known = g_strjoinv (", ", (char **) qn_view_switches);
+        g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known);
+        return refuse (self, reason, *name);
+      }
+      *flag = on;
+    }
+  }
+  return QN_EXIT_DONE;
+}
+
+/* What can be judged before any file is read. */
+static QnExit
+parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *view)
+{
+  QnView kind = QN_VIEW_MODEL;
+  if (options->view != NULL && !qn_view_parse (options->view, &kind))
+    return refuse (self, _ ("no such view"), options->view);
+  qn_view_options_init (view, kind);
+  view->monochrome = options->picture.monochrome;
+  if (options->field != NULL && !qn_field_parse (options->field, &view->field))
+    return refuse (self, _ ("no such field"), options->field);
+  if (options->diagram != NULL && !qn_diagram_parse (options->diagram, &view->diagram))
+    return refuse (self, _ ("is none of N, V, M"), options->diagram);
+  if (!parse_step (options->step, &view->step))
+    return refuse (self, _ ("a step is a number from 0, or last"), options->step);
+  if (!parse_scale (options->scale, &view->scale))
+    return refuse (self, _ ("a scale is a positive number, auto or true"),
+                   options->scale);
+  if (options->result == NULL && kind != QN_VIEW_MODEL && kind != QN_VIEW_CONTACTS)
+    return refuse (self, _ ("this view needs --result"), options->view);
+  if (options->onion != NULL && kind != QN_VIEW_DEFORMED && kind != QN_VIEW_MECHANISM)
+    return refuse (self, _ ("only a deformed view or a mechanism takes a second result"),
+                   options->onion);
+  QnExit code = parse_switches (self, options->show, true, view);
+  if (code == QN_EXIT_DONE)
+    code = parse_switches (self, options->hide, false, view);
+  return code;
+}
+
+static QnExit
+draw (const Options *options, const QnViewOptions *view, const QnOutput *output,
+      const QnInput *input, const QnResult *result, const QnResult *onion)
+{
+  QnFigure figure;
+  QnMetadata metadata;
+  GError *error = NULL;
+  qn_figure_init (&figure, &input->project.model, &input->contacts, result, view->view);
+  figure.options = *view;
+  figure.options.onion = onion;
+  qn_picture_metadata (&input->project, &metadata);
+  bool done =
+    qn_underlay_read (&input->project, options->allow_outside, &figure.options.underlay,
+                      &error)
+    && qn_figure_export (&figure, options->picture.path, output, &metadata, &error);
+  g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
+  return done ? QN_EXIT_DONE : qn_cli_fail (error);
+}
+
+/* With a second result of the same project, which may have been computed otherwise. */
+static QnExit
+draw_onion (const Options *options, const QnViewOptions *view, const QnOutput *output,
+            const QnInput *input, const QnResult *result, const char *path)
+{
+  QnInput other;
+  QnResultFile file;
+  QnExit code =
+    qn_input_load_with_result (&other, &file, path, options->onion, NULL, TRUE);
+  if (code != QN_EXIT_DONE)
+    return code;
+  code = draw (options, view, output, input, result, &file.result);
+  qn_result_file_clear (&file);
+  qn_input_clear (&other);
+  return code;
+}
+
+static QnExit
+render (const Options *options, const QnViewOptions *view, const QnOutput *output,
+        const char *path)
+{
+  QnInput input;
+  QnResultFile file = { 0 };
+  QnExit code = options->result != NULL
+                  ? qn_input_load_with_result (&input, &file, path, options->result,
+                                               options->overrides, FALSE)
+                  : qn_input_load (&input, path, options->overrides, FALSE);
+  if (code != QN_EXIT_DONE)
+    return code;
+
+  const QnResult *result = options->result != NULL ? &file.result : NULL;
+  code = options->onion != NULL ? draw_onion (options, view, output, &input, result, path)
+                                : draw (options, view, output, &input, result, NULL);
+  if (result != NULL)
+    qn_result_file_clear (&file);
+  qn_input_clear (&input);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "view", 0, 0, G_OPTION_ARG_STRING, &options.view, N_ ("What to show"),
+      "model|contacts|deformed|mechanism|forces|diagrams" },
+    { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
+      N_ ("Result that is shown"), N_ ("RESULT.json") },
+    { "step", 0, 0, G_OPTION_ARG_STRING, &options.step, N_ ("Step of the result, from 0"),
+      N_ ("N|last") },
+    { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale,
+      N_ ("Factor on displacements; auto: one for all steps; true: 1"),
+      N_ ("F|auto|true") },
+    { "diagram", 0, 0, G_OPTION_ARG_STRING, &options.diagram,
+      N_ ("with --view diagrams: section force of the beams, N, V or M (M)"), "N|V|M" },
+    { "field", 0, 0, G_OPTION_ARG_STRING, &options.field,
+      N_ ("Quantity shown by colour: displacement, rotation, stress, opening, …"),
+      N_ ("NAME") },
+    { "onion", 0, 0, G_OPTION_ARG_FILENAME, &options.onion,
+      N_ ("Second result of the same project, drawn over the first as outlines"),
+      N_ ("RESULT.json") },
+    { "show", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.show,
+      N_ ("Show also: ghost, symbols, loads, dimensions, names, legend, titles"),
+      N_ ("LIST") },
+    { "hide", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.hide,
+      N_ ("Leave out any of these"), N_ ("LIST") },
+    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnViewOptions view;
+  QnOutput output;
+  QnExit code = QN_EXIT_USAGE;
+
+  qn_output_init (&output);
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = parse_view (self, &options, &view);
+  if (code == QN_EXIT_DONE)
+    code = qn_picture_output (self, &options.picture, &output);
+  if (code == QN_EXIT_DONE)
+    code = render (&options, &view, &output, argv[1]);
+
+  qn_picture_options_clear (&options.picture);
+  g_free (options.result);
+  g_free (options.view);
+  g_free (options.step);
+  g_free (options.scale);
+  g_free (options.field);
+  g_free (options.diagram);
+  g_free (options.onion);
+  g_strfreev (options.show);
+  g_strfreev (options.hide);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+const QnSubcommand qn_cmd_render = {
+  .name = "render",
+  .arguments = "MODEL",
+  .summary = N_ ("Draw a project or a result of it as PNG, SVG or PDF"),
+  .help = N_ ("The ending of the output file chooses the format; - is PNG."),
+  .run = run,
+};

@@ -1,0 +1,221 @@
+#include "cli/base/message.h"
+#include "cli/base/progress.h"
+#include "cli/base/subcommand.h"
+#include "cli/figure/sheet-input.h"
+#include "cli/project/check-report.h"
+#include "doc/view/report.h"
+#include "io/result/result-claims.h"
+
+#include <glib/gi18n.h>
+#include <glib/gstdio.h>
+#include <string.h>
+
+typedef struct Options {
+  char *output, *paper, *sections;
+  char **results;
+} Options;
+
+/* One result, and the project it was computed of. */
+typedef struct Item {
+  QnInput input;
+  QnResultFile file;
+  QnResultCheck check;
+  QnResultFaults faults;
+  char *unchecked; /* why it is not checked; NULL: it is */
+  char *name;
+} Item;
+
+static void
+item_clear (Item *item)
+{
+  qn_result_file_clear (&item->file);
+  qn_input_clear (&item->input);
+  g_free (item->unchecked);
+  g_free (item->name);
+}
+
+static QnExit
+refuse (const QnSubcommand *self, const char *text, const char *reason)
+{
+  g_autofree char *message = g_strdup_printf ("%s: %s", text, reason);
+  return qn_cli_usage_error (self->name, message);
+}
+
+/* All sections, or those that are named. */
+static QnExit
+choose_sections (const QnSubcommand *self, const char *list, bool *sections)
+{
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    sections[i] = list == NULL;
+  g_auto (GStrv) names = g_strsplit (list != NULL ? list : "", ",", -1);
+  for (char **name = names; *name != NULL; name++) {
+    int i = 0;
+    while (i < QN_REPORT_SECTION_COUNT && strcmp (qn_report_section_names[i], *name) != 0)
+      i++;
+    if (i == QN_REPORT_SECTION_COUNT) {
+      g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
+      g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known);
+      return refuse (self, *name, reason);
+    }
+    sections[i] = true;
+  }
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+load_item (Item *item, const char *model, const char *result)
+{
+  QnExit code =
+    qn_input_load_with_result (&item->input, &item->file, model, result, NULL, TRUE);
+  if (code != QN_EXIT_DONE)
+    return code;
+  item->name = g_path_get_basename (result);
+  g_autoptr (GError) error = NULL;
+  if (item->file.result.history.width > 0)
+    item->unchecked = g_strdup (_ ("an analysis in time ends in motion; check --result "
+                                   "follows its balance of energy"));
+  else if (!qn_result_file_find_faults (&item->file, result, &item->input.project,
+                                        &item->input.contacts, &item->faults, &error)
+           || !qn_result_check (&item->file, &item->input.project, &item->check, &error))
+    item->unchecked = g_strdup (error->message);
+  return QN_EXIT_DONE;
+}
+
+/* A project without results is solved; what comes out is read again as a file, so that the check
+ * and the report see what a file would hold. */
+static QnExit
+solve (Item *item, const char *model)
+{
+  QnSheetItem solved;
+  GError *error = NULL;
+  memset (&solved, 0, sizeof solved);
+  QnExit code = qn_input_load (&solved.input, model, NULL, TRUE);
+  if (code != QN_EXIT_DONE)
+    return code;
+  qn_interrupt_install ();
+  code = qn_sheet_item_solve (&solved);
+  g_autofree char *folder =
+    code == QN_EXIT_DONE ? g_dir_make_tmp ("quoin-XXXXXX", &error) : NULL;
+  if (folder != NULL) {
+    g_autofree char *path = g_build_filename (folder, "result.json", NULL);
+    if (qn_result_file_write (path, &solved.input.project, &solved.input.contacts,
+                              &solved.file.result, &error)) {
+      code = load_item (item, model, path);
+      g_free (item->name);
+      item->name = code == QN_EXIT_DONE ? g_strdup (_ ("Analysis of the project")) : NULL;
+    }
+    g_unlink (path);
+    g_rmdir (folder);
+  }
+  qn_sheet_item_clear (&solved);
+  return error != NULL ? qn_cli_fail (error) : code;
+}
+
+static QnExit
+write_report (const Options *options, const QnInput *input, const Item *items,
+              gsize count, QnReport *report)
+{
+  GError *error = NULL;
+  g_autofree QnReportRun *runs = g_new0 (QnReportRun, count + 1);
+  for (gsize i = 0; i < count; i++) {
+    const Item *item = &items[i];
+    const QnCheckReport check = { .input = &item->input,
+                                  .check = &item->check,
+                                  .faults = &item->faults };
+    runs[i] = (QnReportRun){
+      .name = item->name,
+      .project = &item->input.project,
+      .contacts = &item->input.contacts,
+      .file = &item->file,
+      .check = item->unchecked == NULL ? &item->check : NULL,
+      .unchecked = item->unchecked,
+      .passes = item->unchecked == NULL && qn_check_report_passes (&check),
+    };
+  }
+  report->project = &input->project;
+  report->contacts = &input->contacts;
+  report->runs = runs;
+  report->run_count = count;
+  report->units = QN_UNITS_SI;
+  report->units.force = QN_FORCE_KN;
+  report->generator = "quoin " QN_VERSION;
+  g_autoptr (GBytes) bytes = qn_report_encode (report, &error);
+  gsize length;
+  const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
+  return data != NULL && qn_file_replace (options->output, data, length, &error)
+           ? QN_EXIT_DONE
+           : qn_cli_fail (error);
+}
+
+static QnExit
+make (const Options *options, const char *model, QnReport *report)
+{
+  guint given = options->results != NULL ? g_strv_length (options->results) : 0;
+  g_autofree Item *items = g_new0 (Item, given + 1);
+  gsize count = 0;
+  QnInput input;
+  QnExit code = qn_input_load (&input, model, NULL, FALSE);
+  if (code != QN_EXIT_DONE)
+    return code;
+  for (guint i = 0; i < given && code == QN_EXIT_DONE; i++) {
+    code = load_item (&items[i], model, options->results[i]);
+    count += code == QN_EXIT_DONE;
+  }
+  if (given == 0) {
+    code = solve (&items[0], model);
+    count += code == QN_EXIT_DONE;
+  }
+  if (code == QN_EXIT_DONE)
+    code = write_report (options, &input, items, count, report);
+  for (gsize i = 0; i < count; i++)
+    item_clear (&items[i]);
+  qn_input_clear (&input);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  QnReport report = { .paper = QN_PAPER_A4 };
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
+      N_ ("Write the report here"), N_ ("OUT.pdf") },
+    { "result", 'r', 0, G_OPTION_ARG_FILENAME_ARRAY, &options.results,
+      N_ ("Result that is reported; may be given again"), N_ ("RESULT.json") },
+    { "paper", 0, 0, G_OPTION_ARG_STRING, &options.paper, N_ ("Size of the pages (a4)"),
+      "a4|letter" },
+    { "sections", 0, 0, G_OPTION_ARG_STRING, &options.sections,
+      N_ ("Only these, commas between them: title, model, materials, loads, findings, "
+          "contacts, results, certificate, comparison, files"),
+      N_ ("LIST") },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
+    if (options.output == NULL)
+      qn_cli_usage_error (self->name, _ ("--output is missing"));
+    else if (options.paper != NULL && !qn_paper_parse (options.paper, &report.paper))
+      refuse (self, options.paper, _ ("a paper is a4 or letter"));
+    else
+      code = choose_sections (self, options.sections, report.sections);
+  }
+  if (code == QN_EXIT_DONE)
+    code = make (&options, argv[1], &report);
+  g_free (options.output);
+  g_free (options.paper);
+  g_free (options.sections);
+  g_strfreev (options.results);
+  return code;
+}
+
+const QnSubcommand qn_cmd_report = {
+  .name = "report",
+  .arguments = "MODEL",
+  .summary = N_ ("Write a report on a project and its results as PDF"),
+  .help = N_ ("Model with dimensions, materials, loads, findings, contacts, every result "
+              "with its mechanism, curve and forces, the independent check of each, a "
+              "comparison, files and versions. A project without a result is solved "
+              "first."),
+  .run = run,
+};

@@ -1,0 +1,238 @@
+/* The machine form of a check; data/check-format.md describes it key by key. */
+#include "cli/project/check-report.h"
+#include "io/text/fault-text.h"
+#include "io/text/file-writer.h"
+
+#include <math.h>
+#include <string.h>
+
+static void
+write_number (QnFileWriter *out, const char *key, double value)
+{
+  qn_file_writer_puts (out, key);
+  qn_file_writer_number (out, value);
+}
+
+static void
+write_point (QnFileWriter *out, const char *key, QnVec2 point)
+{
+  write_number (out, key, point.x);
+  write_number (out, ", ", point.y);
+  qn_file_writer_puts (out, "]");
+}
+
+static void
+write_flag (QnFileWriter *out, const char *key, gboolean value)
+{
+  qn_file_writer_puts (out, key);
+  qn_file_writer_puts (out, value ? "true" : "false");
+}
+
+static void
+write_blocks (QnFileWriter *out, const QnModel *model)
+{
+  qn_file_writer_puts (out, "  \"blocks\": [");
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
+    qn_file_writer_json_string (out, block->name);
+    write_number (out, ", \"area\": ", block->area);
+    write_point (out, ", \"centroid\": [", block->centroid);
+    write_number (out, ", \"weight\": ", block->weight);
+    write_flag (out, ", \"support\": [", block->support[QN_DOF_UX]);
+    write_flag (out, ", ", block->support[QN_DOF_UY]);
+    write_flag (out, ", ", block->support[QN_DOF_RZ]);
+    qn_file_writer_puts (out, "] }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
+static void
+write_nodes (QnFileWriter *out, const QnModel *model)
+{
+  qn_file_writer_puts (out, "  \"nodes\": [");
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
+    qn_file_writer_json_string (out, node->name);
+    write_point (out, ", \"at\": [", node->at);
+    if (node->block != QN_NONE)
+      qn_file_writer_printf (out, ", \"block\": %d", node->block);
+    write_flag (out, ", \"support\": [", node->support[QN_DOF_UX]);
+    write_flag (out, ", ", node->support[QN_DOF_UY]);
+    write_flag (out, ", ", node->support[QN_DOF_RZ]);
+    qn_file_writer_puts (out, "] }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
+static void
+write_beams (QnFileWriter *out, const QnModel *model)
+{
+  qn_file_writer_puts (out, "  \"beams\": [");
+  for (size_t i = 0; i < model->beam_count; i++) {
+    const QnBeam *beam = &model->beams[i];
+    const QnSection *section = &model->sections[beam->section];
+    const QnVec2 *ends[2] = { &model->nodes[beam->nodes[0]].at,
+                              &model->nodes[beam->nodes[1]].at };
+    double plastic = qn_section_plastic_moment (section);
+    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
+    qn_file_writer_json_string (out, beam->name);
+    qn_file_writer_printf (out, ", \"kind\": \"%s\", \"nodes\": [%d, %d], \"section\": ",
+                           qn_beam_kind_names[beam->kind], beam->nodes[0],
+                           beam->nodes[1]);
+    qn_file_writer_json_string (out, section->name);
+    qn_file_writer_printf (out, ", \"elements\": %d", beam->element_count);
+    write_flag (out, ", \"hinges\": [", beam->hinge[0]);
+    write_flag (out, ", ", beam->hinge[1]);
+    write_number (out,
+                  "], \"length\": ", qn_vec2_length (qn_vec2_sub (*ends[1], *ends[0])));
+    write_number (out, ", \"area\": ", section->area);
+    write_number (out, ", \"inertia\": ", section->inertia);
+    if (isfinite (plastic))
+      write_number (out, ", \"plastic_moment\": ", plastic);
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
+static void
+write_pairs (QnFileWriter *out, const QnContacts *contacts, const QnContactFace *face)
+{
+  qn_file_writer_puts (out, ",\n      \"pairs\": [");
+  for (int32_t k = 0; k < face->pair_count; k++) {
+    const QnContactPair *pair = &contacts->pairs[face->first_pair + k];
+    write_point (out, k > 0 ? ", { \"point\": [" : " { \"point\": [", pair->point);
+    write_number (out, ", \"tributary\": ", pair->tributary);
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, " ] }");
+}
+
+static void
+write_faces (QnFileWriter *out, const QnContacts *contacts)
+{
+  qn_file_writer_puts (out, "  \"faces\": [");
+  for (size_t i = 0; i < contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i];
+    qn_file_writer_printf (out, "%s\n    { \"blocks\": [%d, %d]", i > 0 ? "," : "",
+                           face->a, face->b);
+    write_point (out, ", \"start\": [", face->start);
+    write_point (out, ", \"end\": [", face->end);
+    write_point (out, ", \"normal\": [", face->normal);
+    write_number (out, ", \"length\": ", face->length);
+    write_pairs (out, contacts, face);
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
+/* "blocks-overlap" for QN_PROBLEM_BLOCKS_OVERLAP; the caller frees it. */
+static char *
+dup_problem_name (QnProblem problem)
+{
+#define PROBLEM_NAME(name, text) #name,
+  static const char *const names[] = { QN_PROBLEMS (PROBLEM_NAME) };
+#undef PROBLEM_NAME
+  char *name = g_ascii_strdown (names[problem], -1);
+  return g_strdelimit (name, "_", '-');
+}
+
+static void
+write_findings (QnFileWriter *out, const QnInput *input)
+{
+  const QnFindings *findings = &input->contacts.findings;
+  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&input->project, findings);
+  qn_file_writer_puts (out, "  \"findings\": [");
+  for (size_t i = 0; i < findings->count; i++) {
+    const QnFinding *finding = &findings->items[i];
+    g_autofree char *name = dup_problem_name (finding->problem);
+    qn_file_writer_printf (out, "%s\n    { \"problem\": \"%s\", \"blocks\": [",
+                           i > 0 ? "," : "", name);
+    if (finding->block_a != QN_NONE)
+      qn_file_writer_printf (out, "%d", finding->block_a);
+    if (finding->block_b != QN_NONE)
+      qn_file_writer_printf (out, ", %d", finding->block_b);
+    write_point (out, "], \"at\": [", finding->at);
+    write_number (out, ", \"value\": ", finding->value);
+    qn_file_writer_puts (out, ", \"text\": ");
+    qn_file_writer_json_string (out, g_ptr_array_index (texts, (guint) i));
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n  \"warnings\": [");
+
+  const GPtrArray *warnings = input->project.warnings;
+  for (guint i = 0; i < warnings->len; i++) {
+    qn_file_writer_puts (out, i > 0 ? ",\n    " : "\n    ");
+    qn_file_writer_json_string (out, g_ptr_array_index (warnings, i));
+  }
+  qn_file_writer_puts (out, "\n  ]");
+}
+
+static void
+write_equilibrium (QnFileWriter *out, const QnResultCheck *check)
+{
+  write_number (out, ", \"multiplier\": ", check->multiplier);
+  write_number (out, ",\n    \"out_of_balance\": ", check->out_of_balance);
+  qn_file_writer_printf (out, ", \"unbalanced_block\": %d", check->unbalanced_block);
+  qn_file_writer_printf (out, ", \"unbalanced_node\": %d", check->unbalanced_node);
+  qn_file_writer_printf (out, ", \"unbalanced_element\": %d", check->unbalanced_element);
+  write_number (out, ", \"force_scale\": ", check->force_scale);
+  write_number (out, ",\n    \"yield_violation\": ", check->yield_violation);
+  qn_file_writer_printf (out, ", \"violating_pair\": %d", check->violating_pair);
+  write_number (out, ", \"contact_scale\": ", check->contact_scale);
+}
+
+static void
+write_faults (QnFileWriter *out, const QnCheckReport *report)
+{
+  const QnResultFaults *faults = report->faults;
+  write_flag (out, ",\n    \"balance_checked\": ", !faults->in_time);
+  write_flag (out, ", \"forces_checked\": ", !faults->forces_unknown);
+  qn_file_writer_puts (out, ", \"faults\": [");
+  for (int i = 0; i < faults->count; i++) {
+    const QnFault *fault = &faults->items[i];
+    g_autofree char *text =
+      qn_fault_dup_text (&report->input->project.model, &report->input->contacts, fault);
+    qn_file_writer_printf (out, "%s\n      { \"claim\": \"%s\", \"step\": %d, \"text\": ",
+                           i > 0 ? "," : "", qn_claim_name (fault->claim), fault->step);
+    qn_file_writer_json_string (out, text);
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, "]");
+}
+
+static void
+write_result (QnFileWriter *out, const QnCheckReport *report)
+{
+  qn_file_writer_puts (out, ",\n  \"result\": { \"file\": ");
+  qn_file_writer_json_string (out, report->result_name);
+  write_flag (out, ", \"passes\": ", qn_check_report_passes (report));
+  if (report->check != NULL)
+    write_equilibrium (out, report->check);
+  write_faults (out, report);
+  qn_file_writer_puts (out, " }");
+}
+
+gboolean
+qn_check_report_write_json (const QnCheckReport *report, GError **error)
+{
+  const QnInput *input = report->input;
+  QnFileWriter *out = qn_file_writer_open ("-", error);
+  if (out == NULL)
+    return FALSE;
+
+  qn_file_writer_puts (
+    out, "{\n  \"format\": \"quoin-check\", \"version\": 1,\n  \"model\": ");
+  qn_file_writer_json_string (out, input->project.name);
+  write_flag (out, ", \"sound\": ", report->sound);
+  qn_file_writer_puts (out, ",\n");
+  write_blocks (out, &input->project.model);
+  write_nodes (out, &input->project.model);
+  write_beams (out, &input->project.model);
+  write_faces (out, &input->contacts);
+  write_findings (out, input);
+  if (report->faults != NULL)
+    write_result (out, report);
+  qn_file_writer_puts (out, "\n}\n");
+  return qn_file_writer_commit (out, error);
+}

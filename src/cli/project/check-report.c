@@ -1,0 +1,219 @@
+#include "cli/project/check-report.h"
+
+#include "io/text/fault-text.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdio.h>
+
+gboolean
+qn_check_report_passes (const QnCheckReport *report)
+{
+  const QnResultCheck *check = report->check;
+  double asked = 10 * report->input->project.model.analysis.residual_tolerance;
+  double tolerance = MAX (QN_CHECK_TOLERANCE, asked);
+  if (report->faults->count > 0)
+    return FALSE;
+  return check == NULL
+         || (check->out_of_balance <= tolerance && check->yield_violation <= tolerance);
+}
+
+static gboolean
+is_supported (const QnBlock *block)
+{
+  return block->support[QN_DOF_UX] || block->support[QN_DOF_UY]
+         || block->support[QN_DOF_RZ];
+}
+
+/* "name (ux, uy, rz)" */
+static void
+print_support (const char *separator, const char *name, const bool support[QN_DOF_COUNT])
+{
+  static const char *const dofs[QN_DOF_COUNT] = { "ux", "uy", "rz" };
+  const char *comma = "";
+  printf ("%s%s (", separator, name);
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    if (support[dof]) {
+      printf ("%s%s", comma, dofs[dof]);
+      comma = ", ";
+    }
+  printf (")");
+}
+
+/* For every supported block and node. */
+static void
+print_supports (const QnModel *model)
+{
+  printf (_ ("supports:"));
+  const char *separator = " ";
+  for (size_t i = 0; i < model->block_count; i++) {
+    const QnBlock *block = &model->blocks[i];
+    if (!is_supported (block))
+      continue;
+    print_support (separator, block->name, block->support);
+    separator = ", ";
+  }
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    if (!node->support[QN_DOF_UX] && !node->support[QN_DOF_UY]
+        && !node->support[QN_DOF_RZ])
+      continue;
+    print_support (separator, node->name, node->support);
+    separator = ", ";
+  }
+  printf ("\n");
+}
+
+static void
+print_counts (const QnProject *project, const QnContacts *contacts)
+{
+  const QnModel *model = &project->model;
+  double weight = 0, length = 0;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (!model->blocks[i].support[QN_DOF_UY])
+      weight += model->blocks[i].weight;
+  for (size_t i = 0; i < contacts->face_count; i++)
+    length += contacts->faces[i].length;
+
+  if (model->title != NULL)
+    printf ("%s\n", model->title);
+  printf (_ ("blocks: %zu, free weight %.6g N\n"), model->block_count, weight);
+  print_supports (model);
+  printf (_ ("contact faces: %zu, total length %.6g m\n"), contacts->face_count, length);
+  printf (_ ("contact pairs: %zu\n"), contacts->pair_count);
+  if (model->beam_count > 0)
+    printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
+            model->element_count, model->node_count);
+}
+
+static void
+print_findings (const QnInput *input)
+{
+  const QnFindings *findings = &input->contacts.findings;
+  const GPtrArray *warnings = input->project.warnings;
+  if (findings->count + warnings->len == 0) {
+    printf (_ ("warnings: none\n"));
+    return;
+  }
+  printf (_ ("warnings: %zu\n"), findings->count + warnings->len);
+  for (guint i = 0; i < warnings->len; i++)
+    printf ("  %s\n", (char *) g_ptr_array_index (warnings, i));
+  g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (&input->project, findings);
+  for (guint i = 0; i < texts->len; i++)
+    printf ("  %s\n", (const char *) g_ptr_array_index (texts, i));
+}
+
+static void
+print_faces (const QnModel *model, const QnContacts *contacts)
+{
+  for (size_t i = 0; i < contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i];
+    printf (
+      _ ("face %zu: %s – %s, from (%.6g, %.6g) to (%.6g, %.6g), length %.6g m, pairs "
+         "at"),
+      i, model->blocks[face->a].name, model->blocks[face->b].name, face->start.x,
+      face->start.y, face->end.x, face->end.y, face->length);
+    for (int32_t k = 0; k < face->pair_count; k++)
+      printf ("%s %.6g", k > 0 ? "," : "",
+              contacts->pairs[face->first_pair + k].abscissa);
+    printf (" m\n");
+  }
+}
+
+/* "beam b: from a (0, 0) to c (3, 0), hinged, length 3 m, section s, 4 elements" */
+static void
+print_beams (const QnModel *model)
+{
+  for (size_t i = 0; i < model->beam_count; i++) {
+    const QnBeam *beam = &model->beams[i];
+    printf (_ ("beam %s (%s): "), beam->name, qn_beam_kind_names[beam->kind]);
+    for (int end = 0; end < 2; end++) {
+      const QnNode *node = &model->nodes[beam->nodes[end]];
+      printf (end == 0 ? _ ("from %s (%.6g, %.6g)") : _ (" to %s (%.6g, %.6g)"),
+              node->name, node->at.x, node->at.y);
+      if (node->block != QN_NONE)
+        printf (_ (" on %s"), model->blocks[node->block].name);
+      if (beam->hinge[end])
+        printf (_ (", hinged"));
+    }
+    QnVec2 chord =
+      qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at);
+    printf (ngettext (", length %.6g m, section %s, %d element\n",
+                      ", length %.6g m, section %s, %d elements\n",
+                      (unsigned long) beam->element_count),
+            qn_vec2_length (chord), model->sections[beam->section].name,
+            beam->element_count);
+  }
+}
+
+static const char *
+block_name (const QnModel *model, QnId block)
+{
+  return block == QN_NONE ? "–" : model->blocks[block].name;
+}
+
+static void
+print_faults (const QnCheckReport *report)
+{
+  const QnResultFaults *faults = report->faults;
+  for (int i = 0; i < faults->count; i++) {
+    g_autofree char *text = qn_fault_dup_text (
+      &report->input->project.model, &report->input->contacts, &faults->items[i]);
+    printf (_ ("  not true: %s\n"), text);
+  }
+  if (faults->forces_unknown)
+    printf (
+      _ ("  not checked: forces of the steps before the last, which the result does "
+         "not hold\n"));
+  if (faults->in_time)
+    printf (
+      _ ("  not checked: the balance in motion, to which inertia and damping belong\n"));
+}
+
+static void
+print_equilibrium (const QnCheckReport *report)
+{
+  const QnModel *model = &report->input->project.model;
+  const QnResultCheck *check = report->check;
+  if (check->unbalanced_node != QN_NONE)
+    printf (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
+            check->force_scale, model->nodes[check->unbalanced_node].name);
+  else if (check->unbalanced_element != QN_NONE)
+    printf (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), check->out_of_balance,
+            check->force_scale,
+            model->beams[model->elements[check->unbalanced_element].beam].name);
+  else
+    printf (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
+            check->force_scale, block_name (model, check->unbalanced_block));
+  printf (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
+          check->contact_scale);
+  if (check->violating_pair != QN_NONE)
+    printf (_ (", pair %d"), check->violating_pair);
+  printf ("\n");
+}
+
+static void
+print_result (const QnCheckReport *report)
+{
+  const char *verdict = qn_check_report_passes (report) ? _ ("passes") : _ ("fails");
+  if (report->check != NULL) {
+    printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
+            report->check->multiplier, verdict);
+    print_equilibrium (report);
+  } else {
+    printf (_ ("result %s: %s\n"), report->result_name, verdict);
+  }
+  print_faults (report);
+}
+
+void
+qn_check_report_print (const QnCheckReport *report)
+{
+  const QnInput *input = report->input;
+  print_counts (&input->project, &input->contacts);
+  print_findings (input);
+  if (report->faults != NULL)
+    print_result (report);
+  print_faces (&input->project.model, &input->contacts);
+  print_beams (&input->project.model);
+}

@@ -1,0 +1,33 @@
+/* What "quoin-cli check" tells about a model, for people and for programs. */
+#ifndef QN_CLI_CHECK_REPORT_H
+#define QN_CLI_CHECK_REPORT_H
+
+#include "cli/base/input.h"
+#include "io/result/result-check.h"
+#include "io/result/result-claims.h"
+
+/* Largest imbalance and largest yield violation, over the
+ * largest force, that a result may have to pass the independent check; or ten times the residual
+ * tolerance that the project asks for. */
+#define QN_CHECK_TOLERANCE 1e-6
+
+/* A model that was checked, with what was found out about a result of it. */
+typedef struct QnCheckReport {
+  const QnInput *input;
+  gboolean sound;          /* whether it can be analysed */
+  const char *result_name; /* the result file's, or NULL */
+  const QnResultCheck
+    *check; /* NULL where there is no result, or one in time, which is in motion */
+  const QnResultFaults *faults; /* NULL where there is no result */
+} QnCheckReport;
+
+/* Whether the result is an equilibrium that the joints can carry, and says nothing untrue. */
+gboolean qn_check_report_passes (const QnCheckReport *report);
+
+/* To standard output. */
+void qn_check_report_print (const QnCheckReport *report);
+
+/* To standard output as JSON, in the form that data/check-format.md describes. */
+gboolean qn_check_report_write_json (const QnCheckReport *report, GError **error);
+
+#endif

@@ -1,0 +1,130 @@
+#include "cli/base/message.h"
+#include "cli/base/subcommand.h"
+#include "cli/project/check-report.h"
+#include "io/exchange/record.h"
+#include "io/text/fault-text.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+typedef struct Options {
+  char *result;
+  char **overrides;
+  gboolean json, allow_outside;
+} Options;
+
+static QnExit
+tell (const Options *options, const QnCheckReport *report)
+{
+  GError *error = NULL;
+  if (!options->json)
+    qn_check_report_print (report);
+  else if (!qn_check_report_write_json (report, &error))
+    return qn_cli_fail (error);
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+check_model (const Options *options, const char *path)
+{
+  QnInput input;
+  QnExit code = qn_input_load (&input, path, options->overrides, TRUE);
+  if (code != QN_EXIT_DONE)
+    return code;
+
+  QnCheckReport report = { .input = &input };
+  report.sound =
+    qn_contacts_require_sound (&input.project.model, &input.contacts, NULL) == QN_OK;
+  code = tell (options, &report);
+  if (code == QN_EXIT_DONE)
+    code = qn_input_require_sound (&input);
+  qn_input_clear (&input);
+  return code;
+}
+
+/* One line, which names what is not true. */
+static void
+tell_first_fault (const QnCheckReport *report)
+{
+  if (report->faults->count == 0) {
+    qn_cli_error (_ ("%s: not an equilibrium that the joints can carry"),
+                  report->result_name);
+    return;
+  }
+  g_autofree char *text = qn_fault_dup_text (
+    &report->input->project.model, &report->input->contacts, &report->faults->items[0]);
+  qn_cli_error (_ ("%s: not true: %s"), report->result_name, text);
+}
+
+static QnExit
+check_result (const Options *options, const char *path)
+{
+  QnInput input;
+  QnResultFile file;
+  GError *error = NULL;
+  QnExit code = qn_input_load_with_result (&input, &file, path, options->result,
+                                           options->overrides, TRUE);
+  if (code != QN_EXIT_DONE)
+    return code;
+
+  QnResultCheck check;
+  QnResultFaults faults;
+  gboolean in_time = file.result.history.width > 0;
+  if ((in_time
+       && !qn_project_read_records (&input.project, NULL, options->allow_outside, &error))
+      || !qn_result_file_find_faults (&file, options->result, &input.project,
+                                      &input.contacts, &faults, &error)
+      || (!in_time && !qn_result_check (&file, &input.project, &check, &error))) {
+    code = qn_cli_fail (error);
+  } else {
+    QnCheckReport report = { .input = &input,
+                             .sound = TRUE,
+                             .result_name = options->result,
+                             .check = in_time ? NULL : &check,
+                             .faults = &faults };
+    code = tell (options, &report);
+    if (code == QN_EXIT_DONE && !qn_check_report_passes (&report)) {
+      code = QN_EXIT_INVALID;
+      tell_first_fault (&report);
+    }
+  }
+  qn_input_clear (&input);
+  qn_result_file_clear (&file);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "json", 0, 0, G_OPTION_ARG_NONE, &options.json,
+      N_ ("Print a form that programs can read"), NULL },
+    { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
+      N_ ("Check everything that this result says as well"), N_ ("RESULT.json") },
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_OUTSIDE_ENTRY (&options.allow_outside),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = options.result != NULL ? check_result (&options, argv[1])
+                                  : check_model (&options, argv[1]);
+  g_free (options.result);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+const QnSubcommand qn_cmd_check = {
+  .name = "check",
+  .arguments = "MODEL",
+  .summary =
+    N_ ("List the contact faces and pairs of a project and what is wrong with it"),
+  .help =
+    N_ ("Gaps, overlaps and loose blocks are reported with their place. A result is "
+        "checked without solving again: it must be of this very project; the forces of "
+        "every step are those that its displacements cause, within the strength of the "
+        "joints and in equilibrium; states, events, outcome, mechanism, reactions and "
+        "bounds are those of the forces."),
+  .run = run,
+};

@@ -1,0 +1,156 @@
+#include "cli/base/input.h"
+#include "cli/base/message.h"
+#include "cli/base/subcommand.h"
+#include "io/exchange/drawing-import.h"
+#include "io/exchange/dxf-export.h"
+#include "io/exchange/table-csv.h"
+#include "io/exchange/vtu.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+typedef struct Options {
+  char *output, *result, *unit, *table;
+  char **overrides;
+  double scale;
+} Options;
+
+typedef enum { FORMAT_DXF, FORMAT_PVD, FORMAT_CSV, FORMAT_COUNT } Format;
+
+static const char *const endings[] = { ".dxf", ".pvd", ".csv" };
+
+static Format
+format_of (const char *path)
+{
+  int format = 0;
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  while (format < FORMAT_COUNT && !g_str_has_suffix (lower, endings[format]))
+    format++;
+  return (Format) format;
+}
+
+static gboolean
+write_csv (const Options *options, const QnInput *input, const QnResult *result,
+           GError **error)
+{
+  const QnProject *project = &input->project;
+  if (g_strcmp0 (options->table, "displacements") == 0 && result->step_count > 0)
+    return qn_displacements_csv_write (options->output, project, result,
+                                       result->step_count - 1, error);
+  if (g_strcmp0 (options->table, "contacts") == 0)
+    return qn_contacts_csv_write (options->output, project, &input->contacts, result,
+                                  error);
+  if (g_strcmp0 (options->table, "beams") == 0)
+    return qn_beams_csv_write (options->output, project, result, error);
+  return qn_curve_csv_write (options->output, project, result, error);
+}
+
+static QnExit
+export_model (const Options *options, Format format, const QnInput *input,
+              const QnResult *result)
+{
+  const QnModel *model = &input->project.model;
+  double unit = options->unit != NULL ? qn_import_unit (options->unit) : 1;
+  GError *error = NULL;
+  gboolean done = FALSE;
+  switch (format) {
+  case FORMAT_DXF:
+    done = qn_dxf_export (model, &input->contacts, result, options->scale, unit,
+                          options->output, &error);
+    break;
+  case FORMAT_PVD:
+    done = qn_vtu_export (model, &input->contacts, result, options->output, &error);
+    break;
+  case FORMAT_CSV:
+    done = write_csv (options, input, result, &error);
+    break;
+  case FORMAT_COUNT:
+    break;
+  }
+  return done ? QN_EXIT_DONE : qn_cli_fail (error);
+}
+
+static QnExit
+load_and_export (const Options *options, Format format, const char *path)
+{
+  QnInput input;
+  QnResultFile file;
+  gboolean with_result = options->result != NULL;
+  QnExit code = with_result ? qn_input_load_with_result (
+                  &input, &file, path, options->result, options->overrides, FALSE)
+                            : qn_input_load (&input, path, options->overrides, FALSE);
+  if (code != QN_EXIT_DONE)
+    return code;
+  code = export_model (options, format, &input, with_result ? &file.result : NULL);
+  if (with_result)
+    qn_result_file_clear (&file);
+  qn_input_clear (&input);
+  return code;
+}
+
+static QnExit
+check_options (const QnSubcommand *self, const Options *options, Format *format)
+{
+  static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
+                                        NULL };
+  const char *problem = NULL;
+  if (options->output == NULL)
+    problem = _ ("-o is missing");
+  else if ((*format = format_of (options->output)) == FORMAT_COUNT)
+    problem = _ ("the output must end in .dxf, .pvd or .csv");
+  else if (options->unit != NULL && qn_import_unit (options->unit) == 0)
+    problem = _ ("--unit must be mm, cm, dm, m, in or ft");
+  else if (*format == FORMAT_CSV && options->result == NULL)
+    problem = _ ("a table needs --result");
+  else if (options->table != NULL && !g_strv_contains (tables, options->table))
+    problem = _ ("--table must be curve, displacements, contacts or beams");
+  if (problem == NULL)
+    return QN_EXIT_DONE;
+  return qn_cli_usage_error (self->name, problem);
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { .scale = 1 };
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
+      N_ ("File to write; its ending chooses the format"), N_ ("OUT.dxf|pvd|csv") },
+    { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
+      N_ ("Result of the project, for the deformed shape, steps and tables"),
+      N_ ("RESULT.json") },
+    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit,
+      N_ ("Unit of the DXF file: mm, cm, dm, m (default), in or ft"), N_ ("UNIT") },
+    { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &options.scale,
+      N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
+    { "table", 0, 0, G_OPTION_ARG_STRING, &options.table,
+      N_ ("Table of the CSV file: curve (default), displacements, contacts or beams"),
+      N_ ("TABLE") },
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    G_OPTION_ENTRY_NULL,
+  };
+  Format format = FORMAT_COUNT;
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = check_options (self, &options, &format);
+  if (code == QN_EXIT_DONE)
+    code = load_and_export (&options, format, argv[1]);
+  g_free (options.output);
+  g_free (options.result);
+  g_free (options.unit);
+  g_free (options.table);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+const QnSubcommand qn_cmd_export = {
+  .name = "export",
+  .arguments = "MODEL -o OUT.dxf|pvd|csv",
+  .summary = N_ ("Write DXF for CAD programs, PVD for ParaView, tables as CSV"),
+  .help =
+    N_ ("DXF has the layers BLOCKS, SUPPORTS, CONTACTS, BEAM_AXES where there are any "
+        "and, with "
+        "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
+        "beams one more, and one with the contact forces."),
+  .run = run,
+};

@@ -1,0 +1,114 @@
+#include "cli/base/message.h"
+#include "cli/base/subcommand.h"
+#include "io/exchange/drawing-import.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+
+typedef struct Options {
+  char *output;
+  char *unit;
+  gboolean report;
+  QnImportSettings settings;
+} Options;
+
+/* The report goes to standard output, or to standard error where that takes the project. */
+static void
+tell (const Options *options, const QnImportReport *report)
+{
+  gboolean to_stdout = g_strcmp0 (options->output, "-") != 0;
+  if (options->report) {
+    for (guint i = 0; i < report->lines->len; i++)
+      fprintf (to_stdout ? stdout : stderr, "%s\n", (char *) report->lines->pdata[i]);
+    return;
+  }
+  for (guint i = 0; i < report->warnings->len; i++)
+    qn_cli_warning ("%s", (char *) report->warnings->pdata[i]);
+}
+
+static QnExit
+import_file (const Options *options, const char *path)
+{
+  QnProject project;
+  QnImportReport report;
+  GError *error = NULL;
+  if (!qn_import_file (path, &options->settings, &project, &report, &error))
+    return qn_cli_fail (error);
+  tell (options, &report);
+  QnExit code = QN_EXIT_DONE;
+  if (!qn_project_save (&project, options->output, &error))
+    code = qn_cli_fail (error);
+  qn_project_clear (&project);
+  qn_import_report_clear (&report);
+  return code;
+}
+
+static QnExit
+check_options (const QnSubcommand *self, Options *options)
+{
+  const char *problem = NULL;
+  if (options->unit != NULL)
+    options->settings.unit = qn_import_unit (options->unit);
+  if (options->unit != NULL && options->settings.unit == 0)
+    problem = _ ("--unit must be mm, cm, dm, m, in or ft");
+  else if (!(options->settings.tolerance >= 0))
+    problem = _ ("--tolerance must not be negative");
+  else if (!(options->settings.thickness > 0))
+    problem = _ ("--thickness must be positive");
+  else if (!(options->settings.unit_weight >= 0))
+    problem = _ ("--unit-weight must not be negative");
+  else if (!(options->settings.friction >= 0))
+    problem = _ ("--friction must not be negative");
+  else if (options->output == NULL)
+    problem = _ ("-o is missing");
+  if (problem == NULL)
+    return QN_EXIT_DONE;
+  return qn_cli_usage_error (self->name, problem);
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { .settings = QN_IMPORT_DEFAULTS };
+  QnImportSettings *settings = &options.settings;
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
+      N_ ("Project file to write"), N_ ("MODEL.quoin") },
+    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit,
+      N_ ("Unit of the drawing: mm, cm, dm, m, in or ft"), N_ ("UNIT") },
+    { "report", 0, 0, G_OPTION_ARG_NONE, &options.report,
+      N_ ("List everything that was repaired or left out"), NULL },
+    { "layer", 0, 0, G_OPTION_ARG_STRING_ARRAY, &settings->layers,
+      N_ ("What a layer holds: block, support, opening or ignored"), N_ ("NAME=ROLE") },
+    { "tolerance", 0, 0, G_OPTION_ARG_DOUBLE, &settings->tolerance,
+      /* xgettext:no-c-format */
+      N_ ("Gaps up to this are closed, m (0.2 % of a block)"), N_ ("LENGTH") },
+    { "thickness", 0, 0, G_OPTION_ARG_DOUBLE, &settings->thickness,
+      N_ ("Thickness of the blocks, m (1)"), N_ ("LENGTH") },
+    { "unit-weight", 0, 0, G_OPTION_ARG_DOUBLE, &settings->unit_weight,
+      N_ ("Unit weight of the blocks, N/m3 (20000)"), N_ ("WEIGHT") },
+    { "friction", 0, 0, G_OPTION_ARG_DOUBLE, &settings->friction,
+      N_ ("Friction coefficient of the dry joints (0.65)"), N_ ("MU") },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = check_options (self, &options);
+  if (code == QN_EXIT_DONE)
+    code = import_file (&options, argv[1]);
+  g_free (options.output);
+  g_free (options.unit);
+  g_strfreev (settings->layers);
+  return code;
+}
+
+const QnSubcommand qn_cmd_import = {
+  .name = "import",
+  .arguments = "FILE -o MODEL.quoin",
+  .summary = N_ ("Make a project from a drawing: DXF, SVG, COMPAS, text of HybriDFEM"),
+  .help =
+    N_ ("Closed outlines become blocks, line work the faces it encloses. Layers named "
+        "like SUPPORTS, OPENINGS or TEXT are fixed, cut out or ignored; --layer decides "
+        "otherwise. Without a layer of supports the lowest row is fixed."),
+  .run = run,
+};

@@ -1,0 +1,472 @@
+#include "cli/base/input.h"
+#include "cli/base/message.h"
+#include "cli/base/picture.h"
+#include "cli/base/progress.h"
+#include "cli/base/subcommand.h"
+#include "cli/study/cmd-study.h"
+#include "io/exchange/record.h"
+#include "io/text/file-read.h"
+#include "io/text/file-writer.h"
+#include "io/text/json-text.h"
+#include "io/text/number-text.h"
+#include "render/figure/data-plot.h"
+#include "study/cases/run.h"
+#include "study/report/table.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Most factors of one record. */
+#define MOST_SCALES 10000
+
+/* s that a structure is followed beyond its record, where the project does not say how long. */
+#define AFTER 5.0
+
+typedef struct Options {
+  QnPictureOptions picture;
+  char *folder, *csv, *scale, *unit;
+  char **records, **overrides;
+  double time_step;
+  int jobs;
+  gboolean quiet;
+} Options;
+
+/* One record at all factors. */
+typedef struct Curve {
+  char *name;  /* of the record's file, without folders; owned */
+  double peak; /* of the record, m/s2 */
+  gsize count; /* by ascending factor: */
+  double *scales, *peaks, *displacements,
+    *times;        /* owned; times of collapse, NaN: it stands */
+  gboolean *known; /* owned: FALSE where the case failed */
+} Curve;
+
+typedef struct Ida {
+  const Options *options;
+  QnProject project; /* the model as it was read, with the user's overrides */
+  GArray *scales;    /* of double */
+  Curve *curves;
+  gsize count;
+} Ida;
+
+static void
+curve_clear (Curve *curve)
+{
+  g_free (curve->name);
+  g_free (curve->scales);
+  g_free (curve->peaks);
+  g_free (curve->displacements);
+  g_free (curve->times);
+  g_free (curve->known);
+}
+
+/* --- What is asked ----------------------------------------------------------------------- */
+
+/* "0.1:2:0.1": from, to, step. */
+static gboolean
+parse_scales (const char *text, GArray *scales)
+{
+  double numbers[3];
+  const char *at = text;
+  for (int i = 0; i < 3; i++) {
+    char *end;
+    numbers[i] = g_ascii_strtod (at, &end);
+    if (end == at || *end != (i < 2 ? ':' : '\0') || !(numbers[i] > 0)
+        || !isfinite (numbers[i]))
+      return FALSE;
+    at = end + 1;
+  }
+  double count = floor ((numbers[1] - numbers[0]) / numbers[2] * (1 + 1e-12) + 1e-9) + 1;
+  for (double i = 0; i < count && count <= MOST_SCALES; i++) {
+    /* a decimal fraction stays one: 0.1 + 2 x 0.1 is 0.3 */
+    char *short_text = g_strdup_printf ("%.12g", numbers[0] + i * numbers[2]);
+    double value = g_ascii_strtod (short_text, NULL);
+    g_free (short_text);
+    g_array_append_val (scales, value);
+  }
+  return scales->len > 0;
+}
+
+static QnExit
+check_options (const QnSubcommand *self, Options *options, GArray *scales)
+{
+  if (options->records == NULL)
+    return qn_cli_usage_error (self->name, _ ("--record is missing"));
+  if (options->scale == NULL || !parse_scales (options->scale, scales))
+    return qn_cli_usage_error (
+      self->name, _ ("--scale is least:greatest:step, all positive, as in 0.1:2:0.1"));
+  if (options->folder == NULL)
+    return qn_cli_usage_error (self->name, _ ("-o is missing"));
+  if (options->jobs < 0 || options->jobs > 1024)
+    return qn_cli_usage_error (self->name, _ ("--jobs is a number from 1 to 1024"));
+  return QN_EXIT_DONE;
+}
+
+/* --- A study for each record --------------------------------------------------------------- */
+
+/* The model with this record, the only one, as its ground motion. It acts along the direction of
+ * the project's first ground motion, or along x. */
+static gboolean
+make_model (const Ida *ida, const char *record, double end, QnProject *model,
+            GError **error)
+{
+  const QnModel *source = &ida->project.model;
+  QnVec2 direction =
+    source->ground_count > 0 ? source->ground[0].direction : qn_vec2 (1, 0);
+  char x[QN_NUMBER_TEXT_SIZE], y[QN_NUMBER_TEXT_SIZE], duration[QN_NUMBER_TEXT_SIZE];
+  g_autoptr (GPtrArray) all = g_ptr_array_new_with_free_func (g_free);
+  for (char **o = ida->options->overrides; o != NULL && *o != NULL; o++)
+    g_ptr_array_add (all, g_strdup (*o));
+  qn_number_text (direction.x, x);
+  qn_number_text (direction.y, y);
+  qn_number_text (end + AFTER, duration);
+  if (source->analysis.procedure != QN_PROCEDURE_DYNAMIC) {
+    g_ptr_array_add (all, g_strdup ("analysis.procedure=\"dynamic\""));
+    if (!(source->analysis.dynamic.duration > 0))
+      g_ptr_array_add (all, g_strconcat ("analysis.dynamic.duration=", duration, NULL));
+    if (!(source->analysis.dynamic.time_step > 0))
+      g_ptr_array_add (all, g_strdup ("analysis.dynamic.time_step=0.005"));
+  }
+  g_ptr_array_add (
+    all, g_strdup_printf (
+           "analysis.dynamic.ground=[{\"direction\": [%s, %s], \"record\": \"%s\"}]", x,
+           y, record));
+  g_ptr_array_add (all, NULL);
+  return qn_project_parse (ida->project.text, ida->project.text_length, ida->project.name,
+                           (const char *const *) all->pdata, model, error);
+}
+
+static char *
+dup_study_text (const Ida *ida, const char *title, const char *model)
+{
+  GString *json =
+    g_string_new ("{ \"format\": \"quoin-study\", \"version\": 1, \"title\": ");
+  qn_json_append_string (json, title);
+  g_string_append_printf (json, ",\n  \"model\": \"%s\", \"run\": \"dynamic\",\n", model);
+  g_string_append (json, "  \"parameters\": [ { \"name\": \"scale\",\n    \"path\": "
+                         "\"analysis.dynamic.ground[0].scale\", \"values\": [");
+  for (guint i = 0; i < ida->scales->len; i++) {
+    g_string_append (json, i > 0 ? ", " : "");
+    qn_json_append_number (json, g_array_index (ida->scales, double, i));
+  }
+  g_string_append (json, "] } ],\n  \"plan\": { \"kind\": \"grid\" },\n  \"outputs\": "
+                         "[\"peak_displacement\", \"collapsed\", \"time_of_collapse\", "
+                         "\"energy_error\"] }\n");
+  return g_string_free (json, FALSE);
+}
+
+static gboolean
+write_text (const char *path, const char *text, GError **error)
+{
+  return qn_file_write (path, text, strlen (text), error);
+}
+
+/* Puts record, model and study beside each other into the folder, and reads the study. */
+static gboolean
+make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **error)
+{
+  const char *path = ida->options->records[index];
+  g_autofree char *stem = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
+  g_autofree char *csv = g_strconcat (stem, ".csv", NULL);
+  g_autofree char *model_name = g_strconcat (stem, ".quoin", NULL);
+  g_autofree char *study_name = g_strconcat (stem, ".quoin-study", NULL);
+  g_autofree char *record_path = g_build_filename (ida->options->folder, csv, NULL);
+  g_autofree char *model_path = g_build_filename (ida->options->folder, model_name, NULL);
+  g_autofree char *study_path = g_build_filename (ida->options->folder, study_name, NULL);
+  QnRecord record;
+  QnProject model;
+  if (!qn_record_read (path, ida->options->unit, ida->options->time_step, &record, error))
+    return FALSE;
+  QnRecordFacts facts = qn_record_facts (&record);
+  curve->name = g_path_get_basename (path);
+  curve->peak = facts.peak;
+  gboolean ok = qn_record_write (record_path, &record, error);
+  qn_record_clear (&record);
+  if (!ok || !make_model (ida, csv, facts.duration, &model, error))
+    return FALSE;
+  QnProjectText *text = qn_project_write (&model, NULL, NULL);
+  g_autofree char *json = dup_study_text (ida, curve->name, model_name);
+  ok = qn_file_write (model_path, text->text, text->length, error)
+       && write_text (study_path, json, error)
+       && qn_study_read (study_path, NULL, study, error);
+  qn_project_text_free (text);
+  qn_project_clear (&model);
+  return ok;
+}
+
+static gboolean
+take_curve (Curve *curve, const QnStudy *study, const char *folder, GError **error)
+{
+  QnTable table;
+  if (!qn_table_read (&table, study, folder, error))
+    return FALSE;
+  const gsize scale = (gsize) qn_table_find (&table, "scale"),
+              peak = (gsize) qn_table_find (&table, "peak_displacement"),
+              time = (gsize) qn_table_find (&table, "time_of_collapse");
+  curve->count = table.rows->len;
+  curve->scales = g_new0 (double, curve->count);
+  curve->peaks = g_new0 (double, curve->count);
+  curve->displacements = g_new0 (double, curve->count);
+  curve->times = g_new0 (double, curve->count);
+  curve->known = g_new0 (gboolean, curve->count);
+  for (gsize i = 0; i < curve->count; i++) {
+    curve->scales[i] = qn_table_number (&table, i, scale);
+    curve->peaks[i] = curve->scales[i] * curve->peak;
+    curve->displacements[i] = qn_table_number (&table, i, peak);
+    curve->times[i] = qn_table_number (&table, i, time);
+    curve->known[i] = isfinite (curve->displacements[i]);
+  }
+  qn_table_clear (&table);
+  return TRUE;
+}
+
+/* --- What comes out ------------------------------------------------------------------------ */
+
+/* The first case in which the structure overturns; the number of cases where none does. */
+static gsize
+first_collapse (const Curve *curve)
+{
+  gsize i = 0;
+  while (i < curve->count && !isfinite (curve->times[i]))
+    i++;
+  return i;
+}
+
+static void
+print (const Ida *ida)
+{
+  for (gsize c = 0; c < ida->count; c++) {
+    const Curve *curve = &ida->curves[c];
+    gsize first = first_collapse (curve), failed = 0, stands = 0;
+    for (gsize i = 0; i < curve->count; i++) {
+      failed += !curve->known[i];
+      stands += i > first && curve->known[i] && !isfinite (curve->times[i]);
+    }
+    if (first < curve->count)
+      printf (
+        _ (
+          "%s: overturns first at %.4g times the record, peak %.4g m/s2, after %.3g s\n"),
+        curve->name, curve->scales[first], curve->peaks[first], curve->times[first]);
+    else
+      printf (_ ("%s: does not overturn\n"), curve->name);
+    if (stands > 0)
+      printf (_ ("%s: stands again at %zu larger factors\n"), curve->name, stands);
+    if (failed > 0)
+      printf (_ ("%s: %zu of %zu cases have no result\n"), curve->name, failed,
+              curve->count);
+  }
+}
+
+static QnExit
+write_csv (const Ida *ida)
+{
+  GError *error = NULL;
+  QnFileWriter *out = qn_file_writer_open (ida->options->csv, &error);
+  if (out == NULL)
+    return qn_cli_fail (error);
+  qn_file_writer_puts (out, "record,scale,peak acceleration [m/s2],peak displacement "
+                            "[m],overturned,time [s]\n");
+  for (gsize c = 0; c < ida->count; c++) {
+    const Curve *curve = &ida->curves[c];
+    for (gsize i = 0; i < curve->count; i++) {
+      qn_file_writer_json_string (out, curve->name);
+      const double row[] = { curve->scales[i], curve->peaks[i], curve->displacements[i],
+                             isfinite (curve->times[i]) ? 1 : 0, curve->times[i] };
+      for (gsize k = 0; k < G_N_ELEMENTS (row); k++) {
+        qn_file_writer_puts (out, ",");
+        if (isfinite (row[k]))
+          qn_file_writer_number (out, row[k]);
+      }
+      qn_file_writer_puts (out, "\n");
+    }
+  }
+  return qn_file_writer_commit (out, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
+}
+
+/* Every record up to where it first overturns, and from there level to the end of the plot. */
+static QnExit
+draw (const Ida *ida, const QnOutput *output)
+{
+  g_autofree QnMarks *marks = g_new0 (QnMarks, 2 * ida->count);
+  g_autofree double *levels = g_new0 (double, 4 * ida->count);
+  gsize count = 0;
+  double farthest = 0;
+  QnMetadata metadata;
+  GError *error = NULL;
+  for (gsize c = 0; c < ida->count; c++)
+    for (gsize i = 0; i < first_collapse (&ida->curves[c]); i++)
+      if (ida->curves[c].known[i])
+        farthest = MAX (farthest, ida->curves[c].displacements[i]);
+  for (gsize c = 0; c < ida->count; c++) {
+    Curve *curve = &ida->curves[c];
+    gsize first = first_collapse (curve);
+    double last = 0;
+    for (gsize i = 0; i < first; i++)
+      last = curve->known[i] ? curve->displacements[i] : last;
+    marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
+                                .label = curve->name,
+                                .series = (int) c,
+                                .x = curve->displacements,
+                                .y = curve->peaks,
+                                .count = first };
+    if (first == curve->count)
+      continue;
+    double *x = levels + 4 * c, *y = x + 2;
+    x[0] = last;
+    x[1] = farthest > 0 ? 1.1 * farthest : 1;
+    y[0] = y[1] = curve->peaks[first];
+    marks[count++] = (QnMarks){
+      .kind = QN_MARKS_LINE, .series = (int) c, .dashed = true, .x = x, .y = y, .count = 2
+    };
+  }
+  QnDataPlot plot = { .title = ida->project.model.title,
+                      .x_label = _ ("Peak displacement [m]"),
+                      .y_label = _ ("Peak acceleration of the ground [m/s²]"),
+                      .x_from_zero = true,
+                      .y_from_zero = true,
+                      .marks = marks,
+                      .mark_count = count,
+                      .monochrome = ida->options->picture.monochrome };
+  qn_picture_metadata (&ida->project, &metadata);
+  return qn_data_plot_export (&plot, ida->options->picture.path, output, &metadata,
+                              &error)
+           ? QN_EXIT_DONE
+           : qn_cli_fail (error);
+}
+
+/* --- All of it ------------------------------------------------------------------------------ */
+
+/* Computes the cases of one record that are missing in its folder. */
+static QnExit
+compute (const Ida *ida, gsize index, Curve *curve)
+{
+  QnStudy study;
+  QnStudyProgress progress;
+  gboolean cancelled;
+  GError *error = NULL;
+  QnStudyDisplay display;
+  g_autofree char *name = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
+  g_autofree char *folder = g_build_filename (ida->options->folder, name, NULL);
+  if (!make_study (ida, index, curve, &study, &error))
+    return qn_cli_fail (error);
+  qn_study_display_init (&display, ida->options->quiet);
+  QnStudyRunSettings settings = { .program = QN_STUDY_PROGRAM,
+                                  .jobs = ida->options->jobs > 0
+                                            ? (guint) ida->options->jobs
+                                            : g_get_num_processors (),
+                                  .shard = { 0, 1 },
+                                  .progress = qn_study_display_update,
+                                  .data = &display };
+  QnExit code = QN_EXIT_DONE;
+  if (!qn_study_run (&study, folder, &settings, &progress, &cancelled, &error))
+    code = qn_cli_fail (error);
+  qn_study_display_done (&display);
+  if (code == QN_EXIT_DONE && cancelled) {
+    qn_cli_error (_ ("%s: cancelled; the same command goes on"), ida->options->folder);
+    code = QN_EXIT_CANCELLED;
+  }
+  if (code == QN_EXIT_DONE && !take_curve (curve, &study, folder, &error))
+    code = qn_cli_fail (error);
+  qn_study_clear (&study);
+  return code;
+}
+
+static QnExit
+run_all (Ida *ida, const QnOutput *output)
+{
+  QnExit code = QN_EXIT_DONE;
+  if (g_mkdir_with_parents (ida->options->folder, 0777) != 0) {
+    qn_cli_error ("%s: %s", ida->options->folder, _ ("cannot be written"));
+    return QN_EXIT_FILE;
+  }
+  ida->count = g_strv_length (ida->options->records);
+  ida->curves = g_new0 (Curve, ida->count);
+  qn_interrupt_install ();
+  for (gsize i = 0; i < ida->count && code == QN_EXIT_DONE; i++)
+    code = compute (ida, i, &ida->curves[i]);
+  if (code == QN_EXIT_DONE && ida->options->csv != NULL)
+    code = write_csv (ida);
+  if (code == QN_EXIT_DONE && ida->options->picture.path != NULL)
+    code = draw (ida, output);
+  if (code == QN_EXIT_DONE && !ida->options->quiet
+      && g_strcmp0 (ida->options->csv, "-") != 0)
+    print (ida);
+  for (gsize i = 0; i < ida->count; i++)
+    curve_clear (&ida->curves[i]);
+  g_free (ida->curves);
+  return code;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "record", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options.records,
+      N_ ("A record of ground motion; may be given again"), N_ ("FILE") },
+    { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale,
+      N_ ("Factors on the records: least, greatest, step"), N_ ("0.1:2:0.1") },
+    { "unit", 0, 0, G_OPTION_ARG_STRING, &options.unit,
+      N_ ("Unit of accelerations where the records do not say it"), N_ ("g|m/s2|cm/s2") },
+    { "time-step", 0, 0, G_OPTION_ARG_DOUBLE, &options.time_step,
+      N_ ("Time between samples where the records do not say it, s"), N_ ("STEP") },
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.folder,
+      N_ ("Folder of the results; made where there is none"), N_ ("FOLDER") },
+    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
+      N_ ("Write the curves here; - is standard output"), N_ ("OUT.csv") },
+    { "picture", 0, 0, G_OPTION_ARG_FILENAME, &options.picture.path,
+      N_ ("Draw the curves here"), N_ ("OUT.png|svg|pdf") },
+    { "size", 0, 0, G_OPTION_ARG_STRING, &options.picture.size,
+      N_ ("Size in pixels or millimetres"), N_ ("1600x1200|160mmx120mm") },
+    { "monochrome", 0, 0, G_OPTION_ARG_NONE, &options.picture.monochrome,
+      N_ ("Greys only"), NULL },
+    { "jobs", 'j', 0, G_OPTION_ARG_INT, &options.jobs,
+      N_ ("Processes at once; all cores by default"), N_ ("N") },
+    QN_INPUT_SET_ENTRY (&options.overrides),
+    QN_INPUT_QUIET_ENTRY (&options.quiet),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnOutput output;
+  Ida ida = { .options = &options,
+              .scales = g_array_new (FALSE, FALSE, sizeof (double)) };
+  GError *error = NULL;
+  QnExit code = QN_EXIT_USAGE;
+
+  qn_output_init (&output);
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = check_options (self, &options, ida.scales);
+  if (code == QN_EXIT_DONE && options.picture.path != NULL)
+    code = qn_picture_output (self, &options.picture, &output);
+  if (code == QN_EXIT_DONE) {
+    if (qn_project_load (argv[1], (const char *const *) options.overrides, &ida.project,
+                         &error)) {
+      code = run_all (&ida, &output);
+      qn_project_clear (&ida.project);
+    } else
+      code = qn_cli_fail (error);
+  }
+  g_array_unref (ida.scales);
+  qn_picture_options_clear (&options.picture);
+  g_free (options.folder);
+  g_free (options.csv);
+  g_free (options.scale);
+  g_free (options.unit);
+  g_strfreev (options.records);
+  g_strfreev (options.overrides);
+  return code;
+}
+
+const QnSubcommand qn_cmd_ida = {
+  .name = "ida",
+  .arguments = "MODEL",
+  .summary =
+    N_ ("Incremental dynamic analysis: records scaled until the structure overturns"),
+  .help = N_ (
+    "Every record at every factor is an analysis in time, on all cores. The folder is "
+    "kept: after an interruption the same command computes what is missing. The "
+    "record takes the place of the project's ground motions, along the direction of "
+    "the first of them, or along x."),
+  .run = run,
+};

@@ -1,0 +1,206 @@
+#include "cli/base/message.h"
+#include "cli/base/picture.h"
+#include "cli/study/cmd-study.h"
+#include "study/cases/folder.h"
+#include "study/report/figures.h"
+#include "study/report/summary.h"
+
+#include <glib/gi18n.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The study of a folder and its rows, for what follows from them. */
+static QnExit
+load_table (const char *folder, QnStudy *study, QnTable *table)
+{
+  GError *error = NULL;
+  if (!qn_folder_read_study (folder, study, &error))
+    return qn_cli_fail (error);
+  if (qn_table_read (table, study, folder, &error))
+    return QN_EXIT_DONE;
+  qn_study_clear (study);
+  return qn_cli_fail (error);
+}
+
+static QnExit
+run_table (const QnSubcommand *self, int argc, char **argv)
+{
+  g_autofree char *path = NULL;
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &path,
+      N_ ("Write the table here; standard output by default"), N_ ("TABLE.csv") },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnStudy study;
+  QnTable table;
+  GError *error = NULL;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return QN_EXIT_USAGE;
+  QnExit code = load_table (argv[1], &study, &table);
+  if (code != QN_EXIT_DONE)
+    return code;
+  if (!qn_table_write (&table, path != NULL ? path : "-", &error))
+    code = qn_cli_fail (error);
+  qn_table_clear (&table);
+  qn_study_clear (&study);
+  return code;
+}
+
+const QnSubcommand qn_study_action_table = {
+  .name = "study table",
+  .arguments = "FOLDER",
+  .summary = N_ ("Write the cases of a study as a table (CSV)"),
+  .run = run_table,
+};
+
+static QnExit
+run_summary (const QnSubcommand *self, int argc, char **argv)
+{
+  const GOptionEntry entries[] = { G_OPTION_ENTRY_NULL };
+  QnStudy study;
+  QnTable table;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return QN_EXIT_USAGE;
+  QnExit code = load_table (argv[1], &study, &table);
+  if (code != QN_EXIT_DONE)
+    return code;
+  g_autofree char *text = qn_summary_dup_text (&table);
+  fputs (text, stdout);
+  qn_table_clear (&table);
+  qn_study_clear (&study);
+  return QN_EXIT_DONE;
+}
+
+const QnSubcommand qn_study_action_summary = {
+  .name = "study summary",
+  .arguments = "FOLDER",
+  .summary = N_ ("Tell mean, deviation, quantiles, fragility, what matters, mechanisms"),
+  .run = run_summary,
+};
+
+typedef struct PlotOptions {
+  QnPictureOptions picture;
+  char *kind, *of;
+  char **by;
+} PlotOptions;
+
+static gboolean
+find_kind (const char *name, QnStudyFigureKind *kind)
+{
+  for (int i = 0; i < QN_STUDY_FIGURE_COUNT; i++)
+    if (g_strcmp0 (name, qn_study_figure_names[i]) == 0) {
+      *kind = (QnStudyFigureKind) i;
+      return TRUE;
+    }
+  return FALSE;
+}
+
+/* The first output that is a number, where none is named. */
+static int
+default_output (const QnTable *table)
+{
+  for (gsize i = table->parameters; i < table->width; i++)
+    if (qn_study_output_is_number (qn_study_output (table->study, i - table->parameters)))
+      return (int) i;
+  return -1;
+}
+
+/* Columns by their names; the first ones that fit where none are named. */
+static QnExit
+find_columns (const QnSubcommand *self, const PlotOptions *options, const QnTable *table,
+              QnStudyFigure *figure)
+{
+  guint given = options->by != NULL ? g_strv_length (options->by) : 0;
+  gboolean one =
+    figure->kind == QN_STUDY_FIGURE_SCATTER || figure->kind == QN_STUDY_FIGURE_ENVELOPE;
+  guint wanted = figure->kind == QN_STUDY_FIGURE_SURFACE ? 2 : one;
+  figure->column =
+    options->of != NULL ? qn_table_find (table, options->of) : default_output (table);
+  if (figure->kind == QN_STUDY_FIGURE_MECHANISMS)
+    return QN_EXIT_DONE;
+  if (figure->column < (int) table->parameters
+      || !qn_study_output_is_number (
+        qn_study_output (table->study, (gsize) figure->column - table->parameters)))
+    return qn_cli_usage_error (self->name,
+                               _ ("--of names an output of the study that is a number"));
+  if (given > wanted || table->parameters < wanted)
+    return qn_cli_usage_error (
+      self->name, _ ("--by names the parameter of a scatter or an envelope, or the two "
+                     "of a surface"));
+  for (guint i = 0; i < wanted; i++) {
+    figure->parameters[i] = i < given ? qn_table_find (table, options->by[i]) : (int) i;
+    if (figure->parameters[i] < 0 || figure->parameters[i] >= (int) table->parameters)
+      return qn_cli_usage_error (self->name, _ ("--by names a parameter of the study"));
+  }
+  if (wanted == 2 && figure->parameters[0] == figure->parameters[1])
+    return qn_cli_usage_error (self->name,
+                               _ ("a surface needs two different parameters"));
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+plot (const QnSubcommand *self, const PlotOptions *options, const char *folder)
+{
+  QnStudy study;
+  QnTable table;
+  QnOutput output;
+  QnMetadata metadata;
+  GError *error = NULL;
+  QnStudyFigure figure = { .monochrome = options->picture.monochrome };
+  qn_output_init (&output);
+  if (!find_kind (options->kind, &figure.kind))
+    return qn_cli_usage_error (self->name, _ ("--kind is scatter, histogram, cumulative, "
+                                              "tornado, surface, envelope or "
+                                              "mechanisms"));
+  QnExit code = qn_picture_output (self, &options->picture, &output);
+  if (code == QN_EXIT_DONE)
+    code = load_table (folder, &study, &table);
+  if (code != QN_EXIT_DONE)
+    return code;
+  code = find_columns (self, options, &table, &figure);
+  qn_picture_metadata (&study.project, &metadata);
+  if (code == QN_EXIT_DONE
+      && !qn_study_figure_export (&figure, &table, options->picture.path, &output,
+                                  &metadata, &error))
+    code = qn_cli_fail (error);
+  qn_table_clear (&table);
+  qn_study_clear (&study);
+  return code;
+}
+
+static QnExit
+run_plot (const QnSubcommand *self, int argc, char **argv)
+{
+  PlotOptions options = { 0 };
+  const GOptionEntry entries[] = {
+    { "kind", 'k', 0, G_OPTION_ARG_STRING, &options.kind,
+      N_ ("scatter, histogram, cumulative, tornado, surface, envelope or mechanisms"),
+      N_ ("KIND") },
+    { "of", 0, 0, G_OPTION_ARG_STRING, &options.of,
+      N_ ("The output; the first one by default"), N_ ("NAME") },
+    { "by", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.by,
+      N_ ("A parameter; the first by default; a surface has two"), N_ ("NAME") },
+    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
+    G_OPTION_ENTRY_NULL,
+  };
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = plot (self, &options, argv[1]);
+  qn_picture_options_clear (&options.picture);
+  g_free (options.kind);
+  g_free (options.of);
+  g_strfreev (options.by);
+  return code;
+}
+
+const QnSubcommand qn_study_action_plot = {
+  .name = "study plot",
+  .arguments = "FOLDER",
+  .summary = N_ ("Draw the cases of a study: PNG, SVG or PDF"),
+  .help =
+    N_ ("A tornado shows Sobol indices of a plan \"sobol\", ranges of a plan "
+        "\"one-at-a-time\", else rank correlations. An envelope has the least value "
+        "over a parameter, as of a moving load by its place. Mechanisms shows a "
+        "typical case of every shape or kind."),
+  .run = run_plot,
+};

@@ -1,0 +1,357 @@
+#include "cli/base/subcommand.h"
+#include "core/base/integer.h"
+
+#include "cli/base/message.h"
+#include "cli/base/progress.h"
+#include "cli/study/cmd-study.h"
+#include "study/cases/gather.h"
+#include "study/cases/run.h"
+#include "study/cases/worker.h"
+#include "study/cluster/slurm.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef struct RunOptions {
+  char *folder, *shard;
+  int jobs;
+  gboolean keep, retry, prepare, quiet;
+} RunOptions;
+
+void
+qn_study_display_init (QnStudyDisplay *display, gboolean quiet)
+{
+  *display = (QnStudyDisplay){ .shown = !quiet && isatty (STDERR_FILENO) };
+}
+
+void
+qn_study_display_done (QnStudyDisplay *display)
+{
+  if (display->shown && display->last_time > 0)
+    fprintf (stderr, "\r\033[K");
+}
+
+gboolean
+qn_study_display_update (const QnStudyProgress *progress, gpointer data)
+{
+  enum { INTERVAL = 200000 };
+  QnStudyDisplay *display = data;
+  gint64 now = g_get_monotonic_time ();
+  if (display->shown && now - display->last_time >= INTERVAL) {
+    display->last_time = now;
+    fprintf (stderr, "\r\033[K");
+    fprintf (stderr, _ ("%zu of %zu cases, %zu failed"), progress->present,
+             progress->wanted, progress->failed);
+    if (!isnan (progress->to_go)) {
+      guint seconds = (guint) qn_to_integer (progress->to_go, 0, G_MAXINT32);
+      fprintf (stderr, _ (", %u:%02u:%02u to go"), seconds / 3600, seconds / 60 % 60,
+               seconds % 60);
+    }
+    fflush (stderr);
+  }
+  return !qn_interrupt_seen ();
+}
+
+/* "3/10": the third of ten slices. */
+static gboolean
+parse_shard (const char *text, QnShard *shard)
+{
+  guint index, count;
+  char rest;
+  *shard = (QnShard){ 0, 1 };
+  if (text == NULL)
+    return TRUE;
+  if (sscanf (text, "%u/%u%c", &index, &count, &rest) != 2 || index < 1 || index > count
+      || count > QN_STUDY_MAX_CASES)
+    return FALSE;
+  *shard = (QnShard){ index - 1, count };
+  return TRUE;
+}
+
+static void
+warn (const QnStudy *study, gboolean quiet)
+{
+  for (guint i = 0; !quiet && i < study->warnings->len; i++)
+    qn_cli_warning ("%s", (char *) g_ptr_array_index (study->warnings, i));
+  for (guint i = 0; !quiet && i < study->project.warnings->len; i++)
+    qn_cli_warning ("%s", (char *) g_ptr_array_index (study->project.warnings, i));
+}
+
+static QnExit
+compute (const QnStudy *study, const RunOptions *options,
+         const QnStudyRunSettings *settings)
+{
+  QnStudyProgress progress;
+  gboolean cancelled;
+  GError *error = NULL;
+  QnStudyDisplay *display = settings->data;
+  qn_interrupt_install ();
+  gboolean ok =
+    qn_study_run (study, options->folder, settings, &progress, &cancelled, &error);
+  qn_study_display_done (display);
+  if (!ok)
+    return qn_cli_fail (error);
+  if (!options->quiet) {
+    printf (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
+            progress.wanted);
+    if (progress.failed > 0)
+      printf (_ (", %zu of those computed now failed"), progress.failed);
+    printf (_ ("; %.1f s\n"), progress.seconds);
+  }
+  if (!cancelled)
+    return QN_EXIT_DONE;
+  qn_cli_error (_ ("%s: cancelled; the same command goes on"), options->folder);
+  return QN_EXIT_CANCELLED;
+}
+
+static QnExit
+run_study (const QnSubcommand *self, RunOptions *options, const char *path)
+{
+  QnStudy study;
+  GError *error = NULL;
+  QnStudyDisplay display;
+  QnStudyRunSettings settings = {
+    .program = QN_STUDY_PROGRAM,
+    .jobs = options->jobs > 0 ? (guint) options->jobs : g_get_num_processors (),
+    .keep = options->keep,
+    .retry = options->retry,
+    .progress = qn_study_display_update,
+    .data = &display,
+  };
+  qn_study_display_init (&display, options->quiet);
+  /* The folder of a study stands for the study as well. */
+  gboolean again = options->folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
+  if (options->folder == NULL && !again)
+    return qn_cli_usage_error (self->name, _ ("-o is missing"));
+  if (options->jobs < 0 || options->jobs > 1024)
+    return qn_cli_usage_error (self->name, _ ("--jobs is a number from 1 to 1024"));
+  if (!parse_shard (options->shard, &settings.shard))
+    return qn_cli_usage_error (self->name,
+                               _ ("--shard is k/n, the k-th of n slices, as in 3/10"));
+  if (!(again ? qn_folder_read_study (path, &study, &error)
+              : qn_study_read (path, NULL, &study, &error)))
+    return qn_cli_fail (error);
+  if (again)
+    options->folder = g_strdup (path);
+  warn (&study, options->quiet);
+  QnExit code = QN_EXIT_DONE;
+  if (!options->prepare)
+    code = compute (&study, options, &settings);
+  else if (!qn_folder_prepare (options->folder, &study, &error))
+    code = qn_cli_fail (error);
+  else if (!options->quiet)
+    printf (_ ("%s: %zu cases to compute\n"), options->folder,
+            qn_study_case_count (&study));
+  qn_study_clear (&study);
+  return code;
+}
+
+static QnExit
+run_run (const QnSubcommand *self, int argc, char **argv)
+{
+  RunOptions options = { 0 };
+  const GOptionEntry entries[] = {
+    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.folder,
+      N_ ("Folder of the results; made where there is none"), N_ ("FOLDER") },
+    { "jobs", 'j', 0, G_OPTION_ARG_INT, &options.jobs,
+      N_ ("Processes at once; all cores by default"), N_ ("N") },
+    { "shard", 0, 0, G_OPTION_ARG_STRING, &options.shard,
+      N_ ("Compute the k-th of n slices only, into a database of its own"), N_ ("K/N") },
+    { "keep", 0, 0, G_OPTION_ARG_NONE, &options.keep,
+      N_ ("Keep the full result of every case that is computed"), NULL },
+    { "retry", 0, 0, G_OPTION_ARG_NONE, &options.retry,
+      N_ ("Compute cases that failed once more"), NULL },
+    { "prepare", 0, 0, G_OPTION_ARG_NONE, &options.prepare,
+      N_ ("Make the folder and compute nothing yet"), NULL },
+    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Print errors only"),
+      NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    code = run_study (self, &options, argv[1]);
+  g_free (options.folder);
+  g_free (options.shard);
+  return code;
+}
+
+static QnExit
+submit (const char *folder, const QnSlurmSettings *settings)
+{
+  QnStudy study;
+  QnSubmission submission;
+  GError *error = NULL;
+  if (!qn_folder_read_study (folder, &study, &error))
+    return qn_cli_fail (error);
+  gboolean ok = qn_study_submit (&study, folder, settings, &submission, &error);
+  qn_study_clear (&study);
+  if (!ok)
+    return qn_cli_fail (error);
+  if (submission.script == NULL)
+    printf (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
+            folder, submission.missing, submission.active);
+  else if (submission.job == NULL)
+    fputs (submission.script, stdout);
+  else
+    printf (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
+            submission.missing, submission.tasks, submission.job);
+  qn_submission_clear (&submission);
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+run_submit (const QnSubcommand *self, int argc, char **argv)
+{
+  gboolean slurm = FALSE, dry_run = FALSE;
+  int size = 0;
+  g_autofree char *partition = NULL, *program = NULL;
+  const GOptionEntry entries[] = {
+    { "slurm", 0, 0, G_OPTION_ARG_NONE, &slurm, N_ ("Submit to Slurm"), NULL },
+    { "array-size", 0, 0, G_OPTION_ARG_INT, &size,
+      N_ ("Tasks of the array; as before, or 100"), N_ ("N") },
+    { "partition", 0, 0, G_OPTION_ARG_STRING, &partition, N_ ("Partition of the cluster"),
+      N_ ("NAME") },
+    { "dry-run", 0, 0, G_OPTION_ARG_NONE, &dry_run,
+      N_ ("Print the script and submit nothing"), NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return QN_EXIT_USAGE;
+  if (!slurm)
+    return qn_cli_usage_error (self->name, _ ("--slurm is missing"));
+  if (size < 0 || size > QN_STUDY_MAX_CASES)
+    return qn_cli_usage_error (self->name, _ ("--array-size must be positive"));
+  program = g_file_read_link (QN_STUDY_PROGRAM, NULL);
+  const QnSlurmSettings settings = { .program = program != NULL ? program : "quoin-cli",
+                                     .array_size = (guint) size,
+                                     .partition = partition,
+                                     .dry_run = dry_run };
+  return submit (argv[1], &settings);
+}
+
+static const QnSubcommand submit_action = {
+  .name = "study submit",
+  .arguments = "FOLDER",
+  .summary = N_ ("Compute the cases that are missing on a cluster"),
+  .help = N_ ("The folder must lie where all nodes see it. Submitted again, tasks that "
+              "failed or were lost are submitted once more, and no others."),
+  .run = run_submit,
+};
+
+/* Started by `run` alone: not in the help. */
+static QnExit
+run_worker (const QnSubcommand *self, int argc, char **argv)
+{
+  gboolean keep = FALSE;
+  const GOptionEntry entries[] = {
+    { "keep", 0, 0, G_OPTION_ARG_NONE, &keep,
+      N_ ("Keep the full result of every case that is computed"), NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnStudy study;
+  GError *error = NULL;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return QN_EXIT_USAGE;
+  if (!qn_folder_read_study (argv[1], &study, &error))
+    return qn_cli_fail (error);
+  qn_worker_serve (&study, argv[1], keep, stdin, stdout);
+  qn_study_clear (&study);
+  return QN_EXIT_DONE;
+}
+
+static const QnSubcommand worker = {
+  .name = "study worker",
+  .arguments = "FOLDER",
+  .summary = N_ ("Compute the cases that standard input names"),
+  .run = run_worker,
+};
+
+static const QnSubcommand run_action = {
+  .name = "study run",
+  .arguments = "STUDY|FOLDER",
+  .summary = N_ ("Compute the cases of a study that have no result yet"),
+  .help = N_ ("Every case is a row of FOLDER/study.db, written as it is computed: after "
+              "Ctrl+C or a crash the same command goes on where it stopped. A case that "
+              "fails is a row that says why."),
+  .run = run_run,
+};
+
+static QnExit
+run_gather (const QnSubcommand *self, int argc, char **argv)
+{
+  const GOptionEntry entries[] = { G_OPTION_ENTRY_NULL };
+  QnStudy study;
+  QnGathered gathered;
+  GError *error = NULL;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return QN_EXIT_USAGE;
+  if (!qn_folder_read_study (argv[1], &study, &error))
+    return qn_cli_fail (error);
+  gboolean ok = qn_study_gather (&study, argv[1], &gathered, &error);
+  qn_study_clear (&study);
+  if (!ok)
+    return qn_cli_fail (error);
+  printf (_ ("%s: %zu rows added; %zu of %zu cases, %zu failed\n"), argv[1],
+          gathered.added, gathered.present, gathered.count, gathered.failed);
+  return QN_EXIT_DONE;
+}
+
+static const QnSubcommand gather_action = {
+  .name = "study gather",
+  .arguments = "FOLDER",
+  .summary = N_ ("Join the results of slices that were computed apart"),
+  .help = N_ ("Safe to repeat, and while slices are being computed."),
+  .run = run_gather,
+};
+
+static const QnSubcommand *const actions[] = { &run_action,
+                                               &submit_action,
+                                               &gather_action,
+                                               &qn_study_action_table,
+                                               &qn_study_action_summary,
+                                               &qn_study_action_plot };
+
+static void
+print_help (void)
+{
+  printf (_ ("Usage: quoin-cli study ACTION [OPTION…] ARGUMENT…\n\n"
+             "Many cases of one project, and what is uncertain in it.\n\nActions:\n"));
+  for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
+    printf ("  %-16s%s\n", actions[i]->name, _ (actions[i]->summary));
+  printf (_ ("\n\"quoin-cli study ACTION --help\" explains one of them.\n"));
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  if (argc < 2)
+    return qn_cli_usage_error (self->name, _ ("an action is missing"));
+  if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
+    print_help ();
+    return QN_EXIT_DONE;
+  }
+  if (strcmp (argv[1], QN_DESCRIBE) == 0) {
+    const GOptionEntry none[] = { G_OPTION_ENTRY_NULL };
+    qn_subcommand_parse (self, none, 0, 0, &argc, &argv);
+    for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
+      actions[i]->run (actions[i], argc, argv);
+    return QN_EXIT_DONE;
+  }
+  if (strcmp (argv[1], "worker") == 0)
+    return worker.run (&worker, argc - 1, argv + 1);
+  for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
+    if (strcmp (argv[1], actions[i]->name + strlen ("study ")) == 0)
+      return actions[i]->run (actions[i], argc - 1, argv + 1);
+  g_autofree char *message = g_strdup_printf (_ ("unknown action %s"), argv[1]);
+  return qn_cli_usage_error (self->name, message);
+}
+
+const QnSubcommand qn_cmd_study = {
+  .name = "study",
+  .arguments = "ACTION",
+  .summary = N_ ("Compute many cases of what is uncertain, and what follows"),
+  .run = run,
+};

@@ -1,0 +1,301 @@
+#include "cli/base/input.h"
+#include "cli/base/message.h"
+#include "cli/base/progress.h"
+#include "cli/base/subcommand.h"
+#include "cli/verify/verify-cases.h"
+#include "cli/verify/verify-run.h"
+#include "core/limit/limit.h"
+
+#include <errno.h>
+#include <gio/gio.h>
+#include <glib/gi18n.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Options {
+  char *keep; /* folder for result files, or NULL */
+  gboolean quiet;
+} Options;
+
+/* Tally over all cases. */
+typedef struct Tally {
+  guint met, missed, reported;
+  guint uncertain; /* rows whose mechanism was not settled */
+} Tally;
+
+/* Loads a model that is compiled in. */
+static QnExit
+load_case (const QnVerifyGroup *group, const QnVerifyCase *test, QnInput *input)
+{
+  g_autofree char *path = g_strconcat (QN_VERIFY_RESOURCES, test->model, NULL);
+  GError *error = NULL;
+  memset (input, 0, sizeof *input);
+
+  g_autoptr (GBytes) bytes = g_resources_lookup_data (path, 0, &error);
+  if (bytes == NULL)
+    return qn_cli_fail (error);
+  gsize length = 0;
+  const char *text = g_bytes_get_data (bytes, &length);
+  if (!qn_project_parse (text, length, test->model, group->overrides, &input->project,
+                         &error))
+    return qn_cli_fail (error);
+
+  QnDiag diag = { 0 };
+  if (qn_contacts_detect (&input->project.model, &input->contacts, &diag) == QN_OK)
+    return QN_EXIT_DONE;
+  qn_project_set_error (&input->project, &diag, &error);
+  qn_input_clear (input);
+  return qn_cli_fail (error);
+}
+
+static size_t
+count_free_blocks (const QnModel *model)
+{
+  size_t count = 0;
+  for (size_t i = 0; i < model->block_count; i++) {
+    const bool *fixed = model->blocks[i].support;
+    count += !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]);
+  }
+  return count;
+}
+
+/* A column of `width` characters: text is padded by what is seen, not by bytes. */
+static void
+print_cell (const char *text, int width, gboolean left)
+{
+  int padding = MAX (0, width - (int) g_utf8_strlen (text, -1));
+  if (left)
+    printf ("%s%*s", text, padding, "");
+  else
+    printf (" %*s%s", padding, "", text);
+}
+
+static void
+print_value (double value, gboolean known)
+{
+  int decimals = fabs (value) < 100 ? 6 : 3;
+  g_autofree char *text =
+    known ? g_strdup_printf ("%.*f", decimals, value) : g_strdup ("–");
+  print_cell (text, 10, FALSE);
+}
+
+static void
+print_heading (const QnVerifyGroup *group)
+{
+  printf ("%s (%s)\n", _ (group->title), _ (group->source));
+  print_cell ("", 23, TRUE);
+  print_cell (_ ("blocks"), 6, FALSE);
+  print_cell (_ ("faces"), 5, FALSE);
+  print_cell (_ ("reference"), 10, FALSE);
+  print_cell (_ ("HybriDFEM*"), 10, FALSE);
+  print_cell (_ ("Quoin"), 10, FALSE);
+  print_cell (_ ("error %"), 8, FALSE);
+  print_cell (_ ("allowed"), 7, FALSE);
+  print_cell (_ ("bound†"), 10, FALSE);
+  print_cell (_ ("1st limit"), 10, FALSE);
+  print_cell (_ ("seconds"), 7, FALSE);
+  print_cell (_ ("factorisations"), 14, FALSE);
+  printf ("\n");
+}
+
+/* What no multiplier of this model can exceed: the upper bound of the associative limit
+ * analysis, or not-a-number. */
+static double
+find_bound (const QnInput *input)
+{
+  QnLimitSolution solution;
+  double bound = NAN;
+  if (qn_limit_associative (&input->project.model, &input->contacts, NULL, NULL,
+                            &solution, NULL)
+      != QN_OK)
+    return bound;
+  if (solution.outcome == QN_OUTCOME_COLLAPSE)
+    bound = solution.upper_bound;
+  qn_limit_solution_clear (&solution);
+  return bound;
+}
+
+/* Prints a row; returns whether the reference was met. */
+static gboolean
+print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *result,
+           double found, double bound)
+{
+  double scale = test->scale > 0 ? test->scale : fabs (test->reference);
+  double error = (found - test->reference) / scale;
+  if (test->scale == 0 && test->reference < 0)
+    error = -error; /* too large in size is an excess */
+  gboolean met = fabs (error) <= test->tolerance;
+
+  g_autofree char *name =
+    g_strconcat (_ (test->name), result->mechanism_uncertain ? "‡" : "", NULL);
+  print_cell (name, 23, TRUE);
+  printf (" %6zu %5zu", count_free_blocks (&input->project.model),
+          input->contacts.face_count);
+  print_value (test->reference, TRUE);
+  print_value (test->paper, test->paper > 0);
+  print_value (found, isfinite (found));
+  printf (" %+8.4f", 100 * error);
+  if (isfinite (test->tolerance))
+    printf (" %7.4f", 100 * test->tolerance);
+  else
+    print_cell (_ ("none"), 7, FALSE);
+  print_value (bound, isfinite (bound));
+  print_value (result->first_limit_multiplier, result->has_first_limit_multiplier);
+  printf (" %7.3f %14d %s\n", result->statistics.seconds,
+          result->statistics.factorizations, met ? "" : _ ("MISSED"));
+  fflush (stdout);
+  return met;
+}
+
+/* Writes the result as FOLDER/GROUP/<name of the model file>.json. */
+static QnExit
+keep_result (const Options *options, const QnVerifyGroup *group, const QnInput *input,
+             const QnResult *result)
+{
+  if (options->keep == NULL)
+    return QN_EXIT_DONE;
+  g_autofree char *folder = g_build_filename (options->keep, group->name, NULL);
+  g_autofree char *base = g_path_get_basename (input->project.name);
+  char *ending = g_strrstr (base, ".quoin");
+  if (ending != NULL)
+    *ending = '\0';
+  g_autofree char *name = g_strconcat (base, ".json", NULL);
+  g_autofree char *path = g_build_filename (folder, name, NULL);
+  GError *error = NULL;
+
+  if (g_mkdir_with_parents (folder, 0777) != 0) {
+    qn_cli_error (_ ("%s: cannot be made: %s"), folder, g_strerror (errno));
+    return QN_EXIT_FILE;
+  }
+  if (!qn_result_file_write (path, &input->project, &input->contacts, result, &error))
+    return qn_cli_fail (error);
+  return QN_EXIT_DONE;
+}
+
+static QnExit
+run_case (const Options *options, const QnVerifyGroup *group, const QnVerifyCase *test,
+          Tally *tally)
+{
+  QnInput input;
+  QnTerminalProgress progress;
+  QnResult result = { 0 };
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+  QnExit code = load_case (group, test, &input);
+  if (code != QN_EXIT_DONE)
+    return code;
+
+  qn_terminal_progress_init (&progress, options->quiet);
+  double found = NAN;
+  QnStatus status = qn_verify_run (test, &input, qn_terminal_progress_update, &progress,
+                                   &result, &found, &diag);
+  qn_terminal_progress_done (&progress);
+  result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
+  if (status != QN_OK && status != QN_ERROR_CANCELLED) {
+    qn_project_set_error (&input.project, &diag, &error);
+    code = qn_cli_fail (error);
+  } else if (qn_interrupt_seen ()) {
+    qn_cli_error (_ ("cancelled"));
+    code = QN_EXIT_CANCELLED;
+  } else {
+    double bound = group->bounded ? find_bound (&input) : NAN;
+    gboolean met = print_row (test, &input, &result, found, bound);
+    tally->uncertain += result.mechanism_uncertain;
+    if (!isfinite (test->tolerance))
+      tally->reported++;
+    else if (met)
+      tally->met++;
+    else
+      tally->missed++;
+    code = keep_result (options, group, &input, &result);
+  }
+  if (status == QN_OK)
+    qn_result_clear (&result);
+  qn_input_clear (&input);
+  return code;
+}
+
+static gboolean
+is_wanted (const QnVerifyGroup *group, char **names)
+{
+  return *names == NULL || g_strv_contains ((const char *const *) names, group->name);
+}
+
+/* Refuses names that no group has. */
+static gboolean
+check_names (const QnSubcommand *self, char **names)
+{
+  gsize count;
+  const QnVerifyGroup *groups = qn_verify_groups (&count);
+  for (; *names != NULL; names++) {
+    gboolean known = FALSE;
+    for (gsize i = 0; i < count; i++)
+      known = known || strcmp (groups[i].name, *names) == 0;
+    if (!known) {
+      g_autofree char *message = g_strdup_printf (_ ("no group is called “%s”"), *names);
+      qn_cli_usage_error (self->name, message);
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+static QnExit
+verify (const Options *options, char **names)
+{
+  gsize count;
+  const QnVerifyGroup *groups = qn_verify_groups (&count);
+  Tally tally = { 0 };
+
+  qn_interrupt_install ();
+  for (gsize i = 0; i < count; i++) {
+    if (!is_wanted (&groups[i], names))
+      continue;
+    print_heading (&groups[i]);
+    for (gsize k = 0; k < groups[i].case_count; k++) {
+      QnExit code = run_case (options, &groups[i], &groups[i].cases[k], &tally);
+      if (code != QN_EXIT_DONE)
+        return code;
+    }
+    printf ("\n");
+  }
+  printf ("%s", _ ("* HybriDFEM as published, for comparison.\n"
+                   "† Upper bound of the associative limit analysis, computed now.\n"));
+  if (tally.uncertain > 0)
+    printf ("%s\n", _ ("‡ How the structure moves above its multiplier was not "
+                       "determined: the mechanism is its last motion."));
+  printf (_ ("%u met, %u missed, %u reported only.\n"), tally.met, tally.missed,
+          tally.reported);
+  return tally.missed > 0 ? QN_EXIT_INTERNAL : QN_EXIT_DONE;
+}
+
+static QnExit
+run (const QnSubcommand *self, int argc, char **argv)
+{
+  Options options = { 0 };
+  const GOptionEntry entries[] = {
+    { "keep", 'k', 0, G_OPTION_ARG_FILENAME, &options.keep,
+      N_ ("Keep the result files in this folder"), N_ ("FOLDER") },
+    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Show no progress"), NULL },
+    G_OPTION_ENTRY_NULL,
+  };
+  QnExit code = QN_EXIT_USAGE;
+  if (qn_subcommand_parse (self, entries, 0, 16, &argc, &argv)
+      && check_names (self, argv + 1))
+    code = verify (&options, argv + 1);
+  g_free (options.keep);
+  return code;
+}
+
+const QnSubcommand qn_cmd_verify = {
+  .name = "verify",
+  .arguments = "[GROUP…]",
+  .summary = N_ ("Compute the published cases now and compare, as a table"),
+  .help =
+    N_ ("Groups: walls, associative, closed-forms, members, stages, columns, elastica, "
+        "rocking, vibrations, branches, beams, beam-elastica, frame-sway, "
+        "frame-collapse; all of them where none is named. "
+        "The exit code is 1 when a value misses its tolerance."),
+  .run = run,
+};
