@@ -72,7 +72,7 @@ test_sections (void)
 {
   char *folder = test_scratch_new ();
   g_autofree char *path = report (folder, "part.pdf", "--sections", "title,materials");
-  g_autofree char *letter = report (folder, "letter.pdf", "--paper", "Letter");
+  g_free (report (folder, "letter.pdf", "--paper", "Letter"));
   g_autofree char *text = dup_text (path);
   if (text == NULL)
     g_test_skip ("pdftotext is not installed");

@@ -1,5 +1,6 @@
 /* Preloaded into a program, makes its K-th call that changes a regular file or a folder fail:
- * opening to write, write, fsync, close, link, rename, making a folder.
+ * opening to write, write, fsync, truncating, close, link, unlink, rename, making a folder. SQLite's
+ * calls, with an offset and without times, are among them.
  *
  *   QUOIN_DISK_FAULT=K:ERRNO   which call, from 1, and with what; 0: the program is killed instead
  *   QUOIN_DISK_MARK=PATH       made when it has failed; PATH itself is left in peace
@@ -93,10 +94,29 @@ writev (int fd, const struct iovec *pieces, int count)
   return is_output (fd) && strikes () ? -1 : syscall (SYS_writev, fd, pieces, count);
 }
 
+ssize_t
+pwrite64 (int fd, const void *bytes, size_t length, off64_t offset)
+{
+  return is_output (fd) && strikes () ? -1
+                                      : syscall (SYS_pwrite64, fd, bytes, length, offset);
+}
+
+int
+ftruncate64 (int fd, off64_t length)
+{
+  return is_output (fd) && strikes () ? -1 : (int) syscall (SYS_ftruncate, fd, length);
+}
+
 int
 fsync (int fd)
 {
   return is_output (fd) && strikes () ? -1 : (int) syscall (SYS_fsync, fd);
+}
+
+int
+fdatasync (int fd)
+{
+  return is_output (fd) && strikes () ? -1 : (int) syscall (SYS_fdatasync, fd);
 }
 
 /* The descriptor is gone whatever it says. */
@@ -115,6 +135,12 @@ int
 linkat (int from, const char *old, int to, const char *new, int flags)
 {
   return strikes () ? -1 : (int) syscall (SYS_linkat, from, old, to, new, flags);
+}
+
+int
+unlink (const char *path)
+{
+  return strikes () ? -1 : (int) syscall (SYS_unlink, path);
 }
 
 int
