@@ -23,24 +23,26 @@ static const QnFieldInfo *
 row_info (guint row)
 {
   static const QnFieldInfo infos[QN_SECTION_FIELD_COUNT] = {
-    [QN_SECTION_YOUNG] = { N_ ("Young's modulus"), QN_QUANTITY_STRESS, 1e-6, 1e15,
-                           FALSE },
+    [QN_SECTION_YOUNG] = { N_ ("Young's modulus"), QN_QUANTITY_STRESS, 1e-6, 1e15, FALSE,
+                           NULL },
     [QN_SECTION_SHEAR_MODULUS] = { N_ ("Shear modulus"), QN_QUANTITY_STRESS, 1e-6, 1e15,
-                                   FALSE },
+                                   FALSE, NULL },
     [QN_SECTION_POISSON] = { N_ ("Poisson's ratio"), QN_QUANTITY_NUMBER, -0.999, 0.5,
-                             FALSE },
-    [QN_SECTION_WIDTH] = { N_ ("Width"), QN_QUANTITY_LENGTH, 1e-6, 1e6, FALSE },
-    [QN_SECTION_HEIGHT] = { N_ ("Height"), QN_QUANTITY_LENGTH, 1e-6, 1e6, FALSE },
-    [QN_SECTION_AREA] = { N_ ("Area (m²)"), QN_QUANTITY_NUMBER, 1e-12, 1e12, FALSE },
+                             FALSE, NULL },
+    [QN_SECTION_WIDTH] = { N_ ("Width"), QN_QUANTITY_LENGTH, 1e-6, 1e6, FALSE, NULL },
+    [QN_SECTION_HEIGHT] = { N_ ("Height"), QN_QUANTITY_LENGTH, 1e-6, 1e6, FALSE, NULL },
+    [QN_SECTION_AREA] = { N_ ("Area (m²)"), QN_QUANTITY_NUMBER, 1e-12, 1e12, FALSE,
+                          NULL },
     [QN_SECTION_INERTIA] = { N_ ("Moment of inertia (m⁴)"), QN_QUANTITY_NUMBER, 1e-18,
-                             1e12, FALSE },
+                             1e12, FALSE, NULL },
     [QN_SECTION_SHEAR_FACTOR] = { N_ ("Shear factor"), QN_QUANTITY_NUMBER, 1e-6, 1e6,
-                                  FALSE },
-    [QN_SECTION_YIELD] = { N_ ("Yield (0: none)"), QN_QUANTITY_STRESS, 0.0, 1e15, FALSE },
+                                  FALSE, NULL },
+    [QN_SECTION_YIELD] = { N_ ("Yield (0: none)"), QN_QUANTITY_STRESS, 0.0, 1e15, FALSE,
+                           NULL },
     [QN_SECTION_PLASTIC_MOMENT] = { N_ ("Plastic moment (0: none)"), QN_QUANTITY_MOMENT,
-                                    0.0, 1e15, FALSE },
+                                    0.0, 1e15, FALSE, NULL },
     [QN_SECTION_UNIT_WEIGHT] = { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9,
-                                 FALSE },
+                                 FALSE, NULL },
   };
   return &infos[row];
 }
