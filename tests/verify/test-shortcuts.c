@@ -9,35 +9,29 @@
 
 enum { RANDOM_WALLS = 12 };
 
-static const QnShortcuts all = { true, true, true, true, true, true };
-
-/* These leave the arithmetic as it is: results are equal to the bit. */
-static const QnShortcuts exact[] = {
-  { false, true, true, true, true, true },
-  { true, false, true, true, true, true },
-  { true, true, true, true, true, false },
-  { false, false, true, true, true, false },
+/* Turned off, these leave the arithmetic as it is: results are equal to the bit. */
+static const unsigned exact[] = {
+  QN_SHORTCUT_SAME_TANGENT,
+  QN_SHORTCUT_PARTIAL_ELIMINATION,
+  QN_SHORTCUT_UNCHANGED_JOINTS,
+  QN_SHORTCUT_SAME_TANGENT | QN_SHORTCUT_PARTIAL_ELIMINATION
+    | QN_SHORTCUT_UNCHANGED_JOINTS,
 };
 
 /* These lead along other increments. With dilatancy = friction the multiplier is one number, found
  * to twice its tolerance. Without dilatancy it belongs to the path, and walls that snap know more
  * than one: they may differ as with other numbers of increments (test-six-walls.c). */
-static const QnShortcuts other[] = {
-  { true, true, false, true, true, true },
-  { true, true, true, false, true, true },
-  { true, true, true, true, false, true },
-  { false, false, false, false, false, false },
-};
+static const unsigned other[] = { QN_SHORTCUT_EARLY_FAILURE, ~0u };
 
 typedef void (*MakeModel) (QnModel *model, int number);
 
 static void
-solve (Solved *solved, MakeModel make, int number, const QnShortcuts *shortcuts)
+solve (Solved *solved, MakeModel make, int number, unsigned no_shortcuts)
 {
   QnModel model;
   make (&model, number);
   model.analysis.increments = 20;
-  model.analysis.shortcuts = *shortcuts;
+  model.analysis.no_shortcuts = no_shortcuts;
   verify_solve (solved, &model);
   g_assert_cmpint (solved->result.outcome, ==, QN_OUTCOME_COLLAPSE);
 }
@@ -58,12 +52,12 @@ static void
 check (MakeModel make, int number, gboolean snaps)
 {
   Solved with, without;
-  solve (&with, make, number, &all);
+  solve (&with, make, number, 0);
   double tolerance = snaps ? 0.005 : 2 * with.model.analysis.multiplier_tolerance;
   double found = with.result.collapse_multiplier;
 
   for (size_t i = 0; i < G_N_ELEMENTS (exact); i++) {
-    solve (&without, make, number, &exact[i]);
+    solve (&without, make, number, exact[i]);
     assert_same_bits (&with.result, &without.result);
     g_assert_cmpint (without.result.statistics.factorizations, >=,
                      with.result.statistics.factorizations);
@@ -72,7 +66,7 @@ check (MakeModel make, int number, gboolean snaps)
     verify_clear (&without);
   }
   for (size_t i = 0; i < G_N_ELEMENTS (other); i++) {
-    solve (&without, make, number, &other[i]);
+    solve (&without, make, number, other[i]);
     g_test_message ("%d, %zu: %.7f, %.7f", number, i, found,
                     without.result.collapse_multiplier);
     g_assert_cmpfloat (fabs (without.result.collapse_multiplier / found - 1), <,

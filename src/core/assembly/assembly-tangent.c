@@ -45,7 +45,7 @@ can_keep (const QnAssembly *as, double viscosity)
 {
   return as->is_tangent && as->tangent_viscosity == viscosity && !as->nonlinear
          && as->beams.count == 0 && as->settling_count == 0
-         && as->model->analysis.shortcuts.unchanged_joints;
+         && (as->model->analysis.no_shortcuts & QN_SHORTCUT_UNCHANGED_JOINTS) == 0;
 }
 
 /* Takes up the phases of all pairs, and which blocks are stale: those of pairs whose tangent is

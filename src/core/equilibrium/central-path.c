@@ -449,7 +449,8 @@ makes_headway (Increment *increment, int iteration)
     increment->watched_gap = increment->gap;
     increment->watched_since = iteration;
   }
-  if (!increment->path->eq->assembly.model->analysis.shortcuts.early_failure)
+  unsigned no_shortcuts = increment->path->eq->assembly.model->analysis.no_shortcuts;
+  if ((no_shortcuts & QN_SHORTCUT_EARLY_FAILURE) != 0)
     return true;
   int patience = increment->relaxes ? SHORT_PATIENCE : PATIENCE;
   return iteration - increment->watched_since < patience

@@ -94,8 +94,8 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
     qn_equilibrium_clear (eq);
     return qn_diag_no_memory (diag);
   }
-  qn_linsys_always_factor_whole (eq->linsys,
-                                 !model->analysis.shortcuts.partial_elimination);
+  qn_linsys_always_factor_whole (
+    eq->linsys, (model->analysis.no_shortcuts & QN_SHORTCUT_PARTIAL_ELIMINATION) != 0);
   qn_assembly_evaluate (&eq->assembly, eq->u);
   qn_equilibrium_save (eq, &eq->committed);
   return QN_OK;

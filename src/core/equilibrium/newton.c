@@ -124,7 +124,8 @@ static QnFactorStatus
 apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
 {
   QnAssembly *as = &eq->assembly;
-  bool same = is_factored (eq, viscosity) && as->model->analysis.shortcuts.same_tangent;
+  bool same = is_factored (eq, viscosity)
+              && (as->model->analysis.no_shortcuts & QN_SHORTCUT_SAME_TANGENT) == 0;
 
   for (size_t p = 0; p < as->pair_count; p++)
     eq->factored_phases[p] = as->responses[p].phase;

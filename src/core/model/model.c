@@ -28,8 +28,7 @@ qn_model_init (QnModel *model)
                   .dynamic = { .rho = 0.8,
                                .of = QN_DAMPING_CURRENT,
                                .tolerance = 1e-5,
-                               .adaptive = true },
-                  .shortcuts = { true, true, true, true, true, true } },
+                               .adaptive = true } },
   };
 }
 

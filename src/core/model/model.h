@@ -173,24 +173,21 @@ typedef enum {
 
 typedef enum { QN_FLOW_ASSOCIATIVE, QN_FLOW_NON_ASSOCIATIVE, QN_FLOW_COUNT } QnFlow;
 
-/* What the path of equilibria leaves out because it is not needed. Each can be turned off to see
- * what it brings: what is found is the same, to the tolerances, up
- * to the first limit point; beyond it early_failure and growing_increments may lead to another
- * branch. All are on by default. */
-typedef struct QnShortcuts {
-  bool same_tangent; /* a tangent that is factorised already is neither assembled nor
-                               factorised: none of the joints has changed state */
-  bool partial_elimination; /* of a tangent, only what joints that changed state reach is
-                               eliminated anew; the rest of the structure stays condensed */
-  bool early_failure; /* an increment along the central path that gets nowhere is given up
-                               before its budget is spent */
-  bool
-    mechanism_estimate; /* the first motion without equilibrium says where collapse is */
-  bool growing_increments; /* increments grow where they are easy */
-  bool
-    unchanged_joints; /* of a tangent, only what blocks have whose joints changed state is
-                               assembled anew */
-} QnShortcuts;
+/* What the path of equilibria leaves out because it is not needed. Benchmarks and tests turn it off
+ * to see what it brings: what is found is the same, to the tolerances, up to the first limit point;
+ * beyond it QN_SHORTCUT_EARLY_FAILURE may lead to another branch. */
+typedef enum {
+  /* A tangent that is factorised already is neither assembled nor factorised: none of the joints has
+   * changed state. */
+  QN_SHORTCUT_SAME_TANGENT = 1,
+  /* Of a tangent, only what joints that changed state reach is eliminated anew; the rest of the
+   * structure stays condensed. */
+  QN_SHORTCUT_PARTIAL_ELIMINATION = 2,
+  /* Of a tangent, only what blocks have whose joints changed state is assembled anew. */
+  QN_SHORTCUT_UNCHANGED_JOINTS = 4,
+  /* An increment along the central path that gets nowhere is given up before its budget is spent. */
+  QN_SHORTCUT_EARLY_FAILURE = 8,
+} QnShortcut;
 
 /* Factorisations that an analysis may need unless its settings say otherwise: fifteen times what the
  * longest of the examples needs. */
@@ -212,8 +209,9 @@ typedef struct QnAnalysisSettings {
   QnDof control_dof;
   double control_target;     /* m or rad */
   QnDynamicSettings dynamic; /* for QN_PROCEDURE_DYNAMIC */
-  QnShortcuts shortcuts;
-  bool all_forces; /* of the run, not of the project: see QN_RESULT_FORCE_BUDGET */
+  /* Of the run, not of the project: */
+  unsigned no_shortcuts; /* of QnShortcut, those turned off */
+  bool all_forces;       /* see QN_RESULT_FORCE_BUDGET */
 } QnAnalysisSettings;
 
 /* A stage of loading: its sets go from the multiplier that they stand at to another one while

@@ -43,29 +43,3 @@ const char *const qn_dof_names[QN_DOF_COUNT] = {
   [QN_DOF_UY] = "uy",
   [QN_DOF_RZ] = "rz",
 };
-
-/* --- Shortcuts -------------------------------------------------------------------------- */
-
-static const struct {
-  const char *name;
-  size_t offset;
-} shortcuts[QN_SHORTCUT_COUNT] = {
-  { "same_tangent", offsetof (QnShortcuts, same_tangent) },
-  { "partial_elimination", offsetof (QnShortcuts, partial_elimination) },
-  { "early_failure", offsetof (QnShortcuts, early_failure) },
-  { "mechanism_estimate", offsetof (QnShortcuts, mechanism_estimate) },
-  { "growing_increments", offsetof (QnShortcuts, growing_increments) },
-  { "unchanged_joints", offsetof (QnShortcuts, unchanged_joints) },
-};
-
-const char *
-qn_name_of_shortcut (int shortcut)
-{
-  return shortcuts[shortcut].name;
-}
-
-bool *
-qn_shortcut (QnShortcuts *values, int shortcut)
-{
-  return (bool *) ((char *) values + shortcuts[shortcut].offset);
-}

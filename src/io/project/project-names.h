@@ -13,9 +13,4 @@ extern const char *const qn_snap_names[QN_SNAP_THROUGH_COUNT];
 extern const char *const qn_flow_names[QN_FLOW_COUNT];
 extern const char *const qn_dof_names[QN_DOF_COUNT];
 
-/* The switches of QnShortcuts by number, and their words. */
-#define QN_SHORTCUT_COUNT 6
-const char *qn_name_of_shortcut (int shortcut);
-bool *qn_shortcut (QnShortcuts *shortcuts, int shortcut);
-
 #endif

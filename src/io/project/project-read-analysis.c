@@ -42,24 +42,6 @@ read_control (const QnJsonValue *owner, const QnModel *model, Control *read)
 }
 
 static gboolean
-read_shortcuts (const QnJsonValue *owner, QnShortcuts *shortcuts)
-{
-  const char *keys[QN_SHORTCUT_COUNT];
-  QnJsonValue place = qn_json_value_member (owner, "shortcuts");
-  if (place.json == NULL)
-    return TRUE;
-  if (!qn_json_value_object (&place))
-    return FALSE;
-  for (int i = 0; i < QN_SHORTCUT_COUNT; i++) {
-    keys[i] = qn_name_of_shortcut (i);
-    if (!qn_member_bool (&place, keys[i], QN_OPTIONAL, qn_shortcut (shortcuts, i)))
-      return FALSE;
-  }
-  qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
-  return TRUE;
-}
-
-static gboolean
 read_choices (const QnJsonValue *place, QnAnalysisSettings *settings)
 {
   int procedure = (int) settings->procedure, geometry = (int) settings->geometry;
@@ -188,7 +170,6 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
                                       "max_seconds",
                                       "control",
                                       "stages",
-                                      "shortcuts",
                                       "dynamic" };
   const QnRange positive = QN_RANGE_POSITIVE;
   QnAnalysisSettings *settings = &model->analysis;
@@ -216,7 +197,6 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
       || !qn_member_number (&place, "max_seconds", QN_OPTIONAL, positive,
                             &settings->max_seconds)
       || !read_control (&place, model, &control)
-      || !read_shortcuts (&place, &settings->shortcuts)
       || !qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model)
       || !qn_read_dynamic (&place, model))
     return FALSE;

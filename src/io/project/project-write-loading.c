@@ -99,27 +99,6 @@ put_control (GString *json, const QnModel *model, QnId block, QnId node, QnDof d
   g_string_append (json, " }");
 }
 
-/* Those that are turned off. */
-static void
-put_shortcuts (GString *json, const QnShortcuts *shortcuts)
-{
-  QnShortcuts copy = *shortcuts;
-  gboolean any = FALSE;
-  for (int i = 0; i < QN_SHORTCUT_COUNT; i++) {
-    if (*qn_shortcut (&copy, i))
-      continue;
-    if (!any) {
-      qn_json_begin_member (json, "shortcuts");
-      g_string_append_c (json, '{');
-    }
-    qn_json_begin_member (json, qn_name_of_shortcut (i));
-    g_string_append (json, "false");
-    any = TRUE;
-  }
-  if (any)
-    g_string_append (json, " }");
-}
-
 static void
 append_stage (GString *json, const QnModel *model, const QnStage *stage)
 {
@@ -188,7 +167,6 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
     qn_json_put_string (json, "flow", qn_flow_names[analysis->flow]);
   put_control (json, model, analysis->control_block, analysis->control_node,
                analysis->control_dof, analysis->control_target);
-  put_shortcuts (json, &analysis->shortcuts);
   if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE)
     qn_json_append_inner (json, inner, "analysis.control");
   put_stages (json, model, inner);

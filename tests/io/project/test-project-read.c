@@ -33,7 +33,6 @@ static const char full[] =
   "  \"analysis\": { \"procedure\": \"displacement\", \"geometry\": \"linear\",\n"
   "    \"increments\": 37, \"max_multiplier\": 2, \"multiplier_tolerance\": 1e-3,\n"
   "    \"residual_tolerance\": 1e-7, \"snap\": \"stop\", \"flow\": \"non-associative\",\n"
-  "    \"shortcuts\": { \"partial_elimination\": false },\n"
   "    \"control\": { \"block\": \"w.2.1\", \"component\": \"ux\", \"target\": 0.05 } "
   "},\n"
   "  \"view\": { \"zoom\": 2 }, \"figures\": [] }";
@@ -57,8 +56,6 @@ check_settings (const QnModel *model)
   g_assert_cmpfloat (analysis->max_multiplier, ==, 2);
   g_assert_cmpfloat (analysis->multiplier_tolerance, ==, 1e-3);
   g_assert_cmpfloat (analysis->residual_tolerance, ==, 1e-7);
-  g_assert_false (analysis->shortcuts.partial_elimination);
-  g_assert_true (analysis->shortcuts.same_tangent);
   g_assert_cmpint (analysis->snap, ==, QN_SNAP_THROUGH_STOP);
   g_assert_cmpint (analysis->flow, ==, QN_FLOW_NON_ASSOCIATIVE);
   g_assert_cmpint (analysis->control_block, ==, qn_model_find_block (model, "w.2.1"));
@@ -134,6 +131,26 @@ test_unknown_keys (void)
                    "wall.quoin:4:64: laws[0].colour: unknown key");
   qn_project_clear (&project);
   g_free (more);
+  g_free (text);
+}
+
+/* The solver's switches were settings of a project once. */
+static void
+test_shortcuts_of_older_files (void)
+{
+  char *text = test_replace (full, "\"snap\": \"stop\",",
+                             "\"snap\": \"stop\", \"shortcuts\": "
+                             "{ \"growing_increments\": false },");
+  QnProject project;
+  test_parse (text, &project);
+  g_assert_cmpuint (project.warnings->len, ==, 1);
+  g_assert_true (g_str_has_suffix (g_ptr_array_index (project.warnings, 0),
+                                   ": analysis.shortcuts: unknown key"));
+  check_settings (&project.model);
+  char *written = qn_project_to_text (&project, NULL);
+  g_assert_nonnull (strstr (written, "\"growing_increments\""));
+  g_free (written);
+  qn_project_clear (&project);
   g_free (text);
 }
 
@@ -325,6 +342,7 @@ main (int argc, char **argv)
   g_test_add_func ("/project-read/every-key", test_every_key);
   g_test_add_func ("/project-read/defaults", test_defaults);
   g_test_add_func ("/project-read/unknown-keys", test_unknown_keys);
+  g_test_add_func ("/project-read/shortcuts", test_shortcuts_of_older_files);
   g_test_add_func ("/project-read/overrides", test_overrides);
   g_test_add_func ("/project-read/override-errors", test_override_errors);
   g_test_add_func ("/project-read/no-project", test_no_project);
