@@ -485,6 +485,21 @@ qn_assembly_expand_rates (const QnAssembly *as, const double *u, const double *r
   }
 }
 
+bool
+qn_assembly_may_jump (const QnAssembly *as)
+{
+  bool plastic = false;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    if (springs->a.dilatancy < springs->a.friction
+        || springs->b.dilatancy < springs->b.friction)
+      return true;
+    plastic |= qn_pair_springs_are_plastic (springs);
+  }
+  return !plastic;
+}
+
 /* C = A + qa in the frame of the pair,  A = centroid + u_a + arm */
 static QnVec2
 hinge_position (const QnAssembly *as, size_t pair, const double *u)

@@ -163,6 +163,11 @@ void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
 /* Whether the tangent last assembled is symmetric. */
 bool qn_assembly_is_symmetric (const QnAssembly *assembly);
 
+/* Whether the structure may jump from one equilibrium to another while its load grows steadily: in
+ * some pair a spring has dilatancy < friction, or no pair is elastic and perfectly plastic, so that
+ * nothing is known. Where it may not, the path of equilibria does not turn back. */
+bool qn_assembly_may_jump (const QnAssembly *assembly);
+
 /* The mass matrix, written into `mass` with the pattern of K, in kg with rotations scaled like the
  * unknowns: masses of blocks, diagonal at the centroids; of beams consistent with the shape
  * functions, where they lie at the last evaluation. Settling supports have none. Refuses blocks

@@ -59,7 +59,7 @@
 
 struct QnCentralPath {
   QnEquilibrium *eq;
-  bool turns_back; /* may, for some joint is not associative */
+  bool may_jump; /* and then the path may turn back */
   QnCentralPairs pairs;
   double *near_u;    /* unknown_count: displacements of the best iterate, */
   double *begun;     /* where the last central path began, */
@@ -82,15 +82,6 @@ qn_central_path_has_joints (const QnAssembly *as)
   return false;
 }
 
-bool
-qn_central_path_is_associative (const QnAssembly *as)
-{
-  for (size_t p = 0; p < as->pair_count; p++)
-    if (as->springs[p].a.dilatancy < as->springs[p].a.friction)
-      return false;
-  return true;
-}
-
 QnCentralPath *
 qn_central_path_new (QnEquilibrium *eq)
 {
@@ -100,7 +91,7 @@ qn_central_path_new (QnEquilibrium *eq)
   if (path == NULL)
     return NULL;
   path->eq = eq;
-  path->turns_back = !qn_central_path_is_associative (as);
+  path->may_jump = qn_assembly_may_jump (as);
   path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
   path->begun = qn_alloc ((size_t) as->unknown_count, sizeof *path->begun);
   path->near_u = qn_alloc ((size_t) as->unknown_count, sizeof *path->near_u);
@@ -111,12 +102,6 @@ qn_central_path_new (QnEquilibrium *eq)
     return NULL;
   }
   return path;
-}
-
-bool
-qn_central_path_turns_back (const QnCentralPath *path)
-{
-  return path->turns_back;
 }
 
 void
@@ -366,7 +351,7 @@ keep_near (Increment *increment)
   QnCentralPath *path = increment->path;
   const QnAssembly *as = &path->eq->assembly;
 
-  if (path->turns_back || (increment->is_near && increment->gap >= increment->near_gap)
+  if (path->may_jump || (increment->is_near && increment->gap >= increment->near_gap)
       || !is_within (increment, NEARLY, path->eq->tolerance))
     return;
   increment->is_near = true;
@@ -466,7 +451,7 @@ static double
 part_of_residuals (const Increment *increment, double mean)
 {
   const QnEquilibrium *eq = increment->path->eq;
-  bool together = increment->path->turns_back && !eq->assembly.nonlinear
+  bool together = increment->path->may_jump && !eq->assembly.nonlinear
                   && increment->target->direction != NULL;
 
   return together ? fmax (0, 1 - mean / increment->gap) : 1;
@@ -586,7 +571,7 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undec
   QnEquilibrium *eq = path->eq;
   double size = expected_elongation (path, target), gap_before = INFINITY;
 
-  if (!path->turns_back)
+  if (!path->may_jump)
     return qn_central_path_solve (path, target, budget);
   Increment increment = begin (path, target);
 

@@ -42,16 +42,10 @@ bool qn_central_path_applies (const QnAssembly *assembly);
  * configuration as Newton's method does; it pays in steps that are not too long. */
 bool qn_central_path_has_joints (const QnAssembly *assembly);
 
-/* Whether all Coulomb joints have dilatancy = friction: then nothing turns back. */
-bool qn_central_path_is_associative (const QnAssembly *assembly);
-
 /* A workspace for `eq`, which must outlive it. NULL when memory runs out. */
 QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
 
 void qn_central_path_free (QnCentralPath *path);
-
-/* Whether it may turn back: some joint is not associative. */
-bool qn_central_path_turns_back (const QnCentralPath *path);
 
 /* From the committed state to the target, with at most `budget` factorisations, and then to the
  * residual tolerance by qn_equilibrium_newton(). Leaves the outcome as the current state:

@@ -429,7 +429,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   bool ready = (trace.central != NULL || !has_joints)
                && qn_path_events_init (&trace.events, path, live > 0 ? dead / live : 0)
                && (!trace.load_control || qn_equilibrium_state_init (&trace.highest, as));
-  trace.may_jump = trace.central == NULL || qn_central_path_turns_back (trace.central);
+  trace.may_jump = qn_assembly_may_jump (as);
   if (ready && trace.load_control)
     qn_equilibrium_save (eq, &trace.highest);
   if (ready && trace.load_control && has_joints && dead > 0) {

@@ -176,7 +176,7 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
     return solve;
   if (solve == QN_SOLVE_FAILED)
     return qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
-  if (solve != QN_SOLVE_CONVERGED || !qn_central_path_turns_back (central)
+  if (solve != QN_SOLVE_CONVERGED || !qn_assembly_may_jump (&eq->assembly)
       || !slips (&eq->assembly))
     return solve;
   solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);

@@ -220,6 +220,30 @@ test_elastic_displacements (void)
   }
 }
 
+/* One block whose joints slip without dilatancy among others, whichever side of its pairs it is. */
+static void
+test_may_jump (void)
+{
+  for (QnId changed = QN_NONE; changed < 5; changed++) {
+    QnModel model;
+    Solver solver;
+    test_model_init_wall (&model, 1, 0.65);
+    if (changed != QN_NONE) {
+      QnLaw *law = qn_model_add_law (&model, "other");
+      const char *name = law->name;
+      *law = model.laws[0];
+      law->name = (char *) name;
+      law->dilatancy = 0;
+      g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+      model.blocks[changed].law = (QnId) model.law_count - 1;
+    }
+    solver_init (&solver, &model);
+    g_assert_true (qn_assembly_may_jump (&solver.equilibrium.assembly)
+                   == (changed != QN_NONE));
+    solver_clear (&solver);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -230,5 +254,6 @@ main (int argc, char **argv)
   g_test_add_func ("/assembly/rigid-motion", test_rigid_motion);
   g_test_add_func ("/assembly/elastic-displacements", test_elastic_displacements);
   g_test_add_func ("/assembly/evaluation-has-no-memory", test_evaluation_has_no_memory);
+  g_test_add_func ("/assembly/may-jump", test_may_jump);
   return g_test_run ();
 }
