@@ -16,21 +16,15 @@
 
 static const StressShortfall shortfalls[] = {
   { "contrast=10000-wall5", STRESS_NO_ANSWER, STIFFNESSES },
-  { "contrast=1e+08-wall4", STRESS_MECHANISM, STIFFNESSES },
-  { "contrast=1e+08-wall6", STRESS_NO_ANSWER | STRESS_DIFFERS | STRESS_UNCERTAIN,
-    "Joints that differ by 1e8: with dilatancy = friction the path is told to collapse "
-    "under "
-    "the dead load, which is wrong." },
   { "contrast=1e+0?-*", STRESS_NO_ANSWER, STIFFNESSES },
   { "ks/kn=10000-*", STRESS_NO_ANSWER, STIFFNESSES },
-  { "friction=1e-06-wall1", STRESS_LIMIT | STRESS_MECHANISM,
-    "A friction of a millionth: the motion closes joints by a tenth of what the blocks "
-    "move." },
-  { "friction=1e-06-wall6", STRESS_LIMIT | STRESS_BUDGET,
-    "A friction of a millionth: the path slides on beyond 10,000 iterations." },
   { "friction=1e-06-*", STRESS_LIMIT,
     "Shear forces of a millionth of the loads, the program being solved to 1e-8 of "
     "them." },
+  { "aspect=1e-?", STRESS_NO_ANSWER,
+    "Upright slabs wedge and let go by turns: the multiplier still climbs when the path "
+    "is "
+    "given up." },
   { "friction=1-wall5", STRESS_MECHANISM,
     "Steady viscous motion closes joints that stood open." },
   { "hanging-1e-06", STRESS_NO_ANSWER, MILLIONTH },
@@ -42,11 +36,9 @@ static const StressShortfall shortfalls[] = {
   { "random-403", STRESS_NO_ANSWER, ROUNDING },
   { "random-581", STRESS_LIMIT, STALLS },
   { "random-920", STRESS_LIMIT, STALLS },
+  { "random-168", STRESS_MECHANISM, WIDE },
   { "random-813", STRESS_MECHANISM, WIDE },
   { "random-914", STRESS_MECHANISM, WIDE },
-  { "3-weightless", STRESS_MECHANISM,
-    "Blocks without weight: which of them moves on the plateau changes from step to "
-    "step." },
   { "residual=1e-12-*", STRESS_NO_ANSWER, "Forces cannot be summed up to 1e-12." },
 };
 

@@ -74,12 +74,9 @@ qn_assembly_set_loads (QnAssembly *as, const double *held, const double *driven)
 static double
 largest_force (const QnAssembly *as, const double *loads)
 {
-  double largest = 0;
-
   for (int32_t i = 0; i < as->unknown_count; i++)
-    if (!as->settles[i])
-      largest = fmax (largest, fabs (loads[i]));
-  return largest;
+    as->forces[i] = as->settles[i] ? 0 : loads[i];
+  return qn_assembly_largest (as, as->forces, NULL);
 }
 
 /* What out-of-balance forces are measured by: the dead loads, or where there are none those of

@@ -131,7 +131,7 @@ bool qn_assembly_evaluate (QnAssembly *assembly, const double *u);
 void qn_assembly_update_kinematics (QnAssembly *assembly, const double *u);
 
 /* residual = F_dead + multiplier F_live - P of the last evaluation. Returns the largest load on
- * any unknown at this multiplier (at least force_scale), N, to measure the residual by. */
+ * any body at this multiplier (at least force_scale), N, to measure the residual by. */
 double qn_assembly_residual (const QnAssembly *assembly, double multiplier,
                              double *residual);
 
@@ -198,6 +198,14 @@ double qn_assembly_gap (const QnAssembly *assembly, size_t pair);
 /* rates (pair_count x 2) = dq/du v of every pair at the last evaluation. */
 void qn_assembly_elongation_rates (const QnAssembly *assembly, const double *v,
                                    double *rates);
+
+/* Largest of v (unknowns), or of its difference from `base` unless that is NULL: of each body the length
+ * of its translation, or its scaled rotation. A structure turned with its loads has the same. */
+double qn_assembly_largest (const QnAssembly *assembly, const double *v,
+                            const double *base);
+
+/* The sum over all bodies of the same. */
+double qn_assembly_total (const QnAssembly *assembly, const double *v);
 
 /* Largest displacement of v (unknowns), or of its difference from `base` unless that is NULL,
  * in elastic displacements: load over the stiffness of the softest spring. */

@@ -337,10 +337,9 @@ is_within (Increment *increment, double complementarity, double out_of_balance)
     return false;
 
   qn_central_pairs_get_forces (&path->pairs);
-  double scale = balance (path, eq->residual), largest = 0;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    largest = qn_larger (fabs (eq->residual[i]), largest);
-  return largest <= out_of_balance * scale;
+  double scale = balance (path, eq->residual);
+  return qn_assembly_largest (&eq->assembly, eq->residual, NULL)
+         <= out_of_balance * scale;
 }
 
 /* Keeps the best iterate that may stand if no better one comes: where the path cannot turn back
@@ -522,12 +521,9 @@ iterate (Increment *increment, int budget)
 static double
 expected_elongation (const QnCentralPath *path, const QnTarget *target)
 {
-  double sum = 0;
-
   if (target->direction == NULL)
     return 1;
-  for (int32_t i = 0; i < path->eq->assembly.unknown_count; i++)
-    sum += fabs (target->direction[i]);
+  double sum = qn_assembly_total (&path->eq->assembly, target->direction);
   return sum > 0 ? fmax (1, fabs (target->advance) / (sum * path->pairs.length)) : 1;
 }
 

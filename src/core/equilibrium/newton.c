@@ -30,7 +30,7 @@ typedef struct {
   double viscosity;
   double stiffness; /* force that the target's equation is worth per unit, N or N/m */
   double norm;      /* of residual and target together, N */
-  double relative;  /* largest entry of the residual relative to the loads */
+  double relative;  /* largest residual of a body relative to the loads */
   double multiplier_step; /* that belongs to eq->step */
 } Newton;
 
@@ -75,15 +75,15 @@ measure (Newton *newton, const double *u, double multiplier)
   double start = qn_clock_seconds ();
   double scale = qn_assembly_residual (as, multiplier, eq->residual);
   double gap = newton->stiffness * target_gap (newton, u, multiplier);
-  double sum = gap * gap, largest = 0, largest_static = 0;
+  double sum = gap * gap, largest = qn_assembly_largest (as, eq->residual, NULL);
 
+  eq->out_of_balance = scale > 0 ? largest / scale : 0;
   for (int32_t i = 0; i < as->unknown_count; i++) {
-    largest_static = fmax (largest_static, fabs (eq->residual[i]));
     eq->residual[i] -= newton->viscosity * as->damping[i] * (u[i] - eq->anchor.u[i]);
-    largest = fmax (largest, fabs (eq->residual[i]));
     sum += eq->residual[i] * eq->residual[i];
   }
-  eq->out_of_balance = scale > 0 ? largest_static / scale : 0;
+  if (newton->viscosity > 0)
+    largest = qn_assembly_largest (as, eq->residual, NULL);
   newton->relative = scale > 0 ? largest / scale : 0;
   if (gap != 0)
     newton->relative = INFINITY; /* the target is met exactly or not at all */
@@ -209,11 +209,10 @@ solve_direction (Newton *newton)
   QnFactorStatus status = apply_inverse (eq, viscosity, eq->step);
   newton->multiplier_step = 0;
   if (status == QN_FACTOR_OK && target->direction != NULL) {
-    double along_live, load = 0, start = qn_clock_seconds ();
+    double along_live, start = qn_clock_seconds ();
+    double load = qn_assembly_largest (&eq->assembly, eq->assembly.live, NULL);
     memcpy (eq->live_step, eq->assembly.live, bytes);
     qn_linsys_solve (eq->linsys, eq->live_step);
-    for (int32_t i = 0; i < n; i++)
-      load = fmax (load, fabs (eq->assembly.live[i]));
     double gap = target_gap (newton, eq->u, eq->multiplier);
     newton->multiplier_step = qn_equilibrium_complete_step (eq, target, gap, &along_live);
     newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;

@@ -86,7 +86,7 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
     eq->velocity[i] = v;
   }
   relaxation->speed = sqrt (norm);
-  relaxation->change = norm > 0 ? sqrt (change / norm) : 0;
+  relaxation->change = norm > 0 ? sqrt (change / norm) : INFINITY;
 }
 
 double
@@ -123,14 +123,23 @@ qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double hor
   return false;
 }
 
+bool
+qn_equilibrium_is_closing (const QnEquilibrium *eq, double least)
+{
+  const QnAssembly *as = &eq->assembly;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    double gap = qn_assembly_gap (as, p);
+    if (gap <= 0 && eq->gaps[p] - gap > least)
+      return true;
+  }
+  return false;
+}
+
 double
 qn_equilibrium_motion (const QnEquilibrium *eq)
 {
-  double largest = 0;
-
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    largest = fmax (largest, fabs (eq->u[i] - eq->committed.u[i]));
-  return largest;
+  return qn_assembly_largest (&eq->assembly, eq->u, eq->committed.u);
 }
 
 /* Whether forces that grow as they do now will have stopped the motion before the structure has
@@ -194,15 +203,14 @@ static double
 find_duration (const QnEquilibrium *eq, const QnTarget *target)
 {
   const QnAssembly *as = &eq->assembly;
-  double largest = 0, yielding = 0;
+  double yielding = 0;
 
   if (target->direction == NULL)
     return 0;
-  for (int32_t i = 0; i < as->unknown_count; i++) {
-    largest = fmax (largest, fabs (target->direction[i]));
+  for (int32_t i = 0; i < as->unknown_count; i++)
     if (target->direction[i] != 0)
       yielding += target->direction[i] * target->direction[i] / as->damping[i];
-  }
+  double largest = qn_assembly_largest (as, target->direction, NULL);
   double force = largest * fabs (target->advance) / yielding; /* at unit duration */
   return as->force_scale > 0 ? force / (DRIVE * as->force_scale) : 0;
 }

@@ -38,19 +38,30 @@ is_gone (const QnPathTrace *trace, double motion)
              || left <= tuning->settled * tolerance);
 }
 
-/* Whether a joint that stands open closes before the structure has run away, if the motion goes on as
- * in the last step. */
+/* Whether the structure may go on as in the last step until it has run away: no joint is pressed
+ * together, and none that stands open will close. */
 static bool
-will_close (QnPathTrace *trace, double motion)
+may_move_on (QnPathTrace *trace, double motion)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
   QnAssembly *as = &eq->assembly;
-  double step = qn_assembly_elastic_displacements (as, eq->u, trace->measure.last_u);
+  const double *last_u = trace->measure.last_u;
+  double step = qn_assembly_elastic_displacements (as, eq->u, last_u);
 
-  qn_assembly_update_kinematics (as, trace->measure.last_u);
+  qn_assembly_update_kinematics (as, last_u);
   qn_equilibrium_note_gaps (eq);
   qn_assembly_update_kinematics (as, eq->u);
-  return qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
+  return !qn_equilibrium_is_closing (eq, tuning->steady
+                                           * qn_assembly_largest (as, eq->u, last_u))
+         && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
+}
+
+/* Whether the motion has grown enough at the present level to call it collapse where no step leads on. */
+static bool
+has_been_level (const QnPathTrace *trace, double motion)
+{
+  return trace->plateau_motion > 0
+         && motion > tuning->least_plateau_growth * trace->plateau_motion;
 }
 
 /* Whether the multiplier has held still, or under load control has not climbed, while the motion grew
@@ -74,8 +85,9 @@ is_plateau (QnPathTrace *trace)
     return false;
   }
   return motion > tuning->plateau_growth * trace->plateau_motion
-         && fabs (trace->pace - trace->last_pace) <= tuning->steady * trace->pace
-         && !will_close (trace, motion);
+         && (!trace->may_jump
+             || fabs (trace->pace - trace->last_pace) <= tuning->steady * trace->pace)
+         && may_move_on (trace, motion);
 }
 
 /* Whether a structure in nonlinear geometry that is below its highest multiplier has collapsed. */
@@ -142,9 +154,11 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
     break;
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
-    if (may_end_on_plateau (trace) && motion > eq->runaway)
+    if (may_end_on_plateau (trace)
+        && (motion > eq->runaway || has_been_level (trace, motion))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
-    else
+      trace->path->result->mechanism_uncertain = true;
+    } else
       qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEP_TOO_SMALL);
     break;
   }

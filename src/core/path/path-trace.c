@@ -10,7 +10,10 @@
  * wherever an iteration happens to find an equilibrium, and sizes of steps hardly matter.
  */
 #include "core/path/path-trace.h"
+#include "core/base/memory.h"
 #include "core/base/tolerance.h"
+
+#include <stdlib.h>
 
 const QnPathTuning qn_path_tuning = {
   .easy = 6,
@@ -31,10 +34,12 @@ const QnPathTuning qn_path_tuning = {
   .undecided = 1e-4,
   .jump_budget = 80,
   .patience = 1000,
+  .most_patience = 6000,
   .long_growth = 10,
   .least_growth = 1.5,
   .plateau_tolerance = 1e-4,
   .plateau_growth = 10,
+  .least_plateau_growth = 2,
   .steady = 1e-2,
   .nearly_settled = 5e-3,
   .settled = 0.1,
@@ -197,7 +202,7 @@ goes_far (const QnPathTrace *trace)
          && (trace->step == 0
              || (trace->may_jump
                  && trace->path->equilibrium.statistics.factorizations
-                      > tuning->patience));
+                      > trace->patience));
 }
 
 /* Work that the live load has done since it began to act. */
@@ -210,6 +215,19 @@ work_so_far (const QnPathTrace *trace)
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     work += trace->measure.direction[i] * (eq->committed.u[i] - trace->events.rest[i]);
   return work;
+}
+
+/* Long steps lead nowhere: that is no proof of collapse. */
+static void
+go_back_to_short_steps (QnPathTrace *trace)
+{
+  const QnStatistics *statistics = &trace->path->equilibrium.statistics;
+
+  trace->long_growth = tuning->long_growth;
+  trace->patience =
+    (int32_t) fmin (2 * statistics->factorizations, tuning->most_patience);
+  if (trace->step == 0 || statistics->factorizations > tuning->most_patience)
+    qn_path_end_give_up (trace, QN_SOLVE_FAILED);
 }
 
 /* A structure that settles in one place after the other is not followed to each of them: the work
@@ -243,10 +261,8 @@ advance_far (QnPathTrace *trace, QnDiag *diag)
   case QN_SOLVE_MECHANISM:
     qn_equilibrium_restore (eq);
     trace->long_growth = sqrt (trace->long_growth);
-    if (trace->long_growth < tuning->least_growth) {
-      qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
-      trace->path->result->mechanism_uncertain = true;
-    }
+    if (trace->long_growth < tuning->least_growth)
+      go_back_to_short_steps (trace);
     return QN_OK;
   }
   trace->long_growth =
@@ -269,7 +285,9 @@ solve_to_end (QnPathTrace *trace, double *step, bool *easy, bool *again)
   double share;
   QnSolveStatus status = qn_path_step_solve (trace, step);
 
-  *easy = qn_path_step_was_easy (trace, eq->statistics.iterations - before);
+  *easy = (!trace->may_jump
+           && qn_path_trace_is_linear (trace)) /* one path, however long the steps */
+          || qn_path_step_was_easy (trace, eq->statistics.iterations - before);
   *again = false;
   if (status != QN_SOLVE_CONVERGED)
     return status;
@@ -335,6 +353,29 @@ advance (QnPathTrace *trace, QnDiag *diag)
 
 /* --- The whole path --------------------------------------------------------------------- */
 
+/* The mechanism is the motion of a later state, in which other joints may stand open than in the committed
+ * one. It is that of this one too if no joint closes before the structure has moved as far again as it
+ * has so far, and by a part of a block. */
+static QnStatus
+judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
+{
+  const QnAssembly *as = &trace->path->equilibrium.assembly;
+  double speed = qn_assembly_largest (as, velocity, NULL);
+  double far =
+    fmax (trace->events.highest_displacement, tuning->collapsed_motion * as->length);
+  double *rates = qn_alloc (2 * as->pair_count, sizeof *rates);
+
+  if (rates == NULL)
+    return qn_diag_no_memory (diag);
+  qn_assembly_elongation_rates (as, velocity, rates);
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (rates[2 * p] < -tuning->steady * speed
+        && qn_assembly_gap (as, p) * speed < -rates[2 * p] * far)
+      trace->path->result->mechanism_uncertain = true;
+  free (rates);
+  return QN_OK;
+}
+
 /* What the path as a whole says of the structure. */
 static QnStatus
 conclude (QnPathTrace *trace, QnDiag *diag)
@@ -371,7 +412,10 @@ conclude (QnPathTrace *trace, QnDiag *diag)
     return QN_OK;
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = trace->events.highest;
-  return qn_path_record_mechanism (path, velocity, diag);
+  QnStatus status = trace->load_control && qn_path_trace_is_linear (trace)
+                      ? judge_mechanism (trace, velocity, diag)
+                      : QN_OK;
+  return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
 }
 
 static QnStatus
@@ -394,25 +438,16 @@ run (QnPathTrace *trace, QnDiag *diag)
   return status == QN_OK ? conclude (trace, diag) : status;
 }
 
-static double
-largest_entry (const double *loads, int32_t count)
-{
-  double largest = 0;
-
-  for (int32_t i = 0; i < count; i++)
-    largest = fmax (largest, fabs (loads[i]));
-  return largest;
-}
-
 QnStatus
 qn_path_trace (QnPath *path, QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
   const QnAssembly *as = &eq->assembly;
-  double dead = largest_entry (as->dead, as->unknown_count);
-  double live = largest_entry (as->live, as->unknown_count);
+  double dead = qn_assembly_largest (as, as->dead, NULL);
+  double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
                         .long_growth = tuning->long_growth,
+                        .patience = tuning->patience,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };
   bool has_joints = qn_central_path_has_joints (as);

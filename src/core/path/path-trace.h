@@ -52,16 +52,19 @@ typedef struct QnPathTuning {
 
   /* Load control: from so many factorisations on a structure that settles in one place after the other
    * is no longer followed to each of them: the work grows by long_growth at once, by its square root where
-   * that leads nowhere, and so on; less than least_growth gains nothing. */
-  int patience;
+   * that leads nowhere, and so on; less than least_growth gains nothing. Then the structure is followed
+   * step by step again, for as many factorisations as it took so far, up to most_patience. */
+  int patience, most_patience;
   double long_growth, least_growth;
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
-   * so many times is a plateau: collapse, in linear geometry. Without associativity a multiplier is not
-   * sharper than that; with it the tolerance of the settings counts. */
-  double plateau_tolerance, plateau_growth;
+   * so many times is a plateau: collapse, in linear geometry; where no step leads on, already if it has
+   * grown least_plateau_growth times, and how it moves on is uncertain. Without associativity a
+   * multiplier is not sharper than that; with it the tolerance of the settings counts. */
+  double plateau_tolerance, plateau_growth, least_plateau_growth;
 
-  /* The motion on a plateau is steady if its pace changes by no more than this part in a step. */
+  /* The motion on a plateau is steady if its pace changes by no more than this part in a step (where
+   * nothing can jump it need not be), and if no joint is pressed together by this part of it. */
   double steady;
 
   /* Motion beyond eq->runaway is collapse if no more than this part of the multiplier is left to gain
@@ -100,8 +103,9 @@ typedef struct QnPathTrace {
   double last_pace; /* and in the one before */
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
-  double long_growth;                        /* of the work in the next long step */
-  double last_multiplier;                    /* before the last accepted step */
+  double long_growth;     /* of the work in the next long step */
+  int32_t patience;       /* factorisations from which on steps are long */
+  double last_multiplier; /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
   QnStop stop;                               /* UNKNOWN while the path goes on */
   QnEquilibriumState highest; /* of load control: the state with the highest multiplier */

@@ -196,6 +196,25 @@ test_evaluation_has_no_memory (void)
 
 /* The weight of a block on the softest of its springs is one elastic displacement or so, whichever
  * direction that is. */
+/* A body's translation counts as a whole, so that a structure turned with its loads has the same. */
+static void
+test_largest (void)
+{
+  static const double v[] = { 3, -4, 2 }, other[] = { 3, -4, 9 };
+  QnModel model;
+  Solver solver;
+
+  test_model_init_block_on_plane (&model, 1, 1);
+  solver_init (&solver, &model);
+  const QnAssembly *as = &solver.equilibrium.assembly;
+  g_assert_cmpint (as->unknown_count, ==, 3);
+  g_assert_cmpfloat (qn_assembly_largest (as, v, NULL), ==, 5);
+  g_assert_cmpfloat (qn_assembly_largest (as, other, NULL), ==, 9);
+  g_assert_cmpfloat (qn_assembly_largest (as, other, v), ==, 7);
+  g_assert_cmpfloat (qn_assembly_total (as, v), ==, 5);
+  solver_clear (&solver);
+}
+
 static void
 test_elastic_displacements (void)
 {
@@ -252,6 +271,7 @@ main (int argc, char **argv)
   g_test_add_func ("/assembly/tangent/associative", test_tangent_associative);
   g_test_add_func ("/assembly/tangent/nonlinear", test_tangent_nonlinear);
   g_test_add_func ("/assembly/rigid-motion", test_rigid_motion);
+  g_test_add_func ("/assembly/largest", test_largest);
   g_test_add_func ("/assembly/elastic-displacements", test_elastic_displacements);
   g_test_add_func ("/assembly/evaluation-has-no-memory", test_evaluation_has_no_memory);
   g_test_add_func ("/assembly/may-jump", test_may_jump);

@@ -507,6 +507,30 @@ test_walls_to_collapse (void)
   }
 }
 
+/* A wall that lies turned with its loads takes the same steps: no measure knows of the axes. */
+static void
+test_turned (void)
+{
+  for (int wall = 1; wall <= 5; wall++) {
+    QnResult results[2];
+    for (int turned = 0; turned < 2; turned++) {
+      QnModel model;
+      test_model_init_wall (&model, wall, 0);
+      g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+      if (turned)
+        test_model_rotate (&model, 2.4);
+      run (&model, &results[turned]);
+      qn_model_clear (&model);
+    }
+    g_assert_cmpuint (results[0].step_count, ==, results[1].step_count);
+    for (size_t s = 0; s < results[0].step_count; s++)
+      g_assert_cmpfloat_with_epsilon (results[0].steps[s].multiplier,
+                                      results[1].steps[s].multiplier, 1e-7);
+    qn_result_clear (&results[0]);
+    qn_result_clear (&results[1]);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -524,5 +548,6 @@ main (int argc, char **argv)
   g_test_add_func ("/path-control/elastic-member", test_elastic_member_never_collapses);
   g_test_add_func ("/path-control/peak-of-a-wall", test_peak_of_a_wall);
   g_test_add_func ("/path-control/walls-to-collapse", test_walls_to_collapse);
+  g_test_add_func ("/path-control/turned", test_turned);
   return g_test_run ();
 }
