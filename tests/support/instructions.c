@@ -19,19 +19,44 @@ total_of (const char *counted)
   return g_ascii_strtod (digits, NULL);
 }
 
+/* Adds up what every process has left in the folder, and removes it. */
+static double
+take_totals (const char *folder)
+{
+  g_autoptr (GDir) files = g_dir_open (folder, 0, NULL);
+  const char *name;
+  double total = 0;
+  while ((name = g_dir_read_name (files)) != NULL) {
+    g_autofree char *path = g_build_filename (folder, name, NULL);
+    g_autofree char *counted = NULL;
+    g_autoptr (GError) error = NULL;
+    g_file_get_contents (path, &counted, NULL, &error);
+    g_assert_no_error (error);
+    total += total_of (counted);
+    g_remove (path);
+  }
+  g_rmdir (folder);
+  return total;
+}
+
+typedef enum { ALONE, WITH_CHILDREN } Processes;
+
 /* `function` NULL: the whole program. */
 static double
-count (const char *const *arguments, const char *function, char **output, int *status)
+count (const char *const *arguments, const char *function, Processes processes,
+       char **output, int *status)
 {
   g_autofree char *valgrind = g_find_program_in_path ("valgrind");
   if (SANITIZED || valgrind == NULL)
     return 0;
 
   g_autofree char *folder = g_dir_make_tmp ("quoin-work-XXXXXX", NULL);
-  g_autofree char *path = g_build_filename (folder, "callgrind.out", NULL);
-  g_autofree char *out_file = g_strconcat ("--callgrind-out-file=", path, NULL);
+  g_autofree char *out_file = g_strconcat ("--callgrind-out-file=", folder, "/%p", NULL);
+  /* Of processes with their children all counts, loading them too. */
   g_autofree char *toggle =
-    g_strconcat ("--toggle-collect=", function != NULL ? function : "main", NULL);
+    processes == WITH_CHILDREN
+      ? g_strdup ("--trace-children=yes")
+      : g_strconcat ("--toggle-collect=", function != NULL ? function : "main", NULL);
   g_autoptr (GPtrArray) command = g_ptr_array_new ();
   const char *head[] = { valgrind, "--quiet", "--tool=callgrind", toggle, out_file };
   for (gsize i = 0; i < G_N_ELEMENTS (head); i++)
@@ -40,18 +65,13 @@ count (const char *const *arguments, const char *function, char **output, int *s
     g_ptr_array_add (command, (gpointer) *arguments);
   g_ptr_array_add (command, NULL);
 
-  g_autofree char *counted = NULL;
   g_autoptr (GError) error = NULL;
   /* Filling memory with a pattern is no work of the function's. */
   g_auto (GStrv) environment = g_environ_unsetenv (g_get_environ (), "MALLOC_PERTURB_");
   g_spawn_sync (NULL, (char **) command->pdata, environment, G_SPAWN_STDERR_TO_DEV_NULL,
                 NULL, NULL, output, NULL, status, &error);
   g_assert_no_error (error);
-  g_file_get_contents (path, &counted, NULL, &error);
-  g_assert_no_error (error);
-  g_remove (path);
-  g_rmdir (folder);
-  return total_of (counted);
+  return take_totals (folder);
 }
 
 double
@@ -59,7 +79,7 @@ count_instructions (const char *const *arguments, const char *function, char **o
 {
   g_autofree char *said = NULL;
   int status = 0;
-  double instructions = count (arguments, function, &said, &status);
+  double instructions = count (arguments, function, ALONE, &said, &status);
   g_assert_true (g_spawn_check_wait_status (status, NULL));
   if (output != NULL)
     *output = g_steal_pointer (&said);
@@ -71,8 +91,18 @@ count_program (const char *const *arguments, int *code)
 {
   g_autofree char *said = NULL;
   int status = 0;
-  double instructions = count (arguments, NULL, &said, &status);
+  double instructions = count (arguments, NULL, ALONE, &said, &status);
   g_assert_true (WIFEXITED (status));
   *code = WEXITSTATUS (status);
+  return instructions;
+}
+
+double
+count_processes (const char *const *arguments)
+{
+  g_autofree char *said = NULL;
+  int status = 0;
+  double instructions = count (arguments, NULL, WITH_CHILDREN, &said, &status);
+  g_assert_true (g_spawn_check_wait_status (status, NULL));
   return instructions;
 }

@@ -15,4 +15,7 @@ double count_instructions (const char *const *arguments, const char *function,
 /* The same of a whole program, whatever exit code it ends with. */
 double count_program (const char *const *arguments, int *code);
 
+/* The same of a program and all that it starts, loading them included; it must end well. */
+double count_processes (const char *const *arguments);
+
 #endif

@@ -352,7 +352,8 @@ compute (const Ida *ida, gsize index, Curve *curve)
   if (!make_study (ida, index, curve, &study, &error))
     return qn_cli_fail (error);
   qn_study_display_init (&display, ida->options->quiet);
-  QnStudyRunSettings settings = { .program = QN_STUDY_PROGRAM,
+  g_autofree char *program = qn_study_dup_program ();
+  QnStudyRunSettings settings = { .program = program,
                                   .jobs = ida->options->jobs > 0
                                             ? (guint) ida->options->jobs
                                             : g_get_num_processors (),

@@ -107,14 +107,25 @@ compute (const QnStudy *study, const RunOptions *options,
   return QN_EXIT_CANCELLED;
 }
 
+char *
+qn_study_dup_program (void)
+{
+  char *path = g_file_read_link ("/proc/self/exe", NULL);
+  if (path != NULL && g_file_test (path, G_FILE_TEST_IS_EXECUTABLE))
+    return path;
+  g_free (path);
+  return g_strdup ("/proc/self/exe");
+}
+
 static QnExit
 run_study (const QnSubcommand *self, RunOptions *options, const char *path)
 {
   QnStudy study;
   GError *error = NULL;
   QnStudyDisplay display;
+  g_autofree char *program = qn_study_dup_program ();
   QnStudyRunSettings settings = {
-    .program = QN_STUDY_PROGRAM,
+    .program = program,
     .jobs = options->jobs > 0 ? (guint) options->jobs : g_get_num_processors (),
     .keep = options->keep,
     .retry = options->retry,
@@ -224,7 +235,7 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
     return qn_cli_usage_error (self->name, _ ("--slurm is missing"));
   if (size < 0 || size > QN_STUDY_MAX_CASES)
     return qn_cli_usage_error (self->name, _ ("--array-size must be positive"));
-  program = g_file_read_link (QN_STUDY_PROGRAM, NULL);
+  program = g_file_read_link ("/proc/self/exe", NULL);
   const QnSlurmSettings settings = { .program = program != NULL ? program : "quoin-cli",
                                      .array_size = (guint) size,
                                      .partition = partition,

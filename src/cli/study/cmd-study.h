@@ -5,8 +5,9 @@
 #include "cli/base/subcommand.h"
 #include "study/cases/run.h"
 
-/* This program, to be started again as a worker. */
-#define QN_STUDY_PROGRAM "/proc/self/exe"
+/* Path of this program, to be started again as a worker; the caller frees it. By its name where it is
+ * there, so that tools that follow programs (valgrind) follow it; else by the file that is open. */
+char *qn_study_dup_program (void);
 
 /* How far a study has come, on a terminal. */
 typedef struct QnStudyDisplay {

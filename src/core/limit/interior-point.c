@@ -25,12 +25,6 @@
 /* Solves spent on restoring equilibrium: the second removes the rounding of the first. */
 #define PROJECTION_ROUNDS 2
 
-/* A point or a direction of the homogeneous space. */
-typedef struct QnIpVector {
-  double *y, *v, *s, *z;
-  double lambda, tau, kappa;
-} QnIpVector;
-
 struct QnInteriorPointWork {
   const QnIpProblem *problem; /* borrowed */
   QnIpSettings settings;
@@ -177,6 +171,14 @@ proves_unbounded (const QnInteriorPoint *ip)
  * iteration at the end and costs more of them before: measured on walls of 500 to 5,000
  * blocks, as was the exponent of the centring. */
 #define STEP_SHARE 0.9
+
+/* Where the predictor alone almost solves the problem, the step may go nearer: by as much as the mean
+ * product is to fall. */
+static double
+step_share (const QnIpSettings *settings, double centring)
+{
+  return settings->hasten ? fmax (STEP_SHARE, 1.0 - centring) : STEP_SHARE;
+}
 
 /* The mean product aimed at is that of the iterate times (1 - the predictor's length) to the
  * power of this. */
@@ -397,7 +399,7 @@ newton_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
     if (!gained)
       break;
   }
-  *length = fmin (1.0, STEP_SHARE * *length);
+  *length = fmin (1.0, step_share (&work->settings, centring) * *length);
   return QN_OK;
 }
 
@@ -417,13 +419,14 @@ vector_init (QnIpVector *vector, const QnIpProblem *p)
   return vector->y && vector->v && vector->s && vector->z;
 }
 
-static void
-vector_clear (QnIpVector *vector)
+void
+qn_ip_vector_clear (QnIpVector *vector)
 {
   free (vector->y);
   free (vector->v);
   free (vector->s);
   free (vector->z);
+  *vector = (QnIpVector){ 0 };
 }
 
 static void
@@ -500,9 +503,9 @@ qn_interior_point_clear (QnInteriorPoint *ip)
                          work->right.v };
     for (size_t i = 0; i < QN_N_ELEMENTS (arrays); i++)
       free (arrays[i]);
-    vector_clear (&work->step);
-    vector_clear (&work->trial);
-    vector_clear (&work->best);
+    qn_ip_vector_clear (&work->step);
+    qn_ip_vector_clear (&work->trial);
+    qn_ip_vector_clear (&work->best);
     qn_ip_kkt_clear (&work->kkt);
     free (work);
   }
@@ -532,6 +535,15 @@ restore_iterate (QnInteriorPoint *ip, const QnIpVector *from)
   ip->lambda = to.lambda;
   ip->tau = to.tau;
   ip->kappa = to.kappa;
+}
+
+QnStatus
+qn_interior_point_keep (const QnInteriorPoint *ip, QnIpVector *copy, QnDiag *diag)
+{
+  if (copy->y == NULL && !vector_init (copy, ip->work->problem))
+    return qn_diag_no_memory (diag);
+  keep_iterate (ip, copy);
+  return QN_OK;
 }
 
 /* Moves the entries to positive values of comparable size, as Mehrotra's starting point does. */
@@ -635,6 +647,15 @@ qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag)
     p->bound_count > 0 ? qn_ip_dot (ip->s, ip->z, p->bound_count) / p->bound_count : 1.0;
   residuals (ip);
   return QN_OK;
+}
+
+void
+qn_interior_point_start_from (QnInteriorPoint *ip, const QnIpVector *iterate)
+{
+  begin (ip);
+  count_effort (ip);
+  restore_iterate (ip, iterate);
+  residuals (ip);
 }
 
 static void

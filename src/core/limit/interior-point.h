@@ -86,6 +86,8 @@ typedef struct QnIpSettings {
   double tolerance; /* relative residuals and gap of an optimum */
   int32_t max_iterations;
   int32_t correctors; /* most centrality correctors per iteration, 0 … 10 */
+  bool
+    hasten; /* the last iterations step almost to the boundary: about three fewer, less central */
 } QnIpSettings;
 
 /* Measures of the last iterate, after division by tau. */
@@ -95,6 +97,12 @@ typedef struct QnIpMeasures {
   double dual_residual; /* largest |Qy + q + B'v + G'z|, relative to 1 + largest |v| */
   double gap;           /* of the objectives, relative to 1 + their size */
 } QnIpMeasures;
+
+/* A point or a direction of the homogeneous space; arrays as in QnInteriorPoint. */
+typedef struct QnIpVector {
+  double *y, *v, *s, *z;
+  double lambda, tau, kappa;
+} QnIpVector;
 
 typedef struct QnInteriorPointWork QnInteriorPointWork;
 
@@ -116,7 +124,7 @@ typedef struct QnInteriorPoint {
   QnInteriorPointWork *work; /* owned */
 } QnInteriorPoint;
 
-/* tolerance 1e-9, 200 iterations, 6 correctors. */
+/* tolerance 1e-9, 200 iterations, 6 correctors, not hastened. */
 QnIpSettings qn_interior_point_defaults (void);
 
 /* Analyses the structure and allocates everything. `problem` is borrowed until _clear().
@@ -126,6 +134,16 @@ QnStatus qn_interior_point_init (QnInteriorPoint *ip, const QnIpProblem *problem
 
 /* Starting point for the problem's present numbers; resets the counters. */
 QnStatus qn_interior_point_start (QnInteriorPoint *ip, QnDiag *diag);
+
+/* Starts from an iterate of a problem of the same structure with other numbers instead, in place of
+ * about half of the iterations. It must lie well inside: of a solution that has converged the
+ * multipliers of bounds that are not reached are too small to grow again. */
+void qn_interior_point_start_from (QnInteriorPoint *ip, const QnIpVector *iterate);
+
+/* Copies the iterate; `copy` is zeroed before the first time, and freed by _clear(). */
+QnStatus qn_interior_point_keep (const QnInteriorPoint *ip, QnIpVector *copy,
+                                 QnDiag *diag);
+void qn_ip_vector_clear (QnIpVector *vector);
 
 /* One iteration; afterwards ip->state says whether to go on. */
 QnStatus qn_interior_point_iterate (QnInteriorPoint *ip, QnDiag *diag);

@@ -134,8 +134,8 @@ follow (Sequence *seq, const Schedule *schedule, QnLimitFixedPoint *point,
 
     qn_limit_problem_set_shear (&seq->limit, seq->model, seq->contacts, seq->anchor,
                                 remaining);
-    status = qn_limit_solve (&seq->limit, &seq->ip, false, seq->progress, seq->user_data,
-                             &solution, diag);
+    status = qn_limit_solve (&seq->limit, &seq->ip, false, NULL, seq->progress,
+                             seq->user_data, &solution, diag);
     if (status)
       break;
     point->programs++;
@@ -171,8 +171,8 @@ find_mechanism (Sequence *seq, QnLimitFixedPoint *point, QnLimitSolution *last,
   QnStatus status;
 
   qn_limit_problem_set_compliance (&seq->limit, 0.0);
-  status = qn_limit_solve (&seq->limit, &seq->ip, false, seq->progress, seq->user_data,
-                           &free_forces, diag);
+  status = qn_limit_solve (&seq->limit, &seq->ip, false, NULL, seq->progress,
+                           seq->user_data, &free_forces, diag);
   if (status)
     return status;
   *cancelled = free_forces.outcome == QN_OUTCOME_CANCELLED;

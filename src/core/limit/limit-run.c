@@ -1,6 +1,6 @@
 #include "core/base/clock.h"
 #include "core/base/memory.h"
-#include "core/limit/limit.h"
+#include "core/limit/limit-series.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -178,8 +178,8 @@ run_non_associative (const QnModel *model, const QnContacts *contacts,
 }
 
 QnStatus
-qn_limit_run (const QnModel *model, const QnContacts *contacts, QnProgressFunc progress,
-              void *user_data, QnResult *result, QnDiag *diag)
+qn_limit_run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
+              QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
   double start = qn_clock_seconds ();
   QnStatus status =
@@ -190,7 +190,10 @@ qn_limit_run (const QnModel *model, const QnContacts *contacts, QnProgressFunc p
     status = run_non_associative (model, contacts, progress, user_data, result, diag);
   } else if (!status) {
     QnLimitSolution solution;
-    status = qn_limit_associative (model, contacts, progress, user_data, &solution, diag);
+    status = series != NULL ? qn_limit_series_solve (series, model, contacts, progress,
+                                                     user_data, &solution, diag)
+                            : qn_limit_associative (model, contacts, progress, user_data,
+                                                    &solution, diag);
     if (!status)
       status = keep_solution (result, model, contacts, &solution, diag);
     qn_limit_solution_clear (&solution);

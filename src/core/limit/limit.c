@@ -8,10 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Accuracy of the program. The bounds that are reported are proved afterwards, from forces put
- * into equilibrium and velocities summed up; they come out within 1e-7 of each other. */
-#define PROGRAM_TOLERANCE 1e-8
-
 /* The lower bound is to reach the optimum to this part of the multiplier, or this part of the
  * loads. Where it does not, so many rounds are made of moving forces inside the strength, and
  * then forces are sought at a multiplier that is less than the optimum by the least of these
@@ -29,6 +25,7 @@
 typedef struct Run {
   QnLimitProblem *limit;
   QnInteriorPoint *ip;
+  const QnLimitStart *start;
   QnProgressFunc progress;
   void *user_data;
   QnLimitSolution *solution;
@@ -78,6 +75,15 @@ iterate_once (Run *run, QnDiag *diag)
   return status;
 }
 
+static QnStatus
+begin (Run *run, const QnIpVector *start, QnDiag *diag)
+{
+  if (start == NULL)
+    return qn_interior_point_start (run->ip, diag);
+  qn_interior_point_start_from (run->ip, start);
+  return QN_OK;
+}
+
 static void
 count_effort (Run *run)
 {
@@ -89,7 +95,8 @@ count_effort (Run *run)
  * are none. An iterate that can be led into the interior settles the question early; the
  * program goes on to its end only where there is no interior. */
 static QnStatus
-carry (Run *run, const double *constant, double *forces, bool *found, QnDiag *diag)
+carry (Run *run, const double *constant, const QnIpVector *start, double *forces,
+       bool *found, QnDiag *diag)
 {
   QnIpProblem *p = &run->limit->ip;
   QnInteriorPoint *ip = run->ip;
@@ -101,7 +108,7 @@ carry (Run *run, const double *constant, double *forces, bool *found, QnDiag *di
   p->constant = constant;
   p->load = NULL;
   p->load_gain = 0.0;
-  status = qn_interior_point_start (ip, diag);
+  status = begin (run, start, diag);
   while (!status && ip->state == QN_IP_RUNNING && !*found && !run->cancelled) {
     status = iterate_once (run, diag);
     if (!status)
@@ -117,7 +124,15 @@ carry (Run *run, const double *constant, double *forces, bool *found, QnDiag *di
 static QnStatus
 carry_dead_load (Run *run, QnDiag *diag)
 {
-  return carry (run, run->limit->ip.constant, run->anchor, &run->anchored, diag);
+  const double *dead = run->limit->ip.constant;
+  QnStatus status = QN_OK;
+
+  if (run->start != NULL)
+    status = carry (run, dead, &run->start->dead, run->anchor, &run->anchored, diag);
+  if (status || run->cancelled
+      || (run->start != NULL && (run->anchored || run->ip->state != QN_IP_STALLED)))
+    return status;
+  return carry (run, dead, NULL, run->anchor, &run->anchored, diag);
 }
 
 /* Forces within the strength at a multiplier just below the optimum. */
@@ -132,7 +147,7 @@ carry_almost_all (Run *run, double lambda, bool *found, QnDiag *diag)
     return qn_diag_no_memory (diag);
   for (int32_t r = 0; r < p->row_count; r++)
     constant[r] = p->constant[r] + lambda * p->load[r];
-  status = carry (run, constant, run->inner, found, diag);
+  status = carry (run, constant, NULL, run->inner, found, diag);
   free (constant);
   return status;
 }
@@ -149,11 +164,18 @@ is_answer (const QnInteriorPoint *ip)
 static QnStatus
 raise_multiplier (Run *run, QnDiag *diag)
 {
-  QnStatus status = qn_interior_point_start (run->ip, diag);
+  QnInteriorPoint *ip = run->ip;
+  const QnIpVector *starts[] = { run->start != NULL ? &run->start->whole : NULL, NULL };
+  QnStatus status = QN_OK;
 
-  while (!status && run->ip->state == QN_IP_RUNNING && !run->cancelled)
-    status = iterate_once (run, diag);
-  count_effort (run);
+  for (int i = run->start == NULL; i < 2 && !status; i++) {
+    status = begin (run, starts[i], diag);
+    while (!status && ip->state == QN_IP_RUNNING && !run->cancelled)
+      status = iterate_once (run, diag);
+    count_effort (run);
+    if (ip->state != QN_IP_STALLED || is_answer (ip) || run->cancelled)
+      break;
+  }
   return status;
 }
 
@@ -300,12 +322,13 @@ keep_dead_forces (Run *run, QnDiag *diag)
 
 QnStatus
 qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
-                QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
-                QnDiag *diag)
+                const QnLimitStart *start, QnProgressFunc progress, void *user_data,
+                QnLimitSolution *solution, QnDiag *diag)
 {
   size_t cells = (size_t) limit->ip.cell_count;
   Run run = { .limit = limit,
               .ip = ip,
+              .start = start,
               .progress = progress,
               .user_data = user_data,
               .solution = solution,
@@ -350,10 +373,11 @@ qn_limit_associative (const QnModel *model, const QnContacts *contacts,
   *solution = (QnLimitSolution){ 0 };
   if (status)
     return status;
-  settings.tolerance = PROGRAM_TOLERANCE;
+  settings.tolerance = QN_LIMIT_TOLERANCE;
   status = qn_interior_point_init (&ip, &limit.ip, &settings, diag);
   if (!status)
-    status = qn_limit_solve (&limit, &ip, true, progress, user_data, solution, diag);
+    status =
+      qn_limit_solve (&limit, &ip, true, NULL, progress, user_data, solution, diag);
   qn_interior_point_clear (&ip);
   qn_limit_problem_clear (&limit);
   return status;

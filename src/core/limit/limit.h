@@ -60,14 +60,25 @@ typedef struct QnLimitSolution {
 
 void qn_limit_solution_clear (QnLimitSolution *solution);
 
+/* Accuracy of the program. The bounds that are reported are proved afterwards, from forces put
+ * into equilibrium and velocities summed up; they come out within 1e-7 of each other. */
+#define QN_LIMIT_TOLERANCE 1e-8
+
+/* Iterates of a program of the same structure, to start from: of the dead load alone, and of the
+ * whole. */
+typedef struct QnLimitStart {
+  QnIpVector dead, whole;
+} QnLimitStart;
+
 /* Solves the program as it stands, with certificates for every outcome. With `from_dead_load`,
  * DEAD_LOAD_UNSTABLE is also the outcome where equilibrium exists under some live load but not
  * without, and the lower bound is proved by strictly admissible forces. `ip` must have been
- * initialised with &limit->ip; only its numbers may have changed since. `solution` is
- * overwritten without being cleared. */
+ * initialised with &limit->ip; only its numbers may have changed since. `start` (nullable) spares
+ * iterations; where it leads to no answer, the program is started anew. `solution` is overwritten
+ * without being cleared. */
 QnStatus qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
-                         QnProgressFunc progress, void *user_data,
-                         QnLimitSolution *solution, QnDiag *diag);
+                         const QnLimitStart *start, QnProgressFunc progress,
+                         void *user_data, QnLimitSolution *solution, QnDiag *diag);
 
 /* The associative limit analysis of a model from beginning to end. */
 QnStatus qn_limit_associative (const QnModel *model, const QnContacts *contacts,
@@ -101,9 +112,11 @@ QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *conta
 void qn_limit_interval_clear (QnLimitInterval *interval);
 
 /* The limit analysis that the model's settings ask for, as a result: steps at the dead load
- * and at collapse (rigid blocks have not moved yet), pair forces, mechanism, bounds. */
-QnStatus qn_limit_run (const QnModel *model, const QnContacts *contacts,
-                       QnProgressFunc progress, void *user_data, QnResult *result,
-                       QnDiag *diag);
+ * and at collapse (rigid blocks have not moved yet), pair forces, mechanism, bounds. In `series`
+ * (nullable, limit-series.h) associative analyses share what they can. */
+struct QnLimitSeries;
+QnStatus qn_limit_run (struct QnLimitSeries *series, const QnModel *model,
+                       const QnContacts *contacts, QnProgressFunc progress,
+                       void *user_data, QnResult *result, QnDiag *diag);
 
 #endif

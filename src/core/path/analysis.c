@@ -3,7 +3,6 @@
 #include "core/base/tolerance.h"
 #include "core/check/result-check.h"
 #include "core/dynamics/dynamics.h"
-#include "core/limit/limit.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
 
@@ -78,6 +77,15 @@ QnStatus
 qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                  QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
+  return qn_analysis_run_in_series (NULL, model, contacts, progress, user_data, result,
+                                    diag);
+}
+
+QnStatus
+qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
+                           const QnContacts *contacts, QnProgressFunc progress,
+                           void *user_data, QnResult *result, QnDiag *diag)
+{
   QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
   QnPath path;
   bool stands;
@@ -85,7 +93,8 @@ qn_analysis_run (const QnModel *model, const QnContacts *contacts,
 
   *result = (QnResult){ 0 };
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
-    status = qn_limit_run (model, contacts, qn_budget_go_on, &budget, result, diag);
+    status =
+      qn_limit_run (series, model, contacts, qn_budget_go_on, &budget, result, diag);
     if (status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED)
       status =
         qn_path_add_fixed_point (model, contacts, qn_budget_go_on, &budget, result, diag);

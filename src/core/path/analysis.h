@@ -4,6 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/contact/contacts.h"
+#include "core/limit/limit-series.h"
 #include "core/result/result.h"
 
 /* Solves a prepared, sound model by the procedure its settings name.
@@ -13,6 +14,11 @@
 QnStatus qn_analysis_run (const QnModel *model, const QnContacts *contacts,
                           QnProgressFunc progress, void *user_data, QnResult *result,
                           QnDiag *diag);
+
+/* The same; limit analyses of models that are alike share what they can in `series` (nullable). */
+QnStatus qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
+                                    const QnContacts *contacts, QnProgressFunc progress,
+                                    void *user_data, QnResult *result, QnDiag *diag);
 
 /* Compares what a result says with the model, before anybody reads it (core/check). What is not true of
  * its mechanism or of its first limit point is taken back: the mechanism is uncertain then, the limit

@@ -11,24 +11,15 @@
 #include "io/text/number-text.h"
 #include "study/cases/moving-load.h"
 #include "study/cases/shape.h"
+#include "study/plan/sample.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-gboolean
-qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error)
-{
-  QnDiag diag = { 0 };
-  *solver = (QnCaseSolver){ .study = study };
-  if (qn_contacts_detect (&study->project.model, &solver->contacts, &diag) == QN_OK)
-    return TRUE;
-  qn_project_set_error (&study->project, &diag, error);
-  return FALSE;
-}
-
 void
 qn_case_solver_clear (QnCaseSolver *solver)
 {
+  qn_limit_series_clear (&solver->series);
   qn_contacts_clear (&solver->contacts);
 }
 
@@ -132,6 +123,35 @@ prepare (const QnCaseSolver *solver, const double *values, QnCaseModel *model,
     return TRUE;
   qn_project_set_error (&model->project, &diag, error);
   return FALSE;
+}
+
+/* Limit analyses start from a case in the middle of all. Where there is none (its values are refused,
+ * or it has no optimum) every case is solved by itself. */
+static gboolean
+begin_series (QnCaseSolver *solver)
+{
+  g_autofree double *values = g_new (double, solver->study->parameters->len);
+  QnCaseModel middle = { 0 };
+  QnStatus status = QN_OK;
+  qn_sample_middle (solver->study, values);
+  if (prepare (solver, values, &middle, NULL))
+    status = qn_limit_series_init (&solver->series, &middle.project.model,
+                                   &middle.contacts, NULL);
+  qn_case_model_clear (&middle);
+  return status != QN_ERROR_NO_MEMORY;
+}
+
+gboolean
+qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error)
+{
+  QnDiag diag = { 0 };
+  *solver = (QnCaseSolver){ .study = study };
+  if (qn_contacts_detect (&study->project.model, &solver->contacts, &diag) != QN_OK
+      || (study->run == QN_STUDY_LIMIT && !begin_series (solver))) {
+    qn_project_set_error (&study->project, &diag, error);
+    return FALSE;
+  }
+  return TRUE;
 }
 
 /* What bounds the multiplier from above whatever the dilatancy; NaN where limit analysis does not
@@ -260,11 +280,12 @@ dup_mechanism_kind (const QnCaseModel *model)
 }
 
 static QnStatus
-analyse (QnStudyRun run, QnCaseModel *model, QnCaseResult *result, QnDiag *diag)
+analyse (QnCaseSolver *solver, QnCaseModel *model, QnCaseResult *result, QnDiag *diag)
 {
   const QnModel *core = &model->project.model;
-  if (run != QN_STUDY_MODAL)
-    return qn_analysis_run (core, &model->contacts, NULL, NULL, &model->result, diag);
+  if (solver->study->run != QN_STUDY_MODAL)
+    return qn_analysis_run_in_series (&solver->series, core, &model->contacts, NULL, NULL,
+                                      &model->result, diag);
 
   enum { WANTED = QN_STUDY_FREQUENCY_6 - QN_STUDY_FREQUENCY_1 + 1 };
   QnModes modes;
@@ -295,7 +316,7 @@ take_outputs (const QnStudy *study, const QnCaseModel *model, QnCaseResult *resu
 }
 
 void
-qn_case_solve (const QnCaseSolver *solver, const double *values, const char *keep,
+qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
                QnCaseModel *model, QnCaseResult *result)
 {
   double start = qn_clock_seconds ();
@@ -308,7 +329,7 @@ qn_case_solve (const QnCaseSolver *solver, const double *values, const char *kee
   *current = (QnCaseModel){ 0 };
   qn_case_result_fail (result, NULL);
   if (prepare (solver, values, current, &error)) {
-    if (analyse (study->run, current, result, &diag) != QN_OK)
+    if (analyse (solver, current, result, &diag) != QN_OK)
       qn_project_set_error (&current->project, &diag, &error);
     else
       take_outputs (study, current, result);

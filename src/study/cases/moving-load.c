@@ -43,15 +43,31 @@ nearest_point (const QnModel *model, QnId block, QnVec2 point)
   return best;
 }
 
+/* A bound of the depth of a point outside of a polygon, from its box; INFINITY within the box. */
+static double
+depth_bound (const QnVec2 *vertices, int32_t count, QnVec2 point)
+{
+  QnVec2 low = vertices[0], high = vertices[0];
+  for (int32_t k = 1; k < count; k++) {
+    low = qn_vec2 (MIN (low.x, vertices[k].x), MIN (low.y, vertices[k].y));
+    high = qn_vec2 (MAX (high.x, vertices[k].x), MAX (high.y, vertices[k].y));
+  }
+  double outside = MAX (MAX (low.x - point.x, point.x - high.x),
+                        MAX (low.y - point.y, point.y - high.y));
+  return outside > 0 ? -outside : INFINITY;
+}
+
 QnId
 qn_nearest_block (const QnModel *model, QnVec2 point)
 {
   double best = -INFINITY;
   QnId nearest = QN_NONE;
   for (size_t b = 0; b < model->block_count; b++) {
-    const QnBlock *block = &model->blocks[b];
-    double depth = qn_polygon_depth (qn_model_block_vertices (model, (QnId) b),
-                                     (size_t) block->vertex_count, point);
+    const QnVec2 *vertices = qn_model_block_vertices (model, (QnId) b);
+    int32_t count = model->blocks[b].vertex_count;
+    if (depth_bound (vertices, count, point) <= best)
+      continue;
+    double depth = qn_polygon_depth (vertices, (size_t) count, point);
     if (depth > best) {
       best = depth;
       nearest = (QnId) b;

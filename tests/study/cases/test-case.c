@@ -64,7 +64,7 @@ static const struct {
 };
 
 static void
-check_case (const QnCaseSolver *solver, const char *model, const char *path, double value,
+check_case (QnCaseSolver *solver, const char *model, const char *path, double value,
             double *multiplier)
 {
   char number[QN_NUMBER_TEXT_SIZE];
@@ -83,8 +83,10 @@ check_case (const QnCaseSolver *solver, const char *model, const char *path, dou
   g_assert_true (
     qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL)
     == QN_OK);
-  g_assert_cmpfloat (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER], ==,
-                     solution.lower_bound);
+  /* It starts from another iterate: the same to the gap of the bounds. */
+  g_assert_cmpfloat (
+    fabs (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] - solution.lower_bound), <,
+    1e-6 * solution.upper_bound);
   *multiplier = solution.lower_bound;
   qn_limit_solution_clear (&solution);
   qn_contacts_clear (&contacts);
