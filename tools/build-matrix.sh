@@ -7,13 +7,13 @@
 #   tools/build-matrix.sh CELL...    these
 #
 #   in every run  clang-release    clang, optimised, warnings are errors
-#                 gcc-debug        gcc without optimisation
-#                 options          gcc; each optional dependency absent in turn, all of them,
-#                                  and without the window
+#                 gcc-debug        gcc without optimisation; then without each optional dependency in
+#                                  turn, without any, and without the window: only what an option
+#                                  changes is compiled again
 #                 clang-sanitize   clang's address and undefined-behaviour sanitizers, with conversions
-#                                  and shifts: readers over the fuzzing corpus, linear algebra, examples
-#                 dist             the release archive, built without the window, installed into a
-#                                  folder and run from there
+#                                  and shifts: readers over the fuzzing corpus, mechanics, examples
+#                 dist             the release archive, built without the window, tested, installed
+#                                  into a folder and run from there
 #   on request    gcc-release, gcc-debugoptimized, clang-debug, clang-debugoptimized
 #
 # A cell builds the programs and runs the tests named below; gcc-debugoptimized with every test is what
@@ -26,7 +26,7 @@ export ASAN_OPTIONS=detect_leaks=1:abort_on_error=1
 export LSAN_OPTIONS="suppressions=$PWD/tests/sanitize/leaks.supp:print_suppressions=0"
 export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
 
-in_ci=(clang-release gcc-debug options clang-sanitize dist)
+in_ci=(clang-release gcc-debug clang-sanitize dist)
 others=(gcc-release gcc-debugoptimized clang-debug clang-debugoptimized)
 programs=(src/cli/quoin-cli src/library/libquoin.so.0.1.0)
 tests=(newton limit-run front-tree contacts io-project-read io-result-write contract)
@@ -66,17 +66,7 @@ print("\n".join(os.path.relpath(t["cmd"][0], folder) for t in found))' "$folder"
 
 # smoke CLI: what every build must be able to do.
 smoke () {
-  local folder
-  folder=$(mktemp -d)
-  "$1" --version
-  "$1" solve "$root/examples/02-overturning-block.quoin" --quiet -o "$folder/result.json" >/dev/null
-  "$1" check "$root/examples/02-overturning-block.quoin" --result "$folder/result.json" >/dev/null
-  "$1" render "$root/examples/02-overturning-block.quoin" --result "$folder/result.json" \
-    --view mechanism -o "$folder/picture.png"
-  "$1" animate "$root/examples/02-overturning-block.quoin" --result "$folder/result.json" \
-    -o "$folder/motion.gif"
-  "$1" import "$root/examples/dxf/wall-clean.dxf" -o "$folder/wall.quoin" >/dev/null
-  rm -rf "$folder"
+  tests/smoke.sh "$1" examples >/dev/null
 }
 
 # compile COMPILER BUILDTYPE: the programs with the window, and tests.
@@ -86,29 +76,25 @@ compile () {
   ninja -C "$folder" --quiet "${programs[@]}" src/app/quoin
   smoke "$folder/src/cli/quoin-cli"
   run_tests "$folder" "${tests[@]}"
+  [ "$1-$2" != gcc-debug ] || options "$folder"
 }
 
-# One folder, configured anew for each: only what an option changes is compiled again.
+# The folder of a cell, configured anew for each.
 options () {
-  local folder=build-matrix/options all=() window=src/app/quoin option
-  configure "$folder" gcc
-  for option in gstreamer osmesa egl python; do
+  local folder=$1 all=() option
+  for option in gstreamer osmesa egl python manual; do
     all+=("-D$option=disabled")
-    meson configure "$folder" "-D$option=disabled"
     echo "without $option"
-    ninja -C "$folder" --quiet "${programs[@]}" "$window"
+    meson configure "$folder" "-D$option=disabled"
+    ninja -C "$folder" --quiet "${programs[@]}" src/app/quoin
     smoke "$folder/src/cli/quoin-cli"
     meson configure "$folder" "-D$option=auto"
   done
-  meson configure "$folder" "${all[@]}"
-  echo "without any of them"
-  ninja -C "$folder" --quiet "${programs[@]}" "$window"
-  smoke "$folder/src/cli/quoin-cli"
-  meson configure "$folder" -Dapp=disabled
-  echo "without the window either"
+  echo "without any of them, and without the window"
+  meson configure "$folder" "${all[@]}" -Dapp=disabled
   ninja -C "$folder" --quiet "${programs[@]}"
   smoke "$folder/src/cli/quoin-cli"
-  run_tests "$folder" "${tests[@]}"
+  meson configure "$folder" "${all[@]/disabled/auto}" -Dapp=enabled
 }
 
 sanitize () {
@@ -131,13 +117,19 @@ sanitize () {
 dist () {
   local folder=build-matrix/dist unpacked=build-matrix/unpacked
   rm -rf "$folder" "$unpacked" build-matrix/root
-  configure "$folder" gcc -Dapp=disabled -Dpython=disabled
+  configure "$folder" gcc -Dapp=disabled -Dtests=false
   meson dist -C "$folder" --no-tests --allow-dirty >"$folder.log" 2>&1 \
     || { tail -n 5 "$folder.log"; return 1; }
   mkdir -p "$unpacked"
   tar -xf "$folder"/meson-dist/*.tar.xz -C "$unpacked" --strip-components=1
-  configure "$unpacked/build" gcc --prefix=/usr -Dapp=disabled
+  # As on a machine without GTK.
+  printf '#!/bin/sh\ncase " $* " in *" gtk4 "*) exit 1 ;; esac\nexec pkg-config "$@"\n' \
+    >build-matrix/pkg-config
+  chmod +x build-matrix/pkg-config
+  PKG_CONFIG=$root/build-matrix/pkg-config \
+    configure "$unpacked/build" gcc --prefix=/usr -Dapp=disabled -Dtests=false
   ninja -C "$unpacked/build" --quiet
+  meson test -C "$unpacked/build" --no-rebuild --quiet --print-errorlogs
   DESTDIR=$root/build-matrix/root meson install -C "$unpacked/build" --no-rebuild --quiet
   smoke "$root/build-matrix/root/usr/bin/quoin-cli"
   if find build-matrix/root -name '*quoin.Quoin*' | grep .; then
@@ -148,7 +140,6 @@ dist () {
 
 cell () {
   case $1 in
-    options) options ;;
     clang-sanitize) sanitize ;;
     dist) dist ;;
     *) compile "${1%-*}" "${1#*-}" ;;

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
-"""The tables of docs/manual/verification.md.
+"""The tables of docs/manual/verification.md and of its translations.
 
-    verification.py QUOIN-CLI PAGE            computes them and writes them into the page
-    verification.py QUOIN-CLI PAGE --check    compares them with what the program computes now
+    verification.py QUOIN-CLI PAGE...            computes them and writes them into the pages
+    verification.py --check QUOIN-CLI PAGE...    compares them with what the program computes now
 
-A value on the page must be what is computed to a tenth of what the case allows: solvers that
-improve may change the digits behind. Cases that allow anything are held to a tenth of a percent.
+The first page is in English and has the names that the program prints; in the others the rows stand
+in the same order under names of their own. A value on a page must be what is computed to a tenth of
+what the case allows: solvers that improve may change the digits behind. Cases that allow anything
+are held to a tenth of a percent.
 """
 
 import re
@@ -42,19 +44,35 @@ def page_tables(groups):
     return "\n".join(out) + "\n\n"
 
 
+def cells_of(line):
+    """The cells of a row with numbers; none of another line."""
+    cells = [cell.strip() for cell in line.strip("|").split("|")]
+    return cells if line.startswith("| ") and len(cells) == 7 and cells[1].isdigit() else None
+
+
 def read_rows(text):
     rows = []
     for line in text.splitlines():
-        cells = [cell.strip() for cell in line.strip("|").split("|")]
         if line.startswith("## "):
             title = line[3:]
-        elif line.startswith("|") and cells[0] not in ("case", "---"):
-            rows.append([title] + cells)
+        elif cells_of(line):
+            rows.append([title] + cells_of(line))
     return rows
 
 
-def differences(page, now):
-    if [row[:5] for row in page] != [row[:5] for row in now]:
+def renumbered(text, now):
+    """A translation with the numbers of these rows, one after the other."""
+    lines, left = [], [row[2:] for row in now]
+    for line in text.splitlines():
+        cells = cells_of(line)
+        lines.append("| " + " | ".join(cells[:1] + left.pop(0)) + " |" if cells else line)
+    assert not left, "the translation has fewer rows"
+    return "\n".join(lines) + "\n"
+
+
+def differences(page, now, translated=False):
+    first = 2 if translated else 0
+    if [row[first:5] for row in page] != [row[first:5] for row in now]:
         yield "the cases are not those of the program"
         return
     for old, new in zip(page, now):
@@ -65,22 +83,28 @@ def differences(page, now):
 
 
 def main():
-    program, path, *check = sys.argv[1:]
-    with open(path, encoding="utf-8") as file:
-        before, _, rest = file.read().partition(START)
-    old, _, after = rest.partition(END)
+    check = sys.argv[1] == "--check"
+    program, *paths = sys.argv[2 if check else 1:]
     tables = page_tables(compute(program))
-    if not check:
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(before + START + "\n" + tables + END + after)
-        return
-    page, now = read_rows(old), read_rows(tables)
+    now = read_rows(tables)
     assert len(now) > 50
-    # A changed digit shows that the comparison can fail.
-    changed = [row[:] for row in page]
-    changed[0][5] = str(float(changed[0][5]) * 1.1)
-    assert list(differences(changed, page))
-    found = list(differences(page, now))
+    found = []
+    for path in paths:
+        translated = path != paths[0]
+        with open(path, encoding="utf-8") as file:
+            before, _, rest = file.read().partition(START)
+        old, _, after = rest.partition(END)
+        if not check:
+            new = renumbered(old, now).lstrip("\n") if translated else tables
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(before + START + "\n" + ("\n" if translated else "") + new + END + after)
+            continue
+        page = read_rows(old)
+        # A changed digit shows that the comparison can fail.
+        changed = [row[:] for row in page]
+        changed[0][5] = str(float(changed[0][5]) * 1.1)
+        assert list(differences(changed, page, translated))
+        found += [f"{path}: {what}" for what in differences(page, now, translated)]
     print("\n".join(found))
     sys.exit(1 if found else 0)
 
