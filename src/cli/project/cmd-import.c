@@ -3,12 +3,14 @@
 #include "io/exchange/drawing-import.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
 #include <stdio.h>
 
 typedef struct Options {
   char *output;
   char *unit;
   gboolean report;
+  double closed, mortar; /* m: widest joints that are to be closed, filled; < 0: none */
   QnImportSettings settings;
 } Options;
 
@@ -53,6 +55,8 @@ check_options (const QnSubcommand *self, Options *options)
     problem = _ ("--unit must be mm, cm, dm, m, in or ft");
   else if (!(options->settings.tolerance >= 0))
     problem = _ ("--tolerance must not be negative");
+  else if (options->closed >= 0 && options->mortar >= 0)
+    problem = _ ("--close-joints and --mortar-joints exclude each other");
   else if (!(options->settings.thickness > 0))
     problem = _ ("--thickness must be positive");
   else if (!(options->settings.unit_weight >= 0))
@@ -61,6 +65,10 @@ check_options (const QnSubcommand *self, Options *options)
     problem = _ ("--friction must not be negative");
   else if (options->output == NULL)
     problem = _ ("-o is missing");
+  if (options->closed >= 0 || options->mortar >= 0) {
+    options->settings.gaps = options->closed >= 0 ? QN_GAPS_CLOSED : QN_GAPS_FILLED;
+    options->settings.gap_width = fmax (options->closed, options->mortar);
+  }
   if (problem == NULL)
     return QN_EXIT_DONE;
   return qn_cli_usage_error (self->name, problem);
@@ -69,7 +77,7 @@ check_options (const QnSubcommand *self, Options *options)
 static QnExit
 run (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .settings = QN_IMPORT_DEFAULTS };
+  Options options = { .settings = QN_IMPORT_DEFAULTS, .closed = -1, .mortar = -1 };
   QnImportSettings *settings = &options.settings;
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
@@ -83,6 +91,15 @@ run (const QnSubcommand *self, int argc, char **argv)
     { "tolerance", 0, 0, G_OPTION_ARG_DOUBLE, &settings->tolerance,
       /* xgettext:no-c-format */
       N_ ("Gaps up to this are closed, m (0.2 % of a block)"), N_ ("LENGTH") },
+    { "close-joints", 0, 0, G_OPTION_ARG_DOUBLE, &options.closed,
+      N_ ("Close joints of mortar up to this width, m (0: usual ones): blocks grow to "
+          "their "
+          "middle"),
+      N_ ("WIDTH") },
+    { "mortar-joints", 0, 0, G_OPTION_ARG_DOUBLE, &options.mortar,
+      N_ ("Fill joints of mortar up to this width, m (0: usual ones) with blocks of "
+          "mortar"),
+      N_ ("WIDTH") },
     { "thickness", 0, 0, G_OPTION_ARG_DOUBLE, &settings->thickness,
       N_ ("Thickness of the blocks, m (1)"), N_ ("LENGTH") },
     { "unit-weight", 0, 0, G_OPTION_ARG_DOUBLE, &settings->unit_weight,

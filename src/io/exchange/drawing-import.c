@@ -3,6 +3,10 @@
 
 #include <glib/gi18n-lib.h>
 
+/* Elasticity of lime mortar: Pa, and Poisson's ratio. */
+#define MORTAR_MODULUS 1e9
+#define MORTAR_POISSON 0.2
+
 /* Tolerance where the user gives none, as part of a block's size. */
 #define DEFAULT_TOLERANCE 0.002
 
@@ -62,6 +66,27 @@ dup_block_name (const QnModel *model, const char *wanted, guint number)
 }
 
 static gboolean
+has_mortar (const QnImportWork *work)
+{
+  for (guint i = 0; i < work->outlines->len; i++)
+    if (g_array_index (work->outlines, QnOutline, i).mortar)
+      return TRUE;
+  return FALSE;
+}
+
+/* Lime mortar in a layer of this thickness; sources: docs/method/laws.md. */
+static void
+set_mortar (QnLaw *law, double thickness)
+{
+  law->kind = QN_LAW_COULOMB;
+  law->basis = QN_BASIS_SURFACE;
+  law->kn = MORTAR_MODULUS / thickness;
+  law->ks = law->kn / (2 * (1 + MORTAR_POISSON));
+  law->friction = 0.4;
+  law->cohesion = 0.1e6;
+}
+
+static gboolean
 fill_project (QnImportWork *work, QnProject *project)
 {
   QnModel *model = &project->model;
@@ -74,6 +99,12 @@ fill_project (QnImportWork *work, QnProject *project)
   law->kn = law->ks = 1e9;
   law->friction = settings->friction;
   model->contact.law = 0;
+  if (has_mortar (work)) {
+    QnLaw *mortar = qn_model_add_law (model, "lime mortar");
+    if (mortar == NULL)
+      return FALSE;
+    set_mortar (mortar, work->report->widest_gap);
+  }
   dead->vector = qn_vec2 (0, -1);
   live->vector = qn_vec2 (1, 0);
   dead->block = live->block = QN_NONE;
@@ -86,6 +117,7 @@ fill_project (QnImportWork *work, QnProject *project)
       return FALSE;
     block->thickness = settings->thickness;
     block->unit_weight = settings->unit_weight;
+    block->law = outline->mortar ? 1 : QN_NONE;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = outline->role == QN_ROLE_SUPPORT;
   }
@@ -111,6 +143,8 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
   if (status == QN_OK)
     status = qn_import_heal (work, &diag);
   qn_import_drop_flawed (work);
+  if (status == QN_OK)
+    status = qn_import_treat_gaps (work, &diag);
   if (status == QN_OK)
     status = qn_import_cut_openings (work, &diag);
   if (work->no_memory)
@@ -142,8 +176,8 @@ qn_drawing_to_project (QnDrawing *drawing, const char *name,
 {
   *project = (QnProject){ 0 };
   qn_drawing_drop_unbounded (drawing);
-  *report = (QnImportReport){ g_ptr_array_new_with_free_func (g_free),
-                              g_ptr_array_new_with_free_func (g_free), FALSE };
+  *report = (QnImportReport){ .lines = g_ptr_array_new_with_free_func (g_free),
+                              .warnings = g_ptr_array_new_with_free_func (g_free) };
   QnImportWork work = { .drawing = drawing,
                         .settings = settings,
                         .name = name,
@@ -166,4 +200,5 @@ qn_import_report_clear (QnImportReport *report)
 {
   g_clear_pointer (&report->lines, g_ptr_array_unref);
   g_clear_pointer (&report->warnings, g_ptr_array_unref);
+  qn_gaps_clear (&report->gaps);
 }

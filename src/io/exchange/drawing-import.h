@@ -10,7 +10,8 @@
  * first vertex are closed; repeated and collinear vertices go; outlines without area or that
  * cross themselves are left out; so are repeated outlines; what is left open is line work and is
  * made into the faces it encloses; vertices within the tolerance are welded, neighbours fitted
- * to each other; openings are cut out.
+ * to each other; joints of mortar, drawn as gaps between blocks, are told of and closed, filled or
+ * left as the settings say; openings are cut out.
  *
  * Without a layer of supports the blocks of the lowest row are fixed.
  */
@@ -19,6 +20,7 @@
 
 #include "io/exchange/drawing.h"
 #include "io/project/project.h"
+#include "stereotomy/gaps.h"
 
 typedef enum {
   QN_ROLE_BLOCK,
@@ -28,13 +30,23 @@ typedef enum {
   QN_ROLE_COUNT
 } QnRole;
 
+/* What becomes of gaps between blocks. */
+typedef enum {
+  QN_GAPS_OPEN,   /* they stay, and are told of */
+  QN_GAPS_CLOSED, /* blocks grow to the middle */
+  QN_GAPS_FILLED, /* a block of mortar in each */
+  QN_GAPS_TREATMENT_COUNT
+} QnGapTreatment;
+
 typedef struct QnImportSettings {
   double unit; /* m per unit of the drawing; 0: from the file, checked with the extents */
   double tolerance;   /* m; 0: 0.2 % of the size of a block */
   double thickness;   /* m */
   double unit_weight; /* N/m3 */
   double friction;    /* >= 0 */
-  char **layers;      /* nullable: "NAME=block|support|opening|ignored" */
+  QnGapTreatment gaps;
+  double gap_width; /* m: wider ones are no joints; 0: qn_gaps_usual_width() */
+  char **layers;    /* nullable: "NAME=block|support|opening|ignored" */
 } QnImportSettings;
 
 #define QN_IMPORT_DEFAULTS                                                               \
@@ -45,6 +57,8 @@ typedef struct QnImportReport {
   GPtrArray *lines;    /* char *: all of it, in order */
   GPtrArray *warnings; /* char *: what the user must look at, also among the lines */
   gboolean supported;  /* whether the project has supports */
+  QnGaps gaps;         /* joints of mortar as they were drawn, m */
+  double widest_gap;   /* m; 0 where there is none */
 } QnImportReport;
 
 /* "mm", "cm", "dm", "m", "in", "ft"; 0 for anything else. */

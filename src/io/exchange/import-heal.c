@@ -1,4 +1,5 @@
 #include "io/exchange/import-work.h"
+#include "stereotomy/gaps.h"
 #include "stereotomy/polygon-ops.h"
 
 #include <glib/gi18n-lib.h>
@@ -60,6 +61,85 @@ qn_import_heal (QnImportWork *work, QnDiag *diag)
   return status;
 }
 
+/* How many, how wide, and what was done with them. */
+static void
+tell_gaps (QnImportWork *work, const QnGapClosing *closing)
+{
+  QnImportReport *report = work->report;
+  gsize count = report->gaps.count;
+  double narrowest = INFINITY;
+  for (gsize i = 0; i < count; i++) {
+    narrowest = fmin (narrowest, report->gaps.items[i].width);
+    report->widest_gap = fmax (report->widest_gap, report->gaps.items[i].width);
+  }
+  double from = 1e3 * narrowest, to = 1e3 * report->widest_gap;
+  switch (work->settings->gaps) {
+  case QN_GAPS_CLOSED:
+    qn_import_tell (
+      work, FALSE,
+      _ ("joints of mortar: %zu, %.3g to %.3g mm wide; closed: blocks grew to "
+         "their middle, by %.3g m2 in all"),
+      count, from, to, closing->grown);
+    if (closing->left > 0)
+      qn_import_tell (work, TRUE, _ ("joints of mortar that could not be closed: %zu"),
+                      closing->left);
+    break;
+  case QN_GAPS_FILLED:
+    qn_import_tell (
+      work, FALSE, _ ("joints of mortar: %zu, %.3g to %.3g mm wide; each became a block"),
+      count, from, to);
+    break;
+  case QN_GAPS_OPEN:
+  case QN_GAPS_TREATMENT_COUNT:
+    qn_import_tell (work, TRUE,
+                    _ ("joints of mortar: %zu, %.3g to %.3g mm wide; left open, so that "
+                       "blocks do not touch there"),
+                    count, from, to);
+    break;
+  }
+}
+
+/* A block for every gap; openings are no blocks. */
+static QnStatus
+fill_gaps (QnImportWork *work, QnDiag *diag)
+{
+  QnRings bodies = { 0 };
+  if (!qn_gaps_fill (&work->report->gaps, &bodies))
+    work->no_memory = TRUE;
+  for (gsize i = 0; i < bodies.count; i++) {
+    qn_import_add_outline (work, &bodies.items[i], QN_ROLE_BLOCK, NULL, 0);
+    if (!work->no_memory)
+      g_array_index (work->outlines, QnOutline, work->outlines->len - 1).mortar = TRUE;
+  }
+  qn_rings_clear (&bodies);
+  return work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
+}
+
+QnStatus
+qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
+{
+  QnRings rings = { 0 };
+  QnGapClosing closing = { 0 };
+  QnGapTreatment treatment = work->settings->gaps;
+  exchange_rings (work, &rings, TRUE);
+  double width = work->settings->gap_width;
+  if (!(width > 0))
+    width = qn_gaps_usual_width (&rings);
+  QnStatus status = work->no_memory ? qn_diag_no_memory (diag)
+                                    : qn_gaps_find (&rings, work->tolerance, width,
+                                                    &work->report->gaps, diag);
+  gboolean any = status == QN_OK && work->report->gaps.count > 0;
+  if (any && treatment == QN_GAPS_CLOSED)
+    status = qn_gaps_close (&rings, work->tolerance, width, &closing, diag);
+  exchange_rings (work, &rings, FALSE);
+  qn_rings_clear (&rings);
+  if (any && status == QN_OK && treatment == QN_GAPS_FILLED)
+    status = fill_gaps (work, diag);
+  if (any && status == QN_OK)
+    tell_gaps (work, &closing);
+  return status;
+}
+
 QnStatus
 qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
 {
@@ -87,9 +167,12 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
       changed++;
       for (gsize k = 0; k < parts.count; k++)
         if (2 * qn_ring_area (&parts.items[k])
-            > work->tolerance * qn_ring_perimeter (&parts.items[k]))
+            > work->tolerance * qn_ring_perimeter (&parts.items[k])) {
           qn_import_add_outline (work, &parts.items[k], outline.role, outline.name,
                                  outline.line);
+          g_array_index (work->outlines, QnOutline, work->outlines->len - 1).mortar =
+            outline.mortar;
+        }
       g_array_index (work->outlines, QnOutline, i).ring.count = 0;
     }
     qn_rings_clear (&parts);

@@ -15,6 +15,7 @@ typedef struct QnOutline {
   QnRole role;
   const char *name; /* kept by the drawing; NULL where it has none */
   guint line;       /* of the file, from 1; 0 for faces of line work */
+  gboolean mortar;  /* fills a gap between blocks */
 } QnOutline;
 
 typedef struct QnImportWork {
@@ -90,6 +91,9 @@ QnStatus qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag);
 
 /* import-heal.c. Welds vertices, fits neighbours to each other and leaves out what collapsed. */
 QnStatus qn_import_heal (QnImportWork *work, QnDiag *diag);
+
+/* Looks for joints of mortar, tells of them, and does with them what the settings say. */
+QnStatus qn_import_treat_gaps (QnImportWork *work, QnDiag *diag);
 
 /* Cuts all openings out of the blocks and supports; no opening is left among the outlines. */
 QnStatus qn_import_cut_openings (QnImportWork *work, QnDiag *diag);

@@ -1,0 +1,240 @@
+#include "stereotomy/gaps.h"
+#include "core/base/box-tree.h"
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
+
+#include <stdlib.h>
+
+/* The usual width at most, m. */
+#define USUAL_MOST 0.04
+
+/* Where a side lies: ring and its first vertex. */
+typedef struct Side {
+  size_t ring, edge;
+} Side;
+
+typedef struct Search {
+  const QnRings *rings;
+  double least, most; /* m */
+  double parallel;    /* cosine of the angle that still counts as parallel */
+  Side *sides;
+  QnBoxTree rings_tree;
+  QnGaps *gaps;
+} Search;
+
+static void
+ends_of (const QnRings *rings, Side side, QnVec2 *from, QnVec2 *to)
+{
+  const QnRing *ring = &rings->items[side.ring];
+  *from = ring->points[side.edge];
+  *to = ring->points[(side.edge + 1) % ring->count];
+}
+
+/* The point of a segment whose projection on `along` is `s`. */
+static QnVec2
+point_at (QnVec2 from, QnVec2 to, QnVec2 along, double s)
+{
+  double a = qn_vec2_dot (from, along), b = qn_vec2_dot (to, along);
+  return qn_vec2_lerp (from, to, (s - a) / (b - a));
+}
+
+/* Whether two sides face each other across a gap of this width; fills in all but `rings`. */
+static bool
+face_each_other (const Search *search, Side one, Side two, QnGap *gap)
+{
+  QnVec2 p, q, u, v;
+  ends_of (search->rings, one, &p, &q);
+  ends_of (search->rings, two, &u, &v);
+  QnVec2 first = qn_vec2_sub (q, p), second = qn_vec2_sub (u, v);
+  double lengths = qn_vec2_length (first) * qn_vec2_length (second);
+  if (!(lengths > 0) || qn_vec2_dot (first, second) < search->parallel * lengths)
+    return false;
+  QnVec2 along = qn_vec2_add (qn_vec2_scale (1 / qn_vec2_length (first), first),
+                              qn_vec2_scale (1 / qn_vec2_length (second), second));
+  along = qn_vec2_scale (1 / qn_vec2_length (along), along);
+  QnVec2 outward = qn_vec2 (along.y, -along.x);
+  double from = fmax (qn_vec2_dot (p, along), qn_vec2_dot (v, along));
+  double to = fmin (qn_vec2_dot (q, along), qn_vec2_dot (u, along));
+  if (!(to > from))
+    return false;
+  double widths[2];
+  for (int end = 0; end < 2; end++) {
+    double s = end == 0 ? from : to;
+    gap->sides[0][end] = point_at (p, q, along, s);
+    gap->sides[1][end] = point_at (v, u, along, s);
+    widths[end] =
+      qn_vec2_dot (qn_vec2_sub (gap->sides[1][end], gap->sides[0][end]), outward);
+    if (widths[end] > search->most || widths[end] < fmin (search->least, 0))
+      return false;
+  }
+  gap->width = 0.5 * (widths[0] + widths[1]);
+  return gap->width > search->least && to - from > fmax (widths[0], widths[1]);
+}
+
+/* Whether a third block lies between the sides, in the middle or near an end. */
+static bool
+is_filled (const Search *search, const QnGap *gap)
+{
+  const double places[] = { 0.5, 0.1, 0.9 };
+  size_t filled = 0;
+  for (size_t i = 0; i < QN_N_ELEMENTS (places); i++) {
+    QnVec2 at =
+      qn_vec2_lerp (qn_vec2_lerp (gap->sides[0][0], gap->sides[0][1], places[i]),
+                    qn_vec2_lerp (gap->sides[1][0], gap->sides[1][1], places[i]), 0.5);
+    bool inside = false;
+    QnBoxQuery query = qn_box_tree_query (&search->rings_tree, (QnBox){ at, at });
+    for (QnId k; !inside && (k = qn_box_query_next (&query)) != QN_NONE;) {
+      const QnRing *ring = &search->rings->items[k];
+      inside = (size_t) k != gap->rings[0] && (size_t) k != gap->rings[1]
+               && ring->count >= 3
+               && qn_polygon_depth (ring->points, ring->count, at) > 0;
+    }
+    filled += inside;
+  }
+  return filled == QN_N_ELEMENTS (places);
+}
+
+static bool
+add_gap (QnGaps *gaps, const QnGap *gap)
+{
+  QnGap *grown =
+    qn_array_grow (gaps->items, &gaps->capacity, gaps->count + 1, sizeof *grown);
+  if (grown == NULL)
+    return false;
+  gaps->items = grown;
+  grown[gaps->count++] = *gap;
+  return true;
+}
+
+static bool
+ring_tree (const QnRings *rings, QnBoxTree *tree)
+{
+  QnBox *boxes = qn_alloc (rings->count, sizeof *boxes);
+  if (boxes == NULL)
+    return false;
+  for (size_t i = 0; i < rings->count; i++)
+    if (rings->items[i].count > 0)
+      boxes[i] = qn_box_of_points (rings->items[i].points, rings->items[i].count);
+  bool done = qn_box_tree_init (tree, boxes, rings->count);
+  free (boxes);
+  return done;
+}
+
+/* In the order of the sides, whatever the tree's. */
+static int
+compare_gaps (const void *left, const void *right)
+{
+  const QnGap *a = left, *b = right;
+  for (int i = 0; i < 2; i++) {
+    if (a->rings[i] != b->rings[i])
+      return a->rings[i] < b->rings[i] ? -1 : 1;
+    if (a->edges[i] != b->edges[i])
+      return a->edges[i] < b->edges[i] ? -1 : 1;
+  }
+  return 0;
+}
+
+static bool
+collect (Search *search)
+{
+  size_t count = 0, n = 0;
+  for (size_t i = 0; i < search->rings->count; i++)
+    count += search->rings->items[i].count;
+  QnBox *boxes = qn_alloc (count, sizeof *boxes);
+  QnBoxTree tree = { 0 };
+  QnBoxPairs pairs = { 0 };
+  search->sides = qn_alloc (count, sizeof *search->sides);
+  bool done = boxes != NULL && search->sides != NULL;
+  for (size_t i = 0; done && i < search->rings->count; i++)
+    for (size_t k = 0; k < search->rings->items[i].count; k++, n++) {
+      QnVec2 from, to;
+      search->sides[n] = (Side){ i, k };
+      ends_of (search->rings, search->sides[n], &from, &to);
+      boxes[n] = qn_box_of_segment (from, to);
+    }
+  done = done && qn_box_tree_init (&tree, boxes, count)
+         && qn_box_tree_pairs (&tree, search->most,
+                               QN_MOST_SIDE_PAIRS + QN_PAIRS_PER_SIDE * count, &pairs);
+  for (size_t i = 0; done && i < pairs.count; i++) {
+    size_t first = (size_t) (pairs.items[i][0] < pairs.items[i][1] ? pairs.items[i][0]
+                                                                   : pairs.items[i][1]);
+    size_t second = (size_t) (pairs.items[i][0] + pairs.items[i][1]) - first;
+    Side one = search->sides[first], two = search->sides[second];
+    QnGap gap = { .rings = { one.ring, two.ring }, .edges = { one.edge, two.edge } };
+    if (one.ring != two.ring && face_each_other (search, one, two, &gap)
+        && !is_filled (search, &gap))
+      done = add_gap (search->gaps, &gap);
+  }
+  if (done && search->gaps->count > 1)
+    qsort (search->gaps->items, search->gaps->count, sizeof (QnGap), compare_gaps);
+  qn_box_pairs_clear (&pairs);
+  qn_box_tree_clear (&tree);
+  free (boxes);
+  free (search->sides);
+  return done;
+}
+
+QnStatus
+qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps, QnDiag *diag)
+{
+  Search search = { .rings = rings,
+                    .least = least,
+                    .most = most,
+                    .parallel = cos (QN_GAP_ANGLE * acos (-1.0) / 180),
+                    .gaps = gaps };
+  *gaps = (QnGaps){ 0 };
+  if (rings->count < 2 || !(most > least))
+    return QN_OK;
+  bool done = ring_tree (rings, &search.rings_tree) && collect (&search);
+  qn_box_tree_clear (&search.rings_tree);
+  if (done)
+    return QN_OK;
+  qn_gaps_clear (gaps);
+  return qn_diag_no_memory (diag);
+}
+
+void
+qn_gaps_clear (QnGaps *gaps)
+{
+  free (gaps->items);
+  *gaps = (QnGaps){ 0 };
+}
+
+bool
+qn_gaps_fill (const QnGaps *gaps, QnRings *rings)
+{
+  for (size_t i = 0; i < gaps->count; i++) {
+    const QnGap *gap = &gaps->items[i];
+    const QnVec2 corners[] = { gap->sides[0][1], gap->sides[0][0], gap->sides[1][0],
+                               gap->sides[1][1] };
+    if (!qn_rings_add (rings, corners, QN_N_ELEMENTS (corners)))
+      return false;
+    qn_ring_simplify (&rings->items[rings->count - 1], 1e-9 * gap->width);
+    qn_ring_orient (&rings->items[rings->count - 1]);
+  }
+  return true;
+}
+
+static int
+compare_numbers (const void *left, const void *right)
+{
+  double a = *(const double *) left, b = *(const double *) right;
+  return (a > b) - (a < b);
+}
+
+double
+qn_gaps_usual_width (const QnRings *rings)
+{
+  size_t count = 0;
+  double *widths = qn_alloc (rings->count, sizeof *widths), usual = 0;
+  for (size_t i = 0; widths != NULL && i < rings->count; i++)
+    if (rings->items[i].count >= 3)
+      widths[count++] =
+        qn_ring_area (&rings->items[i]) / qn_ring_perimeter (&rings->items[i]);
+  if (count > 0) {
+    qsort (widths, count, sizeof *widths, compare_numbers);
+    usual = fmin (widths[count / 2], USUAL_MOST);
+  }
+  free (widths);
+  return usual;
+}

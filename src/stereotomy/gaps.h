@@ -1,0 +1,71 @@
+/* Joints of mortar: gaps between blocks as they are drawn in a survey, found and closed.
+ *
+ * A gap lies between two sides of different blocks that face each other: they run within
+ * QN_GAP_ANGLE of parallel, overlap by more than the gap is wide, and no third block lies between.
+ * Sides that bound one joint (a bed along a whole course, the head between two bricks) share one
+ * line once they are closed, so that beds stay straight and parallel and every block of the joint
+ * touches its neighbours along it: the sides' mean direction in the middle of the gaps, or the
+ * line nearest to it that lies within all of them. Where none does, the joint is parted where it
+ * must be. Blocks grow to these lines; corners are where the lines of two sides meet, and corners
+ * of several blocks that miss each other by less than half a joint become one.
+ *
+ * This is the usual simplification of a wall for analysis by blocks: "units are expanded to the
+ * middle of the joint". Source: Lourenco, Computational strategies for masonry structures (1996),
+ * section 2.2. Lengths in m; rings counter-clockwise.
+ */
+#ifndef QN_STEREOTOMY_GAPS_H
+#define QN_STEREOTOMY_GAPS_H
+
+#include "core/base/status.h"
+#include "stereotomy/ring.h"
+
+/* Sides that deviate more from parallel (degrees) bound no joint. */
+#define QN_GAP_ANGLE 25.0
+
+/* Pairs of sides near each other that are compared at most, and so many more for every side. */
+#define QN_MOST_SIDE_PAIRS 1000000
+#define QN_PAIRS_PER_SIDE  50
+
+typedef struct QnGap {
+  size_t rings[2];
+  size_t edges[2]; /* the side of each ring from this vertex on */
+  QnVec2
+    sides[2]
+         [2]; /* m: the parts that face each other, both in the direction of the first */
+  double width; /* m: mean */
+} QnGap;
+
+typedef struct QnGaps {
+  QnGap *items;
+  size_t count, capacity;
+} QnGaps;
+
+/* What was closed. */
+typedef struct QnGapClosing {
+  size_t closed;            /* gaps */
+  size_t left;              /* gaps that are still open */
+  double narrowest, widest; /* m, of all before */
+  double grown;             /* m2: by how much all blocks together grew */
+} QnGapClosing;
+
+/* All gaps wider than `least` and up to `most` (m) from end to end; with `least` < 0 also sides that
+ * touch, and overlap by up to that. Of very many sides in one place only the first
+ * QN_MOST_SIDE_PAIRS pairs are compared. `gaps` is overwritten without being cleared. */
+QnStatus qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps,
+                       QnDiag *diag);
+void qn_gaps_clear (QnGaps *gaps);
+
+/* Lets blocks grow until the gaps between them that are wider than `least` and up to `most` (m) are
+ * closed. Rings keep their order; those without such gaps keep every digit. `closing` (nullable)
+ * is overwritten. On failure the rings are as they were. */
+QnStatus qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *closing,
+                        QnDiag *diag);
+
+/* Appends to `rings` the body of mortar in each gap, a quadrangle. False without memory. */
+bool qn_gaps_fill (const QnGaps *gaps, QnRings *rings);
+
+/* The width up to which gaps are looked for where nobody says: the median of area by perimeter of the
+ * blocks (a quarter to half of what they are wide), at most 40 mm. */
+double qn_gaps_usual_width (const QnRings *rings);
+
+#endif
