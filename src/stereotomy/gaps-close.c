@@ -25,6 +25,9 @@
 /* Blocks keep at least this part of their area where corners are cut off. */
 #define LEAST_LEFT 0.95
 
+/* How often gaps that are left are tried again. */
+#define MOST_PASSES 2
+
 /* Steps of the golden section search for the slope of a line. */
 #define SLOPE_STEPS 80
 
@@ -635,9 +638,8 @@ tell (const Closing *closing, const QnRings *moved, double most, QnGapClosing *t
   return status;
 }
 
-QnStatus
-qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told,
-               QnDiag *diag)
+static QnStatus
+close_once (QnRings *rings, double least, double most, QnGapClosing *told, QnDiag *diag)
 {
   Closing closing = { .rings = rings, .slack = least };
   QnRings moved = { 0 };
@@ -657,9 +659,8 @@ qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told,
     status = trim_overlaps (&closing, &moved, diag);
   if (status == QN_OK && !done)
     status = qn_diag_no_memory (diag);
-  QnGapClosing own;
   if (status == QN_OK)
-    status = tell (&closing, &moved, most, told != NULL ? told : &own, diag);
+    status = tell (&closing, &moved, most, told, diag);
   if (status == QN_OK) {
     QnRings swap = *rings;
     *rings = moved;
@@ -667,5 +668,29 @@ qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told,
   }
   qn_rings_clear (&moved);
   closing_clear (&closing);
+  return status;
+}
+
+QnStatus
+qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told,
+               QnDiag *diag)
+{
+  QnGapClosing first;
+  QnStatus status = close_once (rings, least, most, &first, diag);
+  /* Short sides may face each other only when their neighbours have grown. */
+  size_t before = SIZE_MAX;
+  for (int i = 0;
+       i < MOST_PASSES && status == QN_OK && first.left > 0 && first.left < before; i++) {
+    QnGapClosing again;
+    before = first.left;
+    status = close_once (rings, least, most, &again, diag);
+    if (status == QN_OK) {
+      first.grown += again.grown;
+      first.closed += before > again.left ? before - again.left : 0;
+      first.left = again.left;
+    }
+  }
+  if (told != NULL)
+    *told = first;
   return status;
 }

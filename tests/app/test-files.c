@@ -17,6 +17,17 @@ model_of (QnWindow *window)
   return qn_document_get_model (qn_window_get_document (window));
 }
 
+static gboolean
+is_joints_choice (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  GtkStringObject *item = GTK_IS_DROP_DOWN (widget)
+                            ? gtk_drop_down_get_selected_item (GTK_DROP_DOWN (widget))
+                            : NULL;
+  return item != NULL
+         && g_str_has_prefix (gtk_string_object_get_string (item), "Close: blocks");
+}
+
 /* A drawing is previewed with its extents, taken over as one step, and undone. */
 static void
 test_import (void)
@@ -43,6 +54,44 @@ test_import (void)
   dialog = driver_find_dialog ("Import");
   driver_press (dialog, "Add to Drawing");
   g_assert_cmpuint (model_of (window)->block_count, ==, 2 * count);
+  driver_discard (window);
+}
+
+/* A drawing with mortar says so, closes the joints unless told otherwise, and what was left open is
+ * closed afterwards in one step. */
+static void
+test_mortar (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  QnDocument *document = qn_window_get_document (window);
+  g_autofree char *path = driver_example_path ("dxf/wall-mortar.dxf");
+  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
+  GtkWidget *dialog = driver_find_dialog ("Import");
+  g_assert_nonnull (dialog);
+  driver_run (200);
+  driver_screenshot (dialog, "import-mortar");
+  driver_press (dialog, "Import");
+  gsize faces = qn_document_get_contacts (document)->face_count;
+  g_assert_cmpuint (faces, ==, 158);
+  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  driver_activate (window, "win.undo");
+
+  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
+  dialog = driver_find_dialog ("Import");
+  GtkWidget *choice = driver_find_widget (dialog, is_joints_choice, NULL);
+  g_assert_nonnull (choice);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), 0);
+  driver_press (dialog, "Import");
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  driver_activate_target (window, "win.show-panel", g_variant_new_string ("findings"));
+  driver_run (200);
+  driver_screenshot (GTK_WIDGET (window), "findings-mortar");
+  driver_press (GTK_WIDGET (window), "Close Gaps");
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, faces);
+  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  driver_screenshot (GTK_WIDGET (window), "findings-closed");
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
   driver_discard (window);
 }
 
@@ -428,6 +477,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/files/import", test_import);
+  g_test_add_func ("/app/files/mortar", test_mortar);
   g_test_add_func ("/app/files/picture", test_picture);
   g_test_add_func ("/app/files/kept-history", test_kept_history);
   g_test_add_func ("/app/files/recovery", test_recovery);

@@ -76,6 +76,38 @@ test_round_trip (void)
   test_scratch_free (folder);
 }
 
+/* Joints of mortar are told of, closed or filled; what is left open is told again by the check. */
+static void
+test_mortar (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *drawing = cli_example ("dxf/wall-mortar.dxf");
+  g_autofree char *path = file_in (folder, "wall.quoin");
+  static const struct {
+    const char *options[2], *told, *checked;
+  } cases[] = {
+    { { NULL }, "left open", "158 joints of mortar" },
+    { { "--close-joints", "0.02" }, "closed: blocks grew", "contact faces: 158" },
+    { { "--close-joints", "0" }, "closed: blocks grew", "contact faces: 158" },
+    { { "--mortar-joints", "0.02" }, "each became a block", "contact faces: 316" },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    CliRun run = cli_run ("import", drawing, "-o", path, "--report", cases[i].options[0],
+                          cases[i].options[1], NULL);
+    cli_assert_done (&run);
+    g_assert_nonnull (strstr (run.out, cases[i].told));
+    cli_run_clear (&run);
+    run = cli_run ("check", path, NULL);
+    g_assert_nonnull (strstr (run.out, cases[i].checked));
+    g_assert_true ((strstr (run.out, "joints of mortar") != NULL) == (i == 0));
+    cli_run_clear (&run);
+  }
+  CliRun run = cli_run ("import", drawing, "-o", path, "--close-joints", "0.02",
+                        "--mortar-joints", "0.02", NULL);
+  cli_assert_failed (&run, 2, "exclude");
+  test_scratch_free (folder);
+}
+
 static void
 test_export_results (void)
 {
@@ -123,6 +155,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/exchange/generate", test_generate);
   g_test_add_func ("/cli/exchange/generate-keys", test_generate_keys);
   g_test_add_func ("/cli/exchange/round-trip", test_round_trip);
+  g_test_add_func ("/cli/exchange/mortar", test_mortar);
   g_test_add_func ("/cli/exchange/export-results", test_export_results);
   g_test_add_func ("/cli/exchange/bad-import", test_bad_import);
   return g_test_run ();

@@ -248,7 +248,7 @@ static void
 test_walls (void)
 {
   g_autoptr (GRand) rand = g_rand_new_with_seed (1);
-  const double most_turns[] = { 1e-9, 2e-3, 0.01 };
+  const double most_turns[] = { 1e-9, 5e-3, 0.01 };
   for (int bond = 0; bond < QN_BOND_CUSTOM; bond++)
     for (size_t k = 0; k < G_N_ELEMENTS (joints_of_mortar); k++)
       for (int turn = 0; turn < 3; turn++) {

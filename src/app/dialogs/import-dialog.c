@@ -11,6 +11,8 @@
 #include <glib/gi18n.h>
 
 #define PREVIEW_MARGIN_PX 16.0
+#define GAP_COLOR         0.84, 0.15, 0.16, 0.8
+#define LEAST_GAP_PX      1.0
 
 /* Rows of the choice of unit; the first leaves it to the file. */
 static const char *const units[] = { NULL, "mm", "cm", "dm", "m", "in", "ft" };
@@ -23,6 +25,7 @@ typedef struct Dialog {
   guint unit; /* row */
   QnImportSettings settings;
   QnProject project;
+  QnGaps gaps; /* as drawn */
   gboolean has_project;
 } Dialog;
 
@@ -30,9 +33,11 @@ enum {
   UNIT,
   EXTENTS,
   TOLERANCE,
+  GAP_WIDTH,
   THICKNESS,
   UNIT_WEIGHT,
   FRICTION,
+  GAPS,
   REPORT,
   PREVIEW,
   CANCEL,
@@ -40,16 +45,12 @@ enum {
 };
 
 static const QnFormField fields[] = {
-  [UNIT] = { .id = "unit" },
-  [EXTENTS] = { .id = "extents" },
-  [TOLERANCE] = { .id = "tolerance" },
-  [THICKNESS] = { .id = "thickness" },
-  [UNIT_WEIGHT] = { .id = "unit_weight" },
-  [FRICTION] = { .id = "friction" },
-  [REPORT] = { .id = "report" },
-  [PREVIEW] = { .id = "preview" },
-  [CANCEL] = { .id = "cancel" },
-  [ACCEPT] = { .id = "accept" },
+  [UNIT] = { .id = "unit" },           [EXTENTS] = { .id = "extents" },
+  [TOLERANCE] = { .id = "tolerance" }, [GAP_WIDTH] = { .id = "gap_width" },
+  [THICKNESS] = { .id = "thickness" }, [UNIT_WEIGHT] = { .id = "unit_weight" },
+  [FRICTION] = { .id = "friction" },   [GAPS] = { .id = "gaps" },
+  [REPORT] = { .id = "report" },       [PREVIEW] = { .id = "preview" },
+  [CANCEL] = { .id = "cancel" },       [ACCEPT] = { .id = "accept" },
 };
 
 static void
@@ -57,6 +58,7 @@ clear_project (Dialog *dialog)
 {
   if (dialog->has_project)
     qn_project_clear (&dialog->project);
+  qn_gaps_clear (&dialog->gaps);
   dialog->has_project = FALSE;
 }
 
@@ -116,13 +118,37 @@ try_import (Dialog *dialog)
     if (!g_ptr_array_find_with_equal_func (report.warnings, line, g_str_equal, NULL))
       g_string_append_printf (text, "%s\n", line);
   }
-  if (dialog->has_project)
+  if (dialog->has_project) {
+    dialog->gaps = report.gaps;
+    report.gaps = (QnGaps){ 0 };
     qn_import_report_clear (&report);
+  }
   gtk_text_buffer_set_text (
     gtk_text_view_get_buffer (GTK_TEXT_VIEW (dialog->base.widgets[REPORT])), text->str,
     -1);
   g_string_free (text, TRUE);
   gtk_widget_queue_draw (dialog->base.widgets[PREVIEW]);
+}
+
+/* Where there was mortar, so that it is seen what was found and what not. */
+static void
+draw_gaps (const Dialog *dialog, const QnCamera *camera, cairo_t *cr)
+{
+  cairo_set_source_rgba (cr, GAP_COLOR);
+  cairo_set_line_width (cr, LEAST_GAP_PX);
+  cairo_new_path (cr);
+  for (gsize i = 0; i < dialog->gaps.count; i++) {
+    const QnGap *gap = &dialog->gaps.items[i];
+    const QnVec2 corners[] = { gap->sides[0][0], gap->sides[0][1], gap->sides[1][1],
+                               gap->sides[1][0] };
+    for (gsize k = 0; k < G_N_ELEMENTS (corners); k++) {
+      QnVec2 at = qn_camera_to_screen (camera, corners[k]);
+      cairo_line_to (cr, at.x, at.y);
+    }
+    cairo_close_path (cr);
+  }
+  cairo_fill_preserve (cr);
+  cairo_stroke (cr);
 }
 
 static void
@@ -137,7 +163,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   QnContacts contacts = { 0 };
   QnViewOptions options;
   qn_view_options_init (&options, QN_VIEW_MODEL);
-  options.loads = false;
+  options.loads = options.dimensions = false;
   QnScene *scene =
     qn_scene_build (&dialog->project.model, &contacts, NULL, &options, NULL);
   if (scene == NULL)
@@ -145,6 +171,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   QnCamera camera = { .width = width, .height = height, .scale = 1.0, .unit = 1.0 };
   qn_camera_fit (&camera, scene->box, PREVIEW_MARGIN_PX);
   qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
+  draw_gaps (dialog, &camera, cr);
   qn_scene_free (scene);
 }
 
@@ -154,6 +181,7 @@ static double *
 number_of (Dialog *dialog, guint field)
 {
   double *const all[] = { [TOLERANCE] = &dialog->settings.tolerance,
+                          [GAP_WIDTH] = &dialog->settings.gap_width,
                           [THICKNESS] = &dialog->settings.thickness,
                           [UNIT_WEIGHT] = &dialog->settings.unit_weight,
                           [FRICTION] = &dialog->settings.friction };
@@ -172,10 +200,15 @@ show (gpointer data, guint field, QnValue *value)
 {
   Dialog *dialog = data;
   const double *number = number_of (dialog, field);
+  gboolean about_gaps = field == GAPS || field == GAP_WIDTH;
+  if (about_gaps && dialog->gaps.count == 0 && !(dialog->settings.gap_width > 0))
+    return FALSE;
   if (number != NULL)
     value->number = *number;
   else if (field == UNIT)
     value->number = dialog->unit;
+  else if (field == GAPS)
+    value->number = dialog->settings.gaps;
   else if (field == EXTENTS && dialog->has_project)
     value->text = dup_extents (&dialog->project.model);
   else if (field == ACCEPT)
@@ -198,6 +231,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
   if (number != NULL)
     *number = value->number;
+  else if (field == GAPS)
+    dialog->settings.gaps = (QnGapTreatment) value->number;
   else {
     dialog->unit = (guint) value->number;
     dialog->settings.unit =
@@ -230,6 +265,11 @@ qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
   gtk_window_set_transient_for (window, parent);
   qn_help_set_page (dialog->base.root, "import");
   try_import (dialog);
+  /* What is drawn with mortar is meant to stand: closed unless the user says otherwise. */
+  if (dialog->gaps.count > 0) {
+    dialog->settings.gaps = QN_GAPS_CLOSED;
+    try_import (dialog);
+  }
   qn_bound_form_show (dialog);
   gtk_window_present (window);
 }

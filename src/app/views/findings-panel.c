@@ -1,5 +1,8 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/quantity-entry.h"
+#include "app/widgets/row.h"
+#include "doc/edit/edit-gaps.h"
 #include "doc/edit/repair.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
@@ -10,8 +13,8 @@
 
 typedef struct Panel {
   QnCanvas *canvas;
-  GtkWidget *list, *repair_all;
-  GtkLabel *summary;
+  GtkWidget *list, *repair_all, *gap_box, *gap_width;
+  GtkLabel *summary, *gap_text;
 } Panel;
 
 /* What a button of a row does. */
@@ -52,10 +55,10 @@ on_repair_all (Panel *panel)
 }
 
 static GtkWidget *
-make_fixes (Panel *panel, const QnModel *model, const QnFinding *finding)
+make_fixes (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean gaps)
 {
   QnRepair choices[QN_REPAIR_COUNT];
-  guint count = qn_repair_get_choices (model, finding, choices);
+  guint count = qn_repair_get_choices (model, finding, gaps, choices);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
   for (guint i = 0; i < count; i++) {
     GtkWidget *button = gtk_button_new_with_label (qn_repair_get_label (choices[i]));
@@ -93,7 +96,7 @@ on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
 }
 
 static GtkWidget *
-make_row (Panel *panel, const QnModel *model, const QnFinding *finding)
+make_row (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean gaps)
 {
   g_autofree char *text = qn_explain_finding (model, finding);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 8);
@@ -105,10 +108,67 @@ make_row (Panel *panel, const QnModel *model, const QnFinding *finding)
   GtkWidget *column = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
   gtk_widget_set_valign (icon, GTK_ALIGN_START);
   gtk_box_append (GTK_BOX (column), label);
-  gtk_box_append (GTK_BOX (column), make_fixes (panel, model, finding));
+  gtk_box_append (GTK_BOX (column), make_fixes (panel, model, finding, gaps));
   gtk_box_append (GTK_BOX (box), icon);
   gtk_box_append (GTK_BOX (box), column);
   return box;
+}
+
+/* What is drawn with mortar between the blocks; returns whether there is any. The width offered is that
+ * of all of it. */
+static gboolean
+update_gaps (Panel *panel, const QnModel *model)
+{
+  QnGaps gaps;
+  double widest = 0.0;
+  if (!qn_model_find_gaps (model, 0.0, &gaps))
+    return FALSE;
+  g_autofree char *text = qn_gaps_dup_text (&gaps);
+  gboolean any = text != NULL;
+  for (gsize i = 0; i < gaps.count; i++)
+    widest = MAX (widest, gaps.items[i].width);
+  qn_gaps_clear (&gaps);
+  gtk_widget_set_visible (panel->gap_box, any);
+  if (any) {
+    g_autofree char *open =
+      g_strdup_printf (_ ("%s, open: the blocks beside them do not touch."), text);
+    gtk_label_set_text (panel->gap_text, open);
+    qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (panel->gap_width),
+                                 ceil (1e3 * widest) * 1e-3);
+  }
+  return any;
+}
+
+static gboolean
+edit_gaps (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_close_gaps (model, *(const double *) data, NULL, error);
+}
+
+static void
+on_close_gaps (Panel *panel)
+{
+  double width = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (panel->gap_width));
+  qn_canvas_edit (panel->canvas, _ ("Close Gaps"), NULL, edit_gaps, &width);
+}
+
+static GtkWidget *
+make_gap_box (Panel *panel)
+{
+  GtkWidget *button = gtk_button_new_with_mnemonic (_ ("_Close Gaps"));
+  panel->gap_box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
+  panel->gap_text = GTK_LABEL (gtk_label_new (NULL));
+  gtk_label_set_wrap (panel->gap_text, TRUE);
+  gtk_label_set_xalign (panel->gap_text, 0.0f);
+  panel->gap_width = qn_quantity_entry_new (QN_QUANTITY_LENGTH, 1e-6, 1.0);
+  gtk_widget_set_tooltip_text (
+    button, _ ("Blocks grow to the middle of the joints up to this width, in one step"));
+  g_signal_connect_swapped (button, "clicked", G_CALLBACK (on_close_gaps), panel);
+  gtk_box_append (GTK_BOX (panel->gap_box), GTK_WIDGET (panel->gap_text));
+  gtk_box_append (GTK_BOX (panel->gap_box),
+                  qn_row_new (_ ("Joints _up to"), panel->gap_width));
+  gtk_box_append (GTK_BOX (panel->gap_box), button);
+  return panel->gap_box;
 }
 
 static void
@@ -121,9 +181,10 @@ update (Panel *panel)
   while ((child = gtk_widget_get_first_child (panel->list)) != NULL)
     gtk_list_box_remove (GTK_LIST_BOX (panel->list), child);
   gsize shown = MIN (contacts->findings.count, MOST_ROWS);
+  gboolean gaps = update_gaps (panel, model);
   for (gsize i = 0; i < shown; i++)
     gtk_list_box_append (GTK_LIST_BOX (panel->list),
-                         make_row (panel, model, &contacts->findings.items[i]));
+                         make_row (panel, model, &contacts->findings.items[i], gaps));
   gtk_widget_set_visible (panel->list, shown > 0);
   gtk_widget_set_visible (panel->repair_all, shown > 1);
 
@@ -134,7 +195,7 @@ update (Panel *panel)
   g_autofree char *text = g_strdup_printf (
     "%s.\n%s", content,
     shown == 0
-      ? _ ("Nothing to complain of.")
+      ? gaps ? "" : _ ("Nothing to complain of.")
       : _ ("Click a line to go to its place; triangles mark the places in the drawing."));
   gtk_label_set_text (panel->summary, text);
 }
@@ -147,6 +208,7 @@ qn_findings_panel_new (QnCanvas *canvas)
   GtkWidget *form = qn_form_new ();
   qn_form_add_heading (form, _ ("Contacts Found"));
   panel->summary = qn_form_add_text (form);
+  qn_form_add_wide (form, make_gap_box (panel));
   panel->list = gtk_list_box_new ();
   gtk_list_box_set_selection_mode (GTK_LIST_BOX (panel->list), GTK_SELECTION_NONE);
   gtk_widget_add_css_class (panel->list, "rich-list");

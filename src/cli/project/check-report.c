@@ -1,5 +1,6 @@
 #include "cli/project/check-report.h"
 
+#include "doc/edit/edit-gaps.h"
 #include "io/text/fault-text.h"
 
 #include <glib/gi18n.h>
@@ -86,9 +87,25 @@ print_counts (const QnProject *project, const QnContacts *contacts)
             model->element_count, model->node_count);
 }
 
+/* Blocks that stand apart by mortar: often all of a drawing, and no finding of contacts. */
+static void
+print_gaps (const QnModel *model)
+{
+  QnGaps gaps;
+  if (!qn_model_find_gaps (model, 0, &gaps))
+    return;
+  g_autofree char *text = qn_gaps_dup_text (&gaps);
+  if (text != NULL)
+    printf (_ ("%s, open: the blocks beside them do not touch; import the drawing with "
+               "--close-joints\n"),
+            text);
+  qn_gaps_clear (&gaps);
+}
+
 static void
 print_findings (const QnInput *input)
 {
+  print_gaps (&input->project.model);
   const QnFindings *findings = &input->contacts.findings;
   const GPtrArray *warnings = input->project.warnings;
   if (findings->count + warnings->len == 0) {

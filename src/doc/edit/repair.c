@@ -1,6 +1,7 @@
 #include "doc/edit/repair.h"
 
 #include "core/base/polygon.h"
+#include "doc/edit/edit-gaps.h"
 #include "doc/edit/edit-shape.h"
 #include "doc/text/explain.h"
 #include "stereotomy/polygon-ops.h"
@@ -17,6 +18,9 @@
 
 /* Snapping reaches this much farther than the gap: corners lie aslant. */
 #define SNAP_REACH 1.5
+
+/* Gaps are closed up to so many times the width of one. */
+#define CLOSE_REACH 1.25
 
 /* ---- which block gives way ---- */
 
@@ -78,8 +82,32 @@ overlap_choices (const QnModel *model, const QnFinding *finding, QnRepair *choic
   return count;
 }
 
+/* A near miss is closed up to a width that allows for sides that are not parallel. */
+static double
+gap_width (const QnFinding *finding)
+{
+  return CLOSE_REACH * finding->value;
+}
+
+/* Whether the sides of the two blocks bound a gap: corners in front of sides do not. */
+static gboolean
+can_grow (const QnModel *model, const QnFinding *finding)
+{
+  QnGaps gaps;
+  gboolean found = FALSE;
+  if (!qn_model_find_gaps (model, gap_width (finding), &gaps))
+    return FALSE;
+  for (gsize i = 0; i < gaps.count && !found; i++)
+    found = ((QnId) gaps.items[i].rings[0] == finding->block_a
+             && (QnId) gaps.items[i].rings[1] == finding->block_b)
+            || ((QnId) gaps.items[i].rings[1] == finding->block_a
+                && (QnId) gaps.items[i].rings[0] == finding->block_b);
+  qn_gaps_clear (&gaps);
+  return found;
+}
+
 guint
-qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
+qn_repair_get_choices (const QnModel *model, const QnFinding *finding, gboolean gaps,
                        QnRepair choices[QN_REPAIR_COUNT])
 {
   guint count = 0;
@@ -87,6 +115,8 @@ qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
   if ((finding->problem == QN_PROBLEM_NEAR_MISS_GAP
        || finding->problem == QN_PROBLEM_NEAR_MISS_OVERLAP)
       && two) {
+    if (finding->problem == QN_PROBLEM_NEAR_MISS_GAP && can_grow (model, finding))
+      choices[count++] = QN_REPAIR_CLOSE;
     choices[count++] = QN_REPAIR_SNAP;
     choices[count++] = QN_REPAIR_MOVE;
     choices[count++] = QN_REPAIR_MERGE;
@@ -95,7 +125,7 @@ qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
   } else if ((finding->problem == QN_PROBLEM_BLOCK_WITHOUT_CONTACT
               || finding->problem == QN_PROBLEM_BLOCK_FLOATING)
              && finding->block_a != QN_NONE) {
-    choices[count++] = QN_REPAIR_SUPPORT;
+    choices[count++] = gaps ? QN_REPAIR_CLOSE : QN_REPAIR_SUPPORT;
     choices[count++] = QN_REPAIR_DELETE;
   } else if (finding->problem == QN_PROBLEM_OVERRIDE_UNUSED && two) {
     choices[count++] = QN_REPAIR_FORGET;
@@ -107,10 +137,10 @@ const char *
 qn_repair_get_label (QnRepair repair)
 {
   static const char *const labels[QN_REPAIR_COUNT] = {
-    [QN_REPAIR_SNAP] = N_ ("Snap"),     [QN_REPAIR_MOVE] = N_ ("Move"),
-    [QN_REPAIR_TRIM] = N_ ("Trim"),     [QN_REPAIR_MERGE] = N_ ("Merge"),
-    [QN_REPAIR_SUPPORT] = N_ ("Fix"),   [QN_REPAIR_DELETE] = N_ ("Delete"),
-    [QN_REPAIR_FORGET] = N_ ("Forget"),
+    [QN_REPAIR_CLOSE] = N_ ("Close"),   [QN_REPAIR_SNAP] = N_ ("Snap"),
+    [QN_REPAIR_MOVE] = N_ ("Move"),     [QN_REPAIR_TRIM] = N_ ("Trim"),
+    [QN_REPAIR_MERGE] = N_ ("Merge"),   [QN_REPAIR_SUPPORT] = N_ ("Fix"),
+    [QN_REPAIR_DELETE] = N_ ("Delete"), [QN_REPAIR_FORGET] = N_ ("Forget"),
   };
   return _ (labels[repair]);
 }
@@ -119,6 +149,7 @@ const char *
 qn_repair_get_step_name (QnRepair repair)
 {
   static const char *const names[QN_REPAIR_COUNT] = {
+    [QN_REPAIR_CLOSE] = N_ ("Close Gaps"),
     [QN_REPAIR_SNAP] = N_ ("Snap Corners"),
     [QN_REPAIR_MOVE] = N_ ("Move to Contact"),
     [QN_REPAIR_TRIM] = N_ ("Trim Block"),
@@ -134,6 +165,8 @@ char *
 qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair)
 {
   static const char *const sentences[QN_REPAIR_COUNT] = {
+    [QN_REPAIR_CLOSE] =
+      N_ ("Lets all blocks beside gaps like this one grow to the middle"),
     [QN_REPAIR_SNAP] = N_ ("Moves corners of %s onto %s"),
     [QN_REPAIR_MOVE] = N_ ("Moves %s as a whole until it touches %s"),
     [QN_REPAIR_TRIM] = N_ ("Takes from %s what it has in common with %s"),
@@ -288,6 +321,24 @@ merge (QnModel *model, const QnFinding *finding, GError **error)
   return qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
 }
 
+/* Near misses up to the width of this one; around a block that stands alone joints of mortar of usual
+ * width. */
+static gboolean
+close_gaps (QnModel *model, const QnFinding *finding, GError **error)
+{
+  double width = gap_width (finding);
+  if (finding->problem != QN_PROBLEM_NEAR_MISS_GAP) {
+    QnGaps gaps;
+    if (!qn_model_find_gaps (model, 0.0, &gaps))
+      return qn_edit_no_memory (error);
+    width = 0.0;
+    for (gsize i = 0; i < gaps.count; i++)
+      width = fmax (width, CLOSE_REACH * gaps.items[i].width);
+    qn_gaps_clear (&gaps);
+  }
+  return qn_edit_close_gaps (model, width, NULL, error);
+}
+
 gboolean
 qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GError **error)
 {
@@ -295,6 +346,8 @@ qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GErro
   choose (model, finding, &mover, &keeper);
   static const bool fixed[QN_DOF_COUNT] = { true, true, true };
   switch (repair) {
+  case QN_REPAIR_CLOSE:
+    return close_gaps (model, finding, error);
   case QN_REPAIR_SNAP:
     return reshape (model, finding, snapped, error);
   case QN_REPAIR_MOVE:
@@ -320,8 +373,18 @@ qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GErro
 static gboolean
 is_harmless (QnRepair repair)
 {
-  return repair == QN_REPAIR_SNAP || repair == QN_REPAIR_TRIM
+  return repair == QN_REPAIR_CLOSE || repair == QN_REPAIR_SNAP || repair == QN_REPAIR_TRIM
          || repair == QN_REPAIR_FORGET;
+}
+
+static gboolean
+has_gaps (const QnModel *model)
+{
+  QnGaps gaps;
+  qn_model_find_gaps (model, 0.0, &gaps);
+  gboolean any = gaps.count > 0;
+  qn_gaps_clear (&gaps);
+  return any;
 }
 
 /* Repairs the first finding that can be; FALSE where there is none. */
@@ -333,11 +396,12 @@ repair_one (QnModel *model)
   if (qn_model_prepare (model, &diag) != QN_OK
       || qn_contacts_detect (model, &contacts, &diag) != QN_OK)
     return FALSE;
-  gboolean done = FALSE;
+  gboolean done = FALSE, gaps = has_gaps (model);
   for (gsize i = 0; i < contacts.findings.count && !done; i++) {
     QnRepair choices[QN_REPAIR_COUNT];
     const QnFinding *finding = &contacts.findings.items[i];
-    if (qn_repair_get_choices (model, finding, choices) == 0 || !is_harmless (choices[0]))
+    if (qn_repair_get_choices (model, finding, gaps, choices) == 0
+        || !is_harmless (choices[0]))
       continue;
     QnModel trial;
     if (qn_model_copy (model, &trial, &diag) != QN_OK)

@@ -1,8 +1,9 @@
 /* Repairs: what can be done about a finding of contact detection.
  *
- * Gaps are closed by snapping corners or by moving a block, overlaps by trimming, merging or
+ * Gaps are closed by letting both blocks grow, by snapping corners or by moving a block, overlaps by trimming, merging or
  * moving apart, blocks that nothing holds are fixed or removed. Of the two blocks of a finding
- * the one that is free, not supported and smaller gives way. */
+ * the one that is free, not supported and smaller gives way. Where blocks stand apart by joints of
+ * mortar these are what is to be closed: nothing is fixed to the ground instead. */
 #ifndef QN_DOC_REPAIR_H
 #define QN_DOC_REPAIR_H
 
@@ -10,6 +11,7 @@
 #include "doc/edit/edit.h"
 
 typedef enum {
+  QN_REPAIR_CLOSE, /* blocks grow to the middle of the gap; of all gaps of joints of mortar */
   QN_REPAIR_SNAP,    /* corners of one block go to the other */
   QN_REPAIR_MOVE,    /* the block as a whole */
   QN_REPAIR_TRIM,    /* takes the common part from one */
@@ -20,9 +22,10 @@ typedef enum {
   QN_REPAIR_COUNT
 } QnRepair;
 
-/* What can be done, the best first; returns how many. */
+/* What can be done, the best first; returns how many. `gaps`: the model has joints of mortar
+ * (qn_model_find_gaps()). */
 guint qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
-                             QnRepair choices[QN_REPAIR_COUNT]);
+                             gboolean gaps, QnRepair choices[QN_REPAIR_COUNT]);
 
 /* "Snap", "Move" …, for a button; and the name of the step in the history. Static. */
 const char *qn_repair_get_label (QnRepair repair);

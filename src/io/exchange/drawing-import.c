@@ -65,22 +65,19 @@ dup_block_name (const QnModel *model, const char *wanted, guint number)
   return name;
 }
 
-static gboolean
-has_mortar (const QnImportWork *work)
-{
-  for (guint i = 0; i < work->outlines->len; i++)
-    if (g_array_index (work->outlines, QnOutline, i).mortar)
-      return TRUE;
-  return FALSE;
-}
-
-/* Lime mortar in a layer of this thickness; sources: docs/method/laws.md. */
+/* What the joints are: dry, or those between blocks and bodies of lime mortar as thick as the widest
+ * gap. Each body has two faces with two springs in series: four times the stiffness of the layer.
+ * Sources: docs/method/laws.md. */
 static void
-set_mortar (QnLaw *law, double thickness)
+set_law (QnLaw *law, const QnImportWork *work)
 {
   law->kind = QN_LAW_COULOMB;
+  law->friction = work->settings->friction;
+  law->kn = law->ks = 1e9;
+  if (!work->has_mortar)
+    return;
   law->basis = QN_BASIS_SURFACE;
-  law->kn = MORTAR_MODULUS / thickness;
+  law->kn = 4 * MORTAR_MODULUS / work->report->widest_gap;
   law->ks = law->kn / (2 * (1 + MORTAR_POISSON));
   law->friction = 0.4;
   law->cohesion = 0.1e6;
@@ -91,20 +88,12 @@ fill_project (QnImportWork *work, QnProject *project)
 {
   QnModel *model = &project->model;
   const QnImportSettings *settings = work->settings;
-  QnLaw *law = qn_model_add_law (model, "dry joint");
+  QnLaw *law = qn_model_add_law (model, work->has_mortar ? "lime mortar" : "dry joint");
   QnLoad *dead = qn_model_add_dead_load (model), *live = qn_model_add_live_load (model);
   if (law == NULL || dead == NULL || live == NULL)
     return FALSE;
-  law->kind = QN_LAW_COULOMB;
-  law->kn = law->ks = 1e9;
-  law->friction = settings->friction;
+  set_law (law, work);
   model->contact.law = 0;
-  if (has_mortar (work)) {
-    QnLaw *mortar = qn_model_add_law (model, "lime mortar");
-    if (mortar == NULL)
-      return FALSE;
-    set_mortar (mortar, work->report->widest_gap);
-  }
   dead->vector = qn_vec2 (0, -1);
   live->vector = qn_vec2 (1, 0);
   dead->block = live->block = QN_NONE;
@@ -117,7 +106,6 @@ fill_project (QnImportWork *work, QnProject *project)
       return FALSE;
     block->thickness = settings->thickness;
     block->unit_weight = settings->unit_weight;
-    block->law = outline->mortar ? 1 : QN_NONE;
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = outline->role == QN_ROLE_SUPPORT;
   }

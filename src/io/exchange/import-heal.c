@@ -106,12 +106,10 @@ fill_gaps (QnImportWork *work, QnDiag *diag)
   QnRings bodies = { 0 };
   if (!qn_gaps_fill (&work->report->gaps, &bodies))
     work->no_memory = TRUE;
-  for (gsize i = 0; i < bodies.count; i++) {
+  for (gsize i = 0; i < bodies.count; i++)
     qn_import_add_outline (work, &bodies.items[i], QN_ROLE_BLOCK, NULL, 0);
-    if (!work->no_memory)
-      g_array_index (work->outlines, QnOutline, work->outlines->len - 1).mortar = TRUE;
-  }
   qn_rings_clear (&bodies);
+  work->has_mortar = TRUE;
   return work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
 }
 
@@ -167,12 +165,9 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
       changed++;
       for (gsize k = 0; k < parts.count; k++)
         if (2 * qn_ring_area (&parts.items[k])
-            > work->tolerance * qn_ring_perimeter (&parts.items[k])) {
+            > work->tolerance * qn_ring_perimeter (&parts.items[k]))
           qn_import_add_outline (work, &parts.items[k], outline.role, outline.name,
                                  outline.line);
-          g_array_index (work->outlines, QnOutline, work->outlines->len - 1).mortar =
-            outline.mortar;
-        }
       g_array_index (work->outlines, QnOutline, i).ring.count = 0;
     }
     qn_rings_clear (&parts);

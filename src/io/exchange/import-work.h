@@ -15,7 +15,6 @@ typedef struct QnOutline {
   QnRole role;
   const char *name; /* kept by the drawing; NULL where it has none */
   guint line;       /* of the file, from 1; 0 for faces of line work */
-  gboolean mortar;  /* fills a gap between blocks */
 } QnOutline;
 
 typedef struct QnImportWork {
@@ -27,6 +26,7 @@ typedef struct QnImportWork {
   double tolerance;                /* m */
   GArray *outlines;                /* QnOutline */
   QnSegments soups[QN_ROLE_COUNT]; /* open lines, m, by what their faces become */
+  gboolean has_mortar;             /* gaps became blocks */
   gboolean
     no_memory; /* some of what was drawn is lost: refused at the next opportunity */
 } QnImportWork;

@@ -1,5 +1,6 @@
 #include "doc/edit/repair.h"
 
+#include "doc/edit/edit-gaps.h"
 #include "doc/fixture.h"
 
 #include <string.h>
@@ -60,13 +61,13 @@ check_every_choice (double bottom, QnProblem problem, guint expected)
   QnFinding finding = finding_of (document, problem);
   QnRepair choices[QN_REPAIR_COUNT];
   guint count =
-    qn_repair_get_choices (qn_document_get_model (document), &finding, choices);
+    qn_repair_get_choices (qn_document_get_model (document), &finding, FALSE, choices);
   g_assert_cmpuint (count, ==, expected);
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   for (guint i = 0; i < count; i++) {
     g_autofree char *what =
       qn_repair_explain (qn_document_get_model (document), &finding, choices[i]);
-    g_assert_nonnull (strstr (what, "above"));
+    g_assert_true (choices[i] == QN_REPAIR_CLOSE || strstr (what, "above") != NULL);
     Fix fix = { finding, choices[i] };
     g_autoptr (GError) error = NULL;
     qn_document_edit (document, qn_repair_get_step_name (choices[i]), NULL, repair, &fix,
@@ -75,8 +76,8 @@ check_every_choice (double bottom, QnProblem problem, guint expected)
     const QnContacts *contacts = qn_document_get_contacts (document);
     for (gsize k = 0; k < contacts->findings.count; k++)
       g_assert_cmpint (contacts->findings.items[k].problem, !=, problem);
-    if (choices[i] == QN_REPAIR_SNAP || choices[i] == QN_REPAIR_TRIM
-        || choices[i] == QN_REPAIR_MOVE)
+    if (choices[i] == QN_REPAIR_CLOSE || choices[i] == QN_REPAIR_SNAP
+        || choices[i] == QN_REPAIR_TRIM || choices[i] == QN_REPAIR_MOVE)
       g_assert_cmpuint (contacts->face_count, ==, 1);
     g_assert_true (qn_document_undo (document));
     g_assert_cmpstr (qn_document_get_text (document), ==, before);
@@ -86,7 +87,7 @@ check_every_choice (double bottom, QnProblem problem, guint expected)
 static void
 test_gap (void)
 {
-  check_every_choice (0.5004, QN_PROBLEM_NEAR_MISS_GAP, 3);
+  check_every_choice (0.5004, QN_PROBLEM_NEAR_MISS_GAP, 4);
 }
 
 static void
@@ -129,6 +130,80 @@ test_all (void)
   g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING);
 }
 
+/* A course of three blocks with mortar on a fixed one; the last has a corner cut off. */
+static QnDocument *
+open_mortar (void)
+{
+  return open_text (
+    "{ \"format\": \"quoin\", \"version\": 1,"
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": 0.6 } ],"
+    "  \"blocks\": [ { \"name\": \"base\", \"vertices\": "
+    "[[0,0],[1.52,0],[1.52,0.3],[0,0.3]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+    "    { \"name\": \"a\", \"vertices\": [[0,0.31],[0.5,0.31],[0.5,0.6],[0,0.6]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4 },"
+    "    { \"name\": \"b\", \"vertices\": [[0.51,0.312],[1,0.312],[1,0.6],[0.51,0.6]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4 },"
+    "    { \"name\": \"c\", \"vertices\": "
+    "[[1.02,0.308],[1.52,0.308],[1.52,0.5],[1.4,0.6],"
+    "    [1.02,0.6]], \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+    "  \"contact\": { \"law\": \"dry\" } }");
+}
+
+static gboolean
+close_gaps (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_close_gaps (model, *(const double *) data, NULL, error);
+}
+
+/* Blocks that mortar parts from the ground are not fixed to it: the gaps are closed, all in one step,
+ * and the bed stays level. */
+static void
+test_mortar (void)
+{
+  g_autoptr (QnDocument) document = open_mortar ();
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  QnGaps gaps;
+  g_assert_true (qn_model_find_gaps (qn_document_get_model (document), 0, &gaps));
+  g_assert_cmpuint (gaps.count, ==, 5);
+  g_autofree char *text = qn_gaps_dup_text (&gaps);
+  g_assert_cmpstr (text, ==, "5 joints of mortar, 8 to 20 mm wide");
+  qn_gaps_clear (&gaps);
+
+  QnFinding finding = finding_of (document, QN_PROBLEM_BLOCK_FLOATING);
+  QnRepair choices[QN_REPAIR_COUNT];
+  guint count =
+    qn_repair_get_choices (qn_document_get_model (document), &finding, TRUE, choices);
+  g_assert_cmpuint (count, ==, 2);
+  g_assert_cmpint (choices[0], ==, QN_REPAIR_CLOSE);
+  g_assert_cmpint (choices[1], ==, QN_REPAIR_DELETE);
+  Fix fix = { finding, QN_REPAIR_CLOSE };
+  double widths[] = { 0.001, 0.025 };
+  g_autoptr (GError) error = NULL;
+  g_assert_false (
+    qn_document_edit (document, "Close", NULL, close_gaps, &widths[0], &error));
+  g_assert_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING);
+  for (int way = 0; way < 3; way++) {
+    guint repaired = 0;
+    const QnEditFunc edits[] = { repair, close_gaps, repair_all };
+    gpointer data[] = { &fix, &widths[1], &repaired };
+    g_assert_true (
+      qn_document_edit (document, "Close", NULL, edits[way], data[way], NULL));
+    const QnContacts *contacts = qn_document_get_contacts (document);
+    const QnModel *model = qn_document_get_model (document);
+    g_assert_cmpuint (contacts->face_count, ==, 5);
+    g_assert_cmpuint (contacts->findings.count, ==, 0);
+    g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+    for (gsize i = 0; i < contacts->face_count; i++)
+      if (model->blocks[contacts->faces[i].a].support[0]
+          || model->blocks[contacts->faces[i].b].support[0])
+        g_assert_cmpfloat (contacts->faces[i].start.y, ==, contacts->faces[i].end.y);
+    g_assert_true (qn_document_undo (document));
+    g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -138,5 +213,6 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/repair/loose", test_loose);
   g_test_add_func ("/doc/repair/who-moves", test_who_moves);
   g_test_add_func ("/doc/repair/all", test_all);
+  g_test_add_func ("/doc/repair/mortar", test_mortar);
   return g_test_run ();
 }

@@ -57,8 +57,8 @@ test_choice (void)
     drawing.unit = cases[i].declared;
     QnImportSettings settings = QN_IMPORT_DEFAULTS;
     settings.unit = cases[i].given;
-    QnImportReport report = { g_ptr_array_new_with_free_func (g_free),
-                              g_ptr_array_new_with_free_func (g_free), FALSE };
+    QnImportReport report = { .lines = g_ptr_array_new_with_free_func (g_free),
+                              .warnings = g_ptr_array_new_with_free_func (g_free) };
     QnImportWork work = { .drawing = &drawing, .settings = &settings, .report = &report };
     qn_import_choose_unit (&work);
     g_assert_cmpuint (report.lines->len, ==, 1);
