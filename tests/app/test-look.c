@@ -1,6 +1,7 @@
 /* Whether the window holds what it has to say: with strings as long as German ones, from right to
  * left, in the dark, at twice the scale. Everything must fit a screen of 1280 x 800; pictures of
- * the states are kept for the eye. QUOIN_LOOK names the look: plain, long, fr, rtl, dark, large. */
+ * the states are kept for the eye. QUOIN_LOOK names the look: plain, long, rtl, dark, large, or a
+ * language. */
 #include "driver.h"
 
 #include "app/widgets/settings.h"
@@ -103,6 +104,8 @@ test_dialogs (void)
   expect_dialog_to_fit ("preferences");
   g_action_group_activate_action (program, "help", NULL);
   expect_dialog_to_fit ("help");
+  driver_activate (window, "win.study");
+  expect_dialog_to_fit ("study");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");

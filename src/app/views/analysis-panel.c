@@ -139,7 +139,7 @@ static char **
 dup_blocks (const QnModel *model)
 {
   g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  g_strv_builder_add (names, _ ("None"));
+  g_strv_builder_add (names, C_ ("block", "None"));
   for (gsize i = 0; i < model->block_count; i++)
     g_strv_builder_add (names, model->blocks[i].name);
   return g_strv_builder_end (names);

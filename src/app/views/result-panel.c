@@ -60,7 +60,7 @@ update_runs (Panel *panel)
   const GPtrArray *runs = qn_document_get_runs (document_of (panel));
   g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
   guint selected = GTK_INVALID_LIST_POSITION, onion = 0;
-  g_ptr_array_add (names, g_strdup (_ ("None")));
+  g_ptr_array_add (names, g_strdup (C_ ("run", "None")));
   for (guint i = 0; i < runs->len; i++) {
     const QnRun *run = g_ptr_array_index (runs, i);
     g_ptr_array_add (names, dup_run_title (panel, run));
