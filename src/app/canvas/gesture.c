@@ -97,6 +97,49 @@ qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
   return TRUE;
 }
 
+/* ---- many points ---- */
+
+void
+qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event, guint least)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (event->press_count == 2 && gesture->points->len >= least)
+    complete (canvas);
+  else if (event->press_count == 1) {
+    g_array_append_val (gesture->points, event->point);
+    gesture->to = event->point;
+    qn_canvas_set_in_gesture (canvas, TRUE);
+  }
+}
+
+gboolean
+qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count, guint least)
+{
+  GArray *points = qn_canvas_get_gesture (canvas)->points;
+  if (count == 0 && points->len >= least) {
+    complete (canvas);
+    return TRUE;
+  }
+  if (count != 2 || points->len == 0)
+    return FALSE;
+  QnVec2 last = g_array_index (points, QnVec2, points->len - 1);
+  QnVec2 next = qn_vec2 (last.x + values[0], last.y + values[1]);
+  g_array_append_val (points, next);
+  return TRUE;
+}
+
+void
+qn_gesture_trace_points (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  for (guint i = 0; i <= gesture->points->len; i++) {
+    QnVec2 s = qn_canvas_to_screen (canvas, i < gesture->points->len
+                                              ? g_array_index (gesture->points, QnVec2, i)
+                                              : gesture->to);
+    cairo_line_to (cr, s.x, s.y);
+  }
+}
+
 /* ---- drawing ---- */
 
 void

@@ -1,4 +1,4 @@
-/* Gestures between two points: pressed at the one and released at the other, or clicked at both,
+/* Gestures between points. Between two: pressed at the one and released at the other, or clicked at both,
  * or clicked at the first and typed. Rectangles and lines share them; what becomes of the two
  * points is the tool's `complete`. */
 #ifndef QN_APP_GESTURE_H
@@ -29,6 +29,15 @@ gboolean qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int co
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH }, .press = qn_gesture_press,   \
   .motion = qn_gesture_motion, .release = qn_gesture_release,                            \
   .numbers = qn_gesture_rectangle_numbers
+
+/* Lines of many points, kept in gesture.points, which a double click or Enter completes from `least`
+ * of them on. To be called from the tool's .press and .numbers; two numbers are the next point,
+ * relative to the last one. */
+void qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event, guint least);
+gboolean qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count,
+                                   guint least);
+/* Adds the points, and the pointer behind them, to the path of `cr`. */
+void qn_gesture_trace_points (QnCanvas *canvas, cairo_t *cr);
 
 /* What one typed number, a length in the direction of the pointer, or two, a length and an angle,
  * mean as a way from gesture.from; FALSE for any other count. */

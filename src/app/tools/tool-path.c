@@ -1,5 +1,5 @@
 /* The way of a moving load: click along it, Enter or a double click at its end. */
-#include "app/canvas/canvas.h"
+#include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
 #include <glib/gi18n.h>
@@ -19,52 +19,20 @@ complete (QnCanvas *canvas)
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (event->press_count == 2 && gesture->points->len >= 2) {
-    complete (canvas);
-    return;
-  }
-  if (event->press_count > 1)
-    return;
-  g_array_append_val (gesture->points, event->point);
-  gesture->to = event->point;
-  qn_canvas_set_in_gesture (canvas, TRUE);
+  qn_gesture_press_point (canvas, event, 2);
 }
 
-static void
-motion (QnCanvas *canvas, const QnToolEvent *event)
-{
-  qn_canvas_get_gesture (canvas)->to = event->point;
-}
-
-/* The next point, relative to the last one; none ends the line. */
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
-  GArray *points = qn_canvas_get_gesture (canvas)->points;
-  if (count == 0 && points->len >= 2) {
-    complete (canvas);
-    return TRUE;
-  }
-  if (count != 2 || points->len == 0)
-    return FALSE;
-  QnVec2 last = g_array_index (points, QnVec2, points->len - 1);
-  QnVec2 next = qn_vec2 (last.x + values[0], last.y + values[1]);
-  g_array_append_val (points, next);
-  return TRUE;
+  return qn_gesture_point_numbers (canvas, values, count, 2);
 }
 
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   cairo_new_path (cr);
-  for (guint i = 0; i <= gesture->points->len; i++) {
-    QnVec2 s = qn_canvas_to_screen (canvas, i < gesture->points->len
-                                              ? g_array_index (gesture->points, QnVec2, i)
-                                              : gesture->to);
-    cairo_line_to (cr, s.x, s.y);
-  }
+  qn_gesture_trace_points (canvas, cr);
   cairo_set_source_rgb (cr, 0.85, 0.35, 0.0);
   cairo_set_line_width (cr, 2.0);
   cairo_stroke (cr);
@@ -80,7 +48,8 @@ const QnTool qn_tool_path = {
   .numbers_label = N_ ("right; up"),
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
   .press = press,
-  .motion = motion,
+  .motion = qn_gesture_motion,
   .numbers = numbers,
+  .complete = complete,
   .draw = draw,
 };
