@@ -294,14 +294,19 @@ print (const Answer *answer)
   printf (_ ("ratio: capacity over demand; the check is met from 1 on\n"));
 }
 
+typedef struct Member {
+  const char *key;
+  double value;
+} Member;
+
 static void
-put_number (QnFileWriter *out, const char *key, double value)
+put_members (QnFileWriter *out, const char *before, const Member *members, gsize count,
+             const char *between)
 {
-  qn_file_writer_printf (out, "\"%s\": ", key);
-  if (isfinite (value))
-    qn_file_writer_number (out, value);
-  else
-    qn_file_writer_puts (out, "null");
+  for (gsize i = 0; i < count; i++) {
+    qn_file_writer_printf (out, "%s\"%s\"", i > 0 ? between : before, members[i].key);
+    qn_file_writer_puts_number (out, ": ", members[i].value);
+  }
 }
 
 static QnExit
@@ -312,10 +317,7 @@ write_json (const Answer *answer, const char *path)
   QnFileWriter *out = qn_file_writer_open (path, &error);
   if (out == NULL)
     return qn_cli_fail (error);
-  const struct {
-    const char *key;
-    double value;
-  } facts[] = {
+  const Member facts[] = {
     { "participating_blocks", (double) c->participating },
     { "moving_mass", c->moving_mass },
     { "participating_mass", c->mass },
@@ -323,7 +325,8 @@ write_json (const Answer *answer, const char *path)
     { "displacement_ratio", c->ratio },
     { "peak_multiplier", c->points[c->peak].multiplier },
     { "end_displacement", c->end },
-  }, demand[] = {
+  };
+  const Member demand[] = {
     { "yield_acceleration", answer->en.yield_acceleration },
     { "mechanism_displacement", answer->en.mechanism },
     { "energy", answer->en.energy },
@@ -338,35 +341,25 @@ write_json (const Answer *answer, const char *path)
   qn_file_writer_json_string (out, answer->input->project.name);
   qn_file_writer_puts (out, ",\n  \"control_block\": ");
   qn_file_writer_json_string (out, answer->input->project.model.blocks[c->block].name);
-  for (gsize i = 0; i < G_N_ELEMENTS (facts); i++) {
-    qn_file_writer_puts (out, ",\n  ");
-    put_number (out, facts[i].key, facts[i].value);
-  }
+  put_members (out, ",\n  ", facts, G_N_ELEMENTS (facts), ",\n  ");
   qn_file_writer_printf (out, ",\n  \"reaches_zero\": %s",
                          c->reaches_zero ? "true" : "false");
   if (answer->has_spectrum) {
-    qn_file_writer_puts (out, ",\n  \"confidence\": ");
-    qn_file_writer_number (out, answer->confidence);
-    qn_file_writer_puts (out, ",\n  \"en_demand\": { ");
-    for (gsize i = 0; i < G_N_ELEMENTS (demand); i++) {
-      qn_file_writer_puts (out, i > 0 ? ", " : "");
-      put_number (out, demand[i].key, demand[i].value);
-    }
+    qn_file_writer_puts_number (out, ",\n  \"confidence\": ", answer->confidence);
+    qn_file_writer_puts (out, ",\n  \"en_demand\": ");
+    put_members (out, "{ ", demand, G_N_ELEMENTS (demand), ", ");
     qn_file_writer_puts (out, " },\n  \"checks\": [");
     for (int i = 0; i < STATE_COUNT; i++) {
       const QnCapacityState *s = &answer->states[i];
-      qn_file_writer_printf (out, "%s\n    { \"code\": \"%s\", \"state\": \"%s\", ",
+      const Member members[] = { { "capacity", s->capacity },
+                                 { "acceleration", s->acceleration },
+                                 { "period", s->period },
+                                 { "demand", s->demand },
+                                 { "ratio", s->ratio } };
+      qn_file_writer_printf (out, "%s\n    { \"code\": \"%s\", \"state\": \"%s\"",
                              i > 0 ? "," : "", i < SD ? "NTC 2018" : "EN 1998-3",
                              state_names[i]);
-      put_number (out, "capacity", s->capacity);
-      qn_file_writer_puts (out, ", ");
-      put_number (out, "acceleration", s->acceleration);
-      qn_file_writer_puts (out, ", ");
-      put_number (out, "period", s->period);
-      qn_file_writer_puts (out, ", ");
-      put_number (out, "demand", s->demand);
-      qn_file_writer_puts (out, ", ");
-      put_number (out, "ratio", s->ratio);
+      put_members (out, ", ", members, G_N_ELEMENTS (members), ", ");
       qn_file_writer_puts (out, " }");
     }
     qn_file_writer_puts (out, "\n  ]");
@@ -374,14 +367,12 @@ write_json (const Answer *answer, const char *path)
   qn_file_writer_puts (out, ",\n  \"curve\": [");
   for (size_t i = 0; i < c->count; i++) {
     const QnCapacityPoint *p = &c->points[i];
-    qn_file_writer_puts (out, i > 0 ? ",\n    { " : "\n    { ");
-    put_number (out, "multiplier", p->multiplier);
-    qn_file_writer_puts (out, ", ");
-    put_number (out, "control", p->control);
-    qn_file_writer_puts (out, ", ");
-    put_number (out, "displacement", p->displacement);
-    qn_file_writer_puts (out, ", ");
-    put_number (out, "acceleration", p->acceleration);
+    const Member members[] = { { "multiplier", p->multiplier },
+                               { "control", p->control },
+                               { "displacement", p->displacement },
+                               { "acceleration", p->acceleration } };
+    qn_file_writer_puts (out, i > 0 ? "," : "");
+    put_members (out, "\n    { ", members, G_N_ELEMENTS (members), ", ");
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "\n  ]\n}\n");
@@ -401,10 +392,7 @@ write_csv (const Answer *answer, const char *path)
   for (size_t i = 0; i < c->count; i++) {
     const QnCapacityPoint *p = &c->points[i];
     const double row[] = { p->multiplier, p->control, p->displacement, p->acceleration };
-    for (gsize k = 0; k < G_N_ELEMENTS (row); k++) {
-      qn_file_writer_puts (out, k > 0 ? "," : "");
-      qn_file_writer_number (out, row[k]);
-    }
+    qn_file_writer_numbers (out, row, G_N_ELEMENTS (row), ",");
     qn_file_writer_puts (out, "\n");
   }
   return qn_file_writer_commit (out, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
@@ -537,15 +525,7 @@ run (const QnSubcommand *self, int argc, char **argv)
 
   qn_record_clear (&answer.points);
   qn_input_clear (&input);
-  qn_picture_options_clear (&options.picture);
-  g_free (options.json);
-  g_free (options.csv);
-  g_free (options.spectrum);
-  g_free (options.ag);
-  g_free (options.soil);
-  g_free (options.unit);
-  g_free (options.control);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

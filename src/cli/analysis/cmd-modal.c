@@ -54,11 +54,8 @@ write_csv (const Options *options, const QnModel *model, const QnModes *modes)
                              shape[QN_DOF_UX],
                              shape[QN_DOF_UY],
                              shape[QN_DOF_RZ] };
-      qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, i + 1);
-      for (gsize k = 0; k < G_N_ELEMENTS (row); k++) {
-        qn_file_writer_puts (writer, ",");
-        qn_file_writer_number (writer, row[k]);
-      }
+      qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT ",", i + 1);
+      qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
       qn_file_writer_puts (writer, "\n");
     }
   return qn_file_writer_commit (writer, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
@@ -169,9 +166,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = solve (&options, &input);
   qn_input_clear (&input);
-  g_free (options.output);
-  g_free (options.csv);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

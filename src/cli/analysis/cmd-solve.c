@@ -358,10 +358,7 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   }
 
   qn_input_clear (&input);
-  g_free (options.output);
-  g_free (options.csv);
-  g_free (options.detail);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

@@ -115,8 +115,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = solve (&options, &input);
   qn_input_clear (&input);
-  g_free (options.output);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

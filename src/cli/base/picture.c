@@ -57,12 +57,3 @@ qn_picture_metadata (const QnProject *project, QnMetadata *metadata)
     metadata->model_sha256 = project->sha256;
   }
 }
-
-void
-qn_picture_options_clear (QnPictureOptions *options)
-{
-  g_free (options->path);
-  g_free (options->size);
-  g_free (options->dpi);
-  g_free (options->backend);
-}

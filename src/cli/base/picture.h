@@ -68,6 +68,4 @@ QnExit qn_picture_page (const QnSubcommand *self, const QnPictureOptions *option
  * model, which is the file's name without folders. `project` may be NULL. */
 void qn_picture_metadata (const QnProject *project, QnMetadata *metadata);
 
-void qn_picture_options_clear (QnPictureOptions *options);
-
 #endif

@@ -135,3 +135,15 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
   return check_count (self, *argc - 1, least, most) && check_numbers (self, entries)
          && check_files (self, entries, *argc, *argv);
 }
+
+void
+qn_subcommand_free_values (const GOptionEntry *entries)
+{
+  for (; entries->long_name != NULL; entries++) {
+    if (entries->arg == G_OPTION_ARG_STRING || entries->arg == G_OPTION_ARG_FILENAME)
+      g_clear_pointer ((char **) entries->arg_data, g_free);
+    else if (entries->arg == G_OPTION_ARG_STRING_ARRAY
+             || entries->arg == G_OPTION_ARG_FILENAME_ARRAY)
+      g_clear_pointer ((char ***) entries->arg_data, g_strfreev);
+  }
+}

@@ -54,4 +54,7 @@ extern const QnSubcommand qn_cmd_verify;
 gboolean qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries,
                               int least, int most, int *argc, char ***argv);
 
+/* Frees the strings and lists that parsing has put where the entries say. */
+void qn_subcommand_free_values (const GOptionEntry *entries);
+
 #endif

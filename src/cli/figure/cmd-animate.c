@@ -138,11 +138,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = animate (&options, &output, scale, argv[1]);
 
-  qn_picture_options_clear (&options.picture);
-  g_free (options.result);
-  g_free (options.view);
-  g_free (options.scale);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

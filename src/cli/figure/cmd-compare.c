@@ -81,8 +81,7 @@ run (const QnSubcommand *self, int argc, char **argv)
 
   if (items != NULL)
     qn_sheet_items_free (items, count);
-  qn_picture_options_clear (&options.picture);
-  g_free (options.title);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

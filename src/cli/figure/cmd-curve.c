@@ -182,10 +182,8 @@ run (const QnSubcommand *self, int argc, char **argv)
 
   if (items != NULL)
     qn_sheet_items_free (items, count);
-  qn_picture_options_clear (&options.picture);
+  qn_subcommand_free_values (entries);
   g_array_unref (options.lines);
-  g_strfreev (options.references);
-  g_free (options.title);
   return code;
 }
 

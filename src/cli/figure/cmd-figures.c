@@ -186,8 +186,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = run_with (&options, argv[1]);
-  g_free (options.folder);
-  g_strfreev (options.names);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

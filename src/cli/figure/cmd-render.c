@@ -205,17 +205,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = render (&options, &view, &output, argv[1]);
 
-  qn_picture_options_clear (&options.picture);
-  g_free (options.result);
-  g_free (options.view);
-  g_free (options.step);
-  g_free (options.scale);
-  g_free (options.field);
-  g_free (options.diagram);
-  g_free (options.onion);
-  g_strfreev (options.show);
-  g_strfreev (options.hide);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

@@ -202,10 +202,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   }
   if (code == QN_EXIT_DONE)
     code = make (&options, argv[1], &report);
-  g_free (options.output);
-  g_free (options.paper);
-  g_free (options.sections);
-  g_strfreev (options.results);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

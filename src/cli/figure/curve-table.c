@@ -20,8 +20,7 @@ write_point (QnFileWriter *writer, const QnCurve *curve, gsize i)
   write_text (writer, curve->label != NULL ? curve->label : "");
   qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT ",", i);
   qn_file_writer_number (writer, curve->x[i]);
-  qn_file_writer_puts (writer, ",");
-  qn_file_writer_number (writer, curve->y[i]);
+  qn_file_writer_puts_number (writer, ",", curve->y[i]);
   qn_file_writer_printf (writer, ",%s\n", mark);
 }
 

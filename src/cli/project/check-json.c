@@ -7,17 +7,10 @@
 #include <string.h>
 
 static void
-write_number (QnFileWriter *out, const char *key, double value)
-{
-  qn_file_writer_puts (out, key);
-  qn_file_writer_number (out, value);
-}
-
-static void
 write_point (QnFileWriter *out, const char *key, QnVec2 point)
 {
-  write_number (out, key, point.x);
-  write_number (out, ", ", point.y);
+  qn_file_writer_puts_number (out, key, point.x);
+  qn_file_writer_puts_number (out, ", ", point.y);
   qn_file_writer_puts (out, "]");
 }
 
@@ -36,9 +29,9 @@ write_blocks (QnFileWriter *out, const QnModel *model)
     const QnBlock *block = &model->blocks[i];
     qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
     qn_file_writer_json_string (out, block->name);
-    write_number (out, ", \"area\": ", block->area);
+    qn_file_writer_puts_number (out, ", \"area\": ", block->area);
     write_point (out, ", \"centroid\": [", block->centroid);
-    write_number (out, ", \"weight\": ", block->weight);
+    qn_file_writer_puts_number (out, ", \"weight\": ", block->weight);
     write_flag (out, ", \"support\": [", block->support[QN_DOF_UX]);
     write_flag (out, ", ", block->support[QN_DOF_UY]);
     write_flag (out, ", ", block->support[QN_DOF_RZ]);
@@ -85,12 +78,12 @@ write_beams (QnFileWriter *out, const QnModel *model)
     qn_file_writer_printf (out, ", \"elements\": %d", beam->element_count);
     write_flag (out, ", \"hinges\": [", beam->hinge[0]);
     write_flag (out, ", ", beam->hinge[1]);
-    write_number (out,
-                  "], \"length\": ", qn_vec2_length (qn_vec2_sub (*ends[1], *ends[0])));
-    write_number (out, ", \"area\": ", section->area);
-    write_number (out, ", \"inertia\": ", section->inertia);
+    qn_file_writer_puts_number (
+      out, "], \"length\": ", qn_vec2_length (qn_vec2_sub (*ends[1], *ends[0])));
+    qn_file_writer_puts_number (out, ", \"area\": ", section->area);
+    qn_file_writer_puts_number (out, ", \"inertia\": ", section->inertia);
     if (isfinite (plastic))
-      write_number (out, ", \"plastic_moment\": ", plastic);
+      qn_file_writer_puts_number (out, ", \"plastic_moment\": ", plastic);
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "\n  ],\n");
@@ -103,7 +96,7 @@ write_pairs (QnFileWriter *out, const QnContacts *contacts, const QnContactFace 
   for (int32_t k = 0; k < face->pair_count; k++) {
     const QnContactPair *pair = &contacts->pairs[face->first_pair + k];
     write_point (out, k > 0 ? ", { \"point\": [" : " { \"point\": [", pair->point);
-    write_number (out, ", \"tributary\": ", pair->tributary);
+    qn_file_writer_puts_number (out, ", \"tributary\": ", pair->tributary);
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, " ] }");
@@ -120,7 +113,7 @@ write_faces (QnFileWriter *out, const QnContacts *contacts)
     write_point (out, ", \"start\": [", face->start);
     write_point (out, ", \"end\": [", face->end);
     write_point (out, ", \"normal\": [", face->normal);
-    write_number (out, ", \"length\": ", face->length);
+    qn_file_writer_puts_number (out, ", \"length\": ", face->length);
     write_pairs (out, contacts, face);
   }
   qn_file_writer_puts (out, "\n  ],\n");
@@ -153,7 +146,7 @@ write_findings (QnFileWriter *out, const QnInput *input)
     if (finding->block_b != QN_NONE)
       qn_file_writer_printf (out, ", %d", finding->block_b);
     write_point (out, "], \"at\": [", finding->at);
-    write_number (out, ", \"value\": ", finding->value);
+    qn_file_writer_puts_number (out, ", \"value\": ", finding->value);
     qn_file_writer_puts (out, ", \"text\": ");
     qn_file_writer_json_string (out, g_ptr_array_index (texts, (guint) i));
     qn_file_writer_puts (out, " }");
@@ -171,15 +164,16 @@ write_findings (QnFileWriter *out, const QnInput *input)
 static void
 write_equilibrium (QnFileWriter *out, const QnResultCheck *check)
 {
-  write_number (out, ", \"multiplier\": ", check->multiplier);
-  write_number (out, ",\n    \"out_of_balance\": ", check->out_of_balance);
+  qn_file_writer_puts_number (out, ", \"multiplier\": ", check->multiplier);
+  qn_file_writer_puts_number (out, ",\n    \"out_of_balance\": ", check->out_of_balance);
   qn_file_writer_printf (out, ", \"unbalanced_block\": %d", check->unbalanced_block);
   qn_file_writer_printf (out, ", \"unbalanced_node\": %d", check->unbalanced_node);
   qn_file_writer_printf (out, ", \"unbalanced_element\": %d", check->unbalanced_element);
-  write_number (out, ", \"force_scale\": ", check->force_scale);
-  write_number (out, ",\n    \"yield_violation\": ", check->yield_violation);
+  qn_file_writer_puts_number (out, ", \"force_scale\": ", check->force_scale);
+  qn_file_writer_puts_number (out,
+                              ",\n    \"yield_violation\": ", check->yield_violation);
   qn_file_writer_printf (out, ", \"violating_pair\": %d", check->violating_pair);
-  write_number (out, ", \"contact_scale\": ", check->contact_scale);
+  qn_file_writer_puts_number (out, ", \"contact_scale\": ", check->contact_scale);
 }
 
 static void

@@ -110,8 +110,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = options.result != NULL ? check_result (&options, argv[1])
                                   : check_model (&options, argv[1]);
-  g_free (options.result);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

@@ -135,11 +135,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     code = check_options (self, &options, &format);
   if (code == QN_EXIT_DONE)
     code = load_and_export (&options, format, argv[1]);
-  g_free (options.output);
-  g_free (options.result);
-  g_free (options.unit);
-  g_free (options.table);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

@@ -190,8 +190,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       code = generate (self, &options, kind, rest + 2);
   }
   g_ptr_array_unref (joined);
-  g_free (options.output);
-  g_free (options.title);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

@@ -113,9 +113,7 @@ run (const QnSubcommand *self, int argc, char **argv)
     code = check_options (self, &options);
   if (code == QN_EXIT_DONE)
     code = import_file (&options, argv[1]);
-  g_free (options.output);
-  g_free (options.unit);
-  g_strfreev (settings->layers);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

@@ -186,10 +186,7 @@ write_csv (const History *history, const char *path)
     const QnLawSample *s = &g_array_index (history->samples, QnLawSample, i);
     const double row[] = { s->elongation[0], s->elongation[1], s->force[0],
                            s->force[1],      s->tangent[0],    s->tangent[1] };
-    for (gsize k = 0; k < G_N_ELEMENTS (row); k++) {
-      qn_file_writer_puts (writer, k > 0 ? "," : "");
-      qn_file_writer_number (writer, row[k]);
-    }
+    qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
     qn_file_writer_puts (writer, "\n");
   }
   return qn_file_writer_commit (writer, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
@@ -278,11 +275,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = show (self, &options, argv[1]);
-  qn_picture_options_clear (&options.picture);
-  g_free (options.csv);
-  g_free (options.model);
-  g_free (options.path);
-  g_strfreev (options.settings);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

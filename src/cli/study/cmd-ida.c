@@ -449,13 +449,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       code = qn_cli_fail (error);
   }
   g_array_unref (ida.scales);
-  qn_picture_options_clear (&options.picture);
-  g_free (options.folder);
-  g_free (options.csv);
-  g_free (options.scale);
-  g_free (options.unit);
-  g_strfreev (options.records);
-  g_strfreev (options.overrides);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

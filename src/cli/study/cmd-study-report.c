@@ -186,10 +186,7 @@ run_plot (const QnSubcommand *self, int argc, char **argv)
   QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = plot (self, &options, argv[1]);
-  qn_picture_options_clear (&options.picture);
-  g_free (options.kind);
-  g_free (options.of);
-  g_strfreev (options.by);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

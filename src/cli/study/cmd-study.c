@@ -184,8 +184,7 @@ run_run (const QnSubcommand *self, int argc, char **argv)
   QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = run_study (self, &options, argv[1]);
-  g_free (options.folder);
-  g_free (options.shard);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

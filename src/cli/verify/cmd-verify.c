@@ -284,7 +284,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 0, 16, &argc, &argv)
       && check_names (self, argv + 1))
     code = verify (&options, argv + 1);
-  g_free (options.keep);
+  qn_subcommand_free_values (entries);
   return code;
 }
 

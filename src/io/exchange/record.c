@@ -342,8 +342,7 @@ qn_record_write (const char *path, const QnRecord *record, GError **error)
   qn_file_writer_puts (writer, "time [s],acceleration [m/s2]\n");
   for (gsize i = 0; i < record->count; i++) {
     qn_file_writer_number (writer, record->points[i].x);
-    qn_file_writer_puts (writer, ",");
-    qn_file_writer_number (writer, record->points[i].y);
+    qn_file_writer_puts_number (writer, ",", record->points[i].y);
     qn_file_writer_puts (writer, "\n");
   }
   return qn_file_writer_commit (writer, error);

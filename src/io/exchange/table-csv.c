@@ -68,8 +68,7 @@ static void
 write_numbers (QnFileWriter *writer, const double *numbers, size_t count)
 {
   for (size_t i = 0; i < count; i++) {
-    qn_file_writer_puts (writer, ",");
-    qn_file_writer_number (writer, numbers[i]);
+    qn_file_writer_puts_number (writer, ",", numbers[i]);
   }
 }
 
@@ -161,8 +160,7 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
   }
   for (size_t i = 0; i < history->row_count; i++) {
     const double *row = history->rows + i * history->width;
-    qn_file_writer_puts (writer, "\n");
-    qn_file_writer_number (writer, row[0]);
+    qn_file_writer_puts_number (writer, "\n", row[0]);
     write_numbers (writer, row + 1, history->width - 1);
   }
   qn_file_writer_puts (writer, "\n");

@@ -29,11 +29,8 @@ qn_vtu_put_array (QnFileWriter *writer, const char *type, const char *name,
                          "format=\"ascii\">\n",
                          type, name, components);
   for (size_t i = 0; i < count; i++) {
-    for (int c = 0; c < components; c++) {
-      if (c > 0)
-        qn_file_writer_puts (writer, " ");
-      qn_file_writer_number (writer, value (data, i, c));
-    }
+    for (int c = 0; c < components; c++)
+      qn_file_writer_puts_number (writer, c > 0 ? " " : "", value (data, i, c));
     qn_file_writer_puts (writer, "\n");
   }
   qn_file_writer_puts (writer, "</DataArray>\n");

@@ -13,8 +13,7 @@ write_list (QnFileWriter *writer, const double *first, size_t stride, size_t cou
 {
   qn_file_writer_puts (writer, "[");
   for (size_t i = 0; i < count; i++) {
-    qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_number (writer, first[i * stride]);
+    qn_file_writer_puts_number (writer, i > 0 ? ", " : "", first[i * stride]);
   }
   qn_file_writer_puts (writer, "]");
 }

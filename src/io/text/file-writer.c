@@ -94,6 +94,21 @@ qn_file_writer_number (QnFileWriter *writer, double number)
 }
 
 void
+qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double number)
+{
+  qn_file_writer_puts (writer, text);
+  qn_file_writer_number (writer, number);
+}
+
+void
+qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
+                        const char *between)
+{
+  for (gsize i = 0; i < count; i++)
+    qn_file_writer_puts_number (writer, i > 0 ? between : "", numbers[i]);
+}
+
+void
 qn_file_writer_json_string (QnFileWriter *writer, const char *text)
 {
   qn_json_append_string (writer->buffer, text);

@@ -32,6 +32,13 @@ void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
 /* The shortest decimal text that reads back as the same double; see number-text.h. */
 void qn_file_writer_number (QnFileWriter *writer, double number);
 
+/* A text, and the number behind it. */
+void qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double number);
+
+/* Numbers with a text between them. */
+void qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
+                             const char *between);
+
 /* A JSON string with its quotes. */
 void qn_file_writer_json_string (QnFileWriter *writer, const char *text);
 

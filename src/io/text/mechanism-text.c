@@ -205,10 +205,8 @@ qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
 static void
 write_point (QnFileWriter *writer, QnVec2 point)
 {
-  qn_file_writer_puts (writer, "[");
-  qn_file_writer_number (writer, point.x);
-  qn_file_writer_puts (writer, ", ");
-  qn_file_writer_number (writer, point.y);
+  qn_file_writer_puts_number (writer, "[", point.x);
+  qn_file_writer_puts_number (writer, ", ", point.y);
   qn_file_writer_puts (writer, "]");
 }
 
@@ -226,8 +224,7 @@ write_body (QnFileWriter *writer, const QnMechanism *mechanism, QnId id)
     }
   qn_file_writer_puts (writer, "], \"velocity\": ");
   write_point (writer, body->velocity);
-  qn_file_writer_puts (writer, ", \"rotation\": ");
-  qn_file_writer_number (writer, body->rotation);
+  qn_file_writer_puts_number (writer, ", \"rotation\": ", body->rotation);
   qn_file_writer_puts (writer, ", \"centre\": ");
   if (body->turns)
     write_point (writer, body->centre);
@@ -250,12 +247,9 @@ write_joint (QnFileWriter *writer, const QnContacts *contacts, QnId face,
     qn_file_writer_puts (writer, ", \"hinge\": ");
     write_point (writer, joint->kind == QN_JOINT_HINGE_START ? start : end);
   }
-  qn_file_writer_puts (writer, ", \"opening\": [");
-  qn_file_writer_number (writer, joint->opening_start);
-  qn_file_writer_puts (writer, ", ");
-  qn_file_writer_number (writer, joint->opening_end);
-  qn_file_writer_puts (writer, "], \"slip\": ");
-  qn_file_writer_number (writer, joint->slip);
+  qn_file_writer_puts_number (writer, ", \"opening\": [", joint->opening_start);
+  qn_file_writer_puts_number (writer, ", ", joint->opening_end);
+  qn_file_writer_puts_number (writer, "], \"slip\": ", joint->slip);
   qn_file_writer_puts (writer, " }");
 }
 
