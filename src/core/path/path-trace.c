@@ -221,12 +221,11 @@ work_so_far (const QnPathTrace *trace)
 static void
 go_back_to_short_steps (QnPathTrace *trace)
 {
-  const QnStatistics *statistics = &trace->path->equilibrium.statistics;
+  int32_t spent = trace->path->equilibrium.statistics.factorizations;
 
   trace->long_growth = tuning->long_growth;
-  trace->patience =
-    (int32_t) fmin (2 * statistics->factorizations, tuning->most_patience);
-  if (trace->step == 0 || statistics->factorizations > tuning->most_patience)
+  trace->patience = spent < tuning->most_patience / 2 ? 2 * spent : tuning->most_patience;
+  if (trace->step == 0 || spent > tuning->most_patience)
     qn_path_end_give_up (trace, QN_SOLVE_FAILED);
 }
 
