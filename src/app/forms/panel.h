@@ -62,6 +62,5 @@ GtkWidget *qn_history_list_new (QnDocument *document);
 /* Play, step slider, speed and scale of results. */
 GtkWidget *qn_playback_bar_new (QnViewState *state);
 void qn_playback_bar_toggle (GtkWidget *bar);
-gboolean qn_playback_bar_is_playing (GtkWidget *bar);
 
 #endif

@@ -298,10 +298,3 @@ qn_playback_bar_toggle (GtkWidget *box)
 {
   toggle (g_object_get_data (G_OBJECT (box), "qn-bar"));
 }
-
-gboolean
-qn_playback_bar_is_playing (GtkWidget *box)
-{
-  const Bar *bar = g_object_get_data (G_OBJECT (box), "qn-bar");
-  return bar->tick != 0;
-}

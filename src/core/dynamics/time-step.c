@@ -20,8 +20,9 @@
  * residual, or more. */
 #define WORTH_KEEPING 0.1
 
-QnTimeScheme
-qn_time_scheme (double rho)
+/* The scheme with a spectral radius, 0 to 1. */
+static QnTimeScheme
+scheme_of (double rho)
 {
   double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);
   double both = 1 - alpha_m + alpha_f;
@@ -171,7 +172,7 @@ qn_time_step_setup (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, const do
 
   *step = (QnTimeStep){ .assembly = as,
                         .linsys = linsys,
-                        .scheme = qn_time_scheme (model->analysis.dynamic.rho),
+                        .scheme = scheme_of (model->analysis.dynamic.rho),
                         .settings = &model->analysis.dynamic,
                         .tolerance = model->analysis.residual_tolerance };
   QnStatus status = allocate (step) ? QN_OK : qn_diag_no_memory (diag);

@@ -38,9 +38,6 @@ typedef struct QnTimeScheme {
   double alpha_m, alpha_f, beta, gamma;
 } QnTimeScheme;
 
-/* The scheme with a spectral radius, 0 to 1. */
-QnTimeScheme qn_time_scheme (double rho);
-
 /* The structure at one time. */
 typedef struct QnInstant {
   double *u, *v, *a;         /* unknown_count: m, m/s, m/s2, rotations scaled */

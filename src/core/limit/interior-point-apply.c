@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-void
-qn_ip_add_forces (const QnIpProblem *problem, const double *y, double scale, double *out)
+/* out (row_count) += scale * B y */
+static void
+add_forces (const QnIpProblem *problem, const double *y, double scale, double *out)
 {
   for (int32_t g = 0; g < problem->group_count; g++) {
     const QnIpGroup *group = &problem->groups[g];
@@ -123,7 +124,7 @@ qn_interior_point_balance (const QnIpProblem *p, const double *y, double lambda,
 {
   for (int32_t r = 0; r < p->row_count; r++)
     out[r] = tau * p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);
-  qn_ip_add_forces (p, y, 1.0, out);
+  add_forces (p, y, 1.0, out);
 }
 
 void

@@ -4,10 +4,6 @@
 
 #include "core/limit/interior-point.h"
 
-/* out (row_count) += scale * B y */
-void qn_ip_add_forces (const QnIpProblem *problem, const double *y, double scale,
-                       double *out);
-
 /* out (cell_count x 2) += scale * B'v */
 void qn_ip_add_rates (const QnIpProblem *problem, const double *v, double scale,
                       double *out);

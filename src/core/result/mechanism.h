@@ -91,10 +91,6 @@ void qn_joint_corners (const QnContacts *contacts, QnId face, QnVec2 *start, QnV
  * the reverse motion; 0 where a field is zero. */
 double qn_mechanism_cosine (const QnModel *model, const double *a, const double *b);
 
-/* Share of bodies that two mechanisms of the same model have in common, 0 … 1: bodies are the
- * same if nine tenths of the blocks of both together belong to both. 1 where neither moves. */
-double qn_mechanism_common_bodies (const QnMechanism *a, const QnMechanism *b);
-
 /* Clusters of `count` fields whose cosines with the first of their cluster reach `threshold`:
  * groups[i] is the number of field i's cluster, numbered from 0 by first member. Returns the
  * number of clusters. fields: count pointers to block_count x 3. */

@@ -127,7 +127,6 @@ typedef enum {
 /* Whether the section has this number: width and height, or area and inertia. */
 gboolean qn_section_has_field (const QnSection *section, QnSectionField field);
 double qn_section_get_field (const QnSection *section, QnSectionField field);
-void qn_section_set_field (QnSection *section, QnSectionField field, double value);
 
 /* Whether the section is one still is checked when the draft becomes the document. */
 gboolean qn_edit_set_section_field (QnModel *model, QnId section, QnSectionField field,

@@ -70,20 +70,15 @@ qn_section_get_field (const QnSection *section, QnSectionField field)
   return *field_of (&copy, field);
 }
 
-void
-qn_section_set_field (QnSection *section, QnSectionField field, double value)
+gboolean
+qn_edit_set_section_field (QnModel *model, QnId id, QnSectionField field, double value,
+                           GError **error)
 {
+  (void) error; /* the rules are the model's */
+  QnSection *section = &model->sections[id];
   *field_of (section, field) = value;
   if (field == QN_SECTION_UNIT_WEIGHT)
     section->density = -1.0; /* no longer what counts */
-}
-
-gboolean
-qn_edit_set_section_field (QnModel *model, QnId section, QnSectionField field,
-                           double value, GError **error)
-{
-  (void) error; /* the rules are the model's */
-  qn_section_set_field (&model->sections[section], field, value);
   return TRUE;
 }
 

@@ -153,7 +153,8 @@ qn_view_state_get_options (QnViewState *self)
   QnViewOptions options = self->options;
   const QnRun *run = qn_document_get_run (self->document);
   options.step = qn_view_state_get_step (self);
-  options.scale = qn_view_state_get_scale (self);
+  if (options.view == QN_VIEW_MECHANISM)
+    options.scale = self->mechanism_scale;
   /* Joints of a mode bend; they neither slide nor open. */
   if (run != NULL && run->kind != QN_RUN_ANALYSIS && options.view == QN_VIEW_MECHANISM)
     options.symbols = false;
@@ -207,13 +208,6 @@ qn_view_state_set_scale (QnViewState *self, double scale)
     return;
   *own = scale;
   emit_changed (self);
-}
-
-double
-qn_view_state_get_scale (QnViewState *self)
-{
-  return self->options.view == QN_VIEW_MECHANISM ? self->mechanism_scale
-                                                 : self->options.scale;
 }
 
 double

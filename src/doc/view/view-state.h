@@ -30,7 +30,6 @@ void qn_view_state_set_step (QnViewState *state, int step);
 /* Factor on displacements, QN_SCALE_AUTO for one that fits. The mechanism, whose size means nothing,
  * has one of its own, set and told while it is shown. */
 void qn_view_state_set_scale (QnViewState *state, double scale);
-double qn_view_state_get_scale (QnViewState *state);
 
 /* The factor that the deformed view draws with: the one that is set, or the one that fits all steps
  * of the current run; 1 without a run. */

@@ -66,12 +66,6 @@ qn_pages_new (QnPaper paper, const char *footer, const QnMetadata *metadata)
   return pages;
 }
 
-int
-qn_pages_count (const QnPages *pages)
-{
-  return pages->number;
-}
-
 static double
 text_width (const QnPages *pages)
 {

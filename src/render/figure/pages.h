@@ -37,9 +37,6 @@ bool qn_pages_figure (QnPages *pages, const QnFigure *figure, double share,
                       GError **error);
 void qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share);
 
-/* Number of pages so far. */
-int qn_pages_count (const QnPages *pages);
-
 /* Frees the document; its PDF, or NULL with an error. */
 GBytes *qn_pages_finish (QnPages *pages, GError **error);
 

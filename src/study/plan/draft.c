@@ -156,10 +156,16 @@ qn_draft_free (QnDraft *draft)
   g_free (draft);
 }
 
+static const char *
+get_text (const QnDraft *draft)
+{
+  return g_ptr_array_index (draft->steps, draft->position);
+}
+
 gboolean
 qn_draft_save (QnDraft *draft, GError **error)
 {
-  const char *text = qn_draft_get_text (draft);
+  const char *text = get_text (draft);
   if (g_strcmp0 (text, draft->saved) == 0)
     return TRUE;
   if (!qn_file_write (draft->path, text, strlen (text), error))
@@ -173,12 +179,6 @@ const char *
 qn_draft_get_path (const QnDraft *draft)
 {
   return draft->path;
-}
-
-const char *
-qn_draft_get_text (const QnDraft *draft)
-{
-  return g_ptr_array_index (draft->steps, draft->position);
 }
 
 gboolean
@@ -198,7 +198,7 @@ go_to (QnDraft *draft, guint position)
 {
   draft->position = position;
   cJSON_Delete (draft->tree);
-  draft->tree = cJSON_Parse (qn_draft_get_text (draft));
+  draft->tree = cJSON_Parse (get_text (draft));
 }
 
 void

@@ -40,7 +40,6 @@ void qn_draft_free (QnDraft *draft);
 gboolean qn_draft_save (QnDraft *draft, GError **error);
 
 const char *qn_draft_get_path (const QnDraft *draft);
-const char *qn_draft_get_text (const QnDraft *draft);
 
 gboolean qn_draft_can_undo (const QnDraft *draft);
 gboolean qn_draft_can_redo (const QnDraft *draft);

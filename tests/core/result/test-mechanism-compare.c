@@ -25,34 +25,6 @@ test_cosine (void)
 }
 
 static void
-test_bodies (void)
-{
-  /* Two of three blocks slide as one body; then only the upper of them. */
-  const double two[12] = { 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0 };
-  const double one[12] = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0 };
-  const double none[12] = { 0 };
-  QnModel model;
-  QnContacts contacts;
-  QnMechanism a, b, rest;
-
-  test_model_init_stack (&model, 3, 1, 1);
-  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-  qn_mechanism_init (&a, &model, &contacts, two, NULL);
-  qn_mechanism_init (&b, &model, &contacts, one, NULL);
-  qn_mechanism_init (&rest, &model, &contacts, none, NULL);
-  g_assert_cmpfloat (qn_mechanism_common_bodies (&a, &a), ==, 1);
-  g_assert_cmpfloat (qn_mechanism_common_bodies (&a, &b), ==, 0);
-  g_assert_cmpfloat (qn_mechanism_common_bodies (&rest, &rest), ==, 1);
-  g_assert_cmpfloat (qn_mechanism_common_bodies (&rest, &a), ==, 0);
-  qn_mechanism_clear (&a);
-  qn_mechanism_clear (&b);
-  qn_mechanism_clear (&rest);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (&model);
-}
-
-static void
 test_cluster (void)
 {
   const double slide[6] = { 0, 0, 0, 1, 0, 0 }, almost[6] = { 0, 0, 0, 1, 0.01, 0 };
@@ -78,7 +50,6 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/mechanism-compare/cosine", test_cosine);
-  g_test_add_func ("/mechanism-compare/bodies", test_bodies);
   g_test_add_func ("/mechanism-compare/cluster", test_cluster);
   return g_test_run ();
 }
