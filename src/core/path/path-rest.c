@@ -1,17 +1,23 @@
-/* Is the equilibrium under dead load one in which a structure can stand?
+/* Is an equilibrium one in which a structure can stay?
  *
  * In large displacements an equilibrium may be unstable: a slender block on soft joints, upright beyond
- * its buckling load, is balanced and falls. Newton's method does not see that; the inertia of the
- * tangent stiffness does (core/linalg/inertia.h):
+ * its buckling load, is balanced and falls; a straight column is an equilibrium at any load. Newton's
+ * method does not see that; the inertia of the tangent stiffness K does (core/linalg/inertia.h). With
+ * the loads held,
  *
- *   symmetric       any negative eigenvalue
- *   not symmetric   a negative determinant: an odd number of real negative eigenvalues, of which one
- *                   grows from rest. Negative second-order work alone proves nothing.
+ *   symmetric       unstable with any negative eigenvalue
+ *   not symmetric   unstable with a negative determinant: an odd number of real negative eigenvalues, of
+ *                   which one grows from rest. Negative second-order work alone proves nothing.
+ *
+ * With a measure d . u held, a symmetric K counts on the motions that leave the measure alone, where it
+ * has one negative eigenvalue less if d' K^-1 d < 0, and as many if not (the inertia of the bordered
+ * matrix; Haynsworth 1968). The sign of its determinant alone would not see an even number. Where K is
+ * not symmetric that sign is all there is: see path-step.c.
  */
-#include "core/linalg/inertia.h"
 #include "core/path/path.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Bisections of the lowest eigenvalue, and inverse iterations towards its vector from there. */
 #define BISECTIONS         30
@@ -57,8 +63,33 @@ find_motion (QnAssembly *as, QnInertia *inertia, double *diagonal, double *motio
   return true;
 }
 
+/* How many eigenvalues of a symmetric tangent are negative on motions that leave `held` alone; `negative`
+ * of all. FAILED where the tangent is singular. */
+static QnSolveStatus
+count_with_measure (QnEquilibrium *eq, const double *held, double *scratch,
+                    int32_t *negative)
+{
+  int32_t n = eq->assembly.unknown_count;
+  double along = 0;
+
+  memcpy (scratch, held, (size_t) n * sizeof *scratch);
+  switch (
+    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, scratch)) {
+  case QN_FACTOR_OK:
+    break;
+  case QN_FACTOR_SINGULAR:
+    return QN_SOLVE_FAILED;
+  case QN_FACTOR_NO_MEMORY:
+    return QN_SOLVE_NO_MEMORY;
+  }
+  for (int32_t i = 0; i < n; i++)
+    along += held[i] * scratch[i];
+  *negative -= along < 0;
+  return QN_SOLVE_CONVERGED;
+}
+
 QnSolveStatus
-qn_path_judge_rest (QnPath *path)
+qn_path_judge_stability (QnPath *path, const double *held)
 {
   QnEquilibrium *eq = &path->equilibrium;
   QnAssembly *as = &eq->assembly;
@@ -66,24 +97,34 @@ qn_path_judge_rest (QnPath *path)
 
   if (!as->nonlinear || as->unknown_count == 0)
     return QN_SOLVE_CONVERGED;
-  QnInertia *inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
-  if (inertia == NULL)
-    return QN_SOLVE_NO_MEMORY;
   qn_assembly_tangent_held (as, eq->multiplier);
   eq->factored = false;
+  bool symmetric = qn_assembly_is_symmetric (as);
+  if (held != NULL && !symmetric)
+    return QN_SOLVE_CONVERGED;
+  if (path->inertia == NULL)
+    path->inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
+  if (path->inertia == NULL || !qn_inertia_count (path->inertia, as->ax, &count))
+    return QN_SOLVE_NO_MEMORY;
   eq->statistics.factorizations++;
   eq->statistics.factorization_work++;
-  bool ok = qn_inertia_count (inertia, as->ax, &count), unstable = false;
-  if (ok && count.negative > 0) {
-    unstable = qn_assembly_is_symmetric (as);
-    if (!unstable) {
-      QnFactorStatus factored = qn_linsys_factor (eq->linsys, as->ax);
-      ok = factored != QN_FACTOR_NO_MEMORY;
-      unstable = factored == QN_FACTOR_OK && qn_linsys_sign (eq->linsys) < 0;
-    }
+  if (count.negative == 0)
+    return QN_SOLVE_CONVERGED;
+  if (held != NULL) {
+    QnSolveStatus status =
+      count_with_measure (eq, held, path->displacements, &count.negative);
+    if (status != QN_SOLVE_CONVERGED)
+      return status == QN_SOLVE_FAILED ? QN_SOLVE_CONVERGED : status;
+    if (count.negative == 0)
+      return QN_SOLVE_CONVERGED;
+  } else if (!symmetric) {
+    QnFactorStatus factored = qn_linsys_factor (eq->linsys, as->ax);
+    if (factored == QN_FACTOR_NO_MEMORY)
+      return QN_SOLVE_NO_MEMORY;
+    if (factored == QN_FACTOR_SINGULAR || qn_linsys_sign (eq->linsys) > 0)
+      return QN_SOLVE_CONVERGED;
   }
-  if (ok && unstable)
-    ok = find_motion (as, inertia, path->displacements, eq->velocity);
-  qn_inertia_free (inertia);
-  return !ok ? QN_SOLVE_NO_MEMORY : unstable ? QN_SOLVE_MECHANISM : QN_SOLVE_CONVERGED;
+  bool found = find_motion (as, path->inertia, path->displacements, eq->velocity);
+  qn_assembly_forget_tangent (as);
+  return found ? QN_SOLVE_MECHANISM : QN_SOLVE_NO_MEMORY;
 }

@@ -9,6 +9,8 @@
 #include "core/base/tolerance.h"
 #include "core/path/path-trace.h"
 
+#include <string.h>
+
 static const QnPathTuning *const tuning = &qn_path_tuning;
 
 static QnTarget
@@ -111,6 +113,56 @@ solve_linear (QnPathTrace *trace, double *step)
   return status;
 }
 
+/* Where a structure cannot stay at the equilibrium that was found, although the measure is held: straight
+ * columns beyond buckling, stacks that rock at two joints. It leaves in the motion of the lowest
+ * eigenvalue, a little or a lot, and Newton's method finds where it comes to. FAILED where that is no
+ * better. */
+static QnSolveStatus
+leave_unstable (QnPathTrace *trace, const QnTarget *target)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  QnSolveStatus status = qn_path_judge_stability (trace->path, target->direction);
+
+  if (status != QN_SOLVE_MECHANISM)
+    return status;
+  memcpy (trace->buckling, eq->velocity, (size_t) as->unknown_count * sizeof (double));
+  for (double lean = tuning->least_lean; lean <= tuning->most_lean; lean *= 10) {
+    qn_equilibrium_restore (eq);
+    for (int32_t i = 0; i < as->unknown_count; i++)
+      eq->u[i] += lean * as->length * trace->buckling[i];
+    if (!qn_assembly_evaluate (&eq->assembly, eq->u))
+      continue;
+    status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
+    trace->means = QN_FOUND_BY_NEWTON;
+    if (status == QN_SOLVE_CONVERGED)
+      status = qn_path_judge_stability (trace->path, target->direction);
+    if (status != QN_SOLVE_FAILED && status != QN_SOLVE_MECHANISM)
+      return status;
+  }
+  return QN_SOLVE_FAILED;
+}
+
+/* Where no step is solved, however short: where forces jump, the next equilibrium may lie a piece
+ * farther on, and longer steps reach it. */
+static QnSolveStatus
+leap (QnPathTrace *trace, double *step)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  QnSolveStatus status = QN_SOLVE_FAILED;
+
+  while (status == QN_SOLVE_FAILED && fabs (*step) < trace->largest) {
+    *step /= tuning->cut;
+    const QnTarget target = target_of (trace, *step);
+    qn_equilibrium_restore (eq);
+    status = solve_statically (trace, &target);
+    if (status == QN_SOLVE_CONVERGED)
+      status = leave_unstable (trace, &target);
+  }
+  trace->jumped = status == QN_SOLVE_CONVERGED;
+  return status;
+}
+
 /* In nonlinear geometry, where branches lie close to each other: cut until it is solved without a jump
  * or is the smallest one. Static solutions come first, and are cheap, unless relaxation was needed
  * just before: then their first failure is enough. */
@@ -131,11 +183,14 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       relaxes ? qn_equilibrium_relax (
         eq, &target, smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT)
               : solve_statically (trace, &target);
-    bool solved = status == QN_SOLVE_CONVERGED;
-
     if (relaxes)
       trace->means = QN_FOUND_BY_RELAXATION;
+    if (status == QN_SOLVE_CONVERGED)
+      status = leave_unstable (trace, &target);
+    bool solved = status == QN_SOLVE_CONVERGED;
     trace->jumped = solved && is_jump (trace, *step, before);
+    if (smallest && relaxes && status == QN_SOLVE_FAILED && eq->forces_jump)
+      return leap (trace, step);
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
       return status;
@@ -166,6 +221,8 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
 
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
+  if (status == QN_SOLVE_CONVERGED)
+    status = qn_path_judge_stability (trace->path, NULL);
   *easy = status == QN_SOLVE_CONVERGED
           && eq->statistics.iterations - before <= tuning->easy
           && !is_jump (trace, increment, 0);

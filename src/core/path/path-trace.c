@@ -28,6 +28,8 @@ const QnPathTuning qn_path_tuning = {
   .smallest_step = 1.0 / 1024,
   .restart_step = 1.0 / 64,
   .newton_step = 1.0 / 16,
+  .least_lean = 1e-2,
+  .most_lean = 1,
   .most_of_step = 0.9,
   .jump = 3,
   .jump_stays = 0.5,
@@ -460,7 +462,8 @@ qn_path_trace (QnPath *path, QnDiag *diag)
     return status;
   if (has_joints)
     trace.central = qn_central_path_new (eq);
-  bool ready = (trace.central != NULL || !has_joints)
+  trace.buckling = qn_alloc ((size_t) as->unknown_count, sizeof *trace.buckling);
+  bool ready = trace.buckling != NULL && (trace.central != NULL || !has_joints)
                && qn_path_events_init (&trace.events, path, live > 0 ? dead / live : 0)
                && (!trace.load_control || qn_equilibrium_state_init (&trace.highest, as));
   trace.may_jump = qn_assembly_may_jump (as);
@@ -473,6 +476,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
   qn_path_events_clear (&trace.events);
   qn_central_path_free (trace.central);
+  free (trace.buckling);
   qn_equilibrium_state_clear (&trace.highest);
   qn_path_measure_clear (&trace.measure);
   return status;

@@ -36,6 +36,9 @@ typedef struct QnPathTuning {
    * relaxation takes a longer one for the same effort. */
   double newton_step;
 
+  /* How far a structure is moved out of an unstable equilibrium, in characteristic lengths. */
+  double least_lean, most_lean;
+
   /* A step that cannot be ended right at the end of the path is shortened at least to this part. */
   double most_of_step;
 
@@ -101,6 +104,7 @@ typedef struct QnPathTrace {
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
+  double *buckling; /* scratch: the motion in which an unstable equilibrium is left */
   int orientation;  /* of the path where it began; 0: unknown */
   QnFoundBy means;
   double long_growth;     /* of the work in the next long step */

@@ -59,6 +59,7 @@ void
 qn_path_clear (QnPath *path)
 {
   qn_equilibrium_clear (&path->equilibrium);
+  qn_inertia_free (path->inertia);
   free (path->displacements);
   free (path->beam_forces);
   *path = (QnPath){ 0 };
@@ -152,9 +153,8 @@ record_unstable_blocks (QnPath *path, QnDiag *diag)
   return QN_OK;
 }
 
-/* Whether friction is at its limit somewhere. */
-static bool
-slips (const QnAssembly *as)
+bool
+qn_path_slips (const QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
     if (as->responses[p].phase == QN_PHASE_SLIP_POSITIVE
@@ -177,7 +177,7 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
   if (solve == QN_SOLVE_FAILED)
     return qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
   if (solve != QN_SOLVE_CONVERGED || !qn_assembly_may_jump (&eq->assembly)
-      || !slips (&eq->assembly))
+      || !qn_path_slips (&eq->assembly))
     return solve;
   solve = qn_central_path_solve (central, &target, QN_CENTRAL_BUDGET);
   if (solve != QN_SOLVE_FAILED)
@@ -248,7 +248,7 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
   QnSolveStatus solve = find_rest (eq);
 
   if (solve == QN_SOLVE_CONVERGED)
-    solve = qn_path_judge_rest (path);
+    solve = qn_path_judge_stability (path, NULL);
   *stands = solve == QN_SOLVE_CONVERGED;
 
   switch (solve) {

@@ -7,6 +7,7 @@
 #define QN_CORE_PATH_H
 
 #include "core/equilibrium/central-path.h"
+#include "core/linalg/inertia.h"
 #include "core/result/result.h"
 
 /* A multiplier at which a path without a prescribed end counts as unbounded. */
@@ -38,6 +39,7 @@ typedef struct QnPath {
                            multiplier, which every stage starts from 0; 0 and 1 by default */
   QnEquilibrium equilibrium;
   QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
+  QnInertia *inertia;         /* of the tangent; NULL until it is asked for */
   double *displacements;      /* scratch, a row for every body; reactions too */
   QnBeamForces *beam_forces;  /* scratch, by element */
   int32_t iterations_at_step; /* statistics when the last step was recorded, */
@@ -60,13 +62,18 @@ QnStatus qn_path_finish (QnPath *path, QnStatus status, double start);
  * blocks that move where it is certain, are in the result then. */
 QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
 
-/* Whether the equilibrium under dead load, which the solver is at, is stable (path-rest.c): CONVERGED,
- * or MECHANISM with the motion in the equilibrium's velocity. */
-QnSolveStatus qn_path_judge_rest (QnPath *path);
+/* Whether a structure can stay at the equilibrium that the solver is at, in nonlinear geometry
+ * (path-rest.c): with the loads held, or with a measure `held` . u (a direction, nullable). CONVERGED
+ * unless it is proved that it cannot: MECHANISM, with the motion in which it leaves as the
+ * equilibrium's velocity, the largest entry 1. Or NO_MEMORY. */
+QnSolveStatus qn_path_judge_stability (QnPath *path, const double *held);
 
 /* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
  * (path-stages.c). *stands is false where there is no equilibrium under dead load. */
 QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
+
+/* Whether friction is at its limit somewhere. */
+bool qn_path_slips (const QnAssembly *assembly);
 
 /* Accepts the current state of the solver and records it as a step. False when memory runs
  * out. */

@@ -507,6 +507,143 @@ test_walls_to_collapse (void)
   }
 }
 
+/* --- Branches on which nothing stays ----------------------------------------------------- */
+
+#define EI 4e6 /* Nm2, of a section of 0.2 x 0.2 m */
+
+static void
+add_beam (QnModel *model, const char *name, QnId from, QnId to, int32_t elements)
+{
+  QnBeam *beam = qn_model_add_beam (model, name);
+  beam->nodes[0] = from;
+  beam->nodes[1] = to;
+  beam->section = 0;
+  beam->element_count = elements;
+}
+
+/* Straight, 4 m, clamped at its foot and pressed down at its head by 1 kN; or the frame of two such
+ * columns under a beam of 4 m, pressed down at both corners. */
+static void
+init_columns (QnModel *model, int columns)
+{
+  QnId heads[2];
+
+  test_model_init (model);
+  QnSection *section = qn_model_add_section (model, "section");
+  section->young = 3e10;
+  section->width = section->height = 0.2;
+  for (int i = 0; i < columns; i++) {
+    QnNode *foot = qn_model_add_node (model, i == 0 ? "foot" : "foot 2");
+    foot->at = qn_vec2 (4 * i, 0);
+    foot->support[0] = foot->support[1] = foot->support[2] = true;
+    QnNode *head = qn_model_add_node (model, i == 0 ? "head" : "head 2");
+    head->at = qn_vec2 (4 * i, 4);
+    heads[i] = (QnId) model->node_count - 1;
+    add_beam (model, i == 0 ? "column" : "column 2", heads[i] - 1, heads[i], 24);
+    QnLoad *load = qn_model_add_live_load (model);
+    load->kind = QN_LOAD_NODE;
+    load->node = heads[i];
+    load->vector = qn_vec2 (0, -1000);
+  }
+  if (columns == 2)
+    add_beam (model, "beam", heads[0], heads[1], 12);
+  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+}
+
+/* Pressed down by a given way, straight columns stay straight for Newton's method, at many times the
+ * load at which they buckle, where two eigenvalues are negative and the determinant is positive. The
+ * column bends as the elastica does: 916.62 for a way of 2.5 m (elliptic integrals). The frame sways,
+ * at all increments at the same load. */
+static void
+test_beyond_buckling (void)
+{
+  static const int increments[] = { 10, 20, 100, 200, 1000 };
+  static const double ways[] = { -2.5, -1 };
+  double sways = NAN;
+
+  for (int columns = 1; columns <= 2; columns++)
+    for (size_t i = 0; i < G_N_ELEMENTS (increments); i++) {
+      QnModel model;
+      QnResult result;
+      init_columns (&model, columns);
+      control (&model, QN_PROCEDURE_DISPLACEMENT, NULL, QN_DOF_UY, ways[columns - 1]);
+      model.analysis.control_node = 1;
+      model.analysis.increments = increments[i];
+      run (&model, &result);
+      double multiplier = result.steps[result.step_count - 1].multiplier;
+      g_test_message ("%d columns, %d increments: %.3f, %d factorisations", columns,
+                      increments[i], multiplier, result.statistics.factorizations);
+      g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+      if (columns == 1)
+        g_assert_cmpfloat_with_epsilon (multiplier, 916.62, 2e-3 * 916.62);
+      else if (i == 0)
+        sways = multiplier;
+      else
+        g_assert_cmpfloat_with_epsilon (multiplier, sways, 1e-3 * sways);
+      qn_result_clear (&result);
+      qn_model_clear (&model);
+    }
+  /* Clamped feet, heads that turn against the beam: between once and four times a column alone. */
+  g_assert_cmpfloat (sways, >, G_PI * G_PI * EI / 64 / 1000);
+  g_assert_cmpfloat (sways, <, 4 * G_PI * G_PI * EI / 64 / 1000 * 2);
+}
+
+/* The same under a prescribed load: what was called "without collapse" is bent. */
+static void
+test_loaded_beyond_buckling (void)
+{
+  QnModel model;
+  QnResult result;
+  init_columns (&model, 1);
+  model.analysis.max_multiplier = 916.62;
+  run (&model, &result);
+  const double *head = qn_result_step_displacements (&result, result.step_count - 1) + 3;
+  g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpfloat_with_epsilon (head[1], -2.5, 0.01);
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+}
+
+/* --- Joints without tension --------------------------------------------------------------- */
+
+/* A block, and a stack, whose joints lose their shear forces at once when they open: they rock at
+ * width / height, by every procedure. */
+static void
+test_no_tension (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK,
+                                            QN_PROCEDURE_ARC_LENGTH,
+                                            QN_PROCEDURE_DISPLACEMENT };
+  static const struct {
+    int blocks;
+    double width, height;
+  } stacks[] = { { 1, 0.4, 1.2 }, { 4, 0.6, 0.3 }, { 12, 1, 0.3 } };
+
+  for (size_t i = 0; i < 2 * G_N_ELEMENTS (procedures) * G_N_ELEMENTS (stacks); i++) {
+    size_t s = i / 2 % G_N_ELEMENTS (stacks), p = i / 2 / G_N_ELEMENTS (stacks);
+    double exact = stacks[s].width / (stacks[s].blocks * stacks[s].height), highest = 0;
+    bool held = procedures[p] == QN_PROCEDURE_DISPLACEMENT;
+    QnModel model;
+    QnResult result;
+    test_model_init_stack (&model, stacks[s].blocks, stacks[s].width, stacks[s].height);
+    test_model_add_weight_loads (&model, 1);
+    model.laws[0].kind = QN_LAW_NO_TENSION;
+    model.laws[0].kn = model.laws[0].ks = 1e9;
+    model.analysis.increments = i % 2 ? 100 : 10;
+    control (&model, procedures[p], NULL, QN_DOF_UX, 0.2);
+    if (held)
+      model.analysis.control_block = (QnId) model.block_count - 1;
+    run (&model, &result);
+    for (size_t step = 0; step < result.step_count; step++)
+      highest = fmax (highest, result.steps[step].multiplier);
+    g_assert_cmpint (result.outcome, ==,
+                     held ? QN_OUTCOME_TARGET_REACHED : QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (highest, exact, 1e-6);
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+}
+
 /* A wall that lies turned with its loads takes the same steps: no measure knows of the axes. */
 static void
 test_turned (void)
@@ -548,6 +685,9 @@ main (int argc, char **argv)
   g_test_add_func ("/path-control/elastic-member", test_elastic_member_never_collapses);
   g_test_add_func ("/path-control/peak-of-a-wall", test_peak_of_a_wall);
   g_test_add_func ("/path-control/walls-to-collapse", test_walls_to_collapse);
+  g_test_add_func ("/path-control/beyond-buckling", test_beyond_buckling);
+  g_test_add_func ("/path-control/loaded-beyond-buckling", test_loaded_beyond_buckling);
+  g_test_add_func ("/path-control/no-tension", test_no_tension);
   g_test_add_func ("/path-control/turned", test_turned);
   return g_test_run ();
 }
