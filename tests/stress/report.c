@@ -88,7 +88,6 @@ stress_report_tap (const StressEntry *entry, guint number)
 
 /* What the rows of a group have in common: the worst of each figure. */
 typedef struct Group {
-  const char *subject;
   char *name;
   int cases, faulty;
   int outcomes[QN_OUTCOME_COUNT], refused;
@@ -99,18 +98,16 @@ typedef struct Group {
   int repeated, apart;   /* of those, by more than 1 % */
 } Group;
 
-/* Cases on the six walls that differ by the wall alone make one group, random walls of a kind
- * another. */
+/* Cases of one subject make a group, random walls of a kind another. */
 static char *
 dup_group_name (const StressEntry *entry)
 {
-  const char *text =
-    entry->row.description[0] != '\0' ? entry->row.description : entry->c->name;
-  const char *wall = g_strrstr (text, "-wall");
-  gsize length = entry->row.description[0] != '\0' ? strcspn (text, ",")
-                 : wall != NULL                    ? (gsize) (wall - text)
-                                                   : strlen (text);
-  return g_strndup (text, length);
+  const char *kind = entry->row.description;
+
+  if (kind[0] != '\0')
+    return g_strndup (kind, strcspn (kind, ","));
+  return g_strdup_printf ("%c%s", g_ascii_toupper (entry->c->subject[0]),
+                          entry->c->subject + 1);
 }
 
 static void
@@ -161,13 +158,11 @@ collect_groups (const GArray *entries)
     Group *group = NULL;
     for (guint k = 0; k < groups->len && group == NULL; k++) {
       Group *g = &g_array_index (groups, Group, k);
-      if (g_str_equal (g->subject, entry->c->subject) && g_str_equal (g->name, name))
+      if (g_str_equal (g->name, name))
         group = g;
     }
     if (group == NULL) {
-      const Group fresh = { .subject = entry->c->subject,
-                            .name = g_steal_pointer (&name),
-                            .lowest = INFINITY };
+      const Group fresh = { .name = g_steal_pointer (&name), .lowest = INFINITY };
       g_array_append_val (groups, fresh);
       group = &g_array_index (groups, Group, groups->len - 1);
     }
@@ -234,20 +229,13 @@ static void
 append_groups (GString *text, const GArray *entries)
 {
   g_autoptr (GArray) groups = collect_groups (entries);
-  const char *subject = "";
 
+  g_string_append (
+    text, "\n| | cases | how paths end | off limit analysis | least | iterations | "
+          "equilibrium | strength | proved | uncertain | apart | faults |\n"
+          "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (guint i = 0; i < groups->len; i++) {
     Group *group = &g_array_index (groups, Group, i);
-    if (!g_str_equal (subject, group->subject)) {
-      subject = group->subject;
-      g_string_append_printf (
-        text,
-        "\n### %c%s\n\n"
-        "| | cases | how paths end | off limit analysis | least | iterations | "
-        "equilibrium | strength | proved | uncertain | apart | faults |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
-        g_ascii_toupper (subject[0]), subject + 1);
-    }
     append_group (text, group);
     g_free (group->name);
   }
@@ -306,11 +294,10 @@ stress_report_markdown (GString *text, const GArray *entries, const char *comman
       seconds += row->paths[flow].seconds;
     }
   }
-  g_string_append_printf (
-    text,
-    "`build/tests/stress/%s`: %u cases, %u paths, %ld iterations, %.0f s of processor "
-    "time; %u cases with faults.\n",
-    command, entries->len, paths, iterations, seconds, faulty);
+  g_string_append_printf (text,
+                          "`build/tests/stress/%s`: %u cases, %u paths, %ld iterations,\n"
+                          "%.0f s of processor time; %u cases with faults.\n",
+                          command, entries->len, paths, iterations, seconds, faulty);
   append_groups (text, entries);
   g_string_append (text, "\n### Faults\n\n");
   append_faults (text, entries);

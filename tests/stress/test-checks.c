@@ -226,10 +226,9 @@ test_report (void)
   g_test_message ("%s", text->str);
   g_assert_nonnull (strstr (text->str, "stress`: 4 cases, 4 paths, "));
   g_assert_nonnull (strstr (text->str, "; 2 cases with faults.\n"));
-  g_assert_nonnull (strstr (text->str, "### Blocks\n"));
-  g_assert_nonnull (strstr (text->str, "| good | 2 | 4 collapse | "));
-  g_assert_nonnull (strstr (text->str, " | 100 % |  | 0 % |  |\n"));
-  g_assert_nonnull (strstr (text->str, "| flat | 1 | 1 refused | "));
+  g_assert_nonnull (strstr (text->str, "| Blocks | 3 | 4 collapse | "));
+  g_assert_nonnull (strstr (text->str, " | 100 % |  | 0 % | 1 |\n"));
+  g_assert_nonnull (strstr (text->str, "| None | 1 | 1 refused | "));
   g_assert_nonnull (strstr (text->str, "| crash | 0 |  |  |  | crashed. "));
 }
 

@@ -567,7 +567,7 @@ qn_beam_state_save (QnBeamState *state, const QnBeamAssembly *as)
 }
 
 void
-qn_beam_state_load (const QnBeamState *state, QnBeamAssembly *as)
+qn_beam_state_set (const QnBeamState *state, QnBeamAssembly *as)
 {
   memcpy (as->committed, state->memory, as->count * sizeof *state->memory);
   memcpy (as->responses, state->responses, as->count * sizeof *state->responses);

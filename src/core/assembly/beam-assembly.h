@@ -115,7 +115,7 @@ void qn_beam_assembly_commit (QnBeamAssembly *beams);
 bool qn_beam_state_init (QnBeamState *state, const QnBeamAssembly *beams);
 void qn_beam_state_clear (QnBeamState *state);
 void qn_beam_state_save (QnBeamState *state, const QnBeamAssembly *beams);
-void qn_beam_state_load (const QnBeamState *state, QnBeamAssembly *beams);
+void qn_beam_state_set (const QnBeamState *state, QnBeamAssembly *beams);
 
 /* Adds the consistent mass of the elements (density is weight over gravity) to ax. */
 void qn_beam_assembly_add_mass (const QnBeamAssembly *beams, double *ax);

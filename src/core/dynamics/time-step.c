@@ -494,6 +494,6 @@ qn_time_step_restore (QnTimeStep *step)
   QnAssembly *as = step->assembly;
 
   memcpy (as->responses, step->start.responses, as->pair_count * sizeof *as->responses);
-  qn_beam_state_load (&step->start.beams, &as->beams);
+  qn_beam_state_set (&step->start.beams, &as->beams);
   qn_assembly_update_kinematics (as, step->start.u);
 }

@@ -586,7 +586,7 @@ qn_central_path_relax (QnCentralPath *path, const QnTarget *target, double undec
       return QN_SOLVE_FAILED;
     if (target->direction == NULL && moved > eq->runaway) {
       for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-        eq->velocity[i] = eq->u[i] - path->begun[i];
+        eq->motion[i] = eq->u[i] - path->begun[i];
       return QN_SOLVE_MECHANISM;
     }
 

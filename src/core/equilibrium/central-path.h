@@ -58,7 +58,7 @@ QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target
  * qn_equilibrium_relax(), and as long as they get no further they grow; a few dozen at
  * most, with `budget` factorisations each. The structure rests in the end (CONVERGED) or has
  * moved by eq->runaway and still does (MECHANISM, with the motion of the last central path as
- * eq->velocity, in metres; some pairs are still undecided then).
+ * eq->motion, in metres; some pairs are still undecided then).
  *
  * undecided: complementarity, as a part of the displacements, above which nothing is committed
  *            (FAILED), for by about so much pairs have slid that will not slide in the end.

@@ -37,7 +37,7 @@ qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
 }
 
 void
-qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state)
+qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *state)
 {
   QnAssembly *as = &eq->assembly;
 
@@ -45,7 +45,7 @@ qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state)
   eq->multiplier = state->multiplier;
   memcpy (as->committed, state->memory, as->pair_count * sizeof *as->committed);
   memcpy (as->responses, state->responses, as->pair_count * sizeof *as->responses);
-  qn_beam_state_load (&state->beams, &as->beams);
+  qn_beam_state_set (&state->beams, &as->beams);
   qn_assembly_update_kinematics (as, eq->u);
 }
 
@@ -59,7 +59,7 @@ qn_equilibrium_commit (QnEquilibrium *eq)
 void
 qn_equilibrium_restore (QnEquilibrium *eq)
 {
-  qn_equilibrium_load (eq, &eq->committed);
+  qn_equilibrium_set_state (eq, &eq->committed);
 }
 
 static bool
@@ -88,7 +88,7 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
   const QnAssembly *as = &eq->assembly;
   eq->forces_jump = forces_jump (as);
   double **vectors[] = { &eq->u,     &eq->residual,  &eq->step,
-                         &eq->trial, &eq->live_step, &eq->velocity };
+                         &eq->trial, &eq->live_step, &eq->motion };
   QnVec2 *points = qn_assembly_points (as);
   if (points != NULL)
     eq->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai, points);
@@ -122,7 +122,7 @@ qn_equilibrium_clear (QnEquilibrium *eq)
   free (eq->trial);
   free (eq->live_step);
   free (eq->gaps);
-  free (eq->velocity);
+  free (eq->motion);
   free (eq->factored_phases);
   qn_equilibrium_state_clear (&eq->committed);
   qn_equilibrium_state_clear (&eq->anchor);

@@ -69,8 +69,10 @@ typedef struct QnEquilibrium {
   double *trial;     /* u + alpha step */
   double *live_step; /* K \\ F_live: displacements per multiplier */
   double *gaps;      /* of the pairs before the last step of motion, m */
-  double *velocity;  /* of the last viscous step, m per unit of time, or motion, m */
-  double runaway;    /* elastic displacements from which on the structure has run away */
+  double *
+    motion; /* how the structure moves on, a direction of any length: of the last viscous step, of a
+                        central path, or in which an unstable equilibrium is left */
+  double runaway; /* elastic displacements from which on the structure has run away */
 
   QnEquilibriumState committed; /* last accepted equilibrium */
   QnEquilibriumState anchor;    /* where the viscous step started */
@@ -151,7 +153,7 @@ QnSolveStatus qn_equilibrium_rate (QnEquilibrium *eq, double *rate);
 
 /* Lets the structure move from the current state while the target holds, with viscosity that
  * fades as the motion dies down, until it rests (CONVERGED) or moves on for good (MECHANISM,
- * with eq->velocity). FAILED when neither is certain after `budget` viscous steps. */
+ * with eq->motion). FAILED when neither is certain after `budget` viscous steps. */
 QnSolveStatus qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target,
                                     int budget);
 
@@ -176,7 +178,7 @@ void qn_equilibrium_state_clear (QnEquilibriumState *state);
 
 /* Copies the current state into `state`, or makes `state` the current one. */
 void qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state);
-void qn_equilibrium_load (QnEquilibrium *eq, const QnEquilibriumState *state);
+void qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *state);
 
 /* Accepts the current state as an equilibrium, or goes back to the last accepted one. */
 void qn_equilibrium_commit (QnEquilibrium *eq);

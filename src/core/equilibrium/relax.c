@@ -27,7 +27,7 @@
 
 /* A viscosity at which a step has failed is not tried again for so many steps, unless a measure is held:
  * shorter steps on a falling branch end on another one (a rounded wall below multiplier zero). */
-#define WARY 8
+#define WAIT 8
 
 /* Viscosity at which joints are nothing against damping: what does not converge then never will. */
 #define STIFFEST 1e9
@@ -56,7 +56,7 @@ typedef struct {
   double duration;                      /* of the measure's advance */
   double viscosity;                     /* of the next step */
   double failed;                        /* that of the last step that failed, and */
-  int wary;                             /* for how many steps that is not tried again */
+  int waits;                            /* for how many steps that is not tried again */
   double elapsed;                       /* time since the start */
   double speed;                         /* of the last step, in the norm of C */
   double change;                        /* of the velocity in the last step, relative */
@@ -71,7 +71,7 @@ begin_step (QnEquilibrium *eq)
   qn_equilibrium_note_gaps (eq);
 }
 
-/* velocity = (u - anchor) / time step; its change since the last step, in the norm of C. */
+/* eq->motion = velocity = (u - anchor) / time step; its change since the last step, in the norm of C. */
 static void
 update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
 {
@@ -80,10 +80,10 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
     double v = relaxation->viscosity * (eq->u[i] - eq->anchor.u[i]);
-    double d = v - eq->velocity[i];
+    double d = v - eq->motion[i];
     change += as->damping[i] * d * d;
     norm += as->damping[i] * v * v;
-    eq->velocity[i] = v;
+    eq->motion[i] = v;
   }
   relaxation->speed = sqrt (norm);
   relaxation->change = norm > 0 ? sqrt (change / norm) : INFINITY;
@@ -100,7 +100,7 @@ static double
 time_to_run_away (const QnEquilibrium *eq)
 {
   return eq->runaway
-         / qn_assembly_elastic_displacements (&eq->assembly, eq->velocity, NULL);
+         / qn_assembly_elastic_displacements (&eq->assembly, eq->motion, NULL);
 }
 
 void
@@ -231,10 +231,10 @@ target_in_time (const Relaxation *relaxation, const QnTarget *target)
 static void
 adapt_step (Relaxation *relaxation, int iterations)
 {
-  bool may_fail = !relaxation->held && relaxation->wary > 0
+  bool may_fail = !relaxation->held && relaxation->waits > 0
                   && relaxation->viscosity / LONGER <= relaxation->failed;
 
-  relaxation->wary -= relaxation->wary > 0;
+  relaxation->waits -= relaxation->waits > 0;
   if (iterations >= SLOW)
     relaxation->viscosity *= 2;
   else if (iterations <= QUICK && !may_fail)
@@ -250,7 +250,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
   if (relaxation.duration > 0)
     relaxation.viscosity = fmin (FIRST_VISCOSITY, DRIVE_STEPS / relaxation.duration);
 
-  memset (eq->velocity, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->velocity);
+  memset (eq->motion, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->motion);
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
     QnTarget now = target_in_time (&relaxation, target);
@@ -261,9 +261,9 @@ qn_equilibrium_relax (QnEquilibrium *eq, const QnTarget *target, int budget)
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;
     if (status == QN_SOLVE_FAILED) {
-      qn_equilibrium_load (eq, &eq->anchor);
+      qn_equilibrium_set_state (eq, &eq->anchor);
       relaxation.failed = relaxation.viscosity;
-      relaxation.wary = WARY;
+      relaxation.waits = WAIT;
       relaxation.viscosity *= SHORTER;
       if (relaxation.viscosity > STIFFEST)
         return QN_SOLVE_FAILED;

@@ -5,43 +5,18 @@
 #include "core/base/decimal.h"
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
+#include "core/model/model-list.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* --- Adding ------------------------------------------------------------------------------ */
 
-/* Appends an item of `size` bytes whose first member is its name, and enters it in the index;
- * NULL with nothing changed where memory runs out. */
-static void *
-add_named (void **array, size_t *count, size_t *capacity, size_t size, QnNameIndex *index,
-           const char *name)
-{
-  char *grown =
-    *count < INT32_MAX ? qn_array_grow (*array, capacity, *count + 1, size) : NULL;
-  if (grown == NULL)
-    return NULL;
-  *array = grown;
-
-  char *item = grown + *count * size, *copy = qn_strdup (name);
-  memset (item, 0, size);
-  memcpy (item, &copy, sizeof copy);
-  if ((copy == NULL && name != NULL)
-      || !qn_name_index_add (index, grown, size, (QnId) *count)) {
-    free (copy);
-    return NULL;
-  }
-  (*count)++;
-  return item;
-}
-
 QnNode *
 qn_model_add_node (QnModel *model, const char *name)
 {
-  void *nodes = model->nodes;
-  QnNode *node = add_named (&nodes, &model->node_count, &model->node_capacity,
-                            sizeof *node, &model->node_names, name);
-  model->nodes = nodes;
+  QnNode *node = QN_MODEL_ADD_NAMED (model, nodes, node, &model->node_names, name);
+
   if (node != NULL)
     node->block = node->beam = QN_NONE;
   return node;
@@ -50,11 +25,9 @@ qn_model_add_node (QnModel *model, const char *name)
 QnSection *
 qn_model_add_section (QnModel *model, const char *name)
 {
-  void *sections = model->sections;
   QnSection *section =
-    add_named (&sections, &model->section_count, &model->section_capacity,
-               sizeof *section, &model->section_names, name);
-  model->sections = sections;
+    QN_MODEL_ADD_NAMED (model, sections, section, &model->section_names, name);
+
   if (section != NULL) {
     section->density = -1;
     section->shear_factor = 5.0 / 6;
@@ -65,10 +38,8 @@ qn_model_add_section (QnModel *model, const char *name)
 QnBeam *
 qn_model_add_beam (QnModel *model, const char *name)
 {
-  void *beams = model->beams;
-  QnBeam *beam = add_named (&beams, &model->beam_count, &model->beam_capacity,
-                            sizeof *beam, &model->beam_names, name);
-  model->beams = beams;
+  QnBeam *beam = QN_MODEL_ADD_NAMED (model, beams, beam, &model->beam_names, name);
+
   if (beam != NULL) {
     beam->nodes[0] = beam->nodes[1] = beam->section = beam->first_element = QN_NONE;
     beam->element_count = 1;

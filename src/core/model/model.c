@@ -1,6 +1,7 @@
 #include "core/model/model.h"
 
 #include "core/base/memory.h"
+#include "core/model/model-list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -213,36 +214,10 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
   return QN_OK;
 }
 
-/* The array with room for one more item, that item zeroed; NULL with nothing changed where
- * memory runs out. */
-static void *
-make_room (void *array, size_t count, size_t *capacity, size_t size)
-{
-  char *grown = qn_array_grow (array, capacity, count + 1, size);
-  if (grown != NULL)
-    memset (grown + count * size, 0, size);
-  return grown;
-}
-
 QnLaw *
 qn_model_add_law (QnModel *model, const char *name)
 {
-  QnLaw *laws =
-    make_room (model->laws, model->law_count, &model->law_capacity, sizeof *laws);
-  if (laws == NULL)
-    return NULL;
-  model->laws = laws;
-
-  QnLaw *law = &laws[model->law_count];
-  law->name = qn_strdup (name);
-  if ((law->name == NULL && name != NULL)
-      || !qn_name_index_add (&model->law_names, laws, sizeof *laws,
-                             (QnId) model->law_count)) {
-    qn_law_clear (law);
-    return NULL;
-  }
-  model->law_count++;
-  return law;
+  return QN_MODEL_ADD_NAMED (model, laws, law, &model->law_names, name);
 }
 
 /* Appends vertices without counting them yet. */
@@ -266,137 +241,95 @@ QnBlock *
 qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
                     size_t vertex_count)
 {
-  if (model->block_count >= INT32_MAX || !append_vertices (model, vertices, vertex_count))
+  if (!append_vertices (model, vertices, vertex_count))
     return NULL;
-  QnBlock *blocks =
-    make_room (model->blocks, model->block_count, &model->block_capacity, sizeof *blocks);
-  if (blocks == NULL)
+  QnBlock *block = QN_MODEL_ADD_NAMED (model, blocks, block, &model->block_names, name);
+  if (block == NULL)
     return NULL;
-  model->blocks = blocks;
-
-  QnBlock *block = &blocks[model->block_count];
-  block->name = qn_strdup (name);
-  if ((block->name == NULL && name != NULL)
-      || !qn_name_index_add (&model->block_names, blocks, sizeof *blocks,
-                             (QnId) model->block_count)) {
-    free (block->name);
-    return NULL;
-  }
   block->density = -1;
   block->law = block->wall = block->masonry = QN_NONE;
   block->first_vertex = (QnId) model->vertex_count;
   block->vertex_count = (QnId) vertex_count;
   model->vertex_count += vertex_count;
-  model->block_count++;
   return block;
 }
 
 QnWall *
 qn_model_add_wall (QnModel *model, const char *name)
 {
-  QnWall *walls =
-    make_room (model->walls, model->wall_count, &model->wall_capacity, sizeof *walls);
-  if (walls == NULL)
-    return NULL;
-  model->walls = walls;
+  QnWall *wall = QN_MODEL_ADD_NAMED (model, walls, wall, NULL, name);
 
-  QnWall *wall = &walls[model->wall_count];
-  wall->name = qn_strdup (name);
-  if (wall->name == NULL && name != NULL)
-    return NULL;
-  wall->density = -1;
-  wall->law = QN_NONE;
-  model->wall_count++;
+  if (wall != NULL) {
+    wall->density = -1;
+    wall->law = QN_NONE;
+  }
   return wall;
 }
 
 QnFaceOverride *
 qn_model_add_override (QnModel *model)
 {
-  QnFaceOverride *overrides = make_room (model->overrides, model->override_count,
-                                         &model->override_capacity, sizeof *overrides);
-  if (overrides == NULL)
-    return NULL;
-  model->overrides = overrides;
+  QnFaceOverride *override = QN_MODEL_ADD (model, overrides, override);
 
-  QnFaceOverride *override = &overrides[model->override_count++];
-  override->block_a = override->block_b = override->law = QN_NONE;
+  if (override != NULL)
+    override->block_a = override->block_b = override->law = QN_NONE;
   return override;
 }
 
 QnBar *
 qn_model_add_bar (QnModel *model)
 {
-  QnBar *bars =
-    make_room (model->bars, model->bar_count, &model->bar_capacity, sizeof *bars);
-  if (bars == NULL)
-    return NULL;
-  model->bars = bars;
-  bars[model->bar_count].law = QN_NONE;
-  return &bars[model->bar_count++];
+  QnBar *bar = QN_MODEL_ADD (model, bars, bar);
+
+  if (bar != NULL)
+    bar->law = QN_NONE;
+  return bar;
 }
 
 static QnLoad *
-add_load (QnLoad **loads, size_t *count, size_t *capacity)
+of_nothing (QnLoad *load)
 {
-  QnLoad *grown = make_room (*loads, *count, capacity, sizeof *grown);
-  if (grown == NULL)
-    return NULL;
-  *loads = grown;
-
-  QnLoad *load = &grown[(*count)++];
-  load->block = load->node = load->beam = QN_NONE;
+  if (load != NULL)
+    load->block = load->node = load->beam = QN_NONE;
   return load;
 }
 
 QnLoad *
 qn_model_add_dead_load (QnModel *model)
 {
-  return add_load (&model->dead_loads, &model->dead_load_count,
-                   &model->dead_load_capacity);
+  return of_nothing (QN_MODEL_ADD (model, dead_loads, dead_load));
 }
 
 QnLoad *
 qn_model_add_live_load (QnModel *model)
 {
-  return add_load (&model->live_loads, &model->live_load_count,
-                   &model->live_load_capacity);
+  return of_nothing (QN_MODEL_ADD (model, live_loads, live_load));
 }
 
 QnStage *
 qn_model_add_stage (QnModel *model, const char *name)
 {
-  QnStage *stages =
-    make_room (model->stages, model->stage_count, &model->stage_capacity, sizeof *stages);
-  if (stages == NULL)
-    return NULL;
-  model->stages = stages;
+  QnStage *stage = QN_MODEL_ADD_NAMED (model, stages, stage, NULL, name);
 
-  QnStage *stage = &stages[model->stage_count];
-  stage->name = qn_strdup (name);
-  if (stage->name == NULL && name != NULL)
-    return NULL;
-  stage->control_block = stage->control_node = QN_NONE;
-  model->stage_count++;
+  if (stage != NULL)
+    stage->control_block = stage->control_node = QN_NONE;
   return stage;
 }
 
 QnGroundMotion *
 qn_model_add_ground_motion (QnModel *model, const char *record)
 {
-  QnGroundMotion *all =
-    make_room (model->ground, model->ground_count, &model->ground_capacity, sizeof *all);
-  if (all == NULL)
-    return NULL;
-  model->ground = all;
+  QnGroundMotion *motion = QN_MODEL_ADD (model, ground, ground);
 
-  QnGroundMotion *motion = &all[model->ground_count];
-  motion->record = qn_strdup (record);
-  if (motion->record == NULL && record != NULL)
+  if (motion == NULL)
     return NULL;
+  motion->record = qn_strdup (record);
+  if (motion->record == NULL && record != NULL) {
+    model->ground_count--;
+    return NULL;
+  }
   motion->kind = record != NULL ? QN_SIGNAL_RECORD : QN_SIGNAL_POINTS;
   motion->scale = 1;
-  model->ground_count++;
   return motion;
 }
 
@@ -428,23 +361,13 @@ qn_ground_motion_add_point (QnGroundMotion *motion, double time, double accelera
 QnInitialMotion *
 qn_model_add_initial_motion (QnModel *model)
 {
-  QnInitialMotion *all = make_room (model->initial, model->initial_count,
-                                    &model->initial_capacity, sizeof *all);
-  if (all == NULL)
-    return NULL;
-  model->initial = all;
-  return &all[model->initial_count++];
+  return QN_MODEL_ADD (model, initial, initial);
 }
 
 QnTrack *
 qn_model_add_track (QnModel *model)
 {
-  QnTrack *all =
-    make_room (model->tracks, model->track_count, &model->track_capacity, sizeof *all);
-  if (all == NULL)
-    return NULL;
-  model->tracks = all;
-  return &all[model->track_count++];
+  return QN_MODEL_ADD (model, tracks, track);
 }
 
 int32_t
@@ -462,15 +385,9 @@ qn_model_add_load_set (QnModel *model, const char *name)
   int32_t set = qn_model_find_load_set (model, name);
   if (set != QN_NONE || model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
     return set;
-  char **names = make_room (model->load_sets, model->load_set_count,
-                            &model->load_set_capacity, sizeof *names);
-  if (names == NULL)
+  if (QN_MODEL_ADD_NAMED (model, load_sets, load_set, NULL, name) == NULL)
     return QN_NONE;
-  model->load_sets = names;
-  names[model->load_set_count] = qn_strdup (name);
-  if (names[model->load_set_count] == NULL)
-    return QN_NONE;
-  return (int32_t) ++model->load_set_count;
+  return (int32_t) model->load_set_count;
 }
 
 const char *

@@ -157,7 +157,7 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
     if (may_end_on_plateau (trace)
         && (motion > eq->runaway || has_been_level (trace, motion))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
-      trace->path->result->mechanism_uncertain = true;
+      trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else
       qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEP_TOO_SMALL);
     break;

@@ -124,7 +124,7 @@ qn_path_judge_stability (QnPath *path, const double *held)
     if (factored == QN_FACTOR_SINGULAR || qn_linsys_sign (eq->linsys) > 0)
       return QN_SOLVE_CONVERGED;
   }
-  bool found = find_motion (as, path->inertia, path->displacements, eq->velocity);
+  bool found = find_motion (as, path->inertia, path->displacements, eq->motion);
   qn_assembly_forget_tangent (as);
   return found ? QN_SOLVE_MECHANISM : QN_SOLVE_NO_MEMORY;
 }

@@ -78,7 +78,7 @@ probe_sense (QnPath *path, int *sense, QnDiag *diag)
   QnEquilibrium *eq = &path->equilibrium;
   const QnAssembly *as = &eq->assembly;
   size_t bytes = (size_t) as->unknown_count * sizeof (double);
-  double *direction = eq->velocity, work = 0;
+  double *direction = eq->motion, work = 0;
   const QnTarget step = { .direction = direction,
                           .advance = way_to_target (path) / path->settings->increments };
 

@@ -126,8 +126,8 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
 
   if (status != QN_SOLVE_MECHANISM)
     return status;
-  memcpy (trace->buckling, eq->velocity, (size_t) as->unknown_count * sizeof (double));
-  for (double lean = tuning->least_lean; lean <= tuning->most_lean; lean *= 10) {
+  memcpy (trace->buckling, eq->motion, (size_t) as->unknown_count * sizeof (double));
+  for (double lean = tuning->least_lean; lean <= 1; lean *= 10) {
     qn_equilibrium_restore (eq);
     for (int32_t i = 0; i < as->unknown_count; i++)
       eq->u[i] += lean * as->length * trace->buckling[i];
@@ -275,6 +275,6 @@ qn_path_step_land (QnPathTrace *trace, double *share)
   qn_equilibrium_save (eq, &eq->anchor);
   QnSolveStatus status = qn_equilibrium_newton (eq, &end, 0, QN_NEWTON_BUDGET);
   if (status == QN_SOLVE_FAILED)
-    qn_equilibrium_load (eq, &eq->anchor);
+    qn_equilibrium_set_state (eq, &eq->anchor);
   return status;
 }

@@ -29,7 +29,6 @@ const QnPathTuning qn_path_tuning = {
   .restart_step = 1.0 / 64,
   .newton_step = 1.0 / 16,
   .least_lean = 1e-2,
-  .most_lean = 1,
   .most_of_step = 0.9,
   .jump = 3,
   .jump_stays = 0.5,
@@ -37,6 +36,7 @@ const QnPathTuning qn_path_tuning = {
   .jump_budget = 80,
   .patience = 1000,
   .most_patience = 6000,
+  .most_effort = 2e6,
   .long_growth = 10,
   .least_growth = 1.5,
   .plateau_tolerance = 1e-4,
@@ -223,11 +223,13 @@ work_so_far (const QnPathTrace *trace)
 static void
 go_back_to_short_steps (QnPathTrace *trace)
 {
+  double blocks = (double) trace->path->model->block_count;
   int32_t spent = trace->path->equilibrium.statistics.factorizations;
+  int32_t most = (int32_t) fmin (tuning->most_patience, tuning->most_effort / blocks);
 
   trace->long_growth = tuning->long_growth;
-  trace->patience = spent < tuning->most_patience / 2 ? 2 * spent : tuning->most_patience;
-  if (trace->step == 0 || spent > tuning->most_patience)
+  trace->patience = spent < most / 2 ? 2 * spent : most;
+  if (trace->step == 0 || spent > most)
     qn_path_end_give_up (trace, QN_SOLVE_FAILED);
 }
 
@@ -384,7 +386,7 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   QnPath *path = trace->path;
   QnEquilibrium *eq = &path->equilibrium;
   QnResult *result = path->result;
-  double *velocity = eq->velocity;
+  double *velocity = eq->motion;
 
   /* The motion beyond the highest multiplier, or that of the last step. */
   if (trace->stop != QN_STOP_FALL || trace->events.below)
@@ -400,7 +402,7 @@ conclude (QnPathTrace *trace, QnDiag *diag)
     qn_result_set_first_limit (result,
                                path->origin + path->scale * trace->events.highest);
   if (trace->load_control) {
-    qn_equilibrium_load (eq, &trace->highest);
+    qn_equilibrium_set_state (eq, &trace->highest);
     qn_equilibrium_save (eq, &eq->committed);
   } else {
     result->stop = trace->stop;

@@ -36,8 +36,9 @@ typedef struct QnPathTuning {
    * relaxation takes a longer one for the same effort. */
   double newton_step;
 
-  /* How far a structure is moved out of an unstable equilibrium, in characteristic lengths. */
-  double least_lean, most_lean;
+  /* How far a structure is moved out of an unstable equilibrium at first, in characteristic lengths; up
+   * to one. */
+  double least_lean;
 
   /* A step that cannot be ended right at the end of the path is shortened at least to this part. */
   double most_of_step;
@@ -56,8 +57,10 @@ typedef struct QnPathTuning {
   /* Load control: from so many factorisations on a structure that settles in one place after the other
    * is no longer followed to each of them: the work grows by long_growth at once, by its square root where
    * that leads nowhere, and so on; less than least_growth gains nothing. Then the structure is followed
-   * step by step again, for as many factorisations as it took so far, up to most_patience. */
+   * step by step again, for as many factorisations as it took so far, up to most_patience, and in large
+   * structures until factorisations x blocks are most_effort. */
   int patience, most_patience;
+  double most_effort;
   double long_growth, least_growth;
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows

@@ -8,8 +8,8 @@
 
 /* Viscous steps of relaxation under dead load before central paths are tried from there: twice as many
  * each time. */
-#define FIRST_STINT 50
-#define LAST_STINT  400
+#define FIRST_TURN 50
+#define LAST_TURN  400
 
 QnStatus
 qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
@@ -202,11 +202,11 @@ relax_in_turns (QnEquilibrium *eq, QnCentralPath *central)
   const QnTarget target = qn_target_multiplier (0);
   QnSolveStatus solve;
 
-  for (int steps = FIRST_STINT; steps <= LAST_STINT; steps *= 2) {
+  for (int steps = FIRST_TURN; steps <= LAST_TURN; steps *= 2) {
     solve = qn_equilibrium_relax (eq, &target, steps);
     if (solve != QN_SOLVE_FAILED)
       return solve;
-    qn_equilibrium_load (eq, &eq->anchor); /* the last step may have failed */
+    qn_equilibrium_set_state (eq, &eq->anchor); /* the last step may have failed */
     qn_equilibrium_commit (eq);
     if (has_run_away (eq))
       return QN_SOLVE_MECHANISM;
@@ -256,7 +256,7 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
     return qn_path_accept (path, 0, QN_EVENT_NONE) ? QN_OK : qn_diag_no_memory (diag);
   case QN_SOLVE_MECHANISM: {
     path->result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
-    QnStatus status = qn_path_record_mechanism (path, eq->velocity, diag);
+    QnStatus status = qn_path_record_mechanism (path, eq->motion, diag);
     return status == QN_OK ? record_unstable_blocks (path, diag) : status;
   }
   case QN_SOLVE_FAILED:

@@ -64,8 +64,8 @@ QnStatus qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag);
 
 /* Whether a structure can stay at the equilibrium that the solver is at, in nonlinear geometry
  * (path-rest.c): with the loads held, or with a measure `held` . u (a direction, nullable). CONVERGED
- * unless it is proved that it cannot: MECHANISM, with the motion in which it leaves as the
- * equilibrium's velocity, the largest entry 1. Or NO_MEMORY. */
+ * unless it is proved that it cannot: MECHANISM, with eq->motion, in which it leaves, the
+ * largest entry 1. Or NO_MEMORY. */
 QnSolveStatus qn_path_judge_stability (QnPath *path, const double *held);
 
 /* The whole analysis but limit analysis: dead load, then the live loads or stage after stage
@@ -79,7 +79,7 @@ bool qn_path_slips (const QnAssembly *assembly);
  * out. */
 bool qn_path_accept (QnPath *path, double multiplier, QnEvent event);
 
-/* Records the velocity that the last relaxation ended with as the collapse mechanism. */
+/* Records these rates of the unknowns as the collapse mechanism. */
 QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag);
 
 /* Follows the path from the committed state under the driven loads, by the procedure of the settings

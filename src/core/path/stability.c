@@ -74,7 +74,7 @@ record_mode (Search *search, QnDiag *diag)
 {
   QnEquilibrium *eq = &search->path.equilibrium;
   int32_t n = eq->assembly.unknown_count;
-  double *mode = eq->velocity;
+  double *mode = eq->motion;
   bool stable;
 
   qn_equilibrium_restore (eq);

@@ -226,22 +226,10 @@ qn_curve_plot_draw (const QnCurvePlot *data, cairo_t *cr, const QnPage *page, do
     x_unit (data, fmax (fabs (box.min.x), fabs (box.max.x)), &plot.factor);
 
   double top = y, bottom = y + height;
-  if (data->title != NULL && *data->title != '\0') {
-    QnTextStyle style = { .size = QN_TYPE_TITLE * u, .bold = true, .width = width };
-    double w, h;
-    qn_text_measure (cr, &style, data->title, &w, &h);
-    qn_text_draw (cr, &style, data->title, x, y, 0, 0, 0,
-                  qn_ink (QN_INK_LINE, data->monochrome));
-    top += h + 6 * u;
-  }
   g_autoptr (QnScene) legend = create_legend (data);
   QnFurniture furniture;
-  qn_furniture_init (&furniture, legend, cr, u, width, false);
-  furniture.x = x;
-  furniture.width = width;
-  furniture.height = qn_furniture_row_height (&furniture, width);
-  furniture.y = bottom - furniture.height;
-  bottom = furniture.y - (furniture.count > 0 ? 6 * u : 0);
+  qn_furniture_init_plot (&furniture, legend, cr, u, data->title, data->monochrome, x,
+                          width, &top, &bottom);
 
   plot.y.start = bottom - (3.1 * QN_TYPE_TICK + 4) * u;
   plot.y.end = top + 0.6 * QN_TYPE_TICK * u;

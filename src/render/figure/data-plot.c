@@ -265,22 +265,10 @@ qn_data_plot_draw (const QnDataPlot *data, cairo_t *cr, double page_width,
   plot.bar = (QnColorBar){
     .shown = data->bar_title != NULL, .min = values[0], .max = values[1], .factor = 1
   };
-  if (data->title != NULL && *data->title != '\0') {
-    QnTextStyle style = { .size = QN_TYPE_TITLE * u, .bold = true, .width = width };
-    double w, h;
-    qn_text_measure (cr, &style, data->title, &w, &h);
-    qn_text_draw (cr, &style, data->title, margin, top, 0, 0, 0,
-                  qn_ink (QN_INK_LINE, data->monochrome));
-    top += h + 6 * u;
-  }
   g_autoptr (QnScene) legend = create_legend (&plot);
   QnFurniture furniture;
-  qn_furniture_init (&furniture, legend, cr, u, width, false);
-  furniture.x = margin;
-  furniture.width = width;
-  furniture.height = qn_furniture_row_height (&furniture, width);
-  furniture.y = bottom - furniture.height;
-  bottom = furniture.y - (furniture.count > 0 ? 6 * u : 0);
+  qn_furniture_init_plot (&furniture, legend, cr, u, data->title, data->monochrome,
+                          margin, width, &top, &bottom);
 
   lay_out (&plot, margin, top, margin + width, bottom, x_range, y_range);
   if (plot.y.start > plot.y.end && plot.x.end > plot.x.start) {

@@ -88,6 +88,26 @@ flow_place (const QnFurniture *f, size_t item, double width, Flow *flow)
   flow->row = fmax (flow->row, item_height (f, item));
 }
 
+void
+qn_furniture_init_plot (QnFurniture *f, const QnScene *legend, cairo_t *cr, double unit,
+                        const char *title, bool monochrome, double x, double width,
+                        double *top, double *bottom)
+{
+  if (title != NULL && *title != '\0') {
+    QnTextStyle style = { .size = QN_TYPE_TITLE * unit, .bold = true, .width = width };
+    double w, h;
+    qn_text_measure (cr, &style, title, &w, &h);
+    qn_text_draw (cr, &style, title, x, *top, 0, 0, 0, qn_ink (QN_INK_LINE, monochrome));
+    *top += h + 6 * unit;
+  }
+  qn_furniture_init (f, legend, cr, unit, width, false);
+  f->x = x;
+  f->width = width;
+  f->height = qn_furniture_row_height (f, width);
+  f->y = *bottom - f->height;
+  *bottom = f->y - (f->count > 0 ? 6 * unit : 0);
+}
+
 double
 qn_furniture_row_height (const QnFurniture *f, double width)
 {

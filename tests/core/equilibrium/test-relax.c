@@ -20,9 +20,9 @@ test_sliding_mechanism (void)
   QnEquilibrium *eq = &solver.equilibrium;
 
   g_assert_cmpint (relax (eq, 0.66), ==, QN_SOLVE_MECHANISM);
-  g_assert_cmpfloat (eq->velocity[0], >, 0);
-  g_assert_cmpfloat (fabs (eq->velocity[1]), <, 1e-6 * eq->velocity[0]);
-  g_assert_cmpfloat (fabs (eq->velocity[2]), <, 1e-6 * eq->velocity[0]);
+  g_assert_cmpfloat (eq->motion[0], >, 0);
+  g_assert_cmpfloat (fabs (eq->motion[1]), <, 1e-6 * eq->motion[0]);
+  g_assert_cmpfloat (fabs (eq->motion[2]), <, 1e-6 * eq->motion[0]);
   solver_clear (&solver);
 }
 
@@ -35,11 +35,11 @@ test_overturning_mechanism (void)
   QnEquilibrium *eq = &solver.equilibrium;
 
   g_assert_cmpint (relax (eq, 0.41), ==, QN_SOLVE_MECHANISM);
-  double turning = eq->velocity[2] / eq->assembly.length;
+  double turning = eq->motion[2] / eq->assembly.length;
   g_assert_cmpfloat (turning, <, 0);
   /* v = w x r about the corner at (0.2, 0); the centroid is at (0, 0.5) */
-  g_assert_cmpfloat_with_epsilon (eq->velocity[0], -turning * 0.5, 1e-3 * fabs (turning));
-  g_assert_cmpfloat_with_epsilon (eq->velocity[1], -turning * 0.2, 1e-3 * fabs (turning));
+  g_assert_cmpfloat_with_epsilon (eq->motion[0], -turning * 0.5, 1e-3 * fabs (turning));
+  g_assert_cmpfloat_with_epsilon (eq->motion[1], -turning * 0.2, 1e-3 * fabs (turning));
   solver_clear (&solver);
 }
 
