@@ -253,6 +253,70 @@ test_bounds (void)
   driver_discard (window);
 }
 
+static gboolean
+is_table_row (GtkWidget *widget, gconstpointer data)
+{
+  return GTK_IS_LABEL (widget) && GTK_IS_GRID (gtk_widget_get_parent (widget))
+         && g_str_equal (gtk_label_get_text (GTK_LABEL (widget)), data);
+}
+
+static gboolean
+is_first_cell (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return g_object_get_data (G_OBJECT (widget), "qn-cell") != NULL;
+}
+
+static int
+row_of (GtkWidget *dialog, const char *text)
+{
+  GtkWidget *label = driver_find_widget (dialog, is_table_row, text);
+  int column, row = -1;
+  if (label != NULL)
+    gtk_grid_query_child (GTK_GRID (gtk_widget_get_parent (label)), label, &column, &row,
+                          &column, &column);
+  return row;
+}
+
+static gboolean
+shows_three (gpointer dialog)
+{
+  return driver_find_widget (dialog, is_table_row, "0.3558") != NULL
+         && driver_find_widget (dialog, is_table_row, "0.2637") != NULL
+         && driver_find_widget (dialog, is_table_row, "0.6415") != NULL;
+}
+
+/* Files are compared without a window of theirs: solved, named by their titles, in an order that keys
+ * change; what cannot be read is told. */
+static void
+test_compare_files (void)
+{
+  static const char *const names[] = { "ferris-tin-loi/wall3.quoin",
+                                       "ferris-tin-loi/wall4.quoin",
+                                       "ferris-tin-loi/wall1.quoin", "README.md" };
+  QnWindow *window = driver_open_window (1280, 800);
+  driver_activate (window, "win.compare");
+  GtkWidget *dialog = driver_find_dialog ("Compare");
+  g_assert_nonnull (dialog);
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
+    g_autofree char *path = driver_example_path (names[i]);
+    gtk_widget_activate_action (dialog, "compare.add-path", "s", path);
+  }
+  driver_wait (shows_three, dialog);
+  driver_run (300);
+  driver_screenshot (dialog, "compare-files");
+  GtkWidget *cell = driver_find_widget (dialog, is_first_cell, NULL);
+  g_assert_nonnull (cell);
+  gtk_widget_grab_focus (cell);
+  int row_before = row_of (dialog, "100.0 %"), wall3 = row_of (dialog, "0.3558");
+  g_assert_cmpint (row_before, ==, wall3);
+  driver_key ("alt+Right");
+  driver_run (100);
+  g_assert_cmpint (row_of (dialog, "0.3558"), ==, wall3 + 1);
+  g_assert_cmpint (row_of (dialog, "100.0 %"), ==, row_of (dialog, "0.2637"));
+  driver_discard (window);
+}
+
 /* Modes and the buckling load stand in the list of runs, each with its shape; beside them the path
  * keeps its place in the table of bounds. */
 static void
@@ -306,6 +370,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/analysis/procedures", test_procedures);
   g_test_add_func ("/app/analysis/in-time", test_in_time);
   g_test_add_func ("/app/analysis/bounds", test_bounds);
+  g_test_add_func ("/app/analysis/compare-files", test_compare_files);
   g_test_add_func ("/app/analysis/modes-and-stability", test_modes_and_stability);
   return g_test_run ();
 }

@@ -151,7 +151,7 @@ test_sheet (void)
   const GPtrArray *runs = qn_document_get_runs (qn_window_get_document (window));
   g_assert_cmpuint (runs->len, ==, 2);
   g_autoptr (GError) error = NULL;
-  qn_compare_export (runs, path, &error);
+  qn_compare_export (runs, NULL, path, &error);
   g_assert_no_error (error);
   expect_pdf (path);
 

@@ -179,6 +179,27 @@ test_compare_and_curve (Solved *solved, gconstpointer data)
   }
 }
 
+/* The ending .csv gives the numbers that stand beneath the figures. */
+static void
+test_compare_table (Solved *solved, gconstpointer data)
+{
+  (void) data;
+  g_autofree char *path = g_build_filename (solved->folder, "table.csv", NULL);
+  g_autofree char *given = g_strdup_printf ("%s=%s", solved->model, solved->result);
+  g_autofree char *stack = cli_example ("05-stack.quoin");
+  CliRun run = cli_run ("compare", given, stack, "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *table = cli_read (path);
+  g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
+  g_assert_cmpuint (g_strv_length (lines), ==, 4);
+  g_assert_cmpstr (lines[0], ==, "project,title,outcome,multiplier [-],mechanism,steps");
+  g_assert_nonnull (strstr (lines[1], ",collapse,"));
+  g_assert_nonnull (strstr (lines[2], "05-stack.quoin"));
+  run = cli_run ("compare", stack, "-o", "/no/such/folder/c.csv", NULL);
+  cli_assert_failed (&run, 5, NULL);
+}
+
 static void
 test_columns (Solved *solved, gconstpointer data)
 {
@@ -243,6 +264,7 @@ main (int argc, char **argv)
   ADD ("refuses", test_render_refuses);
   ADD ("same-bytes", test_same_bytes);
   ADD ("compare-and-curve", test_compare_and_curve);
+  ADD ("compare-table", test_compare_table);
   ADD ("columns", test_columns);
   ADD ("curve-runs", test_curve_runs);
 #undef ADD

@@ -6,7 +6,7 @@
 #include <glib/gi18n.h>
 
 #define MARGIN_PX    24.0
-#define CAPTION_PX   44
+#define CAPTION_PX   60
 #define WHEEL_FACTOR 1.15
 
 typedef struct Cell {
@@ -76,6 +76,12 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   qn_scene_free (scene);
 }
 
+QnRun *
+qn_compare_cell_get_run (GtkWidget *widget)
+{
+  return cell_of (widget)->run;
+}
+
 double
 qn_compare_cell_fit_scale (GtkWidget *widget)
 {
@@ -141,11 +147,11 @@ on_resize (GtkDrawingArea *area, int width, int height, Cell *cell)
 /* ---- building ---- */
 
 static char *
-dup_caption (const QnRun *run)
+dup_caption (const QnRun *run, const char *name)
 {
   if (run->kind != QN_RUN_ANALYSIS) {
     g_autofree char *title = qn_run_dup_title (run);
-    return g_strdup_printf ("%s\n", title);
+    return g_strdup_printf ("%s\n%s\n", name, title);
   }
   g_autofree char *words =
     qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
@@ -154,7 +160,7 @@ dup_caption (const QnRun *run)
       ? g_strdup_printf ("λ = %.4f", run->result.collapse_multiplier)
       : g_strdup (qn_explain_outcome_label (run->result.outcome));
   g_autofree char *what = g_strdup_printf (_ ("%s: %s"), run->name, value);
-  return g_strdup_printf ("%s\n%s", what, words != NULL ? words : "");
+  return g_strdup_printf ("%s\n%s\n%s", name, what, words != NULL ? words : "");
 }
 
 static void
@@ -171,7 +177,7 @@ add_controllers (Cell *cell)
 }
 
 GtkWidget *
-qn_compare_cell_new (QnRun *run, QnCompareView *view)
+qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view)
 {
   Cell *cell = g_new0 (Cell, 1);
   cell->run = qn_run_ref (run);
@@ -192,7 +198,7 @@ qn_compare_cell_new (QnRun *run, QnCompareView *view)
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (cell->area), draw, cell, NULL);
   g_signal_connect (cell->area, "resize", G_CALLBACK (on_resize), cell);
   add_controllers (cell);
-  g_autofree char *caption = dup_caption (run);
+  g_autofree char *caption = dup_caption (run, title);
   GtkWidget *label = gtk_label_new (caption);
   gtk_label_set_wrap (GTK_LABEL (label), TRUE);
   gtk_label_set_max_width_chars (GTK_LABEL (label), 50);

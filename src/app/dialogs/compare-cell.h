@@ -18,8 +18,10 @@ typedef struct QnCompareView {
   gpointer changed_data;
 } QnCompareView;
 
-/* `view` must live as long as the cell. */
-GtkWidget *qn_compare_cell_new (QnRun *run, QnCompareView *view);
+/* `title`: of the run's project. `view` must live as long as the cell. */
+GtkWidget *qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view);
+
+QnRun *qn_compare_cell_get_run (GtkWidget *cell);
 
 /* px per m at which the run fits its cell; 0 before the cell has a size. */
 double qn_compare_cell_fit_scale (GtkWidget *cell);

@@ -1,5 +1,6 @@
-/* Compare: two to six runs of the open drawings side by side, at one scale, with linked zoom and
- * phase of motion; the first as an outline over the others on request. */
+/* Compare: runs of the open drawings and of files side by side, at one scale, with linked zoom and
+ * phase of motion; the first as an outline over the others on request; their numbers as a table and
+ * their curves over each other. Files are opened and solved where they have no result. */
 #include "app/dialogs/compare-cell.h"
 #include "app/dialogs/dialogs.h"
 #include "app/forms/form.h"
@@ -7,17 +8,24 @@
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
+#include "doc/document/batch.h"
+#include "doc/document/run-text.h"
+#include "doc/text/explain.h"
 #include "render/figure/compare-sheet.h"
+#include "render/figure/curve-plot.h"
 #include <glib/gi18n.h>
 
-#define MOST_RUNS   6
-#define ZOOM_FACTOR 1.25
+#define MOST_RUNS    12
+#define PX_PER_POINT (96.0 / 72.0)
+#define ZOOM_FACTOR  1.25
 
 typedef struct Compare {
   GtkWindow *parent;
   QnDocument *document;
   QnDocumentsFunc list_others;
-  GtkWidget *dialog, *grid, *list, *play, *outline, *hint;
+  QnBatch *batch;    /* files that were opened here */
+  GHashTable *known; /* runs of these files that were put on show, of QnRun */
+  GtkWidget *dialog, *grid, *list, *play, *outline, *hint, *table, *curves;
   GtkLabel *message;
   GPtrArray *shown; /* of QnRun, in the order chosen */
   QnCompareView view;
@@ -32,8 +40,132 @@ compare_free (gpointer data, GObject *where)
   (void) where;
   Compare *compare = data;
   g_clear_object (&compare->chooser);
+  g_signal_handlers_disconnect_by_data (compare->batch, compare);
+  g_object_unref (compare->batch);
+  g_hash_table_unref (compare->known);
   g_ptr_array_unref (compare->shown);
   g_free (compare);
+}
+
+/* ---- documents ---- */
+
+/* Those of the windows, that of this one first, and of the files. */
+static GPtrArray *
+list_documents (Compare *compare)
+{
+  GPtrArray *documents = compare->list_others (compare->parent);
+  const GPtrArray *files = qn_batch_get_documents (compare->batch);
+  g_ptr_array_insert (documents, 0, compare->document);
+  for (guint i = 0; i < files->len; i++)
+    g_ptr_array_add (documents, files->pdata[i]);
+  return documents;
+}
+
+/* Title of the project that a run belongs to; of one whose drawing is closed, that of its model. */
+static char *
+dup_title (Compare *compare, QnRun *run)
+{
+  g_autoptr (GPtrArray) documents = list_documents (compare);
+  for (guint i = 0; i < documents->len; i++)
+    if (g_ptr_array_find ((GPtrArray *) qn_document_get_runs (documents->pdata[i]), run,
+                          NULL))
+      return qn_document_dup_display_name (documents->pdata[i]);
+  return g_strdup (run->model.title != NULL ? run->model.title : _ ("Untitled"));
+}
+
+/* ---- numbers and curves ---- */
+
+static void
+put (Compare *compare, int column, int row, const char *text)
+{
+  GtkWidget *label = gtk_label_new (text);
+  gtk_label_set_xalign (GTK_LABEL (label), column == 0 ? 0.0f : 1.0f);
+  if (row == 0)
+    gtk_widget_add_css_class (label, "heading");
+  if (row > 0 && column == 0) {
+    gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+    gtk_label_set_max_width_chars (GTK_LABEL (label), 28);
+    gtk_widget_set_tooltip_text (label, text);
+  }
+  gtk_grid_attach (GTK_GRID (compare->table), label, column, row, 1, 1);
+}
+
+/* How far the curve's point had moved at the last step. */
+static char *
+dup_displacement (const QnRun *run)
+{
+  const QnUnits millimetres = { .length = QN_LENGTH_MM };
+  QnCurve curve = { 0 };
+  char *text = NULL;
+  if (qn_run_has_curve (run)
+      && qn_curve_from_result (&curve, &run->result, QN_NONE, QN_DOF_UX, NULL, NULL)) {
+    if (!curve.in_time && curve.count > 0)
+      text = qn_units_format_full (millimetres, QN_QUANTITY_LENGTH,
+                                   curve.x[curve.count - 1], 4);
+    qn_curve_clear (&curve);
+  }
+  return text != NULL ? text : g_strdup ("–");
+}
+
+static void
+fill_table (Compare *compare)
+{
+  const char *const heads[] = { _ ("Project"), _ ("Multiplier"), _ ("Of the first"),
+                                _ ("Moved"),   _ ("Steps"),      _ ("Outcome") };
+  GtkWidget *child;
+  double first = NAN;
+  while ((child = gtk_widget_get_first_child (compare->table)) != NULL)
+    gtk_grid_remove (GTK_GRID (compare->table), child);
+  for (guint i = 0; i < G_N_ELEMENTS (heads); i++)
+    put (compare, (int) i, 0, heads[i]);
+  for (guint i = 0; i < compare->shown->len; i++) {
+    QnRun *run = compare->shown->pdata[i];
+    gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;
+    double value = given ? run->result.collapse_multiplier : NAN;
+    if (i == 0)
+      first = value;
+    g_autofree char *title = dup_title (compare, run);
+    g_autofree char *number = given ? g_strdup_printf ("%.4f", value) : g_strdup ("–");
+    g_autofree char *part = isfinite (value / first)
+                              ? g_strdup_printf ("%.1f %%", 100.0 * value / first)
+                              : g_strdup ("–");
+    g_autofree char *moved = dup_displacement (run);
+    g_autofree char *steps = g_strdup_printf ("%zu", run->result.step_count);
+    const char *outcome =
+      run->kind == QN_RUN_ANALYSIS ? qn_explain_outcome_label (run->result.outcome) : "–";
+    const char *const cells[] = { title, number, part, moved, steps, outcome };
+    for (guint k = 0; k < G_N_ELEMENTS (cells); k++)
+      put (compare, (int) k, (int) i + 1, cells[k]);
+  }
+}
+
+static void
+draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  Compare *compare = data;
+  guint count = 0;
+  g_autofree QnCurve *curves = g_new0 (QnCurve, compare->shown->len + 1);
+  g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
+  (void) area;
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+  cairo_paint (cr);
+  for (guint i = 0; i < compare->shown->len; i++) {
+    QnRun *run = compare->shown->pdata[i];
+    QnCurve *curve = &curves[count];
+    if (!qn_run_has_curve (run)
+        || !qn_curve_from_result (curve, &run->result, QN_NONE, QN_DOF_UX, NULL, NULL))
+      continue;
+    qn_curve_cut_runaway (curve);
+    g_ptr_array_add (titles, dup_title (compare, run));
+    curve->label = titles->pdata[count++];
+  }
+  if (count > 0) {
+    const QnCurvePlot plot = { .curves = curves, .curve_count = count };
+    const QnPage page = { width, height, PX_PER_POINT, true, false, NULL };
+    qn_curve_plot_draw (&plot, cr, &page, 6.0, 6.0, width - 12.0, height - 12.0);
+  }
+  for (guint i = 0; i < count; i++)
+    qn_curve_clear (&curves[i]);
 }
 
 /* ---- cells ---- */
@@ -73,6 +205,8 @@ redraw (gpointer data)
   each_cell (compare, redraw_cell, NULL);
 }
 
+static void let_move (Compare *compare, GtkWidget *cell);
+
 static void
 fill (Compare *compare)
 {
@@ -80,15 +214,102 @@ fill (Compare *compare)
   while ((child = gtk_widget_get_first_child (compare->grid)) != NULL)
     gtk_grid_remove (GTK_GRID (compare->grid), child);
   guint count = compare->shown->len;
-  int columns = count <= 1 ? 1 : count <= 4 ? 2 : 3;
+  int columns = count <= 1 ? 1 : count <= 4 ? 2 : count <= 9 ? 3 : 4;
   compare->view.first = count > 0 ? g_ptr_array_index (compare->shown, 0) : NULL;
-  for (guint i = 0; i < count; i++)
-    gtk_grid_attach (
-      GTK_GRID (compare->grid),
-      qn_compare_cell_new (g_ptr_array_index (compare->shown, i), &compare->view),
-      (int) i % columns, (int) i / columns, 1, 1);
+  for (guint i = 0; i < count; i++) {
+    QnRun *run = compare->shown->pdata[i];
+    g_autofree char *title = dup_title (compare, run);
+    GtkWidget *cell = qn_compare_cell_new (run, title, &compare->view);
+    let_move (compare, cell);
+    gtk_grid_attach (GTK_GRID (compare->grid), cell, (int) i % columns, (int) i / columns,
+                     1, 1);
+  }
   gtk_widget_set_visible (compare->hint, count < 2);
+  fill_table (compare);
+  gtk_widget_queue_draw (compare->curves);
   redraw (compare);
+}
+
+/* ---- order ---- */
+
+/* Puts a run at a place of the order. */
+static void
+move_run (Compare *compare, QnRun *run, guint to)
+{
+  guint from;
+  if (!g_ptr_array_find (compare->shown, run, &from) || to >= compare->shown->len
+      || to == from)
+    return;
+  g_autoptr (QnRun) kept = qn_run_ref (run);
+  g_ptr_array_remove_index (compare->shown, from);
+  g_ptr_array_insert (compare->shown, (int) to, qn_run_ref (kept));
+  fill (compare);
+  for (GtkWidget *cell = gtk_widget_get_first_child (compare->grid); cell != NULL;
+       cell = gtk_widget_get_next_sibling (cell))
+    if (qn_compare_cell_get_run (cell) == kept)
+      gtk_widget_grab_focus (cell);
+}
+
+static GdkContentProvider *
+on_drag_prepare (GtkDragSource *source, double x, double y, GtkWidget *cell)
+{
+  (void) source;
+  (void) x;
+  (void) y;
+  return gdk_content_provider_new_typed (G_TYPE_POINTER, qn_compare_cell_get_run (cell));
+}
+
+static gboolean
+on_cell_drop (GtkDropTarget *target, const GValue *value, double x, double y,
+              Compare *compare)
+{
+  (void) x;
+  (void) y;
+  GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (target));
+  guint to;
+  gboolean found = g_ptr_array_find (compare->shown, qn_compare_cell_get_run (cell), &to);
+  if (found)
+    move_run (compare, g_value_get_pointer (value), to);
+  return found;
+}
+
+static gboolean
+on_cell_key (GtkEventControllerKey *controller, guint key, guint code,
+             GdkModifierType state, Compare *compare)
+{
+  (void) code;
+  GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (controller));
+  QnRun *run = qn_compare_cell_get_run (cell);
+  guint at;
+  if (!(state & GDK_ALT_MASK) || (key != GDK_KEY_Left && key != GDK_KEY_Right)
+      || !g_ptr_array_find (compare->shown, run, &at))
+    return FALSE;
+  if (key == GDK_KEY_Right)
+    move_run (compare, run, at + 1);
+  else if (at > 0)
+    move_run (compare, run, at - 1);
+  return TRUE;
+}
+
+/* The words beneath a picture are dragged onto another one; Alt and the arrows do the same. */
+static void
+let_move (Compare *compare, GtkWidget *cell)
+{
+  GtkDragSource *source = gtk_drag_source_new ();
+  GtkDropTarget *target = gtk_drop_target_new (G_TYPE_POINTER, GDK_ACTION_COPY);
+  GtkEventController *keys = gtk_event_controller_key_new ();
+  g_signal_connect (source, "prepare", G_CALLBACK (on_drag_prepare), cell);
+  gtk_widget_add_controller (gtk_widget_get_last_child (cell),
+                             GTK_EVENT_CONTROLLER (source));
+  g_signal_connect (target, "drop", G_CALLBACK (on_cell_drop), compare);
+  gtk_widget_add_controller (cell, GTK_EVENT_CONTROLLER (target));
+  g_signal_connect (keys, "key-pressed", G_CALLBACK (on_cell_key), compare);
+  gtk_widget_add_controller (cell, keys);
+  gtk_widget_set_focusable (cell, TRUE);
+  gtk_widget_set_tooltip_text (
+    gtk_widget_get_last_child (cell),
+    _ ("Drag onto another picture to change the order, or press "
+       "Alt and an arrow"));
 }
 
 /* ---- choosing ---- */
@@ -120,15 +341,14 @@ add_run (Compare *compare, QnDocument *document, QnRun *run)
   gtk_box_append (GTK_BOX (compare->list), check);
 }
 
-/* The runs of all windows, those of this one first. */
+/* The runs of all windows, those of this one first, and of the files. */
 static void
 list_runs (Compare *compare)
 {
   GtkWidget *child;
   while ((child = gtk_widget_get_first_child (compare->list)) != NULL)
     gtk_box_remove (GTK_BOX (compare->list), child);
-  g_autoptr (GPtrArray) documents = compare->list_others (compare->parent);
-  g_ptr_array_insert (documents, 0, compare->document);
+  g_autoptr (GPtrArray) documents = list_documents (compare);
   for (guint k = 0; k < documents->len; k++) {
     QnDocument *document = g_ptr_array_index (documents, k);
     const GPtrArray *runs = qn_document_get_runs (document);
@@ -156,6 +376,116 @@ on_runs_changed (Compare *compare)
     fill (compare);
   }
   list_runs (compare);
+}
+
+/* ---- files ---- */
+
+static void
+tell (Compare *compare, const char *text)
+{
+  gtk_label_set_text (compare->message, text);
+  gtk_widget_set_visible (GTK_WIDGET (compare->message), *text != '\0');
+}
+
+/* New runs of files are put on show; what goes on and what went wrong is told. */
+static void
+on_batch_changed (Compare *compare)
+{
+  const GPtrArray *documents = qn_batch_get_documents (compare->batch);
+  const GPtrArray *messages = qn_batch_get_messages (compare->batch);
+  GString *text = g_string_new (NULL);
+  gboolean any = FALSE;
+  for (guint i = 0; i < documents->len; i++) {
+    QnRun *run = qn_document_get_run (documents->pdata[i]);
+    g_autofree char *name = qn_document_dup_display_name (documents->pdata[i]);
+    if (qn_document_get_job (documents->pdata[i]) != NULL)
+      g_string_append_printf (text, _ ("Solving %s…\n"), name);
+    if (run == NULL || g_hash_table_contains (compare->known, run))
+      continue;
+    g_hash_table_add (compare->known, qn_run_ref (run));
+    any = TRUE;
+    if (compare->shown->len < MOST_RUNS)
+      g_ptr_array_add (compare->shown, qn_run_ref (run));
+  }
+  for (guint i = 0; i < messages->len; i++)
+    g_string_append_printf (text, "⚠ %s\n", (const char *) messages->pdata[i]);
+  tell (compare, g_strchomp (text->str));
+  g_string_free (text, TRUE);
+  if (any)
+    fill (compare);
+  list_runs (compare);
+}
+
+static void
+add_file (Compare *compare, const char *path)
+{
+  qn_batch_add (compare->batch, path);
+}
+
+static gboolean
+on_files_dropped (GtkDropTarget *target, const GValue *value, double x, double y,
+                  Compare *compare)
+{
+  (void) target;
+  (void) x;
+  (void) y;
+  gboolean taken = FALSE;
+  for (GSList *l = g_value_get_boxed (value); l != NULL; l = l->next) {
+    g_autofree char *path = g_file_get_path (l->data);
+    if (path != NULL)
+      add_file (compare, path);
+    taken |= path != NULL;
+  }
+  return taken;
+}
+
+static void
+on_files_chosen (GtkNativeDialog *dialog, int response, Compare *compare)
+{
+  if (response == GTK_RESPONSE_ACCEPT) {
+    g_autoptr (GListModel) files = gtk_file_chooser_get_files (GTK_FILE_CHOOSER (dialog));
+    for (guint i = 0; i < g_list_model_get_n_items (files); i++) {
+      g_autoptr (GFile) file = g_list_model_get_item (files, i);
+      g_autofree char *path = g_file_get_path (file);
+      if (path != NULL)
+        add_file (compare, path);
+    }
+  }
+  g_clear_object (&compare->chooser);
+}
+
+static void
+choose (Compare *compare, GtkFileChooserAction action, const char *title)
+{
+  static const char *const suffixes[] = { "quoin", "json", NULL };
+  static const QnFileKind kind = { .name = N_ ("Projects and results"),
+                                   .suffixes = suffixes };
+  GtkFileChooserNative *chooser = qn_chooser_begin (
+    GTK_WINDOW (compare->dialog), &compare->chooser, action, title, _ ("_Open"));
+  gtk_file_chooser_set_select_multiple (GTK_FILE_CHOOSER (chooser), TRUE);
+  if (action == GTK_FILE_CHOOSER_ACTION_OPEN)
+    qn_chooser_add_kind (chooser, &kind);
+  g_signal_connect (chooser, "response", G_CALLBACK (on_files_chosen), compare);
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+}
+
+static void
+on_add_files (Compare *compare)
+{
+  choose (compare, GTK_FILE_CHOOSER_ACTION_OPEN, _ ("Add Files"));
+}
+
+static void
+on_add_folders (Compare *compare)
+{
+  choose (compare, GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER, _ ("Add Folders"));
+}
+
+static void
+add_path (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  (void) action;
+  add_file (data, g_variant_get_string (parameter, NULL));
 }
 
 /* ---- motion and zoom ---- */
@@ -227,7 +557,8 @@ on_zoom_out (Compare *compare)
 /* ---- the sheet as a file ---- */
 
 gboolean
-qn_compare_export (const GPtrArray *runs, const char *path, GError **error)
+qn_compare_export (const GPtrArray *runs, const char *const *titles, const char *path,
+                   GError **error)
 {
   g_autofree QnFigure *figures = g_new0 (QnFigure, runs->len + 1);
   for (guint i = 0; i < runs->len; i++) {
@@ -235,7 +566,7 @@ qn_compare_export (const GPtrArray *runs, const char *path, GError **error)
     qn_figure_init (&figures[i], &run->model, &run->contacts, &run->result,
                     run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
     figures[i].options.loads = figures[i].options.dimensions = false;
-    figures[i].title = run->name;
+    figures[i].title = titles != NULL ? titles[i] : run->name;
   }
   QnOutput output;
   QnMetadata metadata;
@@ -253,11 +584,16 @@ on_file_chosen (GtkNativeDialog *dialog, int response, Compare *compare)
     const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
     g_autoptr (GError) error = NULL;
     g_autofree char *path = qn_dialog_dup_chosen_path (dialog, endings, &error);
-    gboolean written = path != NULL && qn_compare_export (compare->shown, path, &error);
+    g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
+    for (guint i = 0; i < compare->shown->len; i++)
+      g_ptr_array_add (titles, dup_title (compare, compare->shown->pdata[i]));
+    gboolean written =
+      path != NULL
+      && qn_compare_export (compare->shown, (const char *const *) titles->pdata, path,
+                            &error);
     g_autofree char *message =
       written ? g_strdup_printf (_ ("Figure written to %s"), path) : NULL;
-    gtk_label_set_text (compare->message, written ? message : error->message);
-    gtk_widget_set_visible (GTK_WIDGET (compare->message), TRUE);
+    tell (compare, written ? message : error->message);
   }
   g_clear_object (&compare->chooser);
 }
@@ -315,7 +651,15 @@ make_header (Compare *compare)
   gtk_menu_button_set_label (GTK_MENU_BUTTON (runs), _ ("Runs"));
   gtk_menu_button_set_popover (GTK_MENU_BUTTON (runs), popover);
 
-  GtkWidget *start[] = { runs, compare->play, compare->outline };
+  GtkWidget *start[] = {
+    runs,
+    make_button ("list-add-symbolic", _ ("Add Files…"), G_CALLBACK (on_add_files),
+                 compare),
+    make_button ("folder-open-symbolic", _ ("Add Folders…"), G_CALLBACK (on_add_folders),
+                 compare),
+    compare->play,
+    compare->outline,
+  };
   for (gsize i = 0; i < G_N_ELEMENTS (start); i++)
     gtk_header_bar_pack_start (GTK_HEADER_BAR (header), start[i]);
   GtkWidget *end[] = {
@@ -334,8 +678,8 @@ static GtkWidget *
 make_content (Compare *compare)
 {
   compare->hint = gtk_label_new (
-    _ ("Choose two to six runs above; those of all open windows are there. Change the "
-       "model or the procedure and solve again to get another."));
+    _ ("Choose runs above; those of all open windows are there. Add files or folders, or "
+       "drop them here: what has no result is solved."));
   gtk_label_set_wrap (GTK_LABEL (compare->hint), TRUE);
   gtk_widget_add_css_class (compare->hint, "dim-label");
   gtk_widget_set_margin_top (compare->hint, 12);
@@ -349,9 +693,33 @@ make_content (Compare *compare)
   gtk_label_set_wrap (compare->message, TRUE);
   gtk_label_set_selectable (compare->message, TRUE);
   gtk_widget_set_visible (GTK_WIDGET (compare->message), FALSE);
+  compare->curves = gtk_drawing_area_new ();
+  gtk_widget_set_vexpand (compare->curves, TRUE);
+  gtk_widget_set_size_request (compare->curves, 320, 220);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (compare->curves), draw_curves,
+                                  compare, NULL);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (compare->curves),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Curves"), -1);
+  compare->table = gtk_grid_new ();
+  gtk_grid_set_column_spacing (GTK_GRID (compare->table), 12);
+  gtk_grid_set_row_spacing (GTK_GRID (compare->table), 4);
+  gtk_widget_add_css_class (compare->table, "form");
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), compare->table);
+  gtk_scrolled_window_set_min_content_height (GTK_SCROLLED_WINDOW (scroller), 140);
+  GtkWidget *side = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
+  gtk_box_append (GTK_BOX (side), compare->curves);
+  gtk_box_append (GTK_BOX (side), scroller);
+  GtkWidget *paned = gtk_paned_new (GTK_ORIENTATION_HORIZONTAL);
+  gtk_paned_set_start_child (GTK_PANED (paned), compare->grid);
+  gtk_paned_set_end_child (GTK_PANED (paned), side);
+  gtk_paned_set_resize_end_child (GTK_PANED (paned), FALSE);
+  gtk_paned_set_shrink_end_child (GTK_PANED (paned), TRUE);
+  gtk_widget_set_vexpand (paned, TRUE);
+  gtk_paned_set_position (GTK_PANED (paned), 640);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   gtk_box_append (GTK_BOX (box), compare->hint);
-  gtk_box_append (GTK_BOX (box), compare->grid);
+  gtk_box_append (GTK_BOX (box), paned);
   gtk_box_append (GTK_BOX (box), GTK_WIDGET (compare->message));
   return box;
 }
@@ -365,15 +733,30 @@ qn_compare_window_show (GtkWindow *parent, QnDocument *document,
   compare->document = document;
   compare->list_others = list_others;
   compare->shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+  compare->batch = qn_batch_new ();
+  compare->known =
+    g_hash_table_new_full (NULL, NULL, (GDestroyNotify) qn_run_unref, NULL);
+  g_signal_connect_swapped (compare->batch, "changed", G_CALLBACK (on_batch_changed),
+                            compare);
   compare->view = (QnCompareView){
     .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare
   };
-  compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1000, 720);
+  compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1160, 720);
   qn_help_set_page (compare->dialog, "results");
   gtk_window_set_modal (GTK_WINDOW (compare->dialog), FALSE);
   gtk_window_set_titlebar (GTK_WINDOW (compare->dialog), make_header (compare));
   gtk_window_set_child (GTK_WINDOW (compare->dialog), make_content (compare));
   g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
+  GtkDropTarget *drop = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
+  g_signal_connect (drop, "drop", G_CALLBACK (on_files_dropped), compare);
+  gtk_widget_add_controller (compare->dialog, GTK_EVENT_CONTROLLER (drop));
+  static const GActionEntry actions[] = {
+    { .name = "add-path", .activate = add_path, .parameter_type = "s" }
+  };
+  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
+  g_action_map_add_action_entries (G_ACTION_MAP (group), actions, G_N_ELEMENTS (actions),
+                                   compare);
+  gtk_widget_insert_action_group (compare->dialog, "compare", G_ACTION_GROUP (group));
   qn_watch (compare->grid, document, "runs-changed", G_CALLBACK (on_runs_changed),
             compare);
   choose_first (compare);

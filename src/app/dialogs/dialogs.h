@@ -39,7 +39,8 @@ void qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
 typedef GPtrArray *(*QnDocumentsFunc) (GtkWindow *window);
 void qn_compare_window_show (GtkWindow *parent, QnDocument *document,
                              QnDocumentsFunc list_others);
-/* Writes runs (of QnRun) as one sheet. */
-gboolean qn_compare_export (const GPtrArray *runs, const char *path, GError **error);
+/* Writes runs (of QnRun) as one sheet; `titles`: one for each, or NULL for the names of the runs. */
+gboolean qn_compare_export (const GPtrArray *runs, const char *const *titles,
+                            const char *path, GError **error);
 
 #endif

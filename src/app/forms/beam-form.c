@@ -72,7 +72,7 @@ dup_forces (const QnBoundForm *form, QnBeamSet set)
   int step = qn_view_state_get_step (qn_canvas_get_state (form->canvas));
   QnBeamSummary summary;
   if (set.count != 1 || run == NULL || run->result.step_count == 0
-      || qn_document_is_stale (document, run)
+      || qn_document_get_run_age (document, run) == QN_RUN_OTHER_MODEL
       || (gsize) set.ids[0] >= run->model.beam_count
       || !qn_beam_summary_fill (
         &summary, &run->model, &run->result,

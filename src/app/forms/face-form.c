@@ -116,7 +116,7 @@ fill_plot (const QnBoundForm *form, const QnId *ids, guint count, QnJointPlot *p
   const QnRun *run = qn_document_get_run (document);
   int step = qn_view_state_get_step (qn_canvas_get_state (form->canvas));
   return count == 1 && run != NULL && run->result.pairs != NULL
-         && !qn_document_is_stale (document, run)
+         && qn_document_get_run_age (document, run) != QN_RUN_OTHER_MODEL
          && (gsize) ids[0] < run->contacts.face_count
          && qn_joint_plot_fill (plot, &run->model, &run->contacts, &run->result, step,
                                 ids[0]);

@@ -95,7 +95,9 @@ update (Card *card)
   gtk_widget_set_visible (card->box, run != NULL);
   if (run == NULL)
     return;
-  gtk_widget_set_visible (card->stale, qn_document_is_stale (card->document, run));
+  QnRunAge age = qn_document_get_run_age (card->document, run);
+  gtk_label_set_text (GTK_LABEL (card->stale), qn_run_age_text (age));
+  gtk_widget_set_visible (card->stale, age != QN_RUN_CURRENT);
   update_number (card, run);
   g_autoptr (GArray) bounds = qn_bounds_collect (card->document);
   if (run->kind != QN_RUN_ANALYSIS)
@@ -137,7 +139,7 @@ qn_answer_card_new (QnDocument *document)
   card->document = document;
   GtkWidget *box = card->box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 4);
   gtk_widget_add_css_class (box, "answer");
-  card->stale = gtk_label_new (_ ("Outdated: the model has changed since this run."));
+  card->stale = gtk_label_new (NULL);
   gtk_widget_add_css_class (card->stale, "stale");
   gtk_label_set_wrap (GTK_LABEL (card->stale), TRUE);
   gtk_box_append (GTK_BOX (box), card->stale);

@@ -49,7 +49,8 @@ on_onion_chosen (GtkDropDown *choice, GParamSpec *pspec, Panel *panel)
 static char *
 dup_run_title (Panel *panel, const QnRun *run)
 {
-  const char *mark = qn_document_is_stale (document_of (panel), run) ? "⚠ " : "";
+  const char *mark =
+    qn_document_get_run_age (document_of (panel), run) == QN_RUN_OTHER_MODEL ? "⚠ " : "";
   g_autofree char *title = qn_run_dup_title (run);
   return g_strconcat (mark, title, NULL);
 }

@@ -44,7 +44,7 @@ const QnActionRow qn_action_rows[] = {
   { .name = "win.export-result", .needs = QN_NEEDS_RUN },
   { .name = "win.export-drawing", .needs = DRAWN },
   { .name = "win.export-path" },
-  { .name = "win.compare", .needs = QN_NEEDS_RUNS },
+  { .name = "win.compare" },
   { .name = "win.open-result", .needs = DRAWN },
   { .name = "win.open-result-path", .needs = DRAWN },
   { .name = "win.import",

@@ -14,7 +14,6 @@ typedef enum {
   QN_NEEDS_IDLE = 1 << 2,        /* no analysis runs that the user has asked for */
   QN_NEEDS_JOB = 1 << 3,         /* one does */
   QN_NEEDS_RUN = 1 << 4,         /* a result is chosen */
-  QN_NEEDS_RUNS = 1 << 5,        /* there are results */
   QN_NEEDS_BEAM_FORCES = 1 << 6, /* the result has section forces */
   QN_NEEDS_UNDO = 1 << 7,        /* there is a step to undo */
   QN_NEEDS_REDO = 1 << 8,        /* there is a step to do again */

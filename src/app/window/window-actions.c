@@ -244,7 +244,6 @@ find_facts (QnWindow *self)
     { !busy, QN_NEEDS_IDLE },
     { busy, QN_NEEDS_JOB },
     { run != NULL, QN_NEEDS_RUN },
-    { qn_document_get_runs (document)->len > 0, QN_NEEDS_RUNS },
     { run != NULL && run->result.beam_forces != NULL, QN_NEEDS_BEAM_FORCES },
     { qn_history_can_undo (history), QN_NEEDS_UNDO },
     { qn_history_can_redo (history), QN_NEEDS_REDO },

@@ -113,10 +113,11 @@ static void
 update_stale (QnWindow *self)
 {
   const QnRun *run = qn_document_get_run (self->document);
-  gboolean stale = run != NULL
-                   && qn_view_needs_result (qn_view_state_get_view (self->state))
-                   && qn_document_is_stale (self->document, run);
-  gtk_widget_set_visible (self->stale_label, stale);
+  gboolean shown =
+    run != NULL && qn_view_needs_result (qn_view_state_get_view (self->state));
+  QnRunAge age = shown ? qn_document_get_run_age (self->document, run) : QN_RUN_CURRENT;
+  gtk_label_set_text (GTK_LABEL (self->stale_label), qn_run_age_text (age));
+  gtk_widget_set_visible (self->stale_label, age != QN_RUN_CURRENT);
 }
 
 /* Beams have views that blocks do not need. */

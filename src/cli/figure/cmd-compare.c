@@ -1,6 +1,7 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
+#include "cli/figure/curve-table.h"
 #include "cli/figure/sheet-input.h"
 #include "render/figure/compare-sheet.h"
 
@@ -28,6 +29,11 @@ static QnExit
 draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
       gsize count)
 {
+  g_autoptr (GError) failure = NULL;
+  if (qn_is_table (options->picture.path))
+    return qn_comparison_table_write (options->picture.path, items, count, &failure)
+             ? QN_EXIT_DONE
+             : qn_cli_fail (g_steal_pointer (&failure));
   g_autofree QnFigure *figures = g_new0 (QnFigure, count);
   for (gsize i = 0; i < count; i++) {
     const QnSheetItem *item = &items[i];
@@ -59,7 +65,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Figures in a row; chosen by the format otherwise"), N_ ("N") },
     { "title", 0, 0, G_OPTION_ARG_STRING, &options.title, N_ ("Title of the sheet"),
       N_ ("TEXT") },
-    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
+    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf|csv")),
     G_OPTION_ENTRY_NULL,
   };
   QnOutput output;
@@ -70,6 +76,8 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
     if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
       qn_cli_usage_error (self->name, _ ("--columns must be positive"));
+    else if (qn_is_table (options.picture.path))
+      code = qn_picture_page (self, &options.picture, &output);
     else
       code = qn_picture_output (self, &options.picture, &output);
   }
@@ -92,6 +100,6 @@ const QnSubcommand qn_cmd_compare = {
   .help =
     N_ ("A project without a result is solved first. Under each figure stands its "
         "load multiplier and the name of its mechanism; results of the same structure "
-        "that move alike have the same letter."),
+        "that move alike have the same letter. The ending .csv gives a table."),
   .run = run,
 };

@@ -33,13 +33,6 @@ choose_dof (const QnModel *model, const QnResult *result, QnId block)
   return ABS (u[QN_DOF_UX]) >= ABS (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
 }
 
-static gboolean
-is_table (const char *path)
-{
-  g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
-  return lower != NULL && g_str_has_suffix (lower, ".csv");
-}
-
 static QnExit
 take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
 {
@@ -57,7 +50,7 @@ take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
   }
   if (options->until > 0)
     qn_curve_cut (curve, options->until);
-  else if (!options->whole && !is_table (options->picture.path))
+  else if (!options->whole && !qn_is_table (options->picture.path))
     qn_curve_cut_runaway (curve);
   return QN_EXIT_DONE;
 }
@@ -112,7 +105,7 @@ static gboolean export(const Options *options, const QnOutput *output,
     .reference_count = options->lines->len,
     .monochrome = options->picture.monochrome,
   };
-  if (is_table (options->picture.path))
+  if (qn_is_table (options->picture.path))
     return qn_curve_table_write (options->picture.path, curves, count, error);
   qn_picture_metadata (project, &metadata);
   metadata.title = options->title;
@@ -166,7 +159,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
     if (options.until < 0)
       qn_cli_usage_error (self->name, _ ("--until must be positive"));
-    else if (is_table (options.picture.path))
+    else if (qn_is_table (options.picture.path))
       code = qn_picture_page (self, &options.picture, &output);
     else
       code = qn_picture_output (self, &options.picture, &output);

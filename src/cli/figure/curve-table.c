@@ -1,6 +1,15 @@
 #include "cli/figure/curve-table.h"
 
+#include "core/result/mechanism.h"
 #include "io/text/file-writer.h"
+#include "io/text/mechanism-text.h"
+
+gboolean
+qn_is_table (const char *path)
+{
+  g_autofree char *lower = path != NULL ? g_ascii_strdown (path, -1) : NULL;
+  return lower != NULL && g_str_has_suffix (lower, ".csv");
+}
 
 /* A field in quotes, which are doubled within. */
 static void
@@ -38,5 +47,45 @@ qn_curve_table_write (const char *path, const QnCurve *curves, gsize count,
   for (gsize c = 0; c < count; c++)
     for (gsize i = 0; i < curves[c].count; i++)
       write_point (writer, &curves[c], i);
+  return qn_file_writer_commit (writer, error);
+}
+
+/* Its name alone; empty where there is none. */
+static char *
+dup_mechanism (const QnSheetItem *item)
+{
+  QnMechanism mechanism;
+  const QnResult *result = &item->file.result;
+  if (result->mechanism == NULL
+      || qn_mechanism_init (&mechanism, &item->input.project.model, &item->input.contacts,
+                            result->mechanism, NULL)
+           != QN_OK)
+    return g_strdup ("");
+  char *title = qn_mechanism_dup_title (&mechanism);
+  qn_mechanism_clear (&mechanism);
+  return title;
+}
+
+gboolean
+qn_comparison_table_write (const char *path, const QnSheetItem *items, gsize count,
+                           GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path, error);
+  if (writer == NULL)
+    return FALSE;
+  qn_file_writer_puts (writer, "project,title,outcome,multiplier [-],mechanism,steps\n");
+  for (gsize i = 0; i < count; i++) {
+    const QnResult *result = &items[i].file.result;
+    g_autofree char *mechanism = dup_mechanism (&items[i]);
+    write_text (writer, items[i].input.project.name);
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, qn_sheet_item_title (&items[i]));
+    qn_file_writer_printf (writer, ",%s,", qn_outcome_names[result->outcome]);
+    if (result->has_collapse_multiplier)
+      qn_file_writer_number (writer, result->collapse_multiplier);
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, mechanism);
+    qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT "\n", result->step_count);
+  }
   return qn_file_writer_commit (writer, error);
 }

@@ -28,6 +28,17 @@ qn_model_digest_like (const QnProject *project, const QnProjectText *text)
 }
 
 char *
+qn_structure_digest_like (const QnProject *project, const QnProjectText *text)
+{
+  QnModel fresh;
+  QnProject bare = *project;
+  qn_model_init (&fresh);
+  bare.model.analysis = fresh.analysis;
+  qn_model_clear (&fresh);
+  return qn_model_digest_like (&bare, text);
+}
+
+char *
 qn_model_digest (const QnProject *project)
 {
   return qn_model_digest_like (project, NULL);

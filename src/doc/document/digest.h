@@ -11,4 +11,7 @@ char *qn_model_digest (const QnProject *project);
 /* The same, quicker where the project's text is at hand. */
 char *qn_model_digest_like (const QnProject *project, const QnProjectText *text);
 
+/* The same without the settings of the analysis. */
+char *qn_structure_digest_like (const QnProject *project, const QnProjectText *text);
+
 #endif

@@ -38,7 +38,7 @@ typedef enum {
   QN_DOCUMENT_SIGNAL_COUNT
 } QnDocumentSignal;
 
-/* Digest of what an analysis depends on. */
+/* What an analysis depends on: a digest of all of it, a space, and one of the model alone. */
 const char *qn_document_get_fingerprint (QnDocument *document);
 
 /* Emits one of the signals of document.h. */

@@ -4,6 +4,7 @@
 
 #include "doc/edit/edit.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 void
 qn_document_drop_job (QnDocument *self)
@@ -247,8 +248,34 @@ qn_document_remove_run (QnDocument *self, QnRun *run)
     qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
 }
 
+QnRunAge
+qn_document_get_run_age (QnDocument *self, const QnRun *run)
+{
+  const char *own = qn_document_get_fingerprint (self);
+  if (g_strcmp0 (run->fingerprint, own) == 0)
+    return QN_RUN_CURRENT;
+  const char *structure = strchr (own, ' ');
+  return run->fingerprint != NULL && g_str_has_suffix (run->fingerprint, structure)
+           ? QN_RUN_OTHER_SETTINGS
+           : QN_RUN_OTHER_MODEL;
+}
+
 gboolean
 qn_document_is_stale (QnDocument *self, const QnRun *run)
 {
-  return g_strcmp0 (run->fingerprint, qn_document_get_fingerprint (self)) != 0;
+  return qn_document_get_run_age (self, run) != QN_RUN_CURRENT;
+}
+
+const char *
+qn_run_age_text (QnRunAge age)
+{
+  switch (age) {
+  case QN_RUN_OTHER_SETTINGS:
+    return _ ("The settings of the analysis have changed since this run.");
+  case QN_RUN_OTHER_MODEL:
+    return _ ("Outdated: the model has changed since this run.");
+  case QN_RUN_CURRENT:
+    break;
+  }
+  return "";
 }

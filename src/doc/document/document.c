@@ -111,8 +111,11 @@ go_back_to (QnDocument *self, char *text)
 const char *
 qn_document_get_fingerprint (QnDocument *self)
 {
-  if (self->fingerprint == NULL)
-    self->fingerprint = qn_model_digest_like (&self->project, self->text);
+  if (self->fingerprint == NULL) {
+    g_autofree char *whole = qn_model_digest_like (&self->project, self->text);
+    g_autofree char *structure = qn_structure_digest_like (&self->project, self->text);
+    self->fingerprint = g_strconcat (whole, " ", structure, NULL);
+  }
   return self->fingerprint;
 }
 

@@ -157,7 +157,19 @@ void qn_document_set_run (QnDocument *document, QnRun *run);
 void qn_document_add_run (QnDocument *document, QnRun *run);
 void qn_document_remove_run (QnDocument *document, QnRun *run);
 
-/* Whether the model has changed since the run's. */
+/* What has changed since a run. Titles, views and figures change nothing. */
+typedef enum {
+  QN_RUN_CURRENT,
+  QN_RUN_OTHER_SETTINGS, /* of the analysis alone: blocks, laws, loads are the same */
+  QN_RUN_OTHER_MODEL
+} QnRunAge;
+
+QnRunAge qn_document_get_run_age (QnDocument *document, const QnRun *run);
+
+/* A sentence about it; empty for a current run. Static. */
+const char *qn_run_age_text (QnRunAge age);
+
+/* Whether it is not current. */
 gboolean qn_document_is_stale (QnDocument *document, const QnRun *run);
 
 #endif

@@ -32,7 +32,7 @@ typedef struct QnRun {
   struct QnRun *base; /* holds model and contacts of this one, or NULL */
   char *name;         /* what the user calls it, owned */
   gboolean live;      /* replaced by the next live one */
-  char *fingerprint;  /* digest of the document's model when it was frozen, owned */
+  char *fingerprint;  /* the document's when the model was frozen, owned */
 } QnRun;
 
 /* A run with empty members that the caller fills before sharing it. */

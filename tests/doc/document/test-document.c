@@ -17,6 +17,15 @@ set_friction (QnModel *model, gpointer data, GError **error)
 }
 
 static gboolean
+set_steps (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  (void) error;
+  model->analysis.increments += 7;
+  return TRUE;
+}
+
+static gboolean
 set_title (QnModel *model, gpointer data, GError **error)
 {
   (void) error;
@@ -279,6 +288,19 @@ test_analysis (void)
   /* A title does not make a result outdated. */
   qn_document_edit (document, "Rename", NULL, set_title, (char *) "Another", NULL);
   g_assert_false (qn_document_is_stale (document, run));
+
+  /* Settings of the analysis are told apart from changes of the model, also when both change. */
+  g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_CURRENT);
+  g_assert_cmpstr (qn_run_age_text (QN_RUN_CURRENT), ==, "");
+  qn_document_edit (document, "Steps", NULL, set_steps, NULL, NULL);
+  g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_OTHER_SETTINGS);
+  g_assert_true (qn_document_is_stale (document, run));
+  change (document, 0.6, NULL);
+  g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_OTHER_MODEL);
+  qn_document_undo (document);
+  g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_OTHER_SETTINGS);
+  qn_document_undo (document);
+  g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_CURRENT);
   qn_document_remove_run (document, run);
   g_assert_null (qn_document_get_run (document));
   g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 0);

@@ -1,0 +1,30 @@
+/* Several files opened to be compared: projects, results with their projects, folders of both. What
+ * has no result is solved, one after the other, each in a thread of its own.
+ *
+ * Emits "changed" when a document or a run is there, or a message. */
+#ifndef QN_DOC_BATCH_H
+#define QN_DOC_BATCH_H
+
+#include "doc/document/document.h"
+
+#define QN_TYPE_BATCH (qn_batch_get_type ())
+G_DECLARE_FINAL_TYPE (QnBatch, qn_batch, QN, BATCH, GObject)
+
+QnBatch *qn_batch_new (void);
+
+/* Opens a file, or every project and result of a folder. A result belongs to the project of the name
+ * that it tells, in the same folder. A project that is there already is not opened again. Returns
+ * how many projects and results came; what cannot be opened is told by qn_batch_get_messages(). */
+guint qn_batch_add (QnBatch *batch, const char *path);
+
+/* In the order they came in; of QnDocument. */
+const GPtrArray *qn_batch_get_documents (QnBatch *batch);
+
+/* What could not be opened or solved, and why; of char *, translated. */
+const GPtrArray *qn_batch_get_messages (QnBatch *batch);
+
+/* Whether something is being solved; ends that. */
+gboolean qn_batch_is_busy (QnBatch *batch);
+void qn_batch_cancel (QnBatch *batch);
+
+#endif

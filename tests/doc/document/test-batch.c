@@ -1,0 +1,106 @@
+/* Files opened to be compared: projects that are solved, results, folders, and what cannot be read. */
+#include "doc/document/batch.h"
+
+#include "doc/document/run-file.h"
+#include "doc/fixture.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+/* A block that slides at a multiplier of 0.5, and the same with another friction. */
+static char *
+project_text (const char *title, double friction)
+{
+  return g_strdup_printf (
+    "{ \"format\": \"quoin\", \"version\": 1, \"title\": \"%s\","
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": %g } ],"
+    "  \"blocks\": [ { \"name\": \"below\", \"vertices\": [[0,0],[1,0],[1,0.5],[0,0.5]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+    "    { \"name\": \"above\", \"vertices\": [[0,0.5],[1,0.5],[1,0.7],[0,0.7]],"
+    "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+    "  \"contact\": { \"law\": \"dry\" },"
+    "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],"
+    "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] } }",
+    title, friction);
+}
+
+static void
+write_project (const char *folder, const char *name, double friction)
+{
+  g_autofree char *path = g_build_filename (folder, name, NULL);
+  g_autofree char *text = project_text (name, friction);
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+}
+
+static void
+wait_for (QnBatch *batch)
+{
+  while (qn_batch_is_busy (batch))
+    g_main_context_iteration (NULL, TRUE);
+}
+
+static void
+count (QnBatch *batch, gpointer data)
+{
+  (void) batch;
+  (*(guint *) data)++;
+}
+
+static void
+test_folder (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
+  write_project (folder, "b.quoin", 0.4);
+  write_project (folder, "a.quoin", 0.5);
+  g_autofree char *first = g_build_filename (folder, "a.quoin", NULL);
+  g_autofree char *second = g_build_filename (folder, "b.quoin", NULL);
+  g_autofree char *broken = g_build_filename (folder, "c.quoin", NULL);
+  g_autofree char *result = g_build_filename (folder, "a.json", NULL);
+  g_assert_true (g_file_set_contents (broken, "{ \"format\": ", -1, NULL));
+
+  g_autoptr (QnBatch) batch = qn_batch_new ();
+  guint changes = 0;
+  g_signal_connect (batch, "changed", G_CALLBACK (count), &changes);
+  g_assert_cmpuint (qn_batch_add (batch, folder), ==, 2);
+  wait_for (batch);
+  const GPtrArray *documents = qn_batch_get_documents (batch);
+  g_assert_cmpuint (documents->len, ==, 2);
+  g_assert_cmpuint (changes, >=, 3);
+  g_assert_cmpuint (qn_batch_get_messages (batch)->len, ==, 1);
+  g_assert_nonnull (strstr (qn_batch_get_messages (batch)->pdata[0], "c.quoin"));
+  const double multipliers[] = { 0.5, 0.4 };
+  for (guint i = 0; i < documents->len; i++) {
+    const QnRun *run = qn_document_get_run (documents->pdata[i]);
+    g_assert_nonnull (run);
+    g_assert_cmpfloat_with_epsilon (run->result.collapse_multiplier, multipliers[i],
+                                    1e-4);
+  }
+  g_assert_true (qn_document_write_result (
+    documents->pdata[0], qn_document_get_run (documents->pdata[0]), result, NULL));
+
+  /* A result comes with its project and is not solved again; neither comes twice. */
+  g_autoptr (QnBatch) again = qn_batch_new ();
+  g_assert_cmpuint (qn_batch_add (again, result), ==, 1);
+  g_assert_false (qn_batch_is_busy (again));
+  g_assert_cmpuint (qn_batch_add (again, first), ==, 1);
+  g_assert_cmpuint (qn_batch_get_documents (again)->len, ==, 1);
+  g_assert_cmpuint (qn_document_get_runs (qn_batch_get_documents (again)->pdata[0])->len,
+                    ==, 1);
+  g_assert_cmpuint (qn_batch_add (again, "/no/such/wall.quoin"), ==, 0);
+  g_assert_cmpuint (qn_batch_get_messages (again)->len, ==, 1);
+  const char *const files[] = { first, second, broken, result };
+  for (gsize i = 0; i < G_N_ELEMENTS (files); i++)
+    g_unlink (files[i]);
+  g_assert_cmpuint (qn_batch_add (again, folder), ==, 0);
+  g_assert_cmpuint (qn_batch_get_messages (again)->len, ==, 2);
+  g_rmdir (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/doc/batch/folder", test_folder);
+  return g_test_run ();
+}
