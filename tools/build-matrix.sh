@@ -126,8 +126,9 @@ dist () {
   printf '#!/bin/sh\ncase " $* " in *" gtk4 "*) exit 1 ;; esac\nexec pkg-config "$@"\n' \
     >build-matrix/pkg-config
   chmod +x build-matrix/pkg-config
-  PKG_CONFIG=$root/build-matrix/pkg-config \
-    configure "$unpacked/build" gcc --prefix=/usr -Dapp=disabled -Dtests=false
+  (cd "$unpacked"
+    PKG_CONFIG=$root/build-matrix/pkg-config \
+      configure build gcc --prefix=/usr -Dapp=disabled -Dtests=false)
   ninja -C "$unpacked/build" --quiet
   meson test -C "$unpacked/build" --no-rebuild --quiet --print-errorlogs
   DESTDIR=$root/build-matrix/root meson install -C "$unpacked/build" --no-rebuild --quiet

@@ -16,6 +16,14 @@ check () {
   [ "$(wc -c <"$1")" -gt 1000 ]
 }
 
+# refused FILE: no picture of it.
+refused () {
+  if sh "$work/thumbnailer" "$1" "$work/wrong" 128 2>/dev/null; then
+    echo "$1 has a picture"
+    exit 1
+  fi
+}
+
 sh "$work/thumbnailer" "$3" "$work/without-ending" 128
 check "$work/without-ending"
 
@@ -23,16 +31,19 @@ cp "$3" "$work"
 "$2" solve "$work/$(basename "$3")" --quiet -o "$work/result.json"
 sh "$work/thumbnailer" "$work/result.json" "$work/mechanism" 128
 check "$work/mechanism"
-! cmp -s "$work/without-ending" "$work/mechanism"
+if cmp -s "$work/without-ending" "$work/mechanism"; then
+  echo "a result looks like its project"
+  exit 1
+fi
 
 echo '{}' >"$work/wrong.quoin"
-! sh "$work/thumbnailer" "$work/wrong.quoin" "$work/wrong" 128 2>/dev/null
+refused "$work/wrong.quoin"
 # A result alone, and one whose project would be elsewhere.
 mkdir "$work/alone"
 cp "$work/result.json" "$work/alone"
-! sh "$work/thumbnailer" "$work/alone/result.json" "$work/wrong" 128 2>/dev/null
+refused "$work/alone/result.json"
 sed "s|\"model\": \"|&../|" "$work/result.json" >"$work/alone/outside.json"
-! sh "$work/thumbnailer" "$work/alone/outside.json" "$work/wrong" 128 2>/dev/null
+refused "$work/alone/outside.json"
 
 if command -v update-mime-database >/dev/null && command -v gio >/dev/null; then
   mkdir -p "$work/share/mime/packages"

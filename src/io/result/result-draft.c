@@ -74,6 +74,10 @@ check_counts (QnJsonStream *stream, QnResultDraft *draft)
     if ((size_t) result->unstable_blocks[i] >= blocks)
       return qn_json_stream_fail_at (stream, "unstable_blocks",
                                      _ ("there is no such block"));
+  for (size_t i = 0; i < result->event_count; i++)
+    for (size_t k = 0; k < result->events[i].block_count; k++)
+      if ((size_t) result->events[i].blocks[k] >= blocks)
+        return qn_json_stream_fail_at (stream, "events", _ ("there is no such block"));
   for (size_t i = 0; i < result->pair_count; i++) {
     const QnResultContact *contact = &draft->file->contacts[i];
     if ((size_t) contact->block_a >= blocks || (size_t) contact->block_b >= blocks

@@ -239,7 +239,7 @@ read_stage (QnJsonStream *stream, gpointer target)
   int32_t *stage = target;
   if (!qn_json_stream_int32 (stream, stage))
     return FALSE;
-  if (*stage > QN_MAX_STAGES)
+  if (*stage >= QN_MAX_STAGES)
     return qn_json_stream_fail (stream, _ ("there is no such stage"));
   ++*stage;
   return TRUE;
@@ -466,8 +466,7 @@ read_event_block (QnJsonStream *stream, gpointer target)
              sizeof *event->blocks)
       || !qn_json_stream_int32 (stream, &event->blocks[event->block_count]))
     return FALSE;
-  if (event->blocks[event->block_count++] < 0)
-    return qn_json_stream_fail (stream, _ ("there is no such block"));
+  event->block_count++;
   return TRUE;
 }
 

@@ -162,6 +162,23 @@ test_refuses (void)
                   "\"length\": 3, \"height\": 2, \"unit\": "
                   "[1e-9, 0.2] }",
                   "masonry[0].unit", "more blocks");
+  assert_refused ("{ \"kind\": \"portal\", " COMMON
+                  "\"bays\": 2, \"span\": 2, \"pier\": [1, 2], \"courses\": 4, "
+                  "\"lintel\": 0.3, \"arch\": { \"rise\": 1, \"ring\": 0.3, "
+                  "\"voussoirs\": 9 } }",
+                  "masonry[0].arch", "arch and lintel exclude each other");
+  assert_refused ("{ \"kind\": \"portal\", " COMMON
+                  "\"bays\": 2, \"span\": 2, \"pier\": [1, 2], \"courses\": 4, "
+                  "\"arch\": 3 }",
+                  "masonry[0].arch", "expected an object");
+  static const char *const seeds[] = { "1.5", "4294967296" };
+  for (gsize i = 0; i < G_N_ELEMENTS (seeds); i++) {
+    g_autofree char *rubble = g_strdup_printf (
+      "{ \"kind\": \"rubble\", " COMMON
+      "\"width\": [2, 1.5], \"height\": 2, \"stone\": 0.4, \"seed\": %s }",
+      seeds[i]);
+    assert_refused (rubble, "masonry[0].seed", "whole number below 4294967296");
+  }
 }
 
 /* Loads name blocks of parametric masonry. */

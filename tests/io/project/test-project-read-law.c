@@ -211,6 +211,22 @@ test_bars_and_pairs (void)
   }
 }
 
+/* A law by points takes as many as it has room for. */
+static void
+test_too_many_points (void)
+{
+  g_autoptr (GString) law =
+    g_string_new ("{ \"name\": \"joint\", \"kind\": \"curve\", \"kn\": 1e7, \"ks\": 1e7, "
+                  "\"points\": [[-1, -1]");
+  for (int i = 0; i < QN_MAX_CURVE_POINTS; i++)
+    g_string_append_printf (law, ", [%d, 0]", i);
+  g_string_append (law, "] }");
+  g_autofree char *text = with_laws (law->str);
+  g_autofree char *message = test_parse_error (text, NULL);
+  if (strstr (message, "laws[0].points: ") == NULL)
+    g_error ("%s", message);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -220,5 +236,6 @@ main (int argc, char **argv)
   g_test_add_func ("/project-read-law/warnings", test_warnings);
   g_test_add_func ("/project-read-law/refused", test_refused);
   g_test_add_func ("/project-read-law/bars-and-pairs", test_bars_and_pairs);
+  g_test_add_func ("/project-read-law/too-many-points", test_too_many_points);
   return g_test_run ();
 }

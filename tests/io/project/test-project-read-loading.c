@@ -122,6 +122,48 @@ test_analysis (void)
   }
 }
 
+/* Sets of loads, stages, and what is controlled: what is refused. */
+static void
+test_sets_and_stages (void)
+{
+  static const struct {
+    const char *analysis, *sets, *message;
+  } wrong[] = {
+    { "\"procedure\": \"load\"", "\"live\": []", "loads.sets.live: " },
+    { "\"procedure\": \"load\"", "\"dead\": []", "loads.sets.dead: " },
+    { "\"procedure\": \"load\"", "\"a\": 3", "loads.sets.a: expected an array" },
+    { "\"stages\": [ { \"name\": \"s\", \"loads\": [3] } ]", "\"a\": []",
+      "expected the name of a load set" },
+    { "\"stages\": [ { \"name\": \"s\", \"loads\": [\"a\", \"a\"] } ]", "\"a\": []",
+      "load set is named twice" },
+    { "\"stages\": [ { \"name\": \"s\", \"loads\": \"b\" } ]", "\"a\": []",
+      "analysis.stages[0].loads" },
+    { "\"stages\": [ 3 ]", "\"a\": []", "analysis.stages[0]: expected an object" },
+    { "\"control\": { \"block\": \"top\", \"node\": \"n\", \"component\": \"ux\", "
+      "\"target\": 1 }",
+      "\"a\": []", "analysis.control.block: block and node exclude each other" },
+    { "\"control\": { \"node\": \"n\", \"component\": \"ux\", \"target\": 1 }",
+      "\"a\": []", "analysis.control.node: " },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    g_autofree char *line =
+      g_strdup_printf ("\"analysis\": { %s }, \"loads\": { \"sets\": { %s }, ",
+                       wrong[i].analysis, wrong[i].sets);
+    g_autofree char *text = test_replace (test_project_text, "\"loads\": {", line);
+    g_autofree char *message = test_parse_error (text, NULL);
+    if (strstr (message, wrong[i].message) == NULL)
+      g_error ("'%s' is not in '%s'", wrong[i].message, message);
+  }
+
+  g_autoptr (GString) many = g_string_new ("\"loads\": { \"sets\": { \"s\": []");
+  for (int i = 0; i < QN_MAX_LOAD_SETS; i++)
+    g_string_append_printf (many, ", \"s%d\": []", i);
+  g_string_append (many, " }, ");
+  g_autofree char *text = test_replace (test_project_text, "\"loads\": {", many->str);
+  g_autofree char *message = test_parse_error (text, NULL);
+  g_assert_nonnull (strstr (message, "load sets with names"));
+}
+
 static void
 test_no_effect (void)
 {
@@ -145,5 +187,6 @@ main (int argc, char **argv)
   g_test_add_func ("/project-read-loading/loads", test_loads);
   g_test_add_func ("/project-read-loading/analysis", test_analysis);
   g_test_add_func ("/project-read-loading/no-effect", test_no_effect);
+  g_test_add_func ("/project-read-loading/sets-and-stages", test_sets_and_stages);
   return g_test_run ();
 }

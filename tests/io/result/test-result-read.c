@@ -164,6 +164,78 @@ test_order_and_unknown (void)
   qn_result_file_clear (&file);
 }
 
+/* What limit analysis, stages and beams add. */
+static const char further_text[] =
+  "{ \"format\": \"quoin-result\", \"version\": 1, \"outcome\": \"collapse\", "
+  "\"lower_bound\": 0.25, \"upper_bound\": 0.5, \"flow\": \"non-associative\", "
+  "\"associative_bound\": 0.75, \"fixed_points\": [0.3, 0.4], \"supports\": [0], "
+  "\"stage\": 1, \"blocks\": [\"base\", \"top\"], \"nodes\": [\"free\"], "
+  "\"steps\": [ { \"multiplier\": 0.5, \"stage\": 1, \"relaxed\": true, "
+  "\"displacements\": [[0, 0, 0], [1, 2, 3]], \"reactions\": [[4, 5, 6]], "
+  "\"node_displacements\": [[7, 8, 9]] } ], \"contacts\": [], "
+  "\"mechanism\": [[0, 0, 0], [1, 0, 0]], \"mechanism_uncertain\": false, "
+  "\"node_mechanism\": [[0, 1, 0]], \"events\": [ { \"multiplier\": 0.5, "
+  "\"kind\": \"local\", \"displacement_before\": 0, \"displacement_after\": 1, "
+  "\"energy\": 0, \"blocks\": [1] } ] }";
+
+static void
+test_further (void)
+{
+  QnResultFile file;
+  GError *error = NULL;
+  g_assert_true (
+    qn_result_file_parse (further_text, strlen (further_text), "r.json", &file, &error));
+  g_assert_no_error (error);
+  const QnResult *result = &file.result;
+  g_assert_true (result->limit.given && result->limit.has_associative_bound);
+  g_assert_cmpfloat (result->limit.lower_bound, ==, 0.25);
+  g_assert_cmpfloat (result->limit.upper_bound, ==, 0.5);
+  g_assert_cmpint (result->limit.flow, ==, QN_FLOW_NON_ASSOCIATIVE);
+  g_assert_cmpfloat (result->limit.associative_bound, ==, 0.75);
+  g_assert_cmpuint (result->limit.fixed_point_count, ==, 2);
+  g_assert_cmpfloat (result->limit.fixed_points[1], ==, 0.4);
+  g_assert_cmpint (result->stage, ==, 2);
+  g_assert_cmpint (result->steps[0].stage, ==, 2);
+  g_assert_true (result->steps[0].relaxed);
+  g_assert_false (result->mechanism_uncertain);
+  g_assert_cmpfloat (result->mechanism[2 * 3 + 1], ==, 1);
+  g_assert_cmpint (result->events[0].kind, ==, QN_EVENT_KIND_LOCAL);
+  qn_result_file_clear (&file);
+}
+
+static void
+test_further_errors (void)
+{
+  static const Case wrong[] = {
+    { "\"non-associative\"", "\"plastic\"", "this is no flow rule of limit analysis" },
+    { "\"non-associative\"", "3", "this is no flow rule of limit analysis" },
+    { "[0.3, 0.4]", "[0.3, true]", "fixed_points[1]: expected a number" },
+    { "\"stage\": 1, \"blocks\"", "\"stage\": 1000, \"blocks\"",
+      "stage: there is no such stage" },
+    { "\"stage\": 1, \"relaxed\"", "\"stage\": 1.5, \"relaxed\"", "steps[0].stage: " },
+    { "\"relaxed\": true", "\"relaxed\": 1", "steps[0].relaxed: " },
+    { "[[4, 5, 6]]", "[[4, 5, 6], [7, 8, 9]]",
+      "there are not as many reactions as supports in every step" },
+    { "[[7, 8, 9]]", "[]", "there are not as many displacements as nodes in every step" },
+    { "[[0, 1, 0]]", "[]", "there are not as many velocities as nodes" },
+    { "\"supports\": [0]", "\"supports\": [2]", "supports: there is no such block" },
+    { "\"local\"", "\"global\"", "expected \"local\", \"snap\" or \"collapse\"" },
+    { "\"blocks\": [1]", "\"blocks\": [2]", "events: there is no such block" },
+    { "\"blocks\": [1]", "\"blocks\": [\"top\"]", "events[0].blocks[0]: " },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    g_autofree char *text = test_replace (further_text, wrong[i].what, wrong[i].by);
+    QnResultFile file;
+    GError *error = NULL;
+    if (qn_result_file_parse (text, strlen (text), "r.json", &file, &error))
+      g_error ("accepted: %s", wrong[i].by);
+    g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+    if (strstr (error->message, wrong[i].message) == NULL)
+      g_error ("'%s' is not in '%s'", wrong[i].message, error->message);
+    g_error_free (error);
+  }
+}
+
 static void
 test_file (ResultFixture *fixture, gconstpointer data)
 {
@@ -193,5 +265,7 @@ main (int argc, char **argv)
   RESULT_FIXTURE_ADD ("/result-read/truncated", test_truncated);
   RESULT_FIXTURE_ADD ("/result-read/file", test_file);
   g_test_add_func ("/result-read/order-and-unknown", test_order_and_unknown);
+  g_test_add_func ("/result-read/further", test_further);
+  g_test_add_func ("/result-read/further-errors", test_further_errors);
   return g_test_run ();
 }
