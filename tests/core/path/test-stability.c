@@ -111,6 +111,42 @@ test_refused (void)
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_STABILITY_STAGES);
 }
 
+/* A stack of twelve that leans, on joints without tension: the same critical load from 10 to 1,000
+ * increments. */
+static void
+test_leaning_stack (void)
+{
+  static const int increments[] = { 10, 30, 100, 1000 };
+  static const double leans[] = { -0.7, 0.3 }, critical[] = { 0.451155, 0.196979 };
+
+  for (size_t i = 0; i < G_N_ELEMENTS (leans) * G_N_ELEMENTS (increments); i++) {
+    size_t l = i / G_N_ELEMENTS (increments);
+    QnModel model;
+    QnResult result;
+    QnDiag diag;
+    test_model_init (&model);
+    test_model_add_base (&model, -1, -0.5, 3, 0.5);
+    for (int b = 0; b < 12; b++) {
+      g_autofree char *name = g_strdup_printf ("b%d", b);
+      test_model_add_rectangle (&model, name, leans[l] * b / 12, 0.3 * b, 1, 0.3);
+    }
+    test_model_add_weight_loads (&model, 1);
+    for (size_t b = 0; b < model.block_count; b++)
+      model.blocks[b].unit_weight = 20000;
+    model.laws[0].kind = QN_LAW_NO_TENSION;
+    model.laws[0].basis = QN_BASIS_CONTACT;
+    model.laws[0].kn = model.laws[0].ks = 1e8;
+    model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+    model.analysis.increments = increments[i % G_N_ELEMENTS (increments)];
+    g_assert_cmpint (run (&model, &result, &diag), ==, QN_OK);
+    g_test_message ("leans by %g: %.6f", leans[l], result.first_limit_multiplier);
+    g_assert_cmpint (result.outcome, ==, QN_OUTCOME_SNAP);
+    g_assert_cmpfloat_with_epsilon (result.first_limit_multiplier, critical[l],
+                                    1e-4 * critical[l]);
+    qn_result_clear (&result);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -119,5 +155,6 @@ main (int argc, char **argv)
   g_test_add_func ("/stability/stable", test_stable);
   g_test_add_func ("/stability/linear", test_linear);
   g_test_add_func ("/stability/refused", test_refused);
+  g_test_add_func ("/stability/leaning-stack", test_leaning_stack);
   return g_test_run ();
 }
