@@ -451,27 +451,11 @@ on_timeout (gpointer data)
   return G_SOURCE_REMOVE;
 }
 
-/* quoin-cli, which computes the cases: beside this program, in the build tree, or in the path. */
-static char *
-dup_program (void)
-{
-  g_autofree char *own = g_file_read_link ("/proc/self/exe", NULL);
-  g_autofree char *folder = g_path_get_dirname (own != NULL ? own : "");
-  char *beside = g_build_filename (folder, "quoin-cli", NULL);
-  if (g_file_test (beside, G_FILE_TEST_IS_EXECUTABLE))
-    return beside;
-  g_free (beside);
-  g_autofree char *sources = qn_build_tree_dup_folder ("src");
-  if (sources != NULL)
-    return g_build_filename (sources, "cli", "quoin-cli", NULL);
-  return g_find_program_in_path ("quoin-cli");
-}
-
 static gboolean
 start (StudyWindow *self, GError **error)
 {
   QnStudy study;
-  g_autofree char *program = dup_program ();
+  g_autofree char *program = qn_build_tree_dup_cli ();
   const char *path = qn_draft_get_path (self->draft);
   if (qn_document_is_modified (self->parent.document)) {
     g_set_error_literal (
