@@ -10,6 +10,7 @@
  * wherever an iteration happens to find an equilibrium, and sizes of steps hardly matter.
  */
 #include "core/path/path-trace.h"
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 
@@ -225,7 +226,8 @@ go_back_to_short_steps (QnPathTrace *trace)
 {
   double blocks = (double) trace->path->model->block_count;
   int32_t spent = trace->path->equilibrium.statistics.factorizations;
-  int32_t most = (int32_t) fmin (tuning->most_patience, tuning->most_effort / blocks);
+  int32_t most =
+    (int32_t) qn_to_integer (tuning->most_effort / blocks, 0, tuning->most_patience);
 
   trace->long_growth = tuning->long_growth;
   trace->patience = spent < most / 2 ? 2 * spent : most;
