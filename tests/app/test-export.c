@@ -138,44 +138,6 @@ test_print (void)
   g_rmdir (folder);
 }
 
-static gboolean
-has_report (gpointer path)
-{
-  return g_file_test (path, G_FILE_TEST_EXISTS) && driver_find_dialog ("Report") == NULL;
-}
-
-/* The report is written by a process of its own; closing the dialog ends that and leaves nothing. A
- * project that is not saved is refused with the reason. */
-static void
-test_report (void)
-{
-  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
-  g_autofree char *path = g_build_filename (folder, "report.pdf", NULL);
-  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
-  driver_activate (window, "win.run");
-  driver_wait_for_job (window);
-  driver_activate_target (window, "win.export-path",
-                          g_variant_new ("(ss)", "report", path));
-  GtkWidget *dialog = driver_find_dialog ("Report");
-  g_assert_nonnull (dialog);
-  driver_screenshot (dialog, "report");
-  driver_wait (has_report, path);
-  expect_pdf (path);
-  g_unlink (path);
-
-  driver_activate_target (window, "win.export-path",
-                          g_variant_new ("(ss)", "report", path));
-  gtk_window_destroy (GTK_WINDOW (driver_find_dialog ("Report")));
-  driver_run (500);
-  g_assert_false (g_file_test (path, G_FILE_TEST_EXISTS));
-  driver_activate (window, "win.select-all");
-  driver_activate (window, "win.nudge((0.0,1.0))");
-  driver_activate (window, "win.report");
-  g_assert_null (driver_find_dialog ("Report"));
-  driver_discard (window);
-  g_rmdir (folder);
-}
-
 static void
 test_sheet (void)
 {
@@ -361,7 +323,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/export/figures", test_figures);
   g_test_add_func ("/app/export/print", test_print);
   g_test_add_func ("/app/export/sheet", test_sheet);
-  g_test_add_func ("/app/export/report", test_report);
   g_test_add_func ("/app/export/animation", test_animation);
   g_test_add_func ("/app/export/files", test_files);
   return g_test_run ();

@@ -175,6 +175,132 @@ test_vary (void)
   test_scratch_free (folder);
 }
 
+static void
+list_entries (GtkWidget *widget, GPtrArray *entries)
+{
+  if (QN_IS_QUANTITY_ENTRY (widget) && gtk_widget_get_mapped (widget)
+      && gtk_widget_is_sensitive (widget))
+    g_ptr_array_add (entries, widget);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    list_entries (child, entries);
+}
+
+static gboolean
+is_open_menu (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_POPOVER (widget) && gtk_widget_get_mapped (widget);
+}
+
+static gboolean
+has_menu (gpointer entry)
+{
+  return driver_find_widget (entry, is_open_menu, NULL) != NULL;
+}
+
+/* Clicks once more where the pointer was still on its way. */
+static void
+open_menu (GtkWidget *entry)
+{
+  for (int attempt = 0; attempt < 5 && !has_menu (entry); attempt++) {
+    driver_point_at (entry, gtk_widget_get_width (entry) / 2.0,
+                     gtk_widget_get_height (entry) / 2.0);
+    driver_press_button ("3");
+    for (int i = 0; i < 20 && !has_menu (entry); i++)
+      driver_run (20);
+  }
+}
+
+static void
+close_menu (GtkWidget *entry)
+{
+  GtkWidget *menu = driver_find_widget (entry, is_open_menu, NULL);
+  if (menu != NULL)
+    gtk_popover_popdown (GTK_POPOVER (menu));
+  driver_run (20);
+}
+
+/* The path that the menu of an entry offers to vary after a click with the right button, or "". */
+static char *
+click_path (GtkWidget *entry)
+{
+  char *path = NULL;
+  gtk_widget_grab_focus (entry); /* scrolls there */
+  driver_run (60);
+  open_menu (entry);
+  GMenuModel *menu = gtk_entry_get_extra_menu (GTK_ENTRY (entry));
+  if (menu != NULL && g_menu_model_get_n_items (menu) == 1) {
+    g_autoptr (GVariant) target =
+      g_menu_model_get_item_attribute_value (menu, 0, "target", NULL);
+    g_variant_get (target, "(sd)", &path, NULL);
+  }
+  close_menu (entry);
+  return path != NULL ? path : g_strdup ("");
+}
+
+/* Every number of the panels that the project's file holds can be made to vary, whatever form it is in. */
+static void
+test_every_number (void)
+{
+  static const struct {
+    const char *example, *panel;
+    enum { NOTHING, A_BEAM, A_BLOCK } selected;
+    const char *paths[12];
+  } cases[] = {
+    { "ferris-tin-loi/wall3.quoin",
+      "analysis",
+      NOTHING,
+      { "laws[0].friction", "laws[0].kn", "contact.pairs.offset", "analysis.increments",
+        "analysis.residual_tolerance", "contact.tolerance", "loads.live[0].direction[0]",
+        "loads.dead[0].direction[1]" } },
+    { "30-beam-cantilever.quoin",
+      "properties",
+      A_BEAM,
+      { "sections[0].young", "beams[0].elements" } },
+    { "42-arch-pulse.quoin",
+      "analysis",
+      NOTHING,
+      { "gravity", "analysis.dynamic.duration", "analysis.dynamic.damping.stiffness" } },
+    { "14-pointed-arch.quoin",
+      "properties",
+      A_BLOCK,
+      { "masonry[2].thickness", "masonry[2].perturbation" } },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    char *folder = test_scratch_new ();
+    QnWindow *window = open_copy (folder, cases[i].example);
+    QnDocument *document = qn_window_get_document (window);
+    QnSelection *selection = qn_document_get_selection (document);
+    QnId beam = 0, block = (QnId) qn_document_get_model (document)->block_count - 1;
+    if (cases[i].selected == A_BEAM)
+      qn_selection_set_beams (selection, &beam, 1);
+    else if (cases[i].selected == A_BLOCK)
+      qn_selection_set_blocks (selection, &block, 1);
+    g_autofree char *panel = g_strconcat ("win.show-panel::", cases[i].panel, NULL);
+    driver_activate (window, panel);
+    driver_run (300);
+    g_autoptr (GPtrArray) entries = g_ptr_array_new ();
+    g_autoptr (GString) found = g_string_new ("\n");
+    list_entries (GTK_WIDGET (window), entries);
+    for (guint k = 0; k < entries->len; k++) {
+      g_autofree char *path = click_path (g_ptr_array_index (entries, k));
+      g_string_append_printf (found, "%s\n", path);
+      if (*path == '\0')
+        g_test_message ("none: %s",
+                        gtk_editable_get_text (g_ptr_array_index (entries, k)));
+    }
+    g_test_message ("%s:%s", cases[i].example, found->str);
+    for (gsize k = 0; cases[i].paths[k] != NULL; k++) {
+      g_autofree char *line = g_strdup_printf ("\n%s\n", cases[i].paths[k]);
+      if (strstr (found->str, line) == NULL)
+        g_error ("%s cannot be made to vary", cases[i].paths[k]);
+    }
+    driver_discard (window);
+    test_scratch_free (folder);
+  }
+}
+
 /* Values by the keyboard, undo, cancel, and what is wrong is said. */
 static void
 test_edit (void)
@@ -251,6 +377,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/study/vary", test_vary);
+  g_test_add_func ("/app/study/every-number", test_every_number);
   g_test_add_func ("/app/study/edit", test_edit);
   g_test_add_func ("/app/study/moving-load", test_moving_load);
   return g_test_run ();

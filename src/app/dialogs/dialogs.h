@@ -25,11 +25,6 @@ void qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc 
 void qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                                const char *path);
 
-/* A report on the project, which must be saved, and its current runs as PDF: sections, paper, file. It
- * is made in a process of its own, which can be cancelled. With a path it is written there at once. */
-void qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnTellFunc tell,
-                            const char *path);
-
 /* The figures that the project keeps. */
 void qn_figures_window_show (GtkWindow *parent, QnDocument *document);
 

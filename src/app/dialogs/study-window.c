@@ -3,14 +3,17 @@
 #include "app/widgets/build-tree.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
+#include "app/widgets/help.h"
 #include "app/widgets/quantity-entry.h"
 #include "core/base/integer.h"
 #include "io/text/io-error.h"
+#include "io/text/number-text.h"
 #include "study/cases/study-job.h"
 #include "study/plan/draft.h"
 #include "study/report/figures.h"
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 /* ms between two looks at a study that runs. */
 #define INTERVAL 250
@@ -27,9 +30,9 @@ typedef struct StudyWindow {
   QnStudyParent parent;
   GtkWindow *window;
   GtkListBox *parameters;
-  GtkDropDown *analysis, *plan, *figure, *of, *by;
+  GtkDropDown *analysis, *plan, *figure, *of, *by, *by_second;
   GtkSpinButton *count;
-  GtkWidget *outputs, *plot, *over;
+  GtkWidget *outputs, *plot, *over, *and;
   GtkProgressBar *progress;
   GtkLabel *status;
   GSimpleActionGroup *actions;
@@ -128,6 +131,9 @@ read_results (StudyWindow *self)
   if (!same) {
     fill (self->of, &self->study, TRUE);
     fill (self->by, &self->study, FALSE);
+    fill (self->by_second, &self->study, FALSE);
+    if (self->study.parameters->len > 1)
+      gtk_drop_down_set_selected (self->by_second, 1);
   }
   gtk_widget_queue_draw (self->plot);
 }
@@ -144,16 +150,17 @@ static gboolean
 chosen_figure (StudyWindow *self, QnStudyFigure *figure)
 {
   static const QnStudyFigureKind kinds[] = {
-    QN_STUDY_FIGURE_CUMULATIVE, QN_STUDY_FIGURE_SCATTER, QN_STUDY_FIGURE_HISTOGRAM,
-    QN_STUDY_FIGURE_TORNADO, QN_STUDY_FIGURE_ENVELOPE
+    QN_STUDY_FIGURE_CUMULATIVE, QN_STUDY_FIGURE_SCATTER,  QN_STUDY_FIGURE_HISTOGRAM,
+    QN_STUDY_FIGURE_TORNADO,    QN_STUDY_FIGURE_ENVELOPE, QN_STUDY_FIGURE_SURFACE
   };
   guint row = gtk_drop_down_get_selected (self->figure);
   if (self->folder == NULL || row >= G_N_ELEMENTS (kinds))
     return FALSE;
   *figure = (QnStudyFigure){ .kind = kinds[row],
                              .column = column_of (self, self->of),
-                             .parameters = { column_of (self, self->by) } };
-  return figure->column >= 0 && figure->parameters[0] >= 0;
+                             .parameters = { column_of (self, self->by),
+                                             column_of (self, self->by_second) } };
+  return figure->column >= 0 && figure->parameters[0] >= 0 && figure->parameters[1] >= 0;
 }
 
 static void
@@ -451,11 +458,27 @@ on_timeout (gpointer data)
   return G_SOURCE_REMOVE;
 }
 
+/* quoin-cli, which computes the cases: beside this program, in the build tree, or in the path. */
+static char *
+dup_program (void)
+{
+  g_autofree char *own = g_file_read_link ("/proc/self/exe", NULL);
+  g_autofree char *folder = g_path_get_dirname (own != NULL ? own : "");
+  char *beside = g_build_filename (folder, "quoin-cli", NULL);
+  if (g_file_test (beside, G_FILE_TEST_IS_EXECUTABLE))
+    return beside;
+  g_free (beside);
+  g_autofree char *sources = qn_build_tree_dup_folder ("src");
+  if (sources != NULL)
+    return g_build_filename (sources, "cli", "quoin-cli", NULL);
+  return g_find_program_in_path ("quoin-cli");
+}
+
 static gboolean
 start (StudyWindow *self, GError **error)
 {
   QnStudy study;
-  g_autofree char *program = qn_build_tree_dup_cli ();
+  g_autofree char *program = dup_program ();
   const char *path = qn_draft_get_path (self->draft);
   if (qn_document_is_modified (self->parent.document)) {
     g_set_error_literal (
@@ -840,9 +863,11 @@ static void
 on_figure (StudyWindow *self)
 {
   guint row = gtk_drop_down_get_selected (self->figure);
-  gboolean by = row == 1 || row == 4;
+  gboolean surface = row == 5, by = row == 1 || row == 4 || surface;
   gtk_widget_set_visible (GTK_WIDGET (self->by), by);
   gtk_widget_set_visible (self->over, by);
+  gtk_widget_set_visible (GTK_WIDGET (self->by_second), surface);
+  gtk_widget_set_visible (self->and, surface);
   gtk_widget_queue_draw (self->plot);
 }
 
@@ -910,7 +935,7 @@ connect (StudyWindow *self)
   g_signal_connect_swapped (self->count, "value-changed", G_CALLBACK (on_plan), self);
   g_signal_connect_swapped (self->analysis, "notify::selected", G_CALLBACK (on_analysis),
                             self);
-  GtkDropDown *const shown[] = { self->figure, self->of, self->by };
+  GtkDropDown *const shown[] = { self->figure, self->of, self->by, self->by_second };
   for (gsize i = 0; i < G_N_ELEMENTS (shown); i++)
     g_signal_connect_swapped (shown[i], "notify::selected", G_CALLBACK (on_figure), self);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (self->plot), draw_plot, self, NULL);
@@ -940,14 +965,17 @@ new_window (const QnStudyParent *parent, QnDraft *draft)
     .figure = GET (GTK_DROP_DOWN, "figure"),
     .of = GET (GTK_DROP_DOWN, "of"),
     .by = GET (GTK_DROP_DOWN, "by"),
+    .by_second = GET (GTK_DROP_DOWN, "by_second"),
     .count = GET (GTK_SPIN_BUTTON, "count"),
     .outputs = GET (GTK_WIDGET, "outputs"),
     .plot = GET (GTK_WIDGET, "plot"),
     .over = GET (GTK_WIDGET, "over"),
+    .and = GET (GTK_WIDGET, "and"),
     .progress = GET (GTK_PROGRESS_BAR, "progress"),
     .status = GET (GTK_LABEL, "status"),
   };
   gtk_window_set_modal (self->window, FALSE);
+  qn_help_set_page (GTK_WIDGET (self->window), "uncertainty");
   gtk_window_set_titlebar (self->window, GET (GTK_WIDGET, "header"));
   gtk_window_set_child (self->window, GET (GTK_WIDGET, "content"));
 #undef GET
@@ -1006,12 +1034,31 @@ qn_study_window_show (const QnStudyParent *parent, const char *path, GError **er
   return self->window;
 }
 
+/* Whether the project reads with a fraction there: counts and seeds do not. */
+static gboolean
+takes_fractions (QnDocument *document, const char *path, double base)
+{
+  const char *text = qn_document_get_text (document);
+  char number[QN_NUMBER_TEXT_SIZE];
+  g_autofree char *override =
+    g_strconcat (path, "=", qn_number_text (floor (base) + 0.5, number), NULL);
+  const char *const overrides[] = { override, NULL };
+  QnProject probe;
+  if (base != rint (base))
+    return TRUE;
+  if (!qn_project_parse (text, strlen (text), "", overrides, &probe, NULL))
+    return FALSE;
+  qn_project_clear (&probe);
+  return TRUE;
+}
+
 void
 qn_study_window_vary (GtkWindow *window, const char *path, double base)
 {
   StudyWindow *self = g_object_get_data (G_OBJECT (window), "qn-study");
   g_autofree char *text = NULL;
-  if (qn_draft_vary (self->draft, path, base))
+  if (qn_draft_vary (self->draft, path, base,
+                     !takes_fractions (self->parent.document, path, base)))
     text = g_strdup_printf (_ ("%s varies now."), path);
   else
     text = g_strdup_printf (_ ("%s varies already."), path);

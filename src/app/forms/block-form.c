@@ -86,13 +86,9 @@ show (gpointer data, guint field, QnValue *value)
     return free_block;
   case THICKNESS:
     value->number = block->thickness;
-    if (free_block)
-      value->path = g_strdup_printf ("blocks[%d].thickness", set.ids[0]);
     return !masonry;
   case WEIGHT:
     value->number = block->unit_weight;
-    if (free_block && block->density < 0)
-      value->path = g_strdup_printf ("blocks[%d].unit_weight", set.ids[0]);
     return !masonry;
   case LAW:
     qn_value_set_laws (value, model, _ ("As all contacts"), block->law);

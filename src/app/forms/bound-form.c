@@ -50,7 +50,6 @@ static void
 value_clear (QnValue *value)
 {
   g_free (value->text);
-  g_free (value->path);
   g_strfreev (value->rows);
 }
 
@@ -150,10 +149,9 @@ static void
 show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
 {
   gboolean on = value->number != 0.0;
-  if (QN_IS_QUANTITY_ENTRY (widget)) {
+  if (QN_IS_QUANTITY_ENTRY (widget))
     qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (widget), value->number);
-    qn_quantity_entry_set_path (QN_QUANTITY_ENTRY (widget), value->path);
-  } else if (GTK_IS_DROP_DOWN (widget))
+  else if (GTK_IS_DROP_DOWN (widget))
     show_choice (form, GTK_DROP_DOWN (widget), value);
   else if (GTK_IS_LIST_BOX (widget))
     show_list (GTK_LIST_BOX (widget), value);
@@ -237,7 +235,9 @@ double
 qn_bound_form_get_number (gpointer data, guint field)
 {
   const QnBoundForm *form = data;
-  return take_value (form->widgets[field]).number;
+  return form->taken != NULL && form->taken_field == field
+           ? form->taken->number
+           : take_value (form->widgets[field]).number;
 }
 
 char *
@@ -257,8 +257,12 @@ static gboolean
 edit (QnProject *draft, gpointer data, GError **error)
 {
   const Entered *entered = data;
-  return entered->form->kind->take (entered->form, draft, entered->field, &entered->value,
-                                    error);
+  QnBoundForm *form = entered->form;
+  form->taken = &entered->value;
+  form->taken_field = entered->field;
+  gboolean done = form->kind->take (form, draft, entered->field, &entered->value, error);
+  form->taken = NULL;
+  return done;
 }
 
 /* What was typed stays, with the reason beside it; what was chosen is as before. */
@@ -291,6 +295,44 @@ dup_step (const char *step, GtkWidget *widget)
   return g_strdup_printf ("%.*s%s%s", (int) (gap - step), step, label, gap + 2);
 }
 
+/* The name of the step that a new value of this field is; NULL where it changes no document. */
+static const char *
+step_of (const QnBoundForm *form, guint field)
+{
+  const QnFormKind *kind = form->kind;
+  return field < kind->field_count ? kind->fields[field].step
+                                   : kind->row_step (field - kind->field_count);
+}
+
+static guint
+field_of (const QnBoundForm *form, const GtkWidget *widget)
+{
+  guint field = 0;
+  while (form->widgets[field] != widget)
+    field++;
+  return field;
+}
+
+/* What another value of the field would change. */
+static char *
+find_path (QnQuantityEntry *entry, gpointer data, double *number)
+{
+  QnBoundForm *form = data;
+  Entered same = { .form = form,
+                   .field = field_of (form, GTK_WIDGET (entry)),
+                   .value.number = qn_quantity_entry_get_value (entry) };
+  Entered other = same;
+  char *path = NULL;
+  if (form->canvas == NULL || step_of (form, same.field) == NULL)
+    return NULL;
+  for (guint attempt = 0;
+       path == NULL && qn_quantity_entry_get_other (entry, attempt, &other.value.number);
+       attempt++)
+    path = qn_document_dup_number_path (qn_canvas_get_document (form->canvas), edit,
+                                        &same, &other, other.value.number, number);
+  return path;
+}
+
 static void
 on_entered (GtkWidget *widget, QnBoundForm *form)
 {
@@ -298,13 +340,12 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   if (form->showing || gtk_widget_get_root (widget) == NULL)
     return;
   g_autoptr (GError) error = NULL;
-  Entered entered = { .form = form, .value = take_value (widget) };
-  while (form->widgets[entered.field] != widget)
-    entered.field++;
+  Entered entered = { .form = form,
+                      .field = field_of (form, widget),
+                      .value = take_value (widget) };
   const QnFormKind *kind = form->kind;
   gboolean is_row = entered.field >= kind->field_count;
-  const char *name = is_row ? kind->row_step (entered.field - kind->field_count)
-                            : kind->fields[entered.field].step;
+  const char *name = step_of (form, entered.field);
   const char *key = is_row ? NULL : kind->fields[entered.field].key;
   gboolean done;
   /* A button may close its dialog, and the form is gone with it. */
@@ -359,8 +400,10 @@ connect (QnBoundForm *form, GtkWidget *widget)
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
     if (g_type_is_a (G_OBJECT_TYPE (widget), signals[i].type ())) {
       g_signal_connect (widget, signals[i].signal, signals[i].callback, form);
-      return;
+      break;
     }
+  if (QN_IS_QUANTITY_ENTRY (widget))
+    qn_quantity_entry_set_path_func (QN_QUANTITY_ENTRY (widget), find_path, form);
 }
 
 /* ---- life ---- */

@@ -3,7 +3,8 @@
  * The .ui file has the widgets with labels, limits and tooltips. A form lists the ids of those that
  * show or take something, says what each shows, and does with a new value what is to be done. The
  * rest is the same for all forms: they follow the document and the selection; a new value becomes
- * one step of the history; where it is refused the field says why.
+ * one step of the history; where it is refused the field says why. The context menu of a field whose
+ * step would change one number of the file offers to vary it in a study.
  *
  * How widgets show a value: QnQuantityEntry its number; GtkDropDown, GtkListBox the row; check
  * buttons, switches, toggle buttons whether they are on; scales and spin buttons their number;
@@ -19,7 +20,6 @@
 typedef struct QnValue {
   double number;  /* in SI; row of a choice or a list, -1 for none; 1 for on */
   char *text;     /* owned */
-  char *path;     /* of a number in the project, which a study may vary; owned */
   char **rows;    /* of a choice or a list, anew; owned; NULL: as they are in the file */
   gboolean mixed; /* a check that is on for some of what is selected */
   gboolean disabled; /* shown, but not to be used now */
@@ -94,7 +94,9 @@ struct QnBoundForm {
   GtkWidget **widgets;
   void (*clear) (gpointer form); /* NULL, or frees what the struct holds */
   const QnTool *tool;            /* that was shown last */
-  gboolean showing;              /* values are being shown: nobody has entered them */
+  const QnValue *taken;          /* the value that a step takes, of the field … */
+  guint taken_field;
+  gboolean showing; /* values are being shown: nobody has entered them */
 };
 
 /* A form of that kind; its struct lives as long as its root. `canvas` is NULL for dialogs, whose
@@ -104,7 +106,7 @@ gpointer qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas);
 /* Makes all fields show their values. Returns the root. */
 GtkWidget *qn_bound_form_show (gpointer form);
 
-/* As entered by the user: the number of a field, or its text. */
+/* As entered by the user: the number of a field, or its text; while a step takes a value, that. */
 double qn_bound_form_get_number (gpointer form, guint field);
 char *qn_bound_form_dup_text (gpointer form, guint field); /* the caller frees it */
 

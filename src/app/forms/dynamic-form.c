@@ -3,13 +3,20 @@
 #include "app/forms/panel.h"
 #include "app/widgets/chooser.h"
 #include "doc/edit/edit-dynamic.h"
+#include "doc/view/ground-preview.h"
+#include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 
+/* px of a point of the plot's text. */
+#define UNIT 1.1
+
 typedef struct Form {
   QnBoundForm base;
   int selected; /* ground motion, or -1 */
+  QnGroundPreviewKind preview;
+  QnGroundPreview sampled; /* what the plot shows */
   GObject *chooser;
 } Form;
 
@@ -21,6 +28,8 @@ enum {
   JOINT_DAMPING,
   OF,
   MOTIONS,
+  PREVIEW,
+  PLOT,
   KIND,
   AMPLITUDE,
   LENGTH,
@@ -41,6 +50,8 @@ static const QnFormField fields[] = {
   [JOINT_DAMPING] = { .id = "joint_damping", .step = N_ ("Change Analysis") },
   [OF] = { .id = "of", .step = N_ ("Change Analysis") },
   [MOTIONS] = { .id = "motions" },
+  [PREVIEW] = { .id = "preview" },
+  [PLOT] = { .id = "plot" },
   [KIND] = { .id = "kind", .step = N_ ("Change Ground Motion") },
   [AMPLITUDE] = { .id = "amplitude", .step = N_ ("Change Ground Motion") },
   [LENGTH] = { .id = "length", .step = N_ ("Change Ground Motion") },
@@ -53,12 +64,35 @@ static const QnFormField fields[] = {
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Ground Motion") },
 };
 
+/* Records are read from their files where no analysis has done so yet. */
+static void
+sample (Form *form)
+{
+  QnDocument *document = qn_canvas_get_document (form->base.canvas);
+  const QnModel *model = qn_document_get_model (document);
+  QnProject read;
+  qn_ground_preview_clear (&form->sampled);
+  if (form->selected < 0)
+    return;
+  const QnGroundMotion *motion = &model->ground[form->selected];
+  gsize index = (gsize) form->selected;
+  if (motion->record == NULL || motion->point_count > 0) {
+    qn_ground_preview_init (&form->sampled, model, index, form->preview);
+  } else if (qn_project_copy (qn_document_get_project (document), &read, NULL)) {
+    if (qn_project_read_records (&read, qn_document_get_folder (document), FALSE, NULL))
+      qn_ground_preview_init (&form->sampled, &read.model, index, form->preview);
+    qn_project_clear (&read);
+  }
+}
+
 static gboolean
 look (gpointer data)
 {
   Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  form->selected = MIN (form->selected, (int) model->ground_count - 1);
+  /* The first one is selected where there was none. */
+  form->selected = MIN (MAX (form->selected, 0), (int) model->ground_count - 1);
+  sample (form);
   return model->analysis.procedure == QN_PROCEDURE_DYNAMIC && model->stage_count == 0;
 }
 
@@ -123,6 +157,12 @@ show (gpointer data, guint field, QnValue *value)
     value->rows = dup_motions (&model);
     value->number = form->selected;
     return TRUE;
+  case PREVIEW:
+    value->number = form->preview;
+    return motion != NULL;
+  case PLOT:
+    gtk_widget_queue_draw (form->base.widgets[PLOT]);
+    return form->sampled.count > 0;
   case KIND:
     value->rows = dup_pulses ();
     value->number = pulse ? motion->pulse.kind : 0;
@@ -214,6 +254,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case MOTIONS:
     form->selected = (int) value->number;
     return TRUE;
+  case PREVIEW:
+    form->preview = (QnGroundPreviewKind) value->number;
+    return TRUE;
   case KIND:
     draft->model.ground[form->selected].pulse.kind = (QnPulseKind) value->number;
     return TRUE;
@@ -232,11 +275,23 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
+/* Plots are drawn on paper, in a dark window too. */
+static void
+draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  Form *form = data;
+  (void) area;
+  cairo_set_source_rgb (cr, 1, 1, 1);
+  cairo_paint (cr);
+  qn_ground_preview_draw (&form->sampled, form->preview, cr, width, height, UNIT);
+}
+
 static void
 on_destroy (GtkWidget *root, Form *form)
 {
   (void) root;
   g_clear_object (&form->chooser);
+  qn_ground_preview_clear (&form->sampled);
 }
 
 GtkWidget *
@@ -246,6 +301,8 @@ qn_dynamic_form_new (QnCanvas *canvas)
   Form *form = qn_bound_form_new (&kind, canvas);
   GtkDropTarget *target = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
   form->selected = 0;
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (form->base.widgets[PLOT]), draw_plot,
+                                  form, NULL);
   g_signal_connect (target, "drop", G_CALLBACK (on_drop), form);
   g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
   gtk_widget_add_controller (form->base.root, GTK_EVENT_CONTROLLER (target));

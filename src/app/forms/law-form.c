@@ -137,8 +137,6 @@ show (gpointer data, guint field, QnValue *value)
     if (number == NULL)
       return FALSE;
     value->number = *number;
-    value->path =
-      g_strdup_printf ("laws[%d].%s", form->shown, numbers[field - FIRST_NUMBER].key);
     g_object_set (form->base.widgets[field], "quantity",
                   quantities[numbers[field - FIRST_NUMBER].meaning][law.basis], NULL);
     return TRUE;

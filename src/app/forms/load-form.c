@@ -102,17 +102,6 @@ dup_loads (const QnModel *model, int32_t list)
   return g_strv_builder_end (lines);
 }
 
-/* Where a number of the selected load stands in the project; of the sets of stages none. */
-static char *
-dup_path (const Form *form, const char *key)
-{
-  if (form->shown > 0)
-    return NULL;
-  return g_strdup_printf ("loads.%s[%d].%s",
-                          form->shown == QN_DEAD_LOADS ? "dead" : "live", form->selected,
-                          key);
-}
-
 static gboolean
 show_load (const Form *form, guint field, QnValue *value)
 {
@@ -125,9 +114,6 @@ show_load (const Form *form, guint field, QnValue *value)
   case X:
   case Y:
     value->number = field == X ? load->vector.x : load->vector.y;
-    value->path = dup_path (form, load->kind == QN_LOAD_WEIGHT
-                                    ? (field == X ? "direction[0]" : "direction[1]")
-                                    : (field == X ? "value[0]" : "value[1]"));
     g_object_set (widget, "quantity",
                   load->kind == QN_LOAD_WEIGHT ? QN_QUANTITY_NUMBER
                   : load->kind == QN_LOAD_LINE ? QN_QUANTITY_STIFFNESS
@@ -136,14 +122,12 @@ show_load (const Form *form, guint field, QnValue *value)
     return !settles;
   case MOMENT:
     value->number = load->moment;
-    value->path = dup_path (form, "moment");
     return load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE;
   case COMPONENT:
     value->number = settles ? (double) load->dof : 0.0;
     return settles;
   default:
     value->number = load->value;
-    value->path = dup_path (form, "value");
     g_object_set (widget, "quantity",
                   load->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH, NULL);
     return settles;

@@ -111,8 +111,6 @@ show (gpointer data, guint field, QnValue *value)
     if (!qn_masonry_has_field (masonry, number))
       return FALSE;
     value->number = qn_masonry_get_field (masonry, number);
-    value->path = g_strdup_printf ("masonry[%d].%s", form->object,
-                                   qn_masonry_field_info (number)->key);
     return TRUE;
   }
 }

@@ -74,8 +74,6 @@ show (gpointer data, guint field, QnValue *value)
     if (!qn_opening_has_field (opening, number))
       return FALSE;
     value->number = qn_opening_get_field (opening, number);
-    value->path = g_strdup_printf ("masonry[%d].openings[%d].%s", form->object,
-                                   form->number, qn_opening_field_info (number)->key);
     return TRUE;
   }
 }

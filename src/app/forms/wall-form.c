@@ -49,13 +49,8 @@ show (gpointer data, guint field, QnValue *value)
   QnWall *wall = &qn_canvas_get_model (form->base.canvas)->walls[form->wall];
   if (field == TITLE)
     value->text = g_strdup_printf (_ ("Wall %s"), wall->name);
-  else if (field != CONVERT) {
-    static const char *const keys[] = {
-      [X] = "origin[0]", [Y] = "origin[1]", [UNIT_X] = "unit[0]", [UNIT_Y] = "unit[1]"
-    };
+  else if (field != CONVERT)
     value->number = *number_of (wall, field);
-    value->path = g_strdup_printf ("walls[%d].%s", form->wall, keys[field]);
-  }
   return TRUE;
 }
 

@@ -11,18 +11,3 @@ qn_build_tree_dup_folder (const char *name)
     return NULL;
   return g_build_filename (folder, "..", "..", name, NULL);
 }
-
-char *
-qn_build_tree_dup_cli (void)
-{
-  g_autofree char *own = g_file_read_link ("/proc/self/exe", NULL);
-  g_autofree char *folder = g_path_get_dirname (own != NULL ? own : "");
-  char *beside = g_build_filename (folder, "quoin-cli", NULL);
-  if (g_file_test (beside, G_FILE_TEST_IS_EXECUTABLE))
-    return beside;
-  g_free (beside);
-  g_autofree char *sources = qn_build_tree_dup_folder ("src");
-  if (sources != NULL)
-    return g_build_filename (sources, "cli", "quoin-cli", NULL);
-  return g_find_program_in_path ("quoin-cli");
-}

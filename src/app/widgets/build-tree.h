@@ -8,8 +8,4 @@
  * program. The caller frees it. */
 char *qn_build_tree_dup_folder (const char *name);
 
-/* quoin-cli, for what runs in a process of its own: beside this program, in the build tree, or in the
- * path; NULL where it is nowhere. The caller frees it. */
-char *qn_build_tree_dup_cli (void);
-
 #endif

@@ -11,8 +11,9 @@ struct _QnQuantityEntry {
   GtkEntry parent_instance;
   QnQuantity quantity;
   double least, most;
-  double value, previous; /* SI; before the last one was entered */
-  char *path;             /* in the project, or NULL */
+  double value, previous;       /* SI; before the last one was entered */
+  QnQuantityPathFunc find_path; /* or NULL */
+  gpointer find_path_data;
   gboolean troubled;
   gulong settings_handler;
 };
@@ -64,18 +65,33 @@ set_trouble (QnQuantityEntry *self, const char *message)
     message != NULL ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE, -1);
 }
 
-/* The context menu, which Shift+F10 opens as well. */
+/* What the context menu has besides GTK's items, just before it opens. */
 static void
 offer_to_vary (QnQuantityEntry *self)
 {
+  double number = NAN;
+  g_autofree char *path = self->find_path != NULL
+                            ? self->find_path (self, self->find_path_data, &number)
+                            : NULL;
   g_autoptr (GMenu) menu = g_menu_new ();
-  if (self->path != NULL) {
+  if (path != NULL) {
     g_autoptr (GMenuItem) item = g_menu_item_new (_ ("_Vary This…"), NULL);
-    g_menu_item_set_action_and_target (item, "win.vary", "(sd)", self->path, self->value);
+    g_menu_item_set_action_and_target (item, "win.vary", "(sd)", path,
+                                       isnan (number) ? self->value : number);
     g_menu_append_item (menu, item);
   }
-  gtk_entry_set_extra_menu (GTK_ENTRY (self),
-                            self->path != NULL ? G_MENU_MODEL (menu) : NULL);
+  gtk_entry_set_extra_menu (GTK_ENTRY (self), path != NULL ? G_MENU_MODEL (menu) : NULL);
+}
+
+static void
+on_secondary_press (GtkGestureClick *gesture, int count, double x, double y,
+                    QnQuantityEntry *self)
+{
+  (void) gesture;
+  (void) count;
+  (void) x;
+  (void) y;
+  offer_to_vary (self);
 }
 
 static void
@@ -115,7 +131,6 @@ commit (QnQuantityEntry *self)
   }
   self->previous = self->value;
   self->value = value;
-  offer_to_vary (self);
   show_value (self);
   g_signal_emit (self, signals[SIGNAL_COMMITTED], 0);
 }
@@ -133,10 +148,11 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
 {
   (void) controller;
   (void) keycode;
-  (void) modifiers;
-  if (keyval != GDK_KEY_Escape)
-    return FALSE;
-  show_value (self);
+  if (keyval == GDK_KEY_Escape)
+    show_value (self);
+  else if (keyval == GDK_KEY_Menu
+           || (keyval == GDK_KEY_F10 && (modifiers & GDK_SHIFT_MASK) != 0))
+    offer_to_vary (self);
   return FALSE;
 }
 
@@ -168,7 +184,6 @@ qn_quantity_entry_dispose (GObject *object)
 {
   QnQuantityEntry *self = QN_QUANTITY_ENTRY (object);
   g_clear_signal_handler (&self->settings_handler, qn_settings_get ());
-  g_clear_pointer (&self->path, g_free);
   G_OBJECT_CLASS (qn_quantity_entry_parent_class)->dispose (object);
 }
 
@@ -214,6 +229,12 @@ qn_quantity_entry_init (QnQuantityEntry *self)
   gtk_event_controller_set_propagation_phase (key, GTK_PHASE_CAPTURE);
   g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
   gtk_widget_add_controller (GTK_WIDGET (self), key);
+  GtkGesture *press = gtk_gesture_click_new ();
+  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (press), GDK_BUTTON_SECONDARY);
+  gtk_event_controller_set_propagation_phase (GTK_EVENT_CONTROLLER (press),
+                                              GTK_PHASE_CAPTURE);
+  g_signal_connect (press, "pressed", G_CALLBACK (on_secondary_press), self);
+  gtk_widget_add_controller (GTK_WIDGET (self), GTK_EVENT_CONTROLLER (press));
   self->settings_handler = g_signal_connect_swapped (qn_settings_get (), "changed",
                                                      G_CALLBACK (show_value), self);
 }
@@ -248,13 +269,22 @@ qn_quantity_entry_get_value (QnQuantityEntry *self)
 }
 
 void
-qn_quantity_entry_set_path (QnQuantityEntry *self, const char *path)
+qn_quantity_entry_set_path_func (QnQuantityEntry *self, QnQuantityPathFunc func,
+                                 gpointer data)
 {
-  if (g_strcmp0 (self->path, path) == 0)
-    return;
-  g_free (self->path);
-  self->path = g_strdup (path);
-  offer_to_vary (self);
+  self->find_path = func;
+  self->find_path_data = data;
+}
+
+gboolean
+qn_quantity_entry_get_other (QnQuantityEntry *self, guint attempt, double *value)
+{
+  double near = 1e-3 * fabs (self->value);
+  const double steps[] = { near > 0 ? near : 1e-3, near > 0 ? -near : -1e-3, 1, -1 };
+  if (attempt >= G_N_ELEMENTS (steps))
+    return FALSE;
+  *value = CLAMP (self->value + steps[attempt], self->least, self->most);
+  return TRUE;
 }
 
 void
@@ -263,6 +293,5 @@ qn_quantity_entry_set_value (QnQuantityEntry *self, double value)
   if (self->value == value && !self->troubled)
     return;
   self->value = value;
-  offer_to_vary (self);
   show_value (self);
 }

@@ -21,9 +21,17 @@ void qn_quantity_entry_set_quantity (QnQuantityEntry *entry, QnQuantity quantity
 /* The value that was committed last is not taken: what was typed stays, with the reason. */
 void qn_quantity_entry_refuse (QnQuantityEntry *entry, const char *message);
 
-/* Where the number stands in the project (laws[0].friction), or NULL: its context menu offers to vary
- * it in a study. */
-void qn_quantity_entry_set_path (QnQuantityEntry *entry, const char *path);
+/* Says which number of the project's file the entry shows (laws[0].friction), and what it is there;
+ * NULL: none. The caller frees it. Asked for when the context menu opens, which offers to vary it. */
+typedef char *(*QnQuantityPathFunc) (QnQuantityEntry *entry, gpointer data,
+                                     double *number);
+void qn_quantity_entry_set_path_func (QnQuantityEntry *entry, QnQuantityPathFunc func,
+                                      gpointer data);
+
+/* A value other than the present one that lies within the limits: the `attempt`-th of several, near
+ * ones first; FALSE where there are no more. */
+gboolean qn_quantity_entry_get_other (QnQuantityEntry *entry, guint attempt,
+                                      double *value);
 
 double qn_quantity_entry_get_value (QnQuantityEntry *entry); /* SI */
 void qn_quantity_entry_set_value (QnQuantityEntry *entry, double value);

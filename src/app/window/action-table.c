@@ -40,7 +40,6 @@ const QnActionRow qn_action_rows[] = {
     .keys = "<Control><Shift>e",
     .group = QN_GROUP_FILES,
     .label = N_ ("Repeat the last export") },
-  { .name = "win.report", .needs = DRAWN },
   { .name = "win.figures", .needs = QN_NEEDS_WORK },
   { .name = "win.export-result", .needs = QN_NEEDS_RUN },
   { .name = "win.export-drawing", .needs = DRAWN },

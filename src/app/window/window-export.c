@@ -181,24 +181,6 @@ export_figure (QnWindow *self, GVariant *parameter)
 }
 
 static void
-make_report (QnWindow *self, const char *path)
-{
-  if (qn_document_get_path (self->document) == NULL
-      || qn_document_is_modified (self->document))
-    qn_window_show_error (self, _ ("Save the project first: a report names its file and "
-                                   "says what it holds"));
-  else
-    qn_report_dialog_show (GTK_WINDOW (self), self->document, tell, path);
-}
-
-static void
-report (QnWindow *self, GVariant *parameter)
-{
-  (void) parameter;
-  make_report (self, NULL);
-}
-
-static void
 show_figures (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
@@ -249,8 +231,6 @@ export_path (QnWindow *self, GVariant *parameter)
 {
   const char *name, *path;
   g_variant_get (parameter, "(&s&s)", &name, &path);
-  if (g_str_equal (name, "report"))
-    make_report (self, path);
   if (g_str_equal (name, "animation") && qn_document_get_run (self->document) != NULL)
     qn_animation_dialog_show (GTK_WINDOW (self), self->state, tell, path);
   for (gsize i = 0; i < G_N_ELEMENTS (exports); i++)
@@ -302,7 +282,6 @@ qn_window_add_export_actions (QnWindow *self)
     { "export", NULL, export_figure },
     { "repeat-export", NULL, repeat_export },
     { "compare", NULL, compare },
-    { "report", NULL, report },
     { "figures", NULL, show_figures },
     { "export-result", "s", export_result },
     { "export-drawing", NULL, export_drawing },

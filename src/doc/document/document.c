@@ -3,6 +3,7 @@
 #include "doc/document/digest.h"
 #include "doc/edit/edit.h"
 #include "doc/text/explain.h"
+#include "io/project/number-path.h"
 #include "io/project/project-extras.h"
 #include "io/text/file-read.h"
 #include "io/text/file-writer.h"
@@ -459,22 +460,56 @@ step_to (QnDocument *self, const char *name, const char *key, QnProject *draft,
   return TRUE;
 }
 
+/* A copy of the project with an edit; holds nothing where that is refused. */
+static gboolean
+edit_copy (QnDocument *self, QnProjectEditFunc func, gpointer user_data, QnProject *draft,
+           GError **error)
+{
+  if (!qn_project_copy (&self->project, draft, error))
+    return FALSE;
+  g_free (draft->name);
+  draft->name = g_strdup (name_in_messages (self));
+  /* Numbers entities as a file that is read. */
+  if (func (draft, user_data, error) && qn_edit_rebuild (&draft->model, NULL, error)
+      && qn_project_prepare (draft, error))
+    return TRUE;
+  qn_project_clear (draft);
+  return FALSE;
+}
+
 gboolean
 qn_document_edit_project (QnDocument *self, const char *name, const char *key,
                           QnProjectEditFunc func, gpointer user_data, GError **error)
 {
   QnProject draft;
-  if (!qn_project_copy (&self->project, &draft, error))
-    return FALSE;
-  g_free (draft.name);
-  draft.name = g_strdup (name_in_messages (self));
-  /* Numbers entities as a file that is read. */
-  if (!func (&draft, user_data, error) || !qn_edit_rebuild (&draft.model, NULL, error)
-      || !qn_project_prepare (&draft, error)) {
-    qn_project_clear (&draft);
-    return FALSE;
-  }
-  return step_to (self, name, key, &draft, error);
+  return edit_copy (self, func, user_data, &draft, error)
+         && step_to (self, name, key, &draft, error);
+}
+
+/* The text of the project after an edit; NULL where that is refused. */
+static QnProjectText *
+write_edited (QnDocument *self, QnProjectEditFunc func, gpointer user_data)
+{
+  QnProject draft;
+  if (!edit_copy (self, func, user_data, &draft, NULL))
+    return NULL;
+  QnProjectText *text = qn_project_write (&draft, NULL, NULL);
+  qn_project_clear (&draft);
+  return text;
+}
+
+char *
+qn_document_dup_number_path (QnDocument *self, QnProjectEditFunc func, gpointer same,
+                             gpointer other, double value, double *number)
+{
+  QnProjectText *before = write_edited (self, func, same);
+  QnProjectText *after = write_edited (self, func, other);
+  char *path = before != NULL && after != NULL
+                 ? qn_number_path_find (before->text, after->text, value, number)
+                 : NULL;
+  qn_project_text_free (before);
+  qn_project_text_free (after);
+  return path;
 }
 
 typedef struct ModelEdit {

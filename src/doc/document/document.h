@@ -103,6 +103,13 @@ gboolean qn_document_edit_project (QnDocument *document, const char *name,
                                    const char *key, QnProjectEditFunc func,
                                    gpointer user_data, GError **error);
 
+/* Path in the file of the only number by which an edit that takes `other`, the number `value`, differs
+ * from one that takes what there is already (`same`), *number as it is written there, NaN where it is not; NULL where an
+ * edit is refused, or more differs or something else. Changes nothing. The caller frees it. */
+char *qn_document_dup_number_path (QnDocument *document, QnProjectEditFunc func,
+                                   gpointer same, gpointer other, double value,
+                                   double *number);
+
 /* Replaces a top-level member that the model does not hold (view, figures, …), as an
  * undoable step; `json` is the new value or NULL to remove it. */
 gboolean qn_document_edit_extra (QnDocument *document, const char *name, const char *key,

@@ -326,7 +326,7 @@ add_parameter (QnDraft *draft, const char *path)
 }
 
 gboolean
-qn_draft_vary (QnDraft *draft, const char *path, double base)
+qn_draft_vary (QnDraft *draft, const char *path, double base, gboolean whole)
 {
   guint index;
   double low = base - 0.1 * fabs (base), high = base + 0.1 * fabs (base);
@@ -337,6 +337,11 @@ qn_draft_vary (QnDraft *draft, const char *path, double base)
     set (item, "whole", cJSON_CreateTrue ());
     low = 1;
     high = 1000;
+  } else if (whole) {
+    set (item, "whole", cJSON_CreateTrue ());
+    low = fmin (floor (low), base - 1);
+    low = base >= 1 ? fmax (low, 1) : low;
+    high = fmax (ceil (high), base + 1);
   }
   guint added = qn_draft_count (draft) - 1;
   if (!(low < high)) {

@@ -51,9 +51,9 @@ void qn_draft_redo (QnDraft *draft);
 guint qn_draft_count (const QnDraft *draft);
 QnDraftParameter qn_draft_parameter (const QnDraft *draft, guint index);
 
-/* Adds the number at a path of the project, whose value is `base`: uniform, a tenth to either side.
- * FALSE where it varies already. */
-gboolean qn_draft_vary (QnDraft *draft, const char *path, double base);
+/* Adds the number at a path of the project, whose value is `base`: uniform, a tenth to either side, and
+ * of a whole number at least 1. FALSE where it varies already. */
+gboolean qn_draft_vary (QnDraft *draft, const char *path, double base, gboolean whole);
 
 /* Adds the way of the force at `path` ("loads.live[0]") along a line, at `steps` places, in place of
  * one that the force has; the plan becomes a grid. */

@@ -16,9 +16,15 @@ test_new (void)
   QnDraft *draft = qn_draft_new (path, model);
   QnStudy study;
   int count;
-  g_assert_true (qn_draft_vary (draft, "laws[0].friction", 0.5));
-  g_assert_false (qn_draft_vary (draft, "laws[0].friction", 0.5));
-  g_assert_true (qn_draft_vary (draft, "laws[0].kn", 1e7));
+  g_assert_true (qn_draft_vary (draft, "laws[0].friction", 0.5, FALSE));
+  g_assert_false (qn_draft_vary (draft, "laws[0].friction", 0.5, FALSE));
+  g_assert_true (qn_draft_vary (draft, "laws[0].kn", 1e7, FALSE));
+  g_assert_true (qn_draft_vary (draft, "analysis.increments", 10, TRUE));
+  g_autofree char *counted = qn_draft_parameter (draft, 2).path;
+  g_assert_cmpstr (counted, ==, "analysis.increments");
+  g_assert_cmpfloat (qn_draft_parameter (draft, 2).first, ==, 9);
+  g_assert_cmpfloat (qn_draft_parameter (draft, 2).second, ==, 11);
+  qn_draft_remove (draft, 2);
   qn_draft_set_values (draft, 1, QN_DRAFT_LOGNORMAL, 1e7, 2e6, 0);
   qn_draft_set_plan (draft, QN_PLAN_GRID, 0);
   g_assert_true (qn_draft_save (draft, &error));

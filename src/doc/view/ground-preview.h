@@ -1,0 +1,36 @@
+/* What a motion of the ground looks like before anything is computed: acceleration, velocity,
+ * displacement, and the response spectrum. */
+#ifndef QN_DOC_GROUND_PREVIEW_H
+#define QN_DOC_GROUND_PREVIEW_H
+
+#include "core/model/model.h"
+
+#include <cairo.h>
+#include <glib.h>
+
+typedef enum {
+  QN_GROUND_ACCELERATION, /* m/s2 over s, along the motion's direction */
+  QN_GROUND_VELOCITY, /* m/s, exact; what is left at the end is the drift of the base line */
+  QN_GROUND_DISPLACEMENT, /* m */
+  QN_GROUND_SPECTRUM,     /* pseudo-acceleration, m/s2, over the period, s, 5 % damped */
+  QN_GROUND_PREVIEW_COUNT
+} QnGroundPreviewKind;
+
+/* Damping of the spectrum. */
+#define QN_GROUND_DAMPING 0.05
+
+typedef struct QnGroundPreview {
+  double *x, *y; /* owned */
+  gsize count;   /* 0: there is nothing to show */
+} QnGroundPreview;
+
+/* Of one motion of a model, its factor included. Free with qn_ground_preview_clear(). */
+void qn_ground_preview_init (QnGroundPreview *preview, const QnModel *model, gsize motion,
+                             QnGroundPreviewKind kind);
+void qn_ground_preview_clear (QnGroundPreview *preview);
+
+/* Draws it as a plot on a surface of this size, px, a point being `unit` px. */
+void qn_ground_preview_draw (const QnGroundPreview *preview, QnGroundPreviewKind kind,
+                             cairo_t *cr, double width, double height, double unit);
+
+#endif
