@@ -359,6 +359,30 @@ test_modes_and_stability (void)
   driver_discard (window);
 }
 
+/* The motion of the ground is plotted, in every way. */
+static void
+test_ground_preview (void)
+{
+  QnWindow *window = driver_open_example ("42-arch-pulse.quoin");
+  driver_activate (window, "win.show-panel::analysis");
+  driver_run (200);
+  GtkWidget *choice =
+    driver_find_widget (GTK_WIDGET (window), is_procedure_choice, "Acceleration");
+  g_assert_nonnull (choice);
+  for (guint i = 0; i < 4; i++) {
+    g_autofree char *name = g_strdup_printf ("ground-%u", i);
+    gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), i);
+    gtk_widget_grab_focus (choice);
+    driver_key ("Tab");
+    driver_key ("Tab");
+    driver_run (200);
+    g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (choice)), ==, i);
+    g_assert_true (gtk_widget_get_mapped (gtk_widget_get_next_sibling (choice)));
+    driver_screenshot (GTK_WIDGET (window), name);
+  }
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -369,6 +393,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/analysis/dead-load", test_dead_load);
   g_test_add_func ("/app/analysis/procedures", test_procedures);
   g_test_add_func ("/app/analysis/in-time", test_in_time);
+  g_test_add_func ("/app/analysis/ground-preview", test_ground_preview);
   g_test_add_func ("/app/analysis/bounds", test_bounds);
   g_test_add_func ("/app/analysis/compare-files", test_compare_files);
   g_test_add_func ("/app/analysis/modes-and-stability", test_modes_and_stability);
