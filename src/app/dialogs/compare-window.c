@@ -716,7 +716,7 @@ make_content (Compare *compare)
   gtk_paned_set_resize_end_child (GTK_PANED (paned), FALSE);
   gtk_paned_set_shrink_end_child (GTK_PANED (paned), TRUE);
   gtk_widget_set_vexpand (paned, TRUE);
-  gtk_paned_set_position (GTK_PANED (paned), 640);
+  gtk_paned_set_position (GTK_PANED (paned), 600);
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   gtk_box_append (GTK_BOX (box), compare->hint);
   gtk_box_append (GTK_BOX (box), paned);

@@ -141,6 +141,7 @@ draw_gaps (const Dialog *dialog, const QnCamera *camera, cairo_t *cr)
     const QnGap *gap = &dialog->gaps.items[i];
     const QnVec2 corners[] = { gap->sides[0][0], gap->sides[0][1], gap->sides[1][1],
                                gap->sides[1][0] };
+    cairo_new_sub_path (cr);
     for (gsize k = 0; k < G_N_ELEMENTS (corners); k++) {
       QnVec2 at = qn_camera_to_screen (camera, corners[k]);
       cairo_line_to (cr, at.x, at.y);
