@@ -108,7 +108,7 @@ qn_ground_preview_draw (const QnGroundPreview *preview, QnGroundPreviewKind kind
     .kind = QN_MARKS_LINE, .x = preview->x, .y = preview->y, .count = preview->count
   };
   const QnDataPlot plot = { .x_label = kind == QN_GROUND_SPECTRUM
-                                         ? _ ("Period (s), 5 % damped")
+                                         ? _ ("Period (s), damping 5 %")
                                          : _ ("Time (s)"),
                             .y_label = labels[kind],
                             .x_from_zero = true,
