@@ -186,6 +186,9 @@ make_parameter (Monkey *monkey, const GVariantType *type)
     "animation",  "non-associative",
     "result",     "analysis",
     "properties", "findings",
+    "left",       "gaps-x",
+    "fixed",      "free",
+    "stress",     "displacement",
     "nonsense",   "",
   };
   double number = g_test_rand_double_range (-2.0, 2.0);
@@ -198,6 +201,8 @@ make_parameter (Monkey *monkey, const GVariantType *type)
   if (g_variant_type_equal (type, G_VARIANT_TYPE ("(iddd)")))
     return g_variant_new ("(iddd)", g_test_rand_int_range (-1, 4), number, number,
                           g_test_rand_bit () ? 0.0 : number);
+  if (g_variant_type_equal (type, G_VARIANT_TYPE ("(bi)")))
+    return g_variant_new ("(bi)", g_test_rand_bit (), g_test_rand_int_range (-1, 3));
   if (g_variant_type_equal (type, G_VARIANT_TYPE ("(sd)"))) {
     static const char *const numbers[] = { "laws[0].friction", "laws[0].kn", "nonsense" };
     return g_variant_new ("(sd)", ONE_OF (numbers), number);
@@ -355,7 +360,7 @@ press_key (Monkey *monkey)
     "Return",    "Escape", "Tab",    "Left",   "Right",     "Up",     "Down",   "Delete",
     "BackSpace", "ctrl+z", "ctrl+y", "ctrl+a", "ctrl+c",    "ctrl+x", "ctrl+v", "ctrl+d",
     "ctrl+0",    "ctrl+1", "ctrl+2", "ctrl+3", "ctrl+4",    "ctrl+5", "ctrl+6", "F5",
-    "shift+F5",  "F10",    "ctrl+w", "ctrl+e", "ctrl+n",
+    "shift+F5",  "F10",    "Menu",   "F9",     "shift+F10", "ctrl+w", "ctrl+e", "ctrl+n",
   };
   g_autofree char *line = g_strdup_printf ("key %s\n", ONE_OF (keys));
   tell_tools (monkey, line);

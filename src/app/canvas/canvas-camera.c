@@ -213,6 +213,21 @@ qn_canvas_show_place (QnCanvas *self, QnVec2 at)
 }
 
 void
+qn_canvas_show_area (QnCanvas *self, QnVec2 low, QnVec2 high)
+{
+  QnBox seen = qn_camera_visible_box (&self->camera);
+  if (low.x >= seen.min.x && high.x <= seen.max.x && low.y >= seen.min.y
+      && high.y <= seen.max.y)
+    return;
+  if (self->keeps_fit) {
+    qn_canvas_fit (self);
+    return;
+  }
+  self->camera.center = qn_vec2_lerp (low, high, 0.5);
+  camera_moved (self);
+}
+
+void
 qn_canvas_add_camera_controllers (QnCanvas *self)
 {
   GtkWidget *widget = GTK_WIDGET (self);

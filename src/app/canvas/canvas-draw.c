@@ -15,18 +15,9 @@
 #define MARK_PX      7.0
 #define RING_PX      16.0
 #define CURSOR_PX    14.0
-#define DIM_PAPER    0.9
 #define LEGEND_INSET 10.0
 #define LEGEND_PAD   4.0
-
-/* The drawing is paper, white in light windows and a little dimmed in dark ones. */
-static gboolean
-is_dark (QnCanvas *self)
-{
-  GdkRGBA color;
-  gtk_style_context_get_color (gtk_widget_get_style_context (GTK_WIDGET (self)), &color);
-  return color.red + color.green + color.blue > 1.5f;
-}
+#define LEGEND_TOP   56.0 /* below the choice of view */
 
 static void
 set_ink (cairo_t *cr, QnInk ink, double alpha)
@@ -212,7 +203,8 @@ draw_selected_beams (QnCanvas *self, cairo_t *cr)
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
 }
 
-/* Selected things are outlined where they are in the undeformed drawing. */
+/* Selected things are outlined where the view draws them: displaced blocks too, unless the result
+ * is of another model. */
 static void
 draw_selection (QnCanvas *self, cairo_t *cr)
 {
@@ -220,13 +212,27 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   const QnModel *model = qn_document_get_model (document);
   const QnContacts *contacts = qn_document_get_contacts (document);
   QnSelection *selection = qn_canvas_get_selection (self);
+  const QnRun *run = qn_document_get_run (document);
+  gboolean displaced = qn_view_needs_result (qn_view_state_get_view (self->state));
+  if (displaced && (run == NULL || qn_document_is_stale (document, run)))
+    return;
+  QnMotion motion = displaced ? qn_canvas_get_motion (self) : (QnMotion){ 0 };
+  if (displaced && motion.model == NULL)
+    return;
   guint count = 0;
   const QnId *blocks = qn_selection_get_blocks (selection, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) blocks[i] >= model->block_count)
       continue;
-    qn_canvas_trace (self, cr, qn_model_block_vertices (model, blocks[i]),
-                     (gsize) model->blocks[blocks[i]].vertex_count);
+    const QnVec2 *v = qn_model_block_vertices (model, blocks[i]);
+    for (QnId k = 0; k < model->blocks[blocks[i]].vertex_count; k++) {
+      QnVec2 s = qn_canvas_place (self, &motion, blocks[i], v[k]);
+      if (k == 0)
+        cairo_move_to (cr, s.x, s.y);
+      else
+        cairo_line_to (cr, s.x, s.y);
+    }
+    cairo_close_path (cr);
   }
   set_ink (cr, QN_INK_SELECTION, 0.18);
   cairo_fill_preserve (cr);
@@ -238,10 +244,10 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   for (guint i = 0; i < count; i++) {
     if ((gsize) faces[i] >= contacts->face_count)
       continue;
-    QnVec2 a = qn_canvas_to_screen (self, contacts->faces[faces[i]].start);
-    QnVec2 b = qn_canvas_to_screen (self, contacts->faces[faces[i]].end);
-    cairo_move_to (cr, a.x, a.y);
-    cairo_line_to (cr, b.x, b.y);
+    QnVec2 line[2];
+    qn_canvas_joint_line (self, &motion, &contacts->faces[faces[i]], line);
+    cairo_move_to (cr, line[0].x, line[0].y);
+    cairo_line_to (cr, line[1].x, line[1].y);
   }
   cairo_set_line_width (cr, 6.0);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
@@ -277,6 +283,7 @@ static void
 draw_place (QnCanvas *self, cairo_t *cr)
 {
   QnVec2 s = qn_canvas_to_screen (self, self->place);
+  cairo_new_path (cr); /* text leaves a current point behind */
   cairo_arc (cr, s.x, s.y, RING_PX, 0.0, 2.0 * G_PI);
   cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.9);
   cairo_set_line_width (cr, 6.0);
@@ -348,7 +355,8 @@ draw_cursor (QnCanvas *self, cairo_t *cr)
 static void
 draw_typed (QnCanvas *self, cairo_t *cr)
 {
-  const char *label = self->tool->numbers_label;
+  const char *label =
+    self->gesture.grip.kind == QN_GRIP_TURN ? N_ ("angle") : self->tool->numbers_label;
   g_autofree char *text =
     g_strdup_printf ("%s▏   %s", self->typed->str, label != NULL ? _ (label) : "");
   g_autoptr (PangoLayout) layout = make_text (self, text, 10.0);
@@ -408,17 +416,6 @@ qn_canvas_draw_label (QnCanvas *self, cairo_t *cr, const char *text, QnVec2 scre
 
 /* ---- all of it ---- */
 
-/* Measured, at the lower left. The caller clears it. */
-static void
-lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, QnFurniture *furniture)
-{
-  qn_furniture_init (furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
-                     true);
-  qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
-  furniture->x = RULER_PX + LEGEND_INSET;
-  furniture->y = self->camera.height - furniture->height - LEGEND_INSET;
-}
-
 /* Around its paper. */
 static QnBox
 legend_box (const QnFurniture *furniture)
@@ -429,13 +426,66 @@ legend_box (const QnFurniture *furniture)
   return (QnBox){ corner, qn_vec2_add (corner, size) };
 }
 
+static double
+overlap (QnBox a, QnBox b)
+{
+  double width = fmin (a.max.x, b.max.x) - fmax (a.min.x, b.min.x);
+  double height = fmin (a.max.y, b.max.y) - fmax (a.min.y, b.min.y);
+  return width > 0.0 && height > 0.0 ? width * height : 0.0;
+}
+
+/* In the corner where it hides least of the structure: the lower left one, then the upper ones, below
+ * the choice of view. Foundations are below, so that the lower right one, where buttons are, is none.
+ */
+static void
+place_legend (QnCanvas *self, const QnScene *scene, QnFurniture *furniture)
+{
+  double left = RULER_PX + LEGEND_INSET, top = RULER_PX + LEGEND_TOP;
+  double right = self->camera.width - furniture->width - LEGEND_INSET;
+  const QnVec2 corners[] = {
+    { left, self->camera.height - furniture->height - LEGEND_INSET },
+    { left, top },
+    { right, top },
+  };
+  QnVec2 low = qn_camera_to_screen (&self->camera, scene->box.min);
+  QnVec2 high = qn_camera_to_screen (&self->camera, scene->box.max);
+  QnBox structure = { { low.x, high.y }, { high.x, low.y } };
+  double least = INFINITY;
+  QnVec2 best = corners[0];
+  for (gsize i = 0; i < G_N_ELEMENTS (corners); i++) {
+    furniture->x = corners[i].x;
+    furniture->y = corners[i].y;
+    double hidden = overlap (legend_box (furniture), structure);
+    if (hidden < least) {
+      least = hidden;
+      best = corners[i];
+    }
+  }
+  furniture->x = best.x;
+  furniture->y = best.y;
+}
+
+/* Measured and placed. The caller clears it. */
+static void
+lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, gboolean placed,
+            QnFurniture *furniture)
+{
+  qn_furniture_init (furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
+                     true);
+  qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
+  furniture->x = RULER_PX + LEGEND_INSET;
+  furniture->y = self->camera.height - furniture->height - LEGEND_INSET;
+  if (placed)
+    place_legend (self, scene, furniture);
+}
+
 QnBox
 qn_canvas_legend_box (QnCanvas *self, const QnScene *scene)
 {
   QnFurniture furniture;
   cairo_surface_t *surface = cairo_recording_surface_create (CAIRO_CONTENT_COLOR, NULL);
   cairo_t *cr = cairo_create (surface);
-  lay_legend (self, cr, scene, &furniture);
+  lay_legend (self, cr, scene, FALSE, &furniture);
   QnBox box = legend_box (&furniture);
   qn_furniture_clear (&furniture);
   cairo_destroy (cr);
@@ -448,10 +498,9 @@ static void
 draw_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene)
 {
   QnFurniture furniture;
-  lay_legend (self, cr, scene, &furniture);
+  lay_legend (self, cr, scene, TRUE, &furniture);
   QnBox box = legend_box (&furniture);
-  double paper = is_dark (self) ? DIM_PAPER : 1.0;
-  cairo_set_source_rgba (cr, paper, paper, paper, 0.85);
+  cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.85);
   cairo_rectangle (cr, box.min.x, box.min.y, box.max.x - box.min.x,
                    box.max.y - box.min.y);
   cairo_fill (cr);
@@ -477,8 +526,7 @@ void
 qn_canvas_draw_below (QnCanvas *self, gboolean with_photo, cairo_t *cr)
 {
   const QnScene *scene = qn_canvas_get_scene (self);
-  double paper = is_dark (self) ? DIM_PAPER : 1.0;
-  cairo_set_source_rgb (cr, paper, paper, paper);
+  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
   if (g_settings_get_boolean (qn_settings_get (), "grid"))
     draw_grid (self, cr);
@@ -493,8 +541,8 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
   gboolean undeformed = !qn_view_needs_result (qn_view_state_get_view (self->state));
   if (with_labels && scene != NULL)
     qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, true, cr, NULL);
+  draw_selection (self, cr);
   if (undeformed) {
-    draw_selection (self, cr);
     draw_selected_beams (self, cr);
     draw_findings (self, cr);
   }
@@ -516,6 +564,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
   if (self->has_place)
     draw_place (self, cr);
   draw_rulers (self, cr);
+  qn_canvas_draw_inspected (self, cr);
   if (self->typed->len > 0)
     draw_typed (self, cr);
 }

@@ -29,8 +29,10 @@ finish_typed (QnCanvas *self)
       refuse_typed (self);
       return;
     }
-    if (!qn_units_parse (units, self->tool->quantities[place], words[i], &values[count],
-                         &error)) {
+    QnQuantity quantity = self->gesture.grip.kind == QN_GRIP_TURN
+                            ? QN_QUANTITY_ANGLE
+                            : self->tool->quantities[place];
+    if (!qn_units_parse (units, quantity, words[i], &values[count], &error)) {
       qn_canvas_emit_failed (self, error->message);
       return;
     }
@@ -45,7 +47,23 @@ static gboolean
 is_number_character (gunichar c)
 {
   return (c < 128 && g_ascii_isdigit ((char) c)) || c == '.' || c == ',' || c == ';'
-         || c == '-' || c == ' ' || c == 'x' || c == 'm' || c == 'c';
+         || c == '-' || c == ' ' || c == 'x' || c == 'm' || c == 'c' || c == '+'
+         || c == '*' || c == '/' || c == '(' || c == ')';
+}
+
+/* Numbers are typed for a gesture, with the button held or up, and for what is selected; the first
+ * sign of the latter is one that no shortcut has. */
+static gboolean
+can_type (QnCanvas *self, gunichar first)
+{
+  if (self->in_gesture || self->typed->len > 0)
+    return TRUE;
+  QnVec2 low, high;
+  return self->tool->numbers_at_rest
+         && !qn_view_needs_result (qn_view_state_get_view (self->state))
+         && ((first < 128 && g_ascii_isdigit ((char) first)) || first == '-'
+             || first == '(')
+         && qn_canvas_get_parts_box (self, &low, &high);
 }
 
 /* ---- the pointer by keys ---- */
@@ -128,7 +146,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
   } else if (move_cursor (self, keyval, modifiers)
              || click_cursor (self, keyval, modifiers))
     return TRUE;
-  else if (!self->in_gesture || control)
+  else if (control || !can_type (self, gdk_keyval_to_unicode (keyval)))
     return FALSE;
   else if ((keyval == GDK_KEY_Return || keyval == GDK_KEY_KP_Enter)
            && self->tool->numbers)

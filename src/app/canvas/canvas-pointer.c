@@ -116,6 +116,8 @@ on_motion (GtkEventControllerMotion *controller, double x, double y, QnCanvas *s
   /* GTK tells of a motion when what lies under a pointer at rest has changed. */
   if (self->keyboard_cursor && x == self->mouse.x && y == self->mouse.y)
     return;
+  if (x != self->mouse.x || y != self->mouse.y)
+    qn_canvas_pointer_moved (self);
   self->mouse = qn_vec2 (x, y);
   self->keyboard_cursor = FALSE;
   qn_canvas_point (self, self->mouse, modifiers_of (controller));
@@ -126,6 +128,7 @@ on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
 {
   (void) controller;
   self->pointer_inside = self->keyboard_cursor;
+  g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   gtk_widget_queue_draw (GTK_WIDGET (self));
   qn_canvas_emit_status (self);
 }

@@ -5,6 +5,7 @@
 #include "app/canvas/canvas.h"
 #include "app/canvas/gl-layer.h"
 #include "app/canvas/scene-cache.h"
+#include "render/scene/motion.h"
 
 struct _QnCanvas {
   GtkWidget parent_instance;
@@ -39,6 +40,8 @@ struct _QnCanvas {
   QnVec2 pan_from, zoom_center;
   QnCamera gesture_camera;
 
+  gboolean has_rested; /* the pointer, long enough to be told what is there */
+  guint inspect_timeout;
   gboolean has_place;
   QnVec2 place; /* ringed, m */
   guint place_timeout;
@@ -52,7 +55,18 @@ const QnScene *qn_canvas_get_scene (QnCanvas *canvas);
 void qn_canvas_draw_below (QnCanvas *canvas, gboolean with_photo, cairo_t *cr);
 void qn_canvas_draw_above (QnCanvas *canvas, gboolean with_labels, cairo_t *cr);
 
-/* What the legend covers, px. */
+/* canvas-inspect.c: the card beside the pointer, and places of what is displaced. */
+void qn_canvas_draw_inspected (QnCanvas *canvas, cairo_t *cr);
+void qn_canvas_pointer_moved (QnCanvas *canvas);
+
+/* How the blocks are displaced in the scene that is shown; its model NULL: there is none. */
+QnMotion qn_canvas_get_motion (QnCanvas *canvas);
+QnVec2 qn_canvas_place (QnCanvas *canvas, const QnMotion *motion, QnId block, QnVec2 p);
+/* A joint on the screen. */
+void qn_canvas_joint_line (QnCanvas *canvas, const QnMotion *motion,
+                           const QnContactFace *face, QnVec2 line[2]);
+
+/* What the legend covers at the lower left, px. */
 QnBox qn_canvas_legend_box (QnCanvas *canvas, const QnScene *scene);
 
 /* Draws everything by Cairo. */

@@ -10,6 +10,10 @@
 #define CLICK_PX      4.0
 #define NODE_REACH_PX 7.0
 
+/* What black ink and white paper become in a dark window. */
+#define DARK_INK   0.92F
+#define DARK_PAPER 0.13F
+
 #define PX_PER_POINT (96.0 / 72.0)
 
 G_DEFINE_FINAL_TYPE (QnCanvas, qn_canvas, GTK_TYPE_WIDGET)
@@ -94,6 +98,35 @@ update_description (QnCanvas *self)
 
 /* ---- widget ---- */
 
+/* In dark windows the paper is dark, but for a photo, of which nothing would be recognised. */
+static gboolean
+is_dark (QnCanvas *self)
+{
+  GdkRGBA color;
+  gtk_style_context_get_color (gtk_widget_get_style_context (GTK_WIDGET (self)), &color);
+  return color.red + color.green + color.blue > 1.5f
+         && qn_view_state_get_underlay (self->state)->image == NULL;
+}
+
+/* Turns light into dark and keeps hues: white becomes a dark grey, black a light one. All drawing
+ * is done as on white paper. The rotation of hues by 180 degrees is that of SVG. */
+static void
+push_dark (GtkSnapshot *snapshot)
+{
+  static const float turn[3][3] = { { -0.574F, 1.430F, 0.144F },
+                                    { 0.426F, 0.430F, 0.144F },
+                                    { 0.426F, 1.430F, -0.856F } };
+  float values[16] = { [15] = 1.0F };
+  for (int row = 0; row < 3; row++)
+    for (int column = 0; column < 3; column++)
+      values[4 * column + row] = -(DARK_INK - DARK_PAPER) * turn[row][column];
+  graphene_matrix_t matrix;
+  graphene_vec4_t offset;
+  graphene_matrix_init_from_float (&matrix, values);
+  graphene_vec4_init (&offset, DARK_INK, DARK_INK, DARK_INK, 0.0F);
+  gtk_snapshot_push_color_matrix (snapshot, &matrix, &offset);
+}
+
 static void
 qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
 {
@@ -108,6 +141,9 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
     qn_canvas_fit_now (self);
   const graphene_rect_t all = GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height);
   const QnScene *scene = qn_canvas_get_scene (self);
+  gboolean dark = is_dark (self);
+  if (dark)
+    push_dark (snapshot);
   cairo_t *cr = gtk_snapshot_append_cairo (snapshot, &all);
   if (qn_gl_layer_prepare (QN_GL_LAYER (self->gl_layer), scene, &self->camera)) {
     qn_scene_cache_clear (&self->cache);
@@ -120,6 +156,8 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
     qn_canvas_draw (self, cr);
   }
   cairo_destroy (cr);
+  if (dark)
+    gtk_snapshot_pop (snapshot);
 }
 
 static void
@@ -146,6 +184,7 @@ qn_canvas_dispose (GObject *object)
   }
   g_signal_handlers_disconnect_by_data (qn_settings_get (), self);
   g_clear_handle_id (&self->place_timeout, g_source_remove);
+  g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   g_clear_handle_id (&self->rest_timeout, g_source_remove);
   g_clear_pointer (&self->gl_layer, gtk_widget_unparent);
   qn_scene_cache_clear (&self->cache);
@@ -458,15 +497,27 @@ qn_canvas_set_magnet_skip (QnCanvas *self, gboolean *skip)
   self->magnet_skip = skip;
 }
 
+/* Says what an edit has done or why it was refused. */
+static gboolean
+tell_outcome (QnCanvas *self, gboolean done, const GError *error)
+{
+  if (!done)
+    qn_canvas_emit_failed (self, error->message);
+  else if (qn_document_has_dissolved (qn_canvas_get_document (self)))
+    qn_canvas_emit_failed (
+      self, _ ("A wall has become free blocks, which its own measures do not change any "
+               "more. Undo makes it a wall again."));
+  return done;
+}
+
 gboolean
 qn_canvas_edit (QnCanvas *self, const char *name, const char *key, QnEditFunc func,
                 gpointer data)
 {
   g_autoptr (GError) error = NULL;
-  if (qn_document_edit (qn_canvas_get_document (self), name, key, func, data, &error))
-    return TRUE;
-  qn_canvas_emit_failed (self, error->message);
-  return FALSE;
+  gboolean done =
+    qn_document_edit (qn_canvas_get_document (self), name, key, func, data, &error);
+  return tell_outcome (self, done, error);
 }
 
 gboolean
@@ -474,11 +525,9 @@ qn_canvas_edit_project (QnCanvas *self, const char *name, const char *key,
                         QnProjectEditFunc func, gpointer data)
 {
   g_autoptr (GError) error = NULL;
-  if (qn_document_edit_project (qn_canvas_get_document (self), name, key, func, data,
-                                &error))
-    return TRUE;
-  qn_canvas_emit_failed (self, error->message);
-  return FALSE;
+  gboolean done = qn_document_edit_project (qn_canvas_get_document (self), name, key,
+                                            func, data, &error);
+  return tell_outcome (self, done, error);
 }
 
 static const char *

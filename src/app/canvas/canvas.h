@@ -37,6 +37,9 @@ void qn_canvas_zoom (QnCanvas *canvas, double factor); /* about the middle */
 /* Brings a place into view and rings it. */
 void qn_canvas_show_place (QnCanvas *canvas, QnVec2 at);
 
+/* Brings an area into view, where it is not. */
+void qn_canvas_show_area (QnCanvas *canvas, QnVec2 low, QnVec2 high);
+
 /* What part is in view; the viewport is the canvas's own. Borrowed, and copied. */
 const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
 void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
@@ -62,6 +65,10 @@ QnVec2 qn_canvas_to_screen (QnCanvas *canvas, QnVec2 point);
 /* Topmost entity of these kinds under the pointer; kinds as of qn_pick_at(). */
 QnPick qn_canvas_pick (QnCanvas *canvas, QnVec2 screen, unsigned kinds);
 void qn_canvas_pick_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
+
+/* The joint of the view's model that is drawn under the pointer, in any view, or QN_NONE; none beside
+ * blocks that are small on the screen. */
+QnId qn_canvas_pick_joint (QnCanvas *canvas, QnVec2 screen);
 
 /* Faces whose middle lies in the rectangle between two points of the model. */
 void qn_canvas_faces_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);

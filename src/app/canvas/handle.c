@@ -7,9 +7,10 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#define HANDLE_PX 4.5  /* half a side of the square */
-#define REACH_PX  8.0  /* how near the pointer must be */
-#define TURN_PX   28.0 /* of the turning handle above the selection */
+#define HANDLE_PX      4.5  /* half a side of the square */
+#define REACH_PX       8.0  /* how near the pointer must be */
+#define LEAST_APART_PX 20.0 /* handles of one thing */
+#define TURN_PX        28.0 /* of the turning handle above the selection */
 
 /* Blocks with more corners show none of them: a curve, not a shape to edit by hand. */
 #define MOST_CORNERS 40
@@ -90,7 +91,7 @@ add_node_grips (QnCanvas *canvas, GArray *grips)
 
 /* Handles of what is selected, none in views of results. */
 static GArray *
-collect (QnCanvas *canvas)
+collect_all (QnCanvas *canvas)
 {
   GArray *grips = g_array_new (FALSE, FALSE, sizeof (QnGrip));
   if (qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas))))
@@ -123,6 +124,32 @@ collect (QnCanvas *canvas)
     alone = model->blocks[ids[i]].masonry == first;
   if (alone)
     add_masonry_grips (canvas, grips, first, QN_NO_OPENING);
+  return grips;
+}
+
+/* Handles that come too near to each other would cover what they change; the one that turns stands
+ * beside it. */
+static GArray *
+collect (QnCanvas *canvas)
+{
+  GArray *grips = collect_all (canvas);
+  double nearest = INFINITY;
+  for (guint i = 0; i < grips->len; i++)
+    for (guint k = i + 1; k < grips->len && grips->len <= 2 * MOST_CORNERS; k++) {
+      const QnGrip *a = &g_array_index (grips, QnGrip, i);
+      const QnGrip *b = &g_array_index (grips, QnGrip, k);
+      if (a->kind == QN_GRIP_TURN || b->kind == QN_GRIP_TURN || a->kind == QN_GRIP_NODE
+          || b->kind == QN_GRIP_NODE)
+        continue;
+      QnVec2 way = qn_vec2_sub (qn_canvas_to_screen (canvas, a->at),
+                                qn_canvas_to_screen (canvas, b->at));
+      nearest = MIN (nearest, qn_vec2_length (way));
+    }
+  for (guint i = grips->len; i-- > 0 && nearest < LEAST_APART_PX;) {
+    QnGripKind kind = g_array_index (grips, QnGrip, i).kind;
+    if (kind == QN_GRIP_CORNER || kind == QN_GRIP_MASONRY)
+      g_array_remove_index (grips, i);
+  }
   return grips;
 }
 
@@ -172,6 +199,8 @@ draw_opening_outline (QnCanvas *canvas, cairo_t *cr)
   QnId object;
   int opening;
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  if (qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas))))
+    return;
   if (!qn_selection_get_opening (qn_canvas_get_selection (canvas), &object, &opening)
       || (gsize) object >= list->count
       || (gsize) opening >= list->items[object].wall.opening_count)
@@ -186,8 +215,7 @@ void
 qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
 {
   g_autoptr (GArray) grips = collect (canvas);
-  if (grips->len > 0)
-    draw_opening_outline (canvas, cr);
+  draw_opening_outline (canvas, cr);
   for (guint i = 0; i < grips->len; i++) {
     const QnGrip *grip = &g_array_index (grips, QnGrip, i);
     QnVec2 s = qn_canvas_to_screen (canvas, grip->at);
@@ -215,6 +243,7 @@ typedef struct Drag {
   QnGrip grip;
   QnPartSet set;
   QnVec2 from, to;
+  double typed_angle; /* rad, or NAN */
   gboolean snap;
 } Drag;
 
@@ -226,6 +255,7 @@ drag_of_gesture (QnCanvas *canvas)
   return (Drag){ .grip = gesture->grip,
                  .from = gesture->from,
                  .to = gesture->to,
+                 .typed_angle = NAN,
                  .snap = qn_canvas_snaps (canvas) };
 }
 
@@ -237,6 +267,8 @@ turn_angle (const Drag *drag)
   double angle = atan2 (qn_vec2_cross (a, b), qn_vec2_dot (a, b));
   /* Whole degrees, and the quarters with some pull. */
   double quarter = round (angle / G_PI_2) * G_PI_2, degree = G_PI / 180.0;
+  if (!isnan (drag->typed_angle))
+    return drag->typed_angle;
   if (!drag->snap)
     return angle;
   return fabs (angle - quarter) < 3.0 * degree ? quarter
@@ -305,10 +337,11 @@ step_name (QnCanvas *canvas, const QnGrip *grip)
   return _ ("Change Masonry");
 }
 
-void
-qn_handle_finish (QnCanvas *canvas)
+static void
+finish (QnCanvas *canvas, double typed_angle)
 {
   Drag drag = drag_of_gesture (canvas);
+  drag.typed_angle = typed_angle;
   drag.set = qn_canvas_dup_parts (canvas);
   const char *name =
     drag.grip.kind == QN_GRIP_MASONRY ? step_name (canvas, &drag.grip) : NULL;
@@ -323,6 +356,18 @@ qn_handle_finish (QnCanvas *canvas)
   else if (drag.grip.kind == QN_GRIP_NODE)
     qn_canvas_edit (canvas, _ ("Move Beam End"), NULL, edit_node, &drag);
   qn_part_set_clear (&drag.set);
+}
+
+void
+qn_handle_finish (QnCanvas *canvas)
+{
+  finish (canvas, NAN);
+}
+
+void
+qn_handle_turn (QnCanvas *canvas, double angle)
+{
+  finish (canvas, angle);
 }
 
 static void

@@ -18,6 +18,9 @@ void qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr);
 /* What dragging the grip to the gesture's end would give. */
 void qn_handle_draw_drag (QnCanvas *canvas, cairo_t *cr);
 
+/* Turns the selection by an angle (rad) about the middle that the grip has, and ends the gesture. */
+void qn_handle_turn (QnCanvas *canvas, double angle);
+
 /* Does it, and ends the gesture. */
 void qn_handle_finish (QnCanvas *canvas);
 

@@ -68,6 +68,8 @@ typedef struct QnTool {
   gboolean magnetic;         /* whether the magnet works before a gesture has begun */
   const char *numbers_label; /* translatable: "width; height", what can be typed */
   QnQuantity quantities[QN_TOOL_NUMBERS]; /* of the typed numbers */
+  gboolean
+    numbers_at_rest; /* numbers can be typed for what is selected, without a gesture */
 
   void (*press) (QnCanvas *canvas, const QnToolEvent *event);
   void (*motion) (QnCanvas *canvas, const QnToolEvent *event);

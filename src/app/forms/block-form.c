@@ -1,20 +1,9 @@
 /* The selected blocks: what they are made of, and how they are held. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
-#include "app/widgets/settings.h"
 #include <glib/gi18n.h>
 
-enum {
-  TITLE,
-  NAME,
-  THICKNESS,
-  WEIGHT,
-  LAW,
-  SUPPORTS,
-  SUPPORT,
-  FACTS = SUPPORT + 3,
-  JOIN
-};
+enum { TITLE, NAME, THICKNESS, WEIGHT, LAW, SUPPORTS, SUPPORT, JOIN = SUPPORT + 3 };
 
 static const QnFormField fields[] = {
   [TITLE] = { .id = "title" },
@@ -26,7 +15,6 @@ static const QnFormField fields[] = {
   [SUPPORT + QN_DOF_UX] = { .id = "support_x", .step = N_ ("Set Support") },
   [SUPPORT + QN_DOF_UY] = { .id = "support_y", .step = N_ ("Set Support") },
   [SUPPORT + QN_DOF_RZ] = { .id = "support_turn", .step = N_ ("Set Support") },
-  [FACTS] = { .id = "facts" },
   [JOIN] = { .id = "join" },
 };
 
@@ -42,23 +30,6 @@ static gboolean
 look (gpointer form)
 {
   return selected (form).count > 0;
-}
-
-static char *
-dup_facts (const QnModel *model, QnBlockSet set)
-{
-  const QnBlock *block = &model->blocks[set.ids[0]];
-  QnUnits units = qn_settings_get_units ();
-  double weight = 0.0;
-  for (guint i = 0; i < set.count; i++)
-    weight += model->blocks[set.ids[i]].weight;
-  g_autofree char *force = qn_units_format_full (units, QN_QUANTITY_FORCE, weight, 4);
-  g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, block->centroid.x, 5);
-  g_autofree char *y =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, block->centroid.y, 5);
-  return set.count == 1
-           ? g_strdup_printf (_ ("Weight %s, centroid at %s; %s"), force, x, y)
-           : g_strdup_printf (_ ("Weight %s in all"), force);
 }
 
 static gboolean
@@ -94,9 +65,6 @@ show (gpointer data, guint field, QnValue *value)
     qn_value_set_laws (value, model, _ ("As all contacts"), block->law);
     return !masonry;
   case SUPPORTS:
-    return TRUE;
-  case FACTS:
-    value->text = dup_facts (model, set);
     return TRUE;
   case JOIN:
     return set.count > 1;

@@ -20,6 +20,10 @@ GtkWidget *qn_masonry_form_new (QnCanvas *canvas);
 GtkWidget *qn_opening_form_new (QnCanvas *canvas);
 GtkWidget *qn_face_form_new (QnCanvas *canvas);
 
+/* Where the selection is, by numbers; the corners of a single block. */
+GtkWidget *qn_place_form_new (QnCanvas *canvas);
+GtkWidget *qn_corner_table_new (QnCanvas *canvas);
+
 /* A button that makes free blocks of the selected wall or masonry; for the forms of both. */
 GtkWidget *qn_detach_button_new (void);
 
@@ -52,6 +56,10 @@ GtkWidget *qn_beam_table_new (QnCanvas *canvas);
 
 /* The answer of the current run beside everything else that was found for the same model. */
 GtkWidget *qn_answer_card_new (QnDocument *document);
+
+/* What the selected joint or block does at the step shown: its values, and of a joint the diagram of
+ * normal against shear force. Hidden where there is nothing to tell. */
+GtkWidget *qn_inspector_new (QnCanvas *canvas);
 
 /* What contact detection has to tell, with buttons that show the place. */
 GtkWidget *qn_findings_panel_new (QnCanvas *canvas);

@@ -28,9 +28,12 @@ angle_of_gesture (QnCanvas *canvas)
 static void
 rotate (QnCanvas *canvas, double angle)
 {
+  QnVec2 low, high, center = qn_canvas_get_gesture (canvas)->from;
+  /* Typed before a centre was clicked: about the middle of what is selected. */
+  if (!qn_canvas_is_in_gesture (canvas) && qn_canvas_get_parts_box (canvas, &low, &high))
+    center = qn_vec2_lerp (low, high, 0.5);
   QnPartSet set = qn_canvas_dup_parts (canvas);
-  Turn turn = { set,
-                qn_transform_rotation (qn_canvas_get_gesture (canvas)->from, angle) };
+  Turn turn = { set, qn_transform_rotation (center, angle) };
   qn_canvas_set_in_gesture (canvas, FALSE);
   qn_canvas_edit_project (canvas, _ ("Rotate"), NULL, edit_turn, &turn);
   qn_part_set_clear (&set);
@@ -94,6 +97,7 @@ const QnTool qn_tool_rotate = {
   .magnetic = TRUE,
   .numbers_label = N_ ("angle"),
   .quantities = { QN_QUANTITY_ANGLE },
+  .numbers_at_rest = TRUE,
   .press = qn_gesture_press,
   .motion = qn_gesture_motion_straight,
   .release = qn_gesture_release,

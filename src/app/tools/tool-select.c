@@ -122,25 +122,76 @@ shows_contacts (QnCanvas *canvas)
   return qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_CONTACTS;
 }
 
+/* Whether what the view shows is of the document's model, so that numbers are the same. */
 static gboolean
-press_on_face (QnCanvas *canvas, const QnToolEvent *event)
+shows_document (QnCanvas *canvas)
+{
+  QnDocument *document = qn_canvas_get_document (canvas);
+  const QnRun *run = qn_document_get_run (document);
+  return shows_undeformed (canvas)
+         || (run != NULL && !qn_document_is_stale (document, run));
+}
+
+static QnId
+face_under (QnCanvas *canvas, const QnToolEvent *event)
+{
+  if (!shows_contacts (canvas))
+    return shows_document (canvas) ? qn_canvas_pick_joint (canvas, event->screen)
+                                   : QN_NONE;
+  QnPick face = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
+  return face.kind == QN_PICK_FACE ? face.id : QN_NONE;
+}
+
+static void
+select_face (QnCanvas *canvas, QnId face, const QnToolEvent *event)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
-  QnPick face = { QN_PICK_NOTHING, QN_NONE, 0 };
-  if (shows_contacts (canvas))
-    face = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
-  if (face.kind != QN_PICK_FACE)
-    return FALSE;
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK))
-    qn_selection_toggle_face (selection, face.id);
+    qn_selection_toggle_face (selection, face);
   else if (event->press_count > 1)
-    qn_selection_select_faces_like (selection, contacts, face.id,
+    qn_selection_select_faces_like (selection, contacts, face,
                                     event->press_count == 2 ? QN_LIKE_LINE
                                                             : QN_LIKE_DIRECTION);
   else
-    qn_selection_set_face (selection, face.id);
+    qn_selection_set_face (selection, face);
+}
+
+/* In the view of the model a drag moves what lies under the pointer: there a joint is selected by a
+ * click, when the button is let go. */
+static gboolean
+press_on_face (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnId face = face_under (canvas, event);
+  if (face == QN_NONE
+      || qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_MODEL)
+    return FALSE;
+  select_face (canvas, face, event);
   return TRUE;
+}
+
+static void
+click_on_face (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnId face = face_under (canvas, event);
+  gboolean plain = (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) == 0;
+  if (face != QN_NONE && plain && event->press_count == 1
+      && qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_MODEL)
+    qn_selection_set_face (qn_canvas_get_selection (canvas), face);
+}
+
+/* The document's block of the same name as one that the view shows, or QN_NONE. */
+static QnId
+to_document (QnCanvas *canvas, QnId block)
+{
+  const QnModel *shown;
+  const QnContacts *contacts;
+  const QnResult *result;
+  if (shows_document (canvas)
+      || !qn_view_state_get_content (qn_canvas_get_state (canvas), &shown, &contacts,
+                                     &result))
+    return block;
+  return qn_model_find_block (qn_canvas_get_model (canvas), shown->blocks[block].name);
 }
 
 /* ---- openings and handles ---- */
@@ -186,7 +237,9 @@ press (QnCanvas *canvas, const QnToolEvent *event)
     return;
   }
   if (pick.kind == QN_PICK_BLOCK) {
-    press_on_block (canvas, pick.id, event);
+    QnId block = to_document (canvas, pick.id);
+    if (block != QN_NONE)
+      press_on_block (canvas, block, event);
     return;
   }
   if (press_on_opening (canvas, event))
@@ -219,6 +272,45 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
       gesture->to.y = gesture->from.y;
     else
       gesture->to.x = gesture->from.x;
+  }
+}
+
+void
+qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnMasonries *list = qn_canvas_get_masonry (canvas);
+  QnVec2 at = qn_camera_to_model (qn_canvas_get_camera (canvas), screen);
+  QnToolEvent event = { .screen = screen, .model = at, .point = at, .press_count = 1 };
+  guint count = 0;
+  QnId face = face_under (canvas, &event);
+  if (face != QN_NONE) {
+    const QnId *faces = qn_selection_get_faces (selection, &count);
+    for (guint i = 0; i < count; i++)
+      if (faces[i] == face)
+        return;
+    qn_selection_set_face (selection, face);
+    return;
+  }
+  QnPick pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
+  QnId block = pick.kind == QN_PICK_BLOCK ? to_document (canvas, pick.id) : QN_NONE;
+  if (block != QN_NONE) {
+    if (!qn_selection_has_block (selection, block))
+      qn_selection_set_blocks (selection, &block, 1);
+    return;
+  }
+  if (pick.kind == QN_PICK_BEAM && shows_document (canvas)) {
+    if (!qn_selection_has_beam (selection, pick.id))
+      qn_selection_set_beams (selection, &pick.id, 1);
+    return;
+  }
+  qn_selection_clear (selection);
+  for (gsize i = list->count; i > 0 && shows_undeformed (canvas); i--) {
+    int opening = qn_masonry_opening_at (&list->items[i - 1], at);
+    if (opening == QN_NO_OPENING)
+      continue;
+    qn_selection_set_opening (selection, (QnId) (i - 1), opening);
+    return;
   }
 }
 
@@ -268,10 +360,11 @@ finish_band (QnCanvas *canvas)
 static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  (void) event;
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (!qn_canvas_is_in_gesture (canvas))
     return;
+  if (!gesture->dragging && gesture->grip.kind == QN_GRIP_NONE && !gesture->band)
+    click_on_face (canvas, event);
   if (gesture->band && gesture->dragging)
     finish_band (canvas);
   else if (gesture->grip.kind != QN_GRIP_NONE && gesture->dragging) {
@@ -289,8 +382,13 @@ static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (count < 1 || count > 2 || gesture->band || gesture->grip.kind == QN_GRIP_TURN)
+  if (count < 1 || count > 2 || gesture->band)
     return FALSE;
+  if (gesture->grip.kind == QN_GRIP_TURN) {
+    qn_handle_turn (canvas, values[0]);
+    return count == 1;
+  }
+  carry_whole (canvas);
   if (gesture->grip.kind != QN_GRIP_NONE) {
     gesture->to =
       qn_vec2_add (gesture->from, qn_vec2 (values[0], count > 1 ? values[1] : 0.0));
@@ -336,10 +434,11 @@ const QnTool qn_tool_select = {
   .label = N_ ("Select and Move"),
   .hint = N_ (
     "Click selects, double click a course, triple click a wall; drag to move, handles "
-    "change; numbers move exactly"),
+    "change; type “right; up” and Enter to move exactly"),
   .accel = "v",
   .numbers_label = N_ ("right; up"),
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
+  .numbers_at_rest = TRUE,
   .press = press,
   .motion = motion,
   .release = release,

@@ -4,6 +4,10 @@
 
 #include "app/canvas/tool.h"
 
+/* Selects what lies at a place of the screen, as a click of the select tool does, unless it is selected
+ * already; nothing where there is nothing. */
+void qn_tool_select_under (QnCanvas *canvas, QnVec2 screen);
+
 /* In the order of the palette; NULL-terminated. */
 extern const QnTool *const qn_tools[];
 const QnTool *qn_tool_find (const char *name);

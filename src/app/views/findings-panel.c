@@ -1,5 +1,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
 #include "doc/edit/edit-gaps.h"
@@ -95,6 +96,22 @@ on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
   qn_canvas_show_place (panel->canvas, finding->at);
 }
 
+static GMenuModel *
+make_row_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
+{
+  Panel *panel = data;
+  (void) place;
+  on_row_activated (NULL, GTK_LIST_BOX_ROW (gtk_widget_get_parent (box)), panel);
+  GMenu *menu = g_menu_new ();
+  g_autoptr (GMenuItem) copy = g_menu_item_new (_ ("_Copy Text"), NULL);
+  g_menu_item_set_action_and_target (
+    copy, "win.copy-text", "s",
+    (const char *) g_object_get_data (G_OBJECT (box), "qn-text"));
+  g_menu_append_item (menu, copy);
+  qn_menu_add (menu, _ ("_Fit"), "win.fit");
+  return G_MENU_MODEL (menu);
+}
+
 static GtkWidget *
 make_row (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean gaps)
 {
@@ -111,6 +128,8 @@ make_row (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean
   gtk_box_append (GTK_BOX (column), make_fixes (panel, model, finding, gaps));
   gtk_box_append (GTK_BOX (box), icon);
   gtk_box_append (GTK_BOX (box), column);
+  g_object_set_data_full (G_OBJECT (box), "qn-text", g_steal_pointer (&text), g_free);
+  qn_context_menu_attach (box, make_row_menu, panel);
   return box;
 }
 

@@ -38,7 +38,8 @@ qn_properties_panel_new (QnCanvas *canvas)
                               "contacts view, to change them here."));
   GtkWidget *parts[] = {
     qn_style_form_new (canvas),       panel->empty,
-    qn_block_form_new (canvas),       qn_wall_form_new (canvas),
+    qn_block_form_new (canvas),       qn_place_form_new (canvas),
+    qn_corner_table_new (canvas),     qn_wall_form_new (canvas),
     qn_opening_form_new (canvas),     qn_masonry_form_new (canvas),
     qn_face_form_new (canvas),        qn_beam_form_new (canvas),
     qn_beam_end_form_new (canvas, 0), qn_beam_end_form_new (canvas, 1),

@@ -157,6 +157,7 @@ build_content (Panel *panel)
   const char *const none[] = { NULL };
   GtkWidget *form = qn_form_new ();
   qn_form_add_wide (form, qn_answer_card_new (document_of (panel)));
+  qn_form_add_wide (form, qn_inspector_new (panel->canvas));
   panel->curve = qn_curve_view_new (panel->state);
   qn_form_add_wide (form, panel->curve);
   panel->runs =

@@ -2,6 +2,7 @@
  * their numbers up when they come into view. */
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/context-menu.h"
 #include "app/widgets/settings.h"
 #include "doc/text/beam-summary.h"
 #include "doc/text/explain.h"
@@ -12,16 +13,27 @@
 
 #define TABLE_HEIGHT 220
 
-typedef struct Table {
+#define MOST_COLUMNS 8
+
+typedef struct Table Table;
+typedef char *(*CellFunc) (const Table *table, const QnRun *run, guint row);
+
+typedef struct Column {
+  const Table *table;
+  CellFunc cell;
+} Column;
+
+struct Table {
   QnViewState *state;
   QnCanvas *canvas;  /* of contacts and beams */
   GtkWidget *widget; /* of beams */
   GtkStringList *rows;
   GtkSingleSelection *selection;
   GtkColumnViewColumn *stage; /* of steps: shown where there are stages */
-} Table;
-
-typedef char *(*CellFunc) (const Table *table, const QnRun *run, guint row);
+  const char *exported;       /* target of the action that writes the table to a file */
+  const Column *columns[MOST_COLUMNS]; /* the view's */
+  guint column_count;
+};
 
 /* An end of an element of a beam. */
 typedef struct BeamEnd {
@@ -29,11 +41,6 @@ typedef struct BeamEnd {
   double x; /* m, from the beam's first node */
   QnBeamPoint forces;
 } BeamEnd;
-
-typedef struct Column {
-  const Table *table;
-  CellFunc cell;
-} Column;
 
 static QnRun *
 run_of (const Table *table)
@@ -43,12 +50,40 @@ run_of (const Table *table)
 
 /* ---- columns ---- */
 
+/* The whole row as text, and the table as a file. */
+static GMenuModel *
+make_row_menu (GtkWidget *label, QnMenuPlace *place, gpointer data)
+{
+  const Column *column = data;
+  const Table *table = column->table;
+  const QnRun *run = run_of (table);
+  GtkListItem *cell = g_object_get_data (G_OBJECT (label), "qn-item");
+  guint row = gtk_list_item_get_position (cell);
+  (void) place;
+  if (run == NULL || row == GTK_INVALID_LIST_POSITION)
+    return NULL;
+  gtk_single_selection_set_selected (table->selection, row);
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (guint i = 0; i < table->column_count; i++) {
+    g_autofree char *value = table->columns[i]->cell (table, run, row);
+    g_string_append_printf (text, "%s%s", i > 0 ? "\t" : "", value);
+  }
+  GMenu *menu = g_menu_new ();
+  g_autoptr (GMenuItem) copy = g_menu_item_new (_ ("_Copy Row"), NULL);
+  g_menu_item_set_action_and_target (copy, "win.copy-text", "s", text->str);
+  g_menu_append_item (menu, copy);
+  g_autofree char *action = g_strdup_printf ("win.export-result::%s", table->exported);
+  qn_menu_add (menu, _ ("_Export Table…"), action);
+  return G_MENU_MODEL (menu);
+}
+
 static void
 on_setup_cell (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
 {
   (void) factory;
-  (void) data;
   GtkWidget *label = gtk_label_new (NULL);
+  g_object_set_data (G_OBJECT (label), "qn-item", item);
+  qn_context_menu_attach (label, make_row_menu, data);
   gtk_label_set_xalign (GTK_LABEL (label), 1.0f);
   gtk_widget_add_css_class (label, "numeric");
   gtk_list_item_set_child (item, label);
@@ -66,12 +101,13 @@ on_bind_cell (GtkSignalListItemFactory *factory, GtkListItem *item, Column *colu
 }
 
 static GtkColumnViewColumn *
-add_column (GtkWidget *view, const char *title, const Table *table, CellFunc cell)
+add_column (GtkWidget *view, const char *title, Table *table, CellFunc cell)
 {
   Column *data = g_new (Column, 1);
   *data = (Column){ table, cell };
+  table->columns[table->column_count++] = data;
   GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
-  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_cell), NULL);
+  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_cell), data);
   g_signal_connect_data (factory, "bind", G_CALLBACK (on_bind_cell), data,
                          (GClosureNotify) (gpointer) g_free, 0);
   g_autoptr (GtkColumnViewColumn) column = gtk_column_view_column_new (title, factory);
@@ -364,6 +400,7 @@ qn_step_table_new (QnViewState *state)
 {
   Table *table = g_new0 (Table, 1);
   table->state = state;
+  table->exported = "curve";
   GtkWidget *view = make_view (table, G_CALLBACK (on_step_selected));
   g_autofree char *displacement = dup_title (_ ("Largest motion"), QN_QUANTITY_LENGTH);
   add_column (view, _ ("Step"), table, cell_step);
@@ -387,8 +424,13 @@ on_contact_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *ta
   (void) pspec;
   guint row = gtk_single_selection_get_selected (selection);
   const QnRun *run = run_of (table);
-  if (run != NULL && row < run->contacts.pair_count)
-    qn_canvas_show_place (table->canvas, run->contacts.pairs[row].point);
+  if (run == NULL || row >= run->contacts.pair_count)
+    return;
+  /* Ringed, and told in the inspector where the drawing is still the same. */
+  qn_canvas_show_place (table->canvas, run->contacts.pairs[row].point);
+  if (!qn_document_is_stale (qn_canvas_get_document (table->canvas), run))
+    qn_selection_set_face (qn_canvas_get_selection (table->canvas),
+                           run->contacts.pairs[row].face);
 }
 
 static void
@@ -406,6 +448,7 @@ qn_contact_table_new (QnCanvas *canvas)
   Table *table = g_new0 (Table, 1);
   table->canvas = canvas;
   table->state = qn_canvas_get_state (canvas);
+  table->exported = "contacts";
   GtkWidget *view = make_view (table, G_CALLBACK (on_contact_selected));
   g_autofree char *normal = dup_title ("N", QN_QUANTITY_FORCE);
   g_autofree char *shear = dup_title ("T", QN_QUANTITY_FORCE);
@@ -454,6 +497,7 @@ qn_beam_table_new (QnCanvas *canvas)
   Table *table = g_new0 (Table, 1);
   table->canvas = canvas;
   table->state = qn_canvas_get_state (canvas);
+  table->exported = "beams";
   GtkWidget *view = make_view (table, G_CALLBACK (on_beam_selected));
   g_autofree char *place = dup_title ("x", QN_QUANTITY_LENGTH);
   g_autofree char *normal = dup_title ("N", QN_QUANTITY_FORCE);

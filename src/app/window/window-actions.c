@@ -99,8 +99,11 @@ static void
 show_panel (QnWindow *self, GVariant *parameter)
 {
   const char *name = g_variant_get_string (parameter, NULL);
-  if (gtk_stack_get_child_by_name (self->side_stack, name) != NULL)
-    gtk_stack_set_visible_child_name (self->side_stack, name);
+  if (gtk_stack_get_child_by_name (self->side_stack, name) == NULL)
+    return;
+  gtk_stack_set_visible_child_name (self->side_stack, name);
+  g_action_group_change_action_state (G_ACTION_GROUP (self), "side-panel",
+                                      g_variant_new_boolean (TRUE));
 }
 
 static void
@@ -144,6 +147,15 @@ on_view (GSimpleAction *action, GVariant *value, gpointer data)
 }
 
 static void
+on_side_panel (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  g_simple_action_set_state (action, value);
+  gtk_widget_set_visible (self->side_panel, g_variant_get_boolean (value));
+  qn_window_update_palette (self);
+}
+
+static void
 on_diagram (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
@@ -154,6 +166,17 @@ on_diagram (GSimpleAction *action, GVariant *value, gpointer data)
   qn_view_state_set_diagram (self->state, diagram);
   if (qn_document_get_run (self->document) != NULL)
     qn_view_state_set_view (self->state, QN_VIEW_DIAGRAMS);
+}
+
+static void
+on_field (GSimpleAction *action, GVariant *value, gpointer data)
+{
+  QnWindow *self = data;
+  QnField field;
+  if (!qn_field_parse (g_variant_get_string (value, NULL), &field))
+    return;
+  g_simple_action_set_state (action, value);
+  qn_view_state_set_field (self->state, field);
 }
 
 static void
@@ -184,6 +207,11 @@ add_stateful_actions (QnWindow *self)
       .parameter_type = "s",
       .state = "'M'",
       .change_state = on_diagram },
+    { .name = "side-panel", .state = "true", .change_state = on_side_panel },
+    { .name = "field",
+      .parameter_type = "s",
+      .state = "'none'",
+      .change_state = on_field },
   };
   g_action_map_add_action_entries (G_ACTION_MAP (self), entries, G_N_ELEMENTS (entries),
                                    self);
@@ -273,6 +301,11 @@ qn_window_update_actions (QnWindow *self)
       g_action_map_lookup_action (G_ACTION_MAP (self), row->name + strlen ("win."));
     g_simple_action_set_enabled (G_SIMPLE_ACTION (action), (row->needs & ~facts) == 0);
   }
+  /* Loads have a switch for the model, and one for results. */
+  GAction *loads = g_action_map_lookup_action (G_ACTION_MAP (self), "loads");
+  g_simple_action_set_state (
+    G_SIMPLE_ACTION (loads),
+    g_variant_new_boolean (qn_view_state_get_switch (self->state, "loads")));
   GAction *view = g_action_map_lookup_action (G_ACTION_MAP (self), "view");
   g_simple_action_set_state (
     G_SIMPLE_ACTION (view),

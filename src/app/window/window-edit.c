@@ -3,12 +3,18 @@
 #include "app/window/window-private.h"
 
 #include "core/base/integer.h"
+#include "doc/edit/edit-face.h"
 #include "doc/edit/edit-masonry.h"
+#include "doc/edit/edit-place.h"
 #include "doc/edit/edit-shape.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 /* px on the screen that an arrow key moves the selection by, when there is no grid. */
 #define NUDGE_PX 5.0
+
+/* Places beside their old one, a quarter of their width apart, that are tried for pasted blocks. */
+#define MOST_PLACES 400
 
 typedef struct Edit {
   QnPartSet set;
@@ -310,6 +316,145 @@ select_faces_like (QnWindow *self, GVariant *parameter)
                                                                     : QN_LIKE_LAW);
 }
 
+/* ---- in line, at equal distances; supports, joints, loads of context menus ---- */
+
+typedef struct Arrange {
+  QnPartSet set;
+  QnAlign align;
+  QnSpread spread;
+} Arrange;
+
+static gboolean
+edit_align (QnProject *draft, gpointer data, GError **error)
+{
+  const Arrange *arrange = data;
+  return qn_edit_align (draft, arrange->set, arrange->align, error);
+}
+
+static gboolean
+edit_spread (QnProject *draft, gpointer data, GError **error)
+{
+  const Arrange *arrange = data;
+  return qn_edit_spread (draft, arrange->set, arrange->spread, error);
+}
+
+static void
+align (QnWindow *self, GVariant *parameter)
+{
+  Arrange arrange = { 0 };
+  if (!qn_align_parse (g_variant_get_string (parameter, NULL), &arrange.align))
+    return;
+  arrange.set = qn_canvas_dup_parts (self->canvas);
+  qn_canvas_edit_project (self->canvas, _ ("Align"), NULL, edit_align, &arrange);
+  qn_part_set_clear (&arrange.set);
+}
+
+static void
+distribute (QnWindow *self, GVariant *parameter)
+{
+  Arrange arrange = { 0 };
+  if (!qn_spread_parse (g_variant_get_string (parameter, NULL), &arrange.spread))
+    return;
+  arrange.set = qn_canvas_dup_parts (self->canvas);
+  qn_canvas_edit_project (self->canvas, _ ("Distribute"), NULL, edit_spread, &arrange);
+  qn_part_set_clear (&arrange.set);
+}
+
+typedef struct Holding {
+  QnBlockSet set;
+  bool support[QN_DOF_COUNT];
+} Holding;
+
+static gboolean
+edit_support (QnModel *model, gpointer data, GError **error)
+{
+  const Holding *holding = data;
+  return qn_edit_set_support (model, holding->set, holding->support, error);
+}
+
+static void
+hold (QnWindow *self, GVariant *parameter)
+{
+  static const struct {
+    const char *name;
+    bool support[QN_DOF_COUNT];
+  } kinds[] = { { "fixed", { true, true, true } },
+                { "pinned", { true, true, false } },
+                { "roller", { false, true, false } },
+                { "free", { false, false, false } } };
+  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
+    if (!g_str_equal (kinds[i].name, g_variant_get_string (parameter, NULL)))
+      continue;
+    Holding holding = { .set = qn_canvas_dup_selected (self->canvas) };
+    memcpy (holding.support, kinds[i].support, sizeof holding.support);
+    qn_canvas_edit (self->canvas, _ ("Set Support"), NULL, edit_support, &holding);
+    g_free ((gpointer) holding.set.ids);
+    return;
+  }
+}
+
+typedef struct JointLaw {
+  GArray *faces; /* of QnContactFace */
+  const char *law;
+} JointLaw;
+
+static gboolean
+edit_joint_law (QnModel *model, gpointer data, GError **error)
+{
+  const JointLaw *joints = data;
+  QnId law = *joints->law != '\0' ? qn_model_find_law (model, joints->law) : QN_NONE;
+  QnFaceSet set = { (const QnContactFace *) joints->faces->data, joints->faces->len };
+  return qn_edit_set_face_law (model, set, law, error);
+}
+
+static void
+set_joint_law (QnWindow *self, GVariant *parameter)
+{
+  const QnContacts *contacts = qn_document_get_contacts (self->document);
+  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
+  guint count = 0;
+  const QnId *ids =
+    qn_selection_get_faces (qn_document_get_selection (self->document), &count);
+  for (guint i = 0; i < count; i++)
+    if ((gsize) ids[i] < contacts->face_count)
+      g_array_append_val (faces, contacts->faces[ids[i]]);
+  g_autofree char *law = g_variant_dup_string (parameter, NULL);
+  JointLaw joints = { faces, law };
+  if (faces->len > 0)
+    qn_canvas_edit (self->canvas, _ ("Set Law of Joints"), NULL, edit_joint_law, &joints);
+}
+
+typedef struct GoneLoad {
+  gboolean live;
+  int load;
+} GoneLoad;
+
+static gboolean
+edit_delete_load (QnModel *model, gpointer data, GError **error)
+{
+  const GoneLoad *gone = data;
+  return qn_edit_delete_load (model, gone->live, gone->load, error);
+}
+
+static void
+delete_load (QnWindow *self, GVariant *parameter)
+{
+  GoneLoad gone;
+  const QnModel *model = qn_document_get_model (self->document);
+  g_variant_get (parameter, "(bi)", &gone.live, &gone.load);
+  gsize count = gone.live ? model->live_load_count : model->dead_load_count;
+  if (gone.load >= 0 && (gsize) gone.load < count)
+    qn_canvas_edit (self->canvas, _ ("Delete Load"), NULL, edit_delete_load, &gone);
+}
+
+/* A row of a list. */
+static void
+copy_text (QnWindow *self, GVariant *parameter)
+{
+  gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (self)),
+                          g_variant_get_string (parameter, NULL));
+}
+
 /* ---- clipboard: blocks travel as a project of their own ---- */
 
 static void
@@ -350,58 +495,104 @@ cut (QnWindow *self, GVariant *parameter)
   edit_parts (self, _ ("Cut"), edit_cut);
 }
 
-/* One line of what copy() wrote. */
-static gboolean
-paste_line (QnModel *model, const char *line, double offset, GError **error)
+/* Blocks of the clipboard, as lines of what copy() wrote, and where they go. */
+typedef struct Paste {
+  GStrv lines;
+  QnVec2 by;
+} Paste;
+
+/* Reads a line; the corners are the caller's to free, NULL where it is none. */
+static QnVec2 *
+read_line (const char *line, double head[4], int *count)
 {
   char *at = (char *) line;
-  double head[4];
   for (int i = 0; i < 4; i++)
     head[i] = g_ascii_strtod (at, &at);
-  int count = (int) qn_to_integer (head[0], 3, 100000);
-  bool fixed = head[1] != 0.0;
-  QnBlockStyle style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } };
-  g_autofree QnVec2 *vertices = g_new (QnVec2, (gsize) count);
-  for (int i = 0; i < count; i++) {
-    vertices[i].x = g_ascii_strtod (at, &at) + offset;
+  *count = (int) qn_to_integer (head[0], 0, 100000);
+  if (*count < 3)
+    return NULL;
+  QnVec2 *vertices = g_new (QnVec2, (gsize) *count);
+  for (int i = 0; i < *count; i++) {
+    vertices[i].x = g_ascii_strtod (at, &at);
     vertices[i].y = g_ascii_strtod (at, &at);
   }
-  return qn_edit_add_block (model, vertices, (guint) count, style, error);
+  return vertices;
+}
+
+static gboolean
+paste_line (QnModel *model, const char *line, QnVec2 by, GError **error)
+{
+  double head[4];
+  int count = 0;
+  g_autofree QnVec2 *vertices = read_line (line, head, &count);
+  bool fixed = head[1] != 0.0;
+  QnBlockStyle style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } };
+  for (int i = 0; vertices != NULL && i < count; i++)
+    vertices[i] = qn_vec2_add (vertices[i], by);
+  return qn_edit_add_block (model, vertices, (guint) (vertices != NULL ? count : 0),
+                            style, error);
 }
 
 static gboolean
 edit_paste (QnModel *model, gpointer data, GError **error)
 {
-  g_auto (GStrv) lines = g_strsplit (data, "\n", -1);
-  if (g_strcmp0 (lines[0], "quoin-blocks") != 0) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There are no blocks on the clipboard"));
-    return FALSE;
-  }
-  /* Beside everything there is, where nothing overlaps. */
-  double left = INFINITY, right = -INFINITY;
-  for (gsize i = 0; i < model->vertex_count; i++)
-    right = MAX (right, model->vertices[i].x);
-  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
-    char *at = lines[i];
-    for (int k = 0; k < 4; k++)
-      g_ascii_strtod (at, &at);
-    while (*at != '\0') {
-      char *before = at;
-      left = MIN (left, g_ascii_strtod (at, &at));
-      g_ascii_strtod (at, &at);
-      if (at == before)
-        break;
-    }
-  }
-  double offset = isfinite (left) && isfinite (right)
-                    ? right - left + model->characteristic_length
-                    : 0.0;
-  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
-    if (!paste_line (model, lines[i], offset, error))
+  const Paste *paste = data;
+  for (int i = 1; paste->lines[i] != NULL && *paste->lines[i] != '\0'; i++) {
+    if (!paste_line (model, paste->lines[i], paste->by, error))
       return FALSE;
   }
   return TRUE;
+}
+
+static QnBox
+box_of_lines (GStrv lines)
+{
+  QnBox box = QN_BOX_EMPTY;
+  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
+    double head[4];
+    int count = 0;
+    g_autofree QnVec2 *vertices = read_line (lines[i], head, &count);
+    for (int k = 0; vertices != NULL && k < count; k++)
+      qn_box_add_point (&box, vertices[k]);
+  }
+  return box;
+}
+
+/* Whether no block reaches into the box. */
+static gboolean
+is_free (const QnModel *model, QnBox box, QnVec2 by)
+{
+  double touch = 1e-9 * (1.0 + qn_vec2_length (qn_vec2_sub (box.max, box.min)));
+  for (gsize i = 0; i < model->block_count; i++) {
+    QnBox other = QN_BOX_EMPTY;
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) i);
+    for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
+      qn_box_add_point (&other, v[k]);
+    if (box.min.x + by.x < other.max.x - touch && box.max.x + by.x > other.min.x + touch
+        && box.min.y + by.y < other.max.y - touch
+        && box.max.y + by.y > other.min.y + touch)
+      return FALSE;
+  }
+  return TRUE;
+}
+
+/* Where they were, if that is free by now; else beside that, as near as there is room; else beside
+ * everything. */
+static QnVec2
+find_room (const QnModel *model, QnBox box)
+{
+  double width = box.max.x - box.min.x, right = -INFINITY;
+  if (is_free (model, box, qn_vec2 (0.0, 0.0)))
+    return qn_vec2 (0.0, 0.0);
+  for (int i = 1; i <= MOST_PLACES; i++)
+    for (int side = 1; side >= -1; side -= 2) {
+      QnVec2 by = qn_vec2 (0.25 * side * (i + 4) * width, 0.0);
+      if (is_free (model, box, by))
+        return by;
+    }
+  for (gsize i = 0; i < model->vertex_count; i++)
+    right = MAX (right, model->vertices[i].x);
+  return qn_vec2 (right - box.min.x + 0.25 * width, 0.0);
 }
 
 static void
@@ -410,9 +601,25 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
   g_autoptr (QnWindow) self = data;
   g_autofree char *text =
     gdk_clipboard_read_text_finish (GDK_CLIPBOARD (source), result, NULL);
-  if (self->canvas != NULL) /* NULL: the window was closed meanwhile */
-    qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste,
-                    text != NULL ? text : (char *) "");
+  if (self->canvas == NULL) /* the window was closed meanwhile */
+    return;
+  g_auto (GStrv) lines = g_strsplit (text != NULL ? text : "", "\n", -1);
+  QnBox box = box_of_lines (lines);
+  if (g_strcmp0 (lines[0], "quoin-blocks") != 0 || !(box.min.x <= box.max.x)) {
+    qn_window_show_error (self, _ ("There are no blocks on the clipboard"));
+    return;
+  }
+  const QnModel *model = qn_document_get_model (self->document);
+  QnModel before;
+  if (qn_model_copy (model, &before, NULL) != QN_OK)
+    return;
+  Paste paste = { lines, find_room (model, box) };
+  if (qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste, &paste)) {
+    select_added (self, &before);
+    qn_canvas_show_area (self->canvas, qn_vec2_add (box.min, paste.by),
+                         qn_vec2_add (box.max, paste.by));
+  }
+  qn_model_clear (&before);
 }
 
 static void
@@ -435,6 +642,12 @@ qn_window_add_edit_actions (QnWindow *self)
     { "join", NULL, join },
     { "array", "(iddd)", array },
     { "nudge", "(dd)", nudge },
+    { "align", "s", align },
+    { "distribute", "s", distribute },
+    { "support", "s", hold },
+    { "joint-law", "s", set_joint_law },
+    { "delete-load", "(bi)", delete_load },
+    { "copy-text", "s", copy_text },
     { "undo", NULL, undo },
     { "redo", NULL, redo },
     { "select-all", NULL, select_all },

@@ -39,19 +39,27 @@ struct _QnWindow {
   GtkBox *start_box, *tool_box, *canvas_box, *view_box;
   GtkInfoBar *info_bar;
   GtkButton *info_button, *run_button, *undo_button, *redo_button;
-  GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box;
+  GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box,
+    *field_button;
   GtkProgressBar *progress_bar;
   GtkMenuButton *history_button;
   GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,
     *findings_scroller;
   QnCanvas *canvas;
-  GtkWidget *playback;
+  GtkWidget *playback, *side_panel, *export_button;
+  gboolean is_narrow; /* too narrow for drawing and side panel beside each other */
 };
 
 /* window-actions.c: actions of viewing, tools, panels. */
 void qn_window_add_actions (QnWindow *window);
 void qn_window_update_actions (QnWindow *window);
 void qn_window_add_keys (QnWindow *window);
+
+/* Tools make room for the side panel of a narrow window. */
+void qn_window_update_palette (QnWindow *window);
+
+/* window-menu.c: the context menu of the drawing. */
+void qn_window_add_context_menu (QnWindow *window);
 
 /* window-help.c: pages of the manual. */
 void qn_window_add_help_pages (QnWindow *window);

@@ -15,6 +15,9 @@
 /* How long good news stay. */
 #define MESSAGE_SECONDS 6
 
+/* px of the window below which the side panel folds away. */
+#define FOLD_WIDTH 900
+
 G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
 
 QnDocument *
@@ -120,15 +123,18 @@ update_stale (QnWindow *self)
   gtk_widget_set_visible (self->stale_label, age != QN_RUN_CURRENT);
 }
 
-/* Beams have views that blocks do not need. */
+/* Beams have views that blocks do not need, results colours that the model does not have. */
 static void
-update_beam_views (QnWindow *self)
+update_view_buttons (QnWindow *self)
 {
   const QnRun *run = qn_document_get_run (self->document);
   gboolean beams = qn_document_get_model (self->document)->beam_count > 0
                    || (run != NULL && run->result.beam_forces != NULL);
   gboolean shown = qn_view_state_get_view (self->state) == QN_VIEW_DIAGRAMS;
   gtk_widget_set_visible (self->diagrams_button, beams || shown);
+  QnView view = qn_view_state_get_view (self->state);
+  gtk_widget_set_visible (self->field_button,
+                          qn_view_needs_result (view) && view != QN_VIEW_DIAGRAMS);
   gtk_widget_set_visible (self->diagram_box, shown);
 }
 
@@ -139,7 +145,7 @@ on_document_changed (QnWindow *self)
   update_title (self);
   update_counts (self);
   update_stale (self);
-  update_beam_views (self);
+  update_view_buttons (self);
   qn_window_update_actions (self);
 }
 
@@ -147,7 +153,7 @@ static void
 on_view_changed (QnWindow *self)
 {
   update_stale (self);
-  update_beam_views (self);
+  update_view_buttons (self);
   qn_window_update_actions (self);
 }
 
@@ -363,7 +369,12 @@ build_panels (QnWindow *self)
   gtk_scrolled_window_set_child (self->findings_scroller,
                                  qn_findings_panel_new (self->canvas));
   self->playback = qn_playback_bar_new (self->state);
-  gtk_box_append (self->canvas_box, self->playback);
+  /* Where there is no room for all of it, it scrolls. */
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_EXTERNAL,
+                                  GTK_POLICY_NEVER);
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), self->playback);
+  gtk_box_append (self->canvas_box, scroller);
   gtk_box_append (self->start_box, qn_start_page_new ());
   GtkWidget *popover = gtk_popover_new ();
   gtk_popover_set_child (GTK_POPOVER (popover), qn_history_list_new (self->document));
@@ -382,6 +393,42 @@ bind_settings (QnWindow *self)
                    G_SETTINGS_BIND_DEFAULT);
   g_settings_bind (settings, "window-maximized", self, "maximized",
                    G_SETTINGS_BIND_DEFAULT);
+}
+
+/* In a narrow window the drawing comes first: the side panel folds away, and comes back where there is
+ * room again, or when it is asked for. */
+static void
+on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
+{
+  (void) surface;
+  (void) height;
+  gboolean narrow = width < FOLD_WIDTH;
+  if (narrow == self->is_narrow)
+    return;
+  self->is_narrow = narrow;
+  gtk_widget_set_visible (self->export_button, !narrow); /* the menu has it too */
+  g_action_group_change_action_state (G_ACTION_GROUP (self), "side-panel",
+                                      g_variant_new_boolean (!narrow));
+  qn_window_update_palette (self);
+}
+
+void
+qn_window_update_palette (QnWindow *self)
+{
+  gtk_widget_set_visible (
+    gtk_widget_get_ancestor (GTK_WIDGET (self->tool_box), GTK_TYPE_SCROLLED_WINDOW),
+    !self->is_narrow || !gtk_widget_get_visible (self->side_panel));
+}
+
+/* A window that begins narrow must not grow by its side panel first. */
+static void
+on_realize (QnWindow *self)
+{
+  int width = 0, height = 0;
+  gtk_window_get_default_size (GTK_WINDOW (self), &width, &height);
+  on_layout (NULL, width, height, self);
+  g_signal_connect_object (gtk_native_get_surface (GTK_NATIVE (self)), "layout",
+                           G_CALLBACK (on_layout), self, 0);
 }
 
 static const QnToolSettings first_settings = { .masonry = { .unit = { 0.4, 0.175 },
@@ -427,6 +474,8 @@ qn_window_init (QnWindow *self)
   qn_window_connect_analysis (self);
   self->recovery = qn_recovery_watch (self->document);
   bind_settings (self);
+  g_signal_connect (self, "realize", G_CALLBACK (on_realize), NULL);
+  qn_window_add_context_menu (self);
   g_autoptr (GtkShortcutsWindow) shortcuts = qn_action_new_shortcuts_window ();
   gtk_application_window_set_help_overlay (GTK_APPLICATION_WINDOW (self), shortcuts);
 
@@ -434,7 +483,7 @@ qn_window_init (QnWindow *self)
   update_counts (self);
   update_history (self);
   update_status (self);
-  update_beam_views (self);
+  update_view_buttons (self);
 }
 
 void
@@ -523,6 +572,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (stale_label);
   BIND (diagrams_button);
   BIND (diagram_box);
+  BIND (field_button);
   BIND (progress_bar);
   BIND (history_button);
   BIND (properties_scroller);
@@ -530,6 +580,8 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (result_scroller);
   BIND (findings_scroller);
   BIND (canvas);
+  BIND (side_panel);
+  BIND (export_button);
 #undef BIND
 }
 

@@ -15,6 +15,7 @@ struct _QnDocument {
   char *fingerprint; /* see below; NULL: to be computed */
   char *file_digest; /* of the file as it was read or written; NULL: not known */
   QnHistory *history;
+  gboolean dissolved; /* a wall, by the last edit */
   QnSelection *selection;
   gboolean never_saved;   /* came from memory: counts as modified */
   gboolean keeps_history; /* in the file */

@@ -477,13 +477,55 @@ edit_copy (QnDocument *self, QnProjectEditFunc func, gpointer user_data, QnProje
   return FALSE;
 }
 
+static gboolean
+is_parametric (const QnBlock *block)
+{
+  return block->masonry != QN_NONE || block->wall != QN_NONE;
+}
+
+/* Whether blocks of walls have become free ones, other than by detaching alone, which moves none. */
+static gboolean
+dissolves (const QnModel *before, const QnModel *after)
+{
+  gsize counts[2] = { 0, 0 };
+  for (gsize i = 0; i < before->block_count; i++)
+    counts[0] += is_parametric (&before->blocks[i]);
+  for (gsize i = 0; i < after->block_count; i++)
+    counts[1] += is_parametric (&after->blocks[i]);
+  gboolean same_shape = before->vertex_count == after->vertex_count
+                        && (before->vertex_count == 0
+                            || memcmp (before->vertices, after->vertices,
+                                       before->vertex_count * sizeof *before->vertices)
+                                 == 0);
+  if (counts[1] >= counts[0] || same_shape)
+    return FALSE;
+  for (gsize i = 0; i < after->block_count; i++) {
+    QnId old = is_parametric (&after->blocks[i])
+                 ? QN_NONE
+                 : qn_model_find_block (before, after->blocks[i].name);
+    if (old != QN_NONE && is_parametric (&before->blocks[old]))
+      return TRUE;
+  }
+  return FALSE;
+}
+
 gboolean
 qn_document_edit_project (QnDocument *self, const char *name, const char *key,
                           QnProjectEditFunc func, gpointer user_data, GError **error)
 {
   QnProject draft;
-  return edit_copy (self, func, user_data, &draft, error)
-         && step_to (self, name, key, &draft, error);
+  if (!edit_copy (self, func, user_data, &draft, error))
+    return FALSE;
+  self->dissolved = dissolves (&self->project.model, &draft.model);
+  g_autofree char *told =
+    self->dissolved ? g_strdup_printf (_ ("%s, Wall to Free Blocks"), name) : NULL;
+  return step_to (self, told != NULL ? told : name, key, &draft, error);
+}
+
+gboolean
+qn_document_has_dissolved (QnDocument *self)
+{
+  return self->dissolved;
 }
 
 /* The text of the project after an edit; NULL where that is refused. */

@@ -110,6 +110,10 @@ char *qn_document_dup_number_path (QnDocument *document, QnProjectEditFunc func,
                                    gpointer same, gpointer other, double value,
                                    double *number);
 
+/* Whether the last edit has made free blocks of a parametric wall or another object that was moved,
+ * turned or cut in part. Its step says so in its name. */
+gboolean qn_document_has_dissolved (QnDocument *document);
+
 /* Replaces a top-level member that the model does not hold (view, figures, …), as an
  * undoable step; `json` is the new value or NULL to remove it. */
 gboolean qn_document_edit_extra (QnDocument *document, const char *name, const char *key,

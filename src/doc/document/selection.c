@@ -410,6 +410,21 @@ follow_face (const QnModel *before, const QnContactFace *face, const QnModel *af
   return best;
 }
 
+/* By name; a block that was renamed, and nothing else, keeps its number. */
+static QnId
+follow_block (const QnModel *before, QnId old, const QnModel *after)
+{
+  QnId id = qn_model_find_block (after, before->blocks[old].name);
+  if (id != QN_NONE || after->block_count != before->block_count)
+    return id;
+  const QnBlock *then = &before->blocks[old], *now = &after->blocks[old];
+  gboolean renamed = qn_model_find_block (before, now->name) == QN_NONE
+                     && then->vertex_count == now->vertex_count
+                     && then->centroid.x == now->centroid.x
+                     && then->centroid.y == now->centroid.y;
+  return renamed ? old : QN_NONE;
+}
+
 void
 qn_selection_follow (QnSelection *self, const QnModel *before,
                      const QnContacts *contacts_before, const QnModel *after,
@@ -428,7 +443,7 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
     QnId old = g_array_index (self->blocks, QnId, i);
     if ((gsize) old >= before->block_count)
       continue;
-    QnId id = qn_model_find_block (after, before->blocks[old].name);
+    QnId id = follow_block (before, old, after);
     if (id != QN_NONE)
       g_array_append_val (blocks, id);
   }

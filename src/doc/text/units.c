@@ -141,31 +141,174 @@ qn_units_format_full (QnUnits units, QnQuantity quantity, double value, int digi
                       NULL);
 }
 
-/* Splits "1 234,5 kN" after its number; the number comes back in C spelling. */
-static char *
-take_number (const char *text, const char **rest)
+/* ---- reading ---- */
+
+/* Brackets and signs within each other. */
+#define MOST_NESTED 40
+
+/* A value while a sum is read: in SI once it has a unit, else a plain number. */
+typedef struct Term {
+  double value;
+  gboolean has_unit;
+} Term;
+
+typedef struct Reader {
+  QnUnits units;
+  QnQuantity quantity;
+  const char *whole, *at;
+  int depth;
+  GError **error;
+} Reader;
+
+static gboolean read_sum (Reader *r, Term *term);
+
+static gboolean
+refuse (Reader *r)
 {
-  GString *number = g_string_new (NULL);
-  const char *p = text;
+  g_set_error (r->error, QN_UNITS_ERROR, QN_UNITS_ERROR_NOT_A_NUMBER,
+               _ ("“%s” is not a number"), r->whole);
+  return FALSE;
+}
+
+static void
+skip_spaces (Reader *r)
+{
+  while (*r->at != '\0' && g_unichar_isspace (g_utf8_get_char (r->at)))
+    r->at = g_utf8_next_char (r->at);
+}
+
+/* Goes past the next sign where it is one of these. */
+static gunichar
+take_sign (Reader *r, const char *signs)
+{
+  skip_spaces (r);
+  gunichar c = g_utf8_get_char (r->at);
+  if (c == 0 || g_utf8_strchr (signs, -1, c) == NULL)
+    return 0;
+  r->at = g_utf8_next_char (r->at);
+  return c;
+}
+
+/* "1,5e-3", by either decimal sign. */
+static gboolean
+read_number (Reader *r, double *value)
+{
+  g_autoptr (GString) number = g_string_new (NULL);
   gboolean had_exponent = FALSE;
-  for (; *p != '\0'; p = g_utf8_next_char (p)) {
-    gunichar c = g_utf8_get_char (p);
-    if (c < 128 && g_ascii_isdigit ((char) c))
-      g_string_append_c (number, (char) c);
-    else if (c == ',' || c == '.')
+  skip_spaces (r);
+  for (; *r->at != '\0'; r->at++) {
+    const char *p = r->at;
+    if (g_ascii_isdigit (*p))
+      g_string_append_c (number, *p);
+    else if (*p == ',' || *p == '.')
       g_string_append_c (number, '.');
-    else if (c == 0x2212 || c == '-' || c == '+') /* the typographic minus as well */
-      g_string_append_c (number, c == '+' ? '+' : '-');
-    else if ((c == 'e' || c == 'E') && !had_exponent && number->len > 0
+    else if ((*p == 'e' || *p == 'E') && !had_exponent && number->len > 0
              && (g_ascii_isdigit (p[1])
                  || ((p[1] == '-' || p[1] == '+') && g_ascii_isdigit (p[2])))) {
       had_exponent = TRUE;
-      g_string_append_c (number, 'e');
+      g_string_append_len (number, p, 2);
+      r->at++;
     } else
       break;
   }
-  *rest = p;
-  return g_string_free (number, FALSE);
+  char *end = NULL;
+  *value = g_ascii_strtod (number->str, &end);
+  return (number->len > 0 && *end == '\0') || refuse (r);
+}
+
+/* The longest unit that fits here. */
+static const UnitRow *
+take_unit (Reader *r)
+{
+  const UnitRow *found = NULL;
+  gsize longest = 0;
+  skip_spaces (r);
+  for (gsize i = 0; i < G_N_ELEMENTS (unit_rows); i++) {
+    gsize length = strlen (unit_rows[i].symbol);
+    const char *behind = r->at + length;
+    if (unit_rows[i].quantity != r->quantity || length <= longest
+        || strncmp (r->at, unit_rows[i].symbol, length) != 0
+        || g_unichar_isalnum (g_utf8_get_char (behind)))
+      continue;
+    found = &unit_rows[i];
+    longest = length;
+  }
+  r->at += longest;
+  return found;
+}
+
+static gboolean
+read_factor (Reader *r, Term *term)
+{
+  if (++r->depth > MOST_NESTED)
+    return refuse (r);
+  gunichar sign = take_sign (r, "+-−");
+  if (take_sign (r, "(") != 0) {
+    if (!read_sum (r, term))
+      return FALSE;
+    if (take_sign (r, ")") == 0)
+      return refuse (r);
+  } else {
+    *term = (Term){ 0 };
+    if (!read_number (r, &term->value))
+      return FALSE;
+  }
+  const UnitRow *unit = term->has_unit ? NULL : take_unit (r);
+  if (unit != NULL)
+    *term = (Term){ term->value * unit->factor, TRUE };
+  if (sign != 0 && sign != '+')
+    term->value = -term->value;
+  r->depth--;
+  return TRUE;
+}
+
+/* Lengths are not multiplied with each other, and nothing is divided by one but a length. */
+static gboolean
+read_product (Reader *r, Term *term)
+{
+  gunichar sign;
+  if (!read_factor (r, term))
+    return FALSE;
+  while ((sign = take_sign (r, "*×·/÷")) != 0) {
+    Term other;
+    gboolean divides = sign == '/' || sign == 0xf7;
+    if (!read_factor (r, &other))
+      return FALSE;
+    if (other.has_unit && (divides ? !term->has_unit : term->has_unit))
+      return refuse (r);
+    term->value = divides ? term->value / other.value : term->value * other.value;
+    term->has_unit =
+      divides ? term->has_unit && !other.has_unit : term->has_unit || other.has_unit;
+  }
+  return TRUE;
+}
+
+/* Beside values with a unit plain numbers are in the displayed one. */
+static void
+give_unit (const Reader *r, Term *term)
+{
+  if (!term->has_unit)
+    term->value *= qn_units_factor (r->units, r->quantity);
+  term->has_unit = TRUE;
+}
+
+static gboolean
+read_sum (Reader *r, Term *term)
+{
+  gunichar sign;
+  if (!read_product (r, term))
+    return FALSE;
+  while ((sign = take_sign (r, "+-−")) != 0) {
+    Term other;
+    if (!read_product (r, &other))
+      return FALSE;
+    if (term->has_unit || other.has_unit) {
+      give_unit (r, term);
+      give_unit (r, &other);
+    }
+    term->value += sign == '+' ? other.value : -other.value;
+  }
+  return TRUE;
 }
 
 /* "∞" or "inf", with or without a unit that fits, as it is shown. */
@@ -192,36 +335,26 @@ qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *va
     *value = INFINITY;
     return TRUE;
   }
-
-  const char *rest = NULL;
-  g_autofree char *number = take_number (stripped, &rest);
-  char *end = NULL;
-  double parsed = g_ascii_strtod (number, &end);
-  if (*number == '\0' || *end != '\0') {
-    g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_NOT_A_NUMBER,
-                 _ ("“%s” is not a number"), text);
+  Reader reader = {
+    .units = units, .quantity = quantity, .whole = text, .at = stripped, .error = error
+  };
+  Term term;
+  if (!g_utf8_validate (stripped, -1, NULL))
+    return refuse (&reader);
+  if (!read_sum (&reader, &term))
+    return FALSE;
+  skip_spaces (&reader);
+  if (*reader.at != '\0') {
+    g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_UNKNOWN_UNIT,
+                 _ ("“%s” is not a unit that fits here"), reader.at);
     return FALSE;
   }
-
-  double factor = qn_units_factor (units, quantity);
-  while (*rest != '\0' && g_unichar_isspace (g_utf8_get_char (rest)))
-    rest = g_utf8_next_char (rest);
-  if (*rest != '\0') {
-    const UnitRow *row = find_row (quantity, rest);
-    if (row == NULL) {
-      g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_UNKNOWN_UNIT,
-                   _ ("“%s” is not a unit that fits here"), rest);
-      return FALSE;
-    }
-    factor = row->factor;
-  }
-
-  parsed *= factor;
-  if (!isfinite (parsed)) {
+  give_unit (&reader, &term);
+  if (!isfinite (term.value)) {
     g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE, _ ("“%s” is too large"),
                  text);
     return FALSE;
   }
-  *value = parsed;
+  *value = term.value;
   return TRUE;
 }

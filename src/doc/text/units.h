@@ -58,7 +58,8 @@ char *qn_units_format (QnUnits units, QnQuantity quantity, double value, int dig
 /* The number with its unit after a no-break space. The caller frees it. */
 char *qn_units_format_full (QnUnits units, QnQuantity quantity, double value, int digits);
 
-/* Reads a number with or without a unit; without one the displayed unit is meant. "∞" and
+/* Reads a number with or without a unit; without one the displayed unit is meant. Sums, differences,
+ * products, quotients and brackets are worked out: "0.4*3+0.01", "2*(40 cm + 1 cm)". "∞" and
  * "inf" give infinity, which callers that cannot use it refuse. `value` is in SI. */
 gboolean qn_units_parse (QnUnits units, QnQuantity quantity, const char *text,
                          double *value, GError **error);

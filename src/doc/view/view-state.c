@@ -13,6 +13,7 @@ struct _QnViewState {
   char *image_path;      /* of that image, or of the one that could not be read */
   GError *image_error;
   QnRun *onion;
+  bool result_loads;      /* whether the views of results show loads */
   double mechanism_scale; /* a mechanism has no size, and a factor of its own */
   double fitting_scale;   /* of the current run; 0: not asked for yet */
 };
@@ -147,6 +148,26 @@ qn_view_state_get_document (QnViewState *self)
   return self->document;
 }
 
+/* Colours of what the result does not know are none. */
+static QnField
+shown_field (QnViewState *self, const QnRun *run)
+{
+  QnField field = self->options.field;
+  QnView view = self->options.view;
+  if (run == NULL || !qn_view_needs_result (view) || view == QN_VIEW_DIAGRAMS)
+    return QN_FIELD_NONE;
+  int step = qn_view_state_get_step (self);
+  gsize last = run->result.step_count > 0 ? run->result.step_count - 1 : 0;
+  gboolean moves = view == QN_VIEW_MECHANISM
+                     ? run->result.mechanism != NULL
+                     : run->result.step_count > 0 && !run->result.limit.given;
+  gboolean known =
+    field == QN_FIELD_STRESS
+      ? qn_result_has_forces (&run->result, step == QN_STEP_LAST ? last : (gsize) step)
+      : moves;
+  return known ? field : QN_FIELD_NONE;
+}
+
 QnViewOptions
 qn_view_state_get_options (QnViewState *self)
 {
@@ -155,6 +176,9 @@ qn_view_state_get_options (QnViewState *self)
   options.step = qn_view_state_get_step (self);
   if (options.view == QN_VIEW_MECHANISM)
     options.scale = self->mechanism_scale;
+  if (qn_view_needs_result (options.view))
+    options.loads = self->result_loads;
+  options.field = shown_field (self, run);
   /* Joints of a mode bend; they neither slide nor open. */
   if (run != NULL && run->kind != QN_RUN_ANALYSIS && options.view == QN_VIEW_MECHANISM)
     options.symbols = false;
@@ -241,11 +265,12 @@ static bool *
 find_switch (QnViewState *self, const char *name)
 {
   QnViewOptions *o = &self->options;
+  bool *loads = qn_view_needs_result (o->view) ? &self->result_loads : &o->loads;
   const struct {
     const char *name;
     bool *value;
   } switches[] = { { "ghost", &o->ghost }, { "symbols", &o->symbols },
-                   { "loads", &o->loads }, { "dimensions", &o->dimensions },
+                   { "loads", loads },     { "dimensions", &o->dimensions },
                    { "names", &o->names }, { "monochrome", &o->monochrome } };
   for (gsize i = 0; i < G_N_ELEMENTS (switches); i++) {
     if (strcmp (switches[i].name, name) == 0)
@@ -271,6 +296,21 @@ qn_view_state_set_switch (QnViewState *self, const char *name, gboolean on)
     return;
   *value = on != FALSE;
   emit_changed (self);
+}
+
+void
+qn_view_state_set_field (QnViewState *self, QnField field)
+{
+  if (self->options.field == field)
+    return;
+  self->options.field = field;
+  emit_changed (self);
+}
+
+QnField
+qn_view_state_get_field (QnViewState *self)
+{
+  return self->options.field;
 }
 
 void

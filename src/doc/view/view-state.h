@@ -39,8 +39,13 @@ double qn_view_state_get_shown_scale (QnViewState *state);
 void qn_view_state_set_phase (QnViewState *state, double phase);
 double qn_view_state_get_phase (QnViewState *state);
 
+/* Quantity shown by colour in the views of results; the views of the model show none. One that is not
+ * known at the step shown (stresses where forces were not kept) is left out. */
+void qn_view_state_set_field (QnViewState *state, QnField field);
+QnField qn_view_state_get_field (QnViewState *state);
+
 /* Switches by the names of the window's actions: "ghost", "symbols", "loads", "dimensions",
- * "names". */
+ * "names". Loads have one for the views of the model, on at first, and one for those of results. */
 gboolean qn_view_state_get_switch (QnViewState *state, const char *name);
 void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on);
 

@@ -1,4 +1,5 @@
 /* Chooses, checks and runs the builders of one view. */
+#include "render/scene/reading.h"
 #include "render/scene/render-error.h"
 #include "render/scene/scene-builder.h"
 #include "render/scene/text.h"
@@ -117,30 +118,36 @@ check (QnSceneBuilder *b, GError **error)
 
 /* Whether forces balance where the blocks have moved to, and are drawn there. */
 static bool
-forces_act_displaced (const QnSceneBuilder *b)
+forces_act_displaced (const QnModel *model, const QnResult *result,
+                      const QnViewOptions *options)
 {
-  return b->options->view == QN_VIEW_FORCES && b->result != NULL
-         && b->result->step_count > 0 && !b->result->limit.given
-         && b->model->analysis.geometry != QN_GEOMETRY_LINEAR;
+  return options->view == QN_VIEW_FORCES && result != NULL && result->step_count > 0
+         && !result->limit.given && model->analysis.geometry != QN_GEOMETRY_LINEAR;
 }
 
-/* The displacements that the view shows, at the factor asked for. */
+/* The displacements that a view shows, without their factor. */
+static QnMotion
+find_motion (const QnModel *model, const QnResult *result, const QnViewOptions *options,
+             size_t step)
+{
+  QnMotion motion = { .model = model, .linear = true, .scale = 0 };
+  if (options->view == QN_VIEW_MECHANISM) {
+    motion.displacements = result->mechanism;
+  } else if (options->view == QN_VIEW_DEFORMED
+             || forces_act_displaced (model, result, options)) {
+    motion.displacements = qn_result_step_displacements (result, step);
+    motion.linear = model->analysis.geometry == QN_GEOMETRY_LINEAR;
+  }
+  return motion;
+}
+
 static void
 choose_motion (QnSceneBuilder *b)
 {
   const QnViewOptions *options = b->options;
-  b->motion = (QnMotion){ .model = b->model, .linear = true, .scale = 0 };
-  if (options->view == QN_VIEW_MECHANISM) {
-    b->motion.displacements = b->result->mechanism;
-  } else if (options->view == QN_VIEW_DEFORMED) {
-    b->motion.displacements = qn_result_step_displacements (b->result, b->step);
-    b->motion.linear = b->model->analysis.geometry == QN_GEOMETRY_LINEAR;
-  } else {
-    if (forces_act_displaced (b)) {
-      b->motion.displacements = qn_result_step_displacements (b->result, b->step);
-      b->motion.linear = false;
-      b->motion.scale = 1;
-    }
+  b->motion = find_motion (b->model, b->result, options, b->step);
+  if (options->view != QN_VIEW_MECHANISM && options->view != QN_VIEW_DEFORMED) {
+    b->motion.scale = b->motion.displacements != NULL ? 1 : 0;
     return;
   }
   double scale = options->scale;
@@ -152,17 +159,24 @@ choose_motion (QnSceneBuilder *b)
   b->motion.scale = scale * options->phase;
 }
 
+QnMotion
+qn_scene_motion (const QnScene *scene, const QnModel *model, const QnResult *result,
+                 const QnViewOptions *options)
+{
+  size_t last = result != NULL && result->step_count > 0 ? result->step_count - 1 : 0;
+  size_t step = options->step == QN_STEP_LAST ? last : (size_t) options->step;
+  QnMotion motion = find_motion (model, result, options, step);
+  if (motion.displacements != NULL)
+    motion.scale = scene->scale > 0 ? scene->scale * options->phase : 1;
+  return motion;
+}
+
 /* Contact forces of the step shown. */
 static void
 find_pairs (QnSceneBuilder *b)
 {
-  if (b->result == NULL || b->contacts == NULL
-      || b->result->pair_count != b->contacts->pair_count
-      || !qn_result_has_forces (b->result, b->step))
-    return;
-  b->pairs = g_new (QnPairResult, MAX (b->result->pair_count, 1));
-  for (size_t p = 0; p < b->result->pair_count; p++)
-    b->pairs[p] = qn_result_pair_at (b->result, b->step, p);
+  if (b->result != NULL && b->contacts != NULL)
+    b->pairs = qn_step_pairs (b->contacts, b->result, b->step);
 }
 
 /* Where the analysis does not say how joints are, the motion tells. */

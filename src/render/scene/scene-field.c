@@ -1,4 +1,5 @@
 /* Fields by colour: displacements and mean stresses of blocks, opening and sliding of joints. */
+#include "render/scene/reading.h"
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
@@ -38,43 +39,14 @@ field_displacements (const QnSceneBuilder *b)
   return qn_result_step_displacements (b->result, b->step);
 }
 
-/* Adds f (x) arm of a contact force to the stress sums (xx, yy, xy) of a block. */
-static void
-add_virial (double *sums, QnVec2 force, QnVec2 arm)
-{
-  sums[0] += force.x * arm.x;
-  sums[1] += force.y * arm.y;
-  sums[2] += 0.5 * (force.x * arm.y + force.y * arm.x);
-}
-
-/* Mean stress of a block from its boundary forces, sigma = (1/V) sum f (x) r (Love 1927,
- * Weber 1966), and its least principal value. */
+/* Least principal value of the mean stress of every block. */
 static void
 block_stresses (const QnSceneBuilder *b, double *values)
 {
-  const QnModel *model = b->model;
-  g_autofree double *sums = g_new0 (double, 3 * model->block_count);
-  for (size_t f = 0; f < b->contacts->face_count; f++) {
-    const QnContactFace *face = &b->contacts->faces[f];
-    for (int32_t k = 0; k < face->pair_count; k++) {
-      QnId index = face->first_pair + k;
-      const QnPairResult *pair = &b->pairs[index];
-      QnVec2 at = b->contacts->pairs[index].point;
-      QnVec2 force = qn_vec2_add (qn_vec2_scale (pair->normal_force, face->normal),
-                                  qn_vec2_scale (pair->shear_force, face->tangent));
-      /* normal_force < 0 pushes block a back from b, which is compression. */
-      add_virial (sums + 3 * face->a, force,
-                  qn_vec2_sub (at, model->blocks[face->a].centroid));
-      add_virial (sums + 3 * face->b, qn_vec2_scale (-1, force),
-                  qn_vec2_sub (at, model->blocks[face->b].centroid));
-    }
-  }
-  for (size_t i = 0; i < model->block_count; i++) {
-    double volume = model->blocks[i].area * model->blocks[i].thickness;
-    double xx = sums[3 * i] / volume, yy = sums[3 * i + 1] / volume;
-    double xy = sums[3 * i + 2] / volume;
-    values[i] = 0.5 * (xx + yy) - hypot (0.5 * (xx - yy), xy);
-  }
+  g_autofree QnBlockReading *readings =
+    qn_block_readings (b->model, b->contacts, b->pairs, NULL);
+  for (size_t i = 0; i < b->model->block_count; i++)
+    values[i] = readings[i].principal[0];
 }
 
 static void

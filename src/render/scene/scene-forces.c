@@ -1,8 +1,11 @@
-/* Contact forces: a thin line for every pair, the resultant of every face as a bar on its
- * line of action. The bars of a course join up to the line of thrust. In nonlinear geometry all
- * of it is drawn where the blocks have moved to, at factor 1. */
+/* Contact forces: a thin arrow for every pair, the resultant of every face as an arrow on its line of
+ * action, and the line of thrust where there is one (thrust.h), with the force and the kern at each
+ * of its joints. In nonlinear geometry all of it is drawn where the blocks have moved to, at
+ * factor 1. */
+#include "render/scene/reading.h"
 #include "render/scene/scene-builder.h"
 #include "render/scene/text.h"
+#include "render/scene/thrust.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -10,7 +13,13 @@
 #define LARGEST_BAR 1.5
 
 /* Forces below this share of the largest are not drawn. */
-#define LEAST_SHARE 2e-3
+#define LEAST_SHARE QN_THRUST_LEAST_SHARE
+
+/* Joints of the line of thrust that are closer on paper have no numbers, pt. */
+#define NUMBER_LEAST 16
+
+/* Of a number, so that it begins to the right of its place. */
+#define BESIDE (-0.2F)
 
 typedef struct FaceForce {
   QnVec2 force; /* on block a, N */
@@ -41,32 +50,6 @@ joint_force (const QnSceneBuilder *b, const QnContactFace *face, double normal,
   return qn_vec2_rotate (force, cos (turn), sin (turn));
 }
 
-/* Share of the normal forces that is left of them in their resultant: below, it is bending with
- * rounding, and its centre is anywhere. */
-#define BENDING_SHARE 1e-3
-
-/* Resultant of a face; its place is the centre of the normal forces, kept within the face
- * where tension would carry it off, or the middle of the face under bending alone. */
-static FaceForce
-face_resultant (const QnSceneBuilder *b, const QnContactFace *face)
-{
-  double normal = 0, shear = 0, moment = 0, total = 0;
-  for (int32_t k = 0; k < face->pair_count; k++) {
-    const QnPairResult *pair = &b->pairs[face->first_pair + k];
-    normal += pair->normal_force;
-    shear += pair->shear_force;
-    total += fabs (pair->normal_force);
-    moment += pair->normal_force * b->contacts->pairs[face->first_pair + k].abscissa;
-  }
-  bool bending = !(fabs (normal) > BENDING_SHARE * total);
-  double s = bending ? 0.5 * face->length : moment / normal;
-  s = fmin (fmax (s, 0), face->length);
-  QnVec2 at =
-    qn_vec2_lerp (face->start, face->end, face->length > 0 ? s / face->length : 0);
-  return (FaceForce){ .force = joint_force (b, face, normal, shear),
-                      .at = joint_place (b, face, at) };
-}
-
 static void
 add_pair_forces (QnSceneBuilder *b, const QnContactFace *face, double per_newton,
                  double least)
@@ -85,38 +68,157 @@ add_pair_forces (QnSceneBuilder *b, const QnContactFace *face, double per_newton
   }
 }
 
+/* As arrows that point down, with the weight, along a line of thrust all the same way. */
 static void
 add_resultant (QnSceneBuilder *b, QnId face, const FaceForce *resultant,
                double per_newton, double largest)
 {
   QnColor color = qn_builder_ink (b, QN_INK_FORCE);
-  double share = qn_vec2_length (resultant->force) / largest;
-  QnVec2 bar[2] = {
-    qn_vec2_add_scaled (resultant->at, -0.5 * per_newton, resultant->force),
-    qn_vec2_add_scaled (resultant->at, 0.5 * per_newton, resultant->force)
-  };
+  double size = qn_vec2_length (resultant->force), share = size / largest;
+  double down = resultant->force.y > 0 ? -1 : 1;
+  qn_scene_arrow (
+    b->scene, QN_LAYER_FORCES,
+    qn_vec2_add_scaled (resultant->at, -0.5 * down * per_newton, resultant->force),
+    qn_vec2_add_scaled (resultant->at, 0.5 * down * per_newton, resultant->force),
+    0.5 + 1.2 * share, color, QN_PICK_FACE, face, size * per_newton);
+}
+
+/* ---- the line of thrust ---- */
+
+typedef struct CutTally {
+  bool any, places[QN_PLACE_COUNT];
+} CutTally;
+
+static QnVec2
+cut_place (const QnSceneBuilder *b, const QnCut *cut, QnVec2 p)
+{
+  return joint_place (b, &b->contacts->faces[cut->face], p);
+}
+
+/* The middle third, within which the whole joint is pressed. */
+static void
+add_kern (QnSceneBuilder *b, const QnCut *cut)
+{
+  QnVec2 kern[2] = { cut_place (b, cut, qn_vec2_lerp (cut->start, cut->end, 1.0 / 3.0)),
+                     cut_place (b, cut, qn_vec2_lerp (cut->start, cut->end, 2.0 / 3.0)) };
+  QnCommand *command = qn_scene_stroke (b->scene, QN_LAYER_FORCES, kern, 2, false, 1.6,
+                                        qn_builder_ink (b, QN_INK_FAINT));
+  command->pick = QN_PICK_FACE;
+  command->id = cut->face;
+  command->extent = (float) cut->length;
+  command->least = 12;
+}
+
+static QnMarker
+place_marker (QnPressurePlace place)
+{
+  return place == QN_PLACE_EDGE     ? QN_MARKER_SQUARE
+         : place == QN_PLACE_INSIDE ? QN_MARKER_RING
+                                    : QN_MARKER_DOT;
+}
+
+static float
+place_size (QnPressurePlace place)
+{
+  return place == QN_PLACE_INSIDE ? 3.6F : place == QN_PLACE_EDGE ? 3.4F : 3.0F;
+}
+
+/* A point of the line, with the force there. */
+static void
+add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing)
+{
+  QnColor color = qn_builder_ink (b, QN_INK_THRUST);
+  QnVec2 at = cut_place (b, cut, cut->at);
+  add_kern (b, cut);
   QnCommand *command =
-    qn_scene_stroke (b->scene, QN_LAYER_FORCES, bar, 2, false, 0.6 + 1.6 * share, color);
+    qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, place_marker (cut->place), at,
+                     place_size (cut->place), 0, color);
   command->pick = QN_PICK_FACE;
-  command->id = face;
-  command = qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT, resultant->at,
-                             2.2 + 1.4 * share, 0, color);
-  command->pick = QN_PICK_FACE;
-  command->id = face;
-  command->extent = (float) b->block_size;
-  command->least = 6;
+  command->id = cut->face;
+  command->extent = (float) spacing;
+  command->least = 4;
+  g_autofree char *number = qn_label_number ("%.3g", qn_vec2_length (cut->force) / 1000);
+  g_autofree char *text = g_strdup_printf (_ ("%s kN"), number);
+  command = qn_scene_text (b->scene, QN_LAYER_LABELS, at, 6.5, text, color);
+  command->align_x = BESIDE;
+  command->extent = (float) spacing;
+  command->least = NUMBER_LEAST;
+}
+
+/* From every joint to the next, each way once. */
+static void
+add_thrust (QnSceneBuilder *b, const QnThrust *thrust, CutTally *tally)
+{
+  QnColor color = qn_builder_ink (b, QN_INK_THRUST);
+  for (size_t c = 0; c < thrust->count; c++) {
+    const QnCut *cut = &thrust->cuts[c];
+    double spacing = INFINITY;
+    for (int side = 0; side < 2; side++) {
+      if (cut->next[side] == QN_NONE)
+        continue;
+      const QnCut *next = &thrust->cuts[cut->next[side]];
+      QnVec2 line[2] = { cut_place (b, cut, cut->at), cut_place (b, next, next->at) };
+      spacing = fmin (spacing, qn_vec2_length (qn_vec2_sub (line[1], line[0])));
+      if ((size_t) cut->next[side] > c)
+        qn_scene_stroke (b->scene, QN_LAYER_FORCES, line, 2, false, 2.2, color);
+    }
+    if (!isfinite (spacing))
+      continue;
+    add_cut (b, cut, spacing);
+    tally->any = true;
+    tally->places[cut->place] = true;
+  }
+}
+
+static void
+add_thrust_legend (QnSceneBuilder *b, const CutTally *tally)
+{
+  static const char *const words[QN_PLACE_COUNT] = {
+    [QN_PLACE_KERN] = N_ ("resultant within the kern"),
+    [QN_PLACE_INSIDE] = N_ ("resultant outside the kern"),
+    [QN_PLACE_EDGE] = N_ ("resultant at the edge"),
+  };
+  QnColor color = qn_builder_ink (b, QN_INK_THRUST);
+  if (!tally->any)
+    return;
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, color, "%s", _ ("line of thrust"))->size =
+    2.2F;
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FAINT), "%s",
+                   _ ("kern: middle third of a joint"))
+    ->size = 1.6F;
+  for (int place = QN_PLACE_KERN; place < QN_PLACE_COUNT; place++) {
+    if (!tally->places[place])
+      continue;
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, "%s", _ (words[place]));
+    entry->marker = (uint8_t) place_marker ((QnPressurePlace) place);
+    entry->size = place_size ((QnPressurePlace) place);
+  }
+}
+
+/* ---- all of it ---- */
+
+static FaceForce *
+find_resultants (const QnSceneBuilder *b, double *largest)
+{
+  FaceForce *resultants = g_new0 (FaceForce, MAX (b->contacts->face_count, 1));
+  *largest = 0;
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    const QnContactFace *face = &b->contacts->faces[f];
+    QnJointReading reading = qn_joint_reading (b->contacts, (QnId) f, b->pairs, NULL);
+    resultants[f] = (FaceForce){ joint_force (b, face, reading.normal, reading.shear),
+                                 joint_place (b, face, reading.at) };
+    *largest = fmax (*largest, qn_vec2_length (resultants[f].force));
+  }
+  return resultants;
 }
 
 void
 qn_build_forces (QnSceneBuilder *b)
 {
   const QnContacts *contacts = b->contacts;
-  g_autofree FaceForce *resultants = g_new0 (FaceForce, MAX (contacts->face_count, 1));
   double largest = 0, longest = 0;
-  for (size_t f = 0; f < contacts->face_count; f++) {
-    resultants[f] = face_resultant (b, &contacts->faces[f]);
-    largest = fmax (largest, qn_vec2_length (resultants[f].force));
-  }
+  g_autofree FaceForce *resultants = find_resultants (b, &largest);
   /* In bending the pairs carry more than their resultant. */
   for (size_t p = 0; p < contacts->pair_count && b->options->symbols; p++)
     longest = fmax (longest, hypot (b->pairs[p].normal_force, b->pairs[p].shear_force));
@@ -133,6 +235,13 @@ qn_build_forces (QnSceneBuilder *b)
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
                    _ ("resultant of a joint, largest %s kN"), number)
     ->size = 2;
+  QnThrust thrust;
+  CutTally tally = { false, { false } };
+  if (qn_thrust_find (&thrust, b->model, contacts, b->pairs)) {
+    add_thrust (b, &thrust, &tally);
+    qn_thrust_clear (&thrust);
+  }
+  add_thrust_legend (b, &tally);
   if (b->options->symbols) {
     QnLegendEntry *entry =
       qn_scene_legend (b->scene, QN_COMMAND_MARKER, qn_builder_ink (b, QN_INK_FAINT),

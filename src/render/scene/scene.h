@@ -13,6 +13,7 @@
 #include "core/result/mechanism.h"
 #include "render/scene/camera.h"
 #include "render/scene/color.h"
+#include "render/scene/motion.h"
 #include "render/scene/view-options.h"
 
 #include <cairo.h>
@@ -130,6 +131,10 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnScene, qn_scene_free)
 QnScene *qn_scene_build (const QnModel *model, const QnContacts *contacts,
                          const QnResult *result, const QnViewOptions *options,
                          GError **error);
+
+/* How the blocks are displaced in a scene that was built of these, its factor included. */
+QnMotion qn_scene_motion (const QnScene *scene, const QnModel *model,
+                          const QnResult *result, const QnViewOptions *options);
 
 /* ---- for builders ---------------------------------------------------------------------- */
 

@@ -34,6 +34,21 @@ test_parse (void)
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "45°", G_PI / 4.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "1 rad", 1.0);
   check_parse (QN_UNITS_SI, QN_QUANTITY_STIFFNESS, "1e7", 1e7);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "0.4*3+0.01", 1.21);
+  check_parse (cm_kn, QN_QUANTITY_LENGTH, "40*3+1", 1.21);
+  check_parse (cm_kn, QN_QUANTITY_LENGTH, "3 × 0,4 m + 1", 1.21);
+  check_parse (cm_kn, QN_QUANTITY_LENGTH, "2*(40 cm + 1 cm)", 0.82);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "(1+2) m / 4", 0.75);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "3 m / 40 cm", 7.5);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "1-2-3", -4.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "8/2/2", 2.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "2+3*4", 14.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "-(1 − 3)", 2.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "2*-3", -6.0);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, "1e-1*2", 0.2);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_ANGLE, "360°/8", G_PI / 4.0);
+  check_parse (cm_kn, QN_QUANTITY_UNIT_WEIGHT, "2*10 kN/m³", 2e4);
+  check_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, "1/3", 1.0 / 3.0);
   double value = 0.0;
   g_assert_true (qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, "∞", &value, NULL));
   g_assert_true (isinf (value));
@@ -54,6 +69,16 @@ test_refuse (void)
     { "3 furlong", QN_UNITS_ERROR_UNKNOWN_UNIT },
     { "1e999", QN_UNITS_ERROR_TOO_LARGE },
     { "nan", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "1+", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "(1", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "1)", QN_UNITS_ERROR_UNKNOWN_UNIT },
+    { "1 m * 2 m", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "1 / 2 m", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "1/0", QN_UNITS_ERROR_TOO_LARGE },
+    { "0/0", QN_UNITS_ERROR_TOO_LARGE },
+    { "1 2", QN_UNITS_ERROR_UNKNOWN_UNIT },
+    { "\xff", QN_UNITS_ERROR_NOT_A_NUMBER },
+    { "((((((((((((((((((((((((((((((((((((((((((1", QN_UNITS_ERROR_NOT_A_NUMBER },
     { "1e308 km", QN_UNITS_ERROR_UNKNOWN_UNIT },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {

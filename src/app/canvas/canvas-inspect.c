@@ -1,0 +1,235 @@
+/* What is under the pointer, and what is selected, told beside it: the joint or block of every view,
+ * with its forces, motions and state. */
+#include "app/canvas/canvas-private.h"
+
+#include "app/widgets/settings.h"
+#include "core/base/integer.h"
+#include "doc/view/inspect.h"
+#include <pango/pangocairo.h>
+
+/* px: how near the pointer must be to a joint; and the least height of the blocks beside it, below
+ * which the blocks come first. */
+#define JOINT_REACH_PX 4.0
+#define LEAST_BLOCK_PX 24.0
+
+#define CARD_POINTS 8.5
+#define CARD_PAD    7.0
+#define CARD_ASIDE  18.0
+#define CARD_TAB    118
+#define REST_MS                                                                          \
+  500 /* in the view of the model, until what is under the pointer is told */
+
+/* ---- places ---- */
+
+QnVec2
+qn_canvas_place (QnCanvas *self, const QnMotion *motion, QnId block, QnVec2 p)
+{
+  return qn_canvas_to_screen (self, qn_motion_place (motion, block, p, motion->scale));
+}
+
+QnMotion
+qn_canvas_get_motion (QnCanvas *self)
+{
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result;
+  const QnScene *scene = qn_canvas_get_scene (self);
+  if (scene == NULL
+      || !qn_view_state_get_content (self->state, &model, &contacts, &result))
+    return (QnMotion){ 0 };
+  QnViewOptions options = qn_view_state_get_options (self->state);
+  return qn_scene_motion (scene, model, result, &options);
+}
+
+/* Of its two sides the middle. */
+void
+qn_canvas_joint_line (QnCanvas *self, const QnMotion *motion, const QnContactFace *face,
+                      QnVec2 line[2])
+{
+  const QnVec2 ends[2] = { face->start, face->end };
+  for (int i = 0; i < 2; i++)
+    line[i] = qn_vec2_lerp (qn_canvas_place (self, motion, face->a, ends[i]),
+                            qn_canvas_place (self, motion, face->b, ends[i]), 0.5);
+}
+
+static double
+distance_to_segment (QnVec2 p, QnVec2 a, QnVec2 b)
+{
+  QnVec2 d = qn_vec2_sub (b, a), r = qn_vec2_sub (p, a);
+  double length = qn_vec2_dot (d, d);
+  double s = length > 0.0 ? CLAMP (qn_vec2_dot (r, d) / length, 0.0, 1.0) : 0.0;
+  return qn_vec2_length (qn_vec2_add_scaled (r, -s, d));
+}
+
+/* The smaller side of the smaller block, px. */
+static double
+block_size (QnCanvas *self, const QnModel *model, const QnContactFace *face)
+{
+  double least = INFINITY;
+  const QnId sides[2] = { face->a, face->b };
+  for (int i = 0; i < 2; i++) {
+    QnBox box = QN_BOX_EMPTY;
+    const QnVec2 *v = qn_model_block_vertices (model, sides[i]);
+    for (QnId k = 0; k < model->blocks[sides[i]].vertex_count; k++)
+      qn_box_add_point (&box, v[k]);
+    least = MIN (least, MIN (box.max.x - box.min.x, box.max.y - box.min.y));
+  }
+  return least * self->camera.scale;
+}
+
+QnId
+qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
+{
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result;
+  if (!qn_view_state_get_content (self->state, &model, &contacts, &result))
+    return QN_NONE;
+  QnMotion motion = qn_canvas_get_motion (self);
+  QnId found = QN_NONE;
+  double nearest = JOINT_REACH_PX;
+  for (gsize f = 0; motion.model != NULL && f < contacts->face_count; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    QnVec2 line[2];
+    qn_canvas_joint_line (self, &motion, face, line);
+    double distance = distance_to_segment (screen, line[0], line[1]);
+    if (distance < nearest && block_size (self, model, face) >= LEAST_BLOCK_PX) {
+      nearest = distance;
+      found = (QnId) f;
+    }
+  }
+  return found;
+}
+
+/* ---- the card ---- */
+
+static QnInspected
+find_under_pointer (QnCanvas *self)
+{
+  QnInspected what = { TRUE, qn_canvas_pick_joint (self, self->pointer) };
+  if (what.id != QN_NONE)
+    return what;
+  QnPick pick = qn_canvas_pick (self, self->pointer, 1u << QN_PICK_BLOCK);
+  return (QnInspected){ FALSE, pick.kind == QN_PICK_BLOCK ? pick.id : QN_NONE };
+}
+
+static gboolean
+on_rest (gpointer data)
+{
+  QnCanvas *self = data;
+  self->inspect_timeout = 0;
+  self->has_rested = TRUE;
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+  return G_SOURCE_REMOVE;
+}
+
+void
+qn_canvas_pointer_moved (QnCanvas *self)
+{
+  self->has_rested = qn_view_state_get_view (self->state) != QN_VIEW_MODEL;
+  g_clear_handle_id (&self->inspect_timeout, g_source_remove);
+  if (!self->has_rested)
+    self->inspect_timeout = g_timeout_add (REST_MS, on_rest, self);
+}
+
+/* What is selected alone is told by the panel of results. */
+static gboolean
+is_selected (QnCanvas *self, QnInspected what)
+{
+  QnSelection *selection = qn_canvas_get_selection (self);
+  return what.is_joint ? qn_selection_get_face (selection) == what.id
+                       : qn_selection_has_block (selection, what.id);
+}
+
+/* Beside the pointer, where there is room. */
+static QnVec2
+card_place (QnCanvas *self, double width, double height)
+{
+  QnVec2 at = qn_vec2 (self->pointer.x + CARD_ASIDE, self->pointer.y + CARD_ASIDE);
+  if (at.x + width > self->camera.width)
+    at.x = self->pointer.x - CARD_ASIDE - width;
+  if (at.y + height > self->camera.height)
+    at.y = self->pointer.y - CARD_ASIDE - height;
+  return qn_vec2 (MAX (at.x, 0.0), MAX (at.y, 0.0));
+}
+
+static PangoLayout *
+make_card (QnCanvas *self, const char *title, const char *values)
+{
+  g_autofree char *markup = g_markup_printf_escaped ("<b>%s</b>\n%s", title, values);
+  PangoLayout *layout = gtk_widget_create_pango_layout (GTK_WIDGET (self), NULL);
+  PangoFontDescription *font =
+    pango_font_description_copy (pango_context_get_font_description (
+      gtk_widget_get_pango_context (GTK_WIDGET (self))));
+  pango_font_description_set_size (
+    font, (int) qn_to_integer (CARD_POINTS * PANGO_SCALE, 0, G_MAXINT));
+  pango_layout_set_font_description (layout, font);
+  pango_font_description_free (font);
+  PangoTabArray *tabs =
+    pango_tab_array_new_with_positions (1, TRUE, PANGO_TAB_LEFT, CARD_TAB);
+  pango_layout_set_tabs (layout, tabs);
+  pango_tab_array_free (tabs);
+  pango_layout_set_markup (layout, markup, -1);
+  return layout;
+}
+
+static void
+trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnInspected what)
+{
+  QnMotion motion = qn_canvas_get_motion (self);
+  if (motion.model == NULL)
+    return;
+  cairo_new_path (cr);
+  if (what.is_joint) {
+    QnVec2 line[2];
+    qn_canvas_joint_line (self, &motion, &view->contacts->faces[what.id], line);
+    cairo_move_to (cr, line[0].x, line[0].y);
+    cairo_line_to (cr, line[1].x, line[1].y);
+    return;
+  }
+  const QnVec2 *v = qn_model_block_vertices (view->model, what.id);
+  for (QnId k = 0; k < view->model->blocks[what.id].vertex_count; k++) {
+    QnVec2 s = qn_canvas_place (self, &motion, what.id, v[k]);
+    cairo_line_to (cr, s.x, s.y);
+  }
+  cairo_close_path (cr);
+}
+
+void
+qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
+{
+  if (!self->pointer_inside || self->in_gesture || self->tool != self->resting
+      || !self->has_rested)
+    return;
+  QnInspected what = find_under_pointer (self);
+  QnStepView view;
+  if (what.id == QN_NONE || is_selected (self, what)
+      || !qn_step_view_init (&view, self->state))
+    return;
+  g_autofree char *title = qn_inspect_dup_title (&view, what);
+  g_autofree char *values =
+    qn_inspect_dup_values (&view, what, qn_settings_get_units (), TRUE);
+  if (title != NULL && values != NULL) {
+    trace_inspected (self, cr, &view, what);
+    cairo_set_source_rgba (cr, 0.11, 0.44, 0.85, 0.9);
+    cairo_set_line_width (cr, what.is_joint ? 4.0 : 1.5);
+    cairo_stroke (cr);
+
+    g_autoptr (PangoLayout) layout = make_card (self, title, values);
+    int width, height;
+    pango_layout_get_pixel_size (layout, &width, &height);
+    QnVec2 at = card_place (self, width + 2.0 * CARD_PAD, height + 2.0 * CARD_PAD);
+    cairo_set_source_rgba (cr, 1.0, 1.0, 1.0, 0.95);
+    cairo_rectangle (cr, floor (at.x) + 0.5, floor (at.y) + 0.5, width + 2.0 * CARD_PAD,
+                     height + 2.0 * CARD_PAD);
+    cairo_fill_preserve (cr);
+    cairo_set_source_rgb (cr, 0.65, 0.65, 0.65);
+    cairo_set_line_width (cr, 1.0);
+    cairo_stroke (cr);
+    cairo_set_source_rgb (cr, 0.1, 0.1, 0.1);
+    cairo_move_to (cr, at.x + CARD_PAD, at.y + CARD_PAD);
+    pango_cairo_show_layout (cr, layout);
+    cairo_new_path (cr);
+  }
+  qn_step_view_clear (&view);
+}

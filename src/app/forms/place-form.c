@@ -1,0 +1,107 @@
+/* Where the selection is, how large and how turned, by numbers; its centroid, area and weight. */
+#include "app/forms/bound-form.h"
+#include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include "doc/edit/edit-place.h"
+#include <glib/gi18n.h>
+
+enum { FACTS = QN_EXTENT_COUNT, ARRANGE };
+
+static const QnFormField fields[] = {
+  [QN_EXTENT_X] = { .id = "x", .step = N_ ("Move") },
+  [QN_EXTENT_Y] = { .id = "y", .step = N_ ("Move") },
+  [QN_EXTENT_WIDTH] = { .id = "width", .step = N_ ("Set Width") },
+  [QN_EXTENT_HEIGHT] = { .id = "height", .step = N_ ("Set Height") },
+  [QN_EXTENT_ANGLE] = { .id = "angle", .step = N_ ("Rotate") },
+  [FACTS] = { .id = "facts" },
+  [ARRANGE] = { .id = "arrange" },
+};
+
+/* Borrowed from the selection. */
+static QnPartSet
+selected (const QnBoundForm *form)
+{
+  QnSelection *selection = qn_canvas_get_selection (form->canvas);
+  QnPartSet set = { { NULL, 0 }, { NULL, 0 } };
+  set.blocks.ids = qn_selection_get_blocks (selection, &set.blocks.count);
+  set.beams.ids = qn_selection_get_beams (selection, &set.beams.count);
+  return set;
+}
+
+static gboolean
+look (gpointer form)
+{
+  QnPartSet set = selected (form);
+  return set.blocks.count + set.beams.count > 0;
+}
+
+static char *
+dup_facts (const QnExtent *extent)
+{
+  QnUnits units = qn_settings_get_units ();
+  g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, extent->centroid.x, 5);
+  g_autofree char *y =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, extent->centroid.y, 5);
+  g_autofree char *area =
+    qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, extent->area, 5);
+  g_autofree char *weight =
+    qn_units_format_full (units, QN_QUANTITY_FORCE, extent->weight, 5);
+  return g_strdup_printf (_ ("Centroid at %s; %s\nArea %s m², weight %s"), x, y, area,
+                          weight);
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  const QnBoundForm *form = data;
+  const QnModel *model = qn_canvas_get_model (form->canvas);
+  QnPartSet set = selected (form);
+  QnExtent extent;
+  if (!qn_extent_find (model, set, &extent))
+    return FALSE;
+  QnVec2 size = qn_vec2_sub (extent.box.max, extent.box.min);
+  value->disabled = (field == QN_EXTENT_WIDTH || field == QN_EXTENT_HEIGHT)
+                    && !qn_extent_can_scale (model, set);
+  switch (field) {
+  case QN_EXTENT_X:
+    value->number = extent.box.min.x;
+    return TRUE;
+  case QN_EXTENT_Y:
+    value->number = extent.box.min.y;
+    return TRUE;
+  case QN_EXTENT_WIDTH:
+    value->number = size.x;
+    return TRUE;
+  case QN_EXTENT_HEIGHT:
+    value->number = size.y;
+    return TRUE;
+  case QN_EXTENT_ANGLE:
+    value->number = extent.angle;
+    return TRUE;
+  case FACTS:
+    value->text = dup_facts (&extent);
+    return set.blocks.count > 0;
+  default:
+    return set.blocks.count + set.beams.count > 1;
+  }
+}
+
+/* The ids are copied: the selection may change under the edit. */
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  const QnBoundForm *form = data;
+  QnPartSet set = qn_canvas_dup_parts (form->canvas);
+  gboolean done =
+    qn_edit_set_extent (draft, set, (QnExtentField) field, value->number, error);
+  qn_part_set_clear (&set);
+  return done;
+}
+
+GtkWidget *
+qn_place_form_new (QnCanvas *canvas)
+{
+  static const QnFormKind kind =
+    QN_FORM_KIND ("place-form", QnBoundForm, QN_FOLLOW_SELECTION);
+  return qn_bound_form_show (qn_bound_form_new (&kind, canvas));
+}

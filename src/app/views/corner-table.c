@@ -1,0 +1,133 @@
+/* The corners of the selected block by their coordinates. */
+#include "app/forms/form.h"
+#include "app/forms/panel.h"
+#include "app/widgets/quantity-entry.h"
+#include "doc/edit/edit-shape.h"
+#include <glib/gi18n.h>
+
+/* A block with more corners is a curve: its table would be as long as the window is high. */
+#define MOST_CORNERS 40
+#define FARTHEST     1e6
+
+typedef struct Table {
+  QnCanvas *canvas;
+  GtkWidget *expander, *grid;
+  GtkWidget *entries[MOST_CORNERS][2]; /* x, y */
+  QnId count;                          /* of rows */
+} Table;
+
+typedef struct Corner {
+  QnId block;
+  QnVec2 from, to;
+} Corner;
+
+static gboolean
+edit_corner (QnModel *model, gpointer data, GError **error)
+{
+  const Corner *corner = data;
+  return qn_edit_move_corner (model, (QnBlockSet){ &corner->block, 1 }, corner->from,
+                              corner->to, error);
+}
+
+/* The only block that is selected, or QN_NONE. */
+static QnId
+selected_block (Table *table)
+{
+  guint count = 0, beams = 0;
+  QnSelection *selection = qn_canvas_get_selection (table->canvas);
+  const QnId *ids = qn_selection_get_blocks (selection, &count);
+  qn_selection_get_beams (selection, &beams);
+  return count == 1 && beams == 0 ? ids[0] : QN_NONE;
+}
+
+static void
+on_committed (QnQuantityEntry *entry, Table *table)
+{
+  QnId block = selected_block (table);
+  const QnModel *model = qn_canvas_get_model (table->canvas);
+  if (block == QN_NONE || (gsize) block >= model->block_count)
+    return;
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  for (QnId k = 0; k < MIN (table->count, model->blocks[block].vertex_count); k++) {
+    QnVec2 to = v[k];
+    if (GTK_WIDGET (entry) == table->entries[k][0])
+      to.x = qn_quantity_entry_get_value (entry);
+    else if (GTK_WIDGET (entry) == table->entries[k][1])
+      to.y = qn_quantity_entry_get_value (entry);
+    else
+      continue;
+    Corner corner = { block, v[k], to };
+    if (!qn_canvas_edit (table->canvas, _ ("Move Corner"), NULL, edit_corner, &corner))
+      qn_quantity_entry_refuse (entry, _ ("No block has this shape"));
+    return;
+  }
+}
+
+static GtkWidget *
+new_entry (Table *table, QnId corner, int axis)
+{
+  GtkWidget *entry = qn_quantity_entry_new (QN_QUANTITY_LENGTH, -FARTHEST, FARTHEST);
+  g_autofree char *name = g_strdup_printf (
+    axis == 0 ? _ ("Corner %d, x") : _ ("Corner %d, y"), (int) corner + 1);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (entry), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  name, -1);
+  g_signal_connect (entry, "committed", G_CALLBACK (on_committed), table);
+  gtk_widget_set_hexpand (entry, TRUE);
+  return entry;
+}
+
+static void
+make_rows (Table *table, QnId count)
+{
+  while (table->count > count)
+    gtk_grid_remove_row (GTK_GRID (table->grid), --table->count);
+  for (; table->count < count; table->count++) {
+    g_autofree char *number = g_strdup_printf ("%d", (int) table->count + 1);
+    gtk_grid_attach (GTK_GRID (table->grid), gtk_label_new (number), 0, table->count, 1,
+                     1);
+    for (int axis = 0; axis < 2; axis++) {
+      GtkWidget *entry = new_entry (table, table->count, axis);
+      table->entries[table->count][axis] = entry;
+      gtk_grid_attach (GTK_GRID (table->grid), entry, 1 + axis, table->count, 1, 1);
+    }
+  }
+}
+
+static void
+update (Table *table)
+{
+  const QnModel *model = qn_canvas_get_model (table->canvas);
+  QnId block = selected_block (table);
+  gboolean shown = block != QN_NONE && (gsize) block < model->block_count
+                   && model->blocks[block].vertex_count <= MOST_CORNERS;
+  gtk_widget_set_visible (table->expander, shown);
+  if (!shown)
+    return;
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  make_rows (table, model->blocks[block].vertex_count);
+  for (QnId k = 0; k < table->count; k++) {
+    qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (table->entries[k][0]), v[k].x);
+    qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (table->entries[k][1]), v[k].y);
+  }
+}
+
+GtkWidget *
+qn_corner_table_new (QnCanvas *canvas)
+{
+  Table *table = g_new0 (Table, 1);
+  table->canvas = canvas;
+  table->grid = gtk_grid_new ();
+  gtk_grid_set_row_spacing (GTK_GRID (table->grid), 4);
+  gtk_grid_set_column_spacing (GTK_GRID (table->grid), 6);
+  table->expander = gtk_expander_new_with_mnemonic (_ ("_Corners"));
+  gtk_widget_add_css_class (table->expander, "form");
+  gtk_expander_set_child (GTK_EXPANDER (table->expander), table->grid);
+  GtkWidget *expander = table->expander;
+  qn_own (expander, table);
+  qn_watch (expander, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update),
+            table);
+  qn_watch (expander, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update),
+            table);
+  update (table);
+  return expander;
+}

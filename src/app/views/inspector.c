@@ -1,0 +1,141 @@
+#include "app/forms/form.h"
+#include "app/forms/joint-view.h"
+#include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include "doc/view/inspect.h"
+#include <glib/gi18n.h>
+
+#define DIAGRAM_PX 230
+
+typedef struct Inspector {
+  QnCanvas *canvas;
+  GtkWidget *box, *title, *rows, *diagram;
+} Inspector;
+
+static void
+remove_rows (Inspector *inspector)
+{
+  GtkWidget *row;
+  while ((row = gtk_widget_get_first_child (inspector->rows)) != NULL)
+    gtk_grid_remove (GTK_GRID (inspector->rows), row);
+}
+
+static GtkWidget *
+new_label (const char *text, gboolean value)
+{
+  GtkWidget *label = gtk_label_new (text);
+  gtk_label_set_xalign (GTK_LABEL (label), 0.0F);
+  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_selectable (GTK_LABEL (label), value);
+  /* Numbers are copied by the mouse; the keys keep to the fields. */
+  gtk_widget_set_focusable (label, FALSE);
+  gtk_widget_set_hexpand (label, value);
+  gtk_widget_set_valign (label, GTK_ALIGN_START);
+  gtk_widget_add_css_class (label, value ? "numeric" : "dim-label");
+  return label;
+}
+
+/* Lines of a name and a value. */
+static void
+show_values (Inspector *inspector, const char *values)
+{
+  g_auto (GStrv) lines = g_strsplit (values, "\n", -1);
+  remove_rows (inspector);
+  for (int i = 0; lines[i] != NULL; i++) {
+    g_auto (GStrv) parts = g_strsplit (lines[i], "\t", 2);
+    gtk_grid_attach (GTK_GRID (inspector->rows), new_label (parts[0], FALSE), 0, i, 1, 1);
+    gtk_grid_attach (GTK_GRID (inspector->rows), new_label (parts[1], TRUE), 1, i, 1, 1);
+  }
+}
+
+/* A single joint or block is selected. */
+static gboolean
+find_selected (Inspector *inspector, QnInspected *what)
+{
+  QnSelection *selection = qn_canvas_get_selection (inspector->canvas);
+  guint faces = 0, blocks = 0;
+  const QnId *face = qn_selection_get_faces (selection, &faces);
+  const QnId *block = qn_selection_get_blocks (selection, &blocks);
+  if (faces + blocks != 1)
+    return FALSE;
+  *what = (QnInspected){ faces == 1, faces == 1 ? *face : *block };
+  return TRUE;
+}
+
+/* The selection is of the document's model: a result of another one says nothing of it. */
+static gboolean
+has_result (Inspector *inspector)
+{
+  QnDocument *document = qn_canvas_get_document (inspector->canvas);
+  const QnRun *run = qn_document_get_run (document);
+  return run != NULL && !qn_document_is_stale (document, run);
+}
+
+static void
+show_diagram (Inspector *inspector, const QnStepView *view, QnInspected what)
+{
+  QnJointPlot plot = { 0 };
+  gboolean shown = what.is_joint && view->pairs != NULL
+                   && qn_joint_plot_fill (&plot, view->model, view->contacts,
+                                          view->result, (int) view->step, what.id);
+  if (shown)
+    qn_joint_view_set_plot (inspector->diagram, &plot);
+  gtk_widget_set_visible (inspector->diagram, shown);
+}
+
+static void
+update (Inspector *inspector)
+{
+  QnInspected what;
+  QnStepView view;
+  gboolean shown = find_selected (inspector, &what) && has_result (inspector)
+                   && qn_step_view_init (&view, qn_canvas_get_state (inspector->canvas));
+  gtk_widget_set_visible (inspector->box, shown);
+  if (!shown)
+    return;
+  g_autofree char *title = qn_inspect_dup_title (&view, what);
+  g_autofree char *values =
+    qn_inspect_dup_values (&view, what, qn_settings_get_units (), FALSE);
+  gtk_widget_set_visible (inspector->box, title != NULL && values != NULL);
+  if (title != NULL && values != NULL) {
+    gtk_label_set_text (GTK_LABEL (inspector->title), title);
+    show_values (inspector, values);
+    show_diagram (inspector, &view, what);
+  }
+  qn_step_view_clear (&view);
+}
+
+GtkWidget *
+qn_inspector_new (QnCanvas *canvas)
+{
+  Inspector *inspector = g_new0 (Inspector, 1);
+  inspector->canvas = canvas;
+  inspector->box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
+  inspector->title = gtk_label_new (NULL);
+  gtk_label_set_xalign (GTK_LABEL (inspector->title), 0.0F);
+  gtk_label_set_wrap (GTK_LABEL (inspector->title), TRUE);
+  gtk_widget_add_css_class (inspector->title, "heading");
+  inspector->rows = gtk_grid_new ();
+  gtk_grid_set_column_spacing (GTK_GRID (inspector->rows), 12);
+  inspector->diagram = gtk_drawing_area_new ();
+  gtk_widget_set_size_request (inspector->diagram, -1, DIAGRAM_PX);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (inspector->diagram),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  _ ("Normal against shear force in the joint"), -1);
+  qn_joint_view_init (inspector->diagram);
+  gtk_box_append (GTK_BOX (inspector->box), inspector->title);
+  gtk_box_append (GTK_BOX (inspector->box), inspector->rows);
+  gtk_box_append (GTK_BOX (inspector->box), inspector->diagram);
+
+  GtkWidget *box = inspector->box;
+  QnDocument *document = qn_canvas_get_document (canvas);
+  qn_own (box, inspector);
+  qn_watch (box, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update),
+            inspector);
+  qn_watch (box, document, "runs-changed", G_CALLBACK (update), inspector);
+  qn_watch (box, document, "changed", G_CALLBACK (update), inspector);
+  qn_watch (box, qn_canvas_get_state (canvas), "changed", G_CALLBACK (update), inspector);
+  qn_watch (box, qn_settings_get (), "changed", G_CALLBACK (update), inspector);
+  update (inspector);
+  return box;
+}

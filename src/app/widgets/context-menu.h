@@ -1,0 +1,31 @@
+/* Context menus: opened by the right button, by the Menu key and by Shift+F10. */
+#ifndef QN_APP_CONTEXT_MENU_H
+#define QN_APP_CONTEXT_MENU_H
+
+#include <gtk/gtk.h>
+
+/* What a menu is about: the place that was clicked, px of the widget, or by_key where keys have
+ * opened it; the function then sets x and y to where it belongs. Returns the menu, which is taken
+ * over, or NULL for none. */
+typedef struct QnMenuPlace {
+  gboolean by_key;
+  double x, y;
+} QnMenuPlace;
+
+typedef GMenuModel *(*QnMenuFunc) (GtkWidget *widget, QnMenuPlace *place, gpointer data);
+
+/* Gives the widget a context menu that is made anew each time. `data` must live as long as the widget
+ * does. */
+void qn_context_menu_attach (GtkWidget *widget, QnMenuFunc func, gpointer data);
+
+/* Opens it as the keys do; FALSE where there is none. */
+gboolean qn_context_menu_open (GtkWidget *widget);
+
+/* Appends an item; `target` is a detailed action with its target, as g_menu_append() takes it. */
+void qn_menu_add (GMenu *menu, const char *label, const char *action);
+
+/* Appends a section that is taken over, if it has items. */
+void qn_menu_add_section (GMenu *menu, GMenu *section);
+void qn_menu_add_submenu (GMenu *menu, const char *label, GMenu *submenu);
+
+#endif

@@ -1,0 +1,229 @@
+#include "doc/view/inspect.h"
+
+#include "doc/text/explain.h"
+#include <glib/gi18n.h>
+
+#define DIGITS 4
+
+gboolean
+qn_step_view_init (QnStepView *view, QnViewState *state)
+{
+  *view = (QnStepView){ 0 };
+  if (!qn_view_state_get_content (state, &view->model, &view->contacts, &view->result))
+    return FALSE;
+  QnDocument *document = qn_view_state_get_document (state);
+  const QnRun *run = qn_document_get_run (document);
+  /* The contacts of the same model are the same. */
+  if (view->result == NULL && run != NULL && !qn_document_is_stale (document, run))
+    view->result = &run->result;
+  if (view->result == NULL || view->result->step_count == 0)
+    return TRUE;
+  int step = qn_view_state_get_step (state);
+  view->step = step == QN_STEP_LAST ? view->result->step_count - 1 : (gsize) step;
+  view->pairs = qn_step_pairs (view->contacts, view->result, view->step);
+  /* Limit analysis knows forces and velocities alone. */
+  if (!view->result->limit.given)
+    view->motion = qn_step_motion (view->model, view->result, view->step);
+  return TRUE;
+}
+
+void
+qn_step_view_clear (QnStepView *view)
+{
+  g_clear_pointer (&view->pairs, g_free);
+}
+
+static gboolean
+is_there (const QnStepView *view, QnInspected what)
+{
+  gsize count = what.is_joint ? view->contacts->face_count : view->model->block_count;
+  return what.id >= 0 && (gsize) what.id < count;
+}
+
+char *
+qn_inspect_dup_title (const QnStepView *view, QnInspected what)
+{
+  if (!is_there (view, what))
+    return NULL;
+  if (!what.is_joint)
+    return g_strdup_printf (_ ("Block %s"), view->model->blocks[what.id].name);
+  const QnContactFace *face = &view->contacts->faces[what.id];
+  return g_strdup_printf (_ ("Joint %s – %s"), view->model->blocks[face->a].name,
+                          view->model->blocks[face->b].name);
+}
+
+/* ---- lines ---- */
+
+static void
+add_text (GString *text, const char *name, const char *value)
+{
+  g_string_append_printf (text, "%s%s\t%s", text->len > 0 ? "\n" : "", name, value);
+}
+
+static void
+add_value (GString *text, QnUnits units, const char *name, QnQuantity quantity,
+           double value)
+{
+  g_autofree char *number = qn_units_format_full (units, quantity, value, DIGITS);
+  add_text (text, name, number);
+}
+
+/* Two values on one line, the unit behind the second. */
+static void
+add_pair (GString *text, QnUnits units, const char *name, QnQuantity quantity, double a,
+          double b)
+{
+  g_autofree char *first = qn_units_format (units, quantity, a, DIGITS);
+  g_autofree char *second = qn_units_format_full (units, quantity, b, DIGITS);
+  g_autofree char *both = g_strdup_printf ("%s; %s", first, second);
+  add_text (text, name, both);
+}
+
+/* Lengths of motions are told in mm, whatever the unit of lengths: they are small. */
+static QnUnits
+with_mm (QnUnits units)
+{
+  units.length = QN_LENGTH_MM;
+  return units;
+}
+
+/* ---- joints ---- */
+
+static const char *
+place_word (QnPressurePlace place)
+{
+  switch (place) {
+  case QN_PLACE_KERN:
+    return _ ("within the kern");
+  case QN_PLACE_INSIDE:
+    return _ ("outside the kern");
+  case QN_PLACE_EDGE:
+    return _ ("at the edge");
+  case QN_PLACE_NOWHERE:
+  case QN_PLACE_COUNT:
+    break;
+  }
+  return "";
+}
+
+/* "e 83 mm, outside the kern (±67 mm; edge ±200 mm)" */
+static void
+add_eccentricity (GString *text, QnUnits units, const QnContactFace *face,
+                  const QnJointReading *reading, gboolean brief)
+{
+  if (reading->place == QN_PLACE_NOWHERE) {
+    add_text (text, _ ("Eccentricity"), _ ("no compression"));
+    return;
+  }
+  g_autofree char *e =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, reading->eccentricity, DIGITS);
+  g_autofree char *kern =
+    qn_units_format (units, QN_QUANTITY_LENGTH, face->length / 6.0, 3);
+  g_autofree char *edge =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, face->length / 2.0, 3);
+  g_autofree char *bounds = g_strdup_printf (_ ("kern ±%s, edge ±%s"), kern, edge);
+  g_autofree char *where = g_strdup_printf ("%s, %s", e, place_word (reading->place));
+  add_text (text, _ ("Eccentricity"), where);
+  if (!brief)
+    add_text (text, "", bounds);
+}
+
+/* One word where all pairs are in one state, else how many are in which. */
+static char *
+dup_state (const QnJointReading *reading)
+{
+  GString *text = g_string_new (NULL);
+  int kinds = 0;
+  for (int state = 0; state < QN_PAIR_STATE_COUNT; state++)
+    kinds += reading->states[state] > 0;
+  for (int state = 0; state < QN_PAIR_STATE_COUNT; state++) {
+    if (reading->states[state] == 0)
+      continue;
+    if (text->len > 0)
+      g_string_append (text, ", ");
+    if (kinds > 1)
+      g_string_append_printf (text, "%d ", reading->states[state]);
+    g_string_append (text, qn_explain_pair_state ((QnPairState) state));
+  }
+  return g_string_free (text, FALSE);
+}
+
+static void
+tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
+{
+  const QnContactFace *face = &view->contacts->faces[id];
+  QnJointReading reading =
+    qn_joint_reading (view->contacts, id, view->pairs,
+                      view->motion.displacements != NULL ? &view->motion : NULL);
+  if (reading.has_forces) {
+    add_value (text, units, "N", QN_QUANTITY_FORCE, reading.normal);
+    add_value (text, units, "T", QN_QUANTITY_FORCE, reading.shear);
+    add_value (text, units, "M", QN_QUANTITY_MOMENT, reading.moment);
+    add_eccentricity (text, units, face, &reading, brief);
+    add_value (text, units, _ ("Greatest pressure"), QN_QUANTITY_STRESS,
+               -reading.pressure);
+    g_autofree char *state = dup_state (&reading);
+    add_text (text, _ ("State"), state);
+  } else if (view->result != NULL)
+    add_text (text, _ ("Forces"), _ ("not kept of this step"));
+  if (reading.has_motion) {
+    QnUnits mm = with_mm (units);
+    add_pair (text, mm, _ ("Opening at its ends"), QN_QUANTITY_LENGTH,
+              reading.opening_start, reading.opening_end);
+    add_value (text, mm, _ ("Slip"), QN_QUANTITY_LENGTH, reading.slip);
+  }
+  if (brief && view->result != NULL)
+    return;
+  add_value (text, units, _ ("Length"), QN_QUANTITY_LENGTH, face->length);
+  const char *law_a = view->model->laws[face->law_a].name;
+  const char *law_b = view->model->laws[face->law_b].name;
+  g_autofree char *laws = face->law_a == face->law_b
+                            ? g_strdup (law_a)
+                            : g_strdup_printf ("%s, %s", law_a, law_b);
+  add_text (text, _ ("Law"), laws);
+}
+
+/* ---- blocks ---- */
+
+static void
+tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
+{
+  const QnBlock *block = &view->model->blocks[id];
+  QnBlockReading reading =
+    qn_block_reading (view->model, view->contacts, id, view->pairs,
+                      view->motion.displacements != NULL ? &view->motion : NULL);
+  if (reading.has_motion) {
+    QnUnits mm = with_mm (units);
+    add_pair (text, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,
+              reading.displacement[QN_DOF_UX], reading.displacement[QN_DOF_UY]);
+    add_value (text, units, _ ("Rotation"), QN_QUANTITY_ANGLE,
+               reading.displacement[QN_DOF_RZ]);
+    add_value (text, mm, _ ("Largest motion"), QN_QUANTITY_LENGTH, reading.largest);
+  }
+  if (reading.has_forces) {
+    add_pair (text, units, _ ("Principal stresses"), QN_QUANTITY_STRESS,
+              reading.principal[0], reading.principal[1]);
+    add_pair (text, units, _ ("Force of its joints x; y"), QN_QUANTITY_FORCE,
+              reading.force.x, reading.force.y);
+  } else if (view->result != NULL)
+    add_text (text, _ ("Forces"), _ ("not kept of this step"));
+  if (brief && view->result != NULL)
+    return;
+  add_value (text, units, _ ("Weight"), QN_QUANTITY_FORCE, block->weight);
+  add_pair (text, units, _ ("Centroid x; y"), QN_QUANTITY_LENGTH, block->centroid.x,
+            block->centroid.y);
+}
+
+char *
+qn_inspect_dup_values (const QnStepView *view, QnInspected what, QnUnits units,
+                       gboolean brief)
+{
+  if (!is_there (view, what))
+    return NULL;
+  GString *text = g_string_new (NULL);
+  if (what.is_joint)
+    tell_joint (text, view, what.id, units, brief);
+  else
+    tell_block (text, view, what.id, units, brief);
+  return g_string_free (text, FALSE);
+}

@@ -1,0 +1,38 @@
+/* What the window tells of the joint or block under the pointer, in words and units.
+ *
+ * Numbers are those of render/scene/reading.h at the step that is shown. In the views of the model
+ * they are told as long as the current run is of the same model; otherwise geometry alone. */
+#ifndef QN_DOC_INSPECT_H
+#define QN_DOC_INSPECT_H
+
+#include "doc/text/units.h"
+#include "doc/view/view-state.h"
+#include "render/scene/reading.h"
+
+/* A joint or a block of what the view shows (qn_view_state_get_content()). */
+typedef struct QnInspected {
+  gboolean is_joint;
+  QnId id;
+} QnInspected;
+
+/* What a view shows of a result at its step. */
+typedef struct QnStepView {
+  const QnModel *model;
+  const QnContacts *contacts;
+  const QnResult *result; /* NULL: none that fits */
+  gsize step;             /* of it */
+  QnPairResult *pairs;    /* at that step, owned; NULL: not known */
+  QnMotion motion;        /* its displacements NULL: not known */
+} QnStepView;
+
+/* FALSE where the view has nothing to show; nothing to clear then. */
+gboolean qn_step_view_init (QnStepView *view, QnViewState *state);
+void qn_step_view_clear (QnStepView *view);
+
+/* The name of what it is: "Joint b1 – b2", "Block b1"; and its values, a line for each with a tab
+ * between name and value, the most important ones alone where `brief`. NULL where there is no such joint or block; the caller frees them. */
+char *qn_inspect_dup_title (const QnStepView *view, QnInspected what);
+char *qn_inspect_dup_values (const QnStepView *view, QnInspected what, QnUnits units,
+                             gboolean brief);
+
+#endif

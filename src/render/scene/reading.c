@@ -1,0 +1,168 @@
+#include "render/scene/reading.h"
+
+#include <glib.h>
+
+/* Share of the normal forces that is left of them in their resultant: below, it is bending with
+ * rounding, and its centre is anywhere. */
+#define BENDING_SHARE 1e-3
+
+#define KERN_SHARE (1.0 / 6.0)
+#define EDGE_SHARE (0.5 - 1.0 / 50.0)
+
+QnPressurePlace
+qn_pressure_place (double eccentricity, double length, double normal, double total)
+{
+  if (!(-normal > BENDING_SHARE * total))
+    return QN_PLACE_NOWHERE;
+  double share = fabs (eccentricity) / length;
+  return share <= KERN_SHARE   ? QN_PLACE_KERN
+         : share <= EDGE_SHARE ? QN_PLACE_INSIDE
+                               : QN_PLACE_EDGE;
+}
+
+static void
+read_forces (QnJointReading *reading, const QnContacts *contacts,
+             const QnContactFace *face, const QnPairResult *pairs)
+{
+  double total = 0, first = 0; /* N; N m about the start */
+  for (QnId k = face->first_pair; k < face->first_pair + face->pair_count; k++) {
+    const QnContactPair *pair = &contacts->pairs[k];
+    double area = pair->tributary * face->thickness;
+    reading->normal += pairs[k].normal_force;
+    reading->shear += pairs[k].shear_force;
+    reading->states[pairs[k].state]++;
+    total += fabs (pairs[k].normal_force);
+    first += pairs[k].normal_force * pair->abscissa;
+    if (area > 0)
+      reading->pressure = fmin (reading->pressure, pairs[k].normal_force / area);
+  }
+  reading->has_forces = true;
+  reading->moment = -(first - 0.5 * face->length * reading->normal);
+  double s = 0.5 * face->length;
+  if (fabs (reading->normal) > BENDING_SHARE * total)
+    s = fmin (fmax (first / reading->normal, 0), face->length);
+  double eccentricity =
+    reading->normal < 0 ? first / reading->normal - 0.5 * face->length : 0;
+  reading->place = qn_pressure_place (eccentricity, face->length, reading->normal, total);
+  if (reading->place != QN_PLACE_NOWHERE)
+    reading->eccentricity = eccentricity;
+  reading->at =
+    qn_vec2_lerp (face->start, face->end, face->length > 0 ? s / face->length : 0);
+}
+
+QnJointReading
+qn_joint_reading (const QnContacts *contacts, QnId index, const QnPairResult *pairs,
+                  const QnMotion *motion)
+{
+  const QnContactFace *face = &contacts->faces[index];
+  QnJointReading reading = { .at = qn_vec2_lerp (face->start, face->end, 0.5) };
+  if (pairs != NULL)
+    read_forces (&reading, contacts, face, pairs);
+  if (motion != NULL && motion->displacements != NULL) {
+    QnJoint joint = qn_motion_joint (motion, face);
+    reading.has_motion = true;
+    reading.opening_start = joint.opening_start;
+    reading.opening_end = joint.opening_end;
+    reading.slip = joint.slip;
+  }
+  return reading;
+}
+
+/* ---- blocks ---- */
+
+/* The forces of a face on the block on one of its sides. The mean stress of a block follows from
+ * the forces on its boundary, sigma = (1/V) sum f (x) r (Love 1927, Weber 1966); its sums stand in
+ * `stress` until they are divided by the volume. */
+static void
+add_face (QnBlockReading *reading, const QnModel *model, const QnContacts *contacts,
+          const QnContactFace *face, const QnPairResult *pairs, QnId block)
+{
+  double sign = block == face->a ? 1 : -1;
+  for (QnId k = face->first_pair; k < face->first_pair + face->pair_count; k++) {
+    QnVec2 f = qn_vec2_add (qn_vec2_scale (sign * pairs[k].normal_force, face->normal),
+                            qn_vec2_scale (sign * pairs[k].shear_force, face->tangent));
+    QnVec2 r = qn_vec2_sub (contacts->pairs[k].point, model->blocks[block].centroid);
+    reading->force = qn_vec2_add (reading->force, f);
+    reading->moment += qn_vec2_cross (r, f);
+    reading->stress[0] += f.x * r.x;
+    reading->stress[1] += f.y * r.y;
+    reading->stress[2] += 0.5 * (f.x * r.y + f.y * r.x);
+  }
+}
+
+static void
+complete (QnBlockReading *reading, const QnModel *model, QnId block,
+          const QnPairResult *pairs, const QnMotion *motion)
+{
+  const QnBlock *b = &model->blocks[block];
+  double volume = b->area * b->thickness;
+  reading->has_forces = pairs != NULL;
+  for (int i = 0; i < 3; i++)
+    reading->stress[i] /= volume;
+  double middle = 0.5 * (reading->stress[0] + reading->stress[1]);
+  double radius =
+    hypot (0.5 * (reading->stress[0] - reading->stress[1]), reading->stress[2]);
+  reading->principal[0] = middle - radius;
+  reading->principal[1] = middle + radius;
+  if (motion == NULL || motion->displacements == NULL)
+    return;
+  reading->has_motion = true;
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    reading->displacement[dof] =
+      motion->displacements[(size_t) block * QN_DOF_COUNT + (size_t) dof];
+  reading->largest = qn_motion_of_block (motion, block);
+}
+
+QnBlockReading
+qn_block_reading (const QnModel *model, const QnContacts *contacts, QnId block,
+                  const QnPairResult *pairs, const QnMotion *motion)
+{
+  QnBlockReading reading = { 0 };
+  for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    if (face->a == block || face->b == block)
+      add_face (&reading, model, contacts, face, pairs, block);
+  }
+  complete (&reading, model, block, pairs, motion);
+  return reading;
+}
+
+QnBlockReading *
+qn_block_readings (const QnModel *model, const QnContacts *contacts,
+                   const QnPairResult *pairs, const QnMotion *motion)
+{
+  QnBlockReading *readings = g_new0 (QnBlockReading, MAX (model->block_count, 1));
+  for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    add_face (&readings[face->a], model, contacts, face, pairs, face->a);
+    add_face (&readings[face->b], model, contacts, face, pairs, face->b);
+  }
+  for (size_t i = 0; i < model->block_count; i++)
+    complete (&readings[i], model, (QnId) i, pairs, motion);
+  return readings;
+}
+
+/* ---- a step ---- */
+
+QnPairResult *
+qn_step_pairs (const QnContacts *contacts, const QnResult *result, size_t step)
+{
+  if (result->pair_count != contacts->pair_count || result->pairs == NULL
+      || !qn_result_has_forces (result, step))
+    return NULL;
+  QnPairResult *pairs = g_new (QnPairResult, MAX (result->pair_count, 1));
+  for (size_t p = 0; p < result->pair_count; p++)
+    pairs[p] = qn_result_pair_at (result, step, p);
+  return pairs;
+}
+
+QnMotion
+qn_step_motion (const QnModel *model, const QnResult *result, size_t step)
+{
+  return (QnMotion){ .model = model,
+                     .displacements = step < result->step_count
+                                        ? qn_result_step_displacements (result, step)
+                                        : NULL,
+                     .linear = model->analysis.geometry == QN_GEOMETRY_LINEAR,
+                     .scale = 1 };
+}

@@ -1,0 +1,78 @@
+/* Readings: what a result says of one joint or one block at one step, from its contact forces and
+ * displacements. Pictures of forces, fields by colour and the window all show these numbers.
+ *
+ * A joint is read on the force that block b puts on block a. Its moment is taken about the middle
+ * of the face, counter-clockwise, so that moment = -normal * eccentricity. In equilibrium the
+ * forces and moments of all joints of a block sum up to what loads and supports do not carry.
+ */
+#ifndef QN_RENDER_READING_H
+#define QN_RENDER_READING_H
+
+#include "render/scene/motion.h"
+
+/* Where the normal force acts, by its distance from the middle of a joint of length L. */
+typedef enum {
+  QN_PLACE_NOWHERE, /* no compression as a whole: bending with rounding, or tension */
+  QN_PLACE_KERN,    /* up to L/6: the whole joint is pressed, if it is linear */
+  QN_PLACE_INSIDE,  /* up to L/2 */
+  QN_PLACE_EDGE,    /* within a fiftieth of L of the end: a hinge */
+  QN_PLACE_COUNT
+} QnPressurePlace;
+
+/* `normal`: their sum; `total`: the sum of the sizes of the normal forces, N. */
+QnPressurePlace qn_pressure_place (double eccentricity, double length, double normal,
+                                   double total);
+
+typedef struct QnJointReading {
+  bool has_forces; /* false: only what follows below them is given */
+  double normal;   /* N, <= 0 in compression */
+  double shear;    /* N, along the tangent of the face */
+  double moment;   /* N m */
+  double
+    eccentricity; /* m, from the middle along the tangent; 0 where place is NOWHERE */
+  QnPressurePlace place;
+  double pressure; /* Pa, <= 0: the most pressed contact pair over its tributary area */
+  QnVec2 at;       /* m, undeformed: where the normal force acts, kept within the face */
+  int32_t states[QN_PAIR_STATE_COUNT]; /* how many pairs are in each */
+
+  bool has_motion;
+  double opening_start, opening_end; /* m, of the ends of the face; < 0: closing */
+  double slip;                       /* m, of block b along the tangent */
+} QnJointReading;
+
+/* Pairs of a face, one after the other, for qn_joint_reading(). `pairs` are all of the contacts;
+ * `motion` is nullable; its factor does not count. Either may be missing. */
+QnJointReading qn_joint_reading (const QnContacts *contacts, QnId face,
+                                 const QnPairResult *pairs, const QnMotion *motion);
+
+typedef struct QnBlockReading {
+  bool has_forces;
+  QnVec2 force;        /* N: sum of what its joints put on it */
+  double moment;       /* N m, of these about its centroid, counter-clockwise */
+  double stress[3];    /* Pa, mean: xx, yy, xy; tension > 0 */
+  double principal[2]; /* Pa, of these: least, greatest */
+
+  bool has_motion;
+  double displacement[3]; /* m, m, rad, of the centroid */
+  double largest;         /* m, of its vertices */
+} QnBlockReading;
+
+/* The joints of a block are found among all faces. */
+QnBlockReading qn_block_reading (const QnModel *model, const QnContacts *contacts,
+                                 QnId block, const QnPairResult *pairs,
+                                 const QnMotion *motion);
+
+/* The same of all blocks at once: an array of block_count, newly allocated (g_free). */
+QnBlockReading *qn_block_readings (const QnModel *model, const QnContacts *contacts,
+                                   const QnPairResult *pairs, const QnMotion *motion);
+
+/* The contact forces of a step, newly allocated (g_free); NULL where the result does not have
+ * them or is of other contacts. */
+QnPairResult *qn_step_pairs (const QnContacts *contacts, const QnResult *result,
+                             size_t step);
+
+/* The displacements of a step, at factor 1; `displacements` is NULL where the result has no
+ * steps. */
+QnMotion qn_step_motion (const QnModel *model, const QnResult *result, size_t step);
+
+#endif

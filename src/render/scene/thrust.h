@@ -1,0 +1,42 @@
+/* The line of thrust: where the forces pass from one row of blocks to the next.
+ *
+ * A cut is a row of contact faces that follow each other along one line: a joint between two
+ * voussoirs, or a bed joint all the way through a pier. Its resultant follows from the contact
+ * forces of its faces. Two cuts are neighbours where the blocks between them have no other loaded
+ * joint: then the forces at the two cuts and the loads on these blocks are in equilibrium, and the
+ * line of thrust leads from the one to the other. Where a wall forks, at openings, it ends.
+ */
+#ifndef QN_RENDER_THRUST_H
+#define QN_RENDER_THRUST_H
+
+#include "render/scene/reading.h"
+
+/* Side 0 of a cut is where its normal comes from. */
+typedef struct QnCut {
+  QnVec2 start, end;   /* m, undeformed */
+  QnVec2 normal;       /* unit, that of its first face */
+  QnVec2 force;        /* N, of side 1 on side 0 */
+  QnVec2 at;           /* m, where it acts, kept within the cut */
+  double length;       /* m */
+  double eccentricity; /* m, of `at` from the middle, towards the end */
+  QnPressurePlace place;
+  QnId face;    /* the one that `at` lies in */
+  QnId next[2]; /* neighbouring cut on either side, or QN_NONE */
+} QnCut;
+
+typedef struct QnThrust {
+  QnCut *cuts;
+  size_t count;
+  double largest; /* N, of all cuts */
+} QnThrust;
+
+/* Forces below this share of the largest are none. */
+#define QN_THRUST_LEAST_SHARE 2e-3
+
+/* `pairs` of all contacts. False without memory; nothing to clear then. */
+bool qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contacts,
+                     const QnPairResult *pairs);
+
+void qn_thrust_clear (QnThrust *thrust);
+
+#endif

@@ -1,0 +1,216 @@
+/* What the window tells of joints and blocks: under the pointer, after a click in any view, from the
+ * rows of tables; and the colours of results, chosen in the window. */
+#include "driver.h"
+
+#include "app/views/curve-view.h"
+#include "doc/view/inspect.h"
+
+#include <string.h>
+
+/* A wall, solved. */
+static QnWindow *
+open_solved (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  return window;
+}
+
+/* Middle of a joint as the view draws it, and the joint that lies lowest there. */
+static QnVec2
+middle_of (QnWindow *window, QnId face)
+{
+  const QnContactFace *f =
+    &qn_document_get_contacts (qn_window_get_document (window))->faces[face];
+  return qn_vec2_lerp (f->start, f->end, 0.5);
+}
+
+/* A bed joint of the right pier, pressed. */
+static QnId
+pressed_joint (QnWindow *window)
+{
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  QnId found = QN_NONE;
+  double most = 0.0;
+  for (gsize f = 0; f < run->contacts.face_count; f++) {
+    QnJointReading r =
+      qn_joint_reading (&run->contacts, (QnId) f, run->result.pairs, NULL);
+    gboolean held = run->model.blocks[run->contacts.faces[f].a].support[0];
+    if (!held && r.normal < most) {
+      most = r.normal;
+      found = (QnId) f;
+    }
+  }
+  g_assert_cmpint (found, !=, QN_NONE);
+  return found;
+}
+
+static gboolean
+has_text (GtkWidget *widget, gconstpointer data)
+{
+  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
+         && strstr (gtk_label_get_text (GTK_LABEL (widget)), data) != NULL;
+}
+
+static gboolean
+says (QnWindow *window, const char *text)
+{
+  return driver_find_widget (GTK_WIDGET (window), has_text, text) != NULL;
+}
+
+/* A click on a joint selects it in the views of the model and of forces, and the panel of results
+ * tells its values. */
+static void
+test_click_joint (void)
+{
+  static const char *const views[] = { "win.view::forces", "win.view::model",
+                                       "win.view::contacts" };
+  QnWindow *window = open_solved ();
+  QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
+  QnId joint = pressed_joint (window);
+  QnVec2 at = middle_of (window, joint);
+  driver_activate (window, "win.show-panel::result");
+  for (gsize i = 0; i < G_N_ELEMENTS (views); i++) {
+    driver_activate (window, views[i]);
+    driver_run (200);
+    qn_selection_clear (selection);
+    driver_click (window, at.x, at.y);
+    g_assert_cmpint (qn_selection_get_face (selection), ==, joint);
+    g_assert_true (says (window, "Eccentricity"));
+    g_assert_true (says (window, "Joint "));
+    driver_screenshot (GTK_WIDGET (window), i == 0   ? "inspect-forces"
+                                            : i == 1 ? "inspect-model"
+                                                     : "inspect-contacts");
+  }
+  driver_discard (window);
+}
+
+/* In the view of the model a drag that begins at a joint moves what lies there. */
+static void
+test_drag_beside_joint (void)
+{
+  QnWindow *window = open_solved ();
+  QnDocument *document = qn_window_get_document (window);
+  QnVec2 at = middle_of (window, pressed_joint (window));
+  gsize last = qn_document_get_model (document)->block_count - 1;
+  double before = qn_document_get_model (document)->blocks[last].centroid.x;
+  driver_activate (window, "win.view::model");
+  driver_drag (window, at.x, at.y, at.x + 0.5, at.y);
+  g_assert_cmpint (qn_selection_get_face (qn_document_get_selection (document)), ==,
+                   QN_NONE);
+  g_assert_cmpfloat (qn_document_get_model (document)->blocks[last].centroid.x, !=,
+                     before);
+  driver_discard (window);
+}
+
+/* A row of the table of contacts selects its joint. */
+static gboolean
+is_contact_table (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_COLUMN_VIEW (widget)
+         && g_list_model_get_n_items (
+              gtk_column_view_get_columns (GTK_COLUMN_VIEW (widget)))
+              == 4;
+}
+
+static gboolean
+is_contact_expander (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_EXPANDER (widget)
+         && g_str_has_prefix (gtk_expander_get_label (GTK_EXPANDER (widget)),
+                              "_Contacts");
+}
+
+static void
+test_table_row (void)
+{
+  QnWindow *window = open_solved ();
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
+  driver_activate (window, "win.show-panel::result");
+  GtkWidget *expander =
+    driver_find_widget (GTK_WIDGET (window), is_contact_expander, NULL);
+  g_assert_nonnull (expander);
+  gtk_expander_set_expanded (GTK_EXPANDER (expander), TRUE);
+  driver_run (200);
+  GtkWidget *table = driver_find_widget (GTK_WIDGET (window), is_contact_table, NULL);
+  g_assert_nonnull (table);
+  const guint row = 41;
+  gtk_single_selection_set_selected (
+    GTK_SINGLE_SELECTION (gtk_column_view_get_model (GTK_COLUMN_VIEW (table))), row);
+  driver_run (200);
+  g_assert_cmpint (qn_selection_get_face (selection), ==, run->contacts.pairs[row].face);
+  driver_screenshot (GTK_WIDGET (window), "inspect-row");
+  driver_discard (window);
+}
+
+/* After an edit the result is of another model: its blocks are known by name alone. */
+static gboolean
+edit_delete_first (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  const QnId first = (QnId) model->block_count - 1;
+  return qn_edit_delete_blocks (model, (QnBlockSet){ &first, 1 }, error);
+}
+
+static void
+test_stale_result (void)
+{
+  QnWindow *window = open_solved ();
+  QnDocument *document = qn_window_get_document (window);
+  QnSelection *selection = qn_document_get_selection (document);
+  QnId joint = pressed_joint (window);
+  QnVec2 at = middle_of (window, joint);
+  driver_activate (window, "win.view::forces");
+  g_assert_true (
+    qn_document_edit (document, "Delete", NULL, edit_delete_first, NULL, NULL));
+  driver_run (200);
+  driver_click (window, at.x, at.y);
+  g_assert_cmpint (qn_selection_get_face (selection), ==, QN_NONE);
+  g_assert_false (says (window, "Eccentricity"));
+  driver_discard (window);
+}
+
+/* Colours are chosen where the results are, and leave with them; loads are shown there when they
+ * are asked for. */
+static void
+test_fields_and_loads (void)
+{
+  QnWindow *window = open_solved ();
+  QnViewState *state = qn_window_get_view_state (window);
+  driver_activate (window, "win.view::model");
+  g_assert_true (qn_view_state_get_options (state).loads);
+  driver_activate (window, "win.view::deformed");
+  g_assert_false (qn_view_state_get_options (state).loads);
+  driver_activate (window, "win.field::stress");
+  g_assert_cmpint (qn_view_state_get_options (state).field, ==, QN_FIELD_STRESS);
+  driver_screenshot (GTK_WIDGET (window), "field-stress");
+  driver_activate (window, "win.view::mechanism");
+  driver_activate (window, "win.field::displacement");
+  g_assert_cmpint (qn_view_state_get_options (state).field, ==, QN_FIELD_DISPLACEMENT);
+  driver_activate (window, "win.loads");
+  g_assert_true (qn_view_state_get_options (state).loads);
+  driver_activate (window, "win.view::model");
+  g_assert_cmpint (qn_view_state_get_options (state).field, ==, QN_FIELD_NONE);
+  driver_activate (window, "win.loads");
+  g_assert_false (qn_view_state_get_options (state).loads);
+  driver_activate (window, "win.view::forces");
+  g_assert_true (qn_view_state_get_options (state).loads);
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/inspect/click-joint", test_click_joint);
+  g_test_add_func ("/app/inspect/drag-beside-joint", test_drag_beside_joint);
+  g_test_add_func ("/app/inspect/table-row", test_table_row);
+  g_test_add_func ("/app/inspect/stale-result", test_stale_result);
+  g_test_add_func ("/app/inspect/fields-and-loads", test_fields_and_loads);
+  return g_test_run ();
+}

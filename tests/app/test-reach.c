@@ -1,0 +1,430 @@
+/* What is within reach: context menus, numbers typed and in panels, keys wherever the focus is, small
+ * windows, pasting. */
+#include "driver.h"
+
+#include "app/forms/form.h"
+#include "app/widgets/context-menu.h"
+#include "app/widgets/quantity-entry.h"
+
+#include <math.h>
+#include <string.h>
+
+static const char two_blocks[] =
+  "{ \"format\": \"quoin\", \"version\": 1,"
+  "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+  "    \"friction\": 0.6 } ],"
+  "  \"blocks\": [ { \"name\": \"base\", \"vertices\": [[0,0],[2,0],[2,1],[0,1]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+  "    { \"name\": \"top\", \"vertices\": [[0.5,1],[1.5,1],[1.5,2],[0.5,2]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 },"
+  "    { \"name\": \"other\", \"vertices\": [[4,0],[5,0],[5,1],[4,1]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] } ],"
+  "  \"contact\": { \"law\": \"dry\" },"
+  "  \"loads\": { \"live\": [ { \"kind\": \"force\", \"block\": \"top\", \"value\": "
+  "[100, 0],"
+  "    \"at\": [1.0, 1.5] } ] } }";
+
+static QnWindow *
+open_blocks (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  g_autoptr (GError) error = NULL;
+  g_autofree char *path = g_build_filename (g_get_tmp_dir (), "quoin-reach.quoin", NULL);
+  g_assert_true (g_file_set_contents (path, two_blocks, -1, &error));
+  g_assert_true (qn_window_open_path (window, path));
+  g_assert_cmpint (remove (path), ==, 0);
+  driver_run (200);
+  return window;
+}
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static QnSelection *
+selection_of (QnWindow *window)
+{
+  return qn_document_get_selection (qn_window_get_document (window));
+}
+
+static QnVec2
+corner_of (QnWindow *window, const char *name)
+{
+  QnId id = qn_model_find_block (model_of (window), name);
+  g_assert_cmpint (id, !=, QN_NONE);
+  QnBox box = QN_BOX_EMPTY;
+  const QnVec2 *v = qn_model_block_vertices (model_of (window), id);
+  for (QnId k = 0; k < model_of (window)->blocks[id].vertex_count; k++)
+    qn_box_add_point (&box, v[k]);
+  return box.min;
+}
+
+static void
+check_corner (QnWindow *window, const char *name, double x, double y)
+{
+  QnVec2 corner = corner_of (window, name);
+  g_assert_cmpfloat_with_epsilon (corner.x, x, 1e-9);
+  g_assert_cmpfloat_with_epsilon (corner.y, y, 1e-9);
+}
+
+static gboolean
+is_menu (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_POPOVER_MENU (widget) && gtk_widget_get_mapped (widget);
+}
+
+/* The context menu that is open, or NULL. */
+static GtkWidget *
+open_menu (QnWindow *window)
+{
+  return driver_find_widget (GTK_WIDGET (qn_window_get_canvas (window)), is_menu, NULL);
+}
+
+static gboolean
+has_action (GMenuModel *menu, const char *action)
+{
+  for (int i = 0; i < g_menu_model_get_n_items (menu); i++) {
+    g_autofree char *its = NULL;
+    if (g_menu_model_get_item_attribute (menu, i, G_MENU_ATTRIBUTE_ACTION, "s", &its)
+        && g_str_equal (its, action))
+      return TRUE;
+    static const char *const links[] = { G_MENU_LINK_SECTION, G_MENU_LINK_SUBMENU };
+    for (gsize k = 0; k < G_N_ELEMENTS (links); k++) {
+      g_autoptr (GMenuModel) below = g_menu_model_get_item_link (menu, i, links[k]);
+      if (below != NULL && has_action (below, action))
+        return TRUE;
+    }
+  }
+  return FALSE;
+}
+
+/* Opens the menu there, checks what it offers, and closes it. */
+static void
+check_menu (QnWindow *window, double x, double y, const char *action, const char *shot)
+{
+  driver_point (window, x, y);
+  driver_press_button ("3");
+  driver_run (200);
+  GtkWidget *menu = open_menu (window);
+  g_assert_nonnull (menu);
+  g_assert_true (
+    has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)), action));
+  driver_screenshot (menu, shot);
+  driver_key ("Escape");
+  driver_run (200);
+  g_assert_null (open_menu (window));
+}
+
+/* On a block, a joint, a load and the paper, by the right button; by both keys for the selection. */
+static void
+test_context_menus (void)
+{
+  QnWindow *window = open_blocks ();
+  check_menu (window, 4.3, 0.3, "win.support", "menu-block");
+  g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  check_menu (window, 1.0, 1.0, "win.joint-law", "menu-joint");
+  g_assert_cmpint (qn_selection_get_face (selection_of (window)), ==, 0);
+  check_menu (window, 3.0, 0.6, "win.paste", "menu-paper");
+  g_assert_true (qn_selection_is_empty (selection_of (window)));
+  driver_click (window, 4.3, 0.3);
+  static const char *const keys[] = { "Menu", "shift+F10" };
+  for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
+    driver_key (keys[i]);
+    driver_run (200);
+    g_assert_nonnull (open_menu (window));
+    driver_key ("Escape");
+    driver_run (200);
+    g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  }
+  driver_activate_target (window, "win.delete-load", g_variant_new ("(bi)", TRUE, 0));
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 0);
+  driver_activate (window, "win.undo");
+  driver_activate (window, "win.support::pinned");
+  g_assert_false (model_of (window)->blocks[2].support[QN_DOF_RZ]);
+  driver_discard (window);
+}
+
+/* "right; up" with the button up, and held; sums are worked out. */
+static void
+test_typed_moves (void)
+{
+  QnWindow *window = open_blocks ();
+  driver_click (window, 4.3, 0.3);
+  driver_type ("0.4*3+0.01; 1/2");
+  driver_key ("Return");
+  check_corner (window, "other", 5.21, 0.5);
+  driver_activate (window, "win.undo");
+  driver_activate (window, "win.rotate(90.0)");
+  driver_activate (window, "win.undo");
+  /* The rotate tool turns about the middle when an angle is typed at once. */
+  driver_activate (window, "win.tool::rotate");
+  driver_type ("90");
+  driver_key ("Return");
+  check_corner (window, "other", 4.0, 0.0);
+  g_assert_true (
+    qn_history_can_undo (qn_document_get_history (qn_window_get_document (window))));
+  driver_discard (window);
+}
+
+static gboolean
+is_entry_called (GtkWidget *widget, gconstpointer name)
+{
+  return QN_IS_QUANTITY_ENTRY (widget)
+         && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), name)
+              == 0;
+}
+
+static void
+enter (QnWindow *window, const char *id, const char *text)
+{
+  GtkWidget *entry = driver_find_widget (GTK_WIDGET (window), is_entry_called, id);
+  g_assert_nonnull (entry);
+  g_assert_true (gtk_widget_get_mapped (entry));
+  gtk_editable_set_text (GTK_EDITABLE (entry), text);
+  g_signal_emit_by_name (entry, "activate");
+  driver_run (100);
+}
+
+/* Place and size in the panel, for one and for several. */
+static void
+test_numbers_panel (void)
+{
+  QnWindow *window = open_blocks ();
+  driver_click (window, 4.3, 0.3);
+  enter (window, "x", "3+0.25");
+  enter (window, "width", "0.4*3+0.01");
+  check_corner (window, "other", 3.25, 0.0);
+  QnId id = qn_model_find_block (model_of (window), "other");
+  g_assert_cmpfloat_with_epsilon (model_of (window)->blocks[id].area, 1.21, 1e-9);
+  driver_screenshot (GTK_WIDGET (window), "numbers-one");
+  driver_activate (window, "win.select-all");
+  enter (window, "x", "1");
+  check_corner (window, "base", 1.0, 0.0);
+  check_corner (window, "other", 4.25, 0.0);
+  driver_activate (window, "win.align::top");
+  check_corner (window, "other", 4.25, 1.0);
+  driver_screenshot (GTK_WIDGET (window), "numbers-several");
+  driver_discard (window);
+}
+
+/* A block that gets another name stays selected. */
+static gboolean
+rename_other (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_rename_block (model, 2, data, error);
+}
+
+static void
+test_renamed_stays_selected (void)
+{
+  QnWindow *window = open_blocks ();
+  driver_click (window, 4.3, 0.3);
+  g_assert_true (qn_document_edit (qn_window_get_document (window), "Rename", NULL,
+                                   rename_other, "pier", NULL));
+  g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  driver_discard (window);
+}
+
+/* What is pasted lies free of everything and is selected. */
+static void
+test_paste (void)
+{
+  QnWindow *window = open_blocks ();
+  driver_click (window, 4.3, 0.3);
+  driver_key ("ctrl+c");
+  for (int i = 0; i < 3; i++) {
+    driver_key ("ctrl+v");
+    driver_run (200);
+    guint count = 0;
+    const QnId *ids = qn_selection_get_blocks (selection_of (window), &count);
+    g_assert_cmpuint (count, ==, 1);
+    g_assert_cmpuint (model_of (window)->block_count, ==, (guint) (4 + i));
+    g_assert_cmpint (ids[0], ==, 3 + i);
+  }
+  const QnContacts *contacts = qn_document_get_contacts (qn_window_get_document (window));
+  for (gsize i = 0; i < contacts->findings.count; i++)
+    g_assert_cmpint (contacts->findings.items[i].problem, !=, QN_PROBLEM_BLOCKS_OVERLAP);
+  driver_discard (window);
+}
+
+/* A stone that is dragged out of its wall dissolves it: the step says so, and undo gives it back. */
+static gboolean
+move_one (QnModel *model, gpointer data, GError **error)
+{
+  const QnId *id = data;
+  return qn_edit_transform_blocks (model, (QnBlockSet){ id, 1 },
+                                   qn_transform_translation (3.0, 0.0), error);
+}
+
+static void
+test_dissolving_is_named (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  driver_lay_large_wall (window);
+  QnDocument *document = qn_window_get_document (window);
+  QnId id = (QnId) model_of (window)->block_count - 1;
+  g_assert_true (
+    qn_canvas_edit (qn_window_get_canvas (window), "Move", NULL, move_one, &id));
+  QnHistory *history = qn_document_get_history (document);
+  const char *name = qn_history_get_name (history, qn_history_get_position (history) - 1);
+  g_assert_cmpstr (name, ==, "Move, Wall to Free Blocks");
+  g_assert_true (qn_document_undo (document));
+  g_assert_cmpint (model_of (window)->blocks[id].masonry, !=, QN_NONE);
+  driver_discard (window);
+}
+
+/* After a click on a button the keys of tools and shortcuts work as before. */
+static gboolean
+is_fit_button (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_BUTTON (widget)
+         && g_strcmp0 (gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)),
+                       "win.fit")
+              == 0;
+}
+
+static void
+test_keys_after_buttons (void)
+{
+  QnWindow *window = open_blocks ();
+  GtkWidget *button = driver_find_widget (GTK_WIDGET (window), is_fit_button, NULL);
+  driver_point_at (button, 0.5 * gtk_widget_get_width (button),
+                   0.5 * gtk_widget_get_height (button));
+  driver_press_button ("1");
+  driver_key ("w");
+  g_assert_cmpstr (qn_canvas_get_tool (qn_window_get_canvas (window))->name, ==, "wall");
+  driver_key ("F10");
+  driver_run (200);
+  driver_key ("Escape");
+  driver_run (200);
+  driver_key ("v");
+  g_assert_cmpstr (qn_canvas_get_tool (qn_window_get_canvas (window))->name, ==,
+                   "select");
+  driver_key ("ctrl+a");
+  guint count = 0;
+  qn_selection_get_blocks (selection_of (window), &count);
+  g_assert_cmpuint (count, ==, 3);
+  driver_discard (window);
+}
+
+/* It fits into 600 x 500, also with results and a message; the side panel folds away and back. */
+static void
+test_small_window (void)
+{
+  QnWindow *window = driver_open_window (600, 500);
+  g_autofree char *path = driver_example_path ("ferris-tin-loi/wall3.quoin");
+  g_assert_true (qn_window_open_path (window, path));
+  driver_run (300);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.view::forces");
+  qn_window_show_error (window, "A message that is long enough to need more than one "
+                                "line where the window is as narrow as this one is.");
+  driver_run (500);
+  driver_screenshot (GTK_WIDGET (window), "small-window");
+  int width = 0, height = 0;
+  gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL,
+                      NULL, NULL);
+  gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_VERTICAL, 600, &height, NULL,
+                      NULL, NULL);
+  g_test_message ("least size %d x %d", width, height);
+  g_assert_cmpint (width, <=, 600);
+  g_assert_cmpint (height, <=, 500);
+  int canvas = gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window)));
+  g_assert_cmpint (canvas, >, 400);
+  driver_key ("F9");
+  driver_run (300);
+  g_assert_cmpint (gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window))), <,
+                   canvas);
+  driver_screenshot (GTK_WIDGET (window), "small-window-panel");
+  gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL,
+                      NULL, NULL);
+  g_assert_cmpint (width, <=, 600);
+  driver_discard (window);
+}
+
+/* A message lies over the drawing, which keeps its place. */
+static void
+test_message_over_drawing (void)
+{
+  QnWindow *window = open_blocks ();
+  int height = gtk_widget_get_height (GTK_WIDGET (qn_window_get_canvas (window)));
+  qn_window_show_error (window, "Something is wrong");
+  driver_run (500);
+  g_assert_cmpint (gtk_widget_get_height (GTK_WIDGET (qn_window_get_canvas (window))), ==,
+                   height);
+  driver_screenshot (GTK_WIDGET (window), "message");
+  driver_discard (window);
+}
+
+/* Whatever the panels show, the drawing keeps its width. */
+static void
+test_panels_keep_width (void)
+{
+  static const char *const panels[] = { "win.show-panel::properties",
+                                        "win.show-panel::analysis",
+                                        "win.show-panel::result",
+                                        "win.show-panel::findings" };
+  QnWindow *window = driver_open_example ("16-load-stages.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  int width = gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window)));
+  driver_activate (window, "win.select-all");
+  for (gsize i = 0; i < G_N_ELEMENTS (panels); i++) {
+    driver_activate (window, panels[i]);
+    driver_run (100);
+    g_assert_cmpint (gtk_widget_get_width (GTK_WIDGET (qn_window_get_canvas (window))),
+                     ==, width);
+  }
+  driver_discard (window);
+}
+
+/* In a dark window the paper is dark and the ink light. */
+static void
+test_dark_paper (void)
+{
+  QnWindow *window = open_blocks ();
+  g_object_set (gtk_settings_get_default (), "gtk-application-prefer-dark-theme", TRUE,
+                NULL);
+  driver_run (400);
+  driver_screenshot (GTK_WIDGET (window), "dark");
+  cairo_surface_t *picture = driver_picture (GTK_WIDGET (window));
+  QnVec2 at = qn_canvas_to_screen (qn_window_get_canvas (window), qn_vec2 (3.02, 0.62));
+  double x, y;
+  gtk_widget_translate_coordinates (GTK_WIDGET (qn_window_get_canvas (window)),
+                                    GTK_WIDGET (window), at.x, at.y, &x, &y);
+  const guint32 *row =
+    (const guint32 *) (gconstpointer) (cairo_image_surface_get_data (picture)
+                                       + (gsize) y
+                                           * (gsize) cairo_image_surface_get_stride (
+                                             picture));
+  guint32 pixel = row[(gsize) x];
+  g_assert_cmpuint (pixel >> 8 & 0xff, <, 90);
+  cairo_surface_destroy (picture);
+  g_object_set (gtk_settings_get_default (), "gtk-application-prefer-dark-theme", FALSE,
+                NULL);
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/reach/context-menus", test_context_menus);
+  g_test_add_func ("/app/reach/typed-moves", test_typed_moves);
+  g_test_add_func ("/app/reach/numbers-panel", test_numbers_panel);
+  g_test_add_func ("/app/reach/renamed", test_renamed_stays_selected);
+  g_test_add_func ("/app/reach/paste", test_paste);
+  g_test_add_func ("/app/reach/dissolving", test_dissolving_is_named);
+  g_test_add_func ("/app/reach/keys-after-buttons", test_keys_after_buttons);
+  g_test_add_func ("/app/reach/small-window", test_small_window);
+  g_test_add_func ("/app/reach/message", test_message_over_drawing);
+  g_test_add_func ("/app/reach/panels-keep-width", test_panels_keep_width);
+  g_test_add_func ("/app/reach/dark-paper", test_dark_paper);
+  return g_test_run ();
+}

@@ -1,0 +1,256 @@
+#include "core/path/analysis.h"
+#include "io/project/project.h"
+#include "render/fixture.h"
+#include "render/scene/reading.h"
+#include "render/scene/thrust.h"
+
+#include <glib.h>
+
+/* An example with its solution. */
+typedef struct Solved {
+  QnProject project;
+  const QnModel *model;
+  QnContacts contacts;
+  QnResult result;
+  size_t step; /* the last one */
+} Solved;
+
+static void
+solve (Solved *s, const char *name)
+{
+  g_autoptr (GError) error = NULL;
+  g_autofree char *path = g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
+  g_assert_true (qn_project_load (path, NULL, &s->project, &error));
+  g_assert_no_error (error);
+  s->model = &s->project.model;
+  g_assert_cmpint (qn_contacts_detect (s->model, &s->contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (s->model, &s->contacts, NULL, NULL, &s->result, NULL),
+                   ==, QN_OK);
+  g_assert_cmpuint (s->result.step_count, >, 0);
+  s->step = s->result.step_count - 1;
+}
+
+static void
+clear (Solved *s)
+{
+  qn_result_clear (&s->result);
+  qn_contacts_clear (&s->contacts);
+  qn_project_clear (&s->project);
+}
+
+/* Loads on every block at the last step: fx, fy, m. The caller frees them. */
+static double *
+dup_loads (const Solved *s)
+{
+  size_t count = 3 * s->model->block_count;
+  double *loads = g_new0 (double, count);
+  g_autofree double *live = g_new0 (double, count);
+  qn_model_dead_forces (s->model, loads);
+  qn_model_live_forces (s->model, live);
+  for (size_t i = 0; i < count; i++)
+    loads[i] += s->result.steps[s->step].multiplier * live[i];
+  return loads;
+}
+
+static double
+heaviest (const QnModel *model)
+{
+  double weight = 0;
+  for (size_t i = 0; i < model->block_count; i++)
+    weight = fmax (weight, model->blocks[i].weight);
+  return weight;
+}
+
+static const char *const examples[] = { "06-arch.quoin", "15-rubble-pier.quoin",
+                                        "18-spreading-arch.quoin",
+                                        "ferris-tin-loi/wall3.quoin" };
+
+/* What the joints of a block carry holds its loads, by force and moment: N, T, the moment about
+ * the middle and the eccentricity of every joint are those of the solution. */
+static void
+test_equilibrium (void)
+{
+  for (size_t e = 0; e < G_N_ELEMENTS (examples); e++) {
+    Solved s;
+    solve (&s, examples[e]);
+    g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
+    g_assert_nonnull (pairs);
+    g_autofree double *sums = dup_loads (&s);
+    g_autofree double *by_place = dup_loads (&s);
+    for (size_t f = 0; f < s.contacts.face_count; f++) {
+      const QnContactFace *face = &s.contacts.faces[f];
+      QnJointReading r = qn_joint_reading (&s.contacts, (QnId) f, pairs, NULL);
+      QnVec2 force = qn_vec2_add (qn_vec2_scale (r.normal, face->normal),
+                                  qn_vec2_scale (r.shear, face->tangent));
+      QnVec2 middle = qn_vec2_lerp (face->start, face->end, 0.5);
+      for (int side = 0; side < 2; side++) {
+        QnId block = side == 0 ? face->a : face->b;
+        double sign = side == 0 ? 1 : -1;
+        QnVec2 arm = qn_vec2_sub (middle, s.model->blocks[block].centroid);
+        QnVec2 place = qn_vec2_add_scaled (arm, r.eccentricity, face->tangent);
+        sums[3 * block] += sign * force.x;
+        sums[3 * block + 1] += sign * force.y;
+        sums[3 * block + 2] += sign * (qn_vec2_cross (arm, force) + r.moment);
+        by_place[3 * block + 2] += sign * qn_vec2_cross (place, force);
+      }
+      if (r.place != QN_PLACE_NOWHERE)
+        g_assert_cmpfloat_with_epsilon (r.moment, -r.normal * r.eccentricity,
+                                        1e-9 * fabs (r.normal) * face->length);
+    }
+    double least = 1e-6 * heaviest (s.model);
+    for (size_t i = 0; i < s.model->block_count; i++)
+      for (int dof = 0; dof < 3; dof++) {
+        if (s.model->blocks[i].support[dof])
+          continue;
+        g_assert_cmpfloat (fabs (sums[3 * i + (size_t) dof]), <, least);
+        if (dof == QN_DOF_RZ)
+          g_assert_cmpfloat (fabs (by_place[3 * i + 2]), <, least);
+      }
+    clear (&s);
+  }
+}
+
+/* A block says of its joints what they say themselves, alone or with all others; its mean stress
+ * times its volume is what its loads and joints do at a homogeneous strain. */
+static void
+test_blocks (void)
+{
+  Solved s;
+  solve (&s, "ferris-tin-loi/wall3.quoin");
+  g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
+  QnMotion motion = qn_step_motion (s.model, &s.result, s.step);
+  g_autofree QnBlockReading *all =
+    qn_block_readings (s.model, &s.contacts, pairs, &motion);
+  g_autofree double *loads = dup_loads (&s);
+  double least = 1e-6 * heaviest (s.model);
+  for (size_t i = 0; i < s.model->block_count; i++) {
+    QnBlockReading one =
+      qn_block_reading (s.model, &s.contacts, (QnId) i, pairs, &motion);
+    g_assert_true (one.has_forces && one.has_motion);
+    g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
+    g_assert_cmpfloat (one.principal[0], <=, one.principal[1]);
+    if (s.model->blocks[i].support[QN_DOF_UX])
+      continue;
+    g_assert_cmpfloat (fabs (one.force.x + loads[3 * i]), <, least);
+    g_assert_cmpfloat (fabs (one.force.y + loads[3 * i + 1]), <, least);
+    g_assert_cmpfloat (fabs (one.moment + loads[3 * i + 2]), <, least);
+  }
+  clear (&s);
+}
+
+/* A block of 1 x 1 m under its weight W in the middle of one with twice the width: e = 0, the
+ * whole joint pressed; with a load at its side the force moves there. */
+static void
+test_places (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 1, 1);
+  const QnContactFace *face = &f.contacts.faces[0];
+  QnPairResult pairs[2] = { 0 };
+  const struct {
+    double first, last;
+    QnPressurePlace place;
+    double eccentricity; /* over the length */
+  } cases[] = {
+    { -1, -1, QN_PLACE_KERN, 0 },      { -3, -2, QN_PLACE_KERN, -0.1 },
+    { -1, -3, QN_PLACE_INSIDE, 0.25 }, { 0, -1, QN_PLACE_EDGE, 0.5 },
+    { 1, -1, QN_PLACE_NOWHERE, 0 },    { 1, 1, QN_PLACE_NOWHERE, 0 },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
+    pairs[0].normal_force = cases[i].first;
+    pairs[1].normal_force = cases[i].last;
+    QnJointReading r = qn_joint_reading (&f.contacts, 0, pairs, NULL);
+    double spread =
+      f.contacts.pairs[1].abscissa - f.contacts.pairs[0].abscissa; /* pairs at the ends */
+    g_assert_cmpfloat_with_epsilon (spread, face->length, 1e-12);
+    g_assert_cmpint (r.place, ==, cases[i].place);
+    g_assert_cmpfloat_with_epsilon (r.eccentricity, cases[i].eccentricity * face->length,
+                                    1e-12);
+    g_assert_false (r.has_motion);
+  }
+  fixture_clear (&f);
+}
+
+/* Along the arch the line goes from springing to springing, through every joint. */
+static void
+test_thrust_of_arch (void)
+{
+  Solved s;
+  QnThrust thrust;
+  solve (&s, "06-arch.quoin");
+  g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
+  g_assert_true (qn_thrust_find (&thrust, s.model, &s.contacts, pairs));
+  g_assert_cmpuint (thrust.count, ==, s.contacts.face_count);
+  int ends = 0;
+  for (size_t c = 0; c < thrust.count; c++)
+    for (int side = 0; side < 2; side++)
+      ends += thrust.cuts[c].next[side] == QN_NONE;
+  g_assert_cmpint (ends, ==, 2);
+  qn_thrust_clear (&thrust);
+  clear (&s);
+}
+
+/* Between neighbours of the line the forces and the loads on the blocks there are in equilibrium:
+ * for a pier of several blocks a course as well. */
+static void
+test_thrust_balances (void)
+{
+  for (size_t e = 0; e < G_N_ELEMENTS (examples); e++) {
+    Solved s;
+    QnThrust thrust;
+    solve (&s, examples[e]);
+    g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
+    g_autofree double *loads = dup_loads (&s);
+    g_assert_true (qn_thrust_find (&thrust, s.model, &s.contacts, pairs));
+    size_t links = 0;
+    for (size_t c = 0; c < thrust.count; c++) {
+      const QnCut *cut = &thrust.cuts[c];
+      for (int side = 0; side < 2; side++) {
+        if (cut->next[side] == QN_NONE)
+          continue;
+        const QnCut *next = &thrust.cuts[cut->next[side]];
+        int back = next->next[0] == (QnId) c ? 0 : 1;
+        /* On the blocks between: of the cut from its other side, of the next one likewise. */
+        QnVec2 here = qn_vec2_scale (side == 0 ? 1 : -1, cut->force);
+        QnVec2 there = qn_vec2_scale (back == 0 ? 1 : -1, next->force);
+        QnVec2 sum = qn_vec2_add (here, there);
+        g_autofree bool *between = g_new0 (bool, s.model->block_count);
+        for (size_t f = 0; f < s.contacts.face_count; f++) {
+          const QnContactFace *face = &s.contacts.faces[f];
+          QnVec2 along = qn_vec2_perp (cut->normal);
+          QnVec2 off = qn_vec2_sub (face->start, cut->start);
+          bool on_line = fabs (qn_vec2_dot (off, cut->normal)) < 1e-9
+                         && fabs (qn_vec2_dot (face->normal, along)) < 1e-9
+                         && qn_vec2_dot (off, along) > -1e-9
+                         && qn_vec2_dot (off, along) < cut->length + 1e-9;
+          bool aligned = qn_vec2_dot (face->normal, cut->normal) > 0;
+          if (on_line)
+            between[aligned == (side == 0) ? face->a : face->b] = true;
+        }
+        for (size_t i = 0; i < s.model->block_count; i++)
+          if (between[i])
+            sum = qn_vec2_add (sum, qn_vec2 (loads[3 * i], loads[3 * i + 1]));
+        /* What is below the least share does not count as a force there. */
+        g_assert_cmpfloat (qn_vec2_length (sum), <,
+                           QN_THRUST_LEAST_SHARE * thrust.largest * 2);
+        links++;
+      }
+    }
+    if (g_str_has_suffix (examples[e], "wall3.quoin"))
+      g_assert_cmpuint (links, >=, 20);
+    qn_thrust_clear (&thrust);
+    clear (&s);
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/reading/equilibrium", test_equilibrium);
+  g_test_add_func ("/render/reading/blocks", test_blocks);
+  g_test_add_func ("/render/reading/places", test_places);
+  g_test_add_func ("/render/thrust/arch", test_thrust_of_arch);
+  g_test_add_func ("/render/thrust/balances", test_thrust_balances);
+  return g_test_run ();
+}
