@@ -1,14 +1,16 @@
 #!/bin/bash
 # Builds Quoin with warnings as errors and runs every test, then runs the quick ones and those of
 # the window again under the address and undefined-behaviour sanitizers, those with threads under
-# the thread sanitizer and some of the core under valgrind. Sets the machine up first where something is
-# missing. The last lines name the programs that failed, in which build and at which cases, and the very
-# last one says how many tests passed and failed.
+# the thread sanitizer and some of the core under valgrind; then builds Quoin in other ways
+# (tools/build-matrix.sh). Sets the machine up first where something is missing. The last lines name
+# the programs that failed, in which build and at which cases, and the very last one says how many
+# tests passed and failed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
 
-tools/setup.sh
+# clang and its C++ compiler, for the other builds.
+tools/setup.sh clang
 
 passed=0
 failed=0
@@ -143,6 +145,22 @@ targets=
 echo "== the core under valgrind"
 check build-test -- --setup valgrind newton lanczos stability interior-point path-stages \
   central-path weld polygon-ops io-json-parse whole-file
+
+echo "== other builds"
+tools/build-matrix.sh | tee "$said" || true
+while read -r cell word _; do
+  case $word in
+    good) passed=$((passed + 1)) ;;
+    FAILED)
+      failures+=("tools/build-matrix.sh $cell")
+      failed=$((failed + 1))
+      ;;
+  esac
+done < <(sed -n '/^-- matrix$/,$p' "$said" | tail -n +2)
+if ! grep -q '^-- matrix$' "$said"; then
+  failures+=("tools/build-matrix.sh: ended without a table")
+  failed=$((failed + 1))
+fi
 
 for left in "$TMPDIR"/quoin*; do
   [ -e "$left" ] || continue

@@ -302,11 +302,13 @@ qn_result_step_beam_forces (const QnResult *result, size_t step)
                                      : NULL;
 }
 
-/* Reactions of one step, support_count x 3. */
+/* Reactions of one step, support_count x 3; NULL where they are not known. */
 static inline const double *
 qn_result_step_reactions (const QnResult *result, size_t step)
 {
-  return result->reactions + step * result->support_count * QN_DOF_COUNT;
+  return result->reactions != NULL
+           ? result->reactions + step * result->support_count * QN_DOF_COUNT
+           : NULL;
 }
 
 #endif
