@@ -83,10 +83,10 @@ check_case (QnCaseSolver *solver, const char *model, const char *path, double va
   g_assert_true (
     qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL)
     == QN_OK);
-  /* It starts from another iterate: the same to the gap of the bounds. */
+  /* It starts from another iterate: the same to the gap of the bounds (limit.h). */
   g_assert_cmpfloat (
     fabs (result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] - solution.lower_bound), <,
-    1e-6 * solution.upper_bound);
+    1e-7 * (1 + solution.upper_bound));
   *multiplier = solution.lower_bound;
   qn_limit_solution_clear (&solution);
   qn_contacts_clear (&contacts);

@@ -19,12 +19,6 @@ test_new (void)
   g_assert_true (qn_draft_vary (draft, "laws[0].friction", 0.5, FALSE));
   g_assert_false (qn_draft_vary (draft, "laws[0].friction", 0.5, FALSE));
   g_assert_true (qn_draft_vary (draft, "laws[0].kn", 1e7, FALSE));
-  g_assert_true (qn_draft_vary (draft, "analysis.increments", 10, TRUE));
-  g_autofree char *counted = qn_draft_parameter (draft, 2).path;
-  g_assert_cmpstr (counted, ==, "analysis.increments");
-  g_assert_cmpfloat (qn_draft_parameter (draft, 2).first, ==, 9);
-  g_assert_cmpfloat (qn_draft_parameter (draft, 2).second, ==, 11);
-  qn_draft_remove (draft, 2);
   qn_draft_set_values (draft, 1, QN_DRAFT_LOGNORMAL, 1e7, 2e6, 0);
   qn_draft_set_plan (draft, QN_PLAN_GRID, 0);
   g_assert_true (qn_draft_save (draft, &error));
@@ -91,11 +85,39 @@ test_load (void)
   test_scratch_free (folder);
 }
 
+/* Counts go up and down by one at least, and stay counts. */
+static void
+test_whole (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "s.quoin-study", NULL);
+  g_autofree char *model =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "01-sliding-block.quoin", NULL);
+  g_autoptr (GError) error = NULL;
+  QnDraft *draft = qn_draft_new (path, model);
+  QnStudy study;
+  g_assert_true (qn_draft_vary (draft, "analysis.increments", 10, TRUE));
+  QnDraftParameter counted = qn_draft_parameter (draft, 0);
+  g_assert_cmpstr (counted.path, ==, "analysis.increments");
+  g_assert_cmpfloat (counted.first, ==, 9);
+  g_assert_cmpfloat (counted.second, ==, 11);
+  g_free (counted.path);
+  g_assert_true (qn_draft_save (draft, &error));
+  g_assert_no_error (error);
+  g_assert_true (qn_study_read (path, NULL, &study, &error));
+  g_assert_no_error (error);
+  g_assert_true (qn_study_parameter (&study, 0)->whole);
+  qn_study_clear (&study);
+  qn_draft_free (draft);
+  test_scratch_free (folder);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/study/draft/new", test_new);
+  g_test_add_func ("/study/draft/whole", test_whole);
   g_test_add_func ("/study/draft/load", test_load);
   return g_test_run ();
 }
