@@ -150,7 +150,8 @@ fault_answer_dup_digest (const FaultAnswer *answer)
   add_numbers (sum, result->step_forces, steps * result->pair_count * 2);
   add_numbers (sum, result->mechanism, rows);
   add (sum, result->unstable_blocks, result->unstable_count, sizeof (QnId));
-  add_numbers (sum, result->limit.fixed_points, (size_t) result->limit.fixed_point_count);
+  for (int32_t i = 0; i < result->solution_count; i++)
+    add_numbers (sum, &result->solutions[i].multiplier, 1);
   add_numbers (sum, modes->omega, modes->count);
   add_numbers (sum, modes->shapes,
                modes->count * (modes->block_count + modes->node_count) * QN_DOF_COUNT);

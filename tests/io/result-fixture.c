@@ -31,6 +31,12 @@ result_fixture_set_up (ResultFixture *fixture, gconstpointer data)
   result->outcome = QN_OUTCOME_COLLAPSE;
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = 0.2;
+  qn_result_add_solution (result, (QnSolution){ .multiplier = 0.2,
+                                                .found_by = QN_PROCEDURE_WORK,
+                                                .displacement = 2e-6 });
+  result->has_associative_bound = true;
+  result->associative_bound = 0.25;
+  result->linearity = QN_LINEARITY_HOLDS;
   QnId *moving = qn_alloc (1, sizeof *moving);
   g_assert_nonnull (moving);
   moving[0] = 1;

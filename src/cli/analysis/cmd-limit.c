@@ -3,30 +3,16 @@
 #include <glib/gi18n.h>
 #include <stdio.h>
 
-static void
-print_interval (const char *title, const QnLimitFigures *figures)
-{
-  printf (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found)\n"),
-          title, figures->lower_bound, figures->upper_bound, figures->fixed_point_count);
-  printf (_ ("no equilibrium above %.5f, the associative bound\n"),
-          figures->associative_bound);
-}
-
 void
-qn_cmd_limit_print (const char *title, const QnLimitFigures *figures)
+qn_cmd_limit_print (const char *title, const QnResult *result)
 {
-  switch (figures->flow) {
-  case QN_FLOW_ASSOCIATIVE:
+  const QnLimitFigures *figures = &result->limit;
+  if (figures->flow == QN_FLOW_ASSOCIATIVE)
     printf (_ ("%s: limit multiplier between %.8f (forces) and %.8f (mechanism)\n"),
             title, figures->lower_bound, figures->upper_bound);
-    return;
-  case QN_FLOW_NON_ASSOCIATIVE:
-    print_interval (title, figures);
-    return;
-  case QN_FLOW_COUNT:
-    break;
-  }
-  g_assert_not_reached ();
+  else
+    printf (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found)\n"),
+            title, figures->lower_bound, figures->upper_bound, result->solution_count);
 }
 
 static QnExit

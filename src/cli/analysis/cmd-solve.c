@@ -102,7 +102,7 @@ print_summary (const QnProject *project, const QnResult *result)
   else if (result->outcome == QN_OUTCOME_UNBOUNDED)
     printf (_ ("%s: the joints carry any multiple of the live load\n"), title);
   else if (result->limit.given)
-    qn_cmd_limit_print (title, &result->limit);
+    qn_cmd_limit_print (title, result);
   else if (result->outcome == QN_OUTCOME_COLLAPSE)
     printf (_ ("%s: collapse at load multiplier %.5f\n"), title,
             result->collapse_multiplier);
@@ -116,6 +116,9 @@ print_summary (const QnProject *project, const QnResult *result)
       && result->first_limit_multiplier < result->collapse_multiplier)
     printf (_ ("first limit point at %.5f: a real structure would jump there\n"),
             result->first_limit_multiplier);
+  g_autofree char *interval = qn_outcome_dup_interval (result);
+  if (interval != NULL)
+    printf ("%s\n", interval);
   g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
   printf ("%s\n", reason);
   printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
@@ -228,12 +231,6 @@ solve (const Options *options, QnInput *input)
     qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
                      &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
-  if (status == QN_OK) {
-    status = qn_analysis_prove (&input->project.model, &input->contacts, &result, &diag);
-    if (status != QN_OK)
-      qn_result_clear (&result);
-  }
-
   if (status == QN_ERROR_CANCELLED) {
     qn_cli_error (_ ("%s: cancelled"), input->project.name);
     return QN_EXIT_CANCELLED;

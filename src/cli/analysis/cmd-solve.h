@@ -11,6 +11,6 @@ QnExit qn_cmd_solve_run (const QnSubcommand *self, const char *override, int arg
                          char **argv);
 
 /* Prints what limit analysis found about the model with this title. */
-void qn_cmd_limit_print (const char *title, const QnLimitFigures *figures);
+void qn_cmd_limit_print (const char *title, const QnResult *result);
 
 #endif

@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of the largest force: what does not count where a joint is said to be open, or to slide. */
+#define NO_FORCE 5e-5
+
 /* --- Setting up ------------------------------------------------------------------------- */
 
 static bool
@@ -569,6 +572,11 @@ hinge_position (const QnAssembly *as, size_t pair, const double *u)
 void
 qn_assembly_pair_results (const QnAssembly *as, const double *u, QnPairResult *results)
 {
+  double largest = 0;
+
+  for (size_t p = 0; p < as->pair_count; p++)
+    largest =
+      fmax (largest, hypot (as->responses[p].force[0], as->responses[p].force[1]));
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairResponse *response = &as->responses[p];
     results[p] = (QnPairResult){
@@ -578,6 +586,9 @@ qn_assembly_pair_results (const QnAssembly *as, const double *u, QnPairResult *r
       .has_springs = true,
       .hinge = hinge_position (as, p, u),
     };
+    if (qn_pair_springs_are_plastic (&as->springs[p]))
+      results[p].state = qn_pair_state_of_force (&as->springs[p], results[p].state,
+                                                 response->force, NO_FORCE * largest);
     memcpy (results[p].elongation_a, response->memory.qa, sizeof response->memory.qa);
     memcpy (results[p].elongation_b, response->memory.qb, sizeof response->memory.qb);
   }

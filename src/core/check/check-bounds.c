@@ -125,25 +125,58 @@ agree (double stated, double found)
   return qn_check_agrees (stated, found, AGREE * (1 + fabs (found)));
 }
 
-static void
-check_fixed_points (QnCheck *check, const QnLimitFigures *limit)
+/* The displacement of a solution that a path has met is that of a step with its multiplier. */
+static bool
+is_met (const QnResult *result, const QnSolution *solution)
 {
+  for (size_t i = 0; i < result->step_count; i++) {
+    double moved = qn_result_largest_displacement (result, i);
+    if (agree (result->steps[i].multiplier, solution->multiplier)
+        && qn_check_agrees (solution->displacement, moved, AGREE * moved))
+      return true;
+  }
+  return false;
+}
+
+static void
+tell_interval (QnCheck *check, double stated, double found)
+{
+  qn_check_tell (check, QN_CLAIM_INTERVAL, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
+                 found);
+}
+
+/* Least and greatest solution are those that the result tells, and nothing exceeds the associative
+ * bound. */
+static void
+check_solutions (QnCheck *check)
+{
+  const QnResult *result = check->result;
+  const QnLimitFigures *limit = &result->limit;
+  bool fixed_points = limit->given && limit->flow == QN_FLOW_NON_ASSOCIATIVE;
   double least = INFINITY, greatest = -INFINITY;
 
-  for (int32_t i = 0; i < limit->fixed_point_count; i++) {
-    least = fmin (least, limit->fixed_points[i]);
-    greatest = fmax (greatest, limit->fixed_points[i]);
+  for (int32_t i = 0; i < result->solution_count; i++) {
+    const QnSolution *solution = &result->solutions[i];
+    least = fmin (least, solution->multiplier);
+    greatest = fmax (greatest, solution->multiplier);
+    if (!limit->given && !is_met (result, solution))
+      tell_interval (check, solution->multiplier, NAN);
   }
-  if (limit->fixed_point_count > 0
-      && (!agree (limit->lower_bound, least) || !agree (limit->upper_bound, greatest)))
-    qn_check_tell (check, QN_CLAIM_INTERVAL, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
-                   agree (limit->lower_bound, least) ? limit->upper_bound
-                                                     : limit->lower_bound,
-                   agree (limit->lower_bound, least) ? greatest : least);
-  if (limit->has_associative_bound
-      && !(limit->upper_bound <= limit->associative_bound * (1 + AGREE) + AGREE))
-    qn_check_tell (check, QN_CLAIM_INTERVAL, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
-                   limit->upper_bound, limit->associative_bound);
+  if (result->solution_count == 0) {
+    greatest = least = result->collapse_multiplier;
+    if (!result->has_collapse_multiplier)
+      return;
+  }
+  if (!agree (result->collapse_multiplier, least))
+    tell_interval (check, result->collapse_multiplier, least);
+  if (fixed_points && !agree (limit->lower_bound, least))
+    tell_interval (check, limit->lower_bound, least);
+  if (fixed_points && !agree (limit->upper_bound, greatest))
+    tell_interval (check, limit->upper_bound, greatest);
+  if (result->has_associative_bound
+      && !(greatest
+           <= result->associative_bound + AGREE * (1 + fabs (result->associative_bound))))
+    tell_interval (check, greatest, result->associative_bound);
 }
 
 /* Of no mechanism in the result: the linear program is solved again. */
@@ -152,39 +185,59 @@ check_associative (QnCheck *check, double stated, QnDiag *diag)
 {
   QnLimitSolution solution;
   QnStatus status =
-    qn_limit_associative (check->model, check->contacts, NULL, NULL, &solution, diag);
+    qn_limit_associative (check->model, check->contacts, NULL, NULL, &solution, NULL);
 
-  if (status != QN_OK)
-    return status;
-  if (solution.outcome != QN_OUTCOME_COLLAPSE || !agree (stated, solution.upper_bound))
+  if (status == QN_ERROR_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  if (status != QN_OK) /* of joints like these there is no bound */
+    solution.upper_bound = NAN;
+  if (status != QN_OK || solution.outcome != QN_OUTCOME_COLLAPSE
+      || !agree (stated, solution.upper_bound))
     qn_check_tell (check, QN_CLAIM_UPPER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
                    solution.upper_bound);
   qn_limit_solution_clear (&solution);
   return QN_OK;
 }
 
-QnStatus
-qn_check_bounds (QnCheck *check, QnDiag *diag)
+/* Of limit analysis: the forces in the result carry the lower bound, and with associative flow its
+ * mechanism proves the upper one. */
+static void
+check_limit (QnCheck *check)
 {
-  const QnLimitFigures *limit = &check->result->limit;
   const QnResult *result = check->result;
-
-  if (!limit->given || result->step_count == 0)
-    return QN_OK;
+  const QnLimitFigures *limit = &result->limit;
   double carried = result->steps[result->step_count - 1].multiplier;
+
   if (!agree (limit->lower_bound, carried)
       || !agree (limit->lower_bound, result->collapse_multiplier))
     qn_check_tell (check, QN_CLAIM_LOWER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
                    limit->lower_bound, carried);
-  if (limit->flow == QN_FLOW_NON_ASSOCIATIVE) {
-    check_fixed_points (check, limit);
-    return limit->has_associative_bound
-             ? check_associative (check, limit->associative_bound, diag)
-             : QN_OK;
-  }
+  if (limit->flow == QN_FLOW_NON_ASSOCIATIVE)
+    return;
   double found = result->mechanism != NULL ? kinematic_multiplier (check) : NAN;
   if (!agree (limit->upper_bound, found))
     qn_check_tell (check, QN_CLAIM_UPPER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
                    limit->upper_bound, found);
-  return QN_OK;
+  if (result->has_associative_bound
+      && !agree (result->associative_bound, limit->upper_bound))
+    tell_interval (check, result->associative_bound, limit->upper_bound);
+}
+
+QnStatus
+qn_check_bounds (QnCheck *check, QnDiag *diag)
+{
+  const QnResult *result = check->result;
+  bool proved_by_mechanism =
+    result->limit.given && result->limit.flow == QN_FLOW_ASSOCIATIVE;
+
+  if (result->step_count == 0)
+    return QN_OK;
+  if (result->limit.given)
+    check_limit (check);
+  if (result->history.width == 0)
+    check_solutions (check);
+  return result->has_associative_bound && !proved_by_mechanism
+             && check->depth == QN_CHECK_RECOMPUTED
+           ? check_associative (check, result->associative_bound, diag)
+           : QN_OK;
 }

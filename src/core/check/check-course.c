@@ -226,6 +226,22 @@ check_outcome (QnCheck *check)
     qn_check_tell (check, QN_CLAIM_OUTCOME, QN_NONE, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
 }
 
+/* Results of earlier versions do not tell it. */
+static void
+check_linearity (QnCheck *check)
+{
+  QnResult found = *check->result; /* whose arrays stay the result's */
+
+  qn_result_judge_linearity (check->model, &found);
+  if (check->result->linearity != QN_LINEARITY_UNKNOWN
+      && (check->result->linearity != found.linearity
+          || !same_multiplier (check->result->beyond_linear_multiplier,
+                               found.beyond_linear_multiplier)))
+    qn_check_tell (check, QN_CLAIM_LINEARITY, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
+                   check->result->beyond_linear_multiplier,
+                   found.beyond_linear_multiplier);
+}
+
 void
 qn_check_course (QnCheck *check)
 {
@@ -235,4 +251,5 @@ qn_check_course (QnCheck *check)
   check_outcome (check);
   check_collapse (check);
   check_first_limit (check);
+  check_linearity (check);
 }

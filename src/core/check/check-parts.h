@@ -16,6 +16,14 @@
 /* Rounding of displacements, relative to the largest. */
 #define QN_CHECK_EXACT 1e-11
 
+/* Elongations of a step are those of its forces and flow to this part of the largest change of one
+ * since the step before: what an increment along the central path may leave of them. */
+#define QN_CHECK_STRAIN 1e-3
+
+/* Force that a joint lacks to its strength times its flow: part of the largest force times the largest
+ * change of an elongation. */
+#define QN_CHECK_PRODUCT 1e-5
+
 /* A force is none, or a strength is reached, within this part of the largest force. */
 #define QN_CHECK_STATE 1e-4
 
@@ -23,16 +31,21 @@ typedef struct QnCheck {
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
+  QnCheckDepth depth;
   QnResultFaults *faults;
   QnAssembly assembly;
-  double tolerance;          /* of forces, relative to `scale` */
-  double scale;              /* N: largest force of the step */
-  double largest;            /* m: largest displacement of the step */
-  double *u, *residual;      /* unknowns */
-  double *rows;              /* scratch, a row for every body */
-  double *forces;            /* scratch, 2 per pair */
+  double tolerance;     /* of forces, relative to `scale` */
+  double scale;         /* N: largest force of the step */
+  double largest;       /* m: largest displacement of the step */
+  double change;        /* m: largest change of an elongation in a step so far */
+  bool relaxed;         /* some step so far is not the laws' answer to the one before */
+  double slack;         /* m: what elongations may be off by, of all steps so far */
+  double *u, *residual; /* unknowns */
+  double *rows;         /* scratch, a row for every body */
+  double *forces;       /* scratch, 2 per pair */
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
+  double *elongations;       /* 2 per pair: at the step before */
 } QnCheck;
 
 /* Notes a claim that is not true, unless one of its kind has been found before. */

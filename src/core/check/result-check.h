@@ -20,6 +20,9 @@
  *                  sense of their forces and with their dilatancy; the live load does work on it
  *   bounds         of limit analysis: forces in the result prove the lower one, the mechanism the
  *                  upper one; all are in order
+ *   interval       no solution is below the collapse multiplier or above the associative bound; each
+ *                  of a path is that of a step
+ *   linearity      where blocks leave the displacements that linear geometry holds for
  *   history        energies add up to within the error that is told; peaks and tracks are those of the
  *                  steps
  */
@@ -47,7 +50,8 @@ typedef enum {
   QN_CLAIM_WORK,
   QN_CLAIM_LOWER_BOUND,
   QN_CLAIM_UPPER_BOUND,
-  QN_CLAIM_INTERVAL,
+  QN_CLAIM_INTERVAL, /* of the solutions */
+  QN_CLAIM_LINEARITY,
   QN_CLAIM_HISTORY,
   QN_CLAIM_COUNT
 } QnClaim;
@@ -70,10 +74,16 @@ typedef struct QnResultFaults {
   int32_t jumps;    /* steps at which slip was taken from the forces */
 } QnResultFaults;
 
+/* How far a check goes. */
+typedef enum {
+  QN_CHECK_STATED, /* what follows from the result and the model without solving anything */
+  QN_CHECK_RECOMPUTED /* also the bounds that a linear program gives, by solving it again */
+} QnCheckDepth;
+
 /* Compares everything that a result of `model` says. The model is prepared, its contacts are those
  * of the analysis. Fails when memory runs out alone. */
 QnStatus qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
-                                const QnResult *result, QnResultFaults *faults,
-                                QnDiag *diag);
+                                const QnResult *result, QnCheckDepth depth,
+                                QnResultFaults *faults, QnDiag *diag);
 
 #endif

@@ -141,3 +141,25 @@ qn_pair_state (const QnPairSprings *springs, int16_t phase)
   QnPairState b = phase_state ((QnPhase) (phase % QN_PHASE_COUNT));
   return ranks[a] > ranks[b] ? a : b;
 }
+
+QnPairState
+qn_pair_state_of_force (const QnPairSprings *springs, QnPairState state,
+                        const double force[2], double little)
+{
+  QnStrengthRow rows[QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (&springs->a, rows);
+  bool opens = false, slides = false;
+
+  if (count == 0 || (state != QN_PAIR_OPEN && state != QN_PAIR_SLIP))
+    return state;
+  for (int i = 0; i < count; i++) {
+    bool reached =
+      rows[i].limit - rows[i].normal * force[0] - rows[i].shear * fabs (force[1])
+      <= little;
+    opens = opens || (reached && rows[i].shear == 0 && rows[i].normal > 0);
+    slides = slides || (reached && rows[i].shear > 0);
+  }
+  if (state == QN_PAIR_OPEN && opens)
+    return QN_PAIR_OPEN;
+  return slides ? QN_PAIR_SLIP : QN_PAIR_STICK;
+}

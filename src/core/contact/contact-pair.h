@@ -64,4 +64,10 @@ typedef enum {
 /* What a phase of these springs is called. */
 QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
 
+/* The state that a joint, elastic and perfectly plastic, is in with this force, where its phase says
+ * `state`: an increment along the central path knows forces better than whether a joint flows. Open, or
+ * sliding, is one within `little` of that strength. */
+QnPairState qn_pair_state_of_force (const QnPairSprings *springs, QnPairState state,
+                                    const double force[2], double little);
+
 #endif

@@ -400,6 +400,7 @@ adopt (Increment *increment)
   QnEquilibrium *eq = increment->path->eq;
 
   qn_central_pairs_take_flow (&increment->path->pairs);
+  eq->keeps_forces = true;
   QnSolveStatus status = qn_equilibrium_newton (eq, increment->target, 0, 0);
   if (status != QN_SOLVE_CONVERGED || eq->out_of_balance <= eq->tolerance)
     return status;

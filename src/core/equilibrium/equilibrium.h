@@ -85,6 +85,9 @@ typedef struct QnEquilibrium {
   int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
   double factored_viscosity;
   bool factored;
+  bool
+    keeps_forces; /* an increment along the central path left forces that the laws by themselves do
+                        not find again, since this was last cleared */
 
   double out_of_balance; /* of the current state, relative */
   QnProgress progress;

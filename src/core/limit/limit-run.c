@@ -152,6 +152,36 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
   return status;
 }
 
+static void
+add_solution (QnResult *result, double multiplier)
+{
+  qn_result_add_solution (result, (QnSolution){ .multiplier = multiplier,
+                                                .found_by = QN_PROCEDURE_LIMIT,
+                                                .displacement = NAN });
+}
+
+static QnStatus
+run_associative (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
+                 QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
+{
+  QnLimitSolution solution;
+  QnStatus status =
+    series != NULL
+      ? qn_limit_series_solve (series, model, contacts, progress, user_data, &solution,
+                               diag)
+      : qn_limit_associative (model, contacts, progress, user_data, &solution, diag);
+
+  if (!status)
+    status = keep_solution (result, model, contacts, &solution, diag);
+  if (!status && solution.outcome == QN_OUTCOME_COLLAPSE) {
+    add_solution (result, solution.lower_bound);
+    result->has_associative_bound = true;
+    result->associative_bound = solution.upper_bound;
+  }
+  qn_limit_solution_clear (&solution);
+  return status;
+}
+
 static QnStatus
 run_non_associative (const QnModel *model, const QnContacts *contacts,
                      QnProgressFunc progress, void *user_data, QnResult *result,
@@ -164,14 +194,13 @@ run_non_associative (const QnModel *model, const QnContacts *contacts,
   if (status)
     return status;
   status = keep_solution (result, model, contacts, &interval.solution, diag);
-  QnLimitFigures *figures = &result->limit;
-  figures->has_associative_bound = interval.associative > 0;
-  figures->associative_bound = interval.associative;
+  result->has_associative_bound = interval.associative > 0;
+  result->associative_bound = interval.associative;
   if (interval.solution.outcome == QN_OUTCOME_COLLAPSE) {
-    figures->lower_bound = interval.lowest;
-    figures->upper_bound = interval.highest;
+    result->limit.lower_bound = interval.lowest;
+    result->limit.upper_bound = interval.highest;
     for (int32_t i = 0; i < interval.count; i++)
-      figures->fixed_points[figures->fixed_point_count++] = interval.points[i].multiplier;
+      add_solution (result, interval.points[i].multiplier);
   }
   qn_limit_interval_clear (&interval);
   return status;
@@ -186,18 +215,11 @@ qn_limit_run (QnLimitSeries *series, const QnModel *model, const QnContacts *con
     qn_result_init (result, model->block_count, contacts->pair_count, diag);
 
   result->limit.flow = model->analysis.flow;
-  if (!status && model->analysis.flow == QN_FLOW_NON_ASSOCIATIVE) {
-    status = run_non_associative (model, contacts, progress, user_data, result, diag);
-  } else if (!status) {
-    QnLimitSolution solution;
-    status = series != NULL ? qn_limit_series_solve (series, model, contacts, progress,
-                                                     user_data, &solution, diag)
-                            : qn_limit_associative (model, contacts, progress, user_data,
-                                                    &solution, diag);
-    if (!status)
-      status = keep_solution (result, model, contacts, &solution, diag);
-    qn_limit_solution_clear (&solution);
-  }
+  if (!status)
+    status =
+      model->analysis.flow == QN_FLOW_ASSOCIATIVE
+        ? run_associative (series, model, contacts, progress, user_data, result, diag)
+        : run_non_associative (model, contacts, progress, user_data, result, diag);
   result->statistics.seconds = qn_clock_seconds () - start;
   if (status)
     qn_result_clear (result);

@@ -189,6 +189,17 @@ typedef enum {
   QN_SHORTCUT_EARLY_FAILURE = 8,
 } QnShortcut;
 
+/* Whether limit analysis is asked for the associative bound of a path that ends in collapse. */
+typedef enum {
+  QN_BOUND_AUTO, /* where that takes little: up to QN_BOUND_PAIRS contact pairs */
+  QN_BOUND_ALWAYS,
+  QN_BOUND_NEVER,
+  QN_BOUND_CHOICE_COUNT
+} QnBoundChoice;
+
+/* A linear program of so many pairs takes about a second, and less than a quarter of the path. */
+#define QN_BOUND_PAIRS 5000
+
 /* Factorisations that an analysis may need unless its settings say otherwise: fifteen times what the
  * longest of the examples needs. */
 #define QN_MAX_FACTORIZATIONS 50000
@@ -204,6 +215,7 @@ typedef struct QnAnalysisSettings {
   double residual_tolerance;   /* relative to the forces in the model; default 1e-8 */
   int32_t max_factorizations;  /* >= 1; beyond, the analysis ends as not converged */
   double max_seconds;          /* > 0; likewise; INFINITY by default */
+  QnBoundChoice bound;         /* whether a path's collapse gets its associative bound */
   QnId control_block;          /* or QN_NONE */
   QnId control_node; /* the same for a node that stands free; at most one of both */
   QnDof control_dof;

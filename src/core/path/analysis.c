@@ -1,5 +1,6 @@
 #include "core/path/analysis.h"
 
+#include "core/base/clock.h"
 #include "core/base/tolerance.h"
 #include "core/check/result-check.h"
 #include "core/dynamics/dynamics.h"
@@ -7,7 +8,6 @@
 #include "core/path/path.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Whether a path that was to go on to collapse came to the largest multiplier there is. */
 static bool
@@ -39,9 +39,63 @@ run_in_time (QnPath *path, QnDiag *diag)
   return status;
 }
 
-QnStatus
-qn_analysis_prove (const QnModel *model, const QnContacts *contacts, QnResult *result,
-                   QnDiag *diag)
+/* --- What nothing exceeds ----------------------------------------------------------------- */
+
+/* The largest multiplier at which forces within the strength of every joint are in balance, whatever
+ * geometry it may be of, is that of rigid blocks that do not move; so it bounds linear geometry alone. */
+static bool
+wants_bound (const QnModel *model, const QnContacts *contacts, const QnResult *result)
+{
+  const QnAnalysisSettings *settings = &model->analysis;
+
+  for (size_t i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].kind == QN_LOAD_SETTLEMENT)
+      return false;
+  return result->has_collapse_multiplier && !result->has_associative_bound
+         && settings->geometry == QN_GEOMETRY_LINEAR && model->stage_count == 0
+         && model->element_count == 0
+         && (settings->bound == QN_BOUND_ALWAYS
+             || (settings->bound == QN_BOUND_AUTO
+                 && contacts->pair_count <= QN_BOUND_PAIRS));
+}
+
+/* Where limit analysis does not know the joints, or does not get to its end, there is no bound. */
+static QnStatus
+add_bound (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
+           QnResult *result, QnDiag *diag)
+{
+  QnLimitSolution solution;
+  double start = qn_clock_seconds ();
+
+  if (!wants_bound (model, contacts, result))
+    return QN_OK;
+  QnStatus status =
+    qn_limit_associative (model, contacts, qn_budget_go_on, budget, &solution, NULL);
+  if (status == QN_OK && solution.outcome == QN_OUTCOME_COLLAPSE) {
+    result->has_associative_bound = true;
+    result->associative_bound = solution.upper_bound;
+  }
+  qn_limit_solution_clear (&solution);
+  result->statistics.seconds += qn_clock_seconds () - start;
+  return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
+}
+
+/* --- What is true ------------------------------------------------------------------------- */
+
+/* A result of which nothing is concluded. */
+static void
+withdraw (QnResult *result)
+{
+  result->outcome = QN_OUTCOME_NOT_CONVERGED;
+  result->stop = QN_STOP_CHECK;
+  result->has_associative_bound = false;
+  qn_result_clear_collapse (result);
+  if (result->step_count > 0)
+    result->steps[result->step_count - 1].event = QN_EVENT_NONE;
+}
+
+static QnStatus
+prove (const QnModel *model, const QnContacts *contacts, QnResult *result, QnDiag *diag)
 {
   QnResultFaults faults;
   bool stands = true;
@@ -49,8 +103,8 @@ qn_analysis_prove (const QnModel *model, const QnContacts *contacts, QnResult *r
   if (result->outcome == QN_OUTCOME_CANCELLED
       || result->outcome == QN_OUTCOME_NOT_CONVERGED)
     return QN_OK;
-  QnStatus status = qn_result_find_faults (model, contacts, result, &faults, diag);
-
+  QnStatus status =
+    qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
   for (int i = 0; status == QN_OK && i < faults.count; i++) {
     QnClaim claim = faults.items[i].claim;
     if (claim == QN_CLAIM_FIRST_LIMIT)
@@ -60,17 +114,38 @@ qn_analysis_prove (const QnModel *model, const QnContacts *contacts, QnResult *r
     else
       stands = false;
   }
-  if (status != QN_OK || stands)
-    return status;
-  result->outcome = QN_OUTCOME_NOT_CONVERGED;
-  result->stop = QN_STOP_CHECK;
-  result->has_collapse_multiplier = result->has_first_limit_multiplier = false;
-  result->mechanism_uncertain = false;
-  free (result->mechanism);
-  result->mechanism = NULL;
-  if (result->step_count > 0)
-    result->steps[result->step_count - 1].event = QN_EVENT_NONE;
-  return QN_OK;
+  if (status == QN_OK && !stands)
+    withdraw (result);
+  return status;
+}
+
+/* --- The whole ---------------------------------------------------------------------------- */
+
+static QnStatus
+run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
+     QnBudget *budget, QnResult *result, QnDiag *diag)
+{
+  QnPath path;
+  bool stands;
+
+  if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
+    QnStatus status =
+      qn_limit_run (series, model, contacts, qn_budget_go_on, budget, result, diag);
+    return status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED
+             ? qn_path_add_fixed_point (model, contacts, qn_budget_go_on, budget, result,
+                                        diag)
+             : status;
+  }
+  QnStatus status =
+    qn_path_setup (&path, model, contacts, qn_budget_go_on, budget, result, diag);
+  if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    status = run_in_time (&path, diag);
+  else if (status == QN_OK)
+    status = qn_path_run (&path, &stands, diag);
+  status = qn_path_finish (&path, status, budget->start);
+  if (status == QN_OK && is_unbounded (model, result))
+    result->outcome = QN_OUTCOME_UNBOUNDED;
+  return status == QN_OK ? add_bound (model, contacts, budget, result, diag) : status;
 }
 
 QnStatus
@@ -87,30 +162,14 @@ qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
                            void *user_data, QnResult *result, QnDiag *diag)
 {
   QnBudget budget = qn_budget_start (&model->analysis, progress, user_data);
-  QnPath path;
-  bool stands;
-  QnStatus status;
 
   *result = (QnResult){ 0 };
-  if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
-    status =
-      qn_limit_run (series, model, contacts, qn_budget_go_on, &budget, result, diag);
-    if (status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED)
-      status =
-        qn_path_add_fixed_point (model, contacts, qn_budget_go_on, &budget, result, diag);
-  } else {
-    status =
-      qn_path_setup (&path, model, contacts, qn_budget_go_on, &budget, result, diag);
-    if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
-      status = run_in_time (&path, diag);
-    else if (status == QN_OK)
-      status = qn_path_run (&path, &stands, diag);
-    status = qn_path_finish (&path, status, budget.start);
-  }
-  if (status == QN_OK && is_unbounded (model, result))
-    result->outcome = QN_OUTCOME_UNBOUNDED;
-  if (status == QN_OK)
+  QnStatus status = run (series, model, contacts, &budget, result, diag);
+  if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
+    qn_result_judge_linearity (model, result);
+    status = prove (model, contacts, result, diag);
+  }
   if (status != QN_OK)
     qn_result_clear (result);
   return status;

@@ -54,10 +54,10 @@ keep_point (QnResult *result, QnResult *found, const QnModel *model, QnDiag *dia
   double multiplier = found->collapse_multiplier;
   bool least = !limit->given || multiplier < limit->lower_bound;
 
-  if (multiplier > limit->associative_bound * (1 + ABOVE) + ABOVE
-      || limit->fixed_point_count >= QN_RESULT_FIXED_POINTS)
+  if (multiplier > result->associative_bound * (1 + ABOVE) + ABOVE)
     return QN_OK;
-  limit->fixed_points[limit->fixed_point_count++] = multiplier;
+  for (int32_t i = 0; i < found->solution_count; i++)
+    qn_result_add_solution (result, found->solutions[i]);
   limit->upper_bound = limit->given ? fmax (limit->upper_bound, multiplier) : multiplier;
   limit->given = true;
   return least ? take_solution (result, found, model, diag) : QN_OK;
@@ -68,10 +68,9 @@ static void
 withdraw (QnResult *result)
 {
   result->outcome = QN_OUTCOME_CANCELLED;
-  result->has_collapse_multiplier = false;
   result->step_count = 0;
-  free (result->mechanism);
-  result->mechanism = NULL;
+  result->limit.given = false;
+  qn_result_clear_collapse (result);
 }
 
 QnStatus
@@ -85,7 +84,7 @@ qn_path_add_fixed_point (const QnModel *model, const QnContacts *contacts,
   QnPath path;
   bool stands;
 
-  if (!result->limit.has_associative_bound)
+  if (!result->has_associative_bound || model->analysis.flow == QN_FLOW_ASSOCIATIVE)
     return QN_OK;
   rigid.analysis.procedure = QN_PROCEDURE_LOAD;
   rigid.analysis.geometry = QN_GEOMETRY_LINEAR;

@@ -162,10 +162,8 @@ reset_result (QnResult *result)
 {
   result->outcome = QN_OUTCOME_NOT_CONVERGED;
   result->stop = QN_STOP_UNKNOWN;
-  result->has_collapse_multiplier = false;
+  qn_result_clear_collapse (result);
   qn_result_clear_events (result);
-  free (result->mechanism);
-  result->mechanism = NULL;
 }
 
 /* Puts the solver at mu = 0 under the loads as they stand. *idle is set where the stage would

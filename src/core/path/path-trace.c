@@ -417,6 +417,8 @@ conclude (QnPathTrace *trace, QnDiag *diag)
     return QN_OK;
   result->has_collapse_multiplier = true;
   result->collapse_multiplier = trace->events.highest;
+  qn_path_add_solution (path, trace->measure.procedure,
+                        path->origin + path->scale * trace->events.highest);
   QnStatus status = trace->load_control && qn_path_trace_is_linear (trace)
                       ? judge_mechanism (trace, velocity, diag)
                       : QN_OK;

@@ -74,12 +74,14 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
                   .residual = eq->out_of_balance,
                   .event = event,
                   .stage = path->stage,
-                  .relaxed = eq->assembly.commits != path->commits_at_step };
+                  .relaxed =
+                    eq->keeps_forces || eq->assembly.commits != path->commits_at_step };
 
   eq->multiplier = multiplier;
   qn_equilibrium_commit (eq);
   path->iterations_at_step = eq->statistics.iterations;
   path->commits_at_step = eq->assembly.commits;
+  eq->keeps_forces = false;
   eq->progress.multiplier = step.multiplier;
   eq->progress.steps++;
   qn_assembly_expand (&eq->assembly, eq->u, path->displacements);
@@ -94,6 +96,21 @@ qn_path_accept (QnPath *path, double multiplier, QnEvent event)
     return false;
   qn_assembly_pair_results (&eq->assembly, eq->u, path->result->pairs);
   return qn_result_add_forces (path->result, path->settings->all_forces);
+}
+
+void
+qn_path_add_solution (QnPath *path, QnProcedure found_by, double multiplier)
+{
+  QnResult *result = path->result;
+  size_t step = result->step_count - 1;
+
+  while (step > 0 && result->steps[step].multiplier != multiplier)
+    step--;
+  qn_result_add_solution (
+    result,
+    (QnSolution){ .multiplier = multiplier,
+                  .found_by = found_by,
+                  .displacement = qn_result_largest_displacement (result, step) });
 }
 
 QnStatus

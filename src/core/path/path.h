@@ -79,6 +79,9 @@ bool qn_path_slips (const QnAssembly *assembly);
  * out. */
 bool qn_path_accept (QnPath *path, double multiplier, QnEvent event);
 
+/* Keeps the collapse at the last step with this multiplier as a solution of the result. */
+void qn_path_add_solution (QnPath *path, QnProcedure found_by, double multiplier);
+
 /* Records these rates of the unknowns as the collapse mechanism. */
 QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag *diag);
 

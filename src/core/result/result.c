@@ -130,6 +130,36 @@ qn_result_set_first_limit (QnResult *result, double multiplier)
 }
 
 void
+qn_result_add_solution (QnResult *result, QnSolution solution)
+{
+  if (result->solution_count < QN_RESULT_SOLUTIONS)
+    result->solutions[result->solution_count++] = solution;
+}
+
+void
+qn_result_collapse_interval (const QnResult *result, double *least, QnProcedure *found_by,
+                             double *bound)
+{
+  *least = NAN;
+  for (int32_t i = 0; i < result->solution_count; i++)
+    if (!(result->solutions[i].multiplier >= *least)) {
+      *least = result->solutions[i].multiplier;
+      *found_by = result->solutions[i].found_by;
+    }
+  *bound = result->has_associative_bound ? result->associative_bound : NAN;
+}
+
+void
+qn_result_clear_collapse (QnResult *result)
+{
+  result->has_collapse_multiplier = result->has_first_limit_multiplier = false;
+  result->mechanism_uncertain = false;
+  result->solution_count = 0;
+  free (result->mechanism);
+  result->mechanism = NULL;
+}
+
+void
 qn_result_clear_events (QnResult *result)
 {
   for (size_t i = 0; i < result->event_count; i++)

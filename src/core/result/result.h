@@ -68,7 +68,9 @@ typedef struct QnStep {
     stage;     /* number of the stage it belongs to, from 1; 0: dead load, or no stages */
   double time; /* s, of an analysis in time; 0 otherwise */
   bool relaxed; /* a motion came to rest here, in the course of which joints have slid: no
-                   single answer of their laws leads from the last step to this one */
+                   single answer of their laws leads from the last step to this one; or forces
+                   of an increment along the central path were kept, which the laws find again
+                   to a thousandth of the motion alone */
 } QnStep;
 
 /* Energy of an analysis in time, J, in the frame that moves with the ground. At any time
@@ -143,8 +145,27 @@ void qn_statistics_add (QnStatistics *total, const QnStatistics *part);
 /* Forgets what differs from run to run, the times and the memory: 0 stands for not measured. */
 void qn_statistics_clear_timings (QnStatistics *statistics);
 
-/* Most fixed points of the non-associative limit analysis that a result keeps. */
-#define QN_RESULT_FIXED_POINTS 8
+/* A collapse that is proved: forces within the strength of every joint balance the loads at this
+ * multiplier, and a mechanism moves under them as the joints' flow lets it. A structure whose joints
+ * dilate by less than their friction may have many. */
+typedef struct QnSolution {
+  double multiplier;
+  QnProcedure
+    found_by; /* LOAD: with the multiplier prescribed; DISPLACEMENT, WORK, ARC_LENGTH: at the
+                           peak of a path that prescribed these; LIMIT: of rigid blocks */
+  double
+    displacement; /* largest since the dead load, m; NAN: of rigid blocks, or not known */
+} QnSolution;
+
+/* Whether blocks have moved farther than linear geometry holds for before the answer was settled. */
+typedef enum {
+  QN_LINEARITY_UNKNOWN, /* not judged */
+  QN_LINEARITY_HOLDS, /* they have not, or geometry is not linear, or blocks are rigid */
+  QN_LINEARITY_BEYOND
+} QnLinearity;
+
+/* Most solutions that a result keeps. */
+#define QN_RESULT_SOLUTIONS 8
 
 /* What limit analysis adds. limit.h says what each number guarantees. */
 typedef struct QnLimitFigures {
@@ -153,10 +174,6 @@ typedef struct QnLimitFigures {
   double lower_bound; /* associative: static value; non-associative: least fixed point */
   double
     upper_bound; /* associative: kinematic value; non-associative: greatest fixed point */
-  bool has_associative_bound; /* with non-associative flow: what nothing exceeds */
-  double associative_bound;
-  double fixed_points[QN_RESULT_FIXED_POINTS]; /* non-associative, by starting point */
-  int32_t fixed_point_count;
 } QnLimitFigures;
 
 /* Contact forces of every step are kept as long as there are no more than this many, pairs
@@ -176,6 +193,15 @@ typedef struct QnResult {
 
   QnPathEvent *events; /* by multiplier, within a stage */
   size_t event_count, event_capacity;
+
+  QnSolution solutions[QN_RESULT_SOLUTIONS]; /* as they were met */
+  int32_t solution_count;
+  bool
+    has_associative_bound; /* whether limit analysis was asked for what nothing exceeds */
+  double associative_bound;
+
+  QnLinearity linearity;           /* as qn_result_judge_linearity() says */
+  double beyond_linear_multiplier; /* of BEYOND, 0 in time: at which it was */
 
   QnLimitFigures limit;
 
@@ -238,6 +264,32 @@ bool qn_result_add_step (QnResult *result, QnStep step, const double *displaceme
 bool qn_result_add_event (QnResult *result, QnPathEvent event);
 
 void qn_result_set_first_limit (QnResult *result, double multiplier);
+
+/* Keeps a solution, as long as there is room. */
+void qn_result_add_solution (QnResult *result, QnSolution solution);
+
+/* The interval in which collapse lies: from the least solution to the associative bound, each NAN where
+ * it is not known. *found_by is how the former was found. */
+void qn_result_collapse_interval (const QnResult *result, double *least,
+                                  QnProcedure *found_by, double *bound);
+
+/* Drops what the result says of collapse: multipliers, solutions, mechanism. */
+void qn_result_clear_collapse (QnResult *result);
+
+/* Linear geometry holds as long as no block has moved by more than this part of the least width of a
+ * block (of a rectangle, its least side) since the dead load. */
+#define QN_LINEAR_MOTION 0.1
+
+/* A multiplier that changes by no more than this part of itself any more is settled. */
+#define QN_SETTLED 1e-4
+
+/* Sets `linearity`: whether a path in linear geometry leaves the displacements that it holds for while
+ * the multiplier is still on its way to collapse, or to where the path ends; between two steps, where a
+ * straight line between them does. In time, whether a block's peak is beyond. */
+void qn_result_judge_linearity (const QnModel *model, QnResult *result);
+
+/* Largest displacement of a block or node at a step since the first one, rotations aside, m. */
+double qn_result_largest_displacement (const QnResult *result, size_t step);
 
 /* Result-file spelling: "local", "snap", "collapse". */
 const char *qn_event_kind_name (QnEventKind kind);

@@ -23,6 +23,12 @@ const char *const qn_procedure_names[QN_PROCEDURE_COUNT] = {
   [QN_PROCEDURE_LIMIT] = "limit", [QN_PROCEDURE_DYNAMIC] = "dynamic",
 };
 
+const char *const qn_bound_choice_names[QN_BOUND_CHOICE_COUNT] = {
+  [QN_BOUND_AUTO] = "auto",
+  [QN_BOUND_ALWAYS] = "always",
+  [QN_BOUND_NEVER] = "never",
+};
+
 const char *const qn_geometry_names[QN_GEOMETRY_COUNT] = {
   [QN_GEOMETRY_LINEAR] = "linear",
   [QN_GEOMETRY_NONLINEAR] = "nonlinear",

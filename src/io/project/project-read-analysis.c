@@ -46,6 +46,7 @@ read_choices (const QnJsonValue *place, QnAnalysisSettings *settings)
 {
   int procedure = (int) settings->procedure, geometry = (int) settings->geometry;
   int snap = (int) settings->snap, flow = (int) settings->flow;
+  int bound = (int) settings->bound;
   if (!qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
                          QN_PROCEDURE_COUNT, &procedure)
       || !qn_member_choice (place, "geometry", QN_OPTIONAL, qn_geometry_names,
@@ -53,12 +54,15 @@ read_choices (const QnJsonValue *place, QnAnalysisSettings *settings)
       || !qn_member_choice (place, "snap", QN_OPTIONAL, qn_snap_names,
                             QN_SNAP_THROUGH_COUNT, &snap)
       || !qn_member_choice (place, "flow", QN_OPTIONAL, qn_flow_names, QN_FLOW_COUNT,
-                            &flow))
+                            &flow)
+      || !qn_member_choice (place, "bound", QN_OPTIONAL, qn_bound_choice_names,
+                            QN_BOUND_CHOICE_COUNT, &bound))
     return FALSE;
   settings->procedure = (QnProcedure) procedure;
   settings->geometry = (QnGeometry) geometry;
   settings->snap = (QnSnapThrough) snap;
   settings->flow = (QnFlow) flow;
+  settings->bound = (QnBoundChoice) bound;
   return TRUE;
 }
 
@@ -168,6 +172,7 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
                                       "residual_tolerance",
                                       "max_factorizations",
                                       "max_seconds",
+                                      "bound",
                                       "control",
                                       "stages",
                                       "dynamic" };

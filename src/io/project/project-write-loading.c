@@ -161,6 +161,8 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
     qn_json_put_number (json, "max_factorizations", analysis->max_factorizations);
   if (analysis->max_seconds != usual->max_seconds)
     qn_json_put_number (json, "max_seconds", analysis->max_seconds);
+  if (analysis->bound != usual->bound)
+    qn_json_put_string (json, "bound", qn_bound_choice_names[analysis->bound]);
   if (analysis->snap != usual->snap)
     qn_json_put_string (json, "snap", qn_snap_names[analysis->snap]);
   if (analysis->flow != usual->flow)

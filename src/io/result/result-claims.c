@@ -71,7 +71,8 @@ qn_result_file_find_faults (const QnResultFile *file, const char *name,
   if (file->result.step_count > 0 && file->result.pair_count != contacts->pair_count)
     return refuse (error, name,
                    g_strdup (_ ("the result holds no forces of the contacts")));
-  if (qn_result_find_faults (&project->model, contacts, &file->result, faults, NULL)
+  if (qn_result_find_faults (&project->model, contacts, &file->result,
+                             QN_CHECK_RECOMPUTED, faults, NULL)
       == QN_OK)
     return TRUE;
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", name,

@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,6 +27,43 @@ check_head (QnJsonStream *stream, QnResultDraft *draft)
   }
   return qn_json_stream_fail_at (stream, "outcome",
                                  _ ("this is no outcome of an analysis"));
+}
+
+static gboolean
+same_number (double a, double b)
+{
+  return a == b || (isnan (a) && isnan (b));
+}
+
+/* Solutions and bound stand in a file twice, or in older ones once, as fixed points. */
+static gboolean
+take_solutions (QnJsonStream *stream, const QnResultDraft *draft)
+{
+  QnResult *result = &draft->file->result;
+  QnProcedure found_by;
+  double least, bound;
+  gboolean same = TRUE, older = result->solution_count == 0;
+  for (gint32 i = 0; older && i < draft->fixed_point_count; i++)
+    qn_result_add_solution (
+      result, (QnSolution){ draft->fixed_points[i], QN_PROCEDURE_LIMIT, (double) NAN });
+  for (gint32 i = 0; i < draft->fixed_point_count; i++)
+    same = same && i < result->solution_count
+           && draft->fixed_points[i] == result->solutions[i].multiplier;
+  if (!same)
+    return qn_json_stream_fail_at (stream, "fixed_points",
+                                   _ ("these are not the multipliers of the solutions"));
+  if (draft->interval_ends == 0)
+    return TRUE;
+  if (!result->has_associative_bound && !isnan (draft->interval[1])) {
+    result->has_associative_bound = true;
+    result->associative_bound = draft->interval[1];
+  }
+  qn_result_collapse_interval (result, &least, &found_by, &bound);
+  if (same_number (draft->interval[0], least) && same_number (draft->interval[1], bound))
+    return TRUE;
+  return qn_json_stream_fail_at (stream, "collapse_interval",
+                                 _ ("this is not the interval from the least solution to "
+                                    "the associative bound"));
 }
 
 /* The same for nodes and elements. */
@@ -151,7 +189,7 @@ gboolean
 qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
 {
   return check_head (stream, draft) && check_counts (stream, draft)
-         && take_arrays (stream, draft)
+         && take_arrays (stream, draft) && take_solutions (stream, draft)
          && qn_result_history_take (&draft->history, stream, &draft->file->result);
 }
 

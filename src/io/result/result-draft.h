@@ -32,6 +32,10 @@ typedef struct QnResultDraft {
   QnBeamForces *beam_forces;
   size_t beam_force_count, beam_force_capacity, element_count;
   gboolean has_mechanism;
+  double fixed_points[QN_RESULT_SOLUTIONS];
+  gint32 fixed_point_count;
+  double interval[2];   /* `collapse_interval`, NAN: null */
+  int interval_ends;    /* that were read: 2, or 0 where there is none */
   size_t rows_per_step; /* numbers; of the first step */
   size_t step_capacity, contact_capacity, pair_capacity, unstable_capacity;
   size_t support_capacity;

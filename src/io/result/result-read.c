@@ -6,6 +6,7 @@
 #include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -142,20 +143,64 @@ read_flow (QnJsonStream *stream, gpointer target)
 static gboolean
 read_associative_bound (QnJsonStream *stream, gpointer target)
 {
-  limit_figures (target)->has_associative_bound = true;
-  return qn_json_stream_number (stream, &limit_figures (target)->associative_bound);
+  QnResult *result = &((QnResultDraft *) target)->file->result;
+  Optional optional = { false, 0 };
+  gboolean done = read_optional (stream, &optional);
+  result->has_associative_bound = optional.given;
+  result->associative_bound = optional.number;
+  return done;
+}
+
+static gboolean
+read_procedure (QnJsonStream *stream, gpointer target)
+{
+  for (int i = 0; i < QN_PROCEDURE_COUNT; i++)
+    if (stream->scanner.token == QN_JSON_STRING
+        && qn_json_string_is (&stream->scanner, qn_procedure_names[i])) {
+      *(QnProcedure *) target = (QnProcedure) i;
+      return TRUE;
+    }
+  return qn_json_stream_fail (stream, _ ("this is no procedure of an analysis"));
 }
 
 /* More than a result keeps is read and left out. */
 static gboolean
+read_solution (QnJsonStream *stream, gpointer target)
+{
+  typedef struct SolutionDraft {
+    QnSolution solution;
+    Optional displacement;
+  } SolutionDraft;
+  static const QnJsonMember members[] = {
+    { "multiplier", qn_json_stream_number, offsetof (SolutionDraft, solution.multiplier),
+      TRUE },
+    { "found_by", read_procedure, offsetof (SolutionDraft, solution.found_by), TRUE },
+    { "displacement", read_optional, offsetof (SolutionDraft, displacement), FALSE },
+  };
+  SolutionDraft draft = { 0 };
+  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &draft))
+    return FALSE;
+  draft.solution.displacement =
+    draft.displacement.given ? draft.displacement.number : (double) NAN;
+  qn_result_add_solution (&((QnResultDraft *) target)->file->result, draft.solution);
+  return TRUE;
+}
+
+static gboolean
+read_solutions (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_solution, target);
+}
+
+static gboolean
 read_fixed_point (QnJsonStream *stream, gpointer target)
 {
-  QnLimitFigures *figures = limit_figures (target);
+  QnResultDraft *draft = target;
   double number;
   if (!qn_json_stream_number (stream, &number))
     return FALSE;
-  if (figures->fixed_point_count < QN_RESULT_FIXED_POINTS)
-    figures->fixed_points[figures->fixed_point_count++] = number;
+  if (draft->fixed_point_count < QN_RESULT_SOLUTIONS)
+    draft->fixed_points[draft->fixed_point_count++] = number;
   return TRUE;
 }
 
@@ -163,6 +208,47 @@ static gboolean
 read_fixed_points (QnJsonStream *stream, gpointer target)
 {
   return qn_json_stream_array (stream, read_fixed_point, target);
+}
+
+static gboolean
+read_interval_end (QnJsonStream *stream, gpointer target)
+{
+  QnResultDraft *draft = target;
+  Optional optional = { false, (double) NAN };
+  if (draft->interval_ends == 2)
+    return qn_json_stream_fail (stream, _ ("expected two numbers or null"));
+  if (!read_optional (stream, &optional))
+    return FALSE;
+  draft->interval[draft->interval_ends++] = optional.number;
+  return TRUE;
+}
+
+static gboolean
+read_interval (QnJsonStream *stream, gpointer target)
+{
+  return qn_json_stream_array (stream, read_interval_end, target)
+         && (((QnResultDraft *) target)->interval_ends == 2
+             || qn_json_stream_fail (stream, _ ("expected two numbers or null")));
+}
+
+static gboolean
+read_beyond_linear (QnJsonStream *stream, gpointer target)
+{
+  bool beyond;
+  if (!read_true (stream, &beyond))
+    return FALSE;
+  ((QnResultDraft *) target)->file->result.linearity =
+    beyond ? QN_LINEARITY_BEYOND : QN_LINEARITY_HOLDS;
+  return TRUE;
+}
+
+static gboolean
+read_beyond_multiplier (QnJsonStream *stream, gpointer target)
+{
+  Optional optional = { false, 0 };
+  gboolean done = read_optional (stream, &optional);
+  ((QnResultDraft *) target)->file->result.beyond_linear_multiplier = optional.number;
+  return done;
 }
 
 static gboolean
@@ -576,6 +662,10 @@ read_document (QnJsonStream *stream, gpointer target)
     { "flow", read_flow, 0, FALSE },
     { "associative_bound", read_associative_bound, 0, FALSE },
     { "fixed_points", read_fixed_points, 0, FALSE },
+    { "solutions", read_solutions, 0, FALSE },
+    { "collapse_interval", read_interval, 0, FALSE },
+    { "beyond_linear", read_beyond_linear, 0, FALSE },
+    { "beyond_linear_multiplier", read_beyond_multiplier, 0, FALSE },
     { "unstable_blocks", read_unstable, 0, FALSE },
     { "supports", read_supports, 0, FALSE },
     { "stage", read_end_stage, 0, FALSE },

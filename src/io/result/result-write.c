@@ -42,22 +42,67 @@ write_strings (QnFileWriter *writer, const char *const *strings)
 }
 
 static void
-write_limit (QnFileWriter *writer, const QnLimitFigures *limit)
+write_limit (QnFileWriter *writer, const QnResult *result)
 {
+  const QnLimitFigures *limit = &result->limit;
   if (!limit->given)
     return;
   write_optional (writer, "lower_bound", TRUE, limit->lower_bound);
   write_optional (writer, "upper_bound", TRUE, limit->upper_bound);
   qn_file_writer_printf (writer, "  \"flow\": \"%s\",\n", qn_flow_names[limit->flow]);
-  if (!limit->has_associative_bound)
+  if (limit->flow != QN_FLOW_NON_ASSOCIATIVE)
     return;
-  write_optional (writer, "associative_bound", TRUE, limit->associative_bound);
+  write_optional (writer, "associative_bound", result->has_associative_bound,
+                  result->associative_bound);
   qn_file_writer_puts (writer, "  \"fixed_points\": [");
-  for (int32_t i = 0; i < limit->fixed_point_count; i++) {
+  for (int32_t i = 0; i < result->solution_count; i++) {
     qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_number (writer, limit->fixed_points[i]);
+    qn_file_writer_number (writer, result->solutions[i].multiplier);
   }
   qn_file_writer_puts (writer, "],\n");
+}
+
+static void
+write_known (QnFileWriter *writer, double number)
+{
+  if (isfinite (number))
+    qn_file_writer_number (writer, number);
+  else
+    qn_file_writer_puts (writer, "null");
+}
+
+/* What is proved of collapse, the interval in which it lies, and whether linear geometry holds so far. */
+static void
+write_answer (QnFileWriter *writer, const QnResult *result)
+{
+  QnProcedure found_by = QN_PROCEDURE_LOAD;
+  double least, bound;
+  qn_file_writer_puts (writer, "  \"solutions\": [");
+  for (int32_t i = 0; i < result->solution_count; i++) {
+    const QnSolution *solution = &result->solutions[i];
+    qn_file_writer_printf (writer, "%s{ \"multiplier\": ", i > 0 ? ", " : "");
+    qn_file_writer_number (writer, solution->multiplier);
+    qn_file_writer_printf (writer, ", \"found_by\": \"%s\", \"displacement\": ",
+                           qn_procedure_names[solution->found_by]);
+    write_known (writer, solution->displacement);
+    qn_file_writer_puts (writer, " }");
+  }
+  qn_result_collapse_interval (result, &least, &found_by, &bound);
+  qn_file_writer_puts (writer, "],\n  \"collapse_interval\": [");
+  write_known (writer, least);
+  qn_file_writer_puts (writer, ", ");
+  write_known (writer, bound);
+  qn_file_writer_printf (writer, "],\n  \"collapse_interval_ends\": [%s%s%s, %s],\n",
+                         isfinite (least) ? "\"" : "",
+                         isfinite (least) ? qn_procedure_names[found_by] : "null",
+                         isfinite (least) ? "\"" : "",
+                         isfinite (bound) ? "\"associative-bound\"" : "null");
+  if (result->linearity == QN_LINEARITY_UNKNOWN)
+    return;
+  gboolean beyond = result->linearity == QN_LINEARITY_BEYOND;
+  qn_file_writer_printf (writer, "  \"beyond_linear\": %s,\n", beyond ? "true" : "false");
+  write_optional (writer, "beyond_linear_multiplier",
+                  beyond && result->history.width == 0, result->beyond_linear_multiplier);
 }
 
 /* What happened on a path; an analysis of another kind has no events. */
@@ -115,7 +160,8 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   write_optional (writer, "first_limit_multiplier", result->has_first_limit_multiplier,
                   result->first_limit_multiplier);
   write_events (writer, result);
-  write_limit (writer, &result->limit);
+  write_limit (writer, result);
+  write_answer (writer, result);
   char *reason = qn_outcome_dup_reason (&project->model, result);
   qn_file_writer_puts (writer, "  \"reason\": ");
   qn_file_writer_json_string (writer, reason);

@@ -48,8 +48,12 @@ static const struct {
                              "" },
   [QN_CLAIM_UPPER_BOUND] = { "upper-bound",
                              N_ ("the upper bound is not that of the mechanism"), "" },
-  [QN_CLAIM_INTERVAL] = { "interval", N_ ("the interval is not that of its members"),
+  [QN_CLAIM_INTERVAL] = { "interval",
+                          N_ ("the interval is not that of the solutions, or these are "
+                              "not those of the steps"),
                           "" },
+  [QN_CLAIM_LINEARITY] = { "linearity",
+                           N_ ("blocks leave linear geometry elsewhere than told"), "" },
   [QN_CLAIM_HISTORY] = { "history", N_ ("the history is not that of the steps"), "" },
 };
 

@@ -179,6 +179,79 @@ explain_collapse (const QnModel *model, const Task *task, const QnResult *result
   return text;
 }
 
+/* --- Answer ----------------------------------------------------------------------------- */
+
+static const char *
+found_by_words (QnProcedure procedure)
+{
+  switch (procedure) {
+  case QN_PROCEDURE_LOAD:
+    return _ ("found by load control");
+  case QN_PROCEDURE_DISPLACEMENT:
+    return _ ("found by displacement control");
+  case QN_PROCEDURE_WORK:
+    return _ ("found by work control");
+  case QN_PROCEDURE_ARC_LENGTH:
+    return _ ("found by arc-length control");
+  case QN_PROCEDURE_LIMIT:
+    return _ ("found by limit analysis of rigid blocks");
+  case QN_PROCEDURE_DYNAMIC:
+  case QN_PROCEDURE_COUNT:
+    break;
+  }
+  return "";
+}
+
+char *
+qn_solution_dup_words (const QnSolution *solution)
+{
+  const char *found = found_by_words (solution->found_by);
+  return isnan (solution->displacement)
+           ? g_strdup (found)
+           : g_strdup_printf (_ ("%s, largest displacement %.3g m"), found,
+                              solution->displacement);
+}
+
+char *
+qn_outcome_dup_interval (const QnResult *result)
+{
+  QnProcedure found_by = QN_PROCEDURE_LOAD;
+  double least, bound, greatest = -HUGE_VAL;
+  qn_result_collapse_interval (result, &least, &found_by, &bound);
+  if (isnan (least))
+    return NULL;
+  for (gint32 i = 0; i < result->solution_count; i++)
+    greatest = MAX (greatest, result->solutions[i].multiplier);
+  const char *found = found_by_words (found_by);
+  g_autofree char *from =
+    result->solution_count == 1
+      ? g_strdup_printf (_ ("Collapse multiplier %.4f, %s;"), least, found)
+      : g_strdup_printf (
+        _ ("Collapse multiplier %.4f, %s, the least of %d solutions up to %.4f;"), least,
+        found, result->solution_count, greatest);
+  g_autofree char *to =
+    isnan (bound)
+      ? g_strdup (_ ("what bounds it from above is not known."))
+      : g_strdup_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
+  return g_strdup_printf ("%s %s", from, to);
+}
+
+char *
+qn_outcome_dup_linearity (const QnResult *result)
+{
+  if (result->linearity != QN_LINEARITY_BEYOND)
+    return NULL;
+  if (result->history.width > 0)
+    return g_strdup (
+      _ ("Blocks move by more than a tenth of their least width, where linear geometry "
+         "does not hold: solve in large displacements (analysis.geometry=nonlinear)."));
+  return g_strdup_printf (
+    _ ("Linear geometry holds up to a load multiplier of %.4g only, where a block has "
+       "moved by a tenth of the least width of the blocks: solve in large displacements "
+       "(analysis.geometry=nonlinear)."),
+    result->beyond_linear_multiplier);
+}
+
 /* --- Target reached --------------------------------------------------------------------- */
 
 static gboolean
@@ -381,7 +454,10 @@ char *
 qn_outcome_dup_reason (const QnModel *model, const QnResult *result)
 {
   Task task = task_of (model, result);
-  char *text = explain (model, &task, result);
+  g_autofree char *outcome = explain (model, &task, result);
+  g_autofree char *linearity = qn_outcome_dup_linearity (result);
+  char *text = linearity != NULL ? g_strdup_printf ("%s %s", outcome, linearity)
+                                 : g_steal_pointer (&outcome);
   if (result->stage < 1 || (size_t) result->stage > model->stage_count)
     return text;
   char *name = qn_stage_dup_name (model, result->stage);

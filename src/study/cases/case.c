@@ -159,10 +159,8 @@ qn_case_solver_init (QnCaseSolver *solver, const QnStudy *study, GError **error)
 static double
 associative_multiplier (const QnCaseModel *model)
 {
-  const QnLimitFigures *figures = &model->result.limit;
-  if (figures->given)
-    return figures->has_associative_bound ? figures->associative_bound
-                                          : figures->upper_bound;
+  if (model->result.has_associative_bound)
+    return model->result.associative_bound;
   QnLimitSolution solution;
   double bound = NAN;
   if (qn_limit_associative (&model->project.model, &model->contacts, NULL, NULL,
@@ -283,6 +281,9 @@ static QnStatus
 analyse (QnCaseSolver *solver, QnCaseModel *model, QnCaseResult *result, QnDiag *diag)
 {
   const QnModel *core = &model->project.model;
+  /* A study asks for the bound itself, where it is one of its outputs. */
+  if (core->analysis.bound == QN_BOUND_AUTO)
+    model->project.model.analysis.bound = QN_BOUND_NEVER;
   if (solver->study->run != QN_STUDY_MODAL)
     return qn_analysis_run_in_series (&solver->series, core, &model->contacts, NULL, NULL,
                                       &model->result, diag);

@@ -28,6 +28,13 @@ test_round_trip (ResultFixture *fixture, gconstpointer data)
   g_assert_true (read->has_collapse_multiplier && read->has_first_limit_multiplier);
   g_assert_cmpfloat (read->collapse_multiplier, ==, 0.2);
   g_assert_cmpfloat (read->first_limit_multiplier, ==, 0.1);
+  g_assert_cmpint (read->solution_count, ==, 1);
+  g_assert_cmpfloat (read->solutions[0].multiplier, ==, 0.2);
+  g_assert_cmpint (read->solutions[0].found_by, ==, QN_PROCEDURE_WORK);
+  g_assert_cmpfloat (read->solutions[0].displacement, ==, 2e-6);
+  g_assert_true (read->has_associative_bound);
+  g_assert_cmpfloat (read->associative_bound, ==, 0.25);
+  g_assert_cmpint (read->linearity, ==, QN_LINEARITY_HOLDS);
   g_assert_cmpuint (read->event_count, ==, 1);
   g_assert_cmpint (read->events[0].kind, ==, QN_EVENT_KIND_SNAP);
   g_assert_cmpfloat (read->events[0].multiplier, ==, 0.1);
@@ -74,40 +81,48 @@ static const Case cases[] = {
   { "\"collapse_multiplier\": 0.2", "\"collapse_multiplier\": \"0.2\"",
     "r.json:7:26: collapse_multiplier: expected a number" },
   { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\"]",
-    "r.json:14:41: steps[0].displacements: there are not as many displacements as "
+    "r.json:19:41: steps[0].displacements: there are not as many displacements as "
     "blocks" },
   { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\", 3]",
-    "r.json:12:22: blocks[1]: expected a string" },
+    "r.json:17:22: blocks[1]: expected a string" },
   { "\"multiplier\": 0.2", "\"multiplier\": 1e999",
-    "r.json:15:21: steps[1].multiplier: number is not finite" },
+    "r.json:11:33: solutions[0].multiplier: number is not finite" },
   { "\"multiplier\": 0.2, ", "",
-    "r.json:15:5: steps[1].multiplier: required key is missing" },
+    "r.json:11:17: solutions[0].multiplier: required key is missing" },
   { "[1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6]",
-    "r.json:15:67: steps[1].displacements[1]: expected a number" },
+    "r.json:20:67: steps[1].displacements[1]: expected a number" },
   { "[1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6, 3e-9, 1]",
-    "r.json:15:75: steps[1].displacements[1]: array has too many elements" },
+    "r.json:20:75: steps[1].displacements[1]: array has too many elements" },
   { "[0, 0, 0], [1e-6, -2e-6, 3e-9]", "[1e-6, -2e-6, 3e-9]",
-    "r.json:15:122: steps[1]: step has displacements of another number of blocks than "
+    "r.json:20:122: steps[1]: step has displacements of another number of blocks than "
     "the "
     "first" },
   { "\"event\": \"collapse\"", "\"event\": \"boom\"",
-    "r.json:15:122: steps[1].event: expected null, \"snap\" or \"collapse\"" },
+    "r.json:20:122: steps[1].event: expected null, \"snap\" or \"collapse\"" },
+  { "\"found_by\": \"work\"", "\"found_by\": \"luck\"",
+    "r.json:11:50: solutions[0].found_by: this is no procedure of an analysis" },
+  { "[0.2, 0.25]", "[0.2]",
+    "r.json:12:28: collapse_interval: expected two numbers or null" },
+  { "[0.2, 0.25]", "[0.19, 0.25]",
+    "r.json:12:24: collapse_interval: this is not the interval from the least solution "
+    "to "
+    "the associative bound" },
   { "\"iterations\": 4", "\"iterations\": 4.5",
-    "r.json:15:91: steps[1].iterations: expected a whole number that is not negative" },
+    "r.json:20:91: steps[1].iterations: expected a whole number that is not negative" },
   { "\"blocks\": [0, 1]", "\"blocks\": [0, 2]",
-    "r.json:17:28: contacts[0].blocks: there are no such two blocks" },
+    "r.json:22:28: contacts[0].blocks: there are no such two blocks" },
   { "\"blocks\": [0, 1]", "\"blocks\": [1, 1]",
-    "r.json:17:28: contacts[0].blocks: there are no such two blocks" },
+    "r.json:22:28: contacts[0].blocks: there are no such two blocks" },
   { "\"blocks\": [0, 1]", "\"blocks\": [0, -1]",
-    "r.json:17:34: contacts[0].blocks: blocks are given by their numbers from 0" },
+    "r.json:22:34: contacts[0].blocks: blocks are given by their numbers from 0" },
   { "\"normal\": [0, 1]", "\"normal\": [0, 2]",
-    "r.json:17:70: contacts[0].normal: normal is not of length 1" },
+    "r.json:22:70: contacts[0].normal: normal is not of length 1" },
   { "\"state\": \"stick\"", "\"state\": \"glue\"",
-    "r.json:17:95: contacts[0].state: this is no state of a contact pair" },
+    "r.json:22:95: contacts[0].state: this is no state of a contact pair" },
   { "\"mechanism\": [[0, 0, 0], ", "\"mechanism\": [",
-    "r.json:19:16: mechanism: there are not as many velocities as blocks" },
+    "r.json:24:16: mechanism: there are not as many velocities as blocks" },
   { "\"seconds\": 0.012", "\"seconds\": true",
-    "r.json:27:27: timings.seconds: expected a number" },
+    "r.json:32:27: timings.seconds: expected a number" },
 };
 
 static void
@@ -187,13 +202,13 @@ test_further (void)
     qn_result_file_parse (further_text, strlen (further_text), "r.json", &file, &error));
   g_assert_no_error (error);
   const QnResult *result = &file.result;
-  g_assert_true (result->limit.given && result->limit.has_associative_bound);
+  g_assert_true (result->limit.given && result->has_associative_bound);
   g_assert_cmpfloat (result->limit.lower_bound, ==, 0.25);
   g_assert_cmpfloat (result->limit.upper_bound, ==, 0.5);
   g_assert_cmpint (result->limit.flow, ==, QN_FLOW_NON_ASSOCIATIVE);
-  g_assert_cmpfloat (result->limit.associative_bound, ==, 0.75);
-  g_assert_cmpuint (result->limit.fixed_point_count, ==, 2);
-  g_assert_cmpfloat (result->limit.fixed_points[1], ==, 0.4);
+  g_assert_cmpfloat (result->associative_bound, ==, 0.75);
+  g_assert_cmpuint (result->solution_count, ==, 2);
+  g_assert_cmpfloat (result->solutions[1].multiplier, ==, 0.4);
   g_assert_cmpint (result->stage, ==, 2);
   g_assert_cmpint (result->steps[0].stage, ==, 2);
   g_assert_true (result->steps[0].relaxed);

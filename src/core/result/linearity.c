@@ -1,0 +1,92 @@
+/* Where linear geometry ends. */
+#include "core/result/result.h"
+
+#include <math.h>
+
+/* Least distance between two parallel lines that a block lies between, one of them along a side. */
+static double
+block_width (const QnModel *model, const QnBlock *block)
+{
+  const QnVec2 *v = model->vertices + block->first_vertex;
+  size_t n = (size_t) block->vertex_count;
+  double width = INFINITY;
+
+  for (size_t i = 0; i < n; i++) {
+    QnVec2 side = qn_vec2_sub (v[(i + 1) % n], v[i]);
+    double length = qn_vec2_length (side), low = 0, high = 0;
+    for (size_t j = 0; j < n; j++) {
+      double off = qn_vec2_cross (side, qn_vec2_sub (v[j], v[i])) / length;
+      low = fmin (low, off);
+      high = fmax (high, off);
+    }
+    if (length > 0)
+      width = fmin (width, high - low);
+  }
+  return width;
+}
+
+double
+qn_result_largest_displacement (const QnResult *result, size_t step)
+{
+  const double *from = qn_result_step_displacements (result, 0);
+  const double *to = qn_result_step_displacements (result, step);
+  double largest = 0;
+
+  for (size_t i = 0; i < qn_result_body_count (result) * QN_DOF_COUNT; i += QN_DOF_COUNT)
+    largest = fmax (largest, hypot (to[i] - from[i], to[i + 1] - from[i + 1]));
+  return largest;
+}
+
+static bool
+is_settled (double at, double end)
+{
+  return fabs (end - at) <= QN_SETTLED * fabs (end);
+}
+
+/* Whether the analysis ends at the multiplier of this step: at its collapse, or with its last step. */
+static bool
+is_end (const QnResult *result, size_t step)
+{
+  const QnStep *at = &result->steps[step];
+
+  return step + 1 == result->step_count
+         || (result->has_collapse_multiplier && at->stage == result->stage
+             && at->multiplier == result->collapse_multiplier);
+}
+
+void
+qn_result_judge_linearity (const QnModel *model, QnResult *result)
+{
+  double most = INFINITY, before = 0;
+
+  result->linearity = QN_LINEARITY_HOLDS;
+  result->beyond_linear_multiplier = 0;
+  if (model->analysis.geometry != QN_GEOMETRY_LINEAR || result->limit.given)
+    return;
+  for (size_t b = 0; b < model->block_count; b++)
+    most = fmin (most, QN_LINEAR_MOTION * block_width (model, &model->blocks[b]));
+  if (result->history.width > 0) {
+    for (size_t b = 0; b < result->block_count && result->step_count > 0; b++)
+      if (result->history.peaks[b] > most)
+        result->linearity = QN_LINEARITY_BEYOND;
+    return;
+  }
+  for (size_t i = 1; i < result->step_count; i++) {
+    double now = qn_result_largest_displacement (result, i);
+    double to = result->steps[i].multiplier;
+    bool same = result->steps[i - 1].stage == result->steps[i].stage || i == 1;
+    double from = same ? result->steps[i - 1].multiplier : to;
+    if (now > most && before <= most) {
+      result->linearity = QN_LINEARITY_BEYOND;
+      result->beyond_linear_multiplier =
+        from + (most - before) / (now - before) * (to - from);
+    }
+    if (is_end (result, i)) {
+      if (result->has_collapse_multiplier
+          && is_settled (result->beyond_linear_multiplier, to))
+        result->linearity = QN_LINEARITY_HOLDS;
+      break;
+    }
+    before = fmax (before, now);
+  }
+}
