@@ -56,12 +56,38 @@ may_move_on (QnPathTrace *trace, double motion)
          && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
 
-/* Whether the motion has grown enough at the present level to call it collapse where no step leads on. */
-static bool
-has_been_level (const QnPathTrace *trace, double motion)
+/* The largest displacement of a block or node between two steps, m. */
+static double
+motion_between (const QnResult *result, size_t from, size_t to)
 {
-  return trace->plateau_motion > 0
-         && motion > tuning->least_plateau_growth * trace->plateau_motion;
+  const double *was = qn_result_step_displacements (result, from),
+               *is = qn_result_step_displacements (result, to);
+  double largest = 0;
+
+  for (size_t i = 0; i < qn_result_body_count (result); i++, was += 3, is += 3)
+    largest = fmax (largest, hypot (is[0] - was[0], is[1] - was[1]));
+  return largest;
+}
+
+/* Whether the multiplier has hardly climbed while the motion doubled last: where it goes like collapse -
+ * constant / motion, as much is left to gain. The structure then has a collapse multiplier, although
+ * no step shows how it moves on. */
+static bool
+hardly_climbs (const QnPathTrace *trace)
+{
+  const QnResult *result = trace->path->result;
+  size_t last = result->step_count - 1, first = last, half = last;
+
+  while (first > 0 && result->steps[first - 1].stage == result->steps[last].stage)
+    first--;
+  if (first > 0)
+    first--; /* where the stage began */
+  double motion = motion_between (result, first, last);
+  while (half > first && motion_between (result, first, half) > motion / 2)
+    half--;
+  double gain = result->steps[last].multiplier - result->steps[half].multiplier;
+  return half > first
+         && gain <= tuning->least_gain * fabs (result->steps[last].multiplier);
 }
 
 /* Whether the multiplier has held still, or under load control has not climbed, while the motion grew
@@ -154,8 +180,7 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
     break;
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
-    if (may_end_on_plateau (trace)
-        && (motion > eq->runaway || has_been_level (trace, motion))) {
+    if (may_end_on_plateau (trace) && (motion > eq->runaway || hardly_climbs (trace))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
       trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else

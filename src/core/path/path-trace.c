@@ -42,7 +42,7 @@ const QnPathTuning qn_path_tuning = {
   .least_growth = 1.5,
   .plateau_tolerance = 1e-4,
   .plateau_growth = 10,
-  .least_plateau_growth = 2,
+  .least_gain = 0.02,
   .steady = 1e-2,
   .nearly_settled = 5e-3,
   .settled = 0.1,
@@ -220,7 +220,7 @@ work_so_far (const QnPathTrace *trace)
   return work;
 }
 
-/* Long steps lead nowhere: that is no proof of collapse. */
+/* Long steps lead nowhere: that alone is no proof of collapse. */
 static void
 go_back_to_short_steps (QnPathTrace *trace)
 {

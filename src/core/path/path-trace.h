@@ -64,10 +64,11 @@ typedef struct QnPathTuning {
   double long_growth, least_growth;
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
-   * so many times is a plateau: collapse, in linear geometry; where no step leads on, already if it has
-   * grown least_plateau_growth times, and how it moves on is uncertain. Without associativity a
-   * multiplier is not sharper than that; with it the tolerance of the settings counts. */
-  double plateau_tolerance, plateau_growth, least_plateau_growth;
+   * so many times is a plateau: collapse, in linear geometry. Where no step leads on it is collapse if the
+   * multiplier gained no more than least_gain of itself while the motion doubled last, and how the
+   * structure moves on is uncertain. Without associativity a multiplier is not sharper than
+   * plateau_tolerance; with it the tolerance of the settings counts. */
+  double plateau_tolerance, plateau_growth, least_gain;
 
   /* The motion on a plateau is steady if its pace changes by no more than this part in a step (where
    * nothing can jump it need not be), and if no joint is pressed together by this part of it. */

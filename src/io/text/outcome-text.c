@@ -142,7 +142,7 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
   case QN_PROCEDURE_LOAD:
     if (result->mechanism_uncertain)
       return _ (
-        "Above the collapse multiplier the structure does not come to rest. How it moves "
+        "No equilibrium was found above the collapse multiplier. How the structure moves "
         "further was not determined: the mechanism shown is its last motion.");
     return _ (
       "Above the collapse multiplier the structure moves on along its mechanism and "

@@ -103,7 +103,7 @@ test_uncertain_mechanism (ResultFixture *fixture, gconstpointer data)
   fixture->result.mechanism_uncertain = true;
   char *text = result_fixture_dup_text (fixture);
   g_assert_nonnull (strstr (text, "\"mechanism_uncertain\": true,"));
-  g_assert_nonnull (strstr (text, "How it moves further was not determined"));
+  g_assert_nonnull (strstr (text, "How the structure moves further was not determined"));
   g_free (certain);
   g_free (text);
 }
