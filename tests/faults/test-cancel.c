@@ -74,7 +74,8 @@ check_file (const QnProject *project, const QnContacts *contacts, const QnResult
   g_unlink (path);
 }
 
-/* What the refused asking came to: whether it was still in time to cancel anything. */
+/* What the refused asking came to: whether it was still in time to cancel anything. Collapse that was
+ * found before it stays; only the bound beside it is left out. */
 static bool
 cancel_at (const FaultCase *self, const QnProject *project, const QnContacts *contacts,
            int refused, const FaultAnswer *whole)
@@ -99,8 +100,10 @@ cancel_at (const FaultCase *self, const QnProject *project, const QnContacts *co
   } else {
     g_assert_cmpint (answer.result.outcome, ==, whole->result.outcome);
   }
+  bool unbounded =
+    whole->result.has_associative_bound && !answer.result.has_associative_bound;
   fault_answer_clear (&answer);
-  return cancelled;
+  return cancelled || unbounded;
 }
 
 static void
