@@ -58,6 +58,8 @@ take (double *values, const QnRun *run)
       && fabs (result->first_limit_multiplier - result->collapse_multiplier)
            > 1e-3 * fabs (result->collapse_multiplier);
     values[QN_BOUND_FIRST_LIMIT] = apart ? result->first_limit_multiplier : NAN;
+    if (result->has_associative_bound)
+      values[QN_BOUND_UPPER] = result->associative_bound;
   } else if (settings->flow == QN_FLOW_ASSOCIATIVE) {
     values[QN_BOUND_LOWER] = values[QN_BOUND_UPPER] = NAN;
     if (result->outcome == QN_OUTCOME_UNBOUNDED)

@@ -1,9 +1,9 @@
 #include "doc/document/run-text.h"
 
+#include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "io/text/mechanism-text.h"
 #include <glib/gi18n.h>
-#include <math.h>
 
 static double
 hertz_of (const QnRun *run)
@@ -97,19 +97,25 @@ qn_run_dup_mechanism_sentence (const QnRun *run)
   return sentence;
 }
 
-/* How far anything moves from the step before to this one, m. */
-static double
-distance_of_step (const QnResult *result, gsize step)
+static char *
+describe_event (const QnPathEvent *event, QnUnits units)
 {
-  double farthest = 0.0;
-  if (step == 0)
-    return farthest;
-  const double *from = qn_result_step_displacements (result, step - 1);
-  const double *to = qn_result_step_displacements (result, step);
-  for (gsize r = 0; r < QN_DOF_COUNT * qn_result_body_count (result); r += QN_DOF_COUNT)
-    farthest = fmax (farthest, hypot (to[r + QN_DOF_UX] - from[r + QN_DOF_UX],
-                                      to[r + QN_DOF_UY] - from[r + QN_DOF_UY]));
-  return farthest;
+  const QnCount moved = { QN_COUNTED_BLOCKS, event->block_count };
+  g_autofree char *blocks = qn_counts_dup_text (&moved, 1, ", ");
+  if (event->kind == QN_EVENT_KIND_COLLAPSE)
+    return g_strdup_printf (_ ("Multiplier %.4f: collapse, %s"), event->multiplier,
+                            blocks);
+  g_autofree char *before =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, event->displacement_before, 3);
+  g_autofree char *after =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, event->displacement_after, 3);
+  return g_strdup_printf (
+    event->kind == QN_EVENT_KIND_SNAP
+      ? _ ("Multiplier %.4f: a jump, the largest displacement grows from %s to %s, %s")
+      : _ (
+        "Multiplier %.4f: joints settle, the largest displacement grows from %s to %s, "
+        "%s"),
+    event->multiplier, before, after, blocks);
 }
 
 GPtrArray *
@@ -117,18 +123,8 @@ qn_run_dup_events (const QnRun *run, QnUnits units)
 {
   const QnResult *result = &run->result;
   GPtrArray *events = g_ptr_array_new_with_free_func (g_free);
-  for (gsize s = 0; s < result->step_count; s++) {
-    const QnStep *step = &result->steps[s];
-    g_autofree char *size =
-      qn_units_format_full (units, QN_QUANTITY_LENGTH, distance_of_step (result, s), 3);
-    if (step->event == QN_EVENT_SNAP)
-      g_ptr_array_add (events,
-                       g_strdup_printf (_ ("Step %u, multiplier %.4f: a jump by %s"),
-                                        (guint) s, step->multiplier, size));
-    else if (step->event == QN_EVENT_COLLAPSE)
-      g_ptr_array_add (events, g_strdup_printf (_ ("Step %u, multiplier %.4f: collapse"),
-                                                (guint) s, step->multiplier));
-  }
+  for (gsize i = 0; i < result->event_count; i++)
+    g_ptr_array_add (events, describe_event (&result->events[i], units));
   return events;
 }
 

@@ -18,8 +18,8 @@ char *qn_run_dup_mechanism (const QnRun *run);
 /* The same in one sentence. */
 char *qn_run_dup_mechanism_sentence (const QnRun *run);
 
-/* What happened along the path, a line (char *) each with its step, multiplier and size: jumps by
- * how far they go, collapse. Free with g_ptr_array_unref(). */
+/* What happened along the path, a line (char *) for each of the result's events: its multiplier, how
+ * far a jump goes, how many blocks move. Free with g_ptr_array_unref(). */
 GPtrArray *qn_run_dup_events (const QnRun *run, QnUnits units);
 
 /* Whether it followed a path that has a curve. */
