@@ -256,15 +256,17 @@ run_in (const Place *place, char **environment, gsize bytes)
   return run;
 }
 
-/* The file was written although a call failed: one that is of no consequence, as closing what is
- * given up. */
+/* All was written although a call failed: one that is of no consequence, as closing what is given up. A
+ * ParaView collection has files beside it. */
 static void
 check_written (const Place *place)
 {
   g_autofree char *content = cli_read (place->old);
   g_assert_cmpstr (content, !=, OLD);
-  g_assert_cmpuint (count_entries (place->folder), ==, 1);
-  g_assert_true (g_file_set_contents (place->old, OLD, -1, NULL));
+  g_assert_true (count_entries (place->folder) == 1
+                 || g_str_has_suffix (place->old, ".pvd"));
+  test_scratch_empty (place->folder);
+  put_old (place);
 }
 
 /* The environment in which call `number` fails. */
@@ -322,8 +324,10 @@ fail_every_call (const Writing *writing, int code, gboolean named)
     number++;
   g_test_message ("%d calls failed, %d without harm", number - 1, harmless);
   g_assert_cmpint (number, >=, 4);
-  /* SQLite goes on where a study can be read only. */
-  g_assert_cmpint (harmless, <=, g_strv_contains (writing->arguments, "STUDY") ? 3 : 1);
+  /* SQLite goes on where a study can be read only; the files of a ParaView collection are gathered in a
+   * folder, which is emptied file by file. */
+  int most = g_strv_contains (writing->arguments, "STUDY") ? 3 : 1;
+  g_assert_cmpint (harmless, <=, g_str_has_suffix (writing->output, ".pvd") ? 12 : most);
   place_clear (&place);
 }
 

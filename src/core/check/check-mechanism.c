@@ -92,7 +92,8 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                    opens ? rate[0] : rate[1], 0);
 }
 
-/* Power of the loads that the last stage drives, in the sense in which they grow. */
+/* Power of the loads that the last stage drives, in the sense in which they grow. A path that was followed
+ * until its load had fallen ends in a motion that other loads may drive. */
 static void
 check_work (QnCheck *check)
 {
@@ -104,7 +105,9 @@ check_work (QnCheck *check)
   int32_t stage = result->steps[first].stage;
   uint32_t sets = stage > 0 ? check->model->stages[stage - 1].sets : 1;
 
-  if (!qn_model_sets_have_force (check->model, sets))
+  if (!qn_model_sets_have_force (check->model, sets)
+      || fabs (result->steps[first].multiplier - result->collapse_multiplier)
+           > 0.5 * fabs (result->collapse_multiplier))
     return;
   while (first > 0 && result->steps[first - 1].stage == stage)
     first--;

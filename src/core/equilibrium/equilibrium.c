@@ -31,6 +31,7 @@ qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
 
   memcpy (state->u, eq->u, (size_t) as->unknown_count * sizeof *eq->u);
   state->multiplier = eq->multiplier;
+  state->out_of_balance = eq->out_of_balance;
   memcpy (state->memory, as->committed, as->pair_count * sizeof *as->committed);
   memcpy (state->responses, as->responses, as->pair_count * sizeof *as->responses);
   qn_beam_state_save (&state->beams, &as->beams);
@@ -43,6 +44,7 @@ qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *state)
 
   memcpy (eq->u, state->u, (size_t) as->unknown_count * sizeof *eq->u);
   eq->multiplier = state->multiplier;
+  eq->out_of_balance = state->out_of_balance;
   memcpy (as->committed, state->memory, as->pair_count * sizeof *as->committed);
   memcpy (as->responses, state->responses, as->pair_count * sizeof *as->responses);
   qn_beam_state_set (&state->beams, &as->beams);

@@ -28,6 +28,7 @@ typedef enum {
 typedef struct QnEquilibriumState {
   double *u;
   double multiplier;
+  double out_of_balance;
   QnPairMemory *memory;
   QnPairResponse *responses;
   QnBeamState beams;

@@ -237,10 +237,9 @@ qn_build_forces (QnSceneBuilder *b)
     ->size = 2;
   QnThrust thrust;
   CutTally tally = { false, { false } };
-  if (qn_thrust_find (&thrust, b->model, contacts, b->pairs)) {
-    add_thrust (b, &thrust, &tally);
-    qn_thrust_clear (&thrust);
-  }
+  qn_thrust_find (&thrust, b->model, contacts, b->pairs);
+  add_thrust (b, &thrust, &tally);
+  qn_thrust_clear (&thrust);
   add_thrust_legend (b, &tally);
   if (b->options->symbols) {
     QnLegendEntry *entry =

@@ -3,7 +3,6 @@
 #include "core/base/integer.h"
 
 #include <glib.h>
-#include <stdlib.h>
 
 /* Faces follow each other along a line when the gap between them is below this part of the size
  * of a block (mortar between two head joints), and their lines differ by less than that. */
@@ -279,14 +278,12 @@ number_cuts (Search *s, QnId *parent)
   }
 }
 
-bool
+void
 qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contacts,
                 const QnPairResult *pairs)
 {
   size_t faces = contacts->face_count;
-  *thrust = (QnThrust){ .cuts = calloc (faces + 1, sizeof *thrust->cuts) };
-  if (thrust->cuts == NULL)
-    return false;
+  *thrust = (QnThrust){ .cuts = g_new0 (QnCut, faces + 1) };
   Search s = { model, contacts, pairs, model->characteristic_length,
                NULL,  NULL,     NULL,  thrust };
   g_autofree QnId *parent = g_new (QnId, faces + 1);
@@ -311,12 +308,11 @@ qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contac
   g_free (s.cut_of);
   g_free (s.first);
   g_free (s.faces);
-  return true;
 }
 
 void
 qn_thrust_clear (QnThrust *thrust)
 {
-  free (thrust->cuts);
+  g_free (thrust->cuts);
   *thrust = (QnThrust){ 0 };
 }

@@ -33,8 +33,8 @@ typedef struct QnThrust {
 /* Forces below this share of the largest are none. */
 #define QN_THRUST_LEAST_SHARE 2e-3
 
-/* `pairs` of all contacts. False without memory; nothing to clear then. */
-bool qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contacts,
+/* `pairs` of all contacts. */
+void qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contacts,
                      const QnPairResult *pairs);
 
 void qn_thrust_clear (QnThrust *thrust);
