@@ -544,10 +544,13 @@ edit_paste (QnModel *model, gpointer data, GError **error)
   return TRUE;
 }
 
+/* EMPTY where they are no blocks: a clipboard without text has no line at all. */
 static QnBox
 box_of_lines (GStrv lines)
 {
   QnBox box = QN_BOX_EMPTY;
+  if (g_strcmp0 (lines[0], "quoin-blocks") != 0)
+    return box;
   for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
     double head[4];
     int count = 0;
@@ -605,7 +608,7 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
     return;
   g_auto (GStrv) lines = g_strsplit (text != NULL ? text : "", "\n", -1);
   QnBox box = box_of_lines (lines);
-  if (g_strcmp0 (lines[0], "quoin-blocks") != 0 || !(box.min.x <= box.max.x)) {
+  if (!(box.min.x <= box.max.x)) {
     qn_window_show_error (self, _ ("There are no blocks on the clipboard"));
     return;
   }
