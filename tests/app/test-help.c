@@ -104,6 +104,13 @@ test_dialogs (void)
   press_help_key (dialog);
   expect_help ("export");
   gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_activate (window, "win.study");
+  driver_run (300);
+  dialog = driver_find_dialog ("Study");
+  g_assert_nonnull (dialog);
+  press_help_key (dialog);
+  expect_help ("uncertainty");
+  gtk_window_destroy (GTK_WINDOW (dialog));
   driver_discard (window);
 }
 

@@ -144,7 +144,6 @@ plot (const QnSubcommand *self, const PlotOptions *options, const char *folder)
   QnStudy study;
   QnTable table;
   QnOutput output;
-  QnMetadata metadata;
   GError *error = NULL;
   QnStudyFigure figure = { .monochrome = options->picture.monochrome };
   qn_output_init (&output);
@@ -158,10 +157,9 @@ plot (const QnSubcommand *self, const PlotOptions *options, const char *folder)
   if (code != QN_EXIT_DONE)
     return code;
   code = find_columns (self, options, &table, &figure);
-  qn_picture_metadata (&study.project, &metadata);
   if (code == QN_EXIT_DONE
       && !qn_study_figure_export (&figure, &table, options->picture.path, &output,
-                                  &metadata, &error))
+                                  &error))
     code = qn_cli_fail (error);
   qn_table_clear (&table);
   qn_study_clear (&study);

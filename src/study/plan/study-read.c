@@ -635,6 +635,7 @@ read_model (const QnJsonValue *root, const char *path, const char *model_path,
   const char *model = NULL;
   if (!qn_member_string (root, "model", QN_REQUIRED, &model))
     return FALSE;
+  study->model = g_strdup (model);
   g_autofree char *folder = g_path_get_dirname (path);
   g_autofree char *beside = g_path_is_absolute (model) || strcmp (folder, ".") == 0
                               ? g_strdup (model)

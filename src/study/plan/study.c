@@ -147,6 +147,7 @@ qn_study_clear (QnStudy *study)
 {
   g_free (study->name);
   g_free (study->title);
+  g_free (study->model);
   g_free (study->text);
   g_free (study->sha256);
   g_free (study->folder);

@@ -82,6 +82,7 @@ typedef struct QnParameter {
 typedef struct QnStudy {
   char *name;  /* what messages call the file */
   char *title; /* nullable */
+  char *model; /* the project's file, as the study names it */
   char *text;  /* the file's bytes */
   gsize length;
   char *sha256; /* of these bytes, those of the project and of its records, hexadecimal */

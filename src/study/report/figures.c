@@ -582,14 +582,21 @@ draw (const Page *page)
 
 gboolean
 qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
-                        const char *path, const QnOutput *output,
-                        const QnMetadata *metadata, GError **error)
+                        const char *path, const QnOutput *output, GError **error)
 {
+  const QnStudy *study = table->study;
+  g_autofree char *model = g_path_get_basename (study->model);
+  QnMetadata metadata;
+  qn_metadata_init (&metadata);
+  metadata.title = study->title;
+  metadata.model = model;
+  metadata.model_sha256 = study->project.sha256;
+  metadata.generator = "quoin " QN_VERSION;
   const Page page = { .figure = figure,
                       .table = table,
                       .path = path,
                       .output = output,
-                      .metadata = metadata,
+                      .metadata = &metadata,
                       .error = error };
   return draw (&page);
 }

@@ -1,0 +1,137 @@
+/* The list of what varies: each parameter with its distribution. */
+#include "app/dialogs/study-private.h"
+
+#include "app/widgets/quantity-entry.h"
+#include "core/base/integer.h"
+#include <glib/gi18n.h>
+
+/* Fields of a row, kept with it. */
+typedef struct Row {
+  GtkDropDown *kind;
+  QnQuantityEntry *first, *second, *levels;
+  GtkEntry *name;
+} Row;
+
+static guint
+index_of (GtkWidget *row_part)
+{
+  GtkWidget *row = gtk_widget_get_ancestor (row_part, GTK_TYPE_LIST_BOX_ROW);
+  return (guint) gtk_list_box_row_get_index (GTK_LIST_BOX_ROW (row));
+}
+
+static void
+on_values (GtkWidget *part, QnStudyWindow *self)
+{
+  Row *row = g_object_get_data (
+    G_OBJECT (gtk_widget_get_ancestor (part, GTK_TYPE_LIST_BOX_ROW)), "qn-row");
+  if (self->showing)
+    return;
+  qn_draft_set_values (
+    self->draft, index_of (part), (QnDraftKind) gtk_drop_down_get_selected (row->kind),
+    qn_quantity_entry_get_value (row->first), qn_quantity_entry_get_value (row->second),
+    (int) qn_to_integer (qn_quantity_entry_get_value (row->levels), 0,
+                         QN_STUDY_MAX_VALUES));
+  qn_study_window_show_draft (self);
+}
+
+static void
+on_kind (GtkDropDown *choice, GParamSpec *pspec, QnStudyWindow *self)
+{
+  (void) pspec;
+  if (gtk_drop_down_get_selected (choice) < QN_DRAFT_OTHER)
+    on_values (GTK_WIDGET (choice), self);
+}
+
+static void
+on_name (GtkEntry *entry, QnStudyWindow *self)
+{
+  if (self->showing)
+    return;
+  g_autofree char *name = g_strdup (gtk_editable_get_text (GTK_EDITABLE (entry)));
+  qn_draft_set_name (self->draft, index_of (GTK_WIDGET (entry)), name);
+  qn_study_window_show_draft (self);
+}
+
+static void
+on_remove (GtkButton *button, QnStudyWindow *self)
+{
+  qn_draft_remove (self->draft, index_of (GTK_WIDGET (button)));
+  qn_study_window_show_draft (self);
+}
+
+/* What a field is, for those who do not see the others, and as its tooltip. */
+static void
+show_number (QnQuantityEntry *entry, const char *what, double value)
+{
+  gtk_accessible_update_property (GTK_ACCESSIBLE (entry), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                  what, -1);
+  gtk_widget_set_tooltip_text (GTK_WIDGET (entry), what);
+  qn_quantity_entry_set_value (entry, value);
+}
+
+static void
+show_values (QnStudyWindow *self, Row *row, const QnDraftParameter *parameter)
+{
+  gboolean ends =
+    parameter->kind == QN_DRAFT_UNIFORM || parameter->kind == QN_DRAFT_RANGE;
+  int count;
+  QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
+  gtk_drop_down_set_selected (row->kind, parameter->kind);
+  show_number (row->first, ends ? _ ("Least") : _ ("Mean"), parameter->first);
+  show_number (row->second, ends ? _ ("Greatest") : _ ("Deviation"), parameter->second);
+  show_number (row->levels, _ ("Number of values"), parameter->levels);
+  gtk_widget_set_visible (GTK_WIDGET (row->levels), parameter->kind == QN_DRAFT_RANGE
+                                                      || plan == QN_PLAN_GRID
+                                                      || plan == QN_PLAN_ONE_AT_A_TIME);
+}
+
+static void
+add_row (QnStudyWindow *self, guint index)
+{
+  g_autoptr (GtkBuilder) builder =
+    gtk_builder_new_from_resource ("/io/github/quoin/Quoin/study-parameter.ui");
+#define GET(type, name) type (gtk_builder_get_object (builder, name))
+  QnDraftParameter parameter = qn_draft_parameter (self->draft, index);
+  g_autofree char *path = parameter.path;
+  GtkWidget *line = GET (GTK_WIDGET, "row"), *place = GET (GTK_WIDGET, "place");
+  GtkWidget *other = GET (GTK_WIDGET, "other");
+  Row *row = g_new (Row, 1);
+  *row = (Row){ .kind = GET (GTK_DROP_DOWN, "kind"),
+                .first = GET (QN_QUANTITY_ENTRY, "first"),
+                .second = GET (QN_QUANTITY_ENTRY, "second"),
+                .levels = GET (QN_QUANTITY_ENTRY, "levels"),
+                .name = GET (GTK_ENTRY, "name") };
+  g_object_set_data_full (G_OBJECT (line), "qn-row", row, g_free);
+  gtk_editable_set_text (GTK_EDITABLE (row->name), parameter.name);
+  gtk_label_set_text (GTK_LABEL (place), path);
+  gtk_widget_set_tooltip_text (place, path);
+  if (parameter.kind == QN_DRAFT_OTHER) {
+    gtk_label_set_text (GTK_LABEL (other), parameter.line
+                                             ? _ ("along the line that was drawn")
+                                             : _ ("as the study file says"));
+    gtk_widget_set_visible (GET (GTK_WIDGET, "values"), FALSE);
+  } else {
+    show_values (self, row, &parameter);
+    gtk_widget_set_visible (other, FALSE);
+  }
+  g_signal_connect (row->name, "activate", G_CALLBACK (on_name), self);
+  g_signal_connect (GET (GTK_WIDGET, "remove"), "clicked", G_CALLBACK (on_remove), self);
+  g_signal_connect (row->kind, "notify::selected", G_CALLBACK (on_kind), self);
+  QnQuantityEntry *const numbers[] = { row->first, row->second, row->levels };
+  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
+    g_signal_connect (numbers[i], "committed", G_CALLBACK (on_values), self);
+  gtk_list_box_append (self->parameters, line);
+#undef GET
+}
+
+void
+qn_study_window_show_parameters (QnStudyWindow *self)
+{
+  GtkListBoxRow *row;
+  guint count = qn_draft_count (self->draft);
+  while ((row = gtk_list_box_get_row_at_index (self->parameters, 0)) != NULL)
+    gtk_list_box_remove (self->parameters, GTK_WIDGET (row));
+  for (guint i = 0; i < count; i++)
+    add_row (self, i);
+  gtk_widget_set_visible (GTK_WIDGET (self->parameters), count > 0);
+}

@@ -1,0 +1,201 @@
+/* The figure of the study window: which one, how it is drawn, and the case under the pointer. */
+#include "app/dialogs/study-private.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* px: a click this near to a point means it. */
+#define NEAR 12.0
+
+/* px of a point of text on the screen. */
+#define UNIT (96.0 / 72.0)
+
+static int
+column_of (QnStudyWindow *self, GtkDropDown *choice)
+{
+  GtkStringObject *item = gtk_drop_down_get_selected_item (choice);
+  return item != NULL ? qn_table_find (&self->table, gtk_string_object_get_string (item))
+                      : -1;
+}
+
+gboolean
+qn_study_window_chosen_figure (QnStudyWindow *self, QnStudyFigure *figure)
+{
+  static const QnStudyFigureKind kinds[] = {
+    [QN_STUDY_ROW_CUMULATIVE] = QN_STUDY_FIGURE_CUMULATIVE,
+    [QN_STUDY_ROW_SCATTER] = QN_STUDY_FIGURE_SCATTER,
+    [QN_STUDY_ROW_HISTOGRAM] = QN_STUDY_FIGURE_HISTOGRAM,
+    [QN_STUDY_ROW_TORNADO] = QN_STUDY_FIGURE_TORNADO,
+    [QN_STUDY_ROW_ENVELOPE] = QN_STUDY_FIGURE_ENVELOPE,
+    [QN_STUDY_ROW_SURFACE] = QN_STUDY_FIGURE_SURFACE,
+  };
+  guint row = gtk_drop_down_get_selected (self->figure);
+  if (self->folder == NULL || row >= G_N_ELEMENTS (kinds))
+    return FALSE;
+  *figure = (QnStudyFigure){ .kind = kinds[row],
+                             .column = column_of (self, self->of),
+                             .parameters = { column_of (self, self->by),
+                                             column_of (self, self->by_second) } };
+  return figure->column >= 0 && figure->parameters[0] >= 0 && figure->parameters[1] >= 0;
+}
+
+static void
+draw_message (cairo_t *cr, GtkWidget *widget, const char *text, int width, int height)
+{
+  g_autoptr (PangoLayout) layout = gtk_widget_create_pango_layout (widget, text);
+  int w, h;
+  pango_layout_set_width (layout, (width - 40) * PANGO_SCALE);
+  pango_layout_set_alignment (layout, PANGO_ALIGN_CENTER);
+  pango_layout_get_pixel_size (layout, &w, &h);
+  cairo_set_source_rgb (cr, 0.35, 0.35, 0.35);
+  cairo_move_to (cr, 20, (height - h) / 2.0);
+  pango_cairo_show_layout (cr, layout);
+}
+
+static void
+draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  QnStudyWindow *self = data;
+  QnStudyFigure figure;
+  g_autoptr (GError) error = NULL;
+  self->points = FALSE;
+  /* Figures are drawn on paper, in a dark window too. */
+  cairo_set_source_rgb (cr, 1, 1, 1);
+  cairo_paint (cr);
+  if (!qn_study_window_chosen_figure (self, &figure)) {
+    draw_message (cr, GTK_WIDGET (area),
+                  _ ("Choose what varies, then run the study: its cases appear here."),
+                  width, height);
+    return;
+  }
+  if (!qn_study_figure_draw (&figure, &self->table, cr, width, height, UNIT, &self->place,
+                             &error)) {
+    draw_message (cr, GTK_WIDGET (area), _ ("No case has this output yet."), width,
+                  height);
+    return;
+  }
+  self->points =
+    figure.kind == QN_STUDY_FIGURE_SCATTER || figure.kind == QN_STUDY_FIGURE_ENVELOPE;
+  if (!self->points || self->chosen < 0
+      || (guint64) self->chosen >= self->table.rows->len)
+    return;
+  double x =
+    qn_table_number (&self->table, (gsize) self->chosen, (gsize) figure.parameters[0]);
+  double y = qn_table_number (&self->table, (gsize) self->chosen, (gsize) figure.column);
+  if (isnan (y))
+    return;
+  cairo_new_path (cr);
+  cairo_arc (cr, self->place.x_zero + self->place.x_scale * x,
+             self->place.y_zero + self->place.y_scale * y, 7, 0, 2 * G_PI);
+  cairo_set_source_rgb (cr, 0.85, 0.35, 0);
+  cairo_set_line_width (cr, 2);
+  cairo_stroke (cr);
+}
+
+static void
+choose (QnStudyWindow *self, gint64 row)
+{
+  QnStudyFigure figure;
+  if (!qn_study_window_chosen_figure (self, &figure) || row < 0
+      || row >= (gint64) self->table.rows->len)
+    return;
+  const QnRow *found = &g_array_index (self->table.rows, QnRow, (guint) row);
+  self->chosen = row;
+  g_autoptr (GString) text = g_string_new (NULL);
+  g_string_append_printf (text, _ ("Case %zu"), found->index + 1);
+  for (gsize k = 0; k < self->table.parameters; k++)
+    g_string_append_printf (text, " · %s %.4g", qn_table_column_name (&self->table, k),
+                            qn_table_number (&self->table, (gsize) row, k));
+  if (found->failed)
+    g_string_append_printf (text, " · %s", found->reason);
+  else
+    g_string_append_printf (
+      text, " · %s %.4g%s%s", qn_table_column_name (&self->table, (gsize) figure.column),
+      qn_table_number (&self->table, (gsize) row, (gsize) figure.column),
+      found->mechanism != NULL ? " · " : "",
+      found->mechanism != NULL ? found->mechanism : "");
+  qn_study_window_tell (self, text->str);
+  gtk_widget_queue_draw (self->plot);
+}
+
+static void
+on_click (GtkGestureClick *gesture, int count, double x, double y, QnStudyWindow *self)
+{
+  QnStudyFigure figure;
+  double best = NEAR;
+  gint64 nearest = -1;
+  (void) gesture;
+  (void) count;
+  gtk_widget_grab_focus (self->plot);
+  if (!self->points || !qn_study_window_chosen_figure (self, &figure))
+    return;
+  for (guint i = 0; i < self->table.rows->len; i++) {
+    double px = self->place.x_zero
+                + self->place.x_scale
+                    * qn_table_number (&self->table, i, (gsize) figure.parameters[0]);
+    double py =
+      self->place.y_zero
+      + self->place.y_scale * qn_table_number (&self->table, i, (gsize) figure.column);
+    double distance = hypot (px - x, py - y);
+    if (distance < best) { /* false for NaN */
+      best = distance;
+      nearest = i;
+    }
+  }
+  if (nearest < 0)
+    return;
+  choose (self, nearest);
+  qn_study_window_open_case (self);
+}
+
+static gboolean
+on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
+        GdkModifierType modifiers, QnStudyWindow *self)
+{
+  (void) controller;
+  (void) keycode;
+  (void) modifiers;
+  switch (keyval) {
+  case GDK_KEY_Right:
+    choose (self, self->chosen + 1);
+    return TRUE;
+  case GDK_KEY_Left:
+    choose (self, self->chosen - 1);
+    return TRUE;
+  case GDK_KEY_Return:
+  case GDK_KEY_KP_Enter:
+    qn_study_window_open_case (self);
+    return TRUE;
+  default:
+    return FALSE;
+  }
+}
+
+static void
+on_figure (QnStudyWindow *self)
+{
+  guint row = gtk_drop_down_get_selected (self->figure);
+  gboolean surface = row == QN_STUDY_ROW_SURFACE;
+  gboolean by = surface || row == QN_STUDY_ROW_SCATTER || row == QN_STUDY_ROW_ENVELOPE;
+  gtk_widget_set_visible (GTK_WIDGET (self->by), by);
+  gtk_widget_set_visible (self->over, by);
+  gtk_widget_set_visible (GTK_WIDGET (self->by_second), surface);
+  gtk_widget_set_visible (self->and, surface);
+  gtk_widget_queue_draw (self->plot);
+}
+
+void
+qn_study_window_connect_plot (QnStudyWindow *self)
+{
+  GtkDropDown *const shown[] = { self->figure, self->of, self->by, self->by_second };
+  for (gsize i = 0; i < G_N_ELEMENTS (shown); i++)
+    g_signal_connect_swapped (shown[i], "notify::selected", G_CALLBACK (on_figure), self);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (self->plot), draw_plot, self, NULL);
+  GtkGesture *click = gtk_gesture_click_new ();
+  g_signal_connect (click, "released", G_CALLBACK (on_click), self);
+  gtk_widget_add_controller (self->plot, GTK_EVENT_CONTROLLER (click));
+  GtkEventController *key = gtk_event_controller_key_new ();
+  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
+  gtk_widget_add_controller (self->plot, key);
+  on_figure (self);
+}
