@@ -73,6 +73,35 @@ make_apart (int count)
   return cli_write (folder, "apart.quoin", text->str);
 }
 
+/* A stack-bonded wall: every stone meets up to four others. */
+static char *
+make_wall (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  for (int i = 0; i < count; i++)
+    add_block (text, i, i % 50, i / 50, 0);
+  g_string_append (text, " ] }");
+  return cli_write (folder, "wall.quoin", text->str);
+}
+
+/* Stones on the teeth of one block. */
+static char *
+make_teeth (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  for (int i = 0; i < count; i++)
+    add_block (text, i, 2 * i, 1, 0);
+  g_string_append (
+    text, ", { \"name\": \"ground\", \"thickness\": 1, \"unit_weight\": 1, \"support\": "
+          "[true, true, true], \"vertices\": [[0, -1], ");
+  g_string_append_printf (text, "[%d, -1]", 2 * count);
+  for (int i = count - 1; i >= 0; i--)
+    g_string_append_printf (text, ", [%d, 0], [%d, 1], [%d, 1], [%d, 0]", 2 * i + 1,
+                            2 * i + 1, 2 * i, 2 * i);
+  g_string_append (text, "] } ] }");
+  return cli_write (folder, "teeth.quoin", text->str);
+}
+
 static char *
 make_unknown_keys (int count)
 {
@@ -113,6 +142,22 @@ make_lines (int count)
   }
   g_string_append (text, "0\nENDSEC\n0\nEOF\n");
   return cli_write (folder, "lines.dxf", text->str);
+}
+
+/* The squares of a chequered paper, 50 wide. */
+static char *
+make_grid (int count)
+{
+  g_autoptr (GString) text = g_string_new ("0\nSECTION\n2\nENTITIES\n");
+  for (int i = 0; i < count; i++) {
+    int x = i % 50, y = i / 50;
+    g_string_append_printf (text,
+                            "0\nLINE\n8\n0\n10\n%d\n20\n%d\n11\n%d\n21\n%d\n"
+                            "0\nLINE\n8\n0\n10\n%d\n20\n%d\n11\n%d\n21\n%d\n",
+                            x, y, x + 1, y, x, y, x, y + 1);
+  }
+  g_string_append (text, "0\nENDSEC\n0\nEOF\n");
+  return cli_write (folder, "grid.dxf", text->str);
 }
 
 /* A project with the beginning of a PNG file behind it that announces so many pixels each way. */
@@ -203,6 +248,9 @@ static const Input inputs[] = {
 /* Accepted, in proportion to the size. */
 static const Input growing[] = {
   { "stones apart", make_apart, 2000, "check", 3, NULL },
+  { "wall", make_wall, 1000, "check", 0, NULL },
+  { "stones on teeth", make_teeth, 500, "check", 0, NULL },
+  { "squares", make_grid, 1000, "import", 0, NULL },
   { "unknown keys", make_unknown_keys, 8000, "check", 0, NULL },
   { "recipes", make_recipes, 8000, "check", 0, NULL },
 };

@@ -101,11 +101,7 @@ test_large (void)
       add (&segments, i, k, i, k + 1);
     }
   g_assert_cmpuint (segments.count, >, 97000);
-  gint64 start = g_get_monotonic_time ();
   g_assert_cmpfloat (polygonize (&segments, 1e-3, 220 * 220), ==, 220 * 220);
-  double seconds = (double) (g_get_monotonic_time () - start) / 1e6;
-  g_test_message ("%.2f s", seconds);
-  g_assert_cmpfloat (seconds, <, 30);
 }
 
 int

@@ -161,7 +161,6 @@ test_bad_files (void)
   }
 }
 
-/* A hundred thousand lines in seconds. */
 static void
 test_large (void)
 {
@@ -170,12 +169,8 @@ test_large (void)
     g_string_append_printf (text, "0\nLINE\n8\n0\n10\n%d\n20\n0\n11\n%d\n21\n1\n", i, i);
   g_string_append (text, TAIL);
   QnDrawing drawing;
-  gint64 start = g_get_monotonic_time ();
   parse (text->str, &drawing);
-  double seconds = (double) (g_get_monotonic_time () - start) / 1e6;
   g_assert_cmpuint (drawing.paths->len, ==, 100000);
-  g_test_message ("100,000 lines in %.2f s", seconds);
-  g_assert_cmpfloat (seconds, <, 20);
   qn_drawing_clear (&drawing);
   g_string_free (text, TRUE);
 }
