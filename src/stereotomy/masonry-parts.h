@@ -21,7 +21,7 @@ QnStatus qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDi
  * in; the minimum piece rule. */
 QnStatus qn_bond_lay_leaf (const QnMasonry *masonry, size_t leaf, double left,
                            QnPieces *pieces, QnDiag *diag);
-QnStatus qn_openings_cut (const QnMasonry *masonry, QnBounds wall, QnPieces *pieces,
+QnStatus qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces,
                           QnDiag *diag);
 QnStatus qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag);
 

@@ -59,17 +59,17 @@ check_wall (const QnMasonry *masonry, QnDiag *diag)
 }
 
 /* Extent of the rectangle that the wall fills, teeth left out. */
-static QnBounds
+static QnBox
 wall_bounds (const QnMasonryWall *wall, const QnPieces *pieces)
 {
-  QnBounds bounds = { { 0, 0 }, { 0, wall->height } };
+  QnBox bounds = { { 0, 0 }, { 0, wall->height } };
   for (size_t i = 0; i < wall->leaf_count; i++)
     bounds.max.x += wall->leaves[i].length;
   if (wall->leaves[0].bond != QN_BOND_CUSTOM)
     return bounds;
   bounds.max = (QnVec2){ 0, 0 };
   for (size_t i = 0; i < pieces->count; i++) {
-    QnBounds piece = qn_ring_bounds (&pieces->items[i].ring);
+    QnBox piece = qn_ring_bounds (&pieces->items[i].ring);
     bounds.max.x = fmax (bounds.max.x, piece.max.x);
     bounds.max.y = fmax (bounds.max.y, piece.max.y);
   }
@@ -84,7 +84,7 @@ lay_foundation (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   for (size_t i = 0; i < pieces->count; i++) {
     if (!pieces->items[i].fabric || pieces->items[i].course != 0)
       continue;
-    QnBounds bounds = qn_ring_bounds (&pieces->items[i].ring);
+    QnBox bounds = qn_ring_bounds (&pieces->items[i].ring);
     left = fmin (left, bounds.min.x);
     right = fmax (right, bounds.max.x);
   }

@@ -17,7 +17,7 @@
 /* What one opening takes from the fabric. */
 typedef struct Cutter {
   QnRings parts; /* the hole first, then lintel, voussoirs, sill */
-  QnBounds bounds;
+  QnBox bounds;
 } Cutter;
 
 static QnArch
@@ -206,11 +206,11 @@ make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *p
 
 /* Lintels, voussoirs and sills must lie within the wall; the hole may reach beyond it. */
 static QnStatus
-check_inside (const Cutter *cutter, QnBounds wall, QnDiag *diag)
+check_inside (const Cutter *cutter, QnBox wall, QnDiag *diag)
 {
-  double margin = OPENING_TOLERANCE * qn_bounds_size (wall);
+  double margin = OPENING_TOLERANCE * qn_box_size (wall);
   for (size_t i = 1; i < cutter->parts.count; i++) {
-    QnBounds part = qn_ring_bounds (&cutter->parts.items[i]);
+    QnBox part = qn_ring_bounds (&cutter->parts.items[i]);
     if (part.min.x < wall.min.x - margin || part.max.x > wall.max.x + margin
         || part.min.y < wall.min.y - margin || part.max.y > wall.max.y + margin)
       return qn_masonry_problem (diag, QN_PROBLEM_OPENING_OUTSIDE, "openings", 0);
@@ -222,16 +222,16 @@ check_inside (const Cutter *cutter, QnBounds wall, QnDiag *diag)
 static QnStatus
 check_apart (const Cutter *a, const Cutter *b, QnDiag *diag)
 {
-  if (!qn_bounds_overlap (a->bounds, b->bounds, 0))
+  if (!qn_box_meets_within (a->bounds, b->bounds, 0))
     return QN_OK;
-  double size = fmin (qn_bounds_size (a->bounds), qn_bounds_size (b->bounds));
+  double size = fmin (qn_box_size (a->bounds), qn_box_size (b->bounds));
   QnRings common = { 0 };
   QnStatus status = QN_OK;
   double area = 0;
   for (size_t i = 0; i < a->parts.count && status == QN_OK; i++)
     for (size_t k = 0; k < b->parts.count && status == QN_OK; k++)
-      if (qn_bounds_overlap (qn_ring_bounds (&a->parts.items[i]),
-                             qn_ring_bounds (&b->parts.items[k]), 0))
+      if (qn_box_meets_within (qn_ring_bounds (&a->parts.items[i]),
+                               qn_ring_bounds (&b->parts.items[k]), 0))
         status =
           qn_polygon_intersection (&a->parts.items[i], &b->parts.items[k], &common, diag);
   for (size_t i = 0; i < common.count; i++)
@@ -268,15 +268,15 @@ static QnStatus
 cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, QnPieces *pieces,
           QnDiag *diag)
 {
-  QnBounds bounds = qn_ring_bounds (&unit->ring);
+  QnBox bounds = qn_ring_bounds (&unit->ring);
   QnRings near = { 0 }, parts = { 0 };
   QnStatus status = QN_OK;
   for (size_t i = 0; unit->fabric && i < cutter_count; i++) {
-    if (!qn_bounds_overlap (bounds, cutters[i].bounds, 0))
+    if (!qn_box_meets_within (bounds, cutters[i].bounds, 0))
       continue;
     for (size_t k = 0; k < cutters[i].parts.count && status == QN_OK; k++) {
       const QnRing *part = &cutters[i].parts.items[k];
-      if (qn_bounds_overlap (bounds, qn_ring_bounds (part), 0)
+      if (qn_box_meets_within (bounds, qn_ring_bounds (part), 0)
           && !qn_rings_add (&near, part->points, part->count))
         status = qn_diag_no_memory (diag);
     }
@@ -298,7 +298,7 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, QnPieces *p
 }
 
 QnStatus
-qn_openings_cut (const QnMasonry *masonry, QnBounds wall, QnPieces *pieces, QnDiag *diag)
+qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces, QnDiag *diag)
 {
   size_t count = masonry->wall.opening_count;
   if (count == 0)

@@ -69,7 +69,7 @@ find_nodes (const QnPieces *pieces, Net *net)
     free (boxes);
     return false;
   }
-  QnBox all = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+  QnBox all = QN_BOX_EMPTY;
   for (size_t i = 0; i < pieces->count; i++)
     for (size_t k = 0; k < pieces->items[i].ring.count; k++, at++) {
       QnVec2 p = pieces->items[i].ring.points[k];
@@ -77,7 +77,7 @@ find_nodes (const QnPieces *pieces, Net *net)
       all = qn_box_union (all, boxes[at]);
       net->corners[at] = QN_NONE;
     }
-  net->tolerance = ROUNDING * fmax (all.max.x - all.min.x, all.max.y - all.min.y);
+  net->tolerance = ROUNDING * qn_box_size (all);
   bool done = qn_box_tree_init (&vertices, boxes, count);
   for (size_t v = 0; done && v < count; v++) {
     if (net->corners[v] != QN_NONE)

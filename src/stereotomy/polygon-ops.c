@@ -47,17 +47,17 @@ check_all (const QnRings *rings, QnDiag *diag)
 
 /* Extent or distance from the origin, whichever is larger: what rounding is measured by. */
 static double
-bounds_reach (QnBounds b)
+bounds_reach (QnBox b)
 {
   double reach =
     fmax (fmax (fabs (b.min.x), fabs (b.max.x)), fmax (fabs (b.min.y), fabs (b.max.y)));
-  return fmax (qn_bounds_size (b), reach);
+  return fmax (qn_box_size (b), reach);
 }
 
 static int
 compare_rings (const void *left, const void *right)
 {
-  QnBounds a = qn_ring_bounds (left), b = qn_ring_bounds (right);
+  QnBox a = qn_ring_bounds (left), b = qn_ring_bounds (right);
   if (a.min.x != b.min.x)
     return a.min.x < b.min.x ? -1 : 1;
   if (a.min.y != b.min.y)
@@ -90,9 +90,9 @@ deliver (QnRings *found, double least_area, QnRings *out, QnDiag *diag)
 
 /* The half plane left of x (or right of it) within `bounds`, as a polygon. */
 static GEOSGeometry *
-half_of (QnGeos *geos, QnBounds bounds, double x, bool right)
+half_of (QnGeos *geos, QnBox bounds, double x, bool right)
 {
-  double margin = 1 + qn_bounds_size (bounds);
+  double margin = 1 + qn_box_size (bounds);
   double x0 = right ? x : bounds.min.x - margin, x1 = right ? bounds.max.x + margin : x;
   double y0 = bounds.min.y - margin, y1 = bounds.max.y + margin;
   const QnVec2 corners[] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
@@ -122,7 +122,7 @@ first_hole (QnGeos *geos, const GEOSGeometry *geometry, double *x)
 
 /* Reads the polygons of `geometry` (consumed), parting what has holes. */
 static QnStatus
-collect (QnGeos *geos, GEOSGeometry *geometry, QnBounds bounds, int round, QnRings *found,
+collect (QnGeos *geos, GEOSGeometry *geometry, QnBox bounds, int round, QnRings *found,
          QnDiag *diag)
 {
   double x;
@@ -155,7 +155,7 @@ typedef GEOSGeometry *(*Overlay) (GEOSContextHandle_t, const GEOSGeometry *,
  * crown just reaches a joint does, it is computed again on a grid that parts it there. */
 static QnStatus
 overlay (QnGeos *geos, const GEOSGeometry *subject, const GEOSGeometry *other, Overlay op,
-         QnBounds bounds, double least_area, QnRings *out, QnDiag *diag)
+         QnBox bounds, double least_area, QnRings *out, QnDiag *diag)
 {
   if (subject == NULL || other == NULL)
     return qn_diag_no_memory (diag);
@@ -178,7 +178,7 @@ overlay (QnGeos *geos, const GEOSGeometry *subject, const GEOSGeometry *other, O
 /* The same, consuming both geometries. */
 static QnStatus
 overlay_take (QnGeos *geos, GEOSGeometry *subject, GEOSGeometry *other, Overlay op,
-              QnBounds bounds, double least_area, QnRings *out, QnDiag *diag)
+              QnBox bounds, double least_area, QnRings *out, QnDiag *diag)
 {
   QnStatus status = overlay (geos, subject, other, op, bounds, least_area, out, diag);
   GEOSGeom_destroy_r (geos->handle, subject);
@@ -307,13 +307,12 @@ qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out, QnDiag 
 
   /* A strip that covers the subject on the left of the line, and one on its right. The line is
    * carried to the subject first, so that the strips are no larger than they must be. */
-  QnBounds bounds = qn_ring_bounds (subject);
+  QnBox bounds = qn_ring_bounds (subject);
   QnVec2 middle = qn_vec2_lerp (bounds.min, bounds.max, 0.5);
   along = qn_vec2_scale (1 / length, along);
   QnVec2 foot =
     qn_vec2_add_scaled (a, qn_vec2_dot (qn_vec2_sub (middle, a), along), along);
-  double reach =
-    2 * (qn_bounds_size (bounds) + qn_vec2_length (qn_vec2_sub (middle, foot)));
+  double reach = 2 * (qn_box_size (bounds) + qn_vec2_length (qn_vec2_sub (middle, foot)));
   QnGeos geos = { 0 };
   status = qn_geos_init (&geos, diag);
   size_t before = out->count;

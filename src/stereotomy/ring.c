@@ -59,31 +59,18 @@ qn_ring_perimeter (const QnRing *ring)
   return sum;
 }
 
-static void
-bounds_include (QnBounds *bounds, const QnRing *ring)
-{
-  for (size_t i = 0; i < ring->count; i++) {
-    bounds->min.x = fmin (bounds->min.x, ring->points[i].x);
-    bounds->min.y = fmin (bounds->min.y, ring->points[i].y);
-    bounds->max.x = fmax (bounds->max.x, ring->points[i].x);
-    bounds->max.y = fmax (bounds->max.y, ring->points[i].y);
-  }
-}
-
-QnBounds
+QnBox
 qn_ring_bounds (const QnRing *ring)
 {
-  QnBounds bounds = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
-  bounds_include (&bounds, ring);
-  return bounds;
+  return qn_box_of_points (ring->points, ring->count);
 }
 
-QnBounds
+QnBox
 qn_rings_bounds (const QnRings *rings)
 {
-  QnBounds bounds = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+  QnBox bounds = QN_BOX_EMPTY;
   for (size_t i = 0; i < rings->count; i++)
-    bounds_include (&bounds, &rings->items[i]);
+    qn_box_add_box (&bounds, qn_ring_bounds (&rings->items[i]));
   return bounds;
 }
 

@@ -8,7 +8,7 @@
 #define QN_STEREOTOMY_RING_H
 
 #include "core/base/base.h"
-#include "core/base/vec2.h"
+#include "core/base/box.h"
 
 typedef struct QnRing {
   QnVec2 *points; /* owned */
@@ -20,10 +20,6 @@ typedef struct QnRings {
   size_t count, capacity;
 } QnRings;
 
-typedef struct QnBounds {
-  QnVec2 min, max; /* m; min > max where empty */
-} QnBounds;
-
 /* A copy of the points; false when memory runs out. `ring` is overwritten without being cleared. */
 bool qn_ring_init (QnRing *ring, const QnVec2 *points, size_t count);
 void qn_ring_clear (QnRing *ring);
@@ -33,7 +29,7 @@ void qn_ring_clear (QnRing *ring);
 double qn_ring_area (const QnRing *ring);
 QnVec2 qn_ring_centroid (const QnRing *ring);
 double qn_ring_perimeter (const QnRing *ring);
-QnBounds qn_ring_bounds (const QnRing *ring);
+QnBox qn_ring_bounds (const QnRing *ring);
 
 /* Makes the ring counter-clockwise. */
 void qn_ring_orient (QnRing *ring);
@@ -57,23 +53,6 @@ void qn_rings_remove (QnRings *rings, size_t index);
 void qn_rings_clear (QnRings *rings);
 
 /* Extents of all of them. */
-QnBounds qn_rings_bounds (const QnRings *rings);
-
-/* The larger of width and height, m; 0 where empty. */
-static inline double
-qn_bounds_size (QnBounds bounds)
-{
-  return bounds.max.x < bounds.min.x
-           ? 0
-           : fmax (bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
-}
-
-/* Whether they meet when each may be off by half the margin, m. */
-static inline bool
-qn_bounds_overlap (QnBounds a, QnBounds b, double margin)
-{
-  return a.min.x <= b.max.x + margin && b.min.x <= a.max.x + margin
-         && a.min.y <= b.max.y + margin && b.min.y <= a.max.y + margin;
-}
+QnBox qn_rings_bounds (const QnRings *rings);
 
 #endif

@@ -193,10 +193,10 @@ ring_tree (const QnRings *rings, double margin, QnBoxTree *tree)
   if (boxes == NULL)
     return false;
   for (size_t i = 0; i < rings->count; i++) {
-    QnBounds bounds = qn_ring_bounds (&rings->items[i]);
+    QnBox bounds = qn_ring_bounds (&rings->items[i]);
     if (rings->items[i].count == 0)
-      bounds = (QnBounds){ { 0, 0 }, { 0, 0 } };
-    boxes[i] = qn_box_grow ((QnBox){ bounds.min, bounds.max }, margin);
+      bounds = (QnBox){ { 0, 0 }, { 0, 0 } };
+    boxes[i] = qn_box_grow (bounds, margin);
   }
   bool done = qn_box_tree_init (tree, boxes, rings->count);
   free (boxes);
@@ -268,8 +268,8 @@ fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, double tolerance
            QnHealing *healing)
 {
   QnRing *ring = &rings->items[index];
-  QnBounds bounds = qn_ring_bounds (ring);
-  QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ bounds.min, bounds.max });
+  QnBox bounds = qn_ring_bounds (ring);
+  QnBoxQuery query = qn_box_tree_query (tree, bounds);
   for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
     if ((size_t) i >= index)
       continue;
@@ -342,7 +342,7 @@ edge_overlap (QnVec2 a, QnVec2 b, QnVec2 c, QnVec2 d, double tolerance)
 double
 qn_joint_length (const QnRing *a, const QnRing *b, double tolerance)
 {
-  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), tolerance))
+  if (!qn_box_meets_within (qn_ring_bounds (a), qn_ring_bounds (b), tolerance))
     return 0;
   double sum = 0;
   for (size_t i = 0; i < a->count; i++)

@@ -58,11 +58,11 @@ static void
 compare_pair (const QnRing *a, const QnRing *b, double tolerance, double *overlap,
               double *joint)
 {
-  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), 2e-7))
+  if (!qn_box_meets_within (qn_ring_bounds (a), qn_ring_bounds (b), 2e-7))
     return;
   /* Within half the contact tolerance of the smallest units that the tests lay. */
   *joint += qn_joint_length (a, b, tolerance);
-  if (!qn_bounds_overlap (qn_ring_bounds (a), qn_ring_bounds (b), -1e-8))
+  if (!qn_box_meets_within (qn_ring_bounds (a), qn_ring_bounds (b), -1e-8))
     return;
   QnRings common = { 0 };
   g_assert_cmpint (qn_polygon_intersection (a, b, &common, NULL), ==, QN_OK);

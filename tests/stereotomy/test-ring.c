@@ -65,13 +65,13 @@ test_list (void)
   const QnVec2 b[] = { { 4, 4 }, { 5, 4 }, { 4, 6 } };
   g_assert_true (qn_rings_add (&rings, a, 3));
   g_assert_true (qn_rings_add (&rings, b, 3));
-  QnBounds bounds = qn_rings_bounds (&rings);
+  QnBox bounds = qn_rings_bounds (&rings);
   g_assert_cmpfloat (bounds.max.y, ==, 6);
   qn_rings_remove (&rings, 0);
   g_assert_cmpuint (rings.count, ==, 1);
   g_assert_cmpfloat (rings.items[0].points[0].x, ==, 4);
   qn_rings_clear (&rings);
-  g_assert_cmpfloat (qn_bounds_size (qn_rings_bounds (&rings)), ==, 0);
+  g_assert_cmpfloat (qn_box_size (qn_rings_bounds (&rings)), ==, 0);
 }
 
 int

@@ -264,12 +264,3 @@ qn_box_pairs_clear (QnBoxPairs *pairs)
   free (pairs->items);
   *pairs = (QnBoxPairs){ 0 };
 }
-
-QnBox
-qn_box_of_points (const QnVec2 *points, size_t count)
-{
-  QnBox box = { points[0], points[0] };
-  for (size_t i = 1; i < count; i++)
-    box = qn_box_union (box, (QnBox){ points[i], points[i] });
-  return box;
-}

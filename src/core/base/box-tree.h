@@ -9,11 +9,7 @@
 #define QN_CORE_BOX_TREE_H
 
 #include "core/base/base.h"
-#include "core/base/vec2.h"
-
-typedef struct QnBox {
-  QnVec2 min, max; /* m, min <= max */
-} QnBox;
+#include "core/base/box.h"
 
 #define QN_BOX_TREE_FANOUT     8
 #define QN_BOX_TREE_MAX_LEVELS 12 /* 8^11 items are more than a QnId can number */
@@ -62,53 +58,5 @@ bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most,
                         QnBoxPairs *pairs);
 
 void qn_box_pairs_clear (QnBoxPairs *pairs);
-
-/* The smaller and the larger of two finite numbers; fmin and fmax would be calls, for the sake of
- * NaN. */
-static inline double
-qn_min (double a, double b)
-{
-  return a < b ? a : b;
-}
-
-static inline double
-qn_max (double a, double b)
-{
-  return a > b ? a : b;
-}
-
-/* Smallest box around two points. */
-static inline QnBox
-qn_box_of_segment (QnVec2 p, QnVec2 q)
-{
-  return (QnBox){ { qn_min (p.x, q.x), qn_min (p.y, q.y) },
-                  { qn_max (p.x, q.x), qn_max (p.y, q.y) } };
-}
-
-static inline QnBox
-qn_box_union (QnBox a, QnBox b)
-{
-  return (QnBox){ { qn_min (a.min.x, b.min.x), qn_min (a.min.y, b.min.y) },
-                  { qn_max (a.max.x, b.max.x), qn_max (a.max.y, b.max.y) } };
-}
-
-static inline QnBox
-qn_box_grow (QnBox box, double margin)
-{
-  return (QnBox){ { box.min.x - margin, box.min.y - margin },
-                  { box.max.x + margin, box.max.y + margin } };
-}
-
-/* Whether two boxes have a point in common. All four comparisons in one: which of them fails cannot
- * be predicted. */
-static inline bool
-qn_box_meets (QnBox a, QnBox b)
-{
-  return (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y)
-         & (b.min.y <= a.max.y);
-}
-
-/* Smallest box around count >= 1 points. */
-QnBox qn_box_of_points (const QnVec2 *points, size_t count);
 
 #endif

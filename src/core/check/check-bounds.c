@@ -8,6 +8,7 @@
  * A joint dissipates at most the largest f . r that any force within its strength has on the rate r: at
  * a corner of the strength, or without limit where r turns away from what it can carry.
  */
+#include "core/base/numbers.h"
 #include "core/check/check-parts.h"
 #include "core/limit/limit.h"
 
@@ -99,13 +100,12 @@ kinematic_multiplier (QnCheck *check)
 {
   QnAssembly *as = &check->assembly;
   const double none[QN_MAX_LOAD_SETS] = { 0 }, live[QN_MAX_LOAD_SETS] = { 1 };
-  double *rates = check->forces, dissipated = 0, largest = 0;
+  double *rates = check->forces, dissipated = 0;
 
   qn_assembly_set_loads (as, none, live);
   qn_check_gather (as, check->result->mechanism, check->velocity);
   qn_assembly_elongation_rates (as, check->velocity, rates);
-  for (int32_t i = 0; i < as->unknown_count; i++)
-    largest = fmax (largest, fabs (check->velocity[i]));
+  double largest = qn_largest (check->velocity, (size_t) as->unknown_count);
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairResult *pair = &check->result->pairs[p];
     double away;
@@ -130,7 +130,7 @@ static bool
 is_met (const QnResult *result, const QnSolution *solution)
 {
   for (size_t i = 0; i < result->step_count; i++) {
-    double moved = qn_result_largest_displacement (result, i);
+    double moved = qn_result_motion (result, 0, i);
     if (agree (result->steps[i].multiplier, solution->multiplier)
         && qn_check_agrees (solution->displacement, moved, AGREE * moved))
       return true;

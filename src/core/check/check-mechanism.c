@@ -1,4 +1,5 @@
 /* The mechanism at the last step: do joints move as their strengths and their flow let them? */
+#include "core/base/numbers.h"
 #include "core/check/check-parts.h"
 
 #include <math.h>
@@ -39,17 +40,6 @@ find_freedom (const QnPairSprings *springs, const double force[2], bool associat
     }
   }
   return freedom;
-}
-
-/* Largest velocity of a point of a body: what rates are measured by. */
-static double
-largest_velocity (const QnCheck *check)
-{
-  double largest = 0;
-
-  for (int32_t i = 0; i < check->assembly.unknown_count; i++)
-    largest = fmax (largest, fabs (check->velocity[i]));
-  return largest;
 }
 
 static void
@@ -163,7 +153,7 @@ qn_check_mechanism (QnCheck *check)
   if (result->mechanism_uncertain)
     return;
   double *rates = check->forces;
-  double none = RATE * largest_velocity (check);
+  double none = RATE * qn_largest (check->velocity, (size_t) as->unknown_count);
   qn_assembly_elongation_rates (as, check->velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)
     check_joint (check, p, rates + 2 * p, none);

@@ -2,6 +2,7 @@
 
 #include "core/assembly/assembly.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/check/check-parts.h"
 
 #include <math.h>
@@ -43,11 +44,9 @@ check_displacements (QnCheck *check, size_t step, const double *rows)
 {
   const QnAssembly *as = &check->assembly;
   size_t count = qn_model_body_count (check->model) * QN_DOF_COUNT;
-  double largest = 0;
 
   qn_assembly_expand (as, check->u, check->rows);
-  for (size_t i = 0; i < count; i++)
-    largest = fmax (largest, fabs (check->rows[i]));
+  double largest = qn_largest (check->rows, count);
   for (size_t i = 0; i < count; i++)
     if (!qn_check_agrees (rows[i], check->rows[i], QN_CHECK_EXACT * largest)) {
       size_t body = i / QN_DOF_COUNT, blocks = check->model->block_count;
@@ -477,17 +476,6 @@ check_beam_forces (QnCheck *check, size_t step)
 
 /* --- Step by step ------------------------------------------------------------------------- */
 
-/* Largest displacement at a step, rotations times the size of the structure's blocks. */
-static double
-largest_displacement (const QnCheck *check)
-{
-  double largest = 0;
-
-  for (int32_t i = 0; i < check->assembly.unknown_count; i++)
-    largest = fmax (largest, fabs (check->u[i]));
-  return largest;
-}
-
 static void
 check_step (QnCheck *check, size_t step)
 {
@@ -501,7 +489,7 @@ check_step (QnCheck *check, size_t step)
   qn_result_load_factors (check->model, result, step, factors);
   qn_assembly_set_loads (as, factors, nothing);
   qn_check_gather (as, rows, check->u);
-  check->largest = largest_displacement (check);
+  check->largest = qn_largest (check->u, (size_t) check->assembly.unknown_count);
   if (!qn_assembly_evaluate (as, check->u))
     qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_MODEL, QN_NONE, NAN,
                    NAN);

@@ -3,6 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
+#include "core/base/union-find.h"
 
 #include <stdlib.h>
 
@@ -99,20 +100,6 @@ report_points (const QnContactSearch *search, const FaceLists *lists,
   return true;
 }
 
-static QnId
-root_of (QnId *parents, QnId body)
-{
-  while (parents[body] != body)
-    body = parents[body] = parents[parents[body]];
-  return body;
-}
-
-static void
-join (QnId *parents, size_t a, size_t b)
-{
-  parents[root_of (parents, (QnId) a)] = root_of (parents, (QnId) b);
-}
-
 /* What hangs on what. */
 typedef struct {
   bool *touching; /* blocks that have a face, a point contact or an overlap, or a beam */
@@ -127,7 +114,7 @@ follow_faces (const QnContacts *contacts, Cohesion *cohesion)
   for (size_t i = 0; i < contacts->face_count; i++) {
     const QnContactFace *face = &contacts->faces[i];
     cohesion->touching[face->a] = cohesion->touching[face->b] = true;
-    join (cohesion->parents, (size_t) face->a, (size_t) face->b);
+    qn_sets_join (cohesion->parents, face->a, face->b);
   }
   for (size_t i = 0; i < contacts->findings.count; i++) {
     const QnFinding *finding = &contacts->findings.items[i];
@@ -145,8 +132,9 @@ follow_beams (const QnModel *model, Cohesion *cohesion)
       cohesion->touching[block] = true;
   }
   for (size_t i = 0; i < model->element_count; i++)
-    join (cohesion->parents, qn_model_node_body (model, model->elements[i].nodes[0]),
-          qn_model_node_body (model, model->elements[i].nodes[1]));
+    qn_sets_join (cohesion->parents,
+                  (QnId) qn_model_node_body (model, model->elements[i].nodes[0]),
+                  (QnId) qn_model_node_body (model, model->elements[i].nodes[1]));
 }
 
 static void
@@ -158,10 +146,10 @@ mark_held (const QnModel *model, size_t bodies, Cohesion *cohesion)
                             ? model->blocks[i].support
                             : model->nodes[i - model->block_count].support;
     if (support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ])
-      held[root_of (cohesion->parents, (QnId) i)] = true;
+      held[qn_sets_root (cohesion->parents, (QnId) i)] = true;
   }
   for (size_t i = 0; i < bodies; i++) {
-    held[i] = held[root_of (cohesion->parents, (QnId) i)];
+    held[i] = held[qn_sets_root (cohesion->parents, (QnId) i)];
     cohesion->held_count += held[i];
   }
 }
@@ -178,8 +166,7 @@ find_cohesion (const QnModel *model, const QnContacts *contacts, Cohesion *cohes
   if (cohesion->touching == NULL || cohesion->held == NULL || cohesion->parents == NULL)
     return false;
 
-  for (size_t i = 0; i < bodies; i++)
-    cohesion->parents[i] = (QnId) i;
+  qn_sets_init (cohesion->parents, bodies);
   follow_faces (contacts, cohesion);
   follow_beams (model, cohesion);
   mark_held (model, bodies, cohesion);

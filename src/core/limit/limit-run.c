@@ -1,5 +1,6 @@
 #include "core/base/clock.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/limit/limit-series.h"
 
 #include <math.h>
@@ -40,10 +41,8 @@ static void
 keep_forces (QnResult *result, const QnModel *model, const QnContacts *contacts,
              const double *forces)
 {
-  double largest = 0.0;
+  double largest = qn_largest (forces, 2 * contacts->pair_count);
 
-  for (size_t i = 0; i < 2 * contacts->pair_count; i++)
-    largest = fmax (largest, fabs (forces[i]));
   for (size_t p = 0; p < contacts->pair_count; p++) {
     QnPairSprings springs = qn_contacts_pair_springs (model, contacts, p);
     result->pairs[p] = (QnPairResult){

@@ -240,14 +240,6 @@ typedef struct {
 } Group;
 
 static int32_t
-find_group (int32_t *group, int32_t j)
-{
-  while (group[j] != j)
-    j = group[j] = group[group[j]];
-  return j;
-}
-
-static int32_t
 rows_below (const Analysis *a, int32_t j)
 {
   int32_t sum = 0;
@@ -293,8 +285,8 @@ form_groups (Analysis *a)
       parent->zeros = zeros;
     }
   }
-  for (int32_t j = a->count - 1; j >= 0; j--)
-    a->group[j] = find_group (a->group, j);
+  for (int32_t j = a->count - 1; j >= 0; j--) /* parents have higher numbers */
+    a->group[j] = a->group[a->group[j]];
   free (groups);
   return true;
 }

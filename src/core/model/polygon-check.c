@@ -34,10 +34,9 @@ static double
 resolution (const QnVec2 *vertices, size_t count)
 {
   QnBox box = qn_box_of_points (vertices, count);
-  double size = fmax (box.max.x - box.min.x, box.max.y - box.min.y);
   double far = fmax (fmax (fabs (box.min.x), fabs (box.max.x)),
                      fmax (fabs (box.min.y), fabs (box.max.y)));
-  return QN_TOLERANCE_POLYGON * size + QN_TOLERANCE_COORDINATE * far;
+  return QN_TOLERANCE_POLYGON * qn_box_size (box) + QN_TOLERANCE_COORDINATE * far;
 }
 
 /* Whether all vertices lie on one line: that of the first vertex and the one farthest from it. */

@@ -56,19 +56,6 @@ may_move_on (QnPathTrace *trace, double motion)
          && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
 
-/* The largest displacement of a block or node between two steps, m. */
-static double
-motion_between (const QnResult *result, size_t from, size_t to)
-{
-  const double *was = qn_result_step_displacements (result, from),
-               *is = qn_result_step_displacements (result, to);
-  double largest = 0;
-
-  for (size_t i = 0; i < qn_result_body_count (result); i++, was += 3, is += 3)
-    largest = fmax (largest, hypot (is[0] - was[0], is[1] - was[1]));
-  return largest;
-}
-
 /* Whether the multiplier has hardly climbed while the motion doubled last: where it goes like collapse -
  * constant / motion, as much is left to gain. The structure then has a collapse multiplier, although
  * no step shows how it moves on. */
@@ -82,8 +69,8 @@ hardly_climbs (const QnPathTrace *trace)
     first--;
   if (first > 0)
     first--; /* where the stage began */
-  double motion = motion_between (result, first, last);
-  while (half > first && motion_between (result, first, half) > motion / 2)
+  double motion = qn_result_motion (result, first, last);
+  while (half > first && qn_result_motion (result, first, half) > motion / 2)
     half--;
   double gain = result->steps[last].multiplier - result->steps[half].multiplier;
   return half > first

@@ -14,6 +14,7 @@
  * matrix; Haynsworth 1968). The sign of its determinant alone would not see an even number. Where K is
  * not symmetric that sign is all there is: see path-step.c.
  */
+#include "core/base/numbers.h"
 #include "core/path/path.h"
 
 #include <math.h>
@@ -51,12 +52,10 @@ find_motion (QnAssembly *as, QnInertia *inertia, double *diagonal, double *motio
     *(count.negative > 0 ? &high : &low) = middle;
   }
   for (int k = 0; k < INVERSE_ITERATIONS; k++) {
-    double largest = 0;
     QnFactorStatus solved = qn_inertia_solve (inertia, motion);
     if (solved != QN_FACTOR_OK)
       return solved == QN_FACTOR_SINGULAR;
-    for (int32_t i = 0; i < as->unknown_count; i++)
-      largest = fmax (largest, fabs (motion[i]));
+    double largest = qn_largest (motion, (size_t) as->unknown_count);
     for (int32_t i = 0; i < as->unknown_count && largest > 0; i++)
       motion[i] /= largest;
   }

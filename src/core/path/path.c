@@ -107,10 +107,9 @@ qn_path_add_solution (QnPath *path, QnProcedure found_by, double multiplier)
   while (step > 0 && result->steps[step].multiplier != multiplier)
     step--;
   qn_result_add_solution (
-    result,
-    (QnSolution){ .multiplier = multiplier,
-                  .found_by = found_by,
-                  .displacement = qn_result_largest_displacement (result, step) });
+    result, (QnSolution){ .multiplier = multiplier,
+                          .found_by = found_by,
+                          .displacement = qn_result_motion (result, 0, step) });
 }
 
 QnStatus

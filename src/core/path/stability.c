@@ -1,5 +1,6 @@
 #include "core/path/stability.h"
 
+#include "core/base/numbers.h"
 #include "core/linalg/inertia.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
@@ -82,14 +83,12 @@ record_mode (Search *search, QnDiag *diag)
   for (int32_t i = 0; i < n; i++)
     mode[i] = 1 + 0.5 * sin (1.7 * i);
   for (int k = 0; status == QN_OK && k < INVERSE_ITERATIONS; k++) {
-    double largest = 0;
     for (size_t s = 0; s < eq->assembly.settling_count; s++)
       mode[eq->assembly.settling[s].unknown] = 0;
     QnFactorStatus solved = qn_inertia_solve (search->inertia, mode);
     if (solved != QN_FACTOR_OK)
       return solved == QN_FACTOR_SINGULAR ? QN_OK : qn_diag_no_memory (diag);
-    for (int32_t i = 0; i < n; i++)
-      largest = fmax (largest, fabs (mode[i]));
+    double largest = qn_largest (mode, (size_t) n);
     for (int32_t i = 0; i < n; i++)
       mode[i] /= largest;
   }

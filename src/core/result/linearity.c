@@ -26,14 +26,14 @@ block_width (const QnModel *model, const QnBlock *block)
 }
 
 double
-qn_result_largest_displacement (const QnResult *result, size_t step)
+qn_result_motion (const QnResult *result, size_t from, size_t to)
 {
-  const double *from = qn_result_step_displacements (result, 0);
-  const double *to = qn_result_step_displacements (result, step);
+  const double *was = qn_result_step_displacements (result, from);
+  const double *is = qn_result_step_displacements (result, to);
   double largest = 0;
 
   for (size_t i = 0; i < qn_result_body_count (result) * QN_DOF_COUNT; i += QN_DOF_COUNT)
-    largest = fmax (largest, hypot (to[i] - from[i], to[i + 1] - from[i + 1]));
+    largest = fmax (largest, hypot (is[i] - was[i], is[i + 1] - was[i + 1]));
   return largest;
 }
 
@@ -72,7 +72,7 @@ qn_result_judge_linearity (const QnModel *model, QnResult *result)
     return;
   }
   for (size_t i = 1; i < result->step_count; i++) {
-    double now = qn_result_largest_displacement (result, i);
+    double now = qn_result_motion (result, 0, i);
     double to = result->steps[i].multiplier;
     bool same = result->steps[i - 1].stage == result->steps[i].stage || i == 1;
     double from = same ? result->steps[i - 1].multiplier : to;

@@ -1,6 +1,7 @@
 #include "core/result/mechanism.h"
 
 #include "core/base/memory.h"
+#include "core/base/union-find.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -90,30 +91,6 @@ joint_motion (const QnModel *model, const QnContacts *contacts, QnId id,
   return joint;
 }
 
-/* Root of a block in the forest of bodies, with path halving. */
-static QnId
-find_root (QnId *parents, QnId block)
-{
-  while (parents[block] != block) {
-    parents[block] = parents[parents[block]];
-    block = parents[block];
-  }
-  return block;
-}
-
-static void
-join_blocks (const QnMechanism *m, const QnContacts *contacts, QnId *parents)
-{
-  for (size_t f = 0; f < m->joint_count; f++) {
-    QnId a, b;
-    if (m->joints[f].kind != QN_JOINT_CLOSED)
-      continue;
-    a = find_root (parents, contacts->faces[f].a);
-    b = find_root (parents, contacts->faces[f].b);
-    parents[a > b ? a : b] = a > b ? b : a;
-  }
-}
-
 /* A body during grouping: its root block and size, for sorting. */
 typedef struct Group {
   QnId root;
@@ -143,7 +120,7 @@ group_blocks (QnMechanism *m, const bool *moving, QnId *parents, QnId *numbers,
   for (size_t b = 0; b < m->block_count; b++)
     numbers[b] = QN_NONE;
   for (size_t b = 0; b < m->block_count; b++) {
-    QnId root = find_root (parents, (QnId) b);
+    QnId root = qn_sets_root (parents, (QnId) b);
     if (!moving[b])
       continue;
     if (numbers[root] == QN_NONE) {
@@ -156,24 +133,11 @@ group_blocks (QnMechanism *m, const bool *moving, QnId *parents, QnId *numbers,
   for (size_t g = 0; g < count; g++)
     numbers[groups[g].root] = (QnId) g;
   for (size_t b = 0; b < m->block_count; b++)
-    m->body_of_block[b] = moving[b] ? numbers[find_root (parents, (QnId) b)] : QN_NONE;
+    m->body_of_block[b] = moving[b] ? numbers[qn_sets_root (parents, (QnId) b)] : QN_NONE;
   m->bodies = qn_alloc (count, sizeof *m->bodies);
   m->body_count = count;
   free (groups);
   return m->bodies ? QN_OK : qn_diag_no_memory (diag);
-}
-
-static void
-extend_box (QnMechanismBody *body, const QnModel *model, QnId block)
-{
-  const QnVec2 *vertices = qn_model_block_vertices (model, block);
-
-  for (QnId i = 0; i < model->blocks[block].vertex_count; i++) {
-    body->lowest.x = fmin (body->lowest.x, vertices[i].x);
-    body->lowest.y = fmin (body->lowest.y, vertices[i].y);
-    body->highest.x = fmax (body->highest.x, vertices[i].x);
-    body->highest.y = fmax (body->highest.y, vertices[i].y);
-  }
 }
 
 /* Means over the blocks of every body, weighted by area: first the sums, then the division. */
@@ -181,8 +145,7 @@ static void
 sum_bodies (QnMechanism *m, const QnModel *model, const double *velocities, double *areas)
 {
   for (size_t i = 0; i < m->body_count; i++)
-    m->bodies[i] = (QnMechanismBody){ .lowest = { INFINITY, INFINITY },
-                                      .highest = { -INFINITY, -INFINITY } };
+    m->bodies[i] = (QnMechanismBody){ .box = QN_BOX_EMPTY };
   for (size_t b = 0; b < m->block_count; b++) {
     const QnBlock *block = &model->blocks[b];
     const double *v = velocities + b * QN_DOF_COUNT;
@@ -199,14 +162,16 @@ sum_bodies (QnMechanism *m, const QnModel *model, const double *velocities, doub
     body->velocity = qn_vec2_add_scaled (body->velocity, block->area,
                                          qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]));
     body->largest = fmax (body->largest, fastest / m->largest);
-    extend_box (body, model, (QnId) b);
+    qn_box_add_box (&body->box,
+                    qn_box_of_points (qn_model_block_vertices (model, (QnId) b),
+                                      (size_t) block->vertex_count));
   }
 }
 
 static void
 finish_body (QnMechanismBody *body, double area)
 {
-  double radius = 0.5 * qn_vec2_length (qn_vec2_sub (body->highest, body->lowest));
+  double radius = 0.5 * qn_box_diagonal (body->box);
 
   body->centroid = qn_vec2_scale (1.0 / area, body->centroid);
   body->velocity = qn_vec2_scale (1.0 / area, body->velocity);
@@ -232,12 +197,13 @@ find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
   if (!moving || !parents || !numbers || !areas) {
     status = qn_diag_no_memory (diag);
   } else {
-    for (size_t b = 0; b < m->block_count; b++) {
-      parents[b] = (QnId) b;
+    for (size_t b = 0; b < m->block_count; b++)
       moving[b] =
         fastest_vertex (model, velocities, (QnId) b) > MOTION_SHARE * m->largest;
-    }
-    join_blocks (m, contacts, parents);
+    qn_sets_init (parents, m->block_count);
+    for (size_t f = 0; f < m->joint_count; f++)
+      if (m->joints[f].kind == QN_JOINT_CLOSED)
+        qn_sets_join (parents, contacts->faces[f].a, contacts->faces[f].b);
     status = group_blocks (m, moving, parents, numbers, diag);
   }
   if (!status) {

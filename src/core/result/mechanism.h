@@ -8,6 +8,7 @@
 #ifndef QN_CORE_MECHANISM_H
 #define QN_CORE_MECHANISM_H
 
+#include "core/base/box.h"
 #include "core/contact/contacts.h"
 
 typedef enum {
@@ -31,13 +32,13 @@ typedef struct QnJointMotion {
 /* Blocks that move as one rigid body. */
 typedef struct QnMechanismBody {
   int32_t block_count;
-  QnVec2 centroid;        /* of its blocks, by area, m */
-  QnVec2 velocity;        /* of that point */
-  double rotation;        /* rad, counter-clockwise positive */
-  bool turns;             /* rotation matters beside translation */
-  QnVec2 centre;          /* fixed point of the motion, m; where it turns */
-  double largest;         /* fastest point, relative to that of the whole mechanism */
-  QnVec2 lowest, highest; /* corners of the box around its blocks, m */
+  QnVec2 centroid; /* of its blocks, by area, m */
+  QnVec2 velocity; /* of that point */
+  double rotation; /* rad, counter-clockwise positive */
+  bool turns;      /* rotation matters beside translation */
+  QnVec2 centre;   /* fixed point of the motion, m; where it turns */
+  double largest;  /* fastest point, relative to that of the whole mechanism */
+  QnBox box;       /* around its blocks, m */
 } QnMechanismBody;
 
 /* What the whole is called. */

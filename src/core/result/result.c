@@ -23,6 +23,12 @@ const char *const qn_pair_state_names[QN_PAIR_STATE_COUNT] = {
   [QN_PAIR_YIELD] = "yield",
 };
 
+const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT] = {
+  [QN_EVENT_KIND_LOCAL] = "local",
+  [QN_EVENT_KIND_SNAP] = "snap",
+  [QN_EVENT_KIND_COLLAPSE] = "collapse",
+};
+
 void
 qn_statistics_add (QnStatistics *total, const QnStatistics *part)
 {
@@ -93,17 +99,6 @@ qn_result_add_step (QnResult *result, QnStep step, const double *displacements)
   memcpy (all + result->step_count * row, displacements, row * sizeof *all);
   steps[result->step_count++] = step;
   return true;
-}
-
-const char *
-qn_event_kind_name (QnEventKind kind)
-{
-  static const char *const names[QN_EVENT_KIND_COUNT] = {
-    [QN_EVENT_KIND_LOCAL] = "local",
-    [QN_EVENT_KIND_SNAP] = "snap",
-    [QN_EVENT_KIND_COLLAPSE] = "collapse",
-  };
-  return names[kind];
 }
 
 bool

@@ -288,11 +288,11 @@ void qn_result_clear_collapse (QnResult *result);
  * straight line between them does. In time, whether a block's peak is beyond. */
 void qn_result_judge_linearity (const QnModel *model, QnResult *result);
 
-/* Largest displacement of a block or node at a step since the first one, rotations aside, m. */
-double qn_result_largest_displacement (const QnResult *result, size_t step);
+/* Largest displacement of a block or node from one step to another, rotations aside, m. */
+double qn_result_motion (const QnResult *result, size_t from, size_t to);
 
 /* Result-file spelling: "local", "snap", "collapse". */
-const char *qn_event_kind_name (QnEventKind kind);
+extern const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT];
 
 /* Drops all events, and first_limit_multiplier. */
 void qn_result_clear_events (QnResult *result);

@@ -12,7 +12,7 @@ lies_in_outline (const QnImportWork *work, QnVec2 point, guint count)
 {
   for (guint i = 0; i < count; i++) {
     const QnRing *ring = &g_array_index (work->outlines, QnOutline, i).ring;
-    QnBounds b = qn_ring_bounds (ring);
+    QnBox b = qn_ring_bounds (ring);
     if (point.x >= b.min.x && point.x <= b.max.x && point.y >= b.min.y
         && point.y <= b.max.y && qn_polygon_depth (ring->points, ring->count, point) > 0)
       return TRUE;

@@ -29,7 +29,7 @@ qn_import_block_size (const QnDrawing *drawing)
     for (guint i = 0; i < drawing->paths->len; i++) {
       const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
       QnRing ring = { path->points, path->count };
-      double size = pass == 1 ? qn_bounds_size (qn_ring_bounds (&ring))
+      double size = pass == 1 ? qn_box_size (qn_ring_bounds (&ring))
                     : path->count >= 4 || path->closed
                       ? sqrt (fabs (qn_ring_area (&ring)))
                       : 0;
@@ -39,16 +39,14 @@ qn_import_block_size (const QnDrawing *drawing)
   return qn_import_median (sizes);
 }
 
-static QnBounds
+static QnBox
 drawing_bounds (const QnDrawing *drawing)
 {
-  QnBounds bounds = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+  QnBox bounds = QN_BOX_EMPTY;
   for (guint i = 0; i < drawing->paths->len; i++) {
     const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
     QnRing ring = { path->points, path->count };
-    QnBounds own = qn_ring_bounds (&ring);
-    bounds.min = qn_vec2 (fmin (bounds.min.x, own.min.x), fmin (bounds.min.y, own.min.y));
-    bounds.max = qn_vec2 (fmax (bounds.max.x, own.max.x), fmax (bounds.max.y, own.max.y));
+    qn_box_add_box (&bounds, qn_ring_bounds (&ring));
   }
   return bounds;
 }
@@ -66,7 +64,7 @@ qn_import_choose_unit (QnImportWork *work)
   static const char *const names[] = { "m", "mm", "cm" };
   const QnDrawing *drawing = work->drawing;
   double size = qn_import_block_size (drawing), declared = drawing->unit;
-  QnBounds bounds = drawing_bounds (drawing);
+  QnBox bounds = drawing_bounds (drawing);
   double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
   work->unit = work->settings->unit;
   if (work->unit > 0) {

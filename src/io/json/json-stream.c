@@ -87,6 +87,7 @@ read_member (QnJsonStream *stream, const QnJsonMember *members, guint count,
     return qn_json_skip (&stream->scanner) || qn_json_stream_fail (stream, NULL);
   }
 
+  gpointer place = (char *) target + members[i].offset;
   stream->steps[stream->depth++].key = members[i].key;
   gboolean done = FALSE;
   if ((*seen >> i & 1) != 0)
@@ -94,7 +95,9 @@ read_member (QnJsonStream *stream, const QnJsonMember *members, guint count,
   else if (qn_json_next (&stream->scanner) == QN_JSON_ERROR)
     qn_json_stream_fail (stream, NULL);
   else
-    done = members[i].read (stream, (char *) target + members[i].offset);
+    done = (members[i].flags & QN_JSON_EACH) != 0
+             ? qn_json_stream_array (stream, members[i].read, place)
+             : members[i].read (stream, place);
   *seen |= G_GUINT64_CONSTANT (1) << i;
   stream->depth--;
   return done;
@@ -117,7 +120,7 @@ qn_json_stream_object (QnJsonStream *stream, const QnJsonMember *members, guint 
     return qn_json_stream_fail (stream, NULL);
 
   for (guint i = 0; i < count; i++) {
-    if (members[i].required && (seen >> i & 1) == 0) {
+    if ((members[i].flags & QN_JSON_REQUIRED) != 0 && (seen >> i & 1) == 0) {
       stream->scanner.start = start;
       stream->steps[stream->depth++].key = members[i].key;
       qn_json_stream_fail (stream, _ ("required key is missing"));

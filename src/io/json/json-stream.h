@@ -27,11 +27,18 @@ typedef struct QnJsonStream {
 /* Reads the value at the scanner into *target; FALSE with the stream's error set. */
 typedef gboolean (*QnJsonReadFunc) (QnJsonStream *stream, gpointer target);
 
+/* QN_JSON_EACH: the value is an array, of which `read` takes every element. */
+typedef enum {
+  QN_JSON_OPTIONAL = 0,
+  QN_JSON_REQUIRED = 1,
+  QN_JSON_EACH = 2
+} QnJsonMemberFlags;
+
 typedef struct QnJsonMember {
   const char *key;
   QnJsonReadFunc read;
   gsize offset; /* of the member's place behind the target of the object */
-  gboolean required;
+  QnJsonMemberFlags flags;
 } QnJsonMember;
 
 /* `text` must have a NUL byte behind its last byte and outlive the stream. */

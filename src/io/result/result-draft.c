@@ -12,7 +12,7 @@
 static gboolean
 check_head (QnJsonStream *stream, QnResultDraft *draft)
 {
-  QnResult *result = &draft->file->result;
+  QnResult *result = &draft->file.result;
   if (strcmp (draft->format, "quoin-result") != 0)
     return qn_json_stream_fail_at (stream, "format",
                                    _ ("this is not a result: expected \"quoin-result\""));
@@ -29,6 +29,20 @@ check_head (QnJsonStream *stream, QnResultDraft *draft)
                                  _ ("this is no outcome of an analysis"));
 }
 
+/* Numbers that may be null; what the file says of the first limit point stands, whatever its events. */
+static void
+take_numbers (QnResultDraft *draft)
+{
+  QnResult *result = &draft->file.result;
+  result->has_collapse_multiplier = draft->collapse.given;
+  result->collapse_multiplier = draft->collapse.number;
+  result->has_first_limit_multiplier = draft->first_limit.given;
+  result->first_limit_multiplier = draft->first_limit.number;
+  result->has_associative_bound = draft->associative_bound.given;
+  result->associative_bound = draft->associative_bound.number;
+  result->beyond_linear_multiplier = draft->beyond_linear.number;
+}
+
 static gboolean
 same_number (double a, double b)
 {
@@ -37,9 +51,9 @@ same_number (double a, double b)
 
 /* Solutions and bound stand in a file twice, or in older ones once, as fixed points. */
 static gboolean
-take_solutions (QnJsonStream *stream, const QnResultDraft *draft)
+take_solutions (QnJsonStream *stream, QnResultDraft *draft)
 {
-  QnResult *result = &draft->file->result;
+  QnResult *result = &draft->file.result;
   QnProcedure found_by;
   double least, bound;
   gboolean same = TRUE, older = result->solution_count == 0;
@@ -70,7 +84,7 @@ take_solutions (QnJsonStream *stream, const QnResultDraft *draft)
 static gboolean
 check_beam_counts (QnJsonStream *stream, const QnResultDraft *draft)
 {
-  const QnResult *result = &draft->file->result;
+  const QnResult *result = &draft->file.result;
   size_t nodes = draft->nodes.items != NULL ? draft->nodes.items->len : 0;
   if (draft->node_displacements.count != result->step_count * nodes * QN_DOF_COUNT)
     return qn_json_stream_fail_at (
@@ -89,27 +103,27 @@ check_beam_counts (QnJsonStream *stream, const QnResultDraft *draft)
 static gboolean
 check_counts (QnJsonStream *stream, QnResultDraft *draft)
 {
-  const QnResult *result = &draft->file->result;
+  const QnResult *result = &draft->file.result;
   size_t blocks = draft->blocks.items->len;
   if (result->step_count > 0 && draft->rows_per_step != blocks * QN_DOF_COUNT)
     return qn_json_stream_fail_at (stream, "steps[0].displacements",
                                    _ ("there are not as many displacements as blocks"));
-  if (!qn_result_forces_take (&draft->forces, &draft->file->result))
+  if (!qn_result_forces_take (&draft->forces, &draft->file.result))
     return qn_json_stream_fail_at (stream, "steps",
                                    _ ("there are not as many forces as contacts"));
   if (draft->has_mechanism && draft->mechanism.count != blocks * QN_DOF_COUNT)
     return qn_json_stream_fail_at (stream, "mechanism",
                                    _ ("there are not as many velocities as blocks"));
-  for (size_t i = 0; i < result->support_count; i++)
-    if ((size_t) result->supports[i] >= blocks)
+  for (size_t i = 0; i < draft->supports.count; i++)
+    if ((size_t) draft->supports.items[i] >= blocks)
       return qn_json_stream_fail_at (stream, "supports", _ ("there is no such block"));
   if (draft->reactions.count > 0
       && draft->reactions.count
-           != result->step_count * result->support_count * QN_DOF_COUNT)
+           != result->step_count * draft->supports.count * QN_DOF_COUNT)
     return qn_json_stream_fail_at (
       stream, "steps", _ ("there are not as many reactions as supports in every step"));
-  for (size_t i = 0; i < result->unstable_count; i++)
-    if ((size_t) result->unstable_blocks[i] >= blocks)
+  for (size_t i = 0; i < draft->unstable.count; i++)
+    if ((size_t) draft->unstable.items[i] >= blocks)
       return qn_json_stream_fail_at (stream, "unstable_blocks",
                                      _ ("there is no such block"));
   for (size_t i = 0; i < result->event_count; i++)
@@ -117,7 +131,7 @@ check_counts (QnJsonStream *stream, QnResultDraft *draft)
       if ((size_t) result->events[i].blocks[k] >= blocks)
         return qn_json_stream_fail_at (stream, "events", _ ("there is no such block"));
   for (size_t i = 0; i < result->pair_count; i++) {
-    const QnResultContact *contact = &draft->file->contacts[i];
+    const QnResultContact *contact = &draft->file.contacts[i];
     if ((size_t) contact->block_a >= blocks || (size_t) contact->block_b >= blocks
         || contact->block_a == contact->block_b) {
       char *path = g_strdup_printf ("contacts[%" G_GSIZE_FORMAT "].blocks", i);
@@ -162,7 +176,7 @@ join_rows (QnJsonStream *stream, QnResultRows *blocks, size_t block_count,
 static gboolean
 take_arrays (QnJsonStream *stream, QnResultDraft *draft)
 {
-  QnResultFile *file = draft->file;
+  QnResultFile *file = &draft->file;
   QnResult *result = &file->result;
   result->block_count = draft->blocks.items->len;
   file->block_names = take_names (&draft->blocks);
@@ -180,6 +194,10 @@ take_arrays (QnJsonStream *stream, QnResultDraft *draft)
   if (draft->has_mechanism)
     result->mechanism = join_rows (stream, &draft->mechanism, result->block_count,
                                    &draft->node_mechanism, result->node_count);
+  result->supports = g_steal_pointer (&draft->supports.items);
+  result->support_count = draft->supports.count;
+  result->unstable_blocks = g_steal_pointer (&draft->unstable.items);
+  result->unstable_count = draft->unstable.count;
   result->reactions = g_steal_pointer (&draft->reactions.items);
   result->reaction_capacity = draft->reactions.capacity;
   return stream->error == NULL;
@@ -188,9 +206,10 @@ take_arrays (QnJsonStream *stream, QnResultDraft *draft)
 gboolean
 qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
 {
+  take_numbers (draft);
   return check_head (stream, draft) && check_counts (stream, draft)
          && take_arrays (stream, draft) && take_solutions (stream, draft)
-         && qn_result_history_take (&draft->history, stream, &draft->file->result);
+         && qn_result_history_take (&draft->history, stream, &draft->file.result);
 }
 
 void
@@ -200,6 +219,8 @@ qn_result_draft_clear (QnResultDraft *draft)
   g_free (draft->outcome);
   g_clear_pointer (&draft->blocks.items, g_ptr_array_unref);
   g_clear_pointer (&draft->overrides.items, g_ptr_array_unref);
+  free (draft->unstable.items);
+  free (draft->supports.items);
   free (draft->displacements.items);
   free (draft->mechanism.items);
   free (draft->reactions.items);

@@ -18,13 +18,27 @@ typedef struct QnResultNames {
   GPtrArray *items;
 } QnResultNames;
 
+typedef struct QnResultIds {
+  QnId *items;
+  size_t count, capacity;
+} QnResultIds;
+
+/* A number that may be null, or missing. */
+typedef struct QnOptionalNumber {
+  bool given;
+  double number;
+} QnOptionalNumber;
+
 /* What is read before it is known to fit together. */
 typedef struct QnResultDraft {
-  QnResultFile *file;
+  QnResultFile file;
   char *format;
   gint32 version;
   char *outcome;
   QnResultNames blocks, overrides, nodes;
+  QnOptionalNumber collapse, first_limit, associative_bound, beyond_linear;
+  QnResultIds unstable, supports;
+  QnStep step; /* that is being read */
   QnResultRows displacements, mechanism, reactions;
   QnStepForces forces;
   QnHistoryDraft history;
@@ -37,8 +51,7 @@ typedef struct QnResultDraft {
   double interval[2];   /* `collapse_interval`, NAN: null */
   int interval_ends;    /* that were read: 2, or 0 where there is none */
   size_t rows_per_step; /* numbers; of the first step */
-  size_t step_capacity, contact_capacity, pair_capacity, unstable_capacity;
-  size_t support_capacity;
+  size_t step_capacity, contact_capacity, pair_capacity;
 } QnResultDraft;
 
 /* Checks that everything that counts the same counts alike, and hands the arrays over to the file.

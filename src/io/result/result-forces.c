@@ -37,8 +37,8 @@ qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t ste
   qn_file_writer_puts (writer, "\"");
 }
 
-static gboolean
-read_force (QnJsonStream *stream, gpointer target)
+gboolean
+qn_result_force_read (QnJsonStream *stream, gpointer target)
 {
   QnStepForces *all = target;
   double *grown = qn_array_grow (all->forces, &all->force_capacity, all->force_count + 1,
@@ -50,15 +50,9 @@ read_force (QnJsonStream *stream, gpointer target)
 }
 
 gboolean
-qn_result_forces_read (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_force, *(QnStepForces **) target);
-}
-
-gboolean
 qn_result_states_read (QnJsonStream *stream, gpointer target)
 {
-  QnStepForces *all = *(QnStepForces **) target;
+  QnStepForces *all = target;
   g_autofree char *text = NULL;
   if (!qn_json_stream_string (stream, &text))
     return FALSE;

@@ -17,8 +17,8 @@ typedef struct QnStepForces {
   size_t force_count, force_capacity, state_count, state_capacity;
 } QnStepForces;
 
-/* Members of a step; `target` is QnStepForces ** . */
-gboolean qn_result_forces_read (QnJsonStream *stream, gpointer target);
+/* One of the forces, and all states of a step; `target` is QnStepForces * . */
+gboolean qn_result_force_read (QnJsonStream *stream, gpointer target);
 gboolean qn_result_states_read (QnJsonStream *stream, gpointer target);
 
 /* Hands the forces over to the result. False where they are not those of all its pairs at all

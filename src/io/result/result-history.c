@@ -115,7 +115,7 @@ read_collapse_time (QnJsonStream *stream, gpointer target)
 /* Targets of the next three are lists by the columns of the history. */
 #define COLUMN(name, index)                                                              \
   {                                                                                      \
-    name, read_list, (index) * sizeof (GArray *), TRUE                                   \
+    name, read_list, (index) * sizeof (GArray *), QN_JSON_REQUIRED                       \
   }
 
 static gboolean
@@ -140,19 +140,13 @@ read_energy (QnJsonStream *stream, gpointer target)
 static gboolean
 read_track (QnJsonStream *stream, gpointer target)
 {
-  static const QnJsonMember members[] = { { "values", read_list, 0, TRUE } };
+  static const QnJsonMember members[] = { { "values", read_list, 0, QN_JSON_REQUIRED } };
   GArray *values = NULL;
   gboolean done =
     qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &values);
   if (values != NULL)
-    g_ptr_array_add (target, values);
+    g_ptr_array_add (*(GPtrArray **) target, values);
   return done;
-}
-
-static gboolean
-read_tracks (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_track, *(GPtrArray **) target);
 }
 
 static void
@@ -175,7 +169,7 @@ qn_result_history_read (QnJsonStream *stream, gpointer target)
 {
 #define SCALAR(name, member, read)                                                       \
   {                                                                                      \
-    name, read, offsetof (Reading, history.member), TRUE                                 \
+    name, read, offsetof (Reading, history.member), QN_JSON_REQUIRED                     \
   }
   static const QnJsonMember members[] = {
     SCALAR ("end", end, qn_json_stream_number),
@@ -187,10 +181,10 @@ qn_result_history_read (QnJsonStream *stream, gpointer target)
     SCALAR ("rejected", rejected, qn_json_stream_int32),
     SCALAR ("time_of_collapse", collapse_time, read_collapse_time),
     COLUMN ("time", QN_HISTORY_TIME),
-    { "ground", read_ground, 0, TRUE },
-    { "energy", read_energy, 0, TRUE },
-    { "tracks", read_tracks, offsetof (Reading, tracks), TRUE },
-    { "peak", read_list, offsetof (Reading, peaks), TRUE },
+    { "ground", read_ground, 0, QN_JSON_REQUIRED },
+    { "energy", read_energy, 0, QN_JSON_REQUIRED },
+    { "tracks", read_track, offsetof (Reading, tracks), QN_JSON_REQUIRED | QN_JSON_EACH },
+    { "peak", read_list, offsetof (Reading, peaks), QN_JSON_REQUIRED },
   };
 #undef SCALAR
   Reading read = { .tracks = g_ptr_array_new_with_free_func (free_list) };

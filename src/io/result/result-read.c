@@ -55,42 +55,15 @@ read_names (QnJsonStream *stream, gpointer target)
   return qn_json_stream_array (stream, read_name, names);
 }
 
-/* A multiplier or null. */
-typedef struct Optional {
-  bool given;
-  double number;
-} Optional;
-
+/* A number or null. */
 static gboolean
 read_optional (QnJsonStream *stream, gpointer target)
 {
-  Optional *optional = target;
+  QnOptionalNumber *optional = target;
   if (stream->scanner.token == QN_JSON_NULL)
     return TRUE;
   optional->given = true;
   return qn_json_stream_number (stream, &optional->number);
-}
-
-static gboolean
-read_collapse (QnJsonStream *stream, gpointer target)
-{
-  QnResult *result = &((QnResultDraft *) target)->file->result;
-  Optional optional = { false, 0 };
-  gboolean done = read_optional (stream, &optional);
-  result->has_collapse_multiplier = optional.given;
-  result->collapse_multiplier = optional.number;
-  return done;
-}
-
-static gboolean
-read_first_limit (QnJsonStream *stream, gpointer target)
-{
-  QnResult *result = &((QnResultDraft *) target)->file->result;
-  Optional optional = { false, 0 };
-  gboolean done = read_optional (stream, &optional);
-  result->has_first_limit_multiplier = optional.given;
-  result->first_limit_multiplier = optional.number;
-  return done;
 }
 
 /* Only written where it is true. */
@@ -103,64 +76,42 @@ read_true (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
-read_uncertain (QnJsonStream *stream, gpointer target)
-{
-  QnResult *result = &((QnResultDraft *) target)->file->result;
-  return read_true (stream, &result->mechanism_uncertain);
-}
-
-static QnLimitFigures *
-limit_figures (gpointer target)
-{
-  return &((QnResultDraft *) target)->file->result.limit;
-}
-
-static gboolean
 read_lower_bound (QnJsonStream *stream, gpointer target)
 {
-  limit_figures (target)->given = true;
-  return qn_json_stream_number (stream, &limit_figures (target)->lower_bound);
+  QnLimitFigures *limit = target;
+  limit->given = true;
+  return qn_json_stream_number (stream, &limit->lower_bound);
 }
 
-static gboolean
-read_upper_bound (QnJsonStream *stream, gpointer target)
+/* Index of the string at the scanner among `names`; -1 where it is none of them. */
+static int
+read_word (const QnJsonStream *stream, const char *const *names, int count)
 {
-  return qn_json_stream_number (stream, &limit_figures (target)->upper_bound);
+  if (stream->scanner.token == QN_JSON_STRING)
+    for (int i = 0; i < count; i++)
+      if (qn_json_string_is (&stream->scanner, names[i]))
+        return i;
+  return -1;
 }
 
 static gboolean
 read_flow (QnJsonStream *stream, gpointer target)
 {
-  for (int flow = 0; flow < QN_FLOW_COUNT; flow++)
-    if (stream->scanner.token == QN_JSON_STRING
-        && qn_json_string_is (&stream->scanner, qn_flow_names[flow])) {
-      limit_figures (target)->flow = (QnFlow) flow;
-      return TRUE;
-    }
-  return qn_json_stream_fail (stream, _ ("this is no flow rule of limit analysis"));
-}
-
-static gboolean
-read_associative_bound (QnJsonStream *stream, gpointer target)
-{
-  QnResult *result = &((QnResultDraft *) target)->file->result;
-  Optional optional = { false, 0 };
-  gboolean done = read_optional (stream, &optional);
-  result->has_associative_bound = optional.given;
-  result->associative_bound = optional.number;
-  return done;
+  int flow = read_word (stream, qn_flow_names, QN_FLOW_COUNT);
+  if (flow < 0)
+    return qn_json_stream_fail (stream, _ ("this is no flow rule of limit analysis"));
+  *(QnFlow *) target = (QnFlow) flow;
+  return TRUE;
 }
 
 static gboolean
 read_procedure (QnJsonStream *stream, gpointer target)
 {
-  for (int i = 0; i < QN_PROCEDURE_COUNT; i++)
-    if (stream->scanner.token == QN_JSON_STRING
-        && qn_json_string_is (&stream->scanner, qn_procedure_names[i])) {
-      *(QnProcedure *) target = (QnProcedure) i;
-      return TRUE;
-    }
-  return qn_json_stream_fail (stream, _ ("this is no procedure of an analysis"));
+  int procedure = read_word (stream, qn_procedure_names, QN_PROCEDURE_COUNT);
+  if (procedure < 0)
+    return qn_json_stream_fail (stream, _ ("this is no procedure of an analysis"));
+  *(QnProcedure *) target = (QnProcedure) procedure;
+  return TRUE;
 }
 
 /* More than a result keeps is read and left out. */
@@ -169,27 +120,23 @@ read_solution (QnJsonStream *stream, gpointer target)
 {
   typedef struct SolutionDraft {
     QnSolution solution;
-    Optional displacement;
+    QnOptionalNumber displacement;
   } SolutionDraft;
   static const QnJsonMember members[] = {
     { "multiplier", qn_json_stream_number, offsetof (SolutionDraft, solution.multiplier),
-      TRUE },
-    { "found_by", read_procedure, offsetof (SolutionDraft, solution.found_by), TRUE },
-    { "displacement", read_optional, offsetof (SolutionDraft, displacement), FALSE },
+      QN_JSON_REQUIRED },
+    { "found_by", read_procedure, offsetof (SolutionDraft, solution.found_by),
+      QN_JSON_REQUIRED },
+    { "displacement", read_optional, offsetof (SolutionDraft, displacement),
+      QN_JSON_OPTIONAL },
   };
   SolutionDraft draft = { 0 };
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &draft))
     return FALSE;
   draft.solution.displacement =
     draft.displacement.given ? draft.displacement.number : (double) NAN;
-  qn_result_add_solution (&((QnResultDraft *) target)->file->result, draft.solution);
+  qn_result_add_solution (target, draft.solution);
   return TRUE;
-}
-
-static gboolean
-read_solutions (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_solution, target);
 }
 
 static gboolean
@@ -205,16 +152,10 @@ read_fixed_point (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
-read_fixed_points (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_fixed_point, target);
-}
-
-static gboolean
 read_interval_end (QnJsonStream *stream, gpointer target)
 {
   QnResultDraft *draft = target;
-  Optional optional = { false, (double) NAN };
+  QnOptionalNumber optional = { false, (double) NAN };
   if (draft->interval_ends == 2)
     return qn_json_stream_fail (stream, _ ("expected two numbers or null"));
   if (!read_optional (stream, &optional))
@@ -237,18 +178,8 @@ read_beyond_linear (QnJsonStream *stream, gpointer target)
   bool beyond;
   if (!read_true (stream, &beyond))
     return FALSE;
-  ((QnResultDraft *) target)->file->result.linearity =
-    beyond ? QN_LINEARITY_BEYOND : QN_LINEARITY_HOLDS;
+  *(QnLinearity *) target = beyond ? QN_LINEARITY_BEYOND : QN_LINEARITY_HOLDS;
   return TRUE;
-}
-
-static gboolean
-read_beyond_multiplier (QnJsonStream *stream, gpointer target)
-{
-  Optional optional = { false, 0 };
-  gboolean done = read_optional (stream, &optional);
-  ((QnResultDraft *) target)->file->result.beyond_linear_multiplier = optional.number;
-  return done;
 }
 
 static gboolean
@@ -267,14 +198,6 @@ read_event (QnJsonStream *stream, gpointer target)
   return qn_json_stream_fail (stream, _ ("expected null, \"snap\" or \"collapse\""));
 }
 
-/* A step with the list that its displacements go to. */
-typedef struct StepDraft {
-  QnStep step;
-  QnResultRows *displacements, *reactions, *node_displacements;
-  QnStepForces *forces;
-  QnResultDraft *draft;
-} StepDraft;
-
 /* N, V, M at the first and the second end of an element. */
 static gboolean
 read_element_forces (QnJsonStream *stream, gpointer target)
@@ -290,12 +213,6 @@ read_element_forces (QnJsonStream *stream, gpointer target)
   return TRUE;
 }
 
-static gboolean
-read_step_beam_forces (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_element_forces, *(QnResultDraft **) target);
-}
-
 /* Only how many there are is of interest: which they are is the model's knowledge. */
 static gboolean
 read_element (QnJsonStream *stream, gpointer target)
@@ -303,19 +220,6 @@ read_element (QnJsonStream *stream, gpointer target)
   double numbers[3];
   ((QnResultDraft *) target)->element_count++;
   return qn_json_stream_numbers (stream, numbers, G_N_ELEMENTS (numbers));
-}
-
-static gboolean
-read_elements (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_element, target);
-}
-
-static gboolean
-read_node_mechanism (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_row,
-                               &((QnResultDraft *) target)->node_mechanism);
 }
 
 /* Number of a stage, which the file counts from 0. */
@@ -332,40 +236,35 @@ read_stage (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
-read_step_displacements (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_row, *(QnResultRows **) target);
-}
-
-static gboolean
 read_step (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
-    { "multiplier", qn_json_stream_number, offsetof (StepDraft, step.multiplier), TRUE },
-    { "displacements", read_step_displacements, offsetof (StepDraft, displacements),
-      TRUE },
-    { "iterations", qn_json_stream_int32, offsetof (StepDraft, step.iterations), FALSE },
-    { "residual", qn_json_stream_number, offsetof (StepDraft, step.residual), FALSE },
-    { "event", read_event, offsetof (StepDraft, step.event), FALSE },
-    { "stage", read_stage, offsetof (StepDraft, step.stage), FALSE },
-    { "relaxed", read_true, offsetof (StepDraft, step.relaxed), FALSE },
-    { "time", qn_json_stream_number, offsetof (StepDraft, step.time), FALSE },
-    { "reactions", read_step_displacements, offsetof (StepDraft, reactions), FALSE },
-    { "forces", qn_result_forces_read, offsetof (StepDraft, forces), FALSE },
-    { "states", qn_result_states_read, offsetof (StepDraft, forces), FALSE },
-    { "node_displacements", read_step_displacements,
-      offsetof (StepDraft, node_displacements), FALSE },
-    { "beam_forces", read_step_beam_forces, offsetof (StepDraft, draft), FALSE },
+    { "multiplier", qn_json_stream_number, offsetof (QnResultDraft, step.multiplier),
+      QN_JSON_REQUIRED },
+    { "displacements", read_row, offsetof (QnResultDraft, displacements),
+      QN_JSON_REQUIRED | QN_JSON_EACH },
+    { "iterations", qn_json_stream_int32, offsetof (QnResultDraft, step.iterations),
+      QN_JSON_OPTIONAL },
+    { "residual", qn_json_stream_number, offsetof (QnResultDraft, step.residual),
+      QN_JSON_OPTIONAL },
+    { "event", read_event, offsetof (QnResultDraft, step.event), QN_JSON_OPTIONAL },
+    { "stage", read_stage, offsetof (QnResultDraft, step.stage), QN_JSON_OPTIONAL },
+    { "relaxed", read_true, offsetof (QnResultDraft, step.relaxed), QN_JSON_OPTIONAL },
+    { "time", qn_json_stream_number, offsetof (QnResultDraft, step.time),
+      QN_JSON_OPTIONAL },
+    { "reactions", read_row, offsetof (QnResultDraft, reactions), QN_JSON_EACH },
+    { "forces", qn_result_force_read, offsetof (QnResultDraft, forces), QN_JSON_EACH },
+    { "states", qn_result_states_read, offsetof (QnResultDraft, forces),
+      QN_JSON_OPTIONAL },
+    { "node_displacements", read_row, offsetof (QnResultDraft, node_displacements),
+      QN_JSON_EACH },
+    { "beam_forces", read_element_forces, 0, QN_JSON_EACH },
   };
   QnResultDraft *draft = target;
-  QnResult *result = &draft->file->result;
-  StepDraft read = { .displacements = &draft->displacements,
-                     .reactions = &draft->reactions,
-                     .node_displacements = &draft->node_displacements,
-                     .forces = &draft->forces,
-                     .draft = draft };
+  QnResult *result = &draft->file.result;
   size_t before = draft->displacements.count;
-  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read)
+  draft->step = (QnStep){ 0 };
+  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), draft)
       || !grow (stream, &result->steps, result->step_count, &draft->step_capacity,
                 sizeof *result->steps))
     return FALSE;
@@ -373,17 +272,11 @@ read_step (QnJsonStream *stream, gpointer target)
   size_t rows = draft->displacements.count - before;
   if (result->step_count == 0)
     draft->rows_per_step = rows;
-  result->steps[result->step_count++] = read.step;
+  result->steps[result->step_count++] = draft->step;
   return rows == draft->rows_per_step
          || qn_json_stream_fail (stream,
                                  _ ("step has displacements of another number of blocks "
                                     "than the first"));
-}
-
-static gboolean
-read_steps (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_step, target);
 }
 
 static gboolean
@@ -400,15 +293,11 @@ read_vec2 (QnJsonStream *stream, gpointer target)
 static gboolean
 read_state (QnJsonStream *stream, gpointer target)
 {
-  if (stream->scanner.token == QN_JSON_STRING) {
-    for (int state = 0; state < QN_PAIR_STATE_COUNT; state++) {
-      if (qn_json_string_is (&stream->scanner, qn_pair_state_names[state])) {
-        *(QnPairState *) target = (QnPairState) state;
-        return TRUE;
-      }
-    }
-  }
-  return qn_json_stream_fail (stream, _ ("this is no state of a contact pair"));
+  int state = read_word (stream, qn_pair_state_names, QN_PAIR_STATE_COUNT);
+  if (state < 0)
+    return qn_json_stream_fail (stream, _ ("this is no state of a contact pair"));
+  *(QnPairState *) target = (QnPairState) state;
+  return TRUE;
 }
 
 static gboolean
@@ -445,20 +334,23 @@ static gboolean
 read_contact (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
-    { "face", qn_json_stream_int32, offsetof (ContactDraft, contact.face), TRUE },
-    { "blocks", read_contact_blocks, offsetof (ContactDraft, blocks), TRUE },
-    { "point", read_vec2, offsetof (ContactDraft, contact.point), TRUE },
-    { "normal", read_normal, offsetof (ContactDraft, contact.normal), TRUE },
-    { "area", qn_json_stream_number, offsetof (ContactDraft, contact.area), FALSE },
-    { "bar", qn_json_stream_int32, offsetof (ContactDraft, contact.bar), FALSE },
-    { "state", read_state, offsetof (ContactDraft, pair.state), TRUE },
+    { "face", qn_json_stream_int32, offsetof (ContactDraft, contact.face),
+      QN_JSON_REQUIRED },
+    { "blocks", read_contact_blocks, offsetof (ContactDraft, blocks), QN_JSON_REQUIRED },
+    { "point", read_vec2, offsetof (ContactDraft, contact.point), QN_JSON_REQUIRED },
+    { "normal", read_normal, offsetof (ContactDraft, contact.normal), QN_JSON_REQUIRED },
+    { "area", qn_json_stream_number, offsetof (ContactDraft, contact.area),
+      QN_JSON_OPTIONAL },
+    { "bar", qn_json_stream_int32, offsetof (ContactDraft, contact.bar),
+      QN_JSON_OPTIONAL },
+    { "state", read_state, offsetof (ContactDraft, pair.state), QN_JSON_REQUIRED },
     { "normal_force", qn_json_stream_number, offsetof (ContactDraft, pair.normal_force),
-      TRUE },
+      QN_JSON_REQUIRED },
     { "shear_force", qn_json_stream_number, offsetof (ContactDraft, pair.shear_force),
-      TRUE },
+      QN_JSON_REQUIRED },
   };
   QnResultDraft *draft = target;
-  QnResultFile *file = draft->file;
+  QnResultFile *file = &draft->file;
   QnResult *result = &file->result;
   ContactDraft read = { .contact = { .area = -1, .bar = QN_NONE } };
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read)
@@ -476,12 +368,6 @@ read_contact (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
-read_contacts (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_contact, target);
-}
-
-static gboolean
 read_mechanism (QnJsonStream *stream, gpointer target)
 {
   QnResultDraft *draft = target;
@@ -492,195 +378,122 @@ read_mechanism (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
-read_unstable_block (QnJsonStream *stream, gpointer target)
+read_id (QnJsonStream *stream, gpointer target)
 {
-  QnResultDraft *draft = target;
-  QnResult *result = &draft->file->result;
-  return grow (stream, &result->unstable_blocks, result->unstable_count,
-               &draft->unstable_capacity, sizeof *result->unstable_blocks)
-         && qn_json_stream_int32 (stream,
-                                  &result->unstable_blocks[result->unstable_count++]);
-}
-
-static gboolean
-read_unstable (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_unstable_block, target);
-}
-
-static gboolean
-read_support (QnJsonStream *stream, gpointer target)
-{
-  QnResultDraft *draft = target;
-  QnResult *result = &draft->file->result;
-  return grow (stream, &result->supports, result->support_count, &draft->support_capacity,
-               sizeof *result->supports)
-         && qn_json_stream_int32 (stream, &result->supports[result->support_count++]);
-}
-
-static gboolean
-read_supports (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_support, target);
+  QnResultIds *ids = target;
+  if (!grow (stream, &ids->items, ids->count, &ids->capacity, sizeof *ids->items)
+      || !qn_json_stream_int32 (stream, &ids->items[ids->count]))
+    return FALSE;
+  ids->count++;
+  return TRUE;
 }
 
 static gboolean
 read_event_kind (QnJsonStream *stream, gpointer target)
 {
-  QnEventKind *kind = target;
-  if (stream->scanner.token == QN_JSON_STRING)
-    for (int i = 0; i < QN_EVENT_KIND_COUNT; i++)
-      if (qn_json_string_is (&stream->scanner, qn_event_kind_name ((QnEventKind) i))) {
-        *kind = (QnEventKind) i;
-        return TRUE;
-      }
-  return qn_json_stream_fail (stream, _ ("expected \"local\", \"snap\" or \"collapse\""));
-}
-
-/* An event with room for its blocks. */
-typedef struct EventDraft {
-  QnPathEvent event;
-  size_t capacity;
-} EventDraft;
-
-static gboolean
-read_event_block (QnJsonStream *stream, gpointer target)
-{
-  EventDraft *draft = target;
-  QnPathEvent *event = &draft->event;
-  if (!grow (stream, &event->blocks, event->block_count, &draft->capacity,
-             sizeof *event->blocks)
-      || !qn_json_stream_int32 (stream, &event->blocks[event->block_count]))
-    return FALSE;
-  event->block_count++;
+  int kind = read_word (stream, qn_event_kind_names, QN_EVENT_KIND_COUNT);
+  if (kind < 0)
+    return qn_json_stream_fail (stream,
+                                _ ("expected \"local\", \"snap\" or \"collapse\""));
+  *(QnEventKind *) target = (QnEventKind) kind;
   return TRUE;
-}
-
-static gboolean
-read_event_blocks (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_event_block, target);
 }
 
 static gboolean
 read_path_event (QnJsonStream *stream, gpointer target)
 {
+  typedef struct EventDraft {
+    QnPathEvent event;
+    QnResultIds blocks;
+  } EventDraft;
   static const QnJsonMember members[] = {
     { "multiplier", qn_json_stream_number, offsetof (EventDraft, event.multiplier),
-      TRUE },
-    { "kind", read_event_kind, offsetof (EventDraft, event.kind), TRUE },
-    { "stage", read_stage, offsetof (EventDraft, event.stage), FALSE },
+      QN_JSON_REQUIRED },
+    { "kind", read_event_kind, offsetof (EventDraft, event.kind), QN_JSON_REQUIRED },
+    { "stage", read_stage, offsetof (EventDraft, event.stage), QN_JSON_OPTIONAL },
     { "displacement_before", qn_json_stream_number,
-      offsetof (EventDraft, event.displacement_before), TRUE },
+      offsetof (EventDraft, event.displacement_before), QN_JSON_REQUIRED },
     { "displacement_after", qn_json_stream_number,
-      offsetof (EventDraft, event.displacement_after), TRUE },
-    { "energy", qn_json_stream_number, offsetof (EventDraft, event.energy), TRUE },
-    { "blocks", read_event_blocks, 0, TRUE },
+      offsetof (EventDraft, event.displacement_after), QN_JSON_REQUIRED },
+    { "energy", qn_json_stream_number, offsetof (EventDraft, event.energy),
+      QN_JSON_REQUIRED },
+    { "blocks", read_id, offsetof (EventDraft, blocks), QN_JSON_REQUIRED | QN_JSON_EACH },
   };
-  QnResult *result = &((QnResultDraft *) target)->file->result;
   EventDraft draft = { 0 };
   if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &draft)) {
-    free (draft.event.blocks);
+    free (draft.blocks.items);
     return FALSE;
   }
-  /* What the file says of the first limit point stands. */
-  bool given = result->has_first_limit_multiplier;
-  double first_limit = result->first_limit_multiplier;
-  bool added = qn_result_add_event (result, draft.event);
-  result->has_first_limit_multiplier = given;
-  result->first_limit_multiplier = first_limit;
-  return added || qn_json_stream_no_memory (stream);
-}
-
-static gboolean
-read_events (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_array (stream, read_path_event, target);
-}
-
-static gboolean
-read_end_stage (QnJsonStream *stream, gpointer target)
-{
-  return read_stage (stream, &((QnResultDraft *) target)->file->result.stage);
+  draft.event.blocks = draft.blocks.items;
+  draft.event.block_count = draft.blocks.count;
+  return qn_result_add_event (target, draft.event) || qn_json_stream_no_memory (stream);
 }
 
 static gboolean
 read_statistics (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
-    { "seconds", qn_json_stream_number, offsetof (QnStatistics, seconds), FALSE },
+    { "seconds", qn_json_stream_number, offsetof (QnStatistics, seconds),
+      QN_JSON_OPTIONAL },
     { "factor_seconds", qn_json_stream_number, offsetof (QnStatistics, factor_seconds),
-      FALSE },
+      QN_JSON_OPTIONAL },
     { "assembly_seconds", qn_json_stream_number,
-      offsetof (QnStatistics, assembly_seconds), FALSE },
-    { "law_seconds", qn_json_stream_number, offsetof (QnStatistics, law_seconds), FALSE },
-    { "iterations", qn_json_stream_int32, offsetof (QnStatistics, iterations), FALSE },
+      offsetof (QnStatistics, assembly_seconds), QN_JSON_OPTIONAL },
+    { "law_seconds", qn_json_stream_number, offsetof (QnStatistics, law_seconds),
+      QN_JSON_OPTIONAL },
+    { "iterations", qn_json_stream_int32, offsetof (QnStatistics, iterations),
+      QN_JSON_OPTIONAL },
     { "factorizations", qn_json_stream_int32, offsetof (QnStatistics, factorizations),
-      FALSE },
+      QN_JSON_OPTIONAL },
     { "peak_memory_bytes", qn_json_stream_int64,
-      offsetof (QnStatistics, peak_memory_bytes), FALSE },
+      offsetof (QnStatistics, peak_memory_bytes), QN_JSON_OPTIONAL },
   };
-  QnResultDraft *draft = target;
-  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members),
-                                &draft->file->result.statistics);
-}
-
-static gboolean
-read_generator (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_string (stream, &((QnResultDraft *) target)->file->generator);
-}
-
-static gboolean
-read_model (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_string (stream, &((QnResultDraft *) target)->file->model);
-}
-
-static gboolean
-read_sha256 (QnJsonStream *stream, gpointer target)
-{
-  return qn_json_stream_string (stream, &((QnResultDraft *) target)->file->model_sha256);
+  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
 }
 
 static gboolean
 read_document (QnJsonStream *stream, gpointer target)
 {
+#define OF(member)     offsetof (QnResultDraft, member)
+#define RESULT(member) offsetof (QnResultDraft, file.result.member)
   static const QnJsonMember members[] = {
-    { "format", qn_json_stream_string, offsetof (QnResultDraft, format), TRUE },
-    { "version", qn_json_stream_int32, offsetof (QnResultDraft, version), TRUE },
-    { "generator", read_generator, 0, FALSE },
-    { "model", read_model, 0, FALSE },
-    { "model_sha256", read_sha256, 0, FALSE },
-    { "overrides", read_names, offsetof (QnResultDraft, overrides), FALSE },
-    { "outcome", qn_json_stream_string, offsetof (QnResultDraft, outcome), TRUE },
-    { "collapse_multiplier", read_collapse, 0, FALSE },
-    { "first_limit_multiplier", read_first_limit, 0, FALSE },
-    { "events", read_events, 0, FALSE },
-    { "lower_bound", read_lower_bound, 0, FALSE },
-    { "upper_bound", read_upper_bound, 0, FALSE },
-    { "flow", read_flow, 0, FALSE },
-    { "associative_bound", read_associative_bound, 0, FALSE },
-    { "fixed_points", read_fixed_points, 0, FALSE },
-    { "solutions", read_solutions, 0, FALSE },
-    { "collapse_interval", read_interval, 0, FALSE },
-    { "beyond_linear", read_beyond_linear, 0, FALSE },
-    { "beyond_linear_multiplier", read_beyond_multiplier, 0, FALSE },
-    { "unstable_blocks", read_unstable, 0, FALSE },
-    { "supports", read_supports, 0, FALSE },
-    { "stage", read_end_stage, 0, FALSE },
-    { "blocks", read_names, offsetof (QnResultDraft, blocks), TRUE },
-    { "nodes", read_names, offsetof (QnResultDraft, nodes), FALSE },
-    { "elements", read_elements, 0, FALSE },
-    { "steps", read_steps, 0, TRUE },
-    { "contacts", read_contacts, 0, TRUE },
-    { "mechanism", read_mechanism, 0, FALSE },
-    { "mechanism_uncertain", read_uncertain, 0, FALSE },
-    { "node_mechanism", read_node_mechanism, 0, FALSE },
-    { "history", qn_result_history_read, offsetof (QnResultDraft, history), FALSE },
-    { "timings", read_statistics, 0, FALSE },
-    { "statistics", read_statistics, 0, FALSE },
+    { "format", qn_json_stream_string, OF (format), QN_JSON_REQUIRED },
+    { "version", qn_json_stream_int32, OF (version), QN_JSON_REQUIRED },
+    { "generator", qn_json_stream_string, OF (file.generator), QN_JSON_OPTIONAL },
+    { "model", qn_json_stream_string, OF (file.model), QN_JSON_OPTIONAL },
+    { "model_sha256", qn_json_stream_string, OF (file.model_sha256), QN_JSON_OPTIONAL },
+    { "overrides", read_names, OF (overrides), QN_JSON_OPTIONAL },
+    { "outcome", qn_json_stream_string, OF (outcome), QN_JSON_REQUIRED },
+    { "collapse_multiplier", read_optional, OF (collapse), QN_JSON_OPTIONAL },
+    { "first_limit_multiplier", read_optional, OF (first_limit), QN_JSON_OPTIONAL },
+    { "events", read_path_event, OF (file.result), QN_JSON_EACH },
+    { "lower_bound", read_lower_bound, RESULT (limit), QN_JSON_OPTIONAL },
+    { "upper_bound", qn_json_stream_number, RESULT (limit.upper_bound),
+      QN_JSON_OPTIONAL },
+    { "flow", read_flow, RESULT (limit.flow), QN_JSON_OPTIONAL },
+    { "associative_bound", read_optional, OF (associative_bound), QN_JSON_OPTIONAL },
+    { "fixed_points", read_fixed_point, 0, QN_JSON_EACH },
+    { "solutions", read_solution, OF (file.result), QN_JSON_EACH },
+    { "collapse_interval", read_interval, 0, QN_JSON_OPTIONAL },
+    { "beyond_linear", read_beyond_linear, RESULT (linearity), QN_JSON_OPTIONAL },
+    { "beyond_linear_multiplier", read_optional, OF (beyond_linear), QN_JSON_OPTIONAL },
+    { "unstable_blocks", read_id, OF (unstable), QN_JSON_EACH },
+    { "supports", read_id, OF (supports), QN_JSON_EACH },
+    { "stage", read_stage, RESULT (stage), QN_JSON_OPTIONAL },
+    { "blocks", read_names, OF (blocks), QN_JSON_REQUIRED },
+    { "nodes", read_names, OF (nodes), QN_JSON_OPTIONAL },
+    { "elements", read_element, 0, QN_JSON_EACH },
+    { "steps", read_step, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
+    { "contacts", read_contact, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
+    { "mechanism", read_mechanism, 0, QN_JSON_OPTIONAL },
+    { "mechanism_uncertain", read_true, RESULT (mechanism_uncertain), QN_JSON_OPTIONAL },
+    { "node_mechanism", read_row, OF (node_mechanism), QN_JSON_EACH },
+    { "history", qn_result_history_read, OF (history), QN_JSON_OPTIONAL },
+    { "timings", read_statistics, RESULT (statistics), QN_JSON_OPTIONAL },
+    { "statistics", read_statistics, RESULT (statistics), QN_JSON_OPTIONAL },
   };
+#undef OF
+#undef RESULT
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
 }
 
@@ -689,16 +502,16 @@ static gboolean
 parse (const char *text, gsize length, const char *name, QnResultFile *file,
        GError **error)
 {
-  *file = (QnResultFile){ 0 };
-  QnResultDraft draft = { .file = file };
+  QnResultDraft draft = { 0 };
   QnJsonStream stream;
   qn_json_stream_init (&stream, text, length, name);
   gboolean done = qn_json_stream_document (&stream, read_document, &draft)
                   && qn_result_draft_take (&draft, &stream);
   if (!done) {
-    qn_result_file_clear (file);
+    qn_result_file_clear (&draft.file);
     g_propagate_error (error, stream.error);
   }
+  *file = draft.file;
   qn_result_draft_clear (&draft);
   return done;
 }

@@ -117,7 +117,7 @@ write_events (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_printf (writer, "%s\n    { \"multiplier\": ", i > 0 ? "," : "");
     qn_file_writer_number (writer, event->multiplier);
     qn_file_writer_printf (writer, ", \"kind\": \"%s\"",
-                           qn_event_kind_name (event->kind));
+                           qn_event_kind_names[event->kind]);
     if (event->stage > 0)
       qn_file_writer_printf (writer, ", \"stage\": %d", event->stage - 1);
     qn_file_writer_puts (writer, ", \"displacement_before\": ");

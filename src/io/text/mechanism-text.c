@@ -87,7 +87,7 @@ dup_blocks (const QnModel *model, const QnMechanism *mechanism, QnId body)
 static double
 legible (double coordinate, const QnMechanismBody *body)
 {
-  double size = qn_vec2_length (qn_vec2_sub (body->highest, body->lowest));
+  double size = qn_box_diagonal (body->box);
   return fabs (coordinate) < 1e-4 * size ? 0 : coordinate;
 }
 

@@ -6,10 +6,7 @@ qn_camera_visible_box (const QnCamera *camera)
   QnVec2 a = qn_camera_to_model (camera, qn_vec2 (camera->x, camera->y));
   QnVec2 b = qn_camera_to_model (
     camera, qn_vec2 (camera->x + camera->width, camera->y + camera->height));
-  QnBox box = QN_BOX_EMPTY;
-  qn_box_add_point (&box, a);
-  qn_box_add_point (&box, b);
-  return box;
+  return qn_box_of_segment (a, b);
 }
 
 void

@@ -2,48 +2,7 @@
 #ifndef QN_RENDER_CAMERA_H
 #define QN_RENDER_CAMERA_H
 
-#include "core/base/vec2.h"
-
-#include <stdbool.h>
-
-/* An axis-aligned box; empty when min > max. */
-typedef struct QnBox {
-  QnVec2 min, max;
-} QnBox;
-
-#define QN_BOX_EMPTY                                                                     \
-  ((QnBox){ { (double) INFINITY, (double) INFINITY },                                    \
-            { -(double) INFINITY, -(double) INFINITY } })
-
-static inline bool
-qn_box_is_empty (QnBox box)
-{
-  return !(box.min.x <= box.max.x && box.min.y <= box.max.y);
-}
-
-static inline void
-qn_box_add_point (QnBox *box, QnVec2 p)
-{
-  box->min.x = fmin (box->min.x, p.x);
-  box->min.y = fmin (box->min.y, p.y);
-  box->max.x = fmax (box->max.x, p.x);
-  box->max.y = fmax (box->max.y, p.y);
-}
-
-static inline void
-qn_box_add_box (QnBox *box, QnBox other)
-{
-  if (qn_box_is_empty (other))
-    return;
-  qn_box_add_point (box, other.min);
-  qn_box_add_point (box, other.max);
-}
-
-static inline double
-qn_box_diagonal (QnBox box)
-{
-  return qn_box_is_empty (box) ? 0 : qn_vec2_length (qn_vec2_sub (box.max, box.min));
-}
+#include "core/base/box.h"
 
 typedef struct QnCamera {
   QnVec2 center;              /* m, model point in the middle of the viewport */

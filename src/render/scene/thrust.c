@@ -1,6 +1,7 @@
 #include "render/scene/thrust.h"
 
 #include "core/base/integer.h"
+#include "core/base/union-find.h"
 
 #include <glib.h>
 
@@ -27,14 +28,6 @@ typedef struct Search {
 } Search;
 
 /* ---- faces of one line: union by the ends that meet ---- */
-
-static QnId
-root_of (QnId *parent, QnId i)
-{
-  while (parent[i] != i)
-    i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 /* Two faces with a common line, the one behind the other. */
 static bool
@@ -76,7 +69,7 @@ join_faces (const Search *s, QnId *parent)
         for (QnId k = head[cell_hash (x + dx, y + dy) % buckets]; k != QN_NONE;
              k = next[k])
           if (follow_each_other (s, face, &s->contacts->faces[k / 2]))
-            parent[root_of (parent, k / 2)] = root_of (parent, (QnId) i / 2);
+            qn_sets_join (parent, k / 2, (QnId) i / 2);
     size_t bucket = cell_hash (x, y) % buckets;
     next[i] = head[bucket];
     head[bucket] = (QnId) i;
@@ -265,7 +258,7 @@ number_cuts (Search *s, QnId *parent)
     number[f] = QN_NONE;
   for (size_t f = 0; f < faces; f++) {
     const QnContactFace *face = &s->contacts->faces[f];
-    QnId root = root_of (parent, (QnId) f);
+    QnId root = qn_sets_root (parent, (QnId) f);
     if (number[root] == QN_NONE) {
       number[root] = (QnId) s->thrust->count++;
       s->thrust->cuts[number[root]] = (QnCut){ .start = face->start,
@@ -287,8 +280,7 @@ qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contac
   Search s = { model, contacts, pairs, model->characteristic_length,
                NULL,  NULL,     NULL,  thrust };
   g_autofree QnId *parent = g_new (QnId, faces + 1);
-  for (size_t f = 0; f < faces; f++)
-    parent[f] = (QnId) f;
+  qn_sets_init (parent, faces);
   s.cut_of = g_new (QnId, faces + 1);
   if (s.size > 0)
     join_faces (&s, parent);

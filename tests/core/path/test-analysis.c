@@ -209,8 +209,8 @@ test_linearity (void)
       g_assert_cmpfloat (result.beyond_linear_multiplier, >, 0);
       g_assert_cmpfloat (result.beyond_linear_multiplier, <,
                          (1 - QN_SETTLED) * result.collapse_multiplier);
-      g_assert_cmpfloat (qn_result_largest_displacement (&result, result.step_count - 1),
-                         >, QN_LINEAR_MOTION * 0.175);
+      g_assert_cmpfloat (qn_result_motion (&result, 0, result.step_count - 1), >,
+                         QN_LINEAR_MOTION * 0.175);
     }
     qn_result_clear (&result);
     qn_contacts_clear (&contacts);

@@ -147,8 +147,8 @@ test_bodies (void)
   g_assert_cmpint (c.mechanism.body_of_block[1], ==, QN_NONE);
   g_assert_cmpint (c.mechanism.body_of_block[4], ==, 0);
   g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].centre.y, 1, 1e-12);
-  g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].lowest.y, 1, 1e-12);
-  g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].highest.y, 4, 1e-12);
+  g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].box.min.y, 1, 1e-12);
+  g_assert_cmpfloat_with_epsilon (c.mechanism.bodies[0].box.max.y, 4, 1e-12);
   g_assert_cmpint (c.mechanism.counts[QN_JOINT_CLOSED], ==, 3);
   g_assert_cmpint (c.mechanism.kind, ==, QN_MECHANISM_KIND_OVERTURNING);
   case_clear (&c);

@@ -39,12 +39,12 @@ static gboolean
 read_record (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
-    { "number", qn_json_stream_number, offsetof (Record, number), TRUE },
-    { "count", qn_json_stream_int32, offsetof (Record, count), FALSE },
-    { "bytes", qn_json_stream_int64, offsetof (Record, bytes), FALSE },
-    { "name", qn_json_stream_string, offsetof (Record, name), FALSE },
-    { "triple", read_triple, offsetof (Record, triple), FALSE },
-    { "sum", read_sum, offsetof (Record, sum), FALSE },
+    { "number", qn_json_stream_number, offsetof (Record, number), QN_JSON_REQUIRED },
+    { "count", qn_json_stream_int32, offsetof (Record, count), QN_JSON_OPTIONAL },
+    { "bytes", qn_json_stream_int64, offsetof (Record, bytes), QN_JSON_OPTIONAL },
+    { "name", qn_json_stream_string, offsetof (Record, name), QN_JSON_OPTIONAL },
+    { "triple", read_triple, offsetof (Record, triple), QN_JSON_OPTIONAL },
+    { "sum", read_sum, offsetof (Record, sum), QN_JSON_OPTIONAL },
   };
   return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
 }

@@ -1,0 +1,33 @@
+/* Largest and smallest numbers. */
+#ifndef QN_CORE_NUMBERS_H
+#define QN_CORE_NUMBERS_H
+
+#include <math.h>
+#include <stddef.h>
+
+/* The smaller and the larger of two finite numbers; fmin and fmax would be calls, for the sake of
+ * NaN. */
+static inline double
+qn_min (double a, double b)
+{
+  return a < b ? a : b;
+}
+
+static inline double
+qn_max (double a, double b)
+{
+  return a > b ? a : b;
+}
+
+/* Largest absolute value; those that are NaN do not count. */
+static inline double
+qn_largest (const double *values, size_t count)
+{
+  double largest = 0;
+
+  for (size_t i = 0; i < count; i++)
+    largest = fmax (largest, fabs (values[i]));
+  return largest;
+}
+
+#endif
