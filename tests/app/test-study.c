@@ -360,6 +360,19 @@ test_every_number (void)
   }
 }
 
+static gboolean
+is_label_with (GtkWidget *widget, gconstpointer data)
+{
+  return GTK_IS_LABEL (widget)
+         && strstr (gtk_label_get_text (GTK_LABEL (widget)), data) != NULL;
+}
+
+static gboolean
+study_says (GtkWidget *dialog, const char *words)
+{
+  return driver_find_widget (dialog, is_label_with, words) != NULL;
+}
+
 /* Values by the keyboard, undo, cancel, and what is wrong is said. */
 static void
 test_edit (void)
@@ -385,6 +398,19 @@ test_edit (void)
   gtk_widget_activate_action (dialog, "study.redo", NULL);
   driver_run (200);
   g_assert_nonnull (driver_find_widget (dialog, shows, "0.4"));
+
+  /* What cannot be computed is said, and nothing starts. */
+  gtk_widget_grab_focus (driver_find_widget (dialog, shows, "0.4"));
+  driver_key ("ctrl+a");
+  driver_type ("0.9");
+  driver_key ("Return");
+  driver_run (200);
+  gtk_widget_activate_action (dialog, "study.run", NULL);
+  driver_run (200);
+  g_assert_true (study_says (dialog, "min must be less than max"));
+  g_assert_true (is_idle (dialog));
+  gtk_widget_activate_action (dialog, "study.undo", NULL);
+  driver_run (200);
 
   /* Cancelled, what there is remains; the same study goes on. */
   gtk_widget_activate_action (dialog, "study.run", NULL);

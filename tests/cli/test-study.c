@@ -206,6 +206,59 @@ test_worker_dies (void)
   test_scratch_free (folder);
 }
 
+/* How many processes that the given one has started are workers by now. */
+static guint
+count_workers (GPid parent)
+{
+  g_autofree char *path =
+    g_strdup_printf ("/proc/%d/task/%d/children", (int) parent, (int) parent);
+  g_autofree char *text = NULL;
+  guint count = 0;
+  if (!g_file_get_contents (path, &text, NULL, NULL))
+    return 0;
+  g_auto (GStrv) children = g_strsplit (g_strstrip (text), " ", -1);
+  for (guint i = 0; children[i] != NULL; i++)
+    count += is_worker ((GPid) g_ascii_strtoll (children[i], NULL, 10));
+  return count;
+}
+
+/* As many cases at once as asked for, or as there are cores: none of these ends by itself while the
+ * test looks. */
+static void
+test_cases_at_once (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *text = g_strdup_printf (
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"%s/%s\",\n"
+    "  \"run\": \"dynamic\", \"limits\": { \"factorizations\": 1000000000 },\n"
+    "  \"parameters\": [ { \"name\": \"duration\",\n"
+    "    \"path\": [\"analysis.dynamic.duration\",\n"
+    "      \"analysis.dynamic.ground[0].pulse.duration\"],\n"
+    "    \"range\": [20000, 30000, 100] } ],\n"
+    "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapsed\"] }\n",
+    g_getenv ("QUOIN_EXAMPLES"), "42-arch-pulse.quoin");
+  g_autofree char *study = cli_write (folder, "long.quoin-study", text);
+  static const char *const jobs[] = { "1", "3", "0" };
+  for (gsize i = 0; i < G_N_ELEMENTS (jobs); i++) {
+    g_autofree char *results = g_build_filename (folder, jobs[i], NULL);
+    guint wanted = (guint) g_ascii_strtoll (jobs[i], NULL, 10);
+    GPid child = start (study, results, jobs[i]);
+    if (wanted == 0)
+      wanted = MIN (g_get_num_processors (), 100);
+    while (count_workers (child) < wanted) {
+      g_assert_cmpint (waitpid (child, NULL, WNOHANG), ==, 0);
+      g_usleep (1000);
+    }
+    for (int look = 0; look < 20; look++) {
+      g_assert_cmpuint (count_workers (child), ==, wanted);
+      g_usleep (1000);
+    }
+    g_assert_cmpint (kill (child, SIGINT), ==, 0);
+    g_assert_cmpint (finish (child), ==, 130);
+  }
+  test_scratch_free (folder);
+}
+
 static void
 test_two_at_once (void)
 {
@@ -440,6 +493,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/study/any-number-of-workers", test_any_number_of_workers);
   g_test_add_func ("/cli/study/goes-on", test_goes_on);
   g_test_add_func ("/cli/study/worker-dies", test_worker_dies);
+  g_test_add_func ("/cli/study/cases-at-once", test_cases_at_once);
   g_test_add_func ("/cli/study/two-at-once", test_two_at_once);
   g_test_add_func ("/cli/study/another-study", test_another_study);
   g_test_add_func ("/cli/study/bad-folder", test_bad_folder);

@@ -247,6 +247,17 @@ check_path (const QnJsonValue *place, const char *path, const QnStudy *study,
          || qn_json_value_failf (place, _ ("%s has no key %s"), project->name, path);
 }
 
+/* Of two values for one place the last would count, and the other parameter seem to do nothing. */
+static gboolean
+varies_already (const QnStudy *study, const char *path)
+{
+  for (guint i = 0; i + 1 < study->parameters->len; i++)
+    if (g_strv_contains ((const char *const *) qn_study_parameter (study, i)->paths,
+                         path))
+      return TRUE;
+  return FALSE;
+}
+
 /* One path or an array of them. */
 static gboolean
 read_paths (const QnJsonValue *parameter, const QnStudy *study, const cJSON *document,
@@ -264,6 +275,9 @@ read_paths (const QnJsonValue *parameter, const QnStudy *study, const cJSON *doc
       return qn_json_value_fail (&element,
                                  _ ("expected a path into the project, or an array "
                                     "of them"));
+    if (varies_already (study, item->valuestring)
+        || g_ptr_array_find_with_equal_func (paths, item->valuestring, g_str_equal, NULL))
+      return qn_json_value_failf (&element, _ ("%s varies already"), item->valuestring);
     if (target->line == NULL
         && !check_path (&element, item->valuestring, study, document, target, &base))
       return FALSE;

@@ -72,6 +72,10 @@ test_bad_input (void)
   expect_error ("laws[0].friction", "laws[0].name",
                 "parameters[0].path: ", "no number stands at");
   expect_error ("laws[0].friction", "laws[0", "parameters[0].path: ", "no number stands");
+  expect_error ("blocks[1].unit_weight", "laws[0].friction",
+                ":7:33: parameters[1].path: ", "laws[0].friction varies already");
+  expect_error ("\"blocks[1].unit_weight\"", "[\"gravity\", \"gravity\"]",
+                "parameters[1].path[1]: ", "gravity varies already");
   expect_error ("\"uniform\"", "\"gauss\"",
                 "parameters[0].distribution.kind: ", "normal");
   expect_error ("\"max\": 0.8", "\"max\": 0.1",
