@@ -88,6 +88,30 @@ count_lines (const char *path)
   return lines;
 }
 
+/* Runs that the document has. */
+static guint
+count_runs (gpointer window)
+{
+  return qn_document_get_runs (qn_window_get_document (window))->len;
+}
+
+/* Clicks down the middle of the scatter until a point is met: its case opens, another run. */
+static void
+click_points (GtkWidget *dialog, QnWindow *window)
+{
+  GtkWidget *plot = driver_find_widget (dialog, is_area, NULL);
+  guint before = count_runs (window);
+  gtk_window_present (GTK_WINDOW (dialog));
+  driver_run (200);
+  for (int y = 60; y < gtk_widget_get_height (plot) && count_runs (window) == before;
+       y += 15) {
+    driver_point_at (plot, gtk_widget_get_width (plot) / 2.0, y);
+    driver_press_button ("1");
+    driver_run (300);
+  }
+  g_assert_cmpuint (count_runs (window), >, before);
+}
+
 static void
 export_to (GtkWidget *dialog, const char *what, const char *path)
 {
@@ -149,6 +173,7 @@ test_vary (void)
   driver_wait (shows_case, window);
   driver_run (200);
   driver_screenshot (GTK_WIDGET (window), "study-case");
+  click_points (dialog, window);
   g_assert_cmpint (qn_view_state_get_view (qn_window_get_view_state (window)), ==,
                    QN_VIEW_MECHANISM);
 

@@ -440,6 +440,36 @@ test_record (void)
   test_scratch_free (folder);
 }
 
+/* What does not depend on a parameter has one share, not the same line again and again. */
+static void
+test_one_value (void)
+{
+  char *folder = test_scratch_new ();
+  g_free (cli_write (folder, "block.quoin", cli_sliding_block));
+  g_autofree char *study = cli_write (
+    folder, "s.quoin-study",
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"block.quoin\",\n"
+    "  \"run\": \"solve\", \"parameters\": [ { \"name\": \"stiffness\",\n"
+    "    \"path\": [\"laws[0].kn\", \"laws[0].ks\"], \"distribution\":\n"
+    "    { \"kind\": \"uniform\", \"min\": 1e7, \"max\": 1e8 } } ],\n"
+    "  \"plan\": { \"kind\": \"latin-hypercube\", \"count\": 40 },\n"
+    "  \"outputs\": [\"collapse_multiplier\"] }\n");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("study", "summary", results, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "100.00 %"));
+  g_auto (GStrv) lines = g_strsplit (run.out, "\n", -1);
+  for (guint i = 1; lines[i] != NULL; i++)
+    if (strstr (lines[i], " % (") != NULL)
+      g_assert_false (g_str_has_prefix (lines[i - 1], "      ")
+                      && strncmp (lines[i - 1], lines[i], 14) == 0);
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
 /* Every figure of every plan that has it; again, the same bytes. */
 static void
 test_figures (void)
@@ -502,6 +532,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/study/full-disk", test_full_disk);
   g_test_add_func ("/cli/study/time-limit", test_time_limit);
   g_test_add_func ("/cli/study/record", test_record);
+  g_test_add_func ("/cli/study/one-value", test_one_value);
   g_test_add_func ("/cli/study/figures", test_figures);
   return g_test_run ();
 }

@@ -56,11 +56,13 @@ append_sample (GString *text, const double *sorted, gsize count)
 }
 
 /* Share of the cases that do not reach a multiplier, at ten round ones. */
+/* Of what is all but one value, lines that the printed digits can tell apart. */
 static void
 append_fragility (GString *text, const double *sorted, gsize count)
 {
   double low = sorted[0], high = sorted[count - 1];
-  double step = pow (10, floor (log10 (fmax (high - low, 1e-300) / 5)));
+  double least = fmax (5e-5 * fmax (fabs (low), fabs (high)), 1e-300);
+  double step = pow (10, floor (log10 (fmax (high - low, least) / 5)));
   while ((high - low) / step > 12)
     step *= 2;
   if (!(high > low))
