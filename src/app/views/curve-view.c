@@ -11,7 +11,7 @@
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
 
-#define MARGIN_LEFT   46.0
+#define MARGIN_LEFT   56.0
 #define MARGIN_BOTTOM 36.0
 #define MARGIN_TOP    12.0
 #define MARGIN_RIGHT  14.0
@@ -22,6 +22,9 @@
 #define MOST_CURVES 6
 
 #define ZOOM_STEP 1.25
+
+/* Height of the axis while nothing has moved, m. */
+#define LEAST_MOTION 1e-6
 
 typedef struct Series {
   QnRun *run; /* NULL while an analysis runs */
@@ -34,7 +37,9 @@ struct _QnCurveView {
 
   Series series[MOST_CURVES]; /* the current run first */
   int series_count;
-  gboolean live; /* abscissa is the number of the step */
+  gboolean live;   /* an analysis runs: abscissa is the number of the step, or the time */
+  double live_end; /* when it ends at the latest, s; 0: it is none in time */
+  const QnModel *model; /* of the run or the job; borrowed */
   QnId block;
   QnDof dof;
   QnBox range;     /* what is in view: displacement, multiplier */
@@ -62,17 +67,21 @@ static void
 take_live_curve (QnCurveView *self, QnJob *job)
 {
   gsize count = 0;
-  const double *multipliers = qn_job_get_multipliers (job, &count);
+  const QnVec2 *points = qn_job_get_curve (job, &count);
   QnCurve *curve = &self->series[0].curve;
   self->live = TRUE;
+  self->live_end = qn_job_get_followed (job, &self->block, &self->dof);
+  self->model = qn_job_get_model (job);
   self->series_count = 1;
-  *curve = (QnCurve){ .limit_point = -1, .collapse_point = -1, .dot = -1 };
+  *curve = (QnCurve){
+    .limit_point = -1, .collapse_point = -1, .dot = -1, .in_time = self->live_end > 0.0
+  };
   curve->count = count;
   curve->x = g_new (double, count + 1);
   curve->y = g_new (double, count + 1);
   for (gsize i = 0; i < count; i++) {
-    curve->x[i] = (double) i;
-    curve->y[i] = multipliers[i];
+    curve->x[i] = points[i].x;
+    curve->y[i] = points[i].y;
   }
 }
 
@@ -80,7 +89,7 @@ take_live_curve (QnCurveView *self, QnJob *job)
 static gboolean
 is_in_time (QnCurveView *self)
 {
-  return !self->live && self->series_count > 0 && self->series[0].curve.in_time;
+  return self->series_count > 0 && self->series[0].curve.in_time;
 }
 
 /* Up to the peak and a little more; a motion that runs away leaves the picture. */
@@ -99,10 +108,12 @@ fit (QnCurveView *self)
       qn_box_add_point (&box, qn_vec2 (beyond ? end : x, curve->y[i]));
     }
   }
+  if (self->live)
+    box.max.x = MAX (box.max.x, self->live_end);
   if (box.max.x <= box.min.x)
     box.max.x = box.min.x + 1.0;
-  if (is_in_time (self) && box.max.y > box.min.y)
-    box.max.y += 0.06 * (box.max.y - box.min.y);
+  if (is_in_time (self))
+    box.max.y += box.max.y > box.min.y ? 0.06 * (box.max.y - box.min.y) : LEAST_MOTION;
   else
     box.max.y = box.max.y > 0.0 ? box.max.y + 0.06 * (box.max.y - box.min.y) : 1.0;
   self->range = box;
@@ -126,12 +137,16 @@ update_description (QnCurveView *self, const QnRun *run)
     GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text != NULL ? text : _ ("No result yet"), -1);
 }
 
-/* The controlled block, or node behind the blocks. */
+/* The controlled block, or node behind the blocks; in time the one that is followed. */
 static QnId
-controlled_body (const QnModel *model)
+controlled_body (const QnRun *run, QnDof *dof)
 {
+  const QnModel *model = &run->model;
   size_t body = qn_model_controlled_body (model, model->analysis.control_block,
                                           model->analysis.control_node);
+  *dof = model->analysis.control_dof;
+  if (run->result.history.width > 0)
+    qn_model_followed (model, &body, dof);
   return body != SIZE_MAX ? (QnId) body : QN_NONE;
 }
 
@@ -155,7 +170,10 @@ take_runs (QnCurveView *self, QnDocument *document)
   QnRun *run = qn_document_get_run (document);
   if (run == NULL)
     return;
-  take_run (self, run, controlled_body (&run->model), run->model.analysis.control_dof);
+  QnDof dof;
+  QnId block = controlled_body (run, &dof);
+  take_run (self, run, block, dof);
+  self->model = &run->model;
   const GPtrArray *runs = qn_document_get_runs (document);
   for (guint i = runs->len;
        i-- > 0 && self->series_count > 0 && self->series_count < MOST_CURVES;) {
@@ -175,6 +193,7 @@ update (QnCurveView *self)
   QnJob *job = qn_document_get_job (document);
   clear_series (self);
   self->live = FALSE;
+  self->model = NULL;
   self->block = QN_NONE;
   if (job != NULL)
     take_live_curve (self, job);
@@ -281,9 +300,9 @@ displacement (QnCurveView *self)
 static QnQuantity
 abscissa (QnCurveView *self)
 {
-  return self->live          ? QN_QUANTITY_NUMBER
-         : is_in_time (self) ? QN_QUANTITY_TIME
-                             : displacement (self);
+  return is_in_time (self) ? QN_QUANTITY_TIME
+         : self->live      ? QN_QUANTITY_NUMBER
+                           : displacement (self);
 }
 
 static QnQuantity
@@ -338,9 +357,8 @@ dup_displacement_label (QnCurveView *self)
   static const char *const components[] = { "ux", "uy", "rz" };
   if (self->series_count == 0 || self->block == QN_NONE)
     return NULL;
-  const QnRun *run = self->series[0].run;
   return g_strdup_printf (
-    "%s, %s (%s)", components[self->dof], qn_result_body_name (&run->model, self->block),
+    "%s, %s (%s)", components[self->dof], qn_result_body_name (self->model, self->block),
     qn_units_symbol (qn_settings_get_units (), displacement (self)));
 }
 
@@ -349,12 +367,9 @@ draw_x_label (QnCurveView *self, cairo_t *cr)
 {
   double x = MARGIN_LEFT + 0.5 * plot_width (self);
   double y = gtk_widget_get_height (GTK_WIDGET (self)) - 7.0;
-  if (self->live) {
-    draw_text (self, cr, _ ("Step"), x, y, 0.5, FALSE);
-    return;
-  }
-  if (is_in_time (self)) {
-    draw_text (self, cr, _ ("Time (s)"), x, y, 0.5, FALSE);
+  if (is_in_time (self) || self->live) {
+    draw_text (self, cr, is_in_time (self) ? _ ("Time (s)") : _ ("Step"), x, y, 0.5,
+               FALSE);
     return;
   }
   g_autofree char *text = dup_displacement_label (self);
@@ -490,7 +505,7 @@ qn_curve_view_dup_values (QnCurveView *self, double x, double y)
   const Series *s = &self->series[series];
   g_autofree char *value = qn_units_format_full (qn_settings_get_units (),
                                                  abscissa (self), s->curve.x[point], 4);
-  if (self->live)
+  if (self->live && !s->curve.in_time)
     return g_strdup_printf (_ ("Step %d: multiplier %.4f"), point, s->curve.y[point]);
   g_autofree char *moved = qn_units_format_full (qn_settings_get_units (),
                                                  ordinate (self), s->curve.y[point], 4);

@@ -1,6 +1,6 @@
 /* The load–displacement curve of the current run, with a cursor bound to the drawing: drag it
  * and the wall moves. Other runs of the same blocks are drawn beneath it. While an analysis runs,
- * the multipliers reached so far.
+ * the multipliers reached so far, or the history up to now over the whole time.
  *
  * The axes fit the path up to its peak and a little more: a last motion that runs away leaves the
  * picture with an arrow. Ctrl and the wheel, or plus and minus, zoom; the middle button pans; a

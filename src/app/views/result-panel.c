@@ -1,6 +1,7 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/views/curve-view.h"
+#include "app/views/energy-view.h"
 #include "doc/document/run-text.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
@@ -160,6 +161,7 @@ build_content (Panel *panel)
   qn_form_add_wide (form, qn_inspector_new (panel->canvas));
   panel->curve = qn_curve_view_new (panel->state);
   qn_form_add_wide (form, panel->curve);
+  qn_form_add_wide (form, qn_energy_view_new (panel->state));
   panel->runs =
     qn_form_add_choice (form, _ ("_Run"), none, G_CALLBACK (on_run_chosen), panel);
   panel->stage = qn_form_add_choice (form, _ ("End of _stage"), none,

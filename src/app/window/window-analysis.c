@@ -4,6 +4,7 @@
 #include "doc/document/run-text.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n.h>
+#include <math.h>
 
 /* ms after an edit before a live analysis starts. */
 #define LIVE_DELAY_MS 200
@@ -170,6 +171,21 @@ on_job_changed (QnWindow *self)
     start_next (self);
 }
 
+/* "2.35 of 10 s · 12 s left"; the second part once something can be said. */
+static char *
+dup_time_text (QnJob *job, const QnProgress *progress)
+{
+  double left = qn_job_get_remaining (job);
+  g_autofree char *time =
+    g_strdup_printf (_ ("%.2f of %.4g s"), progress->time, progress->end);
+  if (left < 0.0)
+    return g_steal_pointer (&time);
+  int seconds = (int) MIN (ceil (left), 1e6);
+  return seconds < 120
+           ? g_strdup_printf (_ ("%s · %d s left"), time, seconds)
+           : g_strdup_printf (_ ("%s · %d min left"), time, (seconds + 59) / 60);
+}
+
 static void
 on_job_progress (QnWindow *self)
 {
@@ -178,10 +194,15 @@ on_job_progress (QnWindow *self)
     return;
   QnProgress progress = qn_job_get_progress (job);
   g_autofree char *text =
-    g_strdup_printf (_ ("λ %.4f · step %d · %d iterations"), progress.multiplier,
-                     progress.steps, progress.iterations);
+    progress.end > 0.0
+      ? dup_time_text (job, &progress)
+      : g_strdup_printf (_ ("λ %.4f · step %d · %d iterations"), progress.multiplier,
+                         progress.steps, progress.iterations);
   gtk_label_set_text (self->progress_label, text);
-  gtk_progress_bar_pulse (self->progress_bar);
+  if (progress.end > 0.0)
+    gtk_progress_bar_set_fraction (self->progress_bar, progress.time / progress.end);
+  else
+    gtk_progress_bar_pulse (self->progress_bar);
 }
 
 static void

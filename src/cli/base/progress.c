@@ -68,8 +68,12 @@ qn_terminal_progress_update (const QnProgress *progress, void *user_data)
   if (self->shown && now - self->last_time >= INTERVAL) {
     self->last_time = now;
     fprintf (stderr, "\r\033[K");
-    fprintf (stderr, _ ("multiplier %.5f, %d steps, %d iterations"), progress->multiplier,
-             progress->steps, progress->iterations);
+    if (progress->end > 0)
+      fprintf (stderr, _ ("%.3f of %.4g s, %d iterations"), progress->time, progress->end,
+               progress->iterations);
+    else
+      fprintf (stderr, _ ("multiplier %.5f, %d steps, %d iterations"),
+               progress->multiplier, progress->steps, progress->iterations);
     fflush (stderr);
   }
   return !qn_interrupt_seen ();

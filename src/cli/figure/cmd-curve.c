@@ -3,6 +3,7 @@
 #include "cli/base/subcommand.h"
 #include "cli/figure/curve-table.h"
 #include "cli/figure/sheet-input.h"
+#include "doc/view/energy-plot.h"
 #include "io/exchange/table-csv.h"
 #include "render/figure/curve-plot.h"
 
@@ -14,7 +15,7 @@ typedef struct Options {
   QnPictureOptions picture;
   char *title;
   double until; /* m or rad, or 0 */
-  gboolean whole;
+  gboolean whole, energy;
   char **references;
   GArray *lines; /* of QnReferenceLine, of `references` */
 } Options;
@@ -134,6 +135,26 @@ draw (const Options *options, const QnOutput *output, const QnSheetItem *items,
   return code;
 }
 
+/* The energies of one analysis in time. */
+static QnExit
+draw_energy (const Options *options, const QnOutput *output, const QnSheetItem *item)
+{
+  const QnProject *project = &item->input.project;
+  QnEnergyPlot plot;
+  QnMetadata metadata;
+  GError *error = NULL;
+  if (item->file.result.history.row_count == 0) {
+    qn_cli_error (_ ("%s: only analyses in time have energies"), project->name);
+    return QN_EXIT_INVALID;
+  }
+  qn_picture_metadata (project, &metadata);
+  qn_energy_plot_init (&plot, &item->file.result.history);
+  gboolean ok = qn_energy_plot_export (&plot, options->title, options->picture.monochrome,
+                                       options->picture.path, output, &metadata, &error);
+  qn_energy_plot_clear (&plot);
+  return ok ? QN_EXIT_DONE : qn_cli_fail (error);
+}
+
 static QnExit
 run (const QnSubcommand *self, int argc, char **argv)
 {
@@ -145,6 +166,8 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("End the curves at this displacement, m or rad"), N_ ("LIMIT") },
     { "whole", 0, 0, G_OPTION_ARG_NONE, &options.whole,
       N_ ("Draw the last motion to its end, too, however far it runs"), NULL },
+    { "energy", 0, 0, G_OPTION_ARG_NONE, &options.energy,
+      N_ ("Of one analysis in time: its energies over the time"), NULL },
     { "reference", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.references,
       N_ ("Draw a line at this multiplier, for a known value; may be given again"),
       N_ ("VALUE[=TEXT]") },
@@ -159,6 +182,10 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
     if (options.until < 0)
       qn_cli_usage_error (self->name, _ ("--until must be positive"));
+    else if (options.energy && (argc != 2 || qn_is_table (options.picture.path)))
+      qn_cli_usage_error (
+        self->name, _ ("--energy draws one analysis, as a picture; the history that "
+                       "solve --csv writes is its table"));
     else if (qn_is_table (options.picture.path))
       code = qn_picture_page (self, &options.picture, &output);
     else
@@ -171,7 +198,8 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = qn_sheet_items_load (argv + 1, count, &items);
   if (code == QN_EXIT_DONE)
-    code = draw (&options, &output, items, argv + 1, count);
+    code = options.energy ? draw_energy (&options, &output, &items[0])
+                          : draw (&options, &output, items, argv + 1, count);
 
   if (items != NULL)
     qn_sheet_items_free (items, count);

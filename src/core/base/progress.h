@@ -9,6 +9,10 @@ typedef struct QnProgress {
   int32_t steps;     /* converged steps so far */
   int32_t iterations;
   int32_t factorizations;
+  double time,
+    end; /* of an analysis in time: reached, and latest end, s; end = 0: of another */
+  double
+    displacement; /* then that of qn_model_followed() since the dead load, m or rad */
 } QnProgress;
 
 /* Called at least once per iteration, from the thread that computes; returns false to cancel.

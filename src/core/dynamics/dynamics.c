@@ -26,11 +26,12 @@ typedef struct {
   const QnDynamicSettings *settings;
   QnResult *result;
   QnEnergy energy;
-  double tick;          /* s: the longest step cut CUTS times; time is counted in these */
-  int64_t now, end;     /* ticks */
-  int64_t length;       /* of the next step, in ticks: a power of two */
-  int64_t output, kept; /* ticks between steps that are kept, and of the last one kept */
-  double *start;        /* displacements of bodies under dead load */
+  size_t followed;  /* place of what progress tells among displacements; SIZE_MAX: none */
+  double tick;      /* s: the longest step cut CUTS times; time is counted in these */
+  int64_t now, end; /* ticks */
+  int64_t length;   /* of the next step, in ticks: a power of two */
+  int64_t output, kept;  /* ticks between steps that are kept, and of the last one kept */
+  double *start;         /* displacements of bodies under dead load */
   double *displacements; /* scratch, a row for every body */
   double *distances;     /* scratch, of blocks, m */
   double *row;           /* scratch, of the history */
@@ -99,15 +100,20 @@ keep_row (Run *run)
   return qn_result_add_history (run->result, run->row);
 }
 
-/* Peaks of displacements, slip, residual and energy error. */
+/* Peaks of displacements, slip, residual and energy error; what progress tells. */
 static void
 note_peaks (Run *run)
 {
   const QnAssembly *as = run->step.assembly;
   QnHistory *history = &run->result->history;
   const QnInstant *now = &run->step.start;
+  QnProgress *progress = &run->step.progress;
 
   qn_assembly_expand (as, now->u, run->displacements);
+  progress->time = time_of (run, run->now);
+  if (run->followed != SIZE_MAX)
+    progress->displacement =
+      run->displacements[run->followed] - run->start[run->followed];
   for (size_t b = 0; b < run->model->block_count; b++) {
     const double *d = run->displacements + QN_DOF_COUNT * b,
                  *d0 = run->start + QN_DOF_COUNT * b;
@@ -271,7 +277,6 @@ follow (Run *run, QnDiag *diag)
         run, step == QN_STEP_CANCELLED ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED,
         diag);
     }
-    run->step.progress.multiplier = time_of (run, run->now);
     note_peaks (run);
     if (has_overturned (run))
       return keep_row (run) ? end_with (run, QN_OUTCOME_COLLAPSE, diag)
@@ -343,6 +348,11 @@ set_up (Run *run, const double *u0, QnDiag *diag)
     return qn_diag_no_memory (diag);
   qn_assembly_expand (run->step.assembly, u0, run->start);
   choose_times (run);
+  size_t body;
+  QnDof dof;
+  qn_model_followed (model, &body, &dof);
+  run->followed = body == SIZE_MAX ? SIZE_MAX : QN_DOF_COUNT * body + (size_t) dof;
+  run->step.progress.end = run->settings->duration;
   return QN_OK;
 }
 

@@ -408,3 +408,25 @@ qn_model_find_block (const QnModel *model, const char *name)
   return qn_name_index_find (&model->block_names, model->blocks, sizeof *model->blocks,
                              name);
 }
+
+void
+qn_model_followed (const QnModel *model, size_t *body, QnDof *dof)
+{
+  const QnAnalysisSettings *settings = &model->analysis;
+
+  *dof = settings->control_dof;
+  *body =
+    qn_model_controlled_body (model, settings->control_block, settings->control_node);
+  if (model->track_count > 0) {
+    *dof = model->tracks[0].dof;
+    *body = (size_t) model->tracks[0].block;
+  }
+  if (*body != SIZE_MAX)
+    return;
+  *dof = QN_DOF_UX;
+  for (size_t b = 0; b < model->block_count; b++)
+    if (!qn_model_body_is_fixed (model, b, QN_DOF_UX)
+        && (*body == SIZE_MAX
+            || model->blocks[b].centroid.y > model->blocks[*body].centroid.y))
+      *body = b;
+}

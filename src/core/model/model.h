@@ -395,6 +395,10 @@ qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
   return block != QN_NONE ? (size_t) block : SIZE_MAX;
 }
 
+/* Whose displacement tells how an analysis in time goes: the first track, else what is controlled,
+ * else how far the highest block that moves goes sideways. *body: SIZE_MAX where nothing moves. */
+void qn_model_followed (const QnModel *model, size_t *body, QnDof *dof);
+
 /* Velocity at an arm r from a body's centroid: v + rz x r; rows of three. */
 static inline void
 qn_body_velocity_at (const double body[3], QnVec2 arm, double out[3])

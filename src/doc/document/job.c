@@ -9,6 +9,12 @@
 
 #define PROGRESS_INTERVAL_MS 50
 
+/* Parts of the duration that the live curve of an analysis in time has points for. */
+#define LIVE_POINTS 2000
+
+/* Nothing is said of when an analysis in time ends before it has run for so long, s. */
+#define LEAST_ELAPSED 0.5
+
 struct _QnJob {
   GObject parent_instance;
 
@@ -19,7 +25,7 @@ struct _QnJob {
   gboolean loaded;
   guint tick;
   gboolean running, live;
-  GArray *shown; /* copy of `multipliers` for the main thread */
+  GArray *shown; /* copy of `curve` for the main thread */
 
   GThread *thread; /* joined before its run is handed out */
 
@@ -30,7 +36,8 @@ struct _QnJob {
   gboolean cancelled;
   gboolean fresh;
   QnProgress progress;
-  GArray *multipliers; /* of double */
+  GArray *curve;                   /* of QnVec2 */
+  gint64 started, paused_at, idle; /* us: when, and how long it has been paused */
 };
 
 G_DEFINE_FINAL_TYPE (QnJob, qn_job, G_TYPE_OBJECT)
@@ -50,7 +57,7 @@ qn_job_finalize (GObject *object)
   g_clear_pointer (&self->others, g_ptr_array_unref);
   g_clear_pointer (&self->run, qn_run_unref);
   g_clear_pointer (&self->shown, g_array_unref);
-  g_clear_pointer (&self->multipliers, g_array_unref);
+  g_clear_pointer (&self->curve, g_array_unref);
   pthread_mutex_destroy (&self->mutex);
   pthread_cond_destroy (&self->resumed);
   G_OBJECT_CLASS (qn_job_parent_class)->finalize (object);
@@ -67,8 +74,8 @@ qn_job_class_init (QnJobClass *klass)
 static void
 qn_job_init (QnJob *self)
 {
-  self->shown = g_array_new (FALSE, FALSE, sizeof (double));
-  self->multipliers = g_array_new (FALSE, FALSE, sizeof (double));
+  self->shown = g_array_new (FALSE, FALSE, sizeof (QnVec2));
+  self->curve = g_array_new (FALSE, FALSE, sizeof (QnVec2));
   pthread_mutex_init (&self->mutex, NULL);
   pthread_cond_init (&self->resumed, NULL);
 }
@@ -135,6 +142,24 @@ qn_job_is_live (QnJob *self)
   return self->live;
 }
 
+/* One point for every step that converged; in time those that lie far enough from the last. */
+static void
+add_points (GArray *curve, const QnProgress *progress)
+{
+  if (progress->end > 0) {
+    QnVec2 point = qn_vec2 (progress->time, progress->displacement);
+    double last =
+      curve->len > 0 ? g_array_index (curve, QnVec2, curve->len - 1).x : -INFINITY;
+    if (point.x - last >= progress->end / LIVE_POINTS)
+      g_array_append_val (curve, point);
+    return;
+  }
+  while (curve->len < (guint) MAX (progress->steps, 0)) {
+    QnVec2 point = qn_vec2 (curve->len, progress->multiplier);
+    g_array_append_val (curve, point);
+  }
+}
+
 /* In the thread, at least once per iteration. */
 static bool
 on_solver_progress (const QnProgress *progress, void *user_data)
@@ -145,8 +170,7 @@ on_solver_progress (const QnProgress *progress, void *user_data)
     pthread_cond_wait (&self->resumed, &self->mutex);
   self->progress = *progress;
   self->fresh = TRUE;
-  while (self->multipliers->len < (guint) MAX (progress->steps, 0))
-    g_array_append_val (self->multipliers, progress->multiplier);
+  add_points (self->curve, progress);
   bool go_on = !self->cancelled;
   pthread_mutex_unlock (&self->mutex);
   return go_on;
@@ -267,9 +291,9 @@ on_tick (gpointer data)
   gboolean fresh = self->fresh;
   self->fresh = FALSE;
   guint have = self->shown->len;
-  if (self->multipliers->len > have)
-    g_array_append_vals (self->shown, &g_array_index (self->multipliers, double, have),
-                         self->multipliers->len - have);
+  if (self->curve->len > have)
+    g_array_append_vals (self->shown, &g_array_index (self->curve, QnVec2, have),
+                         self->curve->len - have);
   pthread_mutex_unlock (&self->mutex);
   if (fresh)
     g_signal_emit (self, signals[SIGNAL_PROGRESS], 0);
@@ -294,6 +318,7 @@ qn_job_start (QnJob *self, GAsyncReadyCallback callback, gpointer user_data)
   g_signal_connect_object (task, "notify::completed", G_CALLBACK (on_task_completed),
                            self, 0);
   self->running = TRUE;
+  self->started = g_get_monotonic_time ();
   self->tick = g_timeout_add (PROGRESS_INTERVAL_MS, on_tick, self);
   self->thread = g_thread_new ("analysis", run_in_thread, g_steal_pointer (&task));
 }
@@ -323,6 +348,11 @@ qn_job_set_paused (QnJob *self, gboolean paused)
 {
   g_return_if_fail (QN_IS_JOB (self));
   pthread_mutex_lock (&self->mutex);
+  gint64 now = g_get_monotonic_time ();
+  if (self->paused && !paused)
+    self->idle += now - MAX (self->paused_at, self->started);
+  if (paused && !self->paused)
+    self->paused_at = now;
   self->paused = paused;
   pthread_cond_signal (&self->resumed);
   pthread_mutex_unlock (&self->mutex);
@@ -352,11 +382,43 @@ qn_job_get_progress (QnJob *self)
   return progress;
 }
 
-const double *
-qn_job_get_multipliers (QnJob *self, gsize *count)
+const QnVec2 *
+qn_job_get_curve (QnJob *self, gsize *count)
 {
   *count = self->shown->len;
-  return (const double *) self->shown->data;
+  return (const QnVec2 *) (const void *) self->shown->data;
+}
+
+const QnModel *
+qn_job_get_model (QnJob *self)
+{
+  return &self->run->model;
+}
+
+double
+qn_job_get_followed (QnJob *self, QnId *block, QnDof *dof)
+{
+  const QnModel *model = &self->run->model;
+  size_t body = SIZE_MAX;
+  *dof = QN_DOF_UX;
+  qn_model_followed (model, &body, dof);
+  *block = body != SIZE_MAX ? (QnId) body : QN_NONE;
+  gboolean in_time = self->run->kind == QN_RUN_ANALYSIS
+                     && model->analysis.procedure == QN_PROCEDURE_DYNAMIC;
+  return in_time ? model->analysis.dynamic.duration : 0.0;
+}
+
+double
+qn_job_get_remaining (QnJob *self)
+{
+  pthread_mutex_lock (&self->mutex);
+  QnProgress progress = self->progress;
+  gint64 now = self->paused ? self->paused_at : g_get_monotonic_time ();
+  double elapsed = (double) (now - self->started - self->idle) / G_USEC_PER_SEC;
+  pthread_mutex_unlock (&self->mutex);
+  return progress.time > 0.0 && elapsed >= LEAST_ELAPSED
+           ? elapsed * (progress.end - progress.time) / progress.time
+           : -1.0;
 }
 
 const QnDiag *

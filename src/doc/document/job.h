@@ -53,9 +53,21 @@ gboolean qn_job_is_running (QnJob *job);
 /* Emitted as "progress" (no arguments); this is what it was about. */
 QnProgress qn_job_get_progress (QnJob *job);
 
-/* Multipliers reached after each converged step so far, for the live curve; the array
- * belongs to the job and is valid until control returns to the main loop. */
-const double *qn_job_get_multipliers (QnJob *job, gsize *count);
+/* What the live curve shows: x the number of a converged step, y its multiplier; of an analysis in
+ * time x the time, s, y the displacement of qn_job_get_followed(). The array belongs to the job and
+ * is valid until control returns to the main loop. */
+const QnVec2 *qn_job_get_curve (QnJob *job, gsize *count);
+
+/* What is analysed. */
+const QnModel *qn_job_get_model (QnJob *job);
+
+/* Of an analysis in time: the block whose displacement the live curve shows. Returns when it ends at
+ * the latest, s; 0 for other analyses. */
+double qn_job_get_followed (QnJob *job, QnId *block, QnDof *dof);
+
+/* Seconds until an analysis in time has come to its end if it goes on at the speed it has had so
+ * far, without pauses; negative while nothing can be said. */
+double qn_job_get_remaining (QnJob *job);
 
 /* Errors of qn_job_finish() and qn_job_new(): the core's problem as an error. */
 #define QN_JOB_ERROR (qn_job_error_quark ())

@@ -122,11 +122,11 @@ test_pause (void)
   while (count < 3 && !outcome.done) {
     g_assert_cmpint (g_get_monotonic_time (), <, end);
     g_main_context_iteration (NULL, TRUE);
-    qn_job_get_multipliers (job, &count);
+    qn_job_get_curve (job, &count);
   }
   g_assert_cmpuint (count, >=, 3);
-  const double *multipliers = qn_job_get_multipliers (job, &count);
-  g_assert_cmpfloat (multipliers[1], >=, multipliers[0]);
+  const QnVec2 *curve = qn_job_get_curve (job, &count);
+  g_assert_cmpfloat (curve[1].x, >, curve[0].x);
 
   /* Cancelling keeps what has converged. */
   qn_job_set_paused (job, TRUE);
@@ -137,6 +137,50 @@ test_pause (void)
     g_assert_cmpint (outcome.run->result.outcome, ==, QN_OUTCOME_CANCELLED);
     g_assert_cmpuint (outcome.run->result.step_count, >=, count);
   }
+  outcome_clear (&outcome);
+}
+
+static gboolean
+take_long (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  (void) error;
+  model->analysis.dynamic.duration = 5000;
+  return TRUE;
+}
+
+/* An analysis in time tells its history and when it ends. */
+static void
+test_history (void)
+{
+  g_autoptr (QnDocument) document = open_example ("43-shaken-wall.quoin");
+  g_assert_true (qn_document_edit (document, "Longer", NULL, take_long, NULL, NULL));
+  g_autoptr (QnJob) job = make_job_of (document);
+  Outcome outcome = { 0 };
+  QnId block;
+  QnDof dof;
+  gsize count = 0;
+  g_assert_cmpfloat (qn_job_get_followed (job, &block, &dof), ==, 5000.0);
+  g_assert_cmpint (block, !=, QN_NONE);
+  qn_job_start (job, on_done, &outcome);
+  gint64 end = g_get_monotonic_time () + 60 * G_USEC_PER_SEC;
+  while ((count < 3 || qn_job_get_remaining (job) < 0.0) && !outcome.done) {
+    g_assert_cmpint (g_get_monotonic_time (), <, end);
+    g_main_context_iteration (NULL, TRUE);
+    qn_job_get_curve (job, &count);
+  }
+  g_assert_cmpuint (count, >=, 3);
+  const QnVec2 *curve = qn_job_get_curve (job, &count);
+  g_assert_cmpfloat (curve[0].x, ==, 0.0);
+  for (gsize i = 1; i < count; i++)
+    g_assert_cmpfloat (curve[i].x, >, curve[i - 1].x);
+  QnProgress progress = qn_job_get_progress (job);
+  g_assert_cmpfloat (progress.end, ==, 5000.0);
+  g_assert_cmpfloat (progress.time, >=, curve[count - 1].x);
+  qn_job_cancel (job);
+  wait_for (&outcome);
+  g_assert_no_error (outcome.error);
+  g_assert_cmpint (outcome.run->result.outcome, ==, QN_OUTCOME_CANCELLED);
   outcome_clear (&outcome);
 }
 
@@ -245,6 +289,7 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/job/finish", test_finish);
   g_test_add_func ("/doc/job/repeatable", test_repeatable);
   g_test_add_func ("/doc/job/pause", test_pause);
+  g_test_add_func ("/doc/job/history", test_history);
   g_test_add_func ("/doc/job/cancelled-at-once", test_cancelled_at_once);
   g_test_add_func ("/doc/job/unsound", test_unsound);
   g_test_add_func ("/doc/job/modes", test_modes);
