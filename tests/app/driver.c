@@ -194,6 +194,13 @@ driver_key (const char *key)
 }
 
 void
+driver_hold_key (const char *key, gboolean down)
+{
+  const char *const arguments[] = { down ? "keydown" : "keyup", key, NULL };
+  xdotool (arguments);
+}
+
+void
 driver_type (const char *text)
 {
   const char *const arguments[] = { "type", "--delay", "20", text, NULL };

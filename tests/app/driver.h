@@ -35,6 +35,7 @@ void driver_point_at (GtkWidget *widget, double x, double y);
 void driver_press_button (const char *number);
 /* Keys as xdotool spells them. */
 void driver_key (const char *key);
+void driver_hold_key (const char *key, gboolean down);
 void driver_type (const char *text);
 
 void driver_activate (QnWindow *window, const char *detailed_action);

@@ -1,6 +1,8 @@
 #include "app/canvas/canvas-private.h"
+#include "app/canvas/gesture.h"
 #include "app/widgets/settings.h"
 #include "core/base/integer.h"
+#include "doc/edit/edit-dynamic.h"
 #include "doc/text/explain.h"
 #include "render/backend/draw-cairo.h"
 #include "render/figure/figure-furniture.h"
@@ -416,6 +418,26 @@ qn_canvas_draw_label (QnCanvas *self, cairo_t *cr, const char *text, QnVec2 scre
 
 /* ---- all of it ---- */
 
+/* Where blocks start from, as ghosts. */
+static void
+draw_initial (QnCanvas *self, cairo_t *cr)
+{
+  static const double dashes[] = { 5.0, 3.0 };
+  const QnModel *model = qn_canvas_get_model (self);
+  if (model->analysis.procedure != QN_PROCEDURE_DYNAMIC || model->initial_count == 0)
+    return;
+  for (gsize i = 0; i < model->initial_count; i++)
+    qn_gesture_trace_block (self, cr, model->initial[i].block,
+                            qn_initial_transform (model, &model->initial[i]));
+  set_ink (cr, QN_INK_SELECTION, 0.12);
+  cairo_fill_preserve (cr);
+  set_ink (cr, QN_INK_SELECTION, 1.0);
+  cairo_set_line_width (cr, 1.5);
+  cairo_set_dash (cr, dashes, G_N_ELEMENTS (dashes), 0.0);
+  cairo_stroke (cr);
+  cairo_set_dash (cr, NULL, 0, 0.0);
+}
+
 /* Around its paper. */
 static QnBox
 legend_box (const QnFurniture *furniture)
@@ -543,6 +565,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
     qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, true, cr, NULL);
   draw_selection (self, cr);
   if (undeformed) {
+    draw_initial (self, cr);
     draw_selected_beams (self, cr);
     draw_findings (self, cr);
   }

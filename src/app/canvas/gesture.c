@@ -195,19 +195,25 @@ qn_gesture_draw_masonry (QnCanvas *canvas, cairo_t *cr, const QnMasonry *masonry
 }
 
 void
+qn_gesture_trace_block (QnCanvas *canvas, cairo_t *cr, QnId block, QnTransform transform)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  gsize n = (gsize) model->blocks[block].vertex_count;
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  g_autofree QnVec2 *moved = g_new (QnVec2, n);
+  for (gsize k = 0; k < n; k++)
+    moved[k] = qn_transform_apply (transform, v[k]);
+  qn_canvas_trace (canvas, cr, moved, n);
+}
+
+void
 qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
   guint count = 0;
   const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &count);
-  for (guint i = 0; i < count; i++) {
-    gsize n = (gsize) model->blocks[ids[i]].vertex_count;
-    const QnVec2 *v = qn_model_block_vertices (model, ids[i]);
-    g_autofree QnVec2 *moved = g_new (QnVec2, n);
-    for (gsize k = 0; k < n; k++)
-      moved[k] = qn_transform_apply (transform, v[k]);
-    qn_canvas_trace (canvas, cr, moved, n);
-  }
+  for (guint i = 0; i < count; i++)
+    qn_gesture_trace_block (canvas, cr, ids[i], transform);
   qn_gesture_paint (cr);
   ids = qn_selection_get_beams (qn_canvas_get_selection (canvas), &count);
   for (guint i = 0; i < count; i++) {

@@ -52,6 +52,10 @@ void qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
 /* Joints of an object that is not laid yet. */
 void qn_gesture_draw_masonry (QnCanvas *canvas, cairo_t *cr, const QnMasonry *masonry);
 
+/* The block's outline as a path, moved. */
+void qn_gesture_trace_block (QnCanvas *canvas, cairo_t *cr, QnId block,
+                             QnTransform transform);
+
 /* Outlines of the selected blocks as a transform would put them. */
 void qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform);
 

@@ -1,4 +1,4 @@
-/* The analysis in time: its settings, and the list of ground motions. */
+/* The analysis in time: its settings, where selected blocks start, the list of ground motions. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/chooser.h"
@@ -27,7 +27,9 @@ enum {
   MASS_DAMPING,
   JOINT_DAMPING,
   OF,
-  MOTIONS,
+  INITIAL_TITLE,
+  INITIAL, /* of the selected blocks: ux, uy, rz and their rates */
+  MOTIONS = INITIAL + 2 * QN_DOF_COUNT,
   PREVIEW,
   PLOT,
   KIND,
@@ -49,6 +51,13 @@ static const QnFormField fields[] = {
   [MASS_DAMPING] = { .id = "mass_damping", .step = N_ ("Change Analysis") },
   [JOINT_DAMPING] = { .id = "joint_damping", .step = N_ ("Change Analysis") },
   [OF] = { .id = "of", .step = N_ ("Change Analysis") },
+  [INITIAL_TITLE] = { .id = "initial_title" },
+  [INITIAL] = { .id = "initial_ux", .step = N_ ("Change Initial Motion") },
+  [INITIAL + 1] = { .id = "initial_uy", .step = N_ ("Change Initial Motion") },
+  [INITIAL + 2] = { .id = "initial_rz", .step = N_ ("Change Initial Motion") },
+  [INITIAL + 3] = { .id = "initial_vx", .step = N_ ("Change Initial Motion") },
+  [INITIAL + 4] = { .id = "initial_vy", .step = N_ ("Change Initial Motion") },
+  [INITIAL + 5] = { .id = "initial_wz", .step = N_ ("Change Initial Motion") },
   [MOTIONS] = { .id = "motions" },
   [PREVIEW] = { .id = "preview" },
   [PLOT] = { .id = "plot" },
@@ -118,6 +127,59 @@ number_of (QnModel *model, int selected, guint field)
   return field < G_N_ELEMENTS (all) ? all[field] : NULL;
 }
 
+/* ---- initial motion ---- */
+
+static QnBlockSet
+selected (const Form *form)
+{
+  QnBlockSet set = { 0 };
+  set.ids =
+    qn_selection_get_blocks (qn_canvas_get_selection (form->base.canvas), &set.count);
+  return set;
+}
+
+static double *
+initial_number (QnInitialMotion *motion, guint field)
+{
+  guint i = field - INITIAL;
+  return i < QN_DOF_COUNT ? &motion->displacement[i]
+                          : &motion->velocity[i - QN_DOF_COUNT];
+}
+
+/* Of the first selected block. */
+static gboolean
+show_initial (const Form *form, const QnModel *model, guint field, QnValue *value)
+{
+  QnBlockSet set = selected (form);
+  if (set.count == 0)
+    return FALSE;
+  QnInitialMotion motion = qn_initial_motion_of (model, set.ids[0]);
+  if (field == INITIAL_TITLE)
+    value->text =
+      set.count == 1
+        ? g_strdup_printf (_ ("Start of Block %s"), model->blocks[set.ids[0]].name)
+        : g_strdup_printf (
+          ngettext ("Start of %u Block", "Start of %u Blocks", set.count), set.count);
+  else
+    value->number = *initial_number (&motion, field);
+  return TRUE;
+}
+
+static gboolean
+take_initial (const Form *form, QnModel *model, guint field, double number,
+              GError **error)
+{
+  QnBlockSet set = selected (form);
+  for (guint i = 0; i < set.count; i++) {
+    QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
+    *initial_number (&motion, field) = number;
+    if (!qn_edit_set_initial (model, (QnBlockSet){ set.ids + i, 1 }, motion.displacement,
+                              motion.velocity, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
 static char **
 dup_motions (const QnModel *model)
 {
@@ -149,6 +211,8 @@ show (gpointer data, guint field, QnValue *value)
   const double *number = number_of (&model, form->selected, field);
   if (number != NULL)
     value->number = *number;
+  if (field >= INITIAL_TITLE && field < MOTIONS)
+    return show_initial (form, &model, field, value);
   switch (field) {
   case OF:
     value->number = model.analysis.dynamic.of;
@@ -247,6 +311,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     draft != NULL ? number_of (&draft->model, form->selected, field) : NULL;
   if (number != NULL)
     *number = value->number;
+  if (field >= INITIAL && field < MOTIONS)
+    return take_initial (form, &draft->model, field, value->number, error);
   switch (field) {
   case OF:
     draft->model.analysis.dynamic.of = (QnDampingStiffness) value->number;
@@ -297,7 +363,7 @@ on_destroy (GtkWidget *root, Form *form)
 GtkWidget *
 qn_dynamic_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("dynamic-form", Form, 0);
+  static const QnFormKind kind = QN_FORM_KIND ("dynamic-form", Form, QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
   GtkDropTarget *target = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
   form->selected = 0;

@@ -14,6 +14,7 @@ const QnTool *const qn_tools[] = { &qn_tool_select,
                                    &qn_tool_joint,
                                    &qn_tool_support,
                                    &qn_tool_force,
+                                   &qn_tool_displace,
                                    &qn_tool_measure,
                                    &qn_tool_picture,
                                    NULL };

@@ -35,6 +35,110 @@ qn_edit_choose_dynamic (QnModel *model, GError **error)
          || qn_edit_add_pulse (model, error);
 }
 
+/* ---- initial motion ---- */
+
+QnInitialMotion
+qn_initial_motion_of (const QnModel *model, QnId block)
+{
+  for (gsize i = 0; i < model->initial_count; i++)
+    if (model->initial[i].block == block)
+      return model->initial[i];
+  return (QnInitialMotion){ .block = block };
+}
+
+QnTransform
+qn_initial_transform (const QnModel *model, const QnInitialMotion *motion)
+{
+  const double *u = motion->displacement;
+  QnTransform turn =
+    qn_transform_rotation (model->blocks[motion->block].centroid, u[QN_DOF_RZ]);
+  return qn_transform_compose (turn,
+                               qn_transform_translation (u[QN_DOF_UX], u[QN_DOF_UY]));
+}
+
+static gboolean
+rests (const QnInitialMotion *motion)
+{
+  for (int i = 0; i < QN_DOF_COUNT; i++)
+    if (motion->displacement[i] != 0.0 || motion->velocity[i] != 0.0)
+      return FALSE;
+  return TRUE;
+}
+
+/* In place of what the model says of the block; no entry for one that rests. */
+static gboolean
+put_initial (QnModel *model, const QnInitialMotion *motion, GError **error)
+{
+  gsize i = 0;
+  while (i < model->initial_count && model->initial[i].block != motion->block)
+    i++;
+  if (i < model->initial_count && rests (motion)) {
+    memmove (model->initial + i, model->initial + i + 1,
+             (--model->initial_count - i) * sizeof *model->initial);
+    return TRUE;
+  }
+  if (rests (motion))
+    return TRUE;
+  QnInitialMotion *to =
+    i < model->initial_count ? &model->initial[i] : qn_model_add_initial_motion (model);
+  if (to == NULL)
+    return qn_edit_no_memory (error);
+  int32_t note = to->note;
+  *to = *motion;
+  to->note = note;
+  return TRUE;
+}
+
+/* Fixed blocks that would move are named; the check of the model knows no more of the hand. */
+static gboolean
+put_moving (QnModel *model, const QnInitialMotion *motion, GError **error)
+{
+  const QnBlock *block = &model->blocks[motion->block];
+  for (int i = 0; i < QN_DOF_COUNT; i++)
+    if (block->support[i]
+        && (motion->displacement[i] != 0.0 || motion->velocity[i] != 0.0)) {
+      g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                   _ ("Block %s is fixed: it cannot start from elsewhere"), block->name);
+      return FALSE;
+    }
+  return put_initial (model, motion, error)
+         && (rests (motion) || qn_edit_choose_dynamic (model, error));
+}
+
+gboolean
+qn_edit_displace (QnModel *model, QnBlockSet set, QnTransform transform, double angle,
+                  GError **error)
+{
+  for (guint i = 0; i < set.count; i++) {
+    QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
+    QnVec2 from = model->blocks[set.ids[i]].centroid;
+    QnVec2 way = qn_vec2_sub (qn_transform_apply (transform, from), from);
+    motion.displacement[QN_DOF_UX] = way.x;
+    motion.displacement[QN_DOF_UY] = way.y;
+    motion.displacement[QN_DOF_RZ] = angle;
+    if (!put_moving (model, &motion, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_set_initial (QnModel *model, QnBlockSet set,
+                     const double displacement[QN_DOF_COUNT],
+                     const double velocity[QN_DOF_COUNT], GError **error)
+{
+  for (guint i = 0; i < set.count; i++) {
+    QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
+    memcpy (motion.displacement, displacement, sizeof motion.displacement);
+    memcpy (motion.velocity, velocity, sizeof motion.velocity);
+    if (!put_moving (model, &motion, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+/* ---- records ---- */
+
 gboolean
 qn_edit_add_record (QnModel *model, const char *path, GError **error)
 {

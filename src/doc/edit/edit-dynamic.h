@@ -11,6 +11,23 @@ gboolean qn_edit_choose_dynamic (QnModel *model, GError **error);
 /* A further half-sine pulse along x: 2 m/s2 for half a second. */
 gboolean qn_edit_add_pulse (QnModel *model, GError **error);
 
+/* Where blocks of the set start, counted from the equilibrium under dead load: as the rigid motion
+ * `transform` takes them, by `angle`, rad, which is that of the transform and may be more than one
+ * turn. What they have of velocity stays. Makes the analysis one in time. Refuses fixed blocks. */
+gboolean qn_edit_displace (QnModel *model, QnBlockSet set, QnTransform transform,
+                           double angle, GError **error);
+
+/* Where, and how fast, each block of the set starts: m, m, rad and m/s, m/s, rad/s. */
+gboolean qn_edit_set_initial (QnModel *model, QnBlockSet set,
+                              const double displacement[QN_DOF_COUNT],
+                              const double velocity[QN_DOF_COUNT], GError **error);
+
+/* What the model says of it; at rest where it says nothing. */
+QnInitialMotion qn_initial_motion_of (const QnModel *model, QnId block);
+
+/* Where a block starts, drawn from where it stands in the model. */
+QnTransform qn_initial_transform (const QnModel *model, const QnInitialMotion *motion);
+
 /* The record in a file, of any kind that record.h tells, as points of the project: the project needs
  * the file no more. Along x. */
 gboolean qn_edit_add_record (QnModel *model, const char *path, GError **error);
