@@ -9,7 +9,7 @@
 
 #define PROGRESS_INTERVAL_MS 50
 
-/* Parts of the duration that the live curve of an analysis in time has points for. */
+/* Points of the live curve of an analysis in time; when it has more, every other one goes. */
 #define LIVE_POINTS 2000
 
 /* Nothing is said of when an analysis in time ends before it has run for so long, s. */
@@ -37,6 +37,7 @@ struct _QnJob {
   gboolean fresh;
   QnProgress progress;
   GArray *curve;                   /* of QnVec2 */
+  double apart;                    /* s between points of a history */
   gint64 started, paused_at, idle; /* us: when, and how long it has been paused */
 };
 
@@ -142,22 +143,35 @@ qn_job_is_live (QnJob *self)
   return self->live;
 }
 
-/* One point for every step that converged; in time those that lie far enough from the last. */
+/* Every point of a history that lies far enough from the last one. */
 static void
-add_points (GArray *curve, const QnProgress *progress)
+add_moment (QnJob *self, QnVec2 point)
 {
-  if (progress->end > 0) {
-    QnVec2 point = qn_vec2 (progress->time, progress->displacement);
-    double last =
-      curve->len > 0 ? g_array_index (curve, QnVec2, curve->len - 1).x : -INFINITY;
-    if (point.x - last >= progress->end / LIVE_POINTS)
-      g_array_append_val (curve, point);
+  GArray *curve = self->curve;
+  double last =
+    curve->len > 0 ? g_array_index (curve, QnVec2, curve->len - 1).x : -INFINITY;
+  if (!(point.x > last) || point.x - last < self->apart)
     return;
-  }
-  while (curve->len < (guint) MAX (progress->steps, 0)) {
-    QnVec2 point = qn_vec2 (curve->len, progress->multiplier);
-    g_array_append_val (curve, point);
-  }
+  g_array_append_val (curve, point);
+  if (curve->len <= LIVE_POINTS)
+    return;
+  self->apart = 2.0 * point.x / LIVE_POINTS;
+  for (guint i = 0; i < curve->len / 2; i++)
+    g_array_index (curve, QnVec2, i) = g_array_index (curve, QnVec2, 2 * i);
+  g_array_set_size (curve, curve->len / 2);
+}
+
+/* One point for every step that converged; in time for every one that lies apart. */
+static void
+add_points (QnJob *self, const QnProgress *progress)
+{
+  if (progress->end > 0)
+    add_moment (self, qn_vec2 (progress->time, progress->displacement));
+  else
+    while (self->curve->len < (guint) MAX (progress->steps, 0)) {
+      QnVec2 point = qn_vec2 (self->curve->len, progress->multiplier);
+      g_array_append_val (self->curve, point);
+    }
 }
 
 /* In the thread, at least once per iteration. */
@@ -170,7 +184,7 @@ on_solver_progress (const QnProgress *progress, void *user_data)
     pthread_cond_wait (&self->resumed, &self->mutex);
   self->progress = *progress;
   self->fresh = TRUE;
-  add_points (self->curve, progress);
+  add_points (self, progress);
   bool go_on = !self->cancelled;
   pthread_mutex_unlock (&self->mutex);
   return go_on;
@@ -290,10 +304,8 @@ on_tick (gpointer data)
   pthread_mutex_lock (&self->mutex);
   gboolean fresh = self->fresh;
   self->fresh = FALSE;
-  guint have = self->shown->len;
-  if (self->curve->len > have)
-    g_array_append_vals (self->shown, &g_array_index (self->curve, QnVec2, have),
-                         self->curve->len - have);
+  g_array_set_size (self->shown, 0);
+  g_array_append_vals (self->shown, self->curve->data, self->curve->len);
   pthread_mutex_unlock (&self->mutex);
   if (fresh)
     g_signal_emit (self, signals[SIGNAL_PROGRESS], 0);
