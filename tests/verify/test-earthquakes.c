@@ -238,11 +238,10 @@ init_arch (QnModel *model)
   }
   model->gravity = 10;
   model->laws[0].basis = QN_BASIS_SURFACE;
-  model->contact.pairs =
-    (QnPairRule){ .placement = QN_PLACEMENT_EXPLICIT,
-                  .count = 3,
-                  .positions = { 0, 0.5, 1 },
-                  .weights = { 0.25, 0.5, 0.25 } };
+  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_EXPLICIT,
+                                       .count = 3,
+                                       .positions = { 0, 0.5, 1 },
+                                       .weights = { 0.25, 0.5, 0.25 } };
   set_up (model, 2e10, tan (35 * G_PI / 180), 2, 0.8,
           2 * 0.05 / (2 * G_PI * ARCH_FREQUENCY),
           (QnPulse){ QN_PULSE_HALF_SINE, 1.5, 0.25, 0 });
