@@ -63,14 +63,38 @@ def run(page, text, program, examples):
                 yield f"{page}:{number}: exit code {done.returncode}\n{content}{done.stdout}{done.stderr}"
 
 
+def outline(text):
+    """What a page is made of, whatever its language: (what, line)."""
+    code = {number: content for _, number, content in blocks(text)}
+    found, inside = [], False
+    for number, line in enumerate(text.splitlines(), 1):
+        if number in code:
+            found.append(("a block: " + code[number], number))
+        inside ^= line.startswith("```")
+        heading = re.match(r"#+ ", line)
+        if inside:
+            continue
+        if heading:
+            found.append((f"a heading of level {len(heading[0]) - 1}", number))
+        elif line.startswith("| "):
+            found.append((f"a row of {line.count(' |')} cells", number))
+        elif line.startswith("!["):
+            found.append(("a picture", number))
+    return found
+
+
 def translated(page, text):
-    """A translated page has commands of the page that it translates."""
+    """A translated page has the parts of the page that it translates, in the same order."""
     folder, name = os.path.split(page)
     with open(os.path.join(os.path.dirname(folder), name), encoding="utf-8") as file:
-        known = {content for _, _, content in blocks(file.read())}
-    for _, number, content in blocks(text):
-        if content not in known:
-            yield f"{page}:{number}: not a block of the page in English"
+        wanted = outline(file.read())
+    present = outline(text)
+    for (what, number), (there, _) in zip(present, wanted):
+        if what != there:
+            yield f"{page}:{number}: {what}, and in English {there}"
+            return
+    if len(present) != len(wanted):
+        yield f"{page}: {len(present)} parts, and in English {len(wanted)}"
 
 
 def self_test(program, examples):
@@ -82,6 +106,9 @@ def self_test(program, examples):
     assert not list(unmarked("test", right))
     assert list(unmarked("test", "```\nquoin-cli check a.quoin\n```\n"))
     assert list(unmarked("test", "text\n\n    quoin-cli check a.quoin\n"))
+    assert [what for what, _ in outline("# A\n\n| a | b |\n\n![c](d)\n" + right)] == [
+        "a heading of level 1", "a row of 2 cells", "a picture",
+        "a block: quoin-cli check 01-sliding-block.quoin\n"]
 
 
 def main():
