@@ -35,10 +35,18 @@ static QnSolveStatus
 solve_statically (QnPathTrace *trace, const QnTarget *target)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  QnSolveStatus status = qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET);
+  QnSolveStatus status = QN_SOLVE_FAILED;
 
   trace->means = QN_FOUND_BY_NEWTON;
-  status = refuse_unstable (trace, status);
+  if (qn_path_predictor_go (&trace->predictor, eq, target->advance)) {
+    status =
+      refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_PREDICTED_BUDGET));
+    if (status != QN_SOLVE_FAILED)
+      return status;
+    qn_equilibrium_restore (eq);
+  }
+  status =
+    refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET));
   if (status != QN_SOLVE_FAILED || trace->central == NULL)
     return status;
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
@@ -233,9 +241,12 @@ bool
 qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
 {
   /* A step along the central path does not tell how many joints changed state; in nonlinear geometry
-   * the branch depends on them. */
+   * the branch depends on them, which matters where it is followed beyond its peak. */
+  bool may_grow =
+    qn_path_trace_is_linear (trace) || (trace->load_control && !trace->events.below);
+
   return trace->means == QN_FOUND_BY_RELAXATION || iterations <= tuning->easy
-         || (trace->means == QN_FOUND_BY_CENTRAL_PATH && qn_path_trace_is_linear (trace));
+         || (trace->means == QN_FOUND_BY_CENTRAL_PATH && may_grow);
 }
 
 /* What part of the step leads to the end of the path, which is *end then: the largest multiplier,

@@ -64,16 +64,20 @@ growth (const QnPathTrace *trace)
 
 /* Largest step that may come next: displacement control keeps to the increments that were
  * asked for; the other measures have no natural end and grow with the motion, in nonlinear
- * geometry until blocks move or turn by a part of themselves. */
+ * geometry until blocks move or turn by a part of themselves: joints that slide take other
+ * branches in longer steps. */
 static double
 largest_next_step (const QnPathTrace *trace)
 {
-  if (trace->measure.procedure == QN_PROCEDURE_DISPLACEMENT)
-    return tuning->largest_step * fabs (trace->measure.first);
-  if (!qn_path_trace_is_linear (trace) && trace->pace > 0)
-    return tuning->largest_motion * trace->path->equilibrium.assembly.length
-           / trace->pace;
-  return INFINITY;
+  bool is_displacement = trace->measure.procedure == QN_PROCEDURE_DISPLACEMENT;
+  double first = fabs (trace->measure.first),
+         most = is_displacement ? tuning->largest_step * first : INFINITY,
+         far = tuning->largest_motion * trace->path->equilibrium.assembly.length;
+
+  if (qn_path_trace_is_linear (trace) || trace->pace == 0
+      || (is_displacement && trace->central == NULL))
+    return most;
+  return fmin (most, fmax (far / trace->pace, is_displacement ? first : 0));
 }
 
 static void
@@ -102,14 +106,16 @@ choose_next_increment (QnPathTrace *trace, double increment)
     trace->step = growth (trace) * trace->start;
 }
 
-/* A first increment that fails is cut, to parts of trace->start. False where it is short enough. */
+/* A first increment that fails is cut, to parts of trace->start, or of itself. False where it is short
+ * enough. */
 static bool
 cut_first_increment (QnPathTrace *trace)
 {
-  double part = tuning->cut * trace->start;
+  double whole = trace->start > 0 ? trace->start : trace->measure.first;
+  double part = tuning->cut * whole;
 
   if (trace->path->equilibrium.committed.multiplier > 0
-      || trace->step <= tuning->least_start * trace->start)
+      || trace->step <= tuning->least_start * whole)
     return false;
   while (part >= trace->step)
     part *= tuning->cut;
@@ -348,6 +354,9 @@ advance (QnPathTrace *trace, QnDiag *diag)
   if (trace->orientation == 0)
     trace->orientation = eq->orientation;
   choose_next_step (trace, step, easy);
+  if (!linear)
+    qn_path_predictor_note (&trace->predictor, eq, step,
+                            trace->means != QN_FOUND_BY_RELAXATION && !trace->jumped);
   if (!accept (trace))
     return qn_diag_no_memory (diag);
   qn_path_end_check (trace);
@@ -469,7 +478,8 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   if (has_joints)
     trace.central = qn_central_path_new (eq);
   trace.buckling = qn_alloc ((size_t) as->unknown_count, sizeof *trace.buckling);
-  bool ready = trace.buckling != NULL && (trace.central != NULL || !has_joints)
+  bool ready = qn_path_predictor_init (&trace.predictor, as) && trace.buckling != NULL
+               && (trace.central != NULL || !has_joints)
                && qn_path_events_init (&trace.events, path, live > 0 ? dead / live : 0)
                && (!trace.load_control || qn_equilibrium_state_init (&trace.highest, as));
   trace.may_jump = qn_assembly_may_jump (as);
@@ -483,6 +493,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   qn_path_events_clear (&trace.events);
   qn_central_path_free (trace.central);
   free (trace.buckling);
+  qn_path_predictor_clear (&trace.predictor);
   qn_equilibrium_state_clear (&trace.highest);
   qn_path_measure_clear (&trace.measure);
   return status;

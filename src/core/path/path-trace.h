@@ -7,6 +7,7 @@
 
 #include "core/path/path-events.h"
 #include "core/path/path-measure.h"
+#include "core/path/path-predictor.h"
 
 /* The numbers of the method. docs/experiments/load-path.md has what other values do. */
 typedef struct QnPathTuning {
@@ -97,6 +98,7 @@ typedef enum {
 typedef struct QnPathTrace {
   QnPath *path;
   QnPathMeasure measure;
+  QnPathPredictor predictor;
   QnPathEvents events;
   QnCentralPath *central; /* NULL where it does not apply */
   bool load_control;

@@ -16,6 +16,9 @@
 /* Newton iterations of a static solution before relaxation takes over. */
 #define QN_NEWTON_BUDGET 20
 
+/* The same from where earlier equilibria predict it. */
+#define QN_PREDICTED_BUDGET 6
+
 /* Viscous steps until relaxation gives up: when only a hint is wanted, when a mechanism that
  * relaxation along central paths has found is to be confirmed (what is still undecided then
  * takes hundreds), and when the answer decides. */
