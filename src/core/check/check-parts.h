@@ -61,6 +61,9 @@ void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u)
 /* Order of the steps, events, the outcome and its multipliers (check-course.c). */
 void qn_check_course (QnCheck *check);
 
+/* What happens between the steps of a path (check-events.c). */
+void qn_check_events (QnCheck *check);
+
 /* The mechanism at the last step (check-mechanism.c). */
 void qn_check_mechanism (QnCheck *check);
 

@@ -291,6 +291,13 @@ find_scale (QnCheck *check, size_t step)
   return scale;
 }
 
+/* The inclined branch of steel has no end of its own: beyond its strength there is none. */
+static double
+steel_excess (const QnSpring *spring, double normal)
+{
+  return spring->kind == QN_LAW_STEEL ? fabs (normal) - spring->strength : 0;
+}
+
 static void
 check_strength (QnCheck *check, size_t step)
 {
@@ -300,9 +307,11 @@ check_strength (QnCheck *check, size_t step)
     const QnPairSprings *springs = &as->springs[p];
     QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
     QnPairState state;
-    double force[2], excess = 0;
+    double force[2];
     if (!stated_force (check->result, step, p, force, &state))
       return;
+    double excess =
+      fmax (steel_excess (&springs->a, force[0]), steel_excess (&springs->b, force[0]));
     int count = qn_spring_strength (&springs->a, rows);
     count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
     for (int i = 0; i < count; i++)
@@ -556,6 +565,7 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   if (status == QN_OK) {
     check_copies (&check);
     qn_check_course (&check);
+    qn_check_events (&check);
     qn_check_mechanism (&check);
     qn_check_history (&check);
     status = qn_check_bounds (&check, diag);

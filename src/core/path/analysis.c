@@ -90,6 +90,7 @@ withdraw (QnResult *result)
   result->stop = QN_STOP_CHECK;
   result->has_associative_bound = false;
   qn_result_clear_collapse (result);
+  qn_result_clear_events (result);
   if (result->step_count > 0)
     result->steps[result->step_count - 1].event = QN_EVENT_NONE;
 }

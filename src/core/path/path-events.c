@@ -8,17 +8,8 @@
 /* A multiplier that is less by this part than the highest one so far has turned down. */
 #define DIP 1e-4
 
-/* A jump as a part of the displacement that it ends with: from here on a snap, */
-#define SNAP 0.05
-
-/* and below this part none that is told: less than what a drawing shows. */
-#define LEAST 0.005
-
 /* Loads of so many times what equilibrium may lack are felt. */
 #define FELT 100
-
-/* Blocks that move by this part of the largest motion take part in an event. */
-#define TAKES_PART 0.1
 
 bool
 qn_path_events_init (QnPathEvents *events, QnPath *path, double unit)
@@ -92,7 +83,7 @@ add (QnPathEvents *events, QnEventKind kind, double multiplier, double before,
   const QnEquilibrium *eq = &path->equilibrium;
   size_t count = path->model->block_count;
   QnId *blocks = qn_alloc (count, sizeof *blocks);
-  double least = TAKES_PART * largest_shift (path, events->highest_u, eq->u);
+  double least = QN_TAKES_PART * largest_shift (path, events->highest_u, eq->u);
   QnPathEvent event = { .kind = kind,
                         .stage = path->stage,
                         .multiplier = path->origin + path->scale * multiplier,
@@ -159,8 +150,8 @@ qn_path_events_observe (QnPathEvents *events, bool jumped, bool *snap)
     double part = from < events->highest ? (events->highest - from) / (to - from) : 0;
     double after = jumped ? now : last + part * (now - last);
     double size = jump_size (before, after);
-    *snap = size >= SNAP;
-    if (size >= LEAST
+    *snap = size >= QN_JUMP_SNAP;
+    if (size >= QN_JUMP_LEAST
         && !add (events, *snap ? QN_EVENT_KIND_SNAP : QN_EVENT_KIND_LOCAL,
                  events->highest, before, after))
       return false;
@@ -173,7 +164,8 @@ bool
 qn_path_events_has_snapped (const QnPathEvents *events)
 {
   return events->below
-         && jump_size (events->highest_displacement, events->displacement) >= SNAP;
+         && jump_size (events->highest_displacement, events->displacement)
+              >= QN_JUMP_SNAP;
 }
 
 bool

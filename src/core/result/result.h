@@ -45,6 +45,14 @@ typedef enum {
   QN_EVENT_KIND_COUNT
 } QnEventKind;
 
+/* A jump as a part of the displacement that it ends with: from here on a snap, and below the other part
+ * none that is told, less than what a drawing shows. */
+#define QN_JUMP_SNAP  0.05
+#define QN_JUMP_LEAST 0.005
+
+/* Blocks that move by this part of the largest motion take part in an event. */
+#define QN_TAKES_PART 0.1
+
 typedef struct QnPathEvent {
   QnEventKind kind;
   int32_t stage; /* as of QnStep */
@@ -191,8 +199,9 @@ typedef struct QnResult {
   double
     first_limit_multiplier; /* of the first snap, or where `stability` finds the limit */
 
-  QnPathEvent *events; /* by multiplier, within a stage */
+  QnPathEvent *events; /* by multiplier, those of the last stage */
   size_t event_count, event_capacity;
+  bool events_unknown; /* read from a file of an earlier version, which does not tell them */
 
   QnSolution solutions[QN_RESULT_SOLUTIONS]; /* as they were met */
   int32_t solution_count;

@@ -430,6 +430,14 @@ read_path_event (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
+read_events (QnJsonStream *stream, gpointer target)
+{
+  QnResult *result = target;
+  result->events_unknown = false;
+  return qn_json_stream_array (stream, read_path_event, result);
+}
+
+static gboolean
 read_statistics (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
@@ -466,7 +474,7 @@ read_document (QnJsonStream *stream, gpointer target)
     { "outcome", qn_json_stream_string, OF (outcome), QN_JSON_REQUIRED },
     { "collapse_multiplier", read_optional, OF (collapse), QN_JSON_OPTIONAL },
     { "first_limit_multiplier", read_optional, OF (first_limit), QN_JSON_OPTIONAL },
-    { "events", read_path_event, OF (file.result), QN_JSON_EACH },
+    { "events", read_events, OF (file.result), QN_JSON_OPTIONAL },
     { "lower_bound", read_lower_bound, RESULT (limit), QN_JSON_OPTIONAL },
     { "upper_bound", qn_json_stream_number, RESULT (limit.upper_bound),
       QN_JSON_OPTIONAL },
@@ -502,7 +510,7 @@ static gboolean
 parse (const char *text, gsize length, const char *name, QnResultFile *file,
        GError **error)
 {
-  QnResultDraft draft = { 0 };
+  QnResultDraft draft = { .file.result.events_unknown = true };
   QnJsonStream stream;
   qn_json_stream_init (&stream, text, length, name);
   gboolean done = qn_json_stream_document (&stream, read_document, &draft)
