@@ -16,13 +16,16 @@ typedef enum {
   ROCKING,
   PIER,
   AQUEDUCT,
+  MODE,
+  LOADED_MODE,
+  BUCKLING,
   LIMIT,
   FIXED_POINTS,
   RESULT_COUNT
 } Source;
 
 static const struct {
-  const char *example, *command, *set;
+  const char *example, *command, *set, *option;
 } sources[RESULT_COUNT] = {
   [SLIDING] = { "01-sliding-block.quoin", "solve", NULL },
   [ARCH] = { "06-arch.quoin", "solve", NULL },
@@ -33,6 +36,9 @@ static const struct {
   [ROCKING] = { "40-rocking-in-time.quoin", "solve", NULL },
   [PIER] = { "15-rubble-pier.quoin", "solve", NULL },
   [AQUEDUCT] = { "13-aqueduct.quoin", "solve", "analysis.procedure=\"work\"" },
+  [MODE] = { "11-vibrating-beam.quoin", "modal", NULL, "--mode=3" },
+  [LOADED_MODE] = { "11-vibrating-beam.quoin", "modal", NULL, "--loaded" },
+  [BUCKLING] = { "21-column-pinned.quoin", "stability", NULL },
   [FIXED_POINTS] = { "ferris-tin-loi/wall4.quoin", "limit",
                      "analysis.flow=\"non-associative\"" },
   [LIMIT] = { "ferris-tin-loi/wall1.quoin", "limit", NULL },
@@ -98,6 +104,16 @@ static const Forgery forgeries[] = {
     NULL, "the event is not one" },
   { "energy of an event", AQUEDUCT, "events/0/energy", TIMES, 1.01, NULL,
     "the event is not one" },
+  { "frequency", MODE, "vibration/omega", TIMES, 1.001, NULL, "the mode is not one" },
+  { "number of a mode", MODE, "vibration/mode", ADD, 1, NULL, "the mode is not one" },
+  { "shape of a mode", MODE, "mechanism/20/1", TIMES, 1.01, NULL, "the mode is not one" },
+  { "state of a mode", MODE, "steps/0/displacements/20/1", ADD, 1e-6, NULL, "step 0" },
+  { "frequency under load", LOADED_MODE, "vibration/omega", TIMES, 0.999, NULL,
+    "the mode is not one" },
+  { "critical multiplier", BUCKLING, "first_limit_multiplier", TIMES, 1.01, NULL,
+    "first limit" },
+  { "buckling mode", BUCKLING, "mechanism/9/0", ADD, 0.5, NULL, "the mode is not one" },
+  { "stability", BUCKLING, "stability", TEXT, 0, "kept", "outcome" },
   { "mechanism overlaps", SLIDING, "mechanism/1/1", ADD, -0.5, NULL,
     "move into each other" },
   { "mechanism lifts", SLIDING, "mechanism/1/1", ADD, 0.5, NULL, "cannot yield" },
@@ -151,9 +167,12 @@ solve (Source source)
 {
   g_autofree char *model = cli_example (sources[source].example);
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
-  const char *set = sources[source].set;
+  const char *set = sources[source].set, *option = sources[source].option;
   CliRun run = cli_run (sources[source].command, model, "-q", "-o", path,
-                        set != NULL ? "--set" : NULL, set, NULL);
+                        set != NULL      ? "--set"
+                        : option != NULL ? option
+                                         : NULL,
+                        set, NULL);
   cli_assert_done (&run);
   cli_run_clear (&run);
   run = cli_run ("check", model, "--result", path, NULL);

@@ -54,6 +54,15 @@ test_slipping (void)
   cli_assert_failed (&run, 4, "wall3.quoin: pairs slip");
 }
 
+/* A block on its corner falls: that is no rigid motion of frequency zero. */
+static void
+test_unstable (void)
+{
+  g_autofree char *example = cli_example ("24-rocking-block.quoin");
+  CliRun run = cli_run ("modal", example, "--loaded", NULL);
+  cli_assert_failed (&run, 4, "not stable");
+}
+
 /* What an analysis may spend holds for these as well. */
 static void
 test_budget (void)
@@ -76,6 +85,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/modal/table", test_table);
   g_test_add_func ("/cli/modal/refused", test_refused);
+  g_test_add_func ("/cli/modal/unstable", test_unstable);
   g_test_add_func ("/cli/modal/slipping", test_slipping);
   g_test_add_func ("/cli/modal/budget", test_budget);
   return g_test_run ();

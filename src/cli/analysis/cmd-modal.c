@@ -68,14 +68,13 @@ write_result (const Options *options, const QnInput *input, const QnModes *modes
 {
   QnDiag diag = { 0 };
   GError *error = NULL;
-  size_t row = (modes->block_count + modes->node_count) * QN_DOF_COUNT;
   if ((size_t) options->mode > modes->count) {
     qn_cli_error (_ ("there is no mode %d: only %zu were found"), options->mode,
                   modes->count);
     return QN_EXIT_INVALID;
   }
-  if (qn_result_set_mechanism (result, modes->shapes + (size_t) (options->mode - 1) * row,
-                               input->project.model.characteristic_length, &diag)
+  if (qn_modes_show (modes, (size_t) options->mode - 1, &input->project.model, result,
+                     &diag)
       != QN_OK) {
     qn_cli_error (_ ("not enough memory"));
     return QN_EXIT_INTERNAL;
@@ -110,7 +109,8 @@ solve (const Options *options, const QnInput *input)
   if (result.outcome == QN_OUTCOME_CANCELLED) {
     qn_cli_error (_ ("%s: cancelled"), input->project.name);
     code = QN_EXIT_CANCELLED;
-  } else if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME) {
+  } else if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME
+             || result.stop == QN_STOP_CHECK) {
     g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
     qn_cli_error ("%s: %s", input->project.name, reason);
     code = QN_EXIT_NO_ANSWER;

@@ -55,6 +55,7 @@
   X (TIME_WITHOUT_STATE, "an analysis in time leaves no equilibrium to start from") \
   X (STABILITY_STAGES, "stability is looked for along the live loads, not along stages") \
   X (STATE_SINGULAR, "stiffness of this state is singular") \
+  X (STATE_UNSTABLE, "this state is not stable: a structure does not vibrate about it") \
   X (CAPACITY_LOADS, "a capacity curve needs horizontal weights as live loads") \
   X (CAPACITY_BEAMS, "capacity curves are of blocks alone: beams have no part in them") \
   X (CAPACITY_MOTION, "block does not move with the live load: control another one") \

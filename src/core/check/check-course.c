@@ -175,6 +175,8 @@ reached_target (const QnCheck *check)
   const QnStep *last = &r->steps[r->step_count - 1];
   const QnAnalysisSettings *settings = &model->analysis;
 
+  if (r->vibration.dead_load) /* it was to be brought there and no further */
+    return r->step_count == 1;
   if (model->stage_count > 0)
     return last->stage == (int32_t) model->stage_count || last->stage == 0;
   if (settings->procedure != QN_PROCEDURE_LOAD || settings->max_multiplier == 0
@@ -203,10 +205,12 @@ check_outcome (QnCheck *check)
                 && qn_check_agrees (last->time, check->model->analysis.dynamic.duration,
                                     1e-6 * check->model->analysis.dynamic.duration);
     else
-      is_true = last != NULL && reached_target (check);
+      is_true =
+        last != NULL && reached_target (check) && r->stability != QN_STABILITY_LOST;
     break;
   case QN_OUTCOME_SNAP:
-    is_true = last != NULL && r->has_first_limit_multiplier;
+    is_true =
+      last != NULL && r->has_first_limit_multiplier && r->stability != QN_STABILITY_KEPT;
     break;
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     is_true = r->step_count == 0 && r->unstable_count > 0 && !r->has_collapse_multiplier;

@@ -270,7 +270,8 @@ qn_check_events (QnCheck *check)
   const QnResult *r = check->result;
   int collapses = 0;
 
-  if (r->events_unknown || r->limit.given || r->history.width > 0 || r->step_count == 0)
+  if (r->events_unknown || r->stability != QN_STABILITY_UNKNOWN || r->limit.given
+      || r->history.width > 0 || r->step_count == 0)
     return;
   Stretch stretch = find_stretch (check);
   for (size_t i = 0; i < r->event_count; i++) {

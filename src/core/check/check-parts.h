@@ -34,15 +34,16 @@ typedef struct QnCheck {
   QnCheckDepth depth;
   QnResultFaults *faults;
   QnAssembly assembly;
-  double tolerance;     /* of forces, relative to `scale` */
-  double scale;         /* N: largest force of the step */
-  double largest;       /* m: largest displacement of the step */
-  double change;        /* m: largest change of an elongation in a step so far */
-  bool relaxed;         /* some step so far is not the laws' answer to the one before */
-  double slack;         /* m: what elongations may be off by, of all steps so far */
-  double *u, *residual; /* unknowns */
-  double *rows;         /* scratch, a row for every body */
-  double *forces;       /* scratch, 2 per pair */
+  double tolerance; /* of forces, relative to `scale` */
+  double scale;     /* N: largest force of the step */
+  double largest;   /* m: largest displacement of the step */
+  double change;    /* m: largest change of an elongation in a step so far */
+  bool relaxed;     /* some step so far is not the laws' answer to the one before */
+  double slack;     /* m: what elongations may be off by, of all steps so far */
+  double stiffness_at_rest;  /* N/m: against the mechanism, at the first step */
+  double *u, *residual;      /* unknowns */
+  double *rows;              /* scratch, a row for every body */
+  double *forces;            /* scratch, 2 per pair */
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
   double *elongations;       /* 2 per pair: at the step before */
@@ -66,6 +67,9 @@ void qn_check_events (QnCheck *check);
 
 /* The mechanism at the last step (check-mechanism.c). */
 void qn_check_mechanism (QnCheck *check);
+
+/* Vibrations and stability, at the state of a step (check-modes.c). */
+QnStatus qn_check_modes (QnCheck *check, size_t step, QnDiag *diag);
 
 /* The bounds of limit analysis (check-bounds.c). */
 QnStatus qn_check_bounds (QnCheck *check, QnDiag *diag);

@@ -485,8 +485,8 @@ check_beam_forces (QnCheck *check, size_t step)
 
 /* --- Step by step ------------------------------------------------------------------------- */
 
-static void
-check_step (QnCheck *check, size_t step)
+static QnStatus
+check_step (QnCheck *check, size_t step, QnDiag *diag)
 {
   QnAssembly *as = &check->assembly;
   const QnResult *result = check->result;
@@ -515,7 +515,9 @@ check_step (QnCheck *check, size_t step)
   if (!(in_time && step > 0) && !(result->limit.given && step + 1 < result->step_count))
     check_balance (check, step);
   check_reactions (check, step);
+  QnStatus status = qn_check_modes (check, step, diag);
   qn_assembly_commit (as);
+  return status;
 }
 
 static bool
@@ -561,7 +563,7 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   if (!init (&check, diag))
     status = qn_diag_no_memory (diag);
   for (size_t i = 0; status == QN_OK && i < result->step_count; i++)
-    check_step (&check, i);
+    status = check_step (&check, i, diag);
   if (status == QN_OK) {
     check_copies (&check);
     qn_check_course (&check);

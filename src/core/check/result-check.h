@@ -15,9 +15,13 @@
  *   balance        of every free body, with the loads at the step's multipliers; not in time, where
  *                  inertia and damping belong to it and the result does not keep velocities
  *   reactions      as forces and loads leave them
+ *   events         those that the steps show (check-events.c)
  *   outcome        what the steps say, and the multipliers of collapse and first limit point
  *   mechanism      joints do not overlap; they slide and open where their strength is reached, in the
  *                  sense of their forces and with their dilatancy; the live load does work on it
+ *   modes          of vibration are those of the stiffness at the state, and the inertia of the
+ *                  stiffness tells that none below is missing; where stability is sought, every step is
+ *                  stable, and next to none is left against the buckling mode where it is lost
  *   bounds         of limit analysis: forces in the result prove the lower one, the mechanism the
  *                  upper one; all are in order
  *   interval       no solution is below the collapse multiplier or above the associative bound; each
@@ -48,6 +52,8 @@ typedef enum {
   QN_CLAIM_OVERLAP, /* of the mechanism, as the next two */
   QN_CLAIM_FLOW,
   QN_CLAIM_WORK,
+  QN_CLAIM_STABILITY,
+  QN_CLAIM_MODE,
   QN_CLAIM_LOWER_BOUND,
   QN_CLAIM_UPPER_BOUND,
   QN_CLAIM_INTERVAL, /* of the solutions */

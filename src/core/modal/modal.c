@@ -1,9 +1,11 @@
 #include "core/modal/modal.h"
 
 #include "core/base/memory.h"
+#include "core/check/mode-proof.h"
 #include "core/linalg/lanczos.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
+#include "core/path/proof.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,9 +14,6 @@
 /* Shift of the inverse iteration, as a part of the largest stiffness over mass: small enough to
  * cost no digits, large enough to make K of a free structure regular. */
 #define SHIFT 1e-7
-
-/* Frequencies below this part of the highest that the diagonals allow are rounding. */
-#define ZERO 1e-6
 
 typedef struct {
   QnAssembly *assembly;
@@ -102,7 +101,7 @@ take_modes (const Pencil *pencil, const Eigen *eigen, const double *u, QnModes *
   for (size_t mode = 0; mode < eigen->found; mode++) {
     double square = eigen->values[mode], largest = 0;
     double *shape = modes->shapes + mode * row;
-    modes->omega[mode] = square > ZERO * ZERO * pencil->largest ? sqrt (square) : 0;
+    modes->omega[mode] = square > QN_MODE_ZERO * pencil->largest ? sqrt (square) : 0;
     qn_assembly_expand_rates (as, u, eigen->vectors + mode * (size_t) pencil->n, shape);
     for (size_t b = 0; b < bodies; b++)
       largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
@@ -139,6 +138,37 @@ find_eigenvalues (const Pencil *pencil, QnEquilibrium *eq, size_t wanted, Eigen 
   return qn_diag_no_memory (diag);
 }
 
+/* These are modes, orthonormal, of a stable state, and there is none below the last that is not among
+ * them. */
+static QnStatus
+prove_modes (const Pencil *pencil, const Eigen *eigen, double multiplier, QnDiag *diag)
+{
+  QnModeProof proof;
+  int32_t negative = 0, below = 0, up_to;
+  double worst = 0;
+  QnStatus status = qn_mode_proof_init (&proof, pencil->assembly, multiplier, diag);
+
+  if (status == QN_OK
+      && (!qn_mode_proof_count (&proof, 0, &negative, &up_to)
+          || !qn_mode_proof_count (&proof, eigen->values[eigen->found - 1], &below,
+                                   &up_to)))
+    status = qn_diag_no_memory (diag);
+  if (status == QN_OK && negative > 0)
+    status = qn_diag_set_field (diag, QN_PROBLEM_STATE_UNSTABLE, QN_ENTITY_MODEL, QN_NONE,
+                                NULL, 0);
+  for (size_t i = 0; status == QN_OK && i < eigen->found; i++)
+    worst =
+      fmax (worst, qn_mode_proof_residual (&proof, eigen->values[i],
+                                           eigen->vectors + i * (size_t) pencil->n));
+  if (status == QN_OK)
+    worst = fmax (worst, qn_mode_proof_skewness (&proof, eigen->found, eigen->vectors));
+  if (status == QN_OK && !(below < (int32_t) eigen->found && worst <= QN_MODE_RESIDUAL))
+    status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
+                          QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  qn_mode_proof_clear (&proof);
+  return status;
+}
+
 static QnStatus
 solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
 {
@@ -163,6 +193,8 @@ solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
     status = factorize (&pencil, eq->multiplier, diag);
   if (status == QN_OK)
     status = find_eigenvalues (&pencil, eq, most, &eigen, diag);
+  if (status == QN_OK && eigen.found > 0)
+    status = prove_modes (&pencil, &eigen, eq->multiplier, diag);
   if (status == QN_OK && eigen.found > 0)
     status = take_modes (&pencil, &eigen, eq->u, modes, diag);
   free (pencil.mass);
@@ -203,18 +235,33 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
                               QN_NONE, "procedure", 0);
   QnStatus status =
     qn_path_setup (&path, model, contacts, qn_budget_go_on, &budget, result, diag);
+  result->vibration.dead_load = state == QN_MODAL_DEAD_LOAD;
   if (status == QN_OK)
     status = reach_state (&path, state, &reached, diag);
   if (status == QN_OK && reached && !path.equilibrium.cancelled)
     status = solve_pencil (&path.equilibrium, wanted, modes, diag);
   if (status == QN_OK && path.equilibrium.cancelled)
     result->outcome = QN_OUTCOME_CANCELLED;
-  if (status != QN_OK)
-    qn_modes_clear (modes);
   status = qn_path_finish (&path, status, budget.start);
-  if (status == QN_OK)
+  if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
+    status = qn_result_prove (model, contacts, result, diag);
+  }
+  if (status != QN_OK || result->stop == QN_STOP_CHECK)
+    qn_modes_clear (modes);
   return status;
+}
+
+QnStatus
+qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model, QnResult *result,
+               QnDiag *diag)
+{
+  size_t row = (modes->block_count + modes->node_count) * QN_DOF_COUNT;
+
+  result->vibration.mode = (int32_t) mode + 1;
+  result->vibration.omega = modes->omega[mode];
+  return qn_result_set_mechanism (result, modes->shapes + mode * row,
+                                  model->characteristic_length, diag);
 }
 
 void

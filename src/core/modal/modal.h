@@ -29,11 +29,17 @@ typedef enum {
 
 /* Solves for the `wanted` (>= 1) lowest modes, or as many as there are. *result holds the path up
  * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty.
- * Refuses blocks without mass and states in which pairs slip without dilatancy, whose stiffness
+ * The path is proved as that of every analysis; the modes are proved by their residuals, their
+ * orthogonality, and the inertia of the stiffness, which tells that none is missing.
+ * Refuses states that are not stable, blocks without mass and states in which pairs slip without dilatancy, whose stiffness
  * is not symmetric. Both outputs are overwritten without being cleared, and empty on failure. */
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
                        QnModalState state, size_t wanted, QnProgressFunc progress,
                        void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);
+
+/* Makes one of the modes, counted from 0, the mechanism of a result of their state. */
+QnStatus qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model,
+                        QnResult *result, QnDiag *diag);
 
 void qn_modes_clear (QnModes *modes);
 

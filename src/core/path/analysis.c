@@ -2,10 +2,10 @@
 
 #include "core/base/clock.h"
 #include "core/base/tolerance.h"
-#include "core/check/result-check.h"
 #include "core/dynamics/dynamics.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
+#include "core/path/proof.h"
 
 #include <math.h>
 
@@ -80,46 +80,6 @@ add_bound (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
   return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
 }
 
-/* --- What is true ------------------------------------------------------------------------- */
-
-/* A result of which nothing is concluded. */
-static void
-withdraw (QnResult *result)
-{
-  result->outcome = QN_OUTCOME_NOT_CONVERGED;
-  result->stop = QN_STOP_CHECK;
-  result->has_associative_bound = false;
-  qn_result_clear_collapse (result);
-  qn_result_clear_events (result);
-  if (result->step_count > 0)
-    result->steps[result->step_count - 1].event = QN_EVENT_NONE;
-}
-
-static QnStatus
-prove (const QnModel *model, const QnContacts *contacts, QnResult *result, QnDiag *diag)
-{
-  QnResultFaults faults;
-  bool stands = true;
-
-  if (result->outcome == QN_OUTCOME_CANCELLED
-      || result->outcome == QN_OUTCOME_NOT_CONVERGED)
-    return QN_OK;
-  QnStatus status =
-    qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
-  for (int i = 0; status == QN_OK && i < faults.count; i++) {
-    QnClaim claim = faults.items[i].claim;
-    if (claim == QN_CLAIM_FIRST_LIMIT)
-      result->has_first_limit_multiplier = false;
-    else if (claim == QN_CLAIM_OVERLAP || claim == QN_CLAIM_FLOW)
-      result->mechanism_uncertain = true;
-    else
-      stands = false;
-  }
-  if (status == QN_OK && !stands)
-    withdraw (result);
-  return status;
-}
-
 /* --- The whole ---------------------------------------------------------------------------- */
 
 static QnStatus
@@ -169,7 +129,7 @@ qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
   if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
     qn_result_judge_linearity (model, result);
-    status = prove (model, contacts, result, diag);
+    status = qn_result_prove (model, contacts, result, diag);
   }
   if (status != QN_OK)
     qn_result_clear (result);

@@ -4,6 +4,7 @@
 #include "core/linalg/inertia.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
+#include "core/path/proof.h"
 
 #include <string.h>
 
@@ -104,8 +105,8 @@ conclude (Search *search, QnDiag *diag)
 
   search->finished = true;
   result->outcome = QN_OUTCOME_SNAP;
-  result->has_first_limit_multiplier = true;
-  result->first_limit_multiplier = 0.5 * (stable + search->unstable);
+  result->stability = QN_STABILITY_LOST;
+  qn_result_set_first_limit (result, 0.5 * (stable + search->unstable));
   result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
   return record_mode (search, diag);
 }
@@ -132,6 +133,7 @@ advance (Search *search, double *increment, QnDiag *diag)
   *increment *= GROWTH;
   if (target >= search->end) {
     path->result->outcome = QN_OUTCOME_TARGET_REACHED;
+    path->result->stability = QN_STABILITY_KEPT;
     search->finished = true;
   }
   return QN_OK;
@@ -203,7 +205,9 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
     qn_equilibrium_restore (&search.path.equilibrium);
   qn_inertia_free (search.inertia);
   status = qn_path_finish (&search.path, status, budget.start);
-  if (status == QN_OK)
+  if (status == QN_OK) {
     qn_budget_conclude (&budget, result);
+    status = qn_result_prove (model, contacts, result, diag);
+  }
   return status;
 }

@@ -20,6 +20,10 @@
  *            `mechanism` the buckling mode;
  *            TARGET_REACHED: the path is stable all along; others as of any path.
  *
+ * Everything is proved as qn_result_prove() does: every step is stable by the inertia of its stiffness.
+ * Where next to no stiffness is left against the mode, it is proved too; else (no equilibrium was found
+ * beyond the last step) the mechanism is marked as uncertain.
+ *
  * Refuses limit analysis, stages, and states whose stiffness is not symmetric (slip without
  * dilatancy). *result is overwritten without being cleared, and empty on failure. */
 QnStatus qn_stability_run (const QnModel *model, const QnContacts *contacts,

@@ -29,6 +29,12 @@ const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT] = {
   [QN_EVENT_KIND_COLLAPSE] = "collapse",
 };
 
+const char *const qn_stability_names[QN_STABILITY_COUNT] = {
+  [QN_STABILITY_UNKNOWN] = "unknown",
+  [QN_STABILITY_KEPT] = "kept",
+  [QN_STABILITY_LOST] = "lost",
+};
+
 void
 qn_statistics_add (QnStatistics *total, const QnStatistics *part)
 {

@@ -172,6 +172,23 @@ typedef enum {
   QN_LINEARITY_BEYOND
 } QnLinearity;
 
+/* What a mechanism is where it is a mode of vibration. */
+typedef struct QnVibration {
+  bool
+    dead_load; /* the state is that under dead load alone, else the last of the analysis */
+  int32_t mode; /* from 1, by frequency; 0: the mechanism is none */
+  double omega; /* rad/s */
+} QnVibration;
+
+/* What a search for the loss of stability says. */
+typedef enum {
+  QN_STABILITY_UNKNOWN, /* the analysis is no such search */
+  QN_STABILITY_KEPT,    /* every step is stable */
+  QN_STABILITY_LOST,    /* so is every step, but beyond the last one stability is lost: at
+                           first_limit_multiplier, in the way of the mechanism */
+  QN_STABILITY_COUNT
+} QnStability;
+
 /* Most solutions that a result keeps. */
 #define QN_RESULT_SOLUTIONS 8
 
@@ -201,7 +218,8 @@ typedef struct QnResult {
 
   QnPathEvent *events; /* by multiplier, those of the last stage */
   size_t event_count, event_capacity;
-  bool events_unknown; /* read from a file of an earlier version, which does not tell them */
+  bool
+    events_unknown; /* read from a file of an earlier version, which does not tell them */
 
   QnSolution solutions[QN_RESULT_SOLUTIONS]; /* as they were met */
   int32_t solution_count;
@@ -213,6 +231,8 @@ typedef struct QnResult {
   double beyond_linear_multiplier; /* of BEYOND, 0 in time: at which it was */
 
   QnLimitFigures limit;
+  QnVibration vibration;
+  QnStability stability;
 
   size_t block_count;
   size_t node_count;    /* of beams */
@@ -299,6 +319,9 @@ void qn_result_judge_linearity (const QnModel *model, QnResult *result);
 
 /* Largest displacement of a block or node from one step to another, rotations aside, m. */
 double qn_result_motion (const QnResult *result, size_t from, size_t to);
+
+/* Result-file spelling: "kept", "lost". */
+extern const char *const qn_stability_names[QN_STABILITY_COUNT];
 
 /* Result-file spelling: "local", "snap", "collapse". */
 extern const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT];

@@ -194,13 +194,11 @@ on_solver_progress (const QnProgress *progress, void *user_data)
 static QnStatus
 take_mode (QnRun *run, const QnModes *modes, gsize number, gboolean loaded, QnDiag *diag)
 {
-  gsize row = (modes->block_count + modes->node_count) * QN_DOF_COUNT;
   run->mode = (guint) number + 1;
   run->mode_count = (guint) modes->count;
   run->omega = modes->omega[number];
   run->loaded = loaded;
-  return qn_result_set_mechanism (&run->result, modes->shapes + number * row,
-                                  run->model.characteristic_length, diag);
+  return qn_modes_show (modes, number, &run->model, &run->result, diag);
 }
 
 /* A result of the state alone that the structure vibrates about. */
@@ -210,6 +208,7 @@ copy_state (const QnResult *from, QnResult *to, QnDiag *diag)
   QnStatus status = qn_result_init (to, from->block_count, 0, diag);
   to->node_count = from->node_count;
   to->outcome = from->outcome;
+  to->vibration = from->vibration;
   to->statistics = from->statistics;
   if (status == QN_OK && from->step_count > 0
       && !qn_result_add_step (to, from->steps[from->step_count - 1],

@@ -438,6 +438,27 @@ read_events (QnJsonStream *stream, gpointer target)
 }
 
 static gboolean
+read_vibration (QnJsonStream *stream, gpointer target)
+{
+  static const QnJsonMember members[] = {
+    { "dead_load", read_true, offsetof (QnVibration, dead_load), QN_JSON_REQUIRED },
+    { "mode", qn_json_stream_int32, offsetof (QnVibration, mode), QN_JSON_REQUIRED },
+    { "omega", qn_json_stream_number, offsetof (QnVibration, omega), QN_JSON_REQUIRED },
+  };
+  return qn_json_stream_object (stream, members, G_N_ELEMENTS (members), target);
+}
+
+static gboolean
+read_stability (QnJsonStream *stream, gpointer target)
+{
+  int stability = read_word (stream, qn_stability_names, QN_STABILITY_COUNT);
+  if (stability < 0)
+    return qn_json_stream_fail (stream, _ ("expected \"kept\" or \"lost\""));
+  *(QnStability *) target = (QnStability) stability;
+  return TRUE;
+}
+
+static gboolean
 read_statistics (QnJsonStream *stream, gpointer target)
 {
   static const QnJsonMember members[] = {
@@ -493,6 +514,8 @@ read_document (QnJsonStream *stream, gpointer target)
     { "elements", read_element, 0, QN_JSON_EACH },
     { "steps", read_step, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
     { "contacts", read_contact, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
+    { "vibration", read_vibration, RESULT (vibration), QN_JSON_OPTIONAL },
+    { "stability", read_stability, RESULT (stability), QN_JSON_OPTIONAL },
     { "mechanism", read_mechanism, 0, QN_JSON_OPTIONAL },
     { "mechanism_uncertain", read_true, RESULT (mechanism_uncertain), QN_JSON_OPTIONAL },
     { "node_mechanism", read_row, OF (node_mechanism), QN_JSON_EACH },

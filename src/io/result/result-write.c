@@ -420,6 +420,23 @@ write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
   }
 }
 
+/* What the mechanism is where it is no collapse. */
+static void
+write_mode (QnFileWriter *writer, const QnResult *result)
+{
+  const QnVibration *vibration = &result->vibration;
+  if (vibration->mode > 0) {
+    qn_file_writer_printf (
+      writer, "  \"vibration\": { \"dead_load\": %s, \"mode\": %d, \"omega\": ",
+      vibration->dead_load ? "true" : "false", vibration->mode);
+    qn_file_writer_number (writer, vibration->omega);
+    qn_file_writer_puts (writer, " },\n");
+  }
+  if (result->stability != QN_STABILITY_UNKNOWN)
+    qn_file_writer_printf (writer, "  \"stability\": \"%s\",\n",
+                           qn_stability_names[result->stability]);
+}
+
 /* The velocity field and, for readers who do not want to work them out, its facts. These are
  * left out where memory runs out: the field is the result. */
 static void
@@ -472,6 +489,7 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
   write_beams (writer, &project->model);
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
+  write_mode (writer, result);
   write_mechanism (writer, &project->model, contacts, result);
   if (result->history.width > 0)
     qn_result_history_write (writer, &project->model, result);

@@ -42,6 +42,9 @@ static const struct {
                       N_ ("the mechanism moves where the joints cannot yield"), "m" },
   [QN_CLAIM_WORK] = { "mechanism-work",
                       N_ ("the live load does no work on the mechanism"), "J" },
+  [QN_CLAIM_STABILITY] = { "stability", N_ ("the step is not stable"), NULL },
+  [QN_CLAIM_MODE] = { "mode", N_ ("the mode is not one of the stiffness at this step"),
+                      "" },
   [QN_CLAIM_LOWER_BOUND] = { "lower-bound",
                              N_ ("the lower bound is not the multiplier that the forces "
                                  "carry"),

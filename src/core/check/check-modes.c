@@ -1,0 +1,108 @@
+/* Modes of vibration, and where stability is lost. */
+#include "core/check/check-parts.h"
+#include "core/check/mode-proof.h"
+#include "core/linalg/inertia.h"
+
+#include <math.h>
+
+/* What is left of the stiffness against a buckling mode where stability is lost: the multiplier is
+ * resolved to 1e-7 of itself, and stiffness is lost at least like the root of what is missing. */
+#define LEFT 1e-2
+
+/* A critical multiplier is next to that of the last stable step by this part of the tolerance. */
+#define NEXT 1e-3
+
+static void
+tell (QnCheck *check, QnClaim claim, size_t step, double stated, double found)
+{
+  qn_check_tell (check, claim, (QnId) step, QN_ENTITY_MODEL, QN_NONE, stated, found);
+}
+
+static QnStatus
+check_vibration (QnCheck *check, size_t step, QnDiag *diag)
+{
+  const QnVibration *stated = &check->result->vibration;
+  double square = stated->omega * stated->omega;
+  QnModeProof proof;
+  int32_t below = 0, up_to = 0;
+  QnStatus status = qn_mode_proof_init (&proof, &check->assembly, 0, NULL);
+
+  if (status == QN_ERROR_NO_MEMORY
+      || (status == QN_OK && !qn_mode_proof_count (&proof, square, &below, &up_to)))
+    status = qn_diag_no_memory (diag);
+  else if (status != QN_OK) { /* without mass nothing vibrates */
+    tell (check, QN_CLAIM_MODE, step, stated->omega, NAN);
+    status = QN_OK;
+  } else if (!(stated->omega >= 0) || stated->mode <= below || stated->mode > up_to)
+    tell (check, QN_CLAIM_MODE, step, stated->mode, below + 1);
+  else if (!(qn_mode_proof_residual (&proof, square, check->velocity)
+             <= QN_MODE_RESIDUAL))
+    tell (check, QN_CLAIM_MODE, step, stated->omega, NAN);
+  qn_mode_proof_clear (&proof);
+  return status;
+}
+
+/* x'Kx of the mechanism. */
+static double
+find_stiffness (const QnCheck *check)
+{
+  const QnAssembly *as = &check->assembly;
+  double sum = 0;
+
+  qn_assembly_multiply (as, as->ax, check->velocity, check->residual);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    sum += check->residual[i] * check->velocity[i];
+  return sum;
+}
+
+/* Every step is stable; where stability is lost, beyond the last one there is next to no stiffness left
+ * against the mode. */
+static QnStatus
+check_stability (QnCheck *check, size_t step, QnDiag *diag)
+{
+  QnAssembly *as = &check->assembly;
+  const QnResult *result = check->result;
+  double at = result->steps[step].multiplier, lost = result->first_limit_multiplier;
+  QnInertiaCount count = { 0 };
+
+  qn_assembly_tangent_held (as, 0);
+  QnInertia *inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
+  bool counted = inertia != NULL && qn_inertia_count (inertia, as->ax, &count);
+  qn_inertia_free (inertia);
+  if (!counted)
+    return qn_diag_no_memory (diag);
+  bool is_last = step + 1 == result->step_count;
+  bool ends = is_last && result->stability == QN_STABILITY_LOST;
+  if (count.negative + count.zero > 0 && !(ends && step == 0))
+    tell (check, QN_CLAIM_STABILITY, step, NAN, NAN);
+  if (step == 0 && result->mechanism != NULL)
+    check->stiffness_at_rest = find_stiffness (check);
+  if (!ends)
+    return QN_OK;
+  double tolerance = NEXT * check->model->analysis.multiplier_tolerance * fabs (lost);
+  if (!(lost >= at && lost - at <= tolerance))
+    tell (check, QN_CLAIM_FIRST_LIMIT, step, lost, at);
+  if (result->mechanism == NULL)
+    tell (check, QN_CLAIM_MODE, step, NAN, NAN);
+  else if (step > 0 && !result->mechanism_uncertain
+           && !(find_stiffness (check) <= LEFT * check->stiffness_at_rest))
+    tell (check, QN_CLAIM_MODE, step, find_stiffness (check) / check->stiffness_at_rest,
+          0);
+  return QN_OK;
+}
+
+QnStatus
+qn_check_modes (QnCheck *check, size_t step, QnDiag *diag)
+{
+  const QnResult *result = check->result;
+  QnStatus status = QN_OK;
+
+  if (result->mechanism != NULL)
+    qn_check_gather (&check->assembly, result->mechanism, check->velocity);
+  if (result->stability != QN_STABILITY_UNKNOWN)
+    status = check_stability (check, step, diag);
+  if (status == QN_OK && result->vibration.mode > 0 && result->mechanism != NULL
+      && step + 1 == result->step_count)
+    status = check_vibration (check, step, diag);
+  return status;
+}

@@ -1,0 +1,107 @@
+#include "core/check/mode-proof.h"
+
+#include "core/base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Squares of frequencies that differ by less than this part are taken for one. */
+#define APART 1e-6
+
+QnStatus
+qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, QnDiag *diag)
+{
+  size_t n = (size_t) as->unknown_count, entries = (size_t) as->ap[n];
+
+  *proof = (QnModeProof){ .assembly = as,
+                          .n = as->unknown_count,
+                          .stiffness = qn_alloc (entries, sizeof (double)),
+                          .mass = qn_alloc (entries, sizeof (double)),
+                          .shifted = qn_alloc (entries, sizeof (double)),
+                          .product = qn_alloc (n, sizeof (double)),
+                          .inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai) };
+  if (proof->stiffness == NULL || proof->mass == NULL || proof->shifted == NULL
+      || proof->product == NULL || proof->inertia == NULL)
+    return qn_diag_no_memory (diag);
+  QnStatus status = qn_assembly_mass (as, proof->mass, diag);
+  if (status != QN_OK)
+    return status;
+  qn_assembly_tangent_held (as, multiplier);
+  memcpy (proof->stiffness, as->ax, entries * sizeof *proof->stiffness);
+  for (size_t i = 0; i < n; i++) {
+    double mass = proof->mass[as->diagonal[i]];
+    if (mass > 0)
+      proof->largest = fmax (proof->largest, proof->stiffness[as->diagonal[i]] / mass);
+  }
+  return QN_OK;
+}
+
+void
+qn_mode_proof_clear (QnModeProof *proof)
+{
+  free (proof->stiffness);
+  free (proof->mass);
+  free (proof->shifted);
+  free (proof->product);
+  qn_inertia_free (proof->inertia);
+  *proof = (QnModeProof){ 0 };
+}
+
+double
+qn_mode_proof_residual (QnModeProof *proof, double square, const double *x)
+{
+  const QnAssembly *as = proof->assembly;
+  double worst = 0, most = 0;
+
+  for (int32_t j = 0; j < proof->n; j++) { /* rows are columns: both are symmetric */
+    double sum = 0, size = 0;
+    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++) {
+      sum += (proof->stiffness[k] - square * proof->mass[k]) * x[as->ai[k]];
+      size += fabs (proof->stiffness[k] * x[as->ai[k]]);
+    }
+    worst = fmax (worst, fabs (sum));
+    most = fmax (most, size);
+  }
+  return most > 0 ? worst / most : NAN;
+}
+
+double
+qn_mode_proof_skewness (QnModeProof *proof, size_t count, const double *columns)
+{
+  size_t n = (size_t) proof->n;
+  double worst = 0;
+
+  for (size_t a = 0; a < count; a++) {
+    qn_assembly_multiply (proof->assembly, proof->mass, columns + a * n, proof->product);
+    for (size_t b = 0; b <= a; b++) {
+      double sum = a == b ? -1 : 0;
+      for (size_t i = 0; i < n; i++)
+        sum += proof->product[i] * columns[b * n + i];
+      worst = fmax (worst, fabs (sum));
+    }
+  }
+  return worst;
+}
+
+static bool
+count_below (QnModeProof *proof, double square, int32_t *count)
+{
+  QnInertiaCount found;
+
+  for (int32_t k = 0; k < proof->assembly->ap[proof->n]; k++)
+    proof->shifted[k] = proof->stiffness[k] - square * proof->mass[k];
+  if (!qn_inertia_count (proof->inertia, proof->shifted, &found))
+    return false;
+  *count = found.negative;
+  return true;
+}
+
+bool
+qn_mode_proof_count (QnModeProof *proof, double square, int32_t *below, int32_t *up_to)
+{
+  double apart = APART * fabs (square) + QN_MODE_ZERO * proof->largest;
+
+  return count_below (proof, square - apart, below)
+         && count_below (proof, square + apart, up_to);
+}
