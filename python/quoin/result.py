@@ -61,6 +61,57 @@ class Result:
         return None if math.isnan(lower) else (lower, upper)
 
     @property
+    def solutions(self):
+        """Every collapse that was met and proved: dictionaries of "multiplier", "found_by"
+        ("load", "displacement", "work", "arc-length" or "limit") and "displacement" (largest
+        since the dead load, m; None of rigid blocks)."""
+        handle = self._handle
+        return [{
+            "multiplier": lib.quoin_result_get_solution_multiplier(handle, i),
+            "found_by": _library.text(lib.quoin_result_get_solution_found_by(handle, i)),
+            "displacement": _number(lib.quoin_result_get_solution_displacement(handle, i)),
+        } for i in range(lib.quoin_result_get_solution_count(handle))]
+
+    @property
+    def collapse_interval(self):
+        """(least of the solutions, associative bound), which no equilibrium exceeds; None
+        where one is not known."""
+        ends = ffi.new("double[2]")
+        lib.quoin_result_get_collapse_interval(self._handle, ends)
+        return _number(ends[0]), _number(ends[1])
+
+    @property
+    def beyond_linear(self):
+        """Whether, in linear geometry, blocks moved farther than it holds for before the
+        answer was settled."""
+        return lib.quoin_result_is_beyond_linear(self._handle)
+
+    @property
+    def beyond_linear_multiplier(self):
+        """The multiplier at which they did, or None."""
+        return _number(lib.quoin_result_get_beyond_linear_multiplier(self._handle))
+
+    @property
+    def events(self):
+        """What happens as the load grows: dictionaries of "multiplier", "kind" ("local",
+        "snap", "collapse"), "displacements" (largest before and after, m), "energy" set free
+        (J) and "blocks" (numbers of those that move)."""
+        return [self._event(i)
+                for i in range(lib.quoin_result_get_event_count(self._handle))]
+
+    def _event(self, i):
+        handle, ends, count = self._handle, ffi.new("double[2]"), ffi.new("size_t *")
+        lib.quoin_result_get_event_displacements(handle, i, ends)
+        blocks = lib.quoin_result_get_event_blocks(handle, i, count)
+        return {
+            "multiplier": lib.quoin_result_get_event_multiplier(handle, i),
+            "kind": _library.text(lib.quoin_result_get_event_kind(handle, i)),
+            "displacements": tuple(ends),
+            "energy": lib.quoin_result_get_event_energy(handle, i),
+            "blocks": ffi.unpack(blocks, count[0]) if count[0] > 0 else [],
+        }
+
+    @property
     def multipliers(self):
         """(steps,): of every equilibrium; the first is the dead load alone."""
         return _library.array(lib.quoin_result_get_multipliers(self._handle),

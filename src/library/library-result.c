@@ -1,6 +1,7 @@
 #include "core/limit/limit.h"
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
+#include "io/project/project-names.h"
 #include "library/library-private.h"
 
 #include <math.h>
@@ -235,6 +236,90 @@ double
 quoin_result_get_upper_bound (const QuoinResult *result)
 {
   return result->result.limit.given ? result->result.limit.upper_bound : (double) NAN;
+}
+
+size_t
+quoin_result_get_solution_count (const QuoinResult *result)
+{
+  return (size_t) result->result.solution_count;
+}
+
+double
+quoin_result_get_solution_multiplier (const QuoinResult *result, size_t solution)
+{
+  return result->result.solutions[solution].multiplier;
+}
+
+const char *
+quoin_result_get_solution_found_by (const QuoinResult *result, size_t solution)
+{
+  return qn_procedure_names[result->result.solutions[solution].found_by];
+}
+
+double
+quoin_result_get_solution_displacement (const QuoinResult *result, size_t solution)
+{
+  return result->result.solutions[solution].displacement;
+}
+
+void
+quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2])
+{
+  QnProcedure found_by;
+  qn_result_collapse_interval (&result->result, &interval[0], &found_by, &interval[1]);
+}
+
+bool
+quoin_result_is_beyond_linear (const QuoinResult *result)
+{
+  return result->result.linearity == QN_LINEARITY_BEYOND;
+}
+
+double
+quoin_result_get_beyond_linear_multiplier (const QuoinResult *result)
+{
+  bool given =
+    quoin_result_is_beyond_linear (result) && result->result.history.width == 0;
+  return given ? result->result.beyond_linear_multiplier : (double) NAN;
+}
+
+size_t
+quoin_result_get_event_count (const QuoinResult *result)
+{
+  return result->result.event_count;
+}
+
+double
+quoin_result_get_event_multiplier (const QuoinResult *result, size_t event)
+{
+  return result->result.events[event].multiplier;
+}
+
+const char *
+quoin_result_get_event_kind (const QuoinResult *result, size_t event)
+{
+  return qn_event_kind_names[result->result.events[event].kind];
+}
+
+void
+quoin_result_get_event_displacements (const QuoinResult *result, size_t event,
+                                      double displacements[2])
+{
+  displacements[0] = result->result.events[event].displacement_before;
+  displacements[1] = result->result.events[event].displacement_after;
+}
+
+double
+quoin_result_get_event_energy (const QuoinResult *result, size_t event)
+{
+  return result->result.events[event].energy;
+}
+
+const int32_t *
+quoin_result_get_event_blocks (const QuoinResult *result, size_t event, size_t *count)
+{
+  *count = result->result.events[event].block_count;
+  return result->result.events[event].blocks;
 }
 
 size_t

@@ -208,6 +208,44 @@ double quoin_result_get_first_limit_multiplier (const QuoinResult *result);
 double quoin_result_get_lower_bound (const QuoinResult *result); /* limit analysis */
 double quoin_result_get_upper_bound (const QuoinResult *result);
 
+/* Collapses that were met and proved: forces within the strength of every joint in balance, and a
+ * mechanism that they let move. A structure whose joints dilate by less than their friction may have
+ * many; the collapse multiplier is the least. */
+size_t quoin_result_get_solution_count (const QuoinResult *result);
+double quoin_result_get_solution_multiplier (const QuoinResult *result, size_t solution);
+/* "load", "displacement", "work", "arc-length": what the path prescribed there; "limit": of rigid
+ * blocks */
+const char *quoin_result_get_solution_found_by (const QuoinResult *result,
+                                                size_t solution);
+/* Largest since the dead load, m; not-a-number of rigid blocks */
+double quoin_result_get_solution_displacement (const QuoinResult *result,
+                                               size_t solution);
+
+/* From the least solution to the associative bound, which no equilibrium exceeds; not-a-number where
+ * an end is not known. */
+void quoin_result_get_collapse_interval (const QuoinResult *result, double interval[2]);
+
+/* Whether, in linear geometry, blocks moved farther than it holds for before the answer was settled,
+ * and the multiplier at which they did (not-a-number where they did not, or in time). */
+bool quoin_result_is_beyond_linear (const QuoinResult *result);
+double quoin_result_get_beyond_linear_multiplier (const QuoinResult *result);
+
+/* What happens on a path as the load grows, by multiplier; with load stages that of the last one. */
+size_t quoin_result_get_event_count (const QuoinResult *result);
+double quoin_result_get_event_multiplier (const QuoinResult *result, size_t event);
+/* "local": a joint or two settle; "snap": the structure jumps by 5 % of its displacement or more;
+ * "collapse" */
+const char *quoin_result_get_event_kind (const QuoinResult *result, size_t event);
+/* Largest displacement since the dead load before and after, m; of a collapse the latter is how far
+ * the motion was followed. */
+void quoin_result_get_event_displacements (const QuoinResult *result, size_t event,
+                                           double displacements[2]);
+double quoin_result_get_event_energy (const QuoinResult *result,
+                                      size_t event); /* set free, J */
+/* *count: numbers of the blocks that move, ascending */
+const int32_t *quoin_result_get_event_blocks (const QuoinResult *result, size_t event,
+                                              size_t *count);
+
 /* Converged equilibria, the first under dead load alone. Bodies are blocks, then nodes of beams. */
 size_t quoin_result_get_step_count (const QuoinResult *result);
 size_t quoin_result_get_body_count (const QuoinResult *result);

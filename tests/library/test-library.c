@@ -153,6 +153,39 @@ test_builder_forces (void)
   quoin_builder_free (builder);
 }
 
+/* What wall 3 says beside its multiplier. */
+static void
+assert_answer (const QuoinResult *result)
+{
+  double collapse = quoin_result_get_collapse_multiplier (result);
+  double interval[2], moved[2];
+  size_t solutions = quoin_result_get_solution_count (result), count;
+  size_t events = quoin_result_get_event_count (result);
+
+  g_assert_cmpuint (solutions, >=, 1);
+  for (size_t i = 0; i < solutions; i++)
+    g_assert_cmpfloat (quoin_result_get_solution_multiplier (result, i), >=, collapse);
+  g_assert_cmpstr (quoin_result_get_solution_found_by (result, 0), ==, "work");
+  g_assert_cmpfloat (quoin_result_get_solution_displacement (result, 0), >, 0);
+  quoin_result_get_collapse_interval (result, interval);
+  g_assert_cmpfloat (interval[0], ==, collapse);
+  g_assert_cmpfloat (interval[1], >, collapse);
+  g_assert_cmpint (quoin_result_is_beyond_linear (result), ==,
+                   !isnan (quoin_result_get_beyond_linear_multiplier (result)));
+
+  g_assert_cmpuint (events, >=, 1);
+  g_assert_cmpstr (quoin_result_get_event_kind (result, events - 1), ==, "collapse");
+  g_assert_cmpfloat (quoin_result_get_event_multiplier (result, events - 1), ==,
+                     collapse);
+  quoin_result_get_event_displacements (result, events - 1, moved);
+  g_assert_cmpfloat (moved[0], >, 0);
+  g_assert_cmpfloat (moved[1], >, moved[0]);
+  g_assert_cmpfloat (quoin_result_get_event_energy (result, events - 1), >=, 0);
+  const int32_t *blocks = quoin_result_get_event_blocks (result, events - 1, &count);
+  g_assert_cmpuint (count, >, 0);
+  g_assert_cmpint (blocks[count - 1], <, 47);
+}
+
 static void
 test_results (void)
 {
@@ -170,6 +203,7 @@ test_results (void)
                      quoin_result_get_collapse_multiplier (result));
   g_assert_nonnull (quoin_result_get_mechanism (result));
   g_assert_true (isnan (quoin_result_get_lower_bound (result)));
+  assert_answer (result);
 
   /* Every open pair is without force. */
   const double *forces = quoin_result_get_forces (result);
@@ -186,6 +220,7 @@ test_results (void)
   QuoinResult *read = quoin_result_read (model, path, &error);
   g_assert_nonnull (read);
   g_assert_cmpuint (quoin_result_get_step_count (read), ==, steps);
+  assert_answer (read);
   g_assert_cmpmem (quoin_result_get_displacements (read), steps * bodies * 24,
                    quoin_result_get_displacements (result), steps * bodies * 24);
   quoin_result_free (read);

@@ -29,6 +29,23 @@ def test_wall_of_a_file():
     assert len(result.states) == len(result.forces) == 204
 
 
+def test_what_an_answer_is_worth():
+    result = quoin.open(WALLS / "wall3.quoin").solve()
+    assert min(s["multiplier"] for s in result.solutions) == result.multiplier
+    assert result.solutions[0]["found_by"] == "work"
+    assert result.solutions[0]["displacement"] > 0
+    least, bound = result.collapse_interval
+    assert least == result.multiplier < bound
+    assert result.beyond_linear == (result.beyond_linear_multiplier is not None)
+    collapse = result.events[-1]
+    assert (collapse["kind"], collapse["multiplier"]) == ("collapse", result.multiplier)
+    assert 0 < collapse["displacements"][0] < collapse["displacements"][1]
+    assert collapse["energy"] >= 0 and len(collapse["blocks"]) > 0
+    rigid = quoin.open(WALLS / "wall1.quoin").limit()
+    assert rigid.events == [] and not rigid.beyond_linear
+    assert [s["displacement"] for s in rigid.solutions] == [None]
+
+
 def test_overrides_leave_the_model():
     model = quoin.open(WALLS / "wall1.quoin")
     less = model.set({"laws[0].friction": 0.5})
