@@ -18,7 +18,7 @@
 typedef struct Writing {
   const char *name;
   const char *output; /* a folder where it ends in a slash */
-  const char *arguments[12];
+  const char *arguments[14];
 } Writing;
 
 static const Writing writings[] = {
@@ -90,6 +90,10 @@ fill_in (const Place *place, const char *argument)
     return g_strdup (place->input);
   if (strcmp (argument, "RESULT") == 0)
     return g_strdup (place->result);
+  if (strcmp (argument, "CURVES") == 0)
+    return g_build_filename (place->folder, "curves.csv", NULL);
+  if (strcmp (argument, "IN TIME") == 0)
+    return cli_example ("40-rocking-in-time.quoin");
   if (strcmp (argument, "MODEL") == 0)
     return cli_example ("05-stack.quoin");
   if (strcmp (argument, "FIGURES") == 0)
@@ -448,38 +452,82 @@ test_kill_named (gconstpointer data)
 }
 
 static char *
-table_of (const char *folder)
+study_table (const Place *place)
 {
-  CliRun run = cli_run ("study", "table", folder, NULL);
+  CliRun run = cli_run ("study", "table", place->output, NULL);
   cli_assert_done (&run);
   char *table = g_steal_pointer (&run.out);
   cli_run_clear (&run);
   return table;
 }
 
-/* A study whose run is struck at every call, with an error or, where `code` is 0, a kill: the same
- * command goes on with what is there, and the table is that of an undisturbed run. */
-static void
-strike_study (int code)
+static char *
+read_curves (const Place *place)
 {
-  const Writing writing = {
-    "study-run", "study/", { "study", "run", "INPUT", "-q", "-j", "1", "-o", "OUTPUT" }
-  };
-  Place place = { .writing = &writing };
-  int number = 0, struck = 0;
+  g_autofree char *path = fill_in (place, "CURVES");
+  return cli_read (path);
+}
+
+/* Commands that go on where they were interrupted, each with a file that it reads and what all of its
+ * work comes to. */
+typedef struct LongRun {
+  Writing writing;
+  char *(*write_input) (const char *folder);
+  char *(*table) (const Place *place);
+  int stride; /* of so many calls one is struck, unless the test is to be thorough */
+} LongRun;
+
+static char *
+write_record (const char *folder)
+{
+  return cli_write (folder, "pulse.csv",
+                    "time [s],acceleration [m/s2]\n0,0\n0.25,1\n0.5,0\n");
+}
+
+static const LongRun long_runs[] = {
+  { { "study-run", "out/", { "study", "run", "INPUT", "-q", "-j", "1", "-o", "OUTPUT" } },
+    write_study,
+    study_table,
+    1 },
+  { { "ida",
+      "out/",
+      { "ida", "IN TIME", "--set=analysis.dynamic.duration=0.2", "--record", "INPUT",
+        "--scale=1:2:1", "-q", "--jobs=1", "-o", "OUTPUT", "--csv", "CURVES" } },
+    write_record,
+    read_curves,
+    3 },
+};
+
+/* Whether the curves that a run has left, if it has come to them, are those of an undisturbed one. */
+static void
+check_curves (const Place *place, const char *expected)
+{
+  g_autofree char *path = fill_in (place, "CURVES");
+  g_autofree char *content = NULL;
+  if (g_file_get_contents (path, &content, NULL, NULL))
+    g_assert_cmpstr (content, ==, expected);
+}
+
+/* Struck at every call, with an error or, where `code` is 0, a kill: the same command goes on with what
+ * is there, and what comes of it is that of an undisturbed run. */
+static void
+strike (const LongRun *job, int code)
+{
+  Place place = { .writing = &job->writing };
+  int number = 0, struck = 0, stride = g_test_thorough () ? 1 : job->stride;
   place.inputs = test_scratch_new ();
-  place.input = write_study (place.inputs);
+  place.input = job->write_input (place.inputs);
   place.mark = g_build_filename (place.inputs, "mark", NULL);
   place.folder = test_scratch_new ();
-  place.output = g_build_filename (place.folder, "study", NULL);
+  place.output = g_build_filename (place.folder, "out", NULL);
   CliRun run = run_in (&place, NULL, 0);
   cli_assert_done (&run);
   cli_run_clear (&run);
-  g_autofree char *expected = table_of (place.output);
+  g_autofree char *expected = job->table (&place);
 
   do {
     test_scratch_empty (place.folder);
-    g_auto (GStrv) environment = dup_environment (&place, ++number, code, FALSE);
+    g_auto (GStrv) environment = dup_environment (&place, number += stride, code, FALSE);
     run = run_in (&place, environment, 0);
     struck = g_remove (place.mark) == 0;
     if (struck && code == 0)
@@ -488,28 +536,29 @@ strike_study (int code)
       cli_assert_done (&run);
     g_test_message ("call %d: exit code %d, %s", number, run.code, run.err);
     cli_run_clear (&run);
+    check_curves (&place, expected);
 
     run = run_in (&place, NULL, 0);
     cli_assert_done (&run);
     cli_run_clear (&run);
-    g_autofree char *table = table_of (place.output);
+    g_autofree char *table = job->table (&place);
     g_assert_cmpstr (table, ==, expected);
   } while (struck && !g_test_failed ());
-  g_test_message ("struck at %d calls", number - 1);
+  g_test_message ("struck at %d calls", number / stride - 1);
   g_assert_cmpint (number, >, 20);
   place_clear (&place);
 }
 
 static void
-test_study_kill (void)
+test_long_run_kill (gconstpointer data)
 {
-  strike_study (0);
+  strike (data, 0);
 }
 
 static void
-test_study_full (void)
+test_long_run_full (gconstpointer data)
 {
-  strike_study (ENOSPC);
+  strike (data, ENOSPC);
 }
 
 /* No file may be larger than a few bytes: the system sends a signal that ends programs. */
@@ -567,8 +616,13 @@ main (int argc, char **argv)
       g_test_add_data_func (path, &writings[i], faults[k].function);
     }
   }
-  g_test_add_func ("/faults/disk/study-run/kill", test_study_kill);
-  g_test_add_func ("/faults/disk/study-run/every-call", test_study_full);
+  for (size_t i = 0; i < G_N_ELEMENTS (long_runs); i++) {
+    const char *name = long_runs[i].writing.name;
+    g_autofree char *kill = g_strdup_printf ("/faults/disk/%s/kill", name);
+    g_autofree char *full = g_strdup_printf ("/faults/disk/%s/every-call", name);
+    g_test_add_data_func (kill, &long_runs[i], test_long_run_kill);
+    g_test_add_data_func (full, &long_runs[i], test_long_run_full);
+  }
   g_test_add_func ("/faults/disk/standard-output", test_full_standard_output);
   return g_test_run ();
 }

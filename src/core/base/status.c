@@ -15,8 +15,7 @@ bool
 qn_problem_is_of_state (QnProblem problem)
 {
   return problem == QN_PROBLEM_STATE_SLIPS || problem == QN_PROBLEM_STATE_SINGULAR
-         || problem == QN_PROBLEM_STATE_UNSTABLE
-         || problem == QN_PROBLEM_MODES_NOT_FOUND;
+         || problem == QN_PROBLEM_STATE_UNSTABLE || problem == QN_PROBLEM_MODES_NOT_FOUND;
 }
 
 QnStatus
