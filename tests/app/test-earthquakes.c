@@ -265,6 +265,70 @@ test_initial_fixed (void)
   driver_discard (window);
 }
 
+/* ---- capacity ---- */
+
+static gboolean
+has_ratio (gpointer dialog)
+{
+  return driver_find_widget (dialog, has_label, "EN 1998-3") != NULL;
+}
+
+static gboolean
+has_note (gpointer dialog)
+{
+  return driver_find_widget (dialog, has_label, "The model has changed since.") != NULL;
+}
+
+/* The curve is found in the background and held against the spectrum entered; another spectrum is held
+ * against it at once. */
+static void
+test_capacity (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  driver_activate (window, "win.capacity");
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
+  g_assert_nonnull (dialog);
+  driver_press (dialog, "Find Curve");
+  driver_wait (has_ratio, dialog);
+  driver_run (300);
+  driver_screenshot (dialog, "capacity");
+  g_assert_nonnull (driver_find_widget (dialog, has_label, "Block block"));
+  const char *const states[] = { "SLV", "SLC", "SD", "NC" };
+  for (gsize i = 0; i < G_N_ELEMENTS (states); i++)
+    g_assert_nonnull (driver_find_widget (dialog, has_label, states[i]));
+
+  /* A spectrum from a file has no soil; none has no table. */
+  GtkWidget *kind = driver_find_widget (dialog, has_name, "GtkDropDown");
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (kind), 3);
+  driver_run (200);
+  g_assert_false (has_ratio (dialog));
+  driver_screenshot (dialog, "capacity-alone");
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (kind), 1);
+  driver_run (200);
+  g_assert_true (has_ratio (dialog));
+
+  /* What is edited meanwhile is told. */
+  QnId top = 0;
+  for (gsize i = 0; i < model_of (window)->block_count; i++)
+    if (!model_of (window)->blocks[i].support[0])
+      top = (QnId) i;
+  qn_selection_set_blocks (qn_document_get_selection (qn_window_get_document (window)),
+                           &top, 1);
+  driver_activate (window, "win.nudge((0.01,0.0))");
+  driver_wait (has_note, dialog);
+
+  /* The selected block is controlled; one that is not there is refused. */
+  driver_press (dialog, "Take Selected Block");
+  driver_run (100);
+  driver_press (dialog, "Find Curve");
+  driver_wait (has_ratio, dialog);
+  g_assert_false (has_note (dialog));
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_run (100);
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -274,5 +338,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/earthquakes/energies", test_energies);
   g_test_add_func ("/app/earthquakes/initial", test_initial);
   g_test_add_func ("/app/earthquakes/initial-fixed", test_initial_fixed);
+  g_test_add_func ("/app/earthquakes/capacity", test_capacity);
   return g_test_run ();
 }

@@ -25,6 +25,9 @@ void qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc 
 void qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                                const char *path);
 
+/* The capacity curve of the model, and what it is held against. */
+void qn_capacity_window_show (GtkWindow *parent, QnDocument *document);
+
 /* The figures that the project keeps. */
 void qn_figures_window_show (GtkWindow *parent, QnDocument *document);
 

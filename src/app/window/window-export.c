@@ -181,6 +181,14 @@ export_figure (QnWindow *self, GVariant *parameter)
 }
 
 static void
+show_capacity (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_window_commit_entry (self);
+  qn_capacity_window_show (GTK_WINDOW (self), self->document);
+}
+
+static void
 show_figures (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
@@ -283,6 +291,7 @@ qn_window_add_export_actions (QnWindow *self)
     { "repeat-export", NULL, repeat_export },
     { "compare", NULL, compare },
     { "figures", NULL, show_figures },
+    { "capacity", NULL, show_capacity },
     { "export-result", "s", export_result },
     { "export-drawing", NULL, export_drawing },
     { "export-path", "(ss)", export_path },

@@ -3,10 +3,9 @@
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
-#include "core/path/analysis.h"
+#include "doc/view/capacity-answer.h"
 #include "io/exchange/record.h"
 #include "io/text/file-writer.h"
-#include "render/figure/capacity-plot.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -16,15 +15,8 @@
 /* What "g" is in --ag, m/s2. */
 #define STANDARD_GRAVITY 9.80665
 
-/* First step of the control over its target, where both are chosen here: the path rises while joints
- * still deform little. */
-#define INCREMENTS 2000
-
 /* Share of mass below which a word is due. */
 #define SMALL_SHARE 0.5
-
-/* The checks of both codes, in the order of the tables. */
-enum { SLV, SLC, SD, NC, STATE_COUNT };
 
 typedef struct Options {
   QnPictureOptions picture;
@@ -36,22 +28,9 @@ typedef struct Options {
 
 typedef struct Answer {
   const QnInput *input;
-  QnCapacity capacity;
   QnRecord points; /* of a spectrum from a file */
-  QnSpectrum spectrum;
-  gboolean has_spectrum;
-  double confidence;
-  QnEnDemand en;
-  QnCapacityState states[STATE_COUNT];
+  QnCapacityAnswer answer;
 } Answer;
-
-static const char *const state_names[STATE_COUNT] = { "SLV", "SLC", "SD", "NC" };
-
-static const char *
-code_name (int state)
-{
-  return state < SD ? "NTC 2018, Circolare 7/2019 C8.7.1.2" : "EN 1998-3";
-}
 
 /* --- What is asked ----------------------------------------------------------------------- */
 
@@ -71,7 +50,7 @@ parse_acceleration (const char *text)
 static QnExit
 parse_code_spectrum (const QnSubcommand *self, const Options *options, Answer *answer)
 {
-  QnSpectrum *s = &answer->spectrum;
+  QnSpectrum *s = &answer->answer.spectrum;
   s->kind =
     strcmp (options->spectrum, "type1") == 0 ? QN_SPECTRUM_EN_1 : QN_SPECTRUM_EN_2;
   s->damping = options->damping;
@@ -96,9 +75,9 @@ parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer
     return qn_cli_usage_error (self->name, _ ("--confidence is a factor of 1 or more"));
   if (!(options->damping > 0 && options->damping < 1))
     return qn_cli_usage_error (self->name, _ ("--damping is a ratio between 0 and 1"));
-  answer->confidence = options->confidence;
-  answer->has_spectrum = options->spectrum != NULL;
-  if (!answer->has_spectrum) {
+  answer->answer.confidence = options->confidence;
+  answer->answer.has_spectrum = options->spectrum != NULL;
+  if (!answer->answer.has_spectrum) {
     if (options->ag == NULL && options->soil == NULL && options->unit == NULL)
       return QN_EXIT_DONE;
     return qn_cli_usage_error (self->name, _ ("--spectrum is missing"));
@@ -111,10 +90,10 @@ parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer
       self->name, _ ("--ag and --soil belong to the spectra type1 and type2"));
   if (!qn_record_read (options->spectrum, options->unit, 0, &answer->points, &error))
     return qn_cli_fail (error);
-  answer->spectrum = (QnSpectrum){ .kind = QN_SPECTRUM_POINTS,
-                                   .damping = options->damping,
-                                   .points = answer->points.points,
-                                   .point_count = answer->points.count };
+  answer->answer.spectrum = (QnSpectrum){ .kind = QN_SPECTRUM_POINTS,
+                                          .damping = options->damping,
+                                          .points = answer->points.points,
+                                          .point_count = answer->points.count };
   for (gsize i = 0; i < answer->points.count; i++)
     if (!(answer->points.points[i].y > 0)) {
       qn_cli_error (_ ("%s: accelerations of a spectrum must be positive"),
@@ -126,132 +105,43 @@ parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer
 
 /* --- The path ---------------------------------------------------------------------------- */
 
-/* Runs an analysis; QN_EXIT_DONE where it gave a result to go on with. */
 static QnExit
-analyse (const QnInput *input, gboolean quiet, QnResult *result)
+find (QnInput *input, const Options *options, Answer *answer)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
   GError *error = NULL;
-  qn_terminal_progress_init (&progress, quiet);
-  QnStatus status =
-    qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
-                     &progress, result, &diag);
+  QnModel *model = &input->project.model;
+  QnId control = QN_NONE;
+  if (options->control != NULL) {
+    control = qn_model_find_block (model, options->control);
+    if (control == QN_NONE) {
+      qn_cli_error (_ ("%s: --control: no block has the name %s"), input->project.name,
+                    options->control);
+      return QN_EXIT_INVALID;
+    }
+  }
+  qn_terminal_progress_init (&progress, options->quiet);
+  QnCapacityEnd end =
+    qn_capacity_answer_find (&answer->answer, model, &input->contacts, control,
+                             qn_terminal_progress_update, &progress, &diag);
   qn_terminal_progress_done (&progress);
-  if (status == QN_ERROR_CANCELLED
-      || (status == QN_OK && result->outcome == QN_OUTCOME_CANCELLED)) {
+  switch (end) {
+  case QN_CAPACITY_FOUND:
+    return QN_EXIT_DONE;
+  case QN_CAPACITY_CANCELLED:
     qn_cli_error (_ ("%s: cancelled"), input->project.name);
     return QN_EXIT_CANCELLED;
+  case QN_CAPACITY_REFUSED:
+    qn_project_set_error (&input->project, &diag, &error);
+    return qn_cli_fail (error);
+  case QN_CAPACITY_STAGES:
+  case QN_CAPACITY_NO_MECHANISM:
+  case QN_CAPACITY_UNSTABLE:
+    break;
   }
-  if (status == QN_OK)
-    return QN_EXIT_DONE;
-  qn_project_set_error (&input->project, &diag, &error);
-  return qn_cli_fail (error);
-}
-
-/* Height from the lowest to the highest vertex, m. */
-static double
-height_of (const QnModel *model)
-{
-  double low = INFINITY, high = -INFINITY;
-  for (size_t i = 0; i < model->vertex_count; i++) {
-    low = MIN (low, model->vertices[i].y);
-    high = MAX (high, model->vertices[i].y);
-  }
-  return high - low;
-}
-
-/* Controls the block that moves furthest along the load in the mechanism of limit analysis. */
-static QnExit
-choose_control (QnInput *input, gboolean quiet)
-{
-  QnModel *model = &input->project.model;
-  QnResult result;
-  model->analysis.procedure = QN_PROCEDURE_LIMIT;
-  QnExit code = analyse (input, quiet, &result);
-  if (code != QN_EXIT_DONE)
-    return code;
-  double farthest = 0;
-  for (gsize b = 0; result.mechanism != NULL && b < model->block_count; b++) {
-    double ux = result.mechanism[QN_DOF_COUNT * b + QN_DOF_UX];
-    if (fabs (ux) <= fabs (farthest))
-      continue;
-    farthest = ux;
-    model->analysis.control_block = (QnId) b;
-  }
-  qn_result_clear (&result);
-  if (farthest != 0) {
-    model->analysis.control_target = copysign (height_of (model), farthest);
-    return QN_EXIT_DONE;
-  }
-  qn_cli_error (_ ("%s: limit analysis found no mechanism: name a block by --control"),
-                input->project.name);
-  return QN_EXIT_NO_ANSWER;
-}
-
-/* The block of --control, moved along the live load by the height of the structure. */
-static QnExit
-set_control (QnInput *input, const char *name)
-{
-  QnModel *model = &input->project.model;
-  QnId block = qn_model_find_block (model, name);
-  double direction = 0;
-  if (block == QN_NONE) {
-    qn_cli_error (_ ("%s: --control: no block has the name %s"), input->project.name,
-                  name);
-    return QN_EXIT_INVALID;
-  }
-  for (gsize i = 0; i < model->live_load_count; i++)
-    direction += model->live_loads[i].vector.x;
-  model->analysis.control_block = block;
-  model->analysis.control_target = copysign (height_of (model), direction);
-  return QN_EXIT_DONE;
-}
-
-/* The path in large displacements until the multiplier is zero again. */
-static QnExit
-follow (QnInput *input, const Options *options, QnResult *result)
-{
-  QnAnalysisSettings *analysis = &input->project.model.analysis;
-  QnExit code = QN_EXIT_DONE;
-  if (input->project.model.stage_count > 0) {
-    qn_cli_error (_ ("%s: a capacity curve has one live load: no stages"),
-                  input->project.name);
-    return QN_EXIT_INVALID;
-  }
-  if (options->control != NULL)
-    code = set_control (input, options->control);
-  else if (analysis->procedure != QN_PROCEDURE_DISPLACEMENT
-           || analysis->control_block == QN_NONE || analysis->control_dof != QN_DOF_UX)
-    code = choose_control (input, options->quiet);
-  if (code != QN_EXIT_DONE)
-    return code;
-  if (options->control != NULL || analysis->procedure != QN_PROCEDURE_DISPLACEMENT)
-    analysis->increments = MAX (analysis->increments, INCREMENTS);
-  analysis->control_node = QN_NONE;
-  analysis->control_dof = QN_DOF_UX;
-  analysis->procedure = QN_PROCEDURE_DISPLACEMENT;
-  analysis->geometry = QN_GEOMETRY_NONLINEAR;
-  analysis->max_multiplier = INFINITY;
-  code = analyse (input, options->quiet, result);
-  if (code == QN_EXIT_DONE && result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE) {
-    qn_cli_error (_ ("%s: no equilibrium under the dead load"), input->project.name);
-    qn_result_clear (result);
-    return QN_EXIT_NO_ANSWER;
-  }
-  return code;
-}
-
-static void
-check (Answer *answer)
-{
-  const QnCapacity *c = &answer->capacity;
-  for (int i = 0; i < QN_NTC_STATE_COUNT; i++)
-    answer->states[SLV + i] =
-      qn_capacity_check_ntc (c, &answer->spectrum, answer->confidence, (QnNtcState) i);
-  answer->en = qn_capacity_en_demand (c, &answer->spectrum);
-  for (int i = 0; i < QN_EN_STATE_COUNT; i++)
-    answer->states[SD + i] = qn_capacity_check_en (c, &answer->en, (QnEnState) i);
+  qn_cli_error ("%s: %s", input->project.name, qn_capacity_end_text (end));
+  return end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER;
 }
 
 /* --- What comes out ---------------------------------------------------------------------- */
@@ -259,7 +149,7 @@ check (Answer *answer)
 static void
 print (const Answer *answer)
 {
-  const QnCapacity *c = &answer->capacity;
+  const QnCapacity *c = &answer->answer.capacity;
   const QnModel *model = &answer->input->project.model;
   const QnCapacityPoint *peak = &c->points[c->peak];
   printf (_ ("%s: controlled by ux of block %s\n"),
@@ -281,15 +171,17 @@ print (const Answer *answer)
       _ ("e* is small: the blocks move very differently, and a* of the codes is %.1f "
          "times what virtual work gives, multiplier times g\n"),
       1 / c->share);
-  if (!answer->has_spectrum)
+  if (!answer->answer.has_spectrum)
     return;
   printf ("%-36s %5s %12s %12s %10s %12s %10s\n", _ ("code"), _ ("state"),
           _ ("capacity [m]"), _ ("a* [m/s2]"), _ ("T [s]"), _ ("demand [m]"),
           _ ("ratio"));
-  for (int i = 0; i < STATE_COUNT; i++) {
-    const QnCapacityState *s = &answer->states[i];
-    printf ("%-36s %5s %12.5g %12.5g %10.4g %12.5g %10.3f\n", code_name (i),
-            state_names[i], s->capacity, s->acceleration, s->period, s->demand, s->ratio);
+  for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
+    const QnCapacityState *s = &answer->answer.states[i];
+    printf ("%-36s %5s %12.5g %12.5g %10.4g %12.5g %10.3f\n",
+            qn_capacity_check_code ((QnCapacityCheck) i),
+            qn_capacity_check_name ((QnCapacityCheck) i), s->capacity, s->acceleration,
+            s->period, s->demand, s->ratio);
   }
   printf (_ ("ratio: capacity over demand; the check is met from 1 on\n"));
 }
@@ -312,7 +204,7 @@ put_members (QnFileWriter *out, const char *before, const Member *members, gsize
 static QnExit
 write_json (const Answer *answer, const char *path)
 {
-  const QnCapacity *c = &answer->capacity;
+  const QnCapacity *c = &answer->answer.capacity;
   GError *error = NULL;
   QnFileWriter *out = qn_file_writer_open (path, &error);
   if (out == NULL)
@@ -327,14 +219,14 @@ write_json (const Answer *answer, const char *path)
     { "end_displacement", c->end },
   };
   const Member demand[] = {
-    { "yield_acceleration", answer->en.yield_acceleration },
-    { "mechanism_displacement", answer->en.mechanism },
-    { "energy", answer->en.energy },
-    { "yield_displacement", answer->en.yield },
-    { "period", answer->en.period },
-    { "elastic_demand", answer->en.elastic },
-    { "q", answer->en.q },
-    { "target", answer->en.target },
+    { "yield_acceleration", answer->answer.en.yield_acceleration },
+    { "mechanism_displacement", answer->answer.en.mechanism },
+    { "energy", answer->answer.en.energy },
+    { "yield_displacement", answer->answer.en.yield },
+    { "period", answer->answer.en.period },
+    { "elastic_demand", answer->answer.en.elastic },
+    { "q", answer->answer.en.q },
+    { "target", answer->answer.en.target },
   };
   qn_file_writer_puts (out, "{\n  \"format\": \"quoin-capacity\", \"version\": 1,\n"
                             "  \"generator\": \"quoin " QN_VERSION "\",\n  \"model\": ");
@@ -344,21 +236,22 @@ write_json (const Answer *answer, const char *path)
   put_members (out, ",\n  ", facts, G_N_ELEMENTS (facts), ",\n  ");
   qn_file_writer_printf (out, ",\n  \"reaches_zero\": %s",
                          c->reaches_zero ? "true" : "false");
-  if (answer->has_spectrum) {
-    qn_file_writer_puts_number (out, ",\n  \"confidence\": ", answer->confidence);
+  if (answer->answer.has_spectrum) {
+    qn_file_writer_puts_number (out, ",\n  \"confidence\": ", answer->answer.confidence);
     qn_file_writer_puts (out, ",\n  \"en_demand\": ");
     put_members (out, "{ ", demand, G_N_ELEMENTS (demand), ", ");
     qn_file_writer_puts (out, " },\n  \"checks\": [");
-    for (int i = 0; i < STATE_COUNT; i++) {
-      const QnCapacityState *s = &answer->states[i];
+    for (int i = 0; i < QN_CAPACITY_STATE_COUNT; i++) {
+      const QnCapacityState *s = &answer->answer.states[i];
       const Member members[] = { { "capacity", s->capacity },
                                  { "acceleration", s->acceleration },
                                  { "period", s->period },
                                  { "demand", s->demand },
                                  { "ratio", s->ratio } };
       qn_file_writer_printf (out, "%s\n    { \"code\": \"%s\", \"state\": \"%s\"",
-                             i > 0 ? "," : "", i < SD ? "NTC 2018" : "EN 1998-3",
-                             state_names[i]);
+                             i > 0 ? "," : "",
+                             i < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3",
+                             qn_capacity_check_name ((QnCapacityCheck) i));
       put_members (out, ", ", members, G_N_ELEMENTS (members), ", ");
       qn_file_writer_puts (out, " }");
     }
@@ -382,51 +275,24 @@ write_json (const Answer *answer, const char *path)
 static QnExit
 write_csv (const Answer *answer, const char *path)
 {
-  const QnCapacity *c = &answer->capacity;
   GError *error = NULL;
-  QnFileWriter *out = qn_file_writer_open (path, &error);
-  if (out == NULL)
-    return qn_cli_fail (error);
-  qn_file_writer_puts (out, "load multiplier,control displacement [m],spectral "
-                            "displacement [m],spectral acceleration [m/s2]\n");
-  for (size_t i = 0; i < c->count; i++) {
-    const QnCapacityPoint *p = &c->points[i];
-    const double row[] = { p->multiplier, p->control, p->displacement, p->acceleration };
-    qn_file_writer_numbers (out, row, G_N_ELEMENTS (row), ",");
-    qn_file_writer_puts (out, "\n");
-  }
-  return qn_file_writer_commit (out, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
+  return qn_capacity_answer_write_csv (&answer->answer, path, &error)
+           ? QN_EXIT_DONE
+           : qn_cli_fail (error);
 }
 
 static QnExit
 draw (const Answer *answer, const Options *options, const QnOutput *output)
 {
+  const QnProject *project = &answer->input->project;
   QnMetadata metadata;
   GError *error = NULL;
-  QnCapacityMark marks[STATE_COUNT];
-  char *labels[2 * STATE_COUNT] = { NULL };
-  gsize count = answer->has_spectrum ? STATE_COUNT : 0;
-  for (gsize i = 0; i < count; i++) {
-    labels[2 * i] = g_strdup_printf (_ ("%s: capacity"), state_names[i]);
-    labels[2 * i + 1] = g_strdup_printf (_ ("%s: demand"), state_names[i]);
-    marks[i] = (QnCapacityMark){ labels[2 * i], labels[2 * i + 1], answer->states[i] };
-  }
-  QnCapacityPlot plot = { .title = answer->input->project.model.title,
-                          .x_label = _ ("Spectral displacement [m]"),
-                          .y_label = _ ("Spectral acceleration [m/s²]"),
-                          .curve_label = _ ("capacity curve"),
-                          .spectrum_label = _ ("elastic spectrum"),
-                          .capacity = &answer->capacity,
-                          .spectrum = answer->has_spectrum ? &answer->spectrum : NULL,
-                          .marks = marks,
-                          .mark_count = count,
-                          .monochrome = options->picture.monochrome };
-  qn_picture_metadata (&answer->input->project, &metadata);
-  gboolean ok =
-    qn_capacity_plot_export (&plot, options->picture.path, output, &metadata, &error);
-  for (gsize i = 0; i < G_N_ELEMENTS (labels); i++)
-    g_free (labels[i]);
-  return ok ? QN_EXIT_DONE : qn_cli_fail (error);
+  qn_picture_metadata (project, &metadata);
+  return qn_capacity_answer_export (&answer->answer, project->model.title,
+                                    options->picture.monochrome, options->picture.path,
+                                    output, &metadata, &error)
+           ? QN_EXIT_DONE
+           : qn_cli_fail (error);
 }
 
 static QnExit
@@ -450,26 +316,14 @@ report (const Options *options, const QnOutput *output, const Answer *answer)
 static QnExit
 compute (QnInput *input, const Options *options, const QnOutput *output, Answer *answer)
 {
-  QnResult result = { 0 };
-  QnDiag diag = { 0 };
-  GError *error = NULL;
   qn_interrupt_install ();
   answer->input = input;
-  QnExit code = follow (input, options, &result);
-  if (code != QN_EXIT_DONE)
-    return code;
-  if (qn_capacity_init (&answer->capacity, &input->project.model, &result,
-                        input->project.model.analysis.control_block, &diag)
-      != QN_OK) {
-    qn_project_set_error (&input->project, &diag, &error);
-    code = qn_cli_fail (error);
-  } else {
-    if (answer->has_spectrum)
-      check (answer);
+  QnExit code = find (input, options, answer);
+  if (code == QN_EXIT_DONE) {
+    qn_capacity_answer_check (&answer->answer);
     code = report (options, output, answer);
-    qn_capacity_clear (&answer->capacity);
   }
-  qn_result_clear (&result);
+  qn_capacity_clear (&answer->answer.capacity);
   return code;
 }
 

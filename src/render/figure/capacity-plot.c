@@ -28,69 +28,102 @@ find_spectrum (const QnCapacityPlot *plot, double farthest, double *x, double *y
   return count;
 }
 
+/* The plot as a table's, with the numbers that it points to. */
+typedef struct Drawn {
+  QnDataPlot data;
+  QnMarks marks[2 + 2 * MOST_MARKS];
+  double *x, *y;                   /* of the curve; owned */
+  double sx[PERIODS], sy[PERIODS]; /* of the spectrum */
+  double px[MOST_MARKS][3], py[MOST_MARKS][3];
+} Drawn;
+
+static Drawn *
+prepare (const QnCapacityPlot *plot)
+{
+  const QnCapacity *c = plot->capacity;
+  Drawn *d = g_new0 (Drawn, 1);
+  size_t count = 0, shown = MIN (plot->mark_count, MOST_MARKS);
+  double farthest = c->end;
+
+  d->x = g_new (double, c->count);
+  d->y = g_new (double, c->count);
+  for (size_t i = 0; i < c->count; i++) {
+    d->x[i] = c->points[i].displacement;
+    d->y[i] = c->points[i].acceleration;
+  }
+  for (size_t i = 0; i < shown; i++)
+    farthest = fmax (farthest, plot->marks[i].state.demand);
+  d->marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
+                                 .label = plot->curve_label,
+                                 .series = 0,
+                                 .x = d->x,
+                                 .y = d->y,
+                                 .count = c->count };
+  if (plot->spectrum != NULL)
+    d->marks[count++] =
+      (QnMarks){ .kind = QN_MARKS_LINE,
+                 .label = plot->spectrum_label,
+                 .series = 1,
+                 .dashed = true,
+                 .x = d->sx,
+                 .y = d->sy,
+                 .count = find_spectrum (plot, BEYOND * farthest, d->sx, d->sy) };
+  for (size_t i = 0; i < shown; i++) {
+    const QnCapacityState *state = &plot->marks[i].state;
+    double omega = 2 * G_PI / state->period, *px = d->px[i], *py = d->py[i];
+    /* the demand ends the line from the origin whose slope is that of its period */
+    px[1] = state->demand;
+    py[1] = omega * omega * state->demand;
+    px[2] = state->capacity;
+    py[2] = qn_capacity_acceleration (c, state->capacity);
+    d->marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
+                                   .label = plot->marks[i].demand_label,
+                                   .series = (int) (2 + i),
+                                   .x = px,
+                                   .y = py,
+                                   .count = 2 };
+    d->marks[count++] = (QnMarks){ .kind = QN_MARKS_POINTS,
+                                   .label = plot->marks[i].capacity_label,
+                                   .series = (int) (2 + i),
+                                   .x = px + 2,
+                                   .y = py + 2,
+                                   .count = 1 };
+  }
+  d->data = (QnDataPlot){ .title = plot->title,
+                          .x_label = plot->x_label,
+                          .y_label = plot->y_label,
+                          .x_from_zero = true,
+                          .y_from_zero = true,
+                          .marks = d->marks,
+                          .mark_count = count,
+                          .monochrome = plot->monochrome };
+  return d;
+}
+
+static void
+drawn_free (Drawn *d)
+{
+  g_free (d->x);
+  g_free (d->y);
+  g_free (d);
+}
+
+void
+qn_capacity_plot_draw (const QnCapacityPlot *plot, cairo_t *cr, double width,
+                       double height, double unit)
+{
+  Drawn *d = prepare (plot);
+  qn_data_plot_draw (&d->data, cr, width, height, unit, NULL);
+  drawn_free (d);
+}
+
 bool
 qn_capacity_plot_export (const QnCapacityPlot *plot, const char *path,
                          const QnOutput *output, const QnMetadata *metadata,
                          GError **error)
 {
-  const QnCapacity *c = plot->capacity;
-  QnMarks marks[2 + 2 * MOST_MARKS];
-  g_autofree double *x = g_new (double, c->count), *y = g_new (double, c->count);
-  g_autofree double *sx = g_new (double, PERIODS), *sy = g_new (double, PERIODS);
-  double px[MOST_MARKS][3], py[MOST_MARKS][3];
-  size_t count = 0, shown = MIN (plot->mark_count, MOST_MARKS);
-  double farthest = c->end;
-
-  for (size_t i = 0; i < c->count; i++) {
-    x[i] = c->points[i].displacement;
-    y[i] = c->points[i].acceleration;
-  }
-  for (size_t i = 0; i < shown; i++)
-    farthest = fmax (farthest, plot->marks[i].state.demand);
-  marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
-                              .label = plot->curve_label,
-                              .series = 0,
-                              .x = x,
-                              .y = y,
-                              .count = c->count };
-  if (plot->spectrum != NULL)
-    marks[count++] =
-      (QnMarks){ .kind = QN_MARKS_LINE,
-                 .label = plot->spectrum_label,
-                 .series = 1,
-                 .dashed = true,
-                 .x = sx,
-                 .y = sy,
-                 .count = find_spectrum (plot, BEYOND * farthest, sx, sy) };
-  for (size_t i = 0; i < shown; i++) {
-    const QnCapacityState *state = &plot->marks[i].state;
-    double omega = 2 * G_PI / state->period;
-    /* the demand ends the line from the origin whose slope is that of its period */
-    px[i][0] = py[i][0] = 0;
-    px[i][1] = state->demand;
-    py[i][1] = omega * omega * state->demand;
-    px[i][2] = state->capacity;
-    py[i][2] = qn_capacity_acceleration (c, state->capacity);
-    marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
-                                .label = plot->marks[i].demand_label,
-                                .series = (int) (2 + i),
-                                .x = px[i],
-                                .y = py[i],
-                                .count = 2 };
-    marks[count++] = (QnMarks){ .kind = QN_MARKS_POINTS,
-                                .label = plot->marks[i].capacity_label,
-                                .series = (int) (2 + i),
-                                .x = px[i] + 2,
-                                .y = py[i] + 2,
-                                .count = 1 };
-  }
-  QnDataPlot data = { .title = plot->title,
-                      .x_label = plot->x_label,
-                      .y_label = plot->y_label,
-                      .x_from_zero = true,
-                      .y_from_zero = true,
-                      .marks = marks,
-                      .mark_count = count,
-                      .monochrome = plot->monochrome };
-  return qn_data_plot_export (&data, path, output, metadata, error);
+  Drawn *d = prepare (plot);
+  bool ok = qn_data_plot_export (&d->data, path, output, metadata, error);
+  drawn_free (d);
+  return ok;
 }

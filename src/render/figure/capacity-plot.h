@@ -21,6 +21,10 @@ typedef struct QnCapacityPlot {
   bool monochrome;
 } QnCapacityPlot;
 
+/* Draws the plot on a surface of this size, px, a point being `unit` px. */
+void qn_capacity_plot_draw (const QnCapacityPlot *plot, cairo_t *cr, double width,
+                            double height, double unit);
+
 /* Writes the plot as qn_page_export() does. */
 bool qn_capacity_plot_export (const QnCapacityPlot *plot, const char *path,
                               const QnOutput *output, const QnMetadata *metadata,

@@ -1,0 +1,557 @@
+/* The capacity curve of the model beside a spectrum: which block is controlled, which earthquake; the
+ * plot, the checks of both codes, pictures and tables of them. */
+#include "app/dialogs/dialogs.h"
+
+#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
+#include "app/widgets/chooser.h"
+#include "app/widgets/dialog.h"
+#include "app/widgets/help.h"
+#include "app/widgets/settings.h"
+#include "doc/view/capacity-answer.h"
+#include "doc/view/figure-export.h"
+#include "io/exchange/record.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+/* px of a point of the plot's text. */
+#define UNIT 1.2
+
+/* "g" of the field of the ground acceleration, m/s2. */
+#define STANDARD_GRAVITY 9.80665
+
+/* Where the window keeps its form. */
+#define FORM "capacity-form"
+
+/* Share of mass below which a word is due. */
+#define SMALL_SHARE 0.5
+
+enum { TYPE_1, TYPE_2, FROM_FILE, NONE };
+
+static const char *const units[] = { NULL, "g", "m/s2", "cm/s2" };
+
+typedef struct Form {
+  QnBoundForm base;
+  QnDocument *document;
+  char *control; /* name of the block; NULL: to be chosen */
+  int kind, unit;
+  QnSpectrum spectrum; /* what is entered; points are those of `points` */
+  QnRecord points;
+  char *file;                /* path of the points */
+  QnCapacityAnswer answer;   /* of the model as it was when the curve was found */
+  char *block, *title;       /* names of then */
+  gboolean found, outdated;  /* whether there is a curve; the model has changed since */
+  char *message;             /* NULL: what there is to say of the curve */
+  GCancellable *cancellable; /* while it is searched */
+  GObject *chooser;
+} Form;
+
+enum {
+  CONTROL,
+  TAKE_SELECTED,
+  KIND,
+  AG,
+  SOIL,
+  DAMPING,
+  UNIT_OF_FILE,
+  FILE_BUTTON,
+  FILE_NAME,
+  CONFIDENCE,
+  FACTS,
+  PLOT,
+  TABLE,
+  COVER,
+  FIND,
+  CANCEL,
+  EXPORT_PICTURE,
+  EXPORT_TABLE
+};
+
+static const QnFormField fields[] = {
+  [CONTROL] = { .id = "control" },
+  [TAKE_SELECTED] = { .id = "take_selected" },
+  [KIND] = { .id = "kind" },
+  [AG] = { .id = "ag" },
+  [SOIL] = { .id = "soil" },
+  [DAMPING] = { .id = "damping" },
+  [UNIT_OF_FILE] = { .id = "unit" },
+  [FILE_BUTTON] = { .id = "file" },
+  [FILE_NAME] = { .id = "file_name" },
+  [CONFIDENCE] = { .id = "confidence" },
+  [FACTS] = { .id = "facts" },
+  [PLOT] = { .id = "plot" },
+  [TABLE] = { .id = "table" },
+  [COVER] = { .id = "cover" },
+  [FIND] = { .id = "find" },
+  [CANCEL] = { .id = "cancel" },
+  [EXPORT_PICTURE] = { .id = "export_picture" },
+  [EXPORT_TABLE] = { .id = "export_table" },
+};
+
+/* ---- the answer ---- */
+
+/* Holds the curve against what is entered. */
+static void
+check (Form *form)
+{
+  QnCapacityAnswer *answer = &form->answer;
+  answer->spectrum = form->spectrum;
+  answer->spectrum.kind = form->kind == TYPE_1   ? QN_SPECTRUM_EN_1
+                          : form->kind == TYPE_2 ? QN_SPECTRUM_EN_2
+                                                 : QN_SPECTRUM_POINTS;
+  answer->spectrum.points = form->points.points;
+  answer->spectrum.point_count = form->points.count;
+  answer->has_spectrum =
+    form->kind != NONE && (form->kind != FROM_FILE || form->points.count > 0);
+  if (form->found)
+    qn_capacity_answer_check (answer);
+}
+
+static void
+clear_curve (Form *form)
+{
+  qn_capacity_clear (&form->answer.capacity);
+  g_clear_pointer (&form->block, g_free);
+  g_clear_pointer (&form->title, g_free);
+  form->found = FALSE;
+}
+
+static void
+say (Form *form, const char *message)
+{
+  g_free (form->message);
+  form->message = g_strdup (message);
+  qn_bound_form_show (form);
+}
+
+static void
+on_found (GObject *source, GAsyncResult *result, gpointer data)
+{
+  g_autoptr (GError) error = NULL;
+  g_autofree char *block = NULL;
+  g_autofree QnCapacity *curve = qn_capacity_find_finish (result, &block, &error);
+  (void) source;
+  /* The window may have been closed meanwhile. */
+  g_autoptr (GObject) root = g_weak_ref_get (data);
+  Form *form = root != NULL ? g_object_get_data (root, FORM) : NULL;
+  g_weak_ref_clear (data);
+  g_free (data);
+  if (form == NULL) {
+    if (curve != NULL)
+      qn_capacity_clear (curve);
+    return;
+  }
+  g_clear_object (&form->cancellable);
+  form->found = curve != NULL;
+  if (form->found) {
+    form->answer.capacity = *curve;
+    form->block = g_steal_pointer (&block);
+    check (form);
+  }
+  say (form, error != NULL ? error->message : NULL);
+}
+
+static void
+find (Form *form)
+{
+  const QnModel *model = qn_document_get_model (form->document);
+  QnId control =
+    form->control != NULL ? qn_model_find_block (model, form->control) : QN_NONE;
+  if (form->control != NULL && control == QN_NONE) {
+    g_autofree char *message =
+      g_strdup_printf (_ ("No block is called %s"), form->control);
+    say (form, message);
+    return;
+  }
+  clear_curve (form);
+  form->outdated = FALSE;
+  form->title = g_strdup (model->title);
+  form->cancellable = g_cancellable_new ();
+  GWeakRef *root = g_new0 (GWeakRef, 1);
+  g_weak_ref_init (root, form->base.root);
+  qn_capacity_find_async (model, control, form->cancellable, on_found, root);
+  say (form, NULL);
+}
+
+/* ---- files ---- */
+
+static void
+read_points (Form *form, const char *path)
+{
+  QnRecord record;
+  g_autoptr (GError) error = NULL;
+  gboolean positive = TRUE;
+  if (!qn_record_read (path, units[form->unit], 0, &record, &error)) {
+    say (form, error->message);
+    return;
+  }
+  for (gsize i = 0; i < record.count; i++)
+    positive = positive && record.points[i].y > 0;
+  if (!positive) {
+    qn_record_clear (&record);
+    say (form, _ ("Accelerations of a spectrum must be positive"));
+    return;
+  }
+  qn_record_clear (&form->points);
+  form->points = record;
+  g_free (form->file);
+  form->file = g_strdup (path);
+  check (form);
+  say (form, NULL);
+}
+
+static void
+on_points_chosen (GtkNativeDialog *dialog, int response, Form *form)
+{
+  g_autoptr (GFile) file = response == GTK_RESPONSE_ACCEPT
+                             ? gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog))
+                             : NULL;
+  g_autofree char *path = file != NULL ? g_file_get_path (file) : NULL;
+  if (path != NULL)
+    read_points (form, path);
+  g_clear_object (&form->chooser);
+}
+
+static void
+write_picture (Form *form, const char *path, GError **error)
+{
+  QnOutput output;
+  QnMetadata metadata;
+  qn_output_init (&output);
+  qn_document_get_metadata (form->document, &metadata);
+  qn_capacity_answer_export (&form->answer, form->title, FALSE, path, &output, &metadata,
+                             error);
+}
+
+static void
+on_picture_chosen (GtkNativeDialog *dialog, int response, Form *form)
+{
+  static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
+  g_autoptr (GError) error = NULL;
+  g_autofree char *path = response == GTK_RESPONSE_ACCEPT
+                            ? qn_dialog_dup_chosen_path (dialog, endings, &error)
+                            : NULL;
+  if (path != NULL)
+    write_picture (form, path, &error);
+  if (error != NULL)
+    say (form, error->message);
+  g_clear_object (&form->chooser);
+}
+
+static void
+on_table_chosen (GtkNativeDialog *dialog, int response, Form *form)
+{
+  static const char *const endings[] = { ".csv", NULL };
+  g_autoptr (GError) error = NULL;
+  g_autofree char *path = response == GTK_RESPONSE_ACCEPT
+                            ? qn_dialog_dup_chosen_path (dialog, endings, &error)
+                            : NULL;
+  if (path != NULL)
+    qn_capacity_answer_write_csv (&form->answer, path, &error);
+  if (error != NULL)
+    say (form, error->message);
+  g_clear_object (&form->chooser);
+}
+
+static void
+choose (Form *form, const char *title, const char *name, GCallback chosen)
+{
+  GtkFileChooserNative *chooser = qn_chooser_begin (
+    GTK_WINDOW (form->base.root), &form->chooser,
+    name != NULL ? GTK_FILE_CHOOSER_ACTION_SAVE : GTK_FILE_CHOOSER_ACTION_OPEN, title,
+    name != NULL ? _ ("_Export") : _ ("_Open"));
+  if (name != NULL)
+    gtk_file_chooser_set_current_name (GTK_FILE_CHOOSER (chooser), name);
+  g_signal_connect (chooser, "response", chosen, form);
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
+}
+
+/* ---- fields ---- */
+
+static gboolean
+look (gpointer form)
+{
+  (void) form;
+  return TRUE;
+}
+
+static char *
+dup_facts (const Form *form)
+{
+  const QnCapacity *c = &form->answer.capacity;
+  if (form->message != NULL)
+    return g_strdup (form->message);
+  if (form->cancellable != NULL)
+    return g_strdup (_ ("Following the path through its peak…"));
+  if (!form->found)
+    return g_strdup (
+      _ ("The live load is weight times a horizontal direction. The path in "
+         "large displacements is followed until it carries nothing any "
+         "more."));
+  const QnUnits shown = qn_settings_get_units ();
+  const QnCapacityPoint *peak = &c->points[c->peak];
+  g_autofree char *end = qn_units_format_full (shown, QN_QUANTITY_LENGTH, c->end, 4);
+  g_autofree char *at =
+    qn_units_format_full (shown, QN_QUANTITY_LENGTH, peak->control, 4);
+  GString *text = g_string_new (NULL);
+  if (form->outdated)
+    g_string_append_printf (text, "%s\n\n", _ ("The model has changed since."));
+  g_string_append_printf (
+    text, _ ("Block %s\nPeak: multiplier %.4f at %s\nM* %.4g kg, e* %.3f\n"), form->block,
+    peak->multiplier, at, c->mass, c->share);
+  g_string_append_printf (
+    text,
+    c->reaches_zero ? _ ("The multiplier is back at zero at d0* = %s.")
+                    : _ ("The path ends before zero, at d* = %s, which stands for "
+                         "d0*."),
+    end);
+  if (c->share < SMALL_SHARE)
+    g_string_append_printf (
+      text, "\n%s",
+      _ ("e* is small: blocks move very differently, and the codes' "
+         "a* is far above multiplier times g."));
+  return g_string_free (text, FALSE);
+}
+
+static void
+set_cell (Form *form, int column, int row, const char *text)
+{
+  GtkGrid *grid = GTK_GRID (form->base.widgets[TABLE]);
+  GtkWidget *label = gtk_grid_get_child_at (grid, column, row);
+  if (label == NULL) {
+    label = gtk_label_new (NULL);
+    gtk_label_set_xalign (GTK_LABEL (label), column < 2 ? 0.0f : 1.0f);
+    gtk_widget_add_css_class (label, row == 0 ? "dim-label" : "numeric");
+    gtk_grid_attach (grid, label, column, row, 1, 1);
+  }
+  if (strcmp (gtk_label_get_text (GTK_LABEL (label)), text) != 0)
+    gtk_label_set_text (GTK_LABEL (label), text);
+}
+
+/* A row for each limit state. */
+static void
+fill_table (Form *form)
+{
+  const QnUnits shown = qn_settings_get_units ();
+  g_autofree char *capacity =
+    g_strdup_printf (_ ("Capacity (%s)"), qn_units_symbol (shown, QN_QUANTITY_LENGTH));
+  g_autofree char *demand =
+    g_strdup_printf (_ ("Demand (%s)"), qn_units_symbol (shown, QN_QUANTITY_LENGTH));
+  const char *const heads[] = { _ ("State"),      _ ("Code"), capacity,   _ ("a* (m/s²)"),
+                                _ ("Period (s)"), demand,     _ ("Ratio") };
+  if (!form->found || !form->answer.has_spectrum)
+    return;
+  for (int i = 0; i < (int) G_N_ELEMENTS (heads); i++)
+    set_cell (form, i, 0, heads[i]);
+  for (int k = 0; k < QN_CAPACITY_STATE_COUNT; k++) {
+    const QnCapacityState *s = &form->answer.states[k];
+    const struct {
+      QnQuantity quantity;
+      double value;
+    } numbers[] = { { QN_QUANTITY_LENGTH, s->capacity },
+                    { QN_QUANTITY_NUMBER, s->acceleration },
+                    { QN_QUANTITY_TIME, s->period },
+                    { QN_QUANTITY_LENGTH, s->demand },
+                    { QN_QUANTITY_NUMBER, s->ratio } };
+    set_cell (form, 0, k + 1, qn_capacity_check_name ((QnCapacityCheck) k));
+    set_cell (form, 1, k + 1, k < QN_CAPACITY_SD ? "NTC 2018" : "EN 1998-3");
+    for (int i = 0; i < (int) G_N_ELEMENTS (numbers); i++) {
+      g_autofree char *text =
+        qn_units_format (shown, numbers[i].quantity, numbers[i].value, 4);
+      set_cell (form, i + 2, k + 1, text);
+    }
+  }
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  const Form *form = data;
+  gboolean busy = form->cancellable != NULL;
+  gboolean code = form->kind == TYPE_1 || form->kind == TYPE_2;
+  switch (field) {
+  case CONTROL:
+    value->text = g_strdup (form->control != NULL ? form->control : "");
+    return TRUE;
+  case KIND:
+    value->number = form->kind;
+    return TRUE;
+  case AG:
+    value->number = form->spectrum.ground_acceleration / STANDARD_GRAVITY;
+    return code;
+  case SOIL:
+    value->number = form->spectrum.soil;
+    return code;
+  case DAMPING:
+    value->number = form->spectrum.damping;
+    return code;
+  case UNIT_OF_FILE:
+    value->number = form->unit;
+    return form->kind == FROM_FILE;
+  case FILE_BUTTON:
+    return form->kind == FROM_FILE;
+  case FILE_NAME:
+    value->text = form->file != NULL ? g_path_get_basename (form->file) : g_strdup ("");
+    return form->kind == FROM_FILE && form->file != NULL;
+  case CONFIDENCE:
+    value->number = form->answer.confidence;
+    return form->kind != NONE;
+  case FACTS:
+    value->text = dup_facts (form);
+    return TRUE;
+  case PLOT:
+    gtk_widget_queue_draw (form->base.widgets[PLOT]);
+    return TRUE;
+  case TABLE:
+    fill_table (data);
+    return form->found && form->answer.has_spectrum;
+  case CANCEL:
+    return busy;
+  case FIND:
+    return !busy;
+  case EXPORT_PICTURE:
+  case EXPORT_TABLE:
+    value->disabled = !form->found;
+    return TRUE;
+  default:
+    return TRUE;
+  }
+}
+
+static void
+take_selected (Form *form)
+{
+  guint count = 0;
+  const QnId *ids =
+    qn_selection_get_blocks (qn_document_get_selection (form->document), &count);
+  if (count != 1) {
+    say (form, _ ("Select one block in the drawing first"));
+    return;
+  }
+  g_free (form->control);
+  form->control = g_strdup (qn_document_get_model (form->document)->blocks[ids[0]].name);
+}
+
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  Form *form = data;
+  (void) draft;
+  (void) error;
+  g_clear_pointer (&form->message, g_free);
+  switch (field) {
+  case CONTROL:
+    g_free (form->control);
+    form->control =
+      value->text != NULL && *value->text != '\0' ? g_strdup (value->text) : NULL;
+    return TRUE;
+  case TAKE_SELECTED:
+    take_selected (form);
+    return TRUE;
+  case KIND:
+    form->kind = qn_value_int (value);
+    break;
+  case AG:
+    form->spectrum.ground_acceleration = value->number * STANDARD_GRAVITY;
+    break;
+  case SOIL:
+    form->spectrum.soil = (QnSoil) qn_value_int (value);
+    break;
+  case DAMPING:
+    form->spectrum.damping = value->number;
+    break;
+  case UNIT_OF_FILE:
+    form->unit = qn_value_int (value);
+    if (form->file != NULL) {
+      g_autofree char *path = g_strdup (form->file);
+      read_points (form, path);
+    }
+    return TRUE;
+  case CONFIDENCE:
+    form->answer.confidence = value->number;
+    break;
+  case FILE_BUTTON:
+    choose (form, _ ("Read Spectrum"), NULL, G_CALLBACK (on_points_chosen));
+    return TRUE;
+  case FIND:
+    find (form);
+    return TRUE;
+  case CANCEL:
+    g_cancellable_cancel (form->cancellable);
+    return TRUE;
+  case EXPORT_PICTURE:
+    choose (form, _ ("Export Capacity Curve"), _ ("capacity.pdf"),
+            G_CALLBACK (on_picture_chosen));
+    return TRUE;
+  case EXPORT_TABLE:
+    choose (form, _ ("Export Capacity Curve"), _ ("capacity.csv"),
+            G_CALLBACK (on_table_chosen));
+    return TRUE;
+  default:
+    return TRUE;
+  }
+  check (form);
+  return TRUE;
+}
+
+/* ---- what is shown ---- */
+
+/* Plots are drawn on paper, in a dark window too. */
+static void
+draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
+{
+  Form *form = data;
+  (void) area;
+  cairo_set_source_rgb (cr, 1, 1, 1);
+  cairo_paint (cr);
+  if (form->found)
+    qn_capacity_answer_draw (&form->answer, NULL, cr, width, height, UNIT);
+}
+
+static void
+on_model_changed (Form *form)
+{
+  form->outdated = TRUE;
+  qn_bound_form_show (form);
+}
+
+static void
+clear (gpointer data)
+{
+  Form *form = data;
+  g_object_set_data (G_OBJECT (form->base.root), FORM, NULL);
+  if (form->cancellable != NULL)
+    g_cancellable_cancel (form->cancellable);
+  g_clear_object (&form->cancellable);
+  g_clear_object (&form->chooser);
+  clear_curve (form);
+  qn_record_clear (&form->points);
+  g_free (form->control);
+  g_free (form->file);
+  g_free (form->message);
+  g_object_unref (form->document);
+}
+
+void
+qn_capacity_window_show (GtkWindow *parent, QnDocument *document)
+{
+  static const QnFormKind kind = QN_FORM_KIND ("capacity-window", Form, 0);
+  Form *form = qn_bound_form_new (&kind, NULL);
+  form->base.clear = clear;
+  form->document = g_object_ref (document);
+  form->spectrum = (QnSpectrum){ .ground_acceleration = 0.25 * STANDARD_GRAVITY,
+                                 .soil = QN_SOIL_B,
+                                 .damping = 0.05 };
+  form->answer.confidence = 1;
+  g_object_set_data (G_OBJECT (form->base.root), FORM, form);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (form->base.widgets[PLOT]), draw_plot,
+                                  form, NULL);
+  qn_watch (form->base.root, document, "changed", G_CALLBACK (on_model_changed), form);
+  gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
+  qn_help_set_page (form->base.root, "earthquakes");
+  check (form);
+  qn_bound_form_show (form);
+  gtk_window_present (GTK_WINDOW (form->base.root));
+}

@@ -1,0 +1,354 @@
+#include "doc/view/capacity-answer.h"
+
+#include "core/path/analysis.h"
+#include "doc/document/job.h"
+#include "doc/text/explain.h"
+#include "io/text/file-writer.h"
+#include "render/figure/capacity-plot.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+/* First step of the control over its target, where both are chosen here: the path rises while joints
+ * still deform little. */
+#define INCREMENTS 2000
+
+const char *
+qn_capacity_check_name (QnCapacityCheck check)
+{
+  static const char *const names[] = { "SLV", "SLC", "SD", "NC" };
+  return names[check];
+}
+
+const char *
+qn_capacity_check_code (QnCapacityCheck check)
+{
+  return check < QN_CAPACITY_SD ? "NTC 2018, Circolare 7/2019 C8.7.1.2" : "EN 1998-3";
+}
+
+const char *
+qn_capacity_end_text (QnCapacityEnd end)
+{
+  switch (end) {
+  case QN_CAPACITY_STAGES:
+    return _ ("a capacity curve has one live load: no stages");
+  case QN_CAPACITY_NO_MECHANISM:
+    return _ ("limit analysis found no mechanism: name a block of control");
+  case QN_CAPACITY_UNSTABLE:
+    return _ ("no equilibrium under the dead load");
+  case QN_CAPACITY_FOUND:
+  case QN_CAPACITY_CANCELLED:
+  case QN_CAPACITY_REFUSED:
+    break;
+  }
+  return NULL;
+}
+
+/* ---- the path ---- */
+
+typedef struct Search {
+  QnModel *model;
+  const QnContacts *contacts;
+  QnProgressFunc report;
+  void *report_data;
+  QnDiag *diag;
+} Search;
+
+/* The result is there where FOUND. */
+static QnCapacityEnd
+analyse (const Search *search, QnResult *result)
+{
+  QnStatus status = qn_analysis_run (search->model, search->contacts, search->report,
+                                     search->report_data, result, search->diag);
+  if (status == QN_ERROR_CANCELLED)
+    return QN_CAPACITY_CANCELLED;
+  if (status != QN_OK)
+    return QN_CAPACITY_REFUSED;
+  if (result->outcome != QN_OUTCOME_CANCELLED)
+    return QN_CAPACITY_FOUND;
+  qn_result_clear (result);
+  return QN_CAPACITY_CANCELLED;
+}
+
+/* Height from the lowest to the highest vertex, m. */
+static double
+height_of (const QnModel *model)
+{
+  double low = INFINITY, high = -INFINITY;
+  for (size_t i = 0; i < model->vertex_count; i++) {
+    low = MIN (low, model->vertices[i].y);
+    high = MAX (high, model->vertices[i].y);
+  }
+  return high - low;
+}
+
+/* Controls the block that moves furthest along the load in the mechanism of limit analysis. */
+static QnCapacityEnd
+choose_control (const Search *search)
+{
+  QnModel *model = search->model;
+  QnResult result;
+  model->analysis.procedure = QN_PROCEDURE_LIMIT;
+  QnCapacityEnd end = analyse (search, &result);
+  if (end != QN_CAPACITY_FOUND)
+    return end;
+  double farthest = 0;
+  for (gsize b = 0; result.mechanism != NULL && b < model->block_count; b++) {
+    double ux = result.mechanism[QN_DOF_COUNT * b + QN_DOF_UX];
+    if (fabs (ux) <= fabs (farthest))
+      continue;
+    farthest = ux;
+    model->analysis.control_block = (QnId) b;
+  }
+  qn_result_clear (&result);
+  if (farthest == 0)
+    return QN_CAPACITY_NO_MECHANISM;
+  model->analysis.control_target = copysign (height_of (model), farthest);
+  return QN_CAPACITY_FOUND;
+}
+
+/* The block is moved along the live load by the height of the structure. */
+static void
+set_control (QnModel *model, QnId block)
+{
+  double direction = 0;
+  for (gsize i = 0; i < model->live_load_count; i++)
+    direction += model->live_loads[i].vector.x;
+  model->analysis.control_block = block;
+  model->analysis.control_target = copysign (height_of (model), direction);
+}
+
+static QnCapacityEnd
+follow (const Search *search, QnId control, QnResult *result)
+{
+  QnAnalysisSettings *analysis = &search->model->analysis;
+  QnCapacityEnd end = QN_CAPACITY_FOUND;
+  gboolean own = control == QN_NONE && analysis->procedure == QN_PROCEDURE_DISPLACEMENT
+                 && analysis->control_block != QN_NONE
+                 && analysis->control_dof == QN_DOF_UX;
+  if (search->model->stage_count > 0)
+    return QN_CAPACITY_STAGES;
+  if (control != QN_NONE)
+    set_control (search->model, control);
+  else if (!own)
+    end = choose_control (search);
+  if (end != QN_CAPACITY_FOUND)
+    return end;
+  if (!own)
+    analysis->increments = MAX (analysis->increments, INCREMENTS);
+  analysis->control_node = QN_NONE;
+  analysis->control_dof = QN_DOF_UX;
+  analysis->procedure = QN_PROCEDURE_DISPLACEMENT;
+  analysis->geometry = QN_GEOMETRY_NONLINEAR;
+  analysis->max_multiplier = INFINITY;
+  end = analyse (search, result);
+  if (end != QN_CAPACITY_FOUND || result->outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    return end;
+  qn_result_clear (result);
+  return QN_CAPACITY_UNSTABLE;
+}
+
+QnCapacityEnd
+qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
+                         const QnContacts *contacts, QnId control, QnProgressFunc report,
+                         void *report_data, QnDiag *diag)
+{
+  const Search search = { model, contacts, report, report_data, diag };
+  QnResult result;
+  answer->capacity = (QnCapacity){ 0 };
+  QnCapacityEnd end = follow (&search, control, &result);
+  if (end != QN_CAPACITY_FOUND)
+    return end;
+  QnStatus status = qn_capacity_init (&answer->capacity, model, &result,
+                                      model->analysis.control_block, diag);
+  qn_result_clear (&result);
+  return status == QN_OK ? QN_CAPACITY_FOUND : QN_CAPACITY_REFUSED;
+}
+
+void
+qn_capacity_answer_check (QnCapacityAnswer *answer)
+{
+  const QnCapacity *c = &answer->capacity;
+  if (!answer->has_spectrum)
+    return;
+  for (int i = 0; i < QN_NTC_STATE_COUNT; i++)
+    answer->states[QN_CAPACITY_SLV + i] =
+      qn_capacity_check_ntc (c, &answer->spectrum, answer->confidence, (QnNtcState) i);
+  answer->en = qn_capacity_en_demand (c, &answer->spectrum);
+  for (int i = 0; i < QN_EN_STATE_COUNT; i++)
+    answer->states[QN_CAPACITY_SD + i] =
+      qn_capacity_check_en (c, &answer->en, (QnEnState) i);
+}
+
+/* ---- in a thread ---- */
+
+typedef struct Work {
+  QnModel model;
+  QnContacts contacts;
+  QnId control;
+  GCancellable *cancellable;
+  QnCapacityAnswer answer;
+  QnDiag diag;
+} Work;
+
+static void
+work_free (gpointer data)
+{
+  Work *work = data;
+  qn_capacity_clear (&work->answer.capacity);
+  qn_contacts_clear (&work->contacts);
+  qn_model_clear (&work->model);
+  g_object_unref (work->cancellable);
+  g_free (work);
+}
+
+static bool
+may_go_on (const QnProgress *progress, void *data)
+{
+  const Work *work = data;
+  (void) progress;
+  return !g_cancellable_is_cancelled (work->cancellable);
+}
+
+static QnCapacityEnd
+find (Work *work)
+{
+  QnStatus status = qn_contacts_detect (&work->model, &work->contacts, &work->diag);
+  if (status == QN_OK)
+    status = qn_contacts_require_sound (&work->model, &work->contacts, &work->diag);
+  return status == QN_OK
+           ? qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
+                                      work->control, may_go_on, work, &work->diag)
+           : QN_CAPACITY_REFUSED;
+}
+
+static void
+find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
+{
+  Work *work = data;
+  (void) source;
+  (void) cancellable;
+  QnCapacityEnd end = find (work);
+  g_autofree char *refused =
+    end == QN_CAPACITY_REFUSED ? qn_explain_diag (&work->model, &work->diag) : NULL;
+  if (end == QN_CAPACITY_FOUND) {
+    QnCapacity *found = g_new (QnCapacity, 1);
+    *found = work->answer.capacity;
+    work->answer.capacity = (QnCapacity){ 0 };
+    g_task_return_pointer (task, found, NULL);
+  } else if (end == QN_CAPACITY_CANCELLED)
+    g_task_return_new_error (task, G_IO_ERROR, G_IO_ERROR_CANCELLED, "%s",
+                             _ ("Cancelled"));
+  else
+    g_task_return_new_error (task, QN_JOB_ERROR, QN_JOB_ERROR_INVALID, "%s",
+                             refused != NULL ? refused : qn_capacity_end_text (end));
+}
+
+void
+qn_capacity_find_async (const QnModel *model, QnId control, GCancellable *cancellable,
+                        GAsyncReadyCallback callback, gpointer user_data)
+{
+  Work *work = g_new0 (Work, 1);
+  g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
+  work->control = control;
+  work->cancellable = g_object_ref (cancellable);
+  g_task_set_task_data (task, work, work_free);
+  if (qn_model_copy (model, &work->model, &work->diag) != QN_OK) {
+    g_autofree char *message = qn_explain_diag (model, &work->diag);
+    g_task_return_new_error (task, QN_JOB_ERROR, QN_JOB_ERROR_NO_MEMORY, "%s", message);
+    return;
+  }
+  g_task_run_in_thread (task, find_in_thread);
+}
+
+QnCapacity *
+qn_capacity_find_finish (GAsyncResult *result, char **control, GError **error)
+{
+  const Work *work = g_task_get_task_data (G_TASK (result));
+  QnCapacity *found = g_task_propagate_pointer (G_TASK (result), error);
+  *control = found != NULL ? g_strdup (work->model.blocks[found->block].name) : NULL;
+  return found;
+}
+
+/* ---- what comes out ---- */
+
+/* A plot with its labels, which are owned. */
+typedef struct Plot {
+  QnCapacityPlot plot;
+  QnCapacityMark marks[QN_CAPACITY_STATE_COUNT];
+  char *labels[2 * QN_CAPACITY_STATE_COUNT];
+} Plot;
+
+static void
+plot_init (Plot *plot, const QnCapacityAnswer *answer, const char *title,
+           gboolean monochrome)
+{
+  gsize count = answer->has_spectrum ? QN_CAPACITY_STATE_COUNT : 0;
+  *plot = (Plot){ 0 };
+  for (gsize i = 0; i < count; i++) {
+    const char *name = qn_capacity_check_name ((QnCapacityCheck) i);
+    plot->labels[2 * i] = g_strdup_printf (_ ("%s: capacity"), name);
+    plot->labels[2 * i + 1] = g_strdup_printf (_ ("%s: demand"), name);
+    plot->marks[i] =
+      (QnCapacityMark){ plot->labels[2 * i], plot->labels[2 * i + 1], answer->states[i] };
+  }
+  plot->plot =
+    (QnCapacityPlot){ .title = title,
+                      .x_label = _ ("Spectral displacement [m]"),
+                      .y_label = _ ("Spectral acceleration [m/s²]"),
+                      .curve_label = _ ("capacity curve"),
+                      .spectrum_label = _ ("elastic spectrum"),
+                      .capacity = &answer->capacity,
+                      .spectrum = answer->has_spectrum ? &answer->spectrum : NULL,
+                      .marks = plot->marks,
+                      .mark_count = count,
+                      .monochrome = monochrome };
+}
+
+static void
+plot_clear (Plot *plot)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (plot->labels); i++)
+    g_free (plot->labels[i]);
+}
+
+void
+qn_capacity_answer_draw (const QnCapacityAnswer *answer, const char *title, cairo_t *cr,
+                         double width, double height, double unit)
+{
+  Plot plot;
+  plot_init (&plot, answer, title, FALSE);
+  qn_capacity_plot_draw (&plot.plot, cr, width, height, unit);
+  plot_clear (&plot);
+}
+
+gboolean
+qn_capacity_answer_export (const QnCapacityAnswer *answer, const char *title,
+                           gboolean monochrome, const char *path, const QnOutput *output,
+                           const QnMetadata *metadata, GError **error)
+{
+  Plot plot;
+  plot_init (&plot, answer, title, monochrome);
+  gboolean ok = qn_capacity_plot_export (&plot.plot, path, output, metadata, error);
+  plot_clear (&plot);
+  return ok;
+}
+
+gboolean
+qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,
+                              GError **error)
+{
+  const QnCapacity *c = &answer->capacity;
+  QnFileWriter *out = qn_file_writer_open (path, error);
+  if (out == NULL)
+    return FALSE;
+  qn_file_writer_puts (out, "load multiplier,control displacement [m],spectral "
+                            "displacement [m],spectral acceleration [m/s2]\n");
+  for (size_t i = 0; i < c->count; i++) {
+    const QnCapacityPoint *p = &c->points[i];
+    const double row[] = { p->multiplier, p->control, p->displacement, p->acceleration };
+    qn_file_writer_numbers (out, row, G_N_ELEMENTS (row), ",");
+    qn_file_writer_puts (out, "\n");
+  }
+  return qn_file_writer_commit (out, error);
+}

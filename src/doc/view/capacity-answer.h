@@ -1,0 +1,82 @@
+/* Capacity curves for the window and the command line: the path that they come from, checks against a
+ * spectrum, and the plot. docs/method/capacity.md has the formulas. */
+#ifndef QN_DOC_CAPACITY_ANSWER_H
+#define QN_DOC_CAPACITY_ANSWER_H
+
+#include "core/base/progress.h"
+#include "core/capacity/capacity.h"
+#include "core/contact/contacts.h"
+#include "render/backend/output.h"
+
+#include <gio/gio.h>
+
+/* The checks of both codes, in the order of tables. */
+typedef enum {
+  QN_CAPACITY_SLV,
+  QN_CAPACITY_SLC,
+  QN_CAPACITY_SD,
+  QN_CAPACITY_NC,
+  QN_CAPACITY_STATE_COUNT
+} QnCapacityCheck;
+
+/* "SLV" …; the code that it is of. */
+const char *qn_capacity_check_name (QnCapacityCheck check);
+const char *qn_capacity_check_code (QnCapacityCheck check);
+
+typedef struct QnCapacityAnswer {
+  QnCapacity capacity; /* owned */
+  gboolean has_spectrum;
+  QnSpectrum spectrum; /* its points are borrowed */
+  double confidence;   /* FC, >= 1 */
+  QnEnDemand en;       /* this and what follows with a spectrum */
+  QnCapacityState states[QN_CAPACITY_STATE_COUNT];
+} QnCapacityAnswer;
+
+/* How the search for the curve ended. */
+typedef enum {
+  QN_CAPACITY_FOUND,
+  QN_CAPACITY_CANCELLED,
+  QN_CAPACITY_REFUSED, /* what *diag says */
+  QN_CAPACITY_STAGES,
+  QN_CAPACITY_NO_MECHANISM,
+  QN_CAPACITY_UNSTABLE
+} QnCapacityEnd;
+
+/* What is to be said where the curve was not found; NULL for FOUND, CANCELLED, REFUSED. */
+const char *qn_capacity_end_text (QnCapacityEnd end);
+
+/* The path in large displacements until the multiplier is zero again, as a capacity curve. `control`:
+ * the block whose horizontal displacement is controlled; QN_NONE: that of the model's own displacement
+ * control, or else the one that moves furthest in the mechanism of limit analysis. The model's settings
+ * of the analysis are overwritten. Fills answer->capacity alone; qn_capacity_clear() frees it. */
+QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
+                                       const QnContacts *contacts, QnId control,
+                                       QnProgressFunc report, void *report_data,
+                                       QnDiag *diag);
+
+/* The same in a thread of its own, of a copy of the model. Ends with QnCapacity, which the caller frees
+ * with qn_capacity_clear() and g_free(); NULL with an error where there is no curve, and with
+ * G_IO_ERROR_CANCELLED. *control: the name of the block that was controlled; freed by the caller. */
+void qn_capacity_find_async (const QnModel *model, QnId control,
+                             GCancellable *cancellable, GAsyncReadyCallback callback,
+                             gpointer user_data);
+QnCapacity *qn_capacity_find_finish (GAsyncResult *result, char **control,
+                                     GError **error);
+
+/* The checks, where there is a spectrum. */
+void qn_capacity_answer_check (QnCapacityAnswer *answer);
+
+/* Draws the curve, and with a spectrum what it is held against, on a surface of this size, px, a point
+ * being `unit` px; writes it as qn_page_export() does. title: or NULL. */
+void qn_capacity_answer_draw (const QnCapacityAnswer *answer, const char *title,
+                              cairo_t *cr, double width, double height, double unit);
+gboolean qn_capacity_answer_export (const QnCapacityAnswer *answer, const char *title,
+                                    gboolean monochrome, const char *path,
+                                    const QnOutput *output, const QnMetadata *metadata,
+                                    GError **error);
+
+/* Writes the curve as a table. */
+gboolean qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,
+                                       GError **error);
+
+#endif
