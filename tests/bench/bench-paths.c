@@ -182,13 +182,8 @@ parse (int *argc, char ***argv, Options *options, GError **error)
   g_option_context_add_main_entries (context, entries, NULL);
   if (!g_option_context_parse (context, argc, argv, error))
     return FALSE;
-  if (seeds != NULL) {
-    char *end;
-    options->first_seed = options->last_seed = (int) g_ascii_strtoll (seeds, &end, 10);
-    if (*end == '-')
-      options->last_seed = (int) g_ascii_strtoll (end + 1, NULL, 10);
-  }
-  if (options->first_seed < 1 || options->last_seed < options->first_seed
+  if ((seeds != NULL
+       && !seeded_wall_parse_range (seeds, &options->first_seed, &options->last_seed))
       || options->least < 10 || options->most < options->least || options->increments < 1
       || !(options->tolerance > 0)) {
     g_set_error (error, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE,

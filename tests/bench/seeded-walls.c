@@ -286,3 +286,13 @@ seeded_wall_init (QnProject *project, guint32 seed, int least, int most)
   if (qn_model_prepare (&project->model, &diag) != QN_OK)
     g_error ("seed %u: problem %d at %d", seed, (int) diag.problem, (int) diag.index);
 }
+
+gboolean
+seeded_wall_parse_range (const char *text, int *first, int *last)
+{
+  char *end;
+  *first = *last = (int) g_ascii_strtoll (text, &end, 10);
+  if (*end == '-')
+    *last = (int) g_ascii_strtoll (end + 1, NULL, 10);
+  return *first >= 1 && *last >= *first;
+}

@@ -26,4 +26,7 @@ const char *seeded_wall_family (guint32 seed);
  * logarithm of that range. `project` is overwritten; clear it with qn_project_clear(). */
 void seeded_wall_init (QnProject *project, guint32 seed, int least, int most);
 
+/* Reads "FIRST-LAST", or one seed alone; FALSE where they do not count upwards from 1. */
+gboolean seeded_wall_parse_range (const char *text, int *first, int *last);
+
 #endif

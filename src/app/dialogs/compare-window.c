@@ -416,27 +416,14 @@ on_batch_changed (Compare *compare)
   list_runs (compare);
 }
 
-static void
-add_file (Compare *compare, const char *path)
-{
-  qn_batch_add (compare->batch, path);
-}
-
 static gboolean
-on_files_dropped (GtkDropTarget *target, const GValue *value, double x, double y,
-                  Compare *compare)
+add_file (GFile *file, gpointer data)
 {
-  (void) target;
-  (void) x;
-  (void) y;
-  gboolean taken = FALSE;
-  for (GSList *l = g_value_get_boxed (value); l != NULL; l = l->next) {
-    g_autofree char *path = g_file_get_path (l->data);
-    if (path != NULL)
-      add_file (compare, path);
-    taken |= path != NULL;
-  }
-  return taken;
+  Compare *compare = data;
+  g_autofree char *path = g_file_get_path (file);
+  if (path != NULL)
+    qn_batch_add (compare->batch, path);
+  return path != NULL;
 }
 
 static void
@@ -446,9 +433,7 @@ on_files_chosen (GtkNativeDialog *dialog, int response, Compare *compare)
     g_autoptr (GListModel) files = gtk_file_chooser_get_files (GTK_FILE_CHOOSER (dialog));
     for (guint i = 0; i < g_list_model_get_n_items (files); i++) {
       g_autoptr (GFile) file = g_list_model_get_item (files, i);
-      g_autofree char *path = g_file_get_path (file);
-      if (path != NULL)
-        add_file (compare, path);
+      add_file (file, compare);
     }
   }
   g_clear_object (&compare->chooser);
@@ -485,7 +470,8 @@ static void
 add_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   (void) action;
-  add_file (data, g_variant_get_string (parameter, NULL));
+  Compare *compare = data;
+  qn_batch_add (compare->batch, g_variant_get_string (parameter, NULL));
 }
 
 /* ---- motion and zoom ---- */
@@ -747,9 +733,7 @@ qn_compare_window_show (GtkWindow *parent, QnDocument *document,
   gtk_window_set_titlebar (GTK_WINDOW (compare->dialog), make_header (compare));
   gtk_window_set_child (GTK_WINDOW (compare->dialog), make_content (compare));
   g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
-  GtkDropTarget *drop = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
-  g_signal_connect (drop, "drop", G_CALLBACK (on_files_dropped), compare);
-  gtk_widget_add_controller (compare->dialog, GTK_EVENT_CONTROLLER (drop));
+  qn_accept_files (compare->dialog, add_file, compare);
   static const GActionEntry actions[] = {
     { .name = "add-path", .activate = add_path, .parameter_type = "s" }
   };

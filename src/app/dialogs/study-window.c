@@ -224,8 +224,9 @@ new_window (const QnStudyParent *parent, QnDraft *draft)
   return self;
 }
 
-char *
-qn_study_path_of_project (const char *project)
+/* Path of the study of a project file. */
+static char *
+path_of_project (const char *project)
 {
   g_autofree char *stem = g_str_has_suffix (project, ".quoin")
                             ? g_strndup (project, strlen (project) - strlen (".quoin"))
@@ -243,8 +244,7 @@ qn_study_window_show (const QnStudyParent *parent, const char *path, GError **er
                          _ ("Save the project first: its study is kept beside it."));
     return NULL;
   }
-  g_autofree char *own =
-    path != NULL ? g_strdup (path) : qn_study_path_of_project (project);
+  g_autofree char *own = path != NULL ? g_strdup (path) : path_of_project (project);
   if (present != NULL) {
     QnStudyWindow *shown = g_object_get_data (G_OBJECT (present), "qn-study");
     if (path == NULL || g_str_equal (qn_draft_get_path (shown->draft), own)) {

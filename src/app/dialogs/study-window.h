@@ -26,7 +26,4 @@ void qn_study_window_vary (GtkWindow *window, const char *path, double base);
 /* The force moves along a line that has been drawn. */
 void qn_study_window_move_load (GtkWindow *window, const char *path, const GArray *line);
 
-/* Path of the study of a project file; the caller frees it. */
-char *qn_study_path_of_project (const char *project);
-
 #endif

@@ -255,9 +255,10 @@ add_record (QnModel *model, gpointer path, GError **error)
   return qn_edit_add_record (model, path, error);
 }
 
-static void
-import_file (Form *form, GFile *file)
+static gboolean
+import_file (GFile *file, gpointer data)
 {
+  Form *form = data;
   g_autofree char *path = g_file_get_path (file);
   if (path == NULL)
     qn_canvas_tell (form->base.canvas, _ ("Only files of this computer can be read"));
@@ -266,6 +267,7 @@ import_file (Form *form, GFile *file)
     form->selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
     qn_bound_form_show (form);
   }
+  return path != NULL;
 }
 
 static void
@@ -275,7 +277,7 @@ on_chosen (GtkNativeDialog *dialog, int response, Form *form)
                              ? gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog))
                              : NULL;
   if (file != NULL)
-    import_file (form, file);
+    import_file (file, form);
   g_clear_object (&form->chooser);
 }
 
@@ -287,18 +289,6 @@ choose_file (Form *form)
     GTK_FILE_CHOOSER_ACTION_OPEN, _ ("Import Ground Motion"), _ ("_Import"));
   g_signal_connect (chooser, "response", G_CALLBACK (on_chosen), form);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (chooser));
-}
-
-static gboolean
-on_drop (GtkDropTarget *target, const GValue *value, double x, double y, Form *form)
-{
-  (void) target;
-  (void) x;
-  (void) y;
-  GSList *files = g_value_get_boxed (value);
-  for (; files != NULL; files = files->next)
-    import_file (form, files->data);
-  return TRUE;
 }
 
 /* ---- changes ---- */
@@ -365,12 +355,10 @@ qn_dynamic_form_new (QnCanvas *canvas)
 {
   static const QnFormKind kind = QN_FORM_KIND ("dynamic-form", Form, QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
-  GtkDropTarget *target = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
   form->selected = 0;
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (form->base.widgets[PLOT]), draw_plot,
                                   form, NULL);
-  g_signal_connect (target, "drop", G_CALLBACK (on_drop), form);
+  qn_accept_files (form->base.root, import_file, form);
   g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
-  gtk_widget_add_controller (form->base.root, GTK_EVENT_CONTROLLER (target));
   return qn_bound_form_show (form);
 }

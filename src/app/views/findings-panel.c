@@ -108,7 +108,7 @@ make_row_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
     copy, "win.copy-text", "s",
     (const char *) g_object_get_data (G_OBJECT (box), "qn-text"));
   g_menu_append_item (menu, copy);
-  qn_menu_add (menu, _ ("_Fit"), "win.fit");
+  g_menu_append (menu, _ ("_Fit"), "win.fit");
   return G_MENU_MODEL (menu);
 }
 

@@ -73,7 +73,7 @@ make_row_menu (GtkWidget *label, QnMenuPlace *place, gpointer data)
   g_menu_item_set_action_and_target (copy, "win.copy-text", "s", text->str);
   g_menu_append_item (menu, copy);
   g_autofree char *action = g_strdup_printf ("win.export-result::%s", table->exported);
-  qn_menu_add (menu, _ ("_Export Table…"), action);
+  g_menu_append (menu, _ ("_Export Table…"), action);
   return G_MENU_MODEL (menu);
 }
 

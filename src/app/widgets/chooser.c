@@ -23,3 +23,33 @@ qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind)
     gtk_file_filter_add_suffix (filter, kind->suffixes[i]);
   gtk_file_chooser_add_filter (GTK_FILE_CHOOSER (chooser), filter);
 }
+
+/* Who takes what is dropped. */
+typedef struct Taker {
+  QnTakeFile take;
+  gpointer data;
+} Taker;
+
+static gboolean
+on_drop (GtkDropTarget *target, const GValue *value, double x, double y,
+         const Taker *taker)
+{
+  (void) target;
+  (void) x;
+  (void) y;
+  gboolean taken = FALSE;
+  for (GSList *l = g_value_get_boxed (value); l != NULL; l = l->next)
+    taken |= taker->take (l->data, taker->data);
+  return taken;
+}
+
+void
+qn_accept_files (GtkWidget *widget, QnTakeFile take, gpointer data)
+{
+  GtkDropTarget *target = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
+  Taker *taker = g_new (Taker, 1);
+  *taker = (Taker){ take, data };
+  g_signal_connect_data (target, "drop", G_CALLBACK (on_drop), taker,
+                         (GClosureNotify) (void (*) (void)) g_free, 0);
+  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (target));
+}

@@ -1,4 +1,5 @@
-/* Choosing files: one modal chooser at a time over a window or one of its dialogs. */
+/* Files that the user chooses, in one modal chooser at a time over a window or one of its dialogs, or
+ * drops on a widget. */
 #ifndef QN_APP_CHOOSER_H
 #define QN_APP_CHOOSER_H
 
@@ -22,5 +23,10 @@ void qn_chooser_add_kind (GtkFileChooserNative *chooser, const QnFileKind *kind)
 GtkFileChooserNative *qn_chooser_begin (GtkWindow *parent, GObject **kept,
                                         GtkFileChooserAction action, const char *title,
                                         const char *accept);
+
+/* Calls `take` for every file that is dropped on the widget; it says whether it takes the file. `data`
+ * must live as long as the widget. */
+typedef gboolean (*QnTakeFile) (GFile *file, gpointer data);
+void qn_accept_files (GtkWidget *widget, QnTakeFile take, gpointer data);
 
 #endif

@@ -9,12 +9,6 @@ typedef struct Hook {
 } Hook;
 
 void
-qn_menu_add (GMenu *menu, const char *label, const char *action)
-{
-  g_menu_append (menu, label, action);
-}
-
-void
 qn_menu_add_section (GMenu *menu, GMenu *section)
 {
   if (g_menu_model_get_n_items (G_MENU_MODEL (section)) > 0)
@@ -77,8 +71,8 @@ open_menu (GtkWidget *widget, QnMenuPlace *place)
   return TRUE;
 }
 
-gboolean
-qn_context_menu_open (GtkWidget *widget)
+static gboolean
+open_by_key (GtkWidget *widget)
 {
   QnMenuPlace place = { TRUE, 0.5 * gtk_widget_get_width (widget),
                         0.5 * gtk_widget_get_height (widget) };
@@ -102,7 +96,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
   (void) keycode;
   gboolean shift = (modifiers & GDK_SHIFT_MASK) != 0;
   return (keyval == GDK_KEY_Menu || (keyval == GDK_KEY_F10 && shift))
-         && qn_context_menu_open (widget);
+         && open_by_key (widget);
 }
 
 void

@@ -18,12 +18,6 @@ typedef GMenuModel *(*QnMenuFunc) (GtkWidget *widget, QnMenuPlace *place, gpoint
  * does. */
 void qn_context_menu_attach (GtkWidget *widget, QnMenuFunc func, gpointer data);
 
-/* Opens it as the keys do; FALSE where there is none. */
-gboolean qn_context_menu_open (GtkWidget *widget);
-
-/* Appends an item; `target` is a detailed action with its target, as g_menu_append() takes it. */
-void qn_menu_add (GMenu *menu, const char *label, const char *action);
-
 /* Appends a section that is taken over, if it has items. */
 void qn_menu_add_section (GMenu *menu, GMenu *section);
 void qn_menu_add_submenu (GMenu *menu, const char *label, GMenu *submenu);

@@ -161,9 +161,10 @@ qn_quantity_entry_set_property (GObject *object, guint id, const GValue *value,
                                 GParamSpec *pspec)
 {
   QnQuantityEntry *self = QN_QUANTITY_ENTRY (object);
-  if (id == PROPERTY_QUANTITY)
-    qn_quantity_entry_set_quantity (self, (QnQuantity) g_value_get_enum (value));
-  else if (id == PROPERTY_LEAST)
+  if (id == PROPERTY_QUANTITY) {
+    self->quantity = (QnQuantity) g_value_get_enum (value);
+    show_value (self);
+  } else if (id == PROPERTY_LEAST)
     self->least = g_value_get_double (value);
   else if (id == PROPERTY_MOST)
     self->most = g_value_get_double (value);
@@ -244,15 +245,6 @@ qn_quantity_entry_new (QnQuantity quantity, double least, double most)
 {
   return g_object_new (QN_TYPE_QUANTITY_ENTRY, "quantity", quantity, "least", least,
                        "most", most, NULL);
-}
-
-void
-qn_quantity_entry_set_quantity (QnQuantityEntry *self, QnQuantity quantity)
-{
-  if (self->quantity == quantity)
-    return;
-  self->quantity = quantity;
-  show_value (self);
 }
 
 void

@@ -15,9 +15,6 @@ G_DECLARE_FINAL_TYPE (QnQuantityEntry, qn_quantity_entry, QN, QUANTITY_ENTRY, Gt
 /* Values outside of least .. most are refused. */
 GtkWidget *qn_quantity_entry_new (QnQuantity quantity, double least, double most);
 
-/* What its number is, where that depends on something else. */
-void qn_quantity_entry_set_quantity (QnQuantityEntry *entry, QnQuantity quantity);
-
 /* The value that was committed last is not taken: what was typed stays, with the reason. */
 void qn_quantity_entry_refuse (QnQuantityEntry *entry, const char *message);
 

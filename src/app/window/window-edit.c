@@ -495,82 +495,85 @@ cut (QnWindow *self, GVariant *parameter)
   edit_parts (self, _ ("Cut"), edit_cut);
 }
 
-/* Blocks of the clipboard, as lines of what copy() wrote, and where they go. */
+/* A block of the clipboard; one that cannot be read has no corners. */
+typedef struct PastedBlock {
+  QnVec2 *vertices;
+  guint count;
+  QnBlockStyle style;
+} PastedBlock;
+
+/* Blocks of the clipboard, and where they go. */
 typedef struct Paste {
-  GStrv lines;
+  GArray *blocks; /* of PastedBlock */
   QnVec2 by;
 } Paste;
 
-/* Reads a line; the corners are the caller's to free, NULL where it is none. */
-static QnVec2 *
-read_line (const char *line, double head[4], int *count)
+static void
+clear_pasted (gpointer block)
 {
-  char *at = (char *) line;
-  for (int i = 0; i < 4; i++)
-    head[i] = g_ascii_strtod (at, &at);
-  *count = (int) qn_to_integer (head[0], 0, 100000);
-  if (*count < 3)
-    return NULL;
-  QnVec2 *vertices = g_new (QnVec2, (gsize) *count);
-  for (int i = 0; i < *count; i++) {
-    vertices[i].x = g_ascii_strtod (at, &at);
-    vertices[i].y = g_ascii_strtod (at, &at);
-  }
-  return vertices;
+  g_free (((PastedBlock *) block)->vertices);
 }
 
-static gboolean
-paste_line (QnModel *model, const char *line, QnVec2 by, GError **error)
+/* Reads a line of what copy() wrote. */
+static PastedBlock
+read_line (const char *line)
 {
+  char *at = (char *) line;
   double head[4];
-  int count = 0;
-  g_autofree QnVec2 *vertices = read_line (line, head, &count);
+  for (int i = 0; i < 4; i++)
+    head[i] = g_ascii_strtod (at, &at);
   bool fixed = head[1] != 0.0;
-  QnBlockStyle style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } };
-  for (int i = 0; vertices != NULL && i < count; i++)
-    vertices[i] = qn_vec2_add (vertices[i], by);
-  return qn_edit_add_block (model, vertices, (guint) (vertices != NULL ? count : 0),
-                            style, error);
+  PastedBlock block = { .style = { head[2], head[3], QN_NONE, { fixed, fixed, fixed } } };
+  guint count = (guint) qn_to_integer (head[0], 0, 100000);
+  if (count < 3)
+    return block;
+  block.count = count;
+  block.vertices = g_new (QnVec2, count);
+  for (guint i = 0; i < count; i++) {
+    block.vertices[i].x = g_ascii_strtod (at, &at);
+    block.vertices[i].y = g_ascii_strtod (at, &at);
+  }
+  return block;
+}
+
+/* None where the text is not what copy() wrote; a clipboard without text has no line at all. */
+static GArray *
+read_blocks (const char *text)
+{
+  GArray *blocks = g_array_new (FALSE, FALSE, sizeof (PastedBlock));
+  g_auto (GStrv) lines = g_strsplit (text != NULL ? text : "", "\n", -1);
+  g_array_set_clear_func (blocks, clear_pasted);
+  if (g_strcmp0 (lines[0], "quoin-blocks") == 0)
+    for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
+      PastedBlock block = read_line (lines[i]);
+      g_array_append_val (blocks, block);
+    }
+  return blocks;
 }
 
 static gboolean
 edit_paste (QnModel *model, gpointer data, GError **error)
 {
   const Paste *paste = data;
-  for (int i = 1; paste->lines[i] != NULL && *paste->lines[i] != '\0'; i++) {
-    if (!paste_line (model, paste->lines[i], paste->by, error))
+  for (guint i = 0; i < paste->blocks->len; i++) {
+    const PastedBlock *block = &g_array_index (paste->blocks, PastedBlock, i);
+    g_autofree QnVec2 *vertices = g_new (QnVec2, block->count);
+    for (guint k = 0; k < block->count; k++)
+      vertices[k] = qn_vec2_add (block->vertices[k], paste->by);
+    if (!qn_edit_add_block (model, vertices, block->count, block->style, error))
       return FALSE;
   }
   return TRUE;
-}
-
-/* EMPTY where they are no blocks: a clipboard without text has no line at all. */
-static QnBox
-box_of_lines (GStrv lines)
-{
-  QnBox box = QN_BOX_EMPTY;
-  if (g_strcmp0 (lines[0], "quoin-blocks") != 0)
-    return box;
-  for (int i = 1; lines[i] != NULL && *lines[i] != '\0'; i++) {
-    double head[4];
-    int count = 0;
-    g_autofree QnVec2 *vertices = read_line (lines[i], head, &count);
-    for (int k = 0; vertices != NULL && k < count; k++)
-      qn_box_add_point (&box, vertices[k]);
-  }
-  return box;
 }
 
 /* Whether no block reaches into the box. */
 static gboolean
 is_free (const QnModel *model, QnBox box, QnVec2 by)
 {
-  double touch = 1e-9 * (1.0 + qn_vec2_length (qn_vec2_sub (box.max, box.min)));
+  double touch = 1e-9 * (1.0 + qn_box_diagonal (box));
   for (gsize i = 0; i < model->block_count; i++) {
-    QnBox other = QN_BOX_EMPTY;
-    const QnVec2 *v = qn_model_block_vertices (model, (QnId) i);
-    for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
-      qn_box_add_point (&other, v[k]);
+    QnBox other = qn_box_of_points (qn_model_block_vertices (model, (QnId) i),
+                                    (gsize) model->blocks[i].vertex_count);
     if (box.min.x + by.x < other.max.x - touch && box.max.x + by.x > other.min.x + touch
         && box.min.y + by.y < other.max.y - touch
         && box.max.y + by.y > other.min.y + touch)
@@ -606,8 +609,13 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
     gdk_clipboard_read_text_finish (GDK_CLIPBOARD (source), result, NULL);
   if (self->canvas == NULL) /* the window was closed meanwhile */
     return;
-  g_auto (GStrv) lines = g_strsplit (text != NULL ? text : "", "\n", -1);
-  QnBox box = box_of_lines (lines);
+  g_autoptr (GArray) blocks = read_blocks (text);
+  QnBox box = QN_BOX_EMPTY;
+  for (guint i = 0; i < blocks->len; i++) {
+    const PastedBlock *block = &g_array_index (blocks, PastedBlock, i);
+    for (guint k = 0; k < block->count; k++)
+      qn_box_add_point (&box, block->vertices[k]);
+  }
   if (!(box.min.x <= box.max.x)) {
     qn_window_show_error (self, _ ("There are no blocks on the clipboard"));
     return;
@@ -616,7 +624,7 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
   QnModel before;
   if (qn_model_copy (model, &before, NULL) != QN_OK)
     return;
-  Paste paste = { lines, find_room (model, box) };
+  Paste paste = { blocks, find_room (model, box) };
   if (qn_canvas_edit (self->canvas, _ ("Paste"), NULL, edit_paste, &paste)) {
     select_added (self, &before);
     qn_canvas_show_area (self->canvas, qn_vec2_add (box.min, paste.by),

@@ -79,29 +79,20 @@ take_path (QnWindow *self, GVariant *parameter)
 }
 
 static gboolean
-on_drop (GtkDropTarget *target, const GValue *value, double x, double y, QnWindow *self)
+take_dropped (GFile *file, gpointer window)
 {
-  (void) target;
-  (void) x;
-  (void) y;
-  gboolean taken = FALSE;
-  for (GSList *l = g_value_get_boxed (value); l != NULL; l = l->next) {
-    g_autofree char *path = g_file_get_path (l->data);
-    if (path != NULL)
-      qn_window_take_file (self, path);
-    else
-      qn_window_show_error (self, _ ("Only local files can be opened"));
-    taken |= path != NULL;
-  }
-  return taken;
+  g_autofree char *path = g_file_get_path (file);
+  if (path != NULL)
+    qn_window_take_file (window, path);
+  else
+    qn_window_show_error (window, _ ("Only local files can be opened"));
+  return path != NULL;
 }
 
 void
 qn_window_accept_drops (QnWindow *self)
 {
-  GtkDropTarget *drop = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
-  g_signal_connect (drop, "drop", G_CALLBACK (on_drop), self);
-  gtk_widget_add_controller (GTK_WIDGET (self), GTK_EVENT_CONTROLLER (drop));
+  qn_accept_files (GTK_WIDGET (self), take_dropped, self);
 }
 
 /* ---- choosing ---- */

@@ -14,11 +14,11 @@ static GMenu *
 make_clipboard (void)
 {
   GMenu *menu = g_menu_new ();
-  qn_menu_add (menu, _ ("Cu_t"), "win.cut");
-  qn_menu_add (menu, _ ("_Copy"), "win.copy");
-  qn_menu_add (menu, _ ("_Paste"), "win.paste");
-  qn_menu_add (menu, _ ("_Duplicate"), "win.duplicate");
-  qn_menu_add (menu, _ ("De_lete"), "win.delete");
+  g_menu_append (menu, _ ("Cu_t"), "win.cut");
+  g_menu_append (menu, _ ("_Copy"), "win.copy");
+  g_menu_append (menu, _ ("_Paste"), "win.paste");
+  g_menu_append (menu, _ ("_Duplicate"), "win.duplicate");
+  g_menu_append (menu, _ ("De_lete"), "win.delete");
   return menu;
 }
 
@@ -26,10 +26,10 @@ static GMenu *
 make_turns (void)
 {
   GMenu *menu = g_menu_new ();
-  qn_menu_add (menu, _ ("Mirror _Left and Right"), "win.mirror::vertical");
-  qn_menu_add (menu, _ ("Mirror _Up and Down"), "win.mirror::horizontal");
-  qn_menu_add (menu, _ ("Turn by 90° to the L_eft"), "win.rotate(90.0)");
-  qn_menu_add (menu, _ ("Turn by 90° to the R_ight"), "win.rotate(-90.0)");
+  g_menu_append (menu, _ ("Mirror _Left and Right"), "win.mirror::vertical");
+  g_menu_append (menu, _ ("Mirror _Up and Down"), "win.mirror::horizontal");
+  g_menu_append (menu, _ ("Turn by 90° to the L_eft"), "win.rotate(90.0)");
+  g_menu_append (menu, _ ("Turn by 90° to the R_ight"), "win.rotate(-90.0)");
   return menu;
 }
 
@@ -37,18 +37,18 @@ static GMenu *
 make_arrange (void)
 {
   GMenu *menu = g_menu_new (), *align = g_menu_new (), *spread = g_menu_new ();
-  qn_menu_add (align, _ ("_Left Sides"), "win.align::left");
-  qn_menu_add (align, _ ("_Middles Above Each Other"), "win.align::center");
-  qn_menu_add (align, _ ("_Right Sides"), "win.align::right");
-  qn_menu_add (align, _ ("_Upper Sides"), "win.align::top");
-  qn_menu_add (align, _ ("M_iddles Beside Each Other"), "win.align::middle");
-  qn_menu_add (align, _ ("L_ower Sides"), "win.align::bottom");
-  qn_menu_add (spread, _ ("_Equal Gaps from Left to Right"), "win.distribute::gaps-x");
-  qn_menu_add (spread, _ ("Equal _Gaps Upwards"), "win.distribute::gaps-y");
-  qn_menu_add (spread, _ ("Middles at Equal _Distances from Left to Right"),
-               "win.distribute::centers-x");
-  qn_menu_add (spread, _ ("Middles at Equal Dis_tances Upwards"),
-               "win.distribute::centers-y");
+  g_menu_append (align, _ ("_Left Sides"), "win.align::left");
+  g_menu_append (align, _ ("_Middles Above Each Other"), "win.align::center");
+  g_menu_append (align, _ ("_Right Sides"), "win.align::right");
+  g_menu_append (align, _ ("_Upper Sides"), "win.align::top");
+  g_menu_append (align, _ ("M_iddles Beside Each Other"), "win.align::middle");
+  g_menu_append (align, _ ("L_ower Sides"), "win.align::bottom");
+  g_menu_append (spread, _ ("_Equal Gaps from Left to Right"), "win.distribute::gaps-x");
+  g_menu_append (spread, _ ("Equal _Gaps Upwards"), "win.distribute::gaps-y");
+  g_menu_append (spread, _ ("Middles at Equal _Distances from Left to Right"),
+                 "win.distribute::centers-x");
+  g_menu_append (spread, _ ("Middles at Equal Dis_tances Upwards"),
+                 "win.distribute::centers-y");
   qn_menu_add_section (menu, align);
   qn_menu_add_section (menu, spread);
   return menu;
@@ -58,10 +58,10 @@ static GMenu *
 make_supports (void)
 {
   GMenu *menu = g_menu_new ();
-  qn_menu_add (menu, _ ("_Fixed"), "win.support::fixed");
-  qn_menu_add (menu, _ ("_Held in x and y, Free to Turn"), "win.support::pinned");
-  qn_menu_add (menu, _ ("Held in _y Alone"), "win.support::roller");
-  qn_menu_add (menu, _ ("F_ree"), "win.support::free");
+  g_menu_append (menu, _ ("_Fixed"), "win.support::fixed");
+  g_menu_append (menu, _ ("_Held in x and y, Free to Turn"), "win.support::pinned");
+  g_menu_append (menu, _ ("Held in _y Alone"), "win.support::roller");
+  g_menu_append (menu, _ ("F_ree"), "win.support::free");
   return menu;
 }
 
@@ -69,9 +69,9 @@ static GMenu *
 make_panels (QnWindow *self)
 {
   GMenu *menu = g_menu_new ();
-  qn_menu_add (menu, _ ("P_roperties"), "win.show-panel::properties");
+  g_menu_append (menu, _ ("P_roperties"), "win.show-panel::properties");
   if (qn_document_get_run (self->document) != NULL)
-    qn_menu_add (menu, _ ("_Values of the Result"), "win.show-panel::result");
+    g_menu_append (menu, _ ("_Values of the Result"), "win.show-panel::result");
   return menu;
 }
 
@@ -82,17 +82,17 @@ make_block_menu (QnWindow *self, QnId block)
 {
   const QnBlock *b = &qn_document_get_model (self->document)->blocks[block];
   GMenu *menu = g_menu_new (), *like = g_menu_new (), *shape = g_menu_new ();
-  qn_menu_add (like, _ ("Whole _Course"), "win.select-like::course");
-  qn_menu_add (like, _ ("Whole _Wall"), "win.select-like::wall");
-  qn_menu_add (like, _ ("Same _Law"), "win.select-like::law");
+  g_menu_append (like, _ ("Whole _Course"), "win.select-like::course");
+  g_menu_append (like, _ ("Whole _Wall"), "win.select-like::wall");
+  g_menu_append (like, _ ("Same _Law"), "win.select-like::law");
   qn_menu_add_section (menu, make_clipboard ());
   qn_menu_add_submenu (shape, _ ("_Select"), like);
   qn_menu_add_submenu (shape, _ ("S_upport"), make_supports ());
   qn_menu_add_submenu (shape, _ ("Mirror and T_urn"), make_turns ());
   qn_menu_add_submenu (shape, _ ("Ali_gn and Distribute"), make_arrange ());
-  qn_menu_add (shape, _ ("J_oin into One Block"), "win.join");
+  g_menu_append (shape, _ ("J_oin into One Block"), "win.join");
   if (b->masonry != QN_NONE || b->wall != QN_NONE)
-    qn_menu_add (shape, _ ("De_tach Wall into Free Blocks"), "win.detach");
+    g_menu_append (shape, _ ("De_tach Wall into Free Blocks"), "win.detach");
   qn_menu_add_section (menu, shape);
   qn_menu_add_section (menu, make_panels (self));
   return menu;
@@ -102,8 +102,8 @@ static GMenu *
 make_beam_menu (QnWindow *self)
 {
   GMenu *menu = g_menu_new (), *shape = g_menu_new ();
-  qn_menu_add (shape, _ ("_Duplicate"), "win.duplicate");
-  qn_menu_add (shape, _ ("De_lete"), "win.delete");
+  g_menu_append (shape, _ ("_Duplicate"), "win.duplicate");
+  g_menu_append (shape, _ ("De_lete"), "win.delete");
   qn_menu_add_submenu (shape, _ ("Mirror and T_urn"), make_turns ());
   qn_menu_add_submenu (shape, _ ("Ali_gn and Distribute"), make_arrange ());
   qn_menu_add_section (menu, shape);
@@ -116,10 +116,10 @@ make_joint_menu (QnWindow *self)
 {
   const QnModel *model = qn_document_get_model (self->document);
   GMenu *menu = g_menu_new (), *like = g_menu_new (), *laws = g_menu_new ();
-  qn_menu_add (like, _ ("_Joints on the Same Line"), "win.select-faces-like::line");
-  qn_menu_add (like, _ ("Joints in the Same _Direction"),
-               "win.select-faces-like::direction");
-  qn_menu_add (like, _ ("Joints of the Same La_w"), "win.select-faces-like::law");
+  g_menu_append (like, _ ("_Joints on the Same Line"), "win.select-faces-like::line");
+  g_menu_append (like, _ ("Joints in the Same _Direction"),
+                 "win.select-faces-like::direction");
+  g_menu_append (like, _ ("Joints of the Same La_w"), "win.select-faces-like::law");
   for (gsize i = 0; i <= model->law_count; i++) {
     const char *name = i < model->law_count ? model->laws[i].name : "";
     g_autoptr (GMenuItem) item =
@@ -139,7 +139,7 @@ static GMenu *
 make_opening_menu (QnWindow *self)
 {
   GMenu *menu = g_menu_new (), *edit = g_menu_new ();
-  qn_menu_add (edit, _ ("_Fill the Opening"), "win.delete");
+  g_menu_append (edit, _ ("_Fill the Opening"), "win.delete");
   qn_menu_add_section (menu, edit);
   qn_menu_add_section (menu, make_panels (self));
   return menu;
@@ -152,8 +152,8 @@ make_load_menu (gboolean live, QnId load)
   g_autoptr (GMenuItem) item = g_menu_item_new (_ ("De_lete Load"), NULL);
   g_menu_item_set_action_and_target (item, "win.delete-load", "(bi)", live, (int) load);
   g_menu_append_item (edit, item);
-  qn_menu_add (panel, _ ("_All Loads"), "win.show-panel::analysis");
-  qn_menu_add (panel, _ ("_Hide Loads"), "win.loads");
+  g_menu_append (panel, _ ("_All Loads"), "win.show-panel::analysis");
+  g_menu_append (panel, _ ("_Hide Loads"), "win.loads");
   qn_menu_add_section (menu, edit);
   qn_menu_add_section (menu, panel);
   return menu;
@@ -164,17 +164,17 @@ make_paper_menu (void)
 {
   GMenu *menu = g_menu_new (), *edit = g_menu_new (), *view = g_menu_new ();
   GMenu *shown = g_menu_new (), *solve = g_menu_new ();
-  qn_menu_add (edit, _ ("_Paste"), "win.paste");
-  qn_menu_add (edit, _ ("Select _All"), "win.select-all");
-  qn_menu_add (view, _ ("_Fit"), "win.fit");
-  qn_menu_add (view, _ ("_Grid"), "win.grid");
-  qn_menu_add (view, _ ("S_nap"), "win.snap");
-  qn_menu_add (shown, _ ("_Block Names"), "win.names");
-  qn_menu_add (shown, _ ("_Loads"), "win.loads");
-  qn_menu_add (shown, _ ("_Dimensions"), "win.dimensions");
+  g_menu_append (edit, _ ("_Paste"), "win.paste");
+  g_menu_append (edit, _ ("Select _All"), "win.select-all");
+  g_menu_append (view, _ ("_Fit"), "win.fit");
+  g_menu_append (view, _ ("_Grid"), "win.grid");
+  g_menu_append (view, _ ("S_nap"), "win.snap");
+  g_menu_append (shown, _ ("_Block Names"), "win.names");
+  g_menu_append (shown, _ ("_Loads"), "win.loads");
+  g_menu_append (shown, _ ("_Dimensions"), "win.dimensions");
   qn_menu_add_submenu (view, _ ("S_how"), shown);
-  qn_menu_add (solve, _ ("So_lve"), "win.run");
-  qn_menu_add (solve, _ ("_Export Figure…"), "win.export");
+  g_menu_append (solve, _ ("So_lve"), "win.run");
+  g_menu_append (solve, _ ("_Export Figure…"), "win.export");
   qn_menu_add_section (menu, edit);
   qn_menu_add_section (menu, view);
   qn_menu_add_section (menu, solve);

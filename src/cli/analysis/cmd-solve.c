@@ -119,8 +119,8 @@ print_summary (const QnProject *project, const QnResult *result)
   g_autofree char *interval = qn_outcome_dup_interval (result);
   if (interval != NULL)
     printf ("%s\n", interval);
-  g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
-  printf ("%s\n", reason);
+  g_autofree char *cause = qn_outcome_dup_cause (&project->model, result);
+  printf ("%s\n", cause);
   printf (_ ("%zu steps, %d iterations, %d factorisations, %.3f s (factorising %.0f %%, "
              "assembly %.0f %%, laws %.0f %%)\n"),
           result->step_count, spent->iterations, spent->factorizations, spent->seconds,

@@ -4,7 +4,6 @@
 #include "cli/base/subcommand.h"
 #include "cli/verify/verify-cases.h"
 #include "cli/verify/verify-run.h"
-#include "core/limit/limit.h"
 
 #include <errno.h>
 #include <gio/gio.h>
@@ -99,23 +98,6 @@ print_heading (const QnVerifyGroup *group)
   printf ("\n");
 }
 
-/* What no multiplier of this model can exceed: the upper bound of the associative limit
- * analysis, or not-a-number. */
-static double
-find_bound (const QnInput *input)
-{
-  QnLimitSolution solution;
-  double bound = NAN;
-  if (qn_limit_associative (&input->project.model, &input->contacts, NULL, NULL,
-                            &solution, NULL)
-      != QN_OK)
-    return bound;
-  if (solution.outcome == QN_OUTCOME_COLLAPSE)
-    bound = solution.upper_bound;
-  qn_limit_solution_clear (&solution);
-  return bound;
-}
-
 /* Prints a row; returns whether the reference was met. */
 static gboolean
 print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *result,
@@ -199,7 +181,8 @@ run_case (const Options *options, const QnVerifyGroup *group, const QnVerifyCase
     qn_cli_error (_ ("cancelled"));
     code = QN_EXIT_CANCELLED;
   } else {
-    double bound = group->bounded ? find_bound (&input) : NAN;
+    double bound =
+      group->bounded && result.has_associative_bound ? result.associative_bound : NAN;
     gboolean met = print_row (test, &input, &result, found, bound);
     tally->uncertain += result.mechanism_uncertain;
     if (!isfinite (test->tolerance))

@@ -77,8 +77,4 @@ QnStatus qn_check_bounds (QnCheck *check, QnDiag *diag);
 /* What an analysis in time keeps (check-history.c). */
 void qn_check_history (QnCheck *check);
 
-/* Whether a force is within `little` of one of the strengths of a pair. */
-bool qn_check_near_strength (const QnPairSprings *springs, const double force[2],
-                             double little);
-
 #endif

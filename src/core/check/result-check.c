@@ -171,6 +171,21 @@ little_beside (const QnCheck *check, const QnPairMemory *before,
   return check->scale * (QN_CHECK_STATE + QN_CHECK_PRODUCT * check->change / flow);
 }
 
+/* Whether a force is within `little` of one of the strengths of a pair. */
+static bool
+is_near_strength (const QnPairSprings *springs, const double force[2], double little)
+{
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (&springs->a, rows);
+
+  count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
+  for (int i = 0; i < count; i++)
+    if (fabs (rows[i].normal * force[0] + rows[i].shear * fabs (force[1]) - rows[i].limit)
+        <= little)
+      return true;
+  return false;
+}
+
 /* Whether a joint flows from one memory to the other as its flow rule lets it with this force: not at
  * all within its strength; else in the sense of the shear force, opening as it slips. */
 static bool
@@ -184,7 +199,7 @@ obeys_flow (const QnCheck *check, const QnPairSprings *springs,
   if (fabs (slip) <= slack && fabs (opening) <= slack)
     return true;
   double little = little_beside (check, before, after);
-  if (!qn_check_near_strength (springs, force, little))
+  if (!is_near_strength (springs, force, little))
     return false;
   bool loose = hypot (force[0], force[1]) <= little;
   bool opens = qn_law_is_plastic (s->kind) && s->kind != QN_LAW_NO_TENSION
@@ -246,8 +261,8 @@ check_forces (QnCheck *check, size_t step)
       bool taken = take_flow (check, springs, &as->committed[p], q, force, &memory);
       double little = QN_CHECK_STATE * check->scale;
       if (check->relaxed && taken && same_force (response->force, force, little)
-          && qn_check_near_strength (springs, response->force, little)
-          && qn_check_near_strength (springs, force, little)) {
+          && is_near_strength (springs, response->force, little)
+          && is_near_strength (springs, force, little)) {
         memcpy (response->force, force, sizeof force);
         continue;
       }
@@ -335,7 +350,7 @@ state_suits_force (const QnCheck *check, const QnPairSprings *springs,
       || hypot (force[0], force[1]) <= QN_CHECK_FORCES * check->scale)
     return state != QN_PAIR_STICK || hypot (force[0], force[1]) > 0;
   if (state == QN_PAIR_YIELD)
-    return qn_check_near_strength (springs, force, little);
+    return is_near_strength (springs, force, little);
   return qn_pair_state_of_force (springs, state, force, little) == state;
 }
 
@@ -581,19 +596,4 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   free (check.velocity);
   free (check.elongations);
   return status;
-}
-
-bool
-qn_check_near_strength (const QnPairSprings *springs, const double force[2],
-                        double little)
-{
-  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (&springs->a, rows);
-
-  count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
-  for (int i = 0; i < count; i++)
-    if (fabs (rows[i].normal * force[0] + rows[i].shear * fabs (force[1]) - rows[i].limit)
-        <= little)
-      return true;
-  return false;
 }

@@ -307,12 +307,6 @@ qn_view_state_set_field (QnViewState *self, QnField field)
   emit_changed (self);
 }
 
-QnField
-qn_view_state_get_field (QnViewState *self)
-{
-  return self->options.field;
-}
-
 void
 qn_view_state_set_diagram (QnViewState *self, QnDiagram diagram)
 {

@@ -42,7 +42,6 @@ double qn_view_state_get_phase (QnViewState *state);
 /* Quantity shown by colour in the views of results; the views of the model show none. One that is not
  * known at the step shown (stresses where forces were not kept) is left out. */
 void qn_view_state_set_field (QnViewState *state, QnField field);
-QnField qn_view_state_get_field (QnViewState *state);
 
 /* Switches by the names of the window's actions: "ghost", "symbols", "loads", "dimensions",
  * "names". Loads have one for the views of the model, on at first, and one for those of results. */

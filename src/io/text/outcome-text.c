@@ -170,15 +170,6 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
   return _ ("The structure keeps moving under a constant load.");
 }
 
-static char *
-explain_collapse (const QnModel *model, const Task *task, const QnResult *result)
-{
-  char *what = collapse_sentence (result);
-  char *text = g_strdup_printf ("%s %s", what, collapse_reason (model, task, result));
-  g_free (what);
-  return text;
-}
-
 /* --- Answer ----------------------------------------------------------------------------- */
 
 static const char *
@@ -203,16 +194,6 @@ found_by_words (QnProcedure procedure)
 }
 
 char *
-qn_solution_dup_words (const QnSolution *solution)
-{
-  const char *found = found_by_words (solution->found_by);
-  return isnan (solution->displacement)
-           ? g_strdup (found)
-           : g_strdup_printf (_ ("%s, largest displacement %.3g m"), found,
-                              solution->displacement);
-}
-
-char *
 qn_outcome_dup_interval (const QnResult *result)
 {
   QnProcedure found_by = QN_PROCEDURE_LOAD;
@@ -225,10 +206,10 @@ qn_outcome_dup_interval (const QnResult *result)
   const char *found = found_by_words (found_by);
   g_autofree char *from =
     result->solution_count == 1
-      ? g_strdup_printf (_ ("Collapse multiplier %.4f, %s;"), least, found)
+      ? g_strdup_printf (_ ("The multiplier was %s;"), found)
       : g_strdup_printf (
-        _ ("Collapse multiplier %.4f, %s, the least of %d solutions up to %.4f;"), least,
-        found, result->solution_count, greatest);
+        _ ("The multiplier was %s, the least of %d solutions up to %.4f;"), found,
+        result->solution_count, greatest);
   g_autofree char *to =
     isnan (bound)
       ? g_strdup (_ ("what bounds it from above is not known."))
@@ -236,8 +217,9 @@ qn_outcome_dup_interval (const QnResult *result)
   return g_strdup_printf ("%s %s", from, to);
 }
 
-char *
-qn_outcome_dup_linearity (const QnResult *result)
+/* Where linear geometry ends, and what to do; NULL where it holds. */
+static char *
+explain_linearity (const QnResult *result)
 {
   if (result->linearity != QN_LINEARITY_BEYOND)
     return NULL;
@@ -416,7 +398,7 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
     return in_time;
   switch (result->outcome) {
   case QN_OUTCOME_COLLAPSE:
-    return explain_collapse (model, task, result);
+    return g_strdup (collapse_reason (model, task, result));
   case QN_OUTCOME_TARGET_REACHED:
     return explain_target (model, task, result);
   case QN_OUTCOME_SNAP:
@@ -450,20 +432,35 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
   return g_strdup ("");
 }
 
-char *
-qn_outcome_dup_reason (const QnModel *model, const QnResult *result)
+/* `what` (nullable) comes first. */
+static char *
+explain_in_stage (const QnModel *model, const QnResult *result, const char *what)
 {
   Task task = task_of (model, result);
   g_autofree char *outcome = explain (model, &task, result);
-  g_autofree char *linearity = qn_outcome_dup_linearity (result);
-  char *text = linearity != NULL ? g_strdup_printf ("%s %s", outcome, linearity)
-                                 : g_steal_pointer (&outcome);
+  g_autofree char *linearity = explain_linearity (result);
+  g_autofree char *text =
+    g_strconcat (what != NULL ? what : "", what != NULL ? " " : "", outcome,
+                 linearity != NULL ? " " : "", linearity, NULL);
   if (result->stage < 1 || (size_t) result->stage > model->stage_count)
-    return text;
-  char *name = qn_stage_dup_name (model, result->stage);
-  char *staged = g_strdup_printf (_ ("Stage %d of %u, “%s”: %s"), result->stage,
-                                  (guint) model->stage_count, name, text);
-  g_free (name);
-  g_free (text);
-  return staged;
+    return g_steal_pointer (&text);
+  g_autofree char *name = qn_stage_dup_name (model, result->stage);
+  return g_strdup_printf (_ ("Stage %d of %u, “%s”: %s"), result->stage,
+                          (guint) model->stage_count, name, text);
+}
+
+char *
+qn_outcome_dup_reason (const QnModel *model, const QnResult *result)
+{
+  g_autofree char *what =
+    result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0
+      ? collapse_sentence (result)
+      : NULL;
+  return explain_in_stage (model, result, what);
+}
+
+char *
+qn_outcome_dup_cause (const QnModel *model, const QnResult *result)
+{
+  return explain_in_stage (model, result, NULL);
 }

@@ -11,16 +11,12 @@
  * made the procedure stop there. Free with g_free(). */
 char *qn_outcome_dup_reason (const QnModel *model, const QnResult *result);
 
-/* One line: the collapse multiplier, how it was found, how many solutions there are, and the bound that
+/* The same without the sentence that tells the multiplier of a collapse. */
+char *qn_outcome_dup_cause (const QnModel *model, const QnResult *result);
+
+/* One line: how the collapse multiplier was found, how many solutions there are, and the bound that
  * nothing exceeds. NULL where no collapse was found. Free with g_free(). */
 char *qn_outcome_dup_interval (const QnResult *result);
-
-/* Where linear geometry ends, and what to do; NULL where it holds. Part of the reason. Free with
- * g_free(). */
-char *qn_outcome_dup_linearity (const QnResult *result);
-
-/* How a solution was found, with the largest displacement. Free with g_free(). */
-char *qn_solution_dup_words (const QnSolution *solution);
 
 /* Name of a stage (number from 1): its own, or its number. Free with g_free(). */
 char *qn_stage_dup_name (const QnModel *model, int32_t stage);
