@@ -27,8 +27,8 @@ write_blocks (QnFileWriter *out, const QnModel *model)
   qn_file_writer_puts (out, "  \"blocks\": [");
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];
-    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
-    qn_file_writer_json_string (out, block->name);
+    qn_file_writer_puts_string (
+      out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ", block->name);
     qn_file_writer_puts_number (out, ", \"area\": ", block->area);
     write_point (out, ", \"centroid\": [", block->centroid);
     qn_file_writer_puts_number (out, ", \"weight\": ", block->weight);
@@ -46,8 +46,8 @@ write_nodes (QnFileWriter *out, const QnModel *model)
   qn_file_writer_puts (out, "  \"nodes\": [");
   for (size_t i = 0; i < model->node_count; i++) {
     const QnNode *node = &model->nodes[i];
-    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
-    qn_file_writer_json_string (out, node->name);
+    qn_file_writer_puts_string (
+      out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ", node->name);
     write_point (out, ", \"at\": [", node->at);
     if (node->block != QN_NONE)
       qn_file_writer_printf (out, ", \"block\": %d", node->block);
@@ -69,8 +69,8 @@ write_beams (QnFileWriter *out, const QnModel *model)
     const QnVec2 *ends[2] = { &model->nodes[beam->nodes[0]].at,
                               &model->nodes[beam->nodes[1]].at };
     double plastic = qn_section_plastic_moment (section);
-    qn_file_writer_puts (out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ");
-    qn_file_writer_json_string (out, beam->name);
+    qn_file_writer_puts_string (
+      out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ", beam->name);
     qn_file_writer_printf (out, ", \"kind\": \"%s\", \"nodes\": [%d, %d], \"section\": ",
                            qn_beam_kind_names[beam->kind], beam->nodes[0],
                            beam->nodes[1]);
@@ -147,17 +147,16 @@ write_findings (QnFileWriter *out, const QnInput *input)
       qn_file_writer_printf (out, ", %d", finding->block_b);
     write_point (out, "], \"at\": [", finding->at);
     qn_file_writer_puts_number (out, ", \"value\": ", finding->value);
-    qn_file_writer_puts (out, ", \"text\": ");
-    qn_file_writer_json_string (out, g_ptr_array_index (texts, (guint) i));
+    qn_file_writer_puts_string (out,
+                                ", \"text\": ", g_ptr_array_index (texts, (guint) i));
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "\n  ],\n  \"warnings\": [");
 
   const GPtrArray *warnings = input->project.warnings;
-  for (guint i = 0; i < warnings->len; i++) {
-    qn_file_writer_puts (out, i > 0 ? ",\n    " : "\n    ");
-    qn_file_writer_json_string (out, g_ptr_array_index (warnings, i));
-  }
+  for (guint i = 0; i < warnings->len; i++)
+    qn_file_writer_puts_string (out, i > 0 ? ",\n    " : "\n    ",
+                                g_ptr_array_index (warnings, i));
   qn_file_writer_puts (out, "\n  ]");
 }
 
@@ -198,8 +197,7 @@ write_faults (QnFileWriter *out, const QnCheckReport *report)
 static void
 write_result (QnFileWriter *out, const QnCheckReport *report)
 {
-  qn_file_writer_puts (out, ",\n  \"result\": { \"file\": ");
-  qn_file_writer_json_string (out, report->result_name);
+  qn_file_writer_puts_string (out, ",\n  \"result\": { \"file\": ", report->result_name);
   write_flag (out, ", \"passes\": ", qn_check_report_passes (report));
   if (report->check != NULL)
     write_equilibrium (out, report->check);

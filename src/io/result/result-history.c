@@ -12,9 +12,8 @@ static void
 write_list (QnFileWriter *writer, const double *first, size_t stride, size_t count)
 {
   qn_file_writer_puts (writer, "[");
-  for (size_t i = 0; i < count; i++) {
+  for (size_t i = 0; i < count; i++)
     qn_file_writer_puts_number (writer, i > 0 ? ", " : "", first[i * stride]);
-  }
   qn_file_writer_puts (writer, "]");
 }
 
@@ -73,9 +72,9 @@ qn_result_history_write (QnFileWriter *writer, const QnModel *model,
   qn_file_writer_puts (writer, " },\n    \"tracks\": [");
   for (size_t i = 0; i < model->track_count; i++) {
     const QnTrack *track = &model->tracks[i];
-    qn_file_writer_puts (writer,
-                         i > 0 ? ",\n      { \"block\": " : "\n      { \"block\": ");
-    qn_file_writer_json_string (writer, model->blocks[track->block].name);
+    qn_file_writer_puts_string (
+      writer, i > 0 ? ",\n      { \"block\": " : "\n      { \"block\": ",
+      model->blocks[track->block].name);
     qn_file_writer_printf (
       writer, ", \"component\": \"%s\", \"values\": ", qn_dof_names[track->dof]);
     write_column (writer, h, QN_HISTORY_TRACK + i);

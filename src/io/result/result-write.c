@@ -34,10 +34,8 @@ static void
 write_strings (QnFileWriter *writer, const char *const *strings)
 {
   qn_file_writer_puts (writer, "[");
-  for (gsize i = 0; strings[i] != NULL; i++) {
-    qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_json_string (writer, strings[i]);
-  }
+  for (gsize i = 0; strings[i] != NULL; i++)
+    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", strings[i]);
   qn_file_writer_puts (writer, "]");
 }
 
@@ -55,10 +53,9 @@ write_limit (QnFileWriter *writer, const QnResult *result)
   write_optional (writer, "associative_bound", result->has_associative_bound,
                   result->associative_bound);
   qn_file_writer_puts (writer, "  \"fixed_points\": [");
-  for (int32_t i = 0; i < result->solution_count; i++) {
-    qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_number (writer, result->solutions[i].multiplier);
-  }
+  for (int32_t i = 0; i < result->solution_count; i++)
+    qn_file_writer_puts_number (writer, i > 0 ? ", " : "",
+                                result->solutions[i].multiplier);
   qn_file_writer_puts (writer, "],\n");
 }
 
@@ -105,6 +102,15 @@ write_answer (QnFileWriter *writer, const QnResult *result)
                   beyond && result->history.width == 0, result->beyond_linear_multiplier);
 }
 
+static void
+write_ids (QnFileWriter *writer, const char *text, const QnId *ids, size_t count)
+{
+  qn_file_writer_puts (writer, text);
+  for (size_t i = 0; i < count; i++)
+    qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "[", ids[i]);
+  qn_file_writer_puts (writer, count > 0 ? "]" : "[]");
+}
+
 /* What happened on a path; an analysis of another kind has no events. */
 static void
 write_events (QnFileWriter *writer, const QnResult *result)
@@ -114,22 +120,19 @@ write_events (QnFileWriter *writer, const QnResult *result)
   qn_file_writer_puts (writer, "  \"events\": [");
   for (size_t i = 0; i < result->event_count; i++) {
     const QnPathEvent *event = &result->events[i];
-    qn_file_writer_printf (writer, "%s\n    { \"multiplier\": ", i > 0 ? "," : "");
-    qn_file_writer_number (writer, event->multiplier);
+    qn_file_writer_puts (writer, i > 0 ? "," : "");
+    qn_file_writer_puts_number (writer, "\n    { \"multiplier\": ", event->multiplier);
     qn_file_writer_printf (writer, ", \"kind\": \"%s\"",
                            qn_event_kind_names[event->kind]);
     if (event->stage > 0)
       qn_file_writer_printf (writer, ", \"stage\": %d", event->stage - 1);
-    qn_file_writer_puts (writer, ", \"displacement_before\": ");
-    qn_file_writer_number (writer, event->displacement_before);
-    qn_file_writer_puts (writer, ", \"displacement_after\": ");
-    qn_file_writer_number (writer, event->displacement_after);
-    qn_file_writer_puts (writer, ", \"energy\": ");
-    qn_file_writer_number (writer, event->energy);
-    qn_file_writer_puts (writer, ", \"blocks\": [");
-    for (size_t b = 0; b < event->block_count; b++)
-      qn_file_writer_printf (writer, "%s%d", b > 0 ? ", " : "", event->blocks[b]);
-    qn_file_writer_puts (writer, "] }");
+    qn_file_writer_puts_number (
+      writer, ", \"displacement_before\": ", event->displacement_before);
+    qn_file_writer_puts_number (writer,
+                                ", \"displacement_after\": ", event->displacement_after);
+    qn_file_writer_puts_number (writer, ", \"energy\": ", event->energy);
+    write_ids (writer, ", \"blocks\": ", event->blocks, event->block_count);
+    qn_file_writer_puts (writer, " }");
   }
   qn_file_writer_puts (writer, "],\n");
 }
@@ -139,12 +142,12 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
 {
   const char *path = project->path != NULL ? project->path : project->name;
   char *model = g_path_get_basename (path != NULL ? path : "");
-  qn_file_writer_puts (writer,
-                       "{\n  \"format\": \"quoin-result\", \"version\": 1,\n"
-                       "  \"generator\": \"quoin " QN_VERSION "\",\n  \"model\": ");
-  qn_file_writer_json_string (writer, model);
-  qn_file_writer_puts (writer, ",\n  \"model_sha256\": ");
-  qn_file_writer_json_string (writer, project->sha256 != NULL ? project->sha256 : "");
+  qn_file_writer_puts_string (writer,
+                              "{\n  \"format\": \"quoin-result\", \"version\": 1,\n"
+                              "  \"generator\": \"quoin " QN_VERSION "\",\n  \"model\": ",
+                              model);
+  qn_file_writer_puts_string (
+    writer, ",\n  \"model_sha256\": ", project->sha256 != NULL ? project->sha256 : "");
   qn_file_writer_puts (writer, ",\n");
   g_free (model);
   if (project->overrides != NULL && project->overrides[0] != NULL) {
@@ -163,8 +166,7 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   write_limit (writer, result);
   write_answer (writer, result);
   char *reason = qn_outcome_dup_reason (&project->model, result);
-  qn_file_writer_puts (writer, "  \"reason\": ");
-  qn_file_writer_json_string (writer, reason);
+  qn_file_writer_puts_string (writer, "  \"reason\": ", reason);
   qn_file_writer_puts (writer, ",\n");
   g_free (reason);
 }
@@ -178,8 +180,7 @@ write_stages (QnFileWriter *writer, const QnModel *model, const QnResult *result
   qn_file_writer_printf (writer, "  \"stage\": %d, \"stages\": [", result->stage - 1);
   for (size_t i = 0; i < model->stage_count; i++) {
     char *name = qn_stage_dup_name (model, (int32_t) i + 1);
-    qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_json_string (writer, name);
+    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", name);
     g_free (name);
   }
   qn_file_writer_puts (writer, "],\n");
@@ -192,15 +193,11 @@ write_beams (QnFileWriter *writer, const QnModel *model)
   if (model->node_count == 0)
     return;
   qn_file_writer_puts (writer, "  \"nodes\": [");
-  for (size_t i = 0; i < model->node_count; i++) {
-    qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_json_string (writer, model->nodes[i].name);
-  }
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", model->nodes[i].name);
   qn_file_writer_puts (writer, "],\n  \"beams\": [");
-  for (size_t i = 0; i < model->beam_count; i++) {
-    qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_json_string (writer, model->beams[i].name);
-  }
+  for (size_t i = 0; i < model->beam_count; i++)
+    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", model->beams[i].name);
   qn_file_writer_puts (writer, "],\n  \"elements\": [");
   for (size_t i = 0; i < model->element_count; i++) {
     const QnBeamElement *element = &model->elements[i];
@@ -214,23 +211,17 @@ static void
 write_blocks (QnFileWriter *writer, const QnModel *model, const QnResult *result)
 {
   if (result->unstable_count > 0) {
-    qn_file_writer_puts (writer, "  \"unstable_blocks\": [");
-    for (size_t i = 0; i < result->unstable_count; i++)
-      qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "",
-                             result->unstable_blocks[i]);
-    qn_file_writer_puts (writer, "],\n");
+    write_ids (writer, "  \"unstable_blocks\": ", result->unstable_blocks,
+               result->unstable_count);
+    qn_file_writer_puts (writer, ",\n");
   }
   if (result->support_count > 0) {
-    qn_file_writer_puts (writer, "  \"supports\": [");
-    for (size_t i = 0; i < result->support_count; i++)
-      qn_file_writer_printf (writer, "%s%d", i > 0 ? ", " : "", result->supports[i]);
-    qn_file_writer_puts (writer, "],\n");
+    write_ids (writer, "  \"supports\": ", result->supports, result->support_count);
+    qn_file_writer_puts (writer, ",\n");
   }
   qn_file_writer_puts (writer, "  \"blocks\": [");
-  for (size_t i = 0; i < model->block_count; i++) {
-    qn_file_writer_puts (writer, i > 0 ? ", " : "");
-    qn_file_writer_json_string (writer, model->blocks[i].name);
-  }
+  for (size_t i = 0; i < model->block_count; i++)
+    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", model->blocks[i].name);
   qn_file_writer_puts (writer, "],\n");
 }
 
@@ -255,10 +246,8 @@ write_beam_forces (QnFileWriter *writer, const QnBeamForces *forces, size_t coun
     for (int end = 0; end < 2; end++) {
       qn_file_writer_puts (writer, end > 0 ? ", " : i > 0 ? "], [" : "[");
       qn_file_writer_number (writer, forces[i].normal[end]);
-      qn_file_writer_puts (writer, ", ");
-      qn_file_writer_number (writer, forces[i].shear[end]);
-      qn_file_writer_puts (writer, ", ");
-      qn_file_writer_number (writer, forces[i].moment[end]);
+      qn_file_writer_puts_number (writer, ", ", forces[i].shear[end]);
+      qn_file_writer_puts_number (writer, ", ", forces[i].moment[end]);
     }
   qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
 }
@@ -286,9 +275,8 @@ write_steps (QnFileWriter *writer, const QnResult *result)
   qn_file_writer_puts (writer, "  \"steps\": [");
   for (size_t i = 0; i < result->step_count && !qn_file_writer_failed (writer); i++) {
     const QnStep *step = &result->steps[i];
-    qn_file_writer_puts (writer, i > 0 ? ",\n    { \"multiplier\": "
-                                       : "\n    { \"multiplier\": ");
-    qn_file_writer_number (writer, step->multiplier);
+    qn_file_writer_puts (writer, i > 0 ? "," : "");
+    qn_file_writer_puts_number (writer, "\n    { \"multiplier\": ", step->multiplier);
     qn_file_writer_puts (writer, ", \"displacements\": ");
     write_rows (writer, qn_result_step_displacements (result, i), result->block_count);
     qn_file_writer_printf (writer,
@@ -300,8 +288,7 @@ write_steps (QnFileWriter *writer, const QnResult *result)
     if (step->stage > 0)
       qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
     if (result->history.width > 0) {
-      qn_file_writer_puts (writer, ", \"time\": ");
-      qn_file_writer_number (writer, step->time);
+      qn_file_writer_puts_number (writer, ", \"time\": ", step->time);
     }
     write_step_beams (writer, result, i);
     if (result->support_count > 0 && result->reactions != NULL) {
@@ -317,10 +304,8 @@ write_steps (QnFileWriter *writer, const QnResult *result)
 static void
 write_vec2 (QnFileWriter *writer, QnVec2 vector)
 {
-  qn_file_writer_puts (writer, "[");
-  qn_file_writer_number (writer, vector.x);
-  qn_file_writer_puts (writer, ", ");
-  qn_file_writer_number (writer, vector.y);
+  qn_file_writer_puts_number (writer, "[", vector.x);
+  qn_file_writer_puts_number (writer, ", ", vector.y);
   qn_file_writer_puts (writer, "]");
 }
 
@@ -359,15 +344,13 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   write_vec2 (writer, point);
   qn_file_writer_puts (writer, ", \"normal\": ");
   write_vec2 (writer, normal);
-  qn_file_writer_puts (writer, ", \"area\": ");
-  qn_file_writer_number (writer, pair->tributary * face->thickness);
+  qn_file_writer_puts_number (writer, ", \"area\": ", pair->tributary * face->thickness);
   if (pair->bar != QN_NONE)
     qn_file_writer_printf (writer, ", \"bar\": %d", pair->bar);
   qn_file_writer_printf (writer, ", \"state\": \"%s\", \"normal_force\": ",
                          qn_pair_state_names[forces->state]);
   qn_file_writer_number (writer, forces->normal_force);
-  qn_file_writer_puts (writer, ", \"shear_force\": ");
-  qn_file_writer_number (writer, forces->shear_force);
+  qn_file_writer_puts_number (writer, ", \"shear_force\": ", forces->shear_force);
   if (detail == QN_DETAIL_PAIRS && forces->has_springs)
     write_springs (writer, forces);
   qn_file_writer_puts (writer, " }");

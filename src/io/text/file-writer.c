@@ -94,6 +94,13 @@ qn_file_writer_number (QnFileWriter *writer, double number)
 }
 
 void
+qn_file_writer_puts_string (QnFileWriter *writer, const char *text, const char *string)
+{
+  qn_file_writer_puts (writer, text);
+  qn_file_writer_json_string (writer, string);
+}
+
+void
 qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double number)
 {
   qn_file_writer_puts (writer, text);

@@ -39,8 +39,10 @@ void qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double 
 void qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
                              const char *between);
 
-/* A JSON string with its quotes. */
+/* A JSON string with its quotes; the second form puts a text before it. */
 void qn_file_writer_json_string (QnFileWriter *writer, const char *text);
+void qn_file_writer_puts_string (QnFileWriter *writer, const char *text,
+                                 const char *string);
 
 /* Whether something has already gone wrong: a long writing loop may stop early. */
 gboolean qn_file_writer_failed (const QnFileWriter *writer);
