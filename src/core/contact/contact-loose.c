@@ -36,13 +36,6 @@ face_lists_init (FaceLists *lists, size_t block_count, const QnContacts *contact
   return true;
 }
 
-static void
-face_lists_clear (FaceLists *lists)
-{
-  free (lists->first);
-  free (lists->faces);
-}
-
 static bool
 has_face_at (const FaceLists *lists, const QnContacts *contacts, QnId block, QnVec2 at,
              double tolerance)
@@ -100,87 +93,6 @@ report_points (const QnContactSearch *search, const FaceLists *lists,
   return true;
 }
 
-/* What hangs on what. */
-typedef struct {
-  bool *touching; /* blocks that have a face, a point contact or an overlap, or a beam */
-  QnId *parents;  /* of bodies: those with the same root hang together */
-  bool *held;     /* bodies that hang together with one that has a support */
-  size_t held_count;
-} Cohesion;
-
-static void
-follow_faces (const QnContacts *contacts, Cohesion *cohesion)
-{
-  for (size_t i = 0; i < contacts->face_count; i++) {
-    const QnContactFace *face = &contacts->faces[i];
-    cohesion->touching[face->a] = cohesion->touching[face->b] = true;
-    qn_sets_join (cohesion->parents, face->a, face->b);
-  }
-  for (size_t i = 0; i < contacts->findings.count; i++) {
-    const QnFinding *finding = &contacts->findings.items[i];
-    if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
-      cohesion->touching[finding->block_a] = cohesion->touching[finding->block_b] = true;
-  }
-}
-
-static void
-follow_beams (const QnModel *model, Cohesion *cohesion)
-{
-  for (size_t i = 0; i < 2 * model->beam_count; i++) {
-    QnId block = model->nodes[model->beams[i / 2].nodes[i % 2]].block;
-    if (block != QN_NONE)
-      cohesion->touching[block] = true;
-  }
-  for (size_t i = 0; i < model->element_count; i++)
-    qn_sets_join (cohesion->parents,
-                  (QnId) qn_model_node_body (model, model->elements[i].nodes[0]),
-                  (QnId) qn_model_node_body (model, model->elements[i].nodes[1]));
-}
-
-static void
-mark_held (const QnModel *model, size_t bodies, Cohesion *cohesion)
-{
-  bool *held = cohesion->held;
-  for (size_t i = 0; i < bodies; i++) {
-    const bool *support = i < model->block_count
-                            ? model->blocks[i].support
-                            : model->nodes[i - model->block_count].support;
-    if (support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ])
-      held[qn_sets_root (cohesion->parents, (QnId) i)] = true;
-  }
-  for (size_t i = 0; i < bodies; i++) {
-    held[i] = held[qn_sets_root (cohesion->parents, (QnId) i)];
-    cohesion->held_count += held[i];
-  }
-}
-
-/* `cohesion` is cleared by the caller, whether it has been filled or not; false when memory runs
- * out. */
-static bool
-find_cohesion (const QnModel *model, const QnContacts *contacts, Cohesion *cohesion)
-{
-  size_t bodies = qn_model_body_count (model);
-  cohesion->touching = qn_alloc (model->block_count, sizeof *cohesion->touching);
-  cohesion->held = qn_alloc (bodies, sizeof *cohesion->held);
-  cohesion->parents = qn_alloc_unset (bodies, sizeof *cohesion->parents);
-  if (cohesion->touching == NULL || cohesion->held == NULL || cohesion->parents == NULL)
-    return false;
-
-  qn_sets_init (cohesion->parents, bodies);
-  follow_faces (contacts, cohesion);
-  follow_beams (model, cohesion);
-  mark_held (model, bodies, cohesion);
-  return true;
-}
-
-static void
-cohesion_clear (Cohesion *cohesion)
-{
-  free (cohesion->touching);
-  free (cohesion->held);
-  free (cohesion->parents);
-}
-
 static bool
 report_blocks (const QnModel *model, QnFindings *findings, QnProblem problem,
                const bool *in_order)
@@ -195,38 +107,6 @@ report_blocks (const QnModel *model, QnFindings *findings, QnProblem problem,
   return true;
 }
 
-static bool
-report_beams (const QnModel *model, QnFindings *findings, const bool *held)
-{
-  for (size_t i = 0; i < model->beam_count; i++) {
-    const QnId node = model->beams[i].nodes[0];
-    if (!held[qn_model_node_body (model, node)]
-        && !qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_BEAM_FLOATING,
-                                                    .block_a = QN_NONE,
-                                                    .block_b = QN_NONE,
-                                                    .beam = (QnId) i,
-                                                    .at = model->nodes[node].at }))
-      return false;
-  }
-  return true;
-}
-
-static bool
-report_support (const QnModel *model, QnFindings *findings, const bool *held,
-                size_t held_count)
-{
-  /* One finding says more than one for every block of the model. */
-  if (held_count == 0)
-    return qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_NO_SUPPORT,
-                                                   .block_a = QN_NONE,
-                                                   .block_b = QN_NONE,
-                                                   .at = model->block_count > 0
-                                                           ? model->blocks[0].centroid
-                                                           : model->nodes[0].at });
-  return report_blocks (model, findings, QN_PROBLEM_BLOCK_FLOATING, held)
-         && report_beams (model, findings, held);
-}
-
 QnStatus
 qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
                           const QnTouches *touches, QnDiag *diag)
@@ -237,19 +117,81 @@ qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
   FaceLists lists = { 0 };
   bool done = face_lists_init (&lists, search->model->block_count, contacts)
               && report_points (search, &lists, contacts, touches);
-  face_lists_clear (&lists);
+  free (lists.first);
+  free (lists.faces);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
 QnStatus
 qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
-  Cohesion cohesion = { 0 };
-  bool done =
-    find_cohesion (model, contacts, &cohesion)
-    && report_blocks (model, &contacts->findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT,
-                      cohesion.touching)
-    && report_support (model, &contacts->findings, cohesion.held, cohesion.held_count);
-  cohesion_clear (&cohesion);
+  size_t blocks = model->block_count, bodies = qn_model_body_count (model);
+  size_t held_count = 0;
+  QnFindings *findings = &contacts->findings;
+  /* Blocks that have a face, a point contact, an overlap or a beam; sets of bodies that hang together;
+   * bodies in a set with a support. */
+  bool *touching = qn_alloc (blocks, sizeof *touching);
+  QnId *sets = qn_alloc_unset (bodies, sizeof *sets);
+  bool *held = qn_alloc (bodies, sizeof *held);
+  bool done = touching != NULL && sets != NULL && held != NULL;
+
+  if (done) {
+    qn_sets_init (sets, bodies);
+    for (size_t i = 0; i < contacts->face_count; i++) {
+      const QnContactFace *face = &contacts->faces[i];
+      touching[face->a] = touching[face->b] = true;
+      qn_sets_join (sets, face->a, face->b);
+    }
+    for (size_t i = 0; i < findings->count; i++) {
+      const QnFinding *finding = &findings->items[i];
+      if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
+        touching[finding->block_a] = touching[finding->block_b] = true;
+    }
+    for (size_t i = 0; i < 2 * model->beam_count; i++) {
+      QnId block = model->nodes[model->beams[i / 2].nodes[i % 2]].block;
+      if (block != QN_NONE)
+        touching[block] = true;
+    }
+    for (size_t i = 0; i < model->element_count; i++) {
+      const QnId *nodes = model->elements[i].nodes;
+      qn_sets_join (sets, (QnId) qn_model_node_body (model, nodes[0]),
+                    (QnId) qn_model_node_body (model, nodes[1]));
+    }
+    for (size_t i = 0; i < bodies; i++) {
+      const bool *support =
+        i < blocks ? model->blocks[i].support : model->nodes[i - blocks].support;
+      if (support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ])
+        held[qn_sets_root (sets, (QnId) i)] = true;
+    }
+    for (size_t i = 0; i < bodies; i++) {
+      held[i] = held[qn_sets_root (sets, (QnId) i)];
+      held_count += held[i];
+    }
+  }
+
+  done =
+    done && report_blocks (model, findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, touching);
+  if (done && held_count == 0) { /* one finding says more than one for every block */
+    QnVec2 at = blocks > 0 ? model->blocks[0].centroid : model->nodes[0].at;
+    done = qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_NO_SUPPORT,
+                                                   .block_a = QN_NONE,
+                                                   .block_b = QN_NONE,
+                                                   .at = at });
+  } else {
+    done = done && report_blocks (model, findings, QN_PROBLEM_BLOCK_FLOATING, held);
+    for (size_t i = 0; done && i < model->beam_count; i++) {
+      const QnId node = model->beams[i].nodes[0];
+      if (!held[qn_model_node_body (model, node)])
+        done =
+          qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_BEAM_FLOATING,
+                                                  .block_a = QN_NONE,
+                                                  .block_b = QN_NONE,
+                                                  .beam = (QnId) i,
+                                                  .at = model->nodes[node].at });
+    }
+  }
+  free (touching);
+  free (sets);
+  free (held);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }

@@ -41,13 +41,6 @@ sort_ids (QnId *items, size_t count)
   }
 }
 
-static void
-neighbours_clear (Neighbours *neighbours)
-{
-  free (neighbours->first);
-  free (neighbours->items);
-}
-
 /* Counting sort by the lower number of each pair. */
 static bool
 list_pairs (Neighbours *neighbours, size_t block_count, const QnBoxPairs *pairs)
@@ -93,103 +86,61 @@ find_neighbours (const QnContactSearch *search, Neighbours *neighbours, QnDiag *
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
-/* What a search has found besides the contacts, and room that it needs again and again. */
-typedef struct {
-  QnTouches touches;
-  QnFindings overlaps;
-  QnContactMatches matches;
-  QnContactCuts cuts;
-  size_t deep_overlaps;
-} PairSearch;
-
-static void
-pair_search_clear (PairSearch *pairs)
-{
-  free (pairs->touches.items);
-  qn_findings_clear (&pairs->overlaps);
-  free (pairs->matches.items);
-  free (pairs->cuts.items);
-}
-
-/* Room for as many faces as there are sides: in a structure without gaps every face begins at a
- * corner, and few corners begin two. More is made where that is not enough. */
-static bool
-reserve_faces (const QnContactSearch *search, QnContacts *contacts)
-{
-  size_t count = search->sides.count;
-  contacts->faces = qn_alloc_unset (count, sizeof *contacts->faces);
-  contacts->face_capacity = contacts->faces != NULL ? count : 0;
-  return contacts->faces != NULL;
-}
-
-/* Gives back what was reserved for nothing. */
-static bool
-trim_faces (QnContacts *contacts)
-{
-  size_t count = contacts->face_count > 0 ? contacts->face_count : 1;
-  QnContactFace *faces = realloc (contacts->faces, count * sizeof *faces);
-  if (faces == NULL)
-    return false;
-  contacts->faces = faces;
-  contacts->face_capacity = count;
-  return true;
-}
-
-/* Appends the faces and gaps of two blocks, and notes their touches and overlaps. */
-static bool
-search_pair (const QnContactSearch *search, QnId a, QnId b, PairSearch *pairs,
-             QnContacts *contacts)
-{
-  size_t earlier = pairs->overlaps.count;
-  if (!qn_contact_match_pair (search, a, b, &pairs->matches, contacts, &pairs->touches)
-      || !qn_contact_check_overlap (search, a, b, &pairs->cuts, &pairs->overlaps))
-    return false;
-  pairs->deep_overlaps +=
-    pairs->overlaps.count > earlier
-    && pairs->overlaps.items[earlier].problem == QN_PROBLEM_BLOCKS_OVERLAP;
-  return true;
-}
-
-/* Names the first of them. */
-static QnStatus
-refuse_overlaps (const QnFinding *first, QnDiag *diag)
-{
-  qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_OVERLAPS, QN_ENTITY_BLOCK,
-               first->block_a, QN_NONE);
-  if (diag != NULL)
-    diag->other = first->block_b;
-  return QN_ERROR_INVALID;
-}
-
-static QnStatus
-search_pairs (const QnContactSearch *search, const Neighbours *neighbours,
-              PairSearch *pairs, QnContacts *contacts, QnDiag *diag)
-{
-  size_t blocks = search->model->block_count;
-  bool done = reserve_faces (search, contacts);
-  for (size_t a = 0; done && a < blocks; a++) {
-    for (size_t k = neighbours->first[a]; done && k < neighbours->first[a + 1]; k++)
-      done = search_pair (search, (QnId) a, neighbours->items[k], pairs, contacts);
-    if (pairs->deep_overlaps > QN_MOST_OVERLAPS (blocks))
-      return refuse_overlaps (&pairs->overlaps.items[0], diag);
-  }
-  done = done && trim_faces (contacts);
-  for (size_t i = 0; done && i < pairs->overlaps.count; i++)
-    done = qn_findings_add (&contacts->findings, pairs->overlaps.items[i]);
-  return done ? QN_OK : qn_diag_no_memory (diag);
-}
-
 QnStatus
 qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts, QnDiag *diag)
 {
+  size_t blocks = search->model->block_count, sides = search->sides.count;
+  size_t deep_overlaps = 0;
   Neighbours neighbours = { 0 };
-  PairSearch pairs = { 0 };
+  QnTouches touches = { 0 };
+  QnFindings overlaps = { 0 };
+  QnContactMatches matches = { 0 }; /* scratch of one pair of blocks, as the next */
+  QnContactCuts cuts = { 0 };
   QnStatus status = find_neighbours (search, &neighbours, diag);
-  if (status == QN_OK)
-    status = search_pairs (search, &neighbours, &pairs, contacts, diag);
-  neighbours_clear (&neighbours);
-  if (status == QN_OK)
-    status = qn_contact_search_points (search, contacts, &pairs.touches, diag);
-  pair_search_clear (&pairs);
+  bool done = status == QN_OK;
+
+  /* Room for as many faces as there are sides: in a structure without gaps every face begins at a
+   * corner, and few corners begin two. More is made where that is not enough. */
+  if (done) {
+    contacts->faces = qn_alloc_unset (sides, sizeof *contacts->faces);
+    contacts->face_capacity = contacts->faces != NULL ? sides : 0;
+    done = contacts->faces != NULL;
+  }
+  for (size_t a = 0; done && a < blocks && deep_overlaps <= QN_MOST_OVERLAPS (blocks);
+       a++)
+    for (size_t k = neighbours.first[a]; done && k < neighbours.first[a + 1]; k++) {
+      QnId b = neighbours.items[k];
+      size_t earlier = overlaps.count;
+      done = qn_contact_match_pair (search, (QnId) a, b, &matches, contacts, &touches)
+             && qn_contact_check_overlap (search, (QnId) a, b, &cuts, &overlaps);
+      deep_overlaps += done && overlaps.count > earlier
+                       && overlaps.items[earlier].problem == QN_PROBLEM_BLOCKS_OVERLAP;
+    }
+  free (neighbours.first);
+  free (neighbours.items);
+  free (matches.items);
+  free (cuts.items);
+
+  if (deep_overlaps > QN_MOST_OVERLAPS (blocks)) { /* the first is named */
+    status = qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_OVERLAPS,
+                          QN_ENTITY_BLOCK, overlaps.items[0].block_a, QN_NONE);
+    if (diag != NULL)
+      diag->other = overlaps.items[0].block_b;
+  } else if (status == QN_OK) {
+    /* What was reserved for nothing is given back. */
+    size_t kept = contacts->face_count > 0 ? contacts->face_count : 1;
+    QnContactFace *faces = done ? realloc (contacts->faces, kept * sizeof *faces) : NULL;
+    if (faces != NULL) {
+      contacts->faces = faces;
+      contacts->face_capacity = kept;
+    }
+    done = faces != NULL;
+    for (size_t i = 0; done && i < overlaps.count; i++)
+      done = qn_findings_add (&contacts->findings, overlaps.items[i]);
+    status = done ? qn_contact_search_points (search, contacts, &touches, diag)
+                  : qn_diag_no_memory (diag);
+  }
+  free (touches.items);
+  qn_findings_clear (&overlaps);
   return status;
 }

@@ -122,9 +122,8 @@ take_measures (QnInteriorPoint *ip)
   };
 }
 
-/* No forces keep equilibrium under any multiplier: the dead load does more power along v than
- * the joints can dissipate, and the live load none. */
-/* Whether v and z prove that no forces keep equilibrium under any multiplier. */
+/* Whether v and z prove that no forces keep equilibrium under any multiplier: the dead load does more
+ * power along v than the joints can dissipate, and the live load none. */
 static bool
 proves_infeasible (const QnInteriorPoint *ip)
 {
@@ -145,8 +144,8 @@ proves_infeasible (const QnInteriorPoint *ip)
   return qn_ip_largest (rates, 2 * p->cell_count) <= CERTIFICATE_TOLERANCE * proof;
 }
 
-/* Forces that balance the live load alone, within the joints' recession cones. */
-/* Whether y and lambda prove that the multiplier has no bound. */
+/* Whether y and lambda prove that the multiplier has no bound: forces that balance the live load
+ * alone, within the joints' recession cones. */
 static bool
 proves_unbounded (const QnInteriorPoint *ip)
 {
@@ -171,14 +170,6 @@ proves_unbounded (const QnInteriorPoint *ip)
  * iteration at the end and costs more of them before: measured on walls of 500 to 5,000
  * blocks, as was the exponent of the centring. */
 #define STEP_SHARE 0.9
-
-/* Where the predictor alone almost solves the problem, the step may go nearer: by as much as the mean
- * product is to fall. */
-static double
-step_share (const QnIpSettings *settings, double centring)
-{
-  return settings->hasten ? fmax (STEP_SHARE, 1.0 - centring) : STEP_SHARE;
-}
 
 /* The mean product aimed at is that of the iterate times (1 - the predictor's length) to the
  * power of this. */
@@ -399,7 +390,10 @@ newton_direction (QnInteriorPoint *ip, double *length, bool *ok, QnDiag *diag)
     if (!gained)
       break;
   }
-  *length = fmin (1.0, step_share (&work->settings, centring) * *length);
+  /* Where the predictor alone almost solves the problem, the step may go nearer to the boundary: by as
+   * much as the mean product is to fall. */
+  double reach = work->settings.hasten ? fmax (STEP_SHARE, share) : STEP_SHARE;
+  *length = fmin (1.0, reach * *length);
   return QN_OK;
 }
 
