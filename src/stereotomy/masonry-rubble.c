@@ -46,9 +46,10 @@ check_rubble (const QnRubble *rubble, QnDiag *diag)
   if (status == QN_OK && !(rubble->irregularity >= 0 && rubble->irregularity <= 1))
     status = qn_masonry_problem (diag, QN_PROBLEM_FRACTION, "irregularity",
                                  rubble->irregularity);
+  /* There is one stone in a row and one row at least, however flat or narrow. */
   if (status == QN_OK
-      && fmax (rubble->width, rubble->top) / rubble->stone * rubble->height
-             / (FLATNESS * rubble->stone)
+      && fmax (1, fmax (rubble->width, rubble->top) / rubble->stone)
+             * fmax (1, rubble->height / (FLATNESS * rubble->stone))
            > QN_MAX_PIECES)
     status =
       qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "stone", rubble->stone);

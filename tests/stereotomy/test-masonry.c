@@ -186,6 +186,15 @@ test_rubble (void)
   expand_sound (&masonry, &model, &area);
   g_assert_cmpuint (model.block_count, ==, 2);
   qn_model_clear (&model);
+  /* As many stones as the program handles, however flat a row is. */
+  masonry.rubble = a_rubble;
+  masonry.rubble.width = masonry.rubble.top = 2147483648.;
+  masonry.rubble.height = 1e-5;
+  QnDiag diag = { 0 };
+  qn_model_init (&model);
+  g_assert_cmpint (qn_masonry_expand (&masonry, 0, &model, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_TOO_MANY_BLOCKS);
+  qn_model_clear (&model);
   qn_masonry_clear (&masonry);
 }
 

@@ -40,6 +40,7 @@ typedef struct {
   double rest_speed, rest_time;        /* m/s, s */
   double still_since;                  /* s; negative: it moves */
   int32_t iterations_at_step;
+  double residual; /* of the last step that was accepted, relative */
 } Run;
 
 static const int64_t longest = (int64_t) 1 << CUTS;
@@ -60,7 +61,7 @@ keep_step (Run *run, QnEvent event)
   QnResult *result = run->result;
   const QnStatistics *spent = &run->step.statistics;
   QnStep step = { .iterations = spent->iterations - run->iterations_at_step,
-                  .residual = run->step.relative,
+                  .residual = run->residual,
                   .event = event,
                   .time = time_of (run, run->now) };
 
@@ -223,6 +224,7 @@ advance (Run *run)
     if (status == QN_STEP_CONVERGED && (error <= allowed || shortest)) {
       run->energy = qn_energy_after (&run->step, &run->energy, h, mean, change);
       qn_time_step_accept (&run->step);
+      run->residual = run->step.relative;
       run->now += run->length;
       history->steps++;
       history->shortest_step = history->steps == 1 ? h : fmin (history->shortest_step, h);

@@ -83,8 +83,10 @@ qn_result_judge_linearity (const QnModel *model, QnResult *result)
     }
     if (is_end (result, i)) {
       if (result->has_collapse_multiplier
-          && is_settled (result->beyond_linear_multiplier, to))
+          && is_settled (result->beyond_linear_multiplier, to)) {
         result->linearity = QN_LINEARITY_HOLDS;
+        result->beyond_linear_multiplier = 0;
+      }
       break;
     }
     before = fmax (before, now);

@@ -218,6 +218,41 @@ test_linearity (void)
   }
 }
 
+/* Wall 1 with joints of this stiffness, in linear geometry. */
+static void
+solve_wall (double stiffness, QnResult *result)
+{
+  QnModel model;
+  QnContacts contacts;
+  test_model_init_wall (&model, 1, 0);
+  model.laws[0].kn = model.laws[0].ks = stiffness;
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, result, NULL), ==,
+                   QN_OK);
+  qn_contacts_clear (&contacts);
+  qn_model_clear (&model);
+}
+
+/* Displacements go like one over the stiffness. Where they leave linear geometry just before the last
+ * step the multiplier is settled, and no other one is told. */
+static void
+test_settled (void)
+{
+  QnResult result;
+  solve_wall (1e7, &result);
+  size_t last = result.step_count - 1;
+  double before = qn_result_motion (&result, 0, last - 1);
+  double after = qn_result_motion (&result, 0, last);
+  qn_result_clear (&result);
+  double moved = before + 0.999 * (after - before);
+  solve_wall (1e7 * moved / (QN_LINEAR_MOTION * 0.175), &result);
+  g_assert_cmpuint (result.step_count, ==, last + 1);
+  g_assert_cmpint (result.linearity, ==, QN_LINEARITY_HOLDS);
+  g_assert_cmpfloat (result.beyond_linear_multiplier, ==, 0);
+  qn_result_clear (&result);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -227,6 +262,7 @@ main (int argc, char **argv)
   g_test_add_func ("/analysis/unbounded", test_unbounded);
   g_test_add_func ("/analysis/dead-load-alone", test_dead_load_alone);
   g_test_add_func ("/analysis/proved", test_proved);
+  g_test_add_func ("/analysis/settled", test_settled);
   g_test_add_func ("/analysis/interval", test_interval);
   g_test_add_func ("/analysis/linearity", test_linearity);
   return g_test_run ();

@@ -1,0 +1,256 @@
+/* What is written of every kind of analysis, for every outcome, is read again and passes the check of
+ * `quoin-cli check --result`; nothing in it is infinite or no number. */
+#include "core/limit/limit.h"
+#include "core/modal/modal.h"
+#include "core/path/analysis.h"
+#include "core/path/stability.h"
+#include "io/result/result-check.h"
+#include "io/result/result-claims.h"
+#include "io/text/fault-text.h"
+#include "support/scratch.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef enum { ANALYSIS, CANCELLED, MODAL, LOADED, STABILITY } Kind;
+
+typedef struct Row {
+  const char *name;
+  Kind kind;
+  const char *example;
+  const char *overrides[4];
+  QnOutcome outcome;
+} Row;
+
+#define LIMIT           "analysis.procedure=limit"
+#define NON_ASSOCIATIVE "analysis.flow=non-associative"
+#define NONLINEAR       "analysis.geometry=nonlinear"
+
+static const Row rows[] = {
+  { "load", ANALYSIS, "01-sliding-block", { NULL }, QN_OUTCOME_COLLAPSE },
+  { "load to an end",
+    ANALYSIS,
+    "01-sliding-block",
+    { "analysis.max_multiplier=0.1" },
+    QN_OUTCOME_TARGET_REACHED },
+  { "dead load alone",
+    ANALYSIS,
+    "06-arch",
+    { "analysis.max_multiplier=0" },
+    QN_OUTCOME_TARGET_REACHED },
+  { "load, large displacements",
+    ANALYSIS,
+    "ferris-tin-loi/wall1",
+    { NONLINEAR, "laws[0].kn=1e9", "laws[0].ks=1e9" },
+    QN_OUTCOME_COLLAPSE },
+  { "jumps", ANALYSIS, "15-rubble-pier", { NULL }, QN_OUTCOME_COLLAPSE },
+  { "stops at a jump",
+    ANALYSIS,
+    "15-rubble-pier",
+    { "analysis.snap=stop" },
+    QN_OUTCOME_SNAP },
+  { "unbounded",
+    ANALYSIS,
+    "01-sliding-block",
+    { "laws[0].kind=elastic" },
+    QN_OUTCOME_UNBOUNDED },
+  { "dead load unstable",
+    ANALYSIS,
+    "04-block-on-slope",
+    { "laws[0].friction=0.1" },
+    QN_OUTCOME_DEAD_LOAD_UNSTABLE },
+  { "effort spent",
+    ANALYSIS,
+    "ferris-tin-loi/wall3",
+    { "analysis.max_factorizations=10" },
+    QN_OUTCOME_NOT_CONVERGED },
+  { "no effort at all",
+    ANALYSIS,
+    "ferris-tin-loi/wall3",
+    { "analysis.max_factorizations=1" },
+    QN_OUTCOME_NOT_CONVERGED },
+  { "cancelled", CANCELLED, "ferris-tin-loi/wall3", { NULL }, QN_OUTCOME_CANCELLED },
+  { "displacement", ANALYSIS, "24-rocking-block", { NULL }, QN_OUTCOME_TARGET_REACHED },
+  { "work",
+    ANALYSIS,
+    "ferris-tin-loi/wall1",
+    { "analysis.procedure=work" },
+    QN_OUTCOME_COLLAPSE },
+  { "arc length",
+    ANALYSIS,
+    "ferris-tin-loi/wall1",
+    { "analysis.procedure=arc-length" },
+    QN_OUTCOME_COLLAPSE },
+  { "stages", ANALYSIS, "16-load-stages", { NULL }, QN_OUTCOME_COLLAPSE },
+  { "unloading", ANALYSIS, "17-unloading", { NULL }, QN_OUTCOME_TARGET_REACHED },
+  { "settlement", ANALYSIS, "18-spreading-arch", { NULL }, QN_OUTCOME_TARGET_REACHED },
+  { "beams", ANALYSIS, "34-frame-hybrid", { NULL }, QN_OUTCOME_COLLAPSE },
+  { "bars", ANALYSIS, "09-reinforced-cantilever", { NULL }, QN_OUTCOME_COLLAPSE },
+  { "in time", ANALYSIS, "40-rocking-in-time", { NULL }, QN_OUTCOME_TARGET_REACHED },
+  { "cancelled in time",
+    CANCELLED,
+    "40-rocking-in-time",
+    { NULL },
+    QN_OUTCOME_CANCELLED },
+  { "limit", ANALYSIS, "ferris-tin-loi/wall1", { LIMIT }, QN_OUTCOME_COLLAPSE },
+  { "fixed points",
+    ANALYSIS,
+    "ferris-tin-loi/wall4",
+    { LIMIT, NON_ASSOCIATIVE },
+    QN_OUTCOME_COLLAPSE },
+  { "limit, unbounded",
+    ANALYSIS,
+    "01-sliding-block",
+    { LIMIT, "loads.live=[{\"kind\": \"weight\", \"direction\": [0, -1]}]" },
+    QN_OUTCOME_UNBOUNDED },
+  { "limit, dead load unstable",
+    ANALYSIS,
+    "04-block-on-slope",
+    { LIMIT, "laws[0].friction=0.1" },
+    QN_OUTCOME_DEAD_LOAD_UNSTABLE },
+  { "limit, cancelled",
+    CANCELLED,
+    "ferris-tin-loi/wall1",
+    { LIMIT },
+    QN_OUTCOME_CANCELLED },
+  { "modes", MODAL, "11-vibrating-beam", { NULL }, QN_OUTCOME_TARGET_REACHED },
+  { "modes under load",
+    LOADED,
+    "11-vibrating-beam",
+    { NULL },
+    QN_OUTCOME_TARGET_REACHED },
+  { "stability", STABILITY, "21-column-pinned", { NULL }, QN_OUTCOME_SNAP },
+  { "stability kept",
+    STABILITY,
+    "21-column-pinned",
+    { "analysis.max_multiplier=0.5" },
+    QN_OUTCOME_TARGET_REACHED },
+};
+
+/* The third question is answered with no. */
+static bool
+ask_thrice (const QnProgress *progress, void *count)
+{
+  (void) progress;
+  return ++*(int *) count < 3;
+}
+
+static QnStatus
+run (const Row *row, const QnProject *project, const QnContacts *contacts,
+     QnResult *result, QnDiag *diag)
+{
+  const QnModel *model = &project->model;
+  QnModes modes = { 0 };
+  int count = 0;
+  QnStatus status = QN_OK;
+
+  switch (row->kind) {
+  case ANALYSIS:
+    return qn_analysis_run (model, contacts, NULL, NULL, result, diag);
+  case CANCELLED:
+    return qn_analysis_run (model, contacts, ask_thrice, &count, result, diag);
+  case STABILITY:
+    return qn_stability_run (model, contacts, NULL, NULL, result, diag);
+  case MODAL:
+  case LOADED:
+    status = qn_modal_run (model, contacts,
+                           row->kind == LOADED ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD, 3,
+                           NULL, NULL, &modes, result, diag);
+    if (status == QN_OK)
+      status = qn_modes_show (&modes, 1, model, result, diag);
+    qn_modes_clear (&modes);
+    break;
+  }
+  return status;
+}
+
+/* As `quoin-cli check --result` checks it. */
+static void
+check_read (const QnResultFile *file, const QnProject *project,
+            const QnContacts *contacts)
+{
+  QnResultFaults faults;
+  QnResultCheck check;
+  g_autoptr (GError) error = NULL;
+
+  qn_result_file_find_faults (file, "result.json", project, contacts, &faults, &error);
+  g_assert_no_error (error);
+  if (faults.count > 0)
+    g_error ("%s", qn_fault_dup_text (&project->model, contacts, &faults.items[0]));
+  if (file->result.step_count == 0 || file->result.history.width > 0)
+    return;
+  qn_result_check (file, project, &check, &error);
+  g_assert_no_error (error);
+  g_assert_cmpfloat (check.out_of_balance, <, 1e-6);
+  g_assert_cmpfloat (check.yield_violation, <, 1e-6);
+}
+
+static void
+check_same (const QnResult *read, const QnResult *result)
+{
+  g_assert_cmpint (read->outcome, ==, result->outcome);
+  g_assert_cmpuint (read->step_count, ==, result->step_count);
+  g_assert_cmpuint (read->event_count, ==, result->event_count);
+  g_assert_cmpint (read->solution_count, ==, result->solution_count);
+  g_assert_cmpint (read->has_collapse_multiplier, ==, result->has_collapse_multiplier);
+  g_assert_cmpint (read->has_first_limit_multiplier, ==,
+                   result->has_first_limit_multiplier);
+  g_assert_cmpint (read->stability, ==, result->stability);
+  g_assert_cmpint (read->vibration.mode, ==, result->vibration.mode);
+  g_assert_cmpuint (read->history.row_count, ==, result->history.row_count);
+  if (result->step_count > 0)
+    g_assert_cmpmem (
+      read->displacements, read->step_count * qn_result_body_count (read) * 24,
+      result->displacements, result->step_count * qn_result_body_count (result) * 24);
+  if (result->has_collapse_multiplier)
+    g_assert_cmpfloat (read->collapse_multiplier, ==, result->collapse_multiplier);
+}
+
+static void
+test_row (gconstpointer data)
+{
+  const Row *row = data;
+  char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
+  g_autofree char *name = g_strconcat (row->example, ".quoin", NULL);
+  g_autofree char *example = g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
+  QnProject project;
+  QnContacts contacts;
+  QnResult result;
+  QnResultFile file;
+  QnDiag diag = { 0 };
+  g_autoptr (GError) error = NULL;
+
+  qn_project_load (example, row->overrides, &project, &error);
+  g_assert_no_error (error);
+  g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
+  QnStatus status = run (row, &project, &contacts, &result, &diag);
+  if (status != QN_OK)
+    g_error ("%s", qn_problem_text (diag.problem));
+  g_assert_cmpstr (qn_outcome_names[result.outcome], ==, qn_outcome_names[row->outcome]);
+  for (int detail = 0; detail < QN_DETAIL_COUNT; detail++) {
+    qn_result_file_write_detailed (path, &project, &contacts, &result,
+                                   (QnResultDetail) detail, &error);
+    g_assert_no_error (error);
+    qn_result_file_read (path, &file, &error);
+    g_assert_no_error (error);
+    check_same (&file.result, &result);
+    check_read (&file, &project, &contacts);
+    qn_result_file_clear (&file);
+  }
+  qn_result_clear (&result);
+  qn_contacts_clear (&contacts);
+  qn_project_clear (&project);
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
+    g_autofree char *path = g_strdup_printf ("/result/read-back/%s", rows[i].name);
+    g_test_add_data_func (path, &rows[i], test_row);
+  }
+  return g_test_run ();
+}
