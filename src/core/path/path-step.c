@@ -173,14 +173,16 @@ leap (QnPathTrace *trace, double *step)
 
 /* In nonlinear geometry, where branches lie close to each other: cut until it is solved without a jump
  * or is the smallest one. Static solutions come first, and are cheap, unless relaxation was needed
- * just before: then their first failure is enough. */
+ * just before: then their first failure is enough. Under load control, where nobody asks for what lies
+ * between, they are tried in shorter steps too: relaxation rests below the path. */
 static QnSolveStatus
 solve_nonlinear (QnPathTrace *trace, double *step)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  double least_for_newton = trace->means == QN_FOUND_BY_RELAXATION
-                              ? INFINITY
-                              : tuning->newton_step * trace->largest;
+  double least_for_newton =
+    trace->load_control                      ? tuning->newton_step_load * trace->largest
+    : trace->means == QN_FOUND_BY_RELAXATION ? INFINITY
+                                             : tuning->newton_step * trace->largest;
   double before = 0;
   bool relaxes = false;
 

@@ -29,6 +29,7 @@ const QnPathTuning qn_path_tuning = {
   .smallest_step = 1.0 / 1024,
   .restart_step = 1.0 / 64,
   .newton_step = 1.0 / 16,
+  .newton_step_load = 1.0 / 256,
   .least_lean = 1e-2,
   .most_of_step = 0.9,
   .jump = 3,

@@ -34,8 +34,8 @@ typedef struct QnPathTuning {
   double smallest_step, restart_step;
 
   /* Nonlinear geometry: smallest step, as a part of the largest, that Newton's method is worth:
-   * relaxation takes a longer one for the same effort. */
-  double newton_step;
+   * relaxation takes a longer one for the same effort. And under load control. */
+  double newton_step, newton_step_load;
 
   /* How far a structure is moved out of an unstable equilibrium at first, in characteristic lengths; up
    * to one. */
