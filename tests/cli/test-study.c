@@ -470,6 +470,59 @@ test_one_value (void)
   test_scratch_free (folder);
 }
 
+/* Most pieces of one line in the colour of the first series. */
+static guint
+longest_line (const char *svg)
+{
+  guint longest = 0;
+  g_auto (GStrv) lines = g_strsplit (svg, "\n", -1);
+  for (guint i = 0; lines[i] != NULL; i++) {
+    const char *path = strstr (lines[i], " d=\"M");
+    guint pieces = 0;
+    if (path == NULL || strstr (lines[i], "fill:none") == NULL
+        || strstr (lines[i], "stroke-linejoin:round") == NULL)
+      continue;
+    for (const char *c = path; *c != '\0' && *c != '>'; c++) {
+      pieces = *c == 'M' ? 0 : pieces + (*c == 'L');
+      longest = MAX (longest, pieces);
+    }
+  }
+  return longest;
+}
+
+/* Where no case has a value the envelope has a gap: the middle case, without a growing load, fails. */
+static void
+test_gap (void)
+{
+  char *folder = test_scratch_new ();
+  g_free (cli_write (folder, "block.quoin", cli_sliding_block));
+  g_autofree char *paths[2] = { NULL, NULL };
+  static const char *const middles[] = { "0", "0.5" };
+  for (gsize i = 0; i < G_N_ELEMENTS (middles); i++) {
+    g_autofree char *text = g_strdup_printf (
+      "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"block.quoin\",\n"
+      "  \"run\": \"limit\", \"parameters\": [ { \"name\": \"push\",\n"
+      "    \"path\": \"loads.live[0].direction[0]\", \"values\": [-2, -1, %s, 1, 2] } "
+      "],\n"
+      "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\"] }\n",
+      middles[i]);
+    g_autofree char *study = cli_write (folder, "s.quoin-study", text);
+    g_autofree char *results = g_build_filename (folder, middles[i], NULL);
+    g_autofree char *picture = g_build_filename (folder, "e.svg", NULL);
+    CliRun run = cli_run ("study", "run", study, "-o", results, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    run = cli_run ("study", "plot", results, "--kind", "envelope", "-o", picture, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    paths[i] = cli_read (picture);
+  }
+  /* Five points: one line of four pieces, or two of one each. */
+  g_assert_cmpuint (longest_line (paths[0]), ==, 1);
+  g_assert_cmpuint (longest_line (paths[1]), ==, 4);
+  test_scratch_free (folder);
+}
+
 /* Every figure of every plan that has it; again, the same bytes. */
 static void
 test_figures (void)
@@ -533,6 +586,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/study/time-limit", test_time_limit);
   g_test_add_func ("/cli/study/record", test_record);
   g_test_add_func ("/cli/study/one-value", test_one_value);
+  g_test_add_func ("/cli/study/gap", test_gap);
   g_test_add_func ("/cli/study/figures", test_figures);
   return g_test_run ();
 }

@@ -59,8 +59,9 @@ qn_study_window_show_plan (QnStudyWindow *self)
   QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
   gtk_drop_down_set_selected (self->plan, plan);
   gtk_drop_down_set_selected (self->analysis, qn_draft_get_run (self->draft));
-  gtk_widget_set_sensitive (GTK_WIDGET (self->count),
-                            plan != QN_PLAN_GRID && plan != QN_PLAN_ONE_AT_A_TIME);
+  gboolean by_levels = plan == QN_PLAN_GRID || plan == QN_PLAN_ONE_AT_A_TIME;
+  gtk_widget_set_visible (self->cases, !by_levels);
+  gtk_widget_set_visible (GTK_WIDGET (self->count), !by_levels);
   gtk_spin_button_set_value (self->count, count);
   show_outputs (self);
 }

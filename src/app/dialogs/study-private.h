@@ -30,7 +30,7 @@ typedef struct QnStudyWindow {
   GtkListBox *parameters;
   GtkDropDown *analysis, *plan, *figure, *of, *by, *by_second;
   GtkSpinButton *count;
-  GtkWidget *outputs, *plot, *over, *and;
+  GtkWidget *cases, *outputs, *plot, *over, *and;
   GtkProgressBar *progress;
   GtkLabel *status;
 } QnStudyWindow;

@@ -201,6 +201,7 @@ new_window (const QnStudyParent *parent, QnDraft *draft)
     .by = GET (GTK_DROP_DOWN, "by"),
     .by_second = GET (GTK_DROP_DOWN, "by_second"),
     .count = GET (GTK_SPIN_BUTTON, "count"),
+    .cases = GET (GTK_WIDGET, "cases"),
     .outputs = GET (GTK_WIDGET, "outputs"),
     .plot = GET (GTK_WIDGET, "plot"),
     .over = GET (GTK_WIDGET, "over"),

@@ -97,6 +97,7 @@ draw_points (const Plot *plot, const QnMarks *m)
                             color_of (plot, m, i));
 }
 
+/* A value that is not finite interrupts the line; one between two of these is a dot. */
 static void
 draw_line (const Plot *plot, const QnMarks *m)
 {
@@ -107,9 +108,18 @@ draw_line (const Plot *plot, const QnMarks *m)
   cairo_set_line_join (plot->cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_dash (plot->cr, dashes, m->dashed ? 2 : 0, 0);
   for (size_t i = 0; i < m->count; i++) {
-    if (i > 0 && m->kind == QN_MARKS_STEPS)
+    bool before = i > 0 && isfinite (m->y[i - 1]);
+    if (!isfinite (m->y[i])) {
+      cairo_new_sub_path (plot->cr);
+      continue;
+    }
+    if (before && m->kind == QN_MARKS_STEPS)
       cairo_line_to (plot->cr, px (plot, m->x[i]), py (plot, m->y[i - 1]));
     cairo_line_to (plot->cr, px (plot, m->x[i]), py (plot, m->y[i]));
+    if (!before && (i + 1 == m->count || !isfinite (m->y[i + 1]))) {
+      cairo_line_to (plot->cr, px (plot, m->x[i]), py (plot, m->y[i]));
+      cairo_set_line_cap (plot->cr, CAIRO_LINE_CAP_ROUND);
+    }
   }
   cairo_stroke (plot->cr);
   cairo_restore (plot->cr);

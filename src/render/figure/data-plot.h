@@ -21,7 +21,7 @@ typedef struct QnMarks {
   const char *label; /* in the legend; NULL: not there */
   int series;        /* which colour of the series */
   bool dashed;
-  const double *x, *y, *x_end, *y_end;
+  const double *x, *y, *x_end, *y_end; /* y of lines: not-a-number is a gap */
   const double *values; /* NULL: the colour of the series; else that of the colour bar */
   size_t count;
 } QnMarks;

@@ -441,7 +441,8 @@ draw_surface (const Page *page)
   return export_plot (page, plot, &marks, 1);
 }
 
-/* Least and greatest value at every level of a parameter, and where the least of all is. */
+/* Least and greatest value at every level of a parameter, with a gap where no case has one, and where
+ * the least of all is. */
 static gboolean
 draw_envelope (const Page *page)
 {
@@ -450,15 +451,17 @@ draw_envelope (const Page *page)
                                     (gsize) page->figure->column, &x, &y);
   if (count == 0)
     return fail (page, _ ("no case has this output yet"));
-  g_autoptr (GArray) levels = dup_levels (x, count);
+  gsize rows = page->table->rows->len;
+  g_autofree double *all = g_new (double, rows);
+  for (gsize i = 0; i < rows; i++)
+    all[i] = qn_table_number (page->table, i, (gsize) page->figure->parameters[0]);
+  g_autoptr (GArray) levels = dup_levels (all, rows);
   g_autofree double *low = g_new (double, levels->len),
                     *high = g_new (double, levels->len);
   gsize least = 0;
   gboolean wide = FALSE;
-  for (guint i = 0; i < levels->len; i++) {
-    low[i] = INFINITY;
-    high[i] = -INFINITY;
-  }
+  for (guint i = 0; i < levels->len; i++)
+    low[i] = high[i] = NAN;
   for (gsize i = 0; i < count; i++) {
     gsize level = level_of (levels, x[i]);
     low[level] = fmin (low[level], y[i]);
@@ -466,7 +469,7 @@ draw_envelope (const Page *page)
   }
   const double *at = (const double *) (void *) levels->data;
   for (gsize i = 0; i < levels->len; i++) {
-    least = low[i] < low[least] ? i : least;
+    least = !isnan (low[i]) && !(low[least] <= low[i]) ? i : least;
     wide |= high[i] > low[i];
   }
   char number[QN_NUMBER_TEXT_SIZE], place[QN_NUMBER_TEXT_SIZE];
