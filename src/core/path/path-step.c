@@ -226,16 +226,13 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
   QnEquilibrium *eq = &trace->path->equilibrium;
   const QnTarget goal = qn_target_multiplier (target);
   double increment = target - eq->committed.multiplier;
-  int32_t before = eq->statistics.iterations;
-  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, tuning->easy);
 
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_judge_stability (trace->path, NULL);
-  *easy = status == QN_SOLVE_CONVERGED
-          && eq->statistics.iterations - before <= tuning->easy
-          && !is_jump (trace, increment, 0);
+  *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment, 0);
   return status;
 }
 

@@ -19,6 +19,8 @@
 const QnPathTuning qn_path_tuning = {
   .easy = 6,
   .growth = 1.5,
+  .growth_steady = 2,
+  .turn = 0.25,
   .growth_no_jumps = 4,
   .start = 0.02,
   .least_start = 1.0 / 256,
@@ -56,11 +58,36 @@ static const QnPathTuning *const tuning = &qn_path_tuning;
 
 /* --- Sizes of steps ---------------------------------------------------------------------- */
 
+/* How far the direction of motion has turned in the step just solved: the largest difference between it
+ * and that of the step before, both as parts of the largest motion. */
+static double
+turn_of_motion (const QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  const double *last = trace->measure.last_u, *from = eq->committed.u;
+  double before = qn_assembly_largest (as, from, last);
+  double now = qn_assembly_largest (as, eq->u, from);
+  double *turn = eq->trial;
+
+  if (before == 0 || now == 0)
+    return INFINITY;
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    turn[i] = (eq->u[i] - from[i]) / now - (from[i] - last[i]) / before;
+  return qn_assembly_largest (as, turn, NULL);
+}
+
 static double
 growth (const QnPathTrace *trace)
 {
-  return trace->may_jump || !trace->load_control ? tuning->growth
-                                                 : tuning->growth_no_jumps;
+  if (!trace->load_control)
+    return tuning->growth; /* what lies between is to be seen */
+  if (!trace->may_jump)
+    return tuning->growth_no_jumps;
+  bool steady = qn_path_trace_is_linear (trace) && trace->central != NULL
+                && trace->measure.procedure == QN_PROCEDURE_WORK
+                && turn_of_motion (trace) < tuning->turn;
+  return steady ? tuning->growth_steady : tuning->growth;
 }
 
 /* Largest step that may come next: displacement control keeps to the increments that were
@@ -94,33 +121,14 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
     copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
 }
 
-/* The next increment of load control: to trace->start, and from there on always the same. */
-static void
-choose_next_increment (QnPathTrace *trace, double increment)
-{
-  double from = trace->path->equilibrium.committed.multiplier, to = from + increment;
-
-  choose_next_step (trace, increment, true);
-  if (to < trace->start)
-    trace->step = trace->start - to;
-  else if (from < trace->start)
-    trace->step = growth (trace) * trace->start;
-}
-
-/* A first increment that fails is cut, to parts of trace->start, or of itself. False where it is short
- * enough. */
+/* A first increment that fails is cut. False where it is short enough. */
 static bool
 cut_first_increment (QnPathTrace *trace)
 {
-  double whole = trace->start > 0 ? trace->start : trace->measure.first;
-  double part = tuning->cut * whole;
-
   if (trace->path->equilibrium.committed.multiplier > 0
-      || trace->step <= tuning->least_start * whole)
+      || trace->step <= tuning->least_start * trace->measure.first)
     return false;
-  while (part >= trace->step)
-    part *= tuning->cut;
-  trace->step = part;
+  trace->step *= tuning->cut;
   return true;
 }
 
@@ -195,7 +203,7 @@ advance_by_load (QnPathTrace *trace, QnDiag *diag)
     qn_equilibrium_restore (eq);
     return cut_first_increment (trace) ? QN_OK : take_work (trace, diag);
   }
-  choose_next_increment (trace, target - from);
+  choose_next_step (trace, target - from, true);
   if (!accept (trace))
     return qn_diag_no_memory (diag);
   qn_path_end_check (trace);
@@ -486,10 +494,8 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   trace.may_jump = qn_assembly_may_jump (as);
   if (ready && trace.load_control)
     qn_equilibrium_save (eq, &trace.highest);
-  if (ready && trace.load_control && has_joints && dead > 0) {
-    trace.start = tuning->start * dead / live;
-    trace.measure.first = fmin (trace.measure.first, trace.start);
-  }
+  if (ready && trace.load_control && has_joints && dead > 0)
+    trace.measure.first = tuning->start * dead / live;
   status = ready ? run (&trace, diag) : qn_diag_no_memory (diag);
   qn_path_events_clear (&trace.events);
   qn_central_path_free (trace.central);

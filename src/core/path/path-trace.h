@@ -12,13 +12,15 @@
 /* The numbers of the method. docs/experiments/load-path.md has what other values do. */
 typedef struct QnPathTuning {
   /* A step that Newton's method solves within so many iterations lets the next one grow; by less where
-   * friction may make the path turn, for slip that a long step finds is not that of the path. */
+   * friction may make the path turn, for slip that a long step finds is not that of the path; by more
+   * where the motion has turned by no more than `turn` of itself, for then hardly a joint slips that did
+   * not before. */
   int easy;
-  double growth, growth_no_jumps;
+  double growth, growth_no_jumps, growth_steady, turn;
 
-  /* Load control: the multiplier at which the second step ends, as a part of that at which the largest
-   * live load on a block equals the largest dead load. From there on steps are the same whatever
-   * `increments` says. A first step that fails is cut down to least_start of it. */
+  /* Load control of joints under a dead load: the first step, as a part of the multiplier at which the
+   * largest live load on a block equals the largest dead load, whatever `increments` says. A first step
+   * that fails is cut down to least_start of it. */
   double start, least_start;
 
   /* Largest step of displacement control, as a multiple of the first, for `increments` is what the user
@@ -105,7 +107,6 @@ typedef struct QnPathTrace {
   bool may_jump;  /* some joint is not associative, or not known to be */
   bool jumped;    /* the last step moved on by a jump */
   double end;     /* largest multiplier */
-  double start;   /* of load control: tuning.start as a multiplier; 0 without dead load */
   double step;    /* to try next */
   double largest; /* step so far */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
