@@ -214,6 +214,28 @@ qn_pair_motion (const QnPairElasticity *pair, const QnPairStep *step,
   return out;
 }
 
+/* Bits of a branch. */
+enum { OPEN_BEFORE = 1, OPEN_AFTER = 2, SLIPS_ON = 4, SLIPS_BACK = 8 };
+
+int
+qn_pair_branch (const QnPairElasticity *pair, const QnPairInstant *start,
+                const QnPairInstant *end)
+{
+  double before[2], after[2];
+
+  plastic_elongation (start, before);
+  plastic_elongation (end, after);
+  return (gap (pair, start) > 0 ? OPEN_BEFORE : 0)
+         | (gap (pair, end) > 0 ? OPEN_AFTER : 0) | (after[1] > before[1] ? SLIPS_ON : 0)
+         | (after[1] < before[1] ? SLIPS_BACK : 0);
+}
+
+bool
+qn_pair_branch_is_still (int branch)
+{
+  return branch == 0 || branch == (OPEN_BEFORE | OPEN_AFTER);
+}
+
 double
 qn_pair_elastic_energy (const QnPairElasticity *pair, const QnPairInstant *at)
 {

@@ -78,6 +78,15 @@ typedef struct QnPairForces {
 QnPairForces qn_pair_motion (const QnPairElasticity *elasticity, const QnPairStep *step,
                              const QnPairInstant *start, const QnPairInstant *end);
 
+/* Which of its branches the pair is on: whether it stands open at either end of the step, and which way
+ * it has slipped in it. With the same branch, and the same tangent of its law, its whole tangent
+ * changes little from one step to the next. */
+int qn_pair_branch (const QnPairElasticity *elasticity, const QnPairInstant *start,
+                    const QnPairInstant *end);
+
+/* Whether a pair on that branch neither opens, closes nor slips. */
+bool qn_pair_branch_is_still (int branch);
+
 /* Energy that the pair stores, J. */
 double qn_pair_elastic_energy (const QnPairElasticity *elasticity,
                                const QnPairInstant *instant);

@@ -18,6 +18,11 @@
  * pair-motion.h says what pairs add. Contact pairs stay fixed to their blocks, in large
  * displacements too, as in statics.
  *
+ * A factorisation serves from step to step as long as all pairs are on the branches it was made for,
+ * the length of the step is the same, and each iteration with it takes away nine tenths of the
+ * residual: tangents of open and sliding pairs change with their elongations, in large displacements
+ * all do, without a change of state.
+ *
  * Energy. With [x] = x1 - x0, du = [u], and R = P - F + M i g,
  *
  *   [v' M v]/2 = -du' (R0 + R1)/2 - D,
@@ -33,6 +38,9 @@
 #include "core/dynamics/ground.h"
 #include "core/dynamics/pair-motion.h"
 #include "core/linalg/linsys.h"
+
+/* Numbers that tell the branch of a pair. */
+#define QN_BRANCH 5
 
 typedef struct QnTimeScheme {
   double alpha_m, alpha_f, beta, gamma;
@@ -76,9 +84,10 @@ typedef struct QnTimeStep {
   QnPairForces *forces;    /* of all pairs */
   double *tangents;        /* pair_count x 4 */
   double *sums;            /* pair_count x 2: forces of pairs over 1 - af */
-  double *factored;        /* the tangents that are factorised, pair_count x 4 */
-  double factored_length;  /* and the length of their step; 0: nothing is */
-  bool stale;              /* in nonlinear geometry: the last iteration was a slow one */
+  double *branches; /* pair_count x QN_BRANCH: tangents of their laws, qn_pair_branch() */
+  double *factored; /* those that are factorised */
+  double factored_length; /* and the length of their step; 0: nothing is */
+  bool stale;             /* the last iteration with what is factorised was a slow one */
 
   double relative; /* residual of the last step over its forces */
   QnStatistics statistics;

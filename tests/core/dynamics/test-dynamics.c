@@ -172,6 +172,50 @@ test_slide_rectangle (void)
   g_assert_cmpfloat (log2 (coarse / fine), >, 1.8);
 }
 
+/* Factorisations of a hundred steps under a pulse, without those of the dead load. */
+static int
+count_factorizations (double amplitude, QnGeometry geometry, double damping)
+{
+  Case c;
+  init_case (&c, 2, 0.2);
+  c.model.laws[0].friction = 0.3;
+  c.model.laws[0].kn = c.model.laws[0].ks = 1e9;
+  add_weight (&c);
+  QnDynamicSettings *dynamic = &c.model.analysis.dynamic;
+  c.model.analysis.geometry = geometry;
+  dynamic->duration = 0.5;
+  dynamic->time_step = 0.005;
+  dynamic->adaptive = false;
+  dynamic->joint_damping = damping;
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->direction = qn_vec2 (1, 0);
+  motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, amplitude, 0.2, 0.05 };
+  solve (&c);
+  g_assert_cmpint (c.result.history.steps, ==, 100);
+  g_assert_cmpint (c.result.statistics.iterations, >=, 50);
+  int count = c.result.statistics.factorizations;
+  double slipped = c.result.history.largest_slip;
+  g_test_message ("amplitude %g, geometry %d, damping %g: %d factorisations, slip %.2g",
+                  amplitude, geometry, damping, count, slipped);
+  g_assert_true ((slipped > 0) == (amplitude > 0.3 * G));
+  case_clear (&c);
+  return count;
+}
+
+/* Where nothing changes state nothing is factorised again; where a block begins to slide and comes to
+ * rest, for those changes and not for the steps between. */
+static void
+test_factorizations (void)
+{
+  for (int geometry = 0; geometry <= QN_GEOMETRY_NONLINEAR; geometry++)
+    for (int damped = 0; damped < 2; damped++) {
+      double damping = 1e-4 * damped;
+      g_assert_cmpint (count_factorizations (1, (QnGeometry) geometry, damping), <=, 3);
+      g_assert_cmpint (count_factorizations (5, (QnGeometry) geometry, damping), <=, 20);
+    }
+}
+
 /* Under a sine it slides to and fro; beside its own equation of motion, by small steps. Where it
  * turns, friction changes sign within a step, which counts to first order: the steps are short. */
 static void
@@ -460,6 +504,7 @@ main (int argc, char **argv)
   g_test_add_func ("/dynamics/spring", test_spring);
   g_test_add_func ("/dynamics/slide-rectangle", test_slide_rectangle);
   g_test_add_func ("/dynamics/slide-sine", test_slide_sine);
+  g_test_add_func ("/dynamics/factorizations", test_factorizations);
   g_test_add_func ("/dynamics/rock", test_rock);
   g_test_add_func ("/dynamics/overturn", test_overturn);
   g_test_add_func ("/dynamics/beam", test_beam);
