@@ -235,7 +235,6 @@ qn_canvas_init (QnCanvas *self)
   self->camera.unit = PX_PER_POINT;
   self->typed = g_string_new (NULL);
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
-  self->gesture.whole = QN_NONE;
   self->gl_layer = qn_gl_layer_new ();
   gtk_widget_set_parent (self->gl_layer, GTK_WIDGET (self));
   self->wants_fit = self->keeps_fit = TRUE;
@@ -331,7 +330,6 @@ qn_canvas_set_in_gesture (QnCanvas *self, gboolean in_gesture)
     self->gesture.turning = FALSE;
     self->gesture.phase = 0;
     self->gesture.grip = (QnGrip){ .kind = QN_GRIP_NONE };
-    self->gesture.whole = QN_NONE;
   }
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }

@@ -51,7 +51,6 @@ typedef struct QnGesture {
   gboolean dragging;  /* moved far enough to be no click */
   gboolean band;      /* a selection rectangle rather than a move */
   gboolean turning;   /* a turn about a corner rather than a move */
-  QnId whole;         /* block whose wall a drag carries, or QN_NONE */
   QnGrip grip;        /* the handle that is dragged, if any */
   int phase;          /* of a gesture with several, from 0 */
   GArray *points;     /* of QnVec2, of a polygon */

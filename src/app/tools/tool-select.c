@@ -53,20 +53,6 @@ leave_to_magnet (QnCanvas *canvas)
   qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
 }
 
-/* A drag that begins on a block of a wall carries the wall, unless the block was selected before:
- * a stone comes out of its wall only where that is meant. */
-static void
-carry_whole (QnCanvas *canvas)
-{
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnModel *model = qn_canvas_get_model (canvas);
-  if (gesture->whole == QN_NONE || gesture->band || gesture->grip.kind != QN_GRIP_NONE)
-    return;
-  qn_selection_select_wall (qn_canvas_get_selection (canvas), model, gesture->whole);
-  gesture->whole = QN_NONE;
-  leave_to_magnet (canvas);
-}
-
 static void
 press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
 {
@@ -81,13 +67,8 @@ press_on_block (QnCanvas *canvas, QnId block, const QnToolEvent *event)
     return;
   }
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  gboolean part_of_whole =
-    model->blocks[block].masonry != QN_NONE || model->blocks[block].wall != QN_NONE;
-  gesture->whole = QN_NONE;
-  if (!qn_selection_has_block (selection, block)) {
+  if (!qn_selection_has_block (selection, block))
     qn_selection_set_blocks (selection, &block, 1);
-    gesture->whole = part_of_whole ? block : QN_NONE;
-  }
   if (!shows_undeformed (canvas))
     return;
 
@@ -259,8 +240,6 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
     return;
   if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
     return;
-  if (!gesture->dragging)
-    carry_whole (canvas);
   gesture->dragging = TRUE;
   /* Bonds and angles have steps of their own. */
   gboolean by_magnet = !gesture->band && gesture->grip.kind != QN_GRIP_TURN;
@@ -388,7 +367,6 @@ numbers (QnCanvas *canvas, const double *values, int count)
     qn_handle_turn (canvas, values[0]);
     return count == 1;
   }
-  carry_whole (canvas);
   if (gesture->grip.kind != QN_GRIP_NONE) {
     gesture->to =
       qn_vec2_add (gesture->from, qn_vec2 (values[0], count > 1 ? values[1] : 0.0));
