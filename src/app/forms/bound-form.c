@@ -397,6 +397,10 @@ connect (QnBoundForm *form, GtkWidget *widget)
     { gtk_entry_get_type, "activate", G_CALLBACK (on_entered) },
     { gtk_button_get_type, "clicked", G_CALLBACK (on_entered) },
   };
+  /* A button with an action is a field only to be shown or hidden. */
+  if (GTK_IS_ACTIONABLE (widget)
+      && gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)) != NULL)
+    return;
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
     if (g_type_is_a (G_OBJECT_TYPE (widget), signals[i].type ())) {
       g_signal_connect (widget, signals[i].signal, signals[i].callback, form);
