@@ -191,6 +191,9 @@ on_switch (GSimpleAction *action, GVariant *value, gpointer data)
 static const char *const switches[] = { "ghost",      "symbols", "loads",
                                         "dimensions", "names",   "monochrome" };
 
+/* Switches that are settings: every window has them. */
+static const char *const kept[] = { "snap", "grid", "live" };
+
 static void
 add_stateful_actions (QnWindow *self)
 {
@@ -222,11 +225,17 @@ add_stateful_actions (QnWindow *self)
     g_signal_connect (action, "change-state", G_CALLBACK (on_switch), self);
     g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
   }
-  static const char *const kept[] = { "snap", "grid", "live" };
   for (gsize i = 0; i < G_N_ELEMENTS (kept); i++) {
     g_autoptr (GAction) action = g_settings_create_action (qn_settings_get (), kept[i]);
     g_action_map_add_action (G_ACTION_MAP (self), action);
   }
+}
+
+void
+qn_window_forget_settings (QnWindow *self)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (kept); i++)
+    g_action_map_remove_action (G_ACTION_MAP (self), kept[i]);
 }
 
 void

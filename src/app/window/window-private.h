@@ -55,6 +55,10 @@ void qn_window_add_actions (QnWindow *window);
 void qn_window_update_actions (QnWindow *window);
 void qn_window_add_keys (QnWindow *window);
 
+/* Before the window goes: its actions may stay longer, because a tooltip that is due holds them (GTK
+ * 4.8), and settings would tell them of changes. */
+void qn_window_forget_settings (QnWindow *window);
+
 /* Tools make room for the side panel of a narrow window. */
 void qn_window_update_palette (QnWindow *window);
 

@@ -524,6 +524,7 @@ qn_window_dispose (GObject *object)
   g_clear_pointer (&self->recovery, qn_recovery_end);
   if (self->document != NULL)
     qn_document_cancel (self->document);
+  qn_window_forget_settings (self);
   remove_panels (self);
   gtk_widget_dispose_template (GTK_WIDGET (self), QN_TYPE_WINDOW);
   G_OBJECT_CLASS (qn_window_parent_class)->dispose (object);
