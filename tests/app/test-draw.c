@@ -177,12 +177,11 @@ test_whole_wall (void)
   g_assert_cmpuint (count_objects (window), ==, 0);
   g_assert_cmpfloat (place_of_stone (window).y, >, at.y + 0.5);
   QnHistory *history = qn_document_get_history (qn_window_get_document (window));
-  g_assert_cmpstr (
-    qn_history_get_name (history, qn_history_get_position (history) - 1), ==,
-    "Move, Wall to Free Blocks");
+  g_assert_cmpstr (qn_history_get_name (history, qn_history_get_position (history) - 1),
+                   ==, "Move, Wall to Free Blocks");
   guint moved = 0;
-  qn_selection_get_blocks (
-    qn_document_get_selection (qn_window_get_document (window)), &moved);
+  qn_selection_get_blocks (qn_document_get_selection (qn_window_get_document (window)),
+                           &moved);
   g_assert_cmpuint (moved, ==, 1);
   driver_key ("ctrl+z");
   g_assert_cmpuint (count_objects (window), ==, 1);

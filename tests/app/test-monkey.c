@@ -196,6 +196,8 @@ make_parameter (Monkey *monkey, const GVariantType *type)
     return g_variant_new_string (ONE_OF (words));
   if (g_variant_type_equal (type, G_VARIANT_TYPE_DOUBLE))
     return g_variant_new_double (90.0 * number);
+  if (g_variant_type_equal (type, G_VARIANT_TYPE_INT32))
+    return g_variant_new_int32 (g_test_rand_int_range (-1, 20));
   if (g_variant_type_equal (type, G_VARIANT_TYPE ("(dd)")))
     return g_variant_new ("(dd)", number, -number);
   if (g_variant_type_equal (type, G_VARIANT_TYPE ("(iddd)")))
@@ -380,57 +382,6 @@ move_pointer (Monkey *monkey)
   tell_tools (monkey, line);
 }
 
-/* ---- warnings ---- */
-
-/* What GTK 4.8 says of itself, and windows of GTK's own widgets alone show. Every other warning ends
- * the test. */
-static const char *const told_by_gtk[] = {
-  /* It counts how often a widget is pressed, and loses count where the widget under a held button
-   * goes away, or a window is moved without a window manager. */
-  "Broken accounting of active state",
-  /* A tooltip that is due when its menu or window has just closed asks where the pointer is over a
-   * surface that is gone. */
-  "gdk_surface_get_device_position: assertion 'GDK_IS_SURFACE (surface)' failed",
-  "_gtk_widget_find_at_coords: assertion 'GDK_IS_SURFACE (surface)' failed",
-};
-
-static gboolean
-is_told_by_gtk (const char *message)
-{
-  for (gsize i = 0; i < G_N_ELEMENTS (told_by_gtk); i++)
-    if (g_str_has_prefix (message, told_by_gtk[i]))
-      return TRUE;
-  return FALSE;
-}
-
-static gboolean
-is_fatal (const char *domain, GLogLevelFlags level, const char *message, gpointer data)
-{
-  (void) domain;
-  (void) level;
-  (void) data;
-  return !is_told_by_gtk (message);
-}
-
-/* The handler of GLib's tests says of fatal messages that the test is over. */
-static GLogFunc usual_handler;
-
-static void
-handle_log (const char *domain, GLogLevelFlags level, const char *message, gpointer data)
-{
-  if (!is_told_by_gtk (message))
-    usual_handler (domain, level, message, data);
-}
-
-static GLogWriterOutput
-write_log (GLogLevelFlags level, const GLogField *fields, gsize count, gpointer data)
-{
-  for (gsize i = 0; i < count; i++)
-    if (g_str_equal (fields[i].key, "MESSAGE") && is_told_by_gtk (fields[i].value))
-      return G_LOG_WRITER_HANDLED;
-  return g_log_writer_default (level, fields, count, data);
-}
-
 /* ---- the test ---- */
 
 static void
@@ -501,7 +452,7 @@ test_monkey (void)
   int count = given != NULL ? atoi (given) : USUAL_COUNT;
   monkey_init (&monkey);
   g_application_hold (G_APPLICATION (driver_application ()));
-  g_test_log_set_fatal_handler (is_fatal, NULL);
+  driver_pass_over_gtk ();
   for (int i = 0; i < count; i++) {
     g_autoptr (GPtrArray) windows = shown_toplevels (FALSE);
     g_autoptr (GPtrArray) dialogs = shown_toplevels (TRUE);
@@ -533,9 +484,7 @@ test_monkey (void)
 int
 main (int argc, char **argv)
 {
-  g_log_set_writer_func (write_log, NULL, NULL);
   g_test_init (&argc, &argv, NULL);
-  usual_handler = g_log_set_default_handler (handle_log, NULL);
   gtk_init ();
   g_test_add_func ("/app/monkey", test_monkey);
   return g_test_run ();

@@ -410,6 +410,169 @@ test_dark_paper (void)
   driver_discard (window);
 }
 
+/* ---- lists ---- */
+
+static gboolean
+is_list_box (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_LIST_BOX (widget);
+}
+
+static gboolean
+is_history_button (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_MENU_BUTTON (widget)
+         && gtk_menu_button_get_popover (GTK_MENU_BUTTON (widget)) != NULL
+         && driver_find_widget (
+              GTK_WIDGET (gtk_menu_button_get_popover (GTK_MENU_BUTTON (widget))),
+              is_list_box, NULL)
+              != NULL;
+}
+
+static void
+choose_in_menu (GtkWidget *root, const char *action)
+{
+  GtkWidget *menu = driver_find_widget (root, is_menu, NULL);
+  g_assert_nonnull (menu);
+  g_assert_true (
+    has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)), action));
+  driver_key ("Home"); /* the first item, wherever the focus is */
+  driver_key ("Return");
+  driver_run (300);
+  g_assert_null (driver_find_widget (root, is_menu, NULL));
+}
+
+/* A step of the history by the right button, another by the keys. */
+static void
+test_history_menu (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = open_blocks ();
+  QnDocument *document = qn_window_get_document (window);
+  QnHistory *history = qn_document_get_history (document);
+  driver_key ("ctrl+a");
+  driver_activate (window, "win.nudge((1.0,0.0))");
+  driver_key ("Escape");
+  driver_key ("ctrl+a");
+  driver_activate (window, "win.nudge((0.0,1.0))");
+  guint last = qn_history_get_position (history);
+  g_assert_cmpuint (last, >=, 2);
+  GtkWidget *button = driver_find_widget (GTK_WIDGET (window), is_history_button, NULL);
+  g_assert_nonnull (button);
+  gtk_menu_button_popup (GTK_MENU_BUTTON (button));
+  driver_run (300);
+  GtkWidget *list = driver_find_widget (button, is_list_box, NULL);
+  g_assert_nonnull (list);
+  GtkWidget *row =
+    GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), (int) last - 1));
+  driver_point_at (row, 20.0, 0.5 * gtk_widget_get_height (row));
+  driver_press_button ("3");
+  driver_run (300);
+  choose_in_menu (list, "win.go-to-step");
+  g_assert_cmpuint (qn_history_get_position (history), ==, last - 1);
+  gtk_menu_button_popup (GTK_MENU_BUTTON (button));
+  driver_run (300);
+  gtk_widget_grab_focus (
+    GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), (int) last)));
+  driver_key ("Menu");
+  driver_run (300);
+  choose_in_menu (list, "win.go-to-step");
+  g_assert_cmpuint (qn_history_get_position (history), ==, last);
+  driver_discard (window);
+}
+
+/* The choice of runs by the keys: the run that is shown is taken away. */
+static gboolean
+has_menu_of_runs (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_DROP_DOWN (widget) && gtk_widget_get_mapped (widget)
+         && qn_context_menu_open (widget);
+}
+
+static void
+test_runs_menu (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate_target (window, "win.show-panel", g_variant_new_string ("result"));
+  driver_run (300);
+  GtkWidget *runs = driver_find_widget (GTK_WIDGET (window), has_menu_of_runs, NULL);
+  g_assert_nonnull (runs);
+  driver_run (300);
+  GtkWidget *menu = driver_find_widget (runs, is_menu, NULL);
+  g_assert_nonnull (menu);
+  g_assert_true (has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)),
+                             "win.export-result"));
+  driver_screenshot (menu, "menu-run");
+  driver_key ("Escape");
+  driver_run (300);
+  g_assert_null (driver_find_widget (runs, is_menu, NULL));
+  g_assert_true (gtk_widget_grab_focus (runs));
+  driver_run (100);
+  driver_key ("Menu");
+  driver_run (300);
+  menu = driver_find_widget (runs, is_menu, NULL);
+  g_assert_nonnull (menu);
+  g_assert_true (has_action (gtk_popover_menu_get_menu_model (GTK_POPOVER_MENU (menu)),
+                             "win.remove-run"));
+  driver_activate (window, "win.remove-run");
+  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 0);
+  driver_discard (window);
+}
+
+/* ---- keys wherever the focus is ---- */
+
+static void
+collect_focusable (GtkWidget *widget, GPtrArray *found)
+{
+  if (!gtk_widget_get_mapped (widget) || !gtk_widget_get_sensitive (widget)
+      || GTK_IS_POPOVER (widget))
+    return;
+  if (gtk_widget_get_focusable (widget) && !GTK_IS_EDITABLE (widget))
+    g_ptr_array_add (found, widget);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    collect_focusable (child, found);
+}
+
+/* A tool's key chooses the tool from every widget that can have the focus but entries. */
+static void
+test_keys_from_anywhere (void)
+{
+  static const char *const panels[] = { "properties", "analysis", "result", "findings" };
+  QnWindow *window = driver_open_example ("16-load-stages.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  guint tried = 0;
+  for (gsize i = 0; i < G_N_ELEMENTS (panels); i++) {
+    driver_activate_target (window, "win.show-panel", g_variant_new_string (panels[i]));
+    driver_run (200);
+    g_autoptr (GPtrArray) found = g_ptr_array_new ();
+    collect_focusable (GTK_WIDGET (window), found);
+    for (guint k = 0; k < found->len; k += 1 + found->len / 25) {
+      GtkWidget *widget = found->pdata[k];
+      driver_activate_target (window, "win.tool", g_variant_new_string ("select"));
+      if (!gtk_widget_get_mapped (widget) || !gtk_widget_grab_focus (widget)
+          || GTK_IS_EDITABLE (gtk_window_get_focus (GTK_WINDOW (window))))
+        continue;
+      driver_key ("m");
+      const char *tool = qn_canvas_get_tool (qn_window_get_canvas (window))->name;
+      if (!g_str_equal (tool, "measure"))
+        g_error ("with the focus on a %s the key chose no tool",
+                 G_OBJECT_TYPE_NAME (widget));
+      tried++;
+    }
+  }
+  g_assert_cmpuint (tried, >, 40);
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -422,6 +585,9 @@ main (int argc, char **argv)
   g_test_add_func ("/app/reach/paste", test_paste);
   g_test_add_func ("/app/reach/dissolving", test_dissolving_is_named);
   g_test_add_func ("/app/reach/keys-after-buttons", test_keys_after_buttons);
+  g_test_add_func ("/app/reach/keys-from-anywhere", test_keys_from_anywhere);
+  g_test_add_func ("/app/reach/history-menu", test_history_menu);
+  g_test_add_func ("/app/reach/runs-menu", test_runs_menu);
   g_test_add_func ("/app/reach/small-window", test_small_window);
   g_test_add_func ("/app/reach/message", test_message_over_drawing);
   g_test_add_func ("/app/reach/panels-keep-width", test_panels_keep_width);

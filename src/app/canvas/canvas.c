@@ -173,6 +173,20 @@ forget_masonry (QnCanvas *self)
   self->has_masonry = FALSE;
 }
 
+/* A gesture that has seen the press of one button and not the end of another keeps the widget that keeps
+ * it (GTK 4.8): drawing and document
+ * would outlive their window. */
+static void
+qn_canvas_unroot (GtkWidget *widget)
+{
+  g_autoptr (GListModel) controllers = gtk_widget_observe_controllers (widget);
+  for (guint i = 0; i < g_list_model_get_n_items (controllers); i++) {
+    g_autoptr (GtkEventController) controller = g_list_model_get_item (controllers, i);
+    gtk_event_controller_reset (controller);
+  }
+  GTK_WIDGET_CLASS (qn_canvas_parent_class)->unroot (widget);
+}
+
 static void
 qn_canvas_dispose (GObject *object)
 {
@@ -214,6 +228,7 @@ qn_canvas_class_init (QnCanvasClass *klass)
   object_class->finalize = qn_canvas_finalize;
   widget_class->snapshot = qn_canvas_snapshot;
   widget_class->size_allocate = qn_canvas_size_allocate;
+  widget_class->unroot = qn_canvas_unroot;
   signals[SIGNAL_STATUS] = g_signal_new ("status", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,
                                          NULL, NULL, NULL, G_TYPE_NONE, 0);
   signals[SIGNAL_FAILED] = g_signal_new ("failed", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,

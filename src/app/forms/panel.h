@@ -49,6 +49,9 @@ GtkWidget *qn_law_form_new (QnCanvas *canvas);
 /* Outcome in words, curve, list of runs and steps, table of contacts. */
 GtkWidget *qn_result_panel_new (QnCanvas *canvas);
 
+/* Gives the choice of runs a context menu. */
+void qn_run_menu_attach (GtkWidget *runs);
+
 /* Tables of the current run: a row leads to its step, or to its place in the drawing. */
 GtkWidget *qn_step_table_new (QnViewState *state);
 GtkWidget *qn_contact_table_new (QnCanvas *canvas);

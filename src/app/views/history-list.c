@@ -1,5 +1,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/context-menu.h"
 #include <glib/gi18n.h>
 
 typedef struct List {
@@ -12,6 +13,30 @@ on_row_activated (GtkListBox *box, GtkListBoxRow *row, List *list)
 {
   (void) box;
   qn_document_go_to (list->document, (guint) gtk_list_box_row_get_index (row));
+}
+
+/* The step that was clicked, or that has the focus. */
+static GMenuModel *
+make_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
+{
+  (void) data;
+  GtkListBoxRow *row = gtk_list_box_get_row_at_y (GTK_LIST_BOX (box), (int) place->y);
+  GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (gtk_widget_get_root (box)));
+  if (place->by_key && focus != NULL)
+    row = GTK_LIST_BOX_ROW (gtk_widget_get_ancestor (focus, GTK_TYPE_LIST_BOX_ROW));
+  if (row == NULL)
+    return NULL;
+  double x, y;
+  gtk_widget_translate_coordinates (GTK_WIDGET (row), box, 0.0, 0.0, &x, &y);
+  place->y =
+    place->by_key ? y + 0.5 * gtk_widget_get_height (GTK_WIDGET (row)) : place->y;
+  GMenu *menu = g_menu_new ();
+  const char *name = gtk_label_get_text (GTK_LABEL (gtk_list_box_row_get_child (row)));
+  qn_menu_add_target (menu, _ ("_Go to This Step"), "win.go-to-step",
+                      g_variant_new_int32 (gtk_list_box_row_get_index (row)));
+  qn_menu_add_target (menu, _ ("_Copy Text"), "win.copy-text",
+                      g_variant_new_string (name));
+  return G_MENU_MODEL (menu);
 }
 
 static void
@@ -28,9 +53,9 @@ static void
 update (List *list)
 {
   QnHistory *history = qn_document_get_history (list->document);
-  GtkWidget *child;
-  while ((child = gtk_widget_get_first_child (list->box)) != NULL)
-    gtk_list_box_remove (GTK_LIST_BOX (list->box), child);
+  GtkListBoxRow *row; /* the context menu is a child, too */
+  while ((row = gtk_list_box_get_row_at_index (GTK_LIST_BOX (list->box), 0)) != NULL)
+    gtk_list_box_remove (GTK_LIST_BOX (list->box), GTK_WIDGET (row));
   guint position = qn_history_get_position (history);
   add_row (list, _ ("As opened"), FALSE);
   for (guint i = 0; i < qn_history_get_count (history); i++)
@@ -51,6 +76,7 @@ qn_history_list_new (QnDocument *document)
                                   GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   _ ("Steps of the history"), -1);
   g_signal_connect (list->box, "row-activated", G_CALLBACK (on_row_activated), list);
+  qn_context_menu_attach (list->box, make_menu, NULL);
   GtkWidget *scroller = gtk_scrolled_window_new ();
   gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
                                   GTK_POLICY_AUTOMATIC);

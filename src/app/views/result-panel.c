@@ -167,6 +167,7 @@ build_content (Panel *panel)
   panel->stage = qn_form_add_choice (form, _ ("End of _stage"), none,
                                      G_CALLBACK (on_stage_chosen), panel);
   gtk_widget_set_hexpand (GTK_WIDGET (panel->runs), TRUE);
+  qn_run_menu_attach (GTK_WIDGET (panel->runs));
   panel->onion = qn_form_add_choice (form, _ ("Out_line of"), none,
                                      G_CALLBACK (on_onion_chosen), panel);
   qn_form_add_wide (form, qn_step_table_new (panel->state));

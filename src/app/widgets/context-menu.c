@@ -9,6 +9,14 @@ typedef struct Hook {
 } Hook;
 
 void
+qn_menu_add_target (GMenu *menu, const char *label, const char *action, GVariant *target)
+{
+  g_autoptr (GMenuItem) item = g_menu_item_new (label, NULL);
+  g_menu_item_set_action_and_target_value (item, action, target);
+  g_menu_append_item (menu, item);
+}
+
+void
 qn_menu_add_section (GMenu *menu, GMenu *section)
 {
   if (g_menu_model_get_n_items (G_MENU_MODEL (section)) > 0)
@@ -71,12 +79,16 @@ open_menu (GtkWidget *widget, QnMenuPlace *place)
   return TRUE;
 }
 
-static gboolean
-open_by_key (GtkWidget *widget)
+gboolean
+qn_context_menu_open (GtkWidget *widget)
 {
   QnMenuPlace place = { TRUE, 0.5 * gtk_widget_get_width (widget),
                         0.5 * gtk_widget_get_height (widget) };
-  return open_menu (widget, &place);
+  gboolean opened = open_menu (widget, &place);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL && !opened;
+       child = gtk_widget_get_next_sibling (child))
+    opened = qn_context_menu_open (child);
+  return opened;
 }
 
 static void
@@ -96,7 +108,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
   (void) keycode;
   gboolean shift = (modifiers & GDK_SHIFT_MASK) != 0;
   return (keyval == GDK_KEY_Menu || (keyval == GDK_KEY_F10 && shift))
-         && open_by_key (widget);
+         && qn_context_menu_open (widget);
 }
 
 void

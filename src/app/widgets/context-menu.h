@@ -18,6 +18,14 @@ typedef GMenuModel *(*QnMenuFunc) (GtkWidget *widget, QnMenuPlace *place, gpoint
  * does. */
 void qn_context_menu_attach (GtkWidget *widget, QnMenuFunc func, gpointer data);
 
+/* Opens, as the keys do, the menu of a widget, or the first that something inside of it has, such as
+ * the row of a list; FALSE where there is none. */
+gboolean qn_context_menu_open (GtkWidget *widget);
+
+/* Appends an item of which the target is no constant. */
+void qn_menu_add_target (GMenu *menu, const char *label, const char *action,
+                         GVariant *target);
+
 /* Appends a section that is taken over, if it has items. */
 void qn_menu_add_section (GMenu *menu, GMenu *section);
 void qn_menu_add_submenu (GMenu *menu, const char *label, GMenu *submenu);

@@ -2,6 +2,7 @@
 
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
+#include "app/widgets/context-menu.h"
 #include "app/widgets/settings.h"
 #include "app/window/action-table.h"
 #include <glib/gi18n.h>
@@ -332,6 +333,9 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
   gboolean on_drawing = focus == NULL || focus == GTK_WIDGET (self->canvas);
   if (qn_window_is_blank (self) || GTK_IS_EDITABLE (focus) || GTK_IS_TEXT_VIEW (focus))
     return FALSE;
+  gboolean shift = (modifiers & GDK_SHIFT_MASK) != 0;
+  if (keyval == GDK_KEY_Menu || (keyval == GDK_KEY_F10 && shift))
+    return focus != NULL && qn_context_menu_open (focus);
   if (keyval == GDK_KEY_Escape && !on_drawing)
     return gtk_event_controller_key_forward (controller, GTK_WIDGET (self->canvas));
   if (qn_canvas_is_in_gesture (self->canvas)

@@ -275,6 +275,23 @@ redo (QnWindow *self, GVariant *parameter)
 }
 
 static void
+go_to_step (QnWindow *self, GVariant *parameter)
+{
+  QnHistory *history = qn_document_get_history (self->document);
+  int step = g_variant_get_int32 (parameter);
+  if (step >= 0 && (guint) step <= qn_history_get_count (history))
+    qn_document_go_to (self->document, (guint) step);
+}
+
+/* The run that is shown leaves the list. */
+static void
+remove_run (QnWindow *self, GVariant *parameter)
+{
+  (void) parameter;
+  qn_document_remove_run (self->document, qn_document_get_run (self->document));
+}
+
+static void
 select_all (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
@@ -661,6 +678,8 @@ qn_window_add_edit_actions (QnWindow *self)
     { "copy-text", "s", copy_text },
     { "undo", NULL, undo },
     { "redo", NULL, redo },
+    { "go-to-step", "i", go_to_step },
+    { "remove-run", NULL, remove_run },
     { "select-all", NULL, select_all },
     { "select-like", "s", select_like },
     { "select-faces-like", "s", select_faces_like },
