@@ -1,6 +1,7 @@
-#include "doc/edit/edit.h"
+#include "doc/edit/edit-bar.h"
 
 #include "doc/fixture.h"
+#include <string.h>
 
 static gboolean
 add_force (QnModel *model, gpointer data, GError **error)
@@ -91,6 +92,70 @@ test_laws (void)
   g_assert_cmpuint (qn_document_get_model (document)->law_count, ==, before);
 }
 
+/* ---- bars ---- */
+
+static gboolean
+add_bar (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_add_bar (model, *(const QnBlockSet *) data, error);
+}
+
+static gboolean
+remove_bar (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_remove_bar (model, *(const QnId *) data, error);
+}
+
+static gboolean
+turn_bar (QnModel *model, gpointer data, GError **error)
+{
+  (void) error;
+  QnVec2 *end = &model->bars[*(const QnId *) data].end;
+  *end = qn_vec2_add (*end, qn_vec2 (0.2, 0.2));
+  return TRUE;
+}
+
+/* A bar goes through the blocks, along them, makes a pair on every joint that it crosses, and has a law
+ * of a metal: the model's own, or a new one. What does not cross at a right angle is refused. */
+static void
+test_bars (void)
+{
+  static const struct {
+    const char *example;
+    gsize bars, laws; /* before; laws that are added */
+  } cases[] = { { "09-reinforced-cantilever.quoin", 2, 0 },
+                { "01-sliding-block.quoin", 0, 1 } };
+  for (gsize c = 0; c < G_N_ELEMENTS (cases); c++) {
+    g_autoptr (QnDocument) document = open_example (cases[c].example);
+    const QnModel *model = qn_document_get_model (document);
+    gsize laws = model->law_count, blocks = model->block_count;
+    g_autofree QnId *ids = g_new (QnId, blocks);
+    for (gsize i = 0; i < blocks; i++)
+      ids[i] = (QnId) i;
+    gsize pairs = qn_document_get_contacts (document)->pair_count;
+    gsize faces = qn_document_get_contacts (document)->face_count;
+    QnBlockSet none = { NULL, 0 }, all = { ids, (guint) blocks };
+    QnId unknown = 99, last = (QnId) cases[c].bars;
+    g_assert_cmpuint (model->bar_count, ==, cases[c].bars);
+    refuse (document, add_bar, &none);
+    edit (document, add_bar, &all);
+    model = qn_document_get_model (document);
+    g_assert_cmpuint (model->bar_count, ==, cases[c].bars + 1);
+    g_assert_cmpuint (model->law_count, ==, laws + cases[c].laws);
+    g_assert_cmpuint (qn_document_get_contacts (document)->pair_count, ==, pairs + faces);
+    g_assert_cmpfloat_with_epsilon (qn_bar_get_diameter (model->bars[last].area), 0.016,
+                                    1e-12);
+    g_autofree char *text = qn_bar_dup_text (model, &model->bars[last], QN_UNITS_SI);
+    g_assert_nonnull (strstr (text, "0.016"));
+    refuse (document, turn_bar, &last);
+    refuse (document, remove_bar, &unknown);
+    edit (document, remove_bar, &last);
+    g_assert_cmpuint (qn_document_get_model (document)->bar_count, ==, cases[c].bars);
+    g_assert_true (qn_document_undo (document));
+    g_assert_cmpuint (qn_document_get_model (document)->bar_count, ==, cases[c].bars + 1);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -98,5 +163,6 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/edit-load/forces", test_forces);
   g_test_add_func ("/doc/edit-load/weight", test_weight);
   g_test_add_func ("/doc/edit-load/laws", test_laws);
+  g_test_add_func ("/doc/edit-load/bars", test_bars);
   return g_test_run ();
 }

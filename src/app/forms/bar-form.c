@@ -1,0 +1,127 @@
+/* Reinforcing bars: a list of them, and what the selected one is made of and where it lies. */
+#include "app/forms/bound-form.h"
+#include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include "doc/edit/edit-bar.h"
+#include <glib/gi18n.h>
+
+typedef struct Form {
+  QnBoundForm base;
+  int selected; /* bar, or -1 */
+} Form;
+
+enum { BARS, LAW, DIAMETER, START_X, START_Y, END_X, END_Y, ADD, REMOVE };
+
+static const QnFormField fields[] = {
+  [BARS] = { .id = "bars" },
+  [LAW] = { .id = "law", .step = N_ ("Change Bar") },
+  [DIAMETER] = { .id = "diameter", .step = N_ ("Change Bar") },
+  [START_X] = { .id = "start_x", .step = N_ ("Change Bar") },
+  [START_Y] = { .id = "start_y", .step = N_ ("Change Bar") },
+  [END_X] = { .id = "end_x", .step = N_ ("Change Bar") },
+  [END_Y] = { .id = "end_y", .step = N_ ("Change Bar") },
+  [ADD] = { .id = "add", .step = N_ ("Add Bar") },
+  [REMOVE] = { .id = "remove", .step = N_ ("Remove Bar") },
+};
+
+static gboolean
+look (gpointer data)
+{
+  Form *form = data;
+  int count = (int) qn_canvas_get_model (form->base.canvas)->bar_count;
+  form->selected = MIN (form->selected, count - 1);
+  return TRUE;
+}
+
+static char **
+dup_bars (const QnModel *model)
+{
+  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
+  for (gsize i = 0; i < model->bar_count; i++) {
+    g_autofree char *line =
+      qn_bar_dup_text (model, &model->bars[i], qn_settings_get_units ());
+    g_strv_builder_add (lines, line);
+  }
+  return g_strv_builder_end (lines);
+}
+
+/* The coordinate of a bar that a field shows, or NULL. */
+static double *
+coordinate_of (QnBar *bar, guint field)
+{
+  double *const all[] = { [START_X] = &bar->start.x,
+                          [START_Y] = &bar->start.y,
+                          [END_X] = &bar->end.x,
+                          [END_Y] = &bar->end.y };
+  return field < G_N_ELEMENTS (all) ? all[field] : NULL;
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  const Form *form = data;
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  gboolean any = form->selected >= 0;
+  QnBar bar = any ? model->bars[form->selected] : (QnBar){ 0 };
+  switch (field) {
+  case BARS:
+    value->rows = dup_bars (model);
+    value->number = form->selected;
+    return model->bar_count > 0;
+  case LAW:
+    if (any)
+      qn_value_set_laws (value, model, NULL, bar.law);
+    return any;
+  case DIAMETER:
+    value->number = qn_bar_get_diameter (bar.area);
+    return any;
+  case ADD:
+    return TRUE;
+  case REMOVE:
+    value->disabled = !any;
+    return TRUE;
+  default:
+    value->number = *coordinate_of (&bar, field);
+    return any;
+  }
+}
+
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  Form *form = data;
+  QnModel *model = draft != NULL ? &draft->model : NULL;
+  QnBlockSet set = { 0 };
+  switch (field) {
+  case BARS:
+    form->selected = (int) value->number;
+    return TRUE;
+  case LAW:
+    model->bars[form->selected].law = (QnId) value->number;
+    return TRUE;
+  case DIAMETER:
+    model->bars[form->selected].area = qn_bar_get_area (value->number);
+    return TRUE;
+  case ADD:
+    set.ids =
+      qn_selection_get_blocks (qn_canvas_get_selection (form->base.canvas), &set.count);
+    if (!qn_edit_add_bar (model, set, error))
+      return FALSE;
+    form->selected = (int) model->bar_count - 1;
+    return TRUE;
+  case REMOVE:
+    return qn_edit_remove_bar (model, form->selected, error);
+  default:
+    *coordinate_of (&model->bars[form->selected], field) = value->number;
+    return TRUE;
+  }
+}
+
+GtkWidget *
+qn_bar_form_new (QnCanvas *canvas)
+{
+  static const QnFormKind kind = QN_FORM_KIND ("bar-form", Form, 0);
+  Form *form = qn_bound_form_new (&kind, canvas);
+  form->selected = -1;
+  return qn_bound_form_show (form);
+}

@@ -1,0 +1,136 @@
+#include "doc/edit/edit-bar.h"
+
+#include "core/base/box.h"
+#include "doc/text/law-preset.h"
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+#define USUAL_DIAMETER 0.016
+
+/* From the edge of the blocks to the end of a bar, in parts of the shorter side of their box. */
+#define COVER 0.05
+
+double
+qn_bar_get_diameter (double area)
+{
+  return sqrt (4.0 * area / G_PI);
+}
+
+double
+qn_bar_get_area (double diameter)
+{
+  return 0.25 * G_PI * diameter * diameter;
+}
+
+static gboolean
+find_metal (QnModel *model, QnId *law, GError **error)
+{
+  static const QnLawKind metals[] = { QN_LAW_STEEL, QN_LAW_ELASTIC_PLASTIC,
+                                      QN_LAW_BILINEAR };
+  for (gsize k = 0; k < G_N_ELEMENTS (metals); k++)
+    for (gsize i = 0; i < model->law_count; i++)
+      if (model->laws[i].kind == metals[k] && model->laws[i].basis != QN_BASIS_CONTACT) {
+        *law = (QnId) i;
+        return TRUE;
+      }
+  g_autofree char *name = g_strdup (_ ("steel"));
+  for (int i = 2; qn_model_find_law (model, name) != QN_NONE; i++) {
+    g_free (name);
+    name = g_strdup_printf ("%s %d", _ ("steel"), i);
+  }
+  QnLaw *added = qn_model_add_law (model, name);
+  if (added == NULL)
+    return qn_edit_no_memory (error);
+  char *kept = added->name;
+  *added = qn_law_preset (QN_LAW_STEEL)->law;
+  added->name = kept;
+  *law = (QnId) model->law_count - 1;
+  return TRUE;
+}
+
+static QnBox
+box_of (const QnModel *model, QnBlockSet set)
+{
+  QnBox box = QN_BOX_EMPTY;
+  for (guint i = 0; i < set.count; i++) {
+    const QnVec2 *v = qn_model_block_vertices (model, set.ids[i]);
+    for (QnId k = 0; k < model->blocks[set.ids[i]].vertex_count; k++)
+      qn_box_add_point (&box, v[k]);
+  }
+  return box;
+}
+
+/* Whether a level line through the middle meets more of the blocks than an upright one. */
+static gboolean
+lies_level (const QnModel *model, QnBlockSet set, QnVec2 middle, QnVec2 size)
+{
+  guint level = 0, upright = 0;
+  for (guint i = 0; i < set.count; i++) {
+    QnBox box = box_of (model, (QnBlockSet){ set.ids + i, 1 });
+    level += box.min.y < middle.y && middle.y < box.max.y;
+    upright += box.min.x < middle.x && middle.x < box.max.x;
+  }
+  return level > upright || (level == upright && size.x >= size.y);
+}
+
+gboolean
+qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
+{
+  QnBox box = box_of (model, set);
+  QnId law = QN_NONE;
+  if (set.count == 0) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("Select the blocks that the bar goes through"));
+    return FALSE;
+  }
+  if (!find_metal (model, &law, error))
+    return FALSE;
+  QnBar *bar = qn_model_add_bar (model);
+  if (bar == NULL)
+    return qn_edit_no_memory (error);
+  QnVec2 size = qn_vec2_sub (box.max, box.min);
+  QnVec2 middle = qn_vec2_lerp (box.min, box.max, 0.5);
+  double cover = COVER * fmin (size.x, size.y);
+  QnVec2 half = lies_level (model, set, middle, size)
+                  ? qn_vec2 (0.5 * size.x - cover, 0.0)
+                  : qn_vec2 (0.0, 0.5 * size.y - cover);
+  *bar = (QnBar){ .law = law,
+                  .area = qn_bar_get_area (USUAL_DIAMETER),
+                  .start = qn_vec2_sub (middle, half),
+                  .end = qn_vec2_add (middle, half) };
+  return TRUE;
+}
+
+gboolean
+qn_edit_remove_bar (QnModel *model, QnId bar, GError **error)
+{
+  if (bar < 0 || (gsize) bar >= model->bar_count) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is no such bar"));
+    return FALSE;
+  }
+  model->bar_count--;
+  memmove (model->bars + bar, model->bars + bar + 1,
+           (model->bar_count - (gsize) bar) * sizeof *model->bars);
+  return TRUE;
+}
+
+static char *
+dup_place (QnUnits units, QnVec2 at)
+{
+  g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, at.x, 4);
+  g_autofree char *y = qn_units_format_full (units, QN_QUANTITY_LENGTH, at.y, 4);
+  return g_strdup_printf ("%s; %s", x, y);
+}
+
+char *
+qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units)
+{
+  g_autofree char *diameter =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, qn_bar_get_diameter (bar->area), 3);
+  g_autofree char *start = dup_place (units, bar->start);
+  g_autofree char *end = dup_place (units, bar->end);
+  return g_strdup_printf ("%s, Ø %s: %s – %s", model->laws[bar->law].name, diameter,
+                          start, end);
+}

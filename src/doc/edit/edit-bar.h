@@ -1,0 +1,23 @@
+/* Edits of reinforcing bars, on the draft of qn_document_edit(), with errors as in edit.h. What breaks
+ * a rule of bars (they cross joints at right angles, their law has a basis of its own) is refused when
+ * the draft becomes the document. */
+#ifndef QN_DOC_EDIT_BAR_H
+#define QN_DOC_EDIT_BAR_H
+
+#include "doc/edit/edit.h"
+#include "doc/text/units.h"
+
+/* Adds a bar of 16 mm through the middle of the box of these blocks, level or upright, which
+ * meets more of them. Its law is
+ * the first of a ductile metal, or a new one of steel. */
+gboolean qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error);
+gboolean qn_edit_remove_bar (QnModel *model, QnId bar, GError **error);
+
+/* Diameter of one round bar of the area, m, m2; and the other way round. */
+double qn_bar_get_diameter (double area);
+double qn_bar_get_area (double diameter);
+
+/* "steel, Ø 16 mm: 0; 0.2 m – 2.9; 0.2 m"; the caller frees it. */
+char *qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units);
+
+#endif
