@@ -579,12 +579,12 @@ main (int argc, char **argv)
   g_test_add_func ("/app/reach/paste", test_paste);
   g_test_add_func ("/app/reach/dissolving", test_dissolving_is_named);
   g_test_add_func ("/app/reach/keys-after-buttons", test_keys_after_buttons);
-  g_test_add_func ("/app/reach/keys-from-anywhere", test_keys_from_anywhere);
-  g_test_add_func ("/app/reach/history-menu", test_history_menu);
-  g_test_add_func ("/app/reach/runs-menu", test_runs_menu);
   g_test_add_func ("/app/reach/small-window", test_small_window);
   g_test_add_func ("/app/reach/message", test_message_over_drawing);
   g_test_add_func ("/app/reach/panels-keep-width", test_panels_keep_width);
   g_test_add_func ("/app/reach/dark-paper", test_dark_paper);
+  g_test_add_func ("/app/reach/keys-from-anywhere", test_keys_from_anywhere);
+  g_test_add_func ("/app/reach/history-menu", test_history_menu);
+  g_test_add_func ("/app/reach/runs-menu", test_runs_menu);
   return g_test_run ();
 }

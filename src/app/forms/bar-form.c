@@ -4,6 +4,10 @@
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-bar.h"
 #include <glib/gi18n.h>
+#include <math.h>
+
+/* Diameters are shown in whole micrometres: areas are given, not they. */
+#define SHOWN 1e6
 
 typedef struct Form {
   QnBoundForm base;
@@ -73,7 +77,7 @@ show (gpointer data, guint field, QnValue *value)
       qn_value_set_laws (value, model, NULL, bar.law);
     return any;
   case DIAMETER:
-    value->number = qn_bar_get_diameter (bar.area);
+    value->number = round (qn_bar_get_diameter (bar.area) * SHOWN) / SHOWN;
     return any;
   case ADD:
     return TRUE;
