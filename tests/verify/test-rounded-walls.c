@@ -8,9 +8,9 @@
 
 #define POINTS 4
 
-/* Displacements of the wall's top right corner, m, and multipliers there: LMGC90, UDEC. Where
- * the structure is left to the contacts it was built with, it follows them to `follows`
- * points: at 300 mm corners of walls 1 and 2 have met other blocks. */
+/* Displacements of the wall's top right corner, m, and multipliers there: LMGC90, UDEC. Quoin
+ * follows them to `follows` points: at 300 mm, where both codes rise again, walls 1 and 2 lie below
+ * (docs/method/path-control.md). */
 static const double moved[POINTS] = { 0.05, 0.1, 0.2, 0.3 };
 static const struct {
   const char *corner_block;
