@@ -14,21 +14,23 @@ static gboolean
 edit_paint (QnModel *model, gpointer data, GError **error)
 {
   const Paint *paint = data;
-  QnId law = paint->law != NULL ? qn_model_find_law (model, paint->law) : QN_NONE;
+  gboolean named = paint->law != NULL && *paint->law != '\0';
+  QnId law = named ? qn_model_find_law (model, paint->law) : QN_NONE;
   QnFaceSet set = { (const QnContactFace *) paint->faces->data, paint->faces->len };
   return qn_edit_set_face_law (model, set, law, error);
 }
 
-static void
-paint_faces (QnCanvas *canvas, const QnId *ids, guint count)
+void
+qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const char *law)
 {
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
   g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
   for (guint i = 0; i < count; i++)
-    g_array_append_val (faces, contacts->faces[ids[i]]);
-  g_autofree char *law = g_strdup (qn_canvas_get_tool_settings (canvas)->joint_law);
-  Paint paint = { faces, law };
-  if (count > 0)
+    if ((gsize) ids[i] < contacts->face_count)
+      g_array_append_val (faces, contacts->faces[ids[i]]);
+  g_autofree char *own = g_strdup (law); /* it may change with the document */
+  Paint paint = { faces, own };
+  if (faces->len > 0)
     qn_canvas_edit (canvas, _ ("Set Law of Joints"), NULL, edit_paint, &paint);
 }
 
@@ -64,7 +66,8 @@ release (QnCanvas *canvas, const QnToolEvent *event)
       g_array_append_val (ids, pick.id);
   }
   qn_canvas_set_in_gesture (canvas, FALSE);
-  paint_faces (canvas, (const QnId *) ids->data, ids->len);
+  qn_tool_joint_set_law (canvas, (const QnId *) ids->data, ids->len,
+                         qn_canvas_get_tool_settings (canvas)->joint_law);
 }
 
 static void

@@ -8,6 +8,10 @@
  * already; nothing where there is nothing. */
 void qn_tool_select_under (QnCanvas *canvas, QnVec2 screen);
 
+/* Gives contact faces the law of this name; NULL or empty: that of their blocks. */
+void qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count,
+                            const char *law);
+
 /* In the order of the palette; NULL-terminated. */
 extern const QnTool *const qn_tools[];
 const QnTool *qn_tool_find (const char *name);

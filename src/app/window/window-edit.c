@@ -1,9 +1,9 @@
 /* Actions that change the drawing: what is selected is moved, copied and deleted, undone and done
  * again, and travels by the clipboard. */
+#include "app/tools/tools.h"
 #include "app/window/window-private.h"
 
 #include "core/base/integer.h"
-#include "doc/edit/edit-face.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-place.h"
 #include "doc/edit/edit-shape.h"
@@ -410,35 +410,14 @@ hold (QnWindow *self, GVariant *parameter)
   }
 }
 
-typedef struct JointLaw {
-  GArray *faces; /* of QnContactFace */
-  const char *law;
-} JointLaw;
-
-static gboolean
-edit_joint_law (QnModel *model, gpointer data, GError **error)
-{
-  const JointLaw *joints = data;
-  QnId law = *joints->law != '\0' ? qn_model_find_law (model, joints->law) : QN_NONE;
-  QnFaceSet set = { (const QnContactFace *) joints->faces->data, joints->faces->len };
-  return qn_edit_set_face_law (model, set, law, error);
-}
-
 static void
 set_joint_law (QnWindow *self, GVariant *parameter)
 {
-  const QnContacts *contacts = qn_document_get_contacts (self->document);
-  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
   guint count = 0;
   const QnId *ids =
     qn_selection_get_faces (qn_document_get_selection (self->document), &count);
-  for (guint i = 0; i < count; i++)
-    if ((gsize) ids[i] < contacts->face_count)
-      g_array_append_val (faces, contacts->faces[ids[i]]);
-  g_autofree char *law = g_variant_dup_string (parameter, NULL);
-  JointLaw joints = { faces, law };
-  if (faces->len > 0)
-    qn_canvas_edit (self->canvas, _ ("Set Law of Joints"), NULL, edit_joint_law, &joints);
+  qn_tool_joint_set_law (self->canvas, ids, count,
+                         g_variant_get_string (parameter, NULL));
 }
 
 typedef struct GoneLoad {
