@@ -191,13 +191,6 @@ on_export (Dialog *dialog)
 
 /* ---- fields ---- */
 
-static gboolean
-look (gpointer form)
-{
-  (void) form;
-  return TRUE;
-}
-
 /* WebM is offered where it can be written. */
 static gboolean
 has_webm (void)
@@ -325,7 +318,7 @@ void
 qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                           const char *path)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("animation-dialog", Form, 0);
+  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("animation-dialog", Form);
   Form *form = qn_bound_form_new (&kind, NULL);
   Dialog *dialog = form->dialog = g_atomic_rc_box_new0 (Dialog);
   form->base.clear = clear;

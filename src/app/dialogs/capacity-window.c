@@ -268,13 +268,6 @@ choose (Form *form, const char *title, const char *name, GCallback chosen)
 
 /* ---- fields ---- */
 
-static gboolean
-look (gpointer form)
-{
-  (void) form;
-  return TRUE;
-}
-
 static char *
 dup_facts (const Form *form)
 {
@@ -535,7 +528,7 @@ clear (gpointer data)
 void
 qn_capacity_window_show (GtkWindow *parent, QnDocument *document)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("capacity-window", Form, 0);
+  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("capacity-window", Form);
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;
   form->document = g_object_ref (document);

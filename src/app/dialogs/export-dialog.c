@@ -240,13 +240,6 @@ on_store (Dialog *dialog)
 /* ---- fields ---- */
 
 static gboolean
-look (gpointer dialog)
-{
-  (void) dialog;
-  return TRUE;
-}
-
-static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   const Dialog *dialog = data;
@@ -366,7 +359,7 @@ void
 qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write,
                        QnTellFunc tell)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("export-dialog", Dialog, 0);
+  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("export-dialog", Dialog);
   Dialog *dialog = qn_bound_form_new (&kind, NULL);
   GtkWidget **widgets = dialog->base.widgets;
   dialog->base.clear = clear;

@@ -190,13 +190,6 @@ number_of (Dialog *dialog, guint field)
 }
 
 static gboolean
-look (gpointer dialog)
-{
-  (void) dialog;
-  return TRUE;
-}
-
-static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   Dialog *dialog = data;
@@ -247,7 +240,7 @@ void
 qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                        QnImportFunc import)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("import-dialog", Dialog, 0);
+  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("import-dialog", Dialog);
   Dialog *dialog = qn_bound_form_new (&kind, NULL);
   GtkWindow *window = GTK_WINDOW (dialog->base.root);
   g_autofree char *base = g_path_get_basename (path);

@@ -19,13 +19,6 @@ static const QnFormField fields[] = {
 };
 
 static gboolean
-look (gpointer form)
-{
-  (void) form;
-  return TRUE;
-}
-
-static gboolean
 show (gpointer form, guint field, QnValue *value)
 {
   GSettings *settings = qn_settings_get ();
@@ -64,7 +57,7 @@ take (gpointer form, QnProject *draft, guint field, const QnValue *value, GError
 void
 qn_preferences_show (GtkWindow *parent)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("preferences", QnBoundForm, 0);
+  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("preferences", QnBoundForm);
   GtkWidget *window = qn_bound_form_show (qn_bound_form_new (&kind, NULL));
   gtk_window_set_transient_for (GTK_WINDOW (window), parent);
   qn_help_set_page (window, "drawing");

@@ -76,14 +76,16 @@ typedef struct QnFormKind {
 } QnFormKind;
 
 /* One with the functions `look`, `show`, `take` and the array `fields` of its source; and with
- * `row_info` and `row_step` as well. */
+ * `row_info` and `row_step` as well; and one that is always shown, without `look`. */
 #define QN_FORM_KIND(file, type, flags)                                                  \
-  QN_FORM_KIND_WITH (file, type, flags, 0, NULL, NULL)
+  QN_FORM_KIND_WITH (file, type, flags, 0, NULL, NULL, look)
 #define QN_FORM_KIND_WITH_ROWS(file, type, flags, count)                                 \
-  QN_FORM_KIND_WITH (file, type, flags, count, row_info, row_step)
-#define QN_FORM_KIND_WITH(file, type, flags, count, info, step)                          \
+  QN_FORM_KIND_WITH (file, type, flags, count, row_info, row_step, look)
+#define QN_SHOWN_FORM_KIND(file, type)                                                   \
+  QN_FORM_KIND_WITH (file, type, 0, 0, NULL, NULL, NULL)
+#define QN_FORM_KIND_WITH(file, type, flags, count, info, step, looks)                   \
   {                                                                                      \
-    file, sizeof (type), fields, G_N_ELEMENTS (fields), count, info, step, flags, look,  \
+    file, sizeof (type), fields, G_N_ELEMENTS (fields), count, info, step, flags, looks, \
       show, take                                                                         \
   }
 

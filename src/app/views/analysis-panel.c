@@ -104,13 +104,6 @@ static const struct {
     QN_PROCEDURE_DYNAMIC, QN_FLOW_ASSOCIATIVE },
 };
 
-static gboolean
-look (gpointer form)
-{
-  (void) form;
-  return TRUE;
-}
-
 /* ---- what the fields show ---- */
 
 static QnVec2
@@ -410,7 +403,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_analysis_panel_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("analysis-panel", QnBoundForm, 0);
+  static const QnFormKind kind = QN_SHOWN_FORM_KIND ("analysis-panel", QnBoundForm);
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
   gtk_box_append (GTK_BOX (form->widgets[DYNAMIC_BOX]), qn_dynamic_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LOADS_BOX]), qn_load_form_new (canvas));
