@@ -20,32 +20,18 @@ typedef struct Options {
   GArray *lines; /* of QnReferenceLine, of `references` */
 } Options;
 
-/* Component of the block's displacement that a curve shows: the controlled one, else the
- * larger at the last step. */
-static QnDof
-choose_dof (const QnModel *model, const QnResult *result, QnId block)
-{
-  if (qn_model_controlled_body (model, model->analysis.control_block,
-                                model->analysis.control_node)
-      == (size_t) block)
-    return model->analysis.control_dof;
-  const double *u = qn_result_step_displacements (result, result->step_count - 1)
-                    + (size_t) block * QN_DOF_COUNT;
-  return ABS (u[QN_DOF_UX]) >= ABS (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
-}
-
 static QnExit
 take_curve (QnCurve *curve, const QnSheetItem *item, const Options *options)
 {
   const QnModel *model = &item->input.project.model;
   const QnResult *result = &item->file.result;
-  QnId block = qn_result_curve_block (model, result);
+  QnDof dof;
+  QnId block = qn_result_curve_motion (model, result, &dof);
   if (block == QN_NONE) {
     qn_cli_error (_ ("%s: no step to show"), item->input.project.name);
     return QN_EXIT_INVALID;
   }
-  if (!qn_curve_from_result (curve, result, block, choose_dof (model, result, block),
-                             NULL, NULL)) {
+  if (!qn_curve_from_result (curve, result, block, dof, NULL, NULL)) {
     qn_cli_error (_ ("not enough memory"));
     return QN_EXIT_INTERNAL;
   }

@@ -317,16 +317,10 @@ take_curve (const QnReportRun *run, QnCurve *curve)
 {
   const QnModel *model = &run->project->model;
   const QnResult *result = &run->file->result;
-  QnId block = qn_result_curve_block (model, result);
+  QnDof dof;
+  QnId block = qn_result_curve_motion (model, result, &dof);
   if (block == QN_NONE || result->step_count < 2 || result->limit.given)
     return false;
-  const double *u = qn_result_step_displacements (result, result->step_count - 1)
-                    + (size_t) block * QN_DOF_COUNT;
-  QnDof dof = fabs (u[QN_DOF_UX]) >= fabs (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
-  if (qn_model_controlled_body (model, model->analysis.control_block,
-                                model->analysis.control_node)
-      == (size_t) block)
-    dof = model->analysis.control_dof;
   if (!qn_curve_from_result (curve, result, block, dof, NULL, NULL))
     return false;
   curve->label = run->name;

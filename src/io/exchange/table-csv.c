@@ -42,6 +42,27 @@ qn_result_curve_block (const QnModel *model, const QnResult *result)
   return furthest != QN_NONE ? furthest : node;
 }
 
+QnId
+qn_result_curve_motion (const QnModel *model, const QnResult *result, QnDof *dof)
+{
+  size_t body = SIZE_MAX;
+  *dof = model->analysis.control_dof;
+  if (result->history.width > 0)
+    qn_model_followed (model, &body, dof);
+  if (body != SIZE_MAX)
+    return (QnId) body;
+  QnId block = qn_result_curve_block (model, result);
+  if (block == QN_NONE
+      || qn_model_controlled_body (model, model->analysis.control_block,
+                                   model->analysis.control_node)
+           == (size_t) block)
+    return block;
+  const double *u = qn_result_step_displacements (result, result->step_count - 1)
+                    + (size_t) block * QN_DOF_COUNT;
+  *dof = fabs (u[QN_DOF_UX]) >= fabs (u[QN_DOF_UY]) ? QN_DOF_UX : QN_DOF_UY;
+  return block;
+}
+
 const char *
 qn_result_body_name (const QnModel *model, QnId body)
 {

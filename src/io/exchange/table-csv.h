@@ -12,6 +12,10 @@
  * a result without steps. */
 QnId qn_result_curve_block (const QnModel *model, const QnResult *result);
 
+/* The same for a picture, and which component of its displacement is shown: the controlled one, in time
+ * that of qn_model_followed(), else the larger at the last step. QN_NONE where there is nothing. */
+QnId qn_result_curve_motion (const QnModel *model, const QnResult *result, QnDof *dof);
+
 /* Name of a block or, behind the blocks, of a node of beams. */
 const char *qn_result_body_name (const QnModel *model, QnId body);
 

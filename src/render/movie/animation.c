@@ -160,7 +160,12 @@ player_init (Player *player, const QnAnimation *animation, const QnPage *page,
                            _ ("the result has no steps"));
       return false;
     }
-    qn_curve_from_result (&player->curve, result, QN_NONE, QN_DOF_UX, NULL, NULL);
+    QnDof dof = QN_DOF_UX;
+    size_t body = SIZE_MAX;
+    if (result->history.width > 0)
+      qn_model_followed (animation->figure.model, &body, &dof);
+    qn_curve_from_result (&player->curve, result,
+                          body != SIZE_MAX ? (QnId) body : QN_NONE, dof, NULL, NULL);
     player->steps = choose_steps (&player->curve, animation->frames);
     qn_curve_cut_runaway (&player->curve);
   }
