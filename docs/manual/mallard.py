@@ -48,6 +48,8 @@ class Page:
         self.manual = manual
         self.path = manual.localised(path) if given is None else path
         self.id = page_id(path) if given is None else given
+        # Links of a page that is made when building are those of a page of the manual.
+        self.folder = os.path.dirname(self.path) if given is None else "docs/manual"
         with open(os.path.join(manual.root, self.path), encoding="utf-8") as file:
             self.tokens = manual.parser.parse(file.read())
         self.title = plain(self.tokens[1])
@@ -59,7 +61,7 @@ class Page:
         if "://" in link:
             return f"href={quoteattr(link)}"
         name, _, place = link.partition("#")
-        path = self.manual.common(os.path.join(os.path.dirname(self.path), name))
+        path = self.manual.common(os.path.join(self.folder, name))
         page = self if not name else self.manual.pages.get(path)
         if page is None:
             return f"href={quoteattr(HOME + path)}"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # What the header of libquoin declares, what its map lists and what the library exports are the
-# same names; and none of an earlier release is missing.
+# same names, those of Debian's list of symbols too; and none of an earlier release is missing.
 #
-#   symbols.sh HEADER MAP LIBRARY RELEASED
+#   symbols.sh HEADER MAP LIBRARY RELEASED DEBIAN-SYMBOLS
 set -eu
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
@@ -16,6 +16,8 @@ nm --dynamic --defined-only "$3" | awk '$2 == "T" { sub("@@.*", "", $3); print $
 [ -s "$folder/library" ]
 diff "$folder/header" "$folder/map"
 diff "$folder/map" "$folder/library"
+grep -o '^ quoin_[a-z_]*' "$5" | tr -d ' ' | sort >"$folder/debian"
+diff "$folder/library" "$folder/debian"
 
 # A made-up name shows that the comparison can fail.
 echo quoin_made_up >>"$folder/header"
