@@ -16,6 +16,9 @@ complaints() {
 for folder; do
   ls "$folder"/*.page | wc -l | grep -q '^[3-9][0-9]$'
   [ -z "$(complaints "$folder")" ] || { complaints "$folder"; exit 1; }
+  if grep -r 'blob/main//' "$folder"; then
+    exit 1 # a path of the machine that made the page
+  fi
 done
 
 # A link to nothing shows that the check can fail.
