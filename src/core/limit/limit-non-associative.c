@@ -267,6 +267,38 @@ sequence_init (Sequence *seq, QnDiag *diag)
 }
 
 QnStatus
+qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
+                         const QnPairResult *pairs, double multiplier,
+                         QnProgressFunc progress, void *user_data, double **velocities,
+                         QnDiag *diag)
+{
+  Sequence seq = {
+    .model = model, .contacts = contacts, .progress = progress, .user_data = user_data
+  };
+  QnLimitFixedPoint point = { .multiplier = multiplier };
+  QnLimitSolution solution = { 0 };
+  bool cancelled;
+  QnStatus status = sequence_init (&seq, diag);
+
+  *velocities = NULL;
+  for (size_t p = 0; !status && p < contacts->pair_count; p++)
+    seq.anchor[p] = fmax (0.0, -pairs[p].normal_force);
+  if (!status) {
+    qn_limit_problem_set_shear (&seq.limit, model, contacts, seq.anchor, LEAST_REMAINING);
+    status = find_mechanism (&seq, &point, &solution, &cancelled, diag);
+  }
+  if (!status && point.settled) {
+    *velocities = solution.velocities;
+    solution.velocities = NULL;
+  }
+  qn_limit_solution_clear (&solution);
+  qn_interior_point_clear (&seq.ip);
+  qn_limit_problem_clear (&seq.limit);
+  free (seq.anchor);
+  return status;
+}
+
+QnStatus
 qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
                           QnProgressFunc progress, void *user_data,
                           QnLimitInterval *interval, QnDiag *diag)

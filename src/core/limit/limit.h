@@ -111,6 +111,15 @@ QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *conta
 
 void qn_limit_interval_clear (QnLimitInterval *interval);
 
+/* The mechanism that goes with forces at collapse (`pairs`) without dilatancy, by one program whose
+ * shear lines pass through them: where it carries no more than `multiplier`, the forces are among its
+ * optimal ones, and its velocities move joints where these reach their strength alone. *velocities:
+ * block_count x 3, of the caller; NULL where there is none. */
+QnStatus qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
+                                  const QnPairResult *pairs, double multiplier,
+                                  QnProgressFunc progress, void *user_data,
+                                  double **velocities, QnDiag *diag);
+
 /* The limit analysis that the model's settings ask for, as a result: steps at the dead load
  * and at collapse (rigid blocks have not moved yet), pair forces, mechanism, bounds. In `series`
  * (nullable, limit-series.h) associative analyses share what they can. */

@@ -2,12 +2,14 @@
 
 #include "core/base/clock.h"
 #include "core/base/tolerance.h"
+#include "core/check/result-check.h"
 #include "core/dynamics/dynamics.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
 #include "core/path/proof.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* Whether a path that was to go on to collapse came to the largest multiplier there is. */
 static bool
@@ -80,6 +82,43 @@ add_bound (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
   return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
 }
 
+/* --- How it moves ------------------------------------------------------------------------- */
+
+/* How the structure was seen to move beyond its collapse may be the motion of a later state. The
+ * mechanism of the collapse itself is asked of limit analysis, where that gave the bound, and takes its
+ * place where it is proved. */
+static QnStatus
+settle_mechanism (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
+                  QnResult *result, QnDiag *diag)
+{
+  double start = qn_clock_seconds (), *velocities = NULL, *seen = result->mechanism;
+  QnResultFaults faults = { .count = 1 };
+
+  if (result->outcome != QN_OUTCOME_COLLAPSE || !result->mechanism_uncertain
+      || !result->has_associative_bound || result->limit.given)
+    return QN_OK;
+  QnStatus status =
+    qn_limit_find_mechanism (model, contacts, result->pairs, result->collapse_multiplier,
+                             qn_budget_go_on, budget, &velocities, NULL);
+  result->mechanism = NULL;
+  result->mechanism_uncertain = false;
+  if (status == QN_OK && velocities != NULL)
+    status =
+      qn_result_set_mechanism (result, velocities, model->characteristic_length, diag);
+  if (status == QN_OK && result->mechanism != NULL)
+    status =
+      qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
+  free (velocities);
+  if (faults.count > 0) {
+    free (result->mechanism);
+    result->mechanism = seen;
+    result->mechanism_uncertain = true;
+  } else
+    free (seen);
+  result->statistics.seconds += qn_clock_seconds () - start;
+  return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
+}
+
 /* --- The whole ---------------------------------------------------------------------------- */
 
 static QnStatus
@@ -130,6 +169,8 @@ qn_analysis_run_in_series (QnLimitSeries *series, const QnModel *model,
     qn_budget_conclude (&budget, result);
     qn_result_judge_linearity (model, result);
     status = qn_result_prove (model, contacts, result, diag);
+    if (status == QN_OK)
+      status = settle_mechanism (model, contacts, &budget, result, diag);
   }
   if (status != QN_OK)
     qn_result_clear (result);
