@@ -249,6 +249,8 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
   }
   if (status != QN_OK || result->stop == QN_STOP_CHECK)
     qn_modes_clear (modes);
+  if (status != QN_OK)
+    qn_result_clear (result);
   return status;
 }
 

@@ -209,5 +209,7 @@ qn_stability_run (const QnModel *model, const QnContacts *contacts,
     qn_budget_conclude (&budget, result);
     status = qn_result_prove (model, contacts, result, diag);
   }
+  if (status != QN_OK)
+    qn_result_clear (result);
   return status;
 }
