@@ -23,8 +23,8 @@ report (const QnProgress *progress, void *data)
 {
   const Caller *caller = data;
   return caller->func == NULL
-         || caller->func (progress->multiplier, progress->steps, progress->iterations,
-                          caller->data);
+         || caller->func (progress->end > 0 ? progress->time : progress->multiplier,
+                          progress->steps, progress->iterations, caller->data);
 }
 
 /* A result that takes over what the core has filled. */

@@ -160,7 +160,7 @@ QuoinModel *quoin_builder_finish (const QuoinBuilder *builder, QuoinError **erro
 /* --- Analyses ---------------------------------------------------------------------------- */
 
 /* Called at least once per iteration from the thread that computes; false cancels, and what has
- * converged by then is kept. */
+ * converged by then is kept. `multiplier` is the time reached, s, in analyses in time. */
 typedef bool (*QuoinProgressFunc) (double multiplier, int32_t steps, int32_t iterations,
                                    void *data);
 
