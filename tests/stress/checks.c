@@ -177,7 +177,10 @@ StressCheck
 stress_check_result (const QnModel *model, const QnContacts *contacts,
                      const QnResult *result)
 {
-  StressCheck check = { .misfit = NAN };
+  /* The solver measures forces by their lengths, here they are measured by their components. */
+  double asked = G_SQRT2 * model->analysis.residual_tolerance;
+  StressCheck check = { .balanced = fmax (STRESS_BALANCE_TOLERANCE, asked),
+                        .misfit = NAN };
   g_autofree double *forces = g_new (double, 2 * contacts->pair_count + 1);
 
   for (size_t step = 0; step < result->step_count; step++) {
@@ -203,7 +206,7 @@ stress_check_faults (const StressCheck *check)
 {
   guint faults = 0;
 
-  if (!(check->out_of_balance <= STRESS_BALANCE_TOLERANCE))
+  if (!(check->out_of_balance <= check->balanced))
     faults |= STRESS_BALANCE;
   if (!(check->excess <= STRESS_STRENGTH_TOLERANCE))
     faults |= STRESS_STRENGTH;

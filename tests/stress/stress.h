@@ -81,7 +81,8 @@ typedef enum {
 /* What independent sums say about a result, relative to the forces or velocities at hand. */
 typedef struct StressCheck {
   double
-    out_of_balance; /* worst of all steps: on free blocks, over the largest load on one */
+    out_of_balance; /* worst of all steps: on free blocks, over the largest load on one, */
+  double balanced;  /* and how much of it counts as none */
   double excess;    /* worst of all steps: of a pair's strength, over the largest force */
   bool moves;       /* there is a mechanism: */
   bool uncertain; /* by its own account the last motion only, of which nothing is asked */

@@ -4,6 +4,7 @@
 #include "core/base/tolerance.h"
 #include "core/check/result-check.h"
 #include "core/dynamics/dynamics.h"
+#include "core/path/bound.h"
 #include "core/path/budget.h"
 #include "core/path/path.h"
 #include "core/path/proof.h"
@@ -39,47 +40,6 @@ run_in_time (QnPath *path, QnDiag *diag)
   eq->factored = false;
   qn_statistics_add (&eq->statistics, &result->statistics);
   return status;
-}
-
-/* --- What nothing exceeds ----------------------------------------------------------------- */
-
-/* The largest multiplier at which forces within the strength of every joint are in balance, whatever
- * geometry it may be of, is that of rigid blocks that do not move; so it bounds linear geometry alone. */
-static bool
-wants_bound (const QnModel *model, const QnContacts *contacts, const QnResult *result)
-{
-  const QnAnalysisSettings *settings = &model->analysis;
-
-  for (size_t i = 0; i < model->live_load_count; i++)
-    if (model->live_loads[i].kind == QN_LOAD_SETTLEMENT)
-      return false;
-  return result->has_collapse_multiplier && !result->has_associative_bound
-         && settings->geometry == QN_GEOMETRY_LINEAR && model->stage_count == 0
-         && model->element_count == 0
-         && (settings->bound == QN_BOUND_ALWAYS
-             || (settings->bound == QN_BOUND_AUTO
-                 && contacts->pair_count <= QN_BOUND_PAIRS));
-}
-
-/* Where limit analysis does not know the joints, or does not get to its end, there is no bound. */
-static QnStatus
-add_bound (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
-           QnResult *result, QnDiag *diag)
-{
-  QnLimitSolution solution;
-  double start = qn_clock_seconds ();
-
-  if (!wants_bound (model, contacts, result))
-    return QN_OK;
-  QnStatus status =
-    qn_limit_associative (model, contacts, qn_budget_go_on, budget, &solution, NULL);
-  if (status == QN_OK && solution.outcome == QN_OUTCOME_COLLAPSE) {
-    result->has_associative_bound = true;
-    result->associative_bound = solution.upper_bound;
-  }
-  qn_limit_solution_clear (&solution);
-  result->statistics.seconds += qn_clock_seconds () - start;
-  return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
 }
 
 /* --- How it moves ------------------------------------------------------------------------- */
@@ -145,7 +105,9 @@ run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
   status = qn_path_finish (&path, status, budget->start);
   if (status == QN_OK && is_unbounded (model, result))
     result->outcome = QN_OUTCOME_UNBOUNDED;
-  return status == QN_OK ? add_bound (model, contacts, budget, result, diag) : status;
+  return status == QN_OK && result->has_collapse_multiplier ? qn_path_add_bound (
+           model, contacts, qn_budget_go_on, budget, result, NULL, diag)
+                                                            : status;
 }
 
 QnStatus

@@ -407,7 +407,10 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   QnEquilibrium *eq = &path->equilibrium;
   QnResult *result = path->result;
   double *velocity = eq->motion;
+  QnStatus status = qn_path_end_at_bound (trace, diag);
 
+  if (status != QN_OK)
+    return status;
   /* The motion beyond the highest multiplier, or that of the last step. */
   if (trace->stop != QN_STOP_FALL || trace->events.below)
     for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
@@ -437,9 +440,8 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   result->collapse_multiplier = trace->events.highest;
   qn_path_add_solution (path, trace->measure.procedure,
                         path->origin + path->scale * trace->events.highest);
-  QnStatus status = trace->load_control && qn_path_trace_is_linear (trace)
-                      ? judge_mechanism (trace, velocity, diag)
-                      : QN_OK;
+  if (trace->load_control && qn_path_trace_is_linear (trace))
+    status = judge_mechanism (trace, velocity, diag);
   return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
 }
 

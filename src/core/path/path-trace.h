@@ -155,6 +155,11 @@ void qn_path_end_check (QnPathTrace *trace);
 /* The same where the next step was not solved, or jumps where the path is to stop at jumps. */
 void qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
 
+/* A path that led nowhere has come to collapse all the same where its highest multiplier is the
+ * associative bound, to multiplier_tolerance, for none is larger. How the structure moves on is not known
+ * then. */
+QnStatus qn_path_end_at_bound (QnPathTrace *trace, QnDiag *diag);
+
 void qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop);
 
 #endif
