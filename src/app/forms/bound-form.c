@@ -423,16 +423,19 @@ on_gone (gpointer data, GObject *root)
   g_free (form);
 }
 
-/* The fields of all rows below a widget are equally wide, but for those that do not fill theirs. */
+/* The labels of all rows below a widget are equally wide, and so are the fields, but for those that do
+ * not fill theirs. */
 static void
-align_rows (GtkWidget *widget, GtkSizeGroup *group)
+align_rows (GtkWidget *widget, GtkSizeGroup *labels, GtkSizeGroup *fields)
 {
   if (QN_IS_ROW (widget)
-      && gtk_widget_get_halign (qn_row_get_field (QN_ROW (widget))) == GTK_ALIGN_FILL)
-    gtk_size_group_add_widget (group, qn_row_get_field (QN_ROW (widget)));
+      && gtk_widget_get_halign (qn_row_get_field (QN_ROW (widget))) == GTK_ALIGN_FILL) {
+    gtk_size_group_add_widget (labels, qn_row_get_label (QN_ROW (widget)));
+    gtk_size_group_add_widget (fields, qn_row_get_field (QN_ROW (widget)));
+  }
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child))
-    align_rows (child, group);
+    align_rows (child, labels, fields);
 }
 
 /* Of the status of the canvas only the tool concerns forms. */
@@ -481,8 +484,9 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
     form->widgets[kind->field_count + i] = entry;
     connect (form, entry);
   }
-  g_autoptr (GtkSizeGroup) group = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
-  align_rows (form->root, group);
+  g_autoptr (GtkSizeGroup) labels = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
+  g_autoptr (GtkSizeGroup) fields = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
+  align_rows (form->root, labels, fields);
   g_object_weak_ref (G_OBJECT (form->root), on_gone, form);
   /* A window is kept by GTK, anything else by the parent that it gets. */
   if (!GTK_IS_WINDOW (form->root))

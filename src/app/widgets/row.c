@@ -2,6 +2,9 @@
 
 #define SPACING 12
 
+/* A label that is longer asks for no more width than this: it may wrap. */
+#define LABEL_CHARS 14
+
 struct _QnRow {
   GtkBox parent_instance;
   GtkLabel *label;
@@ -54,6 +57,7 @@ qn_row_init (QnRow *self)
   self->label = GTK_LABEL (gtk_label_new (NULL));
   gtk_label_set_xalign (self->label, 0.0f);
   gtk_label_set_wrap (self->label, TRUE);
+  gtk_label_set_max_width_chars (self->label, LABEL_CHARS);
   gtk_widget_set_hexpand (GTK_WIDGET (self->label), TRUE);
   gtk_box_set_spacing (GTK_BOX (self), SPACING);
   gtk_box_append (GTK_BOX (self), GTK_WIDGET (self->label));
@@ -63,6 +67,12 @@ GtkWidget *
 qn_row_new (const char *label, GtkWidget *field)
 {
   return g_object_new (QN_TYPE_ROW, "label", label, "field", field, NULL);
+}
+
+GtkWidget *
+qn_row_get_label (QnRow *self)
+{
+  return GTK_WIDGET (self->label);
 }
 
 GtkWidget *

@@ -10,6 +10,7 @@ G_DECLARE_FINAL_TYPE (QnRow, qn_row, QN, ROW, GtkBox)
 
 GtkWidget *qn_row_new (const char *label, GtkWidget *field);
 
+GtkWidget *qn_row_get_label (QnRow *row);
 GtkWidget *qn_row_get_field (QnRow *row);
 
 /* Its label without the mark of the mnemonic; the caller frees it. */
