@@ -115,6 +115,16 @@ ask (QnStore *store, const char *sql, char **answer, GError **error)
 }
 
 static gboolean
+is_empty (QnStore *store, gboolean *empty, GError **error)
+{
+  g_autofree char *tables = NULL;
+  if (!ask (store, "SELECT count(*) FROM sqlite_master", &tables, error))
+    return FALSE;
+  *empty = g_strcmp0 (tables, "0") == 0;
+  return TRUE;
+}
+
+static gboolean
 refuse (const QnStore *store, const char *why, GError **error)
 {
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", store->path, why);
@@ -125,13 +135,14 @@ refuse (const QnStore *store, const char *why, GError **error)
 static gboolean
 check_study (QnStore *store, gboolean create, GError **error)
 {
-  g_autofree char *id = NULL, *sum = NULL, *tables = NULL;
+  g_autofree char *id = NULL, *sum = NULL;
+  gboolean empty;
   if (!ask (store, "PRAGMA application_id", &id, error)
-      || !ask (store, "SELECT count(*) FROM sqlite_master", &tables, error))
+      || !is_empty (store, &empty, error))
     return FALSE;
-  if (g_strcmp0 (tables, "0") == 0 && create)
+  if (empty && create)
     return create_tables (store, error);
-  if (g_strcmp0 (tables, "0") == 0)
+  if (empty)
     return refuse (store, _ ("the database is empty"), error);
   if (g_ascii_strtoll (id, NULL, 10) != APPLICATION_ID)
     return refuse (store, _ ("this is not the database of a study"), error);
@@ -141,8 +152,9 @@ check_study (QnStore *store, gboolean create, GError **error)
          || refuse (store, _ ("the database belongs to another study"), error);
 }
 
-QnStore *
-qn_store_open (const char *path, const QnStudy *study, gboolean create, GError **error)
+/* Opens a database that may be of any study, or empty. */
+static QnStore *
+open_any (const char *path, const QnStudy *study, gboolean create, GError **error)
 {
   QnStore *store = g_new0 (QnStore, 1);
   store->path = g_strdup (path);
@@ -159,7 +171,14 @@ qn_store_open (const char *path, const QnStudy *study, gboolean create, GError *
     return NULL;
   }
   sqlite3_busy_timeout (store->db, PATIENCE);
-  if (!check_study (store, create, error))
+  return store;
+}
+
+QnStore *
+qn_store_open (const char *path, const QnStudy *study, gboolean create, GError **error)
+{
+  QnStore *store = open_any (path, study, create, error);
+  if (store != NULL && !check_study (store, create, error))
     g_clear_pointer (&store, qn_store_close);
   return store;
 }
@@ -273,12 +292,18 @@ qn_store_commit (QnStore *store, GError **error)
 gboolean
 qn_store_merge (QnStore *store, const char *path, gsize *added, GError **error)
 {
-  QnStore *other = qn_store_open (path, store->study, FALSE, error);
+  QnStore *other = open_any (path, store->study, FALSE, error);
+  gboolean empty;
   if (other == NULL)
     return FALSE;
+  gboolean ok =
+    is_empty (other, &empty, error) && (empty || check_study (other, FALSE, error));
   qn_store_close (other);
+  *added = 0;
+  if (!ok || empty)
+    return ok;
 
-  gboolean ok = qn_store_commit (store, error);
+  ok = qn_store_commit (store, error);
   char *attach = sqlite3_mprintf ("ATTACH %Q AS other", path);
   int before = sqlite3_total_changes (store->db);
   ok = ok && run (store, attach, error);

@@ -32,7 +32,7 @@ gboolean qn_store_add (QnStore *store, gsize index, const double *values,
                        const QnCaseResult *result, GError **error);
 
 /* Copies rows of another database of the study: those that are missing, and those that failed here
- * and are done there. *added counts them. */
+ * and are done there. *added counts them. An empty database is that of a task that has just begun. */
 gboolean qn_store_merge (QnStore *store, const char *path, gsize *added, GError **error);
 
 gboolean qn_store_commit (QnStore *store, GError **error);
