@@ -74,8 +74,8 @@ GtkWidget *driver_find_widget (GtkWidget *root, DriverMatch match, gconstpointer
 /* Presses the button of that label, which must be there and sensitive. */
 void driver_press (GtkWidget *root, const char *label);
 
-/* From here on to the end of the test, warnings that GTK 4.8 gives of itself end nothing: those that are
- * listed in driver.c, no other. */
+/* From here on warnings that GTK 4.8 gives of itself end nothing: those that are listed in driver.c, no
+ * other. */
 void driver_pass_over_gtk (void);
 
 #endif
