@@ -89,7 +89,7 @@ is_race_of_icons (const char *message)
   int count = backtrace (frames, G_N_ELEMENTS (frames));
   char **names = backtrace_symbols (frames, count);
   for (int i = 0; names != NULL && i < count; i++)
-    found = found || strstr (names[i], "gtk_icon_theme_lookup") != NULL;
+    found = found || strstr (names[i], "gtk_icon_") != NULL;
   free (names);
   return found;
 }
