@@ -19,7 +19,11 @@ void qn_segments_clear (QnSegments *segments);
 
 /* Crossings of lines that are divided at, and pairs of lines whose boxes meet that are looked at: every
  * crossing is a corner of four faces, so that a soup of n lines may have n^2 of them. */
-#define QN_MOST_CROSSINGS     100000
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION /* many teach a fuzzer nothing */
+#define QN_MOST_CROSSINGS 2000
+#else
+#define QN_MOST_CROSSINGS 100000
+#endif
 #define QN_MOST_LINE_MEETINGS 20000000
 
 /* Faces enclosed by the segments, appended to `faces` in a fixed order, counter-clockwise, without

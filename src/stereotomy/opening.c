@@ -14,6 +14,11 @@
 /* Chords of an arched head that no voussoirs carry. */
 #define BARE_HEAD_PARTS 12
 
+/* How many parts of openings, units times parts, are cut with: so many, and so many more for every
+ * unit. Walls need a few for each unit beside an opening. */
+#define MOST_PARTS     20000
+#define PARTS_PER_UNIT 10
+
 /* What one opening takes from the fabric. */
 typedef struct Cutter {
   QnRings parts; /* the hole first, then lintel, voussoirs, sill */
@@ -263,10 +268,11 @@ add_remainder (const QnPiece *unit, const QnRings *parts, QnPieces *pieces, QnDi
   return QN_OK;
 }
 
-/* Moves `unit` into `pieces`, cut by those cutters that reach it. */
+/* Moves `unit` into `pieces`, cut by those cutters that reach it; takes their parts from `left_parts`,
+ * how many may still be cut with. */
 static QnStatus
-cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, QnPieces *pieces,
-          QnDiag *diag)
+cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *left_parts,
+          QnPieces *pieces, QnDiag *diag)
 {
   QnBox bounds = qn_ring_bounds (&unit->ring);
   QnRings near = { 0 }, parts = { 0 };
@@ -279,8 +285,11 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, QnPieces *p
       if (qn_box_meets_within (bounds, qn_ring_bounds (part), 0)
           && !qn_rings_add (&near, part->points, part->count))
         status = qn_diag_no_memory (diag);
+      if (status == QN_OK && near.count > *left_parts)
+        status = qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "openings", 0);
     }
   }
+  *left_parts -= status == QN_OK ? near.count : 0;
   double whole = qn_ring_area (&unit->ring), left = whole;
   if (status == QN_OK && near.count > 0) {
     status = qn_polygon_difference (&unit->ring, &near, &parts, diag);
@@ -305,6 +314,7 @@ qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces, QnDiag 
     return QN_OK;
   Cutter *cutters = qn_alloc (count, sizeof *cutters);
   QnPieces spans = { 0 }, cut = { 0 };
+  size_t left_parts = MOST_PARTS + PARTS_PER_UNIT * pieces->count;
   QnStatus status = cutters != NULL ? QN_OK : qn_diag_no_memory (diag);
   for (size_t i = 0; i < count && status == QN_OK; i++) {
     status = check_opening (&masonry->wall.openings[i], diag);
@@ -318,7 +328,7 @@ qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces, QnDiag 
       diag->sub = (QnId) i;
   }
   for (size_t i = 0; i < pieces->count && status == QN_OK; i++)
-    status = cut_unit (&pieces->items[i], cutters, count, &cut, diag);
+    status = cut_unit (&pieces->items[i], cutters, count, &left_parts, &cut, diag);
   for (size_t i = 0; i < spans.count && status == QN_OK; i++)
     if (!qn_pieces_take (&cut, &spans.items[i]))
       status = qn_diag_no_memory (diag);

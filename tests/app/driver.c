@@ -6,6 +6,7 @@
 #include <glib/gstdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define LONGEST_WAIT_US (30 * G_USEC_PER_SEC)
 
@@ -72,6 +73,9 @@ static const char *const told_by_gtk[] = {
    * surface that is gone. */
   "gdk_surface_get_device_position: assertion 'GDK_IS_SURFACE (surface)' failed",
   "_gtk_widget_find_at_coords: assertion 'GDK_IS_SURFACE (surface)' failed",
+  /* A popover that is laid out asks for the size of the monitor that its window is on, where that is on
+   * none (any more). */
+  "gdk_monitor_get_geometry: assertion 'GDK_IS_MONITOR (monitor)' failed",
 };
 
 static gboolean passes_over_gtk;
@@ -109,7 +113,12 @@ is_fatal (const char *domain, GLogLevelFlags level, const char *message, gpointe
   (void) domain;
   (void) level;
   (void) data;
-  return !is_told_by_gtk (message);
+  if (is_told_by_gtk (message))
+    return FALSE;
+  /* Where it comes from, for whoever reads the log. */
+  void *frames[64];
+  backtrace_symbols_fd (frames, backtrace (frames, G_N_ELEMENTS (frames)), STDERR_FILENO);
+  return TRUE;
 }
 
 /* The handler of GLib's tests says of fatal messages that the test is over. */
@@ -207,9 +216,30 @@ driver_wait_for_job (QnWindow *window)
 
 /* ---- pointer and keys ---- */
 
-static void
-xdotool (const char *const *arguments)
+static guint inputs;
+
+guint
+driver_take_inputs (void)
 {
+  guint count = inputs;
+  inputs = 0;
+  return count;
+}
+
+/* Buttons and keys that go down. */
+static guint
+count_inputs (const char *const *arguments)
+{
+  static const char *const verbs[] = { "click", "mousedown", "key", "keydown", NULL };
+  if (g_str_equal (arguments[0], "type"))
+    return (guint) g_utf8_strlen (arguments[3], -1);
+  return g_strv_contains (verbs, arguments[0]) ? 1 : 0;
+}
+
+void
+driver_xdotool (const char *const *arguments)
+{
+  inputs += count_inputs (arguments);
   g_autoptr (GStrvBuilder) builder = g_strv_builder_new ();
   g_strv_builder_add (builder, "xdotool");
   g_strv_builder_addv (builder, (const char **) arguments);
@@ -240,14 +270,14 @@ driver_point_at (GtkWidget *widget, double x, double y)
   g_autofree char *px = g_strdup_printf ("%.0f", left + offset_x);
   g_autofree char *py = g_strdup_printf ("%.0f", top + offset_y);
   const char *const arguments[] = { "mousemove", px, py, NULL };
-  xdotool (arguments);
+  driver_xdotool (arguments);
 }
 
 void
 driver_press_button (const char *number)
 {
   const char *const arguments[] = { "click", number, NULL };
-  xdotool (arguments);
+  driver_xdotool (arguments);
 }
 
 void
@@ -262,7 +292,7 @@ static void
 button (const char *verb)
 {
   const char *const arguments[] = { verb, "1", NULL };
-  xdotool (arguments);
+  driver_xdotool (arguments);
 }
 
 void
@@ -287,21 +317,21 @@ void
 driver_key (const char *key)
 {
   const char *const arguments[] = { "key", key, NULL };
-  xdotool (arguments);
+  driver_xdotool (arguments);
 }
 
 void
 driver_hold_key (const char *key, gboolean down)
 {
   const char *const arguments[] = { down ? "keydown" : "keyup", key, NULL };
-  xdotool (arguments);
+  driver_xdotool (arguments);
 }
 
 void
 driver_type (const char *text)
 {
   const char *const arguments[] = { "type", "--delay", "20", text, NULL };
-  xdotool (arguments);
+  driver_xdotool (arguments);
   driver_run (100);
 }
 

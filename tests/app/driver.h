@@ -33,6 +33,10 @@ void driver_click (QnWindow *window, double x, double y);
 /* Pointer at a place of a widget, px, and any button of it, 4 and 5 for the wheel. */
 void driver_point_at (GtkWidget *widget, double x, double y);
 void driver_press_button (const char *number);
+/* Words of a command line of xdotool, NULL-terminated; waits until it has been heard. */
+void driver_xdotool (const char *const *arguments);
+/* How many buttons and keys have gone down since this was asked last. */
+guint driver_take_inputs (void);
 /* Keys as xdotool spells them. */
 void driver_key (const char *key);
 void driver_hold_key (const char *key, gboolean down);

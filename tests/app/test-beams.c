@@ -172,10 +172,11 @@ test_diagrams (void)
   g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DIAGRAMS);
   driver_screenshot (GTK_WIDGET (window), "diagram-moments");
   driver_activate (window, "win.diagram::V");
-  g_assert_cmpint (qn_view_state_get_diagram (state), ==, QN_DIAGRAM_SHEAR);
+  g_assert_cmpint ((int) qn_view_state_get_options (state).diagram, ==, QN_DIAGRAM_SHEAR);
   driver_screenshot (GTK_WIDGET (window), "diagram-shear");
   driver_activate (window, "win.diagram::N");
-  g_assert_cmpint (qn_view_state_get_diagram (state), ==, QN_DIAGRAM_NORMAL);
+  g_assert_cmpint ((int) qn_view_state_get_options (state).diagram, ==,
+                   QN_DIAGRAM_NORMAL);
 
   driver_activate (window, "win.view::model");
   driver_activate (window, "win.show-panel::properties");

@@ -537,7 +537,7 @@ test_findings (void)
     "  \"contact\": { \"law\": \"dry\" } }";
   QnWindow *window = open_blank ();
   QnDocument *document = qn_window_get_document (window);
-  g_assert_true (qn_document_load_text (document, text, "gap", NULL));
+  g_assert_true (qn_document_load_recovered (document, text, NULL, NULL));
   const QnContacts *contacts = qn_document_get_contacts (document);
   g_assert_cmpuint (contacts->face_count, ==, 0);
   g_assert_cmpuint (contacts->findings.count, >, 0);

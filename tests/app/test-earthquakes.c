@@ -29,6 +29,12 @@ is_curve (GtkWidget *widget, gconstpointer data)
   return QN_IS_CURVE_VIEW (widget);
 }
 
+static gboolean
+is_called (GtkWidget *widget, gconstpointer id)
+{
+  return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
+}
+
 /* ---- while it runs ---- */
 
 static gboolean
@@ -37,6 +43,7 @@ take_long (QnModel *model, gpointer data, GError **error)
   (void) data;
   (void) error;
   model->analysis.dynamic.duration = 5000;
+  model->ground[0].rests = true; /* the record is of 10 s */
   return TRUE;
 }
 
@@ -329,15 +336,70 @@ test_capacity (void)
   driver_discard (window);
 }
 
+/* The window of the curve, or the project's, is closed while the curve is searched: the search ends and
+ * nothing outlives its window. */
+static void
+close_while_searching (gboolean project)
+{
+  QnWindow *window = driver_open_example ("12-facade.quoin");
+  driver_activate (window, "win.capacity");
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
+  g_assert_nonnull (dialog);
+  driver_press (dialog, "Find Curve");
+  GtkWidget *cancel = driver_find_widget (dialog, is_called, "cancel");
+  g_assert_true (gtk_widget_get_mapped (cancel));
+  gpointer gone = dialog;
+  g_object_add_weak_pointer (G_OBJECT (dialog), &gone);
+  if (!project) {
+    gtk_window_close (GTK_WINDOW (dialog));
+    for (int i = 0; i < 100 && gone != NULL; i++)
+      driver_run (50);
+    g_assert_null (gone);
+  }
+  driver_discard (window);
+  g_assert_null (gone);
+  driver_run (500); /* what comes back from the thread finds nobody */
+}
+
+static void
+test_capacity_closed (void)
+{
+  close_while_searching (FALSE);
+  close_while_searching (TRUE);
+}
+
+/* A record that ends too soon is given rest with a button, and undo takes it back. */
+static void
+test_rest (void)
+{
+  QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
+  driver_activate (window, "win.show-panel::analysis");
+  driver_run (200);
+  GtkWidget *check = driver_find_widget (GTK_WIDGET (window), is_called, "rests");
+  g_assert_true (gtk_widget_get_visible (check));
+  g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
+  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
+  driver_run (100);
+  g_assert_true (model_of (window)->ground[0].rests);
+  driver_activate (window, "win.undo");
+  driver_run (100);
+  g_assert_false (model_of (window)->ground[0].rests);
+  g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/earthquakes/live-history", test_live_history);
+  g_test_add_func ("/app/earthquakes/rest", test_rest);
   g_test_add_func ("/app/earthquakes/energies", test_energies);
   g_test_add_func ("/app/earthquakes/initial", test_initial);
   g_test_add_func ("/app/earthquakes/initial-fixed", test_initial_fixed);
   g_test_add_func ("/app/earthquakes/capacity", test_capacity);
+  g_test_add_func ("/app/earthquakes/capacity-closed", test_capacity_closed);
   return g_test_run ();
 }

@@ -315,6 +315,43 @@ test_files (void)
   g_rmdir (folder);
 }
 
+static gsize
+report_size (QnWindow *window, const char *path)
+{
+  g_autofree char *bytes = NULL;
+  gsize length = 0;
+  driver_activate_target (window, "win.export-path",
+                          g_variant_new ("(ss)", "report", path));
+  driver_run (100);
+  g_assert_true (g_file_get_contents (path, &bytes, &length, NULL));
+  g_assert_true (g_str_has_prefix (bytes, "%PDF-"));
+  g_unlink (path);
+  return length;
+}
+
+/* The report has every run of the model as it is now: more with two than with one, and none that an
+ * edit has left behind. A folder that is not there is told. */
+static void
+test_report (void)
+{
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  g_autofree char *path =
+    g_build_filename (g_get_tmp_dir (), "quoin-test-report.pdf", NULL);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  gsize one = report_size (window, path);
+  driver_activate (window, "win.run-limit::associative");
+  driver_wait_for_job (window);
+  gsize two = report_size (window, path);
+  g_assert_cmpuint (two, >, one);
+  driver_activate_target (window, "win.export-path",
+                          g_variant_new ("(ss)", "report", "/no/such/folder/r.pdf"));
+  driver_activate (window, "win.select-all");
+  driver_activate (window, "win.nudge((0.1,0.0))");
+  g_assert_cmpuint (report_size (window, path), <, one);
+  driver_discard (window);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -325,5 +362,6 @@ main (int argc, char **argv)
   g_test_add_func ("/app/export/sheet", test_sheet);
   g_test_add_func ("/app/export/animation", test_animation);
   g_test_add_func ("/app/export/files", test_files);
+  g_test_add_func ("/app/export/report", test_report);
   return g_test_run ();
 }

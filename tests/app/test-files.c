@@ -7,6 +7,7 @@
 #include "app/window/window-private.h"
 #include "doc/document/picture.h"
 #include "doc/document/recovery.h"
+#include "io/project/project-extras.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -146,10 +147,32 @@ test_picture (void)
   underlay = qn_view_state_get_underlay (state);
   g_assert_cmpfloat_with_epsilon (underlay->width, 2.5, 0.02);
 
+  /* Four corners, in any order, become a rectangle of typed size. */
+  left = underlay->origin.x + 0.625;
+  driver_click (window, left + 1.2, 0.9);
+  driver_click (window, left, 0.1);
+  driver_click (window, left + 1.25, 0.1);
+  driver_click (window, left + 0.1, 0.7);
+  driver_screenshot (GTK_WIDGET (window), "picture-corners");
+  driver_type ("2; 1,5");
+  driver_key ("Return");
+  underlay = qn_view_state_get_underlay (state);
+  g_assert_true (underlay->rectified);
+  g_assert_cmpfloat (underlay->width, ==, 2.0);
+  g_assert_cmpfloat (underlay->height, ==, 1.5);
+  g_assert_cmpfloat_with_epsilon (underlay->origin.x, left, 0.03);
+  driver_run (200);
+  driver_screenshot (GTK_WIDGET (window), "picture-rectified");
+  driver_press (GTK_WIDGET (window), "Show as Taken");
+  g_assert_false (qn_view_state_get_underlay (state)->rectified);
+  driver_activate (window, "win.undo");
+  g_assert_true (qn_view_state_get_underlay (state)->rectified);
+
   g_autofree char *path = g_build_filename (folder, "survey.quoin", NULL);
   driver_activate_target (window, "win.save-path", g_variant_new_string (path));
   g_assert_false (qn_document_is_modified (document));
-  g_autofree char *json = qn_document_dup_extra (document, "underlay");
+  g_autofree char *json =
+    qn_project_dup_extra (qn_document_get_project (document), "underlay");
   g_assert_nonnull (strstr (json, "\"survey.png\""));
   g_assert_nonnull (qn_view_state_get_underlay (state)->image);
 

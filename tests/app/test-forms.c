@@ -3,8 +3,11 @@
 #include "driver.h"
 
 #include "app/widgets/quantity-entry.h"
+#include "support/scratch.h"
 
-/* What GTK makes of its own inside of other widgets, which those name. */
+#include <string.h>
+
+/* What GTK makes of its own inside of other widgets, which those name, and its own windows. */
 static gboolean
 is_inside (GtkWidget *widget)
 {
@@ -13,7 +16,10 @@ is_inside (GtkWidget *widget)
          && (GTK_IS_DROP_DOWN (parent) || GTK_IS_MENU_BUTTON (parent)
              || GTK_IS_WINDOW_CONTROLS (parent) || GTK_IS_SPIN_BUTTON (parent)
              || GTK_IS_SWITCH (parent) || GTK_IS_STACK_SWITCHER (parent)
-             || GTK_IS_POPOVER (gtk_widget_get_ancestor (widget, GTK_TYPE_POPOVER))
+             || gtk_widget_get_ancestor (widget, GTK_TYPE_POPOVER_MENU) != NULL
+             || gtk_widget_get_ancestor (widget, GTK_TYPE_DROP_DOWN) != NULL
+             || gtk_widget_get_ancestor (widget, GTK_TYPE_SHORTCUTS_WINDOW) != NULL
+             || gtk_widget_get_ancestor (widget, GTK_TYPE_ABOUT_DIALOG) != NULL
              || g_str_has_prefix (G_OBJECT_TYPE_NAME (parent), "GtkColumnView")
              || GTK_IS_COLUMN_VIEW (
                gtk_widget_get_ancestor (widget, GTK_TYPE_COLUMN_VIEW))
@@ -71,8 +77,10 @@ complain (GtkWidget *widget, const char *what, const char *lacks)
 static void
 walk (GtkWidget *widget, const char *what)
 {
-  gboolean button = GTK_IS_BUTTON (widget) || GTK_IS_MENU_BUTTON (widget);
+  gboolean button =
+    GTK_IS_BUTTON (widget) || GTK_IS_MENU_BUTTON (widget) || GTK_IS_CHECK_BUTTON (widget);
   gboolean field = GTK_IS_ENTRY (widget) || GTK_IS_DROP_DOWN (widget)
+                   || GTK_IS_SEARCH_ENTRY (widget) || GTK_IS_PROGRESS_BAR (widget)
                    || GTK_IS_SWITCH (widget) || GTK_IS_SCALE (widget)
                    || GTK_IS_SPIN_BUTTON (widget) || GTK_IS_LIST_BOX (widget)
                    || GTK_IS_DRAWING_AREA (widget) || GTK_IS_TEXT_VIEW (widget)
@@ -143,6 +151,12 @@ static const State states[] = {
   { "analysis", "16-load-stages.quoin", "analysis", NULL, -1, -1, -1, -1, NULL },
   { "law-curve", "17-unloading.quoin", "analysis", NULL, -1, -1, -1, -1, NULL },
   { "result", "02-overturning-block.quoin", "result", NULL, -1, -1, -1, -1, "win.run" },
+  { "bars", "09-reinforced-cantilever.quoin", "analysis", NULL, -1, -1, -1, -1, NULL },
+  { "frames", "34-frame-hybrid.quoin", "result", NULL, -1, -1, -1, -1, "win.run" },
+  { "dynamic", "42-arch-pulse.quoin", "analysis", NULL, -1, -1, -1, -1, NULL },
+  { "history", "41-column-impulse.quoin", "result", NULL, -1, -1, -1, -1, "win.run" },
+  { "modes", "11-vibrating-beam.quoin", "result", NULL, -1, -1, -1, -1,
+    "win.run-modes::loaded" },
   { "findings", "05-stack.quoin", "findings", NULL, -1, -1, -1, -1, NULL },
 };
 
@@ -183,40 +197,87 @@ test_state (gconstpointer data)
   driver_discard (window);
 }
 
-static void
-look_at_dialog (const char *what, const char *title)
+/* Windows beside the main one, and what opens them; "app." those of the program. */
+static const struct {
+  const char *what, *action, *target, *title;
+} dialogs[] = {
+  { "export", "win.export", NULL, "Export Figure" },
+  { "figures", "win.figures", NULL, "Figures" },
+  { "import", "win.take-path", "dxf/wall-clutter.dxf", "Import" },
+  { "preferences", "app.preferences", NULL, "Preferences" },
+  { "help", "app.help", NULL, "Help" },
+  { "shortcuts", "win.show-help-overlay", NULL, NULL },
+  { "about", "app.about", NULL, NULL },
+  { "compare", "win.compare", NULL, "Compare" },
+  { "animation", "win.export-result", "animation", "Export Animation" },
+  { "capacity", "win.capacity", NULL, "Capacity Curve" },
+};
+
+/* The window on the screen that is no main one. */
+static GtkWidget *
+find_other (void)
 {
-  driver_run (200);
-  GtkWidget *dialog = driver_find_dialog (title);
-  g_assert_nonnull (dialog);
-  look_at (dialog, what);
-  gtk_window_destroy (GTK_WINDOW (dialog));
-  driver_run (50);
+  GListModel *toplevels = gtk_window_get_toplevels ();
+  for (guint i = 0; i < g_list_model_get_n_items (toplevels); i++) {
+    g_autoptr (GtkWidget) toplevel = g_list_model_get_item (toplevels, i);
+    if (!QN_IS_WINDOW (toplevel) && gtk_widget_get_mapped (toplevel))
+      return toplevel;
+  }
+  return NULL;
 }
 
 static void
 test_dialogs (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
-  GActionGroup *program = G_ACTION_GROUP (driver_application ());
-  driver_activate (window, "win.export");
-  look_at_dialog ("export", "Export Figure");
-  driver_activate (window, "win.figures");
-  look_at_dialog ("figures", "Figures");
-  g_autofree char *drawing = driver_example_path ("dxf/wall-clutter.dxf");
-  driver_activate_target (window, "win.take-path", g_variant_new_string (drawing));
-  look_at_dialog ("import", "Import");
-  g_action_group_activate_action (program, "preferences", NULL);
-  look_at_dialog ("preferences", "Preferences");
-  g_action_group_activate_action (program, "help", NULL);
-  look_at_dialog ("help", "Help");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  driver_activate (window, "win.compare");
-  look_at_dialog ("compare", "Compare");
-  driver_activate (window, "win.export-result::animation");
-  look_at_dialog ("animation", "Export Animation");
+  for (gsize i = 0; i < G_N_ELEMENTS (dialogs); i++) {
+    g_autofree char *path = g_str_equal (dialogs[i].action, "win.take-path")
+                              ? driver_example_path (dialogs[i].target)
+                              : g_strdup (dialogs[i].target);
+    if (g_str_has_prefix (dialogs[i].action, "app."))
+      g_action_group_activate_action (G_ACTION_GROUP (driver_application ()),
+                                      dialogs[i].action + strlen ("app."), NULL);
+    else if (path != NULL)
+      driver_activate_target (window, dialogs[i].action, g_variant_new_string (path));
+    else
+      driver_activate (window, dialogs[i].action);
+    driver_run (200);
+    GtkWidget *dialog = find_other ();
+    if (dialog == NULL)
+      g_error ("no window %s", dialogs[i].what);
+    if (dialogs[i].title != NULL)
+      g_assert_true (
+        g_str_has_prefix (gtk_window_get_title (GTK_WINDOW (dialog)), dialogs[i].title));
+    expand_all (dialog);
+    look_at (dialog, dialogs[i].what);
+    gtk_window_destroy (GTK_WINDOW (dialog));
+    driver_run (50);
+  }
   driver_discard (window);
+}
+
+/* A study with a number that varies, of a copy that may have one beside it. */
+static void
+test_study (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *source = driver_example_path ("ferris-tin-loi/wall3.quoin");
+  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
+  g_autofree char *text = NULL;
+  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  QnWindow *window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, path));
+  gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
+                              0.65);
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Study");
+  g_assert_nonnull (dialog);
+  look_at (dialog, "study");
+  driver_discard (window);
+  test_scratch_free (folder);
 }
 
 static gboolean
@@ -325,6 +386,7 @@ main (int argc, char **argv)
     g_test_add_data_func (path, &states[i], test_state);
   }
   g_test_add_func ("/app/forms/dialogs", test_dialogs);
+  g_test_add_func ("/app/forms/study", test_study);
   g_test_add_func ("/app/forms/joint", test_joint);
   g_test_add_func ("/app/forms/project", test_project);
   g_test_add_func ("/app/forms/refusal", test_refusal);

@@ -346,7 +346,8 @@ use_widget (void)
 static void
 tell_tools (Monkey *monkey, const char *text)
 {
-  g_test_message ("%s", g_strchomp (g_strdup (text)));
+  g_autofree char *told = g_strdup (text);
+  g_test_message ("%s", g_strchomp (told));
   g_assert_true (
     g_output_stream_write_all (monkey->tools, text, strlen (text), NULL, NULL, NULL));
   g_usleep (3000); /* for the server, to which xdotool speaks by itself */

@@ -246,22 +246,46 @@ close_menu (GtkWidget *entry)
   driver_run (20);
 }
 
-/* The path that the menu of an entry offers to vary after a click with the right button, or "". */
+/* The path that the menu of an entry offers to vary, or "". */
 static char *
-click_path (GtkWidget *entry)
+dup_offered (GtkWidget *entry)
 {
   char *path = NULL;
-  gtk_widget_grab_focus (entry); /* scrolls there */
-  driver_run (60);
-  open_menu (entry);
   GMenuModel *menu = gtk_entry_get_extra_menu (GTK_ENTRY (entry));
   if (menu != NULL && g_menu_model_get_n_items (menu) == 1) {
     g_autoptr (GVariant) target =
       g_menu_model_get_item_attribute_value (menu, 0, "target", NULL);
     g_variant_get (target, "(sd)", &path, NULL);
   }
-  close_menu (entry);
   return path != NULL ? path : g_strdup ("");
+}
+
+/* What a click with the right button would offer, without waiting for one: the entry is told. */
+static char *
+dup_path (GtkWidget *entry)
+{
+  g_autoptr (GListModel) controllers = gtk_widget_observe_controllers (entry);
+  for (guint i = 0; i < g_list_model_get_n_items (controllers); i++) {
+    g_autoptr (GObject) controller = g_list_model_get_item (controllers, i);
+    if (GTK_IS_GESTURE_CLICK (controller)
+        && gtk_gesture_single_get_button (GTK_GESTURE_SINGLE (controller))
+             == GDK_BUTTON_SECONDARY)
+      g_signal_emit_by_name (controller, "pressed", 1, 0.0, 0.0);
+  }
+  return dup_offered (entry);
+}
+
+/* The same after a click. */
+static char *
+click_path (GtkWidget *entry)
+{
+  gtk_entry_set_extra_menu (GTK_ENTRY (entry), NULL);
+  gtk_widget_grab_focus (entry); /* scrolls there */
+  driver_run (60);
+  open_menu (entry);
+  char *path = dup_offered (entry);
+  close_menu (entry);
+  return path;
 }
 
 /* The first of the paths that is no line of `found`, or NULL. */
@@ -373,7 +397,11 @@ test_every_number (void)
     list_entries (GTK_WIDGET (window), entries);
     const char *missing = find_missing (cases[i].paths, found->str);
     for (guint k = 0; k < entries->len && missing != NULL; k++) {
-      g_autofree char *path = click_path (g_ptr_array_index (entries, k));
+      GtkWidget *entry = g_ptr_array_index (entries, k);
+      g_autofree char *offered = dup_path (entry);
+      if (!g_strv_contains (cases[i].paths, offered))
+        continue;
+      g_autofree char *path = click_path (entry);
       g_string_append_printf (found, "%s\n", path);
       missing = find_missing (cases[i].paths, found->str);
     }

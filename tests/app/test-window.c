@@ -445,14 +445,13 @@ test_export (void)
   QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   g_autofree char *model = driver_example_path ("ferris-tin-loi/wall3.quoin");
-  QnOutput output;
-  qn_output_init (&output);
+  g_autoptr (QnRecipe) recipe = qn_recipe_new ("model", QN_VIEW_MODEL);
   static const char *const endings[] = { "png", "svg", "pdf" };
   for (gsize i = 0; i < G_N_ELEMENTS (endings); i++) {
     g_autofree char *ours = g_strdup_printf ("%s/window.%s", folder, endings[i]);
     g_autofree char *theirs = g_strdup_printf ("%s/cli.%s", folder, endings[i]);
     g_autoptr (GError) error = NULL;
-    qn_view_state_export (qn_window_get_view_state (window), ours, &output, &error);
+    qn_view_state_export_as (qn_window_get_view_state (window), recipe, ours, &error);
     g_assert_no_error (error);
     const char *argv[] = {
       g_getenv ("QUOIN_CLI"), "render", model, "--view", "model", "-o", theirs, NULL

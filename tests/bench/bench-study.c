@@ -199,10 +199,11 @@ measure (FILE *csv, FILE *bars, const char *kind, int cases)
   const char *command[9];
   Cost single = cost_of_single (kind), costs[2];
   g_autofree char *study = write_study (kind, cases);
-  g_autofree char *into[2] = { NULL, NULL };
+  g_autofree char *alone = g_strdup_printf ("%s/%s-1", folder, kind);
+  g_autofree char *together = g_strdup_printf ("%s/%s-2", folder, kind);
+  const char *const into[] = { alone, together };
   for (int jobs = 1; jobs <= 2; jobs++) {
     g_autofree char *count = g_strdup_printf ("%d", jobs);
-    into[jobs - 1] = g_strdup_printf ("%s/%s-%d", folder, kind, jobs);
     command_of (command, study, into[jobs - 1], count);
     costs[jobs - 1] = run (command);
     bench_csv_row (csv, "%s,%d,%d,%.2f,%.2f,%.4f", kind, cases, jobs,

@@ -1,6 +1,10 @@
 /* quoin-cli capacity: numbers, files, and what is refused. */
 #include "cli-run.h"
 
+#include "support/table.h"
+
+#include <cJSON.h>
+#include <math.h>
 #include <string.h>
 
 static const char block[] =
@@ -65,6 +69,94 @@ test_block (void)
   test_scratch_free (folder);
 }
 
+/* What the project keeps is taken where no option says it. */
+static void
+test_kept (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *kept = cli_replace (
+    block, "\"analysis\"",
+    "\"capacity\": { \"control\": \"block\", \"spectrum\": \"type1\", \"ag\": 2.4525, "
+    "\"soil\": \"C\", \"confidence\": 1.2 }, \"analysis\"");
+  g_autofree char *wrong = cli_replace (kept, "\"C\"", "7");
+  g_autofree char *plain = cli_write (folder, "block.quoin", block);
+  g_autofree char *model = cli_write (folder, "kept.quoin", kept);
+  g_autofree char *bad = cli_write (folder, "wrong.quoin", wrong);
+  CliRun asked = cli_run ("capacity", plain, "--spectrum", "type1", "--ag", "2.4525",
+                          "--soil", "C", "--confidence", "1.2", NULL);
+  CliRun taken = cli_run ("capacity", model, NULL);
+  cli_assert_done (&asked);
+  cli_assert_done (&taken);
+  const char *same = strchr (asked.out, '\n'), *found = strchr (taken.out, '\n');
+  g_assert_nonnull (strstr (taken.out, "SLV"));
+  g_assert_cmpstr (found, ==, same); /* but for the name of the file */
+  cli_run_clear (&taken);
+  taken = cli_run ("capacity", model, "--confidence", "1", NULL);
+  g_assert_cmpstr (strchr (taken.out, '\n'), !=, same);
+  cli_run_clear (&taken);
+  cli_run_clear (&asked);
+  taken = cli_run ("capacity", bad, NULL);
+  g_assert_nonnull (strstr (taken.err, "capacity.soil: "));
+  cli_run_clear (&taken);
+  test_scratch_free (folder);
+}
+
+/* No number of it is infinite, and none is missing but the answers that there are none of. */
+static void
+check_numbers (const cJSON *value)
+{
+  if (cJSON_IsNumber (value))
+    g_assert_true (isfinite (value->valuedouble));
+  const cJSON *child;
+  cJSON_ArrayForEach (child, value) check_numbers (child);
+}
+
+/* File and table are read again and say the same, for a curve that comes back to zero, for one that does
+ * not, with a spectrum and without. */
+static void
+test_read_back (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *sound = cli_write (folder, "block.quoin", block);
+  g_autofree char *short_text =
+    cli_replace (block, "\"load\" }", "\"load\", \"max_factorizations\": 3 }");
+  g_autofree char *cut = cli_write (folder, "short.quoin", short_text);
+  g_autofree char *arch = cli_example ("06-arch.quoin");
+  const struct {
+    const char *model, *spectrum;
+    int code;
+  } rows[] = {
+    { sound, "type1", 0 }, { sound, NULL, 0 }, { arch, "type2", 0 }, { cut, NULL, 4 }
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
+    g_autofree char *json = g_strdup_printf ("%s/%zu.json", folder, i);
+    g_autofree char *csv = g_strdup_printf ("%s/%zu.csv", folder, i);
+    CliRun run = cli_run ("capacity", rows[i].model, "-q", "--json", json, "--csv", csv,
+                          rows[i].spectrum != NULL ? "--spectrum" : NULL,
+                          rows[i].spectrum, "--ag", "0.25g", "--soil", "B", NULL);
+    g_assert_cmpint (run.code, ==, rows[i].code);
+    cli_run_clear (&run);
+    if (rows[i].code != 0) {
+      g_assert_false (g_file_test (json, G_FILE_TEST_EXISTS));
+      g_assert_false (g_file_test (csv, G_FILE_TEST_EXISTS));
+      continue;
+    }
+    g_autofree char *text = cli_read (json), *csv_text = cli_read (csv);
+    cJSON *root = cJSON_Parse (text);
+    check_numbers (root);
+    const cJSON *curve = cJSON_GetObjectItem (root, "curve");
+    g_autoptr (GPtrArray) table = test_table_read (csv_text);
+    g_assert_cmpint (cJSON_GetArraySize (curve), ==, (int) table->len - 1);
+    for (guint k = 1; k < table->len; k++) {
+      const cJSON *point = cJSON_GetArrayItem (curve, (int) k - 1);
+      g_assert_cmpfloat (cJSON_GetObjectItem (point, "multiplier")->valuedouble, ==,
+                         test_table_number (table, k, "load multiplier"));
+    }
+    cJSON_Delete (root);
+  }
+  test_scratch_free (folder);
+}
+
 static void
 test_refused (void)
 {
@@ -99,6 +191,8 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/capacity/block", test_block);
+  g_test_add_func ("/capacity/kept", test_kept);
+  g_test_add_func ("/capacity/read back", test_read_back);
   g_test_add_func ("/capacity/refused", test_refused);
   return g_test_run ();
 }

@@ -141,6 +141,19 @@ test_escapes (void)
   g_assert_null (strstr (svg, "&#x"));
   g_assert_null (strstr (svg, "\033"));
   g_assert_nonnull (strstr (svg, "<title>A\357\277\275]0;x"));
+
+  g_autofree char *named = cli_replace (cli_sliding_block, "\"name\": \"stone\"",
+                                        "\"name\": \"b\\u001b[31m\\u009b1m\\u202e\"");
+  g_autofree char *other = cli_write (folder, "named.quoin", named);
+  static const char *const outputs[] = { "-o", "--csv" };
+  for (gsize i = 0; i < G_N_ELEMENTS (outputs); i++) {
+    run = cli_run ("solve", other, "-q", outputs[i], "-", NULL);
+    cli_assert_done (&run);
+    g_assert_null (strpbrk (run.out, "\033\007"));
+    g_assert_null (strstr (run.out, "\302\233"));
+    g_assert_null (strstr (run.out, "\342\200\256"));
+    cli_run_clear (&run);
+  }
   test_scratch_free (folder);
 }
 

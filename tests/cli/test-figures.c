@@ -55,6 +55,18 @@ test_figures (void)
 
   run = cli_run ("figures", model, "--figure", "zebra", NULL);
   cli_assert_failed (&run, 2, "zebra");
+
+  /* Neither of two takes the place of the other. */
+  g_autofree char *twice = with_figures ("[{\"name\": \"d\"}, {\"name\": \"e\", "
+                                         "\"file\": \"./d.png\"}]");
+  g_autofree char *same = cli_write (folder, "same.quoin", twice);
+  g_autofree char *d = g_build_filename (folder, "d.png", NULL);
+  run = cli_run ("figures", same, NULL);
+  cli_assert_failed (&run, 3, "the same file");
+  g_assert_false (g_file_test (d, G_FILE_TEST_EXISTS));
+  run = cli_run ("figures", same, "--figure", "e", NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
   test_scratch_free (folder);
 }
 
@@ -155,6 +167,14 @@ test_animate (void)
   run = cli_run ("animate", model, "--result", result, "--size", "1000000x1000000", "-o",
                  gif, NULL);
   cli_assert_failed (&run, 2, "1000000");
+  /* Too small for the encoder, or no encoder: said in either case, with nothing left behind. */
+  g_autofree char *webm = g_build_filename (folder, "a.webm", NULL);
+  run = cli_run ("animate", model, "--result", result, "--size", "1x1", "-o", webm, NULL);
+  g_assert_cmpint (run.code, >, 0);
+  g_assert_cmpint (run.code, <, 128);
+  g_assert_nonnull (strstr (run.err, "WebM"));
+  g_assert_false (g_file_test (webm, G_FILE_TEST_EXISTS));
+  cli_run_clear (&run);
   run = cli_run ("animate", model, "--result", result, "-o", "/nonexistent/a.gif", NULL);
   cli_assert_failed (&run, 5, "/nonexistent/a.gif");
   test_scratch_free (folder);

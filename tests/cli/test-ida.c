@@ -1,6 +1,8 @@
 /* quoin-cli ida: curves, going on after an interruption, and what is refused. */
 #include "cli-run.h"
 
+#include "support/table.h"
+
 #include <string.h>
 
 /* A block that a pulse of 0.5 s overturns from a certain amplitude on. */
@@ -41,6 +43,7 @@ test_curves (void)
   g_autofree char *table = cli_read (csv), *picture = cli_read (svg);
   g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
   g_assert_cmpuint (g_strv_length (lines), ==, 1 + 6 + 1);
+  g_ptr_array_unref (test_table_read (table));
   double before = -1;
   gboolean fell = FALSE;
   for (int i = 1; i <= 6; i++) {

@@ -31,7 +31,14 @@ static const Kind kinds[] = {
   { "limit-interval", "06-arch.quoin", "limit", "analysis.flow=non-associative",
     HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
   { "modes", "06-arch.quoin", "modal", NULL, HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "modes-of-beams", "37-beam-vibrating.quoin", "modal", NULL,
+    HAS_STEPS | HAS_MECHANISM | HAS_BEAMS },
   { "buckling", "22-column-clamped.quoin", "stability", NULL,
+    HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
+  { "in-time", "41-column-impulse.quoin", "solve", "analysis.dynamic.duration=1",
+    HAS_STEPS | HAS_FORCES },
+  { "overturned", "41-column-impulse.quoin", "solve",
+    "analysis.dynamic.ground[0].pulse.amplitude=2",
     HAS_STEPS | HAS_FORCES | HAS_MECHANISM },
   { "beams", "30-beam-cantilever.quoin", "solve", NULL, HAS_STEPS | HAS_BEAMS },
   { "blocks-and-beams", "36-mast-on-block.quoin", "solve", NULL,
@@ -44,12 +51,14 @@ static const char *const fields[] = {
   "none",     "displacement", "displacement-x", "displacement-y",
   "rotation", "stress",       "opening",        "sliding",
 };
-/* None, each alone, all. */
+/* None, each alone, all; test_known() holds them to the program's own list, as the others. */
 #define ALL_DECORATIONS "ghost,symbols,loads,dimensions,names,legend,titles,monochrome"
 static const char *const decorations[] = {
   "",      "ghost",  "symbols", "loads",      "dimensions",
   "names", "legend", "titles",  "monochrome", ALL_DECORATIONS,
 };
+
+static const char *const diagrams[] = { "M", "V", "N" };
 
 /* What a picture is drawn of. */
 static Has
@@ -67,6 +76,41 @@ needs (const char *view, const char *field)
   if (g_str_equal (view, "diagrams"))
     needed |= HAS_BEAMS;
   return needed;
+}
+
+/* The words that an option takes are told where another is given: the table has all of them. */
+static char *
+dup_known (const char *option)
+{
+  g_autofree char *model = cli_example ("06-arch.quoin");
+  CliRun run = cli_run ("render", model, option, "nonsense", "-o", "never.svg", NULL);
+  const char *known = strstr (run.err, "is none of ");
+  g_assert_nonnull (known);
+  char *names = g_strndup (known + strlen ("is none of "),
+                           strcspn (known + strlen ("is none of "), "(\n") - 1);
+  cli_assert_failed (&run, 2, "nonsense");
+  return names;
+}
+
+static void
+test_known (void)
+{
+  const struct {
+    const char *option, *const *names;
+    size_t count;
+  } lists[] = {
+    { "--view", views, G_N_ELEMENTS (views) },
+    { "--field", fields, G_N_ELEMENTS (fields) },
+    { "--show", decorations + 1, G_N_ELEMENTS (decorations) - 2 },
+    { "--diagram", diagrams, G_N_ELEMENTS (diagrams) },
+  };
+  for (size_t i = 0; i < G_N_ELEMENTS (lists); i++) {
+    g_autofree char *known = dup_known (lists[i].option);
+    g_autoptr (GString) ours = g_string_new (NULL);
+    for (size_t k = 0; k < lists[i].count; k++)
+      g_string_append_printf (ours, "%s%s", k > 0 ? ", " : "", lists[i].names[k]);
+    g_assert_cmpstr (known, ==, ours->str);
+  }
 }
 
 /* The decorations that are not in a list of them. */
@@ -127,6 +171,27 @@ solve (const Kind *kind, const char *model, const char *folder)
   return path;
 }
 
+/* First, middle and last step, automatic and true scale and a factor, every section force. */
+static void
+draw_steps (const Kind *kind, const char *model, const char *result, const char *picture)
+{
+  static const char *const steps[] = { "0", "1", "last" };
+  static const char *const scales[] = { "auto", "true", "25" };
+  for (size_t v = 0; v < G_N_ELEMENTS (views); v++)
+    for (size_t s = 0; s < G_N_ELEMENTS (steps); s++)
+      for (size_t k = 0; k < G_N_ELEMENTS (scales); k++) {
+        if ((needs (views[v], "none") & ~kind->has) != 0 || needs (views[v], "none") == 0)
+          continue;
+        CliRun run = cli_run ("render", model, "--result", result, "--view", views[v],
+                              "--step", steps[s], "--scale", scales[k], "--diagram",
+                              diagrams[(s + k) % 3], "-o", picture, NULL);
+        if (run.code == 0)
+          cli_assert_done (&run), cli_run_clear (&run);
+        else /* a result of one step has no step 1 */
+          cli_assert_failed (&run, 2, "step");
+      }
+}
+
 static void
 test_kind (gconstpointer data)
 {
@@ -146,6 +211,8 @@ test_kind (gconstpointer data)
                               views[v], fields[f], decorations[d],
                               drawn ? "drawn" : "refused");
       }
+  if (result != NULL)
+    draw_steps (kind, model, result, picture);
   test_scratch_free (g_steal_pointer (&folder));
 }
 
@@ -153,6 +220,7 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/cli/pictures/known", test_known);
   for (size_t i = 0; i < G_N_ELEMENTS (kinds); i++) {
     g_autofree char *path = g_strconcat ("/cli/pictures/", kinds[i].name, NULL);
     g_test_add_data_func (path, &kinds[i], test_kind);

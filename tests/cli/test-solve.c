@@ -189,6 +189,54 @@ test_snap_stop (void)
                                   0.002);
 }
 
+/* What an analysis may spend ends it, with where it came to and why: not with advice for another
+ * trouble. */
+static void
+test_budgets (void)
+{
+  static const char *const rows[][3] = {
+    { "13-aqueduct.quoin", "analysis.max_factorizations=20",
+      "after as many factorisations as max_factorizations allows" },
+    { "13-aqueduct.quoin", "analysis.max_seconds=1e-9",
+      "after the time that max_seconds allows" },
+    { "40-rocking-in-time.quoin", "analysis.max_factorizations=20",
+      " s, after as many factorisations as max_factorizations allows" },
+    { "40-rocking-in-time.quoin", "analysis.max_seconds=1e-9",
+      "after the time that max_seconds allows" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
+    g_autofree char *model = cli_example (rows[i][0]);
+    CliRun run = cli_run ("solve", model, "-q", "--set", rows[i][1], NULL);
+    cli_assert_failed (&run, 4, rows[i][2]);
+  }
+  g_autofree char *wall = cli_example ("19-settling-wall.quoin");
+  CliRun run = cli_run ("solve", wall, "--set", "walls[0].unit_weight=0", NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "without collapse"));
+  cli_run_clear (&run);
+}
+
+/* Stiffness that leaves nothing of a displacement in doubles ends in a true answer or in none. */
+static void
+test_stiff_joints (void)
+{
+  static const struct {
+    const char *example, *multiplier;
+  } rows[] = { { "01-sliding-block.quoin", "0.40000" },
+               { "02-overturning-block.quoin", "0.50000" },
+               { "04-block-on-slope.quoin", "0.30123" } };
+  static const char *const stiffnesses[] = { "laws[0].ks=1e17", "laws[0].ks=1e18",
+                                             "laws[0].ks=1e19" };
+  for (gsize i = 0; i < G_N_ELEMENTS (rows) * G_N_ELEMENTS (stiffnesses); i++) {
+    g_autofree char *model = cli_example (rows[i / 3].example);
+    CliRun run = cli_run ("solve", model, "--set", stiffnesses[i % 3], NULL);
+    g_assert_true (run.code == 0 || run.code == 4);
+    if (run.code == 0)
+      g_assert_nonnull (strstr (run.out, rows[i / 3].multiplier));
+    cli_run_clear (&run);
+  }
+}
+
 /* What `limit` sets by itself nobody is blamed for; what somebody sets is named. */
 static void
 test_limit_of_beams (void)
@@ -264,6 +312,8 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/solve/unwritable", test_unwritable);
   g_test_add_func ("/cli/solve/old-result-stays", test_old_result_stays);
   g_test_add_func ("/cli/solve/snap-stop", test_snap_stop);
+  g_test_add_func ("/cli/solve/budgets", test_budgets);
+  g_test_add_func ("/cli/solve/stiff-joints", test_stiff_joints);
   g_test_add_func ("/cli/solve/limit-of-beams", test_limit_of_beams);
   g_test_add_func ("/cli/solve/interrupt", test_interrupt);
   return g_test_run ();

@@ -110,7 +110,7 @@ test_reasons (void)
   g_autofree char *block = example ("02-overturning-block.quoin");
   CliRun run = cli_run ("solve", staged, "-q", "-o", "-", NULL);
   cli_assert_done (&run);
-  g_assert_nonnull (strstr (run.out, "\"reason\": \"Stage 2 of 2, “push”: Collapse"));
+  g_assert_nonnull (strstr (run.out, "\"reason\": \"Stage 2 of 2, “push”. Collapse"));
   g_assert_nonnull (strstr (run.out, "\"stages\": [\"load on top\", \"push\"]"));
   g_assert_nonnull (strstr (run.out, "\"stage\": 0"));
   g_assert_nonnull (strstr (run.out, "\"reactions\": [["));

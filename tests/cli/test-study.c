@@ -1,5 +1,6 @@
 /* quoin-cli study: cases on several processes, what remains after a kill, what is refused. */
 #include "cli-run.h"
+#include "support/table.h"
 
 #include <signal.h>
 #include <string.h>
@@ -28,6 +29,7 @@ table_of (const char *folder)
   CliRun run = cli_run ("study", "table", folder, NULL);
   cli_assert_done (&run);
   char *table = g_steal_pointer (&run.out);
+  g_ptr_array_unref (test_table_read (table)); /* as other programs will */
   cli_run_clear (&run);
   return table;
 }
@@ -175,6 +177,56 @@ is_worker (GPid pid)
     if (memcmp (text + i, "worker", 6) == 0)
       return TRUE;
   return FALSE;
+}
+
+/* Every outcome that a case may have, and names that hold what separates fields, are read again from
+ * the table; a multiplier stands where there is one, and the summary says nothing infinite. */
+static void
+test_outcomes (void)
+{
+  char *folder = test_scratch_new ();
+  g_free (cli_write (folder, "block.quoin", cli_sliding_block));
+  g_autofree char *study = cli_write (
+    folder, "all.quoin-study",
+    "{ \"format\": \"quoin-study\", \"version\": 1, \"model\": \"block.quoin\", \"run\": "
+    "\"solve\", \"parameters\": [\n"
+    "  { \"name\": \"effort, most\", \"path\": \"analysis.max_factorizations\", "
+    "\"values\": [1, 50000] },\n"
+    "  { \"name\": \"end\", \"path\": \"analysis.max_multiplier\", \"values\": [0, 0.1, "
+    "10] "
+    "} ],\n"
+    "  \"plan\": { \"kind\": \"grid\" }, \"outputs\": [\"collapse_multiplier\", "
+    "\"mechanism_kind\"] }\n");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  CliRun run = cli_run ("study", "run", study, "-o", results, "-q", NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *text = table_of (results);
+  g_autoptr (GPtrArray) table = test_table_read (text);
+  guint seen[3] = { 0 };
+  static const char *const outcomes[3] = { "collapse", "target-reached",
+                                           "" }; /* failed */
+  g_assert_cmpuint (table->len, ==, 1 + 6);
+  for (guint i = 1; i < table->len; i++) {
+    const char *outcome = test_table_field (table, i, "outcome");
+    test_table_number (table, i, "effort, most");
+    g_assert_cmpstr (test_table_field (table, i, "status"), ==,
+                     *outcome == '\0' ? "failed" : "done");
+    for (guint k = 0; k < 3; k++)
+      seen[k] += g_str_equal (outcome, outcomes[k]);
+    if (g_str_equal (outcome, "collapse"))
+      g_assert_cmpfloat (test_table_number (table, i, "collapse_multiplier"), >, 0);
+    else
+      g_assert_cmpstr (test_table_field (table, i, "collapse_multiplier"), ==, "");
+  }
+  for (guint k = 0; k < 3; k++)
+    g_assert_cmpuint (seen[k], >, 0);
+  run = cli_run ("study", "summary", results, NULL);
+  cli_assert_done (&run);
+  g_assert_null (strstr (run.out, "nan"));
+  g_assert_null (strstr (run.out, "inf"));
+  cli_run_clear (&run);
+  test_scratch_free (folder);
 }
 
 /* A process that dies takes one case with it, whose row says how; --retry computes it again. */
@@ -579,6 +631,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/cli/study/any-number-of-workers", test_any_number_of_workers);
   g_test_add_func ("/cli/study/goes-on", test_goes_on);
+  g_test_add_func ("/cli/study/outcomes", test_outcomes);
   g_test_add_func ("/cli/study/worker-dies", test_worker_dies);
   g_test_add_func ("/cli/study/cases-at-once", test_cases_at_once);
   g_test_add_func ("/cli/study/two-at-once", test_two_at_once);

@@ -121,10 +121,41 @@ make_recipes (int count)
   add_block (text, 0, 0, 0, 0);
   g_string_append (text, " ], \"figures\": [ ");
   for (int i = 0; i < count; i++)
-    g_string_append_printf (text, "%s{ \"file\": \"f%d.png\", \"view\": \"model\" }",
+    g_string_append_printf (text, "%s{ \"name\": \"f%d\", \"view\": \"model\" }",
                             i > 0 ? "," : "", i);
   g_string_append (text, " ] }");
   return cli_write (folder, "recipes.quoin", text->str);
+}
+
+/* A wall of a few stones with an opening under so many voussoirs. */
+static char *
+make_voussoirs (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, 0, 0, 0);
+  g_string_append_printf (
+    text,
+    " ], \"masonry\": [ { \"kind\": \"wall\", \"name\": \"w\", \"origin\": [9, 0], "
+    "\"height\": 0.5, \"thickness\": 0.3, \"unit_weight\": 2e4, \"foundation\": 0.2, "
+    "\"leaves\": [ { \"length\": 1, \"unit\": [0.5, 0.2], \"bond\": \"running\" } ], "
+    "\"openings\": [ { \"at\": [0.2, 0.1], \"width\": 0.3, \"height\": 0.2, \"span\": "
+    "\"flat-arch\", \"depth\": 0.2, \"voussoirs\": %d, \"skew\": 0.3 } ] } ] }",
+    count);
+  return cli_write (folder, "voussoirs.quoin", text->str);
+}
+
+/* A stone with a name of so many letters. */
+static char *
+make_long_name (int count)
+{
+  g_autoptr (GString) text = g_string_new (PROJECT_HEAD);
+  add_block (text, 0, 0, 0, 0);
+  g_string_append (text, ", { \"name\": \"");
+  for (int i = 0; i < count; i++)
+    g_string_append_c (text, 'a');
+  g_string_append (text, "\", \"thickness\": 1, \"unit_weight\": 1, \"vertices\": "
+                         "[[0, 1], [1, 1], [1, 2], [0, 2]] } ] }");
+  return cli_write (folder, "name.quoin", text->str);
 }
 
 static char *
@@ -236,6 +267,8 @@ static const Input inputs[] = {
   { "1,000 identical blocks", make_same_blocks, 1000, "check", 3, "blocks overlap" },
   { "10,000 identical blocks", make_same_blocks, 10000, "check", 3, "lie near" },
   { "3,000 parallel slabs", make_slabs, 3000, "check", 3, "lie near" },
+  { "100,001 voussoirs", make_voussoirs, 100001, "check", 3, "masonry[0].openings" },
+  { "name of 100,000 letters", make_long_name, 100000, "report", 0, NULL },
   { "3,000 random lines", make_lines, 3000, "import", 3, "cross each other" },
   { "20,000 random lines", make_lines, 20000, "import", 3, "cross each other" },
   { "picture of 30,000 x 30,000", make_picture, 30000, "render", 5, "30000 x 30000" },
@@ -252,7 +285,7 @@ static const Input growing[] = {
   { "stones on teeth", make_teeth, 500, "check", 0, NULL },
   { "squares", make_grid, 1000, "import", 0, NULL },
   { "unknown keys", make_unknown_keys, 8000, "check", 0, NULL },
-  { "recipes", make_recipes, 8000, "check", 0, NULL },
+  { "recipes", make_recipes, 8000, "figures", 0, NULL },
 };
 
 typedef struct Command {
@@ -267,16 +300,24 @@ command_of (const Input *input, int count)
                 .output = g_build_filename (folder, "output", NULL) };
   gboolean import = g_str_equal (input->command, "import");
   gboolean render = g_str_equal (input->command, "render");
-  g_autofree char *png = g_strconcat (c.output, render ? ".png" : ".quoin", NULL);
+  gboolean report = g_str_equal (input->command, "report");
+  gboolean figures = g_str_equal (input->command, "figures");
+  g_autofree char *named = g_strconcat (c.output,
+                                        render   ? ".png"
+                                        : report ? ".pdf"
+                                                 : ".quoin",
+                                        NULL);
   g_free (c.output);
-  c.output = g_steal_pointer (&png);
+  c.output = g_steal_pointer (&named);
   const char *const arguments[] = { g_getenv ("QUOIN_CLI"), input->command, c.path,
                                     NULL };
   memcpy (c.arguments, arguments, sizeof arguments);
-  if (import || render) {
+  if (import || render || report) {
     c.arguments[3] = "-o";
     c.arguments[4] = c.output;
   }
+  if (figures)
+    c.arguments[3] = "--list";
   if (render) {
     c.arguments[5] = "--view";
     c.arguments[6] = "model";

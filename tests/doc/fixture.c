@@ -20,7 +20,7 @@ open_text (const char *text)
 {
   QnDocument *document = qn_document_new ();
   g_autoptr (GError) error = NULL;
-  qn_document_load_text (document, text, "test", &error);
+  qn_document_load_recovered (document, text, NULL, &error);
   g_assert_no_error (error);
   return document;
 }

@@ -53,8 +53,11 @@ add_pair (Fixture *f, QnId face, QnVec2 point, double abscissa, double tributary
   QnContacts *c = &f->contacts;
   c->pairs =
     qn_array_grow (c->pairs, &c->pair_capacity, c->pair_count + 1, sizeof *c->pairs);
-  c->pairs[c->pair_count++] =
-    (QnContactPair){ face, QN_NONE, point, abscissa, tributary };
+  c->pairs[c->pair_count++] = (QnContactPair){ .face = face,
+                                               .bar = QN_NONE,
+                                               .point = point,
+                                               .abscissa = abscissa,
+                                               .tributary = tributary };
 }
 
 /* A face between blocks a < b along a side they share, if they share any. */

@@ -9,8 +9,11 @@
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include "doc/view/capacity-answer.h"
+#include "doc/view/capacity-settings.h"
 #include "doc/view/figure-export.h"
 #include "io/exchange/record.h"
+#include "io/project/project-extras.h"
+#include "io/text/file-inside.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -46,6 +49,8 @@ typedef struct Form {
   char *message;             /* NULL: what there is to say of the curve */
   GCancellable *cancellable; /* while it is searched */
   GObject *chooser;
+  char *stored; /* the project's member as it was read or written last; NULL: none */
+  gboolean storing;
 } Form;
 
 enum {
@@ -105,6 +110,45 @@ check (Form *form)
     form->kind != NONE && (form->kind != FROM_FILE || form->points.count > 0);
   if (form->found)
     qn_capacity_answer_check (answer);
+}
+
+/* ---- what the project keeps ---- */
+
+static const char *const kinds[] = { "type1", "type2" };
+
+/* Keeps what is entered, as one step for a run of entries. */
+static void
+store (Form *form)
+{
+  const char soil[] = { (char) ('A' + (int) form->spectrum.soil), '\0' };
+  gboolean of_code = form->kind == TYPE_1 || form->kind == TYPE_2;
+  const char *folder = qn_document_get_folder (form->document);
+  g_autofree char *beside = form->file != NULL ? g_path_get_dirname (form->file) : NULL;
+  g_autofree char *name = form->file == NULL ? NULL
+                          : g_strcmp0 (beside, folder) == 0
+                            ? g_path_get_basename (form->file)
+                            : g_strdup (form->file);
+  QnCapacitySettings settings = {
+    .control = form->control,
+    .spectrum = of_code                   ? (char *) kinds[form->kind]
+                : form->kind == FROM_FILE ? name
+                                          : NULL,
+    .ag = of_code ? form->spectrum.ground_acceleration : 0,
+    .soil = of_code ? (char *) soil : NULL,
+    .damping = form->spectrum.damping,
+    .confidence = form->answer.confidence,
+    .unit = form->kind == FROM_FILE ? (char *) units[form->unit] : NULL,
+  };
+  g_autofree char *json = qn_capacity_settings_to_json (&settings);
+  g_autoptr (GError) error = NULL;
+  form->storing = TRUE;
+  if (qn_document_edit_extra (form->document, _ ("Set Spectrum"), QN_CAPACITY_MEMBER,
+                              QN_CAPACITY_MEMBER, json, &error)) {
+    g_free (form->stored);
+    form->stored =
+      qn_project_dup_extra (qn_document_get_project (form->document), QN_CAPACITY_MEMBER);
+  }
+  form->storing = FALSE;
 }
 
 static void
@@ -207,8 +251,10 @@ on_points_chosen (GtkNativeDialog *dialog, int response, Form *form)
                              ? gtk_file_chooser_get_file (GTK_FILE_CHOOSER (dialog))
                              : NULL;
   g_autofree char *path = file != NULL ? g_file_get_path (file) : NULL;
-  if (path != NULL)
+  if (path != NULL) {
     read_points (form, path);
+    store (form);
+  }
   g_clear_object (&form->chooser);
 }
 
@@ -437,10 +483,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     g_free (form->control);
     form->control =
       value->text != NULL && *value->text != '\0' ? g_strdup (value->text) : NULL;
-    return TRUE;
+    break;
   case TAKE_SELECTED:
     take_selected (form);
-    return TRUE;
+    break;
   case KIND:
     form->kind = qn_value_int (value);
     break;
@@ -459,7 +505,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
       g_autofree char *path = g_strdup (form->file);
       read_points (form, path);
     }
-    return TRUE;
+    break;
   case CONFIDENCE:
     form->answer.confidence = value->number;
     break;
@@ -484,6 +530,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   }
   check (form);
+  store (form);
   return TRUE;
 }
 
@@ -501,10 +548,58 @@ draw_plot (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer da
     qn_capacity_answer_draw (&form->answer, NULL, cr, width, height, UNIT);
 }
 
+/* Takes up what the project keeps; what it does not say is as at first. */
+static void
+load (Form *form)
+{
+  QnCapacitySettings kept;
+  g_free (form->stored);
+  form->stored =
+    qn_project_dup_extra (qn_document_get_project (form->document), QN_CAPACITY_MEMBER);
+  g_clear_pointer (&form->message, g_free);
+  g_autoptr (GError) error = NULL;
+  if (!qn_capacity_settings_read (qn_document_get_project (form->document), &kept,
+                                  &error))
+    form->message = g_strdup (error->message);
+  const char *soil = kept.soil != NULL ? kept.soil : "B";
+  gboolean is_soil = *soil >= 'A' && *soil <= 'E';
+  form->spectrum =
+    (QnSpectrum){ .ground_acceleration = kept.ag > 0 ? kept.ag : 0.25 * STANDARD_GRAVITY,
+                  .soil = is_soil ? (QnSoil) (*soil - 'A') : QN_SOIL_B,
+                  .damping = kept.damping > 0 && kept.damping < 1 ? kept.damping : 0.05 };
+  form->answer.confidence = fmax (kept.confidence, 1);
+  g_free (form->control);
+  form->control = g_strdup (kept.control);
+  form->unit = 0;
+  for (int i = 1; i < (int) G_N_ELEMENTS (units); i++)
+    if (g_strcmp0 (units[i], kept.unit) == 0)
+      form->unit = i;
+  form->kind = form->stored != NULL ? NONE : TYPE_1;
+  for (int i = TYPE_1; i <= TYPE_2; i++)
+    if (g_strcmp0 (kept.spectrum, kinds[i]) == 0)
+      form->kind = i;
+  if (kept.spectrum != NULL && form->kind == NONE) {
+    form->kind = FROM_FILE;
+    g_autofree char *path = qn_file_inside (qn_document_get_folder (form->document),
+                                            kept.spectrum, FALSE, NULL);
+    if (path != NULL)
+      read_points (form, path);
+  }
+  qn_capacity_settings_clear (&kept);
+  check (form);
+}
+
 static void
 on_model_changed (Form *form)
 {
-  form->outdated = TRUE;
+  if (form->storing)
+    return;
+  g_autofree char *kept =
+    qn_project_dup_extra (qn_document_get_project (form->document), QN_CAPACITY_MEMBER);
+  if (g_strcmp0 (kept, form->stored) != 0)
+    load (form); /* undone or done again */
+  else
+    form->outdated = TRUE;
   qn_bound_form_show (form);
 }
 
@@ -521,6 +616,7 @@ clear (gpointer data)
   qn_record_clear (&form->points);
   g_free (form->control);
   g_free (form->file);
+  g_free (form->stored);
   g_free (form->message);
   g_object_unref (form->document);
 }
@@ -532,17 +628,13 @@ qn_capacity_window_show (GtkWindow *parent, QnDocument *document)
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;
   form->document = g_object_ref (document);
-  form->spectrum = (QnSpectrum){ .ground_acceleration = 0.25 * STANDARD_GRAVITY,
-                                 .soil = QN_SOIL_B,
-                                 .damping = 0.05 };
-  form->answer.confidence = 1;
   g_object_set_data (G_OBJECT (form->base.root), FORM, form);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (form->base.widgets[PLOT]), draw_plot,
                                   form, NULL);
   qn_watch (form->base.root, document, "changed", G_CALLBACK (on_model_changed), form);
   gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
   qn_help_set_page (form->base.root, "earthquakes");
-  check (form);
+  load (form);
   qn_bound_form_show (form);
   gtk_window_present (GTK_WINDOW (form->base.root));
 }

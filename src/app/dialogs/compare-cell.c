@@ -146,8 +146,8 @@ on_resize (GtkDrawingArea *area, int width, int height, Cell *cell)
 
 /* ---- building ---- */
 
-static char *
-dup_caption (const QnRun *run, const char *name)
+char *
+qn_compare_cell_dup_caption (const QnRun *run, const char *name)
 {
   if (run->kind != QN_RUN_ANALYSIS) {
     g_autofree char *title = qn_run_dup_title (run);
@@ -198,7 +198,7 @@ qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view)
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (cell->area), draw, cell, NULL);
   g_signal_connect (cell->area, "resize", G_CALLBACK (on_resize), cell);
   add_controllers (cell);
-  g_autofree char *caption = dup_caption (run, title);
+  g_autofree char *caption = qn_compare_cell_dup_caption (run, title);
   GtkWidget *label = gtk_label_new (caption);
   gtk_label_set_wrap (GTK_LABEL (label), TRUE);
   gtk_label_set_max_width_chars (GTK_LABEL (label), 50);

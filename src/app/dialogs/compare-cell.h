@@ -21,6 +21,9 @@ typedef struct QnCompareView {
 /* `title`: of the run's project. `view` must live as long as the cell. */
 GtkWidget *qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view);
 
+/* What stands beneath it; the caller frees it. */
+char *qn_compare_cell_dup_caption (const QnRun *run, const char *title);
+
 QnRun *qn_compare_cell_get_run (GtkWidget *cell);
 
 /* px per m at which the run fits its cell; 0 before the cell has a size. */

@@ -4,7 +4,9 @@
 #include "app/dialogs/compare-cell.h"
 #include "app/dialogs/dialogs.h"
 #include "app/forms/form.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
+#include "app/widgets/context-menu.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
@@ -25,7 +27,7 @@ typedef struct Compare {
   QnDocumentsFunc list_others;
   QnBatch *batch;    /* files that were opened here */
   GHashTable *known; /* runs of these files that were put on show, of QnRun */
-  GtkWidget *dialog, *grid, *list, *play, *outline, *hint, *table, *curves;
+  GtkWidget *dialog, *grid, *list, *hint, *table, *curves;
   GtkLabel *message;
   GPtrArray *shown; /* of QnRun, in the order chosen */
   QnCompareView view;
@@ -291,6 +293,57 @@ on_cell_key (GtkEventControllerKey *controller, guint key, guint code,
   return TRUE;
 }
 
+/* What can be done with a picture by hand, too. */
+static GMenuModel *
+make_cell_menu (GtkWidget *cell, QnMenuPlace *place, gpointer data)
+{
+  Compare *compare = data;
+  GMenu *menu = g_menu_new (), *order = g_menu_new (), *rest = g_menu_new ();
+  guint at;
+  (void) place;
+  if (!g_ptr_array_find (compare->shown, qn_compare_cell_get_run (cell), &at))
+    return NULL;
+  if (at > 0) {
+    qn_menu_add_target (order, _ ("_First, with Which Others Are Compared"),
+                        "compare.move", g_variant_new ("(uu)", at, 0));
+    qn_menu_add_target (order, _ ("_Earlier"), "compare.move",
+                        g_variant_new ("(uu)", at, at - 1));
+  }
+  if (at + 1 < compare->shown->len)
+    qn_menu_add_target (order, _ ("_Later"), "compare.move",
+                        g_variant_new ("(uu)", at, at + 1));
+  qn_menu_add_target (rest, _ ("_Copy Text"), "compare.copy", g_variant_new_uint32 (at));
+  qn_menu_add_target (rest, _ ("_Remove from Comparison"), "compare.remove",
+                      g_variant_new_uint32 (at));
+  qn_menu_add_section (menu, order);
+  qn_menu_add_section (menu, rest);
+  return G_MENU_MODEL (menu);
+}
+
+static void
+move_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  Compare *compare = data;
+  guint from, to;
+  (void) action;
+  g_variant_get (parameter, "(uu)", &from, &to);
+  if (from < compare->shown->len)
+    move_run (compare, compare->shown->pdata[from], to);
+}
+
+static void
+copy_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  Compare *compare = data;
+  guint at = g_variant_get_uint32 (parameter);
+  (void) action;
+  if (at >= compare->shown->len)
+    return;
+  g_autofree char *title = dup_title (compare, compare->shown->pdata[at]);
+  g_autofree char *text = qn_compare_cell_dup_caption (compare->shown->pdata[at], title);
+  gdk_clipboard_set_text (gtk_widget_get_clipboard (compare->dialog), text);
+}
+
 /* The words beneath a picture are dragged onto another one; Alt and the arrows do the same. */
 static void
 let_move (Compare *compare, GtkWidget *cell)
@@ -305,6 +358,7 @@ let_move (Compare *compare, GtkWidget *cell)
   gtk_widget_add_controller (cell, GTK_EVENT_CONTROLLER (target));
   g_signal_connect (keys, "key-pressed", G_CALLBACK (on_cell_key), compare);
   gtk_widget_add_controller (cell, keys);
+  qn_context_menu_attach (cell, make_cell_menu, compare);
   gtk_widget_set_focusable (cell, TRUE);
   gtk_widget_set_tooltip_text (
     gtk_widget_get_last_child (cell),
@@ -375,6 +429,19 @@ on_runs_changed (Compare *compare)
     choose_first (compare);
     fill (compare);
   }
+  list_runs (compare);
+}
+
+static void
+remove_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  Compare *compare = data;
+  guint at = g_variant_get_uint32 (parameter);
+  (void) action;
+  if (at >= compare->shown->len)
+    return;
+  g_ptr_array_remove_index (compare->shown, at);
+  fill (compare);
   list_runs (compare);
 }
 
@@ -597,117 +664,55 @@ on_export (Compare *compare)
 
 /* ---- building ---- */
 
-static GtkWidget *
-make_button (const char *icon, const char *tooltip, GCallback clicked, Compare *compare)
+static void
+add_commands (Compare *compare, GActionMap *map)
 {
-  GtkWidget *button = gtk_button_new_from_icon_name (icon);
-  gtk_widget_set_tooltip_text (button, tooltip);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (button), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  tooltip, -1);
-  g_signal_connect_swapped (button, "clicked", clicked, compare);
-  return button;
-}
-
-static GtkWidget *
-make_toggle (const char *icon, const char *tooltip, GCallback toggled, Compare *compare)
-{
-  GtkWidget *button = gtk_toggle_button_new ();
-  gtk_button_set_icon_name (GTK_BUTTON (button), icon);
-  gtk_widget_set_tooltip_text (button, tooltip);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (button), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  tooltip, -1);
-  g_signal_connect (button, "toggled", toggled, compare);
-  return button;
-}
-
-static GtkWidget *
-make_header (Compare *compare)
-{
-  GtkWidget *header = gtk_header_bar_new ();
-  compare->play =
-    make_toggle ("media-playback-start-symbolic", _ ("Play all in the same phase"),
-                 G_CALLBACK (on_play), compare);
-  compare->outline =
-    make_toggle ("view-dual-symbolic", _ ("Outline of the first over the others"),
-                 G_CALLBACK (on_outline), compare);
-  compare->list = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  GtkWidget *popover = gtk_popover_new ();
-  gtk_popover_set_child (GTK_POPOVER (popover), compare->list);
-  GtkWidget *runs = gtk_menu_button_new ();
-  gtk_menu_button_set_label (GTK_MENU_BUTTON (runs), _ ("Runs"));
-  gtk_menu_button_set_popover (GTK_MENU_BUTTON (runs), popover);
-
-  GtkWidget *start[] = {
-    runs,
-    make_button ("list-add-symbolic", _ ("Add Files…"), G_CALLBACK (on_add_files),
-                 compare),
-    make_button ("folder-open-symbolic", _ ("Add Folders…"), G_CALLBACK (on_add_folders),
-                 compare),
-    compare->play,
-    compare->outline,
+  static const struct {
+    const char *name;
+    void (*carry_out) (Compare *compare);
+  } commands[] = {
+    { "add-files", on_add_files },
+    { "add-folders", on_add_folders },
+    { "export", on_export },
+    { "zoom-in", on_zoom_in },
+    { "fit", on_fit },
+    { "zoom-out", on_zoom_out },
   };
-  for (gsize i = 0; i < G_N_ELEMENTS (start); i++)
-    gtk_header_bar_pack_start (GTK_HEADER_BAR (header), start[i]);
-  GtkWidget *end[] = {
-    make_button ("document-save-symbolic", _ ("Export Sheet…"), G_CALLBACK (on_export),
-                 compare),
-    make_button ("zoom-in-symbolic", _ ("Zoom In"), G_CALLBACK (on_zoom_in), compare),
-    make_button ("quoin-fit-symbolic", _ ("Fit"), G_CALLBACK (on_fit), compare),
-    make_button ("zoom-out-symbolic", _ ("Zoom Out"), G_CALLBACK (on_zoom_out), compare)
+  static const GActionEntry others[] = {
+    { .name = "add-path", .activate = add_path, .parameter_type = "s" },
+    { .name = "move", .activate = move_by_menu, .parameter_type = "(uu)" },
+    { .name = "copy", .activate = copy_by_menu, .parameter_type = "u" },
+    { .name = "remove", .activate = remove_by_menu, .parameter_type = "u" },
   };
-  for (gsize i = 0; i < G_N_ELEMENTS (end); i++)
-    gtk_header_bar_pack_end (GTK_HEADER_BAR (header), end[i]);
-  return header;
+  for (gsize i = 0; i < G_N_ELEMENTS (commands); i++) {
+    g_autoptr (GSimpleAction) action = g_simple_action_new (commands[i].name, NULL);
+    g_signal_connect_swapped (action, "activate", G_CALLBACK (commands[i].carry_out),
+                              compare);
+    g_action_map_add_action (map, G_ACTION (action));
+  }
+  g_action_map_add_action_entries (map, others, G_N_ELEMENTS (others), compare);
 }
 
-static GtkWidget *
-make_content (Compare *compare)
+static void
+build (Compare *compare)
 {
-  compare->hint = gtk_label_new (
-    _ ("Choose runs above; those of all open windows are there. Add files or folders, or "
-       "drop them here: what has no result is solved."));
-  gtk_label_set_wrap (GTK_LABEL (compare->hint), TRUE);
-  gtk_widget_add_css_class (compare->hint, "dim-label");
-  gtk_widget_set_margin_top (compare->hint, 12);
-  compare->grid = gtk_grid_new ();
-  gtk_widget_set_vexpand (compare->grid, TRUE);
-  gtk_grid_set_row_homogeneous (GTK_GRID (compare->grid), TRUE);
-  gtk_grid_set_column_homogeneous (GTK_GRID (compare->grid), TRUE);
-  gtk_grid_set_row_spacing (GTK_GRID (compare->grid), 12);
-  gtk_grid_set_column_spacing (GTK_GRID (compare->grid), 12);
-  compare->message = GTK_LABEL (gtk_label_new (NULL));
-  gtk_label_set_wrap (compare->message, TRUE);
-  gtk_label_set_selectable (compare->message, TRUE);
-  gtk_widget_set_visible (GTK_WIDGET (compare->message), FALSE);
-  compare->curves = gtk_drawing_area_new ();
-  gtk_widget_set_vexpand (compare->curves, TRUE);
-  gtk_widget_set_size_request (compare->curves, 320, 220);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("compare-window");
+  compare->list = qn_builder_get_widget (builder, "list");
+  compare->hint = qn_builder_get_widget (builder, "hint");
+  compare->grid = qn_builder_get_widget (builder, "grid");
+  compare->curves = qn_builder_get_widget (builder, "curves");
+  compare->table = qn_builder_get_widget (builder, "table");
+  compare->message = GTK_LABEL (qn_builder_get_widget (builder, "message"));
+  g_signal_connect (qn_builder_get_widget (builder, "play"), "toggled",
+                    G_CALLBACK (on_play), compare);
+  g_signal_connect (qn_builder_get_widget (builder, "outline"), "toggled",
+                    G_CALLBACK (on_outline), compare);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (compare->curves), draw_curves,
                                   compare, NULL);
-  gtk_accessible_update_property (GTK_ACCESSIBLE (compare->curves),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Curves"), -1);
-  compare->table = gtk_grid_new ();
-  gtk_grid_set_column_spacing (GTK_GRID (compare->table), 12);
-  gtk_grid_set_row_spacing (GTK_GRID (compare->table), 4);
-  gtk_widget_add_css_class (compare->table, "form");
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), compare->table);
-  gtk_scrolled_window_set_min_content_height (GTK_SCROLLED_WINDOW (scroller), 140);
-  GtkWidget *side = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  gtk_box_append (GTK_BOX (side), compare->curves);
-  gtk_box_append (GTK_BOX (side), scroller);
-  GtkWidget *paned = gtk_paned_new (GTK_ORIENTATION_HORIZONTAL);
-  gtk_paned_set_start_child (GTK_PANED (paned), compare->grid);
-  gtk_paned_set_end_child (GTK_PANED (paned), side);
-  gtk_paned_set_resize_end_child (GTK_PANED (paned), FALSE);
-  gtk_paned_set_shrink_end_child (GTK_PANED (paned), TRUE);
-  gtk_widget_set_vexpand (paned, TRUE);
-  gtk_paned_set_position (GTK_PANED (paned), 600);
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
-  gtk_box_append (GTK_BOX (box), compare->hint);
-  gtk_box_append (GTK_BOX (box), paned);
-  gtk_box_append (GTK_BOX (box), GTK_WIDGET (compare->message));
-  return box;
+  gtk_window_set_titlebar (GTK_WINDOW (compare->dialog),
+                           qn_builder_get_widget (builder, "header"));
+  gtk_window_set_child (GTK_WINDOW (compare->dialog),
+                        qn_builder_get_widget (builder, "content"));
 }
 
 void
@@ -730,16 +735,11 @@ qn_compare_window_show (GtkWindow *parent, QnDocument *document,
   compare->dialog = qn_dialog_new (parent, _ ("Compare Runs"), 1160, 720);
   qn_help_set_page (compare->dialog, "results");
   gtk_window_set_modal (GTK_WINDOW (compare->dialog), FALSE);
-  gtk_window_set_titlebar (GTK_WINDOW (compare->dialog), make_header (compare));
-  gtk_window_set_child (GTK_WINDOW (compare->dialog), make_content (compare));
+  build (compare);
   g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
   qn_accept_files (compare->dialog, add_file, compare);
-  static const GActionEntry actions[] = {
-    { .name = "add-path", .activate = add_path, .parameter_type = "s" }
-  };
   g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
-  g_action_map_add_action_entries (G_ACTION_MAP (group), actions, G_N_ELEMENTS (actions),
-                                   compare);
+  add_commands (compare, G_ACTION_MAP (group));
   gtk_widget_insert_action_group (compare->dialog, "compare", G_ACTION_GROUP (group));
   qn_watch (compare->grid, document, "runs-changed", G_CALLBACK (on_runs_changed),
             compare);

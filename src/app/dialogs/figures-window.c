@@ -3,6 +3,7 @@
 #include "app/dialogs/dialogs.h"
 
 #include "app/forms/form.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "doc/view/figures.h"
@@ -144,32 +145,16 @@ make_row (Figures *figures, const QnRecipe *recipe)
 {
   const QnProject *project = qn_document_get_project (figures->document);
   gboolean stale = qn_recipe_is_stale (recipe, project);
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 12);
-  GtkWidget *words = gtk_box_new (GTK_ORIENTATION_VERTICAL, 2);
-  GtkWidget *name = gtk_label_new (recipe->name);
-  gtk_label_set_xalign (GTK_LABEL (name), 0.0f);
-  gtk_widget_add_css_class (name, "heading");
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("figure-row");
   g_autofree char *text =
     g_strdup_printf ("%s → %s%s%s", qn_view_names[recipe->view.view], recipe->file,
                      stale ? " · " : "", stale ? _ ("the model has changed since") : "");
-  GtkWidget *what = gtk_label_new (text);
-  gtk_label_set_xalign (GTK_LABEL (what), 0.0f);
-  gtk_label_set_ellipsize (GTK_LABEL (what), PANGO_ELLIPSIZE_MIDDLE);
-  gtk_widget_add_css_class (what, "dim-label");
-  gtk_box_append (GTK_BOX (words), name);
-  gtk_box_append (GTK_BOX (words), what);
-  gtk_widget_set_hexpand (words, TRUE);
-  GtkWidget *remove = gtk_button_new_from_icon_name ("user-trash-symbolic");
-  gtk_widget_set_valign (remove, GTK_ALIGN_CENTER);
-  gtk_widget_add_css_class (remove, "flat");
-  gtk_widget_set_tooltip_text (remove, _ ("Remove Figure"));
-  gtk_accessible_update_property (GTK_ACCESSIBLE (remove), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Remove Figure"), -1);
+  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "name")), recipe->name);
+  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "what")), text);
+  GtkWidget *remove = qn_builder_get_widget (builder, "remove");
   g_object_set_data_full (G_OBJECT (remove), "qn-name", g_strdup (recipe->name), g_free);
   g_signal_connect (remove, "clicked", G_CALLBACK (on_remove), figures);
-  gtk_box_append (GTK_BOX (box), words);
-  gtk_box_append (GTK_BOX (box), remove);
-  return box;
+  return qn_builder_take_widget (builder, "row");
 }
 
 static void
@@ -205,32 +190,17 @@ qn_figures_window_show (GtkWindow *parent, QnDocument *document)
   figures->dialog = qn_dialog_new (parent, _ ("Figures of the Project"), 520, 420);
   qn_help_set_page (figures->dialog, "export");
   gtk_window_set_modal (GTK_WINDOW (figures->dialog), FALSE);
-  GtkWidget *header = gtk_header_bar_new ();
-  figures->export_all = gtk_button_new_with_mnemonic (_ ("Make _All Again"));
-  gtk_widget_add_css_class (figures->export_all, "suggested-action");
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("figures-window");
+  GtkWidget *form = qn_builder_get_widget (builder, "form");
+  figures->message = GTK_LABEL (qn_builder_get_widget (builder, "message"));
+  figures->list = qn_builder_get_widget (builder, "list");
+  figures->export_all = qn_builder_get_widget (builder, "export_all");
   g_signal_connect_swapped (figures->export_all, "clicked", G_CALLBACK (on_export_all),
                             figures);
-  gtk_header_bar_pack_end (GTK_HEADER_BAR (header), figures->export_all);
-  gtk_window_set_titlebar (GTK_WINDOW (figures->dialog), header);
-
-  GtkWidget *form = qn_form_new ();
-  figures->message = qn_form_add_text (form);
-  gtk_label_set_max_width_chars (figures->message, 60);
-  gtk_widget_set_hexpand (GTK_WIDGET (figures->message), TRUE);
-  figures->list = gtk_list_box_new ();
-  gtk_widget_set_hexpand (figures->list, TRUE);
-  gtk_list_box_set_selection_mode (GTK_LIST_BOX (figures->list), GTK_SELECTION_NONE);
-  gtk_widget_add_css_class (figures->list, "frame");
-  gtk_widget_add_css_class (figures->list, "rich-list");
-  gtk_accessible_update_property (GTK_ACCESSIBLE (figures->list),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Figures of the Project"), -1);
-  qn_form_add_wide (form, figures->list);
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_NEVER,
-                                  GTK_POLICY_AUTOMATIC);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), form);
-  gtk_window_set_child (GTK_WINDOW (figures->dialog), scroller);
+  gtk_window_set_titlebar (GTK_WINDOW (figures->dialog),
+                           qn_builder_get_widget (builder, "header"));
+  gtk_window_set_child (GTK_WINDOW (figures->dialog),
+                        qn_builder_get_widget (builder, "content"));
   qn_own (form, figures);
   qn_watch (form, document, "changed", G_CALLBACK (update), figures);
   qn_watch (form, document, "job-changed", G_CALLBACK (on_job_changed), figures);

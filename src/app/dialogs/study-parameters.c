@@ -1,6 +1,8 @@
 /* The list of what varies: each parameter with its distribution. */
 #include "app/dialogs/study-private.h"
 
+#include "app/widgets/builder.h"
+#include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "core/base/integer.h"
 #include <glib/gi18n.h>
@@ -85,11 +87,21 @@ show_values (QnStudyWindow *self, Row *row, const QnDraftParameter *parameter)
                                                       || plan == QN_PLAN_ONE_AT_A_TIME);
 }
 
+static GMenuModel *
+make_menu (GtkWidget *row, QnMenuPlace *place, gpointer data)
+{
+  GMenu *menu = g_menu_new ();
+  (void) place;
+  (void) data;
+  qn_menu_add_target (menu, _ ("_Leave It As It Is"), "study.remove",
+                      g_variant_new_uint32 (index_of (row)));
+  return G_MENU_MODEL (menu);
+}
+
 static void
 add_row (QnStudyWindow *self, guint index)
 {
-  g_autoptr (GtkBuilder) builder =
-    gtk_builder_new_from_resource ("/io/github/quoin/Quoin/study-parameter.ui");
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("study-parameter");
 #define GET(type, name) type (gtk_builder_get_object (builder, name))
   QnDraftParameter parameter = qn_draft_parameter (self->draft, index);
   g_autofree char *path = parameter.path;
@@ -120,6 +132,7 @@ add_row (QnStudyWindow *self, guint index)
   QnQuantityEntry *const numbers[] = { row->first, row->second, row->levels };
   for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
     g_signal_connect (numbers[i], "committed", G_CALLBACK (on_values), self);
+  qn_context_menu_attach (line, make_menu, self);
   gtk_list_box_append (self->parameters, line);
 #undef GET
 }

@@ -1,6 +1,7 @@
 /* The figure of the study window: which one, how it is drawn, and the case under the pointer. */
 #include "app/dialogs/study-private.h"
 
+#include "app/widgets/context-menu.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -118,17 +119,15 @@ choose (QnStudyWindow *self, gint64 row)
   gtk_widget_queue_draw (self->plot);
 }
 
-static void
-on_click (GtkGestureClick *gesture, int count, double x, double y, QnStudyWindow *self)
+/* The case whose point is nearest to a place of the plot, or -1 where none is near. */
+static gint64
+find_point (QnStudyWindow *self, double x, double y)
 {
   QnStudyFigure figure;
   double best = NEAR;
   gint64 nearest = -1;
-  (void) gesture;
-  (void) count;
-  gtk_widget_grab_focus (self->plot);
   if (!self->points || !qn_study_window_chosen_figure (self, &figure))
-    return;
+    return -1;
   for (guint i = 0; i < self->table.rows->len; i++) {
     double px = self->place.x_zero
                 + self->place.x_scale
@@ -142,10 +141,42 @@ on_click (GtkGestureClick *gesture, int count, double x, double y, QnStudyWindow
       nearest = i;
     }
   }
+  return nearest;
+}
+
+static void
+on_click (GtkGestureClick *gesture, int count, double x, double y, QnStudyWindow *self)
+{
+  (void) gesture;
+  (void) count;
+  gtk_widget_grab_focus (self->plot);
+  gint64 nearest = find_point (self, x, y);
   if (nearest < 0)
     return;
   choose (self, nearest);
   qn_study_window_open_case (self);
+}
+
+/* The case under the pointer, or the one that the keys have chosen; and what can be written. */
+static GMenuModel *
+make_menu (GtkWidget *plot, QnMenuPlace *place, gpointer data)
+{
+  QnStudyWindow *self = data;
+  GMenu *menu = g_menu_new (), *one = g_menu_new (), *all = g_menu_new ();
+  gtk_widget_grab_focus (plot);
+  gint64 nearest = place->by_key ? self->chosen : find_point (self, place->x, place->y);
+  if (!place->by_key && nearest >= 0)
+    choose (self, nearest);
+  if (nearest >= 0) {
+    g_menu_append (one, _ ("_Open Case in the Drawing"), "study.open-case");
+    g_menu_append (one, _ ("_Copy Text"), "study.copy-case");
+  }
+  g_menu_append (all, _ ("_Table…"), "study.export::table");
+  g_menu_append (all, _ ("_Figure…"), "study.export::figure");
+  g_menu_append (all, _ ("_Mechanisms…"), "study.export::mechanisms");
+  qn_menu_add_section (menu, one);
+  qn_menu_add_section (menu, all);
+  return G_MENU_MODEL (menu);
 }
 
 static gboolean
@@ -197,5 +228,6 @@ qn_study_window_connect_plot (QnStudyWindow *self)
   GtkEventController *key = gtk_event_controller_key_new ();
   g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
   gtk_widget_add_controller (self->plot, key);
+  qn_context_menu_attach (self->plot, make_menu, self);
   on_figure (self);
 }

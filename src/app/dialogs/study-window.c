@@ -1,5 +1,6 @@
 #include "app/dialogs/study-private.h"
 
+#include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
 #include "io/text/io-error.h"
@@ -97,6 +98,34 @@ export_results (GSimpleAction *action, GVariant *parameter, gpointer data)
   qn_study_window_export (data, g_variant_get_string (parameter, NULL));
 }
 
+static void
+open_case (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  (void) action;
+  (void) parameter;
+  qn_study_window_open_case (data);
+}
+
+/* The case that is chosen is told in the line under the figure. */
+static void
+copy_case (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  QnStudyWindow *self = data;
+  (void) action;
+  (void) parameter;
+  gdk_clipboard_set_text (gtk_widget_get_clipboard (self->plot),
+                          gtk_label_get_text (self->status));
+}
+
+static void
+remove_parameter (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  QnStudyWindow *self = data;
+  (void) action;
+  qn_draft_remove (self->draft, g_variant_get_uint32 (parameter));
+  qn_study_window_show_draft (self);
+}
+
 /* The same without asking: (what, path). */
 static void
 export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
@@ -158,6 +187,9 @@ connect (QnStudyWindow *self)
     { .name = "export", .activate = export_results, .parameter_type = "s" },
     { .name = "export-path", .activate = export_path, .parameter_type = "(ss)" },
     { .name = "move-load", .activate = move_load },
+    { .name = "open-case", .activate = open_case },
+    { .name = "copy-case", .activate = copy_case },
+    { .name = "remove", .activate = remove_parameter, .parameter_type = "u" },
   };
   static const struct {
     const char *keys, *action;
@@ -185,8 +217,7 @@ static QnStudyWindow *
 new_window (const QnStudyParent *parent, QnDraft *draft)
 {
   QnStudyWindow *self = g_new0 (QnStudyWindow, 1);
-  g_autoptr (GtkBuilder) builder =
-    gtk_builder_new_from_resource ("/io/github/quoin/Quoin/study-window.ui");
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("study-window");
 #define GET(type, name) type (gtk_builder_get_object (builder, name))
   *self = (QnStudyWindow){
     .parent = *parent,

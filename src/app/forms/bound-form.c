@@ -1,6 +1,8 @@
 #include "app/forms/bound-form.h"
 
+#include "app/widgets/builder.h"
 #include "app/widgets/choice-list.h"
+#include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
 #include "core/base/integer.h"
@@ -9,6 +11,8 @@
 
 /* What an entry tells by itself, while it shows a refusal. */
 #define TOOLTIP "qn-tooltip"
+
+static GMenuModel *make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data);
 
 /* ---- values ---- */
 
@@ -66,7 +70,7 @@ show_choice (QnBoundForm *form, GtkDropDown *choice, const QnValue *value)
 }
 
 static void
-show_list (GtkListBox *list, const QnValue *value)
+show_list (QnBoundForm *form, GtkListBox *list, const QnValue *value)
 {
   GtkWidget *child = gtk_widget_get_first_child (GTK_WIDGET (list));
   for (char **row = value->rows; row != NULL && *row != NULL; row++) {
@@ -74,6 +78,7 @@ show_list (GtkListBox *list, const QnValue *value)
       GtkWidget *label = gtk_label_new (NULL);
       gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
       gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+      qn_context_menu_attach (label, make_menu, form);
       gtk_list_box_append (list, label);
       child = gtk_widget_get_last_child (GTK_WIDGET (list));
     }
@@ -154,7 +159,7 @@ show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
   else if (GTK_IS_DROP_DOWN (widget))
     show_choice (form, GTK_DROP_DOWN (widget), value);
   else if (GTK_IS_LIST_BOX (widget))
-    show_list (GTK_LIST_BOX (widget), value);
+    show_list (form, GTK_LIST_BOX (widget), value);
   else if (GTK_IS_CHECK_BUTTON (widget)) {
     gtk_check_button_set_active (GTK_CHECK_BUTTON (widget), on && !value->mixed);
     gtk_check_button_set_inconsistent (GTK_CHECK_BUTTON (widget), value->mixed);
@@ -397,6 +402,13 @@ connect (QnBoundForm *form, GtkWidget *widget)
     { gtk_entry_get_type, "activate", G_CALLBACK (on_entered) },
     { gtk_button_get_type, "clicked", G_CALLBACK (on_entered) },
   };
+  /* Where buttons have little room their words go below each other. */
+  GtkWidget *words =
+    GTK_IS_BUTTON (widget) ? gtk_button_get_child (GTK_BUTTON (widget)) : NULL;
+  if (GTK_IS_LABEL (words)) {
+    gtk_label_set_wrap (GTK_LABEL (words), TRUE);
+    gtk_label_set_justify (GTK_LABEL (words), GTK_JUSTIFY_CENTER);
+  }
   /* A button with an action is a field only to be shown or hidden. */
   if (GTK_IS_ACTIONABLE (widget)
       && gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)) != NULL)
@@ -408,6 +420,70 @@ connect (QnBoundForm *form, GtkWidget *widget)
     }
   if (QN_IS_QUANTITY_ENTRY (widget))
     qn_quantity_entry_set_path_func (QN_QUANTITY_ENTRY (widget), find_path, form);
+}
+
+/* ---- context menus ---- */
+
+/* A button that does something with what the form is about, and can be pressed now. */
+static gboolean
+is_command (GtkWidget *widget)
+{
+  return GTK_IS_BUTTON (widget) && !GTK_IS_TOGGLE_BUTTON (widget)
+         && gtk_button_get_label (GTK_BUTTON (widget)) != NULL
+         && gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)) == NULL
+         && gtk_widget_get_visible (widget) && gtk_widget_get_sensitive (widget);
+}
+
+/* The buttons of the form, for the row of a list that was clicked or has the focus, or for what a
+ * choice shows. */
+static GMenuModel *
+make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
+{
+  QnBoundForm *form = data;
+  GtkWidget *row = gtk_widget_get_ancestor (widget, GTK_TYPE_LIST_BOX_ROW);
+  GMenu *menu = g_menu_new (), *commands = g_menu_new (), *text = g_menu_new ();
+  (void) place;
+  if (row != NULL) {
+    gtk_list_box_select_row (GTK_LIST_BOX (gtk_widget_get_parent (row)),
+                             GTK_LIST_BOX_ROW (row));
+    qn_menu_add_target (text, _ ("_Copy Text"), "win.copy-text",
+                        g_variant_new_string (gtk_label_get_text (GTK_LABEL (widget))));
+  }
+  for (guint field = 0; form->widgets[field] != NULL; field++)
+    if (is_command (form->widgets[field]))
+      qn_menu_add_target (commands,
+                          gtk_button_get_label (GTK_BUTTON (form->widgets[field])),
+                          "form.press", g_variant_new_int32 ((int) field));
+  qn_menu_add_section (menu, commands);
+  qn_menu_add_section (menu, text);
+  return G_MENU_MODEL (menu);
+}
+
+static void
+press (GSimpleAction *action, GVariant *field, gpointer data)
+{
+  QnBoundForm *form = data;
+  (void) action;
+  g_signal_emit_by_name (form->widgets[g_variant_get_int32 (field)], "clicked");
+}
+
+/* Choices of what the form is about have the menu, and the rows of lists. */
+static void
+add_menus (QnBoundForm *form)
+{
+  static const GActionEntry entries[] = {
+    { .name = "press", .activate = press, .parameter_type = "i" }
+  };
+  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
+  g_action_map_add_action_entries (G_ACTION_MAP (group), entries, G_N_ELEMENTS (entries),
+                                   form);
+  gtk_widget_insert_action_group (form->root, "form", G_ACTION_GROUP (group));
+  gboolean any = FALSE;
+  for (guint i = 0; i < form->kind->field_count; i++)
+    any = any || GTK_IS_BUTTON (form->widgets[i]);
+  for (guint i = 0; any && i < form->kind->field_count; i++)
+    if (GTK_IS_DROP_DOWN (form->widgets[i]) && form->kind->fields[i].step == NULL)
+      qn_context_menu_attach (form->widgets[i], make_menu, form);
 }
 
 /* ---- life ---- */
@@ -460,10 +536,7 @@ follow (QnBoundForm *form, gpointer object, const char *signal, GCallback callba
 gpointer
 qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
 {
-  g_autofree char *path = g_strdup_printf ("/io/github/quoin/Quoin/%s.ui", kind->name);
-  g_type_ensure (QN_TYPE_ROW);
-  g_type_ensure (QN_TYPE_QUANTITY_ENTRY);
-  g_autoptr (GtkBuilder) builder = gtk_builder_new_from_resource (path);
+  g_autoptr (GtkBuilder) builder = qn_builder_new (kind->name);
   QnBoundForm *form = g_malloc0 (kind->size);
   form->kind = kind;
   form->canvas = canvas;
@@ -493,6 +566,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
     g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
   if (canvas == NULL)
     return form;
+  add_menus (form);
   const struct {
     QnFollow what;
     gpointer object;

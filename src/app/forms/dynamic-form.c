@@ -39,6 +39,7 @@ enum {
   SCALE,
   X,
   Y,
+  RESTS, /* of a record in a file */
   ADD,
   IMPORT,
   REMOVE
@@ -68,6 +69,7 @@ static const QnFormField fields[] = {
   [SCALE] = { .id = "scale", .step = N_ ("Change Ground Motion") },
   [X] = { .id = "x", .step = N_ ("Change Ground Motion") },
   [Y] = { .id = "y", .step = N_ ("Change Ground Motion") },
+  [RESTS] = { .id = "rests", .step = N_ ("Change Ground Motion") },
   [ADD] = { .id = "add", .step = N_ ("Add Ground Motion") },
   [IMPORT] = { .id = "import" },
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Ground Motion") },
@@ -239,6 +241,9 @@ show (gpointer data, guint field, QnValue *value)
   case X:
   case Y:
     return motion != NULL;
+  case RESTS:
+    value->number = motion != NULL && motion->rests;
+    return motion != NULL && motion->record != NULL;
   case REMOVE:
     value->disabled = motion == NULL;
     return TRUE;
@@ -315,6 +320,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case KIND:
     draft->model.ground[form->selected].pulse.kind = (QnPulseKind) value->number;
+    return TRUE;
+  case RESTS:
+    draft->model.ground[form->selected].rests = value->number != 0;
     return TRUE;
   case ADD:
     if (!qn_edit_add_pulse (&draft->model, error))

@@ -48,9 +48,11 @@ static const struct {
 typedef struct Form {
   QnBoundForm base;
   QnId shown; /* law that the fields are about */
+  QnId
+    by; /* what stands in its place once it is removed; QN_NONE: the law of the contacts */
 } Form;
 
-enum { LAW, NAME, JOINT, KIND, BASIS, POINTS, VIEW, ADD, REMOVE, FIRST_NUMBER };
+enum { LAW, NAME, JOINT, KIND, BASIS, POINTS, VIEW, ADD, USES, BY, REMOVE, FIRST_NUMBER };
 
 static const QnFormField fields[] = {
   [LAW] = { .id = "law" },
@@ -61,6 +63,8 @@ static const QnFormField fields[] = {
   [POINTS] = { .id = "points", .step = N_ ("Change Law") },
   [VIEW] = { .id = "view" },
   [ADD] = { .id = "add", .step = N_ ("Add Law") },
+  [USES] = { .id = "uses" },
+  [BY] = { .id = "by" },
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Law") },
 };
 
@@ -99,6 +103,8 @@ look (gpointer data)
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
   if (form->shown < 0 || (gsize) form->shown >= model->law_count)
     form->shown = 0;
+  if (form->by >= (QnId) model->law_count || form->by == form->shown)
+    form->by = QN_NONE;
   return model->law_count > 0;
 }
 
@@ -109,7 +115,15 @@ show (gpointer data, guint field, QnValue *value)
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
   QnLaw law = model->laws[form->shown];
   const double *number;
+  guint uses = qn_edit_count_law_uses (model, form->shown);
   switch (field) {
+  case USES:
+    value->text =
+      g_strdup_printf (_ ("Blocks, walls, joints and bars that use it: %u"), uses);
+    return uses > 0;
+  case BY:
+    qn_value_set_laws (value, model, _ ("The law of the contacts"), form->by);
+    return uses > 0 && model->law_count > 1;
   case LAW:
     qn_value_set_laws (value, model, NULL, form->shown);
     return TRUE;
@@ -181,6 +195,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case LAW:
     form->shown = (QnId) value->number;
     return TRUE;
+  case BY:
+    form->by = qn_value_get_law (value);
+    return TRUE;
   case NAME:
     return rename_law (law, value->text, error);
   case JOINT:
@@ -210,7 +227,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case ADD:
     return add (form, model, error);
   case REMOVE:
-    return qn_edit_delete_law (model, form->shown, error);
+    return qn_edit_delete_law (model, form->shown,
+                               form->by == form->shown ? QN_NONE : form->by, error);
   default:
     *number_of (law, field - FIRST_NUMBER) = value->number;
     return TRUE;
@@ -223,6 +241,7 @@ qn_law_form_new (QnCanvas *canvas)
   static const QnFormKind kind =
     QN_FORM_KIND_WITH_ROWS ("law-form", Form, 0, G_N_ELEMENTS (numbers));
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
+  ((Form *) form)->by = QN_NONE;
   qn_law_view_init (form->widgets[VIEW]);
   return qn_bound_form_show (form);
 }

@@ -1,10 +1,12 @@
-/* Picture behind the drawing: drag it, or click two points on it and type how far they are from
- * each other. */
+/* Picture behind the drawing: drag it; click two points on it and type how far they are from each
+ * other; or click the corners of what is a rectangle in truth and type its width and height. */
 #include "app/canvas/canvas.h"
 #include "app/tools/tools.h"
 
 #include "doc/document/picture.h"
+#include "render/scene/rectify.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 #define MARK_PX 7.0
 
@@ -72,17 +74,35 @@ release (QnCanvas *canvas, const QnToolEvent *event)
            qn_view_state_get_underlay (qn_canvas_get_state (canvas)));
     return;
   }
-  if (gesture->points->len >= 2)
+  if (gesture->points->len >= 4)
     g_array_set_size (gesture->points, 0);
   g_array_append_val (gesture->points, event->model);
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
-/* The distance of the two points; the first stays where it is. */
+static gboolean
+rectify (QnCanvas *canvas, double width, double height)
+{
+  QnVec2 shown[4];
+  memcpy (shown, qn_canvas_get_gesture (canvas)->points->data, sizeof shown);
+  QnUnderlay underlay = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
+  if (!qn_underlay_rectify (&underlay, shown, width, height)) {
+    g_signal_emit_by_name (canvas, "failed",
+                           _ ("These four points cannot be the corners of a rectangle"));
+    return FALSE;
+  }
+  place (canvas, _ ("Rectify Picture"), &underlay);
+  return TRUE;
+}
+
+/* The distance of the two points, of which the first stays where it is; or width and height of the
+ * rectangle whose corners the four points are. */
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  if (count == 2 && gesture->points->len == 4)
+    return rectify (canvas, values[0], values[1]);
   if (count != 1 || !(values[0] > 0.0) || gesture->points->len != 2)
     return FALSE;
   QnVec2 shown[] = { g_array_index (gesture->points, QnVec2, 0),
@@ -115,6 +135,16 @@ draw (QnCanvas *canvas, cairo_t *cr)
   if (points->len == 2)
     qn_canvas_draw_dimension (canvas, cr, g_array_index (points, QnVec2, 0),
                               g_array_index (points, QnVec2, 1));
+  QnVec2 corners[4];
+  if (points->len == 4) {
+    memcpy (corners, points->data, sizeof corners);
+    qn_rectify_sort (corners);
+  }
+  for (guint i = 0; points->len == 4 && i < 4; i++) {
+    QnVec2 s = qn_canvas_to_screen (canvas, corners[i]);
+    cairo_line_to (cr, s.x, s.y);
+  }
+  cairo_close_path (cr);
   for (guint i = 0; i < points->len; i++) {
     QnVec2 s = qn_canvas_to_screen (canvas, g_array_index (points, QnVec2, i));
     cairo_move_to (cr, s.x - MARK_PX, s.y);
@@ -136,11 +166,12 @@ const QnTool qn_tool_picture = {
   .name = "picture",
   .icon = "quoin-picture-symbolic",
   .label = N_ ("Place the Picture"),
-  .hint = N_ ("Drag moves the picture; click two points on it, type their distance and "
-              "press Enter to scale it"),
+  .hint =
+    N_ ("Drag to move; click two points and type their distance, or four corners of a "
+        "rectangle and type its width; height"),
   .accel = "i",
-  .numbers_label = N_ ("distance"),
-  .quantities = { QN_QUANTITY_LENGTH },
+  .numbers_label = N_ ("distance, or width; height"),
+  .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
   .press = press,
   .motion = motion,
   .release = release,

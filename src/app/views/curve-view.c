@@ -385,11 +385,15 @@ draw_y_label (QnCurveView *self, cairo_t *cr)
              MARGIN_TOP + 0.5 * plot_height (self), 0.5, TRUE);
 }
 
+/* On dark ground nearer to white: colours of the paper have little contrast there. */
 static void
-set_series_color (cairo_t *cr, int series)
+set_series_color (cairo_t *cr, int series, const GdkRGBA *ink)
 {
   QnColor c = qn_series_color (series, false);
-  cairo_set_source_rgb (cr, c.r / 255.0, c.g / 255.0, c.b / 255.0);
+  double white = ink->red > 0.5f ? 0.55 : 0.0;
+  cairo_set_source_rgb (cr, white + (1.0 - white) * c.r / 255.0,
+                        white + (1.0 - white) * c.g / 255.0,
+                        white + (1.0 - white) * c.b / 255.0);
 }
 
 /* A cross for collapse, a diamond for the first limit point. */
@@ -447,7 +451,7 @@ draw_series (QnCurveView *self, cairo_t *cr, int index, const GdkRGBA *ink)
     QnVec2 p = to_screen (self, curve->x[i], curve->y[i]);
     cairo_line_to (cr, CLAMP (p.x, -1e5, 1e5), CLAMP (p.y, -1e5, 1e5));
   }
-  set_series_color (cr, index);
+  set_series_color (cr, index, ink);
   cairo_set_line_width (cr, index == 0 ? 2.0 : 1.2);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
   cairo_stroke (cr);

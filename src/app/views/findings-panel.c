@@ -1,8 +1,8 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
-#include "app/widgets/row.h"
 #include "doc/edit/edit-gaps.h"
 #include "doc/edit/repair.h"
 #include "doc/text/count-text.h"
@@ -55,12 +55,12 @@ on_repair_all (Panel *panel)
   qn_canvas_edit (panel->canvas, _ ("Repair Contacts"), NULL, edit_repair_all, &count);
 }
 
-static GtkWidget *
-make_fixes (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean gaps)
+static void
+add_fixes (Panel *panel, GtkWidget *box, const QnModel *model, const QnFinding *finding,
+           gboolean gaps)
 {
   QnRepair choices[QN_REPAIR_COUNT];
   guint count = qn_repair_get_choices (model, finding, gaps, choices);
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
   for (guint i = 0; i < count; i++) {
     GtkWidget *button = gtk_button_new_with_label (qn_repair_get_label (choices[i]));
     Fix *fix = g_new (Fix, 1);
@@ -74,7 +74,6 @@ make_fixes (Panel *panel, const QnModel *model, const QnFinding *finding, gboole
     gtk_box_append (GTK_BOX (box), button);
   }
   gtk_widget_set_visible (box, count > 0);
-  return box;
 }
 
 /* ---- the list ---- */
@@ -103,11 +102,9 @@ make_row_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
   (void) place;
   on_row_activated (NULL, GTK_LIST_BOX_ROW (gtk_widget_get_parent (box)), panel);
   GMenu *menu = g_menu_new ();
-  g_autoptr (GMenuItem) copy = g_menu_item_new (_ ("_Copy Text"), NULL);
-  g_menu_item_set_action_and_target (
-    copy, "win.copy-text", "s",
-    (const char *) g_object_get_data (G_OBJECT (box), "qn-text"));
-  g_menu_append_item (menu, copy);
+  qn_menu_add_target (
+    menu, _ ("_Copy Text"), "win.copy-text",
+    g_variant_new_string (g_object_get_data (G_OBJECT (box), "qn-text")));
   g_menu_append (menu, _ ("_Fit"), "win.fit");
   return G_MENU_MODEL (menu);
 }
@@ -116,18 +113,10 @@ static GtkWidget *
 make_row (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean gaps)
 {
   g_autofree char *text = qn_explain_finding (model, finding);
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 8);
-  GtkWidget *icon = gtk_image_new_from_icon_name ("dialog-warning-symbolic");
-  GtkWidget *label = gtk_label_new (text);
-  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
-  gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
-  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  GtkWidget *column = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  gtk_widget_set_valign (icon, GTK_ALIGN_START);
-  gtk_box_append (GTK_BOX (column), label);
-  gtk_box_append (GTK_BOX (column), make_fixes (panel, model, finding, gaps));
-  gtk_box_append (GTK_BOX (box), icon);
-  gtk_box_append (GTK_BOX (box), column);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("finding-row");
+  GtkWidget *box = qn_builder_take_widget (builder, "row");
+  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "text")), text);
+  add_fixes (panel, qn_builder_get_widget (builder, "fixes"), model, finding, gaps);
   g_object_set_data_full (G_OBJECT (box), "qn-text", g_steal_pointer (&text), g_free);
   qn_context_menu_attach (box, make_row_menu, panel);
   return box;
@@ -171,25 +160,6 @@ on_close_gaps (Panel *panel)
   qn_canvas_edit (panel->canvas, _ ("Close Gaps"), NULL, edit_gaps, &width);
 }
 
-static GtkWidget *
-make_gap_box (Panel *panel)
-{
-  GtkWidget *button = gtk_button_new_with_mnemonic (_ ("_Close Gaps"));
-  panel->gap_box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  panel->gap_text = GTK_LABEL (gtk_label_new (NULL));
-  gtk_label_set_wrap (panel->gap_text, TRUE);
-  gtk_label_set_xalign (panel->gap_text, 0.0f);
-  panel->gap_width = qn_quantity_entry_new (QN_QUANTITY_LENGTH, 1e-6, 1.0);
-  gtk_widget_set_tooltip_text (
-    button, _ ("Blocks grow to the middle of the joints up to this width, in one step"));
-  g_signal_connect_swapped (button, "clicked", G_CALLBACK (on_close_gaps), panel);
-  gtk_box_append (GTK_BOX (panel->gap_box), GTK_WIDGET (panel->gap_text));
-  gtk_box_append (GTK_BOX (panel->gap_box),
-                  qn_row_new (_ ("Joints _up to"), panel->gap_width));
-  gtk_box_append (GTK_BOX (panel->gap_box), button);
-  return panel->gap_box;
-}
-
 static void
 update (Panel *panel)
 {
@@ -222,27 +192,23 @@ update (Panel *panel)
 GtkWidget *
 qn_findings_panel_new (QnCanvas *canvas)
 {
-  Panel *panel = g_new0 (Panel, 1);
-  panel->canvas = canvas;
-  GtkWidget *form = qn_form_new ();
-  qn_form_add_heading (form, _ ("Contacts Found"));
-  panel->summary = qn_form_add_text (form);
-  qn_form_add_wide (form, make_gap_box (panel));
-  panel->list = gtk_list_box_new ();
-  gtk_list_box_set_selection_mode (GTK_LIST_BOX (panel->list), GTK_SELECTION_NONE);
-  gtk_widget_add_css_class (panel->list, "rich-list");
-  gtk_widget_add_css_class (panel->list, "frame");
-  gtk_accessible_update_property (GTK_ACCESSIBLE (panel->list),
-                                  GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Findings"), -1);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("findings-panel");
+  GtkWidget *form = qn_builder_take_widget (builder, "form");
+  Panel *panel = g_new (Panel, 1);
+  *panel = (Panel){
+    .canvas = canvas,
+    .list = qn_builder_get_widget (builder, "list"),
+    .repair_all = qn_builder_get_widget (builder, "repair_all"),
+    .gap_box = qn_builder_get_widget (builder, "gap_box"),
+    .gap_width = qn_builder_get_widget (builder, "gap_width"),
+    .summary = GTK_LABEL (qn_builder_get_widget (builder, "summary")),
+    .gap_text = GTK_LABEL (qn_builder_get_widget (builder, "gap_text")),
+  };
   g_signal_connect (panel->list, "row-activated", G_CALLBACK (on_row_activated), panel);
-  qn_form_add_wide (form, panel->list);
-  panel->repair_all = gtk_button_new_with_mnemonic (_ ("_Repair What Repairs Itself"));
-  gtk_widget_set_tooltip_text (panel->repair_all,
-                               _ ("Closes gaps, trims overlaps and removes exceptions "
-                                  "where that is all that is needed, in one step"));
   g_signal_connect_swapped (panel->repair_all, "clicked", G_CALLBACK (on_repair_all),
                             panel);
-  qn_form_add_wide (form, panel->repair_all);
+  g_signal_connect_swapped (qn_builder_get_widget (builder, "close_gaps"), "clicked",
+                            G_CALLBACK (on_close_gaps), panel);
   qn_own (form, panel);
   qn_watch (form, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), panel);
   update (panel);

@@ -5,7 +5,18 @@
 #include "io/text/io-error.h"
 #include <glib/gi18n.h>
 
-enum { TROUBLE, ALLOW, OPACITY, WIDTH, X, Y, ANGLE };
+enum {
+  TROUBLE,
+  ALLOW,
+  OPACITY,
+  WIDTH,
+  HEIGHT,
+  X,
+  Y,
+  ANGLE,
+  CORNER, /* four of the rectangle on the photo */
+  AS_TAKEN = CORNER + 4
+};
 
 /* The picture is no part of the model: its steps are made here. */
 static const QnFormField fields[] = {
@@ -13,19 +24,23 @@ static const QnFormField fields[] = {
   [ALLOW] = { .id = "allow" },
   [OPACITY] = { .id = "opacity" },
   [WIDTH] = { .id = "width" },
+  [HEIGHT] = { .id = "height" },
   [X] = { .id = "x" },
   [Y] = { .id = "y" },
   [ANGLE] = { .id = "angle" },
+  [CORNER] = { .id = "corner_0" },
+  [CORNER + 1] = { .id = "corner_1" },
+  [CORNER + 2] = { .id = "corner_2" },
+  [CORNER + 3] = { .id = "corner_3" },
+  [AS_TAKEN] = { .id = "as_taken" },
 };
 
 static double *
 number_of (QnUnderlay *underlay, guint field)
 {
-  double *const all[] = { [OPACITY] = &underlay->opacity,
-                          [WIDTH] = &underlay->width,
-                          [X] = &underlay->origin.x,
-                          [Y] = &underlay->origin.y,
-                          [ANGLE] = &underlay->angle };
+  double *const all[] = { [OPACITY] = &underlay->opacity, [WIDTH] = &underlay->width,
+                          [HEIGHT] = &underlay->height,   [X] = &underlay->origin.x,
+                          [Y] = &underlay->origin.y,      [ANGLE] = &underlay->angle };
   return all[field];
 }
 
@@ -49,7 +64,31 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (error != NULL ? error->message : "");
     return error != NULL;
   }
+  if (field >= CORNER) {
+    QnVec2 corner = underlay.points[(field - CORNER) % 4];
+    if (field != AS_TAKEN)
+      value->text = g_strdup_printf ("%.4g; %.4g", corner.x, corner.y);
+    return underlay.rectified;
+  }
   value->number = *number_of (&underlay, field);
+  return field != HEIGHT || underlay.rectified;
+}
+
+/* "0.1; 0.25": parts of the photo's width and height. */
+static gboolean
+take_corner (QnUnderlay *underlay, guint corner, const char *text, GError **error)
+{
+  double numbers[2];
+  g_auto (GStrv) parts = g_strsplit (text, ";", -1);
+  gboolean read = g_strv_length (parts) == 2;
+  for (int i = 0; read && i < 2; i++)
+    read = qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[i], &numbers[i], NULL);
+  if (!read) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
+                         _ ("Expected two numbers with a semicolon between them"));
+    return FALSE;
+  }
+  underlay->points[corner] = qn_vec2 (numbers[0], numbers[1]);
   return TRUE;
 }
 
@@ -66,7 +105,16 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     qn_view_state_refresh_underlay (qn_canvas_get_state (canvas));
     return TRUE;
   }
-  *number_of (&underlay, field) = value->number;
+  if (field == AS_TAKEN) {
+    qn_underlay_show_as_taken (&underlay, underlay.width);
+    return qn_document_place_picture (document, _ ("Show Picture as Taken"), NULL,
+                                      &underlay, error);
+  }
+  if (field >= CORNER) {
+    if (!take_corner (&underlay, field - CORNER, value->text, error))
+      return FALSE;
+  } else
+    *number_of (&underlay, field) = value->number;
   return qn_document_place_picture (document,
                                     fade ? _ ("Fade Picture") : _ ("Place Picture"),
                                     fade ? "picture-opacity" : NULL, &underlay, error);

@@ -2,17 +2,17 @@
 #include "app/forms/panel.h"
 #include "app/views/curve-view.h"
 #include "app/views/energy-view.h"
+#include "app/widgets/builder.h"
+#include "app/widgets/choice-list.h"
 #include "doc/document/run-text.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n.h>
 
 typedef struct Panel {
-  QnCanvas *canvas;
   QnViewState *state;
   GtkWidget *empty, *content, *curve;
-  GtkDropDown *runs;
-  GtkDropDown *onion, *stage;
+  GtkDropDown *runs, *stage, *onion;
 } Panel;
 
 static QnDocument *
@@ -73,12 +73,12 @@ update_runs (Panel *panel)
   }
   g_ptr_array_add (names, NULL);
   const char *const *all = (const char *const *) names->pdata;
-  qn_form_fill_choice (panel->runs, all + 1, selected, panel);
+  qn_choice_list_fill (panel->runs, all + 1, selected, panel);
   /* There may not be room for all of it. */
   gtk_widget_set_tooltip_text (GTK_WIDGET (panel->runs),
                                selected < runs->len ? all[selected + 1] : NULL);
-  qn_form_fill_choice (panel->onion, all, onion, panel);
-  qn_form_set_row_visible (GTK_WIDGET (panel->onion), runs->len > 1);
+  qn_choice_list_fill (panel->onion, all, onion, panel);
+  gtk_widget_set_visible (GTK_WIDGET (panel->onion), runs->len > 1);
 }
 
 /* ---- stages ---- */
@@ -110,7 +110,7 @@ follow_stage (Panel *panel)
     return;
   int step = qn_view_state_get_step (panel->state);
   const QnStep *at = &run->result.steps[step == QN_STEP_LAST ? count - 1 : (gsize) step];
-  qn_form_set_choice (panel->stage, (guint) at->stage, panel);
+  qn_choice_list_select (panel->stage, (guint) at->stage, panel);
 }
 
 /* Those that the run came to, behind the dead load. */
@@ -118,7 +118,7 @@ static void
 update_stages (Panel *panel, const QnRun *run)
 {
   gboolean any = run != NULL && run->model.stage_count > 0 && run->result.step_count > 0;
-  qn_form_set_row_visible (GTK_WIDGET (panel->stage), any);
+  gtk_widget_set_visible (GTK_WIDGET (panel->stage), any);
   if (!any)
     return;
   g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
@@ -133,7 +133,7 @@ update_stages (Panel *panel, const QnRun *run)
     g_strv_builder_add (names, line);
   }
   g_auto (GStrv) strings = g_strv_builder_end (names);
-  qn_form_fill_choice (panel->stage, (const char *const *) strings, 0, panel);
+  qn_choice_list_fill (panel->stage, (const char *const *) strings, 0, panel);
   follow_stage (panel);
 }
 
@@ -152,51 +152,48 @@ update (Panel *panel)
   update_stages (panel, run);
 }
 
-static GtkWidget *
-build_content (Panel *panel)
+static GtkDropDown *
+take_choice (GtkBuilder *builder, const char *id, GCallback chosen, Panel *panel)
 {
-  const char *const none[] = { NULL };
-  GtkWidget *form = qn_form_new ();
-  qn_form_add_wide (form, qn_answer_card_new (document_of (panel)));
-  qn_form_add_wide (form, qn_inspector_new (panel->canvas));
-  panel->curve = qn_curve_view_new (panel->state);
-  qn_form_add_wide (form, panel->curve);
-  qn_form_add_wide (form, qn_energy_view_new (panel->state));
-  panel->runs =
-    qn_form_add_choice (form, _ ("_Run"), none, G_CALLBACK (on_run_chosen), panel);
-  panel->stage = qn_form_add_choice (form, _ ("End of _stage"), none,
-                                     G_CALLBACK (on_stage_chosen), panel);
-  gtk_widget_set_hexpand (GTK_WIDGET (panel->runs), TRUE);
-  qn_run_menu_attach (GTK_WIDGET (panel->runs));
-  panel->onion = qn_form_add_choice (form, _ ("Out_line of"), none,
-                                     G_CALLBACK (on_onion_chosen), panel);
-  qn_form_add_wide (form, qn_step_table_new (panel->state));
-  qn_form_add_wide (form, qn_contact_table_new (panel->canvas));
-  qn_form_add_wide (form, qn_beam_table_new (panel->canvas));
-  return form;
+  GtkDropDown *choice = GTK_DROP_DOWN (qn_builder_get_widget (builder, id));
+  qn_choice_list_prepare (choice);
+  g_signal_connect (choice, "notify::selected", chosen, panel);
+  return choice;
 }
 
 GtkWidget *
 qn_result_panel_new (QnCanvas *canvas)
 {
-  Panel *panel = g_new0 (Panel, 1);
-  panel->canvas = canvas;
-  panel->state = qn_canvas_get_state (canvas);
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
-  panel->empty = gtk_label_new (_ ("No result yet. Solve the model with F5."));
-  gtk_label_set_wrap (GTK_LABEL (panel->empty), TRUE);
-  gtk_widget_add_css_class (panel->empty, "dim-label");
-  gtk_widget_set_margin_top (panel->empty, 24);
-  panel->content = build_content (panel);
-  gtk_box_append (GTK_BOX (box), panel->empty);
-  gtk_box_append (GTK_BOX (box), panel->content);
+  QnViewState *state = qn_canvas_get_state (canvas);
+  QnDocument *document = qn_view_state_get_document (state);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("result-panel");
+  GtkWidget *box = qn_builder_take_widget (builder, "panel");
+  GtkBox *views = GTK_BOX (qn_builder_get_widget (builder, "views"));
+  GtkBox *tables = GTK_BOX (qn_builder_get_widget (builder, "tables"));
+  Panel *panel = g_new (Panel, 1);
+  *panel = (Panel){
+    .state = state,
+    .empty = qn_builder_get_widget (builder, "empty"),
+    .content = qn_builder_get_widget (builder, "content"),
+    .curve = qn_curve_view_new (state),
+    .runs = take_choice (builder, "runs", G_CALLBACK (on_run_chosen), panel),
+    .stage = take_choice (builder, "stage", G_CALLBACK (on_stage_chosen), panel),
+    .onion = take_choice (builder, "onion", G_CALLBACK (on_onion_chosen), panel),
+  };
+  qn_run_menu_attach (GTK_WIDGET (panel->runs));
+  gtk_box_append (views, qn_answer_card_new (document));
+  gtk_box_append (views, qn_inspector_new (canvas));
+  gtk_box_append (views, panel->curve);
+  gtk_box_append (views, qn_energy_view_new (state));
+  gtk_box_append (tables, qn_step_table_new (state));
+  gtk_box_append (tables, qn_contact_table_new (canvas));
+  gtk_box_append (tables, qn_beam_table_new (canvas));
 
   qn_own (box, panel);
-  QnDocument *document = document_of (panel);
   qn_watch (box, document, "runs-changed", G_CALLBACK (update), panel);
   qn_watch (box, document, "job-changed", G_CALLBACK (update), panel);
   qn_watch (box, document, "changed", G_CALLBACK (update_runs), panel);
-  qn_watch (box, panel->state, "changed", G_CALLBACK (follow_stage), panel);
+  qn_watch (box, state, "changed", G_CALLBACK (follow_stage), panel);
   update (panel);
   return box;
 }

@@ -69,9 +69,8 @@ make_row_menu (GtkWidget *label, QnMenuPlace *place, gpointer data)
     g_string_append_printf (text, "%s%s", i > 0 ? "\t" : "", value);
   }
   GMenu *menu = g_menu_new ();
-  g_autoptr (GMenuItem) copy = g_menu_item_new (_ ("_Copy Row"), NULL);
-  g_menu_item_set_action_and_target (copy, "win.copy-text", "s", text->str);
-  g_menu_append_item (menu, copy);
+  qn_menu_add_target (menu, _ ("_Copy Row"), "win.copy-text",
+                      g_variant_new_string (text->str));
   g_autofree char *action = g_strdup_printf ("win.export-result::%s", table->exported);
   g_menu_append (menu, _ ("_Export Table…"), action);
   return G_MENU_MODEL (menu);

@@ -13,4 +13,7 @@ void qn_choice_list_prepare (GtkDropDown *choice);
 void qn_choice_list_fill (GtkDropDown *choice, const char *const *strings, guint selected,
                           gpointer user_data);
 
+/* Selects a row, without telling those handlers either. */
+void qn_choice_list_select (GtkDropDown *choice, guint selected, gpointer user_data);
+
 #endif

@@ -2,6 +2,7 @@
 
 #define HOOK    "qn-menu-hook"
 #define POPOVER "qn-menu-popover"
+#define HELD    "qn-menu-held"
 
 typedef struct Hook {
   QnMenuFunc func;
@@ -22,13 +23,6 @@ qn_menu_add_section (GMenu *menu, GMenu *section)
   if (g_menu_model_get_n_items (G_MENU_MODEL (section)) > 0)
     g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
   g_object_unref (section);
-}
-
-void
-qn_menu_add_submenu (GMenu *menu, const char *label, GMenu *submenu)
-{
-  g_menu_append_submenu (menu, label, G_MENU_MODEL (submenu));
-  g_object_unref (submenu);
 }
 
 static void
@@ -57,6 +51,29 @@ on_closed (GtkPopover *popover)
   g_idle_add (on_idle, g_object_ref (popover));
 }
 
+static void
+let_scroll (gpointer viewport)
+{
+  gtk_viewport_set_scroll_to_focus (viewport, TRUE);
+  g_object_unref (viewport);
+}
+
+/* What is around the menu does not scroll to the item under the pointer, which would move the menu away
+ * from it. */
+static void
+hold_still (GtkWidget *popover, GtkWidget *widget)
+{
+  GPtrArray *held = g_ptr_array_new_with_free_func (let_scroll);
+  for (; widget != NULL; widget = gtk_widget_get_parent (widget))
+    if (GTK_IS_VIEWPORT (widget)
+        && gtk_viewport_get_scroll_to_focus (GTK_VIEWPORT (widget))) {
+      gtk_viewport_set_scroll_to_focus (GTK_VIEWPORT (widget), FALSE);
+      g_ptr_array_add (held, g_object_ref (widget));
+    }
+  g_object_set_data_full (G_OBJECT (popover), HELD, held,
+                          (GDestroyNotify) g_ptr_array_unref);
+}
+
 static gboolean
 open_menu (GtkWidget *widget, QnMenuPlace *place)
 {
@@ -75,6 +92,7 @@ open_menu (GtkWidget *widget, QnMenuPlace *place)
   gtk_widget_set_parent (popover, widget);
   g_object_set_data (G_OBJECT (widget), POPOVER, popover);
   g_signal_connect (popover, "closed", G_CALLBACK (on_closed), NULL);
+  hold_still (popover, widget);
   gtk_popover_popup (GTK_POPOVER (popover));
   return TRUE;
 }

@@ -28,6 +28,5 @@ void qn_menu_add_target (GMenu *menu, const char *label, const char *action,
 
 /* Appends a section that is taken over, if it has items. */
 void qn_menu_add_section (GMenu *menu, GMenu *section);
-void qn_menu_add_submenu (GMenu *menu, const char *label, GMenu *submenu);
 
 #endif

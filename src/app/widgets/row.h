@@ -6,7 +6,7 @@
 #include <gtk/gtk.h>
 
 #define QN_TYPE_ROW (qn_row_get_type ())
-G_DECLARE_FINAL_TYPE (QnRow, qn_row, QN, ROW, GtkBox)
+G_DECLARE_FINAL_TYPE (QnRow, qn_row, QN, ROW, GtkWidget)
 
 GtkWidget *qn_row_new (const char *label, GtkWidget *field);
 

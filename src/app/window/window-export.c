@@ -3,8 +3,10 @@
 
 #include "app/dialogs/dialogs.h"
 #include "app/widgets/dialog.h"
+#include "app/widgets/settings.h"
 #include "doc/document/run-file.h"
 #include "doc/view/figure-export.h"
+#include "doc/view/report-item.h"
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"
 #include "io/exchange/vtu.h"
@@ -59,6 +61,13 @@ write_result (QnWindow *self, const char *path, GError **error)
                                    path, error);
 }
 
+/* All that was computed of the model as it is now. */
+static gboolean
+write_report (QnWindow *self, const char *path, GError **error)
+{
+  return qn_report_write (self->document, qn_settings_get_units (), path, error);
+}
+
 /* In metres, as it is drawn. */
 static gboolean
 write_drawing (QnWindow *self, const char *path, GError **error)
@@ -81,6 +90,7 @@ static const struct {
   WriteFunc write;
 } exports[] = {
   { "result", N_ ("Export Result File"), N_ ("result.json"), ".json", write_result },
+  { "report", N_ ("Export Report"), N_ ("report.pdf"), ".pdf", write_report },
   { "steps", N_ ("Export Steps for ParaView"), N_ ("steps.pvd"), ".pvd", write_steps },
   { "curve", N_ ("Export Curve as Table"), N_ ("curve.csv"), ".csv", write_curve },
   { "contacts", N_ ("Export Contacts as Table"), N_ ("contacts.csv"), ".csv",

@@ -36,7 +36,7 @@ struct _QnWindow {
   GtkLabel *live_label;
   GtkLabel *status_hint, *status_pointer, *status_counts, *progress_label;
   GtkStack *main_stack, *side_stack;
-  GtkBox *start_box, *tool_box, *canvas_box, *view_box;
+  GtkBox *start_box, *tool_box, *canvas_box, *view_box, *view_switcher;
   GtkInfoBar *info_bar;
   GtkButton *info_button, *run_button, *undo_button, *redo_button;
   GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box,

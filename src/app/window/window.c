@@ -15,8 +15,11 @@
 /* How long good news stay. */
 #define MESSAGE_SECONDS 6
 
-/* px of the window below which the side panel folds away. */
-#define FOLD_WIDTH 900
+/* px of the window beside the side panel, below which the panel folds away. */
+#define DRAWING_WIDTH 550
+
+/* A view whose name has no room is told by that many letters. */
+#define VIEW_CHARS 3
 
 G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
 
@@ -136,6 +139,21 @@ update_view_buttons (QnWindow *self)
   gtk_widget_set_visible (self->field_button,
                           qn_view_needs_result (view) && view != QN_VIEW_DIAGRAMS);
   gtk_widget_set_visible (self->diagram_box, shown);
+}
+
+/* Where the drawing is narrow, names of views are cut before they lie over what is beside it. */
+static void
+let_shrink (GtkWidget *widget)
+{
+  if (GTK_IS_POPOVER (widget))
+    return;
+  if (GTK_IS_LABEL (widget)) {
+    gtk_label_set_ellipsize (GTK_LABEL (widget), PANGO_ELLIPSIZE_END);
+    gtk_label_set_width_chars (GTK_LABEL (widget), VIEW_CHARS);
+  }
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    let_shrink (child);
 }
 
 static void
@@ -402,7 +420,10 @@ on_layout (GdkSurface *surface, int width, int height, QnWindow *self)
 {
   (void) surface;
   (void) height;
-  gboolean narrow = width < FOLD_WIDTH;
+  int panel = 0;
+  gtk_widget_measure (GTK_WIDGET (self->side_stack), GTK_ORIENTATION_HORIZONTAL, -1,
+                      &panel, NULL, NULL, NULL);
+  gboolean narrow = width < DRAWING_WIDTH + panel;
   if (narrow == self->is_narrow)
     return;
   self->is_narrow = narrow;
@@ -475,6 +496,7 @@ qn_window_init (QnWindow *self)
   self->recovery = qn_recovery_watch (self->document);
   bind_settings (self);
   g_signal_connect (self, "realize", G_CALLBACK (on_realize), NULL);
+  let_shrink (GTK_WIDGET (self->view_switcher));
   qn_window_add_context_menu (self);
   g_autoptr (GtkShortcutsWindow) shortcuts = qn_action_new_shortcuts_window ();
   gtk_application_window_set_help_overlay (GTK_APPLICATION_WINDOW (self), shortcuts);
@@ -561,6 +583,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (side_stack);
   BIND (start_box);
   BIND (tool_box);
+  BIND (view_switcher);
   BIND (canvas_box);
   BIND (view_box);
   BIND (info_bar);

@@ -4,8 +4,11 @@
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "doc/view/capacity-answer.h"
+#include "doc/view/capacity-settings.h"
 #include "io/exchange/record.h"
+#include "io/text/file-inside.h"
 #include "io/text/file-writer.h"
+#include "io/text/number-text.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -14,6 +17,9 @@
 
 /* What "g" is in --ag, m/s2. */
 #define STANDARD_GRAVITY 9.80665
+
+/* A number that no option is meant to be. */
+#define NOT_GIVEN -1e300
 
 /* Share of mass below which a word is due. */
 #define SMALL_SHARE 0.5
@@ -45,6 +51,49 @@ parse_acceleration (const char *text)
   else if (end == text || *end != '\0')
     return 0;
   return isfinite (value) && value > 0 ? value : 0;
+}
+
+static gboolean
+is_of_code (const char *spectrum)
+{
+  return strcmp (spectrum, "type1") == 0 || strcmp (spectrum, "type2") == 0;
+}
+
+static void
+take_text (char **option, const char *kept)
+{
+  if (*option == NULL)
+    *option = g_strdup (kept);
+}
+
+/* What is not asked for is as the project keeps it. A file that the project names lies beside it. */
+static gboolean
+take_kept (Options *options, const QnProject *project, GError **error)
+{
+  QnCapacitySettings kept;
+  gboolean named = options->spectrum == NULL, found = TRUE;
+  if (!qn_capacity_settings_read (project, &kept, error))
+    return FALSE;
+  take_text (&options->control, kept.control);
+  if (named && kept.spectrum != NULL && !is_of_code (kept.spectrum)) {
+    g_autofree char *folder = g_path_get_dirname (project->path);
+    options->spectrum = qn_file_inside (folder, kept.spectrum, FALSE, error);
+    found = options->spectrum != NULL;
+  } else
+    take_text (&options->spectrum, kept.spectrum);
+  if (options->spectrum != NULL && is_of_code (options->spectrum)) {
+    char number[QN_NUMBER_TEXT_SIZE];
+    qn_number_text (kept.ag, number);
+    take_text (&options->ag, kept.ag > 0 ? number : NULL);
+    take_text (&options->soil, kept.soil);
+  } else if (named)
+    take_text (&options->unit, kept.unit);
+  if (options->damping == NOT_GIVEN)
+    options->damping = kept.damping > 0 ? kept.damping : 0.05;
+  if (options->confidence == NOT_GIVEN)
+    options->confidence = kept.confidence > 0 ? kept.confidence : 1;
+  qn_capacity_settings_clear (&kept);
+  return found;
 }
 
 static QnExit
@@ -82,8 +131,7 @@ parse_spectrum (const QnSubcommand *self, const Options *options, Answer *answer
       return QN_EXIT_DONE;
     return qn_cli_usage_error (self->name, _ ("--spectrum is missing"));
   }
-  if (strcmp (options->spectrum, "type1") == 0
-      || strcmp (options->spectrum, "type2") == 0)
+  if (is_of_code (options->spectrum))
     return parse_code_spectrum (self, options, answer);
   if (options->ag != NULL || options->soil != NULL)
     return qn_cli_usage_error (
@@ -330,7 +378,8 @@ compute (QnInput *input, const Options *options, const QnOutput *output, Answer 
 static QnExit
 run (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .damping = 0.05, .confidence = 1 };
+  Options options = { .damping = NOT_GIVEN, .confidence = NOT_GIVEN };
+  GError *error = NULL;
   const GOptionEntry entries[] = {
     { "spectrum", 0, 0, G_OPTION_ARG_FILENAME, &options.spectrum,
       N_ ("Elastic spectrum of EN 1998-1, or a table of period and acceleration; without "
@@ -367,11 +416,15 @@ run (const QnSubcommand *self, int argc, char **argv)
   memset (&input, 0, sizeof input);
   qn_output_init (&output);
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = parse_spectrum (self, &options, &answer);
+    code = QN_EXIT_DONE;
   if (code == QN_EXIT_DONE && options.picture.path != NULL)
     code = qn_picture_output (self, &options.picture, &output);
   if (code == QN_EXIT_DONE)
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
+  if (code == QN_EXIT_DONE && !take_kept (&options, &input.project, &error))
+    code = qn_cli_fail (error);
+  if (code == QN_EXIT_DONE)
+    code = parse_spectrum (self, &options, &answer);
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)

@@ -1,19 +1,12 @@
 #define _GNU_SOURCE /* fopencookie */
 #include "cli/base/shown-text.h"
 
+#include "io/text/plain-character.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-static gboolean
-is_shown (gunichar c)
-{
-  if (c == '\n' || c == '\t')
-    return TRUE;
-  return !g_unichar_iscntrl (c) && !(c >= 0x202a && c <= 0x202e)
-         && !(c >= 0x2066 && c <= 0x2069);
-}
 
 gsize
 qn_shown_text_append (GString *shown, const char *text, gsize length)
@@ -30,7 +23,7 @@ qn_shown_text_append (GString *shown, const char *text, gsize length)
       continue;
     }
     gsize bytes = (gsize) (g_utf8_next_char (text + at) - (text + at));
-    if (is_shown (c))
+    if (qn_is_plain_character (c))
       g_string_append_len (shown, text + at, (gssize) bytes);
     else
       g_string_append_printf (shown, "\\u%04x", c);

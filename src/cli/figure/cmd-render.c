@@ -25,6 +25,18 @@ refuse (const QnSubcommand *self, const char *reason, const char *text)
   return qn_cli_usage_error (self->name, message);
 }
 
+/* `text` is none of the names that the option takes. */
+static QnExit
+refuse_unknown (const QnSubcommand *self, const char *const *names, size_t count,
+                const char *text)
+{
+  g_autoptr (GString) known = g_string_new (NULL);
+  for (size_t i = 0; i < count; i++)
+    g_string_append_printf (known, "%s%s", i > 0 ? ", " : "", names[i]);
+  g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known->str);
+  return refuse (self, reason, text);
+}
+
 static gboolean
 parse_step (const char *text, int32_t *step)
 {
@@ -63,11 +75,9 @@ parse_switches (const QnSubcommand *self, char **lists, bool on, QnViewOptions *
     g_auto (GStrv) names = g_strsplit (*list, ",", -1);
     for (char **name = names; *name != NULL; name++) {
       bool *flag = qn_view_switch (view, *name);
-      if (flag == NULL) {
-        g_autofree char *known = g_strjoinv (", ", (char **) qn_view_switches);
-        g_autofree char *reason = g_strdup_printf (_ ("is none of %s"), known);
-        return refuse (self, reason, *name);
-      }
+      if (flag == NULL)
+        return refuse_unknown (self, qn_view_switches,
+                               g_strv_length ((char **) qn_view_switches), *name);
       *flag = on;
     }
   }
@@ -80,13 +90,13 @@ parse_view (const QnSubcommand *self, const Options *options, QnViewOptions *vie
 {
   QnView kind = QN_VIEW_MODEL;
   if (options->view != NULL && !qn_view_parse (options->view, &kind))
-    return refuse (self, _ ("no such view"), options->view);
+    return refuse_unknown (self, qn_view_names, QN_VIEW_COUNT, options->view);
   qn_view_options_init (view, kind);
   view->monochrome = options->picture.monochrome;
   if (options->field != NULL && !qn_field_parse (options->field, &view->field))
-    return refuse (self, _ ("no such field"), options->field);
+    return refuse_unknown (self, qn_field_names, QN_FIELD_COUNT, options->field);
   if (options->diagram != NULL && !qn_diagram_parse (options->diagram, &view->diagram))
-    return refuse (self, _ ("is none of N, V, M"), options->diagram);
+    return refuse_unknown (self, qn_diagram_names, QN_DIAGRAM_COUNT, options->diagram);
   if (!parse_step (options->step, &view->step))
     return refuse (self, _ ("a step is a number from 0, or last"), options->step);
   if (!parse_scale (options->scale, &view->scale))

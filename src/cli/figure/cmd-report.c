@@ -2,9 +2,7 @@
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "cli/figure/sheet-input.h"
-#include "cli/project/check-report.h"
-#include "doc/view/report.h"
-#include "io/result/result-claims.h"
+#include "doc/view/report-item.h"
 
 #include <glib/gi18n.h>
 #include <glib/gstdio.h>
@@ -18,20 +16,14 @@ typedef struct Options {
 /* One result, and the project it was computed of. */
 typedef struct Item {
   QnInput input;
-  QnResultFile file;
-  QnResultCheck check;
-  QnResultFaults faults;
-  char *unchecked; /* why it is not checked; NULL: it is */
-  char *name;
+  QnReportItem report;
 } Item;
 
 static void
 item_clear (Item *item)
 {
-  qn_result_file_clear (&item->file);
+  qn_report_item_clear (&item->report);
   qn_input_clear (&item->input);
-  g_free (item->unchecked);
-  g_free (item->name);
 }
 
 static QnExit
@@ -65,19 +57,13 @@ choose_sections (const QnSubcommand *self, const char *list, bool *sections)
 static QnExit
 load_item (Item *item, const char *model, const char *result)
 {
-  QnExit code =
-    qn_input_load_with_result (&item->input, &item->file, model, result, NULL, TRUE);
+  QnExit code = qn_input_load_with_result (&item->input, &item->report.file, model,
+                                           result, NULL, TRUE);
   if (code != QN_EXIT_DONE)
     return code;
-  item->name = g_path_get_basename (result);
-  g_autoptr (GError) error = NULL;
-  if (item->file.result.history.width > 0)
-    item->unchecked = g_strdup (_ ("an analysis in time ends in motion; check --result "
-                                   "follows its balance of energy"));
-  else if (!qn_result_file_find_faults (&item->file, result, &item->input.project,
-                                        &item->input.contacts, &item->faults, &error)
-           || !qn_result_check (&item->file, &item->input.project, &item->check, &error))
-    item->unchecked = g_strdup (error->message);
+  item->report.name = g_path_get_basename (result);
+  qn_report_item_check (&item->report, &item->input.project, &item->input.contacts,
+                        result);
   return QN_EXIT_DONE;
 }
 
@@ -101,8 +87,9 @@ solve (Item *item, const char *model)
     if (qn_result_file_write (path, &solved.input.project, &solved.input.contacts,
                               &solved.file.result, &error)) {
       code = load_item (item, model, path);
-      g_free (item->name);
-      item->name = code == QN_EXIT_DONE ? g_strdup (_ ("Analysis of the project")) : NULL;
+      g_free (item->report.name);
+      item->report.name =
+        code == QN_EXIT_DONE ? g_strdup (_ ("Analysis of the project")) : NULL;
     }
     g_unlink (path);
     g_rmdir (folder);
@@ -117,21 +104,9 @@ write_report (const Options *options, const QnInput *input, const Item *items,
 {
   GError *error = NULL;
   g_autofree QnReportRun *runs = g_new0 (QnReportRun, count + 1);
-  for (gsize i = 0; i < count; i++) {
-    const Item *item = &items[i];
-    const QnCheckReport check = { .input = &item->input,
-                                  .check = &item->check,
-                                  .faults = &item->faults };
-    runs[i] = (QnReportRun){
-      .name = item->name,
-      .project = &item->input.project,
-      .contacts = &item->input.contacts,
-      .file = &item->file,
-      .check = item->unchecked == NULL ? &item->check : NULL,
-      .unchecked = item->unchecked,
-      .passes = item->unchecked == NULL && qn_check_report_passes (&check),
-    };
-  }
+  for (gsize i = 0; i < count; i++)
+    runs[i] = qn_report_item_get_run (&items[i].report, &items[i].input.project,
+                                      &items[i].input.contacts);
   report->project = &input->project;
   report->contacts = &input->contacts;
   report->runs = runs;

@@ -10,13 +10,7 @@
 gboolean
 qn_check_report_passes (const QnCheckReport *report)
 {
-  const QnResultCheck *check = report->check;
-  double asked = 10 * report->input->project.model.analysis.residual_tolerance;
-  double tolerance = MAX (QN_CHECK_TOLERANCE, asked);
-  if (report->faults->count > 0)
-    return FALSE;
-  return check == NULL
-         || (check->out_of_balance <= tolerance && check->yield_violation <= tolerance);
+  return qn_result_passes (&report->input->project, report->check, report->faults);
 }
 
 static gboolean

@@ -6,11 +6,6 @@
 #include "io/result/result-check.h"
 #include "io/result/result-claims.h"
 
-/* Largest imbalance and largest yield violation, over the
- * largest force, that a result may have to pass the independent check; or ten times the residual
- * tolerance that the project asks for. */
-#define QN_CHECK_TOLERANCE 1e-6
-
 /* A model that was checked, with what was found out about a result of it. */
 typedef struct QnCheckReport {
   const QnInput *input;

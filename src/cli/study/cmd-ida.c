@@ -129,10 +129,9 @@ make_model (const Ida *ida, const char *record, double end, QnProject *model,
     if (!(source->analysis.dynamic.time_step > 0))
       g_ptr_array_add (all, g_strdup ("analysis.dynamic.time_step=0.005"));
   }
-  g_ptr_array_add (
-    all, g_strdup_printf (
-           "analysis.dynamic.ground=[{\"direction\": [%s, %s], \"record\": \"%s\"}]", x,
-           y, record));
+  g_ptr_array_add (all, g_strdup_printf ("analysis.dynamic.ground=[{\"direction\": [%s, "
+                                         "%s], \"record\": \"%s\", \"rest\": true}]",
+                                         x, y, record));
   g_ptr_array_add (all, NULL);
   return qn_project_parse (ida->project.text, ida->project.text_length, ida->project.name,
                            (const char *const *) all->pdata, model, error);

@@ -22,6 +22,7 @@ allocate (QnAssembly *as)
   as->springs = qn_alloc (pairs, sizeof *as->springs);
   as->committed = qn_alloc (pairs, sizeof *as->committed);
   as->responses = qn_alloc (pairs, sizeof *as->responses);
+  as->asleep = qn_alloc (pairs, sizeof *as->asleep);
   as->dead = qn_alloc (n, sizeof (double));
   as->live = qn_alloc (n, sizeof (double));
   as->dead_at_rest = qn_alloc (n, sizeof (double));
@@ -39,10 +40,10 @@ allocate (QnAssembly *as)
   as->face_unknowns =
     qn_alloc (as->contacts->face_count * QN_FACE_UNKNOWNS, sizeof *as->face_unknowns);
   return as->kinematics && as->gradients && as->elongations && as->springs
-         && as->committed && as->responses && as->dead && as->live && as->dead_at_rest
-         && as->live_at_rest && as->damping && as->diagonal && as->scatter
-         && as->first_pairs && as->whole && as->forces && as->settles && as->face_unknowns
-         && as->phases && as->stale;
+         && as->committed && as->responses && as->asleep && as->dead && as->live
+         && as->dead_at_rest && as->live_at_rest && as->damping && as->diagonal
+         && as->scatter && as->first_pairs && as->whole && as->forces && as->settles
+         && as->face_unknowns && as->phases && as->stale;
 }
 
 /* Marks the supports that settle in any of the loads. */
@@ -97,10 +98,13 @@ prepare_pairs (QnAssembly *as)
     const QnContactPair *pair = &contacts->pairs[p];
     const QnContactFace *face = &contacts->faces[pair->face];
 
+    QnVec2 from = pair->found ? pair->foot : pair->point;
     qn_pair_kinematics_init (
       &as->kinematics[p], face->normal,
-      qn_vec2_sub (pair->point, as->model->blocks[face->a].centroid),
+      qn_vec2_sub (from, as->model->blocks[face->a].centroid),
       qn_vec2_sub (pair->point, as->model->blocks[face->b].centroid), as->length);
+    if (pair->found)
+      qn_pair_kinematics_set_corner (&as->kinematics[p], qn_vec2_sub (pair->point, from));
     as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
     as->springs[p] = qn_contacts_pair_springs (as->model, contacts, p);
   }
@@ -348,6 +352,7 @@ qn_assembly_clear (QnAssembly *as)
   free (as->springs);
   free (as->committed);
   free (as->responses);
+  free (as->asleep);
   free (as->dead);
   free (as->live);
   free (as->damping);
@@ -388,8 +393,12 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
 
   qn_assembly_update_kinematics (as, u);
   for (size_t p = 0; p < as->pair_count; p++)
-    ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
-                            &as->responses[p]);
+    if (as->asleep[p])
+      as->responses[p] =
+        (QnPairResponse){ .memory = as->committed[p], .phase = QN_PHASE_OPEN };
+    else
+      ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                              &as->responses[p]);
   qn_beam_assembly_evaluate (&as->beams);
   return ok;
 }

@@ -165,7 +165,9 @@ qn_capacity_check_ntc (const QnCapacity *c, const QnSpectrum *spectrum, double c
 
   state.acceleration = qn_capacity_acceleration (c, state.capacity) / confidence;
   state.period = factors[which] * PI * sqrt (state.capacity / state.acceleration);
-  state.demand = qn_spectrum_displacement (spectrum, state.period);
+  state.demand = spectrum->kind == QN_SPECTRUM_POINTS
+                   ? qn_spectrum_largest_displacement (spectrum, state.period)
+                   : qn_spectrum_displacement (spectrum, state.period);
   state.ratio = state.capacity / state.demand;
   return state;
 }

@@ -69,7 +69,8 @@ typedef struct QnCapacityState {
  *   SLV   d = 0.4 d0*   T = 1.68 pi sqrt(d/a)
  *   SLC   d = 0.6 d0*   T = 1.56 pi sqrt(d/a)        a = a*(d)/FC
  *
- * FC >= 1: confidence factor; demand S_De(T). Where the path ends before multiplier 0 its end stands for d0*. */
+ * FC >= 1: confidence factor; demand S_De(T), of POINTS the largest of those up to T. Where the
+ * path ends before multiplier 0 its end stands for d0*. */
 typedef enum { QN_NTC_SLV, QN_NTC_SLC, QN_NTC_STATE_COUNT } QnNtcState;
 
 QnCapacityState qn_capacity_check_ntc (const QnCapacity *capacity,

@@ -77,6 +77,16 @@ qn_spectrum_displacement (const QnSpectrum *spectrum, double t)
 }
 
 double
+qn_spectrum_largest_displacement (const QnSpectrum *spectrum, double t)
+{
+  double largest = qn_spectrum_displacement (spectrum, t);
+
+  for (size_t i = 0; i < spectrum->point_count && spectrum->points[i].x < t; i++)
+    largest = fmax (largest, qn_spectrum_displacement (spectrum, spectrum->points[i].x));
+  return largest;
+}
+
+double
 qn_spectrum_corner (const QnSpectrum *spectrum)
 {
   double acceleration = 0, velocity = 0; /* of the latter 2 pi times */

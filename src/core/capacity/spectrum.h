@@ -51,6 +51,10 @@ typedef struct QnSpectrum {
 double qn_spectrum_acceleration (const QnSpectrum *spectrum, double period);
 double qn_spectrum_displacement (const QnSpectrum *spectrum, double period);
 
+/* The largest displacement at this period and at those of the points before it: straight lines between
+ * points that lie far apart would have larger ones. */
+double qn_spectrum_largest_displacement (const QnSpectrum *spectrum, double period);
+
 /* TC, where the range of constant acceleration ends, s. Of POINTS 2 pi times the largest
  * pseudo-velocity over the largest acceleration, which is TC where they are those of EN 1998-1. */
 double qn_spectrum_corner (const QnSpectrum *spectrum);

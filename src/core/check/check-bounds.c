@@ -32,9 +32,8 @@ static int
 list_sides (const QnPairSprings *springs, Side sides[MOST_SIDES])
 {
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (&springs->a, rows), sides_count = 0;
+  int count = qn_pair_strength (springs, rows), sides_count = 0;
 
-  count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
   for (int i = 0; i < count; i++) {
     sides[sides_count++] = (Side){ { rows[i].normal, rows[i].shear }, rows[i].limit };
     if (rows[i].shear > 0)

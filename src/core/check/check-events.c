@@ -19,6 +19,7 @@ typedef struct {
   size_t base, last;
   double origin; /* multiplier where it begins */
   double sense;  /* -1: it falls */
+  uint32_t sets; /* of loads, that it drives */
   bool by_load;  /* the multiplier is prescribed */
 } Stretch;
 
@@ -39,13 +40,14 @@ find_stretch (const QnCheck *check)
 {
   const QnResult *r = check->result;
   const QnModel *model = check->model;
-  Stretch stretch = { .last = r->step_count - 1, .sense = 1 };
+  Stretch stretch = { .last = r->step_count - 1, .sense = 1, .sets = 1 };
   double factors[QN_MAX_LOAD_SETS] = { 0 };
   QnProcedure procedure = model->analysis.procedure;
 
   if (r->stage > 0 && (size_t) r->stage <= model->stage_count) {
     const QnStage *stage = &model->stages[r->stage - 1];
     int set = QN_MAX_LOAD_SETS - 1;
+    stretch.sets = stage->sets;
     stretch.base = stretch.last;
     while (stretch.base > 0 && r->steps[stretch.base].stage == r->stage)
       stretch.base--;
@@ -156,10 +158,12 @@ static double
 find_energy (QnCheck *check, const Stretch *stretch, size_t start, size_t end)
 {
   QnAssembly *as = &check->assembly;
-  const double none[QN_MAX_LOAD_SETS] = { 0 }, live[QN_MAX_LOAD_SETS] = { 1 };
+  double none[QN_MAX_LOAD_SETS] = { 0 }, live[QN_MAX_LOAD_SETS] = { 0 };
   const QnResult *r = check->result;
   double held = multiplier_at (check, stretch, start), energy = 0;
 
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    live[set] = stretch->sets >> set & 1;
   qn_assembly_set_loads (as, none, live);
   qn_check_gather (as, qn_result_step_displacements (r, start), check->velocity);
   for (size_t i = start + 1; i <= end; i++) {
@@ -196,9 +200,8 @@ is_recomputed (QnCheck *check, const Stretch *stretch, const QnPathEvent *event,
   if (!same (event->displacement_after, jumped ? now : after)
       && !(end == stretch->last && same (event->displacement_after, after)))
     return false;
-  return check->model->stage_count > 0
-         || qn_check_agrees (event->energy, energy,
-                             NEARLY * energy + SAME * check->scale * now);
+  return qn_check_agrees (event->energy, energy,
+                          NEARLY * energy + SAME * check->scale * now);
 }
 
 /* Returns whether an event is one of the steps; *start is where it begins. */

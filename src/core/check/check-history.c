@@ -1,8 +1,13 @@
 /* What an analysis in time keeps: energies, peaks, tracks. */
+#include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/check/check-parts.h"
+#include "core/dynamics/dynamics.h"
 #include "core/dynamics/ground.h"
+#include "core/dynamics/pair-motion.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Steps and rows of the history that fall together, in lengths of a row. */
 #define SAME_TIME 1e-6
@@ -30,6 +35,32 @@ check_energy (QnCheck *check)
   if (!(worst <= 2 * h->energy_error * most + QN_CHECK_TOLERANCE * most))
     qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) at, QN_ENTITY_ANALYSIS, QN_NONE, worst,
                    h->energy_error * most);
+}
+
+/* How far the motion was followed, when it collapsed, and what its steps were like. */
+static void
+check_scalars (QnCheck *check)
+{
+  const QnResult *r = check->result;
+  const QnHistory *h = &r->history;
+  double last = r->steps[r->step_count - 1].time, residual = 0;
+  double little = SAME_TIME * fmax (last, check->model->analysis.dynamic.time_step);
+  bool is_true = qn_check_agrees (h->end, last, little) && h->steps >= 0
+                 && h->rejected >= 0 && h->largest_slip >= 0
+                 && (h->row_count == 0 || (double) h->steps >= (double) h->row_count - 1)
+                 && h->steps * h->shortest_step <= last + little
+                 && (h->steps == 0 || h->shortest_step > 0);
+
+  for (size_t i = 1; i < r->step_count; i++)
+    residual = fmax (residual, r->steps[i].residual);
+  is_true = is_true && residual <= h->largest_residual * (1 + QN_CHECK_EXACT);
+  if (r->outcome == QN_OUTCOME_COLLAPSE) /* what falls may be followed on */
+    is_true = is_true && h->collapse_time <= last + little
+              && (check->model->analysis.dynamic.fall
+                  || qn_check_agrees (h->collapse_time, last, little));
+  if (!is_true)
+    qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, h->end,
+                   last);
 }
 
 /* No step has moved further than the peaks say. */
@@ -87,6 +118,168 @@ check_rows (QnCheck *check, const QnGround *ground)
   }
 }
 
+/* Row of the history at the time of a step; NULL where none is. Of two steps at the start the second has
+ * the initial motion. */
+static const double *
+find_row (const QnCheck *check, size_t step)
+{
+  const QnHistory *h = &check->result->history;
+  double time = check->result->steps[step].time;
+  double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 1;
+  double place = apart > 0 && h->row_count > 0 ? rint (time / apart) : -1;
+
+  if ((step == 0 && check->model->initial_count > 0)
+      || !(place >= 0 && place < (double) h->row_count))
+    return NULL;
+  const double *row = h->rows + (size_t) place * h->width;
+  return fabs (row[QN_HISTORY_TIME] - time) <= SAME_TIME * apart ? row : NULL;
+}
+
+/* Unknowns from the velocities of bodies; supports have none, and nodes on blocks ride with them. */
+static void
+gather_velocity (QnCheck *check, size_t step)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnResult *r = check->result;
+  size_t count = qn_result_body_count (r) * QN_DOF_COUNT;
+  const double *stated = r->velocities + step * count;
+
+  memset (check->velocity, 0, (size_t) as->unknown_count * sizeof *check->velocity);
+  qn_check_gather (as, stated, check->velocity);
+  qn_assembly_expand_rates (as, check->u, check->velocity, check->rows);
+  double largest = qn_largest (check->rows, count);
+  for (size_t i = 0; i < count; i++)
+    if (!qn_check_agrees (stated[i], check->rows[i], QN_CHECK_EXACT * largest))
+      qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
+                     stated[i], check->rows[i]);
+}
+
+static double
+kinetic_energy (QnCheck *check)
+{
+  const QnAssembly *as = &check->assembly;
+  double sum = 0;
+
+  qn_assembly_multiply (as, check->mass, check->velocity, check->residual);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    sum += 0.5 * check->velocity[i] * check->residual[i];
+  return sum;
+}
+
+static double
+elastic_energy (const QnCheck *check)
+{
+  const QnAssembly *as = &check->assembly;
+  double sum = 0;
+
+  for (size_t p = 0; p < as->pair_count; p++) {
+    QnPairElasticity pair = qn_pair_elasticity (&as->springs[p]);
+    QnPairInstant at = { .q = { as->elongations[2 * p], as->elongations[2 * p + 1] },
+                         .response = &as->responses[p] };
+    sum += qn_pair_elastic_energy (&pair, &at);
+  }
+  return sum;
+}
+
+/* The ground stands still, and the dead loads are weights, which stay as they are. */
+static bool
+moves_freely (const QnModel *model)
+{
+  for (size_t i = 0; i < model->dead_load_count; i++)
+    if (model->dead_loads[i].kind != QN_LOAD_WEIGHT)
+      return false;
+  return model->ground_count == 0;
+}
+
+/* From where the motion begins. */
+static double
+work_of_weights (const QnCheck *check)
+{
+  const QnAssembly *as = &check->assembly;
+  double sum = 0;
+
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    sum += as->settles[i] ? 0 : as->dead[i] * (check->u[i] - check->begun[i]);
+  return sum;
+}
+
+/* Slower than what is called rest, where the outcome says so. */
+static void
+check_rest (QnCheck *check, size_t step)
+{
+  const QnModel *model = check->model;
+  const QnResult *r = check->result;
+  double most = QN_REST_SPEED * sqrt (model->gravity * model->characteristic_length);
+  double fastest = qn_largest (check->velocity, (size_t) check->assembly.unknown_count);
+
+  if (r->outcome == QN_OUTCOME_REST && step + 1 == r->step_count
+      && !(fastest <= most * (1 + QN_CHECK_EXACT)))
+    qn_check_tell (check, QN_CLAIM_OUTCOME, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
+                   fastest, most);
+}
+
+static QnStatus
+prepare_motion (QnCheck *check, QnDiag *diag)
+{
+  const QnAssembly *as = &check->assembly;
+  size_t n = (size_t) as->unknown_count;
+
+  check->mass = qn_alloc ((size_t) as->ap[n], sizeof *check->mass);
+  check->begun = qn_alloc (n, sizeof *check->begun);
+  if (check->mass == NULL || check->begun == NULL)
+    return qn_diag_no_memory (diag);
+  memcpy (check->begun, check->u, n * sizeof *check->begun);
+  return qn_assembly_mass (as, check->mass, diag);
+}
+
+/* Kinetic energy by the velocities and masses, elastic energy by the forces, and where the ground stands
+ * still the input by the work of the loads. Beams, and contacts found on the way, store energy that is not
+ * counted here. */
+QnStatus
+qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
+{
+  const QnResult *r = check->result;
+  const double *row = find_row (check, step);
+  double largest = 0;
+
+  if (r->velocities != NULL) {
+    gather_velocity (check, step);
+    check_rest (check, step);
+  }
+  if (row == NULL || r->history.width != QN_HISTORY_TRACK + check->model->track_count)
+    return QN_OK;
+  if (check->mass == NULL) {
+    QnStatus status = prepare_motion (check, diag);
+    if (status != QN_OK)
+      return status;
+  }
+  const double *energy = row + QN_HISTORY_ENERGY,
+               *first = r->history.rows + QN_HISTORY_ENERGY;
+  for (size_t i = 0; i < r->history.row_count; i++)
+    for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
+      largest = fmax (largest, fabs (first[i * r->history.width + (size_t) kind]));
+  const struct {
+    QnEnergyKind kind;
+    bool known;
+    double found, tolerance;
+  } energies[] = {
+    { QN_ENERGY_KINETIC, r->velocities != NULL,
+      r->velocities != NULL ? kinetic_energy (check) : 0, QN_CHECK_EXACT },
+    { QN_ENERGY_ELASTIC, check->model->element_count == 0 && check->all.pairs == NULL,
+      elastic_energy (check), QN_CHECK_FORCES },
+    { QN_ENERGY_INPUT, moves_freely (check->model),
+      first[QN_ENERGY_INPUT] + work_of_weights (check), QN_CHECK_EXACT },
+  };
+  for (size_t i = 0; i < QN_N_ELEMENTS (energies); i++) {
+    double stated = energy[energies[i].kind];
+    if (energies[i].known
+        && !qn_check_agrees (stated, energies[i].found, energies[i].tolerance * largest))
+      qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
+                     stated, energies[i].found);
+  }
+  return QN_OK;
+}
+
 static bool
 has_all_records (const QnModel *model)
 {
@@ -108,6 +301,7 @@ qn_check_history (QnCheck *check)
     qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_TRACK, QN_NONE, NAN, NAN);
     return;
   }
+  check_scalars (check);
   check_energy (check);
   check_peaks (check);
   if (has_all_records (check->model) && qn_ground_init (&ground, check->model)) {

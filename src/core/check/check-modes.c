@@ -84,10 +84,11 @@ check_stability (QnCheck *check, size_t step, QnDiag *diag)
     tell (check, QN_CLAIM_FIRST_LIMIT, step, lost, at);
   if (result->mechanism == NULL)
     tell (check, QN_CLAIM_MODE, step, NAN, NAN);
-  else if (step > 0 && !result->mechanism_uncertain
-           && !(find_stiffness (check) <= LEFT * check->stiffness_at_rest))
-    tell (check, QN_CLAIM_MODE, step, find_stiffness (check) / check->stiffness_at_rest,
-          0);
+  else if (step > 0 && !result->mechanism_uncertain) {
+    double stiffness = find_stiffness (check);
+    if (!(stiffness <= LEFT * check->stiffness_at_rest))
+      tell (check, QN_CLAIM_MODE, step, stiffness / check->stiffness_at_rest, 0);
+  }
   return QN_OK;
 }
 
@@ -97,6 +98,8 @@ qn_check_modes (QnCheck *check, size_t step, QnDiag *diag)
   const QnResult *result = check->result;
   QnStatus status = QN_OK;
 
+  if (result->stability == QN_STABILITY_UNKNOWN && result->vibration.mode == 0)
+    return QN_OK;
   if (result->mechanism != NULL)
     qn_check_gather (&check->assembly, result->mechanism, check->velocity);
   if (result->stability != QN_STABILITY_UNKNOWN)

@@ -4,6 +4,7 @@
 
 #include "core/assembly/assembly.h"
 #include "core/check/result-check.h"
+#include "core/contact/contact-follow.h"
 
 /* Bodies are in balance and joints within their strength to this part of the largest force, or to
  * ten times the residual that the project asks for. */
@@ -15,6 +16,9 @@
 
 /* Rounding of displacements, relative to the largest. */
 #define QN_CHECK_EXACT 1e-11
+
+/* Rounding of the forces that a file states of steps before the last, in eight digits. */
+#define QN_CHECK_DIGITS 5e-9
 
 /* Elongations of a step are those of its forces and flow to this part of the largest change of one
  * since the step before: what an increment along the central path may leave of them. */
@@ -33,13 +37,18 @@ typedef struct QnCheck {
   const QnResult *result;
   QnCheckDepth depth;
   QnResultFaults *faults;
-  QnAssembly assembly;
-  double tolerance; /* of forces, relative to `scale` */
-  double scale;     /* N: largest force of the step */
-  double largest;   /* m: largest displacement of the step */
-  double change;    /* m: largest change of an elongation in a step so far */
-  bool relaxed;     /* some step so far is not the laws' answer to the one before */
-  double slack;     /* m: what elongations may be off by, of all steps so far */
+  QnAssembly assembly;    /* of the contacts as drawn and those found on the way */
+  QnContactFollow follow; /* where there are any, or joints were left */
+  QnContacts all;         /* those contacts; `contacts` where there are none */
+  size_t first_force,
+    next_force;        /* of the result's forces of found contacts: those of the step */
+  QnFoundForce *found; /* scratch, by found contact: forces of the step */
+  double tolerance;    /* of forces, relative to `scale` */
+  double scale;        /* N: largest force of the step */
+  double largest;      /* m: largest displacement of the step */
+  double change;       /* m: largest change of an elongation in a step so far */
+  bool relaxed;        /* some step so far is not the laws' answer to the one before */
+  double slack;        /* m: what elongations may be off by, of all steps so far */
   double stiffness_at_rest;  /* N/m: against the mechanism, at the first step */
   double *u, *residual;      /* unknowns */
   double *rows;              /* scratch, a row for every body */
@@ -47,6 +56,8 @@ typedef struct QnCheck {
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
   double *elongations;       /* 2 per pair: at the step before */
+  double *mass;              /* in time: in the pattern of the tangent */
+  double *begun;             /* in time: unknowns where the motion begins */
 } QnCheck;
 
 /* Notes a claim that is not true, unless one of its kind has been found before. */
@@ -55,6 +66,18 @@ void qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, Q
 
 /* False for what is no number, too. */
 bool qn_check_agrees (double stated, double found, double tolerance);
+
+/* Makes ready to check contacts that were found on the way; false when memory runs out. Those that
+ * name what is not there are told, and none is looked at then. */
+bool qn_check_found_init (QnCheck *check, QnDiag *diag);
+void qn_check_found_clear (QnCheck *check);
+
+/* Takes up what they carry at a step, and puts the others to sleep. To be called for every step, in
+ * order, before pairs are evaluated. */
+void qn_check_found_take (QnCheck *check, size_t step);
+
+/* No corner lies within another block without a contact. After qn_check_found_take(). */
+QnStatus qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag);
 
 /* Unknowns from a row of displacements or velocities for every body. */
 void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);
@@ -74,7 +97,9 @@ QnStatus qn_check_modes (QnCheck *check, size_t step, QnDiag *diag);
 /* The bounds of limit analysis (check-bounds.c). */
 QnStatus qn_check_bounds (QnCheck *check, QnDiag *diag);
 
-/* What an analysis in time keeps (check-history.c). */
+/* What an analysis in time keeps (check-history.c): the whole of it, and the energies at a step, at which
+ * the assembly was last evaluated. */
 void qn_check_history (QnCheck *check);
+QnStatus qn_check_motion (QnCheck *check, size_t step, QnDiag *diag);
 
 #endif

@@ -21,6 +21,20 @@ qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, QnId i
   faults->items[faults->count++] = (QnFault){ claim, step, entity, index, stated, found };
 }
 
+/* A fault at a pair; one that was found on the way is named by its block. */
+static void
+tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair, double stated,
+           double found)
+{
+  size_t drawn = check->contacts->pair_count;
+  bool is_drawn = pair < drawn;
+
+  qn_check_tell (
+    check, claim, (QnId) step, is_drawn ? QN_ENTITY_CONTACT : QN_ENTITY_BLOCK,
+    is_drawn ? (QnId) pair : check->result->found[pair - drawn].contact.other, stated,
+    found);
+}
+
 /* Written to disagree with what is no number. */
 bool
 qn_check_agrees (double stated, double found, double tolerance)
@@ -78,11 +92,19 @@ check_settlements (QnCheck *check, size_t step)
 /* Force of a pair as the result states it at a step, at the last one in all digits; false where it
  * does not. */
 static bool
-stated_force (const QnResult *result, size_t step, size_t pair, double force[2],
+stated_force (const QnCheck *check, size_t step, size_t pair, double force[2],
               QnPairState *state)
 {
+  const QnResult *result = check->result;
   bool is_last = step + 1 == result->step_count;
 
+  if (pair >= check->contacts->pair_count) {
+    const QnFoundForce *found = &check->found[pair - check->contacts->pair_count];
+    force[0] = found->normal;
+    force[1] = found->shear;
+    *state = found->state;
+    return true;
+  }
   if (!is_last && !qn_result_has_forces (result, step))
     return false;
   QnPairResult at =
@@ -176,9 +198,8 @@ static bool
 is_near_strength (const QnPairSprings *springs, const double force[2], double little)
 {
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (&springs->a, rows);
+  int count = qn_pair_strength (springs, rows);
 
-  count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
   for (int i = 0; i < count; i++)
     if (fabs (rows[i].normal * force[0] + rows[i].shear * fabs (force[1]) - rows[i].limit)
         <= little)
@@ -253,7 +274,7 @@ check_forces (QnCheck *check, size_t step)
     QnPairMemory memory;
     QnPairState state;
     double force[2], tolerance = force_tolerance (check, springs, q);
-    if (!stated_force (check->result, step, p, force, &state))
+    if (!stated_force (check, step, p, force, &state))
       return;
     QnPairResponse *response = &as->responses[p];
     if (!same_force (response->force, force, tolerance)) {
@@ -275,8 +296,7 @@ check_forces (QnCheck *check, size_t step)
         && same_force (response->force, force, tolerance);
       int worse = !qn_check_agrees (replayed.force[0], force[0], tolerance) ? 0 : 1;
       if (!explained)
-        qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_CONTACT, (QnId) p,
-                       force[worse], replayed.force[worse]);
+        tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse], replayed.force[worse]);
       jumped = jumped || explained;
     }
     /* What follows is checked with the forces as they are stated. */
@@ -298,7 +318,7 @@ find_scale (QnCheck *check, size_t step)
     if (!as->settles[i])
       scale = fmax (scale, fabs (as->dead[i]));
   for (size_t p = 0; p < as->pair_count; p++)
-    if (stated_force (check->result, step, p, force, &state))
+    if (stated_force (check, step, p, force, &state))
       scale = fmax (scale, hypot (force[0], force[1]));
   for (size_t e = 0; beams != NULL && e < check->model->element_count; e++)
     for (int end = 0; end < 2; end++)
@@ -323,18 +343,16 @@ check_strength (QnCheck *check, size_t step)
     QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
     QnPairState state;
     double force[2];
-    if (!stated_force (check->result, step, p, force, &state))
+    if (!stated_force (check, step, p, force, &state))
       return;
     double excess =
       fmax (steel_excess (&springs->a, force[0]), steel_excess (&springs->b, force[0]));
-    int count = qn_spring_strength (&springs->a, rows);
-    count += springs->equal ? 0 : qn_spring_strength (&springs->b, rows + count);
+    int count = qn_pair_strength (springs, rows);
     for (int i = 0; i < count; i++)
       excess = fmax (excess, rows[i].normal * force[0] + rows[i].shear * fabs (force[1])
                                - rows[i].limit);
     if (!(excess <= check->tolerance * check->scale))
-      qn_check_tell (check, QN_CLAIM_STRENGTH, (QnId) step, QN_ENTITY_CONTACT, (QnId) p,
-                     excess, 0);
+      tell_pair (check, QN_CLAIM_STRENGTH, step, p, excess, 0);
   }
 }
 
@@ -400,15 +418,15 @@ check_states (QnCheck *check, size_t step)
     const QnPairSprings *springs = &as->springs[p];
     QnPairState state;
     double force[2];
-    if (!stated_force (result, step, p, force, &state))
+    if (!stated_force (check, step, p, force, &state))
       return;
     double size = hypot (force[0], force[1]);
     bool by_little = size <= QN_CHECK_FORCES * check->scale;
     if (!comes_to_state (check, p, state)
         && !((by_force || by_little || state != QN_PAIR_STICK || stays (check, p))
              && state_suits_force (check, springs, force, state)))
-      qn_check_tell (check, QN_CLAIM_STATES, (QnId) step, QN_ENTITY_CONTACT, (QnId) p,
-                     state, qn_pair_state (springs, as->responses[p].phase));
+      tell_pair (check, QN_CLAIM_STATES, step, p, state,
+                 qn_pair_state (springs, as->responses[p].phase));
   }
 }
 
@@ -425,6 +443,18 @@ body_of (const QnAssembly *as, int32_t unknown)
   return i / QN_DOF_COUNT;
 }
 
+/* What rounding of stated forces adds to a moment, relative to the length of the assembly: where blocks
+ * have moved far apart, forces between them have arms as long as that. */
+static double
+rounding_of_moments (const QnCheck *check, size_t step)
+{
+  bool is_last = step + 1 == check->result->step_count;
+
+  if (is_last || !check->assembly.nonlinear)
+    return 0;
+  return QN_CHECK_DIGITS * check->scale * check->largest / check->assembly.length;
+}
+
 static void
 check_balance (QnCheck *check, size_t step)
 {
@@ -432,10 +462,10 @@ check_balance (QnCheck *check, size_t step)
   size_t pairs = as->pair_count, blocks = check->model->block_count;
   QnPairState state;
   int32_t worst = QN_NONE;
-  double largest = check->tolerance * check->scale;
+  double largest = check->tolerance * check->scale + rounding_of_moments (check, step);
 
   for (size_t p = 0; p < pairs; p++)
-    if (!stated_force (check->result, step, p, check->forces + 2 * p, &state))
+    if (!stated_force (check, step, p, check->forces + 2 * p, &state))
       memcpy (check->forces + 2 * p, as->responses[p].force, 2 * sizeof (double));
   qn_assembly_residual_of (as, 0, check->forces, 2, check->residual);
   for (int32_t i = 0; i < as->unknown_count; i++)
@@ -513,6 +543,7 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
   qn_result_load_factors (check->model, result, step, factors);
   qn_assembly_set_loads (as, factors, nothing);
   qn_check_gather (as, rows, check->u);
+  qn_check_found_take (check, step);
   check->largest = qn_largest (check->u, (size_t) check->assembly.unknown_count);
   if (!qn_assembly_evaluate (as, check->u))
     qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_MODEL, QN_NONE, NAN,
@@ -531,6 +562,10 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
     check_balance (check, step);
   check_reactions (check, step);
   QnStatus status = qn_check_modes (check, step, diag);
+  if (status == QN_OK && in_time)
+    status = qn_check_motion (check, step, diag);
+  if (status == QN_OK && check->all.pairs != NULL)
+    status = qn_check_found_missing (check, step, diag);
   qn_assembly_commit (as);
   return status;
 }
@@ -541,16 +576,20 @@ init (QnCheck *check, QnDiag *diag)
   const QnModel *model = check->model;
   size_t bodies = qn_model_body_count (model);
 
-  if (qn_assembly_setup (&check->assembly, model, check->contacts, diag) != QN_OK)
+  if (!qn_check_found_init (check, diag)
+      || qn_assembly_setup (&check->assembly, model,
+                            check->all.pairs != NULL ? &check->all : check->contacts,
+                            diag)
+           != QN_OK)
     return false;
+  size_t pairs = check->assembly.pair_count;
   size_t unknowns = (size_t) check->assembly.unknown_count;
   check->u = qn_alloc (unknowns, sizeof *check->u);
   check->residual = qn_alloc (unknowns, sizeof *check->residual);
   check->rows = qn_alloc (bodies * QN_DOF_COUNT, sizeof *check->rows);
-  check->forces = qn_alloc (2 * check->contacts->pair_count, sizeof *check->forces);
+  check->forces = qn_alloc (2 * pairs, sizeof *check->forces);
   check->beam_forces = qn_alloc (model->element_count, sizeof *check->beam_forces);
-  check->elongations =
-    qn_alloc (2 * check->contacts->pair_count, sizeof *check->elongations);
+  check->elongations = qn_alloc (2 * pairs, sizeof *check->elongations);
   check->velocity = qn_alloc (unknowns, sizeof *check->velocity);
   return check->velocity && check->elongations && check->u && check->residual
          && check->rows && check->forces && check->beam_forces;
@@ -588,6 +627,7 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
     status = qn_check_bounds (&check, diag);
   }
   qn_assembly_clear (&check.assembly);
+  qn_check_found_clear (&check);
   free (check.u);
   free (check.residual);
   free (check.rows);
@@ -595,5 +635,7 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
   free (check.beam_forces);
   free (check.velocity);
   free (check.elongations);
+  free (check.mass);
+  free (check.begun);
   return status;
 }

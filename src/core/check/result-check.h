@@ -13,7 +13,8 @@
  *                  and the normal forces, the strengths and the balance remain to be met
  *   strength       no joint carries more than its law allows, and its state is that of its forces
  *   balance        of every free body, with the loads at the step's multipliers; not in time, where
- *                  inertia and damping belong to it and the result does not keep velocities
+ *                  inertia and damping belong to it and equilibrium is that of a whole step, most of
+ *                  which are not kept; there the energies are recomputed (history)
  *   reactions      as forces and loads leave them
  *   events         those that the steps show (check-events.c)
  *   outcome        what the steps say, and the multipliers of collapse and first limit point
@@ -27,8 +28,10 @@
  *   interval       no solution is below the collapse multiplier or above the associative bound; each
  *                  of a path is that of a step
  *   linearity      where blocks leave the displacements that linear geometry holds for
- *   history        energies add up to within the error that is told; peaks and tracks are those of the
- *                  steps
+ *   history        energies add up to within the error that is told; at every step that is kept the
+ *                  kinetic one is that of the velocities, the elastic one that of the forces, and
+ *                  where the ground stands still the input is the work of the weights; peaks and
+ *                  tracks are those of the steps; what is at rest is slow
  */
 #ifndef QN_CORE_RESULT_CHECK_H
 #define QN_CORE_RESULT_CHECK_H

@@ -45,6 +45,15 @@ qn_pair_springs_are_plastic (const QnPairSprings *springs)
  * pair then has no answer. The remedy is a larger fracture energy or smaller blocks. */
 bool qn_pair_springs_snap_back (const QnPairSprings *springs);
 
+/* The strengths of both springs: fills `rows`, returns how many they are. */
+static inline int
+qn_pair_strength (const QnPairSprings *springs, QnStrengthRow rows[2 * QN_STRENGTH_ROWS])
+{
+  int count = qn_spring_strength (&springs->a, rows);
+
+  return springs->equal ? count : count + qn_spring_strength (&springs->b, rows + count);
+}
+
 /* Force and consistent tangent of the pair at elongation q. Returns false where the internal
  * iteration did not converge; the response is then not to be used. */
 bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,

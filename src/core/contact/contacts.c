@@ -121,6 +121,8 @@ qn_contacts_pair_springs (const QnModel *model, const QnContacts *contacts, size
     /* The side of a block reaches to its middle; the other half belongs to the far side. */
     double length = 0.5 * block_extent (model, blocks[side], face->normal);
     springs[side] = qn_spring_from_law (law, area, length);
+    if (p->found)
+      qn_spring_lose_bond (&springs[side]);
   }
   return qn_pair_springs (springs[0], springs[1]);
 }

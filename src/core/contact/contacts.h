@@ -33,7 +33,18 @@ typedef struct QnContactPair {
   double abscissa;  /* distance of the point from face.start, m */
   double tributary; /* length of the face that the pair stands for, m; times the face's
                        thickness its area, also that of a bar */
+  bool found;       /* on the way (contact-follow.h): `point` is a corner of block b, */
+  QnVec2 foot;      /* this a point on the side of block a, both undeformed, m */
 } QnContactPair;
+
+/* A corner of one block near a side of another. */
+typedef struct QnFoundContact {
+  QnId block,
+    side; /* the block whose side it is, and the side's first vertex within it */
+  QnId other, corner; /* the block whose corner it is, and the vertex within it */
+  double
+    foot; /* where on the side its shear elongation is zero, m from the first vertex */
+} QnFoundContact;
 
 /* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa, those
  * of bars after the others. */

@@ -9,6 +9,10 @@
  * In linear geometry the frame and the arms stay as they were and d is linear in the
  * displacements. In nonlinear geometry rotations are of any size.
  *
+ * A contact that blocks found on their way joins a corner B of block b to a side of block a: A lies on
+ * that side, apart from B in the undeformed state, and the frame turns with block a alone. So q_n is
+ * how far the corner is off the side, and the force acts where the corner is.
+ *
  * Unknowns of a pair, everywhere in this order: ux, uy, L rz of block a, then of block b, in m;
  * L is the length by which rotations are scaled.
  */
@@ -21,6 +25,8 @@ typedef struct QnPairKinematics {
   QnVec2 normal;       /* undeformed, unit, from a to b */
   QnVec2 arm_a, arm_b; /* from the centroids to the pair, undeformed, m */
   double length;       /* L, m */
+  QnVec2 apart;        /* B - A, undeformed, m */
+  double share; /* of block a's rotation in the frame's: 1/2, or 1 where it is a side's */
 
   /* Of the last update, in nonlinear geometry; at rest after qn_pair_kinematics_init(). */
   double elongation[2];      /* q, m */
@@ -31,6 +37,9 @@ typedef struct QnPairKinematics {
 
 void qn_pair_kinematics_init (QnPairKinematics *pair, QnVec2 normal, QnVec2 arm_a,
                               QnVec2 arm_b, double length);
+
+/* Makes it a corner B on a side of block a, apart from A as drawn. */
+void qn_pair_kinematics_set_corner (QnPairKinematics *pair, QnVec2 apart);
 
 /* The gradient of a pair as the inner loops want it. Translations of the two blocks enter by their
  * difference, which keeps the digits that it has: factors of (L rz of a, u_b - u_a in x and y,

@@ -3,6 +3,7 @@
 #include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/dynamics/energy.h"
+#include "core/dynamics/moving-contacts.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +15,9 @@
  * with the square of its length, or faster. */
 #define MAY_GROW 0.15
 
-/* Speed below which a structure is at rest, in sqrt(g x characteristic length). */
-#define REST_SPEED 1e-5
+/* Most that the energy of one step may be wrong by, over the largest input so far: what joints that turn
+ * while they meet make of a step that is too long for the impact. */
+#define STEP_ENERGY 2e-5
 
 #define RIGHT_ANGLE 1.57079632679489661923
 
@@ -26,6 +28,10 @@ typedef struct {
   const QnDynamicSettings *settings;
   QnResult *result;
   QnEnergy energy;
+  QnMovingContacts moving; /* where contacts follow the blocks */
+  bool follows;
+  bool overturned; /* and is followed on; when */
+  double overturned_at;
   size_t followed;  /* place of what progress tells among displacements; SIZE_MAX: none */
   double tick;      /* s: the longest step cut CUTS times; time is counted in these */
   int64_t now, end; /* ticks */
@@ -71,6 +77,9 @@ keep_step (Run *run, QnEvent event)
   qn_assembly_expand (as, run->step.start.u, run->displacements);
   if (!qn_result_add_step (result, step, run->displacements))
     return false;
+  qn_assembly_expand_rates (as, run->step.start.u, run->step.start.v, run->displacements);
+  if (!qn_result_add_velocities (result, run->displacements))
+    return false;
   qn_beam_assembly_forces (&as->beams, 0, run->beam_forces);
   if (run->model->element_count > 0
       && !qn_result_add_beam_forces (result, run->beam_forces))
@@ -78,7 +87,11 @@ keep_step (Run *run, QnEvent event)
   qn_assembly_reactions (as, 0, run->displacements);
   if (!qn_result_add_reactions (result, run->displacements))
     return false;
-  qn_assembly_pair_results (as, run->step.start.u, result->pairs);
+  if (!run->follows)
+    qn_assembly_pair_results (as, run->step.start.u, result->pairs);
+  else if (!qn_moving_contacts_record (&run->moving, &run->step, step.time,
+                                       (int32_t) result->step_count - 1, result))
+    return false;
   return qn_result_add_forces (result, run->model->analysis.all_forces);
 }
 
@@ -122,6 +135,8 @@ note_peaks (Run *run)
   }
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairMemory *memory = &now->responses[p].memory;
+    if (as->contacts->pairs[p].found)
+      continue;
     double slip = fabs (memory->a.slip + memory->b.slip);
     double length = as->contacts->faces[as->contacts->pairs[p].face].length;
     if (now->responses[p].force[0] < 0)
@@ -201,6 +216,15 @@ within_step (const Run *run, QnVec2 mean, QnVec2 change)
   return qn_vec2_add_scaled (mean, 0.5 - run->step.scheme.alpha_f, change);
 }
 
+static bool
+keeps_energy (const Run *run, const QnEnergy *after)
+{
+  double wrong = fabs (qn_energy_error (after) - qn_energy_error (&run->energy));
+
+  return wrong
+         <= STEP_ENERGY * fmax (run->largest_input, fabs (after->sums[QN_ENERGY_INPUT]));
+}
+
 /* One step that is accepted, after as many that are not as it takes. FAILED where none is short
  * enough. */
 static QnStepStatus
@@ -220,9 +244,14 @@ advance (Run *run)
     double error = status == QN_STEP_CONVERGED && run->settings->adaptive
                      ? qn_time_step_error (&run->step, h, change)
                      : 0;
-    bool shortest = run->length == 1;
+    bool shortest = run->length == 1, balances = true;
+    QnEnergy energy = run->energy;
     if (status == QN_STEP_CONVERGED && (error <= allowed || shortest)) {
-      run->energy = qn_energy_after (&run->step, &run->energy, h, mean, change);
+      energy = qn_energy_after (&run->step, &run->energy, h, mean, change);
+      balances = shortest || !run->settings->adaptive || keeps_energy (run, &energy);
+    }
+    if (status == QN_STEP_CONVERGED && (error <= allowed || shortest) && balances) {
+      run->energy = energy;
       qn_time_step_accept (&run->step);
       run->residual = run->step.relative;
       run->now += run->length;
@@ -243,6 +272,8 @@ advance (Run *run)
 static QnStatus
 end_with (Run *run, QnOutcome outcome, QnDiag *diag)
 {
+  bool ended = outcome != QN_OUTCOME_CANCELLED && outcome != QN_OUTCOME_NOT_CONVERGED;
+  outcome = run->overturned && ended ? QN_OUTCOME_COLLAPSE : outcome;
   QnEvent event = outcome == QN_OUTCOME_COLLAPSE ? QN_EVENT_COLLAPSE : QN_EVENT_NONE;
 
   run->result->outcome = outcome;
@@ -251,8 +282,26 @@ end_with (Run *run, QnOutcome outcome, QnDiag *diag)
   if (outcome != QN_OUTCOME_COLLAPSE)
     return QN_OK;
   run->result->steps[run->result->step_count - 1].event = event;
-  run->result->history.collapse_time = time_of (run, run->now);
-  return keep_mechanism (run, diag);
+  run->result->history.collapse_time =
+    run->overturned ? run->overturned_at : time_of (run, run->now);
+  return run->overturned ? QN_OK : keep_mechanism (run, diag);
+}
+
+/* Contacts follow the blocks after a step that was accepted. */
+static QnStatus
+renew_contacts (Run *run, QnDiag *diag)
+{
+  double time = time_of (run, run->now);
+
+  if (!run->follows)
+    return QN_OK;
+  QnStatus status =
+    qn_moving_contacts_update (&run->moving, &run->step, time_of (run, longest), time,
+                               &run->energy, run->result, diag);
+  if (status == QN_OK
+      && !qn_moving_contacts_record (&run->moving, &run->step, time, -1, run->result))
+    return qn_diag_no_memory (diag);
+  return status;
 }
 
 static QnStatus
@@ -266,7 +315,12 @@ follow (Run *run, QnDiag *diag)
   run->energy = qn_energy_start (&run->step);
   run->result->steps[0].time = 0;
   note_peaks (run);
-  if (!keep_row (run)
+  QnStatus status = renew_contacts (run, diag);
+  if (status != QN_OK)
+    return status;
+  memset (run->displacements, 0,
+          qn_model_body_count (run->model) * QN_DOF_COUNT * sizeof *run->displacements);
+  if (!qn_result_add_velocities (run->result, run->displacements) || !keep_row (run)
       || (run->model->initial_count > 0 && !keep_step (run, QN_EVENT_NONE)))
     return qn_diag_no_memory (diag);
   while (run->now < run->end) {
@@ -280,9 +334,20 @@ follow (Run *run, QnDiag *diag)
         diag);
     }
     note_peaks (run);
-    if (has_overturned (run))
-      return keep_row (run) ? end_with (run, QN_OUTCOME_COLLAPSE, diag)
-                            : qn_diag_no_memory (diag);
+    status = renew_contacts (run, diag);
+    if (status != QN_OK)
+      return status;
+    if (!run->overturned && has_overturned (run)) {
+      run->overturned = run->settings->fall;
+      run->overturned_at = time_of (run, run->now);
+      if (!run->overturned)
+        return keep_row (run) ? end_with (run, QN_OUTCOME_COLLAPSE, diag)
+                              : qn_diag_no_memory (diag);
+      status =
+        keep_mechanism (run, diag); /* how it overturned, not how it came to rest */
+      if (status != QN_OK)
+        return status;
+    }
     if (run->now % longest == 0 && !keep_row (run))
       return qn_diag_no_memory (diag);
     if (is_at_rest (run))
@@ -325,7 +390,7 @@ choose_times (Run *run)
   run->output = qn_to_integer (rint (output / step), 1, QN_MAX_TIME_STEPS) * longest;
   run->length = longest;
   run->rest_speed =
-    REST_SPEED * sqrt (run->model->gravity * run->model->characteristic_length);
+    QN_REST_SPEED * sqrt (run->model->gravity * run->model->characteristic_length);
   run->rest_time = sqrt (extent (run->model) / run->model->gravity);
   run->still_since = -1;
 }
@@ -370,10 +435,15 @@ qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc re
   for (size_t i = 0; i < as->model->ground_count && status == QN_OK; i++)
     if (as->model->ground[i].kind == QN_SIGNAL_RECORD)
       status = qn_model_check_signal (as->model, (QnId) i, diag);
+  run.follows = run.settings->follow && as->nonlinear;
+  if (status == QN_OK && run.follows)
+    status = qn_moving_contacts_init (&run.moving, as, diag);
   if (status == QN_OK)
     status = qn_time_step_setup (&run.step, as, linsys, u0, diag);
-  if (status != QN_OK)
+  if (status != QN_OK) {
+    qn_moving_contacts_clear (&run.moving);
     return status;
+  }
   run.step.report = report;
   run.step.report_data = report_data;
   status = set_up (&run, u0, diag);
@@ -385,6 +455,14 @@ qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc re
     run.largest_input > 0 ? run.largest_error / run.largest_input : 0;
   memcpy (u0, run.step.start.u, (size_t) as->unknown_count * sizeof *u0);
   qn_statistics_add (&result->statistics, &run.step.statistics);
+  if (run.moving
+        .moved) { /* the assembly as drawn ends where that of the step has come to */
+    const QnAssembly *last = run.step.assembly;
+    memcpy (as->responses, last->responses, as->pair_count * sizeof *as->responses);
+    memcpy (as->asleep, last->asleep, as->pair_count * sizeof *as->asleep);
+    qn_beam_state_set (&run.step.start.beams, &as->beams);
+    qn_assembly_update_kinematics (as, u0);
+  }
   qn_ground_clear (&run.ground);
   free (run.start);
   free (run.displacements);
@@ -392,5 +470,6 @@ qn_dynamics_run (QnAssembly *as, QnLinsys *linsys, double *u0, QnProgressFunc re
   free (run.row);
   free (run.beam_forces);
   qn_time_step_clear (&run.step);
+  qn_moving_contacts_clear (&run.moving);
   return status;
 }

@@ -18,6 +18,10 @@
 #include "core/base/progress.h"
 #include "core/linalg/linsys.h"
 
+/* Speed below which a structure is at rest, in sqrt(g x characteristic length); rotations times the
+ * length that they are scaled with. */
+#define QN_REST_SPEED 1e-5
+
 /* From the equilibrium under dead load, at displacements u0, that the assembly was last evaluated
  * and committed at, and that is the only step of *result. `linsys` has the assembly's pattern.
  * Adds steps and history to the result; sets its outcome, and its statistics but for the time.

@@ -15,6 +15,8 @@ elastic (const QnTimeStep *step, const QnInstant *instant)
 
   for (size_t p = 0; p < step->assembly->pair_count; p++) {
     QnPairInstant at = pair_at (instant, p);
+    if (step->assembly->asleep[p])
+      continue;
     sum += qn_pair_elastic_energy (&step->elasticity[p], &at);
   }
   return sum;
@@ -54,6 +56,8 @@ add_losses (const QnTimeStep *step, QnEnergy *energy)
 
   for (size_t p = 0; p < as->pair_count; p++) {
     QnPairInstant before = pair_at (start, p), after = pair_at (end, p);
+    if (as->asleep[p])
+      continue;
     friction +=
       qn_pair_friction (&step->elasticity[p], &step->forces[p], &before, &after);
     for (int i = 0; i < 2; i++)
@@ -113,6 +117,15 @@ qn_energy_after (const QnTimeStep *step, const QnEnergy *before, double h, QnVec
   energy.sums[QN_ENERGY_ELASTIC] = elastic (step, end);
   energy.sums[QN_ENERGY_KINETIC] = 0.5 * product (step, step->mass, end->v, end->v);
   return energy;
+}
+
+void
+qn_energy_renew (const QnTimeStep *step, QnEnergy *energy)
+{
+  double now = elastic (step, &step->start);
+
+  energy->sums[QN_ENERGY_FRICTION] += energy->sums[QN_ENERGY_ELASTIC] - now;
+  energy->sums[QN_ENERGY_ELASTIC] = now;
 }
 
 double

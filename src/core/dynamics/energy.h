@@ -23,6 +23,10 @@ QnEnergy qn_energy_start (const QnTimeStep *step);
 QnEnergy qn_energy_after (const QnTimeStep *step, const QnEnergy *before, double h,
                           QnVec2 mean, QnVec2 change);
 
+/* After contacts have changed at the start of a step: what they stored more or less before counts as
+ * lost with them, in FRICTION. */
+void qn_energy_renew (const QnTimeStep *step, QnEnergy *energy);
+
 /* Input less all others. */
 double qn_energy_error (const QnEnergy *energy);
 

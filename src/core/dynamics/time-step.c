@@ -82,6 +82,7 @@ allocate (QnTimeStep *step)
     { &step->inertia[1], n },
     { &step->residual, n },
     { &step->step, n },
+    { &step->increment, n },
     { &step->mean_motion, n },
     { &step->product, n },
     { &step->tangents, 4 * pairs },
@@ -169,6 +170,24 @@ add_initial_motion (QnTimeStep *step)
   }
 }
 
+/* What depends on the assembly and not on the state. */
+static QnStatus
+prepare (QnTimeStep *step, QnDiag *diag)
+{
+  const QnAssembly *as = step->assembly;
+  QnStatus status = allocate (step) ? QN_OK : qn_diag_no_memory (diag);
+
+  if (status == QN_OK)
+    status = qn_assembly_mass (as, step->mass, diag);
+  if (status != QN_OK)
+    return status;
+  qn_assembly_add_inertia (as, qn_vec2 (1, 0), step->inertia[0]);
+  qn_assembly_add_inertia (as, qn_vec2 (0, 1), step->inertia[1]);
+  for (size_t p = 0; p < as->pair_count; p++)
+    step->elasticity[p] = qn_pair_elasticity (&as->springs[p]);
+  return QN_OK;
+}
+
 QnStatus
 qn_time_step_setup (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, const double *u0,
                     QnDiag *diag)
@@ -180,17 +199,11 @@ qn_time_step_setup (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, const do
                         .scheme = scheme_of (model->analysis.dynamic.rho),
                         .settings = &model->analysis.dynamic,
                         .tolerance = model->analysis.residual_tolerance };
-  QnStatus status = allocate (step) ? QN_OK : qn_diag_no_memory (diag);
-  if (status == QN_OK)
-    status = qn_assembly_mass (as, step->mass, diag);
+  QnStatus status = prepare (step, diag);
   if (status != QN_OK) {
     qn_time_step_clear (step);
     return status;
   }
-  qn_assembly_add_inertia (as, qn_vec2 (1, 0), step->inertia[0]);
-  qn_assembly_add_inertia (as, qn_vec2 (0, 1), step->inertia[1]);
-  for (size_t p = 0; p < as->pair_count; p++)
-    step->elasticity[p] = qn_pair_elasticity (&as->springs[p]);
 
   memcpy (step->start.u, u0, (size_t) as->unknown_count * sizeof *u0);
   add_initial_motion (step);
@@ -198,6 +211,46 @@ qn_time_step_setup (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, const do
   qn_assembly_commit (as);
   take_evaluation (step, &step->start);
   renew_beam_damping (step);
+  return QN_OK;
+}
+
+void
+qn_time_step_renew (QnTimeStep *step)
+{
+  qn_assembly_evaluate (step->assembly, step->start.u);
+  qn_assembly_commit (step->assembly);
+  take_evaluation (step, &step->start);
+  renew_beam_damping (step);
+  step->factored_length = 0;
+}
+
+QnStatus
+qn_time_step_move (QnTimeStep *step, QnAssembly *as, QnLinsys *linsys, QnDiag *diag)
+{
+  size_t bytes = (size_t) as->unknown_count * sizeof (double);
+  QnTimeStep next = { .assembly = as,
+                      .linsys = linsys,
+                      .scheme = step->scheme,
+                      .settings = step->settings,
+                      .tolerance = step->tolerance,
+                      .relative = step->relative,
+                      .statistics = step->statistics,
+                      .progress = step->progress,
+                      .report = step->report,
+                      .report_data = step->report_data };
+  QnStatus status = prepare (&next, diag);
+
+  if (status != QN_OK) {
+    qn_time_step_clear (&next);
+    return status;
+  }
+  memcpy (next.start.u, step->start.u, bytes);
+  memcpy (next.start.v, step->start.v, bytes);
+  memcpy (next.start.a, step->start.a, bytes);
+  qn_beam_state_set (&step->start.beams, &as->beams);
+  qn_time_step_clear (step);
+  *step = next;
+  qn_time_step_renew (step);
   return QN_OK;
 }
 
@@ -213,6 +266,7 @@ qn_time_step_clear (QnTimeStep *step)
   free (step->elasticity);
   free (step->residual);
   free (step->step);
+  free (step->increment);
   free (step->mean_motion);
   free (step->product);
   free (step->forces);
@@ -265,7 +319,7 @@ qn_time_step_start (QnTimeStep *step, QnVec2 ground)
 
 /* --- Newton's iteration ------------------------------------------------------------------ */
 
-/* v1 and a1 from u1. */
+/* u1, v1 and a1 from the increment. */
 static void
 move (QnTimeStep *step, double h)
 {
@@ -274,7 +328,8 @@ move (QnTimeStep *step, double h)
   QnInstant *end = &step->end;
 
   for (int32_t i = 0; i < step->assembly->unknown_count; i++) {
-    end->a[i] = (end->u[i] - start->u[i] - h * start->v[i]) / (s->beta * h * h)
+    end->u[i] = start->u[i] + step->increment[i];
+    end->a[i] = (step->increment[i] - h * start->v[i]) / (s->beta * h * h)
                 - (0.5 / s->beta - 1) * start->a[i];
     end->v[i] = start->v[i] + h * ((1 - s->gamma) * start->a[i] + s->gamma * end->a[i]);
   }
@@ -308,6 +363,13 @@ evaluate_pairs (QnTimeStep *step, double h)
     QnPairInstant start = pair_at (&step->start, step->start.responses, p);
     QnPairInstant end = pair_at (&step->end, as->responses, p);
     QnPairForces *forces = &step->forces[p];
+    if (as->asleep[p]) {
+      *forces = (QnPairForces){ 0 };
+      memset (step->sums + 2 * p, 0, 2 * sizeof *step->sums);
+      memset (step->tangents + 4 * p, 0, sizeof forces->tangent);
+      memset (step->branches + QN_BRANCH * p, 0, QN_BRANCH * sizeof *step->branches);
+      continue;
+    }
     *forces = qn_pair_motion (&step->elasticity[p], &pair_step, &start, &end);
     for (int i = 0; i < 2; i++)
       step->sums[2 * p + i] =
@@ -442,12 +504,12 @@ advance (QnTimeStep *step, double h, QnVec2 ground, int iteration, double before
   double part = 1;
 
   for (int32_t i = 0; i < n; i++)
-    step->end.u[i] += step->step[i];
+    step->increment[i] += step->step[i];
   double after = measure (step, h, ground);
   for (int i = 0; i < HALVINGS && iteration >= PATIENCE && !(after < before); i++) {
     part /= 2;
     for (int32_t k = 0; k < n; k++)
-      step->end.u[k] -= part * step->step[k];
+      step->increment[k] -= part * step->step[k];
     after = measure (step, h, ground);
   }
   return after;
@@ -459,7 +521,7 @@ static double
 predict (QnTimeStep *step, double h, double part, QnVec2 ground)
 {
   for (int32_t i = 0; i < step->assembly->unknown_count; i++)
-    step->end.u[i] = step->start.u[i] + part * h * step->start.v[i];
+    step->increment[i] = part * h * step->start.v[i];
   return measure (step, h, ground);
 }
 

@@ -16,7 +16,7 @@
  * Internal forces are those of the two ends of the step, not of a state between them: joints
  * remember the end of a step and nothing else, and are committed once for a step accepted.
  * pair-motion.h says what pairs add. Contact pairs stay fixed to their blocks, in large
- * displacements too, as in statics.
+ * displacements too, as in statics, unless moving-contacts.h changes them between two steps.
  *
  * A factorisation serves from step to step as long as all pairs are on the branches it was made for,
  * the length of the step is the same, and each iteration with it takes away nine tenths of the
@@ -79,11 +79,14 @@ typedef struct QnTimeStep {
   QnInstant start, end; /* the state that was accepted, and the one tried */
 
   double *residual, *step; /* of Newton's iteration */
-  double *mean_motion;     /* scratch: an acceleration or a velocity within the step */
-  double *product;         /* scratch */
-  QnPairForces *forces;    /* of all pairs */
-  double *tangents;        /* pair_count x 4 */
-  double *sums;            /* pair_count x 2: forces of pairs over 1 - af */
+  double
+    *increment; /* end.u - start.u, with the digits that u itself has not: in short steps
+                              accelerations need them */
+  double *mean_motion;  /* scratch: an acceleration or a velocity within the step */
+  double *product;      /* scratch */
+  QnPairForces *forces; /* of all pairs */
+  double *tangents;     /* pair_count x 4 */
+  double *sums;         /* pair_count x 2: forces of pairs over 1 - af */
   double *branches; /* pair_count x QN_BRANCH: tangents of their laws, qn_pair_branch() */
   double *factored; /* those that are factorised */
   double factored_length; /* and the length of their step; 0: nothing is */
@@ -103,6 +106,14 @@ QnStatus qn_time_step_setup (QnTimeStep *step, QnAssembly *assembly, QnLinsys *l
                              const double *u0, QnDiag *diag);
 
 void qn_time_step_clear (QnTimeStep *step);
+
+/* Goes over to another assembly of the same model with its system, whose pairs hold the memory that is
+ * committed: the state at the start is evaluated there. On failure the step stays where it was. */
+QnStatus qn_time_step_move (QnTimeStep *step, QnAssembly *assembly, QnLinsys *linsys,
+                            QnDiag *diag);
+
+/* Evaluates the state at the start anew, where pairs were put to sleep or woken. */
+void qn_time_step_renew (QnTimeStep *step);
 
 /* Accelerations at the start, from equilibrium under the ground's acceleration. */
 QnStepStatus qn_time_step_start (QnTimeStep *step, QnVec2 ground);

@@ -60,6 +60,7 @@
 struct QnCentralPath {
   QnEquilibrium *eq;
   bool may_jump; /* and then the path may turn back */
+  bool together; /* residuals go down with complementarity where a measure advances */
   QnCentralPairs pairs;
   double *near_u;    /* unknown_count: displacements of the best iterate, */
   double *begun;     /* where the last central path began, */
@@ -92,6 +93,7 @@ qn_central_path_new (QnEquilibrium *eq)
     return NULL;
   path->eq = eq;
   path->may_jump = qn_assembly_may_jump (as);
+  path->together = path->may_jump && !as->nonlinear;
   path->kept_step = qn_alloc ((size_t) as->unknown_count, sizeof *path->kept_step);
   path->begun = qn_alloc ((size_t) as->unknown_count, sizeof *path->begun);
   path->near_u = qn_alloc ((size_t) as->unknown_count, sizeof *path->near_u);
@@ -102,6 +104,12 @@ qn_central_path_new (QnEquilibrium *eq)
     return NULL;
   }
   return path;
+}
+
+void
+qn_central_path_keep_together (QnCentralPath *path)
+{
+  path->together = path->may_jump;
 }
 
 void
@@ -445,14 +453,11 @@ makes_headway (Increment *increment, int iteration)
 /* The part that the direction is to take off the residuals. Where a measure advances and the path may
  * turn back, they go down with the mean of s z, at one rate: if they vanish sooner, iterates leave
  * the path and get stuck between strengths where it does not turn back at all. Where the multiplier
- * is prescribed, fewer increments get through like that; in nonlinear geometry, where the tangent
- * moves with the blocks, a branch of wall 1 takes twice as many factorisations. */
+ * is prescribed, fewer increments get through like that. In nonlinear geometry it is for the caller to say. */
 static double
 part_of_residuals (const Increment *increment, double mean)
 {
-  const QnEquilibrium *eq = increment->path->eq;
-  bool together = increment->path->may_jump && !eq->assembly.nonlinear
-                  && increment->target->direction != NULL;
+  bool together = increment->path->together && increment->target->direction != NULL;
 
   return together ? fmax (0, 1 - mean / increment->gap) : 1;
 }

@@ -19,9 +19,9 @@
  * associativity there may be several solutions or none, and no guarantee.
  *
  * Without associativity, in linear geometry and towards a measure that advances, the residuals of
- * all equations go down at the rate of mu, so that iterates stay close to the one curve along which both vanish (an
- * infeasible start otherwise runs into the corners that some pairs leave to the others, steps become
- * nothing, and a path that goes on looks as if it turned back).
+ * all equations go down at the rate of mu, so that iterates stay close to the one curve along
+ * which both vanish (an infeasible start otherwise runs into the corners that some pairs leave to
+ * the others, steps become nothing, and a path that goes on looks as if it turned back).
  *
  * Mehrotra's predictor and corrector (Mehrotra 1992), Gondzio's centrality correctors (Gondzio
  * 1996). For interior points on friction without associativity: Kleinert, Simeon & Obermayr
@@ -44,6 +44,11 @@ bool qn_central_path_has_joints (const QnAssembly *assembly);
 
 /* A workspace for `eq`, which must outlive it. NULL when memory runs out. */
 QnCentralPath *qn_central_path_new (QnEquilibrium *eq);
+
+/* In nonlinear geometry, too, residuals go down at the rate of complementarity from now on where a measure
+ * advances. On walls of hundreds of blocks more steps get through, and longer ones; a branch that is
+ * followed step by step comes to rest beyond a jump more often (docs/experiments/path-control.md). */
+void qn_central_path_keep_together (QnCentralPath *path);
 
 void qn_central_path_free (QnCentralPath *path);
 

@@ -113,3 +113,14 @@ qn_spring_join (const QnSpring *a, const QnSpring *b)
   joined.stretch[1] /= longer;
   return joined;
 }
+
+void
+qn_spring_lose_bond (QnSpring *spring)
+{
+  bool is_joint = spring->kind == QN_LAW_COULOMB || spring->kind == QN_LAW_MOHR_COULOMB;
+
+  *spring = (QnSpring){ .kind = is_joint ? QN_LAW_COULOMB : QN_LAW_NO_TENSION,
+                        .kn = spring->kn,
+                        .ks = spring->ks,
+                        .friction = is_joint ? spring->friction : 0 };
+}

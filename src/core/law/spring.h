@@ -100,6 +100,10 @@ enum { QN_STRENGTH_ROWS = 3 };
  * length: extent of the block's side behind the spring, m (material basis) */
 QnSpring qn_spring_from_law (const QnLaw *law, double area, double length);
 
+/* Leaves what two bodies offer each other that were never joined: stiffness and friction, no tension, no
+ * cohesion, no dilatancy. Of a law that is not a joint's the stiffness alone is left. */
+void qn_spring_lose_bond (QnSpring *spring);
+
 /* Force and consistent tangent at elongation q, starting from what was last committed. */
 void qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                          const double q[2], QnSpringResponse *response);

@@ -266,6 +266,14 @@ sequence_init (Sequence *seq, QnDiag *diag)
   return qn_interior_point_init (&seq->ip, &seq->limit.ip, &settings, diag);
 }
 
+static void
+sequence_clear (Sequence *seq)
+{
+  qn_interior_point_clear (&seq->ip);
+  qn_limit_problem_clear (&seq->limit);
+  free (seq->anchor);
+}
+
 QnStatus
 qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
                          const QnPairResult *pairs, double multiplier,
@@ -292,9 +300,7 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
     solution.velocities = NULL;
   }
   qn_limit_solution_clear (&solution);
-  qn_interior_point_clear (&seq.ip);
-  qn_limit_problem_clear (&seq.limit);
-  free (seq.anchor);
+  sequence_clear (&seq);
   return status;
 }
 
@@ -317,9 +323,7 @@ qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
   status = sequence_init (&seq, diag);
   if (!status)
     status = follow_all (&seq, interval, diag);
-  qn_interior_point_clear (&seq.ip);
-  qn_limit_problem_clear (&seq.limit);
-  free (seq.anchor);
+  sequence_clear (&seq);
   if (status)
     qn_limit_interval_clear (interval);
   return status;

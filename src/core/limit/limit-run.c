@@ -20,12 +20,11 @@ pair_state (const QnPairSprings *springs, const double *force, double largest)
 {
   double tolerance = STATE_TOLERANCE * largest;
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (&springs->a, rows);
+  int count = qn_pair_strength (springs, rows);
   QnPairState state = QN_PAIR_STICK;
 
   if (hypot (force[0], force[1]) <= tolerance)
     return QN_PAIR_OPEN;
-  count += qn_spring_strength (&springs->b, rows + count);
   for (const QnStrengthRow *row = rows; row < rows + count; row++) {
     if (row->shear * fabs (force[1]) + row->normal * force[0] < row->limit - tolerance)
       continue;

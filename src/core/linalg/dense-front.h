@@ -6,8 +6,9 @@
  *   | L  S |   rest              L = L U_1^-1,  U = L_1^-1 P U,  S = S - L U
  *
  * All are stored by columns, U by rows (which makes it as high as L), whose height is a multiple
- * of QN_FRONT_ROWS numbers; the padding must be zero and stays so. The loops work on as many numbers at a time as the
- * processor has room for, in the same order everywhere: results are equal to the bit.
+ * of QN_FRONT_ROWS numbers; the padding must be zero and stays so. The loops work on as many
+ * numbers at a time as the processor has room for, in the same order everywhere: results are equal
+ * to the bit.
  */
 #ifndef QN_CORE_DENSE_FRONT_H
 #define QN_CORE_DENSE_FRONT_H

@@ -31,8 +31,9 @@ typedef enum {
  * to the state; where it has no equilibrium, or its outcome is CANCELLED, *modes is empty.
  * The path is proved as that of every analysis; the modes are proved by their residuals, their
  * orthogonality, and the inertia of the stiffness, which tells that none is missing.
- * Refuses states that are not stable, blocks without mass and states in which pairs slip without dilatancy, whose stiffness
- * is not symmetric. Both outputs are overwritten without being cleared, and empty on failure. */
+ * Refuses states that are not stable, blocks without mass and states in which pairs slip without
+ * dilatancy, whose stiffness is not symmetric. Both outputs are overwritten without being cleared,
+ * and empty on failure. */
 QnStatus qn_modal_run (const QnModel *model, const QnContacts *contacts,
                        QnModalState state, size_t wanted, QnProgressFunc progress,
                        void *user_data, QnModes *modes, QnResult *result, QnDiag *diag);

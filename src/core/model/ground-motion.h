@@ -55,6 +55,7 @@ typedef struct QnGroundMotion {
   char *unit; /* owned: unit of its accelerations where the file does not say it; NULL */
   double time_step; /* of its samples, s, where the file does not say it; 0 */
   double peak;      /* m/s2 to which the record is scaled before `scale`; 0: as it is */
+  bool rests; /* a record may end before the duration: the ground rests from then on */
   int32_t note;
 } QnGroundMotion;
 
@@ -91,6 +92,9 @@ typedef struct QnDynamicSettings {
     tolerance; /* most that one step may be wrong by, over the characteristic length */
   double output_interval; /* s; 0: a five-hundredth of the duration */
   bool adaptive;          /* false: every step is as long as time_step */
+  bool
+    follow; /* contacts follow the blocks (core/contact/contact-follow.h); nonlinear geometry */
+  bool fall; /* the motion is followed on after something has overturned */
 } QnDynamicSettings;
 
 /* "half-sine", "sine", …; "current", "initial". */

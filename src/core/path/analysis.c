@@ -105,9 +105,10 @@ run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
   status = qn_path_finish (&path, status, budget->start);
   if (status == QN_OK && is_unbounded (model, result))
     result->outcome = QN_OUTCOME_UNBOUNDED;
-  return status == QN_OK && result->has_collapse_multiplier ? qn_path_add_bound (
-           model, contacts, qn_budget_go_on, budget, result, NULL, diag)
-                                                            : status;
+  if (status == QN_OK && result->has_collapse_multiplier)
+    status =
+      qn_path_add_bound (model, contacts, qn_budget_go_on, budget, result, NULL, diag);
+  return status;
 }
 
 QnStatus

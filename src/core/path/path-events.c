@@ -63,7 +63,8 @@ largest_shift (const QnPath *path, const double *from, const double *to)
   return largest;
 }
 
-/* Energy set free on the way from the committed state to the current one at a multiplier held. */
+/* Energy set free on the way from the committed state to the current one at a multiplier held. Where a
+ * stage scales its multiplier, so are its live loads. */
 static double
 energy_of_step (const QnEquilibrium *eq, double held)
 {
@@ -89,7 +90,7 @@ add (QnPathEvents *events, QnEventKind kind, double multiplier, double before,
                         .multiplier = path->origin + path->scale * multiplier,
                         .displacement_before = before,
                         .displacement_after = after,
-                        .energy = fmax (0, path->scale * events->energy),
+                        .energy = fmax (0, events->energy),
                         .blocks = blocks };
 
   if (blocks == NULL)

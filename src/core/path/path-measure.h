@@ -36,8 +36,8 @@ QnStatus qn_path_measure_take_work (QnPathMeasure *measure, double increment,
 void qn_path_measure_keep_last (QnPathMeasure *measure);
 
 /* Turns the arc into the direction of the step just accepted, along which the path goes on. Not
- * to be called after a step in which friction may have led the structure round a corner: an arc that follows every corner, like one along the tangent, ends where it came
- * from. */
+ * to be called after a step in which friction may have led the structure round a corner: an arc
+ * that follows every corner, like one along the tangent, ends where it came from. */
 void qn_path_measure_follow (QnPathMeasure *measure);
 
 /* What is left of the way to the controlled displacement, as a share of this step; infinite

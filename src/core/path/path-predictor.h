@@ -26,8 +26,8 @@ typedef struct QnPathPredictor {
 bool qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *assembly);
 void qn_path_predictor_clear (QnPathPredictor *predictor);
 
-/* To be called just before a step is accepted that advanced the measure so far. `smooth`: no joint has slid
- * but along the path; otherwise nothing before it counts. */
+/* To be called just before a step is accepted that advanced the measure so far. `smooth`: no joint
+ * has slid but along the path; otherwise nothing before it counts. */
 void qn_path_predictor_note (QnPathPredictor *predictor, const QnEquilibrium *eq,
                              double advance, bool smooth);
 

@@ -240,9 +240,8 @@ bool
 qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
 {
   /* A step along the central path does not tell how many joints changed state; in nonlinear geometry
-   * the branch depends on them, which matters where it is followed beyond its peak. */
-  bool may_grow =
-    qn_path_trace_is_linear (trace) || (trace->load_control && !trace->events.below);
+   * the branch depends on them, which matters where what lies between is to be seen. */
+  bool may_grow = qn_path_trace_is_linear (trace) || trace->load_control;
 
   return trace->means == QN_FOUND_BY_RELAXATION || iterations <= tuning->easy
          || (trace->means == QN_FOUND_BY_CENTRAL_PATH && may_grow);

@@ -15,6 +15,7 @@
 #include "core/base/tolerance.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 const QnPathTuning qn_path_tuning = {
   .easy = 6,
@@ -40,9 +41,8 @@ const QnPathTuning qn_path_tuning = {
   .jump_budget = 80,
   .patience = 1000,
   .most_patience = 6000,
-  .most_effort = 2e6,
+  .most_effort = 1e7,
   .long_growth = 10,
-  .least_growth = 1.5,
   .plateau_tolerance = 1e-4,
   .plateau_growth = 10,
   .least_gain = 0.02,
@@ -171,9 +171,13 @@ accept (QnPathTrace *trace)
   if (!qn_path_events_observe (&trace->events, trace->jumped, &snap))
     return false;
   if (trace->load_control && !climbs) {
+    if (!trace->beyond)
+      memcpy (trace->onset, eq->u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
+    trace->beyond = true;
     qn_equilibrium_commit (eq);
     return true;
   }
+  trace->beyond = false;
   snap = trace->load_control ? snap : trace->jumped;
   if (!qn_path_accept (path, multiplier, snap ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return false;
@@ -235,21 +239,6 @@ work_so_far (const QnPathTrace *trace)
   return work;
 }
 
-/* Long steps lead nowhere: that alone is no proof of collapse. */
-static void
-go_back_to_short_steps (QnPathTrace *trace)
-{
-  double blocks = (double) trace->path->model->block_count;
-  int32_t spent = trace->path->equilibrium.statistics.factorizations;
-  int32_t most =
-    (int32_t) qn_to_integer (tuning->most_effort / blocks, 0, tuning->most_patience);
-
-  trace->long_growth = tuning->long_growth;
-  trace->patience = spent < most / 2 ? 2 * spent : most;
-  if (trace->step == 0 || spent > most)
-    qn_path_end_give_up (trace, QN_SOLVE_FAILED);
-}
-
 /* A structure that settles in one place after the other is not followed to each of them: the work
  * grows many times at once. Steps that lower the multiplier have lost the path, and are shortened. The
  * multiplier is proved all the same; how the structure moves on may not be settled. */
@@ -281,8 +270,8 @@ advance_far (QnPathTrace *trace, QnDiag *diag)
   case QN_SOLVE_MECHANISM:
     qn_equilibrium_restore (eq);
     trace->long_growth = sqrt (trace->long_growth);
-    if (trace->long_growth < tuning->least_growth)
-      go_back_to_short_steps (trace);
+    if (trace->long_growth < tuning->growth)
+      qn_path_end_give_up (trace, QN_SOLVE_FAILED);
     return QN_OK;
   }
   trace->long_growth =
@@ -378,7 +367,7 @@ advance (QnPathTrace *trace, QnDiag *diag)
 
 /* The mechanism is the motion of a later state, in which other joints may stand open than in the committed
  * one. It is that of this one too if no joint closes before the structure has moved as far again as it
- * has so far, and by a part of a block. */
+ * has so far, and by a part of a block, but those that yield: whose normal force hardly grows. */
 static QnStatus
 judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
 {
@@ -393,10 +382,28 @@ judge_mechanism (QnPathTrace *trace, const double *velocity, QnDiag *diag)
   qn_assembly_elongation_rates (as, velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)
     if (rates[2 * p] < -tuning->steady * speed
+        && as->responses[p].tangent[0][0] > tuning->steady * as->springs[p].a.kn
         && qn_assembly_gap (as, p) * speed < -rates[2 * p] * far)
       trace->path->result->mechanism_uncertain = true;
   free (rates);
   return QN_OK;
+}
+
+/* How the structure moves on at its highest multiplier: as in the last step, where geometry is linear and
+ * motion settles as it grows. In large displacements other joints slide and open as it falls, and the
+ * first step beyond is nearest; where there is none, what relaxation has seen fall. */
+static void
+find_velocity (const QnPathTrace *trace, double *velocity)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  bool first = trace->beyond && !qn_path_trace_is_linear (trace);
+  const double *from = first ? trace->highest.u : trace->measure.last_u;
+  const double *to = first ? trace->onset : eq->committed.u;
+
+  if (trace->stop == QN_STOP_FALL && !trace->events.below)
+    return;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    velocity[i] = to[i] - from[i];
 }
 
 /* What the path as a whole says of the structure. */
@@ -411,10 +418,7 @@ conclude (QnPathTrace *trace, QnDiag *diag)
 
   if (status != QN_OK)
     return status;
-  /* The motion beyond the highest multiplier, or that of the last step. */
-  if (trace->stop != QN_STOP_FALL || trace->events.below)
-    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-      velocity[i] = eq->committed.u[i] - trace->measure.last_u[i];
+  find_velocity (trace, velocity);
   bool collapses = result->outcome == QN_OUTCOME_COLLAPSE
                    || (result->outcome != QN_OUTCOME_NOT_CONVERGED
                        && result->outcome != QN_OUTCOME_CANCELLED && trace->events.below
@@ -474,7 +478,6 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
                         .long_growth = tuning->long_growth,
-                        .patience = tuning->patience,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,
                         .end = fmin (path->settings->max_multiplier, QN_UNBOUNDED) };
   bool has_joints = qn_central_path_has_joints (as);
@@ -488,12 +491,18 @@ qn_path_trace (QnPath *path, QnDiag *diag)
     return status;
   if (has_joints)
     trace.central = qn_central_path_new (eq);
+  if (trace.central != NULL && trace.load_control)
+    qn_central_path_keep_together (trace.central);
   trace.buckling = qn_alloc ((size_t) as->unknown_count, sizeof *trace.buckling);
+  trace.onset = qn_alloc ((size_t) as->unknown_count, sizeof *trace.onset);
   bool ready = qn_path_predictor_init (&trace.predictor, as) && trace.buckling != NULL
-               && (trace.central != NULL || !has_joints)
+               && trace.onset != NULL && (trace.central != NULL || !has_joints)
                && qn_path_events_init (&trace.events, path, live > 0 ? dead / live : 0)
                && (!trace.load_control || qn_equilibrium_state_init (&trace.highest, as));
   trace.may_jump = qn_assembly_may_jump (as);
+  trace.patience =
+    (int32_t) qn_to_integer (tuning->most_effort / (double) path->model->block_count,
+                             tuning->patience, tuning->most_patience);
   if (ready && trace.load_control)
     qn_equilibrium_save (eq, &trace.highest);
   if (ready && trace.load_control && has_joints && dead > 0)
@@ -502,6 +511,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   qn_path_events_clear (&trace.events);
   qn_central_path_free (trace.central);
   free (trace.buckling);
+  free (trace.onset);
   qn_path_predictor_clear (&trace.predictor);
   qn_equilibrium_state_clear (&trace.highest);
   qn_path_measure_clear (&trace.measure);

@@ -58,13 +58,12 @@ typedef struct QnPathTuning {
   int jump_budget;
 
   /* Load control: from so many factorisations on a structure that settles in one place after the other
-   * is no longer followed to each of them: the work grows by long_growth at once, by its square root where
-   * that leads nowhere, and so on; less than least_growth gains nothing. Then the structure is followed
-   * step by step again, for as many factorisations as it took so far, up to most_patience, and in large
-   * structures until factorisations x blocks are most_effort. */
+   * is no longer followed to each of them: from `patience` on, in structures of few blocks until
+   * factorisations x blocks are most_effort, up to most_patience. Then, and where no short step leads on,
+   * the work grows by long_growth at once, by its square root where that leads nowhere, and so on; less
+   * than `growth` gains nothing. */
   int patience, most_patience;
-  double most_effort;
-  double long_growth, least_growth;
+  double most_effort, long_growth;
 
   /* A multiplier that does not change by more than plateau_tolerance of itself while the motion grows
    * so many times is a plateau: collapse, in linear geometry. Where no step leads on it is collapse if the
@@ -112,7 +111,10 @@ typedef struct QnPathTrace {
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double last_pace; /* and in the one before */
   double *buckling; /* scratch: the motion in which an unstable equilibrium is left */
-  int orientation;  /* of the path where it began; 0: unknown */
+  double *onset;   /* load control in large displacements: where the first step beyond the
+                       highest multiplier came to */
+  bool beyond;     /* there has been one */
+  int orientation; /* of the path where it began; 0: unknown */
   QnFoundBy means;
   double long_growth;     /* of the work in the next long step */
   int32_t patience;       /* factorisations from which on steps are long */

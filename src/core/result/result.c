@@ -79,10 +79,14 @@ qn_result_clear (QnResult *result)
   free (result->unstable_blocks);
   free (result->supports);
   free (result->reactions);
+  free (result->velocities);
   free (result->step_forces);
   free (result->step_states);
   free (result->history.rows);
   free (result->history.peaks);
+  free (result->found);
+  free (result->found_forces);
+  free (result->left);
   *result = (QnResult){ 0 };
 }
 
@@ -211,6 +215,19 @@ qn_result_add_reactions (QnResult *result, const double *reactions)
   return true;
 }
 
+bool
+qn_result_add_velocities (QnResult *result, const double *velocities)
+{
+  size_t row = qn_result_body_count (result) * QN_DOF_COUNT;
+  double *all = qn_array_grow (result->velocities, &result->velocity_capacity,
+                               result->step_count * row, sizeof *all);
+  if (all == NULL)
+    return false;
+  result->velocities = all;
+  memcpy (all + (result->step_count - 1) * row, velocities, row * sizeof *all);
+  return true;
+}
+
 static void
 drop_forces (QnResult *result)
 {
@@ -255,6 +272,53 @@ const char *const qn_energy_names[QN_ENERGY_KIND_COUNT] = {
   [QN_ENERGY_ELASTIC] = "elastic", [QN_ENERGY_FRICTION] = "friction",
   [QN_ENERGY_DAMPING] = "damping", [QN_ENERGY_NUMERICAL] = "numerical",
 };
+
+bool
+qn_result_add_found (QnResult *result, QnFound found, QnId *place)
+{
+  const QnFoundContact *c = &found.contact;
+  size_t i = 0;
+
+  while (i < result->found_count && memcmp (&result->found[i].contact, c, sizeof *c) != 0)
+    i++;
+  if (place != NULL)
+    *place = (QnId) i;
+  if (i < result->found_count)
+    return true;
+  QnFound *all = qn_array_grow (result->found, &result->found_capacity,
+                                result->found_count + 1, sizeof *all);
+  if (all == NULL)
+    return false;
+  result->found = all;
+  all[result->found_count++] = found;
+  return true;
+}
+
+bool
+qn_result_add_found_force (QnResult *result, QnFoundForce force)
+{
+  QnFoundForce *all = qn_array_grow (result->found_forces, &result->found_force_capacity,
+                                     result->found_force_count + 1, sizeof *all);
+
+  if (all == NULL)
+    return false;
+  result->found_forces = all;
+  all[result->found_force_count++] = force;
+  return true;
+}
+
+bool
+qn_result_add_left (QnResult *result, QnLeftFace left)
+{
+  QnLeftFace *all = qn_array_grow (result->left, &result->left_capacity,
+                                   result->left_count + 1, sizeof *all);
+
+  if (all == NULL)
+    return false;
+  result->left = all;
+  all[result->left_count++] = left;
+  return true;
+}
 
 bool
 qn_result_add_history (QnResult *result, const double *row)

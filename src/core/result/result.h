@@ -87,7 +87,8 @@ typedef struct QnStep {
  *
  * INPUT: what was there at the start, and the work that the ground (on the masses) and the dead
  * loads have done since. ELASTIC: stored in joints and beams, what the dead load stored there
- * included. FRICTION: lost by slip, dilatancy and plastic deformation. DAMPING: lost in dashpots.
+ * included. FRICTION: lost by slip, dilatancy and plastic deformation, and with contacts that are given
+ * up for others. DAMPING: lost in dashpots.
  * NUMERICAL: taken by the dissipation of the integration, from its own formula. Nothing is defined
  * as the rest of the others. */
 typedef enum {
@@ -121,6 +122,27 @@ typedef struct QnHistory {
   double shortest_step;    /* s */
   int32_t steps, rejected; /* taken, and given up for shorter ones */
 } QnHistory;
+
+/* A contact that blocks found on their way, and when it first carried a force. Forces are on the block
+ * whose side it is, as of pairs: along the normal of the side out of that block, and along the side. */
+typedef struct QnFound {
+  QnFoundContact contact;
+  double time; /* s */
+} QnFound;
+
+/* What it carries at a kept step; where a step has none, it carries nothing. */
+typedef struct QnFoundForce {
+  int32_t step;
+  QnId found;
+  double normal, shear; /* N */
+  QnPairState state;
+} QnFoundForce;
+
+/* A joint as drawn that its blocks have left: its pairs carry nothing from then on. */
+typedef struct QnLeftFace {
+  QnId face;
+  double time; /* s */
+} QnLeftFace;
 
 /* Force of a contact pair on block a of its face is normal_force * normal + shear_force *
  * tangent; the opposite acts on block b. */
@@ -255,6 +277,9 @@ typedef struct QnResult {
                         centroid; 0 where the block is free */
   size_t reaction_capacity;
 
+  double *velocities; /* in time: step_count x bodies x 3, m/s, rad/s; NULL: not kept */
+  size_t velocity_capacity;
+
   QnPairResult *pairs; /* at the last equilibrium */
   double *step_forces; /* step_count x pair_count x 2: normal, shear, N; NULL: not kept */
   uint8_t *step_states; /* step_count x pair_count: QnPairState */
@@ -270,6 +295,13 @@ typedef struct QnResult {
   size_t unstable_count;
 
   QnHistory history;
+
+  QnFound *found; /* contacts that blocks found on their way, as they were met */
+  size_t found_count, found_capacity;
+  QnFoundForce *found_forces; /* by step, then by contact */
+  size_t found_force_count, found_force_capacity;
+  QnLeftFace *left; /* as they were left */
+  size_t left_count, left_capacity;
 
   QnStatistics statistics;
 } QnResult;
@@ -337,9 +369,18 @@ bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);
 bool qn_result_set_supports (QnResult *result, const QnModel *model);
 bool qn_result_add_reactions (QnResult *result, const double *reactions);
 
+/* Appends the velocities of the last step added, a row for every body. */
+bool qn_result_add_velocities (QnResult *result, const double *velocities);
+
 /* Keeps the forces that stand in `pairs` for the last step added, within the budget unless
  * `all`. False when memory runs out. */
 bool qn_result_add_forces (QnResult *result, bool all);
+
+/* Appends what contacts do that were found on the way; a found contact that is there already is not
+ * added again. *place (nullable): its place. False when memory runs out. */
+bool qn_result_add_found (QnResult *result, QnFound found, QnId *place);
+bool qn_result_add_found_force (QnResult *result, QnFoundForce force);
+bool qn_result_add_left (QnResult *result, QnLeftFace left);
 
 /* Appends a row to the history, whose width is set. False when memory runs out. */
 bool qn_result_add_history (QnResult *result, const double *row);

@@ -186,31 +186,15 @@ qn_batch_get_messages (QnBatch *self)
   return self->messages;
 }
 
-gboolean
-qn_batch_is_busy (QnBatch *self)
-{
-  for (guint i = 0; i < self->documents->len; i++)
-    if (qn_document_get_job (self->documents->pdata[i]) != NULL)
-      return TRUE;
-  return FALSE;
-}
-
-void
-qn_batch_cancel (QnBatch *self)
-{
-  self->cancelled = TRUE;
-  for (guint i = 0; i < self->documents->len; i++)
-    qn_document_cancel (self->documents->pdata[i]);
-}
-
 static void
 qn_batch_dispose (GObject *object)
 {
   QnBatch *self = QN_BATCH (object);
-  for (guint i = 0; self->documents != NULL && i < self->documents->len; i++)
+  self->cancelled = TRUE;
+  for (guint i = 0; self->documents != NULL && i < self->documents->len; i++) {
     g_signal_handlers_disconnect_by_data (self->documents->pdata[i], self);
-  if (self->documents != NULL)
-    qn_batch_cancel (self);
+    qn_document_cancel (self->documents->pdata[i]);
+  }
   g_clear_pointer (&self->documents, g_ptr_array_unref);
   g_clear_pointer (&self->messages, g_ptr_array_unref);
   G_OBJECT_CLASS (qn_batch_parent_class)->dispose (object);

@@ -23,8 +23,4 @@ const GPtrArray *qn_batch_get_documents (QnBatch *batch);
 /* What could not be opened or solved, and why; of char *, translated. */
 const GPtrArray *qn_batch_get_messages (QnBatch *batch);
 
-/* Whether something is being solved; ends that. */
-gboolean qn_batch_is_busy (QnBatch *batch);
-void qn_batch_cancel (QnBatch *batch);
-
 #endif

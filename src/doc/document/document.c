@@ -314,14 +314,6 @@ qn_document_load_recovered (QnDocument *self, const char *text, const char *path
   return TRUE;
 }
 
-gboolean
-qn_document_load_text (QnDocument *self, const char *text, const char *name,
-                       GError **error)
-{
-  QnProject project;
-  return parse (text, name, &project, error) && begin (self, &project, NULL, error);
-}
-
 /* What a file would hold. */
 static char *
 dup_file_text (QnDocument *self, GError **error)

@@ -44,10 +44,6 @@ gboolean qn_document_load (QnDocument *document, const char *path, GError **erro
  * until it is saved elsewhere. */
 gboolean qn_document_load_copy (QnDocument *document, const char *path, GError **error);
 
-/* Replaces everything by a project in memory, not yet in a file and counted as unsaved. */
-gboolean qn_document_load_text (QnDocument *document, const char *text, const char *name,
-                                GError **error);
-
 /* Takes over what was not saved to `path` (NULL: never saved), unsaved still: the file stays as
  * it is until the user saves. */
 gboolean qn_document_load_recovered (QnDocument *document, const char *text,
@@ -104,8 +100,9 @@ gboolean qn_document_edit_project (QnDocument *document, const char *name,
                                    gpointer user_data, GError **error);
 
 /* Path in the file of the only number by which an edit that takes `other`, the number `value`, differs
- * from one that takes what there is already (`same`), *number as it is written there, NaN where it is not; NULL where an
- * edit is refused, or more differs or something else. Changes nothing. The caller frees it. */
+ * from one that takes what there is already (`same`), *number as it is written there, NaN where it
+ * is not; NULL where an edit is refused, or more differs or something else. Changes nothing. The
+ * caller frees it. */
 char *qn_document_dup_number_path (QnDocument *document, QnProjectEditFunc func,
                                    gpointer same, gpointer other, double value,
                                    double *number);

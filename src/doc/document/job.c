@@ -378,12 +378,6 @@ qn_job_is_paused (QnJob *self)
   return paused;
 }
 
-gboolean
-qn_job_is_running (QnJob *self)
-{
-  return self->running;
-}
-
 QnProgress
 qn_job_get_progress (QnJob *self)
 {

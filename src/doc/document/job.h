@@ -48,7 +48,6 @@ void qn_job_cancel (QnJob *job);
 /* Holds the analysis at its next iteration, or lets it go on. */
 void qn_job_set_paused (QnJob *job, gboolean paused);
 gboolean qn_job_is_paused (QnJob *job);
-gboolean qn_job_is_running (QnJob *job);
 
 /* Emitted as "progress" (no arguments); this is what it was about. */
 QnProgress qn_job_get_progress (QnJob *job);

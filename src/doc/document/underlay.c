@@ -4,12 +4,52 @@
 #include "io/text/file-inside.h"
 #include "io/text/json-text.h"
 #include "render/scene/photo.h"
+#include "render/scene/rectify.h"
+#include "render/scene/render-error.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
-static const char *const keys[] = { "image", "origin", "width", "angle", "opacity" };
+/* Corners may lie outside of the photo, so far at most, in its width and height. */
+#define MOST_PART 10.0
+
+static const char *const keys[] = { "image", "origin",  "width",
+                                    "angle", "opacity", "rectangle" };
+static const char *const rectangle_keys[] = { "corners", "height" };
+
+static gboolean
+read_rectangle (const QnJsonValue *object, QnUnderlay *underlay)
+{
+  QnJsonValue rectangle = qn_json_value_member (object, "rectangle"), corners;
+  QnJsonValue corner = { 0 };
+  int count = 0;
+  if (rectangle.json == NULL)
+    return TRUE;
+  if (!qn_json_value_object (&rectangle)
+      || !qn_member_array (&rectangle, "corners", QN_REQUIRED, &corners)
+      || !qn_member_number (&rectangle, "height", QN_REQUIRED, QN_RANGE_POSITIVE,
+                            &underlay->height))
+    return FALSE;
+  while (qn_json_value_next (&corners, &corner)) {
+    if (count == 4)
+      return qn_json_value_fail (&corners, _ ("must have four points"));
+    if (!qn_json_value_vec2 (&corner, &underlay->points[count++]))
+      return FALSE;
+  }
+  if (count < 4)
+    return qn_json_value_fail (&corners, _ ("must have four points"));
+  if (!qn_rectify_is_convex (underlay->points))
+    return qn_json_value_fail (
+      &corners, _ ("must be the corners of a convex quadrilateral, counter-clockwise"));
+  for (int i = 0; i < 4; i++)
+    if (fabs (underlay->points[i].x) > MOST_PART
+        || fabs (underlay->points[i].y) > MOST_PART)
+      return qn_json_value_fail (&corners, _ ("is too far outside of the photo"));
+  underlay->rectified = true;
+  qn_json_value_warn_unknown (&rectangle, rectangle_keys, G_N_ELEMENTS (rectangle_keys));
+  return TRUE;
+}
 
 static gboolean
 read_members (const QnJsonValue *object, const char **image, QnUnderlay *underlay)
@@ -22,7 +62,8 @@ read_members (const QnJsonValue *object, const char **image, QnUnderlay *underla
       || !qn_member_number (object, "angle", QN_OPTIONAL, QN_RANGE_FINITE,
                             &underlay->angle)
       || !qn_member_number (object, "opacity", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
-                            &underlay->opacity))
+                            &underlay->opacity)
+      || !read_rectangle (object, underlay))
     return FALSE;
   if (underlay->opacity > 1) {
     QnJsonValue place = qn_json_value_member (object, "opacity");
@@ -82,7 +123,21 @@ qn_underlay_read_from (const QnProject *project, const char *folder,
   g_autofree char *path = qn_file_inside (folder, name, allow_outside, error);
   if (path == NULL)
     return FALSE;
-  underlay->image = qn_photo_load (path, error);
+  cairo_surface_t *photo = qn_photo_load (path, error);
+  return photo != NULL && qn_underlay_take_photo (underlay, photo, error);
+}
+
+gboolean
+qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo, GError **error)
+{
+  underlay->image = photo;
+  if (!underlay->rectified)
+    return TRUE;
+  underlay->image = qn_rectify (photo, underlay->points, &underlay->seen);
+  cairo_surface_destroy (photo);
+  if (underlay->image == NULL)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
+                         _ ("There is not enough memory to rectify the photo"));
   return underlay->image != NULL;
 }
 
@@ -112,6 +167,19 @@ qn_underlay_to_json (const char *image, const QnUnderlay *underlay)
   qn_json_append_number (json, underlay->angle);
   g_string_append (json, ", \"opacity\": ");
   qn_json_append_number (json, underlay->opacity);
+  if (underlay->rectified) {
+    g_string_append (json, ", \"rectangle\": {\"corners\": [");
+    for (int i = 0; i < 4; i++) {
+      g_string_append (json, i > 0 ? ", [" : "[");
+      qn_json_append_number (json, underlay->points[i].x);
+      g_string_append (json, ", ");
+      qn_json_append_number (json, underlay->points[i].y);
+      g_string_append_c (json, ']');
+    }
+    g_string_append (json, "], \"height\": ");
+    qn_json_append_number (json, underlay->height);
+    g_string_append_c (json, '}');
+  }
   g_string_append_c (json, '}');
   return g_string_free (json, FALSE);
 }
@@ -129,6 +197,56 @@ qn_underlay_match (QnUnderlay *underlay, const QnVec2 shown[2], const QnVec2 wan
   QnVec2 turned = qn_vec2_rotate (arm, cos (turn), sin (turn));
   underlay->origin = qn_vec2_add_scaled (wanted[0], scale, turned);
   underlay->width *= scale;
+  underlay->height *= scale;
   underlay->angle = remainder (underlay->angle + turn, 2 * G_PI);
   return true;
+}
+
+/* A place of the model as parts of the photo's width and height. */
+static bool
+to_photo (const QnUnderlay *u, QnVec2 at, QnVec2 *photo)
+{
+  QnVec2 arm = qn_vec2_sub (at, u->origin), corners[4];
+  if (!qn_underlay_corners (u, corners))
+    return false;
+  arm = qn_vec2_rotate (arm, cos (u->angle), -sin (u->angle));
+  double height =
+    u->rectified ? u->height : qn_vec2_length (qn_vec2_sub (corners[3], corners[0]));
+  QnVec2 part = { arm.x / u->width, arm.y / height };
+  if (u->rectified)
+    return qn_rectify_to_photo (u->points, part, photo);
+  *photo = part;
+  return true;
+}
+
+bool
+qn_underlay_rectify (QnUnderlay *underlay, const QnVec2 shown[4], double width,
+                     double height)
+{
+  QnVec2 corners[4], points[4];
+  memcpy (corners, shown, sizeof corners);
+  if (!qn_rectify_sort (corners) || !(width > 0) || !(height > 0))
+    return false;
+  for (int i = 0; i < 4; i++)
+    if (!to_photo (underlay, corners[i], &points[i]) || fabs (points[i].x) > MOST_PART
+        || fabs (points[i].y) > MOST_PART)
+      return false;
+  if (!qn_rectify_is_convex (points))
+    return false;
+  memcpy (underlay->points, points, sizeof points);
+  underlay->rectified = true;
+  underlay->origin = corners[0];
+  underlay->width = width;
+  underlay->height = height;
+  underlay->angle = 0;
+  return true;
+}
+
+void
+qn_underlay_show_as_taken (QnUnderlay *underlay, double width)
+{
+  underlay->rectified = false;
+  underlay->height = 0;
+  underlay->width = width;
+  underlay->angle = 0;
 }

@@ -4,7 +4,14 @@
  *
  * `image` is a path relative to the project's folder, `origin` the model point of its lower
  * left corner, `width` its width in m. Optional: `angle` (rad, counter-clockwise about the
- * origin, default 0) and `opacity` (0 to 1, default 0.6). */
+ * origin, default 0) and `opacity` (0 to 1, default 0.6).
+ *
+ *   "rectangle": { "corners": [[0.1, 0.2], [0.8, 0.1], [0.9, 0.9], [0.1, 0.8]], "height": 3 }
+ *
+ * is for photos taken at an angle: what on the photo is a rectangle in truth, by parts of the photo's
+ * width from the left and of its height from below, from the lower left corner counter-clockwise. Then
+ * `origin` and `width` are those of the rectangle, `height` is its height in m, and the photo is shown
+ * as seen from the front (render/scene/rectify.h). */
 #ifndef QN_DOC_UNDERLAY_H
 #define QN_DOC_UNDERLAY_H
 
@@ -23,7 +30,12 @@ gboolean qn_underlay_read_from (const QnProject *project, const char *folder,
                                 gboolean allow_outside, QnUnderlay *underlay,
                                 GError **error);
 
-/* The same without the image: its path, owned by the caller, or NULL where the project has no
+/* Puts the photo, which is taken over, behind the drawing; rectified where the underlay says so. FALSE
+ * without memory: then there is no image. */
+gboolean qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo,
+                                 GError **error);
+
+/* The same as qn_underlay_read() without the image: its path, owned by the caller, or NULL where the project has no
  * underlay. `folder` (nullable) is what a relative path starts from. */
 gboolean qn_underlay_locate (const QnProject *project, const char *folder, char **path,
                              QnUnderlay *underlay, GError **error);
@@ -40,5 +52,14 @@ char *qn_underlay_to_json (const char *image, const QnUnderlay *underlay);
  * or the points coincide. */
 bool qn_underlay_match (QnUnderlay *underlay, const QnVec2 shown[2],
                         const QnVec2 wanted[2]);
+
+/* Rectifies the underlay by four places on it, given where they are shown now: they become the corners
+ * of an upright rectangle of this width and height, m, whose lower left one stays where it is. False
+ * where they are no corners of a convex quadrilateral, or beyond the photo's horizon. */
+bool qn_underlay_rectify (QnUnderlay *underlay, const QnVec2 shown[4], double width,
+                          double height);
+
+/* Shows the photo as it was taken again, the whole as wide as `width`. */
+void qn_underlay_show_as_taken (QnUnderlay *underlay, double width);
 
 #endif

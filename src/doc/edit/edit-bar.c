@@ -75,31 +75,37 @@ lies_level (const QnModel *model, QnBlockSet set, QnVec2 middle, QnVec2 size)
 }
 
 gboolean
-qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
+qn_edit_draw_bar (QnModel *model, QnVec2 start, QnVec2 end, GError **error)
 {
-  QnBox box = box_of (model, set);
   QnId law = QN_NONE;
-  if (set.count == 0) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("Select the blocks that the bar goes through"));
-    return FALSE;
-  }
   if (!find_metal (model, &law, error))
     return FALSE;
   QnBar *bar = qn_model_add_bar (model);
   if (bar == NULL)
     return qn_edit_no_memory (error);
+  *bar = (QnBar){
+    .law = law, .area = qn_bar_get_area (USUAL_DIAMETER), .start = start, .end = end
+  };
+  return TRUE;
+}
+
+gboolean
+qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
+{
+  QnBox box = box_of (model, set);
+  if (set.count == 0) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("Select the blocks that the bar goes through"));
+    return FALSE;
+  }
   QnVec2 size = qn_vec2_sub (box.max, box.min);
   QnVec2 middle = qn_vec2_lerp (box.min, box.max, 0.5);
   double cover = COVER * fmin (size.x, size.y);
   QnVec2 half = lies_level (model, set, middle, size)
                   ? qn_vec2 (0.5 * size.x - cover, 0.0)
                   : qn_vec2 (0.0, 0.5 * size.y - cover);
-  *bar = (QnBar){ .law = law,
-                  .area = qn_bar_get_area (USUAL_DIAMETER),
-                  .start = qn_vec2_sub (middle, half),
-                  .end = qn_vec2_add (middle, half) };
-  return TRUE;
+  return qn_edit_draw_bar (model, qn_vec2_sub (middle, half), qn_vec2_add (middle, half),
+                           error);
 }
 
 gboolean

@@ -11,6 +11,9 @@
  * meets more of them. Its law is
  * the first of a ductile metal, or a new one of steel. */
 gboolean qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error);
+
+/* Adds one of 16 mm from point to point, m. */
+gboolean qn_edit_draw_bar (QnModel *model, QnVec2 start, QnVec2 end, GError **error);
 gboolean qn_edit_remove_bar (QnModel *model, QnId bar, GError **error);
 
 /* Diameter of one round bar of the area, m, m2; and the other way round. */

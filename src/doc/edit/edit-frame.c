@@ -118,20 +118,11 @@ drop_beams (QnModel *model, QnBeamSet set)
 }
 
 gboolean
-qn_edit_delete_beams (QnModel *model, QnBeamSet set, GError **error)
-{
-  if (set.count == 0)
-    return refuse_nothing (error);
-  drop_beams (model, set);
-  return qn_edit_rebuild (model, NULL, error);
-}
-
-gboolean
 qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
 {
-  if (set.blocks.count == 0)
-    return qn_edit_delete_beams (model, set.beams, error);
   drop_beams (model, set.beams);
+  if (set.blocks.count == 0 && set.beams.count > 0)
+    return qn_edit_rebuild (model, NULL, error);
   return qn_edit_delete_blocks (model, set.blocks, error);
 }
 

@@ -38,9 +38,8 @@ typedef struct QnBeamStyle {
 gboolean qn_edit_add_beam (QnModel *model, QnVec2 from, QnVec2 to, QnBeamStyle style,
                            GError **error);
 
-/* With the beams go their nodes that carry no other one, and the loads on both. */
-gboolean qn_edit_delete_beams (QnModel *model, QnBeamSet set, GError **error);
-/* Blocks and beams; one of the sets may be empty. */
+/* Blocks and beams; one of the sets may be empty. With the beams go their nodes that carry no other
+ * one, and the loads on both. */
 gboolean qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error);
 
 gboolean qn_edit_set_beam_kind (QnModel *model, QnBeamSet set, QnBeamKind kind,

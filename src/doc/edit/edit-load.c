@@ -82,40 +82,73 @@ qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error)
   return TRUE;
 }
 
+/* Calls for every place of the model that names a law. */
 static void
-shift_law (QnId *law, QnId removed)
+each_law (QnModel *model, void (*visit) (QnId *law, gpointer data), gpointer data)
 {
-  if (*law == removed)
-    *law = QN_NONE;
-  else if (*law > removed)
+  visit (&model->contact.law, data);
+  for (gsize i = 0; i < model->bar_count; i++)
+    visit (&model->bars[i].law, data);
+  for (gsize i = 0; i < model->block_count; i++)
+    if (model->blocks[i].wall == QN_NONE)
+      visit (&model->blocks[i].law, data);
+  for (gsize i = 0; i < model->wall_count; i++)
+    visit (&model->walls[i].law, data);
+  for (gsize i = 0; i < model->override_count; i++)
+    visit (&model->overrides[i].law, data);
+}
+
+typedef struct Uses {
+  QnId law, by;
+  guint count;
+} Uses;
+
+static void
+count_use (QnId *law, gpointer data)
+{
+  Uses *uses = data;
+  uses->count += *law == uses->law;
+}
+
+guint
+qn_edit_count_law_uses (const QnModel *model, QnId law)
+{
+  Uses uses = { .law = law };
+  each_law ((QnModel *) model, count_use, &uses);
+  return uses.count;
+}
+
+static void
+shift_law (QnId *law, gpointer data)
+{
+  const Uses *uses = data;
+  if (*law == uses->law)
+    *law = uses->by;
+  if (*law > uses->law)
     (*law)--;
 }
 
 gboolean
-qn_edit_delete_law (QnModel *model, QnId id, GError **error)
+qn_edit_delete_law (QnModel *model, QnId id, QnId by, GError **error)
 {
-  if (model->contact.law == id) {
+  if (by == QN_NONE && model->contact.law == id) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
                          _ ("The law of all other contacts cannot be removed; choose "
                             "another one for them first"));
     return FALSE;
   }
-  for (gsize i = 0; i < model->bar_count; i++) {
+  for (gsize i = 0; by == QN_NONE && i < model->bar_count; i++) {
     if (model->bars[i].law == id) {
       g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
                            _ ("The law of a reinforcing bar cannot be removed"));
       return FALSE;
     }
   }
-  for (gsize i = 0; i < model->bar_count; i++)
-    shift_law (&model->bars[i].law, id);
+  Uses uses = { .law = id, .by = by };
+  each_law (model, shift_law, &uses);
   for (gsize i = 0; i < model->block_count; i++)
-    shift_law (&model->blocks[i].law, id);
-  for (gsize i = 0; i < model->wall_count; i++)
-    shift_law (&model->walls[i].law, id);
-  for (gsize i = 0; i < model->override_count; i++)
-    shift_law (&model->overrides[i].law, id);
-  shift_law (&model->contact.law, id);
+    if (model->blocks[i].wall != QN_NONE)
+      shift_law (&model->blocks[i].law, &uses);
   qn_law_clear (&model->laws[id]);
   memmove (model->laws + id, model->laws + id + 1,
            (model->law_count - (gsize) id - 1) * sizeof *model->laws);

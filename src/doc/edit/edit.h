@@ -95,7 +95,13 @@ gboolean qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 directio
 
 /* Adds a law like an existing one under a new name; its number is that of the last law. */
 gboolean qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error);
-gboolean qn_edit_delete_law (QnModel *model, QnId law, GError **error);
+
+/* How many blocks, walls, joints, bars and general rules name the law. */
+guint qn_edit_count_law_uses (const QnModel *model, QnId law);
+
+/* Removes a law; what has it gets `by`, or, where that is QN_NONE, the law of the contacts. Refused
+ * where nothing can stand in its place. */
+gboolean qn_edit_delete_law (QnModel *model, QnId law, QnId by, GError **error);
 
 /* ---- for edits (edit-rebuild.c) ---- */
 

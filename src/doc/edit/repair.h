@@ -1,9 +1,10 @@
 /* Repairs: what can be done about a finding of contact detection.
  *
- * Gaps are closed by letting both blocks grow, by snapping corners or by moving a block, overlaps by trimming, merging or
- * moving apart, blocks that nothing holds are fixed or removed. Of the two blocks of a finding
- * the one that is free, not supported and smaller gives way. Where blocks stand apart by joints of
- * mortar these are what is to be closed: nothing is fixed to the ground instead. */
+ * Gaps are closed by letting both blocks grow, by snapping corners or by moving a block, overlaps
+ * by trimming, merging or moving apart, blocks that nothing holds are fixed or removed. Of the two
+ * blocks of a finding the one that is free, not supported and smaller gives way. Where blocks
+ * stand apart by joints of mortar these are what is to be closed: nothing is fixed to the ground
+ * instead. */
 #ifndef QN_DOC_REPAIR_H
 #define QN_DOC_REPAIR_H
 

@@ -67,15 +67,3 @@ qn_document_get_metadata (QnDocument *document, QnMetadata *metadata)
   metadata->model_sha256 = project->sha256;
   metadata->generator = "quoin " QN_VERSION;
 }
-
-gboolean
-qn_view_state_export (QnViewState *state, const char *path, const QnOutput *output,
-                      GError **error)
-{
-  QnFigure figure;
-  QnMetadata metadata;
-  if (!qn_view_state_get_figure (state, &figure, error))
-    return FALSE;
-  qn_document_get_metadata (qn_view_state_get_document (state), &metadata);
-  return qn_figure_export (&figure, path, output, &metadata, error);
-}

@@ -21,8 +21,4 @@ gboolean qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe,
 /* Metadata of pictures of a document; borrows from it. */
 void qn_document_get_metadata (QnDocument *document, QnMetadata *metadata);
 
-/* Writes the present view as PNG, SVG or PDF by the ending of the path. */
-gboolean qn_view_state_export (QnViewState *state, const char *path,
-                               const QnOutput *output, GError **error);
-
 #endif

@@ -58,7 +58,7 @@ emit_changed (QnViewState *self)
   g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
 }
 
-/* The image is read again only where its file is another. */
+/* The image is read again only where its file is another, or it is rectified in another way. */
 static void
 update_underlay (QnViewState *self)
 {
@@ -68,9 +68,16 @@ update_underlay (QnViewState *self)
   g_clear_error (&self->image_error);
   qn_underlay_locate (qn_document_get_project (self->document), folder, &path, &underlay,
                       &self->image_error);
-  cairo_surface_t *image = self->options.underlay.image;
-  if (g_strcmp0 (path, self->image_path) != 0 || image == NULL) {
+  const QnUnderlay *shown = &self->options.underlay;
+  cairo_surface_t *image = shown->image;
+  gboolean same =
+    underlay.rectified == shown->rectified
+    && (!underlay.rectified
+        || memcmp (underlay.points, shown->points, sizeof shown->points) == 0);
+  underlay.seen = shown->seen;
+  if (g_strcmp0 (path, self->image_path) != 0 || image == NULL || !same) {
     g_clear_pointer (&image, cairo_surface_destroy);
+    self->options.underlay.image = NULL;
     g_free (self->image_path);
     self->image_path = g_steal_pointer (&path);
     g_autofree char *allowed =
@@ -79,9 +86,11 @@ update_underlay (QnViewState *self)
         : NULL;
     if (allowed != NULL)
       image = qn_photo_load (allowed, &self->image_error);
-  }
+    if (image != NULL)
+      qn_underlay_take_photo (&underlay, image, &self->image_error);
+  } else
+    underlay.image = image;
   self->options.underlay = underlay;
-  self->options.underlay.image = image;
 }
 
 static void
@@ -314,12 +323,6 @@ qn_view_state_set_diagram (QnViewState *self, QnDiagram diagram)
     return;
   self->options.diagram = diagram;
   emit_changed (self);
-}
-
-QnDiagram
-qn_view_state_get_diagram (QnViewState *self)
-{
-  return self->options.diagram;
 }
 
 const QnUnderlay *

@@ -50,7 +50,6 @@ void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on
 
 /* Section force that the view of diagrams shows. */
 void qn_view_state_set_diagram (QnViewState *state, QnDiagram diagram);
-QnDiagram qn_view_state_get_diagram (QnViewState *state);
 
 /* The picture behind the drawing, as the document has it; its image is NULL where there is none
  * or it cannot be read, which the error tells (NULL: nothing wrong). */

@@ -65,9 +65,9 @@ typedef struct QnImportReport {
 double qn_import_unit (const char *name);
 
 /* Makes a project: one block per outline, dry joints, own weight as dead load and a horizontal
- * live load. Takes unbounded paths out of the drawing and nothing else. `project` and `report` are overwritten without being cleared;
- * FALSE with an error (domain QN_IO_ERROR) where there is nothing to make blocks of or a setting
- * is wrong (QN_IO_ERROR_OVERRIDE). */
+ * live load. Takes unbounded paths out of the drawing and nothing else. `project` and `report` are
+ * overwritten without being cleared; FALSE with an error (domain QN_IO_ERROR) where there is
+ * nothing to make blocks of or a setting is wrong (QN_IO_ERROR_OVERRIDE). */
 gboolean qn_drawing_to_project (QnDrawing *drawing, const char *name,
                                 const QnImportSettings *settings, QnProject *project,
                                 QnImportReport *report, GError **error);

@@ -364,6 +364,24 @@ fail_at_key (const QnProject *project, gsize index, GError *cause, GError **erro
   return FALSE;
 }
 
+/* Samples stand for the time up to the next one: a record may end one of them before the duration. */
+static gboolean
+reaches_duration (const QnProject *project, gsize index, const QnRecord *record,
+                  GError **error)
+{
+  double end = record->points[record->count - 1].x,
+         apart = end - record->points[record->count - 2].x,
+         duration = project->model.analysis.dynamic.duration;
+  if (project->model.ground[index].rests || end + apart * (1 + 1e-9) >= duration)
+    return TRUE;
+  g_set_error (
+    error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+    _ ("the record ends at %.4g s, before the duration of %.4g s: shorten that, "
+       "or set \"rest\" for ground that rests from then on"),
+    end, duration);
+  return FALSE;
+}
+
 static gboolean
 take_record (QnProject *project, gsize index, const QnRecord *record, GError **error)
 {
@@ -378,13 +396,6 @@ take_record (QnProject *project, gsize index, const QnRecord *record, GError **e
                    _ ("not enough memory"));
       return FALSE;
     }
-  double end = record->points[record->count - 1].x;
-  if (end < project->model.analysis.dynamic.duration)
-    g_ptr_array_add (
-      project->warnings,
-      g_strdup_printf (_ ("%s: analysis.dynamic.ground[%d]: the record ends at %.4g s, "
-                          "before the duration: the ground rests from then on"),
-                       project->name, (int) index, end));
   return TRUE;
 }
 
@@ -406,8 +417,11 @@ qn_project_read_records (QnProject *project, const char *folder, gboolean allow_
     if (path == NULL
         || !qn_record_read (path, motion->unit, motion->time_step, &record, &cause))
       return fail_at_key (project, i, cause, error);
-    gboolean done = take_record (project, i, &record, error);
+    gboolean reaches = reaches_duration (project, i, &record, &cause);
+    gboolean done = reaches && take_record (project, i, &record, error);
     qn_record_clear (&record);
+    if (!reaches)
+      return fail_at_key (project, i, cause, error);
     if (!done)
       return FALSE;
   }

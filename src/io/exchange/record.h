@@ -51,9 +51,9 @@ QnRecordFacts qn_record_facts (const QnRecord *record);
 gboolean qn_record_write (const char *path, const QnRecord *record, GError **error);
 
 /* Reads the records that the ground motions of a project name, from the folder where the project
- * lies (NULL: that of its path), and scales them to their peaks. Records that end before the duration does are a warning of the
- * project: the ground rests from then on. Files outside the project's folder are refused unless
- * `allow_outside`. */
+ * lies (NULL: that of its path), and scales them to their peaks. Refused are records that end more than
+ * a sample before the duration of an analysis in time, unless the project lets the ground rest from
+ * then on, and files outside the project's folder unless `allow_outside`. */
 gboolean qn_project_read_records (QnProject *project, const char *folder,
                                   gboolean allow_outside, GError **error);
 

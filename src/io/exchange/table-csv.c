@@ -3,6 +3,7 @@
 #include "io/result/result-contact.h"
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
+#include "io/text/plain-character.h"
 
 #include <string.h>
 
@@ -71,10 +72,23 @@ qn_result_body_name (const QnModel *model, QnId body)
            : model->nodes[(size_t) body - model->block_count].name;
 }
 
+/* What a terminal would take for a command, or would turn the direction of the line, becomes U+FFFD. */
+static char *
+dup_harmless (const char *name)
+{
+  GString *text = g_string_new (NULL);
+  for (const char *c = name; *c != '\0'; c = g_utf8_next_char (c)) {
+    gunichar at = g_utf8_get_char (c);
+    g_string_append_unichar (text, qn_is_plain_character (at) ? at : 0xfffd);
+  }
+  return g_string_free (text, FALSE);
+}
+
 /* A field of text: in quotes where it would be taken for several. `suffix` belongs to it. */
 static void
-write_text (QnFileWriter *writer, const char *text, const char *suffix)
+write_text (QnFileWriter *writer, const char *name, const char *suffix)
 {
+  g_autofree char *text = dup_harmless (name);
   if (strpbrk (text, ",\"\r\n") == NULL) {
     qn_file_writer_printf (writer, "%s%s", text, suffix);
     return;

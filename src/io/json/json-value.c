@@ -109,7 +109,13 @@ qn_reader_dup_line_at (const QnReader *reader, const char *path, const QnJsonPla
                             place->column);
   if (path[0] != '\0')
     g_string_append_printf (line, ": %s", path);
-  g_string_append_printf (line, ": %s", message);
+  g_string_append (line, ": ");
+  /* What a message quotes of the file may hold line breaks; it stays one line. */
+  for (const char *at = message; *at != '\0'; at++)
+    if (g_ascii_iscntrl (*at))
+      g_string_append_printf (line, "\\u%04x", *at);
+    else
+      g_string_append_c (line, *at);
   if (override != NULL) {
     g_string_append (line, _ (" (set by "));
     qn_json_append_string (line, override);

@@ -63,8 +63,10 @@ read_signal (const QnJsonValue *place, QnGroundMotion *motion)
   if (given != 1)
     return qn_json_value_fail (place, _ ("expected one of record, points and pulse"));
   if (motion->record == NULL
-      && (motion->unit != NULL || motion->time_step > 0 || motion->peak > 0))
-    return qn_json_value_fail (place, _ ("unit, time_step and peak belong to a record"));
+      && (motion->unit != NULL || motion->time_step > 0 || motion->peak > 0
+          || motion->rests))
+    return qn_json_value_fail (place,
+                               _ ("unit, time_step, peak and rest belong to a record"));
   if (points.json != NULL)
     return read_points (&points, motion);
   if (pulse.json == NULL)
@@ -76,8 +78,9 @@ read_signal (const QnJsonValue *place, QnGroundMotion *motion)
 static gboolean
 read_ground (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = { "direction", "scale", "record",    "points",
-                                      "pulse",     "unit",  "time_step", "peak" };
+  static const char *const keys[] = { "direction", "scale", "record",
+                                      "points",    "pulse", "unit",
+                                      "time_step", "peak",  "rest" };
   const char *record = NULL, *unit = NULL;
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "record", QN_OPTIONAL, &record)
@@ -97,6 +100,7 @@ read_ground (const QnJsonValue *place, QnModel *model)
                               &motion->time_step)
          && qn_member_number (place, "peak", QN_OPTIONAL, QN_RANGE_POSITIVE,
                               &motion->peak)
+         && qn_member_bool (place, "rest", QN_OPTIONAL, &motion->rests)
          && read_signal (place, motion);
 }
 
@@ -180,7 +184,9 @@ qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
   static const char *const keys[] = { "duration", "time_step",       "rho",
                                       "damping",  "ground",          "initial",
                                       "track",    "output_interval", "tolerance",
-                                      "adaptive" };
+                                      "adaptive", "contacts",        "fall" };
+  static const char *const contacts[] = { "fixed", "follow" };
+  int follows = 0;
   QnDynamicSettings *settings = &model->analysis.dynamic;
   QnJsonValue place = qn_json_value_member (analysis, "dynamic");
   if (place.json == NULL) {
@@ -192,6 +198,11 @@ qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
   if (!qn_json_value_object (&place))
     return FALSE;
   qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
+  follows = settings->follow ? 1 : 0;
+  if (!qn_member_choice (&place, "contacts", QN_OPTIONAL, contacts,
+                         G_N_ELEMENTS (contacts), &follows))
+    return FALSE;
+  settings->follow = follows == 1;
   return qn_member_number (&place, "duration", QN_REQUIRED, QN_RANGE_POSITIVE,
                            &settings->duration)
          && qn_member_number (&place, "time_step", QN_REQUIRED, QN_RANGE_POSITIVE,
@@ -203,6 +214,7 @@ qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
          && qn_member_number (&place, "output_interval", QN_OPTIONAL, QN_RANGE_POSITIVE,
                               &settings->output_interval)
          && qn_member_bool (&place, "adaptive", QN_OPTIONAL, &settings->adaptive)
+         && qn_member_bool (&place, "fall", QN_OPTIONAL, &settings->fall)
          && read_damping (&place, settings)
          && qn_read_each (&place, "ground", QN_OPTIONAL, read_ground, model)
          && qn_read_each (&place, "initial", QN_OPTIONAL, read_initial, model)

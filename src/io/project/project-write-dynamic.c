@@ -31,6 +31,10 @@ append_ground (GString *json, const QnGroundMotion *motion)
       qn_json_put_string (json, "unit", motion->unit);
     if (motion->time_step > 0)
       qn_json_put_number (json, "time_step", motion->time_step);
+    if (motion->rests) {
+      qn_json_begin_member (json, "rest");
+      g_string_append (json, "true");
+    }
     break;
   case QN_SIGNAL_POINTS:
     qn_json_begin_member (json, "points");
@@ -128,6 +132,12 @@ qn_project_append_dynamic (GString *json, const QnModel *model,
   if (!s->adaptive) {
     qn_json_begin_member (json, "adaptive");
     g_string_append (json, "false");
+  }
+  if (s->follow != usual->follow)
+    qn_json_put_string (json, "contacts", s->follow ? "follow" : "fixed");
+  if (s->fall) {
+    qn_json_begin_member (json, "fall");
+    g_string_append (json, "true");
   }
   if (s->output_interval > 0)
     qn_json_put_number (json, "output_interval", s->output_interval);

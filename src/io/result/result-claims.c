@@ -79,3 +79,15 @@ qn_result_file_find_faults (const QnResultFile *file, const char *name,
                _ ("not enough memory"));
   return FALSE;
 }
+
+bool
+qn_result_passes (const QnProject *project, const QnResultCheck *check,
+                  const QnResultFaults *faults)
+{
+  double asked = 10 * project->model.analysis.residual_tolerance;
+  double tolerance = MAX (QN_RESULT_TOLERANCE, asked);
+  if (faults->count > 0)
+    return false;
+  return check == NULL
+         || (check->out_of_balance <= tolerance && check->yield_violation <= tolerance);
+}

@@ -8,6 +8,7 @@
 #define QN_IO_RESULT_CLAIMS_H
 
 #include "core/check/result-check.h"
+#include "io/result/result-check.h"
 #include "io/result/result-file.h"
 
 /* Refuses a file that was computed from another project than this, or whose contacts are not where
@@ -16,5 +17,14 @@
 gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
                                      const QnProject *project, const QnContacts *contacts,
                                      QnResultFaults *faults, GError **error);
+
+/* Largest imbalance and largest yield violation, over the largest force, that a result may have to pass
+ * the independent check; or ten times the residual tolerance that the project asks for. */
+#define QN_RESULT_TOLERANCE 1e-6
+
+/* Whether a result passes: none of its claims is wrong, and forces balance and yield within tolerance.
+ * `check` is NULL where there are no forces to check. */
+bool qn_result_passes (const QnProject *project, const QnResultCheck *check,
+                       const QnResultFaults *faults);
 
 #endif

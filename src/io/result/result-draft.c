@@ -122,6 +122,12 @@ check_counts (QnJsonStream *stream, QnResultDraft *draft)
            != result->step_count * draft->supports.count * QN_DOF_COUNT)
     return qn_json_stream_fail_at (
       stream, "steps", _ ("there are not as many reactions as supports in every step"));
+  size_t bodies =
+    blocks + (draft->nodes.items != NULL ? (size_t) draft->nodes.items->len : 0);
+  if (draft->velocities.count > 0
+      && draft->velocities.count != result->step_count * bodies * QN_DOF_COUNT)
+    return qn_json_stream_fail_at (
+      stream, "steps", _ ("there are not as many velocities as bodies in every step"));
   for (size_t i = 0; i < draft->unstable.count; i++)
     if ((size_t) draft->unstable.items[i] >= blocks)
       return qn_json_stream_fail_at (stream, "unstable_blocks",
@@ -200,6 +206,8 @@ take_arrays (QnJsonStream *stream, QnResultDraft *draft)
   result->unstable_count = draft->unstable.count;
   result->reactions = g_steal_pointer (&draft->reactions.items);
   result->reaction_capacity = draft->reactions.capacity;
+  result->velocities = g_steal_pointer (&draft->velocities.items);
+  result->velocity_capacity = draft->velocities.capacity;
   return stream->error == NULL;
 }
 
@@ -224,6 +232,7 @@ qn_result_draft_clear (QnResultDraft *draft)
   free (draft->displacements.items);
   free (draft->mechanism.items);
   free (draft->reactions.items);
+  free (draft->velocities.items);
   qn_result_forces_clear (&draft->forces);
   qn_history_draft_clear (&draft->history);
   free (draft->node_displacements.items);

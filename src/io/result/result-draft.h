@@ -39,7 +39,7 @@ typedef struct QnResultDraft {
   QnOptionalNumber collapse, first_limit, associative_bound, beyond_linear;
   QnResultIds unstable, supports;
   QnStep step; /* that is being read */
-  QnResultRows displacements, mechanism, reactions;
+  QnResultRows displacements, mechanism, reactions, velocities;
   QnStepForces forces;
   QnHistoryDraft history;
   QnResultRows node_displacements, node_mechanism;

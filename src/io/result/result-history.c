@@ -4,6 +4,8 @@
 #include "io/project/project-names.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* --- Writing ------------------------------------------------------------------------------ */
@@ -50,6 +52,41 @@ write_scalars (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_puts (writer, "null");
 }
 
+/* Contacts that were found on the way, each with its forces by step, and the joints that were left. */
+static void
+write_found (QnFileWriter *writer, const QnResult *result)
+{
+  qn_file_writer_puts (writer, ",\n    \"found\": [");
+  for (size_t i = 0; i < result->found_count; i++) {
+    const QnFoundContact *c = &result->found[i].contact;
+    const char *separator = "";
+    qn_file_writer_printf (
+      writer, "%s\n      { \"side\": [%d, %d], \"corner\": [%d, %d], \"foot\": ",
+      i > 0 ? "," : "", c->block, c->side, c->other, c->corner);
+    qn_file_writer_number (writer, c->foot);
+    qn_file_writer_puts_number (writer, ", \"time\": ", result->found[i].time);
+    qn_file_writer_puts (writer, ", \"forces\": [");
+    for (size_t k = 0; k < result->found_force_count; k++) {
+      const QnFoundForce *force = &result->found_forces[k];
+      if (force->found != (QnId) i)
+        continue;
+      qn_file_writer_printf (writer, "%s[%d, ", separator, force->step);
+      qn_file_writer_number (writer, force->normal);
+      qn_file_writer_puts_number (writer, ", ", force->shear);
+      qn_file_writer_printf (writer, ", %d]", (int) force->state);
+      separator = ", ";
+    }
+    qn_file_writer_puts (writer, "] }");
+  }
+  qn_file_writer_puts (writer, "],\n    \"left\": [");
+  for (size_t i = 0; i < result->left_count; i++) {
+    qn_file_writer_printf (writer, "%s[%d, ", i > 0 ? ", " : "", result->left[i].face);
+    qn_file_writer_number (writer, result->left[i].time);
+    qn_file_writer_puts (writer, "]");
+  }
+  qn_file_writer_puts (writer, "]");
+}
+
 void
 qn_result_history_write (QnFileWriter *writer, const QnModel *model,
                          const QnResult *result)
@@ -82,6 +119,8 @@ qn_result_history_write (QnFileWriter *writer, const QnModel *model,
   }
   qn_file_writer_puts (writer, "],\n    \"peak\": ");
   write_list (writer, h->peaks, 1, result->block_count);
+  if (result->found_count > 0 || result->left_count > 0)
+    write_found (writer, result);
   qn_file_writer_puts (writer, " },\n");
 }
 
@@ -155,12 +194,107 @@ free_list (gpointer list)
     g_array_unref (list);
 }
 
+/* A number that counts something. */
+static gboolean
+take_count (QnJsonStream *stream, double number, int32_t *count)
+{
+  if (!(number >= 0 && number < INT32_MAX && number == floor (number)))
+    return qn_json_stream_fail (stream,
+                                _ ("expected a whole number that is not negative"));
+  *count = (int32_t) number;
+  return TRUE;
+}
+
+static gboolean
+read_place (QnJsonStream *stream, gpointer target)
+{
+  double numbers[2];
+  QnId *place = target;
+  return qn_json_stream_numbers (stream, numbers, 2)
+         && take_count (stream, numbers[0], &place[0])
+         && take_count (stream, numbers[1], &place[1]);
+}
+
+/* One contact that was found on the way, while it is read. */
+typedef struct ReadingFound {
+  QnId side[2], corner[2];
+  double foot, time;
+  GArray *forces; /* of the whole list */
+  QnId index;
+} ReadingFound;
+
+static gboolean
+read_found_force (QnJsonStream *stream, gpointer target)
+{
+  ReadingFound *found = target;
+  double numbers[4];
+  QnFoundForce force = { .found = found->index };
+  int32_t state = 0;
+  if (!qn_json_stream_numbers (stream, numbers, 4)
+      || !take_count (stream, numbers[0], &force.step)
+      || !take_count (stream, numbers[3], &state))
+    return FALSE;
+  if (state >= QN_PAIR_STATE_COUNT)
+    return qn_json_stream_fail (stream, _ ("this is no state of a contact pair"));
+  force.normal = numbers[1];
+  force.shear = numbers[2];
+  force.state = (QnPairState) state;
+  g_array_append_val (found->forces, force);
+  return TRUE;
+}
+
+static gboolean
+read_found (QnJsonStream *stream, gpointer target)
+{
+  static const QnJsonMember members[] = {
+    { "side", read_place, offsetof (ReadingFound, side), QN_JSON_REQUIRED },
+    { "corner", read_place, offsetof (ReadingFound, corner), QN_JSON_REQUIRED },
+    { "foot", qn_json_stream_number, offsetof (ReadingFound, foot), QN_JSON_REQUIRED },
+    { "time", qn_json_stream_number, offsetof (ReadingFound, time), QN_JSON_REQUIRED },
+    { "forces", read_found_force, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
+  };
+  QnHistoryDraft *draft = target;
+  if (draft->found == NULL) {
+    draft->found = g_array_new (FALSE, FALSE, sizeof (QnFound));
+    draft->found_forces = g_array_new (FALSE, FALSE, sizeof (QnFoundForce));
+  }
+  ReadingFound read = { .forces = draft->found_forces,
+                        .index = (QnId) draft->found->len };
+  if (!qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read))
+    return FALSE;
+  QnFound found = { .contact = { .block = read.side[0],
+                                 .side = read.side[1],
+                                 .other = read.corner[0],
+                                 .corner = read.corner[1],
+                                 .foot = read.foot },
+                    .time = read.time };
+  g_array_append_val (draft->found, found);
+  return TRUE;
+}
+
+static gboolean
+read_left (QnJsonStream *stream, gpointer target)
+{
+  QnHistoryDraft *draft = target;
+  double numbers[2];
+  QnLeftFace left;
+  if (!qn_json_stream_numbers (stream, numbers, 2)
+      || !take_count (stream, numbers[0], &left.face))
+    return FALSE;
+  left.time = numbers[1];
+  if (draft->left == NULL)
+    draft->left = g_array_new (FALSE, FALSE, sizeof (QnLeftFace));
+  g_array_append_val (draft->left, left);
+  return TRUE;
+}
+
 /* The whole member. */
 typedef struct Reading {
   GArray *columns[QN_HISTORY_TRACK];
   QnHistory history;
   GPtrArray *tracks;
   GArray *peaks;
+  QnHistoryDraft draft; /* what was found on the way */
 } Reading;
 
 gboolean
@@ -184,17 +318,59 @@ qn_result_history_read (QnJsonStream *stream, gpointer target)
     { "energy", read_energy, 0, QN_JSON_REQUIRED },
     { "tracks", read_track, offsetof (Reading, tracks), QN_JSON_REQUIRED | QN_JSON_EACH },
     { "peak", read_list, offsetof (Reading, peaks), QN_JSON_REQUIRED },
+    { "found", read_found, offsetof (Reading, draft), QN_JSON_EACH },
+    { "left", read_left, offsetof (Reading, draft), QN_JSON_EACH },
   };
 #undef SCALAR
   Reading read = { .tracks = g_ptr_array_new_with_free_func (free_list) };
   gboolean done = qn_json_stream_object (stream, members, G_N_ELEMENTS (members), &read);
   QnHistoryDraft *draft = target;
+  *draft = read.draft;
   draft->history = read.history;
   draft->peaks = read.peaks;
   draft->columns = read.tracks;
   for (gint i = 0; i < QN_HISTORY_TRACK; i++)
     g_ptr_array_insert (draft->columns, i, read.columns[i]);
   return done;
+}
+
+static int
+compare_forces (const void *a, const void *b)
+{
+  const QnFoundForce *f = a, *g = b;
+  return f->step != g->step ? (f->step < g->step ? -1 : 1)
+                            : (f->found > g->found) - (f->found < g->found);
+}
+
+/* A copy of a list as the core keeps it; false when memory runs out. */
+static gboolean
+copy_list (const GArray *list, gpointer items, size_t *count, size_t *capacity)
+{
+  gsize size = g_array_get_element_size ((GArray *) list);
+  void *copy = qn_alloc (list->len, size);
+  if (copy == NULL)
+    return FALSE;
+  if (list->len > 0)
+    memcpy (copy, list->data, list->len * size);
+  *(void **) items = copy;
+  *count = *capacity = list->len;
+  return TRUE;
+}
+
+static gboolean
+take_found (const QnHistoryDraft *draft, QnResult *result)
+{
+  if (draft->found_forces != NULL && draft->found_forces->len > 0)
+    qsort (draft->found_forces->data, draft->found_forces->len, sizeof (QnFoundForce),
+           compare_forces);
+  return (draft->found == NULL
+          || (copy_list (draft->found, &result->found, &result->found_count,
+                         &result->found_capacity)
+              && copy_list (draft->found_forces, &result->found_forces,
+                            &result->found_force_count, &result->found_force_capacity)))
+         && (draft->left == NULL
+             || copy_list (draft->left, &result->left, &result->left_count,
+                           &result->left_capacity));
 }
 
 gboolean
@@ -217,7 +393,7 @@ qn_result_history_take (QnHistoryDraft *draft, QnJsonStream *stream, QnResult *r
   history->capacity = rows * width;
   history->rows = qn_alloc (rows * width, sizeof *history->rows);
   history->peaks = qn_alloc (result->block_count, sizeof *history->peaks);
-  if (history->rows == NULL || history->peaks == NULL)
+  if (history->rows == NULL || history->peaks == NULL || !take_found (draft, result))
     return qn_json_stream_no_memory (stream);
   for (gsize c = 0; c < width; c++) {
     const GArray *column = g_ptr_array_index (draft->columns, c);
@@ -235,4 +411,7 @@ qn_history_draft_clear (QnHistoryDraft *draft)
 {
   g_clear_pointer (&draft->columns, g_ptr_array_unref);
   g_clear_pointer (&draft->peaks, g_array_unref);
+  g_clear_pointer (&draft->found, g_array_unref);
+  g_clear_pointer (&draft->found_forces, g_array_unref);
+  g_clear_pointer (&draft->left, g_array_unref);
 }

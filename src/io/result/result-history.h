@@ -17,6 +17,7 @@ typedef struct QnHistoryDraft {
   QnHistory history;  /* but for its rows */
   GPtrArray *columns; /* of GArray of double, as in the rows of a history */
   GArray *peaks;
+  GArray *found, *found_forces, *left; /* as a result has them; NULL: none */
 } QnHistoryDraft;
 
 /* Reads the member; target is a QnHistoryDraft. */

@@ -252,6 +252,7 @@ read_step (QnJsonStream *stream, gpointer target)
     { "relaxed", read_true, offsetof (QnResultDraft, step.relaxed), QN_JSON_OPTIONAL },
     { "time", qn_json_stream_number, offsetof (QnResultDraft, step.time),
       QN_JSON_OPTIONAL },
+    { "velocities", read_row, offsetof (QnResultDraft, velocities), QN_JSON_EACH },
     { "reactions", read_row, offsetof (QnResultDraft, reactions), QN_JSON_EACH },
     { "forces", qn_result_force_read, offsetof (QnResultDraft, forces), QN_JSON_EACH },
     { "states", qn_result_states_read, offsetof (QnResultDraft, forces),

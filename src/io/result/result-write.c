@@ -272,6 +272,7 @@ write_step_beams (QnFileWriter *writer, const QnResult *result, size_t step)
 static void
 write_steps (QnFileWriter *writer, const QnResult *result)
 {
+  size_t bodies = qn_result_body_count (result);
   qn_file_writer_puts (writer, "  \"steps\": [");
   for (size_t i = 0; i < result->step_count && !qn_file_writer_failed (writer); i++) {
     const QnStep *step = &result->steps[i];
@@ -289,6 +290,10 @@ write_steps (QnFileWriter *writer, const QnResult *result)
       qn_file_writer_printf (writer, ", \"stage\": %d", step->stage - 1);
     if (result->history.width > 0) {
       qn_file_writer_puts_number (writer, ", \"time\": ", step->time);
+      if (result->velocities != NULL) {
+        qn_file_writer_puts (writer, ", \"velocities\": ");
+        write_rows (writer, result->velocities + i * bodies * QN_DOF_COUNT, bodies);
+      }
     }
     write_step_beams (writer, result, i);
     if (result->support_count > 0 && result->reactions != NULL) {

@@ -1,6 +1,7 @@
 #include "io/text/json-text.h"
 
 #include "io/text/number-text.h"
+#include "io/text/plain-character.h"
 
 #include <cjson/cJSON.h>
 
@@ -12,12 +13,13 @@ qn_json_append_string (GString *json, const char *text)
 {
   g_string_append_c (json, '"');
   for (const char *c = text; *c != '\0'; c++) {
+    gunichar wide = (guchar) *c >= 0x80 ? g_utf8_get_char_validated (c, -1) : 0;
     if (*c == '"' || *c == '\\')
       g_string_append_c (json, '\\');
-    if ((guchar) c[0] == 0xc2 && (guchar) c[1] >= 0x80 && (guchar) c[1] < 0xa0)
-      g_string_append_printf (json, "\\u%04x",
-                              (guint) (guchar) * ++c); /* U+0080 … U+009F */
-    else if ((guchar) *c >= 0x20 && *c != 0x7f)
+    if (wide != 0 && !qn_is_plain_character (wide)) {
+      g_string_append_printf (json, "\\u%04x", wide);
+      c += g_unichar_to_utf8 (wide, NULL) - 1;
+    } else if ((guchar) *c >= 0x20 && *c != 0x7f)
       g_string_append_c (json, *c);
     else if (*c == '\n')
       g_string_append (json, "\\n");

@@ -352,7 +352,7 @@ explain_unstable (const QnModel *model, const QnResult *result)
   return text;
 }
 
-/* How an analysis in time ended; NULL where it ended under the dead load. */
+/* How an analysis in time ended; NULL where it ended under the dead load, or as others do. */
 static char *
 explain_time (const QnResult *result)
 {
@@ -376,6 +376,17 @@ explain_time (const QnResult *result)
     return g_strdup_printf (_ ("Cancelled at %.4g s; what was followed by then is kept."),
                             history->end);
   case QN_OUTCOME_NOT_CONVERGED:
+    if (result->stop == QN_STOP_CHECK)
+      return NULL;
+    if (result->stop == QN_STOP_FACTORIZATIONS)
+      return g_strdup_printf (
+        _ ("Stopped at %.4g s, after as many factorisations as max_factorizations "
+           "allows; what had converged is kept."),
+        history->end);
+    if (result->stop == QN_STOP_TIME)
+      return g_strdup_printf (_ ("Stopped at %.4g s, after the time that max_seconds "
+                                 "allows; what had converged is kept."),
+                              history->end);
     return g_strdup_printf (
       _ ("At %.4g s no step converged, however short. Try another spectral radius, some "
          "damping, or a coarser residual tolerance."),
@@ -432,12 +443,27 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
   return g_strdup ("");
 }
 
+/* What ended an analysis: a result that was read does not say whether its budget did, but tells what
+ * was spent. */
+static QnStop
+stop_of (const QnModel *model, const QnResult *result)
+{
+  if (result->stop != QN_STOP_UNKNOWN || result->outcome != QN_OUTCOME_NOT_CONVERGED)
+    return result->stop;
+  if (result->statistics.factorizations >= model->analysis.max_factorizations)
+    return QN_STOP_FACTORIZATIONS;
+  return result->statistics.seconds > model->analysis.max_seconds ? QN_STOP_TIME
+                                                                  : QN_STOP_UNKNOWN;
+}
+
 /* `what` (nullable) comes first. */
 static char *
 explain_in_stage (const QnModel *model, const QnResult *result, const char *what)
 {
   Task task = task_of (model, result);
-  g_autofree char *outcome = explain (model, &task, result);
+  QnResult told = *result;
+  told.stop = stop_of (model, result);
+  g_autofree char *outcome = explain (model, &task, &told);
   g_autofree char *linearity = explain_linearity (result);
   g_autofree char *text =
     g_strconcat (what != NULL ? what : "", what != NULL ? " " : "", outcome,
@@ -445,7 +471,7 @@ explain_in_stage (const QnModel *model, const QnResult *result, const char *what
   if (result->stage < 1 || (size_t) result->stage > model->stage_count)
     return g_steal_pointer (&text);
   g_autofree char *name = qn_stage_dup_name (model, result->stage);
-  return g_strdup_printf (_ ("Stage %d of %u, “%s”: %s"), result->stage,
+  return g_strdup_printf (_ ("Stage %d of %u, “%s”. %s"), result->stage,
                           (guint) model->stage_count, name, text);
 }
 

@@ -95,8 +95,9 @@ qn_output_page (const QnOutput *output, QnPage *page, GError **error)
 {
   double dpi = output->dpi;
   if (dpi < 0 || !isfinite (dpi) || dpi > 1e5) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("the resolution must be a positive number of dpi"));
+    g_set_error_literal (
+      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+      _ ("the resolution must be a positive number of dpi, at most 100,000"));
     return false;
   }
   if (output->millimetres && !(dpi > 0))

@@ -2,6 +2,7 @@
 
 #include <cairo-pdf.h>
 #include <pango/pangocairo.h>
+#include <string.h>
 
 /* pt */
 #define MARGIN       54.0
@@ -13,6 +14,10 @@
 #define SIZE_FOOT    7.5
 #define CELL_GAP     8.0
 #define ROW_GAP      3.0
+
+/* Bytes of a word that are shown at most: the work of breaking one into lines grows with the square of
+ * its length. */
+#define MOST_OF_WORD 400
 
 static const struct {
   const char *name;
@@ -78,6 +83,27 @@ bottom (const QnPages *pages)
   return papers[pages->paper].height - MARGIN - FOOT;
 }
 
+/* The text, of its very long words only the beginning. */
+static char *
+dup_shown (const char *text)
+{
+  GString *shown = g_string_new (NULL);
+  while (*text != '\0') {
+    gsize length = strcspn (text, " \n");
+    gsize kept = length;
+    if (length > MOST_OF_WORD)
+      kept = (gsize) (g_utf8_find_prev_char (text, text + MOST_OF_WORD) - text);
+    g_string_append_len (shown, text, (gssize) kept);
+    if (kept < length)
+      g_string_append (shown, "…");
+    text += length;
+    gsize blanks = strspn (text, " \n");
+    g_string_append_len (shown, text, (gssize) blanks);
+    text += blanks;
+  }
+  return g_string_free (shown, FALSE);
+}
+
 static PangoLayout *
 new_layout (const QnPages *pages, const char *text, double size, bool bold, double width)
 {
@@ -91,7 +117,8 @@ new_layout (const QnPages *pages, const char *text, double size, bool bold, doub
   if (width > 0)
     pango_layout_set_width (layout, (int) (width * PANGO_SCALE));
   pango_layout_set_wrap (layout, PANGO_WRAP_WORD_CHAR);
-  pango_layout_set_text (layout, text, -1);
+  g_autofree char *shown = dup_shown (text);
+  pango_layout_set_text (layout, shown, -1);
   return layout;
 }
 

@@ -193,18 +193,9 @@ void
 qn_build_underlay (QnSceneBuilder *b)
 {
   const QnUnderlay *underlay = &b->options->underlay;
-  if (underlay->image == NULL)
+  QnVec2 corners[4];
+  if (!qn_underlay_corners (underlay, corners))
     return;
-  double columns = cairo_image_surface_get_width (underlay->image);
-  double rows = cairo_image_surface_get_height (underlay->image);
-  if (columns < 1 || rows < 1)
-    return;
-  double c = cos (underlay->angle), s = sin (underlay->angle);
-  QnVec2 across = qn_vec2_rotate (qn_vec2 (underlay->width, 0), c, s);
-  QnVec2 up = qn_vec2_rotate (qn_vec2 (0, underlay->width * rows / columns), c, s);
-  QnVec2 o = underlay->origin;
-  QnVec2 corners[4] = { o, qn_vec2_add (o, across),
-                        qn_vec2_add (qn_vec2_add (o, across), up), qn_vec2_add (o, up) };
   QnColor tint = qn_color_fade (qn_rgb (0xffffff), underlay->opacity);
   qn_scene_fill (b->scene, QN_LAYER_UNDERLAY, corners, 4, tint)->kind = QN_COMMAND_IMAGE;
   b->scene->image = cairo_surface_reference (underlay->image);

@@ -1,5 +1,6 @@
 #include "render/scene/view-options.h"
 
+#include <math.h>
 #include <string.h>
 
 const char *const qn_view_names[QN_VIEW_COUNT] = {
@@ -92,5 +93,29 @@ qn_diagram_parse (const char *name, QnDiagram *diagram)
   if (i < 0)
     return false;
   *diagram = (QnDiagram) i;
+  return true;
+}
+
+bool
+qn_underlay_corners (const QnUnderlay *u, QnVec2 corners[4])
+{
+  QnBox seen = { { 0, 0 }, { 1, 1 } };
+  if (u->image == NULL)
+    return false;
+  double columns = cairo_image_surface_get_width (u->image);
+  double rows = cairo_image_surface_get_height (u->image), height = u->height;
+  if (columns < 1 || rows < 1)
+    return false;
+  if (u->rectified)
+    seen = u->seen;
+  else
+    height = u->width * rows / columns;
+  for (int i = 0; i < 4; i++) {
+    QnVec2 part = { i == 1 || i == 2 ? seen.max.x : seen.min.x,
+                    i >= 2 ? seen.max.y : seen.min.y };
+    QnVec2 arm = { part.x * u->width, part.y * height };
+    corners[i] =
+      qn_vec2_add (u->origin, qn_vec2_rotate (arm, cos (u->angle), sin (u->angle)));
+  }
   return true;
 }

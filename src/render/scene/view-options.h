@@ -2,6 +2,7 @@
 #ifndef QN_RENDER_VIEW_OPTIONS_H
 #define QN_RENDER_VIEW_OPTIONS_H
 
+#include "core/base/box.h"
 #include "core/contact/contacts.h"
 #include "core/result/result.h"
 
@@ -50,7 +51,16 @@ typedef struct QnUnderlay {
   double width;           /* m; the height follows from the image */
   double angle;           /* rad, counter-clockwise about the origin */
   double opacity;         /* 0 .. 1 */
+  /* Where four points of the photo are the corners of a rectangle (rectify.h), origin and width are
+   * those of the rectangle, and `image` is the rectified one. */
+  bool rectified;
+  QnVec2 points[4]; /* on the photo */
+  double height;    /* of the rectangle, m */
+  QnBox seen;       /* what `image` shows of the rectangle's plane */
 } QnUnderlay;
+
+/* Corners of the image in the model, from the lower left one counter-clockwise. False without image. */
+bool qn_underlay_corners (const QnUnderlay *underlay, QnVec2 corners[4]);
 
 typedef struct QnViewOptions {
   QnView view;

@@ -21,8 +21,8 @@ gsize qn_table_dup_pairs (const QnTable *table, gsize x, gsize y, double **xs,
 gboolean qn_table_sobol (const QnTable *table, gsize column, QnSobolIndex *indices);
 
 /* Least and greatest value of an output while one parameter goes through its levels and all others
- * stay as in the project, that value included, of a plan "one-at-a-time". *base is that of the project, NaN where it is
- * not known. FALSE where nothing is known. */
+ * stay as in the project, that value included, of a plan "one-at-a-time". *base is that of the
+ * project, NaN where it is not known. FALSE where nothing is known. */
 gboolean qn_table_effect (const QnTable *table, gsize parameter, gsize column,
                           double *base, QnInterval *effect);
 

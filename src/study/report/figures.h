@@ -35,7 +35,8 @@ gboolean qn_study_figure_draw (const QnStudyFigure *figure, const QnTable *table
                                cairo_t *cr, double width, double height, double unit,
                                QnPlotPlace *place, GError **error);
 
-/* Writes the figure, with what it was made of: title, file and digest of the project, program. Errors: QN_IO_ERROR where the table has nothing to show, QN_RENDER_ERROR. */
+/* Writes the figure, with what it was made of: title, file and digest of the project, program.
+ * Errors: QN_IO_ERROR where the table has nothing to show, QN_RENDER_ERROR. */
 gboolean qn_study_figure_export (const QnStudyFigure *figure, const QnTable *table,
                                  const char *path, const QnOutput *output,
                                  GError **error);

@@ -55,6 +55,14 @@ test_points (void)
   check_close (qn_spectrum_acceleration (&s, 4), 1.25 / 4);
   check_close (qn_spectrum_displacement (&s, 4), qn_spectrum_displacement (&s, 2));
   check_close (qn_spectrum_corner (&s), 0.5);
+  /* 5 x 0.5^2 is more than what is left at 0.9 s. */
+  const QnVec2 falling[] = { { 0.2, 8 }, { 0.5, 5 }, { 0.9, 1 } };
+  const QnSpectrum f = { .kind = QN_SPECTRUM_POINTS,
+                         .points = falling,
+                         .point_count = 3 };
+  check_close (qn_spectrum_largest_displacement (&f, 5), 1.25 / (4 * G_PI * G_PI));
+  check_close (qn_spectrum_largest_displacement (&f, 0.4),
+               qn_spectrum_displacement (&f, 0.4));
 }
 
 int

@@ -26,6 +26,8 @@ test_derivatives (void)
     QnPairKinematics pair, plus, minus;
     double v[6], stiffness[6][6] = { { 0 } };
     random_pair (random, &pair, v, 3);
+    if (k % 2 == 1) /* a corner on a side */
+      qn_pair_kinematics_set_corner (&pair, qn_vec2 (0.3, -0.8));
     qn_pair_kinematics_update (&pair, v);
     qn_pair_kinematics_add_stiffness (&pair, force, stiffness);
 

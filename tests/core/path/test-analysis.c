@@ -117,7 +117,6 @@ test_dead_load_alone (void)
   qn_result_clear (&result);
 }
 
-/* A result that has been tampered with is no collapse any more. */
 /* What an analysis says has passed the check of its own numbers; the same with another displacement
  * does not. */
 static void

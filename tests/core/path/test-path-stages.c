@@ -287,6 +287,41 @@ test_settlement_stage (void)
 }
 
 /* A target that the load moves away from. */
+/* Energy set free in the collapse of a block that rocks, in one stage that is to go on to the target, or
+ * without stages where that is 0. */
+static double
+energy_of_rocking (double target)
+{
+  QnModel model;
+  TestRun run;
+  double energy;
+
+  test_model_init (&model);
+  model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  test_model_add_base (&model, -1, -1, 3, 1);
+  test_model_add_rectangle (&model, "block", 0, 0, 1, 3);
+  test_model_add_weight_loads (&model, 1);
+  if (target > 0)
+    add_stage (&model, 1, target);
+  solve (&run, &model);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpuint (run.result.event_count, >, 0);
+  energy = run.result.events[run.result.event_count - 1].energy;
+  test_run_clear (&run);
+  return energy;
+}
+
+/* It is that of the loads, whatever part of its target a stage has come to. */
+static void
+test_energy (void)
+{
+  double energy = energy_of_rocking (0);
+
+  g_assert_cmpfloat (energy, >, 0);
+  g_assert_cmpfloat_with_epsilon (energy_of_rocking (1), energy, 1e-3 * energy);
+  g_assert_cmpfloat_with_epsilon (energy_of_rocking (10), energy, 1e-3 * energy);
+}
+
 static void
 test_wrong_sign (void)
 {
@@ -331,6 +366,7 @@ main (int argc, char **argv)
   g_test_add_func ("/core/path-stages/stops-at-collapse", test_stops_at_collapse);
   g_test_add_func ("/core/path-stages/settlement", test_settlement);
   g_test_add_func ("/core/path-stages/settlement-stage", test_settlement_stage);
+  g_test_add_func ("/core/path-stages/energy", test_energy);
   g_test_add_func ("/core/path-stages/wrong-sign", test_wrong_sign);
   return g_test_run ();
 }

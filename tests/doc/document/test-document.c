@@ -1,4 +1,5 @@
 #include "doc/edit/edit.h"
+#include "io/project/project-extras.h"
 
 #include "doc/fixture.h"
 #include "doc/long-analysis.h"
@@ -258,11 +259,12 @@ test_extras (void)
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   g_assert_true (qn_document_edit_extra (document, "Store Figure", NULL, "figures",
                                          "[{\"a\":1}]", NULL));
-  g_autofree char *value = qn_document_dup_extra (document, "figures");
+  g_autofree char *value =
+    qn_project_dup_extra (qn_document_get_project (document), "figures");
   g_assert_nonnull (value);
   g_assert_nonnull (strstr (value, "\"a\""));
   g_assert_true (qn_document_undo (document));
-  g_assert_null (qn_document_dup_extra (document, "figures"));
+  g_assert_null (qn_project_dup_extra (qn_document_get_project (document), "figures"));
 }
 
 /* ---- analyses ---- */

@@ -71,7 +71,7 @@ test_after_a_crash (void)
   g_assert_null (original);
   g_autoptr (QnDocument) document = qn_document_new ();
   g_autoptr (GError) error = NULL;
-  qn_document_load_text (document, text, "recovered", &error);
+  qn_document_load_recovered (document, text, NULL, &error);
   g_assert_no_error (error);
   g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, 1);
   g_assert_true (qn_document_is_modified (document));
@@ -91,7 +91,7 @@ test_damaged (void)
   g_assert_true (qn_recovery_read (path, &text, &original, NULL));
   g_autoptr (QnDocument) document = qn_document_new ();
   g_autoptr (GError) error = NULL;
-  g_assert_false (qn_document_load_text (document, text, "recovered", &error));
+  g_assert_false (qn_document_load_recovered (document, text, NULL, &error));
   g_assert_nonnull (error);
   g_unlink (path);
   g_assert_false (qn_recovery_read (path, &text, &original, NULL));

@@ -1,5 +1,6 @@
 #include "doc/document/underlay.h"
 #include "render/backend/output.h"
+#include "render/scene/rectify.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -92,6 +93,23 @@ test_refusals (void)
     { "{\"image\": \"photo.png\"}", "underlay.width" },
     { "{\"image\": \"photo.png\", \"width\": 0}", "underlay.width" },
     { "{\"image\": \"photo.png\", \"width\": 1, \"opacity\": 2}", "underlay.opacity" },
+    { "{\"image\": \"photo.png\", \"width\": 1, \"rectangle\": {\"height\": 1}}",
+      "underlay.rectangle.corners" },
+    { "{\"image\": \"photo.png\", \"width\": 1, \"rectangle\": {\"height\": 0,"
+      "\"corners\": [[0,0],[1,0],[1,1],[0,1]]}}",
+      "underlay.rectangle.height" },
+    { "{\"image\": \"photo.png\", \"width\": 1, \"rectangle\": {\"height\": 1,"
+      "\"corners\": [[0,0],[1,0],[1,1]]}}",
+      "four points" },
+    { "{\"image\": \"photo.png\", \"width\": 1, \"rectangle\": {\"height\": 1,"
+      "\"corners\": [[0,0],[1,0],[0.1,0.1],[0,1]]}}",
+      "convex" },
+    { "{\"image\": \"photo.png\", \"width\": 1, \"rectangle\": {\"height\": 1,"
+      "\"corners\": [[0,0],[0,1],[1,1],[1,0]]}}",
+      "counter-clockwise" },
+    { "{\"image\": \"photo.png\", \"width\": 1, \"rectangle\": {\"height\": 1,"
+      "\"corners\": [[0,0],[1e9,0],[1,1],[0,1]]}}",
+      "outside" },
     { "{\"image\": \"none.png\", \"width\": 1}", "none.png" },
     { "{\"image\": \"m.quoin\", \"width\": 1}", "m.quoin" },
   };
@@ -134,6 +152,55 @@ test_match (void)
   g_assert_false (qn_underlay_match (&u, shown, same));
 }
 
+/* Rectified by places where they are shown, a photo shows them at the rectangle's corners; again by
+ * other corners, it shows the same places of the plane. */
+static void
+test_rectify (void)
+{
+  Rig rig;
+  QnUnderlay u;
+  GError *error = NULL;
+  rig_init (&rig, "{\"image\": \"photo.png\", \"origin\": [1, -2], \"width\": 8}");
+  g_assert_true (qn_underlay_read (&rig.project, FALSE, &u, &error));
+  /* Out of order; the photo is 8 m by 4 m as it is shown. */
+  const QnVec2 shown[4] = { { 7, 1.4 }, { 2, -1.5 }, { 3, 1 }, { 6, -1.2 } };
+  g_assert_true (qn_underlay_rectify (&u, shown, 3, 1.5));
+  g_assert_cmpfloat_with_epsilon (u.points[0].x, 0.125, 1e-12);
+  g_assert_cmpfloat_with_epsilon (u.points[0].y, 0.125, 1e-12);
+  g_assert_cmpfloat_with_epsilon (u.points[2].x, 0.75, 1e-12);
+  g_assert_cmpfloat_with_epsilon (u.points[2].y, 0.85, 1e-12);
+  g_assert_cmpfloat (u.origin.x, ==, 2);
+  g_assert_cmpfloat (u.width, ==, 3);
+  cairo_surface_destroy (u.image);
+  g_autofree char *json = qn_underlay_to_json ("photo.png", &u);
+  rig_clear (&rig);
+
+  rig_init (&rig, json);
+  QnUnderlay read;
+  g_assert_true (qn_underlay_read (&rig.project, FALSE, &read, &error));
+  g_assert_no_error (error);
+  g_assert_true (read.rectified);
+  g_assert_cmpfloat (read.height, ==, 1.5);
+  g_autofree char *again = qn_underlay_to_json ("photo.png", &read);
+  g_assert_cmpstr (again, ==, json);
+
+  /* The lower half of the rectangle, as another one: the same plane, the same picture. */
+  const QnVec2 half[4] = { { 2, -1.5 }, { 5, -1.5 }, { 5, -0.75 }, { 2, -0.75 } };
+  QnVec2 place, before;
+  g_assert_true (qn_rectify_to_photo (read.points, qn_vec2 (0.3, 0.4), &before));
+  g_assert_true (qn_underlay_rectify (&read, half, 3, 0.75));
+  g_assert_true (qn_rectify_to_photo (read.points, qn_vec2 (0.3, 0.8), &place));
+  g_assert_cmpfloat_with_epsilon (place.x, before.x, 1e-12);
+  g_assert_cmpfloat_with_epsilon (place.y, before.y, 1e-12);
+
+  const QnVec2 line[4] = { { 2, 0 }, { 3, 0 }, { 4, 0 }, { 5, 0 } };
+  const QnVec2 inside[4] = { { 2, -1.5 }, { 5, -1.5 }, { 3, -1 }, { 2, 1 } };
+  g_assert_false (qn_underlay_rectify (&read, line, 1, 1));
+  g_assert_false (qn_underlay_rectify (&read, inside, 1, 1));
+  cairo_surface_destroy (read.image);
+  rig_clear (&rig);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -141,5 +208,6 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/underlay/reads", test_reads);
   g_test_add_func ("/doc/underlay/refusals", test_refusals);
   g_test_add_func ("/doc/underlay/match", test_match);
+  g_test_add_func ("/doc/underlay/rectify", test_rectify);
   return g_test_run ();
 }

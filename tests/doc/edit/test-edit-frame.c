@@ -67,7 +67,7 @@ delete_first (QnModel *model, gpointer data, GError **error)
 {
   (void) data;
   const QnId first = 0;
-  return qn_edit_delete_beams (model, (QnBeamSet){ &first, 1 }, error);
+  return qn_edit_delete_all (model, (QnPartSet){ .beams = { &first, 1 } }, error);
 }
 
 static gboolean

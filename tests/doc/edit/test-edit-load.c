@@ -32,7 +32,15 @@ add_law (QnModel *model, gpointer data, GError **error)
 static gboolean
 delete_law (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_delete_law (model, *(const QnId *) data, error);
+  return qn_edit_delete_law (model, *(const QnId *) data, QN_NONE, error);
+}
+
+/* The first law; the last one stands in its place. */
+static gboolean
+replace_law (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_delete_law (model, 0, (QnId) model->law_count - 1, error);
 }
 
 static void
@@ -90,6 +98,18 @@ test_laws (void)
   refuse (document, delete_law, &contact); /* it is needed */
   edit (document, delete_law, &added);
   g_assert_cmpuint (qn_document_get_model (document)->law_count, ==, before);
+
+  /* Another law takes its place everywhere. */
+  edit (document, add_law, "mortar");
+  guint uses = qn_edit_count_law_uses (qn_document_get_model (document), 0);
+  g_assert_cmpuint (uses, >, 0);
+  g_assert_cmpuint (
+    qn_edit_count_law_uses (qn_document_get_model (document), (QnId) before), ==, 0);
+  edit (document, replace_law, NULL);
+  model = qn_document_get_model (document);
+  g_assert_cmpuint (model->law_count, ==, before);
+  g_assert_cmpstr (model->laws[model->contact.law].name, ==, "mortar");
+  g_assert_cmpuint (qn_edit_count_law_uses (model, model->contact.law), ==, uses);
 }
 
 /* ---- bars ---- */

@@ -199,7 +199,7 @@ test_unknown_members (void)
   g_auto (GStrv) halves = g_strsplit (marked, "\"name\": \"stone\"", 2);
   g_autofree char *whole =
     g_strjoin ("\"name\": \"stone\", \"colour\": \"red\"", halves[0], halves[1], NULL);
-  g_assert_true (qn_document_load_text (document, whole, "marked", NULL));
+  g_assert_true (qn_document_load_recovered (document, whole, NULL, NULL));
   edit (document, shift_stone, NULL);
   edit (document, rename_stone, NULL);
   edit (document, remove_it, &(Put){ QN_DEAD_LOADS, 0, force }); /* the weight */

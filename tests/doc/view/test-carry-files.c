@@ -1,4 +1,5 @@
 #include "doc/view/carry-files.h"
+#include "io/project/project-extras.h"
 
 #include "doc/view/view-state.h"
 #include "fixture.h"
@@ -127,7 +128,8 @@ test_elsewhere (void)
   write_text (rig.to, "data/ground.csv", record);
   g_assert_true (qn_document_carry_files (document, rig.copy, &error));
   expect_text (rig.to, "photo.png", NULL);
-  g_autofree char *json = qn_document_dup_extra (document, "underlay");
+  g_autofree char *json =
+    qn_project_dup_extra (qn_document_get_project (document), "underlay");
   g_assert_nonnull (strstr (json, rig.from));
   rig_clear (&rig);
 }

@@ -33,10 +33,9 @@ test_metadata (void)
   g_assert_cmpstr (metadata.model, ==, "01-sliding-block.quoin");
   g_assert_cmpuint (strlen (metadata.model_sha256), ==, 64);
 
-  QnOutput output;
-  qn_output_init (&output);
+  g_autoptr (QnRecipe) recipe = qn_recipe_new ("model", QN_VIEW_MODEL);
   g_autoptr (GError) error = NULL;
-  qn_view_state_export (state, path, &output, &error);
+  qn_view_state_export_as (state, recipe, path, &error);
   g_assert_no_error (error);
   g_assert_true (bytes_contain (path, "01-sliding-block.quoin"));
   g_assert_true (bytes_contain (path, metadata.model_sha256));
@@ -77,12 +76,11 @@ test_refused (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   g_autoptr (QnViewState) state = qn_view_state_new (document);
-  QnOutput output;
-  qn_output_init (&output);
+  g_autoptr (QnRecipe) recipe = qn_recipe_new ("model", QN_VIEW_MODEL);
   static const char *const paths[] = { "/tmp/quoin-nowhere/x.png", "/tmp/quoin-x.doc" };
   for (gsize i = 0; i < G_N_ELEMENTS (paths); i++) {
     g_autoptr (GError) error = NULL;
-    g_assert_false (qn_view_state_export (state, paths[i], &output, &error));
+    g_assert_false (qn_view_state_export_as (state, recipe, paths[i], &error));
     g_assert_nonnull (error);
     g_assert_false (g_file_test (paths[i], G_FILE_TEST_EXISTS));
   }

@@ -1,13 +1,17 @@
 /* What is written of every kind of analysis, for every outcome, is read again and passes the check of
- * `quoin-cli check --result`; nothing in it is infinite or no number. */
+ * `quoin-cli check --result`; nothing in it is infinite or no number. So are its tables. Those of
+ * capacity, of scaled records and of studies are read again by tests/cli. */
 #include "core/limit/limit.h"
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
+#include "io/exchange/table-csv.h"
 #include "io/result/result-check.h"
 #include "io/result/result-claims.h"
 #include "io/text/fault-text.h"
+#include "io/text/outcome-text.h"
 #include "support/scratch.h"
+#include "support/table.h"
 
 #include <math.h>
 #include <string.h>
@@ -206,6 +210,71 @@ check_same (const QnResult *read, const QnResult *result)
     g_assert_cmpfloat (read->collapse_multiplier, ==, result->collapse_multiplier);
 }
 
+/* The rows of the table that was just written, without its headings. */
+static GPtrArray *
+read_table (const char *path, gboolean written, GError *error, guint count)
+{
+  g_autofree char *text = NULL;
+  g_assert_no_error (error);
+  g_assert_true (written);
+  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
+  GPtrArray *table = test_table_read (text);
+  g_assert_cmpuint (table->len, ==, count + 1);
+  return table;
+}
+
+static void
+check_curve (const GPtrArray *table, const QnResult *result)
+{
+  gboolean in_time = result->history.width > 0;
+  for (guint i = 1; i < table->len; i++)
+    if (in_time)
+      g_assert_cmpfloat (test_table_number (table, i, "time [s]"), ==,
+                         result->history.rows[(i - 1) * result->history.width]);
+    else
+      g_assert_cmpfloat (test_table_number (table, i, "multiplier [-]"), ==,
+                         result->steps[i - 1].multiplier);
+}
+
+static void
+check_tables (const char *folder, const QnProject *project, const QnContacts *contacts,
+              const QnResult *result)
+{
+  g_autofree char *path = g_build_filename (folder, "table.csv", NULL);
+  const QnModel *model = &project->model;
+  GError *error = NULL;
+  gboolean written = qn_curve_csv_write (path, project, result, &error);
+  g_autoptr (GPtrArray) curve = read_table (
+    path, written, error,
+    (guint) (result->history.width > 0 ? result->history.row_count : result->step_count));
+  check_curve (curve, result);
+
+  written = qn_contacts_csv_write (path, project, contacts, result, &error);
+  g_autoptr (GPtrArray) pairs = read_table (
+    path, written, error, result->step_count > 0 ? (guint) contacts->pair_count : 0);
+  for (guint i = 1; result->step_count > 0 && i < pairs->len; i++)
+    g_assert_cmpfloat (test_table_number (pairs, i, "normal force [N]"), ==,
+                       result->pairs[i - 1].normal_force);
+
+  bool has_beams = result->step_count > 0
+                   && qn_result_step_beam_forces (result, result->step_count - 1) != NULL;
+  written = qn_beams_csv_write (path, project, result, &error);
+  g_autoptr (GPtrArray) beams =
+    read_table (path, written, error, has_beams ? 2 * (guint) model->element_count : 0);
+  g_assert_cmpuint (beams->len, >, 0);
+
+  if (result->step_count == 0)
+    return;
+  size_t last = result->step_count - 1;
+  const double *moved = qn_result_step_displacements (result, last);
+  written = qn_displacements_csv_write (path, project, result, last, &error);
+  g_autoptr (GPtrArray) blocks =
+    read_table (path, written, error, (guint) (model->block_count + model->node_count));
+  for (guint i = 1; i < blocks->len; i++)
+    g_assert_cmpfloat (test_table_number (blocks, i, "rz [rad]"), ==,
+                       moved[QN_DOF_COUNT * (i - 1) + QN_DOF_RZ]);
+}
+
 static void
 test_row (gconstpointer data)
 {
@@ -236,8 +305,13 @@ test_row (gconstpointer data)
     g_assert_no_error (error);
     check_same (&file.result, &result);
     check_read (&file, &project, &contacts);
+    if (result.stop == QN_STOP_FACTORIZATIONS) {
+      g_autofree char *said = qn_outcome_dup_reason (&project.model, &file.result);
+      g_assert_nonnull (strstr (said, "max_factorizations"));
+    }
     qn_result_file_clear (&file);
   }
+  check_tables (folder, &project, &contacts, &result);
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
   qn_project_clear (&project);

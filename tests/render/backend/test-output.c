@@ -36,6 +36,17 @@ test_sizes_refused (void)
     g_assert_false (qn_output_parse_size (&output, malformed[i], &error));
     g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
   }
+  const double resolutions[] = { -1, NAN, INFINITY, 1e6 };
+  for (size_t i = 0; i < G_N_ELEMENTS (resolutions); i++) {
+    QnOutput output;
+    QnPage page;
+    g_autoptr (GError) error = NULL;
+    qn_output_init (&output);
+    output.dpi = resolutions[i];
+    g_assert_false (qn_output_page (&output, &page, &error));
+    g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
+    g_assert_nonnull (strstr (error->message, "at most 100,000"));
+  }
   const char *absurd[] = { "0x600",   "800x0", "-1x5",       "1000000x1000000",
                            "1e6x1e6", "0.2x3", "31999x31999" };
   for (size_t i = 0; i < G_N_ELEMENTS (absurd); i++) {

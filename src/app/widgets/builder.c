@@ -1,0 +1,27 @@
+#include "app/widgets/builder.h"
+
+#include "app/widgets/quantity-entry.h"
+#include "app/widgets/row.h"
+
+GtkBuilder *
+qn_builder_new (const char *name)
+{
+  g_autofree char *path = g_strdup_printf ("/io/github/quoin/Quoin/%s.ui", name);
+  g_type_ensure (QN_TYPE_ROW);
+  g_type_ensure (QN_TYPE_QUANTITY_ENTRY);
+  return gtk_builder_new_from_resource (path);
+}
+
+GtkWidget *
+qn_builder_get_widget (GtkBuilder *builder, const char *id)
+{
+  return GTK_WIDGET (gtk_builder_get_object (builder, id));
+}
+
+GtkWidget *
+qn_builder_take_widget (GtkBuilder *builder, const char *id)
+{
+  GObject *widget = g_object_ref (gtk_builder_get_object (builder, id));
+  g_object_force_floating (widget);
+  return GTK_WIDGET (widget);
+}

@@ -1,0 +1,17 @@
+/* What is described in ui/NAME.ui. */
+#ifndef QN_APP_BUILDER_H
+#define QN_APP_BUILDER_H
+
+#include <gtk/gtk.h>
+
+/* Makes all that a description has; `name` is the file's without folder and ending. The caller takes
+ * what it needs by id before it lets go of the builder. */
+GtkBuilder *qn_builder_new (const char *name);
+
+/* The widget of that id, borrowed. */
+GtkWidget *qn_builder_get_widget (GtkBuilder *builder, const char *id);
+
+/* The widget of that id, which nothing contains yet, floating: for a parent that outlives the builder. */
+GtkWidget *qn_builder_take_widget (GtkBuilder *builder, const char *id);
+
+#endif

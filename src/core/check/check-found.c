@@ -1,0 +1,169 @@
+/* Contacts that blocks found on their way: forces, and that none is missing. */
+#include "core/base/memory.h"
+#include "core/check/check-parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Depth of a corner in another block that no contact has to answer for, over the size of the smallest
+ * block. */
+#define NO_DEPTH 1e-6
+
+static bool
+is_side (const QnSides *sides, const QnFoundContact *contact)
+{
+  bool is_one = false;
+
+  for (size_t i = sides->first[contact->block]; i < sides->first[contact->block + 1]; i++)
+    is_one = is_one || sides->items[i].vertex == contact->side;
+  return is_one;
+}
+
+static bool
+exists (const QnCheck *check, const QnFoundContact *contact)
+{
+  const QnModel *model = check->model;
+  size_t blocks = model->block_count;
+
+  return contact->block >= 0 && (size_t) contact->block < blocks && contact->other >= 0
+         && (size_t) contact->other < blocks && contact->block != contact->other
+         && contact->corner >= 0
+         && contact->corner < model->blocks[contact->other].vertex_count
+         && isfinite (contact->foot) && is_side (&check->follow.sides, contact);
+}
+
+/* Whether all that the result says of found contacts refers to something, in the order it should. */
+static bool
+refers (const QnCheck *check)
+{
+  const QnResult *r = check->result;
+  const int32_t steps = (int32_t) r->step_count;
+
+  for (size_t i = 0; i < r->found_count; i++)
+    if (!exists (check, &r->found[i].contact))
+      return false;
+  for (size_t i = 0; i < r->left_count; i++)
+    if (r->left[i].face < 0 || (size_t) r->left[i].face >= check->contacts->face_count)
+      return false;
+  for (size_t i = 0; i < r->found_force_count; i++) {
+    const QnFoundForce *f = &r->found_forces[i];
+    if (f->found < 0 || (size_t) f->found >= r->found_count || f->step < 0
+        || f->step >= steps || !isfinite (f->normal) || !isfinite (f->shear)
+        || (i > 0 && f->step < r->found_forces[i - 1].step))
+      return false;
+  }
+  return true;
+}
+
+bool
+qn_check_found_init (QnCheck *check, QnDiag *diag)
+{
+  const QnResult *r = check->result;
+
+  if (r->found_count == 0 && r->left_count == 0 && r->found_force_count == 0)
+    return true;
+  if (qn_contact_follow_init (&check->follow, check->model, check->contacts, diag)
+      != QN_OK)
+    return false;
+  check->found = qn_alloc (r->found_count, sizeof *check->found);
+  QnFoundContact *contacts = qn_alloc (r->found_count, sizeof *contacts);
+  bool known = refers (check), ok = check->found != NULL && contacts != NULL;
+  if (!known)
+    qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, NAN,
+                   NAN);
+  for (size_t i = 0; ok && known && i < r->found_count; i++)
+    contacts[i] = r->found[i].contact;
+  if (ok && known)
+    ok = qn_contacts_with_found (check->model, check->contacts, &check->follow.sides,
+                                 contacts, r->found_count, &check->all, diag)
+         == QN_OK;
+  free (contacts);
+  return ok;
+}
+
+void
+qn_check_found_clear (QnCheck *check)
+{
+  qn_contact_follow_clear (&check->follow);
+  qn_contacts_clear (&check->all);
+  free (check->found);
+}
+
+void
+qn_check_found_take (QnCheck *check, size_t step)
+{
+  const QnResult *r = check->result;
+  QnAssembly *as = &check->assembly;
+  size_t drawn = check->contacts->pair_count;
+
+  if (check->all.pairs == NULL)
+    return;
+  for (size_t i = 0; i < r->found_count; i++) {
+    check->found[i] = (QnFoundForce){ .state = QN_PAIR_OPEN };
+    as->asleep[drawn + i] = true;
+  }
+  check->first_force = check->next_force;
+  for (; check->next_force < r->found_force_count
+         && r->found_forces[check->next_force].step == (int32_t) step;
+       check->next_force++) {
+    const QnFoundForce *force = &r->found_forces[check->next_force];
+    check->found[force->found] = *force;
+    as->asleep[drawn + (size_t) force->found] = false;
+  }
+  for (size_t i = 0; i < r->left_count; i++) {
+    const QnContactFace *face = &check->contacts->faces[r->left[i].face];
+    if (!(r->left[i].time <= r->steps[step].time))
+      continue;
+    check->follow.left[r->left[i].face] = true;
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
+      as->asleep[p] = true;
+  }
+}
+
+/* Whether the contact carries a force at this step. */
+static bool
+is_stated (const QnCheck *check, const QnFoundContact *contact)
+{
+  for (size_t i = check->first_force; i < check->next_force; i++) {
+    const QnFoundForce *force = &check->result->found_forces[i];
+    const QnFoundContact *c = &check->result->found[force->found].contact;
+    if (c->block == contact->block && c->side == contact->side
+        && c->other == contact->other && c->corner == contact->corner
+        && force->normal < 0)
+      return true;
+  }
+  return false;
+}
+
+QnStatus
+qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
+{
+  QnContactFollow *follow = &check->follow;
+  const double *rows = qn_result_step_displacements (check->result, step);
+  double smallest = INFINITY;
+  bool changed;
+
+  for (size_t b = 0; b < check->model->block_count; b++)
+    smallest = fmin (smallest, follow->sizes[b]);
+  follow->count = 0; /* every step by itself */
+  if (step == 0)
+    qn_contact_follow_set_overlap (follow, check->assembly.elongations);
+  QnStatus status = qn_contact_follow_search (follow, rows, QN_FOLLOW_MARGIN * smallest,
+                                              NULL, &changed, diag);
+  if (status != QN_OK)
+    return status;
+  for (size_t i = 0; i < follow->count; i++)
+    follow->awake[i] = is_stated (check, &follow->found[i]);
+  qn_contact_follow_wake (follow, rows);
+  for (size_t i = 0; i < follow->count; i++) {
+    const QnFoundContact *c = &follow->found[i];
+    QnCornerPlace at = qn_contact_follow_place (follow, c, rows);
+    double over = qn_contact_follow_band (follow, c->block, c->other);
+    if (follow->awake[i] && !is_stated (check, c) && at.apart < -NO_DEPTH * smallest
+        && at.along > over && at.along < at.length - over)
+      qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_BLOCK, c->other, 0,
+                     at.apart);
+  }
+  return QN_OK;
+}

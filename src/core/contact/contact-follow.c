@@ -1,0 +1,554 @@
+#include "core/contact/contact-follow.h"
+
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
+#include "core/contact/contact-search.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Most pairs of blocks near each other that a search looks at, per block. */
+#define MOST_NEAR 1000
+
+QnStatus
+qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
+                        const QnContacts *drawn, QnDiag *diag)
+{
+  size_t blocks = model->block_count;
+
+  *follow = (QnContactFollow){ .model = model, .drawn = drawn };
+  follow->sizes = qn_alloc (blocks, sizeof *follow->sizes);
+  follow->reach = qn_alloc (blocks, sizeof *follow->reach);
+  follow->left = qn_alloc (drawn->face_count, sizeof *follow->left);
+  follow->at_search = qn_alloc (blocks * QN_DOF_COUNT, sizeof *follow->at_search);
+  if (follow->sizes == NULL || follow->reach == NULL || follow->left == NULL
+      || follow->at_search == NULL
+      || !qn_sides_init (&follow->sides, model, qn_contact_lengths (model).tolerance))
+    return qn_diag_no_memory (diag);
+  for (size_t b = 0; b < blocks; b++) {
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
+    follow->sizes[b] = sqrt (model->blocks[b].area);
+    for (QnId i = 0; i < model->blocks[b].vertex_count; i++)
+      follow->reach[b] = fmax (
+        follow->reach[b], qn_vec2_length (qn_vec2_sub (v[i], model->blocks[b].centroid)));
+  }
+  return QN_OK;
+}
+
+void
+qn_contact_follow_clear (QnContactFollow *follow)
+{
+  qn_sides_clear (&follow->sides);
+  free (follow->sizes);
+  free (follow->reach);
+  free (follow->left);
+  free (follow->found);
+  free (follow->awake);
+  free (follow->at_search);
+  *follow = (QnContactFollow){ 0 };
+}
+
+void
+qn_contact_follow_set_overlap (QnContactFollow *follow, const double *elongations)
+{
+  follow->overlap = 0;
+  for (size_t p = 0; p < follow->drawn->pair_count; p++)
+    follow->overlap = fmax (follow->overlap, -elongations[2 * p]);
+}
+
+double
+qn_contact_follow_band (const QnContactFollow *follow, QnId a, QnId b)
+{
+  return fmax (QN_FOLLOW_SLIP * fmin (follow->sizes[a], follow->sizes[b]),
+               QN_FOLLOW_OVERLAP * follow->overlap);
+}
+
+/* --- Where corners are ------------------------------------------------------------------- */
+
+/* A point of a block as it lies. */
+static QnVec2
+place_point (const QnModel *model, QnId block, QnVec2 point, const double *displacements)
+{
+  const double *d = displacements + QN_DOF_COUNT * block;
+  QnVec2 centroid = model->blocks[block].centroid;
+  QnVec2 arm = qn_vec2_rotate (qn_vec2_sub (point, centroid), cos (d[2]), sin (d[2]));
+
+  return qn_vec2_add (qn_vec2_add (centroid, qn_vec2 (d[0], d[1])), arm);
+}
+
+/* A point in space as a point of the block as drawn. */
+static QnVec2
+unplace_point (const QnModel *model, QnId block, QnVec2 point,
+               const double *displacements)
+{
+  const double *d = displacements + QN_DOF_COUNT * block;
+  QnVec2 centroid = model->blocks[block].centroid;
+  QnVec2 arm = qn_vec2_sub (point, qn_vec2_add (centroid, qn_vec2 (d[0], d[1])));
+
+  return qn_vec2_add (centroid, qn_vec2_rotate (arm, cos (d[2]), -sin (d[2])));
+}
+
+static QnCornerPlace
+place_beside (const QnSide *side, QnVec2 corner)
+{
+  QnVec2 from = qn_vec2_sub (corner, side->start);
+
+  return (QnCornerPlace){ .along = qn_vec2_dot (from, side->direction),
+                          .length = side->length,
+                          .apart = -qn_vec2_cross (side->direction, from) };
+}
+
+static const QnSide *
+side_of (const QnSides *sides, QnId block, QnId vertex)
+{
+  size_t i = sides->first[block];
+
+  while (i < sides->first[block + 1] && sides->items[i].vertex != vertex)
+    i++;
+  return i < sides->first[block + 1] ? &sides->items[i] : NULL;
+}
+
+static QnVec2
+corner_of (const QnContactFollow *follow, const QnFoundContact *contact,
+           const double *displacements)
+{
+  const QnModel *model = follow->model;
+  QnVec2 corner = qn_model_block_vertices (model, contact->other)[contact->corner];
+
+  return unplace_point (model, contact->block,
+                        place_point (model, contact->other, corner, displacements),
+                        displacements);
+}
+
+QnCornerPlace
+qn_contact_follow_place (const QnContactFollow *follow, const QnFoundContact *contact,
+                         const double *displacements)
+{
+  return place_beside (side_of (&follow->sides, contact->block, contact->side),
+                       corner_of (follow, contact, displacements));
+}
+
+/* --- Leaving joints ---------------------------------------------------------------------- */
+
+static bool
+is_crossed_by_bar (const QnContacts *contacts, const QnContactFace *face)
+{
+  for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
+    if (contacts->pairs[p].bar != QN_NONE)
+      return true;
+  return false;
+}
+
+bool
+qn_contact_follow_leave (QnContactFollow *follow, const double *displacements,
+                         const double *slips)
+{
+  bool any = false;
+
+  for (size_t f = 0; f < follow->drawn->face_count; f++) {
+    const QnContactFace *face = &follow->drawn->faces[f];
+    if (follow->left[f])
+      continue;
+    double turn = displacements[QN_DOF_COUNT * face->a + QN_DOF_RZ]
+                  - displacements[QN_DOF_COUNT * face->b + QN_DOF_RZ];
+    bool leaves = fabs (turn) > QN_FOLLOW_TURN;
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
+      leaves =
+        leaves || fabs (slips[p]) > qn_contact_follow_band (follow, face->a, face->b);
+    if (!leaves || is_crossed_by_bar (follow->drawn, face))
+      continue;
+    follow->left[f] = any = true;
+  }
+  return any;
+}
+
+/* --- Search ------------------------------------------------------------------------------ */
+
+bool
+qn_contact_follow_is_due (const QnContactFollow *follow, const double *displacements,
+                          double margin)
+{
+  double moved = 0;
+
+  if (follow->margin < margin)
+    return true;
+  for (size_t b = 0; b < follow->model->block_count; b++) {
+    const double *d = displacements + QN_DOF_COUNT * b,
+                 *d0 = follow->at_search + QN_DOF_COUNT * b;
+    moved = fmax (moved, hypot (d[0] - d0[0], d[1] - d0[1])
+                           + follow->reach[b] * fabs (d[2] - d0[2]));
+  }
+  return moved > 0.25 * follow->margin;
+}
+
+/* The joint as drawn between two blocks that still holds; where `side` is not NULL, on that side of
+ * block a; where `other` is not NULL, on either of these two sides of block b. */
+static bool
+is_joined (const QnContactFollow *follow, QnId a, QnId b, const QnSide *side,
+           const QnSide *const other[2])
+{
+  const QnContacts *drawn = follow->drawn;
+  QnId low = a < b ? a : b, high = a < b ? b : a;
+  size_t first = 0, end = drawn->face_count;
+
+  while (first < end) { /* faces are sorted by a, b */
+    size_t middle = first + (end - first) / 2;
+    const QnContactFace *face = &drawn->faces[middle];
+    if (face->a < low || (face->a == low && face->b < high))
+      first = middle + 1;
+    else
+      end = middle;
+  }
+  for (; first < drawn->face_count && drawn->faces[first].a == low
+         && drawn->faces[first].b == high;
+       first++) {
+    const QnContactFace *face = &drawn->faces[first];
+    QnId own = face->a == a ? face->edge_a : face->edge_b,
+         theirs = face->a == a ? face->edge_b : face->edge_a;
+    if (!follow->left[first] && (side == NULL || side->vertex == own)
+        && (other == NULL || other[0]->vertex == theirs || other[1]->vertex == theirs))
+      return true;
+  }
+  return false;
+}
+
+/* Whether the boundary of the block bulges at the end of side i of its `count` ones. */
+static bool
+is_convex_corner (const QnSide *sides, size_t i, size_t count)
+{
+  return qn_vec2_cross (sides[i].direction, sides[(i + 1) % count].direction) > 0;
+}
+
+static bool
+add (QnContactFollow *follow, QnFoundContact contact)
+{
+  QnFoundContact *found =
+    qn_array_grow (follow->found, &follow->capacity, follow->count + 1, sizeof *found);
+
+  if (found == NULL)
+    return false;
+  follow->found = found;
+  found[follow->count++] = contact;
+  return true;
+}
+
+/* Corners of block b near sides of block a. */
+static bool
+list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacements,
+              double margin)
+{
+  const QnSides *sides = &follow->sides;
+  const QnSide *own = sides->items + sides->first[b];
+  size_t corners = sides->first[b + 1] - sides->first[b];
+  bool joined = is_joined (follow, a, b, NULL, NULL), ok = true;
+
+  for (size_t i = 0; i < corners; i++) {
+    if (!is_convex_corner (own, i, corners))
+      continue;
+    const QnSide *next = &own[(i + 1) % corners];
+    const QnSide *const both[2] = { &own[i], next };
+    if (joined && is_joined (follow, a, b, NULL, both))
+      continue; /* it is held where it is */
+    QnVec2 corner = unplace_point (
+      follow->model, a, place_point (follow->model, b, next->start, displacements),
+      displacements);
+    for (size_t s = sides->first[a]; ok && s < sides->first[a + 1]; s++) {
+      const QnSide *side = &sides->items[s];
+      QnCornerPlace at = place_beside (side, corner);
+      double over = joined ? -qn_contact_follow_band (follow, a, b) : margin;
+      if (fabs (at.apart) > margin || at.along < -over || at.along > at.length + over
+          || (joined && is_joined (follow, a, b, side, NULL)))
+        continue;
+      ok = add (follow, (QnFoundContact){ .block = a,
+                                          .side = side->vertex,
+                                          .other = b,
+                                          .corner = next->vertex,
+                                          .foot = at.along });
+    }
+  }
+  return ok;
+}
+
+static int
+compare_pairs (const void *a, const void *b)
+{
+  const QnId *p = a, *q = b;
+
+  return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+static bool
+is_fixed (const QnBlock *block)
+{
+  return block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+         && block->support[QN_DOF_RZ];
+}
+
+static bool
+list_all (QnContactFollow *follow, const double *displacements, double margin)
+{
+  const QnModel *model = follow->model;
+  size_t blocks = model->block_count;
+  QnBox *boxes = qn_alloc (blocks, sizeof *boxes);
+  QnBoxTree tree = { 0 };
+  QnBoxPairs pairs = { 0 };
+  bool ok = boxes != NULL;
+
+  for (size_t b = 0; ok && b < blocks; b++) {
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
+    boxes[b] = QN_BOX_EMPTY;
+    for (QnId i = 0; i < model->blocks[b].vertex_count; i++)
+      qn_box_add_point (&boxes[b], place_point (model, (QnId) b, v[i], displacements));
+  }
+  ok = ok && qn_box_tree_init (&tree, boxes, blocks)
+       && qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
+  for (size_t i = 0; ok && i < pairs.count; i++)
+    if (pairs.items[i][0] > pairs.items[i][1]) {
+      QnId low = pairs.items[i][1];
+      pairs.items[i][1] = pairs.items[i][0];
+      pairs.items[i][0] = low;
+    }
+  if (ok && pairs.count > 0)
+    qsort (pairs.items, pairs.count, sizeof *pairs.items, compare_pairs);
+  for (size_t i = 0; ok && i < pairs.count; i++) {
+    QnId a = pairs.items[i][0], b = pairs.items[i][1];
+    if (is_fixed (&model->blocks[a]) && is_fixed (&model->blocks[b]))
+      continue;
+    ok = list_corners (follow, a, b, displacements, margin)
+         && list_corners (follow, b, a, displacements, margin);
+  }
+  qn_box_pairs_clear (&pairs);
+  qn_box_tree_clear (&tree);
+  free (boxes);
+  return ok;
+}
+
+static bool
+is_same (const QnFoundContact *a, const QnFoundContact *b)
+{
+  return a->block == b->block && a->side == b->side && a->other == b->other
+         && a->corner == b->corner;
+}
+
+static bool
+is_between (const QnFoundContact *c, QnId low, QnId high)
+{
+  return (c->block == low && c->other == high) || (c->block == high && c->other == low);
+}
+
+/* Of the list before, whose contacts come in the same order of blocks, what is in the new one. */
+static bool
+take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *awake,
+           size_t count, QnId *places)
+{
+  bool same = count == follow->count;
+  size_t next = 0;
+
+  for (size_t i = 0; i < count; i++) {
+    const QnFoundContact *old = &before[i];
+    QnId low = old->block < old->other ? old->block : old->other,
+         high = old->block < old->other ? old->other : old->block, place = QN_NONE;
+    while (next < follow->count) {
+      const QnFoundContact *c = &follow->found[next];
+      QnId c_low = c->block < c->other ? c->block : c->other,
+           c_high = c->block < c->other ? c->other : c->block;
+      if (c_low > low || (c_low == low && c_high >= high))
+        break;
+      next++;
+    }
+    for (size_t k = next; k < follow->count && is_between (&follow->found[k], low, high);
+         k++)
+      if (is_same (&follow->found[k], old)) {
+        follow->found[k].foot = old->foot;
+        follow->awake[k] = awake[i];
+        place = (QnId) k;
+      }
+    if (places != NULL)
+      places[i] = place;
+    same = same && place == (QnId) i;
+  }
+  return same;
+}
+
+QnStatus
+qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
+                          double margin, QnId *places, bool *changed, QnDiag *diag)
+{
+  QnFoundContact *before = follow->found;
+  bool *awake = follow->awake;
+  size_t count = follow->count;
+
+  follow->found = NULL;
+  follow->count = follow->capacity = 0;
+  bool ok = list_all (follow, displacements, margin);
+  follow->awake = qn_alloc (follow->count, sizeof *follow->awake);
+  ok = ok && follow->awake != NULL;
+  if (ok)
+    *changed = !take_over (follow, before, awake, count, places);
+  follow->margin = margin;
+  memcpy (follow->at_search, displacements,
+          follow->model->block_count * QN_DOF_COUNT * sizeof *displacements);
+  free (before);
+  free (awake);
+  return ok ? QN_OK : qn_diag_no_memory (diag);
+}
+
+/* --- Waking and sleeping ----------------------------------------------------------------- */
+
+/* Whether no other side of the block is nearer to a corner that lies within it. */
+static bool
+is_least_deep (const QnContactFollow *follow, const QnFoundContact *contact,
+               QnCornerPlace at, const double *displacements)
+{
+  const QnSides *sides = &follow->sides;
+  QnVec2 corner = corner_of (follow, contact, displacements);
+
+  for (size_t s = sides->first[contact->block]; s < sides->first[contact->block + 1]; s++)
+    if (sides->items[s].vertex != contact->side
+        && qn_segment_distance (sides->items[s].start, sides->items[s].end, corner)
+             < -at.apart)
+      return false;
+  return true;
+}
+
+/* Whether the corner at the end of this side nearer to the contact's own corner touches one of that
+ * corner's sides already. */
+static bool
+is_met (const QnContactFollow *follow, size_t index, QnCornerPlace at)
+{
+  const QnFoundContact *contact = &follow->found[index];
+  const QnSides *sides = &follow->sides;
+  const QnSide *side = side_of (sides, contact->block, contact->side);
+  QnVec2 end = at.along < 0.5 * at.length ? side->start : side->end;
+  QnId low = contact->block < contact->other ? contact->block : contact->other,
+       high = contact->block < contact->other ? contact->other : contact->block;
+  double near = qn_contact_follow_band (follow, low, high);
+  size_t first = index;
+
+  if (fmin (at.along, at.length - at.along) > near)
+    return false;
+  while (first > 0 && is_between (&follow->found[first - 1], low, high))
+    first--;
+  for (size_t k = first; k < follow->count && is_between (&follow->found[k], low, high);
+       k++) {
+    const QnFoundContact *c = &follow->found[k];
+    if (!follow->awake[k] || c->block != contact->other)
+      continue;
+    QnVec2 corner = qn_model_block_vertices (follow->model, c->other)[c->corner];
+    if (corner.x == end.x && corner.y == end.y)
+      return true;
+  }
+  return false;
+}
+
+bool
+qn_contact_follow_wake (QnContactFollow *follow, const double *displacements)
+{
+  bool any = false;
+
+  for (size_t i = 0; i < follow->count; i++) {
+    const QnFoundContact *c = &follow->found[i];
+    QnCornerPlace at = qn_contact_follow_place (follow, c, displacements);
+    double over = qn_contact_follow_band (follow, c->block, c->other);
+    if (!follow->awake[i] || (at.along >= -over && at.along <= at.length + over))
+      continue;
+    follow->awake[i] = false;
+    any = true;
+  }
+  for (size_t i = 0; i < follow->count; i++) {
+    const QnFoundContact *c = &follow->found[i];
+    if (follow->awake[i])
+      continue;
+    QnCornerPlace at = qn_contact_follow_place (follow, c, displacements);
+    if (at.along < 0 || at.along > at.length || at.apart < -follow->margin
+        || (at.apart < 0 && !is_least_deep (follow, c, at, displacements))
+        || is_met (follow, i, at))
+      continue;
+    follow->awake[i] = any = true;
+  }
+  return any;
+}
+
+/* --- As faces and pairs ------------------------------------------------------------------ */
+
+static QnId
+law_of (const QnModel *model, QnId block)
+{
+  return model->blocks[block].law != QN_NONE ? model->blocks[block].law
+                                             : model->contact.law;
+}
+
+/* Length of the longer side at a corner. */
+static double
+longer_side (const QnSides *sides, QnId block, QnId corner)
+{
+  const QnSide *own = sides->items + sides->first[block];
+  size_t count = sides->first[block + 1] - sides->first[block];
+  double longest = 0;
+
+  for (size_t i = 0; i < count; i++)
+    if (own[i].vertex == corner || own[(i + 1) % count].vertex == corner)
+      longest = fmax (longest, own[i].length);
+  return longest;
+}
+
+static void
+append (const QnModel *model, const QnSides *sides, const QnFoundContact *c,
+        QnContacts *contacts)
+{
+  const QnSide *side = side_of (sides, c->block, c->side);
+  const QnBlock *blocks = model->blocks;
+  QnContactFace *face = &contacts->faces[contacts->face_count];
+
+  *face = (QnContactFace){
+    .a = c->block,
+    .b = c->other,
+    .edge_a = c->side,
+    .edge_b = c->corner,
+    .start = side->start,
+    .end = side->end,
+    .normal = qn_vec2 (side->direction.y, -side->direction.x),
+    .tangent = side->direction,
+    .length = side->length,
+    .thickness = fmin (blocks[c->block].thickness, blocks[c->other].thickness),
+    .law_a = law_of (model, c->block),
+    .law_b = law_of (model, c->other),
+    .first_pair = (QnId) contacts->pair_count,
+    .pair_count = 1,
+  };
+  contacts->pairs[contacts->pair_count++] = (QnContactPair){
+    .face = (QnId) contacts->face_count++,
+    .bar = QN_NONE,
+    .point = qn_model_block_vertices (model, c->other)[c->corner],
+    .abscissa = c->foot,
+    .tributary = 0.5 * fmin (side->length, longer_side (sides, c->other, c->corner)),
+    .found = true,
+    .foot = qn_vec2_add_scaled (side->start, c->foot, side->direction),
+  };
+}
+
+QnStatus
+qn_contacts_with_found (const QnModel *model, const QnContacts *drawn,
+                        const QnSides *sides, const QnFoundContact *found, size_t count,
+                        QnContacts *contacts, QnDiag *diag)
+{
+  size_t faces = drawn->face_count + count, pairs = drawn->pair_count + count;
+
+  *contacts = (QnContacts){ .face_count = drawn->face_count,
+                            .face_capacity = faces,
+                            .pair_count = drawn->pair_count,
+                            .pair_capacity = pairs };
+  contacts->faces = qn_alloc (faces, sizeof *contacts->faces);
+  contacts->pairs = qn_alloc (pairs, sizeof *contacts->pairs);
+  if (contacts->faces == NULL || contacts->pairs == NULL) {
+    qn_contacts_clear (contacts);
+    return qn_diag_no_memory (diag);
+  }
+  if (drawn->face_count > 0)
+    memcpy (contacts->faces, drawn->faces, drawn->face_count * sizeof *contacts->faces);
+  if (drawn->pair_count > 0)
+    memcpy (contacts->pairs, drawn->pairs, drawn->pair_count * sizeof *contacts->pairs);
+  for (size_t i = 0; i < count; i++)
+    append (model, sides, &found[i], contacts);
+  return QN_OK;
+}

@@ -1,0 +1,107 @@
+/* Contacts that follow the blocks, in large displacements.
+ *
+ * A joint as drawn holds where its blocks lie. Once it has slid by more than a little (QN_FOLLOW_SLIP
+ * of the smaller block), or its blocks have turned against each other (QN_FOLLOW_TURN), it is left: its
+ * pairs carry nothing any more. What touches then, and whatever else blocks come upon, are corners on
+ * sides: a corner of one block and a side of another make a pair whose normal is the side's, whose
+ * force acts where the corner is, and which carries nothing where the corner is beyond an end of the
+ * side. Between two sides that lie on each other two corners carry, one at either end of what they
+ * share, of whichever block.
+ *
+ * Corners near sides are listed by a search through the box tree of the blocks as they lie, which has
+ * to be repeated once something has moved by half the margin it was made with. A pair that is listed
+ * is asleep, or awake:
+ *
+ *   it wakes    where its corner comes from outside, between the ends of the side; or lies within, less
+ *               deep than behind any other side of the block, as where a joint was left or another
+ *               corner has slid off
+ *   it sleeps   again where its corner is beyond an end of the side by qn_contact_follow_band()
+ *
+ * Where two corners meet, one pair is enough: the second one waits until the first has slid off.
+ */
+#ifndef QN_CORE_CONTACT_FOLLOW_H
+#define QN_CORE_CONTACT_FOLLOW_H
+
+#include "core/base/box-tree.h"
+#include "core/contact/contact-side.h"
+#include "core/contact/contacts.h"
+
+/* Slip that leaves a joint, and overhang that leaves a side: part of the square root of the area of the
+ * smaller block; and at least this many times the deepest overlap of joints under the dead load, so
+ * that a corner which the stiffness of joints lets sink in is told from one that comes from the side. */
+#define QN_FOLLOW_SLIP    0.005
+#define QN_FOLLOW_OVERLAP 4.0
+
+/* Rotation of one block against the other that leaves a joint, rad. */
+#define QN_FOLLOW_TURN 0.35
+
+/* Least margin of a search, part of the square root of the area of the smallest block. */
+#define QN_FOLLOW_MARGIN 0.05
+
+/* Where the corner of a contact lies. */
+typedef struct QnCornerPlace {
+  double along;  /* m from the first vertex of the side, */
+  double length; /* whose length this is, m */
+  double apart;  /* m off the side; negative within the block */
+} QnCornerPlace;
+
+typedef struct QnContactFollow {
+  const QnModel *model;
+  const QnContacts *drawn;
+  QnSides sides;
+  double *sizes,
+    *reach;       /* of blocks: square root of the area; of the farthest corner, m */
+  bool *left;     /* faces as drawn */
+  double overlap; /* of joints under the dead load, m */
+  QnFoundContact
+    *found; /* listed by the last search, the two directions of two blocks together */
+  bool *awake;
+  size_t count, capacity;
+  double margin;     /* of the last search, m; 0: none yet */
+  double *at_search; /* block_count x 3: displacements then */
+} QnContactFollow;
+
+/* `follow` is overwritten without being cleared. Model and contacts must outlive it. */
+QnStatus qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
+                                 const QnContacts *drawn, QnDiag *diag);
+
+void qn_contact_follow_clear (QnContactFollow *follow);
+
+/* Takes up how deep the joints overlap under the dead load: elongations of the pairs as drawn (two of
+ * each, m). */
+void qn_contact_follow_set_overlap (QnContactFollow *follow, const double *elongations);
+
+/* The slip and overhang that count between two blocks, m. */
+double qn_contact_follow_band (const QnContactFollow *follow, QnId a, QnId b);
+
+/* Leaves the joints that have slid (slips: of the pairs as drawn, m) or turned. Returns whether any
+ * was left. Displacements: a row for every block. Joints that bars cross are never left. */
+bool qn_contact_follow_leave (QnContactFollow *follow, const double *displacements,
+                              const double *slips);
+
+/* Whether something has moved so far since the last search that another one is due. */
+bool qn_contact_follow_is_due (const QnContactFollow *follow, const double *displacements,
+                               double margin);
+
+/* Lists the contacts within the margin anew. Those that stay keep their foot and whether they are awake.
+ * places[i] (count of them before, nullable) becomes the new place of contact i, or QN_NONE;
+ * *changed: whether the list is another one. */
+QnStatus qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
+                                   double margin, QnId *places, bool *changed,
+                                   QnDiag *diag);
+
+/* Puts pairs to sleep and wakes them. Returns whether any changed. */
+bool qn_contact_follow_wake (QnContactFollow *follow, const double *displacements);
+
+QnCornerPlace qn_contact_follow_place (const QnContactFollow *follow,
+                                       const QnFoundContact *contact,
+                                       const double *displacements);
+
+/* The contacts as drawn, with one face of one pair for each of these contacts behind them. The pair
+ * stands for half of the shorter of the side and the longer side at the corner. `contacts` is
+ * overwritten without being cleared. */
+QnStatus qn_contacts_with_found (const QnModel *model, const QnContacts *drawn,
+                                 const QnSides *sides, const QnFoundContact *found,
+                                 size_t count, QnContacts *contacts, QnDiag *diag);
+
+#endif

@@ -1,0 +1,35 @@
+/* What a capacity curve is held against, as the project's member `capacity` keeps it:
+ *
+ *   "capacity": { "control": "w.6.5", "spectrum": "type1", "ag": 2.4525, "soil": "B",
+ *                 "damping": 0.05, "confidence": 1.2 }
+ *
+ * `spectrum` may be a file beside the project instead, with the `unit` of its accelerations where the
+ * file does not say it. */
+#ifndef QN_DOC_CAPACITY_SETTINGS_H
+#define QN_DOC_CAPACITY_SETTINGS_H
+
+#include "io/project/project.h"
+
+#define QN_CAPACITY_MEMBER "capacity"
+
+typedef struct QnCapacitySettings {
+  char *control;     /* name of the block; NULL: to be chosen */
+  char *spectrum;    /* "type1", "type2", or a file; NULL: none */
+  double ag;         /* m/s2; 0: not said */
+  char *soil;        /* "A" to "E"; NULL: not said */
+  double damping;    /* ratio; 0: not said */
+  double confidence; /* 0: not said */
+  char *unit;        /* NULL: as the file says */
+} QnCapacitySettings;
+
+/* Reads them; all is empty where the project has none. FALSE with an error that names the place.
+ * `settings` is overwritten without being cleared. */
+gboolean qn_capacity_settings_read (const QnProject *project,
+                                    QnCapacitySettings *settings, GError **error);
+
+/* As JSON text, for qn_document_edit_extra(). Free with g_free(). */
+char *qn_capacity_settings_to_json (const QnCapacitySettings *settings);
+
+void qn_capacity_settings_clear (QnCapacitySettings *settings);
+
+#endif

@@ -1,0 +1,104 @@
+#include "doc/view/report-item.h"
+
+#include "doc/document/run-file.h"
+#include "render/backend/output.h"
+
+#include <glib/gi18n.h>
+#include <glib/gstdio.h>
+
+void
+qn_report_item_clear (QnReportItem *item)
+{
+  qn_result_file_clear (&item->file);
+  g_free (item->unchecked);
+  g_free (item->name);
+}
+
+void
+qn_report_item_check (QnReportItem *item, const QnProject *project,
+                      const QnContacts *contacts, const char *path)
+{
+  g_autoptr (GError) error = NULL;
+  if (item->file.result.history.width > 0)
+    item->unchecked = g_strdup (_ ("an analysis in time ends in motion; check --result "
+                                   "follows its balance of energy"));
+  else if (!qn_result_file_find_faults (&item->file, path, project, contacts,
+                                        &item->faults, &error)
+           || !qn_result_check (&item->file, project, &item->check, &error))
+    item->unchecked = g_strdup (error->message);
+}
+
+QnReportRun
+qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
+                        const QnContacts *contacts)
+{
+  return (QnReportRun){
+    .name = item->name,
+    .project = project,
+    .contacts = contacts,
+    .file = &item->file,
+    .check = item->unchecked == NULL ? &item->check : NULL,
+    .unchecked = item->unchecked,
+    .passes =
+      item->unchecked == NULL && qn_result_passes (project, &item->check, &item->faults),
+  };
+}
+
+/* A run as a file, read again: the check and the report see what a file would hold. */
+static gboolean
+load_item (QnReportItem *item, QnDocument *document, const QnRun *run,
+           const QnProject *project, GError **error)
+{
+  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", error);
+  if (folder == NULL)
+    return FALSE;
+  g_autofree char *path = g_build_filename (folder, "result.json", NULL);
+  gboolean done = qn_document_write_result (document, run, path, error)
+                  && qn_result_file_read (path, &item->file, error);
+  if (done) {
+    item->name = g_strdup (run->name);
+    qn_report_item_check (item, project, &run->contacts, path);
+  }
+  g_unlink (path);
+  g_rmdir (folder);
+  return done;
+}
+
+gboolean
+qn_report_write (QnDocument *document, QnUnits units, const char *path, GError **error)
+{
+  const GPtrArray *all = qn_document_get_runs (document);
+  g_autofree QnReportItem *items = g_new0 (QnReportItem, all->len + 1);
+  g_autofree QnProject *projects = g_new0 (QnProject, all->len + 1);
+  g_autofree QnReportRun *runs = g_new0 (QnReportRun, all->len + 1);
+  guint count = 0;
+  gboolean done = TRUE;
+  for (guint i = 0; i < all->len && done; i++) {
+    const QnRun *run = all->pdata[i];
+    if (run->kind != QN_RUN_ANALYSIS || qn_document_is_stale (document, run))
+      continue;
+    projects[count] = *qn_document_get_project (document); /* as it was solved */
+    projects[count].model = run->model;
+    done = load_item (&items[count], document, run, &projects[count], error);
+    if (done)
+      runs[count] =
+        qn_report_item_get_run (&items[count], &projects[count], &run->contacts);
+    count += done;
+  }
+  QnReport report = { .project = qn_document_get_project (document),
+                      .contacts = qn_document_get_contacts (document),
+                      .runs = runs,
+                      .run_count = count,
+                      .paper = QN_PAPER_A4,
+                      .units = units,
+                      .generator = "quoin " QN_VERSION };
+  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
+    report.sections[i] = true;
+  g_autoptr (GBytes) bytes = done ? qn_report_encode (&report, error) : NULL;
+  gsize length = 0;
+  const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
+  done = data != NULL && qn_file_replace (path, data, length, error);
+  for (guint i = 0; i < count; i++)
+    qn_report_item_clear (&items[i]);
+  return done;
+}

@@ -1,0 +1,32 @@
+/* Results as reports tell of them: each read as a file would be and checked, and the report on what a
+ * document holds. */
+#ifndef QN_DOC_REPORT_ITEM_H
+#define QN_DOC_REPORT_ITEM_H
+
+#include "doc/document/document.h"
+#include "doc/view/report.h"
+#include "io/result/result-claims.h"
+
+typedef struct QnReportItem {
+  QnResultFile file;
+  QnResultCheck check;
+  QnResultFaults faults;
+  char *unchecked; /* why it is not checked; NULL: it is */
+  char *name;
+} QnReportItem;
+
+/* Checks `file`, which the caller has read from `path`, against its project. */
+void qn_report_item_check (QnReportItem *item, const QnProject *project,
+                           const QnContacts *contacts, const char *path);
+
+/* As the report takes it; all borrowed. */
+QnReportRun qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
+                                    const QnContacts *contacts);
+
+void qn_report_item_clear (QnReportItem *item);
+
+/* Writes the report on the document with all of its runs that belong to the model as it is now. */
+gboolean qn_report_write (QnDocument *document, QnUnits units, const char *path,
+                          GError **error);
+
+#endif

@@ -1,0 +1,18 @@
+/* Which characters are shown as they are. */
+#ifndef QN_IO_PLAIN_CHARACTER_H
+#define QN_IO_PLAIN_CHARACTER_H
+
+#include <glib.h>
+
+/* Whether a terminal takes a character for itself: it is no command (line break and tab may be), and does
+ * not turn the direction of what follows (U+202A to U+202E, U+2066 to U+2069). */
+static inline gboolean
+qn_is_plain_character (gunichar c)
+{
+  if (c == '\n' || c == '\t')
+    return TRUE;
+  return !g_unichar_iscntrl (c) && !(c >= 0x202a && c <= 0x202e)
+         && !(c >= 0x2066 && c <= 0x2069);
+}
+
+#endif

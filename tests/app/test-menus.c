@@ -1,0 +1,533 @@
+/* Context menus of lists, choices, tables, studies and comparisons: by the right button, by Menu and by
+ * Shift+F10, and what their items do. What is dragged and dropped with the pointer. */
+#include "driver.h"
+
+#include "app/forms/form.h"
+#include "doc/edit/edit-stage.h"
+#include "support/scratch.h"
+
+#include <string.h>
+
+static gboolean
+has_id (GtkWidget *widget, gconstpointer id)
+{
+  return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
+}
+
+static gboolean
+is_open_menu (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_POPOVER_MENU (widget) && gtk_widget_get_mapped (widget);
+}
+
+/* An item of a menu, by its label without underlines. */
+static gboolean
+is_item (GtkWidget *widget, gconstpointer label)
+{
+  g_autofree char *text = NULL;
+  if (!g_str_equal (G_OBJECT_TYPE_NAME (widget), "GtkModelButton")
+      || !gtk_widget_get_mapped (widget))
+    return FALSE;
+  g_object_get (widget, "text", &text, NULL);
+  g_auto (GStrv) parts = g_strsplit (text, "_", 2);
+  g_autofree char *plain = g_strjoinv ("", parts);
+  return g_str_equal (plain, label);
+}
+
+static GtkWidget *
+find_id (GtkWidget *root, const char *id)
+{
+  GtkWidget *found = driver_find_widget (root, has_id, id);
+  g_assert_nonnull (found);
+  return found;
+}
+
+/* What is folded is no part of the tree. */
+static void
+unfold (GtkWidget *widget)
+{
+  if (GTK_IS_EXPANDER (widget))
+    gtk_expander_set_expanded (GTK_EXPANDER (widget), TRUE);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    unfold (child);
+}
+
+static GtkWidget *
+row_of (GtkWidget *list, int index)
+{
+  GtkWidget *row =
+    GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (list), index));
+  g_assert_nonnull (row);
+  gtk_widget_grab_focus (row);
+  driver_run (200);
+  return row;
+}
+
+static void
+wait_for_menu (GtkWidget *inside)
+{
+  GtkWidget *widget = GTK_WIDGET (gtk_widget_get_root (inside));
+  for (int i = 0; i < 50 && driver_find_widget (widget, is_open_menu, NULL) == NULL; i++)
+    driver_run (20);
+  if (driver_find_widget (widget, is_open_menu, NULL) == NULL) {
+    driver_screenshot (widget, "menu-missing");
+    g_error ("no menu of the %s", G_OBJECT_TYPE_NAME (inside));
+  }
+}
+
+/* Opens the menu in the middle of a widget by the right button. */
+static void
+right_click (GtkWidget *widget)
+{
+  driver_point_at (widget, 0.5 * gtk_widget_get_width (widget),
+                   0.5 * gtk_widget_get_height (widget));
+  driver_press_button ("3");
+  wait_for_menu (widget);
+}
+
+/* Clicks on an item of the menu that is open there. */
+static void
+choose (GtkWidget *widget, const char *label)
+{
+  GtkWidget *item = driver_find_widget (widget, is_item, label);
+  if (item == NULL)
+    g_error ("no item %s", label);
+  driver_point_at (item, 0.5 * gtk_widget_get_width (item),
+                   0.5 * gtk_widget_get_height (item));
+  driver_press_button ("1");
+  driver_run (300);
+}
+
+/* Both keys open it where the focus is, and Escape closes it. */
+static void
+check_keys (GtkWidget *widget, const char *label)
+{
+  static const char *const keys[] = { "Menu", "shift+F10" };
+  for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
+    driver_key (keys[i]);
+    wait_for_menu (widget);
+    g_assert_nonnull (driver_find_widget (widget, is_item, label));
+    driver_key ("Escape");
+    driver_run (200);
+    g_assert_null (driver_find_widget (widget, is_open_menu, NULL));
+  }
+}
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static QnWindow *
+open_panel (const char *example, const char *panel)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example (example);
+  driver_activate_target (window, "win.show-panel", g_variant_new_string (panel));
+  unfold (GTK_WIDGET (window));
+  driver_run (300);
+  return window;
+}
+
+/* ---- forms ---- */
+
+static void
+test_bars (void)
+{
+  QnWindow *window = open_panel ("09-reinforced-cantilever.quoin", "analysis");
+  gsize count = model_of (window)->bar_count;
+  g_assert_cmpuint (count, >, 0);
+  GtkWidget *row = row_of (find_id (GTK_WIDGET (window), "bars"), 0);
+  check_keys (row, "Remove Bar");
+  right_click (row);
+  driver_screenshot (driver_find_widget (row, is_open_menu, NULL), "menu-bar");
+  choose (row, "Remove Bar");
+  g_assert_cmpuint (model_of (window)->bar_count, ==, count - 1);
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->bar_count, ==, count);
+  driver_discard (window);
+}
+
+static void
+test_stages (void)
+{
+  QnWindow *window = open_panel ("16-load-stages.quoin", "analysis");
+  g_assert_cmpuint (model_of (window)->stage_count, ==, 2);
+  g_autofree char *second = g_strdup (model_of (window)->stages[1].name);
+  GtkWidget *row =
+    row_of (find_id (find_id (GTK_WIDGET (window), "stages_box"), "stages"), 1);
+  check_keys (row, "Remove Stage");
+  right_click (row);
+  choose (row, "Earlier");
+  g_assert_cmpstr (model_of (window)->stages[0].name, ==, second);
+  driver_discard (window);
+}
+
+static void
+test_loads (void)
+{
+  QnWindow *window = open_panel ("16-load-stages.quoin", "analysis");
+  GtkWidget *form = find_id (GTK_WIDGET (window), "loads_box");
+  GtkDropDown *list = GTK_DROP_DOWN (find_id (form, "list"));
+  gtk_drop_down_set_selected (list, 0);
+  driver_run (200);
+  gsize count = qn_model_count_loads (model_of (window), -1);
+  g_assert_cmpuint (count, >, 0);
+  GtkWidget *row = row_of (find_id (form, "loads"), 0);
+  check_keys (row, "Copy Text");
+  right_click (row);
+  choose (row, "Remove Load");
+  g_assert_cmpuint (qn_model_count_loads (model_of (window), -1), ==, count - 1);
+  driver_discard (window);
+}
+
+static void
+test_laws (void)
+{
+  QnWindow *window = open_panel ("ferris-tin-loi/wall3.quoin", "analysis");
+  gsize count = model_of (window)->law_count;
+  GtkWidget *law = find_id (find_id (GTK_WIDGET (window), "laws_box"), "law");
+  gtk_widget_grab_focus (law);
+  driver_run (200);
+  check_keys (law, "Add Law");
+  right_click (law);
+  choose (law, "Add Law");
+  g_assert_cmpuint (model_of (window)->law_count, ==, count + 1);
+  driver_discard (window);
+}
+
+/* ---- tables of results ---- */
+
+static gboolean
+is_cell (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return GTK_IS_LABEL (widget) && gtk_widget_get_mapped (widget)
+         && g_object_get_data (G_OBJECT (widget), "qn-item") != NULL;
+}
+
+static void
+test_tables (void)
+{
+  QnWindow *window = open_panel ("06-arch.quoin", "result");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  unfold (GTK_WIDGET (window));
+  driver_run (500);
+  GtkWidget *cell = driver_find_widget (GTK_WIDGET (window), is_cell, NULL);
+  g_assert_nonnull (cell);
+  gtk_widget_grab_focus (gtk_widget_get_ancestor (cell, GTK_TYPE_COLUMN_VIEW));
+  driver_run (300);
+  right_click (cell);
+  choose (cell, "Copy Row");
+  driver_discard (window);
+}
+
+/* ---- comparison ---- */
+
+static gboolean
+is_picture (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return g_object_get_data (G_OBJECT (widget), "qn-cell") != NULL;
+}
+
+static guint
+count_pictures (GtkWidget *dialog)
+{
+  GtkWidget *grid = gtk_widget_get_parent (driver_find_widget (dialog, is_picture, NULL));
+  guint count = 0;
+  for (GtkWidget *child = gtk_widget_get_first_child (grid); child != NULL;
+       child = gtk_widget_get_next_sibling (child))
+    count += is_picture (child, NULL);
+  return count;
+}
+
+/* The words beneath a picture, a new string. */
+static char *
+dup_words (GtkWidget *picture)
+{
+  GtkWidget *label = gtk_widget_get_first_child (picture);
+  while (!GTK_IS_LABEL (label))
+    label = gtk_widget_get_next_sibling (label);
+  return g_strdup (gtk_label_get_text (GTK_LABEL (label)));
+}
+
+static void
+test_comparison (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.run-limit::associative");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.compare");
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  g_assert_cmpuint (count_pictures (dialog), ==, 2);
+  GtkWidget *first = driver_find_widget (dialog, is_picture, NULL);
+  g_autofree char *words = dup_words (first);
+  gtk_widget_grab_focus (first);
+  check_keys (first, "Later");
+  right_click (first);
+  driver_screenshot (driver_find_widget (first, is_open_menu, NULL), "menu-comparison");
+  choose (first, "Later");
+  first = driver_find_widget (dialog, is_picture, NULL);
+  g_autofree char *after = dup_words (first);
+  g_assert_cmpstr (words, !=, after);
+  right_click (first);
+  choose (first, "Remove from Comparison");
+  g_assert_cmpuint (count_pictures (dialog), ==, 1);
+  first = driver_find_widget (dialog, is_picture, NULL);
+  g_autofree char *left = dup_words (first);
+  g_assert_cmpstr (left, ==, words);
+  driver_discard (window);
+}
+
+/* ---- dragging ---- */
+
+static void
+press (gboolean down)
+{
+  const char *const arguments[] = { down ? "mousedown" : "mouseup", "1", NULL };
+  driver_xdotool (arguments);
+}
+
+/* Moves the pointer in steps: a drag begins and is followed by its motion. */
+static void
+move_along (double x0, double y0, double x1, double y1)
+{
+  for (int i = 1; i <= 8; i++) {
+    g_autofree char *x = g_strdup_printf ("%.0f", x0 + (x1 - x0) * i / 8.0);
+    g_autofree char *y = g_strdup_printf ("%.0f", y0 + (y1 - y0) * i / 8.0);
+    const char *const arguments[] = { "mousemove", x, y, NULL };
+    driver_xdotool (arguments);
+  }
+}
+
+/* Middle of a widget on the screen, in a window at its corner. */
+static void
+find_middle (GtkWidget *widget, double *x, double *y)
+{
+  GtkNative *native = gtk_widget_get_native (widget);
+  double left, top;
+  gtk_native_get_surface_transform (native, &left, &top);
+  gtk_widget_translate_coordinates (widget, GTK_WIDGET (native),
+                                    0.5 * gtk_widget_get_width (widget),
+                                    0.5 * gtk_widget_get_height (widget), x, y);
+  *x += left;
+  *y += top;
+}
+
+/* The words beneath the first picture, dragged onto the second with the pointer. */
+static void
+test_drag_caption (void)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.run-limit::associative");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.compare");
+  driver_run (500);
+  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  GtkWidget *first = driver_find_widget (dialog, is_picture, NULL);
+  GtkWidget *second = gtk_widget_get_next_sibling (first);
+  g_autofree char *words = dup_words (second);
+  double x0, y0, x1, y1;
+  GtkWidget *label = gtk_widget_get_first_child (first);
+  while (!GTK_IS_LABEL (label))
+    label = gtk_widget_get_next_sibling (label);
+  find_middle (label, &x0, &y0);
+  find_middle (second, &x1, &y1);
+  driver_point_at (label, 0.5 * gtk_widget_get_width (label),
+                   0.5 * gtk_widget_get_height (label));
+  press (TRUE);
+  move_along (x0, y0, x1, y1);
+  press (FALSE);
+  driver_run (500);
+  g_autofree char *after = dup_words (driver_find_widget (dialog, is_picture, NULL));
+  g_assert_cmpstr (after, ==, words);
+  driver_discard (window);
+}
+
+/* A window to the right of the others, from which files can be dragged. */
+static GdkContentProvider *
+give_files (GtkDragSource *source, double x, double y, gpointer data)
+{
+  const char *const *names = data;
+  GSList *files = NULL;
+  (void) source;
+  (void) x;
+  (void) y;
+  for (guint i = 0; names[i] != NULL; i++) {
+    g_autofree char *path = driver_example_path (names[i]);
+    files = g_slist_append (files, g_file_new_for_path (path));
+  }
+  GdkContentProvider *content =
+    gdk_content_provider_new_typed (GDK_TYPE_FILE_LIST, files);
+  g_slist_free_full (files, g_object_unref);
+  return content;
+}
+
+static void
+drag_files (const char *const *names, GtkWidget *onto)
+{
+  GtkWidget *window = gtk_window_new ();
+  GtkDragSource *source = gtk_drag_source_new ();
+  gtk_window_set_title (GTK_WINDOW (window), "files of the test");
+  gtk_window_set_decorated (GTK_WINDOW (window), FALSE);
+  gtk_window_set_default_size (GTK_WINDOW (window), 200, 200);
+  gtk_window_set_child (GTK_WINDOW (window), gtk_label_new ("files"));
+  g_signal_connect (source, "prepare", G_CALLBACK (give_files), (gpointer) names);
+  gtk_widget_add_controller (window, GTK_EVENT_CONTROLLER (source));
+  gtk_window_present (GTK_WINDOW (window));
+  driver_run (300);
+  const char *const aside[] = { "search",     "--name", "files of the test",
+                                "windowmove", "1600",   "700",
+                                NULL };
+  driver_xdotool (aside);
+  driver_run (300);
+  const char *const there[] = { "mousemove", "1700", "800", NULL };
+  driver_xdotool (there);
+  press (TRUE);
+  double x, y;
+  find_middle (onto, &x, &y);
+  move_along (1700, 800, x, y);
+  press (FALSE);
+  driver_run (500);
+  gtk_window_destroy (GTK_WINDOW (window));
+}
+
+static gboolean
+has_path (gpointer data)
+{
+  return qn_document_get_path (qn_window_get_document (data)) != NULL;
+}
+
+static gboolean
+has_two_pictures (gpointer dialog)
+{
+  return driver_find_widget (dialog, is_picture, NULL) != NULL
+         && count_pictures (dialog) == 2;
+}
+
+/* A project dropped on an empty window is opened; two on a comparison are solved and shown. */
+static void
+test_drop_files (void)
+{
+  static const char *const one[] = { "06-arch.quoin", NULL };
+  static const char *const two[] = { "02-overturning-block.quoin", "05-stack.quoin",
+                                     NULL };
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_window (1200, 760);
+  drag_files (one, GTK_WIDGET (window));
+  driver_wait (has_path, window);
+  g_assert_true (g_str_has_suffix (qn_document_get_path (qn_window_get_document (window)),
+                                   "06-arch.quoin"));
+  driver_activate (window, "win.compare");
+  driver_run (500);
+  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  drag_files (two, dialog);
+  driver_wait (has_two_pictures, dialog);
+  driver_discard (window);
+}
+
+/* ---- studies ---- */
+
+static gboolean
+has_no_parameters (gpointer dialog)
+{
+  return !gtk_widget_get_visible (find_id (dialog, "parameters"));
+}
+
+static gboolean
+has_results (gpointer dialog)
+{
+  gboolean enabled = FALSE;
+  GtkWidget *export = find_id (dialog, "export");
+  GtkWidget *progress = find_id (dialog, "progress");
+  enabled = gtk_widget_get_sensitive (export);
+  return enabled && !gtk_widget_get_visible (progress);
+}
+
+static void
+test_study (void)
+{
+  driver_pass_over_gtk ();
+  char *folder = test_scratch_new ();
+  g_autofree char *source = driver_example_path ("ferris-tin-loi/wall3.quoin");
+  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
+  g_autofree char *text = NULL;
+  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  QnWindow *window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_path (window, path));
+  driver_run (200);
+  gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
+                              0.65);
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Study");
+  g_assert_nonnull (dialog);
+  gtk_window_present (GTK_WINDOW (dialog));
+  gtk_spin_button_set_value (GTK_SPIN_BUTTON (find_id (dialog, "count")), 8);
+  driver_run (200);
+  gtk_widget_activate_action (dialog, "study.run", NULL);
+  driver_run (300);
+  driver_wait (has_results, dialog);
+
+  GtkWidget *plot = find_id (dialog, "plot");
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (find_id (dialog, "figure")), 1);
+  driver_run (200);
+  gtk_widget_grab_focus (plot);
+  driver_key ("Right");
+  check_keys (plot, "Open Case in the Drawing");
+  right_click (plot);
+  g_assert_nonnull (driver_find_widget (plot, is_item, "Table…"));
+  driver_key ("Escape");
+  driver_run (200);
+  driver_key ("Menu");
+  wait_for_menu (plot);
+  choose (plot, "Copy Text");
+  guint before = qn_document_get_runs (qn_window_get_document (window))->len;
+  driver_key ("Menu");
+  wait_for_menu (plot);
+  choose (plot, "Open Case in the Drawing");
+  for (int i = 0;
+       i < 200 && qn_document_get_runs (qn_window_get_document (window))->len == before;
+       i++)
+    driver_run (50);
+  g_assert_cmpuint (qn_document_get_runs (qn_window_get_document (window))->len, ==,
+                    before + 1);
+
+  GtkWidget *parameters = find_id (dialog, "parameters");
+  GtkWidget *row =
+    GTK_WIDGET (gtk_list_box_get_row_at_index (GTK_LIST_BOX (parameters), 0));
+  right_click (find_id (row, "place"));
+  choose (row, "Leave It As It Is");
+  driver_wait (has_no_parameters, dialog);
+  driver_discard (window);
+  test_scratch_free (folder);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/menus/bars", test_bars);
+  g_test_add_func ("/app/menus/stages", test_stages);
+  g_test_add_func ("/app/menus/loads", test_loads);
+  g_test_add_func ("/app/menus/laws", test_laws);
+  g_test_add_func ("/app/menus/tables", test_tables);
+  g_test_add_func ("/app/menus/comparison", test_comparison);
+  g_test_add_func ("/app/menus/drag-caption", test_drag_caption);
+  g_test_add_func ("/app/menus/drop-files", test_drop_files);
+  g_test_add_func ("/app/menus/study", test_study);
+  return g_test_run ();
+}

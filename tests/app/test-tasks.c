@@ -1,0 +1,152 @@
+/* How many clicks and keys a task takes from the start page on: as many as here, and no more. File choosers,
+ * which are GTK's or the desktop's, are not counted. */
+#include "driver.h"
+
+#include "app/dialogs/dialogs.h"
+
+#include <glib/gstdio.h>
+
+/* A button or an item of a menu that is on the screen, by its label. */
+static gboolean
+is_labelled (GtkWidget *widget, gconstpointer label)
+{
+  g_autofree char *text = NULL;
+  if (!gtk_widget_get_mapped (widget))
+    return FALSE;
+  if (GTK_IS_BUTTON (widget))
+    text = g_strdup (gtk_button_get_label (GTK_BUTTON (widget)));
+  else if (g_str_equal (G_OBJECT_TYPE_NAME (widget), "GtkModelButton"))
+    g_object_get (widget, "text", &text, NULL);
+  if (text == NULL)
+    return FALSE;
+  g_auto (GStrv) parts = g_strsplit (text, "_", 2);
+  g_autofree char *plain = g_strjoinv ("", parts);
+  return g_str_equal (plain, label);
+}
+
+static void
+click_on (GtkWidget *root, const char *label)
+{
+  GtkWidget *button = driver_find_widget (root, is_labelled, label);
+  if (button == NULL)
+    g_error ("no button %s", label);
+  driver_point_at (button, 0.5 * gtk_widget_get_width (button),
+                   0.5 * gtk_widget_get_height (button));
+  driver_press_button ("1");
+  driver_run (300);
+}
+
+static void
+expect_inputs (const char *task, guint most, gint64 begun)
+{
+  guint count = driver_take_inputs ();
+  g_test_message ("%s: %u clicks and keys, %.1f s", task, count,
+                  (double) (g_get_monotonic_time () - begun) / G_USEC_PER_SEC);
+  g_assert_cmpuint (count, <=, most);
+}
+
+/* A wall with a door and two windows, solved, its figure on the screen to be exported. */
+static void
+test_wall (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  driver_take_inputs ();
+  gint64 begun = g_get_monotonic_time ();
+  click_on (GTK_WIDGET (window), "New Drawing");
+  driver_key ("w");
+  driver_drag (window, 0.0, 0.0, 4.8, 2.8);
+  driver_key ("o");
+  driver_drag (window, 0.4, 0.7, 1.2, 1.75);
+  driver_drag (window, 2.0, 0.0, 2.8, 1.75);
+  driver_drag (window, 3.6, 0.7, 4.4, 1.75);
+  driver_key ("F5");
+  driver_wait_for_job (window);
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  g_assert_nonnull (run);
+  g_assert_true (run->result.has_collapse_multiplier);
+  driver_key ("ctrl+e");
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Export Figure");
+  g_assert_nonnull (dialog);
+  driver_screenshot (GTK_WIDGET (window), "task-wall");
+  expect_inputs ("wall with a door and two windows, solved, to be exported", 9, begun);
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_discard (window);
+}
+
+/* A drawing with mortar becomes a model without a finding; it is dropped, or chosen with Ctrl+I. */
+static void
+test_mortar (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  g_autofree char *path = driver_example_path ("dxf/wall-mortar.dxf");
+  driver_take_inputs ();
+  gint64 begun = g_get_monotonic_time ();
+  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Import");
+  g_assert_nonnull (dialog);
+  click_on (dialog, "Import");
+  driver_run (300);
+  QnDocument *document = qn_window_get_document (window);
+  g_assert_cmpuint (qn_document_get_model (document)->block_count, >, 1);
+  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  driver_screenshot (GTK_WIDGET (window), "task-mortar");
+  expect_inputs ("drawing with mortar to a sound model", 1, begun);
+  driver_discard (window);
+}
+
+static gboolean
+is_picture (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return g_object_get_data (G_OBJECT (widget), "qn-cell") != NULL;
+}
+
+static gboolean
+has_five_pictures (gpointer dialog)
+{
+  guint count = 0;
+  GtkWidget *cell = driver_find_widget (dialog, is_picture, NULL);
+  for (; cell != NULL; cell = gtk_widget_get_next_sibling (cell))
+    count += is_picture (cell, NULL);
+  return count == 5;
+}
+
+/* Five projects side by side, which are solved there: the menu, and one drop of the files, which another
+ * test does with the pointer. */
+static void
+test_comparison (void)
+{
+  static const char *const names[] = { "01-sliding-block.quoin",
+                                       "02-overturning-block.quoin", "05-stack.quoin",
+                                       "06-arch.quoin", "ferris-tin-loi/wall3.quoin" };
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_window (1280, 800);
+  driver_take_inputs ();
+  gint64 begun = g_get_monotonic_time ();
+  driver_key ("F10");
+  driver_run (300);
+  click_on (GTK_WIDGET (window), "Compare…");
+  GtkWidget *dialog = driver_find_dialog ("Compare Runs");
+  g_assert_nonnull (dialog);
+  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
+    g_autofree char *path = driver_example_path (names[i]);
+    gtk_widget_activate_action (dialog, "compare.add-path", "s", path);
+  }
+  driver_wait (has_five_pictures, dialog);
+  driver_screenshot (dialog, "task-comparison");
+  expect_inputs ("five projects compared", 2, begun);
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/tasks/wall", test_wall);
+  g_test_add_func ("/app/tasks/mortar", test_mortar);
+  g_test_add_func ("/app/tasks/comparison", test_comparison);
+  return g_test_run ();
+}

@@ -1,0 +1,257 @@
+/* Contacts that follow the blocks: closed forms of blocks that slide off, fall and lie. */
+#include "core/check/result-check.h"
+#include "core/path/analysis.h"
+#include "support/models.h"
+
+#include <glib.h>
+#include <math.h>
+
+#define G         9.81
+#define STIFFNESS 1e8
+
+typedef struct Case {
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+} Case;
+
+static void
+init_case (Case *c, double friction, double duration, double time_step)
+{
+  *c = (Case){ 0 };
+  test_model_init (&c->model);
+  QnLoad *load = qn_model_add_dead_load (&c->model);
+  load->kind = QN_LOAD_WEIGHT;
+  load->vector = qn_vec2 (0, -1);
+  c->model.laws[0].kn = c->model.laws[0].ks = STIFFNESS;
+  c->model.laws[0].friction = friction;
+  QnAnalysisSettings *analysis = &c->model.analysis;
+  analysis->procedure = QN_PROCEDURE_DYNAMIC;
+  analysis->geometry = QN_GEOMETRY_NONLINEAR;
+  analysis->dynamic.duration = duration;
+  analysis->dynamic.time_step = time_step;
+  analysis->dynamic.joint_damping = 1e-3;
+  analysis->dynamic.follow = analysis->dynamic.fall = true;
+}
+
+static void
+push (Case *c, QnId block, double vx, double vy, double turning)
+{
+  QnInitialMotion *motion = qn_model_add_initial_motion (&c->model);
+  motion->block = block;
+  motion->velocity[QN_DOF_UX] = vx;
+  motion->velocity[QN_DOF_UY] = vy;
+  motion->velocity[QN_DOF_RZ] = turning;
+}
+
+/* Solves, and proves what came out; the balance of energy holds. */
+static void
+solve (Case *c)
+{
+  QnDiag diag = { 0 };
+  QnResultFaults faults;
+  g_assert_cmpint (qn_model_prepare (&c->model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&c->model, &c->contacts, &diag), ==, QN_OK);
+  QnStatus status =
+    qn_analysis_run (&c->model, &c->contacts, NULL, NULL, &c->result, &diag);
+  if (status != QN_OK)
+    g_error ("%s", qn_problem_text (diag.problem));
+  g_assert_cmpint (qn_result_find_faults (&c->model, &c->contacts, &c->result,
+                                          QN_CHECK_STATED, &faults, NULL),
+                   ==, QN_OK);
+  g_assert_cmpint (faults.count, ==, 0);
+  g_assert_cmpfloat (c->result.history.energy_error, <, 1e-3);
+}
+
+static void
+case_clear (Case *c)
+{
+  qn_result_clear (&c->result);
+  qn_contacts_clear (&c->contacts);
+  qn_model_clear (&c->model);
+}
+
+static double
+last (const Case *c, QnId block, QnDof dof)
+{
+  const QnResult *r = &c->result;
+  return qn_result_step_displacements (r, r->step_count - 1)[3 * block + (int) dof];
+}
+
+static double
+energy (const Case *c, QnEnergyKind kind)
+{
+  const QnHistory *h = &c->result.history;
+  return h->rows[(h->row_count - 1) * h->width + QN_HISTORY_ENERGY + (size_t) kind];
+}
+
+/* Normal force at the last step between a side of one block and a corner of another. */
+static double
+found_force (const Case *c, QnId block, QnId other)
+{
+  const QnResult *r = &c->result;
+  double sum = 0;
+  for (size_t i = 0; i < r->found_force_count; i++) {
+    const QnFoundForce *force = &r->found_forces[i];
+    const QnFoundContact *contact = &r->found[force->found].contact;
+    if (force->step == (int32_t) r->step_count - 1 && contact->block == block
+        && contact->other == other)
+      sum += force->normal;
+  }
+  return sum;
+}
+
+/* A block that overturns comes to rest on its side: turned by a right angle, its centroid half of its
+ * width above the ground less what half of its weight presses one spring in, and the energy lost is
+ * that of its start and of the way its weight has gone. */
+static void
+test_lie (void)
+{
+  const double width = 0.2, height = 1, weight = 10e3 * width * height;
+  double damped = 0;
+  for (int i = 0; i < 3; i++) {
+    Case c;
+    init_case (&c, 0.65, 4, i == 0 ? 5e-3 : i == 1 ? 2e-3 : 1e-3);
+    test_model_add_base (&c.model, -3, -0.2, 6, 0.2);
+    test_model_add_rectangle (&c.model, "block", -0.5 * width, 0, width, height);
+    push (&c, 1, -0.6, 0, 1.2);
+    solve (&c);
+    double down = -last (&c, 1, QN_DOF_UY);
+    double pressed = 0.5 * weight / (0.5 * STIFFNESS);
+    double speed =
+      weight / G * (0.6 * 0.6 + 1.2 * 1.2 * (width * width + height * height) / 12) / 2;
+    double gone = energy (&c, QN_ENERGY_FRICTION) + energy (&c, QN_ENERGY_DAMPING)
+                  + energy (&c, QN_ENERGY_NUMERICAL)
+                  - (speed + 0.5 * (height - width) * weight);
+    g_test_message ("down by %.6f m, turned by %.6f, lost but for %.2g J, friction %.4g, "
+                    "damping %.4g J",
+                    down, last (&c, 1, QN_DOF_RZ), gone, energy (&c, QN_ENERGY_FRICTION),
+                    energy (&c, QN_ENERGY_DAMPING));
+    g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat (c.result.history.collapse_time, <, 1.5);
+    g_assert_cmpfloat_with_epsilon (last (&c, 1, QN_DOF_RZ), 0.5 * G_PI, 1e-6);
+    g_assert_cmpfloat_with_epsilon (down, 0.5 * (height - width) + pressed, 1e-6);
+    g_assert_cmpfloat_with_epsilon (found_force (&c, 0, 1), -weight, 1e-3 * weight);
+    g_assert_cmpfloat (fabs (gone), <, 1e-3 * (speed + 0.4 * weight));
+    g_assert_cmpfloat (energy (&c, QN_ENERGY_KINETIC), <, 1e-6);
+    /* What the impacts take does not depend on the steps. */
+    damped = i == 0 ? energy (&c, QN_ENERGY_DAMPING) : damped;
+    g_assert_cmpfloat (fabs (energy (&c, QN_ENERGY_DAMPING) / damped - 1), <, 0.01);
+    case_clear (&c);
+  }
+}
+
+/* A block slides to the edge of a table and stops there after v^2/(2 mu g). As long as its centroid is on
+ * the table it stays; the edge and its rear corner share its weight by the lever. Beyond, it falls. */
+static void
+test_edge (void)
+{
+  const double length = 0.4, height = 0.2, friction = 0.3,
+               weight = 10e3 * length * height;
+  static const double centroids[] = { -0.05, -0.02, 0.02 }; /* from the edge */
+  for (gsize i = 0; i < G_N_ELEMENTS (centroids); i++) {
+    Case c;
+    double way = centroids[i] + 0.8, rear = centroids[i] - 0.5 * length;
+    init_case (&c, friction, 2, 2e-3);
+    test_model_add_base (&c.model, -2, -1, 2, 1);
+    QnBlock *floor = test_model_add_rectangle (&c.model, "floor", -3, -1.2, 8, 0.2);
+    floor->support[0] = floor->support[1] = floor->support[2] = true;
+    test_model_add_rectangle (&c.model, "block", -0.8 - 0.5 * length, 0, length, height);
+    push (&c, 2, sqrt (2 * friction * G * way), 0, 0);
+    solve (&c);
+    g_test_message ("centroid at %g m: slid %.5f m, turned by %.4f", centroids[i],
+                    last (&c, 2, QN_DOF_UX), last (&c, 2, QN_DOF_RZ));
+    if (centroids[i] > 0) {
+      g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_COLLAPSE);
+      g_assert_cmpfloat (last (&c, 2, QN_DOF_UY), <, -0.9); /* it lies on the floor */
+      g_assert_cmpfloat_with_epsilon (found_force (&c, 1, 2), -weight, 1e-2 * weight);
+    } else {
+      double slid = last (&c, 2, QN_DOF_UX), at = -0.8 - 0.5 * length + slid;
+      double edge = weight * 0.5 * length / -at;
+      g_assert_cmpint (c.result.outcome, ==, QN_OUTCOME_REST);
+      g_assert_cmpfloat (fabs (slid / way - 1), <, 5e-3);
+      g_assert_cmpfloat_with_epsilon (found_force (&c, 2, 0), -edge, 1e-3 * weight);
+      g_assert_cmpfloat_with_epsilon (found_force (&c, 0, 2), edge - weight,
+                                      1e-3 * weight);
+      g_assert_cmpfloat (fabs (rear - at), <, 0.01);
+    }
+    case_clear (&c);
+  }
+}
+
+/* Dominoes: each knocks over the next, none goes through another, and the row comes to rest. */
+static void
+test_dominoes (void)
+{
+  const int count = 6;
+  Case c;
+  init_case (&c, 0.4, 6, 2e-3);
+  test_model_add_base (&c.model, -2, -0.2, 8, 0.2);
+  for (int i = 0; i < count; i++) {
+    g_autofree char *name = g_strdup_printf ("domino %d", i);
+    test_model_add_rectangle (&c.model, name, 0.5 * i, 0, 0.1, 1);
+  }
+  push (&c, 1, 0.5, 0, -1);
+  solve (&c);
+  const QnResult *r = &c.result;
+  double before = -1;
+  for (QnId b = 1; b <= count; b++) {
+    double when = INFINITY;
+    for (size_t s = 0; s < r->step_count && !isfinite (when); s++)
+      if (qn_result_step_displacements (r, s)[3 * b + QN_DOF_RZ] < -0.5)
+        when = r->steps[s].time;
+    g_assert_true (isfinite (when) && when > before);
+    before = when;
+  }
+  g_assert_cmpfloat_with_epsilon (last (&c, count, QN_DOF_RZ), -0.5 * G_PI, 1e-3);
+  g_assert_cmpfloat (energy (&c, QN_ENERGY_KINETIC), <, 1e-3);
+  case_clear (&c);
+}
+
+/* A result whose found contacts are changed does not pass; nor one without them. */
+static void
+test_tampered (void)
+{
+  Case c;
+  QnResultFaults faults;
+  init_case (&c, 0.65, 2, 2e-3);
+  test_model_add_base (&c.model, -3, -0.2, 6, 0.2);
+  test_model_add_rectangle (&c.model, "block", -0.1, 0, 0.2, 1);
+  push (&c, 1, -0.6, 0, 1.2);
+  solve (&c);
+  QnResult *r = &c.result;
+  g_assert_cmpuint (r->found_force_count, >, 0);
+  for (int i = 0; i < 4; i++) {
+    QnFoundForce *force = &r->found_forces[r->found_force_count - 1];
+    QnFoundForce kept = *force;
+    QnFoundContact contact = r->found[0].contact;
+    size_t count = r->found_force_count;
+    if (i == 0)
+      force->normal *= 1.01;
+    else if (i == 1)
+      force->found = (QnId) r->found_count;
+    else if (i == 2)
+      r->found[0].contact.corner = 17;
+    else
+      r->found_force_count--; /* the corner lies within the ground, and nothing holds it */
+    g_assert_cmpint (
+      qn_result_find_faults (&c.model, &c.contacts, r, QN_CHECK_STATED, &faults, NULL),
+      ==, QN_OK);
+    g_assert_cmpint (faults.count, >, 0);
+    *force = kept;
+    r->found[0].contact = contact;
+    r->found_force_count = count;
+  }
+  case_clear (&c);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/moving-contacts/lie", test_lie);
+  g_test_add_func ("/moving-contacts/edge", test_edge);
+  g_test_add_func ("/moving-contacts/dominoes", test_dominoes);
+  g_test_add_func ("/moving-contacts/tampered", test_tampered);
+  return g_test_run ();
+}
