@@ -80,31 +80,13 @@ static const char *const told_by_gtk[] = {
 
 static gboolean passes_over_gtk;
 
-/* The theme of icons finds one in its cache that the thread which has loaded it is just letting go of;
- * it then loads it anew. Only where the message comes from there: of any other object that has gone the
- * test hears. */
-static gboolean
-is_race_of_icons (const char *message)
-{
-  void *frames[32];
-  gboolean found = FALSE;
-  if (!g_str_has_prefix (message, "g_object_ref: assertion '!object_already_finalized'"))
-    return FALSE;
-  int count = backtrace (frames, G_N_ELEMENTS (frames));
-  char **names = backtrace_symbols (frames, count);
-  for (int i = 0; names != NULL && i < count; i++)
-    found = found || strstr (names[i], "gtk_icon_") != NULL;
-  free (names);
-  return found;
-}
-
 static gboolean
 is_told_by_gtk (const char *message)
 {
   for (gsize i = 0; passes_over_gtk && i < G_N_ELEMENTS (told_by_gtk); i++)
     if (g_str_has_prefix (message, told_by_gtk[i]))
       return TRUE;
-  return is_race_of_icons (message);
+  return FALSE;
 }
 
 static gboolean

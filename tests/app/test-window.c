@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* RTLD_DEFAULT */
 #include "driver.h"
 
 #include "app/canvas/canvas-private.h"
@@ -7,6 +8,7 @@
 #include "doc/long-analysis.h"
 #include "doc/view/figure-export.h"
 
+#include <dlfcn.h>
 #include <glib/gstdio.h>
 #include <math.h>
 #include <signal.h>
@@ -686,6 +688,46 @@ test_appearance (void)
   driver_discard (window);
 }
 
+static void
+note_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
+{
+  (void) source;
+  (void) cancellable;
+  *(GThread **) data = g_thread_self ();
+  g_task_return_boolean (task, TRUE);
+}
+
+static GThread *
+thread_of_task (gpointer source)
+{
+  GThread *thread = NULL;
+  g_autoptr (GTask) task = g_task_new (source, NULL, NULL, NULL);
+  g_task_set_task_data (task, &thread, NULL);
+  g_task_run_in_thread (task, note_thread);
+  while (!g_task_get_completed (task))
+    g_main_context_iteration (NULL, TRUE);
+  return thread;
+}
+
+/* Icons are loaded by the thread that asks for them, and GTK asks the function that sees to it. */
+static void
+test_icons (void)
+{
+  Dl_info program, library, asked;
+  GtkIconTheme *theme = gtk_icon_theme_get_for_display (gdk_display_get_default ());
+  g_autoptr (GtkIconPaintable) icon = gtk_icon_theme_lookup_icon (
+    theme, "document-open-symbolic", NULL, 16, 1, GTK_TEXT_DIR_NONE, 0);
+  g_assert_true (thread_of_task (icon) == g_thread_self ());
+  g_assert_true (thread_of_task (theme) != g_thread_self ());
+  g_assert_true (thread_of_task (NULL) != g_thread_self ());
+
+  g_assert_cmpint (dladdr (dlsym (RTLD_DEFAULT, "g_task_run_in_thread"), &asked), !=, 0);
+  g_assert_cmpint (dladdr ((void *) (guintptr) test_icons, &program), !=, 0);
+  g_assert_cmpint (dladdr ((void *) (guintptr) g_task_new, &library), !=, 0);
+  g_assert_true (asked.dli_fbase == program.dli_fbase);
+  g_assert_true (asked.dli_fbase != library.dli_fbase);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -693,6 +735,7 @@ main (int argc, char **argv)
   gtk_init ();
   g_test_add_func ("/app/window/start", test_start);
   g_test_add_func ("/app/window/startup", test_startup);
+  g_test_add_func ("/app/window/icons", test_icons);
   g_test_add_func ("/app/window/uninstalled", test_uninstalled);
   g_test_add_func ("/app/window/examples", test_examples);
   g_test_add_func ("/app/window/actions", test_actions);

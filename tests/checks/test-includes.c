@@ -51,8 +51,8 @@ static const Layer layers[] = {
   { "app",
     { "widgets", "canvas", "tools", "forms", "views", "dialogs", "window" },
     { "core/", "stereotomy/", "io/", "render/", "doc/", "study/", "app/", "config.h" },
-    { "glib", "gio/", "gmodule.h", "cairo", "gtk/", "gdk/", "gsk/", "graphene",
-      "pango" } },
+    { "glib", "gio/", "gmodule.h", "cairo", "gtk/", "gdk/", "gsk/", "graphene", "pango",
+      "dlfcn.h" } },
 };
 
 /* Of the C and POSIX libraries. What of them the core may call is another check. */
