@@ -158,7 +158,6 @@ find (QnInput *input, const Options *options, Answer *answer)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  GError *error = NULL;
   QnModel *model = &input->project.model;
   QnId control = QN_NONE;
   if (options->control != NULL) {
@@ -169,6 +168,7 @@ find (QnInput *input, const Options *options, Answer *answer)
       return QN_EXIT_INVALID;
     }
   }
+  qn_interrupt_install ();
   qn_terminal_progress_init (&progress, options->quiet);
   QnCapacityEnd end =
     qn_capacity_answer_find (&answer->answer, model, &input->contacts, control,
@@ -178,11 +178,9 @@ find (QnInput *input, const Options *options, Answer *answer)
   case QN_CAPACITY_FOUND:
     return QN_EXIT_DONE;
   case QN_CAPACITY_CANCELLED:
-    qn_cli_error (_ ("%s: cancelled"), input->project.name);
-    return QN_EXIT_CANCELLED;
+    return qn_cli_cancelled (input->project.name);
   case QN_CAPACITY_REFUSED:
-    qn_project_set_error (&input->project, &diag, &error);
-    return qn_cli_fail (error);
+    return qn_input_refuse (&input->project, &diag);
   case QN_CAPACITY_STAGES:
   case QN_CAPACITY_NO_MECHANISM:
   case QN_CAPACITY_UNSTABLE:
@@ -317,16 +315,8 @@ write_json (const Answer *answer, const char *path)
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "\n  ]\n}\n");
-  return qn_file_writer_commit (out, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
-}
-
-static QnExit
-write_csv (const Answer *answer, const char *path)
-{
-  GError *error = NULL;
-  return qn_capacity_answer_write_csv (&answer->answer, path, &error)
-           ? QN_EXIT_DONE
-           : qn_cli_fail (error);
+  qn_file_writer_commit (out, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit
@@ -336,42 +326,30 @@ draw (const Answer *answer, const Options *options, const QnOutput *output)
   QnMetadata metadata;
   GError *error = NULL;
   qn_picture_metadata (project, &metadata);
-  return qn_capacity_answer_export (&answer->answer, project->model.title,
-                                    options->picture.monochrome, options->picture.path,
-                                    output, &metadata, &error)
-           ? QN_EXIT_DONE
-           : qn_cli_fail (error);
+  qn_capacity_answer_export (&answer->answer, project->model.title,
+                             options->picture.monochrome, options->picture.path, output,
+                             &metadata, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit
 report (const Options *options, const QnOutput *output, const Answer *answer)
 {
   QnExit code = QN_EXIT_DONE;
+  GError *error = NULL;
   gboolean to_stdout = g_strcmp0 (options->json, "-") == 0
                        || g_strcmp0 (options->csv, "-") == 0
                        || g_strcmp0 (options->picture.path, "-") == 0;
   if (options->json != NULL)
     code = write_json (answer, options->json);
-  if (code == QN_EXIT_DONE && options->csv != NULL)
-    code = write_csv (answer, options->csv);
+  if (code == QN_EXIT_DONE && options->csv != NULL) {
+    qn_capacity_answer_write_csv (&answer->answer, options->csv, &error);
+    code = qn_cli_end (error);
+  }
   if (code == QN_EXIT_DONE && options->picture.path != NULL)
     code = draw (answer, options, output);
   if (code == QN_EXIT_DONE && !options->quiet && !to_stdout)
     print (answer);
-  return code;
-}
-
-static QnExit
-compute (QnInput *input, const Options *options, const QnOutput *output, Answer *answer)
-{
-  qn_interrupt_install ();
-  answer->input = input;
-  QnExit code = find (input, options, answer);
-  if (code == QN_EXIT_DONE) {
-    qn_capacity_answer_check (&answer->answer);
-    code = report (options, output, answer);
-  }
-  qn_capacity_clear (&answer->answer.capacity);
   return code;
 }
 
@@ -408,17 +386,16 @@ run (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input;
+  QnInput input = { 0 };
   QnOutput output;
-  Answer answer = { 0 };
+  Answer answer = { .input = &input };
   QnExit code = QN_EXIT_USAGE;
 
-  memset (&input, 0, sizeof input);
   qn_output_init (&output);
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = QN_EXIT_DONE;
-  if (code == QN_EXIT_DONE && options.picture.path != NULL)
-    code = qn_picture_output (self, &options.picture, &output);
+    code = options.picture.path != NULL
+             ? qn_picture_output (self, &options.picture, &output)
+             : QN_EXIT_DONE;
   if (code == QN_EXIT_DONE)
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
   if (code == QN_EXIT_DONE && !take_kept (&options, &input.project, &error))
@@ -428,8 +405,13 @@ run (const QnSubcommand *self, int argc, char **argv)
   if (code == QN_EXIT_DONE)
     code = qn_input_require_sound (&input);
   if (code == QN_EXIT_DONE)
-    code = compute (&input, &options, &output, &answer);
+    code = find (&input, &options, &answer);
+  if (code == QN_EXIT_DONE) {
+    qn_capacity_answer_check (&answer.answer);
+    code = report (&options, &output, &answer);
+  }
 
+  qn_capacity_clear (&answer.answer.capacity);
   qn_record_clear (&answer.points);
   qn_input_clear (&input);
   qn_subcommand_free_values (entries);

@@ -8,7 +8,6 @@
 
 #include <glib/gi18n.h>
 #include <stdio.h>
-#include <string.h>
 
 typedef struct Options {
   char *output, *csv;
@@ -58,7 +57,8 @@ write_csv (const Options *options, const QnModel *model, const QnModes *modes)
       qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
       qn_file_writer_puts (writer, "\n");
     }
-  return qn_file_writer_commit (writer, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
+  qn_file_writer_commit (writer, &error);
+  return qn_cli_end (error);
 }
 
 /* A result whose mechanism is one of the modes, for pictures and animations. */
@@ -79,10 +79,9 @@ write_result (const Options *options, const QnInput *input, const QnModes *modes
     qn_cli_error (_ ("not enough memory"));
     return QN_EXIT_INTERNAL;
   }
-  return qn_result_file_write (options->output, &input->project, &input->contacts, result,
-                               &error)
-           ? QN_EXIT_DONE
-           : qn_cli_fail (error);
+  qn_result_file_write (options->output, &input->project, &input->contacts, result,
+                        &error);
+  return qn_cli_end (error);
 }
 
 static QnExit
@@ -107,8 +106,7 @@ solve (const Options *options, const QnInput *input)
   if (options->no_timings)
     qn_statistics_clear_timings (&result.statistics);
   if (result.outcome == QN_OUTCOME_CANCELLED) {
-    qn_cli_error (_ ("%s: cancelled"), input->project.name);
-    code = QN_EXIT_CANCELLED;
+    code = qn_cli_cancelled (input->project.name);
   } else if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME
              || result.stop == QN_STOP_CHECK) {
     g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
@@ -153,10 +151,9 @@ run (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input;
+  QnInput input = { 0 };
   QnExit code = QN_EXIT_USAGE;
 
-  memset (&input, 0, sizeof input);
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
     if (options.count < 1 || options.mode < 1)
       qn_cli_usage_error (self->name, _ ("--count and --mode count from 1"));

@@ -51,8 +51,7 @@ judge_outcome (const QnProject *project, const QnResult *result)
   case QN_OUTCOME_REST:
     return QN_EXIT_DONE;
   case QN_OUTCOME_CANCELLED:
-    qn_cli_error (_ ("%s: cancelled"), project->name);
-    return QN_EXIT_CANCELLED;
+    return qn_cli_cancelled (project->name);
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE: {
     g_autofree char *names = dup_unstable_names (&project->model, result);
     qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"), project->name,
@@ -222,7 +221,6 @@ solve (const Options *options, QnInput *input)
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
   QnResult result = { 0 };
-  GError *error = NULL;
 
   input->project.model.analysis.all_forces = options->level == QN_DETAIL_STEPS;
   qn_interrupt_install ();
@@ -232,12 +230,10 @@ solve (const Options *options, QnInput *input)
                      &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
   if (status == QN_ERROR_CANCELLED) {
-    qn_cli_error (_ ("%s: cancelled"), input->project.name);
-    return QN_EXIT_CANCELLED;
+    return qn_cli_cancelled (input->project.name);
   }
   if (status != QN_OK) {
-    qn_project_set_error (&input->project, &diag, &error);
-    return qn_cli_fail (error);
+    return qn_input_refuse (&input->project, &diag);
   }
   result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
   if (options->no_timings)

@@ -8,7 +8,6 @@
 
 #include <glib/gi18n.h>
 #include <stdio.h>
-#include <string.h>
 
 typedef struct Options {
   char *output;
@@ -36,8 +35,7 @@ exit_code (const QnProject *project, const QnResult *result)
 {
   g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
   if (result->outcome == QN_OUTCOME_CANCELLED) {
-    qn_cli_error (_ ("%s: cancelled"), project->name);
-    return QN_EXIT_CANCELLED;
+    return qn_cli_cancelled (project->name);
   }
   if (result->outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE
       && result->outcome != QN_OUTCOME_NOT_CONVERGED)
@@ -102,10 +100,9 @@ run (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input;
+  QnInput input = { 0 };
   QnExit code = QN_EXIT_USAGE;
 
-  memset (&input, 0, sizeof input);
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     code = qn_input_load (&input, argv[1], options.overrides, options.quiet);
   if (code == QN_EXIT_DONE)

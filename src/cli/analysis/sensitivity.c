@@ -1,5 +1,6 @@
 #include "cli/analysis/sensitivity.h"
 
+#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "core/limit/limit-sensitivity.h"
 
@@ -33,7 +34,6 @@ qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
 {
   QnLimitSensitivity sensitivity;
   QnDiag diag = { 0 };
-  GError *error = NULL;
   if (result->limit.flow != QN_FLOW_ASSOCIATIVE)
     return qn_cli_usage_error ("limit",
                                _ ("--sensitivity is that of associative flow alone"));
@@ -41,8 +41,7 @@ qn_sensitivity_print (const QnProject *project, const QnContacts *contacts,
     return QN_EXIT_DONE;
   if (qn_limit_sensitivity (&project->model, contacts, result, &sensitivity, &diag)
       != QN_OK) {
-    qn_project_set_error (project, &diag, &error);
-    return qn_cli_fail (error);
+    return qn_input_refuse (project, &diag);
   }
   print_table (&project->model, &sensitivity);
   qn_limit_sensitivity_clear (&sensitivity);

@@ -5,19 +5,25 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+QnExit
+qn_input_refuse (const QnProject *project, const QnDiag *diag)
+{
+  GError *error = NULL;
+  qn_project_set_error (project, diag, &error);
+  return qn_cli_fail (error);
+}
+
 static QnExit
 detect_contacts (QnInput *input)
 {
   const QnModel *model = &input->project.model;
   QnDiag diag = { 0 };
-  GError *error = NULL;
   if (model->block_count == 0 && model->beam_count == 0)
     qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks",
                        0);
   else if (qn_contacts_detect (model, &input->contacts, &diag) == QN_OK)
     return QN_EXIT_DONE;
-  qn_project_set_error (&input->project, &diag, &error);
-  return qn_cli_fail (error);
+  return qn_input_refuse (&input->project, &diag);
 }
 
 QnExit
@@ -41,11 +47,9 @@ QnExit
 qn_input_require_sound (const QnInput *input)
 {
   QnDiag diag = { 0 };
-  GError *error = NULL;
   if (qn_contacts_require_sound (&input->project.model, &input->contacts, &diag) == QN_OK)
     return QN_EXIT_DONE;
-  qn_project_set_error (&input->project, &diag, &error);
-  return qn_cli_fail (error);
+  return qn_input_refuse (&input->project, &diag);
 }
 
 /* The sentence of a problem that lies in the state, translated; NULL for one of the input. */
@@ -61,15 +65,13 @@ state_problem (QnInputState state, const QnDiag *diag)
 QnExit
 qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
 {
-  GError *error = NULL;
   const char *problem =
     diag->status != QN_ERROR_NO_MEMORY ? state_problem (state, diag) : NULL;
   if (problem != NULL) {
     qn_cli_error ("%s: %s", input->project.name, problem);
     return QN_EXIT_NO_ANSWER;
   }
-  qn_project_set_error (&input->project, diag, &error);
-  return qn_cli_fail (error);
+  return qn_input_refuse (&input->project, diag);
 }
 
 /* Both lists, one after the other; NULL where both are. The strings are borrowed. */

@@ -45,6 +45,9 @@ QnExit qn_input_load (QnInput *input, const char *path, char **overrides, gboole
 /* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user. */
 QnExit qn_input_require_sound (const QnInput *input);
 
+/* Tells the user what is wrong with the project and where, and says how the program ends. */
+QnExit qn_input_refuse (const QnProject *project, const QnDiag *diag);
+
 /* What an analysis was about. */
 typedef enum { QN_INPUT_DEAD_LOAD, QN_INPUT_PATH } QnInputState;
 

@@ -121,3 +121,16 @@ qn_cli_fail (GError *error)
   g_error_free (error);
   return code;
 }
+
+QnExit
+qn_cli_end (GError *error)
+{
+  return error != NULL ? qn_cli_fail (error) : QN_EXIT_DONE;
+}
+
+QnExit
+qn_cli_cancelled (const char *project)
+{
+  qn_cli_error (_ ("%s: cancelled"), project);
+  return QN_EXIT_CANCELLED;
+}

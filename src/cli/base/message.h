@@ -22,4 +22,10 @@ void qn_cli_set_own_override (const char *override, const char *subcommand);
 /* Prints the error, frees it and says how the program ends. */
 QnExit qn_cli_fail (GError *error);
 
+/* How a last step ends: QN_EXIT_DONE where it has set no error, as qn_cli_fail() says otherwise. */
+QnExit qn_cli_end (GError *error);
+
+/* Tells that the analysis of this project was cancelled; QN_EXIT_CANCELLED. */
+QnExit qn_cli_cancelled (const char *project);
+
 #endif

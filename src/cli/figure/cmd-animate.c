@@ -39,9 +39,8 @@ check (const QnSubcommand *self, const Options *options, double *scale)
   }
   if (options->picture.transparent)
     return qn_cli_usage_error (self->name, _ ("animations have a white background"));
-  if (!qn_animation_check_path (options->picture.path, &error))
-    return qn_cli_fail (error);
-  return QN_EXIT_DONE;
+  qn_animation_check_path (options->picture.path, &error);
+  return qn_cli_end (error);
 }
 
 static bool

@@ -117,9 +117,9 @@ write_report (const Options *options, const QnInput *input, const Item *items,
   g_autoptr (GBytes) bytes = qn_report_encode (report, &error);
   gsize length;
   const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
-  return data != NULL && qn_file_replace (options->output, data, length, &error)
-           ? QN_EXIT_DONE
-           : qn_cli_fail (error);
+  if (data != NULL)
+    qn_file_replace (options->output, data, length, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit

@@ -12,7 +12,6 @@ qn_sheet_item_solve (QnSheetItem *item)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  GError *error = NULL;
   QnExit code = qn_input_require_sound (&item->input);
   if (code != QN_EXIT_DONE)
     return code;
@@ -22,14 +21,9 @@ qn_sheet_item_solve (QnSheetItem *item)
     qn_analysis_run (&item->input.project.model, &item->input.contacts,
                      qn_terminal_progress_update, &progress, &item->file.result, &diag);
   qn_terminal_progress_done (&progress);
-  if (qn_interrupt_seen ()) {
-    qn_cli_error (_ ("%s: cancelled"), item->input.project.name);
-    return QN_EXIT_CANCELLED;
-  }
-  if (status == QN_OK)
-    return QN_EXIT_DONE;
-  qn_project_set_error (&item->input.project, &diag, &error);
-  return qn_cli_fail (error);
+  if (qn_interrupt_seen ())
+    return qn_cli_cancelled (item->input.project.name);
+  return status == QN_OK ? QN_EXIT_DONE : qn_input_refuse (&item->input.project, &diag);
 }
 
 /* Reads the result named behind "=", or solves the project where none is named. An argument

@@ -94,8 +94,8 @@ write_project (QnProject *project, const Options *options)
     project->model.title = strdup (options->title);
   }
   GError *error = NULL;
-  return qn_project_save (project, options->output, &error) ? QN_EXIT_DONE
-                                                            : qn_cli_fail (error);
+  qn_project_save (project, options->output, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit

@@ -189,7 +189,8 @@ write_csv (const History *history, const char *path)
     qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
     qn_file_writer_puts (writer, "\n");
   }
-  return qn_file_writer_commit (writer, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
+  qn_file_writer_commit (writer, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit
@@ -227,9 +228,8 @@ draw (const History *history, const Options *options, const char *name,
   GError *error = NULL;
   qn_picture_metadata (NULL, &metadata);
   metadata.title = name;
-  return qn_curve_export (&plot, options->picture.path, output, &metadata, &error)
-           ? QN_EXIT_DONE
-           : qn_cli_fail (error);
+  qn_curve_export (&plot, options->picture.path, output, &metadata, &error);
+  return qn_cli_end (error);
 }
 
 static QnExit

@@ -281,7 +281,8 @@ write_csv (const Ida *ida)
       qn_file_writer_puts (out, "\n");
     }
   }
-  return qn_file_writer_commit (out, &error) ? QN_EXIT_DONE : qn_cli_fail (error);
+  qn_file_writer_commit (out, &error);
+  return qn_cli_end (error);
 }
 
 /* Every record up to where it first overturns, and from there level to the end of the plot. */
@@ -329,10 +330,8 @@ draw (const Ida *ida, const QnOutput *output)
                       .mark_count = count,
                       .monochrome = ida->options->picture.monochrome };
   qn_picture_metadata (&ida->project, &metadata);
-  return qn_data_plot_export (&plot, ida->options->picture.path, output, &metadata,
-                              &error)
-           ? QN_EXIT_DONE
-           : qn_cli_fail (error);
+  qn_data_plot_export (&plot, ida->options->picture.path, output, &metadata, &error);
+  return qn_cli_end (error);
 }
 
 /* --- All of it ------------------------------------------------------------------------------ */

@@ -43,9 +43,9 @@ load_case (const QnVerifyGroup *group, const QnVerifyCase *test, QnInput *input)
   QnDiag diag = { 0 };
   if (qn_contacts_detect (&input->project.model, &input->contacts, &diag) == QN_OK)
     return QN_EXIT_DONE;
-  qn_project_set_error (&input->project, &diag, &error);
+  QnExit code = qn_input_refuse (&input->project, &diag);
   qn_input_clear (input);
-  return qn_cli_fail (error);
+  return code;
 }
 
 static size_t
@@ -163,7 +163,6 @@ run_case (const Options *options, const QnVerifyGroup *group, const QnVerifyCase
   QnTerminalProgress progress;
   QnResult result = { 0 };
   QnDiag diag = { 0 };
-  GError *error = NULL;
   QnExit code = load_case (group, test, &input);
   if (code != QN_EXIT_DONE)
     return code;
@@ -175,8 +174,7 @@ run_case (const Options *options, const QnVerifyGroup *group, const QnVerifyCase
   qn_terminal_progress_done (&progress);
   result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
   if (status != QN_OK && status != QN_ERROR_CANCELLED) {
-    qn_project_set_error (&input.project, &diag, &error);
-    code = qn_cli_fail (error);
+    code = qn_input_refuse (&input.project, &diag);
   } else if (qn_interrupt_seen ()) {
     qn_cli_error (_ ("cancelled"));
     code = QN_EXIT_CANCELLED;

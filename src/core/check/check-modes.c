@@ -1,7 +1,6 @@
 /* Modes of vibration, and where stability is lost. */
 #include "core/check/check-parts.h"
 #include "core/check/mode-proof.h"
-#include "core/linalg/inertia.h"
 
 #include <math.h>
 
@@ -66,10 +65,9 @@ check_stability (QnCheck *check, size_t step, QnDiag *diag)
   QnInertiaCount count = { 0 };
 
   qn_assembly_tangent_held (as, 0);
-  QnInertia *inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
-  bool counted = inertia != NULL && qn_inertia_count (inertia, as->ax, &count);
-  qn_inertia_free (inertia);
-  if (!counted)
+  if (check->inertia == NULL)
+    check->inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
+  if (check->inertia == NULL || !qn_inertia_count (check->inertia, as->ax, &count))
     return qn_diag_no_memory (diag);
   bool is_last = step + 1 == result->step_count;
   bool ends = is_last && result->stability == QN_STABILITY_LOST;

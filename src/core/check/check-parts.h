@@ -5,6 +5,7 @@
 #include "core/assembly/assembly.h"
 #include "core/check/result-check.h"
 #include "core/contact/contact-follow.h"
+#include "core/linalg/inertia.h"
 
 /* Bodies are in balance and joints within their strength to this part of the largest force, or to
  * ten times the residual that the project asks for. */
@@ -58,6 +59,7 @@ typedef struct QnCheck {
   double *elongations;       /* 2 per pair: at the step before */
   double *mass;              /* in time: in the pattern of the tangent */
   double *begun;             /* in time: unknowns where the motion begins */
+  QnInertia *inertia;        /* of the tangent, where stability is stated */
 } QnCheck;
 
 /* Notes a claim that is not true, unless one of its kind has been found before. */

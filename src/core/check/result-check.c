@@ -626,6 +626,7 @@ qn_result_find_faults (const QnModel *model, const QnContacts *contacts,
     qn_check_history (&check);
     status = qn_check_bounds (&check, diag);
   }
+  qn_inertia_free (check.inertia);
   qn_assembly_clear (&check.assembly);
   qn_check_found_clear (&check);
   free (check.u);
