@@ -83,35 +83,32 @@ read_lower_bound (QnJsonStream *stream, gpointer target)
   return qn_json_stream_number (stream, &limit->lower_bound);
 }
 
-/* Index of the string at the scanner among `names`; -1 where it is none of them. */
-static int
-read_word (const QnJsonStream *stream, const char *const *names, int count)
+/* The string at the scanner is one of `names`, whose place among them an enumeration's value is. */
+static gboolean
+read_word (QnJsonStream *stream, const char *const *names, int count, const char *refusal,
+           gpointer target)
 {
   if (stream->scanner.token == QN_JSON_STRING)
     for (int i = 0; i < count; i++)
-      if (qn_json_string_is (&stream->scanner, names[i]))
-        return i;
-  return -1;
+      if (qn_json_string_is (&stream->scanner, names[i])) {
+        *(int *) target = i;
+        return TRUE;
+      }
+  return qn_json_stream_fail (stream, refusal);
 }
 
 static gboolean
 read_flow (QnJsonStream *stream, gpointer target)
 {
-  int flow = read_word (stream, qn_flow_names, QN_FLOW_COUNT);
-  if (flow < 0)
-    return qn_json_stream_fail (stream, _ ("this is no flow rule of limit analysis"));
-  *(QnFlow *) target = (QnFlow) flow;
-  return TRUE;
+  return read_word (stream, qn_flow_names, QN_FLOW_COUNT,
+                    _ ("this is no flow rule of limit analysis"), target);
 }
 
 static gboolean
 read_procedure (QnJsonStream *stream, gpointer target)
 {
-  int procedure = read_word (stream, qn_procedure_names, QN_PROCEDURE_COUNT);
-  if (procedure < 0)
-    return qn_json_stream_fail (stream, _ ("this is no procedure of an analysis"));
-  *(QnProcedure *) target = (QnProcedure) procedure;
-  return TRUE;
+  return read_word (stream, qn_procedure_names, QN_PROCEDURE_COUNT,
+                    _ ("this is no procedure of an analysis"), target);
 }
 
 /* More than a result keeps is read and left out. */
@@ -294,11 +291,8 @@ read_vec2 (QnJsonStream *stream, gpointer target)
 static gboolean
 read_state (QnJsonStream *stream, gpointer target)
 {
-  int state = read_word (stream, qn_pair_state_names, QN_PAIR_STATE_COUNT);
-  if (state < 0)
-    return qn_json_stream_fail (stream, _ ("this is no state of a contact pair"));
-  *(QnPairState *) target = (QnPairState) state;
-  return TRUE;
+  return read_word (stream, qn_pair_state_names, QN_PAIR_STATE_COUNT,
+                    _ ("this is no state of a contact pair"), target);
 }
 
 static gboolean
@@ -392,12 +386,8 @@ read_id (QnJsonStream *stream, gpointer target)
 static gboolean
 read_event_kind (QnJsonStream *stream, gpointer target)
 {
-  int kind = read_word (stream, qn_event_kind_names, QN_EVENT_KIND_COUNT);
-  if (kind < 0)
-    return qn_json_stream_fail (stream,
-                                _ ("expected \"local\", \"snap\" or \"collapse\""));
-  *(QnEventKind *) target = (QnEventKind) kind;
-  return TRUE;
+  return read_word (stream, qn_event_kind_names, QN_EVENT_KIND_COUNT,
+                    _ ("expected \"local\", \"snap\" or \"collapse\""), target);
 }
 
 static gboolean
@@ -452,11 +442,8 @@ read_vibration (QnJsonStream *stream, gpointer target)
 static gboolean
 read_stability (QnJsonStream *stream, gpointer target)
 {
-  int stability = read_word (stream, qn_stability_names, QN_STABILITY_COUNT);
-  if (stability < 0)
-    return qn_json_stream_fail (stream, _ ("expected \"kept\" or \"lost\""));
-  *(QnStability *) target = (QnStability) stability;
-  return TRUE;
+  return read_word (stream, qn_stability_names, QN_STABILITY_COUNT,
+                    _ ("expected \"kept\" or \"lost\""), target);
 }
 
 static gboolean

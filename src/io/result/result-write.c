@@ -306,28 +306,20 @@ write_steps (QnFileWriter *writer, const QnResult *result)
   qn_file_writer_puts (writer, "],\n");
 }
 
-static void
-write_vec2 (QnFileWriter *writer, QnVec2 vector)
-{
-  qn_file_writer_puts_number (writer, "[", vector.x);
-  qn_file_writer_puts_number (writer, ", ", vector.y);
-  qn_file_writer_puts (writer, "]");
-}
-
 /* The two springs between A, C and B; both carry the pair's force. */
 static void
 write_springs (QnFileWriter *writer, const QnPairResult *pair)
 {
   const double *elongations[2] = { pair->elongation_a, pair->elongation_b };
   qn_file_writer_puts (writer, ", \"hinge\": ");
-  write_vec2 (writer, pair->hinge);
+  qn_file_writer_vec2 (writer, pair->hinge);
   qn_file_writer_puts (writer, ", \"springs\": [");
   for (int side = 0; side < 2; side++) {
     qn_file_writer_puts (writer,
                          side == 0 ? "{ \"elongation\": " : ", { \"elongation\": ");
-    write_vec2 (writer, qn_vec2 (elongations[side][0], elongations[side][1]));
+    qn_file_writer_vec2 (writer, qn_vec2 (elongations[side][0], elongations[side][1]));
     qn_file_writer_puts (writer, ", \"force\": ");
-    write_vec2 (writer, qn_vec2 (pair->normal_force, pair->shear_force));
+    qn_file_writer_vec2 (writer, qn_vec2 (pair->normal_force, pair->shear_force));
     qn_file_writer_puts (writer, " }");
   }
   qn_file_writer_puts (writer, "]");
@@ -346,9 +338,9 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   qn_file_writer_printf (writer,
                          "{ \"face\": %d, \"blocks\": [%d, %d], \"point\": ", pair->face,
                          face->a, face->b);
-  write_vec2 (writer, point);
+  qn_file_writer_vec2 (writer, point);
   qn_file_writer_puts (writer, ", \"normal\": ");
-  write_vec2 (writer, normal);
+  qn_file_writer_vec2 (writer, normal);
   qn_file_writer_puts_number (writer, ", \"area\": ", pair->tributary * face->thickness);
   if (pair->bar != QN_NONE)
     qn_file_writer_printf (writer, ", \"bar\": %d", pair->bar);

@@ -116,6 +116,14 @@ qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count
 }
 
 void
+qn_file_writer_vec2 (QnFileWriter *writer, QnVec2 vector)
+{
+  qn_file_writer_puts_number (writer, "[", vector.x);
+  qn_file_writer_puts_number (writer, ", ", vector.y);
+  qn_file_writer_puts (writer, "]");
+}
+
+void
 qn_file_writer_json_string (QnFileWriter *writer, const char *text)
 {
   qn_json_append_string (writer->buffer, text);

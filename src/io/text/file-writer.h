@@ -13,6 +13,8 @@
 #ifndef QN_IO_FILE_WRITER_H
 #define QN_IO_FILE_WRITER_H
 
+#include "core/base/vec2.h"
+
 #include <glib.h>
 
 typedef struct QnFileWriter QnFileWriter;
@@ -38,6 +40,9 @@ void qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double 
 /* Numbers with a text between them. */
 void qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
                              const char *between);
+
+/* A point or vector as a JSON array, [x, y]. */
+void qn_file_writer_vec2 (QnFileWriter *writer, QnVec2 vector);
 
 /* A JSON string with its quotes; the second form puts a text before it. */
 void qn_file_writer_json_string (QnFileWriter *writer, const char *text);

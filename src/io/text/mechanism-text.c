@@ -18,42 +18,28 @@ direction_of (QnVec2 velocity)
   return velocity.y >= 0 ? UPWARDS : DOWNWARDS;
 }
 
-/* Whole phrases: languages do not build "to the right" into a sentence alike. */
-static const char *
-title_of (QnMechanismKind kind, Direction direction)
-{
-  gboolean right = direction == TO_THE_RIGHT, left = direction == TO_THE_LEFT;
-  switch (kind) {
-  case QN_MECHANISM_KIND_OVERTURNING:
-    return right  ? _ ("Overturning to the right")
-           : left ? _ ("Overturning to the left")
-                  : _ ("Overturning");
-  case QN_MECHANISM_KIND_ROCKING:
-    return right  ? _ ("Rocking to the right")
-           : left ? _ ("Rocking to the left")
-                  : _ ("Rocking");
-  case QN_MECHANISM_KIND_SLIDING:
-    return right  ? _ ("Sliding to the right along a course")
-           : left ? _ ("Sliding to the left along a course")
-                  : _ ("Sliding along a course");
-  case QN_MECHANISM_KIND_STEPPED:
-    return right  ? _ ("Stepped crack, opening to the right")
-           : left ? _ ("Stepped crack, opening to the left")
-                  : _ ("Stepped crack");
-  case QN_MECHANISM_KIND_ARCH:
-    return _ ("Folding like an arch");
-  case QN_MECHANISM_KIND_FALLING:
-    return _ ("Falling");
-  case QN_MECHANISM_KIND_MIXED:
-    return right  ? _ ("Rocking and sliding to the right")
-           : left ? _ ("Rocking and sliding to the left")
-                  : _ ("Rocking and sliding");
-  case QN_MECHANISM_KIND_NONE:
-  case QN_MECHANISM_KIND_COUNT:
-    break;
-  }
-  return _ ("Beams give way"); /* no block moves */
-}
+/* Whole phrases: languages do not build "to the right" into a sentence alike. NULL: as without a side. */
+static const struct {
+  const char *right, *left, *other;
+} titles[QN_MECHANISM_KIND_COUNT] = {
+  [QN_MECHANISM_KIND_NONE] = { .other = N_ ("Beams give way") }, /* no block moves */
+  [QN_MECHANISM_KIND_OVERTURNING] = { N_ ("Overturning to the right"),
+                                      N_ ("Overturning to the left"),
+                                      N_ ("Overturning") },
+  [QN_MECHANISM_KIND_ROCKING] = { N_ ("Rocking to the right"), N_ ("Rocking to the left"),
+                                  N_ ("Rocking") },
+  [QN_MECHANISM_KIND_SLIDING] = { N_ ("Sliding to the right along a course"),
+                                  N_ ("Sliding to the left along a course"),
+                                  N_ ("Sliding along a course") },
+  [QN_MECHANISM_KIND_STEPPED] = { N_ ("Stepped crack, opening to the right"),
+                                  N_ ("Stepped crack, opening to the left"),
+                                  N_ ("Stepped crack") },
+  [QN_MECHANISM_KIND_ARCH] = { .other = N_ ("Folding like an arch") },
+  [QN_MECHANISM_KIND_FALLING] = { .other = N_ ("Falling") },
+  [QN_MECHANISM_KIND_MIXED] = { N_ ("Rocking and sliding to the right"),
+                                N_ ("Rocking and sliding to the left"),
+                                N_ ("Rocking and sliding") },
+};
 
 char *
 qn_mechanism_dup_title (const QnMechanism *mechanism)
@@ -62,7 +48,11 @@ qn_mechanism_dup_title (const QnMechanism *mechanism)
   for (size_t i = 0; i < mechanism->body_count; i++)
     sum = qn_vec2_add_scaled (sum, mechanism->bodies[i].block_count,
                               mechanism->bodies[i].velocity);
-  return g_strdup (title_of (mechanism->kind, direction_of (sum)));
+  Direction direction = direction_of (sum);
+  const char *title = direction == TO_THE_RIGHT  ? titles[mechanism->kind].right
+                      : direction == TO_THE_LEFT ? titles[mechanism->kind].left
+                                                 : NULL;
+  return g_strdup (_ (title != NULL ? title : titles[mechanism->kind].other));
 }
 
 /* “w.3.1” or “w.3.1” … “w.7.4” (23 blocks) */
@@ -114,12 +104,13 @@ dup_body (const QnModel *model, const QnMechanism *mechanism, QnId id)
     blocks, legible (body->centre.x, body), legible (body->centre.y, body));
 }
 
-static void
-append_count (GString *text, const char *phrase)
+static void G_GNUC_PRINTF (2, 3) append_count (GString *text, const char *format, ...)
 {
-  if (text->len > 0)
-    g_string_append (text, _ (", "));
-  g_string_append (text, phrase);
+  va_list arguments;
+  g_string_append (text, text->len > 0 ? _ (", ") : "");
+  va_start (arguments, format);
+  g_string_append_vprintf (text, format, arguments);
+  va_end (arguments);
 }
 
 /* "2 joints hinge, 4 slide" */
@@ -130,21 +121,15 @@ dup_joints (const QnMechanism *mechanism)
     mechanism->counts[QN_JOINT_HINGE_START] + mechanism->counts[QN_JOINT_HINGE_END];
   int slides = mechanism->sliding_count, opens = mechanism->counts[QN_JOINT_OPENING];
   GString *text = g_string_new (NULL);
-  if (hinges > 0) {
-    g_autofree char *phrase = g_strdup_printf (
-      ngettext ("%d joint hinges", "%d joints hinge", (gulong) hinges), hinges);
-    append_count (text, phrase);
-  }
-  if (slides > 0) {
-    g_autofree char *phrase = g_strdup_printf (
-      ngettext ("%d joint slides", "%d joints slide", (gulong) slides), slides);
-    append_count (text, phrase);
-  }
-  if (opens > 0) {
-    g_autofree char *phrase = g_strdup_printf (
-      ngettext ("%d joint opens", "%d joints open", (gulong) opens), opens);
-    append_count (text, phrase);
-  }
+  if (hinges > 0)
+    append_count (text, ngettext ("%d joint hinges", "%d joints hinge", (gulong) hinges),
+                  hinges);
+  if (slides > 0)
+    append_count (text, ngettext ("%d joint slides", "%d joints slide", (gulong) slides),
+                  slides);
+  if (opens > 0)
+    append_count (text, ngettext ("%d joint opens", "%d joints open", (gulong) opens),
+                  opens);
   return g_string_free (text, FALSE);
 }
 
@@ -203,14 +188,6 @@ qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
 }
 
 static void
-write_point (QnFileWriter *writer, QnVec2 point)
-{
-  qn_file_writer_puts_number (writer, "[", point.x);
-  qn_file_writer_puts_number (writer, ", ", point.y);
-  qn_file_writer_puts (writer, "]");
-}
-
-static void
 write_body (QnFileWriter *writer, const QnMechanism *mechanism, QnId id)
 {
   const QnMechanismBody *body = &mechanism->bodies[id];
@@ -223,11 +200,11 @@ write_body (QnFileWriter *writer, const QnMechanism *mechanism, QnId id)
       first = FALSE;
     }
   qn_file_writer_puts (writer, "], \"velocity\": ");
-  write_point (writer, body->velocity);
+  qn_file_writer_vec2 (writer, body->velocity);
   qn_file_writer_puts_number (writer, ", \"rotation\": ", body->rotation);
   qn_file_writer_puts (writer, ", \"centre\": ");
   if (body->turns)
-    write_point (writer, body->centre);
+    qn_file_writer_vec2 (writer, body->centre);
   else
     qn_file_writer_puts (writer, "null");
   qn_file_writer_puts (writer, " }");
@@ -245,7 +222,7 @@ write_joint (QnFileWriter *writer, const QnContacts *contacts, QnId face,
                          joint->slides ? "true" : "false");
   if (joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END) {
     qn_file_writer_puts (writer, ", \"hinge\": ");
-    write_point (writer, joint->kind == QN_JOINT_HINGE_START ? start : end);
+    qn_file_writer_vec2 (writer, joint->kind == QN_JOINT_HINGE_START ? start : end);
   }
   qn_file_writer_puts_number (writer, ", \"opening\": [", joint->opening_start);
   qn_file_writer_puts_number (writer, ", ", joint->opening_end);
