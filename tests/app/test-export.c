@@ -36,6 +36,13 @@ exists (gpointer path)
   return g_file_test (path, G_FILE_TEST_EXISTS);
 }
 
+static gboolean
+is_label_with (GtkWidget *widget, gconstpointer text)
+{
+  return GTK_IS_LABEL (widget)
+         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
+}
+
 /* Kept with its style from the dialog, made again from the window after an analysis, and by the
  * command line: the same bytes. */
 static void
@@ -92,6 +99,18 @@ test_figures (void)
                                NULL, NULL, NULL, NULL, &status, NULL));
   g_assert_cmpint (status, ==, 0);
   g_assert_true (is_bytes_of (picture, other));
+
+  /* A second figure of the same file takes the place of neither. */
+  g_autoptr (QnRecipe) twin = qn_recipe_new ("twin", QN_VIEW_MODEL);
+  g_free (twin->file);
+  twin->file = g_strdup ("./mechanism.png");
+  g_assert_true (qn_document_store_figure (document, twin, NULL));
+  driver_press (dialog, "Make All Again");
+  driver_run (300);
+  g_assert_nonnull (
+    driver_find_widget (dialog, is_label_with, "another figure is the same file"));
+  g_assert_true (is_bytes_of (picture, other));
+  driver_activate (window, "win.undo");
 
   /* A model that has changed is told, and removing can be undone. */
   driver_activate (window, "win.select-all");
@@ -180,13 +199,6 @@ has_no_animation_dialog (gpointer data)
 {
   (void) data;
   return driver_find_dialog ("Export Animation") == NULL;
-}
-
-static gboolean
-is_label_with (GtkWidget *widget, gconstpointer text)
-{
-  return GTK_IS_LABEL (widget)
-         && strstr (gtk_label_get_text (GTK_LABEL (widget)), text) != NULL;
 }
 
 static gboolean

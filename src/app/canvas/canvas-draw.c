@@ -257,25 +257,6 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
 }
 
-/* Reinforcing bars, dark upon blocks of any colour. */
-static void
-draw_bars (QnCanvas *self, cairo_t *cr)
-{
-  const QnModel *model = qn_canvas_get_model (self);
-  for (gsize i = 0; i < model->bar_count; i++) {
-    QnVec2 a = qn_canvas_to_screen (self, model->bars[i].start);
-    QnVec2 b = qn_canvas_to_screen (self, model->bars[i].end);
-    cairo_move_to (cr, a.x, a.y);
-    cairo_line_to (cr, b.x, b.y);
-  }
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_set_line_width (cr, 4.5);
-  cairo_stroke_preserve (cr);
-  cairo_set_source_rgb (cr, 0.15, 0.15, 0.35);
-  cairo_set_line_width (cr, 2.5);
-  cairo_stroke (cr);
-}
-
 /* A warning triangle at the place of each finding. */
 static void
 draw_findings (QnCanvas *self, cairo_t *cr)
@@ -584,7 +565,6 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
     qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, true, cr, NULL);
   draw_selection (self, cr);
   if (undeformed) {
-    draw_bars (self, cr);
     draw_initial (self, cr);
     draw_selected_beams (self, cr);
     draw_findings (self, cr);

@@ -72,7 +72,9 @@ make_all (Figures *figures)
   g_autoptr (GError) error = NULL;
   g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, &error);
   guint made = 0;
-  for (guint i = 0; recipes != NULL && i < recipes->len && error == NULL; i++) {
+  if (recipes != NULL)
+    qn_recipes_check_files (recipes, NULL, &error);
+  for (guint i = 0; error == NULL && i < recipes->len; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
     made += qn_document_export_figure (document, recipe, NULL, &error);
     if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))

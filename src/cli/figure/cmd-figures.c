@@ -124,29 +124,15 @@ check_names (const GPtrArray *recipes, const Options *options)
   return QN_EXIT_DONE;
 }
 
-/* No figure may take the place of another. */
-static QnExit
-check_files (const GPtrArray *recipes, const Options *options)
-{
-  g_autoptr (GHashTable) taken =
-    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-  for (guint i = 0; i < recipes->len; i++) {
-    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
-    if (!is_wanted (recipe, options)
-        || g_hash_table_add (taken, g_canonicalize_filename (recipe->file, "/")))
-      continue;
-    qn_cli_error (_ ("%s: another file of this command is the same file"), recipe->file);
-    return QN_EXIT_INVALID;
-  }
-  return QN_EXIT_DONE;
-}
-
 static QnExit
 make_all (const GPtrArray *recipes, const Options *options, Workshop *shop)
 {
+  const char *const *names = (const char *const *) options->names;
+  GError *error = NULL;
   QnExit code = check_names (recipes, options);
-  if (code == QN_EXIT_DONE && !options->list)
-    code = check_files (recipes, options);
+  if (code == QN_EXIT_DONE && !options->list
+      && !qn_recipes_check_files (recipes, names, &error))
+    code = qn_cli_fail (error);
   if (code == QN_EXIT_DONE && recipes->len == 0)
     qn_cli_warning (_ ("%s: the project has no figures"), shop->path);
   for (guint i = 0; i < recipes->len && code == QN_EXIT_DONE; i++) {

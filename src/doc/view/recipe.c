@@ -289,6 +289,25 @@ append_recipe (GString *json, const QnRecipe *recipe)
   qn_recipe_free (plain);
 }
 
+gboolean
+qn_recipes_check_files (const GPtrArray *recipes, const char *const *names,
+                        GError **error)
+{
+  g_autoptr (GHashTable) taken =
+    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  for (guint i = 0; i < recipes->len; i++) {
+    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
+    if ((names != NULL && !g_strv_contains (names, recipe->name))
+        || g_hash_table_add (taken, g_canonicalize_filename (recipe->file, "/")))
+      continue;
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("figure \"%s\": another figure is the same file, %s"), recipe->name,
+                 recipe->file);
+    return FALSE;
+  }
+  return TRUE;
+}
+
 char *
 qn_recipes_to_json (const GPtrArray *recipes)
 {

@@ -33,6 +33,11 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnRecipe, qn_recipe_free)
 GPtrArray *qn_recipes_read (const QnProject *project, GPtrArray *warnings,
                             GError **error);
 
+/* FALSE with an error where two of these recipes are the same file, so that one picture would take the
+ * place of the other. `names` (nullable, NULL-terminated): only the recipes of these names. */
+gboolean qn_recipes_check_files (const GPtrArray *recipes, const char *const *names,
+                                 GError **error);
+
 /* The value of `figures` as JSON text, for qn_document_edit_extra(). Values equal to their
  * defaults are left out. Free with g_free(). */
 char *qn_recipes_to_json (const GPtrArray *recipes);

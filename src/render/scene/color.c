@@ -13,7 +13,7 @@ static const uint32_t color_inks[QN_INK_COUNT] = {
   [QN_INK_HINGE] = 0x1a1a1a,     [QN_INK_FORCE] = 0x005a8c,
   [QN_INK_DEAD_LOAD] = 0x5a5a5a, [QN_INK_LIVE_LOAD] = 0xb33a00,
   [QN_INK_GROUND] = 0xffffff,    [QN_INK_SELECTION] = 0x1c71d8,
-  [QN_INK_THRUST] = 0x96266e,
+  [QN_INK_THRUST] = 0x96266e,    [QN_INK_BAR] = 0x262659,
 };
 
 static const uint32_t grey_inks[QN_INK_COUNT] = {
@@ -24,7 +24,7 @@ static const uint32_t grey_inks[QN_INK_COUNT] = {
   [QN_INK_HINGE] = 0x000000,     [QN_INK_FORCE] = 0x000000,
   [QN_INK_DEAD_LOAD] = 0x5a5a5a, [QN_INK_LIVE_LOAD] = 0x000000,
   [QN_INK_GROUND] = 0xffffff,    [QN_INK_SELECTION] = 0x404040,
-  [QN_INK_THRUST] = 0x202020,
+  [QN_INK_THRUST] = 0x202020,    [QN_INK_BAR] = 0x202020,
 };
 
 QnColor

@@ -31,6 +31,7 @@ typedef enum {
   QN_INK_HINGE,   /* rim of hinges */
   QN_INK_FORCE,   /* contact forces */
   QN_INK_THRUST,  /* line of thrust */
+  QN_INK_BAR,     /* reinforcing bars */
   QN_INK_DEAD_LOAD,
   QN_INK_LIVE_LOAD,
   QN_INK_GROUND, /* the paper */

@@ -226,6 +226,7 @@ build_view (QnSceneBuilder *b)
   qn_build_blocks (b, fills);
   qn_build_supports (b);
   qn_build_beams (b);
+  qn_build_bars (b);
   if (options->view == QN_VIEW_CONTACTS)
     qn_build_contacts (b);
   if (options->view == QN_VIEW_CONTACTS && options->symbols)

@@ -68,6 +68,9 @@ void qn_build_forces (QnSceneBuilder *builder);
 /* scene-beams.c */
 void qn_build_beams (QnSceneBuilder *builder);
 
+/* scene-bars.c */
+void qn_build_bars (QnSceneBuilder *builder);
+
 /* scene-diagrams.c */
 void qn_build_diagrams (QnSceneBuilder *builder);
 

@@ -174,6 +174,28 @@ test_stale (void)
   qn_project_clear (&after);
 }
 
+/* One picture never takes the place of another, however its file is written. */
+static void
+test_same_file (void)
+{
+  QnProject project;
+  GError *error = NULL;
+  load (&project, "1",
+        "[{\"name\": \"a\"}, {\"name\": \"b\", \"file\": \"x/../a.png\"},"
+        "{\"name\": \"c\"}]");
+  g_autoptr (GPtrArray) recipes = qn_recipes_read (&project, NULL, &error);
+  g_assert_no_error (error);
+  g_assert_false (qn_recipes_check_files (recipes, NULL, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
+  g_assert_nonnull (strstr (error->message, "\"b\""));
+  g_clear_error (&error);
+  const char *const both[] = { "a", "b", NULL }, *const apart[] = { "b", "c", NULL };
+  g_assert_false (qn_recipes_check_files (recipes, both, NULL));
+  g_assert_true (qn_recipes_check_files (recipes, apart, &error));
+  g_assert_no_error (error);
+  qn_project_clear (&project);
+}
+
 /* ---- many ---- */
 
 /* Twice as many recipes take twice the work. */
@@ -230,6 +252,7 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/recipe/refusals", test_refusals);
   g_test_add_func ("/doc/recipe/round-trip", test_round_trip);
   g_test_add_func ("/doc/recipe/stale", test_stale);
+  g_test_add_func ("/doc/recipe/same-file", test_same_file);
   g_test_add_data_func ("/doc/recipe/growth", self, test_growth);
   return g_test_run ();
 }

@@ -1,0 +1,141 @@
+/* Reinforcing bars: lines from end to end that follow the blocks they lie in. Under a field of
+ * stresses each piece has the colour of the stress where it crosses the nearest joint. */
+#include "render/scene/scene-builder.h"
+#include "render/scene/text.h"
+
+#include <glib/gi18n-lib.h>
+
+#define WIDTH_BAR 1.9
+#define WIDTH_RIM 3.4
+
+/* Where a bar goes over from one block to the next. */
+typedef struct Crossing {
+  QnId bar, from, to; /* blocks */
+  double along;       /* part of the bar's length */
+  QnVec2 point;       /* undeformed, m */
+  double stress;      /* Pa, tension positive; 0 where forces are not known */
+} Crossing;
+
+static int
+compare_crossings (gconstpointer first, gconstpointer second)
+{
+  const Crossing *a = first, *b = second;
+  if (a->bar != b->bar)
+    return a->bar < b->bar ? -1 : 1;
+  return (a->along > b->along) - (a->along < b->along);
+}
+
+/* All of them, bar by bar, from start to end. */
+static GArray *
+find_crossings (const QnSceneBuilder *b)
+{
+  GArray *crossings = g_array_new (FALSE, FALSE, sizeof (Crossing));
+  for (size_t i = 0; b->contacts != NULL && i < b->contacts->pair_count; i++) {
+    const QnContactPair *pair = &b->contacts->pairs[i];
+    if (pair->bar == QN_NONE)
+      continue;
+    const QnContactFace *face = &b->contacts->faces[pair->face];
+    const QnBar *bar = &b->model->bars[pair->bar];
+    QnVec2 axis = qn_vec2_sub (bar->end, bar->start);
+    bool forth = qn_vec2_dot (axis, face->normal) > 0;
+    Crossing crossing = {
+      .bar = pair->bar,
+      .from = forth ? face->a : face->b,
+      .to = forth ? face->b : face->a,
+      .along = qn_vec2_dot (qn_vec2_sub (pair->point, bar->start), axis)
+               / qn_vec2_dot (axis, axis),
+      .point = pair->point,
+      .stress = b->pairs != NULL ? b->pairs[i].normal_force / bar->area : 0,
+    };
+    g_array_append_val (crossings, crossing);
+  }
+  g_array_sort (crossings, compare_crossings);
+  return crossings;
+}
+
+/* The part of a bar about `count` crossings: to the middle of the way to the next crossing on either
+ * side, or to the bar's end. */
+static void
+add_part (QnSceneBuilder *b, const GArray *crossings, guint first, guint count,
+          double width, QnColor color)
+{
+  const Crossing *all = (const Crossing *) (const void *) crossings->data;
+  const Crossing *head = &all[first], *tail = &all[first + count - 1];
+  const QnBar *bar = &b->model->bars[head->bar];
+  bool begins = first == 0 || head[-1].bar != head->bar;
+  bool ends = first + count == crossings->len || tail[1].bar != tail->bar;
+  QnVec2 start = begins ? bar->start : qn_vec2_lerp (head[-1].point, head->point, 0.5);
+  QnVec2 end = ends ? bar->end : qn_vec2_lerp (tail->point, tail[1].point, 0.5);
+  g_autofree QnVec2 *line = g_new (QnVec2, 2 * count + 2);
+  guint n = 0;
+  line[n++] = qn_builder_place (b, head->from, start);
+  for (const Crossing *c = head; c <= tail; c++) {
+    line[n++] = qn_builder_place (b, c->from, c->point);
+    line[n++] = qn_builder_place (b, c->to, c->point);
+  }
+  line[n++] = qn_builder_place (b, tail->to, end);
+  qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, n, false, width, color);
+}
+
+static void
+add_bars (QnSceneBuilder *b, const GArray *crossings, double width, QnColor color)
+{
+  for (guint first = 0, next; first < crossings->len; first = next) {
+    QnId bar = g_array_index (crossings, Crossing, first).bar;
+    for (next = first + 1; next < crossings->len; next++)
+      if (g_array_index (crossings, Crossing, next).bar != bar)
+        break;
+    add_part (b, crossings, first, next - first, width, color);
+  }
+}
+
+static void
+add_legend (QnSceneBuilder *b, const QnColorBar *range)
+{
+  if (!range->shown) {
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_BAR), "%s",
+                     _ ("reinforcing bar"))
+      ->size = (float) WIDTH_BAR;
+    return;
+  }
+  QnColor pulled = qn_color_bar_color (range, range->max, b->options->monochrome);
+  QnColor pressed = qn_color_bar_color (range, range->min, b->options->monochrome);
+  g_autofree char *most = qn_label_number ("%.3g", range->max * range->factor);
+  g_autofree char *least = qn_label_number ("%.3g", -range->min * range->factor);
+  if (range->max > 0)
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pulled,
+                     _ ("bars: tension up to %s MPa"), most)
+      ->size = (float) WIDTH_BAR;
+  if (range->min < 0)
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pressed,
+                     _ ("bars: compression up to %s MPa"), least)
+      ->size = (float) WIDTH_BAR;
+}
+
+void
+qn_build_bars (QnSceneBuilder *b)
+{
+  g_autoptr (GArray) crossings = find_crossings (b);
+  QnColorBar range = { .shown = b->options->field == QN_FIELD_STRESS && b->pairs != NULL,
+                       .diverging = true,
+                       .factor = 1e-6 };
+  QnColor ink = qn_builder_ink (b, QN_INK_BAR);
+  if (crossings->len == 0)
+    return;
+  /* Pale colours need a dark rim, the dark ink a pale one. */
+  add_bars (b, crossings, WIDTH_RIM,
+            range.shown ? ink : qn_builder_ink (b, QN_INK_GROUND));
+  if (!range.shown)
+    add_bars (b, crossings, WIDTH_BAR, ink);
+  for (guint i = 0; i < crossings->len; i++) {
+    double stress = g_array_index (crossings, Crossing, i).stress;
+    range.min = fmin (range.min, stress);
+    range.max = fmax (range.max, stress);
+  }
+  for (guint i = 0; range.shown && i < crossings->len; i++) {
+    double stress = g_array_index (crossings, Crossing, i).stress;
+    add_part (b, crossings, i, 1, WIDTH_BAR,
+              qn_color_bar_color (&range, stress, b->options->monochrome));
+  }
+  add_legend (b, &range);
+}

@@ -1,0 +1,163 @@
+/* Pictures of reinforcing bars: they follow their blocks, in every view, and show their stress. */
+#include "core/path/analysis.h"
+#include "render/scene/scene.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+/* Three blocks of 1 m in a row, the first held, with a bar of 1e-4 m2 through their middles. */
+typedef struct {
+  QnModel model;
+  QnContacts contacts;
+  QnResult result;
+} Row;
+
+#define AREA 1e-4
+
+static void
+add_law (QnModel *model, const char *name, double kn)
+{
+  QnLaw *law = qn_model_add_law (model, name);
+  law->kind = QN_LAW_ELASTIC;
+  law->basis = QN_BASIS_MATERIAL;
+  law->kn = law->ks = kn;
+}
+
+static void
+row_init (Row *row)
+{
+  QnModel *model = &row->model;
+  qn_model_init (model);
+  add_law (model, "stone", 1e9);
+  add_law (model, "steel", 2e11);
+  model->contact.law = 0;
+  for (int i = 0; i < 3; i++) {
+    QnVec2 v[4] = { { i, 0 }, { i + 1, 0 }, { i + 1, 1 }, { i, 1 } };
+    g_autofree char *name = g_strdup_printf ("b%d", i);
+    QnBlock *block = qn_model_add_block (model, name, v, 4);
+    block->thickness = 1;
+    block->unit_weight = 0;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      block->support[dof] = i == 0;
+  }
+  QnBar *bar = qn_model_add_bar (model);
+  *bar = (QnBar){ .law = 1, .area = AREA, .start = { 2.9, 0.5 }, .end = { 0.1, 0.5 } };
+  QnLoad *load = qn_model_add_live_load (model);
+  load->kind = QN_LOAD_FORCE;
+  load->block = 2;
+  load->vector = qn_vec2 (1e6, 0);
+  model->analysis.max_multiplier = 1;
+  model->analysis.increments = 1;
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_model_prepare (model, &diag), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (model, &row->contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (
+    qn_analysis_run (model, &row->contacts, NULL, NULL, &row->result, NULL), ==, QN_OK);
+}
+
+static void
+row_clear (Row *row)
+{
+  qn_result_clear (&row->result);
+  qn_contacts_clear (&row->contacts);
+  qn_model_clear (&row->model);
+}
+
+static QnScene *
+build (const Row *row, QnView view, QnField field)
+{
+  QnViewOptions options;
+  GError *error = NULL;
+  qn_view_options_init (&options, view);
+  options.field = field;
+  options.scale = 1;
+  QnScene *scene =
+    qn_scene_build (&row->model, &row->contacts, &row->result, &options, &error);
+  g_assert_no_error (error);
+  return scene;
+}
+
+/* The index-th open line of this colour. */
+static const QnCommand *
+find_line (const QnScene *scene, QnColor color, int index)
+{
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->kind == QN_COMMAND_STROKE && !command->closed
+        && memcmp (&command->color, &color, sizeof color) == 0 && index-- == 0)
+      return command;
+  }
+  return NULL;
+}
+
+static gboolean
+has_legend (const QnScene *scene, const char *text)
+{
+  for (guint i = 0; i < scene->legend->len; i++)
+    if (strstr (g_array_index (scene->legend, QnLegendEntry, i).text, text) != NULL)
+      return TRUE;
+  return FALSE;
+}
+
+/* Straight where blocks rest; at a joint it goes from where one block has moved to, to where the
+ * other has. */
+static void
+test_follows (void)
+{
+  Row row = { 0 };
+  row_init (&row);
+  g_autoptr (QnScene) rest = build (&row, QN_VIEW_MODEL, QN_FIELD_NONE);
+  const QnCommand *line = find_line (rest, qn_ink (QN_INK_BAR, false), 0);
+  g_assert_nonnull (line);
+  g_assert_cmpuint (line->count, ==, 6);
+  const QnVec2 *p = qn_scene_points (rest, line);
+  static const double x[] = { 2.9, 2, 2, 1, 1, 0.1 };
+  for (int i = 0; i < 6; i++) {
+    g_assert_cmpfloat_with_epsilon (p[i].x, x[i], 1e-12);
+    g_assert_cmpfloat_with_epsilon (p[i].y, 0.5, 1e-12);
+  }
+  g_assert_true (has_legend (rest, "reinforcing bar"));
+
+  g_autoptr (QnScene) moved = build (&row, QN_VIEW_DEFORMED, QN_FIELD_NONE);
+  line = find_line (moved, qn_ink (QN_INK_BAR, false), 0);
+  g_assert_nonnull (line);
+  p = qn_scene_points (moved, line);
+  const double *u = qn_result_step_displacements (&row.result, row.result.step_count - 1);
+  double third = u[2 * QN_DOF_COUNT], second = u[QN_DOF_COUNT];
+  g_assert_cmpfloat (third, >, second);
+  g_assert_cmpfloat (second, >, 0);
+  const double shift[] = { third, third, second, second, 0, 0 };
+  for (int i = 0; i < 6; i++)
+    g_assert_cmpfloat_with_epsilon (p[i].x, x[i] + shift[i], 1e-12);
+  row_clear (&row);
+}
+
+/* Bar and joint share the load like their stiffnesses; the legend tells the stress of the bar. */
+static void
+test_stress (void)
+{
+  Row row = { 0 };
+  row_init (&row);
+  g_autoptr (QnScene) scene = build (&row, QN_VIEW_DEFORMED, QN_FIELD_STRESS);
+  QnColor most = qn_map_diverging (1, false);
+  g_assert_nonnull (find_line (scene, most, 0));
+  g_assert_nonnull (find_line (scene, most, 1)); /* a piece for each of two joints */
+  g_assert_null (find_line (scene, most, 2));
+  /* The strain is 1e6 / (1e9 x 1 + 2e11 x 1e-4), times E of the bar. */
+  g_autofree char *text =
+    g_strdup_printf ("tension up to %.3g MPa", 2e11 / 1.02e3 * 1e-6);
+  g_assert_true (has_legend (scene, text));
+  g_assert_false (has_legend (scene, "compression up to"));
+  g_assert_false (has_legend (scene, "reinforcing bar"));
+  row_clear (&row);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/render/scene-bars/follows", test_follows);
+  g_test_add_func ("/render/scene-bars/stress", test_stress);
+  return g_test_run ();
+}
