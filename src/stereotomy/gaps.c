@@ -97,13 +97,7 @@ is_filled (const Search *search, const QnGap *gap)
 static bool
 add_gap (QnGaps *gaps, const QnGap *gap)
 {
-  QnGap *grown =
-    qn_array_grow (gaps->items, &gaps->capacity, gaps->count + 1, sizeof *grown);
-  if (grown == NULL)
-    return false;
-  gaps->items = grown;
-  grown[gaps->count++] = *gap;
-  return true;
+  return QN_ARRAY_PUSH (gaps->items, gaps->count, gaps->capacity, *gap);
 }
 
 static bool

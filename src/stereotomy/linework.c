@@ -11,13 +11,8 @@
 bool
 qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b)
 {
-  QnSegment *grown = qn_array_grow (segments->items, &segments->capacity,
-                                    segments->count + 1, sizeof *grown);
-  if (grown == NULL)
-    return false;
-  segments->items = grown;
-  grown[segments->count++] = (QnSegment){ a, b };
-  return true;
+  return QN_ARRAY_PUSH (segments->items, segments->count, segments->capacity,
+                        (QnSegment){ a, b });
 }
 
 void
@@ -157,14 +152,9 @@ reach (QnSegments *segments, size_t index, bool first, const QnBoxTree *tree,
   } else {
     best = end;
   }
-  Split *grown =
-    qn_array_grow (splits->items, &splits->capacity, splits->count + 1, sizeof *grown);
-  if (grown == NULL)
-    return false;
-  splits->items = grown;
-  grown[splits->count++] =
-    (Split){ met, qn_vec2_length (qn_vec2_sub (best, segments->items[met].a)), best };
-  return true;
+  return QN_ARRAY_PUSH (
+    splits->items, splits->count, splits->capacity,
+    (Split){ met, qn_vec2_length (qn_vec2_sub (best, segments->items[met].a)), best });
 }
 
 static int

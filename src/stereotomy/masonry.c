@@ -46,39 +46,27 @@ QnOpening *
 qn_masonry_add_opening (QnMasonry *masonry)
 {
   QnMasonryWall *wall = &masonry->wall;
-  QnOpening *grown = qn_array_grow (wall->openings, &wall->opening_capacity,
-                                    wall->opening_count + 1, sizeof *grown);
-  if (grown == NULL)
-    return NULL;
-  wall->openings = grown;
-  grown += wall->opening_count++;
-  *grown = (QnOpening){ .voussoirs = 1 };
-  return grown;
+  return QN_ARRAY_PUSH (wall->openings, wall->opening_count, wall->opening_capacity,
+                        (QnOpening){ .voussoirs = 1 })
+           ? &wall->openings[wall->opening_count - 1]
+           : NULL;
 }
 
 QnLeaf *
 qn_masonry_add_leaf (QnMasonry *masonry)
 {
   QnMasonryWall *wall = &masonry->wall;
-  QnLeaf *grown = qn_array_grow (wall->leaves, &wall->leaf_capacity, wall->leaf_count + 1,
-                                 sizeof *grown);
-  if (grown == NULL)
-    return NULL;
-  wall->leaves = grown;
-  grown += wall->leaf_count++;
-  *grown = (QnLeaf){ .lap = 0.5 };
-  return grown;
+  return QN_ARRAY_PUSH (wall->leaves, wall->leaf_count, wall->leaf_capacity,
+                        (QnLeaf){ .lap = 0.5 })
+           ? &wall->leaves[wall->leaf_count - 1]
+           : NULL;
 }
 
 bool
 qn_masonries_take (QnMasonries *list, QnMasonry *masonry)
 {
-  QnMasonry *grown =
-    qn_array_grow (list->items, &list->capacity, list->count + 1, sizeof *grown);
-  if (grown == NULL)
+  if (!QN_ARRAY_PUSH (list->items, list->count, list->capacity, *masonry))
     return false;
-  list->items = grown;
-  list->items[list->count++] = *masonry;
   *masonry = (QnMasonry){ 0 };
   return true;
 }

@@ -101,13 +101,7 @@ find_nodes (const QnPieces *pieces, Net *net)
 static bool
 append (Net *net, QnId node)
 {
-  QnId *grown =
-    qn_array_grow (net->cycle, &net->cycle_capacity, net->cycle_count + 1, sizeof *grown);
-  if (grown == NULL)
-    return false;
-  net->cycle = grown;
-  grown[net->cycle_count++] = node;
-  return true;
+  return QN_ARRAY_PUSH (net->cycle, net->cycle_count, net->cycle_capacity, node);
 }
 
 /* Puts the start of a side and the nodes in its middle into the cycle, in their order; a side that

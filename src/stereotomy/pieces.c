@@ -22,21 +22,12 @@ format_name (const char *format, va_list arguments)
   return name;
 }
 
-static bool
-reserve (QnPieces *pieces)
-{
-  QnPiece *grown =
-    qn_array_grow (pieces->items, &pieces->capacity, pieces->count + 1, sizeof *grown);
-  if (grown != NULL)
-    pieces->items = grown;
-  return grown != NULL;
-}
-
 QnPiece *
 qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count, const char *format,
                ...)
 {
-  if (!reserve (pieces))
+  if (!qn_array_reserve (&pieces->items, &pieces->capacity, pieces->count + 1,
+                         sizeof *pieces->items))
     return NULL;
   va_list arguments;
   va_start (arguments, format);
@@ -53,9 +44,8 @@ qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count, const char 
 bool
 qn_pieces_take (QnPieces *pieces, QnPiece *piece)
 {
-  if (!reserve (pieces))
+  if (!QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, *piece))
     return false;
-  pieces->items[pieces->count++] = *piece;
   *piece = (QnPiece){ 0 };
   return true;
 }

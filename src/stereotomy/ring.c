@@ -162,12 +162,8 @@ qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count)
 bool
 qn_rings_take (QnRings *rings, QnRing *ring)
 {
-  QnRing *grown =
-    qn_array_grow (rings->items, &rings->capacity, rings->count + 1, sizeof *grown);
-  if (grown == NULL)
+  if (!QN_ARRAY_PUSH (rings->items, rings->count, rings->capacity, *ring))
     return false;
-  rings->items = grown;
-  rings->items[rings->count++] = *ring;
   *ring = (QnRing){ 0 };
   return true;
 }

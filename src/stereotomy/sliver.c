@@ -72,11 +72,9 @@ find_neighbours (const QnPieces *pieces, size_t index, Neighbour **neighbours)
     double joint = qn_joint_length (&sliver->ring, &other->ring, tolerance);
     if (joint == 0)
       continue;
-    Neighbour *grown = qn_array_grow (*neighbours, &capacity, count + 1, sizeof *grown);
-    if (grown == NULL)
+    if (!QN_ARRAY_PUSH (*neighbours, count, capacity,
+                        (Neighbour){ i, other->course == sliver->course, joint }))
       return SIZE_MAX;
-    *neighbours = grown;
-    grown[count++] = (Neighbour){ i, other->course == sliver->course, joint };
   }
   if (count > 1)
     qsort (*neighbours, count, sizeof **neighbours, compare_neighbours);

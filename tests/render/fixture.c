@@ -21,15 +21,13 @@ static QnId
 add_block (Fixture *f, QnVec2 low, QnVec2 high, bool fixed)
 {
   QnModel *m = &f->model;
-  m->blocks =
-    qn_array_grow (m->blocks, &m->block_capacity, m->block_count + 1, sizeof *m->blocks);
-  m->vertices = qn_array_grow (m->vertices, &m->vertex_capacity, m->vertex_count + 4,
-                               sizeof *m->vertices);
+  g_assert_true (qn_array_reserve (&m->vertices, &m->vertex_capacity, m->vertex_count + 4,
+                                   sizeof *m->vertices));
   QnVec2 corners[4] = { low, { high.x, low.y }, high, { low.x, high.y } };
   memcpy (m->vertices + m->vertex_count, corners, sizeof corners);
   double area = (high.x - low.x) * (high.y - low.y);
   g_autofree char *name = g_strdup_printf ("b%zu", m->block_count);
-  m->blocks[m->block_count] = (QnBlock){
+  QnBlock block = {
     .name = copy_text (name),
     .first_vertex = (QnId) m->vertex_count,
     .vertex_count = 4,
@@ -44,20 +42,20 @@ add_block (Fixture *f, QnVec2 low, QnVec2 high, bool fixed)
     .weight = 1e4 * area,
   };
   m->vertex_count += 4;
-  return (QnId) m->block_count++;
+  g_assert_true (QN_ARRAY_PUSH (m->blocks, m->block_count, m->block_capacity, block));
+  return (QnId) m->block_count - 1;
 }
 
 static void
 add_pair (Fixture *f, QnId face, QnVec2 point, double abscissa, double tributary)
 {
   QnContacts *c = &f->contacts;
-  c->pairs =
-    qn_array_grow (c->pairs, &c->pair_capacity, c->pair_count + 1, sizeof *c->pairs);
-  c->pairs[c->pair_count++] = (QnContactPair){ .face = face,
-                                               .bar = QN_NONE,
-                                               .point = point,
-                                               .abscissa = abscissa,
-                                               .tributary = tributary };
+  QnContactPair pair = { .face = face,
+                         .bar = QN_NONE,
+                         .point = point,
+                         .abscissa = abscissa,
+                         .tributary = tributary };
+  g_assert_true (QN_ARRAY_PUSH (c->pairs, c->pair_count, c->pair_capacity, pair));
 }
 
 /* A face between blocks a < b along a side they share, if they share any. */
@@ -79,8 +77,8 @@ add_face (Fixture *f, QnId a, QnId b)
   QnVec2 ends[2] = { { x0, y0 }, { x1, y1 } };
   bool turn = qn_vec2_dot (qn_vec2_sub (ends[1], ends[0]), tangent) < 0;
   QnContacts *c = &f->contacts;
-  c->faces =
-    qn_array_grow (c->faces, &c->face_capacity, c->face_count + 1, sizeof *c->faces);
+  g_assert_true (
+    qn_array_reserve (&c->faces, &c->face_capacity, c->face_count + 1, sizeof *c->faces));
   QnContactFace face = {
     .a = a,
     .b = b,

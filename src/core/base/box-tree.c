@@ -190,13 +190,12 @@ qn_box_query_next (QnBoxQuery *query)
 static bool
 add_pair (QnBoxPairs *pairs, QnId a, QnId b)
 {
-  QnId (*items)[2] =
-    qn_array_grow (pairs->items, &pairs->capacity, pairs->count + 1, sizeof *items);
-  if (items == NULL)
+  if (pairs->count == pairs->capacity
+      && !qn_array_reserve (&pairs->items, &pairs->capacity, pairs->count + 1,
+                            sizeof *pairs->items))
     return false;
-  pairs->items = items;
-  items[pairs->count][0] = a;
-  items[pairs->count++][1] = b;
+  pairs->items[pairs->count][0] = a;
+  pairs->items[pairs->count++][1] = b;
   return true;
 }
 

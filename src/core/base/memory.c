@@ -72,25 +72,27 @@ qn_strdup (const char *text)
   return copy;
 }
 
-void *
-qn_array_grow (void *array, size_t *capacity, size_t need, size_t size)
+bool
+qn_array_reserve (void *array, size_t *capacity, size_t need, size_t size)
 {
-  if (array != NULL && need <= *capacity)
-    return array;
+  void *items;
 
+  memcpy (&items, array, sizeof items);
+  if (items != NULL && need <= *capacity)
+    return true;
   size_t grown = *capacity < 8 ? 8 : *capacity;
   while (grown < need) {
     if (grown > SIZE_MAX / 2)
-      return NULL;
+      return false;
     grown *= 2;
   }
   if (grown > SIZE_MAX / size)
-    return NULL;
-
-  char *moved = with_large_pages (realloc (array, grown * size), grown, size);
+    return false;
+  char *moved = with_large_pages (realloc (items, grown * size), grown, size);
   if (moved == NULL)
-    return NULL;
+    return false;
   memset (moved + *capacity * size, 0, (grown - *capacity) * size);
   *capacity = grown;
-  return moved;
+  memcpy (array, &moved, sizeof moved);
+  return true;
 }

@@ -23,12 +23,19 @@ void *qn_alloc_lines (size_t count, size_t size);
 /* Copy of a string, or NULL; NULL stays NULL. */
 char *qn_strdup (const char *text);
 
-/* The array grown so that it holds at least `need` items of `size` bytes; `*capacity` is the
- * number of items it has room for and is updated. New items are zeroed. Returns the array
- * (moved or not), or NULL with nothing changed. `array` may be NULL while *capacity is 0.
+/* Makes room in an array for at least `need` items of `size` bytes; `*capacity` is the number of
+ * items it has room for and is updated. `array` is the address of the pointer to the items, which
+ * may be NULL while *capacity is 0. New items are zeroed. False with nothing changed where there is
+ * no memory.
  *
- *   QnBlock *grown = qn_array_grow (v->items, &v->capacity, n, sizeof *grown);
+ *   if (!qn_array_reserve (&v->items, &v->capacity, n, sizeof *v->items))
  */
-void *qn_array_grow (void *array, size_t *capacity, size_t need, size_t size);
+bool qn_array_reserve (void *array, size_t *capacity, size_t need, size_t size);
+
+/* Appends a value to an array of `count` items; false with nothing changed where there is no memory. */
+#define QN_ARRAY_PUSH(items, count, capacity, ...)                                       \
+  (((count) < (capacity)                                                                 \
+    || qn_array_reserve (&(items), &(capacity), (count) + 1, sizeof *(items)))           \
+   && ((items)[(count)++] = __VA_ARGS__, true))
 
 #endif

@@ -25,13 +25,7 @@ typedef QnContactMatches Matches;
 static bool
 add_match (Matches *matches, Match match)
 {
-  Match *items =
-    qn_array_grow (matches->items, &matches->capacity, matches->count + 1, sizeof *items);
-  if (items == NULL)
-    return false;
-  matches->items = items;
-  items[matches->count++] = match;
-  return true;
+  return QN_ARRAY_PUSH (matches->items, matches->count, matches->capacity, match);
 }
 
 /* One end of the stretch that two opposite sides have in common. */
@@ -191,17 +185,15 @@ find_matches (const QnContactSearch *search, QnId a, QnId b, Matches *matches)
 static bool
 add_face (const QnContactSearch *search, QnContacts *contacts, const Match *match)
 {
-  QnContactFace *faces = qn_array_grow (contacts->faces, &contacts->face_capacity,
-                                        contacts->face_count + 1, sizeof *faces);
-  if (faces == NULL)
+  if (!qn_array_reserve (&contacts->faces, &contacts->face_capacity,
+                         contacts->face_count + 1, sizeof *contacts->faces))
     return false;
-  contacts->faces = faces;
 
   const QnSide *a = &search->sides.items[match->side_a];
   const QnSide *b = &search->sides.items[match->side_b];
   const QnBlock *blocks = search->model->blocks;
   QnVec2 along = qn_vec2_sub (match->end, match->start);
-  QnContactFace *face = &faces[contacts->face_count++];
+  QnContactFace *face = &contacts->faces[contacts->face_count++];
   *face = (QnContactFace){
     .a = a->block,
     .b = b->block,
@@ -263,13 +255,8 @@ add_touch (const QnContactSearch *search, QnTouches *touches, QnId a, QnId b, Qn
       return true;
   }
 
-  QnTouch *items =
-    qn_array_grow (touches->items, &touches->capacity, touches->count + 1, sizeof *items);
-  if (items == NULL)
-    return false;
-  touches->items = items;
-  items[touches->count++] = (QnTouch){ a, b, at };
-  return true;
+  return QN_ARRAY_PUSH (touches->items, touches->count, touches->capacity,
+                        (QnTouch){ a, b, at });
 }
 
 /* Whether the place lies on one of the faces from `first` on. */

@@ -222,14 +222,7 @@ is_convex_corner (const QnSide *sides, size_t i, size_t count)
 static bool
 add (QnContactFollow *follow, QnFoundContact contact)
 {
-  QnFoundContact *found =
-    qn_array_grow (follow->found, &follow->capacity, follow->count + 1, sizeof *found);
-
-  if (found == NULL)
-    return false;
-  follow->found = found;
-  found[follow->count++] = contact;
-  return true;
+  return QN_ARRAY_PUSH (follow->found, follow->count, follow->capacity, contact);
 }
 
 /* Corners of block b near sides of block a. */

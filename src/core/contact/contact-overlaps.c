@@ -9,13 +9,7 @@
 static bool
 add_number (QnContactCuts *numbers, double value)
 {
-  double *items =
-    qn_array_grow (numbers->items, &numbers->capacity, numbers->count + 1, sizeof *items);
-  if (items == NULL)
-    return false;
-  numbers->items = items;
-  items[numbers->count++] = value;
-  return true;
+  return QN_ARRAY_PUSH (numbers->items, numbers->count, numbers->capacity, value);
 }
 
 static int

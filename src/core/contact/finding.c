@@ -7,14 +7,7 @@
 bool
 qn_findings_add (QnFindings *findings, QnFinding finding)
 {
-  QnFinding *items = qn_array_grow (findings->items, &findings->capacity,
-                                    findings->count + 1, sizeof *items);
-  if (items == NULL)
-    return false;
-
-  findings->items = items;
-  items[findings->count++] = finding;
-  return true;
+  return QN_ARRAY_PUSH (findings->items, findings->count, findings->capacity, finding);
 }
 
 void

@@ -25,20 +25,6 @@ compare_exceptions (const void *left, const void *right)
   return (l->index > r->index) - (l->index < r->index);
 }
 
-static void
-sort_exceptions (const QnModel *model, Exception *exceptions)
-{
-  for (size_t i = 0; i < model->override_count; i++) {
-    const QnFaceOverride *override = &model->overrides[i];
-    bool ordered = override->block_a < override->block_b;
-    exceptions[i] =
-      (Exception){ ordered ? override->block_a : override->block_b,
-                   ordered ? override->block_b : override->block_a, i, false };
-  }
-  if (model->override_count > 1)
-    qsort (exceptions, model->override_count, sizeof *exceptions, compare_exceptions);
-}
-
 /* The exception that counts for this face, marked as used, or NULL. `*next` walks along the
  * sorted exceptions as the sorted faces pass by. */
 static const QnFaceOverride *
@@ -70,35 +56,46 @@ law_of_side (const QnModel *model, QnId block, const QnFaceOverride *exception)
 }
 
 static QnStatus
+refuse (const QnContactFace *face, QnProblem problem, QnDiag *diag)
+{
+  qn_diag_set_field (diag, problem, QN_ENTITY_BLOCK, face->a, NULL, face->length);
+  if (diag != NULL) {
+    diag->other = face->b;
+    diag->at = qn_vec2_lerp (face->start, face->end, 0.5);
+  }
+  return QN_ERROR_INVALID;
+}
+
+/* Room for so many pairs more. */
+static QnStatus
+reserve (QnContacts *contacts, size_t count, QnDiag *diag)
+{
+  size_t need = contacts->pair_count + count;
+
+  return need <= INT32_MAX
+             && qn_array_reserve (&contacts->pairs, &contacts->pair_capacity, need,
+                                  sizeof *contacts->pairs)
+           ? QN_OK
+           : qn_diag_no_memory (diag);
+}
+
+static QnStatus
 place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag *diag)
 {
   QnContactFace *face = &contacts->faces[index];
-  bool ends = rule->placement == QN_PLACEMENT_ENDS;
-  if (ends && 2 * rule->offset >= face->length) {
-    qn_diag_set_field (diag, QN_PROBLEM_PAIR_OFFSET_TOO_LARGE, QN_ENTITY_BLOCK, face->a,
-                       NULL, face->length);
-    if (diag != NULL) {
-      diag->other = face->b;
-      diag->at = qn_vec2_lerp (face->start, face->end, 0.5);
-    }
-    return QN_ERROR_INVALID;
-  }
-
   size_t count = qn_pair_rule_count (rule);
-  QnContactPair *pairs = contacts->pair_count + count > INT32_MAX
-                           ? NULL
-                           : qn_array_grow (contacts->pairs, &contacts->pair_capacity,
-                                            contacts->pair_count + count, sizeof *pairs);
-  if (pairs == NULL)
-    return qn_diag_no_memory (diag);
-  contacts->pairs = pairs;
 
+  if (rule->placement == QN_PLACEMENT_ENDS && 2 * rule->offset >= face->length)
+    return refuse (face, QN_PROBLEM_PAIR_OFFSET_TOO_LARGE, diag);
+  QnStatus status = reserve (contacts, count, diag);
+  if (status != QN_OK)
+    return status;
   face->first_pair = (QnId) contacts->pair_count;
   face->pair_count = (int32_t) count;
   for (size_t i = 0; i < count; i++) {
     double position, weight;
     qn_pair_rule_place (rule, face->length, i, &position, &weight);
-    pairs[contacts->pair_count++] = (QnContactPair){
+    contacts->pairs[contacts->pair_count++] = (QnContactPair){
       .face = (QnId) index,
       .point = qn_vec2_lerp (face->start, face->end, position),
       .abscissa = position * face->length,
@@ -106,32 +103,6 @@ place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag 
       .bar = QN_NONE,
     };
   }
-  return QN_OK;
-}
-
-static bool
-report_unused (const QnModel *model, const Exception *exceptions, QnFindings *findings)
-{
-  for (size_t i = 0; i < model->override_count; i++) {
-    const Exception *exception = &exceptions[i];
-    if (exception->used)
-      continue;
-    QnVec2 at = qn_vec2_lerp (model->blocks[exception->a].centroid,
-                              model->blocks[exception->b].centroid, 0.5);
-    if (!qn_findings_add (findings, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED, exception->a,
-                                                 exception->b, at, 0, QN_NONE }))
-      return false;
-  }
-  return true;
-}
-
-static QnStatus
-report_unused_bars (const QnModel *model, const bool *used, QnDiag *diag)
-{
-  for (size_t i = 0; i < model->bar_count; i++)
-    if (!used[i])
-      return qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i,
-                                NULL, 0);
   return QN_OK;
 }
 
@@ -151,14 +122,6 @@ crossing (const QnBar *bar, const QnContactFace *face, double *on_bar, double *o
   return *on_bar > 0 && *on_bar < 1 && *on_face >= 0 && *on_face <= 1;
 }
 
-static bool
-is_oblique (const QnBar *bar, const QnContactFace *face)
-{
-  QnVec2 along = qn_vec2_sub (bar->end, bar->start);
-  return fabs (qn_vec2_dot (along, face->tangent))
-         > QN_TOLERANCE_OBLIQUE_BAR * qn_vec2_length (along);
-}
-
 /* Adds the pairs of the bars that cross a face, and marks the bars. */
 static QnStatus
 add_bars (const QnModel *model, QnContacts *contacts, QnId index, bool *used,
@@ -168,20 +131,18 @@ add_bars (const QnModel *model, QnContacts *contacts, QnId index, bool *used,
 
   for (size_t i = 0; i < model->bar_count; i++) {
     const QnBar *bar = &model->bars[i];
+    QnVec2 along = qn_vec2_sub (bar->end, bar->start);
     double on_bar, on_face;
     if (!crossing (bar, face, &on_bar, &on_face))
       continue;
-    if (is_oblique (bar, face))
+    if (fabs (qn_vec2_dot (along, face->tangent))
+        > QN_TOLERANCE_OBLIQUE_BAR * qn_vec2_length (along))
       return qn_diag_set_field (diag, QN_PROBLEM_BAR_OBLIQUE, QN_ENTITY_BAR, (QnId) i,
                                 NULL, 0);
-    QnContactPair *pairs = contacts->pair_count + 1 > INT32_MAX
-                             ? NULL
-                             : qn_array_grow (contacts->pairs, &contacts->pair_capacity,
-                                              contacts->pair_count + 1, sizeof *pairs);
-    if (pairs == NULL)
-      return qn_diag_no_memory (diag);
-    contacts->pairs = pairs;
-    pairs[contacts->pair_count++] = (QnContactPair){
+    QnStatus status = reserve (contacts, 1, diag);
+    if (status != QN_OK)
+      return status;
+    contacts->pairs[contacts->pair_count++] = (QnContactPair){
       .face = index,
       .point = qn_vec2_lerp (face->start, face->end, on_face),
       .abscissa = on_face * face->length,
@@ -192,17 +153,6 @@ add_bars (const QnModel *model, QnContacts *contacts, QnId index, bool *used,
     used[i] = true;
   }
   return QN_OK;
-}
-
-static QnStatus
-refuse (const QnContactFace *face, QnProblem problem, QnDiag *diag)
-{
-  qn_diag_set_field (diag, problem, QN_ENTITY_BLOCK, face->a, NULL, face->length);
-  if (diag != NULL) {
-    diag->other = face->b;
-    diag->at = qn_vec2_lerp (face->start, face->end, 0.5);
-  }
-  return QN_ERROR_INVALID;
 }
 
 /* Whether the springs on either side of a pair may soften, as far as the kinds of law tell. */
@@ -254,47 +204,59 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   return status == QN_OK ? check_springs (model, contacts, (QnId) index, diag) : status;
 }
 
-/* Room for the pairs of all faces by the general rule and of one face per exception. */
-static bool
-reserve_pairs (const QnModel *model, QnContacts *contacts)
-{
-  size_t count = contacts->face_count * qn_pair_rule_count (&model->contact.pairs);
-  for (size_t i = 0; i < model->override_count; i++)
-    if (model->overrides[i].has_pairs)
-      count += qn_pair_rule_count (&model->overrides[i].pairs);
-  if (count <= contacts->pair_capacity || count > INT32_MAX)
-    return true;
-
-  QnContactPair *pairs = qn_alloc_unset (count, sizeof *pairs);
-  if (pairs == NULL)
-    return false;
-  free (contacts->pairs);
-  contacts->pairs = pairs;
-  contacts->pair_capacity = count;
-  return true;
-}
-
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
-  Exception *exceptions = qn_alloc (model->override_count, sizeof *exceptions);
+  size_t exception_count = model->override_count, next = 0;
+  Exception *exceptions = qn_alloc (exception_count, sizeof *exceptions);
   bool *used_bars = qn_alloc (model->bar_count, sizeof *used_bars);
   QnStatus status = QN_OK;
-  size_t next = 0;
 
   contacts->pair_count = 0;
-  if (exceptions == NULL || used_bars == NULL || !reserve_pairs (model, contacts))
+  if (exceptions == NULL || used_bars == NULL)
     status = qn_diag_no_memory (diag);
-  else
-    sort_exceptions (model, exceptions);
+
+  /* Room for the pairs of all faces by the general rule and of one face per exception. */
+  size_t expected = contacts->face_count * qn_pair_rule_count (&model->contact.pairs);
+  for (size_t i = 0; i < exception_count; i++)
+    if (model->overrides[i].has_pairs)
+      expected += qn_pair_rule_count (&model->overrides[i].pairs);
+  if (status == QN_OK && expected > contacts->pair_capacity && expected <= INT32_MAX) {
+    QnContactPair *pairs = qn_alloc_unset (expected, sizeof *pairs);
+    if (pairs != NULL) {
+      free (contacts->pairs);
+      contacts->pairs = pairs;
+      contacts->pair_capacity = expected;
+    } else
+      status = qn_diag_no_memory (diag);
+  }
+
+  for (size_t i = 0; status == QN_OK && i < exception_count; i++) {
+    const QnFaceOverride *override = &model->overrides[i];
+    bool ordered = override->block_a < override->block_b;
+    exceptions[i] =
+      (Exception){ ordered ? override->block_a : override->block_b,
+                   ordered ? override->block_b : override->block_a, i, false };
+  }
+  if (status == QN_OK && exception_count > 1)
+    qsort (exceptions, exception_count, sizeof *exceptions, compare_exceptions);
   for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
     status = furnish_face (model, contacts, i,
                            exception_of (model, exceptions, &next, &contacts->faces[i]),
                            used_bars, diag);
-  if (status == QN_OK)
-    status = report_unused_bars (model, used_bars, diag);
-  if (status == QN_OK && !report_unused (model, exceptions, &contacts->findings))
-    status = qn_diag_no_memory (diag);
+
+  for (size_t i = 0; status == QN_OK && i < model->bar_count; i++)
+    if (!used_bars[i])
+      status =
+        qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i, NULL, 0);
+  for (size_t i = 0; status == QN_OK && i < exception_count; i++) {
+    QnId a = exceptions[i].a, b = exceptions[i].b;
+    QnVec2 at = qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
+    if (!exceptions[i].used
+        && !qn_findings_add (&contacts->findings, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED,
+                                                               a, b, at, 0, QN_NONE }))
+      status = qn_diag_no_memory (diag);
+  }
   free (exceptions);
   free (used_bars);
   return status;

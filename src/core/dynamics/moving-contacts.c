@@ -272,13 +272,11 @@ qn_moving_contacts_record (QnMovingContacts *moving, const QnTimeStep *step, dou
   size_t drawn = moving->follow.drawn->pair_count;
 
   if (step_index >= 0) {
-    QnPairResult *all = qn_array_grow (moving->results, &moving->result_capacity,
-                                       as->pair_count, sizeof *all);
-    if (all == NULL)
+    if (!qn_array_reserve (&moving->results, &moving->result_capacity, as->pair_count,
+                           sizeof *moving->results))
       return false;
-    moving->results = all;
-    qn_assembly_pair_results (as, step->start.u, all);
-    memcpy (result->pairs, all, drawn * sizeof *all);
+    qn_assembly_pair_results (as, step->start.u, moving->results);
+    memcpy (result->pairs, moving->results, drawn * sizeof *moving->results);
   }
   for (size_t p = drawn; p < as->pair_count; p++) {
     const double *force = step->start.responses[p].force;

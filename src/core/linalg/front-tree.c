@@ -137,13 +137,11 @@ find_columns (Analysis *a)
   for (int32_t j = 0; j < a->count; j++) {
     int32_t start = a->column_start[j],
             length = find_column (a, j, child, sibling, column);
-    int32_t *grown = qn_array_grow (a->rows, &a->row_capacity,
-                                    (size_t) start + (size_t) length, sizeof *grown);
-    if (grown == NULL) {
+    if (!qn_array_reserve (&a->rows, &a->row_capacity, (size_t) start + (size_t) length,
+                           sizeof *a->rows)) {
       free (scratch);
       return false;
     }
-    a->rows = grown;
     memcpy (a->rows + start, column, (size_t) length * sizeof *column);
     a->column_start[j + 1] = start + length;
     if (length > 0) {

@@ -17,12 +17,10 @@ qn_sparse_pattern_add_clique (QnSparsePattern *pattern, const int32_t *unknowns,
                               int count)
 {
   size_t need = pattern->count + (size_t) (count * count);
-  uint64_t *entries =
-    qn_array_grow (pattern->entries, &pattern->capacity, need, sizeof *entries);
-
-  if (entries == NULL)
+  if (!qn_array_reserve (&pattern->entries, &pattern->capacity, need,
+                         sizeof *pattern->entries))
     return false;
-  pattern->entries = entries;
+  uint64_t *entries = pattern->entries;
   for (int j = 0; j < count; j++)
     for (int i = 0; i < count; i++)
       if (unknowns[i] != QN_NONE && unknowns[j] != QN_NONE)

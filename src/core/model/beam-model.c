@@ -105,17 +105,14 @@ expand_beam (QnModel *model, QnId index, QnDiag *diag)
     if (!add_inner_node (model, index, i))
       return qn_diag_no_memory (diag);
 
-  QnBeamElement *elements =
-    qn_array_grow (model->elements, &model->element_capacity,
-                   model->element_count + (size_t) count, sizeof *elements);
-  if (elements == NULL)
+  if (!qn_array_reserve (&model->elements, &model->element_capacity,
+                         model->element_count + (size_t) count, sizeof *model->elements))
     return qn_diag_no_memory (diag);
-  model->elements = elements;
   QnBeam *beam = &model->beams[index];
   beam->first_element = (QnId) model->element_count;
   for (int32_t i = 0; i < count; i++) {
     const bool first = i == 0, last = i == count - 1;
-    elements[model->element_count++] = (QnBeamElement){
+    model->elements[model->element_count++] = (QnBeamElement){
       .beam = index,
       .nodes = { first ? beam->nodes[0] : first_node + i - 1,
                  last ? beam->nodes[1] : first_node + i },

@@ -8,15 +8,12 @@
 void *
 qn_model_list_add (void *items, size_t *count, size_t *capacity, size_t size)
 {
-  void *list;
+  char *list;
 
-  memcpy (&list, items, sizeof list);
-  char *grown =
-    *count < INT32_MAX ? qn_array_grow (list, capacity, *count + 1, size) : NULL;
-  if (grown == NULL)
+  if (*count >= INT32_MAX || !qn_array_reserve (items, capacity, *count + 1, size))
     return NULL;
-  memcpy (items, &grown, sizeof grown);
-  return memset (grown + (*count)++ * size, 0, size);
+  memcpy (&list, items, sizeof list);
+  return memset (list + (*count)++ * size, 0, size);
 }
 
 void *

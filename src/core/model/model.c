@@ -227,13 +227,12 @@ append_vertices (QnModel *model, const QnVec2 *vertices, size_t count)
   size_t need = model->vertex_count + count;
   if (need > INT32_MAX)
     return false;
-  QnVec2 *grown =
-    qn_array_grow (model->vertices, &model->vertex_capacity, need, sizeof *grown);
-  if (grown == NULL)
+  if (!qn_array_reserve (&model->vertices, &model->vertex_capacity, need,
+                         sizeof *model->vertices))
     return false;
-  model->vertices = grown;
   if (count > 0)
-    memcpy (grown + model->vertex_count, vertices, count * sizeof *grown);
+    memcpy (model->vertices + model->vertex_count, vertices,
+            count * sizeof *model->vertices);
   return true;
 }
 
@@ -349,13 +348,8 @@ qn_model_copy_ground_motion (QnModel *model, const QnGroundMotion *motion)
 bool
 qn_ground_motion_add_point (QnGroundMotion *motion, double time, double acceleration)
 {
-  QnVec2 *points = qn_array_grow (motion->points, &motion->point_capacity,
-                                  motion->point_count + 1, sizeof *points);
-  if (points == NULL)
-    return false;
-  motion->points = points;
-  points[motion->point_count++] = qn_vec2 (time, acceleration);
-  return true;
+  return QN_ARRAY_PUSH (motion->points, motion->point_count, motion->point_capacity,
+                        qn_vec2 (time, acceleration));
 }
 
 QnInitialMotion *

@@ -13,20 +13,16 @@ qn_wall_add_course (QnWall *wall, const double *lengths, size_t count)
   if (count > (size_t) INT32_MAX - begin || courses >= INT32_MAX)
     return false;
 
-  double *grown =
-    qn_array_grow (wall->lengths, &wall->length_capacity, begin + count, sizeof *grown);
-  if (grown == NULL)
+  if (!qn_array_reserve (&wall->lengths, &wall->length_capacity, begin + count,
+                         sizeof *wall->lengths))
     return false;
-  wall->lengths = grown;
-  int32_t *ends =
-    qn_array_grow (wall->course_ends, &wall->course_capacity, courses + 1, sizeof *ends);
-  if (ends == NULL)
+  if (!qn_array_reserve (&wall->course_ends, &wall->course_capacity, courses + 1,
+                         sizeof *wall->course_ends))
     return false;
-  wall->course_ends = ends;
 
   if (count > 0)
-    memcpy (grown + begin, lengths, count * sizeof *grown);
-  ends[courses] = (int32_t) (begin + count);
+    memcpy (wall->lengths + begin, lengths, count * sizeof *wall->lengths);
+  wall->course_ends[courses] = (int32_t) (begin + count);
   wall->course_count++;
   return true;
 }

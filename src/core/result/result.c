@@ -94,34 +94,26 @@ bool
 qn_result_add_step (QnResult *result, QnStep step, const double *displacements)
 {
   size_t row = qn_result_body_count (result) * QN_DOF_COUNT;
-  QnStep *steps = qn_array_grow (result->steps, &result->step_capacity,
-                                 result->step_count + 1, sizeof *steps);
-  if (steps == NULL)
+  if (!qn_array_reserve (&result->steps, &result->step_capacity, result->step_count + 1,
+                         sizeof *result->steps))
     return false;
-  result->steps = steps;
-
-  double *all = qn_array_grow (result->displacements, &result->displacement_capacity,
-                               (result->step_count + 1) * row, sizeof *all);
-  if (all == NULL)
+  if (!qn_array_reserve (&result->displacements, &result->displacement_capacity,
+                         (result->step_count + 1) * row, sizeof *result->displacements))
     return false;
-  result->displacements = all;
-
-  memcpy (all + result->step_count * row, displacements, row * sizeof *all);
-  steps[result->step_count++] = step;
+  memcpy (result->displacements + result->step_count * row, displacements,
+          row * sizeof *result->displacements);
+  result->steps[result->step_count++] = step;
   return true;
 }
 
 bool
 qn_result_add_event (QnResult *result, QnPathEvent event)
 {
-  QnPathEvent *events = qn_array_grow (result->events, &result->event_capacity,
-                                       result->event_count + 1, sizeof *events);
-  if (events == NULL) {
+  if (!QN_ARRAY_PUSH (result->events, result->event_count, result->event_capacity,
+                      event)) {
     free (event.blocks);
     return false;
   }
-  result->events = events;
-  events[result->event_count++] = event;
   if (event.kind == QN_EVENT_KIND_SNAP && !result->has_first_limit_multiplier)
     qn_result_set_first_limit (result, event.multiplier);
   return true;
@@ -202,13 +194,11 @@ bool
 qn_result_add_reactions (QnResult *result, const double *reactions)
 {
   size_t row = result->support_count * QN_DOF_COUNT;
-  double *all = qn_array_grow (result->reactions, &result->reaction_capacity,
-                               result->step_count * row, sizeof *all);
-  if (all == NULL)
+  if (!qn_array_reserve (&result->reactions, &result->reaction_capacity,
+                         result->step_count * row, sizeof *result->reactions))
     return false;
-  result->reactions = all;
 
-  double *last = all + (result->step_count - 1) * row;
+  double *last = result->reactions + (result->step_count - 1) * row;
   for (size_t s = 0; s < result->support_count; s++)
     memcpy (last + s * QN_DOF_COUNT, reactions + result->supports[s] * QN_DOF_COUNT,
             QN_DOF_COUNT * sizeof *last);
@@ -219,12 +209,11 @@ bool
 qn_result_add_velocities (QnResult *result, const double *velocities)
 {
   size_t row = qn_result_body_count (result) * QN_DOF_COUNT;
-  double *all = qn_array_grow (result->velocities, &result->velocity_capacity,
-                               result->step_count * row, sizeof *all);
-  if (all == NULL)
+  if (!qn_array_reserve (&result->velocities, &result->velocity_capacity,
+                         result->step_count * row, sizeof *result->velocities))
     return false;
-  result->velocities = all;
-  memcpy (all + (result->step_count - 1) * row, velocities, row * sizeof *all);
+  memcpy (result->velocities + (result->step_count - 1) * row, velocities,
+          row * sizeof *result->velocities);
   return true;
 }
 
@@ -248,21 +237,17 @@ qn_result_add_forces (QnResult *result, bool all)
     drop_forces (result);
   if (result->forces_dropped)
     return true;
-  double *forces = qn_array_grow (result->step_forces, &result->step_force_capacity,
-                                  2 * (last + row), sizeof *forces);
-  if (forces == NULL)
+  if (!qn_array_reserve (&result->step_forces, &result->step_force_capacity,
+                         2 * (last + row), sizeof *result->step_forces))
     return false;
-  result->step_forces = forces;
-  uint8_t *states = qn_array_grow (result->step_states, &result->step_state_capacity,
-                                   last + row, sizeof *states);
-  if (states == NULL)
+  if (!qn_array_reserve (&result->step_states, &result->step_state_capacity, last + row,
+                         sizeof *result->step_states))
     return false;
-  result->step_states = states;
 
   for (size_t p = 0; p < row; p++) {
-    forces[2 * (last + p)] = result->pairs[p].normal_force;
-    forces[2 * (last + p) + 1] = result->pairs[p].shear_force;
-    states[last + p] = (uint8_t) result->pairs[p].state;
+    result->step_forces[2 * (last + p)] = result->pairs[p].normal_force;
+    result->step_forces[2 * (last + p) + 1] = result->pairs[p].shear_force;
+    result->step_states[last + p] = (uint8_t) result->pairs[p].state;
   }
   return true;
 }
@@ -285,52 +270,33 @@ qn_result_add_found (QnResult *result, QnFound found, QnId *place)
     *place = (QnId) i;
   if (i < result->found_count)
     return true;
-  QnFound *all = qn_array_grow (result->found, &result->found_capacity,
-                                result->found_count + 1, sizeof *all);
-  if (all == NULL)
-    return false;
-  result->found = all;
-  all[result->found_count++] = found;
-  return true;
+  return QN_ARRAY_PUSH (result->found, result->found_count, result->found_capacity,
+                        found);
 }
 
 bool
 qn_result_add_found_force (QnResult *result, QnFoundForce force)
 {
-  QnFoundForce *all = qn_array_grow (result->found_forces, &result->found_force_capacity,
-                                     result->found_force_count + 1, sizeof *all);
-
-  if (all == NULL)
-    return false;
-  result->found_forces = all;
-  all[result->found_force_count++] = force;
-  return true;
+  return QN_ARRAY_PUSH (result->found_forces, result->found_force_count,
+                        result->found_force_capacity, force);
 }
 
 bool
 qn_result_add_left (QnResult *result, QnLeftFace left)
 {
-  QnLeftFace *all = qn_array_grow (result->left, &result->left_capacity,
-                                   result->left_count + 1, sizeof *all);
-
-  if (all == NULL)
-    return false;
-  result->left = all;
-  all[result->left_count++] = left;
-  return true;
+  return QN_ARRAY_PUSH (result->left, result->left_count, result->left_capacity, left);
 }
 
 bool
 qn_result_add_history (QnResult *result, const double *row)
 {
   QnHistory *history = &result->history;
-  double *rows = qn_array_grow (history->rows, &history->capacity,
-                                (history->row_count + 1) * history->width, sizeof *rows);
-  if (rows == NULL)
+  if (!qn_array_reserve (&history->rows, &history->capacity,
+                         (history->row_count + 1) * history->width,
+                         sizeof *history->rows))
     return false;
-  history->rows = rows;
-  memcpy (rows + history->row_count++ * history->width, row,
-          history->width * sizeof *rows);
+  memcpy (history->rows + history->row_count++ * history->width, row,
+          history->width * sizeof *history->rows);
   return true;
 }
 
@@ -377,12 +343,10 @@ qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces)
 {
   QN_ASSERT (result->step_count > 0);
   size_t count = result->element_count, end = result->step_count * count;
-  QnBeamForces *all =
-    qn_array_grow (result->beam_forces, &result->beam_force_capacity, end, sizeof *all);
-  if (all == NULL)
+  if (!qn_array_reserve (&result->beam_forces, &result->beam_force_capacity, end,
+                         sizeof *result->beam_forces))
     return false;
-  result->beam_forces = all;
-  memcpy (all + end - count, forces, count * sizeof *all);
+  memcpy (result->beam_forces + end - count, forces, count * sizeof *result->beam_forces);
   return true;
 }
 

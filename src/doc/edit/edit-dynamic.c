@@ -172,21 +172,14 @@ qn_edit_remove_ground_motion (QnModel *model, gsize index, GError **error)
 const char *
 qn_pulse_kind_text (QnPulseKind kind)
 {
-  switch (kind) {
-  case QN_PULSE_HALF_SINE:
-    return _ ("half sine");
-  case QN_PULSE_SINE:
-    return _ ("sine");
-  case QN_PULSE_RECTANGLE:
-    return _ ("rectangle");
-  case QN_PULSE_RICKER:
-    return _ ("Ricker wavelet");
-  case QN_PULSE_STEP_IMPULSE:
-    return _ ("step impulse");
-  case QN_PULSE_KIND_COUNT:
-    break;
-  }
-  g_assert_not_reached ();
+  static const char *const texts[QN_PULSE_KIND_COUNT] = {
+    [QN_PULSE_HALF_SINE] = N_ ("half sine"),
+    [QN_PULSE_SINE] = N_ ("sine"),
+    [QN_PULSE_RECTANGLE] = N_ ("rectangle"),
+    [QN_PULSE_RICKER] = N_ ("Ricker wavelet"),
+    [QN_PULSE_STEP_IMPULSE] = N_ ("step impulse"),
+  };
+  return _ (texts[kind]);
 }
 
 char *

@@ -8,45 +8,27 @@
 static const char *
 entity_word (QnEntity entity)
 {
-  switch (entity) {
-  case QN_ENTITY_LAW:
-    return _ ("Law");
-  case QN_ENTITY_BLOCK:
-    return _ ("Block");
-  case QN_ENTITY_WALL:
-    return _ ("Wall");
-  case QN_ENTITY_CONTACT:
-    return _ ("Contacts");
-  case QN_ENTITY_FACE_OVERRIDE:
-    return _ ("Contact face");
-  case QN_ENTITY_BAR:
-    return _ ("Reinforcing bar");
-  case QN_ENTITY_NODE:
-    return _ ("Node");
-  case QN_ENTITY_SECTION:
-    return _ ("Section");
-  case QN_ENTITY_BEAM:
-    return _ ("Beam");
-  case QN_ENTITY_DEAD_LOAD:
-    return _ ("Dead load");
-  case QN_ENTITY_LIVE_LOAD:
-    return _ ("Live load");
-  case QN_ENTITY_ANALYSIS:
-    return _ ("Analysis");
-  case QN_ENTITY_STAGE:
-    return _ ("Load stage");
-  case QN_ENTITY_GROUND_MOTION:
-    return _ ("Ground motion");
-  case QN_ENTITY_INITIAL_MOTION:
-    return _ ("Initial motion");
-  case QN_ENTITY_TRACK:
-    return _ ("Tracked displacement");
-  case QN_ENTITY_MASONRY:
-    return _ ("Masonry");
-  case QN_ENTITY_MODEL:
-    break;
-  }
-  return _ ("Model");
+  static const char *const texts[] = {
+    [QN_ENTITY_LAW] = N_ ("Law"),
+    [QN_ENTITY_BLOCK] = N_ ("Block"),
+    [QN_ENTITY_WALL] = N_ ("Wall"),
+    [QN_ENTITY_CONTACT] = N_ ("Contacts"),
+    [QN_ENTITY_FACE_OVERRIDE] = N_ ("Contact face"),
+    [QN_ENTITY_BAR] = N_ ("Reinforcing bar"),
+    [QN_ENTITY_NODE] = N_ ("Node"),
+    [QN_ENTITY_SECTION] = N_ ("Section"),
+    [QN_ENTITY_BEAM] = N_ ("Beam"),
+    [QN_ENTITY_DEAD_LOAD] = N_ ("Dead load"),
+    [QN_ENTITY_LIVE_LOAD] = N_ ("Live load"),
+    [QN_ENTITY_ANALYSIS] = N_ ("Analysis"),
+    [QN_ENTITY_STAGE] = N_ ("Load stage"),
+    [QN_ENTITY_GROUND_MOTION] = N_ ("Ground motion"),
+    [QN_ENTITY_INITIAL_MOTION] = N_ ("Initial motion"),
+    [QN_ENTITY_TRACK] = N_ ("Tracked displacement"),
+    [QN_ENTITY_MASONRY] = N_ ("Masonry"),
+    [QN_ENTITY_MODEL] = N_ ("Model"),
+  };
+  return _ (texts[entity]);
 }
 
 static const char *
@@ -103,45 +85,29 @@ qn_explain_finding (const QnModel *model, const QnFinding *finding)
 const char *
 qn_explain_outcome_label (QnOutcome outcome)
 {
-  switch (outcome) {
-  case QN_OUTCOME_COLLAPSE:
-    return _ ("Collapse");
-  case QN_OUTCOME_TARGET_REACHED:
-    return _ ("Target reached");
-  case QN_OUTCOME_SNAP:
-    return _ ("Stopped at a limit point");
-  case QN_OUTCOME_UNBOUNDED:
-    return _ ("No limit");
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
-    return _ ("Dead load cannot stand");
-  case QN_OUTCOME_CANCELLED:
-    return _ ("Cancelled");
-  case QN_OUTCOME_NOT_CONVERGED:
-    return _ ("Not converged");
-  case QN_OUTCOME_REST:
-    return _ ("At rest");
-  case QN_OUTCOME_COUNT:
-    break;
-  }
-  return "";
+  static const char *const texts[QN_OUTCOME_COUNT] = {
+    [QN_OUTCOME_COLLAPSE] = N_ ("Collapse"),
+    [QN_OUTCOME_TARGET_REACHED] = N_ ("Target reached"),
+    [QN_OUTCOME_SNAP] = N_ ("Stopped at a limit point"),
+    [QN_OUTCOME_UNBOUNDED] = N_ ("No limit"),
+    [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = N_ ("Dead load cannot stand"),
+    [QN_OUTCOME_CANCELLED] = N_ ("Cancelled"),
+    [QN_OUTCOME_NOT_CONVERGED] = N_ ("Not converged"),
+    [QN_OUTCOME_REST] = N_ ("At rest"),
+  };
+  return _ (texts[outcome]);
 }
 
 const char *
 qn_explain_pair_state (QnPairState state)
 {
-  switch (state) {
-  case QN_PAIR_STICK:
-    return _ ("sticks");
-  case QN_PAIR_SLIP:
-    return _ ("slides");
-  case QN_PAIR_OPEN:
-    return _ ("open");
-  case QN_PAIR_YIELD:
-    return _ ("yields");
-  case QN_PAIR_STATE_COUNT:
-    break;
-  }
-  return "";
+  static const char *const texts[QN_PAIR_STATE_COUNT] = {
+    [QN_PAIR_STICK] = N_ ("sticks"),
+    [QN_PAIR_SLIP] = N_ ("slides"),
+    [QN_PAIR_OPEN] = N_ ("open"),
+    [QN_PAIR_YIELD] = N_ ("yields"),
+  };
+  return _ (texts[state]);
 }
 
 char *

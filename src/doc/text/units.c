@@ -77,32 +77,20 @@ find_row (QnQuantity quantity, const char *symbol)
 const char *
 qn_units_symbol (QnUnits units, QnQuantity quantity)
 {
-  switch (quantity) {
-  case QN_QUANTITY_LENGTH:
-    return length_symbols[units.length];
-  case QN_QUANTITY_ANGLE:
-    return "°";
-  case QN_QUANTITY_FORCE:
-    return force_symbols[units.force];
-  case QN_QUANTITY_MOMENT:
-    return moment_symbols[units.force];
-  case QN_QUANTITY_STRESS:
-    return stress_symbols[units.stress];
-  case QN_QUANTITY_STIFFNESS:
-    return stiffness_symbols[units.force];
-  case QN_QUANTITY_SURFACE_STIFFNESS:
-    return surface_symbols[units.stress];
-  case QN_QUANTITY_UNIT_WEIGHT:
-    return unit_weight_symbols[units.force];
-  case QN_QUANTITY_DENSITY:
-    return "kg/m³";
-  case QN_QUANTITY_TIME:
-    return "s";
-  case QN_QUANTITY_NUMBER:
-  case QN_QUANTITY_COUNT:
-    break;
-  }
-  return "";
+  const char *const symbols[QN_QUANTITY_COUNT] = {
+    [QN_QUANTITY_LENGTH] = length_symbols[units.length],
+    [QN_QUANTITY_ANGLE] = "°",
+    [QN_QUANTITY_FORCE] = force_symbols[units.force],
+    [QN_QUANTITY_MOMENT] = moment_symbols[units.force],
+    [QN_QUANTITY_STRESS] = stress_symbols[units.stress],
+    [QN_QUANTITY_STIFFNESS] = stiffness_symbols[units.force],
+    [QN_QUANTITY_SURFACE_STIFFNESS] = surface_symbols[units.stress],
+    [QN_QUANTITY_UNIT_WEIGHT] = unit_weight_symbols[units.force],
+    [QN_QUANTITY_DENSITY] = "kg/m³",
+    [QN_QUANTITY_TIME] = "s",
+    [QN_QUANTITY_NUMBER] = "",
+  };
+  return symbols[quantity];
 }
 
 double

@@ -92,18 +92,12 @@ with_mm (QnUnits units)
 static const char *
 place_word (QnPressurePlace place)
 {
-  switch (place) {
-  case QN_PLACE_KERN:
-    return _ ("within the kern");
-  case QN_PLACE_INSIDE:
-    return _ ("outside the kern");
-  case QN_PLACE_EDGE:
-    return _ ("at the edge");
-  case QN_PLACE_NOWHERE:
-  case QN_PLACE_COUNT:
-    break;
-  }
-  return "";
+  static const char *const texts[QN_PLACE_COUNT] = {
+    [QN_PLACE_KERN] = N_ ("within the kern"),
+    [QN_PLACE_INSIDE] = N_ ("outside the kern"),
+    [QN_PLACE_EDGE] = N_ ("at the edge"),
+  };
+  return texts[place] != NULL ? _ (texts[place]) : "";
 }
 
 /* "e 83 mm, outside the kern (±67 mm; edge ±200 mm)" */

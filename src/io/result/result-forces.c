@@ -41,11 +41,9 @@ gboolean
 qn_result_force_read (QnJsonStream *stream, gpointer target)
 {
   QnStepForces *all = target;
-  double *grown = qn_array_grow (all->forces, &all->force_capacity, all->force_count + 1,
-                                 sizeof *grown);
-  if (grown == NULL)
+  if (!qn_array_reserve (&all->forces, &all->force_capacity, all->force_count + 1,
+                         sizeof *all->forces))
     return qn_json_stream_no_memory (stream);
-  all->forces = grown;
   return qn_json_stream_number (stream, &all->forces[all->force_count++]);
 }
 
@@ -57,11 +55,9 @@ qn_result_states_read (QnJsonStream *stream, gpointer target)
   if (!qn_json_stream_string (stream, &text))
     return FALSE;
   size_t length = strlen (text);
-  uint8_t *grown = qn_array_grow (all->states, &all->state_capacity,
-                                  all->state_count + length, sizeof *grown);
-  if (grown == NULL)
+  if (!qn_array_reserve (&all->states, &all->state_capacity, all->state_count + length,
+                         sizeof *all->states))
     return qn_json_stream_no_memory (stream);
-  all->states = grown;
   for (size_t i = 0; i < length; i++) {
     const char *letter = strchr (letters, text[i]);
     if (letter == NULL)

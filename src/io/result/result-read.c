@@ -14,12 +14,8 @@
 static gboolean
 grow (QnJsonStream *stream, gpointer array, size_t count, size_t *capacity, size_t size)
 {
-  void **items = array;
-  void *grown = qn_array_grow (*items, capacity, count + 1, size);
-  if (grown == NULL)
-    return qn_json_stream_no_memory (stream);
-  *items = grown;
-  return TRUE;
+  return qn_array_reserve (array, capacity, count + 1, size)
+         || qn_json_stream_no_memory (stream);
 }
 
 static gboolean

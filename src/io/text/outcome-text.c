@@ -175,22 +175,14 @@ collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
 static const char *
 found_by_words (QnProcedure procedure)
 {
-  switch (procedure) {
-  case QN_PROCEDURE_LOAD:
-    return _ ("found by load control");
-  case QN_PROCEDURE_DISPLACEMENT:
-    return _ ("found by displacement control");
-  case QN_PROCEDURE_WORK:
-    return _ ("found by work control");
-  case QN_PROCEDURE_ARC_LENGTH:
-    return _ ("found by arc-length control");
-  case QN_PROCEDURE_LIMIT:
-    return _ ("found by limit analysis of rigid blocks");
-  case QN_PROCEDURE_DYNAMIC:
-  case QN_PROCEDURE_COUNT:
-    break;
-  }
-  return "";
+  static const char *const texts[QN_PROCEDURE_COUNT] = {
+    [QN_PROCEDURE_LOAD] = N_ ("found by load control"),
+    [QN_PROCEDURE_DISPLACEMENT] = N_ ("found by displacement control"),
+    [QN_PROCEDURE_WORK] = N_ ("found by work control"),
+    [QN_PROCEDURE_ARC_LENGTH] = N_ ("found by arc-length control"),
+    [QN_PROCEDURE_LIMIT] = N_ ("found by limit analysis of rigid blocks"),
+  };
+  return texts[procedure] != NULL ? _ (texts[procedure]) : "";
 }
 
 char *

@@ -215,24 +215,15 @@ qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
 const char *
 qn_mechanism_kind_text (QnMechanismKind kind)
 {
-  switch (kind) {
-  case QN_MECHANISM_KIND_OVERTURNING:
-    return _ ("overturning");
-  case QN_MECHANISM_KIND_ROCKING:
-    return _ ("rocking");
-  case QN_MECHANISM_KIND_SLIDING:
-    return _ ("sliding");
-  case QN_MECHANISM_KIND_STEPPED:
-    return _ ("stepped separation");
-  case QN_MECHANISM_KIND_ARCH:
-    return _ ("hinged arch");
-  case QN_MECHANISM_KIND_FALLING:
-    return _ ("falling blocks");
-  case QN_MECHANISM_KIND_MIXED:
-    return _ ("rocking and sliding");
-  case QN_MECHANISM_KIND_NONE:
-  case QN_MECHANISM_KIND_COUNT:
-    break;
-  }
-  return _ ("beams give way"); /* no block moves */
+  static const char *const texts[QN_MECHANISM_KIND_COUNT] = {
+    [QN_MECHANISM_KIND_OVERTURNING] = N_ ("overturning"),
+    [QN_MECHANISM_KIND_ROCKING] = N_ ("rocking"),
+    [QN_MECHANISM_KIND_SLIDING] = N_ ("sliding"),
+    [QN_MECHANISM_KIND_STEPPED] = N_ ("stepped separation"),
+    [QN_MECHANISM_KIND_ARCH] = N_ ("hinged arch"),
+    [QN_MECHANISM_KIND_FALLING] = N_ ("falling blocks"),
+    [QN_MECHANISM_KIND_MIXED] = N_ ("rocking and sliding"),
+    [QN_MECHANISM_KIND_NONE] = N_ ("beams give way"), /* no block moves */
+  };
+  return _ (texts[kind]);
 }

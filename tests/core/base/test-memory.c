@@ -8,8 +8,8 @@ static void
 test_grow_keeps_and_zeroes (void)
 {
   size_t capacity = 0;
-  int *items = qn_array_grow (NULL, &capacity, 3, sizeof *items);
-  g_assert_nonnull (items);
+  int *items = NULL;
+  g_assert_true (qn_array_reserve (&items, &capacity, 3, sizeof *items));
   g_assert_cmpuint (capacity, >=, 3);
   for (size_t i = 0; i < capacity; i++) {
     g_assert_cmpint (items[i], ==, 0);
@@ -17,8 +17,7 @@ test_grow_keeps_and_zeroes (void)
   }
 
   size_t before = capacity;
-  items = qn_array_grow (items, &capacity, 1000, sizeof *items);
-  g_assert_nonnull (items);
+  g_assert_true (qn_array_reserve (&items, &capacity, 1000, sizeof *items));
   g_assert_cmpuint (capacity, >=, 1000);
   for (size_t i = 0; i < capacity; i++)
     g_assert_cmpint (items[i], ==, i < before ? (int) i + 1 : 0);
@@ -29,9 +28,26 @@ static void
 test_grow_refuses_overflow (void)
 {
   size_t capacity = 0;
-  g_assert_null (qn_array_grow (NULL, &capacity, SIZE_MAX / 4, 16));
+  void *items = NULL;
+  g_assert_false (qn_array_reserve (&items, &capacity, SIZE_MAX / 4, 16));
   g_assert_cmpuint (capacity, ==, 0);
-  g_assert_null (qn_array_grow (NULL, &capacity, SIZE_MAX, 1));
+  g_assert_false (qn_array_reserve (&items, &capacity, SIZE_MAX, 1));
+  g_assert_null (items);
+}
+
+static void
+test_push (void)
+{
+  struct {
+    int *items;
+    size_t count, capacity;
+  } list = { NULL, 0, 0 };
+  for (int i = 0; i < 100; i++)
+    g_assert_true (QN_ARRAY_PUSH (list.items, list.count, list.capacity, i * i));
+  g_assert_cmpuint (list.count, ==, 100);
+  for (int i = 0; i < 100; i++)
+    g_assert_cmpint (list.items[i], ==, i * i);
+  free (list.items);
 }
 
 static void
@@ -63,6 +79,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/memory/grow/keeps-and-zeroes", test_grow_keeps_and_zeroes);
   g_test_add_func ("/memory/grow/refuses-overflow", test_grow_refuses_overflow);
+  g_test_add_func ("/memory/push", test_push);
   g_test_add_func ("/memory/lines", test_lines);
   g_test_add_func ("/memory/strdup", test_strdup);
   return g_test_run ();
