@@ -40,19 +40,6 @@ motion (const QnResult *result, size_t from, size_t to, size_t block)
          - qn_result_step_displacements (result, from)[at];
 }
 
-/* Steps that the mechanism is the motion between. */
-static void
-find_mechanism (const QnResult *result, size_t peak, size_t *from, size_t *to)
-{
-  double top = result->steps[peak].multiplier;
-  size_t last = result->step_count - 1;
-
-  *from = peak == last ? 0 : peak;
-  *to = *from;
-  while (*to < last && (*to == *from || result->steps[*to].multiplier > FALLEN * top))
-    ++*to;
-}
-
 /* M*, e* and the ratio of displacements. False where nothing moves along the load. */
 static bool
 find_masses (QnCapacity *c, const QnModel *model, const QnResult *result, size_t from,
@@ -81,36 +68,12 @@ find_masses (QnCapacity *c, const QnModel *model, const QnResult *result, size_t
   return c->ratio > 0;
 }
 
-/* Ends the curve where the multiplier comes back to 0. */
-static void
-add_points (QnCapacity *c, const QnResult *result, size_t peak, double direction,
-            double acceleration)
-{
-  for (size_t i = 0; i < result->step_count && !c->reaches_zero; i++) {
-    double control = copysign (1, direction) * motion (result, 0, i, (size_t) c->block);
-    double multiplier = result->steps[i].multiplier;
-    if (i > peak && multiplier <= 0) {
-      const QnCapacityPoint *before = &c->points[c->count - 1];
-      double part = before->multiplier / (before->multiplier - multiplier);
-      control = before->control + part * (control - before->control);
-      multiplier = 0;
-      c->reaches_zero = true;
-    }
-    c->points[c->count++] =
-      (QnCapacityPoint){ .multiplier = multiplier,
-                         .control = control,
-                         .displacement = control * c->ratio,
-                         .acceleration = multiplier * acceleration };
-  }
-  c->end = c->points[c->count - 1].displacement;
-}
-
 QnStatus
 qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
                   QnId control, QnDiag *diag)
 {
   double direction = 0;
-  size_t peak = 0, from, to;
+  size_t peak = 0, last = result->step_count - 1;
 
   *c = (QnCapacity){ .block = control };
   QnStatus status = check_loads (model, diag);
@@ -122,8 +85,12 @@ qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
   for (size_t i = 0; i < result->step_count; i++)
     if (result->steps[i].multiplier > result->steps[peak].multiplier)
       peak = i;
-  if (peak > 0)
-    find_mechanism (result, peak, &from, &to);
+  /* The mechanism is the motion from the peak, or from the start, to where the path has fallen. */
+  size_t from = peak == last ? 0 : peak, to = from;
+  while (peak > 0 && to < last
+         && (to == from
+             || result->steps[to].multiplier > FALLEN * result->steps[peak].multiplier))
+    to++;
   if (peak == 0 || !find_masses (c, model, result, from, to, direction))
     return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_MOTION,
                         QN_ENTITY_BLOCK, control, QN_NONE);
@@ -131,7 +98,26 @@ qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
   if (c->points == NULL)
     return qn_diag_no_memory (diag);
   c->peak = peak;
-  add_points (c, result, peak, direction, fabs (direction) * model->gravity / c->share);
+  double acceleration = fabs (direction) * model->gravity / c->share;
+  for (size_t i = 0; i < result->step_count && !c->reaches_zero; i++) {
+    double displacement =
+      copysign (1, direction) * motion (result, 0, i, (size_t) c->block);
+    double multiplier = result->steps[i].multiplier;
+    if (i > peak
+        && multiplier <= 0) { /* the curve ends where the multiplier is 0 again */
+      const QnCapacityPoint *before = &c->points[c->count - 1];
+      double part = before->multiplier / (before->multiplier - multiplier);
+      displacement = before->control + part * (displacement - before->control);
+      multiplier = 0;
+      c->reaches_zero = true;
+    }
+    c->points[c->count++] =
+      (QnCapacityPoint){ .multiplier = multiplier,
+                         .control = displacement,
+                         .displacement = displacement * c->ratio,
+                         .acceleration = multiplier * acceleration };
+  }
+  c->end = c->points[c->count - 1].displacement;
   return QN_OK;
 }
 
@@ -194,27 +180,22 @@ qn_capacity_en_demand (const QnCapacity *c, const QnSpectrum *spectrum)
   return d;
 }
 
-/* d* where the multiplier has fallen to FALLEN of its peak. */
-static double
-near_collapse (const QnCapacity *c)
+QnCapacityState
+qn_capacity_check_en (const QnCapacity *c, const QnEnDemand *demand, QnEnState which)
 {
+  double part = which == QN_EN_SD ? 0.75 : 1, near_collapse = c->end;
   double level = FALLEN * c->points[c->peak].acceleration;
 
   for (size_t i = c->peak + 1; i < c->count; i++) {
     const QnCapacityPoint *a = &c->points[i - 1], *b = &c->points[i];
-    if (b->acceleration <= level)
-      return a->displacement
-             + (a->acceleration - level) / (a->acceleration - b->acceleration)
-                 * (b->displacement - a->displacement);
+    if (b->acceleration > level)
+      continue;
+    near_collapse = a->displacement
+                    + (a->acceleration - level) / (a->acceleration - b->acceleration)
+                        * (b->displacement - a->displacement);
+    break;
   }
-  return c->end;
-}
-
-QnCapacityState
-qn_capacity_check_en (const QnCapacity *c, const QnEnDemand *demand, QnEnState which)
-{
-  double part = which == QN_EN_SD ? 0.75 : 1;
-  QnCapacityState state = { .capacity = part * near_collapse (c),
+  QnCapacityState state = { .capacity = part * near_collapse,
                             .period = demand->period,
                             .demand = demand->target };
 

@@ -36,22 +36,6 @@ pair_state (const QnPairSprings *springs, const double *force, double largest)
   return state;
 }
 
-static void
-keep_forces (QnResult *result, const QnModel *model, const QnContacts *contacts,
-             const double *forces)
-{
-  double largest = qn_largest (forces, 2 * contacts->pair_count);
-
-  for (size_t p = 0; p < contacts->pair_count; p++) {
-    QnPairSprings springs = qn_contacts_pair_springs (model, contacts, p);
-    result->pairs[p] = (QnPairResult){
-      .state = pair_state (&springs, forces + 2 * p, largest),
-      .normal_force = forces[2 * p],
-      .shear_force = forces[2 * p + 1],
-    };
-  }
-}
-
 /* A block and how far it moves, for sorting. */
 typedef struct Mover {
   double size;
@@ -93,26 +77,6 @@ keep_unstable (QnResult *result, const QnModel *model, const double *velocities,
   return QN_OK;
 }
 
-/* Rigid blocks have not moved when they collapse: both steps have no displacements. */
-static QnStatus
-keep_steps (QnResult *result, double multiplier, double residual, int32_t iterations,
-            QnDiag *diag)
-{
-  double *none = qn_alloc (result->block_count * QN_DOF_COUNT, sizeof *none);
-  bool ok = none != NULL;
-
-  ok = ok && qn_result_add_step (result, (QnStep){ 0 }, none);
-  ok = ok
-       && qn_result_add_step (result,
-                              (QnStep){ .multiplier = multiplier,
-                                        .iterations = iterations,
-                                        .residual = residual,
-                                        .event = QN_EVENT_COLLAPSE },
-                              none);
-  free (none);
-  return ok ? QN_OK : qn_diag_no_memory (diag);
-}
-
 static QnStatus
 keep_solution (QnResult *result, const QnModel *model, const QnContacts *contacts,
                const QnLimitSolution *solution, QnDiag *diag)
@@ -122,16 +86,32 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
   result->outcome = solution->outcome;
   qn_statistics_add (&result->statistics, &solution->effort);
   switch (solution->outcome) {
-  case QN_OUTCOME_COLLAPSE:
+  case QN_OUTCOME_COLLAPSE: {
     result->has_collapse_multiplier = true;
     result->collapse_multiplier = solution->lower_bound;
     result->limit.given = true;
     result->limit.lower_bound = solution->lower_bound;
     result->limit.upper_bound = solution->upper_bound;
-    keep_forces (result, model, contacts, solution->forces);
-    status = keep_steps (result, solution->lower_bound, solution->check.static_residual,
-                         solution->effort.iterations, diag);
+    double largest = qn_largest (solution->forces, 2 * contacts->pair_count);
+    for (size_t p = 0; p < contacts->pair_count; p++) {
+      const double *force = solution->forces + 2 * p;
+      QnPairSprings springs = qn_contacts_pair_springs (model, contacts, p);
+      result->pairs[p] = (QnPairResult){ .state = pair_state (&springs, force, largest),
+                                         .normal_force = force[0],
+                                         .shear_force = force[1] };
+    }
+    /* Rigid blocks have not moved when they collapse: both steps have no displacements. */
+    double *none = qn_alloc (result->block_count * QN_DOF_COUNT, sizeof *none);
+    QnStep collapse = { .multiplier = solution->lower_bound,
+                        .iterations = solution->effort.iterations,
+                        .residual = solution->check.static_residual,
+                        .event = QN_EVENT_COLLAPSE };
+    if (none == NULL || !qn_result_add_step (result, (QnStep){ 0 }, none)
+        || !qn_result_add_step (result, collapse, none))
+      status = qn_diag_no_memory (diag);
+    free (none);
     break;
+  }
   case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
     status = keep_unstable (result, model, solution->velocities, diag);
     break;

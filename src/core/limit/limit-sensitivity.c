@@ -58,17 +58,7 @@ has_cone (const QnLaw *law)
   return law->kind == QN_LAW_COULOMB || law->kind == QN_LAW_MOHR_COULOMB;
 }
 
-/* How far the forces are from the cone of a law; INFINITY where it has none. */
-static double
-slack_of (const QnLaw *law, double unit, const QnPairResult *force)
-{
-  if (!has_cone (law))
-    return INFINITY;
-  return law->cohesion * unit - law->friction * force->normal_force
-         - fabs (force->shear_force);
-}
-
-/* The law of the weaker of the two springs. */
+/* The law of the spring whose cone is nearer to the forces: the weaker of the two. */
 static QnId
 governing_law (const QnModel *model, const QnContacts *contacts, size_t pair, double area,
                const QnPairResult *force)
@@ -79,7 +69,11 @@ governing_law (const QnModel *model, const QnContacts *contacts, size_t pair, do
   for (int side = 0; side < 2; side++) {
     laws[side] = qn_contacts_pair_law (model, contacts, pair, side);
     const QnLaw *law = &model->laws[laws[side]];
-    slack[side] = slack_of (law, law->basis == QN_BASIS_CONTACT ? 1.0 : area, force);
+    double unit = law->basis == QN_BASIS_CONTACT ? 1.0 : area;
+    slack[side] = !has_cone (law)
+                    ? (double) INFINITY
+                    : law->cohesion * unit - law->friction * force->normal_force
+                        - fabs (force->shear_force);
   }
   return slack[1] < slack[0] ? laws[1] : laws[0];
 }
@@ -111,23 +105,6 @@ thickens (const QnModel *model, const QnContactFace *face, const bool *grows)
   if (a->thickness == b->thickness)
     return grows[face->a] && grows[face->b];
   return a->thickness < b->thickness ? grows[face->a] : grows[face->b];
-}
-
-static void
-add_pairs (const QnModel *model, const QnContacts *contacts, const QnResult *result,
-           const double *v, QnLawSensitivity *laws)
-{
-  for (size_t p = 0; p < contacts->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-    double area = pair->tributary * face->thickness;
-    QnId id = governing_law (model, contacts, p, area, &result->pairs[p]);
-    const QnLaw *law = &model->laws[id];
-    if (has_cone (law))
-      add_strength (&laws[id], law, law->basis == QN_BASIS_CONTACT ? 1.0 : area,
-                    pair_rates (model, face, pair->point, v),
-                    result->pairs[p].normal_force);
-  }
 }
 
 /* What joints dissipate grows with their area: forces times rates. */
@@ -177,30 +154,14 @@ add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *re
   out->thickness = -power + area_power (model, contacts, result, v, grows);
 }
 
-/* The mechanism at unit power of the live load; NULL where memory runs out. */
-static double *
-unit_mechanism (const QnModel *model, const QnResult *result)
-{
-  size_t count = model->block_count * QN_DOF_COUNT;
-  double *v = qn_alloc (count, sizeof *v), power = 0.0;
-
-  if (!v)
-    return NULL;
-  for (size_t i = 0; i < model->live_load_count; i++)
-    if (model->live_loads[i].set == 0)
-      power += load_power (model, &model->live_loads[i], result->mechanism);
-  for (size_t i = 0; i < count; i++)
-    v[i] = result->mechanism[i] / power;
-  return v;
-}
-
 QnStatus
 qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
                       const QnResult *result, QnLimitSensitivity *out, QnDiag *diag)
 {
   QN_ASSERT (result->outcome == QN_OUTCOME_COLLAPSE && result->limit.given
              && result->limit.flow == QN_FLOW_ASSOCIATIVE);
-  double *v = unit_mechanism (model, result);
+  size_t count = model->block_count * QN_DOF_COUNT;
+  double *v = qn_alloc (count, sizeof *v), power = 0.0;
   bool *grows = qn_alloc (model->block_count, sizeof *grows);
 
   *out = (QnLimitSensitivity){
@@ -215,7 +176,23 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
     qn_limit_sensitivity_clear (out);
     return qn_diag_no_memory (diag);
   }
-  add_pairs (model, contacts, result, v, out->laws);
+  /* The mechanism at unit power of the live load. */
+  for (size_t i = 0; i < model->live_load_count; i++)
+    if (model->live_loads[i].set == 0)
+      power += load_power (model, &model->live_loads[i], result->mechanism);
+  for (size_t i = 0; i < count; i++)
+    v[i] = result->mechanism[i] / power;
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    double area = pair->tributary * face->thickness;
+    QnId id = governing_law (model, contacts, p, area, &result->pairs[p]);
+    const QnLaw *law = &model->laws[id];
+    if (has_cone (law))
+      add_strength (&out->laws[id], law, law->basis == QN_BASIS_CONTACT ? 1.0 : area,
+                    pair_rates (model, face, pair->point, v),
+                    result->pairs[p].normal_force);
+  }
   for (size_t l = 0; l < model->law_count; l++)
     add_blocks (model, contacts, result, v, (QnId) l, grows, &out->laws[l]);
   for (size_t i = 0; i < model->dead_load_count; i++)

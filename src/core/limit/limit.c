@@ -121,37 +121,6 @@ carry (Run *run, const double *constant, const QnIpVector *start, double *forces
   return status;
 }
 
-static QnStatus
-carry_dead_load (Run *run, QnDiag *diag)
-{
-  const double *dead = run->limit->ip.constant;
-  QnStatus status = QN_OK;
-
-  if (run->start != NULL)
-    status = carry (run, dead, &run->start->dead, run->anchor, &run->anchored, diag);
-  if (status || run->cancelled
-      || (run->start != NULL && (run->anchored || run->ip->state != QN_IP_STALLED)))
-    return status;
-  return carry (run, dead, NULL, run->anchor, &run->anchored, diag);
-}
-
-/* Forces within the strength at a multiplier just below the optimum. */
-static QnStatus
-carry_almost_all (Run *run, double lambda, bool *found, QnDiag *diag)
-{
-  const QnIpProblem *p = &run->limit->ip;
-  double *constant = qn_alloc ((size_t) p->row_count, sizeof *constant);
-  QnStatus status;
-
-  if (!constant)
-    return qn_diag_no_memory (diag);
-  for (int32_t r = 0; r < p->row_count; r++)
-    constant[r] = p->constant[r] + lambda * p->load[r];
-  status = carry (run, constant, NULL, run->inner, found, diag);
-  free (constant);
-  return status;
-}
-
 static bool
 is_answer (const QnInteriorPoint *ip)
 {
@@ -159,24 +128,6 @@ is_answer (const QnInteriorPoint *ip)
          || (ip->state == QN_IP_STALLED && ip->measures.gap < ACCEPTED_GAP
              && ip->measures.primal_residual < ACCEPTED_RESIDUAL
              && ip->measures.dual_residual < ACCEPTED_RESIDUAL);
-}
-
-static QnStatus
-raise_multiplier (Run *run, QnDiag *diag)
-{
-  QnInteriorPoint *ip = run->ip;
-  const QnIpVector *starts[] = { run->start != NULL ? &run->start->whole : NULL, NULL };
-  QnStatus status = QN_OK;
-
-  for (int i = run->start == NULL; i < 2 && !status; i++) {
-    status = begin (run, starts[i], diag);
-    while (!status && ip->state == QN_IP_RUNNING && !run->cancelled)
-      status = iterate_once (run, diag);
-    count_effort (run);
-    if (ip->state != QN_IP_STALLED || is_answer (ip) || run->cancelled)
-      break;
-  }
-  return status;
 }
 
 /* The engine's certificate proves that there is no equilibrium, but moves blocks that could
@@ -239,13 +190,22 @@ prove_lower (Run *run, double *lower, QnDiag *diag)
     if (!status)
       draw (run, anchor, 0.0, lambda, lower);
   }
+  if (status || *lower >= wanted)
+    return status;
+  const QnIpProblem *p = &run->limit->ip;
+  double *constant = qn_alloc ((size_t) p->row_count, sizeof *constant);
+  if (!constant)
+    return qn_diag_no_memory (diag);
   for (double margin = LEAST_MARGIN;
        !status && !found && *lower < wanted && margin <= MOST_MARGIN; margin *= 10.0) {
     double inner = lambda - margin * fabs (lambda);
-    status = carry_almost_all (run, inner, &found, diag);
+    for (int32_t r = 0; r < p->row_count; r++)
+      constant[r] = p->constant[r] + inner * p->load[r];
+    status = carry (run, constant, NULL, run->inner, &found, diag);
     if (!status && found)
       draw (run, run->inner, inner, lambda, lower);
   }
+  free (constant);
   return status;
 }
 
@@ -272,52 +232,58 @@ take_optimum (Run *run, QnDiag *diag)
   return QN_OK;
 }
 
-static void
-take_growth (Run *run)
-{
-  QnLimitSolution *solution = run->solution;
-
-  solution->outcome = QN_OUTCOME_UNBOUNDED;
-  solution->lower_bound = solution->upper_bound = INFINITY;
-  qn_limit_problem_forces (run->limit, run->ip->y,
-                           qn_limit_problem_multiplier (run->limit, run->ip->lambda),
-                           solution->forces);
-}
-
+/* The dead load first, from where an earlier solution leads and else from nothing; then as much of the
+ * live load as there is. */
 static QnStatus
 solve (Run *run, bool from_dead_load, QnDiag *diag)
 {
+  const QnLimitStart *start = run->start;
   QnInteriorPoint *ip = run->ip;
-  QnStatus status = from_dead_load ? carry_dead_load (run, diag) : QN_OK;
+  QnLimitSolution *solution = run->solution;
+  const QnLimitProblem *limit = run->limit;
+  QnStatus status = QN_OK;
 
-  run->solution->outcome = QN_OUTCOME_NOT_CONVERGED;
-  if (!status && from_dead_load && !run->cancelled && ip->state == QN_IP_INFEASIBLE)
-    return take_certificate (run, diag);
-  if (!status && !run->cancelled && (!from_dead_load || run->anchored || is_answer (ip)))
-    status = raise_multiplier (run, diag);
-  else
+  solution->outcome = QN_OUTCOME_NOT_CONVERGED;
+  if (from_dead_load) {
+    const double *dead = limit->ip.constant;
+    if (start != NULL)
+      status = carry (run, dead, &start->dead, run->anchor, &run->anchored, diag);
+    if (!status && !run->cancelled
+        && (start == NULL || (!run->anchored && ip->state == QN_IP_STALLED)))
+      status = carry (run, dead, NULL, run->anchor, &run->anchored, diag);
+    if (!status && !run->cancelled && ip->state == QN_IP_INFEASIBLE)
+      return take_certificate (run, diag);
+  }
+
+  if (!status && !run->cancelled
+      && (!from_dead_load || run->anchored || is_answer (ip))) {
+    const QnIpVector *starts[] = { start != NULL ? &start->whole : NULL, NULL };
+    for (int i = start == NULL; i < 2 && !status; i++) {
+      status = begin (run, starts[i], diag);
+      while (!status && ip->state == QN_IP_RUNNING && !run->cancelled)
+        status = iterate_once (run, diag);
+      count_effort (run);
+      if (ip->state != QN_IP_STALLED || is_answer (ip) || run->cancelled)
+        break;
+    }
+  } else {
     ip->state = QN_IP_STALLED;
+  }
+
   if (status)
     return status;
   if (run->cancelled)
-    run->solution->outcome = QN_OUTCOME_CANCELLED;
+    solution->outcome = QN_OUTCOME_CANCELLED;
   else if (ip->state == QN_IP_INFEASIBLE)
     status = take_certificate (run, diag);
-  else if (ip->state == QN_IP_UNBOUNDED)
-    take_growth (run);
-  else if (is_answer (ip))
+  else if (ip->state == QN_IP_UNBOUNDED) {
+    solution->outcome = QN_OUTCOME_UNBOUNDED;
+    solution->lower_bound = solution->upper_bound = INFINITY;
+    qn_limit_problem_forces (
+      limit, ip->y, qn_limit_problem_multiplier (limit, ip->lambda), solution->forces);
+  } else if (is_answer (ip))
     status = take_optimum (run, diag);
   return status;
-}
-
-static QnStatus
-keep_dead_forces (Run *run, QnDiag *diag)
-{
-  run->solution->dead_forces = qn_alloc (2 * run->limit->pair_count, sizeof (double));
-  if (!run->solution->dead_forces)
-    return qn_diag_no_memory (diag);
-  qn_limit_problem_forces (run->limit, run->anchor, 1.0, run->solution->dead_forces);
-  return QN_OK;
 }
 
 QnStatus
@@ -348,8 +314,13 @@ qn_limit_solve (QnLimitProblem *limit, QnInteriorPoint *ip, bool from_dead_load,
     status = qn_diag_no_memory (diag);
   else
     status = solve (&run, from_dead_load, diag);
-  if (!status && run.anchored)
-    status = keep_dead_forces (&run, diag);
+  if (!status && run.anchored) {
+    solution->dead_forces = qn_alloc (2 * limit->pair_count, sizeof (double));
+    if (solution->dead_forces)
+      qn_limit_problem_forces (limit, run.anchor, 1.0, solution->dead_forces);
+    else
+      status = qn_diag_no_memory (diag);
+  }
   free (run.y);
   free (run.rates);
   free (run.anchor);

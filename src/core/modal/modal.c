@@ -22,12 +22,9 @@ typedef struct {
   double *mass; /* M in the pattern of K, rotations scaled by the characteristic length */
   double largest; /* of K_ii / M_ii */
   double shift;   /* sigma < 0 */
-} Pencil;
-
-typedef struct {
   size_t found;
   double *values, *vectors; /* omega squared; columns of n */
-} Eigen;
+} Pencil;
 
 /* ax = K - sigma M, factorised. */
 static QnStatus
@@ -84,25 +81,24 @@ go_on (void *equilibrium)
 
 /* Modes scaled to a largest displacement of 1. */
 static QnStatus
-take_modes (const Pencil *pencil, const Eigen *eigen, const double *u, QnModes *modes,
-            QnDiag *diag)
+take_modes (const Pencil *pencil, const double *u, QnModes *modes, QnDiag *diag)
 {
   const QnAssembly *as = pencil->assembly;
   size_t bodies = qn_model_body_count (as->model), row = bodies * QN_DOF_COUNT;
 
-  modes->omega = qn_alloc (eigen->found, sizeof *modes->omega);
-  modes->shapes = qn_alloc (eigen->found * row, sizeof *modes->shapes);
+  modes->omega = qn_alloc (pencil->found, sizeof *modes->omega);
+  modes->shapes = qn_alloc (pencil->found * row, sizeof *modes->shapes);
   if (modes->omega == NULL || modes->shapes == NULL)
     return qn_diag_no_memory (diag);
-  modes->count = eigen->found;
+  modes->count = pencil->found;
   modes->block_count = as->model->block_count;
   modes->node_count = as->model->node_count;
 
-  for (size_t mode = 0; mode < eigen->found; mode++) {
-    double square = eigen->values[mode], largest = 0;
+  for (size_t mode = 0; mode < pencil->found; mode++) {
+    double square = pencil->values[mode], largest = 0;
     double *shape = modes->shapes + mode * row;
     modes->omega[mode] = square > QN_MODE_ZERO * pencil->largest ? sqrt (square) : 0;
-    qn_assembly_expand_rates (as, u, eigen->vectors + mode * (size_t) pencil->n, shape);
+    qn_assembly_expand_rates (as, u, pencil->vectors + mode * (size_t) pencil->n, shape);
     for (size_t b = 0; b < bodies; b++)
       largest = fmax (largest, hypot (shape[3 * b], shape[3 * b + 1]));
     for (size_t i = 0; largest > 0 && i < row; i++)
@@ -111,37 +107,10 @@ take_modes (const Pencil *pencil, const Eigen *eigen, const double *u, QnModes *
   return QN_OK;
 }
 
-/* The `wanted` lowest eigenvalues, or as many as there are; none where it was cancelled. */
-static QnStatus
-find_eigenvalues (const Pencil *pencil, QnEquilibrium *eq, size_t wanted, Eigen *eigen,
-                  QnDiag *diag)
-{
-  const QnLanczosProblem problem = { .n = pencil->n,
-                                     .shift = pencil->shift,
-                                     .multiply = multiply,
-                                     .solve = solve_shifted,
-                                     .go_on = go_on,
-                                     .user_data = eq,
-                                     .data = pencil };
-
-  switch (
-    qn_lanczos_run (&problem, wanted, &eigen->found, eigen->values, eigen->vectors)) {
-  case QN_LANCZOS_DONE:
-  case QN_LANCZOS_CANCELLED:
-    return QN_OK;
-  case QN_LANCZOS_NOT_FOUND:
-    return qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
-                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
-  case QN_LANCZOS_NO_MEMORY:
-    break;
-  }
-  return qn_diag_no_memory (diag);
-}
-
 /* These are modes, orthonormal, of a stable state, and there is none below the last that is not among
  * them. */
 static QnStatus
-prove_modes (const Pencil *pencil, const Eigen *eigen, double multiplier, QnDiag *diag)
+prove_modes (const Pencil *pencil, double multiplier, QnDiag *diag)
 {
   QnModeProof proof;
   int32_t negative = 0, below = 0, up_to;
@@ -150,32 +119,32 @@ prove_modes (const Pencil *pencil, const Eigen *eigen, double multiplier, QnDiag
 
   if (status == QN_OK
       && (!qn_mode_proof_count (&proof, 0, &negative, &up_to)
-          || !qn_mode_proof_count (&proof, eigen->values[eigen->found - 1], &below,
+          || !qn_mode_proof_count (&proof, pencil->values[pencil->found - 1], &below,
                                    &up_to)))
     status = qn_diag_no_memory (diag);
   if (status == QN_OK && negative > 0)
     status = qn_diag_set_field (diag, QN_PROBLEM_STATE_UNSTABLE, QN_ENTITY_MODEL, QN_NONE,
                                 NULL, 0);
-  for (size_t i = 0; status == QN_OK && i < eigen->found; i++)
+  for (size_t i = 0; status == QN_OK && i < pencil->found; i++)
     worst =
-      fmax (worst, qn_mode_proof_residual (&proof, eigen->values[i],
-                                           eigen->vectors + i * (size_t) pencil->n));
+      fmax (worst, qn_mode_proof_residual (&proof, pencil->values[i],
+                                           pencil->vectors + i * (size_t) pencil->n));
   if (status == QN_OK)
-    worst = fmax (worst, qn_mode_proof_skewness (&proof, eigen->found, eigen->vectors));
-  if (status == QN_OK && !(below < (int32_t) eigen->found && worst <= QN_MODE_RESIDUAL))
+    worst = fmax (worst, qn_mode_proof_skewness (&proof, pencil->found, pencil->vectors));
+  if (status == QN_OK && !(below < (int32_t) pencil->found && worst <= QN_MODE_RESIDUAL))
     status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
                           QN_ENTITY_MODEL, QN_NONE, QN_NONE);
   qn_mode_proof_clear (&proof);
   return status;
 }
 
+/* The `wanted` lowest modes, or as many as there are; none where it was cancelled. */
 static QnStatus
-solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
+find_modes (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
 {
   Pencil pencil = { .assembly = &eq->assembly,
                     .linsys = eq->linsys,
                     .n = eq->assembly.unknown_count };
-  Eigen eigen = { 0 };
   size_t n = (size_t) pencil.n, most = wanted < n ? wanted : n;
   QnStatus status = QN_OK;
 
@@ -183,37 +152,44 @@ solve_pencil (QnEquilibrium *eq, size_t wanted, QnModes *modes, QnDiag *diag)
     return qn_diag_set_field (diag, QN_PROBLEM_TOO_FEW_UNKNOWNS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);
   pencil.mass = qn_alloc ((size_t) eq->assembly.ap[n], sizeof (double));
-  eigen.values = qn_alloc (most, sizeof *eigen.values);
-  eigen.vectors = qn_alloc (n, most * sizeof *eigen.vectors);
-  if (pencil.mass == NULL || eigen.values == NULL || eigen.vectors == NULL)
+  pencil.values = qn_alloc (most, sizeof *pencil.values);
+  pencil.vectors = qn_alloc (n, most * sizeof *pencil.vectors);
+  if (pencil.mass == NULL || pencil.values == NULL || pencil.vectors == NULL)
     status = qn_diag_no_memory (diag);
   if (status == QN_OK)
     status = qn_assembly_mass (pencil.assembly, pencil.mass, diag);
   if (status == QN_OK)
     status = factorize (&pencil, eq->multiplier, diag);
-  if (status == QN_OK)
-    status = find_eigenvalues (&pencil, eq, most, &eigen, diag);
-  if (status == QN_OK && eigen.found > 0)
-    status = prove_modes (&pencil, &eigen, eq->multiplier, diag);
-  if (status == QN_OK && eigen.found > 0)
-    status = take_modes (&pencil, &eigen, eq->u, modes, diag);
-  free (pencil.mass);
-  free (eigen.values);
-  free (eigen.vectors);
-  return status;
-}
-
-/* Brings the solver to the state; *reached is false where there is no equilibrium. */
-static QnStatus
-reach_state (QnPath *path, QnModalState state, bool *reached, QnDiag *diag)
-{
-  if (state == QN_MODAL_LOADED) {
-    QnStatus status = qn_path_run (path, reached, diag);
-    qn_equilibrium_restore (&path->equilibrium);
-    return status;
+  if (status == QN_OK) {
+    const QnLanczosProblem problem = { .n = pencil.n,
+                                       .shift = pencil.shift,
+                                       .multiply = multiply,
+                                       .solve = solve_shifted,
+                                       .go_on = go_on,
+                                       .user_data = eq,
+                                       .data = &pencil };
+    switch (
+      qn_lanczos_run (&problem, most, &pencil.found, pencil.values, pencil.vectors)) {
+    case QN_LANCZOS_DONE:
+    case QN_LANCZOS_CANCELLED:
+      break;
+    case QN_LANCZOS_NOT_FOUND:
+      status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
+                            QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+      break;
+    case QN_LANCZOS_NO_MEMORY:
+      status = qn_diag_no_memory (diag);
+      break;
+    }
   }
-  path->result->outcome = QN_OUTCOME_TARGET_REACHED;
-  return qn_path_apply_dead_load (path, reached, diag);
+  if (status == QN_OK && pencil.found > 0)
+    status = prove_modes (&pencil, eq->multiplier, diag);
+  if (status == QN_OK && pencil.found > 0)
+    status = take_modes (&pencil, eq->u, modes, diag);
+  free (pencil.mass);
+  free (pencil.values);
+  free (pencil.vectors);
+  return status;
 }
 
 QnStatus
@@ -236,10 +212,15 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
   QnStatus status =
     qn_path_setup (&path, model, contacts, qn_budget_go_on, &budget, result, diag);
   result->vibration.dead_load = state == QN_MODAL_DEAD_LOAD;
-  if (status == QN_OK)
-    status = reach_state (&path, state, &reached, diag);
+  if (status == QN_OK && state == QN_MODAL_LOADED) {
+    status = qn_path_run (&path, &reached, diag);
+    qn_equilibrium_restore (&path.equilibrium);
+  } else if (status == QN_OK) {
+    result->outcome = QN_OUTCOME_TARGET_REACHED;
+    status = qn_path_apply_dead_load (&path, &reached, diag);
+  }
   if (status == QN_OK && reached && !path.equilibrium.cancelled)
-    status = solve_pencil (&path.equilibrium, wanted, modes, diag);
+    status = find_modes (&path.equilibrium, wanted, modes, diag);
   if (status == QN_OK && path.equilibrium.cancelled)
     result->outcome = QN_OUTCOME_CANCELLED;
   status = qn_path_finish (&path, status, budget.start);

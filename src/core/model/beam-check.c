@@ -2,45 +2,17 @@
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/model/beam-model.h"
+#include "core/model/model-check.h"
 
 #include <stdlib.h>
-
-static QnStatus
-fail (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index, const char *field,
-      double value)
-{
-  return qn_diag_set_field (diag, problem, entity, index, field, value);
-}
-
-static QnStatus
-check_positive (double value, QnEntity entity, QnId index, const char *field,
-                QnDiag *diag)
-{
-  if (!isfinite (value))
-    return fail (diag, QN_PROBLEM_NOT_FINITE, entity, index, field, value);
-  if (value <= 0)
-    return fail (diag, QN_PROBLEM_NOT_POSITIVE, entity, index, field, value);
-  return QN_OK;
-}
-
-static QnStatus
-check_not_negative (double value, QnEntity entity, QnId index, const char *field,
-                    QnDiag *diag)
-{
-  if (!isfinite (value))
-    return fail (diag, QN_PROBLEM_NOT_FINITE, entity, index, field, value);
-  if (value < 0)
-    return fail (diag, QN_PROBLEM_NEGATIVE, entity, index, field, value);
-  return QN_OK;
-}
 
 static QnStatus
 check_name (const char *name, QnId namesake, QnEntity entity, QnId index, QnDiag *diag)
 {
   if (name == NULL || name[0] == '\0')
-    return fail (diag, QN_PROBLEM_NAME_MISSING, entity, index, "name", 0);
+    return qn_diag_set_field (diag, QN_PROBLEM_NAME_MISSING, entity, index, "name", 0);
   if (namesake != index)
-    return fail (diag, QN_PROBLEM_NAME_TAKEN, entity, index, "name", 0);
+    return qn_diag_set_field (diag, QN_PROBLEM_NAME_TAKEN, entity, index, "name", 0);
   return QN_OK;
 }
 
@@ -53,7 +25,8 @@ check_node (const QnModel *model, QnId index, QnDiag *diag)
 
   if (node->beam != QN_NONE) { /* a name that the program gave */
     if (qn_model_find_node (model, node->name) != index)
-      return fail (diag, QN_PROBLEM_NAME_TAKEN, QN_ENTITY_BEAM, node->beam, "name", 0);
+      return qn_diag_set_field (diag, QN_PROBLEM_NAME_TAKEN, QN_ENTITY_BEAM, node->beam,
+                                "name", 0);
     return QN_OK;
   }
   QnStatus status =
@@ -61,37 +34,18 @@ check_node (const QnModel *model, QnId index, QnDiag *diag)
   if (status != QN_OK)
     return status;
   if (rides && (node->block < 0 || (size_t) node->block >= model->block_count))
-    return fail (diag, QN_PROBLEM_BLOCK_UNKNOWN, entity, index, "block", node->block);
+    return qn_diag_set_field (diag, QN_PROBLEM_BLOCK_UNKNOWN, entity, index, "block",
+                              node->block);
   if (rides && (node->support[0] || node->support[1] || node->support[2]))
-    return fail (diag, QN_PROBLEM_NODE_SUPPORTED_BY_BLOCK, entity, index, "support", 0);
+    return qn_diag_set_field (diag, QN_PROBLEM_NODE_SUPPORTED_BY_BLOCK, entity, index,
+                              "support", 0);
   if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT) {
     if (!isfinite (node->at.x) || !isfinite (node->at.y))
-      return fail (diag, QN_PROBLEM_NOT_FINITE, entity, index, "at", 0);
+      return qn_diag_set_field (diag, QN_PROBLEM_NOT_FINITE, entity, index, "at", 0);
     if (fmax (fabs (node->at.x), fabs (node->at.y)) > QN_MAX_COORDINATE)
-      return fail (diag, QN_PROBLEM_TOO_LARGE, entity, index, "at", 0);
+      return qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, entity, index, "at", 0);
   }
   return QN_OK;
-}
-
-static QnStatus
-check_shape (const QnSection *section, QnId index, QnDiag *diag)
-{
-  const QnEntity entity = QN_ENTITY_SECTION;
-  QnStatus status = QN_OK;
-
-  if (section->height != 0 || section->width != 0) {
-    status = check_positive (section->width, entity, index, "width", diag);
-    return status == QN_OK
-             ? check_positive (section->height, entity, index, "height", diag)
-             : status;
-  }
-  if (section->yield != 0)
-    return fail (diag, QN_PROBLEM_YIELD_SHAPELESS, entity, index, "yield",
-                 section->yield);
-  status = check_positive (section->area, entity, index, "area", diag);
-  return status == QN_OK
-           ? check_positive (section->inertia, entity, index, "inertia", diag)
-           : status;
 }
 
 static QnStatus
@@ -99,34 +53,44 @@ check_section (const QnModel *model, QnId index, QnDiag *diag)
 {
   const QnSection *section = &model->sections[index];
   const QnEntity entity = QN_ENTITY_SECTION;
+  const QnNumberRule elastic[] = {
+    { "young", section->young, QN_NUMBER_POSITIVE },
+    { "shear_modulus", section->shear_modulus, QN_NUMBER_NOT_NEGATIVE },
+  };
+  const QnNumberRule strength[] = {
+    { "shear_factor", section->shear_factor, QN_NUMBER_POSITIVE },
+    { "yield", section->yield, QN_NUMBER_NOT_NEGATIVE },
+    { "plastic_moment", section->plastic_moment, QN_NUMBER_NOT_NEGATIVE },
+  };
+  const QnNumberRule rectangle[] = { { "width", section->width, QN_NUMBER_POSITIVE },
+                                     { "height", section->height, QN_NUMBER_POSITIVE } };
+  const QnNumberRule shapeless[] = {
+    { "area", section->area, QN_NUMBER_POSITIVE },
+    { "inertia", section->inertia, QN_NUMBER_POSITIVE },
+  };
+  bool has_shape = section->height != 0 || section->width != 0;
   QnStatus status = check_name (
     section->name, qn_model_find_section (model, section->name), entity, index, diag);
 
   if (status == QN_OK)
-    status = check_positive (section->young, entity, index, "young", diag);
-  if (status == QN_OK)
-    status =
-      check_not_negative (section->shear_modulus, entity, index, "shear_modulus", diag);
+    status = qn_check_numbers (elastic, QN_N_ELEMENTS (elastic), entity, index, diag);
   if (status == QN_OK && !(section->poisson > -1 && section->poisson <= 0.5))
-    status =
-      fail (diag, QN_PROBLEM_POISSON_RATIO, entity, index, "poisson", section->poisson);
+    status = qn_diag_set_field (diag, QN_PROBLEM_POISSON_RATIO, entity, index, "poisson",
+                                section->poisson);
   if (status == QN_OK)
-    status = check_positive (section->shear_factor, entity, index, "shear_factor", diag);
+    status = qn_check_numbers (strength, QN_N_ELEMENTS (strength), entity, index, diag);
+  if (status == QN_OK && !has_shape && section->yield != 0)
+    status = qn_diag_set_field (diag, QN_PROBLEM_YIELD_SHAPELESS, entity, index, "yield",
+                                section->yield);
   if (status == QN_OK)
-    status = check_not_negative (section->yield, entity, index, "yield", diag);
-  if (status == QN_OK)
-    status =
-      check_not_negative (section->plastic_moment, entity, index, "plastic_moment", diag);
-  if (status == QN_OK)
-    status = check_shape (section, index, diag);
+    status = qn_check_numbers (has_shape ? rectangle : shapeless, 2, entity, index, diag);
   /* A negative density means that the unit weight counts. */
   if (status == QN_OK && !isfinite (section->density))
-    status =
-      fail (diag, QN_PROBLEM_NOT_FINITE, entity, index, "density", section->density);
-  if (status == QN_OK)
-    status =
-      check_not_negative (section->unit_weight, entity, index, "unit_weight", diag);
-  return status;
+    status = qn_diag_set_field (diag, QN_PROBLEM_NOT_FINITE, entity, index, "density",
+                                section->density);
+  return status == QN_OK ? qn_check_number (section->unit_weight, QN_NUMBER_NOT_NEGATIVE,
+                                            entity, index, "unit_weight", diag)
+                         : status;
 }
 
 static QnStatus
@@ -139,21 +103,21 @@ check_beam (const QnModel *model, QnId index, QnDiag *diag)
 
   for (int end = 0; end < 2 && status == QN_OK; end++)
     if (beam->nodes[end] < 0 || (size_t) beam->nodes[end] >= model->node_count)
-      status =
-        fail (diag, QN_PROBLEM_NODE_UNKNOWN, entity, index, "nodes", beam->nodes[end]);
+      status = qn_diag_set_field (diag, QN_PROBLEM_NODE_UNKNOWN, entity, index, "nodes",
+                                  beam->nodes[end]);
   if (status == QN_OK
       && (beam->section < 0 || (size_t) beam->section >= model->section_count))
-    status =
-      fail (diag, QN_PROBLEM_SECTION_UNKNOWN, entity, index, "section", beam->section);
+    status = qn_diag_set_field (diag, QN_PROBLEM_SECTION_UNKNOWN, entity, index,
+                                "section", beam->section);
   if (status != QN_OK)
     return status;
   const QnNode *first = &model->nodes[beam->nodes[0]],
                *second = &model->nodes[beam->nodes[1]];
   if (first == second)
-    return fail (diag, QN_PROBLEM_BEAM_SHORT, entity, index, "nodes", 0);
+    return qn_diag_set_field (diag, QN_PROBLEM_BEAM_SHORT, entity, index, "nodes", 0);
   if (first->block != QN_NONE && first->block == second->block)
-    return fail (diag, QN_PROBLEM_BEAM_ON_ONE_BLOCK, entity, index, "nodes",
-                 first->block);
+    return qn_diag_set_field (diag, QN_PROBLEM_BEAM_ON_ONE_BLOCK, entity, index, "nodes",
+                              first->block);
   return QN_OK;
 }
 
@@ -171,7 +135,8 @@ check_use (const QnModel *model, QnDiag *diag)
   for (size_t i = 0; i < model->node_count && status == QN_OK; i++) {
     const QnNode *node = &model->nodes[i];
     if (!used[i] && node->beam == QN_NONE && node->seat == QN_SEAT_FREE)
-      status = fail (diag, QN_PROBLEM_NODE_UNUSED, QN_ENTITY_NODE, (QnId) i, NULL, 0);
+      status = qn_diag_set_field (diag, QN_PROBLEM_NODE_UNUSED, QN_ENTITY_NODE, (QnId) i,
+                                  NULL, 0);
   }
   free (used);
   return status;

@@ -33,48 +33,33 @@ qn_model_check_signal (const QnModel *model, QnId ground, QnDiag *diag)
 }
 
 static QnStatus
-check_pulse (const QnPulse *pulse, QnId ground, QnDiag *diag)
-{
-  const QnEntity entity = QN_ENTITY_GROUND_MOTION;
-  QnStatus status = qn_check_number (pulse->amplitude, QN_NUMBER_ANY, entity, ground,
-                                     "pulse.amplitude", diag);
-  if (status == QN_OK)
-    status = qn_check_number (pulse->duration, QN_NUMBER_POSITIVE, entity, ground,
-                              "pulse.duration", diag);
-  return status == QN_OK ? qn_check_number (pulse->start, QN_NUMBER_NOT_NEGATIVE, entity,
-                                            ground, "pulse.start", diag)
-                         : status;
-}
-
-static QnStatus
 check_ground (const QnModel *model, QnId index, QnDiag *diag)
 {
   const QnGroundMotion *motion = &model->ground[index];
   const QnEntity entity = QN_ENTITY_GROUND_MOTION;
+  const QnNumberRule numbers[] = {
+    { "scale", motion->scale, QN_NUMBER_ANY },
+    { "peak", motion->peak, QN_NUMBER_NOT_NEGATIVE },
+    { "time_step", motion->time_step, QN_NUMBER_NOT_NEGATIVE },
+    /* of pulses alone */
+    { "pulse.amplitude", motion->pulse.amplitude, QN_NUMBER_ANY },
+    { "pulse.duration", motion->pulse.duration, QN_NUMBER_POSITIVE },
+    { "pulse.start", motion->pulse.start, QN_NUMBER_NOT_NEGATIVE },
+  };
+  bool pulse = motion->kind == QN_SIGNAL_PULSE;
   QnStatus status = qn_check_vector (motion->direction, entity, index, "direction", diag);
 
   if (status == QN_OK && motion->direction.x == 0 && motion->direction.y == 0)
     status = qn_diag_set_field (diag, QN_PROBLEM_SIGNAL_WITHOUT_DIRECTION, entity, index,
                                 "direction", 0);
   if (status == QN_OK)
-    status = qn_check_number (motion->scale, QN_NUMBER_ANY, entity, index, "scale", diag);
-  if (status == QN_OK)
-    status =
-      qn_check_number (motion->peak, QN_NUMBER_NOT_NEGATIVE, entity, index, "peak", diag);
-  if (status == QN_OK)
-    status = qn_check_number (motion->time_step, QN_NUMBER_NOT_NEGATIVE, entity, index,
-                              "time_step", diag);
-  if (status != QN_OK)
-    return status;
-  switch (motion->kind) {
-  case QN_SIGNAL_PULSE:
-    return check_pulse (&motion->pulse, index, diag);
-  case QN_SIGNAL_POINTS:
-    return qn_model_check_signal (model, index, diag);
-  case QN_SIGNAL_RECORD:
-    break;
-  }
-  return motion->point_count > 0 ? qn_model_check_signal (model, index, diag) : QN_OK;
+    status = qn_check_numbers (numbers, pulse ? 6 : 3, entity, index, diag);
+  /* Of a record the points are known once it has been read. */
+  if (status == QN_OK
+      && (motion->kind == QN_SIGNAL_POINTS
+          || (motion->kind == QN_SIGNAL_RECORD && motion->point_count > 0)))
+    status = qn_model_check_signal (model, index, diag);
+  return status;
 }
 
 static QnStatus
@@ -103,11 +88,7 @@ check_initial (const QnModel *model, QnId index, QnDiag *diag)
 static QnStatus
 check_integration (const QnDynamicSettings *s, QnDiag *diag)
 {
-  const struct {
-    const char *field;
-    double value;
-    QnNumberRange range;
-  } numbers[] = {
+  const QnNumberRule numbers[] = {
     { "dynamic.duration", s->duration, QN_NUMBER_POSITIVE },
     { "dynamic.time_step", s->time_step, QN_NUMBER_POSITIVE },
     { "dynamic.damping.mass", s->mass_damping, QN_NUMBER_NOT_NEGATIVE },
@@ -116,13 +97,10 @@ check_integration (const QnDynamicSettings *s, QnDiag *diag)
     { "dynamic.output_interval", s->output_interval, QN_NUMBER_NOT_NEGATIVE },
   };
   const QnEntity entity = QN_ENTITY_ANALYSIS;
-
-  for (size_t i = 0; i < QN_N_ELEMENTS (numbers); i++) {
-    QnStatus status = qn_check_number (numbers[i].value, numbers[i].range, entity,
-                                       QN_NONE, numbers[i].field, diag);
-    if (status != QN_OK)
-      return status;
-  }
+  QnStatus status =
+    qn_check_numbers (numbers, QN_N_ELEMENTS (numbers), entity, QN_NONE, diag);
+  if (status != QN_OK)
+    return status;
   if (!(s->rho >= 0 && s->rho <= 1))
     return qn_diag_set_field (diag, QN_PROBLEM_RADIUS_RANGE, entity, QN_NONE,
                               "dynamic.rho", s->rho);

@@ -3,36 +3,42 @@
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
 
-static QnProblem
-number_problem (double value, QnNumberRange range)
-{
-  if (!isfinite (value))
-    return QN_PROBLEM_NOT_FINITE;
-  if (range == QN_NUMBER_POSITIVE && value <= 0)
-    return QN_PROBLEM_NOT_POSITIVE;
-  if (range == QN_NUMBER_NOT_NEGATIVE && value < 0)
-    return QN_PROBLEM_NEGATIVE;
-  return QN_PROBLEM_NONE;
-}
-
 QnStatus
 qn_check_number (double value, QnNumberRange range, QnEntity entity, QnId index,
                  const char *field, QnDiag *diag)
 {
-  QnProblem problem = number_problem (value, range);
-  if (problem == QN_PROBLEM_NONE)
-    return QN_OK;
-  return qn_diag_set_field (diag, problem, entity, index, field, value);
+  QnProblem problem = QN_PROBLEM_NONE;
+
+  if (!isfinite (value))
+    problem = QN_PROBLEM_NOT_FINITE;
+  else if (range == QN_NUMBER_POSITIVE && value <= 0)
+    problem = QN_PROBLEM_NOT_POSITIVE;
+  else if (range == QN_NUMBER_NOT_NEGATIVE && value < 0)
+    problem = QN_PROBLEM_NEGATIVE;
+  return problem == QN_PROBLEM_NONE
+           ? QN_OK
+           : qn_diag_set_field (diag, problem, entity, index, field, value);
+}
+
+QnStatus
+qn_check_numbers (const QnNumberRule *rules, size_t count, QnEntity entity, QnId index,
+                  QnDiag *diag)
+{
+  QnStatus status = QN_OK;
+
+  for (size_t i = 0; i < count && status == QN_OK; i++)
+    status = qn_check_number (rules[i].value, rules[i].range, entity, index,
+                              rules[i].field, diag);
+  return status;
 }
 
 QnStatus
 qn_check_vector (QnVec2 vector, QnEntity entity, QnId index, const char *field,
                  QnDiag *diag)
 {
-  QnStatus status = qn_check_number (vector.x, QN_NUMBER_ANY, entity, index, field, diag);
-  return status == QN_OK
-           ? qn_check_number (vector.y, QN_NUMBER_ANY, entity, index, field, diag)
-           : status;
+  const QnNumberRule rules[] = { { field, vector.x, QN_NUMBER_ANY },
+                                 { field, vector.y, QN_NUMBER_ANY } };
+  return qn_check_numbers (rules, 2, entity, index, diag);
 }
 
 /* A law by index; QN_NONE is left to the caller. */

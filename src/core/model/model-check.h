@@ -23,7 +23,15 @@ QnStatus qn_model_check_dynamic (const QnModel *model, QnDiag *diag);
 /* Range that a number must keep. */
 typedef enum { QN_NUMBER_ANY, QN_NUMBER_NOT_NEGATIVE, QN_NUMBER_POSITIVE } QnNumberRange;
 
-/* One number, both of a vector, or the index of a block: the first problem as the field's. */
+typedef struct QnNumberRule {
+  const char *field;
+  double value;
+  QnNumberRange range;
+} QnNumberRule;
+
+/* Numbers, one, both of a vector, or the index of a block: the first problem as the field's. */
+QnStatus qn_check_numbers (const QnNumberRule *rules, size_t count, QnEntity entity,
+                           QnId index, QnDiag *diag);
 QnStatus qn_check_number (double value, QnNumberRange range, QnEntity entity, QnId index,
                           const char *field, QnDiag *diag);
 QnStatus qn_check_vector (QnVec2 vector, QnEntity entity, QnId index, const char *field,

@@ -33,13 +33,6 @@ is_hinge (const QnJointMotion *joint)
   return joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END;
 }
 
-/* Whether a joint carries what is above it: its normal is nearer to the vertical. */
-static bool
-is_bed (const QnContactFace *face)
-{
-  return fabs (face->normal.y) >= fabs (face->normal.x);
-}
-
 static bool
 same_line (const QnContactFace *a, const QnContactFace *b, double length)
 {
@@ -47,19 +40,6 @@ same_line (const QnContactFace *a, const QnContactFace *b, double length)
 
   return fabs (qn_vec2_cross (a->normal, b->normal)) < SAME_DIRECTION
          && fabs (qn_vec2_dot (between, a->normal)) < SAME_LEVEL * length;
-}
-
-/* The block that stands on the other one of a bed. */
-static QnId
-upper_block (const QnContactFace *face)
-{
-  return face->normal.y > 0.0 ? face->b : face->a;
-}
-
-static bool
-touches (const QnMechanism *m, const QnContactFace *face, QnId body)
-{
-  return m->body_of_block[face->a] == body || m->body_of_block[face->b] == body;
 }
 
 /* Whether a body leaves what is beneath it along a staircase: beds of its foot that move lie on more
@@ -75,12 +55,12 @@ leaves_steps (const QnMechanism *m, const QnModel *model, const QnContacts *cont
   for (size_t f = 0; f < m->joint_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
     const QnJointMotion *joint = &m->joints[f];
-    if (joint->kind == QN_JOINT_CLOSED || !touches (m, face, body)
-        || m->body_of_block[face->a] == m->body_of_block[face->b])
+    QnId a = m->body_of_block[face->a], b = m->body_of_block[face->b];
+    if (joint->kind == QN_JOINT_CLOSED || (a != body && b != body) || a == b)
       continue;
-    if (!is_bed (face))
+    if (fabs (face->normal.y) < fabs (face->normal.x)) /* a head joint */
       risers |= joint->kind != QN_JOINT_SLIDING;
-    else if (m->body_of_block[upper_block (face)] == body) {
+    else if ((face->normal.y > 0.0 ? b : a) == body) { /* which stands on the other one */
       treads |= first && !same_line (first, face, model->characteristic_length);
       first = first ? first : face;
     }
@@ -149,32 +129,23 @@ classify_turning (const QnMechanism *m, const QnModel *model, const QnContacts *
   return m->body_count == 1 ? QN_MECHANISM_KIND_OVERTURNING : QN_MECHANISM_KIND_MIXED;
 }
 
-/* Share of the moving blocks that belong to turning bodies. */
-static double
-turning_share (const QnMechanism *m)
-{
-  int32_t turning = 0, moving = 0;
-
-  for (size_t i = 0; i < m->body_count; i++) {
-    moving += m->bodies[i].block_count;
-    if (m->bodies[i].turns)
-      turning += m->bodies[i].block_count;
-  }
-  return (double) turning / moving;
-}
-
 QnMechanismKind
 qn_mechanism_classify (const QnMechanism *m, const QnModel *model,
                        const QnContacts *contacts)
 {
   int32_t hinges = m->counts[QN_JOINT_HINGE_START] + m->counts[QN_JOINT_HINGE_END];
-  double turning;
+  int32_t turning_blocks = 0, moving_blocks = 0;
 
   if (m->body_count == 0)
     return QN_MECHANISM_KIND_NONE;
   if (hinges == 0 && m->sliding_count == 0)
     return QN_MECHANISM_KIND_FALLING;
-  turning = turning_share (m);
+  for (size_t i = 0; i < m->body_count; i++) {
+    moving_blocks += m->bodies[i].block_count;
+    if (m->bodies[i].turns)
+      turning_blocks += m->bodies[i].block_count;
+  }
+  double turning = (double) turning_blocks / moving_blocks;
   if (turning >= PREVAILING && hinges > 0)
     return classify_turning (m, model, contacts);
   if (turning <= 1.0 - PREVAILING && m->sliding_count > 0)

@@ -52,13 +52,6 @@ qn_joint_corners (const QnContacts *contacts, QnId face, QnVec2 *start, QnVec2 *
   *end = f->pair_count > 1 ? pairs[f->pair_count - 1].point : f->end;
 }
 
-/* The larger friction of the two sides: associative sliding opens a joint by so much. */
-static double
-largest_friction (const QnModel *model, const QnContactFace *face)
-{
-  return fmax (model->laws[face->law_a].friction, model->laws[face->law_b].friction);
-}
-
 static QnJointMotion
 joint_motion (const QnModel *model, const QnContacts *contacts, QnId id,
               const double *velocities, double least)
@@ -79,7 +72,9 @@ joint_motion (const QnModel *model, const QnContacts *contacts, QnId id,
   joint.slides = fabs (joint.slip) > least;
   low = fmin (joint.opening_start, joint.opening_end);
   high = fmax (joint.opening_start, joint.opening_end);
-  dilated = largest_friction (model, face) * fabs (joint.slip);
+  /* Associative sliding opens a joint by the larger friction of its two sides. */
+  dilated = fmax (model->laws[face->law_a].friction, model->laws[face->law_b].friction)
+            * fabs (joint.slip);
   if (low > 1.05 * dilated + least) {
     joint.kind = QN_JOINT_OPENING;
     joint.slides = false;
@@ -107,83 +102,8 @@ compare_groups (const void *a, const void *b)
   return (x->root > y->root) - (x->root < y->root);
 }
 
-/* Groups moving blocks by their roots; the largest body comes first. `numbers` is scratch. */
-static QnStatus
-group_blocks (QnMechanism *m, const bool *moving, QnId *parents, QnId *numbers,
-              QnDiag *diag)
-{
-  Group *groups = qn_alloc (m->block_count, sizeof *groups);
-  size_t count = 0;
-
-  if (!groups)
-    return qn_diag_no_memory (diag);
-  for (size_t b = 0; b < m->block_count; b++)
-    numbers[b] = QN_NONE;
-  for (size_t b = 0; b < m->block_count; b++) {
-    QnId root = qn_sets_root (parents, (QnId) b);
-    if (!moving[b])
-      continue;
-    if (numbers[root] == QN_NONE) {
-      numbers[root] = (QnId) count;
-      groups[count++] = (Group){ .root = root };
-    }
-    groups[numbers[root]].blocks++;
-  }
-  qsort (groups, count, sizeof *groups, compare_groups);
-  for (size_t g = 0; g < count; g++)
-    numbers[groups[g].root] = (QnId) g;
-  for (size_t b = 0; b < m->block_count; b++)
-    m->body_of_block[b] = moving[b] ? numbers[qn_sets_root (parents, (QnId) b)] : QN_NONE;
-  m->bodies = qn_alloc (count, sizeof *m->bodies);
-  m->body_count = count;
-  free (groups);
-  return m->bodies ? QN_OK : qn_diag_no_memory (diag);
-}
-
-/* Means over the blocks of every body, weighted by area: first the sums, then the division. */
-static void
-sum_bodies (QnMechanism *m, const QnModel *model, const double *velocities, double *areas)
-{
-  for (size_t i = 0; i < m->body_count; i++)
-    m->bodies[i] = (QnMechanismBody){ .box = QN_BOX_EMPTY };
-  for (size_t b = 0; b < m->block_count; b++) {
-    const QnBlock *block = &model->blocks[b];
-    const double *v = velocities + b * QN_DOF_COUNT;
-    QnMechanismBody *body;
-    double fastest;
-    if (m->body_of_block[b] == QN_NONE)
-      continue;
-    body = &m->bodies[m->body_of_block[b]];
-    fastest = fastest_vertex (model, velocities, (QnId) b);
-    areas[m->body_of_block[b]] += block->area;
-    body->block_count++;
-    body->centroid = qn_vec2_add_scaled (body->centroid, block->area, block->centroid);
-    body->rotation += block->area * v[QN_DOF_RZ];
-    body->velocity = qn_vec2_add_scaled (body->velocity, block->area,
-                                         qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]));
-    body->largest = fmax (body->largest, fastest / m->largest);
-    qn_box_add_box (&body->box,
-                    qn_box_of_points (qn_model_block_vertices (model, (QnId) b),
-                                      (size_t) block->vertex_count));
-  }
-}
-
-static void
-finish_body (QnMechanismBody *body, double area)
-{
-  double radius = 0.5 * qn_box_diagonal (body->box);
-
-  body->centroid = qn_vec2_scale (1.0 / area, body->centroid);
-  body->velocity = qn_vec2_scale (1.0 / area, body->velocity);
-  body->rotation /= area;
-  body->turns =
-    fabs (body->rotation) * radius > ROTATION_SHARE * qn_vec2_length (body->velocity);
-  /* 0 = velocity + rotation x (centre - centroid) */
-  body->centre = body->turns ? qn_vec2_add_scaled (body->centroid, 1.0 / body->rotation,
-                                                   qn_vec2_perp (body->velocity))
-                             : body->centroid;
-}
-
+/* Bodies are the blocks that move and are joined by closed joints; the largest comes first. What a body
+ * has is the mean over its blocks, weighted by area. */
 static QnStatus
 find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
              const double *velocities, QnDiag *diag)
@@ -192,30 +112,77 @@ find_bodies (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
   QnId *parents = qn_alloc (m->block_count, sizeof *parents);
   QnId *numbers = qn_alloc (m->block_count, sizeof *numbers);
   double *areas = qn_alloc (m->block_count, sizeof *areas);
-  QnStatus status;
+  Group *groups = qn_alloc (m->block_count, sizeof *groups);
+  size_t count = 0;
+  bool ok = moving && parents && numbers && areas && groups;
 
-  if (!moving || !parents || !numbers || !areas) {
-    status = qn_diag_no_memory (diag);
-  } else {
-    for (size_t b = 0; b < m->block_count; b++)
-      moving[b] =
-        fastest_vertex (model, velocities, (QnId) b) > MOTION_SHARE * m->largest;
+  if (ok) {
     qn_sets_init (parents, m->block_count);
     for (size_t f = 0; f < m->joint_count; f++)
       if (m->joints[f].kind == QN_JOINT_CLOSED)
         qn_sets_join (parents, contacts->faces[f].a, contacts->faces[f].b);
-    status = group_blocks (m, moving, parents, numbers, diag);
+    for (size_t b = 0; b < m->block_count; b++)
+      numbers[b] = QN_NONE;
+    for (size_t b = 0; b < m->block_count; b++) {
+      QnId root = qn_sets_root (parents, (QnId) b);
+      moving[b] =
+        fastest_vertex (model, velocities, (QnId) b) > MOTION_SHARE * m->largest;
+      if (!moving[b])
+        continue;
+      if (numbers[root] == QN_NONE) {
+        numbers[root] = (QnId) count;
+        groups[count++] = (Group){ .root = root };
+      }
+      groups[numbers[root]].blocks++;
+    }
+    qsort (groups, count, sizeof *groups, compare_groups);
+    for (size_t g = 0; g < count; g++)
+      numbers[groups[g].root] = (QnId) g;
+    m->bodies = qn_alloc (count, sizeof *m->bodies);
+    m->body_count = count;
+    ok = m->bodies != NULL;
   }
-  if (!status) {
-    sum_bodies (m, model, velocities, areas);
-    for (size_t i = 0; i < m->body_count; i++)
-      finish_body (&m->bodies[i], areas[i]);
+  for (size_t i = 0; ok && i < count; i++)
+    m->bodies[i].box = QN_BOX_EMPTY;
+  for (size_t b = 0; ok && b < m->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    const double *v = velocities + b * QN_DOF_COUNT;
+    QnId id = moving[b] ? numbers[qn_sets_root (parents, (QnId) b)] : QN_NONE;
+    m->body_of_block[b] = id;
+    if (id == QN_NONE)
+      continue;
+    QnMechanismBody *body = &m->bodies[id];
+    areas[id] += block->area;
+    body->block_count++;
+    body->centroid = qn_vec2_add_scaled (body->centroid, block->area, block->centroid);
+    body->rotation += block->area * v[QN_DOF_RZ];
+    body->velocity = qn_vec2_add_scaled (body->velocity, block->area,
+                                         qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]));
+    body->largest =
+      fmax (body->largest, fastest_vertex (model, velocities, (QnId) b) / m->largest);
+    qn_box_add_box (&body->box,
+                    qn_box_of_points (qn_model_block_vertices (model, (QnId) b),
+                                      (size_t) block->vertex_count));
+  }
+  for (size_t i = 0; ok && i < count; i++) {
+    QnMechanismBody *body = &m->bodies[i];
+    double radius = 0.5 * qn_box_diagonal (body->box);
+    body->centroid = qn_vec2_scale (1.0 / areas[i], body->centroid);
+    body->velocity = qn_vec2_scale (1.0 / areas[i], body->velocity);
+    body->rotation /= areas[i];
+    body->turns =
+      fabs (body->rotation) * radius > ROTATION_SHARE * qn_vec2_length (body->velocity);
+    /* 0 = velocity + rotation x (centre - centroid) */
+    body->centre = body->turns ? qn_vec2_add_scaled (body->centroid, 1.0 / body->rotation,
+                                                     qn_vec2_perp (body->velocity))
+                               : body->centroid;
   }
   free (moving);
   free (parents);
   free (numbers);
   free (areas);
-  return status;
+  free (groups);
+  return ok ? QN_OK : qn_diag_no_memory (diag);
 }
 
 QnStatus
