@@ -24,17 +24,40 @@ static const char two_blocks[] =
   "[100, 0],"
   "    \"at\": [1.0, 1.5] } ] } }";
 
+/* Four with joints of 10, 12, 30, 50 and 60 mm between them, as traced over a photo. */
+static const char traced_blocks[] =
+  "{ \"format\": \"quoin\", \"version\": 1,"
+  "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+  "    \"friction\": 0.6 } ],"
+  "  \"blocks\": [ { \"name\": \"base\", \"vertices\": "
+  "[[0,0],[1.52,0],[1.52,0.3],[0,0.3]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+  "    { \"name\": \"a\", \"vertices\": [[0,0.31],[0.5,0.31],[0.5,0.6],[0,0.6]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 },"
+  "    { \"name\": \"b\", \"vertices\": [[0.53,0.312],[1,0.312],[1,0.6],[0.53,0.6]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 },"
+  "    { \"name\": \"c\", \"vertices\": "
+  "[[1.06,0.35],[1.52,0.35],[1.52,0.5],[1.4,0.6],[1.06,0.6]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+  "  \"contact\": { \"law\": \"dry\" } }";
+
 static QnWindow *
-open_blocks (void)
+open_text (const char *text)
 {
   QnWindow *window = driver_open_window (1280, 800);
   g_autoptr (GError) error = NULL;
   g_autofree char *path = g_build_filename (g_get_tmp_dir (), "quoin-reach.quoin", NULL);
-  g_assert_true (g_file_set_contents (path, two_blocks, -1, &error));
+  g_assert_true (g_file_set_contents (path, text, -1, &error));
   g_assert_true (qn_window_open_path (window, path));
   g_assert_cmpint (remove (path), ==, 0);
   driver_run (200);
   return window;
+}
+
+static QnWindow *
+open_blocks (void)
+{
+  return open_text (two_blocks);
 }
 
 static const QnModel *
@@ -225,6 +248,44 @@ test_renamed_stays_selected (void)
   g_assert_true (qn_document_edit (qn_window_get_document (window), "Rename", NULL,
                                    rename_other, "pier", NULL));
   g_assert_true (qn_selection_has_block (selection_of (window), 2));
+  driver_discard (window);
+}
+
+static gboolean
+is_label_beginning (GtkWidget *widget, gconstpointer text)
+{
+  return GTK_IS_LABEL (widget)
+         && g_str_has_prefix (gtk_label_get_text (GTK_LABEL (widget)), text);
+}
+
+/* Gaps are marked and counted up to the width that is typed, and closed in one step that undo gives
+ * back. */
+static void
+test_gaps (void)
+{
+  QnWindow *window = open_text (traced_blocks);
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.show-panel::findings");
+  const char *const counted[] = { "3 joints of mortar, 10 to 30 mm",
+                                  "5 joints of mortar, 10 to 60 mm",
+                                  "2 joints of mortar, 10 to 12 mm" };
+  const char *const widths[] = { "40 mm", "70 mm", "15 mm" };
+  for (gsize i = 0; i < G_N_ELEMENTS (widths); i++) {
+    enter (window, "gap_width", widths[i]);
+    g_assert_nonnull (
+      driver_find_widget (GTK_WIDGET (window), is_label_beginning, counted[i]));
+  }
+  enter (window, "gap_width", "70 mm");
+  driver_screenshot (GTK_WIDGET (window), "gaps-marked");
+  driver_press (GTK_WIDGET (window), "Close Gaps");
+  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 5);
+  g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), is_label_beginning,
+                                        "No joints of mortar up to this width."));
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  g_assert_nonnull (
+    driver_find_widget (GTK_WIDGET (window), is_label_beginning, counted[1]));
   driver_discard (window);
 }
 
@@ -576,6 +637,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/reach/typed-moves", test_typed_moves);
   g_test_add_func ("/app/reach/numbers-panel", test_numbers_panel);
   g_test_add_func ("/app/reach/renamed", test_renamed_stays_selected);
+  g_test_add_func ("/app/reach/gaps", test_gaps);
   g_test_add_func ("/app/reach/paste", test_paste);
   g_test_add_func ("/app/reach/dissolving", test_dissolving_is_named);
   g_test_add_func ("/app/reach/keys-after-buttons", test_keys_after_buttons);

@@ -213,6 +213,15 @@ qn_canvas_show_place (QnCanvas *self, QnVec2 at)
 }
 
 void
+qn_canvas_show_gaps (QnCanvas *self, QnGaps *gaps)
+{
+  qn_gaps_clear (&self->gaps);
+  self->gaps = *gaps;
+  *gaps = (QnGaps){ 0 };
+  gtk_widget_queue_draw (GTK_WIDGET (self));
+}
+
+void
 qn_canvas_show_area (QnCanvas *self, QnVec2 low, QnVec2 high)
 {
   QnBox seen = qn_camera_visible_box (&self->camera);

@@ -1,4 +1,5 @@
 #include "app/canvas/canvas-private.h"
+#include "app/canvas/gap-marks.h"
 #include "app/canvas/gesture.h"
 #include "app/widgets/settings.h"
 #include "core/base/integer.h"
@@ -565,6 +566,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
     qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, true, cr, NULL);
   draw_selection (self, cr);
   if (undeformed) {
+    qn_gap_marks_draw (&self->gaps, &self->camera, cr);
     draw_initial (self, cr);
     draw_selected_beams (self, cr);
     draw_findings (self, cr);

@@ -216,6 +216,7 @@ qn_canvas_finalize (GObject *object)
   g_string_free (self->typed, TRUE);
   forget_masonry (self);
   g_array_unref (self->gesture.points);
+  qn_gaps_clear (&self->gaps);
   G_OBJECT_CLASS (qn_canvas_parent_class)->finalize (object);
 }
 

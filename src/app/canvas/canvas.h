@@ -13,6 +13,7 @@
 #include "doc/edit/edit-frame.h"
 #include "doc/view/view-state.h"
 #include "render/scene/pick.h"
+#include "stereotomy/gaps.h"
 
 /* Connects a canvas made by a template; once, before anything else. `resting` is the tool that it
  * begins with and that Escape returns to; arrow keys move what is selected with it. */
@@ -36,6 +37,9 @@ void qn_canvas_fit (QnCanvas *canvas);
 void qn_canvas_zoom (QnCanvas *canvas, double factor); /* about the middle */
 /* Brings a place into view and rings it. */
 void qn_canvas_show_place (QnCanvas *canvas, QnVec2 at);
+
+/* Marks gaps in the views of the model from now on; takes them over. */
+void qn_canvas_show_gaps (QnCanvas *canvas, QnGaps *gaps);
 
 /* Brings an area into view, where it is not. */
 void qn_canvas_show_area (QnCanvas *canvas, QnVec2 low, QnVec2 high);

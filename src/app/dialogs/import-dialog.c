@@ -2,6 +2,7 @@
  * everything that was healed and left out, before any of it is taken over. */
 #include "app/dialogs/dialogs.h"
 
+#include "app/canvas/gap-marks.h"
 #include "app/forms/bound-form.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
@@ -11,8 +12,6 @@
 #include <glib/gi18n.h>
 
 #define PREVIEW_MARGIN_PX 16.0
-#define GAP_COLOR         0.84, 0.15, 0.16, 0.8
-#define LEAST_GAP_PX      1.0
 
 /* Rows of the choice of unit; the first leaves it to the file. */
 static const char *const units[] = { NULL, "mm", "cm", "dm", "m", "in", "ft" };
@@ -130,28 +129,6 @@ try_import (Dialog *dialog)
   gtk_widget_queue_draw (dialog->base.widgets[PREVIEW]);
 }
 
-/* Where there was mortar, so that it is seen what was found and what not. */
-static void
-draw_gaps (const Dialog *dialog, const QnCamera *camera, cairo_t *cr)
-{
-  cairo_set_source_rgba (cr, GAP_COLOR);
-  cairo_set_line_width (cr, LEAST_GAP_PX);
-  cairo_new_path (cr);
-  for (gsize i = 0; i < dialog->gaps.count; i++) {
-    const QnGap *gap = &dialog->gaps.items[i];
-    const QnVec2 corners[] = { gap->sides[0][0], gap->sides[0][1], gap->sides[1][1],
-                               gap->sides[1][0] };
-    cairo_new_sub_path (cr);
-    for (gsize k = 0; k < G_N_ELEMENTS (corners); k++) {
-      QnVec2 at = qn_camera_to_screen (camera, corners[k]);
-      cairo_line_to (cr, at.x, at.y);
-    }
-    cairo_close_path (cr);
-  }
-  cairo_fill_preserve (cr);
-  cairo_stroke (cr);
-}
-
 static void
 draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
@@ -172,7 +149,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   QnCamera camera = { .width = width, .height = height, .scale = 1.0, .unit = 1.0 };
   qn_camera_fit (&camera, scene->box, PREVIEW_MARGIN_PX);
   qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
-  draw_gaps (dialog, &camera, cr);
+  qn_gap_marks_draw (&dialog->gaps, &camera, cr);
   qn_scene_free (scene);
 }
 

@@ -14,8 +14,9 @@
 
 typedef struct Panel {
   QnCanvas *canvas;
-  GtkWidget *list, *repair_all, *gap_box, *gap_width;
+  GtkWidget *form, *list, *repair_all, *gap_box, *gap_width, *close_gaps;
   GtkLabel *summary, *gap_text;
+  double chosen_width; /* of gaps, m; 0: the usual one */
 } Panel;
 
 /* What a button of a row does. */
@@ -122,29 +123,33 @@ make_row (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean
   return box;
 }
 
-/* What is drawn with mortar between the blocks; returns whether there is any. The width offered is that
- * of all of it. */
+/* Marks the joints of mortar that would be closed, and says how many and how wide they are. Returns
+ * whether blocks stand apart by mortar at all: such are not fixed to the ground. */
 static gboolean
 update_gaps (Panel *panel, const QnModel *model)
 {
-  QnGaps gaps;
-  double widest = 0.0;
-  if (!qn_model_find_gaps (model, 0.0, &gaps))
-    return FALSE;
+  double usual = ceil (1e3 * qn_model_usual_gap (model)) * 1e-3;
+  double width = panel->chosen_width > 0.0 ? panel->chosen_width : usual;
+  gboolean shown = model->block_count > 1 && width > 0.0;
+  QnGaps gaps = { 0 }, usual_gaps = { 0 };
+  if (shown && qn_model_find_gaps (model, width, &gaps) && gaps.count == 0
+      && width < usual)
+    qn_model_find_gaps (model, usual, &usual_gaps);
+  gboolean any = gaps.count > 0, apart = any || usual_gaps.count > 0;
+  gtk_widget_set_visible (panel->gap_box, shown);
+  gtk_widget_set_sensitive (panel->close_gaps, any);
   g_autofree char *text = qn_gaps_dup_text (&gaps);
-  gboolean any = text != NULL;
-  for (gsize i = 0; i < gaps.count; i++)
-    widest = MAX (widest, gaps.items[i].width);
-  qn_gaps_clear (&gaps);
-  gtk_widget_set_visible (panel->gap_box, any);
-  if (any) {
-    g_autofree char *open =
-      g_strdup_printf (_ ("%s, open: the blocks beside them do not touch."), text);
-    gtk_label_set_text (panel->gap_text, open);
-    qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (panel->gap_width),
-                                 ceil (1e3 * widest) * 1e-3);
-  }
-  return any;
+  g_autofree char *open =
+    any ? g_strdup_printf (_ ("%s, marked in red: the blocks beside them do not touch."),
+                           text)
+        : g_strdup (_ ("No joints of mortar up to this width."));
+  gtk_label_set_text (panel->gap_text, open);
+  qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (panel->gap_width), width);
+  if (!gtk_widget_get_mapped (panel->form))
+    qn_gaps_clear (&gaps);
+  qn_canvas_show_gaps (panel->canvas, &gaps);
+  qn_gaps_clear (&usual_gaps);
+  return apart;
 }
 
 static gboolean
@@ -158,6 +163,27 @@ on_close_gaps (Panel *panel)
 {
   double width = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (panel->gap_width));
   qn_canvas_edit (panel->canvas, _ ("Close Gaps"), NULL, edit_gaps, &width);
+}
+
+static void
+on_mapped (Panel *panel)
+{
+  update_gaps (panel, qn_canvas_get_model (panel->canvas));
+}
+
+static void
+on_unmapped (Panel *panel)
+{
+  QnGaps none = { 0 };
+  qn_canvas_show_gaps (panel->canvas, &none);
+}
+
+static void
+on_gap_width (Panel *panel)
+{
+  panel->chosen_width =
+    qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (panel->gap_width));
+  on_mapped (panel);
 }
 
 static void
@@ -197,18 +223,24 @@ qn_findings_panel_new (QnCanvas *canvas)
   Panel *panel = g_new (Panel, 1);
   *panel = (Panel){
     .canvas = canvas,
+    .form = form,
     .list = qn_builder_get_widget (builder, "list"),
     .repair_all = qn_builder_get_widget (builder, "repair_all"),
     .gap_box = qn_builder_get_widget (builder, "gap_box"),
     .gap_width = qn_builder_get_widget (builder, "gap_width"),
+    .close_gaps = qn_builder_get_widget (builder, "close_gaps"),
     .summary = GTK_LABEL (qn_builder_get_widget (builder, "summary")),
     .gap_text = GTK_LABEL (qn_builder_get_widget (builder, "gap_text")),
   };
   g_signal_connect (panel->list, "row-activated", G_CALLBACK (on_row_activated), panel);
   g_signal_connect_swapped (panel->repair_all, "clicked", G_CALLBACK (on_repair_all),
                             panel);
-  g_signal_connect_swapped (qn_builder_get_widget (builder, "close_gaps"), "clicked",
-                            G_CALLBACK (on_close_gaps), panel);
+  g_signal_connect_swapped (panel->close_gaps, "clicked", G_CALLBACK (on_close_gaps),
+                            panel);
+  g_signal_connect_swapped (panel->gap_width, "committed", G_CALLBACK (on_gap_width),
+                            panel);
+  g_signal_connect_swapped (form, "map", G_CALLBACK (on_mapped), panel);
+  g_signal_connect_swapped (form, "unmap", G_CALLBACK (on_unmapped), panel);
   qn_own (form, panel);
   qn_watch (form, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), panel);
   update (panel);

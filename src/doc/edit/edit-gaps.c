@@ -42,6 +42,17 @@ qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps)
   return status == QN_OK;
 }
 
+double
+qn_model_usual_gap (const QnModel *model)
+{
+  QnRings rings;
+  if (!to_rings (model, &rings))
+    return 0.0;
+  double width = qn_gaps_usual_width (&rings);
+  qn_rings_clear (&rings);
+  return width;
+}
+
 char *
 qn_gaps_dup_text (const QnGaps *gaps)
 {

@@ -9,6 +9,9 @@
  * (0: the usual width). `gaps` is overwritten; rings are blocks. FALSE without memory. */
 gboolean qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps);
 
+/* The usual width of a model's blocks, m: qn_gaps_usual_width(); 0 without memory. */
+double qn_model_usual_gap (const QnModel *model);
+
 /* "285 joints of mortar, 9 to 12 mm wide"; NULL where there are none. The caller frees it. */
 char *qn_gaps_dup_text (const QnGaps *gaps);
 
