@@ -12,7 +12,7 @@
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
 
-#define RULER_PX     20.0
+#define RULER_POINTS 15.0
 #define GRID_PX      60.0 /* least distance of labelled grid lines */
 #define MOST_MARKS   300  /* of findings: more hide the drawing */
 #define MARK_PX      7.0
@@ -20,7 +20,7 @@
 #define CURSOR_PX    14.0
 #define LEGEND_INSET 10.0
 #define LEGEND_PAD   4.0
-#define LEGEND_TOP   56.0 /* below the choice of view */
+#define LEGEND_TOP   42.0 /* points: below the choice of view */
 
 static void
 set_ink (cairo_t *cr, QnInk ink, double alpha)
@@ -28,6 +28,7 @@ set_ink (cairo_t *cr, QnInk ink, double alpha)
   qn_set_color (cr, qn_ink (ink, false), alpha);
 }
 
+/* Text in the widget's font, as large on the drawing as what the scene says in so many points. */
 static PangoLayout *
 make_text (QnCanvas *self, const char *text, double points)
 {
@@ -35,11 +36,17 @@ make_text (QnCanvas *self, const char *text, double points)
   PangoFontDescription *font =
     pango_font_description_copy (pango_context_get_font_description (
       gtk_widget_get_pango_context (GTK_WIDGET (self))));
-  pango_font_description_set_size (
-    font, (int) qn_to_integer (points * PANGO_SCALE, 0, G_MAXINT));
+  pango_font_description_set_absolute_size (font,
+                                            points * self->camera.unit * PANGO_SCALE);
   pango_layout_set_font_description (layout, font);
   pango_font_description_free (font);
   return layout;
+}
+
+static double
+ruler_px (const QnCanvas *self)
+{
+  return RULER_POINTS * self->camera.unit;
 }
 
 double
@@ -102,13 +109,13 @@ draw_ruler_ticks (QnCanvas *self, cairo_t *cr, gboolean vertical)
     double value = i * distance;
     QnVec2 s = qn_canvas_to_screen (self, qn_vec2 (value, value));
     gboolean major = fmod (fabs (i), 5.0) < 0.5;
-    double length = major ? RULER_PX : 5.0;
+    double length = major ? ruler_px (self) : 5.0;
     if (vertical) {
-      cairo_move_to (cr, RULER_PX, floor (s.y) + 0.5);
-      cairo_line_to (cr, RULER_PX - length, floor (s.y) + 0.5);
+      cairo_move_to (cr, ruler_px (self), floor (s.y) + 0.5);
+      cairo_line_to (cr, ruler_px (self) - length, floor (s.y) + 0.5);
     } else {
-      cairo_move_to (cr, floor (s.x) + 0.5, RULER_PX);
-      cairo_line_to (cr, floor (s.x) + 0.5, RULER_PX - length);
+      cairo_move_to (cr, floor (s.x) + 0.5, ruler_px (self));
+      cairo_line_to (cr, floor (s.x) + 0.5, ruler_px (self) - length);
     }
     cairo_stroke (cr);
     if (major)
@@ -124,9 +131,9 @@ draw_pointer_on_rulers (QnCanvas *self, cairo_t *cr)
   QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
   set_ink (cr, QN_INK_SELECTION, 1.0);
   cairo_move_to (cr, floor (s.x) + 0.5, 0.0);
-  cairo_rel_line_to (cr, 0.0, RULER_PX);
+  cairo_rel_line_to (cr, 0.0, ruler_px (self));
   cairo_move_to (cr, 0.0, floor (s.y) + 0.5);
-  cairo_rel_line_to (cr, RULER_PX, 0.0);
+  cairo_rel_line_to (cr, ruler_px (self), 0.0);
   cairo_stroke (cr);
 }
 
@@ -135,19 +142,19 @@ draw_rulers (QnCanvas *self, cairo_t *cr)
 {
   cairo_save (cr);
   cairo_set_source_rgb (cr, 0.955, 0.955, 0.95);
-  cairo_rectangle (cr, 0.0, 0.0, self->camera.width, RULER_PX);
-  cairo_rectangle (cr, 0.0, 0.0, RULER_PX, self->camera.height);
+  cairo_rectangle (cr, 0.0, 0.0, self->camera.width, ruler_px (self));
+  cairo_rectangle (cr, 0.0, 0.0, ruler_px (self), self->camera.height);
   cairo_fill (cr);
   cairo_set_source_rgb (cr, 0.35, 0.37, 0.4);
   cairo_set_line_width (cr, 1.0);
 
   cairo_save (cr);
-  cairo_rectangle (cr, RULER_PX, 0.0, self->camera.width, RULER_PX);
+  cairo_rectangle (cr, ruler_px (self), 0.0, self->camera.width, ruler_px (self));
   cairo_clip (cr);
   draw_ruler_ticks (self, cr, FALSE);
   cairo_restore (cr);
   cairo_save (cr);
-  cairo_rectangle (cr, 0.0, RULER_PX, RULER_PX, self->camera.height);
+  cairo_rectangle (cr, 0.0, ruler_px (self), ruler_px (self), self->camera.height);
   cairo_clip (cr);
   draw_ruler_ticks (self, cr, TRUE);
   cairo_restore (cr);
@@ -157,7 +164,7 @@ draw_rulers (QnCanvas *self, cairo_t *cr)
   g_autoptr (PangoLayout) unit =
     make_text (self, qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH), 7.0);
   cairo_set_source_rgb (cr, 0.955, 0.955, 0.95);
-  cairo_rectangle (cr, 0.0, 0.0, RULER_PX, RULER_PX);
+  cairo_rectangle (cr, 0.0, 0.0, ruler_px (self), ruler_px (self));
   cairo_fill (cr);
   cairo_set_source_rgb (cr, 0.35, 0.37, 0.4);
   cairo_move_to (cr, 4.0, 3.0);
@@ -463,7 +470,8 @@ overlap (QnBox a, QnBox b)
 static void
 place_legend (QnCanvas *self, const QnScene *scene, QnFurniture *furniture)
 {
-  double left = RULER_PX + LEGEND_INSET, top = RULER_PX + LEGEND_TOP;
+  double left = ruler_px (self) + LEGEND_INSET,
+         top = ruler_px (self) + LEGEND_TOP * self->camera.unit;
   double right = self->camera.width - furniture->width - LEGEND_INSET;
   const QnVec2 corners[] = {
     { left, self->camera.height - furniture->height - LEGEND_INSET },
@@ -496,7 +504,7 @@ lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, gboolean placed,
   qn_furniture_init (furniture, scene, cr, self->camera.unit, 0.4 * self->camera.width,
                      true);
   qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
-  furniture->x = RULER_PX + LEGEND_INSET;
+  furniture->x = ruler_px (self) + LEGEND_INSET;
   furniture->y = self->camera.height - furniture->height - LEGEND_INSET;
   if (placed)
     place_legend (self, scene, furniture);

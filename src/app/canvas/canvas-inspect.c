@@ -3,7 +3,6 @@
 #include "app/canvas/canvas-private.h"
 
 #include "app/widgets/settings.h"
-#include "core/base/integer.h"
 #include "doc/view/inspect.h"
 #include <pango/pangocairo.h>
 
@@ -15,7 +14,7 @@
 #define CARD_POINTS 8.5
 #define CARD_PAD    7.0
 #define CARD_ASIDE  18.0
-#define CARD_TAB    118
+#define CARD_TAB    88 /* points */
 #define REST_MS                                                                          \
   500 /* in the view of the model, until what is under the pointer is told */
 
@@ -161,12 +160,12 @@ make_card (QnCanvas *self, const char *title, const char *values)
   PangoFontDescription *font =
     pango_font_description_copy (pango_context_get_font_description (
       gtk_widget_get_pango_context (GTK_WIDGET (self))));
-  pango_font_description_set_size (
-    font, (int) qn_to_integer (CARD_POINTS * PANGO_SCALE, 0, G_MAXINT));
+  pango_font_description_set_absolute_size (font, CARD_POINTS * self->camera.unit
+                                                    * PANGO_SCALE);
   pango_layout_set_font_description (layout, font);
   pango_font_description_free (font);
-  PangoTabArray *tabs =
-    pango_tab_array_new_with_positions (1, TRUE, PANGO_TAB_LEFT, CARD_TAB);
+  PangoTabArray *tabs = pango_tab_array_new_with_positions (
+    1, TRUE, PANGO_TAB_LEFT, (int) (CARD_TAB * self->camera.unit));
   pango_layout_set_tabs (layout, tabs);
   pango_tab_array_free (tabs);
   pango_layout_set_markup (layout, markup, -1);

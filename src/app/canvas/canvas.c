@@ -1,6 +1,7 @@
 #include "app/canvas/canvas-private.h"
 
 #include "app/widgets/settings.h"
+#include "app/widgets/text-unit.h"
 #include "doc/text/count-text.h"
 #include "io/project/project-masonry.h"
 #include <glib/gi18n.h>
@@ -13,8 +14,6 @@
 /* What black ink and white paper become in a dark window. */
 #define DARK_INK   0.92F
 #define DARK_PAPER 0.13F
-
-#define PX_PER_POINT (96.0 / 72.0)
 
 G_DEFINE_FINAL_TYPE (QnCanvas, qn_canvas, GTK_TYPE_WIDGET)
 
@@ -137,6 +136,7 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
   gboolean resized = self->camera.width != width || self->camera.height != height;
   self->camera.width = width;
   self->camera.height = height;
+  self->camera.unit = qn_text_unit (widget);
   if (self->wants_fit || (resized && self->keeps_fit))
     qn_canvas_fit_now (self);
   const graphene_rect_t all = GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height);
@@ -248,7 +248,7 @@ qn_canvas_init (QnCanvas *self)
   gtk_widget_set_hexpand (GTK_WIDGET (self), TRUE);
   gtk_widget_set_vexpand (GTK_WIDGET (self), TRUE);
   self->camera.scale = 100.0;
-  self->camera.unit = PX_PER_POINT;
+  self->camera.unit = 1.0;
   self->typed = g_string_new (NULL);
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
   self->gl_layer = qn_gl_layer_new ();

@@ -2,6 +2,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
+#include "app/widgets/wrap-pair.h"
 #include "core/base/integer.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
@@ -226,7 +227,8 @@ build (Bar *bar)
   g_signal_connect (bar->slider, "value-changed", G_CALLBACK (on_slider), bar);
 
   bar->step_label = gtk_label_new (NULL);
-  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 26);
+  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 12);
+  gtk_label_set_max_width_chars (GTK_LABEL (bar->step_label), 30);
   gtk_label_set_ellipsize (GTK_LABEL (bar->step_label), PANGO_ELLIPSIZE_END);
   gtk_label_set_xalign (GTK_LABEL (bar->step_label), 0.0f);
   gtk_widget_add_css_class (bar->step_label, "numeric");
@@ -268,10 +270,19 @@ build (Bar *bar)
   GtkWidget *factors[] = { label, GTK_WIDGET (bar->scale), bar->truly };
   for (gsize i = 0; i < G_N_ELEMENTS (factors); i++)
     gtk_box_append (GTK_BOX (bar->factor), factors[i]);
-  GtkWidget *parts[] = { bar->play, bar->slider, bar->step_label,
-                         bar->loop, bar->speed,  bar->factor };
-  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
-    gtk_box_append (GTK_BOX (bar->box), parts[i]);
+  GtkWidget *parts[][3] = { { bar->play, bar->slider, bar->step_label },
+                            { bar->loop, bar->speed, bar->factor } };
+  GtkWidget *rows[2];
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
+    rows[i] = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+    for (gsize k = 0; k < G_N_ELEMENTS (parts[i]); k++)
+      gtk_box_append (GTK_BOX (rows[i]), parts[i][k]);
+  }
+  bar->box = qn_wrap_pair_new (rows[0], rows[1]);
+  /* Time runs to the right, as on every player. */
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++)
+    gtk_widget_set_direction (rows[i], GTK_TEXT_DIR_LTR);
+  gtk_widget_add_css_class (bar->box, "toolbar");
 }
 
 GtkWidget *
@@ -279,10 +290,6 @@ qn_playback_bar_new (QnViewState *state)
 {
   Bar *bar = g_new0 (Bar, 1);
   bar->state = state;
-  bar->box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
-  gtk_widget_add_css_class (bar->box, "toolbar");
-  /* Time runs to the right, as on every player. */
-  gtk_widget_set_direction (bar->box, GTK_TEXT_DIR_LTR);
   build (bar);
   g_object_set_data (G_OBJECT (bar->box), "qn-bar", bar);
   qn_own (bar->box, bar);

@@ -42,7 +42,7 @@ struct _QnWindow {
   GtkWidget *progress_box, *pause_button, *stale_label, *diagrams_button, *diagram_box,
     *field_button;
   GtkProgressBar *progress_bar;
-  GtkMenuButton *history_button;
+  GtkMenuButton *history_button, *view_button;
   GtkScrolledWindow *properties_scroller, *analysis_scroller, *result_scroller,
     *findings_scroller;
   QnCanvas *canvas;

@@ -3,6 +3,7 @@
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
 #include "app/views/start-page.h"
+#include "app/widgets/first-fit.h"
 #include "app/widgets/settings.h"
 #include "app/window/action-table.h"
 #include "doc/document/import.h"
@@ -19,7 +20,6 @@
 #define DRAWING_WIDTH 550
 
 /* A view whose name has no room is told by that many letters. */
-#define VIEW_CHARS 3
 
 G_DEFINE_FINAL_TYPE (QnWindow, qn_window, GTK_TYPE_APPLICATION_WINDOW)
 
@@ -127,6 +127,17 @@ update_stale (QnWindow *self)
 }
 
 /* Beams have views that blocks do not need, results colours that the model does not have. */
+/* The name of the view on the button that stands for all of them where the drawing is narrow. */
+static void
+update_view_menu (QnWindow *self)
+{
+  for (GtkWidget *child = gtk_widget_get_first_child (GTK_WIDGET (self->view_switcher));
+       child != NULL; child = gtk_widget_get_next_sibling (child))
+    if (gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (child)))
+      gtk_menu_button_set_label (self->view_button,
+                                 gtk_button_get_label (GTK_BUTTON (child)));
+}
+
 static void
 update_view_buttons (QnWindow *self)
 {
@@ -139,21 +150,6 @@ update_view_buttons (QnWindow *self)
   gtk_widget_set_visible (self->field_button,
                           qn_view_needs_result (view) && view != QN_VIEW_DIAGRAMS);
   gtk_widget_set_visible (self->diagram_box, shown);
-}
-
-/* Where the drawing is narrow, names of views are cut before they lie over what is beside it. */
-static void
-let_shrink (GtkWidget *widget)
-{
-  if (GTK_IS_POPOVER (widget))
-    return;
-  if (GTK_IS_LABEL (widget)) {
-    gtk_label_set_ellipsize (GTK_LABEL (widget), PANGO_ELLIPSIZE_END);
-    gtk_label_set_width_chars (GTK_LABEL (widget), VIEW_CHARS);
-  }
-  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
-       child = gtk_widget_get_next_sibling (child))
-    let_shrink (child);
 }
 
 static void
@@ -173,6 +169,7 @@ on_view_changed (QnWindow *self)
   update_stale (self);
   update_view_buttons (self);
   qn_window_update_actions (self);
+  update_view_menu (self);
 }
 
 void
@@ -387,12 +384,7 @@ build_panels (QnWindow *self)
   gtk_scrolled_window_set_child (self->findings_scroller,
                                  qn_findings_panel_new (self->canvas));
   self->playback = qn_playback_bar_new (self->state);
-  /* Where there is no room for all of it, it scrolls. */
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_policy (GTK_SCROLLED_WINDOW (scroller), GTK_POLICY_EXTERNAL,
-                                  GTK_POLICY_NEVER);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), self->playback);
-  gtk_box_append (self->canvas_box, scroller);
+  gtk_box_append (self->canvas_box, self->playback);
   gtk_box_append (self->start_box, qn_start_page_new ());
   GtkWidget *popover = gtk_popover_new ();
   gtk_popover_set_child (GTK_POPOVER (popover), qn_history_list_new (self->document));
@@ -473,6 +465,7 @@ static void
 qn_window_init (QnWindow *self)
 {
   g_type_ensure (QN_TYPE_CANVAS);
+  g_type_ensure (QN_TYPE_FIRST_FIT);
   gtk_widget_init_template (GTK_WIDGET (self));
   qn_action_complete_tooltips (GTK_WIDGET (self));
   self->document = qn_document_new ();
@@ -496,7 +489,6 @@ qn_window_init (QnWindow *self)
   self->recovery = qn_recovery_watch (self->document);
   bind_settings (self);
   g_signal_connect (self, "realize", G_CALLBACK (on_realize), NULL);
-  let_shrink (GTK_WIDGET (self->view_switcher));
   qn_window_add_context_menu (self);
   g_autoptr (GtkShortcutsWindow) shortcuts = qn_action_new_shortcuts_window ();
   gtk_application_window_set_help_overlay (GTK_APPLICATION_WINDOW (self), shortcuts);
@@ -506,6 +498,7 @@ qn_window_init (QnWindow *self)
   update_history (self);
   update_status (self);
   update_view_buttons (self);
+  update_view_menu (self);
 }
 
 void
@@ -583,6 +576,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (side_stack);
   BIND (start_box);
   BIND (tool_box);
+  BIND (view_button);
   BIND (view_switcher);
   BIND (canvas_box);
   BIND (view_box);
