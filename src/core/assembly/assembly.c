@@ -89,24 +89,28 @@ number_unknowns (QnAssembly *as)
   return true;
 }
 
+void
+qn_assembly_place_pair (QnAssembly *as, size_t p)
+{
+  const QnContactPair *pair = &as->contacts->pairs[p];
+  const QnContactFace *face = &as->contacts->faces[pair->face];
+  QnVec2 from = pair->found ? pair->foot : pair->point;
+
+  qn_pair_kinematics_init (&as->kinematics[p], face->normal,
+                           qn_vec2_sub (from, as->model->blocks[face->a].centroid),
+                           qn_vec2_sub (pair->point, as->model->blocks[face->b].centroid),
+                           as->length);
+  if (pair->found)
+    qn_pair_kinematics_set_corner (&as->kinematics[p], qn_vec2_sub (pair->point, from));
+  as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
+}
+
 static void
 prepare_pairs (QnAssembly *as)
 {
-  const QnContacts *contacts = as->contacts;
-
   for (size_t p = 0; p < as->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-
-    QnVec2 from = pair->found ? pair->foot : pair->point;
-    qn_pair_kinematics_init (
-      &as->kinematics[p], face->normal,
-      qn_vec2_sub (from, as->model->blocks[face->a].centroid),
-      qn_vec2_sub (pair->point, as->model->blocks[face->b].centroid), as->length);
-    if (pair->found)
-      qn_pair_kinematics_set_corner (&as->kinematics[p], qn_vec2_sub (pair->point, from));
-    as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
-    as->springs[p] = qn_contacts_pair_springs (as->model, contacts, p);
+    qn_assembly_place_pair (as, p);
+    as->springs[p] = qn_contacts_pair_springs (as->model, as->contacts, p);
   }
 }
 

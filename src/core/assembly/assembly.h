@@ -114,6 +114,10 @@ QnStatus qn_assembly_setup (QnAssembly *assembly, const QnModel *model,
 
 void qn_assembly_clear (QnAssembly *assembly);
 
+/* Takes up where a contact pair lies on its blocks, where that has changed: its kinematics are those of
+ * the undeformed state until the next evaluation. */
+void qn_assembly_place_pair (QnAssembly *assembly, size_t pair);
+
 /* Where the bodies of all unknowns stand; NULL when memory runs out. */
 QnVec2 *qn_assembly_points (const QnAssembly *assembly);
 

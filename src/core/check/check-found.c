@@ -30,7 +30,8 @@ exists (const QnCheck *check, const QnFoundContact *contact)
          && (size_t) contact->other < blocks && contact->block != contact->other
          && contact->corner >= 0
          && contact->corner < model->blocks[contact->other].vertex_count
-         && isfinite (contact->foot) && is_side (&check->follow.sides, contact);
+         && isfinite (contact->foot) && contact->inset >= 0 && isfinite (contact->inset)
+         && is_side (&check->follow.sides, contact);
 }
 
 /* Whether all that the result says of found contacts refers to something, in the order it should. */
@@ -121,19 +122,19 @@ qn_check_found_take (QnCheck *check, size_t step)
   }
 }
 
-/* Whether the contact carries a force at this step. */
-static bool
-is_stated (const QnCheck *check, const QnFoundContact *contact)
+/* Of the contacts that are listed, those that the result states something of at this step. */
+static void
+find_stated (const QnCheck *check, bool *stated)
 {
+  const QnContactFollow *follow = &check->follow;
+
   for (size_t i = check->first_force; i < check->next_force; i++) {
     const QnFoundForce *force = &check->result->found_forces[i];
-    const QnFoundContact *c = &check->result->found[force->found].contact;
-    if (c->block == contact->block && c->side == contact->side
-        && c->other == contact->other && c->corner == contact->corner
-        && force->normal < 0)
-      return true;
+    size_t at =
+      qn_contact_follow_find (follow, &check->result->found[force->found].contact);
+    if (at < follow->count)
+      stated[at] = true;
   }
-  return false;
 }
 
 QnStatus
@@ -153,17 +154,21 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
                                               NULL, &changed, diag);
   if (status != QN_OK)
     return status;
-  for (size_t i = 0; i < follow->count; i++)
-    follow->awake[i] = is_stated (check, &follow->found[i]);
+  bool *stated = qn_alloc (follow->count, sizeof *stated);
+  if (stated == NULL)
+    return qn_diag_no_memory (diag);
+  find_stated (check, stated);
+  memcpy (follow->awake, stated, follow->count * sizeof *stated);
   qn_contact_follow_wake (follow, rows);
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
     QnCornerPlace at = qn_contact_follow_place (follow, c, rows);
     double over = qn_contact_follow_band (follow, c->block, c->other);
-    if (follow->awake[i] && !is_stated (check, c) && at.apart < -NO_DEPTH * smallest
+    if (follow->awake[i] && !stated[i] && at.apart < -NO_DEPTH * smallest
         && at.along > over && at.along < at.length - over)
       qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_BLOCK, c->other, 0,
                      at.apart);
   }
+  free (stated);
   return QN_OK;
 }

@@ -181,28 +181,37 @@ qn_contact_follow_is_due (const QnContactFollow *follow, const double *displacem
   return moved > 0.25 * follow->margin;
 }
 
+void
+qn_contacts_between (const QnContacts *drawn, QnId a, QnId b, size_t *first, size_t *end)
+{
+  const QnContactFace *faces = drawn->faces;
+  QnId low = a < b ? a : b, high = a < b ? b : a;
+  size_t after = drawn->face_count;
+
+  *first = 0;
+  while (*first < after) { /* faces are sorted by a, b */
+    size_t middle = *first + (after - *first) / 2;
+    if (faces[middle].a < low || (faces[middle].a == low && faces[middle].b < high))
+      *first = middle + 1;
+    else
+      after = middle;
+  }
+  *end = *first;
+  while (*end < drawn->face_count && faces[*end].a == low && faces[*end].b == high)
+    ++*end;
+}
+
 /* The joint as drawn between two blocks that still holds; where `side` is not NULL, on that side of
  * block a; where `other` is not NULL, on either of these two sides of block b. */
 static bool
 is_joined (const QnContactFollow *follow, QnId a, QnId b, const QnSide *side,
            const QnSide *const other[2])
 {
-  const QnContacts *drawn = follow->drawn;
-  QnId low = a < b ? a : b, high = a < b ? b : a;
-  size_t first = 0, end = drawn->face_count;
+  size_t first, end;
 
-  while (first < end) { /* faces are sorted by a, b */
-    size_t middle = first + (end - first) / 2;
-    const QnContactFace *face = &drawn->faces[middle];
-    if (face->a < low || (face->a == low && face->b < high))
-      first = middle + 1;
-    else
-      end = middle;
-  }
-  for (; first < drawn->face_count && drawn->faces[first].a == low
-         && drawn->faces[first].b == high;
-       first++) {
-    const QnContactFace *face = &drawn->faces[first];
+  qn_contacts_between (follow->drawn, a, b, &first, &end);
+  for (; first < end; first++) {
+    const QnContactFace *face = &follow->drawn->faces[first];
     QnId own = face->a == a ? face->edge_a : face->edge_b,
          theirs = face->a == a ? face->edge_b : face->edge_a;
     if (!follow->left[first] && (side == NULL || side->vertex == own)
@@ -329,36 +338,66 @@ is_between (const QnFoundContact *c, QnId low, QnId high)
   return (c->block == low && c->other == high) || (c->block == high && c->other == low);
 }
 
-/* Of the list before, whose contacts come in the same order of blocks, what is in the new one. */
+/* The first listed contact between these blocks, or where it would stand. */
+static size_t
+first_between (const QnContactFollow *follow, QnId low, QnId high)
+{
+  size_t first = 0, end = follow->count;
+
+  while (first < end) {
+    size_t middle = first + (end - first) / 2;
+    const QnFoundContact *c = &follow->found[middle];
+    QnId c_low = c->block < c->other ? c->block : c->other,
+         c_high = c->block < c->other ? c->other : c->block;
+    if (c_low < low || (c_low == low && c_high < high))
+      first = middle + 1;
+    else
+      end = middle;
+  }
+  return first;
+}
+
+size_t
+qn_contact_follow_end (const QnContactFollow *follow, size_t first)
+{
+  const QnFoundContact *c = &follow->found[first];
+  size_t end = first + 1;
+
+  while (end < follow->count && is_between (&follow->found[end], c->block, c->other))
+    end++;
+  return end;
+}
+
+size_t
+qn_contact_follow_find (const QnContactFollow *follow, const QnFoundContact *contact)
+{
+  QnId low = contact->block < contact->other ? contact->block : contact->other,
+       high = contact->block < contact->other ? contact->other : contact->block;
+
+  for (size_t i = first_between (follow, low, high);
+       i < follow->count && is_between (&follow->found[i], low, high); i++)
+    if (is_same (&follow->found[i], contact))
+      return i;
+  return follow->count;
+}
+
+/* What the contacts of the list before remember. Whether the list is the same. */
 static bool
 take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *awake,
            size_t count, QnId *places)
 {
   bool same = count == follow->count;
-  size_t next = 0;
 
   for (size_t i = 0; i < count; i++) {
-    const QnFoundContact *old = &before[i];
-    QnId low = old->block < old->other ? old->block : old->other,
-         high = old->block < old->other ? old->other : old->block, place = QN_NONE;
-    while (next < follow->count) {
-      const QnFoundContact *c = &follow->found[next];
-      QnId c_low = c->block < c->other ? c->block : c->other,
-           c_high = c->block < c->other ? c->other : c->block;
-      if (c_low > low || (c_low == low && c_high >= high))
-        break;
-      next++;
+    size_t at = qn_contact_follow_find (follow, &before[i]);
+    bool listed = at < follow->count;
+    if (listed) {
+      follow->found[at] = before[i];
+      follow->awake[at] = awake[i];
     }
-    for (size_t k = next; k < follow->count && is_between (&follow->found[k], low, high);
-         k++)
-      if (is_same (&follow->found[k], old)) {
-        follow->found[k].foot = old->foot;
-        follow->awake[k] = awake[i];
-        place = (QnId) k;
-      }
     if (places != NULL)
-      places[i] = place;
-    same = same && place == (QnId) i;
+      places[i] = listed ? (QnId) at : QN_NONE;
+    same = same && at == i;
   }
   return same;
 }
@@ -440,13 +479,17 @@ qn_contact_follow_wake (QnContactFollow *follow, const double *displacements)
   bool any = false;
 
   for (size_t i = 0; i < follow->count; i++) {
-    const QnFoundContact *c = &follow->found[i];
+    QnFoundContact *c = &follow->found[i];
     QnCornerPlace at = qn_contact_follow_place (follow, c, displacements);
     double over = qn_contact_follow_band (follow, c->block, c->other);
-    if (!follow->awake[i] || (at.along >= -over && at.along <= at.length + over))
+    if (!follow->awake[i])
       continue;
-    follow->awake[i] = false;
-    any = true;
+    bool slid_off = at.along < -over || at.along > at.length + over;
+    bool came_out = c->inset > 0 && at.apart >= 0;
+    if (slid_off || came_out)
+      c->inset = 0;
+    follow->awake[i] = !slid_off;
+    any = any || slid_off || came_out;
   }
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
@@ -516,8 +559,20 @@ append (const QnModel *model, const QnSides *sides, const QnFoundContact *c,
     .abscissa = c->foot,
     .tributary = 0.5 * fmin (side->length, longer_side (sides, c->other, c->corner)),
     .found = true,
-    .foot = qn_vec2_add_scaled (side->start, c->foot, side->direction),
   };
+  qn_contacts_set_inset (contacts, contacts->pair_count - 1, c->inset);
+}
+
+bool
+qn_contacts_set_inset (QnContacts *contacts, size_t pair, double inset)
+{
+  QnContactPair *p = &contacts->pairs[pair];
+  const QnContactFace *face = &contacts->faces[p->face];
+  QnVec2 foot = qn_vec2_add_scaled (face->start, p->abscissa, face->tangent);
+  QnVec2 before = p->foot;
+
+  p->foot = qn_vec2_add_scaled (foot, -inset, face->normal);
+  return p->foot.x != before.x || p->foot.y != before.y;
 }
 
 QnStatus

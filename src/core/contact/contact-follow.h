@@ -18,6 +18,10 @@
  *   it sleeps   again where its corner is beyond an end of the side by qn_contact_follow_band()
  *
  * Where two corners meet, one pair is enough: the second one waits until the first has slid off.
+ *
+ * A corner that wakes within a block, without another contact there having been given up, carries
+ * nothing as long as it goes no deeper: its elongation is measured from the depth where it woke, its
+ * inset, until it has come out. So no contact has energy that nothing has put into it.
  */
 #ifndef QN_CORE_CONTACT_FOLLOW_H
 #define QN_CORE_CONTACT_FOLLOW_H
@@ -90,8 +94,17 @@ QnStatus qn_contact_follow_search (QnContactFollow *follow, const double *displa
                                    double margin, QnId *places, bool *changed,
                                    QnDiag *diag);
 
-/* Puts pairs to sleep and wakes them. Returns whether any changed. */
+/* Puts pairs to sleep, and wakes them with no inset; takes the inset of those whose corner has come out.
+ * Returns whether any changed. */
 bool qn_contact_follow_wake (QnContactFollow *follow, const double *displacements);
+
+/* The place of this contact in the list, whatever its foot and inset; `count` where it is not listed. */
+size_t qn_contact_follow_find (const QnContactFollow *follow,
+                               const QnFoundContact *contact);
+
+/* The end of the listed contacts between the same two blocks as the one at `first`, which stand
+ * together. */
+size_t qn_contact_follow_end (const QnContactFollow *follow, size_t first);
 
 QnCornerPlace qn_contact_follow_place (const QnContactFollow *follow,
                                        const QnFoundContact *contact,
@@ -103,5 +116,12 @@ QnCornerPlace qn_contact_follow_place (const QnContactFollow *follow,
 QnStatus qn_contacts_with_found (const QnModel *model, const QnContacts *drawn,
                                  const QnSides *sides, const QnFoundContact *found,
                                  size_t count, QnContacts *contacts, QnDiag *diag);
+
+/* Gives a pair of these another inset, m. Returns whether it had another one. */
+bool qn_contacts_set_inset (QnContacts *contacts, size_t pair, double inset);
+
+/* The faces as drawn between two blocks, whichever is a: [first, end). */
+void qn_contacts_between (const QnContacts *drawn, QnId a, QnId b, size_t *first,
+                          size_t *end);
 
 #endif

@@ -34,7 +34,7 @@ typedef struct QnContactPair {
   double tributary; /* length of the face that the pair stands for, m; times the face's
                        thickness its area, also that of a bar */
   bool found;       /* on the way (contact-follow.h): `point` is a corner of block b, */
-  QnVec2 foot;      /* this a point on the side of block a, both undeformed, m */
+  QnVec2 foot; /* this a point on the side of block a, or below it; both undeformed, m */
 } QnContactPair;
 
 /* A corner of one block near a side of another. */
@@ -44,6 +44,7 @@ typedef struct QnFoundContact {
   QnId other, corner; /* the block whose corner it is, and the vertex within it */
   double
     foot; /* where on the side its shear elongation is zero, m from the first vertex */
+  double inset; /* how deep below the side its normal elongation is zero, m, >= 0 */
 } QnFoundContact;
 
 /* Faces are sorted by (a, b, position along the joint); pairs face by face, by abscissa, those

@@ -34,6 +34,7 @@ qn_moving_contacts_clear (QnMovingContacts *moving)
     qn_contacts_clear (&moving->contacts);
   }
   free (moving->displacements);
+  free (moving->noted);
   free (moving->slips);
   free (moving->results);
   *moving = (QnMovingContacts){ 0 };
@@ -41,83 +42,159 @@ qn_moving_contacts_clear (QnMovingContacts *moving)
 
 /* --- What new pairs remember ------------------------------------------------------------- */
 
-/* Shear over normal force that two blocks have exchanged last, over all their pairs. */
-static double
-mobilised (const QnAssembly *as, const QnPairResponse *responses, QnId a, QnId b)
-{
-  double normal = 0, shear = 0;
+/* What the pairs between two blocks did before contacts change. */
+typedef struct {
+  double normal, shear; /* N */
+  double released;      /* J: stored by those that fall asleep */
+} Exchange;
 
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const QnContactFace *face = &as->contacts->faces[f];
-    if ((face->a != a || face->b != b) && (face->a != b || face->b != a))
-      continue;
-    for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++) {
-      normal += responses[p].force[0];
-      shear += responses[p].force[1];
-    }
-  }
-  return normal < 0 ? shear / normal : 0;
+static void
+add_exchange (const QnTimeStep *step, size_t pair, bool falls_asleep, Exchange *sum)
+{
+  const QnInstant *last = &step->start;
+
+  if (step->assembly->asleep[pair])
+    return;
+  QnPairInstant at = {
+    .q = { last->elongations[2 * pair], last->elongations[2 * pair + 1] },
+    .response = &last->responses[pair],
+  };
+  sum->normal += at.response->force[0];
+  sum->shear += at.response->force[1];
+  sum->released +=
+    falls_asleep ? qn_pair_elastic_energy (&step->elasticity[pair], &at) : 0;
 }
 
-/* A pair that wakes within the block goes on with the shear force that the blocks exchanged before. */
-static QnPairMemory
-fresh_memory (const QnPairSprings *springs, QnCornerPlace at, double foot, double ratio)
+/* Between the blocks of the listed contacts from `first` to `end`; origins: places of the listed
+ * contacts in the list of `step`, or QN_NONE (NULL: the same). */
+static Exchange
+exchange (const QnContactFollow *follow, const QnTimeStep *step, const QnId *origins,
+          size_t first, size_t end)
 {
-  QnPairElasticity elastic = qn_pair_elasticity (springs);
-  double slip = at.along - foot, shear = ratio * elastic.k[0] * fmin (at.apart, 0);
-  QnPairMemory memory = { 0 };
+  const QnContacts *drawn = follow->drawn;
+  const QnFoundContact *c = &follow->found[first];
+  Exchange sum = { 0 };
+  size_t f, last;
 
-  memory.a.slip = slip - shear / elastic.k[1];
-  memory.qa[1] = slip;
-  return memory;
+  qn_contacts_between (drawn, c->block, c->other, &f, &last);
+  for (; f < last; f++) {
+    const QnContactFace *face = &drawn->faces[f];
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
+      add_exchange (step, (size_t) p, follow->left[f], &sum);
+  }
+  for (size_t i = first; i < end; i++) {
+    QnId origin = origins != NULL ? origins[i] : (QnId) i;
+    if (origin != QN_NONE)
+      add_exchange (step, drawn->pair_count + (size_t) origin, !follow->awake[i], &sum);
+  }
+  return sum;
+}
+
+/* Normal force of a pair without inset whose corner lies within the block, and the shear force that goes
+ * with it. */
+static void
+undiminished (const QnPairElasticity *elastic, double apart, double ratio,
+              double force[2])
+{
+  force[0] = elastic->k[0] * fmin (apart, 0);
+  force[1] = ratio * force[0];
 }
 
 /* --- Going over -------------------------------------------------------------------------- */
 
-/* Memory and sleep of all pairs of `as`; `places` of the found ones in the assembly before. */
+/* Memory and sleep of all pairs of `as`. */
 static void
 hand_over (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
-           const QnId *places, size_t before)
+           const QnId *origins)
 {
   const QnAssembly *old = step->assembly;
   const QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
 
   memcpy (as->committed, old->committed, drawn * sizeof *as->committed);
-  for (size_t i = 0; i < follow->count; i++)
-    as->asleep[drawn + i] = true;
-  for (size_t i = 0; i < before; i++)
-    if (places[i] != QN_NONE) {
-      as->committed[drawn + (size_t) places[i]] = old->committed[drawn + i];
-      as->asleep[drawn + (size_t) places[i]] = old->asleep[drawn + i];
-    }
   for (size_t p = 0; p < drawn; p++)
     as->asleep[p] = follow->left[follow->drawn->pairs[p].face];
+  for (size_t i = 0; i < follow->count; i++) {
+    as->asleep[drawn + i] = origins[i] == QN_NONE;
+    if (origins[i] == QN_NONE)
+      continue;
+    as->committed[drawn + i] = old->committed[drawn + (size_t) origins[i]];
+    as->asleep[drawn + i] = old->asleep[drawn + (size_t) origins[i]];
+  }
 }
 
-/* Pairs that fall asleep or wake. */
-static void
-set_asleep (QnMovingContacts *moving, const QnAssembly *old, const QnPairResponse *last,
-            QnAssembly *as)
+static bool
+wakes (const QnMovingContacts *moving, const QnAssembly *as, size_t i)
 {
-  const QnContactFollow *follow = &moving->follow;
-  size_t drawn = follow->drawn->pair_count;
+  return moving->follow.awake[i] && as->asleep[moving->follow.drawn->pair_count + i];
+}
 
-  for (size_t i = 0; i < follow->count; i++) {
-    const QnFoundContact *c = &follow->found[i];
-    if (follow->awake[i] && as->asleep[drawn + i])
-      as->committed[drawn + i] =
-        fresh_memory (&as->springs[drawn + i],
-                      qn_contact_follow_place (follow, c, moving->displacements), c->foot,
-                      mobilised (old, last, c->block, c->other));
+/* Wakes a pair: `share` of how deep its corner lies counts, with the shear force that goes with it. */
+static void
+wake (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, double share)
+{
+  QnContactFollow *follow = &moving->follow;
+  QnFoundContact *c = &follow->found[i];
+  size_t pair = follow->drawn->pair_count + i;
+  QnCornerPlace at = qn_contact_follow_place (follow, c, moving->displacements);
+  QnPairElasticity elastic = qn_pair_elasticity (&as->springs[pair]);
+  double force[2], slip = at.along - c->foot;
+
+  undiminished (&elastic, at.apart, ratio, force);
+  c->inset = (1 - share) * fmax (-at.apart, 0);
+  as->committed[pair] = (QnPairMemory){ 0 };
+  as->committed[pair].a.slip = slip - share * force[1] / elastic.k[1];
+  as->committed[pair].qa[1] = slip;
+}
+
+/* Pairs between the same two blocks that fall asleep or wake, from `first` to `end`. */
+static void
+set_asleep (QnMovingContacts *moving, const QnTimeStep *step, QnAssembly *as,
+            const QnId *origins, size_t first, size_t end)
+{
+  QnContactFollow *follow = &moving->follow;
+  size_t drawn = follow->drawn->pair_count;
+  Exchange before = exchange (follow, step, origins, first, end);
+  double ratio = before.normal < 0 ? before.shear / before.normal : 0, stored = 0;
+
+  for (size_t i = first; i < end; i++)
+    if (wakes (moving, as, i)) {
+      QnPairElasticity elastic = qn_pair_elasticity (&as->springs[drawn + i]);
+      QnCornerPlace at =
+        qn_contact_follow_place (follow, &follow->found[i], moving->displacements);
+      double force[2];
+      undiminished (&elastic, at.apart, ratio, force);
+      stored +=
+        0.5 * (force[0] * force[0] / elastic.k[0] + force[1] * force[1] / elastic.k[1]);
+    }
+  double share = stored > before.released ? sqrt (before.released / stored) : 1;
+  for (size_t i = first; i < end; i++) {
+    if (wakes (moving, as, i))
+      wake (moving, as, i, ratio, share);
     as->asleep[drawn + i] = !follow->awake[i];
   }
 }
 
+/* Takes up which pairs are asleep now, and where their contact begins. */
+static void
+take_changes (QnMovingContacts *moving, const QnTimeStep *step, QnContacts *contacts,
+              QnAssembly *as, const QnId *origins)
+{
+  QnContactFollow *follow = &moving->follow;
+  size_t drawn = follow->drawn->pair_count;
+
+  for (size_t first = 0, end; first < follow->count; first = end) {
+    end = qn_contact_follow_end (follow, first);
+    set_asleep (moving, step, as, origins, first, end);
+  }
+  for (size_t i = 0; i < follow->count; i++)
+    if (qn_contacts_set_inset (contacts, drawn + i, follow->found[i].inset))
+      qn_assembly_place_pair (as, drawn + i);
+}
+
 /* A new assembly for a new list. */
 static QnStatus
-rebuild (QnMovingContacts *moving, QnTimeStep *step, const QnId *places, size_t before,
-         QnDiag *diag)
+rebuild (QnMovingContacts *moving, QnTimeStep *step, const QnId *origins, QnDiag *diag)
 {
   const QnContactFollow *follow = &moving->follow;
   const QnModel *model = follow->model;
@@ -145,11 +222,8 @@ rebuild (QnMovingContacts *moving, QnTimeStep *step, const QnId *places, size_t 
   if (linsys == NULL)
     status = qn_diag_no_memory (diag);
   if (status == QN_OK) {
-    /* Faces of the assembly before are asked for, where they were. */
-    moving->contacts = old.contacts;
-    hand_over (moving, step, &as, places, before);
-    set_asleep (moving, step->assembly, step->start.responses, &as);
-    moving->contacts = contacts;
+    hand_over (moving, step, &as, origins);
+    take_changes (moving, step, &moving->contacts, &as, origins);
     moving->assembly = as;
     status = qn_time_step_move (step, &moving->assembly, linsys, diag);
   }
@@ -210,7 +284,6 @@ leave_joints (QnMovingContacts *moving, const QnTimeStep *step, double time,
 {
   QnContactFollow *follow = &moving->follow;
   const QnContacts *drawn = follow->drawn;
-  size_t before = result->left_count;
 
   for (size_t p = 0; p < drawn->pair_count; p++) {
     const QnPairMemory *memory = &step->start.responses[p].memory;
@@ -220,14 +293,48 @@ leave_joints (QnMovingContacts *moving, const QnTimeStep *step, double time,
   if (!*any)
     return true;
   for (size_t f = 0; f < drawn->face_count; f++) {
-    size_t i = 0;
-    while (i < before && result->left[i].face != (QnId) f)
-      i++;
-    if (follow->left[f] && i == before
+    bool before = step->assembly->asleep[drawn->faces[f].first_pair];
+    if (follow->left[f] && !before
         && !qn_result_add_left (result, (QnLeftFace){ (QnId) f, time }))
       return false;
   }
   return true;
+}
+
+/* Lists contacts anew. *origins: of those that are listed now the places in the list before, or
+ * QN_NONE. */
+static QnStatus
+search (QnMovingContacts *moving, double margin, bool *changed, QnId **origins,
+        QnDiag *diag)
+{
+  QnContactFollow *follow = &moving->follow;
+  size_t before = follow->count;
+  QnId *places = qn_alloc (before, sizeof *places), *noted = NULL;
+  QnStatus status = places == NULL
+                      ? qn_diag_no_memory (diag)
+                      : qn_contact_follow_search (follow, moving->displacements, margin,
+                                                  places, changed, diag);
+  if (status == QN_OK) {
+    *origins = qn_alloc (follow->count, sizeof **origins);
+    noted = qn_alloc (follow->count, sizeof *noted);
+    if (*origins == NULL || noted == NULL)
+      status = qn_diag_no_memory (diag);
+  }
+  if (status == QN_OK) {
+    for (size_t i = 0; i < follow->count; i++)
+      (*origins)[i] = noted[i] = QN_NONE;
+    for (size_t i = 0; i < before; i++)
+      if (places[i] != QN_NONE) {
+        (*origins)[places[i]] = (QnId) i;
+        noted[places[i]] = moving->noted[i];
+      }
+    free (moving->noted);
+    moving->noted = noted;
+  } else {
+    free (noted);
+  }
+  free (places);
+  return status;
 }
 
 QnStatus
@@ -235,30 +342,24 @@ qn_moving_contacts_update (QnMovingContacts *moving, QnTimeStep *step, double lo
                            double time, QnEnergy *energy, QnResult *result, QnDiag *diag)
 {
   QnContactFollow *follow = &moving->follow;
-  size_t before = follow->count;
   double margin = margin_for (moving, step, longest);
-  QnId *places = NULL;
+  QnId *origins = NULL;
   bool left, listed = false;
   QnStatus status = QN_OK;
 
   qn_assembly_expand (step->assembly, step->start.u, moving->displacements);
   if (!leave_joints (moving, step, time, result, &left))
     return qn_diag_no_memory (diag);
-  if (left || qn_contact_follow_is_due (follow, moving->displacements, margin)) {
-    places = qn_alloc (before, sizeof *places);
-    status = places == NULL
-               ? qn_diag_no_memory (diag)
-               : qn_contact_follow_search (follow, moving->displacements, 2 * margin,
-                                           places, &listed, diag);
-  }
+  if (left || qn_contact_follow_is_due (follow, moving->displacements, margin))
+    status = search (moving, 2 * margin, &listed, &origins, diag);
   bool woken = status == QN_OK && qn_contact_follow_wake (follow, moving->displacements);
   if (status == QN_OK && (listed || left)) {
-    status = rebuild (moving, step, places, before, diag);
+    status = rebuild (moving, step, origins, diag);
   } else if (status == QN_OK && woken) {
-    set_asleep (moving, step->assembly, step->start.responses, step->assembly);
+    take_changes (moving, step, &moving->contacts, step->assembly, NULL);
     qn_time_step_renew (step);
   }
-  free (places);
+  free (origins);
   if (status == QN_OK && (listed || left || woken))
     qn_energy_renew (step, energy);
   return status;
@@ -280,16 +381,20 @@ qn_moving_contacts_record (QnMovingContacts *moving, const QnTimeStep *step, dou
   }
   for (size_t p = drawn; p < as->pair_count; p++) {
     const double *force = step->start.responses[p].force;
-    QnId place;
-    if (force[0] == 0 && force[1] == 0)
+    QnId *noted = &moving->noted[p - drawn];
+    QnFound found = { moving->follow.found[p - drawn], time };
+    bool acts = force[0] != 0 || force[1] != 0 || found.contact.inset > 0;
+    if (as->asleep[p] || !acts)
       continue;
-    if (!qn_result_add_found (result, (QnFound){ moving->follow.found[p - drawn], time },
-                              &place))
-      return false;
+    if (*noted == QN_NONE || result->found[*noted].contact.inset != found.contact.inset) {
+      if (!qn_result_add_found (result, found))
+        return false;
+      *noted = (QnId) result->found_count - 1;
+    }
     if (step_index < 0)
       continue;
     QnFoundForce stated = { .step = step_index,
-                            .found = place,
+                            .found = *noted,
                             .normal = force[0],
                             .shear = force[1],
                             .state = moving->results[p].state };

@@ -1,5 +1,13 @@
 /* Contacts that follow the blocks through time (core/contact/contact-follow.h): between two steps joints
- * are left, corners near sides listed anew, and the step goes over to an assembly with these pairs. */
+ * are left, corners near sides listed anew, and the step goes over to an assembly with these pairs.
+ *
+ * Energy. Going over stores nothing: corners that wake within a block store together at most what the
+ * pairs between the same two blocks stored that fall asleep at that moment,
+ *
+ *   q_n = s apart,   s^2 = min (1, released / sum (k_n apart^2 + t^2 / k_t) / 2),   t = (T/N) k_n apart
+ *
+ * with the shear over the normal force T/N that the two blocks exchanged last. The rest of the depth
+ * becomes the inset of the contact, (1 - s) |apart|. What is released and not stored again is lost. */
 #ifndef QN_CORE_MOVING_CONTACTS_H
 #define QN_CORE_MOVING_CONTACTS_H
 
@@ -11,6 +19,8 @@ typedef struct QnMovingContacts {
   QnContacts contacts; /* as drawn, and those found; with the assembly of the step */
   QnAssembly assembly;
   QnLinsys *linsys;
+  QnId *
+    noted; /* of listed contacts: place among the result's where they were last, or QN_NONE */
   bool moved;            /* whether the step has gone over to these */
   double *displacements; /* scratch, a row for every body */
   double *slips;         /* scratch, of the pairs as drawn */

@@ -259,17 +259,8 @@ const char *const qn_energy_names[QN_ENERGY_KIND_COUNT] = {
 };
 
 bool
-qn_result_add_found (QnResult *result, QnFound found, QnId *place)
+qn_result_add_found (QnResult *result, QnFound found)
 {
-  const QnFoundContact *c = &found.contact;
-  size_t i = 0;
-
-  while (i < result->found_count && memcmp (&result->found[i].contact, c, sizeof *c) != 0)
-    i++;
-  if (place != NULL)
-    *place = (QnId) i;
-  if (i < result->found_count)
-    return true;
   return QN_ARRAY_PUSH (result->found, result->found_count, result->found_capacity,
                         found);
 }

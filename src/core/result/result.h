@@ -376,9 +376,8 @@ bool qn_result_add_velocities (QnResult *result, const double *velocities);
  * `all`. False when memory runs out. */
 bool qn_result_add_forces (QnResult *result, bool all);
 
-/* Appends what contacts do that were found on the way; a found contact that is there already is not
- * added again. *place (nullable): its place. False when memory runs out. */
-bool qn_result_add_found (QnResult *result, QnFound found, QnId *place);
+/* Appends what contacts do that were found on the way. False when memory runs out. */
+bool qn_result_add_found (QnResult *result, QnFound found);
 bool qn_result_add_found_force (QnResult *result, QnFoundForce force);
 bool qn_result_add_left (QnResult *result, QnLeftFace left);
 

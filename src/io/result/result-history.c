@@ -52,10 +52,27 @@ write_scalars (QnFileWriter *writer, const QnResult *result)
     qn_file_writer_puts (writer, "null");
 }
 
+/* The forces of found contacts, which the result has by step, by contact: those of contact i from
+ * first[i] up to first[i + 1], each a place in the result's list. first: found_count + 2 zeros. */
+static gsize *
+sort_by_contact (const QnResult *result, gsize *first)
+{
+  gsize *places = g_new (gsize, result->found_force_count);
+  for (size_t k = 0; k < result->found_force_count; k++)
+    first[result->found_forces[k].found + 2]++;
+  for (size_t i = 0; i < result->found_count; i++)
+    first[i + 2] += first[i + 1];
+  for (size_t k = 0; k < result->found_force_count; k++)
+    places[first[result->found_forces[k].found + 1]++] = k;
+  return places;
+}
+
 /* Contacts that were found on the way, each with its forces by step, and the joints that were left. */
 static void
 write_found (QnFileWriter *writer, const QnResult *result)
 {
+  g_autofree gsize *first = g_new0 (gsize, result->found_count + 2);
+  g_autofree gsize *places = sort_by_contact (result, first);
   qn_file_writer_puts (writer, ",\n    \"found\": [");
   for (size_t i = 0; i < result->found_count; i++) {
     const QnFoundContact *c = &result->found[i].contact;
@@ -64,12 +81,11 @@ write_found (QnFileWriter *writer, const QnResult *result)
       writer, "%s\n      { \"side\": [%d, %d], \"corner\": [%d, %d], \"foot\": ",
       i > 0 ? "," : "", c->block, c->side, c->other, c->corner);
     qn_file_writer_number (writer, c->foot);
+    qn_file_writer_puts_number (writer, ", \"inset\": ", c->inset);
     qn_file_writer_puts_number (writer, ", \"time\": ", result->found[i].time);
     qn_file_writer_puts (writer, ", \"forces\": [");
-    for (size_t k = 0; k < result->found_force_count; k++) {
-      const QnFoundForce *force = &result->found_forces[k];
-      if (force->found != (QnId) i)
-        continue;
+    for (gsize k = first[i]; k < first[i + 1]; k++) {
+      const QnFoundForce *force = &result->found_forces[places[k]];
       qn_file_writer_printf (writer, "%s[%d, ", separator, force->step);
       qn_file_writer_number (writer, force->normal);
       qn_file_writer_puts_number (writer, ", ", force->shear);
@@ -218,7 +234,7 @@ read_place (QnJsonStream *stream, gpointer target)
 /* One contact that was found on the way, while it is read. */
 typedef struct ReadingFound {
   QnId side[2], corner[2];
-  double foot, time;
+  double foot, inset, time;
   GArray *forces; /* of the whole list */
   QnId index;
 } ReadingFound;
@@ -250,6 +266,7 @@ read_found (QnJsonStream *stream, gpointer target)
     { "side", read_place, offsetof (ReadingFound, side), QN_JSON_REQUIRED },
     { "corner", read_place, offsetof (ReadingFound, corner), QN_JSON_REQUIRED },
     { "foot", qn_json_stream_number, offsetof (ReadingFound, foot), QN_JSON_REQUIRED },
+    { "inset", qn_json_stream_number, offsetof (ReadingFound, inset), 0 },
     { "time", qn_json_stream_number, offsetof (ReadingFound, time), QN_JSON_REQUIRED },
     { "forces", read_found_force, 0, QN_JSON_REQUIRED | QN_JSON_EACH },
   };
@@ -266,7 +283,8 @@ read_found (QnJsonStream *stream, gpointer target)
                                  .side = read.side[1],
                                  .other = read.corner[0],
                                  .corner = read.corner[1],
-                                 .foot = read.foot },
+                                 .foot = read.foot,
+                                 .inset = read.inset },
                     .time = read.time };
   g_array_append_val (draft->found, found);
   return TRUE;
