@@ -241,8 +241,9 @@ append_groups (GString *text, const GArray *entries)
   }
 }
 
+/* `why`: the reason of the fault before, which is not told again. */
 static void
-append_fault (GString *text, const StressEntry *entry)
+append_fault (GString *text, const StressEntry *entry, const char **why)
 {
   const StressRow *row = &entry->row;
   const StressShortfall *known = stress_shortfall (entry->c->name);
@@ -254,12 +255,16 @@ append_fault (GString *text, const StressEntry *entry)
   append_number (text, row->limit.solved, "%.7g", row->upper);
   for (int flow = 0; flow < STRESS_FLOW_COUNT; flow++)
     append_number (text, row->paths[flow].steps > 0, "%.7g", row->paths[flow].multiplier);
-  g_string_append_printf (text, " | %s. %s |\n", faults, known != NULL ? known->why : "");
+  const char *reason = known != NULL ? known->why : "";
+  g_string_append_printf (text, " | %s%s%s |\n", faults, reason == *why ? "" : ". ",
+                          reason == *why ? ", as above" : reason);
+  *why = reason;
 }
 
 static void
 append_faults (GString *text, const GArray *entries)
 {
+  const char *why = NULL;
   bool any = false;
 
   for (guint i = 0; i < entries->len; i++) {
@@ -271,7 +276,7 @@ append_faults (GString *text, const GArray *entries)
         text, "| case | blocks | limit analysis | dilatancy = friction | dilatancy 0 | "
               "what is wrong |\n| --- | --- | --- | --- | --- | --- |\n");
     any = true;
-    append_fault (text, entry);
+    append_fault (text, entry, &why);
   }
   if (!any)
     g_string_append (text, "None.\n");

@@ -5,10 +5,10 @@
 #include "io/text/json-text.h"
 
 /* Numbers that follow from others are left out. */
-static void
-append_section (GString *json, const QnSection *section)
+static int32_t
+append_section (GString *json, const QnModel *model, size_t index)
 {
-  g_string_append_c (json, '{');
+  const QnSection *section = &model->sections[index];
   qn_json_put_string (json, "name", section->name);
   qn_json_put_number (json, "young", section->young);
   if (section->shear_modulus > 0)
@@ -31,7 +31,7 @@ append_section (GString *json, const QnSection *section)
     qn_json_put_number (json, "density", section->density);
   else if (section->unit_weight > 0)
     qn_json_put_number (json, "unit_weight", section->unit_weight);
-  g_string_append (json, " }");
+  return section->note;
 }
 
 static void
@@ -49,10 +49,10 @@ append_node (GString *json, const QnModel *model, const QnNode *node)
   g_string_append (json, " }");
 }
 
-static void
-append_beam (GString *json, const QnModel *model, const QnBeam *beam)
+static int32_t
+append_beam (GString *json, const QnModel *model, size_t index)
 {
-  g_string_append_c (json, '{');
+  const QnBeam *beam = &model->beams[index];
   qn_json_put_string (json, "name", beam->name);
   if (beam->kind != QN_BEAM_TIMOSHENKO)
     qn_json_put_string (json, "kind", qn_beam_kind_names[beam->kind]);
@@ -70,7 +70,7 @@ append_beam (GString *json, const QnModel *model, const QnBeam *beam)
   }
   if (beam->element_count > 1)
     qn_json_put_number (json, "elements", beam->element_count);
-  g_string_append (json, " }");
+  return beam->note;
 }
 
 void
@@ -79,13 +79,9 @@ qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
   gboolean first = TRUE;
 
   if (model->section_count > 0) {
-    g_string_append (json, "  \"sections\": [");
-    for (size_t i = 0; i < model->section_count; i++) {
-      g_string_append (json, i > 0 ? ",\n    " : "\n    ");
-      append_section (json, &model->sections[i]);
-      qn_json_append_note (json, inner, model->sections[i].note);
-    }
-    g_string_append (json, " ],\n");
+    qn_json_append_list (json, model, inner, "  \"sections\": [", 4, model->section_count,
+                         append_section);
+    g_string_append (json, ",\n");
   }
   for (size_t i = 0; i < model->node_count; i++) {
     if (model->nodes[i].beam != QN_NONE)
@@ -96,13 +92,9 @@ qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
     first = FALSE;
   }
   g_string_append (json, first ? "" : " ],\n");
-  if (model->beam_count == 0)
-    return;
-  g_string_append (json, "  \"beams\": [");
-  for (size_t i = 0; i < model->beam_count; i++) {
-    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
-    append_beam (json, model, &model->beams[i]);
-    qn_json_append_note (json, inner, model->beams[i].note);
+  if (model->beam_count > 0) {
+    qn_json_append_list (json, model, inner, "  \"beams\": [", 4, model->beam_count,
+                         append_beam);
+    g_string_append (json, ",\n");
   }
-  g_string_append (json, " ],\n");
 }

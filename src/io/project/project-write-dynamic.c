@@ -9,18 +9,13 @@ put_triple (GString *json, const char *key, const double triple[QN_DOF_COUNT])
 {
   if (triple[0] == 0 && triple[1] == 0 && triple[2] == 0)
     return;
-  qn_json_begin_member (json, key);
-  for (int i = 0; i < QN_DOF_COUNT; i++) {
-    g_string_append (json, i > 0 ? ", " : "[");
-    qn_json_append_number (json, triple[i]);
-  }
-  g_string_append_c (json, ']');
+  qn_json_put_numbers (json, key, triple, QN_DOF_COUNT);
 }
 
-static void
-append_ground (GString *json, const QnGroundMotion *motion)
+static int32_t
+append_ground (GString *json, const QnModel *model, size_t index)
 {
-  g_string_append_c (json, '{');
+  const QnGroundMotion *motion = &model->ground[index];
   qn_json_put_vec2 (json, "direction", motion->direction);
   if (motion->scale != 1)
     qn_json_put_number (json, "scale", motion->scale);
@@ -31,18 +26,11 @@ append_ground (GString *json, const QnGroundMotion *motion)
       qn_json_put_string (json, "unit", motion->unit);
     if (motion->time_step > 0)
       qn_json_put_number (json, "time_step", motion->time_step);
-    if (motion->rests) {
-      qn_json_begin_member (json, "rest");
-      g_string_append (json, "true");
-    }
+    if (motion->rests)
+      qn_json_put_bool (json, "rest", true);
     break;
   case QN_SIGNAL_POINTS:
-    qn_json_begin_member (json, "points");
-    for (size_t i = 0; i < motion->point_count; i++) {
-      g_string_append (json, i > 0 ? ", " : "[");
-      qn_json_append_vec2 (json, motion->points[i]);
-    }
-    g_string_append (json, motion->point_count > 0 ? "]" : "[]");
+    qn_json_put_points (json, "points", motion->points, motion->point_count);
     break;
   case QN_SIGNAL_PULSE:
     qn_json_begin_member (json, "pulse");
@@ -57,7 +45,7 @@ append_ground (GString *json, const QnGroundMotion *motion)
   }
   if (motion->peak > 0)
     qn_json_put_number (json, "peak", motion->peak);
-  g_string_append (json, " }");
+  return motion->note;
 }
 
 static void
@@ -74,46 +62,23 @@ put_damping (GString *json, const QnDynamicSettings *s, GHashTable *inner)
   qn_json_append_inner (json, inner, "analysis.dynamic.damping");
 }
 
-/* ",\n      \"key\": [" or the comma between two elements. */
-static void
-begin_element (GString *json, const char *key, size_t index)
+static int32_t
+append_initial (GString *json, const QnModel *model, size_t index)
 {
-  if (index == 0)
-    g_string_append_printf (json, ",\n      \"%s\": [\n        ", key);
-  else
-    g_string_append (json, ",\n        ");
+  const QnInitialMotion *motion = &model->initial[index];
+  qn_json_put_string (json, "block", model->blocks[motion->block].name);
+  put_triple (json, "displacement", motion->displacement);
+  put_triple (json, "velocity", motion->velocity);
+  return motion->note;
 }
 
-static void
-put_lists (GString *json, const QnModel *model, GHashTable *inner)
+static int32_t
+append_track (GString *json, const QnModel *model, size_t index)
 {
-  for (size_t i = 0; i < model->ground_count; i++) {
-    begin_element (json, "ground", i);
-    append_ground (json, &model->ground[i]);
-    qn_json_append_note (json, inner, model->ground[i].note);
-  }
-  g_string_append (json, model->ground_count > 0 ? " ]" : "");
-  for (size_t i = 0; i < model->initial_count; i++) {
-    const QnInitialMotion *motion = &model->initial[i];
-    begin_element (json, "initial", i);
-    g_string_append_c (json, '{');
-    qn_json_put_string (json, "block", model->blocks[motion->block].name);
-    put_triple (json, "displacement", motion->displacement);
-    put_triple (json, "velocity", motion->velocity);
-    g_string_append (json, " }");
-    qn_json_append_note (json, inner, motion->note);
-  }
-  g_string_append (json, model->initial_count > 0 ? " ]" : "");
-  for (size_t i = 0; i < model->track_count; i++) {
-    const QnTrack *track = &model->tracks[i];
-    begin_element (json, "track", i);
-    g_string_append_c (json, '{');
-    qn_json_put_string (json, "block", model->blocks[track->block].name);
-    qn_json_put_string (json, "component", qn_dof_names[track->dof]);
-    g_string_append (json, " }");
-    qn_json_append_note (json, inner, track->note);
-  }
-  g_string_append (json, model->track_count > 0 ? " ]" : "");
+  const QnTrack *track = &model->tracks[index];
+  qn_json_put_string (json, "block", model->blocks[track->block].name);
+  qn_json_put_string (json, "component", qn_dof_names[track->dof]);
+  return track->note;
 }
 
 void
@@ -129,20 +94,24 @@ qn_project_append_dynamic (GString *json, const QnModel *model,
   qn_json_put_number (json, "rho", s->rho);
   if (s->tolerance != usual->tolerance)
     qn_json_put_number (json, "tolerance", s->tolerance);
-  if (!s->adaptive) {
-    qn_json_begin_member (json, "adaptive");
-    g_string_append (json, "false");
-  }
+  if (!s->adaptive)
+    qn_json_put_bool (json, "adaptive", false);
   if (s->follow != usual->follow)
     qn_json_put_string (json, "contacts", s->follow ? "follow" : "fixed");
-  if (s->fall) {
-    qn_json_begin_member (json, "fall");
-    g_string_append (json, "true");
-  }
+  if (s->fall)
+    qn_json_put_bool (json, "fall", true);
   if (s->output_interval > 0)
     qn_json_put_number (json, "output_interval", s->output_interval);
   put_damping (json, s, inner);
-  put_lists (json, model, inner);
+  if (model->ground_count > 0)
+    qn_json_append_list (json, model, inner, ",\n      \"ground\": [", 8,
+                         model->ground_count, append_ground);
+  if (model->initial_count > 0)
+    qn_json_append_list (json, model, inner, ",\n      \"initial\": [", 8,
+                         model->initial_count, append_initial);
+  if (model->track_count > 0)
+    qn_json_append_list (json, model, inner, ",\n      \"track\": [", 8,
+                         model->track_count, append_track);
   g_string_append (json, " }");
   qn_json_append_inner (json, inner, "analysis.dynamic");
 }

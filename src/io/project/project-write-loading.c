@@ -99,11 +99,11 @@ put_control (GString *json, const QnModel *model, QnId block, QnId node, QnDof d
   g_string_append (json, " }");
 }
 
-static void
-append_stage (GString *json, const QnModel *model, const QnStage *stage)
+static int32_t
+append_stage (GString *json, const QnModel *model, size_t index)
 {
+  const QnStage *stage = &model->stages[index];
   gboolean any = FALSE;
-  g_string_append_c (json, '{');
   if (stage->name != NULL)
     qn_json_put_string (json, "name", stage->name);
   qn_json_begin_member (json, "loads");
@@ -122,21 +122,7 @@ append_stage (GString *json, const QnModel *model, const QnStage *stage)
     qn_json_put_number (json, "increments", stage->increments);
   put_control (json, model, stage->control_block, stage->control_node, stage->control_dof,
                stage->control_target);
-  g_string_append (json, " }");
-}
-
-static void
-put_stages (GString *json, const QnModel *model, GHashTable *inner)
-{
-  if (model->stage_count == 0)
-    return;
-  g_string_append (json, ",\n    \"stages\": [");
-  for (size_t i = 0; i < model->stage_count; i++) {
-    g_string_append (json, i > 0 ? ",\n      " : "\n      ");
-    append_stage (json, model, &model->stages[i]);
-    qn_json_append_note (json, inner, model->stages[i].note);
-  }
-  g_string_append (json, " ]");
+  return stage->note;
 }
 
 /* What differs from the defaults, after the three settings that everybody looks for. */
@@ -171,7 +157,9 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
                analysis->control_dof, analysis->control_target);
   if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE)
     qn_json_append_inner (json, inner, "analysis.control");
-  put_stages (json, model, inner);
+  if (model->stage_count > 0)
+    qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6,
+                         model->stage_count, append_stage);
   qn_project_append_dynamic (json, model, &usual->dynamic, inner);
   g_string_append (json, " }");
   qn_model_clear (&defaults);

@@ -10,6 +10,13 @@
 void qn_json_append_vec2 (GString *json, QnVec2 vector);
 void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
 
+/* [[x, y], …] as a member. */
+void qn_json_put_points (GString *json, const char *key, const QnVec2 *points,
+                         gsize count);
+
+/* true or false as a member. */
+void qn_json_put_bool (GString *json, const char *key, bool value);
+
 /* [a, b, …], as a value or as a member. */
 void qn_json_append_numbers (GString *json, const double *numbers, gsize count);
 void qn_json_put_numbers (GString *json, const char *key, const double *numbers,
@@ -21,6 +28,15 @@ void qn_json_put_law (GString *json, const QnModel *model, QnId law);
 
 /* `support`, left out where nothing is fixed. */
 void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
+
+/* Appends the members of one entity, and returns its note. */
+typedef int32_t (*QnMembersFunc) (GString *json, const QnModel *model, size_t index);
+
+/* A list of entities, one in a line, with the members that no layer knows: `head`, which ends in "[", and
+ * the objects behind so many spaces. */
+void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
+                          const char *head, int indent, size_t count,
+                          QnMembersFunc append_members);
 
 /* Parts of the document; inner: members that no layer knows (project-inner.h), or NULL.
  *

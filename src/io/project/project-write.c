@@ -59,15 +59,56 @@ qn_json_put_weight (GString *json, double unit_weight, double density)
     qn_json_put_number (json, "unit_weight", unit_weight);
 }
 
+void
+qn_json_put_points (GString *json, const char *key, const QnVec2 *points, gsize count)
+{
+  qn_json_begin_member (json, key);
+  for (gsize i = 0; i < count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    qn_json_append_vec2 (json, points[i]);
+  }
+  g_string_append (json, count > 0 ? "]" : "[]");
+}
+
+void
+qn_json_put_bool (GString *json, const char *key, bool value)
+{
+  qn_json_begin_member (json, key);
+  g_string_append (json, value ? "true" : "false");
+}
+
 /* ---- structure ---- */
 
-/* Parameters that are left out by default are left out where they have no effect. */
 static void
-append_law (GString *json, const QnLaw *law)
+append_object (GString *json, const QnModel *model, GHashTable *inner, size_t index,
+               QnMembersFunc append_members)
 {
+  g_string_append_c (json, '{');
+  int32_t note = append_members (json, model, index);
+  g_string_append (json, " }");
+  qn_json_append_note (json, inner, note);
+}
+
+void
+qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
+                     const char *head, int indent, size_t count,
+                     QnMembersFunc append_members)
+{
+  g_string_append (json, head);
+  for (size_t i = 0; i < count; i++) {
+    g_string_append_printf (json, "%s\n%*s", i > 0 ? "," : "", indent, "");
+    append_object (json, model, inner, i, append_members);
+  }
+  g_string_append (json, " ]");
+}
+
+/* Parameters that are left out by default are left out where they have no effect. */
+static int32_t
+append_law (GString *json, const QnModel *model, size_t index)
+{
+  const QnLaw *law = &model->laws[index];
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
-  g_string_append_c (json, '{');
   qn_json_put_string (json, "name", law->name);
   qn_json_put_string (json, "kind", qn_law_kind_names[law->kind]);
   qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
@@ -80,15 +121,9 @@ append_law (GString *json, const QnLaw *law)
     if (value != 0 || !parameters[i].positive)
       qn_json_put_number (json, parameters[i].key, value);
   }
-  if (law->kind == QN_LAW_CURVE) {
-    qn_json_begin_member (json, "points");
-    for (int32_t i = 0; i < law->point_count; i++) {
-      g_string_append (json, i > 0 ? ", " : "[");
-      qn_json_append_vec2 (json, law->points[i]);
-    }
-    g_string_append_c (json, ']');
-  }
-  g_string_append (json, " }");
+  if (law->kind == QN_LAW_CURVE)
+    qn_json_put_points (json, "points", law->points, (gsize) law->point_count);
+  return law->note;
 }
 
 void
@@ -103,30 +138,24 @@ qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
   g_string_append_c (json, ']');
 }
 
-static void
-append_block (GString *json, const QnModel *model, QnId id)
+static int32_t
+append_block (GString *json, const QnModel *model, size_t index)
 {
-  const QnBlock *block = &model->blocks[id];
-  const QnVec2 *vertices = qn_model_block_vertices (model, id);
-  g_string_append_c (json, '{');
+  const QnBlock *block = &model->blocks[index];
   qn_json_put_string (json, "name", block->name);
-  qn_json_begin_member (json, "vertices");
-  for (QnId i = 0; i < block->vertex_count; i++) {
-    g_string_append (json, i > 0 ? ", " : "[");
-    qn_json_append_vec2 (json, vertices[i]);
-  }
-  g_string_append (json, block->vertex_count > 0 ? "]" : "[]");
+  qn_json_put_points (json, "vertices", qn_model_block_vertices (model, (QnId) index),
+                      (gsize) block->vertex_count);
   qn_json_put_number (json, "thickness", block->thickness);
   qn_json_put_weight (json, block->unit_weight, block->density);
   qn_json_put_support (json, block->support);
   qn_json_put_law (json, model, block->law);
-  g_string_append (json, " }");
+  return block->note;
 }
 
-static void
-append_wall (GString *json, const QnModel *model, const QnWall *wall)
+static int32_t
+append_wall (GString *json, const QnModel *model, size_t index)
 {
-  g_string_append_c (json, '{');
+  const QnWall *wall = &model->walls[index];
   qn_json_put_string (json, "name", wall->name);
   qn_json_put_vec2 (json, "origin", wall->origin);
   qn_json_put_vec2 (json, "unit", wall->unit);
@@ -141,7 +170,8 @@ append_wall (GString *json, const QnModel *model, const QnWall *wall)
                             (gsize) (wall->course_ends[course] - entry));
     entry = wall->course_ends[course];
   }
-  g_string_append (json, " ] }");
+  g_string_append (json, " ]");
+  return wall->note;
 }
 
 static void
@@ -168,10 +198,10 @@ put_pair_rule (GString *json, const QnPairRule *rule)
   g_string_append (json, " }");
 }
 
-static void
-append_face (GString *json, const QnModel *model, const QnFaceOverride *face)
+static int32_t
+append_face (GString *json, const QnModel *model, size_t index)
 {
-  g_string_append_c (json, '{');
+  const QnFaceOverride *face = &model->overrides[index];
   qn_json_begin_member (json, "blocks");
   g_string_append_c (json, '[');
   qn_json_append_string (json, model->blocks[face->block_a].name);
@@ -181,7 +211,7 @@ append_face (GString *json, const QnModel *model, const QnFaceOverride *face)
   qn_json_put_law (json, model, face->law);
   if (face->has_pairs)
     put_pair_rule (json, &face->pairs);
-  g_string_append (json, " }");
+  return face->note;
 }
 
 static void
@@ -192,35 +222,21 @@ append_contact (GString *json, const QnModel *model, GHashTable *inner)
   qn_json_put_number (json, "tolerance", model->contact.tolerance);
   put_pair_rule (json, &model->contact.pairs);
   qn_json_append_inner (json, inner, "contact.pairs");
-  if (model->override_count > 0) {
-    g_string_append (json, ",\n    \"faces\": [\n      ");
-    for (size_t i = 0; i < model->override_count; i++) {
-      g_string_append (json, i > 0 ? ",\n      " : "");
-      append_face (json, model, &model->overrides[i]);
-      qn_json_append_note (json, inner, model->overrides[i].note);
-    }
-    g_string_append (json, " ]");
-  }
+  if (model->override_count > 0)
+    qn_json_append_list (json, model, inner, ",\n    \"faces\": [", 6,
+                         model->override_count, append_face);
   g_string_append (json, " }");
 }
 
-static void
-append_bars (GString *json, const QnModel *model, GHashTable *inner)
+static int32_t
+append_bar (GString *json, const QnModel *model, size_t index)
 {
-  if (model->bar_count == 0)
-    return;
-  g_string_append (json, "  \"bars\": [");
-  for (size_t i = 0; i < model->bar_count; i++) {
-    const QnBar *bar = &model->bars[i];
-    g_string_append (json, i > 0 ? ",\n    {" : "\n    {");
-    qn_json_put_law (json, model, bar->law);
-    qn_json_put_number (json, "area", bar->area);
-    qn_json_put_vec2 (json, "start", bar->start);
-    qn_json_put_vec2 (json, "end", bar->end);
-    g_string_append (json, " }");
-    qn_json_append_note (json, inner, bar->note);
-  }
-  g_string_append (json, " ],\n");
+  const QnBar *bar = &model->bars[index];
+  qn_json_put_law (json, model, bar->law);
+  qn_json_put_number (json, "area", bar->area);
+  qn_json_put_vec2 (json, "start", bar->start);
+  qn_json_put_vec2 (json, "end", bar->end);
+  return bar->note;
 }
 
 static gboolean
@@ -295,18 +311,6 @@ append_same_block (GString *json, const QnModel *model, QnId id, const QnModel *
   return place[1] > place[0];
 }
 
-static void
-append_laws (GString *json, const QnModel *model, GHashTable *inner)
-{
-  g_string_append (json, "  \"laws\": [");
-  for (size_t i = 0; i < model->law_count; i++) {
-    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
-    append_law (json, &model->laws[i]);
-    qn_json_append_note (json, inner, model->laws[i].note);
-  }
-  g_string_append (json, " ],\n");
-}
-
 /* Blocks of walls and of parametric masonry follow from these. */
 static void
 append_blocks (GString *json, const QnModel *model, GHashTable *inner,
@@ -320,25 +324,9 @@ append_blocks (GString *json, const QnModel *model, GHashTable *inner,
     g_string_append (json, first ? "\n    " : ",\n    ");
     first = FALSE;
     places[i][0] = json->len;
-    if (!known || !append_same_block (json, model, (QnId) i, &like->model, like_text)) {
-      append_block (json, model, (QnId) i);
-      qn_json_append_note (json, inner, model->blocks[i].note);
-    }
+    if (!known || !append_same_block (json, model, (QnId) i, &like->model, like_text))
+      append_object (json, model, inner, i, append_block);
     places[i][1] = json->len;
-  }
-  g_string_append (json, " ],\n");
-}
-
-static void
-append_walls (GString *json, const QnModel *model, GHashTable *inner)
-{
-  if (model->wall_count == 0)
-    return;
-  g_string_append (json, "  \"walls\": [");
-  for (size_t i = 0; i < model->wall_count; i++) {
-    g_string_append (json, i > 0 ? ",\n    " : "\n    ");
-    append_wall (json, model, &model->walls[i]);
-    qn_json_append_note (json, inner, model->walls[i].note);
   }
   g_string_append (json, " ],\n");
 }
@@ -380,14 +368,24 @@ qn_project_write (const QnProject *project, const QnProject *like,
   text->blocks = g_malloc0_n (model->block_count + 1, sizeof *text->blocks);
   append_head (json, model);
   GHashTable *inner = qn_project_index_inner (project);
-  append_laws (json, model, inner);
+  qn_json_append_list (json, model, inner, "  \"laws\": [", 4, model->law_count,
+                       append_law);
+  g_string_append (json, ",\n");
   append_blocks (json, model, inner, like, like_text, text->blocks);
-  append_walls (json, model, inner);
+  if (model->wall_count > 0) {
+    qn_json_append_list (json, model, inner, "  \"walls\": [", 4, model->wall_count,
+                         append_wall);
+    g_string_append (json, ",\n");
+  }
   qn_project_append_beams (json, model, inner);
   append_contact (json, model, inner);
   qn_json_append_inner (json, inner, "contact");
   g_string_append (json, ",\n");
-  append_bars (json, model, inner);
+  if (model->bar_count > 0) {
+    qn_json_append_list (json, model, inner, "  \"bars\": [", 4, model->bar_count,
+                         append_bar);
+    g_string_append (json, ",\n");
+  }
   qn_project_append_loads (json, model, inner);
   qn_json_append_inner (json, inner, "loads");
   g_string_append (json, ",\n");
