@@ -72,7 +72,7 @@ static gboolean
 read_output (const QnJsonValue *object, QnOutput *output)
 {
   const char *size = NULL;
-  int backend = QN_BACKEND_CAIRO;
+  QnBackend backend = QN_BACKEND_CAIRO;
   GError *error = NULL;
   QnPage page;
   if (!qn_member_string (object, "size", QN_OPTIONAL, &size)
@@ -80,7 +80,7 @@ read_output (const QnJsonValue *object, QnOutput *output)
       || !qn_member_bool (object, "transparent", QN_OPTIONAL, &output->transparent)
       || !qn_member_choice (object, "backend", QN_OPTIONAL, backend_names, 2, &backend))
     return FALSE;
-  output->backend = (QnBackend) backend;
+  output->backend = backend;
   if ((size != NULL && !qn_output_parse_size (output, size, &error))
       || !qn_output_page (output, &page, &error)) {
     QnJsonValue place = qn_json_value_member (object, size != NULL ? "size" : "dpi");
@@ -94,7 +94,8 @@ read_output (const QnJsonValue *object, QnOutput *output)
 static gboolean
 read_view (const QnJsonValue *object, QnViewOptions *view)
 {
-  int field = QN_FIELD_NONE, diagram = QN_DIAGRAM_MOMENT;
+  QnField field = QN_FIELD_NONE;
+  QnDiagram diagram = QN_DIAGRAM_MOMENT;
   double step = QN_STEP_LAST, scale = QN_SCALE_AUTO;
   if (!qn_member_choice (object, "field", QN_OPTIONAL, qn_field_names, QN_FIELD_COUNT,
                          &field)
@@ -107,8 +108,8 @@ read_view (const QnJsonValue *object, QnViewOptions *view)
     QnJsonValue place = qn_json_value_member (object, "step");
     return qn_json_value_fail (&place, _ ("must be a whole number"));
   }
-  view->field = (QnField) field;
-  view->diagram = (QnDiagram) diagram;
+  view->field = field;
+  view->diagram = diagram;
   view->step = (int32_t) qn_to_integer (step, G_MININT32, G_MAXINT32);
   view->scale = scale;
   for (size_t i = 0; qn_view_switches[i] != NULL; i++)
@@ -155,14 +156,14 @@ static QnRecipe *
 read_recipe (const QnJsonValue *object, GHashTable *known)
 {
   const char *name, *title = NULL, *caption = NULL, *result = NULL, *digest = NULL;
-  int view = QN_VIEW_MODEL;
+  QnView view = QN_VIEW_MODEL;
   if (!qn_json_value_object (object)
       || !qn_member_string (object, "name", QN_REQUIRED, &name)
       || !check_name (object, name, known)
       || !qn_member_choice (object, "view", QN_OPTIONAL, qn_view_names, QN_VIEW_COUNT,
                             &view))
     return NULL;
-  g_autoptr (QnRecipe) recipe = qn_recipe_new (name, (QnView) view);
+  g_autoptr (QnRecipe) recipe = qn_recipe_new (name, view);
   if (!read_file (object, recipe) || !read_view (object, &recipe->view)
       || !read_output (object, &recipe->output)
       || !qn_member_string (object, "title", QN_OPTIONAL, &title)

@@ -370,7 +370,7 @@ fail_choice (const QnJsonValue *member, const char *given, const char *const *na
 
 gboolean
 qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
-                  const char *const *names, int count, int *choice)
+                  const char *const *names, int count, void *choice)
 {
   const char *given = NULL;
   if (!qn_member_string (object, key, need, &given))
@@ -379,7 +379,7 @@ qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
     return TRUE;
   for (int i = 0; i < count; i++) {
     if (strcmp (given, names[i]) == 0) {
-      *choice = i;
+      *(int *) choice = i;
       return TRUE;
     }
   }

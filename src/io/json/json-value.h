@@ -102,7 +102,8 @@ gboolean qn_member_string (const QnJsonValue *object, const char *key, QnNeed ne
                            const char **string);
 gboolean qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
                           QnJsonValue *array);
+/* One of `names`; choice: an enumeration whose values are their places. */
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
-                           const char *const *names, int count, int *choice);
+                           const char *const *names, int count, void *choice);
 
 #endif

@@ -29,41 +29,29 @@ read_control (const QnJsonValue *owner, const QnModel *model, Control *read)
   QnJsonValue control = qn_json_value_member (owner, "control");
   if (control.json == NULL)
     return TRUE;
-  int component;
   if (!qn_json_value_object (&control) || !read_controlled (&control, model, read)
       || !qn_member_choice (&control, "component", QN_REQUIRED, qn_dof_names,
-                            QN_DOF_COUNT, &component)
+                            QN_DOF_COUNT, &read->dof)
       || !qn_member_number (&control, "target", QN_REQUIRED, QN_RANGE_FINITE,
                             &read->target))
     return FALSE;
   qn_json_value_warn_unknown (&control, keys, G_N_ELEMENTS (keys));
-  read->dof = (QnDof) component;
   return TRUE;
 }
 
 static gboolean
 read_choices (const QnJsonValue *place, QnAnalysisSettings *settings)
 {
-  int procedure = (int) settings->procedure, geometry = (int) settings->geometry;
-  int snap = (int) settings->snap, flow = (int) settings->flow;
-  int bound = (int) settings->bound;
-  if (!qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
-                         QN_PROCEDURE_COUNT, &procedure)
-      || !qn_member_choice (place, "geometry", QN_OPTIONAL, qn_geometry_names,
-                            QN_GEOMETRY_COUNT, &geometry)
-      || !qn_member_choice (place, "snap", QN_OPTIONAL, qn_snap_names,
-                            QN_SNAP_THROUGH_COUNT, &snap)
-      || !qn_member_choice (place, "flow", QN_OPTIONAL, qn_flow_names, QN_FLOW_COUNT,
-                            &flow)
-      || !qn_member_choice (place, "bound", QN_OPTIONAL, qn_bound_choice_names,
-                            QN_BOUND_CHOICE_COUNT, &bound))
-    return FALSE;
-  settings->procedure = (QnProcedure) procedure;
-  settings->geometry = (QnGeometry) geometry;
-  settings->snap = (QnSnapThrough) snap;
-  settings->flow = (QnFlow) flow;
-  settings->bound = (QnBoundChoice) bound;
-  return TRUE;
+  return qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
+                           QN_PROCEDURE_COUNT, &settings->procedure)
+         && qn_member_choice (place, "geometry", QN_OPTIONAL, qn_geometry_names,
+                              QN_GEOMETRY_COUNT, &settings->geometry)
+         && qn_member_choice (place, "snap", QN_OPTIONAL, qn_snap_names,
+                              QN_SNAP_THROUGH_COUNT, &settings->snap)
+         && qn_member_choice (place, "flow", QN_OPTIONAL, qn_flow_names, QN_FLOW_COUNT,
+                              &settings->flow)
+         && qn_member_choice (place, "bound", QN_OPTIONAL, qn_bound_choice_names,
+                              QN_BOUND_CHOICE_COUNT, &settings->bound);
 }
 
 static gboolean
@@ -103,7 +91,6 @@ read_stage (const QnJsonValue *place, QnModel *model)
   static const char *const keys[] = { "name",   "loads",      "procedure",
                                       "target", "increments", "control" };
   const char *name = NULL;
-  int procedure = QN_PROCEDURE_LOAD;
   Control control = { .block = QN_NONE, .node = QN_NONE };
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_OPTIONAL, &name))
@@ -116,13 +103,12 @@ read_stage (const QnJsonValue *place, QnModel *model)
   stage->has_target = cJSON_HasObjectItem (place->json, "target");
   if (!read_stage_sets (place, model, stage)
       || !qn_member_choice (place, "procedure", QN_OPTIONAL, qn_procedure_names,
-                            QN_PROCEDURE_COUNT, &procedure)
+                            QN_PROCEDURE_COUNT, &stage->procedure)
       || !qn_member_number (place, "target", QN_OPTIONAL, QN_RANGE_FINITE, &stage->target)
       || !qn_member_count (place, "increments", QN_OPTIONAL, G_MAXINT32,
                            &stage->increments)
       || !read_control (place, model, &control))
     return FALSE;
-  stage->procedure = (QnProcedure) procedure;
   stage->control_block = control.block;
   stage->control_node = control.node;
   stage->control_dof = control.dof;

@@ -94,16 +94,13 @@ read_seat (const QnJsonValue *place, const QnModel *model, QnNode *node)
     return side ? qn_json_value_fail (&member, _ ("side needs a block"))
                 : qn_member_vec2 (place, "at", QN_REQUIRED, &node->at);
   }
-  int which = 0;
   node->seat = at ? QN_SEAT_POINT : side ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
-  if (!exclude (place, "side", "at")
-      || !qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &node->block)
-      || !qn_member_vec2 (place, "at", QN_OPTIONAL, &node->at)
-      || !qn_member_choice (place, "side", QN_OPTIONAL, qn_block_side_names,
-                            QN_BLOCK_SIDE_COUNT, &which))
-    return FALSE;
-  node->side = (QnBlockSide) which;
-  return TRUE;
+  return exclude (place, "side", "at")
+         && qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK,
+                          &node->block)
+         && qn_member_vec2 (place, "at", QN_OPTIONAL, &node->at)
+         && qn_member_choice (place, "side", QN_OPTIONAL, qn_block_side_names,
+                              QN_BLOCK_SIDE_COUNT, &node->side);
 }
 
 static gboolean
@@ -164,23 +161,19 @@ read_beam (const QnJsonValue *place, QnModel *model)
   static const char *const keys[] = { "name",   "nodes",    "section",
                                       "hinges", "elements", "kind" };
   const char *name;
-  int kind = QN_BEAM_TIMOSHENKO;
   if (!read_entity_name (place, &name))
     return FALSE;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   QnBeam *beam = qn_model_add_beam (model, name);
   if (beam == NULL)
     return qn_json_value_no_memory (place);
-  if (!read_ends (place, model, beam)
-      || !qn_read_name (place, "section", QN_REQUIRED, model, QN_NAMED_SECTION,
-                        &beam->section)
-      || !qn_member_choice (place, "kind", QN_OPTIONAL, qn_beam_kind_names,
-                            QN_BEAM_KIND_COUNT, &kind)
-      || !qn_member_count (place, "elements", QN_OPTIONAL, QN_MAX_BEAM_ELEMENTS,
-                           &beam->element_count))
-    return FALSE;
-  beam->kind = (QnBeamKind) kind;
-  return TRUE;
+  return read_ends (place, model, beam)
+         && qn_read_name (place, "section", QN_REQUIRED, model, QN_NAMED_SECTION,
+                          &beam->section)
+         && qn_member_choice (place, "kind", QN_OPTIONAL, qn_beam_kind_names,
+                              QN_BEAM_KIND_COUNT, &beam->kind)
+         && qn_member_count (place, "elements", QN_OPTIONAL, QN_MAX_BEAM_ELEMENTS,
+                             &beam->element_count);
 }
 
 gboolean

@@ -37,10 +37,9 @@ static gboolean
 read_pulse (const QnJsonValue *place, QnPulse *pulse)
 {
   static const char *const keys[] = { "kind", "amplitude", "duration", "start" };
-  int kind;
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_pulse_kind_names,
-                            QN_PULSE_KIND_COUNT, &kind)
+                            QN_PULSE_KIND_COUNT, &pulse->kind)
       || !qn_member_number (place, "amplitude", QN_REQUIRED, QN_RANGE_FINITE,
                             &pulse->amplitude)
       || !qn_member_number (place, "duration", QN_REQUIRED, QN_RANGE_POSITIVE,
@@ -48,7 +47,6 @@ read_pulse (const QnJsonValue *place, QnPulse *pulse)
       || !qn_member_number (place, "start", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &pulse->start))
     return FALSE;
-  pulse->kind = (QnPulseKind) kind;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   return TRUE;
 }
@@ -144,16 +142,14 @@ read_track (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "block", "component" };
   QnTrack *track = qn_model_add_track (model);
-  int component;
   if (track == NULL)
     return qn_json_value_no_memory (place);
   if (!qn_json_value_object (place)
       || !qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &track->block)
       || !qn_member_choice (place, "component", QN_REQUIRED, qn_dof_names, QN_DOF_COUNT,
-                            &component))
+                            &track->dof))
     return FALSE;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-  track->dof = (QnDof) component;
   return TRUE;
 }
 
@@ -162,7 +158,6 @@ read_damping (const QnJsonValue *owner, QnDynamicSettings *settings)
 {
   static const char *const keys[] = { "mass", "stiffness", "of" };
   QnJsonValue place = qn_json_value_member (owner, "damping");
-  int of = (int) settings->of;
   if (place.json == NULL)
     return TRUE;
   if (!qn_json_value_object (&place)
@@ -171,9 +166,8 @@ read_damping (const QnJsonValue *owner, QnDynamicSettings *settings)
       || !qn_member_number (&place, "stiffness", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
                             &settings->joint_damping)
       || !qn_member_choice (&place, "of", QN_OPTIONAL, qn_damping_stiffness_names,
-                            QN_DAMPING_STIFFNESS_COUNT, &of))
+                            QN_DAMPING_STIFFNESS_COUNT, &settings->of))
     return FALSE;
-  settings->of = (QnDampingStiffness) of;
   qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
   return TRUE;
 }

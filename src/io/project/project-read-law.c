@@ -80,7 +80,8 @@ static gboolean
 read_law (const QnJsonValue *place, QnModel *model)
 {
   const char *name;
-  int kind, basis = QN_BASIS_CONTACT;
+  QnLawKind kind;
+  QnBasis basis = QN_BASIS_CONTACT;
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_REQUIRED, &name)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_law_kind_names,
@@ -88,7 +89,7 @@ read_law (const QnJsonValue *place, QnModel *model)
       || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_basis_names, QN_BASIS_COUNT,
                             &basis))
     return FALSE;
-  warn_of_keys (place, (QnLawKind) kind);
+  warn_of_keys (place, kind);
 
   if (name[0] == '\0') {
     QnJsonValue member = qn_json_value_member (place, "name");
@@ -97,8 +98,8 @@ read_law (const QnJsonValue *place, QnModel *model)
   QnLaw *law = qn_model_add_law (model, name);
   if (law == NULL)
     return qn_json_value_no_memory (place);
-  law->kind = (QnLawKind) kind;
-  law->basis = (QnBasis) basis;
+  law->kind = kind;
+  law->basis = basis;
   return qn_member_number (place, "kn", QN_REQUIRED, QN_RANGE_POSITIVE, &law->kn)
          && qn_member_number (place, "ks", QN_REQUIRED, QN_RANGE_POSITIVE, &law->ks)
          && qn_member_number (place, "shear_factor", QN_OPTIONAL, QN_RANGE_POSITIVE,

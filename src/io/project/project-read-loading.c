@@ -57,17 +57,15 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
   static const char *const keys[] = { "placement", "offset", "count", "positions",
                                       "weights" };
   QnJsonValue place = qn_json_value_member (object, "pairs");
-  int placement = (int) rule->placement;
   if (!qn_json_value_object (&place)
       || !qn_member_choice (&place, "placement", QN_OPTIONAL, qn_placement_names,
-                            QN_PLACEMENT_COUNT, &placement))
+                            QN_PLACEMENT_COUNT, &rule->placement))
     return FALSE;
   qn_json_value_warn_unknown (&place, keys, G_N_ELEMENTS (keys));
 
-  rule->placement = (QnPlacement) placement;
   for (gsize i = 0; i < G_N_ELEMENTS (uses); i++) {
     QnJsonValue idle = qn_json_value_member (&place, uses[i].key);
-    if (idle.json != NULL && (uses[i].placements & 1u << placement) == 0)
+    if (idle.json != NULL && (uses[i].placements & 1u << rule->placement) == 0)
       qn_json_value_warn (&idle, _ ("has no effect with this placement"));
   }
   if (rule->placement == QN_PLACEMENT_EXPLICIT)
@@ -192,27 +190,21 @@ static gboolean
 read_settlement (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const keys[] = { "kind", "block", "component", "value" };
-  int component;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-  if (!qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &load->block)
-      || !qn_member_choice (place, "component", QN_REQUIRED, qn_dof_names, QN_DOF_COUNT,
-                            &component)
-      || !qn_member_number (place, "value", QN_REQUIRED, QN_RANGE_FINITE, &load->value))
-    return FALSE;
-  load->dof = (QnDof) component;
-  return TRUE;
+  return qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &load->block)
+         && qn_member_choice (place, "component", QN_REQUIRED, qn_dof_names, QN_DOF_COUNT,
+                              &load->dof)
+         && qn_member_number (place, "value", QN_REQUIRED, QN_RANGE_FINITE, &load->value);
 }
 
 static gboolean
 read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
   static const char *const weight_keys[] = { "kind", "direction" };
-  int kind;
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_load_kind_names, QN_LOAD_NODE,
-                            &kind))
+                            &load->kind))
     return FALSE;
-  load->kind = (QnLoadKind) kind;
   if (load->kind == QN_LOAD_FORCE)
     return read_force (place, model, load);
   if (load->kind == QN_LOAD_SETTLEMENT)

@@ -10,12 +10,6 @@
 
 static const char *const side_names[] = { "left", "right" };
 
-/* A choice into an enumeration of any type; an absent one changes nothing. */
-#define MEMBER_CHOICE(place, key, name, count, target)                                   \
-  (choice = (int) (target),                                                              \
-   qn_member_choice (place, key, QN_OPTIONAL, name, count, &choice))                     \
-    && ((target) = choice, TRUE)
-
 static gboolean
 read_length (const QnJsonValue *place, const char *key, QnNeed need, double *length)
 {
@@ -43,15 +37,15 @@ read_two (const QnJsonValue *place, const char *key, QnNeed need, double *a, dou
 static gboolean
 read_leaf (const QnJsonValue *place, QnLeaf *leaf, gboolean listed)
 {
-  int choice;
-  if (!(MEMBER_CHOICE (place, "bond", qn_bond_names, QN_BOND_COUNT, leaf->bond)))
+  if (!qn_member_choice (place, "bond", QN_OPTIONAL, qn_bond_names, QN_BOND_COUNT,
+                         &leaf->bond))
     return FALSE;
   QnNeed need = listed || leaf->length > 0 ? QN_OPTIONAL : QN_REQUIRED;
   QnNeed unit = leaf->unit.x > 0 ? QN_OPTIONAL : QN_REQUIRED;
   return read_length (place, "length", need, &leaf->length)
          && qn_member_vec2 (place, "unit", unit, &leaf->unit)
-         && (MEMBER_CHOICE (place, "closers", qn_closer_names, QN_CLOSER_COUNT,
-                            leaf->closer))
+         && qn_member_choice (place, "closers", QN_OPTIONAL, qn_closer_names,
+                              QN_CLOSER_COUNT, &leaf->closer)
          && read_size (place, "header", &leaf->header)
          && read_size (place, "lap", &leaf->lap);
 }
@@ -87,7 +81,6 @@ read_opening (const QnJsonValue *place, QnOpening *opening)
   static const char *const keys[] = { "name", "at",    "width", "height",  "head",
                                       "rise", "span",  "depth", "bearing", "voussoirs",
                                       "skew", "sides", "sill" };
-  int choice;
   const char *name = NULL;
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_OPTIONAL, &name))
@@ -99,10 +92,12 @@ read_opening (const QnJsonValue *place, QnOpening *opening)
   if (!qn_member_vec2 (place, "at", QN_REQUIRED, &opening->at)
       || !read_length (place, "width", QN_REQUIRED, &opening->width)
       || !read_length (place, "height", QN_REQUIRED, &opening->height)
-      || !(MEMBER_CHOICE (place, "head", qn_head_names, QN_HEAD_COUNT, opening->head))
-      || !(MEMBER_CHOICE (place, "span", qn_span_names, QN_SPAN_COUNT, opening->span))
-      || !(
-        MEMBER_CHOICE (place, "sides", qn_sides_names, QN_SIDES_COUNT, opening->sides)))
+      || !qn_member_choice (place, "head", QN_OPTIONAL, qn_head_names, QN_HEAD_COUNT,
+                            &opening->head)
+      || !qn_member_choice (place, "span", QN_OPTIONAL, qn_span_names, QN_SPAN_COUNT,
+                            &opening->span)
+      || !qn_member_choice (place, "sides", QN_OPTIONAL, qn_sides_names, QN_SIDES_COUNT,
+                            &opening->sides))
     return FALSE;
   gboolean pieces =
     opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
@@ -207,10 +202,10 @@ read_wall (const QnJsonValue *place, QnMasonry *masonry)
 static gboolean
 read_arch (const QnJsonValue *place, QnNeed span, QnArch *arch)
 {
-  int choice;
-  return (MEMBER_CHOICE (place, "shape", qn_arch_shape_names, QN_ARCH_SHAPE_COUNT,
-                         arch->shape))
-         && (MEMBER_CHOICE (place, "sides", qn_sides_names, QN_SIDES_COUNT, arch->sides))
+  return qn_member_choice (place, "shape", QN_OPTIONAL, qn_arch_shape_names,
+                           QN_ARCH_SHAPE_COUNT, &arch->shape)
+         && qn_member_choice (place, "sides", QN_OPTIONAL, qn_sides_names, QN_SIDES_COUNT,
+                              &arch->sides)
          && read_length (place, "span", span, &arch->span)
          && read_length (place, "rise", QN_REQUIRED, &arch->rise)
          && read_length (place, "ring", QN_REQUIRED, &arch->ring)
@@ -350,14 +345,14 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
   char default_name[16];
   g_snprintf (default_name, sizeof default_name, "m%" G_GSIZE_FORMAT, place->index + 1);
   const char *name = default_name;
-  int kind;
+  QnMasonryKind kind;
   *masonry = (QnMasonry){ 0 };
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_masonry_kind_names,
                             QN_MASONRY_KIND_COUNT, &kind)
       || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
-  if (qn_masonry_init (masonry, (QnMasonryKind) kind, name, NULL) != QN_OK)
+  if (qn_masonry_init (masonry, kind, name, NULL) != QN_OK)
     return qn_json_value_no_memory (place);
   warn_unknown_keys (place, masonry->kind);
   if (qn_member_vec2 (place, "origin", QN_OPTIONAL, &masonry->origin)

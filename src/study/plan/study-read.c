@@ -152,7 +152,7 @@ read_distribution (const QnJsonValue *place, QnDistribution *d)
     [QN_DISTRIBUTION_WEIBULL] = { "kind", "min", "max", "scale", "shape" },
     [QN_DISTRIBUTION_DISCRETE] = { "kind", "values", "weights" },
   };
-  int kind = 0;
+  QnDistributionKind kind;
   gsize count = 0;
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_distribution_kind_names,
@@ -169,7 +169,7 @@ read_distribution (const QnJsonValue *place, QnDistribution *d)
 
   gboolean bounded =
     kind == QN_DISTRIBUTION_UNIFORM || kind == QN_DISTRIBUTION_TRIANGULAR;
-  d->kind = (QnDistributionKind) kind;
+  d->kind = kind;
   d->min = -INFINITY;
   d->max = INFINITY;
   QnNeed ends = bounded ? QN_REQUIRED : QN_OPTIONAL;
@@ -541,7 +541,7 @@ read_plan (const QnJsonValue *root, QnStudy *study)
 {
   static const char *const keys[] = { "kind", "count", "seed" };
   QnJsonValue plan = qn_json_value_member (root, "plan");
-  int kind = 0;
+  QnPlanKind kind;
   int32_t count = 0;
   double seed = study->seed;
   if (!qn_json_value_object (&plan)
@@ -550,7 +550,7 @@ read_plan (const QnJsonValue *root, QnStudy *study)
     return FALSE;
   qn_json_value_warn_unknown (&plan, keys, G_N_ELEMENTS (keys));
   gboolean levels = kind == QN_PLAN_GRID || kind == QN_PLAN_ONE_AT_A_TIME;
-  study->plan = (QnPlanKind) kind;
+  study->plan = kind;
   if (!qn_member_count (&plan, "count", levels ? QN_OPTIONAL : QN_REQUIRED,
                         QN_STUDY_MAX_CASES, &count)
       || !qn_member_number (&plan, "seed", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE, &seed))
@@ -664,13 +664,11 @@ read_document (const QnJsonValue *root, const char *path, const char *model_path
                QnStudy *study)
 {
   const char *title = NULL;
-  int run = 0;
   if (!check_format (root) || !qn_member_string (root, "title", QN_OPTIONAL, &title)
       || !qn_member_choice (root, "run", QN_REQUIRED, qn_study_run_names,
-                            QN_STUDY_RUN_COUNT, &run))
+                            QN_STUDY_RUN_COUNT, &study->run))
     return FALSE;
   study->title = g_strdup (title);
-  study->run = (QnStudyRun) run;
   return read_model (root, path, model_path, study) && check_run (root, study)
          && read_parameters (root, study) && read_plan (root, study)
          && read_correlation (root, study) && read_outputs (root, study)
