@@ -369,6 +369,64 @@ test_capacity_closed (void)
   close_while_searching (TRUE);
 }
 
+static gboolean
+is_preview (GtkWidget *widget, gconstpointer data)
+{
+  (void) data;
+  return is_called (widget, "preview") && gtk_widget_get_mapped (widget);
+}
+
+static gboolean
+lose_record (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  (void) error;
+  g_free (model->ground[0].record);
+  model->ground[0].record = g_strdup ("nowhere.csv");
+  return TRUE;
+}
+
+/* A record is plotted from its file, before any analysis and however long that is; one that cannot be
+ * read is named with what is wrong. */
+static void
+test_record (void)
+{
+  QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  driver_activate (window, "win.show-panel::analysis");
+  driver_run (200);
+  GtkWidget *root = GTK_WIDGET (window);
+  GtkWidget *plot = driver_find_widget (root, is_called, "plot");
+  GtkWidget *fault = driver_find_widget (root, is_called, "fault");
+  GtkWidget *preview = driver_find_widget (root, is_preview, NULL);
+  g_assert_true (gtk_widget_get_mapped (plot));
+  g_assert_false (gtk_widget_get_mapped (fault));
+  gtk_widget_grab_focus (driver_find_widget (root, is_called, "remove")); /* in sight */
+  for (guint i = 0; i < 4; i++) {
+    g_autofree char *name = g_strdup_printf ("record-%u", i);
+    gtk_drop_down_set_selected (GTK_DROP_DOWN (preview), i);
+    driver_run (100);
+    g_assert_true (gtk_widget_get_mapped (plot));
+    driver_screenshot (root, name);
+  }
+  g_assert_true (qn_document_edit (document, "Longer", NULL, take_long, NULL, NULL));
+  driver_run (100);
+  g_assert_true (gtk_widget_get_mapped (plot));
+  g_assert_true (qn_document_edit (document, "Lose", NULL, lose_record, NULL, NULL));
+  driver_run (100);
+  g_assert_false (gtk_widget_get_mapped (plot));
+  g_assert_true (gtk_widget_get_mapped (fault));
+  driver_screenshot (root, "record-lost");
+  const char *told = gtk_label_get_text (GTK_LABEL (fault));
+  g_test_message ("%s", told);
+  g_assert_nonnull (strstr (told, "ground[0].record"));
+  g_assert_nonnull (strstr (told, "nowhere.csv"));
+  driver_activate (window, "win.undo");
+  driver_run (100);
+  g_assert_true (gtk_widget_get_mapped (plot));
+  driver_discard (window);
+}
+
 /* A record that ends too soon is given rest with a button, and undo takes it back. */
 static void
 test_rest (void)
@@ -395,6 +453,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/earthquakes/live-history", test_live_history);
+  g_test_add_func ("/app/earthquakes/record", test_record);
   g_test_add_func ("/app/earthquakes/rest", test_rest);
   g_test_add_func ("/app/earthquakes/energies", test_energies);
   g_test_add_func ("/app/earthquakes/initial", test_initial);

@@ -186,6 +186,33 @@ test_refused (void)
   test_scratch_free (folder);
 }
 
+/* A curve that was not followed to its end is none, whichever of its analyses was cut short; a path that
+ * ends before zero for a reason of its own says which. */
+static void
+test_ends (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  const struct {
+    const char *set, *reason;
+  } rows[] = {
+    { "analysis.max_factorizations=3", "max_factorizations (3) is spent" },
+    { "analysis.max_factorizations=12", "max_factorizations (12) is spent" },
+    { "analysis.max_seconds=1e-6", "max_seconds (1e-06) is spent" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
+    CliRun run = cli_run ("capacity", model, "--set", rows[i].set, NULL);
+    cli_assert_failed (&run, 4, rows[i].reason);
+  }
+  g_autofree char *sliding = cli_example ("01-sliding-block.quoin");
+  CliRun run = cli_run ("capacity", sliding, NULL);
+  cli_assert_done (&run);
+  g_assert_nonnull (strstr (run.out, "before zero"));
+  g_assert_nonnull (strstr (run.out, "has reached its target of 0.7 m"));
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -193,6 +220,7 @@ main (int argc, char **argv)
   g_test_add_func ("/capacity/block", test_block);
   g_test_add_func ("/capacity/kept", test_kept);
   g_test_add_func ("/capacity/read back", test_read_back);
+  g_test_add_func ("/capacity/ends", test_ends);
   g_test_add_func ("/capacity/refused", test_refused);
   return g_test_run ();
 }

@@ -45,6 +45,7 @@ typedef struct Form {
   char *file;                /* path of the points */
   QnCapacityAnswer answer;   /* of the model as it was when the curve was found */
   char *block, *title;       /* names of then */
+  char *reason;              /* why its path ended before multiplier 0, or NULL */
   gboolean found, outdated;  /* whether there is a curve; the model has changed since */
   char *message;             /* NULL: what there is to say of the curve */
   GCancellable *cancellable; /* while it is searched */
@@ -157,6 +158,7 @@ clear_curve (Form *form)
   qn_capacity_clear (&form->answer.capacity);
   g_clear_pointer (&form->block, g_free);
   g_clear_pointer (&form->title, g_free);
+  g_clear_pointer (&form->reason, g_free);
   form->found = FALSE;
 }
 
@@ -172,8 +174,9 @@ static void
 on_found (GObject *source, GAsyncResult *result, gpointer data)
 {
   g_autoptr (GError) error = NULL;
-  g_autofree char *block = NULL;
-  g_autofree QnCapacity *curve = qn_capacity_find_finish (result, &block, &error);
+  g_autofree char *block = NULL, *reason = NULL;
+  g_autofree QnCapacity *curve =
+    qn_capacity_find_finish (result, &block, &reason, &error);
   (void) source;
   /* The window may have been closed meanwhile. */
   g_autoptr (GObject) root = g_weak_ref_get (data);
@@ -190,6 +193,7 @@ on_found (GObject *source, GAsyncResult *result, gpointer data)
   if (form->found) {
     form->answer.capacity = *curve;
     form->block = g_steal_pointer (&block);
+    form->reason = g_steal_pointer (&reason);
     check (form);
   }
   say (form, error != NULL ? error->message : NULL);
@@ -344,6 +348,8 @@ dup_facts (const Form *form)
                     : _ ("The path ends before zero, at d* = %s, which stands for "
                          "d0*."),
     end);
+  if (form->reason != NULL)
+    g_string_append_printf (text, " %s", form->reason);
   if (c->share < SMALL_SHARE)
     g_string_append_printf (
       text, "\n%s",

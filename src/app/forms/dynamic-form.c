@@ -17,6 +17,7 @@ typedef struct Form {
   int selected; /* ground motion, or -1 */
   QnGroundPreviewKind preview;
   QnGroundPreview sampled; /* what the plot shows */
+  char *fault;             /* why its record cannot be read, or NULL */
   GObject *chooser;
 } Form;
 
@@ -32,6 +33,7 @@ enum {
   MOTIONS = INITIAL + 2 * QN_DOF_COUNT,
   PREVIEW,
   PLOT,
+  FAULT,
   KIND,
   AMPLITUDE,
   LENGTH,
@@ -62,6 +64,7 @@ static const QnFormField fields[] = {
   [MOTIONS] = { .id = "motions" },
   [PREVIEW] = { .id = "preview" },
   [PLOT] = { .id = "plot" },
+  [FAULT] = { .id = "fault" },
   [KIND] = { .id = "kind", .step = N_ ("Change Ground Motion") },
   [AMPLITUDE] = { .id = "amplitude", .step = N_ ("Change Ground Motion") },
   [LENGTH] = { .id = "length", .step = N_ ("Change Ground Motion") },
@@ -75,25 +78,33 @@ static const QnFormField fields[] = {
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Ground Motion") },
 };
 
-/* Records are read from their files where no analysis has done so yet. */
+/* Records are read from their files where no analysis has done so yet, however long they are. */
 static void
 sample (Form *form)
 {
   QnDocument *document = qn_canvas_get_document (form->base.canvas);
   const QnModel *model = qn_document_get_model (document);
   QnProject read;
+  g_autoptr (GError) error = NULL;
   qn_ground_preview_clear (&form->sampled);
+  g_clear_pointer (&form->fault, g_free);
   if (form->selected < 0)
     return;
   const QnGroundMotion *motion = &model->ground[form->selected];
   gsize index = (gsize) form->selected;
   if (motion->record == NULL || motion->point_count > 0) {
     qn_ground_preview_init (&form->sampled, model, index, form->preview);
-  } else if (qn_project_copy (qn_document_get_project (document), &read, NULL)) {
-    if (qn_project_read_records (&read, qn_document_get_folder (document), FALSE, NULL))
-      qn_ground_preview_init (&form->sampled, &read.model, index, form->preview);
-    qn_project_clear (&read);
+    return;
   }
+  if (!qn_project_copy (qn_document_get_project (document), &read, NULL))
+    return;
+  read.model.ground[index].rests = true;
+  if (qn_project_read_record (&read, index, qn_document_get_folder (document), FALSE,
+                              &error))
+    qn_ground_preview_init (&form->sampled, &read.model, index, form->preview);
+  else
+    form->fault = g_strdup (error->message);
+  qn_project_clear (&read);
 }
 
 static gboolean
@@ -101,10 +112,12 @@ look (gpointer data)
 {
   Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  if (model->analysis.procedure != QN_PROCEDURE_DYNAMIC || model->stage_count > 0)
+    return FALSE;
   /* The first one is selected where there was none. */
   form->selected = MIN (MAX (form->selected, 0), (int) model->ground_count - 1);
   sample (form);
-  return model->analysis.procedure == QN_PROCEDURE_DYNAMIC && model->stage_count == 0;
+  return TRUE;
 }
 
 /* The number behind a field; NULL where it has none. */
@@ -229,6 +242,9 @@ show (gpointer data, guint field, QnValue *value)
   case PLOT:
     gtk_widget_queue_draw (form->base.widgets[PLOT]);
     return form->sampled.count > 0;
+  case FAULT:
+    value->text = g_strdup (form->fault);
+    return form->fault != NULL;
   case KIND:
     value->rows = dup_pulses ();
     value->number = pulse ? motion->pulse.kind : 0;
@@ -356,6 +372,7 @@ on_destroy (GtkWidget *root, Form *form)
   (void) root;
   g_clear_object (&form->chooser);
   qn_ground_preview_clear (&form->sampled);
+  g_free (form->fault);
 }
 
 GtkWidget *

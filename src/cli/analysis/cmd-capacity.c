@@ -36,6 +36,7 @@ typedef struct Answer {
   const QnInput *input;
   QnRecord points; /* of a spectrum from a file */
   QnCapacityAnswer answer;
+  char *reason; /* why the path ended before multiplier 0, or NULL */
 } Answer;
 
 /* --- What is asked ----------------------------------------------------------------------- */
@@ -170,9 +171,9 @@ find (QnInput *input, const Options *options, Answer *answer)
   }
   qn_interrupt_install ();
   qn_terminal_progress_init (&progress, options->quiet);
-  QnCapacityEnd end =
-    qn_capacity_answer_find (&answer->answer, model, &input->contacts, control,
-                             qn_terminal_progress_update, &progress, &diag);
+  QnCapacityEnd end = qn_capacity_answer_find (&answer->answer, model, &input->contacts,
+                                               control, qn_terminal_progress_update,
+                                               &progress, &answer->reason, &diag);
   qn_terminal_progress_done (&progress);
   switch (end) {
   case QN_CAPACITY_FOUND:
@@ -182,11 +183,10 @@ find (QnInput *input, const Options *options, Answer *answer)
   case QN_CAPACITY_REFUSED:
     return qn_input_refuse (&input->project, &diag);
   case QN_CAPACITY_STAGES:
-  case QN_CAPACITY_NO_MECHANISM:
-  case QN_CAPACITY_UNSTABLE:
+  case QN_CAPACITY_NO_ANSWER:
     break;
   }
-  qn_cli_error ("%s: %s", input->project.name, qn_capacity_end_text (end));
+  qn_cli_error ("%s: %s", input->project.name, answer->reason);
   return end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER;
 }
 
@@ -210,8 +210,8 @@ print (const Answer *answer)
     printf (_ ("multiplier back at zero: d0* %.4g m\n"), c->end);
   else
     printf (_ ("the path ends at d* %.4g m, multiplier %.5f, before zero: its end stands "
-               "for d0*\n"),
-            c->end, c->points[c->count - 1].multiplier);
+               "for d0*. %s\n"),
+            c->end, c->points[c->count - 1].multiplier, answer->reason);
   if (c->share < SMALL_SHARE)
     printf (
       _ ("e* is small: the blocks move very differently, and a* of the codes is %.1f "
@@ -412,6 +412,7 @@ run (const QnSubcommand *self, int argc, char **argv)
   }
 
   qn_capacity_clear (&answer.answer.capacity);
+  g_free (answer.reason);
   qn_record_clear (&answer.points);
   qn_input_clear (&input);
   qn_subcommand_free_values (entries);

@@ -203,16 +203,20 @@ take_path (QnDocument *self, const char *path)
 static gboolean
 begin (QnDocument *self, QnProject *project, const char *path, GError **error)
 {
+  /* Who looks at the new state looks for its files beside it. */
+  g_autofree char *before = g_strdup (self->path);
+  take_path (self, path);
   /* The history starts from the canonical text, whatever the file looks like. */
-  if (!adopt (self, project, qn_project_write (project, NULL, NULL), error))
+  if (!adopt (self, project, qn_project_write (project, NULL, NULL), error)) {
+    take_path (self, before);
     return FALSE;
+  }
   qn_document_drop_job (self);
   g_clear_error (&self->job_error);
   qn_history_clear (self->history);
   g_clear_pointer (&self->run, qn_run_unref);
   g_ptr_array_set_size (self->runs, 0);
   self->run_number = 0;
-  take_path (self, path);
   self->never_saved = path == NULL;
   self->keeps_history = FALSE;
   g_clear_pointer (&self->file_digest, g_free);

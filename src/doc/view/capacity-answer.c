@@ -4,6 +4,7 @@
 #include "doc/document/job.h"
 #include "doc/text/explain.h"
 #include "io/text/file-writer.h"
+#include "io/text/outcome-text.h"
 #include "render/figure/capacity-plot.h"
 
 #include <glib/gi18n-lib.h>
@@ -26,24 +27,6 @@ qn_capacity_check_code (QnCapacityCheck check)
   return check < QN_CAPACITY_SD ? "NTC 2018, Circolare 7/2019 C8.7.1.2" : "EN 1998-3";
 }
 
-const char *
-qn_capacity_end_text (QnCapacityEnd end)
-{
-  switch (end) {
-  case QN_CAPACITY_STAGES:
-    return _ ("a capacity curve has one live load: no stages");
-  case QN_CAPACITY_NO_MECHANISM:
-    return _ ("limit analysis found no mechanism: name a block of control");
-  case QN_CAPACITY_UNSTABLE:
-    return _ ("no equilibrium under the dead load");
-  case QN_CAPACITY_FOUND:
-  case QN_CAPACITY_CANCELLED:
-  case QN_CAPACITY_REFUSED:
-    break;
-  }
-  return NULL;
-}
-
 /* ---- the path ---- */
 
 typedef struct Search {
@@ -51,8 +34,27 @@ typedef struct Search {
   const QnContacts *contacts;
   QnProgressFunc report;
   void *report_data;
+  char **reason;
   QnDiag *diag;
 } Search;
+
+/* Why nothing is concluded from an analysis; NULL: it ended for a reason of the structure. */
+static char *
+dup_fault (const QnModel *model, const QnResult *result)
+{
+  if (result->stop == QN_STOP_FACTORIZATIONS)
+    return g_strdup_printf (
+      _ ("the curve was not followed to its end: max_factorizations "
+         "(%d) is spent"),
+      model->analysis.max_factorizations);
+  if (result->stop == QN_STOP_TIME)
+    return g_strdup_printf (
+      _ ("the curve was not followed to its end: max_seconds (%.4g) is spent"),
+      model->analysis.max_seconds);
+  return result->stop == QN_STOP_CHECK || result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE
+           ? qn_outcome_dup_cause (model, result)
+           : NULL;
+}
 
 /* The result is there where FOUND. */
 static QnCapacityEnd
@@ -100,9 +102,15 @@ choose_control (const Search *search)
     farthest = ux;
     model->analysis.control_block = (QnId) b;
   }
+  if (farthest == 0) {
+    *search->reason = dup_fault (model, &result);
+    if (*search->reason == NULL)
+      *search->reason =
+        g_strdup (_ ("limit analysis found no mechanism: name a block of control"));
+  }
   qn_result_clear (&result);
   if (farthest == 0)
-    return QN_CAPACITY_NO_MECHANISM;
+    return QN_CAPACITY_NO_ANSWER;
   model->analysis.control_target = copysign (height_of (model), farthest);
   return QN_CAPACITY_FOUND;
 }
@@ -126,8 +134,10 @@ follow (const Search *search, QnId control, QnResult *result)
   gboolean own = control == QN_NONE && analysis->procedure == QN_PROCEDURE_DISPLACEMENT
                  && analysis->control_block != QN_NONE
                  && analysis->control_dof == QN_DOF_UX;
-  if (search->model->stage_count > 0)
+  if (search->model->stage_count > 0) {
+    *search->reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
     return QN_CAPACITY_STAGES;
+  }
   if (control != QN_NONE)
     set_control (search->model, control);
   else if (!own)
@@ -142,25 +152,31 @@ follow (const Search *search, QnId control, QnResult *result)
   analysis->geometry = QN_GEOMETRY_NONLINEAR;
   analysis->max_multiplier = INFINITY;
   end = analyse (search, result);
-  if (end != QN_CAPACITY_FOUND || result->outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+  if (end != QN_CAPACITY_FOUND)
     return end;
+  *search->reason = dup_fault (search->model, result);
+  if (*search->reason == NULL)
+    return QN_CAPACITY_FOUND;
   qn_result_clear (result);
-  return QN_CAPACITY_UNSTABLE;
+  return QN_CAPACITY_NO_ANSWER;
 }
 
 QnCapacityEnd
 qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                          const QnContacts *contacts, QnId control, QnProgressFunc report,
-                         void *report_data, QnDiag *diag)
+                         void *report_data, char **reason, QnDiag *diag)
 {
-  const Search search = { model, contacts, report, report_data, diag };
+  const Search search = { model, contacts, report, report_data, reason, diag };
   QnResult result;
+  *reason = NULL;
   answer->capacity = (QnCapacity){ 0 };
   QnCapacityEnd end = follow (&search, control, &result);
   if (end != QN_CAPACITY_FOUND)
     return end;
   QnStatus status = qn_capacity_init (&answer->capacity, model, &result,
                                       model->analysis.control_block, diag);
+  if (status == QN_OK && !answer->capacity.reaches_zero)
+    *reason = qn_outcome_dup_cause (model, &result);
   qn_result_clear (&result);
   return status == QN_OK ? QN_CAPACITY_FOUND : QN_CAPACITY_REFUSED;
 }
@@ -188,6 +204,7 @@ typedef struct Work {
   QnId control;
   GCancellable *cancellable;
   QnCapacityAnswer answer;
+  char *reason;
   QnDiag diag;
 } Work;
 
@@ -196,6 +213,7 @@ work_free (gpointer data)
 {
   Work *work = data;
   qn_capacity_clear (&work->answer.capacity);
+  g_free (work->reason);
   qn_contacts_clear (&work->contacts);
   qn_model_clear (&work->model);
   g_object_unref (work->cancellable);
@@ -218,7 +236,8 @@ find (Work *work)
     status = qn_contacts_require_sound (&work->model, &work->contacts, &work->diag);
   return status == QN_OK
            ? qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
-                                      work->control, may_go_on, work, &work->diag)
+                                      work->control, may_go_on, work, &work->reason,
+                                      &work->diag)
            : QN_CAPACITY_REFUSED;
 }
 
@@ -241,7 +260,7 @@ find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cance
                              _ ("Cancelled"));
   else
     g_task_return_new_error (task, QN_JOB_ERROR, QN_JOB_ERROR_INVALID, "%s",
-                             refused != NULL ? refused : qn_capacity_end_text (end));
+                             refused != NULL ? refused : work->reason);
 }
 
 void
@@ -262,11 +281,13 @@ qn_capacity_find_async (const QnModel *model, QnId control, GCancellable *cancel
 }
 
 QnCapacity *
-qn_capacity_find_finish (GAsyncResult *result, char **control, GError **error)
+qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,
+                         GError **error)
 {
-  const Work *work = g_task_get_task_data (G_TASK (result));
+  Work *work = g_task_get_task_data (G_TASK (result));
   QnCapacity *found = g_task_propagate_pointer (G_TASK (result), error);
   *control = found != NULL ? g_strdup (work->model.blocks[found->block].name) : NULL;
+  *reason = found != NULL ? g_steal_pointer (&work->reason) : NULL;
   return found;
 }
 

@@ -37,30 +37,30 @@ typedef enum {
   QN_CAPACITY_FOUND,
   QN_CAPACITY_CANCELLED,
   QN_CAPACITY_REFUSED, /* what *diag says */
-  QN_CAPACITY_STAGES,
-  QN_CAPACITY_NO_MECHANISM,
-  QN_CAPACITY_UNSTABLE
+  QN_CAPACITY_STAGES,  /* the model has stages */
+  QN_CAPACITY_NO_ANSWER
 } QnCapacityEnd;
-
-/* What is to be said where the curve was not found; NULL for FOUND, CANCELLED, REFUSED. */
-const char *qn_capacity_end_text (QnCapacityEnd end);
 
 /* The path in large displacements until the multiplier is zero again, as a capacity curve. `control`:
  * the block whose horizontal displacement is controlled; QN_NONE: that of the model's own displacement
  * control, or else the one that moves furthest in the mechanism of limit analysis. The model's settings
- * of the analysis are overwritten. Fills answer->capacity alone; qn_capacity_clear() frees it. */
+ * of the analysis are overwritten. A path that ends since its budget is spent, or whose numbers are not
+ * true, is NO_ANSWER. Fills answer->capacity alone; qn_capacity_clear() frees it. *reason, which the
+ * caller frees: why there is no curve (STAGES, NO_ANSWER), or why its path ended before multiplier 0;
+ * else NULL. */
 QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                                        const QnContacts *contacts, QnId control,
                                        QnProgressFunc report, void *report_data,
-                                       QnDiag *diag);
+                                       char **reason, QnDiag *diag);
 
 /* The same in a thread of its own, of a copy of the model. Ends with QnCapacity, which the caller frees
  * with qn_capacity_clear() and g_free(); NULL with an error where there is no curve, and with
- * G_IO_ERROR_CANCELLED. *control: the name of the block that was controlled; freed by the caller. */
+ * G_IO_ERROR_CANCELLED. The caller frees *control, the name of the block that was controlled, and
+ * *reason, why the path ended before multiplier 0, or NULL. */
 void qn_capacity_find_async (const QnModel *model, QnId control,
                              GCancellable *cancellable, GAsyncReadyCallback callback,
                              gpointer user_data);
-QnCapacity *qn_capacity_find_finish (GAsyncResult *result, char **control,
+QnCapacity *qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,
                                      GError **error);
 
 /* The checks, where there is a spectrum. */

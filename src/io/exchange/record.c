@@ -400,30 +400,32 @@ take_record (QnProject *project, gsize index, const QnRecord *record, GError **e
 }
 
 gboolean
+qn_project_read_record (QnProject *project, gsize index, const char *folder,
+                        gboolean allow_outside, GError **error)
+{
+  const QnGroundMotion *motion = &project->model.ground[index];
+  g_autofree char *own =
+    project->path != NULL ? g_path_get_dirname (project->path) : NULL;
+  GError *cause = NULL;
+  QnRecord record;
+  g_autofree char *path =
+    qn_file_inside (folder != NULL ? folder : own, motion->record, allow_outside, &cause);
+  if (path == NULL
+      || !qn_record_read (path, motion->unit, motion->time_step, &record, &cause))
+    return fail_at_key (project, index, cause, error);
+  gboolean reaches = reaches_duration (project, index, &record, &cause);
+  gboolean done = reaches && take_record (project, index, &record, error);
+  qn_record_clear (&record);
+  return reaches ? done : fail_at_key (project, index, cause, error);
+}
+
+gboolean
 qn_project_read_records (QnProject *project, const char *folder, gboolean allow_outside,
                          GError **error)
 {
-  g_autofree char *own =
-    project->path != NULL ? g_path_get_dirname (project->path) : NULL;
-  folder = folder != NULL ? folder : own;
-  for (gsize i = 0; i < project->model.ground_count; i++) {
-    const QnGroundMotion *motion = &project->model.ground[i];
-    GError *cause = NULL;
-    QnRecord record;
-    if (motion->kind != QN_SIGNAL_RECORD)
-      continue;
-    g_autofree char *path =
-      qn_file_inside (folder, motion->record, allow_outside, &cause);
-    if (path == NULL
-        || !qn_record_read (path, motion->unit, motion->time_step, &record, &cause))
-      return fail_at_key (project, i, cause, error);
-    gboolean reaches = reaches_duration (project, i, &record, &cause);
-    gboolean done = reaches && take_record (project, i, &record, error);
-    qn_record_clear (&record);
-    if (!reaches)
-      return fail_at_key (project, i, cause, error);
-    if (!done)
+  for (gsize i = 0; i < project->model.ground_count; i++)
+    if (project->model.ground[i].kind == QN_SIGNAL_RECORD
+        && !qn_project_read_record (project, i, folder, allow_outside, error))
       return FALSE;
-  }
   return TRUE;
 }

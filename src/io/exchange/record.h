@@ -50,10 +50,12 @@ QnRecordFacts qn_record_facts (const QnRecord *record);
 /* Writes time and acceleration as CSV that says its unit. */
 gboolean qn_record_write (const char *path, const QnRecord *record, GError **error);
 
-/* Reads the records that the ground motions of a project name, from the folder where the project
- * lies (NULL: that of its path), and scales them to their peaks. Refused are records that end more than
+/* Reads the record that a ground motion of a project names, from the folder where the project lies
+ * (NULL: that of its path), and scales it to its peak; and those of all ground motions. Refused are records that end more than
  * a sample before the duration of an analysis in time, unless the project lets the ground rest from
  * then on, and files outside the project's folder unless `allow_outside`. */
+gboolean qn_project_read_record (QnProject *project, gsize index, const char *folder,
+                                 gboolean allow_outside, GError **error);
 gboolean qn_project_read_records (QnProject *project, const char *folder,
                                   gboolean allow_outside, GError **error);
 
