@@ -5,12 +5,13 @@
 #define LEAST_SCALE 0.05
 #define MOST_SCALE  200000.0
 
-#define FIT_TOP_PX    44.0
-#define FIT_MARGIN_PX 56.0
-#define DIMENSION_PX  44.0 /* from the structure to the far side of a dimension */
-#define REST_MS       150  /* without motion, until a heavy drawing is drawn anew */
-#define PLACE_SECONDS 4
-#define WHEEL_FACTOR  1.15
+#define FIT_TOP_POINTS    33.0
+#define FIT_MARGIN_POINTS 42.0
+#define MOST_MARGIN_SHARE 0.17
+#define DIMENSION_POINTS  33.0 /* from the structure to the far side of a dimension */
+#define REST_MS           150  /* without motion, until a heavy drawing is drawn anew */
+#define PLACE_SECONDS     4
+#define WHEEL_FACTOR      1.15
 
 static gboolean
 on_rest (gpointer data)
@@ -115,18 +116,28 @@ qn_canvas_fit (QnCanvas *self)
   gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
+/* Around what is fitted, px: for rulers and dimensions, which grow with the text, but not so far that
+ * nothing is left in a narrow window. */
+static double
+fit_margin (const QnCanvas *self)
+{
+  return fmin (FIT_MARGIN_POINTS * self->camera.unit,
+               MOST_MARGIN_SHARE * self->camera.width);
+}
+
 /* Centres the box in what strips on the left, at the top and at the bottom leave. */
 static void
 fit_beside (QnCanvas *self, QnBox box, double left, double bottom)
 {
   QnCamera room = self->camera;
   room.width -= left;
-  room.height -= FIT_TOP_PX + bottom;
-  qn_camera_fit (&room, box, FIT_MARGIN_PX);
+  room.height -= FIT_TOP_POINTS * self->camera.unit + bottom;
+  qn_camera_fit (&room, box, fit_margin (self));
   self->camera.scale = CLAMP (room.scale, LEAST_SCALE, MOST_SCALE);
   self->camera.center.x = room.center.x - 0.5 * left / self->camera.scale;
   self->camera.center.y =
-    room.center.y + 0.5 * (FIT_TOP_PX - bottom) / self->camera.scale;
+    room.center.y
+    + 0.5 * (FIT_TOP_POINTS * self->camera.unit - bottom) / self->camera.scale;
 }
 
 /* Whether the structure, with its dimensions, lies under the legend. */
@@ -135,8 +146,10 @@ is_under (QnCanvas *self, QnBox box, QnBox legend)
 {
   QnVec2 low = qn_camera_to_screen (&self->camera, box.min);
   QnVec2 high = qn_camera_to_screen (&self->camera, box.max);
-  return low.x - DIMENSION_PX < legend.max.x && high.x > legend.min.x
-         && low.y + DIMENSION_PX > legend.min.y && high.y < legend.max.y;
+  return low.x - DIMENSION_POINTS * self->camera.unit < legend.max.x
+         && high.x > legend.min.x
+         && low.y + DIMENSION_POINTS * self->camera.unit > legend.min.y
+         && high.y < legend.max.y;
 }
 
 /* The legend hides nothing: the structure goes beside it or above it, where it is larger. */
@@ -200,7 +213,7 @@ void
 qn_canvas_show_place (QnCanvas *self, QnVec2 at)
 {
   QnVec2 screen = qn_camera_to_screen (&self->camera, at);
-  double margin = FIT_MARGIN_PX;
+  double margin = fit_margin (self);
   if (screen.x < margin || screen.y < margin || screen.x > self->camera.width - margin
       || screen.y > self->camera.height - margin)
     self->camera.center = at;

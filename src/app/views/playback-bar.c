@@ -221,13 +221,13 @@ build (Bar *bar)
   gtk_scale_set_draw_value (GTK_SCALE (bar->slider), FALSE);
   gtk_widget_set_direction (bar->slider, GTK_TEXT_DIR_LTR);
   gtk_widget_set_hexpand (bar->slider, TRUE);
-  gtk_widget_set_size_request (bar->slider, 140, -1);
+  gtk_widget_set_size_request (bar->slider, 60, -1);
   gtk_accessible_update_property (GTK_ACCESSIBLE (bar->slider),
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Step"), -1);
   g_signal_connect (bar->slider, "value-changed", G_CALLBACK (on_slider), bar);
 
   bar->step_label = gtk_label_new (NULL);
-  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 12);
+  gtk_label_set_width_chars (GTK_LABEL (bar->step_label), 6);
   gtk_label_set_max_width_chars (GTK_LABEL (bar->step_label), 30);
   gtk_label_set_ellipsize (GTK_LABEL (bar->step_label), PANGO_ELLIPSIZE_END);
   gtk_label_set_xalign (GTK_LABEL (bar->step_label), 0.0f);
@@ -249,12 +249,15 @@ build (Bar *bar)
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Speed"), -1);
 
   bar->scale = QN_QUANTITY_ENTRY (qn_quantity_entry_new (QN_QUANTITY_NUMBER, 0.0, 1e9));
-  gtk_editable_set_width_chars (GTK_EDITABLE (bar->scale), 6);
+  gtk_editable_set_width_chars (GTK_EDITABLE (bar->scale), 4);
+  gtk_editable_set_max_width_chars (GTK_EDITABLE (bar->scale), 6);
   g_signal_connect (bar->scale, "committed", G_CALLBACK (on_scale), bar);
   gtk_widget_set_tooltip_text (
     GTK_WIDGET (bar->scale),
     _ ("Displacements are drawn so many times larger; 0: as much as fits all steps"));
   GtkWidget *label = gtk_label_new (_ ("Displacements ×"));
+  gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_START);
+  gtk_label_set_width_chars (GTK_LABEL (label), 2);
   gtk_accessible_update_relation (GTK_ACCESSIBLE (bar->scale),
                                   GTK_ACCESSIBLE_RELATION_LABELLED_BY, label, NULL, -1);
 
@@ -270,12 +273,12 @@ build (Bar *bar)
   GtkWidget *factors[] = { label, GTK_WIDGET (bar->scale), bar->truly };
   for (gsize i = 0; i < G_N_ELEMENTS (factors); i++)
     gtk_box_append (GTK_BOX (bar->factor), factors[i]);
-  GtkWidget *parts[][3] = { { bar->play, bar->slider, bar->step_label },
-                            { bar->loop, bar->speed, bar->factor } };
+  GtkWidget *parts[][4] = { { bar->play, bar->slider, bar->step_label, bar->loop },
+                            { bar->speed, bar->factor } };
   GtkWidget *rows[2];
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
     rows[i] = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
-    for (gsize k = 0; k < G_N_ELEMENTS (parts[i]); k++)
+    for (gsize k = 0; k < G_N_ELEMENTS (parts[i]) && parts[i][k] != NULL; k++)
       gtk_box_append (GTK_BOX (rows[i]), parts[i][k]);
   }
   bar->box = qn_wrap_pair_new (rows[0], rows[1]);

@@ -28,7 +28,7 @@ measure_both (GtkWidget *pair, GtkOrientation orientation)
 static gboolean
 fits (const Sizes *widths, int width)
 {
-  return width < 0 || widths->least[0] + SPACING + widths->least[1] <= width;
+  return width < 0 || widths->usual[0] + SPACING + widths->usual[1] <= width;
 }
 
 static void
@@ -56,7 +56,7 @@ allocate (GtkWidget *widget, int width, int height, int baseline)
   GtkAllocation first = { 0, 0, width, height }, second = first;
   (void) baseline;
   if (fits (&widths, width)) {
-    first.width = MAX (width - SPACING - widths.usual[1], widths.least[0]);
+    first.width = width - SPACING - widths.usual[1];
     second.x = first.width + SPACING;
     second.width = width - second.x;
   } else {

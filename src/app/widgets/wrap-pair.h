@@ -1,4 +1,4 @@
-/* Two children: beside each other where both have room for what they ask for at least, the first taking
+/* Two children: beside each other where both have the room that they take by themselves, the first taking
  * the rest; else the second below the first. */
 #ifndef QN_APP_WRAP_PAIR_H
 #define QN_APP_WRAP_PAIR_H

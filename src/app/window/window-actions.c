@@ -142,8 +142,10 @@ on_view (GSimpleAction *action, GVariant *value, gpointer data)
   (void) action;
   if (!qn_view_parse (g_variant_get_string (value, NULL), &view))
     return;
-  if (qn_view_needs_result (view) && qn_document_get_run (self->document) == NULL)
+  if (qn_view_needs_result (view) && qn_document_get_run (self->document) == NULL) {
+    qn_window_show_error (self, _ ("There is no result to show yet: solve first (F5)"));
     return;
+  }
   qn_view_state_set_view (self->state, view);
 }
 

@@ -161,8 +161,11 @@ write_materials (QnPages *pages, const QnReport *report)
   }
   write_table (pages, laws, G_N_ELEMENTS (head));
 
-  const char *const block_head[] = { _ ("Blocks"), _ ("Thickness (m)"),
-                                     _ ("Unit weight (N/m3)"), _ ("Law") };
+  g_autofree char *thickness = g_strdup_printf (
+    _ ("Thickness (%s)"), qn_units_symbol (report->units, QN_QUANTITY_LENGTH));
+  g_autofree char *weight = g_strdup_printf (
+    _ ("Unit weight (%s)"), qn_units_symbol (report->units, QN_QUANTITY_UNIT_WEIGHT));
+  const char *const block_head[] = { _ ("Blocks"), thickness, weight, _ ("Law") };
   for (gsize i = 0; i < G_N_ELEMENTS (block_head); i++)
     add_cell (blocks, g_strdup (block_head[i]));
   for (size_t b = 0; b < model->block_count; b++) {
@@ -177,8 +180,10 @@ write_materials (QnPages *pages, const QnReport *report)
       continue;
     const QnBlock *block = &model->blocks[b];
     add_cell (blocks, g_strdup_printf ("%zu", alike));
-    add_number (blocks, "%.5g", block->thickness);
-    add_number (blocks, "%.6g", block->unit_weight);
+    add_cell (blocks,
+              qn_units_format (report->units, QN_QUANTITY_LENGTH, block->thickness, 5));
+    add_cell (blocks, qn_units_format (report->units, QN_QUANTITY_UNIT_WEIGHT,
+                                       block->unit_weight, 6));
     add_cell (blocks, g_strdup (block->law != QN_NONE ? model->laws[block->law].name
                                                       : _ ("that of the contacts")));
   }

@@ -11,6 +11,7 @@
 #define ROW_HEIGHT   12.5
 #define BAR_HEIGHT   31.0
 #define ITEM_GAP     14.0
+#define LINE_GAP     3.0
 #define SAMPLE_WIDTH 20.0
 #define SAMPLE_GAP   5.0
 #define SCALE_WIDTH  84.0
@@ -33,11 +34,28 @@ item_kind (const QnFurniture *f, size_t item, const QnLegendEntry **entry)
   return ITEM_ENTRY;
 }
 
+/* Where the text of an entry begins: beside its sample, where it has one. */
 static double
-item_height (const QnFurniture *f, size_t item)
+text_left (const QnFurniture *f, const QnLegendEntry *entry)
 {
-  const QnLegendEntry *entry;
-  return f->unit * (item_kind (f, item, &entry) == ITEM_COLORS ? BAR_HEIGHT : ROW_HEIGHT);
+  bool alone = entry->kind == QN_COMMAND_TEXT || entry->kind == QN_COMMAND_IMAGE;
+  return alone ? 0 : (SAMPLE_WIDTH + SAMPLE_GAP) * f->unit;
+}
+
+/* One that is wider than the limit wraps, and is so much higher. */
+static void
+measure_entry (QnFurniture *f, size_t item, const QnLegendEntry *entry, cairo_t *cr,
+               double limit)
+{
+  QnTextStyle style = { .size = QN_TYPE_LEGEND * f->unit };
+  double left = text_left (f, entry), width, height;
+  qn_text_measure (cr, &style, entry->text, &width, &height);
+  f->widths[item] = left + width;
+  if (f->widths[item] <= limit)
+    return;
+  style.width = limit - left + 1;
+  qn_text_measure (cr, &style, entry->text, &width, &height);
+  f->heights[item] = fmax (f->heights[item], height + LINE_GAP * f->unit);
 }
 
 void
@@ -47,22 +65,23 @@ qn_furniture_init (QnFurniture *f, const QnScene *scene, cairo_t *cr, double uni
   *f = (QnFurniture){ .scene = scene, .unit = unit, .scale_bar = scale_bar };
   f->count = scene->legend->len + (scene->bar.shown ? 1 : 0) + (scale_bar ? 1 : 0);
   f->widths = g_new0 (double, f->count);
+  f->heights = g_new0 (double, f->count);
   for (size_t i = 0; i < f->count; i++) {
     const QnLegendEntry *entry;
-    double width = SCALE_WIDTH * unit, height;
+    f->heights[i] = ROW_HEIGHT * unit;
     switch (item_kind (f, i, &entry)) {
     case ITEM_ENTRY:
-      qn_text_measure (cr, &(QnTextStyle){ .size = QN_TYPE_LEGEND * unit }, entry->text,
-                       &width, &height);
-      width += (SAMPLE_WIDTH + SAMPLE_GAP) * unit;
+      measure_entry (f, i, entry, cr, limit);
       break;
     case ITEM_COLORS:
-      width = COLOR_WIDTH * unit;
+      f->widths[i] = COLOR_WIDTH * unit;
+      f->heights[i] = BAR_HEIGHT * unit;
       break;
     case ITEM_SCALE:
+      f->widths[i] = SCALE_WIDTH * unit;
       break;
     }
-    f->widths[i] = fmin (width, limit);
+    f->widths[i] = fmin (f->widths[i], limit);
   }
 }
 
@@ -70,6 +89,7 @@ void
 qn_furniture_clear (QnFurniture *f)
 {
   g_free (f->widths);
+  g_free (f->heights);
   *f = (QnFurniture){ 0 };
 }
 
@@ -85,7 +105,7 @@ flow_place (const QnFurniture *f, size_t item, double width, Flow *flow)
     flow->y += flow->row;
     flow->x = flow->row = 0;
   }
-  flow->row = fmax (flow->row, item_height (f, item));
+  flow->row = fmax (flow->row, f->heights[item]);
 }
 
 void
@@ -125,7 +145,7 @@ qn_furniture_column_size (const QnFurniture *f, double *width, double *height)
   *width = *height = 0;
   for (size_t i = 0; i < f->count; i++) {
     *width = fmax (*width, f->widths[i]);
-    *height += item_height (f, i);
+    *height += f->heights[i];
   }
 }
 
@@ -238,12 +258,12 @@ draw_sample_marker (cairo_t *cr, const QnLegendEntry *entry, double x, double mi
 
 static void
 draw_entry (const QnFurniture *f, cairo_t *cr, const QnLegendEntry *entry, double x,
-            double y, double width)
+            double y, double width, double height)
 {
-  double u = f->unit, middle = y + 0.5 * ROW_HEIGHT * u;
+  double u = f->unit, middle = y + 0.5 * height;
   QnColor line = qn_ink (QN_INK_LINE, f->scene->monochrome);
   double dashes[2] = { 4 * u, 2.5 * u };
-  double left = (SAMPLE_WIDTH + SAMPLE_GAP) * u;
+  double left = text_left (f, entry);
   switch ((QnCommandKind) entry->kind) {
   case QN_COMMAND_FILL:
     qn_set_color (cr, entry->color, 1);
@@ -267,7 +287,6 @@ draw_entry (const QnFurniture *f, cairo_t *cr, const QnLegendEntry *entry, doubl
     break;
   case QN_COMMAND_TEXT:
   case QN_COMMAND_IMAGE:
-    left = 0;
     break;
   }
   qn_text_draw (cr,
@@ -292,7 +311,7 @@ qn_furniture_draw (const QnFurniture *f, cairo_t *cr, double scale, bool as_colu
       draw_color_bar (f, cr, x, y, f->widths[i] - 8 * f->unit);
       break;
     case ITEM_ENTRY:
-      draw_entry (f, cr, entry, x, y, f->widths[i]);
+      draw_entry (f, cr, entry, x, y, f->widths[i], f->heights[i]);
       break;
     }
     flow.x += f->widths[i] + ITEM_GAP * f->unit;

@@ -17,6 +17,7 @@ typedef struct QnFurniture {
   bool scale_bar;
   double
     *widths; /* px, of the items: scale bar, colour bar where shown, legend entries */
+  double *heights; /* px, of the same */
   size_t count;
   double x, y, width, height; /* px, where it goes */
 } QnFurniture;

@@ -219,7 +219,7 @@ qn_mechanism_kind_text (QnMechanismKind kind)
     [QN_MECHANISM_KIND_OVERTURNING] = N_ ("overturning"),
     [QN_MECHANISM_KIND_ROCKING] = N_ ("rocking"),
     [QN_MECHANISM_KIND_SLIDING] = N_ ("sliding"),
-    [QN_MECHANISM_KIND_STEPPED] = N_ ("stepped separation"),
+    [QN_MECHANISM_KIND_STEPPED] = N_ ("stepped crack"),
     [QN_MECHANISM_KIND_ARCH] = N_ ("hinged arch"),
     [QN_MECHANISM_KIND_FALLING] = N_ ("falling blocks"),
     [QN_MECHANISM_KIND_MIXED] = N_ ("rocking and sliding"),
