@@ -3,7 +3,7 @@
 # machine up first where something is missing, Clp among it, the peer of limit analysis.
 #
 #   tools/bench.sh [NAME...]     all, or some of: walls members joints render contacts scaling
-#                                paths
+#                                paths dynamics earthquakes
 #
 # Tables, charts and a description of the machine go to build/bench-results; the baseline is
 # $BASELINE, tests/bench/baselines/epyc by default. Exits non-zero where a benchmark fails, or

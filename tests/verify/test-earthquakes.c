@@ -1,313 +1,90 @@
-/* Analyses in time beside published values and independent integration. */
-#include "core/path/analysis.h"
-#include "support/models.h"
+/* Analyses in time beside published values and independent integration, with contacts that stay where
+ * they are drawn and with contacts that follow the blocks. */
+#include "support/earthquakes.h"
 
-#include <glib.h>
 #include <math.h>
-
-#define G 9.81
-
-/* Solves a model in time, which it clears; whether the structure overturned. */
-static gboolean
-overturns (QnModel *model, double *energy_error)
-{
-  QnContacts contacts;
-  QnResult result;
-  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, &result, NULL), ==,
-                   QN_OK);
-  QnOutcome outcome = result.outcome;
-  g_assert_true (outcome == QN_OUTCOME_COLLAPSE || outcome == QN_OUTCOME_TARGET_REACHED
-                 || outcome == QN_OUTCOME_REST);
-  *energy_error = MAX (*energy_error, result.history.energy_error);
-  qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
-  qn_model_clear (model);
-  return outcome == QN_OUTCOME_COLLAPSE;
-}
-
-static void
-set_up (QnModel *model, double stiffness, double friction, double duration, double rho,
-        double damping, QnPulse pulse)
-{
-  QnDynamicSettings *dynamic = &model->analysis.dynamic;
-  QnLoad *load = qn_model_add_dead_load (model);
-  load->kind = QN_LOAD_WEIGHT;
-  load->vector = qn_vec2 (0, -1);
-  model->laws[0].kn = model->laws[0].ks = stiffness;
-  model->laws[0].friction = friction;
-  model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
-  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
-  dynamic->duration = duration;
-  dynamic->time_step = 0.005;
-  dynamic->rho = rho;
-  dynamic->joint_damping = damping;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
-  motion->kind = QN_SIGNAL_PULSE;
-  motion->direction = qn_vec2 (1, 0);
-  motion->pulse = pulse;
-}
-
-/* --- The rocking block under a half-sine pulse --------------------------------------------- */
-
-#define WIDTH  0.2
-#define HEIGHT 1.0
-
-/* A rigid block under the pulse, by Runge and Kutta's method: 4/3 R theta'' = -g sin(s alpha - theta)
- * - a cos(s alpha - theta), s the side it rocks to, with Housner's loss of speed at impacts.
- * Whether it overturns, and after how many impacts. */
-static gboolean
-exact_overturns (double amplitude, double pulse, int *impacts)
-{
-  const double h = 1e-4, alpha = atan (WIDTH / HEIGHT),
-               radius = 0.5 * hypot (WIDTH, HEIGHT);
-  const double kept = 1 - 1.5 * sin (alpha) * sin (alpha);
-  double theta = 0, speed = 0, side = 0;
-  *impacts = 0;
-  for (double t = 0; t < 12; t += h) {
-    double k[4][2], x = theta, v = speed;
-    double now = t < pulse ? amplitude * sin (G_PI * t / pulse) : 0;
-    if (side == 0) {
-      if (fabs (now) <= G * WIDTH / HEIGHT)
-        continue;
-      side = now > 0 ? -1 : 1; /* it turns against the ground's acceleration */
-    }
-    for (int i = 0; i < 4; i++) {
-      double part = i == 0 ? 0 : i == 3 ? h : 0.5 * h, s = t + part;
-      double a = s < pulse ? amplitude * sin (G_PI * s / pulse) : 0;
-      if (i > 0) {
-        x = theta + part * k[i - 1][0];
-        v = speed + part * k[i - 1][1];
-      }
-      k[i][0] = v;
-      k[i][1] =
-        -0.75 / radius * (G * sin (side * alpha - x) + a * cos (side * alpha - x));
-    }
-    double before = theta;
-    theta += h / 6 * (k[0][0] + 2 * k[1][0] + 2 * k[2][0] + k[3][0]);
-    speed += h / 6 * (k[0][1] + 2 * k[1][1] + 2 * k[2][1] + k[3][1]);
-    if (fabs (theta) > G_PI / 2)
-      return TRUE;
-    if (side * theta < 0 || (side * before > 0 && theta == 0)) {
-      ++*impacts;
-      theta = 0;
-      speed *= kept;
-      side = -side;
-      if (fabs (speed) < 1e-3)
-        return FALSE;
-    }
-  }
-  return FALSE;
-}
-
-static gboolean
-block_overturns (double amplitude, double pulse, double *energy_error)
-{
-  QnModel model;
-  test_model_init_block_on_plane (&model, WIDTH, HEIGHT);
-  set_up (&model, 1e9, 20, 8, 0.8, 1e-4,
-          (QnPulse){ QN_PULSE_HALF_SINE, amplitude, pulse, 0 });
-  return overturns (&model, energy_error);
-}
-
-/* Least amplitude that overturns, m/s2, by bisection. */
-static double
-exact_boundary (double pulse, int *impacts)
-{
-  double low = G * WIDTH / HEIGHT, high = low;
-  int ignored;
-  do
-    high *= 1.1;
-  while (!exact_overturns (high, pulse, &ignored));
-  low = high / 1.1;
-  while (high - low > 1e-4 * high) {
-    double middle = 0.5 * (low + high);
-    if (exact_overturns (middle, pulse, &ignored))
-      high = middle;
-    else
-      low = middle;
-  }
-  exact_overturns (high, pulse, impacts);
-  return high;
-}
 
 /* Twenty frequencies from p to 10.5 p: it stands at 5 % less than the exact least amplitude, and
  * overturns at 5 % more. */
 static void
-test_overturning_boundary (void)
+test_overturning_boundary (gconstpointer follow)
 {
-  const double p = sqrt (0.75 * G / (0.5 * hypot (WIDTH, HEIGHT)));
+  const double p = test_earthquake_block_frequency ();
   double energy_error = 0;
   for (int i = 0; i < 20; i++) {
     double omega = p * (1 + 0.5 * i), pulse = G_PI / omega;
     int impacts;
-    double exact = exact_boundary (pulse, &impacts);
+    double exact = test_earthquake_exact_boundary (pulse, &impacts);
     g_test_message ("omega/p %.1f: least amplitude %.4f g, %d impacts", omega / p,
-                    exact / G, impacts);
+                    exact / TEST_G, impacts);
     g_assert_cmpint (impacts, ==, 0);
-    g_assert_false (block_overturns (0.95 * exact, pulse, &energy_error));
-    g_assert_true (block_overturns (1.05 * exact, pulse, &energy_error));
+    for (int k = 0; k < 2; k++) {
+      QnModel model;
+      test_earthquake_init_block (&model, (k == 0 ? 0.95 : 1.05) * exact, pulse);
+      g_assert_cmpint (test_earthquake_overturns (&model, follow != NULL, &energy_error),
+                       ==, k);
+    }
   }
   g_test_message ("largest error of the energy balance %.1e", energy_error);
   g_assert_cmpfloat (energy_error, <, 1e-3);
-}
-
-/* --- The multi-drum column ------------------------------------------------------------------ */
-
-/* Least amplitude of the step impulse that overturns it, g: the least and the greatest of UDEC,
- * LMGC90 (Dimitri, De Lorenzis & Zavarise 2011) and the authors of HybriDFEM. */
-static const struct {
-  double duration, least, greatest;
-} column[] = {
-  { 0.1, 3.6, 4.3 },   { 0.15, 2.05, 2.2 },  { 0.2, 1.45, 1.48 },  { 0.25, 1.08, 1.09 },
-  { 0.3, 0.87, 0.88 }, { 0.32, 0.80, 0.82 }, { 0.33, 0.78, 0.79 }, { 0.35, 0.37, 0.43 },
-  { 0.4, 0.29, 0.31 }, { 0.5, 0.25, 0.27 },  { 0.6, 0.23, 0.25 },  { 0.8, 0.21, 0.22 },
-  { 1.0, 0.20, 0.21 },
-};
-
-static gboolean
-column_overturns (double amplitude, double duration, double *energy_error)
-{
-  QnModel model;
-  test_model_init (&model);
-  test_model_add_base (&model, -2, -0.5, 4, 0.5);
-  for (int i = 0; i < 8; i++) {
-    double bottom = 0.82 * i, top = i < 7 ? bottom + 0.82 : 5.95;
-    double b = 0.5 * (1.11 - 0.21 * bottom / 5.95), t = 0.5 * (1.11 - 0.21 * top / 5.95);
-    const QnVec2 corners[] = { { -b, bottom }, { b, bottom }, { t, top }, { -t, top } };
-    g_autofree char *name = g_strdup_printf ("drum %d", i + 1);
-    QnBlock *drum = qn_model_add_block (&model, name, corners, 4);
-    drum->thickness = 1;
-    drum->unit_weight = 2620 * G;
-  }
-  set_up (&model, 2e9, 0.7, 12, 0.7, 2e-4,
-          (QnPulse){ QN_PULSE_STEP_IMPULSE, amplitude * G, duration, 0 });
-  return overturns (&model, energy_error);
 }
 
 /* It stands at 5 % less than the least of the three, and overturns at 5 % more than the greatest.
  * Where the mode changes, around 0.34 s, standing and overturning alternate: docs/method/dynamics.md
  * reports that. */
 static void
-test_column (void)
+test_column (gconstpointer follow)
 {
   double energy_error = 0;
-  for (gsize i = 0; i < G_N_ELEMENTS (column); i++) {
-    g_test_message ("impulse of %g s", column[i].duration);
-    g_assert_false (
-      column_overturns (0.95 * column[i].least, column[i].duration, &energy_error));
-    g_assert_true (
-      column_overturns (1.05 * column[i].greatest, column[i].duration, &energy_error));
-  }
+  for (gsize i = 0; i < TEST_COLUMNS; i++)
+    for (int k = 0; k < 2; k++) {
+      const TestColumn *known = &test_columns[i];
+      QnModel model;
+      g_test_message ("impulse of %g s", known->duration);
+      test_earthquake_init_column (
+        &model, k == 0 ? 0.95 * known->least : 1.05 * known->greatest, known->duration);
+      g_assert_cmpint (test_earthquake_overturns (&model, follow != NULL, &energy_error),
+                       ==, k);
+    }
   g_test_message ("largest error of the energy balance %.1e", energy_error);
   g_assert_cmpfloat (energy_error, <, 1e-3);
 }
 
-/* --- The arch of Lemos ---------------------------------------------------------------------- */
-
-#define VOUSSOIRS 17
-#define CROWN     (VOUSSOIRS / 2 + 1) /* block 0 is the base */
-#define SPAN_IN   3.75
-#define SPAN_OUT  4.25
-
-/* Frequency of the arch with closed joints, Hz (quoin-cli modal with elastic joints). */
-#define ARCH_FREQUENCY 10.912
-
-static QnVec2
-on_arch (double radius, int joint)
-{
-  double angle = G_PI * (1 - joint / (double) VOUSSOIRS);
-  return qn_vec2 (radius * cos (angle), radius * sin (angle));
-}
-
-/* Three pairs a joint, at its ends and in its middle, with the lengths they stand for: those of the
- * method's authors for this arch. Joints of 1e10 Pa/m are two springs of 2e10 Pa/m in series. */
 static void
-init_arch (QnModel *model)
-{
-  test_model_init (model);
-  test_model_add_base (model, -5, -0.5, 10, 0.5);
-  for (int i = 0; i < VOUSSOIRS; i++) {
-    const QnVec2 corners[] = { on_arch (SPAN_IN, i), on_arch (SPAN_IN, i + 1),
-                               on_arch (SPAN_OUT, i + 1), on_arch (SPAN_OUT, i) };
-    g_autofree char *name = g_strdup_printf ("voussoir %d", i + 1);
-    QnBlock *block = qn_model_add_block (model, name, corners, 4);
-    block->thickness = 1;
-    block->unit_weight = 2700 * 10;
-  }
-  model->gravity = 10;
-  model->laws[0].basis = QN_BASIS_SURFACE;
-  model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_EXPLICIT,
-                                       .count = 3,
-                                       .positions = { 0, 0.5, 1 },
-                                       .weights = { 0.25, 0.5, 0.25 } };
-  set_up (model, 2e10, tan (35 * G_PI / 180), 2, 0.8,
-          2 * 0.05 / (2 * G_PI * ARCH_FREQUENCY),
-          (QnPulse){ QN_PULSE_HALF_SINE, 1.5, 0.25, 0 });
-  model->analysis.dynamic.time_step = 0.002;
-  for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
-    QnTrack *track = qn_model_add_track (model);
-    track->block = CROWN;
-    track->dof = (QnDof) dof;
-  }
-}
-
-/* Sideways motion of the middle of the extrados of the crown since the start, m, positive where the
- * body force of the pulse drives it. */
-static double
-crown_motion (const QnHistory *history, size_t row, double arm)
-{
-  const double *first = history->rows + QN_HISTORY_TRACK;
-  const double *now = first + history->width * row;
-  return -(now[0] - first[0] - arm * sin (now[2] - first[2]));
-}
-
-/* First and second peak of 3DEC with 5 % of stiffness-proportional damping: 16.1 mm at 0.535 s,
- * -5.6 mm at 1.218 s. The point is the extrados of the keystone. */
-static void
-test_arch (void)
+test_arch (gconstpointer follow)
 {
   QnModel model;
-  QnContacts contacts;
   QnResult result;
-  init_arch (&model);
-  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
-                   QN_OK);
-  const QnHistory *history = &result.history;
-  double arm = on_arch (SPAN_OUT, VOUSSOIRS / 2).y - model.blocks[CROWN].centroid.y;
-  size_t first = 0, second;
-  for (size_t i = 0; i < history->row_count; i++)
-    if (crown_motion (history, i, arm) > crown_motion (history, first, arm))
-      first = i;
-  second = first;
-  for (size_t i = first; i < history->row_count; i++)
-    if (crown_motion (history, i, arm) < crown_motion (history, second, arm))
-      second = i;
-  const double peaks[] = { crown_motion (history, first, arm),
-                           crown_motion (history, second, arm) };
-  const double times[] = { history->rows[history->width * first],
-                           history->rows[history->width * second] };
+  double peaks[2], times[2];
+  test_earthquake_init_arch (&model);
+  test_earthquake_solve (&model, follow != NULL, &result);
+  test_earthquake_arch_peaks (&model, &result.history, peaks, times);
   g_test_message ("%.2f mm at %.3f s, %.2f mm at %.3f s", 1e3 * peaks[0], times[0],
                   1e3 * peaks[1], times[1]);
-  g_assert_cmpfloat_with_epsilon (peaks[0], 16.1e-3, 0.1 * 16.1e-3);
-  g_assert_cmpfloat_with_epsilon (times[0], 0.535, 0.1 * 0.535);
-  g_assert_cmpfloat_with_epsilon (peaks[1], -5.6e-3, 0.1 * 5.6e-3);
-  g_assert_cmpfloat_with_epsilon (times[1], 1.218, 0.1 * 1.218);
-  g_assert_cmpfloat (history->energy_error, <, 1e-3);
+  g_assert_cmpfloat (fabs (peaks[0] / TEST_ARCH_FIRST - 1), <, 0.1);
+  g_assert_cmpfloat (fabs (times[0] / TEST_ARCH_FIRST_TIME - 1), <, 0.1);
+  g_assert_cmpfloat (fabs (peaks[1] / TEST_ARCH_SECOND - 1), <, 0.1);
+  g_assert_cmpfloat (fabs (times[1] / TEST_ARCH_SECOND_TIME - 1), <, 0.1);
+  g_assert_cmpfloat (result.history.energy_error, <, 1e-3);
   qn_result_clear (&result);
-  qn_contacts_clear (&contacts);
   qn_model_clear (&model);
 }
 
 int
 main (int argc, char **argv)
 {
+  static const struct {
+    const char *name;
+    GTestDataFunc test;
+  } tests[] = { { "overturning-boundary", test_overturning_boundary },
+                { "column", test_column },
+                { "arch", test_arch } };
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/earthquakes/overturning-boundary", test_overturning_boundary);
-  g_test_add_func ("/earthquakes/column", test_column);
-  g_test_add_func ("/earthquakes/arch", test_arch);
+  for (gsize i = 0; i < G_N_ELEMENTS (tests); i++) {
+    g_autofree char *fixed = g_strdup_printf ("/earthquakes/%s/fixed", tests[i].name);
+    g_autofree char *follow = g_strdup_printf ("/earthquakes/%s/follow", tests[i].name);
+    g_test_add_data_func (fixed, NULL, tests[i].test);
+    g_test_add_data_func (follow, "", tests[i].test);
+  }
   return g_test_run ();
 }

@@ -1,0 +1,235 @@
+/* What analyses in time find beside published values: the least impulse that overturns the multi-drum
+ * column, the least pulse that overturns a block, the peaks of the arch of Lemos, the acceleration that
+ * overturns the six walls where it grows slowly; with contacts that stay where they are drawn and with
+ * contacts that follow the blocks. */
+#include "bench/bench.h"
+#include "support/earthquakes.h"
+#include "support/models.h"
+
+#include <math.h>
+
+/* Amplitudes that are tried between the ends of a range, and halvings of the interval then. */
+#define SCAN       24
+#define BISECTIONS 5
+
+typedef void (*InitFunc) (QnModel *model, double amplitude, double duration);
+
+/* Least of the amplitudes tried that overturns, between those of the bisections. */
+static double
+least_amplitude (InitFunc init, double duration, double low, double high, gboolean follow,
+                 double *energy_error)
+{
+  double step = (high - low) / SCAN;
+  QnModel model;
+  for (int i = 0; i <= SCAN; i++) {
+    init (&model, low + step * i, duration);
+    if (!test_earthquake_overturns (&model, follow, energy_error))
+      continue;
+    if (i == 0)
+      return low;
+    double stands = low + step * (i - 1), falls = low + step * i;
+    for (int k = 0; k < BISECTIONS; k++) {
+      double middle = 0.5 * (stands + falls);
+      init (&model, middle, duration);
+      if (test_earthquake_overturns (&model, follow, energy_error))
+        falls = middle;
+      else
+        stands = middle;
+    }
+    return falls;
+  }
+  return NAN;
+}
+
+static gboolean
+within (double found, double least, double greatest)
+{
+  return found >= least && found <= greatest;
+}
+
+static gboolean
+measure_column (FILE *csv, const char *contacts, gboolean follow)
+{
+  gboolean met = TRUE;
+  for (gsize i = 0; i < TEST_COLUMNS; i++) {
+    const TestColumn *known = &test_columns[i];
+    double low = 0.95 * known->least, high = 1.05 * known->greatest, error = 0;
+    double found = least_amplitude (test_earthquake_init_column, known->duration, low,
+                                    high, follow, &error);
+    gboolean fits = within (found, low, high) && found > low && error < 1e-3;
+    met = met && fits;
+    bench_csv_row (csv, "column t_p %g s (g),%s,%g to %g,%.4g,%.1e,%s", known->duration,
+                   contacts, known->least, known->greatest, found, error,
+                   fits ? "yes" : "no");
+  }
+  return met;
+}
+
+static gboolean
+measure_block (FILE *csv, const char *contacts, gboolean follow)
+{
+  const double p = test_earthquake_block_frequency ();
+  gboolean met = TRUE;
+  for (int i = 0; i < 20; i++) {
+    double pulse = G_PI / (p * (1 + 0.5 * i)), error = 0;
+    int impacts;
+    double exact = test_earthquake_exact_boundary (pulse, &impacts);
+    double found = least_amplitude (test_earthquake_init_block, pulse, 0.95 * exact,
+                                    1.05 * exact, follow, &error);
+    gboolean fits = fabs (found / exact - 1) < 0.05 && error < 1e-3;
+    met = met && fits;
+    bench_csv_row (csv, "block omega/p %g (g),%s,%.4f,%.4f,%.1e,%s", 1 + 0.5 * i,
+                   contacts, exact / TEST_G, found / TEST_G, error, fits ? "yes" : "no");
+  }
+  return met;
+}
+
+static gboolean
+measure_arch (FILE *csv, const char *contacts, gboolean follow)
+{
+  const struct {
+    const char *name;
+    double known;
+  } values[] = { { "arch first peak (mm)", 1e3 * TEST_ARCH_FIRST },
+                 { "arch first peak (s)", TEST_ARCH_FIRST_TIME },
+                 { "arch second peak (mm)", 1e3 * TEST_ARCH_SECOND },
+                 { "arch second peak (s)", TEST_ARCH_SECOND_TIME } };
+  gboolean met = TRUE;
+  QnModel model;
+  QnResult result;
+  double peaks[2], times[2];
+  test_earthquake_init_arch (&model);
+  test_earthquake_solve (&model, follow, &result);
+  test_earthquake_arch_peaks (&model, &result.history, peaks, times);
+  for (gsize i = 0; i < G_N_ELEMENTS (values); i++) {
+    double found = i % 2 == 0 ? 1e3 * peaks[i / 2] : times[i / 2];
+    double error = result.history.energy_error;
+    gboolean fits = fabs (found / values[i].known - 1) < 0.1 && error < 1e-3;
+    met = met && fits;
+    bench_csv_row (csv, "%s,%s,%g,%.4g,%.1e,%s", values[i].name, contacts,
+                   values[i].known, found, error, fits ? "yes" : "no");
+  }
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+  return met;
+}
+
+/* --- Walls under an acceleration that grows so slowly that inertia does not matter --------------- */
+
+#define RAMP_DURATION  40.0 /* s */
+#define RAMP_TOP       1.15 /* times the static multiplier, at the end */
+#define RAMP_STIFFNESS 1e9  /* N/m */
+
+static void
+init_wall (QnModel *model, int number)
+{
+  test_model_init_wall (model, number, 0);
+  model->laws[0].kn = model->laws[0].ks = RAMP_STIFFNESS;
+  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+}
+
+/* Collapse multiplier of the static path, the block that has moved furthest at its last step, and how far
+ * since the dead load, m. */
+static double
+static_collapse (int number, QnId *block, double *moved)
+{
+  QnModel model;
+  QnResult result;
+  init_wall (&model, number);
+  test_earthquake_solve (&model, FALSE, &result);
+  const double *first = qn_result_step_displacements (&result, 0),
+               *last = qn_result_step_displacements (&result, result.step_count - 1);
+  *moved = 0;
+  for (size_t b = 0; b < model.block_count; b++) {
+    double way = hypot (last[3 * b] - first[3 * b], last[3 * b + 1] - first[3 * b + 1]);
+    if (way > *moved) {
+      *moved = way;
+      *block = (QnId) b;
+    }
+  }
+  double multiplier = result.collapse_multiplier;
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+  return multiplier;
+}
+
+/* The acceleration, over g, at which that block has moved as far in time. */
+static double
+ramp_acceleration (int number, double multiplier, QnId block, double moved,
+                   gboolean follow, double *energy_error)
+{
+  QnModel model;
+  QnResult result;
+  double found = NAN;
+  init_wall (&model, number);
+  QnDynamicSettings *dynamic = &model.analysis.dynamic;
+  model.analysis.procedure = QN_PROCEDURE_DYNAMIC;
+  model.analysis.max_factorizations = INT32_MAX;
+  dynamic->duration = RAMP_DURATION;
+  dynamic->time_step = 0.02;
+  dynamic->output_interval = RAMP_DURATION;
+  dynamic->rho = 0.5;
+  dynamic->mass_damping = number == 6 ? 1 : 5;
+  QnGroundMotion *motion = qn_model_add_ground_motion (&model, NULL);
+  motion->kind = QN_SIGNAL_POINTS;
+  motion->direction = qn_vec2 (-1, 0); /* inertia acts along +x, as the live load */
+  g_assert_true (qn_ground_motion_add_point (motion, 0, 0));
+  g_assert_true (qn_ground_motion_add_point (motion, RAMP_DURATION,
+                                             RAMP_TOP * multiplier * model.gravity));
+  for (int dof = 0; dof < 2; dof++) {
+    QnTrack *track = qn_model_add_track (&model);
+    track->block = block;
+    track->dof = (QnDof) dof;
+  }
+  double top = RAMP_TOP * multiplier;
+  test_earthquake_solve (&model, follow, &result);
+  const QnHistory *h = &result.history;
+  const double *first = h->rows + QN_HISTORY_TRACK;
+  for (size_t i = 0; i < h->row_count && isnan (found); i++) {
+    const double *now = first + i * h->width;
+    if (hypot (now[0] - first[0], now[1] - first[1]) >= moved)
+      found = top * h->rows[i * h->width] / RAMP_DURATION;
+  }
+  *energy_error = h->energy_error;
+  qn_result_clear (&result);
+  qn_model_clear (&model);
+  return found;
+}
+
+static gboolean
+measure_walls (FILE *csv)
+{
+  gboolean met = TRUE;
+  for (int number = 1; number <= TEST_WALL_COUNT; number++) {
+    QnId block;
+    double moved, multiplier = static_collapse (number, &block, &moved);
+    for (int follow = 0; follow < 2; follow++) {
+      double error,
+        found = ramp_acceleration (number, multiplier, block, moved, follow, &error);
+      gboolean fits = fabs (found / multiplier - 1) < 0.01 && error < 1e-3;
+      met = met && fits;
+      bench_csv_row (csv, "wall %d slow ramp (g),%s,%.5f,%.5f,%.1e,%s", number,
+                     follow ? "follow" : "fixed", multiplier, found, error,
+                     fits ? "yes" : "no");
+    }
+  }
+  return met;
+}
+
+int
+main (int argc, char **argv)
+{
+  bench_no_arguments (argc, argv, "Analyses in time beside published values.");
+  FILE *csv =
+    bench_csv_open ("earthquakes", "case,contacts,reference,found,energy error,met");
+  gboolean met = TRUE;
+  for (int follow = 0; follow < 2; follow++) {
+    const char *contacts = follow ? "follow" : "fixed";
+    met &= measure_arch (csv, contacts, follow);
+    met &= measure_column (csv, contacts, follow);
+    met &= measure_block (csv, contacts, follow);
+  }
+  met &= measure_walls (csv);
+  fclose (csv);
+  return met ? 0 : 1;
+}
