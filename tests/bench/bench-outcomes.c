@@ -2,13 +2,16 @@
  * laws that joints may have, in linear geometry and in large displacements in turn. Each is written as a
  * project, read, solved, written as a result, read, and checked as `quoin-cli check --result` does.
  *
- *   bench-outcomes [--first SEED] [--count N] [--most BLOCKS] [--uncertain N]
+ *   bench-outcomes [--first SEED] [--count N] [--most BLOCKS] [--joints NAME] [--uncertain N]
+ *                  [--unsolved N]
  *
- * With --most, walls of more blocks are left out: for sanitizers and valgrind. One line for each wall,
+ * With --most, walls of more blocks are left out: for sanitizers and valgrind. With --joints, all walls
+ * have the joints of this name. One line for each wall,
  * then the table: outcomes by geometry, uncertain mechanisms, and violations. A violation is a result
  * that cannot be read back, a statement that is not true, or a collapse above the associative bound,
  * which limit analysis gives for the same joints with dilatancy = friction. The program fails where
- * there is one, or where more mechanisms are uncertain than --uncertain says. Results that say
+ * there is one, or where more mechanisms are uncertain than --uncertain says, or more walls have no answer
+ * (not-converged) than --unsolved says. Results that say
  * themselves that they are no answer (not-converged) are counted apart. Structures in large
  * displacements may stiffen as they move (a joint that closes, an arch that thrusts more); theirs are
  * counted beside, and told. */
@@ -33,7 +36,8 @@
 #define TOLERANCE 1e-6
 
 typedef struct Options {
-  int first, count, most_blocks, most_uncertain;
+  int first, count, most_blocks, most_uncertain, most_unsolved;
+  char *joints; /* or NULL */
 } Options;
 
 /* --- Joints ------------------------------------------------------------------------------- */
@@ -199,15 +203,26 @@ typedef struct Tally {
   int bounded, violations, told, above[QN_GEOMETRY_COUNT];
 } Tally;
 
+/* The place of joints by their name, or -1. */
+static int
+find_joints (const char *name)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (joints); i++)
+    if (strcmp (joints[i].name, name) == 0)
+      return (int) i;
+  return -1;
+}
+
 static void
-lay (Wall *wall, QnProject *project)
+lay (Wall *wall, const char *joints_of_all, QnProject *project)
 {
   QnModel model;
   QnProject drawn;
   g_autoptr (GError) error = NULL;
   gsize length;
   /* One after the other, each in both geometries. */
-  gsize law = (gsize) (wall->seed / 2) % G_N_ELEMENTS (joints);
+  int law = joints_of_all != NULL ? find_joints (joints_of_all)
+                                  : wall->seed / 2 % (int) G_N_ELEMENTS (joints);
 
   stress_random_wall ((guint32) wall->seed, &model, wall->kind, sizeof wall->kind);
   g_strdelimit (wall->kind, ",", ';');
@@ -279,9 +294,9 @@ read_and_check (const char *path, const QnProject *project, const QnContacts *co
   return untruth;
 }
 
-/* FALSE, and nothing done, where the wall has more than so many blocks. */
+/* FALSE, and nothing done, where the wall has more blocks than the options want. */
 static gboolean
-run (const char *folder, int most_blocks, Wall *wall)
+run (const char *folder, const Options *options, Wall *wall)
 {
   QnProject project;
   QnContacts contacts;
@@ -289,8 +304,8 @@ run (const char *folder, int most_blocks, Wall *wall)
   g_autoptr (GError) error = NULL;
   g_autofree char *path = g_build_filename (folder, "wall.json", NULL);
 
-  lay (wall, &project);
-  if (project.model.block_count > (size_t) most_blocks) {
+  lay (wall, options->joints, &project);
+  if (project.model.block_count > (size_t) options->most_blocks) {
     qn_project_clear (&project);
     return FALSE;
   }
@@ -376,8 +391,12 @@ parse (int *argc, char ***argv, Options *options, GError **error)
     { "count", 0, 0, G_OPTION_ARG_INT, &options->count, "How many walls (1000)", "N" },
     { "most", 0, 0, G_OPTION_ARG_INT, &options->most_blocks, "Most blocks of a wall",
       "BLOCKS" },
+    { "joints", 0, 0, G_OPTION_ARG_STRING, &options->joints,
+      "Joints of all walls (in turn)", "NAME" },
     { "uncertain", 0, 0, G_OPTION_ARG_INT, &options->most_uncertain,
       "Most uncertain mechanisms (any number)", "N" },
+    { "unsolved", 0, 0, G_OPTION_ARG_INT, &options->most_unsolved,
+      "Most walls without answer (any number)", "N" },
     G_OPTION_ENTRY_NULL,
   };
   g_autoptr (GOptionContext) context = g_option_context_new (NULL);
@@ -389,15 +408,22 @@ parse (int *argc, char ***argv, Options *options, GError **error)
                  "seeds and counts from 1");
     return FALSE;
   }
+  if (options->joints != NULL && find_joints (options->joints) < 0) {
+    g_set_error (error, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE,
+                 "no joints are called %s", options->joints);
+    return FALSE;
+  }
   return TRUE;
 }
 
 int
 main (int argc, char **argv)
 {
-  Options options = {
-    .first = 1, .count = 1000, .most_blocks = G_MAXINT, .most_uncertain = G_MAXINT
-  };
+  Options options = { .first = 1,
+                      .count = 1000,
+                      .most_blocks = G_MAXINT,
+                      .most_uncertain = G_MAXINT,
+                      .most_unsolved = G_MAXINT };
   Tally tally = { 0 };
   g_autoptr (GError) error = NULL;
 
@@ -412,7 +438,7 @@ main (int argc, char **argv)
                                 "associative bound,uncertain,violation");
   for (int i = 0; i < options.count; i++) {
     Wall wall = { .seed = options.first + i };
-    if (!run (folder, options.most_blocks, &wall))
+    if (!run (folder, &options, &wall))
       continue;
     tell (csv, &wall, &tally);
     g_free (wall.violation);
@@ -420,7 +446,13 @@ main (int argc, char **argv)
   fclose (csv);
   print_table (&tally);
   test_scratch_free (folder);
+  g_free (options.joints);
   int uncertain =
     tally.uncertain[QN_GEOMETRY_LINEAR] + tally.uncertain[QN_GEOMETRY_NONLINEAR];
-  return tally.violations == 0 && uncertain <= options.most_uncertain ? 0 : 1;
+  int unsolved = tally.outcomes[QN_GEOMETRY_LINEAR][QN_OUTCOME_NOT_CONVERGED]
+                 + tally.outcomes[QN_GEOMETRY_NONLINEAR][QN_OUTCOME_NOT_CONVERGED];
+  return tally.violations == 0 && uncertain <= options.most_uncertain
+             && unsolved <= options.most_unsolved
+           ? 0
+           : 1;
 }

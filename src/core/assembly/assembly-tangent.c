@@ -97,6 +97,28 @@ qn_assembly_tangent_held (QnAssembly *as, double multiplier)
   }
 }
 
+static bool
+lets_go (const QnAssembly *as, size_t pair)
+{
+  const QnPairSprings *springs = &as->springs[pair];
+
+  return springs->a.kind == QN_LAW_NO_TENSION && springs->b.kind == QN_LAW_NO_TENSION
+         && qn_pair_state (springs, as->responses[pair].phase) == QN_PAIR_SLIP;
+}
+
+void
+qn_assembly_tangent_at_rest (QnAssembly *as, double multiplier)
+{
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (lets_go (as, p))
+      memset (as->responses[p].tangent, 0, sizeof as->responses[p].tangent);
+  qn_assembly_tangent_held (as, multiplier);
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (lets_go (as, p))
+      qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
+                        &as->responses[p]);
+}
+
 bool
 qn_assembly_is_symmetric (const QnAssembly *as)
 {

@@ -165,6 +165,10 @@ void qn_assembly_tangent_of (QnAssembly *assembly, double multiplier, double vis
  * so that K is symmetric where the pairs' tangents are. */
 void qn_assembly_tangent_held (QnAssembly *assembly, double multiplier);
 
+/* That of the structure as it stays where it is: joints without tension that are letting go of their shear
+ * force, between closed and open, count as open. */
+void qn_assembly_tangent_at_rest (QnAssembly *assembly, double multiplier);
+
 /* Whether the tangent last assembled is symmetric. */
 bool qn_assembly_is_symmetric (const QnAssembly *assembly);
 

@@ -32,7 +32,7 @@ static int
 list_sides (const QnPairSprings *springs, Side sides[MOST_SIDES])
 {
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_pair_strength (springs, rows), sides_count = 0;
+  int count = qn_pair_rigid_strength (springs, rows), sides_count = 0;
 
   for (int i = 0; i < count; i++) {
     sides[sides_count++] = (Side){ { rows[i].normal, rows[i].shear }, rows[i].limit };

@@ -21,7 +21,8 @@ find_freedom (const QnPairSprings *springs, const double force[2], bool associat
 {
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
   Freedom freedom = { .dilatancy = INFINITY };
-  int count = qn_pair_strength (springs, rows);
+  int count = associative ? qn_pair_rigid_strength (springs, rows)
+                          : qn_pair_strength (springs, rows);
 
   for (int i = 0; i < count; i++) {
     double slack =
@@ -59,8 +60,6 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                                   check->result->limit.given
                                     && check->result->limit.flow == QN_FLOW_ASSOCIATIVE,
                                   little);
-  bool free_shear =
-    springs->a.kind == QN_LAW_NO_TENSION || springs->b.kind == QN_LAW_NO_TENSION;
   bool loose = hypot (force[0], force[1]) <= little;
   QnId step = (QnId) check->result->step_count - 1;
   double least = 0;
@@ -74,8 +73,7 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                      least);
   }
   bool opens = rate[0] > least + none, slides = fabs (rate[1]) > none;
-  if ((opens && !freedom.opens && !loose)
-      || (slides && !freedom.slides && !free_shear && !loose)
+  if ((opens && !freedom.opens && !loose) || (slides && !freedom.slides && !loose)
       || (slides && freedom.slides && !loose && rate[1] * force[1] < 0))
     qn_check_tell (check, QN_CLAIM_FLOW, step, QN_ENTITY_CONTACT, (QnId) p,
                    opens ? rate[0] : rate[1], 0);

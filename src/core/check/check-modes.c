@@ -64,7 +64,7 @@ check_stability (QnCheck *check, size_t step, QnDiag *diag)
   double at = result->steps[step].multiplier, lost = result->first_limit_multiplier;
   QnInertiaCount count = { 0 };
 
-  qn_assembly_tangent_held (as, 0);
+  qn_assembly_tangent_at_rest (as, 0);
   if (check->inertia == NULL)
     check->inertia = qn_inertia_new (as->unknown_count, as->ap, as->ai);
   if (check->inertia == NULL || !qn_inertia_count (check->inertia, as->ax, &count))

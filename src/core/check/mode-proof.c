@@ -27,7 +27,7 @@ qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, QnDia
   QnStatus status = qn_assembly_mass (as, proof->mass, diag);
   if (status != QN_OK)
     return status;
-  qn_assembly_tangent_held (as, multiplier);
+  qn_assembly_tangent_at_rest (as, multiplier);
   memcpy (proof->stiffness, as->ax, entries * sizeof *proof->stiffness);
   for (size_t i = 0; i < n; i++) {
     double mass = proof->mass[as->diagonal[i]];

@@ -147,7 +147,6 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
            const double q[2], const double force[2], QnPairMemory *memory)
 {
   const QnSpring *s = &springs->a, *other = springs->equal ? NULL : &springs->b;
-  bool closed = force[0] < 0;
   double stuck[2] = { 0, 0 }; /* elongation of the other spring */
 
   *memory = *before;
@@ -158,8 +157,6 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
     stuck[1] = before->b.slip + force[1] / other->ks;
   }
   memory->a.slip = q[1] - stuck[1] - force[1] / s->ks;
-  if (s->kind == QN_LAW_NO_TENSION)
-    return closed;
   if (!qn_law_is_plastic (s->kind))
     return false;
   bool dilates = s->dilatancy > 0 || (other != NULL && other->dilatancy > 0);
@@ -223,8 +220,7 @@ obeys_flow (const QnCheck *check, const QnPairSprings *springs,
   if (!is_near_strength (springs, force, little))
     return false;
   bool loose = hypot (force[0], force[1]) <= little;
-  bool opens = qn_law_is_plastic (s->kind) && s->kind != QN_LAW_NO_TENSION
-               && s->kind != QN_LAW_MOHR_COULOMB;
+  bool opens = qn_law_is_plastic (s->kind) && s->kind != QN_LAW_MOHR_COULOMB;
   return loose
          || (slip * force[1] >= -slack * fabs (force[1])
              && (!opens || fabs (opening - s->dilatancy * fabs (slip)) <= slack));
@@ -347,7 +343,8 @@ check_strength (QnCheck *check, size_t step)
       return;
     double excess =
       fmax (steel_excess (&springs->a, force[0]), steel_excess (&springs->b, force[0]));
-    int count = qn_pair_strength (springs, rows);
+    int count = check->result->limit.given ? qn_pair_rigid_strength (springs, rows)
+                                           : qn_pair_strength (springs, rows);
     for (int i = 0; i < count; i++)
       excess = fmax (excess, rows[i].normal * force[0] + rows[i].shear * fabs (force[1])
                                - rows[i].limit);

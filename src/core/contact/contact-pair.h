@@ -54,6 +54,17 @@ qn_pair_strength (const QnPairSprings *springs, QnStrengthRow rows[2 * QN_STRENG
   return springs->equal ? count : count + qn_spring_strength (&springs->b, rows + count);
 }
 
+/* Those of rigid blocks. */
+static inline int
+qn_pair_rigid_strength (const QnPairSprings *springs,
+                        QnStrengthRow rows[2 * QN_STRENGTH_ROWS])
+{
+  int count = qn_spring_rigid_strength (&springs->a, rows);
+
+  return springs->equal ? count
+                        : count + qn_spring_rigid_strength (&springs->b, rows + count);
+}
+
 /* Force and consistent tangent of the pair at elongation q. Returns false where the internal
  * iteration did not converge; the response is then not to be used. */
 bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,

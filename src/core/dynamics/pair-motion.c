@@ -17,8 +17,6 @@ opens (const QnSpring *spring, double *cap)
     *cap = INFINITY;
     return true;
   case QN_LAW_NO_TENSION:
-    *cap = 0;
-    return true;
   case QN_LAW_COULOMB:
     *cap = spring->cap;
     return true;
@@ -44,7 +42,8 @@ qn_pair_elasticity (const QnPairSprings *s)
   pair.conserves = opens (&s->a, &cap_a);
   pair.cap = cap_a;
   pair.friction = s->a.friction;
-  pair.cohesion = s->equal && s->a.kind == QN_LAW_COULOMB ? s->a.cohesion : INFINITY;
+  bool slides = s->a.kind == QN_LAW_COULOMB || s->a.kind == QN_LAW_NO_TENSION;
+  pair.cohesion = s->equal && slides ? s->a.cohesion : INFINITY;
   pair.k[0] = s->a.kn;
   pair.k[1] = s->a.ks;
   if (s->equal)

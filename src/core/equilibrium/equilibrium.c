@@ -64,16 +64,6 @@ qn_equilibrium_restore (QnEquilibrium *eq)
   qn_equilibrium_set_state (eq, &eq->committed);
 }
 
-static bool
-forces_jump (const QnAssembly *as)
-{
-  for (size_t p = 0; p < as->pair_count; p++)
-    if (as->springs[p].a.kind == QN_LAW_NO_TENSION
-        || as->springs[p].b.kind == QN_LAW_NO_TENSION)
-      return true;
-  return false;
-}
-
 QnStatus
 qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts *contacts,
                       QnProgressFunc report, void *report_data, QnDiag *diag)
@@ -88,7 +78,6 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
     return status;
 
   const QnAssembly *as = &eq->assembly;
-  eq->forces_jump = forces_jump (as);
   double **vectors[] = { &eq->u,     &eq->residual,  &eq->step,
                          &eq->trial, &eq->live_step, &eq->motion };
   QnVec2 *points = qn_assembly_points (as);

@@ -59,9 +59,6 @@ typedef struct QnEquilibrium {
   QnAssembly assembly;
   QnLinsys *linsys;
   double tolerance; /* largest out-of-balance, relative to the loads */
-  bool
-    forces_jump; /* some joint without tension does not slide, and loses its shear force at once when
-                       it opens: between two equilibria there may be none */
 
   double *u;         /* current displacements */
   double multiplier; /* current multiplier, lambda */

@@ -11,9 +11,6 @@
 /* Decrease of the residual asked for, as a fraction of what a linear system would give. */
 #define SUFFICIENT_DECREASE 1e-4
 
-/* First steps that need not decrease the residual where forces jump. */
-#define FREE_STEPS 3
-
 /* What is left out of balance, as a part of the tolerance, that one more iteration is not worth. */
 #define FINER 1e-3
 
@@ -291,9 +288,8 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
       return QN_SOLVE_NO_MEMORY;
     }
     /* The first step is free: it takes pairs across the corner they rest in, which costs
-     * balance before it gains. Where forces jump a few more are. */
-    bool is_free = iteration < (eq->forces_jump ? FREE_STEPS : 1);
-    if (!line_search (&newton, is_free ? INFINITY : newton.norm))
+     * balance before it gains. */
+    if (!line_search (&newton, iteration == 0 ? INFINITY : newton.norm))
       return QN_SOLVE_FAILED;
   }
 }

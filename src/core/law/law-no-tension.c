@@ -1,33 +1,21 @@
-/* Linear elastic while closed, nothing while open. There is no limit to slip: a closed joint
- * is elastic in shear, measured from where it last closed. */
+/* Linear elastic while closed, nothing while open: a closed joint sticks, and its shear is measured from
+ * where it last closed.
+ *
+ * Were the shear force to vanish at once where a joint opens, many structures would have no equilibrium at
+ * all: the joint stays closed without its shear and opens with it. So it goes to nothing together with the
+ * compression, as friction that is steeper than any joint's (Coulomb's law without cohesion, tension and
+ * dilatancy). */
 #include "core/law/law-ops.h"
 
 static void
-evaluate (const QnSpring *spring, const QnSpringMemory *committed, const double q[2],
-          QnSpringResponse *response)
+resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
-  if (q[0] > 0) {
-    *response = (QnSpringResponse){
-      .memory = { .opening = 0, .slip = q[1] },
-      .phase = QN_PHASE_OPEN,
-    };
-    return;
-  }
-
-  *response = (QnSpringResponse){
-    .force = { spring->kn * q[0], spring->ks * (q[1] - committed->slip) },
-    .tangent = { { spring->kn, 0 }, { 0, spring->ks } },
-    .memory = *committed,
-    .phase = QN_PHASE_STICK,
-  };
+  (void) law;
+  (void) scale;
+  spring->friction = QN_NO_TENSION_FRICTION;
 }
 
-static int
-strength (const QnSpring *spring, QnStrengthRow rows[])
-{
-  (void) spring;
-  rows[0] = (QnStrengthRow){ .normal = 1, .limit = 0, .opening = 1 };
-  return 1;
-}
-
-const QnLawOps qn_law_ops_no_tension = { .evaluate = evaluate, .strength = strength };
+const QnLawOps qn_law_ops_no_tension = { .resolve = resolve,
+                                         .evaluate = qn_law_coulomb_evaluate,
+                                         .strength = qn_law_coulomb_strength,
+                                         .plastic = true };

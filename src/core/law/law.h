@@ -17,9 +17,9 @@
 #define QN_MAX_CURVE_POINTS 32
 
 typedef enum {
-  QN_LAW_ELASTIC,         /* linear in both directions, in tension too */
-  QN_LAW_NO_TENSION,      /* linear while closed, nothing while open; no slip limit */
-  QN_LAW_COULOMB,         /* friction, cohesion, tension cut-off, dilatancy */
+  QN_LAW_ELASTIC,    /* linear in both directions, in tension too */
+  QN_LAW_NO_TENSION, /* linear while closed, nothing while open; slides only as it opens */
+  QN_LAW_COULOMB,    /* friction, cohesion, tension cut-off, dilatancy */
   QN_LAW_MOHR_COULOMB,    /* the same with a limit of compression */
   QN_LAW_BILINEAR,        /* linear kinematic hardening */
   QN_LAW_ELASTIC_PLASTIC, /* the same without hardening */

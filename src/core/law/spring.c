@@ -49,6 +49,20 @@ qn_spring_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_ROWS]
   return ops->strength != NULL ? ops->strength (spring, rows) : 0;
 }
 
+int
+qn_spring_rigid_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_ROWS])
+{
+  int count = qn_spring_strength (spring, rows);
+
+  if (spring->kind != QN_LAW_NO_TENSION)
+    return count;
+  int kept = 0;
+  for (int i = 0; i < count; i++)
+    if (rows[i].shear == 0)
+      rows[kept++] = rows[i];
+  return kept;
+}
+
 bool
 qn_law_has_strength (QnLawKind kind)
 {
@@ -119,8 +133,9 @@ qn_spring_lose_bond (QnSpring *spring)
 {
   bool is_joint = spring->kind == QN_LAW_COULOMB || spring->kind == QN_LAW_MOHR_COULOMB;
 
-  *spring = (QnSpring){ .kind = is_joint ? QN_LAW_COULOMB : QN_LAW_NO_TENSION,
-                        .kn = spring->kn,
-                        .ks = spring->ks,
-                        .friction = is_joint ? spring->friction : 0 };
+  *spring =
+    (QnSpring){ .kind = is_joint ? QN_LAW_COULOMB : QN_LAW_NO_TENSION,
+                .kn = spring->kn,
+                .ks = spring->ks,
+                .friction = is_joint ? spring->friction : QN_NO_TENSION_FRICTION };
 }

@@ -100,6 +100,10 @@ enum { QN_STRENGTH_ROWS = 3 };
  * length: extent of the block's side behind the spring, m (material basis) */
 QnSpring qn_spring_from_law (const QnLaw *law, double area, double length);
 
+/* Shear force per compression up to which a joint without tension does not slide: an angle of 89.94
+ * degrees. */
+#define QN_NO_TENSION_FRICTION 1e3
+
 /* Leaves what two bodies offer each other that were never joined: stiffness and friction, no tension, no
  * cohesion, no dilatancy. Of a law that is not a joint's the stiffness alone is left. */
 void qn_spring_lose_bond (QnSpring *spring);
@@ -110,6 +114,11 @@ void qn_spring_evaluate (const QnSpring *spring, const QnSpringMemory *committed
 
 /* The strengths of a spring; returns their number, 0 for a law that has none. */
 int qn_spring_strength (const QnSpring *spring, QnStrengthRow rows[QN_STRENGTH_ROWS]);
+
+/* Those that limit analysis takes: the same, but of a joint without tension that of opening alone, for
+ * rigid blocks that do not slide have no other. */
+int qn_spring_rigid_strength (const QnSpring *spring,
+                              QnStrengthRow rows[QN_STRENGTH_ROWS]);
 
 /* Whether qn_spring_strength() tells everything that the law limits, as limit analysis needs. */
 bool qn_law_has_strength (QnLawKind kind);

@@ -49,7 +49,7 @@ restrict_by_spring (Strength *strength, const QnSpring *spring, const double *an
                     double remaining)
 {
   QnStrengthRow rows[QN_STRENGTH_ROWS];
-  int count = qn_spring_strength (spring, rows);
+  int count = qn_spring_rigid_strength (spring, rows);
 
   for (const QnStrengthRow *row = rows; row < rows + count; row++) {
     if (row->shear > 0) {

@@ -2,7 +2,8 @@
  *
  * One cell per contact pair that touches a free block, holding the pair's normal and shear
  * force (tension positive, tangent as in contacts.h); its bounds are the strengths of the two
- * springs in series, that is the intersection of what their laws allow (qn_spring_strength()).
+ * springs in series, that is the intersection of what their laws allow
+ * (qn_spring_rigid_strength()).
  *
  * Friction 0 without cohesion leaves no shear at all, and the cell says so. Stiffness plays no
  * part. Forces are divided by `force_unit`, lengths by `length_unit`, the live load by its own

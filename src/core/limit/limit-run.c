@@ -20,7 +20,7 @@ pair_state (const QnPairSprings *springs, const double *force, double largest)
 {
   double tolerance = STATE_TOLERANCE * largest;
   QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_pair_strength (springs, rows);
+  int count = qn_pair_rigid_strength (springs, rows);
   QnPairState state = QN_PAIR_STICK;
 
   if (hypot (force[0], force[1]) <= tolerance)

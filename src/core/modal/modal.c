@@ -32,7 +32,7 @@ factorize (Pencil *pencil, double multiplier, QnDiag *diag)
 {
   QnAssembly *as = pencil->assembly;
 
-  qn_assembly_tangent_held (as, multiplier);
+  qn_assembly_tangent_at_rest (as, multiplier);
   if (!qn_assembly_is_symmetric (as))
     return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);

@@ -151,26 +151,6 @@ leave_unstable (QnPathTrace *trace, const QnTarget *target)
   return QN_SOLVE_FAILED;
 }
 
-/* Where no step is solved, however short: where forces jump, the next equilibrium may lie a piece
- * farther on, and longer steps reach it. */
-static QnSolveStatus
-leap (QnPathTrace *trace, double *step)
-{
-  QnEquilibrium *eq = &trace->path->equilibrium;
-  QnSolveStatus status = QN_SOLVE_FAILED;
-
-  while (status == QN_SOLVE_FAILED && fabs (*step) < trace->largest) {
-    *step /= tuning->cut;
-    const QnTarget target = target_of (trace, *step);
-    qn_equilibrium_restore (eq);
-    status = solve_statically (trace, &target);
-    if (status == QN_SOLVE_CONVERGED)
-      status = leave_unstable (trace, &target);
-  }
-  trace->jumped = status == QN_SOLVE_CONVERGED;
-  return status;
-}
-
 /* In nonlinear geometry, where branches lie close to each other: cut until it is solved without a jump
  * or is the smallest one. Static solutions come first, and are cheap, unless relaxation was needed
  * just before: then their first failure is enough. Under load control, where nobody asks for what lies
@@ -199,8 +179,6 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       status = leave_unstable (trace, &target);
     bool solved = status == QN_SOLVE_CONVERGED;
     trace->jumped = solved && is_jump (trace, *step, before);
-    if (smallest && relaxes && status == QN_SOLVE_FAILED && eq->forces_jump)
-      return leap (trace, step);
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
       return status;

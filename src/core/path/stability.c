@@ -34,7 +34,7 @@ check_state (Search *search, bool *stable, QnDiag *diag)
   QnAssembly *as = &eq->assembly;
   QnInertiaCount count;
 
-  qn_assembly_tangent_held (as, eq->multiplier);
+  qn_assembly_tangent_at_rest (as, eq->multiplier);
   if (!qn_assembly_is_symmetric (as) && qn_path_slips (as))
     return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
                               NULL, 0);

@@ -258,7 +258,7 @@ test_applies (void)
     if (k == 0)
       model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
     else
-      model.laws[0].kind = QN_LAW_NO_TENSION;
+      model.laws[0].kind = QN_LAW_ELASTIC;
     solver_init (&solver, &model);
     g_assert_false (qn_central_path_applies (&solver.equilibrium.assembly));
     solver_clear (&solver);

@@ -14,8 +14,20 @@ test_closed (void)
 {
   Probe p = joint ();
   QnSpringResponse r = probe_look (&p, -3, 50);
-  probe_assert_force (&r, -6, 50); /* no limit to shear */
+  probe_assert_force (&r, -6, 50);
   probe_assert_tangent (&p, -3, 50);
+}
+
+/* The shear force goes to nothing with the last of the compression, not all at once. */
+static void
+test_lets_go (void)
+{
+  Probe p = joint ();
+  QnSpringResponse r = probe_look (&p, -0.02, 50);
+  probe_assert_force (&r, -0.04, QN_NO_TENSION_FRICTION * 0.04);
+  probe_assert_tangent (&p, -0.02, 50);
+  r = probe_look (&p, -1e-9, -50);
+  probe_assert_force (&r, -2e-9, -QN_NO_TENSION_FRICTION * 2e-9);
 }
 
 /* Carries nothing while open, and is without shear where it closes again. */
@@ -37,6 +49,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/law-no-tension/closed", test_closed);
+  g_test_add_func ("/law-no-tension/lets-go", test_lets_go);
   g_test_add_func ("/law-no-tension/opens-and-closes", test_opens_and_closes);
   return g_test_run ();
 }
