@@ -4,7 +4,10 @@
 
 #include "app/canvas/canvas-private.h"
 #include "app/views/curve-view.h"
+#include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
+#include "doc/view/capacity-settings.h"
+#include "io/project/project-extras.h"
 
 #include <math.h>
 #include <string.h>
@@ -132,6 +135,81 @@ test_energies (void)
   driver_point_at (plot, 0.3 * width, 60);
   driver_run (200);
   g_assert_null (driver_find_widget (GTK_WIDGET (window), has_label, before));
+  driver_discard (window);
+}
+
+/* ---- playback ---- */
+
+static gboolean
+is_toggle (GtkWidget *widget, gconstpointer tip)
+{
+  return GTK_IS_TOGGLE_BUTTON (widget)
+         && g_strcmp0 (gtk_widget_get_tooltip_text (widget), tip) == 0;
+}
+
+static gboolean
+has_come_far (gpointer window)
+{
+  return time_of (window) >= 0.4;
+}
+
+static gboolean
+is_choice (GtkWidget *widget, gconstpointer tip)
+{
+  return GTK_IS_DROP_DOWN (widget)
+         && g_strcmp0 (gtk_widget_get_tooltip_text (widget), tip) == 0;
+}
+
+static gboolean
+has_stopped (gpointer window)
+{
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  return step_of (window) == (int) run->result.step_count - 1;
+}
+
+/* An analysis in time is played second for second or slowed, from the step that is shown; who goes to
+ * another time meanwhile goes on from there; without a loop it stops at the end. */
+static void
+test_playback (void)
+{
+  QnWindow *window = driver_open_example ("41-column-impulse.quoin");
+  QnViewState *state = qn_window_get_view_state (window);
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_run (200);
+  GtkWidget *speed = driver_find_widget (GTK_WIDGET (window), is_choice,
+                                         "Speed; 1× is real time of an analysis in time");
+  g_assert_nonnull (speed);
+  const guint speeds[] = { 3, 0 }; /* 1 and a tenth */
+  const double slowed[] = { 1, 10 };
+  for (gsize i = 0; i < G_N_ELEMENTS (speeds); i++) {
+    qn_view_state_set_step (state, 0);
+    gtk_drop_down_set_selected (GTK_DROP_DOWN (speed), speeds[i]);
+    gint64 start = g_get_monotonic_time ();
+    driver_activate (window, "win.play");
+    driver_wait (has_come_far, window);
+    double seconds = 1e-6 * (double) (g_get_monotonic_time () - start);
+    /* kept steps are apart */
+    g_assert_cmpfloat (time_of (window), <=, seconds / slowed[i] + 0.05);
+    g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DEFORMED);
+    driver_activate (window, "win.play");
+  }
+  int held = step_of (window);
+  driver_run (200);
+  g_assert_cmpint (step_of (window), ==, held);
+
+  GtkWidget *loop = driver_find_widget (GTK_WIDGET (window), is_toggle, "Loop");
+  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (loop), FALSE);
+  driver_activate (window, "win.play");
+  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  int late = (int) run->result.step_count - 4;
+  qn_view_state_set_step (state, late);
+  driver_run (200);
+  g_assert_cmpint (step_of (window), >=, late);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (speed), 3);
+  driver_wait (has_stopped, window);
+  driver_run (300);
+  g_assert_true (has_stopped (window));
   driver_discard (window);
 }
 
@@ -336,6 +414,75 @@ test_capacity (void)
   driver_discard (window);
 }
 
+static double
+entered (GtkWidget *dialog, const char *id)
+{
+  return qn_quantity_entry_get_value (
+    QN_QUANTITY_ENTRY (driver_find_widget (dialog, is_called, id)));
+}
+
+static guint
+chosen (GtkWidget *dialog, const char *id)
+{
+  return gtk_drop_down_get_selected (
+    GTK_DROP_DOWN (driver_find_widget (dialog, is_called, id)));
+}
+
+static char *
+kept (QnWindow *window)
+{
+  return qn_project_dup_extra (qn_document_get_project (qn_window_get_document (window)),
+                               QN_CAPACITY_MEMBER);
+}
+
+/* What is entered for the spectrum is kept in the project, undone and done again; the window follows. */
+static void
+test_capacity_undo (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  driver_activate (window, "win.capacity");
+  driver_run (300);
+  GtkWidget *dialog = driver_find_dialog ("Capacity Curve");
+  g_assert_null (kept (window));
+  double first = entered (dialog, "ag");
+  GtkWidget *ag = driver_find_widget (dialog, is_called, "ag");
+  gtk_widget_grab_focus (ag);
+  gtk_editable_set_text (GTK_EDITABLE (ag), "0.4");
+  driver_key ("Return");
+  driver_run (200);
+  g_assert_cmpfloat (entered (dialog, "ag"), ==, 0.4);
+  g_autofree char *after_ag = kept (window);
+  g_assert_nonnull (after_ag);
+  guint soil = chosen (dialog, "soil");
+  gtk_drop_down_set_selected (
+    GTK_DROP_DOWN (driver_find_widget (dialog, is_called, "soil")), soil + 2);
+  driver_run (200);
+  g_autofree char *after_soil = kept (window);
+  g_assert_cmpstr (after_soil, !=, after_ag);
+
+  driver_activate (window, "win.undo");
+  driver_run (200);
+  g_autofree char *undone = kept (window);
+  if (undone != NULL) { /* each a step of its own */
+    g_assert_cmpstr (undone, ==, after_ag);
+    g_assert_cmpuint (chosen (dialog, "soil"), ==, soil);
+    driver_activate (window, "win.undo");
+    driver_run (200);
+  }
+  g_assert_null (kept (window));
+  g_assert_cmpfloat (entered (dialog, "ag"), ==, first);
+  g_assert_cmpuint (chosen (dialog, "soil"), ==, soil);
+  driver_activate (window, "win.redo");
+  driver_activate (window, "win.redo");
+  driver_run (200);
+  g_autofree char *redone = kept (window);
+  g_assert_cmpstr (redone, ==, after_soil);
+  g_assert_cmpfloat (entered (dialog, "ag"), ==, 0.4);
+  g_assert_cmpuint (chosen (dialog, "soil"), ==, soil + 2);
+  gtk_window_destroy (GTK_WINDOW (dialog));
+  driver_discard (window);
+}
+
 /* The window of the curve, or the project's, is closed while the curve is searched: the search ends and
  * nothing outlives its window. */
 static void
@@ -456,9 +603,11 @@ main (int argc, char **argv)
   g_test_add_func ("/app/earthquakes/record", test_record);
   g_test_add_func ("/app/earthquakes/rest", test_rest);
   g_test_add_func ("/app/earthquakes/energies", test_energies);
+  g_test_add_func ("/app/earthquakes/playback", test_playback);
   g_test_add_func ("/app/earthquakes/initial", test_initial);
   g_test_add_func ("/app/earthquakes/initial-fixed", test_initial_fixed);
   g_test_add_func ("/app/earthquakes/capacity", test_capacity);
+  g_test_add_func ("/app/earthquakes/capacity-undo", test_capacity_undo);
   g_test_add_func ("/app/earthquakes/capacity-closed", test_capacity_closed);
   return g_test_run ();
 }

@@ -11,6 +11,9 @@
 #define JOINT_REACH_PX 4.0
 #define LEAST_BLOCK_PX 24.0
 
+/* Radius of the ring around a contact found on the way, px. */
+#define FOUND_PX 6.0
+
 #define CARD_POINTS 8.5
 #define CARD_PAD    7.0
 #define CARD_ASIDE  18.0
@@ -85,10 +88,17 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
   if (!qn_view_state_get_content (self->state, &model, &contacts, &result))
     return QN_NONE;
   QnMotion motion = qn_canvas_get_motion (self);
+  int step = qn_view_state_get_step (self->state);
+  g_autofree bool *left =
+    result != NULL && result->step_count > 0 ? qn_step_left (
+      contacts, result, step == QN_STEP_LAST ? result->step_count - 1 : (gsize) step)
+                                             : NULL;
   QnId found = QN_NONE;
   double nearest = JOINT_REACH_PX;
   for (gsize f = 0; motion.model != NULL && f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
+    if (left != NULL && left[f])
+      continue;
     QnVec2 line[2];
     qn_canvas_joint_line (self, &motion, face, line);
     double distance = distance_to_segment (screen, line[0], line[1]);
@@ -105,11 +115,15 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
 static QnInspected
 find_under_pointer (QnCanvas *self)
 {
-  QnInspected what = { TRUE, qn_canvas_pick_joint (self, self->pointer) };
+  QnPick pick = qn_canvas_pick (self, self->pointer, 1u << QN_PICK_FOUND);
+  if (pick.kind == QN_PICK_FOUND)
+    return (QnInspected){ QN_INSPECTED_FOUND, pick.id };
+  QnInspected what = { QN_INSPECTED_JOINT, qn_canvas_pick_joint (self, self->pointer) };
   if (what.id != QN_NONE)
     return what;
-  QnPick pick = qn_canvas_pick (self, self->pointer, 1u << QN_PICK_BLOCK);
-  return (QnInspected){ FALSE, pick.kind == QN_PICK_BLOCK ? pick.id : QN_NONE };
+  pick = qn_canvas_pick (self, self->pointer, 1u << QN_PICK_BLOCK);
+  return (QnInspected){ QN_INSPECTED_BLOCK,
+                        pick.kind == QN_PICK_BLOCK ? pick.id : QN_NONE };
 }
 
 static gboolean
@@ -136,8 +150,9 @@ static gboolean
 is_selected (QnCanvas *self, QnInspected what)
 {
   QnSelection *selection = qn_canvas_get_selection (self);
-  return what.is_joint ? qn_selection_get_face (selection) == what.id
-                       : qn_selection_has_block (selection, what.id);
+  return what.kind == QN_INSPECTED_JOINT   ? qn_selection_get_face (selection) == what.id
+         : what.kind == QN_INSPECTED_BLOCK ? qn_selection_has_block (selection, what.id)
+                                           : FALSE;
 }
 
 /* Beside the pointer, where there is room. */
@@ -179,7 +194,14 @@ trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnInspecte
   if (motion.model == NULL)
     return;
   cairo_new_path (cr);
-  if (what.is_joint) {
+  if (what.kind == QN_INSPECTED_FOUND) {
+    const QnFoundContact *contact = &view->result->found[what.id].contact;
+    QnVec2 at = qn_canvas_place (self, &motion, contact->other,
+                                 qn_found_corner (view->model, contact));
+    cairo_arc (cr, at.x, at.y, FOUND_PX, 0.0, 2.0 * G_PI);
+    return;
+  }
+  if (what.kind == QN_INSPECTED_JOINT) {
     QnVec2 line[2];
     qn_canvas_joint_line (self, &motion, &view->contacts->faces[what.id], line);
     cairo_move_to (cr, line[0].x, line[0].y);
@@ -211,7 +233,7 @@ qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
   if (title != NULL && values != NULL) {
     trace_inspected (self, cr, &view, what);
     cairo_set_source_rgba (cr, 0.11, 0.44, 0.85, 0.9);
-    cairo_set_line_width (cr, what.is_joint ? 4.0 : 1.5);
+    cairo_set_line_width (cr, what.kind == QN_INSPECTED_JOINT ? 4.0 : 1.5);
     cairo_stroke (cr);
 
     g_autoptr (PangoLayout) layout = make_card (self, title, values);

@@ -119,18 +119,12 @@ static void
 go_to (View *view, double x)
 {
   const QnRun *run = run_of (view);
-  double time = time_at (view, x);
-  gsize best = 0;
-  if (run == NULL)
+  if (run == NULL || !qn_run_is_in_time (run))
     return;
-  for (gsize i = 1; i < run->result.step_count; i++)
-    if (fabs (run->result.steps[i].time - time)
-        < fabs (run->result.steps[best].time - time))
-      best = i;
   if (!qn_view_needs_result (qn_view_state_get_view (view->state))
       || qn_view_state_get_view (view->state) == QN_VIEW_MECHANISM)
     qn_view_state_set_view (view->state, QN_VIEW_DEFORMED);
-  qn_view_state_set_step (view->state, (int) best);
+  qn_view_state_set_step (view->state, qn_run_step_at (run, time_at (view, x)));
 }
 
 static void

@@ -58,7 +58,8 @@ find_selected (Inspector *inspector, QnInspected *what)
   const QnId *block = qn_selection_get_blocks (selection, &blocks);
   if (faces + blocks != 1)
     return FALSE;
-  *what = (QnInspected){ faces == 1, faces == 1 ? *face : *block };
+  *what = faces == 1 ? (QnInspected){ QN_INSPECTED_JOINT, *face }
+                     : (QnInspected){ QN_INSPECTED_BLOCK, *block };
   return TRUE;
 }
 
@@ -75,7 +76,7 @@ static void
 show_diagram (Inspector *inspector, const QnStepView *view, QnInspected what)
 {
   QnJointPlot plot = { 0 };
-  gboolean shown = what.is_joint && view->pairs != NULL
+  gboolean shown = what.kind == QN_INSPECTED_JOINT && view->pairs != NULL
                    && qn_joint_plot_fill (&plot, view->model, view->contacts,
                                           view->result, (int) view->step, what.id);
   if (shown)

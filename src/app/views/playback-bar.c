@@ -16,15 +16,22 @@ typedef struct Bar {
   guint tick;
   gint64 last_time;
   double position; /* seconds into the motion */
+  int played;      /* the step of an analysis in time that was played last */
 } Bar;
 
-static const double speeds[] = { 0.25, 0.5, 1.0, 2.0, 4.0 };
-#define NORMAL_SPEED 2
+static const double speeds[] = { 0.1, 0.25, 0.5, 1.0, 2.0, 4.0 };
+#define NORMAL_SPEED 3
+
+static const QnRun *
+run_of (const Bar *bar)
+{
+  return qn_document_get_run (qn_view_state_get_document (bar->state));
+}
 
 static int
 last_step (const Bar *bar)
 {
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  const QnRun *run = run_of (bar);
   return run != NULL && run->result.step_count > 0 ? (int) run->result.step_count - 1 : 0;
 }
 
@@ -55,11 +62,43 @@ stop (Bar *bar)
   gtk_widget_set_tooltip_text (bar->play, _ ("Play (Space)"));
 }
 
+/* The run, where it is played second for second. */
+static const QnRun *
+run_in_time (const Bar *bar)
+{
+  const QnRun *run = run_of (bar);
+  return run != NULL && qn_run_is_in_time (run) && !moves_by_phase (bar) ? run : NULL;
+}
+
+static int
+shown_step (const Bar *bar)
+{
+  int step = qn_view_state_get_step (bar->state), last = last_step (bar);
+  return step == QN_STEP_LAST ? last : MIN (step, last);
+}
+
+/* Shows the time of the position; from the start again behind the end, or FALSE there. Who goes to
+ * another step meanwhile goes on from it. */
+static gboolean
+play_time (Bar *bar, const QnRun *run, gboolean loop)
+{
+  double end = run->result.steps[last_step (bar)].time;
+  if (shown_step (bar) != bar->played)
+    bar->position = run->result.steps[shown_step (bar)].time;
+  else if (bar->position > end && loop)
+    bar->position = 0.0;
+  gboolean goes_on = bar->position <= end;
+  bar->played = qn_run_step_at (run, bar->position);
+  qn_view_state_set_step (bar->state, bar->played);
+  return goes_on;
+}
+
 static gboolean
 on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
 {
   (void) widget;
   Bar *bar = data;
+  const QnRun *run = run_in_time (bar);
   gint64 now = gdk_frame_clock_get_frame_time (clock);
   double speed = speeds[gtk_drop_down_get_selected (GTK_DROP_DOWN (bar->speed))];
   if (bar->last_time != 0)
@@ -67,6 +106,12 @@ on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
   bar->last_time = now;
   double period = g_settings_get_double (qn_settings_get (), "animation-period");
   gboolean loop = gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (bar->loop));
+  if (run != NULL) {
+    if (play_time (bar, run, loop))
+      return G_SOURCE_CONTINUE;
+    stop (bar);
+    return G_SOURCE_REMOVE;
+  }
   double turns = bar->position / period;
   if (!loop && turns >= 1.0) {
     show_share (bar, 1.0);
@@ -83,14 +128,20 @@ static void
 play (Bar *bar)
 {
   QnView view = qn_view_state_get_view (bar->state);
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  const QnRun *run = run_of (bar);
   if (run == NULL)
     return;
-  if (!qn_view_needs_result (view) || view == QN_VIEW_FORCES)
+  if (!qn_view_needs_result (view)
+      || (view == QN_VIEW_FORCES && !qn_run_is_in_time (run)))
     qn_view_state_set_view (bar->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM
                                                                       : QN_VIEW_DEFORMED);
   bar->position = 0.0;
   bar->last_time = 0;
+  if (run_in_time (bar) != NULL) {
+    bar->played = shown_step (bar) < last_step (bar) ? shown_step (bar) : 0;
+    bar->position = run->result.steps[bar->played].time;
+    qn_view_state_set_step (bar->state, bar->played);
+  }
   if (qn_settings_reduced_motion ()) {
     show_share (bar, 1.0);
     return;
@@ -156,8 +207,7 @@ update_label (Bar *bar, const QnRun *run)
     text = g_strdup_printf (_ ("Motion %.0f %%"),
                             100.0 * qn_view_state_get_phase (bar->state));
   else {
-    int step = qn_view_state_get_step (bar->state);
-    int shown = step == QN_STEP_LAST ? last_step (bar) : step;
+    int shown = shown_step (bar);
     const QnStep *at = &run->result.steps[shown];
     if (run->result.history.width > 0)
       text = g_strdup_printf (_ ("%.3f s of %.3f s"), at->time,
@@ -177,7 +227,7 @@ update_label (Bar *bar, const QnRun *run)
 static void
 mark_stages (Bar *bar)
 {
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  const QnRun *run = run_of (bar);
   gtk_scale_clear_marks (GTK_SCALE (bar->slider));
   size_t first = 0, last = 0;
   for (gsize i = 1; run != NULL && i < run->model.stage_count; i++)
@@ -188,17 +238,16 @@ mark_stages (Bar *bar)
 static void
 update (Bar *bar)
 {
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (bar->state));
+  const QnRun *run = run_of (bar);
   gtk_widget_set_visible (bar->box, run != NULL);
   if (run == NULL) {
     stop (bar);
     return;
   }
-  int last = last_step (bar), step = qn_view_state_get_step (bar->state);
+  int last = last_step (bar);
   double value = moves_by_phase (bar)
                    ? qn_view_state_get_phase (bar->state) * MAX (1, last)
-                 : step == QN_STEP_LAST ? last
-                                        : step;
+                   : shown_step (bar);
   g_signal_handlers_block_by_func (bar->slider, on_slider, bar);
   gtk_range_set_range (GTK_RANGE (bar->slider), 0.0, MAX (1, last));
   gtk_range_set_value (GTK_RANGE (bar->slider), value);
@@ -241,10 +290,11 @@ build (Bar *bar)
   gtk_widget_add_css_class (bar->loop, "flat");
   gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->loop), TRUE);
 
-  const char *const names[] = { "¼×", "½×", "1×", "2×", "4×", NULL };
+  const char *const names[] = { "⅒×", "¼×", "½×", "1×", "2×", "4×", NULL };
   bar->speed = gtk_drop_down_new_from_strings (names);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (bar->speed), NORMAL_SPEED);
-  gtk_widget_set_tooltip_text (bar->speed, _ ("Speed"));
+  gtk_widget_set_tooltip_text (bar->speed,
+                               _ ("Speed; 1× is real time of an analysis in time"));
   gtk_accessible_update_property (GTK_ACCESSIBLE (bar->speed),
                                   GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Speed"), -1);
 

@@ -45,3 +45,24 @@ qn_run_unref (QnRun *run)
 {
   g_atomic_rc_box_release_full (run, clear);
 }
+
+gboolean
+qn_run_is_in_time (const QnRun *run)
+{
+  return run->result.history.width > 0 && run->result.step_count > 0;
+}
+
+int
+qn_run_step_at (const QnRun *run, double time)
+{
+  const QnStep *steps = run->result.steps;
+  gsize low = 0, high = run->result.step_count - 1;
+  while (high - low > 1) {
+    gsize middle = low + (high - low) / 2;
+    if (steps[middle].time <= time)
+      low = middle;
+    else
+      high = middle;
+  }
+  return (int) (time - steps[low].time <= steps[high].time - time ? low : high);
+}

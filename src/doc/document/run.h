@@ -42,6 +42,10 @@ QnRun *qn_run_new_beside (QnRun *base, const char *name);
 QnRun *qn_run_ref (QnRun *run);
 void qn_run_unref (QnRun *run);
 
+/* Whether it is an analysis in time; its kept step that is nearest to a time, s. */
+gboolean qn_run_is_in_time (const QnRun *run);
+int qn_run_step_at (const QnRun *run, double time);
+
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnRun, qn_run_unref)
 
 #endif

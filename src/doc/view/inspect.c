@@ -36,7 +36,10 @@ qn_step_view_clear (QnStepView *view)
 static gboolean
 is_there (const QnStepView *view, QnInspected what)
 {
-  gsize count = what.is_joint ? view->contacts->face_count : view->model->block_count;
+  gsize count = what.kind == QN_INSPECTED_JOINT   ? view->contacts->face_count
+                : what.kind == QN_INSPECTED_BLOCK ? view->model->block_count
+                : view->result != NULL            ? view->result->found_count
+                                                  : 0;
   return what.id >= 0 && (gsize) what.id < count;
 }
 
@@ -45,11 +48,17 @@ qn_inspect_dup_title (const QnStepView *view, QnInspected what)
 {
   if (!is_there (view, what))
     return NULL;
-  if (!what.is_joint)
-    return g_strdup_printf (_ ("Block %s"), view->model->blocks[what.id].name);
+  const QnBlock *blocks = view->model->blocks;
+  if (what.kind == QN_INSPECTED_BLOCK)
+    return g_strdup_printf (_ ("Block %s"), blocks[what.id].name);
+  if (what.kind == QN_INSPECTED_FOUND) {
+    const QnFoundContact *contact = &view->result->found[what.id].contact;
+    return g_strdup_printf (_ ("Contact %s – %s"), blocks[contact->block].name,
+                            blocks[contact->other].name);
+  }
   const QnContactFace *face = &view->contacts->faces[what.id];
-  return g_strdup_printf (_ ("Joint %s – %s"), view->model->blocks[face->a].name,
-                          view->model->blocks[face->b].name);
+  return g_strdup_printf (_ ("Joint %s – %s"), blocks[face->a].name,
+                          blocks[face->b].name);
 }
 
 /* ---- lines ---- */
@@ -177,6 +186,23 @@ tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
   add_text (text, _ ("Law"), laws);
 }
 
+/* ---- contacts found on the way ---- */
+
+static void
+tell_found (GString *text, const QnStepView *view, QnId id, QnUnits units)
+{
+  gsize count;
+  const QnFoundForce *forces = qn_step_found (view->result, view->step, &count);
+  for (gsize i = 0; i < count; i++) {
+    if (forces[i].found != id)
+      continue;
+    add_value (text, units, "N", QN_QUANTITY_FORCE, forces[i].normal);
+    add_value (text, units, "T", QN_QUANTITY_FORCE, forces[i].shear);
+    add_text (text, _ ("State"), qn_explain_pair_state (forces[i].state));
+  }
+  add_value (text, units, _ ("Found at"), QN_QUANTITY_TIME, view->result->found[id].time);
+}
+
 /* ---- blocks ---- */
 
 static void
@@ -215,8 +241,10 @@ qn_inspect_dup_values (const QnStepView *view, QnInspected what, QnUnits units,
   if (!is_there (view, what))
     return NULL;
   GString *text = g_string_new (NULL);
-  if (what.is_joint)
+  if (what.kind == QN_INSPECTED_JOINT)
     tell_joint (text, view, what.id, units, brief);
+  else if (what.kind == QN_INSPECTED_FOUND)
+    tell_found (text, view, what.id, units);
   else
     tell_block (text, view, what.id, units, brief);
   return g_string_free (text, FALSE);

@@ -156,6 +156,64 @@ qn_step_pairs (const QnContacts *contacts, const QnResult *result, size_t step)
   return pairs;
 }
 
+const QnFoundForce *
+qn_step_found (const QnResult *result, size_t step, size_t *count)
+{
+  const QnFoundForce *forces = result->found_forces;
+  size_t first = 0, end = result->found_force_count, after;
+  while (first < end) {
+    size_t middle = first + (end - first) / 2;
+    if ((size_t) forces[middle].step < step)
+      first = middle + 1;
+    else
+      end = middle;
+  }
+  for (after = first;
+       after < result->found_force_count && (size_t) forces[after].step == step; after++)
+    continue;
+  *count = after - first;
+  return forces + first;
+}
+
+QnVec2
+qn_found_corner (const QnModel *model, const QnFoundContact *contact)
+{
+  return qn_model_block_vertices (model, contact->other)[contact->corner];
+}
+
+QnVec2
+qn_found_force (const QnModel *model, const QnFoundContact *contact,
+                const QnFoundForce *force, const double *displacements)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, contact->block);
+  QnId next = (contact->side + 1) % model->blocks[contact->block].vertex_count;
+  QnVec2 side = qn_vec2_sub (v[next], v[contact->side]);
+  side = qn_vec2_scale (1 / qn_vec2_length (side), side);
+  /* Vertices go round counter-clockwise: outwards is to the right of a side. */
+  QnVec2 sum = qn_vec2_add (qn_vec2_scale (force->normal, qn_vec2 (side.y, -side.x)),
+                            qn_vec2_scale (force->shear, side));
+  if (displacements == NULL)
+    return sum;
+  double turn =
+    displacements[(size_t) contact->block * QN_DOF_COUNT + (size_t) QN_DOF_RZ];
+  return qn_vec2_rotate (sum, cos (turn), sin (turn));
+}
+
+bool *
+qn_step_left (const QnContacts *contacts, const QnResult *result, size_t step)
+{
+  bool *left = NULL;
+  for (size_t i = 0; i < result->left_count; i++) {
+    if (result->left[i].time > result->steps[step].time
+        || (size_t) result->left[i].face >= contacts->face_count)
+      continue;
+    if (left == NULL)
+      left = g_new0 (bool, contacts->face_count);
+    left[result->left[i].face] = true;
+  }
+  return left;
+}
+
 QnMotion
 qn_step_motion (const QnModel *model, const QnResult *result, size_t step)
 {

@@ -71,6 +71,21 @@ QnBlockReading *qn_block_readings (const QnModel *model, const QnContacts *conta
 QnPairResult *qn_step_pairs (const QnContacts *contacts, const QnResult *result,
                              size_t step);
 
+/* What contacts that blocks found on their way carry at a step: *count of them, one after the other. */
+const QnFoundForce *qn_step_found (const QnResult *result, size_t step, size_t *count);
+
+/* Where the corner of such a contact is on its block, m, undeformed. */
+QnVec2 qn_found_corner (const QnModel *model, const QnFoundContact *contact);
+
+/* Its force on the block of the side, N, as that block lies after displacements (a row for every block,
+ * or NULL). */
+QnVec2 qn_found_force (const QnModel *model, const QnFoundContact *contact,
+                       const QnFoundForce *force, const double *displacements);
+
+/* Which joints have been left by the time of a step: face_count of them, newly allocated (g_free); NULL
+ * where none has. */
+bool *qn_step_left (const QnContacts *contacts, const QnResult *result, size_t step);
+
 /* The displacements of a step, at factor 1; `displacements` is NULL where the result has no
  * steps. */
 QnMotion qn_step_motion (const QnModel *model, const QnResult *result, size_t step);

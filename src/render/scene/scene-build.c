@@ -177,6 +177,8 @@ find_pairs (QnSceneBuilder *b)
 {
   if (b->result != NULL && b->contacts != NULL)
     b->pairs = qn_step_pairs (b->contacts, b->result, b->step);
+  if (b->result != NULL && b->contacts != NULL && b->result->step_count > 0)
+    b->left = qn_step_left (b->contacts, b->result, b->step);
 }
 
 /* Where the analysis does not say how joints are, the motion tells. */
@@ -233,6 +235,9 @@ build_view (QnSceneBuilder *b)
     qn_build_findings (b);
   if (b->joints != NULL && options->symbols)
     qn_build_joints (b);
+  if ((options->view == QN_VIEW_DEFORMED || options->view == QN_VIEW_FORCES)
+      && options->symbols)
+    qn_build_found (b);
   if (options->view == QN_VIEW_FORCES && b->pairs != NULL)
     qn_build_forces (b);
   if (options->view == QN_VIEW_DIAGRAMS)
@@ -280,6 +285,7 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
     g_clear_pointer (&b.scene, qn_scene_free);
   }
   g_free (b.joints);
+  g_free (b.left);
   g_free (b.pairs);
   return b.scene;
 }

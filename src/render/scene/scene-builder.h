@@ -25,6 +25,7 @@ typedef struct QnSceneBuilder {
   QnPairResult
     *pairs;        /* at the step, where contact forces are known and wanted; or NULL */
   QnJoint *joints; /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
+  bool *left;      /* which faces their blocks have left by the step; NULL: none */
 } QnSceneBuilder;
 
 static inline QnColor
@@ -62,8 +63,16 @@ void qn_build_findings (QnSceneBuilder *builder);
 /* scene-joints.c */
 void qn_build_joints (QnSceneBuilder *builder);
 
-/* scene-forces.c */
+/* scene-found.c: contacts that blocks found on their way, where they carry something at the step; and
+ * their forces, drawn with so many metres for a newton. */
+void qn_build_found (QnSceneBuilder *builder);
+void qn_build_found_forces (QnSceneBuilder *builder, double per_newton, double largest);
+double qn_largest_found_force (const QnSceneBuilder *builder);
+
+/* scene-forces.c; and one arrow: its middle at a place, the thicker the nearer to the largest, N. */
 void qn_build_forces (QnSceneBuilder *builder);
+void qn_build_resultant (QnSceneBuilder *builder, QnVec2 force, QnVec2 at,
+                         double per_newton, double largest, QnPickKind pick, QnId id);
 
 /* scene-beams.c */
 void qn_build_beams (QnSceneBuilder *builder);

@@ -89,6 +89,8 @@ joint_values (const QnSceneBuilder *b, double *values)
     values[f] = b->options->field == QN_FIELD_OPENING
                   ? fmax (fmax (joint.opening_start, joint.opening_end), 0)
                   : fabs (joint.slip);
+    if (b->left != NULL && b->left[f])
+      values[f] = 0;
   }
 }
 
@@ -113,6 +115,8 @@ add_joint_lines (QnSceneBuilder *b, const double *values)
 {
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
+    if (b->left != NULL && b->left[f])
+      continue;
     QnVec2 line[2] = { qn_vec2_lerp (qn_builder_place (b, face->a, face->start),
                                      qn_builder_place (b, face->b, face->start), 0.5),
                        qn_vec2_lerp (qn_builder_place (b, face->a, face->end),

@@ -69,18 +69,16 @@ add_pair_forces (QnSceneBuilder *b, const QnContactFace *face, double per_newton
 }
 
 /* As arrows that point down, with the weight, along a line of thrust all the same way. */
-static void
-add_resultant (QnSceneBuilder *b, QnId face, const FaceForce *resultant,
-               double per_newton, double largest)
+void
+qn_build_resultant (QnSceneBuilder *b, QnVec2 force, QnVec2 at, double per_newton,
+                    double largest, QnPickKind pick, QnId id)
 {
   QnColor color = qn_builder_ink (b, QN_INK_FORCE);
-  double size = qn_vec2_length (resultant->force), share = size / largest;
-  double down = resultant->force.y > 0 ? -1 : 1;
-  qn_scene_arrow (
-    b->scene, QN_LAYER_FORCES,
-    qn_vec2_add_scaled (resultant->at, -0.5 * down * per_newton, resultant->force),
-    qn_vec2_add_scaled (resultant->at, 0.5 * down * per_newton, resultant->force),
-    0.5 + 1.2 * share, color, QN_PICK_FACE, face, size * per_newton);
+  double size = qn_vec2_length (force), share = size / largest;
+  double half = (force.y > 0 ? -0.5 : 0.5) * per_newton;
+  qn_scene_arrow (b->scene, QN_LAYER_FORCES, qn_vec2_add_scaled (at, -half, force),
+                  qn_vec2_add_scaled (at, half, force), 0.5 + 1.2 * share, color, pick,
+                  id, size * per_newton);
 }
 
 /* ---- the line of thrust ---- */
@@ -222,6 +220,7 @@ qn_build_forces (QnSceneBuilder *b)
   /* In bending the pairs carry more than their resultant. */
   for (size_t p = 0; p < contacts->pair_count && b->options->symbols; p++)
     longest = fmax (longest, hypot (b->pairs[p].normal_force, b->pairs[p].shear_force));
+  largest = fmax (largest, qn_largest_found_force (b));
   if (!(largest > 0))
     return;
   double per_newton = LARGEST_BAR * b->block_size / fmax (largest, longest);
@@ -229,8 +228,10 @@ qn_build_forces (QnSceneBuilder *b)
     if (b->options->symbols)
       add_pair_forces (b, &contacts->faces[f], per_newton, LEAST_SHARE * largest);
     if (qn_vec2_length (resultants[f].force) >= LEAST_SHARE * largest)
-      add_resultant (b, (QnId) f, &resultants[f], per_newton, largest);
+      qn_build_resultant (b, resultants[f].force, resultants[f].at, per_newton, largest,
+                          QN_PICK_FACE, (QnId) f);
   }
+  qn_build_found_forces (b, per_newton, largest);
   g_autofree char *number = qn_label_number ("%.4g", largest / 1000);
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
                    _ ("resultant of a joint, largest %s kN"), number)

@@ -110,6 +110,8 @@ qn_build_joints (QnSceneBuilder *b)
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
     const QnJoint *joint = &b->joints[f];
+    if (b->left != NULL && b->left[f])
+      continue;
     if (joint->open_start || joint->open_end) {
       add_gap (b, (QnId) f, face, open);
       tally.open = true;

@@ -65,7 +65,8 @@ typedef enum {
   QN_PICK_PAIR,
   QN_PICK_DEAD_LOAD,
   QN_PICK_LIVE_LOAD,
-  QN_PICK_BEAM
+  QN_PICK_BEAM,
+  QN_PICK_FOUND /* a contact found on the way */
 } QnPickKind;
 
 typedef struct QnCommand {

@@ -2,6 +2,7 @@
 #include "render/backend/output.h"
 #include "render/fixture.h"
 #include "render/scene/pick.h"
+#include "render/scene/reading.h"
 
 #include <glib.h>
 
@@ -246,6 +247,108 @@ test_culling_large (void)
   fixture_clear (&f);
 }
 
+static const QnCommand *
+find_command (const QnScene *scene, QnPickKind pick, QnLayer layer)
+{
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->pick == pick && command->layer == layer)
+      return command;
+  }
+  return NULL;
+}
+
+static bool
+has_legend (const QnScene *scene, const char *text)
+{
+  bool found = false;
+  for (guint i = 0; i < scene->legend->len; i++)
+    found |= g_str_equal (g_array_index (scene->legend, QnLegendEntry, i).text, text);
+  return found;
+}
+
+static QnScene *
+build_step (const Fixture *f, QnView view, int32_t step)
+{
+  GError *error = NULL;
+  QnViewOptions options;
+  qn_view_options_init (&options, view);
+  options.step = step;
+  options.scale = 1;
+  QnScene *scene = qn_scene_build (&f->model, &f->contacts, &f->result, &options, &error);
+  g_assert_no_error (error);
+  return scene;
+}
+
+/* A block has left its joint and stands with a corner on the top of the base: a dot on that corner in
+ * both views, an arrow of the force in that of forces, where the base is turned by a right angle; and
+ * the joint is drawn no more. At steps where the contact carries nothing there is neither. */
+static void
+test_found (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 0.5, 1.0);
+  QnResult *r = &f.result;
+  f.model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  int32_t last = (int32_t) r->step_count - 1;
+  const QnVec2 *v = qn_model_block_vertices (&f.model, 0);
+  QnId top = 0;
+  while (v[(top + 1) % f.model.blocks[0].vertex_count].x >= v[top].x)
+    top++;
+  QnFound found = { .contact = { .block = 0, .side = top, .other = 1, .corner = 1 } };
+  QnFoundForce force = {
+    .step = last, .normal = -1000, .shear = 300, .state = QN_PAIR_SLIP
+  };
+  g_assert_true (qn_result_add_found (r, found));
+  g_assert_true (qn_result_add_found_force (r, force));
+  for (int32_t step = 0; step <= last; step++)
+    r->steps[step].time = step;
+
+  size_t count;
+  g_assert_true (qn_step_found (r, (size_t) last, &count)->normal == -1000);
+  g_assert_cmpuint (count, ==, 1);
+  qn_step_found (r, 0, &count);
+  g_assert_cmpuint (count, ==, 0);
+
+  /* On the base: down, and along its top side, which runs to the left. */
+  QnVec2 on = qn_found_force (&f.model, &found.contact, &force, NULL);
+  g_assert_cmpfloat_with_epsilon (on.x, -300, 1e-9);
+  g_assert_cmpfloat_with_epsilon (on.y, -1000, 1e-9);
+  const double turned[] = { 0, 0, G_PI / 2 };
+  on = qn_found_force (&f.model, &found.contact, &force, turned);
+  g_assert_cmpfloat_with_epsilon (on.x, 1000, 1e-9);
+  g_assert_cmpfloat_with_epsilon (on.y, -300, 1e-9);
+
+  const QnView views[] = { QN_VIEW_DEFORMED, QN_VIEW_FORCES };
+  for (gsize i = 0; i < G_N_ELEMENTS (views); i++) {
+    g_autoptr (QnScene) scene = build_step (&f, views[i], last);
+    const QnCommand *dot = find_command (scene, QN_PICK_FOUND, QN_LAYER_SYMBOLS);
+    g_assert_nonnull (dot);
+    g_assert_cmpint (dot->id, ==, force.found);
+    QnMotion motion = qn_step_motion (&f.model, r, (size_t) last);
+    QnVec2 corner =
+      qn_motion_place (&motion, 1, qn_found_corner (&f.model, &found.contact), 1);
+    g_assert_cmpfloat_with_epsilon (qn_scene_points (scene, dot)->x, corner.x, 1e-12);
+    g_assert_cmpfloat_with_epsilon (qn_scene_points (scene, dot)->y, corner.y, 1e-12);
+    g_assert_true (has_legend (scene, "contact found on the way"));
+    const QnCommand *arrow = find_command (scene, QN_PICK_FOUND, QN_LAYER_FORCES);
+    g_assert_cmpint (arrow != NULL, ==, views[i] == QN_VIEW_FORCES);
+  }
+
+  g_autoptr (QnScene) before = build_step (&f, QN_VIEW_DEFORMED, 0);
+  g_assert_null (find_command (before, QN_PICK_FOUND, QN_LAYER_SYMBOLS));
+  g_assert_false (has_legend (before, "contact found on the way"));
+
+  g_autoptr (QnScene) open = build_step (&f, QN_VIEW_DEFORMED, last);
+  g_assert_cmpuint (count_commands (open, QN_LAYER_GAPS, QN_PICK_FACE), ==, 1);
+  g_assert_true (qn_result_add_left (r, (QnLeftFace){ 0, last - 0.5 }));
+  g_autoptr (QnScene) left = build_step (&f, QN_VIEW_DEFORMED, last);
+  g_assert_cmpuint (count_commands (left, QN_LAYER_GAPS, QN_PICK_FACE), ==, 0);
+  g_autofree bool *yet = qn_step_left (&f.contacts, r, (size_t) last - 1);
+  g_assert_null (yet);
+  fixture_clear (&f);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -257,5 +360,6 @@ main (int argc, char **argv)
   g_test_add_func ("/render/scene/culling-large", test_culling_large);
   g_test_add_func ("/render/scene/picking", test_picking);
   g_test_add_func ("/render/scene/nonlinear-forces", test_forces_of_nonlinear_geometry);
+  g_test_add_func ("/render/scene/found", test_found);
   return g_test_run ();
 }
