@@ -38,9 +38,6 @@ static const StressShortfall shortfalls[] = {
   { "loaded-1e-06-*", STRESS_NO_ANSWER, MILLIONTH },
   { "random-246", STRESS_NO_ANSWER, ROUNDING },
   { "random-403", STRESS_NO_ANSWER, ROUNDING },
-  { "random-694", STRESS_NO_ANSWER,
-    "Past its highest multiplier the structure creeps at a lower one, in steps too short "
-    "to tell that it goes on." },
   { "random-581", STRESS_LIMIT, STALLS },
   { "random-920", STRESS_LIMIT, STALLS },
   { "random-168", STRESS_MECHANISM, WIDE },

@@ -129,6 +129,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path, QnDiag *diag)
     qn_path_measure_clear (measure);
     return qn_diag_no_memory (diag);
   }
+  qn_path_measure_keep_last (measure);
   if (body != SIZE_MAX && settings->procedure != QN_PROCEDURE_LOAD) {
     bool turns = settings->control_dof == QN_DOF_RZ;
     measure->unknown = as->unknown[QN_DOF_COUNT * body + (size_t) settings->control_dof];

@@ -17,7 +17,7 @@ typedef struct QnPathMeasure {
   double first; /* the first step */
   double *direction;
   double *unit;   /* direction of the controlled displacement; zero without one */
-  double *last_u; /* displacements before the last accepted step */
+  double *last_u; /* displacements before the last accepted step, or at setup */
 } QnPathMeasure;
 
 /* Chooses direction and first step at the committed state. `measure` is overwritten without

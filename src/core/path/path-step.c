@@ -1,10 +1,11 @@
 /* One step of the trace.
  *
- * Every step climbs the same ladder. Newton's method; then the central path, which takes the step as
- * a whole, where there are joints for it; then a shorter step. What is left is a jump with the
- * measure held: the structure moves until it rests, along central paths in linear geometry, by
- * viscous relaxation where these lead nowhere. Relaxation comes last because under damping joints
- * slide that would not otherwise: it rests below the path, and Newton's method fails from there again.
+ * Every step climbs the same ladder. The last step continued; Newton's method; then the central path,
+ * which takes the step as a whole, where there are joints for it; then a shorter step. What is left
+ * is a jump with the measure held: the structure moves until it rests, along central paths in linear
+ * geometry, by viscous relaxation where these lead nowhere. Relaxation comes last because under
+ * damping joints slide that would not otherwise: it rests below the path, and Newton's method fails
+ * from there again.
  */
 #include "core/base/tolerance.h"
 #include "core/path/path-trace.h"
@@ -28,6 +29,32 @@ refuse_unstable (const QnPathTrace *trace, QnSolveStatus status)
   return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
 }
 
+/* On as in the last step. In linear geometry the path is straight until a joint changes state: an
+ * equilibrium is found without a factorisation, on the plateau of a mechanism too, where the tangent is
+ * singular. FAILED, and nothing has moved, where it bends. */
+static QnSolveStatus
+go_straight_on (QnPathTrace *trace, const QnTarget *target)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  const double *last = trace->measure.last_u, *now = eq->committed.u;
+  QnSolveStatus status = QN_SOLVE_FAILED;
+  double advanced = 0;
+
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    advanced += target->direction[i] * (now[i] - last[i]);
+  if (!qn_path_trace_is_linear (trace) || advanced == 0)
+    return QN_SOLVE_FAILED;
+  double times = target->advance / advanced;
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    eq->u[i] += times * (now[i] - last[i]);
+  eq->multiplier += times * (eq->multiplier - trace->last_multiplier);
+  if (qn_assembly_evaluate (&eq->assembly, eq->u))
+    status = qn_equilibrium_newton (eq, target, 0, 0);
+  if (status == QN_SOLVE_FAILED)
+    qn_equilibrium_restore (eq);
+  return status;
+}
+
 /* By Newton's method, or else along the central path. Stability counts where the branch that is
  * lost leads elsewhere: in linear geometry what the central path finds goes on to the same plateau,
  * and what relaxation would find instead may not. */
@@ -35,9 +62,11 @@ static QnSolveStatus
 solve_statically (QnPathTrace *trace, const QnTarget *target)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  QnSolveStatus status = QN_SOLVE_FAILED;
+  QnSolveStatus status = go_straight_on (trace, target);
 
   trace->means = QN_FOUND_BY_NEWTON;
+  if (status != QN_SOLVE_FAILED)
+    return status;
   if (qn_path_predictor_go (&trace->predictor, eq, target->advance)) {
     status =
       refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_PREDICTED_BUDGET));
