@@ -1,5 +1,4 @@
 #include "stereotomy/polygon-ops.h"
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "stereotomy/geos.h"
 

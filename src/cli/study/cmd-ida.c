@@ -5,7 +5,6 @@
 #include "cli/base/subcommand.h"
 #include "cli/study/cmd-study.h"
 #include "io/exchange/record.h"
-#include "io/text/file-read.h"
 #include "io/text/file-writer.h"
 #include "io/text/json-text.h"
 #include "io/text/number-text.h"

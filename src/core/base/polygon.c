@@ -1,7 +1,5 @@
 #include "core/base/polygon.h"
 
-#include "core/base/tolerance.h"
-
 QnPolygonProperties
 qn_polygon_properties (const QnVec2 *vertices, size_t count)
 {

@@ -54,14 +54,6 @@
  * rounding of areas and lengths. */
 #define QN_TOLERANCE_SIMILAR 1e-13
 
-/* Multipliers are resolved relative to themselves, but no finer than relative to this part of
- * the first increment: a structure that stands under no live load at all has multiplier 0. */
-#define QN_TOLERANCE_MULTIPLIER_FLOOR 1e-2
-
-/* How far below the multiplier that a mechanism predicts its last equilibrium is sought: ten
- * times the default residual tolerance. */
-#define QN_TOLERANCE_POLISH 1e-7
-
 /* A force of limit analysis, in units of the loads, exceeds a strength by rounding up to this. */
 #define QN_TOLERANCE_STRENGTH 1e-10
 

@@ -140,8 +140,7 @@ is_met (const QnResult *result, const QnSolution *solution)
 static void
 tell_interval (QnCheck *check, double stated, double found)
 {
-  qn_check_tell (check, QN_CLAIM_INTERVAL, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
-                 found);
+  qn_check_tell_model (check, QN_CLAIM_INTERVAL, QN_NONE, stated, found);
 }
 
 /* Least and greatest solution are those that the result tells, and nothing exceeds the associative
@@ -192,8 +191,8 @@ check_associative (QnCheck *check, double stated, QnDiag *diag)
     solution.upper_bound = NAN;
   if (status != QN_OK || solution.outcome != QN_OUTCOME_COLLAPSE
       || !agree (stated, solution.upper_bound))
-    qn_check_tell (check, QN_CLAIM_UPPER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
-                   solution.upper_bound);
+    qn_check_tell_model (check, QN_CLAIM_UPPER_BOUND, QN_NONE, stated,
+                         solution.upper_bound);
   qn_limit_solution_clear (&solution);
   return QN_OK;
 }
@@ -209,14 +208,13 @@ check_limit (QnCheck *check)
 
   if (!agree (limit->lower_bound, carried)
       || !agree (limit->lower_bound, result->collapse_multiplier))
-    qn_check_tell (check, QN_CLAIM_LOWER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
-                   limit->lower_bound, carried);
+    qn_check_tell_model (check, QN_CLAIM_LOWER_BOUND, QN_NONE, limit->lower_bound,
+                         carried);
   if (limit->flow == QN_FLOW_NON_ASSOCIATIVE)
     return;
   double found = result->mechanism != NULL ? kinematic_multiplier (check) : NAN;
   if (!agree (limit->upper_bound, found))
-    qn_check_tell (check, QN_CLAIM_UPPER_BOUND, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
-                   limit->upper_bound, found);
+    qn_check_tell_model (check, QN_CLAIM_UPPER_BOUND, QN_NONE, limit->upper_bound, found);
   if (result->has_associative_bound
       && !agree (result->associative_bound, limit->upper_bound))
     tell_interval (check, result->associative_bound, limit->upper_bound);

@@ -34,7 +34,7 @@ check_numbers (QnCheck *check)
   for (size_t i = 0; i < r->history.row_count * r->history.width; i++)
     finite = finite && isfinite (r->history.rows[i]);
   if (!finite)
-    qn_check_tell (check, QN_CLAIM_NUMBERS, QN_NONE, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+    qn_check_tell_model (check, QN_CLAIM_NUMBERS, QN_NONE, NAN, NAN);
 }
 
 /* The dead load first, stages one after the other, times growing; in time no multiplier. */
@@ -55,11 +55,11 @@ check_order (QnCheck *check)
     if (in_time && i > 1)
       in_order = in_order && step->time > r->steps[i - 1].time;
     if (!in_order)
-      qn_check_tell (check, QN_CLAIM_STEPS, (QnId) i, QN_ENTITY_MODEL, QN_NONE,
-                     in_time ? step->time : step->multiplier, NAN);
+      qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i,
+                           in_time ? step->time : step->multiplier, NAN);
     if (!(step->residual <= fmax (check->tolerance, QN_CHECK_FORCES)))
-      qn_check_tell (check, QN_CLAIM_STEPS, (QnId) i, QN_ENTITY_MODEL, QN_NONE,
-                     step->residual, check->tolerance);
+      qn_check_tell_model (check, QN_CLAIM_STEPS, (QnId) i, step->residual,
+                           check->tolerance);
   }
 }
 
@@ -75,10 +75,9 @@ check_events (QnCheck *check)
     bool should = is_last && r->outcome == QN_OUTCOME_COLLAPSE;
     /* Motion that is driven may go on beyond its collapse multiplier. */
     if (collapses != should)
-      qn_check_tell (check, QN_CLAIM_EVENTS, (QnId) i, QN_ENTITY_MODEL, QN_NONE, NAN,
-                     NAN);
+      qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) i, NAN, NAN);
     if (i == 0 && r->steps[i].event == QN_EVENT_SNAP && r->step_count > 1)
-      qn_check_tell (check, QN_CLAIM_EVENTS, 0, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+      qn_check_tell_model (check, QN_CLAIM_EVENTS, 0, NAN, NAN);
   }
 }
 
@@ -121,13 +120,12 @@ check_collapse (QnCheck *check)
 
   if (r->outcome == QN_OUTCOME_COLLAPSE && !r->has_collapse_multiplier
       && r->history.width == 0)
-    qn_check_tell (check, QN_CLAIM_COLLAPSE, QN_NONE, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, NAN, NAN);
   if (!r->has_collapse_multiplier || r->step_count == 0)
     return;
   peak = find_peak (check, &sense);
   if (!same_multiplier (r->collapse_multiplier, peak))
-    qn_check_tell (check, QN_CLAIM_COLLAPSE, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
-                   r->collapse_multiplier, peak);
+    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, peak);
 }
 
 static bool
@@ -162,8 +160,7 @@ check_first_limit (QnCheck *check)
   bool stops = r->outcome == QN_OUTCOME_SNAP;
   if (!lies_between (stated, low, stops ? INFINITY : high)
       || (jumps && by_load && !stops && !at_jump))
-    qn_check_tell (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, QN_ENTITY_MODEL, QN_NONE, stated,
-                   high);
+    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, stated, high);
 }
 
 /* Where a prescribed displacement, or the largest multiplier, was to be reached. */
@@ -227,7 +224,7 @@ check_outcome (QnCheck *check)
     break;
   }
   if (!is_true)
-    qn_check_tell (check, QN_CLAIM_OUTCOME, QN_NONE, QN_ENTITY_MODEL, QN_NONE, NAN, NAN);
+    qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
 }
 
 /* Results of earlier versions do not tell it. */
@@ -241,9 +238,9 @@ check_linearity (QnCheck *check)
       && (check->result->linearity != found.linearity
           || !same_multiplier (check->result->beyond_linear_multiplier,
                                found.beyond_linear_multiplier)))
-    qn_check_tell (check, QN_CLAIM_LINEARITY, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
-                   check->result->beyond_linear_multiplier,
-                   found.beyond_linear_multiplier);
+    qn_check_tell_model (check, QN_CLAIM_LINEARITY, QN_NONE,
+                         check->result->beyond_linear_multiplier,
+                         found.beyond_linear_multiplier);
 }
 
 void

@@ -229,13 +229,6 @@ is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_
          && (stretch->by_load || is_recomputed (check, stretch, event, *start, end));
 }
 
-static void
-tell (QnCheck *check, size_t step, double stated, double found)
-{
-  qn_check_tell (check, QN_CLAIM_EVENTS, (QnId) step, QN_ENTITY_MODEL, QN_NONE, stated,
-                 found);
-}
-
 /* Whether an event of this kind is told that ends at a step under load control. */
 static bool
 is_told (QnCheck *check, const Stretch *stretch, size_t step)
@@ -262,9 +255,9 @@ check_first_snap (QnCheck *check)
   if (r->outcome != QN_OUTCOME_SNAP && r->outcome != QN_OUTCOME_NOT_CONVERGED
       && (r->has_first_limit_multiplier != !isnan (first)
           || (!isnan (first) && !same (r->first_limit_multiplier, first))))
-    qn_check_tell (check, QN_CLAIM_FIRST_LIMIT, QN_NONE, QN_ENTITY_MODEL, QN_NONE,
-                   r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN,
-                   first);
+    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE,
+                         r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN,
+                         first);
 }
 
 void
@@ -292,13 +285,13 @@ qn_check_events (QnCheck *check)
     }
     if (stretch.by_load && event->kind == QN_EVENT_KIND_SNAP && start + 1 < stretch.last
         && r->steps[start + 1].event != QN_EVENT_SNAP)
-      tell (check, start + 1, NAN, NAN);
+      qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) (start + 1), NAN, NAN);
   }
   if (collapses != r->has_collapse_multiplier)
-    tell (check, stretch.last, r->has_collapse_multiplier ? r->collapse_multiplier : NAN,
-          NAN);
+    qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) (stretch.last),
+                         r->has_collapse_multiplier ? r->collapse_multiplier : NAN, NAN);
   for (size_t i = stretch.base + 1; stretch.by_load && i < stretch.last; i++)
     if (r->steps[i].event == QN_EVENT_SNAP && !is_told (check, &stretch, i))
-      tell (check, i, NAN, NAN);
+      qn_check_tell_model (check, QN_CLAIM_EVENTS, (QnId) (i), NAN, NAN);
   check_first_snap (check);
 }

@@ -111,8 +111,7 @@ check_work (QnCheck *check)
       largest += fabs (as->live[i] * check->velocity[i]);
     }
   if (!(power >= -QN_CHECK_STATE * largest))
-    qn_check_tell (check, QN_CLAIM_WORK, (QnId) result->step_count - 1, QN_ENTITY_MODEL,
-                   QN_NONE, power, 0);
+    qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) result->step_count - 1, power, 0);
 }
 
 /* Supports stand, and nodes move with the blocks that they ride on. */
@@ -130,13 +129,9 @@ check_bodies (QnCheck *check)
 
   qn_assembly_expand_rates (as, check->u, check->velocity, check->rows);
   for (size_t i = 0; i < bodies * QN_DOF_COUNT; i++)
-    if (!qn_check_agrees (stated[i], check->rows[i], 1e-6)) {
-      size_t body = i / QN_DOF_COUNT;
-      bool node = body >= blocks;
-      qn_check_tell (check, QN_CLAIM_FLOW, QN_NONE,
-                     node ? QN_ENTITY_NODE : QN_ENTITY_BLOCK,
-                     (QnId) (node ? body - blocks : body), stated[i], check->rows[i]);
-    }
+    if (!qn_check_agrees (stated[i], check->rows[i], 1e-6))
+      qn_check_tell_body (check, QN_CLAIM_FLOW, QN_NONE, i / QN_DOF_COUNT, stated[i],
+                          check->rows[i]);
 }
 
 void

@@ -11,12 +11,6 @@
 /* A critical multiplier is next to that of the last stable step by this part of the tolerance. */
 #define NEXT 1e-3
 
-static void
-tell (QnCheck *check, QnClaim claim, size_t step, double stated, double found)
-{
-  qn_check_tell (check, claim, (QnId) step, QN_ENTITY_MODEL, QN_NONE, stated, found);
-}
-
 static QnStatus
 check_vibration (QnCheck *check, size_t step, QnDiag *diag)
 {
@@ -30,13 +24,13 @@ check_vibration (QnCheck *check, size_t step, QnDiag *diag)
       || (status == QN_OK && !qn_mode_proof_count (&proof, square, &below, &up_to)))
     status = qn_diag_no_memory (diag);
   else if (status != QN_OK) { /* without mass nothing vibrates */
-    tell (check, QN_CLAIM_MODE, step, stated->omega, NAN);
+    qn_check_tell_model (check, QN_CLAIM_MODE, (QnId) step, stated->omega, NAN);
     status = QN_OK;
   } else if (!(stated->omega >= 0) || stated->mode <= below || stated->mode > up_to)
-    tell (check, QN_CLAIM_MODE, step, stated->mode, below + 1);
+    qn_check_tell_model (check, QN_CLAIM_MODE, (QnId) step, stated->mode, below + 1);
   else if (!(qn_mode_proof_residual (&proof, square, check->velocity)
              <= QN_MODE_RESIDUAL))
-    tell (check, QN_CLAIM_MODE, step, stated->omega, NAN);
+    qn_check_tell_model (check, QN_CLAIM_MODE, (QnId) step, stated->omega, NAN);
   qn_mode_proof_clear (&proof);
   return status;
 }
@@ -72,20 +66,21 @@ check_stability (QnCheck *check, size_t step, QnDiag *diag)
   bool is_last = step + 1 == result->step_count;
   bool ends = is_last && result->stability == QN_STABILITY_LOST;
   if (count.negative + count.zero > 0 && !(ends && step == 0))
-    tell (check, QN_CLAIM_STABILITY, step, NAN, NAN);
+    qn_check_tell_model (check, QN_CLAIM_STABILITY, (QnId) step, NAN, NAN);
   if (step == 0 && result->mechanism != NULL)
     check->stiffness_at_rest = find_stiffness (check);
   if (!ends)
     return QN_OK;
   double tolerance = NEXT * check->model->analysis.multiplier_tolerance * fabs (lost);
   if (!(lost >= at && lost - at <= tolerance))
-    tell (check, QN_CLAIM_FIRST_LIMIT, step, lost, at);
+    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, (QnId) step, lost, at);
   if (result->mechanism == NULL)
-    tell (check, QN_CLAIM_MODE, step, NAN, NAN);
+    qn_check_tell_model (check, QN_CLAIM_MODE, (QnId) step, NAN, NAN);
   else if (step > 0 && !result->mechanism_uncertain) {
     double stiffness = find_stiffness (check);
     if (!(stiffness <= LEFT * check->stiffness_at_rest))
-      tell (check, QN_CLAIM_MODE, step, stiffness / check->stiffness_at_rest, 0);
+      qn_check_tell_model (check, QN_CLAIM_MODE, (QnId) step,
+                           stiffness / check->stiffness_at_rest, 0);
   }
   return QN_OK;
 }

@@ -66,6 +66,12 @@ typedef struct QnCheck {
 void qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, QnId index,
                     double stated, double found);
 
+/* The same of the structure as a whole, and of a block or node by the number of its body. */
+void qn_check_tell_model (QnCheck *check, QnClaim claim, QnId step, double stated,
+                          double found);
+void qn_check_tell_body (QnCheck *check, QnClaim claim, QnId step, size_t body,
+                         double stated, double found);
+
 /* False for what is no number, too. */
 bool qn_check_agrees (double stated, double found, double tolerance);
 

@@ -21,6 +21,26 @@ qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, QnId i
   faults->items[faults->count++] = (QnFault){ claim, step, entity, index, stated, found };
 }
 
+void
+qn_check_tell_model (QnCheck *check, QnClaim claim, QnId step, double stated,
+                     double found)
+{
+  qn_check_tell (check, claim, step, QN_ENTITY_MODEL, QN_NONE, stated, found);
+}
+
+void
+qn_check_tell_body (QnCheck *check, QnClaim claim, QnId step, size_t body, double stated,
+                    double found)
+{
+  size_t blocks = check->model->block_count;
+
+  if (body < blocks)
+    qn_check_tell (check, claim, step, QN_ENTITY_BLOCK, (QnId) body, stated, found);
+  else
+    qn_check_tell (check, claim, step, QN_ENTITY_NODE, (QnId) (body - blocks), stated,
+                   found);
+}
+
 /* A fault at a pair; one that was found on the way is named by its block. */
 static void
 tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair, double stated,
@@ -62,13 +82,9 @@ check_displacements (QnCheck *check, size_t step, const double *rows)
   qn_assembly_expand (as, check->u, check->rows);
   double largest = qn_largest (check->rows, count);
   for (size_t i = 0; i < count; i++)
-    if (!qn_check_agrees (rows[i], check->rows[i], QN_CHECK_EXACT * largest)) {
-      size_t body = i / QN_DOF_COUNT, blocks = check->model->block_count;
-      bool node = body >= blocks;
-      qn_check_tell (check, QN_CLAIM_DISPLACEMENTS, (QnId) step,
-                     node ? QN_ENTITY_NODE : QN_ENTITY_BLOCK,
-                     (QnId) (node ? body - blocks : body), rows[i], check->rows[i]);
-    }
+    if (!qn_check_agrees (rows[i], check->rows[i], QN_CHECK_EXACT * largest))
+      qn_check_tell_body (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, i / QN_DOF_COUNT,
+                          rows[i], check->rows[i]);
 }
 
 static void
@@ -543,8 +559,7 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
   qn_check_found_take (check, step);
   check->largest = qn_largest (check->u, (size_t) check->assembly.unknown_count);
   if (!qn_assembly_evaluate (as, check->u))
-    qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_MODEL, QN_NONE, NAN,
-                   NAN);
+    qn_check_tell_model (check, QN_CLAIM_FORCES, (QnId) step, NAN, NAN);
   check->scale = find_scale (check, step);
   check_displacements (check, step, rows);
   if (!result->limit.given) {

@@ -1,7 +1,5 @@
 #include "core/limit/limit-series.h"
 
-#include "core/base/memory.h"
-
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* The rules that nodes, sections and beams must keep. */
 #include "core/base/memory.h"
-#include "core/base/tolerance.h"
 #include "core/model/beam-model.h"
 #include "core/model/model-check.h"
 

@@ -587,12 +587,6 @@ qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
   return step_to (self, name, key, &draft, error);
 }
 
-char *
-qn_document_dup_extra (QnDocument *self, const char *member)
-{
-  return qn_project_dup_extra (&self->project, member);
-}
-
 QnHistory *
 qn_document_get_history (QnDocument *self)
 {

@@ -116,9 +116,6 @@ gboolean qn_document_has_dissolved (QnDocument *document);
 gboolean qn_document_edit_extra (QnDocument *document, const char *name, const char *key,
                                  const char *member, const char *json, GError **error);
 
-/* Value of such a member as JSON text, or NULL. The caller frees it. */
-char *qn_document_dup_extra (QnDocument *document, const char *member);
-
 QnHistory *qn_document_get_history (QnDocument *document); /* for reading */
 gboolean qn_document_undo (QnDocument *document);
 gboolean qn_document_redo (QnDocument *document);

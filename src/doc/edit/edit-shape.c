@@ -1,6 +1,5 @@
 #include "doc/edit/edit-shape.h"
 
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "doc/text/explain.h"
 #include "stereotomy/polygon-ops.h"

@@ -1,6 +1,5 @@
 #include "io/exchange/record.h"
 
-#include "core/base/memory.h"
 #include "io/text/file-inside.h"
 #include "io/text/file-read.h"
 #include "io/text/file-writer.h"

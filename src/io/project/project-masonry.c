@@ -1,6 +1,5 @@
 #include "io/project/project-masonry.h"
 #include "io/text/io-error.h"
-#include "io/text/json-text.h"
 
 #include <cjson/cJSON.h>
 #include <glib/gi18n-lib.h>

@@ -342,15 +342,14 @@ gboolean
 qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
                         QnMasonry *masonry)
 {
-  char default_name[16];
-  g_snprintf (default_name, sizeof default_name, "m%" G_GSIZE_FORMAT, place->index + 1);
-  const char *name = default_name;
+  char text[QN_NAME_TEXT_SIZE];
+  const char *name;
   QnMasonryKind kind;
   *masonry = (QnMasonry){ 0 };
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_masonry_kind_names,
                             QN_MASONRY_KIND_COUNT, &kind)
-      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+      || !qn_read_own_name (place, "m", text, &name))
     return FALSE;
   if (qn_masonry_init (masonry, kind, name, NULL) != QN_OK)
     return qn_json_value_no_memory (place);

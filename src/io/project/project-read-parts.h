@@ -61,4 +61,10 @@ gboolean qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnName
 gboolean qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
                        const QnModel *model, QnNamed named, QnId *id);
 
+/* The name of an object that may have none: then `prefix` with its number from 1, written into
+ * `text`. */
+#define QN_NAME_TEXT_SIZE 24
+gboolean qn_read_own_name (const QnJsonValue *place, const char *prefix,
+                           char text[QN_NAME_TEXT_SIZE], const char **name);
+
 #endif

@@ -1,4 +1,3 @@
-#include "core/base/memory.h"
 #include "io/project/project-names.h"
 #include "io/project/project-read-parts.h"
 #include "io/text/json-text.h"
@@ -43,6 +42,15 @@ qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
     return FALSE;
   QnJsonValue member = qn_json_value_member (object, key);
   return name == NULL || qn_read_name_of (&member, model, named, id);
+}
+
+gboolean
+qn_read_own_name (const QnJsonValue *place, const char *prefix,
+                  char text[QN_NAME_TEXT_SIZE], const char **name)
+{
+  g_snprintf (text, QN_NAME_TEXT_SIZE, "%s%" G_GSIZE_FORMAT, prefix, place->index + 1);
+  *name = text;
+  return qn_member_string (place, "name", QN_OPTIONAL, name);
 }
 
 gboolean
@@ -134,11 +142,9 @@ read_block (const QnJsonValue *place, QnModel *model)
 {
   static const char *const keys[] = { "name",    "vertices", "thickness", "unit_weight",
                                       "density", "support",  "law",       "material" };
-  char default_name[16];
-  g_snprintf (default_name, sizeof default_name, "b%" G_GSIZE_FORMAT, place->index + 1);
-  const char *name = default_name;
-  if (!qn_json_value_object (place)
-      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+  char text[QN_NAME_TEXT_SIZE];
+  const char *name;
+  if (!qn_json_value_object (place) || !qn_read_own_name (place, "b", text, &name))
     return FALSE;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 
@@ -203,11 +209,9 @@ read_wall (const QnJsonValue *place, QnModel *model)
   static const char *const keys[] = { "name",      "origin",      "unit",
                                       "thickness", "unit_weight", "density",
                                       "courses",   "law",         "material" };
-  char default_name[16];
-  g_snprintf (default_name, sizeof default_name, "w%" G_GSIZE_FORMAT, place->index + 1);
-  const char *name = default_name;
-  if (!qn_json_value_object (place)
-      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
+  char text[QN_NAME_TEXT_SIZE];
+  const char *name;
+  if (!qn_json_value_object (place) || !qn_read_own_name (place, "w", text, &name))
     return FALSE;
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
 

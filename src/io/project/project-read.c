@@ -7,7 +7,6 @@
 #include "io/project/project.h"
 #include "io/text/file-read.h"
 #include "io/text/io-error.h"
-#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>

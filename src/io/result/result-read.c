@@ -3,7 +3,6 @@
 #include "io/project/project-names.h"
 #include "io/result/result-draft.h"
 #include "io/text/file-read.h"
-#include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

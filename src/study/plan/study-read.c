@@ -4,7 +4,6 @@
 #include "io/json/json-path.h"
 #include "io/json/json-value.h"
 #include "io/text/file-read.h"
-#include "io/text/io-error.h"
 #include "io/text/number-text.h"
 #include "study/plan/correlation.h"
 #include "study/plan/study.h"
