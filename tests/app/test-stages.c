@@ -134,6 +134,48 @@ test_settle_and_push (void)
   driver_discard (window);
 }
 
+/* A wall under soil: a case, a backfill of it, an edge load, a surcharge; all undone again. */
+static void
+test_edge_loads (void)
+{
+  QnWindow *window = driver_open_example ("05-stack.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  QnDocument *document = qn_window_get_document (window);
+  const gsize dead = model_of (window)->dead_load_count;
+  gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
+  driver_activate (window, "win.show-panel::analysis");
+  open_expander (root, "Load C_ases");
+  driver_press (root, "Add Case");
+  g_assert_cmpuint (model_of (window)->load_case_count, ==, 1);
+  g_assert_cmpfloat (model_of (window)->load_cases[0].factor, ==, 1.0);
+  open_expander (root, "Loads One by _One");
+
+  /* Of all blocks that are free where none is selected. */
+  driver_press (root, "+ Backfill");
+  g_assert_cmpuint (model_of (window)->dead_load_count, ==, dead + 1);
+  const QnLoad *load = &model_of (window)->dead_loads[dead];
+  g_assert_cmpint (load->kind, ==, QN_LOAD_BACKFILL);
+  g_assert_cmpuint (model_of (window)->edge_force_count, ==, 5);
+  driver_press (root, "+ Surcharge");
+  g_assert_cmpint (model_of (window)->dead_loads[dead + 1].kind, ==, QN_LOAD_SURCHARGE);
+
+  /* An edge load needs a block, and is on its top. */
+  qn_selection_set_blocks (qn_document_get_selection (document), (QnId[]){ 2 }, 1);
+  driver_press (root, "+ Edge Load");
+  load = &model_of (window)->dead_loads[dead + 2];
+  g_assert_cmpint (load->kind, ==, QN_LOAD_EDGE);
+  g_assert_cmpint (load->block, ==, 2);
+  size_t source = dead + 2;
+  g_assert_cmpfloat (qn_model_load_resultant (model_of (window), source).x, ==, 0.0);
+  g_assert_cmpfloat (qn_model_load_resultant (model_of (window), source).y, <, 0.0);
+  driver_screenshot (root, "edge-load-form");
+  while (qn_document_undo (document))
+    driver_run (20);
+  g_assert_cmpuint (model_of (window)->dead_load_count, ==, dead);
+  g_assert_cmpuint (model_of (window)->load_case_count, ==, 0);
+  driver_discard (window);
+}
+
 /* Whatever a form shows, its window closes: by its own shortcut, and with the program. */
 static void
 test_close_with_selected (void)
@@ -192,6 +234,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   gtk_init ();
   g_test_add_func ("/app/stages/settle-and-push", test_settle_and_push);
+  g_test_add_func ("/app/stages/edge-loads", test_edge_loads);
   g_test_add_func ("/app/stages/close-with-selected", test_close_with_selected);
   g_test_add_func ("/app/stages/close-while-typing", test_close_while_typing);
   return g_test_run ();

@@ -455,11 +455,18 @@ qn_canvas_get_masonry (QnCanvas *self)
 }
 
 QnBlockSet
+qn_canvas_get_selected (QnCanvas *self)
+{
+  QnBlockSet set = { 0 };
+  set.ids = qn_selection_get_blocks (qn_canvas_get_selection (self), &set.count);
+  return set;
+}
+
+QnBlockSet
 qn_canvas_dup_selected (QnCanvas *self)
 {
-  guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (qn_canvas_get_selection (self), &count);
-  return (QnBlockSet){ g_memdup2 (ids, count * sizeof *ids), count };
+  QnBlockSet set = qn_canvas_get_selected (self);
+  return (QnBlockSet){ g_memdup2 (set.ids, set.count * sizeof *set.ids), set.count };
 }
 
 QnPartSet

@@ -85,6 +85,9 @@ const QnMasonries *qn_canvas_get_masonry (QnCanvas *canvas);
 
 /* The selected blocks, copied, because the selection may change under an edit; free the ids. */
 QnBlockSet qn_canvas_dup_selected (QnCanvas *canvas);
+
+/* The same, borrowed: as long as the selection stays as it is. */
+QnBlockSet qn_canvas_get_selected (QnCanvas *canvas);
 /* The selected blocks and beams likewise; clear them. */
 QnPartSet qn_canvas_dup_parts (QnCanvas *canvas);
 /* Box around them; FALSE where there are none. */

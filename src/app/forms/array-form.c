@@ -18,10 +18,9 @@ static gboolean
 look (gpointer data)
 {
   const Form *form = data;
-  guint blocks = 0, beams = 0;
-  qn_selection_get_blocks (qn_canvas_get_selection (form->base.canvas), &blocks);
+  guint beams = 0;
   qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
-  return blocks + beams > 0;
+  return qn_canvas_get_selected (form->base.canvas).count + beams > 0;
 }
 
 static gboolean

@@ -95,7 +95,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   Form *form = data;
   QnModel *model = draft != NULL ? &draft->model : NULL;
-  QnBlockSet set = { 0 };
   switch (field) {
   case BARS:
     form->selected = (int) value->number;
@@ -107,9 +106,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     model->bars[form->selected].area = qn_bar_get_area (value->number);
     return TRUE;
   case ADD:
-    set.ids =
-      qn_selection_get_blocks (qn_canvas_get_selection (form->base.canvas), &set.count);
-    if (!qn_edit_add_bar (model, set, error))
+    if (!qn_edit_add_bar (model, qn_canvas_get_selected (form->base.canvas), error))
       return FALSE;
     form->selected = (int) model->bar_count - 1;
     return TRUE;

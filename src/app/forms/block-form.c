@@ -18,18 +18,11 @@ static const QnFormField fields[] = {
   [JOIN] = { .id = "join" },
 };
 
-static QnBlockSet
-selected (const QnBoundForm *form)
-{
-  QnBlockSet set = { 0 };
-  set.ids = qn_selection_get_blocks (qn_canvas_get_selection (form->canvas), &set.count);
-  return set;
-}
-
 static gboolean
-look (gpointer form)
+look (gpointer data)
 {
-  return selected (form).count > 0;
+  const QnBoundForm *form = data;
+  return qn_canvas_get_selected (form->canvas).count > 0;
 }
 
 static gboolean
@@ -37,7 +30,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnBlockSet set = selected (form);
+  QnBlockSet set = qn_canvas_get_selected (form->canvas);
   const QnBlock *block = &model->blocks[set.ids[0]];
   /* What masonry is made of is told by its own form. */
   gboolean masonry = TRUE;
@@ -81,7 +74,7 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnModel *model = &draft->model;
-  QnBlockSet set = selected (data);
+  QnBlockSet set = qn_canvas_get_selected (((const QnBoundForm *) data)->canvas);
   bool support[QN_DOF_COUNT];
   switch (field) {
   case NAME:

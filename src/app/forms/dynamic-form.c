@@ -144,15 +144,6 @@ number_of (QnModel *model, int selected, guint field)
 
 /* ---- initial motion ---- */
 
-static QnBlockSet
-selected (const Form *form)
-{
-  QnBlockSet set = { 0 };
-  set.ids =
-    qn_selection_get_blocks (qn_canvas_get_selection (form->base.canvas), &set.count);
-  return set;
-}
-
 static double *
 initial_number (QnInitialMotion *motion, guint field)
 {
@@ -165,7 +156,7 @@ initial_number (QnInitialMotion *motion, guint field)
 static gboolean
 show_initial (const Form *form, const QnModel *model, guint field, QnValue *value)
 {
-  QnBlockSet set = selected (form);
+  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
   if (set.count == 0)
     return FALSE;
   QnInitialMotion motion = qn_initial_motion_of (model, set.ids[0]);
@@ -184,7 +175,7 @@ static gboolean
 take_initial (const Form *form, QnModel *model, guint field, double number,
               GError **error)
 {
-  QnBlockSet set = selected (form);
+  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
   for (guint i = 0; i < set.count; i++) {
     QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
     *initial_number (&motion, field) = number;

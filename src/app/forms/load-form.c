@@ -2,6 +2,7 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
+#include "core/model/edge-load.h"
 #include "doc/edit/edit-stage.h"
 #include "doc/view/load-text.h"
 #include <glib/gi18n.h>
@@ -24,16 +25,42 @@ enum {
   ADD_SET,
   REMOVE_SET,
   LOADS,
+  CASE,
+  WHERE,
+  EDGE,
+  EDGE_COUNT,
+  PART_FROM,
+  PART_TO,
+  INTENSITY_FROM,
+  INTENSITY_TO,
+  NORMAL,
   X,
   Y,
   MOMENT,
   COMPONENT,
   DISTANCE,
+  SOIL_SIDE,
+  FROM,
+  TO,
+  PRESSURE,
+  UNIT_WEIGHT,
+  LEVEL,
+  EARTH,
+  COEFFICIENT,
+  FRICTION_ANGLE,
   ADD_WEIGHT,
   ADD_FORCE,
   ADD_SETTLEMENT,
+  ADD_EDGE,
+  ADD_SURCHARGE,
+  ADD_BACKFILL,
   REMOVE
 };
+
+#define CHANGE(id)                                                                       \
+  {                                                                                      \
+    id, N_ ("Change Load"), NULL                                                         \
+  }
 
 static const QnFormField fields[] = {
   [LIST] = { .id = "list" },
@@ -41,14 +68,35 @@ static const QnFormField fields[] = {
   [ADD_SET] = { .id = "add_set", .step = N_ ("Add Set of Loads") },
   [REMOVE_SET] = { .id = "remove_set", .step = N_ ("Remove Set of Loads") },
   [LOADS] = { .id = "loads" },
-  [X] = { .id = "x", .step = N_ ("Change Load") },
-  [Y] = { .id = "y", .step = N_ ("Change Load") },
-  [MOMENT] = { .id = "moment", .step = N_ ("Change Load") },
-  [COMPONENT] = { .id = "component", .step = N_ ("Change Load") },
-  [DISTANCE] = { .id = "distance", .step = N_ ("Change Load") },
+  [CASE] = CHANGE ("case"),
+  [WHERE] = CHANGE ("where"),
+  [EDGE] = CHANGE ("edge"),
+  [EDGE_COUNT] = CHANGE ("edge_count"),
+  [PART_FROM] = CHANGE ("part_from"),
+  [PART_TO] = CHANGE ("part_to"),
+  [INTENSITY_FROM] = CHANGE ("intensity_from"),
+  [INTENSITY_TO] = CHANGE ("intensity_to"),
+  [NORMAL] = CHANGE ("normal"),
+  [X] = CHANGE ("x"),
+  [Y] = CHANGE ("y"),
+  [MOMENT] = CHANGE ("moment"),
+  [COMPONENT] = CHANGE ("component"),
+  [DISTANCE] = CHANGE ("distance"),
+  [SOIL_SIDE] = CHANGE ("soil_side"),
+  [FROM] = CHANGE ("from"),
+  [TO] = CHANGE ("to"),
+  [PRESSURE] = CHANGE ("pressure"),
+  [UNIT_WEIGHT] = CHANGE ("unit_weight"),
+  [LEVEL] = CHANGE ("level"),
+  [EARTH] = CHANGE ("earth"),
+  [COEFFICIENT] = CHANGE ("coefficient"),
+  [FRICTION_ANGLE] = CHANGE ("friction_angle"),
   [ADD_WEIGHT] = { .id = "add_weight", .step = N_ ("Add Load") },
   [ADD_FORCE] = { .id = "add_force", .step = N_ ("Add Load") },
   [ADD_SETTLEMENT] = { .id = "add_settlement", .step = N_ ("Add Load") },
+  [ADD_EDGE] = { .id = "add_edge", .step = N_ ("Add Load") },
+  [ADD_SURCHARGE] = { .id = "add_surcharge", .step = N_ ("Add Load") },
+  [ADD_BACKFILL] = { .id = "add_backfill", .step = N_ ("Add Load") },
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Load") },
 };
 
@@ -90,8 +138,12 @@ dup_loads (const QnModel *model, int32_t list)
   g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
   gsize count = qn_model_count_loads (model, list);
   for (gsize i = 0; i < MIN (count, MOST_SHOWN); i++) {
-    g_autofree char *line = qn_load_dup_text (model, qn_model_get_load (model, list, i),
-                                              qn_settings_get_units ());
+    const QnLoad *load = qn_model_get_load (model, list, i);
+    g_autofree char *what = qn_load_dup_text (model, load, qn_settings_get_units ());
+    g_autofree char *line =
+      load->load_case > 0
+        ? g_strdup_printf ("%s: %s", model->load_cases[load->load_case - 1].name, what)
+        : g_strdup (what);
     g_strv_builder_add (lines, line);
   }
   if (count > MOST_SHOWN) {
@@ -100,6 +152,80 @@ dup_loads (const QnModel *model, int32_t list)
     g_strv_builder_add (lines, rest);
   }
   return g_strv_builder_end (lines);
+}
+
+/* The numbers of loads on edges; NULL for what a load of its kind does not have. */
+static double *
+edge_number (QnLoad *load, guint field)
+{
+  const gboolean edge = load->kind == QN_LOAD_EDGE, soil = load->kind == QN_LOAD_BACKFILL;
+  const gboolean fill = soil || load->kind == QN_LOAD_SURCHARGE;
+  switch (field) {
+  case PART_FROM:
+  case PART_TO:
+    return edge ? &load->part[field - PART_FROM] : NULL;
+  case INTENSITY_FROM:
+  case INTENSITY_TO:
+    return edge ? &load->intensity[field - INTENSITY_FROM] : NULL;
+  case FROM:
+  case TO:
+    return fill ? &load->span[field - FROM] : NULL;
+  case PRESSURE:
+    return fill ? &load->pressure : NULL;
+  case UNIT_WEIGHT:
+    return fill ? &load->unit_weight : NULL;
+  case LEVEL:
+    return fill && !soil ? &load->level : NULL;
+  case COEFFICIENT:
+    return soil && load->earth == QN_EARTH_GIVEN ? &load->coefficient : NULL;
+  default:
+    return soil && load->earth != QN_EARTH_GIVEN ? &load->friction_angle : NULL;
+  }
+}
+
+static char **
+dup_cases (const QnModel *model)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  g_strv_builder_add (names, _ ("none"));
+  for (gsize i = 0; i < model->load_case_count; i++)
+    g_strv_builder_add (names, model->load_cases[i].name);
+  return g_strv_builder_end (names);
+}
+
+static gboolean
+show_edge_load (const Form *form, QnLoad load, guint field, QnValue *value)
+{
+  const gboolean edge = load.kind == QN_LOAD_EDGE, soil = load.kind == QN_LOAD_BACKFILL;
+  switch (field) {
+  case CASE:
+    value->rows = dup_cases (qn_canvas_get_model (form->base.canvas));
+    value->number = load.load_case;
+    return qn_canvas_get_model (form->base.canvas)->load_case_count > 0;
+  case WHERE:
+    value->number = load.has_side ? load.side : QN_BLOCK_SIDE_COUNT;
+    return edge;
+  case EDGE:
+    value->number = load.edge;
+    return edge && !load.has_side;
+  case EDGE_COUNT:
+    value->number = load.edge_count;
+    return edge && !load.has_side;
+  case NORMAL:
+    value->number = load.normal;
+    return edge;
+  case SOIL_SIDE:
+    value->number = load.side;
+    return soil;
+  case EARTH:
+    value->number = load.earth;
+    return soil;
+  default: {
+    const double *number = edge_number (&load, field);
+    value->number = number != NULL ? *number : 0.0;
+    return number != NULL;
+  }
+  }
 }
 
 static gboolean
@@ -115,11 +241,13 @@ show_load (const Form *form, guint field, QnValue *value)
   case Y:
     value->number = field == X ? load->vector.x : load->vector.y;
     g_object_set (widget, "quantity",
-                  load->kind == QN_LOAD_WEIGHT ? QN_QUANTITY_NUMBER
+                  load->kind == QN_LOAD_WEIGHT || load->kind == QN_LOAD_EDGE
+                    ? QN_QUANTITY_NUMBER
                   : load->kind == QN_LOAD_LINE ? QN_QUANTITY_STIFFNESS
                                                : QN_QUANTITY_FORCE,
                   NULL);
-    return !settles;
+    return load->kind == QN_LOAD_EDGE ? !load->normal
+                                      : !settles && !qn_load_is_on_edges (load->kind);
   case MOMENT:
     value->number = load->moment;
     return load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE;
@@ -127,6 +255,8 @@ show_load (const Form *form, guint field, QnValue *value)
     value->number = settles ? (double) load->dof : 0.0;
     return settles;
   default:
+    return show_edge_load (form, *load, field, value);
+  case DISTANCE:
     value->number = load->value;
     g_object_set (widget, "quantity",
                   load->dof == QN_DOF_RZ ? QN_QUANTITY_ANGLE : QN_QUANTITY_LENGTH, NULL);
@@ -162,6 +292,9 @@ show (gpointer data, guint field, QnValue *value)
   case ADD_WEIGHT:
   case ADD_FORCE:
   case ADD_SETTLEMENT:
+  case ADD_EDGE:
+  case ADD_SURCHARGE:
+  case ADD_BACKFILL:
     return TRUE;
   default:
     return show_load (form, field, value);
@@ -174,14 +307,14 @@ show (gpointer data, guint field, QnValue *value)
 static gboolean
 make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error)
 {
-  guint blocks = 0, beams = 0;
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  const QnId *ids = qn_selection_get_blocks (selection, &blocks);
-  const QnId *beam = qn_selection_get_beams (selection, &beams);
+  guint beams = 0;
+  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  const QnId *beam =
+    qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
   load->vector.y = -qn_canvas_get_tool_settings (form->base.canvas)->force;
-  load->kind = blocks > 0 ? QN_LOAD_FORCE : QN_LOAD_NODE;
-  if (blocks > 0)
-    load->block = ids[0];
+  load->kind = set.count > 0 ? QN_LOAD_FORCE : QN_LOAD_NODE;
+  if (set.count > 0)
+    load->block = set.ids[0];
   else if (beams > 0)
     load->node = model->beams[beam[0]].nodes[1];
   else {
@@ -196,20 +329,18 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
 static gboolean
 make_settlement (const Form *form, const QnModel *model, QnLoad *load, GError **error)
 {
-  guint count = 0;
-  const QnId *ids =
-    qn_selection_get_blocks (qn_canvas_get_selection (form->base.canvas), &count);
+  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
   int dof = QN_DOF_UY;
-  while (count > 0 && dof < QN_DOF_UY + QN_DOF_COUNT
-         && !model->blocks[ids[0]].support[dof % QN_DOF_COUNT])
+  while (set.count > 0 && dof < QN_DOF_UY + QN_DOF_COUNT
+         && !model->blocks[set.ids[0]].support[dof % QN_DOF_COUNT])
     dof++;
-  if (count == 0 || dof == QN_DOF_UY + QN_DOF_COUNT) {
+  if (set.count == 0 || dof == QN_DOF_UY + QN_DOF_COUNT) {
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
                          _ ("Select the fixed block that settles"));
     return FALSE;
   }
   load->kind = QN_LOAD_SETTLEMENT;
-  load->block = ids[0];
+  load->block = set.ids[0];
   load->dof = (QnDof) (dof % QN_DOF_COUNT);
   load->value = -qn_magnet_round_distance (0.01 * model->characteristic_length);
   return TRUE;
@@ -226,6 +357,11 @@ add (Form *form, QnModel *model, guint field, GError **error)
                   .beam = QN_NONE };
   if (field != ADD_WEIGHT)
     load.vector = qn_vec2 (0.0, 0.0);
+  if (field >= ADD_EDGE
+      && !qn_edit_make_edge_load (
+        model, (QnLoadKind) (QN_LOAD_EDGE + (int) (field - ADD_EDGE)),
+        qn_canvas_get_selected (form->base.canvas), &load, error))
+    return FALSE;
   if ((field == ADD_FORCE && !make_force (form, model, &load, error))
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error))
       || !qn_edit_append_load (model, form->shown, load, error))
@@ -238,8 +374,38 @@ static gboolean
 change (const Form *form, QnModel *model, guint field, const QnValue *value,
         GError **error)
 {
-  QnLoad load = *selected_load (form);
+  const QnLoad before = *selected_load (form);
+  QnLoad load = before;
+  double *number = edge_number (&load, field);
   switch (field) {
+  case CASE:
+    load.load_case = qn_value_int (value);
+    break;
+  case WHERE:
+    load.has_side = value->number < QN_BLOCK_SIDE_COUNT;
+    if (load.has_side)
+      load.side = (QnBlockSide) qn_value_int (value);
+    else
+      qn_load_chain (model, &before, &load.edge, &load.edge_count);
+    break;
+  case EDGE:
+    load.edge = qn_value_int (value);
+    break;
+  case EDGE_COUNT:
+    load.edge_count = qn_value_int (value);
+    break;
+  case NORMAL:
+    load.normal = value->number != 0.0;
+    if (!load.normal && load.vector.x == 0.0 && load.vector.y == 0.0)
+      load.vector = qn_vec2 (0.0, -1.0);
+    break;
+  case SOIL_SIDE:
+    load.side = (QnBlockSide) qn_value_int (value);
+    break;
+  case EARTH:
+    load.coefficient = qn_load_earth_coefficient (&before);
+    load.earth = (QnEarth) qn_value_int (value);
+    break;
   case X:
     load.vector.x = value->number;
     break;
@@ -252,11 +418,41 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
   case COMPONENT:
     load.dof = (QnDof) value->number;
     break;
-  default:
+  case DISTANCE:
     load.value = value->number;
+    break;
+  default:
+    if (number != NULL)
+      *number = value->number;
     break;
   }
   return qn_edit_replace_load (model, form->shown, (gsize) form->selected, load, error);
+}
+
+/* Selects in the drawing what the load acts on. */
+static void
+select_loaded (const Form *form)
+{
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const QnLoad *load = selected_load (form);
+  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  if (load == NULL)
+    return;
+  gsize count = 0;
+  const QnEdgeForce *forces = qn_model_edge_forces_of (
+    model,
+    (gsize) (load
+             - (form->shown == QN_DEAD_LOADS ? model->dead_loads : model->live_loads))
+      + (form->shown == QN_DEAD_LOADS ? 0 : model->dead_load_count),
+    &count);
+  g_autoptr (GArray) blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
+  for (gsize i = 0; i < count; i++)
+    if (i == 0 || forces[i].block != forces[i - 1].block)
+      g_array_append_val (blocks, forces[i].block);
+  if (load->block != QN_NONE && count == 0)
+    g_array_append_val (blocks, load->block);
+  if (blocks->len > 0)
+    qn_selection_set_blocks (selection, (const QnId *) blocks->data, blocks->len);
 }
 
 static gboolean
@@ -271,6 +467,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case LOADS:
     form->selected = (int) value->number;
+    select_loaded (form);
     return TRUE;
   case NAME:
     return qn_edit_rename_load_set (model, form->shown, value->text, error);
@@ -287,6 +484,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case ADD_WEIGHT:
   case ADD_FORCE:
   case ADD_SETTLEMENT:
+  case ADD_EDGE:
+  case ADD_SURCHARGE:
+  case ADD_BACKFILL:
     return add (form, model, field, error);
   default:
     return change (form, model, field, value, error);

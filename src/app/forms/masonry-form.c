@@ -32,10 +32,9 @@ look (gpointer data)
   Form *form = data;
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   int opening;
-  guint count = 0;
-  const QnId *ids = qn_selection_get_blocks (selection, &count);
-  if (count > 0)
-    form->object = qn_canvas_get_model (form->base.canvas)->blocks[ids[0]].masonry;
+  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  if (set.count > 0)
+    form->object = qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].masonry;
   else if (!qn_selection_get_opening (selection, &form->object, &opening))
     return FALSE;
   return form->object >= 0

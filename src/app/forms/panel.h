@@ -37,6 +37,7 @@ GtkWidget *qn_analysis_panel_new (QnCanvas *canvas);
 
 /* Single loads, and stages of loading; parts of the analysis panel. */
 GtkWidget *qn_load_form_new (QnCanvas *canvas);
+GtkWidget *qn_case_form_new (QnCanvas *canvas);
 GtkWidget *qn_stage_form_new (QnCanvas *canvas);
 
 /* Settings and ground motions of an analysis in time; part of the analysis panel, hidden where the

@@ -22,8 +22,7 @@ static QnPartSet
 selected (const QnBoundForm *form)
 {
   QnSelection *selection = qn_canvas_get_selection (form->canvas);
-  QnPartSet set = { { NULL, 0 }, { NULL, 0 } };
-  set.blocks.ids = qn_selection_get_blocks (selection, &set.blocks.count);
+  QnPartSet set = { qn_canvas_get_selected (form->canvas), { NULL, 0 } };
   set.beams.ids = qn_selection_get_beams (selection, &set.beams.count);
   return set;
 }

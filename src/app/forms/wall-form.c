@@ -24,11 +24,10 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  guint count = 0;
-  const QnId *ids =
-    qn_selection_get_blocks (qn_canvas_get_selection (form->base.canvas), &count);
-  form->wall =
-    count > 0 ? qn_canvas_get_model (form->base.canvas)->blocks[ids[0]].wall : QN_NONE;
+  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  form->wall = set.count > 0
+                 ? qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].wall
+                 : QN_NONE;
   return form->wall != QN_NONE;
 }
 

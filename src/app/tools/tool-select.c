@@ -48,8 +48,7 @@ static void
 leave_to_magnet (QnCanvas *canvas)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnBlockSet set = { 0 };
-  set.ids = qn_selection_get_blocks (qn_canvas_get_selection (canvas), &set.count);
+  QnBlockSet set = qn_canvas_get_selected (canvas);
   qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
 }
 

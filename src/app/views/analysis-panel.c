@@ -407,6 +407,7 @@ qn_analysis_panel_new (QnCanvas *canvas)
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
   gtk_box_append (GTK_BOX (form->widgets[DYNAMIC_BOX]), qn_dynamic_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LOADS_BOX]), qn_load_form_new (canvas));
+  gtk_box_append (GTK_BOX (form->widgets[LOADS_BOX]), qn_case_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[STAGES_BOX]), qn_stage_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_law_form_new (canvas));
   gtk_box_append (GTK_BOX (form->widgets[LAWS_BOX]), qn_bar_form_new (canvas));

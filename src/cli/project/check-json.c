@@ -1,5 +1,6 @@
 /* The machine form of a check; data/check-format.md describes it key by key. */
 #include "cli/project/check-report.h"
+#include "io/project/project-names.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-writer.h"
 
@@ -119,6 +120,28 @@ write_faces (QnFileWriter *out, const QnContacts *contacts)
   qn_file_writer_puts (out, "\n  ],\n");
 }
 
+static void
+write_loads (QnFileWriter *out, const QnModel *model)
+{
+  qn_file_writer_puts (out, "  \"loads\": [");
+  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    qn_file_writer_puts_string (out, i > 0 ? ",\n    { \"kind\": " : "\n    { \"kind\": ",
+                                qn_load_kind_names[load->kind]);
+    qn_file_writer_puts_string (
+      out, ", \"list\": ",
+      i < model->dead_load_count ? "dead" : qn_model_load_set_name (model, load->set));
+    if (load->load_case > 0)
+      qn_file_writer_puts_string (
+        out, ", \"case\": ", model->load_cases[load->load_case - 1].name);
+    qn_file_writer_puts_number (out,
+                                ", \"factor\": ", qn_model_load_factor (model, load));
+    write_point (out, ", \"resultant\": [", qn_model_load_resultant (model, i));
+    qn_file_writer_puts (out, " }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
+}
+
 /* "blocks-overlap" for QN_PROBLEM_BLOCKS_OVERLAP; the caller frees it. */
 static char *
 dup_problem_name (QnProblem problem)
@@ -221,6 +244,7 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
   write_blocks (out, &input->project.model);
   write_nodes (out, &input->project.model);
   write_beams (out, &input->project.model);
+  write_loads (out, &input->project.model);
   write_faces (out, &input->contacts);
   write_findings (out, input);
   if (report->faults != NULL)

@@ -1,6 +1,7 @@
 #include "cli/project/check-report.h"
 
 #include "doc/edit/edit-gaps.h"
+#include "doc/view/load-text.h"
 #include "io/text/fault-text.h"
 
 #include <glib/gi18n.h>
@@ -79,6 +80,63 @@ print_counts (const QnProject *project, const QnContacts *contacts)
   if (model->beam_count > 0)
     printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
             model->element_count, model->node_count);
+}
+
+/* "load backfill (traffic × 1.5): resultant (12000, 0) N" */
+static void
+print_load (const QnModel *model, size_t source)
+{
+  const QnLoad *load = qn_model_load (model, source);
+  const QnVec2 sum = qn_model_load_resultant (model, source);
+  g_autofree char *text = qn_load_dup_text (model, load, QN_UNITS_SI);
+  printf ("  %s", text);
+  if (load->load_case > 0) {
+    const QnLoadCase *of = &model->load_cases[load->load_case - 1];
+    printf (_ (", case %s × %.6g"), of->name, of->factor);
+  }
+  if (load->kind != QN_LOAD_SETTLEMENT)
+    printf (_ (", resultant (%.6g, %.6g) N"), sum.x, sum.y);
+  printf ("\n");
+}
+
+/* The dead loads, or those of one set. */
+static void
+print_load_list (const QnModel *model, const char *name, size_t from, size_t to,
+                 int32_t set)
+{
+  gboolean any = FALSE;
+  for (size_t i = from; i < to; i++) {
+    if (qn_model_load (model, i)->set != set)
+      continue;
+    if (!any)
+      printf (_ ("loads, %s:\n"), name);
+    any = TRUE;
+    print_load (model, i);
+  }
+}
+
+/* What every case comes to, over all lists. */
+static void
+print_load_cases (const QnModel *model)
+{
+  for (size_t k = 0; k < model->load_case_count; k++) {
+    QnVec2 sum = { 0, 0 };
+    for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++)
+      if (qn_model_load (model, i)->load_case == (int32_t) k + 1)
+        sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
+    printf (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
+            model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
+  }
+}
+
+static void
+print_loads (const QnModel *model)
+{
+  const size_t dead = model->dead_load_count, all = dead + model->live_load_count;
+  print_load_list (model, "dead", 0, dead, 0);
+  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++)
+    print_load_list (model, qn_model_load_set_name (model, set), dead, all, set);
+  print_load_cases (model);
 }
 
 /* Blocks that stand apart by mortar: often all of a drawing, and no finding of contacts. */
@@ -222,6 +280,7 @@ qn_check_report_print (const QnCheckReport *report)
 {
   const QnInput *input = report->input;
   print_counts (&input->project, &input->contacts);
+  print_loads (&input->project.model);
   print_findings (input);
   if (report->faults != NULL)
     print_result (report);

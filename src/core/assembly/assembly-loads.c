@@ -15,19 +15,18 @@ scatter_forces (const QnAssembly *as, double *loads)
         i % QN_DOF_COUNT == QN_DOF_RZ ? as->forces[i] / as->length : as->forces[i];
 }
 
-/* Puts settlements, times the factor of their set (1 where there are no factors), in the places
- * of the supports that settle. */
+/* Puts settlements of all sets, each times its own factor, in the places of the supports that settle;
+ * those of the dead loads where there are no factors. */
 static void
-add_settlements (const QnAssembly *as, const QnLoad *loads, size_t count,
-                 const double *factors, double *out)
+add_settlements (const QnAssembly *as, const double *factors, double *out)
 {
-  for (size_t i = 0; i < count; i++) {
-    const QnLoad *load = &loads[i];
-    if (load->kind != QN_LOAD_SETTLEMENT)
+  for (size_t i = 0; i < qn_model_acting_count (as->model); i++) {
+    const QnLoad load = qn_model_acting_load (as->model, i);
+    if (load.kind != QN_LOAD_SETTLEMENT || (load.set == QN_NONE) != (factors == NULL))
       continue;
-    double value = load->dof == QN_DOF_RZ ? load->value * as->length : load->value;
-    int32_t unknown = as->unknown[QN_DOF_COUNT * load->block + (int) load->dof];
-    out[unknown] += (factors ? factors[load->set] : 1) * as->stiffness * value;
+    double value = load.dof == QN_DOF_RZ ? load.value * as->length : load.value;
+    int32_t unknown = as->unknown[QN_DOF_COUNT * load.block + (int) load.dof];
+    out[unknown] += (factors ? factors[load.set] : 1) * as->stiffness * value;
   }
 }
 
@@ -41,7 +40,7 @@ sum_sets (const QnAssembly *as, const double *factors, const QnVec2 *beam_loads,
   qn_beam_assembly_add_loads (&as->beams, beam_loads, loads);
   for (size_t s = 0; s < as->settling_count; s++)
     loads[as->settling[s].unknown] = 0;
-  add_settlements (as, as->model->live_loads, as->model->live_load_count, factors, loads);
+  add_settlements (as, factors, loads);
 }
 
 void
@@ -58,7 +57,7 @@ qn_assembly_set_loads (QnAssembly *as, const double *held, const double *driven)
   scatter_forces (as, as->dead);
   for (size_t s = 0; s < as->settling_count; s++)
     as->dead[as->settling[s].unknown] = 0;
-  add_settlements (as, as->model->dead_loads, as->model->dead_load_count, NULL, as->dead);
+  add_settlements (as, NULL, as->dead);
   for (size_t i = 0; i < n; i++)
     as->dead_at_rest[i] += as->dead[i];
   memcpy (as->dead, as->dead_at_rest, n * sizeof *as->dead);
@@ -114,25 +113,22 @@ qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
   const QnModel *model = as->model;
   const double held[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 1 };
 
-  as->eccentric =
-    qn_alloc (model->dead_load_count + model->live_load_count, sizeof *as->eccentric);
+  as->eccentric = qn_alloc (qn_model_acting_count (model), sizeof *as->eccentric);
   if (as->eccentric == NULL)
     return qn_diag_no_memory (diag);
 
-  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
-    bool live = i >= model->dead_load_count;
-    const QnLoad *load =
-      live ? &model->live_loads[i - model->dead_load_count] : &model->dead_loads[i];
-    if (!is_eccentric (model, load))
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    if (!is_eccentric (model, &load))
       continue;
     int32_t unknown =
-      as->unknown[QN_DOF_COUNT * qn_model_load_body (model, load) + QN_DOF_RZ];
+      as->unknown[QN_DOF_COUNT * qn_model_load_body (model, &load) + QN_DOF_RZ];
     if (unknown != QN_NONE && !as->settles[unknown])
       as->eccentric[as->eccentric_count++] = (QnEccentricLoad){
         .unknown = unknown,
-        .set = live ? load->set : QN_NONE,
-        .arm = qn_model_load_arm (model, load),
-        .force = load->vector,
+        .set = load.set,
+        .arm = qn_model_load_arm (model, &load),
+        .force = load.vector,
       };
   }
   choose_force_scale (as);
@@ -242,11 +238,10 @@ qn_assembly_reactions (QnAssembly *as, double multiplier, double *reactions)
   qn_model_set_forces (model, factors, as->forces);
   for (size_t i = 0; i < count; i++)
     reactions[i] -= as->forces[i];
-  for (size_t i = 0; i < model->dead_load_count; i++)
-    subtract_turned (as, &model->dead_loads[i], 1, reactions);
-  for (size_t i = 0; i < model->live_load_count; i++)
-    subtract_turned (as, &model->live_loads[i], factors[model->live_loads[i].set],
-                     reactions);
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    subtract_turned (as, &load, load.set == QN_NONE ? 1 : factors[load.set], reactions);
+  }
   for (size_t i = 0; i < count; i++)
     if (!is_supported (model, i / QN_DOF_COUNT, i % QN_DOF_COUNT))
       reactions[i] = 0;

@@ -95,6 +95,13 @@
   X (SETTLEMENT_WORK, "work control needs loads: settlements do no work") \
   X (SETTLEMENT_LIMIT, "limit analysis covers loads, not settlements") \
   X (LOAD_SET_UNKNOWN, "no load set has this name") \
+  X (LOAD_CASE_UNKNOWN, "no load case has this name") \
+  X (EDGE_UNKNOWN, "block has no such edge") \
+  X (LOADED_PART, "loaded part must begin before it ends") \
+  X (EARTH_ANGLE, "friction angle of a soil lies from 0 to below pi/2") \
+  X (EARTH_SIDE, "soil lies to the left or to the right") \
+  X (TOO_MANY_EDGE_FORCES, "loads act on more edges than the program handles") \
+  X (LOAD_MEETS_NOTHING, "load meets no edge of a block") \
   X (LOAD_SET_UNUSED, "no stage drives this load set") \
   X (STAGE_IDLE, "stage drives no load set") \
   X (STAGE_SETS_APART, "load sets of the stage stand at different multipliers") \

@@ -35,6 +35,7 @@ typedef enum {
   QN_ENTITY_BEAM,
   QN_ENTITY_DEAD_LOAD,
   QN_ENTITY_LIVE_LOAD,
+  QN_ENTITY_LOAD_CASE,
   QN_ENTITY_ANALYSIS,
   QN_ENTITY_STAGE,
   QN_ENTITY_GROUND_MOTION, /* of analysis.dynamic; sub: a point */

@@ -79,9 +79,11 @@ qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
   QnStatus status = check_loads (model, diag);
   if (status != QN_OK)
     return status;
-  for (size_t i = 0; i < model->live_load_count; i++)
-    if (model->live_loads[i].set == 0)
-      direction += model->live_loads[i].vector.x;
+  for (size_t i = model->dead_load_count; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    if (load.set == 0)
+      direction += load.vector.x;
+  }
   for (size_t i = 0; i < result->step_count; i++)
     if (result->steps[i].multiplier > result->steps[peak].multiplier)
       peak = i;

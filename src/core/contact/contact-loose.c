@@ -122,6 +122,29 @@ qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
+/* Surcharges and backfills that lie beside the structure. */
+static bool
+report_loads (const QnModel *model, QnFindings *findings)
+{
+  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    bool any = load->pressure > 0 || load->unit_weight > 0;
+    size_t count;
+    if (load->kind == QN_LOAD_BACKFILL)
+      any = any && qn_load_earth_coefficient (load) > 0;
+    if (!qn_load_is_on_edges (load->kind) || load->kind == QN_LOAD_EDGE || !any
+        || qn_model_edge_forces_of (model, i, &count) != NULL)
+      continue;
+    QnFinding finding = { .problem = QN_PROBLEM_LOAD_MEETS_NOTHING,
+                          .block_a = QN_NONE,
+                          .block_b = QN_NONE,
+                          .subject = (QnId) i };
+    if (!qn_findings_add (findings, finding))
+      return false;
+  }
+  return true;
+}
+
 QnStatus
 qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
@@ -186,10 +209,11 @@ qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *di
           qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_BEAM_FLOATING,
                                                   .block_a = QN_NONE,
                                                   .block_b = QN_NONE,
-                                                  .beam = (QnId) i,
+                                                  .subject = (QnId) i,
                                                   .at = model->nodes[node].at });
     }
   }
+  done = done && report_loads (model, findings);
   free (touching);
   free (sets);
   free (held);

@@ -66,7 +66,8 @@ qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts, QnD
     if (finding == NULL)
       continue;
     if (finding->problem == QN_PROBLEM_BEAM_FLOATING)
-      qn_diag_set_field (diag, finding->problem, QN_ENTITY_BEAM, finding->beam, NULL, 0);
+      qn_diag_set_field (diag, finding->problem, QN_ENTITY_BEAM, finding->subject, NULL,
+                         0);
     else
       qn_diag_set_field (diag, finding->problem,
                          finding->block_a == QN_NONE ? QN_ENTITY_MODEL : QN_ENTITY_BLOCK,

@@ -12,7 +12,9 @@ typedef struct QnFinding {
   QnId block_b;      /* the other one, or QN_NONE */
   QnVec2 at;         /* place, m */
   double value; /* width of the gap, depth of the overlap, m; 0 where there is none */
-  QnId beam;    /* BEAM_FLOATING: the beam; QN_NONE otherwise */
+  QnId
+    subject; /* BEAM_FLOATING: the beam; LOAD_MEETS_NOTHING: the load, counted through the
+                   dead and then the live ones; QN_NONE otherwise */
 } QnFinding;
 
 typedef struct QnFindings {

@@ -130,12 +130,26 @@ area_power (const QnModel *model, const QnContacts *contacts, const QnResult *re
   return power;
 }
 
+/* Whether a load is a pressure, which the thickness of the block makes a force of. */
+static bool
+is_pressure (QnLoadKind kind)
+{
+  return kind == QN_LOAD_SURCHARGE || kind == QN_LOAD_BACKFILL;
+}
+
+/* What of a load acts at collapse. */
+static double
+part_of (const QnLoad *load, double multiplier)
+{
+  return load->set == QN_NONE ? 1.0 : load->set == 0 ? multiplier : 0.0;
+}
+
 /* Weight and thickness of the blocks that have a law. */
 static void
 add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *result,
             const double *v, QnId law, bool *grows, QnLawSensitivity *out)
 {
-  double power = 0.0, lambda = result->collapse_multiplier;
+  double power = 0.0, pressure = 0.0, lambda = result->collapse_multiplier;
 
   for (size_t b = 0; b < model->block_count; b++) {
     QnId own =
@@ -143,15 +157,19 @@ add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *re
     grows[b] = own == law;
     if (!grows[b])
       continue;
-    for (size_t i = 0; i < model->dead_load_count; i++)
-      if (model->dead_loads[i].kind == QN_LOAD_WEIGHT)
-        power += weight_power (model, b, &model->dead_loads[i], v);
-    for (size_t i = 0; i < model->live_load_count; i++)
-      if (model->live_loads[i].kind == QN_LOAD_WEIGHT && model->live_loads[i].set == 0)
-        power += lambda * weight_power (model, b, &model->live_loads[i], v);
+    for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+      const QnLoad load = qn_model_acting_load (model, i);
+      double part = part_of (&load, lambda);
+      if (load.kind == QN_LOAD_WEIGHT)
+        power += part * weight_power (model, b, &load, v);
+      else if (is_pressure (
+                 qn_model_load (model, qn_model_acting_source (model, i))->kind)
+               && load.kind == QN_LOAD_FORCE && load.block == (QnId) b)
+        pressure += part * load_power (model, &load, v);
+    }
   }
   out->weight = -power;
-  out->thickness = -power + area_power (model, contacts, result, v, grows);
+  out->thickness = -power - pressure + area_power (model, contacts, result, v, grows);
 }
 
 QnStatus
@@ -177,9 +195,11 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
     return qn_diag_no_memory (diag);
   }
   /* The mechanism at unit power of the live load. */
-  for (size_t i = 0; i < model->live_load_count; i++)
-    if (model->live_loads[i].set == 0)
-      power += load_power (model, &model->live_loads[i], result->mechanism);
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    if (load.set == 0)
+      power += load_power (model, &load, result->mechanism);
+  }
   for (size_t i = 0; i < count; i++)
     v[i] = result->mechanism[i] / power;
   for (size_t p = 0; p < contacts->pair_count; p++) {
@@ -195,12 +215,14 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
   }
   for (size_t l = 0; l < model->law_count; l++)
     add_blocks (model, contacts, result, v, (QnId) l, grows, &out->laws[l]);
-  for (size_t i = 0; i < model->dead_load_count; i++)
-    out->dead_loads[i] = -load_power (model, &model->dead_loads[i], v);
-  for (size_t i = 0; i < model->live_load_count; i++)
-    if (model->live_loads[i].set == 0)
-      out->live_loads[i] =
-        -result->collapse_multiplier * load_power (model, &model->live_loads[i], v);
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    size_t source = qn_model_acting_source (model, i), dead = model->dead_load_count;
+    double change =
+      -part_of (&load, result->collapse_multiplier) * load_power (model, &load, v);
+    *(source < dead ? &out->dead_loads[source] : &out->live_loads[source - dead]) +=
+      change;
+  }
   free (v);
   free (grows);
   return QN_OK;

@@ -6,6 +6,7 @@
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/model/model-list.h"
+#include "core/model/outline.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -136,31 +137,16 @@ qn_model_expand_beams (QnModel *model, QnDiag *diag)
 
 /* --- Deriving ---------------------------------------------------------------------------- */
 
-/* The middle of the straight part of a block's outline that faces a direction most; of several
- * such the one with the longest edge. */
+/* The middle of the straight part of a block's outline that faces a side most. */
 static QnVec2
-side_middle (const QnModel *model, QnId block, QnVec2 direction)
+side_middle (const QnModel *model, QnId block, QnBlockSide side)
 {
   const QnVec2 *v = qn_model_block_vertices (model, block);
-  QnId count = model->blocks[block].vertex_count, best = 0;
-  double best_facing = -INFINITY, best_length = 0;
-
-  for (QnId i = 0; i < count; i++) {
-    QnVec2 edge = qn_vec2_sub (v[(i + 1) % count], v[i]);
-    double length = qn_vec2_length (edge);
-    /* Counter-clockwise: the outer normal is the edge turned by -90 degrees. */
-    double facing = qn_vec2_cross (direction, edge) / length;
-    if (facing > best_facing + QN_TOLERANCE_CONVEX
-        || (facing > best_facing - QN_TOLERANCE_CONVEX && length > best_length)) {
-      best = i;
-      best_facing = facing;
-      best_length = length;
-    }
-  }
-
-  const QnVec2 start = v[best];
-  const QnVec2 along =
-    qn_vec2_scale (1 / best_length, qn_vec2_sub (v[(best + 1) % count], start));
+  QnId count = model->blocks[block].vertex_count;
+  QnId best = qn_block_facing_edge (model, block, side);
+  const QnVec2 start = v[best], edge = qn_vec2_sub (v[(best + 1) % count], start);
+  const double best_length = qn_vec2_length (edge);
+  const QnVec2 along = qn_vec2_scale (1 / best_length, edge);
   double low = 0, high = best_length;
   for (QnId i = 0; i < count; i++) { /* vertices in the middle of the side split it */
     QnVec2 from = qn_vec2_sub (v[i], start), to = qn_vec2_sub (v[(i + 1) % count], start);
@@ -177,17 +163,10 @@ side_middle (const QnModel *model, QnId block, QnVec2 direction)
 static void
 seat_node (QnModel *model, QnNode *node)
 {
-  static const QnVec2 directions[QN_BLOCK_SIDE_COUNT] = {
-    [QN_BLOCK_SIDE_LEFT] = { -1, 0 },
-    [QN_BLOCK_SIDE_RIGHT] = { 1, 0 },
-    [QN_BLOCK_SIDE_BOTTOM] = { 0, -1 },
-    [QN_BLOCK_SIDE_TOP] = { 0, 1 },
-  };
-
   if (node->seat == QN_SEAT_CENTROID)
     node->at = model->blocks[node->block].centroid;
   else if (node->seat == QN_SEAT_SIDE)
-    node->at = side_middle (model, node->block, directions[node->side]);
+    node->at = side_middle (model, node->block, node->side);
 }
 
 static QnStatus

@@ -1,5 +1,51 @@
 #include "core/model/model.h"
 
+const QnLoad *
+qn_model_load (const QnModel *model, size_t source)
+{
+  return source < model->dead_load_count
+           ? &model->dead_loads[source]
+           : &model->live_loads[source - model->dead_load_count];
+}
+
+double
+qn_model_load_factor (const QnModel *model, const QnLoad *load)
+{
+  return load->load_case > 0 ? model->load_cases[load->load_case - 1].factor : 1;
+}
+
+size_t
+qn_model_acting_source (const QnModel *model, size_t index)
+{
+  size_t given = model->dead_load_count + model->live_load_count;
+
+  return index < given ? index : model->edge_forces[index - given].source;
+}
+
+QnLoad
+qn_model_acting_load (const QnModel *model, size_t index)
+{
+  size_t given = model->dead_load_count + model->live_load_count;
+  size_t source = qn_model_acting_source (model, index);
+  QnLoad load = *qn_model_load (model, source);
+  double factor = qn_model_load_factor (model, &load);
+
+  if (source < model->dead_load_count)
+    load.set = QN_NONE;
+  if (index >= given) {
+    const QnEdgeForce *force = &model->edge_forces[index - given];
+    load.kind = QN_LOAD_FORCE;
+    load.block = force->block;
+    load.vector = force->force;
+    load.has_at = true;
+    load.at = force->at;
+  }
+  load.vector = qn_vec2_scale (factor, load.vector);
+  load.moment *= factor;
+  load.value *= factor;
+  return load;
+}
+
 QnVec2
 qn_model_load_arm (const QnModel *model, const QnLoad *load)
 {
@@ -50,6 +96,9 @@ add_load (const QnModel *model, const QnLoad *load, double factor, double *force
     break;
   case QN_LOAD_SETTLEMENT:
   case QN_LOAD_LINE:
+  case QN_LOAD_EDGE: /* their forces come behind the loads */
+  case QN_LOAD_SURCHARGE:
+  case QN_LOAD_BACKFILL:
   case QN_LOAD_KIND_COUNT:
     break;
   }
@@ -62,23 +111,37 @@ set_zero (const QnModel *model, double *forces)
     forces[i] = 0;
 }
 
+/* What a load counts for: loads of all sets by their own factor, or the dead loads alone. */
+static double
+part_of (const QnLoad *load, const double *factors)
+{
+  if (factors == NULL)
+    return load->set == QN_NONE ? 1 : 0;
+  return load->set == QN_NONE ? 0 : factors[load->set];
+}
+
+static void
+sum_forces (const QnModel *model, const double *factors, double *forces)
+{
+  set_zero (model, forces);
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    double part = part_of (&load, factors);
+    if (part != 0)
+      add_load (model, &load, part, forces);
+  }
+}
+
 void
 qn_model_dead_forces (const QnModel *model, double *forces)
 {
-  set_zero (model, forces);
-  for (size_t i = 0; i < model->dead_load_count; i++)
-    add_load (model, &model->dead_loads[i], 1, forces);
+  sum_forces (model, NULL, forces);
 }
 
 void
 qn_model_set_forces (const QnModel *model, const double *factors, double *forces)
 {
-  set_zero (model, forces);
-  for (size_t i = 0; i < model->live_load_count; i++) {
-    const QnLoad *load = &model->live_loads[i];
-    if (factors[load->set] != 0)
-      add_load (model, load, factors[load->set], forces);
-  }
+  sum_forces (model, factors, forces);
 }
 
 void
@@ -103,24 +166,89 @@ qn_model_sets_have_force (const QnModel *model, uint32_t sets)
 void
 qn_model_element_loads (const QnModel *model, const double *factors, QnVec2 *out)
 {
-  const QnLoad *loads = factors != NULL ? model->live_loads : model->dead_loads;
-  size_t count = factors != NULL ? model->live_load_count : model->dead_load_count;
-
   for (size_t e = 0; e < model->element_count; e++)
     out[e] = qn_vec2 (0, 0);
-  for (size_t i = 0; i < count; i++) {
-    const QnLoad *load = &loads[i];
-    double factor = factors != NULL ? factors[load->set] : 1;
-    if (factor == 0 || (load->kind != QN_LOAD_WEIGHT && load->kind != QN_LOAD_LINE))
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    double factor = part_of (&load, factors);
+    if (factor == 0 || (load.kind != QN_LOAD_WEIGHT && load.kind != QN_LOAD_LINE))
       continue;
     for (size_t e = 0; e < model->element_count; e++) {
       const QnBeam *beam = &model->beams[model->elements[e].beam];
-      if (load->kind == QN_LOAD_WEIGHT)
+      if (load.kind == QN_LOAD_WEIGHT)
         out[e] = qn_vec2_add_scaled (
           out[e], factor * qn_section_weight (&model->sections[beam->section]),
-          load->vector);
-      else if (load->beam == model->elements[e].beam)
-        out[e] = qn_vec2_add_scaled (out[e], factor, load->vector);
+          load.vector);
+      else if (load.beam == model->elements[e].beam)
+        out[e] = qn_vec2_add_scaled (out[e], factor, load.vector);
     }
   }
+}
+
+static double
+node_distance (const QnModel *model, const QnBeam *beam)
+{
+  return qn_vec2_length (
+    qn_vec2_sub (model->nodes[beam->nodes[1]].at, model->nodes[beam->nodes[0]].at));
+}
+
+/* First of the edge forces that come from this load or a later one. */
+static size_t
+first_edge_force (const QnModel *model, size_t source)
+{
+  size_t low = 0, high = model->edge_force_count;
+
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (model->edge_forces[middle].source < source)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+const QnEdgeForce *
+qn_model_edge_forces_of (const QnModel *model, size_t source, size_t *count)
+{
+  size_t first = first_edge_force (model, source);
+
+  *count = first_edge_force (model, source + 1) - first;
+  return *count > 0 ? model->edge_forces + first : NULL;
+}
+
+/* Of a load of weight, or along beams: by what its vector is multiplied. */
+static double
+loaded_amount (const QnModel *model, const QnLoad *load)
+{
+  double sum = 0;
+
+  for (size_t b = 0; b < model->block_count && load->kind == QN_LOAD_WEIGHT; b++)
+    sum += model->blocks[b].weight;
+  for (size_t b = 0; b < model->beam_count; b++) {
+    const QnBeam *beam = &model->beams[b];
+    if (load->kind == QN_LOAD_WEIGHT)
+      sum +=
+        qn_section_weight (&model->sections[beam->section]) * node_distance (model, beam);
+    else if (load->kind == QN_LOAD_LINE && load->beam == (QnId) b)
+      sum += node_distance (model, beam);
+  }
+  return sum;
+}
+
+QnVec2
+qn_model_load_resultant (const QnModel *model, size_t source)
+{
+  const QnLoad *load = qn_model_load (model, source);
+  QnVec2 sum = { 0, 0 };
+  size_t count;
+  const QnEdgeForce *forces = qn_model_edge_forces_of (model, source, &count);
+
+  if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE)
+    sum = load->vector;
+  else if (load->kind == QN_LOAD_WEIGHT || load->kind == QN_LOAD_LINE)
+    sum = qn_vec2_scale (loaded_amount (model, load), load->vector);
+  for (size_t i = 0; i < count; i++)
+    sum = qn_vec2_add (sum, forces[i].force);
+  return qn_vec2_scale (qn_model_load_factor (model, load), sum);
 }

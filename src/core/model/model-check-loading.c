@@ -3,6 +3,8 @@
 
 #include "core/base/tolerance.h"
 
+#define RIGHT_ANGLE 1.57079632679489661923
+
 static QnStatus
 check_settlement (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
                   QnDiag *diag)
@@ -48,11 +50,85 @@ check_direction (QnVec2 direction, QnEntity entity, QnId index, QnDiag *diag)
 }
 
 static QnStatus
+check_edge_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
+                 QnDiag *diag)
+{
+  QnStatus status =
+    qn_check_block_reference (model, load->block, entity, index, "block", diag);
+  if (status == QN_OK && !load->has_side)
+    status = check_index (load->edge, (size_t) model->blocks[load->block].vertex_count,
+                          QN_PROBLEM_EDGE_UNKNOWN, entity, index, "edge", diag);
+  if (status == QN_OK && !load->has_side)
+    status =
+      check_index (load->edge_count - 1, (size_t) model->blocks[load->block].vertex_count,
+                   QN_PROBLEM_EDGE_UNKNOWN, entity, index, "count", diag);
+  for (int end = 0; end < 2 && status == QN_OK; end++)
+    status = qn_check_number (load->intensity[end], QN_NUMBER_ANY, entity, index,
+                              "intensity", diag);
+  if (status == QN_OK && !(load->part[0] >= 0 && load->part[1] <= 1))
+    status = qn_diag_set_field (diag, QN_PROBLEM_FRACTION, entity, index, "part", 0);
+  if (status == QN_OK && !(load->part[0] < load->part[1]))
+    status = qn_diag_set_field (diag, QN_PROBLEM_LOADED_PART, entity, index, "part", 0);
+  return status == QN_OK && !load->normal
+           ? check_direction (load->vector, entity, index, diag)
+           : status;
+}
+
+/* Infinite ends are those that nobody gave. */
+static QnStatus
+check_span (const QnLoad *load, const char *const fields[2], QnEntity entity, QnId index,
+            QnDiag *diag)
+{
+  for (int end = 0; end < 2; end++)
+    if (isnan (load->span[end]))
+      return qn_diag_set_field (diag, QN_PROBLEM_NOT_FINITE, entity, index, fields[end],
+                                load->span[end]);
+  return load->span[0] < load->span[1]
+           ? QN_OK
+           : qn_diag_set_field (diag, QN_PROBLEM_LOADED_PART, entity, index, fields[0],
+                                load->span[0]);
+}
+
+/* Surcharge and backfill. */
+static QnStatus
+check_fill (const QnLoad *load, QnEntity entity, QnId index, QnDiag *diag)
+{
+  static const char *const across[] = { "from", "to" }, *const up[] = { "bottom", "top" };
+  bool backfill = load->kind == QN_LOAD_BACKFILL;
+  const QnNumberRule rules[] = {
+    { backfill ? "surcharge" : "pressure", load->pressure, QN_NUMBER_NOT_NEGATIVE },
+    { "unit_weight", load->unit_weight, QN_NUMBER_NOT_NEGATIVE },
+    { "level", load->level, QN_NUMBER_ANY },
+    { "coefficient", load->coefficient, QN_NUMBER_NOT_NEGATIVE },
+  };
+  QnStatus status = qn_check_numbers (rules, QN_N_ELEMENTS (rules), entity, index, diag);
+  if (status == QN_OK)
+    status = check_span (load, backfill ? up : across, entity, index, diag);
+  if (status != QN_OK || !backfill)
+    return status;
+  if (load->side != QN_BLOCK_SIDE_LEFT && load->side != QN_BLOCK_SIDE_RIGHT)
+    return qn_diag_set_field (diag, QN_PROBLEM_EARTH_SIDE, entity, index, "side", 0);
+  status = qn_check_number (load->span[1], QN_NUMBER_ANY, entity, index, "top", diag);
+  if (status == QN_OK
+      && !(load->friction_angle >= 0 && load->friction_angle < RIGHT_ANGLE))
+    status = qn_diag_set_field (diag, QN_PROBLEM_EARTH_ANGLE, entity, index,
+                                "friction_angle", load->friction_angle);
+  return status;
+}
+
+static QnStatus
 check_load (const QnModel *model, const QnLoad *load, QnEntity entity, QnId index,
             QnDiag *diag)
 {
+  if (load->load_case < 0 || (size_t) load->load_case > model->load_case_count)
+    return qn_diag_set_field (diag, QN_PROBLEM_LOAD_CASE_UNKNOWN, entity, index, "case",
+                              load->load_case);
   if (load->kind == QN_LOAD_WEIGHT)
     return check_direction (load->vector, entity, index, diag);
+  if (load->kind == QN_LOAD_EDGE)
+    return check_edge_load (model, load, entity, index, diag);
+  if (load->kind == QN_LOAD_SURCHARGE || load->kind == QN_LOAD_BACKFILL)
+    return check_fill (load, entity, index, diag);
 
   QnStatus status = check_loaded (model, load, entity, index, diag);
   if (status == QN_OK && load->kind == QN_LOAD_SETTLEMENT)
@@ -70,6 +146,14 @@ QnStatus
 qn_model_check_loads (const QnModel *model, QnDiag *diag)
 {
   QnStatus status = QN_OK;
+  for (size_t i = 0; i < model->load_case_count && status == QN_OK; i++) {
+    double factor = model->load_cases[i].factor;
+    status = qn_check_number (factor, QN_NUMBER_NOT_NEGATIVE, QN_ENTITY_LOAD_CASE,
+                              (QnId) i, NULL, diag);
+    if (status == QN_OK && factor > QN_LARGEST_DIRECTION)
+      status = qn_diag_set_field (diag, QN_PROBLEM_TOO_LARGE, QN_ENTITY_LOAD_CASE,
+                                  (QnId) i, NULL, factor);
+  }
   for (size_t i = 0; i < model->dead_load_count && status == QN_OK; i++)
     status =
       check_load (model, &model->dead_loads[i], QN_ENTITY_DEAD_LOAD, (QnId) i, diag);

@@ -1,6 +1,7 @@
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/model/beam-model.h"
+#include "core/model/edge-load.h"
 #include "core/model/model-check.h"
 
 #include <stdlib.h>
@@ -95,9 +96,13 @@ qn_model_prepare (QnModel *model, QnDiag *diag)
     qn_model_mark_turning_nodes (model);
     status = qn_model_check_settings (model, diag);
   }
+  if (status == QN_OK)
+    qn_model_renumber_loaded_edges (model);
   for (size_t i = 0; i < model->block_count && status == QN_OK; i++)
     status = derive_block (model, (QnId) i, diag);
   if (status == QN_OK)
     status = qn_model_derive_beams (model, diag);
+  if (status == QN_OK)
+    status = qn_model_resolve_edge_loads (model, diag);
   return status == QN_OK ? derive_characteristic_length (model, diag) : status;
 }

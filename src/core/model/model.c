@@ -53,6 +53,8 @@ qn_model_clear (QnModel *model)
     wall_clear (&model->walls[i]);
   for (size_t i = 0; i < model->load_set_count; i++)
     free (model->load_sets[i]);
+  for (size_t i = 0; i < model->load_case_count; i++)
+    free (model->load_cases[i].name);
   for (size_t i = 0; i < model->stage_count; i++)
     free (model->stages[i].name);
   for (size_t i = 0; i < model->ground_count; i++) {
@@ -78,6 +80,8 @@ qn_model_clear (QnModel *model)
   free (model->dead_loads);
   free (model->live_loads);
   free (model->load_sets);
+  free (model->load_cases);
+  free (model->edge_forces);
   free (model->stages);
   free (model->ground);
   free (model->initial);
@@ -158,6 +162,8 @@ copy_arrays (const QnModel *source, QnModel *copy, bool *failed)
   COPY_ARRAY (beams, beam_count, beam_capacity);
   COPY_ARRAY (elements, element_count, element_capacity);
   COPY_ARRAY (load_sets, load_set_count, load_set_capacity);
+  COPY_ARRAY (load_cases, load_case_count, load_case_capacity);
+  COPY_ARRAY (edge_forces, edge_force_count, edge_force_capacity);
   COPY_ARRAY (stages, stage_count, stage_capacity);
   COPY_ARRAY (ground, ground_count, ground_capacity);
   COPY_ARRAY (initial, initial_count, initial_capacity);
@@ -190,6 +196,8 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
     copy->beams[i].name = duplicate_name (source->beams[i].name, &failed);
   for (size_t i = 0; i < copy->load_set_count; i++)
     copy->load_sets[i] = duplicate_name (source->load_sets[i], &failed);
+  for (size_t i = 0; i < copy->load_case_count; i++)
+    copy->load_cases[i].name = duplicate_name (source->load_cases[i].name, &failed);
   for (size_t i = 0; i < copy->stage_count; i++)
     copy->stages[i].name = duplicate_name (source->stages[i].name, &failed);
   for (size_t i = 0; i < copy->ground_count; i++)
@@ -288,8 +296,13 @@ qn_model_add_bar (QnModel *model)
 static QnLoad *
 of_nothing (QnLoad *load)
 {
-  if (load != NULL)
-    load->block = load->node = load->beam = QN_NONE;
+  if (load == NULL)
+    return NULL;
+  load->block = load->node = load->beam = QN_NONE;
+  load->edge_count = 1;
+  load->part[1] = 1;
+  load->span[0] = -INFINITY;
+  load->span[1] = INFINITY;
   return load;
 }
 
@@ -388,6 +401,28 @@ const char *
 qn_model_load_set_name (const QnModel *model, int32_t set)
 {
   return set == 0 ? "live" : model->load_sets[set - 1];
+}
+
+int32_t
+qn_model_find_load_case (const QnModel *model, const char *name)
+{
+  for (size_t i = 0; i < model->load_case_count; i++)
+    if (strcmp (model->load_cases[i].name, name) == 0)
+      return (int32_t) i + 1;
+  return QN_NONE;
+}
+
+int32_t
+qn_model_add_load_case (QnModel *model, const char *name)
+{
+  int32_t found = qn_model_find_load_case (model, name);
+  if (found != QN_NONE || model->load_case_count >= QN_MAX_LOAD_CASES)
+    return found;
+  QnLoadCase *added = QN_MODEL_ADD_NAMED (model, load_cases, load_case, NULL, name);
+  if (added == NULL)
+    return QN_NONE;
+  added->factor = 1;
+  return (int32_t) model->load_case_count;
 }
 
 QnId

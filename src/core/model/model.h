@@ -34,6 +34,10 @@
 /* Most sets of loads, that of the live loads included. */
 #define QN_MAX_LOAD_SETS 32
 
+/* Most load cases, and most stretches of edges that the loads on them are resolved into. */
+#define QN_MAX_LOAD_CASES  1000
+#define QN_MAX_EDGE_FORCES 500000
+
 /* Most stages of one analysis. */
 #define QN_MAX_STAGES 1000
 
@@ -130,27 +134,75 @@ typedef enum {
   QN_LOAD_FORCE,      /* on one block: force and moment */
   QN_LOAD_SETTLEMENT, /* of one fixed degree of freedom of one block */
   QN_LOAD_LINE,       /* on one beam: force per undeformed length */
+  QN_LOAD_EDGE,       /* on a chain of edges of one block: force per length */
+  QN_LOAD_SURCHARGE,  /* downwards on what is seen from above: pressure, weight of fill */
+  QN_LOAD_BACKFILL,   /* earth pressure on what is seen from one side */
   QN_LOAD_NODE,       /* force and moment on one node */
   QN_LOAD_KIND_COUNT
 } QnLoadKind;
+
+/* How the coefficient K of earth pressure is found. */
+typedef enum {
+  QN_EARTH_GIVEN,   /* as a number */
+  QN_EARTH_AT_REST, /* K0 = 1 - sin phi (Jaky 1944) */
+  QN_EARTH_ACTIVE,  /* Ka = (1 - sin phi) / (1 + sin phi) (Rankine 1857) */
+  QN_EARTH_COUNT
+} QnEarth;
 
 /* Dead loads act from the start. The others belong to a set that grows with a multiplier: the
  * live loads are set 0, sets with names follow (QnModel.load_sets). */
 typedef struct QnLoad {
   QnLoadKind kind;
-  int32_t set;   /* of loads that are not dead: 0 = live */
-  QnVec2 vector; /* WEIGHT: direction of any length (1 = one weight); FORCE, NODE: N;
-                    LINE: N/m */
-  QnId block;    /* FORCE and SETTLEMENT */
-  QnId node;     /* NODE */
-  QnId beam;     /* LINE */
-  double moment; /* N m about the point of application; FORCE, NODE */
-  bool has_at;   /* FORCE: whether `at` is given; the centroid otherwise */
-  QnVec2 at;     /* m */
-  QnDof dof;     /* SETTLEMENT: which degree of freedom */
-  double value;  /* SETTLEMENT: how far at multiplier 1, m or rad */
+  int32_t set;       /* of loads that are not dead: 0 = live */
+  int32_t load_case; /* 0: none, factor 1; i: QnModel.load_cases[i - 1] */
+  QnVec2 vector;     /* WEIGHT: direction of any length (1 = one weight); FORCE, NODE: N;
+                    LINE: N/m; EDGE: direction, which multiplies the intensity */
+  QnId block;        /* FORCE, SETTLEMENT and EDGE */
+  QnId node;         /* NODE */
+  QnId beam;         /* LINE */
+  double moment;     /* N m about the point of application; FORCE, NODE */
+  bool has_at;       /* FORCE: whether `at` is given; the centroid otherwise */
+  QnVec2 at;         /* m */
+  QnDof dof;         /* SETTLEMENT: which degree of freedom */
+  double value;      /* SETTLEMENT: how far at multiplier 1, m or rad */
+
+  /* EDGE: a chain of edges, counter-clockwise; edge i goes from vertex i to the next one. */
+  bool has_side;   /* the straight part of the outline that faces `side` most; */
+  QnId edge;       /* else the first of */
+  QnId edge_count; /* so many edges */
+  double part[2]; /* of the chain's length, from its start: 0 <= part[0] < part[1] <= 1 */
+  double intensity[2]; /* at both ends of that part, linear between, N/m */
+  bool normal; /* whether it pushes at right angles into the block; `vector` otherwise */
+
+  QnBlockSide side; /* EDGE; BACKFILL: left or right, where the soil is */
+  double span[2];  /* SURCHARGE: from x to x; BACKFILL: from y to y, m; may be infinite */
+  double pressure; /* SURCHARGE, BACKFILL: on the fill's surface, Pa, >= 0 */
+  double unit_weight;    /* of the fill, N/m3, >= 0 */
+  double level;          /* SURCHARGE: of the fill's surface, m */
+  QnEarth earth;         /* BACKFILL: where K comes from: */
+  double coefficient;    /* GIVEN: K, >= 0 */
+  double friction_angle; /* of the soil, rad, 0 to pi/2 */
   int32_t note;
 } QnLoad;
+
+/* Loads of one origin, which a factor multiplies: permanent, traffic, … */
+typedef struct QnLoadCase {
+  char *name;    /* owned, unique among cases */
+  double factor; /* >= 0 */
+} QnLoadCase;
+
+/* A stretch of an edge that carries a load of one direction, linear along it and nowhere of the
+ * other sign. Its resultant acts at one point of the rigid block: Q = L (q0 + q1) / 2 at the part
+ * (q0 + 2 q1) / (3 (q0 + q1)) of the stretch. So one force at one point replaces it, in large
+ * displacements too, where it keeps its direction and moves with the block. */
+typedef struct QnEdgeForce {
+  size_t source; /* load, counted through the dead and then the live loads */
+  QnId block;
+  QnVec2 ends[2];      /* of the stretch, m */
+  QnVec2 intensity[2]; /* at them, N/m, without the factor of the case */
+  QnVec2 force;        /* resultant, N, */
+  QnVec2 at;           /* and its point, m */
+} QnEdgeForce;
 
 typedef enum {
   QN_PROCEDURE_LOAD,
@@ -278,6 +330,10 @@ typedef struct QnModel {
   size_t live_load_count, live_load_capacity;
   char **load_sets; /* owned names of set 1, 2, … */
   size_t load_set_count, load_set_capacity;
+  QnLoadCase *load_cases;
+  size_t load_case_count, load_case_capacity;
+  QnEdgeForce *edge_forces; /* derived, load by load */
+  size_t edge_force_count, edge_force_capacity;
   QnStage *stages; /* none: the live loads in one go */
   size_t stage_count, stage_capacity;
   QnGroundMotion *ground; /* this and what follows: for QN_PROCEDURE_DYNAMIC */
@@ -341,6 +397,16 @@ int32_t qn_model_find_load_set (const QnModel *model, const char *name);
 
 /* Name of a load set, "live" for 0. */
 const char *qn_model_load_set_name (const QnModel *model, int32_t set);
+
+/* Index of the load case with this name, from 1 as in QnLoad.load_case, added with factor 1 where
+ * there is none; QN_NONE where memory runs out or QN_MAX_LOAD_CASES are there already. */
+int32_t qn_model_add_load_case (QnModel *model, const char *name);
+
+/* The same without adding: QN_NONE where there is none. */
+int32_t qn_model_find_load_case (const QnModel *model, const char *name);
+
+/* K of a BACKFILL. */
+double qn_load_earth_coefficient (const QnLoad *load);
 
 /* Appends a course to a wall; false when memory runs out. */
 bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);
@@ -415,6 +481,39 @@ void qn_model_move_riding_nodes (const QnModel *model, bool finite,
 
 /* Whether a degree of freedom of a body is fixed, or moved by that of another body. */
 bool qn_model_body_is_fixed (const QnModel *model, size_t body, QnDof dof);
+
+/* Loads as analyses take them: the dead ones, the live ones, then the forces that loads on edges
+ * come to, each times the factor of its case. Dead ones have the set QN_NONE. The model must be
+ * prepared; index < qn_model_acting_count(). */
+static inline size_t
+qn_model_acting_count (const QnModel *model)
+{
+  return model->dead_load_count + model->live_load_count + model->edge_force_count;
+}
+
+QnLoad qn_model_acting_load (const QnModel *model, size_t index);
+
+/* The load that an acting one comes from, counted through the dead and then the live loads. */
+size_t qn_model_acting_source (const QnModel *model, size_t index);
+
+/* Those of one load, count of them from there on in QnModel.edge_forces. */
+const QnEdgeForce *qn_model_edge_forces_of (const QnModel *model, size_t source,
+                                            size_t *count);
+
+/* One of the loads, counted through the dead and then the live ones; its factor. */
+const QnLoad *qn_model_load (const QnModel *model, size_t source);
+double qn_model_load_factor (const QnModel *model, const QnLoad *load);
+
+/* Whether a load is resolved into forces on edges. */
+static inline bool
+qn_load_is_on_edges (QnLoadKind kind)
+{
+  return kind == QN_LOAD_EDGE || kind == QN_LOAD_SURCHARGE || kind == QN_LOAD_BACKFILL;
+}
+
+/* The force that one load (counted likewise) exerts on the structure as a whole, its factor
+ * included, N: on fixed blocks and along beams too; {0, 0} of settlements. */
+QnVec2 qn_model_load_resultant (const QnModel *model, size_t source);
 
 /* Resultant of the dead or the live loads (those of set 0) on every body, without those
  * distributed over beams. Settlements are no forces.

@@ -1,3 +1,5 @@
+#include "core/base/tolerance.h"
+#include "core/model/edge-load.h"
 #include "doc/edit/edit.h"
 
 #include <glib/gi18n.h>
@@ -36,6 +38,106 @@ qn_edit_delete_load (QnModel *model, gboolean live, QnId id, GError **error)
     return FALSE;
   }
   remove_load (live ? model->live_loads : model->dead_loads, count, (size_t) id);
+  return TRUE;
+}
+
+/* Where points of an edge of another block lie along the edge ab, as parts of it; FALSE where that edge
+ * lies elsewhere. */
+static gboolean
+lies_along (QnVec2 a, QnVec2 b, QnVec2 from, QnVec2 to, double at[2])
+{
+  QnVec2 ab = qn_vec2_sub (b, a), other = qn_vec2_sub (to, from);
+  double length = qn_vec2_length (ab), off = QN_TOLERANCE_CONVEX * length;
+  QnVec2 along = qn_vec2_scale (1.0 / length, ab);
+  at[0] = qn_vec2_dot (along, qn_vec2_sub (from, a)) / length;
+  at[1] = qn_vec2_dot (along, qn_vec2_sub (to, a)) / length;
+  return fabs (qn_vec2_cross (along, qn_vec2_sub (from, a))) <= off
+         && fabs (qn_vec2_cross (along, other)) <= off && at[1] > at[0];
+}
+
+/* One edge of a load, from `low` to `high` of its length with these intensities. */
+typedef struct Loaded {
+  QnVec2 a, b;
+  double low, high, intensity[2];
+} Loaded;
+
+/* The load on what lies there of the edges of new blocks. */
+static void
+add_carried (GArray *carried, const QnModel *model, const QnLoad *load, QnId first,
+             const Loaded *old)
+{
+  for (QnId block = first; block < (QnId) model->block_count; block++) {
+    const QnVec2 *v = qn_model_block_vertices (model, block);
+    const QnId count = model->blocks[block].vertex_count;
+    for (QnId edge = 0; edge < count; edge++) {
+      double at[2];
+      if (!lies_along (old->a, old->b, v[edge], v[(edge + 1) % count], at))
+        continue;
+      double ends[2] = { MAX (old->low, at[0]), MIN (old->high, at[1]) };
+      if (!(ends[1] - ends[0] > QN_TOLERANCE_CONVEX))
+        continue;
+      QnLoad part = *load;
+      part.block = block;
+      part.has_side = false;
+      part.edge = edge;
+      part.edge_count = 1;
+      for (int end = 0; end < 2; end++) {
+        double s = (ends[end] - old->low) / (old->high - old->low);
+        part.part[end] = CLAMP ((ends[end] - at[0]) / (at[1] - at[0]), 0.0, 1.0);
+        part.intensity[end] = (1.0 - s) * old->intensity[0] + s * old->intensity[1];
+      }
+      g_array_append_val (carried, part);
+    }
+  }
+}
+
+/* A load on a chain of edges, edge by edge. */
+static void
+carry (GArray *carried, const QnModel *model, const QnLoad *load, QnId first)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, load->block);
+  const QnId count = model->blocks[load->block].vertex_count;
+  double whole = 0.0, start = 0.0;
+  QnId begin, edges;
+  qn_load_chain (model, load, &begin, &edges);
+  for (QnId i = begin; i < begin + edges; i++)
+    whole += qn_vec2_length (qn_vec2_sub (v[(i + 1) % count], v[i % count]));
+  for (QnId i = begin; i < begin + edges; i++) {
+    Loaded old = { .a = v[i % count], .b = v[(i + 1) % count] };
+    double length = qn_vec2_length (qn_vec2_sub (old.b, old.a)), ends[2];
+    ends[0] = MAX (load->part[0] * whole, start);
+    ends[1] = MIN (load->part[1] * whole, start + length);
+    for (int end = 0; end < 2; end++) {
+      double s = (ends[end] / whole - load->part[0]) / (load->part[1] - load->part[0]);
+      old.intensity[end] = (1.0 - s) * load->intensity[0] + s * load->intensity[1];
+    }
+    old.low = (ends[0] - start) / length;
+    old.high = (ends[1] - start) / length;
+    if (old.low < old.high)
+      add_carried (carried, model, load, first, &old);
+    start += length;
+  }
+}
+
+gboolean
+qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error)
+{
+  for (int live = 0; live < 2; live++) {
+    gsize count = live ? model->live_load_count : model->dead_load_count;
+    g_autoptr (GArray) carried = g_array_new (FALSE, FALSE, sizeof (QnLoad));
+    for (gsize i = 0; i < count; i++) {
+      const QnLoad *load = live ? &model->live_loads[i] : &model->dead_loads[i];
+      if (load->kind == QN_LOAD_EDGE && load->block == gone)
+        carry (carried, model, load, first);
+    }
+    for (guint i = 0; i < carried->len; i++) {
+      QnLoad *added =
+        live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+      if (added == NULL)
+        return qn_edit_no_memory (error);
+      *added = g_array_index (carried, QnLoad, i);
+    }
+  }
   return TRUE;
 }
 

@@ -200,6 +200,8 @@ follow_load (const Rebuild *r, QnLoad *load)
 {
   switch (load->kind) {
   case QN_LOAD_WEIGHT:
+  case QN_LOAD_SURCHARGE:
+  case QN_LOAD_BACKFILL:
   case QN_LOAD_KIND_COUNT:
     return TRUE;
   case QN_LOAD_NODE:
@@ -210,10 +212,13 @@ follow_load (const Rebuild *r, QnLoad *load)
     return load->beam != QN_NONE;
   case QN_LOAD_FORCE:
   case QN_LOAD_SETTLEMENT:
+  case QN_LOAD_EDGE:
     break;
   }
   load->block = follow_block (r, load->block);
-  return load->block != QN_NONE;
+  return load->block != QN_NONE
+         && (load->kind != QN_LOAD_EDGE || load->has_side
+             || load->edge < r->to->blocks[load->block].vertex_count);
 }
 
 static QnId
@@ -266,6 +271,17 @@ copy_bars (const Rebuild *r)
     if (added == NULL)
       return FALSE;
     *added = r->from->bars[i];
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_load_cases (const Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->load_case_count; i++) {
+    if (qn_model_add_load_case (r->to, r->from->load_cases[i].name) == QN_NONE)
+      return FALSE;
+    r->to->load_cases[i].factor = r->from->load_cases[i].factor;
   }
   return TRUE;
 }
@@ -369,6 +385,7 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     laid && (masonry != NULL || copy_blocks (&r, TRUE, drop)) && copy_walls (&r)
     && qn_model_expand_walls (&fresh, &diag) == QN_OK
     && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams, &diag)
+    && copy_load_cases (&r)
     && copy_loads (&r, model->dead_loads, model->dead_load_count, qn_model_add_dead_load)
     && copy_loads (&r, model->live_loads, model->live_load_count, qn_model_add_live_load)
     && copy_overrides (&r) && copy_bars (&r) && copy_stages (&r) && copy_dynamics (&r);

@@ -84,7 +84,8 @@ redirect (QnModel *model, QnId gone, QnId first, QnId main)
   for (int l = 0; l < 2; l++) {
     for (gsize i = 0; i < counts[l]; i++) {
       QnLoad *load = &lists[l][i];
-      if (load->kind == QN_LOAD_WEIGHT || load->block != gone)
+      if (load->kind == QN_LOAD_WEIGHT || load->kind == QN_LOAD_EDGE
+          || load->block != gone)
         continue;
       if (load->kind == QN_LOAD_SETTLEMENT) {
         load->block = main;
@@ -142,8 +143,11 @@ qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
     for (int dof = 0; dof < QN_DOF_COUNT; dof++)
       block->support[dof] = old.support[dof];
   }
-  for (guint i = 0; i < count; i++)
+  for (guint i = 0; i < count; i++) {
     redirect (model, gone[i], first, first + (QnId) keeper);
+    if (!qn_edit_carry_edge_loads (model, gone[i], first, error))
+      return FALSE;
+  }
   g_autofree gboolean *drop = qn_block_set_to_flags ((QnBlockSet){ gone, count }, model);
   return qn_edit_rebuild (model, drop, error);
 }

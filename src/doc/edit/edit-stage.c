@@ -1,5 +1,7 @@
 #include "doc/edit/edit-stage.h"
 
+#include "core/base/box.h"
+
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdlib.h>
@@ -78,7 +80,118 @@ qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error)
   return TRUE;
 }
 
+/* ---- cases ---- */
+
+gboolean
+qn_edit_add_load_case (QnModel *model, GError **error)
+{
+  if (model->load_case_count >= QN_MAX_LOAD_CASES)
+    return refuse (error, _ ("The largest number of load cases is reached"));
+  for (gsize number = model->load_case_count + 1;; number++) {
+    g_autofree char *name = g_strdup_printf ("%s %" G_GSIZE_FORMAT, _ ("case"), number);
+    if (qn_model_find_load_case (model, name) == QN_NONE)
+      return qn_model_add_load_case (model, name) != QN_NONE || qn_edit_no_memory (error);
+  }
+}
+
+gboolean
+qn_edit_rename_load_case (QnModel *model, int32_t number, const char *name,
+                          GError **error)
+{
+  if (*name == '\0' || qn_model_find_load_case (model, name) != QN_NONE)
+    return refuse (error, _ ("A load case needs a name of its own"));
+  char *copy = strdup (name);
+  if (copy == NULL)
+    return qn_edit_no_memory (error);
+  free (model->load_cases[number - 1].name);
+  model->load_cases[number - 1].name = copy;
+  return TRUE;
+}
+
+gboolean
+qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error)
+{
+  (void) error;
+  for (int live = 0; live < 2; live++) {
+    QnLoad *loads = live ? model->live_loads : model->dead_loads;
+    gsize count = live ? model->live_load_count : model->dead_load_count;
+    for (gsize i = 0; i < count; i++) {
+      if (loads[i].load_case == number)
+        loads[i].load_case = 0;
+      loads[i].load_case -= loads[i].load_case > number;
+    }
+  }
+  free (model->load_cases[number - 1].name);
+  memmove (model->load_cases + number - 1, model->load_cases + number,
+           (model->load_case_count - (gsize) number) * sizeof *model->load_cases);
+  model->load_case_count--;
+  return TRUE;
+}
+
 /* ---- loads ---- */
+
+static gboolean
+is_fixed (const QnBlock *block)
+{
+  return block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+         && block->support[QN_DOF_RZ];
+}
+
+/* Of the corners of some blocks, or of all that are not fixed. */
+static QnBox
+box_of (const QnModel *model, QnBlockSet set)
+{
+  g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
+  QnBox box = QN_BOX_EMPTY;
+  for (gsize b = 0; b < model->block_count; b++) {
+    const QnVec2 *corners = qn_model_block_vertices (model, (QnId) b);
+    gboolean counts = set.count > 0 ? flags[b] : !is_fixed (&model->blocks[b]);
+    for (QnId k = 0; counts && k < model->blocks[b].vertex_count; k++)
+      qn_box_add_point (&box, corners[k]);
+  }
+  return box;
+}
+
+/* Stone and soil as they are usual: 10 kN/m, 10 kPa, 18 kN/m3 with an angle of friction of 30 degrees. */
+gboolean
+qn_edit_make_edge_load (const QnModel *model, QnLoadKind kind, QnBlockSet set,
+                        QnLoad *load, GError **error)
+{
+  *load = (QnLoad){ .kind = kind,
+                    .block = QN_NONE,
+                    .node = QN_NONE,
+                    .beam = QN_NONE,
+                    .edge_count = 1,
+                    .part = { 0.0, 1.0 },
+                    .intensity = { 1e4, 1e4 },
+                    .normal = true,
+                    .has_side = true,
+                    .side = QN_BLOCK_SIDE_TOP };
+  if (kind == QN_LOAD_EDGE && set.count == 0)
+    return refuse (error, _ ("Select the block whose edge is loaded"));
+  QnBox box = box_of (model, set);
+  if (qn_box_is_empty (box))
+    return refuse (error, _ ("There is no block to be loaded"));
+  switch ((int) kind) {
+  case QN_LOAD_EDGE:
+    load->block = set.ids[0];
+    break;
+  case QN_LOAD_SURCHARGE:
+    load->pressure = 1e4;
+    load->span[0] = box.min.x;
+    load->span[1] = box.max.x;
+    break;
+  default:
+    load->side = QN_BLOCK_SIDE_LEFT;
+    load->span[0] = box.min.y;
+    load->span[1] = box.max.y;
+    load->unit_weight = 18e3;
+    load->earth = QN_EARTH_ACTIVE;
+    load->friction_angle = G_PI / 6.0;
+    break;
+  }
+  return TRUE;
+}
 
 /* Place of the k-th load of a list in the model's array; the array's end where there is none. */
 static gsize

@@ -20,6 +20,18 @@ gboolean qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name,
 /* With it go its loads, and stages that drive nothing else. */
 gboolean qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error);
 
+/* Adds a load case of factor 1 under a free name ("case 1", …). Cases are counted from 1. */
+gboolean qn_edit_add_load_case (QnModel *model, GError **error);
+gboolean qn_edit_rename_load_case (QnModel *model, int32_t number, const char *name,
+                                   GError **error);
+/* Its loads stay, without a case. */
+gboolean qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error);
+
+/* A new load of a kind on edges: on the top of the first of the blocks, or above or beside all of them;
+ * of the structure, where the set is empty. */
+gboolean qn_edit_make_edge_load (const QnModel *model, QnLoadKind kind, QnBlockSet set,
+                                 QnLoad *load, GError **error);
+
 /* How many loads a list has, and its k-th; NULL behind the last. */
 gsize qn_model_count_loads (const QnModel *model, int32_t list);
 const QnLoad *qn_model_get_load (const QnModel *model, int32_t list, gsize index);

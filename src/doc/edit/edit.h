@@ -89,6 +89,10 @@ gboolean qn_edit_add_force (QnModel *model, QnId block, gboolean live, QnVec2 fo
                             QnVec2 at, GError **error);
 gboolean qn_edit_delete_load (QnModel *model, gboolean live, QnId load, GError **error);
 
+/* Adds loads like those on the edges of a block that goes to the edges that take their place: what lies
+ * on the loaded ones of the blocks from `first` on. */
+gboolean qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error);
+
 /* The one load of kind weight; a zero direction removes it. */
 gboolean qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction,
                                   GError **error);

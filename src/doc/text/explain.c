@@ -20,6 +20,7 @@ entity_word (QnEntity entity)
     [QN_ENTITY_BEAM] = N_ ("Beam"),
     [QN_ENTITY_DEAD_LOAD] = N_ ("Dead load"),
     [QN_ENTITY_LIVE_LOAD] = N_ ("Live load"),
+    [QN_ENTITY_LOAD_CASE] = N_ ("Load case"),
     [QN_ENTITY_ANALYSIS] = N_ ("Analysis"),
     [QN_ENTITY_STAGE] = N_ ("Load stage"),
     [QN_ENTITY_GROUND_MOTION] = N_ ("Ground motion"),

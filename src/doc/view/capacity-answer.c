@@ -120,8 +120,8 @@ static void
 set_control (QnModel *model, QnId block)
 {
   double direction = 0;
-  for (gsize i = 0; i < model->live_load_count; i++)
-    direction += model->live_loads[i].vector.x;
+  for (gsize i = model->dead_load_count; i < qn_model_acting_count (model); i++)
+    direction += qn_model_acting_load (model, i).vector.x;
   model->analysis.control_block = block;
   model->analysis.control_target = copysign (height_of (model), direction);
 }

@@ -20,6 +20,97 @@ dup_vector (QnUnits units, QnQuantity quantity, QnVec2 v)
   return g_strdup_printf ("%s; %s", x, y);
 }
 
+/* "2 to 5 kN/m", or one number where both are the same. */
+static char *
+dup_range (QnUnits units, QnQuantity quantity, const double ends[2])
+{
+  g_autofree char *from = qn_units_format (units, quantity, ends[0], 4);
+  g_autofree char *to = qn_units_format_full (units, quantity, ends[1], 4);
+  return ends[0] == ends[1] ? g_steal_pointer (&to)
+                            : g_strdup_printf (_ ("%s to %s"), from, to);
+}
+
+static char *
+dup_edge_text (const QnModel *model, const QnLoad *load, QnUnits units)
+{
+  static const char *const sides[QN_BLOCK_SIDE_COUNT] = {
+    [QN_BLOCK_SIDE_LEFT] = N_ ("left side"),
+    [QN_BLOCK_SIDE_RIGHT] = N_ ("right side"),
+    [QN_BLOCK_SIDE_BOTTOM] = N_ ("bottom"),
+    [QN_BLOCK_SIDE_TOP] = N_ ("top"),
+  };
+  const char *block = model->blocks[load->block].name;
+  g_autofree char *intensity = dup_range (units, QN_QUANTITY_STIFFNESS, load->intensity);
+  g_autofree char *where =
+    load->has_side ? g_strdup (_ (sides[load->side]))
+    : load->edge_count == 1
+      ? g_strdup_printf (_ ("edge %d"), load->edge)
+      : g_strdup_printf (_ ("%d edges from %d"), load->edge_count, load->edge);
+  g_autofree char *direction = load->normal
+                                 ? g_strdup (_ ("normal"))
+                                 : dup_vector (units, QN_QUANTITY_NUMBER, load->vector);
+  return g_strdup_printf (_ ("Edge load on %s, %s: %s (%s)"), block, where, intensity,
+                          direction);
+}
+
+/* The number with its unit; NULL where a range has no end there. */
+static char *
+dup_limit (QnUnits units, double at)
+{
+  return isfinite (at) ? qn_units_format_full (units, QN_QUANTITY_LENGTH, at, 4) : NULL;
+}
+
+static char *
+dup_surcharge_text (const QnLoad *load, QnUnits units)
+{
+  g_autofree char *pressure =
+    qn_units_format_full (units, QN_QUANTITY_STRESS, load->pressure, 4);
+  g_autofree char *weight =
+    qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
+  g_autofree char *level =
+    qn_units_format_full (units, QN_QUANTITY_LENGTH, load->level, 4);
+  g_autofree char *from = dup_limit (units, load->span[0]);
+  g_autofree char *to = dup_limit (units, load->span[1]);
+  GString *text = g_string_new (NULL);
+  if (load->unit_weight > 0)
+    g_string_append_printf (text, _ ("Fill of %s up to y = %s"), weight, level);
+  if (load->unit_weight > 0 && load->pressure > 0)
+    g_string_append (text, "; ");
+  if (load->pressure > 0 || load->unit_weight == 0)
+    g_string_append_printf (text, _ ("Surcharge %s"), pressure);
+  if (from != NULL)
+    g_string_append_printf (text, _ ("; from x = %s"), from);
+  if (to != NULL)
+    g_string_append_printf (text, _ ("; to x = %s"), to);
+  return g_string_free (text, FALSE);
+}
+
+static char *
+dup_backfill_text (const QnLoad *load, QnUnits units)
+{
+  g_autofree char *weight =
+    qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
+  g_autofree char *pressure =
+    qn_units_format_full (units, QN_QUANTITY_STRESS, load->pressure, 4);
+  g_autofree char *k =
+    qn_units_format (units, QN_QUANTITY_NUMBER, qn_load_earth_coefficient (load), 4);
+  g_autofree char *from = dup_limit (units, load->span[0]);
+  g_autofree char *to = dup_limit (units, load->span[1]);
+  GString *text = g_string_new (NULL);
+  g_string_append_printf (text,
+                          load->side == QN_BLOCK_SIDE_LEFT
+                            ? _ ("Backfill on the left: %s, K = %s")
+                            : _ ("Backfill on the right: %s, K = %s"),
+                          weight, k);
+  if (load->pressure > 0)
+    g_string_append_printf (text, _ ("; surcharge %s"), pressure);
+  if (from != NULL)
+    g_string_append_printf (text, _ ("; from y = %s"), from);
+  if (to != NULL)
+    g_string_append_printf (text, _ ("; to y = %s"), to);
+  return g_string_free (text, FALSE);
+}
+
 char *
 qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
 {
@@ -46,6 +137,12 @@ qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
                             model->blocks[load->block].name, components[load->dof],
                             value);
   }
+  case QN_LOAD_EDGE:
+    return dup_edge_text (model, load, units);
+  case QN_LOAD_SURCHARGE:
+    return dup_surcharge_text (load, units);
+  case QN_LOAD_BACKFILL:
+    return dup_backfill_text (load, units);
   case QN_LOAD_KIND_COUNT:
     break;
   }

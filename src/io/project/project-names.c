@@ -15,6 +15,15 @@ const char *const qn_load_kind_names[QN_LOAD_KIND_COUNT] = {
   [QN_LOAD_SETTLEMENT] = "settlement",
   [QN_LOAD_LINE] = "line",
   [QN_LOAD_NODE] = "force",
+  [QN_LOAD_EDGE] = "edge",
+  [QN_LOAD_SURCHARGE] = "surcharge",
+  [QN_LOAD_BACKFILL] = "backfill",
+};
+
+const char *const qn_earth_names[QN_EARTH_COUNT] = {
+  [QN_EARTH_GIVEN] = "given",
+  [QN_EARTH_AT_REST] = "at-rest",
+  [QN_EARTH_ACTIVE] = "active",
 };
 
 const char *const qn_procedure_names[QN_PROCEDURE_COUNT] = {

@@ -1,7 +1,9 @@
+#include "core/base/integer.h"
 #include "io/project/project-names.h"
 #include "io/project/project-read-parts.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <string.h>
 
 /* Numbers of a member that is an array of at most QN_MAX_EXPLICIT_PAIRS. */
@@ -149,7 +151,7 @@ qn_read_contact (const QnJsonValue *root, QnModel *model)
 static gboolean
 read_node_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
-  static const char *const keys[] = { "kind", "node", "value", "moment" };
+  static const char *const keys[] = { "kind", "case", "node", "value", "moment" };
   if (cJSON_HasObjectItem (place->json, "block")) {
     QnJsonValue block = qn_json_value_member (place, "block");
     return qn_json_value_fail (&block, _ ("block and node exclude each other"));
@@ -165,7 +167,7 @@ read_node_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 static gboolean
 read_line_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
-  static const char *const keys[] = { "kind", "beam", "value" };
+  static const char *const keys[] = { "kind", "case", "beam", "value" };
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   return qn_read_name (place, "beam", QN_REQUIRED, model, QN_NAMED_BEAM, &load->beam)
          && qn_member_vec2 (place, "value", QN_REQUIRED, &load->vector);
@@ -174,7 +176,7 @@ read_line_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 static gboolean
 read_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
-  static const char *const keys[] = { "kind", "block", "value", "moment", "at" };
+  static const char *const keys[] = { "kind", "case", "block", "value", "moment", "at" };
   if (cJSON_HasObjectItem (place->json, "node"))
     return read_node_force (place, model, load);
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
@@ -189,7 +191,7 @@ read_force (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 static gboolean
 read_settlement (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
-  static const char *const keys[] = { "kind", "block", "component", "value" };
+  static const char *const keys[] = { "kind", "case", "block", "component", "value" };
   qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
   return qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &load->block)
          && qn_member_choice (place, "component", QN_REQUIRED, qn_dof_names, QN_DOF_COUNT,
@@ -197,13 +199,154 @@ read_settlement (const QnJsonValue *place, const QnModel *model, QnLoad *load)
          && qn_member_number (place, "value", QN_REQUIRED, QN_RANGE_FINITE, &load->value);
 }
 
+/* One number for both ends, or a number for each. */
+static gboolean
+read_intensity (const QnJsonValue *place, double intensity[2])
+{
+  QnJsonValue value = qn_json_value_member (place, "intensity");
+  QnVec2 ends;
+  if (!cJSON_IsArray (value.json)) {
+    gboolean read =
+      qn_member_number (place, "intensity", QN_REQUIRED, QN_RANGE_FINITE, &intensity[0]);
+    intensity[1] = intensity[0];
+    return read;
+  }
+  if (!qn_json_value_vec2 (&value, &ends))
+    return FALSE;
+  intensity[0] = ends.x;
+  intensity[1] = ends.y;
+  return TRUE;
+}
+
+/* Which edges of the block: those of a side, or a number of them from one on, counted from 0. */
+static gboolean
+read_chain (const QnJsonValue *place, const QnModel *model, QnLoad *load)
+{
+  const QnJsonValue edge = qn_json_value_member (place, "edge");
+  const QnJsonValue count = qn_json_value_member (place, "count");
+  const double edges = model->blocks[load->block].vertex_count;
+  double number;
+  load->has_side = cJSON_HasObjectItem (place->json, "side");
+  if (load->has_side) {
+    if (edge.json != NULL || count.json != NULL)
+      return qn_json_value_fail (edge.json != NULL ? &edge : &count,
+                                 _ ("side excludes edge and count"));
+    return qn_member_choice (place, "side", QN_REQUIRED, qn_block_side_names,
+                             QN_BLOCK_SIDE_COUNT, &load->side);
+  }
+  if (!qn_member_number (place, "edge", QN_REQUIRED, QN_RANGE_NOT_NEGATIVE, &number)
+      || !qn_member_count (place, "count", QN_OPTIONAL, INT32_MAX, &load->edge_count))
+    return FALSE;
+  if (number != floor (number) || number >= edges)
+    return qn_json_value_failf (&edge, _ ("block “%s” has edges 0 to %.0f"),
+                                model->blocks[load->block].name, edges - 1);
+  if (load->edge_count > edges)
+    return qn_json_value_failf (&count, _ ("block “%s” has %.0f edges"),
+                                model->blocks[load->block].name, edges);
+  load->edge = (QnId) qn_to_integer (number, 0, INT32_MAX);
+  return TRUE;
+}
+
+static gboolean
+read_edge_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
+{
+  static const char *const keys[] = { "kind",  "case", "block",     "side",     "edge",
+                                      "count", "part", "intensity", "direction" };
+  QnVec2 part = { 0, 1 };
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  load->normal = !cJSON_HasObjectItem (place->json, "direction");
+  if (!qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK, &load->block)
+      || !read_chain (place, model, load)
+      || !qn_member_vec2 (place, "part", QN_OPTIONAL, &part)
+      || !qn_member_vec2 (place, "direction", QN_OPTIONAL, &load->vector))
+    return FALSE;
+  load->part[0] = part.x;
+  load->part[1] = part.y;
+  return read_intensity (place, load->intensity);
+}
+
+static gboolean
+read_surcharge (const QnJsonValue *place, QnLoad *load)
+{
+  static const char *const keys[] = { "kind", "case",        "pressure", "from",
+                                      "to",   "unit_weight", "level" };
+  const gboolean fill = cJSON_HasObjectItem (place->json, "unit_weight");
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  return qn_member_number (place, "pressure", fill ? QN_OPTIONAL : QN_REQUIRED,
+                           QN_RANGE_NOT_NEGATIVE, &load->pressure)
+         && qn_member_number (place, "from", QN_OPTIONAL, QN_RANGE_FINITE, &load->span[0])
+         && qn_member_number (place, "to", QN_OPTIONAL, QN_RANGE_FINITE, &load->span[1])
+         && qn_member_number (place, "unit_weight", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
+                              &load->unit_weight)
+         && qn_member_number (place, "level", fill ? QN_REQUIRED : QN_OPTIONAL,
+                              QN_RANGE_FINITE, &load->level);
+}
+
+/* K as a number, or from the friction angle of the soil. */
+static gboolean
+read_earth (const QnJsonValue *place, QnLoad *load)
+{
+  const gboolean angle = cJSON_HasObjectItem (place->json, "friction_angle");
+  const QnJsonValue number = qn_json_value_member (place, "coefficient");
+  if (!angle)
+    return qn_member_number (place, "coefficient", QN_REQUIRED, QN_RANGE_NOT_NEGATIVE,
+                             &load->coefficient);
+  if (number.json != NULL)
+    return qn_json_value_fail (&number,
+                               _ ("coefficient and friction_angle exclude each other"));
+  load->earth = QN_EARTH_ACTIVE;
+  if (!qn_member_choice (place, "earth", QN_OPTIONAL, qn_earth_names, QN_EARTH_COUNT,
+                         &load->earth))
+    return FALSE;
+  if (load->earth == QN_EARTH_GIVEN) {
+    QnJsonValue member = qn_json_value_member (place, "earth");
+    return qn_json_value_fail (&member, _ ("a given coefficient has no friction angle"));
+  }
+  return qn_member_number (place, "friction_angle", QN_REQUIRED, QN_RANGE_NOT_NEGATIVE,
+                           &load->friction_angle);
+}
+
+static gboolean
+read_backfill (const QnJsonValue *place, QnLoad *load)
+{
+  static const char *const keys[] = { "kind",        "case",           "side",
+                                      "top",         "bottom",         "unit_weight",
+                                      "coefficient", "friction_angle", "earth",
+                                      "surcharge" };
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  return qn_member_choice (place, "side", QN_REQUIRED, qn_block_side_names,
+                           QN_BLOCK_SIDE_BOTTOM, &load->side)
+         && qn_member_number (place, "top", QN_REQUIRED, QN_RANGE_FINITE, &load->span[1])
+         && qn_member_number (place, "bottom", QN_OPTIONAL, QN_RANGE_FINITE,
+                              &load->span[0])
+         && qn_member_number (place, "unit_weight", QN_REQUIRED, QN_RANGE_NOT_NEGATIVE,
+                              &load->unit_weight)
+         && qn_member_number (place, "surcharge", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
+                              &load->pressure)
+         && read_earth (place, load);
+}
+
+static gboolean
+read_case (const QnJsonValue *place, const QnModel *model, int32_t *load_case)
+{
+  const char *name = NULL;
+  QnJsonValue member = qn_json_value_member (place, "case");
+  if (!qn_member_string (place, "case", QN_OPTIONAL, &name))
+    return FALSE;
+  *load_case = name != NULL ? qn_model_find_load_case (model, name) : 0;
+  return *load_case != QN_NONE
+         || qn_json_value_fail (&member,
+                                _ (qn_problem_text (QN_PROBLEM_LOAD_CASE_UNKNOWN)));
+}
+
 static gboolean
 read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
 {
-  static const char *const weight_keys[] = { "kind", "direction" };
+  static const char *const weight_keys[] = { "kind", "case", "direction" };
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_load_kind_names, QN_LOAD_NODE,
-                            &load->kind))
+                            &load->kind)
+      || !read_case (place, model, &load->load_case))
     return FALSE;
   if (load->kind == QN_LOAD_FORCE)
     return read_force (place, model, load);
@@ -211,6 +354,12 @@ read_load (const QnJsonValue *place, const QnModel *model, QnLoad *load)
     return read_settlement (place, model, load);
   if (load->kind == QN_LOAD_LINE)
     return read_line_load (place, model, load);
+  if (load->kind == QN_LOAD_EDGE)
+    return read_edge_load (place, model, load);
+  if (load->kind == QN_LOAD_SURCHARGE)
+    return read_surcharge (place, load);
+  if (load->kind == QN_LOAD_BACKFILL)
+    return read_backfill (place, load);
   qn_json_value_warn_unknown (place, weight_keys, G_N_ELEMENTS (weight_keys));
   return qn_member_vec2 (place, "direction", QN_REQUIRED, &load->vector);
 }
@@ -258,17 +407,42 @@ read_load_sets (const QnJsonValue *loads, QnModel *model)
   return TRUE;
 }
 
+/* Factors by the names of the cases. */
+static gboolean
+read_load_cases (const QnJsonValue *loads, QnModel *model)
+{
+  QnJsonValue cases = qn_json_value_member (loads, "cases");
+  if (cases.json == NULL)
+    return TRUE;
+  if (!qn_json_value_object (&cases))
+    return FALSE;
+  for (const cJSON *item = cases.json->child; item != NULL; item = item->next) {
+    QnJsonValue place = qn_json_value_child (&cases, item);
+    if (model->load_case_count >= QN_MAX_LOAD_CASES)
+      return qn_json_value_failf (&place, _ ("there may be %d load cases"),
+                                  QN_MAX_LOAD_CASES);
+    int32_t added = qn_model_add_load_case (model, item->string);
+    if (added == QN_NONE)
+      return qn_json_value_no_memory (&place);
+    if (!qn_json_value_number (&place, QN_RANGE_NOT_NEGATIVE,
+                               &model->load_cases[added - 1].factor))
+      return FALSE;
+  }
+  return TRUE;
+}
+
 gboolean
 qn_read_loads (const QnJsonValue *root, QnModel *model)
 {
-  static const char *const keys[] = { "dead", "live", "sets" };
+  static const char *const keys[] = { "cases", "dead", "live", "sets" };
   QnJsonValue loads = qn_json_value_member (root, "loads");
   if (loads.json == NULL)
     return TRUE;
   if (!qn_json_value_object (&loads))
     return FALSE;
   qn_json_value_warn_unknown (&loads, keys, G_N_ELEMENTS (keys));
-  return read_load_list (&loads, "dead", 0, model, qn_model_add_dead_load)
+  return read_load_cases (&loads, model)
+         && read_load_list (&loads, "dead", 0, model, qn_model_add_dead_load)
          && read_load_list (&loads, "live", 0, model, qn_model_add_live_load)
          && read_load_sets (&loads, model);
 }

@@ -7,10 +7,65 @@
 #include <math.h>
 
 static void
+put_edge_load (GString *json, const QnModel *model, const QnLoad *load)
+{
+  qn_json_put_string (json, "block", model->blocks[load->block].name);
+  if (load->has_side)
+    qn_json_put_string (json, "side", qn_block_side_names[load->side]);
+  else
+    qn_json_put_number (json, "edge", load->edge);
+  if (!load->has_side && load->edge_count != 1)
+    qn_json_put_number (json, "count", load->edge_count);
+  if (load->part[0] != 0 || load->part[1] != 1)
+    qn_json_put_vec2 (json, "part", qn_vec2 (load->part[0], load->part[1]));
+  if (load->intensity[0] == load->intensity[1])
+    qn_json_put_number (json, "intensity", load->intensity[0]);
+  else
+    qn_json_put_vec2 (json, "intensity",
+                      qn_vec2 (load->intensity[0], load->intensity[1]));
+  if (!load->normal)
+    qn_json_put_vec2 (json, "direction", load->vector);
+}
+
+static void
+put_surcharge (GString *json, const QnLoad *load)
+{
+  qn_json_put_number (json, "pressure", load->pressure);
+  if (isfinite (load->span[0]))
+    qn_json_put_number (json, "from", load->span[0]);
+  if (isfinite (load->span[1]))
+    qn_json_put_number (json, "to", load->span[1]);
+  if (load->unit_weight != 0 || load->level != 0) {
+    qn_json_put_number (json, "unit_weight", load->unit_weight);
+    qn_json_put_number (json, "level", load->level);
+  }
+}
+
+static void
+put_backfill (GString *json, const QnLoad *load)
+{
+  qn_json_put_string (json, "side", qn_block_side_names[load->side]);
+  qn_json_put_number (json, "top", load->span[1]);
+  if (isfinite (load->span[0]))
+    qn_json_put_number (json, "bottom", load->span[0]);
+  qn_json_put_number (json, "unit_weight", load->unit_weight);
+  if (load->earth == QN_EARTH_GIVEN) {
+    qn_json_put_number (json, "coefficient", load->coefficient);
+  } else {
+    qn_json_put_number (json, "friction_angle", load->friction_angle);
+    qn_json_put_string (json, "earth", qn_earth_names[load->earth]);
+  }
+  if (load->pressure != 0)
+    qn_json_put_number (json, "surcharge", load->pressure);
+}
+
+static void
 append_load (GString *json, const QnModel *model, const QnLoad *load)
 {
   g_string_append_c (json, '{');
   qn_json_put_string (json, "kind", qn_load_kind_names[load->kind]);
+  if (load->load_case > 0)
+    qn_json_put_string (json, "case", model->load_cases[load->load_case - 1].name);
   switch (load->kind) {
   case QN_LOAD_WEIGHT:
     qn_json_put_vec2 (json, "direction", load->vector);
@@ -37,6 +92,15 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
     qn_json_put_vec2 (json, "value", load->vector);
     if (load->moment != 0)
       qn_json_put_number (json, "moment", load->moment);
+    break;
+  case QN_LOAD_EDGE:
+    put_edge_load (json, model, load);
+    break;
+  case QN_LOAD_SURCHARGE:
+    put_surcharge (json, load);
+    break;
+  case QN_LOAD_BACKFILL:
+    put_backfill (json, load);
     break;
   case QN_LOAD_KIND_COUNT:
     g_assert_not_reached ();
@@ -69,6 +133,13 @@ void
 qn_project_append_loads (GString *json, const QnModel *model, GHashTable *inner)
 {
   g_string_append (json, "  \"loads\": {\n");
+  for (size_t i = 0; i < model->load_case_count; i++) {
+    if (i == 0)
+      g_string_append (json, "    \"cases\": {");
+    qn_json_put_number (json, model->load_cases[i].name, model->load_cases[i].factor);
+    if (i + 1 == model->load_case_count)
+      g_string_append (json, " },\n");
+  }
   append_load_list (json, model, "dead", model->dead_loads, model->dead_load_count, 0,
                     "    ", inner);
   g_string_append (json, ",\n");

@@ -122,6 +122,7 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     [QN_ENTITY_BEAM] = "beams",
     [QN_ENTITY_DEAD_LOAD] = "loads.dead",
     [QN_ENTITY_LIVE_LOAD] = "loads.live",
+    [QN_ENTITY_LOAD_CASE] = "loads.cases",
     [QN_ENTITY_ANALYSIS] = "analysis",
     [QN_ENTITY_STAGE] = "analysis.stages",
     [QN_ENTITY_GROUND_MOTION] = "analysis.dynamic.ground",
@@ -142,6 +143,10 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
   } else if (entity == QN_ENTITY_LIVE_LOAD && index >= 0
              && (size_t) index < model->live_load_count) {
     append_live_load (path, model, index);
+  } else if (entity == QN_ENTITY_LOAD_CASE && index >= 0
+             && (size_t) index < model->load_case_count) {
+    g_string_append (path, containers[entity]);
+    qn_json_path_append_key (path, model->load_cases[index].name);
   } else {
     g_string_append (path, containers[entity]);
     gboolean is_list = entity != QN_ENTITY_MODEL && entity != QN_ENTITY_CONTACT
@@ -256,6 +261,23 @@ dup_finding_message (const QnProject *project, const QnFinding *finding)
   return g_string_free (message, FALSE);
 }
 
+static char *
+dup_finding_path (const QnProject *project, const QnFinding *finding)
+{
+  const QnId dead = (QnId) project->model.dead_load_count;
+  switch ((int) finding->problem) {
+  case QN_PROBLEM_BEAM_FLOATING:
+    return qn_project_dup_key_path (project, QN_ENTITY_BEAM, finding->subject);
+  case QN_PROBLEM_LOAD_MEETS_NOTHING:
+    return finding->subject < dead
+             ? qn_project_dup_key_path (project, QN_ENTITY_DEAD_LOAD, finding->subject)
+             : qn_project_dup_key_path (project, QN_ENTITY_LIVE_LOAD,
+                                        finding->subject - dead);
+  default:
+    return qn_project_dup_key_path (project, QN_ENTITY_BLOCK, finding->block_a);
+  }
+}
+
 GPtrArray *
 qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findings)
 {
@@ -271,11 +293,8 @@ qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findin
     brief.text = NULL;
   for (size_t i = 0; i < findings->count; i++) {
     const QnFinding *finding = &findings->items[i];
-    gboolean beam = finding->problem == QN_PROBLEM_BEAM_FLOATING;
     g_autofree char *message = dup_finding_message (project, finding);
-    g_autofree char *path =
-      qn_project_dup_key_path (project, beam ? QN_ENTITY_BEAM : QN_ENTITY_BLOCK,
-                               beam ? finding->beam : finding->block_a);
+    g_autofree char *path = dup_finding_path (project, finding);
     gboolean listed =
       g_str_has_prefix (path, "blocks[") && (guint) finding->block_a < blocks->len;
     g_ptr_array_add (

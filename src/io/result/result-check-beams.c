@@ -22,16 +22,14 @@ element_load (const QnModel *model, QnId element, const double *factors)
   const QnSection *section = &model->sections[model->beams[beam].section];
   QnVec2 sum = { 0, 0 };
 
-  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
-    const gboolean live = i >= model->dead_load_count;
-    const QnLoad *load =
-      live ? &model->live_loads[i - model->dead_load_count] : &model->dead_loads[i];
-    double factor = live ? factors[load->set] : 1;
-    if (load->kind == QN_LOAD_WEIGHT)
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    double factor = load.set == QN_NONE ? 1 : factors[load.set];
+    if (load.kind == QN_LOAD_WEIGHT)
       sum = qn_vec2_add_scaled (sum, factor * section->unit_weight * section->area,
-                                load->vector);
-    else if (load->kind == QN_LOAD_LINE && load->beam == beam)
-      sum = qn_vec2_add_scaled (sum, factor, load->vector);
+                                load.vector);
+    else if (load.kind == QN_LOAD_LINE && load.beam == beam)
+      sum = qn_vec2_add_scaled (sum, factor, load.vector);
   }
   return sum;
 }

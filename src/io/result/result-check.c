@@ -125,20 +125,23 @@ add_force (const QnModel *model, QnId block, const double *deformation, QnVec2 f
 }
 
 /* The arms of forces that act away from the centroid have turned with their blocks. Loads of
- * sets count with the factor of their set; dead ones have none. */
+ * sets count with the factor of their set; the dead ones go elsewhere. */
 static void
-turn_loads (const QnModel *model, const double *deformation, const QnLoad *loads,
-            size_t count, const double *factors, double *forces)
+turn_loads (const QnModel *model, const double *deformation, const double *factors,
+            double *dead, double *live)
 {
-  for (size_t i = 0; i < count; i++) {
-    const QnLoad *load = &loads[i];
-    if (load->kind != QN_LOAD_FORCE && load->kind != QN_LOAD_NODE)
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    if (load.kind != QN_LOAD_FORCE && load.kind != QN_LOAD_NODE)
       continue;
-    size_t rz = qn_model_load_body (model, load) * QN_DOF_COUNT + QN_DOF_RZ;
-    QnVec2 arm = qn_model_load_arm (model, load);
+    size_t rz = qn_model_load_body (model, &load) * QN_DOF_COUNT + QN_DOF_RZ;
+    QnVec2 arm = qn_model_load_arm (model, &load);
     QnVec2 turned = qn_vec2_rotate (arm, cos (deformation[rz]), sin (deformation[rz]));
-    forces[rz] += (factors ? factors[load->set] : 1)
-                  * qn_vec2_cross (qn_vec2_sub (turned, arm), load->vector);
+    double moment = qn_vec2_cross (qn_vec2_sub (turned, arm), load.vector);
+    if (load.set == QN_NONE)
+      dead[rz] += moment;
+    else
+      live[rz] += factors[load.set] * moment;
   }
 }
 
@@ -364,12 +367,8 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
   qn_model_dead_forces (model, dead);
   qn_model_set_forces (model, factors, live);
   const double *deformation = qn_result_deformation (model, result);
-  if (deformation != NULL) {
-    turn_loads (model, deformation, model->dead_loads, model->dead_load_count, NULL,
-                dead);
-    turn_loads (model, deformation, model->live_loads, model->live_load_count, factors,
-                live);
-  }
+  if (deformation != NULL)
+    turn_loads (model, deformation, factors, dead, live);
   add_loads (model, dead, live, balance, check);
   check_pairs (file, model, deformation, balance, check);
   qn_result_check_add_beams (file, model, deformation, factors, balance, check);

@@ -51,43 +51,55 @@ qn_stage_dup_name (const QnModel *model, int32_t stage)
   return name != NULL ? g_strdup (name) : g_strdup_printf ("%d", stage);
 }
 
-/* Whether a load acts on beams: on a node that is not fixed altogether, or along them. */
 static gboolean
-meets_beams (const QnModel *model, const QnLoad *load)
+is_fixed (const bool *support)
 {
-  if (load->kind == QN_LOAD_LINE)
+  return support[QN_DOF_UX] && support[QN_DOF_UY] && support[QN_DOF_RZ];
+}
+
+/* Whether an acting load moves anything: settles a support, or is a force on a block or node that is
+ * not fixed altogether, or along beams. */
+static gboolean
+acts_on_something (const QnModel *model, const QnLoad *load)
+{
+  switch (load->kind) {
+  case QN_LOAD_SETTLEMENT:
+    return load->value != 0;
+  case QN_LOAD_FORCE:
+    return !is_fixed (model->blocks[load->block].support);
+  case QN_LOAD_NODE: {
+    QnId block = model->nodes[load->node].block;
+    return !is_fixed (block != QN_NONE ? model->blocks[block].support
+                                       : model->nodes[load->node].support);
+  }
+  case QN_LOAD_LINE:
     return TRUE;
-  for (size_t i = 0; load->kind == QN_LOAD_WEIGHT && i < model->beam_count; i++)
-    if (model->sections[model->beams[i].section].unit_weight > 0)
-      return TRUE;
-  if (load->kind != QN_LOAD_NODE)
+  case QN_LOAD_WEIGHT:
+    for (size_t b = 0; b < model->block_count; b++)
+      if (model->blocks[b].weight > 0 && !is_fixed (model->blocks[b].support))
+        return TRUE;
+    for (size_t i = 0; i < model->beam_count; i++)
+      if (model->sections[model->beams[i].section].unit_weight > 0)
+        return TRUE;
     return FALSE;
-  QnId block = model->nodes[load->node].block;
-  const bool *fixed =
-    block != QN_NONE ? model->blocks[block].support : model->nodes[load->node].support;
-  return !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]);
+  case QN_LOAD_EDGE: /* as the forces that it comes to */
+  case QN_LOAD_SURCHARGE:
+  case QN_LOAD_BACKFILL:
+  case QN_LOAD_KIND_COUNT:
+    break;
+  }
+  return FALSE;
 }
 
 gboolean
 qn_model_lacks_live_load (const QnModel *model)
 {
-  for (size_t i = 0; i < model->live_load_count; i++) {
-    const QnLoad *load = &model->live_loads[i];
-    if (load->kind == QN_LOAD_SETTLEMENT && load->value != 0)
+  for (size_t i = model->dead_load_count; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    gboolean any = load.vector.x != 0 || load.vector.y != 0 || load.moment != 0
+                   || load.kind == QN_LOAD_SETTLEMENT;
+    if (load.set != QN_NONE && any && acts_on_something (model, &load))
       return FALSE;
-    if (load->kind == QN_LOAD_SETTLEMENT)
-      continue;
-    gboolean acts = load->vector.x != 0 || load->vector.y != 0 || load->moment != 0;
-    if (acts && meets_beams (model, load))
-      return FALSE;
-    for (size_t b = 0; acts && b < model->block_count; b++) {
-      const bool *fixed = model->blocks[b].support;
-      gboolean meets = load->kind == QN_LOAD_WEIGHT
-                         ? model->blocks[b].weight > 0
-                         : load->kind == QN_LOAD_FORCE && load->block == (QnId) b;
-      if (meets && !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]))
-        return FALSE;
-    }
   }
   return TRUE;
 }

@@ -1,4 +1,5 @@
 /* Loads as arrows and overall dimensions. */
+#include "core/base/integer.h"
 #include "render/scene/scene-beams.h"
 #include "render/scene/text.h"
 
@@ -13,6 +14,14 @@
 
 /* Arrows of a load along a beam, less one. */
 #define LINE_ARROWS 10
+
+/* Length of the longest arrow of a load on edges, and the least distance between two, in block
+ * sizes. */
+#define EDGE_ARROW   0.8
+#define EDGE_SPACING 0.25
+
+/* Most arrows of one stretch of an edge. */
+#define MAX_EDGE_ARROWS 40
 
 /* Most blocks that get an arrow of their own for a load on every block. */
 #define MAX_WEIGHT_ARROWS 20000
@@ -130,6 +139,91 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
     ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
 }
 
+/* Of the loads on edges, dead and live together, N/m. */
+static double
+largest_intensity (const QnModel *model)
+{
+  double largest = 0;
+  for (size_t i = 0; i < model->edge_force_count; i++)
+    for (int end = 0; end < 2; end++)
+      largest = fmax (largest, qn_vec2_length (model->edge_forces[i].intensity[end]));
+  return largest;
+}
+
+/* A row of arrows that reach the edge, as long as the load is large there, joined at their tails. */
+static void
+add_edge_force (QnSceneBuilder *b, const QnEdgeForce *force, double scale,
+                QnPickKind pick, QnId index, QnColor color)
+{
+  QnVec2 ends[2], tails[2];
+  for (int end = 0; end < 2; end++) {
+    ends[end] = qn_builder_place (b, force->block, force->ends[end]);
+    tails[end] = qn_vec2_add_scaled (ends[end], -scale, force->intensity[end]);
+  }
+  double length = qn_vec2_length (qn_vec2_sub (ends[1], ends[0]));
+  int count =
+    (int) qn_to_integer (length / (EDGE_SPACING * b->block_size), 1, MAX_EDGE_ARROWS);
+  for (int i = 0; i <= count; i++) {
+    double s = (double) i / count;
+    QnVec2 from = qn_vec2_lerp (tails[0], tails[1], s);
+    QnVec2 to = qn_vec2_lerp (ends[0], ends[1], s);
+    if (from.x != to.x || from.y != to.y)
+      qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, to, QN_WIDTH_ARROW, color, pick,
+                      index, 0);
+  }
+  qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
+}
+
+/* By which the pressure of a surcharge or backfill was multiplied: the thickness, and of a load
+ * downwards what the edge is long in plan. */
+static double
+loaded_width (const QnModel *model, const QnEdgeForce *force)
+{
+  QnVec2 edge = qn_vec2_sub (force->ends[1], force->ends[0]);
+  bool down = qn_model_load (model, force->source)->kind == QN_LOAD_SURCHARGE;
+  return model->blocks[force->block].thickness
+         * (down ? fabs (edge.x) / qn_vec2_length (edge) : 1);
+}
+
+/* The load on edges with its largest intensity or pressure beside the arrow of it. */
+static void
+add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick,
+               QnId index, QnColor color)
+{
+  const QnModel *model = b->model;
+  const bool pressure = qn_model_load (model, source)->kind != QN_LOAD_EDGE;
+  double scale = EDGE_ARROW * b->block_size / largest, most = 0, shown = 0;
+  QnVec2 at = { 0, 0 }, direction = { 0, 0 };
+  size_t count;
+  const QnEdgeForce *forces = qn_model_edge_forces_of (model, source, &count);
+  for (size_t i = 0; i < count; i++) {
+    const QnEdgeForce *force = &forces[i];
+    add_edge_force (b, force, scale, pick, index, color);
+    for (int end = 0; end < 2; end++) {
+      double size = qn_vec2_length (force->intensity[end]);
+      if (!(size > most))
+        continue;
+      most = size;
+      shown = pressure ? size / loaded_width (model, force) : size;
+      direction = force->intensity[end];
+      at = qn_builder_place (b, force->block, force->ends[end]);
+    }
+  }
+  if (!(most > 0))
+    return;
+  g_autofree char *number = qn_label_number ("%.4g", shown / 1000);
+  g_autofree char *text = g_strconcat (number, pressure ? " kPa" : " kN/m", NULL);
+  QnCommand *label =
+    qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_add_scaled (at, -scale, direction),
+                   QN_SIZE_LABEL, text, color);
+  label->align_x = direction.x > 0.3 * most    ? 1.1f
+                   : direction.x < -0.3 * most ? -0.1f
+                                               : 0.5f;
+  label->align_y = direction.y < -0.3 * most  ? -0.2f
+                   : direction.y > 0.3 * most ? 1.2f
+                                              : 0.5f;
+}
+
 /* A settling support: an arrow in its direction with how far. Turning has its size told
  * only. */
 static void
@@ -167,8 +261,16 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
 {
   QnColor color = qn_builder_ink (b, ink);
   double largest = largest_force (loads, count);
+  double intensity = largest_intensity (b->model);
+  bool on_edges = false;
   for (size_t i = 0; i < count; i++) {
     const QnLoad *load = &loads[i];
+    if (qn_load_is_on_edges (load->kind)) {
+      size_t source = i + (loads == b->model->live_loads ? b->model->dead_load_count : 0);
+      add_edge_load (b, source, intensity, pick, (QnId) i, color);
+      on_edges = true;
+      continue;
+    }
     if (load->kind == QN_LOAD_FORCE || load->kind == QN_LOAD_NODE) {
       add_force_load (b, load, largest, pick, (QnId) i, color);
       continue;
@@ -198,6 +300,12 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
     QnLegendEntry *entry =
       qn_scene_legend (b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color,
                        _ ("%s: %s"), set_label (b, load, name), what);
+    entry->marker = QN_MARKER_ARROW_HEAD;
+    entry->size = QN_WIDTH_ARROW;
+  }
+  if (on_edges) {
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, color, _ ("%s: load on edges"), name);
     entry->marker = QN_MARKER_ARROW_HEAD;
     entry->size = QN_WIDTH_ARROW;
   }

@@ -62,8 +62,8 @@ static void
 test_loads (void)
 {
   static const Case cases[] = {
-    { "{ \"kind\": \"wind\" }",
-      "9:34: loads.dead[0].kind: \"wind\" is none of weight, force, settlement, line" },
+    { "{ \"kind\": \"wind\" }", "9:34: loads.dead[0].kind: \"wind\" is none of weight, "
+                                "force, settlement, line, edge, surcharge, backfill" },
     { "{ \"kind\": \"weight\" }",
       "9:24: loads.dead[0].direction: required key is missing" },
     { "{ \"kind\": \"weight\", \"direction\": [0] }",
@@ -119,6 +119,77 @@ test_analysis (void)
     padded.line = line;
     expect_errors ("\"loads\": {", &padded, 1);
     g_free (line);
+  }
+}
+
+/* Loads on edges and cases: what is refused, and where. */
+static void
+test_edge_loads (void)
+{
+#define EDGE   "\"kind\": \"edge\", \"block\": \"top\", \"intensity\": 1"
+#define FILL   "\"kind\": \"surcharge\", \"pressure\": 1"
+#define SOIL   "\"kind\": \"backfill\", \"side\": \"left\", \"unit_weight\": 1"
+#define SOIL_K SOIL ", \"coefficient\": 0.3"
+  static const struct {
+    const char *load, *message;
+  } wrong[] = {
+    { EDGE, "loads.live[0].edge: " },
+    { EDGE ", \"edge\": 4", "loads.live[0].edge: block “top” has edges 0 to 3" },
+    { EDGE ", \"edge\": 1.5", "loads.live[0].edge: block “top” has edges 0 to 3" },
+    { EDGE ", \"edge\": -1", "loads.live[0].edge: " },
+    { EDGE ", \"edge\": 1, \"count\": 5",
+      "loads.live[0].count: block “top” has 4 edges" },
+    { EDGE ", \"edge\": 1, \"count\": 0", "loads.live[0].count: " },
+    { EDGE ", \"edge\": 1, \"side\": \"top\"", "loads.live[0].edge: side excludes" },
+    { EDGE ", \"side\": \"above\"", "loads.live[0].side: " },
+    { EDGE ", \"edge\": 1, \"part\": [0.5, 0.5]", "loads.live[0].part: loaded part" },
+    { EDGE ", \"edge\": 1, \"part\": [-1, 1]", "loads.live[0].part: number must lie" },
+    { EDGE ", \"edge\": 1, \"direction\": [1]", "loads.live[0].direction: " },
+    { EDGE ", \"edge\": 1, \"case\": \"wind\"", "loads.live[0].case: no load case" },
+    { EDGE ", \"edge\": 1, \"case\": 3", "loads.live[0].case: " },
+    { "\"kind\": \"edge\", \"block\": \"top\", \"edge\": 1, \"intensity\": [1, 2, 3]",
+      "loads.live[0].intensity: " },
+    { "\"kind\": \"edge\", \"block\": \"top\", \"edge\": 1, \"intensity\": 1e308",
+      "loads.live[0].intensity: " },
+    { "\"kind\": \"edge\", \"block\": \"none\", \"edge\": 1, \"intensity\": 1",
+      "loads.live[0].block: no block" },
+    { FILL ", \"from\": 2, \"to\": 1", "loads.live[0].from: loaded part" },
+    { FILL ", \"from\": NaN", "6:" },
+    { FILL ", \"unit_weight\": 1", "loads.live[0].level: " },
+    { "\"kind\": \"surcharge\", \"pressure\": -1", "loads.live[0].pressure: " },
+    { "\"kind\": \"surcharge\"", "loads.live[0].pressure: " },
+    { SOIL_K, "loads.live[0].top: " },
+    { SOIL ", \"top\": 1", "loads.live[0].coefficient: " },
+    { SOIL ", \"top\": 1, \"coefficient\": -0.1", "loads.live[0].coefficient: " },
+    { SOIL_K ", \"top\": 1, \"bottom\": 2", "loads.live[0].bottom: loaded part" },
+    { SOIL_K ", \"top\": 1, \"friction_angle\": 0.5", "loads.live[0].coefficient: " },
+    { SOIL ", \"top\": 1, \"friction_angle\": 1.6", "loads.live[0].friction_angle: " },
+    { SOIL ", \"top\": 1, \"friction_angle\": 0.5, \"earth\": \"passive\"",
+      "loads.live[0].earth: " },
+    { SOIL ", \"top\": 1, \"friction_angle\": 0.5, \"earth\": \"given\"",
+      "loads.live[0].earth: " },
+    { "\"kind\": \"backfill\", \"side\": \"top\"", "loads.live[0].side: " },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    g_autofree char *load = g_strdup_printf ("\"live\": [ { %s },", wrong[i].load);
+    g_autofree char *text = test_replace (test_project_text, "\"live\": [", load);
+    g_autofree char *message = test_parse_error (text, NULL);
+    if (strstr (message, wrong[i].message) == NULL)
+      g_error ("'%s' is not in '%s'", wrong[i].message, message);
+  }
+
+  static const char *const cases[][2] = {
+    { "\"a\": -1", "loads.cases.a: " },
+    { "\"a\": \"x\"", "loads.cases.a: expected a number" },
+    { "\"a\": 1e300", "loads.cases.a: " },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *line =
+      g_strdup_printf ("\"loads\": { \"cases\": { %s },", cases[i][0]);
+    g_autofree char *text = test_replace (test_project_text, "\"loads\": {", line);
+    g_autofree char *message = test_parse_error (text, NULL);
+    if (strstr (message, cases[i][1]) == NULL)
+      g_error ("'%s' is not in '%s'", cases[i][1], message);
   }
 }
 
@@ -188,5 +259,6 @@ main (int argc, char **argv)
   g_test_add_func ("/project-read-loading/analysis", test_analysis);
   g_test_add_func ("/project-read-loading/no-effect", test_no_effect);
   g_test_add_func ("/project-read-loading/sets-and-stages", test_sets_and_stages);
+  g_test_add_func ("/project-read-loading/edge-loads", test_edge_loads);
   return g_test_run ();
 }

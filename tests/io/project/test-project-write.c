@@ -81,6 +81,23 @@ assert_same_loads (const QnLoad *a, size_t a_count, const QnLoad *b, size_t b_co
     ASSERT_SAME (&a[i], &b[i], has_at);
     ASSERT_SAME (&a[i], &b[i], at.x);
     ASSERT_SAME (&a[i], &b[i], at.y);
+    ASSERT_SAME (&a[i], &b[i], load_case);
+    ASSERT_SAME (&a[i], &b[i], has_side);
+    ASSERT_SAME (&a[i], &b[i], side);
+    ASSERT_SAME (&a[i], &b[i], edge);
+    ASSERT_SAME (&a[i], &b[i], edge_count);
+    ASSERT_SAME (&a[i], &b[i], normal);
+    ASSERT_SAME (&a[i], &b[i], pressure);
+    ASSERT_SAME (&a[i], &b[i], unit_weight);
+    ASSERT_SAME (&a[i], &b[i], level);
+    ASSERT_SAME (&a[i], &b[i], earth);
+    ASSERT_SAME (&a[i], &b[i], coefficient);
+    ASSERT_SAME (&a[i], &b[i], friction_angle);
+    for (int end = 0; end < 2; end++) {
+      ASSERT_SAME (&a[i], &b[i], part[end]);
+      ASSERT_SAME (&a[i], &b[i], intensity[end]);
+      ASSERT_SAME (&a[i], &b[i], span[end]);
+    }
   }
 }
 
@@ -348,6 +365,29 @@ test_layout (void)
   qn_project_clear (&project);
 }
 
+/* Every kind of load on edges, with and without what may be left out; a case that nothing uses. */
+static void
+test_edge_loads (void)
+{
+  g_autofree char *text = test_replace (
+    test_project_text, "\"loads\": {",
+    "\"loads\": { \"cases\": { \"soil\": 1.35, \"a \\\"b\\\"\": 0 }, "
+    "\"sets\": { \"s\": [ "
+    "{ \"kind\": \"edge\", \"block\": \"top\", \"edge\": 3, \"count\": 2, "
+    "\"part\": [0.25, 0.5], \"intensity\": [1, -2], \"direction\": [0, -1] }, "
+    "{ \"kind\": \"edge\", \"case\": \"soil\", \"block\": \"top\", \"side\": \"left\", "
+    "\"intensity\": 3 }, "
+    "{ \"kind\": \"surcharge\", \"pressure\": 5000 }, "
+    "{ \"kind\": \"surcharge\", \"unit_weight\": 2, \"level\": 3, \"from\": -1, "
+    "\"to\": 1 }, "
+    "{ \"kind\": \"backfill\", \"side\": \"right\", \"top\": 1, \"unit_weight\": 2, "
+    "\"coefficient\": 0.3, \"mine\": 7 }, "
+    "{ \"kind\": \"backfill\", \"case\": \"soil\", \"side\": \"left\", \"top\": 1, "
+    "\"bottom\": 0.5, \"unit_weight\": 2, \"friction_angle\": 0.5, "
+    "\"earth\": \"at-rest\", \"surcharge\": 4 } ] },");
+  round_trip_text (text);
+}
+
 static void
 test_save (void)
 {
@@ -532,6 +572,7 @@ main (int argc, char **argv)
   g_test_add_func ("/project-write/digits", test_digits);
   g_test_add_func ("/project-write/layout", test_layout);
   g_test_add_func ("/project-write/save", test_save);
+  g_test_add_func ("/project-write/edge-loads", test_edge_loads);
   g_test_add_func ("/project-write/inner-members", test_inner_members);
   g_test_add_func ("/project-write/note-members", test_note_members);
   g_test_add_func ("/project-write/stages", test_stages);

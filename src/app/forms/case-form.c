@@ -1,0 +1,102 @@
+/* Load cases and their factors. */
+#include "app/forms/bound-form.h"
+#include "app/forms/panel.h"
+#include "doc/edit/edit-stage.h"
+#include "doc/text/units.h"
+#include <glib/gi18n.h>
+
+typedef struct Form {
+  QnBoundForm base;
+  int selected; /* row, or -1 */
+} Form;
+
+enum { CASES, NAME, FACTOR, ADD, REMOVE };
+
+static const QnFormField fields[] = {
+  [CASES] = { .id = "cases" },
+  [NAME] = { .id = "name", .step = N_ ("Rename Load Case") },
+  [FACTOR] = { .id = "factor", .step = N_ ("Change Factor") },
+  [ADD] = { .id = "add", .step = N_ ("Add Load Case") },
+  [REMOVE] = { .id = "remove", .step = N_ ("Remove Load Case") },
+};
+
+static gboolean
+look (gpointer data)
+{
+  Form *form = data;
+  if (form->selected >= (int) qn_canvas_get_model (form->base.canvas)->load_case_count)
+    form->selected = -1;
+  return TRUE;
+}
+
+static char **
+dup_rows (const QnModel *model)
+{
+  g_autoptr (GStrvBuilder) rows = g_strv_builder_new ();
+  for (gsize i = 0; i < model->load_case_count; i++) {
+    g_autofree char *factor =
+      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, model->load_cases[i].factor, 6);
+    g_autofree char *row = g_strdup_printf ("%s × %s", model->load_cases[i].name, factor);
+    g_strv_builder_add (rows, row);
+  }
+  return g_strv_builder_end (rows);
+}
+
+static gboolean
+show (gpointer data, guint field, QnValue *value)
+{
+  const Form *form = data;
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const QnLoadCase *shown =
+    form->selected >= 0 ? &model->load_cases[form->selected] : NULL;
+  switch (field) {
+  case CASES:
+    value->rows = dup_rows (model);
+    value->number = form->selected;
+    return TRUE;
+  case NAME:
+    value->text = shown != NULL ? g_strdup (shown->name) : NULL;
+    return shown != NULL;
+  case FACTOR:
+    value->number = shown != NULL ? shown->factor : 1.0;
+    return shown != NULL;
+  case REMOVE:
+    value->disabled = shown == NULL;
+    return TRUE;
+  default:
+    return TRUE;
+  }
+}
+
+static gboolean
+take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+{
+  Form *form = data;
+  QnModel *model = draft != NULL ? &draft->model : NULL;
+  switch (field) {
+  case CASES:
+    form->selected = (int) value->number;
+    return TRUE;
+  case NAME:
+    return qn_edit_rename_load_case (model, form->selected + 1, value->text, error);
+  case FACTOR:
+    model->load_cases[form->selected].factor = value->number;
+    return TRUE;
+  case ADD:
+    if (!qn_edit_add_load_case (model, error))
+      return FALSE;
+    form->selected = (int) model->load_case_count - 1;
+    return TRUE;
+  default:
+    return qn_edit_delete_load_case (model, form->selected + 1, error);
+  }
+}
+
+GtkWidget *
+qn_case_form_new (QnCanvas *canvas)
+{
+  static const QnFormKind kind = QN_FORM_KIND ("case-form", Form, 0);
+  Form *form = qn_bound_form_new (&kind, canvas);
+  form->selected = -1;
+  return qn_bound_form_show (form);
+}

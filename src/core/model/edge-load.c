@@ -1,0 +1,287 @@
+#include "core/model/edge-load.h"
+
+#include "core/base/memory.h"
+#include "core/base/polygon.h"
+#include "core/base/tolerance.h"
+#include "core/model/outline.h"
+
+#include <stdlib.h>
+
+double
+qn_load_earth_coefficient (const QnLoad *load)
+{
+  double sine = sin (load->friction_angle);
+
+  switch (load->earth) {
+  case QN_EARTH_AT_REST:
+    return 1 - sine;
+  case QN_EARTH_ACTIVE:
+    return (1 - sine) / (1 + sine);
+  case QN_EARTH_GIVEN:
+  case QN_EARTH_COUNT:
+    break;
+  }
+  return load->coefficient;
+}
+
+void
+qn_model_renumber_loaded_edges (QnModel *model)
+{
+  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++) {
+    QnLoad *load = (QnLoad *) qn_model_load (model, i);
+    if (load->kind != QN_LOAD_EDGE || load->has_side)
+      continue;
+    QnId edges = model->blocks[load->block].vertex_count;
+    const QnVec2 *v = qn_model_block_vertices (model, load->block);
+    if (qn_polygon_properties (v, (size_t) edges).area >= 0)
+      continue;
+    /* Vertex k becomes n - k, and 0 stays: edge k is n - 1 - k then, run through backwards. */
+    load->edge = (2 * edges - load->edge - load->edge_count) % edges;
+    const double part = load->part[0], intensity = load->intensity[0];
+    load->part[0] = 1 - load->part[1];
+    load->part[1] = 1 - part;
+    load->intensity[0] = load->intensity[1];
+    load->intensity[1] = intensity;
+  }
+}
+
+/* --- Resolving ---------------------------------------------------------------------------- */
+
+/* What is found while the loads of a model are resolved, one of which is at hand. */
+typedef struct {
+  QnModel *model;
+  size_t source;
+  const QnLoad *load;
+  QnSeenEdges seen[QN_BLOCK_SIDE_COUNT];
+  bool looked[QN_BLOCK_SIDE_COUNT];
+  QnDiag *diag;
+} Resolver;
+
+static QnStatus
+refuse (const Resolver *r, QnProblem problem, const char *field)
+{
+  size_t dead = r->model->dead_load_count;
+  bool live = r->source >= dead;
+
+  return qn_diag_set_field (r->diag, problem,
+                            live ? QN_ENTITY_LIVE_LOAD : QN_ENTITY_DEAD_LOAD,
+                            (QnId) (live ? r->source - dead : r->source), field, 0);
+}
+
+/* Intensities of one sign. */
+static QnStatus
+add_force (Resolver *r, QnId block, QnVec2 a, QnVec2 b, double q0, double q1,
+           QnVec2 direction)
+{
+  QnModel *model = r->model;
+  double length = qn_vec2_length (qn_vec2_sub (b, a));
+
+  if (!(length > 0) || (q0 == 0 && q1 == 0))
+    return QN_OK;
+  if (model->edge_force_count >= QN_MAX_EDGE_FORCES)
+    return refuse (r, QN_PROBLEM_TOO_MANY_EDGE_FORCES, NULL);
+  const QnEdgeForce force = {
+    .source = r->source,
+    .block = block,
+    .ends = { a, b },
+    .intensity = { qn_vec2_scale (q0, direction), qn_vec2_scale (q1, direction) },
+    .force = qn_vec2_scale (length * (0.5 * q0 + 0.5 * q1), direction),
+    .at = qn_vec2_lerp (a, b, (q0 / (q0 + q1) + 2 * (q1 / (q0 + q1))) / 3),
+  };
+  if (!QN_ARRAY_PUSH (model->edge_forces, model->edge_force_count,
+                      model->edge_force_capacity, force))
+    return qn_diag_no_memory (r->diag);
+  double size = qn_vec2_length (force.force) * qn_model_load_factor (model, r->load);
+  return isfinite (size) && isfinite (q0 + q1)
+           ? QN_OK
+           : refuse (r, QN_PROBLEM_TOO_LARGE,
+                     r->load->kind == QN_LOAD_EDGE ? "intensity" : "pressure");
+}
+
+/* A load from q0 at a to q1 at b, along an edge of a block; where its sign changes it is cut. */
+static QnStatus
+add_stretch (Resolver *r, QnId block, QnVec2 a, QnVec2 b, double q0, double q1,
+             QnVec2 direction)
+{
+  if (!((q0 < 0 && q1 > 0) || (q0 > 0 && q1 < 0)))
+    return add_force (r, block, a, b, q0, q1, direction);
+  QnVec2 middle = qn_vec2_lerp (a, b, q0 / (q0 - q1));
+  QnStatus status = add_force (r, block, a, middle, q0, 0, direction);
+  return status == QN_OK ? add_force (r, block, middle, b, 0, q1, direction) : status;
+}
+
+/* Into the block, which is counter-clockwise. */
+static QnVec2
+inner_normal (QnVec2 a, QnVec2 b)
+{
+  QnVec2 edge = qn_vec2_sub (b, a);
+
+  return qn_vec2_scale (1 / qn_vec2_length (edge), qn_vec2_perp (edge));
+}
+
+static bool
+is_straight (QnVec2 a, QnVec2 b, QnVec2 c)
+{
+  QnVec2 from = inner_normal (a, b), to = inner_normal (b, c);
+
+  return fabs (qn_vec2_cross (from, to)) <= QN_TOLERANCE_CONVEX
+         && qn_vec2_dot (from, to) > 0;
+}
+
+void
+qn_load_chain (const QnModel *model, const QnLoad *load, QnId *first, QnId *count)
+{
+  *first = load->edge;
+  *count = load->edge_count;
+  if (!load->has_side)
+    return;
+  const QnVec2 *v = qn_model_block_vertices (model, load->block);
+  QnId n = model->blocks[load->block].vertex_count;
+  QnId facing = qn_block_facing_edge (model, load->block, load->side), last = facing;
+  for (*first = facing;
+       is_straight (v[(*first + n - 1) % n], v[*first], v[(*first + 1) % n]);)
+    *first = (*first + n - 1) % n;
+  while (is_straight (v[last], v[(last + 1) % n], v[(last + 2) % n]))
+    last = (last + 1) % n;
+  *count = (last - *first + n) % n + 1;
+}
+
+static QnStatus
+resolve_edge (Resolver *r)
+{
+  const QnLoad *load = r->load;
+  const QnVec2 *v = qn_model_block_vertices (r->model, load->block);
+  QnId n = r->model->blocks[load->block].vertex_count, first, count;
+  double whole = 0, start = 0;
+  QnStatus status = QN_OK;
+
+  qn_load_chain (r->model, load, &first, &count);
+  for (QnId i = first; i < first + count; i++)
+    whole += qn_vec2_length (qn_vec2_sub (v[(i + 1) % n], v[i % n]));
+  double from = load->part[0] * whole, to = load->part[1] * whole;
+  for (QnId i = first; i < first + count && status == QN_OK; i++) {
+    QnVec2 a = v[i % n], b = v[(i + 1) % n];
+    double length = qn_vec2_length (qn_vec2_sub (b, a));
+    double low = fmax (from, start), high = fmin (to, start + length);
+    if (low < high) {
+      double q[2], at[2] = { low, high };
+      for (int end = 0; end < 2; end++) {
+        double s = (at[end] - from) / (to - from);
+        q[end] = (1 - s) * load->intensity[0] + s * load->intensity[1];
+      }
+      status = add_stretch (r, load->block, qn_vec2_lerp (a, b, (low - start) / length),
+                            qn_vec2_lerp (a, b, (high - start) / length), q[0], q[1],
+                            load->normal ? inner_normal (a, b) : load->vector);
+    }
+    start += length;
+  }
+  return status;
+}
+
+static bool
+look_from (Resolver *r, QnBlockSide side)
+{
+  if (!r->looked[side] && !qn_model_find_seen_edges (r->model, side, &r->seen[side]))
+    return false;
+  r->looked[side] = true;
+  return true;
+}
+
+/* The part of a seen edge between two coordinates: of the axis that it is seen across. */
+static bool
+clip (const QnSeenEdge *seen, bool by_y, const double span[2], QnVec2 ends[2])
+{
+  const QnVec2 a = seen->ends[0], b = seen->ends[1];
+  double from = by_y ? a.y : a.x, to = by_y ? b.y : b.x, s[2] = { 0, 1 };
+
+  for (int limit = 0; limit < 2; limit++) {
+    double cut = (span[limit] - from) / (to - from);
+    bool rising = to > from;
+    if ((limit == 0) == rising)
+      s[0] = fmax (s[0], cut);
+    else
+      s[1] = fmin (s[1], cut);
+  }
+  ends[0] = s[0] == 0 ? a : qn_vec2_lerp (a, b, s[0]);
+  ends[1] = s[1] == 1 ? b : qn_vec2_lerp (a, b, s[1]);
+  return s[0] < s[1];
+}
+
+/* The pressure acts on the horizontal projection; above the level there is no fill. */
+static QnStatus
+add_surcharge (Resolver *r, const QnSeenEdge *seen, const QnVec2 ends[2])
+{
+  const QnLoad *load = r->load;
+  QnVec2 edge = qn_vec2_sub (ends[1], ends[0]);
+  double per_length =
+    r->model->blocks[seen->block].thickness * fabs (edge.x) / qn_vec2_length (edge);
+  double depth[2], q[2];
+  QnVec2 cut[3] = { ends[0], ends[1], ends[1] };
+
+  for (int end = 0; end < 2; end++)
+    depth[end] = load->unit_weight > 0 ? load->level - ends[end].y : 0;
+  if (depth[0] * depth[1] < 0) /* comes out of the fill */
+    cut[1] = qn_vec2_lerp (ends[0], ends[1], depth[0] / (depth[0] - depth[1]));
+  for (int part = 0; part < 2; part++) {
+    for (int end = 0; end < 2; end++) {
+      double d = load->unit_weight > 0 ? load->level - cut[part + end].y : 0;
+      q[end] = per_length * (load->pressure + load->unit_weight * fmax (d, 0));
+    }
+    QnStatus status =
+      add_stretch (r, seen->block, cut[part], cut[part + 1], q[0], q[1], qn_vec2 (0, -1));
+    if (status != QN_OK)
+      return status;
+  }
+  return QN_OK;
+}
+
+static QnStatus
+add_backfill (Resolver *r, const QnSeenEdge *seen, const QnVec2 ends[2])
+{
+  const QnLoad *load = r->load;
+  double k = qn_load_earth_coefficient (load) * r->model->blocks[seen->block].thickness;
+  double q[2];
+
+  for (int end = 0; end < 2; end++)
+    q[end] = k * (load->pressure + load->unit_weight * (load->span[1] - ends[end].y));
+  return add_stretch (r, seen->block, ends[0], ends[1], q[0], q[1],
+                      inner_normal (seen->ends[0], seen->ends[1]));
+}
+
+static QnStatus
+resolve_seen (Resolver *r)
+{
+  bool fill = r->load->kind == QN_LOAD_BACKFILL;
+  QnBlockSide side = fill ? r->load->side : QN_BLOCK_SIDE_TOP;
+  QnStatus status = QN_OK;
+
+  if (!look_from (r, side))
+    return qn_diag_no_memory (r->diag);
+  for (size_t i = 0; i < r->seen[side].count && status == QN_OK; i++) {
+    QnVec2 ends[2];
+    if (clip (&r->seen[side].items[i], fill, r->load->span, ends))
+      status = fill ? add_backfill (r, &r->seen[side].items[i], ends)
+                    : add_surcharge (r, &r->seen[side].items[i], ends);
+  }
+  return status;
+}
+
+QnStatus
+qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag)
+{
+  Resolver r = { .model = model, .diag = diag };
+  QnStatus status = QN_OK;
+
+  model->edge_force_count = 0;
+  for (; r.source < model->dead_load_count + model->live_load_count && status == QN_OK;
+       r.source++) {
+    r.load = qn_model_load (model, r.source);
+    if (r.load->kind == QN_LOAD_EDGE)
+      status = resolve_edge (&r);
+    else if (r.load->kind == QN_LOAD_SURCHARGE || r.load->kind == QN_LOAD_BACKFILL)
+      status = resolve_seen (&r);
+  }
+  for (int side = 0; side < QN_BLOCK_SIDE_COUNT; side++)
+    free (r.seen[side].items);
+  return status;
+}

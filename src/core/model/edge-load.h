@@ -1,0 +1,17 @@
+/* Loads on the edges of blocks, resolved into forces. */
+#ifndef QN_CORE_EDGE_LOAD_H
+#define QN_CORE_EDGE_LOAD_H
+
+#include "core/model/model.h"
+
+/* Edges of blocks that are about to be turned round (clockwise ones) get the numbers that they have
+ * then. Loads must be checked, polygons not yet be reversed. */
+void qn_model_renumber_loaded_edges (QnModel *model);
+
+/* Fills QnModel.edge_forces. Blocks must be derived. Refuses TOO_LARGE and TOO_MANY_EDGE_FORCES. */
+QnStatus qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag);
+
+/* The chain of edges that an EDGE load is on. */
+void qn_load_chain (const QnModel *model, const QnLoad *load, QnId *first, QnId *count);
+
+#endif

@@ -1,0 +1,29 @@
+/* Edges of the outlines of blocks: which one faces a side, and which are seen from afar. */
+#ifndef QN_CORE_OUTLINE_H
+#define QN_CORE_OUTLINE_H
+
+#include "core/model/model.h"
+
+/* Unit vector that points out of a block at one of its sides. */
+QnVec2 qn_block_side_direction (QnBlockSide side);
+
+/* The edge that faces a side most; of several such the longest. Blocks are counter-clockwise. */
+QnId qn_block_facing_edge (const QnModel *model, QnId block, QnBlockSide side);
+
+/* A stretch of an edge that nothing lies in front of. */
+typedef struct QnSeenEdge {
+  QnId block, edge;
+  QnVec2 ends[2]; /* m, counter-clockwise around the block */
+} QnSeenEdge;
+
+typedef struct QnSeenEdges {
+  QnSeenEdge *items; /* owned: free() */
+  size_t count;
+} QnSeenEdges;
+
+/* What is seen of the blocks by parallel rays from a side: their envelope, n edges in O(n log n) by
+ * merging the envelopes of halves. Edges along the rays are not seen. Where blocks overlap, the one
+ * that lies in front in the middle of the common stretch hides the other. False when memory runs out. */
+bool qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen);
+
+#endif
