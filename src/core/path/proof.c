@@ -16,6 +16,45 @@ withdraw (QnResult *result)
     result->steps[result->step_count - 1].event = QN_EVENT_NONE;
 }
 
+/* Keeps the steps before this one, with the forces of the last of them. */
+static void
+keep_steps_before (const QnModel *model, QnResult *result, size_t step)
+{
+  for (size_t p = 0; p < result->pair_count; p++)
+    result->pairs[p] =
+      step > 0 ? qn_result_pair_at (result, step - 1, p) : (QnPairResult){ 0 };
+  result->step_count = step;
+  if (step > 0)
+    result->stage = result->steps[step - 1].stage;
+  qn_result_clear_events (result);
+  qn_result_judge_linearity (model, result);
+}
+
+/* A path that came to no end is told as far as its steps are true. Where the forces of earlier steps were
+ * not kept all of them stay. */
+static QnStatus
+keep_what_is_true (const QnModel *model, const QnContacts *contacts, QnResult *result,
+                   QnDiag *diag)
+{
+  QnResultFaults faults;
+
+  while (result->step_count > 0 && result->history.width == 0) {
+    QnStatus status =
+      qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
+    if (status != QN_OK)
+      return status;
+    size_t first = result->step_count;
+    for (int i = 0; i < faults.count; i++)
+      if (faults.items[i].step != QN_NONE && (size_t) faults.items[i].step < first)
+        first = (size_t) faults.items[i].step;
+    if (first == result->step_count
+        || (first > 0 && !qn_result_has_forces (result, first - 1)))
+      return QN_OK;
+    keep_steps_before (model, result, first);
+  }
+  return QN_OK;
+}
+
 QnStatus
 qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *result,
                  QnDiag *diag)
@@ -23,9 +62,10 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
   QnResultFaults faults;
   bool stands = true;
 
-  if (result->outcome == QN_OUTCOME_CANCELLED
-      || result->outcome == QN_OUTCOME_NOT_CONVERGED)
+  if (result->outcome == QN_OUTCOME_CANCELLED)
     return QN_OK;
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED)
+    return keep_what_is_true (model, contacts, result, diag);
   QnStatus status =
     qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
   for (int i = 0; status == QN_OK && i < faults.count; i++) {
@@ -38,7 +78,8 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
     else
       stands = false;
   }
-  if (status == QN_OK && !stands)
-    withdraw (result);
-  return status;
+  if (status != QN_OK || stands)
+    return status;
+  withdraw (result);
+  return keep_what_is_true (model, contacts, result, diag);
 }

@@ -7,8 +7,8 @@
 
 /* Checks everything that a result says but its bounds. What is not true and can be left out is: a first
  * limit point; a mechanism is marked as uncertain. Of any other result nothing is concluded: its outcome
- * becomes NOT_CONVERGED, and its stop CHECK. Results that are NOT_CONVERGED or CANCELLED stay as they
- * are. */
+ * becomes NOT_CONVERGED, and its stop CHECK. Of NOT_CONVERGED results the steps before the first that is not
+ * true are kept, where the forces of steps are known; CANCELLED ones stay as they are. */
 QnStatus qn_result_prove (const QnModel *model, const QnContacts *contacts,
                           QnResult *result, QnDiag *diag);
 
