@@ -574,23 +574,49 @@ test_record (void)
   driver_discard (window);
 }
 
-/* A record that ends too soon is given rest with a button, and undo takes it back. */
-static void
-test_rest (void)
+static gboolean
+rests (const QnModel *model)
 {
+  return model->ground[0].rests;
+}
+
+static gboolean
+follows (const QnModel *model)
+{
+  return model->analysis.dynamic.follow;
+}
+
+static gboolean
+falls (const QnModel *model)
+{
+  return model->analysis.dynamic.fall;
+}
+
+/* A record that ends too soon is given rest, contacts follow the blocks, the motion goes on after an
+ * overturning: each with a button, and undo takes it back. */
+static void
+test_buttons (void)
+{
+  static const struct {
+    const char *name;
+    gboolean (*holds) (const QnModel *model);
+  } buttons[] = { { "rests", rests }, { "follow", follows }, { "fall", falls } };
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
   driver_activate (window, "win.show-panel::analysis");
   driver_run (200);
-  GtkWidget *check = driver_find_widget (GTK_WIDGET (window), is_called, "rests");
-  g_assert_true (gtk_widget_get_visible (check));
-  g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
-  gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
-  driver_run (100);
-  g_assert_true (model_of (window)->ground[0].rests);
-  driver_activate (window, "win.undo");
-  driver_run (100);
-  g_assert_false (model_of (window)->ground[0].rests);
-  g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
+  for (gsize i = 0; i < G_N_ELEMENTS (buttons); i++) {
+    GtkWidget *check =
+      driver_find_widget (GTK_WIDGET (window), is_called, buttons[i].name);
+    g_assert_true (gtk_widget_get_visible (check));
+    g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
+    gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
+    driver_run (100);
+    g_assert_true (buttons[i].holds (model_of (window)));
+    driver_activate (window, "win.undo");
+    driver_run (100);
+    g_assert_false (buttons[i].holds (model_of (window)));
+    g_assert_false (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)));
+  }
   driver_discard (window);
 }
 
@@ -601,7 +627,7 @@ main (int argc, char **argv)
   gtk_init ();
   g_test_add_func ("/app/earthquakes/live-history", test_live_history);
   g_test_add_func ("/app/earthquakes/record", test_record);
-  g_test_add_func ("/app/earthquakes/rest", test_rest);
+  g_test_add_func ("/app/earthquakes/buttons", test_buttons);
   g_test_add_func ("/app/earthquakes/energies", test_energies);
   g_test_add_func ("/app/earthquakes/playback", test_playback);
   g_test_add_func ("/app/earthquakes/initial", test_initial);

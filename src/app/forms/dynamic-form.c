@@ -28,6 +28,8 @@ enum {
   MASS_DAMPING,
   JOINT_DAMPING,
   OF,
+  FOLLOW,
+  FALL,
   INITIAL_TITLE,
   INITIAL, /* of the selected blocks: ux, uy, rz and their rates */
   MOTIONS = INITIAL + 2 * QN_DOF_COUNT,
@@ -54,6 +56,8 @@ static const QnFormField fields[] = {
   [MASS_DAMPING] = { .id = "mass_damping", .step = N_ ("Change Analysis") },
   [JOINT_DAMPING] = { .id = "joint_damping", .step = N_ ("Change Analysis") },
   [OF] = { .id = "of", .step = N_ ("Change Analysis") },
+  [FOLLOW] = { .id = "follow", .step = N_ ("Change Analysis") },
+  [FALL] = { .id = "fall", .step = N_ ("Change Analysis") },
   [INITIAL_TITLE] = { .id = "initial_title" },
   [INITIAL] = { .id = "initial_ux", .step = N_ ("Change Initial Motion") },
   [INITIAL + 1] = { .id = "initial_uy", .step = N_ ("Change Initial Motion") },
@@ -223,6 +227,12 @@ show (gpointer data, guint field, QnValue *value)
   case OF:
     value->number = model.analysis.dynamic.of;
     return TRUE;
+  case FOLLOW:
+    value->number = model.analysis.dynamic.follow;
+    return model.analysis.geometry == QN_GEOMETRY_NONLINEAR;
+  case FALL:
+    value->number = model.analysis.dynamic.fall;
+    return TRUE;
   case MOTIONS:
     value->rows = dup_motions (&model);
     value->number = form->selected;
@@ -318,6 +328,12 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   switch (field) {
   case OF:
     draft->model.analysis.dynamic.of = (QnDampingStiffness) value->number;
+    return TRUE;
+  case FOLLOW:
+    draft->model.analysis.dynamic.follow = value->number != 0;
+    return TRUE;
+  case FALL:
+    draft->model.analysis.dynamic.fall = value->number != 0;
     return TRUE;
   case MOTIONS:
     form->selected = (int) value->number;
