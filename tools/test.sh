@@ -137,9 +137,9 @@ check build-sanitize -- --timeout-multiplier 6 --suite app
 
 echo "== threads under the thread sanitizer"
 export TSAN_OPTIONS="suppressions=$PWD/tests/sanitize/thread.supp:halt_on_error=1"
-targets="tests/faults/test-faults-parallel tests/doc/test-doc-job"
+targets="tests/faults/test-faults-parallel tests/doc/test-doc-job tests/doc/test-doc-threads"
 check build-thread -Db_sanitize=thread -Db_lundef=false -Dapp=disabled -- \
-  --timeout-multiplier 10 parallel doc-job
+  --timeout-multiplier 10 parallel doc-job doc-threads
 targets=
 
 echo "== the core under valgrind"

@@ -51,7 +51,7 @@ typedef struct {
 static void *
 block_analyse (const System *s)
 {
-  return qn_block_lu_new (s->n, s->ap, s->ai, s->points);
+  return qn_block_lu_new (s->n, s->ap, s->ai, s->points, NULL);
 }
 
 static void

@@ -1,6 +1,7 @@
 #include "cli/base/input.h"
 
 #include "cli/base/message.h"
+#include "doc/document/threads.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -33,6 +34,7 @@ qn_input_load (QnInput *input, const char *path, char **overrides, gboolean quie
   memset (input, 0, sizeof *input);
   if (!qn_project_load (path, (const char *const *) overrides, &input->project, &error))
     return qn_cli_fail (error);
+  input->project.model.analysis.workers = qn_threads_get ();
 
   for (guint i = 0; !quiet && i < input->project.warnings->len; i++)
     qn_cli_warning ("%s", (char *) g_ptr_array_index (input->project.warnings, i));

@@ -217,7 +217,8 @@ rebuild (QnMovingContacts *moving, QnTimeStep *step, const QnId *origins, QnDiag
   }
   QnVec2 *points = qn_assembly_points (&as);
   if (points != NULL)
-    linsys = qn_linsys_new (as.unknown_count, as.ap, as.ai, points);
+    linsys =
+      qn_linsys_new (as.unknown_count, as.ap, as.ai, points, model->analysis.workers);
   free (points);
   if (linsys == NULL)
     status = qn_diag_no_memory (diag);

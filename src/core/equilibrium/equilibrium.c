@@ -82,7 +82,8 @@ qn_equilibrium_setup (QnEquilibrium *eq, const QnModel *model, const QnContacts 
                          &eq->trial, &eq->live_step, &eq->motion };
   QnVec2 *points = qn_assembly_points (as);
   if (points != NULL)
-    eq->linsys = qn_linsys_new (as->unknown_count, as->ap, as->ai, points);
+    eq->linsys =
+      qn_linsys_new (as->unknown_count, as->ap, as->ai, points, model->analysis.workers);
   free (points);
   eq->factored_phases = qn_alloc (as->pair_count, sizeof *eq->factored_phases);
   eq->gaps = qn_alloc (as->pair_count, sizeof *eq->gaps);

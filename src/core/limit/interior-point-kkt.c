@@ -103,7 +103,8 @@ schur_init (QnIpSchur *schur, const QnIpProblem *problem, QnDiag *diag)
   if (schur->slots && schur->diagonal && schur->columns && schur->rows && schur->values
       && schur->right && schur->solution) {
     fill_pattern (schur, keys, count);
-    schur->lu = qn_block_lu_new (problem->row_count, schur->columns, schur->rows, NULL);
+    schur->lu = qn_block_lu_new (problem->row_count, schur->columns, schur->rows, NULL,
+                                 problem->workers);
   }
   free (keys);
   return schur->lu != NULL ? QN_OK : qn_diag_no_memory (diag);

@@ -33,6 +33,7 @@
 #define QN_CORE_INTERIOR_POINT_H
 
 #include "core/base/status.h"
+#include "core/base/workers.h"
 
 /* Rows on which one group of cells acts: three of each of the two bodies. */
 #define QN_IP_GROUP_ROWS 6
@@ -67,10 +68,11 @@ typedef struct QnIpProblem {
   int32_t row_count, group_count, cell_count, bound_count;
   const QnIpGroup *groups;
   const QnIpCell *cells;
-  const QnIpBound *bounds; /* cell by cell */
-  const double *constant;  /* d, row_count */
-  const double *load;      /* f, row_count; NULL: no multiplier, lambda = 0 */
-  double load_gain;        /* 1: maximise lambda; 0: any feasible lambda */
+  const QnIpBound *bounds;  /* cell by cell */
+  const double *constant;   /* d, row_count */
+  const double *load;       /* f, row_count; NULL: no multiplier, lambda = 0 */
+  double load_gain;         /* 1: maximise lambda; 0: any feasible lambda */
+  const QnWorkers *workers; /* borrowed; may be NULL */
 } QnIpProblem;
 
 typedef enum {

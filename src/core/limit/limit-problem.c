@@ -159,6 +159,7 @@ number_rows (QnLimitProblem *limit, const QnModel *model)
       limit->rows[b * QN_DOF_COUNT + (size_t) d] =
         model->blocks[b].support[d] ? -1 : count++;
   limit->ip.row_count = count;
+  limit->ip.workers = model->analysis.workers;
 }
 
 static QnStatus

@@ -17,20 +17,41 @@ typedef struct {
   int32_t first_entry;      /* of A's, in QnBlockLu.sources */
   int32_t first_place;      /* of its pivots, in QnBlockLu.solution */
   int32_t pivots_of_parent; /* how much of its rest are pivots of the parent */
-  double work;              /* of its elimination, any unit */
+  double work;              /* of its elimination: multiplications, about */
+  int32_t inside;           /* how much of its rest is eliminated in its own part */
   bool odd;                 /* depth in the tree */
   bool changed;             /* by the factorisation in progress */
   QnPivotRange range;
 } Matrices;
 
+/* A subtree of fronts that is eliminated and solved with apart from all others. */
+typedef struct {
+  int32_t first, end; /* fronts */
+  size_t scratch;     /* its place in QnBlockLu.scratch */
+  bool regular;       /* every pivot of the factorisation in progress is a number */
+} Part;
+
+/* Trees that take more work than this (a millisecond) are taken to parts. */
+#define WORK_TO_SHARE 3e7
+/* A part is at most so much of the whole: few enough to be even, large enough for more than one. */
+#define PART_OF_WORK 0.0625
+
 struct QnBlockLu {
   QnFrontTree tree;
+  const QnWorkers *workers;
   const QnFrontLoops *loops;
   Matrices *matrices; /* front_count + 1 */
   double *numbers;
   double work;
   bool whole;   /* every front is that of the values that were last seen */
   bool passing; /* no rest is kept in the factorisation in progress */
+
+  /* Every front is in a part or above them all. */
+  Part *parts;
+  int32_t part_count;
+  int32_t *top; /* the fronts above, in order */
+  int32_t top_count;
+  const double *ax; /* of the factorisation in progress */
 
   /* The entries of A by the front that they come into: where they stand in ax, their values,
    * and where they go, counted from D. */
@@ -40,11 +61,14 @@ struct QnBlockLu {
   int32_t *exchanges; /* n */
 
   /* In order of elimination, with the padding of each front's pivots; where it holds each unknown
-   * and those of the rests. */
-  double *solution;
-  size_t solution_size;
-  int32_t *unknown_places, *rest_places;
-  double *rest; /* of one front, with padding */
+   * and those of the rests. What a part takes off unknowns above it is summed up in `outside`: for
+   * these, rest_places counts there, and outside_places says where the solution holds them. */
+  double *solution, *outside;
+  size_t solution_size, outside_count;
+  int32_t *unknown_places, *rest_places, *outside_places;
+  double
+    *scratch; /* for the rest of one front, with padding: of each part, and above them */
+  size_t scratch_above;
 };
 
 /* --- Setting up ------------------------------------------------------------------------- */
@@ -55,14 +79,12 @@ matrix_size (int32_t rows, int32_t columns)
   return (size_t) qn_front_height (rows) * (size_t) columns;
 }
 
-/* Lays out D, L and U of all fronts; returns how many numbers they are. *longest: most unknowns in
- * the rest of a front. */
+/* Lays out D, L and U of all fronts; returns how many numbers they are. */
 static size_t
-lay_out_factors (QnBlockLu *lu, int32_t *longest)
+lay_out_factors (QnBlockLu *lu)
 {
   size_t sum = 0;
 
-  *longest = 0;
   for (int32_t f = 0; f < lu->tree.front_count; f++) {
     const QnFront *front = &lu->tree.fronts[f];
     Matrices *m = &lu->matrices[f];
@@ -74,7 +96,6 @@ lay_out_factors (QnBlockLu *lu, int32_t *longest)
     sum = m->end;
     m->work = pivots * (pivots * (pivots / 3 + rest) + rest * rest);
     lu->work += m->work;
-    *longest = front->rest > *longest ? front->rest : *longest;
     m->first_place = (int32_t) lu->solution_size;
     lu->solution_size += matrix_size (front->pivots, 1);
     while (m->pivots_of_parent < front->rest
@@ -85,33 +106,72 @@ lay_out_factors (QnBlockLu *lu, int32_t *longest)
   return sum;
 }
 
-/* Lays out S of all fronts in so many numbers from `begin`, which are returned. Where it is not
- * kept, it waits for the parent on one of two stacks, of even and of odd depths, which grow
+/* Takes the forest to parts, the largest subtrees of at most their share of the work. Where all of it
+ * is little work, these are its trees. */
+static bool
+lay_out_parts (QnBlockLu *lu)
+{
+  const QnFrontTree *tree = &lu->tree;
+  size_t count = (size_t) tree->front_count;
+  double most = lu->work > WORK_TO_SHARE ? PART_OF_WORK * lu->work : INFINITY;
+  double *work = qn_alloc (count, sizeof *work);    /* of each front's subtree, */
+  int32_t *first = qn_alloc (count, sizeof *first); /* and its first front */
+  lu->parts = qn_alloc (count, sizeof *lu->parts);
+  lu->top = qn_alloc (count, sizeof *lu->top);
+  bool ok = work && first && lu->parts && lu->top;
+
+  for (int32_t f = 0; ok && f < tree->front_count; f++)
+    first[f] = f;
+  for (int32_t f = 0; ok && f < tree->front_count; f++) {
+    int32_t parent = tree->fronts[f].parent;
+    work[f] += lu->matrices[f].work;
+    if (parent != QN_NONE) {
+      work[parent] += work[f];
+      first[parent] = first[f] < first[parent] ? first[f] : first[parent];
+    }
+  }
+  for (int32_t f = 0; ok && f < tree->front_count; f++) {
+    int32_t parent = tree->fronts[f].parent;
+    if (work[f] > most)
+      lu->top[lu->top_count++] = f;
+    else if (parent == QN_NONE || work[parent] > most)
+      lu->parts[lu->part_count++] = (Part){ .first = first[f], .end = f + 1 };
+  }
+  free (work);
+  free (first);
+  return ok;
+}
+
+/* Lays out S of all fronts in so many numbers from `begin`, which are returned. Where those of a part
+ * are not kept, each waits for its parent on one of two stacks, of even and of odd depths, which grow
  * towards each other: fronts come right after their children's subtrees, so that the children's
  * are on top of theirs. */
 static size_t
 lay_out_rests (QnBlockLu *lu, size_t begin)
 {
   const QnFrontTree *tree = &lu->tree;
-  size_t sum = begin, low = begin, high;
+  size_t sum = begin;
 
   for (int32_t f = tree->front_count - 1; f >= 0; f--) {
     const QnFront *front = &tree->fronts[f];
     lu->matrices[f].odd = front->parent != QN_NONE && !lu->matrices[front->parent].odd;
   }
   for (int32_t f = 0; f < tree->front_count; f++) {
-    lu->matrices[f].schur = sum;
+    lu->matrices[f].schur = lu->matrices[f].passing_schur = sum;
     sum += matrix_size (tree->fronts[f].rest, tree->fronts[f].rest);
   }
-  high = sum;
-  for (int32_t f = 0; f < tree->front_count; f++) {
-    Matrices *m = &lu->matrices[f];
-    size_t size = matrix_size (tree->fronts[f].rest, tree->fronts[f].rest);
-    m->passing_schur = m->odd ? high - size : low;
-    *(m->odd ? &high : &low) = m->odd ? high - size : low + size;
-    for (int32_t c = tree->fronts[f].child; c != QN_NONE; c = tree->fronts[c].sibling) {
-      size = matrix_size (tree->fronts[c].rest, tree->fronts[c].rest);
-      *(m->odd ? &low : &high) = m->odd ? low - size : high + size;
+  lu->matrices[tree->front_count].schur = sum;
+  for (const Part *part = lu->parts; part < lu->parts + lu->part_count; part++) {
+    size_t low = lu->matrices[part->first].schur, high = lu->matrices[part->end].schur;
+    for (int32_t f = part->first; f < part->end; f++) {
+      Matrices *m = &lu->matrices[f];
+      size_t size = matrix_size (tree->fronts[f].rest, tree->fronts[f].rest);
+      m->passing_schur = m->odd ? high - size : low;
+      *(m->odd ? &high : &low) = m->odd ? high - size : low + size;
+      for (int32_t c = tree->fronts[f].child; c != QN_NONE; c = tree->fronts[c].sibling) {
+        size = matrix_size (tree->fronts[c].rest, tree->fronts[c].rest);
+        *(m->odd ? &low : &high) = m->odd ? low - size : high + size;
+      }
     }
   }
   return sum - begin;
@@ -203,30 +263,92 @@ list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai)
   return ok;
 }
 
-/* Finds the places of all unknowns in the solution; `place`: of every position. */
+/* Finds where the solution, or what is summed up beside it, holds the rests of a part's fronts. `place`: of
+ * every position; `where`: scratch of the same size. */
+static void
+place_rests (QnBlockLu *lu, const Part *part, const int32_t *place, int32_t *where)
+{
+  const QnFrontTree *tree = &lu->tree;
+  const QnFront *root = &tree->fronts[part->end - 1];
+
+  for (int32_t r = 0; r < root->rest; r++) {
+    int32_t row = tree->rows[root->first_row + r];
+    where[row] = (int32_t) lu->outside_count;
+    lu->outside_places[lu->outside_count++] = place[row];
+  }
+  for (int32_t f = part->first; f < part->end; f++) {
+    const QnFront *front = &tree->fronts[f];
+    const int32_t *rows = tree->rows + front->first_row;
+    int32_t *inside = &lu->matrices[f].inside;
+    while (*inside < front->rest && rows[*inside] < root->first + root->pivots)
+      ++*inside;
+    for (int32_t r = 0; r < front->rest; r++)
+      lu->rest_places[front->first_row + r] = (r < *inside ? place : where)[rows[r]];
+  }
+}
+
+/* Makes room for the rest of one of the fronts. */
+static void
+widen_scratch (const QnBlockLu *lu, int32_t f, size_t begin, size_t *end)
+{
+  size_t size = matrix_size (lu->tree.fronts[f].rest, 1);
+
+  *end = size > *end - begin ? begin + size : *end;
+}
+
+static bool
+lay_out_scratch (QnBlockLu *lu)
+{
+  size_t end = 0;
+
+  for (Part *part = lu->parts; part < lu->parts + lu->part_count; part++) {
+    part->scratch = end;
+    for (int32_t f = part->first; f < part->end; f++)
+      widen_scratch (lu, f, part->scratch, &end);
+  }
+  lu->scratch_above = end;
+  for (int32_t t = 0; t < lu->top_count; t++)
+    widen_scratch (lu, lu->top[t], lu->scratch_above, &end);
+  lu->scratch = qn_alloc_lines (end, sizeof *lu->scratch);
+  return lu->scratch != NULL;
+}
+
+/* Finds the places of all unknowns in the solution. */
 static bool
 lay_out_solution (QnBlockLu *lu)
 {
   const QnFrontTree *tree = &lu->tree;
-  size_t n = (size_t) tree->n, rests = 0;
+  size_t n = (size_t) tree->n, rests = 0, outside = 0;
   for (int32_t f = 0; f < tree->front_count; f++)
     rests += (size_t) tree->fronts[f].rest;
-  int32_t *place = qn_alloc (n, sizeof *place);
+  for (int32_t p = 0; p < lu->part_count; p++)
+    outside += (size_t) tree->fronts[lu->parts[p].end - 1].rest;
+  int32_t *place = qn_alloc (n, sizeof *place), *where = qn_alloc (n, sizeof *where);
 
   lu->solution = qn_alloc_lines (lu->solution_size, sizeof *lu->solution);
+  lu->outside = qn_alloc (outside, sizeof *lu->outside);
   lu->unknown_places = qn_alloc (n, sizeof *lu->unknown_places);
   lu->rest_places = qn_alloc (rests, sizeof *lu->rest_places);
-  bool ok = place && lu->solution && lu->unknown_places && lu->rest_places;
+  lu->outside_places = qn_alloc (outside, sizeof *lu->outside_places);
+  bool ok = place && where && lu->solution && lu->outside && lu->unknown_places
+            && lu->rest_places && lu->outside_places && lay_out_scratch (lu);
   if (ok) {
     for (int32_t f = 0; f < tree->front_count; f++)
       for (int32_t c = 0; c < tree->fronts[f].pivots; c++)
         place[tree->fronts[f].first + c] = lu->matrices[f].first_place + c;
     for (int32_t i = 0; i < tree->n; i++)
       lu->unknown_places[i] = place[tree->position[i]];
-    for (size_t k = 0; k < rests; k++)
-      lu->rest_places[k] = place[tree->rows[k]];
+    for (int32_t p = 0; p < lu->part_count; p++)
+      place_rests (lu, &lu->parts[p], place, where);
+    for (int32_t t = 0; t < lu->top_count; t++) {
+      const QnFront *front = &tree->fronts[lu->top[t]];
+      lu->matrices[lu->top[t]].inside = front->rest;
+      for (int32_t r = front->first_row; r < front->first_row + front->rest; r++)
+        lu->rest_places[r] = place[tree->rows[r]];
+    }
   }
   free (place);
+  free (where);
   return ok;
 }
 
@@ -235,7 +357,6 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai,
         const QnVec2 *points)
 {
   size_t entries = (size_t) ap[n];
-  int32_t longest;
 
   if (!qn_front_tree_init (&lu->tree, n, ap, ai, points))
     return false;
@@ -246,22 +367,24 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai,
   lu->exchanges = qn_alloc ((size_t) n, sizeof *lu->exchanges);
   if (!lu->matrices || !lu->sources || !lu->places || !lu->values || !lu->exchanges)
     return false;
-  size_t factors = lay_out_factors (lu, &longest);
+  size_t factors = lay_out_factors (lu);
+  if (!lay_out_parts (lu))
+    return false;
   lu->numbers =
     qn_alloc_lines (factors + lay_out_rests (lu, factors), sizeof *lu->numbers);
-  lu->rest = qn_alloc_lines ((size_t) qn_front_height (longest), sizeof *lu->rest);
-  return lu->numbers && lu->rest && lay_out_solution (lu)
-         && list_all_entries (lu, ap, ai);
+  return lu->numbers && lay_out_solution (lu) && list_all_entries (lu, ap, ai);
 }
 
 QnBlockLu *
-qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points)
+qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points,
+                 const QnWorkers *workers)
 {
   QnBlockLu *lu = qn_alloc (1, sizeof *lu);
 
   if (lu == NULL)
     return NULL;
   lu->loops = qn_front_loops (QN_FRONT_ROWS);
+  lu->workers = workers;
   if (!set_up (lu, n, ap, ai, points)) {
     qn_block_lu_free (lu);
     return NULL;
@@ -281,10 +404,14 @@ qn_block_lu_free (QnBlockLu *lu)
   free (lu->places);
   free (lu->values);
   free (lu->exchanges);
+  free (lu->parts);
+  free (lu->top);
   free (lu->solution);
+  free (lu->outside);
   free (lu->unknown_places);
   free (lu->rest_places);
-  free (lu->rest);
+  free (lu->outside_places);
+  free (lu->scratch);
   free (lu);
 }
 
@@ -308,8 +435,9 @@ dense_front (const QnBlockLu *lu, int32_t f)
 
 /* Whether any of the values of A that come into a front is new. */
 static bool
-has_new_values (const QnBlockLu *lu, int32_t f, const double *ax)
+has_new_values (const QnBlockLu *lu, int32_t f)
 {
+  const double *ax = lu->ax;
   int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
 
   while (e < end && ax[lu->sources[e]] == lu->values[e])
@@ -320,8 +448,9 @@ has_new_values (const QnBlockLu *lu, int32_t f, const double *ax)
 /* Puts the values of A that come into a front there, and keeps them for comparison where its rest
  * is kept. */
 static void
-take_values (QnBlockLu *lu, int32_t f, const double *ax, double *diagonal)
+take_values (QnBlockLu *lu, int32_t f, double *diagonal)
 {
+  const double *ax = lu->ax;
   int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
 
   if (lu->passing)
@@ -374,13 +503,13 @@ add_child_to_rest (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
 }
 
 static bool
-factor_front (QnBlockLu *lu, int32_t f, const double *ax)
+factor_front (QnBlockLu *lu, int32_t f)
 {
   Matrices *m = &lu->matrices[f];
   QnDenseFront front = dense_front (lu, f);
 
   memset (front.diagonal, 0, (m->end - m->diagonal) * sizeof (double));
-  take_values (lu, f, ax, front.diagonal);
+  take_values (lu, f, front.diagonal);
   for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
     add_child_to_pivots (lu, c, &front);
   m->range = (QnPivotRange){ INFINITY, 0 };
@@ -391,14 +520,28 @@ factor_front (QnBlockLu *lu, int32_t f, const double *ax)
   return true;
 }
 
-/* Whether a front has to be eliminated anew: where a child was, or a value is new. */
+/* Eliminates a front anew where a child was, or a value is new. False where a pivot is no number. */
 static bool
-is_touched (const QnBlockLu *lu, int32_t f, const double *ax)
+update_front (QnBlockLu *lu, int32_t f)
 {
+  Matrices *m = &lu->matrices[f];
+
+  m->changed = !lu->whole;
   for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
-    if (lu->matrices[c].changed)
-      return true;
-  return has_new_values (lu, f, ax);
+    m->changed |= lu->matrices[c].changed;
+  m->changed = m->changed || has_new_values (lu, f);
+  return !m->changed || factor_front (lu, f);
+}
+
+static void
+factor_part (void *data, int32_t p)
+{
+  QnBlockLu *lu = data;
+  Part *part = &lu->parts[p];
+
+  part->regular = true;
+  for (int32_t f = part->first; f < part->end && part->regular; f++)
+    part->regular = update_front (lu, f);
 }
 
 double
@@ -408,18 +551,20 @@ qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *work)
   double done = 0;
   bool regular = true;
 
+  lu->ax = ax;
+  qn_workers_run (lu->workers, lu->part_count, factor_part, lu);
+  for (int32_t p = 0; p < lu->part_count; p++)
+    regular = regular && lu->parts[p].regular;
+  for (int32_t t = 0; t < lu->top_count && regular; t++)
+    regular = update_front (lu, lu->top[t]);
   for (int32_t f = 0; f < lu->tree.front_count && regular; f++) {
-    Matrices *m = &lu->matrices[f];
-    m->changed = !lu->whole || is_touched (lu, f, ax);
-    if (m->changed) {
-      done += m->work;
-      regular = factor_front (lu, f, ax);
-    }
+    const Matrices *m = &lu->matrices[f];
+    done += m->changed ? m->work : 0;
     range.smallest = fmin (m->range.smallest, range.smallest);
     range.largest = fmax (m->range.largest, range.largest);
   }
   lu->whole = regular;
-  *work = lu->work > 0 ? done / lu->work : 0;
+  *work = !regular ? 1 : lu->work > 0 ? done / lu->work : 0;
   if (!regular)
     return 0;
   return range.largest > 0 ? range.smallest / range.largest : 1;
@@ -439,32 +584,76 @@ qn_block_lu_factor (QnBlockLu *lu, const double *ax)
 
 /* --- Solution --------------------------------------------------------------------------- */
 
+/* x = L\x for one front. */
+static void
+forward (QnBlockLu *lu, int32_t f, double *scratch)
+{
+  QnDenseFront front = dense_front (lu, f);
+  const int32_t *places = lu->rest_places + lu->tree.fronts[f].first_row;
+  int32_t inside = lu->matrices[f].inside;
+
+  lu->loops->forward (&front, lu->solution + lu->matrices[f].first_place, scratch);
+  for (int32_t r = 0; r < inside; r++)
+    lu->solution[places[r]] -= scratch[r];
+  for (int32_t r = inside; r < front.rest; r++)
+    lu->outside[places[r]] -= scratch[r];
+}
+
+/* x = U\x for one front. */
+static void
+backward (QnBlockLu *lu, int32_t f, double *scratch)
+{
+  QnDenseFront front = dense_front (lu, f);
+  const int32_t *places = lu->rest_places + lu->tree.fronts[f].first_row;
+  int32_t inside = lu->matrices[f].inside;
+
+  for (int32_t r = 0; r < inside; r++)
+    scratch[r] = lu->solution[places[r]];
+  for (int32_t r = inside; r < front.rest; r++)
+    scratch[r] = lu->solution[lu->outside_places[places[r]]];
+  for (int32_t r = front.rest; r < qn_front_height (front.rest); r++)
+    scratch[r] = 0;
+  lu->loops->backward (&front, lu->solution + lu->matrices[f].first_place, scratch);
+}
+
+static void
+forward_part (void *data, int32_t p)
+{
+  QnBlockLu *lu = data;
+  const Part *part = &lu->parts[p];
+
+  for (int32_t f = part->first; f < part->end; f++)
+    forward (lu, f, lu->scratch + part->scratch);
+}
+
+static void
+backward_part (void *data, int32_t p)
+{
+  QnBlockLu *lu = data;
+  const Part *part = &lu->parts[p];
+
+  for (int32_t f = part->end - 1; f >= part->first; f--)
+    backward (lu, f, lu->scratch + part->scratch);
+}
+
 void
 qn_block_lu_solve (QnBlockLu *lu, double *b)
 {
-  const QnFrontTree *tree = &lu->tree;
-  double *x = lu->solution, *rest = lu->rest;
+  double *x = lu->solution;
 
   memset (x, 0, lu->solution_size * sizeof *x);
-  for (int32_t i = 0; i < tree->n; i++)
+  memset (lu->outside, 0, lu->outside_count * sizeof *lu->outside);
+  for (int32_t i = 0; i < lu->tree.n; i++)
     x[lu->unknown_places[i]] = b[i];
-  for (int32_t f = 0; f < tree->front_count; f++) { /* x = L\x */
-    QnDenseFront front = dense_front (lu, f);
-    const int32_t *places = lu->rest_places + tree->fronts[f].first_row;
-    lu->loops->forward (&front, x + lu->matrices[f].first_place, rest);
-    for (int32_t r = 0; r < front.rest; r++)
-      x[places[r]] -= rest[r];
-  }
-  for (int32_t f = tree->front_count - 1; f >= 0; f--) { /* x = U\x */
-    QnDenseFront front = dense_front (lu, f);
-    const int32_t *places = lu->rest_places + tree->fronts[f].first_row;
-    for (int32_t r = 0; r < front.rest; r++)
-      rest[r] = x[places[r]];
-    for (int32_t r = front.rest; r < qn_front_height (front.rest); r++)
-      rest[r] = 0;
-    lu->loops->backward (&front, x + lu->matrices[f].first_place, rest);
-  }
-  for (int32_t i = 0; i < tree->n; i++)
+  qn_workers_run (lu->workers, lu->part_count, forward_part, lu);
+  for (size_t k = 0; k < lu->outside_count; k++)
+    x[lu->outside_places[k]] += lu->outside[k];
+  for (int32_t t = 0; t < lu->top_count; t++)
+    forward (lu, lu->top[t], lu->scratch + lu->scratch_above);
+  for (int32_t t = lu->top_count - 1; t >= 0; t--)
+    backward (lu, lu->top[t], lu->scratch + lu->scratch_above);
+  qn_workers_run (lu->workers, lu->part_count, backward_part, lu);
+  for (int32_t i = 0; i < lu->tree.n; i++)
     b[i] = x[lu->unknown_places[i]];
 }
 

@@ -6,6 +6,9 @@
  * one of its own entries is new or a front below it was, so that regions of a structure where
  * nothing changes are condensed once.
  *
+ * Subtrees of a large tree are eliminated and solved with in parallel where threads are lent. Which
+ * subtrees depends on the matrix alone, and so do all results, to the bit.
+ *
  * Rows are exchanged among the pivots of a front only, so that a factorisation can lose digits
  * or break down where one with free pivoting would not: the caller is to judge its solutions.
  */
@@ -14,14 +17,16 @@
 
 #include "core/base/status.h"
 #include "core/base/vec2.h"
+#include "core/base/workers.h"
 
 typedef struct QnBlockLu QnBlockLu;
 
 /* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which
  * must be symmetric. The pattern is borrowed and must outlive the object. `points`: where the
- * unknowns stand (front-tree.h), or NULL. NULL when memory runs out. */
+ * unknowns stand (front-tree.h), or NULL. `workers` (nullable) are borrowed as well. NULL when memory
+ * runs out. */
 QnBlockLu *qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai,
-                            const QnVec2 *points);
+                            const QnVec2 *points, const QnWorkers *workers);
 
 void qn_block_lu_free (QnBlockLu *lu);
 

@@ -37,7 +37,8 @@ struct QnLinsys {
 };
 
 QnLinsys *
-qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points)
+qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *points,
+               const QnWorkers *workers)
 {
   QnLinsys *system = qn_alloc (1, sizeof *system);
 
@@ -51,7 +52,7 @@ qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai, const QnVec2 *po
   system->n = n;
   system->ap = (int32_t *) ap;
   system->ai = (int32_t *) ai;
-  system->blocks = qn_block_lu_new (n, ap, ai, points);
+  system->blocks = qn_block_lu_new (n, ap, ai, points, workers);
   system->trial = qn_alloc ((size_t) n, sizeof *system->trial);
   system->solution = qn_alloc ((size_t) n, sizeof *system->solution);
   system->left = qn_alloc ((size_t) n, sizeof *system->left);

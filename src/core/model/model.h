@@ -10,6 +10,7 @@
 
 #include "core/base/name-index.h"
 #include "core/base/status.h"
+#include "core/base/workers.h"
 #include "core/law/law.h"
 #include "core/model/beam.h"
 #include "core/model/ground-motion.h"
@@ -274,8 +275,9 @@ typedef struct QnAnalysisSettings {
   double control_target;     /* m or rad */
   QnDynamicSettings dynamic; /* for QN_PROCEDURE_DYNAMIC */
   /* Of the run, not of the project: */
-  unsigned no_shortcuts; /* of QnShortcut, those turned off */
-  bool all_forces;       /* see QN_RESULT_FORCE_BUDGET */
+  unsigned no_shortcuts;    /* of QnShortcut, those turned off */
+  bool all_forces;          /* see QN_RESULT_FORCE_BUDGET */
+  const QnWorkers *workers; /* borrowed; NULL: everything in the caller's thread */
 } QnAnalysisSettings;
 
 /* A stage of loading: its sets go from the multiplier that they stand at to another one while

@@ -3,6 +3,7 @@
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
+#include "doc/document/threads.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n.h>
 #include <pthread.h>
@@ -104,6 +105,7 @@ qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
     set_error (error, model, &self->diag, status);
     return NULL;
   }
+  self->run->model.analysis.workers = qn_threads_get ();
   return g_steal_pointer (&self);
 }
 

@@ -5,14 +5,15 @@
 #include <glib.h>
 #include <math.h>
 
-/* Bodies in a square grid, each coupled with its neighbours; some lack degrees of freedom. */
-enum { SIDE = 12, BODIES = SIDE * SIDE, MOST = 3 * BODIES };
+/* Bodies in a square grid, each coupled with its neighbours; some lack degrees of freedom. The large one
+ * is worth taking to parts. */
+enum { SIDE = 12, LARGE_SIDE = 64 };
 
 typedef struct {
   int32_t n;
-  int32_t unknown[BODIES][3];
+  int32_t (*unknown)[3];
   int32_t *ap, *ai;
-  double *ax, x[MOST], b[MOST];
+  double *ax, *x, *b;
 } Grid;
 
 static void
@@ -28,25 +29,29 @@ couple (Grid *grid, QnSparsePattern *pattern, int one, int other)
 }
 
 static void
-grid_init (Grid *grid, GRand *random)
+grid_init (Grid *grid, int side, GRand *random)
 {
   QnSparsePattern pattern;
+  int bodies = side * side;
 
   grid->n = 0;
-  for (int body = 0; body < BODIES; body++)
+  grid->unknown = g_malloc_n ((gsize) bodies, sizeof *grid->unknown);
+  for (int body = 0; body < bodies; body++)
     for (int d = 0; d < 3; d++)
       grid->unknown[body][d] =
         body > 0 && g_rand_int_range (random, 0, 8) == 0 ? QN_NONE : grid->n++;
   g_assert_true (qn_sparse_pattern_init (&pattern, grid->n, 100));
-  for (int body = 0; body < BODIES; body++) {
-    if (body % SIDE > 0)
+  for (int body = 0; body < bodies; body++) {
+    if (body % side > 0)
       couple (grid, &pattern, body, body - 1);
-    if (body >= SIDE)
-      couple (grid, &pattern, body, body - SIDE);
+    if (body >= side)
+      couple (grid, &pattern, body, body - side);
   }
   g_assert_true (qn_sparse_pattern_compress (&pattern, &grid->ap, &grid->ai));
   qn_sparse_pattern_clear (&pattern);
   grid->ax = g_new (double, grid->ap[grid->n]);
+  grid->x = g_new (double, grid->n);
+  grid->b = g_new (double, grid->n);
 }
 
 /* Random values, not symmetric, with a diagonal that elimination can rest upon; b = A x. */
@@ -67,7 +72,10 @@ grid_randomise (Grid *grid, GRand *random)
 static void
 grid_clear (Grid *grid)
 {
+  g_free (grid->unknown);
   g_free (grid->ax);
+  g_free (grid->x);
+  g_free (grid->b);
   free (grid->ap);
   free (grid->ai);
 }
@@ -79,8 +87,8 @@ test_solution (void)
 
   for (int structure = 0; structure < 5; structure++) {
     Grid grid;
-    grid_init (&grid, random);
-    QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+    grid_init (&grid, SIDE, random);
+    QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
     g_assert_nonnull (lu);
     for (int k = 0; k < 3; k++) {
       grid_randomise (&grid, random);
@@ -103,8 +111,8 @@ test_vanishing_pivot (void)
 {
   GRand *random = g_rand_new_with_seed (13);
   Grid grid;
-  grid_init (&grid, random);
-  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+  grid_init (&grid, SIDE, random);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
 
   grid_randomise (&grid, random);
   for (int32_t j = 0; j < grid.n; j++)
@@ -139,7 +147,7 @@ test_single_body (void)
   const int32_t ap[] = { 0, 2, 4 }, ai[] = { 0, 1, 0, 1 };
   const double ax[] = { 0, 2, 4, 1 };
   double b[] = { 4, 3 };
-  QnBlockLu *lu = qn_block_lu_new (2, ap, ai, NULL);
+  QnBlockLu *lu = qn_block_lu_new (2, ap, ai, NULL, NULL);
 
   g_assert_cmpfloat (qn_block_lu_factor (lu, ax), ==, 0.5);
   qn_block_lu_solve (lu, b);
@@ -152,7 +160,7 @@ static void
 test_empty (void)
 {
   const int32_t ap[] = { 0 }, ai[] = { 0 };
-  QnBlockLu *lu = qn_block_lu_new (0, ap, ai, NULL);
+  QnBlockLu *lu = qn_block_lu_new (0, ap, ai, NULL, NULL);
 
   g_assert_nonnull (lu);
   g_assert_cmpfloat (qn_block_lu_factor (lu, NULL), ==, 1);
@@ -166,9 +174,9 @@ test_refactorisation (void)
 {
   GRand *random = g_rand_new_with_seed (17);
   Grid grid;
-  grid_init (&grid, random);
-  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
-  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL);
+  grid_init (&grid, SIDE, random);
+  QnBlockLu *lu = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
+  QnBlockLu *fresh = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
   double share, least = 1;
 
   grid_randomise (&grid, random);
@@ -178,14 +186,13 @@ test_refactorisation (void)
   g_assert_cmpfloat (share, ==, 0);
   for (int k = 0; k < 100; k++) {
     int32_t p = g_rand_int_range (random, 0, grid.ap[grid.n]);
-    double x[MOST];
     grid.ax[p] += 0.125;
     double ratio = qn_block_lu_refactor (lu, grid.ax, &share);
     g_assert_cmpfloat (share, >, 0);
     g_assert_cmpfloat (share, <, 1);
     least = MIN (least, share);
     g_assert_cmpfloat (qn_block_lu_factor (fresh, grid.ax), ==, ratio);
-    memcpy (x, grid.b, sizeof x);
+    g_autofree double *x = g_memdup2 (grid.b, (gsize) grid.n * sizeof *x);
     qn_block_lu_solve (lu, x);
     qn_block_lu_solve (fresh, grid.b);
     g_assert_cmpmem (x, (size_t) grid.n * sizeof *x, grid.b, (size_t) grid.n * sizeof *x);
@@ -194,6 +201,65 @@ test_refactorisation (void)
   g_assert_cmpfloat (least, <, 0.7);
   qn_block_lu_free (lu);
   qn_block_lu_free (fresh);
+  grid_clear (&grid);
+  g_rand_free (random);
+}
+
+static void
+run_backwards (void *pool, int32_t count, void (*part) (void *data, int32_t i),
+               void *data)
+{
+  int32_t *most = pool;
+
+  *most = MAX (*most, count);
+  for (int32_t i = count - 1; i >= 0; i--)
+    part (data, i);
+}
+
+/* The parts of a large matrix do not touch each other: in any order they give the same, to the bit. */
+static void
+test_parts (void)
+{
+  GRand *random = g_rand_new_with_seed (19);
+  Grid grid;
+  int32_t most = 0;
+  double share;
+  grid_init (&grid, LARGE_SIDE, random);
+  QnWorkers backwards = { .run = run_backwards, .pool = &most };
+  QnBlockLu *one = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, NULL);
+  QnBlockLu *other = qn_block_lu_new (grid.n, grid.ap, grid.ai, NULL, &backwards);
+
+  for (int k = 0; k < 6; k++) {
+    if (k % 3 == 0)
+      grid_randomise (&grid, random);
+    else
+      grid.ax[g_rand_int_range (random, 0, grid.ap[grid.n])] += 0.125;
+    bool anew = k % 2 == 0;
+    double ratio = anew ? qn_block_lu_factor (one, grid.ax)
+                        : qn_block_lu_refactor (one, grid.ax, &share);
+    g_assert_cmpfloat (ratio, >, 1e-3);
+    g_assert_cmpfloat (qn_block_lu_refactor (other, grid.ax, &share), ==, ratio);
+    g_assert_true (k % 3 == 0 ? share == 1 : share < 0.7);
+    g_assert_cmpint (qn_block_lu_sign (one), ==, qn_block_lu_sign (other));
+    g_autofree double *x = g_memdup2 (grid.b, (gsize) grid.n * sizeof *x);
+    g_autofree double *y = g_memdup2 (grid.b, (gsize) grid.n * sizeof *y);
+    qn_block_lu_solve (one, x);
+    qn_block_lu_solve (other, y);
+    g_assert_cmpmem (x, (gsize) grid.n * sizeof *x, y, (gsize) grid.n * sizeof *y);
+    for (int32_t i = 0; k % 3 == 0 && i < grid.n; i++)
+      g_assert_cmpfloat (fabs (x[i] - grid.x[i]), <, 1e-11);
+  }
+  g_assert_cmpint (most, >, 16);
+
+  /* What is no number is found in whichever part it stands. */
+  grid.ax[grid.ap[grid.n / 3]] = NAN;
+  g_assert_cmpfloat (qn_block_lu_factor (one, grid.ax), ==, 0);
+  g_assert_cmpfloat (qn_block_lu_refactor (other, grid.ax, &share), ==, 0);
+  grid_randomise (&grid, random);
+  g_assert_cmpfloat (qn_block_lu_refactor (other, grid.ax, &share), >, 1e-3);
+  g_assert_cmpfloat (share, ==, 1);
+  qn_block_lu_free (one);
+  qn_block_lu_free (other);
   grid_clear (&grid);
   g_rand_free (random);
 }
@@ -207,5 +273,6 @@ main (int argc, char **argv)
   g_test_add_func ("/block-lu/vanishing-pivot", test_vanishing_pivot);
   g_test_add_func ("/block-lu/single-body", test_single_body);
   g_test_add_func ("/block-lu/empty", test_empty);
+  g_test_add_func ("/block-lu/parts", test_parts);
   return g_test_run ();
 }

@@ -43,7 +43,7 @@ test_refactorisation (void)
   Dense d;
   GRand *random = g_rand_new_with_seed (3);
   dense_pattern (&d);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
   g_assert_nonnull (system);
 
   for (int k = 0; k < 50; k++) {
@@ -96,7 +96,7 @@ test_sign (void)
   int negative = 0;
   GRand *random = g_rand_new_with_seed (7);
   dense_pattern (&d);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
 
   for (int k = 0; k < 60; k++) {
     dense_random (&d, random);
@@ -120,7 +120,7 @@ test_at_once (void)
   Dense d;
   GRand *random = g_rand_new_with_seed (9);
   dense_pattern (&d);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
 
   for (int k = 0; k < 40; k++) {
     double zeros[N] = { 0 };
@@ -153,7 +153,7 @@ test_singular (void)
   GRand *random = g_rand_new_with_seed (5);
   dense_pattern (&d);
   dense_random (&d, random);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
 
   g_assert_cmpint (qn_linsys_factor (system, d.ax), ==, QN_FACTOR_OK);
   for (int i = 0; i < N; i++)
@@ -178,7 +178,7 @@ test_free_unknown (void)
   GRand *random = g_rand_new_with_seed (6);
   dense_pattern (&d);
   dense_random (&d, random);
-  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL);
+  QnLinsys *system = qn_linsys_new (N, d.ap, d.ai, NULL, NULL);
 
   for (int i = 0; i < N; i++)
     d.ax[5 * N + i] = d.ax[i * N + 5] = 0;

@@ -1,0 +1,29 @@
+/* Threads that a caller lends for work whose parts do not touch each other. The core starts none. */
+#ifndef QN_CORE_WORKERS_H
+#define QN_CORE_WORKERS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct QnWorkers {
+  /* Calls part (data, i) once for each i = 0 … count - 1, in any order and on any threads, and returns
+   * when all of them have returned. */
+  void (*run) (void *pool, int32_t count, void (*part) (void *data, int32_t i),
+               void *data);
+  void *pool;
+} QnWorkers;
+
+/* `workers` may be NULL: the caller's thread does all of it, in order. */
+static inline void
+qn_workers_run (const QnWorkers *workers, int32_t count,
+                void (*part) (void *data, int32_t i), void *data)
+{
+  if (workers != NULL && count > 1) {
+    workers->run (workers->pool, count, part, data);
+    return;
+  }
+  for (int32_t i = 0; i < count; i++)
+    part (data, i);
+}
+
+#endif
