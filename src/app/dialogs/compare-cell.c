@@ -191,7 +191,7 @@ qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view)
 
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
   cell->area = gtk_drawing_area_new ();
-  gtk_widget_set_size_request (cell->area, 240, 180);
+  gtk_widget_set_size_request (cell->area, 150, 130);
   gtk_widget_set_hexpand (cell->area, TRUE);
   gtk_widget_set_vexpand (cell->area, TRUE);
   g_object_set_data_full (G_OBJECT (box), "qn-cell", cell, cell_free);

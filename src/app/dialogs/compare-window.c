@@ -87,6 +87,7 @@ put (Compare *compare, int column, int row, const char *text)
   if (row > 0 && column == 0) {
     gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
     gtk_label_set_max_width_chars (GTK_LABEL (label), 28);
+    gtk_label_set_width_chars (GTK_LABEL (label), 18);
     gtk_widget_set_tooltip_text (label, text);
   }
   gtk_grid_attach (GTK_GRID (compare->table), label, column, row, 1, 1);
