@@ -315,7 +315,7 @@ static void
 draw_y_ticks (QnCurveView *self, cairo_t *cr)
 {
   const QnBox *r = &self->range;
-  QnUnits units = qn_settings_get_units ();
+  QnUnits units = qn_units_of_motion (qn_settings_get_units ());
   QnQuantity quantity = ordinate (self);
   double factor = qn_units_factor (units, quantity);
   double step = factor
@@ -334,7 +334,7 @@ draw_y_ticks (QnCurveView *self, cairo_t *cr)
 static void
 draw_x_ticks (QnCurveView *self, cairo_t *cr)
 {
-  QnUnits units = qn_settings_get_units ();
+  QnUnits units = qn_units_of_motion (qn_settings_get_units ());
   QnQuantity quantity = abscissa (self);
   double factor = qn_units_factor (units, quantity);
   const QnBox *r = &self->range;
@@ -359,7 +359,7 @@ dup_displacement_label (QnCurveView *self)
     return NULL;
   return g_strdup_printf (
     "%s, %s (%s)", components[self->dof], qn_result_body_name (self->model, self->block),
-    qn_units_symbol (qn_settings_get_units (), displacement (self)));
+    qn_units_symbol (qn_units_of_motion (qn_settings_get_units ()), displacement (self)));
 }
 
 static void
@@ -428,8 +428,9 @@ draw_runaway (QnCurveView *self, cairo_t *cr, const QnCurve *curve)
     return;
   QnVec2 p = to_frame (self, curve, curve->count - 1);
   double way = end < curve->x[0] ? -1.0 : 1.0;
-  g_autofree char *far = qn_units_format_full (qn_settings_get_units (), abscissa (self),
-                                               curve->x[curve->count - 1], 3);
+  g_autofree char *far =
+    qn_units_format_full (qn_units_of_motion (qn_settings_get_units ()), abscissa (self),
+                          curve->x[curve->count - 1], 3);
   g_autofree char *text = g_strdup_printf (_ ("moves on to %s"), far);
   cairo_move_to (cr, p.x + 9.0 * way, p.y);
   cairo_rel_line_to (cr, -9.0 * way, -4.0);
@@ -507,12 +508,12 @@ qn_curve_view_dup_values (QnCurveView *self, double x, double y)
   if (series < 0)
     return NULL;
   const Series *s = &self->series[series];
-  g_autofree char *value = qn_units_format_full (qn_settings_get_units (),
-                                                 abscissa (self), s->curve.x[point], 4);
+  g_autofree char *value = qn_units_format_full (
+    qn_units_of_motion (qn_settings_get_units ()), abscissa (self), s->curve.x[point], 4);
   if (self->live && !s->curve.in_time)
     return g_strdup_printf (_ ("Step %d: multiplier %.4f"), point, s->curve.y[point]);
-  g_autofree char *moved = qn_units_format_full (qn_settings_get_units (),
-                                                 ordinate (self), s->curve.y[point], 4);
+  g_autofree char *moved = qn_units_format_full (
+    qn_units_of_motion (qn_settings_get_units ()), ordinate (self), s->curve.y[point], 4);
   g_autofree char *own = s->curve.in_time
                            ? g_strdup_printf ("%s: %s", value, moved)
                            : g_strdup_printf (_ ("Step %d: %s, multiplier %.4f"), point,

@@ -170,7 +170,8 @@ cell_displacement (const Table *table, const QnRun *run, guint row)
                               qn_result_step_displacements (&run->result, row),
                             .linear = run->model.analysis.geometry == QN_GEOMETRY_LINEAR,
                             .scale = 1.0 };
-  return dup_quantity (QN_QUANTITY_LENGTH, qn_motion_largest (&motion));
+  return qn_units_format (qn_units_of_motion (qn_settings_get_units ()),
+                          QN_QUANTITY_LENGTH, qn_motion_largest (&motion), 4);
 }
 
 static char *
@@ -401,7 +402,9 @@ qn_step_table_new (QnViewState *state)
   table->state = state;
   table->exported = "curve";
   GtkWidget *view = make_view (table, G_CALLBACK (on_step_selected));
-  g_autofree char *displacement = dup_title (_ ("Largest motion"), QN_QUANTITY_LENGTH);
+  g_autofree char *displacement = g_strdup_printf (
+    "%s (%s)", _ ("Largest motion"),
+    qn_units_symbol (qn_units_of_motion (qn_settings_get_units ()), QN_QUANTITY_LENGTH));
   add_column (view, _ ("Step"), table, cell_step);
   table->stage = add_column (view, _ ("Stage"), table, cell_stage);
   add_column (view, _ ("Multiplier or time"), table, cell_multiplier);

@@ -74,6 +74,13 @@ find_row (QnQuantity quantity, const char *symbol)
   return NULL;
 }
 
+QnUnits
+qn_units_of_motion (QnUnits units)
+{
+  units.length = QN_LENGTH_MM;
+  return units;
+}
+
 const char *
 qn_units_symbol (QnUnits units, QnQuantity quantity)
 {

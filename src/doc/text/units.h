@@ -48,6 +48,9 @@ typedef enum {
 /* Symbol of the unit in which a quantity is shown, "" for plain numbers; a static string. */
 const char *qn_units_symbol (QnUnits units, QnQuantity quantity);
 
+/* The same for displacements, openings and slips, which are small: lengths in mm. */
+QnUnits qn_units_of_motion (QnUnits units);
+
 /* SI value of one displayed unit: 0.01 where lengths are shown in cm. */
 double qn_units_factor (QnUnits units, QnQuantity quantity);
 

@@ -88,14 +88,6 @@ add_pair (GString *text, QnUnits units, const char *name, QnQuantity quantity, d
   add_text (text, name, both);
 }
 
-/* Lengths of motions are told in mm, whatever the unit of lengths: they are small. */
-static QnUnits
-with_mm (QnUnits units)
-{
-  units.length = QN_LENGTH_MM;
-  return units;
-}
-
 /* ---- joints ---- */
 
 static const char *
@@ -170,7 +162,7 @@ tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
   } else if (view->result != NULL)
     add_text (text, _ ("Forces"), _ ("not kept of this step"));
   if (reading.has_motion) {
-    QnUnits mm = with_mm (units);
+    QnUnits mm = qn_units_of_motion (units);
     add_pair (text, mm, _ ("Opening at its ends"), QN_QUANTITY_LENGTH,
               reading.opening_start, reading.opening_end);
     add_value (text, mm, _ ("Slip"), QN_QUANTITY_LENGTH, reading.slip);
@@ -213,7 +205,7 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
     qn_block_reading (view->model, view->contacts, id, view->pairs,
                       view->motion.displacements != NULL ? &view->motion : NULL);
   if (reading.has_motion) {
-    QnUnits mm = with_mm (units);
+    QnUnits mm = qn_units_of_motion (units);
     add_pair (text, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,
               reading.displacement[QN_DOF_UX], reading.displacement[QN_DOF_UY]);
     add_value (text, units, _ ("Rotation"), QN_QUANTITY_ANGLE,
