@@ -236,7 +236,8 @@ test_laws (void)
       driver_run (60);
     }
     qn_document_undo (qn_window_get_document (window));
-    GtkWidget *button = driver_find_widget (GTK_WIDGET (window), is_button, "_Add Law");
+    GtkWidget *button =
+      driver_find_widget (GTK_WIDGET (window), is_button, "_Duplicate Law");
     g_assert_nonnull (button);
     gtk_widget_grab_focus (button);
     driver_run (300);

@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "app/widgets/quantity-entry.h"
+#include "io/project/usual-joint.h"
 #include "support/scratch.h"
 
 #include <string.h>
@@ -287,7 +288,7 @@ is_called (GtkWidget *widget, gconstpointer id)
          && g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
 }
 
-/* A usual joint is one step; one that a law cannot take is refused and the choice is as before. */
+/* A usual joint is one step, for the law that is shown, and with its source. */
 static void
 test_joint (void)
 {
@@ -296,19 +297,87 @@ test_joint (void)
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   driver_activate (window, "win.show-panel::analysis");
   GtkWidget *joint = driver_find_widget (GTK_WIDGET (window), is_called, "joint");
-  GtkWidget *basis = driver_find_widget (GTK_WIDGET (window), is_called, "basis");
-  const QnModel *model = qn_document_get_model (document);
-  g_assert_cmpint (model->laws[0].basis, ==, QN_BASIS_CONTACT);
-  gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 2);
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 1 + QN_JOINT_LIME_MORTAR);
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (joint)), ==, 0);
-  gtk_drop_down_set_selected (GTK_DROP_DOWN (basis), QN_BASIS_SURFACE);
-  gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 2);
+  const QnLaw *law = &qn_document_get_model (document)->laws[0];
+  g_assert_cmpfloat (law->cohesion, ==, 1e5);
+  g_assert_cmpint (law->basis, ==, QN_BASIS_SURFACE);
+  g_assert_cmpstr (law->source, ==, qn_usual_joints[QN_JOINT_LIME_MORTAR].source);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  driver_activate (window, "win.undo");
+  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  driver_discard (window);
+}
+
+static void
+press (QnWindow *window, const char *id)
+{
+  GtkWidget *button = driver_find_widget (GTK_WIDGET (window), is_called, id);
+  g_assert_nonnull (button);
+  g_assert_true (gtk_widget_get_sensitive (button));
+  g_signal_emit_by_name (button, "clicked");
+}
+
+/* Added with its source, applied to joints and to all others, found again, duplicated, and removed with
+ * another one in its place; each is a step. */
+static void
+test_laws (void)
+{
+  QnWindow *window = driver_open_example ("05-stack.quoin");
+  QnDocument *document = qn_window_get_document (window);
+  QnSelection *selection = qn_document_get_selection (document);
+  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  guint steps = 0, count = 0;
+  driver_activate (window, "win.show-panel::analysis");
+  GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "laws_box");
+  GtkWidget *list = driver_find_widget (box, is_called, "law");
+  GtkWidget *add = driver_find_widget (box, is_called, "add");
+  GtkWidget *joint = driver_find_widget (box, is_called, "joint");
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 1 + QN_JOINT_DRY_STONE);
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (add), 1 + QN_JOINT_BRICK);
+  steps += 2;
+  g_assert_cmpuint (qn_document_get_model (document)->law_count, ==, 2);
+  g_assert_cmpint (
+    gtk_list_box_row_get_index (gtk_list_box_get_selected_row (GTK_LIST_BOX (list))), ==,
+    1);
+  GtkWidget *apply = driver_find_widget (box, is_called, "apply");
+  g_assert_false (gtk_widget_get_sensitive (apply)); /* nothing is selected */
+  qn_selection_set_face (selection, 1);
+  driver_run (50);
+  press (window, "apply");
+  steps++;
+  const QnContacts *contacts = qn_document_get_contacts (document);
+  g_assert_cmpint (contacts->faces[1].law_a, ==, 1);
+  g_assert_cmpint (contacts->faces[1].law_b, ==, 1);
+  g_assert_cmpint (contacts->faces[0].law_a, ==, 0);
+  gtk_widget_grab_focus (driver_find_widget (box, is_called, "source"));
+  driver_run (300);
+  driver_screenshot (GTK_WIDGET (window), "laws-list");
+  qn_selection_clear (selection);
+  press (window, "select");
+  const QnId *faces = qn_selection_get_faces (selection, &count);
+  g_assert_cmpuint (count, ==, 1);
+  g_assert_cmpint (faces[0], ==, 1);
+  press (window, "duplicate");
+  press (window, "apply_to_all");
+  steps += 2;
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpint (model->contact.law, ==, 2);
+  g_assert_cmpstr (model->laws[2].source, ==, model->laws[1].source);
+  /* The law of all others has one in its place, or stays. */
+  GtkWidget *by = driver_find_widget (box, is_called, "by");
+  gtk_drop_down_set_selected (GTK_DROP_DOWN (by), 1);
+  gtk_widget_grab_focus (
+    GTK_WIDGET (gtk_list_box_get_selected_row (GTK_LIST_BOX (list))));
+  driver_key ("Delete");
+  driver_run (200);
+  steps++;
   model = qn_document_get_model (document);
-  g_assert_cmpfloat (model->laws[0].cohesion, ==, 1e5);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 2);
-  driver_activate (window, "win.undo");
-  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model->law_count, ==, 2);
+  g_assert_cmpint (model->contact.law, ==, 0);
+  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, steps);
+  for (guint i = 0; i < steps; i++)
+    driver_activate (window, "win.undo");
   g_assert_cmpstr (qn_document_get_text (document), ==, before);
   driver_discard (window);
 }
@@ -388,6 +457,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/forms/dialogs", test_dialogs);
   g_test_add_func ("/app/forms/study", test_study);
   g_test_add_func ("/app/forms/joint", test_joint);
+  g_test_add_func ("/app/forms/laws", test_laws);
   g_test_add_func ("/app/forms/project", test_project);
   g_test_add_func ("/app/forms/refusal", test_refusal);
   return g_test_run ();

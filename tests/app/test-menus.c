@@ -192,9 +192,9 @@ test_laws (void)
   GtkWidget *law = find_id (find_id (GTK_WIDGET (window), "laws_box"), "law");
   gtk_widget_grab_focus (law);
   driver_run (200);
-  check_keys (law, "Add Law");
+  check_keys (law, "Duplicate Law");
   right_click (law);
-  choose (law, "Add Law");
+  choose (law, "Duplicate Law");
   g_assert_cmpuint (model_of (window)->law_count, ==, count + 1);
   driver_discard (window);
 }

@@ -384,6 +384,22 @@ on_row_selected (GtkWidget *widget, GtkListBoxRow *row, QnBoundForm *form)
   on_entered (widget, form);
 }
 
+/* Delete removes what is selected in a list, as the button that is called "remove" does. */
+static gboolean
+on_list_key (GtkEventControllerKey *keys, guint key, guint code, GdkModifierType state,
+             QnBoundForm *form)
+{
+  (void) keys, (void) code, (void) state;
+  for (guint field = 0; key == GDK_KEY_Delete && field < form->kind->field_count; field++)
+    if (g_str_equal (form->kind->fields[field].id, "remove")
+        && gtk_widget_get_visible (form->widgets[field])
+        && gtk_widget_get_sensitive (form->widgets[field])) {
+      g_signal_emit_by_name (form->widgets[field], "clicked");
+      return TRUE;
+    }
+  return FALSE;
+}
+
 static void
 connect (QnBoundForm *form, GtkWidget *widget)
 {
@@ -418,6 +434,11 @@ connect (QnBoundForm *form, GtkWidget *widget)
       g_signal_connect (widget, signals[i].signal, signals[i].callback, form);
       break;
     }
+  if (GTK_IS_LIST_BOX (widget)) {
+    GtkEventController *keys = gtk_event_controller_key_new ();
+    g_signal_connect (keys, "key-pressed", G_CALLBACK (on_list_key), form);
+    gtk_widget_add_controller (widget, keys);
+  }
   if (QN_IS_QUANTITY_ENTRY (widget))
     qn_quantity_entry_set_path_func (QN_QUANTITY_ENTRY (widget), find_path, form);
 }

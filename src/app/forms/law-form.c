@@ -2,68 +2,76 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/law-view.h"
 #include "app/forms/panel.h"
+#include "app/widgets/settings.h"
+#include "doc/edit/edit-face.h"
 #include "doc/text/law-points.h"
 #include "doc/text/law-preset.h"
+#include "doc/text/law-text.h"
+#include "io/project/usual-joint.h"
 #include <glib/gi18n.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What the number of a parameter is: it depends on the basis. */
-typedef enum { IS_STIFFNESS, IS_NUMBER, IS_STRENGTH, IS_STRAIN } Meaning;
-
-static const QnQuantity quantities[][QN_BASIS_COUNT] = {
-  [IS_STIFFNESS] = { QN_QUANTITY_STIFFNESS, QN_QUANTITY_SURFACE_STIFFNESS,
-                     QN_QUANTITY_STRESS },
-  [IS_NUMBER] = { QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER },
-  [IS_STRENGTH] = { QN_QUANTITY_FORCE, QN_QUANTITY_STRESS, QN_QUANTITY_STRESS },
-  [IS_STRAIN] = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH, QN_QUANTITY_NUMBER },
-};
-
 /* Numbers by the keys of project files; the first three belong to every law. */
 static const struct {
   const char *key;
-  Meaning meaning;
   QnFieldInfo info;
 } numbers[] = {
-  { "kn", IS_STIFFNESS, { N_ ("Normal stiffness"), .least = 1e-12, .most = 1e18 } },
-  { "ks", IS_STIFFNESS, { N_ ("Shear stiffness"), .least = 1e-12, .most = 1e18 } },
-  { "shear_factor", IS_NUMBER, { N_ ("Shear factor (0: 1)"), .most = 1e18 } },
-  { "friction", IS_NUMBER, { N_ ("Friction, tangent"), .most = 1e18 } },
-  { "cohesion", IS_STRENGTH, { N_ ("Cohesion"), .most = 1e18 } },
-  { "tension", IS_STRENGTH, { N_ ("Tensile strength"), .most = 1e18 } },
-  { "compression", IS_STRENGTH, { N_ ("Compressive strength"), .most = 1e18 } },
-  { "dilatancy", IS_NUMBER, { N_ ("Dilatancy, tangent"), .most = 1e18 } },
-  { "yield", IS_STRENGTH, { N_ ("Yield"), .most = 1e18 } },
-  { "hardening", IS_NUMBER, { N_ ("Hardening, part of stiffness"), .most = 1e18 } },
-  { "strength", IS_STRENGTH, { N_ ("Strength"), .most = 1e18 } },
-  { "ultimate_strain", IS_STRAIN, { N_ ("Ultimate strain"), .most = 1e18 } },
-  { "fracture_energy",
-    IS_NUMBER,
-    { N_ ("Fracture energy, J/m² (pair: J)"), .most = 1e18 } },
-  { "crushing_energy",
-    IS_NUMBER,
-    { N_ ("Crushing energy, J/m² (pair: J)"), .most = 1e18 } },
+  { "kn", { N_ ("Normal stiffness"), .least = 1e-12, .most = 1e18 } },
+  { "ks", { N_ ("Shear stiffness"), .least = 1e-12, .most = 1e18 } },
+  { "shear_factor", { N_ ("Shear factor (0: 1)"), .most = 1e18 } },
+  { "friction", { N_ ("Friction, tangent"), .most = 1e18 } },
+  { "cohesion", { N_ ("Cohesion"), .most = 1e18 } },
+  { "tension", { N_ ("Tensile strength"), .most = 1e18 } },
+  { "compression", { N_ ("Compressive strength"), .most = 1e18 } },
+  { "dilatancy", { N_ ("Dilatancy, tangent"), .most = 1e18 } },
+  { "yield", { N_ ("Yield"), .most = 1e18 } },
+  { "hardening", { N_ ("Hardening, part of stiffness"), .most = 1e18 } },
+  { "strength", { N_ ("Strength"), .most = 1e18 } },
+  { "ultimate_strain", { N_ ("Ultimate strain"), .most = 1e18 } },
+  { "fracture_energy", { N_ ("Fracture energy, J/m² (pair: J)"), .most = 1e18 } },
+  { "crushing_energy", { N_ ("Crushing energy, J/m² (pair: J)"), .most = 1e18 } },
 };
 
 typedef struct Form {
   QnBoundForm base;
   QnId shown; /* law that the fields are about */
-  QnId
-    by; /* what stands in its place once it is removed; QN_NONE: the law of the contacts */
+  QnId by; /* what stands in its place once it is removed; QN_NONE: that of all others */
 } Form;
 
-enum { LAW, NAME, JOINT, KIND, BASIS, POINTS, VIEW, ADD, USES, BY, REMOVE, FIRST_NUMBER };
+enum {
+  LAW,
+  NAME,
+  SOURCE,
+  JOINT,
+  KIND,
+  BASIS,
+  POINTS,
+  VIEW,
+  ADD,
+  DUPLICATE,
+  APPLY,
+  APPLY_TO_ALL,
+  SELECT,
+  BY,
+  REMOVE,
+  FIRST_NUMBER
+};
 
 static const QnFormField fields[] = {
   [LAW] = { .id = "law" },
   [NAME] = { .id = "name", .step = N_ ("Rename Law") },
+  [SOURCE] = { .id = "source", .step = N_ ("Change Source") },
   [JOINT] = { .id = "joint", .step = N_ ("Take Joint") },
   [KIND] = { .id = "kind", .step = N_ ("Change Law") },
   [BASIS] = { .id = "basis", .step = N_ ("Change Law") },
   [POINTS] = { .id = "points", .step = N_ ("Change Law") },
   [VIEW] = { .id = "view" },
   [ADD] = { .id = "add", .step = N_ ("Add Law") },
-  [USES] = { .id = "uses" },
+  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Law") },
+  [APPLY] = { .id = "apply", .step = N_ ("Apply Law") },
+  [APPLY_TO_ALL] = { .id = "apply_to_all", .step = N_ ("Apply Law") },
+  [SELECT] = { .id = "select" },
   [BY] = { .id = "by" },
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Law") },
 };
@@ -108,32 +116,71 @@ look (gpointer data)
   return model->law_count > 0;
 }
 
+/* A line for each law. */
+static char **
+dup_laws (const Form *form, const QnModel *model)
+{
+  const QnContacts *contacts =
+    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
+  g_autoptr (GStrvBuilder) lines = g_strv_builder_new ();
+  for (gsize i = 0; i < model->law_count; i++) {
+    g_autofree char *line =
+      qn_law_dup_text (model, contacts, (QnId) i, qn_settings_get_units ());
+    g_strv_builder_add (lines, line);
+  }
+  return g_strv_builder_end (lines);
+}
+
+/* The usual joints, after a row that asks for a choice. */
+static char **
+dup_joints (const char *first)
+{
+  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
+  g_strv_builder_add (names, first);
+  for (int i = 0; i < QN_JOINT_COUNT; i++)
+    g_strv_builder_add (names, _ (qn_usual_joints[i].name));
+  return g_strv_builder_end (names);
+}
+
+static char **
+dup_words (const char *const *words, int count)
+{
+  char **rows = g_new0 (char *, count + 1);
+  for (int i = 0; i < count; i++)
+    rows[i] = g_strdup (_ (words[i]));
+  return rows;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  guint blocks, faces;
   QnLaw law = model->laws[form->shown];
   const double *number;
   guint uses = qn_edit_count_law_uses (model, form->shown);
   switch (field) {
-  case USES:
-    value->text =
-      g_strdup_printf (_ ("Blocks, walls, joints and bars that use it: %u"), uses);
-    return uses > 0;
   case BY:
     qn_value_set_laws (value, model, _ ("The law of the contacts"), form->by);
     return uses > 0 && model->law_count > 1;
   case LAW:
-    qn_value_set_laws (value, model, NULL, form->shown);
+    value->rows = dup_laws (form, model);
+    value->number = form->shown;
+    return TRUE;
+  case SOURCE:
+    value->text = g_strdup (law.source);
     return TRUE;
   case NAME:
     value->text = g_strdup (law.name);
     return TRUE;
   case KIND:
+    value->rows = dup_words (qn_law_kind_words, QN_LAW_KIND_COUNT);
     value->number = law.kind;
     return TRUE;
   case BASIS:
+    value->rows = dup_words (qn_basis_words, QN_BASIS_COUNT);
     value->number = law.basis;
     return TRUE;
   case POINTS:
@@ -142,8 +189,24 @@ show (gpointer data, guint field, QnValue *value)
   case VIEW:
     qn_law_view_set_law (form->base.widgets[VIEW], &law);
     return TRUE;
-  case JOINT: /* the first row asks for a choice */
+  case JOINT:
+    value->rows = dup_joints (_ ("Choose…"));
+    return TRUE;
   case ADD:
+    value->rows = dup_joints (_ ("Add…"));
+    return TRUE;
+  case APPLY:
+    qn_selection_get_blocks (selection, &blocks);
+    qn_selection_get_faces (selection, &faces);
+    value->disabled = blocks + faces == 0;
+    return TRUE;
+  case APPLY_TO_ALL:
+    value->disabled = model->contact.law == form->shown;
+    return TRUE;
+  case SELECT:
+    value->disabled = uses == 0;
+    return TRUE;
+  case DUPLICATE:
   case REMOVE:
     return TRUE;
   default:
@@ -152,7 +215,7 @@ show (gpointer data, guint field, QnValue *value)
       return FALSE;
     value->number = *number;
     g_object_set (form->base.widgets[field], "quantity",
-                  quantities[numbers[field - FIRST_NUMBER].meaning][law.basis], NULL);
+                  qn_law_quantity (numbers[field - FIRST_NUMBER].key, law.basis), NULL);
     return TRUE;
   }
 }
@@ -168,19 +231,89 @@ rename_law (QnLaw *law, const char *text, GError **error)
   return TRUE;
 }
 
+/* An empty source is none. */
 static gboolean
-add (Form *form, QnModel *model, GError **error)
+take_source (QnLaw *law, const char *text, GError **error)
 {
-  g_autofree char *name = NULL;
-  guint number = (guint) model->law_count;
-  do {
+  char *source = *text != '\0' ? strdup (text) : NULL;
+  if (source == NULL && *text != '\0')
+    return qn_edit_no_memory (error);
+  free (law->source);
+  law->source = source;
+  return TRUE;
+}
+
+/* `like`, or the first of "like 2", "like 3", … that no law is called. */
+static char *
+dup_free_name (const QnModel *model, const char *like)
+{
+  char *name = g_strdup (like);
+  for (guint i = 2; qn_model_find_law (model, name) != QN_NONE; i++) {
     g_free (name);
-    name = g_strdup_printf (_ ("law %u"), ++number);
-  } while (qn_model_find_law (model, name) != QN_NONE);
+    name = g_strdup_printf ("%s %u", like, i);
+  }
+  return name;
+}
+
+/* A law like the one that is shown, or a usual joint's. */
+static gboolean
+add (Form *form, QnModel *model, const QnValue *joint, GError **error)
+{
+  int kind = joint != NULL ? (int) joint->number - 1 : -1;
+  g_autofree char *name =
+    dup_free_name (model, joint != NULL ? _ (qn_usual_joints[kind].name)
+                                        : model->laws[form->shown].name);
   if (!qn_edit_add_law (model, form->shown, name, error))
     return FALSE;
   form->shown = (QnId) model->law_count - 1;
-  return TRUE;
+  return joint == NULL
+         || qn_law_make_joint (&model->laws[form->shown], (QnUsualJointKind) kind)
+         || qn_edit_no_memory (error);
+}
+
+/* To what is selected: blocks, whose joints have it then, or joints. */
+static gboolean
+apply (const Form *form, QnModel *model, GError **error)
+{
+  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  const QnContacts *contacts =
+    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
+  QnBlockSet blocks = { 0 };
+  guint count;
+  blocks.ids = qn_selection_get_blocks (selection, &blocks.count);
+  const QnId *ids = qn_selection_get_faces (selection, &count);
+  if (blocks.count > 0)
+    return qn_edit_set_law (model, blocks, form->shown, error);
+  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
+  for (guint i = 0; i < count; i++)
+    g_array_append_val (faces, contacts->faces[ids[i]]);
+  QnFaceSet set = { (const QnContactFace *) (const void *) faces->data, faces->len };
+  return qn_edit_set_face_law (model, set, form->shown, error);
+}
+
+/* The joints that have the law; where there are none, the blocks. */
+static void
+select_uses (const Form *form)
+{
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const QnContacts *contacts =
+    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
+  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnId));
+  g_autoptr (GArray) blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
+  for (QnId i = 0; i < (QnId) contacts->face_count; i++)
+    if (contacts->faces[i].law_a == form->shown
+        || contacts->faces[i].law_b == form->shown)
+      g_array_append_val (faces, i);
+  for (QnId i = 0; i < (QnId) model->block_count; i++)
+    if (model->blocks[i].law == form->shown)
+      g_array_append_val (blocks, i);
+  if (faces->len > 0)
+    qn_selection_set_faces (selection, (const QnId *) (const void *) faces->data,
+                            faces->len);
+  else
+    qn_selection_set_blocks (selection, (const QnId *) (const void *) blocks->data,
+                             blocks->len);
 }
 
 static gboolean
@@ -200,15 +333,12 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case NAME:
     return rename_law (law, value->text, error);
+  case SOURCE:
+    return take_source (law, value->text, error);
   case JOINT:
-    if (value->number < 1.0)
-      return FALSE;
-    if (qn_law_make_joint (law, (QnJointPreset) value->number - 1))
-      return TRUE;
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE,
-                         _ ("The cohesion of this joint is a stress: choose the basis "
-                            "“Surface” or “Material” first"));
-    return FALSE;
+    return value->number >= 1.0
+           && (qn_law_make_joint (law, (QnUsualJointKind) value->number - 1)
+               || qn_edit_no_memory (error));
   case KIND:
     qn_law_change_kind (law, (QnLawKind) value->number);
     return TRUE;
@@ -225,7 +355,17 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     law->point_count = count;
     return TRUE;
   case ADD:
-    return add (form, model, error);
+    return value->number >= 1.0 && add (form, model, value, error);
+  case DUPLICATE:
+    return add (form, model, NULL, error);
+  case APPLY:
+    return apply (form, model, error);
+  case APPLY_TO_ALL:
+    model->contact.law = form->shown;
+    return TRUE;
+  case SELECT:
+    select_uses (form);
+    return TRUE;
   case REMOVE:
     return qn_edit_delete_law (model, form->shown,
                                form->by == form->shown ? QN_NONE : form->by, error);
@@ -238,8 +378,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_law_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND_WITH_ROWS ("law-form", Form, 0, G_N_ELEMENTS (numbers));
+  static const QnFormKind kind = QN_FORM_KIND_WITH_ROWS (
+    "law-form", Form, QN_FOLLOW_SELECTION, G_N_ELEMENTS (numbers));
   QnBoundForm *form = qn_bound_form_new (&kind, canvas);
   ((Form *) form)->by = QN_NONE;
   qn_law_view_init (form->widgets[VIEW]);

@@ -80,7 +80,7 @@ qn_law_view_set_law (GtkWidget *area, const QnLaw *law)
 {
   View *view = g_object_get_data (G_OBJECT (area), "qn-view");
   view->what = qn_law_preset_for (law);
-  view->what.law.name = NULL; /* not ours */
+  view->what.law.name = view->what.law.source = NULL; /* not ours */
   g_array_set_size (view->samples, 0);
   qn_law_trace (&view->what, law->basis == QN_BASIS_MATERIAL ? TYPICAL_LENGTH : 1.0,
                 view->samples);

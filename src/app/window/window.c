@@ -10,6 +10,7 @@
 #include "doc/document/run-file.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
+#include "io/project/usual-joint.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -448,7 +449,6 @@ static const QnToolSettings first_settings = { .masonry = { .unit = { 0.4, 0.175
                                                             .bond = QN_BOND_RUNNING,
                                                             .lap = 0.5,
                                                             .thickness = 1.0,
-                                                            .unit_weight = 1e4,
                                                             .law = QN_NONE,
                                                             .base = TRUE,
                                                             .head = QN_HEAD_FLAT,
@@ -471,6 +471,8 @@ qn_window_init (QnWindow *self)
   self->document = qn_document_new ();
   self->state = qn_view_state_new (self->document);
   self->tool_settings = first_settings;
+  self->tool_settings.masonry.unit_weight =
+    qn_usual_joints[QN_JOINT_DRY_STONE].unit_weight;
   qn_canvas_set_state (self->canvas, self->state, &self->tool_settings, &qn_tool_select);
   qn_window_add_actions (self);
   qn_window_add_edit_actions (self);

@@ -61,22 +61,26 @@ dup_override (const char *argument)
   return g_strdup_printf ("masonry[0].%s=%s", key, value);
 }
 
+/* What a new project has, with the masonry and friction that are asked for before the keys of the
+ * command. */
 static char *
-dup_document (const Kind *kind, const Options *options)
+dup_document (const Kind *kind, const Options *options, GPtrArray *overrides,
+              GError **error)
 {
   char friction[G_ASCII_DTOSTR_BUF_SIZE];
   g_ascii_dtostr (friction, sizeof friction, options->friction);
-  return g_strdup_printf (
-    "{ \"format\": \"quoin\", \"version\": 1,"
-    " \"laws\": [ { \"name\": \"dry joint\", \"kind\": \"coulomb\", \"kn\": 1e9,"
-    " \"ks\": 1e9, \"friction\": %s } ],"
-    " \"blocks\": [],"
-    " \"masonry\": [ { \"kind\": \"%s\", \"name\": \"%s\", \"thickness\": 1,"
-    " \"unit_weight\": 20000, \"foundation\": 0.2, %s } ],"
-    " \"contact\": { \"law\": \"dry joint\" },"
-    " \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],"
-    " \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] } }",
-    friction, kind->name, kind->name, kind->parameters);
+  g_ptr_array_add (overrides,
+                   g_strdup_printf ("masonry=[{ \"kind\": \"%s\", \"name\": \"%s\","
+                                    " \"thickness\": 1, \"unit_weight\": 20000,"
+                                    " \"foundation\": 0.2, %s }]",
+                                    kind->name, kind->name, kind->parameters));
+  g_ptr_array_add (overrides, g_strdup_printf ("laws[0].friction=%s", friction));
+  QnProject begun;
+  if (!qn_project_begin (&begun, "dry joint", error))
+    return NULL;
+  char *text = qn_project_to_text (&begun, NULL);
+  qn_project_clear (&begun);
+  return text;
 }
 
 /* Warnings about unknown keys are errors here: the user has just typed them. */
@@ -102,7 +106,11 @@ static QnExit
 generate (const QnSubcommand *self, const Options *options, const Kind *kind,
           char **arguments)
 {
+  GError *error = NULL;
   g_autoptr (GPtrArray) overrides = g_ptr_array_new_with_free_func (g_free);
+  g_autofree char *document = dup_document (kind, options, overrides, &error);
+  if (document == NULL)
+    return qn_cli_fail (error);
   for (gsize i = 0; arguments[i] != NULL; i++) {
     char *override = dup_override (arguments[i]);
     if (override == NULL) {
@@ -114,9 +122,7 @@ generate (const QnSubcommand *self, const Options *options, const Kind *kind,
   }
   g_ptr_array_add (overrides, NULL);
 
-  g_autofree char *document = dup_document (kind, options);
   QnProject project;
-  GError *error = NULL;
   if (!qn_project_parse (document, strlen (document), kind->name,
                          (const char *const *) overrides->pdata, &project, &error))
     return qn_cli_fail (error);

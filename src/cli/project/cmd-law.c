@@ -106,7 +106,7 @@ take_law_of_project (const Options *options, const char *name, QnLawPreset *what
     const QnLaw *law = &project.model.laws[id];
     *what = *qn_law_preset (law->kind);
     what->law = *law;
-    what->law.name = NULL;
+    what->law.name = what->law.source = NULL;
   }
   qn_project_clear (&project);
   return code;

@@ -1,5 +1,6 @@
 #include "core/law/law.h"
 
+#include "core/base/memory.h"
 #include "core/base/tolerance.h"
 
 #include "core/law/law-ops.h"
@@ -73,9 +74,24 @@ qn_law_check (const QnLaw *law, QnId index, QnDiag *diag)
   return status == QN_OK && ops->check != NULL ? ops->check (law, index, diag) : status;
 }
 
+bool
+qn_law_assign (QnLaw *law, const QnLaw *from)
+{
+  char *name = law->name, *source = qn_strdup (from->source);
+  if (source == NULL && from->source != NULL)
+    return false;
+  free (law->source);
+  *law = *from;
+  law->name = name;
+  law->source = source;
+  law->note = 0;
+  return true;
+}
+
 void
 qn_law_clear (QnLaw *law)
 {
   free (law->name);
+  free (law->source);
   *law = (QnLaw){ 0 };
 }

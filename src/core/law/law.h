@@ -41,6 +41,8 @@ typedef enum {
  * ignored. */
 typedef struct QnLaw {
   char *name; /* owned */
+  char *
+    source; /* where the numbers come from, as text, or NULL; owned. Nothing depends on it */
   QnLawKind kind;
   QnBasis basis;
   double kn;           /* > 0, stiffness of ONE spring in the normal direction */
@@ -89,6 +91,10 @@ extern const char *const qn_basis_names[QN_BASIS_COUNT];
 
 /* Checks the parameters of one law; `index` is for the diagnostic. */
 QnStatus qn_law_check (const QnLaw *law, QnId index, QnDiag *diag);
+
+/* Makes a law like another one, but for its name and note; false when memory runs out, with nothing
+ * changed. */
+bool qn_law_assign (QnLaw *law, const QnLaw *from);
 
 void qn_law_clear (QnLaw *law);
 

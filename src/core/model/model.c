@@ -184,8 +184,10 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
   copy->beam_names = duplicate_index (source->beam_names, &failed);
   copy_arrays (source, copy, &failed);
 
-  for (size_t i = 0; i < copy->law_count; i++)
+  for (size_t i = 0; i < copy->law_count; i++) {
     copy->laws[i].name = duplicate_name (source->laws[i].name, &failed);
+    copy->laws[i].source = duplicate_name (source->laws[i].source, &failed);
+  }
   for (size_t i = 0; i < copy->block_count; i++)
     copy->blocks[i].name = duplicate_name (source->blocks[i].name, &failed);
   for (size_t i = 0; i < copy->node_count; i++)

@@ -19,6 +19,12 @@ qn_model_digest_like (const QnProject *project, const QnProjectText *text)
   QnProject bare = *project;
   bare.extras = masonry_alone (project);
   bare.model.title = NULL;
+  /* Neither title nor sources change an answer. */
+  g_autofree QnLaw *laws =
+    g_memdup2 (bare.model.laws, bare.model.law_count * sizeof *laws);
+  for (gsize i = 0; i < bare.model.law_count; i++)
+    laws[i].source = NULL;
+  bare.model.laws = laws;
   QnProjectText *canonical = qn_project_write (&bare, project, text);
   qn_project_extras_free (bare.extras);
   char *digest = g_compute_checksum_for_data (

@@ -20,18 +20,6 @@ static const char *const signal_names[QN_DOCUMENT_SIGNAL_COUNT] = {
 };
 
 /* What a new drawing starts with. */
-static const char empty_text[] =
-  "{ \"format\": \"quoin\", \"version\": 1,\n"
-  "  \"laws\": [ { \"name\": \"dry joint\", \"kind\": \"coulomb\", \"basis\": "
-  "\"contact\","
-  " \"kn\": 1e7, \"ks\": 1e7, \"friction\": 0.65, \"cohesion\": 0, \"tension\": 0,"
-  " \"dilatancy\": 0 } ],\n"
-  "  \"contact\": { \"law\": \"dry joint\", \"tolerance\": 1e-6,"
-  " \"pairs\": { \"placement\": \"ends\", \"offset\": 0 } }, \"blocks\": [],\n"
-  "  \"loads\": { \"dead\": [ { \"kind\": \"weight\", \"direction\": [0, -1] } ],\n"
-  "    \"live\": [ { \"kind\": \"weight\", \"direction\": [1, 0] } ] },\n"
-  "  \"analysis\": { \"procedure\": \"load\", \"geometry\": \"linear\","
-  " \"increments\": 100 } }\n";
 
 void
 qn_document_emit (QnDocument *self, QnDocumentSignal signal)
@@ -182,8 +170,9 @@ qn_document_new (void)
   QnDocument *self = g_object_new (QN_TYPE_DOCUMENT, NULL);
   QnProject project;
   g_autoptr (GError) error = NULL;
-  if (!parse (empty_text, _ ("Untitled"), &project, &error))
+  if (!qn_project_begin (&project, "dry joint", &error))
     g_error ("%s", error->message);
+  project.name = g_strdup (_ ("Untitled"));
   adopt (self, &project, qn_project_write (&project, NULL, NULL), NULL);
   return self;
 }

@@ -175,13 +175,8 @@ qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error)
     return FALSE;
   }
   QnLaw *law = qn_model_add_law (model, name);
-  if (law == NULL)
-    return qn_edit_no_memory (error);
-  char *kept = law->name;
-  *law = model->laws[like];
-  law->name = kept;
-  law->note = 0;
-  return TRUE;
+  return (law != NULL && qn_law_assign (law, &model->laws[like]))
+         || qn_edit_no_memory (error);
 }
 
 /* Calls for every place of the model that names a law. */

@@ -58,11 +58,9 @@ copy_laws (Rebuild *r)
   for (gsize i = 0; i < r->from->law_count; i++) {
     const QnLaw *old = &r->from->laws[i];
     QnLaw *law = qn_model_add_law (r->to, old->name);
-    if (law == NULL)
+    if (law == NULL || !qn_law_assign (law, old))
       return FALSE;
-    char *name = law->name;
-    *law = *old;
-    law->name = name;
+    law->note = old->note;
   }
   return TRUE;
 }

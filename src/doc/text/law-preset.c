@@ -1,5 +1,7 @@
 #include "doc/text/law-preset.h"
 
+#include <stdlib.h>
+
 #define TURNS(...)                                                                       \
   .turns = { __VA_ARGS__ },                                                              \
   .turn_count = sizeof ((const double[]){ __VA_ARGS__ }) / sizeof (double)
@@ -99,24 +101,8 @@ qn_law_change_kind (QnLaw *law, QnLawKind kind)
       return;
   }
   int32_t note = law->note;
+  free (law->source);
   *law = *typical;
   law->note = note;
   law->name = name;
-}
-
-gboolean
-qn_law_make_joint (QnLaw *law, QnJointPreset joint)
-{
-  static const struct {
-    double friction, cohesion; /* Pa */
-  } joints[QN_JOINT_COUNT] = { [QN_JOINT_DRY_STONE] = { 0.65, 0.0 },
-                               [QN_JOINT_LIME_MORTAR] = { 0.4, 0.1e6 },
-                               [QN_JOINT_CEMENT_MORTAR] = { 0.4, 0.2e6 } };
-  if (joints[joint].cohesion > 0.0 && law->basis == QN_BASIS_CONTACT)
-    return FALSE;
-  law->kind = QN_LAW_COULOMB;
-  law->friction = joints[joint].friction;
-  law->cohesion = joints[joint].cohesion;
-  law->tension = law->dilatancy = 0.0;
-  return TRUE;
 }

@@ -2,6 +2,7 @@
 #include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
+#include <stdlib.h>
 
 /* Elasticity of lime mortar: Pa, and Poisson's ratio. */
 #define MORTAR_MODULUS 1e9
@@ -71,12 +72,10 @@ dup_block_name (const QnModel *model, const char *wanted, guint number)
 static void
 set_law (QnLaw *law, const QnImportWork *work)
 {
-  law->kind = QN_LAW_COULOMB;
   law->friction = work->settings->friction;
-  law->kn = law->ks = 1e9;
   if (!work->has_mortar)
     return;
-  law->basis = QN_BASIS_SURFACE;
+  g_clear_pointer (&law->source, free);
   law->kn = 4 * MORTAR_MODULUS / work->report->widest_gap;
   law->ks = law->kn / (2 * (1 + MORTAR_POISSON));
   law->friction = 0.4;
@@ -88,15 +87,7 @@ fill_project (QnImportWork *work, QnProject *project)
 {
   QnModel *model = &project->model;
   const QnImportSettings *settings = work->settings;
-  QnLaw *law = qn_model_add_law (model, work->has_mortar ? "lime mortar" : "dry joint");
-  QnLoad *dead = qn_model_add_dead_load (model), *live = qn_model_add_live_load (model);
-  if (law == NULL || dead == NULL || live == NULL)
-    return FALSE;
-  set_law (law, work);
-  model->contact.law = 0;
-  dead->vector = qn_vec2 (0, -1);
-  live->vector = qn_vec2 (1, 0);
-  dead->block = live->block = QN_NONE;
+  set_law (&model->laws[0], work);
   for (guint i = 0; i < work->outlines->len; i++) {
     const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
     g_autofree char *name = dup_block_name (model, outline->name, i + 1);
@@ -144,7 +135,8 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
   }
   infer_supports (work);
   qn_import_tell (work, FALSE, _ ("blocks: %u"), work->outlines->len);
-  qn_project_init (project);
+  if (!qn_project_begin (project, work->has_mortar ? "lime mortar" : "dry joint", error))
+    return FALSE;
   project->name = g_strdup (work->name);
   if (status == QN_OK && !fill_project (work, project))
     status = qn_diag_no_memory (&diag);

@@ -1,4 +1,5 @@
 /* The laws of a project file. Which numbers a kind has is the law's own knowledge. */
+#include "core/base/memory.h"
 #include "io/project/project-names.h"
 #include "io/project/project-read-parts.h"
 
@@ -29,8 +30,8 @@ is_of_any_kind (const char *key)
 static void
 warn_of_keys (const QnJsonValue *place, QnLawKind kind)
 {
-  static const char *const common[] = { "name", "kind",         "basis", "kn",
-                                        "ks",   "shear_factor", NULL };
+  static const char *const common[] = { "name", "source", "kind",         "basis",
+                                        "kn",   "ks",     "shear_factor", NULL };
   for (const cJSON *child = place->json->child; child != NULL; child = child->next) {
     if (g_strv_contains (common, child->string) || has_parameter (kind, child->string))
       continue;
@@ -79,11 +80,12 @@ read_parameters (const QnJsonValue *place, QnLaw *law)
 static gboolean
 read_law (const QnJsonValue *place, QnModel *model)
 {
-  const char *name;
+  const char *name, *source = NULL;
   QnLawKind kind;
   QnBasis basis = QN_BASIS_CONTACT;
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_REQUIRED, &name)
+      || !qn_member_string (place, "source", QN_OPTIONAL, &source)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_law_kind_names,
                             QN_LAW_KIND_COUNT, &kind)
       || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_basis_names, QN_BASIS_COUNT,
@@ -97,6 +99,9 @@ read_law (const QnJsonValue *place, QnModel *model)
   }
   QnLaw *law = qn_model_add_law (model, name);
   if (law == NULL)
+    return qn_json_value_no_memory (place);
+  law->source = qn_strdup (source);
+  if (law->source == NULL && source != NULL)
     return qn_json_value_no_memory (place);
   law->kind = kind;
   law->basis = basis;

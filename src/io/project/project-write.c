@@ -110,6 +110,8 @@ append_law (GString *json, const QnModel *model, size_t index)
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   qn_json_put_string (json, "name", law->name);
+  if (law->source != NULL)
+    qn_json_put_string (json, "source", law->source);
   qn_json_put_string (json, "kind", qn_law_kind_names[law->kind]);
   qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
   qn_json_put_number (json, "kn", law->kn);

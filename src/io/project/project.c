@@ -5,6 +5,7 @@
 #include "io/json/json-value.h"
 #include "io/project/project-extras.h"
 #include "io/project/project-masonry.h"
+#include "io/project/usual-joint.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 
@@ -20,6 +21,34 @@ qn_project_init (QnProject *project)
 {
   *project = (QnProject){ .warnings = g_ptr_array_new_with_free_func (g_free) };
   qn_model_init (&project->model);
+}
+
+static gboolean
+begin (QnModel *model, const char *name)
+{
+  QnLaw *law = qn_model_add_law (model, name);
+  QnLoad *dead = qn_model_add_dead_load (model), *live = qn_model_add_live_load (model);
+  if (law == NULL || dead == NULL || live == NULL
+      || !qn_law_make_joint (law, QN_JOINT_DRY_STONE))
+    return FALSE;
+  model->contact.law = 0;
+  dead->vector = qn_vec2 (0, -1);
+  live->vector = qn_vec2 (1, 0);
+  model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+  return TRUE;
+}
+
+gboolean
+qn_project_begin (QnProject *project, const char *law, GError **error)
+{
+  qn_project_init (project);
+  if (begin (&project->model, law) && qn_project_prepare (project, error))
+    return TRUE;
+  if (error != NULL && *error == NULL)
+    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
+                         _ ("not enough memory"));
+  qn_project_clear (project);
+  return FALSE;
 }
 
 void

@@ -45,6 +45,11 @@ gboolean qn_project_parse (const char *text, gsize length, const char *name,
 /* An empty project with the format's defaults, not prepared. */
 void qn_project_init (QnProject *project);
 
+/* What every new project begins with, prepared and without blocks: one law of this name, of
+ * dry-jointed stone, for all contacts; the weights of the blocks as dead load, the same sideways as live load; load
+ * control in large displacements. */
+gboolean qn_project_begin (QnProject *project, const char *law, GError **error);
+
 void qn_project_clear (QnProject *project);
 
 /* Writes the project in the canonical layout: what reads back is the same model. Overrides are

@@ -4,16 +4,18 @@
 #include <string.h>
 
 static char *
-digest_of (const char *title, double friction, double length, const char *extra)
+digest_of (const char *title, const char *source, double friction, double length,
+           const char *extra)
 {
   g_autofree char *text = g_strdup_printf (
     "{ \"format\": \"quoin\", \"version\": 1, \"title\": \"%s\","
-    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "  \"laws\": [ { \"name\": \"dry\", \"source\": \"%s\", \"kind\": \"coulomb\", "
+    "\"kn\": 1e7, \"ks\": 1e7,"
     "    \"friction\": %g } ],"
     "  \"masonry\": [ { \"kind\": \"wall\", \"length\": %g, \"height\": 1,"
     "    \"unit\": [0.5, 0.25], \"thickness\": 1, \"unit_weight\": 1e4,"
     "    \"foundation\": 0.3 } ], \"contact\": { \"law\": \"dry\" }%s }",
-    title, friction, length, extra);
+    title, source, friction, length, extra);
   g_autoptr (GError) error = NULL;
   QnProject project;
   qn_project_parse (text, strlen (text), "wall", NULL, &project, &error);
@@ -30,12 +32,14 @@ digest_of (const char *title, double friction, double length, const char *extra)
 static void
 test_digest (void)
 {
-  g_autofree char *first = digest_of ("a", 0.6, 3, "");
-  g_autofree char *title = digest_of ("b", 0.6, 3, "");
-  g_autofree char *figures = digest_of ("a", 0.6, 3, ", \"figures\": [ ]");
-  g_autofree char *law = digest_of ("a", 0.5, 3, "");
-  g_autofree char *masonry = digest_of ("a", 0.6, 4, "");
+  g_autofree char *first = digest_of ("a", "s", 0.6, 3, "");
+  g_autofree char *title = digest_of ("b", "s", 0.6, 3, "");
+  g_autofree char *source = digest_of ("a", "t", 0.6, 3, "");
+  g_autofree char *figures = digest_of ("a", "s", 0.6, 3, ", \"figures\": [ ]");
+  g_autofree char *law = digest_of ("a", "s", 0.5, 3, "");
+  g_autofree char *masonry = digest_of ("a", "s", 0.6, 4, "");
   g_assert_cmpstr (title, ==, first);
+  g_assert_cmpstr (source, ==, first);
   g_assert_cmpstr (figures, ==, first);
   g_assert_cmpstr (law, !=, first);
   g_assert_cmpstr (masonry, !=, first);

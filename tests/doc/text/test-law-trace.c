@@ -49,41 +49,11 @@ test_change_kind (void)
   }
 }
 
-/* Every usual joint is a sound law with its numbers; one with a cohesion asks for stresses. */
-static void
-test_joints (void)
-{
-  for (int joint = 0; joint < QN_JOINT_COUNT; joint++)
-    for (int basis = 0; basis < QN_BASIS_COUNT; basis++) {
-      QnLaw law = qn_law_preset (QN_LAW_COULOMB)->law;
-      law.basis = (QnBasis) basis;
-      law.tension = 1e5;
-      law.name = (char *) "joint";
-      g_test_message ("joint %d, basis %d", joint, basis);
-      const QnLaw before = law;
-      gboolean stress = joint != QN_JOINT_DRY_STONE;
-      if (stress && basis == QN_BASIS_CONTACT) {
-        g_assert_false (qn_law_make_joint (&law, (QnJointPreset) joint));
-        g_assert_cmpmem (&law, sizeof law, &before, sizeof before);
-        continue;
-      }
-      g_assert_true (qn_law_make_joint (&law, (QnJointPreset) joint));
-      g_assert_cmpint (qn_law_check (&law, 0, NULL), ==, QN_OK);
-      g_assert_cmpint (law.kind, ==, QN_LAW_COULOMB);
-      g_assert_cmpfloat (law.friction, ==, stress ? 0.4 : 0.65);
-      g_assert_cmpfloat (law.cohesion, ==, joint == 0 ? 0.0 : joint * 1e5);
-      g_assert_cmpfloat (law.tension, ==, 0.0);
-      g_assert_cmpfloat (law.kn, ==, before.kn);
-      g_assert_cmpint (law.basis, ==, before.basis);
-    }
-}
-
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/law-trace/scaled", test_scaled);
   g_test_add_func ("/doc/law-trace/change-kind", test_change_kind);
-  g_test_add_func ("/doc/law-trace/joints", test_joints);
   return g_test_run ();
 }

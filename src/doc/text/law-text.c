@@ -1,0 +1,127 @@
+#include "doc/text/law-text.h"
+
+#include "io/project/usual-joint.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+const char *const qn_law_kind_words[QN_LAW_KIND_COUNT] = {
+  [QN_LAW_ELASTIC] = N_ ("Elastic"),
+  [QN_LAW_NO_TENSION] = N_ ("No tension"),
+  [QN_LAW_COULOMB] = N_ ("Coulomb"),
+  [QN_LAW_MOHR_COULOMB] = N_ ("Coulomb, crushing"),
+  [QN_LAW_BILINEAR] = N_ ("Bilinear, hardening"),
+  [QN_LAW_ELASTIC_PLASTIC] = N_ ("Elastic and plastic"),
+  [QN_LAW_CONCRETE] = N_ ("Concrete"),
+  [QN_LAW_STEEL] = N_ ("Steel"),
+  [QN_LAW_CURVE] = N_ ("By points"),
+};
+
+const char *const qn_basis_words[QN_BASIS_COUNT] = {
+  [QN_BASIS_CONTACT] = N_ ("Contact pair"),
+  [QN_BASIS_SURFACE] = N_ ("Surface"),
+  [QN_BASIS_MATERIAL] = N_ ("Material"),
+};
+
+/* The numbers that a list has room for, with the letters of docs/method/laws.md. */
+static const struct {
+  const char *key, *symbol;
+} main_numbers[] = {
+  { "friction", "tan φ" }, { "cohesion", "c" }, { "tension", "ft" },
+  { "compression", "fc" }, { "yield", "fy" },   { "strength", "f" },
+};
+
+QnQuantity
+qn_law_quantity (const char *key, QnBasis basis)
+{
+  static const char *const stiffnesses[] = { "kn", "ks", NULL };
+  static const char *const strengths[] = { "cohesion", "tension",  "compression",
+                                           "yield",    "strength", NULL };
+  static const QnQuantity stiffness[QN_BASIS_COUNT] = { QN_QUANTITY_STIFFNESS,
+                                                        QN_QUANTITY_SURFACE_STIFFNESS,
+                                                        QN_QUANTITY_STRESS };
+  if (g_strv_contains (stiffnesses, key))
+    return stiffness[basis];
+  if (g_strv_contains (strengths, key))
+    return basis == QN_BASIS_CONTACT ? QN_QUANTITY_FORCE : QN_QUANTITY_STRESS;
+  if (g_str_equal (key, "ultimate_strain"))
+    return basis == QN_BASIS_MATERIAL ? QN_QUANTITY_NUMBER : QN_QUANTITY_LENGTH;
+  return QN_QUANTITY_NUMBER;
+}
+
+QnLawUses
+qn_law_count_uses (const QnModel *model, const QnContacts *contacts, QnId law)
+{
+  QnLawUses uses = { 0 };
+  for (gsize i = 0; i < contacts->face_count; i++)
+    uses.joints += contacts->faces[i].law_a == law || contacts->faces[i].law_b == law;
+  for (gsize i = 0; i < model->block_count; i++) {
+    QnId own = model->blocks[i].law;
+    uses.blocks += (own != QN_NONE ? own : model->contact.law) == law;
+  }
+  for (gsize i = 0; i < model->bar_count; i++)
+    uses.bars += model->bars[i].law == law;
+  return uses;
+}
+
+static void
+append_number (GString *text, const char *key, const char *symbol, double value,
+               QnBasis basis, QnUnits units)
+{
+  g_autofree char *number =
+    qn_units_format_full (units, qn_law_quantity (key, basis), value, 6);
+  const char *gap = g_str_has_suffix (text->str, "\n") ? "" : " · ";
+  g_string_append_printf (text, "%s%s %s", gap, symbol, number);
+}
+
+static void
+append_numbers (GString *text, const QnLaw *law, QnUnits units)
+{
+  gsize count;
+  const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+  for (gsize i = 0; i < G_N_ELEMENTS (main_numbers); i++)
+    for (gsize k = 0; k < count; k++) {
+      double value = qn_law_get (law, &parameters[k]);
+      if (value > 0.0 && g_str_equal (parameters[k].key, main_numbers[i].key))
+        append_number (text, parameters[k].key, main_numbers[i].symbol, value, law->basis,
+                       units);
+    }
+  append_number (text, "kn", "kn", law->kn, law->basis, units);
+  append_number (text, "ks", "ks", law->ks, law->basis, units);
+}
+
+static void
+append_uses (GString *text, const QnModel *model, const QnContacts *contacts, QnId law)
+{
+  QnLawUses uses = qn_law_count_uses (model, contacts, law);
+  g_string_append_printf (text, ngettext ("%u joint", "%u joints", (gulong) uses.joints),
+                          (guint) uses.joints);
+  g_string_append (text, " · ");
+  g_string_append_printf (text, ngettext ("%u block", "%u blocks", (gulong) uses.blocks),
+                          (guint) uses.blocks);
+  if (uses.bars > 0) {
+    g_string_append (text, " · ");
+    g_string_append_printf (text, ngettext ("%u bar", "%u bars", (gulong) uses.bars),
+                            (guint) uses.bars);
+  }
+  if (model->contact.law == law)
+    g_string_append_printf (text, " · %s", _ ("the law of all others"));
+}
+
+char *
+qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUnits units)
+{
+  const QnLaw *law = &model->laws[id];
+  gboolean holds;
+  const char *source = qn_law_get_source (law, &holds);
+  GString *text = g_string_new (law->name);
+  g_string_append_printf (text, "\n%s, %s · ", _ (qn_law_kind_words[law->kind]),
+                          _ (qn_basis_words[law->basis]));
+  append_uses (text, model, contacts, id);
+  g_string_append_c (text, '\n');
+  append_numbers (text, law, units);
+  if (source != NULL)
+    g_string_append_printf (text, "\n%s%s", source,
+                            holds ? "" : _ (" (numbers changed since)"));
+  return g_string_free (text, FALSE);
+}

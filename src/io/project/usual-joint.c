@@ -1,0 +1,65 @@
+#include "io/project/usual-joint.h"
+
+#include "core/base/memory.h"
+
+#include <glib/gi18n-lib.h>
+#include <stdlib.h>
+
+/* Blocks are rigid: joints of mortar are as flexible as the masonry that they hold together,
+ * kn = E / h and ks = G / h over courses of the height h, 0.2 m of stone and 0.07 m of brick. */
+const QnUsualJoint qn_usual_joints[QN_JOINT_COUNT] = {
+  [QN_JOINT_DRY_STONE] = { N_ ("Dry-jointed stone"), 0.65, 0.0, 1e10, 1e10, 24e3,
+                           N_ ("Friction: Ferris & Tin-Loi 2001. Stiffness: arch of "
+                               "Lemos, 1e10 Pa/m.") },
+  [QN_JOINT_LIME_MORTAR] = { N_ ("Lime mortar"), 0.4, 0.1e6, 1.4e10, 4.7e9, 22e3,
+                             N_ ("Strength: EN 1996-1-1, 3.6.2 and table 3.4. "
+                                 "Stiffness: squared stone of Circolare 7/2019, table "
+                                 "C8.5.I, courses of 0.2 m.") },
+  [QN_JOINT_BRICK] = { N_ ("Brick, cement-lime mortar"), 0.4, 0.2e6, 2.1e10, 7e9, 18e3,
+                       N_ ("Strength: EN 1996-1-1, 3.6.2 and table 3.4. Stiffness: "
+                           "brick and lime mortar of Circolare 7/2019, table C8.5.I, "
+                           "courses of 0.07 m.") },
+};
+
+gboolean
+qn_law_make_joint (QnLaw *law, QnUsualJointKind kind)
+{
+  const QnUsualJoint *joint = &qn_usual_joints[kind];
+  char *source = qn_strdup (joint->source);
+  if (source == NULL)
+    return FALSE;
+  free (law->source);
+  *law = (QnLaw){ .name = law->name,
+                  .source = source,
+                  .note = law->note,
+                  .kind = QN_LAW_COULOMB,
+                  .basis = QN_BASIS_SURFACE,
+                  .kn = 2.0 * joint->kn,
+                  .ks = 2.0 * joint->ks,
+                  .friction = joint->friction,
+                  .cohesion = joint->cohesion };
+  return TRUE;
+}
+
+static gboolean
+has_numbers (const QnLaw *law, const QnUsualJoint *joint)
+{
+  return law->kind == QN_LAW_COULOMB && law->basis == QN_BASIS_SURFACE
+         && law->kn == 2.0 * joint->kn && law->ks == 2.0 * joint->ks
+         && law->friction == joint->friction && law->cohesion == joint->cohesion
+         && law->tension == 0.0 && law->dilatancy == 0.0;
+}
+
+const char *
+qn_law_get_source (const QnLaw *law, gboolean *holds)
+{
+  *holds = TRUE;
+  if (law->source == NULL || *law->source == '\0')
+    return NULL;
+  for (int i = 0; i < QN_JOINT_COUNT; i++)
+    if (g_str_equal (law->source, qn_usual_joints[i].source)) {
+      *holds = has_numbers (law, &qn_usual_joints[i]);
+      return _ (qn_usual_joints[i].source);
+    }
+  return law->source;
+}
