@@ -197,6 +197,19 @@ tell_found (GString *text, const QnStepView *view, QnId id, QnUnits units)
 
 /* ---- blocks ---- */
 
+/* Whether a block carries by contacts found on the way, which its readings do not count. */
+static gboolean
+carries_by_found (const QnStepView *view, QnId id)
+{
+  gsize count = 0, i = 0;
+  const QnFoundForce *forces =
+    view->result != NULL ? qn_step_found (view->result, view->step, &count) : NULL;
+  while (i < count && view->result->found[forces[i].found].contact.block != id
+         && view->result->found[forces[i].found].contact.other != id)
+    i++;
+  return i < count;
+}
+
 static void
 tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
@@ -212,12 +225,12 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
                reading.displacement[QN_DOF_RZ]);
     add_value (text, mm, _ ("Largest motion"), QN_QUANTITY_LENGTH, reading.largest);
   }
-  if (reading.has_forces) {
+  if (reading.has_forces && !carries_by_found (view, id)) {
     add_pair (text, units, _ ("Principal stresses"), QN_QUANTITY_STRESS,
               reading.principal[0], reading.principal[1]);
     add_pair (text, units, _ ("Force of its joints x; y"), QN_QUANTITY_FORCE,
               reading.force.x, reading.force.y);
-  } else if (view->result != NULL)
+  } else if (view->result != NULL && !reading.has_forces)
     add_text (text, _ ("Forces"), _ ("not kept of this step"));
   if (brief && view->result != NULL)
     return;
