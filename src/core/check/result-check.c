@@ -91,10 +91,14 @@ static void
 check_settlements (QnCheck *check, size_t step)
 {
   const QnAssembly *as = &check->assembly;
-  double largest = 0;
+  double largest = 0; /* of the settlements in whole: one may have been taken back */
 
-  for (size_t s = 0; s < as->settling_count; s++)
-    largest = fmax (largest, fabs (as->dead[as->settling[s].unknown] / as->stiffness));
+  for (size_t i = 0; i < check->model->live_load_count; i++) {
+    const QnLoad *load = &check->model->live_loads[i];
+    double unit = load->dof == QN_DOF_RZ ? as->length : 1;
+    if (load->kind == QN_LOAD_SETTLEMENT)
+      largest = fmax (largest, fabs (load->value) * unit);
+  }
   for (size_t s = 0; s < as->settling_count; s++) {
     double told = as->dead[as->settling[s].unknown] / as->stiffness;
     if (!qn_check_agrees (as->settling[s].u, told, check->tolerance * largest))

@@ -280,6 +280,7 @@ test_settlement_stage (void)
   add_stage (&model, 2, 0);
   solve (&run, &model);
   const double loaded = -600 / (2 * STIFFNESS);
+  g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 1)), loaded, 1e-12);
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 2)), loaded + s / 2, 1e-12);
   g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 3)), loaded, 1e-12);
