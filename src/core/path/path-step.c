@@ -1,6 +1,6 @@
 /* One step of the trace.
  *
- * Every step climbs the same ladder. The last step continued; Newton's method; then the central path,
+ * Every step climbs the same ladder. Newton's method; the last step continued; then the central path,
  * which takes the step as a whole, where there are joints for it; then a shorter step. What is left
  * is a jump with the measure held: the structure moves until it rests, along central paths in linear
  * geometry, by viscous relaxation where these lead nowhere. Relaxation comes last because under
@@ -29,9 +29,9 @@ refuse_unstable (const QnPathTrace *trace, QnSolveStatus status)
   return status == QN_SOLVE_CONVERGED && unstable ? QN_SOLVE_FAILED : status;
 }
 
-/* On as in the last step. In linear geometry the path is straight until a joint changes state: an
- * equilibrium is found without a factorisation, on the plateau of a mechanism too, where the tangent is
- * singular. FAILED, and nothing has moved, where it bends. */
+/* On as in the last step. In linear geometry the path is straight until a joint changes state: also on
+ * the plateau of a mechanism, where the tangent is singular and Newton's method finds nothing. FAILED,
+ * and nothing has moved, where it bends. */
 static QnSolveStatus
 go_straight_on (QnPathTrace *trace, const QnTarget *target)
 {
@@ -62,11 +62,10 @@ static QnSolveStatus
 solve_statically (QnPathTrace *trace, const QnTarget *target)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  QnSolveStatus status = go_straight_on (trace, target);
+  QnSolveStatus status;
 
   trace->means = QN_FOUND_BY_NEWTON;
-  if (status != QN_SOLVE_FAILED)
-    return status;
+  trace->straight = false;
   if (qn_path_predictor_go (&trace->predictor, eq, target->advance)) {
     status =
       refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_PREDICTED_BUDGET));
@@ -77,6 +76,11 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   status =
     refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET));
   if (status != QN_SOLVE_FAILED || trace->central == NULL)
+    return status;
+  qn_equilibrium_restore (eq);
+  status = go_straight_on (trace, target);
+  trace->straight = status == QN_SOLVE_CONVERGED;
+  if (status != QN_SOLVE_FAILED)
     return status;
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
   eq->orientation =
@@ -250,7 +254,8 @@ qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
    * the branch depends on them, which matters where what lies between is to be seen. */
   bool may_grow = qn_path_trace_is_linear (trace) || trace->load_control;
 
-  return trace->means == QN_FOUND_BY_RELAXATION || iterations <= tuning->easy
+  return trace->means == QN_FOUND_BY_RELAXATION || trace->straight
+         || iterations <= tuning->easy
          || (trace->means == QN_FOUND_BY_CENTRAL_PATH && may_grow);
 }
 

@@ -116,6 +116,7 @@ typedef struct QnPathTrace {
   bool beyond;     /* there has been one */
   int orientation; /* of the path where it began; 0: unknown */
   QnFoundBy means;
+  bool straight;          /* the last step went on as the one before */
   double long_growth;     /* of the work in the next long step */
   int32_t patience;       /* factorisations from which on steps are long */
   double last_multiplier; /* before the last accepted step */
