@@ -264,6 +264,32 @@ wait_for_handler (GPid pid)
   }
 }
 
+/* A sill under which the wall bulges stands on one edge, an equilibrium that it leaves: it turns by
+ * micrometres until the next edge touches, and the wall stands. In linear geometry it collapses at 0.503,
+ * and no equilibrium is above 0.5335. */
+static void
+test_block_on_an_edge (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = g_build_filename (folder, "wall.quoin", NULL);
+  CliRun run = cli_run ("generate", "wall", "length=4.8", "height=2.4", "unit=0.4x0.2",
+                        "openings=["
+                        "{\"at\": [0.75, 0.78], \"width\": 0.87, \"height\": 0.88, "
+                        "\"span\": \"lintel\", \"depth\": 0.2, \"bearing\": 0.2}, "
+                        "{\"at\": [2.8, 0.62], \"width\": 0.79, \"height\": 1.06, "
+                        "\"span\": \"lintel\", \"depth\": 0.2, \"bearing\": 0.2}]",
+                        "-o", model, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("solve", model, "--set", "analysis.geometry=nonlinear", "-o", "-", NULL);
+  cli_assert_done (&run);
+  double multiplier = number_of (run.out, "collapse_multiplier");
+  g_assert_cmpfloat (multiplier, >, 0.45);
+  g_assert_cmpfloat (multiplier, <, 0.5335);
+  cli_run_clear (&run);
+  test_scratch_free (folder);
+}
+
 /* Ctrl+C during a large analysis: the code is 130 and a file that was written is a whole one. */
 static void
 test_interrupt (void)
@@ -315,6 +341,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/solve/budgets", test_budgets);
   g_test_add_func ("/cli/solve/stiff-joints", test_stiff_joints);
   g_test_add_func ("/cli/solve/limit-of-beams", test_limit_of_beams);
+  g_test_add_func ("/cli/solve/block-on-an-edge", test_block_on_an_edge);
   g_test_add_func ("/cli/solve/interrupt", test_interrupt);
   return g_test_run ();
 }

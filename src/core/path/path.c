@@ -11,6 +11,9 @@
 #define FIRST_TURN 50
 #define LAST_TURN  400
 
+/* How far a structure is moved out of an unstable equilibrium, as a part of its displacements. */
+#define LEAN 0.01
+
 QnStatus
 qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
                QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)
@@ -257,14 +260,45 @@ find_rest (QnEquilibrium *eq)
   return solve;
 }
 
+/* Whether a structure that cannot stay where it is, with eq->motion how it leaves, rests near by: a block
+ * that stands on one edge turns until another touches. Near: no farther than the dead load has moved
+ * it. What falls, or bends away, does not stand. */
+static QnSolveStatus
+find_rest_near (QnPath *path)
+{
+  QnEquilibrium *eq = &path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  const QnTarget target = qn_target_multiplier (0);
+  double far = qn_assembly_largest (as, eq->u, NULL);
+
+  qn_equilibrium_commit (eq);
+  for (int32_t i = 0; i < as->unknown_count; i++)
+    eq->u[i] += LEAN * far * eq->motion[i];
+  QnSolveStatus solve = qn_assembly_evaluate (&eq->assembly, eq->u)
+                          ? qn_equilibrium_relax (eq, &target, QN_RELAX_BUDGET)
+                          : QN_SOLVE_FAILED;
+  if (solve == QN_SOLVE_CONVERGED && qn_equilibrium_motion (eq) <= far)
+    solve = qn_path_judge_stability (path, NULL);
+  else if (solve == QN_SOLVE_CONVERGED)
+    solve = QN_SOLVE_MECHANISM;
+  if (solve == QN_SOLVE_CONVERGED || solve == QN_SOLVE_CANCELLED
+      || solve == QN_SOLVE_NO_MEMORY)
+    return solve;
+  qn_equilibrium_restore (eq);
+  return qn_path_judge_stability (path, NULL);
+}
+
 QnStatus
 qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
 {
   QnEquilibrium *eq = &path->equilibrium;
   QnSolveStatus solve = find_rest (eq);
 
-  if (solve == QN_SOLVE_CONVERGED)
+  if (solve == QN_SOLVE_CONVERGED) {
     solve = qn_path_judge_stability (path, NULL);
+    if (solve == QN_SOLVE_MECHANISM)
+      solve = find_rest_near (path);
+  }
   *stands = solve == QN_SOLVE_CONVERGED;
 
   switch (solve) {
