@@ -281,5 +281,8 @@ fixture_clear (Fixture *f)
   free (f->result.displacements);
   free (f->result.pairs);
   free (f->result.mechanism);
+  free (f->result.found);
+  free (f->result.found_forces);
+  free (f->result.left);
   memset (f, 0, sizeof *f);
 }
