@@ -251,6 +251,7 @@ const QnActionRow qn_action_rows[] = {
   { .name = "win.loads" },
   { .name = "win.dimensions" },
   { .name = "win.names" },
+  { .name = "win.values" },
   { .name = "win.monochrome" },
   { .name = "win.snap" },
   { .name = "win.grid" },

@@ -191,8 +191,8 @@ on_switch (GSimpleAction *action, GVariant *value, gpointer data)
                             g_variant_get_boolean (value));
 }
 
-static const char *const switches[] = { "ghost",      "symbols", "loads",
-                                        "dimensions", "names",   "monochrome" };
+static const char *const switches[] = { "ghost", "symbols", "loads",     "dimensions",
+                                        "names", "values",  "monochrome" };
 
 /* Switches that are settings: every window has them. */
 static const char *const kept[] = { "snap", "grid", "live" };

@@ -194,7 +194,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Second result of the same project, drawn over the first as outlines"),
       N_ ("RESULT.json") },
     { "show", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.show,
-      N_ ("Show also: ghost, symbols, loads, dimensions, names, legend, titles"),
+      N_ ("Show also: ghost, symbols, loads, dimensions, names, values, legend, titles"),
       N_ ("LIST") },
     { "hide", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.hide,
       N_ ("Leave out any of these"), N_ ("LIST") },

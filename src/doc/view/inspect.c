@@ -1,6 +1,8 @@
 #include "doc/view/inspect.h"
 
 #include "doc/text/explain.h"
+#include "render/scene/thrust.h"
+
 #include <glib/gi18n.h>
 
 #define DIGITS 4
@@ -21,6 +23,8 @@ qn_step_view_init (QnStepView *view, QnViewState *state)
   int step = qn_view_state_get_step (state);
   view->step = step == QN_STEP_LAST ? view->result->step_count - 1 : (gsize) step;
   view->pairs = qn_step_pairs (view->contacts, view->result, view->step);
+  view->touches =
+    qn_step_touches (view->model, view->result, view->step, &view->touch_count);
   /* Limit analysis knows forces and velocities alone. */
   if (!view->result->limit.given)
     view->motion = qn_step_motion (view->model, view->result, view->step);
@@ -31,6 +35,7 @@ void
 qn_step_view_clear (QnStepView *view)
 {
   g_clear_pointer (&view->pairs, g_free);
+  g_clear_pointer (&view->touches, g_free);
 }
 
 static gboolean
@@ -123,9 +128,8 @@ add_eccentricity (GString *text, QnUnits units, const QnContactFace *face,
     add_text (text, "", bounds);
 }
 
-/* One word where all pairs are in one state, else how many are in which. */
-static char *
-dup_state (const QnJointReading *reading)
+char *
+qn_inspect_dup_state (const QnJointReading *reading)
 {
   GString *text = g_string_new (NULL);
   int kinds = 0;
@@ -143,6 +147,28 @@ dup_state (const QnJointReading *reading)
   return g_string_free (text, FALSE);
 }
 
+/* Where a joint is one of a row, what passes through the whole row: the force of the line of thrust. */
+static void
+tell_row (GString *text, const QnStepView *view, QnId id, QnUnits units)
+{
+  QnThrust thrust;
+  int alike = 0;
+  qn_thrust_find (&thrust, view->model, view->contacts, view->pairs, view->touches,
+                  view->touch_count);
+  const QnCut *cut = &thrust.cuts[thrust.cut_of[id]];
+  for (gsize f = 0; f < view->contacts->face_count; f++)
+    alike += thrust.cut_of[f] == thrust.cut_of[id];
+  if (alike > 1 && (cut->next[0] != QN_NONE || cut->next[1] != QN_NONE)) {
+    g_autofree char *force = qn_units_format_full (units, QN_QUANTITY_FORCE,
+                                                   qn_vec2_length (cut->force), DIGITS);
+    g_autofree char *e =
+      qn_units_format_full (units, QN_QUANTITY_LENGTH, cut->eccentricity, DIGITS);
+    g_autofree char *both = g_strdup_printf (_ ("%s, eccentricity %s"), force, e);
+    add_text (text, _ ("Thrust of the whole row"), both);
+  }
+  qn_thrust_clear (&thrust);
+}
+
 static void
 tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
@@ -157,7 +183,8 @@ tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
     add_eccentricity (text, units, face, &reading, brief);
     add_value (text, units, _ ("Greatest pressure"), QN_QUANTITY_STRESS,
                -reading.pressure);
-    g_autofree char *state = dup_state (&reading);
+    tell_row (text, view, id, units);
+    g_autofree char *state = qn_inspect_dup_state (&reading);
     add_text (text, _ ("State"), state);
   } else if (view->result != NULL)
     add_text (text, _ ("Forces"), _ ("not kept of this step"));
@@ -197,26 +224,13 @@ tell_found (GString *text, const QnStepView *view, QnId id, QnUnits units)
 
 /* ---- blocks ---- */
 
-/* Whether a block carries by contacts found on the way, which its readings do not count. */
-static gboolean
-carries_by_found (const QnStepView *view, QnId id)
-{
-  gsize count = 0, i = 0;
-  const QnFoundForce *forces =
-    view->result != NULL ? qn_step_found (view->result, view->step, &count) : NULL;
-  while (i < count && view->result->found[forces[i].found].contact.block != id
-         && view->result->found[forces[i].found].contact.other != id)
-    i++;
-  return i < count;
-}
-
 static void
 tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
   const QnBlock *block = &view->model->blocks[id];
-  QnBlockReading reading =
-    qn_block_reading (view->model, view->contacts, id, view->pairs,
-                      view->motion.displacements != NULL ? &view->motion : NULL);
+  QnBlockReading reading = qn_block_reading (
+    view->model, view->contacts, id, view->pairs, view->touches, view->touch_count,
+    view->motion.displacements != NULL ? &view->motion : NULL);
   if (reading.has_motion) {
     QnUnits mm = qn_units_of_motion (units);
     add_pair (text, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,
@@ -225,12 +239,12 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
                reading.displacement[QN_DOF_RZ]);
     add_value (text, mm, _ ("Largest motion"), QN_QUANTITY_LENGTH, reading.largest);
   }
-  if (reading.has_forces && !carries_by_found (view, id)) {
+  if (reading.has_forces) {
     add_pair (text, units, _ ("Principal stresses"), QN_QUANTITY_STRESS,
               reading.principal[0], reading.principal[1]);
     add_pair (text, units, _ ("Force of its joints x; y"), QN_QUANTITY_FORCE,
               reading.force.x, reading.force.y);
-  } else if (view->result != NULL && !reading.has_forces)
+  } else if (view->result != NULL)
     add_text (text, _ ("Forces"), _ ("not kept of this step"));
   if (brief && view->result != NULL)
     return;

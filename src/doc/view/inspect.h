@@ -29,12 +29,17 @@ typedef struct QnStepView {
   const QnResult *result; /* NULL: none that fits */
   gsize step;             /* of it */
   QnPairResult *pairs;    /* at that step, owned; NULL: not known */
-  QnMotion motion;        /* its displacements NULL: not known */
+  QnTouch *touches;       /* contacts found on the way, at that step, owned */
+  gsize touch_count;
+  QnMotion motion; /* its displacements NULL: not known */
 } QnStepView;
 
 /* FALSE where the view has nothing to show; nothing to clear then. */
 gboolean qn_step_view_init (QnStepView *view, QnViewState *state);
 void qn_step_view_clear (QnStepView *view);
+
+/* The state of a joint in one word where all its pairs are in one, else how many are in which. */
+char *qn_inspect_dup_state (const QnJointReading *reading);
 
 /* The name of what it is: "Joint b1 – b2", "Contact b1 – b2", "Block b1"; and its values, a line for each with a tab
  * between name and value, the most important ones alone where `brief`. NULL where there is no such

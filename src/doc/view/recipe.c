@@ -15,7 +15,7 @@ static const char *const keys[] = {
   "name",    "file",        "view",    "field",        "step",       "scale",
   "size",    "dpi",         "title",   "caption",      "result",     "ghost",
   "symbols", "loads",       "legend",  "names",        "dimensions", "monochrome",
-  "titles",  "transparent", "backend", "model_digest", "diagram",
+  "titles",  "transparent", "backend", "model_digest", "diagram",    "values",
 };
 
 QnRecipe *

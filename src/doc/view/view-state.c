@@ -278,9 +278,13 @@ find_switch (QnViewState *self, const char *name)
   const struct {
     const char *name;
     bool *value;
-  } switches[] = { { "ghost", &o->ghost }, { "symbols", &o->symbols },
-                   { "loads", loads },     { "dimensions", &o->dimensions },
-                   { "names", &o->names }, { "monochrome", &o->monochrome } };
+  } switches[] = { { "ghost", &o->ghost },
+                   { "symbols", &o->symbols },
+                   { "loads", loads },
+                   { "dimensions", &o->dimensions },
+                   { "names", &o->names },
+                   { "values", &o->values },
+                   { "monochrome", &o->monochrome } };
   for (gsize i = 0; i < G_N_ELEMENTS (switches); i++) {
     if (strcmp (switches[i].name, name) == 0)
       return switches[i].value;

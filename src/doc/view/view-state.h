@@ -44,7 +44,7 @@ double qn_view_state_get_phase (QnViewState *state);
 void qn_view_state_set_field (QnViewState *state, QnField field);
 
 /* Switches by the names of the window's actions: "ghost", "symbols", "loads", "dimensions",
- * "names". Loads have one for the views of the model, on at first, and one for those of results. */
+ * "names", "values". Loads have one for the views of the model, on at first, and one for those of results. */
 gboolean qn_view_state_get_switch (QnViewState *state, const char *name);
 void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on);
 

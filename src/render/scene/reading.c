@@ -70,9 +70,21 @@ qn_joint_reading (const QnContacts *contacts, QnId index, const QnPairResult *pa
 
 /* ---- blocks ---- */
 
-/* The forces of a face on the block on one of its sides. The mean stress of a block follows from
- * the forces on its boundary, sigma = (1/V) sum f (x) r (Love 1927, Weber 1966); its sums stand in
- * `stress` until they are divided by the volume. */
+/* The mean stress of a block follows from the forces on its boundary,
+ * sigma = (1/V) sum f (x) r (Love 1927, Weber 1966); its sums stand in `stress` until they are
+ * divided by the volume. */
+static void
+add_force (QnBlockReading *reading, const QnBlock *block, QnVec2 at, QnVec2 f)
+{
+  QnVec2 r = qn_vec2_sub (at, block->centroid);
+  reading->force = qn_vec2_add (reading->force, f);
+  reading->moment += qn_vec2_cross (r, f);
+  reading->stress[0] += f.x * r.x;
+  reading->stress[1] += f.y * r.y;
+  reading->stress[2] += 0.5 * (f.x * r.y + f.y * r.x);
+}
+
+/* The forces of a face on the block on one of its sides. */
 static void
 add_face (QnBlockReading *reading, const QnModel *model, const QnContacts *contacts,
           const QnContactFace *face, const QnPairResult *pairs, QnId block)
@@ -81,13 +93,15 @@ add_face (QnBlockReading *reading, const QnModel *model, const QnContacts *conta
   for (QnId k = face->first_pair; k < face->first_pair + face->pair_count; k++) {
     QnVec2 f = qn_vec2_add (qn_vec2_scale (sign * pairs[k].normal_force, face->normal),
                             qn_vec2_scale (sign * pairs[k].shear_force, face->tangent));
-    QnVec2 r = qn_vec2_sub (contacts->pairs[k].point, model->blocks[block].centroid);
-    reading->force = qn_vec2_add (reading->force, f);
-    reading->moment += qn_vec2_cross (r, f);
-    reading->stress[0] += f.x * r.x;
-    reading->stress[1] += f.y * r.y;
-    reading->stress[2] += 0.5 * (f.x * r.y + f.y * r.x);
+    add_force (reading, &model->blocks[block], contacts->pairs[k].point, f);
   }
+}
+
+static void
+add_touch (QnBlockReading *reading, const QnModel *model, const QnTouch *touch, int which)
+{
+  add_force (reading, &model->blocks[touch->block[which]], touch->at[which],
+             touch->on[which]);
 }
 
 static void
@@ -115,7 +129,8 @@ complete (QnBlockReading *reading, const QnModel *model, QnId block,
 
 QnBlockReading
 qn_block_reading (const QnModel *model, const QnContacts *contacts, QnId block,
-                  const QnPairResult *pairs, const QnMotion *motion)
+                  const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
+                  const QnMotion *motion)
 {
   QnBlockReading reading = { 0 };
   for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
@@ -123,13 +138,17 @@ qn_block_reading (const QnModel *model, const QnContacts *contacts, QnId block,
     if (face->a == block || face->b == block)
       add_face (&reading, model, contacts, face, pairs, block);
   }
+  for (size_t i = 0; i < 2 * touch_count; i++)
+    if (touches[i / 2].block[i % 2] == block)
+      add_touch (&reading, model, &touches[i / 2], i % 2);
   complete (&reading, model, block, pairs, motion);
   return reading;
 }
 
 QnBlockReading *
 qn_block_readings (const QnModel *model, const QnContacts *contacts,
-                   const QnPairResult *pairs, const QnMotion *motion)
+                   const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
+                   const QnMotion *motion)
 {
   QnBlockReading *readings = g_new0 (QnBlockReading, MAX (model->block_count, 1));
   for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
@@ -137,6 +156,8 @@ qn_block_readings (const QnModel *model, const QnContacts *contacts,
     add_face (&readings[face->a], model, contacts, face, pairs, face->a);
     add_face (&readings[face->b], model, contacts, face, pairs, face->b);
   }
+  for (size_t i = 0; i < 2 * touch_count; i++)
+    add_touch (&readings[touches[i / 2].block[i % 2]], model, &touches[i / 2], i % 2);
   for (size_t i = 0; i < model->block_count; i++)
     complete (&readings[i], model, (QnId) i, pairs, motion);
   return readings;
@@ -181,22 +202,68 @@ qn_found_corner (const QnModel *model, const QnFoundContact *contact)
   return qn_model_block_vertices (model, contact->other)[contact->corner];
 }
 
-QnVec2
-qn_found_force (const QnModel *model, const QnFoundContact *contact,
-                const QnFoundForce *force, const double *displacements)
+/* Vertices go round counter-clockwise: outwards is to the right of a side. */
+static QnVec2
+found_normal (const QnModel *model, const QnFoundContact *contact)
 {
   const QnVec2 *v = qn_model_block_vertices (model, contact->block);
   QnId next = (contact->side + 1) % model->blocks[contact->block].vertex_count;
   QnVec2 side = qn_vec2_sub (v[next], v[contact->side]);
-  side = qn_vec2_scale (1 / qn_vec2_length (side), side);
-  /* Vertices go round counter-clockwise: outwards is to the right of a side. */
-  QnVec2 sum = qn_vec2_add (qn_vec2_scale (force->normal, qn_vec2 (side.y, -side.x)),
-                            qn_vec2_scale (force->shear, side));
+  return qn_vec2_scale (1 / qn_vec2_length (side), qn_vec2 (side.y, -side.x));
+}
+
+QnVec2
+qn_found_force (const QnModel *model, const QnFoundContact *contact,
+                const QnFoundForce *force, const double *displacements)
+{
+  QnVec2 normal = found_normal (model, contact);
+  QnVec2 sum = qn_vec2_add (qn_vec2_scale (force->normal, normal),
+                            qn_vec2_scale (force->shear, qn_vec2_perp (normal)));
   if (displacements == NULL)
     return sum;
   double turn =
     displacements[(size_t) contact->block * QN_DOF_COUNT + (size_t) QN_DOF_RZ];
   return qn_vec2_rotate (sum, cos (turn), sin (turn));
+}
+
+static QnTouch
+read_touch (const QnModel *model, const QnResult *result, const QnFoundForce *force,
+            const double *displacements)
+{
+  const QnFoundContact *contact = &result->found[force->found].contact;
+  const double *u = displacements + (size_t) contact->block * QN_DOF_COUNT;
+  const double *v = displacements + (size_t) contact->other * QN_DOF_COUNT;
+  QnVec2 centre = model->blocks[contact->block].centroid;
+  QnVec2 other = model->blocks[contact->other].centroid;
+  QnVec2 corner = qn_found_corner (model, contact);
+  double turn = u[QN_DOF_RZ], turned = v[QN_DOF_RZ];
+  QnVec2 place = qn_vec2_add (
+    qn_vec2_add (other, qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY])),
+    qn_vec2_rotate (qn_vec2_sub (corner, other), cos (turned), sin (turned)));
+  QnVec2 arm =
+    qn_vec2_sub (place, qn_vec2_add (centre, qn_vec2 (u[QN_DOF_UX], u[QN_DOF_UY])));
+  QnVec2 on = qn_found_force (model, contact, force, NULL);
+  return (QnTouch){
+    .found = force->found,
+    .block = { contact->block, contact->other },
+    .at = { qn_vec2_add (centre, qn_vec2_rotate (arm, cos (turn), -sin (turn))), corner },
+    .on = { on, qn_vec2_scale (
+                  -1, qn_vec2_rotate (on, cos (turn - turned), sin (turn - turned))) },
+    .normal = found_normal (model, contact),
+    .force = force->normal,
+    .shear = force->shear,
+  };
+}
+
+QnTouch *
+qn_step_touches (const QnModel *model, const QnResult *result, size_t step, size_t *count)
+{
+  const QnFoundForce *forces = qn_step_found (result, step, count);
+  QnTouch *touches = g_new (QnTouch, *count + 1);
+  for (size_t i = 0; i < *count; i++)
+    touches[i] =
+      read_touch (model, result, &forces[i], qn_result_step_displacements (result, step));
+  return touches;
 }
 
 bool *

@@ -57,14 +57,32 @@ typedef struct QnBlockReading {
   double largest;         /* m, of its vertices */
 } QnBlockReading;
 
-/* The joints of a block are found among all faces. */
+/* What a contact that was found on the way does at a step to its two blocks: the one whose side it is,
+ * and the one whose corner. Places and forces are told for each block as it was before it moved, as
+ * those of joints are. */
+typedef struct QnTouch {
+  QnId found; /* index into the result's contacts found on the way */
+  QnId block[2];
+  QnVec2 at[2];        /* m */
+  QnVec2 on[2];        /* N: the force on each */
+  QnVec2 normal;       /* unit: out of the side, of block[0] */
+  double force, shear; /* N: along the normal (<= 0 in compression), and along the side */
+} QnTouch;
+
+/* The contacts that carry something at a step: *count of them, newly allocated (g_free). */
+QnTouch *qn_step_touches (const QnModel *model, const QnResult *result, size_t step,
+                          size_t *count);
+
+/* The joints of a block are found among all faces, and its contacts among all touches (nullable). */
 QnBlockReading qn_block_reading (const QnModel *model, const QnContacts *contacts,
                                  QnId block, const QnPairResult *pairs,
+                                 const QnTouch *touches, size_t touch_count,
                                  const QnMotion *motion);
 
 /* The same of all blocks at once: an array of block_count, newly allocated (g_free). */
 QnBlockReading *qn_block_readings (const QnModel *model, const QnContacts *contacts,
-                                   const QnPairResult *pairs, const QnMotion *motion);
+                                   const QnPairResult *pairs, const QnTouch *touches,
+                                   size_t touch_count, const QnMotion *motion);
 
 /* The contact forces of a step, newly allocated (g_free); NULL where the result does not have
  * them or is of other contacts. */

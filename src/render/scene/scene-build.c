@@ -177,8 +177,10 @@ find_pairs (QnSceneBuilder *b)
 {
   if (b->result != NULL && b->contacts != NULL)
     b->pairs = qn_step_pairs (b->contacts, b->result, b->step);
-  if (b->result != NULL && b->contacts != NULL && b->result->step_count > 0)
-    b->left = qn_step_left (b->contacts, b->result, b->step);
+  if (b->result == NULL || b->contacts == NULL || b->result->step_count == 0)
+    return;
+  b->left = qn_step_left (b->contacts, b->result, b->step);
+  b->touches = qn_step_touches (b->model, b->result, b->step, &b->touch_count);
 }
 
 /* Where the analysis does not say how joints are, the motion tells. */
@@ -286,6 +288,7 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
   }
   g_free (b.joints);
   g_free (b.left);
+  g_free (b.touches);
   g_free (b.pairs);
   return b.scene;
 }

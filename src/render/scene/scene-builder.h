@@ -3,6 +3,7 @@
 #define QN_RENDER_SCENE_BUILDER_H
 
 #include "render/scene/motion.h"
+#include "render/scene/reading.h"
 #include "render/scene/scene.h"
 
 /* Line widths and sizes of figures, pt. */
@@ -23,9 +24,11 @@ typedef struct QnSceneBuilder {
   QnBox box;         /* of the undeformed blocks and nodes */
   double block_size; /* m, characteristic length of the blocks */
   QnPairResult
-    *pairs;        /* at the step, where contact forces are known and wanted; or NULL */
-  QnJoint *joints; /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
-  bool *left;      /* which faces their blocks have left by the step; NULL: none */
+    *pairs;         /* at the step, where contact forces are known and wanted; or NULL */
+  QnJoint *joints;  /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
+  QnTouch *touches; /* contacts found on the way that carry something at the step */
+  size_t touch_count;
+  bool *left; /* which faces their blocks have left by the step; NULL: none */
 } QnSceneBuilder;
 
 static inline QnColor

@@ -44,7 +44,7 @@ static void
 block_stresses (const QnSceneBuilder *b, double *values)
 {
   g_autofree QnBlockReading *readings =
-    qn_block_readings (b->model, b->contacts, b->pairs, NULL);
+    qn_block_readings (b->model, b->contacts, b->pairs, b->touches, b->touch_count, NULL);
   for (size_t i = 0; i < b->model->block_count; i++)
     values[i] = readings[i].principal[0];
 }

@@ -4,6 +4,10 @@
 
 #include <string.h>
 
+/* A label of a block or joint is taken to reach no farther than so many times its size: where it is
+ * farther from the edge it need not be measured. */
+#define LONGEST_LABEL 12
+
 /* How far markers, lines and labels reach beyond the box of the places: left, top, right and
  * bottom, px. */
 static void
@@ -20,10 +24,13 @@ measure_overhang (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
       continue;
     if (c->extent > 0 && c->extent * camera->scale < c->least * camera->unit)
       continue;
+    QnVec2 a = qn_camera_to_screen (camera, c->box.min);
+    QnVec2 b = qn_camera_to_screen (camera, c->box.max);
     if (c->kind == QN_COMMAND_TEXT) {
-      if (c->extent > 0)
-        continue; /* a label within its block */
-      double w, h;
+      double w, h, most = LONGEST_LABEL * c->size * camera->unit;
+      if (c->extent > 0 && a.x - most > low.x && b.x + most < high.x && a.y + most < low.y
+          && b.y - most > high.y)
+        continue;
       qn_text_measure (cr, &(QnTextStyle){ .size = c->size * camera->unit }, c->text, &w,
                        &h);
       bool upright = fabs (sin (c->angle)) > 0.5;
@@ -32,8 +39,6 @@ measure_overhang (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
       up = upright ? w * (1 - c->align_x) : h * (1 - c->align_y);
       down = upright ? w * c->align_x : h * c->align_y;
     }
-    QnVec2 a = qn_camera_to_screen (camera, c->box.min);
-    QnVec2 b = qn_camera_to_screen (camera, c->box.max);
     reach[0] = fmax (reach[0], low.x - (a.x - left));
     reach[1] = fmax (reach[1], high.y - (b.y - up));
     reach[2] = fmax (reach[2], b.x + right - high.x);

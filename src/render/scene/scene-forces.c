@@ -18,6 +18,10 @@
 /* Joints of the line of thrust that are closer on paper have no numbers, pt. */
 #define NUMBER_LEAST 16
 
+/* Size of the values of a joint, and the room that they need, pt. */
+#define VALUE_SIZE   5.5
+#define VALUES_LEAST 30
+
 /* Of a number, so that it begins to the right of its place. */
 #define BESIDE (-0.2F)
 
@@ -87,22 +91,42 @@ typedef struct CutTally {
   bool any, places[QN_PLACE_COUNT];
 } CutTally;
 
+/* The touch that the force of a cut passes through, or NULL: a joint as drawn. */
+static const QnTouch *
+touch_of (const QnSceneBuilder *b, const QnCut *cut)
+{
+  size_t faces = b->contacts->face_count;
+  return (size_t) cut->face >= faces ? &b->touches[(size_t) cut->face - faces] : NULL;
+}
+
 static QnVec2
 cut_place (const QnSceneBuilder *b, const QnCut *cut, QnVec2 p)
 {
+  const QnTouch *touch = touch_of (b, cut);
+  if (touch != NULL)
+    return qn_builder_place (b, touch->block[0], p);
   return joint_place (b, &b->contacts->faces[cut->face], p);
+}
+
+static void
+pick_cut (const QnSceneBuilder *b, QnCommand *command, const QnCut *cut)
+{
+  const QnTouch *touch = touch_of (b, cut);
+  command->pick = touch != NULL ? QN_PICK_FOUND : QN_PICK_FACE;
+  command->id = touch != NULL ? touch->found : cut->face;
 }
 
 /* The middle third, within which the whole joint is pressed. */
 static void
 add_kern (QnSceneBuilder *b, const QnCut *cut)
 {
+  if (!(cut->length > 0))
+    return;
   QnVec2 kern[2] = { cut_place (b, cut, qn_vec2_lerp (cut->start, cut->end, 1.0 / 3.0)),
                      cut_place (b, cut, qn_vec2_lerp (cut->start, cut->end, 2.0 / 3.0)) };
   QnCommand *command = qn_scene_stroke (b->scene, QN_LAYER_FORCES, kern, 2, false, 1.6,
                                         qn_builder_ink (b, QN_INK_FAINT));
-  command->pick = QN_PICK_FACE;
-  command->id = cut->face;
+  pick_cut (b, command, cut);
   command->extent = (float) cut->length;
   command->least = 12;
 }
@@ -121,6 +145,26 @@ place_size (QnPressurePlace place)
   return place == QN_PLACE_INSIDE ? 3.6F : place == QN_PLACE_EDGE ? 3.4F : 3.0F;
 }
 
+/* N, T, M and eccentricity beside a place, where there is room for them. */
+static void
+add_values (QnSceneBuilder *b, QnVec2 at, double normal, double shear, double moment,
+            double eccentricity, QnPressurePlace place, double room, QnColor color)
+{
+  g_autofree char *n = qn_label_number ("%.3g", normal / 1000);
+  g_autofree char *t = qn_label_number ("%.3g", shear / 1000);
+  g_autofree char *m = qn_label_number ("%.3g", moment / 1000);
+  g_autofree char *e = place != QN_PLACE_NOWHERE
+                         ? qn_label_number ("%.3g", 1000 * eccentricity)
+                         : g_strdup ("–");
+  g_autofree char *text = g_strdup_printf ("N %s\nT %s\nM %s\ne %s", n, t, m, e);
+  QnCommand *command =
+    qn_scene_text (b->scene, QN_LAYER_LABELS, at, VALUE_SIZE, text, color);
+  command->align_x = BESIDE;
+  command->align_y = 0.5F;
+  command->extent = (float) room;
+  command->least = VALUES_LEAST;
+}
+
 /* A point of the line, with the force there. */
 static void
 add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing)
@@ -131,10 +175,15 @@ add_cut (QnSceneBuilder *b, const QnCut *cut, double spacing)
   QnCommand *command =
     qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, place_marker (cut->place), at,
                      place_size (cut->place), 0, color);
-  command->pick = QN_PICK_FACE;
-  command->id = cut->face;
+  pick_cut (b, command, cut);
   command->extent = (float) spacing;
   command->least = 4;
+  if (b->options->values) {
+    add_values (b, at, qn_vec2_dot (cut->force, cut->normal),
+                qn_vec2_dot (cut->force, qn_vec2_perp (cut->normal)), cut->moment,
+                cut->eccentricity, cut->place, spacing, color);
+    return;
+  }
   g_autofree char *number = qn_label_number ("%.3g", qn_vec2_length (cut->force) / 1000);
   g_autofree char *text = g_strdup_printf (_ ("%s kN"), number);
   command = qn_scene_text (b->scene, QN_LAYER_LABELS, at, 6.5, text, color);
@@ -166,6 +215,37 @@ add_thrust (QnSceneBuilder *b, const QnThrust *thrust, CutTally *tally)
     tally->any = true;
     tally->places[cut->place] = true;
   }
+}
+
+static bool
+has_next (const QnCut *cut)
+{
+  return cut->next[0] != QN_NONE || cut->next[1] != QN_NONE;
+}
+
+/* Of joints through which no line passes. */
+static void
+add_face_values (QnSceneBuilder *b, const QnThrust *thrust, double least)
+{
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    const QnContactFace *face = &b->contacts->faces[f];
+    QnJointReading r = qn_joint_reading (b->contacts, (QnId) f, b->pairs, NULL);
+    if (!has_next (&thrust->cuts[thrust->cut_of[f]])
+        && (fabs (r.normal) > least || fabs (r.shear) > least
+            || fabs (r.moment) > least * face->length))
+      add_values (b, joint_place (b, face, r.at), r.normal, r.shear, r.moment,
+                  r.eccentricity, r.place, face->length,
+                  qn_builder_ink (b, QN_INK_FORCE));
+  }
+  for (size_t i = 0; i < b->touch_count; i++) {
+    const QnTouch *touch = &b->touches[i];
+    if (!has_next (&thrust->cuts[thrust->cut_of[b->contacts->face_count + i]]))
+      add_values (b, qn_builder_place (b, touch->block[0], touch->at[0]), touch->force,
+                  touch->shear, 0, 0, QN_PLACE_NOWHERE, b->block_size,
+                  qn_builder_ink (b, QN_INK_FORCE));
+  }
+  qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
+                   _ ("N, T (kN), M (kN m), e (mm), where there is room"));
 }
 
 static void
@@ -238,8 +318,10 @@ qn_build_forces (QnSceneBuilder *b)
     ->size = 2;
   QnThrust thrust;
   CutTally tally = { false, { false } };
-  qn_thrust_find (&thrust, b->model, contacts, b->pairs);
+  qn_thrust_find (&thrust, b->model, contacts, b->pairs, b->touches, b->touch_count);
   add_thrust (b, &thrust, &tally);
+  if (b->options->values)
+    add_face_values (b, &thrust, LEAST_SHARE * largest);
   qn_thrust_clear (&thrust);
   add_thrust_legend (b, &tally);
   if (b->options->symbols) {

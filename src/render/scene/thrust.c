@@ -21,7 +21,7 @@ typedef struct Search {
   const QnContacts *contacts;
   const QnPairResult *pairs;
   double size;  /* m, of a block */
-  QnId *cut_of; /* by face */
+  QnId *cut_of; /* by face; the thrust's */
   QnId *first;  /* block_count + 1: where its faces begin in `faces` */
   QnId *faces;  /* of every block */
   QnThrust *thrust;
@@ -115,10 +115,13 @@ place_force (QnCut *cut, double normal, double first, double total)
   double start = qn_vec2_dot (cut->start, along);
   cut->length = qn_vec2_dot (cut->end, along) - start;
   double s = 0.5 * cut->length;
+  cut->moment = (start + s) * normal - first;
   if (normal < 0) {
     s = fmin (fmax (first / normal - start, 0), cut->length);
     cut->eccentricity = s - 0.5 * cut->length;
-    cut->place = qn_pressure_place (cut->eccentricity, cut->length, normal, total);
+    cut->place = cut->length > 0
+                   ? qn_pressure_place (cut->eccentricity, cut->length, normal, total)
+                   : QN_PLACE_EDGE;
   }
   cut->at = qn_vec2_add_scaled (cut->start, s, along);
 }
@@ -271,19 +274,71 @@ number_cuts (Search *s, QnId *parent)
   }
 }
 
+/* Contacts found on the way as faces of one pair, behind those as drawn. */
+static void
+append_touches (QnContacts *all, QnPairResult *forces, const QnTouch *touches,
+                size_t touch_count)
+{
+  for (size_t i = 0; i < touch_count; i++) {
+    const QnTouch *touch = &touches[i];
+    all->faces[all->face_count++] =
+      (QnContactFace){ .a = touch->block[0],
+                       .b = touch->block[1],
+                       .start = touch->at[0],
+                       .end = touch->at[0],
+                       .normal = touch->normal,
+                       .tangent = qn_vec2_perp (touch->normal),
+                       .first_pair = (QnId) all->pair_count,
+                       .pair_count = 1 };
+    forces[all->pair_count] =
+      (QnPairResult){ .normal_force = touch->force, .shear_force = touch->shear };
+    all->pairs[all->pair_count++] = (QnContactPair){ .point = touch->at[0] };
+  }
+}
+
+/* Two corners of one block on a side of another. */
+static void
+join_touches (QnId *parent, size_t faces, const QnTouch *touches, size_t touch_count)
+{
+  for (size_t i = 0; i < touch_count; i++)
+    for (size_t k = i + 1; k < touch_count; k++)
+      if (touches[i].block[0] == touches[k].block[0]
+          && touches[i].block[1] == touches[k].block[1]
+          && qn_vec2_dot (touches[i].normal, touches[k].normal) > 1 - STRAIGHT)
+        qn_sets_join (parent, (QnId) (faces + i), (QnId) (faces + k));
+}
+
 void
 qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contacts,
-                const QnPairResult *pairs)
+                const QnPairResult *pairs, const QnTouch *touches, size_t touch_count)
 {
-  size_t faces = contacts->face_count;
-  *thrust = (QnThrust){ .cuts = g_new0 (QnCut, faces + 1) };
-  Search s = { model, contacts, pairs, model->characteristic_length,
-               NULL,  NULL,     NULL,  thrust };
+  size_t faces = contacts->face_count + touch_count;
+  size_t pair_count = contacts->pair_count + touch_count;
+  QnContacts all = *contacts;
+  g_autofree QnContactFace *joints = all.faces = g_new (QnContactFace, faces + 1);
+  g_autofree QnContactPair *places = all.pairs = g_new (QnContactPair, pair_count + 1);
+  g_autofree QnPairResult *forces = g_new (QnPairResult, pair_count + 1);
+  for (size_t f = 0; f < contacts->face_count; f++)
+    joints[f] = contacts->faces[f];
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    places[p] = contacts->pairs[p];
+    forces[p] = pairs[p];
+  }
+  append_touches (&all, forces, touches, touch_count);
+
+  *thrust =
+    (QnThrust){ .cuts = g_new0 (QnCut, faces + 1), .cut_of = g_new (QnId, faces + 1) };
+  Search s = { .model = model,
+               .contacts = &all,
+               .pairs = forces,
+               .size = model->characteristic_length,
+               .cut_of = thrust->cut_of,
+               .thrust = thrust };
   g_autofree QnId *parent = g_new (QnId, faces + 1);
   qn_sets_init (parent, faces);
-  s.cut_of = g_new (QnId, faces + 1);
   if (s.size > 0)
     join_faces (&s, parent);
+  join_touches (parent, contacts->face_count, touches, touch_count);
   number_cuts (&s, parent);
 
   g_autofree double *sums = g_new0 (double, 3 * thrust->count + 1);
@@ -297,7 +352,6 @@ qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contac
   list_faces (&s);
   if (thrust->largest > 0)
     link_cuts (&s);
-  g_free (s.cut_of);
   g_free (s.first);
   g_free (s.faces);
 }
@@ -306,5 +360,6 @@ void
 qn_thrust_clear (QnThrust *thrust)
 {
   g_free (thrust->cuts);
+  g_free (thrust->cut_of);
   *thrust = (QnThrust){ 0 };
 }

@@ -19,23 +19,27 @@ typedef struct QnCut {
   QnVec2 at;           /* m, where it acts, kept within the cut */
   double length;       /* m */
   double eccentricity; /* m, of `at` from the middle, towards the end */
+  double moment; /* N m, about the middle, counter-clockwise: -normal * eccentricity */
   QnPressurePlace place;
-  QnId face;    /* the one that `at` lies in */
+  QnId face;    /* the one that `at` lies in; from the number of faces on, a touch */
   QnId next[2]; /* neighbouring cut on either side, or QN_NONE */
 } QnCut;
 
 typedef struct QnThrust {
   QnCut *cuts;
   size_t count;
+  QnId *cut_of;   /* of every face, then of every touch */
   double largest; /* N, of all cuts */
 } QnThrust;
 
 /* Forces below this share of the largest are none. */
 #define QN_THRUST_LEAST_SHARE 2e-3
 
-/* `pairs` of all contacts. */
+/* `pairs` of all contacts; `touches` of the same step, or NULL: each is a joint without length, and
+ * those between the same two sides one joint from the one to the other. */
 void qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contacts,
-                     const QnPairResult *pairs);
+                     const QnPairResult *pairs, const QnTouch *touches,
+                     size_t touch_count);
 
 void qn_thrust_clear (QnThrust *thrust);
 

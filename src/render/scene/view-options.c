@@ -72,16 +72,16 @@ qn_field_parse (const char *name, QnField *field)
 }
 
 const char *const qn_view_switches[] = {
-  "ghost",  "symbols", "loads",      "dimensions", "names",
-  "legend", "titles",  "monochrome", NULL,
+  "ghost",  "symbols", "loads",  "dimensions", "names",
+  "values", "legend",  "titles", "monochrome", NULL,
 };
 
 bool *
 qn_view_switch (QnViewOptions *options, const char *name)
 {
-  bool *const flags[] = { &options->ghost,      &options->symbols,   &options->loads,
-                          &options->dimensions, &options->names,     &options->legend,
-                          &options->titles,     &options->monochrome };
+  bool *const flags[] = { &options->ghost,      &options->symbols, &options->loads,
+                          &options->dimensions, &options->names,   &options->values,
+                          &options->legend,     &options->titles,  &options->monochrome };
   int i = find_name (qn_view_switches, QN_N_ELEMENTS (flags), name);
   return i >= 0 ? flags[i] : NULL;
 }

@@ -74,6 +74,7 @@ typedef struct QnViewOptions {
   bool loads;
   bool dimensions;
   bool names;            /* of blocks */
+  bool values;           /* FORCES: N, T, M and eccentricity beside joints */
   bool legend;           /* also the colour bar and the scale bar */
   bool titles;           /* title and multiplier */
   bool monochrome;       /* greys only */

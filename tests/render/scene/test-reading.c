@@ -2,9 +2,11 @@
 #include "io/project/project.h"
 #include "render/fixture.h"
 #include "render/scene/reading.h"
+#include "render/scene/scene.h"
 #include "render/scene/thrust.h"
 
 #include <glib.h>
+#include <string.h>
 
 /* An example with its solution. */
 typedef struct Solved {
@@ -120,12 +122,12 @@ test_blocks (void)
   g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
   QnMotion motion = qn_step_motion (s.model, &s.result, s.step);
   g_autofree QnBlockReading *all =
-    qn_block_readings (s.model, &s.contacts, pairs, &motion);
+    qn_block_readings (s.model, &s.contacts, pairs, NULL, 0, &motion);
   g_autofree double *loads = dup_loads (&s);
   double least = 1e-6 * heaviest (s.model);
   for (size_t i = 0; i < s.model->block_count; i++) {
     QnBlockReading one =
-      qn_block_reading (s.model, &s.contacts, (QnId) i, pairs, &motion);
+      qn_block_reading (s.model, &s.contacts, (QnId) i, pairs, NULL, 0, &motion);
     g_assert_true (one.has_forces && one.has_motion);
     g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
     g_assert_cmpfloat (one.principal[0], <=, one.principal[1]);
@@ -179,7 +181,7 @@ test_thrust_of_arch (void)
   QnThrust thrust;
   solve (&s, "06-arch.quoin");
   g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
-  qn_thrust_find (&thrust, s.model, &s.contacts, pairs);
+  qn_thrust_find (&thrust, s.model, &s.contacts, pairs, NULL, 0);
   g_assert_cmpuint (thrust.count, ==, s.contacts.face_count);
   int ends = 0;
   for (size_t c = 0; c < thrust.count; c++)
@@ -201,7 +203,7 @@ test_thrust_balances (void)
     solve (&s, examples[e]);
     g_autofree QnPairResult *pairs = qn_step_pairs (&s.contacts, &s.result, s.step);
     g_autofree double *loads = dup_loads (&s);
-    qn_thrust_find (&thrust, s.model, &s.contacts, pairs);
+    qn_thrust_find (&thrust, s.model, &s.contacts, pairs, NULL, 0);
     size_t links = 0;
     for (size_t c = 0; c < thrust.count; c++) {
       const QnCut *cut = &thrust.cuts[c];
@@ -243,6 +245,87 @@ test_thrust_balances (void)
   }
 }
 
+/* A contact that was found on the way pushes both blocks at one place with opposite forces, however
+ * they have turned since; blocks, stresses and the line of thrust know it. */
+static void
+test_touch (void)
+{
+  Fixture f;
+  fixture_init_block (&f, 0.5, 1.0);
+  QnResult *r = &f.result;
+  size_t step = r->step_count - 1, count;
+  double *u = r->displacements + step * f.model.block_count * QN_DOF_COUNT;
+  const double moved[] = { 0.03, -0.02, 0.4, 0.11, 0.07, -1.1 };
+  memcpy (u, moved, sizeof moved);
+  const QnFound found = { .contact = { .block = 0, .side = 1, .other = 1, .corner = 2 } };
+  const QnFoundForce force = { .step = (int32_t) step, .normal = -1000, .shear = 300 };
+  g_assert_true (qn_result_add_found (r, found));
+  g_assert_true (qn_result_add_found_force (r, force));
+  g_autofree QnTouch *touches = qn_step_touches (&f.model, r, step, &count);
+  g_assert_cmpuint (count, ==, 1);
+
+  QnMotion motion = { .model = &f.model, .displacements = u, .scale = 1 };
+  QnVec2 here = qn_motion_place (&motion, 0, touches->at[0], 1);
+  QnVec2 there = qn_motion_place (&motion, 1, touches->at[1], 1);
+  g_assert_cmpfloat (qn_vec2_length (qn_vec2_sub (here, there)), <, 1e-12);
+  QnVec2 a = qn_vec2_rotate (touches->on[0], cos (u[2]), sin (u[2]));
+  QnVec2 b = qn_vec2_rotate (touches->on[1], cos (u[5]), sin (u[5]));
+  g_assert_cmpfloat (qn_vec2_length (qn_vec2_add (a, b)), <, 1e-9);
+  g_assert_cmpfloat_with_epsilon (qn_vec2_length (a), hypot (1000, 300), 1e-9);
+  QnVec2 same = qn_found_force (&f.model, &found.contact, &force, u);
+  g_assert_cmpfloat (qn_vec2_length (qn_vec2_sub (a, same)), <, 1e-9);
+
+  g_autofree QnPairResult *none = g_new0 (QnPairResult, f.contacts.pair_count);
+  g_autofree QnBlockReading *all =
+    qn_block_readings (&f.model, &f.contacts, none, touches, count, NULL);
+  for (int i = 0; i < 2; i++) {
+    QnBlockReading one =
+      qn_block_reading (&f.model, &f.contacts, i, none, touches, count, NULL);
+    g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
+    g_assert_cmpfloat_with_epsilon (one.force.x, touches->on[i].x, 1e-9);
+    g_assert_cmpfloat_with_epsilon (one.force.y, touches->on[i].y, 1e-9);
+    double volume = f.model.blocks[i].area * f.model.blocks[i].thickness;
+    QnVec2 arm = qn_vec2_sub (touches->at[i], f.model.blocks[i].centroid);
+    g_assert_cmpfloat_with_epsilon (one.stress[0] * volume, touches->on[i].x * arm.x,
+                                    1e-9);
+  }
+
+  QnThrust thrust;
+  qn_thrust_find (&thrust, &f.model, &f.contacts, none, touches, count);
+  const QnCut *cut = &thrust.cuts[thrust.cut_of[f.contacts.face_count]];
+  g_assert_cmpint (cut->face, ==, f.contacts.face_count);
+  g_assert_cmpfloat_with_epsilon (thrust.largest, hypot (1000, 300), 1e-9);
+  g_assert_cmpfloat (qn_vec2_length (qn_vec2_sub (cut->at, touches->at[0])), <, 1e-12);
+  qn_thrust_clear (&thrust);
+  fixture_clear (&f);
+}
+
+/* On request the values of every joint stand beside it, and what they are in the legend. */
+static void
+test_values (void)
+{
+  Solved s;
+  solve (&s, "06-arch.quoin");
+  for (int on = 0; on < 2; on++) {
+    g_autoptr (GError) error = NULL;
+    QnViewOptions options;
+    qn_view_options_init (&options, QN_VIEW_FORCES);
+    *qn_view_switch (&options, "values") = on;
+    g_autoptr (QnScene) scene =
+      qn_scene_build (s.model, &s.contacts, &s.result, &options, &error);
+    g_assert_no_error (error);
+    size_t labels = 0;
+    for (guint i = 0; i < scene->commands->len; i++) {
+      const QnCommand *c = qn_scene_command (scene, i);
+      labels += c->kind == QN_COMMAND_TEXT && g_str_has_prefix (c->text, "N ")
+                && strstr (c->text, "\nT ") != NULL && strstr (c->text, "\nM ") != NULL
+                && strstr (c->text, "\ne ") != NULL;
+    }
+    g_assert_cmpuint (labels, ==, on ? s.contacts.face_count : 0);
+  }
+  clear (&s);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -250,6 +333,8 @@ main (int argc, char **argv)
   g_test_add_func ("/render/reading/equilibrium", test_equilibrium);
   g_test_add_func ("/render/reading/blocks", test_blocks);
   g_test_add_func ("/render/reading/places", test_places);
+  g_test_add_func ("/render/reading/touch", test_touch);
+  g_test_add_func ("/render/reading/values", test_values);
   g_test_add_func ("/render/thrust/arch", test_thrust_of_arch);
   g_test_add_func ("/render/thrust/balances", test_thrust_balances);
   return g_test_run ();
