@@ -6,6 +6,7 @@
 #include "app/window/window.h"
 #include "doc/document/recovery.h"
 #include "doc/view/recipe.h"
+#include "doc/view/report.h"
 
 /* An analysis that waits for another to end. */
 typedef struct QnQueuedAnalysis {
@@ -26,6 +27,8 @@ struct _QnWindow {
   gboolean closing;                 /* unsaved changes have been dealt with */
   char *last_export;                /* path of the last exported figure */
   QnRecipe *last_recipe;            /* what it looked like */
+  QnPaper report_paper;             /* of the last report */
+  gboolean report_every_joint;      /* the same */
   GtkPrintSettings *print_settings; /* of the last page, or NULL */
   GObject *chooser;                 /* file chooser on the screen */
   gboolean has_info_place;

@@ -113,6 +113,7 @@ write_report (const Options *options, const QnInput *input, const Item *items,
   report->run_count = count;
   report->units = QN_UNITS_SI;
   report->units.force = QN_FORCE_KN;
+  report->units.stress = QN_STRESS_KPA;
   report->generator = "quoin " QN_VERSION;
   g_autoptr (GBytes) bytes = qn_report_encode (report, &error);
   gsize length;
@@ -162,7 +163,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       "a4|letter" },
     { "sections", 0, 0, G_OPTION_ARG_STRING, &options.sections,
       N_ ("Only these, commas between them: title, model, materials, loads, findings, "
-          "contacts, results, certificate, comparison, files"),
+          "contacts, results, joints, certificate, comparison, files"),
       N_ ("LIST") },
     G_OPTION_ENTRY_NULL,
   };
@@ -174,6 +175,7 @@ run (const QnSubcommand *self, int argc, char **argv)
       refuse (self, options.paper, _ ("a paper is a4 or letter"));
     else
       code = choose_sections (self, options.sections, report.sections);
+    report.every_joint = options.sections != NULL && report.sections[QN_REPORT_JOINTS];
   }
   if (code == QN_EXIT_DONE)
     code = make (&options, argv[1], &report);
@@ -185,9 +187,10 @@ const QnSubcommand qn_cmd_report = {
   .name = "report",
   .arguments = "MODEL",
   .summary = N_ ("Write a report on a project and its results as PDF"),
-  .help = N_ ("Model with dimensions, materials, loads, findings, contacts, every result "
-              "with its mechanism, curve and forces, the independent check of each, a "
-              "comparison, files and versions. A project without a result is solved "
-              "first."),
+  .help =
+    N_ ("Model with dimensions, materials, loads, findings, contacts, every result "
+        "with its mechanism and curve, the forces of joints, the independent check of "
+        "each, a comparison, files and versions. A project without a result is "
+        "solved first. Tables of joints are whole where their section is named."),
   .run = run,
 };

@@ -65,7 +65,8 @@ load_item (QnReportItem *item, QnDocument *document, const QnRun *run,
 }
 
 gboolean
-qn_report_write (QnDocument *document, QnUnits units, const char *path, GError **error)
+qn_report_write (QnDocument *document, QnUnits units, QnPaper paper, gboolean every_joint,
+                 const char *path, GError **error)
 {
   const GPtrArray *all = qn_document_get_runs (document);
   g_autofree QnReportItem *items = g_new0 (QnReportItem, all->len + 1);
@@ -89,7 +90,8 @@ qn_report_write (QnDocument *document, QnUnits units, const char *path, GError *
                       .contacts = qn_document_get_contacts (document),
                       .runs = runs,
                       .run_count = count,
-                      .paper = QN_PAPER_A4,
+                      .paper = paper,
+                      .every_joint = every_joint,
                       .units = units,
                       .generator = "quoin " QN_VERSION };
   for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)

@@ -2,6 +2,7 @@
 
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
+#include "doc/view/inspect.h"
 #include "doc/view/load-text.h"
 #include "io/exchange/table-csv.h"
 #include "io/project/project-names.h"
@@ -12,12 +13,12 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-/* Rows of a table of joints; the others are counted. */
+/* Rows of a table of joints where it is not asked for all; the others are counted. */
 #define MOST_ROWS 120
 
 const char *const qn_report_section_names[] = {
-  "title",   "model",       "materials",  "loads", "findings", "contacts",
-  "results", "certificate", "comparison", "files", NULL,
+  "title",   "model",  "materials",   "loads",      "findings", "contacts",
+  "results", "joints", "certificate", "comparison", "files",    NULL,
 };
 
 /* A table that grows by cells. */
@@ -84,7 +85,6 @@ write_title (QnPages *pages, const QnReport *report)
     g_autofree char *line = g_strdup_printf ("%s: %s", run->name, text);
     qn_pages_paragraph (pages, line);
   }
-  qn_pages_break (pages);
 }
 
 static bool
@@ -192,6 +192,24 @@ write_materials (QnPages *pages, const QnReport *report)
 }
 
 static void
+write_ground_motion (QnPages *pages, const QnGroundMotion *motion)
+{
+  g_autofree char *x = qn_label_number ("%.4g", motion->direction.x);
+  g_autofree char *y = qn_label_number ("%.4g", motion->direction.y);
+  g_autofree char *scale = qn_label_number ("%.4g", motion->scale);
+  g_autofree char *peak = qn_label_number ("%.4g", motion->pulse.amplitude);
+  g_autofree char *length = qn_label_number ("%.4g", motion->pulse.duration);
+  g_autofree char *signal =
+    motion->kind == QN_SIGNAL_PULSE
+      ? g_strdup_printf (_ ("pulse of %s m/s² and %s s"), peak, length)
+    : motion->record != NULL ? g_strdup (motion->record)
+                             : g_strdup_printf (_ ("%zu points"), motion->point_count);
+  g_autofree char *line = g_strdup_printf (
+    _ ("Ground motion: %s, factor %s, along (%s; %s)"), signal, scale, x, y);
+  qn_pages_paragraph (pages, line);
+}
+
+static void
 write_loads (QnPages *pages, const QnReport *report)
 {
   const QnModel *model = &report->project->model;
@@ -212,6 +230,14 @@ write_loads (QnPages *pages, const QnReport *report)
   for (size_t i = 0; i < model->stage_count; i++) {
     g_autofree char *text = qn_stage_dup_text (model, i, report->units);
     g_autofree char *line = g_strdup_printf (_ ("Stage %zu: %s"), i + 1, text);
+    qn_pages_paragraph (pages, line);
+  }
+  for (size_t i = 0; i < model->ground_count; i++)
+    write_ground_motion (pages, &model->ground[i]);
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC) {
+    g_autofree char *duration =
+      qn_label_number ("%.4g", model->analysis.dynamic.duration);
+    g_autofree char *line = g_strdup_printf (_ ("Duration: %s s"), duration);
     qn_pages_paragraph (pages, line);
   }
   g_autofree char *analysis = g_strdup_printf (
@@ -241,63 +267,140 @@ write_findings (QnPages *pages, const QnReport *report)
 
 /* ---- joints ---- */
 
-/* Sums over the pairs of a face: forces, and the distance of their resultant from its middle. */
+/* A column of numbers with the same decimals, so that the largest has four digits. */
 static void
-sum_face (const QnContacts *contacts, const QnContactFace *face, const QnResult *result,
-          double *normal, double *shear, double *eccentricity)
+set_column (char **cells, size_t rows, size_t columns, size_t column,
+            const double *values)
 {
-  double moment = 0;
-  *normal = *shear = 0;
-  for (int32_t i = 0; i < face->pair_count; i++) {
-    QnId pair = face->first_pair + i;
-    const QnPairResult *force = &result->pairs[pair];
-    *normal += force->normal_force;
-    *shear += force->shear_force;
-    moment += force->normal_force * (contacts->pairs[pair].abscissa - 0.5 * face->length);
-  }
-  *eccentricity = *normal != 0 ? moment / *normal : (double) NAN;
+  double largest = 0;
+  for (size_t r = 0; r < rows; r++)
+    if (isfinite (values[r]))
+      largest = fmax (largest, fabs (values[r]));
+  int decimals = largest > 0 ? (int) CLAMP (3 - floor (log10 (largest)), 0, 9) : 0;
+  g_autofree char *format = g_strdup_printf ("%%.%df", decimals);
+  double least = 0.5 * pow (10, -decimals); /* no "-0" */
+  for (size_t r = 0; r < rows; r++)
+    cells[(r + 1) * columns + column] =
+      isfinite (values[r])
+        ? qn_label_number (format, fabs (values[r]) < least ? 0 : values[r])
+        : g_strdup ("–");
+}
+
+static size_t
+count_rows (const QnReport *report, size_t joints)
+{
+  return report->every_joint ? joints : MIN (joints, MOST_ROWS);
 }
 
 static void
-write_joints (QnPages *pages, const QnReport *report, const QnModel *model,
-              const QnContacts *contacts, const QnResult *result)
+tell_rest (QnPages *pages, size_t joints, size_t rows)
 {
-  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
-  gboolean forces =
-    result != NULL && result->pairs != NULL && result->pair_count == contacts->pair_count;
-  size_t columns = forces ? 6 : 3;
-  const char *const force = qn_units_symbol (report->units, QN_QUANTITY_FORCE);
-  const char *const length = qn_units_symbol (report->units, QN_QUANTITY_LENGTH);
-  add_cell (cells, g_strdup (_ ("Joint")));
-  add_cell (cells, g_strdup (_ ("Between")));
-  add_cell (cells, g_strdup_printf (_ ("Length (%s)"), length));
-  if (forces) {
-    add_cell (cells, g_strdup_printf ("N (%s)", force));
-    add_cell (cells, g_strdup_printf ("T (%s)", force));
-    add_cell (cells, g_strdup_printf (_ ("Eccentricity (%s)"), length));
+  if (joints == rows)
+    return;
+  g_autofree char *more = g_strdup_printf (_ ("and %zu more"), joints - rows);
+  qn_pages_paragraph (pages, more);
+}
+
+static char *
+dup_between (const QnModel *model, QnId a, QnId b)
+{
+  return g_strdup_printf ("%s – %s", model->blocks[a].name, model->blocks[b].name);
+}
+
+/* Joints of a project that nothing was computed of. */
+static void
+write_faces (QnPages *pages, const QnReport *report)
+{
+  enum { JOINT, BETWEEN, LENGTH, COLUMNS };
+  const QnContacts *contacts = report->contacts;
+  size_t rows = count_rows (report, contacts->face_count);
+  g_auto (GStrv) cells = g_new0 (char *, (rows + 1) * COLUMNS + 1);
+  g_autofree double *lengths = g_new (double, rows + 1);
+  cells[JOINT] = g_strdup (_ ("Joint"));
+  cells[BETWEEN] = g_strdup (_ ("Between"));
+  cells[LENGTH] = g_strdup_printf (_ ("Length (%s)"),
+                                   qn_units_symbol (report->units, QN_QUANTITY_LENGTH));
+  for (size_t r = 0; r < rows; r++) {
+    const QnContactFace *face = &contacts->faces[r];
+    cells[(r + 1) * COLUMNS + JOINT] = g_strdup_printf ("%zu", r);
+    cells[(r + 1) * COLUMNS + BETWEEN] =
+      dup_between (&report->project->model, face->a, face->b);
+    lengths[r] = face->length / qn_units_factor (report->units, QN_QUANTITY_LENGTH);
   }
-  double per_force = qn_units_factor (report->units, QN_QUANTITY_FORCE);
-  double per_length = qn_units_factor (report->units, QN_QUANTITY_LENGTH);
-  for (size_t f = 0; f < contacts->face_count && f < MOST_ROWS; f++) {
-    const QnContactFace *face = &contacts->faces[f];
-    double normal, shear, eccentricity;
-    add_cell (cells, g_strdup_printf ("%zu", f));
-    add_cell (cells, g_strdup_printf ("%s – %s", model->blocks[face->a].name,
-                                      model->blocks[face->b].name));
-    add_number (cells, "%.5g", face->length / per_length);
-    if (!forces)
-      continue;
-    sum_face (contacts, face, result, &normal, &shear, &eccentricity);
-    add_number (cells, "%.5g", normal / per_force);
-    add_number (cells, "%.5g", shear / per_force);
-    add_number (cells, "%.4g", eccentricity / per_length);
+  set_column (cells, rows, COLUMNS, LENGTH, lengths);
+  qn_pages_table (pages, (const char *const *) cells, rows + 1, COLUMNS);
+  tell_rest (pages, contacts->face_count, rows);
+}
+
+static bool
+has_forces (const QnReportRun *run)
+{
+  const QnResult *result = &run->file->result;
+  return result->step_count > 0 && result->pairs != NULL
+         && result->pair_count == run->contacts->pair_count;
+}
+
+/* The forces of joints at the last step, then of contacts that were found on the way. */
+static void
+write_joints (QnPages *pages, const QnReport *report, const QnReportRun *run)
+{
+  enum { JOINT, BETWEEN, LENGTH, N, T, M, E, STATE, COLUMNS };
+  static const QnQuantity quantities[COLUMNS] = {
+    [LENGTH] = QN_QUANTITY_LENGTH, [N] = QN_QUANTITY_FORCE,  [T] = QN_QUANTITY_FORCE,
+    [M] = QN_QUANTITY_MOMENT,      [E] = QN_QUANTITY_LENGTH,
+  };
+  const QnModel *model = &run->project->model;
+  const QnResult *result = &run->file->result;
+  const QnContacts *contacts = run->contacts;
+  size_t step = result->step_count - 1, touch_count;
+  g_autofree QnPairResult *pairs = qn_step_pairs (contacts, result, step);
+  const QnFoundForce *touches = qn_step_found (result, step, &touch_count);
+  size_t joints = contacts->face_count + touch_count, rows = count_rows (report, joints);
+  g_auto (GStrv) cells = g_new0 (char *, (rows + 1) * COLUMNS + 1);
+  g_autofree double *values = g_new (double, rows *COLUMNS + 1); /* by column */
+  QnUnits units = qn_units_of_motion (report->units);
+  const char *const names[COLUMNS] = { _ ("Joint"), _ ("Between"), _ ("Length"), "N", "T",
+                                       "M",         "e",           _ ("State") };
+  for (int c = 0; c < COLUMNS; c++)
+    cells[c] =
+      c >= LENGTH && c <= E
+        ? g_strdup_printf ("%s (%s)", names[c], qn_units_symbol (units, quantities[c]))
+        : g_strdup (names[c]);
+  for (size_t r = 0; r < rows; r++) {
+    char **row = cells + (r + 1) * COLUMNS;
+    bool found = r >= contacts->face_count;
+    const QnFoundForce *touch = &touches[found ? r - contacts->face_count : 0];
+    const QnFoundContact *contact = found ? &result->found[touch->found].contact : NULL;
+    const QnContactFace *face = found ? NULL : &contacts->faces[r];
+    QnJointReading reading = { 0 };
+    if (face != NULL)
+      reading = qn_joint_reading (contacts, (QnId) r, pairs, NULL);
+    row[JOINT] = found ? g_strdup (_ ("found")) : g_strdup_printf ("%zu", r);
+    row[BETWEEN] = found ? dup_between (model, contact->block, contact->other)
+                         : dup_between (model, face->a, face->b);
+    row[STATE] = found ? g_strdup (qn_explain_pair_state (touch->state))
+                       : qn_inspect_dup_state (&reading);
+    bool pressed = reading.place != QN_PLACE_NOWHERE;
+    const double numbers[COLUMNS] = {
+      [LENGTH] = found ? (double) NAN : face->length,
+      [N] = found ? touch->normal : reading.normal,
+      [T] = found ? touch->shear : reading.shear,
+      [M] = found ? (double) NAN : reading.moment,
+      [E] = pressed ? reading.eccentricity : (double) NAN,
+    };
+    for (int c = LENGTH; c <= E; c++)
+      values[(size_t) c * rows + r] = numbers[c] / qn_units_factor (units, quantities[c]);
   }
-  write_table (pages, cells, columns);
-  if (contacts->face_count > MOST_ROWS) {
-    g_autofree char *more =
-      g_strdup_printf (_ ("and %zu more"), contacts->face_count - MOST_ROWS);
-    qn_pages_paragraph (pages, more);
-  }
+  for (size_t c = LENGTH; c <= E; c++)
+    set_column (cells, rows, COLUMNS, c, values + c * rows);
+  g_autofree char *heading = g_strdup_printf (_ ("Forces of joints: %s"), run->name);
+  qn_pages_heading (pages, heading);
+  qn_pages_table (pages, (const char *const *) cells, rows + 1, COLUMNS);
+  tell_rest (pages, joints, rows);
+  qn_pages_paragraph (
+    pages,
+    _ ("At the last step. N: normal force, compression negative; T: shear; M: moment "
+       "about the middle of the joint; e: eccentricity of N."));
 }
 
 static bool
@@ -311,7 +414,8 @@ write_contacts (QnPages *pages, const QnReport *report, GError **error)
   figure.caption = "";
   if (!qn_pages_figure (pages, &figure, 0.45, error))
     return false;
-  write_joints (pages, report, &report->project->model, report->contacts, NULL);
+  if (report->run_count == 0)
+    write_faces (pages, report);
   return true;
 }
 
@@ -344,8 +448,7 @@ write_figure (QnPages *pages, const QnReportRun *run, QnView view, const char *t
 }
 
 static bool
-write_result (QnPages *pages, const QnReport *report, const QnReportRun *run,
-              GError **error)
+write_result (QnPages *pages, const QnReportRun *run, GError **error)
 {
   const QnModel *model = &run->project->model;
   const QnResult *result = &run->file->result;
@@ -371,19 +474,18 @@ write_result (QnPages *pages, const QnReport *report, const QnReportRun *run,
       && !write_figure (pages, run, QN_VIEW_DEFORMED, _ ("Displacements"), error))
     return false;
   if (take_curve (run, &curve)) {
-    const QnCurvePlot plot = { .title = _ ("Load–displacement curve"),
+    const QnCurvePlot plot = { .title = curve.in_time ? _ ("Displacement in time")
+                                                      : _ ("Load–displacement curve"),
                                .curves = &curve,
                                .curve_count = 1 };
     qn_pages_curve (pages, &plot, 0.4);
     qn_curve_clear (&curve);
   }
-  if (result->pairs != NULL && result->step_count > 0
-      && result->pair_count == run->contacts->pair_count) {
-    if (!write_figure (pages, run, QN_VIEW_FORCES, _ ("Contact forces"), error))
-      return false;
-    write_joints (pages, report, model, run->contacts, result);
-  }
-  return true;
+  if (result->beam_forces != NULL
+      && !write_figure (pages, run, QN_VIEW_DIAGRAMS, _ ("Section forces"), error))
+    return false;
+  return !has_forces (run) || run->contacts->face_count == 0
+         || write_figure (pages, run, QN_VIEW_FORCES, _ ("Contact forces"), error);
 }
 
 static void
@@ -486,8 +588,11 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
   if (wanted[QN_REPORT_CONTACTS] && !write_contacts (pages, report, error))
     return false;
   for (size_t i = 0; wanted[QN_REPORT_RESULTS] && i < report->run_count; i++)
-    if (!write_result (pages, report, &report->runs[i], error))
+    if (!write_result (pages, &report->runs[i], error))
       return false;
+  for (size_t i = 0; wanted[QN_REPORT_JOINTS] && i < report->run_count; i++)
+    if (has_forces (&report->runs[i]) && report->runs[i].contacts->face_count > 0)
+      write_joints (pages, report, &report->runs[i]);
   if (wanted[QN_REPORT_CERTIFICATE] && report->run_count > 0)
     write_certificate (pages, report);
   if (wanted[QN_REPORT_COMPARISON] && report->run_count > 1)

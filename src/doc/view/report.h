@@ -1,5 +1,5 @@
 /* A report on a project and what was computed of it: one PDF with model, materials, loads, findings,
- * contacts, every result with its curve and mechanism, the independent check, a comparison, and the
+ * contacts, every result with its curve and mechanism, the forces of joints, the independent check, a comparison, and the
  * files it was made of. */
 #ifndef QN_DOC_REPORT_H
 #define QN_DOC_REPORT_H
@@ -17,6 +17,7 @@ typedef enum {
   QN_REPORT_FINDINGS,
   QN_REPORT_CONTACTS,
   QN_REPORT_RESULTS,
+  QN_REPORT_JOINTS,
   QN_REPORT_CERTIFICATE,
   QN_REPORT_COMPARISON,
   QN_REPORT_FILES,
@@ -43,6 +44,7 @@ typedef struct QnReport {
   const QnReportRun *runs;
   size_t run_count;
   bool sections[QN_REPORT_SECTION_COUNT];
+  bool every_joint; /* tables of joints are whole, however long */
   QnPaper paper;
   QnUnits units;
   const char *generator; /* "quoin 0.1.0" */

@@ -14,6 +14,8 @@
 #define SIZE_FOOT    7.5
 #define CELL_GAP     8.0
 #define ROW_GAP      3.0
+#define HEADING_ROOM 32.0
+#define LEAST_TEXT   36.0 /* of a paragraph beneath its heading */
 
 /* Bytes of a word that are shown at most: the work of breaking one into lines grows with the square of
  * its length. */
@@ -30,6 +32,7 @@ static const struct {
 struct QnPages {
   QnPaper paper;
   char *footer;
+  char *heading; /* waits for what it stands above; or NULL */
   GByteArray *bytes;
   cairo_surface_t *surface;
   cairo_t *cr;
@@ -148,13 +151,6 @@ next_page (QnPages *pages)
   pages->y = MARGIN;
 }
 
-void
-qn_pages_break (QnPages *pages)
-{
-  if (pages->y > MARGIN)
-    next_page (pages);
-}
-
 static void
 need (QnPages *pages, double height)
 {
@@ -183,34 +179,56 @@ flow (QnPages *pages, PangoLayout *layout)
 }
 
 static void
-write_text (QnPages *pages, const char *text, double size, bool bold, double keep,
-            double gap)
+write_text (QnPages *pages, const char *text, double size, bool bold, double gap)
 {
   g_autoptr (PangoLayout) layout =
     new_layout (pages, text, size, bold, text_width (pages));
-  need (pages, keep);
   flow (pages, layout);
   pages->y += gap;
+}
+
+/* Room for what comes next, with its heading above it. */
+static void
+begin (QnPages *pages, double height)
+{
+  g_autofree char *heading = g_steal_pointer (&pages->heading);
+  need (pages, height + (heading != NULL ? HEADING_ROOM : 0));
+  if (heading == NULL)
+    return;
+  if (pages->y > MARGIN)
+    pages->y += 10;
+  write_text (pages, heading, SIZE_HEADING, true, 5);
+}
+
+void
+qn_pages_break (QnPages *pages)
+{
+  if (pages->heading != NULL)
+    begin (pages, 0);
+  if (pages->y > MARGIN)
+    next_page (pages);
 }
 
 void
 qn_pages_title (QnPages *pages, const char *text)
 {
-  write_text (pages, text, SIZE_TITLE, true, 100, 10);
+  begin (pages, 100);
+  write_text (pages, text, SIZE_TITLE, true, 10);
 }
 
 void
 qn_pages_heading (QnPages *pages, const char *text)
 {
-  if (pages->y > MARGIN)
-    pages->y += 10;
-  write_text (pages, text, SIZE_HEADING, true, 80, 5);
+  if (pages->heading != NULL)
+    begin (pages, 0);
+  pages->heading = g_strdup (text);
 }
 
 void
 qn_pages_paragraph (QnPages *pages, const char *text)
 {
-  write_text (pages, text, SIZE_TEXT, false, 0, 6);
+  begin (pages, LEAST_TEXT);
+  write_text (pages, text, SIZE_TEXT, false, 6);
 }
 
 /* Columns as wide as their widest cell, narrowed alike where all are too wide for the page. */
@@ -234,16 +252,32 @@ measure_columns (const QnPages *pages, const char *const *cells, size_t rows,
     widths[c] *= room / sum;
 }
 
+/* Columns of numbers, which are set to the right. */
+static void
+find_numbers (const char *const *cells, size_t rows, size_t columns, bool *numbers)
+{
+  for (size_t c = 0; c < columns; c++) {
+    numbers[c] = rows > 1;
+    for (size_t r = 1; r < rows; r++) {
+      const char *cell = cells[r * columns + c];
+      numbers[c] &=
+        strcmp (cell, "–") == 0 || strspn (cell, "0123456789.,-+e") == strlen (cell);
+    }
+  }
+}
+
 /* The height of a row, pt; drawn at the pages' y where asked for. */
 static double
 lay_row (QnPages *pages, const char *const *cells, size_t columns, const double *widths,
-         bool bold, bool draw)
+         const bool *numbers, bool bold, bool draw)
 {
   double tallest = 0, x = MARGIN;
   for (size_t c = 0; c < columns; c++) {
     int height;
     g_autoptr (PangoLayout) layout =
       new_layout (pages, cells[c], SIZE_TABLE, bold, widths[c]);
+    if (numbers[c])
+      pango_layout_set_alignment (layout, PANGO_ALIGN_RIGHT);
     pango_layout_get_pixel_size (layout, NULL, &height);
     tallest = MAX (tallest, height + ROW_GAP);
     if (draw) {
@@ -257,9 +291,10 @@ lay_row (QnPages *pages, const char *const *cells, size_t columns, const double 
 }
 
 static void
-draw_head (QnPages *pages, const char *const *cells, size_t columns, const double *widths)
+draw_head (QnPages *pages, const char *const *cells, size_t columns, const double *widths,
+           const bool *numbers)
 {
-  pages->y += lay_row (pages, cells, columns, widths, true, true);
+  pages->y += lay_row (pages, cells, columns, widths, numbers, true, true);
   cairo_set_source_rgb (pages->cr, 0, 0, 0);
   cairo_set_line_width (pages->cr, 0.6);
   cairo_move_to (pages->cr, MARGIN, pages->y - 0.5 * ROW_GAP);
@@ -271,17 +306,19 @@ void
 qn_pages_table (QnPages *pages, const char *const *cells, size_t rows, size_t columns)
 {
   g_autofree double *widths = g_new (double, columns);
+  g_autofree bool *numbers = g_new (bool, columns);
   measure_columns (pages, cells, rows, columns, widths);
-  need (pages, 40);
-  draw_head (pages, cells, columns, widths);
+  find_numbers (cells, rows, columns, numbers);
+  begin (pages, 40);
+  draw_head (pages, cells, columns, widths, numbers);
   for (size_t r = 1; r < rows; r++) {
     const char *const *row = cells + r * columns;
-    double height = lay_row (pages, row, columns, widths, false, false);
+    double height = lay_row (pages, row, columns, widths, numbers, false, false);
     if (pages->y + height > bottom (pages)) {
       next_page (pages);
-      draw_head (pages, cells, columns, widths);
+      draw_head (pages, cells, columns, widths, numbers);
     }
-    lay_row (pages, row, columns, widths, false, true);
+    lay_row (pages, row, columns, widths, numbers, false, true);
     pages->y += height;
   }
   pages->y += 8;
@@ -301,7 +338,7 @@ qn_pages_figure (QnPages *pages, const QnFigure *figure, double share, GError **
 {
   double height = share * (bottom (pages) - MARGIN);
   QnPage page = page_of (pages);
-  need (pages, height);
+  begin (pages, height);
   QnFrame frame = {
     .x = MARGIN, .y = pages->y, .width = text_width (pages), .height = height
   };
@@ -317,7 +354,7 @@ qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share)
 {
   double height = share * (bottom (pages) - MARGIN);
   QnPage page = page_of (pages);
-  need (pages, height);
+  begin (pages, height);
   cairo_save (pages->cr);
   qn_curve_plot_draw (plot, pages->cr, &page, MARGIN, pages->y, text_width (pages),
                       height);
@@ -328,6 +365,8 @@ qn_pages_curve (QnPages *pages, const QnCurvePlot *plot, double share)
 GBytes *
 qn_pages_finish (QnPages *pages, GError **error)
 {
+  if (pages->heading != NULL)
+    begin (pages, 0);
   draw_footer (pages);
   cairo_show_page (pages->cr);
   cairo_destroy (pages->cr);

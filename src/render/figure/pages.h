@@ -27,7 +27,8 @@ void qn_pages_heading (QnPages *pages, const char *text);
 /* Wraps, over pages where it must; newlines begin new lines. */
 void qn_pages_paragraph (QnPages *pages, const char *text);
 
-/* `cells`: rows x columns, the first row being the head, repeated on every page. */
+/* `cells`: rows x columns, the first row being the head, repeated on every page. Columns of numbers are
+ * set to the right. */
 void qn_pages_table (QnPages *pages, const char *const *cells, size_t rows,
                      size_t columns);
 
