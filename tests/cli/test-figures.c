@@ -180,6 +180,51 @@ test_animate (void)
   test_scratch_free (folder);
 }
 
+/* Three seconds at five pictures a second, in real time and four times slower. */
+static void
+test_speed (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("40-rocking-in-time.quoin");
+  g_autofree char *result = g_build_filename (folder, "r.json", NULL);
+  CliRun run = cli_run ("solve", model, "-q", "-o", result, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  const struct {
+    const char *speed, *last, *beyond;
+  } cases[] = { { "1", "one/frame-0016.png", "one/frame-0017.png" },
+                { "0.25", "slow/frame-0061.png", "slow/frame-0062.png" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *last = g_build_filename (folder, cases[i].last, NULL);
+    g_autofree char *beyond = g_build_filename (folder, cases[i].beyond, NULL);
+    g_autofree char *into = g_path_get_dirname (last);
+    g_autofree char *frames = g_strconcat (into, "/", NULL);
+    run = cli_run ("animate", model, "--result", result, "--speed", cases[i].speed,
+                   "--rate", "5", "--size", "120x90", "-o", frames, NULL);
+    cli_assert_done (&run);
+    cli_run_clear (&run);
+    g_assert_true (g_file_test (last, G_FILE_TEST_EXISTS));
+    g_assert_false (g_file_test (beyond, G_FILE_TEST_EXISTS));
+  }
+  run = cli_run ("animate", model, "--result", result, "--speed", "1e-5", "-o", "a.gif",
+                 NULL);
+  cli_assert_failed (&run, 2, "pictures");
+  run =
+    cli_run ("animate", model, "--result", result, "--speed", "-1", "-o", "a.gif", NULL);
+  cli_assert_failed (&run, 2, "--speed");
+  run = cli_run ("animate", model, "--result", result, "--speed", "1", "--frames", "9",
+                 "-o", "a.gif", NULL);
+  cli_assert_failed (&run, 2, "--frames");
+  g_autofree char *still = cli_write (folder, "m.quoin", cli_sliding_block);
+  g_autofree char *path = g_build_filename (folder, "still.json", NULL);
+  run = cli_run ("solve", still, "-q", "-o", path, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  run = cli_run ("animate", still, "--result", path, "--speed", "1", "-o", "a.gif", NULL);
+  cli_assert_failed (&run, 2, "--speed");
+  test_scratch_free (folder);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -189,5 +234,6 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/figures/changed-model", test_changed_model_is_said);
   g_test_add_func ("/cli/figures/wrong-recipe", test_wrong_recipe);
   g_test_add_func ("/cli/animate", test_animate);
+  g_test_add_func ("/cli/animate/speed", test_speed);
   return g_test_run ();
 }

@@ -8,6 +8,7 @@
 #include "app/widgets/help.h"
 #include "doc/view/animation-job.h"
 #include <glib/gi18n.h>
+#include <math.h>
 
 enum { FORMAT_GIF, FORMAT_WEBM, FORMAT_PICTURES };
 
@@ -36,6 +37,7 @@ enum {
   HEIGHT,
   FRAMES,
   RATE,
+  SPEED,
   SCALE,
   ONCE,
   CURVE,
@@ -48,13 +50,21 @@ enum {
 };
 
 static const QnFormField fields[] = {
-  [WHAT] = { .id = "what" },         [FORMAT] = { .id = "format" },
-  [WIDTH] = { .id = "width" },       [HEIGHT] = { .id = "height" },
-  [FRAMES] = { .id = "frames" },     [RATE] = { .id = "rate" },
-  [SCALE] = { .id = "scale" },       [ONCE] = { .id = "once" },
-  [CURVE] = { .id = "curve" },       [MONOCHROME] = { .id = "monochrome" },
-  [FIELDS] = { .id = "fields" },     [FACTS] = { .id = "facts" },
-  [PROGRESS] = { .id = "progress" }, [EXPORT] = { .id = "export" },
+  [WHAT] = { .id = "what" },
+  [FORMAT] = { .id = "format" },
+  [WIDTH] = { .id = "width" },
+  [HEIGHT] = { .id = "height" },
+  [FRAMES] = { .id = "frames" },
+  [RATE] = { .id = "rate" },
+  [SPEED] = { .id = "speed" },
+  [SCALE] = { .id = "scale" },
+  [ONCE] = { .id = "once" },
+  [CURVE] = { .id = "curve" },
+  [MONOCHROME] = { .id = "monochrome" },
+  [FIELDS] = { .id = "fields" },
+  [FACTS] = { .id = "facts" },
+  [PROGRESS] = { .id = "progress" },
+  [EXPORT] = { .id = "export" },
   [CANCEL] = { .id = "cancel" },
 };
 
@@ -198,6 +208,13 @@ has_webm (void)
   return qn_animation_check_path ("x.webm", NULL);
 }
 
+static const QnResult *
+result_of (const Dialog *dialog)
+{
+  const QnRun *run = qn_document_get_run (qn_view_state_get_document (dialog->state));
+  return run != NULL ? &run->result : NULL;
+}
+
 /* Whether the current run has what is to move. */
 static gboolean
 is_there (const Dialog *dialog)
@@ -252,6 +269,9 @@ show (gpointer data, guint field, QnValue *value)
   case RATE:
     value->number = s->rate;
     return TRUE;
+  case SPEED:
+    value->number = qn_animation_speed_of (result_of (dialog), s->rate, s->frames);
+    return !mechanism && value->number > 0;
   case SCALE:
     value->number = s->scale;
     return TRUE;
@@ -300,9 +320,16 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     s->height = qn_value_int (value);
   else if (field == FRAMES)
     s->frames = qn_value_int (value);
-  else if (field == RATE)
-    s->rate = value->number;
-  else if (field == SCALE)
+  else if (field == RATE || field == SPEED) {
+    const QnResult *result = result_of (dialog);
+    double speed =
+      field == SPEED ? value->number : qn_animation_speed_of (result, s->rate, s->frames);
+    if (field == RATE)
+      s->rate = value->number;
+    double frames = speed > 0 ? qn_animation_frames_at (result, s->rate, speed) : 0;
+    if (frames > 0)
+      s->frames = (int) fmin (frames, QN_MAX_FRAMES);
+  } else if (field == SCALE)
     s->scale = value->number;
   else if (field == ONCE)
     s->once = on;

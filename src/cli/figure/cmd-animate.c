@@ -15,7 +15,7 @@ typedef struct Options {
   QnPictureOptions picture;
   char *result, *view, *scale;
   int frames;
-  double rate;
+  double rate, speed;
   gboolean once, no_curve, quiet;
   char **overrides;
 } Options;
@@ -37,6 +37,10 @@ check (const QnSubcommand *self, const Options *options, double *scale)
     if (end == options->scale || *end != '\0' || !isfinite (*scale) || *scale <= 0)
       return qn_cli_usage_error (self->name, _ ("--scale is a positive number, or auto"));
   }
+  if (!isfinite (options->speed) || options->speed < 0)
+    return qn_cli_usage_error (self->name, _ ("--speed is a positive number"));
+  if (options->speed > 0 && options->frames > 0)
+    return qn_cli_usage_error (self->name, _ ("either --speed or --frames, not both"));
   if (options->picture.transparent)
     return qn_cli_usage_error (self->name, _ ("animations have a white background"));
   qn_animation_check_path (options->picture.path, &error);
@@ -63,10 +67,33 @@ fill (QnAnimation *animation, const Options *options, double scale, gboolean *sh
   animation->figure.options.scale = scale;
   animation->once = options->once;
   animation->curve = !options->no_curve;
-  animation->frames = options->frames;
+  if (options->frames != 0)
+    animation->frames = options->frames;
   animation->rate = options->rate;
   animation->progress = on_frame;
   animation->user_data = shown;
+}
+
+/* The number of pictures that the speed asks for. */
+static bool
+choose_frames (QnAnimation *animation, const Options *options, GError **error)
+{
+  if (!(options->speed > 0))
+    return true;
+  double frames =
+    qn_animation_frames_at (animation->figure.result, options->rate, options->speed);
+  if (frames == 0)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("--speed: the result is not one of an analysis in time"));
+  else if (frames > QN_MAX_FRAMES)
+    g_set_error (
+      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+      _ ("--speed: these are %.0f pictures; at most %d can be written: choose a "
+         "lower --rate or a higher speed"),
+      frames, QN_MAX_FRAMES);
+  else
+    animation->frames = (int) frames;
+  return frames > 0 && frames <= QN_MAX_FRAMES;
 }
 
 static QnExit
@@ -91,7 +118,9 @@ animate (const Options *options, const QnOutput *output, double scale, const cha
   fill (&animation, options, scale, &shown);
   qn_picture_metadata (&input.project, &metadata);
   qn_interrupt_install ();
-  if (!qn_animation_export (&animation, options->picture.path, output, &metadata, &error))
+  if (!choose_frames (&animation, options, &error)
+      || !qn_animation_export (&animation, options->picture.path, output, &metadata,
+                               &error))
     code = qn_cli_fail (error);
   qn_result_file_clear (&file);
   qn_input_clear (&input);
@@ -101,7 +130,7 @@ animate (const Options *options, const QnOutput *output, double scale, const cha
 static QnExit
 run (const QnSubcommand *self, int argc, char **argv)
 {
-  Options options = { .frames = 48, .rate = 24 };
+  Options options = { .rate = 24 };
   const GOptionEntry entries[] = {
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result that is shown"), N_ ("RESULT.json") },
@@ -114,6 +143,8 @@ run (const QnSubcommand *self, int argc, char **argv)
       N_ ("N") },
     { "rate", 0, 0, G_OPTION_ARG_DOUBLE, &options.rate, N_ ("Pictures per second (24)"),
       N_ ("N") },
+    { "speed", 0, 0, G_OPTION_ARG_DOUBLE, &options.speed,
+      N_ ("Of an analysis in time: its seconds in a second; 1 is real time"), N_ ("F") },
     { "once", 0, 0, G_OPTION_ARG_NONE, &options.once,
       N_ ("Play the mechanism once, not back and forth"), NULL },
     { "no-curve", 0, 0, G_OPTION_ARG_NONE, &options.no_curve,

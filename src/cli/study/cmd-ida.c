@@ -284,13 +284,14 @@ write_csv (const Ida *ida)
   return qn_cli_end (error);
 }
 
-/* Every record up to where it first overturns, and from there level to the end of the plot. */
+/* Every record up to where it first overturns, and dashed from there to that level and along it. */
 static QnExit
 draw (const Ida *ida, const QnOutput *output)
 {
-  g_autofree QnMarks *marks = g_new0 (QnMarks, 2 * ida->count);
-  g_autofree double *levels = g_new0 (double, 4 * ida->count);
+  g_autofree QnMarks *marks = g_new0 (QnMarks, 3 * ida->count);
+  g_autofree double *levels = g_new0 (double, 6 * ida->count);
   gsize count = 0;
+  const char *overturning = _ ("overturns first at this level");
   double farthest = 0;
   QnMetadata metadata;
   GError *error = NULL;
@@ -301,28 +302,40 @@ draw (const Ida *ida, const QnOutput *output)
   for (gsize c = 0; c < ida->count; c++) {
     Curve *curve = &ida->curves[c];
     gsize first = first_collapse (curve);
-    double last = 0;
+    double last = 0, level = 0;
     for (gsize i = 0; i < first; i++)
-      last = curve->known[i] ? curve->displacements[i] : last;
+      if (curve->known[i]) {
+        last = curve->displacements[i];
+        level = curve->peaks[i];
+      }
     marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
                                 .label = curve->name,
                                 .series = (int) c,
                                 .x = curve->displacements,
                                 .y = curve->peaks,
                                 .count = first };
+    marks[count] = marks[count - 1];
+    marks[count].kind = QN_MARKS_POINTS;
+    marks[count++].label = NULL;
     if (first == curve->count)
       continue;
-    double *x = levels + 4 * c, *y = x + 2;
-    x[0] = last;
-    x[1] = farthest > 0 ? 1.1 * farthest : 1;
-    y[0] = y[1] = curve->peaks[first];
-    marks[count++] = (QnMarks){
-      .kind = QN_MARKS_LINE, .series = (int) c, .dashed = true, .x = x, .y = y, .count = 2
-    };
+    double *x = levels + 6 * c, *y = x + 3;
+    x[0] = x[1] = last;
+    x[2] = farthest > 0 ? 1.1 * farthest : 1;
+    y[0] = level;
+    y[1] = y[2] = curve->peaks[first];
+    marks[count++] = (QnMarks){ .kind = QN_MARKS_LINE,
+                                .label = overturning,
+                                .series = (int) c,
+                                .dashed = true,
+                                .x = x,
+                                .y = y,
+                                .count = 3 };
+    overturning = NULL; /* told once */
   }
   QnDataPlot plot = { .title = ida->project.model.title,
-                      .x_label = _ ("Peak displacement [m]"),
-                      .y_label = _ ("Peak acceleration of the ground [m/s²]"),
+                      .x_label = _ ("Peak displacement (m)"),
+                      .y_label = _ ("Peak acceleration of the ground (m/s²)"),
                       .x_from_zero = true,
                       .y_from_zero = true,
                       .marks = marks,

@@ -1,5 +1,7 @@
 #include "doc/view/animation-job.h"
 
+#include <math.h>
+
 #include "doc/view/figure-export.h"
 
 #define TICK_MS 50
@@ -46,6 +48,10 @@ qn_animation_settings_init (QnAnimationSettings *settings, QnViewState *state)
                            .scale = shown.scale,
                            .curve = TRUE,
                            .monochrome = shown.monochrome };
+  double frames =
+    run != NULL ? qn_animation_frames_at (&run->result, settings->rate, 1) : 0;
+  if (frames > 0)
+    settings->frames = (int) fmin (frames, QN_MAX_FRAMES);
 }
 
 /* ---- in the thread ---- */

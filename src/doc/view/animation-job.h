@@ -17,7 +17,7 @@ typedef struct QnAnimationSettings {
   gboolean monochrome;
 } QnAnimationSettings;
 
-/* What the window shows, 800 x 600 px, 48 frames in 2 s. */
+/* What the window shows, 800 x 600 px, 48 frames in 2 s; analyses in time second for second. */
 void qn_animation_settings_init (QnAnimationSettings *settings, QnViewState *state);
 
 /* Frames drawn, on the main context, at most twenty times a second. */

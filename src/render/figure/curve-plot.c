@@ -14,7 +14,7 @@ typedef struct Plot {
   const QnCurvePlot *data;
   cairo_t *cr;
   double unit;
-  double factor; /* of x, from SI to the unit shown */
+  double factor, factor_y; /* of x and y, from SI to the unit shown */
   QnAxis x, y;
 } Plot;
 
@@ -69,14 +69,14 @@ draw_curve (const Plot *plot, size_t index)
   for (size_t i = 0; i < curve->count; i++)
     if (is_drawn (plot->data, curve->x[i], curve->y[i]))
       cairo_line_to (plot->cr, qn_axis_place (&plot->x, curve->x[i] * plot->factor),
-                     qn_axis_place (&plot->y, curve->y[i]));
+                     qn_axis_place (&plot->y, curve->y[i] * plot->factor_y));
   cairo_stroke (plot->cr);
   cairo_restore (plot->cr);
   for (size_t i = 0; i < curve->count && plot->data->points; i++)
     if (is_drawn (plot->data, curve->x[i], curve->y[i]))
-      qn_draw_cairo_marker (plot->cr, QN_MARKER_DOT,
-                            qn_axis_place (&plot->x, curve->x[i] * plot->factor),
-                            qn_axis_place (&plot->y, curve->y[i]), 4.5 * u, 0, u, c);
+      qn_draw_cairo_marker (
+        plot->cr, QN_MARKER_DOT, qn_axis_place (&plot->x, curve->x[i] * plot->factor),
+        qn_axis_place (&plot->y, curve->y[i] * plot->factor_y), 4.5 * u, 0, u, c);
 
   if (curve->runs_on && curve->count > 1) {
     const double *end = curve->x + curve->count - 1;
@@ -84,7 +84,8 @@ draw_curve (const Plot *plot, size_t index)
     qn_draw_cairo_marker (
       plot->cr, QN_MARKER_ARROW_HEAD,
       qn_axis_place (&plot->x, end[0] * plot->factor) + (angle > 0 ? -7 : 7) * u,
-      qn_axis_place (&plot->y, curve->y[curve->count - 1]), 7 * u, angle, u, c);
+      qn_axis_place (&plot->y, curve->y[curve->count - 1] * plot->factor_y), 7 * u, angle,
+      u, c);
   }
 
   const struct {
@@ -99,7 +100,8 @@ draw_curve (const Plot *plot, size_t index)
       qn_draw_cairo_marker (
         plot->cr, marks[k].marker,
         qn_axis_place (&plot->x, curve->x[marks[k].at] * plot->factor),
-        qn_axis_place (&plot->y, curve->y[marks[k].at]), marks[k].size * u, 0, u, c);
+        qn_axis_place (&plot->y, curve->y[marks[k].at] * plot->factor_y),
+        marks[k].size * u, 0, u, c);
 }
 
 static QnColor
@@ -117,7 +119,7 @@ draw_references (const Plot *plot)
   for (size_t i = 0; i < plot->data->reference_count; i++) {
     double dashes[2] = { (i / 2 % 2 == 0 ? 5 : 1.5) * u, 2.5 * u };
     QnColor c = reference_color (plot->data, i);
-    double y = qn_axis_place (&plot->y, plot->data->references[i].y);
+    double y = qn_axis_place (&plot->y, plot->data->references[i].y * plot->factor_y);
     cairo_save (plot->cr);
     qn_set_color (plot->cr, c, 1);
     cairo_set_line_width (plot->cr, 0.8 * u);
@@ -183,12 +185,8 @@ is_in_time (const QnCurvePlot *data)
 }
 
 static const char *
-x_unit (const QnCurvePlot *data, double largest, double *factor)
+motion_unit (const QnCurvePlot *data, double largest, double *factor)
 {
-  if (data->x_unit != NULL || is_in_time (data)) {
-    *factor = 1;
-    return data->x_unit != NULL ? data->x_unit : "s";
-  }
   bool small = largest < (data->rotation ? 0.1 : 1.0);
   *factor = small ? 1000 : 1;
   if (data->rotation)
@@ -196,20 +194,41 @@ x_unit (const QnCurvePlot *data, double largest, double *factor)
   return small ? "mm" : "m";
 }
 
+static const char *
+x_unit (const QnCurvePlot *data, double largest, double *factor)
+{
+  *factor = 1;
+  return data->x_unit != NULL ? data->x_unit
+         : is_in_time (data)  ? "s"
+                              : motion_unit (data, largest, factor);
+}
+
+/* NULL: a multiplier, or what the plot's own label says. */
+static const char *
+y_unit (const QnCurvePlot *data, double largest, double *factor)
+{
+  *factor = 1;
+  return data->y_label == NULL && is_in_time (data) ? motion_unit (data, largest, factor)
+                                                    : NULL;
+}
+
 static void
-draw_names (const Plot *plot, const char *unit, double x, double bottom)
+draw_names (const Plot *plot, const char *unit, const char *unit_y, double x,
+            double bottom)
 {
   const char *name = plot->data->x_label != NULL ? plot->data->x_label
                      : is_in_time (plot->data)   ? _ ("Time")
                                                  : _ ("Displacement");
   g_autofree char *label =
     *unit != '\0' ? g_strdup_printf ("%s (%s)", name, unit) : g_strdup (name);
-  qn_axes_draw_names (&plot->x, &plot->y, plot->cr, plot->unit, label,
-                      plot->data->y_label != NULL ? plot->data->y_label
-                      : !is_in_time (plot->data)  ? _ ("Load multiplier λ")
-                      : plot->data->rotation      ? _ ("Rotation (rad)")
-                                                  : _ ("Displacement (m)"),
-                      x, bottom, plot->data->monochrome);
+  g_autofree char *label_y =
+    unit_y == NULL
+      ? g_strdup (plot->data->y_label != NULL ? plot->data->y_label
+                                              : _ ("Load multiplier λ"))
+      : g_strdup_printf (
+        "%s (%s)", plot->data->rotation ? _ ("Rotation") : _ ("Displacement"), unit_y);
+  qn_axes_draw_names (&plot->x, &plot->y, plot->cr, plot->unit, label, label_y, x, bottom,
+                      plot->data->monochrome);
 }
 
 void
@@ -224,6 +243,8 @@ qn_curve_plot_draw (const QnCurvePlot *data, cairo_t *cr, const QnPage *page, do
   data_ranges (data, &box);
   const char *unit =
     x_unit (data, fmax (fabs (box.min.x), fabs (box.max.x)), &plot.factor);
+  const char *unit_y =
+    y_unit (data, fmax (fabs (box.min.y), fabs (box.max.y)), &plot.factor_y);
 
   double top = y, bottom = y + height;
   g_autoptr (QnScene) legend = create_legend (data);
@@ -234,7 +255,8 @@ qn_curve_plot_draw (const QnCurvePlot *data, cairo_t *cr, const QnPage *page, do
   plot.y.start = bottom - (3.1 * QN_TYPE_TICK + 4) * u;
   plot.y.end = top + 0.6 * QN_TYPE_TICK * u;
   (data->y_log ? qn_axis_set_log : qn_axis_set) (
-    &plot.y, box.min.y, box.max.y, plot.y.start - plot.y.end, QN_TICK_SPACING_Y * u);
+    &plot.y, box.min.y * plot.factor_y, box.max.y * plot.factor_y,
+    plot.y.start - plot.y.end, QN_TICK_SPACING_Y * u);
   plot.x.start =
     x + 1.8 * QN_TYPE_LABEL * u + qn_axis_text_width (&plot.y, cr, u) + 5 * u;
   plot.x.end = x + width - 2.2 * QN_TYPE_TICK * u;
@@ -246,7 +268,7 @@ qn_curve_plot_draw (const QnCurvePlot *data, cairo_t *cr, const QnPage *page, do
     draw_references (&plot);
     for (size_t i = 0; i < data->curve_count; i++)
       draw_curve (&plot, i);
-    draw_names (&plot, unit, x, bottom);
+    draw_names (&plot, unit, unit_y, x, bottom);
   }
   qn_furniture_draw (&furniture, cr, 1, false);
   qn_furniture_clear (&furniture);

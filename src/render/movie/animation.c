@@ -8,6 +8,7 @@
 #include "render/scene/motion.h"
 
 #include <glib/gi18n-lib.h>
+#include <math.h>
 #include <string.h>
 
 #define MARGIN 8.0 /* pt */
@@ -36,6 +37,28 @@ qn_animation_init (QnAnimation *animation, const QnModel *model,
 {
   *animation = (QnAnimation){ .frames = 48, .rate = 24, .curve = true };
   qn_figure_init (&animation->figure, model, contacts, result, view);
+}
+
+/* s, of an analysis in time; else 0. */
+static double
+duration (const QnResult *result)
+{
+  return result != NULL && result->history.width > 0 && result->step_count > 1
+           ? result->steps[result->step_count - 1].time
+           : 0;
+}
+
+double
+qn_animation_frames_at (const QnResult *result, double rate, double speed)
+{
+  double seconds = duration (result);
+  return seconds > 0 ? fmax (1 + round (seconds * rate / speed), 2) : 0;
+}
+
+double
+qn_animation_speed_of (const QnResult *result, double rate, int frames)
+{
+  return duration (result) * rate / (frames - 1);
 }
 
 /* ---- what a frame shows ---------------------------------------------------------------- */

@@ -25,6 +25,11 @@ typedef struct QnAnimation {
 void qn_animation_init (QnAnimation *animation, const QnModel *model,
                         const QnContacts *contacts, const QnResult *result, QnView view);
 
+/* How many pictures show so many seconds of an analysis in time in one second, at least 2; 0 where the
+ * result is not one in time. May exceed QN_MAX_FRAMES. And the speed of so many pictures. */
+double qn_animation_frames_at (const QnResult *result, double rate, double speed);
+double qn_animation_speed_of (const QnResult *result, double rate, int frames);
+
 /* Writes OUT.gif, OUT.webm, or numbered pictures frame-0001.png … into FOLDER/ (a path that
  * ends in a slash or is a folder already; made where missing). On failure or cancelling
  * nothing of this export is left. */
