@@ -6,9 +6,9 @@
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
+#include "core/base/integer.h"
 #include "doc/view/animation-job.h"
 #include <glib/gi18n.h>
-#include <math.h>
 
 enum { FORMAT_GIF, FORMAT_WEBM, FORMAT_PICTURES };
 
@@ -328,7 +328,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
       s->rate = value->number;
     double frames = speed > 0 ? qn_animation_frames_at (result, s->rate, speed) : 0;
     if (frames > 0)
-      s->frames = (int) fmin (frames, QN_MAX_FRAMES);
+      s->frames = (int) qn_to_integer (frames, 2, QN_MAX_FRAMES);
   } else if (field == SCALE)
     s->scale = value->number;
   else if (field == ONCE)

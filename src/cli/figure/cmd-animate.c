@@ -3,6 +3,7 @@
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
+#include "core/base/integer.h"
 #include "render/movie/animation.h"
 
 #include <glib/gi18n.h>
@@ -92,7 +93,7 @@ choose_frames (QnAnimation *animation, const Options *options, GError **error)
          "lower --rate or a higher speed"),
       frames, QN_MAX_FRAMES);
   else
-    animation->frames = (int) frames;
+    animation->frames = (int) qn_to_integer (frames, 2, QN_MAX_FRAMES);
   return frames > 0 && frames <= QN_MAX_FRAMES;
 }
 

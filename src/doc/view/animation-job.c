@@ -1,7 +1,6 @@
 #include "doc/view/animation-job.h"
 
-#include <math.h>
-
+#include "core/base/integer.h"
 #include "doc/view/figure-export.h"
 
 #define TICK_MS 50
@@ -51,7 +50,7 @@ qn_animation_settings_init (QnAnimationSettings *settings, QnViewState *state)
   double frames =
     run != NULL ? qn_animation_frames_at (&run->result, settings->rate, 1) : 0;
   if (frames > 0)
-    settings->frames = (int) fmin (frames, QN_MAX_FRAMES);
+    settings->frames = (int) qn_to_integer (frames, 2, QN_MAX_FRAMES);
 }
 
 /* ---- in the thread ---- */

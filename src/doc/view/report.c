@@ -1,5 +1,6 @@
 #include "doc/view/report.h"
 
+#include "core/base/integer.h"
 #include "doc/text/count-text.h"
 #include "doc/text/explain.h"
 #include "doc/view/inspect.h"
@@ -276,7 +277,8 @@ set_column (char **cells, size_t rows, size_t columns, size_t column,
   for (size_t r = 0; r < rows; r++)
     if (isfinite (values[r]))
       largest = fmax (largest, fabs (values[r]));
-  int decimals = largest > 0 ? (int) CLAMP (3 - floor (log10 (largest)), 0, 9) : 0;
+  int decimals =
+    largest > 0 ? (int) qn_to_integer (3 - floor (log10 (largest)), 0, 9) : 0;
   g_autofree char *format = g_strdup_printf ("%%.%df", decimals);
   double least = 0.5 * pow (10, -decimals); /* no "-0" */
   for (size_t r = 0; r < rows; r++)
