@@ -162,9 +162,11 @@ test_context_menus (void)
     driver_run (200);
     g_assert_true (qn_selection_has_block (selection_of (window), 2));
   }
-  driver_activate_target (window, "win.delete-load", g_variant_new ("(bi)", TRUE, 0));
+  qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
+  driver_activate (window, "win.delete");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 0);
   driver_activate (window, "win.undo");
+  qn_selection_set_blocks (selection_of (window), (QnId[]){ 2 }, 1);
   driver_activate (window, "win.support::pinned");
   g_assert_false (model_of (window)->blocks[2].support[QN_DOF_RZ]);
   driver_discard (window);

@@ -187,25 +187,63 @@ qn_canvas_trace (QnCanvas *self, cairo_t *cr, const QnVec2 *points, gsize count)
   cairo_close_path (cr);
 }
 
-/* Along their axes, wider than these are drawn. */
 static void
-draw_selected_beams (QnCanvas *self, cairo_t *cr)
+trace_line (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
+{
+  QnVec2 s = qn_canvas_to_screen (self, a), t = qn_canvas_to_screen (self, b);
+  cairo_move_to (cr, s.x, s.y);
+  cairo_line_to (cr, t.x, t.y);
+}
+
+/* What the scene draws of a load, and the edges that it lies on. */
+static void
+trace_load (QnCanvas *self, cairo_t *cr, gboolean live, QnId load)
+{
+  const QnScene *scene = qn_canvas_get_scene (self);
+  const QnModel *model = qn_canvas_get_model (self);
+  const QnPickKind pick = live ? QN_PICK_LIVE_LOAD : QN_PICK_DEAD_LOAD;
+  for (guint i = 0; scene != NULL && i < scene->commands->len; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    const QnVec2 *v = qn_scene_points (scene, command);
+    for (uint32_t k = 1; command->pick == pick && command->id == load
+                         && command->kind == QN_COMMAND_STROKE && k < command->count;
+         k++)
+      trace_line (self, cr, v[k - 1], v[k]);
+  }
+  gsize count = 0;
+  const QnEdgeForce *forces = qn_model_edge_forces_of (
+    model, (gsize) load + (live ? model->dead_load_count : 0), &count);
+  for (gsize i = 0; i < count; i++)
+    trace_line (self, cr, forces[i].ends[0], forces[i].ends[1]);
+}
+
+/* Beams along their axes, wider than these are drawn; so a bar, and the arrows of a load. */
+static void
+draw_selected_lines (QnCanvas *self, cairo_t *cr)
 {
   const QnModel *model = qn_canvas_get_model (self);
   guint count = 0;
-  const QnId *ids = qn_selection_get_beams (qn_canvas_get_selection (self), &count);
+  QnSelection *selection = qn_canvas_get_selection (self);
+  const QnId *ids = qn_selection_get_beams (selection, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) ids[i] >= model->beam_count)
       continue;
     const QnId *ends = model->beams[ids[i]].nodes;
-    QnVec2 a = qn_canvas_to_screen (self, model->nodes[ends[0]].at);
-    QnVec2 b = qn_canvas_to_screen (self, model->nodes[ends[1]].at);
-    cairo_move_to (cr, a.x, a.y);
-    cairo_line_to (cr, b.x, b.y);
+    trace_line (self, cr, model->nodes[ends[0]].at, model->nodes[ends[1]].at);
+  }
+  QnId bar = qn_selection_get_item (selection, QN_ITEM_BAR);
+  if (bar != QN_NONE && (gsize) bar < model->bar_count)
+    trace_line (self, cr, model->bars[bar].start, model->bars[bar].end);
+  for (int live = 0; live < 2; live++) {
+    QnId load =
+      qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
+    gsize loads = live ? model->live_load_count : model->dead_load_count;
+    if (load != QN_NONE && (gsize) load < loads)
+      trace_load (self, cr, live, load);
   }
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
   set_ink (cr, QN_INK_SELECTION, 0.3);
-  cairo_set_line_width (cr, 12.0);
+  cairo_set_line_width (cr, 9.0);
   cairo_stroke_preserve (cr);
   set_ink (cr, QN_INK_SELECTION, 1.0);
   cairo_set_line_width (cr, 3.0);
@@ -576,7 +614,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
   if (undeformed) {
     qn_gap_marks_draw (&self->gaps, &self->camera, cr);
     draw_initial (self, cr);
-    draw_selected_beams (self, cr);
+    draw_selected_lines (self, cr);
     draw_findings (self, cr);
   }
   if (scene != NULL)

@@ -94,7 +94,8 @@ typedef struct QnToolSettings {
   gboolean hinges[2];   /* of new beams */
   int elements;         /* of new beams */
   double force;         /* N, of new forces */
-  gboolean live;        /* whether new forces grow with the multiplier */
+  double intensity;     /* N/m, of new loads on edges */
+  gboolean live;        /* whether new forces and edge loads grow with the multiplier */
   char *joint_law;      /* name, given to joints; NULL: none of their own */
   gboolean mirror_copy; /* whether mirroring keeps the original */
 } QnToolSettings;

@@ -1,4 +1,5 @@
-/* Reinforcing bars: a list of them, and what the selected one is made of and where it lies. */
+/* Reinforcing bars: a list of them, and what the selected one is made of and where it lies. The
+ * selected one is that of the drawing. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
@@ -11,13 +12,27 @@
 
 typedef struct Form {
   QnBoundForm base;
-  int selected; /* bar, or -1 */
+  int selected; /* bar, or -1: that of the selection */
+  int wanted;   /* to be selected once an edit has added it; -1: nothing */
 } Form;
 
-enum { BARS, LAW, DIAMETER, START_X, START_Y, END_X, END_Y, ADD, REMOVE };
+enum {
+  BARS,
+  EMPTY,
+  LAW,
+  DIAMETER,
+  START_X,
+  START_Y,
+  END_X,
+  END_Y,
+  ADD,
+  DUPLICATE,
+  REMOVE
+};
 
 static const QnFormField fields[] = {
   [BARS] = { .id = "bars" },
+  [EMPTY] = { .id = "empty" },
   [LAW] = { .id = "law", .step = N_ ("Change Bar") },
   [DIAMETER] = { .id = "diameter", .step = N_ ("Change Bar") },
   [START_X] = { .id = "start_x", .step = N_ ("Change Bar") },
@@ -25,6 +40,7 @@ static const QnFormField fields[] = {
   [END_X] = { .id = "end_x", .step = N_ ("Change Bar") },
   [END_Y] = { .id = "end_y", .step = N_ ("Change Bar") },
   [ADD] = { .id = "add", .step = N_ ("Add Bar") },
+  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Bar") },
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Bar") },
 };
 
@@ -32,8 +48,17 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  int count = (int) qn_canvas_get_model (form->base.canvas)->bar_count;
-  form->selected = MIN (form->selected, count - 1);
+  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  const int count = (int) qn_canvas_get_model (form->base.canvas)->bar_count;
+  const int before = form->selected;
+  if (form->wanted >= 0 && form->wanted < count)
+    qn_selection_set_item (selection, QN_ITEM_BAR, form->wanted);
+  form->wanted = -1;
+  form->selected = qn_selection_get_item (selection, QN_ITEM_BAR);
+  if (form->selected >= count)
+    form->selected = -1;
+  if (form->selected >= 0 && form->selected != before)
+    qn_bound_form_reveal (form);
   return TRUE;
 }
 
@@ -72,6 +97,11 @@ show (gpointer data, guint field, QnValue *value)
     value->rows = dup_bars (model);
     value->number = form->selected;
     return model->bar_count > 0;
+  case EMPTY:
+    value->text =
+      g_strdup (_ ("No bars yet. Draw one with the tool Reinforcing Bar (E), or "
+                   "select blocks and add one through them."));
+    return model->bar_count == 0;
   case LAW:
     if (any)
       qn_value_set_laws (value, model, NULL, bar.law);
@@ -81,6 +111,7 @@ show (gpointer data, guint field, QnValue *value)
     return any;
   case ADD:
     return TRUE;
+  case DUPLICATE:
   case REMOVE:
     value->disabled = !any;
     return TRUE;
@@ -97,7 +128,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnModel *model = draft != NULL ? &draft->model : NULL;
   switch (field) {
   case BARS:
-    form->selected = (int) value->number;
+    qn_selection_set_item (qn_canvas_get_selection (form->base.canvas), QN_ITEM_BAR,
+                           (QnId) value->number);
     return TRUE;
   case LAW:
     model->bars[form->selected].law = (QnId) value->number;
@@ -108,8 +140,11 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case ADD:
     if (!qn_edit_add_bar (model, qn_canvas_get_selected (form->base.canvas), error))
       return FALSE;
-    form->selected = (int) model->bar_count - 1;
+    form->wanted = (int) model->bar_count - 1;
     return TRUE;
+  case DUPLICATE:
+    form->wanted = (int) model->bar_count;
+    return qn_edit_duplicate_bar (model, form->selected, error);
   case REMOVE:
     return qn_edit_remove_bar (model, form->selected, error);
   default:
@@ -121,8 +156,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_bar_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("bar-form", Form, 0);
+  static const QnFormKind kind = QN_FORM_KIND ("bar-form", Form, QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
-  form->selected = -1;
+  form->selected = form->wanted = -1;
   return qn_bound_form_show (form);
 }

@@ -77,7 +77,8 @@ show_list (QnBoundForm *form, GtkListBox *list, const QnValue *value)
     if (child == NULL) {
       GtkWidget *label = gtk_label_new (NULL);
       gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-      gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+      gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+      gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
       qn_context_menu_attach (label, make_menu, form);
       gtk_list_box_append (list, label);
       child = gtk_widget_get_last_child (GTK_WIDGET (list));
@@ -205,6 +206,44 @@ qn_bound_form_show (gpointer data)
   }
   form->showing = FALSE;
   return form->root;
+}
+
+/* In the second frame: in the first one the form gets its place. */
+static gboolean
+scroll_to (GtkWidget *root, GdkFrameClock *clock, gpointer data)
+{
+  QnBoundForm *form = data;
+  GtkWidget *scroller = gtk_widget_get_ancestor (root, GTK_TYPE_SCROLLED_WINDOW);
+  double x, y;
+  (void) clock;
+  if (form->frames++ < 2)
+    return G_SOURCE_CONTINUE;
+  if (scroller != NULL
+      && gtk_widget_translate_coordinates (root, scroller, 0.0, 0.0, &x, &y)) {
+    GtkAdjustment *place =
+      gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (scroller));
+    const double top = gtk_adjustment_get_value (place) + y;
+    const double height =
+      MIN (gtk_widget_get_height (root), gtk_adjustment_get_page_size (place));
+    gtk_adjustment_clamp_page (place, top, top + height);
+  }
+  form->frames = 0;
+  return G_SOURCE_REMOVE;
+}
+
+void
+qn_bound_form_reveal (gpointer data)
+{
+  QnBoundForm *form = data;
+  GtkRoot *window = gtk_widget_get_root (form->root);
+  GtkWidget *focus = window != NULL ? gtk_root_get_focus (window) : NULL;
+  if (GTK_IS_EXPANDER (form->root))
+    gtk_expander_set_expanded (GTK_EXPANDER (form->root), TRUE);
+  if (form->frames == 0
+      && (focus == NULL || !gtk_widget_is_ancestor (focus, form->root))) {
+    form->frames = 1;
+    gtk_widget_add_tick_callback (form->root, scroll_to, form, NULL);
+  }
 }
 
 /* ---- taking ---- */

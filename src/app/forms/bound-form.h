@@ -99,6 +99,7 @@ struct QnBoundForm {
   const QnValue *taken;          /* the value that a step takes, of the field … */
   guint taken_field;
   gboolean showing; /* values are being shown: nobody has entered them */
+  guint frames;     /* that it takes to bring the form into view, so far; 0: it stays */
 };
 
 /* A form of that kind; its struct lives as long as its root. `canvas` is NULL for dialogs, whose
@@ -107,6 +108,10 @@ gpointer qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas);
 
 /* Makes all fields show their values. Returns the root. */
 GtkWidget *qn_bound_form_show (gpointer form);
+
+/* Unfolds a form and brings it into view, because what it is about was chosen elsewhere; where the
+ * focus is in it, it is in view already. */
+void qn_bound_form_reveal (gpointer form);
 
 /* As entered by the user: the number of a field, or its text; while a step takes a value, that. */
 double qn_bound_form_get_number (gpointer form, guint field);

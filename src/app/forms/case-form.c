@@ -10,10 +10,11 @@ typedef struct Form {
   int selected; /* row, or -1 */
 } Form;
 
-enum { CASES, NAME, FACTOR, ADD, REMOVE };
+enum { CASES, EMPTY, NAME, FACTOR, ADD, REMOVE };
 
 static const QnFormField fields[] = {
   [CASES] = { .id = "cases" },
+  [EMPTY] = { .id = "empty" },
   [NAME] = { .id = "name", .step = N_ ("Rename Load Case") },
   [FACTOR] = { .id = "factor", .step = N_ ("Change Factor") },
   [ADD] = { .id = "add", .step = N_ ("Add Load Case") },
@@ -54,6 +55,9 @@ show (gpointer data, guint field, QnValue *value)
     value->rows = dup_rows (model);
     value->number = form->selected;
     return TRUE;
+  case EMPTY:
+    value->text = g_strdup (_ ("No load cases: every load counts as it is."));
+    return model->load_case_count == 0;
   case NAME:
     value->text = shown != NULL ? g_strdup (shown->name) : NULL;
     return shown != NULL;

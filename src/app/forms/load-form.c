@@ -1,6 +1,8 @@
-/* Loads one by one: those that are constant, those that grow, and those of further sets. */
+/* Loads one by one: those that are constant, those that grow, and those of further sets. The selected
+ * one is that of the drawing. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
+#include "app/tools/tools.h"
 #include "app/widgets/settings.h"
 #include "core/model/edge-load.h"
 #include "doc/edit/edit-stage.h"
@@ -16,8 +18,12 @@ enum { ROW_DEAD, ROW_LIVE };
 typedef struct Form {
   QnBoundForm base;
   int32_t shown; /* list */
-  int selected;  /* load of it, or -1 */
+  int selected;  /* load of it, or -1: that of the selection */
+  int wanted;    /* to be selected once an edit has added it; -1: nothing */
 } Form;
+
+/* Of new loads on beams, N/m. */
+#define USUAL_LINE_LOAD 1e4
 
 enum {
   LIST,
@@ -25,6 +31,8 @@ enum {
   ADD_SET,
   REMOVE_SET,
   LOADS,
+  EMPTY,
+  CHOOSE_EDGE,
   CASE,
   WHERE,
   EDGE,
@@ -50,10 +58,14 @@ enum {
   FRICTION_ANGLE,
   ADD_WEIGHT,
   ADD_FORCE,
+  ADD_LINE,
   ADD_SETTLEMENT,
   ADD_EDGE,
   ADD_SURCHARGE,
   ADD_BACKFILL,
+  DUPLICATE,
+  UP,
+  DOWN,
   REMOVE
 };
 
@@ -68,6 +80,8 @@ static const QnFormField fields[] = {
   [ADD_SET] = { .id = "add_set", .step = N_ ("Add Set of Loads") },
   [REMOVE_SET] = { .id = "remove_set", .step = N_ ("Remove Set of Loads") },
   [LOADS] = { .id = "loads" },
+  [EMPTY] = { .id = "empty" },
+  [CHOOSE_EDGE] = { .id = "choose_edge" },
   [CASE] = CHANGE ("case"),
   [WHERE] = CHANGE ("where"),
   [EDGE] = CHANGE ("edge"),
@@ -93,10 +107,14 @@ static const QnFormField fields[] = {
   [FRICTION_ANGLE] = CHANGE ("friction_angle"),
   [ADD_WEIGHT] = { .id = "add_weight", .step = N_ ("Add Load") },
   [ADD_FORCE] = { .id = "add_force", .step = N_ ("Add Load") },
+  [ADD_LINE] = { .id = "add_line", .step = N_ ("Add Load") },
   [ADD_SETTLEMENT] = { .id = "add_settlement", .step = N_ ("Add Load") },
   [ADD_EDGE] = { .id = "add_edge", .step = N_ ("Add Load") },
   [ADD_SURCHARGE] = { .id = "add_surcharge", .step = N_ ("Add Load") },
   [ADD_BACKFILL] = { .id = "add_backfill", .step = N_ ("Add Load") },
+  [DUPLICATE] = { .id = "duplicate", .step = N_ ("Duplicate Load") },
+  [UP] = { .id = "up", .step = N_ ("Move Load") },
+  [DOWN] = { .id = "down", .step = N_ ("Move Load") },
   [REMOVE] = { .id = "remove", .step = N_ ("Remove Load") },
 };
 
@@ -108,14 +126,50 @@ selected_load (const Form *form)
                              : NULL;
 }
 
+/* Number in the model of a load of the list; QN_NONE for none. */
+static QnId
+id_of (const Form *form, int index)
+{
+  return index >= 0 ? qn_model_get_load_id (qn_canvas_get_model (form->base.canvas),
+                                            form->shown, (gsize) index)
+                    : QN_NONE;
+}
+
+static void
+select_load (const Form *form, int index)
+{
+  qn_selection_set_item (qn_canvas_get_selection (form->base.canvas),
+                         form->shown == QN_DEAD_LOADS ? QN_ITEM_DEAD_LOAD
+                                                      : QN_ITEM_LIVE_LOAD,
+                         id_of (form, index));
+}
+
+/* A load that is selected in the drawing is shown in its list. */
 static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  if (form->shown > (int32_t) qn_canvas_get_model (form->base.canvas)->load_set_count)
+  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  if (form->shown > (int32_t) model->load_set_count)
     form->shown = 0;
-  if (selected_load (form) == NULL)
-    form->selected = -1;
+  if (form->wanted >= 0
+      && (gsize) form->wanted < qn_model_count_loads (model, form->shown))
+    select_load (form, form->wanted);
+  const int before = form->selected;
+  form->wanted = form->selected = -1;
+  for (int live = 0; live < 2; live++) {
+    QnId id =
+      qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
+    gsize index;
+    if (id == QN_NONE
+        || (gsize) id >= (live ? model->live_load_count : model->dead_load_count))
+      continue;
+    qn_model_place_load (model, live, id, &form->shown, &index);
+    form->selected = (int) index;
+    if (form->selected != before)
+      qn_bound_form_reveal (form);
+  }
   return TRUE;
 }
 
@@ -285,12 +339,29 @@ show (gpointer data, guint field, QnValue *value)
     value->rows = dup_loads (model, form->shown);
     value->number = form->selected;
     return TRUE;
+  case EMPTY:
+    value->text =
+      g_strdup (_ ("No loads in this list. Add one below, or draw a force or an "
+                   "edge load."));
+    return qn_model_count_loads (model, form->shown) == 0;
+  case CHOOSE_EDGE:
+    return selected_load (form) != NULL && selected_load (form)->kind == QN_LOAD_EDGE;
+  case UP:
+    value->disabled = form->selected <= 0;
+    return TRUE;
+  case DOWN:
+    value->disabled =
+      form->selected < 0
+      || (gsize) form->selected + 1 >= qn_model_count_loads (model, form->shown);
+    return TRUE;
+  case DUPLICATE:
   case REMOVE:
     value->disabled = selected_load (form) == NULL;
     return TRUE;
   case ADD_SET:
   case ADD_WEIGHT:
   case ADD_FORCE:
+  case ADD_LINE:
   case ADD_SETTLEMENT:
   case ADD_EDGE:
   case ADD_SURCHARGE:
@@ -303,12 +374,23 @@ show (gpointer data, guint field, QnValue *value)
 
 /* ---- changes ---- */
 
+/* What a new load acts on: the selected blocks, or the block of the selected load. */
+static QnBlockSet
+loaded_blocks (const Form *form)
+{
+  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  const QnLoad *load = selected_load (form);
+  if (set.count == 0 && load != NULL && load->block != QN_NONE)
+    set = (QnBlockSet){ &load->block, 1 };
+  return set;
+}
+
 /* On the first of the selected blocks, or the second end of the first of the beams. */
 static gboolean
 make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error)
 {
   guint beams = 0;
-  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  QnBlockSet set = loaded_blocks (form);
   const QnId *beam =
     qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
   load->vector.y = -qn_canvas_get_tool_settings (form->base.canvas)->force;
@@ -325,11 +407,29 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
   return TRUE;
 }
 
+/* Down, on the first of the selected beams. */
+static gboolean
+make_line (const Form *form, QnLoad *load, GError **error)
+{
+  guint beams = 0;
+  const QnId *beam =
+    qn_selection_get_beams (qn_canvas_get_selection (form->base.canvas), &beams);
+  if (beams == 0) {
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("Select the beam that the load lies on"));
+    return FALSE;
+  }
+  load->kind = QN_LOAD_LINE;
+  load->beam = beam[0];
+  load->vector.y = -USUAL_LINE_LOAD;
+  return TRUE;
+}
+
 /* Down, where the block is fixed so, by a hundredth of the structure's size. */
 static gboolean
 make_settlement (const Form *form, const QnModel *model, QnLoad *load, GError **error)
 {
-  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  QnBlockSet set = loaded_blocks (form);
   int dof = QN_DOF_UY;
   while (set.count > 0 && dof < QN_DOF_UY + QN_DOF_COUNT
          && !model->blocks[set.ids[0]].support[dof % QN_DOF_COUNT])
@@ -358,15 +458,16 @@ add (Form *form, QnModel *model, guint field, GError **error)
   if (field != ADD_WEIGHT)
     load.vector = qn_vec2 (0.0, 0.0);
   if (field >= ADD_EDGE
-      && !qn_edit_make_edge_load (
-        model, (QnLoadKind) (QN_LOAD_EDGE + (int) (field - ADD_EDGE)),
-        qn_canvas_get_selected (form->base.canvas), &load, error))
+      && !qn_edit_make_edge_load (model,
+                                  (QnLoadKind) (QN_LOAD_EDGE + (int) (field - ADD_EDGE)),
+                                  loaded_blocks (form), &load, error))
     return FALSE;
   if ((field == ADD_FORCE && !make_force (form, model, &load, error))
+      || (field == ADD_LINE && !make_line (form, &load, error))
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error))
       || !qn_edit_append_load (model, form->shown, load, error))
     return FALSE;
-  form->selected = (int) qn_model_count_loads (model, form->shown) - 1;
+  form->wanted = (int) qn_model_count_loads (model, form->shown) - 1;
   return TRUE;
 }
 
@@ -429,30 +530,13 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
   return qn_edit_replace_load (model, form->shown, (gsize) form->selected, load, error);
 }
 
-/* Selects in the drawing what the load acts on. */
+/* What is selected in another list is let go of. */
 static void
-select_loaded (const Form *form)
+show_list (Form *form, int32_t list)
 {
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const QnLoad *load = selected_load (form);
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  if (load == NULL)
-    return;
-  gsize count = 0;
-  const QnEdgeForce *forces = qn_model_edge_forces_of (
-    model,
-    (gsize) (load
-             - (form->shown == QN_DEAD_LOADS ? model->dead_loads : model->live_loads))
-      + (form->shown == QN_DEAD_LOADS ? 0 : model->dead_load_count),
-    &count);
-  g_autoptr (GArray) blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
-  for (gsize i = 0; i < count; i++)
-    if (i == 0 || forces[i].block != forces[i - 1].block)
-      g_array_append_val (blocks, forces[i].block);
-  if (load->block != QN_NONE && count == 0)
-    g_array_append_val (blocks, load->block);
-  if (blocks->len > 0)
-    qn_selection_set_blocks (selection, (const QnId *) blocks->data, blocks->len);
+  if (form->selected >= 0)
+    select_load (form, -1);
+  form->shown = list;
 }
 
 static gboolean
@@ -460,29 +544,40 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   Form *form = data;
   QnModel *model = draft != NULL ? &draft->model : NULL;
+  const int selected = form->selected;
   switch (field) {
   case LIST:
-    form->shown = (int32_t) value->number - ROW_LIVE;
-    form->selected = -1;
+    show_list (form, (int32_t) value->number - ROW_LIVE);
     return TRUE;
   case LOADS:
-    form->selected = (int) value->number;
-    select_loaded (form);
+    select_load (form, (int) value->number);
+    return TRUE;
+  case CHOOSE_EDGE:
+    qn_tool_edge_load_choose (form->base.canvas);
     return TRUE;
   case NAME:
     return qn_edit_rename_load_set (model, form->shown, value->text, error);
   case ADD_SET:
     if (!qn_edit_add_load_set (model, error))
       return FALSE;
-    form->shown = (int32_t) model->load_set_count;
-    form->selected = -1;
+    show_list (form, (int32_t) model->load_set_count);
     return TRUE;
   case REMOVE_SET:
     return qn_edit_delete_load_set (model, form->shown, error);
   case REMOVE:
-    return qn_edit_remove_load (model, form->shown, (gsize) form->selected, error);
+    select_load (form, -1); /* an equal one would take its place */
+    return qn_edit_remove_load (model, form->shown, (gsize) selected, error);
+  case DUPLICATE:
+    form->wanted = form->selected + 1;
+    return qn_edit_duplicate_load (model, form->shown != QN_DEAD_LOADS,
+                                   id_of (form, form->selected), error);
+  case UP:
+  case DOWN:
+    return qn_edit_move_load (model, form->shown != QN_DEAD_LOADS,
+                              id_of (form, form->selected), field == UP ? -1 : 1, error);
   case ADD_WEIGHT:
   case ADD_FORCE:
+  case ADD_LINE:
   case ADD_SETTLEMENT:
   case ADD_EDGE:
   case ADD_SURCHARGE:
@@ -496,9 +591,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 GtkWidget *
 qn_load_form_new (QnCanvas *canvas)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("load-form", Form, 0);
+  static const QnFormKind kind = QN_FORM_KIND ("load-form", Form, QN_FOLLOW_SELECTION);
   Form *form = qn_bound_form_new (&kind, canvas);
   form->shown = QN_DEAD_LOADS;
-  form->selected = -1;
+  form->selected = form->wanted = -1;
   return qn_bound_form_show (form);
 }

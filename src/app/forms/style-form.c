@@ -17,6 +17,7 @@ enum {
   THICKNESS,
   WEIGHT,
   FORCE,
+  INTENSITY,
   FORCE_KIND,
   JOINT_LAW,
   SECTION,
@@ -40,6 +41,7 @@ static const QnFormField fields[] = {
   [THICKNESS] = { .id = "thickness" },
   [WEIGHT] = { .id = "weight" },
   [FORCE] = { .id = "force" },
+  [INTENSITY] = { .id = "intensity" },
   [FORCE_KIND] = { .id = "force_kind" },
   [JOINT_LAW] = { .id = "joint_law" },
   [SECTION] = { .id = "section" },
@@ -67,6 +69,7 @@ static const struct {
   { &qn_tool_beam,
     BIT (SECTION) | BIT (ELEMENTS) | BIT (FIRST_HINGE) | BIT (SECOND_HINGE) },
   { &qn_tool_force, BIT (FORCE) | BIT (FORCE_KIND) },
+  { &qn_tool_edge_load, BIT (INTENSITY) | BIT (FORCE_KIND) },
   { &qn_tool_joint, BIT (JOINT_LAW) },
   { &qn_tool_mirror, BIT (MIRROR_COPY) },
 };
@@ -114,7 +117,7 @@ number_of (QnToolSettings *settings, guint field)
     [UNIT_X] = &style->unit.x,       [UNIT_Y] = &style->unit.y,
     [RING] = &style->ring,           [TAPER] = &style->top_to_foot,
     [THICKNESS] = &style->thickness, [WEIGHT] = &style->unit_weight,
-    [FORCE] = &settings->force,
+    [FORCE] = &settings->force,      [INTENSITY] = &settings->intensity,
   };
   return all[field];
 }

@@ -17,8 +17,11 @@ complete (QnCanvas *canvas)
 {
   QnGesture drawn = *qn_canvas_get_gesture (canvas);
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (drawn.from.x != drawn.to.x || drawn.from.y != drawn.to.y)
-    qn_canvas_edit (canvas, _ ("Add Bar"), NULL, edit_add, &drawn);
+  /* The new bar is selected, so that its numbers are there. */
+  if ((drawn.from.x != drawn.to.x || drawn.from.y != drawn.to.y)
+      && qn_canvas_edit (canvas, _ ("Add Bar"), NULL, edit_add, &drawn))
+    qn_selection_set_item (qn_canvas_get_selection (canvas), QN_ITEM_BAR,
+                           (QnId) qn_canvas_get_model (canvas)->bar_count - 1);
 }
 
 static void

@@ -4,6 +4,7 @@
 #include "app/canvas/handle.h"
 #include "app/tools/tools.h"
 
+#include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>
 
@@ -150,12 +151,48 @@ press_on_face (QnCanvas *canvas, const QnToolEvent *event)
   return TRUE;
 }
 
+/* ---- loads and bars ---- */
+
+/* px: a bar this near to the pointer is meant. */
+#define BAR_PX 5.0
+
+/* The load or bar under the pointer. Blocks are taken hold of in their middle, where loads in weights
+ * have their arrows: `weights` says whether these count. */
+static gboolean
+select_item (QnCanvas *canvas, QnVec2 screen, gboolean weights)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnModel *model = qn_canvas_get_model (canvas);
+  const QnCamera *camera = qn_canvas_get_camera (canvas);
+  QnPick pick =
+    qn_canvas_pick (canvas, screen, 1u << QN_PICK_DEAD_LOAD | 1u << QN_PICK_LIVE_LOAD);
+  gboolean live = pick.kind == QN_PICK_LIVE_LOAD;
+  if (!shows_undeformed (canvas))
+    return FALSE;
+  if (pick.kind != QN_PICK_NOTHING && pick.id != QN_NONE
+      && (weights
+          || (live ? model->live_loads : model->dead_loads)[pick.id].kind
+               != QN_LOAD_WEIGHT)) {
+    qn_selection_set_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD,
+                           pick.id);
+    return TRUE;
+  }
+  QnId bar = qn_model_find_bar (model, qn_camera_to_model (camera, screen),
+                                BAR_PX / camera->scale);
+  if (bar != QN_NONE)
+    qn_selection_set_item (selection, QN_ITEM_BAR, bar);
+  return bar != QN_NONE;
+}
+
+/* Where the button is let go without a drag: a load, a bar, or in the view of the model a joint. */
 static void
-click_on_face (QnCanvas *canvas, const QnToolEvent *event)
+click (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnId face = face_under (canvas, event);
   gboolean plain = (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) == 0;
-  if (face != QN_NONE && plain && event->press_count == 1
+  if (!plain || event->press_count != 1 || select_item (canvas, event->screen, FALSE))
+    return;
+  if (face != QN_NONE
       && qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_MODEL)
     qn_selection_set_face (qn_canvas_get_selection (canvas), face);
 }
@@ -261,6 +298,8 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
   QnVec2 at = qn_camera_to_model (qn_canvas_get_camera (canvas), screen);
   QnToolEvent event = { .screen = screen, .model = at, .point = at, .press_count = 1 };
   guint count = 0;
+  if (select_item (canvas, screen, TRUE))
+    return;
   QnId face = face_under (canvas, &event);
   if (face != QN_NONE) {
     const QnId *faces = qn_selection_get_faces (selection, &count);
@@ -341,8 +380,8 @@ release (QnCanvas *canvas, const QnToolEvent *event)
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (!qn_canvas_is_in_gesture (canvas))
     return;
-  if (!gesture->dragging && gesture->grip.kind == QN_GRIP_NONE && !gesture->band)
-    click_on_face (canvas, event);
+  if (!gesture->dragging && gesture->grip.kind == QN_GRIP_NONE)
+    click (canvas, event);
   if (gesture->band && gesture->dragging)
     finish_band (canvas);
   else if (gesture->grip.kind != QN_GRIP_NONE && gesture->dragging) {

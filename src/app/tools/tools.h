@@ -12,6 +12,9 @@ void qn_tool_select_under (QnCanvas *canvas, QnVec2 screen);
 void qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count,
                             const char *law);
 
+/* Chooses the tool for edge loads, to put the selected one on the edges that are clicked next. */
+void qn_tool_edge_load_choose (QnCanvas *canvas);
+
 /* In the order of the palette; NULL-terminated. */
 extern const QnTool *const qn_tools[];
 const QnTool *qn_tool_find (const char *name);
@@ -31,6 +34,7 @@ extern const QnTool qn_tool_mirror;
 extern const QnTool qn_tool_joint;
 extern const QnTool qn_tool_support;
 extern const QnTool qn_tool_force;
+extern const QnTool qn_tool_edge_load;
 extern const QnTool qn_tool_displace;
 extern const QnTool qn_tool_measure;
 extern const QnTool qn_tool_picture;

@@ -14,6 +14,7 @@ typedef enum {
   QN_NEEDS_IDLE = 1 << 2,        /* no analysis runs that the user has asked for */
   QN_NEEDS_JOB = 1 << 3,         /* one does */
   QN_NEEDS_RUN = 1 << 4,         /* a result is chosen */
+  QN_NEEDS_COPYABLE = 1 << 5,    /* blocks, beams, a load or a bar are selected */
   QN_NEEDS_BEAM_FORCES = 1 << 6, /* the result has section forces */
   QN_NEEDS_UNDO = 1 << 7,        /* there is a step to undo */
   QN_NEEDS_REDO = 1 << 8,        /* there is a step to do again */
@@ -23,6 +24,7 @@ typedef enum {
   QN_NEEDS_MOVABLE = 1 << 12,    /* blocks, beams or an opening are selected */
   QN_NEEDS_FACE = 1 << 13,       /* a contact face is selected */
   QN_NEEDS_EXPORTED = 1 << 14,   /* a figure has been exported */
+  QN_NEEDS_THING = 1 << 15,      /* what can be copied, or an opening, is selected */
 } QnNeeds;
 
 /* Where the keys of an action work: wherever the focus is, not in entries, in the drawing alone. */

@@ -275,6 +275,9 @@ find_facts (QnWindow *self)
   qn_selection_get_blocks (selection, &blocks);
   qn_selection_get_beams (selection, &beams);
   gboolean opening = qn_selection_get_opening (selection, &object, &number);
+  gboolean item = FALSE;
+  for (QnItemKind kind = 0; kind < QN_ITEM_COUNT; kind++)
+    item = item || qn_selection_get_item (selection, kind) != QN_NONE;
   const struct {
     gboolean holds;
     QnNeeds fact;
@@ -291,6 +294,8 @@ find_facts (QnWindow *self)
     { blocks > 1, QN_NEEDS_TWO_BLOCKS },
     { blocks + beams > 0, QN_NEEDS_PARTS },
     { blocks + beams > 0 || opening, QN_NEEDS_MOVABLE },
+    { blocks + beams > 0 || item, QN_NEEDS_COPYABLE },
+    { blocks + beams > 0 || opening || item, QN_NEEDS_THING },
     { qn_selection_get_face (selection) != QN_NONE, QN_NEEDS_FACE },
     { self->last_export != NULL, QN_NEEDS_EXPORTED },
   };

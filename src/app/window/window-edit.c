@@ -4,9 +4,11 @@
 #include "app/window/window-private.h"
 
 #include "core/base/integer.h"
+#include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-place.h"
 #include "doc/edit/edit-shape.h"
+#include "doc/edit/edit-stage.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -123,6 +125,57 @@ selected_opening (QnWindow *self, OpeningEdit *edit)
          && (gsize) edit->opening < list->items[edit->object].wall.opening_count;
 }
 
+/* ---- loads and bars ---- */
+
+typedef struct ItemEdit {
+  QnItemKind kind;
+  QnId item;
+} ItemEdit;
+
+static gboolean
+selected_item (QnWindow *self, ItemEdit *edit)
+{
+  QnSelection *selection = qn_document_get_selection (self->document);
+  for (edit->kind = 0; edit->kind < QN_ITEM_COUNT; edit->kind++) {
+    edit->item = qn_selection_get_item (selection, edit->kind);
+    if (edit->item != QN_NONE)
+      return TRUE;
+  }
+  return FALSE;
+}
+
+static gboolean
+edit_delete_item (QnModel *model, gpointer data, GError **error)
+{
+  const ItemEdit *edit = data;
+  return edit->kind == QN_ITEM_BAR
+           ? qn_edit_remove_bar (model, edit->item, error)
+           : qn_edit_delete_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item,
+                                  error);
+}
+
+static gboolean
+edit_duplicate_item (QnModel *model, gpointer data, GError **error)
+{
+  const ItemEdit *edit = data;
+  return edit->kind == QN_ITEM_BAR
+           ? qn_edit_duplicate_bar (model, edit->item, error)
+           : qn_edit_duplicate_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item,
+                                     error);
+}
+
+/* The copy is selected: that of a load is behind it, that of a bar the last one. */
+static void
+duplicate_item (QnWindow *self, ItemEdit edit)
+{
+  gboolean bar = edit.kind == QN_ITEM_BAR;
+  if (qn_canvas_edit (self->canvas, bar ? _ ("Duplicate Bar") : _ ("Duplicate Load"),
+                      NULL, edit_duplicate_item, &edit))
+    qn_selection_set_item (
+      qn_document_get_selection (self->document), edit.kind,
+      bar ? (QnId) qn_document_get_model (self->document)->bar_count - 1 : edit.item + 1);
+}
+
 /* ---- actions ---- */
 
 static void
@@ -130,7 +183,13 @@ delete_selected (QnWindow *self, GVariant *parameter)
 {
   (void) parameter;
   OpeningEdit opening = { 0 };
-  if (selected_opening (self, &opening)) {
+  ItemEdit item;
+  if (selected_item (self, &item)) {
+    qn_selection_clear (qn_document_get_selection (self->document));
+    qn_canvas_edit (self->canvas,
+                    item.kind == QN_ITEM_BAR ? _ ("Remove Bar") : _ ("Remove Load"), NULL,
+                    edit_delete_item, &item);
+  } else if (selected_opening (self, &opening)) {
     qn_selection_clear (qn_document_get_selection (self->document));
     qn_canvas_edit_project (self->canvas, _ ("Fill Opening"), NULL, edit_fill, &opening);
   } else
@@ -209,6 +268,11 @@ duplicate (QnWindow *self, GVariant *parameter)
   (void) parameter;
   QnVec2 low, high;
   QnModel before;
+  ItemEdit item;
+  if (selected_item (self, &item)) {
+    duplicate_item (self, item);
+    return;
+  }
   if (!qn_canvas_get_parts_box (self->canvas, &low, &high)
       || qn_model_copy (qn_document_get_model (self->document), &before, NULL) != QN_OK)
     return;
@@ -418,29 +482,6 @@ set_joint_law (QnWindow *self, GVariant *parameter)
     qn_selection_get_faces (qn_document_get_selection (self->document), &count);
   qn_tool_joint_set_law (self->canvas, ids, count,
                          g_variant_get_string (parameter, NULL));
-}
-
-typedef struct GoneLoad {
-  gboolean live;
-  int load;
-} GoneLoad;
-
-static gboolean
-edit_delete_load (QnModel *model, gpointer data, GError **error)
-{
-  const GoneLoad *gone = data;
-  return qn_edit_delete_load (model, gone->live, gone->load, error);
-}
-
-static void
-delete_load (QnWindow *self, GVariant *parameter)
-{
-  GoneLoad gone;
-  const QnModel *model = qn_document_get_model (self->document);
-  g_variant_get (parameter, "(bi)", &gone.live, &gone.load);
-  gsize count = gone.live ? model->live_load_count : model->dead_load_count;
-  if (gone.load >= 0 && (gsize) gone.load < count)
-    qn_canvas_edit (self->canvas, _ ("Delete Load"), NULL, edit_delete_load, &gone);
 }
 
 /* A row of a list. */
@@ -653,7 +694,6 @@ qn_window_add_edit_actions (QnWindow *self)
     { "distribute", "s", distribute },
     { "support", "s", hold },
     { "joint-law", "s", set_joint_law },
-    { "delete-load", "(bi)", delete_load },
     { "copy-text", "s", copy_text },
     { "undo", NULL, undo },
     { "redo", NULL, redo },

@@ -48,15 +48,6 @@ complete_joint_menu (GtkBuilder *builder, const QnModel *model)
 }
 
 static GMenu *
-make_load_menu (gboolean live, QnId load)
-{
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("context-menus");
-  qn_menu_add_target (get (builder, "load-edit"), _ ("De_lete Load"), "win.delete-load",
-                      g_variant_new ("(bi)", live, (int) load));
-  return g_object_ref (get (builder, "load"));
-}
-
-static GMenu *
 make_for_selection (QnWindow *self)
 {
   QnSelection *selection = qn_document_get_selection (self->document);
@@ -70,6 +61,11 @@ make_for_selection (QnWindow *self)
   qn_selection_get_beams (selection, &beams);
   if (qn_selection_get_opening (selection, &object, &opening))
     id = "opening";
+  else if (qn_selection_get_item (selection, QN_ITEM_BAR) != QN_NONE)
+    return g_object_ref (get (builder, "bar"));
+  else if (qn_selection_get_item (selection, QN_ITEM_DEAD_LOAD) != QN_NONE
+           || qn_selection_get_item (selection, QN_ITEM_LIVE_LOAD) != QN_NONE)
+    return g_object_ref (get (builder, "load"));
   else if (qn_selection_get_face (selection) != QN_NONE) {
     id = "joint";
     complete_joint_menu (builder, model);
@@ -115,11 +111,6 @@ make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
     return G_MENU_MODEL (make_for_selection (self));
   }
   QnVec2 at = qn_vec2 (place->x, place->y);
-  QnPick load =
-    qn_canvas_pick (self->canvas, at, 1u << QN_PICK_DEAD_LOAD | 1u << QN_PICK_LIVE_LOAD);
-  if (load.kind != QN_PICK_NOTHING && load.id != QN_NONE
-      && !qn_view_needs_result (qn_view_state_get_view (self->state)))
-    return G_MENU_MODEL (make_load_menu (load.kind == QN_PICK_LIVE_LOAD, load.id));
   qn_tool_select_under (self->canvas, at);
   return G_MENU_MODEL (make_for_selection (self));
 }

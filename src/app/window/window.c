@@ -459,6 +459,7 @@ static const QnToolSettings first_settings = { .masonry = { .unit = { 0.4, 0.175
                                                             .top_to_foot = 1.0 },
                                                .elements = 1,
                                                .force = 1000.0,
+                                               .intensity = 1e4,
                                                .live = TRUE };
 
 static void

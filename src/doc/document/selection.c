@@ -14,6 +14,8 @@ struct _QnSelection {
   GArray *faces;  /* of QnId, ascending */
   QnId object;    /* of the opening, or QN_NONE */
   int opening;
+  QnItemKind kind; /* of the item */
+  QnId item;       /* or QN_NONE */
 };
 
 G_DEFINE_FINAL_TYPE (QnSelection, qn_selection, G_TYPE_OBJECT)
@@ -44,7 +46,7 @@ qn_selection_init (QnSelection *self)
   self->blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
   self->beams = g_array_new (FALSE, FALSE, sizeof (QnId));
   self->faces = g_array_new (FALSE, FALSE, sizeof (QnId));
-  self->object = QN_NONE;
+  self->object = self->item = QN_NONE;
 }
 
 QnSelection *
@@ -83,7 +85,7 @@ gboolean
 qn_selection_is_empty (QnSelection *self)
 {
   return self->blocks->len == 0 && self->beams->len == 0 && self->faces->len == 0
-         && self->object == QN_NONE;
+         && self->object == QN_NONE && self->item == QN_NONE;
 }
 
 void
@@ -115,15 +117,15 @@ same_ids (const GArray *a, const GArray *b)
 
 /* Takes over the lists. */
 static void
-replace (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces, QnId object,
-         int opening)
+replace_all (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces, QnId object,
+             int opening, QnItemKind kind, QnId item)
 {
   sort_ids (blocks);
   sort_ids (beams);
   sort_ids (faces);
   gboolean same = same_ids (blocks, self->blocks) && same_ids (beams, self->beams)
                   && same_ids (faces, self->faces) && object == self->object
-                  && opening == self->opening;
+                  && opening == self->opening && kind == self->kind && item == self->item;
   g_array_unref (self->blocks);
   g_array_unref (self->beams);
   g_array_unref (self->faces);
@@ -132,8 +134,16 @@ replace (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces, QnId o
   self->faces = faces;
   self->object = object;
   self->opening = opening;
+  self->kind = kind;
+  self->item = item;
   if (!same)
     emit_changed (self);
+}
+
+static void
+replace (QnSelection *self, GArray *blocks, GArray *beams, GArray *faces)
+{
+  replace_all (self, blocks, beams, faces, QN_NONE, 0, QN_ITEM_DEAD_LOAD, QN_NONE);
 }
 
 static GArray *
@@ -167,13 +177,13 @@ ids_toggled (GArray *ids, QnId id)
 static void
 replace_bodies (QnSelection *self, GArray *blocks, GArray *beams)
 {
-  replace (self, blocks, beams, new_ids (), QN_NONE, 0);
+  replace (self, blocks, beams, new_ids ());
 }
 
 static void
 replace_faces (QnSelection *self, GArray *faces)
 {
-  replace (self, new_ids (), new_ids (), faces, QN_NONE, 0);
+  replace (self, new_ids (), new_ids (), faces);
 }
 
 void
@@ -267,8 +277,8 @@ qn_selection_toggle_face (QnSelection *self, QnId face)
 void
 qn_selection_set_opening (QnSelection *self, QnId object, int opening)
 {
-  replace (self, new_ids (), new_ids (), new_ids (), object,
-           object != QN_NONE ? opening : 0);
+  replace_all (self, new_ids (), new_ids (), new_ids (), object,
+               object != QN_NONE ? opening : 0, QN_ITEM_DEAD_LOAD, QN_NONE);
 }
 
 gboolean
@@ -277,6 +287,19 @@ qn_selection_get_opening (QnSelection *self, QnId *object, int *opening)
   *object = self->object;
   *opening = self->opening;
   return self->object != QN_NONE;
+}
+
+void
+qn_selection_set_item (QnSelection *self, QnItemKind kind, QnId id)
+{
+  replace_all (self, new_ids (), new_ids (), new_ids (), QN_NONE, 0,
+               id != QN_NONE ? kind : QN_ITEM_DEAD_LOAD, id);
+}
+
+QnId
+qn_selection_get_item (QnSelection *self, QnItemKind kind)
+{
+  return self->kind == kind ? self->item : QN_NONE;
 }
 
 /* ---- what belongs together ---- */
@@ -425,6 +448,67 @@ follow_block (const QnModel *before, QnId old, const QnModel *after)
   return renamed ? old : QN_NONE;
 }
 
+static gsize
+count_items (const QnModel *model, QnItemKind kind)
+{
+  return kind == QN_ITEM_BAR         ? model->bar_count
+         : kind == QN_ITEM_LIVE_LOAD ? model->live_load_count
+                                     : model->dead_load_count;
+}
+
+static const char *
+name_of_block (const QnModel *model, QnId block)
+{
+  return block != QN_NONE ? model->blocks[block].name : NULL;
+}
+
+static gboolean
+same_load (const QnModel *a, const QnLoad *one, const QnModel *b, const QnLoad *other)
+{
+  return one->kind == other->kind && one->set == other->set
+         && one->load_case == other->load_case && one->vector.x == other->vector.x
+         && one->vector.y == other->vector.y && one->moment == other->moment
+         && one->node == other->node && one->beam == other->beam
+         && one->value == other->value && one->dof == other->dof
+         && one->edge == other->edge && one->edge_count == other->edge_count
+         && one->side == other->side && one->pressure == other->pressure
+         && one->level == other->level
+         && memcmp (one->intensity, other->intensity, sizeof one->intensity) == 0
+         && memcmp (one->part, other->part, sizeof one->part) == 0
+         && memcmp (one->span, other->span, sizeof one->span) == 0
+         && g_strcmp0 (name_of_block (a, one->block), name_of_block (b, other->block))
+              == 0;
+}
+
+static gboolean
+same_item (QnItemKind kind, const QnModel *a, QnId one, const QnModel *b, QnId other)
+{
+  if (kind != QN_ITEM_BAR) {
+    gboolean live = kind == QN_ITEM_LIVE_LOAD;
+    return same_load (a, live ? &a->live_loads[one] : &a->dead_loads[one], b,
+                      live ? &b->live_loads[other] : &b->dead_loads[other]);
+  }
+  const QnBar *x = &a->bars[one], *y = &b->bars[other];
+  return x->area == y->area && x->start.x == y->start.x && x->start.y == y->start.y
+         && x->end.x == y->end.x && x->end.y == y->end.y;
+}
+
+/* The same one at its place or elsewhere; where none is the same, the one at its place was changed,
+ * unless there are fewer or more than before. */
+static QnId
+follow_item (QnItemKind kind, QnId old, const QnModel *before, const QnModel *after)
+{
+  const gsize then = count_items (before, kind), now = count_items (after, kind);
+  if (old == QN_NONE || (gsize) old >= then)
+    return QN_NONE;
+  if ((gsize) old < now && same_item (kind, before, old, after, old))
+    return old;
+  for (QnId i = 0; i < (QnId) now; i++)
+    if (same_item (kind, before, old, after, i))
+      return i;
+  return now == then ? old : QN_NONE;
+}
+
 void
 qn_selection_follow (QnSelection *self, const QnModel *before,
                      const QnContacts *contacts_before, const QnModel *after,
@@ -455,7 +539,8 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
     if (id != QN_NONE)
       g_array_append_val (faces, id);
   }
-  replace (self, blocks, beams, faces, self->object, self->opening);
+  replace_all (self, blocks, beams, faces, self->object, self->opening, self->kind,
+               follow_item (self->kind, self->item, before, after));
 }
 
 QnPartSet

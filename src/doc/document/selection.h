@@ -1,7 +1,8 @@
-/* What is selected: blocks and beams, or contact faces, or an opening of parametric masonry.
+/* What is selected: blocks and beams, or contact faces, or an opening of parametric masonry, or a
+ * load or reinforcing bar.
  *
- * Blocks and beams are remembered by name across edits, because their numbers change, and faces by
- * the names of their blocks and their place. Emits "changed".
+ * Blocks and beams are remembered by name across edits, because their numbers change, faces by the
+ * names of their blocks and their place, loads and bars by what they say. Emits "changed".
  */
 #ifndef QN_DOC_SELECTION_H
 #define QN_DOC_SELECTION_H
@@ -49,6 +50,18 @@ void qn_selection_toggle_face (QnSelection *selection, QnId face);
  * edits change: whoever asks must check that they still are. */
 void qn_selection_set_opening (QnSelection *selection, QnId object, int opening);
 gboolean qn_selection_get_opening (QnSelection *selection, QnId *object, int *opening);
+
+/* Selects the i-th of the model's dead loads, live loads (those of all sets) or bars, and nothing
+ * else; QN_NONE for none. */
+typedef enum {
+  QN_ITEM_DEAD_LOAD,
+  QN_ITEM_LIVE_LOAD,
+  QN_ITEM_BAR,
+  QN_ITEM_COUNT
+} QnItemKind;
+void qn_selection_set_item (QnSelection *selection, QnItemKind kind, QnId id);
+/* The selected one of this kind, or QN_NONE. */
+QnId qn_selection_get_item (QnSelection *selection, QnItemKind kind);
 
 /* Every block and beam. */
 void qn_selection_select_all (QnSelection *selection, const QnModel *model);

@@ -1,6 +1,7 @@
 #include "doc/edit/edit-bar.h"
 
 #include "core/base/box.h"
+#include "core/base/polygon.h"
 #include "doc/text/law-preset.h"
 #include <glib/gi18n.h>
 #include <math.h>
@@ -108,18 +109,55 @@ qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
                            error);
 }
 
+static gboolean
+has_bar (const QnModel *model, QnId bar, GError **error)
+{
+  gboolean has = bar >= 0 && (gsize) bar < model->bar_count;
+  if (!has)
+    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                         _ ("There is no such bar"));
+  return has;
+}
+
 gboolean
 qn_edit_remove_bar (QnModel *model, QnId bar, GError **error)
 {
-  if (bar < 0 || (gsize) bar >= model->bar_count) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is no such bar"));
+  if (!has_bar (model, bar, error))
     return FALSE;
-  }
   model->bar_count--;
   memmove (model->bars + bar, model->bars + bar + 1,
            (model->bar_count - (gsize) bar) * sizeof *model->bars);
   return TRUE;
+}
+
+gboolean
+qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error)
+{
+  QnBar *added = has_bar (model, bar, error) ? qn_model_add_bar (model) : NULL;
+  if (added == NULL)
+    return *error != NULL ? FALSE : qn_edit_no_memory (error);
+  *added = model->bars[bar];
+  QnVec2 along = qn_vec2_sub (added->end, added->start);
+  QnVec2 aside =
+    qn_vec2_scale (4.0 * qn_bar_get_diameter (added->area) / qn_vec2_length (along),
+                   qn_vec2 (-along.y, along.x));
+  added->start = qn_vec2_add (added->start, aside);
+  added->end = qn_vec2_add (added->end, aside);
+  return TRUE;
+}
+
+QnId
+qn_model_find_bar (const QnModel *model, QnVec2 at, double reach)
+{
+  QnId nearest = QN_NONE;
+  for (gsize i = 0; i < model->bar_count; i++) {
+    double distance = qn_segment_distance (model->bars[i].start, model->bars[i].end, at);
+    if (distance > reach)
+      continue;
+    reach = distance;
+    nearest = (QnId) i;
+  }
+  return nearest;
 }
 
 static char *

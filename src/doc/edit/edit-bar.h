@@ -15,6 +15,11 @@ gboolean qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error);
 /* Adds one of 16 mm from point to point, m. */
 gboolean qn_edit_draw_bar (QnModel *model, QnVec2 start, QnVec2 end, GError **error);
 gboolean qn_edit_remove_bar (QnModel *model, QnId bar, GError **error);
+/* Adds one like it as the last, four diameters to the left of it. */
+gboolean qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error);
+
+/* The bar nearest to a point, within `reach`, m; or QN_NONE. */
+QnId qn_model_find_bar (const QnModel *model, QnVec2 at, double reach);
 
 /* Diameter of one round bar of the area, m, m2; and the other way round. */
 double qn_bar_get_diameter (double area);

@@ -196,6 +196,7 @@ is_translation (QnTransform t)
 static void
 move_points (QnModel *model, const gboolean *flags, QnTransform transform)
 {
+  qn_edit_move_edge_loads (model, flags, transform);
   for (gsize i = 0; i < model->block_count; i++) {
     if (!flags[i])
       continue;

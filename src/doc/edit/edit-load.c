@@ -1,3 +1,4 @@
+#include "core/base/polygon.h"
 #include "core/base/tolerance.h"
 #include "core/model/edge-load.h"
 #include "doc/edit/edit.h"
@@ -19,6 +20,78 @@ qn_edit_add_force (QnModel *model, QnId block, gboolean live, QnVec2 force, QnVe
   load->has_at = true;
   load->at = at;
   return TRUE;
+}
+
+QnEdgeChain
+qn_model_find_edge (const QnModel *model, QnVec2 at, double reach, QnId of)
+{
+  QnEdgeChain found = { QN_NONE, 0, 1 };
+  for (QnId b = 0; b < (QnId) model->block_count; b++) {
+    const QnVec2 *v = qn_model_block_vertices (model, b);
+    const QnId n = model->blocks[b].vertex_count;
+    for (QnId edge = 0; edge < n && (of == QN_NONE || of == b); edge++) {
+      const QnVec2 start = v[edge], way = qn_vec2_sub (v[(edge + 1) % n], start);
+      double distance = qn_segment_distance (start, v[(edge + 1) % n], at);
+      if (qn_vec2_cross (way, qn_vec2_sub (at, start)) > 0.0)
+        distance -= QN_TOLERANCE_CONVEX * qn_vec2_length (way);
+      if (distance >= reach)
+        continue;
+      reach = distance;
+      found = (QnEdgeChain){ b, edge, 1 };
+    }
+  }
+  return found;
+}
+
+QnEdgeChain
+qn_model_join_edges (const QnModel *model, QnEdgeChain from, QnEdgeChain to)
+{
+  const QnId n = model->blocks[from.block].vertex_count;
+  const QnId forward = (to.first - from.first + n) % n + 1;
+  const QnId backward = (from.first - to.first + n) % n + 1;
+  if (forward <= backward)
+    to.first = from.first;
+  to.count = MIN (forward, backward);
+  return to;
+}
+
+void
+qn_load_set_chain (QnLoad *load, QnEdgeChain chain)
+{
+  load->block = chain.block;
+  load->has_side = false;
+  load->edge = chain.first;
+  load->edge_count = chain.count;
+}
+
+gboolean
+qn_edit_add_edge_load (QnModel *model, QnEdgeChain chain, gboolean live, double intensity,
+                       GError **error)
+{
+  QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
+  if (load == NULL)
+    return qn_edit_no_memory (error);
+  load->kind = QN_LOAD_EDGE;
+  load->normal = true;
+  load->part[1] = 1.0;
+  load->intensity[0] = load->intensity[1] = intensity;
+  qn_load_set_chain (load, chain);
+  return TRUE;
+}
+
+void
+qn_edit_move_edge_loads (QnModel *model, const gboolean *blocks, QnTransform t)
+{
+  const gboolean turns = t.xx != 1.0 || t.yy != 1.0 || t.xy != 0.0 || t.yx != 0.0;
+  const gsize dead = model->dead_load_count;
+  for (gsize i = 0; turns && i < dead + model->live_load_count; i++) {
+    QnLoad *load = i < dead ? &model->dead_loads[i] : &model->live_loads[i - dead];
+    QnEdgeChain chain = { .block = load->block };
+    if (load->kind != QN_LOAD_EDGE || !load->has_side || !blocks[load->block])
+      continue;
+    qn_load_chain (model, load, &chain.first, &chain.count);
+    qn_load_set_chain (load, chain);
+  }
 }
 
 static void

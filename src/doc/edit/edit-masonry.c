@@ -214,10 +214,15 @@ dup_rest (const QnModel *model, QnBlockSet set, const gboolean *whole)
   return (QnBlockSet){ ids, count };
 }
 
-/* Forces keep their points of application on the blocks of objects that move. */
+/* Forces keep their points of application on the blocks of objects that move, and loads on edges their
+ * edges. */
 static void
 move_forces (QnModel *model, const gboolean *whole, QnTransform transform)
 {
+  g_autofree gboolean *moved = g_new0 (gboolean, model->block_count + 1);
+  for (gsize i = 0; i < model->block_count; i++)
+    moved[i] = model->blocks[i].masonry != QN_NONE && whole[model->blocks[i].masonry];
+  qn_edit_move_edge_loads (model, moved, transform);
   QnLoad *lists[] = { model->dead_loads, model->live_loads };
   gsize counts[] = { model->dead_load_count, model->live_load_count };
   for (int l = 0; l < 2; l++) {
@@ -225,15 +230,13 @@ move_forces (QnModel *model, const gboolean *whole, QnTransform transform)
       QnLoad *load = &lists[l][i];
       if (load->kind != QN_LOAD_FORCE || !load->has_at)
         continue;
-      QnId object = model->blocks[load->block].masonry;
-      if (object != QN_NONE && whole[object])
+      if (moved[load->block])
         load->at = qn_transform_apply (transform, load->at);
     }
   }
   for (gsize i = 0; i < model->node_count; i++) {
     QnNode *node = &model->nodes[i];
-    QnId object = node->block != QN_NONE ? model->blocks[node->block].masonry : QN_NONE;
-    if (object != QN_NONE && whole[object] && node->seat == QN_SEAT_POINT)
+    if (node->block != QN_NONE && moved[node->block] && node->seat == QN_SEAT_POINT)
       node->at = qn_transform_apply (transform, node->at);
   }
 }

@@ -264,6 +264,56 @@ qn_edit_remove_load (QnModel *model, int32_t list, gsize index, GError **error)
                               (QnId) find_load (model, list, index), error);
 }
 
+gboolean
+qn_edit_duplicate_load (QnModel *model, gboolean live, QnId load, GError **error)
+{
+  const gsize behind = (gsize) load + 1;
+  const gsize count = live ? model->live_load_count : model->dead_load_count;
+  if (load < 0 || behind > count)
+    return refuse_load (error);
+  const QnLoad copy = live ? model->live_loads[load] : model->dead_loads[load];
+  if (!qn_edit_append_load (model, live ? copy.set : QN_DEAD_LOADS, copy, error))
+    return FALSE;
+  QnLoad *loads = live ? model->live_loads : model->dead_loads;
+  memmove (loads + behind + 1, loads + behind, (count - behind) * sizeof *loads);
+  loads[behind] = copy;
+  return TRUE;
+}
+
+gboolean
+qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **error)
+{
+  QnLoad *loads = live ? model->live_loads : model->dead_loads;
+  const QnId count = (QnId) (live ? model->live_load_count : model->dead_load_count);
+  QnId other = load + by;
+  while (other >= 0 && other < count && loads[other].set != loads[load].set)
+    other += by;
+  if (load < 0 || load >= count || other < 0 || other >= count)
+    return refuse_load (error);
+  const QnLoad moved = loads[load];
+  loads[load] = loads[other];
+  loads[other] = moved;
+  return TRUE;
+}
+
+void
+qn_model_place_load (const QnModel *model, gboolean live, QnId load, int32_t *list,
+                     gsize *index)
+{
+  *list = live ? model->live_loads[load].set : QN_DEAD_LOADS;
+  *index = live ? 0 : (gsize) load;
+  for (QnId i = 0; live && i < load; i++)
+    *index += model->live_loads[i].set == *list;
+}
+
+QnId
+qn_model_get_load_id (const QnModel *model, int32_t list, gsize index)
+{
+  return qn_model_get_load (model, list, index) != NULL
+           ? (QnId) find_load (model, list, index)
+           : QN_NONE;
+}
+
 /* ---- stages ---- */
 
 static gboolean

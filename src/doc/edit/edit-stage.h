@@ -42,6 +42,18 @@ gboolean qn_edit_replace_load (QnModel *model, int32_t list, gsize index, QnLoad
                                GError **error);
 gboolean qn_edit_remove_load (QnModel *model, int32_t list, gsize index, GError **error);
 
+/* Of the i-th of the dead or of the live loads: adds a copy behind it; changes places with the one
+ * before (by = -1) or behind it (1) in its list. */
+gboolean qn_edit_duplicate_load (QnModel *model, gboolean live, QnId load,
+                                 GError **error);
+gboolean qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by,
+                            GError **error);
+
+/* Its list and place there, and back; QN_NONE where there is none. */
+void qn_model_place_load (const QnModel *model, gboolean live, QnId load, int32_t *list,
+                          gsize *index);
+QnId qn_model_get_load_id (const QnModel *model, int32_t list, gsize index);
+
 /* ---- stages ---- */
 
 /* Appends a stage: the first takes over the procedure of the analysis and its live loads; others

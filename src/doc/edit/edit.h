@@ -89,6 +89,29 @@ gboolean qn_edit_add_force (QnModel *model, QnId block, gboolean live, QnVec2 fo
                             QnVec2 at, GError **error);
 gboolean qn_edit_delete_load (QnModel *model, gboolean live, QnId load, GError **error);
 
+/* A stretch of a block's outline: `count` edges, counter-clockwise, from edge `first` on. */
+typedef struct QnEdgeChain {
+  QnId block; /* QN_NONE: no chain */
+  QnId first, count;
+} QnEdgeChain;
+
+/* The edge nearest to a point, within `reach`, m; of two that lie on each other the one of the block
+ * that the point is in. `of`: only edges of this block. */
+QnEdgeChain qn_model_find_edge (const QnModel *model, QnVec2 at, double reach, QnId of);
+/* From one edge to another of its block, the shorter way round. */
+QnEdgeChain qn_model_join_edges (const QnModel *model, QnEdgeChain from, QnEdgeChain to);
+
+/* Adds a load of the same intensity, N/m, along these edges, at right angles into the block. */
+gboolean qn_edit_add_edge_load (QnModel *model, QnEdgeChain chain, gboolean live,
+                                double intensity, GError **error);
+/* Puts a load of kind QN_LOAD_EDGE on other edges. */
+void qn_load_set_chain (QnLoad *load, QnEdgeChain chain);
+
+/* Before blocks are moved, one flag per block: loads on their sides stay on these edges, also where
+ * the sides face elsewhere then. */
+void qn_edit_move_edge_loads (QnModel *model, const gboolean *blocks,
+                              QnTransform transform);
+
 /* Adds loads like those on the edges of a block that goes to the edges that take their place: what lies
  * on the loaded ones of the blocks from `first` on. */
 gboolean qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error);

@@ -105,11 +105,24 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
       arc[i] = qn_vec2 (at.x + r * cos (a), at.y + r * sin (a));
     }
     size_t last = G_N_ELEMENTS (arc) - 1;
-    qn_scene_stroke (b->scene, QN_LAYER_LOADS, arc, last, false, 1.2, color);
+    QnCommand *turning =
+      qn_scene_stroke (b->scene, QN_LAYER_LOADS, arc, last, false, 1.2, color);
+    turning->pick = (uint8_t) pick;
+    turning->id = index;
     QnVec2 d = qn_vec2_sub (arc[last], arc[last - 1]);
     qn_scene_marker (b->scene, QN_LAYER_LOADS, QN_MARKER_ARROW_HEAD, arc[last], 6,
                      atan2 (d.y, d.x), color);
   }
+}
+
+static void
+add_tails (QnSceneBuilder *b, const QnVec2 tails[2], QnPickKind pick, QnId index,
+           QnColor color)
+{
+  QnCommand *line =
+    qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
+  line->pick = (uint8_t) pick;
+  line->id = index;
 }
 
 /* A row of arrows that reach the beam, joined at their tails. */
@@ -131,7 +144,7 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
                     qn_vec2_lerp (ends[0], ends[1], s), QN_WIDTH_ARROW, color, pick,
                     index, 0);
   }
-  qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
+  add_tails (b, tails, pick, index, color);
   g_autofree char *number = qn_label_number ("%.4g", force / 1000);
   g_autofree char *text = g_strconcat (number, " kN/m", NULL);
   qn_scene_text (b->scene, QN_LAYER_LABELS, qn_vec2_lerp (tails[0], tails[1], 0.5),
@@ -171,7 +184,7 @@ add_edge_force (QnSceneBuilder *b, const QnEdgeForce *force, double scale,
       qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, to, QN_WIDTH_ARROW, color, pick,
                       index, 0);
   }
-  qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
+  add_tails (b, tails, pick, index, color);
 }
 
 /* By which the pressure of a surcharge or backfill was multiplied: the thickness, and of a load

@@ -1,4 +1,5 @@
 #include "doc/edit/edit-bar.h"
+#include "doc/edit/edit-shape.h"
 
 #include "doc/fixture.h"
 #include <string.h>
@@ -112,6 +113,226 @@ test_laws (void)
   g_assert_cmpuint (qn_edit_count_law_uses (model, model->contact.law), ==, uses);
 }
 
+/* ---- loads on edges ---- */
+
+/* A lower stone of one and an upper one of two by one, the upper carries 2 to 6 kN/m on its top, 1 kN/m
+ * on three quarters of its left and top, and 3 kN/m along its right side, upwards. */
+static const char loaded[] =
+  "{ \"format\": \"quoin\", \"version\": 1,"
+  "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+  "    \"friction\": 0.6 } ],"
+  "  \"blocks\": [ { \"name\": \"ground\", \"vertices\": [[0,0],[2,0],[2,1],[0,1]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [true, true, true] },"
+  "    { \"name\": \"stone\", \"vertices\": [[0,1],[2,1],[2,2],[0,2]],"
+  "    \"thickness\": 1, \"unit_weight\": 1e4 } ],"
+  "  \"contact\": { \"law\": \"dry\" },"
+  "  \"loads\": { \"dead\": ["
+  "    { \"kind\": \"edge\", \"block\": \"stone\", \"side\": \"top\","
+  "      \"intensity\": [6000, 2000] },"
+  "    { \"kind\": \"edge\", \"block\": \"stone\", \"edge\": 2, \"count\": 2,"
+  "      \"part\": [0.25, 1], \"intensity\": 1000 },"
+  "    { \"kind\": \"edge\", \"block\": \"stone\", \"side\": \"right\","
+  "      \"intensity\": 3000, \"direction\": [0, 1] } ] } }";
+
+/* Force and moment about the origin of all loads on edges. */
+typedef struct Sum {
+  QnVec2 force;
+  double moment;
+  double length; /* loaded */
+} Sum;
+
+static Sum
+sum_loads (const QnModel *model)
+{
+  Sum sum = { 0 };
+  for (gsize i = 0; i < model->edge_force_count; i++) {
+    const QnEdgeForce *force = &model->edge_forces[i];
+    sum.force = qn_vec2_add (sum.force, force->force);
+    sum.moment += qn_vec2_cross (force->at, force->force);
+    sum.length += qn_vec2_length (qn_vec2_sub (force->ends[1], force->ends[0]));
+  }
+  return sum;
+}
+
+static void
+check_sum (const QnModel *model, Sum expected)
+{
+  Sum sum = sum_loads (model);
+  g_assert_cmpfloat_with_epsilon (sum.force.x, expected.force.x, 1e-6);
+  g_assert_cmpfloat_with_epsilon (sum.force.y, expected.force.y, 1e-6);
+  g_assert_cmpfloat_with_epsilon (sum.moment, expected.moment, 1e-6);
+  g_assert_cmpfloat_with_epsilon (sum.length, expected.length, 1e-9);
+}
+
+static const QnId stone_id = 1;
+static const QnBlockSet stone = { &stone_id, 1 };
+
+static gboolean
+cut (QnModel *model, gpointer data, GError **error)
+{
+  const QnVec2 *line = data;
+  return qn_edit_cut_blocks (model, (QnBlockSet){ NULL, 0 }, line[0], line[1], error);
+}
+
+static gboolean
+join_all_but_ground (QnModel *model, gpointer data, GError **error)
+{
+  QnId ids[] = { 1, 2 };
+  (void) data;
+  return qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
+}
+
+static gboolean
+transform (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_transform_blocks (model, stone, *(const QnTransform *) data, error);
+}
+
+static gboolean
+move_corner (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_move_corner (model, stone, qn_vec2 (0.0, 2.0), qn_vec2 (0.0, 2.5),
+                              error);
+}
+
+static gboolean
+delete_stone (QnModel *model, gpointer data, GError **error)
+{
+  (void) data;
+  return qn_edit_delete_blocks (model, stone, error);
+}
+
+/* Cut and joined again, blocks carry the same: force, moment and loaded length, at every cut. */
+static void
+test_edges_cut (void)
+{
+  static const QnVec2 lines[][2] = { { { 0.7, 1.0 }, { 0.7, 2.1 } },
+                                     { { -0.1, 1.2 }, { 2.1, 1.6 } },
+                                     { { -0.1, 1.5 }, { 0.9, 2.1 } } };
+  for (gsize i = 0; i < G_N_ELEMENTS (lines); i++) {
+    g_autoptr (QnDocument) document = open_text (loaded);
+    const Sum before = sum_loads (qn_document_get_model (document));
+    g_assert_cmpfloat_with_epsilon (before.force.y, -8000.0 + 3000.0 - 1250.0, 1e-6);
+    g_assert_cmpfloat_with_epsilon (before.force.x, 1000.0, 1e-6);
+    const QnModel *model = edit (document, cut, lines[i]);
+    g_assert_cmpuint (model->block_count, ==, 3);
+    check_sum (model, before);
+    model = edit (document, join_all_but_ground, NULL);
+    g_assert_cmpuint (model->block_count, ==, 2);
+    check_sum (model, before);
+    check_state (document);
+  }
+}
+
+/* Loads stay on the edges of a block that moves: what is at right angles turns with it, what has a
+ * direction keeps that. */
+static void
+test_edges_moved (void)
+{
+  g_autoptr (QnDocument) document = open_text (loaded);
+  const Sum before = sum_loads (qn_document_get_model (document));
+  QnTransform t = qn_transform_translation (0.5, 0.0);
+  Sum after = before;
+  after.moment += 0.5 * before.force.y;
+  check_sum (edit (document, transform, &t), after);
+  g_assert_true (qn_document_undo (document));
+
+  /* About the middle, upside down: 8 kN up, 1.25 kN up, 1 kN to the left; 3 kN up stays. */
+  t = qn_transform_rotation (qn_vec2 (1.0, 1.5), G_PI);
+  const QnModel *model = edit (document, transform, &t);
+  check_sum (model,
+             (Sum){ { -1000.0, 8000.0 + 1250.0 + 3000.0 },
+                    /* The largest intensity is on the left now. */
+                    9250.0 * 2.0 - (8000.0 * (7.0 / 6.0) + 1250.0 * 0.625) + 1000.0 * 1.5,
+                    before.length });
+  g_assert_true (qn_document_undo (document));
+
+  /* Mirrored about its middle: the pressure from the left is one from the right, and along the left
+   * side 3 kN go up. */
+  t = qn_transform_mirror (qn_vec2 (1.0, 0.0), qn_vec2 (1.0, 1.0));
+  model = edit (document, transform, &t);
+  check_sum (model,
+             (Sum){ { -1000.0, -6250.0 },
+                    -8000.0 * (2.0 - 7.0 / 6.0) - 1250.0 * (2.0 - 0.625) + 1000.0 * 1.5,
+                    before.length });
+  check_state (document);
+  t = qn_transform_mirror (qn_vec2 (1.0, 0.0), qn_vec2 (1.0, 1.0));
+  check_sum (edit (document, transform, &t), before); /* and back */
+}
+
+/* A corner that moves takes its edges along; with the block go its loads. */
+static void
+test_edges_changed (void)
+{
+  g_autoptr (QnDocument) document = open_text (loaded);
+  const QnModel *model = edit (document, move_corner, NULL);
+  const double top = hypot (2.0, 0.5);
+  g_assert_cmpfloat_with_epsilon (sum_loads (model).length,
+                                  top + 0.75 * (top + 1.5) + 1.0, 1e-9);
+  g_assert_cmpuint (model->dead_load_count, ==, 3);
+  model = edit (document, delete_stone, NULL);
+  g_assert_cmpuint (model->dead_load_count, ==, 0);
+  g_assert_cmpuint (model->edge_force_count, ==, 0);
+}
+
+static gboolean
+detach_all (QnModel *model, gpointer data, GError **error)
+{
+  g_autofree QnId *ids = g_new (QnId, model->block_count);
+  (void) data;
+  for (gsize i = 0; i < model->block_count; i++)
+    ids[i] = (QnId) i;
+  return qn_edit_detach (model, (QnBlockSet){ ids, (guint) model->block_count }, error);
+}
+
+static gboolean
+load_top (QnModel *model, gpointer data, GError **error)
+{
+  QnEdgeChain chain = qn_model_find_edge (model, *(const QnVec2 *) data, 0.01, QN_NONE);
+  return qn_edit_add_edge_load (model, chain, FALSE, 5000.0, error);
+}
+
+/* A wall that is taken apart keeps the loads of its blocks, and so does one that is cut. */
+static void
+test_edges_dissolved (void)
+{
+  g_autoptr (QnDocument) document = open_example ("27-retaining-wall.quoin");
+  const QnVec2 top = qn_vec2 (0.3, 3.0), line[] = { { 0.5, 3.5 }, { 0.5, 1.0 } };
+  edit (document, load_top, &top);
+  const Sum before = sum_loads (qn_document_get_model (document));
+  check_sum (edit (document, detach_all, NULL), before);
+  check_sum (edit (document, cut, line), before);
+  check_state (document);
+}
+
+/* The nearest edge; of two that lie on each other that of the block that the point is in; the way
+ * round the outline that passes fewer edges. */
+static void
+test_find_edge (void)
+{
+  g_autoptr (QnDocument) document = open_text (loaded);
+  const QnModel *model = qn_document_get_model (document);
+  static const struct {
+    QnVec2 at;
+    QnId block, edge;
+  } cases[] = { { { 1.0, 2.01 }, 1, 2 },  { { 1.0, 1.98 }, 1, 2 },
+                { { 1.0, 1.001 }, 1, 0 }, { { 1.0, 0.999 }, 0, 2 },
+                { { 2.02, 1.5 }, 1, 1 },  { { 1.0, 1.5 }, QN_NONE, 0 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnEdgeChain found = qn_model_find_edge (model, cases[i].at, 0.1, QN_NONE);
+    g_assert_cmpint (found.block, ==, cases[i].block);
+    g_assert_cmpint (found.first, ==, cases[i].edge);
+  }
+  QnEdgeChain left = { 1, 3, 1 }, bottom = { 1, 0, 1 }, right = { 1, 1, 1 };
+  QnEdgeChain both = qn_model_join_edges (model, left, bottom);
+  g_assert_cmpint (both.first, ==, 3);
+  g_assert_cmpint (both.count, ==, 2);
+  both = qn_model_join_edges (model, right, left);
+  g_assert_cmpint (both.first, ==, 1);
+  g_assert_cmpint (both.count, ==, 3);
+}
+
 /* ---- bars ---- */
 
 static gboolean
@@ -124,6 +345,12 @@ static gboolean
 remove_bar (QnModel *model, gpointer data, GError **error)
 {
   return qn_edit_remove_bar (model, *(const QnId *) data, error);
+}
+
+static gboolean
+duplicate_bar (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_duplicate_bar (model, *(const QnId *) data, error);
 }
 
 static gboolean
@@ -168,6 +395,16 @@ test_bars (void)
     g_autofree char *text = qn_bar_dup_text (model, &model->bars[last], QN_UNITS_SI);
     g_assert_nonnull (strstr (text, "0.016"));
     refuse (document, turn_bar, &last);
+    refuse (document, duplicate_bar, &unknown);
+    const QnBar bar = model->bars[last];
+    model = edit (document, duplicate_bar, &last);
+    g_assert_cmpuint (model->bar_count, ==, cases[c].bars + 2);
+    g_assert_cmpfloat_with_epsilon (
+      qn_vec2_length (qn_vec2_sub (model->bars[last + 1].start, bar.start)), 0.064,
+      1e-12);
+    QnVec2 middle = qn_vec2_lerp (bar.start, bar.end, 0.5);
+    g_assert_cmpint (qn_model_find_bar (model, middle, 0.01), ==, last);
+    g_assert_true (qn_document_undo (document));
     refuse (document, remove_bar, &unknown);
     edit (document, remove_bar, &last);
     g_assert_cmpuint (qn_document_get_model (document)->bar_count, ==, cases[c].bars);
@@ -183,6 +420,11 @@ main (int argc, char **argv)
   g_test_add_func ("/doc/edit-load/forces", test_forces);
   g_test_add_func ("/doc/edit-load/weight", test_weight);
   g_test_add_func ("/doc/edit-load/laws", test_laws);
+  g_test_add_func ("/doc/edit-load/edges-cut", test_edges_cut);
+  g_test_add_func ("/doc/edit-load/edges-moved", test_edges_moved);
+  g_test_add_func ("/doc/edit-load/edges-changed", test_edges_changed);
+  g_test_add_func ("/doc/edit-load/edges-dissolved", test_edges_dissolved);
+  g_test_add_func ("/doc/edit-load/find-edge", test_find_edge);
   g_test_add_func ("/doc/edit-load/bars", test_bars);
   return g_test_run ();
 }

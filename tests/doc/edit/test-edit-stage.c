@@ -166,6 +166,56 @@ test_loads (void)
   g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
 }
 
+typedef struct Place {
+  QnId load;
+  int by; /* 0: a copy */
+} Place;
+
+static gboolean
+move_or_copy (QnModel *model, gpointer data, GError **error)
+{
+  const Place *place = data;
+  return place->by == 0 ? qn_edit_duplicate_load (model, TRUE, place->load, error)
+                        : qn_edit_move_load (model, TRUE, place->load, place->by, error);
+}
+
+/* Loads change places within their list, whatever lies between them; a copy is behind its original. */
+static void
+test_load_order (void)
+{
+  g_autoptr (QnDocument) document = open_text (text);
+  QnLoad force = { .kind = QN_LOAD_FORCE,
+                   .block = 1,
+                   .node = QN_NONE,
+                   .beam = QN_NONE,
+                   .vector = { 0, -500 } };
+  edit (document, add_set, NULL);
+  edit (document, append, &(Put){ 1, 0, force });
+  const QnModel *model = edit (document, append, &(Put){ 0, 0, force });
+  g_assert_cmpuint (model->live_load_count, ==, 3);
+  QnId last = qn_model_get_load_id (model, 0, 1);
+  g_assert_cmpint (last, >, 0);
+  model = edit (document, move_or_copy, &(Place){ last, -1 });
+  g_assert_cmpint (qn_model_get_load (model, 0, 0)->kind, ==, QN_LOAD_FORCE);
+  g_assert_cmpint (qn_model_get_load (model, 0, 1)->kind, ==, QN_LOAD_WEIGHT);
+  g_assert_cmpint (qn_model_get_load (model, 1, 0)->kind, ==, QN_LOAD_FORCE);
+  refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), -1 });
+  refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 1), 1 });
+  refuse (document, move_or_copy, &(Place){ 9, 1 });
+  refuse (document, move_or_copy, &(Place){ 9, 0 });
+  model =
+    edit (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), 0 });
+  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 3);
+  g_assert_cmpint (qn_model_get_load (model, 0, 1)->kind, ==, QN_LOAD_FORCE);
+  g_assert_cmpint (qn_model_get_load (model, 0, 2)->kind, ==, QN_LOAD_WEIGHT);
+  for (QnId i = 0; i < (QnId) model->live_load_count; i++) {
+    int32_t list;
+    gsize index;
+    qn_model_place_load (model, TRUE, i, &list, &index);
+    g_assert_cmpint (qn_model_get_load_id (model, list, index), ==, i);
+  }
+}
+
 static gboolean
 shift_stone (QnModel *model, gpointer data, GError **error)
 {
@@ -294,6 +344,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/doc/edit-stage/loads", test_loads);
+  g_test_add_func ("/doc/edit-stage/load-order", test_load_order);
   g_test_add_func ("/doc/edit-stage/unknown-members", test_unknown_members);
   g_test_add_func ("/doc/edit-stage/stages", test_stages);
   g_test_add_func ("/doc/edit-stage/order", test_order);

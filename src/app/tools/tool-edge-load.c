@@ -1,0 +1,184 @@
+/* Edge load: click the edge of a block that is loaded, or drag along its edges from the first to the
+ * last. Asked for by the list of loads, the same puts the selected load on other edges. */
+#include "app/canvas/gesture.h"
+#include "app/tools/tools.h"
+
+#include "app/widgets/settings.h"
+#include <glib/gi18n.h>
+
+/* px: an edge this near to the pointer is meant. */
+#define REACH_PX 16.0
+
+/* Phases of the gesture: the button is up, or down, for a new load or for the selected one. */
+enum { UP, DOWN, UP_TO_CHANGE, DOWN_TO_CHANGE };
+
+/* The edge under a place of the screen; with `of`, the one of this block that is nearest to it. */
+static QnEdgeChain
+edge_at (QnCanvas *canvas, QnVec2 screen, QnId of)
+{
+  const QnCamera *camera = qn_canvas_get_camera (canvas);
+  return qn_model_find_edge (qn_canvas_get_model (canvas),
+                             qn_camera_to_model (camera, screen),
+                             of == QN_NONE ? REACH_PX / camera->scale : INFINITY, of);
+}
+
+/* From where the button went down to where the pointer is; the edge under the pointer before. */
+static QnEdgeChain
+find_chain (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnVec2 from = gesture->from_screen;
+  QnEdgeChain first = edge_at (canvas, from, QN_NONE);
+  if (first.block == QN_NONE || !gesture->dragging)
+    return first;
+  QnVec2 to = qn_canvas_to_screen (canvas, gesture->to);
+  return qn_model_join_edges (qn_canvas_get_model (canvas), first,
+                              edge_at (canvas, to, first.block));
+}
+
+typedef struct Put {
+  QnEdgeChain chain;
+  gboolean live;
+  double intensity;
+  QnId load; /* that gets the edges; QN_NONE: a new one */
+} Put;
+
+static gboolean
+edit_put (QnModel *model, gpointer data, GError **error)
+{
+  const Put *put = data;
+  if (put->load == QN_NONE)
+    return qn_edit_add_edge_load (model, put->chain, put->live, put->intensity, error);
+  qn_load_set_chain (put->live ? &model->live_loads[put->load]
+                               : &model->dead_loads[put->load],
+                     put->chain);
+  return TRUE;
+}
+
+/* The load that is to be put on other edges: the selected one. */
+static gboolean
+find_selected (QnCanvas *canvas, Put *put)
+{
+  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnModel *model = qn_canvas_get_model (canvas);
+  put->live = qn_selection_get_item (selection, QN_ITEM_LIVE_LOAD) != QN_NONE;
+  put->load =
+    qn_selection_get_item (selection, put->live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
+  return put->load != QN_NONE
+         && (put->live ? model->live_loads : model->dead_loads)[put->load].kind
+              == QN_LOAD_EDGE;
+}
+
+/* The new load is selected, so that its numbers are there. */
+static void
+select_last (QnCanvas *canvas, gboolean live)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  gsize count = live ? model->live_load_count : model->dead_load_count;
+  qn_selection_set_item (qn_canvas_get_selection (canvas),
+                         live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD, (QnId) count - 1);
+}
+
+static void
+complete (QnCanvas *canvas)
+{
+  const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
+  Put put = { find_chain (canvas), settings->live, settings->intensity, QN_NONE };
+  gboolean change = qn_canvas_get_gesture (canvas)->phase == DOWN_TO_CHANGE;
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (put.chain.block == QN_NONE)
+    qn_canvas_tell (canvas, _ ("There is no edge of a block here"));
+  else if (!change) {
+    if (qn_canvas_edit (canvas, _ ("Add Edge Load"), NULL, edit_put, &put))
+      select_last (canvas, put.live);
+  } else if (find_selected (canvas, &put))
+    qn_canvas_edit (canvas, _ ("Choose Edges"), NULL, edit_put, &put);
+}
+
+static void
+press (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  gesture->from_screen = event->screen;
+  gesture->to = event->model;
+  gesture->phase = gesture->phase == UP_TO_CHANGE ? DOWN_TO_CHANGE : DOWN;
+  qn_canvas_set_in_gesture (canvas, TRUE);
+}
+
+static void
+motion (QnCanvas *canvas, const QnToolEvent *event)
+{
+  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  gesture->to = event->model;
+  if (gesture->phase == UP || gesture->phase == UP_TO_CHANGE)
+    gesture->from_screen = event->screen;
+  else if (qn_canvas_is_drag (canvas, event))
+    gesture->dragging = TRUE;
+}
+
+static void
+release (QnCanvas *canvas, const QnToolEvent *event)
+{
+  motion (canvas, event);
+  if (qn_canvas_is_in_gesture (canvas))
+    complete (canvas);
+}
+
+static void
+draw (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnModel *model = qn_canvas_get_model (canvas);
+  const QnEdgeChain chain = find_chain (canvas);
+  if (chain.block == QN_NONE)
+    return;
+  const QnVec2 *v = qn_model_block_vertices (model, chain.block);
+  const QnId n = model->blocks[chain.block].vertex_count;
+  double length = 0.0;
+  cairo_new_path (cr); /* text leaves a current point behind */
+  for (QnId i = 0; i <= chain.count; i++) {
+    const QnVec2 corner = v[(chain.first + i) % n];
+    const QnVec2 at = qn_canvas_to_screen (canvas, corner);
+    cairo_line_to (cr, at.x, at.y);
+    if (i > 0)
+      length += qn_vec2_length (qn_vec2_sub (corner, v[(chain.first + i - 1) % n]));
+  }
+  cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.3);
+  cairo_set_line_width (cr, 12.0);
+  cairo_stroke_preserve (cr);
+  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+  cairo_set_line_width (cr, 3.0);
+  cairo_stroke (cr);
+  g_autofree char *size =
+    qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_LENGTH, length, 4);
+  g_autofree char *text =
+    g_strdup_printf ("%s: %s", model->blocks[chain.block].name, size);
+  QnVec2 pointer = qn_canvas_to_screen (canvas, qn_canvas_get_gesture (canvas)->to);
+  qn_canvas_draw_label (canvas, cr, text, qn_vec2 (pointer.x + 16.0, pointer.y + 12.0));
+}
+
+void
+qn_tool_edge_load_choose (QnCanvas *canvas)
+{
+  gtk_widget_activate_action (GTK_WIDGET (canvas), "win.tool", "s", "edge-load");
+  qn_canvas_set_in_gesture (canvas, TRUE);
+  qn_canvas_get_gesture (canvas)->phase = UP_TO_CHANGE;
+  gtk_widget_grab_focus (GTK_WIDGET (canvas));
+}
+
+const QnTool qn_tool_edge_load = {
+  .name = "edge-load",
+  .icon = "quoin-edge-load-symbolic",
+  .label = N_ ("Edge Load"),
+  .hint =
+    N_ ("Click an edge of a block, or drag along several of its edges; the load pushes "
+        "into the block; Escape leaves"),
+  .accel = "q",
+  .press = press,
+  .motion = motion,
+  .release = release,
+  .complete = complete,
+  .draw_ready = draw,
+  .draw = draw,
+};

@@ -1,0 +1,260 @@
+/* Loads and reinforcing bars in the list and in the drawing: chosen in either, drawn by pointer and by
+ * keys, changed, undone. */
+#include "driver.h"
+
+#include "doc/edit/edit-stage.h"
+
+static const QnModel *
+model_of (QnWindow *window)
+{
+  return qn_document_get_model (qn_window_get_document (window));
+}
+
+static QnSelection *
+selection_of (QnWindow *window)
+{
+  return qn_document_get_selection (qn_window_get_document (window));
+}
+
+static gboolean
+has_id (GtkWidget *widget, gconstpointer id)
+{
+  return g_strcmp0 (gtk_buildable_get_buildable_id (GTK_BUILDABLE (widget)), id) == 0;
+}
+
+static GtkWidget *
+find_id (GtkWidget *root, const char *id)
+{
+  GtkWidget *found = driver_find_widget (root, has_id, id);
+  g_assert_nonnull (found);
+  return found;
+}
+
+static gboolean
+is_expander (GtkWidget *widget, gconstpointer label)
+{
+  return GTK_IS_EXPANDER (widget)
+         && g_strcmp0 (gtk_expander_get_label (GTK_EXPANDER (widget)), label) == 0;
+}
+
+static GtkExpander *
+find_expander (QnWindow *window, const char *label)
+{
+  GtkWidget *found = driver_find_widget (GTK_WIDGET (window), is_expander, label);
+  g_assert_nonnull (found);
+  return GTK_EXPANDER (found);
+}
+
+static QnWindow *
+open_panel (const char *example)
+{
+  driver_pass_over_gtk ();
+  QnWindow *window = driver_open_example (example);
+  gtk_window_set_default_size (GTK_WINDOW (window), 1280, 1060);
+  driver_activate (window, "win.show-panel::analysis");
+  driver_run (400);
+  return window;
+}
+
+/* Which row of the list of loads is selected; -1: none. */
+static int
+selected_row (QnWindow *window, const char *box, const char *list)
+{
+  GtkWidget *rows = find_id (find_id (GTK_WIDGET (window), box), list);
+  GtkListBoxRow *row = gtk_list_box_get_selected_row (GTK_LIST_BOX (rows));
+  return row != NULL ? gtk_list_box_row_get_index (row) : -1;
+}
+
+static const char *
+last_step (QnWindow *window)
+{
+  QnHistory *history = qn_document_get_history (qn_window_get_document (window));
+  return qn_history_get_name (history, qn_history_get_position (history) - 1);
+}
+
+/* A load is chosen in the drawing and marked in the list, and the other way round; copied, moved,
+ * removed with the keys of the drawing, and all of it undone by name. */
+static void
+test_both_ways (void)
+{
+  QnWindow *window = open_panel ("27-retaining-wall.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  GtkExpander *expander = find_expander (window, "Loads One by _One");
+  g_assert_false (gtk_expander_get_expanded (expander));
+
+  /* An arrow of the soil's pressure on the wall's left side. */
+  driver_click (window, -0.25, 0.15);
+  g_assert_true (qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD) >= 0);
+  driver_run (300);
+  g_assert_true (gtk_expander_get_expanded (expander));
+  int first = qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD);
+  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, first);
+  driver_screenshot (root, "load-selected");
+
+  GtkListBox *rows = GTK_LIST_BOX (find_id (find_id (root, "loads_box"), "loads"));
+  gtk_list_box_select_row (rows, gtk_list_box_get_row_at_index (rows, 1 - first));
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD), ==,
+                   1 - first);
+
+  /* The second of two goes up, and stays selected. */
+  gtk_list_box_select_row (rows, gtk_list_box_get_row_at_index (rows, 1));
+  const double surcharge = model_of (window)->live_loads[1].pressure;
+  g_assert_cmpfloat (surcharge, >, 0.0);
+  driver_press (root, "Move Up");
+  g_assert_cmpfloat (model_of (window)->live_loads[0].pressure, ==, surcharge);
+  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 0);
+  g_assert_cmpstr (last_step (window), ==, "Move Load");
+  driver_press (root, "Move Down");
+  g_assert_cmpfloat (model_of (window)->live_loads[1].pressure, ==, surcharge);
+  driver_press (root, "Duplicate Load");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 3);
+  g_assert_cmpfloat (model_of (window)->live_loads[2].pressure, ==, surcharge);
+  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 2);
+
+  /* The drawing's own commands mean the load that is selected. */
+  driver_activate (window, "win.delete");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
+  g_assert_cmpstr (last_step (window), ==, "Remove Load");
+  g_assert_true (qn_selection_is_empty (selection_of (window)));
+  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, -1);
+  qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
+  driver_activate (window, "win.duplicate");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 3);
+  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, 1);
+  while (qn_document_undo (qn_window_get_document (window)))
+    driver_run (20);
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 2);
+  g_assert_cmpfloat (model_of (window)->live_loads[1].pressure, ==, surcharge);
+
+  /* An empty list says so. */
+  driver_press (root, "Add Set");
+  driver_run (200);
+  g_assert_true (gtk_widget_get_mapped (find_id (find_id (root, "loads_box"), "empty")));
+  driver_screenshot (root, "loads-empty");
+  driver_discard (window);
+}
+
+/* A middle click into a block still means the block, where a load in weights has its arrow. */
+static void
+test_blocks_first (void)
+{
+  QnWindow *window = open_panel ("05-stack.quoin");
+  driver_click (window, 0.2, 0.5);
+  guint count = 0;
+  qn_selection_get_blocks (selection_of (window), &count);
+  g_assert_cmpuint (count, ==, 1);
+  driver_discard (window);
+}
+
+/* Edges are chosen in the drawing: by a click, along several, by keys; for a load that is there. */
+static void
+test_draw_edge_load (void)
+{
+  QnWindow *window = open_panel ("05-stack.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  const gsize live = model_of (window)->live_load_count;
+  driver_activate (window, "win.tool::edge-load");
+  driver_point (window, 0.2, 1.01);
+  driver_run (200);
+  driver_screenshot (root, "edge-load-hover");
+  driver_click (window, 0.2, 1.01);
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 1);
+  const QnLoad *load = &model_of (window)->live_loads[live];
+  g_assert_cmpint (load->kind, ==, QN_LOAD_EDGE);
+  g_assert_cmpint (load->block, ==, 5);
+  g_assert_cmpint (load->edge, ==, 2);
+  g_assert_true (load->normal);
+  g_assert_cmpfloat (load->intensity[0], ==, 1e4);
+  g_assert_cmpint (selected_row (window, "loads_box", "loads"), ==, (int) live);
+  g_assert_cmpstr (last_step (window), ==, "Add Edge Load");
+  driver_run (300);
+  driver_screenshot (root, "edge-load-drawn");
+
+  /* From the right side over the top. */
+  driver_drag (window, 0.41, 0.9, 0.1, 1.01);
+  load = &model_of (window)->live_loads[live + 1];
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 2);
+  g_assert_cmpint (load->edge, ==, 1);
+  g_assert_cmpint (load->edge_count, ==, 2);
+
+  /* Of two edges that lie on each other the one of the block that the pointer is in. */
+  driver_click (window, 0.2, 0.395);
+  g_assert_cmpint (model_of (window)->live_loads[live + 2].block, ==, 2);
+  driver_click (window, 0.2, 0.405);
+  g_assert_cmpint (model_of (window)->live_loads[live + 3].block, ==, 3);
+
+  /* The selected load goes to another edge; the tool stays, and the next click is a new load. */
+  driver_press (root, "Choose Edges in the Drawing");
+  driver_click (window, -0.01, 0.7);
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 4);
+  g_assert_cmpint (model_of (window)->live_loads[live + 3].block, ==, 4);
+  g_assert_cmpint (model_of (window)->live_loads[live + 3].edge, ==, 3);
+  g_assert_cmpstr (last_step (window), ==, "Choose Edges");
+
+  /* Away from all edges nothing is added, and Escape leaves the tool. */
+  driver_click (window, 1.2, 0.9);
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 4);
+
+  /* By keys: the pointer is on the edge, Enter takes it. */
+  driver_point (window, 0.41, 0.3);
+  driver_key ("Left");
+  driver_key ("Return");
+  driver_run (200);
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 5);
+  g_assert_cmpint (model_of (window)->live_loads[live + 4].edge, ==, 1);
+  driver_key ("Escape");
+  driver_run (200);
+  g_autoptr (GVariant) tool =
+    g_action_group_get_action_state (G_ACTION_GROUP (window), "tool");
+  g_assert_cmpstr (g_variant_get_string (tool, NULL), ==, "select");
+  while (qn_document_undo (qn_window_get_document (window)))
+    driver_run (20);
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, live);
+  driver_discard (window);
+}
+
+/* A bar is drawn by a drag and by two clicks, is selected then, found again by a click on it, copied
+ * and removed. */
+static void
+test_draw_bar (void)
+{
+  QnWindow *window = open_panel ("05-stack.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  driver_activate (window, "win.tool::bar");
+  driver_drag (window, 0.2, 0.1, 0.2, 0.9);
+  g_assert_cmpuint (model_of (window)->bar_count, ==, 1);
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
+  g_assert_cmpint (selected_row (window, "laws_box", "bars"), ==, 0);
+  driver_click (window, 0.3, 0.1);
+  driver_click (window, 0.3, 0.9);
+  g_assert_cmpuint (model_of (window)->bar_count, ==, 2);
+  g_assert_cmpint (selected_row (window, "laws_box", "bars"), ==, 1);
+  driver_run (300);
+  driver_screenshot (root, "bars-drawn");
+  driver_activate (window, "win.tool::select");
+  driver_click (window, 1.3, 0.9);
+  g_assert_true (qn_selection_is_empty (selection_of (window)));
+  driver_click (window, 0.2, 0.55);
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
+  driver_key ("Delete");
+  g_assert_cmpuint (model_of (window)->bar_count, ==, 1);
+  driver_click (window, 0.3, 0.55);
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
+  driver_activate (window, "win.duplicate");
+  g_assert_cmpuint (model_of (window)->bar_count, ==, 2);
+  g_assert_cmpstr (last_step (window), ==, "Duplicate Bar");
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 1);
+  driver_discard (window);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  gtk_init ();
+  g_test_add_func ("/app/loads/both-ways", test_both_ways);
+  g_test_add_func ("/app/loads/blocks-first", test_blocks_first);
+  g_test_add_func ("/app/loads/draw-edge-load", test_draw_edge_load);
+  g_test_add_func ("/app/loads/draw-bar", test_draw_bar);
+  return g_test_run ();
+}
