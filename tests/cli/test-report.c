@@ -117,6 +117,28 @@ test_results (void)
   test_scratch_free (folder);
 }
 
+/* Loads are told with their case and its factor. */
+static void
+test_cases (void)
+{
+  char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("27-retaining-wall.quoin");
+  g_autofree char *pdf = g_build_filename (folder, "loads.pdf", NULL);
+  CliRun run =
+    cli_run ("report", model, "--sections", "loads,materials", "-o", pdf, NULL);
+  cli_assert_done (&run);
+  cli_run_clear (&run);
+  g_autofree char *text = dup_text (pdf);
+  if (text == NULL)
+    g_test_skip ("pdftotext is not installed");
+  else {
+    g_assert_nonnull (strstr (text, "Dead load: Own weight"));
+    g_assert_nonnull (strstr (text, "Live load, soil × 1: Backfill on the left"));
+    g_assert_nonnull (strstr (text, "Live load, traffic × 1.5: Backfill on the left"));
+  }
+  test_scratch_free (folder);
+}
+
 static void
 test_refused (void)
 {
@@ -140,6 +162,7 @@ main (int argc, char **argv)
   g_test_add_func ("/cli/report/whole", test_whole);
   g_test_add_func ("/cli/report/sections", test_sections);
   g_test_add_func ("/cli/report/results", test_results);
+  g_test_add_func ("/cli/report/cases", test_cases);
   g_test_add_func ("/cli/report/refused", test_refused);
   return g_test_run ();
 }

@@ -102,6 +102,33 @@ build_sliding_block (void)
   return builder;
 }
 
+/* Loads on edges and factors of cases arrive with the file: a retaining wall under soil and traffic,
+ * whose closed forms are in tests/verify/test-loads.c. */
+static void
+test_edge_loads (void)
+{
+  /* b = 1.2 m, h = 3 m of 24 kN/m3, K = 1/3: stone b h b/2 over K (soil h^3/6 + f q h^2/2). */
+  static const char *const factors[] = { "1.5", "0" };
+  g_autofree char *path =
+    g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "27-retaining-wall.quoin", NULL);
+  for (gsize i = 0; i < G_N_ELEMENTS (factors); i++) {
+    g_autofree char *set = g_strconcat ("loads.cases.traffic=", factors[i], NULL);
+    const char *const sets[] = { set, NULL };
+    const double traffic = g_ascii_strtod (factors[i], NULL) * 10000;
+    const double expected =
+      24000.0 * 1.2 * 3 * 0.6 / ((18000.0 * 27 / 6 + traffic * 9 / 2) / 3);
+    QuoinError *error = NULL;
+    QuoinModel *model = quoin_model_open (path, sets, &error);
+    g_assert_nonnull (model);
+    QuoinResult *result = quoin_solve (model, NULL, NULL, &error);
+    g_assert_nonnull (result);
+    g_assert_cmpfloat_with_epsilon (quoin_result_get_collapse_multiplier (result),
+                                    expected, 1e-3 * expected);
+    quoin_result_free (result);
+    quoin_model_unref (model);
+  }
+}
+
 static void
 test_builder (void)
 {
@@ -375,6 +402,7 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/library/model", test_model);
   g_test_add_func ("/library/error-names-the-place", test_error_names_the_place);
+  g_test_add_func ("/library/edge-loads", test_edge_loads);
   g_test_add_func ("/library/builder", test_builder);
   g_test_add_func ("/library/builder-forces", test_builder_forces);
   g_test_add_func ("/library/results", test_results);

@@ -56,6 +56,14 @@ def test_overrides_leave_the_model():
     assert less.limit().bounds[1] < lower
 
 
+def test_loads_on_edges_and_factors_of_cases():
+    path = EXAMPLES / "27-retaining-wall.quoin"
+    for factor in (0, 1.5):
+        push = (18000 * 3**3 / 6 + factor * 10000 * 3**2 / 2) / 3
+        result = quoin.open(path, {"loads.cases.traffic": factor}).solve()
+        assert result.multiplier == pytest.approx(24000 * 1.2 * 3 * 0.6 / push, rel=1e-3)
+
+
 def test_errors_name_the_place():
     project = quoin.open(WALLS / "wall1.quoin").to_dict()
     project["laws"][0]["kn"] = -1

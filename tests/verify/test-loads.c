@@ -1,5 +1,6 @@
 /* Retaining walls under earth pressure, against closed forms. */
 #include "core/limit/limit.h"
+#include "support/earthquakes.h"
 #include "support/models.h"
 #include "support/run.h"
 
@@ -178,6 +179,44 @@ test_turned (void)
   g_assert_cmpfloat_with_epsilon (found[0], found[1], 1e-6 * found[0]);
 }
 
+/* In time a load on an edge acts as its resultant does: a block that rocks under a pulse moves alike. */
+static void
+test_in_time (void)
+{
+  double found[2][QN_DOF_COUNT];
+  for (int single = 0; single < 2; single++) {
+    QnModel model;
+    QnResult result;
+    test_earthquake_init_block (&model, 3, 0.3);
+    model.analysis.dynamic.duration = 0.6;
+    QnLoad *load = qn_model_add_dead_load (&model);
+    load->block = 1;
+    if (single) { /* 0 to 200 N/m, downwards over 1 m */
+      load->kind = QN_LOAD_FORCE;
+      load->vector = qn_vec2 (100, 0);
+      load->has_at = true;
+      load->at = qn_vec2 (-0.1, 1.0 / 3);
+    } else {
+      load->kind = QN_LOAD_EDGE;
+      load->has_side = true;
+      load->side = QN_BLOCK_SIDE_LEFT;
+      load->intensity[1] = 200;
+      load->normal = true;
+    }
+    test_earthquake_solve (&model, FALSE, &result);
+    const size_t last = result.step_count - 1;
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      found[single][dof] =
+        result
+          .displacements[(last * model.block_count + 1) * QN_DOF_COUNT + (size_t) dof];
+    qn_result_clear (&result);
+    qn_model_clear (&model);
+  }
+  g_assert_cmpfloat (fabs (found[0][QN_DOF_RZ]), >, 1e-3); /* it rocks */
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    g_assert_cmpfloat_with_epsilon (found[0][dof], found[1][dof], 1e-9);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -186,5 +225,6 @@ main (int argc, char **argv)
   g_test_add_func ("/verify/loads/path", test_path);
   g_test_add_func ("/verify/loads/many-forces", test_many_forces);
   g_test_add_func ("/verify/loads/turned", test_turned);
+  g_test_add_func ("/verify/loads/in-time", test_in_time);
   return g_test_run ();
 }

@@ -210,24 +210,33 @@ write_ground_motion (QnPages *pages, const QnGroundMotion *motion)
   qn_pages_paragraph (pages, line);
 }
 
+/* "Live load, traffic × 1.5: Backfill on the left: …" */
+static void
+write_load (QnPages *pages, const QnReport *report, const QnLoad *load, bool dead)
+{
+  const QnModel *model = &report->project->model;
+  g_autofree char *text = qn_load_dup_text (model, load, report->units);
+  g_autofree char *where =
+    dead             ? g_strdup (_ ("Dead load"))
+    : load->set == 0 ? g_strdup (_ ("Live load"))
+                     : g_strdup_printf (_ ("Set “%s”"), model->load_sets[load->set - 1]);
+  g_autofree char *factor = qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER,
+                                             qn_model_load_factor (model, load), 6);
+  g_autofree char *line =
+    load->load_case > 0
+      ? g_strdup_printf (_ ("%s, %s × %s: %s"), where,
+                         model->load_cases[load->load_case - 1].name, factor, text)
+      : g_strdup_printf (_ ("%s: %s"), where, text);
+  qn_pages_paragraph (pages, line);
+}
+
 static void
 write_loads (QnPages *pages, const QnReport *report)
 {
   const QnModel *model = &report->project->model;
   qn_pages_heading (pages, _ ("Loads and Analysis"));
-  for (size_t i = 0; i < model->dead_load_count; i++) {
-    g_autofree char *text =
-      qn_load_dup_text (model, &model->dead_loads[i], report->units);
-    g_autofree char *line = g_strdup_printf (_ ("Dead load: %s"), text);
-    qn_pages_paragraph (pages, line);
-  }
-  for (size_t i = 0; i < model->live_load_count; i++) {
-    g_autofree char *text =
-      qn_load_dup_text (model, &model->live_loads[i], report->units);
-    g_autofree char *line =
-      g_strdup_printf (_ ("Live load, set %d: %s"), model->live_loads[i].set + 1, text);
-    qn_pages_paragraph (pages, line);
-  }
+  for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++)
+    write_load (pages, report, qn_model_load (model, i), i < model->dead_load_count);
   for (size_t i = 0; i < model->stage_count; i++) {
     g_autofree char *text = qn_stage_dup_text (model, i, report->units);
     g_autofree char *line = g_strdup_printf (_ ("Stage %zu: %s"), i + 1, text);
