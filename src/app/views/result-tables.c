@@ -13,34 +13,36 @@
 
 #define TABLE_HEIGHT 220
 
-#define MOST_COLUMNS 8
-
 typedef struct Table Table;
-typedef char *(*CellFunc) (const Table *table, const QnRun *run, guint row);
 
-typedef struct Column {
-  const Table *table;
-  CellFunc cell;
-} Column;
+typedef struct ColumnTitle {
+  const char *text;    /* to be translated */
+  QnQuantity quantity; /* whose unit stands behind it; QN_QUANTITY_NUMBER: none */
+} ColumnTitle;
+
+enum { MOST_COLUMNS = 6 };
+
+typedef struct TableKind {
+  const char *title;    /* to be translated */
+  const char *exported; /* target of the action that writes the table to a file */
+  ColumnTitle columns[MOST_COLUMNS];
+  guint column_count;
+  gsize (*count_rows) (const QnRun *run);
+  /* The text of a cell. `row` is below the number of rows. */
+  char *(*dup_cell) (const Table *table, const QnRun *run, guint row, guint column);
+  void (*select) (const Table *table, const QnRun *run, guint row);
+  void (*follow) (Table *table); /* the state of the view has changed; or NULL */
+} TableKind;
 
 struct Table {
+  const TableKind *kind;
   QnViewState *state;
-  QnCanvas *canvas;  /* of contacts and beams */
-  GtkWidget *widget; /* of beams */
+  QnCanvas *canvas; /* of contacts and beams */
+  GtkWidget *widget;
   GtkStringList *rows;
   GtkSingleSelection *selection;
-  GtkColumnViewColumn *stage; /* of steps: shown where there are stages */
-  const char *exported;       /* target of the action that writes the table to a file */
-  const Column *columns[MOST_COLUMNS]; /* the view's */
-  guint column_count;
+  GtkColumnViewColumn *columns[MOST_COLUMNS];
 };
-
-/* An end of an element of a beam. */
-typedef struct BeamEnd {
-  QnId beam;
-  double x; /* m, from the beam's first node */
-  QnBeamPoint forces;
-} BeamEnd;
 
 static QnRun *
 run_of (const Table *table)
@@ -48,30 +50,205 @@ run_of (const Table *table)
   return qn_document_get_run (qn_view_state_get_document (table->state));
 }
 
-/* ---- columns ---- */
+static char *
+dup_quantity (QnQuantity quantity, double value)
+{
+  return qn_units_format (qn_settings_get_units (), quantity, value, 4);
+}
+
+/* ---- steps ---- */
+
+enum { STEP, STAGE, MULTIPLIER, DISPLACEMENT, ITERATIONS, EVENT, STEP_COLUMNS };
+
+static gsize
+count_steps (const QnRun *run)
+{
+  return run->result.step_count;
+}
+
+static char *
+dup_step_cell (const Table *table, const QnRun *run, guint row, guint column)
+{
+  const QnResult *result = &run->result;
+  const QnStep *step = &result->steps[row];
+  const QnMotion motion = { .model = &run->model,
+                            .displacements = qn_result_step_displacements (result, row),
+                            .linear = run->model.analysis.geometry == QN_GEOMETRY_LINEAR,
+                            .scale = 1.0 };
+  (void) table;
+  switch (column) {
+  case STEP:
+    return g_strdup_printf ("%u", row);
+  case STAGE:
+    return step->stage > 0 && (gsize) step->stage <= run->model.stage_count
+             ? qn_stage_dup_name (&run->model, step->stage)
+             : g_strdup ("");
+  case MULTIPLIER:
+    return result->history.width > 0 ? g_strdup_printf ("%.4f s", step->time)
+                                     : g_strdup_printf ("%.5f", step->multiplier);
+  case DISPLACEMENT:
+    return qn_units_format (qn_units_of_motion (qn_settings_get_units ()),
+                            QN_QUANTITY_LENGTH, qn_motion_largest (&motion), 4);
+  case ITERATIONS:
+    return g_strdup_printf ("%d", step->iterations);
+  default:
+    return g_strdup (step->event == QN_EVENT_SNAP       ? _ ("jump")
+                     : step->event == QN_EVENT_COLLAPSE ? _ ("collapse")
+                                                        : "");
+  }
+}
+
+static void
+select_step (const Table *table, const QnRun *run, guint row)
+{
+  (void) run;
+  if (qn_view_state_get_view (table->state) != QN_VIEW_DEFORMED)
+    qn_view_state_set_view (table->state, QN_VIEW_DEFORMED);
+  qn_view_state_set_step (table->state, (int) row);
+}
+
+static void on_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table);
+
+/* The row follows the slider and the curve. */
+static void
+follow_step (Table *table)
+{
+  int step = qn_view_state_get_step (table->state);
+  guint row =
+    step == QN_STEP_LAST || qn_view_state_get_view (table->state) != QN_VIEW_DEFORMED
+      ? GTK_INVALID_LIST_POSITION
+      : (guint) step;
+  g_signal_handlers_block_by_func (table->selection, on_selected, table);
+  gtk_single_selection_set_selected (table->selection, row);
+  g_signal_handlers_unblock_by_func (table->selection, on_selected, table);
+}
+
+/* ---- contacts ---- */
+
+enum { BLOCKS, STATE, NORMAL, SHEAR, CONTACT_COLUMNS };
+
+static gsize
+count_contacts (const QnRun *run)
+{
+  return run->result.pairs != NULL ? run->result.pair_count : 0;
+}
+
+static char *
+dup_contact_cell (const Table *table, const QnRun *run, guint row, guint column)
+{
+  const QnPairResult *pair = &run->result.pairs[row];
+  (void) table;
+  switch (column) {
+  case BLOCKS: {
+    if (row >= run->contacts.pair_count)
+      return g_strdup ("");
+    const QnContactFace *face = &run->contacts.faces[run->contacts.pairs[row].face];
+    return g_strdup_printf ("%s – %s", run->model.blocks[face->a].name,
+                            run->model.blocks[face->b].name);
+  }
+  case STATE:
+    return g_strdup (qn_explain_pair_state (pair->state));
+  default:
+    return dup_quantity (QN_QUANTITY_FORCE,
+                         column == NORMAL ? pair->normal_force : pair->shear_force);
+  }
+}
+
+/* Ringed, and told in the inspector where the drawing is still the same. */
+static void
+select_contact (const Table *table, const QnRun *run, guint row)
+{
+  if (row >= run->contacts.pair_count)
+    return;
+  qn_canvas_show_place (table->canvas, run->contacts.pairs[row].point);
+  if (!qn_document_is_stale (qn_canvas_get_document (table->canvas), run))
+    qn_selection_set_face (qn_canvas_get_selection (table->canvas),
+                           run->contacts.pairs[row].face);
+}
+
+/* ---- section forces: two rows for every element, its ends ---- */
+
+enum { BEAM, PLACE, BEAM_NORMAL, BEAM_SHEAR, BEAM_MOMENT, BEAM_COLUMNS };
+
+static gsize
+count_ends (const QnRun *run)
+{
+  return run->result.beam_forces != NULL ? 2 * run->result.element_count : 0;
+}
+
+/* At the step that the drawing shows. */
+static char *
+dup_end_cell (const Table *table, const QnRun *run, guint row, guint column)
+{
+  const QnResult *result = &run->result;
+  gsize element = row / 2;
+  int step = qn_view_state_get_step (table->state);
+  if (result->step_count == 0 || element >= run->model.element_count)
+    return g_strdup ("");
+  const QnBeamElement *e = &run->model.elements[element];
+  const QnBeam *beam = &run->model.beams[e->beam];
+  double length = qn_model_beam_length (&run->model, e->beam) / beam->element_count;
+  const QnBeamForces *forces = &qn_result_step_beam_forces (
+    result, step == QN_STEP_LAST ? result->step_count - 1 : (gsize) step)[element];
+  QnBeamPoint end = qn_beam_forces_at (forces, length, row % 2);
+  switch (column) {
+  case BEAM:
+    return g_strdup (beam->name);
+  case PLACE:
+    return dup_quantity (QN_QUANTITY_LENGTH,
+                         length * ((double) element - beam->first_element + row % 2));
+  case BEAM_NORMAL:
+    return dup_quantity (QN_QUANTITY_FORCE, end.normal);
+  case BEAM_SHEAR:
+    return dup_quantity (QN_QUANTITY_FORCE, end.shear);
+  default:
+    return dup_quantity (QN_QUANTITY_MOMENT, end.moment);
+  }
+}
+
+static void
+select_beam (const Table *table, const QnRun *run, guint row)
+{
+  if (row / 2 >= run->model.element_count)
+    return;
+  const char *name = run->model.beams[run->model.elements[row / 2].beam].name;
+  QnId beam = qn_model_find_beam (qn_canvas_get_model (table->canvas), name);
+  if (beam != QN_NONE)
+    qn_selection_set_beams (qn_canvas_get_selection (table->canvas), &beam, 1);
+}
+
+/* ---- cells and rows ---- */
+
+static char *
+dup_cell (const Table *table, guint row, guint column)
+{
+  const QnRun *run = run_of (table);
+  return run != NULL && row < table->kind->count_rows (run)
+           ? table->kind->dup_cell (table, run, row, column)
+           : g_strdup ("");
+}
 
 /* The whole row as text, and the table as a file. */
 static GMenuModel *
 make_row_menu (GtkWidget *label, QnMenuPlace *place, gpointer data)
 {
-  const Column *column = data;
-  const Table *table = column->table;
-  const QnRun *run = run_of (table);
+  const Table *table = data;
   GtkListItem *cell = g_object_get_data (G_OBJECT (label), "qn-item");
   guint row = gtk_list_item_get_position (cell);
   (void) place;
-  if (run == NULL || row == GTK_INVALID_LIST_POSITION)
+  if (run_of (table) == NULL || row == GTK_INVALID_LIST_POSITION)
     return NULL;
   gtk_single_selection_set_selected (table->selection, row);
   g_autoptr (GString) text = g_string_new (NULL);
-  for (guint i = 0; i < table->column_count; i++) {
-    g_autofree char *value = table->columns[i]->cell (table, run, row);
+  for (guint i = 0; i < table->kind->column_count; i++) {
+    g_autofree char *value = dup_cell (table, row, i);
     g_string_append_printf (text, "%s%s", i > 0 ? "\t" : "", value);
   }
   GMenu *menu = g_menu_new ();
   qn_menu_add_target (menu, _ ("_Copy Row"), "win.copy-text",
                       g_variant_new_string (text->str));
-  g_autofree char *action = g_strdup_printf ("win.export-result::%s", table->exported);
+  g_autofree char *action =
+    g_strdup_printf ("win.export-result::%s", table->kind->exported);
   g_menu_append (menu, _ ("_Export Table…"), action);
   return G_MENU_MODEL (menu);
 }
@@ -89,432 +266,169 @@ on_setup_cell (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer da
 }
 
 static void
-on_bind_cell (GtkSignalListItemFactory *factory, GtkListItem *item, Column *column)
+on_bind_cell (GObject *factory, GtkListItem *item, const Table *table)
 {
-  (void) factory;
-  const QnRun *run = run_of (column->table);
-  guint row = gtk_list_item_get_position (item);
-  g_autofree char *text =
-    run != NULL ? column->cell (column->table, run, row) : g_strdup ("");
+  guint column = GPOINTER_TO_UINT (g_object_get_data (factory, "qn-column"));
+  g_autofree char *text = dup_cell (table, gtk_list_item_get_position (item), column);
   gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)), text);
 }
 
-static GtkColumnViewColumn *
-add_column (GtkWidget *view, const char *title, Table *table, CellFunc cell)
-{
-  Column *data = g_new (Column, 1);
-  *data = (Column){ table, cell };
-  table->columns[table->column_count++] = data;
-  GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
-  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_cell), data);
-  g_signal_connect_data (factory, "bind", G_CALLBACK (on_bind_cell), data,
-                         (GClosureNotify) (gpointer) g_free, 0);
-  g_autoptr (GtkColumnViewColumn) column = gtk_column_view_column_new (title, factory);
-  gtk_column_view_append_column (GTK_COLUMN_VIEW (view), column);
-  return column; /* the view holds it */
-}
-
-static char *
-dup_quantity (QnQuantity quantity, double value)
-{
-  return qn_units_format (qn_settings_get_units (), quantity, value, 4);
-}
-
-/* "N (kN)" */
-static char *
-dup_title (const char *name, QnQuantity quantity)
-{
-  return g_strdup_printf ("%s (%s)", name,
-                          qn_units_symbol (qn_settings_get_units (), quantity));
-}
-
-/* ---- steps ---- */
-
-static char *
-cell_step (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  (void) run;
-  return g_strdup_printf ("%u", row);
-}
-
-static char *
-cell_stage (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  int32_t stage = row < run->result.step_count ? run->result.steps[row].stage : 0;
-  return stage > 0 && (gsize) stage <= run->model.stage_count
-           ? qn_stage_dup_name (&run->model, stage)
-           : g_strdup ("");
-}
-
-static char *
-cell_multiplier (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  return row < run->result.step_count
-           ? run->result.history.width > 0
-               ? g_strdup_printf ("%.4f s", run->result.steps[row].time)
-               : g_strdup_printf ("%.5f", run->result.steps[row].multiplier)
-           : g_strdup ("");
-}
-
-static char *
-cell_displacement (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  if (row >= run->result.step_count)
-    return g_strdup ("");
-  const QnMotion motion = { .model = &run->model,
-                            .displacements =
-                              qn_result_step_displacements (&run->result, row),
-                            .linear = run->model.analysis.geometry == QN_GEOMETRY_LINEAR,
-                            .scale = 1.0 };
-  return qn_units_format (qn_units_of_motion (qn_settings_get_units ()),
-                          QN_QUANTITY_LENGTH, qn_motion_largest (&motion), 4);
-}
-
-static char *
-cell_iterations (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  return row < run->result.step_count
-           ? g_strdup_printf ("%d", run->result.steps[row].iterations)
-           : g_strdup ("");
-}
-
-static char *
-cell_event (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  if (row >= run->result.step_count)
-    return g_strdup ("");
-  switch (run->result.steps[row].event) {
-  case QN_EVENT_SNAP:
-    return g_strdup (_ ("jump"));
-  case QN_EVENT_COLLAPSE:
-    return g_strdup (_ ("collapse"));
-  case QN_EVENT_NONE:
-  case QN_EVENT_COUNT:
-    break;
-  }
-  return g_strdup ("");
-}
-
-/* ---- contacts ---- */
-
-static char *
-cell_blocks (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  if (row >= run->contacts.pair_count)
-    return g_strdup ("");
-  const QnContactFace *face = &run->contacts.faces[run->contacts.pairs[row].face];
-  return g_strdup_printf ("%s – %s", run->model.blocks[face->a].name,
-                          run->model.blocks[face->b].name);
-}
-
-static char *
-cell_state (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  return g_strdup (row < run->result.pair_count
-                     ? qn_explain_pair_state (run->result.pairs[row].state)
-                     : "");
-}
-
-static char *
-cell_normal (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  return row < run->result.pair_count
-           ? dup_quantity (QN_QUANTITY_FORCE, run->result.pairs[row].normal_force)
-           : g_strdup ("");
-}
-
-static char *
-cell_shear (const Table *table, const QnRun *run, guint row)
-{
-  (void) table;
-  return row < run->result.pair_count
-           ? dup_quantity (QN_QUANTITY_FORCE, run->result.pairs[row].shear_force)
-           : g_strdup ("");
-}
-
-/* ---- section forces: two rows for every element, its ends ---- */
-
-/* The step that the drawing shows. */
-static gsize
-shown_step (const Table *table, const QnRun *run)
-{
-  int step = qn_view_state_get_step (table->state);
-  return step == QN_STEP_LAST ? run->result.step_count - 1 : (gsize) step;
-}
-
-static gboolean
-find_end (const Table *table, const QnRun *run, guint row, BeamEnd *end)
-{
-  const QnResult *result = &run->result;
-  gsize element = row / 2;
-  if (result->step_count == 0 || result->beam_forces == NULL
-      || element >= result->element_count || element >= run->model.element_count)
-    return FALSE;
-  const QnBeamElement *e = &run->model.elements[element];
-  const QnBeam *beam = &run->model.beams[e->beam];
-  double length = qn_model_beam_length (&run->model, e->beam) / beam->element_count;
-  const QnBeamForces *forces =
-    &qn_result_step_beam_forces (result, shown_step (table, run))[element];
-  *end = (BeamEnd){ .beam = e->beam,
-                    .x = length * ((double) element - beam->first_element + row % 2),
-                    .forces = qn_beam_forces_at (forces, length, row % 2) };
-  return TRUE;
-}
-
-static char *
-cell_beam (const Table *table, const QnRun *run, guint row)
-{
-  BeamEnd end;
-  return g_strdup (find_end (table, run, row, &end) ? run->model.beams[end.beam].name
-                                                    : "");
-}
-
-static char *
-cell_place (const Table *table, const QnRun *run, guint row)
-{
-  BeamEnd end;
-  return find_end (table, run, row, &end) ? dup_quantity (QN_QUANTITY_LENGTH, end.x)
-                                          : g_strdup ("");
-}
-
-static char *
-cell_beam_normal (const Table *table, const QnRun *run, guint row)
-{
-  BeamEnd end;
-  return find_end (table, run, row, &end)
-           ? dup_quantity (QN_QUANTITY_FORCE, end.forces.normal)
-           : g_strdup ("");
-}
-
-static char *
-cell_beam_shear (const Table *table, const QnRun *run, guint row)
-{
-  BeamEnd end;
-  return find_end (table, run, row, &end)
-           ? dup_quantity (QN_QUANTITY_FORCE, end.forces.shear)
-           : g_strdup ("");
-}
-
-static char *
-cell_beam_moment (const Table *table, const QnRun *run, guint row)
-{
-  BeamEnd end;
-  return find_end (table, run, row, &end)
-           ? dup_quantity (QN_QUANTITY_MOMENT, end.forces.moment)
-           : g_strdup ("");
-}
-
-/* ---- building ---- */
-
-/* A row per step or pair, without contents. */
 static void
-set_row_count (Table *table, gsize count, GCallback selected)
-{
-  guint have = g_list_model_get_n_items (G_LIST_MODEL (table->rows));
-  const char **blank = g_new0 (const char *, count + 1);
-  for (gsize i = 0; i < count; i++)
-    blank[i] = "";
-  g_signal_handlers_block_by_func (table->selection, selected, table);
-  gtk_string_list_splice (table->rows, 0, have, blank);
-  gtk_single_selection_set_selected (table->selection, GTK_INVALID_LIST_POSITION);
-  g_signal_handlers_unblock_by_func (table->selection, selected, table);
-  g_free (blank);
-}
-
-static GtkWidget *
-wrap_table (GtkWidget *view, const char *title)
-{
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_min_content_height (GTK_SCROLLED_WINDOW (scroller),
-                                              TABLE_HEIGHT);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), view);
-  gtk_widget_add_css_class (scroller, "frame");
-  gtk_widget_add_css_class (view, "data-table");
-  GtkWidget *expander = gtk_expander_new_with_mnemonic (title);
-  gtk_expander_set_child (GTK_EXPANDER (expander), scroller);
-  return expander;
-}
-
-static GtkWidget *
-make_view (Table *table, GCallback selected)
-{
-  table->rows = gtk_string_list_new (NULL);
-  table->selection = gtk_single_selection_new (G_LIST_MODEL (table->rows));
-  gtk_single_selection_set_autoselect (table->selection, FALSE);
-  gtk_single_selection_set_can_unselect (table->selection, TRUE);
-  g_signal_connect (table->selection, "notify::selected", selected, table);
-  GtkWidget *view =
-    gtk_column_view_new (g_object_ref (GTK_SELECTION_MODEL (table->selection)));
-  g_object_set_data_full (G_OBJECT (view), "qn-selection", table->selection,
-                          g_object_unref);
-  return view;
-}
-
-static void
-on_step_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
+on_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
 {
   (void) pspec;
   guint row = gtk_single_selection_get_selected (selection);
-  if (row == GTK_INVALID_LIST_POSITION)
-    return;
-  if (qn_view_state_get_view (table->state) != QN_VIEW_DEFORMED)
-    qn_view_state_set_view (table->state, QN_VIEW_DEFORMED);
-  qn_view_state_set_step (table->state, (int) row);
+  const QnRun *run = run_of (table);
+  if (run != NULL && row < table->kind->count_rows (run))
+    table->kind->select (table, run, row);
+}
+
+/* Rows without contents: cells look theirs up. */
+static void
+update (Table *table)
+{
+  const QnRun *run = run_of (table);
+  gsize count = run != NULL ? table->kind->count_rows (run) : 0;
+  guint have = g_list_model_get_n_items (G_LIST_MODEL (table->rows));
+  g_autofree const char **blank = g_new0 (const char *, count + 1);
+  for (gsize i = 0; i < count; i++)
+    blank[i] = "";
+  g_signal_handlers_block_by_func (table->selection, on_selected, table);
+  gtk_string_list_splice (table->rows, 0, have, blank);
+  gtk_single_selection_set_selected (table->selection, GTK_INVALID_LIST_POSITION);
+  g_signal_handlers_unblock_by_func (table->selection, on_selected, table);
 }
 
 static void
 update_steps (Table *table)
 {
   const QnRun *run = run_of (table);
-  gtk_column_view_column_set_visible (table->stage,
+  gtk_column_view_column_set_visible (table->columns[STAGE],
                                       run != NULL && run->model.stage_count > 0);
-  set_row_count (table, run != NULL ? run->result.step_count : 0,
-                 G_CALLBACK (on_step_selected));
+  update (table);
 }
 
-/* The row follows the slider and the curve. */
 static void
-follow_step (Table *table)
+update_ends (Table *table)
 {
-  int step = qn_view_state_get_step (table->state);
-  guint row =
-    step == QN_STEP_LAST || qn_view_state_get_view (table->state) != QN_VIEW_DEFORMED
-      ? GTK_INVALID_LIST_POSITION
-      : (guint) step;
-  g_signal_handlers_block_by_func (table->selection, on_step_selected, table);
-  gtk_single_selection_set_selected (table->selection, row);
-  g_signal_handlers_unblock_by_func (table->selection, on_step_selected, table);
+  const QnRun *run = run_of (table);
+  gtk_widget_set_visible (table->widget, run != NULL && run->result.beam_forces != NULL);
+  update (table);
+}
+
+/* ---- building ---- */
+
+static void
+add_column (Table *table, GtkWidget *view, guint number)
+{
+  const ColumnTitle *title = &table->kind->columns[number];
+  QnUnits units = qn_settings_get_units ();
+  GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
+  if (table->kind->count_rows == count_steps)
+    units = qn_units_of_motion (units);
+  g_autofree char *text = title->quantity == QN_QUANTITY_NUMBER
+                            ? g_strdup (_ (title->text))
+                            : g_strdup_printf ("%s (%s)", _ (title->text),
+                                               qn_units_symbol (units, title->quantity));
+  g_object_set_data (G_OBJECT (factory), "qn-column", GUINT_TO_POINTER (number));
+  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_cell), table);
+  g_signal_connect (factory, "bind", G_CALLBACK (on_bind_cell), table);
+  g_autoptr (GtkColumnViewColumn) column = gtk_column_view_column_new (text, factory);
+  gtk_column_view_append_column (GTK_COLUMN_VIEW (view), column);
+  table->columns[number] = column; /* the view holds it */
+}
+
+static GtkWidget *
+make_table (const TableKind *kind, QnViewState *state, QnCanvas *canvas,
+            void (*updates) (Table *table))
+{
+  Table *table = g_new0 (Table, 1);
+  *table = (Table){ .kind = kind, .state = state, .canvas = canvas };
+  table->rows = gtk_string_list_new (NULL);
+  table->selection = gtk_single_selection_new (G_LIST_MODEL (table->rows));
+  gtk_single_selection_set_autoselect (table->selection, FALSE);
+  gtk_single_selection_set_can_unselect (table->selection, TRUE);
+  g_signal_connect (table->selection, "notify::selected", G_CALLBACK (on_selected),
+                    table);
+  GtkWidget *view =
+    gtk_column_view_new (g_object_ref (GTK_SELECTION_MODEL (table->selection)));
+  g_object_set_data_full (G_OBJECT (view), "qn-selection", table->selection,
+                          g_object_unref);
+  for (guint i = 0; i < kind->column_count; i++)
+    add_column (table, view, i);
+
+  GtkWidget *scroller = gtk_scrolled_window_new ();
+  gtk_scrolled_window_set_min_content_height (GTK_SCROLLED_WINDOW (scroller),
+                                              TABLE_HEIGHT);
+  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), view);
+  gtk_widget_add_css_class (scroller, "frame");
+  gtk_widget_add_css_class (view, "data-table");
+  table->widget = gtk_expander_new_with_mnemonic (_ (kind->title));
+  gtk_expander_set_child (GTK_EXPANDER (table->widget), scroller);
+  qn_own (table->widget, table);
+  qn_watch (table->widget, qn_view_state_get_document (state), "runs-changed",
+            G_CALLBACK (updates), table);
+  if (kind->follow != NULL)
+    qn_watch (table->widget, state, "changed", G_CALLBACK (kind->follow), table);
+  updates (table);
+  return table->widget;
 }
 
 GtkWidget *
 qn_step_table_new (QnViewState *state)
 {
-  Table *table = g_new0 (Table, 1);
-  table->state = state;
-  table->exported = "curve";
-  GtkWidget *view = make_view (table, G_CALLBACK (on_step_selected));
-  g_autofree char *displacement = g_strdup_printf (
-    "%s (%s)", _ ("Largest motion"),
-    qn_units_symbol (qn_units_of_motion (qn_settings_get_units ()), QN_QUANTITY_LENGTH));
-  add_column (view, _ ("Step"), table, cell_step);
-  table->stage = add_column (view, _ ("Stage"), table, cell_stage);
-  add_column (view, _ ("Multiplier or time"), table, cell_multiplier);
-  add_column (view, displacement, table, cell_displacement);
-  add_column (view, _ ("Iterations"), table, cell_iterations);
-  add_column (view, _ ("Event"), table, cell_event);
-  GtkWidget *widget = wrap_table (view, _ ("_Steps"));
-  qn_own (widget, table);
-  qn_watch (widget, qn_view_state_get_document (state), "runs-changed",
-            G_CALLBACK (update_steps), table);
-  qn_watch (widget, state, "changed", G_CALLBACK (follow_step), table);
-  update_steps (table);
-  return widget;
-}
-
-static void
-on_contact_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
-{
-  (void) pspec;
-  guint row = gtk_single_selection_get_selected (selection);
-  const QnRun *run = run_of (table);
-  if (run == NULL || row >= run->contacts.pair_count)
-    return;
-  /* Ringed, and told in the inspector where the drawing is still the same. */
-  qn_canvas_show_place (table->canvas, run->contacts.pairs[row].point);
-  if (!qn_document_is_stale (qn_canvas_get_document (table->canvas), run))
-    qn_selection_set_face (qn_canvas_get_selection (table->canvas),
-                           run->contacts.pairs[row].face);
-}
-
-static void
-update_contacts (Table *table)
-{
-  const QnRun *run = run_of (table);
-  set_row_count (table,
-                 run != NULL && run->result.pairs != NULL ? run->result.pair_count : 0,
-                 G_CALLBACK (on_contact_selected));
+  static const TableKind kind = {
+    .title = N_ ("_Steps"),
+    .exported = "curve",
+    .columns = { [STEP] = { N_ ("Step"), QN_QUANTITY_NUMBER },
+                 [STAGE] = { N_ ("Stage"), QN_QUANTITY_NUMBER },
+                 [MULTIPLIER] = { N_ ("Multiplier or time"), QN_QUANTITY_NUMBER },
+                 [DISPLACEMENT] = { N_ ("Largest motion"), QN_QUANTITY_LENGTH },
+                 [ITERATIONS] = { N_ ("Iterations"), QN_QUANTITY_NUMBER },
+                 [EVENT] = { N_ ("Event"), QN_QUANTITY_NUMBER } },
+    .column_count = STEP_COLUMNS,
+    .count_rows = count_steps,
+    .dup_cell = dup_step_cell,
+    .select = select_step,
+    .follow = follow_step,
+  };
+  return make_table (&kind, state, NULL, update_steps);
 }
 
 GtkWidget *
 qn_contact_table_new (QnCanvas *canvas)
 {
-  Table *table = g_new0 (Table, 1);
-  table->canvas = canvas;
-  table->state = qn_canvas_get_state (canvas);
-  table->exported = "contacts";
-  GtkWidget *view = make_view (table, G_CALLBACK (on_contact_selected));
-  g_autofree char *normal = dup_title ("N", QN_QUANTITY_FORCE);
-  g_autofree char *shear = dup_title ("T", QN_QUANTITY_FORCE);
-  add_column (view, _ ("Blocks"), table, cell_blocks);
-  add_column (view, _ ("State"), table, cell_state);
-  add_column (view, normal, table, cell_normal);
-  add_column (view, shear, table, cell_shear);
-  GtkWidget *widget = wrap_table (view, _ ("_Contacts at the end"));
-  qn_own (widget, table);
-  qn_watch (widget, qn_view_state_get_document (table->state), "runs-changed",
-            G_CALLBACK (update_contacts), table);
-  update_contacts (table);
-  return widget;
-}
-
-/* A row leads to its beam. */
-static void
-on_beam_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
-{
-  (void) pspec;
-  const QnRun *run = run_of (table);
-  guint row = gtk_single_selection_get_selected (selection);
-  BeamEnd end;
-  if (row == GTK_INVALID_LIST_POSITION || run == NULL
-      || !find_end (table, run, row, &end))
-    return;
-  const QnModel *model = qn_canvas_get_model (table->canvas);
-  QnId beam = qn_model_find_beam (model, run->model.beams[end.beam].name);
-  if (beam != QN_NONE)
-    qn_selection_set_beams (qn_canvas_get_selection (table->canvas), &beam, 1);
-}
-
-static void
-update_beams (Table *table)
-{
-  const QnRun *run = run_of (table);
-  gboolean there = run != NULL && run->result.beam_forces != NULL;
-  gtk_widget_set_visible (table->widget, there);
-  set_row_count (table, there ? 2 * run->result.element_count : 0,
-                 G_CALLBACK (on_beam_selected));
+  static const TableKind kind = {
+    .title = N_ ("_Contacts at the end"),
+    .exported = "contacts",
+    .columns = { [BLOCKS] = { N_ ("Blocks"), QN_QUANTITY_NUMBER },
+                 [STATE] = { N_ ("State"), QN_QUANTITY_NUMBER },
+                 [NORMAL] = { "N", QN_QUANTITY_FORCE },
+                 [SHEAR] = { "T", QN_QUANTITY_FORCE } },
+    .column_count = CONTACT_COLUMNS,
+    .count_rows = count_contacts,
+    .dup_cell = dup_contact_cell,
+    .select = select_contact,
+  };
+  return make_table (&kind, qn_canvas_get_state (canvas), canvas, update);
 }
 
 GtkWidget *
 qn_beam_table_new (QnCanvas *canvas)
 {
-  Table *table = g_new0 (Table, 1);
-  table->canvas = canvas;
-  table->state = qn_canvas_get_state (canvas);
-  table->exported = "beams";
-  GtkWidget *view = make_view (table, G_CALLBACK (on_beam_selected));
-  g_autofree char *place = dup_title ("x", QN_QUANTITY_LENGTH);
-  g_autofree char *normal = dup_title ("N", QN_QUANTITY_FORCE);
-  g_autofree char *shear = dup_title ("V", QN_QUANTITY_FORCE);
-  g_autofree char *moment = dup_title ("M", QN_QUANTITY_MOMENT);
-  add_column (view, _ ("Beam"), table, cell_beam);
-  add_column (view, place, table, cell_place);
-  add_column (view, normal, table, cell_beam_normal);
-  add_column (view, shear, table, cell_beam_shear);
-  add_column (view, moment, table, cell_beam_moment);
-  GtkWidget *widget = table->widget = wrap_table (view, _ ("Section _forces of beams"));
-  qn_own (widget, table);
-  qn_watch (widget, qn_view_state_get_document (table->state), "runs-changed",
-            G_CALLBACK (update_beams), table);
-  qn_watch (widget, table->state, "changed", G_CALLBACK (update_beams), table);
-  update_beams (table);
-  return widget;
+  static const TableKind kind = {
+    .title = N_ ("Section _forces of beams"),
+    .exported = "beams",
+    .columns = { [BEAM] = { N_ ("Beam"), QN_QUANTITY_NUMBER },
+                 [PLACE] = { "x", QN_QUANTITY_LENGTH },
+                 [BEAM_NORMAL] = { "N", QN_QUANTITY_FORCE },
+                 [BEAM_SHEAR] = { "V", QN_QUANTITY_FORCE },
+                 [BEAM_MOMENT] = { "M", QN_QUANTITY_MOMENT } },
+    .column_count = BEAM_COLUMNS,
+    .count_rows = count_ends,
+    .dup_cell = dup_end_cell,
+    .select = select_beam,
+    .follow = update_ends,
+  };
+  return make_table (&kind, qn_canvas_get_state (canvas), canvas, update_ends);
 }

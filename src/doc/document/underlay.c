@@ -1,6 +1,6 @@
 #include "doc/document/underlay.h"
 
-#include "io/json/json-value.h"
+#include "io/project/project-extras.h"
 #include "io/text/file-inside.h"
 #include "io/text/json-text.h"
 #include "render/scene/photo.h"
@@ -77,12 +77,7 @@ gboolean
 qn_underlay_locate (const QnProject *project, const char *folder, char **path,
                     QnUnderlay *underlay, GError **error)
 {
-  g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
-  QnReader reader = { .name = project->name,
-                      .text = project->text,
-                      .length = project->text_length,
-                      .overrides = (const char *const *) project->overrides,
-                      .warnings = warnings };
+  QnReader reader = qn_project_reader (project);
   const char *image = NULL;
   *path = NULL;
   *underlay = (QnUnderlay){ .width = 1, .opacity = 0.6 };

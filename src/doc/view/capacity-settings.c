@@ -1,6 +1,6 @@
 #include "doc/view/capacity-settings.h"
 
-#include "io/json/json-value.h"
+#include "io/project/project-extras.h"
 #include "io/text/json-text.h"
 
 static gboolean
@@ -31,12 +31,7 @@ gboolean
 qn_capacity_settings_read (const QnProject *project, QnCapacitySettings *settings,
                            GError **error)
 {
-  g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
-  QnReader reader = { .name = project->name,
-                      .text = project->text,
-                      .length = project->text_length,
-                      .overrides = (const char *const *) project->overrides,
-                      .warnings = warnings };
+  QnReader reader = qn_project_reader (project);
   *settings = (QnCapacitySettings){ 0 };
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
   QnJsonValue place = qn_json_value_member (&root, QN_CAPACITY_MEMBER);

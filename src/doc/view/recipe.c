@@ -2,7 +2,6 @@
 
 #include "core/base/integer.h"
 #include "doc/document/digest.h"
-#include "io/json/json-value.h"
 #include "io/project/project-extras.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
@@ -182,15 +181,11 @@ read_recipe (const QnJsonValue *object, GHashTable *known)
 GPtrArray *
 qn_recipes_read (const QnProject *project, GPtrArray *warnings, GError **error)
 {
-  g_autoptr (GPtrArray) unheard = g_ptr_array_new_with_free_func (g_free);
   g_autoptr (GPtrArray) recipes =
     g_ptr_array_new_with_free_func ((GDestroyNotify) qn_recipe_free);
   g_autoptr (GHashTable) known = g_hash_table_new (g_str_hash, g_str_equal);
-  QnReader reader = { .name = project->name,
-                      .text = project->text,
-                      .length = project->text_length,
-                      .overrides = (const char *const *) project->overrides,
-                      .warnings = warnings != NULL ? warnings : unheard };
+  QnReader reader = qn_project_reader (project);
+  reader.warnings = warnings;
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
   QnJsonValue list, element = { 0 };
   gboolean sound = qn_member_array (&root, "figures", QN_OPTIONAL, &list);

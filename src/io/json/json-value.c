@@ -163,7 +163,7 @@ void
 qn_json_value_warn (const QnJsonValue *place, const char *message)
 {
   QnReader *reader = place->reader;
-  if (reader->warnings->len >= QN_READER_MAX_WARNINGS) {
+  if (reader->warnings == NULL || reader->warnings->len >= QN_READER_MAX_WARNINGS) {
     reader->dropped_warnings++;
     return;
   }

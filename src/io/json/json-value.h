@@ -19,7 +19,7 @@ typedef struct QnReader {
   const char *text; /* nullable: no lines and columns then */
   gsize length;
   const char *const *overrides; /* nullable */
-  GPtrArray *warnings;          /* of char * */
+  GPtrArray *warnings;          /* of char *; NULL: nobody asks for them */
   guint dropped_warnings;       /* beyond QN_READER_MAX_WARNINGS */
   GError *error;                /* the first one; domain QN_IO_ERROR */
   gboolean keeps_unknown;       /* puts unknown members aside: */
@@ -39,8 +39,6 @@ typedef struct QnJsonValue {
 
 typedef enum { QN_OPTIONAL, QN_REQUIRED } QnNeed;
 typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRange;
-
-/* Name of the value of an enumeration, as the file spells it. */
 
 /* The document; a member of an object (json NULL where it is not there), or one at hand that need
  * not be searched for; an element of an array.

@@ -43,8 +43,7 @@ gboolean
 qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **error)
 {
   *list = (QnMasonries){ 0 };
-  g_autoptr (GPtrArray) warnings = g_ptr_array_new_with_free_func (g_free);
-  QnReader reader = { .name = project->name, .warnings = warnings };
+  QnReader reader = { .name = project->name };
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
   QnJsonValue place = qn_json_value_member (&root, QN_MASONRY_MEMBER), element = { 0 };
   while (qn_json_value_next (&place, &element)) {

@@ -2,7 +2,6 @@
 
 #include "io/json/json-locate.h"
 #include "io/json/json-path.h"
-#include "io/json/json-value.h"
 #include "io/project/project-extras.h"
 #include "io/project/project-masonry.h"
 #include "io/project/usual-joint.h"
@@ -239,8 +238,8 @@ append_block_names (GString *message, const QnModel *model, QnId a, QnId b)
   g_string_append_c (message, ')');
 }
 
-static QnReader
-reader_of (const QnProject *project)
+QnReader
+qn_project_reader (const QnProject *project)
 {
   return (QnReader){ .name = project->name != NULL ? project->name : _ ("project"),
                      .text = project->text,
@@ -251,7 +250,7 @@ reader_of (const QnProject *project)
 void
 qn_project_set_error (const QnProject *project, const QnDiag *diag, GError **error)
 {
-  QnReader reader = reader_of (project);
+  QnReader reader = qn_project_reader (project);
   if (diag->status == QN_ERROR_NO_MEMORY) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", reader.name,
                  _ ("not enough memory"));
@@ -270,7 +269,7 @@ void
 qn_project_set_key_error (const QnProject *project, const char *path, const char *message,
                           GError **error)
 {
-  QnReader reader = reader_of (project);
+  QnReader reader = qn_project_reader (project);
   char *line = qn_reader_dup_line (&reader, path, message);
   g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
   g_free (line);
@@ -311,7 +310,7 @@ GPtrArray *
 qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findings)
 {
   GPtrArray *lines = g_ptr_array_new_with_free_func (g_free);
-  QnReader reader = reader_of (project);
+  QnReader reader = qn_project_reader (project);
   if (findings->count == 0)
     return lines;
   g_autoptr (GArray) blocks = qn_json_locate_elements (
