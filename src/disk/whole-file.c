@@ -29,23 +29,6 @@ folder_length (const char *path)
   return slash != NULL ? (size_t) (slash - path) + 1 : 0;
 }
 
-/* Six letters that no other writer is likely to choose. */
-static void
-make_suffix (char suffix[7], int attempt)
-{
-  static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
-  struct timespec now;
-  clock_gettime (CLOCK_MONOTONIC, &now);
-  uint64_t seed = (uint64_t) now.tv_nsec ^ (uint64_t) now.tv_sec << 30
-                  ^ (uint64_t) getpid () << 40 ^ (uint64_t) (uintptr_t) suffix;
-  seed += (uint64_t) attempt;
-  for (int i = 0; i < 6; i++) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    suffix[i] = letters[(seed >> 33) % (sizeof letters - 1)];
-  }
-  suffix[6] = '\0';
-}
-
 /* Finds a name beside the target that `take` can have. */
 static int
 take_name (QnWholeFile *file, int (*take) (QnWholeFile *file, const char *name))
@@ -56,7 +39,18 @@ take_name (QnWholeFile *file, int (*take) (QnWholeFile *file, const char *name))
 
   for (int attempt = 0; attempt < MOST_NAMES && trouble == EEXIST; attempt++) {
     char suffix[7];
-    make_suffix (suffix, attempt);
+    /* Six letters that no other writer is likely to choose. */
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
+    struct timespec now;
+    clock_gettime (CLOCK_MONOTONIC, &now);
+    uint64_t seed = (uint64_t) now.tv_nsec ^ (uint64_t) now.tv_sec << 30
+                    ^ (uint64_t) getpid () << 40 ^ (uint64_t) (uintptr_t) suffix;
+    seed += (uint64_t) attempt;
+    for (int i = 0; i < 6; i++) {
+      seed = seed * 6364136223846793005u + 1442695040888963407u;
+      suffix[i] = letters[(seed >> 33) % (sizeof letters - 1)];
+    }
+    suffix[6] = '\0';
     snprintf (name, room, "%.*s.%.*s.%s", (int) folder, file->target, LONGEST_BASE,
               file->target + folder, suffix);
     trouble = take (file, name) == 0 ? 0 : errno;

@@ -152,18 +152,6 @@ is_under (QnCanvas *self, QnBox box, QnBox legend)
          && high.y < legend.max.y;
 }
 
-/* The legend hides nothing: the structure goes beside it or above it, where it is larger. */
-static void
-fit_around (QnCanvas *self, QnBox box, QnBox legend)
-{
-  double left = legend.max.x, bottom = self->camera.height - legend.min.y;
-  fit_beside (self, box, left, 0.0);
-  double beside = self->camera.scale;
-  fit_beside (self, box, 0.0, bottom);
-  if (beside > self->camera.scale)
-    fit_beside (self, box, left, 0.0);
-}
-
 void
 qn_canvas_fit_now (QnCanvas *self)
 {
@@ -173,8 +161,15 @@ qn_canvas_fit_now (QnCanvas *self)
   fit_beside (self, box, 0.0, 0.0);
   if (scene != NULL) {
     QnBox legend = qn_canvas_legend_box (self, scene);
-    if (is_under (self, box, legend))
-      fit_around (self, box, legend);
+    if (is_under (self, box, legend)) {
+      /* The legend hides nothing: the structure goes beside it or above it, where it is larger. */
+      double left = legend.max.x, bottom = self->camera.height - legend.min.y;
+      fit_beside (self, box, left, 0.0);
+      double beside = self->camera.scale;
+      fit_beside (self, box, 0.0, bottom);
+      if (beside > self->camera.scale)
+        fit_beside (self, box, left, 0.0);
+    }
   }
   self->wants_fit = FALSE;
 }

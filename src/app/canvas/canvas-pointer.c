@@ -7,9 +7,12 @@
 /* px: how far the magnet pulls. */
 #define MAGNET_REACH_PX 9.0
 
-static void
-update_hit (QnCanvas *self)
+static QnToolEvent
+make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
+            int press_count)
 {
+  self->pointer = qn_vec2 (x, y);
+  self->modifiers = modifiers;
   QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
   GSettings *settings = qn_settings_get ();
   gboolean free_hand = (self->modifiers & GDK_ALT_MASK) != 0;
@@ -28,15 +31,6 @@ update_hit (QnCanvas *self)
     self->hit.point = qn_vec2 (round (self->hit.point.x / round_to) * round_to,
                                round (self->hit.point.y / round_to) * round_to);
   }
-}
-
-static QnToolEvent
-make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
-            int press_count)
-{
-  self->pointer = qn_vec2 (x, y);
-  self->modifiers = modifiers;
-  update_hit (self);
   return (QnToolEvent){ self->pointer, qn_camera_to_model (&self->camera, self->pointer),
                         self->hit.point, modifiers, press_count };
 }

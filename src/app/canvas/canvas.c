@@ -57,14 +57,6 @@ qn_canvas_get_scene (QnCanvas *self)
   return self->scene;
 }
 
-static void
-invalidate (QnCanvas *self)
-{
-  g_clear_pointer (&self->scene, qn_scene_free);
-  g_clear_error (&self->scene_error);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-}
-
 /* Another view takes other room; steps and phases of a motion do not move the paper. */
 static void
 on_state_changed (QnCanvas *self)
@@ -73,7 +65,9 @@ on_state_changed (QnCanvas *self)
   if (view != self->shown_view && self->keeps_fit)
     self->wants_fit = TRUE;
   self->shown_view = view;
-  invalidate (self);
+  g_clear_pointer (&self->scene, qn_scene_free);
+  g_clear_error (&self->scene_error);
+  gtk_widget_queue_draw (GTK_WIDGET (self));
 }
 
 static void

@@ -163,19 +163,6 @@ qn_compare_cell_dup_caption (const QnRun *run, const char *name)
   return g_strdup_printf ("%s\n%s\n%s", name, what, words != NULL ? words : "");
 }
 
-static void
-add_controllers (Cell *cell)
-{
-  GtkEventController *scroll =
-    gtk_event_controller_scroll_new (GTK_EVENT_CONTROLLER_SCROLL_VERTICAL);
-  g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), cell);
-  gtk_widget_add_controller (cell->area, scroll);
-  GtkGesture *drag = gtk_gesture_drag_new ();
-  g_signal_connect (drag, "drag-begin", G_CALLBACK (on_pan_begin), cell);
-  g_signal_connect (drag, "drag-update", G_CALLBACK (on_pan_update), cell);
-  gtk_widget_add_controller (cell->area, GTK_EVENT_CONTROLLER (drag));
-}
-
 GtkWidget *
 qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view)
 {
@@ -197,7 +184,14 @@ qn_compare_cell_new (QnRun *run, const char *title, QnCompareView *view)
   g_object_set_data_full (G_OBJECT (box), "qn-cell", cell, cell_free);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (cell->area), draw, cell, NULL);
   g_signal_connect (cell->area, "resize", G_CALLBACK (on_resize), cell);
-  add_controllers (cell);
+  GtkEventController *scroll =
+    gtk_event_controller_scroll_new (GTK_EVENT_CONTROLLER_SCROLL_VERTICAL);
+  g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), cell);
+  gtk_widget_add_controller (cell->area, scroll);
+  GtkGesture *drag = gtk_gesture_drag_new ();
+  g_signal_connect (drag, "drag-begin", G_CALLBACK (on_pan_begin), cell);
+  g_signal_connect (drag, "drag-update", G_CALLBACK (on_pan_update), cell);
+  gtk_widget_add_controller (cell->area, GTK_EVENT_CONTROLLER (drag));
   g_autofree char *caption = qn_compare_cell_dup_caption (run, title);
   GtkWidget *label = gtk_label_new (caption);
   gtk_label_set_wrap (GTK_LABEL (label), TRUE);

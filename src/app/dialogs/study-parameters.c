@@ -71,22 +71,6 @@ show_number (QnQuantityEntry *entry, const char *what, double value)
   qn_quantity_entry_set_value (entry, value);
 }
 
-static void
-show_values (QnStudyWindow *self, Row *row, const QnDraftParameter *parameter)
-{
-  gboolean ends =
-    parameter->kind == QN_DRAFT_UNIFORM || parameter->kind == QN_DRAFT_RANGE;
-  int count;
-  QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
-  gtk_drop_down_set_selected (row->kind, parameter->kind);
-  show_number (row->first, ends ? _ ("Least") : _ ("Mean"), parameter->first);
-  show_number (row->second, ends ? _ ("Greatest") : _ ("Deviation"), parameter->second);
-  show_number (row->levels, _ ("Number of values"), parameter->levels);
-  gtk_widget_set_visible (GTK_WIDGET (row->levels), parameter->kind == QN_DRAFT_RANGE
-                                                      || plan == QN_PLAN_GRID
-                                                      || plan == QN_PLAN_ONE_AT_A_TIME);
-}
-
 static GMenuModel *
 make_menu (GtkWidget *row, QnMenuPlace *place, gpointer data)
 {
@@ -123,7 +107,17 @@ add_row (QnStudyWindow *self, guint index)
                                              : _ ("as the study file says"));
     gtk_widget_set_visible (GET (GTK_WIDGET, "values"), FALSE);
   } else {
-    show_values (self, row, &parameter);
+    gboolean ends =
+      parameter.kind == QN_DRAFT_UNIFORM || parameter.kind == QN_DRAFT_RANGE;
+    int count;
+    QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
+    gtk_drop_down_set_selected (row->kind, parameter.kind);
+    show_number (row->first, ends ? _ ("Least") : _ ("Mean"), parameter.first);
+    show_number (row->second, ends ? _ ("Greatest") : _ ("Deviation"), parameter.second);
+    show_number (row->levels, _ ("Number of values"), parameter.levels);
+    gtk_widget_set_visible (GTK_WIDGET (row->levels), parameter.kind == QN_DRAFT_RANGE
+                                                        || plan == QN_PLAN_GRID
+                                                        || plan == QN_PLAN_ONE_AT_A_TIME);
     gtk_widget_set_visible (other, FALSE);
   }
   g_signal_connect (row->name, "activate", G_CALLBACK (on_name), self);

@@ -14,25 +14,6 @@ on_output (GtkCheckButton *check, QnStudyWindow *self)
 }
 
 static void
-show_outputs (QnStudyWindow *self)
-{
-  GtkWidget *child;
-  while ((child = gtk_widget_get_first_child (self->outputs)) != NULL)
-    gtk_box_remove (GTK_BOX (self->outputs), child);
-  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++) {
-    QnStudyOutput output = (QnStudyOutput) i;
-    if (!qn_study_run_gives (qn_draft_get_run (self->draft), output))
-      continue;
-    GtkWidget *check = gtk_check_button_new_with_label (qn_study_output_names[i]);
-    gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
-                                 qn_draft_has_output (self->draft, output));
-    g_object_set_data (G_OBJECT (check), "qn-output", GINT_TO_POINTER (i));
-    g_signal_connect (check, "toggled", G_CALLBACK (on_output), self);
-    gtk_box_append (GTK_BOX (self->outputs), check);
-  }
-}
-
-static void
 on_plan (QnStudyWindow *self)
 {
   if (self->showing)
@@ -63,7 +44,20 @@ qn_study_window_show_plan (QnStudyWindow *self)
   gtk_widget_set_visible (self->cases, !by_levels);
   gtk_widget_set_visible (GTK_WIDGET (self->count), !by_levels);
   gtk_spin_button_set_value (self->count, count);
-  show_outputs (self);
+  GtkWidget *child;
+  while ((child = gtk_widget_get_first_child (self->outputs)) != NULL)
+    gtk_box_remove (GTK_BOX (self->outputs), child);
+  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++) {
+    QnStudyOutput output = (QnStudyOutput) i;
+    if (!qn_study_run_gives (qn_draft_get_run (self->draft), output))
+      continue;
+    GtkWidget *check = gtk_check_button_new_with_label (qn_study_output_names[i]);
+    gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
+                                 qn_draft_has_output (self->draft, output));
+    g_object_set_data (G_OBJECT (check), "qn-output", GINT_TO_POINTER (i));
+    g_signal_connect (check, "toggled", G_CALLBACK (on_output), self);
+    gtk_box_append (GTK_BOX (self->outputs), check);
+  }
 }
 
 void

@@ -16,15 +16,6 @@ edit_add (QnModel *model, gpointer data, GError **error)
   return qn_edit_add_beam (model, drawn->from, drawn->to, drawn->style, error);
 }
 
-/* The new beam is selected, so that its handles and its form are there. */
-static void
-select_last (QnCanvas *canvas)
-{
-  const QnModel *model = qn_canvas_get_model (canvas);
-  QnId last = (QnId) model->beam_count - 1;
-  qn_selection_set_beams (qn_canvas_get_selection (canvas), &last, 1);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
@@ -38,8 +29,12 @@ complete (QnCanvas *canvas)
                    .element_count = settings->elements } };
   qn_canvas_set_in_gesture (canvas, FALSE);
   if ((drawn.from.x != drawn.to.x || drawn.from.y != drawn.to.y)
-      && qn_canvas_edit (canvas, _ ("Add Beam"), NULL, edit_add, &drawn))
-    select_last (canvas);
+      && qn_canvas_edit (canvas, _ ("Add Beam"), NULL, edit_add, &drawn)) {
+    /* The new beam is selected, so that its handles and its form are there. */
+    const QnModel *model = qn_canvas_get_model (canvas);
+    QnId last = (QnId) model->beam_count - 1;
+    qn_selection_set_beams (qn_canvas_get_selection (canvas), &last, 1);
+  }
 }
 
 static void

@@ -37,14 +37,6 @@ wall_of_rectangle (const QnMasonries *list, QnVec2 from, QnVec2 to)
 }
 
 static gboolean
-refuse (GError **error)
-{
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                       _ ("Openings are cut into walls: drag on a wall"));
-  return FALSE;
-}
-
-static gboolean
 add_opening (QnMasonry *masonry, gpointer data, GError **error)
 {
   Opening *o = data;
@@ -77,8 +69,11 @@ edit_cut (QnProject *draft, gpointer data, GError **error)
   qn_masonries_clear (&list);
   if (o->object == QN_NONE) {
     QnId wall = qn_model_wall_at (&draft->model, middle);
-    if (wall == QN_NONE)
-      return refuse (error);
+    if (wall == QN_NONE) {
+      g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
+                           _ ("Openings are cut into walls: drag on a wall"));
+      return FALSE;
+    }
     if (!qn_edit_convert_wall (draft, wall, error))
       return FALSE;
     o->object = (QnId) count;

@@ -77,8 +77,17 @@ new_entry (Table *table, QnId corner, int axis)
 }
 
 static void
-make_rows (Table *table, QnId count)
+update (Table *table)
 {
+  const QnModel *model = qn_canvas_get_model (table->canvas);
+  QnId block = selected_block (table);
+  gboolean shown = block != QN_NONE && (gsize) block < model->block_count
+                   && model->blocks[block].vertex_count <= MOST_CORNERS;
+  gtk_widget_set_visible (table->expander, shown);
+  if (!shown)
+    return;
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnId count = model->blocks[block].vertex_count;
   while (table->count > count)
     gtk_grid_remove_row (GTK_GRID (table->grid), --table->count);
   for (; table->count < count; table->count++) {
@@ -91,20 +100,6 @@ make_rows (Table *table, QnId count)
       gtk_grid_attach (GTK_GRID (table->grid), entry, 1 + axis, table->count, 1, 1);
     }
   }
-}
-
-static void
-update (Table *table)
-{
-  const QnModel *model = qn_canvas_get_model (table->canvas);
-  QnId block = selected_block (table);
-  gboolean shown = block != QN_NONE && (gsize) block < model->block_count
-                   && model->blocks[block].vertex_count <= MOST_CORNERS;
-  gtk_widget_set_visible (table->expander, shown);
-  if (!shown)
-    return;
-  const QnVec2 *v = qn_model_block_vertices (model, block);
-  make_rows (table, model->blocks[block].vertex_count);
   for (QnId k = 0; k < table->count; k++) {
     qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (table->entries[k][0]), v[k].x);
     qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (table->entries[k][1]), v[k].y);

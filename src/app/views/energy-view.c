@@ -179,23 +179,6 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
 }
 
 static void
-add_controllers (View *view)
-{
-  GtkGesture *drag = gtk_gesture_drag_new ();
-  g_signal_connect (drag, "drag-begin", G_CALLBACK (on_drag_begin), view);
-  g_signal_connect (drag, "drag-update", G_CALLBACK (on_drag_update), view);
-  gtk_widget_add_controller (view->plot, GTK_EVENT_CONTROLLER (drag));
-  GtkEventController *motion = gtk_event_controller_motion_new ();
-  g_signal_connect (motion, "enter", G_CALLBACK (on_motion), view);
-  g_signal_connect (motion, "motion", G_CALLBACK (on_motion), view);
-  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), view);
-  gtk_widget_add_controller (view->plot, motion);
-  GtkEventController *key = gtk_event_controller_key_new ();
-  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), view);
-  gtk_widget_add_controller (view->plot, key);
-}
-
-static void
 on_destroy (GtkWidget *root, View *view)
 {
   (void) root;
@@ -230,7 +213,18 @@ qn_energy_view_new (QnViewState *state)
     GTK_ACCESSIBLE (view->plot), GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Energy over time"),
     GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
     _ ("The arrow keys go from step to step; the values are told beneath"), -1);
-  add_controllers (view);
+  GtkGesture *drag = gtk_gesture_drag_new ();
+  g_signal_connect (drag, "drag-begin", G_CALLBACK (on_drag_begin), view);
+  g_signal_connect (drag, "drag-update", G_CALLBACK (on_drag_update), view);
+  gtk_widget_add_controller (view->plot, GTK_EVENT_CONTROLLER (drag));
+  GtkEventController *motion = gtk_event_controller_motion_new ();
+  g_signal_connect (motion, "enter", G_CALLBACK (on_motion), view);
+  g_signal_connect (motion, "motion", G_CALLBACK (on_motion), view);
+  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), view);
+  gtk_widget_add_controller (view->plot, motion);
+  GtkEventController *key = gtk_event_controller_key_new ();
+  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), view);
+  gtk_widget_add_controller (view->plot, key);
   gtk_grid_set_column_homogeneous (GTK_GRID (grid), TRUE);
   for (int curve = 0; curve < QN_ENERGY_CURVES; curve++)
     view->values[curve] = add_label (grid, curve);

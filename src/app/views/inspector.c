@@ -12,14 +12,6 @@ typedef struct Inspector {
   GtkWidget *box, *title, *rows, *diagram;
 } Inspector;
 
-static void
-remove_rows (Inspector *inspector)
-{
-  GtkWidget *row;
-  while ((row = gtk_widget_get_first_child (inspector->rows)) != NULL)
-    gtk_grid_remove (GTK_GRID (inspector->rows), row);
-}
-
 static GtkWidget *
 new_label (const char *text, gboolean value)
 {
@@ -33,19 +25,6 @@ new_label (const char *text, gboolean value)
   gtk_widget_set_valign (label, GTK_ALIGN_START);
   gtk_widget_add_css_class (label, value ? "numeric" : "dim-label");
   return label;
-}
-
-/* Lines of a name and a value. */
-static void
-show_values (Inspector *inspector, const char *values)
-{
-  g_auto (GStrv) lines = g_strsplit (values, "\n", -1);
-  remove_rows (inspector);
-  for (int i = 0; lines[i] != NULL; i++) {
-    g_auto (GStrv) parts = g_strsplit (lines[i], "\t", 2);
-    gtk_grid_attach (GTK_GRID (inspector->rows), new_label (parts[0], FALSE), 0, i, 1, 1);
-    gtk_grid_attach (GTK_GRID (inspector->rows), new_label (parts[1], TRUE), 1, i, 1, 1);
-  }
 }
 
 /* A single joint or block is selected. */
@@ -100,7 +79,18 @@ update (Inspector *inspector)
   gtk_widget_set_visible (inspector->box, title != NULL && values != NULL);
   if (title != NULL && values != NULL) {
     gtk_label_set_text (GTK_LABEL (inspector->title), title);
-    show_values (inspector, values);
+    /* Lines of a name and a value. */
+    g_auto (GStrv) lines = g_strsplit (values, "\n", -1);
+    GtkWidget *row;
+    while ((row = gtk_widget_get_first_child (inspector->rows)) != NULL)
+      gtk_grid_remove (GTK_GRID (inspector->rows), row);
+    for (int i = 0; lines[i] != NULL; i++) {
+      g_auto (GStrv) parts = g_strsplit (lines[i], "\t", 2);
+      gtk_grid_attach (GTK_GRID (inspector->rows), new_label (parts[0], FALSE), 0, i, 1,
+                       1);
+      gtk_grid_attach (GTK_GRID (inspector->rows), new_label (parts[1], TRUE), 1, i, 1,
+                       1);
+    }
     show_diagram (inspector, &view, what);
   }
   qn_step_view_clear (&view);

@@ -1,8 +1,8 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/layouts.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
-#include "app/widgets/wrap-pair.h"
 #include "core/base/integer.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
@@ -184,19 +184,6 @@ on_true_scale (GtkToggleButton *button, Bar *bar)
                            gtk_toggle_button_get_active (button) ? 1.0 : QN_SCALE_AUTO);
 }
 
-/* The factor drawn with, chosen or not. A mechanism has no size of its own. */
-static void
-update_scale (Bar *bar)
-{
-  double shown = qn_view_state_get_shown_scale (bar->state);
-  gboolean deforms = qn_view_state_get_view (bar->state) == QN_VIEW_DEFORMED;
-  qn_quantity_entry_set_value (bar->scale, shown);
-  gtk_widget_set_visible (bar->factor, deforms);
-  g_signal_handlers_block_by_func (bar->truly, on_true_scale, bar);
-  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->truly), shown == 1.0);
-  g_signal_handlers_unblock_by_func (bar->truly, on_true_scale, bar);
-}
-
 static void
 update_label (Bar *bar, const QnRun *run)
 {
@@ -252,7 +239,14 @@ update (Bar *bar)
   gtk_range_set_range (GTK_RANGE (bar->slider), 0.0, MAX (1, last));
   gtk_range_set_value (GTK_RANGE (bar->slider), value);
   g_signal_handlers_unblock_by_func (bar->slider, on_slider, bar);
-  update_scale (bar);
+  /* The factor drawn with, chosen or not. A mechanism has no size of its own. */
+  double shown = qn_view_state_get_shown_scale (bar->state);
+  gboolean deforms = qn_view_state_get_view (bar->state) == QN_VIEW_DEFORMED;
+  qn_quantity_entry_set_value (bar->scale, shown);
+  gtk_widget_set_visible (bar->factor, deforms);
+  g_signal_handlers_block_by_func (bar->truly, on_true_scale, bar);
+  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->truly), shown == 1.0);
+  g_signal_handlers_unblock_by_func (bar->truly, on_true_scale, bar);
   update_label (bar, run);
 }
 
@@ -326,12 +320,14 @@ build (Bar *bar)
   GtkWidget *parts[][4] = { { bar->play, bar->slider, bar->step_label, bar->loop },
                             { bar->speed, bar->factor } };
   GtkWidget *rows[2];
+  bar->box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
+  qn_layout_wrap_pair (bar->box);
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++) {
     rows[i] = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
     for (gsize k = 0; k < G_N_ELEMENTS (parts[i]) && parts[i][k] != NULL; k++)
       gtk_box_append (GTK_BOX (rows[i]), parts[i][k]);
+    gtk_box_append (GTK_BOX (bar->box), rows[i]);
   }
-  bar->box = qn_wrap_pair_new (rows[0], rows[1]);
   /* Time runs to the right, as on every player. */
   for (gsize i = 0; i < G_N_ELEMENTS (rows); i++)
     gtk_widget_set_direction (rows[i], GTK_TEXT_DIR_LTR);

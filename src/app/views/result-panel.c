@@ -113,10 +113,19 @@ follow_stage (Panel *panel)
   qn_choice_list_select (panel->stage, (guint) at->stage, panel);
 }
 
-/* Those that the run came to, behind the dead load. */
 static void
-update_stages (Panel *panel, const QnRun *run)
+update (Panel *panel)
 {
+  const QnRun *run = run_of (panel);
+  gboolean busy = qn_document_get_job (document_of (panel)) != NULL;
+  gtk_widget_set_visible (panel->content, run != NULL || busy);
+  gtk_widget_set_visible (panel->empty, run == NULL && !busy);
+  update_runs (panel);
+  /* Limit analysis and modes follow no path; without an equilibrium there is none either. */
+  gtk_widget_set_visible (panel->curve,
+                          busy || run == NULL
+                            || (qn_run_has_curve (run) && run->result.step_count > 0));
+  /* Those that the run came to, behind the dead load. */
   gboolean any = run != NULL && run->model.stage_count > 0 && run->result.step_count > 0;
   gtk_widget_set_visible (GTK_WIDGET (panel->stage), any);
   if (!any)
@@ -135,21 +144,6 @@ update_stages (Panel *panel, const QnRun *run)
   g_auto (GStrv) strings = g_strv_builder_end (names);
   qn_choice_list_fill (panel->stage, (const char *const *) strings, 0, panel);
   follow_stage (panel);
-}
-
-static void
-update (Panel *panel)
-{
-  const QnRun *run = run_of (panel);
-  gboolean busy = qn_document_get_job (document_of (panel)) != NULL;
-  gtk_widget_set_visible (panel->content, run != NULL || busy);
-  gtk_widget_set_visible (panel->empty, run == NULL && !busy);
-  update_runs (panel);
-  /* Limit analysis and modes follow no path; without an equilibrium there is none either. */
-  gtk_widget_set_visible (panel->curve,
-                          busy || run == NULL
-                            || (qn_run_has_curve (run) && run->result.step_count > 0));
-  update_stages (panel, run);
 }
 
 static GtkDropDown *

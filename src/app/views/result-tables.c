@@ -318,26 +318,6 @@ update_ends (Table *table)
 
 /* ---- building ---- */
 
-static void
-add_column (Table *table, GtkWidget *view, guint number)
-{
-  const ColumnTitle *title = &table->kind->columns[number];
-  QnUnits units = qn_settings_get_units ();
-  GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
-  if (table->kind->count_rows == count_steps)
-    units = qn_units_of_motion (units);
-  g_autofree char *text = title->quantity == QN_QUANTITY_NUMBER
-                            ? g_strdup (_ (title->text))
-                            : g_strdup_printf ("%s (%s)", _ (title->text),
-                                               qn_units_symbol (units, title->quantity));
-  g_object_set_data (G_OBJECT (factory), "qn-column", GUINT_TO_POINTER (number));
-  g_signal_connect (factory, "setup", G_CALLBACK (on_setup_cell), table);
-  g_signal_connect (factory, "bind", G_CALLBACK (on_bind_cell), table);
-  g_autoptr (GtkColumnViewColumn) column = gtk_column_view_column_new (text, factory);
-  gtk_column_view_append_column (GTK_COLUMN_VIEW (view), column);
-  table->columns[number] = column; /* the view holds it */
-}
-
 static GtkWidget *
 make_table (const TableKind *kind, QnViewState *state, QnCanvas *canvas,
             void (*updates) (Table *table))
@@ -354,8 +334,24 @@ make_table (const TableKind *kind, QnViewState *state, QnCanvas *canvas,
     gtk_column_view_new (g_object_ref (GTK_SELECTION_MODEL (table->selection)));
   g_object_set_data_full (G_OBJECT (view), "qn-selection", table->selection,
                           g_object_unref);
-  for (guint i = 0; i < kind->column_count; i++)
-    add_column (table, view, i);
+  for (guint i = 0; i < kind->column_count; i++) {
+    const ColumnTitle *title = &table->kind->columns[i];
+    QnUnits units = qn_settings_get_units ();
+    GtkListItemFactory *factory = gtk_signal_list_item_factory_new ();
+    if (table->kind->count_rows == count_steps)
+      units = qn_units_of_motion (units);
+    g_autofree char *text =
+      title->quantity == QN_QUANTITY_NUMBER
+        ? g_strdup (_ (title->text))
+        : g_strdup_printf ("%s (%s)", _ (title->text),
+                           qn_units_symbol (units, title->quantity));
+    g_object_set_data (G_OBJECT (factory), "qn-column", GUINT_TO_POINTER (i));
+    g_signal_connect (factory, "setup", G_CALLBACK (on_setup_cell), table);
+    g_signal_connect (factory, "bind", G_CALLBACK (on_bind_cell), table);
+    g_autoptr (GtkColumnViewColumn) column = gtk_column_view_column_new (text, factory);
+    gtk_column_view_append_column (GTK_COLUMN_VIEW (view), column);
+    table->columns[i] = column; /* the view holds it */
+  }
 
   GtkWidget *scroller = gtk_scrolled_window_new ();
   gtk_scrolled_window_set_min_content_height (GTK_SCROLLED_WINDOW (scroller),

@@ -106,30 +106,6 @@ dup_label (const char *path)
   return g_steal_pointer (&base);
 }
 
-static void
-add_example (GtkWidget *flow, const char *path)
-{
-  GtkWidget *button = gtk_button_new (), *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
-  GtkWidget *picture = gtk_picture_new ();
-  gtk_widget_set_size_request (picture, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT);
-  gtk_widget_add_css_class (picture, "thumbnail");
-  g_autofree char *label = dup_label (path);
-  gtk_box_append (GTK_BOX (box), picture);
-  gtk_box_append (GTK_BOX (box), gtk_label_new (label));
-  gtk_button_set_child (GTK_BUTTON (button), box);
-  gtk_widget_add_css_class (button, "flat");
-  gtk_widget_set_tooltip_text (button, _ ("Open a copy of this example"));
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-example");
-  gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
-  gtk_flow_box_insert (GTK_FLOW_BOX (flow), button, -1);
-  GtkWidget *cell = gtk_widget_get_parent (button);
-  gtk_widget_set_focusable (cell, FALSE);
-
-  Thumbnail *thumbnail = g_new (Thumbnail, 1);
-  *thumbnail = (Thumbnail){ g_object_ref (GTK_PICTURE (picture)), g_strdup (path) };
-  g_idle_add_full (G_PRIORITY_LOW, on_idle, thumbnail, thumbnail_free);
-}
-
 static int
 compare_paths (gconstpointer a, gconstpointer b)
 {
@@ -160,32 +136,6 @@ make_heading (const char *text)
   return label;
 }
 
-static void
-add_recent (GtkWidget *box)
-{
-  GtkRecentManager *manager = gtk_recent_manager_get_default ();
-  GList *items = gtk_recent_manager_get_items (manager);
-  int shown = 0;
-  for (GList *l = items; l != NULL && shown < MOST_RECENT; l = l->next) {
-    GtkRecentInfo *info = l->data;
-    g_autofree char *path =
-      g_filename_from_uri (gtk_recent_info_get_uri (info), NULL, NULL);
-    if (path == NULL || !g_str_has_suffix (path, ".quoin")
-        || !g_file_test (path, G_FILE_TEST_EXISTS))
-      continue;
-    if (shown++ == 0)
-      gtk_box_append (GTK_BOX (box), make_heading (_ ("Recent")));
-    g_autofree char *display = gtk_recent_info_get_uri_display (info);
-    GtkWidget *button = gtk_button_new_with_label (display != NULL ? display : path);
-    gtk_widget_add_css_class (button, "flat");
-    gtk_widget_set_halign (button, GTK_ALIGN_START);
-    gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-path");
-    gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
-    gtk_box_append (GTK_BOX (box), button);
-  }
-  g_list_free_full (items, (GDestroyNotify) gtk_recent_info_unref);
-}
-
 static GtkWidget *
 make_action_button (const char *label, const char *action, gboolean suggested)
 {
@@ -209,8 +159,29 @@ make_examples (void)
   g_autoptr (GPtrArray) paths = g_ptr_array_new_with_free_func (g_free);
   collect_examples (folder, paths, 1);
   g_ptr_array_sort (paths, compare_paths);
-  for (guint i = 0; i < paths->len; i++)
-    add_example (flow, g_ptr_array_index (paths, i));
+  for (guint i = 0; i < paths->len; i++) {
+    const char *path = g_ptr_array_index (paths, i);
+    GtkWidget *button = gtk_button_new (),
+              *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 6);
+    GtkWidget *picture = gtk_picture_new ();
+    gtk_widget_set_size_request (picture, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT);
+    gtk_widget_add_css_class (picture, "thumbnail");
+    g_autofree char *label = dup_label (path);
+    gtk_box_append (GTK_BOX (box), picture);
+    gtk_box_append (GTK_BOX (box), gtk_label_new (label));
+    gtk_button_set_child (GTK_BUTTON (button), box);
+    gtk_widget_add_css_class (button, "flat");
+    gtk_widget_set_tooltip_text (button, _ ("Open a copy of this example"));
+    gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-example");
+    gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
+    gtk_flow_box_insert (GTK_FLOW_BOX (flow), button, -1);
+    GtkWidget *cell = gtk_widget_get_parent (button);
+    gtk_widget_set_focusable (cell, FALSE);
+
+    Thumbnail *thumbnail = g_new (Thumbnail, 1);
+    *thumbnail = (Thumbnail){ g_object_ref (GTK_PICTURE (picture)), g_strdup (path) };
+    g_idle_add_full (G_PRIORITY_LOW, on_idle, thumbnail, thumbnail_free);
+  }
   return flow;
 }
 
@@ -239,7 +210,27 @@ qn_start_page_new (void)
   GtkWidget *parts[] = { image, title, buttons, hint };
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++)
     gtk_box_append (GTK_BOX (box), parts[i]);
-  add_recent (box);
+  GtkRecentManager *manager = gtk_recent_manager_get_default ();
+  GList *items = gtk_recent_manager_get_items (manager);
+  int shown = 0;
+  for (GList *l = items; l != NULL && shown < MOST_RECENT; l = l->next) {
+    GtkRecentInfo *info = l->data;
+    g_autofree char *path =
+      g_filename_from_uri (gtk_recent_info_get_uri (info), NULL, NULL);
+    if (path == NULL || !g_str_has_suffix (path, ".quoin")
+        || !g_file_test (path, G_FILE_TEST_EXISTS))
+      continue;
+    if (shown++ == 0)
+      gtk_box_append (GTK_BOX (box), make_heading (_ ("Recent")));
+    g_autofree char *display = gtk_recent_info_get_uri_display (info);
+    GtkWidget *button = gtk_button_new_with_label (display != NULL ? display : path);
+    gtk_widget_add_css_class (button, "flat");
+    gtk_widget_set_halign (button, GTK_ALIGN_START);
+    gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.open-path");
+    gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
+    gtk_box_append (GTK_BOX (box), button);
+  }
+  g_list_free_full (items, (GDestroyNotify) gtk_recent_info_unref);
   gtk_box_append (GTK_BOX (box), make_heading (_ ("Examples")));
   gtk_box_append (GTK_BOX (box), make_examples ());
 

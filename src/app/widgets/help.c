@@ -188,31 +188,6 @@ make_page (const char *text, const char *title)
   return scroller;
 }
 
-static void
-show_window (GtkWindow *parent, const char *page)
-{
-  GtkWidget *stack = gtk_stack_new ();
-  for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
-    g_autofree char *text = dup_page_text (pages[i]);
-    g_autofree char *title = g_strndup (text + 2, strcspn (text + 2, "\n"));
-    gtk_stack_add_titled (GTK_STACK (stack), make_page (text, title), pages[i], title);
-  }
-  if (page != NULL)
-    gtk_stack_set_visible_child_name (GTK_STACK (stack), page);
-  GtkWidget *sidebar = gtk_stack_sidebar_new ();
-  gtk_stack_sidebar_set_stack (GTK_STACK_SIDEBAR (sidebar), GTK_STACK (stack));
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
-  gtk_box_append (GTK_BOX (box), sidebar);
-  gtk_box_append (GTK_BOX (box), stack);
-
-  /* One works while reading. */
-  GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 900, 720);
-  gtk_window_set_modal (GTK_WINDOW (window), FALSE);
-  gtk_window_set_child (GTK_WINDOW (window), box);
-  qn_help_set_page (window, page);
-  gtk_window_present (GTK_WINDOW (window));
-}
-
 /* ---- Yelp ---- */
 
 static gboolean
@@ -233,7 +208,26 @@ void
 qn_help_show (GtkWindow *parent, const char *page)
 {
   if (!is_installed ()) {
-    show_window (parent, page);
+    GtkWidget *stack = gtk_stack_new ();
+    for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
+      g_autofree char *text = dup_page_text (pages[i]);
+      g_autofree char *title = g_strndup (text + 2, strcspn (text + 2, "\n"));
+      gtk_stack_add_titled (GTK_STACK (stack), make_page (text, title), pages[i], title);
+    }
+    if (page != NULL)
+      gtk_stack_set_visible_child_name (GTK_STACK (stack), page);
+    GtkWidget *sidebar = gtk_stack_sidebar_new ();
+    gtk_stack_sidebar_set_stack (GTK_STACK_SIDEBAR (sidebar), GTK_STACK (stack));
+    GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
+    gtk_box_append (GTK_BOX (box), sidebar);
+    gtk_box_append (GTK_BOX (box), stack);
+
+    /* One works while reading. */
+    GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 900, 720);
+    gtk_window_set_modal (GTK_WINDOW (window), FALSE);
+    gtk_window_set_child (GTK_WINDOW (window), box);
+    qn_help_set_page (window, page);
+    gtk_window_present (GTK_WINDOW (window));
     return;
   }
   g_autofree char *uri =

@@ -83,25 +83,20 @@ get_request_mode (GtkWidget *widget)
 /* ---- life ---- */
 
 static void
-set_field (QnRow *self, GtkWidget *field)
-{
-  self->field = field;
-  gtk_widget_set_parent (field, GTK_WIDGET (self));
-  gtk_label_set_mnemonic_widget (self->label, field);
-  gtk_accessible_update_relation (
-    GTK_ACCESSIBLE (field), GTK_ACCESSIBLE_RELATION_LABELLED_BY, self->label, NULL, -1);
-  g_object_bind_property (field, "visible", self, "visible", G_BINDING_SYNC_CREATE);
-}
-
-static void
 qn_row_set_property (GObject *object, guint id, const GValue *value, GParamSpec *pspec)
 {
   QnRow *self = QN_ROW (object);
   if (id == PROPERTY_LABEL)
     gtk_label_set_text_with_mnemonic (self->label, g_value_get_string (value));
-  else if (id == PROPERTY_FIELD)
-    set_field (self, g_value_get_object (value));
-  else
+  else if (id == PROPERTY_FIELD) {
+    GtkWidget *field = g_value_get_object (value);
+    self->field = field;
+    gtk_widget_set_parent (field, GTK_WIDGET (self));
+    gtk_label_set_mnemonic_widget (self->label, field);
+    gtk_accessible_update_relation (
+      GTK_ACCESSIBLE (field), GTK_ACCESSIBLE_RELATION_LABELLED_BY, self->label, NULL, -1);
+    g_object_bind_property (field, "visible", self, "visible", G_BINDING_SYNC_CREATE);
+  } else
     G_OBJECT_WARN_INVALID_PROPERTY_ID (object, id, pspec);
 }
 

@@ -220,28 +220,23 @@ on_changed_response (GtkDialog *dialog, int response, QnWindow *self)
     self->closing = FALSE;
 }
 
-/* What somebody else has written since must not be lost without a word. */
-static void
-ask_about_change (QnWindow *self)
-{
-  g_autofree char *name = g_path_get_basename (qn_document_get_path (self->document));
-  g_autofree char *question =
-    g_strdup_printf (_ ("“%s” has changed since it was opened here"), name);
-  ask (
-    self, question,
-    _ ("Another window or program has written the file. Saving replaces what it wrote."),
-    _ ("_Overwrite"), _ ("Save _As…"), on_changed_response);
-}
-
 static void
 save (QnWindow *self, GVariant *parameter)
 {
   qn_window_commit_entry (self);
   if (qn_document_get_path (self->document) == NULL)
     save_as (self, parameter);
-  else if (qn_document_is_changed_elsewhere (self->document))
-    ask_about_change (self);
-  else
+  else if (qn_document_is_changed_elsewhere (self->document)) {
+    /* What somebody else has written since must not be lost without a word. */
+    g_autofree char *name = g_path_get_basename (qn_document_get_path (self->document));
+    g_autofree char *question =
+      g_strdup_printf (_ ("“%s” has changed since it was opened here"), name);
+    ask (
+      self, question,
+      _ (
+        "Another window or program has written the file. Saving replaces what it wrote."),
+      _ ("_Overwrite"), _ ("Save _As…"), on_changed_response);
+  } else
     save_over (self);
 }
 
@@ -305,8 +300,8 @@ update_keep_history (QnWindow *self)
     g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
 }
 
-static void
-add_keep_history (QnWindow *self)
+void
+qn_window_add_file_actions (QnWindow *self)
 {
   const GActionEntry entry = { .name = "keep-history",
                                .state = "false",
@@ -314,12 +309,6 @@ add_keep_history (QnWindow *self)
   g_action_map_add_action_entries (G_ACTION_MAP (self), &entry, 1, self);
   g_signal_connect_object (self->document, "history-changed",
                            G_CALLBACK (update_keep_history), self, G_CONNECT_SWAPPED);
-}
-
-void
-qn_window_add_file_actions (QnWindow *self)
-{
-  add_keep_history (self);
   static const QnWindowAction actions[] = {
     { "open", NULL, open_dialog },         { "open-path", "s", open_path },
     { "open-example", "s", open_example }, { "save", NULL, save },

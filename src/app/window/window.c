@@ -3,7 +3,7 @@
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
 #include "app/views/start-page.h"
-#include "app/widgets/first-fit.h"
+#include "app/widgets/layouts.h"
 #include "app/widgets/settings.h"
 #include "app/window/action-table.h"
 #include "doc/document/import.h"
@@ -466,8 +466,8 @@ static void
 qn_window_init (QnWindow *self)
 {
   g_type_ensure (QN_TYPE_CANVAS);
-  g_type_ensure (QN_TYPE_FIRST_FIT);
   gtk_widget_init_template (GTK_WIDGET (self));
+  qn_layout_first_fit (gtk_widget_get_parent (GTK_WIDGET (self->view_switcher)));
   qn_action_complete_tooltips (GTK_WIDGET (self));
   self->document = qn_document_new ();
   self->state = qn_view_state_new (self->document);

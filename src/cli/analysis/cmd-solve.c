@@ -134,15 +134,6 @@ is_stdout (const char *path)
   return g_strcmp0 (path, "-") == 0;
 }
 
-static void
-print_mechanism (const QnInput *input, const QnResult *result)
-{
-  g_autofree char *text =
-    qn_collapse_dup_text (&input->project.model, &input->contacts, result);
-  if (text != NULL)
-    printf ("%s\n", text);
-}
-
 static QnExit
 write_outputs (const Options *options, const QnInput *input, const QnResult *result)
 {
@@ -205,7 +196,10 @@ report (const Options *options, const QnInput *input, const QnResult *result)
     return code;
   if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv)) {
     print_summary (&input->project, result);
-    print_mechanism (input, result);
+    g_autofree char *text =
+      qn_collapse_dup_text (&input->project.model, &input->contacts, result);
+    if (text != NULL)
+      printf ("%s\n", text);
   }
   if (options->sensitivity) {
     code = qn_sensitivity_print (&input->project, &input->contacts, result);
@@ -257,15 +251,6 @@ parse_detail (const QnSubcommand *self, Options *options)
     return TRUE;
   qn_cli_usage_error (self->name, _ ("--detail is forces, pairs or steps"));
   return FALSE;
-}
-
-static void
-warn_of_findings (const QnInput *input)
-{
-  g_autoptr (GPtrArray) texts =
-    qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
-  for (guint i = 0; i < texts->len; i++)
-    qn_cli_warning ("%s", (const char *) g_ptr_array_index (texts, i));
 }
 
 /* Reads the ground motions that the project names, and says what is to be known of them. */
@@ -345,8 +330,12 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   if (code == QN_EXIT_DONE)
     code = probe_output (options.csv);
   if (code == QN_EXIT_DONE) {
-    if (!options.quiet)
-      warn_of_findings (&input);
+    if (!options.quiet) {
+      g_autoptr (GPtrArray) texts =
+        qn_project_dup_finding_texts (&input.project, &input.contacts.findings);
+      for (guint i = 0; i < texts->len; i++)
+        qn_cli_warning ("%s", (const char *) g_ptr_array_index (texts, i));
+    }
     code = solve (&options, &input);
   }
 

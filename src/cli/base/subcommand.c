@@ -16,21 +16,6 @@ kind_of (const GOptionEntry *entry)
   return entry->arg == G_OPTION_ARG_FILENAME ? "file" : "text";
 }
 
-/* One line for the subcommand, one for each option, fields parted by tabs; in English, since manual
- * pages and completions are made from it. */
-static void
-describe (const QnSubcommand *self, const GOptionEntry *entries)
-{
-  printf ("subcommand\t%s\t%s\t%s\t%s\n", self->name, self->arguments, self->summary,
-          self->help != NULL ? self->help : "");
-  for (; entries->long_name != NULL; entries++)
-    printf ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", entries->long_name,
-            entries->short_name != 0 ? entries->short_name : '-', kind_of (entries),
-            entries->arg == G_OPTION_ARG_STRING_ARRAY ? "many" : "once",
-            entries->arg_description != NULL ? entries->arg_description : "",
-            entries->description);
-}
-
 static gboolean
 check_count (const QnSubcommand *self, int count, int least, int most)
 {
@@ -112,7 +97,16 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
   g_autofree char *name = g_strconcat ("quoin-cli ", self->name, NULL);
 
   if (*argc == 2 && strcmp ((*argv)[1], QN_DESCRIBE) == 0) {
-    describe (self, entries);
+    /* One line for the subcommand, one for each option, fields parted by tabs; in
+     * English, since manual pages and completions are made from it. */
+    printf ("subcommand\t%s\t%s\t%s\t%s\n", self->name, self->arguments, self->summary,
+            self->help != NULL ? self->help : "");
+    for (; entries->long_name != NULL; entries++)
+      printf ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", entries->long_name,
+              entries->short_name != 0 ? entries->short_name : '-', kind_of (entries),
+              entries->arg == G_OPTION_ARG_STRING_ARRAY ? "many" : "once",
+              entries->arg_description != NULL ? entries->arg_description : "",
+              entries->description);
     return FALSE;
   }
   g_set_prgname (name);

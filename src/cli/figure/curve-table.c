@@ -20,19 +20,6 @@ write_text (QnFileWriter *writer, const char *text)
   qn_file_writer_printf (writer, "\"%s\"", doubled);
 }
 
-static void
-write_point (QnFileWriter *writer, const QnCurve *curve, gsize i)
-{
-  const char *mark = (ptrdiff_t) i == curve->collapse_point ? "collapse"
-                     : (ptrdiff_t) i == curve->limit_point  ? "limit point"
-                                                            : "";
-  write_text (writer, curve->label != NULL ? curve->label : "");
-  qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT ",", i);
-  qn_file_writer_number (writer, curve->x[i]);
-  qn_file_writer_puts_number (writer, ",", curve->y[i]);
-  qn_file_writer_printf (writer, ",%s\n", mark);
-}
-
 gboolean
 qn_curve_table_write (const char *path, const QnCurve *curves, gsize count,
                       GError **error)
@@ -45,8 +32,17 @@ qn_curve_table_write (const char *path, const QnCurve *curves, gsize count,
                          ? "run,step,time [s],displacement [m or rad],mark\n"
                          : "run,step,displacement [m or rad],multiplier [-],mark\n");
   for (gsize c = 0; c < count; c++)
-    for (gsize i = 0; i < curves[c].count; i++)
-      write_point (writer, &curves[c], i);
+    for (gsize i = 0; i < curves[c].count; i++) {
+      const QnCurve *curve = &curves[c];
+      const char *mark = (ptrdiff_t) i == curve->collapse_point ? "collapse"
+                         : (ptrdiff_t) i == curve->limit_point  ? "limit point"
+                                                                : "";
+      write_text (writer, curve->label != NULL ? curve->label : "");
+      qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT ",", i);
+      qn_file_writer_number (writer, curve->x[i]);
+      qn_file_writer_puts_number (writer, ",", curve->y[i]);
+      qn_file_writer_printf (writer, ",%s\n", mark);
+    }
   return qn_file_writer_commit (writer, error);
 }
 

@@ -23,25 +23,6 @@ write_flag (QnFileWriter *out, const char *key, gboolean value)
 }
 
 static void
-write_blocks (QnFileWriter *out, const QnModel *model)
-{
-  qn_file_writer_puts (out, "  \"blocks\": [");
-  for (size_t i = 0; i < model->block_count; i++) {
-    const QnBlock *block = &model->blocks[i];
-    qn_file_writer_puts_string (
-      out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ", block->name);
-    qn_file_writer_puts_number (out, ", \"area\": ", block->area);
-    write_point (out, ", \"centroid\": [", block->centroid);
-    qn_file_writer_puts_number (out, ", \"weight\": ", block->weight);
-    write_flag (out, ", \"support\": [", block->support[QN_DOF_UX]);
-    write_flag (out, ", ", block->support[QN_DOF_UY]);
-    write_flag (out, ", ", block->support[QN_DOF_RZ]);
-    qn_file_writer_puts (out, "] }");
-  }
-  qn_file_writer_puts (out, "\n  ],\n");
-}
-
-static void
 write_nodes (QnFileWriter *out, const QnModel *model)
 {
   qn_file_writer_puts (out, "  \"nodes\": [");
@@ -91,19 +72,6 @@ write_beams (QnFileWriter *out, const QnModel *model)
 }
 
 static void
-write_pairs (QnFileWriter *out, const QnContacts *contacts, const QnContactFace *face)
-{
-  qn_file_writer_puts (out, ",\n      \"pairs\": [");
-  for (int32_t k = 0; k < face->pair_count; k++) {
-    const QnContactPair *pair = &contacts->pairs[face->first_pair + k];
-    write_point (out, k > 0 ? ", { \"point\": [" : " { \"point\": [", pair->point);
-    qn_file_writer_puts_number (out, ", \"tributary\": ", pair->tributary);
-    qn_file_writer_puts (out, " }");
-  }
-  qn_file_writer_puts (out, " ] }");
-}
-
-static void
 write_faces (QnFileWriter *out, const QnContacts *contacts)
 {
   qn_file_writer_puts (out, "  \"faces\": [");
@@ -115,7 +83,14 @@ write_faces (QnFileWriter *out, const QnContacts *contacts)
     write_point (out, ", \"end\": [", face->end);
     write_point (out, ", \"normal\": [", face->normal);
     qn_file_writer_puts_number (out, ", \"length\": ", face->length);
-    write_pairs (out, contacts, face);
+    qn_file_writer_puts (out, ",\n      \"pairs\": [");
+    for (int32_t k = 0; k < face->pair_count; k++) {
+      const QnContactPair *pair = &contacts->pairs[face->first_pair + k];
+      write_point (out, k > 0 ? ", { \"point\": [" : " { \"point\": [", pair->point);
+      qn_file_writer_puts_number (out, ", \"tributary\": ", pair->tributary);
+      qn_file_writer_puts (out, " }");
+    }
+    qn_file_writer_puts (out, " ] }");
   }
   qn_file_writer_puts (out, "\n  ],\n");
 }
@@ -184,23 +159,28 @@ write_findings (QnFileWriter *out, const QnInput *input)
 }
 
 static void
-write_equilibrium (QnFileWriter *out, const QnResultCheck *check)
+write_result (QnFileWriter *out, const QnCheckReport *report)
 {
-  qn_file_writer_puts_number (out, ", \"multiplier\": ", check->multiplier);
-  qn_file_writer_puts_number (out, ",\n    \"out_of_balance\": ", check->out_of_balance);
-  qn_file_writer_printf (out, ", \"unbalanced_block\": %d", check->unbalanced_block);
-  qn_file_writer_printf (out, ", \"unbalanced_node\": %d", check->unbalanced_node);
-  qn_file_writer_printf (out, ", \"unbalanced_element\": %d", check->unbalanced_element);
-  qn_file_writer_puts_number (out, ", \"force_scale\": ", check->force_scale);
-  qn_file_writer_puts_number (out,
-                              ",\n    \"yield_violation\": ", check->yield_violation);
-  qn_file_writer_printf (out, ", \"violating_pair\": %d", check->violating_pair);
-  qn_file_writer_puts_number (out, ", \"contact_scale\": ", check->contact_scale);
-}
-
-static void
-write_faults (QnFileWriter *out, const QnCheckReport *report)
-{
+  qn_file_writer_puts_string (out, ",\n  \"result\": { \"file\": ", report->result_name);
+  write_flag (out, ", \"passes\": ", qn_check_report_passes (report));
+  if (report->check != NULL) {
+    qn_file_writer_puts_number (out, ", \"multiplier\": ", report->check->multiplier);
+    qn_file_writer_puts_number (
+      out, ",\n    \"out_of_balance\": ", report->check->out_of_balance);
+    qn_file_writer_printf (out, ", \"unbalanced_block\": %d",
+                           report->check->unbalanced_block);
+    qn_file_writer_printf (out, ", \"unbalanced_node\": %d",
+                           report->check->unbalanced_node);
+    qn_file_writer_printf (out, ", \"unbalanced_element\": %d",
+                           report->check->unbalanced_element);
+    qn_file_writer_puts_number (out, ", \"force_scale\": ", report->check->force_scale);
+    qn_file_writer_puts_number (
+      out, ",\n    \"yield_violation\": ", report->check->yield_violation);
+    qn_file_writer_printf (out, ", \"violating_pair\": %d",
+                           report->check->violating_pair);
+    qn_file_writer_puts_number (out,
+                                ", \"contact_scale\": ", report->check->contact_scale);
+  }
   const QnResultFaults *faults = report->faults;
   write_flag (out, ",\n    \"balance_checked\": ", !faults->in_time);
   write_flag (out, ", \"forces_checked\": ", !faults->forces_unknown);
@@ -215,16 +195,6 @@ write_faults (QnFileWriter *out, const QnCheckReport *report)
     qn_file_writer_puts (out, " }");
   }
   qn_file_writer_puts (out, "]");
-}
-
-static void
-write_result (QnFileWriter *out, const QnCheckReport *report)
-{
-  qn_file_writer_puts_string (out, ",\n  \"result\": { \"file\": ", report->result_name);
-  write_flag (out, ", \"passes\": ", qn_check_report_passes (report));
-  if (report->check != NULL)
-    write_equilibrium (out, report->check);
-  write_faults (out, report);
   qn_file_writer_puts (out, " }");
 }
 
@@ -241,7 +211,20 @@ qn_check_report_write_json (const QnCheckReport *report, GError **error)
   qn_file_writer_json_string (out, input->project.name);
   write_flag (out, ", \"sound\": ", report->sound);
   qn_file_writer_puts (out, ",\n");
-  write_blocks (out, &input->project.model);
+  qn_file_writer_puts (out, "  \"blocks\": [");
+  for (size_t i = 0; i < input->project.model.block_count; i++) {
+    const QnBlock *block = &input->project.model.blocks[i];
+    qn_file_writer_puts_string (
+      out, i > 0 ? ",\n    { \"name\": " : "\n    { \"name\": ", block->name);
+    qn_file_writer_puts_number (out, ", \"area\": ", block->area);
+    write_point (out, ", \"centroid\": [", block->centroid);
+    qn_file_writer_puts_number (out, ", \"weight\": ", block->weight);
+    write_flag (out, ", \"support\": [", block->support[QN_DOF_UX]);
+    write_flag (out, ", ", block->support[QN_DOF_UY]);
+    write_flag (out, ", ", block->support[QN_DOF_RZ]);
+    qn_file_writer_puts (out, "] }");
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
   write_nodes (out, &input->project.model);
   write_beams (out, &input->project.model);
   write_loads (out, &input->project.model);

@@ -60,45 +60,6 @@ print_supports (const QnModel *model)
   printf ("\n");
 }
 
-static void
-print_counts (const QnProject *project, const QnContacts *contacts)
-{
-  const QnModel *model = &project->model;
-  double weight = 0, length = 0;
-  for (size_t i = 0; i < model->block_count; i++)
-    if (!model->blocks[i].support[QN_DOF_UY])
-      weight += model->blocks[i].weight;
-  for (size_t i = 0; i < contacts->face_count; i++)
-    length += contacts->faces[i].length;
-
-  if (model->title != NULL)
-    printf ("%s\n", model->title);
-  printf (_ ("blocks: %zu, free weight %.6g N\n"), model->block_count, weight);
-  print_supports (model);
-  printf (_ ("contact faces: %zu, total length %.6g m\n"), contacts->face_count, length);
-  printf (_ ("contact pairs: %zu\n"), contacts->pair_count);
-  if (model->beam_count > 0)
-    printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
-            model->element_count, model->node_count);
-}
-
-/* "load backfill (traffic × 1.5): resultant (12000, 0) N" */
-static void
-print_load (const QnModel *model, size_t source)
-{
-  const QnLoad *load = qn_model_load (model, source);
-  const QnVec2 sum = qn_model_load_resultant (model, source);
-  g_autofree char *text = qn_load_dup_text (model, load, QN_UNITS_SI);
-  printf ("  %s", text);
-  if (load->load_case > 0) {
-    const QnLoadCase *of = &model->load_cases[load->load_case - 1];
-    printf (_ (", case %s × %.6g"), of->name, of->factor);
-  }
-  if (load->kind != QN_LOAD_SETTLEMENT)
-    printf (_ (", resultant (%.6g, %.6g) N"), sum.x, sum.y);
-  printf ("\n");
-}
-
 /* The dead loads, or those of one set. */
 static void
 print_load_list (const QnModel *model, const char *name, size_t from, size_t to,
@@ -111,21 +72,18 @@ print_load_list (const QnModel *model, const char *name, size_t from, size_t to,
     if (!any)
       printf (_ ("loads, %s:\n"), name);
     any = TRUE;
-    print_load (model, i);
-  }
-}
-
-/* What every case comes to, over all lists. */
-static void
-print_load_cases (const QnModel *model)
-{
-  for (size_t k = 0; k < model->load_case_count; k++) {
-    QnVec2 sum = { 0, 0 };
-    for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++)
-      if (qn_model_load (model, i)->load_case == (int32_t) k + 1)
-        sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
-    printf (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
-            model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
+    /* "load backfill (traffic × 1.5): resultant (12000, 0) N" */
+    const QnLoad *load = qn_model_load (model, i);
+    const QnVec2 sum = qn_model_load_resultant (model, i);
+    g_autofree char *text = qn_load_dup_text (model, load, QN_UNITS_SI);
+    printf ("  %s", text);
+    if (load->load_case > 0) {
+      const QnLoadCase *of = &model->load_cases[load->load_case - 1];
+      printf (_ (", case %s × %.6g"), of->name, of->factor);
+    }
+    if (load->kind != QN_LOAD_SETTLEMENT)
+      printf (_ (", resultant (%.6g, %.6g) N"), sum.x, sum.y);
+    printf ("\n");
   }
 }
 
@@ -136,7 +94,15 @@ print_loads (const QnModel *model)
   print_load_list (model, "dead", 0, dead, 0);
   for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++)
     print_load_list (model, qn_model_load_set_name (model, set), dead, all, set);
-  print_load_cases (model);
+  /* What every case comes to, over all lists. */
+  for (size_t k = 0; k < model->load_case_count; k++) {
+    QnVec2 sum = { 0, 0 };
+    for (size_t i = 0; i < model->dead_load_count + model->live_load_count; i++)
+      if (qn_model_load (model, i)->load_case == (int32_t) k + 1)
+        sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
+    printf (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
+            model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
+  }
 }
 
 /* Blocks that stand apart by mortar: often all of a drawing, and no finding of contacts. */
@@ -222,8 +188,32 @@ block_name (const QnModel *model, QnId block)
 }
 
 static void
-print_faults (const QnCheckReport *report)
+print_result (const QnCheckReport *report)
 {
+  const char *verdict = qn_check_report_passes (report) ? _ ("passes") : _ ("fails");
+  if (report->check != NULL) {
+    printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
+            report->check->multiplier, verdict);
+    const QnModel *model = &report->input->project.model;
+    const QnResultCheck *check = report->check;
+    if (check->unbalanced_node != QN_NONE)
+      printf (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
+              check->force_scale, model->nodes[check->unbalanced_node].name);
+    else if (check->unbalanced_element != QN_NONE)
+      printf (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), check->out_of_balance,
+              check->force_scale,
+              model->beams[model->elements[check->unbalanced_element].beam].name);
+    else
+      printf (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
+              check->force_scale, block_name (model, check->unbalanced_block));
+    printf (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
+            check->contact_scale);
+    if (check->violating_pair != QN_NONE)
+      printf (_ (", pair %d"), check->violating_pair);
+    printf ("\n");
+  } else {
+    printf (_ ("result %s: %s\n"), report->result_name, verdict);
+  }
   const QnResultFaults *faults = report->faults;
   for (int i = 0; i < faults->count; i++) {
     g_autofree char *text = qn_fault_dup_text (
@@ -239,47 +229,28 @@ print_faults (const QnCheckReport *report)
       _ ("  not checked: the balance in motion, to which inertia and damping belong\n"));
 }
 
-static void
-print_equilibrium (const QnCheckReport *report)
-{
-  const QnModel *model = &report->input->project.model;
-  const QnResultCheck *check = report->check;
-  if (check->unbalanced_node != QN_NONE)
-    printf (_ ("  out of balance: %.2e of %.6g N, node %s\n"), check->out_of_balance,
-            check->force_scale, model->nodes[check->unbalanced_node].name);
-  else if (check->unbalanced_element != QN_NONE)
-    printf (_ ("  out of balance: %.2e of %.6g N, beam %s\n"), check->out_of_balance,
-            check->force_scale,
-            model->beams[model->elements[check->unbalanced_element].beam].name);
-  else
-    printf (_ ("  out of balance: %.2e of %.6g N, block %s\n"), check->out_of_balance,
-            check->force_scale, block_name (model, check->unbalanced_block));
-  printf (_ ("  yield violation: %.2e of %.6g N"), check->yield_violation,
-          check->contact_scale);
-  if (check->violating_pair != QN_NONE)
-    printf (_ (", pair %d"), check->violating_pair);
-  printf ("\n");
-}
-
-static void
-print_result (const QnCheckReport *report)
-{
-  const char *verdict = qn_check_report_passes (report) ? _ ("passes") : _ ("fails");
-  if (report->check != NULL) {
-    printf (_ ("result %s at load multiplier %.6g: %s\n"), report->result_name,
-            report->check->multiplier, verdict);
-    print_equilibrium (report);
-  } else {
-    printf (_ ("result %s: %s\n"), report->result_name, verdict);
-  }
-  print_faults (report);
-}
-
 void
 qn_check_report_print (const QnCheckReport *report)
 {
   const QnInput *input = report->input;
-  print_counts (&input->project, &input->contacts);
+  const QnModel *model = &input->project.model;
+  double weight = 0, length = 0;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (!model->blocks[i].support[QN_DOF_UY])
+      weight += model->blocks[i].weight;
+  for (size_t i = 0; i < input->contacts.face_count; i++)
+    length += input->contacts.faces[i].length;
+
+  if (model->title != NULL)
+    printf ("%s\n", model->title);
+  printf (_ ("blocks: %zu, free weight %.6g N\n"), model->block_count, weight);
+  print_supports (model);
+  printf (_ ("contact faces: %zu, total length %.6g m\n"), input->contacts.face_count,
+          length);
+  printf (_ ("contact pairs: %zu\n"), input->contacts.pair_count);
+  if (model->beam_count > 0)
+    printf (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
+            model->element_count, model->node_count);
   print_loads (&input->project.model);
   print_findings (input);
   if (report->faults != NULL)

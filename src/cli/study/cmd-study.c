@@ -71,15 +71,6 @@ parse_shard (const char *text, QnShard *shard)
   return TRUE;
 }
 
-static void
-warn (const QnStudy *study, gboolean quiet)
-{
-  for (guint i = 0; !quiet && i < study->warnings->len; i++)
-    qn_cli_warning ("%s", (char *) g_ptr_array_index (study->warnings, i));
-  for (guint i = 0; !quiet && i < study->project.warnings->len; i++)
-    qn_cli_warning ("%s", (char *) g_ptr_array_index (study->project.warnings, i));
-}
-
 static QnExit
 compute (const QnStudy *study, const RunOptions *options,
          const QnStudyRunSettings *settings)
@@ -147,7 +138,10 @@ run_study (const QnSubcommand *self, RunOptions *options, const char *path)
     return qn_cli_fail (error);
   if (again)
     options->folder = g_strdup (path);
-  warn (&study, options->quiet);
+  for (guint i = 0; !options->quiet && i < study.warnings->len; i++)
+    qn_cli_warning ("%s", (char *) g_ptr_array_index (study.warnings, i));
+  for (guint i = 0; !options->quiet && i < study.project.warnings->len; i++)
+    qn_cli_warning ("%s", (char *) g_ptr_array_index (study.project.warnings, i));
   QnExit code = QN_EXIT_DONE;
   if (!options->prepare)
     code = compute (&study, options, &settings);

@@ -79,25 +79,6 @@ print_value (double value, gboolean known)
   print_cell (text, 10, FALSE);
 }
 
-static void
-print_heading (const QnVerifyGroup *group)
-{
-  printf ("%s (%s)\n", _ (group->title), _ (group->source));
-  print_cell ("", 23, TRUE);
-  print_cell (_ ("blocks"), 6, FALSE);
-  print_cell (_ ("faces"), 5, FALSE);
-  print_cell (_ ("reference"), 10, FALSE);
-  print_cell (_ ("HybriDFEM*"), 10, FALSE);
-  print_cell (_ ("Quoin"), 10, FALSE);
-  print_cell (_ ("error %"), 8, FALSE);
-  print_cell (_ ("allowed"), 7, FALSE);
-  print_cell (_ ("bound†"), 10, FALSE);
-  print_cell (_ ("1st limit"), 10, FALSE);
-  print_cell (_ ("seconds"), 7, FALSE);
-  print_cell (_ ("factorisations"), 14, FALSE);
-  printf ("\n");
-}
-
 /* Prints a row; returns whether the reference was met. */
 static gboolean
 print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *result,
@@ -233,7 +214,21 @@ verify (const Options *options, char **names)
   for (gsize i = 0; i < count; i++) {
     if (!is_wanted (&groups[i], names))
       continue;
-    print_heading (&groups[i]);
+    const QnVerifyGroup *group = &groups[i];
+    printf ("%s (%s)\n", _ (group->title), _ (group->source));
+    print_cell ("", 23, TRUE);
+    print_cell (_ ("blocks"), 6, FALSE);
+    print_cell (_ ("faces"), 5, FALSE);
+    print_cell (_ ("reference"), 10, FALSE);
+    print_cell (_ ("HybriDFEM*"), 10, FALSE);
+    print_cell (_ ("Quoin"), 10, FALSE);
+    print_cell (_ ("error %"), 8, FALSE);
+    print_cell (_ ("allowed"), 7, FALSE);
+    print_cell (_ ("bound†"), 10, FALSE);
+    print_cell (_ ("1st limit"), 10, FALSE);
+    print_cell (_ ("seconds"), 7, FALSE);
+    print_cell (_ ("factorisations"), 14, FALSE);
+    printf ("\n");
     for (gsize k = 0; k < groups[i].case_count; k++) {
       QnExit code = run_case (options, &groups[i], &groups[i].cases[k], &tally);
       if (code != QN_EXIT_DONE)

@@ -15,28 +15,22 @@ qn_assembly_gather (const QnAssembly *as, size_t face, const double *u,
     v[i] = unknowns[i] == QN_NONE ? 0 : u[unknowns[i]];
 }
 
-static void
-move_pairs (QnAssembly *as, const double *u)
-{
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    double v[QN_FACE_UNKNOWNS];
-
-    qn_assembly_gather (as, f, u, v);
-    for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++) {
-      QnPairKinematics *pair = &as->kinematics[p];
-      qn_pair_kinematics_update (pair, v);
-      as->gradients[p] = qn_pair_kinematics_gradient (pair);
-      memcpy (as->elongations + 2 * p, pair->elongation, sizeof pair->elongation);
-    }
-  }
-}
-
 void
 qn_assembly_move_faces (QnAssembly *as, const double *u)
 {
-  if (as->nonlinear)
-    move_pairs (as, u);
-  else
+  if (as->nonlinear) {
+    for (size_t f = 0; f < as->contacts->face_count; f++) {
+      double v[QN_FACE_UNKNOWNS];
+
+      qn_assembly_gather (as, f, u, v);
+      for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++) {
+        QnPairKinematics *pair = &as->kinematics[p];
+        qn_pair_kinematics_update (pair, v);
+        as->gradients[p] = qn_pair_kinematics_gradient (pair);
+        memcpy (as->elongations + 2 * p, pair->elongation, sizeof pair->elongation);
+      }
+    }
+  } else
     qn_assembly_elongation_rates (as, u, as->elongations);
 }
 
@@ -180,21 +174,6 @@ add_whole_face (const Column sum[QN_PAIR_FACTORS], const int32_t *scatter, doubl
   }
 }
 
-static void
-add_face (const QnAssembly *as, size_t f, const Column sum[QN_PAIR_FACTORS])
-{
-  const int32_t *scatter = as->scatter + 36 * f;
-  double kf[QN_FACE_UNKNOWNS][QN_FACE_UNKNOWNS];
-
-  spread (sum, kf);
-  for (int32_t p = as->first_pairs[f]; as->nonlinear && p < as->first_pairs[f + 1]; p++)
-    qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force, kf);
-  for (int i = 0; i < QN_FACE_UNKNOWNS; i++, scatter += QN_FACE_UNKNOWNS)
-    for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
-      if (scatter[j] != QN_NONE)
-        as->ax[scatter[j]] += kf[i][j];
-}
-
 void
 qn_assembly_add_face_tangents (QnAssembly *as, const double *tangents, size_t stride)
 {
@@ -203,8 +182,19 @@ qn_assembly_add_face_tangents (QnAssembly *as, const double *tangents, size_t st
     face_tangent (as, f, tangents, stride, sum);
     if (as->whole[f] && !as->nonlinear)
       add_whole_face (sum, as->scatter + 36 * f, as->ax);
-    else
-      add_face (as, f, sum);
+    else {
+      const int32_t *scatter = as->scatter + 36 * f;
+      double kf[QN_FACE_UNKNOWNS][QN_FACE_UNKNOWNS];
+
+      spread (sum, kf);
+      for (int32_t p = as->first_pairs[f]; as->nonlinear && p < as->first_pairs[f + 1];
+           p++)
+        qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force, kf);
+      for (int i = 0; i < QN_FACE_UNKNOWNS; i++, scatter += QN_FACE_UNKNOWNS)
+        for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
+          if (scatter[j] != QN_NONE)
+            as->ax[scatter[j]] += kf[i][j];
+    }
   }
 }
 

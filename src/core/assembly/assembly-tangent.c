@@ -40,14 +40,6 @@ qn_assembly_tangent_of (QnAssembly *as, double multiplier, double viscosity,
   clear_settling_rows (as);
 }
 
-static bool
-can_keep (const QnAssembly *as, double viscosity)
-{
-  return as->is_tangent && as->tangent_viscosity == viscosity && !as->nonlinear
-         && as->beams.count == 0 && as->settling_count == 0
-         && (as->model->analysis.no_shortcuts & QN_SHORTCUT_UNCHANGED_JOINTS) == 0;
-}
-
 /* Takes up the phases of all pairs, and which blocks are stale: those of pairs whose tangent is
  * another than the last time. Returns how many pairs these are. */
 static size_t
@@ -74,7 +66,9 @@ qn_assembly_tangent (QnAssembly *as, double multiplier, double viscosity)
 {
   const double *tangents = as->responses[0].tangent[0];
   size_t stride = sizeof *as->responses / sizeof (double);
-  bool keeps = can_keep (as, viscosity);
+  bool keeps = as->is_tangent && as->tangent_viscosity == viscosity && !as->nonlinear
+               && as->beams.count == 0 && as->settling_count == 0
+               && (as->model->analysis.no_shortcuts & QN_SHORTCUT_UNCHANGED_JOINTS) == 0;
 
   if ((double) take_phases (as) <= FEW * (double) as->pair_count && keeps)
     qn_assembly_renew_face_tangents (as, tangents, stride, viscosity);

@@ -105,31 +105,6 @@ qn_assembly_place_pair (QnAssembly *as, size_t p)
   as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
 }
 
-static void
-prepare_pairs (QnAssembly *as)
-{
-  for (size_t p = 0; p < as->pair_count; p++) {
-    qn_assembly_place_pair (as, p);
-    as->springs[p] = qn_contacts_pair_springs (as->model, as->contacts, p);
-  }
-}
-
-/* What the inner loops need of faces. */
-static void
-list_faces (QnAssembly *as)
-{
-  as->first_pairs[as->contacts->face_count] = (int32_t) as->pair_count;
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const QnContactFace *face = &as->contacts->faces[f];
-    int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
-    as->first_pairs[f] = face->first_pair;
-    for (int i = 0; i < QN_DOF_COUNT; i++) {
-      unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
-      unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
-    }
-  }
-}
-
 /* Where the rows of settling unknowns stand: the pattern is symmetric, so their columns say
  * which columns have an entry in them. */
 static bool
@@ -330,8 +305,21 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
     qn_assembly_clear (as);
     return qn_diag_no_memory (diag);
   }
-  prepare_pairs (as);
-  list_faces (as);
+  for (size_t p = 0; p < as->pair_count; p++) {
+    qn_assembly_place_pair (as, p);
+    as->springs[p] = qn_contacts_pair_springs (as->model, as->contacts, p);
+  }
+  /* What the inner loops need of faces. */
+  as->first_pairs[as->contacts->face_count] = (int32_t) as->pair_count;
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const QnContactFace *face = &as->contacts->faces[f];
+    int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
+    as->first_pairs[f] = face->first_pair;
+    for (int i = 0; i < QN_DOF_COUNT; i++) {
+      unknowns[i] = as->unknown[QN_DOF_COUNT * face->a + i];
+      unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
+    }
+  }
   QnStatus status = build_pattern (as, diag);
   if (status == QN_OK) {
     prepare_damping (as);

@@ -94,21 +94,6 @@ sort_items (QnBoxTree *tree, const QnBox *boxes)
   return true;
 }
 
-/* Fills the levels above the items, each node around QN_BOX_TREE_FANOUT of the level below. */
-static void
-build_levels (QnBoxTree *tree)
-{
-  for (int32_t level = 1; level < tree->level_count; level++) {
-    const QnBox *below = tree->nodes + tree->level_starts[level - 1];
-    QnBox *nodes = tree->nodes + tree->level_starts[level];
-    for (size_t i = 0; i < tree->level_sizes[level - 1]; i++) {
-      size_t parent = i / QN_BOX_TREE_FANOUT;
-      nodes[parent] =
-        i % QN_BOX_TREE_FANOUT == 0 ? below[i] : qn_box_union (nodes[parent], below[i]);
-    }
-  }
-}
-
 bool
 qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count)
 {
@@ -134,7 +119,16 @@ qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count)
     qn_box_tree_clear (tree);
     return false;
   }
-  build_levels (tree);
+  /* Fills the levels above the items, each node around QN_BOX_TREE_FANOUT of the level below. */
+  for (int32_t level = 1; level < tree->level_count; level++) {
+    const QnBox *below = tree->nodes + tree->level_starts[level - 1];
+    QnBox *nodes = tree->nodes + tree->level_starts[level];
+    for (size_t i = 0; i < tree->level_sizes[level - 1]; i++) {
+      size_t parent = i / QN_BOX_TREE_FANOUT;
+      nodes[parent] =
+        i % QN_BOX_TREE_FANOUT == 0 ? below[i] : qn_box_union (nodes[parent], below[i]);
+    }
+  }
   return true;
 }
 

@@ -377,24 +377,6 @@ extent (const QnModel *model)
   return fmax (high - low, model->characteristic_length);
 }
 
-static void
-choose_times (Run *run)
-{
-  const QnDynamicSettings *s = run->settings;
-  double steps = fmax (ceil (s->duration / s->time_step - 1e-9), 1);
-  double step = s->duration / steps;
-  double output = s->output_interval > 0 ? s->output_interval : s->duration / 500;
-
-  run->tick = step / (double) longest;
-  run->end = qn_to_integer (steps, 1, QN_MAX_TIME_STEPS) * longest;
-  run->output = qn_to_integer (rint (output / step), 1, QN_MAX_TIME_STEPS) * longest;
-  run->length = longest;
-  run->rest_speed =
-    QN_REST_SPEED * sqrt (run->model->gravity * run->model->characteristic_length);
-  run->rest_time = sqrt (extent (run->model) / run->model->gravity);
-  run->still_since = -1;
-}
-
 static QnStatus
 set_up (Run *run, const double *u0, QnDiag *diag)
 {
@@ -414,7 +396,19 @@ set_up (Run *run, const double *u0, QnDiag *diag)
       || !qn_ground_init (&run->ground, model))
     return qn_diag_no_memory (diag);
   qn_assembly_expand (run->step.assembly, u0, run->start);
-  choose_times (run);
+  const QnDynamicSettings *s = run->settings;
+  double steps = fmax (ceil (s->duration / s->time_step - 1e-9), 1);
+  double step = s->duration / steps;
+  double output = s->output_interval > 0 ? s->output_interval : s->duration / 500;
+
+  run->tick = step / (double) longest;
+  run->end = qn_to_integer (steps, 1, QN_MAX_TIME_STEPS) * longest;
+  run->output = qn_to_integer (rint (output / step), 1, QN_MAX_TIME_STEPS) * longest;
+  run->length = longest;
+  run->rest_speed =
+    QN_REST_SPEED * sqrt (run->model->gravity * run->model->characteristic_length);
+  run->rest_time = sqrt (extent (run->model) / run->model->gravity);
+  run->still_since = -1;
   size_t body;
   QnDof dof;
   qn_model_followed (model, &body, &dof);

@@ -59,8 +59,8 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 }
 
 static const QnLawParameter parameters[] = {
-  QN_LAW_PARAMETER (yield, true, true),
-  QN_LAW_PARAMETER (hardening, false, false),
+  QN_LAW_PARAMETER ("yield", yield, true, true),
+  QN_LAW_PARAMETER ("hardening", hardening, false, false),
 };
 
 const QnLawOps qn_law_ops_bilinear = { QN_LAW_PARAMETERS (parameters), .check = check,

@@ -174,11 +174,11 @@ softening (const QnSpring *s)
 }
 
 static const QnLawParameter parameters[] = {
-  QN_LAW_PARAMETER (strength, true, true),
-  QN_LAW_PARAMETER (ultimate_strain, false, true),
-  QN_LAW_PARAMETER (crushing_energy, false, true),
-  QN_LAW_PARAMETER (tension, false, false),
-  QN_LAW_PARAMETER (fracture_energy, false, true),
+  QN_LAW_PARAMETER ("strength", strength, true, true),
+  QN_LAW_PARAMETER ("ultimate_strain", ultimate_strain, false, true),
+  QN_LAW_PARAMETER ("crushing_energy", crushing_energy, false, true),
+  QN_LAW_PARAMETER ("tension", tension, false, false),
+  QN_LAW_PARAMETER ("fracture_energy", fracture_energy, false, true),
 };
 
 const QnLawOps qn_law_ops_concrete = { QN_LAW_PARAMETERS (parameters), .check = check,

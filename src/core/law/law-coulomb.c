@@ -125,10 +125,10 @@ qn_law_coulomb_strength (const QnSpring *s, QnStrengthRow rows[])
 }
 
 static const QnLawParameter parameters[] = {
-  QN_LAW_PARAMETER (friction, true, false),
-  QN_LAW_PARAMETER (cohesion, false, false),
-  QN_LAW_PARAMETER (tension, false, false),
-  QN_LAW_PARAMETER (dilatancy, false, false),
+  QN_LAW_PARAMETER ("friction", friction, true, false),
+  QN_LAW_PARAMETER ("cohesion", cohesion, false, false),
+  QN_LAW_PARAMETER ("tension", tension, false, false),
+  QN_LAW_PARAMETER ("dilatancy", dilatancy, false, false),
 };
 
 const QnLawOps qn_law_ops_coulomb = {

@@ -271,8 +271,8 @@ softening (const QnSpring *s)
 }
 
 static const QnLawParameter parameters[] = {
-  QN_LAW_PARAMETER (fracture_energy, false, true),
-  QN_LAW_PARAMETER (crushing_energy, false, true),
+  QN_LAW_PARAMETER ("fracture_energy", fracture_energy, false, true),
+  QN_LAW_PARAMETER ("crushing_energy", crushing_energy, false, true),
 };
 
 const QnLawOps qn_law_ops_curve = { QN_LAW_PARAMETERS (parameters), .check = check,

@@ -11,7 +11,7 @@ resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 }
 
 static const QnLawParameter parameters[] = {
-  QN_LAW_PARAMETER (yield, true, true),
+  QN_LAW_PARAMETER ("yield", yield, true, true),
 };
 
 const QnLawOps qn_law_ops_elastic_plastic = { .parameters = parameters,

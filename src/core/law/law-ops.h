@@ -41,9 +41,11 @@ typedef struct QnLawOps {
 #define QN_LAW_PARAMETERS(table)                                                         \
   .parameters = table, .parameter_count = QN_N_ELEMENTS (table)
 
-#define QN_LAW_PARAMETER(member, is_required, is_positive)                               \
+/* A key of project files, where read_parameters() in io/project/project-read-law.c reads it, with the
+ * member of QnLaw that takes it. */
+#define QN_LAW_PARAMETER(name, member, is_required, is_positive)                         \
   {                                                                                      \
-    .key = #member, .offset = offsetof (QnLaw, member), .required = is_required,         \
+    .key = name, .offset = offsetof (QnLaw, member), .required = is_required,            \
     .positive = is_positive                                                              \
   }
 

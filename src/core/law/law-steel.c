@@ -102,10 +102,10 @@ softening (const QnSpring *s)
 }
 
 static const QnLawParameter parameters[] = {
-  QN_LAW_PARAMETER (yield, true, true),
-  QN_LAW_PARAMETER (strength, true, true),
-  QN_LAW_PARAMETER (ultimate_strain, true, true),
-  QN_LAW_PARAMETER (fracture_energy, false, false),
+  QN_LAW_PARAMETER ("yield", yield, true, true),
+  QN_LAW_PARAMETER ("strength", strength, true, true),
+  QN_LAW_PARAMETER ("ultimate_strain", ultimate_strain, true, true),
+  QN_LAW_PARAMETER ("fracture_energy", fracture_energy, false, false),
 };
 
 const QnLawOps qn_law_ops_steel = { QN_LAW_PARAMETERS (parameters), .check = check,

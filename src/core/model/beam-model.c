@@ -160,15 +160,6 @@ side_middle (const QnModel *model, QnId block, QnBlockSide side)
   return qn_vec2_add_scaled (start, 0.5 * (low + high), along);
 }
 
-static void
-seat_node (QnModel *model, QnNode *node)
-{
-  if (node->seat == QN_SEAT_CENTROID)
-    node->at = model->blocks[node->block].centroid;
-  else if (node->seat == QN_SEAT_SIDE)
-    node->at = side_middle (model, node->block, node->side);
-}
-
 static QnStatus
 derive_beam (QnModel *model, QnId index, QnDiag *diag)
 {
@@ -229,8 +220,13 @@ qn_model_derive_beams (QnModel *model, QnDiag *diag)
 
   for (size_t i = 0; i < model->section_count; i++)
     derive_section (model, &model->sections[i]);
-  for (size_t i = 0; i < model->node_count; i++)
-    seat_node (model, &model->nodes[i]);
+  for (size_t i = 0; i < model->node_count; i++) {
+    QnNode *node = &model->nodes[i];
+    if (node->seat == QN_SEAT_CENTROID)
+      node->at = model->blocks[node->block].centroid;
+    else if (node->seat == QN_SEAT_SIDE)
+      node->at = side_middle (model, node->block, node->side);
+  }
   for (size_t i = 0; i < model->beam_count && status == QN_OK; i++)
     status = derive_beam (model, (QnId) i, diag);
   if (status == QN_OK)

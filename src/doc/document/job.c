@@ -163,19 +163,6 @@ add_moment (QnJob *self, QnVec2 point)
   g_array_set_size (curve, curve->len / 2);
 }
 
-/* One point for every step that converged; in time for every one that lies apart. */
-static void
-add_points (QnJob *self, const QnProgress *progress)
-{
-  if (progress->end > 0)
-    add_moment (self, qn_vec2 (progress->time, progress->displacement));
-  else
-    while (self->curve->len < (guint) MAX (progress->steps, 0)) {
-      QnVec2 point = qn_vec2 (self->curve->len, progress->multiplier);
-      g_array_append_val (self->curve, point);
-    }
-}
-
 /* In the thread, at least once per iteration. */
 static bool
 on_solver_progress (const QnProgress *progress, void *user_data)
@@ -186,7 +173,14 @@ on_solver_progress (const QnProgress *progress, void *user_data)
     pthread_cond_wait (&self->resumed, &self->mutex);
   self->progress = *progress;
   self->fresh = TRUE;
-  add_points (self, progress);
+  /* One point for every step that converged; in time for every one that lies apart. */
+  if (progress->end > 0)
+    add_moment (self, qn_vec2 (progress->time, progress->displacement));
+  else
+    while (self->curve->len < (guint) MAX (progress->steps, 0)) {
+      QnVec2 point = qn_vec2 (self->curve->len, progress->multiplier);
+      g_array_append_val (self->curve, point);
+    }
   bool go_on = !self->cancelled;
   pthread_mutex_unlock (&self->mutex);
   return go_on;

@@ -151,11 +151,15 @@ qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
   return qn_edit_rebuild (model, NULL, error);
 }
 
-/* Turns the entries of deleted wall blocks into openings. Blocks of a wall follow each other in
- * the model in the order of the positive entries. */
-static void
-open_wall_blocks (QnModel *model, const gboolean *gone)
+gboolean
+qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
 {
+  if (set.count == 0)
+    return refuse_nothing (error);
+  g_autofree gboolean *gone = qn_block_set_to_flags (set, model);
+  detach_masonry (model, set);
+  /* Turns the entries of deleted wall blocks into openings. Blocks of a wall follow each
+   * other in the model in the order of the positive entries. */
   for (gsize w = 0, block = 0; w < model->wall_count; w++) {
     QnWall *wall = &model->walls[w];
     while (block < model->block_count && model->blocks[block].wall != (QnId) w)
@@ -174,16 +178,6 @@ open_wall_blocks (QnModel *model, const gboolean *gone)
     if (!any_left)
       remove_courses (wall);
   }
-}
-
-gboolean
-qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
-{
-  if (set.count == 0)
-    return refuse_nothing (error);
-  g_autofree gboolean *gone = qn_block_set_to_flags (set, model);
-  detach_masonry (model, set);
-  open_wall_blocks (model, gone);
   return qn_edit_rebuild (model, gone, error);
 }
 

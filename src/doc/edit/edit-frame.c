@@ -103,24 +103,18 @@ let_go (QnModel *model, QnId node)
   }
 }
 
-/* Rebuilding leaves out beams without nodes. */
-static void
-drop_beams (QnModel *model, QnBeamSet set)
+gboolean
+qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
 {
-  for (guint i = 0; i < set.count; i++) {
-    QnBeam *beam = &model->beams[set.ids[i]];
+  /* Rebuilding leaves out beams without nodes. */
+  for (guint i = 0; i < set.beams.count; i++) {
+    QnBeam *beam = &model->beams[set.beams.ids[i]];
     QnId ends[2] = { beam->nodes[0], beam->nodes[1] };
     beam->nodes[0] = beam->nodes[1] = QN_NONE;
     for (int end = 0; end < 2; end++)
       if (ends[end] != QN_NONE)
         let_go (model, ends[end]);
   }
-}
-
-gboolean
-qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
-{
-  drop_beams (model, set.beams);
   if (set.blocks.count == 0 && set.beams.count > 0)
     return qn_edit_rebuild (model, NULL, error);
   return qn_edit_delete_blocks (model, set.blocks, error);

@@ -74,9 +74,29 @@ append_number (GString *text, const char *key, const char *symbol, double value,
   g_string_append_printf (text, "%s%s %s", gap, symbol, number);
 }
 
-static void
-append_numbers (GString *text, const QnLaw *law, QnUnits units)
+char *
+qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUnits units)
 {
+  const QnLaw *law = &model->laws[id];
+  gboolean holds;
+  const char *source = qn_law_get_source (law, &holds);
+  GString *text = g_string_new (law->name);
+  g_string_append_printf (text, "\n%s, %s · ", _ (qn_law_kind_words[law->kind]),
+                          _ (qn_basis_words[law->basis]));
+  QnLawUses uses = qn_law_count_uses (model, contacts, id);
+  g_string_append_printf (text, ngettext ("%u joint", "%u joints", (gulong) uses.joints),
+                          (guint) uses.joints);
+  g_string_append (text, " · ");
+  g_string_append_printf (text, ngettext ("%u block", "%u blocks", (gulong) uses.blocks),
+                          (guint) uses.blocks);
+  if (uses.bars > 0) {
+    g_string_append (text, " · ");
+    g_string_append_printf (text, ngettext ("%u bar", "%u bars", (gulong) uses.bars),
+                            (guint) uses.bars);
+  }
+  if (model->contact.law == id)
+    g_string_append_printf (text, " · %s", _ ("the law of all others"));
+  g_string_append_c (text, '\n');
   gsize count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   for (gsize i = 0; i < G_N_ELEMENTS (main_numbers); i++)
@@ -88,38 +108,6 @@ append_numbers (GString *text, const QnLaw *law, QnUnits units)
     }
   append_number (text, "kn", "kn", law->kn, law->basis, units);
   append_number (text, "ks", "ks", law->ks, law->basis, units);
-}
-
-static void
-append_uses (GString *text, const QnModel *model, const QnContacts *contacts, QnId law)
-{
-  QnLawUses uses = qn_law_count_uses (model, contacts, law);
-  g_string_append_printf (text, ngettext ("%u joint", "%u joints", (gulong) uses.joints),
-                          (guint) uses.joints);
-  g_string_append (text, " · ");
-  g_string_append_printf (text, ngettext ("%u block", "%u blocks", (gulong) uses.blocks),
-                          (guint) uses.blocks);
-  if (uses.bars > 0) {
-    g_string_append (text, " · ");
-    g_string_append_printf (text, ngettext ("%u bar", "%u bars", (gulong) uses.bars),
-                            (guint) uses.bars);
-  }
-  if (model->contact.law == law)
-    g_string_append_printf (text, " · %s", _ ("the law of all others"));
-}
-
-char *
-qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUnits units)
-{
-  const QnLaw *law = &model->laws[id];
-  gboolean holds;
-  const char *source = qn_law_get_source (law, &holds);
-  GString *text = g_string_new (law->name);
-  g_string_append_printf (text, "\n%s, %s · ", _ (qn_law_kind_words[law->kind]),
-                          _ (qn_basis_words[law->basis]));
-  append_uses (text, model, contacts, id);
-  g_string_append_c (text, '\n');
-  append_numbers (text, law, units);
   if (source != NULL)
     g_string_append_printf (text, "\n%s%s", source,
                             holds ? "" : _ (" (numbers changed since)"));

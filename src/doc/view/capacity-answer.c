@@ -115,17 +115,6 @@ choose_control (const Search *search)
   return QN_CAPACITY_FOUND;
 }
 
-/* The block is moved along the live load by the height of the structure. */
-static void
-set_control (QnModel *model, QnId block)
-{
-  double direction = 0;
-  for (gsize i = model->dead_load_count; i < qn_model_acting_count (model); i++)
-    direction += qn_model_acting_load (model, i).vector.x;
-  model->analysis.control_block = block;
-  model->analysis.control_target = copysign (height_of (model), direction);
-}
-
 static QnCapacityEnd
 follow (const Search *search, QnId control, QnResult *result)
 {
@@ -138,9 +127,16 @@ follow (const Search *search, QnId control, QnResult *result)
     *search->reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
     return QN_CAPACITY_STAGES;
   }
-  if (control != QN_NONE)
-    set_control (search->model, control);
-  else if (!own)
+  if (control != QN_NONE) {
+    /* The block is moved along the live load by the height of the structure. */
+    double direction = 0;
+    for (gsize i = search->model->dead_load_count;
+         i < qn_model_acting_count (search->model); i++)
+      direction += qn_model_acting_load (search->model, i).vector.x;
+    search->model->analysis.control_block = control;
+    search->model->analysis.control_target =
+      copysign (height_of (search->model), direction);
+  } else if (!own)
     end = choose_control (search);
   if (end != QN_CAPACITY_FOUND)
     return end;

@@ -50,20 +50,6 @@ sample (QnGroundPreview *preview, const QnGround *ground, QnGroundPreviewKind ki
   }
 }
 
-/* Periods in equal ratios, and the accelerations in place of those in time. */
-static void
-become_spectrum (QnGroundPreview *preview)
-{
-  double *periods = g_new (double, PERIODS), *spectrum = g_new (double, PERIODS);
-  for (int k = 0; k < PERIODS; k++)
-    periods[k] =
-      SHORTEST_PERIOD * pow (LONGEST_PERIOD / SHORTEST_PERIOD, k / (PERIODS - 1.0));
-  qn_response_spectrum (preview->y, preview->count, preview->x[1], QN_GROUND_DAMPING,
-                        periods, spectrum, PERIODS);
-  qn_ground_preview_clear (preview);
-  *preview = (QnGroundPreview){ periods, spectrum, PERIODS };
-}
-
 void
 qn_ground_preview_init (QnGroundPreview *preview, const QnModel *model, gsize motion,
                         QnGroundPreviewKind kind)
@@ -81,8 +67,17 @@ qn_ground_preview_init (QnGroundPreview *preview, const QnModel *model, gsize mo
     return;
   if (ground.end > 0)
     sample (preview, &ground, kind);
-  if (preview->count > 0 && kind == QN_GROUND_SPECTRUM)
-    become_spectrum (preview);
+  if (preview->count > 0 && kind == QN_GROUND_SPECTRUM) {
+    /* Periods in equal ratios, and the accelerations in place of those in time. */
+    double *periods = g_new (double, PERIODS), *spectrum = g_new (double, PERIODS);
+    for (int k = 0; k < PERIODS; k++)
+      periods[k] =
+        SHORTEST_PERIOD * pow (LONGEST_PERIOD / SHORTEST_PERIOD, k / (PERIODS - 1.0));
+    qn_response_spectrum (preview->y, preview->count, preview->x[1], QN_GROUND_DAMPING,
+                          periods, spectrum, PERIODS);
+    qn_ground_preview_clear (preview);
+    *preview = (QnGroundPreview){ periods, spectrum, PERIODS };
+  }
   qn_ground_clear (&ground);
 }
 

@@ -236,17 +236,6 @@ append_bool (GString *json, const char *key, bool flag)
 }
 
 static void
-append_size (GString *json, const QnOutput *output)
-{
-  char width[G_ASCII_DTOSTR_BUF_SIZE], height[G_ASCII_DTOSTR_BUF_SIZE];
-  const char *unit = output->millimetres ? "mm" : "";
-  g_ascii_formatd (width, sizeof width, "%.10g", output->width);
-  g_ascii_formatd (height, sizeof height, "%.10g", output->height);
-  g_autofree char *size = g_strdup_printf ("%s%sx%s%s", width, unit, height, unit);
-  append_text (json, "size", size);
-}
-
-static void
 append_recipe (GString *json, const QnRecipe *recipe)
 {
   QnRecipe *plain = qn_recipe_new (recipe->name, recipe->view.view);
@@ -273,7 +262,12 @@ append_recipe (GString *json, const QnRecipe *recipe)
     if (flag != *qn_view_switch (&plain->view, qn_view_switches[i]))
       append_bool (json, qn_view_switches[i], flag);
   }
-  append_size (json, output);
+  char width[G_ASCII_DTOSTR_BUF_SIZE], height[G_ASCII_DTOSTR_BUF_SIZE];
+  const char *unit = output->millimetres ? "mm" : "";
+  g_ascii_formatd (width, sizeof width, "%.10g", output->width);
+  g_ascii_formatd (height, sizeof height, "%.10g", output->height);
+  g_autofree char *size = g_strdup_printf ("%s%sx%s%s", width, unit, height, unit);
+  append_text (json, "size", size);
   if (output->dpi > 0)
     append_number (json, "dpi", output->dpi);
   if (output->transparent)

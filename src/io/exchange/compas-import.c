@@ -126,27 +126,6 @@ typedef struct Node {
   gboolean support;
 } Node;
 
-static void
-collect (const cJSON *document, GArray *nodes)
-{
-  const cJSON *data = inside (document);
-  const cJSON *graph = inside (member (data, "graph"));
-  const cJSON *list = member (graph, "node");
-  const cJSON *blocks = NULL;
-  if (list == NULL) {
-    list = member (member (data, "assembly"), "vertex");
-    blocks = member (data, "blocks");
-  }
-  for (const cJSON *item = list != NULL ? list->child : NULL; item != NULL;
-       item = item->next) {
-    const cJSON *block =
-      blocks != NULL ? member (blocks, item->string) : member (item, "block");
-    Node node = { block, cJSON_IsTrue (member (item, "is_support")) };
-    if (block != NULL)
-      g_array_append_val (nodes, node);
-  }
-}
-
 /* Adds all blocks as seen from one side; FALSE, with nothing added, if one is no prism. */
 static gboolean
 add_view (const GArray *nodes, int view, QnDrawing *drawing)
@@ -180,7 +159,22 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
     g_propagate_error (error, qn_json_problem_to_error (&problem, name, text));
   } else {
     g_autoptr (GArray) nodes = g_array_new (FALSE, FALSE, sizeof (Node));
-    collect (document, nodes);
+    const cJSON *data = inside (document);
+    const cJSON *graph = inside (member (data, "graph"));
+    const cJSON *list = member (graph, "node");
+    const cJSON *blocks = NULL;
+    if (list == NULL) {
+      list = member (member (data, "assembly"), "vertex");
+      blocks = member (data, "blocks");
+    }
+    for (const cJSON *item = list != NULL ? list->child : NULL; item != NULL;
+         item = item->next) {
+      const cJSON *block =
+        blocks != NULL ? member (blocks, item->string) : member (item, "block");
+      Node node = { block, cJSON_IsTrue (member (item, "is_support")) };
+      if (block != NULL)
+        g_array_append_val (nodes, node);
+    }
     for (guint view = 0; nodes->len > 0 && !done && view < G_N_ELEMENTS (views); view++)
       done = add_view (nodes, (int) view, drawing);
     if (!done)

@@ -11,20 +11,6 @@
 /* Tolerance where the user gives none, as part of a block's size. */
 #define DEFAULT_TOLERANCE 0.002
 
-/* What the reader of the file had to tell. */
-static void
-tell_notes (QnImportWork *work)
-{
-  for (guint i = 0; i < work->drawing->notes->len; i++) {
-    const QnDrawingNote *note = work->drawing->notes->pdata[i];
-    if (note->line > 0)
-      qn_import_tell (work, FALSE, _ ("%s: %u, first at line %u"), note->text,
-                      note->count, note->line);
-    else
-      qn_import_tell (work, FALSE, "%s: %u", note->text, note->count);
-  }
-}
-
 /* Fixes the lowest row where no layer says what is fixed. */
 static void
 infer_supports (QnImportWork *work)
@@ -107,7 +93,15 @@ static gboolean
 run_import (QnImportWork *work, QnProject *project, GError **error)
 {
   QnDiag diag = { 0 };
-  tell_notes (work);
+  /* What the reader of the file had to tell. */
+  for (guint i = 0; i < work->drawing->notes->len; i++) {
+    const QnDrawingNote *note = work->drawing->notes->pdata[i];
+    if (note->line > 0)
+      qn_import_tell (work, FALSE, _ ("%s: %u, first at line %u"), note->text,
+                      note->count, note->line);
+    else
+      qn_import_tell (work, FALSE, "%s: %u", note->text, note->count);
+  }
   qn_import_choose_unit (work);
   work->tolerance =
     work->settings->tolerance > 0

@@ -213,28 +213,6 @@ is_mirrored (const QnDxfEntity *entity)
          && entity->kind != QN_DXF_ELLIPSE && entity->kind != QN_DXF_SPLINE;
 }
 
-static void
-add_path (Importer *importer, const Entity *entity, const Transform *transform,
-          const char *layer)
-{
-  QnDrawing *drawing = importer->drawing;
-  QnDrawingPath *path = qn_drawing_add_path (drawing, layer, entity->source.line);
-  gboolean sound = add_points (path, &entity->data);
-  for (gsize i = 0; i < path->count; i++) {
-    QnVec2 p = path->points[i];
-    if (is_mirrored (&entity->data))
-      p.x = -p.x;
-    path->points[i] = apply (transform, p);
-    sound = sound && isfinite (path->points[i].x) && isfinite (path->points[i].y);
-  }
-  if (!sound) {
-    qn_drawing_note (drawing, _ ("invalid curves left out"), entity->source.line,
-                     qn_vec2 (NAN, NAN));
-    g_free (path->points);
-    g_array_set_size (drawing->paths, drawing->paths->len - 1);
-  }
-}
-
 static void add_entity (Importer *importer, const Entity *entity,
                         const Transform *transform, const char *layer, int depth);
 
@@ -305,8 +283,24 @@ add_entity (Importer *importer, const Entity *entity, const Transform *transform
     own = layer;
   if (entity->data.kind == QN_DXF_INSERT)
     add_insert (importer, entity, transform, own, depth);
-  else
-    add_path (importer, entity, transform, own);
+  else {
+    QnDrawing *drawing = importer->drawing;
+    QnDrawingPath *path = qn_drawing_add_path (drawing, own, entity->source.line);
+    gboolean sound = add_points (path, &entity->data);
+    for (gsize i = 0; i < path->count; i++) {
+      QnVec2 p = path->points[i];
+      if (is_mirrored (&entity->data))
+        p.x = -p.x;
+      path->points[i] = apply (transform, p);
+      sound = sound && isfinite (path->points[i].x) && isfinite (path->points[i].y);
+    }
+    if (!sound) {
+      qn_drawing_note (drawing, _ ("invalid curves left out"), entity->source.line,
+                       qn_vec2 (NAN, NAN));
+      g_free (path->points);
+      g_array_set_size (drawing->paths, drawing->paths->len - 1);
+    }
+  }
 }
 
 static void

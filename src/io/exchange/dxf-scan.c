@@ -175,19 +175,6 @@ count_code (const Scanner *scanner, int code)
   return count;
 }
 
-/* Counts as they are, not as the file claims. */
-static void
-emit_counts (Scanner *scanner)
-{
-  if (strcmp (scanner->type, "LWPOLYLINE") == 0) {
-    emit_count (scanner, 90, count_code (scanner, 10));
-  } else if (strcmp (scanner->type, "SPLINE") == 0) {
-    emit_count (scanner, 72, count_code (scanner, 40));
-    emit_count (scanner, 73, count_code (scanner, 10));
-    emit_count (scanner, 74, 0);
-  }
-}
-
 /* Whether the entity at hand is an outline that we can use; what is not is counted. */
 static gboolean
 is_wanted (Scanner *scanner)
@@ -243,7 +230,14 @@ finish_entity (Scanner *scanner)
     emit (scanner, 0, type, strlen (type));
     emit_count (scanner, 8, scanner->scan->sources->len);
     g_array_append_val (scanner->scan->sources, source);
-    emit_counts (scanner);
+    /* Counts as they are, not as the file claims. */
+    if (strcmp (scanner->type, "LWPOLYLINE") == 0) {
+      emit_count (scanner, 90, count_code (scanner, 10));
+    } else if (strcmp (scanner->type, "SPLINE") == 0) {
+      emit_count (scanner, 72, count_code (scanner, 40));
+      emit_count (scanner, 73, count_code (scanner, 10));
+      emit_count (scanner, 74, 0);
+    }
     for (guint i = 0; i < scanner->pairs->len; i++) {
       const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
       if (is_shape_code (scanner, pair->code))
@@ -252,19 +246,6 @@ finish_entity (Scanner *scanner)
   }
   scanner->type[0] = '\0';
   g_array_set_size (scanner->pairs, 0);
-}
-
-static void
-begin_section (Scanner *scanner, const Pair *pair)
-{
-  scanner->section = is (pair, "HEADER")     ? HEADER
-                     : is (pair, "BLOCKS")   ? BLOCKS
-                     : is (pair, "ENTITIES") ? ENTITIES
-                                             : OTHER;
-  if (scanner->section == BLOCKS || scanner->section == ENTITIES) {
-    emit (scanner, 0, "SECTION", 7);
-    emit (scanner, 2, pair->value, pair->length);
-  }
 }
 
 /* Metres per unit of $INSUNITS; 0: unknown or none. */
@@ -322,7 +303,14 @@ take_pair (Scanner *scanner, const Pair *pair)
   if (pair->code == 0) {
     begin_thing (scanner, pair);
   } else if (scanner->section == OUTSIDE && pair->code == 2) {
-    begin_section (scanner, pair);
+    scanner->section = is (pair, "HEADER")     ? HEADER
+                       : is (pair, "BLOCKS")   ? BLOCKS
+                       : is (pair, "ENTITIES") ? ENTITIES
+                                               : OTHER;
+    if (scanner->section == BLOCKS || scanner->section == ENTITIES) {
+      emit (scanner, 0, "SECTION", 7);
+      emit (scanner, 2, pair->value, pair->length);
+    }
   } else if (scanner->section == HEADER) {
     int code;
     if (pair->code == 9)

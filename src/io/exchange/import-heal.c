@@ -99,20 +99,6 @@ tell_gaps (QnImportWork *work, const QnGapClosing *closing)
   }
 }
 
-/* A block for every gap; openings are no blocks. */
-static QnStatus
-fill_gaps (QnImportWork *work, QnDiag *diag)
-{
-  QnRings bodies = { 0 };
-  if (!qn_gaps_fill (&work->report->gaps, &bodies))
-    work->no_memory = TRUE;
-  for (gsize i = 0; i < bodies.count; i++)
-    qn_import_add_outline (work, &bodies.items[i], QN_ROLE_BLOCK, NULL, 0);
-  qn_rings_clear (&bodies);
-  work->has_mortar = TRUE;
-  return work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
-}
-
 QnStatus
 qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
 {
@@ -131,8 +117,17 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
     status = qn_gaps_close (&rings, work->tolerance, width, &closing, diag);
   exchange_rings (work, &rings, FALSE);
   qn_rings_clear (&rings);
-  if (any && status == QN_OK && treatment == QN_GAPS_FILLED)
-    status = fill_gaps (work, diag);
+  if (any && status == QN_OK && treatment == QN_GAPS_FILLED) {
+    /* A block for every gap; openings are no blocks. */
+    QnRings bodies = { 0 };
+    if (!qn_gaps_fill (&work->report->gaps, &bodies))
+      work->no_memory = TRUE;
+    for (gsize i = 0; i < bodies.count; i++)
+      qn_import_add_outline (work, &bodies.items[i], QN_ROLE_BLOCK, NULL, 0);
+    qn_rings_clear (&bodies);
+    work->has_mortar = TRUE;
+    status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
+  }
   if (any && status == QN_OK)
     tell_gaps (work, &closing);
   return status;

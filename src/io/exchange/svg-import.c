@@ -363,32 +363,6 @@ read_points (Pen *pen, const char *text, gboolean closed)
   return TRUE;
 }
 
-static void
-read_rectangle (Pen *pen, const char **keys, const char **values)
-{
-  double x = number_of (keys, values, "x"), y = number_of (keys, values, "y");
-  double w = number_of (keys, values, "width"), h = number_of (keys, values, "height");
-  pen_move (pen, qn_vec2 (x, y));
-  qn_drawing_path_add (pen->path, qn_vec2 (x + w, y));
-  qn_drawing_path_add (pen->path, qn_vec2 (x + w, y + h));
-  qn_drawing_path_add (pen->path, qn_vec2 (x, y + h));
-  pen->path->closed = TRUE;
-}
-
-static void
-read_ellipse (Pen *pen, const char **keys, const char **values)
-{
-  QnVec2 centre = { number_of (keys, values, "cx"), number_of (keys, values, "cy") };
-  double r = number_of (keys, values, "r");
-  double rx = r > 0 ? r : number_of (keys, values, "rx");
-  double ry = r > 0 ? r : number_of (keys, values, "ry");
-  pen->path = qn_drawing_add_path (pen->importer->drawing, pen->layer, pen->line);
-  qn_drawing_path_add_ellipse (pen->path, centre, qn_vec2 (rx, 0), qn_vec2 (0, ry), 0,
-                               2 * G_PI);
-  pen->path->count--;
-  pen->path->closed = TRUE;
-}
-
 static gboolean
 read_shape (Pen *pen, const char *element, const char **keys, const char **values)
 {
@@ -399,9 +373,23 @@ read_shape (Pen *pen, const char *element, const char **keys, const char **value
   if (strcmp (element, "polygon") == 0 || strcmp (element, "polyline") == 0)
     return read_points (pen, attribute (keys, values, "points"), element[4] == 'g');
   if (strcmp (element, "rect") == 0) {
-    read_rectangle (pen, keys, values);
+    double x = number_of (keys, values, "x"), y = number_of (keys, values, "y");
+    double w = number_of (keys, values, "width"), h = number_of (keys, values, "height");
+    pen_move (pen, qn_vec2 (x, y));
+    qn_drawing_path_add (pen->path, qn_vec2 (x + w, y));
+    qn_drawing_path_add (pen->path, qn_vec2 (x + w, y + h));
+    qn_drawing_path_add (pen->path, qn_vec2 (x, y + h));
+    pen->path->closed = TRUE;
   } else if (strcmp (element, "circle") == 0 || strcmp (element, "ellipse") == 0) {
-    read_ellipse (pen, keys, values);
+    QnVec2 centre = { number_of (keys, values, "cx"), number_of (keys, values, "cy") };
+    double r = number_of (keys, values, "r");
+    double rx = r > 0 ? r : number_of (keys, values, "rx");
+    double ry = r > 0 ? r : number_of (keys, values, "ry");
+    pen->path = qn_drawing_add_path (pen->importer->drawing, pen->layer, pen->line);
+    qn_drawing_path_add_ellipse (pen->path, centre, qn_vec2 (rx, 0), qn_vec2 (0, ry), 0,
+                                 2 * G_PI);
+    pen->path->count--;
+    pen->path->closed = TRUE;
   } else if (strcmp (element, "line") == 0) {
     pen_move (pen,
               qn_vec2 (number_of (keys, values, "x1"), number_of (keys, values, "y1")));

@@ -150,24 +150,6 @@ write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *r
 }
 
 static void
-write_curve_head (QnFileWriter *writer, const QnModel *model, const QnResult *result,
-                  QnId block)
-{
-  static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
-  qn_file_writer_puts (writer, "step,multiplier [-]");
-  for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
-    qn_file_writer_puts (writer, ",");
-    write_text (writer, qn_result_body_name (model, block), columns[dof]);
-  }
-  qn_file_writer_puts (writer, ",iterations,residual [-],event");
-  if (model->stage_count > 0)
-    qn_file_writer_puts (writer, ",stage");
-  if (result->reactions != NULL)
-    write_settlements (writer, model, result, NULL, 0);
-  qn_file_writer_puts (writer, "\n");
-}
-
-static void
 write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage)
 {
   qn_file_writer_puts (writer, ",");
@@ -213,7 +195,18 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   if (writer == NULL)
     return FALSE;
   QnId block = qn_result_curve_block (&project->model, result);
-  write_curve_head (writer, &project->model, result, block);
+  static const char *const columns[] = { " ux [m]", " uy [m]", " rz [rad]" };
+  qn_file_writer_puts (writer, "step,multiplier [-]");
+  for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, qn_result_body_name (&project->model, block), columns[dof]);
+  }
+  qn_file_writer_puts (writer, ",iterations,residual [-],event");
+  if (project->model.stage_count > 0)
+    qn_file_writer_puts (writer, ",stage");
+  if (result->reactions != NULL)
+    write_settlements (writer, &project->model, result, NULL, 0);
+  qn_file_writer_puts (writer, "\n");
   for (size_t i = 0; i < result->step_count; i++) {
     const QnStep *step = &result->steps[i];
     qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, i);

@@ -133,18 +133,6 @@ warn_of_idle_sets (const QnJsonValue *root, const QnModel *model)
   }
 }
 
-/* Settings that a stage has for itself say nothing beside stages. */
-static void
-warn_of_idle_settings (const QnJsonValue *analysis, const QnModel *model)
-{
-  QnJsonValue procedure = qn_json_value_member (analysis, "procedure");
-  if (model->stage_count > 0 && procedure.json != NULL
-      && model->analysis.procedure != QN_PROCEDURE_LOAD
-      && model->analysis.procedure != QN_PROCEDURE_LIMIT)
-    qn_json_value_warn (&procedure,
-                        _ ("has no effect beside stages, which have their own"));
-}
-
 gboolean
 qn_read_analysis (const QnJsonValue *root, QnModel *model)
 {
@@ -196,6 +184,12 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
   settings->control_dof = control.dof;
   settings->control_target = control.target;
   warn_of_idle_sets (root, model);
-  warn_of_idle_settings (&place, model);
+  /* Settings that a stage has for itself say nothing beside stages. */
+  QnJsonValue procedure = qn_json_value_member (&place, "procedure");
+  if (model->stage_count > 0 && procedure.json != NULL
+      && model->analysis.procedure != QN_PROCEDURE_LOAD
+      && model->analysis.procedure != QN_PROCEDURE_LIMIT)
+    qn_json_value_warn (&procedure,
+                        _ ("has no effect beside stages, which have their own"));
   return TRUE;
 }

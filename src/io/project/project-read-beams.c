@@ -44,8 +44,20 @@ read_shape (const QnJsonValue *place, QnSection *section)
 }
 
 static gboolean
-read_section_numbers (const QnJsonValue *place, const QnModel *model, QnSection *section)
+read_section (const QnJsonValue *place, QnModel *model)
 {
+  static const char *const keys[] = {
+    "name",        "young",   "shear_modulus",  "poisson",      "width",
+    "height",      "area",    "inertia",        "shear_factor", "yield",
+    "unit_weight", "density", "plastic_moment",
+  };
+  const char *name;
+  if (!read_entity_name (place, &name))
+    return FALSE;
+  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
+  QnSection *section = qn_model_add_section (model, name);
+  if (section == NULL)
+    return qn_json_value_no_memory (place);
   const QnRange positive = QN_RANGE_POSITIVE;
   gboolean heavy = cJSON_HasObjectItem (place->json, "unit_weight")
                    || cJSON_HasObjectItem (place->json, "density");
@@ -64,24 +76,6 @@ read_section_numbers (const QnJsonValue *place, const QnModel *model, QnSection 
                               &section->plastic_moment)
          && (!heavy
              || qn_read_weight (place, model, &section->unit_weight, &section->density));
-}
-
-static gboolean
-read_section (const QnJsonValue *place, QnModel *model)
-{
-  static const char *const keys[] = {
-    "name",        "young",   "shear_modulus",  "poisson",      "width",
-    "height",      "area",    "inertia",        "shear_factor", "yield",
-    "unit_weight", "density", "plastic_moment",
-  };
-  const char *name;
-  if (!read_entity_name (place, &name))
-    return FALSE;
-  qn_json_value_warn_unknown (place, keys, G_N_ELEMENTS (keys));
-  QnSection *section = qn_model_add_section (model, name);
-  if (section == NULL)
-    return qn_json_value_no_memory (place);
-  return read_section_numbers (place, model, section);
 }
 
 static gboolean

@@ -304,18 +304,6 @@ static const char *const kind_keys[QN_MASONRY_KIND_COUNT][16] = {
   [QN_MASONRY_RUBBLE] = { "width", "height", "stone", "irregularity", "seed" },
 };
 
-static void
-warn_unknown_keys (const QnJsonValue *place, QnMasonryKind kind)
-{
-  const char *keys[G_N_ELEMENTS (common_keys) + 16];
-  gsize count = 0;
-  for (gsize i = 0; i < G_N_ELEMENTS (common_keys); i++)
-    keys[count++] = common_keys[i];
-  for (gsize i = 0; i < 16 && kind_keys[kind][i] != NULL; i++)
-    keys[count++] = kind_keys[kind][i];
-  qn_json_value_warn_unknown (place, keys, count);
-}
-
 static gboolean
 read_kind (const QnJsonValue *place, QnMasonry *masonry)
 {
@@ -353,7 +341,13 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
     return FALSE;
   if (qn_masonry_init (masonry, kind, name, NULL) != QN_OK)
     return qn_json_value_no_memory (place);
-  warn_unknown_keys (place, masonry->kind);
+  const char *keys[G_N_ELEMENTS (common_keys) + 16];
+  gsize count = 0;
+  for (gsize i = 0; i < G_N_ELEMENTS (common_keys); i++)
+    keys[count++] = common_keys[i];
+  for (gsize i = 0; i < 16 && kind_keys[masonry->kind][i] != NULL; i++)
+    keys[count++] = kind_keys[masonry->kind][i];
+  qn_json_value_warn_unknown (place, keys, count);
   if (qn_member_vec2 (place, "origin", QN_OPTIONAL, &masonry->origin)
       && qn_member_number (place, "rotation", QN_OPTIONAL, QN_RANGE_FINITE,
                            &masonry->rotation)

@@ -151,17 +151,6 @@ parse_text (QnReader *reader)
   return document;
 }
 
-static void
-count_dropped_warnings (const QnReader *reader)
-{
-  if (reader->dropped_warnings > 0)
-    g_ptr_array_add (
-      reader->warnings,
-      g_strdup_printf (ngettext ("%s: %u more warning", "%s: %u more warnings",
-                                 reader->dropped_warnings),
-                       reader->name, reader->dropped_warnings));
-}
-
 /* Fills an initialised project whose name and text are set. */
 static gboolean
 read_project (QnProject *project, GError **error)
@@ -180,7 +169,12 @@ read_project (QnProject *project, GError **error)
         && reader.error == NULL)
       qn_json_value_no_memory (&root);
     cJSON_Delete (document);
-    count_dropped_warnings (&reader);
+    if (reader.dropped_warnings > 0)
+      g_ptr_array_add (
+        reader.warnings,
+        g_strdup_printf (ngettext ("%s: %u more warning", "%s: %u more warnings",
+                                   reader.dropped_warnings),
+                         reader.name, reader.dropped_warnings));
   }
   if (reader.error == NULL) {
     project->sha256 = g_compute_checksum_for_data (

@@ -25,21 +25,6 @@ put_leaf (GString *json, const QnLeaf *leaf)
 }
 
 static void
-put_courses (GString *json, const QnWall *courses)
-{
-  qn_json_begin_member (json, "courses");
-  g_string_append_c (json, '[');
-  int32_t entry = 0;
-  for (int32_t course = 0; course < courses->course_count; course++) {
-    g_string_append (json, course > 0 ? ", " : "");
-    qn_json_append_numbers (json, courses->lengths + entry,
-                            (gsize) (courses->course_ends[course] - entry));
-    entry = courses->course_ends[course];
-  }
-  g_string_append_c (json, ']');
-}
-
-static void
 append_opening (GString *json, const QnOpening *opening)
 {
   g_string_append_c (json, '{');
@@ -88,8 +73,18 @@ put_wall (GString *json, const QnMasonryWall *wall)
   if (wall->course_height_count > 0)
     qn_json_put_numbers (json, "course_heights", wall->course_heights,
                          wall->course_height_count);
-  if (listed)
-    put_courses (json, &wall->courses);
+  if (listed) {
+    qn_json_begin_member (json, "courses");
+    g_string_append_c (json, '[');
+    int32_t entry = 0;
+    for (int32_t course = 0; course < wall->courses.course_count; course++) {
+      g_string_append (json, course > 0 ? ", " : "");
+      qn_json_append_numbers (json, wall->courses.lengths + entry,
+                              (gsize) (wall->courses.course_ends[course] - entry));
+      entry = wall->courses.course_ends[course];
+    }
+    g_string_append_c (json, ']');
+  }
   if (wall->left != QN_EDGE_STRAIGHT || wall->right != QN_EDGE_STRAIGHT) {
     qn_json_begin_member (json, "edges");
     g_string_append_printf (json, "[\"%s\", \"%s\"]", qn_edge_names[wall->left],

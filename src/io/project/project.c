@@ -121,19 +121,6 @@ append_wall_block (GString *path, const QnModel *model, QnId block)
   }
 }
 
-/* Key path of a load that is not dead: its entry in the list of its set. */
-static void
-append_live_load (GString *path, const QnModel *model, QnId index)
-{
-  int32_t set = model->live_loads[index].set;
-  gsize place = 0;
-  for (QnId i = 0; i < index; i++)
-    place += model->live_loads[i].set == set;
-  g_string_append (path, set == 0 ? "loads" : "loads.sets");
-  qn_json_path_append_key (path, qn_model_load_set_name (model, set));
-  qn_json_path_append_index (path, place);
-}
-
 char *
 qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
 {
@@ -170,7 +157,14 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     append_wall_block (path, model, index);
   } else if (entity == QN_ENTITY_LIVE_LOAD && index >= 0
              && (size_t) index < model->live_load_count) {
-    append_live_load (path, model, index);
+    /* Key path of a load that is not dead: its entry in the list of its set. */
+    int32_t set = model->live_loads[index].set;
+    gsize place = 0;
+    for (QnId i = 0; i < index; i++)
+      place += model->live_loads[i].set == set;
+    g_string_append (path, set == 0 ? "loads" : "loads.sets");
+    qn_json_path_append_key (path, qn_model_load_set_name (model, set));
+    qn_json_path_append_index (path, place);
   } else if (entity == QN_ENTITY_LOAD_CASE && index >= 0
              && (size_t) index < model->load_case_count) {
     g_string_append (path, containers[entity]);

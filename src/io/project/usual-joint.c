@@ -41,15 +41,6 @@ qn_law_make_joint (QnLaw *law, QnUsualJointKind kind)
   return TRUE;
 }
 
-static gboolean
-has_numbers (const QnLaw *law, const QnUsualJoint *joint)
-{
-  return law->kind == QN_LAW_COULOMB && law->basis == QN_BASIS_SURFACE
-         && law->kn == 2.0 * joint->kn && law->ks == 2.0 * joint->ks
-         && law->friction == joint->friction && law->cohesion == joint->cohesion
-         && law->tension == 0.0 && law->dilatancy == 0.0;
-}
-
 const char *
 qn_law_get_source (const QnLaw *law, gboolean *holds)
 {
@@ -58,7 +49,11 @@ qn_law_get_source (const QnLaw *law, gboolean *holds)
     return NULL;
   for (int i = 0; i < QN_JOINT_COUNT; i++)
     if (g_str_equal (law->source, qn_usual_joints[i].source)) {
-      *holds = has_numbers (law, &qn_usual_joints[i]);
+      const QnUsualJoint *joint = &qn_usual_joints[i];
+      *holds = law->kind == QN_LAW_COULOMB && law->basis == QN_BASIS_SURFACE
+               && law->kn == 2.0 * joint->kn && law->ks == 2.0 * joint->ks
+               && law->friction == joint->friction && law->cohesion == joint->cohesion
+               && law->tension == 0.0 && law->dilatancy == 0.0;
       return _ (qn_usual_joints[i].source);
     }
   return law->source;

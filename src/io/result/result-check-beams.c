@@ -34,20 +34,6 @@ element_load (const QnModel *model, QnId element, const double *factors)
   return sum;
 }
 
-/* What the two ends of an element exert on their nodes: forces, and moments. N pulls the nodes
- * together, V pushes the first one down, along -y, and the second one up. */
-static void
-end_forces (const QnBeamForces *forces, QnVec2 x, QnVec2 on_node[2], double moment[2])
-{
-  QnVec2 y = qn_vec2_perp (x);
-  on_node[0] =
-    qn_vec2_add_scaled (qn_vec2_scale (forces->normal[0], x), -forces->shear[0], y);
-  on_node[1] =
-    qn_vec2_add_scaled (qn_vec2_scale (-forces->normal[1], x), forces->shear[1], y);
-  moment[0] = forces->moment[0];
-  moment[1] = -forces->moment[1];
-}
-
 void
 qn_result_check_add_beams (const QnResultFile *file, const QnModel *model,
                            const double *deformation, const double *factors,
@@ -67,7 +53,18 @@ qn_result_check_add_beams (const QnResultFile *file, const QnModel *model,
         place_of (model, model->block_count + (size_t) element->nodes[end], deformation);
     QnVec2 chord = qn_vec2_sub (ends[1], ends[0]);
     double length = qn_vec2_length (chord);
-    end_forces (&all[e], qn_vec2_scale (1 / length, chord), on_node, moment);
+    /* What the two ends of an element exert on their nodes: forces, and moments. N pulls
+     * the nodes together, V pushes the first one down, along -y, and the second one up.
+     * */
+    const QnBeamForces *forces = &all[e];
+    QnVec2 x = qn_vec2_scale (1 / length, chord);
+    QnVec2 y = qn_vec2_perp (x);
+    on_node[0] =
+      qn_vec2_add_scaled (qn_vec2_scale (forces->normal[0], x), -forces->shear[0], y);
+    on_node[1] =
+      qn_vec2_add_scaled (qn_vec2_scale (-forces->normal[1], x), forces->shear[1], y);
+    moment[0] = forces->moment[0];
+    moment[1] = -forces->moment[1];
 
     for (int end = 0; end < 2; end++) {
       size_t body = qn_model_node_body (model, element->nodes[end]);

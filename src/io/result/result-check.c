@@ -124,27 +124,6 @@ add_force (const QnModel *model, QnId block, const double *deformation, QnVec2 f
   sum[QN_DOF_RZ] += qn_vec2_cross (qn_vec2_sub (point, centroid), force); /* r x F */
 }
 
-/* The arms of forces that act away from the centroid have turned with their blocks. Loads of
- * sets count with the factor of their set; the dead ones go elsewhere. */
-static void
-turn_loads (const QnModel *model, const double *deformation, const double *factors,
-            double *dead, double *live)
-{
-  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    if (load.kind != QN_LOAD_FORCE && load.kind != QN_LOAD_NODE)
-      continue;
-    size_t rz = qn_model_load_body (model, &load) * QN_DOF_COUNT + QN_DOF_RZ;
-    QnVec2 arm = qn_model_load_arm (model, &load);
-    QnVec2 turned = qn_vec2_rotate (arm, cos (deformation[rz]), sin (deformation[rz]));
-    double moment = qn_vec2_cross (qn_vec2_sub (turned, arm), load.vector);
-    if (load.set == QN_NONE)
-      dead[rz] += moment;
-    else
-      live[rz] += factors[load.set] * moment;
-  }
-}
-
 static void
 check_pairs (const QnResultFile *file, const QnModel *model, const double *deformation,
              double *balance, QnResultCheck *check)
@@ -182,13 +161,6 @@ check_pairs (const QnResultFile *file, const QnModel *model, const double *defor
   g_hash_table_unref (overrides);
 }
 
-static bool
-is_free (const QnBlock *block)
-{
-  return !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
-           && block->support[QN_DOF_RZ]);
-}
-
 /* Sets the balance to the loads at the multiplier, and the force that counts as 1. */
 static void
 add_loads (const QnModel *model, const double *dead, const double *live, double *balance,
@@ -196,7 +168,9 @@ add_loads (const QnModel *model, const double *dead, const double *live, double 
 {
   double largest_load = 0;
   for (size_t i = 0; i < model->block_count; i++) {
-    bool free_to_move = is_free (&model->blocks[i]);
+    const QnBlock *block = &model->blocks[i];
+    bool free_to_move = !(block->support[QN_DOF_UX] && block->support[QN_DOF_UY]
+                          && block->support[QN_DOF_RZ]);
     if (free_to_move)
       check->force_scale = MAX (check->force_scale, model->blocks[i].weight);
     for (size_t dof = 0; dof < QN_DOF_COUNT; dof++) {
@@ -367,8 +341,23 @@ qn_result_check (const QnResultFile *file, const QnProject *project, QnResultChe
   qn_model_dead_forces (model, dead);
   qn_model_set_forces (model, factors, live);
   const double *deformation = qn_result_deformation (model, result);
-  if (deformation != NULL)
-    turn_loads (model, deformation, factors, dead, live);
+  if (deformation != NULL) {
+    /* The arms of forces that act away from the centroid have turned with their blocks.
+     * Loads of sets count with the factor of their set; the dead ones go elsewhere. */
+    for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+      const QnLoad load = qn_model_acting_load (model, i);
+      if (load.kind != QN_LOAD_FORCE && load.kind != QN_LOAD_NODE)
+        continue;
+      size_t rz = qn_model_load_body (model, &load) * QN_DOF_COUNT + QN_DOF_RZ;
+      QnVec2 arm = qn_model_load_arm (model, &load);
+      QnVec2 turned = qn_vec2_rotate (arm, cos (deformation[rz]), sin (deformation[rz]));
+      double moment = qn_vec2_cross (qn_vec2_sub (turned, arm), load.vector);
+      if (load.set == QN_NONE)
+        dead[rz] += moment;
+      else
+        live[rz] += factors[load.set] * moment;
+    }
+  }
   add_loads (model, dead, live, balance, check);
   check_pairs (file, model, deformation, balance, check);
   qn_result_check_add_beams (file, model, deformation, factors, balance, check);

@@ -29,20 +29,6 @@ check_head (QnJsonStream *stream, QnResultDraft *draft)
                                  _ ("this is no outcome of an analysis"));
 }
 
-/* Numbers that may be null; what the file says of the first limit point stands, whatever its events. */
-static void
-take_numbers (QnResultDraft *draft)
-{
-  QnResult *result = &draft->file.result;
-  result->has_collapse_multiplier = draft->collapse.given;
-  result->collapse_multiplier = draft->collapse.number;
-  result->has_first_limit_multiplier = draft->first_limit.given;
-  result->first_limit_multiplier = draft->first_limit.number;
-  result->has_associative_bound = draft->associative_bound.given;
-  result->associative_bound = draft->associative_bound.number;
-  result->beyond_linear_multiplier = draft->beyond_linear.number;
-}
-
 static gboolean
 same_number (double a, double b)
 {
@@ -214,7 +200,15 @@ take_arrays (QnJsonStream *stream, QnResultDraft *draft)
 gboolean
 qn_result_draft_take (QnResultDraft *draft, QnJsonStream *stream)
 {
-  take_numbers (draft);
+  /* Numbers that may be null; what the file says of the first limit point stands, whatever its events. */
+  QnResult *result = &draft->file.result;
+  result->has_collapse_multiplier = draft->collapse.given;
+  result->collapse_multiplier = draft->collapse.number;
+  result->has_first_limit_multiplier = draft->first_limit.given;
+  result->first_limit_multiplier = draft->first_limit.number;
+  result->has_associative_bound = draft->associative_bound.given;
+  result->associative_bound = draft->associative_bound.number;
+  result->beyond_linear_multiplier = draft->beyond_linear.number;
   return check_head (stream, draft) && check_counts (stream, draft)
          && take_arrays (stream, draft) && take_solutions (stream, draft)
          && qn_result_history_take (&draft->history, stream, &draft->file.result);

@@ -31,15 +31,6 @@ write_optional (QnFileWriter *writer, const char *key, bool given, double number
 }
 
 static void
-write_strings (QnFileWriter *writer, const char *const *strings)
-{
-  qn_file_writer_puts (writer, "[");
-  for (gsize i = 0; strings[i] != NULL; i++)
-    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", strings[i]);
-  qn_file_writer_puts (writer, "]");
-}
-
-static void
 write_limit (QnFileWriter *writer, const QnResult *result)
 {
   const QnLimitFigures *limit = &result->limit;
@@ -152,7 +143,11 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   g_free (model);
   if (project->overrides != NULL && project->overrides[0] != NULL) {
     qn_file_writer_puts (writer, "  \"overrides\": ");
-    write_strings (writer, (const char *const *) project->overrides);
+    const char *const *strings = (const char *const *) project->overrides;
+    qn_file_writer_puts (writer, "[");
+    for (gsize i = 0; strings[i] != NULL; i++)
+      qn_file_writer_puts_string (writer, i > 0 ? ", " : "", strings[i]);
+    qn_file_writer_puts (writer, "]");
     qn_file_writer_puts (writer, ",\n");
   }
 
@@ -207,24 +202,6 @@ write_beams (QnFileWriter *writer, const QnModel *model)
   qn_file_writer_puts (writer, "],\n");
 }
 
-static void
-write_blocks (QnFileWriter *writer, const QnModel *model, const QnResult *result)
-{
-  if (result->unstable_count > 0) {
-    write_ids (writer, "  \"unstable_blocks\": ", result->unstable_blocks,
-               result->unstable_count);
-    qn_file_writer_puts (writer, ",\n");
-  }
-  if (result->support_count > 0) {
-    write_ids (writer, "  \"supports\": ", result->supports, result->support_count);
-    qn_file_writer_puts (writer, ",\n");
-  }
-  qn_file_writer_puts (writer, "  \"blocks\": [");
-  for (size_t i = 0; i < model->block_count; i++)
-    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", model->blocks[i].name);
-  qn_file_writer_puts (writer, "],\n");
-}
-
 /* [[ux, uy, rz], …], a row per block. */
 static void
 write_rows (QnFileWriter *writer, const double *rows, size_t count)
@@ -234,21 +211,6 @@ write_rows (QnFileWriter *writer, const double *rows, size_t count)
     qn_file_writer_puts (writer, i % QN_DOF_COUNT > 0 ? ", " : i > 0 ? "], [" : "[");
     qn_file_writer_number (writer, rows[i]);
   }
-  qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
-}
-
-/* [[N, V, M, N, V, M], …], at the first and the second end of every element. */
-static void
-write_beam_forces (QnFileWriter *writer, const QnBeamForces *forces, size_t count)
-{
-  qn_file_writer_puts (writer, "[");
-  for (size_t i = 0; i < count; i++)
-    for (int end = 0; end < 2; end++) {
-      qn_file_writer_puts (writer, end > 0 ? ", " : i > 0 ? "], [" : "[");
-      qn_file_writer_number (writer, forces[i].normal[end]);
-      qn_file_writer_puts_number (writer, ", ", forces[i].shear[end]);
-      qn_file_writer_puts_number (writer, ", ", forces[i].moment[end]);
-    }
   qn_file_writer_puts (writer, count > 0 ? "]]" : "]");
 }
 
@@ -265,8 +227,17 @@ write_step_beams (QnFileWriter *writer, const QnResult *result, size_t step)
   if (result->beam_forces == NULL)
     return;
   qn_file_writer_puts (writer, ", \"beam_forces\": ");
-  write_beam_forces (writer, qn_result_step_beam_forces (result, step),
-                     result->element_count);
+  /* [[N, V, M, N, V, M], …], at the first and the second end of every element. */
+  const QnBeamForces *forces = qn_result_step_beam_forces (result, step);
+  qn_file_writer_puts (writer, "[");
+  for (size_t i = 0; i < result->element_count; i++)
+    for (int end = 0; end < 2; end++) {
+      qn_file_writer_puts (writer, end > 0 ? ", " : i > 0 ? "], [" : "[");
+      qn_file_writer_number (writer, forces[i].normal[end]);
+      qn_file_writer_puts_number (writer, ", ", forces[i].shear[end]);
+      qn_file_writer_puts_number (writer, ", ", forces[i].moment[end]);
+    }
+  qn_file_writer_puts (writer, result->element_count > 0 ? "]]" : "]");
 }
 
 static void
@@ -306,25 +277,6 @@ write_steps (QnFileWriter *writer, const QnResult *result)
   qn_file_writer_puts (writer, "],\n");
 }
 
-/* The two springs between A, C and B; both carry the pair's force. */
-static void
-write_springs (QnFileWriter *writer, const QnPairResult *pair)
-{
-  const double *elongations[2] = { pair->elongation_a, pair->elongation_b };
-  qn_file_writer_puts (writer, ", \"hinge\": ");
-  qn_file_writer_vec2 (writer, pair->hinge);
-  qn_file_writer_puts (writer, ", \"springs\": [");
-  for (int side = 0; side < 2; side++) {
-    qn_file_writer_puts (writer,
-                         side == 0 ? "{ \"elongation\": " : ", { \"elongation\": ");
-    qn_file_writer_vec2 (writer, qn_vec2 (elongations[side][0], elongations[side][1]));
-    qn_file_writer_puts (writer, ", \"force\": ");
-    qn_file_writer_vec2 (writer, qn_vec2 (pair->normal_force, pair->shear_force));
-    qn_file_writer_puts (writer, " }");
-  }
-  qn_file_writer_puts (writer, "]");
-}
-
 static void
 write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
                const QnResult *result, size_t index, QnResultDetail detail)
@@ -348,8 +300,22 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
                          qn_pair_state_names[forces->state]);
   qn_file_writer_number (writer, forces->normal_force);
   qn_file_writer_puts_number (writer, ", \"shear_force\": ", forces->shear_force);
-  if (detail == QN_DETAIL_PAIRS && forces->has_springs)
-    write_springs (writer, forces);
+  if (detail == QN_DETAIL_PAIRS && forces->has_springs) {
+    /* The two springs between A, C and B; both carry the pair's force. */
+    const double *elongations[2] = { forces->elongation_a, forces->elongation_b };
+    qn_file_writer_puts (writer, ", \"hinge\": ");
+    qn_file_writer_vec2 (writer, forces->hinge);
+    qn_file_writer_puts (writer, ", \"springs\": [");
+    for (int side = 0; side < 2; side++) {
+      qn_file_writer_puts (writer,
+                           side == 0 ? "{ \"elongation\": " : ", { \"elongation\": ");
+      qn_file_writer_vec2 (writer, qn_vec2 (elongations[side][0], elongations[side][1]));
+      qn_file_writer_puts (writer, ", \"force\": ");
+      qn_file_writer_vec2 (writer, qn_vec2 (forces->normal_force, forces->shear_force));
+      qn_file_writer_puts (writer, " }");
+    }
+    qn_file_writer_puts (writer, "]");
+  }
   qn_file_writer_puts (writer, " }");
 }
 
@@ -400,23 +366,6 @@ write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
   }
 }
 
-/* What the mechanism is where it is no collapse. */
-static void
-write_mode (QnFileWriter *writer, const QnResult *result)
-{
-  const QnVibration *vibration = &result->vibration;
-  if (vibration->mode > 0) {
-    qn_file_writer_printf (
-      writer, "  \"vibration\": { \"dead_load\": %s, \"mode\": %d, \"omega\": ",
-      vibration->dead_load ? "true" : "false", vibration->mode);
-    qn_file_writer_number (writer, vibration->omega);
-    qn_file_writer_puts (writer, " },\n");
-  }
-  if (result->stability != QN_STABILITY_UNKNOWN)
-    qn_file_writer_printf (writer, "  \"stability\": \"%s\",\n",
-                           qn_stability_names[result->stability]);
-}
-
 /* The velocity field and, for readers who do not want to work them out, its facts. These are
  * left out where memory runs out: the field is the result. */
 static void
@@ -465,11 +414,34 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
     return FALSE;
   write_head (writer, project, result);
   write_stages (writer, &project->model, result);
-  write_blocks (writer, &project->model, result);
+  if (result->unstable_count > 0) {
+    write_ids (writer, "  \"unstable_blocks\": ", result->unstable_blocks,
+               result->unstable_count);
+    qn_file_writer_puts (writer, ",\n");
+  }
+  if (result->support_count > 0) {
+    write_ids (writer, "  \"supports\": ", result->supports, result->support_count);
+    qn_file_writer_puts (writer, ",\n");
+  }
+  qn_file_writer_puts (writer, "  \"blocks\": [");
+  for (size_t i = 0; i < project->model.block_count; i++)
+    qn_file_writer_puts_string (writer, i > 0 ? ", " : "", project->model.blocks[i].name);
+  qn_file_writer_puts (writer, "],\n");
   write_beams (writer, &project->model);
   write_steps (writer, result);
   write_contacts (writer, &project->model, contacts, result, detail);
-  write_mode (writer, result);
+  /* What the mechanism is where it is no collapse. */
+  const QnVibration *vibration = &result->vibration;
+  if (vibration->mode > 0) {
+    qn_file_writer_printf (
+      writer, "  \"vibration\": { \"dead_load\": %s, \"mode\": %d, \"omega\": ",
+      vibration->dead_load ? "true" : "false", vibration->mode);
+    qn_file_writer_number (writer, vibration->omega);
+    qn_file_writer_puts (writer, " },\n");
+  }
+  if (result->stability != QN_STABILITY_UNKNOWN)
+    qn_file_writer_printf (writer, "  \"stability\": \"%s\",\n",
+                           qn_stability_names[result->stability]);
   write_mechanism (writer, &project->model, contacts, result);
   if (result->history.width > 0)
     qn_result_history_write (writer, &project->model, result);

@@ -101,9 +101,19 @@ link_program (QnGlRenderer *r)
   return linked != 0;
 }
 
-static void
-describe_vertices (const QnGl *gl)
+QnGlRenderer *
+qn_gl_renderer_new (const QnGl *gl, GError **error)
 {
+  QnGlRenderer *r = g_new0 (QnGlRenderer, 1);
+  r->gl = gl;
+  r->counts = g_array_new (FALSE, FALSE, sizeof (GLsizei));
+  r->offsets = g_array_new (FALSE, FALSE, sizeof (const void *));
+  gl->GenVertexArrays (1, &r->array);
+  gl->GenBuffers (1, &r->vertices);
+  gl->GenBuffers (1, &r->indices);
+  gl->BindVertexArray (r->array);
+  gl->BindBuffer (GL_ARRAY_BUFFER, r->vertices);
+  gl->BindBuffer (GL_ELEMENT_ARRAY_BUFFER, r->indices);
   const struct {
     GLint size;
     GLenum type;
@@ -124,22 +134,6 @@ describe_vertices (const QnGl *gl)
                              attributes[i].normalized, sizeof (QnGlVertex),
                              (const void *) attributes[i].offset);
   }
-}
-
-QnGlRenderer *
-qn_gl_renderer_new (const QnGl *gl, GError **error)
-{
-  QnGlRenderer *r = g_new0 (QnGlRenderer, 1);
-  r->gl = gl;
-  r->counts = g_array_new (FALSE, FALSE, sizeof (GLsizei));
-  r->offsets = g_array_new (FALSE, FALSE, sizeof (const void *));
-  gl->GenVertexArrays (1, &r->array);
-  gl->GenBuffers (1, &r->vertices);
-  gl->GenBuffers (1, &r->indices);
-  gl->BindVertexArray (r->array);
-  gl->BindBuffer (GL_ARRAY_BUFFER, r->vertices);
-  gl->BindBuffer (GL_ELEMENT_ARRAY_BUFFER, r->indices);
-  describe_vertices (gl);
   gl->BindVertexArray (0);
   if (!link_program (r)) {
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_UNAVAILABLE,

@@ -68,24 +68,6 @@ convert_row (const uint32_t *row, int width, bool opaque, unsigned char *out)
   }
 }
 
-static void
-set_texts (png_structp png, png_infop info, const QnPngText *texts, size_t count)
-{
-  for (size_t i = 0; i < count; i++) {
-    /* More programs read the older kind of chunk, which holds no UTF-8. */
-    bool plain = g_str_is_ascii (texts[i].text);
-    png_text chunk = { .compression =
-                         plain ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE };
-    chunk.key = (png_charp) texts[i].key;
-    chunk.text = texts[i].text;
-    if (plain)
-      chunk.text_length = strlen (texts[i].text);
-    else
-      chunk.itxt_length = strlen (texts[i].text);
-    png_set_text (png, info, &chunk, 1);
-  }
-}
-
 /* The part between setjmp and the end; false when libpng jumped. */
 static bool
 write_image (png_structp png, png_infop info, cairo_surface_t *surface, double dpi,
@@ -108,7 +90,19 @@ write_image (png_structp png, png_infop info, cairo_surface_t *surface, double d
       (png_uint_32) qn_to_integer (round (dpi / 0.0254), 1, G_MAXINT32);
     png_set_pHYs (png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
   }
-  set_texts (png, info, texts, text_count);
+  for (size_t i = 0; i < text_count; i++) {
+    /* More programs read the older kind of chunk, which holds no UTF-8. */
+    bool plain = g_str_is_ascii (texts[i].text);
+    png_text chunk = { .compression =
+                         plain ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE };
+    chunk.key = (png_charp) texts[i].key;
+    chunk.text = texts[i].text;
+    if (plain)
+      chunk.text_length = strlen (texts[i].text);
+    else
+      chunk.itxt_length = strlen (texts[i].text);
+    png_set_text (png, info, &chunk, 1);
+  }
   png_write_info (png, info);
   for (int y = 0; y < height; y++) {
     convert_row ((const uint32_t *) (const void *) (data + (size_t) y * stride), width,

@@ -180,43 +180,6 @@ common_scale (const SheetLayout *s, int columns, int rows)
   return scale;
 }
 
-static void
-choose_grid (SheetLayout *s)
-{
-  int count = (int) s->sheet->count;
-  int first = s->sheet->columns > 0 ? MIN (s->sheet->columns, count) : 1;
-  int last = s->sheet->columns > 0 ? first : MIN (count, 12);
-  for (int columns = first; columns <= last; columns++) {
-    int rows = (count + columns - 1) / columns;
-    double scale = common_scale (s, columns, rows);
-    if (scale > s->scale * (1 + 1e-9)) {
-      s->scale = scale;
-      s->columns = columns;
-      s->rows = rows;
-    }
-  }
-}
-
-static void
-draw_words (const SheetLayout *s, size_t index, const QnCamera *view)
-{
-  const QnFigure *figure = &s->sheet->figures[index];
-  double u = s->page->unit;
-  QnColor ink = qn_ink (QN_INK_LINE, figure->options.monochrome);
-  QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = view->width };
-  QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = view->width };
-  const char *title = figure->title != NULL ? figure->title : figure->model->title;
-  g_autofree char *caption = dup_caption (s, index);
-  double x = view->x + 0.5 * view->width, y = view->y + view->height;
-  if (title != NULL && *title != '\0') {
-    double width, height;
-    qn_text_measure (s->cr, &bold, title, &width, &height);
-    qn_text_draw (s->cr, &bold, title, x, y, 0.5, 0, 0, ink);
-    y += height;
-  }
-  qn_text_draw (s->cr, &plain, caption, x, y, 0.5, 0, 0, ink);
-}
-
 /* Height in px of the largest words under a picture, for cells of one column's width. */
 static double
 measure_words (const SheetLayout *s, int columns)
@@ -251,7 +214,21 @@ draw_cells (const SheetLayout *s)
     view.height += FOOT_GAP * view.unit;
     view.center.y -= 0.5 * FOOT_GAP * view.unit / view.scale;
     qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->page->antialias, s->cr, NULL);
-    draw_words (s, i, &view);
+    const QnFigure *figure = &s->sheet->figures[i];
+    double u = s->page->unit;
+    QnColor ink = qn_ink (QN_INK_LINE, figure->options.monochrome);
+    QnTextStyle bold = { .size = 8.5 * u, .bold = true, .width = view.width };
+    QnTextStyle plain = { .size = QN_TYPE_LEGEND * u, .width = view.width };
+    const char *title = figure->title != NULL ? figure->title : figure->model->title;
+    g_autofree char *caption = dup_caption (s, i);
+    double x = view.x + 0.5 * view.width, y = view.y + view.height;
+    if (title != NULL && *title != '\0') {
+      double width, height;
+      qn_text_measure (s->cr, &bold, title, &width, &height);
+      qn_text_draw (s->cr, &bold, title, x, y, 0.5, 0, 0, ink);
+      y += height;
+    }
+    qn_text_draw (s->cr, &plain, caption, x, y, 0.5, 0, 0, ink);
   }
 }
 
@@ -288,7 +265,18 @@ draw_sheet (SheetLayout *s)
       ? s->sheet->columns
       : (int) qn_to_integer (ceil (sqrt ((double) s->sheet->count)), 1, G_MAXINT16);
   s->words = measure_words (s, MAX (guess, 1));
-  choose_grid (s);
+  int count = (int) s->sheet->count;
+  int first = s->sheet->columns > 0 ? MIN (s->sheet->columns, count) : 1;
+  int last = s->sheet->columns > 0 ? first : MIN (count, 12);
+  for (int columns = first; columns <= last; columns++) {
+    int rows = (count + columns - 1) / columns;
+    double scale = common_scale (s, columns, rows);
+    if (scale > s->scale * (1 + 1e-9)) {
+      s->scale = scale;
+      s->columns = columns;
+      s->rows = rows;
+    }
+  }
   draw_cells (s);
   if (legend)
     qn_furniture_draw (&furniture, s->cr, s->scale, false);

@@ -204,29 +204,6 @@ draw_cones (const Drawing *d, Area a, double press, double pull, double shear)
   }
 }
 
-/* Compression to the left, so that the cone opens that way. */
-static void
-draw_cone_diagram (const Drawing *d, Area a)
-{
-  double press, pull, shear;
-  ranges (d->plot, &press, &pull, &shear);
-  double zero = a.x + a.width * press / (press + pull), middle = a.y + a.height / 2;
-  draw_cones (d, a, press, pull, shear);
-  draw_line (d, a.x, middle, a.x + a.width, middle, d->faint, 0.5);
-  draw_line (d, zero, a.y, zero, a.y + a.height, d->faint, 0.5);
-  for (size_t i = 0; i < d->plot->count; i++) {
-    const QnJointPoint *p = &d->plot->points[i];
-    draw_mark (d, zero + p->normal * a.width / (press + pull),
-               middle - p->shear * a.height / 2 / shear, p->state);
-  }
-  double u = d->unit;
-  draw_force (d, -press, a.x, middle + 2 * u, 0, 0);
-  draw_force (d, shear, zero - 3 * u, a.y + (TEXT_PT + 2) * u, 1, 0);
-  draw_force (d, -shear, zero - 3 * u, a.y + a.height, 1, 1);
-  draw_text (d, d->plot->normal_label, a.x, middle - 2 * u, 0, 1, 0);
-  draw_text (d, d->plot->shear_label, zero - 3 * u, a.y, 1, 0, 0);
-}
-
 /* Compression as bars downwards, shear as marks to the same scale. */
 static void
 draw_along_diagram (const Drawing *d, Area a)
@@ -270,6 +247,24 @@ qn_joint_plot_draw (const QnJointPlot *plot, cairo_t *cr, double width, double h
                  height - upper - 3 * margin - label };
   if (cone.width <= 0 || upper <= 0 || along.height <= 0)
     return;
-  draw_cone_diagram (&d, cone);
+  /* Compression to the left, so that the cone opens that way. */
+  double press, pull, shear;
+  ranges (d.plot, &press, &pull, &shear);
+  double zero = cone.x + cone.width * press / (press + pull),
+         middle = cone.y + cone.height / 2;
+  draw_cones (&d, cone, press, pull, shear);
+  draw_line (&d, cone.x, middle, cone.x + cone.width, middle, d.faint, 0.5);
+  draw_line (&d, zero, cone.y, zero, cone.y + cone.height, d.faint, 0.5);
+  for (size_t i = 0; i < d.plot->count; i++) {
+    const QnJointPoint *p = &d.plot->points[i];
+    draw_mark (&d, zero + p->normal * cone.width / (press + pull),
+               middle - p->shear * cone.height / 2 / shear, p->state);
+  }
+  double u = d.unit;
+  draw_force (&d, -press, cone.x, middle + 2 * u, 0, 0);
+  draw_force (&d, shear, zero - 3 * u, cone.y + (TEXT_PT + 2) * u, 1, 0);
+  draw_force (&d, -shear, zero - 3 * u, cone.y + cone.height, 1, 1);
+  draw_text (&d, d.plot->normal_label, cone.x, middle - 2 * u, 0, 1, 0);
+  draw_text (&d, d.plot->shear_label, zero - 3 * u, cone.y, 1, 0, 0);
   draw_along_diagram (&d, along);
 }

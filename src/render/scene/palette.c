@@ -31,25 +31,6 @@ cell_level (int cell, int axis)
 }
 
 static void
-count_colors (Cell *cells, cairo_surface_t *image)
-{
-  int width = cairo_image_surface_get_width (image);
-  int height = cairo_image_surface_get_height (image);
-  int stride = cairo_image_surface_get_stride (image);
-  const unsigned char *data = cairo_image_surface_get_data (image);
-  for (int y = 0; y < height; y++) {
-    const uint32_t *row = (const uint32_t *) (const void *) (data + (size_t) y * stride);
-    for (int x = 0; x < width; x++) {
-      Cell *cell = &cells[cell_of (row[x])];
-      cell->count++;
-      cell->sums[0] += row[x] >> 16 & 255;
-      cell->sums[1] += row[x] >> 8 & 255;
-      cell->sums[2] += row[x] & 255;
-    }
-  }
-}
-
-static void
 measure_box (Box *box, const int *used, const Cell *cells)
 {
   int low[3] = { 31, 31, 31 }, high[3] = { 0, 0, 0 };
@@ -109,8 +90,24 @@ qn_palette_init (QnPalette *palette, cairo_surface_t *const *images, int image_c
   *palette = (QnPalette){ .nearest = g_new (int16_t, CELLS) };
   memset (palette->nearest, -1, CELLS * sizeof *palette->nearest);
 
-  for (int i = 0; i < image_count; i++)
-    count_colors (cells, images[i]);
+  for (int i = 0; i < image_count; i++) {
+    cairo_surface_t *image = images[i];
+    int width = cairo_image_surface_get_width (image);
+    int height = cairo_image_surface_get_height (image);
+    int stride = cairo_image_surface_get_stride (image);
+    const unsigned char *data = cairo_image_surface_get_data (image);
+    for (int y = 0; y < height; y++) {
+      const uint32_t *row =
+        (const uint32_t *) (const void *) (data + (size_t) y * stride);
+      for (int x = 0; x < width; x++) {
+        Cell *cell = &cells[cell_of (row[x])];
+        cell->count++;
+        cell->sums[0] += row[x] >> 16 & 255;
+        cell->sums[1] += row[x] >> 8 & 255;
+        cell->sums[2] += row[x] & 255;
+      }
+    }
+  }
   for (int i = 0; i < CELLS; i++)
     if (cells[i].count > 0)
       used[boxes[0].last++] = i;

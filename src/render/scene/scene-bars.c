@@ -89,29 +89,6 @@ add_bars (QnSceneBuilder *b, const GArray *crossings, double width, QnColor colo
   }
 }
 
-static void
-add_legend (QnSceneBuilder *b, const QnColorBar *range)
-{
-  if (!range->shown) {
-    qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_BAR), "%s",
-                     _ ("reinforcing bar"))
-      ->size = (float) WIDTH_BAR;
-    return;
-  }
-  QnColor pulled = qn_color_bar_color (range, range->max, b->options->monochrome);
-  QnColor pressed = qn_color_bar_color (range, range->min, b->options->monochrome);
-  g_autofree char *most = qn_label_number ("%.3g", range->max * range->factor);
-  g_autofree char *least = qn_label_number ("%.3g", -range->min * range->factor);
-  if (range->max > 0)
-    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pulled,
-                     _ ("bars: tension up to %s MPa"), most)
-      ->size = (float) WIDTH_BAR;
-  if (range->min < 0)
-    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pressed,
-                     _ ("bars: compression up to %s MPa"), least)
-      ->size = (float) WIDTH_BAR;
-}
-
 void
 qn_build_bars (QnSceneBuilder *b)
 {
@@ -137,5 +114,22 @@ qn_build_bars (QnSceneBuilder *b)
     add_part (b, crossings, i, 1, WIDTH_BAR,
               qn_color_bar_color (&range, stress, b->options->monochrome));
   }
-  add_legend (b, &range);
+  if (!range.shown) {
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_BAR), "%s",
+                     _ ("reinforcing bar"))
+      ->size = (float) WIDTH_BAR;
+    return;
+  }
+  QnColor pulled = qn_color_bar_color (&range, range.max, b->options->monochrome);
+  QnColor pressed = qn_color_bar_color (&range, range.min, b->options->monochrome);
+  g_autofree char *most = qn_label_number ("%.3g", range.max * range.factor);
+  g_autofree char *least = qn_label_number ("%.3g", -range.min * range.factor);
+  if (range.max > 0)
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pulled,
+                     _ ("bars: tension up to %s MPa"), most)
+      ->size = (float) WIDTH_BAR;
+  if (range.min < 0)
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pressed,
+                     _ ("bars: compression up to %s MPa"), least)
+      ->size = (float) WIDTH_BAR;
 }

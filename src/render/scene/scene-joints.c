@@ -80,26 +80,6 @@ add_sliding (QnSceneBuilder *b, QnId index, const QnContactFace *face,
   command->least = 1.6f * SYMBOL_LEAST;
 }
 
-static void
-add_legend (QnSceneBuilder *b, const JointTally *tally, QnColor open, QnColor slide,
-            QnColor hinge)
-{
-  if (tally->open)
-    qn_scene_legend (b->scene, QN_COMMAND_FILL, open, "%s", _ ("open joint"));
-  if (tally->hinge) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, hinge, "%s", _ ("hinge"));
-    entry->marker = QN_MARKER_RING;
-    entry->size = 4.2f;
-  }
-  if (tally->sliding) {
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_MARKER, slide, "%s", _ ("sliding joint"));
-    entry->marker = QN_MARKER_SLIDE;
-    entry->size = 11;
-  }
-}
-
 void
 qn_build_joints (QnSceneBuilder *b)
 {
@@ -125,5 +105,18 @@ qn_build_joints (QnSceneBuilder *b)
       tally.sliding = true;
     }
   }
-  add_legend (b, &tally, open, slide, hinge);
+  if (tally.open)
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, open, "%s", _ ("open joint"));
+  if (tally.hinge) {
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, hinge, "%s", _ ("hinge"));
+    entry->marker = QN_MARKER_RING;
+    entry->size = 4.2f;
+  }
+  if (tally.sliding) {
+    QnLegendEntry *entry =
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, slide, "%s", _ ("sliding joint"));
+    entry->marker = QN_MARKER_SLIDE;
+    entry->size = 11;
+  }
 }

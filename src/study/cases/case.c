@@ -298,24 +298,6 @@ analyse (QnCaseSolver *solver, QnCaseModel *model, QnCaseResult *result, QnDiag 
   return status;
 }
 
-static void
-take_outputs (const QnStudy *study, const QnCaseModel *model, QnCaseResult *result)
-{
-  result->failed = FALSE;
-  result->outcome = g_strdup (qn_outcome_names[model->result.outcome]);
-  for (guint i = 0; i < study->outputs->len; i++) {
-    QnStudyOutput output = qn_study_output (study, i);
-    if (output == QN_STUDY_MECHANISM_KIND)
-      result->mechanism = dup_mechanism_kind (model);
-    else if (output == QN_STUDY_MECHANISM_SHAPE)
-      result->shape = model->result.mechanism != NULL
-                        ? qn_shape_dup (&model->project.model, model->result.mechanism)
-                        : NULL;
-    else if (output < QN_STUDY_FREQUENCY_1)
-      result->numbers[output] = number_of (model, output);
-  }
-}
-
 void
 qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
                QnCaseModel *model, QnCaseResult *result)
@@ -332,8 +314,22 @@ qn_case_solve (QnCaseSolver *solver, const double *values, const char *keep,
   if (prepare (solver, values, current, &error)) {
     if (analyse (solver, current, result, &diag) != QN_OK)
       qn_project_set_error (&current->project, &diag, &error);
-    else
-      take_outputs (study, current, result);
+    else {
+      result->failed = FALSE;
+      result->outcome = g_strdup (qn_outcome_names[current->result.outcome]);
+      for (guint i = 0; i < study->outputs->len; i++) {
+        QnStudyOutput output = qn_study_output (study, i);
+        if (output == QN_STUDY_MECHANISM_KIND)
+          result->mechanism = dup_mechanism_kind (current);
+        else if (output == QN_STUDY_MECHANISM_SHAPE)
+          result->shape =
+            current->result.mechanism != NULL
+              ? qn_shape_dup (&current->project.model, current->result.mechanism)
+              : NULL;
+        else if (output < QN_STUDY_FREQUENCY_1)
+          result->numbers[output] = number_of (current, output);
+      }
+    }
   }
   /* What an analysis that was not let to its end says is no answer. */
   QnStop stop = current->result.stop;

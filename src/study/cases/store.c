@@ -77,27 +77,6 @@ append_columns (GString *sql, const QnStudy *study, gboolean types)
                                                               : "TEXT");
 }
 
-static gboolean
-create_tables (QnStore *store, GError **error)
-{
-  g_autoptr (GString) sql = g_string_new (NULL);
-  char *values = sqlite3_mprintf (
-    "INSERT INTO study VALUES ('format', '%d'), ('sha256', %Q), ('title', %Q), "
-    "('run', %Q), ('plan', %Q), ('cases', '%lld');",
-    FORMAT_VERSION, store->study->sha256, store->study->title,
-    qn_study_run_names[store->study->run], qn_plan_kind_names[store->study->plan],
-    (long long) qn_study_case_count (store->study));
-  g_string_printf (sql,
-                   "BEGIN IMMEDIATE; PRAGMA application_id = %d; "
-                   "CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT); %s "
-                   "CREATE TABLE cases (",
-                   APPLICATION_ID, values);
-  append_columns (sql, store->study, TRUE);
-  g_string_append (sql, "); COMMIT;");
-  sqlite3_free (values);
-  return run (store, sql->str, error);
-}
-
 /* One number or text of the database; FALSE on an error. */
 static gboolean
 ask (QnStore *store, const char *sql, char **answer, GError **error)
@@ -140,8 +119,24 @@ check_study (QnStore *store, gboolean create, GError **error)
   if (!ask (store, "PRAGMA application_id", &id, error)
       || !is_empty (store, &empty, error))
     return FALSE;
-  if (empty && create)
-    return create_tables (store, error);
+  if (empty && create) {
+    g_autoptr (GString) sql = g_string_new (NULL);
+    char *values = sqlite3_mprintf (
+      "INSERT INTO study VALUES ('format', '%d'), ('sha256', %Q), ('title', %Q), "
+      "('run', %Q), ('plan', %Q), ('cases', '%lld');",
+      FORMAT_VERSION, store->study->sha256, store->study->title,
+      qn_study_run_names[store->study->run], qn_plan_kind_names[store->study->plan],
+      (long long) qn_study_case_count (store->study));
+    g_string_printf (sql,
+                     "BEGIN IMMEDIATE; PRAGMA application_id = %d; "
+                     "CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT); %s "
+                     "CREATE TABLE cases (",
+                     APPLICATION_ID, values);
+    append_columns (sql, store->study, TRUE);
+    g_string_append (sql, "); COMMIT;");
+    sqlite3_free (values);
+    return run (store, sql->str, error);
+  }
   if (empty)
     return refuse (store, _ ("the database is empty"), error);
   if (g_ascii_strtoll (id, NULL, 10) != APPLICATION_ID)

@@ -156,28 +156,6 @@ write_text (QnFileWriter *writer, const char *text)
   qn_file_writer_printf (writer, "\"%s\"", doubled);
 }
 
-static void
-write_row (QnFileWriter *writer, const QnTable *table, gsize i)
-{
-  const QnRow *row = &g_array_index (table->rows, QnRow, i);
-  qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, row->index + 1);
-  for (gsize k = 0; k < table->width; k++) {
-    double number = qn_table_number (table, i, k);
-    qn_file_writer_puts (writer, ",");
-    if (k >= table->parameters
-        && qn_study_output (table->study, k - table->parameters)
-             == QN_STUDY_MECHANISM_KIND)
-      write_text (writer, row->mechanism);
-    else if (!isnan (number))
-      qn_file_writer_number (writer, number);
-  }
-  qn_file_writer_puts (writer, row->failed ? ",failed," : ",done,");
-  write_text (writer, row->outcome);
-  qn_file_writer_puts (writer, ",");
-  write_text (writer, row->reason);
-  qn_file_writer_puts (writer, "\n");
-}
-
 gboolean
 qn_table_write (const QnTable *table, const char *path, GError **error)
 {
@@ -190,7 +168,24 @@ qn_table_write (const QnTable *table, const char *path, GError **error)
     write_text (writer, qn_table_column_name (table, i));
   }
   qn_file_writer_puts (writer, ",status,outcome,reason\n");
-  for (gsize i = 0; i < table->rows->len && !qn_file_writer_failed (writer); i++)
-    write_row (writer, table, i);
+  for (gsize i = 0; i < table->rows->len && !qn_file_writer_failed (writer); i++) {
+    const QnRow *row = &g_array_index (table->rows, QnRow, i);
+    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, row->index + 1);
+    for (gsize k = 0; k < table->width; k++) {
+      double number = qn_table_number (table, i, k);
+      qn_file_writer_puts (writer, ",");
+      if (k >= table->parameters
+          && qn_study_output (table->study, k - table->parameters)
+               == QN_STUDY_MECHANISM_KIND)
+        write_text (writer, row->mechanism);
+      else if (!isnan (number))
+        qn_file_writer_number (writer, number);
+    }
+    qn_file_writer_puts (writer, row->failed ? ",failed," : ",done,");
+    write_text (writer, row->outcome);
+    qn_file_writer_puts (writer, ",");
+    write_text (writer, row->reason);
+    qn_file_writer_puts (writer, "\n");
+  }
   return qn_file_writer_commit (writer, error);
 }

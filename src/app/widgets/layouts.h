@@ -1,0 +1,15 @@
+/* Layouts of boxes that GTK does not have. */
+#ifndef QN_APP_LAYOUTS_H
+#define QN_APP_LAYOUTS_H
+
+#include <gtk/gtk.h>
+
+/* The box shows the first of its children that has room for what it asks for at least, else the
+ * last. */
+void qn_layout_first_fit (GtkWidget *box);
+
+/* Two children: beside each other where both have the room that they take by themselves, the first
+ * taking the rest; else the second below the first. */
+void qn_layout_wrap_pair (GtkWidget *box);
+
+#endif
