@@ -59,6 +59,27 @@ says (QnWindow *window, const char *text)
   return driver_find_widget (GTK_WIDGET (window), has_text, text) != NULL;
 }
 
+static gboolean
+is_last_name (GtkWidget *widget, gconstpointer data)
+{
+  return has_text (widget, data) && GTK_IS_GRID (gtk_widget_get_parent (widget));
+}
+
+/* The diagram of a joint begins below the last of its values. */
+static void
+assert_apart (QnWindow *window)
+{
+  GtkWidget *last = driver_find_widget (GTK_WIDGET (window), is_last_name, "Law");
+  g_assert_nonnull (last);
+  GtkWidget *grid = gtk_widget_get_parent (last);
+  GtkWidget *diagram = gtk_widget_get_next_sibling (grid);
+  graphene_rect_t values, drawn;
+  g_assert_true (GTK_IS_DRAWING_AREA (diagram) && gtk_widget_get_mapped (diagram));
+  g_assert_true (gtk_widget_compute_bounds (last, GTK_WIDGET (window), &values));
+  g_assert_true (gtk_widget_compute_bounds (diagram, GTK_WIDGET (window), &drawn));
+  g_assert_cmpfloat (values.origin.y + values.size.height, <=, drawn.origin.y + 0.5F);
+}
+
 /* A click on a joint selects it in the views of the model and of forces, and the panel of results
  * tells its values. */
 static void
@@ -79,6 +100,7 @@ test_click_joint (void)
     g_assert_cmpint (qn_selection_get_face (selection), ==, joint);
     g_assert_true (says (window, "Eccentricity"));
     g_assert_true (says (window, "Joint "));
+    assert_apart (window);
     driver_screenshot (GTK_WIDGET (window), i == 0   ? "inspect-forces"
                                             : i == 1 ? "inspect-model"
                                                      : "inspect-contacts");

@@ -17,7 +17,8 @@ new_label (const char *text, gboolean value)
 {
   GtkWidget *label = gtk_label_new (text);
   gtk_label_set_xalign (GTK_LABEL (label), 0.0F);
-  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
+  /* A grid whose columns both wrap asks for too little height. */
+  gtk_label_set_wrap (GTK_LABEL (label), value);
   gtk_label_set_selectable (GTK_LABEL (label), value);
   /* Numbers are copied by the mouse; the keys keep to the fields. */
   gtk_widget_set_focusable (label, FALSE);

@@ -6,6 +6,7 @@
 
 #define SHOWN_DIGITS 7
 #define WIDTH_CHARS  9
+#define USUAL_CHARS  12 /* all digits with a unit */
 
 struct _QnQuantityEntry {
   GtkEntry parent_instance;
@@ -218,7 +219,7 @@ qn_quantity_entry_init (QnQuantityEntry *self)
   self->least = -INFINITY;
   self->most = INFINITY;
   gtk_editable_set_width_chars (GTK_EDITABLE (self), WIDTH_CHARS);
-  gtk_editable_set_max_width_chars (GTK_EDITABLE (self), WIDTH_CHARS);
+  gtk_editable_set_max_width_chars (GTK_EDITABLE (self), USUAL_CHARS);
   gtk_editable_set_alignment (GTK_EDITABLE (self), 1.0f);
   /* Numbers run from left to right in every script. */
   gtk_widget_set_direction (GTK_WIDGET (self), GTK_TEXT_DIR_LTR);

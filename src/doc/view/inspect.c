@@ -111,16 +111,16 @@ static void
 add_eccentricity (GString *text, QnUnits units, const QnContactFace *face,
                   const QnJointReading *reading, gboolean brief)
 {
+  QnUnits mm = qn_units_of_motion (units);
   if (reading->place == QN_PLACE_NOWHERE) {
     add_text (text, _ ("Eccentricity"), _ ("no compression"));
     return;
   }
   g_autofree char *e =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, reading->eccentricity, DIGITS);
-  g_autofree char *kern =
-    qn_units_format (units, QN_QUANTITY_LENGTH, face->length / 6.0, 3);
+    qn_units_format_full (mm, QN_QUANTITY_LENGTH, reading->eccentricity, DIGITS);
+  g_autofree char *kern = qn_units_format (mm, QN_QUANTITY_LENGTH, face->length / 6.0, 3);
   g_autofree char *edge =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, face->length / 2.0, 3);
+    qn_units_format_full (mm, QN_QUANTITY_LENGTH, face->length / 2.0, 3);
   g_autofree char *bounds = g_strdup_printf (_ ("kern ±%s, edge ±%s"), kern, edge);
   g_autofree char *where = g_strdup_printf ("%s, %s", e, place_word (reading->place));
   add_text (text, _ ("Eccentricity"), where);
@@ -161,10 +161,10 @@ tell_row (GString *text, const QnStepView *view, QnId id, QnUnits units)
   if (alike > 1 && (cut->next[0] != QN_NONE || cut->next[1] != QN_NONE)) {
     g_autofree char *force = qn_units_format_full (units, QN_QUANTITY_FORCE,
                                                    qn_vec2_length (cut->force), DIGITS);
-    g_autofree char *e =
-      qn_units_format_full (units, QN_QUANTITY_LENGTH, cut->eccentricity, DIGITS);
-    g_autofree char *both = g_strdup_printf (_ ("%s, eccentricity %s"), force, e);
-    add_text (text, _ ("Thrust of the whole row"), both);
+    g_autofree char *e = qn_units_format_full (
+      qn_units_of_motion (units), QN_QUANTITY_LENGTH, cut->eccentricity, DIGITS);
+    g_autofree char *both = g_strdup_printf (_ ("%s, e = %s"), force, e);
+    add_text (text, _ ("Whole row"), both);
   }
   qn_thrust_clear (&thrust);
 }
