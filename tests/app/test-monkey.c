@@ -16,6 +16,14 @@
 
 #define HEADER_PX 60
 
+/* With QUOIN_MONKEY_STEADY nothing depends on time: only actions, windows and the answers to dialogs,
+ * each once the analyses before it have ended. */
+static gboolean
+is_steady (void)
+{
+  return g_getenv ("QUOIN_MONKEY_STEADY") != NULL;
+}
+
 /* How many things are done: QUOIN_MONKEY, or by itself enough for every kind many times. */
 #define USUAL_COUNT 1500
 
@@ -385,6 +393,24 @@ move_pointer (Monkey *monkey)
 
 /* ---- the test ---- */
 
+static gboolean
+any_job (void)
+{
+  for (GList *l = gtk_application_get_windows (driver_application ()); l != NULL;
+       l = l->next)
+    if (QN_IS_WINDOW (l->data)
+        && qn_document_get_job (qn_window_get_document (l->data)) != NULL)
+      return TRUE;
+  return FALSE;
+}
+
+static void
+await_jobs (void)
+{
+  while (any_job ())
+    g_main_context_iteration (NULL, TRUE);
+}
+
 static void
 monkey_init (Monkey *monkey)
 {
@@ -468,7 +494,7 @@ test_monkey (void)
       close_something ();
     else if (what < 5)
       open_window (&monkey);
-    else if (what < 35)
+    else if (what < 35 || is_steady ())
       do_action (&monkey);
     else if (what < 60)
       use_widget ();
@@ -476,6 +502,8 @@ test_monkey (void)
       press_key (&monkey);
     else
       move_pointer (&monkey);
+    if (is_steady ())
+      await_jobs ();
     settle ();
     watch_windows (&monkey);
   }

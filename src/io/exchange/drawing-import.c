@@ -35,9 +35,12 @@ infer_supports (QnImportWork *work)
       supports++;
     }
   }
-  qn_import_tell (work, TRUE,
-                  _ ("no layer of supports: the lowest row is fixed, %zu blocks"),
-                  supports);
+  qn_import_tell (
+    work, TRUE,
+    g_dngettext (GETTEXT_PACKAGE,
+                 "no layer of supports: the lowest row is fixed, %zu block",
+                 "no layer of supports: the lowest row is fixed, %zu blocks", supports),
+    supports);
 }
 
 /* The name that the drawing gives, or else one by number, whichever is free. */

@@ -78,7 +78,7 @@ tell_gaps (QnImportWork *work, const QnGapClosing *closing)
     qn_import_tell (
       work, FALSE,
       _ ("joints of mortar: %zu, %.3g to %.3g mm wide; closed: blocks grew to "
-         "their middle, by %.3g m2 in all"),
+         "their middle, by %.3g m² in all"),
       count, from, to, closing->grown);
     if (closing->left > 0)
       qn_import_tell (work, TRUE, _ ("joints of mortar that could not be closed: %zu"),
