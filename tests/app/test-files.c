@@ -114,6 +114,31 @@ make_picture (const char *folder)
   return path;
 }
 
+/* The lines between corners of a picture end at the lowest of them. */
+static void
+assert_lines_end_at (QnWindow *window, double lowest)
+{
+  GtkWidget *canvas = GTK_WIDGET (qn_window_get_canvas (window));
+  QnVec2 at = qn_canvas_to_screen (QN_CANVAS (canvas), qn_vec2 (0.0, lowest));
+  cairo_surface_t *picture = driver_picture (GTK_WIDGET (window));
+  int stride = cairo_image_surface_get_stride (picture), last = -1;
+  const unsigned char *data = cairo_image_surface_get_data (picture);
+  double x, y;
+  gtk_widget_translate_coordinates (canvas, GTK_WIDGET (window), at.x, at.y, &x, &y);
+  for (int row = 0; row < cairo_image_surface_get_height (picture); row++) {
+    const guint32 *pixels = (const guint32 *) (gconstpointer) (data + row * stride);
+    for (int i = 0; i < cairo_image_surface_get_width (picture); i++) {
+      int red = pixels[i] >> 16 & 0xff, green = pixels[i] >> 8 & 0xff,
+          blue = pixels[i] & 0xff;
+      if (red > 170 && green < 40 && ABS (blue - 102) < 20)
+        last = row;
+    }
+  }
+  cairo_surface_destroy (picture);
+  g_assert_cmpfloat (last, >, y - 20);
+  g_assert_cmpfloat (last, <, y + 40);
+}
+
 /* Laid behind an empty drawing, moved with the pointer, scaled by two points, saved beside the
  * project and undone. */
 static void
@@ -154,6 +179,7 @@ test_picture (void)
   driver_click (window, left + 1.25, 0.1);
   driver_click (window, left + 0.1, 0.7);
   driver_screenshot (GTK_WIDGET (window), "picture-corners");
+  assert_lines_end_at (window, 0.1);
   driver_type ("2; 1,5");
   driver_key ("Return");
   underlay = qn_view_state_get_underlay (state);

@@ -626,6 +626,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
 
   void (*draw_tool) (QnCanvas *, cairo_t *) =
     self->in_gesture ? self->tool->draw : self->tool->draw_ready;
+  cairo_new_path (cr); /* text leaves a current point behind */
   if (draw_tool != NULL)
     draw_tool (self, cr);
   if (self->keyboard_cursor && self->pointer_inside)

@@ -31,7 +31,6 @@ numbers (QnCanvas *canvas, const double *values, int count)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  cairo_new_path (cr);
   qn_gesture_trace_points (canvas, cr);
   cairo_set_source_rgb (cr, 0.85, 0.35, 0.0);
   cairo_set_line_width (cr, 2.0);
