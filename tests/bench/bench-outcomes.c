@@ -3,9 +3,11 @@
  * project, read, solved, written as a result, read, and checked as `quoin-cli check --result` does.
  *
  *   bench-outcomes [--first SEED] [--count N] [--most BLOCKS] [--joints NAME] [--uncertain N]
- *                  [--unsolved N]
+ *                  [--unsolved N] [--limit] [--save FOLDER]
  *
- * With --most, walls of more blocks are left out: for sanitizers and valgrind. With --joints, all walls
+ * With --limit, every wall is answered by non-associative limit analysis, in linear geometry, and a proved
+ * collapse of a path of prescribed work that lies outside the fixed points is told, and counted beside.
+ * With --save, the walls are written there as projects. With --most, walls of more blocks are left out: for sanitizers and valgrind. With --joints, all walls
  * have the joints of this name. One line for each wall,
  * then the table: outcomes by geometry, uncertain mechanisms, and violations. A violation is a result
  * that cannot be read back, a statement that is not true, or a collapse above the associative bound,
@@ -31,12 +33,17 @@
 /* A multiplier is that of a bound to this part. */
 #define SAME 1e-6
 
+/* A multiplier without associativity is no sharper than this part of it. */
+#define OUTSIDE 0.01
+
 /* What the check of forces alone lets pass, as `quoin-cli check --result` does. */
 #define TOLERANCE 1e-6
 
 typedef struct Options {
   int first, count, most_blocks, most_uncertain, most_unsolved;
-  char *joints; /* or NULL */
+  char *joints;   /* or NULL */
+  char *save;     /* folder of the projects, or NULL */
+  gboolean limit; /* by limit analysis */
 } Options;
 
 /* --- Joints ------------------------------------------------------------------------------- */
@@ -192,13 +199,14 @@ typedef struct Wall {
   QnOutcome outcome;
   gboolean uncertain;
   double multiplier, bound; /* NAN: none */
+  double path;              /* of prescribed work, where it is outside the fixed points */
   char *violation;          /* or NULL */
 } Wall;
 
 typedef struct Tally {
   int outcomes[QN_GEOMETRY_COUNT][QN_OUTCOME_COUNT];
   int uncertain[QN_GEOMETRY_COUNT];
-  int bounded, violations, above[QN_GEOMETRY_COUNT];
+  int bounded, violations, above[QN_GEOMETRY_COUNT], outside;
 } Tally;
 
 /* The place of joints by their name, or -1. */
@@ -212,27 +220,37 @@ find_joints (const char *name)
 }
 
 static void
-lay (Wall *wall, const char *joints_of_all, QnProject *project)
+lay (Wall *wall, const Options *options, QnProject *project)
 {
   QnModel model;
   QnProject drawn;
   g_autoptr (GError) error = NULL;
   gsize length;
   /* One after the other, each in both geometries. */
-  int law = joints_of_all != NULL ? find_joints (joints_of_all)
-                                  : wall->seed / 2 % (int) G_N_ELEMENTS (joints);
+  int law = options->joints != NULL ? find_joints (options->joints)
+                                    : wall->seed / 2 % (int) G_N_ELEMENTS (joints);
 
   stress_random_wall ((guint32) wall->seed, &model, wall->kind, sizeof wall->kind);
   g_strdelimit (wall->kind, ",", ';');
   joints[law].make (&model);
   wall->joints = joints[law].name;
-  wall->geometry = wall->seed % 2 == 0 ? QN_GEOMETRY_LINEAR : QN_GEOMETRY_NONLINEAR;
+  wall->geometry =
+    options->limit || wall->seed % 2 == 0 ? QN_GEOMETRY_LINEAR : QN_GEOMETRY_NONLINEAR;
   model.analysis.geometry = wall->geometry;
+  if (options->limit) {
+    model.analysis.procedure = QN_PROCEDURE_LIMIT;
+    model.analysis.flow = QN_FLOW_NON_ASSOCIATIVE;
+  }
   qn_project_init (&drawn);
   qn_model_clear (&drawn.model);
   drawn.model = model;
   g_assert_cmpint (qn_model_prepare (&drawn.model, NULL), ==, QN_OK);
   g_autofree char *text = qn_project_to_text (&drawn, &length);
+  g_autofree char *name = g_strdup_printf ("seed-%d.quoin", wall->seed);
+  g_autofree char *path =
+    options->save != NULL ? g_build_filename (options->save, name, NULL) : NULL;
+  if (path != NULL && !g_file_set_contents (path, text, (gssize) length, &error))
+    g_error ("%s", error->message);
   if (!qn_project_parse (text, length, "wall.quoin", NULL, project, &error))
     g_error ("seed %d: %s", wall->seed, error->message);
   qn_project_clear (&drawn);
@@ -292,6 +310,27 @@ read_and_check (const char *path, const QnProject *project, const QnContacts *co
   return untruth;
 }
 
+/* The multiplier of a path of prescribed work that is proved and lies outside the fixed points of limit
+ * analysis; NAN where there is none. */
+static double
+find_outside (const QnProject *project, const QnContacts *contacts,
+              const QnLimitFigures *limit)
+{
+  QnModel model = project->model; /* whose arrays stay the project's */
+  QnResult path;
+  double outside = NAN;
+
+  model.analysis.procedure = QN_PROCEDURE_WORK;
+  g_assert_cmpint (qn_analysis_run (&model, contacts, NULL, NULL, &path, NULL), ==,
+                   QN_OK);
+  if (path.has_collapse_multiplier && !path.mechanism_uncertain
+      && (path.collapse_multiplier < (1 - OUTSIDE) * limit->lower_bound
+          || path.collapse_multiplier > (1 + OUTSIDE) * limit->upper_bound))
+    outside = path.collapse_multiplier;
+  qn_result_clear (&path);
+  return outside;
+}
+
 /* FALSE, and nothing done, where the wall has more blocks than the options want. */
 static gboolean
 run (const char *folder, const Options *options, Wall *wall)
@@ -302,7 +341,7 @@ run (const char *folder, const Options *options, Wall *wall)
   g_autoptr (GError) error = NULL;
   g_autofree char *path = g_build_filename (folder, "wall.json", NULL);
 
-  lay (wall, options->joints, &project);
+  lay (wall, options, &project);
   if (project.model.block_count > (size_t) options->most_blocks) {
     qn_project_clear (&project);
     return FALSE;
@@ -314,6 +353,8 @@ run (const char *folder, const Options *options, Wall *wall)
   wall->uncertain = result.mechanism_uncertain;
   wall->multiplier = result.has_collapse_multiplier ? result.collapse_multiplier : NAN;
   wall->bound = result.has_collapse_multiplier ? find_bound (&project, &contacts) : NAN;
+  wall->path =
+    result.limit.given ? find_outside (&project, &contacts, &result.limit) : NAN;
   if (!qn_result_file_write (path, &project, &contacts, &result, &error))
     g_error ("%s", error->message);
   wall->violation = read_and_check (path, &project, &contacts);
@@ -340,16 +381,18 @@ tell (FILE *csv, const Wall *wall, Tally *tally)
   g_autofree char *multiplier = number_text (wall->multiplier);
   g_autofree char *bound = number_text (wall->bound);
 
-  bench_csv_row (csv, "%d,%s,%s,%s,%s,%s,%s,%s,%s", wall->seed, wall->kind, wall->joints,
-                 wall->geometry == QN_GEOMETRY_LINEAR ? "linear" : "nonlinear",
-                 qn_outcome_names[wall->outcome], multiplier, bound,
-                 wall->uncertain ? "yes" : "no",
-                 wall->violation != NULL ? wall->violation : "");
+  g_autofree char *path = number_text (wall->path);
+  bench_csv_row (
+    csv, "%d,%s,%s,%s,%s,%s,%s,%s,%s,%s", wall->seed, wall->kind, wall->joints,
+    wall->geometry == QN_GEOMETRY_LINEAR ? "linear" : "nonlinear",
+    qn_outcome_names[wall->outcome], multiplier, bound, wall->uncertain ? "yes" : "no",
+    path, wall->violation != NULL ? wall->violation : "");
   tally->outcomes[wall->geometry][wall->outcome]++;
   tally->uncertain[wall->geometry] += wall->uncertain;
   tally->bounded += isfinite (wall->bound);
   tally->above[wall->geometry] +=
     wall->multiplier > wall->bound + SAME * (1 + fabs (wall->bound));
+  tally->outside += isfinite (wall->path);
   tally->violations += wall->violation != NULL;
 }
 
@@ -371,6 +414,7 @@ print_table (const Tally *tally)
              tally->uncertain[QN_GEOMETRY_NONLINEAR]);
   print_row ("above the bound of the undeformed structure",
              tally->above[QN_GEOMETRY_LINEAR], tally->above[QN_GEOMETRY_NONLINEAR]);
+  print_row ("path outside the fixed points", tally->outside, 0);
   printf ("\n%d collapses have an associative bound; %d violations\n", tally->bounded,
           tally->violations);
 }
@@ -389,6 +433,10 @@ parse (int *argc, char ***argv, Options *options, GError **error)
       "Most uncertain mechanisms (any number)", "N" },
     { "unsolved", 0, 0, G_OPTION_ARG_INT, &options->most_unsolved,
       "Most walls without answer (any number)", "N" },
+    { "save", 0, 0, G_OPTION_ARG_FILENAME, &options->save, "Writes the walls there",
+      "FOLDER" },
+    { "limit", 0, 0, G_OPTION_ARG_NONE, &options->limit,
+      "By non-associative limit analysis", NULL },
     G_OPTION_ENTRY_NULL,
   };
   g_autoptr (GOptionContext) context = g_option_context_new (NULL);
@@ -427,7 +475,7 @@ main (int argc, char **argv)
   char *folder = test_scratch_new ();
   FILE *csv =
     bench_csv_open ("outcomes", "seed,wall,joints,geometry,outcome,collapse multiplier,"
-                                "associative bound,uncertain,violation");
+                                "associative bound,uncertain,path outside,violation");
   for (int i = 0; i < options.count; i++) {
     Wall wall = { .seed = options.first + i };
     if (!run (folder, &options, &wall))
@@ -439,6 +487,7 @@ main (int argc, char **argv)
   print_table (&tally);
   test_scratch_free (folder);
   g_free (options.joints);
+  g_free (options.save);
   int uncertain =
     tally.uncertain[QN_GEOMETRY_LINEAR] + tally.uncertain[QN_GEOMETRY_NONLINEAR];
   int unsolved = tally.outcomes[QN_GEOMETRY_LINEAR][QN_OUTCOME_NOT_CONVERGED]

@@ -112,6 +112,9 @@ find_peak (const QnCheck *check, double *sense)
   return peak;
 }
 
+/* In linear geometry a structure that moves on for good collapses at its last multiplier, unless that has
+ * fallen to nothing; in large displacements at the highest. Where its mechanism is not known, either may
+ * be told. */
 static void
 check_collapse (QnCheck *check)
 {
@@ -124,8 +127,13 @@ check_collapse (QnCheck *check)
   if (!r->has_collapse_multiplier || r->step_count == 0)
     return;
   peak = find_peak (check, &sense);
-  if (!same_multiplier (r->collapse_multiplier, peak))
-    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, peak);
+  double last = r->steps[r->step_count - 1].multiplier;
+  bool is_last = r->outcome == QN_OUTCOME_COLLAPSE && sense * last > 0
+                 && check->model->analysis.geometry == QN_GEOMETRY_LINEAR;
+  double told = is_last ? last : peak;
+  if (!same_multiplier (r->collapse_multiplier, told)
+      && !(r->mechanism_uncertain && same_multiplier (r->collapse_multiplier, peak)))
+    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, told);
 }
 
 static bool

@@ -120,6 +120,19 @@ find_end (const QnCheck *check, const Stretch *stretch, size_t start)
 }
 
 static bool
+climbs_after (const QnCheck *check, const Stretch *stretch, size_t start)
+{
+  double highest = multiplier_at (check, stretch, start);
+
+  for (size_t i = start + 1; i <= stretch->last; i++) {
+    double at = check->result->steps[i].multiplier;
+    if (stretch->sense * at > stretch->sense * highest && !same (at, highest))
+      return true;
+  }
+  return false;
+}
+
+static bool
 has_blocks (const QnCheck *check, const QnPathEvent *event, size_t start, size_t end)
 {
   double least = QN_TAKES_PART * largest_shift (check, start, end);
@@ -216,9 +229,7 @@ is_true (QnCheck *check, const Stretch *stretch, const QnPathEvent *event, size_
   if (found < 0 || event->stage != r->stage || !suits_kind (event)
       || !(event->energy >= 0))
     return false;
-  if (collapses
-      && !(r->has_collapse_multiplier
-           && same (event->multiplier, r->collapse_multiplier)))
+  if (collapses && (!r->has_collapse_multiplier || climbs_after (check, stretch, *start)))
     return false;
   if (*start == stretch->last)
     return collapses;

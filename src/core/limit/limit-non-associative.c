@@ -62,7 +62,9 @@ typedef struct Sequence {
   QnInteriorPoint ip;
   QnProgressFunc progress;
   void *user_data;
-  double *anchor; /* pair_count: compressions that the shear lines pass through */
+  double
+    *anchor; /* pair_count: compressions that the shear lines pass through; of joints that
+                     hold together negative ones, too, for tension takes strength from shear */
   const QnLimitSolution *associative;
   QnStatistics effort; /* of all programs */
 } Sequence;
@@ -78,12 +80,6 @@ disturbance (uint64_t seed)
   return (double) (seed >> 11) / 9007199254740992.0;
 }
 
-static double
-compression (const double *force)
-{
-  return fmax (0.0, -force[0]);
-}
-
 static void
 set_first_anchors (Sequence *seq, const Schedule *schedule, uint64_t seed)
 {
@@ -91,9 +87,9 @@ set_first_anchors (Sequence *seq, const Schedule *schedule, uint64_t seed)
 
   for (size_t p = 0; p < seq->contacts->pair_count; p++) {
     double share = 1.0 + schedule->noise * (2.0 * disturbance (seed + p) - 1.0);
-    double start = compression (live + 2 * p);
+    double start = -live[2 * p];
     if (dead)
-      start += schedule->dead * (compression (dead + 2 * p) - start);
+      start += schedule->dead * (-dead[2 * p] - start);
     seq->anchor[p] = share * start;
   }
 }
@@ -108,8 +104,8 @@ move_anchors (Sequence *seq, const double *forces, double mix)
 
   for (size_t p = 0; p < seq->contacts->pair_count; p++) {
     double friction = qn_limit_problem_friction (seq->model, seq->contacts, (QnId) p);
-    double now = compression (forces + 2 * p);
-    largest = fmax (largest, now);
+    double now = -forces[2 * p];
+    largest = fmax (largest, fabs (now));
     worst = fmax (worst, friction * (seq->anchor[p] - now));
     seq->anchor[p] += mix * (now - seq->anchor[p]);
   }
@@ -290,7 +286,7 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
 
   *velocities = NULL;
   for (size_t p = 0; !status && p < contacts->pair_count; p++)
-    seq.anchor[p] = fmax (0.0, -pairs[p].normal_force);
+    seq.anchor[p] = -pairs[p].normal_force;
   if (!status) {
     qn_limit_problem_set_shear (&seq.limit, model, contacts, seq.anchor, LEAST_REMAINING);
     status = find_mechanism (&seq, &point, &solution, &cancelled, diag);

@@ -92,8 +92,8 @@ run (QnLimitSeries *series, const QnModel *model, const QnContacts *contacts,
     QnStatus status =
       qn_limit_run (series, model, contacts, qn_budget_go_on, budget, result, diag);
     return status == QN_OK && result->outcome != QN_OUTCOME_CANCELLED
-             ? qn_path_add_fixed_point (model, contacts, qn_budget_go_on, budget, result,
-                                        diag)
+             ? qn_path_add_fixed_points (model, contacts, qn_budget_go_on, budget, result,
+                                         diag)
              : status;
   }
   QnStatus status =

@@ -1,13 +1,16 @@
-/* The collapse of the path as a fixed point of limit analysis.
+/* The collapses of paths as fixed points of limit analysis.
  *
  * In linear geometry the multiplier at which a path collapses does not depend on stiffness: its forces
  * and its mechanism are an exact solution for rigid blocks, too. The sequence of linear programs
- * (limit-non-associative.c) may settle nowhere, or above it. So the path is followed as well.
+ * (limit-non-associative.c) may settle nowhere, or above it. So the paths of load control and of
+ * prescribed work are followed as well; friction without dilatancy may lead them to different ends. One
+ * that does not know how the structure moves on proves none: it counts only where nothing else does.
  */
 #include "core/path/path.h"
 
 #include "core/base/clock.h"
 #include "core/base/memory.h"
+#include "core/path/proof.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -52,15 +55,34 @@ keep_point (QnResult *result, QnResult *found, const QnModel *model, QnDiag *dia
 {
   QnLimitFigures *limit = &result->limit;
   double multiplier = found->collapse_multiplier;
-  bool least = !limit->given || multiplier < limit->lower_bound;
 
-  if (multiplier > result->associative_bound * (1 + ABOVE) + ABOVE)
+  if (multiplier > result->associative_bound * (1 + ABOVE) + ABOVE
+      || (limit->given && found->mechanism_uncertain))
     return QN_OK;
+  if (result->mechanism_uncertain) {
+    limit->given = false;
+    result->solution_count = 0;
+  }
+  bool least = !limit->given || multiplier < limit->lower_bound;
   for (int32_t i = 0; i < found->solution_count; i++)
     qn_result_add_solution (result, found->solutions[i]);
   limit->upper_bound = limit->given ? fmax (limit->upper_bound, multiplier) : multiplier;
   limit->given = true;
   return least ? take_solution (result, found, model, diag) : QN_OK;
+}
+
+/* With the friction of its joints the structure does not stand under its dead load: no fixed point is the
+ * end of a path. */
+static void
+take_fall (QnResult *result, QnResult *found)
+{
+  result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  result->has_associative_bound = false;
+  result->mechanism = found->mechanism;
+  result->unstable_blocks = found->unstable_blocks;
+  result->unstable_count = found->unstable_count;
+  found->mechanism = NULL;
+  found->unstable_blocks = NULL;
 }
 
 /* Who cancels has no answer: the least fixed point is not known then. */
@@ -73,10 +95,10 @@ withdraw (QnResult *result)
   qn_result_clear_collapse (result);
 }
 
-QnStatus
-qn_path_add_fixed_point (const QnModel *model, const QnContacts *contacts,
-                         QnProgressFunc report, void *report_data, QnResult *result,
-                         QnDiag *diag)
+/* The path of rigid blocks by this procedure, as far as to collapse. */
+static QnStatus
+add_path (QnProcedure procedure, const QnModel *model, const QnContacts *contacts,
+          QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)
 {
   double start = qn_clock_seconds (), before = result->statistics.seconds;
   QnModel rigid = *model; /* whose arrays stay the model's */
@@ -84,9 +106,7 @@ qn_path_add_fixed_point (const QnModel *model, const QnContacts *contacts,
   QnPath path;
   bool stands;
 
-  if (!result->has_associative_bound || model->analysis.flow == QN_FLOW_ASSOCIATIVE)
-    return QN_OK;
-  rigid.analysis.procedure = QN_PROCEDURE_LOAD;
+  rigid.analysis.procedure = procedure;
   rigid.analysis.geometry = QN_GEOMETRY_LINEAR;
   rigid.analysis.snap = QN_SNAP_THROUGH_JUMP;
   rigid.analysis.max_multiplier = INFINITY;
@@ -97,13 +117,35 @@ qn_path_add_fixed_point (const QnModel *model, const QnContacts *contacts,
     status = qn_path_run (&path, &stands, diag);
   status = qn_path_finish (&path, status, start);
   if (status == QN_OK) {
+    qn_result_judge_linearity (&rigid, &found);
+    status = qn_result_prove (&rigid, contacts, &found, diag);
+  }
+  if (status == QN_OK) {
     qn_statistics_add (&result->statistics, &found.statistics);
     result->statistics.seconds = before + found.statistics.seconds;
     if (found.outcome == QN_OUTCOME_COLLAPSE)
       status = keep_point (result, &found, model, diag);
+    else if (found.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE && !result->limit.given)
+      take_fall (result, &found);
     else if (found.outcome == QN_OUTCOME_CANCELLED)
       withdraw (result);
   }
   qn_result_clear (&found);
+  return status;
+}
+
+QnStatus
+qn_path_add_fixed_points (const QnModel *model, const QnContacts *contacts,
+                          QnProgressFunc report, void *report_data, QnResult *result,
+                          QnDiag *diag)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK };
+  QnStatus status = QN_OK;
+
+  for (size_t i = 0; i < 2 && status == QN_OK && result->has_associative_bound
+                     && model->analysis.flow == QN_FLOW_NON_ASSOCIATIVE
+                     && result->outcome != QN_OUTCOME_CANCELLED;
+       i++)
+    status = add_path (procedures[i], model, contacts, report, report_data, result, diag);
   return status;
 }

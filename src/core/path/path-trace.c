@@ -155,6 +155,12 @@ take_work (QnPathTrace *trace, QnDiag *diag)
 
 /* --- One step ---------------------------------------------------------------------------- */
 
+static bool
+holds_still (double multiplier, double before)
+{
+  return fabs (multiplier - before) <= tuning->plateau_tolerance * fabs (multiplier);
+}
+
 /* Accepts the current state. Load control records the equilibria that it meets, which lie above all
  * multipliers before. */
 static bool
@@ -175,14 +181,18 @@ accept (QnPathTrace *trace)
       memcpy (trace->onset, eq->u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
     trace->beyond = true;
     qn_equilibrium_commit (eq);
+    if (!holds_still (eq->multiplier, trace->lower.multiplier))
+      qn_equilibrium_save (eq, &trace->lower);
     return true;
   }
   trace->beyond = false;
   snap = trace->load_control ? snap : trace->jumped;
   if (!qn_path_accept (path, multiplier, snap ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return false;
-  if (trace->load_control)
+  if (trace->load_control) {
     qn_equilibrium_save (eq, &trace->highest);
+    trace->lower.multiplier = INFINITY;
+  }
   return true;
 }
 
@@ -406,6 +416,33 @@ find_velocity (const QnPathTrace *trace, double *velocity)
     velocity[i] = to[i] - from[i];
 }
 
+/* Whether the structure moves on for good at the last multiplier, in linear geometry: its forces and its
+ * motion are a collapse that is proved, although joints without dilatancy may have carried more before. */
+static bool
+moves_on (const QnPathTrace *trace)
+{
+  const QnResult *result = trace->path->result;
+
+  return result->outcome == QN_OUTCOME_COLLAPSE && qn_path_trace_is_linear (trace)
+         && !result->mechanism_uncertain && trace->stop != QN_STOP_ZERO;
+}
+
+/* Load control ends at its highest multiplier, or where the structure moves on below it. */
+static bool
+take_last_state (QnPathTrace *trace)
+{
+  QnEquilibrium *eq = &trace->path->equilibrium;
+
+  if (trace->beyond && moves_on (trace)
+      && !holds_still (trace->lower.multiplier, trace->highest.multiplier)) {
+    qn_equilibrium_set_state (eq, &trace->lower);
+    return qn_path_accept (trace->path, eq->multiplier, QN_EVENT_NONE);
+  }
+  qn_equilibrium_set_state (eq, &trace->highest);
+  qn_equilibrium_save (eq, &eq->committed);
+  return true;
+}
+
 /* What the path as a whole says of the structure. */
 static QnStatus
 conclude (QnPathTrace *trace, QnDiag *diag)
@@ -428,22 +465,21 @@ conclude (QnPathTrace *trace, QnDiag *diag)
   if (result->outcome == QN_OUTCOME_SNAP)
     qn_result_set_first_limit (result,
                                path->origin + path->scale * trace->events.highest);
-  if (trace->load_control) {
-    qn_equilibrium_set_state (eq, &trace->highest);
-    qn_equilibrium_save (eq, &eq->committed);
-  } else {
+  if (!trace->load_control)
     result->stop = trace->stop;
-  }
+  else if (!take_last_state (trace))
+    return qn_diag_no_memory (diag);
   if (result->outcome == QN_OUTCOME_SNAP)
     result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
   if (result->outcome == QN_OUTCOME_COLLAPSE)
     result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
   if (!collapses)
     return QN_OK;
+  double multiplier = moves_on (trace) ? eq->committed.multiplier : trace->events.highest;
   result->has_collapse_multiplier = true;
-  result->collapse_multiplier = trace->events.highest;
+  result->collapse_multiplier = multiplier;
   qn_path_add_solution (path, trace->measure.procedure,
-                        path->origin + path->scale * trace->events.highest);
+                        path->origin + path->scale * multiplier);
   if (trace->load_control && qn_path_trace_is_linear (trace))
     status = judge_mechanism (trace, velocity, diag);
   return status == QN_OK ? qn_path_record_mechanism (path, velocity, diag) : status;
@@ -498,7 +534,9 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   bool ready = qn_path_predictor_init (&trace.predictor, as) && trace.buckling != NULL
                && trace.onset != NULL && (trace.central != NULL || !has_joints)
                && qn_path_events_init (&trace.events, path, live > 0 ? dead / live : 0)
-               && (!trace.load_control || qn_equilibrium_state_init (&trace.highest, as));
+               && (!trace.load_control
+                   || (qn_equilibrium_state_init (&trace.highest, as)
+                       && qn_equilibrium_state_init (&trace.lower, as)));
   trace.may_jump = qn_assembly_may_jump (as);
   trace.patience =
     (int32_t) qn_to_integer (tuning->most_effort / (double) path->model->block_count,
@@ -514,6 +552,7 @@ qn_path_trace (QnPath *path, QnDiag *diag)
   free (trace.onset);
   qn_path_predictor_clear (&trace.predictor);
   qn_equilibrium_state_clear (&trace.highest);
+  qn_equilibrium_state_clear (&trace.lower);
   qn_path_measure_clear (&trace.measure);
   return status;
 }

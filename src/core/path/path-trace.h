@@ -122,7 +122,10 @@ typedef struct QnPathTrace {
   double last_multiplier; /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* where the present plateau began */
   QnStop stop;                               /* UNKNOWN while the path goes on */
-  QnEquilibriumState highest; /* of load control: the state with the highest multiplier */
+  QnEquilibriumState
+    highest; /* of load control: the state with the highest multiplier, */
+  QnEquilibriumState
+    lower; /* and below it that from which on the multiplier holds still */
 } QnPathTrace;
 
 static inline bool

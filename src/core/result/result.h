@@ -212,7 +212,7 @@ typedef enum {
 } QnStability;
 
 /* Most solutions that a result keeps. */
-#define QN_RESULT_SOLUTIONS 8
+#define QN_RESULT_SOLUTIONS 12
 
 /* What limit analysis adds. limit.h says what each number guarantees. */
 typedef struct QnLimitFigures {

@@ -197,6 +197,16 @@ found_by_words (QnProcedure procedure)
   return texts[procedure] != NULL ? _ (texts[procedure]) : "";
 }
 
+/* The multiplier that the path does not climb above. */
+static double
+most_carried (const QnResult *result)
+{
+  for (gsize i = result->event_count; i-- > 0;)
+    if (result->events[i].kind == QN_EVENT_KIND_COLLAPSE)
+      return result->events[i].multiplier;
+  return -HUGE_VAL;
+}
+
 char *
 qn_outcome_dup_interval (const QnResult *result)
 {
@@ -208,8 +218,13 @@ qn_outcome_dup_interval (const QnResult *result)
   for (gint32 i = 0; i < result->solution_count; i++)
     greatest = MAX (greatest, result->solutions[i].multiplier);
   const char *found = found_by_words (found_by);
+  double carried = most_carried (result);
   g_autofree char *from =
-    result->solution_count == 1
+    carried > (1 + QN_SETTLED) * least ? g_strdup_printf (
+      _ ("The multiplier was %s, where the structure moves on after it "
+         "has carried %.4f;"),
+      found, carried)
+    : result->solution_count == 1
       ? g_strdup_printf (_ ("The multiplier was %s;"), found)
       : g_strdup_printf (
         _ ("The multiplier was %s, the least of %d solutions up to %.4f;"), found,
