@@ -220,19 +220,21 @@ stress_check_faults (const StressCheck *check)
 bool
 stress_path_is_consistent (const QnResult *result)
 {
-  double last = -INFINITY;
+  double last = -INFINITY, highest = -INFINITY;
   bool falls = result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
   bool collapses = result->outcome == QN_OUTCOME_COLLAPSE;
 
   for (size_t i = 0; i < result->step_count; i++) {
-    if (!(result->steps[i].multiplier >= last))
-      return false;
+    bool ends = collapses && i + 1 == result->step_count; /* on a plateau, perhaps */
     last = result->steps[i].multiplier;
+    if (!(last >= highest) && !ends)
+      return false;
+    highest = fmax (highest, last);
   }
   if (collapses
       && (!result->has_collapse_multiplier || result->collapse_multiplier != last
           || (result->has_first_limit_multiplier
-              && result->first_limit_multiplier > last)))
+              && result->first_limit_multiplier > highest)))
     return false;
   bool knows = result->outcome != QN_OUTCOME_NOT_CONVERGED
                && result->outcome != QN_OUTCOME_CANCELLED;

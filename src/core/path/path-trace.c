@@ -433,7 +433,8 @@ take_last_state (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
 
-  if (trace->beyond && moves_on (trace)
+  if (trace->may_jump && trace->beyond && moves_on (trace)
+      && trace->lower.multiplier > trace->events.least
       && !holds_still (trace->lower.multiplier, trace->highest.multiplier)) {
     qn_equilibrium_set_state (eq, &trace->lower);
     return qn_path_accept (trace->path, eq->multiplier, QN_EVENT_NONE);
