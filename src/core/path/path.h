@@ -96,7 +96,7 @@ QnStatus qn_path_trace (QnPath *path, QnDiag *diag);
  * non-associative limit analysis whose associative bound is known; where one is the least, its forces
  * and its mechanism become those of the result (path-limit.c). */
 QnStatus qn_path_add_fixed_points (const QnModel *model, const QnContacts *contacts,
-                                  QnProgressFunc report, void *report_data,
-                                  QnResult *result, QnDiag *diag);
+                                   QnProgressFunc report, void *report_data,
+                                   QnResult *result, QnDiag *diag);
 
 #endif
